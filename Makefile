@@ -1,0 +1,234 @@
+# Bonkers: a book that is a program. `make help` lists what can be made.
+#
+# Everything made goes under build/. Only `make tangle` writes src/, and
+# nothing writes exercises/.
+
+all: first
+
+SHELL = /bin/sh
+.DELETE_ON_ERROR:
+.SUFFIXES:
+.PHONY: all first programs native bench tangle check-tangle figures book \
+	test test-parts check memcheck format clean help
+
+CC ?= cc
+STANDARD = -std=c11 -D_POSIX_C_SOURCE=200809L -Wall -Wextra -pedantic
+PORTABLE = -O2 -ffp-contract=off
+NATIVE = -O3 -march=native -ffp-contract=off
+
+# V=1 shows the commands.
+Q = $(if $(V),,@)
+say = $(if $(V),,@echo '  $(1)')
+
+# What is there.
+programs := $(notdir $(basename $(wildcard src/programs/*.c)))
+library := $(wildcard src/*.c src/toolbox/*.c)
+headers := $(wildcard src/*.h src/*/*.h)
+suites := $(basename $(notdir $(wildcard tests/exercises/*.c)))
+
+# $(call need,COMMAND,PACKAGE): stop unless the command is there.
+need = @command -v $(1) >/dev/null 2>&1 || { echo "make: $@ needs $(1);\
+ install it with: apt-get install --no-install-recommends $(2)" >&2; exit 1; }
+
+## ---- programs: cc and make are enough -------------------------------------
+
+programs: $(programs:%=build/bin/%)
+
+# A first result in seconds, and the next thing to try.
+first: programs
+	@echo 'Two bodies meet: 1 kg at 1 m/s runs into 4 kg at rest.'
+	@build/bin/collide --velocities 1,0 --inverse-masses 1,0.25
+	@echo 'Next: make check (the exercises), make book (the PDF), make help'
+
+# The portable build, and the same for this machine alone.
+define tree
+build/$(1)obj/%.o: src/%.c $$(headers) Makefile
+	@mkdir -p $$(@D)
+	$$(call say,cc $$<)
+	$$(Q)$$(CC) $$(STANDARD) $(2) -DBUILD_FLAGS='"$(strip $(2))"' -Isrc \
+		$$(CFLAGS) -c -o $$@ $$<
+build/$(1)obj/libbonkers.a: $$(library:src/%.c=build/$(1)obj/%.o)
+	@rm -f $$@
+	@ar rcs $$@ $$^
+build/$(1)bin/%: build/$(1)obj/programs/%.o build/$(1)obj/libbonkers.a
+	@mkdir -p $$(@D)
+	$$(call say,link $$@)
+	$$(Q)$$(CC) $(2) $$(CFLAGS) -o $$@ $$^ $$(LDFLAGS) -lm
+endef
+$(eval $(call tree,,$(PORTABLE)))
+$(eval $(call tree,native/,$(NATIVE)))
+.SECONDARY:
+
+native: $(programs:%=build/native/bin/%)
+
+# The speed tables of the chapters, on this machine.
+bench: native
+	build/native/bin/collide-forms --study cost --collisions 10000000
+
+## ---- exercises: and CUnit ------------------------------------------------
+
+# The compiler that checks, and whether it has the sanitizers, is found out
+# once; make clean forgets it.
+EXAMINE_BASE = $(CC) -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off \
+	-g -O1
+SANITIZE = -fsanitize=address,undefined -fno-sanitize=object-size \
+	-fno-sanitize-recover=undefined
+suite_names := $(sort $(foreach s,$(suites),$(firstword $(subst -, ,$(s)))))
+CHECK_BUILT = $(suite_names:%=build/check/%.list) build/check/libcheck.a
+
+# One exercise after an edit: make check EX=01a. Prebuilt is all but the
+# student's file.
+check: build/check/examine $(CHECK_BUILT)
+	@build/check/examine $(EX)
+
+build/check/flags: Makefile
+	@mkdir -p $(@D)
+	@printf '#include <CUnit/CUnit.h>\nint main(void) { return 0; }\n' \
+		>build/check/probe.c
+	@$(CC) -fsyntax-only build/check/probe.c 2>/dev/null || { echo \
+	'make: check needs CUnit; install it with: apt-get install --no-install-recommends libcunit1-dev' >&2; exit 1; }
+	@if $(EXAMINE_BASE) $(SANITIZE) -o build/check/probe \
+		build/check/probe.c 2>/dev/null && build/check/probe; \
+	then echo '$(EXAMINE_BASE) $(SANITIZE)'; \
+	else echo '$(EXAMINE_BASE)'; fi >$@.part
+	@echo 'build/check/libcheck.a -lcunit -lm' >>$@.part
+	@rm -f build/check/probe build/check/probe.c && mv $@.part $@
+
+examiner := $(addprefix src/examiner/,examine.c build.c trial.c process.c text.c)
+build/check/examine: $(examiner) $(headers) Makefile
+	@mkdir -p $(@D)
+	$(call say,cc $@)
+	$(Q)$(CC) $(STANDARD) $(PORTABLE) -Isrc $(CFLAGS) -o $@ $(examiner) $(LDFLAGS)
+
+check_library := src/examiner/check.c $(wildcard src/toolbox/*.c)
+check_objects := $(check_library:src/%.c=build/check/obj/%.o)
+build/check/obj/%.o: src/%.c $(headers) build/check/flags
+	@mkdir -p $(@D)
+	$(call say,cc $@)
+	$(Q)$$(sed 1q build/check/flags) -Isrc -c -o $@ $<
+build/check/libcheck.a: $(check_objects)
+	@rm -f $@
+	@ar rcs $@ $^
+
+# A suite, and what it says about itself (through a runner on its stub).
+define suite
+build/check/$(firstword $(subst -, ,$(1))).suite.o: tests/exercises/$(1).c \
+		$$(headers) build/check/flags
+	$$(call say,cc $$<)
+	$$(Q)$$$$(sed 1q build/check/flags) -Isrc -c -o $$@ $$<
+build/check/$(firstword $(subst -, ,$(1))).list: tests/stubs/$(1).c \
+		build/check/$(firstword $(subst -, ,$(1))).suite.o build/check/libcheck.a
+	$$(Q)$$$$(sed 1q build/check/flags) -Isrc -Isrc/examiner -o $$(@:.list=.stub) \
+		$$(filter-out %.a,$$^) $$$$(sed -n 2p build/check/flags)
+	@$$(@:.list=.stub) --list >$$@.part && mv $$@.part $$@
+endef
+$(foreach s,$(suites),$(eval $(call suite,$(s))))
+
+## ---- the book: noweb, gnuplot, TeX ---------------------------------------
+
+tangle:
+	$(call need,notangle,noweb)
+	@chapters/tangle
+
+check-tangle:
+	$(call need,notangle,noweb)
+	@chapters/tangle --check
+
+# What figures and transcripts are made from, read from the scripts and the
+# chapters. Goals that need no book do without.
+chapters := $(wildcard chapters/*.nw)
+bookless := all first programs native bench check tangle check-tangle clean \
+	help format memcheck
+ifneq ($(filter-out $(bookless),$(MAKECMDGOALS)),)
+build/recipes/rules.mk: chapters/recipes $(chapters) chapters plots \
+		$(wildcard plots/*.gp)
+	@chapters/recipes
+include build/recipes/rules.mk
+endif
+
+# QUALITY=lecture takes the longer runs and draws for a slide as well.
+figures: programs $(FIGURES_PDF) $(FIGURES_SVG) \
+		$(if $(filter lecture,$(QUALITY)),$(FIGURES_LECTURE))
+	@echo 'Figures: build/figures/' \
+		$(if $(filter lecture,$(QUALITY)),'and build/lecture/')
+
+# EDITION=instructor adds the worked solutions.
+edition := $(if $(filter instructor,$(EDITION)),-instructor)
+book: build/bonkers$(edition).pdf figures
+	@echo 'The book: $<'
+	@echo 'Next: open it, then try an exercise: make check'
+
+build/bonkers$(edition).pdf: $(FIGURES_PDF) $(FIGURES_ALT) $(RUNS) \
+		$(wildcard chapters/* solutions/* tests/hints/* plots/data/*) \
+		tests/equations.txt
+	@EDITION=$(EDITION) chapters/make-book
+
+## ---- proof ---------------------------------------------------------------
+
+TEST_SECONDS = 600
+unit_tests := $(patsubst tests/%.c,build/tests/%,\
+	$(wildcard tests/library/*.c tests/stability/*.c))
+tools := $(patsubst tests/tools/%.c,build/tests/%,$(wildcard tests/tools/*.c))
+scripts := $(wildcard tests/programs/*.sh tests/examiner/*.sh \
+	tests/exercises/*.sh tests/kit/*.sh)
+
+build/tests/%: tests/%.c tests/unit.h $(headers) build/obj/libbonkers.a
+	@mkdir -p $(@D)
+	$(call say,cc $<)
+	$(Q)$(CC) $(STANDARD) $(PORTABLE) -Isrc -Itests $(CFLAGS) -o $@ $< \
+		build/obj/libbonkers.a $(LDFLAGS) -lcunit -lm
+build/tests/%: tests/tools/%.c
+	@mkdir -p $(@D)
+	$(call say,cc $<)
+	$(Q)$(CC) $(STANDARD) $(PORTABLE) $(CFLAGS) -o $@ $< $(LDFLAGS)
+
+# The book is the first of the tests: the others look at what it made.
+test: programs native test-parts
+	@MAKE='$(MAKE)' tests/run -t $(TEST_SECONDS) tests/book/book.sh $(unit_tests) \
+		$(scripts) $(filter-out tests/book/book.sh,$(wildcard tests/book/*.sh))
+
+test-parts: build/check/examine $(CHECK_BUILT) $(unit_tests) $(tools)
+
+# The library's tests under the sanitizers.
+memcheck: $(patsubst build/tests/%,build/memcheck/%,$(unit_tests))
+	@tests/run $^
+build/memcheck/%: tests/%.c tests/unit.h $(headers) $(library) Makefile
+	@mkdir -p $(@D)
+	$(call say,cc $<)
+	$(Q)$(CC) $(STANDARD) -g -O1 -ffp-contract=off $(SANITIZE) -Isrc -Itests \
+		$(CFLAGS) -o $@ $< $(library) $(LDFLAGS) -lcunit -lm
+
+# Every C file in the one layout; src/ is only compared, see the chapters.
+c_files = $(wildcard tests/*.h tests/*/*.[ch] solutions/*.c src/*.[ch] \
+	src/*/*.[ch])
+format:
+	$(call need,clang-format,clang-format)
+	@clang-format --dry-run -Werror $(c_files)
+
+# For editors and clangd.
+compile_commands.json: Makefile $(library)
+	@for file in $(wildcard src/*.c src/*/*.c); do \
+	printf '  {"directory": "%s", "file": "%s",\n   "command": "%s"}\n' \
+	"$$PWD" $$file "$(CC) $(STANDARD) $(PORTABLE) -Isrc -c $$file"; \
+	done | awk 'BEGIN { print "[" } NR > 1 && /^  {/ { print "," } \
+	{ printf "%s%s", /^  {/ ? "" : "\n", $$0 } END { print "\n]" }' >$@.part
+	@mv $@.part $@
+
+clean:
+	rm -rf build compile_commands.json
+
+help:
+	@echo 'make              build the programs; show a first result'
+	@echo 'make check        check your exercises; EX=01a for one'
+	@echo 'make book         the PDF; EDITION=instructor adds the solutions'
+	@echo 'make figures      the figures; QUALITY=lecture for slides too'
+	@echo 'make test         prove everything: N passed, N failed'
+	@echo 'make programs     only build build/bin/'
+	@echo 'make native       the fastest build for this machine, build/native/'
+	@echo 'make bench        the speed tables, measured here'
+	@echo 'make memcheck     the library tests under sanitizers'
+	@echo 'make tangle       write src/ from chapters/'
+	@echo 'make check-tangle see that src/ is what the chapters say'
+	@echo 'make format       see that the C files keep .clang-format'
+	@echo 'make compile_commands.json   for editors'
+	@echo 'make clean        remove build/'

@@ -1,0 +1,39 @@
+# One style for all figures. A script sets width and height in cm, loads this
+# file, draws, and that is all: medium (pdf, svg or lecture) and output come
+# from the Makefile. By hand: gnuplot plots/01-drift.gp draws build/figure.svg.
+if (!exists("medium")) medium = 'svg'
+if (!exists("output")) output = 'build/figure.svg'
+if (!exists("width")) width = 14
+if (!exists("height")) height = 8.5
+
+# A lecture slide is 16:9 and read from the back row: twice the type, thicker
+# lines, larger points.
+face = 'Latin Modern Sans'
+lecture = medium eq 'lecture'
+thick = lecture ? 2.2 : 1
+big = lecture ? 1.7 : 1
+if (medium eq 'pdf') set terminal pdfcairo size width*1cm,height*1cm font face.',10' enhanced
+if (medium eq 'svg') set terminal svg size int(width*48),int(height*48) font face.',DejaVu Sans,sans-serif,14' enhanced background rgb 'white'
+if (lecture) set terminal pdfcairo size 32cm,18cm font face.',26' enhanced
+set output output
+set encoding utf8
+set minussign
+
+# Colours that differ in lightness and to colour-blind eyes (Okabe and Ito),
+# each with a point of its own shape, so that greyscale will do.
+dark = '#000000'
+blue = '#0072b2'
+red = '#d55e00'
+green = '#009e73'
+purple = '#aa4499'
+orange = '#e69f00'
+grey = '#999999'
+set style line 1 lc rgb blue pt 7 ps 0.6*big lw 1.5*thick
+set style line 2 lc rgb red pt 5 ps 0.6*big lw 1.5*thick
+set style line 3 lc rgb green pt 9 ps 0.7*big lw 1.5*thick
+set style line 4 lc rgb purple pt 11 ps 0.7*big lw 1.5*thick
+set style line 5 lc rgb dark pt 13 ps 0.8*big lw 1.5*thick
+set style line 9 lc rgb grey lw 1.0*thick           # theory, guides
+set border lw 0.8*thick lc rgb '#333333'
+set tics scale 0.6
+set key noautotitle

@@ -1,0 +1,201 @@
+/* From chapters/B-examiner.nw: edit there, then run make tangle. */
+/* checksum 3488322845 of the lines below */
+#include "examiner/check.h"
+#include "examiner/exercise.h"
+#include "examiner/report.h"
+
+#include <CUnit/CUnit.h>
+#include <CUnit/TestRun.h>
+#include <fcntl.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static int report_file = -1;
+static pid_t report_owner;
+static char report_nonce[REPORT_NONCE + 1];
+
+static void report(const char *word, const char *text)
+{
+    char record[REPORT_RECORD];
+    if (getpid() != report_owner)
+        return;
+    snprintf(record, sizeof record - 1, "\n%s %s %s", report_nonce, word,
+             text);
+    strcat(record, "\n");
+    const size_t length = strlen(record);
+    if (write(report_file, record, length) != (ssize_t)length)
+        _exit(EXIT_FAILURE);
+}
+
+static bool report_open(int file)
+{
+    report_file = file;
+    report_owner = getpid();
+    return pread(file, report_nonce, REPORT_NONCE, 0) == REPORT_NONCE &&
+           ftruncate(file, 0) == 0 && fcntl(file, F_SETFD, FD_CLOEXEC) == 0;
+}
+
+void exercise_not_done(const char *file, int line)
+{
+    report(REPORT_UNDONE, check_text("%s:%d", file, line));
+    _exit(EXIT_SUCCESS);
+}
+
+const char *check_text(const char *format, ...)
+{
+    static char texts[32][512];
+    static unsigned next;
+    char *text = texts[next++ % 32];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof texts[0], format, arguments);
+    va_end(arguments);
+    return text;
+}
+
+static void number_text(char *text, size_t room, int digits, double x)
+{
+    if (isnan(x))
+        snprintf(text, room, "nan");
+    else
+        snprintf(text, room, "%.*g", digits, x);
+}
+
+static void number_pair(char *one, char *other, size_t room, double x,
+                        double y)
+{
+    number_text(one, room, 10, x);
+    number_text(other, room, 10, y);
+    if (strcmp(one, other) == 0) {
+        number_text(one, room, 17, x);
+        number_text(other, room, 17, y);
+    }
+}
+
+static void add_line(char *text, size_t room, const char *label,
+                     const char *what)
+{
+    const size_t used = strlen(text);
+    if (what && *what)
+        snprintf(text + used, room - used, "%s %s\n", label, what);
+}
+
+static void check_message(char *text, size_t room, double got,
+                          const struct check *c,
+                          const struct check_mistake *mistake)
+{
+    char wanted[64], found[64];
+    const char *unit = c->unit ? c->unit : "";
+    const char *space = *unit ? " " : "";
+    number_pair(wanted, found, sizeof wanted, c->expected, got);
+    text[0] = '\0';
+    add_line(text, room, "quantity", c->quantity);
+    add_line(text, room, "input", c->input);
+    add_line(text, room, "expected",
+             check_text("%s%s%s", wanted, space, unit));
+    add_line(text, room, "got", check_text("%s%s%s", found, space, unit));
+    add_line(text, room, "tolerance",
+             check_text("%.3g%s%s%s%s", c->tolerance, space, unit,
+                        c->because ? ": " : "",
+                        c->because ? c->because : ""));
+    add_line(text, room, "book", c->equation);
+    if (mistake)
+        add_line(text, room, "hint",
+                 check_text("%s [%s]", mistake->hint, mistake->name));
+    else
+        add_line(text, room, "question", c->question);
+}
+
+static bool near(double got, double expected, double tolerance)
+{
+    return got == expected || fabs(got - expected) <= tolerance;
+}
+
+static const struct check_mistake *mistake_behind(double got,
+                                                  const struct check *c)
+{
+    const size_t room = sizeof c->mistakes / sizeof c->mistakes[0];
+    for (size_t i = 0; i < room && c->mistakes[i].name; ++i) {
+        const double value = c->mistakes[i].value;
+        const double slack = c->tolerance + 1e-9 * fabs(value);
+        const bool same =
+            near(got, value, slack) || (isnan(got) && isnan(value));
+        if (same && !near(value, c->expected, slack))
+            return &c->mistakes[i];
+    }
+    return NULL;
+}
+
+bool check_near(const char *file, int line, double got, struct check c)
+{
+    const bool passed = near(got, c.expected, c.tolerance);
+    char message[REPORT_RECORD] = "passed";
+    if (!passed)
+        check_message(message, sizeof message, got, &c,
+                      mistake_behind(got, &c));
+    CU_assertImplementation(passed, (unsigned)line, message, file, "",
+                            CU_FALSE);
+    return passed;
+}
+
+static int list_suite(void)
+{
+    printf("exercise %s\ntitle %s\nminutes %d\npoints %d\n",
+           check_suite.exercise, check_suite.title, check_suite.minutes,
+           check_suite.points);
+    for (const struct check_test *t = check_suite.tests; t->name; ++t)
+        printf("test %s\n", t->name);
+    return fflush(stdout) ? EXIT_FAILURE : EXIT_SUCCESS;
+}
+
+static bool report_failure(void)
+{
+    const CU_FailureRecord *failure = CU_get_failure_list();
+    if (CU_get_number_of_asserts() == 0) {
+        report(REPORT_SAYS, "question This test checked nothing. Is its "
+                            "suite complete?");
+        return true;
+    }
+    if (!failure)
+        return false;
+    char *rest = failure->strCondition;
+    for (char *line; (line = strtok_r(rest, "\n", &rest));)
+        report(REPORT_SAYS, line);
+    return true;
+}
+
+static int run_test(const struct check_test *t)
+{
+    CU_pSuite suite = NULL;
+    CU_pTest test = NULL;
+    if (CU_initialize_registry() == CUE_SUCCESS)
+        suite = CU_add_suite(check_suite.title, NULL, NULL);
+    if (suite)
+        test = CU_add_test(suite, t->name, t->run);
+    if (!test)
+        return EXIT_FAILURE;
+    CU_run_test(suite, test);
+    fflush(NULL);
+    report(REPORT_VERDICT, report_failure() ? "failed" : "passed");
+    return EXIT_SUCCESS;
+}
+
+int main(int argc, char **argv)
+{
+    int count = 0;
+    while (count < CHECK_TESTS - 1 && check_suite.tests[count].name)
+        ++count;
+    if (argc == 2 && strcmp(argv[1], "--list") == 0)
+        return list_suite();
+    const int number = argc == 3 ? atoi(argv[1]) : 0;
+    if (number < 1 || number > count || !report_open(atoi(argv[2]))) {
+        fprintf(stderr, "usage: %s --list, or TEST REPORT\n", argv[0]);
+        return EXIT_FAILURE;
+    }
+    setvbuf(stdout, NULL, _IOLBF, BUFSIZ);
+    _exit(run_test(&check_suite.tests[number - 1]));
+}

@@ -1,0 +1,37 @@
+/* From chapters/B-examiner.nw: edit there, then run make tangle. */
+/* checksum 1348806744 of the lines below */
+#ifndef TRIAL_H
+#define TRIAL_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+/* How an exercise, or one of its tests, stands. */
+enum state {
+    NOT_BEGUN,
+    DOES_NOT_BUILD,
+    FAILED,
+    CRASHED,
+    TIMED_OUT,
+    PASSED
+};
+
+/* "not begun", "does not build", ... */
+const char *state_name(enum state state);
+
+/* What stays the same for the tests of an exercise. */
+struct trial {
+    const char *folder; /* of our own, for the report and the output */
+    const char *runner; /* the program, exercise and suite linked */
+    const char *source; /* the student's file, as the compiler saw it */
+    bool sanitized;     /* compiled with the address sanitizer */
+    int seconds;        /* of processor time; twice that on the wall */
+};
+
+/* Runs test number (from 1) and returns PASSED, FAILED, CRASHED, TIMED_OUT
+   or NOT_BEGUN. Writes what there is to say about it, unless it passed,
+   to story. When the examiner itself fails, says why on standard error
+   and exits with status 2. */
+enum state trial_run(const struct trial *trial, int number, FILE *story);
+
+#endif

@@ -1,0 +1,391 @@
+/* From chapters/01-collide.nw: edit there, then run make tangle. */
+/* checksum 178962000 of the lines below */
+#include "collide.h"
+#include "toolbox/options.h"
+#include "toolbox/progress.h"
+#include "toolbox/quad.h"
+#include "toolbox/random.h"
+#include "toolbox/table.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define PROGRAM "collide"
+
+enum { SHOWN = 10 }; /* the most tests that are printed one by one */
+
+struct settings {
+    bool velocities_given, masses_given, normal_given, tests_given;
+    double velocities[2 * COLLIDE_DIMENSIONS], inverse_masses[2];
+    double normal[COLLIDE_DIMENSIONS];
+    size_t velocity_count, dimensions; /* dimensions 0: not said */
+    uint64_t tests, seed;
+    double mass_ratio; /* 0: inverse masses from 0.1 to 1.1 */
+    double restitution;
+    enum collide_form form;
+    const char *output, *summary, *command;
+};
+
+static const struct options_entry entries[] = {
+    {"velocities", 'v', "u1,u2",
+     "of the two bodies; in D dimensions\n"
+     "D numbers each"},
+    {"inverse-masses", 'i', "a,b", "of the two bodies, 0 for a wall"},
+    {"normal", 'n', "nx,ny[,nz]", "line of centres, of any length"},
+    {"tests", 't', "N", "random collisions instead (10)"},
+    {"dimensions", 'd', "D", "of the random collisions, 1 to 3 (1)"},
+    {"mass-ratio", 'R', "R", "random mass ratios from 1/R to R"},
+    {"restitution", 'e', "e", "1 elastic to 0 sticking (1)"},
+    {"form", 'f', "NAME",
+     "cm, difference, impulse, complement\n"
+     "or smaller (smaller)"},
+    {"seed", 's', "S", "of the random numbers (1)"},
+    {"output", 'o', "FILE", "for the report (standard output)"},
+    {"summary", 'S', "FILE", "for the results as lines: key value"},
+    {0}};
+struct pair {
+    size_t dimensions;
+    double im[2], normal[COLLIDE_DIMENSIONS];
+    double before[2][COLLIDE_DIMENSIONS], after[2][COLLIDE_DIMENSIONS];
+};
+
+struct totals {
+    quad energy;                       /* seen from the wall, if any */
+    quad momentum[COLLIDE_DIMENSIONS]; /* of what is no wall */
+    quad scale;                        /* sum of m |v|, to compare with */
+};
+
+struct errors { /* in units of DBL_EPSILON */
+    double energy, momentum;
+};
+
+static double root(size_t dimensions, const double v[])
+{
+    double square = 0;
+    for (size_t i = 0; i < dimensions; ++i)
+        square += v[i] * v[i];
+    return sqrt(square);
+}
+
+static void read_settings(struct settings *s, int argc, char *argv[])
+{
+    struct options o;
+    int option;
+    *s = (struct settings){
+        .tests = 10, .seed = 1, .restitution = 1, .form = COLLIDE_SMALLER};
+    options_begin(&o, PROGRAM,
+                  "Collide two bodies, or test random collisions.", entries,
+                  argc, argv);
+    while ((option = options_next(&o)) != -1)
+        switch (option) {
+        case 'v':
+            s->velocity_count =
+                options_list(&o, s->velocities, 2 * COLLIDE_DIMENSIONS);
+            s->velocities_given = true;
+            break;
+        case 'i':
+            if (options_list(&o, s->inverse_masses, 2) != 2)
+                options_fail(&o, "one number found, expected two: a,b");
+            if (s->inverse_masses[0] < 0 || s->inverse_masses[1] < 0)
+                options_fail(&o, "'%s' has a negative inverse mass",
+                             options_text(&o));
+            if (s->inverse_masses[0] == 0 && s->inverse_masses[1] == 0)
+                options_fail(&o, "both are zero: two walls cannot collide");
+            s->masses_given = true;
+            break;
+        case 'n':
+            s->dimensions = options_list(&o, s->normal, COLLIDE_DIMENSIONS);
+            s->normal_given = true;
+            break;
+        case 't':
+            s->tests = options_count(&o, 1, 1000000000);
+            s->tests_given = true;
+            break;
+        case 'd':
+            s->dimensions = options_count(&o, 1, COLLIDE_DIMENSIONS);
+            break;
+        case 'R': s->mass_ratio = options_real(&o, 1, 1e100); break;
+        case 'e': s->restitution = options_real(&o, 0, 1); break;
+        case 'f': s->form = options_choice(&o, collide_form_names); break;
+        case 's': s->seed = options_count(&o, 0, UINT64_MAX); break;
+        case 'o': s->output = options_text(&o); break;
+        case 'S': s->summary = options_text(&o); break;
+        }
+    s->command = options_command(&o);
+    if (s->velocities_given != s->masses_given)
+        options_fail(&o,
+                     "--velocities and --inverse-masses need each other");
+    if (s->normal_given && !s->velocities_given)
+        options_fail(&o, "--normal needs --velocities");
+    if (s->velocities_given && (s->tests_given || s->mass_ratio > 0))
+        options_fail(&o, "--velocities is one collision by hand; --tests "
+                         "and --mass-ratio are for random ones");
+    if (s->dimensions == 0)
+        s->dimensions = 1;
+    if (s->velocities_given && s->velocity_count != 2 * s->dimensions)
+        options_fail(&o,
+                     "--velocities: %zu numbers found, expected %zu (%zu "
+                     "for each body; --normal says how many)",
+                     s->velocity_count, 2 * s->dimensions, s->dimensions);
+    if (!s->normal_given)
+        s->normal[0] = 1;
+    if (s->normal[0] == 0 && s->normal[1] == 0 && s->normal[2] == 0)
+        options_fail(&o, "--normal: is zero, expected the line of centres");
+    if (s->velocities_given && s->dimensions > 1 && !s->normal_given)
+        options_fail(&o, "--normal is needed in %zu dimensions",
+                     s->dimensions);
+    if (s->summary &&
+        strcmp(s->summary, s->output ? s->output : "-") == 0 &&
+        strcmp(s->summary, "/dev/null") != 0)
+        options_fail(&o, "--summary and the report would both go to '%s'",
+                     s->summary);
+}
+
+static struct totals totals_of(struct pair *p,
+                               double v[2][COLLIDE_DIMENSIONS])
+{
+    struct totals sum = {0, {0}, 0};
+    for (int body = 0; body < 2; ++body) {
+        const double *frame = p->im[1 - body] > 0 ? NULL : v[1 - body];
+        quad mass, square = 0;
+        if (p->im[body] == 0)
+            continue;
+        mass = 1 / (quad)p->im[body];
+        for (size_t i = 0; i < p->dimensions; ++i) {
+            const quad w = (quad)v[body][i] - (frame ? frame[i] : 0);
+            square += w * w;
+            sum.momentum[i] += mass * v[body][i];
+        }
+        sum.energy += mass * square / 2;
+        sum.scale += mass * root(p->dimensions, v[body]);
+    }
+    return sum;
+}
+
+static quad expected_loss(struct pair *p, double restitution)
+{
+    quad approach = 0, nn = 0;
+    for (size_t i = 0; i < p->dimensions; ++i) {
+        const quad n = p->normal[i];
+        approach += ((quad)p->before[0][i] - p->before[1][i]) * n;
+        nn += n * n;
+    }
+    return (1 - (quad)restitution * restitution) / 2 * approach * approach /
+           nn / ((quad)p->im[0] + p->im[1]);
+}
+
+static double momentum_error(struct pair *p, const struct totals *a,
+                             const struct totals *b)
+{
+    double change[COLLIDE_DIMENSIONS];
+    for (size_t i = 0; i < p->dimensions; ++i)
+        change[i] = (double)((b->momentum[i] - a->momentum[i]) / a->scale);
+    return root(p->dimensions, change) / DBL_EPSILON;
+}
+
+static struct errors collide_pair(const struct settings *s, struct pair *p)
+{
+    struct errors error = {0, 0};
+    memcpy(p->after, p->before, sizeof p->after);
+    if (p->dimensions == 1 && p->normal[0] == 1)
+        collide_by(s->form, p->after[0], p->after[1], p->im[0], p->im[1],
+                   s->restitution);
+    else
+        collide_along_by(s->form, p->dimensions, p->normal, p->after[0],
+                         p->after[1], p->im[0], p->im[1], s->restitution);
+    const struct totals a = totals_of(p, p->before);
+    const struct totals b = totals_of(p, p->after);
+    const quad gain =
+        b.energy - a.energy + expected_loss(p, s->restitution);
+    if (a.energy > 0)
+        error.energy = (double)(gain / a.energy) / DBL_EPSILON;
+    if (a.scale > 0 && p->im[0] > 0 && p->im[1] > 0)
+        error.momentum = momentum_error(p, &a, &b);
+    return error;
+}
+
+static void print_vector(struct table *out, size_t n, const double v[])
+{
+    for (size_t i = 0; i < n; ++i)
+        table_print(out, "%s%.6g", i ? "," : "", v[i]);
+}
+
+static void print_body(struct table *out, struct pair *p, int body)
+{
+    if (p->im[body] > 0)
+        table_print(out, "  body %d, mass %.6g: velocity ", body + 1,
+                    1 / p->im[body]);
+    else
+        table_print(out, "  body %d, a wall: velocity ", body + 1);
+    print_vector(out, p->dimensions, p->before[body]);
+    table_print(out, " -> ");
+    print_vector(out, p->dimensions, p->after[body]);
+    table_print(out, "\n");
+}
+
+static void print_collision(struct table *out, struct pair *p,
+                            double restitution)
+{
+    const struct totals a = totals_of(p, p->before);
+    const struct totals b = totals_of(p, p->after);
+    const bool wall = p->im[0] == 0 || p->im[1] == 0;
+    print_body(out, p, 0);
+    print_body(out, p, 1);
+    for (size_t i = 0; i < p->dimensions; ++i) {
+        const double change = (double)(b.momentum[i] - a.momentum[i]);
+        table_print(out, "  momentum %.6g -> %.6g, ", (double)a.momentum[i],
+                    (double)b.momentum[i]);
+        if (wall)
+            table_print(out, "the wall takes %.6g\n", -change);
+        else
+            table_print(out, "change %.2g %%\n",
+                        a.scale > 0 ? 100 * (change / (double)a.scale) : 0);
+    }
+    const double percent = a.energy > 0 ? (double)(100 / a.energy) : 0;
+    table_print(out, "  energy %.6g -> %.6g%s, change %.2g %%",
+                (double)a.energy, (double)b.energy,
+                wall ? " seen from the wall" : "",
+                (double)(b.energy - a.energy) * percent);
+    if (restitution < 1)
+        table_print(out, " (expected %.2g %%)",
+                    -(double)expected_loss(p, restitution) * percent);
+    table_print(out, "\n");
+}
+
+static void draw_pair(struct random *r, const struct settings *s,
+                      struct pair *p)
+{
+    p->dimensions = s->dimensions;
+    p->im[0] = random_between(r, 0.1, 1.1);
+    p->im[1] = random_between(r, 0.1, 1.1);
+    if (s->mass_ratio > 0)
+        p->im[1] = p->im[0] *
+                   random_log_uniform(r, 1 / s->mass_ratio, s->mass_ratio);
+    for (int body = 0; body < 2; ++body)
+        for (size_t i = 0; i < p->dimensions; ++i)
+            p->before[body][i] = random_between(r, -0.5, 0.5);
+    p->normal[0] = 1;
+    if (p->dimensions == 1)
+        return;
+    random_direction(r, p->dimensions, p->normal);
+    const double length = random_between(r, 0.5, 1.5);
+    for (size_t i = 0; i < p->dimensions; ++i)
+        p->normal[i] *= length;
+}
+
+static bool run_tests(const struct settings *s, struct table *out,
+                      struct errors *worst, struct errors *rms)
+{
+    struct random r;
+    struct progress progress;
+    uint64_t done = 0;
+    random_seed(&r, s->seed);
+    progress_begin(&progress, PROGRAM, s->tests, "collisions");
+    while (done < s->tests && !progress_signal()) {
+        struct pair p = {0};
+        draw_pair(&r, s, &p);
+        const struct errors error = collide_pair(s, &p);
+        if (s->tests <= SHOWN) {
+            table_print(out, "collision %llu\n",
+                        (unsigned long long)(done + 1));
+            print_collision(out, &p, s->restitution);
+        }
+        worst->energy = fmax(worst->energy, fabs(error.energy));
+        worst->momentum = fmax(worst->momentum, error.momentum);
+        rms->energy += error.energy * error.energy;
+        rms->momentum += error.momentum * error.momentum;
+        if (++done % 1024 == 0)
+            progress_update(&progress, done, done);
+    }
+    const bool whole = progress_end(&progress);
+    if (done > 0) {
+        rms->energy = sqrt(rms->energy / (double)done);
+        rms->momentum = sqrt(rms->momentum / (double)done);
+    }
+    table_print(out,
+                "%llu collisions, form %s; errors in machine epsilons:\n"
+                "             worst      rms\n"
+                "  momentum %7.2f  %7.3f\n  energy   %7.2f  %7.3f\n",
+                (unsigned long long)done, collide_form_names[s->form],
+                worst->momentum, rms->momentum, worst->energy, rms->energy);
+    return whole;
+}
+static void summarise_tests(const struct settings *s, struct table *summary,
+                            struct errors worst, struct errors rms)
+{
+    table_text(summary, "form", collide_form_names[s->form]);
+    table_count(summary, "dimensions", s->dimensions);
+    table_real(summary, "energy_error_max", worst.energy);
+    table_real(summary, "energy_error_rms", rms.energy);
+    table_real(summary, "momentum_error_max", worst.momentum);
+    table_real(summary, "momentum_error_rms", rms.momentum);
+}
+
+static void summarise_by_hand(const struct settings *s,
+                              struct table *summary, struct pair *p,
+                              struct errors error)
+{
+    char key[] = "v1_x";
+    for (int body = 0; body < 2; ++body)
+        for (size_t i = 0; i < p->dimensions; ++i) {
+            key[1] = (char)('1' + body);
+            key[3] = "xyz"[i];
+            table_real(summary, key, p->after[body][i]);
+        }
+    table_text(summary, "form", collide_form_names[s->form]);
+    table_real(summary, "energy_error", error.energy);
+    table_real(summary, "momentum_error", error.momentum);
+}
+
+static bool run_by_hand(const struct settings *s, struct table *out,
+                        struct table *summary)
+{
+    struct pair p = {.dimensions = s->dimensions};
+    double approach = 0;
+    memcpy(p.im, s->inverse_masses, sizeof p.im);
+    memcpy(p.normal, s->normal, sizeof p.normal);
+    for (size_t i = 0; i < p.dimensions; ++i) {
+        p.before[0][i] = s->velocities[i];
+        p.before[1][i] = s->velocities[p.dimensions + i];
+        approach += (p.before[0][i] - p.before[1][i]) * p.normal[i];
+    }
+    const struct errors error = collide_pair(s, &p);
+    print_collision(out, &p, s->restitution);
+    if (approach < 0)
+        fprintf(stderr, PROGRAM ": note: the bodies move apart along the "
+                                "normal; this undoes a collision\n");
+    if (fabs(error.energy) > 16 || error.momentum > 16)
+        fprintf(stderr,
+                PROGRAM ": warning: energy off by %.3g and momentum by "
+                        "%.3g machine epsilons\n",
+                error.energy, error.momentum);
+    if (summary)
+        summarise_by_hand(s, summary, &p, error);
+    return true;
+}
+
+int main(int argc, char *argv[])
+{
+    struct settings s;
+    struct errors worst = {0, 0}, rms = {0, 0};
+    read_settings(&s, argc, argv);
+    struct table *out = table_open(PROGRAM, s.output);
+    struct table *summary =
+        s.summary ? table_open(PROGRAM, s.summary) : NULL;
+    if (!out || (s.summary && !summary))
+        return table_discard(out), table_discard(summary), EXIT_FAILURE;
+    progress_catch_signals();
+    bool done = s.velocities_given ? run_by_hand(&s, out, summary)
+                                   : run_tests(&s, out, &worst, &rms);
+    if (summary && !s.velocities_given)
+        summarise_tests(&s, summary, worst, rms);
+    done = table_close(out) && done;
+    if (!done) {
+        table_discard(summary);
+        return EXIT_FAILURE;
+    }
+    return table_close(summary) ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,353 @@
+/* From chapters/A-toolbox.nw: edit there, then run make tangle. */
+/* checksum 1648052059 of the lines below */
+#include "toolbox/options.h"
+
+#include "toolbox/version.h"
+
+#include <errno.h>
+#include <getopt.h>
+#include <inttypes.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+void options_fail(struct options *o, const char *format, ...)
+{
+    va_list arguments;
+    fprintf(stderr, "%s: ", o->program);
+    if (o->current && *o->current->name)
+        fprintf(stderr, "--%s: ", o->current->name);
+    va_start(arguments, format);
+    vfprintf(stderr, format, arguments);
+    va_end(arguments);
+    fputc('\n', stderr);
+    exit(OPTIONS_FAILURE);
+}
+
+static void print_entry(const struct options_entry *e)
+{
+    const int column = 28;
+    int width = e->letter ? printf("  -%c, ", e->letter) : printf("      ");
+    width += printf("--%s", e->name);
+    if (e->argument)
+        width += printf(" %s", e->argument);
+    if (width >= column)
+        width = printf("\n") - 1;
+    for (const char *rest = e->help;; ++rest) {
+        const int length = (int)strcspn(rest, "\n");
+        printf("%*s%.*s\n", column - width, "", length, rest);
+        rest += length;
+        width = 0;
+        if (*rest == '\0')
+            break;
+    }
+}
+
+static void print_help(const struct options *o)
+{
+    static const struct options_entry standard[] = {
+        {"help", 0, NULL, "list the options and exit"},
+        {"version", 0, NULL, "name the version and exit"}};
+    printf("Usage: %s [OPTION]...", o->program);
+    for (const struct options_entry *e = o->entries; e->name; ++e)
+        if (!*e->name)
+            printf(" %s", e->argument);
+    printf("\n%s\n\n", o->purpose);
+    for (const struct options_entry *e = o->entries; e->name; ++e)
+        if (*e->name)
+            print_entry(e);
+    print_entry(&standard[0]);
+    print_entry(&standard[1]);
+}
+
+static _Noreturn void print_and_exit(const struct options *o, bool help)
+{
+    if (help)
+        print_help(o);
+    else
+        printf("%s (Bonkers) %s\n", o->program, TOOLBOX_VERSION);
+    if (fflush(stdout) == 0 && !ferror(stdout))
+        exit(EXIT_SUCCESS);
+    fprintf(stderr, "%s: cannot write standard output: %s\n", o->program,
+            strerror(errno));
+    exit(EXIT_FAILURE);
+}
+
+static FILE *record;
+static char *recorded;
+static size_t recorded_size;
+
+static void begin_record(struct options *o)
+{
+    if (record) {
+        fclose(record);
+        free(recorded);
+    }
+    record = open_memstream(&recorded, &recorded_size);
+    if (!record)
+        options_fail(o, "%s", strerror(errno));
+    fputs(o->program, record);
+}
+
+static void write_quoted(FILE *stream, const char *text)
+{
+    static const char *const plain =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+        "0123456789+-_.,:/=%@";
+    if (*text && text[strspn(text, plain)] == '\0') {
+        fprintf(stream, " %s", text);
+        return;
+    }
+    fputs(" '", stream);
+    for (; *text; ++text)
+        fprintf(stream, *text == '\'' ? "'\\''" : "%c", *text);
+    fputc('\'', stream);
+}
+
+static void record_option(struct options *o)
+{
+    static const char *const silent[] = {"output", "summary", "engine",
+                                         "threads", "resume"};
+    for (size_t i = 0; i < sizeof silent / sizeof silent[0]; ++i)
+        if (strcmp(o->current->name, silent[i]) == 0)
+            return;
+    if (*o->current->name)
+        fprintf(record, " --%s", o->current->name);
+    if (o->value)
+        write_quoted(record, o->value);
+}
+
+const char *options_command(const struct options *o)
+{
+    return o->command;
+}
+
+void options_begin(struct options *o, const char *program,
+                   const char *purpose,
+                   const struct options_entry entries[], int argc,
+                   char *argv[])
+{
+    *o = (struct options){.program = program, .purpose = purpose};
+    o->entries = entries;
+    o->count = argc;
+    o->arguments = argv;
+    begin_record(o);
+    optind = 1;
+}
+
+enum { HELP = OPTIONS_LONG + OPTIONS_MAXIMUM, VERSION };
+
+static int ask_getopt(struct options *o)
+{
+    struct option list[OPTIONS_MAXIMUM + 3] = {0}, *l = list;
+    char letters[2 * OPTIONS_MAXIMUM + 3] = "-:", *c = letters + 2;
+    for (int i = 0; o->entries[i].name; ++i) {
+        const struct options_entry *e = &o->entries[i];
+        if (!*e->name)
+            continue;
+        *l++ = (struct option){e->name, e->argument != NULL, NULL,
+                               OPTIONS_LONG + i};
+        if (e->letter)
+            *c++ = (char)e->letter;
+        if (e->letter && e->argument)
+            *c++ = ':';
+    }
+    *l++ = (struct option){"help", 0, NULL, HELP};
+    *l++ = (struct option){"version", 0, NULL, VERSION};
+    opterr = 0;
+    return getopt_long(o->count, o->arguments, letters, list, NULL);
+}
+
+static const struct options_entry *find_entry(const struct options *o,
+                                              int code)
+{
+    for (int i = 0; o->entries[i].name; ++i)
+        if (*o->entries[i].name
+                ? code == OPTIONS_LONG + i || code == o->entries[i].letter
+                : code == OPTIONS_ARGUMENT)
+            return &o->entries[i];
+    return NULL;
+}
+
+static void fail_if_ambiguous(struct options *o, const char *given)
+{
+    const char *first = NULL;
+    const size_t length = strcspn(given + 2, "=");
+    for (const struct options_entry *e = o->entries; e->name; ++e) {
+        if (length == 0 || strncmp(e->name, given + 2, length) != 0)
+            continue;
+        if (first)
+            options_fail(o, "'%s' may mean --%s or --%s", given, first,
+                         e->name);
+        first = e->name;
+    }
+}
+
+static _Noreturn void refuse_option(struct options *o, int code)
+{
+    const char *given = o->arguments[optind - 1];
+    if (code == ':') {
+        o->current = find_entry(o, optopt);
+        options_fail(o, "needs a value: --%s %s", o->current->name,
+                     o->current->argument);
+    }
+    if (optopt >= OPTIONS_LONG)
+        options_fail(o, "'%s': this option takes no value", given);
+    if (optopt > 0)
+        options_fail(o, "unknown option '-%c'; see %s --help", optopt,
+                     o->program);
+    fail_if_ambiguous(o, given);
+    options_fail(o, "unknown option '%s'; see %s --help", given,
+                 o->program);
+}
+
+int options_next(struct options *o)
+{
+    o->current = NULL;
+    int code = o->ended ? -1 : ask_getopt(o);
+    o->value = optarg;
+    o->ended = o->ended || code == -1;
+    if (code == -1 && optind < o->count) {
+        code = OPTIONS_ARGUMENT;
+        o->value = o->arguments[optind++];
+    }
+    if (code == HELP || code == VERSION)
+        print_and_exit(o, code == HELP);
+    if (code == '?' || code == ':')
+        refuse_option(o, code);
+    if (code == -1) {
+        fflush(record);
+        o->command = recorded;
+        return -1;
+    }
+    o->current = find_entry(o, code);
+    if (!o->current)
+        options_fail(o, "'%s' is not an option; see %s --help", o->value,
+                     o->program);
+    record_option(o);
+    return o->current->letter ? o->current->letter : code;
+}
+
+static bool is_digit(char c)
+{
+    return '0' <= c && c <= '9';
+}
+
+static bool read_exponent(const char *text, int *scale)
+{
+    char *end;
+    if (*text != 'e' && *text != 'E')
+        return false;
+    ++text;
+    if (*text != '+' && *text != '-' && !is_digit(*text))
+        return false;
+    const long exponent = strtol(text, &end, 10);
+    if (*end != '\0' || exponent < -999 || exponent > 999)
+        return false;
+    *scale += (int)exponent;
+    return true;
+}
+
+static bool read_count(const char *text, uint64_t *value)
+{
+    int scale = 0;
+    bool digits = false, point = false;
+    for (*value = 0; is_digit(*text) || (*text == '.' && !point); ++text) {
+        const uint64_t digit = (uint64_t)(*text - '0');
+        if (*text == '.') {
+            point = true;
+            continue;
+        }
+        if (*value > (UINT64_MAX - digit) / 10)
+            return false;
+        *value = 10 * *value + digit;
+        scale -= point;
+        digits = true;
+    }
+    if (!digits)
+        return false;
+    if (*text && !read_exponent(text, &scale))
+        return false;
+    for (; scale < 0; ++scale, *value /= 10)
+        if (*value % 10 != 0)
+            return false;
+    for (; scale > 0 && *value > 0; --scale, *value *= 10)
+        if (*value > UINT64_MAX / 10)
+            return false;
+    return true;
+}
+
+uint64_t options_count(struct options *o, uint64_t low, uint64_t high)
+{
+    uint64_t n;
+    if (!read_count(o->value, &n) || n < low || n > high)
+        options_fail(
+            o, "'%s' is not a whole number from %" PRIu64 " to %" PRIu64,
+            o->value, low, high);
+    return n;
+}
+
+static bool read_real(const char *text, double *value)
+{
+    char *end;
+    if (text[strspn(text, "+-.0123456789eE")] != '\0')
+        return false;
+    *value = strtod(text, &end);
+    return end != text && *end == '\0' && isfinite(*value);
+}
+
+double options_real(struct options *o, double low, double high)
+{
+    double x;
+    if (read_real(o->value, &x) && low <= x && x <= high)
+        return x;
+    char range[80] = "";
+    if (low == OPTIONS_POSITIVE && high == INFINITY)
+        snprintf(range, sizeof range, " more than 0");
+    else if (low == OPTIONS_POSITIVE)
+        snprintf(range, sizeof range, " more than 0, at most %.15g", high);
+    else if (low == -INFINITY && high < INFINITY)
+        snprintf(range, sizeof range, " of at most %.15g", high);
+    else if (low > -INFINITY && high == INFINITY)
+        snprintf(range, sizeof range, " of at least %.15g", low);
+    else if (low > -INFINITY)
+        snprintf(range, sizeof range, " from %.15g to %.15g", low, high);
+    options_fail(o, "'%s' is not a number%s", o->value, range);
+}
+
+size_t options_list(struct options *o, double values[], size_t max)
+{
+    char item[64];
+    const char *rest = o->value;
+    for (size_t n = 0; n < max; ++n, ++rest) {
+        const size_t length = strcspn(rest, ",");
+        snprintf(item, sizeof item, "%.*s", (int)length, rest);
+        if (length >= sizeof item || !read_real(item, &values[n]))
+            options_fail(o, "'%s' in '%s' is not a number", item, o->value);
+        rest += length;
+        if (*rest == '\0')
+            return n + 1;
+    }
+    options_fail(o, "'%s' has more than %zu numbers", o->value, max);
+}
+
+size_t options_choice(struct options *o, const char *const names[])
+{
+    char list[256] = "";
+    for (size_t i = 0; names[i]; ++i) {
+        const char *between = names[i + 1] ? ", " : " or ";
+        const size_t used = strlen(list);
+        if (strcmp(o->value, names[i]) == 0)
+            return i;
+        snprintf(list + used, sizeof list - used, "%s%s",
+                 i == 0 ? "" : between, names[i]);
+    }
+    options_fail(o, "'%s' is not %s", o->value, list);
+}
+
+const char *options_text(const struct options *o)
+{
+    return o->value;
+}

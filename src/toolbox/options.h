@@ -1,0 +1,87 @@
+/* From chapters/A-toolbox.nw: edit there, then run make tangle. */
+/* checksum 1052597191 of the lines below */
+#ifndef TOOLBOX_OPTIONS_H
+#define TOOLBOX_OPTIONS_H
+
+#include <float.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* One option. A list of them ends with {0}. An entry named "" stands for
+   the arguments that are no options; without one they are refused. */
+struct options_entry {
+    const char *name;     /* the long name, without the dashes */
+    int letter;           /* the short name, or 0 for none */
+    const char *argument; /* what --help calls its value; NULL: none */
+    const char *help;     /* one phrase; \n breaks the line */
+};
+
+enum {
+    OPTIONS_ARGUMENT = 1, /* the code of an argument that is no option */
+    OPTIONS_LONG = 256,   /* + place in the list: an option's, no letter */
+    OPTIONS_FAILURE = 2,  /* exit status after a wrong command */
+    OPTIONS_MAXIMUM = 40  /* entries in a list, at most */
+};
+
+/* A command line being read. The fields are private. */
+struct options {
+    const char *program, *purpose;
+    const struct options_entry *entries, *current;
+    int count;
+    char **arguments;
+    const char *value, *command;
+    bool ended;
+};
+
+/* As the low end of options_real: more than zero. */
+#define OPTIONS_POSITIVE DBL_TRUE_MIN
+
+/* Says what is wrong, as printf does, after "program: --option: " (after
+   "program: " when no option is being read), and ends with status 2. */
+_Noreturn void options_fail(struct options *o, const char *format, ...);
+
+/* Prepares to read argv. program begins every message, purpose is the
+   sentence that --help prints. --help and --version need no entries. The
+   strings and the list are kept, not copied. */
+void options_begin(struct options *o, const char *program,
+                   const char *purpose,
+                   const struct options_entry entries[], int argc,
+                   char *argv[]);
+
+/* Returns the letter of the next option, or OPTIONS_LONG + its place in
+   the list if it has none, or OPTIONS_ARGUMENT, or -1 at the end. A long
+   name may be cut short as long as only one option begins so. --help and
+   --version print to standard output and end the process with status 0. A
+   wrong option ends it with one line and status 2. */
+int options_next(struct options *o);
+
+/* The command for the head of a table: the program and the options by
+   their full names, without those that do not change the numbers: output,
+   summary, engine, threads, resume. NULL until options_next has
+   returned -1. */
+const char *options_command(const struct options *o);
+
+/* The value as a whole number from low to high. Every unsigned decimal
+   notation is accepted if its value is exactly whole: 1000000, 1e6, 2.5e3.
+   This and the next three functions read the value of the option that
+   options_next has just returned, and end in options_fail if it is not
+   what is asked for. */
+uint64_t options_count(struct options *o, uint64_t low, uint64_t high);
+
+/* The value as a decimal number from low to high, both included.
+   -INFINITY, OPTIONS_POSITIVE and INFINITY leave an end open. Never
+   infinite, never NaN. */
+double options_real(struct options *o, double low, double high);
+
+/* The value as one to max decimal numbers with commas between them, into
+   values. Returns how many. */
+size_t options_list(struct options *o, double values[], size_t max);
+
+/* Returns which of the names, a list that ends with NULL, the value is. */
+size_t options_choice(struct options *o, const char *const names[]);
+
+/* The value as it was written. */
+const char *options_text(const struct options *o);
+
+#endif

@@ -1,0 +1,102 @@
+/* From chapters/A-toolbox.nw: edit there, then run make tangle. */
+/* checksum 4148654583 of the lines below */
+#include "toolbox/progress.h"
+
+#include "toolbox/table.h"
+
+#include <math.h>
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+static double seconds(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+void progress_begin(struct progress *p, const char *program, uint64_t total,
+                    const char *what)
+{
+    *p = (struct progress){.program = program, .what = what};
+    p->total = total;
+    p->start = seconds();
+    p->visible = isatty(STDERR_FILENO) == 1;
+}
+
+static double share_done(const struct progress *p)
+{
+    return p->total > 0 ? (double)p->done / (double)p->total : 0;
+}
+
+static void print_progress(struct progress *p, double elapsed,
+                           uint64_t events)
+{
+    char line[77], left[32] = "";
+    const double f = share_done(p);
+    if (f > 0)
+        snprintf(left, sizeof left, ", %.0f s left",
+                 ceil(elapsed * (1 - f) / f));
+    snprintf(line, sizeof line, "%s: %.0f %% done, %.2g %s/s%s", p->program,
+             floor(100 * f), (double)events / elapsed, p->what, left);
+    const int width = (int)strlen(line);
+    const int rest = p->width > width ? p->width - width : 0;
+    fprintf(stderr, "\r%s%*s", line, rest, "");
+    p->width = width;
+}
+
+void progress_update(struct progress *p, uint64_t done, uint64_t events)
+{
+    p->done = done;
+    if (!p->visible)
+        return;
+    const double now = seconds();
+    if (now - p->start < 1 || now - p->last < 0.2)
+        return;
+    p->last = now;
+    print_progress(p, now - p->start, events);
+}
+
+static volatile sig_atomic_t signal_seen;
+
+static void note_signal(int number)
+{
+    if (signal_seen) {
+        table_abandon();
+        signal(number, SIG_DFL);
+        raise(number);
+    }
+    signal_seen = number;
+}
+
+int progress_signal(void)
+{
+    return signal_seen;
+}
+
+void progress_catch_signals(void)
+{
+    const int numbers[] = {SIGINT, SIGTERM};
+    struct sigaction old, new = {.sa_handler = note_signal};
+    new.sa_flags = SA_RESTART;
+    sigemptyset(&new.sa_mask);
+    for (int i = 0; i < 2; ++i)
+        if (sigaction(numbers[i], NULL, &old) == 0 &&
+            old.sa_handler != SIG_IGN)
+            sigaction(numbers[i], &new, NULL);
+}
+
+bool progress_end(struct progress *p)
+{
+    if (p->width > 0)
+        fprintf(stderr, "\r%*s\r", p->width, "");
+    p->width = 0;
+    if (!signal_seen)
+        return true;
+    fprintf(stderr, "%s: interrupted; %.0f %% was done\n", p->program,
+            floor(100 * share_done(p)));
+    return false;
+}

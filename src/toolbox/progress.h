@@ -1,0 +1,42 @@
+/* From chapters/A-toolbox.nw: edit there, then run make tangle. */
+/* checksum 2632822073 of the lines below */
+#ifndef TOOLBOX_PROGRESS_H
+#define TOOLBOX_PROGRESS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/* The line that shows how far a run has come. The fields are private. */
+struct progress {
+    const char *program, *what;
+    uint64_t total, done;
+    double start, last; /* in seconds */
+    int width;          /* of the line on the terminal; 0: none */
+    bool visible;
+};
+
+/* Starts the clock. total is what done will be at the end, 0 if that is
+   not known; what names the events, as in "collisions". The strings are
+   kept, not copied. */
+void progress_begin(struct progress *p, const char *program, uint64_t total,
+                    const char *what);
+
+/* Shows the share done, events a second and the time left, on standard
+   error: at most 5 times a second, and only if that is a terminal and the
+   run has lasted a second. Reads the clock each time, so once in a
+   thousand events is often enough. */
+void progress_update(struct progress *p, uint64_t done, uint64_t events);
+
+/* From now on the first SIGINT or SIGTERM only sets what progress_signal
+   returns; the second ends the process. A signal that the process was
+   started to ignore stays ignored. */
+void progress_catch_signals(void);
+
+/* The signal that asks the run to stop, or 0. */
+int progress_signal(void);
+
+/* Wipes the line. Returns true if no signal has asked the run to stop;
+   otherwise says on standard error how far it came and returns false. */
+bool progress_end(struct progress *p);
+
+#endif

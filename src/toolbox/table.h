@@ -1,0 +1,58 @@
+/* From chapters/A-toolbox.nw: edit there, then run make tangle. */
+/* checksum 2705909338 of the lines below */
+#ifndef TOOLBOX_TABLE_H
+#define TOOLBOX_TABLE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* A text file being written: a table of numbers, or a summary. */
+struct table;
+
+/* Opens path for writing; NULL or "-" is standard output. A file is
+   written to a temporary beside it, which takes its name, and the place
+   and permissions of an older file, in table_close. A link is followed.
+   What exists and is no regular file (/dev/null, a pipe) is written as it
+   is. On failure says why on standard error, after program, and returns
+   NULL. program is kept, not copied. At most 8 files are open at once; no
+   two may have the same path. From the first call on a closed pipe is an
+   error for table_close to report and no longer a signal, and signals that
+   end the process remove the temporaries first. */
+struct table *table_open(const char *program, const char *path);
+
+/* Removes every temporary of this process. May be called in a signal
+   handler. After it the process has to end. */
+void table_abandon(void);
+
+/* Writes text as printf does. Returns false once writing has failed. */
+bool table_print(struct table *t, const char *format, ...);
+
+/* Writes the head: program and version, the command (options_command has
+   it), the seed. */
+void table_begin(struct table *t, const char *command, uint64_t seed);
+
+/* Adds a column to the head, as in "# 1 t [s] time". A unit of NULL or ""
+   stands for a pure number and is written as 1. */
+void table_column(struct table *t, const char *symbol, const char *unit,
+                  const char *meaning);
+
+/* Writes a row of n values with all their digits. Requires n to be the
+   number of columns, if any were named. Returns as table_print does. */
+bool table_row(struct table *t, size_t n, const double values[]);
+
+/* Write one line of a summary, "key value". A key has no spaces. */
+void table_real(struct table *t, const char *key, double value);
+void table_count(struct table *t, const char *key, uint64_t value);
+void table_text(struct table *t, const char *key, const char *text);
+
+/* Writes what is left, gives the file its name and frees t. Returns
+   whether every byte was written; if not, says why on standard error,
+   removes the temporary and leaves an older file of that name as it was.
+   A t of NULL is well and closed. */
+bool table_close(struct table *t);
+
+/* Gives up: removes the temporary and frees t, which may be NULL. */
+void table_discard(struct table *t);
+
+#endif

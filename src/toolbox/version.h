@@ -1,0 +1,9 @@
+/* From chapters/A-toolbox.nw: edit there, then run make tangle. */
+/* checksum 1057416790 of the lines below */
+#ifndef TOOLBOX_VERSION_H
+#define TOOLBOX_VERSION_H
+
+/* The kit's version, as --version and the heads of tables give it. */
+#define TOOLBOX_VERSION "0.1"
+
+#endif

@@ -1,0 +1,59 @@
+#!/bin/sh
+# The book as it was last made: outlines for every font, a quiet log, the
+# equation numbers that the examiner quotes. And each check sees its mistake.
+set -u
+scratch=$(mktemp -d) || exit 1
+trap 'rm -rf "$scratch"' EXIT
+no_bitmaps() { awk '$0 ~ / Type 3 / { bad = 1 } END { exit bad || NR < 3 }'; }
+if [ -e build/bonkers.pdf ]; then
+    if pdffonts build/bonkers.pdf | no_bitmaps; then
+        echo 'ok pdf: no bitmap fonts'
+    else
+        echo 'not ok pdf: no bitmap fonts - pdffonts shows Type 3, or nothing'
+    fi
+    if chapters/check-log; then
+        echo 'ok pdf: the log is quiet'
+    else
+        echo 'not ok pdf: the log is quiet - see above'
+    fi
+    if chapters/equations --check; then
+        echo 'ok pdf: equation numbers'
+    else
+        echo 'not ok pdf: equation numbers - see above'
+    fi
+fi
+
+printf 'name type\n---- ----\nXYZ+SFRM1000 Type 3   Custom yes\n' | no_bitmaps &&
+    echo 'not ok pdf: a bitmap font is seen - it was not' ||
+    echo 'ok pdf: a bitmap font is seen'
+seen() { # name log-line status
+    printf '%s\n' 'This is pdfTeX' "$2" '[]text' >"$scratch/book.log"
+    chapters/check-log "$scratch/book.log" 2>/dev/null
+    status=$?
+    [ "$status" -eq "$3" ] && echo "ok pdf: $1" ||
+        echo "not ok pdf: $1 - status $status for '$2'"
+}
+seen 'an overfull box' 'Overfull \hbox (1.2pt too wide) in paragraph at lines 1--2' 1
+seen 'a hair over is let pass' 'Overfull \hbox (0.9pt too wide) in paragraph at lines 1--2' 0
+seen 'an overfull page' 'Overfull \vbox (12.0pt too high) has occurred while \output is active' 1
+seen 'an undefined reference' "LaTeX Warning: Reference \`eq:x' on page 3 undefined on input line 4." 1
+seen 'an undefined citation' "LaTeX Warning: Citation \`x' on page 3 undefined on input line 4." 1
+seen 'a label given twice' "LaTeX Warning: Label \`eq:x' multiply defined." 1
+seen 'a missing character' 'Missing character: There is no x in font y!' 1
+seen 'a run too few' 'LaTeX Warning: Label(s) may have changed. Rerun to get cross-references right.' 1
+seen 'a quiet log' 'Underfull \hbox (badness 1000) in paragraph at lines 1--2' 0
+
+mkdir -p "$scratch/chapters" "$scratch/build/book" "$scratch/tests"
+cp chapters/equations "$scratch/chapters/"
+cd "$scratch" || exit 1
+printf '%s\n' '\newlabel{eq:b}{{1.2}{3}{Two}{equation.1.2}{}}' \
+    '\newlabel{sec:x}{{1}{3}{}{}{}}' \
+    '\newlabel{eq:a}{{1.1}{3}{One}{equation.1.1}{}}' >build/book/book.aux
+chapters/equations && [ "$(cat tests/equations.txt)" = 'eq:a 1.1
+eq:b 1.2' ] && chapters/equations --check &&
+    echo 'ok pdf: equation numbers are listed' ||
+    echo 'not ok pdf: equation numbers are listed - they are not'
+echo 'eq:a 1.3' >tests/equations.txt
+chapters/equations --check 2>/dev/null &&
+    echo 'not ok pdf: another number is seen - it was not' ||
+    echo 'ok pdf: another number is seen'

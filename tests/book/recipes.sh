@@ -1,0 +1,113 @@
+#!/bin/sh
+# The recipes of figures and runs: remade when their command changes and only
+# then; one command for one file; a run that ends otherwise than said fails.
+set -u
+scratch=$(mktemp -d) || exit 1
+trap 'rm -rf "$scratch"' EXIT
+mkdir -p "$scratch/chapters" "$scratch/plots" "$scratch/build/bin"
+cp chapters/recipes "$scratch/chapters/"
+cd "$scratch" || exit 1
+cat >build/bin/walk <<'END'
+#!/bin/sh
+while [ $# -gt 0 ]; do
+    case $1 in
+    -o) echo "1 2" >"$2"; shift ;;
+    --summary) echo "steps 3" >"$2"; shift ;;
+    --fail) echo 'walk: no' >&2; exit 2 ;;
+    esac
+    shift
+done
+echo walked
+END
+chmod +x build/bin/walk
+figure() { # number command
+    cat >"plots/$1.gp" <<END
+# data: build/data/walk.dat
+# command: $2
+# lecture: $2 --long
+# alt: A line that is 50 % <straight> & rising.
+plot 'build/data/walk.dat'
+END
+}
+chapter() { printf '%s\n' '\chapter{X}' "$@" >chapters/01-x.nw; }
+is() { # name expected got
+    if [ "$2" = "$3" ]; then
+        echo "ok recipes: $1"
+    else
+        echo "not ok recipes: $1 - expected '$2', got '$3'"
+    fi
+}
+has() { # name needle haystack
+    case $3 in
+    *"$2"*) echo "ok recipes: $1" ;;
+    *) echo "not ok recipes: $1 - no '$2' in '$3'" ;;
+    esac
+}
+
+figure 01-a 'build/bin/walk -o build/data/walk.dat'
+figure 01-b 'build/bin/walk -o build/data/walk.dat'
+chapter '%run walk: build/bin/walk --seed 1 | cat' '\result[1 to 2]{walk}{steps}' \
+    '%run no !2: build/bin/walk --fail' '%run bad: build/bin/walk --fail' \
+    '\transcript{walk}'
+chapters/recipes || echo 'not ok recipes: they are extracted - status 1'
+rules=$(cat build/recipes/rules.mk)
+has 'data need recipe and program' \
+    'build/data/walk.dat: build/recipes/data-walk.dat build/bin/walk' "$rules"
+has 'figures need script, style and data' \
+    'build/figures/01-a.pdf: plots/01-a.gp plots/style.gp build/data/walk.dat' \
+    "$rules"
+has 'lecture data stand apart' 'build/lecture/01-a.pdf: plots/01-a.gp plots/style.gp build/lecture/data/walk.dat' "$rules"
+is 'data of two figures have one rule' 1 \
+    "$(grep -c '^build/data/walk.dat:' build/recipes/rules.mk)"
+is 'the lecture command writes there' \
+    'build/bin/walk -o build/lecture/data/walk.dat --long' \
+    "$(sed -n '$p' build/recipes/lecture-data-walk.dat)"
+is 'a run that is quoted gets a summary' \
+    'build/bin/walk --seed 1 --summary build/runs/walk.summary | cat' \
+    "$(sed -n '$p' build/recipes/run-walk)"
+
+touch -t 202001010000 build/recipes/*
+echo '# new colours' >>plots/01-a.gp
+chapter '' '%run walk: build/bin/walk --seed 1 | cat' \
+    '\result[1 to 2]{walk}{steps}' '%run no !2: build/bin/walk --fail' \
+    '%run bad: build/bin/walk --fail -v'
+chapters/recipes
+is 'an unchanged recipe keeps its time' '' \
+    "$(find build/recipes -name data-walk.dat -newer build/bin/walk)"
+is 'an unchanged run keeps its time though its line moved' '' \
+    "$(find build/recipes -name run-walk -newer build/bin/walk)"
+is 'a changed run is new' build/recipes/run-bad \
+    "$(find build/recipes -name run-bad -newer build/bin/walk)"
+
+chapters/recipes --data build/data/walk.dat >/dev/null
+is 'the data are made' '1 2' "$(cat build/data/walk.dat)"
+chapters/recipes --run walk
+is 'a transcript shows command and output' '$ build/bin/walk --seed 1 | cat
+walked' "$(cat build/runs/walk.txt)"
+is 'and the summary is there' 'steps 3' "$(cat build/runs/walk.summary)"
+chapters/recipes --run no
+is 'a run that is to fail' "0 $(printf '$ build/bin/walk --fail\nwalk: no')" \
+    "$? $(cat build/runs/no.txt)"
+said=$(chapters/recipes --run bad 2>&1)
+is 'a run that fails unasked ends the build' 1 $?
+has 'and says where it comes from' \
+    'recipes: chapters/01-x.nw:6: run bad ended with status 2, not 0:' "$said"
+is 'and leaves nothing behind' '' "$(ls build/runs | grep bad)"
+
+figure 01-b 'build/bin/walk --seed 2 -o build/data/walk.dat'
+said=$(chapters/recipes 2>&1)
+is 'two commands for one file are refused' 1 $?
+has 'naming both' "two commands make it, one in plots/01-a.gp and another in plots/01-b.gp" "$said"
+figure 01-b 'build/bin/walk -o build/data/other.dat'
+has 'a command that writes another file is refused' \
+    'recipes: plots/01-b.gp: the command does not write build/data/walk.dat' \
+    "$(chapters/recipes 2>&1)"
+rm plots/01-b.gp
+chapter '\result[1 to 2]{lost}{steps}'
+is 'a number of a run that is not there is refused' \
+    'recipes: chapters/01-x.nw:2: no %run line makes run lost' \
+    "$(chapters/recipes 2>&1)"
+chapter '%run a: build/bin/walk' '%run a: build/bin/walk --seed 2'
+is 'two commands for one run are refused' \
+    'recipes: chapters/01-x.nw:3: run a is another command in chapters/01-x.nw:2' \
+    "$(chapters/recipes 2>&1)"

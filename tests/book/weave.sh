@@ -1,0 +1,79 @@
+#!/bin/sh
+# Weaving: links across chapters, chunk names kept apart, mistakes refused.
+set -u
+scratch=$(mktemp -d) || exit 1
+trap 'rm -rf "$scratch"' EXIT
+mkdir -p "$scratch/chapters" "$scratch/tests/hints" "$scratch/solutions"
+cp chapters/weave chapters/keywords "$scratch/chapters/"
+cd "$scratch" || exit 1
+has() { # name needle file
+    if grep -qF -- "$2" "$3"; then
+        echo "ok weave: $1"
+    else
+        echo "not ok weave: $1 - no '$2' in $3"
+    fi
+}
+refused() { # name message
+    said=$(chapters/weave 2>&1)
+    status=$?
+    if [ "$status" -eq 1 ] && [ "$said" = "$2" ]; then
+        echo "ok weave: $1"
+    else
+        echo "not ok weave: $1 - status $status and '$said'"
+    fi
+}
+one='\chapter{One}
+\section{What [[hit_it]] does}
+<<one.c>>=
+<<Includes>>
+int hit_it(void);
+
+@ %def hit_it
+<<Includes>>=
+#include <math.h>
+@'
+two='\chapter{Two}
+<<two.c>>=
+<<Includes>>
+<<Call [[hit_it]] once>>
+<<Includes>>=
+#include <time.h>
+<<Call [[hit_it]] once>>=
+return hit_it(); /* hit_it */
+@'
+printf '%s\n' "$one" >chapters/01-one.nw
+printf '%s\n' "$two" >chapters/02-two.nw
+printf 'Try `a_b` for 5 %%.\n--\nNext "one".\n' >tests/hints/01a.txt
+printf 'int main(void)\n{\n    return 0; /* for */\n}\n' >solutions/01a-x.c
+chapters/weave || echo 'not ok weave: two chapters - status 1'
+label=$(sed -n 's/.*sublabel{\(NW[^}]*\)}.*one\.c.*/\1/p' build/book/01-one.tex)
+has 'an identifier is linked to another chapter' \
+    "\\nwlinkedidentc{hit_it}{$label}" build/book/02-two.tex
+grep -c 'linkedidentc' build/book/02-two.tex | grep -qx 1 &&
+    echo 'ok weave: but not in a comment' ||
+    echo 'not ok weave: but not in a comment - more than one link'
+grep -c '^\\nwixlogsorted{c}{{Includes}' build/book/indexes.tex |
+    grep -qx 2 && echo 'ok weave: chunks of two chapters stay apart' ||
+    echo 'not ok weave: chunks of two chapters stay apart - merged'
+has 'code in a chunk name is safe in the index' \
+    '{{Call {\Tt{}hit{\_}it\nwendquote} once}' build/book/indexes.tex
+has 'the lines of a chunk are counted, a blank end left out' \
+    '\nwcodelines{2}\nwbegincode{1}' build/book/01-one.tex
+has 'hints are a list' 'Try \texttt{a\_b} for 5 \%.' \
+    build/book/hints-01a.tex
+[ ! -e build/book/solutions-01.tex ] && [ ! -s build/book/edition.tex ] &&
+    echo 'ok weave: no solutions for students' ||
+    echo 'not ok weave: no solutions for students - there they are'
+EDITION=instructor chapters/weave
+has 'solutions for instructors' '{\nwkeyword{}return} 0; {\nwcomment{}/* for */}' \
+    build/book-instructor/solutions-01.tex
+
+printf '%s\n' "$one" | sed 's/^@ %def.*/@ %def hit_it strike_it/' \
+    >chapters/01-one.nw
+refused 'a %def of what is not there' \
+    'weave: chapters/01-one.nw: %def names strike_it, which is not in the chunk above it'
+printf '%s\n' "$one" >chapters/01-one.nw
+printf '%s\n' "$two" | sed 's/^<<Includes>>$/<<Inclusions>>/' \
+    >chapters/02-two.nw
+refused 'a chunk without a definition' \
+    'weave: chapters/02-two.nw: no chunk is named <<Inclusions>>'

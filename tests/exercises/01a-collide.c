@@ -1,0 +1,172 @@
+/* The suite of exercise 01a: equal velocities, equal masses, known values,
+   what is conserved, and the wall. */
+
+#include "examiner/check.h"
+#include <float.h>
+#include <math.h>
+#include <stddef.h>
+
+void velocities_after(double u1, double u2, double im1, double im2,
+                      double v[2]);
+
+/* What the student's function answers; untouched places read as NaN. */
+struct after {
+    double v[2];
+};
+
+static struct after answer(double u1, double u2, double im1, double im2)
+{
+    struct after a = {{NAN, NAN}};
+    velocities_after(u1, u2, im1, im2, a.v);
+    return a;
+}
+
+static const char *input(double u1, double u2, double im1, double im2)
+{
+    return check_text(
+        "u1 = %g m/s, u2 = %g m/s, im1 = %g /kg, im2 = %g /kg", u1, u2, im1,
+        im2);
+}
+
+/* A handful of operations, each rounded by at most half an epsilon of a
+   number no larger than three times the faster velocity. */
+static double tolerance(double u1, double u2)
+{
+    return 8.0 * DBL_EPSILON * fmax(fabs(u1), fabs(u2));
+}
+
+static const char because[] =
+    "8 epsilons of the faster velocity: a handful of roundings";
+
+/* Checks the velocity of one body (0 or 1) against the expected one, and
+   knows what the usual slips would have answered here. */
+static bool check_body(int body, double u1, double u2, double im1,
+                       double im2, double expected, const char *question)
+{
+    const double own = body == 0 ? u1 : u2, other = body == 0 ? u2 : u1;
+    const double centre = (im2 * u1 + im1 * u2) / (im1 + im2);
+    const double crossed = (im1 * u1 + im2 * u2) / (im1 + im2);
+    const double got = answer(u1, u2, im1, im2).v[body];
+    return CHECK_NEAR(
+        got,
+        .quantity = body == 0 ? "v[0], the first body after"
+                              : "v[1], the second body after",
+        .unit = "m/s", .input = input(u1, u2, im1, im2),
+        .expected = expected, .tolerance = tolerance(u1, u2),
+        .because = because, .equation = "eq:reverse", .question = question,
+        .mistakes = {
+            {"stuck-together", centre,
+             "This is the velocity of the centre of mass itself, as if the "
+             "two had stuck together. In the centre's frame each body "
+             "turns "
+             "round: how far beyond the centre's velocity does that take "
+             "it?"},
+            {"reversed-in-the-lab", -own,
+             "Turning the velocity round is right for someone who moves "
+             "with the centre of mass, and only for them. What is the "
+             "velocity before, as they see it?"},
+            {"inverse-mass-as-mass", 2.0 * crossed - own,
+             "Here the lighter body counts for more. The centre of mass "
+             "weights each velocity with the mass; what does that weight "
+             "become when only inverse masses are known?"},
+            {"always-swapped", other,
+             "The two exchange their velocities only when their masses are "
+             "equal. What does a lorry do that meets a fly?"},
+            {"mass-of-a-wall", NAN,
+             "Not a number: somewhere 0/0 or infinity/infinity was "
+             "computed. The mass of a wall is infinite, its inverse mass "
+             "is just 0. Can the formula be written without any 1/im?"}});
+}
+
+static bool check_both(double u1, double u2, double im1, double im2,
+                       double v1, double v2, const char *question)
+{
+    return check_body(0, u1, u2, im1, im2, v1, question) &&
+           check_body(1, u1, u2, im1, im2, v2, question);
+}
+
+static void test_nothing_happens(void)
+{
+    check_both(3.0, 3.0, 1.0, 0.5, 3.0, 3.0,
+               "Both move alike, so they never press on each other. What "
+               "is the velocity of their centre of mass?");
+}
+
+static void test_equal_masses(void)
+{
+    static const char question[] =
+        "The bodies are twins. If you looked away during the collision, "
+        "which velocities would you find after it?";
+    (void)(check_both(1.0, 0.0, 1.0, 1.0, 0.0, 1.0, question) &&
+           check_both(2.0, -1.0, 0.25, 0.25, -1.0, 2.0, question));
+}
+
+static void test_known_values(void)
+{
+    static const char question[] =
+        "Work this one out on paper: what is the velocity of the centre of "
+        "mass, and what does each body do as seen from there?";
+    (void)(check_both(1.0, 0.0, 1.0 / 9.0, 1.0, 0.8, 1.8, question) &&
+           check_both(1.0, 0.0, 1.0, 0.25, -0.6, 0.4, question) &&
+           check_both(2.0, -1.0, 1.0 / 3.0, 0.5, -0.4, 2.6, question));
+}
+
+static void test_momentum(void)
+{
+    const double u1 = 1.5, u2 = -0.75, im1 = 0.125, im2 = 0.5;
+    const struct after a = answer(u1, u2, im1, im2);
+    CHECK_NEAR(
+        a.v[0] / im1 + a.v[1] / im2,
+        .quantity = "momentum of both bodies after", .unit = "kg m/s",
+        .input = input(u1, u2, im1, im2), .expected = u1 / im1 + u2 / im2,
+        .tolerance = 8.0 * DBL_EPSILON * (fabs(u1) / im1 + fabs(u2) / im2),
+        .because = "8 epsilons of the sum of m |u|",
+        .equation = "eq:momentum",
+        .question = "No force acts from outside, so what one body "
+                    "gains the other loses. Do your two changes of "
+                    "momentum cancel?");
+}
+
+static void test_energy(void)
+{
+    const double u1 = 1.5, u2 = -0.75, im1 = 0.125, im2 = 0.5;
+    const struct after a = answer(u1, u2, im1, im2);
+    const double energy = 0.5 * (u1 * u1 / im1 + u2 * u2 / im2);
+    CHECK_NEAR(0.5 * (a.v[0] * a.v[0] / im1 + a.v[1] * a.v[1] / im2),
+               .quantity = "kinetic energy of both bodies after",
+               .unit = "J", .input = input(u1, u2, im1, im2),
+               .expected = energy, .tolerance = 16.0 * DBL_EPSILON * energy,
+               .because = "16 epsilons of the energy: squaring doubles the "
+                          "relative error of a velocity",
+               .equation = "eq:energy",
+               .question = "In the centre of mass the speeds must be the "
+                           "same before and after. Are yours?");
+}
+
+static void test_wall(void)
+{
+    static const char question[] =
+        "Sit on the wall: the body comes in, and goes out as fast. What "
+        "does that look like from the ground, when the wall moves?";
+    (void)(check_body(1, 1.0, -2.0, 1.0, 0.0, -2.0, question) &&
+           check_body(0, 1.0, -2.0, 1.0, 0.0, -5.0, question) &&
+           check_body(0, 0.0, -3.0, 0.0, 4.0, 0.0, question) &&
+           check_body(1, 0.0, -3.0, 0.0, 4.0, 3.0, question));
+}
+
+const struct check_suite check_suite = {
+    .exercise = "01a",
+    .title = "Two bodies meet",
+    .minutes = 10,
+    .points = 6,
+    .tests = {{"nothing happens to bodies with the same velocity",
+               test_nothing_happens},
+              {"equal masses exchange their velocities", test_equal_masses},
+              {"unequal masses leave as worked out by hand",
+               test_known_values},
+              {"momentum is conserved", test_momentum},
+              {"energy is conserved", test_energy},
+              {"a wall keeps its velocity and turns the body round",
+               test_wall},
+              {NULL, NULL}},
+};

@@ -1,0 +1,131 @@
+#!/bin/sh
+# What every exercise must have, and what the examiner must say about it:
+# a pristine stub that is not begun, a solution and other right answers that
+# pass, wrong answers that are recognised, hints, and equations that the book
+# has. Nothing here reads exercises/: those files are the student's own.
+set -u
+examine=build/check/examine
+out=$(mktemp -d) || exit 1
+trap 'rm -rf "$out"' EXIT
+trap 'exit 1' HUP INT TERM
+
+# verdict NAME WHY COMMAND...: one line of result.
+verdict() {
+    name=$1 why=$2
+    shift 2
+    if "$@"; then
+        echo "ok exercises: $name"
+    else
+        echo "not ok exercises: $name - $why"
+    fi
+}
+
+# says STATUS STATE: what the examiner is asked about $file must end with
+# that status and have that state in its first line.
+says() {
+    want=$1 state=$2
+    shift 2
+    "$examine" "$@" --as "$ex" --file "$file" >"$out/said" 2>&1
+    got=$?
+    [ "$got" -eq "$want" ] && sed 1q "$out/said" | grep -q " $state\( \|\$\)"
+}
+
+recognised() { # MISTAKE
+    says 1 failed --strict && grep -q -F "[$1]" "$out/said"
+}
+
+count() { # FILE...: how many there are; a pattern that matched none is not
+    n=0
+    for f; do
+        [ -f "$f" ] && n=$((n + 1))
+    done
+    echo "$n"
+}
+
+# The hints of a file, each on one line.
+hints() {
+    awk '/^--$/ { print text; text = ""; next }
+         { text = text (text == "" ? "" : " ") $0 } END { print text }' "$1"
+}
+
+wordy() { # every hint has 30 to 60 words and asks something
+    hints "$1" | awk 'NF < 30 || NF > 60 || !/[?]/ { bad = 1 }
+                      END { exit bad || NR < 3 }'
+}
+
+# The last hint names sections of the chapter, in double quotes.
+sections_named() {
+    hints "$1" | tail -n 1 | grep -o '"[^"]*"' | tr -d '"' >"$out/named"
+    [ -s "$out/named" ] || return 1
+    while IFS= read -r title; do
+        grep -q -F "\\section{$title}" chapters/"${ex%?}"-*.nw || return 1
+    done <"$out/named"
+}
+
+# A stub that somebody has touched without filling its gap.
+touched_stub() {
+    file=$out/${stub##*/}
+    { cat "$stub" && echo '/* my first line */'; } >"$file"
+    says 0 'not begun' --strict
+}
+
+has_one_gap() {
+    [ "$(grep -c 'TODO:' "$1")" -eq 1 ] && grep -q 'NOT_DONE_YET(' "$1"
+}
+
+[ -x "$examine" ] || {
+    echo "not ok exercises - $examine is missing: make check"
+    exit 1
+}
+
+for suite in tests/exercises/*.c; do
+    topic=$(basename "$suite" .c)
+    ex=${topic%%-*}
+    stub=tests/stubs/$topic.c
+
+    file=$stub
+    verdict "$ex: the pristine stub is not begun" \
+        "see $examine --as $ex --file $file" says 0 'not begun' --strict
+    verdict "$ex: a stub with its gap is not begun" \
+        'its NOT_DONE_YET is not reached, or it does not build' touched_stub
+    verdict "$ex: the stub has one gap" \
+        'it wants one TODO: and a NOT_DONE_YET' has_one_gap "$stub"
+
+    for file in "solutions/$topic.c" tests/right/"$ex"-*.c; do
+        verdict "$file passes" "see $examine --strict --as $ex --file $file" \
+            says 0 passed --strict
+    done
+    verdict "$ex: two right answers or more" 'fewer in tests/right' \
+        [ "$(count tests/right/"$ex"-*.c)" -ge 2 ]
+
+    for file in tests/wrong/"$ex"-*.c; do
+        mistake=$(sed -n '1s,^/\* mistake: \([a-z0-9-]*\) \*/$,\1,p' "$file")
+        verdict "$file is refused as [$mistake]" \
+            "see $examine --strict --as $ex --file $file" \
+            recognised "${mistake:-without a name in line 1}"
+    done
+    verdict "$ex: three wrong answers or more" 'fewer in tests/wrong' \
+        [ "$(count tests/wrong/"$ex"-*.c)" -ge 3 ]
+    # Names in the suite's lists of mistakes, with no space in them.
+    grep -o '{"[a-z0-9-]*",' "$suite" | tr -d '{",' | sort -u |
+        while IFS= read -r mistake; do
+            verdict "$ex: [$mistake] has a wrong answer" \
+                'none in tests/wrong makes this mistake' \
+                grep -q "^/\* mistake: $mistake \*/\$" \
+                tests/wrong/"$ex"-*.c
+        done
+
+    verdict "$ex: three hints or more, of 30 to 60 words, that ask" \
+        "see tests/hints/$ex.txt" wordy "tests/hints/$ex.txt"
+    verdict "$ex: the last hint names a section" \
+        'no "Section" in it that the chapter has' \
+        sections_named "tests/hints/$ex.txt"
+
+    grep -o '"eq:[a-z-]*"' "$suite" | tr -d '"' | sort -u >"$out/labels"
+    verdict "$ex: the suite names an equation" 'none found' \
+        [ -s "$out/labels" ]
+    while IFS= read -r label; do
+        verdict "$ex: the book has $label" 'not in tests/equations.txt' \
+            grep -q "^$label " tests/equations.txt
+    done <"$out/labels"
+done

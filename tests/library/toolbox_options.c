@@ -1,0 +1,328 @@
+/* The command line: what is read, what is refused, and with which words.
+   Each case runs in a process of its own, since a refusal ends it. */
+#include "unit.h"
+
+#include "library/toolbox_child.h"
+#include "toolbox/options.h"
+#include "toolbox/version.h"
+
+#include <inttypes.h>
+
+static const struct options_entry entries[] = {
+    {"particles", 'n', "N", "how many particles"},
+    {"restitution", 0, "E", "ratio of the speeds\nafter and before"},
+    {"seed", 0, "S", "seed of the random numbers"},
+    {"velocities", 0, "U1,U2", "velocities before"},
+    {"form", 0, "NAME", "which formula"},
+    {"mass", 0, "M", "a mass"},
+    {"quick", 'q', NULL, "do less"},
+    {"output", 'o', "FILE", "where to write"},
+    {"name", 0, "TEXT", "any text"},
+    {"atmost", 0, "X", "open below"},
+    {"free", 0, "X", "open on both sides"},
+    {"capped", 0, "X", "more than 0"},
+    {0}};
+
+static const struct options_entry with_arguments[] = {
+    {"quick", 'q', NULL, "do less"}, {"", 0, "FILE", NULL}, {0}};
+
+/* Prints what each option gives, and last the command. */
+static void read_option(struct options *o, int code)
+{
+    static const char *const forms[] = {"cm", "difference", "impulse",
+                                        NULL};
+    double v[2];
+    switch (code) {
+    case 'n':
+        printf("n=%" PRIu64 "\n", options_count(o, 1, 10000000));
+        break;
+    case OPTIONS_LONG + 1:
+        printf("e=%.17g\n", options_real(o, 0, 1));
+        break;
+    case OPTIONS_LONG + 2:
+        printf("seed=%" PRIu64 "\n", options_count(o, 0, UINT64_MAX));
+        break;
+    case OPTIONS_LONG + 3:
+        v[1] = 99;
+        printf("values=%zu", options_list(o, v, 2));
+        printf(" %g %g\n", v[0], v[1]);
+        break;
+    case OPTIONS_LONG + 4:
+        printf("form=%zu\n", options_choice(o, forms));
+        break;
+    case OPTIONS_LONG + 5:
+        printf("m=%g\n", options_real(o, OPTIONS_POSITIVE, INFINITY));
+        break;
+    case OPTIONS_LONG + 9:
+        printf("x=%g\n", options_real(o, -INFINITY, 3));
+        break;
+    case OPTIONS_LONG + 10:
+        printf("x=%g\n", options_real(o, -INFINITY, INFINITY));
+        break;
+    case OPTIONS_LONG + 11:
+        printf("x=%g\n", options_real(o, OPTIONS_POSITIVE, 3));
+        break;
+    default:
+        printf("%d=%s\n", code, options_text(o) ? options_text(o) : "-");
+    }
+}
+
+static const struct options_entry *list;
+
+static int program(void *argument)
+{
+    char *argv[17] = {"build/bin/gas"}, *text = argument;
+    int argc = 1;
+    struct options o;
+    /* One argument a line, since arguments may have spaces or be empty. */
+    for (; text; ++argc) {
+        argv[argc] = text;
+        text = strchr(text, '\n');
+        if (text)
+            *text++ = '\0';
+    }
+    options_begin(&o, "gas", "Move particles.", list, argc, argv);
+    for (int code; (code = options_next(&o)) != -1;)
+        read_option(&o, code);
+    printf("%s\n", options_command(&o));
+    if (list == with_arguments)
+        options_fail(&o, "need %d files", 2);
+    return 0;
+}
+
+static struct child run(const char *arguments)
+{
+    static char text[1024];
+    snprintf(text, sizeof text, "%s", arguments ? arguments : "");
+    return child_run(program, arguments ? text : NULL, NULL);
+}
+
+static void accepted(const char *arguments, const char *out)
+{
+    const struct child c = run(arguments);
+    if (strcmp(c.out, out) != 0 || *c.err)
+        printf("# '%s' gave:\n# %s# %s# not:\n# %s", arguments, c.out,
+               c.err, out);
+    UNIT_TRUE(c.status == 0);
+    UNIT_TRUE(strcmp(c.out, out) == 0);
+    UNIT_TRUE(*c.err == '\0');
+}
+
+static void refused(const char *arguments, const char *err)
+{
+    const struct child c = run(arguments);
+    char line[512];
+    snprintf(line, sizeof line, "gas: %s\n", err);
+    if (strcmp(c.err, line) != 0)
+        printf("# '%s' gave:\n# %s# not:\n# %s", arguments, c.err, line);
+    UNIT_TRUE(c.status == OPTIONS_FAILURE);
+    UNIT_TRUE(strcmp(c.err, line) == 0);
+    UNIT_TRUE(strstr(c.out, "gas") == NULL);
+}
+
+static void test_count(void)
+{
+    list = entries;
+    accepted(NULL, "gas\n");
+    accepted("--particles\n12", "n=12\ngas --particles 12\n");
+    accepted("-n1e6", "n=1000000\ngas --particles 1e6\n");
+    accepted("-n\n2.5E+3", "n=2500\ngas --particles 2.5E+3\n");
+    accepted("-n300e-2", "n=3\ngas --particles 300e-2\n");
+    accepted("-n10000000", "n=10000000\ngas --particles 10000000\n");
+    accepted("--seed=18446744073709551615",
+             "seed=18446744073709551615\n"
+             "gas --seed 18446744073709551615\n");
+    accepted("--seed\n0e99", "seed=0\ngas --seed 0e99\n");
+}
+
+static void test_count_refused(void)
+{
+    static const char *const wrong[] = {"ten",
+                                        "",
+                                        " 3",
+                                        "3 ",
+                                        "-3",
+                                        "+3",
+                                        "0x10",
+                                        "1.5",
+                                        "1e-1",
+                                        "1e",
+                                        "1e+",
+                                        "1e1x",
+                                        "5x",
+                                        ".",
+                                        "e3",
+                                        "nan",
+                                        "inf",
+                                        "1e8",
+                                        "0",
+                                        "10000001",
+                                        "1,5",
+                                        "1e99999999999999999999",
+                                        "1e-99999999999999999999"};
+    list = entries;
+    for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; ++i) {
+        char arguments[80], message[160];
+        snprintf(arguments, sizeof arguments, "--particles\n%s", wrong[i]);
+        snprintf(message, sizeof message,
+                 "--particles: '%s' is not a whole number from 1 to "
+                 "10000000",
+                 wrong[i]);
+        refused(arguments, message);
+    }
+    refused(
+        "--seed\n18446744073709551616",
+        "--seed: '18446744073709551616' is not a whole number from 0 to "
+        "18446744073709551615");
+    refused("--seed\n1e20",
+            "--seed: '1e20' is not a whole number from 0 to "
+            "18446744073709551615");
+}
+
+static void test_real(void)
+{
+    static const char *const wrong[] = {
+        "2",   "-0.1", "",         " 1",
+        "1 ",  "x",    "0x1",      "nan",
+        "inf", "-inf", "infinity", "1e999",
+        "1e",  "0,5",  "1..0",     "1.0000000000000003"};
+    list = entries;
+    accepted("--restitution\n0.1",
+             "e=0.10000000000000001\ngas --restitution 0.1\n");
+    accepted("--restitution\n1", "e=1\ngas --restitution 1\n");
+    accepted("--restitution=+5e-1", "e=0.5\ngas --restitution +5e-1\n");
+    accepted("--mass\n1e-320", "m=9.99989e-321\ngas --mass 1e-320\n");
+    for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; ++i) {
+        char arguments[80], message[160];
+        snprintf(arguments, sizeof arguments, "--restitution\n%s",
+                 wrong[i]);
+        snprintf(message, sizeof message,
+                 "--restitution: '%s' is not a number from 0 to 1",
+                 wrong[i]);
+        refused(arguments, message);
+    }
+    refused("--mass\n0", "--mass: '0' is not a number more than 0");
+    refused("--atmost\n4", "--atmost: '4' is not a number of at most 3");
+    refused("--free\nabc", "--free: 'abc' is not a number");
+    refused("--capped\n0",
+            "--capped: '0' is not a number more than 0, at most 3");
+}
+
+static void test_list(void)
+{
+    list = entries;
+    accepted("--velocities\n-1,2.5",
+             "values=2 -1 2.5\ngas --velocities -1,2.5\n");
+    accepted("--velocities\n7", "values=1 7 99\ngas --velocities 7\n");
+    refused("--velocities\n1,2,3",
+            "--velocities: '1,2,3' has more than 2 numbers");
+    refused("--velocities\n1,two",
+            "--velocities: 'two' in '1,two' is not a number");
+    refused("--velocities\n1,", "--velocities: '' in '1,' is not a number");
+    refused("--velocities\n", "--velocities: '' in '' is not a number");
+}
+
+static void test_choice(void)
+{
+    list = entries;
+    accepted("--form\ncm", "form=0\ngas --form cm\n");
+    accepted("--form\nimpulse", "form=2\ngas --form impulse\n");
+    refused("--form\nc", "--form: 'c' is not cm, difference or impulse");
+    refused("--form\n", "--form: '' is not cm, difference or impulse");
+}
+
+static void test_unknown(void)
+{
+    list = entries;
+    refused("--speed", "unknown option '--speed'; see gas --help");
+    refused("--speed=3", "unknown option '--speed=3'; see gas --help");
+    refused("-z", "unknown option '-z'; see gas --help");
+    refused("-qz", "unknown option '-z'; see gas --help");
+    refused("--particles", "--particles: needs a value: --particles N");
+    refused("-n", "--particles: needs a value: --particles N");
+    refused("--quick=3", "'--quick=3': this option takes no value");
+    refused("--help=3", "'--help=3': this option takes no value");
+    refused("foo", "'foo' is not an option; see gas --help");
+    refused("-", "'-' is not an option; see gas --help");
+    refused("--\n-q", "'-q' is not an option; see gas --help");
+}
+
+static void test_abbreviated(void)
+{
+    list = entries;
+    accepted("--part\n3", "n=3\ngas --particles 3\n");
+    accepted("--se=3", "seed=3\ngas --seed 3\n");
+    refused("--f=3", "'--f=3' may mean --form or --free");
+    refused("--part\nx", "--particles: 'x' is not a whole number from 1 to "
+                         "10000000");
+}
+
+static void test_command(void)
+{
+    list = entries;
+    accepted("-qn3\n-o\nfile", "113=-\nn=3\n111=file\n"
+                               "gas --quick --particles 3\n");
+    accepted("--out=file\n-ofile", "111=file\n111=file\ngas\n");
+    accepted("--name\nit's $5", "264=it's $5\n"
+                                "gas --name 'it'\\''s $5'\n");
+    accepted("--name\n", "264=\ngas --name ''\n");
+}
+
+static void test_arguments(void)
+{
+    struct child c;
+    list = with_arguments;
+    c = run("one\n-q\n--\n-two");
+    UNIT_TRUE(c.status == OPTIONS_FAILURE);
+    UNIT_TRUE(strcmp(c.out, "1=one\n113=-\n1=-two\n"
+                            "gas one --quick -two\n") == 0);
+    UNIT_TRUE(strcmp(c.err, "gas: need 2 files\n") == 0);
+}
+
+static void test_help(void)
+{
+    static char help[] = "--help", version[] = "--version";
+    struct child c;
+    list = entries;
+    accepted("--version", "gas (Bonkers) " TOOLBOX_VERSION "\n");
+    c = run("-q\n--help");
+    UNIT_TRUE(c.status == 0 && *c.err == '\0');
+    UNIT_TRUE(strstr(c.out, "Usage: gas [OPTION]...\nMove particles.\n"));
+    UNIT_TRUE(strstr(c.out, "\n  -n, --particles N         how many"));
+    UNIT_TRUE(strstr(c.out, "\n      --restitution E       ratio of the "
+                            "speeds\n"
+                            "                            after and"));
+    UNIT_TRUE(strstr(c.out, "\n      --version             name"));
+    for (const char *line = c.out, *end; *line; line = end + 1) {
+        end = strchr(line, '\n');
+        UNIT_TRUE(end && end - line <= 78);
+    }
+    c = child_run(program, help, "");
+    UNIT_TRUE(c.status == 1);
+    UNIT_TRUE(strcmp(c.err, "gas: cannot write standard output: Bad file "
+                            "descriptor\n") == 0);
+    if (access("/dev/full", W_OK) != 0)
+        return;
+    c = child_run(program, version, "/dev/full");
+    UNIT_TRUE(c.status == 1);
+    UNIT_TRUE(strcmp(c.err, "gas: cannot write standard output: No space "
+                            "left on device\n") == 0);
+}
+
+int main(void)
+{
+    return unit_run(
+        "options",
+        (struct unit_test[]){
+            {"whole numbers are read exactly", test_count},
+            {"what is no whole number is refused", test_count_refused},
+            {"real numbers keep to their range", test_real},
+            {"lists are read number by number", test_list},
+            {"one of several names is chosen", test_choice},
+            {"unknown options and stray arguments exit 2", test_unknown},
+            {"names may be cut short while clear", test_abbreviated},
+            {"the command is recorded in full names", test_command},
+            {"arguments are taken where they are allowed", test_arguments},
+            {"help and version succeed or say why not", test_help},
+            {0}});
+}

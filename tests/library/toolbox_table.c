@@ -1,0 +1,427 @@
+/* Tables: what is written, and what is left behind when writing fails.
+   The cases that end a process run in one of their own. */
+#include "unit.h"
+
+#include "library/toolbox_child.h"
+#include "toolbox/progress.h"
+#include "toolbox/table.h"
+#include "toolbox/version.h"
+
+#include <dirent.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+static char folder[64]; /* where the tests work, and are */
+
+static void write_file(const char *path, const char *text)
+{
+    FILE *f = fopen(path, "w");
+    if (f && fputs(text, f) >= 0)
+        fclose(f);
+}
+
+static bool file_is(const char *path, const char *text)
+{
+    char got[4096];
+    FILE *f = fopen(path, "r");
+    if (!f)
+        return false;
+    child_read(f, got);
+    return strcmp(got, text) == 0;
+}
+
+/* How many files the folder has, and takes them away. */
+static int sweep(void)
+{
+    int files = 0;
+    DIR *d = opendir(".");
+    for (struct dirent *e; d && (e = readdir(d));)
+        if (strcmp(e->d_name, ".") != 0 && strcmp(e->d_name, "..") != 0) {
+            ++files;
+            if (unlink(e->d_name) != 0)
+                rmdir(e->d_name);
+        }
+    closedir(d);
+    return files;
+}
+
+static int write_table(void *path)
+{
+    struct table *t = table_open("gas", path);
+    if (!t)
+        return 1;
+    table_begin(t, "gas --seed 5", 5);
+    table_column(t, "t", "s", "time");
+    table_column(t, "n", "", "number");
+    table_row(t, 2, (double[]){0.1, 3});
+    table_row(t, 2, (double[]){1e-300, -INFINITY});
+    return table_close(t) ? 0 : 1;
+}
+
+static const char written[] = "# gas (Bonkers) " TOOLBOX_VERSION "\n"
+                              "# command: gas --seed 5\n"
+                              "# seed: 5\n"
+                              "# 1 t [s] time\n"
+                              "# 2 n [1] number\n"
+                              "0.10000000000000001 3\n"
+                              "1e-300 -inf\n";
+
+static void test_content(void)
+{
+    struct child c = child_run(write_table, NULL, NULL);
+    UNIT_TRUE(c.status == 0 && *c.err == '\0');
+    UNIT_TRUE(strcmp(c.out, written) == 0);
+    c = child_run(write_table, "-", NULL);
+    UNIT_TRUE(c.status == 0 && strcmp(c.out, written) == 0);
+    c = child_run(write_table, "a", NULL);
+    UNIT_TRUE(c.status == 0 && *c.out == '\0' && *c.err == '\0');
+    UNIT_TRUE(file_is("a", written));
+    UNIT_TRUE(sweep() == 1);
+}
+
+static void test_summary(void)
+{
+    struct table *t = table_open("gas", "s");
+    table_real(t, "energy", 0.1);
+    table_real(t, "strange", -NAN);
+    table_count(t, "events", UINT64_MAX);
+    table_text(t, "form", "cm");
+    UNIT_TRUE(table_print(t, "%d free\n", 3));
+    UNIT_TRUE(table_close(t));
+    UNIT_TRUE(file_is("s", "energy 0.10000000000000001\nstrange nan\n"
+                           "events 18446744073709551615\nform cm\n"
+                           "3 free\n"));
+    UNIT_TRUE(table_close(NULL));
+    sweep();
+}
+
+static void test_round_trip(void)
+{
+    double values[3] = {1.0 / 3, 0x1.fffffffffffffp+1023, 0x1p-1074};
+    double got[3] = {0};
+    struct table *t = table_open("gas", "r");
+    UNIT_TRUE(table_row(t, 3, values));
+    UNIT_TRUE(table_close(t));
+    FILE *f = fopen("r", "r");
+    UNIT_TRUE(f &&
+              fscanf(f, "%lf %lf %lf", &got[0], &got[1], &got[2]) == 3);
+    for (int i = 0; i < 3; ++i)
+        UNIT_EQUAL(got[i], values[i]);
+    fclose(f);
+    sweep();
+}
+
+static void test_whole_or_absent(void)
+{
+    write_file("a", "old\n");
+    struct table *t = table_open("gas", "a");
+    table_text(t, "key", "new");
+    UNIT_TRUE(file_is("a", "old\n"));
+    UNIT_TRUE(table_close(t));
+    UNIT_TRUE(file_is("a", "key new\n"));
+    t = table_open("gas", "a");
+    table_text(t, "key", "newer");
+    table_discard(t);
+    table_discard(NULL);
+    UNIT_TRUE(file_is("a", "key new\n"));
+    UNIT_TRUE(sweep() == 1);
+}
+
+static void test_permissions(void)
+{
+    struct stat s;
+    const mode_t mask = umask(027);
+    write_file("a", "old\n");
+    chmod("a", 0604);
+    UNIT_TRUE(table_close(table_open("gas", "a")));
+    UNIT_TRUE(stat("a", &s) == 0 && (s.st_mode & 0777) == 0604);
+    UNIT_TRUE(table_close(table_open("gas", "b")));
+    UNIT_TRUE(stat("b", &s) == 0 && (s.st_mode & 0777) == 0640);
+    umask(mask);
+    sweep();
+}
+
+static void test_links(void)
+{
+    struct stat s;
+    write_file("real", "old\n");
+    UNIT_TRUE(symlink("real", "link") == 0);
+    UNIT_TRUE(child_run(write_table, "link", NULL).status == 0);
+    UNIT_TRUE(lstat("link", &s) == 0 && S_ISLNK(s.st_mode));
+    UNIT_TRUE(file_is("real", written));
+    UNIT_TRUE(symlink("nowhere", "loose") == 0);
+    const struct child c = child_run(write_table, "loose", NULL);
+    UNIT_TRUE(c.status == 1);
+    UNIT_TRUE(strcmp(c.err, "gas: cannot write 'loose': No such file or "
+                            "directory\n") == 0);
+    UNIT_TRUE(sweep() == 3);
+}
+
+static void fails(const char *path, const char *stdout_file,
+                  const char *reason)
+{
+    char line[256];
+    const struct child c =
+        child_run(write_table, (void *)path, stdout_file);
+    snprintf(line, sizeof line, "gas: cannot write %s\n", reason);
+    if (strcmp(c.err, line) != 0)
+        printf("# got %s# not %s", c.err, line);
+    UNIT_TRUE(c.status == 1);
+    UNIT_TRUE(strcmp(c.err, line) == 0);
+}
+
+static void test_cannot_open(void)
+{
+    fails("none/a", NULL, "'none/a': No such file or directory");
+    fails(".", NULL, "'.': Is a directory");
+    fails("", NULL, "'': No such file or directory");
+    fails(NULL, "", "standard output: Bad file descriptor");
+    write_file("file", "");
+    fails("file/a", NULL, "'file/a': Not a directory");
+    UNIT_TRUE(sweep() == 1);
+    if (geteuid() == 0)
+        return; /* nothing is forbidden to root */
+    write_file("fixed", "old\n");
+    chmod("fixed", 0444);
+    fails("fixed", NULL, "'fixed': Permission denied");
+    UNIT_TRUE(sweep() == 1);
+    chmod(".", 0555);
+    fails("a", NULL, "'a': Permission denied");
+    chmod(".", 0755);
+}
+
+static void test_closed_stdout_is_not_the_table(void)
+{
+    const struct child c = child_run(write_table, "a", "");
+    UNIT_TRUE(c.status == 0 && *c.err == '\0');
+    UNIT_TRUE(file_is("a", written));
+    sweep();
+}
+
+static int print_beside(void *path)
+{
+    struct table *t = table_open("gas", path);
+    table_text(t, "key", "table");
+    (void)!write(STDOUT_FILENO, "screen\n", 7);
+    return !table_close(t);
+}
+
+static void test_stray_output(void)
+{
+    UNIT_TRUE(child_run(print_beside, "a", "").status == 0);
+    UNIT_TRUE(file_is("a", "key table\n"));
+    sweep();
+}
+
+static void test_full_disk(void)
+{
+    UNIT_TRUE(child_run(write_table, "/dev/null", NULL).status == 0);
+    if (access("/dev/full", W_OK) != 0)
+        return;
+    fails(NULL, "/dev/full", "standard output: No space left on device");
+    fails("/dev/full", NULL, "'/dev/full': No space left on device");
+}
+
+/* Rows until writing fails, at most a million. */
+static int write_much(void *path)
+{
+    struct table *t = table_open("gas", path);
+    int rows = 0;
+    if (!t)
+        return 3;
+    while (rows < 1000000 && table_row(t, 1, (double[]){rows}))
+        ++rows;
+    if (rows == 1000000)
+        return 4;
+    return table_close(t) ? 0 : 1;
+}
+
+static int write_limited(void *path)
+{
+    const struct rlimit limit = {20000, 20000};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    return write_much(path);
+}
+
+static void test_file_limit(void)
+{
+    write_file("a", "old\n");
+    const struct child c = child_run(write_limited, "a", NULL);
+    UNIT_TRUE(c.status == 1);
+    UNIT_TRUE(strcmp(c.err, "gas: cannot write 'a': File too large\n") ==
+              0);
+    UNIT_TRUE(file_is("a", "old\n"));
+    UNIT_TRUE(sweep() == 1);
+}
+
+static int write_closed_pipe(void *path)
+{
+    int ends[2];
+    if (pipe(ends) != 0)
+        return 5;
+    dup2(ends[1], STDOUT_FILENO);
+    close(ends[0]);
+    return write_much(path);
+}
+
+static void test_closed_pipe(void)
+{
+    const struct child c = child_run(write_closed_pipe, NULL, NULL);
+    UNIT_TRUE(c.status == 1);
+    UNIT_TRUE(strcmp(c.err, "gas: cannot write standard output: Broken "
+                            "pipe\n") == 0);
+}
+
+static int too_many(void *argument)
+{
+    static struct table *tables[10]; /* so that none counts as leaked */
+    char name[] = "0";
+    (void)argument;
+    for (int i = 0; i < 10; ++i, ++name[0])
+        if (!(tables[i] = table_open("gas", name)))
+            return name[0];
+    return 0;
+}
+
+static void test_too_many(void)
+{
+    const struct child c = child_run(too_many, NULL, NULL);
+    UNIT_TRUE(c.status == '8');
+    UNIT_TRUE(
+        strcmp(c.err, "gas: cannot write '8': Too many open files\n") == 0);
+    UNIT_TRUE(sweep() == 0);
+}
+
+/* Opens a table, then ends as the signal says; 0: by exit. */
+static int end_early(void *number)
+{
+    const int signal_number = *(int *)number;
+    static struct table *t; /* so that it does not count as leaked */
+    t = table_open("gas", "a");
+    table_text(t, "key", "half");
+    if (signal_number)
+        raise(signal_number);
+    return 7;
+}
+
+static void test_early_end(void)
+{
+    int numbers[] = {0, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGABRT, SIGXCPU};
+    write_file("a", "old\n");
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; ++i) {
+        const struct child c = child_run(end_early, &numbers[i], NULL);
+        UNIT_TRUE(c.status == (numbers[i] ? 128 + numbers[i] : 7));
+        UNIT_TRUE(file_is("a", "old\n"));
+    }
+    UNIT_TRUE(sweep() == 1);
+}
+
+static int hold_and_fork(void *argument)
+{
+    struct table *t = table_open("gas", "a");
+    int status;
+    (void)argument;
+    table_text(t, "key", "whole");
+    fflush(NULL);
+    const pid_t pid = fork();
+    if (pid == 0)
+        exit(0);
+    waitpid(pid, &status, 0);
+    return !table_close(t);
+}
+
+static void test_fork(void)
+{
+    UNIT_TRUE(child_run(hold_and_fork, NULL, NULL).status == 0);
+    UNIT_TRUE(file_is("a", "key whole\n"));
+    UNIT_TRUE(sweep() == 1);
+}
+
+/* A run of ten steps that is asked to stop after four; the argument says
+   how often. */
+static int interrupted(void *times)
+{
+    struct progress p;
+    struct table *t = table_open("gas", "a");
+    progress_catch_signals();
+    progress_begin(&p, "gas", 10, "steps");
+    for (uint64_t i = 0; i < 10 && !progress_signal(); ++i) {
+        table_count(t, "step", i);
+        progress_update(&p, i + 1, i + 1);
+        for (int k = 0; i == 3 && k < *(int *)times; ++k)
+            raise(SIGTERM);
+    }
+    const bool whole = progress_end(&p);
+    return table_close(t) && whole ? 0 : 1;
+}
+
+static void test_interrupt(void)
+{
+    int times = 1;
+    struct child c = child_run(interrupted, &times, NULL);
+    UNIT_TRUE(c.status == 1);
+    UNIT_TRUE(strcmp(c.err, "gas: interrupted; 40 % was done\n") == 0);
+    UNIT_TRUE(file_is("a", "step 0\nstep 1\nstep 2\nstep 3\n"));
+    UNIT_TRUE(sweep() == 1);
+    times = 2;
+    c = child_run(interrupted, &times, NULL);
+    UNIT_TRUE(c.status == 128 + SIGTERM);
+    UNIT_TRUE(sweep() == 0);
+    times = 0;
+    c = child_run(interrupted, &times, NULL);
+    UNIT_TRUE(c.status == 0 && *c.err == '\0');
+    UNIT_TRUE(sweep() == 1);
+}
+
+static int ignore_term(void *times)
+{
+    signal(SIGTERM, SIG_IGN);
+    return interrupted(times);
+}
+
+static void test_ignored(void)
+{
+    int times = 3;
+    const struct child c = child_run(ignore_term, &times, NULL);
+    UNIT_TRUE(c.status == 0 && *c.err == '\0');
+    UNIT_TRUE(sweep() == 1);
+}
+
+int main(void)
+{
+    const char *base = getenv("TMPDIR");
+    snprintf(folder, sizeof folder, "%.40s/table-XXXXXX",
+             base ? base : "/tmp");
+    if (!mkdtemp(folder) || chdir(folder) != 0) {
+        printf("not ok table: cannot work in %s\n", folder);
+        return 1;
+    }
+    const int failed = unit_run(
+        "table",
+        (struct unit_test[]){
+            {"head, columns and rows are as promised", test_content},
+            {"summaries are keys and values", test_summary},
+            {"seventeen digits bring every double back", test_round_trip},
+            {"the old file stays until the new is whole",
+             test_whole_or_absent},
+            {"permissions are kept, or the usual ones", test_permissions},
+            {"a link is followed and stays a link", test_links},
+            {"what cannot be opened is named, with why", test_cannot_open},
+            {"a closed stdout does not hinder a file",
+             test_closed_stdout_is_not_the_table},
+            {"stray output never enters a table", test_stray_output},
+            {"a full disk is an error", test_full_disk},
+            {"a file-size limit leaves the old file", test_file_limit},
+            {"a closed pipe is an error", test_closed_pipe},
+            {"a ninth file is refused", test_too_many},
+            {"an early end leaves no temporary", test_early_end},
+            {"a child leaves its parent's temporary", test_fork},
+            {"a signal ends a run with what it has", test_interrupt},
+            {"a signal ignored stays ignored", test_ignored},
+            {0}});
+    sweep();
+    if (chdir("/") == 0)
+        rmdir(folder);
+    return failed;
+}

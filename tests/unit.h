@@ -1,0 +1,89 @@
+/* A CUnit program in one line: list the tests, and unit_run prints
+   `ok NAME` or `not ok NAME - why` for each, as tests/run counts them.
+
+       static void test_swap(void) { UNIT_NEAR(got, expected, tolerance); }
+       int main(void)
+       {
+           return unit_run("collide",
+                           (struct unit_test[]){
+                               {"equal masses swap", test_swap}, {0}});
+       }
+*/
+#ifndef UNIT_H
+#define UNIT_H
+
+#include <CUnit/CUnit.h>
+#include <CUnit/TestRun.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+struct unit_test {
+    const char *name; /* a sentence that says what holds */
+    void (*run)(void);
+};
+
+/* Passes when |got - expected| <= tolerance; says both numbers when not.
+   A NaN on either side fails. */
+#define UNIT_NEAR(got, expected, tolerance)                                \
+    unit_near(__FILE__, __LINE__, #got, (got), (expected), (tolerance))
+
+/* Passes when the two numbers are equal. */
+#define UNIT_EQUAL(got, expected) UNIT_NEAR(got, expected, 0.0)
+
+/* Passes when the condition holds. */
+#define UNIT_TRUE(condition)                                               \
+    CU_assertImplementation((condition) ? CU_TRUE : CU_FALSE, __LINE__,    \
+                            #condition, __FILE__, "", CU_FALSE)
+
+static inline void unit_near(const char *file, unsigned line,
+                             const char *what, double got, double expected,
+                             double tolerance)
+{
+    static char texts[64][256]; /* CUnit copies nothing for us to rely on */
+    static unsigned next;
+    char *text = texts[next++ % 64];
+    snprintf(text, sizeof texts[0], "%s is %.17g, not %.17g to within %.3g",
+             what, got, expected, tolerance);
+    CU_assertImplementation(fabs(got - expected) <= tolerance ? CU_TRUE
+                                                              : CU_FALSE,
+                            line, text, file, "", CU_FALSE);
+}
+
+/* Runs the tests under CUnit, one line each; returns what main returns. */
+static inline int unit_run(const char *suite_name, struct unit_test tests[])
+{
+    CU_pSuite suite;
+    int failed = 0;
+    if (CU_initialize_registry() != CUE_SUCCESS ||
+        !(suite = CU_add_suite(suite_name, NULL, NULL)))
+        return 1;
+    for (; tests->name; ++tests) {
+        CU_pTest test = CU_add_test(suite, tests->name, tests->run);
+        CU_pFailureRecord why;
+        if (!test) {
+            printf("not ok %s: %s - CUnit refuses the test\n", suite_name,
+                   tests->name);
+            ++failed;
+            continue;
+        }
+        CU_run_test(suite, test);
+        why = CU_get_failure_list();
+        if (CU_get_number_of_asserts() == 0) {
+            printf("not ok %s: %s - it asserts nothing\n", suite_name,
+                   tests->name);
+            ++failed;
+        } else if (why) {
+            printf("not ok %s: %s - %s:%u: %s\n", suite_name, tests->name,
+                   why->strFileName, why->uiLineNumber, why->strCondition);
+            ++failed;
+        } else {
+            printf("ok %s: %s\n", suite_name, tests->name);
+        }
+        fflush(stdout);
+    }
+    CU_cleanup_registry();
+    return failed ? 1 : 0;
+}
+
+#endif

@@ -1,0 +1,15 @@
+/* mistake: floor-without-loss */
+
+#include "exercise.h"
+#include <stddef.h>
+
+double top_velocity(size_t n, const double masses[], double speed,
+                    double restitution)
+{
+    double w = speed;
+    size_t k;
+    for (k = 1; k < n; k++)
+        w = -speed + (1 + restitution) * masses[k - 1] /
+                         (masses[k - 1] + masses[k]) * (w + speed);
+    return w;
+}

@@ -1,0 +1,17 @@
+/* mistake: one-radius */
+
+#include "exercise.h"
+#include <math.h>
+
+double impact_parameter(double r1, double r2, double im1, double im2,
+                        double deflection)
+{
+    (void)r2;
+    double ratio = im2 / im1;
+    double s = ratio * sin(deflection);
+    double chi;
+    if (s > 1 || (ratio >= 1 && cos(deflection) < 0))
+        return -1;
+    chi = deflection + asin(s);
+    return r1 * cos(chi / 2);
+}

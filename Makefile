@@ -27,7 +27,7 @@ headers := $(wildcard src/*.h src/*/*.h)
 suites := $(basename $(notdir $(wildcard tests/exercises/*.c)))
 
 # $(call need,COMMAND,PACKAGE): stop unless the command is there.
-need = @command -v $(1) >/dev/null 2>&1 || { echo "make: $@ needs $(1);\
+need = @command -v $(1) >/dev/null 2>&1 || { echo "make: $(1) is missing;\
  install it with: apt-get install --no-install-recommends $(2)" >&2; exit 1; }
 
 ## ---- programs: cc and make are enough -------------------------------------
@@ -65,64 +65,68 @@ native: $(programs:%=build/native/bin/%)
 bench: native
 	build/native/bin/collide-forms --study cost --collisions 10000000
 
-## ---- exercises: and CUnit ------------------------------------------------
+## ---- exercises: cc, make and CUnit ----------------------------------------
 
-# The compiler that checks, and whether it has the sanitizers, is found out
-# once; make clean forgets it.
-EXAMINE_BASE = $(CC) -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off \
-	-g -O1
-SANITIZE = -fsanitize=address,undefined -fno-sanitize=object-size \
+# What the exercises are compiled with; build/check/flags keeps it for examine:
+# the compiler's command on the first line, the libraries on the second.
+check_base = $(CC) -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -g -O1 \
+	$(CPPFLAGS)
+sanitizers = -fsanitize=address,undefined -fno-sanitize=object-size \
 	-fno-sanitize-recover=undefined
-suite_names := $(sort $(foreach s,$(suites),$(firstword $(subst -, ,$(s)))))
-CHECK_BUILT = $(suite_names:%=build/check/%.list) build/check/libcheck.a
+check_cc = $$(sed -n 1p build/check/flags)
+check_libs = $$(sed -n 2p build/check/flags)
+exercises := $(foreach s,$(suites),$(firstword $(subst -, ,$(s))))
+CHECK_BUILT = build/check/flags build/check/libcheck.a \
+	$(exercises:%=build/check/%.suite.o) $(exercises:%=build/check/%.list)
 
-# One exercise after an edit: make check EX=01a. Prebuilt is all but the
-# student's file.
 check: build/check/examine $(CHECK_BUILT)
 	@build/check/examine $(EX)
 
-build/check/flags: Makefile
+build/check/compiler: FORCE
 	@mkdir -p $(@D)
-	@printf '#include <CUnit/CUnit.h>\nint main(void) { return 0; }\n' \
-		>build/check/probe.c
-	@$(CC) -fsyntax-only build/check/probe.c 2>/dev/null || { echo \
-	'make: check needs CUnit; install it with: apt-get install --no-install-recommends libcunit1-dev' >&2; exit 1; }
-	@if $(EXAMINE_BASE) $(SANITIZE) -o build/check/probe \
-		build/check/probe.c 2>/dev/null && build/check/probe; \
-	then echo '$(EXAMINE_BASE) $(SANITIZE)'; \
-	else echo '$(EXAMINE_BASE)'; fi >$@.part
-	@echo 'build/check/libcheck.a -lcunit -lm' >>$@.part
-	@rm -f build/check/probe build/check/probe.c && mv $@.part $@
+	@echo '$(check_base)' | cmp -s - $@ || echo '$(check_base)' >$@
+.PHONY: FORCE
 
-examiner := $(addprefix src/examiner/,examine.c build.c trial.c process.c text.c)
-build/check/examine: $(examiner) $(headers) Makefile
-	@mkdir -p $(@D)
-	$(call say,cc $@)
-	$(Q)$(CC) $(STANDARD) $(PORTABLE) -Isrc $(CFLAGS) -o $@ $(examiner) $(LDFLAGS)
+# Sanitizers where the compiler has them; CUnit must be there.
+build/check/flags: build/check/compiler
+	@echo '#include <CUnit/CUnit.h>' >build/check/probe.c
+	@echo 'int main(void) { return CU_get_error(); }' >>build/check/probe.c
+	@$(check_base) -o build/check/probe build/check/probe.c $(LDFLAGS) -lcunit \
+		2>/dev/null || { echo 'make: check needs CUnit; install it with:\
+ apt-get install --no-install-recommends libcunit1-dev' >&2; exit 1; }
+	@san='$(sanitizers)'; $(check_base) $$san -o build/check/probe \
+		build/check/probe.c $(LDFLAGS) -lcunit 2>/dev/null && \
+		build/check/probe >/dev/null 2>&1 || san=; \
+	printf '%s\n%s\n' "$(check_base) $$san" \
+		'build/check/libcheck.a $(LDFLAGS) -lcunit -lm' >$@
 
-check_library := src/examiner/check.c $(wildcard src/toolbox/*.c)
-check_objects := $(check_library:src/%.c=build/check/obj/%.o)
 build/check/obj/%.o: src/%.c $(headers) build/check/flags
 	@mkdir -p $(@D)
 	$(call say,cc $@)
-	$(Q)$$(sed 1q build/check/flags) -Isrc -c -o $@ $<
-build/check/libcheck.a: $(check_objects)
+	$(Q)$(check_cc) -Wall -Wextra -pedantic -Isrc -c -o $@ $<
+build/check/libcheck.a: $(patsubst src/%.c,build/check/obj/%.o,\
+	src/examiner/check.c $(wildcard src/toolbox/*.c))
 	@rm -f $@
 	@ar rcs $@ $^
+build/check/examine: $(patsubst %,build/obj/examiner/%.o,\
+	examine build trial process text)
+	@mkdir -p $(@D)
+	$(call say,link $@)
+	$(Q)$(CC) $(PORTABLE) $(CFLAGS) -o $@ $^ $(LDFLAGS)
 
-# A suite, and what it says about itself (through a runner on its stub).
-define suite
-build/check/$(firstword $(subst -, ,$(1))).suite.o: tests/exercises/$(1).c \
-		$$(headers) build/check/flags
+# One suite, and what it says about itself (asked of the pristine stub).
+define suite_rules
+build/check/$(1).suite.o: tests/exercises/$(2).c $(headers) build/check/flags
 	$$(call say,cc $$<)
-	$$(Q)$$$$(sed 1q build/check/flags) -Isrc -c -o $$@ $$<
-build/check/$(firstword $(subst -, ,$(1))).list: tests/stubs/$(1).c \
-		build/check/$(firstword $(subst -, ,$(1))).suite.o build/check/libcheck.a
-	$$(Q)$$$$(sed 1q build/check/flags) -Isrc -Isrc/examiner -o $$(@:.list=.stub) \
-		$$(filter-out %.a,$$^) $$$$(sed -n 2p build/check/flags)
-	@$$(@:.list=.stub) --list >$$@.part && mv $$@.part $$@
+	$(Q)$$(check_cc) -Wall -Wextra -pedantic -Isrc -c -o $$@ $$<
+build/check/$(1).list: tests/stubs/$(2).c build/check/$(1).suite.o \
+		build/check/libcheck.a
+	$(Q)$$(check_cc) -Isrc -Isrc/examiner -o build/check/$(1).stub $$< \
+		build/check/$(1).suite.o $$(check_libs)
+	@ASAN_OPTIONS=detect_leaks=0 build/check/$(1).stub --list >$$@
 endef
-$(foreach s,$(suites),$(eval $(call suite,$(s))))
+$(foreach s,$(suites),$(eval $(call suite_rules,$(firstword \
+	$(subst -, ,$(s))),$(s))))
 
 ## ---- the book: noweb, gnuplot, TeX ---------------------------------------
 
@@ -136,30 +140,40 @@ check-tangle:
 
 # What figures and transcripts are made from, read from the scripts and the
 # chapters. Goals that need no book do without.
-chapters := $(wildcard chapters/*.nw)
 bookless := all first programs native bench check tangle check-tangle clean \
 	help format memcheck
 ifneq ($(filter-out $(bookless),$(MAKECMDGOALS)),)
-build/recipes/rules.mk: chapters/recipes $(chapters) chapters plots \
-		$(wildcard plots/*.gp)
+build/recipes/rules.mk: chapters/recipes chapters plots \
+		$(wildcard chapters/*.nw chapters/*.tex plots/*.gp)
 	@chapters/recipes
 include build/recipes/rules.mk
 endif
 
+# The first thing that book and figures look for is what they need.
+.PHONY: has-gnuplot has-tex
+has-gnuplot:
+	$(call need,gnuplot,gnuplot-nox fonts-lmodern)
+has-tex: has-gnuplot
+	$(call need,notangle,noweb)
+	$(call need,latexmk,latexmk lmodern texlive-latex-extra \
+		texlive-fonts-recommended)
+	$(call need,pdflatex,texlive-latex-extra texlive-fonts-recommended)
+
 # QUALITY=lecture takes the longer runs and draws for a slide as well.
-figures: programs $(FIGURES_PDF) $(FIGURES_SVG) \
+figures: has-gnuplot programs $(FIGURES_PDF) $(FIGURES_SVG) \
 		$(if $(filter lecture,$(QUALITY)),$(FIGURES_LECTURE))
 	@echo 'Figures: build/figures/' \
 		$(if $(filter lecture,$(QUALITY)),'and build/lecture/')
 
 # EDITION=instructor adds the worked solutions.
 edition := $(if $(filter instructor,$(EDITION)),-instructor)
-book: build/bonkers$(edition).pdf figures
+book: has-tex build/bonkers$(edition).pdf figures
 	@echo 'The book: $<'
 	@echo 'Next: open it, then try an exercise: make check'
 
 build/bonkers$(edition).pdf: $(FIGURES_PDF) $(FIGURES_ALT) $(RUNS) \
-		$(wildcard chapters/* solutions/* tests/hints/* plots/data/*) \
+		$(wildcard chapters/* solutions/* tests/hints/* tests/stubs/* \
+		plots/data/*) \
 		tests/equations.txt
 	@EDITION=$(EDITION) chapters/make-book
 
@@ -169,8 +183,8 @@ TEST_SECONDS = 600
 unit_tests := $(patsubst tests/%.c,build/tests/%,\
 	$(wildcard tests/library/*.c tests/stability/*.c))
 tools := $(patsubst tests/tools/%.c,build/tests/%,$(wildcard tests/tools/*.c))
-scripts := $(wildcard tests/programs/*.sh tests/examiner/*.sh \
-	tests/exercises/*.sh tests/kit/*.sh)
+scripts := $(wildcard tests/stability/*.sh tests/programs/*.sh \
+	tests/examiner/*.sh tests/exercises/*.sh tests/kit/*.sh)
 
 build/tests/%: tests/%.c tests/unit.h $(headers) build/obj/libbonkers.a
 	@mkdir -p $(@D)
@@ -195,7 +209,7 @@ memcheck: $(patsubst build/tests/%,build/memcheck/%,$(unit_tests))
 build/memcheck/%: tests/%.c tests/unit.h $(headers) $(library) Makefile
 	@mkdir -p $(@D)
 	$(call say,cc $<)
-	$(Q)$(CC) $(STANDARD) -g -O1 -ffp-contract=off $(SANITIZE) -Isrc -Itests \
+	$(Q)$(CC) $(STANDARD) -g -O1 -ffp-contract=off $(sanitizers) -Isrc -Itests \
 		$(CFLAGS) -o $@ $< $(library) $(LDFLAGS) -lcunit -lm
 
 # Every C file in the one layout; src/ is only compared, see the chapters.

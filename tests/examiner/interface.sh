@@ -70,7 +70,7 @@ verdict 'a file that is gone can be fetched again' \
     both 0 'cp tests/stubs/99a-twice.c exercises/' 99a
 
 cp "$traps/right.c" exercises/99a-twice.c
-(exec 5>held 6>held && build/check/examine --as 99a --file "$traps/close.c") \
+(exec 5>held 6>held && build/check/examine --as 99a --file "$traps/verdict.c") \
     >out 2>&1
 verdict 'what the examiner has open stays closed to the student' \
     [ ! -s held ]

@@ -39,6 +39,7 @@ static inline struct child child_run(int (*run)(void *), void *argument,
             (void)!freopen(stdout_file, "w", stdout);
         else if (stdout_file)
             close(STDOUT_FILENO);
+        alarm(30); /* a child that hangs fails */
         exit(run(argument));
     }
     if (pid > 0 && waitpid(pid, &status, 0) == pid)

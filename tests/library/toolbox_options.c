@@ -202,6 +202,9 @@ static void test_real(void)
         refused(arguments, message);
     }
     refused("--mass\n0", "--mass: '0' is not a number more than 0");
+    refused("--mass\n1e999", "--mass: '1e999' is not a number more than 0");
+    refused("--free\ninf", "--free: 'inf' is not a number");
+    refused("--free\n-1e999", "--free: '-1e999' is not a number");
     refused("--atmost\n4", "--atmost: '4' is not a number of at most 3");
     refused("--free\nabc", "--free: 'abc' is not a number");
     refused("--capped\n0",

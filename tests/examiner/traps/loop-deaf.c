@@ -1,4 +1,5 @@
 /* timed out: it computes for ever and ignores the signal */
+/* seconds: 2 */
 #include <signal.h>
 
 double twice(double x)

@@ -1,0 +1,22 @@
+#!/bin/sh
+# The book and its instructor's edition build, with every figure; nothing
+# sticks out; the equations have the numbers that the examiner knows.
+. tests/programs/common
+holds 'the book builds' ${MAKE:-make} book
+holds 'the instructor'"'"'s edition builds' ${MAKE:-make} book EDITION=instructor
+holds 'the PDF is there' test -s build/bonkers.pdf
+holds 'the log is clean' chapters/check-log build/book/book.log
+holds 'the equations have the numbers of tests/equations.txt' \
+    chapters/equations --check
+for script in plots/[0-9]*.gp; do
+    figure=build/figures/$(basename "$script" .gp)
+    holds "$figure is drawn for the book and the page" \
+        test -s "$figure.pdf" -a -s "$figure.svg"
+    holds "$figure.svg says what it shows" grep -q '<desc>' "$figure.svg"
+done
+cksum build/bonkers.pdf >"$work/before"
+${MAKE:-make} book >"$work/again" 2>&1
+holds 'made again, nothing runs' \
+    sh -c "! grep -e 'build/bin/' -e ' cc ' -e gnuplot $work/again"
+cksum build/bonkers.pdf >"$work/after"
+holds 'and the PDF stays' cmp "$work/before" "$work/after"

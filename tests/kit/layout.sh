@@ -1,0 +1,92 @@
+#!/bin/sh
+# The shape of the kit: what stands at the top, which module may include
+# which, one layout for all C, no warnings from two compilers, and a README
+# whose commands are those that are tested.
+. tests/programs/common
+
+allowed='Makefile README.md LICENSE CITATION.cff chapters src exercises
+solutions tests plots build compile_commands.json'
+strangers=
+for name in *; do
+    case " $(echo $allowed) " in
+    *" $name "*) ;;
+    *) strangers="$strangers $name" ;;
+    esac
+done
+holds 'all that belongs at the top is there' \
+    ls Makefile README.md LICENSE CITATION.cff chapters src exercises \
+    solutions tests plots .clang-format .editorconfig .gitignore .ci/run
+holds 'nothing else at the top' test -z "$strangers"
+
+# A module includes its own chapter, an earlier one or the toolbox; the
+# examiner and the toolbox know no physics; programs are the roof.
+chapter_of() { sed -n '1s/^\/\* From chapters\/\([0-9A-Z]*\)-.*/\1/p' "$1"; }
+wrong=
+for file in src/*.[ch] src/*/*.[ch]; do
+    own=$(chapter_of "$file")
+    for name in $(sed -n 's/^#include "\(.*\)"/\1/p' "$file"); do
+        target=src/$name
+        [ -e "$target" ] || target=$(dirname "$file")/$name
+        its=$(chapter_of "$target")
+        case $own:$its in
+        "$own:$own" | [0-9]*:A) ;;
+        B:A) ;;
+        [0-9]*:[0-9]*) [ "$its" -le "$own" ] ||
+            wrong="$wrong; $file: $name of chapter $its" ;;
+        *) wrong="$wrong; $file: $name of chapter $its" ;;
+        esac
+        case $target in
+        src/programs/*) wrong="$wrong; $file: the program $name" ;;
+        esac
+    done
+done
+holds 'no module includes one of a later chapter' \
+    sh -c "echo '$wrong'; test -z '$wrong'"
+
+c_files="$(ls src/*.c src/*/*.c tests/library/*.c tests/stability/*.c \
+    tests/tools/*.c solutions/*.c tests/stubs/*.c tests/right/*.c \
+    tests/exercises/*.c)"
+holds 'the layout of every C file is .clang-format' \
+    clang-format --dry-run -Werror src/*.[ch] src/*/*.[ch] tests/*.h \
+    tests/library/*.[ch] tests/stability/*.c tests/tools/*.c \
+    tests/exercises/*.c tests/right/*.c tests/wrong/*.c tests/stubs/*.c \
+    solutions/*.c
+for cc in gcc clang; do
+    # shellcheck disable=SC2086
+    holds "no warning from $cc" \
+        $cc -std=c11 -D_POSIX_C_SOURCE=200809L -Wall -Wextra -pedantic \
+        -Werror -O2 -Isrc -Isrc/examiner -Itests -fsyntax-only $c_files
+done
+
+# The numbers of equations in comments are those of the book.
+grep -ho '([0-9A-C]*\.[0-9]*, eq:[a-z-]*)' -r src tests/exercises chapters |
+    sort -u | sed 's/[(),]//g' >"$work/pairs"
+while read -r number label; do
+    grep -qx "$label $number" tests/equations.txt ||
+        not_ok 'equation numbers in comments' \
+            "($number, $label); tests/equations.txt has $(grep "^$label " \
+                tests/equations.txt)"
+done <"$work/pairs"
+holds 'equation numbers in comments are the book'"'"'s' test -s "$work/pairs"
+
+grep '^sh .ci/install' README.md >"$work/commands"
+holds 'the README has two commands' \
+    test "$(wc -l <"$work/commands")" -eq 2
+holds 'the gate runs the second' \
+    grep -qxF "$(sed -n 2p "$work/commands")" .ci/run
+holds 'make help names every target a reader may want' sh -c '
+    ${MAKE:-make} -s help >'"$work"'/help
+    for goal in check book figures test programs native bench memcheck \
+        tangle check-tangle format compile_commands.json clean; do
+        grep -q "^make $goal " '"$work"'/help || { echo "$goal"; exit 1; }
+    done'
+
+# The recipes of speed and of secrecy: no shared folder, no Python.
+holds 'no Python in the kit' sh -c '! find . -path ./build -prune -o \
+    -path ./.git -prune -o -name "*.py" -print | grep .'
+
+# The file for editors is JSON with one entry a source file.
+${MAKE:-make} -s compile_commands.json
+holds 'compile_commands.json has every source' \
+    test "$(grep -c '"file":' compile_commands.json)" -eq \
+    "$(ls src/*.c src/*/*.c | wc -l)"

@@ -1,0 +1,54 @@
+#!/bin/sh
+# What chapters/tangle promises, tried on a copy of the kit.
+. tests/programs/common
+holds 'src/ is what the chapters tangle to' chapters/tangle --check
+
+mkdir "$work/kit"
+cp -R chapters src "$work/kit"
+cd "$work/kit" || exit 1
+fails() { # NAME PATTERN: tangling must fail and say so, src/ stay as it was
+    find src -type f -exec cksum {} + | sort >"$work/before"
+    chapters/tangle >"$work/out" 2>&1
+    status=$?
+    find src -type f -exec cksum {} + | sort >"$work/after"
+    if [ $status -ne 1 ] || ! grep -q -e "$2" "$work/out"; then
+        not_ok "$1" "status $status: $(head -c 300 "$work/out")"
+    elif ! cmp -s "$work/before" "$work/after"; then
+        not_ok "$1" 'src/ was changed'
+    else
+        ok "$1"
+    fi
+}
+chapter=chapters/01-collide.nw
+cp $chapter "$work/good.nw"
+
+printf '\n<<collide.h>>=\n<<Never defined>>\n@\n' >>$chapter
+fails 'an undefined chunk is refused' 'Never defined'
+cp "$work/good.nw" $chapter
+printf '\n<<Never used>>=\nint x;\n@\n' >>$chapter
+fails 'a chunk that nothing uses is refused' 'Never used.*never used'
+cp "$work/good.nw" $chapter
+printf '\n<<toolbox/random.h>>=\nint x;\n@\n' >>$chapter
+fails 'a file of two chapters is refused' 'two chapters'
+cp "$work/good.nw" $chapter
+
+echo 'int edited;' >>src/collide.c
+fails 'an edit in src/ is recognised and shown' '^+int edited;'
+chapters/tangle --check >"$work/out" 2>&1
+holds 'and so does --check' grep -q '^+int edited;' "$work/out"
+cp "$OLDPWD/src/collide.c" src/
+echo 'int stray;' >src/stray.c
+fails 'a file that no chapter writes is refused' 'no chapter writes it'
+rm src/stray.c
+
+printf '\n<<collide.h>>=\n/* more */\n@\n' >>$chapter
+chapters/tangle --check >"$work/out" 2>&1
+holds 'a chapter ahead of src/ is seen' grep -q 'run make tangle' "$work/out"
+touch -t 200001010000 src/collide.c
+chapters/tangle >"$work/out" 2>&1
+holds 'tangle writes the file that changed' grep -q 'more' src/collide.h
+holds 'and names it' grep -qx 'src/collide.h' "$work/out"
+holds 'and leaves the others alone' test -z "$(find src/collide.c -newer src/collide.h)"
+chapters/tangle -L "$work/lines" >"$work/out" 2>&1
+holds '-L names the chapter and its line' \
+    grep -q '#line [0-9]* "chapters/01-collide.nw"' "$work/lines/collide.c"

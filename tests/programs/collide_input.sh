@@ -1,0 +1,91 @@
+#!/bin/sh
+# Bad commands, unwritable files, a full disk and a closed pipe: one clear
+# line, the right status, nothing half-written.
+. tests/programs/common
+bin=build/bin
+c=$bin/collide
+f=$bin/collide-forms
+
+refuses 2 "'ten' is not a whole number from 1 to" $c --tests ten
+refuses 2 "'-3' is not a whole number" $c --tests -3
+refuses 2 "'0' is not a whole number" $c --tests 0
+refuses 2 "'1.5' is not a whole number" $c --tests 1.5
+refuses 2 "'' is not a whole number" $c --tests ''
+refuses 2 "'99999999999999999999' is not" $c --seed 99999999999999999999
+refuses 2 "velocitys" $c --velocitys 1,2
+refuses 2 "stray" $c stray
+refuses 2 "tests" $c --tests
+refuses 2 "restitution: '2'" $c --restitution 2
+refuses 2 "restitution: 'nan'" $c --restitution nan
+refuses 2 "'best'.*smaller" $c --form best
+refuses 2 "dimensions: '4'" $c --dimensions 4
+refuses 2 "mass-ratio: '0.5'" $c --mass-ratio 0.5
+refuses 2 "need each other" $c --velocities 1,0
+refuses 2 "need each other" $c --inverse-masses 1,0
+refuses 2 "two walls" $c --velocities 1,0 --inverse-masses 0,0
+refuses 2 "negative" $c --velocities 1,0 --inverse-masses 1,-1
+refuses 2 "expected two" $c --velocities 1,0 --inverse-masses 1
+refuses 2 "expected 2 " $c --velocities 1,0,2 --inverse-masses 1,1
+refuses 2 "'x'" $c --velocities 1,x --inverse-masses 1,1
+refuses 2 "expected 4 " $c --velocities 1,0 --inverse-masses 1,1 --normal 1,1
+refuses 2 "line of centres" \
+    $c --velocities 1,0,0,0 --inverse-masses 1,1 --normal 0,0
+refuses 2 "needs --velocities" $c --normal 1,0
+refuses 2 "by hand" $c --velocities 1,0 --inverse-masses 1,1 --tests 3
+refuses 2 "both go to" $c --summary -
+refuses 2 "both go to" $c --summary "$work/x" -o "$work/x"
+refuses 2 "study" $f
+refuses 2 "'speed'" $f --study speed
+refuses 2 "collisions" $f --study drift --collisions -1
+refuses 2 "ratio" $f --study rounding --mass-ratio 0.1
+
+refuses 1 "nowhere/out" $c -o "$work/nowhere/out"
+refuses 1 "nowhere/sum" $c --summary "$work/nowhere/sum"
+refuses 1 "nowhere/out" $f --study map -o "$work/nowhere/out"
+mkdir "$work/folder"
+refuses 1 "folder" $c -o "$work/folder"
+holds 'nothing is left of refused files' \
+    test "$(ls "$work" | tr '\n' ' ')" = "err folder out "
+if [ -w /dev/full ]; then
+    refuses 1 "No space left" $c -o /dev/full
+    refuses 1 "No space left" $f --study drift --summary /dev/full
+fi
+
+# Standard output: a full disk, a closed pipe, none at all.
+stdout_fails() { # NAME PATTERN SHELL-WORDS
+    sh -c "$3" 2>"$work/err"
+    if [ "$(cat "$work/status")" = 1 ] && [ "$(wc -l <"$work/err")" -eq 1 ] &&
+        grep -q "^collide: .*$2" "$work/err"; then
+        ok "$1"
+    else
+        not_ok "$1" "status $(cat "$work/status"): $(cat "$work/err")"
+    fi
+}
+stdout_fails 'a full disk on standard output' 'No space left' \
+    "$c >/dev/full; echo \$? >$work/status"
+stdout_fails 'a closed pipe' 'Broken pipe' \
+    "{ sleep 0.2; $c; echo \$? >$work/status; } | true; sleep 0.3"
+stdout_fails 'a closed standard output' '' \
+    "$c >&-; echo \$? >$work/status"
+
+# Full disk for one file: the other keeps its old content.
+echo old >"$work/keep"
+$c --summary "$work/keep" -o /dev/full 2>/dev/null
+holds 'a failed run leaves the older summary' grep -q old "$work/keep"
+
+# A run that is stopped: exit 1, one line, no summary that looks whole.
+$c --tests 1000000000 --summary "$work/stopped" >"$work/out" 2>"$work/err" &
+run=$!
+sleep 0.5
+kill -TERM $run
+wait $run
+status=$?
+if [ $status -eq 1 ] && [ ! -e "$work/stopped" ] &&
+    [ "$(wc -l <"$work/err")" -eq 1 ] && grep -q 'collisions' "$work/out"; then
+    ok 'SIGTERM ends a run cleanly with what it has'
+else
+    not_ok 'SIGTERM' "status $status: $(cat "$work/err" "$work/out")"
+fi
+holds 'no temporary is left' sh -c "! ls -A $work | grep -q part"
+holds '--help' sh -c "$c --help | grep -q -- --restitution"
+holds '--version' sh -c "$c --version | grep -q '^collide (Bonkers)'"

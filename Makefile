@@ -168,7 +168,7 @@ figures: has-gnuplot programs $(FIGURES_PDF) $(FIGURES_SVG) \
 # EDITION=instructor adds the worked solutions.
 edition := $(if $(filter instructor,$(EDITION)),-instructor)
 book: has-tex build/bonkers$(edition).pdf figures
-	@echo 'The book: $<'
+	@echo 'The book: build/bonkers$(edition).pdf'
 	@echo 'Next: open it, then try an exercise: make check'
 
 build/bonkers$(edition).pdf: $(FIGURES_PDF) $(FIGURES_ALT) $(RUNS) \
@@ -186,7 +186,7 @@ tools := $(patsubst tests/tools/%.c,build/tests/%,$(wildcard tests/tools/*.c))
 scripts := $(wildcard tests/stability/*.sh tests/programs/*.sh \
 	tests/examiner/*.sh tests/exercises/*.sh tests/kit/*.sh)
 
-build/tests/%: tests/%.c tests/unit.h $(headers) build/obj/libbonkers.a
+build/tests/%: tests/%.c $(wildcard tests/*.h tests/*/*.h) $(headers) build/obj/libbonkers.a
 	@mkdir -p $(@D)
 	$(call say,cc $<)
 	$(Q)$(CC) $(STANDARD) $(PORTABLE) -Isrc -Itests $(CFLAGS) -o $@ $< \
@@ -206,7 +206,7 @@ test-parts: build/check/examine $(CHECK_BUILT) $(unit_tests) $(tools)
 # The library's tests under the sanitizers.
 memcheck: $(patsubst build/tests/%,build/memcheck/%,$(unit_tests))
 	@tests/run $^
-build/memcheck/%: tests/%.c tests/unit.h $(headers) $(library) Makefile
+build/memcheck/%: tests/%.c $(wildcard tests/*.h tests/*/*.h) $(headers) $(library) Makefile
 	@mkdir -p $(@D)
 	$(call say,cc $<)
 	$(Q)$(CC) $(STANDARD) -g -O1 -ffp-contract=off $(sanitizers) -Isrc -Itests \

@@ -1,5 +1,5 @@
 /* From chapters/01-collide.nw: edit there, then run make tangle. */
-/* checksum 1310583558 of the lines below */
+/* checksum 614351730 of the lines below */
 #include "collide.h"
 
 #include <float.h>
@@ -11,28 +11,25 @@ static bool can_collide(double im1, double im2)
     return im1 >= 0 && im2 >= 0 && sum > 0 && sum <= DBL_MAX;
 }
 
-/* Splits the change of relative velocity: *share1 for body 1 and *share2
-   for body 2, of the sign of change: equation (1.12, eq:smaller). */
-static void share(double change, double im1, double im2, double *share1,
-                  double *share2)
+/* Splits change, the change of the relative velocity, into what body 1
+   loses, part[0], and what body 2 gains, part[1] (1.12, eq:smaller). */
+static void share(double change, double im1, double im2, double part[2])
 {
-    const bool first_is_lighter = im1 >= im2;
-    const double fraction = (first_is_lighter ? im2 : im1) / (im1 + im2);
-    const double small = change * fraction;
-    const double rest = change - small;
-    *share1 = first_is_lighter ? rest : small;
-    *share2 = first_is_lighter ? small : rest;
+    const bool heavier = im1 >= im2; /* the place of the heavier body */
+    const double smaller = (im1 < im2 ? im1 : im2) / (im1 + im2);
+    part[heavier] = change * smaller;
+    part[!heavier] = change - part[heavier];
 }
 
 bool collide(double *v1, double *v2, double im1, double im2,
              double restitution)
 {
-    double share1, share2;
+    double part[2];
     if (!can_collide(im1, im2))
         return false;
-    share((1 + restitution) * (*v1 - *v2), im1, im2, &share1, &share2);
-    *v1 -= share1;
-    *v2 += share2;
+    share((1 + restitution) * (*v1 - *v2), im1, im2, part);
+    *v1 -= part[0];
+    *v2 += part[1];
     return true;
 }
 
@@ -69,15 +66,15 @@ static bool safe_normal(size_t dimensions, const double normal[],
 bool collide_along(size_t dimensions, const double normal[], double v1[],
                    double v2[], double im1, double im2, double restitution)
 {
-    double n[COLLIDE_DIMENSIONS], nn, approach = 0, share1, share2;
+    double n[COLLIDE_DIMENSIONS], nn, approach = 0, part[2];
     if (!can_collide(im1, im2) || !safe_normal(dimensions, normal, n, &nn))
         return false;
     for (size_t i = 0; i < dimensions; ++i)
         approach += (v1[i] - v2[i]) * n[i];
-    share((1 + restitution) * (approach / nn), im1, im2, &share1, &share2);
+    share((1 + restitution) * (approach / nn), im1, im2, part);
     for (size_t i = 0; i < dimensions; ++i) {
-        v1[i] -= share1 * n[i];
-        v2[i] += share2 * n[i];
+        v1[i] -= part[0] * n[i];
+        v2[i] += part[1] * n[i];
     }
     return true;
 }

@@ -1,5 +1,5 @@
 /* From chapters/01-collide.nw: edit there, then run make tangle. */
-/* checksum 298908005 of the lines below */
+/* checksum 2510906436 of the lines below */
 #include "collide.h"
 #include "toolbox/options.h"
 #include "toolbox/progress.h"
@@ -23,6 +23,7 @@ struct settings {
     uint64_t tests, collisions, digits, seed;
     const char *output, *summary_path, *command;
     struct random random;
+    struct progress progress;
     struct table *out, *summary;
 };
 
@@ -36,11 +37,12 @@ static void summarise(const struct settings *s, const char *key, int form,
 static uint64_t next_stop(uint64_t n, uint64_t last)
 {
     static const uint64_t steps[] = {1, 2, 5};
-    for (uint64_t decade = 1000; decade <= last; decade *= 10)
+    uint64_t stop = n < last / 10 ? last / 10 : last;
+    for (uint64_t decade = 1000; decade < stop; decade *= 10)
         for (int i = 0; i < 3; ++i)
-            if (decade * steps[i] > n && decade * steps[i] < last)
-                return decade * steps[i];
-    return last;
+            if (decade * steps[i] > n && decade * steps[i] < stop)
+                stop = decade * steps[i];
+    return stop;
 }
 
 #ifndef BUILD_FLAGS
@@ -106,6 +108,8 @@ static bool study_rounding(struct settings *s)
     table_column(s->out, "dP_max", eps,
                  "worst error of momentum / sum m|u|");
     table_column(s->out, "dv_max", eps, "worst error of v / larger |u|");
+    progress_begin(&s->progress, PROGRAM, s->ratio_count * s->tests,
+                   "pairs");
     for (size_t k = 0; k < s->ratio_count; ++k) {
         struct rounding all[COLLIDE_FORMS] = {{0, 0, 0, 0}};
         for (uint64_t i = 0; i < s->tests && !progress_signal(); ++i) {
@@ -118,7 +122,11 @@ static bool study_rounding(struct settings *s)
             const double u2 = s->offset + random_between(r, -1, 1);
             for (int form = 0; form < COLLIDE_FORMS; ++form)
                 measure_rounding(&all[form], form, u1, u2, im1, im2);
+            progress_update(&s->progress, k * s->tests + i,
+                            k * s->tests + i);
         }
+        if (progress_signal())
+            return false;
         for (int form = 0; form < COLLIDE_FORMS; ++form) {
             const struct rounding *a = &all[form];
             const double rms = sqrt(a->energy_square / (double)s->tests);
@@ -165,7 +173,7 @@ static bool study_drift(struct settings *s)
     double v[COLLIDE_FORMS][BODIES], error[COLLIDE_FORMS + 1];
     double tenth[COLLIDE_FORMS] = {0};
     struct random r[COLLIDE_FORMS];
-    uint64_t n = 0;
+    progress_begin(&s->progress, PROGRAM, s->collisions, "collisions");
     table_column(s->out, "n", "", "collisions");
     for (int f = 0; f < COLLIDE_FORMS; ++f) {
         table_column(s->out, collide_form_names[f], "",
@@ -174,17 +182,24 @@ static bool study_drift(struct settings *s)
         r[f] = s->random;
     }
     const quad start = row_energy(v[0]);
-    while (n < s->collisions && !progress_signal()) {
+    for (uint64_t n = 0; n < s->collisions;) {
         const uint64_t stop = next_stop(n, s->collisions);
+        while (n < stop) {
+            const uint64_t turn = stop - n < 1000000 ? stop - n : 1000000;
+            for (int f = 0; f < COLLIDE_FORMS; ++f)
+                for (uint64_t i = 0; i < turn; ++i)
+                    row_collide(&r[f], f, v[f]);
+            n += turn;
+            progress_update(&s->progress, n, COLLIDE_FORMS * n);
+            if (progress_signal())
+                return false;
+        }
+        error[0] = (double)n;
         for (int f = 0; f < COLLIDE_FORMS; ++f) {
-            for (uint64_t i = n; i < stop; ++i)
-                row_collide(&r[f], f, v[f]);
             error[f + 1] = (double)(row_energy(v[f]) / start - 1);
-            if (stop == s->collisions / 10)
+            if (n == s->collisions / 10)
                 tenth[f] = error[f + 1];
         }
-        n = stop;
-        error[0] = (double)n;
         table_row(s->out, COLLIDE_FORMS + 1, error);
     }
     for (int f = 0; f < COLLIDE_FORMS; ++f) {
@@ -198,13 +213,14 @@ static bool study_drift(struct settings *s)
         fabs(error[COLLIDE_DIFFERENCE + 1] / error[COLLIDE_SMALLER + 1]));
     return true;
 }
+
 /* Returns the collisions of the heavy ball, the light one and the wall;
    stops at limit when there seems to be no end. */
 static uint64_t count_galperin(int form, double im_heavy, uint64_t limit)
 {
     double heavy = -1, light = 0;
     uint64_t n = 0;
-    for (; n < limit; ++n)
+    for (; n < limit && !progress_signal(); ++n)
         if (light > heavy)
             collide_by(form, &light, &heavy, 1, im_heavy, 1);
         else if (light < 0)
@@ -218,7 +234,7 @@ static uint64_t count_galperin_float(float im_heavy, uint64_t limit)
 {
     float heavy = -1, light = 0;
     uint64_t n = 0;
-    for (; n < limit; ++n)
+    for (; n < limit && !progress_signal(); ++n)
         if (light > heavy) {
             const float change = 2 * (light - heavy);
             const float small = change * (im_heavy / (1 + im_heavy));
@@ -241,8 +257,8 @@ static bool study_galperin(struct settings *s)
         table_column(s->out, collide_form_names[f], "",
                      "counted in this form");
     table_column(s->out, "float", "", "smaller, in single precision");
-    for (uint64_t k = 0; k <= s->digits && !progress_signal();
-         ++k, ratio *= 100) {
+    progress_begin(&s->progress, PROGRAM, s->digits, "mass ratios");
+    for (uint64_t k = 0; k <= s->digits; ++k, ratio *= 100) {
         row[0] = (double)k;
         row[1] = ceil(acos(-1) / atan(sqrt(1 / ratio))) - 1;
         const uint64_t limit = 2 * (uint64_t)row[1];
@@ -250,6 +266,9 @@ static bool study_galperin(struct settings *s)
             row[f + 2] = (double)count_galperin(f, 1 / ratio, limit);
         row[COLLIDE_FORMS + 2] =
             (double)count_galperin_float((float)(1 / ratio), limit);
+        if (progress_signal())
+            return false;
+        progress_update(&s->progress, k, k);
         table_row(s->out, COLLIDE_FORMS + 3, row);
     }
     table_real(s->summary, "exact", row[1]);
@@ -261,6 +280,7 @@ static bool study_galperin(struct settings *s)
 static bool study_map(struct settings *s)
 {
     const double *im = s->inverse_masses;
+    progress_begin(&s->progress, PROGRAM, s->tests, "pairs");
     table_column(s->out, "u1", "m/s", "before, body 1");
     table_column(s->out, "u2", "m/s", "before, body 2");
     table_column(s->out, "v1", "m/s", "after, body 1");
@@ -314,6 +334,7 @@ static bool study_cost(struct settings *s)
             b.u[i][body] = random_between(&s->random, -1, 1);
             b.im[i][body] = random_between(&s->random, 0.5, 1.5);
         }
+    progress_begin(&s->progress, PROGRAM, ROUNDS, "rounds");
     for (int round = -1; round < ROUNDS; ++round)
         for (int f = 0; f < COLLIDE_FORMS; ++f) {
             const double ns = time_form(&b, f, passes);
@@ -420,7 +441,8 @@ int main(int argc, char *argv[])
     progress_catch_signals();
     table_begin(s.out, s.command, s.seed);
     random_seed(&s.random, s.seed);
-    const bool whole = studies[s.study].run(&s) && !progress_signal();
+    const bool done = studies[s.study].run(&s);
+    const bool whole = progress_end(&s.progress) && done;
     const bool written = table_close(s.out);
     if (whole && written)
         return table_close(s.summary) ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -18,7 +18,8 @@
    collision can have given them or none took place: when the two moved
    alike before, when neither velocity has changed, or when the mass ratio
    would have to be negative. What stands in *mass_ratio and *restitution
-   then does not matter.
+   then does not matter. Whether the restitution lies between 0 and 1 is
+   not asked.
 
    Check your answer with    make check EX=01b
    Hints ask before they tell: the book's appendix "Hints", which shows

@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 1696125624 of the lines below */
+/* checksum 1634270935 of the lines below */
 #include "examiner/build.h"
 #include "examiner/process.h"
 #include "examiner/text.h"
@@ -7,17 +7,15 @@
 #include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/wait.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 static char *flags_read(void)
 {
-    char *flags = text_read("build/check/flags", TEXT_LIMIT);
-    if (flags && *flags)
-        return flags;
-    fprintf(stderr, "examine: build/check/flags is missing; start me with "
-                    "make check\n");
-    exit(2);
+    char *flags = text_read("build/check/flags");
+    if (!flags || !*flags)
+        text_fail("build/check/flags is missing; start me with make check");
+    return flags;
 }
 
 bool build_sanitized(void)
@@ -28,120 +26,103 @@ bool build_sanitized(void)
     return found;
 }
 
-enum { COMMAND_WORDS = 128 };
-
-static void add_word(char *command[], char *word)
+static bool compile(const char *folder, char *suite, char *source,
+                    bool strict)
 {
-    size_t count = 0;
-    while (command[count])
-        ++count;
-    if (count < COMMAND_WORDS - 1)
-        command[count] = word;
+    static char script[] = "exec $1 $2 -Isrc -Isrc/examiner -Wall -Wextra "
+                           "-o \"$3\" \"$4\" \"$5\" $6";
+    const struct process_limits limits = {30, RLIM_INFINITY, RLIM_INFINITY};
+    struct process_end end;
+    char runner[4096], messages[4096];
+    char *libraries = flags_read(), *flags = libraries;
+    char *compiler = text_line(&libraries);
+    char *errors = strict ? "-pedantic -Werror" : "";
+    snprintf(runner, sizeof runner, "%s/runner", folder);
+    snprintf(messages, sizeof messages, "%s/messages", folder);
+    char *command[] = {"sh",   "-c",   script, "sh",      compiler, errors,
+                       runner, source, suite,  libraries, NULL};
+    setenv("LC_ALL", "C", 1);
+    setenv("GCC_COLORS", "", 1);
+    const int file = open(messages, O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    const bool started = process_run(command, file, -1, &limits, &end);
+    close(file);
+    free(flags);
+    return started && end.status == 0;
 }
 
-static void add_words(char *command[], char *text)
+static char *read_messages(const char *folder)
 {
-    for (char *word; (word = strtok_r(text, " \n", &text));)
-        add_word(command, word);
+    char path[4096];
+    snprintf(path, sizeof path, "%s/messages", folder);
+    char *text = text_read(path);
+    if (!text)
+        text_fail("cannot read '%s'", path);
+    return text;
 }
 
-static void make_command(char *command[], char *flags, bool strict,
-                         char *output, char *source, char *suite)
+static const char *find_line(const char *text, const char *start,
+                             const char *word)
 {
-    static char always[] = "-Isrc -Isrc/examiner -Wall -Wextra -o";
-    static char errors[] = "-pedantic -Werror";
-    char *libraries = flags;
-    add_words(command, text_line(&libraries));
-    if (strict)
-        add_words(command, errors);
-    add_words(command, always);
-    add_word(command, output);
-    add_word(command, source);
-    add_word(command, suite);
-    add_words(command, libraries);
-}
-
-static int count_errors(const char *text)
-{
-    int count = 0;
-    while ((text = strstr(text, " error: "))) {
-        ++count;
-        ++text;
-    }
-    return count;
-}
-
-static const char *first_line_with(const char *text, const char *start,
-                                   const char *words)
-{
-    for (const char *line = text; line && *line;) {
+    for (const char *line = text; *line;) {
         const size_t length = strcspn(line, "\n");
-        const char *found = strstr(line, words);
-        if (found && found < line + length &&
-            (!start || text_after(line, start)))
+        const char *found = strstr(line, word);
+        if (found && found < line + length && text_after(line, start))
             return line;
         line += length + (line[length] == '\n');
     }
     return NULL;
 }
 
+static int count_errors(const char *text)
+{
+    int count = 0;
+    for (; (text = strstr(text, " error: ")); ++text)
+        ++count;
+    return count;
+}
+
 static void tell_build(const char *text, const char *source, FILE *story)
 {
-    const char *line = first_line_with(text, source, "error:");
     const int errors = count_errors(text);
+    const char *line = find_line(text, source, "error:");
     if (!line)
-        line = first_line_with(text, NULL, "error:");
-    const char *lost = first_line_with(text, NULL, "undefined reference");
-    const char *twice = first_line_with(text, NULL, "multiple definition");
-    if (lost) {
-        line = strstr(lost, "undefined reference");
+        line = find_line(text, "", "error:");
+    const char *lost = strstr(text, "undefined reference");
+    const char *twice = strstr(text, "multiple definition");
+    if (lost)
         fputs("  The tests call a function that is gone. Was it renamed?\n",
               story);
-    } else if (twice) {
-        line = strstr(twice, "multiple definition");
+    else if (twice)
         fputs("  This name is taken, by the tests or their main program.\n",
               story);
-    }
+    if (lost || twice)
+        line = lost ? lost : twice;
     text_quote(story, line ? line : text, line ? 4 : 8);
     if (errors > 1)
         fprintf(story, "  and %d more that may go away with it\n",
                 errors - 1);
 }
 
-static void tell_warning(const char *text, const char *source, FILE *story)
+bool build_runner(const char *folder, const char *exercise,
+                  const char *source, bool strict, FILE *story)
 {
-    const char *line = first_line_with(text, source, "warning:");
-    if (!line)
-        return;
-    fprintf(story, "  The compiler has a warning:\n");
-    text_quote(story, line, 3);
+    char suite[64];
+    snprintf(suite, sizeof suite, "build/check/%s.suite.o", exercise);
+    const bool built = compile(folder, suite, (char *)source, strict);
+    char *text = read_messages(folder);
+    if (!built)
+        tell_build(text, source, story);
+    free(text);
+    return built;
 }
 
-bool build_runner(const char *folder, const char *exercise,
-                  const char *source, bool strict, FILE *story,
-                  FILE *warning)
+void build_warning(const char *folder, const char *source, FILE *story)
 {
-    const struct process_limits limits = {30, 60, 0, 0};
-    struct process_end end;
-    char output[4096], messages[4096], suite[64];
-    char *command[COMMAND_WORDS] = {NULL};
-    char *flags = flags_read();
-    snprintf(output, sizeof output, "%s/runner", folder);
-    snprintf(messages, sizeof messages, "%s/messages", folder);
-    snprintf(suite, sizeof suite, "build/check/%s.suite.o", exercise);
-    make_command(command, flags, strict, output, (char *)source, suite);
-    const int file = open(messages, O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    setenv("LC_ALL", "C", 1);
-    setenv("GCC_COLORS", "", 1);
-    const bool started = process_run(command, file, -1, &limits, &end);
-    close(file);
-    char *text = text_read(messages, TEXT_LIMIT);
-    const bool built = started && end.status == 0;
-    if (!built)
-        tell_build(text ? text : "", source, story);
-    else
-        tell_warning(text ? text : "", source, warning);
+    char *text = read_messages(folder);
+    const char *line = find_line(text, source, "warning:");
+    if (line) {
+        fprintf(story, "  The compiler has a warning:\n");
+        text_quote(story, line, 3);
+    }
     free(text);
-    free(flags);
-    return built;
 }

@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 1683739467 of the lines below */
+/* checksum 990471514 of the lines below */
 #ifndef BUILD_H
 #define BUILD_H
 
@@ -8,12 +8,13 @@
 
 /* Compiles source and links it with the suite of an exercise ("01a") to
    folder/runner. With strict, warnings are errors. Returns whether that
-   worked; writes what a student should know of the errors to story, and
-   the first warning of a build that worked to warning. Exits with status
-   2 when the kit itself is not ready. */
+   worked; if not, writes what a student should know of it to story. Exits
+   with status 2 when the kit itself is not ready. */
 bool build_runner(const char *folder, const char *exercise,
-                  const char *source, bool strict, FILE *story,
-                  FILE *warning);
+                  const char *source, bool strict, FILE *story);
+
+/* Writes the first warning about source in that folder's last build. */
+void build_warning(const char *folder, const char *source, FILE *story);
 
 /* Whether build/check/flags turns the address sanitizer on. */
 bool build_sanitized(void);

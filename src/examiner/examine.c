@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 2317624743 of the lines below */
+/* checksum 1247285407 of the lines below */
 #include "examiner/build.h"
 #include "examiner/process.h"
 #include "examiner/text.h"
@@ -8,11 +8,24 @@
 #include <errno.h>
 #include <getopt.h>
 #include <glob.h>
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
+
+enum { TESTS = 64, PATH_ROOM = 1024 };
+
+struct exercise {
+    const char *name; /* "01a" */
+    const char *title;
+    const char *tests[TESTS];
+    int count, minutes, points;
+    char file[PATH_ROOM]; /* the student's; empty when it is missing */
+    char stub[PATH_ROOM]; /* as it came with the book */
+    bool chosen;
+    enum state state;
+    int passed;  /* tests */
+    char *story; /* what to say about it, made by open_memstream */
+};
 
 struct options {
     bool strict, list;
@@ -31,72 +44,68 @@ static const char usage[] =
     "  --help         print this\n"
     "Exit status: 0 all that is begun passes, 1 it does not, 2 trouble.\n";
 
-static void fail(const char *format, ...)
+static void take_option(struct options *o, int c)
 {
-    va_list arguments;
-    va_start(arguments, format);
-    fputs("examine: ", stderr);
-    vfprintf(stderr, format, arguments);
-    fputc('\n', stderr);
-    va_end(arguments);
-    exit(2);
-}
-
-enum { TESTS = 64, PATH_ROOM = 1024 };
-
-struct exercise {
-    char *about;      /* the lines of its list, in which these point: */
-    const char *name; /* "01a" */
-    const char *title;
-    const char *tests[TESTS];
-    int count, minutes, points;
-    bool chosen;
-    char file[PATH_ROOM]; /* the student's; empty when it is missing */
-    char stub[PATH_ROOM]; /* as it came with the book */
-    enum state state;
-    int passed;
-    char *story; /* what to say about it, made by open_memstream */
-};
-
-static char work[64];
-
-static void remove_work(void)
-{
-    char command[128];
-    snprintf(command, sizeof command, "rm -rf '%s'", work);
-    if (*work && system(command) != 0)
-        fprintf(stderr, "examine: cannot remove '%s'\n", work);
-}
-
-static void make_work(void)
-{
-    snprintf(work, sizeof work, "build/check/work.XXXXXX");
-    if (!mkdtemp(work)) {
-        *work = '\0';
-        fail("cannot make a folder in build/check: %s", strerror(errno));
+    switch (c) {
+    case 'a': o->as = optarg; break;
+    case 'f': o->file = optarg; break;
+    case 'l': o->list = true; break;
+    case 's':
+        o->seconds = atoi(optarg);
+        if (o->seconds < 1 || o->seconds > 3600)
+            text_fail("--seconds: '%s' is not a whole number from 1 to "
+                      "3600",
+                      optarg);
+        break;
+    case 'S': o->strict = true; break;
+    case 'h': fputs(usage, stdout); exit(EXIT_SUCCESS);
+    default: fputs("Try: examine --help\n", stderr); exit(2);
     }
-    atexit(remove_work);
 }
 
-static void find_one(const char *pattern, char path[PATH_ROOM])
+static struct options read_options(int argc, char **argv)
+{
+    static const struct option known[] = {
+        {"as", required_argument, NULL, 'a'},
+        {"file", required_argument, NULL, 'f'},
+        {"list", no_argument, NULL, 'l'},
+        {"seconds", required_argument, NULL, 's'},
+        {"strict", no_argument, NULL, 'S'},
+        {"help", no_argument, NULL, 'h'},
+        {0},
+    };
+    struct options o = {.seconds = 5};
+    for (int c; (c = getopt_long(argc, argv, "", known, NULL)) != -1;)
+        take_option(&o, c);
+    if (!o.as != !o.file)
+        text_fail("--as and --file go together");
+    if (o.as && optind < argc)
+        text_fail("with --as, '%s' is one exercise too many", argv[optind]);
+    return o;
+}
+
+static void find_one(const char *folder, const char *name,
+                     char path[PATH_ROOM])
 {
     glob_t found = {0};
+    char pattern[64];
+    snprintf(pattern, sizeof pattern, "%s/%s-*.c", folder, name);
     path[0] = '\0';
     if (glob(pattern, 0, NULL, &found) == 0)
         snprintf(path, PATH_ROOM, "%s", found.gl_pathv[0]);
     if (found.gl_pathc > 1)
-        fail("'%s' and '%s' are the same exercise; move one of them out of "
-             "the folder",
-             found.gl_pathv[0], found.gl_pathv[1]);
+        text_fail("'%s' and '%s' are the same exercise; move one of them "
+                  "out of the folder",
+                  found.gl_pathv[0], found.gl_pathv[1]);
     globfree(&found);
 }
 
 static void read_about(struct exercise *e, const char *path)
 {
-    char *rest = e->about = text_read(path, TEXT_LIMIT);
+    char *rest = text_read(path);
+    const char *text;
     e->name = e->title = "";
-    for (char *line; (line = text_line(&rest));) {
-        const char *text;
+    for (char *line; (line = text_line(&rest));)
         if ((text = text_after(line, "exercise ")))
             e->name = text;
         else if ((text = text_after(line, "title ")))
@@ -107,75 +116,55 @@ static void read_about(struct exercise *e, const char *path)
             e->points = atoi(text);
         else if ((text = text_after(line, "test ")) && e->count < TESTS)
             e->tests[e->count++] = text;
-    }
     if (!*e->name || !e->count)
-        fail("%s is not complete; remove it and make check again", path);
+        text_fail("%s is not complete; remove it and make check again",
+                  path);
+    find_one("tests/stubs", e->name, e->stub);
+    find_one("exercises", e->name, e->file);
 }
 
 static size_t learn(struct exercise **exercises)
 {
     glob_t found = {0};
     glob("build/check/[0-9][0-9][a-z].list", 0, NULL, &found);
-    *exercises = calloc(found.gl_pathc + 1, sizeof **exercises);
-    if (!*exercises)
-        fail("out of memory");
-    for (size_t i = 0; i < found.gl_pathc; ++i) {
-        struct exercise *e = &(*exercises)[i];
-        char pattern[64];
-        read_about(e, found.gl_pathv[i]);
-        snprintf(pattern, sizeof pattern, "tests/stubs/%s-*.c", e->name);
-        find_one(pattern, e->stub);
-        snprintf(pattern, sizeof pattern, "exercises/%s-*.c", e->name);
-        find_one(pattern, e->file);
-    }
     const size_t count = found.gl_pathc;
-    globfree(&found);
     if (count == 0)
-        fail("no suites in build/check; start me with make check");
+        text_fail("no suites in build/check; start me with make check");
+    *exercises = calloc(count, sizeof **exercises);
+    if (!*exercises)
+        text_fail("out of memory");
+    for (size_t i = 0; i < count; ++i)
+        read_about(&(*exercises)[i], found.gl_pathv[i]);
+    globfree(&found);
     return count;
 }
 
-static bool same_files(const char *one, const char *other)
+static char work[] = "build/check/work.XXXXXX";
+
+static void remove_work(void)
 {
-    FILE *a = fopen(one, "r"), *b = fopen(other, "r");
-    int c = EOF, d = EOF;
-    bool same = a && b;
-    while (same && (c = getc(a)) == (d = getc(b)) && c != EOF)
-        ;
-    if (a)
-        fclose(a);
-    if (b)
-        fclose(b);
-    return same && c == d;
+    char command[64];
+    snprintf(command, sizeof command, "rm -rf '%s'", work);
+    if (system(command) != 0)
+        fprintf(stderr, "examine: cannot remove '%s'\n", work);
 }
 
-struct outcome {
-    enum state state;
-    char *account;
-};
-
-static int deciding(const struct outcome *outcomes, int run)
+static void make_work(void)
 {
-    int gap = -1;
-    for (int i = 0; i < run; ++i)
-        if (outcomes[i].state == NOT_BEGUN)
-            gap = gap < 0 ? i : gap;
-        else if (outcomes[i].state != PASSED)
-            return i;
-    return gap;
+    if (!mkdtemp(work))
+        text_fail("cannot make a folder in build/check: %s",
+                  strerror(errno));
+    atexit(remove_work);
 }
 
-static void tell_tests(const struct exercise *e,
-                       const struct outcome *outcomes, int run, int decides,
-                       FILE *story)
+static void tell_others(const struct exercise *e, const enum state states[],
+                        int decides, int run, FILE *story)
 {
-    text_field(story, "test", e->tests[decides]);
-    fputs(outcomes[decides].account, story);
+    char text[512];
     for (int i = decides + 1; i < run; ++i)
-        if (outcomes[i].state != PASSED && e->state != NOT_BEGUN) {
-            char text[512];
+        if (states[i] != PASSED) {
             snprintf(text, sizeof text, "%s (%s)", e->tests[i],
-                     state_name(outcomes[i].state));
+                     state_name(states[i]));
             text_field(story, "also", text);
         }
     if (run < e->count)
@@ -185,48 +174,61 @@ static void tell_tests(const struct exercise *e,
 static void run_tests(struct exercise *e, const struct trial *trial,
                       FILE *story)
 {
-    struct outcome outcomes[TESTS] = {{0}};
-    int run = 0;
-    while (run < e->count && !process_signal()) {
-        struct outcome *o = &outcomes[run++];
+    enum state states[TESTS], last = PASSED;
+    char *account = NULL;
+    int run = 0, decides = 0;
+    e->state = PASSED;
+    while (run < e->count && last != TIMED_OUT && !process_signal()) {
+        char *text = NULL;
         size_t size;
-        FILE *account = open_memstream(&o->account, &size);
-        o->state = trial_run(trial, run, account);
-        fclose(account);
-        e->passed += o->state == PASSED;
-        if (o->state == TIMED_OUT)
-            break;
+        FILE *told = open_memstream(&text, &size);
+        if (!told)
+            text_fail("out of memory");
+        last = states[run] = trial_run(trial, run + 1, told);
+        fclose(told);
+        e->passed += last == PASSED;
+        if (e->state == PASSED ||
+            (!state_wrong(e->state) && state_wrong(last))) {
+            free(account);
+            account = text;
+            e->state = last;
+            decides = run;
+        } else {
+            free(text);
+        }
+        ++run;
     }
-    const int decides = deciding(outcomes, run);
-    e->state = decides < 0 ? PASSED : outcomes[decides].state;
-    if (decides >= 0)
-        tell_tests(e, outcomes, run, decides, story);
-    for (int i = 0; i < run; ++i)
-        free(outcomes[i].account);
+    if (e->state != PASSED) {
+        text_field(story, "test", e->tests[decides]);
+        fputs(account, story);
+    }
+    if (state_wrong(e->state))
+        tell_others(e, states, decides, run, story);
+    free(account);
+}
+
+static bool same_files(const char *one, const char *other)
+{
+    char *a = text_read(one), *b = text_read(other);
+    const bool same = a && b && strcmp(a, b) == 0;
+    free(a);
+    free(b);
+    return same;
 }
 
 static void build_and_test(struct exercise *e,
                            const struct options *options, FILE *story)
 {
-    char runner[PATH_ROOM];
-    snprintf(runner, sizeof runner, "%s/runner", work);
-    struct trial trial = {.folder = work,
-                          .runner = runner,
-                          .source = e->file,
-                          .sanitized = build_sanitized(),
-                          .seconds = options->seconds};
-    char *warning = NULL;
-    size_t size;
-    FILE *aside = open_memstream(&warning, &size);
+    const struct trial trial = {.folder = work,
+                                .source = e->file,
+                                .sanitized = build_sanitized(),
+                                .seconds = options->seconds};
     e->state = DOES_NOT_BUILD;
-    const bool built =
-        build_runner(work, e->name, e->file, options->strict, story, aside);
-    fclose(aside);
-    if (built)
-        run_tests(e, &trial, story);
-    if (e->state != PASSED && e->state != NOT_BEGUN)
-        fputs(warning, story);
-    free(warning);
+    if (!build_runner(work, e->name, e->file, options->strict, story))
+        return;
+    run_tests(e, &trial, story);
+    if (state_wrong(e->state))
+        build_warning(work, e->file, story);
 }
 
 static void examine(struct exercise *e, const struct options *options)
@@ -234,7 +236,7 @@ static void examine(struct exercise *e, const struct options *options)
     size_t size;
     FILE *story = open_memstream(&e->story, &size);
     if (!story)
-        fail("out of memory");
+        text_fail("out of memory");
     e->state = NOT_BEGUN;
     if (!*e->file)
         fprintf(story,
@@ -247,9 +249,9 @@ static void examine(struct exercise *e, const struct options *options)
 
 static const char *colour(enum state state)
 {
-    static const char *const codes[] = {"",         "\033[31m", "\033[31m",
-                                        "\033[31m", "\033[31m", "\033[32m"};
-    return isatty(STDOUT_FILENO) && !getenv("NO_COLOR") ? codes[state] : "";
+    if (state == NOT_BEGUN || !isatty(STDOUT_FILENO) || getenv("NO_COLOR"))
+        return "";
+    return state_wrong(state) ? "\033[31m" : "\033[32m";
 }
 
 static void show_line(const struct exercise *e)
@@ -301,40 +303,6 @@ static void show_next(const struct exercise *exercises, size_t count)
         printf("Everything here passes. Well done.\n");
 }
 
-static struct options read_options(int argc, char **argv)
-{
-    static const struct option known[] = {
-        {"as", required_argument, NULL, 'a'},
-        {"file", required_argument, NULL, 'f'},
-        {"list", no_argument, NULL, 'l'},
-        {"seconds", required_argument, NULL, 's'},
-        {"strict", no_argument, NULL, 'S'},
-        {"help", no_argument, NULL, 'h'},
-        {0},
-    };
-    struct options o = {.seconds = 5};
-    for (int c; (c = getopt_long(argc, argv, "", known, NULL)) != -1;)
-        switch (c) {
-        case 'a': o.as = optarg; break;
-        case 'f': o.file = optarg; break;
-        case 'l': o.list = true; break;
-        case 's':
-            o.seconds = atoi(optarg);
-            if (o.seconds < 1 || o.seconds > 3600)
-                fail("--seconds: '%s' is not a whole number from 1 to 3600",
-                     optarg);
-            break;
-        case 'S': o.strict = true; break;
-        case 'h': fputs(usage, stdout); exit(EXIT_SUCCESS);
-        default: fputs("Try: examine --help\n", stderr); exit(2);
-        }
-    if (!o.as != !o.file)
-        fail("--as and --file go together");
-    if (o.as && optind < argc)
-        fail("with --as, '%s' is one exercise too many", argv[optind]);
-    return o;
-}
-
 static int list(const struct exercise *exercises, size_t count)
 {
     for (size_t i = 0; i < count; ++i)
@@ -366,7 +334,7 @@ static void choose_file(struct exercise *exercises, size_t count,
 {
     choose(exercises, count, options->as);
     if (access(options->file, R_OK) != 0)
-        fail("cannot read '%s': %s", options->file, strerror(errno));
+        text_fail("cannot read '%s': %s", options->file, strerror(errno));
     for (size_t i = 0; i < count; ++i)
         if (exercises[i].chosen)
             snprintf(exercises[i].file, PATH_ROOM, "%s", options->file);
@@ -387,33 +355,27 @@ int main(int argc, char **argv)
     process_catch_signals();
     make_work();
     int wrong = 0;
-    for (size_t i = 0; i < count && !process_signal(); ++i) {
+    for (size_t i = 0; i < count; ++i) {
         struct exercise *e = &exercises[i];
         e->chosen |= !named;
         if (!e->chosen)
             continue;
         examine(e, &options);
-        if (!process_signal())
-            show_line(e);
-        wrong += e->state != PASSED && e->state != NOT_BEGUN;
+        if (process_signal())
+            text_fail("interrupted");
+        show_line(e);
+        wrong += state_wrong(e->state);
     }
-    if (process_signal())
-        fail("interrupted");
     bool told = false;
     for (size_t i = 0; i < count; ++i) {
         const struct exercise *e = &exercises[i];
-        const bool mend = e->state != PASSED && e->state != NOT_BEGUN;
-        if (e->chosen && *e->story && (named || (mend && !told))) {
+        const bool mend = state_wrong(e->state) && !told;
+        if (e->chosen && *e->story && (named || mend)) {
             tell_story(e);
             told |= mend;
         }
     }
     if (!options.as)
         show_next(exercises, count);
-    for (size_t i = 0; i < count; ++i) {
-        free(exercises[i].story);
-        free(exercises[i].about);
-    }
-    free(exercises);
     return wrong ? EXIT_FAILURE : EXIT_SUCCESS;
 }

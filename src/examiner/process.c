@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 1193103804 of the lines below */
+/* checksum 241475651 of the lines below */
 #include "examiner/process.h"
 
 #include <errno.h>
@@ -8,7 +8,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -33,27 +32,13 @@ int process_signal(void)
     return caught;
 }
 
-static void restrain_one(int resource, size_t soft, size_t hard)
+static void restrain(int resource, rlim_t most)
 {
-    struct rlimit now;
-    if (getrlimit(resource, &now) != 0)
-        return;
-    if (now.rlim_max == RLIM_INFINITY || now.rlim_max > hard)
-        now.rlim_max = hard;
-    now.rlim_cur = now.rlim_max < soft ? now.rlim_max : soft;
-    setrlimit(resource, &now);
-}
-
-static void restrain(const struct process_limits *limits)
-{
-    const size_t cpu = (size_t)limits->cpu_seconds;
-    restrain_one(RLIMIT_CORE, 0, 0);
-    if (cpu)
-        restrain_one(RLIMIT_CPU, cpu, cpu + 1);
-    if (limits->memory_bytes)
-        restrain_one(RLIMIT_AS, limits->memory_bytes, limits->memory_bytes);
-    if (limits->file_bytes)
-        restrain_one(RLIMIT_FSIZE, limits->file_bytes, limits->file_bytes);
+    struct rlimit limit;
+    if (getrlimit(resource, &limit) == 0 && limit.rlim_cur > most) {
+        limit.rlim_cur = most;
+        setrlimit(resource, &limit);
+    }
 }
 
 static void close_others(int keep)
@@ -74,7 +59,10 @@ static void become(char *const command[], int output, int keep,
     dup2(output, STDOUT_FILENO);
     dup2(output, STDERR_FILENO);
     close_others(keep);
-    restrain(limits);
+    restrain(RLIMIT_CPU, (rlim_t)limits->seconds);
+    restrain(RLIMIT_AS, limits->memory_bytes);
+    restrain(RLIMIT_FSIZE, limits->file_bytes);
+    restrain(RLIMIT_CORE, 0);
     execvp(command[0], command);
     fprintf(stderr, "cannot start '%s': %s\n", command[0], strerror(errno));
     _exit(127);
@@ -95,35 +83,36 @@ static bool has_ended(pid_t pid)
            about.si_pid == pid;
 }
 
-static void wait_for_end(struct process_end *end, int wall_seconds)
+static bool wait_for_end(pid_t pid, double seconds)
 {
     const struct timespec nap = {0, 2000000};
     const double start = wall_clock();
-    while (!has_ended(end->pid)) {
-        end->seconds = wall_clock() - start;
-        if (wall_seconds && end->seconds > wall_seconds)
-            end->timed_out = true;
-        if (end->timed_out || process_signal())
-            kill(-end->pid, SIGKILL);
+    bool late = false;
+    while (!has_ended(pid)) {
+        late = late || wall_clock() - start > seconds;
+        if (late || process_signal())
+            kill(-pid, SIGKILL);
         nanosleep(&nap, NULL);
     }
-    kill(-end->pid, SIGKILL);
-    while (waitpid(end->pid, &end->status, 0) < 0 && errno == EINTR)
-        ;
+    kill(-pid, SIGKILL);
+    return late;
 }
 
 bool process_run(char *const command[], int output, int keep,
                  const struct process_limits *limits,
                  struct process_end *end)
 {
-    *end = (struct process_end){0};
     fflush(NULL);
-    end->pid = fork();
-    if (end->pid == 0)
+    const pid_t pid = fork();
+    if (pid == 0)
         become(command, output, keep, limits);
-    if (end->pid < 0)
+    if (pid < 0)
         return false;
-    setpgid(end->pid, end->pid);
-    wait_for_end(end, limits->wall_seconds);
+    setpgid(pid, pid);
+    const bool late = wait_for_end(pid, 2.0 * limits->seconds);
+    while (waitpid(pid, &end->status, 0) < 0 && errno == EINTR)
+        ;
+    end->timed_out = late || (WIFSIGNALED(end->status) &&
+                              WTERMSIG(end->status) == SIGXCPU);
     return true;
 }

@@ -1,26 +1,22 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 3157495806 of the lines below */
+/* checksum 13438983 of the lines below */
 #ifndef PROCESS_H
 #define PROCESS_H
 
 #include <stdbool.h>
-#include <stddef.h>
-#include <sys/types.h>
+#include <sys/resource.h>
 
-/* What a program may use up; 0 means no limit. */
+/* What a program may use up; RLIM_INFINITY means no limit. */
 struct process_limits {
-    int cpu_seconds;
-    int wall_seconds;
-    size_t memory_bytes; /* of address space */
-    size_t file_bytes;   /* of any one file that it writes */
+    int seconds;         /* of processor time; twice that on the wall */
+    rlim_t memory_bytes; /* of address space */
+    rlim_t file_bytes;   /* of any one file that it writes */
 };
 
 /* How a program ended. */
 struct process_end {
-    pid_t pid;
     int status;     /* as waitpid gives it */
-    bool timed_out; /* we stopped it at the wall-clock limit */
-    double seconds; /* on the wall */
+    bool timed_out; /* it reached one of the limits on time */
 };
 
 /* Runs a command (a NULL-terminated list, the program looked for in PATH)

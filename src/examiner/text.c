@@ -1,16 +1,28 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 1555442689 of the lines below */
+/* checksum 4425463 of the lines below */
 #include "examiner/text.h"
 
 #include <ctype.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
-char *text_read(const char *path, size_t limit)
+void text_fail(const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    fputs("examine: ", stderr);
+    vfprintf(stderr, format, arguments);
+    fputc('\n', stderr);
+    va_end(arguments);
+    exit(2);
+}
+
+char *text_read(const char *path)
 {
     FILE *file = fopen(path, "r");
-    char *text = file ? malloc(limit + 1) : NULL;
-    size_t length = text ? fread(text, 1, limit, file) : 0;
+    char *text = file ? malloc(TEXT_LIMIT + 1) : NULL;
+    size_t length = text ? fread(text, 1, TEXT_LIMIT, file) : 0;
     if (file)
         fclose(file);
     if (!text)
@@ -43,38 +55,29 @@ const char *text_after(const char *line, const char *prefix)
 
 static size_t fold_at(const char *text, size_t room)
 {
-    size_t best = 0;
-    for (size_t i = 0; text[i] && (i <= room || best == 0); ++i)
-        if (text[i] == ' ' && i > 0)
-            best = i;
-    return strlen(text) <= room || best == 0 ? strlen(text) : best;
-}
-
-void text_fold(FILE *out, const char *lead, int indent, const char *text)
-{
-    const size_t room = (size_t)(TEXT_WIDTH - indent);
-    fprintf(out, "%-*s", indent, lead);
-    while (*text) {
-        const size_t length = fold_at(text, room);
-        fprintf(out, "%.*s\n", (int)length, text);
-        text += length + strspn(text + length, " ");
-        if (*text)
-            fprintf(out, "%*s", indent, "");
-    }
+    const size_t length = strlen(text);
+    if (length <= room)
+        return length;
+    for (size_t i = room; i > 0; --i)
+        if (text[i] == ' ')
+            return i;
+    return strcspn(text, " ");
 }
 
 void text_field(FILE *out, const char *label, const char *text)
 {
-    char lead[TEXT_LABEL + 1];
-    snprintf(lead, sizeof lead, "  %-10s ", label);
-    text_fold(out, lead, TEXT_LABEL, text);
+    for (; *text; label = "") {
+        const size_t length = fold_at(text, TEXT_WIDTH - TEXT_LABEL);
+        fprintf(out, "  %-10s %.*s\n", label, (int)length, text);
+        text += length;
+        text += strspn(text, " ");
+    }
 }
 
 static void quote(FILE *out, const char *line, size_t length)
 {
-    const int room = TEXT_WIDTH - 4;
-    fprintf(out, "  | %.*s\n", length < (size_t)room ? (int)length : room,
-            line);
+    const size_t room = TEXT_WIDTH - 4;
+    fprintf(out, "  | %.*s\n", (int)(length < room ? length : room), line);
 }
 
 void text_quote(FILE *out, const char *text, int lines)
@@ -90,7 +93,7 @@ void text_quote(FILE *out, const char *text, int lines)
 
 void text_quote_line(FILE *out, const char *path, int number)
 {
-    char *text = text_read(path, TEXT_LIMIT);
+    char *text = text_read(path);
     char *rest = text;
     char *line = NULL;
     while (number-- > 0 && (line = text_line(&rest)))

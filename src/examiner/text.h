@@ -1,14 +1,15 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 2051664415 of the lines below */
+/* checksum 3539805844 of the lines below */
 #ifndef TEXT_H
 #define TEXT_H
 
-#include <stddef.h>
 #include <stdio.h>
 
-/* The first limit bytes of a file as a string, unprintable bytes turned
+enum { TEXT_WIDTH = 78, TEXT_LABEL = 13, TEXT_LIMIT = 1 << 20 };
+
+/* The first TEXT_LIMIT bytes of a file as a string, unprintable ones turned
    into '?', or NULL when it cannot be read. The caller frees it. */
-char *text_read(const char *path, size_t limit);
+char *text_read(const char *path);
 
 /* Cuts the next line off *rest and returns it without its end; NULL when
    nothing is left. Changes the text in place. */
@@ -17,11 +18,8 @@ char *text_line(char **rest);
 /* The text behind prefix, or NULL when the line does not start with it. */
 const char *text_after(const char *line, const char *prefix);
 
-/* Writes a text folded at spaces to TEXT_WIDTH columns. The first line
-   starts with lead, which is as wide as indent; the others with blanks. */
-void text_fold(FILE *out, const char *lead, int indent, const char *text);
-
-/* Writes a label and a text, folded, in two columns. */
+/* Writes a label and a text in two columns, folded at spaces so that no
+   line is wider than TEXT_WIDTH. */
 void text_field(FILE *out, const char *label, const char *text);
 
 /* Writes the first few lines of a text, cut at TEXT_WIDTH columns, behind
@@ -31,6 +29,7 @@ void text_quote(FILE *out, const char *text, int lines);
 /* Writes line number of a file behind such a bar, if there is one. */
 void text_quote_line(FILE *out, const char *path, int number);
 
-enum { TEXT_WIDTH = 78, TEXT_LABEL = 13, TEXT_LIMIT = 1 << 16 };
+/* Says on standard error why the examiner cannot go on; exits with 2. */
+_Noreturn void text_fail(const char *format, ...);
 
 #endif

@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 1348806744 of the lines below */
+/* checksum 3868046780 of the lines below */
 #ifndef TRIAL_H
 #define TRIAL_H
 
@@ -16,17 +16,19 @@ enum state {
     PASSED
 };
 
-/* "not begun", "does not build", ... */
-const char *state_name(enum state state);
-
 /* What stays the same for the tests of an exercise. */
 struct trial {
-    const char *folder; /* of our own, for the report and the output */
-    const char *runner; /* the program, exercise and suite linked */
+    const char *folder; /* of our own, with the runner in it */
     const char *source; /* the student's file, as the compiler saw it */
     bool sanitized;     /* compiled with the address sanitizer */
     int seconds;        /* of processor time; twice that on the wall */
 };
+
+/* "not begun", "does not build", ... */
+const char *state_name(enum state state);
+
+/* Whether it is begun and has not passed. */
+bool state_wrong(enum state state);
 
 /* Runs test number (from 1) and returns PASSED, FAILED, CRASHED, TIMED_OUT
    or NOT_BEGUN. Writes what there is to say about it, unless it passed,

@@ -1,5 +1,5 @@
 /* From chapters/01-collide.nw: edit there, then run make tangle. */
-/* checksum 2510906436 of the lines below */
+/* checksum 1947679449 of the lines below */
 #include "collide.h"
 #include "toolbox/options.h"
 #include "toolbox/progress.h"
@@ -112,6 +112,7 @@ static bool study_rounding(struct settings *s)
                    "pairs");
     for (size_t k = 0; k < s->ratio_count; ++k) {
         struct rounding all[COLLIDE_FORMS] = {{0, 0, 0, 0}};
+        random_seed(&s->random, s->seed); /* the same for every ratio */
         for (uint64_t i = 0; i < s->tests && !progress_signal(); ++i) {
             struct random *r = &s->random;
             const double im1 = random_between(r, 0.5, 1.5);
@@ -149,15 +150,19 @@ enum { MOVERS = 4, BODIES = MOVERS + 2 };
 static const double row_im[BODIES] = {0,         1 / 11.23, 1 / 21.23,
                                       1 / 31.23, 1 / 41.23, 0};
 
-static void row_collide(struct random *r, int form, double v[BODIES])
+/* Draws a gap that closes; its number is that of its left neighbour. */
+static uint64_t row_draw(struct random *r, const double v[BODIES])
 {
     for (;;) {
         const uint64_t i = random_below(r, BODIES - 1);
-        if (v[i] > v[i + 1]) {
-            collide_by(form, &v[i], &v[i + 1], row_im[i], row_im[i + 1], 1);
-            return;
-        }
+        if (v[i] > v[i + 1])
+            return i;
     }
+}
+
+static void row_collide(uint64_t i, int form, double v[BODIES])
+{
+    collide_by(form, &v[i], &v[i + 1], row_im[i], row_im[i + 1], 1);
 }
 
 static quad row_energy(const double v[BODIES])
@@ -168,10 +173,20 @@ static quad row_energy(const double v[BODIES])
     return energy;
 }
 
+/* The energy that the difference form gains in gap i because its two
+   fractions do not add up to one (1.11, eq:bias). */
+static double row_bias(uint64_t i, const double v[BODIES])
+{
+    const double a = row_im[i], b = row_im[i + 1], sum = a + b;
+    const double delta = (double)((quad)(a / sum) + (b / sum) - 1);
+    const double d = v[i] - v[i + 1];
+    return 2 * delta * d * d / sum;
+}
+
 static bool study_drift(struct settings *s)
 {
     double v[COLLIDE_FORMS][BODIES], error[COLLIDE_FORMS + 1];
-    double tenth[COLLIDE_FORMS] = {0};
+    double tenth[COLLIDE_FORMS] = {0}, predicted = 0;
     struct random r[COLLIDE_FORMS];
     progress_begin(&s->progress, PROGRAM, s->collisions, "collisions");
     table_column(s->out, "n", "", "collisions");
@@ -187,8 +202,12 @@ static bool study_drift(struct settings *s)
         while (n < stop) {
             const uint64_t turn = stop - n < 1000000 ? stop - n : 1000000;
             for (int f = 0; f < COLLIDE_FORMS; ++f)
-                for (uint64_t i = 0; i < turn; ++i)
-                    row_collide(&r[f], f, v[f]);
+                for (uint64_t i = 0; i < turn; ++i) {
+                    const uint64_t gap = row_draw(&r[f], v[f]);
+                    if (f == COLLIDE_DIFFERENCE)
+                        predicted += row_bias(gap, v[f]);
+                    row_collide(gap, f, v[f]);
+                }
             n += turn;
             progress_update(&s->progress, n, COLLIDE_FORMS * n);
             if (progress_signal())
@@ -206,6 +225,8 @@ static bool study_drift(struct settings *s)
         summarise(s, "energy_error", f, error[f + 1]);
         summarise(s, "energy_error_tenth", f, tenth[f]);
     }
+    table_real(s->summary, "predicted_difference",
+               predicted / (double)start);
     table_real(s->summary, "slope",
                error[COLLIDE_DIFFERENCE + 1] / tenth[COLLIDE_DIFFERENCE]);
     table_real(

@@ -1,5 +1,5 @@
 /* From chapters/01-collide.nw: edit there, then run make tangle. */
-/* checksum 178962000 of the lines below */
+/* checksum 3505013622 of the lines below */
 #include "collide.h"
 #include "toolbox/options.h"
 #include "toolbox/progress.h"
@@ -53,7 +53,8 @@ struct pair {
 };
 
 struct totals {
-    quad energy;                       /* seen from the wall, if any */
+    quad energy;       /* seen from the wall, if any */
+    quad energy_scale; /* what rounding it is held against */
     quad momentum[COLLIDE_DIMENSIONS]; /* of what is no wall */
     quad scale;                        /* sum of m |v|, to compare with */
 };
@@ -62,7 +63,7 @@ struct errors { /* in units of DBL_EPSILON */
     double energy, momentum;
 };
 
-static double root(size_t dimensions, const double v[])
+static double length(size_t dimensions, const double v[])
 {
     double square = 0;
     for (size_t i = 0; i < dimensions; ++i)
@@ -147,7 +148,7 @@ static void read_settings(struct settings *s, int argc, char *argv[])
 static struct totals totals_of(struct pair *p,
                                double v[2][COLLIDE_DIMENSIONS])
 {
-    struct totals sum = {0, {0}, 0};
+    struct totals sum = {0, 0, {0}, 0};
     for (int body = 0; body < 2; ++body) {
         const double *frame = p->im[1 - body] > 0 ? NULL : v[1 - body];
         quad mass, square = 0;
@@ -159,8 +160,12 @@ static struct totals totals_of(struct pair *p,
             square += w * w;
             sum.momentum[i] += mass * v[body][i];
         }
+        const double speed = length(p->dimensions, v[body]);
         sum.energy += mass * square / 2;
-        sum.scale += mass * root(p->dimensions, v[body]);
+        sum.scale += mass * speed;
+        sum.energy_scale += mass * square / 2;
+        if (frame)
+            sum.energy_scale += mass * speed * length(p->dimensions, frame);
     }
     return sum;
 }
@@ -183,7 +188,7 @@ static double momentum_error(struct pair *p, const struct totals *a,
     double change[COLLIDE_DIMENSIONS];
     for (size_t i = 0; i < p->dimensions; ++i)
         change[i] = (double)((b->momentum[i] - a->momentum[i]) / a->scale);
-    return root(p->dimensions, change) / DBL_EPSILON;
+    return length(p->dimensions, change) / DBL_EPSILON;
 }
 
 static struct errors collide_pair(const struct settings *s, struct pair *p)
@@ -200,8 +205,8 @@ static struct errors collide_pair(const struct settings *s, struct pair *p)
     const struct totals b = totals_of(p, p->after);
     const quad gain =
         b.energy - a.energy + expected_loss(p, s->restitution);
-    if (a.energy > 0)
-        error.energy = (double)(gain / a.energy) / DBL_EPSILON;
+    if (a.energy_scale > 0)
+        error.energy = (double)(gain / a.energy_scale) / DBL_EPSILON;
     if (a.scale > 0 && p->im[0] > 0 && p->im[1] > 0)
         error.momentum = momentum_error(p, &a, &b);
     return error;
@@ -356,7 +361,7 @@ static bool run_by_hand(const struct settings *s, struct table *out,
     print_collision(out, &p, s->restitution);
     if (approach < 0)
         fprintf(stderr, PROGRAM ": note: the bodies move apart along the "
-                                "normal; this undoes a collision\n");
+                                "normal: nothing follows from this\n");
     if (fabs(error.energy) > 16 || error.momentum > 16)
         fprintf(stderr,
                 PROGRAM ": warning: energy off by %.3g and momentum by "

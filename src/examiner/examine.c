@@ -1,6 +1,7 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 1247285407 of the lines below */
+/* checksum 3879268742 of the lines below */
 #include "examiner/build.h"
+#include "examiner/check.h"
 #include "examiner/process.h"
 #include "examiner/text.h"
 #include "examiner/trial.h"
@@ -12,12 +13,12 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { TESTS = 64, PATH_ROOM = 1024 };
+enum { PATH_ROOM = 1024 };
 
 struct exercise {
     const char *name; /* "01a" */
     const char *title;
-    const char *tests[TESTS];
+    const char *tests[CHECK_TESTS];
     int count, minutes, points;
     char file[PATH_ROOM]; /* the student's; empty when it is missing */
     char stub[PATH_ROOM]; /* as it came with the book */
@@ -114,7 +115,8 @@ static void read_about(struct exercise *e, const char *path)
             e->minutes = atoi(text);
         else if ((text = text_after(line, "points ")))
             e->points = atoi(text);
-        else if ((text = text_after(line, "test ")) && e->count < TESTS)
+        else if ((text = text_after(line, "test ")) &&
+                 e->count < CHECK_TESTS)
             e->tests[e->count++] = text;
     if (!*e->name || !e->count)
         text_fail("%s is not complete; remove it and make check again",
@@ -174,7 +176,7 @@ static void tell_others(const struct exercise *e, const enum state states[],
 static void run_tests(struct exercise *e, const struct trial *trial,
                       FILE *story)
 {
-    enum state states[TESTS], last = PASSED;
+    enum state states[CHECK_TESTS], last = PASSED;
     char *account = NULL;
     int run = 0, decides = 0;
     e->state = PASSED;

@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 1531802775 of the lines below */
+/* checksum 1772359275 of the lines below */
 #include "examiner/trial.h"
 #include "examiner/process.h"
 #include "examiner/report.h"
@@ -169,11 +169,9 @@ static const struct {
     {"attempting free", 0, "it freed what malloc had not given"},
     {"stack-overflow", 0,
      "the stack is full; does a function call itself without end?"},
-    {"allocation-size-too-big", 0,
-     "it asked for more memory than there is"},
     {"requested allocation size", 0,
      "it asked for more memory than there is"},
-    {"out-of-memory", 0, "it asked for more memory than there is"},
+    {"out of memory", 0, "it asked for more memory than there is"},
 };
 
 static const char *meaning(const char *word, int signal)

@@ -197,9 +197,15 @@ build/tests/%: tests/tools/%.c
 	$(Q)$(CC) $(STANDARD) $(PORTABLE) $(CFLAGS) -o $@ $< $(LDFLAGS)
 
 # The book is the first of the tests: the others look at what it made.
-test: programs native test-parts
+test: has-tex has-test-tools programs native test-parts
 	@MAKE='$(MAKE)' tests/run -t $(TEST_SECONDS) tests/book/book.sh $(unit_tests) \
 		$(scripts) $(filter-out tests/book/book.sh,$(wildcard tests/book/*.sh))
+
+.PHONY: has-test-tools
+has-test-tools:
+	$(call need,clang,clang)
+	$(call need,clang-format,clang-format)
+	$(call need,pdftotext,poppler-utils)
 
 test-parts: build/check/examine $(CHECK_BUILT) $(unit_tests) $(tools)
 

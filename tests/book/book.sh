@@ -3,6 +3,8 @@
 # sticks out; the equations have the numbers that the examiner knows.
 . tests/programs/common
 holds 'the book builds' ${MAKE:-make} book
+holds 'and ends by naming the PDF' \
+    grep -qx 'The book: build/bonkers.pdf' "$work/said"
 holds 'the instructor'"'"'s edition builds' ${MAKE:-make} book EDITION=instructor
 holds 'the PDF is there' test -s build/bonkers.pdf
 holds 'the log is clean' chapters/check-log build/book/book.log

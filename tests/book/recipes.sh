@@ -70,7 +70,9 @@ touch -t 202001010000 build/recipes/*
 echo '# new colours' >>plots/01-a.gp
 chapter '' '%run walk: build/bin/walk --seed 1 | cat' \
     '\result[1 to 2]{walk}{steps}' '%run no !2: build/bin/walk --fail' \
-    '%run bad: build/bin/walk --fail -v'
+    '%run bad: build/bin/walk --fail -v' \
+    '%run long: build/bin/walk --first 1,2,3,4 --second 1,2,3,4 --third '\
+'1,2,3,4,5 --fourth -1 --fifth -o - --file x/y --empty --tests 3000 --seed 18 | cat'
 chapters/recipes
 is 'an unchanged recipe keeps its time' '' \
     "$(find build/recipes -name data-walk.dat -newer build/bin/walk)"
@@ -85,6 +87,12 @@ chapters/recipes --run walk
 is 'a transcript shows command and output' '$ build/bin/walk --seed 1 | cat
 walked' "$(cat build/runs/walk.txt)"
 is 'and the summary is there' 'steps 3' "$(cat build/runs/walk.summary)"
+chapters/recipes --run long
+is 'a long command folds between options' \
+    '$ build/bin/walk --first 1,2,3,4 --second 1,2,3,4 --third 1,2,3,4,5 \
+    --fourth -1 --fifth -o - --file x/y --empty --tests 3000 --seed 18 \
+    | cat
+walked' "$(cat build/runs/long.txt)"
 chapters/recipes --run no
 is 'a run that is to fail' "0 $(printf '$ build/bin/walk --fail\nwalk: no')" \
     "$? $(cat build/runs/no.txt)"

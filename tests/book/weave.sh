@@ -43,6 +43,15 @@ return hit_it(); /* hit_it */
 @'
 printf '%s\n' "$one" >chapters/01-one.nw
 printf '%s\n' "$two" >chapters/02-two.nw
+lines() { awk -v n="$1" 'BEGIN { for (i = 1; i <= n; ++i)
+    print n < 14 || i != 5 && i != 9 ? "x = " i ";" : i == 5 ? "" : "do {" }'; }
+{
+    printf '%s\n' '\chapter{Three}' '<<ten.c>>='
+    lines 10
+    echo '<<more.c>>='
+    lines 14
+    echo '@'
+} >chapters/03-three.nw
 printf 'Try `a_b` for 5 %%.\n--\nNext "one".\n' >tests/hints/01a.txt
 printf 'int main(void)\n{\n    return 0; /* for */\n}\n' >solutions/01a-x.c
 chapters/weave || echo 'not ok weave: two chapters - status 1'
@@ -58,7 +67,11 @@ grep -c '^\\nwixlogsorted{c}{{Includes}' build/book/indexes.tex |
 has 'code in a chunk name is safe in the index' \
     '{{Call {\Tt{}hit{\_}it\nwendquote} once}' build/book/indexes.tex
 has 'the lines of a chunk are counted, a blank end left out' \
-    '\nwcodelines{2}\nwbegincode{1}' build/book/01-one.tex
+    '\nwcodelines{2}{}\nwbegincode{1}' build/book/01-one.tex
+has 'a page ends in a long chunk best at a blank line' \
+    '\nwcodelines{14}{-----082264---}\nwbegincode{2}' build/book/03-three.tex
+has 'and never in one of ten lines' \
+    '\nwcodelines{10}{}\nwbegincode{1}' build/book/03-three.tex
 has 'hints are a list' 'Try \texttt{a\_b} for 5 \%.' \
     build/book/hints-01a.tex
 [ ! -e build/book/solutions-01.tex ] && [ ! -s build/book/edition.tex ] &&

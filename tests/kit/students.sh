@@ -5,6 +5,7 @@
 kit=$work/kit
 mkdir "$kit"
 tar cf - --exclude=./build --exclude=./.git . | (cd "$kit" && tar xf -)
+chmod -R u+w "$kit"
 cd "$kit" || exit 1
 for stub in tests/stubs/*.c; do cp "$stub" exercises/; done
 
@@ -45,6 +46,11 @@ cksum $mine >"$work/before"
 make -s check >"$work/out" 2>&1
 holds 'make check exits 1 when something begun fails' test $? -ne 0
 holds 'and says failed' grep -q '^01a .*failed' "$work/out"
+cp solutions/01[ab]-*.c exercises/
+make -s check >"$work/out" 2>&1
+holds 'two begun exercises that are right pass together' \
+    sh -c "[ $? -eq 0 ] && [ \$(grep -c ' passed' $work/out) -eq 2 ]"
+cksum $mine >"$work/before"
 make -s all check tangle test-parts clean >/dev/null 2>&1
 cksum $mine >"$work/after"
 holds 'no target writes a student'"'"'s file' cmp "$work/before" "$work/after"

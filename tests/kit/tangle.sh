@@ -5,6 +5,7 @@ holds 'src/ is what the chapters tangle to' chapters/tangle --check
 
 mkdir "$work/kit"
 cp -R chapters src "$work/kit"
+chmod -R u+w "$work/kit"
 cd "$work/kit" || exit 1
 fails() { # NAME PATTERN: tangling must fail and say so, src/ stay as it was
     find src -type f -exec cksum {} + | sort >"$work/before"

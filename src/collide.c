@@ -1,5 +1,5 @@
 /* From chapters/01-collide.nw: edit there, then run make tangle. */
-/* checksum 614351730 of the lines below */
+/* checksum 217359956 of the lines below */
 #include "collide.h"
 
 #include <float.h>
@@ -46,7 +46,7 @@ static bool safe_normal(size_t dimensions, const double normal[],
         n[i] = normal[i];
         *nn += n[i] * n[i];
     }
-    if (*nn > 1e-200 && *nn <= DBL_MAX)
+    if (*nn > 1e-20 && *nn < 1e20)
         return true;
     double largest = 0;
     int exponent;

@@ -1,5 +1,5 @@
 /* From chapters/01-collide.nw: edit there, then run make tangle. */
-/* checksum 1641869474 of the lines below */
+/* checksum 2476458528 of the lines below */
 #ifndef COLLIDE_H
 #define COLLIDE_H
 
@@ -22,7 +22,8 @@ enum collide_form {
    one unit) by those after the collision. im1, im2: inverse masses (any
    one unit), 0 for a wall; restitution: 1 elastic to 0 sticking. Returns
    true, or false with nothing changed when the collision has no answer:
-   two walls, or an inverse mass that is negative or not finite.
+   two walls, or inverse masses that are negative or whose sum is not
+   finite. Requires velocities below a quarter of DBL_MAX.
    Whether the bodies approach is the caller's question.
    Source: equation (1.8, eq:restitution), rounded as (1.12, eq:smaller). */
 bool collide(double *v1, double *v2, double im1, double im2,

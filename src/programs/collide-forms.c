@@ -1,5 +1,5 @@
 /* From chapters/01-collide.nw: edit there, then run make tangle. */
-/* checksum 1947679449 of the lines below */
+/* checksum 1948343929 of the lines below */
 #include "collide.h"
 #include "toolbox/options.h"
 #include "toolbox/progress.h"
@@ -331,7 +331,7 @@ static double time_form(const struct bench *b, int form, uint64_t passes)
     static double v[PAIRS][2];
     const clock_t start = clock();
     memcpy(v, b->u, sizeof v);
-    for (uint64_t k = 0; k < passes; ++k)
+    for (uint64_t k = 0; k < passes && !progress_signal(); ++k)
         for (int i = 0; i < PAIRS; ++i)
             collide_by(form, &v[i][0], &v[i][1], b->im[i][0], b->im[i][1],
                        1);
@@ -361,6 +361,8 @@ static bool study_cost(struct settings *s)
             const double ns = time_form(&b, f, passes);
             times[f][round < 0 ? 0 : round] = ns;
         }
+    if (progress_signal())
+        return false;
     name_machine(s->out);
     table_column(s->out, "form", "", "a form of the collision formula");
     table_column(s->out, "median", "ns", "processor time a collision");
@@ -428,8 +430,12 @@ static void read_settings(struct settings *s, int argc, char *argv[])
             break;
         case 'i':
             if (options_list(&o, s->inverse_masses, 2) != 2 ||
-                !(s->inverse_masses[0] > 0 && s->inverse_masses[1] > 0))
-                options_fail(&o, "'%s' is not two positive numbers",
+                !(fmin(s->inverse_masses[0], s->inverse_masses[1]) >=
+                      1e-290 &&
+                  fmax(s->inverse_masses[0], s->inverse_masses[1]) <=
+                      1e290))
+                options_fail(&o,
+                             "'%s' is not two numbers from 1e-290 to 1e290",
                              options_text(&o));
             break;
         case 'O': s->offset = options_real(&o, -1e100, 1e100); break;

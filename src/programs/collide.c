@@ -1,5 +1,5 @@
 /* From chapters/01-collide.nw: edit there, then run make tangle. */
-/* checksum 3505013622 of the lines below */
+/* checksum 593970155 of the lines below */
 #include "collide.h"
 #include "toolbox/options.h"
 #include "toolbox/progress.h"
@@ -7,6 +7,7 @@
 #include "toolbox/random.h"
 #include "toolbox/table.h"
 
+#include <assert.h>
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
@@ -18,10 +19,11 @@
 enum { SHOWN = 10 }; /* the most tests that are printed one by one */
 
 struct settings {
-    bool velocities_given, masses_given, normal_given, tests_given;
+    bool velocities_given, masses_given, tests_given;
     double velocities[2 * COLLIDE_DIMENSIONS], inverse_masses[2];
     double normal[COLLIDE_DIMENSIONS];
-    size_t velocity_count, dimensions; /* dimensions 0: not said */
+    size_t velocity_count, normal_count; /* 0: not given */
+    size_t dimensions;                   /* 0: not said */
     uint64_t tests, seed;
     double mass_ratio; /* 0: inverse masses from 0.1 to 1.1 */
     double restitution;
@@ -71,6 +73,11 @@ static double length(size_t dimensions, const double v[])
     return sqrt(square);
 }
 
+static bool is_inverse_mass(double im)
+{
+    return im == 0 || (im >= 1e-290 && im <= 1e290);
+}
+
 static void read_settings(struct settings *s, int argc, char *argv[])
 {
     struct options o;
@@ -85,21 +92,29 @@ static void read_settings(struct settings *s, int argc, char *argv[])
         case 'v':
             s->velocity_count =
                 options_list(&o, s->velocities, 2 * COLLIDE_DIMENSIONS);
+            for (size_t i = 0; i < s->velocity_count; ++i)
+                if (fabs(s->velocities[i]) > 1e150)
+                    options_fail(&o, "'%s' has a number beyond 1e150",
+                                 options_text(&o));
             s->velocities_given = true;
             break;
         case 'i':
             if (options_list(&o, s->inverse_masses, 2) != 2)
                 options_fail(&o, "one number found, expected two: a,b");
-            if (s->inverse_masses[0] < 0 || s->inverse_masses[1] < 0)
-                options_fail(&o, "'%s' has a negative inverse mass",
+            if (!is_inverse_mass(s->inverse_masses[0]) ||
+                !is_inverse_mass(s->inverse_masses[1]))
+                options_fail(&o,
+                             "'%s', expected two numbers, each 0 or from "
+                             "1e-290 to 1e290",
                              options_text(&o));
             if (s->inverse_masses[0] == 0 && s->inverse_masses[1] == 0)
                 options_fail(&o, "both are zero: two walls cannot collide");
             s->masses_given = true;
             break;
         case 'n':
-            s->dimensions = options_list(&o, s->normal, COLLIDE_DIMENSIONS);
-            s->normal_given = true;
+            memset(s->normal, 0, sizeof s->normal);
+            s->normal_count =
+                options_list(&o, s->normal, COLLIDE_DIMENSIONS);
             break;
         case 't':
             s->tests = options_count(&o, 1, 1000000000);
@@ -119,11 +134,19 @@ static void read_settings(struct settings *s, int argc, char *argv[])
     if (s->velocities_given != s->masses_given)
         options_fail(&o,
                      "--velocities and --inverse-masses need each other");
-    if (s->normal_given && !s->velocities_given)
+    if (s->normal_count && !s->velocities_given)
         options_fail(&o, "--normal needs --velocities");
     if (s->velocities_given && (s->tests_given || s->mass_ratio > 0))
         options_fail(&o, "--velocities is one collision by hand; --tests "
                          "and --mass-ratio are for random ones");
+    if (s->velocities_given && s->dimensions &&
+        s->dimensions != (s->normal_count ? s->normal_count : 1))
+        options_fail(&o, "--dimensions: %zu, but the normal has %zu",
+                     s->dimensions, s->normal_count);
+    if (s->normal_count)
+        s->dimensions = s->normal_count;
+    else
+        s->normal[0] = 1;
     if (s->dimensions == 0)
         s->dimensions = 1;
     if (s->velocities_given && s->velocity_count != 2 * s->dimensions)
@@ -131,13 +154,8 @@ static void read_settings(struct settings *s, int argc, char *argv[])
                      "--velocities: %zu numbers found, expected %zu (%zu "
                      "for each body; --normal says how many)",
                      s->velocity_count, 2 * s->dimensions, s->dimensions);
-    if (!s->normal_given)
-        s->normal[0] = 1;
     if (s->normal[0] == 0 && s->normal[1] == 0 && s->normal[2] == 0)
         options_fail(&o, "--normal: is zero, expected the line of centres");
-    if (s->velocities_given && s->dimensions > 1 && !s->normal_given)
-        options_fail(&o, "--normal is needed in %zu dimensions",
-                     s->dimensions);
     if (s->summary &&
         strcmp(s->summary, s->output ? s->output : "-") == 0 &&
         strcmp(s->summary, "/dev/null") != 0)
@@ -195,12 +213,15 @@ static struct errors collide_pair(const struct settings *s, struct pair *p)
 {
     struct errors error = {0, 0};
     memcpy(p->after, p->before, sizeof p->after);
-    if (p->dimensions == 1 && p->normal[0] == 1)
-        collide_by(s->form, p->after[0], p->after[1], p->im[0], p->im[1],
-                   s->restitution);
-    else
-        collide_along_by(s->form, p->dimensions, p->normal, p->after[0],
-                         p->after[1], p->im[0], p->im[1], s->restitution);
+    const bool collided =
+        p->dimensions == 1 && p->normal[0] == 1
+            ? collide_by(s->form, p->after[0], p->after[1], p->im[0],
+                         p->im[1], s->restitution)
+            : collide_along_by(s->form, p->dimensions, p->normal,
+                               p->after[0], p->after[1], p->im[0], p->im[1],
+                               s->restitution);
+    assert(collided); /* read_settings has refused the rest */
+    (void)collided;
     const struct totals a = totals_of(p, p->before);
     const struct totals b = totals_of(p, p->after);
     const quad gain =
@@ -249,14 +270,14 @@ static void print_collision(struct table *out, struct pair *p,
             table_print(out, "change %.2g %%\n",
                         a.scale > 0 ? 100 * (change / (double)a.scale) : 0);
     }
-    const double percent = a.energy > 0 ? (double)(100 / a.energy) : 0;
+    const quad percent = a.energy > 0 ? 100 / a.energy : 0;
     table_print(out, "  energy %.6g -> %.6g%s, change %.2g %%",
                 (double)a.energy, (double)b.energy,
                 wall ? " seen from the wall" : "",
-                (double)(b.energy - a.energy) * percent);
+                (double)((b.energy - a.energy) * percent));
     if (restitution < 1)
         table_print(out, " (expected %.2g %%)",
-                    -(double)expected_loss(p, restitution) * percent);
+                    -(double)(expected_loss(p, restitution) * percent));
     table_print(out, "\n");
 }
 

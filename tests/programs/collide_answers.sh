@@ -25,6 +25,13 @@ answers 'change -60 % (expected -60 %)$' --velocities 1,0 \
     --inverse-masses 1,0.25 --restitution 0.5
 answers 'collide: note: the bodies move apart' \
     --velocities 0,1 --inverse-masses 1,1
+answers 'energy 1.125 -> 1.125 seen from the wall' \
+    --velocities 1,-0.5 --inverse-masses 1,0
+answers 'change -19 % (expected -19 %)$' --velocities 1,1,0,0 \
+    --inverse-masses 0.5,0.5 --normal 3,3 --restitution 0.7874007874
+answers 'collide: warning: energy off by .* machine epsilons' \
+    --velocities 1,-1e-3 --inverse-masses 1,1.1e-6 --form complement
+answers 'form smaller' --tests 11
 for form in cm difference impulse complement smaller; do
     answers "10 collisions, form $form" --form $form --dimensions 2
 done
@@ -37,3 +44,26 @@ for d in 1 2 3; do
              END { print e, p; exit !(e > 0.5 && e < 16 && p > 0.5 && p < 6) }' \
         "$work/s"
 done
+
+# Every form in the plane, with normals of any length: to 16 eps and 6.
+for form in cm difference impulse complement smaller; do
+    $c --tests 20000 --dimensions 2 --form $form --summary "$work/s" \
+        -o /dev/null
+    holds "form $form in 2 dimensions: energy to 16 eps, rms below 2" \
+        awk '$1 == "energy_error_max" { e = $2 }
+             $1 == "energy_error_rms" { r = $2 }
+             $1 == "momentum_error_rms" { p = $2 }
+             $1 == "momentum_error_max" { m = $2 }
+             END { print e, r, p, m
+                 exit !(e < 16 && r > 0.2 && r < 2 && r < e && p < 1.5 && p < m) }' \
+        "$work/s"
+done
+
+# A summary by hand has what is after, and another seed is another run.
+$c --velocities 1,0 --inverse-masses 1,0.25 --summary "$work/s" -o /dev/null
+holds 'the summary has the velocities after' \
+    awk '$1 == "v1_x" { a = $2 } $1 == "v2_x" { b = $2 }
+         END { exit !(a < -0.59 && a > -0.61 && b > 0.39 && b < 0.41) }' "$work/s"
+$c --tests 3 --seed 1 >"$work/one"
+$c --tests 3 --seed 2 >"$work/two"
+holds 'another seed is another run' sh -c "! cmp -s $work/one $work/two"

@@ -23,7 +23,14 @@ refuses 2 "mass-ratio: '0.5'" $c --mass-ratio 0.5
 refuses 2 "need each other" $c --velocities 1,0
 refuses 2 "need each other" $c --inverse-masses 1,0
 refuses 2 "two walls" $c --velocities 1,0 --inverse-masses 0,0
-refuses 2 "negative" $c --velocities 1,0 --inverse-masses 1,-1
+refuses 2 "each 0 or from" $c --velocities 1,0 --inverse-masses 1,-1
+refuses 2 "each 0 or from" $c --velocities 1,0 --inverse-masses 1e-310,1
+refuses 2 "beyond 1e150" $c --velocities 1e308,0 --inverse-masses 1,0
+refuses 2 "normal has 3" \
+    $c --velocities 1,0,0,0 --inverse-masses 1,1 --normal 0,0,1 --dimensions 2
+refuses 2 "is zero" \
+    $c --velocities 1,0 --inverse-masses 1,1 --normal 0,1 --normal 0
+refuses 2 "1e-290" $f --study map --inverse-masses 1e308,1e308
 refuses 2 "expected two" $c --velocities 1,0 --inverse-masses 1
 refuses 2 "expected 2 " $c --velocities 1,0,2 --inverse-masses 1,1
 refuses 2 "'x'" $c --velocities 1,x --inverse-masses 1,1
@@ -86,6 +93,7 @@ if [ $status -eq 1 ] && [ ! -e "$work/stopped" ] &&
 else
     not_ok 'SIGTERM' "status $status: $(cat "$work/err" "$work/out")"
 fi
-holds 'no temporary is left' sh -c "! ls -A $work | grep -q part"
+holds 'no temporary is left' test "$(ls -A "$work" | tr '\n' ' ')" = \
+    "err folder keep out said status "
 holds '--help' sh -c "$c --help | grep -q -- --restitution"
 holds '--version' sh -c "$c --version | grep -q '^collide (Bonkers)'"

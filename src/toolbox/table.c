@@ -1,5 +1,5 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 2477232155 of the lines below */
+/* checksum 228089271 of the lines below */
 #define _XOPEN_SOURCE 700 /* realpath */
 
 #include "toolbox/table.h"
@@ -23,11 +23,16 @@ struct table {
     const char *program;
     FILE *stream;
     char *name;      /* as it was given; NULL: standard output */
-    char *path;      /* what it is when links have been followed */
-    char *temporary; /* what is written meanwhile; NULL: path itself */
+    char *path;      /* the name in the end, links followed, or NULL */
+    char *temporary; /* what is written meanwhile; NULL: the file itself */
+    bool exists;     /* the file did, when it was opened, and was: */
+    struct stat file;
     size_t columns;
-    int error; /* errno of the first failure, or 0 */
+    int error;          /* errno of the first failure, or 0 */
+    struct table *next; /* of the open tables */
 };
+
+static struct table *tables; /* the open ones */
 
 enum { MOST_FILES = 8 };
 static char *volatile temporaries[MOST_FILES];
@@ -69,6 +74,7 @@ static void prepare_process(void)
         atexit(table_abandon);
     for (int i = 0; i < MOST_FILES; ++i)
         temporaries[i] = NULL;
+    tables = NULL;
     owner = getpid();
     signal(SIGPIPE, SIG_IGN);
     signal(SIGXFSZ, SIG_IGN);
@@ -90,6 +96,11 @@ static void free_table(struct table *t)
 {
     if (!t)
         return;
+    for (struct table **link = &tables; *link; link = &(*link)->next)
+        if (*link == t) {
+            *link = t->next;
+            break;
+        }
     free(t->name);
     free(t->path);
     free(t->temporary);
@@ -118,11 +129,12 @@ static bool open_stream(struct table *t, int file)
 
 static bool open_temporary(struct table *t, mode_t mode)
 {
-    const size_t size = strlen(t->path) + sizeof ".XXXXXX";
+    const int folder = (int)(strrchr(t->path, '/') - t->path);
+    const size_t size = (size_t)folder + sizeof "/bonkers.XXXXXX";
     t->temporary = malloc(size);
     if (!t->temporary)
         return false;
-    snprintf(t->temporary, size, "%s.XXXXXX", t->path);
+    snprintf(t->temporary, size, "%.*s/bonkers.XXXXXX", folder, t->path);
     const int file = mkstemp(t->temporary);
     if (file == -1)
         return false;
@@ -136,29 +148,88 @@ static bool open_temporary(struct table *t, mode_t mode)
     return false;
 }
 
-static bool open_table(struct table *t, const char *path)
+static bool is_same(const struct stat *a, const struct stat *b)
+{
+    return a->st_dev == b->st_dev && a->st_ino == b->st_ino;
+}
+
+static bool is_taken(const struct table *t)
+{
+    errno = 0;
+    for (const struct table *u = tables; u; u = u->next) {
+        if (t->path && u->path && strcmp(t->path, u->path) == 0)
+            return true;
+        if (t->exists && u->exists && !S_ISCHR(t->file.st_mode) &&
+            is_same(&t->file, &u->file))
+            return true;
+    }
+    return false;
+}
+
+static int find_descriptor(const struct stat *file)
 {
     struct stat status;
+    for (int i = 0; i < 10; ++i) {
+        const int flags = fcntl(i, F_GETFL);
+        if (flags != -1 && (flags & O_ACCMODE) != O_RDONLY &&
+            fstat(i, &status) == 0 && is_same(&status, file))
+            return i;
+    }
+    return -1;
+}
+
+static bool is_special(const char *path)
+{
+    if (strncmp(path, "/dev/shm/", 9) == 0)
+        return false;
+    return strncmp(path, "/dev/", 5) == 0 ||
+           strncmp(path, "/proc/", 6) == 0;
+}
+
+static char *resolve_new(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    const char *last = slash ? slash + 1 : path;
+    char *folder = strndup(path, (size_t)(last - path)), *name = NULL;
+    char *real = folder ? realpath(slash ? folder : ".", NULL) : NULL;
+    const size_t size = real ? strlen(real) + strlen(last) + 2 : 0;
+    if (real && (name = malloc(size)))
+        snprintf(name, size, "%s/%s", real, last);
+    free(folder);
+    free(real);
+    return name;
+}
+
+static bool open_table(struct table *t, const char *path)
+{
     if (!path) {
         t->stream = stdout;
-        return fcntl(STDOUT_FILENO, F_GETFD) != -1;
+        t->exists = fstat(STDOUT_FILENO, &t->file) == 0;
+        return t->exists && !is_taken(t);
     }
     t->name = strdup(path);
-    const bool exists = stat(path, &status) == 0;
-    if (exists && access(path, W_OK) != 0)
+    if (!t->name)
         return false;
-    if (!exists && (errno != ENOENT || lstat(path, &status) == 0))
+    t->exists = stat(path, &t->file) == 0;
+    const int given = t->exists ? find_descriptor(&t->file) : -1;
+    if (given != -1)
+        return !is_taken(t) && open_stream(t, dup(given));
+    if ((t->exists && !S_ISREG(t->file.st_mode)) || is_special(path))
+        return !is_taken(t) &&
+               open_stream(t, open(path, O_WRONLY | O_APPEND));
+    struct stat link;
+    if (t->exists && access(path, W_OK) != 0)
         return false;
-    t->path = exists && S_ISREG(status.st_mode) ? realpath(path, NULL)
-                                                : strdup(path);
-    if (!t->name || !t->path)
+    if (!t->exists &&
+        (errno != ENOENT || *path == '\0' || lstat(path, &link) == 0))
         return false;
-    if (exists && !S_ISREG(status.st_mode))
-        return open_stream(t, open(path, O_WRONLY));
+    t->path = t->exists ? realpath(path, NULL) : resolve_new(path);
+    if (!t->path)
+        return false;
     const mode_t mask = umask(0);
     umask(mask);
-    const mode_t mode = exists ? status.st_mode & 0777 : 0666 & ~mask;
-    return open_temporary(t, mode);
+    const mode_t mode = t->exists ? t->file.st_mode & 0777 : 0666 & ~mask;
+    return !is_taken(t) && open_temporary(t, mode);
 }
 
 struct table *table_open(const char *program, const char *path)
@@ -169,9 +240,12 @@ struct table *table_open(const char *program, const char *path)
         path = NULL;
     if (t && open_table(t, path)) {
         t->program = program;
+        t->next = tables;
+        tables = t;
         return t;
     }
-    complain(program, path, strerror(errno));
+    complain(program, path,
+             errno ? strerror(errno) : "another output goes there already");
     free_table(t);
     return NULL;
 }

@@ -1,5 +1,5 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 2705909338 of the lines below */
+/* checksum 1567634965 of the lines below */
 #ifndef TOOLBOX_TABLE_H
 #define TOOLBOX_TABLE_H
 
@@ -13,12 +13,15 @@ struct table;
 /* Opens path for writing; NULL or "-" is standard output. A file is
    written to a temporary beside it, which takes its name, and the place
    and permissions of an older file, in table_close. A link is followed.
-   What exists and is no regular file (/dev/null, a pipe) is written as it
-   is. On failure says why on standard error, after program, and returns
-   NULL. program is kept, not copied. At most 8 files are open at once; no
-   two may have the same path. From the first call on a closed pipe is an
-   error for table_close to report and no longer a signal, and signals that
-   end the process remove the temporaries first. */
+   Written as it is, and added to, is what exists and is no regular file
+   (/dev/null, a pipe: opening one waits for its reader), what lies under
+   /dev or /proc, and what this process has been given to write already
+   (standard output sent to that file). On failure says why on standard
+   error, after program, and returns NULL. program is kept, not copied. At
+   most 8 files are open at once; a second on the same file is refused,
+   whatever its name, unless it is a device. From the first call on a closed
+   pipe is an error for table_close to report and no longer a signal, and
+   signals that end the process remove the temporaries first. */
 struct table *table_open(const char *program, const char *path);
 
 /* Removes every temporary of this process. May be called in a signal
@@ -48,8 +51,8 @@ void table_text(struct table *t, const char *key, const char *text);
 
 /* Writes what is left, gives the file its name and frees t. Returns
    whether every byte was written; if not, says why on standard error,
-   removes the temporary and leaves an older file of that name as it was.
-   A t of NULL is well and closed. */
+   removes the temporary and leaves an older file of that name as it was,
+   but for one written in place. A t of NULL is well and closed. */
 bool table_close(struct table *t);
 
 /* Gives up: removes the temporary and frees t, which may be NULL. */

@@ -221,6 +221,21 @@ static void test_list(void)
             "--velocities: '1,2,3' has more than 2 numbers");
     refused("--velocities\n1,two",
             "--velocities: 'two' in '1,two' is not a number");
+    /* Cut at 63 characters these would be numbers. */
+    refused(
+        "--velocities\n1,"
+        "0000000000000000000000000000000000000000000000000000000000000011",
+        "--velocities: "
+        "'000000000000000000000000000000000000000000000000000000000000001' "
+        "in '1,"
+        "0000000000000000000000000000000000000000000000000000000000000011'"
+        " is not a number");
+    accepted(
+        "--velocities\n"
+        "000000000000000000000000000000000000000000000000000000000000001",
+        "values=1 1 99\ngas --velocities "
+        "000000000000000000000000000000000000000000000000000000000000001"
+        "\n");
     refused("--velocities\n1,", "--velocities: '' in '1,' is not a number");
     refused("--velocities\n", "--velocities: '' in '' is not a number");
 }

@@ -177,7 +177,6 @@ static void test_cannot_open(void)
 {
     fails("none/a", NULL, "'none/a': No such file or directory");
     fails(".", NULL, "'.': Is a directory");
-    fails("", NULL, "'': No such file or directory");
     fails(NULL, "", "standard output: Bad file descriptor");
     write_file("file", "");
     fails("file/a", NULL, "'file/a': Not a directory");
@@ -239,6 +238,202 @@ static void test_closed_stdout(void)
     UNIT_TRUE(c.status == 1);
     UNIT_TRUE(strcmp(c.err, "gas: cannot write standard output: Bad file "
                             "descriptor\n") == 0);
+}
+
+static void refused_at_once(const char *path, const char *reason)
+{
+    char line[512];
+    const struct child c = child_run(open_only, (void *)path, NULL);
+    snprintf(line, sizeof line, "gas: cannot write '%.300s': %s\n", path,
+             reason);
+    UNIT_TRUE(c.status == 1);
+    UNIT_TRUE(strcmp(c.err, line) == 0);
+}
+
+static void test_names(void)
+{
+    char name[257];
+    memset(name, 'n', 256);
+    name[256] = '\0';
+    refused_at_once(name, "File name too long");
+    refused_at_once("", "No such file or directory");
+    refused_at_once("new/", "No such file or directory");
+    refused_at_once("none/../a", "No such file or directory");
+    UNIT_TRUE(sweep() == 0);
+    name[255] = '\0';
+    UNIT_TRUE(child_run(write_table, name, NULL).status == 0);
+    UNIT_TRUE(file_is(name, written));
+    UNIT_TRUE(child_run(write_table, name, NULL).status == 0);
+    UNIT_TRUE(sweep() == 1);
+    UNIT_TRUE(mkdir("folder", 0700) == 0);
+    UNIT_TRUE(child_run(write_table, "folder/a", NULL).status == 0);
+    UNIT_TRUE(file_is("folder/a", written));
+    UNIT_TRUE(unlink("folder/a") == 0);
+    UNIT_TRUE(sweep() == 1);
+}
+
+/* Writes a table to path while descriptor number writes to "log". */
+struct given {
+    const char *path;
+    int number, flags;
+};
+
+static int write_given(void *argument)
+{
+    const struct given *g = argument;
+    const int file = open("log", g->flags);
+    if (file == -1 || dup2(file, g->number) == -1)
+        return 3;
+    if (file != g->number)
+        close(file);
+    const int status = write_table((void *)g->path);
+    if (g->flags != O_RDONLY)
+        (void)!write(g->number, "after\n", 6);
+    return status;
+}
+
+/* Devices are named through links and descriptors only, as above. */
+static void test_given_files(void)
+{
+    const char *paths[] = {"log", "./log", "hard", "soft"};
+    char all[4096];
+    struct stat old, new;
+    snprintf(all, sizeof all, "precious\n%safter\n", written);
+    for (size_t i = 0; i < 4 * 5; ++i) {
+        const int numbers[] = {0, 1, 2, 5, 9};
+        struct given g = {paths[i % 4], numbers[i / 4],
+                          O_WRONLY | O_APPEND};
+        write_file("log", "precious\n");
+        UNIT_TRUE(link("log", "hard") == 0);
+        UNIT_TRUE(symlink("log", "soft") == 0);
+        UNIT_TRUE(stat("log", &old) == 0);
+        UNIT_TRUE(child_run(write_given, &g, NULL).status == 0);
+        UNIT_TRUE(stat("log", &new) == 0 && old.st_ino == new.st_ino);
+        UNIT_TRUE(file_is("log", all));
+        UNIT_TRUE(sweep() == 3);
+    }
+    /* Without O_APPEND both must share one place to write at. */
+    struct given g = {"log", 1, O_WRONLY};
+    write_file("log", "");
+    UNIT_TRUE(child_run(write_given, &g, NULL).status == 0);
+    UNIT_TRUE(file_is("log", all + strlen("precious\n")));
+    /* A file that is only read is replaced, and may be read meanwhile. */
+    g = (struct given){"log", 0, O_RDONLY};
+    write_file("log", "old\n");
+    UNIT_TRUE(stat("log", &old) == 0);
+    UNIT_TRUE(child_run(write_given, &g, NULL).status == 0);
+    UNIT_TRUE(stat("log", &new) == 0 && old.st_ino != new.st_ino);
+    UNIT_TRUE(file_is("log", written));
+    UNIT_TRUE(sweep() == 1);
+}
+
+/* Nothing can be renamed to a name under /proc, nor made there. */
+static void test_system_folders(void)
+{
+    char all[4096], path[64];
+    struct given g = {"/proc/self/fd/20", 20, O_WRONLY | O_APPEND};
+    struct stat s;
+    UNIT_TRUE(true);
+    if (access("/proc/self/fd", X_OK) == 0) {
+        write_file("log", "precious\n");
+        snprintf(all, sizeof all, "precious\n%safter\n", written);
+        UNIT_TRUE(child_run(write_given, &g, NULL).status == 0);
+        UNIT_TRUE(file_is("log", all));
+        g.flags = O_RDONLY;
+        write_file("log", "precious\n");
+        UNIT_TRUE(child_run(write_given, &g, NULL).status == 0);
+        UNIT_TRUE(file_is("log", all) == false);
+        all[strlen(all) - strlen("after\n")] = '\0';
+        UNIT_TRUE(file_is("log", all));
+        UNIT_TRUE(sweep() == 1);
+    }
+    /* Files kept in memory are files. */
+    snprintf(path, sizeof path, "/dev/shm/table-test-%ld", (long)getpid());
+    if (stat("/dev/shm", &s) == 0 && access("/dev/shm", W_OK) == 0) {
+        for (int i = 0; i < 2; ++i)
+            UNIT_TRUE(child_run(write_table, path, NULL).status == 0);
+        UNIT_TRUE(file_is(path, written));
+        unlink(path);
+    }
+}
+
+/* Opens one table after another; a name of "-" is standard output. */
+static int open_two(void *paths)
+{
+    static struct table
+        *volatile t[2]; /* so that neither counts as leaked */
+    const char **path = paths;
+    for (int i = 0; i < 2; ++i)
+        if (!(t[i] = table_open("gas", path[i])))
+            return i + 1;
+    return 0;
+}
+
+static void clash(const char *first, const char *second,
+                  const char *stdout_file, const char *named)
+{
+    const char *paths[] = {first, second};
+    char line[256];
+    const struct child c = child_run(open_two, paths, stdout_file);
+    snprintf(line, sizeof line,
+             "gas: cannot write %s: another output goes there already\n",
+             named);
+    if (strcmp(c.err, line) != 0)
+        printf("# got %s# not %s", c.err, line);
+    UNIT_TRUE(c.status == 2);
+    UNIT_TRUE(strcmp(c.err, line) == 0);
+}
+
+static int open_again(void *path)
+{
+    struct table *t = table_open("gas", path), *u;
+    table_discard(t);
+    t = table_open("gas", path);
+    u = table_open("gas", "other");
+    return t && u && table_close(u) && table_close(t) ? 0 : 1;
+}
+
+static int open_in_child(void *path)
+{
+    struct table *t = table_open("gas", path);
+    const struct child c = child_run(write_table, path, NULL);
+    return table_close(t) ? c.status : 9;
+}
+
+/* Nothing exists at first, then both do, then they are one by a link. */
+static void test_clashes(void)
+{
+    const char *devices[] = {NULL, "-"}, *two[] = {"a", "b"};
+    UNIT_TRUE(mkdir("folder", 0700) == 0);
+    UNIT_TRUE(symlink(".", "here") == 0);
+    UNIT_TRUE(symlink("a", "soft") == 0);
+    clash("a", "a", NULL, "'a'");
+    clash("a", "folder/../a", NULL, "'folder/../a'");
+    clash("here/a", "./a", NULL, "'./a'");
+    write_file("a", "old\n");
+    UNIT_TRUE(link("a", "hard") == 0);
+    clash("a", "folder/../a", NULL, "'folder/../a'");
+    clash("a", "soft", NULL, "'soft'");
+    clash("hard", "a", NULL, "'a'");
+    clash("a", "-", "a", "standard output");
+    clash(NULL, "a", "a", "'a'");
+    clash(NULL, "-", "a", "standard output");
+    UNIT_TRUE(child_run(open_two, devices, "/dev/null").status == 0);
+    UNIT_TRUE(child_run(open_two, two, NULL).status == 0);
+    UNIT_TRUE(child_run(open_again, "a", NULL).status == 0);
+    UNIT_TRUE(child_run(open_in_child, "a", NULL).status == 0);
+    UNIT_TRUE(rmdir("folder") == 0);
+    UNIT_TRUE(sweep() == 5);
+}
+
+/* Two outputs into one pipe would come out mixed. */
+static void test_clash_in_pipe(void)
+{
+    UNIT_TRUE(mkfifo("pipe", 0600) == 0);
+    const int end = open("pipe", O_RDONLY | O_NONBLOCK);
+    clash("pipe", "./pipe", NULL, "'./pipe'");
+    close(end);
+    UNIT_TRUE(sweep() == 1);
 }
 
 /* A pipe with a name is written as it is, and stays a pipe. */
@@ -448,6 +643,12 @@ int main(void)
             {"stray output never enters a table", test_stray_output},
             {"a full disk is an error", test_full_disk},
             {"a closed stdout is refused at once", test_closed_stdout},
+            {"a bad name is refused at once, a long one taken", test_names},
+            {"a file given to write is added to", test_given_files},
+            {"what lies under /dev or /proc is added to",
+             test_system_folders},
+            {"two outputs to one file are refused", test_clashes},
+            {"two outputs to one pipe are refused", test_clash_in_pipe},
             {"a named pipe is written as it is", test_named_pipe},
             {"a file-size limit leaves the old file", test_file_limit},
             {"a closed pipe is an error", test_closed_pipe},

@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 1634270935 of the lines below */
+/* checksum 4158542356 of the lines below */
 #include "examiner/build.h"
 #include "examiner/process.h"
 #include "examiner/text.h"
@@ -43,8 +43,9 @@ static bool compile(const char *folder, char *suite, char *source,
                        runner, source, suite,  libraries, NULL};
     setenv("LC_ALL", "C", 1);
     setenv("GCC_COLORS", "", 1);
+    setenv("TMPDIR", folder, 1);
     const int file = open(messages, O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    const bool started = process_run(command, file, -1, &limits, &end);
+    const bool started = process_run(command, ".", file, -1, &limits, &end);
     close(file);
     free(flags);
     return started && end.status == 0;
@@ -89,7 +90,15 @@ static void tell_build(const char *text, const char *source, FILE *story)
         line = find_line(text, "", "error:");
     const char *lost = strstr(text, "undefined reference");
     const char *twice = strstr(text, "multiple definition");
-    if (lost)
+    const char *tests = strstr(text, ".suite.o");
+    char name[33] = "";
+    if (lost && (!tests || tests > lost) &&
+        sscanf(lost, "%*[^`'\n]%*[`']%32[A-Za-z0-9_]", name) == 1)
+        fprintf(
+            story,
+            "  Your file calls %s, which is nowhere; is it spelt right?\n",
+            name);
+    else if (lost)
         fputs("  The tests call a function that is gone. Was it renamed?\n",
               story);
     else if (twice)

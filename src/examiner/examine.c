@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 3879268742 of the lines below */
+/* checksum 1516020972 of the lines below */
 #include "examiner/build.h"
 #include "examiner/check.h"
 #include "examiner/process.h"
@@ -20,11 +20,13 @@ struct exercise {
     const char *title;
     const char *tests[CHECK_TESTS];
     int count, minutes, points;
-    char file[PATH_ROOM]; /* the student's; empty when it is missing */
-    char stub[PATH_ROOM]; /* as it came with the book */
+    char file[PATH_ROOM];  /* the student's; empty when it is missing */
+    char stub[PATH_ROOM];  /* as it came with the book */
+    char stray[PATH_ROOM]; /* what may be the student's, misnamed */
     bool chosen;
     enum state state;
     int passed;  /* tests */
+    int gap;     /* the line of a NOT_DONE_YET that was reached, or 0 */
     char *story; /* what to say about it, made by open_memstream */
 };
 
@@ -85,15 +87,18 @@ static struct options read_options(int argc, char **argv)
     return o;
 }
 
-static void find_one(const char *folder, const char *name,
+static void find_one(const char *where, const char *name,
                      char path[PATH_ROOM])
 {
     glob_t found = {0};
     char pattern[64];
-    snprintf(pattern, sizeof pattern, "%s/%s-*.c", folder, name);
+    snprintf(pattern, sizeof pattern, where, name);
     path[0] = '\0';
     if (glob(pattern, 0, NULL, &found) == 0)
         snprintf(path, PATH_ROOM, "%s", found.gl_pathv[0]);
+    if (*path && !text_plain(path))
+        text_fail("'%s' is not a plain file; move it out of the folder",
+                  path);
     if (found.gl_pathc > 1)
         text_fail("'%s' and '%s' are the same exercise; move one of them "
                   "out of the folder",
@@ -121,8 +126,10 @@ static void read_about(struct exercise *e, const char *path)
     if (!*e->name || !e->count)
         text_fail("%s is not complete; remove it and make check again",
                   path);
-    find_one("tests/stubs", e->name, e->stub);
-    find_one("exercises", e->name, e->file);
+    find_one("tests/stubs/%s-*.c", e->name, e->stub);
+    find_one("exercises/%s-*.c", e->name, e->file);
+    if (!*e->file)
+        find_one("exercises/%s*.c", e->name, e->stray);
 }
 
 static size_t learn(struct exercise **exercises)
@@ -173,6 +180,12 @@ static void tell_others(const struct exercise *e, const enum state states[],
         fprintf(story, "  The tests after it were not run.\n");
 }
 
+static int gap_line(const char *account)
+{
+    const char *colon = strrchr(account, ':');
+    return colon ? atoi(colon + 1) : 0;
+}
+
 static void run_tests(struct exercise *e, const struct trial *trial,
                       FILE *story)
 {
@@ -204,6 +217,8 @@ static void run_tests(struct exercise *e, const struct trial *trial,
         text_field(story, "test", e->tests[decides]);
         fputs(account, story);
     }
+    if (e->state == NOT_BEGUN)
+        e->gap = gap_line(account);
     if (state_wrong(e->state))
         tell_others(e, states, decides, run, story);
     free(account);
@@ -216,6 +231,20 @@ static bool same_files(const char *one, const char *other)
     free(a);
     free(b);
     return same;
+}
+
+static bool touched(const struct exercise *e)
+{
+    return *e->file && !same_files(e->file, e->stub);
+}
+
+static void tell_missing(const struct exercise *e, FILE *story)
+{
+    fprintf(story, "  The file is missing. Fetch it: cp %s exercises/\n",
+            e->stub);
+    if (*e->stray)
+        fprintf(story, "  Or is it %s? Then name it exercises/%s\n",
+                e->stray, strrchr(e->stub, '/') + 1);
 }
 
 static void build_and_test(struct exercise *e,
@@ -241,10 +270,8 @@ static void examine(struct exercise *e, const struct options *options)
         text_fail("out of memory");
     e->state = NOT_BEGUN;
     if (!*e->file)
-        fprintf(story,
-                "  The file is missing. Fetch it: cp %s exercises/\n",
-                e->stub);
-    else if (!same_files(e->file, e->stub))
+        tell_missing(e, story);
+    else if (touched(e))
         build_and_test(e, options, story);
     fclose(story);
 }
@@ -261,7 +288,7 @@ static void show_line(const struct exercise *e)
     const char *code = colour(e->state);
     printf("%s  %-38.38s %3d min  %s%s%s", e->name, e->title, e->minutes,
            code, state_name(e->state), *code ? "\033[0m" : "");
-    if (e->state != NOT_BEGUN && e->state != DOES_NOT_BUILD)
+    if (e->gap || (e->state != NOT_BEGUN && e->state != DOES_NOT_BUILD))
         printf("%*s%d of %d", 16 - (int)strlen(state_name(e->state)), "",
                e->passed, e->count);
     putchar('\n');
@@ -271,25 +298,44 @@ static void show_line(const struct exercise *e)
 static void tell_story(const struct exercise *e)
 {
     printf("\n%s: %s %s\n%s", e->name, *e->file ? e->file : e->title,
-           e->state == NOT_BEGUN        ? "is not begun"
+           e->gap                       ? "is under way"
+           : e->state == NOT_BEGUN      ? "is not begun"
            : e->state == DOES_NOT_BUILD ? "does not build"
            : e->state == PASSED         ? "passes"
                                         : "does not pass yet",
            e->story);
 }
 
+static void invite(const struct exercise *fresh, bool passed, bool begun)
+{
+    if (fresh->gap)
+        printf("%s is under way; its gap is at line %d.\n", fresh->name,
+               fresh->gap);
+    else if (passed)
+        printf("So far, so good.\n");
+    else if (!begun)
+        printf("Nothing is begun yet; every course starts there.\n");
+    if (*fresh->file)
+        printf("Next: open %s, then: make check EX=%s\n", fresh->file,
+               fresh->name);
+    else
+        printf("Next: fetch the missing file: cp %s exercises/\n",
+               fresh->stub);
+}
+
 static void show_next(const struct exercise *exercises, size_t count)
 {
     const struct exercise *wrong = NULL, *fresh = NULL;
-    size_t passed = 0;
+    bool passed = false, begun = false;
     for (size_t i = count; i-- > 0;) {
         const struct exercise *e = &exercises[i];
-        if (!e->chosen || e->state == PASSED)
-            passed += e->chosen;
-        else if (e->state == NOT_BEGUN)
-            fresh = e;
-        else
+        begun |= touched(e);
+        if (e->chosen && e->state == PASSED)
+            passed = true;
+        else if (e->state != NOT_BEGUN)
             wrong = e;
+        else if (e->chosen && (e->gap || !fresh || !fresh->gap))
+            fresh = e;
     }
     putchar('\n');
     if (wrong)
@@ -297,10 +343,7 @@ static void show_next(const struct exercise *exercises, size_t count)
                "Stuck? The book's appendix C has hints for it.\n",
                wrong->file, wrong->name);
     else if (fresh)
-        printf("%s\nNext: open %s, then: make check EX=%s\n",
-               passed ? "So far, so good."
-                      : "Nothing is begun yet; every course starts there.",
-               *fresh->file ? fresh->file : fresh->stub, fresh->name);
+        invite(fresh, passed, begun);
     else
         printf("Everything here passes. Well done.\n");
 }
@@ -337,6 +380,8 @@ static void choose_file(struct exercise *exercises, size_t count,
     choose(exercises, count, options->as);
     if (access(options->file, R_OK) != 0)
         text_fail("cannot read '%s': %s", options->file, strerror(errno));
+    if (!text_plain(options->file))
+        text_fail("'%s' is not a plain file", options->file);
     for (size_t i = 0; i < count; ++i)
         if (exercises[i].chosen)
             snprintf(exercises[i].file, PATH_ROOM, "%s", options->file);
@@ -368,15 +413,20 @@ int main(int argc, char **argv)
         show_line(e);
         wrong += state_wrong(e->state);
     }
-    bool told = false;
+    bool told = false, run = false;
     for (size_t i = 0; i < count; ++i) {
         const struct exercise *e = &exercises[i];
         const bool mend = state_wrong(e->state) && !told;
-        if (e->chosen && *e->story && (named || mend)) {
+        run |= e->gap || e->state != NOT_BEGUN;
+        if (e->chosen && *e->story && (named || mend || !*e->file)) {
             tell_story(e);
             told |= mend;
         }
     }
+    if (run && !build_sanitized())
+        printf(
+            "\nThis compiler has no sanitizers: errors of memory may pass "
+            "unseen.\n");
     if (!options.as)
         show_next(exercises, count);
     return wrong ? EXIT_FAILURE : EXIT_SUCCESS;

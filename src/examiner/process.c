@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 241475651 of the lines below */
+/* checksum 15085282 of the lines below */
 #include "examiner/process.h"
 
 #include <errno.h>
@@ -11,6 +11,9 @@
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 
 static volatile sig_atomic_t caught;
 
@@ -50,8 +53,8 @@ static void close_others(int keep)
             close(file);
 }
 
-static void become(char *const command[], int output, int keep,
-                   const struct process_limits *limits)
+static void become(char *const command[], const char *folder, int output,
+                   int keep, const struct process_limits *limits)
 {
     const int nothing = open("/dev/null", O_RDONLY);
     setpgid(0, 0);
@@ -63,7 +66,8 @@ static void become(char *const command[], int output, int keep,
     restrain(RLIMIT_AS, limits->memory_bytes);
     restrain(RLIMIT_FSIZE, limits->file_bytes);
     restrain(RLIMIT_CORE, 0);
-    execvp(command[0], command);
+    if (chdir(folder) == 0)
+        execvp(command[0], command);
     fprintf(stderr, "cannot start '%s': %s\n", command[0], strerror(errno));
     _exit(127);
 }
@@ -98,14 +102,36 @@ static bool wait_for_end(pid_t pid, double seconds)
     return late;
 }
 
-bool process_run(char *const command[], int output, int keep,
-                 const struct process_limits *limits,
+static void kill_strays(void)
+{
+#ifdef __linux__
+    char path[64];
+    int stray = 0;
+    snprintf(path, sizeof path, "/proc/self/task/%ld/children",
+             (long)getpid());
+    do {
+        FILE *list = fopen(path, "r");
+        if (!list || fscanf(list, "%d", &stray) != 1)
+            stray = 0;
+        if (list)
+            fclose(list);
+        if (stray)
+            kill(stray, SIGKILL);
+    } while (stray && waitpid(stray, NULL, 0) == stray);
+#endif
+}
+
+bool process_run(char *const command[], const char *folder, int output,
+                 int keep, const struct process_limits *limits,
                  struct process_end *end)
 {
     fflush(NULL);
+#ifdef __linux__
+    prctl(PR_SET_CHILD_SUBREAPER, 1);
+#endif
     const pid_t pid = fork();
     if (pid == 0)
-        become(command, output, keep, limits);
+        become(command, folder, output, keep, limits);
     if (pid < 0)
         return false;
     setpgid(pid, pid);
@@ -114,5 +140,6 @@ bool process_run(char *const command[], int output, int keep,
         ;
     end->timed_out = late || (WIFSIGNALED(end->status) &&
                               WTERMSIG(end->status) == SIGXCPU);
+    kill_strays();
     return true;
 }

@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 13438983 of the lines below */
+/* checksum 3052999210 of the lines below */
 #ifndef PROCESS_H
 #define PROCESS_H
 
@@ -20,13 +20,13 @@ struct process_end {
 };
 
 /* Runs a command (a NULL-terminated list, the program looked for in PATH)
-   in a process group of its own, with nothing to read, its output and
-   errors in the file output, within the limits and without core files. Of
-   our other descriptors it gets keep alone (-1: none).
+   in a folder and in a process group of its own, with nothing to read, its
+   output and errors in the file output, within the limits and without core
+   files. Of our other descriptors it gets keep alone (-1: none).
    Returns when it has ended, with everything in its group killed; false
    when no process could be started (errno says why). */
-bool process_run(char *const command[], int output, int keep,
-                 const struct process_limits *limits,
+bool process_run(char *const command[], const char *folder, int output,
+                 int keep, const struct process_limits *limits,
                  struct process_end *end);
 
 /* Makes SIGINT, SIGTERM and SIGHUP stop the running program instead of

@@ -1,11 +1,15 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 3539805844 of the lines below */
+/* checksum 1800527038 of the lines below */
 #ifndef TEXT_H
 #define TEXT_H
 
+#include <stdbool.h>
 #include <stdio.h>
 
 enum { TEXT_WIDTH = 78, TEXT_LABEL = 13, TEXT_LIMIT = 1 << 20 };
+
+/* Whether there is a plain file of this name: no folder, no pipe. */
+bool text_plain(const char *path);
 
 /* The first TEXT_LIMIT bytes of a file as a string, unprintable ones turned
    into '?', or NULL when it cannot be read. The caller frees it. */

@@ -68,6 +68,26 @@ verdict 'a name with blanks is as good as any' both 0 'passed' 99a
 rm exercises/99a-*
 verdict 'a file that is gone can be fetched again' \
     both 0 'cp tests/stubs/99a-twice.c exercises/' 99a
+cp tests/stubs/99b-twice.c exercises/
+verdict 'a full round says that a file is missing' both 0 'file is missing'
+verdict 'a missing file is fetched, not opened' \
+    eval "says '^Next: fetch .*: cp tests/stubs/99a' && ! says 'open tests'"
+cp "$traps/right.c" exercises/99a_twice.c
+verdict 'a misnamed file is named' \
+    both 0 'is it exercises/99a_twice.c? .* exercises/99a-twice.c$'
+rm exercises/99a_twice.c
+mkfifo exercises/99a-twice.c
+timeout 10 build/check/examine >out 2>&1
+verdict 'a pipe among the exercises is refused, not waited for' \
+    eval "[ $? -eq 2 ] && says 'not a plain file'"
+rm exercises/99a-twice.c
+
+cp "$traps/partial.c" exercises/99a-twice.c
+verdict 'a gap in begun work is counted' both 0 ' not begun  *2 of 3$'
+verdict 'a gap in begun work is said to be at its line' \
+    says '^99a is under way; its gap is at line 8.$'
+verdict 'a fresh exercise does not deny begun work' \
+    eval "run 0 99b && ! says 'Nothing is begun'"
 
 cp "$traps/right.c" exercises/99a-twice.c
 (exec 5>held 6>held && build/check/examine --as 99a --file "$traps/verdict.c") \
@@ -87,6 +107,24 @@ wait $pid
 verdict 'a signal ends a round with status 2' [ $? -eq 2 ]
 verdict 'a round cut short leaves no folder' \
     [ -z "$(ls -d build/check/work.* 2>/dev/null)" ]
+
+cp "$traps/right.c" exercises/99a-twice.c
+verdict 'sanitizers that are there are not missed' \
+    eval "run 0 99a && { ! grep -q =address build/check/flags ||
+        ! says 'no sanitizers'; }"
+plain=$(echo "$cc" | sed 's/ -f[a-z-]*saniti[^ ]*//g')
+rm build/check/flags
+printf '#!/bin/sh\necho "$TMPDIR" >tmpdir\nexec "$@"\n' >said
+chmod +x said
+printf '%s\n%s\n' "./said $plain" "check.o ${libraries#* }" >build/check/flags
+# shellcheck disable=SC2086
+$plain -Isrc -c src/examiner/check.c &&
+    $plain -Isrc -c "$here/suite.c" -o build/check/99a.suite.o
+verdict 'a compiler without sanitizers is named as such' \
+    both 0 'no sanitizers: errors of memory may pass unseen' 99a
+verdict 'and this is said once' [ "$(grep -c sanitizers out)" -eq 1 ]
+verdict 'a compiler has its temporary files in the working folder' \
+    grep -q '^build/check/work' tmpdir
 
 rm build/check/flags
 cp "$traps/right.c" exercises/99a-twice.c

@@ -31,6 +31,9 @@ for file in "$here"/traps/*.c; do
         >out 2>&1 </dev/zero
     status=$?
     verdict "$name is judged: $state" judged "$name" "$state"
+    if says DEADLYSIGNAL; then
+        echo "not ok examiner: $name - a sanitizer's cry was shown as output"
+    fi
     cmp -s "$file" "$name" ||
         echo "not ok examiner: $name was changed - it is the student's"
 done
@@ -38,3 +41,12 @@ done
 [ -s lingers.pid ] && ! kill -0 "$(cat lingers.pid)" 2>/dev/null
 verdict 'a process left behind is killed' [ $? -eq 0 ]
 verdict 'no working folder is left' [ -z "$(ls -d build/check/work.* 2>/dev/null)" ]
+verdict 'what a student writes does not land in the kit' [ ! -e written.txt ]
+if [ -d /proc/self/task ]; then
+    alive=
+    while read -r pid; do
+        kill -0 "$pid" 2>/dev/null && alive="$alive $pid"
+    done <strays.pid
+    verdict 'on Linux a process that left the group is killed' \
+        eval '[ -s strays.pid ] && [ -z "$alive" ]'
+fi

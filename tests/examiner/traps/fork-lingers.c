@@ -9,7 +9,7 @@ double twice(double x)
     if (child == 0)
         for (;;)
             pause();
-    FILE *file = fopen("lingers.pid", "w");
+    FILE *file = fopen("../../../../lingers.pid", "w");
     if (file) {
         fprintf(file, "%ld\n", (long)child);
         fclose(file);

@@ -1,5 +1,5 @@
 /* The suite of exercise 01a: equal velocities, equal masses, known values,
-   what is conserved, and the wall. */
+   their mirror images, what is conserved, and the wall. */
 
 #include "examiner/check.h"
 #include <float.h>
@@ -38,6 +38,24 @@ static double tolerance(double u1, double u2)
 static const char because[] =
     "8 epsilons of the faster velocity: a handful of roundings";
 
+static const char *const quantity[] = {"v[0], the first body after",
+                                       "v[1], the second body after"};
+
+/* What comes of taking the difference u1 - u2 without its sign. */
+static double without_sign(int body, double u1, double u2, double im1,
+                           double im2)
+{
+    const double blow = 2.0 * fabs(u1 - u2) / (im1 + im2);
+    return body == 0 ? u1 - im1 * blow : u2 + im2 * blow;
+}
+
+/* Beside a body at rest some slips answer 0, as much else does: such a
+   value tells nothing, and the expected one stands in for it. */
+static double telling(double value, double expected)
+{
+    return value == 0.0 ? expected : value;
+}
+
 /* Checks the velocity of one body (0 or 1) against the expected one, and
    knows what the usual slips would have answered here. */
 static bool check_body(int body, double u1, double u2, double im1,
@@ -48,20 +66,17 @@ static bool check_body(int body, double u1, double u2, double im1,
     const double crossed = (im1 * u1 + im2 * u2) / (im1 + im2);
     const double got = answer(u1, u2, im1, im2).v[body];
     return CHECK_NEAR(
-        got,
-        .quantity = body == 0 ? "v[0], the first body after"
-                              : "v[1], the second body after",
-        .unit = "m/s", .input = input(u1, u2, im1, im2),
-        .expected = expected, .tolerance = tolerance(u1, u2),
-        .because = because, .equation = "eq:reverse", .question = question,
+        got, .quantity = quantity[body], .unit = "m/s",
+        .input = input(u1, u2, im1, im2), .expected = expected,
+        .tolerance = tolerance(u1, u2), .because = because,
+        .equation = "eq:reverse", .question = question,
         .mistakes = {
             {"stuck-together", centre,
              "This is the velocity of the centre of mass itself, as if the "
              "two had stuck together. In the centre's frame each body "
-             "turns "
-             "round: how far beyond the centre's velocity does that take "
-             "it?"},
-            {"reversed-in-the-lab", -own,
+             "turns round: how far beyond the centre's velocity does that "
+             "take it?"},
+            {"reversed-in-the-lab", telling(-own, expected),
              "Turning the velocity round is right for someone who moves "
              "with the centre of mass, and only for them. What is the "
              "velocity before, as they see it?"},
@@ -69,13 +84,22 @@ static bool check_body(int body, double u1, double u2, double im1,
              "Here the lighter body counts for more. The centre of mass "
              "weights each velocity with the mass; what does that weight "
              "become when only inverse masses are known?"},
-            {"always-swapped", other,
+            {"always-swapped", telling(other, expected),
              "The two exchange their velocities only when their masses are "
              "equal. What does a lorry do that meets a fly?"},
-            {"mass-of-a-wall", NAN,
-             "Not a number: somewhere 0/0 or infinity/infinity was "
-             "computed. The mass of a wall is infinite, its inverse mass "
-             "is just 0. Can the formula be written without any 1/im?"}});
+            {"sign-of-the-difference", without_sign(body, u1, u2, im1, im2),
+             "This is right when the first body is the faster one to the "
+             "right, as in the tests before. Here u1 - u2 is negative. "
+             "What becomes of that sign in your formula?"},
+            {"taken-for-parting",
+             u1 < u2 ? telling(own, expected) : expected,
+             "Your bodies go on as if they had missed each other. But the "
+             "first one may just as well come from the right: does the "
+             "formula ask which of them stands on the left?"},
+            {"left-empty", NAN,
+             "Not a number. Either nothing was ever put into this place, "
+             "or something like 0/0 was. Do both v[0] and v[1] stand on "
+             "the left of an = in your function?"}});
 }
 
 static bool check_both(double u1, double u2, double im1, double im2,
@@ -83,6 +107,33 @@ static bool check_both(double u1, double u2, double im1, double im2,
 {
     return check_body(0, u1, u2, im1, im2, v1, question) &&
            check_body(1, u1, u2, im1, im2, v2, question);
+}
+
+/* The same when one of the two is a wall. Most of the slips above cannot
+   come so far, and others first show here. */
+static bool check_beside_wall(int body, double u1, double u2, double im1,
+                              double im2, double expected)
+{
+    const double own = body == 0 ? u1 : u2;
+    const bool is_wall = (body == 0 ? im1 : im2) == 0.0;
+    return CHECK_NEAR(
+        answer(u1, u2, im1, im2).v[body], .quantity = quantity[body],
+        .unit = "m/s", .input = input(u1, u2, im1, im2),
+        .expected = expected, .tolerance = tolerance(u1, u2),
+        .because = because, .equation = "eq:reverse",
+        .question =
+            "Sit on the wall: the body comes in, and goes out as fast. "
+            "What does that look like from the ground, when the wall "
+            "moves?",
+        .mistakes = {
+            {"wall-at-rest", is_wall ? 0.0 : -own,
+             "This is right for a wall at rest. Here the wall moves, and "
+             "goes on as if nothing had happened. How fast does the body "
+             "come in, and leave, for somebody who sits on it?"},
+            {"mass-of-a-wall", NAN,
+             "Not a number: somewhere 0/0 or infinity/infinity was "
+             "computed. The mass of a wall is infinite, its inverse mass "
+             "is just 0. Can the formula be written without any 1/im?"}});
 }
 
 static void test_nothing_happens(void)
@@ -109,6 +160,22 @@ static void test_known_values(void)
     (void)(check_both(2.0, -1.0, 1.0 / 3.0, 0.5, -0.4, 2.6, question) &&
            check_both(1.0, 0.0, 1.0 / 9.0, 1.0, 0.8, 1.8, question) &&
            check_both(1.0, 0.0, 1.0, 0.25, -0.6, 0.4, question));
+}
+
+/* Two of these in a mirror, and one without round numbers. Its centre moves
+   at (0.31 * 0.37 + 0.83 * 1.91) / (0.31 + 0.83) = 1.7 / 1.14, for in whole
+   numbers 31 * 37 + 83 * 191 = 17000. */
+static void test_mirror(void)
+{
+    static const char question[] =
+        "Here u1 is less than u2: the first body comes from the right and "
+        "the two meet all the same. Which step of yours minds that?";
+    (void)(check_both(-2.0, 1.0, 1.0 / 3.0, 0.5, 0.4, -2.6, question) &&
+           check_both(-1.0, 0.0, 1.0 / 9.0, 1.0, -0.8, -1.8, question) &&
+           check_both(0.37, 1.91, 0.83, 0.31, 3.4 / 1.14 - 0.37,
+                      3.4 / 1.14 - 1.91,
+                      "These are no round numbers. How many digits of "
+                      "yours are right, and what has become of the rest?"));
 }
 
 static void test_momentum(void)
@@ -143,15 +210,18 @@ static void test_energy(void)
                            "same before and after. Are yours?");
 }
 
+/* The wall, then the body: a wall at rest or moving, as either of the two,
+   and in a mirror. */
 static void test_wall(void)
 {
-    static const char question[] =
-        "Sit on the wall: the body comes in, and goes out as fast. What "
-        "does that look like from the ground, when the wall moves?";
-    (void)(check_body(1, 1.0, -2.0, 1.0, 0.0, -2.0, question) &&
-           check_body(0, 1.0, -2.0, 1.0, 0.0, -5.0, question) &&
-           check_body(0, 0.0, -3.0, 0.0, 4.0, 0.0, question) &&
-           check_body(1, 0.0, -3.0, 0.0, 4.0, 3.0, question));
+    (void)(check_beside_wall(1, 1.0, -2.0, 1.0, 0.0, -2.0) &&
+           check_beside_wall(0, 1.0, -2.0, 1.0, 0.0, -5.0) &&
+           check_beside_wall(0, 0.0, -3.0, 0.0, 4.0, 0.0) &&
+           check_beside_wall(1, 0.0, -3.0, 0.0, 4.0, 3.0) &&
+           check_beside_wall(0, 2.0, -1.0, 0.0, 4.0, 2.0) &&
+           check_beside_wall(1, 2.0, -1.0, 0.0, 4.0, 5.0) &&
+           check_beside_wall(0, -2.0, 1.0, 0.0, 4.0, -2.0) &&
+           check_beside_wall(1, -2.0, 1.0, 0.0, 4.0, -5.0));
 }
 
 const struct check_suite check_suite = {
@@ -164,6 +234,7 @@ const struct check_suite check_suite = {
               {"equal masses exchange their velocities", test_equal_masses},
               {"unequal masses leave as worked out by hand",
                test_known_values},
+              {"the first body may come from the right", test_mirror},
               {"momentum is conserved", test_momentum},
               {"energy is conserved", test_energy},
               {"a wall keeps its velocity and turns the body round",

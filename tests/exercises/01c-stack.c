@@ -67,6 +67,13 @@ static double masses_ignored(size_t n, double speed, double e)
     return (pow(1.0 + e, (double)n) - 1.0) * speed;
 }
 
+/* With a restitution of 0 some slips answer 0, as much else does: such a
+   value tells nothing, and the expected one stands in for it. */
+static double telling(double value, double expected)
+{
+    return value == 0.0 ? expected : value;
+}
+
 static bool check_top(size_t n, const double masses[], double speed,
                       double e, double expected, const char *question)
 {
@@ -85,7 +92,12 @@ static bool check_top(size_t n, const double masses[], double speed,
              "The top ball falls on as if nothing had happened. Nothing "
              "happens indeed until the lowest ball has met something. "
              "What?"},
-            {"upper-ball-at-rest", upper_at_rest(n, masses, speed, e),
+            {"fall-not-subtracted", expected + speed,
+             "This is the speed at which the top ball parts from the "
+             "falling stack. Somebody stands on the ground and watches. "
+             "What does the top ball do for them?"},
+            {"upper-ball-at-rest",
+             telling(upper_at_rest(n, masses, speed, e), expected),
              "This would be right if each upper ball hung still when it is "
              "hit. How fast does it come down on the one below?"},
             {"masses-exchanged", masses_exchanged(n, masses, speed, e),
@@ -98,7 +110,11 @@ static bool check_top(size_t n, const double masses[], double speed,
             {"floor-without-loss", floor_without_loss(n, masses, speed, e),
              "The floor sends the lowest ball back as fast as it came. Is "
              "that so with this restitution?"},
-            {"masses-ignored", masses_ignored(n, speed, e),
+            {"never-downwards", expected < 0.0 ? 0.0 : expected,
+             "Nothing was to stop here. The blow from below only slows "
+             "this ball, and it goes on falling. Which sign has that?"},
+            {"masses-ignored",
+             telling(masses_ignored(n, speed, e), expected),
              "This is the limit in which each ball is far heavier than the "
              "next. Where do the masses come in when they are not?"}});
 }
@@ -125,16 +141,16 @@ static void test_two_balls(void)
 {
     static const char question[] =
         "Two balls only: one comes up from the floor, the other comes "
-        "down. "
-        "How fast do they approach, and what does the upper one get?";
-    const double heavy_below[] = {3.0, 1.0}, heavy_above[] = {1.0, 3.0};
-    (void)(check_top(2, heavy_below, 1.0, 1.0, 2.0, question) &&
+        "down. How fast do they approach, and what does the upper one "
+        "get?";
+    const double heavy_below[] = {7.0, 1.0}, heavy_above[] = {1.0, 3.0};
+    (void)(check_top(2, heavy_below, 1.0, 1.0, 2.5, question) &&
            check_top(2, heavy_above, 1.0, 1.0, 0.0, question));
 }
 
 static void test_limit_of_two(void)
 {
-    const double x = 0x1p-30, masses[] = {1.0, x};
+    const double x = 0x1p-20, masses[] = {1.0, x};
     check_top(
         2, masses, 2.0, 1.0, 2.0 * (3.0 - x) / (1.0 + x),
         "With hardly any mass on top the lower ball is as good as a "
@@ -143,7 +159,7 @@ static void test_limit_of_two(void)
 
 static void test_limit_of_five(void)
 {
-    const double x = 0x1p-10;
+    const double x = 0x1p-7;
     const double masses[] = {1.0, x, x * x, x * x * x, x * x * x * x};
     const double share = 1.0 / (1.0 + x);
     check_top(
@@ -187,8 +203,8 @@ static void test_too_heavy(void)
     static const char question[] =
         "The upper ball is the heavier one. Which way does it go on, and "
         "which sign has that?";
-    const double two[] = {1.0, 7.0}, three[] = {1.0, 7.0, 1.0};
-    (void)(check_top(2, two, 2.0, 1.0, -1.0, question) &&
+    const double two[] = {1.0, 15.0}, three[] = {1.0, 7.0, 1.0};
+    (void)(check_top(2, two, 2.0, 1.0, -1.5, question) &&
            check_top(3, three, 2.0, 1.0, -0.25, question));
 }
 

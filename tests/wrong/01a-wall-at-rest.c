@@ -1,0 +1,17 @@
+/* mistake: wall-at-rest */
+
+#include "exercise.h"
+
+void velocities_after(double u1, double u2, double im1, double im2,
+                      double v[2])
+{
+    double c;
+    if (im1 == 0) {
+        v[0] = u1;
+        v[1] = -u2;
+        return;
+    }
+    c = (im2 * u1 + im1 * u2) / (im1 + im2);
+    v[0] = 2 * c - u1;
+    v[1] = 2 * c - u2;
+}

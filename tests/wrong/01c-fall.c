@@ -1,0 +1,16 @@
+/* mistake: fall-not-subtracted */
+
+#include "exercise.h"
+#include <stddef.h>
+
+double top_velocity(size_t n, const double masses[], double speed,
+                    double restitution)
+{
+    double w = (1 + restitution) * speed;
+    size_t k;
+    for (k = 1; k < n; k++) {
+        double share = masses[k - 1] / (masses[k - 1] + masses[k]);
+        w *= (1 + restitution) * share;
+    }
+    return w;
+}

@@ -1,0 +1,15 @@
+/* mistake: degrees-for-radians */
+
+#include "exercise.h"
+#include <math.h>
+
+double impact_parameter(double r1, double r2, double im1, double im2,
+                        double deflection)
+{
+    double d = deflection * 180 / acos(-1.0);
+    double ratio = im2 / im1;
+    double s = ratio * sin(d);
+    if (s > 1 || (ratio >= 1 && d > 90))
+        return -1;
+    return (r1 + r2) * cos((d + asin(s)) / 2);
+}

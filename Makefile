@@ -20,9 +20,19 @@ NATIVE = -O3 -march=native -ffp-contract=off
 Q = $(if $(V),,@)
 say = $(if $(V),,@echo '  $(1)')
 
-# What is there.
-programs := $(notdir $(basename $(wildcard src/programs/*.c)))
-library := $(wildcard src/*.c src/toolbox/*.c)
+# What is there. What needs the GNU Scientific Library includes laws.h or
+# gsl/; without the library it is left out, and bare make says so.
+gsl_files := $(shell grep -lE '^.include ("laws.h"|<gsl/)' src/*.c \
+	src/programs/*.c tests/library/*.c tests/stability/*.c 2>/dev/null)
+gsl := $(shell printf '\043include <gsl/gsl_cdf.h>\n' | \
+	$(CC) $(CPPFLAGS) $(CFLAGS) -E - >/dev/null 2>&1 && echo yes)
+GSL_LIBS = -lgsl -lgslcblas
+without = $(if $(gsl),,$(gsl_files))
+programs := $(notdir $(basename $(filter-out $(without),\
+	$(wildcard src/programs/*.c))))
+library := $(filter-out $(without),$(wildcard src/*.c src/toolbox/*.c))
+# $(call gsl_libs,src/FILE.c): what to link it with.
+gsl_libs = $(if $(filter $(1),$(gsl_files)),$(GSL_LIBS))
 headers := $(wildcard src/*.h src/*/*.h)
 suites := $(basename $(notdir $(wildcard tests/exercises/*.c)))
 
@@ -36,24 +46,38 @@ programs: $(programs:%=build/bin/%)
 
 # A first result in seconds, and the next thing to try.
 first: programs
+	$(if $(gsl),,@echo 'Not built, for want of GSL (apt-get install\
+ --no-install-recommends libgsl-dev):' \
+		$(basename $(notdir $(filter src/programs/%,$(gsl_files)))))
 	@echo 'Two bodies meet: 1 kg at 1 m/s runs into 4 kg at rest.'
 	@build/bin/collide --velocities 1,0 --inverse-masses 1,0.25
 	@echo 'Next: make check (the exercises), make book (the PDF), make help'
+
+# OpenMP where the compiler has it, for the programs that can use all cores.
+build/openmp.mk:
+	@mkdir -p build
+	@echo 'int main(void) { return 0; }' >build/openmp.c
+	@$(CC) -fopenmp -o build/openmp build/openmp.c 2>/dev/null && \
+		echo 'OPENMP = -fopenmp' >$@ || echo 'OPENMP =' >$@
+include build/openmp.mk
+parallel := bonkers
+flags_of = $(if $(filter $(parallel),$(notdir $*)),$(OPENMP))
 
 # The portable build, and the same for this machine alone.
 define tree
 build/$(1)obj/%.o: src/%.c $$(headers) Makefile
 	@mkdir -p $$(@D)
 	$$(call say,cc $$<)
-	$$(Q)$$(CC) $$(STANDARD) $(2) -DBUILD_FLAGS='"$(strip $(2))"' -Isrc \
-		$$(CFLAGS) -c -o $$@ $$<
+	$$(Q)$$(CC) $$(STANDARD) $(2) $$(flags_of) \
+		-DBUILD_FLAGS='"$(strip $(2))"' -Isrc $$(CFLAGS) -c -o $$@ $$<
 build/$(1)obj/libbonkers.a: $$(library:src/%.c=build/$(1)obj/%.o)
 	@rm -f $$@
 	@ar rcs $$@ $$^
 build/$(1)bin/%: build/$(1)obj/programs/%.o build/$(1)obj/libbonkers.a
 	@mkdir -p $$(@D)
 	$$(call say,link $$@)
-	$$(Q)$$(CC) $(2) $$(CFLAGS) -o $$@ $$^ $$(LDFLAGS) -lm
+	$$(Q)$$(CC) $(2) $$(flags_of) $$(CFLAGS) -o $$@ $$^ $$(LDFLAGS) \
+		$$(call gsl_libs,src/programs/$$*.c) -lm
 endef
 $(eval $(call tree,,$(PORTABLE)))
 $(eval $(call tree,native/,$(NATIVE)))
@@ -64,6 +88,11 @@ native: $(programs:%=build/native/bin/%)
 # The speed tables of the chapters, on this machine.
 bench: native
 	build/native/bin/collide-forms --study cost --collisions 10000000
+	build/native/bin/bonkers-studies --study speed --summary -
+	build/native/bin/bonkers-studies --study steps
+	$(if $(gsl),build/native/bin/bonkers --preset thermal --every 0.24 \
+		--samples 400000 -o - | build/native/bin/histogram --skip 1 \
+		--column v9 --table cost -)
 
 ## ---- exercises: cc, make and CUnit ----------------------------------------
 
@@ -141,7 +170,7 @@ check-tangle:
 
 # What figures and transcripts are made from, read from the scripts and the
 # chapters. Goals that need no book do without.
-bookless := all first programs native bench check tangle check-tangle clean \
+bookless := all first programs native bench movie check tangle check-tangle clean \
 	help format memcheck
 ifneq ($(filter-out $(bookless),$(MAKECMDGOALS)),)
 build/recipes/rules.mk: chapters/recipes chapters plots \
@@ -151,9 +180,12 @@ include build/recipes/rules.mk
 endif
 
 # The first thing that book and figures look for is what they need.
-.PHONY: has-gnuplot has-tex
+.PHONY: has-gnuplot has-gsl has-tex
 has-gnuplot:
 	$(call need,gnuplot,gnuplot-nox fonts-lmodern)
+has-gsl:
+	$(if $(gsl),,@echo 'make: GSL is missing; install it with: apt-get install\
+ --no-install-recommends libgsl-dev' >&2; exit 1)
 has-tex: has-gnuplot
 	$(call need,notangle,noweb)
 	$(call need,latexmk,latexmk lmodern texlive-latex-extra \
@@ -161,7 +193,7 @@ has-tex: has-gnuplot
 	$(call need,pdflatex,texlive-latex-extra texlive-fonts-recommended)
 
 # QUALITY=lecture takes the longer runs and draws for a slide as well.
-figures: has-gnuplot programs $(FIGURES_PDF) $(FIGURES_SVG) \
+figures: has-gnuplot has-gsl programs $(FIGURES_PDF) $(FIGURES_SVG) \
 		$(if $(filter lecture,$(QUALITY)),$(FIGURES_LECTURE))
 	@echo 'Figures: build/figures/' \
 		$(if $(filter lecture,$(QUALITY)),'and build/lecture/')
@@ -178,11 +210,57 @@ build/bonkers$(edition).pdf: $(FIGURES_PDF) $(FIGURES_ALT) $(RUNS) \
 		tests/equations.txt
 	@EDITION=$(EDITION) chapters/make-book
 
+## ---- movies: gnuplot ------------------------------------------------------
+
+# Time between two rows, s: small enough that one sees a body fly from one
+# collision to the next. FPS of them fill a second of the movie, 460 all of it.
+every_four = 0.04
+every_mixed = 0.03
+every_cradle = 0.2
+every_thermal = 0.15
+every_piston = 0.06
+every_two = 0.1
+every_random = 0.2
+every_galperin = 0.005
+radii_four = 0.1
+movies = four mixed cradle thermal piston two random galperin
+
+PRESET = mixed
+EVERY = $(every_$(PRESET))
+FPS = 25
+movie = build/movies/$(PRESET)
+movie_run = build/bin/bonkers --preset $(PRESET) --every $(EVERY) \
+	$(if $(UNTIL),--until $(UNTIL),--samples 460) -o $(movie).dat
+movie_show = gnuplot -e "file='$(movie).dat'; name='$(PRESET)'; fps=$(FPS);\
+ radii='$(radii_$(PRESET))'$(1)" plots/movie.gp
+
+ifneq ($(filter movie,$(MAKECMDGOALS)),)
+ifneq ($(words $(PRESET)) $(filter $(PRESET),$(movies)),1 $(PRESET))
+$(error movie: PRESET: '$(PRESET)' is none of $(movies))
+endif
+endif
+
+.PHONY: movie
+movie: has-gnuplot $(movie)$(if $(LIVE),.dat,.gif)
+	$(if $(LIVE),@$(call movie_show),@echo 'The movie: $(movie).gif')
+
+$(movie).how: FORCE
+	@mkdir -p $(@D)
+	@echo '$(movie_run) FPS=$(FPS)' | cmp -s - $@ || \
+		echo '$(movie_run) FPS=$(FPS)' >$@
+$(movie).dat: build/bin/bonkers $(movie).how
+	$(call say,$(movie_run))
+	$(Q)$(movie_run)
+$(movie).gif: $(movie).dat plots/movie.gp plots/style.gp
+	$(call say,gnuplot plots/movie.gp)
+	$(Q)$(call movie_show,; output='$@.part')
+	@mv $@.part $@
+
 ## ---- proof ---------------------------------------------------------------
 
 TEST_SECONDS = 600
-unit_tests := $(patsubst tests/%.c,build/tests/%,\
-	$(wildcard tests/library/*.c tests/stability/*.c))
+unit_tests := $(patsubst tests/%.c,build/tests/%,$(filter-out $(without),\
+	$(wildcard tests/library/*.c tests/stability/*.c)))
 tools := $(patsubst tests/tools/%.c,build/tests/%,$(wildcard tests/tools/*.c))
 scripts := $(wildcard tests/stability/*.sh tests/programs/*.sh \
 	tests/examiner/*.sh tests/exercises/*.sh tests/kit/*.sh)
@@ -191,7 +269,8 @@ build/tests/%: tests/%.c $(wildcard tests/*.h tests/*/*.h) $(headers) build/obj/
 	@mkdir -p $(@D)
 	$(call say,cc $<)
 	$(Q)$(CC) $(STANDARD) $(PORTABLE) -Isrc -Itests $(CFLAGS) -o $@ $< \
-		build/obj/libbonkers.a $(LDFLAGS) -lcunit -lm
+		build/obj/libbonkers.a $(LDFLAGS) -lcunit \
+		$(call gsl_libs,tests/$*.c) -lm
 build/tests/%: tests/tools/%.c
 	@mkdir -p $(@D)
 	$(call say,cc $<)
@@ -217,7 +296,8 @@ build/memcheck/%: tests/%.c $(wildcard tests/*.h tests/*/*.h) $(headers) $(libra
 	@mkdir -p $(@D)
 	$(call say,cc $<)
 	$(Q)$(CC) $(STANDARD) -g -O1 -ffp-contract=off $(sanitizers) -Isrc -Itests \
-		$(CFLAGS) -o $@ $< $(library) $(LDFLAGS) -lcunit -lm
+		$(CFLAGS) -o $@ $< $(library) $(LDFLAGS) -lcunit \
+		$(if $(gsl),$(GSL_LIBS)) -lm
 
 # Every C file in the one layout; src/ is only compared, see the chapters.
 c_files = $(wildcard tests/*.h tests/*/*.[ch] solutions/*.c src/*.[ch] \
@@ -245,6 +325,7 @@ help:
 	@echo 'make figures      the figures; QUALITY=lecture for slides too'
 	@echo 'make test         prove everything: N passed, N failed'
 	@echo 'make programs     only build build/bin/'
+	@echo 'make movie        a run as a GIF: PRESET=cradle; LIVE=1 in a window'
 	@echo 'make native       the fastest build for this machine, build/native/'
 	@echo 'make bench        the speed tables, measured here'
 	@echo 'make memcheck     the library tests under sanitizers'

@@ -1,6 +1,7 @@
 /* From chapters/01-collide.nw: edit there, then run make tangle. */
-/* checksum 1948343929 of the lines below */
+/* checksum 573088420 of the lines below */
 #include "collide.h"
+#include "toolbox/bench.h"
 #include "toolbox/options.h"
 #include "toolbox/progress.h"
 #include "toolbox/quad.h"
@@ -12,7 +13,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #define PROGRAM "collide-forms"
 
@@ -43,31 +43,6 @@ static uint64_t next_stop(uint64_t n, uint64_t last)
             if (decade * steps[i] > n && decade * steps[i] < stop)
                 stop = decade * steps[i];
     return stop;
-}
-
-#ifndef BUILD_FLAGS
-#define BUILD_FLAGS "unknown flags"
-#endif
-#ifdef __clang__
-#define COMPILER "" /* clang's version string begins with its name */
-#else
-#define COMPILER "gcc "
-#endif
-
-/* Writes the processor's name, where Linux tells it, and the compiler. */
-static void name_machine(struct table *out)
-{
-    char line[256];
-    FILE *file = fopen("/proc/cpuinfo", "r");
-    while (file && fgets(line, sizeof line, file))
-        if (strncmp(line, "model name", 10) == 0) {
-            table_print(out, "# machine: %s", strchr(line, ':') + 2);
-            break;
-        }
-    if (file)
-        fclose(file);
-    table_print(out, "# compiler: %s%s, %s\n", COMPILER, __VERSION__,
-                BUILD_FLAGS);
 }
 
 struct rounding {
@@ -320,7 +295,7 @@ static bool study_map(struct settings *s)
     return true;
 }
 
-enum { PAIRS = 4096, ROUNDS = 5 };
+enum { PAIRS = 4096 };
 
 struct bench {
     double u[PAIRS][2], im[PAIRS][2];
@@ -329,49 +304,42 @@ struct bench {
 static double time_form(const struct bench *b, int form, uint64_t passes)
 {
     static double v[PAIRS][2];
-    const clock_t start = clock();
+    const double start = bench_seconds();
     memcpy(v, b->u, sizeof v);
     for (uint64_t k = 0; k < passes && !progress_signal(); ++k)
         for (int i = 0; i < PAIRS; ++i)
             collide_by(form, &v[i][0], &v[i][1], b->im[i][0], b->im[i][1],
                        1);
-    return (double)(clock() - start) / CLOCKS_PER_SEC * 1e9 /
-           ((double)passes * PAIRS);
-}
-
-static int by_size(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
+    return (bench_seconds() - start) * 1e9 / ((double)passes * PAIRS);
 }
 
 static bool study_cost(struct settings *s)
 {
     static struct bench b;
-    double times[COLLIDE_FORMS][ROUNDS];
+    double times[COLLIDE_FORMS][BENCH_ROUNDS];
     const uint64_t passes = s->collisions / PAIRS + 1;
     for (int i = 0; i < PAIRS; ++i)
         for (int body = 0; body < 2; ++body) {
             b.u[i][body] = random_between(&s->random, -1, 1);
             b.im[i][body] = random_between(&s->random, 0.5, 1.5);
         }
-    progress_begin(&s->progress, PROGRAM, ROUNDS, "rounds");
-    for (int round = -1; round < ROUNDS; ++round)
+    progress_begin(&s->progress, PROGRAM, BENCH_ROUNDS, "rounds");
+    for (int round = -1; round < BENCH_ROUNDS; ++round)
         for (int f = 0; f < COLLIDE_FORMS; ++f) {
             const double ns = time_form(&b, f, passes);
             times[f][round < 0 ? 0 : round] = ns;
         }
     if (progress_signal())
         return false;
-    name_machine(s->out);
+    bench_machine(s->out);
     table_column(s->out, "form", "", "a form of the collision formula");
     table_column(s->out, "median", "ns", "processor time a collision");
     table_column(s->out, "least", "ns", "the shortest of five");
     for (int f = 0; f < COLLIDE_FORMS; ++f) {
-        qsort(times[f], ROUNDS, sizeof times[f][0], by_size);
+        const double median = bench_median(times[f], BENCH_ROUNDS);
         table_print(s->out, "%-10s %6.2f %6.2f\n", collide_form_names[f],
-                    times[f][ROUNDS / 2], times[f][0]);
-        summarise(s, "ns", f, times[f][ROUNDS / 2]);
+                    median, times[f][0]);
+        summarise(s, "ns", f, median);
     }
     return true;
 }

@@ -1,0 +1,24 @@
+# data: plots/data/02-speed.dat
+# alt: Collisions per second against the number of particles from 4 to a million, both axes logarithmic, for four engines. At four particles all manage twenty to forty million. The naive engine and the scan fall in proportion to one over N, the scan a little above; the heap falls to about two million; the slab engine stays between ten and twenty million.
+width = 14
+height = 8.4
+load 'plots/style.gp'
+file = 'plots/data/02-speed.dat'
+set logscale xy
+set format x '10^{%T}'
+set format y '10^{%T}'
+set xlabel 'particles {/:Italic N}'
+set ylabel 'collisions per second' offset 0.5
+set xrange [3:1.6e6]
+set yrange [50:1e8]
+set lmargin at screen 0.12*room
+set bmargin at screen 0.145*room
+set tmargin at screen 0.97
+set rmargin at screen 0.98
+set key at graph 0.03,0.05 left bottom reverse Left samplen 2 spacing 1.1
+set label 1 '∝ 1/{/:Italic N}' at 2e4,1.6e5 tc rgb '#555555'
+plot 1.6e9/x ls 9, \
+     file using 1:5 with linespoints ls 1 title 'slab', \
+     file using 1:4 with linespoints ls 3 title 'heap', \
+     file using 1:3 with linespoints ls 2 title 'scan', \
+     file using 1:2 with linespoints ls 5 title 'naive'

@@ -1,0 +1,22 @@
+# data: plots/data/02-steps.dat
+# alt: Error of the positions after ten seconds against processor time, both axes logarithmic. Time steps fall slowly from an error of two metres at three microseconds to a tenth of a metre at a millisecond, drop tenfold, and then follow a line of slope minus one down to a fifth of a millimetre at a tenth of a second. The event-driven engine is a single point at six microseconds and ten to the minus fourteen metres.
+width = 12
+height = 7.6
+load 'plots/style.gp'
+file = 'plots/data/02-steps.dat'
+set logscale xy
+set format x '10^{%T}'
+set format y '10^{%T}'
+set xlabel 'processor time of the run (s)'
+set ylabel 'error of the positions (m)' offset 0.5
+set xrange [1e-6:1]
+set yrange [1e-15:100]
+set lmargin at screen 0.14*room
+set bmargin at screen 0.155*room
+set tmargin at screen 0.97
+set rmargin at screen 0.97
+set label 1 'time steps' at 1e-3,3 tc rgb red
+set label 2 'events' at 1.5e-5,1e-14 tc rgb blue
+plot 1.7e-5/x ls 9, \
+     file using 2:($1 > 0 ? $3 : NaN) with points ls 2, \
+     file using 2:($1 == 0 ? $3 : NaN) with points ls 1 ps 1.2*big

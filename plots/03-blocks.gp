@@ -1,0 +1,31 @@
+# data: build/data/03-blocks.dat
+# command: build/bin/bonkers --preset thermal --every 1 --samples 1000000 -o - | build/bin/histogram --skip 1 --block --column v9,v4 --table blocks -o build/data/03-blocks.dat -
+# alt: Error of a mean, in units of the naive error, against block length on logarithmic axes. For the kinetic energies it rises from one to about two, faster at first than later, and levels off at blocks of some hundred seconds, with error bars that grow to the right; for the velocity of the heaviest ball it falls to about one half. A line for exponential correlations levels off earlier.
+width = 14
+height = 7.5
+load 'plots/style.gp'
+file = 'build/data/03-blocks.dat'
+stats file index 0 using 3 every ::0::0 nooutput
+naive = STATS_min
+stats file index 0 using 5 every ::0::0 nooutput
+naive9 = STATS_min
+stats file index 1 using 5 every ::0::0 nooutput
+naive4 = STATS_min
+# exponential correlations of inefficiency g seen through blocks of length b
+phi(g) = (g-1)/(g+1)
+seen(b,g) = sqrt(g-(g**2-1)/(2*b)*(1-phi(g)**b))
+set logscale x
+set xrange [0.8:4e4]
+set yrange [0:3]
+set format x '10^{%T}'
+set xlabel 'block length  (s)'
+set ylabel 'error / naive error' offset 1
+set key at graph 0.02,0.97 left top reverse Left samplen 1.2 spacing 1.1
+set lmargin at screen 0.085*room
+set bmargin at screen 0.165*room
+set tmargin at screen 0.97
+set rmargin at screen 0.985
+plot seen(x,4.6) ls 9 lw 1.4*thick title 'exponential, {/:Italic g} = 4.6', \
+     file index 0 using 1:($5/naive9):($2 > 15 ? $6/naive9 : NaN) with yerrorbars ls 1 title 'kinetic energy of 9', \
+     file index 1 using 1:($5/naive4):($2 > 15 ? $6/naive4 : NaN) with yerrorbars ls 2 title 'kinetic energy of 4', \
+     file index 0 using 1:($3/naive):($2 > 15 ? $4/naive : NaN) with yerrorbars ls 3 title 'velocity of 9'

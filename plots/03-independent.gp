@@ -1,0 +1,26 @@
+# data: build/data/03-states.dat
+# command: build/bin/bonkers --preset thermal --every 10 --samples 2000 -o build/data/03-states.dat
+# alt: Scatter plot of velocity against position of the first ball: dense near the wall and near velocity zero, the same spread of velocities at every position. Contour lines of the product of the two laws follow the cloud.
+width = 14
+height = 7
+load 'plots/style.gp'
+file = 'build/data/03-states.dat'
+fast = sqrt(10/1.0405843665317702)
+# the density, in units of its greatest value, at (0, 0)
+f(x,v) = x >= 0 && x <= 11 && abs(v) < fast ? (1-x/11)**9*(1-(v/fast)**2)**3.5 : 0
+# the contour f = q solved for v
+edge(x,q) = q/(1-x/11)**9 < 1 ? fast*sqrt(1-(q/(1-x/11)**9)**(1/3.5)) : NaN
+# where it closes
+last(q) = 11*(1-q**(1/9.))
+set samples 2000
+set xrange [0:5]
+set yrange [-3.3:3.3]
+set xlabel '{/:Italic x}_1  (m)'
+set ylabel '{/:Italic v}_1  (m/s)' offset 1
+set lmargin at screen 0.085*room
+set bmargin at screen 0.18*room
+set tmargin at screen 0.97
+set rmargin at screen 0.985
+plot file every ::1 using 5:6 with points pt 7 ps 0.28*big lc rgb blue, \
+     for [q in '0.5 0.1 0.01'] edge(x,q+0) lc rgb dark lw 1.2*thick, \
+     for [q in '0.5 0.1 0.01'] -edge(x,q+0) lc rgb dark lw 1.2*thick

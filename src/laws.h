@@ -1,0 +1,75 @@
+/* From chapters/03-equilibrium.nw: edit there, then run make tangle. */
+/* checksum 2915570790 of the lines below */
+#ifndef LAWS_H
+#define LAWS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* The laws of equilibrium. */
+enum law_kind { LAW_NORMAL, LAW_MICROCANONICAL, LAW_BETA, LAW_MAXWELL };
+
+enum { LAW_PARAMETERS = 4 };
+
+/* A law with its parameters, in the order of laws_read. */
+struct law {
+    enum law_kind kind;
+    size_t given; /* how many of the parameters are known */
+    double parameter[LAW_PARAMETERS];
+};
+
+enum { LAW_CELLS = 20 }; /* equally probable bins of the chi-square test */
+
+/* How well samples obey a law. A probability is that of a result at
+   least as bad if they do. */
+struct law_test {
+    double distance;               /* between the two distributions */
+    double distance_probability;   /* NaN if the law was fitted */
+    double chi2, chi2_probability; /* of LAW_CELLS equal bins */
+    size_t degrees;                /* of freedom of chi2 */
+};
+
+/* Reads a law from text; what stands in brackets may be missing:
+     normal[:mean,sd]
+     microcanonical:n[,E,m]   a velocity of a body of mass m when n such
+                              velocity components share the energy E
+     beta:k,n[,low,high]      the k-th of n points between low and high
+     maxwell:kT[,m[,d]]       a velocity component of a body of mass m (1)
+                              at temperature kT; or, given d, its speed in
+                              d dimensions
+   Returns NULL, or what is wrong with the text. */
+const char *laws_read(const char *text, struct law *law);
+
+/* Fills in what was not given: low = 0 and high = 1, m = 1, otherwise from
+   a column's mean and standard deviation. Returns how many numbers were
+   taken from the column. */
+size_t laws_complete(struct law *law, double mean, double sd);
+
+/* The density of a complete law at x, in the inverse of x's unit, and the
+   probability of less than x (3.7, eq:velocity-law), (3.10,
+   eq:velocity-cdf), (3.12, eq:beta).
+ */
+double laws_density(const struct law *law, double x);
+double laws_below(const struct law *law, double x);
+
+/* The mean and the standard deviation of a complete law. */
+double laws_mean(const struct law *law);
+double laws_sd(const struct law *law);
+
+/* Tests n samples, of which every g-th is independent, against a complete
+   law of which `fitted` numbers were taken from the same samples. Returns
+   false without memory. Requires n >= 2, g > 0, fitted < LAW_CELLS - 1.
+   Sources: Kolmogorov's limit with Stephens' correction,
+   J. R. Statist. Soc. B 32, 115 (1970); Pearson's chi-square. */
+bool laws_test(const struct law *law, size_t n, const double x[], double g,
+               size_t fitted, struct law_test *t);
+
+/* The probability that Kolmogorov's distance times the root of the number
+   of samples, many, is more than lambda. */
+double laws_kolmogorov(double lambda);
+
+/* The probability that chi-square of so many degrees of freedom is more
+   than chi2. */
+double laws_chi2(double chi2, size_t degrees);
+
+#endif

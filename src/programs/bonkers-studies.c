@@ -1,0 +1,691 @@
+/* From chapters/02-bonkers.nw: edit there, then run make tangle. */
+/* checksum 1820643440 of the lines below */
+#include "bonkers.h"
+#include "collide.h"
+#include "start.h"
+#include "toolbox/bench.h"
+#include "toolbox/options.h"
+#include "toolbox/progress.h"
+#include "toolbox/quad.h"
+#include "toolbox/random.h"
+#include "toolbox/table.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define PROGRAM "bonkers-studies"
+
+struct settings {
+    size_t study;
+    uint64_t most, seed; /* collisions, or particles for the speed */
+    double until;
+    const char *output, *summary_path, *command;
+    struct table *out, *summary;
+    struct progress progress;
+};
+
+/* Ends the program where memory is short. */
+static void begin_or_exit(struct bonkers *b, const struct start_wish *wish,
+                          enum bonkers_engine engine)
+{
+    struct start start;
+    size_t wrong = 0;
+    if (!start_fill(&start, wish) ||
+        !bonkers_begin(b, &start, 1, engine, &wrong) || wrong < b->gaps) {
+        fprintf(stderr, PROGRAM ": no memory for the particles\n");
+        table_abandon();
+        exit(EXIT_FAILURE);
+    }
+    start_free(&start);
+}
+
+enum { LINE_BODIES = 32 }; /* most that such a line can hold */
+
+enum line_kind {
+    LINE_WIDE,   /* the widest precision */
+    LINE_SINGLE, /* float */
+    LINE_BIASED /* double, with the difference form (1.8, eq:restitution) */
+};
+
+/* A line with the naive engine. */
+struct line {
+    size_t gaps;
+    enum line_kind kind;
+    uint64_t collisions;
+    quad now, x[LINE_BODIES], v[LINE_BODIES], im[LINE_BODIES];
+};
+
+static quad rounded(const struct line *l, quad value)
+{
+    return l->kind == LINE_SINGLE   ? (quad)(float)value
+           : l->kind == LINE_BIASED ? (quad)(double)value
+                                    : value;
+}
+
+static void line_copy(struct line *l, const struct bonkers *b,
+                      enum line_kind kind)
+{
+    *l = (struct line){.gaps = b->gaps, .kind = kind};
+    for (size_t i = 0; i <= b->gaps && i < LINE_BODIES; ++i) {
+        l->x[i] = rounded(l, b->body[i].x);
+        l->v[i] = rounded(l, b->body[i].v);
+        l->im[i] = rounded(l, b->body[i].im);
+    }
+}
+
+/* When the first gap closes, from now; *first: which. */
+static quad line_wait(const struct line *l, size_t *first)
+{
+    quad least = -1;
+    for (size_t i = 0; i < l->gaps; ++i) {
+        const quad approach = rounded(l, l->v[i] - l->v[i + 1]);
+        const quad gap = rounded(l, l->x[i + 1] - l->x[i]);
+        if (!(approach > 0))
+            continue;
+        const quad wait = gap > 0 ? rounded(l, gap / approach) : 0;
+        if (least < 0 || wait < least) {
+            least = wait;
+            *first = i;
+        }
+    }
+    return least;
+}
+
+static void line_move(struct line *l, quad wait)
+{
+    for (size_t i = 0; i <= l->gaps; ++i)
+        l->x[i] = rounded(l, l->x[i] + rounded(l, l->v[i] * wait));
+    l->now = rounded(l, l->now + wait);
+}
+
+static void line_collide(struct line *l, size_t i)
+{
+    const quad a = l->im[i], b = l->im[i + 1], sum = rounded(l, a + b);
+    const quad change = rounded(l, 2 * (l->v[i] - l->v[i + 1]));
+    quad part_a = rounded(l, change * rounded(l, a / sum));
+    quad part_b = rounded(l, change * rounded(l, b / sum));
+    if (l->kind != LINE_BIASED && a < b)
+        part_b = rounded(l, change - part_a);
+    else if (l->kind != LINE_BIASED)
+        part_a = rounded(l, change - part_b);
+    l->v[i] = rounded(l, l->v[i] - part_a);
+    l->v[i + 1] = rounded(l, l->v[i + 1] + part_b);
+    ++l->collisions;
+}
+
+/* Runs on to the collision number n. Returns the line. */
+static struct line *line_run(struct line *l, uint64_t n)
+{
+    while (l->collisions < n) {
+        size_t first = 0;
+        line_move(l, line_wait(l, &first));
+        line_collide(l, first);
+    }
+    return l;
+}
+
+/* Runs on to the time t. */
+static void line_run_to(struct line *l, quad t)
+{
+    size_t first = 0;
+    quad wait;
+    while ((wait = line_wait(l, &first)) >= 0 && l->now + wait < t) {
+        line_move(l, wait);
+        line_collide(l, first);
+    }
+    line_move(l, t - l->now);
+}
+
+static double line_energy(const struct line *l)
+{
+    quad sum = 0;
+    for (size_t i = 1; i < l->gaps; ++i)
+        sum += l->v[i] * l->v[i] / l->im[i];
+    return (double)(sum / 2);
+}
+
+/* Collisions a second in a run that lasts a twentieth of one or more. */
+static double speed_of(struct bonkers *b)
+{
+    const double n = (double)b->gaps, bite = fmax(4, 1e5 / n);
+    const uint64_t before = b->collisions;
+    const double start = bench_seconds();
+    double seconds = 0;
+    while (seconds < 0.05) {
+        if (b->engine < BONKERS_HEAP)
+            bonkers_run(b, INFINITY,
+                        b->collisions + 1 + (uint64_t)(1e6 / n));
+        else
+            bonkers_run(b, b->now + bite, UINT64_MAX);
+        seconds = bench_seconds() - start;
+    }
+    return (double)(b->collisions - before) / seconds;
+}
+
+/* Medians of the engines' speeds at N; in speed[0] how much the slab
+   engine did twice, per cent. */
+static void compare_engines(struct settings *s, size_t movers,
+                            double speed[BONKERS_ENGINES])
+{
+    const struct start_wish wish = {
+        .kind = START_RANDOM, .movers = movers, .seed = s->seed};
+    double rounds[BONKERS_ENGINES][BENCH_ROUNDS];
+    struct bonkers b[BONKERS_ENGINES];
+    for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e)
+        begin_or_exit(&b[e], &wish, (enum bonkers_engine)e);
+    for (int k = -1; k < BENCH_ROUNDS; ++k)
+        for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e)
+            rounds[e][k < 0 ? 0 : k] = speed_of(&b[e]);
+    const struct bonkers *slab = &b[BONKERS_SLAB];
+    speed[0] = 100 * (double)slab->redone / (double)slab->collisions;
+    for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e) {
+        speed[e] = bench_median(rounds[e], BENCH_ROUNDS);
+        bonkers_free(&b[e]);
+    }
+}
+
+static const size_t sizes[] = {4,    10,    30,     100,
+                               1000, 10000, 100000, 1000000};
+enum { SIZES = sizeof sizes / sizeof sizes[0] };
+
+static bool study_speed(struct settings *s)
+{
+    double speed[SIZES][BONKERS_ENGINES];
+    size_t n = 0;
+    bench_machine(s->out);
+    table_column(s->out, "N", "", "particles");
+    for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e)
+        table_column(s->out, bonkers_engine_names[e], "1/s",
+                     "collisions a second of processor time");
+    progress_begin(&s->progress, PROGRAM, SIZES, "sizes");
+    for (; n < SIZES && sizes[n] <= s->most; ++n) {
+        compare_engines(s, sizes[n], speed[n]);
+        table_print(s->out, "%-7zu %9.4g %9.4g %9.4g %9.4g\n", sizes[n],
+                    speed[n][1], speed[n][2], speed[n][3], speed[n][4]);
+        progress_update(&s->progress, n, 0);
+        if (progress_signal())
+            return false;
+    }
+    for (size_t k = 0; k < n; ++k) {
+        char key[64];
+        for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e) {
+            snprintf(key, sizeof key, "%s/%s-%zu", bonkers_engine_names[e],
+                     bonkers_engine_names[e - 1], sizes[k]);
+            table_real(s->summary, key, speed[k][e] / speed[k][e - 1]);
+        }
+        snprintf(key, sizeof key, "slab/scan-%zu", sizes[k]);
+        table_real(s->summary, key,
+                   speed[k][BONKERS_SLAB] / speed[k][BONKERS_SCAN]);
+    }
+    if (n == SIZES) {
+        const double *thousand = speed[4], *million = speed[7];
+        table_real(s->summary, "slab/naive",
+                   million[BONKERS_SLAB] / million[BONKERS_NAIVE]);
+        table_real(s->summary, "heap-slowdown",
+                   thousand[BONKERS_HEAP] / million[BONKERS_HEAP]);
+        table_real(s->summary, "slab-slowdown",
+                   thousand[BONKERS_SLAB] / million[BONKERS_SLAB]);
+        table_real(s->summary, "redone-percent", million[0]);
+    }
+    return true;
+}
+
+/* For random velocities of two masses: how often g - q is a tie, and how
+   often a tie is rounded up. */
+static void throw_coins(struct table *summary, const char *name,
+                        double mass1, double mass2)
+{
+    enum { THROWS = 1000000 };
+    const double a = 1 / mass1, b = 1 / mass2;
+    const double smaller = (a < b ? a : b) / (a + b);
+    char key[64];
+    struct random r;
+    int ties = 0, up = 0;
+    random_seed(&r, 1);
+    for (int k = 0; k < THROWS; ++k) {
+        const double u1 = random_normal(&r), u2 = random_normal(&r);
+        const double g = 2 * fabs(u1 - u2), q = g * smaller, rest = g - q;
+        const double error = (double)(rest - ((quad)g - q));
+        const bool tie =
+            fabs(error) == (nextafter(rest, INFINITY) - rest) / 2;
+        ties += tie;
+        up += tie && error > 0;
+    }
+    snprintf(key, sizeof key, "ties_%s", name);
+    table_real(summary, key, 100.0 * ties / THROWS);
+    snprintf(key, sizeof key, "up_%s", name);
+    table_real(summary, key, ties > 0 ? 100.0 * up / ties : 0);
+}
+
+static void begin_whole_ratio(struct bonkers *b)
+{
+    if (!bonkers_create(b, 3, 1, BONKERS_SCAN)) {
+        fprintf(stderr, PROGRAM ": no memory for the particles\n");
+        table_abandon();
+        exit(EXIT_FAILURE);
+    }
+    b->body[1] = (struct bonkers_body){1, 1, 0, 1};
+    b->body[2] = (struct bonkers_body){2, -0.3, 0, 0.5};
+    b->body[3] = (struct bonkers_body){3, 0.77, 0, 1 / 1.5};
+    b->body[4].x = 4;
+    bonkers_start(b, NULL);
+}
+
+enum { SINGLE_MOST = 200000 }; /* collisions; they are slow */
+
+/* The next of 1, 2, 5, 10, ... above n. */
+static uint64_t next_stop(uint64_t n)
+{
+    uint64_t decade = 1;
+    while (10 * decade <= n)
+        decade *= 10;
+    return n < 2 * decade   ? 2 * decade
+           : n < 5 * decade ? 5 * decade
+                            : 10 * decade;
+}
+
+static bool study_drift(struct settings *s)
+{
+    const struct start_wish wish = {.kind = START_MIXED};
+    struct bonkers b, two;
+    double error = 0, single_error = 0, two_error = 0;
+    begin_or_exit(&b, &wish, BONKERS_SCAN);
+    struct line single;
+    const double start = bonkers_energy(&b);
+    line_copy(&single, &b, LINE_SINGLE);
+    begin_whole_ratio(&two);
+    const double two_start = bonkers_energy(&two);
+    progress_begin(&s->progress, PROGRAM, s->most, "collisions");
+    table_column(s->out, "n", "", "collisions");
+    table_column(s->out, "double", "", "relative error of the energy");
+    table_column(s->out, "whole", "", "the same, masses 1, 2 and 1.5");
+    table_column(s->out, "float", "", "the same in single precision");
+    for (uint64_t n = 100; n <= s->most && !progress_signal();
+         n = next_stop(n)) {
+        bonkers_run(&b, INFINITY, n);
+        bonkers_run(&two, INFINITY, n);
+        error = bonkers_energy(&b) / start - 1;
+        two_error = bonkers_energy(&two) / two_start - 1;
+        if (n <= SINGLE_MOST)
+            single_error = line_energy(line_run(&single, n)) / start - 1;
+        table_row(s->out, 4,
+                  (double[]){(double)n, error, two_error,
+                             n <= SINGLE_MOST ? single_error : NAN});
+        progress_update(&s->progress, n, n);
+    }
+    table_real(s->summary, "energy_error", error);
+    table_real(s->summary, "energy_error_whole", two_error);
+    table_real(s->summary, "energy_error_float", single_error);
+    throw_coins(s->summary, "whole", 1, 2);
+    throw_coins(s->summary, "mixed", 1, 1 / 0.9);
+    bonkers_free(&b);
+    bonkers_free(&two);
+    return !progress_signal();
+}
+
+static void turn_round(struct bonkers *b)
+{
+    bonkers_settle(b);
+    for (size_t i = 0; i <= b->gaps; ++i)
+        b->body[i].v = -b->body[i].v;
+    bonkers_start(b, NULL);
+}
+
+/* The largest distance from the start after n collisions and as much time
+   back again, by an engine. */
+static double miss(enum bonkers_engine engine, uint64_t n)
+{
+    const struct start_wish wish = {.kind = START_MIXED};
+    struct bonkers b, start;
+    double worst = 0;
+    begin_or_exit(&b, &wish, engine);
+    begin_or_exit(&start, &wish, engine);
+    bonkers_run(&b, INFINITY, n);
+    const double t = b.now;
+    turn_round(&b);
+    bonkers_run(&b, t, UINT64_MAX);
+    bonkers_settle(&b);
+    for (size_t i = 0; i <= b.gaps; ++i)
+        worst = fmax(worst, fabs(b.body[i].x - start.body[i].x));
+    bonkers_free(&b);
+    bonkers_free(&start);
+    return worst;
+}
+
+/* The same for a line. */
+static double line_miss(enum line_kind kind, uint64_t n)
+{
+    const struct start_wish wish = {.kind = START_MIXED};
+    struct bonkers b;
+    struct line l;
+    double worst = 0;
+    begin_or_exit(&b, &wish, BONKERS_SCAN);
+    line_copy(&l, &b, kind);
+    const double t = (double)line_run(&l, n)->now;
+    for (size_t i = 0; i <= l.gaps; ++i)
+        l.v[i] = -l.v[i];
+    l.now = 0;
+    line_run_to(&l, t);
+    for (size_t i = 0; i <= l.gaps; ++i)
+        worst = fmax(worst, fabs((double)l.x[i] - b.body[i].x));
+    bonkers_free(&b);
+    return worst;
+}
+
+static bool study_reverse(struct settings *s)
+{
+    progress_begin(&s->progress, PROGRAM, s->most, "collisions");
+    table_column(s->out, "n", "", "collisions there, and as many back");
+    table_column(s->out, "naive", "m", "largest error of a position");
+    table_column(s->out, "scan", "m", "the same");
+    table_column(s->out, "biased", "m", "the same, difference form");
+    table_column(s->out, "float", "m", "the same in single precision");
+    for (uint64_t n = 100; n <= s->most && !progress_signal();
+         n = next_stop(n)) {
+        const double row[] = {(double)n, miss(BONKERS_NAIVE, n),
+                              miss(BONKERS_SCAN, n),
+                              n <= 200000 ? line_miss(LINE_BIASED, n) : NAN,
+                              n <= 10000 ? line_miss(LINE_SINGLE, n) : NAN};
+        table_row(s->out, 5, row);
+        progress_update(&s->progress, n, 2 * n);
+        char key[32];
+        if (n == 1000 || n == 5000 || n == 10000 || n == 100000 ||
+            n == 1000000) {
+            snprintf(key, sizeof key, "scan_%d", (int)n);
+            table_real(s->summary, key, row[2]);
+            snprintf(key, sizeof key, "biased_%d", (int)n);
+            table_real(s->summary, key, row[3]);
+            snprintf(key, sizeof key, "float_%d", (int)n);
+            table_real(s->summary, key, row[4]);
+        }
+    }
+    return !progress_signal();
+}
+
+/* Walks for this many steps of dt. */
+static void walk(struct bonkers_body body[], size_t gaps, uint64_t steps,
+                 double dt)
+{
+    for (uint64_t k = 0; k < steps; ++k) {
+        for (size_t i = 0; i <= gaps; ++i)
+            body[i].x += body[i].v * dt;
+        for (size_t i = 0; i < gaps; ++i) {
+            struct bonkers_body *l = &body[i], *r = l + 1;
+            if (l->x > r->x && l->v > r->v)
+                collide(&l->v, &r->v, l->im, r->im, 1);
+        }
+    }
+}
+
+/* The root of the mean squared distance of the movers from the truth at
+   its time. */
+static double distance(const struct line *truth,
+                       const struct bonkers_body body[])
+{
+    double sum = 0;
+    for (size_t i = 1; i < truth->gaps; ++i) {
+        const double flight = (double)truth->now - body[i].since;
+        const quad x = body[i].x + body[i].v * flight;
+        const double d = (double)(x - truth->x[i]);
+        sum += d * d;
+    }
+    return sqrt(sum / (double)(truth->gaps - 1));
+}
+
+/* Walks from the start to the time s->until, again and again; returns the
+   processor time of once, s. body: where it ended. */
+static double time_walk(const struct settings *s, const struct bonkers *b,
+                        double dt, struct bonkers_body body[])
+{
+    const uint64_t steps = (uint64_t)(s->until / dt + 0.5);
+    const double start = bench_seconds();
+    double seconds = 0;
+    int times = 0;
+    for (; seconds < 0.02; ++times) {
+        memcpy(body, b->body, (b->gaps + 1) * sizeof body[0]);
+        walk(body, b->gaps, steps, dt);
+        seconds = bench_seconds() - start;
+    }
+    for (size_t i = 0; i <= b->gaps; ++i)
+        body[i].since = s->until;
+    return seconds / times;
+}
+
+/* The same for an engine. */
+static double time_events(const struct settings *s,
+                          const struct start_wish *wish,
+                          struct bonkers_body body[], uint64_t *collisions)
+{
+    double seconds = 0;
+    int times = 0;
+    for (; seconds < 0.02; ++times) {
+        struct bonkers b;
+        begin_or_exit(&b, wish, BONKERS_SCAN);
+        const double start = bench_seconds();
+        bonkers_run(&b, s->until, UINT64_MAX);
+        seconds += bench_seconds() - start;
+        *collisions = b.collisions;
+        memcpy(body, b.body, (b.gaps + 1) * sizeof body[0]);
+        bonkers_free(&b);
+    }
+    return seconds / times;
+}
+
+static bool study_steps(struct settings *s)
+{
+    const struct start_wish wish = {.kind = START_MIXED};
+    struct bonkers_body body[LINE_BODIES];
+    struct bonkers b;
+    struct line truth;
+    uint64_t n = 0;
+    begin_or_exit(&b, &wish, BONKERS_SCAN);
+    line_copy(&truth, &b, LINE_WIDE);
+    line_run_to(&truth, s->until);
+    bench_machine(s->out);
+    table_column(s->out, "dt", "s", "step; 0: event-driven");
+    table_column(s->out, "seconds", "s", "processor time of one run");
+    table_column(s->out, "error", "m",
+                 "root mean square error of positions");
+    progress_begin(&s->progress, PROGRAM, 0, "steps");
+    double seconds = time_events(s, &wish, body, &n), dt = 0.1;
+    const double error = distance(&truth, body);
+    table_print(s->out, "%-9d %9.4g %9.4g\n", 0, seconds, error);
+    for (; dt > 0.9e-6 && !progress_signal(); dt /= 2) {
+        seconds = time_walk(s, &b, dt, body);
+        table_print(s->out, "%-9.4g %9.4g %9.4g\n", dt, seconds,
+                    distance(&truth, body));
+    }
+    table_count(s->summary, "collisions", n);
+    table_real(s->summary, "error_events", error);
+    table_real(s->summary, "smallest_step", 2 * dt);
+    bonkers_free(&b);
+    return !progress_signal();
+}
+
+/* The number of collisions, or 0 when they collapse. */
+static uint64_t count_until_still(double restitution)
+{
+    struct bonkers b;
+    uint64_t n = 0;
+    if (!bonkers_create(&b, 2, restitution, BONKERS_SCAN))
+        return 0;
+    b.body[1] = (struct bonkers_body){1, 0, 0, 1};
+    b.body[2] = (struct bonkers_body){2, -1, 0, 1};
+    b.body[3].x = INFINITY;
+    bonkers_start(&b, NULL);
+    if (bonkers_run(&b, INFINITY, UINT64_MAX) == BONKERS_STILL)
+        n = b.collisions;
+    bonkers_free(&b);
+    return n;
+}
+
+static bool study_collapse(struct settings *s)
+{
+    const double pi = acos(-1);
+    double border = 0;
+    uint64_t next = 0;
+    progress_begin(&s->progress, PROGRAM, 0, "collisions");
+    table_column(s->out, "e", "", "restitution");
+    table_column(s->out, "n", "", "collisions; 0: without end");
+    table_column(s->out, "theory", "", "two to a round, pi/phi rounds");
+    for (int k = 40; k <= 300 && !progress_signal(); ++k) {
+        const double e = k / 500.0;
+        const double cosine = (1 - e) * (1 - e) / (4 * e);
+        const uint64_t n = count_until_still(e);
+        if (n == 0)
+            border = e;
+        else if (next == 0)
+            next = n;
+        table_row(s->out, 3,
+                  (double[]){e, (double)n,
+                             cosine < 1 ? 2 * pi / acos(cosine) : NAN});
+    }
+    table_real(s->summary, "border", border);
+    table_count(s->summary, "next", next);
+    return !progress_signal();
+}
+
+enum { SHOWN = 60, EVENTS = 32 };
+
+/* Where each body was at the start, at its collisions and at the end. */
+struct trail {
+    size_t count;
+    double x[EVENTS], t[EVENTS];
+};
+
+static void add_point(struct trail *trail, double x, double t)
+{
+    if (trail->count < EVENTS) {
+        trail->x[trail->count] = x;
+        trail->t[trail->count++] = t;
+    }
+}
+
+/* The gap that has just had its collision. */
+static size_t gap_of_now(const struct bonkers *b)
+{
+    size_t i = 0;
+    while (i + 1 < b->gaps &&
+           (b->body[i].since != b->now || b->body[i + 1].since != b->now))
+        ++i;
+    return i;
+}
+
+static bool study_islands(struct settings *s)
+{
+    const struct start_wish wish = {
+        .kind = START_RANDOM, .movers = SHOWN, .seed = s->seed};
+    static struct trail trail[SHOWN + 2];
+    static size_t hits[SHOWN + 1];
+    struct bonkers b;
+    begin_or_exit(&b, &wish, BONKERS_SCAN);
+    progress_begin(&s->progress, PROGRAM, 0, "collisions");
+    for (size_t i = 0; i <= b.gaps; ++i)
+        add_point(&trail[i], b.body[i].x, 0);
+    while (bonkers_run(&b, s->until, b.collisions + 1) != BONKERS_TIME) {
+        const size_t i = gap_of_now(&b);
+        ++hits[i];
+        add_point(&trail[i], b.body[i].x, b.now);
+        add_point(&trail[i + 1], b.body[i].x, b.now);
+    }
+    size_t island = 0, last = 0;
+    table_print(s->out,
+                "# x [m], t [s] of a body; an empty line after each\n");
+    for (size_t i = 0; i <= b.gaps; ++i) {
+        add_point(&trail[i],
+                  b.body[i].x + b.body[i].v * (b.now - b.body[i].since),
+                  b.now);
+        for (size_t k = 0; k < trail[i].count; ++k)
+            table_print(s->out, "%.6f %.6f\n", trail[i].x[k],
+                        trail[i].t[k]);
+        table_print(s->out, "\n");
+    }
+    table_print(s->out, "\n# x, t of a collision, its island\n");
+    for (size_t i = 0; i < b.gaps; ++i) {
+        if (hits[i] > 0 && (island == 0 || i > last + 2))
+            ++island;
+        last = hits[i] > 0 ? i : last;
+        for (size_t k = 1; hits[i] > 0 && k + 1 < trail[i].count; ++k)
+            for (size_t j = 1; j + 1 < trail[i + 1].count; ++j)
+                if (trail[i].t[k] == trail[i + 1].t[j])
+                    table_print(s->out, "%.6f %.6f %zu\n", trail[i].x[k],
+                                trail[i].t[k], island);
+    }
+    table_count(s->summary, "islands", island);
+    table_count(s->summary, "collisions", b.collisions);
+    bonkers_free(&b);
+    return true;
+}
+
+static const struct {
+    bool (*run)(struct settings *s);
+} studies[] = {{study_speed}, {study_drift},    {study_reverse},
+               {study_steps}, {study_collapse}, {study_islands}};
+
+static const char *const study_names[] = {
+    "speed", "drift", "reverse", "steps", "collapse", "islands", NULL};
+
+static const struct options_entry entries[] = {
+    {"study", 'y', "NAME",
+     "speed, drift, reverse, steps, collapse or islands"},
+    {"collisions", 'c', "N", "drift, reverse: most collisions (1000000)"},
+    {"particles", 'N', "N", "speed: most particles (1000000)"},
+    {"until", 't', "T", "steps, islands: length of the run, s (10)"},
+    {"seed", 's', "S", "of the random numbers (1)"},
+    {"output", 'o', "FILE", "for the table (standard output)"},
+    {"summary", 'S', "FILE", "for the results as lines: key value"},
+    {0}};
+
+static void read_settings(struct settings *s, int argc, char *argv[])
+{
+    struct options o;
+    int option;
+    bool chosen = false;
+    *s = (struct settings){.most = 1000000,
+                           .seed = 1,
+                           .until = 10,
+                           .summary_path = "/dev/null"};
+    options_begin(&o, PROGRAM, "Measure the engines of bonkers.", entries,
+                  argc, argv);
+    while ((option = options_next(&o)) != -1)
+        switch (option) {
+        case 'y':
+            s->study = options_choice(&o, study_names);
+            chosen = true;
+            break;
+        case 'c': s->most = options_count(&o, 100, 1000000000000); break;
+        case 'N': s->most = options_count(&o, 4, BONKERS_MOVERS); break;
+        case 't': s->until = options_real(&o, 1e-3, 1000); break;
+        case 's': s->seed = options_count(&o, 0, UINT64_MAX); break;
+        case 'o': s->output = options_text(&o); break;
+        case 'S': s->summary_path = options_text(&o); break;
+        }
+    s->command = options_command(&o);
+    if (!chosen)
+        options_fail(&o, "--study is needed: %s", entries[0].help);
+    if (strcmp(s->summary_path, s->output ? s->output : "-") == 0 &&
+        strcmp(s->summary_path, "/dev/null") != 0)
+        options_fail(&o, "--summary and the table would both go to '%s'",
+                     s->summary_path);
+}
+
+int main(int argc, char *argv[])
+{
+    struct settings s;
+    read_settings(&s, argc, argv);
+    s.out = table_open(PROGRAM, s.output);
+    s.summary = table_open(PROGRAM, s.summary_path);
+    if (!s.out || !s.summary)
+        return table_discard(s.out), table_discard(s.summary), EXIT_FAILURE;
+    progress_catch_signals();
+    table_begin(s.out, s.command, s.seed);
+    const bool done = studies[s.study].run(&s);
+    const bool whole = progress_end(&s.progress) && done;
+    const bool written = table_close(s.out);
+    if (whole && written)
+        return table_close(s.summary) ? EXIT_SUCCESS : EXIT_FAILURE;
+    table_discard(s.summary);
+    return EXIT_FAILURE;
+}

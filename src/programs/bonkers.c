@@ -1,0 +1,607 @@
+/* From chapters/04-piston.nw: edit there, then run make tangle. */
+/* checksum 2082600142 of the lines below */
+#include "bonkers.h"
+#include "start.h"
+#include "toolbox/options.h"
+#include "toolbox/progress.h"
+#include "toolbox/random.h"
+#include "toolbox/table.h"
+
+#include <math.h>
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#define PROGRAM "bonkers"
+
+enum { LISTED = 1000 }; /* most bodies that a list can give */
+
+struct settings {
+    struct start_wish wish;
+    bool preset;
+    size_t listed; /* bodies in the lists; 0: there are none */
+    const double *mass, *x, *v, *radius; /* the lists, or NULL */
+    double restitution, every, until;
+    uint64_t samples, collisions, members, threads;
+    enum bonkers_engine engine;
+    const char *output, *summary, *command;
+};
+
+static const struct options_entry entries[] = {
+    {"preset", 'p', "NAME",
+     "four, mixed, cradle, thermal, piston, adiabatic,\n"
+     "two, random or galperin (four)"},
+    {"particles", 'N', "N", "movers, for a preset that allows it"},
+    {"masses", 'm', "M1,..", "of the movers from left to right, kg"},
+    {"positions", 'x', "X1,..", "of their centres, m"},
+    {"velocities", 'v', "V1,..", "m/s"},
+    {"radii", 'a', "A1,..", "m (0)"},
+    {"walls", 'w', "L,R", "their positions, m; L alone: no right wall"},
+    {"mass-ratio", 'R', "R",
+     "two, galperin: of the second to the first;\n"
+     "piston, adiabatic: of the piston to the mean other"},
+    {"restitution", 'e', "E", "of every collision (1)"},
+    {"every", 'd', "DT", "a row at each multiple of this time, s"},
+    {"until", 't', "T", "stop at this time, s"},
+    {"samples", 'k', "K", "stop after so many rows behind the first"},
+    {"collisions", 'c', "C", "stop at this collision"},
+    {"ensemble", 'E', "K", "average over this many seeds (1)"},
+    {"threads", 'j', "N", "for an ensemble (all cores)"},
+    {"engine", 'g', "NAME", "auto, naive, scan, heap or slab (auto)"},
+    {"seed", 's', "S", "of the random numbers (1)"},
+    {"output", 'o', "FILE", "for the table (standard output)"},
+    {"summary", 'S', "FILE", "for the results as lines: key value"},
+    {0}};
+
+/* Reads a list into values; checks that each is within low and high. */
+static const double *read_list(struct options *o, struct settings *s,
+                               double values[], double low, double high)
+{
+    const size_t n = options_list(o, values, LISTED);
+    for (size_t i = 0; i < n; ++i)
+        if (!(values[i] >= low && values[i] <= high))
+            options_fail(o, "number %zu is %g, expected %g to %g", i + 1,
+                         values[i], low, high);
+    if (s->listed > 0 && s->listed != n)
+        options_fail(o,
+                     "%zu numbers found, expected %zu as in the list "
+                     "before",
+                     n, s->listed);
+    s->listed = n;
+    return values;
+}
+
+static void read_walls(struct options *o, struct start_wish *w)
+{
+    if (options_list(o, w->wall, 2) == 1)
+        w->wall[1] = INFINITY;
+    if (!(w->wall[0] < w->wall[1]))
+        options_fail(o, "'%s', expected the left one before the right one",
+                     options_text(o));
+    w->walls = true;
+}
+
+static void read_settings(struct settings *s, int argc, char *argv[])
+{
+    static double mass[LISTED], x[LISTED], v[LISTED], radius[LISTED];
+    struct options o;
+    int option;
+    *s = (struct settings){.wish.seed = 1,
+                           .restitution = 1,
+                           .members = 1,
+                           .until = INFINITY,
+                           .samples = UINT64_MAX,
+                           .collisions = UINT64_MAX,
+                           .summary = "/dev/null"};
+    options_begin(&o, PROGRAM, "Run bodies on a line between two walls.",
+                  entries, argc, argv);
+    while ((option = options_next(&o)) != -1)
+        switch (option) {
+        case 'p':
+            s->wish.kind = (enum start_kind)options_choice(&o, start_names);
+            s->preset = true;
+            break;
+        case 'N':
+            s->wish.movers = options_count(&o, 1, BONKERS_MOVERS);
+            break;
+        case 'm': s->mass = read_list(&o, s, mass, 1e-100, 1e100); break;
+        case 'x': s->x = read_list(&o, s, x, -1e100, 1e100); break;
+        case 'v': s->v = read_list(&o, s, v, -1e100, 1e100); break;
+        case 'a': s->radius = read_list(&o, s, radius, 0, 1e100); break;
+        case 'w': read_walls(&o, &s->wish); break;
+        case 'R': s->wish.ratio = options_real(&o, 1e-100, 1e100); break;
+        case 's': s->wish.seed = options_count(&o, 0, UINT64_MAX); break;
+        case 'e': s->restitution = options_real(&o, 0, 1); break;
+        case 'd':
+            s->every = options_real(&o, OPTIONS_POSITIVE, INFINITY);
+            break;
+        case 't': s->until = options_real(&o, 0, INFINITY); break;
+        case 'k': s->samples = options_count(&o, 1, UINT64_MAX - 1); break;
+        case 'c':
+            s->collisions = options_count(&o, 0, UINT64_MAX - 1);
+            break;
+        case 'E': s->members = options_count(&o, 1, 100000000); break;
+        case 'j': s->threads = options_count(&o, 1, 1024); break;
+        case 'g':
+            s->engine = (enum bonkers_engine)options_choice(
+                &o, bonkers_engine_names);
+            break;
+        case 'o': s->output = options_text(&o); break;
+        case 'S': s->summary = options_text(&o); break;
+        }
+    s->command = options_command(&o);
+    if (s->listed > 0 && s->wish.movers > 0 && s->wish.movers != s->listed)
+        options_fail(&o, "--particles is %zu, but the lists have %zu",
+                     s->wish.movers, s->listed);
+    if (s->listed > 0)
+        s->wish.movers = s->listed;
+    if (s->listed > 0 && !s->preset && !s->x)
+        options_fail(&o, "lists without a preset need --positions");
+    if (!(s->listed > 0 && !s->preset) &&
+        !start_allows(s->wish.kind, s->wish.movers))
+        options_fail(&o, "--particles: %s cannot have %zu movers",
+                     start_names[s->wish.kind], s->wish.movers);
+    if (s->wish.ratio > 0 && !start_has_ratio(s->wish.kind))
+        options_fail(&o,
+                     "--mass-ratio is for --preset two, galperin, piston "
+                     "and adiabatic");
+    if (s->samples < UINT64_MAX && s->every == 0)
+        options_fail(&o, "--samples needs --every");
+    if (s->members > 1 && s->collisions < UINT64_MAX)
+        options_fail(&o,
+                     "--ensemble: members reach a collision at different "
+                     "times; use --until or --samples");
+    if (s->members > 1 && s->restitution < 1)
+        options_fail(&o, "--ensemble needs --restitution 1");
+    if (strcmp(s->summary, s->output ? s->output : "-") == 0 &&
+        strcmp(s->summary, "/dev/null") != 0)
+        options_fail(&o, "--summary and the table would both go to '%s'",
+                     s->summary);
+}
+
+static bool make_start(struct start *s, const struct settings *set,
+                       uint64_t seed)
+{
+    struct start_wish wish = set->wish;
+    wish.seed = seed;
+    const size_t size = set->listed * sizeof(double);
+    if (set->preset || set->listed == 0) {
+        if (!start_fill(s, &wish))
+            return false;
+    } else if (!start_create(s, set->listed)) {
+        return false;
+    } else {
+        s->wall[1] = set->x[set->listed - 1] + 1;
+        s->until = 50;
+        if (wish.walls)
+            memcpy(s->wall, wish.wall, sizeof s->wall);
+    }
+    if (set->mass)
+        memcpy(s->mass, set->mass, size);
+    if (set->x)
+        memcpy(s->x, set->x, size);
+    if (set->v)
+        memcpy(s->v, set->v, size);
+    if (set->radius)
+        memcpy(s->radius, set->radius, size);
+    return true;
+}
+
+static void name_body(char text[], size_t size, size_t i, size_t gaps)
+{
+    if (i == 0 || i == gaps)
+        snprintf(text, size, "the %s wall", i == 0 ? "left" : "right");
+    else
+        snprintf(text, size, "mover %zu", i);
+}
+
+/* Begins a run; ends the program when that cannot be. */
+static void begin_or_exit(struct bonkers *b, const struct settings *set,
+                          uint64_t seed, double *until)
+{
+    struct start s;
+    size_t wrong;
+    if (!make_start(&s, set, seed) ||
+        !bonkers_begin(b, &s, set->restitution, set->engine, &wrong)) {
+        fprintf(stderr, PROGRAM ": no memory for the particles\n");
+        table_abandon();
+        exit(EXIT_FAILURE);
+    }
+    if (wrong < b->gaps) {
+        char left[40], right[40];
+        name_body(left, sizeof left, wrong, b->gaps);
+        name_body(right, sizeof right, wrong + 1, b->gaps);
+        fprintf(stderr,
+                PROGRAM
+                ": --positions: %s and %s overlap; expected the bodies "
+                "from left to right with room for their radii\n",
+                left, right);
+        exit(OPTIONS_FAILURE);
+    }
+    *until = s.until;
+    start_free(&s);
+}
+
+struct run {
+    struct bonkers b;
+    double until, every;
+    uint64_t samples, rows; /* rows behind the first: most, so far */
+    double start_energy, seconds;
+    enum bonkers_stop stop;
+    bool over;
+    struct progress *progress; /* or NULL */
+};
+
+static void begin_run(struct run *r, const struct settings *s,
+                      uint64_t seed)
+{
+    double usual;
+    *r = (struct run){.every = s->every, .samples = s->samples};
+    begin_or_exit(&r->b, s, seed, &usual);
+    const bool limited = s->until < INFINITY || s->samples < UINT64_MAX ||
+                         s->collisions < UINT64_MAX;
+    r->until = limited ? s->until : usual;
+    r->start_energy = bonkers_energy(&r->b);
+}
+
+enum { PARTS = 1000000 };
+
+static void show_progress(const struct run *r)
+{
+    const double end = fmin(r->until, r->samples < UINT64_MAX
+                                          ? (double)r->samples * r->every
+                                          : INFINITY);
+    const double share = end < INFINITY ? r->b.now / end : 0;
+    progress_update(r->progress, (uint64_t)(share * PARTS),
+                    r->b.collisions);
+}
+
+static enum bonkers_stop run_bites(struct run *r, double until,
+                                   uint64_t collisions)
+{
+    struct bonkers *b = &r->b;
+    const bool reads_all =
+        b->engine == BONKERS_NAIVE || b->engine == BONKERS_SCAN;
+    const uint64_t bite = reads_all ? 100000000 / b->gaps + 1
+                                    : 1000000 + 4 * (uint64_t)b->gaps;
+    enum bonkers_stop stop;
+    const clock_t start = clock();
+    do {
+        const uint64_t next = collisions - b->collisions > bite
+                                  ? b->collisions + bite
+                                  : collisions;
+        stop = bonkers_run(b, until, next);
+        if (r->progress)
+            show_progress(r);
+    } while (stop == BONKERS_COLLISIONS && b->collisions < collisions &&
+             !progress_signal());
+    r->seconds += (double)(clock() - start) / CLOCKS_PER_SEC;
+    return stop;
+}
+
+/* Runs to the next row and stands there. r->over: it is the last. */
+static void run_to_row(struct run *r, uint64_t collisions)
+{
+    const double clock =
+        r->every > 0 ? (double)(r->rows + 1) * r->every : INFINITY;
+    const bool last = clock >= r->until - 1e-9 * r->every;
+    r->stop = run_bites(r, last ? r->until : clock, collisions);
+    ++r->rows;
+    r->over = last || r->stop != BONKERS_TIME || r->rows == r->samples ||
+              (r->until == INFINITY && r->samples == UINT64_MAX &&
+               bonkers_is_still(&r->b)) ||
+              progress_signal();
+}
+
+/* Names the columns; per: how many there are for each body. */
+static void name_columns(struct table *out, size_t gaps,
+                         const char *const symbols[],
+                         const char *const units[],
+                         const char *const words[], size_t per)
+{
+    table_column(out, "t", "s", "time");
+    table_column(out, "energy", "J", "kinetic energy of the movers");
+    for (size_t i = 0; i <= gaps; ++i)
+        for (size_t k = 0; k < per; ++k) {
+            char symbol[32], meaning[64], whose[40];
+            name_body(whose, sizeof whose, i, gaps);
+            if (i == 0 || i == gaps)
+                snprintf(symbol, sizeof symbol, "%s%c", symbols[k],
+                         i == 0 ? 'L' : 'R');
+            else
+                snprintf(symbol, sizeof symbol, "%s%zu", symbols[k], i);
+            snprintf(meaning, sizeof meaning, "%s of %s", words[k], whose);
+            table_column(out, symbol, units[k], meaning);
+        }
+}
+
+/* The masses, for whoever wants to weigh the columns. */
+static void name_masses(struct table *out, const struct bonkers *b)
+{
+    if (b->gaps > LISTED)
+        return;
+    table_print(out, "# masses:");
+    for (size_t i = 1; i < b->gaps; ++i)
+        table_print(out, " %.17g", 1 / b->body[i].im);
+    table_print(out, "\n");
+}
+
+static void write_row(struct table *out, struct bonkers *b, double row[])
+{
+    double *x = row + 2 + 2 * (b->gaps + 1), *v = x + b->gaps + 1;
+    bonkers_state(b, x, v);
+    row[0] = b->now;
+    row[1] = bonkers_energy(b);
+    for (size_t i = 0; i <= b->gaps; ++i) {
+        row[2 + 2 * i] = x[i];
+        row[3 + 2 * i] = v[i];
+    }
+    table_row(out, 2 + 2 * (b->gaps + 1), row);
+}
+
+static bool write_run(struct table *out, struct run *r,
+                      const struct settings *s)
+{
+    double *row = malloc((2 + 4 * (r->b.gaps + 1)) * sizeof *row);
+    if (!row) {
+        fprintf(stderr, PROGRAM ": no memory for a row\n");
+        return false;
+    }
+    name_masses(out, &r->b);
+    name_columns(out, r->b.gaps, (const char *const[]){"x", "v"},
+                 (const char *const[]){"m", "m/s"},
+                 (const char *const[]){"position", "velocity"}, 2);
+    write_row(out, &r->b, row);
+    while (!r->over) {
+        run_to_row(r, s->collisions);
+        write_row(out, &r->b, row);
+    }
+    free(row);
+    return true;
+}
+
+enum { BATCH = 16 };
+
+/* Sums over the members: for each row and body x, v, T and the sum of
+   squared deviations of T. */
+struct ensemble {
+    size_t rows, bodies;
+    uint64_t members;
+    double *time, *mean;   /* rows; rows * bodies * 4 */
+    double *batch[BATCH];  /* rows * bodies * 3 */
+    struct run run[BATCH]; /* the last that ran there */
+};
+
+/* Runs one member and keeps its rows. */
+static void run_member(struct ensemble *e, int place,
+                       const struct settings *s, uint64_t seed)
+{
+    struct run *r = &e->run[place];
+    double *x = malloc(2 * e->bodies * sizeof *x), *v = x + e->bodies;
+    begin_run(r, s, seed);
+    for (size_t row = 0; x && row < e->rows; ++row) {
+        double *to = e->batch[place] + 3 * e->bodies * row;
+        if (row > 0)
+            run_to_row(r, UINT64_MAX);
+        bonkers_state(&r->b, x, v);
+        for (size_t i = 0; i < e->bodies; ++i, to += 3) {
+            const double im = r->b.body[i].im;
+            to[0] = x[i];
+            to[1] = v[i];
+            to[2] = im > 0 ? v[i] * v[i] / im / 2 : 0;
+        }
+        if (place == 0) /* the times are those of every member */
+            e->time[row] = r->b.now;
+    }
+    free(x);
+}
+
+static void add_member(struct ensemble *e, int place)
+{
+    const double k = (double)++e->members;
+    const size_t entries = e->rows * e->bodies;
+    for (size_t i = 0; i < entries; ++i) {
+        const double *of = e->batch[place] + 3 * i;
+        double *to = e->mean + 4 * i;
+        const double deviation = of[2] - to[2];
+        to[0] += of[0];
+        to[1] += of[1];
+        to[2] += deviation / k;
+        to[3] += deviation * (of[2] - to[2]);
+    }
+}
+
+/* Runs up to `count` members at a time, then adds them up in order.
+   Returns how many: none when a signal has come. */
+static int run_batch(struct ensemble *e, const struct settings *s,
+                     const uint64_t seeds[], int count)
+{
+#ifdef _OPENMP
+#pragma omp parallel for schedule(dynamic)
+#endif
+    for (int place = 0; place < count; ++place)
+        run_member(e, place, s, seeds[place]);
+    const int whole = progress_signal() ? 0 : count;
+    for (int place = 0; place < whole; ++place)
+        add_member(e, place);
+    return whole;
+}
+
+static bool make_ensemble(struct ensemble *e, const struct run *r)
+{
+    const double until = fmin(r->until, r->samples < UINT64_MAX
+                                            ? (double)r->samples * r->every
+                                            : INFINITY);
+    const double rows = r->every > 0 ? ceil(until / r->every - 1e-9) : 1;
+    if (!(rows < 1e9))
+        return false;
+    *e = (struct ensemble){.rows = (size_t)rows + 1,
+                           .bodies = r->b.gaps + 1};
+    const size_t entries = e->rows * e->bodies;
+    bool enough = (e->time = malloc(e->rows * sizeof *e->time)) &&
+                  (e->mean = calloc(4 * entries, sizeof *e->mean));
+    for (int place = 0; place < BATCH; ++place)
+        enough = enough &&
+                 (e->batch[place] = malloc(3 * entries * sizeof(double)));
+    return enough;
+}
+
+static void write_ensemble(struct table *out, const struct ensemble *e,
+                           double row[])
+{
+    const double k = (double)e->members;
+    for (size_t n = 0; n < e->rows; ++n) {
+        const double *mean = e->mean + 4 * n * e->bodies;
+        row[0] = e->time[n];
+        row[1] = 0;
+        for (size_t i = 0; i < e->bodies; ++i, mean += 4) {
+            double *to = row + 2 + 4 * i;
+            to[0] = mean[0] / k;
+            to[1] = mean[1] / k;
+            row[1] += to[2] = mean[2];
+            to[3] = sqrt(mean[3] / (k - 1) / k);
+        }
+        table_row(out, 2 + 4 * e->bodies, row);
+    }
+}
+
+struct totals {
+    uint64_t collisions, disorder, rows;
+    double time, seconds, energy_error;
+};
+
+static void add_run(struct totals *t, const struct run *r)
+{
+    const double energy = bonkers_energy(&r->b);
+    const double error =
+        r->start_energy > 0 ? energy / r->start_energy - 1 : 0;
+    t->collisions += r->b.collisions;
+    t->disorder += r->b.disorder;
+    t->rows = r->rows;
+    t->time = r->b.now;
+    t->seconds += r->seconds;
+    if (fabs(error) > fabs(t->energy_error))
+        t->energy_error = error;
+}
+
+static void write_summary(struct table *out, const struct totals *t,
+                          const struct settings *s,
+                          enum bonkers_engine engine)
+{
+    table_count(out, "collisions", t->collisions);
+    table_count(out, "samples", t->rows);
+    table_real(out, "time", t->time);
+    table_real(out, s->restitution < 1 ? "energy_change" : "energy_error",
+               t->energy_error);
+    table_text(out, "engine", bonkers_engine_names[engine]);
+    table_real(out, "collisions_per_second",
+               t->seconds > 0 ? (double)t->collisions / t->seconds : 0);
+    table_count(out, "order_violations", t->disorder);
+    if (s->members > 1)
+        table_count(out, "members", s->members);
+}
+
+static bool run_ensemble(struct table *out, struct ensemble *e,
+                         const struct settings *s, struct totals *t,
+                         struct progress *p)
+{
+    struct random r;
+    double *row = malloc((2 + 4 * e->bodies) * sizeof *row);
+    uint64_t seeds[BATCH];
+    int done = BATCH;
+    random_seed(&r, s->wish.seed);
+    for (uint64_t k = 0; row && k < s->members && done > 0; k += BATCH) {
+        const uint64_t left = s->members - k;
+        const int count = left < BATCH ? (int)left : BATCH;
+        for (int i = 0; i < count; ++i)
+            seeds[i] = random_bits(&r);
+        done = run_batch(e, s, seeds, count);
+        for (int i = 0; i < done; ++i)
+            add_run(t, &e->run[i]);
+        for (int i = 0; i < count; ++i)
+            bonkers_free(&e->run[i].b);
+        progress_update(p, k + (uint64_t)done, t->collisions);
+    }
+    if (row && e->members > 1)
+        write_ensemble(out, e, row);
+    free(row);
+    return done > 0;
+}
+
+/* An ensemble from beginning to end. */
+static bool average(struct table *out, const struct run *first,
+                    const struct settings *s, struct totals *t,
+                    struct progress *p)
+{
+    static struct ensemble e;
+    bool done = make_ensemble(&e, first);
+    if (!done)
+        fprintf(stderr, PROGRAM ": no memory for the rows; use fewer\n");
+    if (done) {
+        name_masses(out, &first->b);
+        name_columns(out, first->b.gaps,
+                     (const char *const[]){"x", "v", "T", "s"},
+                     (const char *const[]){"m", "m/s", "J", "J"},
+                     (const char *const[]){"mean position", "mean velocity",
+                                           "mean kinetic energy",
+                                           "standard error of T"},
+                     4);
+        done = run_ensemble(out, &e, s, t, p);
+    }
+    for (int place = 0; place < BATCH; ++place)
+        free(e.batch[place]);
+    free(e.mean);
+    free(e.time);
+    return done;
+}
+
+static bool say_collapse(const struct run *r)
+{
+    if (r->stop == BONKERS_COLLAPSE)
+        fprintf(stderr,
+                PROGRAM ": inelastic collapse at t = %.17g s: the clock "
+                        "stands still after %llu collisions\n",
+                r->b.now, (unsigned long long)r->b.collisions);
+    return r->stop == BONKERS_COLLAPSE;
+}
+
+int main(int argc, char *argv[])
+{
+    struct settings s;
+    struct run r;
+    struct totals t = {0};
+    struct progress p;
+    read_settings(&s, argc, argv);
+    begin_run(&r, &s, s.wish.seed);
+    struct table *out = table_open(PROGRAM, s.output);
+    struct table *summary = table_open(PROGRAM, s.summary);
+    if (!out || !summary)
+        return table_discard(out), table_discard(summary), EXIT_FAILURE;
+    progress_catch_signals();
+#ifdef _OPENMP
+    if (s.threads > 0)
+        omp_set_num_threads((int)s.threads);
+#endif
+    table_begin(out, s.command, s.wish.seed);
+    progress_begin(&p, PROGRAM, s.members > 1 ? s.members : PARTS,
+                   "collisions");
+    r.progress = &p;
+    const bool done = s.members > 1 ? average(out, &r, &s, &t, &p)
+                                    : write_run(out, &r, &s);
+    if (s.members == 1)
+        add_run(&t, &r);
+    const bool whole = progress_end(&p) && done;
+    const bool collapsed = s.members == 1 && say_collapse(&r);
+    const bool written = table_close(out);
+    write_summary(summary, &t, &s, r.b.engine);
+    bonkers_free(&r.b);
+    if (whole && written)
+        return table_close(summary) && !collapsed ? EXIT_SUCCESS
+                                                  : EXIT_FAILURE;
+    table_discard(summary);
+    return EXIT_FAILURE;
+}

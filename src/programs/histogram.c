@@ -1,0 +1,799 @@
+/* From chapters/03-equilibrium.nw: edit there, then run make tangle. */
+/* checksum 3854710135 of the lines below */
+#include "laws.h"
+#include "statistics.h"
+#include "toolbox/bench.h"
+#include "toolbox/options.h"
+#include "toolbox/table.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define PROGRAM "histogram"
+
+enum { MOST_COLUMNS = 1024, NAME_LENGTH = 32 };
+
+enum kind { HISTOGRAM, COLUMNS, BLOCKS, CORRELATION, COST };
+
+struct settings {
+    const char *columns, *against, *file, *output, *summary_path, *command;
+    enum kind kind;
+    uint64_t bins, skip; /* bins = 0: as many as suit the data */
+    bool fit, block;
+    double range[MOST_COLUMNS][2];
+    struct law law[MOST_COLUMNS];
+    size_t ranges, laws; /* 0, 1 for all columns, or one for each */
+    struct table *out, *summary;
+};
+
+struct column {
+    size_t number; /* in the file, from 1 on */
+    char name[NAME_LENGTH], unit[NAME_LENGTH];
+    double *x;
+};
+
+struct columns {
+    size_t count, rows, room, last; /* the last that a row must have */
+    struct column column[MOST_COLUMNS];
+    bool against; /* the last one is only there to be compared with */
+    uint64_t line, seed;
+    char *made_by; /* the command in the file's head, if any */
+};
+/* Says what is wrong with the input, in which line, and ends. */
+static _Noreturn void bad_input(const struct settings *s,
+                                const struct columns *c, const char *format,
+                                ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    fprintf(stderr, PROGRAM ": %s:", s->file);
+    if (c->line > 0)
+        fprintf(stderr, "%llu:", (unsigned long long)c->line);
+    fprintf(stderr, " ");
+    vfprintf(stderr, format, arguments);
+    fprintf(stderr, "\n");
+    va_end(arguments);
+    table_discard(s->out);
+    table_discard(s->summary);
+    exit(OPTIONS_FAILURE);
+}
+
+static _Noreturn void no_memory(const struct settings *s,
+                                const struct columns *c)
+{
+    bad_input(s, c, "no memory for %zu rows", c->rows);
+}
+struct head {
+    struct {
+        char name[NAME_LENGTH], unit[NAME_LENGTH];
+    } column[MOST_COLUMNS];
+};
+
+/* Reads "# 3 x1 [m] ...", "# command: ..." or "# seed: ...". */
+static void read_head(struct head *h, struct columns *c, const char *text)
+{
+    char name[NAME_LENGTH], unit[NAME_LENGTH];
+    size_t number;
+    unsigned long long seed;
+    if (sscanf(text, "# %zu %31s [%31[^]]]", &number, name, unit) == 3 &&
+        number >= 1 && number <= MOST_COLUMNS) {
+        strcpy(h->column[number - 1].name, name);
+        strcpy(h->column[number - 1].unit, unit);
+    } else if (sscanf(text, "# seed: %llu", &seed) == 1)
+        c->seed = seed;
+    else if (strncmp(text, "# command: ", 11) == 0 && !c->made_by)
+        c->made_by = strdup(text + 11);
+}
+
+static bool blank(char letter)
+{
+    return letter == ' ' || letter == '\t' || letter == '\n' ||
+           letter == '\r';
+}
+
+/* The field after this one, or the end of the row. */
+static const char *next_field(const char *text)
+{
+    while (*text && !blank(*text))
+        ++text;
+    while (blank(*text))
+        ++text;
+    return text;
+}
+
+static size_t count_fields(const char *row)
+{
+    size_t fields = 0;
+    for (; *row; row = next_field(row))
+        ++fields;
+    return fields;
+}
+
+static size_t find_column(struct settings *s, struct columns *c,
+                          const struct head *h, const char *name,
+                          size_t fields)
+{
+    const size_t length = strcspn(name, ",");
+    char *end;
+    const unsigned long long number = strtoull(name, &end, 10);
+    if (isdigit((unsigned char)*name) && end == name + length) {
+        if (number < 1 || number > fields)
+            bad_input(s, c, "no column %llu: the row has %zu", number,
+                      fields);
+        return number;
+    }
+    for (size_t k = 0; k < MOST_COLUMNS; ++k)
+        if (length > 0 && strlen(h->column[k].name) == length &&
+            strncmp(h->column[k].name, name, length) == 0)
+            return k + 1;
+    bad_input(s, c, "no column '%.*s' is named in the lines above",
+              (int)length, name);
+}
+
+static void add_column(struct settings *s, struct columns *c,
+                       const struct head *h, size_t number)
+{
+    struct column *new = &c->column[c->count];
+    if (c->count == MOST_COLUMNS || number > MOST_COLUMNS)
+        bad_input(s, c, "more than %d columns", MOST_COLUMNS);
+    new->number = number;
+    strcpy(new->name, h->column[number - 1].name);
+    strcpy(new->unit, h->column[number - 1].unit);
+    if (!*new->name)
+        snprintf(new->name, sizeof new->name, "c%zu", number);
+    if (!*new->unit)
+        strcpy(new->unit, "1");
+    c->last = number > c->last ? number : c->last;
+    ++c->count;
+}
+
+static void choose_columns(struct settings *s, struct columns *c,
+                           const struct head *h, const char *row)
+{
+    const char *rest = s->columns;
+    size_t fields = count_fields(row);
+    if (strcmp(rest, "all") == 0)
+        for (size_t k = 1; k <= fields; ++k)
+            add_column(s, c, h, k);
+    else
+        for (; *rest; rest += strcspn(rest, ",") + (strchr(rest, ',') != 0))
+            add_column(s, c, h, find_column(s, c, h, rest, fields));
+    if (s->against)
+        add_column(s, c, h, find_column(s, c, h, s->against, fields));
+    c->against = s->against != NULL;
+    const size_t wanted = c->count - c->against;
+    if (s->laws > 1 && s->laws != wanted)
+        bad_input(s, c, "%zu laws for %zu columns", s->laws, wanted);
+    if (s->ranges > 1 && s->ranges != wanted)
+        bad_input(s, c, "%zu ranges for %zu columns", s->ranges, wanted);
+}
+
+static void make_room(struct settings *s, struct columns *c)
+{
+    if (c->rows < c->room)
+        return;
+    c->room = c->room ? 2 * c->room : 1024;
+    for (size_t i = 0; i < c->count; ++i) {
+        double *x =
+            realloc(c->column[i].x, c->room * sizeof c->column[i].x[0]);
+        if (!x)
+            bad_input(s, c, "no memory for %zu rows", c->room);
+        c->column[i].x = x;
+    }
+}
+
+static void free_columns(struct columns *c)
+{
+    for (size_t i = 0; i < c->count; ++i)
+        free(c->column[i].x);
+    free(c->made_by);
+}
+
+static double read_number(struct settings *s, struct columns *c,
+                          const struct column *column, const char *text)
+{
+    char *end;
+    const double value = strtod(text, &end);
+    const size_t length = strcspn(text, " \t\r\n");
+    if (end != text + length)
+        bad_input(s, c, "column %zu (%s) is '%.*s', not a number",
+                  column->number, column->name, (int)length, text);
+    if (!isfinite(value))
+        bad_input(s, c, "column %zu (%s) is '%.*s', not a finite number",
+                  column->number, column->name, (int)length, text);
+    return value;
+}
+
+static void take_row(struct settings *s, struct columns *c,
+                     const char *text)
+{
+    const char *field[MOST_COLUMNS];
+    size_t fields = 0;
+    for (; *text && fields < c->last; text = next_field(text))
+        field[fields++] = text;
+    if (fields < c->last)
+        bad_input(s, c, "%zu columns, where column %zu is wanted", fields,
+                  c->last);
+    make_room(s, c);
+    for (size_t i = 0; i < c->count; ++i) {
+        struct column *column = &c->column[i];
+        column->x[c->rows] =
+            read_number(s, c, column, field[column->number - 1]);
+    }
+    ++c->rows;
+}
+
+static void read_table(struct settings *s, struct columns *c)
+{
+    FILE *file = strcmp(s->file, "-") == 0 ? stdin : fopen(s->file, "r");
+    struct head head = {0};
+    char *line = NULL;
+    size_t size = 0;
+    if (!file)
+        bad_input(s, c, "%s", strerror(errno));
+    for (c->line = 1; getline(&line, &size, file) >= 0; ++c->line) {
+        const char *text = blank(*line) ? next_field(line) : line;
+        if (*text == '#')
+            read_head(&head, c, text);
+        else if (*text && s->skip > 0)
+            --s->skip;
+        else if (*text) {
+            if (c->count == 0)
+                choose_columns(s, c, &head, text);
+            take_row(s, c, text);
+        }
+    }
+    c->line = 0;
+    if (ferror(file))
+        bad_input(s, c, "%s", strerror(errno));
+    if (file != stdin)
+        fclose(file);
+    free(line);
+    if (c->rows < 2)
+        bad_input(s, c, "%zu rows of numbers, where 2 are the least",
+                  c->rows);
+}
+
+static const char *const kind_names[] = {"histogram",   "columns", "blocks",
+                                         "correlation", "cost",    NULL};
+
+static const struct options_entry entries[] = {
+    {"column", 'c', "N,NAME,..", "which columns; all by default"},
+    {"table", 't', "NAME",
+     "what to write: histogram, columns (a row for each),\n"
+     "blocks, correlation (against length and lag) or cost"},
+    {"bins", 'B', "B", "as many bins; by default what suits the samples"},
+    {"range", 'r', "a,b",
+     "bins from a to b, not from least to greatest;\n"
+     "several serve the columns in turn"},
+    {"fit", 'f', "gaussian", "fit a Gaussian to the histogram"},
+    {"law", 'l', "LAW",
+     "hold the samples against normal[:mean,sd],\n"
+     "microcanonical:n[,E,m], beta:k,n[,low,high] or\n"
+     "maxwell:kT[,m[,d]]; several serve the columns in turn"},
+    {"block", 'b', NULL, "errors for samples that are not independent"},
+    {"against", 'a', "COLUMN", "are the columns independent of this one?"},
+    {"skip", 'k', "ROWS", "leave out the first rows (0)"},
+    {"output", 'o', "FILE", "for the table (standard output)"},
+    {"summary", 'S', "FILE", "for the results as lines: key value"},
+    {"", 0, "FILE", "a table of numbers; - is standard input"},
+    {0}};
+
+static void read_range(struct options *o, struct settings *s)
+{
+    if (s->ranges == MOST_COLUMNS)
+        options_fail(o, "more than %d ranges", MOST_COLUMNS);
+    double *ends = s->range[s->ranges++];
+    if (options_list(o, ends, 2) != 2 || !(ends[0] < ends[1]) ||
+        !isfinite(ends[1] - ends[0]))
+        options_fail(o, "'%s' is not two numbers, the smaller one first",
+                     options_text(o));
+}
+
+static void read_law(struct options *o, struct settings *s)
+{
+    if (s->laws == MOST_COLUMNS)
+        options_fail(o, "more than %d laws", MOST_COLUMNS);
+    const char *wanted = laws_read(options_text(o), &s->law[s->laws++]);
+    if (wanted)
+        options_fail(o, "'%s' is not %s", options_text(o), wanted);
+}
+
+static void read_settings(struct settings *s, int argc, char *argv[])
+{
+    struct options o;
+    int option;
+    *s = (struct settings){.columns = "all", .summary_path = "/dev/null"};
+    options_begin(&o, PROGRAM,
+                  "Histograms of the columns of a table, with errors.",
+                  entries, argc, argv);
+    while ((option = options_next(&o)) != -1)
+        switch (option) {
+        case 'c': s->columns = options_text(&o); break;
+        case 't':
+            s->kind = (enum kind)options_choice(&o, kind_names);
+            break;
+        case 'B': s->bins = options_count(&o, 1, 1000000); break;
+        case 'r': read_range(&o, s); break;
+        case 'f':
+            options_choice(&o, (const char *const[]){"gaussian", NULL});
+            s->fit = true;
+            break;
+        case 'l': read_law(&o, s); break;
+        case 'b': s->block = true; break;
+        case 'a': s->against = options_text(&o); break;
+        case 'k': s->skip = options_count(&o, 0, UINT64_MAX); break;
+        case 'o': s->output = options_text(&o); break;
+        case 'S': s->summary_path = options_text(&o); break;
+        case OPTIONS_ARGUMENT:
+            if (s->file)
+                options_fail(&o, "one FILE at a time, not '%s' as well",
+                             options_text(&o));
+            s->file = options_text(&o);
+            break;
+        }
+    s->command = options_command(&o);
+    if (!s->file)
+        options_fail(&o, "a FILE is needed; - is standard input");
+    if (strcmp(s->summary_path, s->output ? s->output : "-") == 0 &&
+        strcmp(s->summary_path, "/dev/null") != 0)
+        options_fail(&o, "--summary and the table would both go to '%s'",
+                     s->summary_path);
+}
+
+static void summarise(const struct settings *s, const char *key,
+                      const struct column *column, double value)
+{
+    char name[2 * NAME_LENGTH + 32];
+    snprintf(name, sizeof name, "%s_%s", key, column->name);
+    table_real(s->summary, name, value);
+}
+
+static void summarise_column(const struct settings *s,
+                             const struct column *column,
+                             const struct statistics_description *d)
+{
+    const double root = sqrt((double)d->n / d->inefficiency);
+    summarise(s, "mean", column, d->mean);
+    summarise(s, "mean_error", column, d->mean_error);
+    summarise(s, "mean_naive", column, d->naive_error);
+    summarise(s, "sd", column, d->sd);
+    summarise(s, "sd_error", column, d->sd_error);
+    summarise(s, "kurtosis", column, d->kurtosis);
+    summarise(s, "kurtosis_error", column, d->kurtosis_error);
+    summarise(s, "least", column, d->least);
+    summarise(s, "greatest", column, d->greatest);
+    summarise(s, "inefficiency", column, d->inefficiency);
+    summarise(s, "effective", column, root * root);
+    summarise(s, "block", column, (double)d->block);
+    summarise(s, "plateau", column, d->plateau);
+}
+
+static struct statistics_description describe(const struct settings *s,
+                                              const struct columns *c,
+                                              size_t i)
+{
+    const struct column *column = &c->column[i];
+    struct statistics_description d;
+    if (!statistics_describe(c->rows, column->x, s->block, &d))
+        no_memory(s, c);
+    if (!d.plateau)
+        fprintf(stderr,
+                PROGRAM ": note: %s: %zu samples are too few; errors are "
+                        "lower bounds\n",
+                column->name, c->rows);
+    summarise_column(s, column, &d);
+    return d;
+}
+
+static void print_description(const struct settings *s,
+                              const struct column *column,
+                              const struct statistics_description *d)
+{
+    table_print(s->out, "# %s [%s]: mean %.4g +- %.2g, sd %.4g +- %.2g",
+                column->name, column->unit, d->mean, d->mean_error, d->sd,
+                d->sd_error);
+    table_print(s->out, "\n#   %zu samples", d->n);
+    if (s->block)
+        table_print(s->out, " worth %.4g", (double)d->n / d->inefficiency);
+    table_print(s->out, "\n");
+}
+
+static void print_row(struct table *out, size_t n, const double row[])
+{
+    for (size_t i = 0; i < n; ++i)
+        table_print(out, "%s%.9g", i ? " " : "", row[i]);
+    table_print(out, "\n");
+}
+
+static void test_law(struct settings *s, const struct columns *c, size_t i,
+                     const struct statistics_description *d)
+{
+    const struct column *column = &c->column[i];
+    struct law *law = &s->law[s->laws > 1 ? i : 0];
+    struct law own = *law;
+    struct law_test t;
+    const size_t fitted = laws_complete(&own, d->mean, d->sd);
+    if (!laws_test(&own, d->n, column->x, d->inefficiency, fitted, &t))
+        no_memory(s, c);
+    table_print(s->out, "#   law: mean %.4g, sd %.4g\n#   ",
+                laws_mean(&own), laws_sd(&own));
+    if (!fitted)
+        table_print(s->out, "distance %.3g (P %.2g), ", t.distance,
+                    t.distance_probability);
+    table_print(s->out, "chi2 %.4g of %zu (P %.2g)\n", t.chi2, t.degrees,
+                t.chi2_probability);
+    summarise(s, "law_mean", column, laws_mean(&own));
+    summarise(s, "law_sd", column, laws_sd(&own));
+    summarise(s, "law_fitted", column, (double)fitted);
+    if (!fitted) {
+        summarise(s, "law_distance", column, t.distance);
+        summarise(s, "law_distance_probability", column,
+                  t.distance_probability);
+        summarise(s, "mean_z", column,
+                  (d->mean - laws_mean(&own)) / d->mean_error);
+        summarise(s, "sd_z", column, (d->sd - laws_sd(&own)) / d->sd_error);
+    }
+    summarise(s, "law_chi2", column, t.chi2);
+    summarise(s, "law_degrees", column, (double)t.degrees);
+    summarise(s, "law_chi2_probability", column, t.chi2_probability);
+}
+
+enum { CELLS = 5 }; /* a side of the table of cells */
+
+static void compare(const struct settings *s, const struct columns *c,
+                    size_t i, const struct statistics_description *d)
+{
+    const struct column *column = &c->column[i];
+    const struct column *other = &c->column[c->count - 1];
+    struct statistics_description its;
+    struct statistics_dependence t;
+    if (!statistics_describe(c->rows, other->x, s->block, &its) ||
+        !statistics_dependence(c->rows, column->x, other->x, CELLS,
+                               s->block, &t))
+        no_memory(s, c);
+    const double chi2 = t.chi2 / fmax(d->inefficiency, its.inefficiency);
+    const double probability = laws_chi2(chi2, t.degrees);
+    table_print(s->out,
+                "#   against %s: correlation %.4f +- %.4f, chi2 %.4g of "
+                "%zu (P %.2g)\n",
+                other->name, t.correlation, t.error, chi2, t.degrees,
+                probability);
+    summarise(s, "correlation", column, t.correlation);
+    summarise(s, "correlation_error", column, t.error);
+    summarise(s, "against_chi2", column, chi2);
+    summarise(s, "against_degrees", column, (double)t.degrees);
+    summarise(s, "against_probability", column, probability);
+}
+
+static void name_histogram(const struct settings *s,
+                           const struct columns *c)
+{
+    const char *unit = c->column[0].unit;
+    char inverse[NAME_LENGTH + 4];
+    snprintf(inverse, sizeof inverse, "1/(%.*s)", NAME_LENGTH, unit);
+    table_column(s->out, "x", unit, "the centre of a bin");
+    table_column(s->out, "count", "", "samples in the bin");
+    table_column(s->out, "density", inverse, "count / samples / width");
+    table_column(s->out, "error", inverse, "of the density");
+    if (s->laws > 0)
+        table_column(s->out, "law", inverse, "mean of the law in the bin");
+    if (s->fit)
+        table_column(s->out, "fit", inverse, "mean of the fit in the bin");
+}
+
+static bool fit_column(const struct settings *s,
+                       const struct column *column,
+                       const struct statistics_histogram *h,
+                       const struct statistics_description *d,
+                       struct statistics_gaussian *fit)
+{
+    if (!statistics_fit_gaussian(h, d->inefficiency, fit)) {
+        fprintf(stderr, PROGRAM ": note: %s: no Gaussian fits its bins\n",
+                column->name);
+        return false;
+    }
+    table_print(s->out,
+                "#   fit: mean %.4g +- %.2g, sd %.4g +- %.2g; chi2 %.4g of "
+                "%zu\n",
+                fit->mean, fit->mean_error, fit->sd, fit->sd_error,
+                fit->chi2, fit->degrees);
+    summarise(s, "fit_mean", column, fit->mean);
+    summarise(s, "fit_mean_error", column, fit->mean_error);
+    summarise(s, "fit_sd", column, fit->sd);
+    summarise(s, "fit_sd_error", column, fit->sd_error);
+    summarise(s, "fit_chi2", column, fit->chi2);
+    summarise(s, "fit_degrees", column, (double)fit->degrees);
+    return true;
+}
+
+static struct statistics_histogram *count_column(
+    const struct settings *s, const struct columns *c, size_t i,
+    const struct statistics_description *d)
+{
+    const double *range = s->range[s->ranges > 1 ? i : 0];
+    double low = s->ranges > 0 ? range[0] : d->least;
+    double high = s->ranges > 0 ? range[1] : d->greatest;
+    if (low == high) { /* a column that never changes */
+        low -= 0.5;
+        high += 0.5;
+    }
+    struct statistics_histogram *h = statistics_histogram_create(
+        low, high,
+        s->bins ? s->bins : statistics_bins(d->n, low, high, d->sd));
+    if (!h)
+        no_memory(s, c);
+    for (size_t k = 0; k < c->rows; ++k)
+        statistics_histogram_add(h, c->column[i].x[k]);
+    summarise(s, "bins", &c->column[i], (double)h->bins);
+    summarise(s, "outside", &c->column[i], (double)(h->below + h->above));
+    return h;
+}
+
+static void write_histogram(struct settings *s, const struct columns *c,
+                            size_t i,
+                            const struct statistics_description *d)
+{
+    struct statistics_histogram *h = count_column(s, c, i, d);
+    struct statistics_gaussian fit = {0};
+    struct law law = s->law[s->laws > 1 ? i : 0];
+    bool fitted = s->fit && fit_column(s, &c->column[i], h, d, &fit);
+    const double width = (h->high - h->low) / (double)h->bins;
+    if (s->laws > 0)
+        laws_complete(&law, d->mean, d->sd);
+    for (size_t k = 0; k < h->bins; ++k) {
+        const double a = statistics_histogram_edge(h, k), b = a + width;
+        double row[6] = {a + width / 2, (double)h->count[k]};
+        size_t n = 4;
+        row[2] = statistics_histogram_density(h, k);
+        row[3] = statistics_histogram_error(h, k, d->inefficiency);
+        if (s->laws > 0)
+            row[n++] = (laws_below(&law, b) - laws_below(&law, a)) / width;
+        if (s->fit)
+            row[n++] = fitted ? statistics_gaussian_between(fit.mean,
+                                                            fit.sd, a, b) /
+                                    width
+                              : NAN;
+        print_row(s->out, n, row);
+    }
+    free(h);
+}
+
+static void name_columns(const struct settings *s)
+{
+    static const char *const names[][2] = {
+        {"column", "number in the file"},
+        {"samples", "how many"},
+        {"mean", "their mean"},
+        {"mean_error", "its error"},
+        {"sd", "standard deviation"},
+        {"sd_error", "its error"},
+        {"kurtosis", "3 for a Gaussian"},
+        {"kurtosis_error", "its error"},
+        {"inefficiency", "samples to one independent one"},
+        {"block", "samples in the longest block"},
+        {"plateau", "0: the errors are lower bounds"}};
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; ++i)
+        table_column(s->out, names[i][0], i >= 2 && i <= 5 ? "its own" : "",
+                     names[i][1]);
+}
+
+static void write_row(const struct settings *s, const struct columns *c,
+                      size_t i, const struct statistics_description *d)
+{
+    print_row(s->out, 11,
+              (double[]){(double)c->column[i].number, (double)d->n, d->mean,
+                         d->mean_error, d->sd, d->sd_error, d->kurtosis,
+                         d->kurtosis_error, d->inefficiency,
+                         (double)d->block, d->plateau});
+}
+
+/* (x - mean)^2 of a column, for free. */
+static double *squares_of(const struct settings *s, const struct columns *c,
+                          size_t i, double mean)
+{
+    const double *x = c->column[i].x;
+    double *y = malloc(c->rows * sizeof y[0]);
+    if (!y)
+        no_memory(s, c);
+    for (size_t k = 0; k < c->rows; ++k)
+        y[k] = (x[k] - mean) * (x[k] - mean);
+    return y;
+}
+
+static void name_blocks(const struct settings *s, const struct columns *c)
+{
+    const char *unit = c->column[0].unit;
+    char square[NAME_LENGTH + 4];
+    snprintf(square, sizeof square, "(%.*s)^2", NAME_LENGTH, unit);
+    table_column(s->out, "length", "", "samples in a block");
+    table_column(s->out, "blocks", "", "how many");
+    table_column(s->out, "error", unit, "of the mean of x");
+    table_column(s->out, "uncertainty", unit, "of that error");
+    table_column(s->out, "error2", square, "of the variance");
+    table_column(s->out, "uncertainty2", square, "of that error");
+}
+
+static void write_blocks(const struct settings *s, const struct columns *c,
+                         size_t i, const struct statistics_description *d)
+{
+    struct statistics_blocking b, b2;
+    double *y = squares_of(s, c, i, d->mean);
+    if (!statistics_blocking(c->rows, c->column[i].x, &b) ||
+        !statistics_blocking(c->rows, y, &b2))
+        no_memory(s, c);
+    free(y);
+    for (size_t k = 0; k < b.levels; ++k)
+        print_row(s->out, 6,
+                  (double[]){(double)b.level[k].length,
+                             (double)b.level[k].blocks, b.level[k].error,
+                             b.level[k].uncertainty, b2.level[k].error,
+                             b2.level[k].uncertainty});
+    const struct column *column = &c->column[i];
+    summarise(s, "block_inefficiency", column, b.inefficiency);
+    summarise(s, "block_inefficiency2", column, b2.inefficiency);
+    summarise(s, "block_length", column, (double)b.level[b.chosen].length);
+    summarise(s, "block_length2", column,
+              (double)b2.level[b2.chosen].length);
+    summarise(s, "block_error", column, b.error);
+    summarise(s, "block_error2", column, b2.error);
+    summarise(s, "block_naive", column, b.level[0].error);
+    summarise(s, "block_naive2", column, b2.level[0].error);
+}
+
+static void name_correlation(const struct settings *s)
+{
+    table_column(s->out, "lag", "", "samples apart");
+    table_column(s->out, "rho", "", "correlation of x");
+    table_column(s->out, "g", "", "1 + 2 sum of rho up to here");
+    table_column(s->out, "rho2", "", "correlation of (x - mean)^2");
+    table_column(s->out, "g2", "", "1 + 2 sum of rho2 up to here");
+}
+
+static void write_correlation(const struct settings *s,
+                              const struct columns *c, size_t i,
+                              const struct statistics_description *d)
+{
+    const double *x = c->column[i].x;
+    double *y = squares_of(s, c, i, d->mean), g = -1, g2 = -1;
+    const double mean2 = statistics_moments(d->n, y).mean;
+    const struct statistics_correlation a = statistics_correlation(d->n, x);
+    const struct statistics_correlation b = statistics_correlation(d->n, y);
+    const size_t window = a.window > b.window ? a.window : b.window;
+    for (size_t lag = 0; d->sd > 0 && lag <= 2 * window && lag < d->n;
+         ++lag) {
+        const double rho = statistics_covariance(d->n, x, d->mean, lag) /
+                           statistics_covariance(d->n, x, d->mean, 0);
+        const double rho2 = statistics_covariance(d->n, y, mean2, lag) /
+                            statistics_covariance(d->n, y, mean2, 0);
+        g += 2 * rho;
+        g2 += 2 * rho2;
+        print_row(s->out, 5, (double[]){(double)lag, rho, g, rho2, g2});
+    }
+    const struct column *column = &c->column[i];
+    summarise(s, "window", column, (double)a.window);
+    summarise(s, "window2", column, (double)b.window);
+    summarise(s, "sum_inefficiency", column, a.inefficiency);
+    summarise(s, "sum_uncertainty", column, a.uncertainty);
+    summarise(s, "sum_inefficiency2", column, b.inefficiency);
+    summarise(s, "sum_uncertainty2", column, b.uncertainty);
+    summarise(s, "sum_settled", column, a.settled && b.settled);
+    free(y);
+}
+
+enum { WAYS = 3 };
+
+static const char *const ways[WAYS] = {"naive", "blocks", "correlation"};
+
+/* The error of the mean of y in one of the three ways, and the
+   uncertainty of that error as the way itself tells it. */
+static double error_by(int way, size_t n, const double y[],
+                       double *uncertainty)
+{
+    static struct statistics_blocking b;
+    if (way == 2) {
+        const struct statistics_correlation c =
+            statistics_correlation(n, y);
+        *uncertainty = c.error * c.uncertainty / c.inefficiency / 2;
+        return c.error;
+    }
+    if (way == 0) {
+        const struct statistics_moments m = statistics_moments(n, y);
+        const double error = sqrt(m.variance / (double)n);
+        *uncertainty = error / sqrt(2 * (double)(n - 1));
+        return error;
+    }
+    statistics_blocking(n, y, &b);
+    *uncertainty = b.level[b.chosen].uncertainty;
+    return b.error;
+}
+
+static void name_cost(const struct settings *s)
+{
+    bench_machine(s->out);
+    table_column(s->out, "way", "", "how the error is found");
+    table_column(s->out, "error", "its own", "of the variance of x");
+    table_column(s->out, "uncertainty", "its own", "of that error");
+    table_column(s->out, "time", "ns", "of the processor, a sample");
+}
+
+static void write_cost(const struct settings *s, const struct columns *c,
+                       size_t i, const struct statistics_description *d)
+{
+    double *y = squares_of(s, c, i, d->mean);
+    double time[WAYS][BENCH_ROUNDS], error[WAYS], uncertainty[WAYS];
+    for (int round = -1; round < BENCH_ROUNDS; ++round)
+        for (int way = 0; way < WAYS; ++way) {
+            const double start = bench_seconds();
+            error[way] = error_by(way, d->n, y, &uncertainty[way]);
+            time[way][round < 0 ? 0 : round] =
+                (bench_seconds() - start) * 1e9 / (double)d->n;
+        }
+    for (int way = 0; way < WAYS; ++way) {
+        table_print(s->out, "%-11s %.6g %.3g %.3g\n", ways[way], error[way],
+                    uncertainty[way],
+                    bench_median(time[way], BENCH_ROUNDS));
+    }
+    free(y);
+}
+
+static void begin_table(const struct settings *s, const struct columns *c)
+{
+    table_begin(s->out, s->command, c->seed);
+    if (c->made_by)
+        table_print(s->out, "# data: %s", c->made_by);
+    table_count(s->summary, "samples", c->rows);
+    table_count(s->summary, "columns", c->count - c->against);
+    switch (s->kind) {
+    case HISTOGRAM: name_histogram(s, c); break;
+    case COLUMNS: name_columns(s); break;
+    case BLOCKS: name_blocks(s, c); break;
+    case CORRELATION: name_correlation(s); break;
+    case COST: name_cost(s); break;
+    }
+}
+static void write_column(struct settings *s, const struct columns *c,
+                         size_t i)
+{
+    if (c->against && i + 1 == c->count)
+        return;
+    const struct statistics_description d = describe(s, c, i);
+    if (s->kind != COLUMNS)
+        table_print(s->out, i > 0 ? "\n\n" : "");
+    print_description(s, &c->column[i], &d);
+    if (s->laws > 0)
+        test_law(s, c, i, &d);
+    if (c->against)
+        compare(s, c, i, &d);
+    switch (s->kind) {
+    case HISTOGRAM: write_histogram(s, c, i, &d); break;
+    case COLUMNS: write_row(s, c, i, &d); break;
+    case BLOCKS: write_blocks(s, c, i, &d); break;
+    case CORRELATION: write_correlation(s, c, i, &d); break;
+    case COST: write_cost(s, c, i, &d); break;
+    }
+}
+
+int main(int argc, char *argv[])
+{
+    struct settings s;
+    struct columns c = {0};
+    read_settings(&s, argc, argv);
+    s.out = table_open(PROGRAM, s.output);
+    s.summary = table_open(PROGRAM, s.summary_path);
+    if (!s.out || !s.summary)
+        return table_discard(s.out), table_discard(s.summary), EXIT_FAILURE;
+    read_table(&s, &c);
+    begin_table(&s, &c);
+    for (size_t i = 0; i < c.count; ++i)
+        write_column(&s, &c, i);
+    free_columns(&c);
+    if (!table_close(s.out))
+        return table_discard(s.summary), EXIT_FAILURE;
+    return table_close(s.summary) ? EXIT_SUCCESS : EXIT_FAILURE;
+}

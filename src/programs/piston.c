@@ -1,0 +1,597 @@
+/* From chapters/04-piston.nw: edit there, then run make tangle. */
+/* checksum 2538385206 of the lines below */
+#include "piston.h"
+#include "toolbox/bench.h"
+#include "toolbox/options.h"
+#include "toolbox/progress.h"
+#include "toolbox/table.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define PROGRAM "piston"
+#include <errno.h>
+
+enum { MOST = 8 }; /* numbers that an option takes */
+
+typedef bool stepper(const struct piston *p, struct piston_state *s,
+                     double dt);
+static stepper *const steppers[] = {piston_step, piston_step_rk4};
+static const char *const stepper_names[] = {"leapfrog", "rk4", NULL};
+
+struct settings {
+    size_t study, method;
+    struct piston piston;
+    struct piston_state start;
+    double step, every, until;
+    const char *path; /* of the table to be measured */
+    size_t body;
+    double window, at[MOST], fit[2];
+    size_t at_count;
+    const char *output, *summary_path, *command;
+    struct table *out, *summary;
+};
+
+static void read_pair(struct options *o, double pair[2], double low)
+{
+    if (options_list(o, pair, 2) != 2 || !(fmin(pair[0], pair[1]) >= low) ||
+        !(fmax(pair[0], pair[1]) <= 1e9))
+        options_fail(o, "'%s' is not two numbers from %g to 1e9",
+                     options_text(o), low);
+}
+
+static struct piston_state first_state(const struct settings *s,
+                                       const struct piston *p)
+{
+    struct piston_state state = s->start;
+    state.v *= p->mass / piston_inertia(p);
+    return state;
+}
+
+enum { POINTS = 64 }; /* of the quadrature: more than enough */
+
+static double large_period(const struct settings *s, const struct piston *p,
+                           size_t points)
+{
+    const struct piston_state state = first_state(s, p);
+    return piston_period(p, piston_energy(p, &state), points);
+}
+
+static void summarise_periods(const struct settings *s)
+{
+    struct piston bare = s->piston;
+    bare.left.mass = bare.right.mass = 0;
+    const double small = 2 * acos(-1) / piston_frequency(&bare);
+    table_real(s->summary, "period_isothermal", sqrt(3) * small);
+    table_real(s->summary, "period_small", small);
+    table_real(s->summary, "period_large", large_period(s, &bare, POINTS));
+    table_real(s->summary, "period_small_added",
+               2 * acos(-1) / piston_frequency(&s->piston));
+    table_real(s->summary, "period_large_added",
+               large_period(s, &s->piston, POINTS));
+    table_real(s->summary, "period_acoustic",
+               2 * acos(-1) / piston_frequency_acoustic(&s->piston));
+}
+
+static bool study_run(struct settings *s)
+{
+    const struct piston *p = &s->piston;
+    struct piston_state state = first_state(s, p);
+    const double steps = ceil(s->every / s->step);
+    const double start = piston_energy(p, &state);
+    double worst = 0, low = state.x, high = state.x;
+    table_column(s->out, "t", "s", "time");
+    table_column(s->out, "x", "m", "position of the piston");
+    table_column(s->out, "v", "m/s", "its velocity");
+    table_column(s->out, "TL", "J", "energy of the left gas");
+    table_column(s->out, "TR", "J", "energy of the right gas");
+    table_column(s->out, "TP", "J", "energy of the moving mass");
+    for (double row = 0; row * s->every <= s->until; ++row) {
+        const double left = piston_gas_energy(&p->left, state.x);
+        const double right =
+            piston_gas_energy(&p->right, p->length - state.x);
+        table_row(s->out, 6,
+                  (double[]){row * s->every, state.x, state.v, left, right,
+                             piston_energy(p, &state) - left - right});
+        for (double k = 0; k < steps; ++k) {
+            if (progress_signal())
+                return false;
+            if (!steppers[s->method](p, &state, s->every / steps)) {
+                fprintf(stderr,
+                        PROGRAM
+                        ": --step: %.3g s leads into a wall at t = %.6g s, "
+                        "x = %.6g m\n",
+                        s->every / steps, (row + k / steps) * s->every,
+                        state.x);
+                return false;
+            }
+            worst = fmax(worst, fabs(piston_energy(p, &state) / start - 1));
+            low = fmin(low, state.x);
+            high = fmax(high, state.x);
+        }
+    }
+    table_real(s->summary, "x_min", low);
+    table_real(s->summary, "x_max", high);
+    table_real(s->summary, "energy_error", worst);
+    summarise_periods(s);
+    return true;
+}
+
+/* The time of one swing by steps of dt, begun to the right; NAN when a
+   step fails. */
+static double stepped_period(const struct settings *s,
+                             const struct piston *p, stepper *step,
+                             double dt)
+{
+    const struct piston_state start = first_state(s, p);
+    struct piston_state now = start, next = start;
+    double steps = 0;
+    for (bool left = false; !(left && next.x >= start.x); ++steps) {
+        now = next;
+        if (!(next.v != 0 && step(p, &next, dt)))
+            return NAN;
+        left = left || next.x < start.x;
+    }
+    double part = (start.x - now.x) / now.v;
+    for (int k = 0; k < 6; ++k) {
+        next = now;
+        step(p, &next, part);
+        part += (start.x - next.x) / next.v;
+    }
+    return (steps - 1) * dt + part;
+}
+
+enum way { LEAPFROG, RK4, QUADRATURE, SMALL, ACOUSTIC, WAYS };
+
+static const char *const way_names[WAYS] = {"leapfrog", "rk4", "quadrature",
+                                            "small", "acoustic"};
+
+static double period_by(enum way way, const struct settings *s,
+                        const struct piston *p, double number)
+{
+    switch (way) {
+    case LEAPFROG: return stepped_period(s, p, piston_step, number);
+    case RK4: return stepped_period(s, p, piston_step_rk4, number);
+    case QUADRATURE: return large_period(s, p, (size_t)number);
+    case SMALL: return 2 * acos(-1) / piston_frequency(p);
+    default: return 2 * acos(-1) / piston_frequency_acoustic(p);
+    }
+}
+
+/* The processor time (s) of one period found this way. */
+static double cost_of(enum way way, const struct settings *s,
+                      const struct piston *p, double number)
+{
+    double rounds[BENCH_ROUNDS];
+    volatile double kept; /* so that the compiler computes it */
+    for (int round = -1; round < BENCH_ROUNDS; ++round) {
+        const double start = bench_seconds();
+        double calls = 0, seconds = 0;
+        for (; seconds < 0.01; ++calls) {
+            kept = period_by(way, s, p, number);
+            seconds = bench_seconds() - start;
+        }
+        rounds[round < 0 ? 0 : round] = seconds / calls;
+    }
+    (void)kept;
+    return bench_median(rounds, BENCH_ROUNDS);
+}
+
+static bool study_cost(struct settings *s)
+{
+    static const double first[WAYS] = {1, 1, 1, 0, 0};
+    static const double factor[WAYS] = {0.5, 0.5, 2, 0, 0};
+    static const int count[WAYS] = {13, 10, 7, 1, 1};
+    struct piston bare = s->piston;
+    bare.left.mass = bare.right.mass = 0;
+    bench_machine(s->out);
+    table_column(s->out, "way", "", "how the period was found");
+    table_column(s->out, "masses", "", "1: the gases have masses");
+    table_column(s->out, "number", "", "step in s, or points");
+    table_column(s->out, "period", "s", "");
+    table_column(s->out, "cost", "s", "processor time for it");
+    for (int way = 0; way < WAYS; ++way)
+        for (int masses = 0; masses < 2; ++masses) {
+            const struct piston *p = masses ? &s->piston : &bare;
+            double number = first[way];
+            for (int k = 0; k < count[way]; ++k, number *= factor[way]) {
+                if (progress_signal())
+                    return false;
+                table_print(s->out, "%-10s %d %-14.9g %.12g %.3g\n",
+                            way_names[way], masses, number,
+                            period_by(way, s, p, number),
+                            cost_of(way, s, p, number));
+            }
+        }
+    summarise_periods(s);
+    return true;
+}
+
+enum { MOVERS = 4096, KEPT = 6 };
+
+/* What a table says: rows of time (s), place (m) and velocity (m/s) of
+   the piston, and the energies (J) of piston, left gas and right gas. */
+struct record {
+    size_t rows, space, movers;
+    double (*row)[KEPT];
+};
+
+/* Where in a row the numbers are: velocities [0] and energies [1] of the
+   movers from left to right. */
+struct columns {
+    size_t place, count[2], column[2][MOVERS];
+    size_t masses;
+    double mass[MOVERS]; /* for a table that has no energies */
+};
+
+static void read_head(const char *line, size_t body, struct columns *c)
+{
+    static const char masses[] = "# masses:";
+    size_t column, number;
+    char symbol, *end;
+    if (strncmp(line, masses, strlen(masses)) == 0) {
+        for (line += strlen(masses); c->masses < MOVERS; line = end) {
+            c->mass[c->masses] = strtod(line, &end);
+            if (end == line)
+                break;
+            ++c->masses;
+        }
+    } else if (sscanf(line, "# %zu %c%zu ", &column, &symbol, &number) ==
+               3) {
+        const int kind = symbol == 'T';
+        if (symbol == 'x' && number == body)
+            c->place = column;
+        if ((kind || symbol == 'v') && number == c->count[kind] + 1 &&
+            number <= MOVERS)
+            c->column[kind][c->count[kind]++] = column;
+    }
+}
+
+/* Adds up a row's energies; returns whether all its numbers are there. */
+static bool read_row(const char *line, size_t body, const struct columns *c,
+                     double kept[KEPT])
+{
+    const int kind = c->count[1] > 0;
+    size_t next = 0;
+    char *end;
+    memset(kept, 0, KEPT * sizeof kept[0]);
+    for (size_t column = 1;; ++column, line = end) {
+        const double value = strtod(line, &end);
+        if (end == line)
+            break;
+        if (column == 1)
+            kept[0] = value;
+        else if (column == c->place)
+            kept[1] = value;
+        else if (column == c->column[0][body - 1])
+            kept[2] = value;
+        if (next < c->count[kind] && column == c->column[kind][next]) {
+            ++next;
+            const int part = next == body ? 3 : next < body ? 4 : 5;
+            kept[part] +=
+                kind ? value : c->mass[next - 1] * value * value / 2;
+        }
+    }
+    return next == c->count[kind];
+}
+
+static bool read_record(const struct settings *s, struct record *r)
+{
+    static struct columns c;
+    char *line = NULL;
+    const char *wrong = NULL;
+    size_t space = 0, number = 0;
+    FILE *file = strcmp(s->path, "-") == 0 ? stdin : fopen(s->path, "r");
+    if (!file)
+        wrong = strerror(errno);
+    while (!wrong && getline(&line, &space, file) > 0) {
+        ++number;
+        if (line[0] == '#') {
+            read_head(line, s->body, &c);
+            continue;
+        }
+        if (r->rows == r->space) {
+            r->space = 2 * r->space + 1024;
+            void *more = realloc(r->row, r->space * sizeof r->row[0]);
+            if (!more) {
+                wrong = "no memory for so many rows";
+                break;
+            }
+            r->row = more;
+        }
+        if (c.place == 0 || c.count[0] < s->body ||
+            (c.count[1] != c.count[0] && c.masses != c.count[0]))
+            wrong = "the head names no x, v and T or masses of that body";
+        else if (!read_row(line, s->body, &c, r->row[r->rows++]))
+            wrong = "a row without all its numbers";
+    }
+    if (!wrong && r->rows < 3)
+        wrong = "fewer than three rows";
+    free(line);
+    if (file && file != stdin)
+        fclose(file);
+    r->movers = c.count[c.count[1] > 0];
+    if (wrong)
+        fprintf(stderr, PROGRAM ": reading a table: %s%s%.0zu: %s\n",
+                s->path, number ? ":" : "", number, wrong);
+    return !wrong;
+}
+
+static bool study_gases(struct settings *s)
+{
+    struct record r = {0};
+    if (!read_record(s, &r))
+        return free(r.row), false;
+    table_column(s->out, "t", "s", "time");
+    table_column(s->out, "x", "m", "the piston: length of the left gas");
+    table_column(s->out, "v", "m/s", "its velocity");
+    table_column(s->out, "TP", "J", "its energy");
+    table_column(s->out, "TL", "J", "energy of the left gas");
+    table_column(s->out, "TR", "J", "energy of the right gas");
+    table_column(s->out, "kTL", "J", "temperature of the left gas");
+    table_column(s->out, "kTR", "J", "temperature of the right gas");
+    table_column(s->out, "PL", "N", "pressure of the left gas");
+    table_column(s->out, "PR", "N", "pressure of the right gas");
+    for (size_t i = 0; i < r.rows; ++i) {
+        const double *row = r.row[i];
+        const double length = s->piston.length - row[1];
+        const double left = (double)(s->body - 1);
+        const double right = (double)(r.movers - s->body);
+        table_row(s->out, 10,
+                  (double[]){row[0], row[1], row[2], row[3], row[4], row[5],
+                             2 * row[4] / left, 2 * row[5] / right,
+                             2 * row[4] / row[1], 2 * row[5] / length});
+    }
+    free(r.row);
+    return true;
+}
+
+enum { CROSSINGS = 8 };
+
+/* Times at which the mean piston crosses the middle, by straight lines
+   between rows; returns how many, at most CROSSINGS. */
+static size_t find_crossings(const struct settings *s,
+                             const struct record *r,
+                             double times[CROSSINGS])
+{
+    const double middle = s->piston.length / 2;
+    size_t n = 0;
+    for (size_t i = 0; i + 1 < r->rows && n < CROSSINGS; ++i) {
+        const double *a = r->row[i], *b = r->row[i + 1];
+        if ((a[1] < middle) != (b[1] < middle))
+            times[n++] =
+                a[0] + (middle - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
+    }
+    return n;
+}
+
+static void summarise_crossings(const struct settings *s,
+                                const struct record *r)
+{
+    double times[CROSSINGS], sum = 0, square = 0;
+    const size_t n = find_crossings(s, r, times);
+    table_count(s->summary, "crossings", n);
+    for (size_t i = 2; i < n; ++i) {
+        sum += times[i] - times[i - 2];
+        square += (times[i] - times[i - 2]) * (times[i] - times[i - 2]);
+    }
+    if (n < 4)
+        return;
+    const double count = (double)(n - 2), mean = sum / count;
+    table_real(s->summary, "first_half", times[1] - times[0]);
+    table_real(s->summary, "second_half", times[2] - times[1]);
+    table_real(s->summary, "period", mean);
+    table_real(s->summary, "period_spread",
+               sqrt(fmax(0, square / count - mean * mean)));
+}
+
+static double share(const double row[KEPT])
+{
+    return row[3] / (row[3] + row[4] + row[5]);
+}
+
+/* The piston's share of the energy, averaged over the rows from time t
+   to t + window; NAN when the table ends before. */
+static double share_after(const struct settings *s, const struct record *r,
+                          double t)
+{
+    const double nearly = 1e-9 * s->window;
+    double sum = 0, count = 0;
+    if (!(t + s->window <= r->row[r->rows - 1][0] + nearly))
+        return NAN;
+    for (size_t i = 0; i < r->rows; ++i)
+        if (r->row[i][0] >= t - nearly &&
+            r->row[i][0] < t + s->window - nearly) {
+            sum += share(r->row[i]);
+            ++count;
+        }
+    return sum / count;
+}
+
+struct fit {
+    size_t n;
+    double tau, error, amplitude; /* excess = amplitude exp(-t/tau) */
+};
+
+static struct fit fit_decay(const struct settings *s,
+                            const struct record *r)
+{
+    struct fit f = {0, NAN, NAN, NAN};
+    double st = 0, sy = 0, stt = 0, sty = 0, syy = 0;
+    bool begun = false;
+    for (double t = 0;; t += s->window) {
+        const double excess = share_after(s, r, t) - 1 / (double)r->movers;
+        if (!(excess >= s->fit[1]))
+            break;
+        begun = begun || excess < s->fit[0];
+        if (!begun)
+            continue;
+        const double y = log(excess), at = t + s->window / 2;
+        ++f.n;
+        st += at;
+        sy += y;
+        stt += at * at;
+        sty += at * y;
+        syy += y * y;
+    }
+    if (f.n < 3)
+        return f;
+    const double n = (double)f.n;
+    const double xx = stt - st * st / n, xy = sty - st * sy / n;
+    const double slope = xy / xx;
+    const double left = syy - sy * sy / n - slope * xy;
+    f.tau = -1 / slope;
+    f.amplitude = exp((sy - slope * st) / n);
+    f.error = sqrt(fmax(0, left) / (n - 2) / xx) / (slope * slope);
+    return f;
+}
+
+static bool study_measure(struct settings *s)
+{
+    struct record r = {0};
+    if (!read_record(s, &r))
+        return free(r.row), false;
+    const struct fit f = fit_decay(s, &r);
+    table_column(s->out, "t", "s", "middle of a window");
+    table_column(s->out, "share", "", "the piston's, mean of the window");
+    table_column(s->out, "fit", "", "the fitted decay");
+    for (double t = 0; share_after(s, &r, t) >= 0; t += s->window) {
+        const double at = t + s->window / 2;
+        table_row(s->out, 3,
+                  (double[]){at, share_after(s, &r, t),
+                             1 / (double)r.movers +
+                                 f.amplitude * exp(-at / f.tau)});
+    }
+    double reach = 0;
+    for (size_t i = 0; i < r.rows; ++i)
+        reach = fmax(reach, fabs(r.row[i][1] - s->piston.length / 2));
+    table_count(s->summary, "movers", r.movers);
+    table_real(s->summary, "share_start", share(r.row[0]));
+    table_real(s->summary, "reach", reach);
+    summarise_crossings(s, &r);
+    for (size_t i = 0; i < s->at_count; ++i) {
+        char key[32];
+        snprintf(key, sizeof key, "share_%zu", i + 1);
+        table_real(s->summary, key,
+                   share_after(s, &r, s->at[i] - s->window / 2));
+    }
+    table_count(s->summary, "windows", f.n);
+    table_real(s->summary, "tau", f.tau);
+    table_real(s->summary, "tau_error", f.error);
+    free(r.row);
+    return true;
+}
+
+static const struct {
+    bool (*run)(struct settings *s);
+} studies[] = {{study_run}, {study_cost}, {study_measure}, {study_gases}};
+
+static const char *const study_names[] = {"run", "cost", "measure", "gases",
+                                          NULL};
+
+static const struct options_entry entries[] = {
+    {"study", 't', "NAME", "run, cost, measure or gases (run)"},
+    {"mass", 'M', "M", "kg, of the piston (40)"},
+    {"length", 'L', "L", "m, of the box (12)"},
+    {"energies", 'K', "KL,KR", "J, of the gases at the start (10/3 each)"},
+    {"gas-masses", 'g', "mL,mR", "kg, of the gases (20/3 each)"},
+    {"start", 'x', "X", "m, where the piston starts (the middle)"},
+    {"velocity", 'v', "V", "m/s, of the piston at the start (1)"},
+    {"method", 'm', "NAME", "leapfrog or rk4 (leapfrog)"},
+    {"step", 'h', "DT", "s, the longest step (0.01)"},
+    {"every", 'e', "DT", "s, between rows (0.1)"},
+    {"until", 'u', "T", "s (40)"},
+    {"table", 'f', "FILE", "from bonkers, to be measured; - is input"},
+    {"body", 'b', "N", "the piston's number in it (6)"},
+    {"window", 'w', "T", "s, measure: half a period (10.15)"},
+    {"at", 'a', "T1,..", "s, measure: middles of windows to report"},
+    {"fit", 'F', "A,B", "measure: excess of the share (0.1,0.01)"},
+    {"output", 'o', "FILE", "for the table (standard output)"},
+    {"summary", 'S', "FILE", "for the results as lines: key value"},
+    {0}};
+
+static void read_settings(struct settings *s, int argc, char *argv[])
+{
+    struct options o;
+    int option;
+    double energies[2] = {10.0 / 3, 10.0 / 3};
+    double masses[2] = {20.0 / 3, 20.0 / 3};
+    *s = (struct settings){.summary_path = "/dev/null"};
+    s->piston = (struct piston){40, 12, {0, 0, 0}, {0, 0, 0}};
+    s->start = (struct piston_state){NAN, 1};
+    s->step = 0.01;
+    s->every = 0.1;
+    s->until = 40;
+    s->body = 6;
+    s->window = 10.15;
+    s->fit[0] = 0.1;
+    s->fit[1] = 0.01;
+    options_begin(&o, PROGRAM,
+                  "A piston between two adiabatic springs of gas.", entries,
+                  argc, argv);
+    while ((option = options_next(&o)) != -1)
+        switch (option) {
+        case 'M': s->piston.mass = options_real(&o, 1e-9, 1e9); break;
+        case 'L': s->piston.length = options_real(&o, 1e-9, 1e9); break;
+        case 'K': read_pair(&o, energies, 1e-9); break;
+        case 'g': read_pair(&o, masses, 0); break;
+        case 'x': s->start.x = options_real(&o, 0, 1e9); break;
+        case 'v': s->start.v = options_real(&o, -1e9, 1e9); break;
+        case 'm': s->method = options_choice(&o, stepper_names); break;
+        case 'h': s->step = options_real(&o, 1e-9, 1e9); break;
+        case 'e': s->every = options_real(&o, 1e-9, 1e9); break;
+        case 'u': s->until = options_real(&o, 0, 1e9); break;
+        case 't': s->study = options_choice(&o, study_names); break;
+        case 'f': s->path = options_text(&o); break;
+        case 'b': s->body = options_count(&o, 1, 4096); break;
+        case 'w': s->window = options_real(&o, 1e-9, 1e9); break;
+        case 'a': s->at_count = options_list(&o, s->at, MOST); break;
+        case 'F': read_pair(&o, s->fit, 1e-9); break;
+        case 'o': s->output = options_text(&o); break;
+        case 'S': s->summary_path = options_text(&o); break;
+        }
+    s->command = options_command(&o);
+    const double length = s->piston.length;
+    if (isnan(s->start.x))
+        s->start.x = length / 2;
+    if (!(s->start.x > 0 && s->start.x < length))
+        options_fail(&o, "--start: %g is not inside the box, 0 to %g",
+                     s->start.x, length);
+    if (s->study == 1 && !(s->start.v > 0))
+        options_fail(&o,
+                     "--velocity: %g, but a cost is measured from a "
+                     "start to the right",
+                     s->start.v);
+    if ((s->study >= 2) != (s->path != NULL))
+        options_fail(&o, "--table and --study measure or gases need each "
+                         "other");
+    if (!(s->fit[0] > s->fit[1]))
+        options_fail(&o, "--fit: from %g to %g is no decay", s->fit[0],
+                     s->fit[1]);
+    if (strcmp(s->summary_path, s->output ? s->output : "-") == 0 &&
+        strcmp(s->summary_path, "/dev/null") != 0)
+        options_fail(&o, "--summary and the table would both go to '%s'",
+                     s->summary_path);
+    s->piston.left =
+        (struct piston_gas){energies[0], s->start.x, masses[0]};
+    s->piston.right =
+        (struct piston_gas){energies[1], length - s->start.x, masses[1]};
+}
+
+int main(int argc, char *argv[])
+{
+    struct settings s;
+    read_settings(&s, argc, argv);
+    s.out = table_open(PROGRAM, s.output);
+    s.summary = table_open(PROGRAM, s.summary_path);
+    if (!s.out || !s.summary)
+        return table_discard(s.out), table_discard(s.summary), EXIT_FAILURE;
+    progress_catch_signals();
+    table_begin(s.out, s.command, 0);
+    const bool done = studies[s.study].run(&s);
+    if (!table_close(s.out) || !done)
+        return table_discard(s.summary), EXIT_FAILURE;
+    return table_close(s.summary) ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,22 @@
+/* From chapters/A-toolbox.nw: edit there, then run make tangle. */
+/* checksum 1557299029 of the lines below */
+#ifndef TOOLBOX_BENCH_H
+#define TOOLBOX_BENCH_H
+
+#include "table.h"
+
+#include <stddef.h>
+
+enum { BENCH_ROUNDS = 5 }; /* runs of which the median counts */
+
+/* Returns the processor time that this process has used, s. */
+double bench_seconds(void);
+
+/* Sorts n values, n > 0, and returns the middle one, the upper of two. */
+double bench_median(double values[], size_t n);
+
+/* Writes the processor's name, where Linux tells it, and the compiler into
+   the head of a table. */
+void bench_machine(struct table *t);
+
+#endif

@@ -1,0 +1,1085 @@
+/* The engines: against each other bit for bit, and against what is known
+   exactly. Numbers without a derivation beside them are reference values
+   computed for this book. */
+#include "unit.h"
+
+#include "bonkers.h"
+#include "toolbox/random.h"
+
+#include <float.h>
+#include <stdlib.h>
+
+enum { LARGEST = 100002 };
+
+static const enum bonkers_engine fast[] = {BONKERS_HEAP, BONKERS_SLAB};
+
+/* What a test runs: bodies 0 to movers + 1. */
+static struct bonkers_body body[LARGEST];
+static double radius[LARGEST];
+
+static void begin(struct bonkers *b, size_t movers, double restitution,
+                  enum bonkers_engine engine, bool rods)
+{
+    if (!bonkers_create(b, movers, restitution, engine)) {
+        printf("not ok bonkers: no memory\n");
+        exit(1);
+    }
+    memcpy(b->body, body, (movers + 2) * sizeof body[0]);
+    const size_t wrong = bonkers_start(b, rods ? radius : NULL);
+    UNIT_EQUAL((double)wrong, (double)movers + 1);
+}
+
+/* Points, or rods of up to 0.3 m in their place, with masses from 1 to 9,
+   in a box of movers + 1 metres, and of the lengths of the rods. */
+static void fill_random(size_t movers, uint64_t seed, bool rods)
+{
+    struct start s;
+    struct random r;
+    double shift = 0;
+    random_seed(&r, seed);
+    start_fill(&s, &(struct start_wish){.kind = START_RANDOM,
+                                        .movers = movers,
+                                        .seed = seed});
+    memset(radius, 0, (movers + 2) * sizeof radius[0]);
+    memset(body, 0, (movers + 2) * sizeof body[0]);
+    for (size_t i = 1; i <= movers; ++i) {
+        radius[i] = rods ? random_between(&r, 0, 0.15) : 0;
+        body[i] = (struct bonkers_body){s.x[i - 1] + shift + radius[i],
+                                        s.v[i - 1], 0, 1 / s.mass[i - 1]};
+        shift += 2 * radius[i];
+    }
+    body[movers + 1].x = s.wall[1] + shift;
+    start_free(&s);
+}
+
+static double state[2][2][LARGEST];
+
+/* Says what differs between two runs: the state at the clock's time, the
+   clock, or the count; NULL when no bit does. */
+static const char *differs(struct bonkers *a, struct bonkers *b)
+{
+    const size_t size = (a->gaps + 1) * sizeof(double);
+    bonkers_state(a, state[0][0], state[0][1]);
+    bonkers_state(b, state[1][0], state[1][1]);
+    return a->collisions != b->collisions            ? "the count"
+           : memcmp(&a->now, &b->now, sizeof a->now) ? "the clock"
+           : memcmp(state[0][0], state[1][0], size)  ? "a position"
+           : memcmp(state[0][1], state[1][1], size)  ? "a velocity"
+           : a->restitution == 1 && a->disorder + b->disorder > 0
+               ? "the order"
+               : NULL;
+}
+
+/* A stop: at a time or at a collision, whichever comes first. */
+struct stop {
+    double until;
+    uint64_t collisions;
+};
+
+/* Runs the scan and the others from stop to stop, and compares them at
+   each; a time that has passed is now. Returns the last reason to stop. */
+static enum bonkers_stop compare(size_t movers, double restitution,
+                                 bool rods, const struct stop stops[],
+                                 size_t n, const char *what)
+{
+    enum bonkers_stop last = BONKERS_TIME;
+    for (size_t e = 0; e < sizeof fast / sizeof fast[0]; ++e) {
+        struct bonkers scan, other;
+        const char *difference = NULL;
+        begin(&scan, movers, restitution, BONKERS_SCAN, rods);
+        begin(&other, movers, restitution, fast[e], rods);
+        for (size_t k = 0; k < n && !difference; ++k) {
+            const double now = scan.now;
+            const double until = fmax(stops[k].until, now);
+            last = bonkers_run(&scan, until, stops[k].collisions);
+            const enum bonkers_stop stop =
+                bonkers_run(&other, until, stops[k].collisions);
+            difference = stop != last     ? "the stop"
+                         : scan.now < now ? "a time that runs backwards"
+                                          : differs(&scan, &other);
+            if (difference)
+                printf("# %s, %zu movers, e = %g: scan and %s differ in "
+                       "%s at stop %zu, %llu collisions, t = %g\n",
+                       what, movers, restitution,
+                       bonkers_engine_names[fast[e]], difference, k,
+                       (unsigned long long)scan.collisions, scan.now);
+            if (last == BONKERS_STILL || last == BONKERS_COLLAPSE)
+                break;
+        }
+        UNIT_TRUE(difference == NULL);
+        bonkers_free(&scan);
+        bonkers_free(&other);
+    }
+    return last;
+}
+
+enum { STOPS = 12 };
+
+/* Stops that are reached in turn by the time and by the count: about
+   `collisions` in all, at half a collision per mover and second. */
+static void choose_stops(struct stop stops[STOPS], size_t movers,
+                         double collisions, uint64_t seed)
+{
+    struct random r;
+    const double length = collisions / (0.5 * (double)movers);
+    random_seed(&r, seed);
+    for (int k = 0; k < STOPS; ++k) {
+        const double part = (k + random_uniform(&r)) / STOPS;
+        stops[k] =
+            k % 3 == 2
+                ? (struct stop){INFINITY, 1 + (uint64_t)(collisions * part)}
+                : (struct stop){length * part, UINT64_MAX};
+    }
+}
+
+static void test_engines_agree(void)
+{
+    static const struct {
+        size_t movers;
+        double collisions;
+        int seeds;
+    } runs[] = {{1, 200, 6},     {2, 2000, 10},    {3, 2000, 10},
+                {7, 3000, 10},   {33, 5000, 8},    {100, 8000, 6},
+                {1000, 8000, 3}, {20000, 15000, 1}};
+    for (size_t k = 0; k < sizeof runs / sizeof runs[0]; ++k)
+        for (int seed = 1; seed <= runs[k].seeds; ++seed)
+            for (int rods = 0; rods < 2; ++rods) {
+                struct stop stops[STOPS];
+                choose_stops(stops, runs[k].movers, runs[k].collisions,
+                             (uint64_t)seed);
+                fill_random(runs[k].movers, (uint64_t)seed, rods);
+                UNIT_TRUE(compare(runs[k].movers, 1, rods, stops, STOPS,
+                                  "random") <= BONKERS_COLLISIONS);
+            }
+}
+
+/* Restitution below one: until the time 100, the collision 3000, all at
+   rest, or a collapse, as it comes. */
+static void test_inelastic_engines_agree(void)
+{
+    static const size_t movers[] = {1, 2, 3, 7, 33, 100, 1000};
+    static const double restitution[] = {0.95, 0.5, 0.1, 0};
+    int seen[BONKERS_COLLAPSE + 1] = {0};
+    for (size_t n = 0; n < sizeof movers / sizeof movers[0]; ++n)
+        for (int e = 0; e < 4; ++e)
+            for (uint64_t seed = 1; seed <= 6; ++seed) {
+                const struct stop stops[] = {
+                    {0.3, UINT64_MAX}, {INFINITY, movers[n] + seed},
+                    {20, UINT64_MAX},  {INFINITY, 5 * movers[n]},
+                    {100, 3000},       {INFINITY, 40000}};
+                fill_random(movers[n], seed, seed % 2);
+                ++seen[compare(movers[n], restitution[e], seed % 2, stops,
+                               n < 6 ? 6 : 4, "inelastic")];
+            }
+    UNIT_TRUE(seen[BONKERS_COLLAPSE] > 10);
+    UNIT_TRUE(seen[BONKERS_COLLISIONS] > 10);
+}
+
+/* 20000 bodies in which a collapse is certain. */
+static void test_large_collapse(void)
+{
+    const struct stop stops[] = {{0.5, UINT64_MAX}, {0.7, 3000}};
+    fill_random(20000, 5, false);
+    compare(20000, 0.1, false, stops, 2, "large inelastic");
+}
+
+/* A lattice with velocities of +1 and -1 in turn: many gaps close at one
+   time, over and over, and all numbers are exact. */
+static void fill_lattice(size_t movers, const double masses[2])
+{
+    memset(body, 0, (movers + 2) * sizeof body[0]);
+    for (size_t i = 1; i <= movers; ++i)
+        body[i] = (struct bonkers_body){(double)i, i % 2 ? 1 : -1, 0,
+                                        1 / masses[i % 2]};
+    body[movers + 1].x = (double)movers + 1;
+}
+
+static void test_ties(void)
+{
+    static const double masses[][2] = {{1, 1}, {1, 3}, {4, 1}, {1, 2.7}};
+    static const size_t movers[] = {2, 3, 6, 7, 32, 33, 100, 1001};
+    for (size_t n = 0; n < sizeof movers / sizeof movers[0]; ++n)
+        for (int m = 0; m < 4; ++m)
+            for (int e = 0; e < 2; ++e) {
+                struct stop stops[40];
+                fill_lattice(movers[n], masses[m]);
+                for (uint64_t k = 0; k < 40; ++k)
+                    stops[k] =
+                        k % 4 == 3
+                            ? (struct stop){(double)(k + 1) / 4, UINT64_MAX}
+                            : (struct stop){INFINITY,
+                                            1 + k * movers[n] / 9};
+                if (!e || movers[n] < 50)
+                    compare(movers[n], e ? 0.75 : 1, false, stops, 40,
+                            "lattice");
+            }
+}
+
+/* The state after every single collision, ties and all. */
+static void test_every_collision(void)
+{
+    for (size_t movers = 1; movers <= 40; movers += 13)
+        for (int k = 0; k < 2; ++k) {
+            static struct stop stops[2000];
+            for (uint64_t c = 0; c < 2000; ++c)
+                stops[c] = (struct stop){INFINITY, c + 1};
+            if (k)
+                fill_lattice(movers, (double[]){1, 3});
+            else
+                fill_random(movers, 4, false);
+            compare(movers, 1, false, stops, 2000, "one by one");
+        }
+}
+
+/* The C-th collision, whether it is asked for at once or after others. */
+static void test_collision_number(void)
+{
+    for (size_t e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e)
+        for (uint64_t c = 1; c < 400; c += 7) {
+            struct bonkers a, b;
+            fill_lattice(101, (double[]){1, 3});
+            begin(&a, 101, 1, (enum bonkers_engine)e, false);
+            begin(&b, 101, 1, BONKERS_SCAN, false);
+            UNIT_TRUE(bonkers_run(&a, INFINITY, c) == BONKERS_COLLISIONS);
+            while (b.collisions < c)
+                bonkers_run(&b, INFINITY, b.collisions + 1);
+            UNIT_TRUE(differs(&a, &b) == NULL);
+            UNIT_TRUE(bonkers_run(&a, INFINITY, c) == BONKERS_COLLISIONS);
+            UNIT_TRUE(bonkers_run(&a, INFINITY, 0) == BONKERS_COLLISIONS);
+            UNIT_TRUE(differs(&a, &b) == NULL);
+            bonkers_free(&a);
+            bonkers_free(&b);
+        }
+}
+
+/* Rods that touch, at rest, in the middle of a wider box. */
+static void fill_row(size_t movers, bool random_masses)
+{
+    struct random r;
+    random_seed(&r, 11);
+    memset(body, 0, (movers + 2) * sizeof body[0]);
+    memset(radius, 0, (movers + 2) * sizeof radius[0]);
+    for (size_t i = 1; i <= movers; ++i) {
+        body[i] = (struct bonkers_body){
+            (double)i + 2, 0, 0,
+            random_masses ? random_between(&r, 0.2, 1) : 1};
+        radius[i] = 0.5;
+    }
+    body[movers + 1].x = (double)movers + 6;
+}
+
+static void test_touching_rows(void)
+{
+    static const size_t movers[] = {2, 5, 40, 300};
+    for (size_t n = 0; n < 4; ++n)
+        for (int masses = 0; masses < 2; ++masses)
+            for (int struck = 0; struck < 3; ++struck) {
+                const uint64_t many = movers[n];
+                const struct stop stops[] = {
+                    {INFINITY, many / 2 + 1}, {INFINITY, many},
+                    {2.5, UINT64_MAX},        {INFINITY, 3 * many},
+                    {30, 20 * many},          {40, 30 * many + 5000}};
+                if (masses && many > 40)
+                    continue; /* collisions at one time without number */
+                fill_row(movers[n], masses);
+                if (struck != 1)
+                    body[1].v = 1;
+                if (struck != 0)
+                    body[movers[n]].v = -1;
+                compare(movers[n], 1, true, stops, 6, "row");
+            }
+}
+
+/* One end of 100000 touching bodies is struck: 99999 collisions at one
+   time, then the last one flies to the wall and back, for 4 s. */
+static void test_long_row(void)
+{
+    enum { ROW = 100000 };
+    struct bonkers heap, slab;
+    fill_row(ROW, false);
+    body[1].v = 1;
+    begin(&heap, ROW, 1, BONKERS_HEAP, true);
+    begin(&slab, ROW, 1, BONKERS_SLAB, true);
+    for (int k = 1; k <= 8; ++k) {
+        bonkers_run(&heap, k, UINT64_MAX);
+        bonkers_run(&slab, k, UINT64_MAX);
+        UNIT_TRUE(differs(&heap, &slab) == NULL);
+        if (k == 1) {
+            UNIT_EQUAL((double)slab.collisions, ROW - 1);
+            UNIT_EQUAL(slab.body[ROW].v, 1);
+            UNIT_EQUAL(slab.body[1].v, 0);
+        }
+    }
+    bonkers_free(&heap);
+    bonkers_free(&slab);
+}
+
+/* Points all in one place: pairs that approach collide, pairs that part
+   do not, whatever their gap. */
+static void test_one_place(void)
+{
+    for (uint64_t seed = 1; seed <= 10; ++seed) {
+        const struct stop stops[] = {{0, UINT64_MAX},
+                                     {INFINITY, 100},
+                                     {2, UINT64_MAX},
+                                     {INFINITY, 3000}};
+        fill_random(30, seed, false);
+        for (size_t i = 1; i <= 30; ++i)
+            body[i].x = 10;
+        compare(30, 1, false, stops, 4, "one place");
+    }
+}
+
+/* A light body between heavy ones: bursts of many collisions in a short
+   time, in the middle of others. */
+static void test_bursts(void)
+{
+    for (uint64_t seed = 1; seed <= 12; ++seed) {
+        const size_t movers = seed % 2 ? 6 : 200;
+        struct stop stops[STOPS];
+        fill_random(movers, seed, seed % 3 == 0);
+        for (size_t i = 1; i <= movers; i += 4)
+            body[i].im = seed % 4 ? 1e-6 : 1e-4;
+        for (int k = 0; k < STOPS; ++k)
+            stops[k] =
+                k % 2 ? (struct stop){INFINITY, 2000 * (uint64_t)(k + 1)}
+                      : (struct stop){0.05 * (k + 1), UINT64_MAX};
+        compare(movers, 1, seed % 3 == 0, stops, movers == 6 ? STOPS : 2,
+                "burst");
+    }
+}
+
+/* A burst of 314159 collisions, more than a slab holds, with others on both
+   sides; it is cut in its middle. */
+static void test_long_burst(void)
+{
+    const struct stop stops[] = {{0.5, UINT64_MAX},  {INFINITY, 120000},
+                                 {INFINITY, 120001}, {INFINITY, 300000},
+                                 {3, 330000},        {4, 400000}};
+    for (size_t movers = 2; movers < 60; movers += 19) {
+        fill_random(movers, 8, false);
+        for (size_t i = 1; i <= movers; ++i) {
+            body[i].x = (double)i;
+            body[i].v = i == 2 ? -0.6 : 0.01 * (double)(i % 7);
+        }
+        body[1].im = 1;
+        body[2].im = 1e-10;
+        compare(movers, 1, false, stops, 6, "long burst");
+    }
+}
+
+/* Without walls, or with one, the run ends when all fly apart: the clock
+   stands at the last collision, or goes on to the time asked for. */
+static void test_open_ends(void)
+{
+    static const size_t movers[] = {1, 2, 5, 50, 400};
+    for (size_t n = 0; n < 5; ++n)
+        for (int e = 0; e < 2; ++e)
+            for (int walls = 0; walls < 4; ++walls) {
+                const struct stop stops[] = {{0.7, UINT64_MAX},
+                                             {INFINITY, movers[n]},
+                                             {20, UINT64_MAX},
+                                             {1e6, 3 * movers[n]},
+                                             {INFINITY, 3000000}};
+                fill_random(movers[n], n + 1, false);
+                if (walls & 1)
+                    body[0].x = -INFINITY;
+                if (walls & 2)
+                    body[movers[n] + 1].x = INFINITY;
+                if (e && walls != 3 && movers[n] > 50)
+                    continue;
+                const enum bonkers_stop stop =
+                    compare(movers[n], e ? 0.97 : 1, false, stops,
+                            walls ? 5 : 4, "open");
+                if (walls && !e)
+                    UNIT_TRUE(stop == BONKERS_STILL);
+            }
+}
+
+static void test_cuts_change_no_bit(void)
+{
+    for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e)
+        for (uint64_t seed = 1; seed <= 12; ++seed) {
+            const size_t movers = 3 * seed * seed;
+            struct bonkers whole, cut;
+            struct random r;
+            static double x[LARGEST], v[LARGEST];
+            const double restitution = seed % 3 ? 1 : 0.99;
+            const double length = 3000.0 / (double)movers;
+            random_seed(&r, seed);
+            fill_random(movers, seed, seed % 2);
+            begin(&whole, movers, restitution, (enum bonkers_engine)e,
+                  seed % 2);
+            begin(&cut, movers, restitution, (enum bonkers_engine)e,
+                  seed % 2);
+            while (cut.now < length) {
+                const double step =
+                    random_log_uniform(&r, 1e-6, length / 3);
+                const uint64_t more = random_below(&r, 100);
+                bonkers_run(&cut, fmin(length, cut.now + step),
+                            cut.collisions + more);
+                bonkers_state(&cut, x, v);
+            }
+            bonkers_run(&whole, length, UINT64_MAX);
+            UNIT_TRUE(whole.collisions > 100);
+            UNIT_TRUE(differs(&whole, &cut) == NULL);
+            bonkers_free(&whole);
+            bonkers_free(&cut);
+        }
+}
+
+/* The engines differ from the naive one by rounding only. Each collision
+   of either engine errs by a few eps in a velocity and by a few eps
+   (L + v t) in a position, v t for the rounding of the clock; an error of
+   a velocity moves a position by as much times t. A collision is a
+   reflection in scaled velocities, so errors are not magnified, but may be
+   handed from the heaviest to the lightest, sqrt(9) = 3 times as large. n
+   collisions, 2 engines, 4 roundings each: 24 n eps (L + 2 v t), where the
+   largest v is below sqrt(2 E / 1) = sqrt(N). */
+static void test_naive_agrees(void)
+{
+    static const size_t movers[] = {1, 2, 3, 7, 33};
+    for (size_t n = 0; n < 5; ++n)
+        for (uint64_t seed = 1; seed <= 6; ++seed) {
+            struct bonkers naive, scan;
+            const double t = 200.0 / (double)movers[n], size = t / 10;
+            double worst = 0;
+            fill_random(movers[n], seed, seed % 2);
+            begin(&naive, movers[n], 1, BONKERS_NAIVE, seed % 2);
+            begin(&scan, movers[n], 1, BONKERS_SCAN, seed % 2);
+            for (int k = 1; k <= 10; ++k) {
+                UNIT_TRUE(bonkers_run(&naive, k * size, UINT64_MAX) ==
+                          BONKERS_TIME);
+                bonkers_run(&scan, k * size, UINT64_MAX);
+                UNIT_EQUAL((double)naive.collisions,
+                           (double)scan.collisions);
+                differs(&naive, &scan);
+                for (size_t i = 0; i <= naive.gaps; ++i)
+                    worst =
+                        fmax(worst, fabs(state[0][0][i] - state[1][0][i]));
+            }
+            UNIT_NEAR(worst, 0,
+                      24 * (double)scan.collisions * DBL_EPSILON *
+                          (body[movers[n] + 1].x +
+                           2 * sqrt((double)movers[n]) * t));
+            bonkers_free(&naive);
+            bonkers_free(&scan);
+        }
+}
+
+/* Left and right exchanged, or all units changed by powers of two: every
+   bit stays. */
+static void test_symmetries(void)
+{
+    static const size_t movers[] = {2, 7, 33, 150};
+    for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e)
+        for (size_t n = 0; n < 4; ++n) {
+            const size_t last = movers[n] + 1;
+            struct bonkers a, mirror, scaled;
+            size_t same = 0;
+            fill_random(movers[n], 21, false);
+            begin(&a, movers[n], 1, (enum bonkers_engine)e, false);
+            for (size_t i = 0; i <= last; ++i) {
+                body[i].x = a.body[i].x * 1024;
+                body[i].v *= 0.25;
+                body[i].im *= 8;
+            }
+            begin(&scaled, movers[n], 1, (enum bonkers_engine)e, false);
+            for (size_t i = 0; i <= last; ++i)
+                body[i] = (struct bonkers_body){-a.body[last - i].x,
+                                                -a.body[last - i].v, 0,
+                                                a.body[last - i].im};
+            begin(&mirror, movers[n], 1, (enum bonkers_engine)e, false);
+            bonkers_run(&a, 40, UINT64_MAX);
+            bonkers_run(&mirror, 40, UINT64_MAX);
+            bonkers_run(&scaled, 40 * 4096.0, UINT64_MAX);
+            bonkers_state(&mirror, state[1][0], state[1][1]);
+            for (size_t i = 0; i <= last; ++i) {
+                const struct bonkers_body *p = &a.body[i];
+                const struct bonkers_body *q = &mirror.body[last - i];
+                const struct bonkers_body *s = &scaled.body[i];
+                same += p->x == -q->x && p->v == -q->v &&
+                        p->since == q->since && p->x * 1024 == s->x &&
+                        p->v == 4 * s->v && p->since * 4096 == s->since;
+            }
+            UNIT_TRUE(a.collisions > 20);
+            UNIT_EQUAL((double)same, (double)last + 1);
+            bonkers_free(&a);
+            bonkers_free(&mirror);
+            bonkers_free(&scaled);
+        }
+}
+
+/* In no row is a body left of its neighbour, and both walls stand where
+   they stood. Rods may overlap by the rounding of a position and a shift:
+   2 eps of a number up to 2 L. */
+static void test_order_and_walls(void)
+{
+    for (uint64_t seed = 1; seed <= 12; ++seed) {
+        const size_t movers = 2 + 5 * seed, rods = seed % 2;
+        struct bonkers b;
+        double *x = state[0][0], *v = state[0][1];
+        size_t crossed = 0;
+        fill_random(movers, seed, rods);
+        if (seed % 3 == 0)
+            for (size_t i = 1; i <= movers; i += 3)
+                body[i].im = 1e-5;
+        begin(&b, movers, 1, BONKERS_AUTO, rods);
+        const double length = body[movers + 1].x;
+        for (int k = 1; k <= 4000; ++k) {
+            if (k % 2)
+                bonkers_run(&b, b.now + 0.01 * (double)seed, UINT64_MAX);
+            else
+                bonkers_run(&b, INFINITY, b.collisions + 1 + seed);
+            bonkers_state(&b, x, v);
+            crossed += x[0] != 0 || x[movers + 1] != length || v[0] != 0 ||
+                       v[movers + 1] != 0;
+            for (size_t i = 0; i <= movers; ++i)
+                crossed += x[i + 1] - x[i] <
+                           radius[i] + radius[i + 1] -
+                               (rods ? 4 * DBL_EPSILON * length : 0);
+        }
+        UNIT_EQUAL((double)crossed, 0);
+        UNIT_EQUAL((double)b.disorder, 0);
+        bonkers_free(&b);
+    }
+}
+
+/* With radii and places that are whole multiples of 2^-20 nothing is
+   rounded when the radii are taken out: rods are points in a smaller box,
+   to the last bit. */
+static void test_rods_are_points(void)
+{
+    for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e)
+        for (size_t movers = 1; movers < 200; movers = 3 * movers + 1) {
+            struct bonkers points, rods;
+            struct random r;
+            double shift[LARGEST / 100], sum = 0;
+            size_t same = 0;
+            random_seed(&r, movers);
+            fill_random(movers, movers, false);
+            for (size_t i = 0; i <= movers + 1; ++i)
+                body[i].x = round(body[i].x * 0x1p20) * 0x1p-20;
+            begin(&points, movers, 1, (enum bonkers_engine)e, false);
+            for (size_t i = 0; i <= movers + 1; ++i) {
+                const bool wall = i == 0 || i == movers + 1;
+                radius[i] =
+                    wall ? 0 : (double)random_below(&r, 1 << 20) * 0x1p-20;
+                shift[i] = sum + radius[i];
+                body[i].x += shift[i];
+                sum += 2 * radius[i];
+            }
+            begin(&rods, movers, 1, (enum bonkers_engine)e, true);
+            bonkers_run(&points, 30, UINT64_MAX);
+            bonkers_run(&rods, 30, UINT64_MAX);
+            UNIT_EQUAL((double)rods.collisions, (double)points.collisions);
+            UNIT_TRUE(rods.collisions > 5);
+            differs(&points, &rods);
+            for (size_t i = 0; i <= movers + 1; ++i)
+                same += state[1][0][i] == state[0][0][i] + shift[i] &&
+                        state[1][1][i] == state[0][1][i];
+            UNIT_EQUAL((double)same, (double)movers + 2);
+            bonkers_free(&points);
+            bonkers_free(&rods);
+        }
+}
+
+/* Starts that are their own mirror image, so that three bodies meet in the
+   middle at one time but for rounding, which may put them in the wrong
+   order. No clock runs backwards, no row is out of order, even a last bit
+   before or after a collision; none is lost, so the energy and the
+   symmetry stay. */
+static void test_threes(void)
+{
+    for (uint64_t seed = 1; seed <= 40; ++seed) {
+        const size_t half = 1 + seed % 5, movers = 2 * half + 1;
+        const struct stop stops[] = {{3.3, UINT64_MAX},
+                                     {INFINITY, 200},
+                                     {INFINITY, 700},
+                                     {40, UINT64_MAX}};
+        struct bonkers b, ahead;
+        double *x = state[0][0], *v = state[0][1];
+        size_t wrong = 0;
+        fill_random(movers, seed, false);
+        const double length = body[movers + 1].x + 0.1 * (double)seed;
+        body[movers + 1].x = length;
+        body[half + 1].x = length / 2;
+        body[half + 1].v = 0;
+        for (size_t i = 1; i <= half; ++i) {
+            body[i].x *= 0.3;
+            body[movers + 1 - i] = (struct bonkers_body){
+                length - body[i].x, -body[i].v, 0, body[i].im};
+        }
+        const double offset = seed % 2 ? 0 : 1000;
+        for (size_t i = 0; i <= movers + 1; ++i)
+            body[i].x += offset;
+        const double right = body[movers + 1].x;
+        compare(movers, 1, false, stops, 4, "threes");
+        /* so many meetings of three are no collapse */
+        UNIT_TRUE(compare(movers, 0.9999, false, stops, 4, "threes") !=
+                  BONKERS_COLLAPSE);
+        begin(&b, movers, 1, BONKERS_SCAN, false);
+        begin(&ahead, movers, 1, BONKERS_SCAN, false);
+        const double energy = bonkers_energy(&b);
+        for (int k = 0; k < 1500; ++k) {
+            const double now = ahead.now;
+            bonkers_run(&ahead, INFINITY, ahead.collisions + 1);
+            wrong += ahead.now < now;
+            for (int look = 0; look < 2; ++look) {
+                const double t =
+                    look == 0 ? nextafter(ahead.now, 0) : ahead.now;
+                if (t < b.now)
+                    continue;
+                bonkers_run(&b, t, UINT64_MAX);
+                bonkers_state(&b, x, v);
+                for (size_t i = 0; i <= movers; ++i)
+                    wrong += x[i + 1] < x[i];
+                wrong += x[0] != offset || x[movers + 1] != right;
+            }
+        }
+        UNIT_EQUAL((double)wrong, 0);
+        UNIT_EQUAL((double)b.disorder, 0);
+        /* a random walk of 1500 steps of eps/2, and ten times as much */
+        UNIT_NEAR(bonkers_energy(&b) / energy, 1, 200 * DBL_EPSILON);
+        bonkers_free(&b);
+        bonkers_free(&ahead);
+        begin(&b, movers, 1, BONKERS_NAIVE, false);
+        wrong = 0;
+        for (int k = 0; k < 300; ++k) {
+            const double now = b.now;
+            bonkers_run(&b, INFINITY, b.collisions + 1);
+            wrong += b.now < now;
+        }
+        UNIT_EQUAL((double)wrong, 0);
+        bonkers_free(&b);
+    }
+}
+
+static int ascending(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* Equal masses pass velocities on: the bodies are ghosts that fly through
+   each other, folded at the walls (eq:unfold). A collision places two
+   ghosts by the slower one, and shifts the other by its speed of approach
+   times the error of the time, which is at most eps t, and by the rounding
+   of two positions, eps L; and changes each speed by two roundings of
+   2 v. A ghost meets each of the others, and a wall, at most once in the
+   time 2 L / v each: n / N * 2 collisions on average, and surely fewer
+   than n. The position of a ghost with a wrong speed is wrong by t times
+   as much: 2 n eps (3 v t + L) is a bound, and a hundred times what is
+   found. */
+static void test_equal_masses(void)
+{
+    for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e)
+        for (size_t movers = 2; movers <= 10; movers += 4) {
+            struct bonkers b;
+            double ghost[10], speed[2][10], fastest = 0, worst = 0;
+            const double length = (double)movers + 1;
+            fill_random(movers, 31 + movers, false);
+            for (size_t i = 1; i <= movers; ++i) {
+                body[i].im = 1 / 0.7;
+                speed[0][i - 1] = fabs(body[i].v);
+                fastest = fmax(fastest, fabs(body[i].v));
+            }
+            qsort(speed[0], movers, sizeof(double), ascending);
+            begin(&b, movers, 1, (enum bonkers_engine)e, false);
+            for (double t = 0.1; t < 2e4; t *= 10) {
+                bonkers_run(&b, t, UINT64_MAX);
+                bonkers_state(&b, state[0][0], state[0][1]);
+                for (size_t i = 1; i <= movers; ++i) {
+                    double y = fmod(body[i].x + body[i].v * t, 2 * length);
+                    y = y < 0 ? y + 2 * length : y;
+                    ghost[i - 1] = y > length ? 2 * length - y : y;
+                    speed[1][i - 1] = fabs(state[0][1][i]);
+                }
+                qsort(ghost, movers, sizeof(double), ascending);
+                qsort(speed[1], movers, sizeof(double), ascending);
+                const double n = (double)b.collisions + 1;
+                const double tolerance =
+                    2 * n * DBL_EPSILON * (3 * fastest * t + length);
+                for (size_t i = 0; i < movers; ++i) {
+                    UNIT_NEAR(state[0][0][i + 1], ghost[i], tolerance);
+                    UNIT_NEAR(speed[1][i], speed[0][i],
+                              2 * n * DBL_EPSILON * fastest);
+                    worst =
+                        fmax(worst, fabs(state[0][0][i + 1] - ghost[i]));
+                }
+            }
+            UNIT_TRUE(b.collisions > 1000);
+            UNIT_TRUE(worst < 1e-5); /* of gaps of 1 m */
+            bonkers_free(&b);
+        }
+}
+
+/* Five balls in free space, one metre apart or touching: what flies away,
+   and after how many collisions. */
+static const struct {
+    double mass[5], v[5], after[5];
+    int collisions;
+} cradle[] = {
+    {{1, 1, 1, 1, 1}, {1, 0, 0, 0, 0}, {0, 0, 0, 0, 1}, 4},
+    {{1, 1, 1, 1, 1}, {1, 1, 0, 0, 0}, {0, 0, 0, 1, 1}, 6},
+    {{1, 1, 1, 1, 1}, {1, 1, 1, 0, 0}, {0, 0, 1, 1, 1}, 6},
+    {{1, 1, 1, 1, 1}, {1, 0, 0, 0, -1}, {-1, 0, 0, 0, 1}, 7},
+    {{2, 1, 1, 1, 1},
+     {1, 0, 0, 0, 0},
+     {1 / 81.0, 4 / 81.0, 4 / 27.0, 4 / 9.0, 4 / 3.0},
+     10},
+    {{3, 1, 1, 1, 1},
+     {1, 0, 0, 0, 0},
+     {1 / 16.0, 3 / 16.0, 3 / 8.0, 3 / 4.0, 3 / 2.0},
+     10},
+    {{0.5, 1, 1, 1, 1}, {1, 0, 0, 0, 0}, {-1 / 3.0, 0, 0, 0, 2 / 3.0}, 4},
+    {{1, 1, 1, 1, 2}, {1, 0, 0, 0, 0}, {-1 / 3.0, 0, 0, 0, 2 / 3.0}, 7},
+};
+
+static void test_cradle(void)
+{
+    for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e)
+        for (size_t k = 0; k < sizeof cradle / sizeof cradle[0]; ++k)
+            for (int touching = 0; touching < 2; ++touching) {
+                struct bonkers b;
+                for (size_t i = 0; i <= 6; ++i) {
+                    body[i] = (struct bonkers_body){(double)i, 0, 0, 0};
+                    radius[i] = i > 0 && i < 6 ? 0.5 : 0;
+                }
+                for (size_t i = 0; i < 5; ++i) {
+                    body[i + 1].v = cradle[k].v[i];
+                    body[i + 1].im = 1 / cradle[k].mass[i];
+                }
+                body[0].x = -INFINITY;
+                body[6].x = INFINITY;
+                begin(&b, 5, 1, (enum bonkers_engine)e, touching);
+                UNIT_TRUE(bonkers_run(&b, INFINITY, UINT64_MAX) ==
+                          BONKERS_STILL);
+                UNIT_EQUAL((double)b.collisions, cradle[k].collisions);
+                /* 10 collisions, 4 roundings of a number up to 2 each */
+                for (size_t i = 0; i < 5; ++i)
+                    UNIT_NEAR(b.body[i + 1].v, cradle[k].after[i],
+                              40 * DBL_EPSILON);
+                UNIT_TRUE(b.body[0].x == -INFINITY &&
+                          b.body[6].x == INFINITY);
+                bonkers_free(&b);
+            }
+}
+
+/* Galperin: the digits of pi, and other ratios, by every engine. */
+static void test_galperin(void)
+{
+    static const struct {
+        double ratio, count;
+    } runs[] = {{1, 3},    {100, 31},   {1e4, 314},  {1e6, 3141},
+                {2, 5},    {3, 5},      {10, 10},    {16, 12},
+                {256, 50}, {4096, 201}, {65536, 804}};
+    for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e)
+        for (size_t k = 0; k < sizeof runs / sizeof runs[0]; ++k) {
+            struct start s;
+            struct bonkers b;
+            size_t wrong = 0;
+            start_fill(&s, &(struct start_wish){.kind = START_GALPERIN,
+                                                .ratio = runs[k].ratio});
+            UNIT_TRUE(
+                bonkers_begin(&b, &s, 1, (enum bonkers_engine)e, &wrong));
+            UNIT_EQUAL((double)wrong, 3);
+            UNIT_TRUE(bonkers_run(&b, INFINITY, UINT64_MAX) ==
+                      BONKERS_STILL);
+            UNIT_EQUAL((double)b.collisions, runs[k].count);
+            bonkers_free(&b);
+            start_free(&s);
+        }
+}
+
+/* A million collisions of eight bodies. Rounding is a random walk, 0.3 eps
+   sqrt(n) = 7e-14 of standard deviation, and a bias of about 5e-4 eps n =
+   1e-13 for these masses: 1e-12 is more than ten of either, and a
+   hundredth of the drift of a biased collision, 1e-10. */
+static void test_energy(void)
+{
+    struct start s;
+    struct bonkers b;
+    size_t wrong;
+    start_fill(&s, &(struct start_wish){.kind = START_MIXED});
+    bonkers_begin(&b, &s, 1, BONKERS_AUTO, &wrong);
+    const double before = bonkers_energy(&b);
+    UNIT_NEAR(before, 90.84, 0.01);
+    UNIT_TRUE(bonkers_run(&b, INFINITY, 1000000) == BONKERS_COLLISIONS);
+    UNIT_NEAR(bonkers_energy(&b) / before, 1, 1e-12);
+    UNIT_TRUE(bonkers_energy(&b) != before);
+    bonkers_free(&b);
+    start_free(&s);
+}
+
+/* A ball at rest between a wall and one that comes in, of equal masses. */
+static enum bonkers_stop collapse(struct bonkers *b, double e,
+                                  enum bonkers_engine engine)
+{
+    memset(body, 0, 4 * sizeof body[0]);
+    body[1] = (struct bonkers_body){1, 0, 0, 1};
+    body[2] = (struct bonkers_body){2, -1, 0, 1};
+    body[3].x = INFINITY;
+    begin(b, 2, e, engine, false);
+    return bonkers_run(b, INFINITY, UINT64_MAX);
+}
+
+/* Below 3 - 2 sqrt 2 = 0.1716 there is no end. Above it the count of
+   collisions is 31 at 0.174 and 9 at 0.2, by exact fractions. */
+static void test_collapse(void)
+{
+    static const double without_end[] = {0, 0.001, 0.05, 0.1, 0.168};
+    for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e) {
+        struct bonkers b;
+        for (int k = 0; k < 5; ++k) {
+            UNIT_TRUE(collapse(&b, without_end[k],
+                               (enum bonkers_engine)e) == BONKERS_COLLAPSE);
+            UNIT_TRUE(isfinite(b.now) && b.collisions < 1000);
+            bonkers_free(&b);
+        }
+        UNIT_TRUE(collapse(&b, 0.174, (enum bonkers_engine)e) ==
+                  BONKERS_STILL);
+        UNIT_EQUAL((double)b.collisions, 31);
+        bonkers_free(&b);
+        UNIT_TRUE(collapse(&b, 0.2, (enum bonkers_engine)e) ==
+                  BONKERS_STILL);
+        UNIT_EQUAL((double)b.collisions, 9);
+        bonkers_free(&b);
+    }
+}
+
+/* After a collapse the clock stands, however often one asks. */
+static void test_after_a_collapse(void)
+{
+    for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e) {
+        struct bonkers b;
+        collapse(&b, 0.1, (enum bonkers_engine)e);
+        const double now = b.now;
+        for (int k = 1; k < 4; ++k)
+            UNIT_TRUE(bonkers_run(&b, now + 10 * k, UINT64_MAX) ==
+                      BONKERS_COLLAPSE);
+        UNIT_EQUAL(b.now, now);
+        bonkers_free(&b);
+    }
+}
+
+/* The same two balls and their wall collapse however many others lie far
+   away at rest. */
+static void test_collapse_in_company(void)
+{
+    for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e) {
+        enum { OTHERS = 998 };
+        struct bonkers b;
+        memset(body, 0, (OTHERS + 4) * sizeof body[0]);
+        body[1] = (struct bonkers_body){1, 0, 0, 1};
+        body[2] = (struct bonkers_body){2, -1, 0, 1};
+        for (size_t i = 3; i <= OTHERS + 2; ++i)
+            body[i] = (struct bonkers_body){(double)i + 10, 0, 0, 1};
+        body[OTHERS + 3].x = OTHERS + 20;
+        begin(&b, OTHERS + 2, 0.168, (enum bonkers_engine)e, false);
+        UNIT_TRUE(bonkers_run(&b, 1000, UINT64_MAX) == BONKERS_COLLAPSE);
+        bonkers_free(&b);
+    }
+}
+
+/* A row of touching bodies that loses energy has many collisions at one
+   time, some between the same two, and no collapse. */
+static void test_row_is_no_collapse(void)
+{
+    for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e) {
+        struct bonkers b;
+        fill_row(40, false);
+        body[0].x = -INFINITY;
+        body[41].x = INFINITY;
+        body[1].v = 1;
+
+        begin(&b, 40, 0.99, (enum bonkers_engine)e, true);
+        UNIT_TRUE(bonkers_run(&b, INFINITY, UINT64_MAX) == BONKERS_STILL);
+        UNIT_TRUE(b.collisions > 38);
+        bonkers_free(&b);
+    }
+}
+
+/* Sticking bodies in free space end up with one velocity. */
+static void test_sticking(void)
+{
+    for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e) {
+        struct bonkers b;
+        for (size_t i = 0; i <= 3; ++i)
+            body[i] = (struct bonkers_body){(double)i, 0, 0, 1 / 3.0};
+        body[0] = (struct bonkers_body){-INFINITY, 0, 0, 0};
+        body[3] = (struct bonkers_body){INFINITY, 0, 0, 0};
+        body[1].v = 1;
+        begin(&b, 2, 0, (enum bonkers_engine)e, false);
+        UNIT_TRUE(bonkers_run(&b, INFINITY, UINT64_MAX) == BONKERS_STILL);
+        UNIT_NEAR(b.body[1].v, 0.5, 2 * DBL_EPSILON);
+        UNIT_NEAR(b.body[2].v, 0.5, 2 * DBL_EPSILON);
+        bonkers_free(&b);
+    }
+}
+
+static void test_start(void)
+{
+    struct bonkers b;
+    bonkers_create(&b, 3, 1, BONKERS_AUTO);
+    static const struct {
+        double x[5], radius;
+        size_t wrong;
+    } starts[] = {
+        {{0, 1, 2, 3, 4}, 0, 4},
+        {{0, 1, 1, 1, 4}, 0, 4},
+        {{0, 1, 0.5, 3, 4}, 0, 1},
+        {{0, -1, 2, 3, 4}, 0, 0},
+        {{0, 1, 2, 5, 4}, 0, 3},
+        {{0, 1, 2, 3, 4}, 0.5, 4},
+        {{0, 1, 2, 3, 4}, 0.6, 1},
+        {{0, 0.4, 2, 3, 4}, 0.5, 0},
+        {{0, 1, 2, 3.6, 4}, 0.5, 3},
+        {{0, NAN, 2, 3, 4}, 0, 0},
+        {{0, 1, 2, NAN, 4}, 0, 2},
+        {{0, 0, 0, 0, 0}, 0, 4},
+        {{0, 1, 2, INFINITY, INFINITY}, 0, 3},
+    };
+    for (size_t k = 0; k < sizeof starts / sizeof starts[0]; ++k) {
+        double a[5] = {0};
+        for (size_t i = 0; i < 5; ++i) {
+            b.body[i] = (struct bonkers_body){starts[k].x[i], 0, 0,
+                                              i > 0 && i < 4 ? 1 : 0};
+            a[i] = i > 0 && i < 4 ? starts[k].radius : 0;
+        }
+        free(b.shift);
+        b.shift = malloc(5 * sizeof *b.shift);
+        UNIT_EQUAL((double)bonkers_start(&b, a), (double)starts[k].wrong);
+    }
+    bonkers_free(&b);
+    /* tenths do not add up, but touch: 0.1 + 0.2 is not 0.3 */
+    fill_row(30, false);
+    for (size_t i = 1; i <= 30; ++i) {
+        body[i].x = 0.2 * (double)i - 0.1;
+        radius[i] = 0.1;
+    }
+    body[31].x = 0.2 * 30;
+    begin(&b, 30, 1, BONKERS_AUTO, true);
+    UNIT_TRUE(bonkers_run(&b, 10, UINT64_MAX) == BONKERS_TIME);
+    UNIT_EQUAL((double)b.collisions, 0);
+    bonkers_free(&b);
+}
+
+/* The scan for a few movers, slabs for more. */
+static void test_auto(void)
+{
+    struct bonkers b;
+    bonkers_create(&b, BONKERS_SCANNED, 1, BONKERS_AUTO);
+    UNIT_TRUE(b.engine == BONKERS_SCAN);
+    bonkers_free(&b);
+    bonkers_create(&b, BONKERS_SCANNED + 1, 1, BONKERS_AUTO);
+    UNIT_TRUE(b.engine == BONKERS_SLAB);
+    bonkers_free(&b);
+    bonkers_free(&b); /* twice is harmless */
+    UNIT_TRUE(strcmp(bonkers_engine_names[BONKERS_SLAB], "slab") == 0);
+    UNIT_TRUE(bonkers_engine_names[BONKERS_ENGINES] == NULL);
+}
+
+/* A collision exactly at the end takes place; the clock stops there. */
+static void test_exact_end(void)
+{
+    for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e) {
+        struct bonkers b;
+        double x[4], v[4];
+        memset(body, 0, 4 * sizeof body[0]);
+        body[1] = (struct bonkers_body){1, 1, 0, 1};
+        body[2] = (struct bonkers_body){3, -1, 0, 1};
+        body[3].x = 4;
+        begin(&b, 2, 1, (enum bonkers_engine)e, false);
+        bonkers_run(&b, 1, UINT64_MAX);
+        UNIT_EQUAL((double)b.collisions, 1);
+        bonkers_free(&b);
+        begin(&b, 2, 1, (enum bonkers_engine)e, false);
+        bonkers_run(&b, nextafter(1, 0), UINT64_MAX);
+        UNIT_EQUAL((double)b.collisions, 0);
+        UNIT_TRUE(bonkers_run(&b, 1, UINT64_MAX) == BONKERS_TIME);
+        UNIT_EQUAL((double)b.collisions, 1);
+        bonkers_state(&b, x, v);
+        UNIT_TRUE(x[1] == 2 && x[2] == 2 && v[1] == -1 && v[2] == 1);
+        UNIT_EQUAL(b.now, 1);
+        UNIT_EQUAL(bonkers_energy(&b), 1);
+        bonkers_free(&b);
+    }
+}
+
+/* Settled, a run goes on as it would have, with the clock at zero. Points
+   and rods. */
+static void test_settle(void)
+{
+    for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e)
+        for (int rods = 0; rods < 2; ++rods) {
+            struct bonkers a, b;
+            fill_random(20, 77, rods);
+            begin(&a, 20, 1, (enum bonkers_engine)e, rods);
+            begin(&b, 20, 1, (enum bonkers_engine)e, rods);
+            bonkers_run(&a, 5, UINT64_MAX);
+            bonkers_run(&b, 5, UINT64_MAX);
+            bonkers_settle(&b);
+            UNIT_TRUE(b.now == 0 && b.collisions == 0);
+            UNIT_EQUAL((double)bonkers_start(&b, rods ? radius : NULL), 21);
+            differs(&a, &b);
+            double worst = 0;
+            for (size_t i = 0; i <= 21; ++i)
+                worst = fmax(worst, fabs(state[0][0][i] - state[1][0][i]));
+            UNIT_NEAR(worst, 0, 4 * DBL_EPSILON * body[21].x);
+            bonkers_run(&a, 10, UINT64_MAX);
+            bonkers_run(&b, 5, UINT64_MAX);
+            differs(&a, &b);
+            for (size_t i = 0; i <= 21; ++i)
+                worst = fmax(worst, fabs(state[0][0][i] - state[1][0][i]));
+            /* about 200 collisions; see test_naive_agrees */
+            UNIT_NEAR(worst, 0,
+                      24 * 400 * DBL_EPSILON *
+                          (body[21].x + 2 * sqrt(20) * 10));
+            bonkers_free(&a);
+            bonkers_free(&b);
+        }
+}
+
+int main(void)
+{
+    return unit_run(
+        "bonkers",
+        (struct unit_test[]){
+            {"scan, heap and slab give the same bits", test_engines_agree},
+            {"so they do with restitution below one",
+             test_inelastic_engines_agree},
+            {"and with 20000 of low restitution", test_large_collapse},
+            {"and where many gaps close at one time", test_ties},
+            {"and after every single collision", test_every_collision},
+            {"collision number C is the same on any way there",
+             test_collision_number},
+            {"and in touching rows", test_touching_rows},
+            {"a touching row of 100000 is struck", test_long_row},
+            {"and from one place", test_one_place},
+            {"and in bursts between heavy bodies", test_bursts},
+            {"and in a burst longer than a slab", test_long_burst},
+            {"and with open ends", test_open_ends},
+            {"no cut and no look changes a bit", test_cuts_change_no_bit},
+            {"the naive engine differs by rounding", test_naive_agrees},
+            {"mirrored and in other units, every bit is the same",
+             test_symmetries},
+            {"bodies stay in order and walls stand", test_order_and_walls},
+            {"three that meet at once stay in order", test_threes},
+            {"rods are points in a smaller box", test_rods_are_points},
+            {"equal masses are ghosts", test_equal_masses},
+            {"Newton's cradle", test_cradle},
+            {"Galperin's counts", test_galperin},
+            {"a million collisions keep the energy", test_energy},
+            {"two balls and a wall collapse below 0.1716", test_collapse},
+            {"a collapse lasts", test_after_a_collapse},
+            {"a collapse is seen among a thousand",
+             test_collapse_in_company},
+            {"a struck row is no collapse", test_row_is_no_collapse},
+            {"sticking bodies move as one", test_sticking},
+            {"starts are checked", test_start},
+            {"the engine chosen", test_auto},
+            {"a collision exactly at the end takes place", test_exact_end},
+            {"a settled run goes on", test_settle},
+            {0}});
+}

@@ -1,0 +1,315 @@
+/* The laws of equilibrium against reference values computed for this book
+   (the velocity law by its gamma functions, checked by brute force; the
+   positions by exact fractions), and the tests of a law against exact
+   draws. Seeds are fixed; a tolerance is four standard deviations of what
+   is measured, unless said otherwise. */
+#include "unit.h"
+
+#include "laws.h"
+#include "statistics.h"
+#include "toolbox/random.h"
+
+#include <float.h>
+#include <stdlib.h>
+
+enum { MOST = 100000 };
+static double x[MOST];
+
+static struct law law_of(const char *text)
+{
+    struct law law = {0};
+    const char *wrong = laws_read(text, &law);
+    UNIT_TRUE(wrong == NULL);
+    laws_complete(&law, 0, 1);
+    return law;
+}
+
+/* n velocities share E = 1/2, m = 1: u = v. p(0) and P(|u| < 0.1); ten
+   digits are given. */
+static void test_velocity_table(void)
+{
+    static const struct {
+        const char *text;
+        double n, top, inside;
+    } table[] = {
+        {"microcanonical:2,0.5,1", 2, 0.318309886184, 0.0637685609},
+        {"microcanonical:3,0.5,1", 3, 0.5, 0.1},
+        {"microcanonical:4,0.5,1", 4, 0.636619772368, 0.1271114284},
+        {"microcanonical:5,0.5,1", 5, 0.75, 0.1495},
+        {"microcanonical:8,0.5,1", 8, 1.018591635788, 0.2020283048},
+        {"microcanonical:10,0.5,1", 10, 1.164104726615, 0.2301250001},
+        {"microcanonical:22,0.5,1", 22, 1.806556253735, 0.3501563419},
+        {"microcanonical:500,0.5,1", 500, 8.907231839338, 0.9748001361}};
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; ++i) {
+        const struct law law = law_of(table[i].text);
+        UNIT_NEAR(laws_density(&law, 0), table[i].top, 2e-11);
+        UNIT_NEAR(laws_below(&law, 0.1) - laws_below(&law, -0.1),
+                  table[i].inside, 1e-10);
+        UNIT_NEAR(laws_sd(&law), 1 / sqrt(table[i].n), 1e-15);
+        UNIT_EQUAL(laws_below(&law, 1), 1);
+        UNIT_EQUAL(laws_below(&law, -1), 0);
+        UNIT_EQUAL(laws_density(&law, 1.5), 0);
+    }
+}
+
+/* Eight points between 1 and 10: means 2 to 9, these variances. */
+static void test_positions(void)
+{
+    static const double variance[] = {0.8, 1.4, 1.8, 2.0,
+                                      2.0, 1.8, 1.4, 0.8};
+    for (int k = 1; k <= 8; ++k) {
+        char text[32];
+        snprintf(text, sizeof text, "beta:%d,8,1,10", k);
+        const struct law law = law_of(text);
+        UNIT_NEAR(laws_mean(&law), k + 1, 1e-14);
+        UNIT_NEAR(pow(laws_sd(&law), 2), variance[k - 1], 1e-14);
+    }
+    const struct law first = law_of("beta:1,8");
+    UNIT_NEAR(laws_density(&first, 0), 8, 1e-13); /* N / L at the wall */
+    UNIT_NEAR(laws_below(&first, 0.25), 1 - pow(0.75, 8), 1e-15);
+}
+
+/* Every density is the slope of its probability: a centred difference with
+   h = 1e-4 errs by h^2 p''/6 < 1e-7, and its mean and spread are those of
+   the formulas: 4000 strips. */
+static void test_slopes(void)
+{
+    static const char *const texts[] = {
+        "normal:3,2",    "microcanonical:5,6,0.5",
+        "beta:3,8,1,10", "maxwell:2",
+        "maxwell:2,3",   "maxwell:2,3,1",
+        "maxwell:2,3,2", "maxwell:0.5,1,3"};
+    for (size_t k = 0; k < sizeof texts / sizeof texts[0]; ++k) {
+        const struct law law = law_of(texts[k]);
+        const double mean = laws_mean(&law), sd = laws_sd(&law), h = 1e-4;
+        double sum = 0, square = 0;
+        for (double z = 0.05; z < 1; z += 0.3)
+            UNIT_NEAR((laws_below(&law, mean + z * sd + h) -
+                       laws_below(&law, mean + z * sd - h)) /
+                          (2 * h),
+                      laws_density(&law, mean + z * sd), 1e-7);
+        for (int i = 0; i < 4000; ++i) {
+            const double v = mean + (i + 0.5 - 2000) / 200 * sd;
+            const double p = laws_below(&law, v + sd / 400) -
+                             laws_below(&law, v - sd / 400);
+            sum += p * v;
+            square += p * (v - mean) * (v - mean);
+        }
+        UNIT_NEAR(sum, mean, 1e-4 * sd);
+        UNIT_NEAR(sqrt(square), sd, 1e-4 * sd);
+    }
+}
+
+/* What was not given comes from the column, and is counted. */
+static void test_complete(void)
+{
+    struct law law = {0};
+    UNIT_TRUE(!laws_read("normal", &law));
+    UNIT_TRUE(laws_complete(&law, 3, 2) == 2);
+    UNIT_EQUAL(laws_mean(&law), 3);
+    UNIT_EQUAL(laws_sd(&law), 2);
+    UNIT_TRUE(!laws_read("microcanonical:10", &law));
+    UNIT_TRUE(laws_complete(&law, 3, 2) == 1);
+    UNIT_NEAR(laws_sd(&law), 2, 1e-15);
+    UNIT_TRUE(!laws_read("microcanonical:10,6,0.5", &law));
+    UNIT_TRUE(laws_complete(&law, 3, 2) == 0);
+    UNIT_NEAR(laws_sd(&law), sqrt(2 * 6 / (10 * 0.5)), 1e-15);
+    UNIT_TRUE(!laws_read("beta:2,8", &law));
+    UNIT_TRUE(laws_complete(&law, 3, 2) == 0);
+    UNIT_TRUE(!laws_read("maxwell:0.5", &law));
+    UNIT_TRUE(laws_complete(&law, 3, 2) == 0);
+    UNIT_NEAR(laws_sd(&law), sqrt(0.5), 1e-15);
+}
+
+static void test_bad_texts(void)
+{
+    static const char *const texts[] = {"",
+                                        "gauss",
+                                        "normal:",
+                                        "normal:1",
+                                        "normal:1,0",
+                                        "normal:1,2,3",
+                                        "normalx",
+                                        "microcanonical",
+                                        "microcanonical:1",
+                                        "microcanonical:2.5",
+                                        "microcanonical:10,6",
+                                        "microcanonical:10,-6,1",
+                                        "beta:1",
+                                        "beta:0,3",
+                                        "beta:4,3",
+                                        "beta:1,3,2,2",
+                                        "beta:1,3,",
+                                        "maxwell",
+                                        "maxwell:0",
+                                        "maxwell:1,0",
+                                        "maxwell:1,1,1.5",
+                                        "maxwell:nan",
+                                        "maxwell:inf",
+                                        "normal:a,b",
+                                        "beta:1,3x"};
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; ++i) {
+        struct law law = {0};
+        const char *wrong = laws_read(texts[i], &law);
+        UNIT_TRUE(wrong != NULL);
+        if (!wrong)
+            printf("# '%s' was accepted\n", texts[i]);
+    }
+}
+
+/* The usual critical values: Kolmogorov 10, 5 and 1 %; chi-square of 19
+   degrees of freedom, 5 and 1 %. Four or five digits are given. Both sums
+   of Kolmogorov's function meet at 1. */
+static void test_critical_values(void)
+{
+    UNIT_NEAR(laws_kolmogorov(1.2238), 0.1, 5e-5);
+    UNIT_NEAR(laws_kolmogorov(1.3581), 0.05, 5e-5);
+    UNIT_NEAR(laws_kolmogorov(1.6276), 0.01, 5e-6);
+    UNIT_NEAR(laws_kolmogorov(0.5), 0.9639452436648751, 1e-12);
+    UNIT_NEAR(laws_kolmogorov(1 - 1e-14), laws_kolmogorov(1), 1e-12);
+    UNIT_EQUAL(laws_kolmogorov(0), 1);
+    UNIT_NEAR(laws_kolmogorov(0.05), 1, 1e-15);
+    UNIT_NEAR(laws_chi2(30.1435, 19), 0.05, 5e-6);
+    UNIT_NEAR(laws_chi2(36.1909, 19), 0.01, 2e-6);
+}
+
+/* One component of a random direction in n dimensions. */
+static double draw_component(struct random *r, int n)
+{
+    const double first = random_normal(r);
+    double square = first * first;
+    for (int i = 1; i < n; ++i) {
+        const double other = random_normal(r);
+        square += other * other;
+    }
+    return first / sqrt(square);
+}
+
+/* If the law holds, a probability below p comes up with probability p:
+   1000 tests of 400 exact draws each. */
+static void test_true_law(void)
+{
+    enum { TIMES = 1000, SAMPLES = 400 };
+    const struct law law = law_of("microcanonical:10,0.5,1");
+    struct random r;
+    int small[2] = {0, 0}, large[2] = {0, 0};
+    random_seed(&r, 41);
+    for (int t = 0; t < TIMES; ++t) {
+        struct law_test test;
+        for (int i = 0; i < SAMPLES; ++i)
+            x[i] = draw_component(&r, 10);
+        UNIT_TRUE(laws_test(&law, SAMPLES, x, 1, 0, &test));
+        UNIT_TRUE(test.degrees == 19);
+        small[0] += test.distance_probability < 0.1;
+        small[1] += test.chi2_probability < 0.1;
+        large[0] += test.distance_probability > 0.5;
+        large[1] += test.chi2_probability > 0.5;
+    }
+    for (int k = 0; k < 2; ++k) {
+        UNIT_NEAR(small[k], 0.1 * TIMES, 4 * sqrt(0.1 * 0.9 * TIMES));
+        UNIT_NEAR(large[k], 0.5 * TIMES, 4 * sqrt(0.5 * 0.5 * TIMES));
+    }
+}
+
+/* 1e5 draws tell ten velocities from a Gaussian of the same spread, whose
+   distribution differs by up to 0.008; 400 draws do not. */
+static void test_false_law(void)
+{
+    const struct law normal = law_of("normal:0,0.316227766016838");
+    struct random r;
+    struct law_test test;
+    random_seed(&r, 42);
+    for (int i = 0; i < MOST; ++i)
+        x[i] = draw_component(&r, 10);
+    UNIT_TRUE(laws_test(&normal, MOST, x, 1, 0, &test));
+    UNIT_TRUE(test.distance_probability < 1e-4);
+    UNIT_TRUE(test.chi2_probability < 1e-6);
+    UNIT_TRUE(laws_test(&normal, 400, x, 1, 0, &test));
+    UNIT_TRUE(test.distance_probability > 0.01);
+    UNIT_TRUE(test.chi2_probability > 0.01);
+}
+
+/* Correlated samples of a true law, 400 times: with their inefficiency the
+   tests are right or careful, without it they cry wolf. */
+static void test_correlated(void)
+{
+    enum { TIMES = 400, SAMPLES = 4000 };
+    const struct law law = law_of("normal:0,1");
+    const double phi = 0.9, g = (1 + phi) / (1 - phi);
+    int honest[2] = {0, 0}, naive[2] = {0, 0};
+    struct random r;
+    random_seed(&r, 43);
+    for (int t = 0; t < TIMES; ++t) {
+        struct law_test with, without;
+        double value = random_normal(&r);
+        for (int i = 0; i < SAMPLES; ++i) {
+            x[i] = value;
+            value = phi * value + sqrt(1 - phi * phi) * random_normal(&r);
+        }
+        UNIT_TRUE(laws_test(&law, SAMPLES, x, g, 0, &with));
+        UNIT_TRUE(laws_test(&law, SAMPLES, x, 1, 0, &without));
+        honest[0] += with.distance_probability < 0.05;
+        honest[1] += with.chi2_probability < 0.05;
+        naive[0] += without.distance_probability < 0.05;
+        naive[1] += without.chi2_probability < 0.05;
+    }
+    for (int k = 0; k < 2; ++k) {
+        UNIT_TRUE(honest[k] < 0.05 * TIMES + 4 * sqrt(0.05 * 0.95 * TIMES));
+        UNIT_TRUE(naive[k] > 0.5 * TIMES);
+    }
+}
+
+/* A law with two numbers from the samples: fewer degrees of freedom, and
+   no probability of the distance. */
+static void test_fitted(void)
+{
+    struct random r;
+    struct law law = {0};
+    struct law_test test;
+    random_seed(&r, 44);
+    for (int i = 0; i < 5000; ++i)
+        x[i] = 7 + 3 * random_normal(&r);
+    const struct statistics_moments m = statistics_moments(5000, x);
+    UNIT_TRUE(!laws_read("normal", &law));
+    const size_t fitted = laws_complete(&law, m.mean, sqrt(m.variance));
+    UNIT_TRUE(laws_test(&law, 5000, x, 1, fitted, &test));
+    UNIT_TRUE(test.degrees == 17);
+    UNIT_NEAR(test.chi2, 17, 4 * sqrt(2 * 17));
+    UNIT_TRUE(isnan(test.distance_probability));
+}
+
+/* Three samples by hand: 0.1, 0.2 and 0.9 of a flat law. The distance is
+   2/3 - 0.2; of 20 bins three hold 1 and 17 none, expected 0.15 each. */
+static void test_by_hand(void)
+{
+    const struct law flat = law_of("beta:1,1");
+    const double samples[] = {0.9, 0.125, 0.2};
+    struct law_test test;
+    UNIT_TRUE(laws_test(&flat, 3, samples, 1, 0, &test));
+    UNIT_NEAR(test.distance, 2.0 / 3 - 0.2, 1e-15);
+    UNIT_NEAR(test.chi2, (3 * 0.85 * 0.85 + 17 * 0.15 * 0.15) / 0.15,
+              1e-12);
+    const double root = sqrt(3);
+    UNIT_NEAR(test.distance_probability,
+              laws_kolmogorov(test.distance * (root + 0.12 + 0.11 / root)),
+              1e-15);
+}
+
+int main(void)
+{
+    return unit_run(
+        "laws",
+        (struct unit_test[]){
+            {"the velocity law against its table", test_velocity_table},
+            {"positions: means and variances", test_positions},
+            {"a density is the slope of its probability", test_slopes},
+            {"what is not given is taken and counted", test_complete},
+            {"bad texts are refused", test_bad_texts},
+            {"critical values of both tests", test_critical_values},
+            {"three samples by hand", test_by_hand},
+            {"a true law passes as often as it should", test_true_law},
+            {"a false law fails, given enough samples", test_false_law},
+            {"correlated samples need their inefficiency", test_correlated},
+            {"fitted numbers cost degrees of freedom", test_fitted},
+            {0}});
+}

@@ -1,0 +1,359 @@
+/* The starts: their numbers, and what is random in them. */
+#include "unit.h"
+
+#include "start.h"
+
+#include <float.h>
+
+static struct start filled(struct start_wish wish)
+{
+    struct start s;
+    if (!start_fill(&s, &wish))
+        CU_FAIL_FATAL("no memory");
+    return s;
+}
+
+static double energy(const struct start *s, size_t from, size_t to)
+{
+    double sum = 0;
+    for (size_t i = from; i < to; ++i)
+        sum += s->mass[i] * s->v[i] * s->v[i] / 2;
+    return sum;
+}
+
+static double mass(const struct start *s, size_t from, size_t to)
+{
+    double sum = 0;
+    for (size_t i = from; i < to; ++i)
+        sum += s->mass[i];
+    return sum;
+}
+
+/* Every kind, at its usual size and others: from left to right inside the
+   walls with room for the radii, masses above 0, a time to run. */
+static void test_every_kind(void)
+{
+    for (int kind = 0; kind < START_KINDS; ++kind)
+        for (size_t movers = 0; movers < 40; ++movers)
+            for (uint64_t seed = 0; seed < 5; ++seed) {
+                if (!start_allows((enum start_kind)kind, movers))
+                    continue;
+                struct start s = filled(
+                    (struct start_wish){.kind = (enum start_kind)kind,
+                                        .movers = movers,
+                                        .seed = seed});
+                double last = s.wall[0], room = 0;
+                UNIT_TRUE(movers == 0 || s.movers == movers);
+                UNIT_TRUE(s.until > 0);
+                for (size_t i = 0; i < s.movers; ++i) {
+                    UNIT_TRUE(s.x[i] - last >= room + s.radius[i] &&
+                              s.mass[i] > 0 && isfinite(s.v[i]) &&
+                              s.radius[i] >= 0);
+                    last = s.x[i];
+                    room = s.radius[i];
+                }
+                UNIT_TRUE(s.wall[1] - last >= room);
+                start_free(&s);
+            }
+}
+
+static void test_four(void)
+{
+    struct start s = filled((struct start_wish){.kind = START_FOUR});
+    UNIT_EQUAL((double)s.movers, 4);
+    UNIT_TRUE(s.wall[0] == 0 && s.wall[1] == 5 && s.until == 50);
+    for (size_t i = 0; i < 4; ++i) {
+        const double k = (double)i + 1;
+        UNIT_NEAR(s.mass[i], 10 * k + 1.23, 0);
+        UNIT_TRUE(s.x[i] == k && s.v[i] == k && s.radius[i] == 0.1);
+    }
+    UNIT_NEAR(energy(&s, 0, 4), 518.45, 1e-12);
+    start_free(&s);
+}
+
+static void test_mixed_and_cradle(void)
+{
+    static const double im[] = {1.1, 1, 0.9, 1};
+    static const double v[] = {2, 2.21, 2.621, 2, -0.2, -0.27, -0.37, -0.2};
+    struct start s = filled((struct start_wish){.kind = START_MIXED});
+    UNIT_EQUAL((double)s.movers, 8);
+    UNIT_TRUE(s.wall[0] == 1 && s.wall[1] == 10);
+    for (size_t i = 0; i < 8; ++i) {
+        UNIT_NEAR(s.mass[i] * im[i % 4], i < 4 ? 9 : 1, 9 * DBL_EPSILON);
+        UNIT_TRUE(s.x[i] == (double)i + 2 && s.v[i] == v[i]);
+    }
+    UNIT_NEAR(energy(&s, 0, 8), 90.84, 0.005);
+    start_free(&s);
+    s = filled((struct start_wish){.kind = START_CRADLE});
+    UNIT_EQUAL((double)s.movers, 8);
+    UNIT_TRUE(s.wall[0] == 0 && s.wall[1] == 35);
+    UNIT_TRUE(s.mass[0] == 4.123 && s.mass[1] == 9.0123);
+    UNIT_NEAR(mass(&s, 2, 8), 6, 0);
+    UNIT_NEAR(energy(&s, 0, 8), 26.27, 0.005);
+    UNIT_EQUAL(energy(&s, 2, 8), 0);
+    start_free(&s);
+}
+
+/* Eleven: 40 kg and 20 J in the middle, all at 1 m/s, with three quarters
+   of the energy; ten masses of 4/3 kg, ten per cent up or down. */
+static void test_piston(void)
+{
+    for (uint64_t seed = 1; seed < 20; ++seed) {
+        struct start s =
+            filled((struct start_wish){.kind = START_PISTON, .seed = seed});
+        UNIT_EQUAL((double)s.movers, 11);
+        UNIT_TRUE(s.wall[0] == 0 && s.wall[1] == 12);
+        UNIT_TRUE(s.mass[5] == 40 && s.x[5] == 6);
+        UNIT_NEAR(mass(&s, 0, 5), 20.0 / 3, 20 * DBL_EPSILON);
+        UNIT_NEAR(mass(&s, 6, 11), 20.0 / 3, 20 * DBL_EPSILON);
+        UNIT_NEAR(energy(&s, 5, 6) / energy(&s, 0, 11), 0.75,
+                  10 * DBL_EPSILON);
+        for (size_t i = 0; i < 11; ++i) {
+            UNIT_EQUAL(s.v[i], 1);
+            if (i != 5)
+                UNIT_NEAR(s.mass[i], 4 / 3.0, 0.1001 * 4 / 3);
+            for (size_t k = 0; k < i; ++k) {
+                const bool middle = i % 6 == 2 && k % 6 == 2;
+                UNIT_TRUE(s.mass[i] != s.mass[k] || middle);
+            }
+        }
+        start_free(&s);
+    }
+}
+
+/* Two gases of 200, each of 20/3 kg and 10/3 J, and the same piston. */
+static void test_adiabatic(void)
+{
+    for (uint64_t seed = 1; seed < 6; ++seed) {
+        struct start s = filled(
+            (struct start_wish){.kind = START_ADIABATIC, .seed = seed});
+        UNIT_EQUAL((double)s.movers, 401);
+        UNIT_TRUE(s.mass[200] == 40 && s.x[200] == 6 && s.v[200] == 0.1);
+        /* sums of 200 numbers, a rounding each */
+        UNIT_NEAR(energy(&s, 0, 200), 10.0 / 3,
+                  10 / 3.0 * 400 * DBL_EPSILON);
+        UNIT_NEAR(energy(&s, 201, 401), 10.0 / 3,
+                  10 / 3.0 * 400 * DBL_EPSILON);
+        UNIT_NEAR(mass(&s, 0, 200) + mass(&s, 201, 401), 40.0 / 3,
+                  40 / 3.0 * 400 * DBL_EPSILON);
+        start_free(&s);
+    }
+    /* The piston is so many times as heavy as the mean of the others. */
+    struct start s = filled((struct start_wish){
+        .kind = START_ADIABATIC, .movers = 21, .ratio = 30, .seed = 1});
+    UNIT_NEAR(s.mass[10] * 20, 30 * (mass(&s, 0, 21) - s.mass[10]), 1e-11);
+    UNIT_NEAR(energy(&s, 0, 10), 10.0 / 3, 1e-14);
+    start_free(&s);
+}
+
+/* Half near 1, half near 4, ten per cent up or down; N/2 J. */
+static void test_thermal(void)
+{
+    double sum = 0, square = 0;
+    enum { SEEDS = 400 };
+    for (uint64_t seed = 1; seed <= SEEDS; ++seed) {
+        struct start s = filled(
+            (struct start_wish){.kind = START_THERMAL, .seed = seed});
+        UNIT_TRUE(s.movers == 10 && s.wall[1] == 11);
+        UNIT_NEAR(energy(&s, 0, 10), 5, 5 * 20 * DBL_EPSILON);
+        for (size_t i = 0; i < 10; ++i)
+            UNIT_NEAR(s.mass[i], i < 5 ? 1 : 4, i < 5 ? 0.1 : 0.4);
+        const double share = energy(&s, 0, 5) / 5;
+        sum += share;
+        square += share * share;
+        start_free(&s);
+    }
+    /* Each mover has the same share on average, whatever its mass: that of
+       five of ten has the law Beta(5/2, 5/2), of mean 1/2 and variance
+       1/24. Four standard errors; that of the variance is sqrt(2/400) of
+       it, or less. */
+    const double mean = sum / SEEDS;
+    UNIT_NEAR(mean, 0.5, 4 * sqrt(1 / 24.0 / SEEDS));
+    UNIT_NEAR(square / SEEDS - mean * mean, 1 / 24.0,
+              4 * sqrt(2.0 / SEEDS) / 24);
+}
+
+/* Points thrown at random: x_k of N between 0 and N + 1 has the mean k and
+   the variance k (N + 1 - k) / (N + 2). */
+static void test_random_places(void)
+{
+    enum { SEEDS = 2000, N = 4 };
+    double sum[N] = {0}, square[N] = {0};
+    for (uint64_t seed = 1; seed <= SEEDS; ++seed) {
+        struct start s = filled((struct start_wish){
+            .kind = START_RANDOM, .movers = N, .seed = seed});
+        for (size_t i = 0; i < N; ++i) {
+            sum[i] += s.x[i];
+            square[i] += s.x[i] * s.x[i];
+        }
+        UNIT_NEAR(energy(&s, 0, N), N / 2.0, N * 10 * DBL_EPSILON);
+        start_free(&s);
+    }
+    for (size_t i = 0; i < N; ++i) {
+        const double k = (double)i + 1, mean = sum[i] / SEEDS;
+        const double variance = k * (N + 1 - k) / (N + 2);
+        UNIT_NEAR(mean, k, 4 * sqrt(variance / SEEDS));
+        UNIT_NEAR(square[i] / SEEDS - mean * mean, variance,
+                  4 * variance * sqrt(2.0 / SEEDS));
+    }
+}
+
+/* Masses from 1 to 9, evenly spaced, all different, in random order. */
+static void test_random_masses(void)
+{
+    int first_is_lightest = 0;
+    enum { SEEDS = 200, N = 10 };
+    for (uint64_t seed = 0; seed < SEEDS; ++seed) {
+        int seen[N] = {0}, all = 1;
+        struct start s =
+            filled((struct start_wish){.kind = START_RANDOM, .seed = seed});
+        UNIT_EQUAL((double)s.movers, N);
+        for (size_t i = 0; i < N; ++i) {
+            const double place = (s.mass[i] - 1) * (N - 1) / 8;
+            const int k = (int)round(place);
+            UNIT_NEAR(place, k, 1e-13);
+            if (k >= 0 && k < N)
+                ++seen[k];
+        }
+        for (int k = 0; k < N; ++k)
+            all = all && seen[k] == 1;
+        UNIT_TRUE(all);
+        first_is_lightest += s.mass[0] == 1;
+        start_free(&s);
+    }
+    /* a tenth of 200, four standard deviations of sqrt(200 * 0.09) */
+    UNIT_NEAR(first_is_lightest, 20, 17);
+    struct start s = filled(
+        (struct start_wish){.kind = START_RANDOM, .movers = 1, .seed = 1});
+    UNIT_EQUAL(s.mass[0], 1);
+    start_free(&s);
+}
+
+static bool same(const struct start *a, const struct start *b)
+{
+    return memcmp(a->mass, b->mass, 4 * a->movers * sizeof(double)) == 0;
+}
+
+/* Equal seeds give equal starts; other seeds do not, where the seed
+   matters. */
+static void test_seeds(void)
+{
+    static const bool drawn[START_KINDS] = {[START_THERMAL] = true,
+                                            [START_PISTON] = true,
+                                            [START_ADIABATIC] = true,
+                                            [START_RANDOM] = true};
+    for (int kind = 0; kind < START_KINDS; ++kind)
+        for (uint64_t seed = 0; seed < 20; ++seed) {
+            struct start_wish wish = {.kind = (enum start_kind)kind,
+                                      .seed = seed};
+            struct start a = filled(wish), b = filled(wish);
+            wish.seed = seed + 1;
+            struct start c = filled(wish);
+            UNIT_TRUE(same(&a, &b));
+            UNIT_TRUE(same(&a, &c) != drawn[kind]);
+            start_free(&a);
+            start_free(&b);
+            start_free(&c);
+        }
+}
+
+static void test_two_and_galperin(void)
+{
+    struct start s = filled((struct start_wish){.kind = START_TWO});
+    UNIT_TRUE(s.mass[0] == 1 && s.mass[1] == 9 && s.wall[1] == 3);
+    start_free(&s);
+    s = filled((struct start_wish){.kind = START_TWO, .ratio = 0.25});
+    UNIT_TRUE(s.mass[0] == 1 && s.mass[1] == 0.25);
+    start_free(&s);
+    s = filled((struct start_wish){.kind = START_GALPERIN, .ratio = 1e6});
+    UNIT_TRUE(s.mass[0] == 1 && s.mass[1] == 1e6);
+    UNIT_TRUE(s.v[0] == 0 && s.v[1] < 0);
+    UNIT_TRUE(s.wall[0] == 0 && s.wall[1] == INFINITY);
+    UNIT_TRUE(s.until == INFINITY);
+    start_free(&s);
+}
+
+/* Walls that are given stand; what is drawn at random is between them. */
+static void test_walls(void)
+{
+    for (int kind = 0; kind < START_KINDS; ++kind) {
+        struct start s =
+            filled((struct start_wish){.kind = (enum start_kind)kind,
+                                       .walls = true,
+                                       .wall = {-3, 50},
+                                       .seed = 3});
+        UNIT_TRUE(s.wall[0] == -3 && s.wall[1] == 50);
+        if (kind == START_RANDOM)
+            UNIT_TRUE(s.x[s.movers - 1] > 20);
+        if (kind == START_PISTON)
+            UNIT_EQUAL(s.x[5], 23.5);
+        start_free(&s);
+    }
+}
+
+static void test_allows(void)
+{
+    static const struct {
+        enum start_kind kind;
+        size_t movers;
+        bool allowed;
+    } cases[] = {
+        {START_FOUR, 1, true},
+        {START_FOUR, 10000000, true},
+        {START_FOUR, 10000001, false},
+        {START_MIXED, 8, true},
+        {START_MIXED, 7, false},
+        {START_CRADLE, 9, false},
+        {START_THERMAL, 1, false},
+        {START_THERMAL, 2, true},
+        {START_PISTON, 3, true},
+        {START_PISTON, 1, false},
+        {START_PISTON, 10, false},
+        {START_PISTON, 101, true},
+        {START_ADIABATIC, 400, false},
+        {START_ADIABATIC, 3, true},
+        {START_TWO, 2, true},
+        {START_TWO, 3, false},
+        {START_TWO, 1, false},
+        {START_RANDOM, 1, true},
+        {START_RANDOM, 10000000, true},
+        {START_RANDOM, 10000001, false},
+        {START_GALPERIN, 2, true},
+        {START_GALPERIN, 3, false},
+        {START_PISTON, 10000001, false},
+    };
+    for (size_t k = 0; k < sizeof cases / sizeof cases[0]; ++k)
+        UNIT_TRUE(start_allows(cases[k].kind, cases[k].movers) ==
+                  cases[k].allowed);
+    for (int kind = 0; kind < START_KINDS; ++kind) {
+        UNIT_TRUE(start_allows((enum start_kind)kind, 0));
+        UNIT_TRUE(start_has_ratio((enum start_kind)kind) ==
+                  (kind == START_TWO || kind == START_GALPERIN ||
+                   kind == START_PISTON || kind == START_ADIABATIC));
+    }
+    UNIT_TRUE(strcmp(start_names[START_GALPERIN], "galperin") == 0);
+    UNIT_TRUE(strcmp(start_names[START_FOUR], "four") == 0);
+    UNIT_TRUE(start_names[START_KINDS] == NULL);
+}
+
+int main(void)
+{
+    return unit_run(
+        "start",
+        (struct unit_test[]){
+            {"every start is in order", test_every_kind},
+            {"four: 10 n + 1.23 kg and 518.45 J", test_four},
+            {"mixed and cradle", test_mixed_and_cradle},
+            {"the piston has three quarters of the energy", test_piston},
+            {"two warm gases and a piston", test_adiabatic},
+            {"light and heavy share alike", test_thermal},
+            {"thrown points have the right mean and variance",
+             test_random_places},
+            {"random masses from 1 to 9 are all different",
+             test_random_masses},
+            {"seeds", test_seeds},
+            {"two and galperin take a mass ratio", test_two_and_galperin},
+            {"walls that are given stand", test_walls},
+            {"which numbers of movers are allowed", test_allows},
+            {0}});
+}

@@ -1,0 +1,435 @@
+/* Histograms, fits and errors, held against sums done by hand and against
+   series whose correlations are known: x' = phi x + noise has the
+   correlations phi^lag and the inefficiency (1 + phi) / (1 - phi). Seeds
+   are fixed; a tolerance is four standard deviations of what is measured,
+   unless said otherwise. */
+#include "unit.h"
+
+#include "statistics.h"
+#include "toolbox/random.h"
+
+#include <float.h>
+#include <stdlib.h>
+
+enum { MOST = 1 << 18 };
+static double x[MOST], y[MOST];
+
+/* Fills x with a series of variance 1 in its stationary state. */
+static void correlated(struct random *r, double phi, size_t n, double out[])
+{
+    double value = random_normal(r);
+    for (size_t i = 0; i < n; ++i) {
+        out[i] = value;
+        value = phi * value + sqrt(1 - phi * phi) * random_normal(r);
+    }
+}
+
+static double inefficiency(double phi)
+{
+    return (1 + phi) / (1 - phi);
+}
+
+/* By hand: mean 5, squares of the deviations 32, cubes 42, fourth 356. */
+static const double eight[] = {2, 4, 4, 4, 5, 5, 7, 9};
+
+static void test_moments(void)
+{
+    const struct statistics_moments m = statistics_moments(8, eight);
+    UNIT_EQUAL(m.mean, 5);
+    UNIT_NEAR(m.variance, 32.0 / 7, 4 * DBL_EPSILON * 5);
+    UNIT_EQUAL(m.third, 42.0 / 8);
+    UNIT_EQUAL(m.fourth, 356.0 / 8);
+    UNIT_EQUAL(m.least, 2);
+    UNIT_EQUAL(m.greatest, 9);
+}
+
+/* The differences of the shifted numbers are exact, and so is all else. The
+   formula <x^2> - <x>^2 is off by 1e18 eps = 200. */
+static void test_shifted_moments(void)
+{
+    double shifted[8];
+    for (int i = 0; i < 8; ++i)
+        shifted[i] = eight[i] + 1e9;
+    UNIT_NEAR(statistics_moments(8, shifted).variance, 32.0 / 7, 1e-14);
+    /* a mean that is rounded, by 1/24, has to be corrected for */
+    const double far[] = {1e15, 1e15, 1e15 + 1};
+    UNIT_NEAR(statistics_moments(3, far).variance, 1.0 / 3, 1e-15);
+}
+
+static void test_edges(void)
+{
+    struct statistics_histogram *h = statistics_histogram_create(-1, 3, 4);
+    const double samples[] = {-1, 3,         3.0000001, -1.0000001,
+                              0,  2.9999999, 1};
+    for (size_t i = 0; i < sizeof samples / sizeof samples[0]; ++i)
+        statistics_histogram_add(h, samples[i]);
+    UNIT_TRUE(h->below == 1 && h->above == 1 && h->total == 7);
+    UNIT_TRUE(h->count[0] == 1 && h->count[1] == 1);
+    UNIT_TRUE(h->count[2] == 1 && h->count[3] == 2);
+    UNIT_EQUAL(statistics_histogram_edge(h, 1), 0);
+    UNIT_EQUAL(statistics_histogram_edge(h, 4), 3);
+    UNIT_NEAR(statistics_histogram_density(h, 3), 2.0 / 7, DBL_EPSILON);
+    free(h);
+}
+
+/* The scatter of a bin over 2000 histograms is what each of them says of
+   itself; the square of a standard deviation from 2000 is good to
+   sqrt(2/2000) = 3.2 %. */
+static void test_error_bars(void)
+{
+    enum { TIMES = 2000, SAMPLES = 400 };
+    struct random r;
+    double sum = 0, square = 0, claimed = 0;
+    random_seed(&r, 31);
+    for (int k = 0; k < TIMES; ++k) {
+        struct statistics_histogram *h =
+            statistics_histogram_create(0, 1, 8);
+        for (int i = 0; i < SAMPLES; ++i)
+            statistics_histogram_add(h, random_uniform(&r));
+        const double density = statistics_histogram_density(h, 2);
+        sum += density / TIMES;
+        square += density * density / TIMES;
+        claimed += pow(statistics_histogram_error(h, 2, 1), 2) / TIMES;
+        free(h);
+    }
+    UNIT_NEAR((square - sum * sum) / claimed, 1, 4 * 0.032);
+    UNIT_NEAR(sum, 1, 4 * sqrt(claimed / TIMES));
+}
+
+/* Nine of ten samples in one bin: p = 0.9. Four of four: p(1 - p) is that
+   of 1/n with n = 4, or n = 2 if two are worth one. */
+static void test_full_and_empty_bins(void)
+{
+    struct statistics_histogram *h = statistics_histogram_create(0, 2, 2);
+    for (int i = 0; i < 4; ++i)
+        statistics_histogram_add(h, 0.5);
+    for (size_t bin = 0; bin < 2; ++bin) {
+        UNIT_NEAR(statistics_histogram_error(h, bin, 1),
+                  sqrt(0.25 * 0.75 / 4), 1e-15);
+        UNIT_NEAR(statistics_histogram_error(h, bin, 2),
+                  sqrt(0.5 * 0.5 / 2), 1e-15);
+    }
+    for (int i = 0; i < 5; ++i)
+        statistics_histogram_add(h, 0.5);
+    statistics_histogram_add(h, 1.5);
+    UNIT_NEAR(statistics_histogram_error(h, 0, 1), sqrt(0.9 * 0.1 / 10),
+              1e-15);
+    UNIT_NEAR(statistics_histogram_error(h, 1, 1), sqrt(0.9 * 0.1 / 10),
+              1e-15);
+    free(h);
+}
+
+/* Scott: 6 sigma / (3.49 sigma / 400^(1/3)) = 12.7. */
+static void test_bins(void)
+{
+    UNIT_TRUE(statistics_bins(400, -3, 3, 1) == 13);
+    UNIT_TRUE(statistics_bins(400, 0, 1, 0) == 1000);
+    UNIT_TRUE(statistics_bins(2, 0, 1, 100) == 1);
+}
+
+/* Fits 500 histograms of 400 normal numbers in a range that cuts off a
+   third of them. Returns the mean of ((fit - truth) / error)^2. */
+static void fit_many(double low, double high, double square[2])
+{
+    enum { TIMES = 500, SAMPLES = 400 };
+    struct random r;
+    struct statistics_gaussian fit;
+    random_seed(&r, 32);
+    square[0] = square[1] = 0;
+    for (int k = 0; k < TIMES; ++k) {
+        struct statistics_histogram *h =
+            statistics_histogram_create(low, high, 12);
+        for (int i = 0; i < SAMPLES; ++i)
+            statistics_histogram_add(h, 3 + 2 * random_normal(&r));
+        UNIT_TRUE(statistics_fit_gaussian(h, 1, &fit));
+        square[0] += pow((fit.mean - 3) / fit.mean_error, 2) / TIMES;
+        square[1] += pow((fit.sd - 2) / fit.sd_error, 2) / TIMES;
+        free(h);
+    }
+}
+
+/* The mean of 500 squares of standard normal numbers is 1 +- 0.063. */
+static void test_fit(void)
+{
+    double square[2];
+    fit_many(-5, 11, square);
+    UNIT_NEAR(square[0], 1, 4 * 0.063);
+    UNIT_NEAR(square[1], 1, 4 * 0.063);
+    fit_many(2, 11, square); /* a third of the samples is below */
+    UNIT_NEAR(square[0], 1, 4 * 0.063);
+    UNIT_NEAR(square[1], 1, 4 * 0.063);
+}
+
+/* With narrow bins the errors are sigma / sqrt(n) and sigma / sqrt(2 n):
+   the bins' width of sigma / 20 adds 1/4800. Inefficiency 4 doubles them.
+ */
+static void test_fit_errors(void)
+{
+    struct random r;
+    struct statistics_gaussian fit, worse;
+    struct statistics_histogram *h =
+        statistics_histogram_create(-12, 18, 300);
+    random_seed(&r, 33);
+    for (int i = 0; i < 100000; ++i)
+        statistics_histogram_add(h, 3 + 2 * random_normal(&r));
+    UNIT_TRUE(statistics_fit_gaussian(h, 1, &fit));
+    UNIT_TRUE(statistics_fit_gaussian(h, 4, &worse));
+    UNIT_NEAR(fit.mean_error, fit.sd / sqrt(100000), 1e-3 * fit.mean_error);
+    UNIT_NEAR(fit.sd_error, fit.sd / sqrt(200000), 1e-3 * fit.sd_error);
+    UNIT_NEAR(worse.mean_error, 2 * fit.mean_error, 1e-12);
+    UNIT_NEAR(fit.chi2, (double)fit.degrees,
+              4 * sqrt(2 * (double)fit.degrees));
+    UNIT_NEAR(worse.chi2, fit.chi2 / 4, 1e-9);
+    free(h);
+}
+
+/* Flat counts are not Gaussian, and chi-square says so. */
+static void test_bad_fit(void)
+{
+    struct statistics_gaussian fit;
+    struct statistics_histogram *h = statistics_histogram_create(0, 1, 10);
+    for (int i = 0; i < 10000; ++i)
+        statistics_histogram_add(h, (i + 0.5) / 10000);
+    UNIT_TRUE(statistics_fit_gaussian(h, 1, &fit));
+    UNIT_TRUE(fit.chi2 > 20 * (double)fit.degrees);
+    UNIT_TRUE(fit.degrees == 9); /* ten bins, two ends, three conditions */
+    free(h);
+    h = statistics_histogram_create(0, 1, 10);
+    for (int i = 0; i < 10; ++i)
+        statistics_histogram_add(h, 0.55);
+    UNIT_TRUE(!statistics_fit_gaussian(h, 1, &fit));
+    free(h);
+}
+
+/* Phi(1) - Phi(0) = 0.34134474606854293, and far out on either side. */
+static void test_gaussian_between(void)
+{
+    UNIT_NEAR(statistics_gaussian_between(3, 2, 3, 5), 0.34134474606854293,
+              1e-16);
+    UNIT_NEAR(statistics_gaussian_between(0, 1, 10, INFINITY) /
+                  7.619853024160527e-24,
+              1, 1e-13);
+    UNIT_NEAR(statistics_gaussian_between(0, 1, -INFINITY, -10) /
+                  7.619853024160527e-24,
+              1, 1e-13);
+}
+
+/* The variance of a block of B samples, times B: g - (g^2 - 1)(1 - phi^B)
+   / (2 B). Averaged over the levels of 200 series. */
+static void test_levels(void)
+{
+    enum { TIMES = 200, SAMPLES = 4096, LEVELS = 9 };
+    const double phi = 0.9, g = inefficiency(phi);
+    double square[LEVELS] = {0}, spread[LEVELS] = {0};
+    struct random r;
+    struct statistics_blocking b;
+    random_seed(&r, 34);
+    for (int t = 0; t < TIMES; ++t) {
+        correlated(&r, phi, SAMPLES, x);
+        UNIT_TRUE(statistics_blocking(SAMPLES, x, &b));
+        for (int k = 0; k < LEVELS; ++k) {
+            const double s = pow(b.level[k].error, 2) * SAMPLES;
+            square[k] += s / TIMES;
+            spread[k] += s * s / TIMES;
+        }
+    }
+    for (int k = 0; k < LEVELS; ++k) {
+        const double length = pow(2, k);
+        /* the mean of the whole series is subtracted: g / n blocks */
+        const double expected =
+            g - (g * g - 1) * (1 - pow(phi, length)) / (2 * length) -
+            length * g / SAMPLES;
+        const double corrected =
+            expected / (1 - length / SAMPLES); /* n - 1 below the line */
+        const double error =
+            sqrt((spread[k] - square[k] * square[k]) / TIMES);
+        UNIT_NEAR(square[k], corrected, 4 * error);
+    }
+}
+
+/* The error that is chosen, for series of five correlations, against the
+   exact one: blocks and sums of correlations by four of their own
+   uncertainties, and the blocks' bias of a quarter of it. */
+static void test_errors(void)
+{
+    static const double phis[] = {-0.5, 0, 0.5, 0.9, 0.99};
+    struct random r;
+    random_seed(&r, 35);
+    for (int k = 0; k < 5; ++k) {
+        const double g = inefficiency(phis[k]);
+        const double exact = sqrt(g / MOST);
+        struct statistics_blocking b;
+        correlated(&r, phis[k], MOST, x);
+        UNIT_TRUE(statistics_blocking(MOST, x, &b));
+        UNIT_TRUE(b.plateau);
+        UNIT_NEAR(b.error, exact, 4.25 * b.level[b.chosen].uncertainty);
+        const struct statistics_correlation c =
+            statistics_correlation(MOST, x);
+        UNIT_TRUE(c.settled);
+        UNIT_NEAR(c.inefficiency, g, 4 * c.uncertainty);
+        UNIT_NEAR(c.error, exact, 4 * c.uncertainty / g / 2 * exact);
+    }
+}
+
+/* Is the mean off by as much as it says? Over 400 series the mean square of
+   mean / error is 1 +- 0.071 (and 1.035 for blocks of 128 with a bias of
+   2 %); without blocking it is g = 19. */
+static void test_coverage(void)
+{
+    enum { TIMES = 400, SAMPLES = 1 << 15 };
+    double honest = 0, naive = 0;
+    struct random r;
+    struct statistics_description d;
+    random_seed(&r, 36);
+    for (int t = 0; t < TIMES; ++t) {
+        correlated(&r, 0.9, SAMPLES, x);
+        UNIT_TRUE(statistics_describe(SAMPLES, x, true, &d));
+        honest += pow(d.mean / d.mean_error, 2) / TIMES;
+        naive += pow(d.mean / d.naive_error, 2) / TIMES;
+    }
+    UNIT_NEAR(honest, 1.035, 4 * 0.071);
+    UNIT_NEAR(naive, 19, 4 * 0.071 * 19);
+}
+
+/* A run shorter than its correlations has no honest error, and says so. */
+static void test_no_plateau(void)
+{
+    struct random r;
+    struct statistics_blocking b;
+    random_seed(&r, 37);
+    for (int i = 0; i < 1000; ++i)
+        x[i] = i;
+    UNIT_TRUE(statistics_blocking(1000, x, &b) && !b.plateau);
+    for (int t = 0; t < 20; ++t) {
+        correlated(&r, 0.999, 400, x);
+        UNIT_TRUE(statistics_blocking(400, x, &b) && !b.plateau);
+    }
+    for (int i = 0; i < 1000; ++i)
+        x[i] = 7;
+    UNIT_TRUE(statistics_blocking(1000, x, &b) && b.plateau);
+    UNIT_EQUAL(b.error, 0);
+    UNIT_EQUAL(b.inefficiency, 1);
+}
+
+/* Uniform numbers: sd 1/sqrt(12), kurtosis 1.8. The errors: of the variance
+   sqrt((1/80 - 1/144) / n), of the kurtosis from the eighth moment. */
+static void test_description(void)
+{
+    struct random r;
+    struct statistics_description d;
+    random_seed(&r, 38);
+    for (int i = 0; i < MOST; ++i)
+        x[i] = random_uniform(&r);
+    UNIT_TRUE(statistics_describe(MOST, x, false, &d));
+    const double variance_error = sqrt((1.0 / 80 - 1.0 / 144) / MOST);
+    UNIT_NEAR(d.sd_error, variance_error * sqrt(3), 0.01 * d.sd_error);
+    UNIT_NEAR(d.sd, sqrt(1.0 / 12), 4 * d.sd_error);
+    UNIT_NEAR(d.mean, 0.5, 4 * d.mean_error);
+    UNIT_NEAR(d.kurtosis, 1.8, 4 * d.kurtosis_error);
+    /* The kurtosis is off by the mean of u^4/v^2 - 2 k u^2/v, with
+       u = x - 1/2, v = <u^2>, <u^p> = 1/(2^p (p + 1)). */
+    const double v = 1.0 / 12, k = 1.8, u2 = v, u4 = 1.0 / 80,
+                 u6 = 1.0 / 448, u8 = 1.0 / 2304;
+    const double square =
+        u8 / pow(v, 4) - 4 * k * u6 / pow(v, 3) + 4 * k * k * u4 / (v * v);
+    const double mean = u4 / (v * v) - 2 * k * u2 / v;
+    UNIT_NEAR(d.kurtosis_error, sqrt((square - mean * mean) / MOST),
+              0.01 * d.kurtosis_error);
+}
+
+/* A skewed law, u^2 with u uniform: moments about the mean 1/3 are 4/45,
+   16/945 and 16/945, so the kurtosis is 15/7. Over 500 series it scatters
+   as each says of itself: the mean of ((k - 15/7) / error)^2 is 1 +- 0.063,
+   and 2 % more for the bias of a ratio. */
+static void test_skewed(void)
+{
+    enum { TIMES = 500, SAMPLES = 2000 };
+    struct random r;
+    struct statistics_description d;
+    double square = 0;
+    random_seed(&r, 45);
+    for (int t = 0; t < TIMES; ++t) {
+        for (int i = 0; i < SAMPLES; ++i) {
+            const double u = random_uniform(&r);
+            x[i] = u * u;
+        }
+        UNIT_TRUE(statistics_describe(SAMPLES, x, false, &d));
+        square +=
+            pow((d.kurtosis - 15.0 / 7) / d.kurtosis_error, 2) / TIMES;
+    }
+    UNIT_NEAR(square, 1.02, 4 * 0.063);
+}
+
+/* The squares of a series of flips +-a, a slow: the mean looks perfect. */
+static void test_squares_count(void)
+{
+    struct random r;
+    struct statistics_description d;
+    random_seed(&r, 39);
+    correlated(&r, 0.99, MOST, y);
+    for (int i = 0; i < MOST; ++i)
+        x[i] = random_uniform(&r) < 0.5 ? y[i] : -y[i];
+    UNIT_TRUE(statistics_describe(MOST, x, true, &d));
+    /* <x'x'> squares have phi^2: g = (1 + .9801) / (1 - .9801) = 99.5 */
+    UNIT_NEAR(d.inefficiency, 99.5, 4 * 99.5 * 2 / sqrt(2 * 63));
+    UNIT_NEAR(d.mean_error, sqrt(1.0 / MOST), 0.2 * d.mean_error);
+    /* and the other way round: the series has 19, its squares 9.5 */
+    correlated(&r, 0.9, MOST, x);
+    UNIT_TRUE(statistics_describe(MOST, x, true, &d));
+    UNIT_NEAR(d.inefficiency, 19, 4 * 19 * 2 / sqrt(2 * 255));
+}
+
+/* Independent columns of 25 cells: chi-square is 16 +- sqrt(32). A parabola
+   has no correlation and no independence. */
+static void test_dependence(void)
+{
+    enum { SAMPLES = 100000 };
+    struct random r;
+    struct statistics_dependence d;
+    random_seed(&r, 40);
+    for (int i = 0; i < SAMPLES; ++i) {
+        x[i] = random_normal(&r);
+        y[i] = random_normal(&r);
+    }
+    UNIT_TRUE(statistics_dependence(SAMPLES, x, y, 5, false, &d));
+    UNIT_TRUE(d.degrees == 16);
+    UNIT_NEAR(d.chi2, 16, 4 * sqrt(32));
+    UNIT_NEAR(d.correlation, 0, 4 * d.error);
+    UNIT_NEAR(d.error, 1 / sqrt(SAMPLES), 0.02 * d.error);
+    for (int i = 0; i < SAMPLES; ++i)
+        y[i] = x[i] * x[i];
+    UNIT_TRUE(statistics_dependence(SAMPLES, x, y, 5, false, &d));
+    UNIT_NEAR(d.correlation, 0, 4 * d.error);
+    UNIT_TRUE(d.chi2 > 10000);
+    for (int i = 0; i < SAMPLES; ++i)
+        y[i] = -3 * x[i];
+    UNIT_TRUE(statistics_dependence(SAMPLES, x, y, 5, false, &d));
+    UNIT_NEAR(d.correlation, -1, 1e-4); /* n - 1 below the line */
+    UNIT_NEAR(d.chi2, 4.0 * SAMPLES, 1e-6);
+}
+
+int main(void)
+{
+    return unit_run(
+        "statistics",
+        (struct unit_test[]){
+            {"moments of eight numbers by hand", test_moments},
+            {"a large mean costs no digits", test_shifted_moments},
+            {"edges and what is outside", test_edges},
+            {"error bars are the scatter of histograms", test_error_bars},
+            {"full and empty bins have an error", test_full_and_empty_bins},
+            {"Scott's number of bins", test_bins},
+            {"fits scatter as they say, also in a part", test_fit},
+            {"errors of a fit with narrow bins", test_fit_errors},
+            {"a bad fit is seen, an impossible one refused", test_bad_fit},
+            {"Gaussian probabilities near and far", test_gaussian_between},
+            {"every level of blocks against the exact one", test_levels},
+            {"errors of five known series", test_errors},
+            {"honest errors cover, naive ones do not", test_coverage},
+            {"too short a run says so", test_no_plateau},
+            {"mean, spread, kurtosis and their errors", test_description},
+            {"the kurtosis of a skewed law", test_skewed},
+            {"the slow squares of a fast series count", test_squares_count},
+            {"dependence with and without correlation", test_dependence},
+            {0}});
+}

@@ -1,0 +1,66 @@
+/* The toolbox's timing: the median, processor time, and what is said of the
+   machine. */
+#include "toolbox/bench.h"
+#include "unit.h"
+
+#include <stdlib.h>
+
+static void test_median(void)
+{
+    double odd[] = {3, 1, 2, 9, -5}, even[] = {4, 1, 3, 2}, one[] = {7};
+    UNIT_EQUAL(bench_median(odd, 5), 2);
+    UNIT_EQUAL(bench_median(even, 4), 3);
+    UNIT_EQUAL(bench_median(one, 1), 7);
+}
+
+static void test_sorted(void)
+{
+    double values[] = {3, 1, 2, 9, -5};
+    bench_median(values, 5);
+    for (int i = 1; i < 5; ++i)
+        UNIT_TRUE(values[i - 1] < values[i]);
+}
+
+/* clock() has steps of a microsecond; the loop ends by the clock itself. */
+static void test_seconds(void)
+{
+    const double start = bench_seconds();
+    double now = start;
+    for (long k = 0; k < 2000000000L && now < start + 0.01; ++k)
+        now = bench_seconds();
+    UNIT_TRUE(start >= 0);
+    UNIT_TRUE(now >= start + 0.01);
+}
+
+static void test_machine(void)
+{
+    char text[2048] = "";
+    const char *path = "build/tests/bench.dat";
+    struct table *t = table_open("test", path);
+    UNIT_TRUE(t != NULL);
+    if (!t)
+        return;
+    bench_machine(t);
+    UNIT_TRUE(table_close(t));
+    FILE *file = fopen(path, "r");
+    UNIT_TRUE(file != NULL);
+    if (!file)
+        return;
+    UNIT_TRUE(fread(text, 1, sizeof text - 1, file) > 0);
+    fclose(file);
+    remove(path);
+    UNIT_TRUE(strstr(text, "# compiler: ") != NULL);
+    UNIT_TRUE(strstr(text, __VERSION__) != NULL);
+}
+
+int main(void)
+{
+    return unit_run(
+        "bench",
+        (struct unit_test[]){
+            {"the median is the middle one, the upper of two", test_median},
+            {"the values are sorted, the least first", test_sorted},
+            {"the processor's clock runs", test_seconds},
+            {"a table says what it was compiled with", test_machine},
+            {0}});
+}

@@ -1,0 +1,196 @@
+/* Where a line of bodies fails, chapter 2: the way back, two balls that
+   never mix, and the engine that feels when it is looked at. */
+#include "unit.h"
+
+#include "bonkers.h"
+#include "toolbox/random.h"
+
+#include <float.h>
+#include <stdlib.h>
+
+static void begin(struct bonkers *b, struct start_wish wish,
+                  enum bonkers_engine engine)
+{
+    struct start s;
+    size_t wrong = 0;
+    if (!start_fill(&s, &wish) || !bonkers_begin(b, &s, 1, engine, &wrong))
+        exit(1);
+    UNIT_EQUAL((double)wrong, (double)b->gaps);
+    start_free(&s);
+}
+
+/* How far the bodies miss their starting places after n collisions forth
+   and as much time back, m. */
+static double miss(struct start_wish wish, enum bonkers_engine engine,
+                   uint64_t n)
+{
+    struct bonkers b, start;
+    double worst = 0;
+    begin(&b, wish, engine);
+    begin(&start, wish, engine);
+    bonkers_run(&b, INFINITY, n);
+    const double t = b.now;
+    bonkers_settle(&b);
+    for (size_t i = 0; i <= b.gaps; ++i)
+        b.body[i].v = -b.body[i].v;
+    UNIT_EQUAL((double)bonkers_start(&b, NULL), (double)b.gaps);
+    bonkers_run(&b, t, UINT64_MAX);
+    bonkers_settle(&b);
+    for (size_t i = 0; i <= b.gaps; ++i)
+        worst = fmax(worst, fabs(b.body[i].x - start.body[i].x));
+    bonkers_free(&b);
+    bonkers_free(&start);
+    return worst;
+}
+
+enum { STARTS = 24 };
+
+/* The mean of the logarithm of the miss, over starts of eight bodies. */
+static double mean_miss(enum bonkers_engine engine, uint64_t n)
+{
+    double sum = 0;
+    for (uint64_t seed = 1; seed <= STARTS; ++seed)
+        sum += log10(miss((struct start_wish){.kind = START_RANDOM,
+                                              .movers = 8,
+                                              .seed = seed},
+                          engine, n));
+    return sum / STARTS;
+}
+
+/* Velocities walk at random, sqrt n, and places are their integral,
+   n^(3/2): a factor of 1000 from 10^3 to 10^5 collisions, 3 in the
+   logarithm. The largest of eight random errors scatters by less than a
+   factor of two, 0.3, at either end, so the mean over 24 starts by
+   0.3 sqrt(2/24) = 0.09; four of these. An error that a bias makes, n^2,
+   is at 4; one that chaos makes would have lost its way. */
+static void test_way_back(void)
+{
+    const double slope =
+        mean_miss(BONKERS_SCAN, 100000) - mean_miss(BONKERS_SCAN, 1000);
+    UNIT_NEAR(slope, 3, 0.36);
+    UNIT_TRUE(mean_miss(BONKERS_SCAN, 1000) < -11);
+}
+
+/* All fast engines take the same way back. */
+static void test_way_back_of_every_engine(void)
+{
+    const struct start_wish wish = {
+        .kind = START_RANDOM, .movers = 40, .seed = 5};
+    const double scan = miss(wish, BONKERS_SCAN, 20000);
+    UNIT_EQUAL(miss(wish, BONKERS_HEAP, 20000), scan);
+    UNIT_EQUAL(miss(wish, BONKERS_SLAB, 20000), scan);
+    UNIT_TRUE(scan > 0 && scan < 1e-8);
+}
+
+/* Distinct pairs of velocities at 40000 clock times, in steps of 1e-6. */
+static size_t count_pairs(double ratio)
+{
+    enum { TIMES = 40000, MANY = 1000 };
+    static double seen[MANY][2];
+    struct bonkers b;
+    size_t count = 0;
+    begin(&b, (struct start_wish){.kind = START_TWO, .ratio = ratio},
+          BONKERS_AUTO);
+    for (int k = 1; k <= TIMES && count < MANY; ++k) {
+        double x[4], v[4];
+        size_t i = 0;
+        bonkers_run(&b, 0.37 * k, UINT64_MAX);
+        bonkers_state(&b, x, v);
+        while (i < count && (fabs(seen[i][0] - v[1]) > 1e-6 ||
+                             fabs(seen[i][1] - v[2]) > 1e-6))
+            ++i;
+        if (i == count) {
+            seen[count][0] = v[1];
+            seen[count++][1] = v[2];
+        }
+    }
+    bonkers_free(&b);
+    return count;
+}
+
+/* Mirrors at an angle pi/6 or pi/3 make 12 images, at pi/4 8. Other angles
+   make them without end, but few at a time: the angle only walks to and
+   fro. */
+static void test_two_balls(void)
+{
+    UNIT_EQUAL((double)count_pairs(3), 12);
+    UNIT_EQUAL((double)count_pairs(1 / 3.0), 12);
+    UNIT_EQUAL((double)count_pairs(1), 8);
+    UNIT_TRUE(count_pairs(9) > 24);
+    UNIT_TRUE(count_pairs(1.6180339887498949) > 100);
+}
+
+/* The largest difference between a run and the same run looked at every
+   0.01 s. */
+static double effect_of_looking(enum bonkers_engine engine)
+{
+    struct bonkers a, b;
+    double worst = 0, x[10], v[10], y[10];
+    begin(&a, (struct start_wish){.kind = START_MIXED}, engine);
+    begin(&b, (struct start_wish){.kind = START_MIXED}, engine);
+    for (int k = 1; k <= 5000; ++k)
+        bonkers_run(&b, k / 100.0, UINT64_MAX);
+    bonkers_run(&a, 50, UINT64_MAX);
+    bonkers_state(&a, x, v);
+    bonkers_state(&b, y, v);
+    for (size_t i = 0; i < 10; ++i)
+        worst = fmax(worst, fabs(x[i] - y[i]));
+    bonkers_free(&a);
+    bonkers_free(&b);
+    return worst;
+}
+
+/* The naive engine moves everybody whenever it is looked at, and rounds:
+   it is off by rounding. The others know nothing of it. */
+static void test_looking(void)
+{
+    UNIT_TRUE(effect_of_looking(BONKERS_NAIVE) > 0);
+    UNIT_NEAR(effect_of_looking(BONKERS_NAIVE), 0, 1e-9);
+    UNIT_EQUAL(effect_of_looking(BONKERS_SCAN), 0);
+    UNIT_EQUAL(effect_of_looking(BONKERS_HEAP), 0);
+    UNIT_EQUAL(effect_of_looking(BONKERS_SLAB), 0);
+}
+
+/* After a clock of 10^9 s a place is known to 10^9 eps v = 10^-7 m only:
+   bodies still stay in order, none is lost, and the energy is kept. */
+static void test_late_clock(void)
+{
+    for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e) {
+        struct bonkers b;
+        double x[42], v[42];
+        size_t crossed = 0;
+        begin(&b, (struct start_wish){.kind = START_RANDOM, .movers = 40},
+              (enum bonkers_engine)e);
+        for (size_t i = 1; i < b.gaps; ++i)
+            b.body[i].since = 1e9;
+        b.body[0].since = b.body[b.gaps].since = b.now = 1e9;
+        UNIT_EQUAL((double)bonkers_start(&b, NULL), 41);
+        const double before = bonkers_energy(&b);
+        for (int k = 1; k <= 1000; ++k) {
+            bonkers_run(&b, 1e9 + k * 0.5, UINT64_MAX);
+            bonkers_state(&b, x, v);
+            for (size_t i = 0; i < b.gaps; ++i)
+                crossed += x[i] > x[i + 1];
+        }
+        UNIT_TRUE(b.collisions > 5000);
+        UNIT_EQUAL((double)(crossed + b.disorder), 0);
+        /* a random walk of eps/2 and a bias, see tests/library/bonkers.c */
+        UNIT_NEAR(bonkers_energy(&b) / before, 1, 1e-12);
+        bonkers_free(&b);
+    }
+}
+
+int main(void)
+{
+    return unit_run(
+        "stability of bonkers",
+        (struct unit_test[]){
+            {"the way back is missed as n^(3/2)", test_way_back},
+            {"every engine misses it alike", test_way_back_of_every_engine},
+            {"two balls of mass ratio 3 know 12 velocity pairs",
+             test_two_balls},
+            {"only the naive engine feels when it is looked at",
+             test_looking},
+            {"a clock of 10^9 s leaves all in order", test_late_clock},
+            {0}});
+}

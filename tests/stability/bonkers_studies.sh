@@ -1,0 +1,110 @@
+#!/bin/sh
+# The failures of chapter 2 that the studies show, against theory and
+# reference values computed for this book.
+set -u
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+trap 'exit 1' HUP INT TERM
+b=build/bin/bonkers
+study() { # NAME OPTION...
+    name=$1
+    shift
+    build/bin/bonkers-studies "$@" -o "$work/$name.dat" \
+        --summary "$work/$name" || echo "not ok studies: $* does not run"
+}
+within() { # WHAT VALUE LOW HIGH
+    awk -v value="$2" -v low="$3" -v high="$4" -v what="$1" 'BEGIN {
+        good = value != "" && value != "nan" && value + 0 >= low + 0 &&
+            value + 0 <= high + 0
+        print (good ? "ok" : "not ok") " studies: " what \
+            (good ? "" : " - " value " is not from " low " to " high) }'
+}
+key() { awk -v key="$2" '$1 == key { print $2 }' "$work/$1"; }
+# cell RUN N COLUMN: of the row that begins with N
+cell() {
+    awk -v n="$2" -v k="$3" '!/^#/ && $1 + 0 == n + 0 { print $k }' \
+        "$work/$1.dat"
+}
+ratio() { awk "BEGIN { if ($2 + 0 != 0) print $1 / $2 }"; }
+
+# Energy. The whole masses 1, 2 and 1.5 have a coin that is not fair: a drift
+# in proportion to n. The random walk on top, 0.3 eps sqrt(n), is 7e-15 of
+# 1.2e-13 at 10^4 and less later. The other masses walk, 0.3 eps sqrt(n) =
+# 7e-14, with a bias of 5e-4 eps n = 1e-13 at 10^6.
+study drift --study drift --collisions 1000000
+within 'masses 1 and 2 drift in proportion, from 10^4 to 10^5' \
+    "$(ratio "$(cell drift 100000 3)" "$(cell drift 10000 3)")" 9 11
+within 'masses 1 and 2 drift in proportion, from 10^5 to 10^6' \
+    "$(ratio "$(cell drift 1000000 3)" "$(cell drift 100000 3)")" 9 11
+within 'other masses do not: 10^6 collisions cost less than 1e-12' \
+    "$(key drift energy_error)" -1e-12 1e-12
+within 'they cost a tenth of what the whole masses cost, or less' \
+    "$(ratio "$(key drift energy_error)" "$(key drift energy_error_whole)")" \
+    -0.1 0.1
+# eps is 2^29 times as large: 0.3 * 1.2e-7 * sqrt(2e5) = 1.6e-5
+within 'single precision walks by 1.6e-5' \
+    "$(awk "BEGIN { x = $(key drift energy_error_float); print x < 0 ? -x : x }")" \
+    4e-7 1e-4
+# A third is 0.0101...: g - g/3 is a tie for a third of all g, and all of
+# these are rounded up.
+within 'masses 1 and 2: a third are ties' "$(key drift ties_whole)" 33.1 33.6
+within 'masses 1 and 2: every tie is rounded up' \
+    "$(key drift up_whole)" 100 100
+# Of a million throws 7 % are ties: 50 of 100 would be to within 4 * 0.19.
+within 'masses 1 and 1.11: nearly half of them' \
+    "$(key drift up_mixed)" 45 60
+
+# The way back. Velocities that walk at random make n^(3/2), velocities with
+# a bias n^2: 32 and 100 from 10^4 to 10^5. At 10^5 the bias rules.
+study reverse --study reverse --collisions 100000
+within 'the biased form misses as n^2' \
+    "$(ratio "$(cell reverse 100000 4)" "$(cell reverse 10000 4)")" 60 170
+within 'at 10^5 it misses more than the smaller form' \
+    "$(ratio "$(key reverse biased_100000)" "$(key reverse scan_100000)")" \
+    4 1000
+within 'the scan is at 1e-13 to 1e-11 m after 1000' \
+    "$(key reverse scan_1000)" 3e-14 1e-11
+within 'the scan is at 1e-10 to 1e-8 m after 100000' \
+    "$(key reverse scan_100000)" 3e-11 3e-8
+within 'the naive engine misses alike' \
+    "$(ratio "$(cell reverse 100000 2)" "$(cell reverse 100000 3)")" 0.03 30
+within 'single precision: a fraction of a millimetre after 1000' \
+    "$(key reverse float_1000)" 1e-6 1e-2
+within 'single precision is lost after 10000: bodies are 1 m apart' \
+    "$(cell reverse 10000 5)" 0.1 10
+
+# Inelastic collapse: on paper without end up to 3 - 2 sqrt 2 = 0.17157, and
+# above in 2 pi / angle collisions or one or two less.
+study collapse --study collapse
+within 'the last restitution without end is 0.170' \
+    "$(key collapse border)" 0.1699 0.1701
+within '31 collisions at 0.174' "$(cell collapse 0.174 2)" 31 31
+within '9 collisions at 0.2' "$(cell collapse 0.2 2)" 9 9
+within 'no end at 0.168' "$(cell collapse 0.168 2)" 0 0
+within 'as theory says at every other restitution' "$(awk '!/^#/ && $1 > 0.1716 {
+        rows++; bad += !($2 > $3 - 2 && $2 <= $3) }
+    END { print (rows > 100 ? bad : -1) }' "$work/collapse.dat")" 0 0
+
+# Steps against events. 181 collisions: 181 eps (9 m + 3 m/s * 10 s) times 3
+# for the ratio of the masses is 5e-12.
+study steps --study steps --until 10
+within 'events: the error is rounding' "$(key steps error_events)" 0 5e-12
+within 'steps of 0.1 s: metres' "$(cell steps 0.1 3)" 0.1 10
+within 'steps of 5e-5 s: still millimetres' "$(awk '!/^#/ && $1 > 0 &&
+    $1 < 6e-5 && $1 > 4e-5 { print $3 }' "$work/steps.dat")" 1e-4 1
+$b --preset mixed --until 10 -o "$work/table" --summary "$work/mixed"
+within 'the collisions of the program' "$(key steps collisions)" \
+    "$(key mixed collisions)" "$(key mixed collisions)"
+
+# The islands' run is the one of the program.
+study islands --study islands --until 3 --seed 4
+$b --preset random --particles 60 --until 3 --seed 4 -o "$work/table" \
+    --summary "$work/random"
+within 'islands: the collisions of the program' \
+    "$(key islands collisions)" "$(key random collisions)" \
+    "$(key random collisions)"
+within 'there are several islands' "$(key islands islands)" 2 30
+
+study speed --study speed --particles 10
+within 'the speed of the scan is that of some engine' \
+    "$(key speed scan/naive-10)" 0.01 100

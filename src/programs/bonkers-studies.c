@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 1820643440 of the lines below */
+/* checksum 3056493752 of the lines below */
 #include "bonkers.h"
 #include "collide.h"
 #include "start.h"
@@ -547,6 +547,51 @@ static bool study_collapse(struct settings *s)
     return !progress_signal();
 }
 
+/* Strikes a row of n touching bodies, with masses from 1 to 5, at one end.
+   Returns the number of collisions. */
+static uint64_t strike(size_t n, uint64_t seed, double apart, bool right)
+{
+    struct bonkers b;
+    struct random r;
+    uint64_t count = 0;
+    random_seed(&r, seed);
+    if (!bonkers_create(&b, n, 1, BONKERS_SCAN))
+        return 0;
+    b.body[0].x = -INFINITY;
+    b.body[n + 1].x = INFINITY;
+    for (size_t i = 1; i <= n; ++i)
+        b.body[i] = (struct bonkers_body){(double)i * apart, 0, 0,
+                                          1 / random_between(&r, 1, 5)};
+    b.body[right ? n : 1].v = right ? -1 : 1;
+    bonkers_start(&b, NULL);
+    bonkers_run(&b, INFINITY, 100000000);
+    count = b.collisions;
+    bonkers_free(&b);
+    return count;
+}
+
+static bool study_row(struct settings *s)
+{
+    progress_begin(&s->progress, PROGRAM, 0, "collisions");
+    table_column(s->out, "N", "", "bodies in the row");
+    table_column(s->out, "left", "", "collisions, struck from the left");
+    table_column(s->out, "right", "", "collisions, struck from the right");
+    table_column(s->out, "apart", "", "the same, the bodies 1 nm apart");
+    for (size_t n = 10; n <= 160 && !progress_signal(); n *= 2) {
+        const double row[] = {(double)n,
+                              (double)strike(n, s->seed, 0, false),
+                              (double)strike(n, s->seed, 0, true),
+                              (double)strike(n, s->seed, 1e-9, true)};
+        table_row(s->out, 4, row);
+        if (n == 160) {
+            table_real(s->summary, "left", row[1]);
+            table_real(s->summary, "right", row[2]);
+            table_real(s->summary, "apart", row[3]);
+        }
+    }
+    return !progress_signal();
+}
+
 enum { SHOWN = 60, EVENTS = 32 };
 
 /* Where each body was at the start, at its collisions and at the end. */
@@ -622,14 +667,16 @@ static bool study_islands(struct settings *s)
 static const struct {
     bool (*run)(struct settings *s);
 } studies[] = {{study_speed}, {study_drift},    {study_reverse},
-               {study_steps}, {study_collapse}, {study_islands}};
+               {study_steps}, {study_collapse}, {study_islands},
+               {study_row}};
 
-static const char *const study_names[] = {
-    "speed", "drift", "reverse", "steps", "collapse", "islands", NULL};
+static const char *const study_names[] = {"speed", "drift",    "reverse",
+                                          "steps", "collapse", "islands",
+                                          "row",   NULL};
 
 static const struct options_entry entries[] = {
     {"study", 'y', "NAME",
-     "speed, drift, reverse, steps, collapse or islands"},
+     "speed, drift, reverse, steps, collapse, islands or row"},
     {"collisions", 'c', "N", "drift, reverse: most collisions (1000000)"},
     {"particles", 'N', "N", "speed: most particles (1000000)"},
     {"until", 't', "T", "steps, islands: length of the run, s (10)"},

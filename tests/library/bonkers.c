@@ -828,10 +828,11 @@ static enum bonkers_stop collapse(struct bonkers *b, double e,
    collisions is 31 at 0.174 and 9 at 0.2, by exact fractions. */
 static void test_collapse(void)
 {
-    static const double without_end[] = {0, 0.001, 0.05, 0.1, 0.168};
+    static const double without_end[] = {0,     0.001, 0.05, 0.1,
+                                         0.168, 0.17,  0.171};
     for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e) {
         struct bonkers b;
-        for (int k = 0; k < 5; ++k) {
+        for (int k = 0; k < 7; ++k) {
             UNIT_TRUE(collapse(&b, without_end[k],
                                (enum bonkers_engine)e) == BONKERS_COLLAPSE);
             UNIT_TRUE(isfinite(b.now) && b.collisions < 1000);

@@ -81,6 +81,8 @@ within 'the last restitution without end is 0.170' \
 within '31 collisions at 0.174' "$(cell collapse 0.174 2)" 31 31
 within '9 collisions at 0.2' "$(cell collapse 0.2 2)" 9 9
 within 'no end at 0.168' "$(cell collapse 0.168 2)" 0 0
+within 'nor at 0.17, just below the border 0.1716' \
+    "$(key collapse border)" 0.17 0.17
 within 'as theory says at every other restitution' "$(awk '!/^#/ && $1 > 0.1716 {
         rows++; bad += !($2 > $3 - 2 && $2 <= $3) }
     END { print (rows > 100 ? bad : -1) }' "$work/collapse.dat")" 0 0
@@ -104,6 +106,15 @@ within 'islands: the collisions of the program' \
     "$(key islands collisions)" "$(key random collisions)" \
     "$(key random collisions)"
 within 'there are several islands' "$(key islands islands)" 2 30
+
+# A row that touches. The rule "leftmost first" costs N^2/2 from the left (12720
+# for 160) and grows exponentially from the right; a nanometre apart it is N^2/2
+# again. Exact counts: no rounding decides which pair can still collide, but
+# the masses' seed does.
+study row --study row
+within 'a row struck from the left: N^2/2' "$(key row left)" 6400 25600
+within 'from the right: a hundred times that' "$(key row right)" 600000 2400000
+within 'a nanometre apart: N^2/2 again' "$(key row apart)" 3200 12800
 
 study speed --study speed --particles 10
 within 'the speed of the scan is that of some engine' \

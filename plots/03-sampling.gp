@@ -8,7 +8,7 @@ load 'plots/style.gp'
 file = 'build/data/03-sampling.dat'
 cost = 'plots/data/03-cost.dat'
 T = 96000.
-tau = 2.3
+tau = 2.2
 kappa = 2.5
 coth(x) = 1/tanh(x)
 set multiplot layout 1,2 margins 0.105*room,0.985,0.175*room,0.97 spacing 0.13*room,0

@@ -88,11 +88,13 @@ native: $(programs:%=build/native/bin/%)
 # The speed tables of the chapters, on this machine.
 bench: native
 	build/native/bin/collide-forms --study cost --collisions 10000000
-	build/native/bin/bonkers-studies --study speed --summary -
+	build/native/bin/bonkers-studies --study speed --summary build/ratios
+	@cat build/ratios
 	build/native/bin/bonkers-studies --study steps
 	$(if $(gsl),build/native/bin/bonkers --preset thermal --every 0.24 \
 		--samples 400000 -o - | build/native/bin/histogram --skip 1 \
 		--column v9 --table cost -)
+	build/native/bin/piston --study cost --velocity 0.1
 
 ## ---- exercises: cc, make and CUnit ----------------------------------------
 

@@ -1042,6 +1042,31 @@ static void test_settle(void)
         }
 }
 
+/* Bodies put into the wrong order by hand, far apart and by a last bit:
+   the report has them in order, and counts only what is no rounding. */
+static void test_disorder(void)
+{
+    struct bonkers b;
+    double x[5], v[5];
+    UNIT_TRUE(bonkers_create(&b, 3, 1, BONKERS_SCAN));
+    b.body[4].x = 4;
+    for (int i = 1; i <= 3; ++i)
+        b.body[i] = (struct bonkers_body){i, 0, 0, 1};
+    UNIT_EQUAL((double)bonkers_start(&b, NULL), 4);
+    b.body[2].x = 1 - DBL_EPSILON / 2;
+    bonkers_state(&b, x, v);
+    UNIT_EQUAL((double)b.disorder, 0);
+    UNIT_EQUAL(x[2], 1);
+    b.body[2].x = 0.5;
+    b.body[3].x = 4 + 8 * DBL_EPSILON;
+    bonkers_state(&b, x, v);
+    UNIT_EQUAL((double)b.disorder, 1);
+    UNIT_EQUAL(x[2], 1);
+    UNIT_EQUAL(x[3], 4);
+    UNIT_EQUAL(b.body[2].x, 0.5); /* the run is not touched */
+    bonkers_free(&b);
+}
+
 int main(void)
 {
     return unit_run(
@@ -1082,5 +1107,7 @@ int main(void)
             {"the engine chosen", test_auto},
             {"a collision exactly at the end takes place", test_exact_end},
             {"a settled run goes on", test_settle},
+            {"what is out of order is put right and counted",
+             test_disorder},
             {0}});
 }

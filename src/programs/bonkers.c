@@ -1,5 +1,5 @@
 /* From chapters/04-piston.nw: edit there, then run make tangle. */
-/* checksum 2082600142 of the lines below */
+/* checksum 1382540524 of the lines below */
 #include "bonkers.h"
 #include "start.h"
 #include "toolbox/options.h"
@@ -563,8 +563,8 @@ static bool say_collapse(const struct run *r)
 {
     if (r->stop == BONKERS_COLLAPSE)
         fprintf(stderr,
-                PROGRAM ": inelastic collapse at t = %.17g s: the clock "
-                        "stands still after %llu collisions\n",
+                PROGRAM ": inelastic collapse at t = %.6g s after %llu "
+                        "collisions\n",
                 r->b.now, (unsigned long long)r->b.collisions);
     return r->stop == BONKERS_COLLAPSE;
 }

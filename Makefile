@@ -14,7 +14,7 @@ SHELL = /bin/sh
 CC ?= cc
 STANDARD = -std=c11 -D_POSIX_C_SOURCE=200809L -Wall -Wextra -pedantic
 PORTABLE = -O2 -ffp-contract=off
-NATIVE = -O3 -march=native -ffp-contract=off
+NATIVE = -O3 -march=native $(LTO) -ffp-contract=off
 
 # V=1 shows the commands.
 Q = $(if $(V),,@)
@@ -53,13 +53,22 @@ first: programs
 	@build/bin/collide --velocities 1,0 --inverse-masses 1,0.25
 	@echo 'Next: make check (the exercises), make book (the PDF), make help'
 
-# OpenMP where the compiler has it, for the programs that can use all cores.
-build/openmp.mk:
-	@mkdir -p build
-	@echo 'int main(void) { return 0; }' >build/openmp.c
-	@$(CC) -fopenmp -o build/openmp build/openmp.c 2>/dev/null && \
-		echo 'OPENMP = -fopenmp' >$@ || echo 'OPENMP =' >$@
-include build/openmp.mk
+# What the compiler can do: OpenMP, for the programs that can use all cores,
+# and optimization across files, for the native build.
+build/compiler.mk:
+	@mkdir -p build/compiler
+	@echo 'int other(void); int main(void) { return other(); }' \
+		>build/compiler/main.c
+	@echo 'int other(void) { return 0; }' >build/compiler/other.c
+	@cd build/compiler && if $(CC) -fopenmp -o main main.c other.c \
+		2>/dev/null; \
+		then echo 'OPENMP = -fopenmp'; else echo 'OPENMP ='; fi >flags
+	@cd build/compiler && if $(CC) -O3 -flto=auto -c other.c main.c \
+		2>/dev/null && rm -f lib.a && ar rcs lib.a other.o 2>/dev/null && \
+		$(CC) -O3 -flto=auto -o main main.o lib.a 2>/dev/null; \
+		then echo 'LTO = -flto=auto'; else echo 'LTO ='; fi >>flags
+	@mv build/compiler/flags $@
+include build/compiler.mk
 parallel := bonkers
 flags_of = $(if $(filter $(parallel),$(notdir $*)),$(OPENMP))
 
@@ -86,7 +95,7 @@ $(eval $(call tree,native/,$(NATIVE)))
 native: $(programs:%=build/native/bin/%)
 
 # The speed tables of the chapters, on this machine.
-bench: native
+bench: native build/bin/disks-speed
 	build/native/bin/collide-forms --study cost --collisions 10000000
 	build/native/bin/bonkers-studies --study speed --summary build/ratios
 	@cat build/ratios
@@ -95,6 +104,17 @@ bench: native
 		--samples 400000 -o - | build/native/bin/histogram --skip 1 \
 		--column v9 --table cost -)
 	build/native/bin/piston --study cost --velocity 0.1
+	build/native/bin/disks-studies --study speed
+	build/native/bin/disks-studies --study pressure --samples 330000
+	for radius in '.05 --step .4' '.15 --step .2' '.2 --step .15'; do \
+		build/native/bin/sample-studies --study cost --samples 4e7 \
+			--radii $$radius || exit 1; done
+	for packing in .3 .7; do \
+		build/native/bin/disks-speed --packing $$packing || exit 1; done
+	for packing in .30 .49; do build/native/bin/disks-speed \
+		--dimensions 3 --packing $$packing || exit 1; done
+	for bin in build/bin build/native/bin; do $$bin/disks-speed --steps \
+		--particles 1e4 --dimensions 3 --packing .49 || exit 1; done
 
 ## ---- exercises: cc, make and CUnit ----------------------------------------
 
@@ -224,17 +244,26 @@ every_piston = 0.06
 every_two = 0.1
 every_random = 0.2
 every_galperin = 0.005
+every_disks = 0.02
+every_gas = 0.03
 radii_four = 0.1
-movies = four mixed cradle thermal piston two random galperin
+# Those of disks: the options of the run.
+options_disks = --disks 4 --radius 0.15 --box 1,1
+options_gas = --disks 250 --radius 0.1 --box 7.5,5
+movies = four mixed cradle thermal piston two random galperin disks gas
 
 PRESET = mixed
 EVERY = $(every_$(PRESET))
 FPS = 25
 movie = build/movies/$(PRESET)
-movie_run = build/bin/bonkers --preset $(PRESET) --every $(EVERY) \
+movie_of = $(if $(options_$(PRESET)),$(1),$(2))
+movie_bin = build/bin/$(call movie_of,disks,bonkers)
+movie_gp = plots/$(call movie_of,disks-)movie.gp
+movie_run = $(movie_bin) $(call movie_of,$(options_$(PRESET)) --warmup 0 \
+	--measure states,--preset $(PRESET)) --every $(EVERY) \
 	$(if $(UNTIL),--until $(UNTIL),--samples 460) -o $(movie).dat
 movie_show = gnuplot -e "file='$(movie).dat'; name='$(PRESET)'; fps=$(FPS);\
- radii='$(radii_$(PRESET))'$(1)" plots/movie.gp
+ radii='$(radii_$(PRESET))'$(1)" $(movie_gp)
 
 ifneq ($(filter movie,$(MAKECMDGOALS)),)
 ifneq ($(words $(PRESET)) $(filter $(PRESET),$(movies)),1 $(PRESET))
@@ -250,11 +279,11 @@ $(movie).how: FORCE
 	@mkdir -p $(@D)
 	@echo '$(movie_run) FPS=$(FPS)' | cmp -s - $@ || \
 		echo '$(movie_run) FPS=$(FPS)' >$@
-$(movie).dat: build/bin/bonkers $(movie).how
+$(movie).dat: $(movie_bin) $(movie).how
 	$(call say,$(movie_run))
 	$(Q)$(movie_run)
-$(movie).gif: $(movie).dat plots/movie.gp plots/style.gp
-	$(call say,gnuplot plots/movie.gp)
+$(movie).gif: $(movie).dat $(movie_gp) plots/style.gp
+	$(call say,gnuplot $(movie_gp))
 	$(Q)$(call movie_show,; output='$@.part')
 	@mv $@.part $@
 

@@ -93,6 +93,18 @@ for preset in four mixed cradle thermal piston random galperin; do
         cut -d ' ' -f 6-)"
 done
 
+# And of the disks.
+for preset in disks gas; do
+    $make -s movie PRESET=$preset FPS=5 UNTIL=0.2 >"$work/out" 2>&1
+    is "$preset: a movie, and no complaint" \
+        "The movie: build/movies/$preset.gif" \
+        "$(grep -v -e '^  ' -e 'frames in animation' "$work/out")"
+    is "$preset: a whole GIF" whole "$(gif build/movies/$preset.gif |
+        cut -d ' ' -f 6-)"
+done
+is 'four disks: every row a picture, in a square' '480 520 11 20' \
+    "$(gif build/movies/disks.gif | cut -d ' ' -f 1-4)"
+
 # Bodies of 1 and 9 kg: radii 1 to 3; neighbours and walls meet as in the run.
 $bonkers --preset two --every 0.1 --samples 10 -o two.dat
 film() { # SETTINGS PRINT
@@ -133,6 +145,10 @@ holds 'with that line' grep -Eq '^movie.gp: .*(gnuplot-qt|DISPLAY)' "$work/out"
 # What is no table of a run.
 one_line 'no file' 2 "^movie.gp: 'none.dat' cannot be read" \
     gnuplot -e "file='none.dat'; window='dumb'" plots/movie.gp
+one_line 'no file of disks' 2 "^disks-movie.gp: 'none.dat' cannot be read" \
+    gnuplot -e "file='none.dat'; window='dumb'" plots/disks-movie.gp
+one_line 'no table of disks' 2 "^disks-movie.gp: 'two.dat' is no table" \
+    gnuplot -e "file='two.dat'; window='dumb'" plots/disks-movie.gp
 printf '# masses: 1 2\n0 1\n1 1\n' >bad.dat
 one_line 'no table of a run' 2 "^movie.gp: 'bad.dat' is no table" \
     gnuplot -e "file='bad.dat'; window='dumb'" plots/movie.gp

@@ -31,6 +31,32 @@ run_all() {
     "$1/bonkers-studies" --study reverse --collisions 5000
     "$1/bonkers-studies" --study collapse
     "$1/bonkers-studies" --study islands
+    for engine in pairs cells; do
+        "$1/disks" --disks 60 --packing 0.5 --every 2 --until 6 \
+            --engine $engine
+        "$1/disks" --disks 400 --dimensions 3 --packing 0.3 --until 1 \
+            --boundary periodic --temperature 1 --engine $engine
+    done
+    "$1/disks" --measure positions --every 0.5 --samples 300
+    "$1/disks" --disks 300 --packing 0.3 --boundary periodic --every 0.5 \
+        --samples 30 --measure speeds
+    "$1/disks" --disks 300 --packing 0.2 --measure relaxation --every 0.2 \
+        --until 3
+    "$1/disks" --disks 100 --packing 0.2 --measure pressure --every 1 --until 9
+    "$1/disks" --disks 100 --packing 0.1 --heavy 20,2 --start random \
+        --boundary periodic --measure brownian --every 0.2 --until 30
+    for method in direct markov; do
+        "$1/sample" --method $method --samples 3000 --bins 10
+        "$1/sample" --method $method --samples 30 --measure states \
+            --boundary periodic
+        "$1/sample" --method $method --disks 3 --box 1.5,1,1 --samples 500 \
+            --small 0.1,4 --measure distances --bins 20
+    done
+    "$1/sample" --method markov --radius 0.24 --samples 1000 --bins 20
+    "$1/sample-studies" --study mistakes --samples 2000
+    "$1/sample-studies" --study memory --radii 0.1,0.2 --step 0.1,0.3 \
+        --samples 2000
+    "$1/sample-studies" --study acceptance --samples 500
 }
 run_all build/bin >"$work/expected"
 holds 'the programs run' test "$(wc -l <"$work/expected")" -gt 800
@@ -43,7 +69,8 @@ for cc in gcc clang; do
                 -Isrc -c -o "$work/obj/$(basename "$file" .c).o" "$file" ||
                 not_ok "$cc $level" "$file does not compile"
         done
-        for program in collide collide-forms bonkers bonkers-studies; do
+        for program in collide collide-forms bonkers bonkers-studies disks \
+            sample sample-studies; do
             # shellcheck disable=SC2086
             $cc -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off $level \
                 -Isrc -o "$work/bin/$program" "src/programs/$program.c" \

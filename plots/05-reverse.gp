@@ -1,0 +1,24 @@
+# data: build/data/05-reverse.dat
+# command: build/bin/disks-studies --study reverse -o build/data/05-reverse.dat
+# lecture: build/bin/disks-studies --study reverse --starts 1001 -o build/data/05-reverse.dat
+# alt: Median miss of the start against the time there, logarithmic upwards. The points for both energies lie on a straight line, from ten to the minus 15 at one second to ten to the minus 4 at eight.
+width = 14
+height = 7
+load 'plots/style.gp'
+file = 'build/data/05-reverse.dat'
+set logscale y
+set format y '10^{%T}'
+set xrange [0:8.4]
+set yrange [1e-16:1e-2]
+set ytics 100
+set xlabel 'time there, and as long back  (s)'
+set ylabel 'miss of the start  (m)' offset 0.5
+set lmargin at screen 0.11*room
+set rmargin at screen 0.985
+set bmargin at screen 0.17*room
+set tmargin at screen 0.97
+set key at graph 0.03,0.96 left top reverse Left samplen 1.5
+set label 1 '{/:Italic e}^{ 3.6 {/:Italic t}}' at 5.5,4e-10 left tc rgb '#555555'
+plot 3e-17*exp(3.6*x) ls 9 lw 1.5*thick, \
+     file using 1:3 with points ls 1 ps 0.9*big title '{/:Italic E} = 1 J', \
+     file using 1:4 with points pt 4 ps 0.9*big lw 1.5*thick lc rgb red title '{/:Italic E} = 4 J, twice the time'

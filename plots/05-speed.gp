@@ -1,0 +1,29 @@
+# data: plots/data/05-speed.dat
+# data: plots/data/05-pressure.dat
+# alt: Two panels with logarithmic axes. Left, collisions per second against the number of disks, 4 to 1024: with every pair looked at they fall from three million as one over N squared to a hundred; with a plan from five million as one over N to twenty thousand. Right, error of the pressure against processor time, two lines of slope minus one half, from 0.13 at 40 microseconds to 0.002 at 0.13 seconds; the plan lies left of the pairs.
+width = 14
+height = 7.5
+load 'plots/style.gp'
+set multiplot layout 1,2 margins 0.1*room,0.985,0.16*room,0.97 spacing 0.115*room,0
+set logscale xy
+set format x '10^{%T}'
+set format y '10^{%T}'
+set xlabel 'disks {/:Italic N}'
+set ylabel 'collisions per second' offset 1
+set xrange [3:1500]
+set yrange [50:1e7]
+set key at graph 0.97,0.96 right top samplen 2
+set label 1 '∝ 1/{/:Italic N}' at 300,1.6e5 tc rgb '#555555'
+set label 2 '∝ 1/{/:Italic N}^2' at 30,1.2e4 right tc rgb '#555555'
+plot 1.9e7/x ls 9, 1.2e8/x**2 ls 9, \
+     'plots/data/05-speed.dat' using 1:3 with linespoints ls 1 title 'plan', \
+     'plots/data/05-speed.dat' using 1:2 with linespoints ls 2 title 'pairs'
+unset label
+set xlabel 'processor time of a run  (s)'
+set ylabel 'error of {/:Italic Z}' offset 1
+set xrange [2e-5:0.6]
+set yrange [1e-3:0.3]
+plot 0.0011/sqrt(x) ls 9, \
+     'plots/data/05-pressure.dat' using 3:4 with points ls 1 title 'plan', \
+     'plots/data/05-pressure.dat' using 2:4 with points ls 2 title 'pairs'
+unset multiplot

@@ -1,0 +1,28 @@
+# data: plots/data/07-speed.dat
+# alt: Processor time of a collision against the number of disks, both axes logarithmic, from a hundred to a million. With pairs it rises in proportion to N, from seven microseconds to half a millisecond at ten thousand disks. With cells it stays near one microsecond up to ten thousand, for disks and spheres at two packings each, and grows to a few microseconds at a million, where the memory is the brake.
+width = 14
+height = 8.4
+load 'plots/style.gp'
+file = 'plots/data/07-speed.dat'
+set logscale xy
+set format x '10^{%T}'
+set xlabel '{/:Italic N}'
+set ylabel 'time of a collision  (µs)' offset 1
+set xrange [60:1.6e6]
+set yrange [0.3:1500]
+set lmargin at screen 0.11*room
+set bmargin at screen 0.145*room
+set tmargin at screen 0.97
+set rmargin at screen 0.98
+set key at graph 0.98,0.96 right top reverse Left samplen 2 spacing 1.1
+set label 1 'pairs' at 4e3,400 right tc rgb '#555555'
+set label 2 '∝ {/:Italic N}' at 2.2e4,700 left tc rgb '#555555'
+plot 0.05*x ls 9, \
+     file index 0 using 1:(1e6/$2) with points pt 4 ps 0.7*big lc rgb grey, \
+     file index 1 using 1:(1e6/$2) with points pt 4 ps 0.7*big lc rgb grey, \
+     file index 2 using 1:(1e6/$2) with points pt 6 ps 0.7*big lc rgb grey, \
+     file index 3 using 1:(1e6/$2) with points pt 6 ps 0.7*big lc rgb grey, \
+     file index 0 using 1:(1e6/$3) with linespoints ls 1 title 'disks, 0.30', \
+     file index 1 using 1:(1e6/$3) with linespoints ls 2 title 'disks, 0.70', \
+     file index 2 using 1:(1e6/$3) with linespoints ls 3 title 'spheres, 0.30', \
+     file index 3 using 1:(1e6/$3) with linespoints ls 4 title 'spheres, 0.49'

@@ -1,0 +1,40 @@
+/* From chapters/07-gas.nw: edit there, then run make tangle. */
+/* checksum 1890023778 of the lines below */
+#ifndef BLOCKS_H
+#define BLOCKS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+enum { BLOCKS_MOST = 512 }; /* full blocks, at most one less */
+
+/* Sums of samples of `width` numbers, `per` samples to a block. To be
+   read: the sums of block i begin at sum[i * width]. */
+struct blocks {
+    size_t width, count;  /* full blocks */
+    uint64_t per, filled; /* samples in the block that is not yet full */
+    double *sum;
+};
+
+/* Returns false, with nothing to free, when there is no memory. */
+bool blocks_create(struct blocks *b, size_t width);
+void blocks_free(struct blocks *b);
+
+/* Adds a sample to the present block. */
+void blocks_add(struct blocks *b, const double sample[]);
+
+/* Adds a whole block at once, `per` samples that the caller has summed.
+   Not to be mixed with blocks_add. */
+void blocks_append(struct blocks *b, const double sum[]);
+
+/* A mean and its standard error, NAN for fewer than 2 values. */
+struct blocks_average {
+    double mean, error;
+};
+
+/* The average of a column of the samples, and of n values in order. */
+struct blocks_average blocks_average(const struct blocks *b, size_t column);
+struct blocks_average blocks_average_of(size_t n, const double x[]);
+
+#endif

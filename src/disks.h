@@ -1,0 +1,174 @@
+/* From chapters/05-disks.nw: edit there, then run make tangle. */
+/* checksum 85280965 of the lines below */
+#ifndef DISKS_H
+#define DISKS_H
+
+#include "toolbox/random.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+enum {
+    DISKS_AXES = 3,        /* a disk has as many coordinates; in the plane
+                              the last ones are zero */
+    DISKS_MOST = 10000000, /* disks in a box */
+    DISKS_RANDOM = 20000   /* disks that disks_place_random should place */
+};
+
+/* A disk or a sphere, free since its last collision: at the time t its
+   centre is at position + velocity (t - since). */
+struct disk {
+    double position[DISKS_AXES]; /* m; not folded back into the box */
+    double since;                /* s */
+    double velocity[DISKS_AXES]; /* m/s */
+    double radius;               /* m */
+};
+
+enum disks_boundary { DISKS_WALLS, DISKS_PERIODIC, DISKS_BOUNDARIES };
+
+/* What ends a run. */
+enum disks_stop {
+    DISKS_TIME,       /* the time was reached, or nothing happens again */
+    DISKS_COLLISIONS, /* the number of collisions was reached */
+    DISKS_COLLAPSE    /* the clock stands still: inelastic collapse */
+};
+
+/* What happens next to a disk: it meets another one or a wall. Partners
+   from count on are walls: count + axis. A disk that is its own partner
+   looks again: in a periodic box nobody can foresee more. */
+struct disks_event {
+    double time; /* s; INFINITY: nothing */
+    uint32_t disk, partner;
+};
+
+/* Disks in a box from 0 to box[k] along axis k. To be read, and written
+   before the first run: everything above the line. */
+struct disks {
+    size_t dimensions, count; /* 2 or 3; how many disks */
+    enum disks_boundary boundary;
+    double box[DISKS_AXES];
+    double restitution;
+    struct disk *disk;
+    double *mass; /* kg */
+    double now;   /* s */
+    /* ---- counted by the runs */
+    uint64_t collisions, wall_collisions;
+    double impulse[DISKS_AXES]; /* that the walls across an axis took, Ns */
+    double virial;  /* sum of distance times impulse of collisions, J s */
+    uint32_t *hits; /* collisions of each disk, with disks and walls */
+    uint64_t standing;       /* collisions at the time now */
+    struct disks_plan *plan; /* of disks_run */
+};
+
+/* Prepares count disks (2 or 3 dimensions): masses 1, restitution 1, all
+   else 0. Returns false, with nothing to free, when there is no memory. */
+bool disks_create(struct disks *d, size_t dimensions, size_t count);
+
+/* Frees the disks and makes *d empty. */
+void disks_free(struct disks *d);
+
+/* The time, not before 0, until the centre of a disk at x with velocity v
+   is one radius from the wall it flies to, with walls at 0 and length.
+   INFINITY at rest. Source: (5.1, eq:wall-time). */
+double disks_wall_time(double x, double v, double radius, double length);
+
+/* The time, not before 0, until two disks are `distance` apart: 0 for two
+   that touch or overlap and approach, INFINITY for two that never meet.
+   Between them: apart (m) with relative velocity closing (m/s), both of
+   DISKS_AXES numbers, the second disk minus the first. Source: (5.3,
+   eq:pair-time). */
+double disks_pair_time(const double apart[], const double closing[],
+                       double distance);
+
+/* When disks i and j will meet, s: the same bits whenever it is asked
+   between two collisions of theirs. `at` (s), not before their last
+   collisions: of a periodic box the images count that are nearest at that
+   time. Source: (5.4, eq:meeting). */
+double disks_meeting(const struct disks *d, size_t i, size_t j, double at);
+
+/* When disk i will meet its next wall, s, and which: *axis. INFINITY with
+   no wall to meet. */
+double disks_wall(const struct disks *d, size_t i, size_t *axis);
+
+/* Says whether a comes before b: by time, and at one time by the smaller
+   number of a pair and then by the larger. */
+bool disks_before(struct disks_event a, struct disks_event b);
+
+/* Looks at every wall and every pair for what comes next. */
+struct disks_event disks_next(const struct disks *d);
+
+/* Lets the event happen: both disks move to its time and get new
+   velocities; the clock, the counts and the sums follow. */
+void disks_collide(struct disks *d, struct disks_event event);
+
+/* Says whether so many collisions have taken place at the time now that
+   the clock will never go on: more than a thousand and ten times count. */
+bool disks_collapsed(const struct disks *d);
+
+/* How far a disk may fly before it has to look again which images are
+   nearest, m; INFINITY with walls. Not above 0 when the box is too narrow
+   to be periodic: no wider than four of the widest radii. */
+double disks_leash(const struct disks *d);
+
+/* Makes the memory for disks_run, and plans from the present state; to be
+   called again after every change of the state from outside. Returns
+   false without memory. Requires disks_leash(d) > 0. */
+bool disks_plan(struct disks *d);
+
+/* Runs until the time `until` (s), or until `collisions` pair collisions
+   have been counted, whichever comes first, looking at all disks after
+   each collision: time in proportion to count. How a run is cut into
+   calls changes no bit of it. Requires disks_plan, and a finite time
+   unless the disks will meet: those that never do run for ever. */
+enum disks_stop disks_run(struct disks *d, double until,
+                          uint64_t collisions);
+
+/* Fills place[DISKS_AXES] with where disk i is at the time d->now, m,
+   changing nothing. Source: (5.5, eq:disk-clock). */
+void disks_position(const struct disks *d, size_t i, double place[]);
+
+/* The kinetic energy, J, and kT, J: 2 K / (D N), in a periodic box, where
+   the momentum is zero, 2 K / (D (N - 1)). */
+double disks_energy(const struct disks *d);
+double disks_temperature(const struct disks *d);
+
+/* The share of the box that the disks fill. */
+double disks_packing(const struct disks *d);
+
+/* Folds a place back into a periodic box. */
+void disks_fold(const struct disks *d, double place[]);
+
+/* The way from place a to place b, in a periodic box to its nearest
+   image. Source: (5.11, eq:image). */
+void disks_apart(const struct disks *d, const double a[], const double b[],
+                 double apart[]);
+
+/* Says whether all disks are in the box and none overlaps another, up to
+   1e-9 of the box or of their distance; if not, *a and *b are the first
+   two that do, or *b = count for a wall. Looks at every pair. */
+bool disks_fit(const struct disks *d, size_t *a, size_t *b);
+
+/* Says whether disks a and b overlap by more than that now, or, with b =
+   count, whether a sticks out of the box. */
+bool disks_clash(const struct disks *d, size_t a, size_t b);
+
+/* Places the disks, whose radii are given: on the lattice of disks packed
+   closest (triangles, or face-centred cubic) that keeps them farthest
+   apart, the widest one, when there is just one, in the middle; or at
+   random, one after another where there is room. Return false when they
+   do not fit so. */
+bool disks_place_lattice(struct disks *d);
+bool disks_place_random(struct disks *d, struct random *r);
+
+/* Gives every disk the speed v in a random direction, or a velocity of
+   the temperature kT; in a periodic box with the total momentum taken out
+   and the energy kept. */
+void disks_set_speed(struct disks *d, double v, struct random *r);
+void disks_set_temperature(struct disks *d, double kT, struct random *r);
+
+/* Moves every disk to where it is now, sets the clock and all counts to
+   zero: for a run after a warm-up. Call disks_plan after it. */
+void disks_settle(struct disks *d);
+
+#endif

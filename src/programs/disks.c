@@ -1,0 +1,1068 @@
+/* From chapters/07-gas.nw: edit there, then run make tangle. */
+/* checksum 511390367 of the lines below */
+#include "blocks.h"
+#include "cells.h"
+#include "disks.h"
+#include "speeds.h"
+#include "states.h"
+#include "toolbox/bench.h"
+#include "toolbox/options.h"
+#include "toolbox/progress.h"
+#include "toolbox/random.h"
+#include "toolbox/table.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define PROGRAM "disks"
+
+enum {
+    EITHER = DISKS_BOUNDARIES, /* no boundary was given */
+    PARTS = 1000000            /* that the progress of a run counts */
+};
+
+struct settings {
+    size_t disks, dimensions, axes; /* axes: numbers given for the box */
+    size_t boundary, engine, measure;
+    double radius, packing, box[DISKS_AXES];
+    double heavy[2]; /* mass and radius */
+    double speed, temperature, restitution;
+    const char *species, *start;
+    double warmup, until, every;
+    uint64_t collisions, samples, seed;
+    const char *output, *summary, *command;
+};
+
+static bool starts_from_file(const struct settings *s)
+{
+    return strcmp(s->start, "lattice") != 0 &&
+           strcmp(s->start, "random") != 0;
+}
+
+static const char *const engine_names[] = {"auto", "pairs", "cells", NULL};
+enum { AUTO, PAIRS, CELLS };
+enum { STATES, POSITIONS, SPEED_LAW, PRESSURE, RELAXATION, BROWNIAN };
+static const char *const measure_names[] = {
+    "states",     "positions", "speeds", "pressure",
+    "relaxation", "brownian",  NULL};
+
+static void read_heavy(struct options *o, double heavy[2])
+{
+    if (options_list(o, heavy, 2) != 2 ||
+        !(heavy[0] > 0 && heavy[1] > 0 && fmax(heavy[0], heavy[1]) < 1e100))
+        options_fail(o, "'%s' is not a mass and a radius", options_text(o));
+}
+
+_Noreturn static void refuse(const char *format, ...)
+{
+    va_list values;
+    va_start(values, format);
+    fprintf(stderr, PROGRAM ": ");
+    vfprintf(stderr, format, values);
+    fprintf(stderr, "\n");
+    va_end(values);
+    table_abandon();
+    exit(OPTIONS_FAILURE);
+}
+
+_Noreturn static void give_up(const char *what)
+{
+    fprintf(stderr, PROGRAM ": no memory for %s\n", what);
+    table_abandon();
+    exit(EXIT_FAILURE);
+}
+
+static void make_sums(struct blocks *b, size_t width)
+{
+    if (!blocks_create(b, width))
+        give_up("the sums");
+}
+
+enum { KINDS = 100 };
+
+struct mixture {
+    size_t kinds, total;
+    struct {
+        size_t count;
+        double mass, radius;
+    } kind[KINDS];
+};
+
+static bool add_kind(struct mixture *m, double count, double mass,
+                     double radius)
+{
+    if (m->kinds == KINDS || !(count >= 1 && count <= DISKS_MOST) ||
+        count != floor(count) || !(mass > 0 && mass < 1e100) ||
+        !(radius >= 0 && radius < 1e100))
+        return false;
+    m->kind[m->kinds].count = (size_t)count;
+    m->kind[m->kinds].mass = mass;
+    m->kind[m->kinds++].radius = radius;
+    m->total += (size_t)count;
+    return m->total <= DISKS_MOST;
+}
+
+static void read_kinds(struct mixture *m, const char *path)
+{
+    char line[256];
+    FILE *file = fopen(path, "r");
+    if (!file)
+        refuse("--species: %s: %s", path, strerror(errno));
+    for (size_t number = 1; fgets(line, sizeof line, file); ++number) {
+        double count, mass, radius;
+        char more;
+        line[strcspn(line, "#\n")] = '\0';
+        const int found =
+            sscanf(line, "%lf %lf %lf %c", &count, &mass, &radius, &more);
+        if (found > 0 && (found != 3 || !add_kind(m, count, mass, radius)))
+            refuse("--species: %s:%zu: '%s', expected a line of count, "
+                   "mass and radius",
+                   path, number, line);
+    }
+    fclose(file);
+}
+
+/* The side of a square or cube of this size. */
+static double side_of(double size, size_t dimensions)
+{
+    if (dimensions == 2)
+        return sqrt(size);
+    double x = fmax(1, size), next = x;
+    do {
+        x = next;
+        next = x - (x - size / (x * x)) / 3;
+    } while (next < x);
+    return x;
+}
+
+static void choose_box(struct disks *d, const struct settings *s)
+{
+    for (size_t k = 0; k < d->dimensions; ++k)
+        d->box[k] = s->axes ? s->box[k] : 1;
+    if (s->packing == 0 || s->axes > 0)
+        return;
+    const double side =
+        side_of(disks_packing(d) / s->packing, d->dimensions);
+    for (size_t k = 0; k < d->dimensions; ++k)
+        d->box[k] = side;
+}
+
+static double choose_radius(const struct settings *s)
+{
+    const double pi = 3.14159265358979324;
+    const double R = s->heavy[1],
+                 unit = s->dimensions == 2 ? pi : 4 * pi / 3;
+    double room = s->packing;
+    if (s->radius > 0 || s->packing == 0)
+        return s->radius > 0 ? s->radius : 0.15;
+    if (s->axes == 0)
+        return 0.5;
+    for (size_t k = 0; k < s->dimensions; ++k)
+        room *= s->box[k];
+    room -= unit * R * R * (s->dimensions == 2 ? 1 : R);
+    if (!(room > 0))
+        refuse("--packing: %g is filled by the heavy disk alone",
+               s->packing);
+    return side_of(room / unit / (double)s->disks, s->dimensions);
+}
+
+static void fill_box(struct disks *d, const struct settings *s)
+{
+    struct mixture m = {0};
+    if (s->heavy[0] > 0)
+        add_kind(&m, 1, s->heavy[0], s->heavy[1]);
+    if (s->species)
+        read_kinds(&m, s->species);
+    else
+        add_kind(&m, (double)s->disks, 1, choose_radius(s));
+    if (m.total == 0)
+        refuse("--species: %s has no line", s->species);
+    if (!disks_create(d, s->dimensions, m.total))
+        give_up("the disks");
+    for (size_t kind = 0, i = 0; kind < m.kinds; ++kind)
+        for (size_t n = 0; n < m.kind[kind].count; ++n, ++i) {
+            d->mass[i] = m.kind[kind].mass;
+            d->disk[i].radius = m.kind[kind].radius;
+        }
+    choose_box(d, s);
+}
+
+static void set_velocities(struct disks *d, const struct settings *s,
+                           struct random *r)
+{
+    if (s->temperature == 0) {
+        disks_set_speed(d, s->speed, r);
+        return;
+    }
+    disks_set_temperature(d, s->temperature, r);
+    const double factor = sqrt(s->temperature / disks_temperature(d));
+    for (size_t i = 0; i < d->count; ++i)
+        for (size_t k = 0; k < d->dimensions; ++k)
+            d->disk[i].velocity[k] *= factor;
+}
+
+static void make_start(struct disks *d, const struct settings *s)
+{
+    struct random r;
+    random_seed(&r, s->seed);
+    fill_box(d, s);
+    d->boundary =
+        s->boundary == DISKS_PERIODIC ? DISKS_PERIODIC : DISKS_WALLS;
+    const bool lattice = strcmp(s->start, "lattice") == 0;
+    if (!lattice && d->count > DISKS_RANDOM)
+        refuse("--start: random places %d disks at most, not %zu",
+               DISKS_RANDOM, d->count);
+    if (d->boundary == DISKS_PERIODIC && d->count < 2)
+        refuse("--disks: a periodic box needs two at least");
+    if (!(lattice ? disks_place_lattice(d) : disks_place_random(d, &r)))
+        refuse("--start: %zu disks that fill %.4g of the box find no "
+               "place %s",
+               d->count, disks_packing(d),
+               lattice ? "on a lattice" : "at random");
+    set_velocities(d, s, &r);
+}
+
+static void read_start(struct disks *d, const struct settings *s)
+{
+    char message[STATES_MESSAGE];
+    if (!states_read(d, s->start, message))
+        refuse("--start: %s", message);
+    if (s->axes > 0 && s->axes != d->dimensions)
+        refuse("--box has %zu sides, the disks of %s have %zu coordinates",
+               s->axes, s->start, d->dimensions);
+    if (s->axes > 0)
+        memcpy(d->box, s->box, s->axes * sizeof d->box[0]);
+    if (s->boundary != EITHER)
+        d->boundary = (enum disks_boundary)s->boundary;
+    for (size_t k = 0; k < d->dimensions; ++k)
+        if (!(d->box[k] > 0))
+            refuse("--start: %s has no head like '# box 7.5 5 walls', and "
+                   "there is no --box",
+                   s->start);
+}
+
+struct run {
+    const struct settings *s;
+    struct disks d;
+    struct cells cells; /* if fast */
+    bool fast;
+    struct table *out;
+    double kT, energy; /* at the start */
+    double begin, piece, until;
+    struct blocks pressure;
+    double impulse[DISKS_AXES], virial; /* before the present piece */
+    uint64_t row, rows;                 /* clock times: the last; looks */
+    double seconds;
+    enum disks_stop stop;
+    struct progress progress;
+};
+
+enum { FEW = 16 }; /* disks: up to here all pairs are as fast */
+
+static void choose_engine(struct run *r)
+{
+    const bool suit = cells_suit(&r->d);
+    if (r->s->engine == CELLS && !suit)
+        refuse("--engine: cells need a larger box, three cells wide");
+    r->fast = suit && (r->s->engine == CELLS ||
+                       (r->s->engine == AUTO && r->d.count > FEW));
+}
+
+static void plan(struct run *r)
+{
+    cells_free(&r->cells);
+    if (!(r->fast ? cells_create(&r->cells, &r->d) : disks_plan(&r->d)))
+        give_up("the events");
+}
+
+static enum disks_stop advance(struct run *r, double until,
+                               uint64_t collisions)
+{
+    const enum disks_stop stop =
+        r->fast ? cells_run(&r->cells, until, collisions)
+                : disks_run(&r->d, until, collisions);
+    if (stop == DISKS_COLLISIONS && r->d.collisions < collisions)
+        give_up("the neighbours");
+    return stop;
+}
+
+static double first_piece(const struct disks *d)
+{
+    double mass = 0, least = d->box[0];
+    for (size_t i = 0; i < d->count; ++i)
+        mass += d->mass[i];
+    for (size_t k = 1; k < d->dimensions; ++k)
+        least = fmin(least, d->box[k]);
+    const double speed = sqrt(2 * disks_energy(d) / mass);
+    return least / speed / (double)d->count;
+}
+
+static void end_piece(struct run *r)
+{
+    double sample[DISKS_AXES + 1];
+    for (size_t k = 0; k < DISKS_AXES; ++k) {
+        sample[k] = r->d.impulse[k] - r->impulse[k];
+        r->impulse[k] = r->d.impulse[k];
+    }
+    sample[DISKS_AXES] = r->d.virial - r->virial;
+    r->virial = r->d.virial;
+    blocks_append(&r->pressure, sample);
+}
+
+static void run_to(struct run *r, double until, uint64_t collisions)
+{
+    const double start = bench_seconds();
+    r->stop = DISKS_TIME;
+    while (r->stop == DISKS_TIME && r->d.now < until &&
+           !progress_signal()) {
+        const double end =
+            r->begin +
+            (double)((r->pressure.count + 1) * r->pressure.per) * r->piece;
+        r->stop = advance(r, fmin(end, until), collisions);
+        if (r->stop == DISKS_TIME && end <= until)
+            end_piece(r);
+        if (r->until < INFINITY)
+            progress_update(&r->progress,
+                            (uint64_t)((r->d.now - r->begin) /
+                                       (r->until - r->begin) * PARTS),
+                            r->d.collisions);
+        else if (collisions < UINT64_MAX)
+            progress_update(&r->progress,
+                            (uint64_t)((double)r->d.collisions /
+                                       (double)collisions * PARTS),
+                            r->d.collisions);
+    }
+    r->seconds += bench_seconds() - start;
+}
+
+/* Can a disk ever meet another one? */
+static bool can_meet(const struct disks *d)
+{
+    double widest = 0;
+    for (size_t i = 0; i < d->count; ++i)
+        widest = fmax(widest, d->disk[i].radius);
+    return d->count > 1 && widest > 0 && disks_energy(d) > 0;
+}
+
+static void warm_up(struct run *r, double each)
+{
+    const double count = (double)r->d.count;
+    const uint64_t last = (uint64_t)(each * count / 2);
+    if (last == 0 || !can_meet(&r->d))
+        return;
+    plan(r);
+    while (r->d.collisions < last && !progress_signal() &&
+           r->stop != DISKS_COLLAPSE) {
+        const uint64_t bite = r->d.collisions + 1000 + r->d.count;
+        r->stop = advance(r, INFINITY, bite < last ? bite : last);
+    }
+    if (r->stop != DISKS_COLLAPSE)
+        advance(r, r->d.now * 1.01, UINT64_MAX);
+    disks_settle(&r->d);
+}
+
+static void begin_run(struct run *r)
+{
+    make_sums(&r->pressure, DISKS_AXES + 1);
+    plan(r);
+    r->kT = disks_temperature(&r->d);
+    r->energy = disks_energy(&r->d);
+    r->begin = r->d.now;
+    r->piece = first_piece(&r->d);
+}
+
+/* P V/(N kT) from what the walls across axis k took in a time. */
+static double Z_wall(const struct run *r, size_t k, double impulse,
+                     double time)
+{
+    return impulse * r->d.box[k] / (2 * time * (double)r->d.count * r->kT);
+}
+
+/* The same from what collisions have summed up (7.9, eq:virial). */
+static double Z_virial(const struct run *r, double virial, double time)
+{
+    return 1 +
+           virial / ((double)(r->d.dimensions * r->d.count) * r->kT * time);
+}
+
+static void begin_states(struct run *r)
+{
+    states_begin(r->out, &r->d);
+}
+
+static void look_at_states(struct run *r)
+{
+    if (r->rows > 0)
+        table_print(r->out, "\n\n");
+    states_write(r->out, &r->d);
+}
+
+enum { BINS = 100 };
+
+static const char *const axis_names[] = {"x", "y", "z"};
+
+static struct blocks counted; /* of positions or speeds */
+
+static void begin_positions(struct run *r)
+{
+    make_sums(&counted, r->d.dimensions * BINS);
+    table_column(r->out, "x", "m", "lower end of the bin along x");
+    for (size_t k = 0; k < r->d.dimensions; ++k) {
+        char symbol[16], error[16];
+        snprintf(symbol, sizeof symbol, "p(%s)", axis_names[k]);
+        snprintf(error, sizeof error, "error(%s)", axis_names[k]);
+        table_column(r->out, symbol, "1/m",
+                     "density of the disks' centres");
+        table_column(r->out, error, "1/m", "its standard error");
+    }
+}
+
+static void look_at_positions(struct run *r)
+{
+    static double sample[DISKS_AXES * BINS];
+    const struct disks *d = &r->d;
+    memset(sample, 0, sizeof sample);
+    for (size_t i = 0; i < d->count; ++i) {
+        double place[DISKS_AXES];
+        disks_position(d, i, place);
+        disks_fold(d, place);
+        for (size_t k = 0; k < d->dimensions; ++k) {
+            const double share = place[k] / d->box[k] * BINS;
+            const size_t bin = share > 0 ? (size_t)share : 0;
+            sample[k * BINS + (bin < BINS ? bin : BINS - 1)] +=
+                BINS / d->box[k] / (double)d->count;
+        }
+    }
+    blocks_add(&counted, sample);
+}
+
+static void end_positions(struct run *r, struct table *summary)
+{
+    (void)summary;
+    for (size_t bin = 0; bin < BINS; ++bin) {
+        double row[1 + 2 * DISKS_AXES] = {r->d.box[0] * (double)bin / BINS};
+        for (size_t k = 0; k < r->d.dimensions; ++k) {
+            const struct blocks_average p =
+                blocks_average(&counted, k * BINS + bin);
+            row[1 + 2 * k] = p.mean;
+            row[2 + 2 * k] = p.error;
+        }
+        table_row(r->out, 1 + 2 * r->d.dimensions, row);
+    }
+}
+
+enum { SPEEDS = 42 }; /* bins of the scaled speed, to 4 */
+
+static double edge_of(size_t bin)
+{
+    return (double)bin * 4 / SPEEDS;
+}
+
+static size_t bin_of(double u)
+{
+    const double bin = u * (SPEEDS / 4.0);
+    return bin < SPEEDS ? (size_t)bin : SPEEDS;
+}
+
+static double scaled_speed(const struct run *r, size_t i, double parts[])
+{
+    const double *v = r->d.disk[i].velocity;
+    const double scale = sqrt(r->d.mass[i] / (2 * r->kT));
+    double square = 0;
+    for (size_t k = 0; k < r->d.dimensions; ++k) {
+        parts[k] = fabs(v[k]) * scale;
+        square += parts[k] * parts[k];
+    }
+    return sqrt(square);
+}
+
+static void begin_speeds(struct run *r)
+{
+    make_sums(&counted, 2 * SPEEDS + 2);
+    table_column(r->out, "u", "", "lower end of a bin, v sqrt(m/(2kT))");
+    table_column(r->out, "p(u)", "", "density of the speed");
+    table_column(r->out, "error", "", "its standard error");
+    table_column(r->out, "finite", "", "exact law of so many disks");
+    table_column(r->out, "Maxwell", "", "law of infinitely many");
+    table_column(r->out, "p(|ux|)", "", "density of a component's modulus");
+    table_column(r->out, "error", "", "its standard error");
+    table_column(r->out, "finite", "", "exact law of so many disks");
+    table_column(r->out, "Maxwell", "", "law of infinitely many");
+}
+
+static void look_at_speeds(struct run *r)
+{
+    static double sample[2 * SPEEDS + 2];
+    const double D = (double)r->d.dimensions, N = (double)r->d.count;
+    memset(sample, 0, sizeof sample);
+    for (size_t i = 0; i < r->d.count; ++i) {
+        double parts[DISKS_AXES];
+        const double u = scaled_speed(r, i, parts);
+        if (bin_of(u) < SPEEDS)
+            sample[bin_of(u)] += 1 / (N * edge_of(1));
+        for (size_t k = 0; k < r->d.dimensions; ++k)
+            if (bin_of(parts[k]) < SPEEDS)
+                sample[SPEEDS + bin_of(parts[k])] +=
+                    1 / (N * D * edge_of(1));
+        sample[2 * SPEEDS] += u / N;
+        sample[2 * SPEEDS + 1] += u * u * u * u / N;
+    }
+    blocks_add(&counted, sample);
+}
+
+enum { FINITE, MAXWELL, SPEED = 0, PART = 2, LAWS = 4 };
+
+static void speed_laws(const struct run *r, struct speeds_law law[])
+{
+    const size_t D = r->d.dimensions, N = r->d.count;
+    const bool resting = r->d.boundary == DISKS_PERIODIC;
+    law[SPEED + FINITE] = speeds_exact(D, N, resting, false);
+    law[SPEED + MAXWELL] = speeds_maxwell(D, false);
+    law[PART + FINITE] = speeds_exact(D, N, resting, true);
+    law[PART + MAXWELL] = speeds_maxwell(D, true);
+}
+
+/* Chi-square of the speeds against a law; *bins: how many count. */
+static double chi_square(const double density[], size_t *bins)
+{
+    double sum = 0;
+    *bins = 0;
+    for (size_t bin = 0; bin < SPEEDS; ++bin) {
+        const struct blocks_average p = blocks_average(&counted, bin);
+        if (!(p.mean > 1e-3 && p.error > 0))
+            continue;
+        const double z = (p.mean - density[bin]) / p.error;
+        sum += z * z;
+        ++*bins;
+    }
+    return sum;
+}
+
+static void end_speeds(struct run *r, struct table *summary)
+{
+    static double density[LAWS][SPEEDS];
+    struct speeds_law law[LAWS];
+    double mean[LAWS];
+    speed_laws(r, law);
+    for (size_t k = 0; k < LAWS; ++k)
+        mean[k] = speeds_bins(&law[k], edge_of(1), SPEEDS, density[k]);
+    for (size_t bin = 0; bin < SPEEDS; ++bin) {
+        const struct blocks_average p = blocks_average(&counted, bin);
+        const struct blocks_average q =
+            blocks_average(&counted, SPEEDS + bin);
+        table_row(r->out, 9,
+                  (double[]){edge_of(bin), p.mean, p.error,
+                             density[SPEED + FINITE][bin],
+                             density[SPEED + MAXWELL][bin], q.mean, q.error,
+                             density[PART + FINITE][bin],
+                             density[PART + MAXWELL][bin]});
+    }
+    const struct blocks_average v = blocks_average(&counted, 2 * SPEEDS);
+    const struct blocks_average v4 =
+        blocks_average(&counted, 2 * SPEEDS + 1);
+    size_t bins;
+    table_real(summary, "mean_speed", v.mean);
+    table_real(summary, "mean_speed_error", v.error);
+    table_real(summary, "mean_speed_finite", mean[SPEED + FINITE]);
+    table_real(summary, "mean_speed_maxwell", mean[SPEED + MAXWELL]);
+    table_real(summary, "v4", v4.mean);
+    table_real(summary, "v4_error", v4.error);
+    table_real(summary, "v4_finite", speeds_fourth(&law[SPEED + FINITE]));
+    table_real(summary, "v4_maxwell", speeds_fourth(&law[SPEED + MAXWELL]));
+    table_real(summary, "chi2_finite",
+               chi_square(density[SPEED + FINITE], &bins));
+    table_real(summary, "chi2_maxwell",
+               chi_square(density[SPEED + MAXWELL], &bins));
+    table_count(summary, "bins", bins);
+}
+
+static void begin_relaxation(struct run *r)
+{
+    table_column(r->out, "t", "s", "time");
+    table_column(r->out, "c", "", "collisions of a disk until then");
+    table_column(r->out, "ratio", "", "<v^4>/<v^2>^2, v scaled by sqrt(m)");
+    table_column(r->out, "H", "", "Boltzmann's H, v in sqrt(2kT/m)");
+}
+
+/* The volume of velocities in a shell. */
+static double shell(size_t bin, size_t dimensions)
+{
+    const double pi = 3.14159265358979324;
+    const double a = edge_of(bin), b = edge_of(bin + 1);
+    return dimensions == 2 ? pi * (b * b - a * a)
+                           : 4 * pi / 3 * (b * b * b - a * a * a);
+}
+
+static void look_at_relaxation(struct run *r)
+{
+    const double N = (double)r->d.count;
+    double two = 0, four = 0, H = 0, share[SPEEDS] = {0};
+    for (size_t i = 0; i < r->d.count; ++i) {
+        double parts[DISKS_AXES];
+        const double u = scaled_speed(r, i, parts);
+        const size_t bin = bin_of(u);
+        two += u * u / N;
+        four += u * u * u * u / N;
+        share[bin < SPEEDS ? bin : SPEEDS - 1] += 1 / N;
+    }
+    for (size_t bin = 0; bin < SPEEDS; ++bin)
+        if (share[bin] > 0)
+            H += share[bin] *
+                 random_log(share[bin] / shell(bin, r->d.dimensions));
+    table_row(r->out, 4,
+              (double[]){r->d.now, 2 * (double)r->d.collisions / N,
+                         four / (two * two), H});
+}
+
+static struct {
+    double time, impulse[DISKS_AXES], virial;
+} before;
+
+static void begin_pressure(struct run *r)
+{
+    const bool walls = r->d.boundary == DISKS_WALLS;
+    before.time = r->d.now;
+    table_column(r->out, "t", "s", "end of the interval");
+    for (size_t k = 0; walls && k < r->d.dimensions; ++k) {
+        char symbol[16];
+        snprintf(symbol, sizeof symbol, "Z_wall_%s", axis_names[k]);
+        table_column(r->out, symbol, "",
+                     "P V/(N kT) of the walls across this axis");
+    }
+    table_column(r->out, "Z_virial", "", "the same from the virial");
+}
+
+static void look_at_pressure(struct run *r)
+{
+    const struct disks *d = &r->d;
+    const double time = d->now - before.time;
+    double row[2 + DISKS_AXES] = {d->now};
+    size_t n = 1;
+    if (!(time > 0))
+        return;
+    if (d->boundary == DISKS_WALLS)
+        for (size_t k = 0; k < d->dimensions; ++k)
+            row[n++] =
+                Z_wall(r, k, d->impulse[k] - before.impulse[k], time);
+    row[n++] = Z_virial(r, d->virial - before.virial, time);
+    table_row(r->out, n, row);
+    before.time = d->now;
+    before.virial = d->virial;
+    memcpy(before.impulse, d->impulse, sizeof before.impulse);
+}
+
+static struct {
+    size_t rows, space;
+    double (*row)[2 * DISKS_AXES];
+} path;
+
+static void begin_brownian(struct run *r)
+{
+    table_column(r->out, "lag", "s", "a time");
+    table_column(r->out, "C", "m2/s2", "<V(t) V(t+lag)> of a component");
+    table_column(r->out, "error", "m2/s2", "its standard error");
+    table_column(r->out, "MSD", "m2",
+                 "<(X(t+lag)-X(t))^2>, all components");
+    table_column(r->out, "error", "m2", "its standard error");
+}
+
+static void look_at_heavy(struct run *r)
+{
+    if (path.rows == path.space) {
+        path.space = 2 * path.space + 1024;
+        path.row = realloc(path.row, path.space * sizeof path.row[0]);
+        if (!path.row)
+            give_up("the path of the heavy disk");
+    }
+    double *row = path.row[path.rows++];
+    disks_position(&r->d, 0, row);
+    memcpy(row + DISKS_AXES, r->d.disk[0].velocity,
+           sizeof r->d.disk[0].velocity);
+}
+
+static double product_of(const double a[], const double b[], size_t D)
+{
+    double sum = 0;
+    for (size_t k = 0; k < D; ++k)
+        sum += a[DISKS_AXES + k] * b[DISKS_AXES + k];
+    return sum / (double)D;
+}
+
+static double square_of(const double a[], const double b[], size_t D)
+{
+    double sum = 0;
+    for (size_t k = 0; k < D; ++k)
+        sum += (b[k] - a[k]) * (b[k] - a[k]);
+    return sum;
+}
+
+typedef double of_rows(const double a[], const double b[], size_t D);
+
+static struct blocks_average over_path(of_rows *f, size_t lag, size_t D,
+                                       double x[])
+{
+    const size_t n = path.rows - lag;
+    for (size_t i = 0; i < n; ++i)
+        x[i] = f(path.row[i], path.row[i + lag], D);
+    return blocks_average_of(n, x);
+}
+
+static struct blocks_average first_slope(const struct run *r, double x[])
+{
+    const size_t D = r->d.dimensions, n = path.rows - 2;
+    const double scale = 1 / (2 * (double)D * r->s->every);
+    for (size_t i = 0; i < n; ++i) {
+        const double *now = path.row[i] + DISKS_AXES;
+        const double one = square_of(now, path.row[i + 1] + DISKS_AXES, D);
+        const double two = square_of(now, path.row[i + 2] + DISKS_AXES, D);
+        x[i] = (2 * one - two / 2) * scale;
+    }
+    return blocks_average_of(n, x);
+}
+
+static void end_brownian(struct run *r, struct table *summary)
+{
+    const size_t D = r->d.dimensions;
+    double *x = malloc(path.rows * sizeof x[0]);
+    if (!x)
+        give_up("the path of the heavy disk");
+    for (size_t lag = 0; lag <= path.rows / 10; lag += 1 + lag / 7) {
+        const struct blocks_average C = over_path(product_of, lag, D, x);
+        const struct blocks_average M = over_path(square_of, lag, D, x);
+        table_row(r->out, 5,
+                  (double[]){(double)lag * r->s->every, C.mean, C.error,
+                             M.mean, M.error});
+    }
+    const struct blocks_average V2 = over_path(product_of, 0, D, x);
+    const double M = r->d.mass[0], m = r->d.mass[r->d.count - 1];
+    const double time = r->d.now - r->begin;
+    double all = 0;
+    for (size_t i = 0; i < r->d.count; ++i)
+        all += r->d.mass[i];
+    table_real(summary, "V2", V2.mean);
+    table_real(summary, "V2_error", V2.error);
+    table_real(summary, "V2_exact",
+               r->kT / M *
+                   (r->d.boundary == DISKS_PERIODIC ? 1 - M / all : 1));
+    const double nu = r->d.hits[0] / time;
+    if (path.rows > 32) {
+        const struct blocks_average slope = first_slope(r, x);
+        table_real(summary, "slope", slope.mean);
+        table_real(summary, "slope_error", slope.error);
+    }
+    table_real(summary, "heavy_rate", nu);
+    table_real(summary, "slope_exact",
+               4 / (double)D * (M * m / (M + m)) * nu * r->kT / (M * M));
+    free(x);
+}
+
+static void no_summary(struct run *r, struct table *summary)
+{
+    (void)r;
+    (void)summary;
+}
+
+static const struct {
+    void (*begin)(struct run *r);
+    void (*look)(struct run *r);
+    void (*end)(struct run *r, struct table *summary);
+} measures[] = {{begin_states, look_at_states, no_summary},
+                {begin_positions, look_at_positions, end_positions},
+                {begin_speeds, look_at_speeds, end_speeds},
+                {begin_pressure, look_at_pressure, no_summary},
+                {begin_relaxation, look_at_relaxation, no_summary},
+                {begin_brownian, look_at_heavy, end_brownian}};
+
+static const struct options_entry entries[] = {
+    {"disks", 'N', "N", "how many (4)"},
+    {"dimensions", 'D', "D", "2: disks, 3: spheres (2)"},
+    {"radius", 'r', "R", "of the disks, m (0.15)"},
+    {"packing", 'p', "ETA",
+     "share of the box that they fill; without\n"
+     "--box it gives the box, with R = 0.5"},
+    {"species", 'f', "FILE", "a mixture: lines of count, mass, radius"},
+    {"box", 'b', "LX,LY,..", "its sides, m (1,1)"},
+    {"boundary", 'B', "NAME", "walls or periodic (walls)"},
+    {"start", 'x', "PLACES",
+     "lattice, random, or a file of states (lattice)"},
+    {"speed", 'v', "V", "of all disks at the start, m/s (1)"},
+    {"temperature", 'T', "KT", "draw Maxwell's velocities instead, J"},
+    {"heavy", 'H', "M,R", "one disk more, of this mass and radius"},
+    {"seed", 's', "S", "of the random numbers (1)"},
+    {"restitution", 'e', "E", "of every collision (1)"},
+    {"warmup", 'w', "C",
+     "collisions of a disk that do not count (100;\n"
+     "0 for a file, for restitution and for relaxation)"},
+    {"until", 't', "T", "stop at this time, s"},
+    {"collisions", 'c', "C",
+     "stop at this collision of two disks\n"
+     "(100 of each disk, if no end is given)"},
+    {"every", 'd', "DT", "look at each multiple of this time, s"},
+    {"samples", 'k', "K", "stop after so many looks behind the first"},
+    {"measure", 'm', "NAME",
+     "states, positions, speeds, pressure,\n"
+     "relaxation or brownian (states)"},
+    {"engine", 'g', "NAME", "auto, pairs or cells (auto)"},
+    {"output", 'o', "FILE", "for the table (standard output)"},
+    {"summary", 'S', "FILE", "for the results as lines: key value"},
+    {0}};
+
+static void read_settings(struct settings *s, int argc, char *argv[])
+{
+    struct options o;
+    int option;
+    *s = (struct settings){.dimensions = 2,
+                           .boundary = EITHER,
+                           .restitution = 1,
+                           .start = "lattice",
+                           .warmup = NAN,
+                           .until = INFINITY,
+                           .collisions = UINT64_MAX,
+                           .samples = UINT64_MAX,
+                           .seed = 1,
+                           .summary = "/dev/null"};
+    options_begin(&o, PROGRAM, "Run hard disks or spheres in a box.",
+                  entries, argc, argv);
+    while ((option = options_next(&o)) != -1)
+        switch (option) {
+        case 'N': s->disks = options_count(&o, 1, DISKS_MOST); break;
+        case 'D': s->dimensions = options_count(&o, 2, 3); break;
+        case 'r':
+            s->radius = options_real(&o, OPTIONS_POSITIVE, 1e100);
+            break;
+        case 'p': s->packing = options_real(&o, OPTIONS_POSITIVE, 1); break;
+        case 'f': s->species = options_text(&o); break;
+        case 'b': s->axes = options_list(&o, s->box, DISKS_AXES); break;
+        case 'B':
+            s->boundary = options_choice(&o, states_boundaries);
+            break;
+        case 'x': s->start = options_text(&o); break;
+        case 'v':
+            s->speed = options_real(&o, OPTIONS_POSITIVE, 1e100);
+            break;
+        case 'T':
+            s->temperature = options_real(&o, OPTIONS_POSITIVE, 1e100);
+            break;
+        case 'H': read_heavy(&o, s->heavy); break;
+        case 's': s->seed = options_count(&o, 0, UINT64_MAX); break;
+        case 'e': s->restitution = options_real(&o, 0, 1); break;
+        case 'w': s->warmup = options_real(&o, 0, 1e12); break;
+        case 't': s->until = options_real(&o, 0, INFINITY); break;
+        case 'c':
+            s->collisions = options_count(&o, 0, UINT64_MAX - 1);
+            break;
+        case 'd':
+            s->every = options_real(&o, OPTIONS_POSITIVE, INFINITY);
+            break;
+        case 'k': s->samples = options_count(&o, 1, UINT64_MAX - 1); break;
+        case 'm': s->measure = options_choice(&o, measure_names); break;
+        case 'g': s->engine = options_choice(&o, engine_names); break;
+        case 'o': s->output = options_text(&o); break;
+        case 'S': s->summary = options_text(&o); break;
+        }
+    s->command = options_command(&o);
+    const bool made = s->disks || s->radius > 0 || s->packing > 0 ||
+                      s->species || s->speed > 0 || s->temperature > 0 ||
+                      s->heavy[0] > 0;
+    if (starts_from_file(s) && made)
+        options_fail(&o,
+                     "--start: a file has its own disks and velocities");
+    if (s->species && (s->disks || s->radius > 0))
+        options_fail(&o, "--species gives the disks and their radii");
+    if (s->packing > 0 && s->axes > 0 && (s->radius > 0 || s->species))
+        options_fail(&o, "--packing: the box and the radii are given");
+    if (s->axes > 0 && !starts_from_file(s) && s->axes != s->dimensions)
+        options_fail(&o, "--box has %zu sides, expected %zu", s->axes,
+                     s->dimensions);
+    if (s->speed > 0 && s->temperature > 0)
+        options_fail(&o, "--speed and --temperature exclude each other");
+    if (s->samples < UINT64_MAX && s->every == 0)
+        options_fail(&o, "--samples needs --every");
+    if (s->measure != STATES && s->every == 0)
+        options_fail(&o, "--measure %s needs --every",
+                     measure_names[s->measure]);
+    for (size_t k = 0; k < s->axes; ++k)
+        if (!(s->box[k] > 0 && s->box[k] < 1e100))
+            options_fail(&o, "--box: side %zu is %g, expected more than 0",
+                         k + 1, s->box[k]);
+    if (s->measure == BROWNIAN && s->heavy[0] == 0 && !starts_from_file(s))
+        options_fail(&o, "--measure brownian needs --heavy");
+    if (s->restitution < 1 && s->measure != STATES)
+        options_fail(&o, "--measure %s needs --restitution 1",
+                     measure_names[s->measure]);
+    if (strcmp(s->summary, s->output ? s->output : "-") == 0 &&
+        strcmp(s->summary, "/dev/null") != 0)
+        options_fail(&o, "--summary and the table would both go to '%s'",
+                     s->summary);
+    if (s->disks == 0)
+        s->disks = 4;
+    if (s->speed == 0)
+        s->speed = 1;
+    if (isnan(s->warmup))
+        s->warmup = starts_from_file(s) || s->measure == RELAXATION ||
+                            s->restitution < 1
+                        ? 0
+                        : 100;
+}
+
+static void summarise_pressure(const struct run *r, struct table *out)
+{
+    const double time = r->d.now - r->begin;
+    const bool walls = r->d.boundary == DISKS_WALLS;
+    for (size_t k = 0; walls && k < r->d.dimensions; ++k) {
+        const struct blocks_average a = blocks_average(&r->pressure, k);
+        char key[32];
+        snprintf(key, sizeof key, "Z_wall_%s", axis_names[k]);
+        table_real(out, key, Z_wall(r, k, r->d.impulse[k], time));
+        snprintf(key, sizeof key, "Z_wall_%s_error", axis_names[k]);
+        table_real(out, key, Z_wall(r, k, a.error, r->piece));
+    }
+    const struct blocks_average a =
+        blocks_average(&r->pressure, DISKS_AXES);
+    table_real(out, "Z_virial", Z_virial(r, r->d.virial, time));
+    table_real(out, "Z_virial_error", Z_virial(r, a.error, r->piece) - 1);
+}
+
+static void summarise(const struct run *r, struct table *out)
+{
+    const double time = r->d.now - r->begin;
+    const double all =
+        (double)r->d.collisions + (double)r->d.wall_collisions;
+    table_count(out, "disks", r->d.count);
+    table_count(out, "collisions", r->d.collisions);
+    table_count(out, "wall_collisions", r->d.wall_collisions);
+    table_count(out, "samples", r->rows);
+    table_real(out, "time", time);
+    table_real(out, "kT", r->kT);
+    table_real(out, "packing", disks_packing(&r->d));
+    table_real(out,
+               r->s->restitution < 1 ? "energy_change" : "energy_error",
+               r->energy > 0 ? disks_energy(&r->d) / r->energy - 1 : 0);
+    if (r->s->restitution == 1 && time > 0)
+        summarise_pressure(r, out);
+    if (time > 0)
+        table_real(out, "collision_rate",
+                   2 * (double)r->d.collisions / (double)r->d.count / time);
+    table_text(out, "engine", r->fast ? "cells" : "pairs");
+    table_real(out, "collisions_per_second",
+               r->seconds > 0 ? all / r->seconds : 0);
+}
+
+/* Runs from clock time to clock time and looks at each. */
+static void run_and_look(struct run *r)
+{
+    const double every = r->s->every;
+    const uint64_t collisions = r->s->collisions;
+    measures[r->s->measure].look(r);
+    ++r->rows;
+    for (bool over = false; !over && !progress_signal();) {
+        ++r->row;
+        double clock = every > 0 ? (double)r->row * every : INFINITY;
+        over = !(clock < r->until - 1e-9 * every);
+        if (over && !(clock <= r->until + 1e-9 * every))
+            clock = r->until;
+        run_to(r, clock, collisions);
+        over = over || r->stop != DISKS_TIME;
+        const bool regular = r->d.now == (double)r->row * every;
+        if (!progress_signal() && (regular || r->s->measure == STATES)) {
+            measures[r->s->measure].look(r);
+            ++r->rows;
+        }
+    }
+}
+
+/* When the run ends, and the clock time that it starts from. */
+static void choose_end(struct run *r, struct settings *s)
+{
+    const double per_clock = r->d.now / s->every;
+    if (s->every > 0)
+        r->row = (uint64_t)(per_clock + 1e-9 * fmax(1, per_clock));
+    r->until = s->until;
+    if (s->samples < UINT64_MAX)
+        r->until = fmin(r->until, (double)(r->row + s->samples) * s->every);
+    if (r->until < INFINITY)
+        return;
+    if (!can_meet(&r->d))
+        refuse("--until: needed for disks that never meet");
+    if (s->collisions == UINT64_MAX)
+        s->collisions = 50 * (uint64_t)r->d.count;
+}
+
+/* Are all disks inside, and none in another? *a and *b: who is not. */
+static bool fits(struct run *r, size_t *a, size_t *b)
+{
+    if (!r->fast)
+        return disks_fit(&r->d, a, b);
+    *b = r->d.count;
+    for (*a = 0; *a < r->d.count; ++*a)
+        if (disks_clash(&r->d, *a, *b))
+            return false;
+    plan(r);
+    return cells_fit(&r->cells, a, b);
+}
+
+/* Is it a state at all, and one that can be measured as was asked? */
+static void check_start(struct run *r)
+{
+    const struct disks *d = &r->d;
+    size_t a, b;
+    if (r->s->measure == SPEED_LAW &&
+        d->count < (d->boundary == DISKS_PERIODIC ? 3 : 2))
+        refuse("--measure speeds needs more disks: %zu have no law",
+               d->count);
+    if (!starts_from_file(r->s) || fits(r, &a, &b))
+        return;
+    if (b == d->count)
+        refuse("--start: %s: disk %zu is not inside the box", r->s->start,
+               a + 1);
+    refuse("--start: %s: disks %zu and %zu overlap", r->s->start, a + 1,
+           b + 1);
+}
+
+int main(int argc, char *argv[])
+{
+    static struct settings s;
+    static struct run r;
+    read_settings(&s, argc, argv);
+    r.s = &s;
+    if (starts_from_file(&s))
+        read_start(&r.d, &s);
+    else
+        make_start(&r.d, &s);
+    r.d.restitution = s.restitution;
+    choose_engine(&r);
+    check_start(&r);
+    r.out = table_open(PROGRAM, s.output);
+    struct table *summary = table_open(PROGRAM, s.summary);
+    if (!r.out || !summary)
+        return table_discard(r.out), table_discard(summary), EXIT_FAILURE;
+    progress_catch_signals();
+    table_begin(r.out, s.command, s.seed);
+    progress_begin(&r.progress, PROGRAM, PARTS, "collisions");
+    warm_up(&r, s.warmup);
+    choose_end(&r, &s);
+    begin_run(&r);
+    measures[s.measure].begin(&r);
+    run_and_look(&r);
+    measures[s.measure].end(&r, summary);
+    summarise(&r, summary);
+    const bool whole = progress_end(&r.progress);
+    if (r.stop == DISKS_COLLAPSE)
+        fprintf(stderr,
+                PROGRAM ": inelastic collapse at t = %.6g s after %llu "
+                        "collisions\n",
+                r.d.now, (unsigned long long)r.d.collisions);
+    const bool written = table_close(r.out);
+    cells_free(&r.cells);
+    disks_free(&r.d);
+    if (whole && written)
+        return table_close(summary) && r.stop != DISKS_COLLAPSE
+                   ? EXIT_SUCCESS
+                   : EXIT_FAILURE;
+    table_discard(summary);
+    return EXIT_FAILURE;
+}

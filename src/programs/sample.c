@@ -1,0 +1,552 @@
+/* From chapters/06-room.nw: edit there, then run make tangle. */
+/* checksum 1947384006 of the lines below */
+#include "sampling.h"
+#include "toolbox/options.h"
+#include "toolbox/progress.h"
+#include "toolbox/random.h"
+#include "toolbox/table.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define PROGRAM "sample"
+#define LONGEST 1e6 /* a length, m */
+
+enum {
+    MOST = 100000,  /* disks */
+    PILOT = 100000, /* throws to guess how many will be needed */
+    HOPELESS = 15,  /* decimal digits of a number of throws to refuse */
+    SOME = 256      /* samples between two looks at the clock */
+};
+enum { BITE = 1 << 16 }; /* throws between two looks at the signals */
+
+enum method { DIRECT, MARKOV };
+static const char *const method_names[] = {"direct", "markov", NULL};
+static const char *const boundary_names[] = {"walls", "periodic", NULL};
+
+enum measure { POSITIONS, DISTANCES, STATES };
+static const char *const measure_names[] = {"positions", "distances",
+                                            "states", NULL};
+
+struct settings {
+    size_t method, boundary, measure;
+    size_t dimensions, large, small, bins;
+    double radius, small_radius, box[DISKS_AXES], step;
+    uint64_t samples, seed;
+    const char *output, *summary, *command;
+};
+
+static const struct options_entry entries[] = {
+    {"method", 'm', "NAME", "direct or markov (direct)"},
+    {"disks", 'N', "N", "how many (4)"},
+    {"radius", 'r', "R", "m (0.15)"},
+    {"box", 'b', "Lx,Ly[,Lz]", "its sides, m (1,1)"},
+    {"boundary", 'B', "NAME", "walls or periodic (walls)"},
+    {"small", 'i', "R,COUNT", "as many ideal ones of radius R more"},
+    {"samples", 'k', "K",
+     "direct: configurations; markov: sweeps of\n"
+     "as many tries as there are disks (100000)"},
+    {"step", 'd', "D", "markov: the longest move along an axis, m (R)"},
+    {"measure", 'M', "NAME", "positions, distances or states (positions)"},
+    {"bins", 'n', "B", "over the whole length (100)"},
+    {"seed", 's', "S", "of the random numbers (1)"},
+    {"output", 'o', "FILE", "for the table (standard output)"},
+    {"summary", 'S', "FILE", "for the results as lines: key value"},
+    {0}};
+
+static void read_box(struct options *o, struct settings *s)
+{
+    s->dimensions = options_list(o, s->box, DISKS_AXES);
+    for (size_t k = 0; k < s->dimensions; ++k)
+        if (s->dimensions < 2 || !(s->box[k] > 0 && s->box[k] <= LONGEST))
+            options_fail(o, "'%s', expected two or three lengths up to %g",
+                         options_text(o), LONGEST);
+}
+
+static void read_small(struct options *o, struct settings *s)
+{
+    double pair[2];
+    if (options_list(o, pair, 2) != 2 ||
+        !(pair[0] >= 0 && pair[0] <= LONGEST && pair[1] >= 0 &&
+          pair[1] <= MOST && pair[1] == (double)(size_t)pair[1]))
+        options_fail(o,
+                     "'%s', expected a radius and a whole number up to %d",
+                     options_text(o), MOST);
+    s->small_radius = pair[0];
+    s->small = (size_t)pair[1];
+}
+
+static void read_settings(struct settings *s, struct options *o, int argc,
+                          char *argv[])
+{
+    int option;
+    *s = (struct settings){.dimensions = 2,
+                           .large = 4,
+                           .bins = 100,
+                           .radius = 0.15,
+                           .box = {1, 1},
+                           .samples = 100000,
+                           .seed = 1,
+                           .summary = "/dev/null"};
+    options_begin(o, PROGRAM, "Sample the places of hard disks in a box.",
+                  entries, argc, argv);
+    while ((option = options_next(o)) != -1)
+        switch (option) {
+        case 'm': s->method = options_choice(o, method_names); break;
+        case 'N': s->large = options_count(o, 1, MOST); break;
+        case 'r':
+            s->radius = options_real(o, OPTIONS_POSITIVE, LONGEST);
+            break;
+        case 'b': read_box(o, s); break;
+        case 'B': s->boundary = options_choice(o, boundary_names); break;
+        case 'i': read_small(o, s); break;
+        case 'k': s->samples = options_count(o, 1, UINT64_MAX / 4); break;
+        case 'd':
+            s->step = options_real(o, OPTIONS_POSITIVE, LONGEST);
+            break;
+        case 'M': s->measure = options_choice(o, measure_names); break;
+        case 'n': s->bins = options_count(o, 1, 100000); break;
+        case 's': s->seed = options_count(o, 0, UINT64_MAX); break;
+        case 'o': s->output = options_text(o); break;
+        case 'S': s->summary = options_text(o); break;
+        }
+    s->command = options_command(o);
+    if (s->step == 0)
+        s->step = s->radius;
+    if (strcmp(s->summary, s->output ? s->output : "-") == 0 &&
+        strcmp(s->summary, "/dev/null") != 0)
+        options_fail(o, "--summary and the table would both go to '%s'",
+                     s->summary);
+}
+
+/* Ends the program when the disks cannot be in the box. */
+static void check_room(struct options *o, const struct settings *s,
+                       const struct sampling *p)
+{
+    const double widest =
+        fmax(s->radius, s->small > 0 ? s->small_radius : 0);
+    const double most = s->dimensions == 2 ? 0.9069 : 0.7405;
+    struct disks large = p->disks;
+    large.count = s->large;
+    const double packing = disks_packing(&large);
+    for (size_t k = 0; k < s->dimensions; ++k) {
+        if (s->boundary == DISKS_WALLS && !(s->box[k] > 2 * widest))
+            options_fail(
+                o, "--box: a side of %g has no room for a radius of %g",
+                s->box[k], widest);
+        if (s->boundary == DISKS_PERIODIC && !(s->box[k] >= 4 * widest))
+            options_fail(
+                o,
+                "--box: a side of %g, but a periodic one must be at "
+                "least four radii, %g, so that a disk meets "
+                "another one once",
+                s->box[k], 4 * widest);
+    }
+    if (packing > most)
+        options_fail(
+            o,
+            "--disks: %zu of radius %g would fill %.4g of the box, "
+            "and no packing fills more than %g",
+            s->large, s->radius, packing, most);
+}
+
+/* Ends the program when direct sampling would take for ever. */
+static void check_patience(struct options *o, const struct settings *s,
+                           struct sampling *p)
+{
+    struct random r;
+    random_seed(&r, ~s->seed);
+    const double tries =
+        (log((double)s->samples) - sampling_log_acceptance(p, PILOT, &r)) /
+        log(10);
+    if (tries > HOPELESS)
+        options_fail(
+            o,
+            "--method: direct would need more than 10^%.0f throws; "
+            "use markov",
+            floor(tries));
+}
+
+/* A run: what it measures, and how far it is. */
+struct run {
+    const struct settings *s;
+    struct sampling p;
+    struct random r;
+    struct progress progress;
+    struct sampling_means bins, numbers;
+    uint64_t done, tries, accepted;
+    double *start; /* the places of the large ones when counting began */
+    double *row, high; /* of distances */
+    struct table *out;
+};
+
+/* The quantities of which run.numbers takes the means. */
+enum number { ACCEPTANCE, PLACE, WALL, PAIR = WALL + DISKS_AXES, NUMBERS };
+
+/* Between walls all distances are counted; in a periodic box those up to
+   half a side, where each has a whole circle (sphere) to itself. */
+static double longest_distance(const struct settings *s)
+{
+    double square = 0, least = INFINITY;
+    for (size_t k = 0; k < s->dimensions; ++k) {
+        const double way = s->box[k] - 2 * s->radius;
+        square += way * way;
+        least = fmin(least, s->box[k] / 2);
+    }
+    return s->boundary == DISKS_PERIODIC ? least : sqrt(square);
+}
+
+/* Makes what a run needs. Returns false, having said so, without memory. */
+static bool begin_run(struct run *run, const struct settings *s)
+{
+    const size_t count = s->large + s->small;
+    const size_t bins =
+        s->measure == POSITIONS ? s->dimensions * s->bins : s->bins;
+    *run = (struct run){.s = s, .high = longest_distance(s)};
+    random_seed(&run->r, s->seed);
+    run->start = calloc(s->large, DISKS_AXES * sizeof(double));
+    run->row = malloc((1 + DISKS_AXES * count) * sizeof(double));
+    if (run->start && run->row &&
+        sampling_create(&run->p, s->dimensions,
+                        (enum disks_boundary)s->boundary, s->box, s->large,
+                        s->radius, s->small, s->small_radius) &&
+        sampling_means_create(&run->bins, bins) &&
+        sampling_means_create(&run->numbers, NUMBERS))
+        return true;
+    fprintf(stderr, PROGRAM ": no memory for %zu disks\n", count);
+    return false;
+}
+
+static void end_run(struct run *run)
+{
+    sampling_free(&run->p);
+    sampling_means_free(&run->bins);
+    sampling_means_free(&run->numbers);
+    free(run->start);
+    free(run->row);
+}
+
+/* Throws until all fit. Returns false when a signal asks to stop. */
+static bool next_direct(struct run *run)
+{
+    uint64_t throws = 1;
+    while (sampling_throw(&run->p, &run->r) < run->p.disks.count)
+        if (throws++ % BITE == 0) {
+            progress_update(&run->progress, run->done, run->tries + throws);
+            if (progress_signal()) {
+                run->tries += throws - 1;
+                return false;
+            }
+        }
+    run->tries += throws;
+    ++run->accepted;
+    sampling_means_add(&run->numbers, ACCEPTANCE, (double)throws);
+    return true;
+}
+
+/* Makes as many tries as there are disks; returns how many moved. */
+static size_t sweep(struct run *run)
+{
+    const size_t count = run->p.disks.count;
+    size_t moved = 0;
+    for (size_t k = 0; k < count; ++k)
+        moved += sampling_try(&run->p, run->s->step, &run->r);
+    return moved;
+}
+
+/* Makes a sweep. */
+static bool next_markov(struct run *run)
+{
+    const size_t count = run->p.disks.count;
+    const size_t moved = sweep(run);
+    run->tries += count;
+    run->accepted += moved;
+    sampling_means_add(&run->numbers, ACCEPTANCE,
+                       (double)moved / (double)count);
+    return true;
+}
+
+/* Finds a start and makes the sweeps that do not count. */
+static bool warm_up(struct run *run)
+{
+    const struct disks *d = &run->p.disks;
+    if (!sampling_start(&run->p, &run->r)) {
+        fprintf(stderr,
+                PROGRAM ": no start found for %zu disks of radius %g and "
+                        "%zu small ones; use fewer\n",
+                run->s->large, run->s->radius, run->s->small);
+        return false;
+    }
+    for (uint64_t k = 0; k < run->s->samples / 10 && !progress_signal();
+         ++k) {
+        sweep(run);
+        if (k % SOME == 0)
+            progress_update(&run->progress, 0, k * d->count);
+    }
+    for (size_t i = 0; i < run->p.large; ++i)
+        memcpy(run->start + DISKS_AXES * i, d->disk[i].position,
+               DISKS_AXES * sizeof(double));
+    return true;
+}
+
+static size_t bin_of(double x, double length, size_t bins)
+{
+    const double bin = x / length * (double)bins;
+    return bin < (double)bins ? (size_t)bin : bins - 1;
+}
+
+static void count_positions(struct run *run)
+{
+    const struct disks *d = &run->p.disks;
+    for (size_t i = 0; i < run->p.large; ++i) {
+        double place[DISKS_AXES];
+        disks_position(d, i, place);
+        disks_fold(d, place);
+        for (size_t k = 0; k < d->dimensions; ++k) {
+            const size_t bin = bin_of(place[k], d->box[k], run->s->bins);
+            sampling_means_add(&run->bins, k * run->s->bins + bin, 1);
+        }
+    }
+}
+
+static void count_distances(struct run *run)
+{
+    const struct disks *d = &run->p.disks;
+    for (size_t i = 0; i < run->p.large; ++i)
+        for (size_t j = 0; j < i; ++j) {
+            double apart[DISKS_AXES], square = 0;
+            disks_apart(d, d->disk[i].position, d->disk[j].position, apart);
+            for (size_t k = 0; k < d->dimensions; ++k)
+                square += apart[k] * apart[k];
+            if (square <= run->high * run->high)
+                sampling_means_add(
+                    &run->bins,
+                    bin_of(sqrt(square), run->high, run->s->bins), 1);
+        }
+}
+
+static void write_state(struct run *run)
+{
+    const struct disks *d = &run->p.disks;
+    size_t n = 0;
+    run->row[n++] = (double)run->done;
+    for (size_t i = 0; i < d->count; ++i) {
+        double place[DISKS_AXES];
+        disks_position(d, i, place);
+        disks_fold(d, place);
+        for (size_t k = 0; k < d->dimensions; ++k)
+            run->row[n++] = place[k];
+    }
+    table_row(run->out, n, run->row);
+}
+
+/* Slides one disk, and it away from up to three others; all pairs have
+   their turn. */
+static void count_contacts(struct run *run)
+{
+    const size_t n = run->p.large, i = run->done % n;
+    const size_t pairs = n - 1 < 3 ? n - 1 : 3;
+    if (run->s->boundary == DISKS_WALLS)
+        for (size_t k = 0; k < run->s->dimensions; ++k)
+            sampling_means_add(&run->numbers, WALL + k,
+                               sampling_wall_density(&run->p, i, k));
+    for (size_t k = 0; k < pairs; ++k) {
+        const size_t turn = (run->done / n * pairs + k) % (n - 1);
+        sampling_means_add(
+            &run->numbers, PAIR,
+            sampling_pair_density(&run->p, i, (i + 1 + turn) % n) /
+                (double)pairs);
+    }
+    sampling_means_add(&run->numbers, PLACE,
+                       run->p.disks.disk[0].position[0]);
+}
+
+/* Takes all samples, or as many as there are before a signal. */
+static void take_samples(struct run *run)
+{
+    const struct settings *s = run->s;
+    while (run->done < s->samples && !progress_signal() &&
+           (s->method == DIRECT ? next_direct(run) : next_markov(run))) {
+        count_contacts(run);
+        if (s->measure == POSITIONS)
+            count_positions(run);
+        else if (s->measure == DISTANCES)
+            count_distances(run);
+        else
+            write_state(run);
+        sampling_means_next(&run->bins);
+        sampling_means_next(&run->numbers);
+        if (++run->done % SOME == 0)
+            progress_update(&run->progress, run->done, run->tries);
+    }
+}
+
+static const char *const axis_names[] = {"x", "y", "z"};
+
+static void name_columns(struct run *run)
+{
+    const struct settings *s = run->s;
+    const size_t count = s->large + s->small;
+    char symbol[40], meaning[80];
+    if (s->measure == DISTANCES) {
+        table_column(run->out, "s", "m", "lower edge of the bin");
+        table_column(run->out, "f", "1/m", "density of the distances");
+        table_column(run->out, "e", "1/m", "its error");
+    } else if (s->measure == POSITIONS) {
+        table_column(run->out, "x", "m", "lower edge of the bin");
+        for (size_t k = 0; k < s->dimensions; ++k) {
+            snprintf(symbol, sizeof symbol, "p%s", axis_names[k]);
+            snprintf(meaning, sizeof meaning,
+                     "density of %s, in bin i from i L/B", axis_names[k]);
+            table_column(run->out, symbol, "1/m", meaning);
+            snprintf(symbol, sizeof symbol, "e%s", axis_names[k]);
+            table_column(run->out, symbol, "1/m", "its error");
+        }
+    } else {
+        table_column(run->out, "n", "", "number of the sample");
+        for (size_t i = 0; i < count * s->dimensions; ++i) {
+            const size_t k = i % s->dimensions, disk = i / s->dimensions;
+            snprintf(symbol, sizeof symbol, "%s%zu", axis_names[k],
+                     disk + 1);
+            table_column(run->out, symbol, "m", "");
+        }
+    }
+}
+
+/* Writes bin b of the densities: of n numbers each along all axes. */
+static void write_bins(struct run *run)
+{
+    const struct settings *s = run->s;
+    const size_t axes = s->measure == POSITIONS ? s->dimensions : 1;
+    const double n = (double)s->large, bins = (double)s->bins;
+    const double many = s->measure == POSITIONS ? n : n * (n - 1) / 2;
+    for (size_t b = 0; b < s->bins; ++b) {
+        double row[1 + 2 * DISKS_AXES];
+        for (size_t k = 0; k < axes; ++k) {
+            const double high =
+                s->measure == POSITIONS ? s->box[k] : run->high;
+            const double unit = bins / high / many;
+            const size_t q = k * s->bins + b;
+            if (k == 0)
+                row[0] = high * (double)b / bins;
+            row[1 + 2 * k] = unit * sampling_means_mean(&run->bins, q);
+            row[2 + 2 * k] = unit * sampling_means_error(&run->bins, q);
+        }
+        table_row(run->out, 1 + 2 * axes, row);
+    }
+}
+
+/* Writes factor times the mean of a quantity, plus `more`, and its error.
+ */
+static void write_number(struct table *out, const struct run *run,
+                         const char *key, size_t quantity, double factor,
+                         double more)
+{
+    char with[40];
+    snprintf(with, sizeof with, "%s_error", key);
+    table_real(out, key,
+               more +
+                   factor * sampling_means_mean(&run->numbers, quantity));
+    table_real(out, with,
+               factor * sampling_means_error(&run->numbers, quantity));
+}
+
+static void write_acceptance(struct table *out, const struct run *run)
+{
+    const double acceptance = (double)run->accepted / (double)run->tries;
+    const double error = sampling_means_error(&run->numbers, ACCEPTANCE);
+    const double slope =
+        run->s->method == DIRECT ? acceptance * acceptance : 1;
+    table_count(out, "samples", run->done);
+    table_count(out, "tries", run->tries);
+    table_real(out, "acceptance", acceptance);
+    table_real(out, "acceptance_error", slope * error);
+}
+
+/* The root of the mean square of the ways of the large disks, m. */
+static double distance_moved(const struct run *run)
+{
+    double sum = 0;
+    for (size_t i = 0; i < run->p.large; ++i)
+        for (size_t k = 0; k < run->s->dimensions; ++k) {
+            const double way = run->p.disks.disk[i].position[k] -
+                               run->start[DISKS_AXES * i + k];
+            sum += way * way;
+        }
+    return sqrt(sum / (double)run->p.large);
+}
+
+static void write_summary(struct table *out, const struct run *run)
+{
+    static const char *const walls[] = {"Z_wall_x", "Z_wall_y", "Z_wall_z"};
+    const struct settings *s = run->s;
+    const double per_contact =
+        (double)(s->large - 1) * s->radius / (double)s->dimensions;
+    write_acceptance(out, run);
+    if (s->boundary == DISKS_WALLS)
+        for (size_t k = 0; k < s->dimensions; ++k)
+            write_number(out, run, walls[k], WALL + k, s->box[k], 0);
+    if (s->large > 1)
+        write_number(out, run, "f_contact", PAIR, 1, 0);
+    if (s->large > 1 && s->small == 0)
+        write_number(out, run, "Z_virial", PAIR, per_contact, 1);
+    if (s->boundary == DISKS_WALLS)
+        write_number(out, run, "mean_x1", PLACE, 1, 0);
+    if (s->method == MARKOV)
+        table_real(out, "moved", distance_moved(run));
+}
+
+/* Writes what there is; returns the exit status. */
+static int finish(struct run *run, struct table *summary)
+{
+    const bool whole = progress_end(&run->progress);
+    const bool empty = run->done == 0;
+    if (empty)
+        fprintf(stderr,
+                PROGRAM ": no configuration in %llu throws, no table\n",
+                (unsigned long long)run->tries);
+    else if (run->s->measure != STATES)
+        write_bins(run);
+    if (!empty)
+        write_summary(summary, run);
+    if (empty) {
+        table_discard(run->out);
+    } else if (table_close(run->out) && whole) {
+        return table_close(summary) ? EXIT_SUCCESS : EXIT_FAILURE;
+    }
+    table_discard(summary);
+    return EXIT_FAILURE;
+}
+
+int main(int argc, char *argv[])
+{
+    struct settings s;
+    struct options o;
+    struct run run;
+    read_settings(&s, &o, argc, argv);
+    if (!begin_run(&run, &s))
+        return EXIT_FAILURE;
+    check_room(&o, &s, &run.p);
+    if (s.method == DIRECT)
+        check_patience(&o, &s, &run.p);
+    run.out = table_open(PROGRAM, s.output);
+    struct table *summary = table_open(PROGRAM, s.summary);
+    if (!run.out || !summary)
+        return table_discard(run.out), table_discard(summary), EXIT_FAILURE;
+    progress_catch_signals();
+    progress_begin(&run.progress, PROGRAM, s.samples, "tries");
+    table_begin(run.out, s.command, s.seed);
+    name_columns(&run);
+    int status = EXIT_FAILURE;
+    if (s.method == DIRECT || warm_up(&run)) {
+        take_samples(&run);
+        status = finish(&run, summary);
+    } else {
+        table_discard(run.out), table_discard(summary);
+    }
+    end_run(&run);
+    return status;
+}

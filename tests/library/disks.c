@@ -1,0 +1,553 @@
+/* Hard disks: times of contact against hand-made cases, the plan against
+   every pair looked at, sums against what must balance, and pressures
+   against direct sampling. Reference values computed for this book by a
+   program of its own; direct sampling of four disks: 1.83e8 samples. */
+#include "unit.h"
+
+#include "disks.h"
+
+#include <float.h>
+#include <stdlib.h>
+
+/* Count disks of this radius in a box of equal sides. */
+static void begin(struct disks *d, size_t dimensions, size_t count,
+                  double radius, double side, enum disks_boundary boundary,
+                  uint64_t seed)
+{
+    struct random r;
+    size_t a, b;
+    random_seed(&r, seed);
+    if (!disks_create(d, dimensions, count))
+        exit(1);
+    d->boundary = boundary;
+    for (size_t k = 0; k < dimensions; ++k)
+        d->box[k] = side;
+    for (size_t i = 0; i < count; ++i)
+        d->disk[i].radius = radius;
+    UNIT_TRUE(disks_place_lattice(d));
+    UNIT_TRUE(disks_fit(d, &a, &b));
+    disks_set_speed(d, 1, &r);
+    UNIT_TRUE(disks_leash(d) > 0 && disks_plan(d));
+}
+
+static void test_wall_time(void)
+{
+    UNIT_EQUAL(disks_wall_time(0.5, 1, 0.25, 1), 0.25);
+    UNIT_EQUAL(disks_wall_time(0.5, -2, 0.25, 1), 0.125);
+    UNIT_TRUE(disks_wall_time(0.5, 0, 0.25, 1) == INFINITY);
+    UNIT_TRUE(disks_wall_time(0.5, -0.0, 0.25, 1) == INFINITY);
+    UNIT_EQUAL(disks_wall_time(0.25, -1, 0.25, 1), 0);
+    UNIT_EQUAL(disks_wall_time(0.2, -1, 0.25, 1), 0); /* beyond: now */
+    UNIT_EQUAL(disks_wall_time(0.2, 1, 0.25, 1), 0.55);
+}
+
+/* Head-on; 3-4-5 triangles in the plane and in space; misses. */
+static void test_pair_time(void)
+{
+    UNIT_EQUAL(
+        disks_pair_time((double[]){4, 0, 0}, (double[]){-2, 0, 0}, 1), 1.5);
+    /* impact parameter 3 of 5: contact at x = 4, from x = 10 */
+    UNIT_EQUAL(
+        disks_pair_time((double[]){10, 3, 0}, (double[]){-1, 0, 0}, 5), 6);
+    UNIT_EQUAL(
+        disks_pair_time((double[]){3, 10, 0}, (double[]){0, -2, 0}, 5), 3);
+    UNIT_EQUAL(
+        disks_pair_time((double[]){0, 3, 10}, (double[]){0, 0, -4}, 5),
+        1.5);
+    UNIT_TRUE(disks_pair_time((double[]){10, 6, 0}, (double[]){-1, 0, 0},
+                              5) == INFINITY);
+    UNIT_TRUE(disks_pair_time((double[]){10, 3, 0}, (double[]){1, 0, 0},
+                              5) == INFINITY);
+    UNIT_TRUE(disks_pair_time((double[]){10, 3, 0}, (double[]){0, 0, 0},
+                              5) == INFINITY);
+    /* tangent: discriminant exactly zero */
+    UNIT_EQUAL(
+        disks_pair_time((double[]){8, 5, 0}, (double[]){-1, 0, 0}, 5), 8);
+}
+
+/* What overlaps and approaches collides now, what parts does not. */
+static void test_overlap(void)
+{
+    const double in[] = {-1, 0.5, 0}, out[] = {1, 0.5, 0};
+    const double side[] = {0, 1, 0};
+    const double deep[] = {0.5, 0, 0}, touch[] = {1, 0, 0};
+    const double hair[] = {1 - DBL_EPSILON, 0, 0};
+    UNIT_EQUAL(disks_pair_time(deep, in, 1), 0);
+    UNIT_EQUAL(disks_pair_time(touch, in, 1), 0);
+    UNIT_EQUAL(disks_pair_time(hair, in, 1), 0);
+    UNIT_TRUE(disks_pair_time(deep, out, 1) == INFINITY);
+    UNIT_TRUE(disks_pair_time(hair, out, 1) == INFINITY);
+    UNIT_TRUE(disks_pair_time(touch, side, 1) == INFINITY);
+    UNIT_TRUE(disks_pair_time(deep, side, 1) == INFINITY);
+}
+
+/* Exact places: c = 2 g + g^2 has no rounding, t = g / v exactly, and a few
+   roundings in the formula. The textbook's root keeps 8 digits here. */
+static void test_small_gap(void)
+{
+    const double gap = ldexp(1, -26), v = 0.7;
+    UNIT_NEAR(disks_pair_time((double[]){1 + gap, 0, 0},
+                              (double[]){-v, 0, 0}, 1) /
+                  (gap / v),
+              1, 4 * DBL_EPSILON);
+}
+
+/* The time of a meeting is the same number whenever one asks. */
+static void test_canonical(void)
+{
+    struct disks d;
+    begin(&d, 2, 20, 0.5, 8, DISKS_PERIODIC, 3);
+    disks_run(&d, INFINITY, 500);
+    size_t meetings = 0;
+    for (size_t i = 0; i < 20; ++i)
+        for (size_t j = 0; j < 20; ++j) {
+            const double at = d.now,
+                         time = i == j ? INFINITY
+                                       : disks_meeting(&d, i, j, at);
+            if (!(time < at + 1))
+                continue;
+            ++meetings;
+            for (int k = 0; k < 8; ++k)
+                UNIT_EQUAL(
+                    disks_meeting(&d, i, j, at + (time - at) * k / 8),
+                    time);
+            UNIT_EQUAL(disks_meeting(&d, j, i, at), time);
+        }
+    UNIT_TRUE(meetings > 10);
+    disks_free(&d);
+}
+
+/* One trajectory, bit for bit, from every pair looked at and from a plan:
+   masses and radii mixed, dilute so that images matter, and dense. */
+static void compare(size_t dimensions, size_t count, double side,
+                    enum disks_boundary boundary)
+{
+    struct disks d[2];
+    for (int k = 0; k < 2; ++k) {
+        begin(&d[k], dimensions, count, 0.5, side, boundary, 7);
+        for (size_t i = 0; i < count; ++i) {
+            d[k].mass[i] = 1 + (double)(i % 3);
+            d[k].disk[i].radius = i % 2 ? 0.5 : 0.4;
+        }
+        UNIT_TRUE(disks_plan(&d[k]));
+    }
+    disks_run(&d[0], INFINITY, 1500);
+    while (d[1].collisions < 1500)
+        disks_collide(&d[1], disks_next(&d[1]));
+    UNIT_TRUE(memcmp(d[0].disk, d[1].disk, count * sizeof *d[0].disk) == 0);
+    UNIT_EQUAL(d[0].now, d[1].now);
+    UNIT_EQUAL(d[0].virial, d[1].virial);
+    UNIT_EQUAL((double)d[0].wall_collisions, (double)d[1].wall_collisions);
+    disks_free(&d[0]);
+    disks_free(&d[1]);
+}
+
+static void test_engines(void)
+{
+    for (int boundary = 0; boundary < DISKS_BOUNDARIES; ++boundary) {
+        compare(2, 2, 5, boundary);
+        compare(2, 12, 40, boundary);
+        compare(2, 30, 8, boundary);
+        compare(3, 5, 9, boundary);
+        compare(3, 40, 5, boundary);
+    }
+}
+
+/* A run in pieces has the bits of a run in one; looking changes nothing. */
+static void test_pieces(void)
+{
+    struct disks one, many;
+    double place[DISKS_AXES];
+    begin(&one, 2, 10, 0.5, 6, DISKS_PERIODIC, 5);
+    begin(&many, 2, 10, 0.5, 6, DISKS_PERIODIC, 5);
+    UNIT_TRUE(disks_run(&one, 20, UINT64_MAX) == DISKS_TIME);
+    for (int k = 1; k <= 2000; ++k) {
+        disks_run(&many, k * 0.01, UINT64_MAX);
+        disks_position(&many, (size_t)k % 10, place);
+    }
+    UNIT_EQUAL(one.now, 20);
+    UNIT_EQUAL(many.now, 20);
+    UNIT_TRUE(memcmp(one.disk, many.disk, 10 * sizeof *one.disk) == 0);
+    UNIT_EQUAL((double)one.collisions, (double)many.collisions);
+    disks_free(&one);
+    disks_free(&many);
+}
+
+/* m v (x - c) summed over the disks. */
+static double moment(const struct disks *d)
+{
+    double sum = 0, place[DISKS_AXES];
+    for (size_t i = 0; i < d->count; ++i) {
+        disks_position(d, i, place);
+        for (size_t k = 0; k < d->dimensions; ++k)
+            sum += d->mass[i] * d->disk[i].velocity[k] *
+                   (place[k] - d->box[k] / 2);
+    }
+    return sum;
+}
+
+/* The balance of eq:impulse-balance, exact but for rounding: n terms of
+   order one each round to 2e-16, and their sum is a few thousand. */
+static void balance(size_t dimensions, double e)
+{
+    struct disks d;
+    begin(&d, dimensions, 8, 0.5, 4, DISKS_WALLS, 11);
+    for (size_t i = 0; i < 8; ++i)
+        d.mass[i] = 1 + (double)i / 4;
+    d.restitution = 1;
+    disks_settle(&d);
+    UNIT_TRUE(disks_plan(&d));
+    const double before = moment(&d);
+    const double energy = disks_energy(&d);
+    disks_run(&d, e, UINT64_MAX);
+    double walls = 0;
+    for (size_t k = 0; k < dimensions; ++k)
+        walls += (d.box[k] / 2 - 0.5) * d.impulse[k];
+    UNIT_TRUE(d.collisions > 1000 && d.wall_collisions > 1000);
+    UNIT_NEAR(moment(&d) - before, 2 * energy * d.now + d.virial - walls,
+              1e-9);
+    UNIT_NEAR(disks_energy(&d) / energy, 1, 1e-12);
+    disks_free(&d);
+}
+
+static void test_balance(void)
+{
+    balance(2, 500);
+    balance(3, 900);
+}
+
+/* In a periodic box energy and momentum; chapter 1's drift of the energy
+   is below 1e-15 a collision. */
+static void test_conserved(void)
+{
+    struct disks d;
+    double sum[DISKS_AXES] = {0};
+    begin(&d, 3, 32, 0.5, 5, DISKS_PERIODIC, 2);
+    UNIT_NEAR(disks_energy(&d), 16, 1e-12);
+    disks_run(&d, INFINITY, 20000);
+    UNIT_NEAR(disks_energy(&d), 16, 1e-10);
+    UNIT_NEAR(disks_temperature(&d), 32.0 / 93, 1e-11);
+    for (size_t i = 0; i < 32; ++i)
+        for (size_t k = 0; k < 3; ++k)
+            sum[k] += d.disk[i].velocity[k];
+    for (size_t k = 0; k < 3; ++k)
+        UNIT_NEAR(sum[k], 0, 1e-12);
+    UNIT_EQUAL((double)d.wall_collisions, 0);
+    disks_free(&d);
+}
+
+enum { BLOCKS = 40 };
+
+/* Mean and error of what BLOCKS pieces of a run measured. */
+static double mean(const double x[], double *error)
+{
+    double sum = 0, square = 0;
+    for (int k = 0; k < BLOCKS; ++k)
+        sum += x[k];
+    for (int k = 0; k < BLOCKS; ++k)
+        square += pow(x[k] - sum / BLOCKS, 2);
+    *error = sqrt(square / (BLOCKS - 1) / BLOCKS);
+    return sum / BLOCKS;
+}
+
+/* Within four standard errors, of the run and of the reference. */
+static void agrees(const double x[], double expected, double uncertain)
+{
+    double error;
+    const double got = mean(x, &error);
+    UNIT_NEAR(got, expected, 4 * hypot(error, uncertain));
+    UNIT_TRUE(error < 0.003 * expected);
+}
+
+/* What a box of `count` disks of radius .15 in a unit square measures. */
+struct pressures {
+    double wall[BLOCKS], virial[BLOCKS], ratio[BLOCKS];
+};
+
+static void measure(size_t count, double each, struct pressures *p)
+{
+    struct disks d;
+    begin(&d, 2, count, 0.15, 1, DISKS_WALLS, 1);
+    disks_run(&d, INFINITY, 100 * count);
+    for (int k = 0; k < BLOCKS; ++k) {
+        disks_settle(&d);
+        UNIT_TRUE(disks_plan(&d));
+        disks_run(&d, each, UINT64_MAX);
+        const double nkt = disks_energy(&d);
+        p->wall[k] = (d.impulse[0] + d.impulse[1]) / (4 * nkt * d.now);
+        p->virial[k] = 1 + d.virial / (2 * nkt * d.now);
+        p->ratio[k] = (double)d.collisions / (double)d.wall_collisions;
+    }
+    disks_free(&d);
+}
+
+/* Direct sampling: p(r) = 2.69889(31), f(2r) = 3.95237(59), thus the ratio
+   of the rates .776638(150) and the virial 1 + 1.5 * .15 * f(2r). */
+static void test_four(void)
+{
+    struct pressures p;
+    measure(4, 5000, &p);
+    agrees(p.wall, 2.69889, 0.00031);
+    agrees(p.virial, 1.88928, 0.00013);
+    agrees(p.ratio, 0.776638, 0.00015);
+}
+
+/* Two disks: exact, Z = (wall acceptance / acceptance) / (1 - 2r). */
+static void test_two(void)
+{
+    struct pressures p;
+    measure(2, 10000, &p);
+    agrees(p.wall, 1.771667475064, 0);
+    agrees(p.virial, 0.7 * 1.771667475064, 0);
+}
+
+/* One disk alone: Z = L / (L - 2r) on each axis, exactly after whole round
+   trips; 2 * 3 / 0.6 and 2 * 1 / 0.8 s for the axes of this one. */
+static void test_one(void)
+{
+    struct disks d;
+    if (!disks_create(&d, 2, 1))
+        exit(1);
+    d.box[0] = 4;
+    d.box[1] = 2;
+    d.disk[0] = (struct disk){{1, 1, 0}, 0, {0.6, 0.8, 0}, 0.5};
+    UNIT_TRUE(disks_plan(&d));
+    disks_run(&d, 10, UINT64_MAX);
+    UNIT_EQUAL((double)d.wall_collisions, 2 + 8);
+    UNIT_NEAR(d.impulse[0], 2 * 2 * 0.6, 1e-14);
+    UNIT_NEAR(d.impulse[1], 8 * 2 * 0.8, 1e-14);
+    disks_free(&d);
+}
+
+/* Nothing ever happens to disks at rest, and time still passes. */
+static void test_rest(void)
+{
+    struct disks d;
+    begin(&d, 2, 4, 0.15, 1, DISKS_WALLS, 1);
+    for (size_t i = 0; i < 4; ++i)
+        memset(d.disk[i].velocity, 0, sizeof d.disk[i].velocity);
+    UNIT_TRUE(disks_plan(&d));
+    UNIT_TRUE(disks_run(&d, INFINITY, 10) == DISKS_TIME);
+    UNIT_EQUAL(d.now, 0);
+    UNIT_TRUE(disks_run(&d, 5, 10) == DISKS_TIME);
+    UNIT_EQUAL(d.now, 5);
+    disks_free(&d);
+}
+
+/* Settling folds the disks into the box and starts all counts anew; an
+   event that rounding has put into the past happens now. */
+static void test_settle(void)
+{
+    struct disks d;
+    double before[DISKS_AXES], after[DISKS_AXES];
+    begin(&d, 2, 6, 0.5, 5, DISKS_PERIODIC, 1);
+    disks_run(&d, 50, UINT64_MAX);
+    disks_position(&d, 3, before);
+    disks_fold(&d, before);
+    disks_collide(&d, (struct disks_event){49, 3, 3});
+    UNIT_EQUAL(d.now, 50);
+    disks_settle(&d);
+    disks_position(&d, 3, after);
+    for (size_t k = 0; k < 2; ++k)
+        UNIT_EQUAL(after[k], before[k]);
+    for (size_t i = 0; i < 6; ++i)
+        for (size_t k = 0; k < 2; ++k)
+            UNIT_TRUE(d.disk[i].position[k] >= 0 &&
+                      d.disk[i].position[k] < 5);
+    UNIT_EQUAL(d.now, 0);
+    UNIT_EQUAL((double)d.collisions + d.virial, 0);
+    disks_free(&d);
+}
+
+/* Head-on with e = 1/2: (v1 + v2)/2 -+ e (v1 - v2)/2; a wall gives half. */
+static void test_restitution(void)
+{
+    struct disks d;
+    if (!disks_create(&d, 2, 2))
+        exit(1);
+    d.box[0] = d.box[1] = 10;
+    d.restitution = 0.5;
+    d.disk[0] = (struct disk){{2, 5, 0}, 0, {1, 0, 0}, 0.5};
+    d.disk[1] = (struct disk){{4, 5, 0}, 0, {0, 0, 0}, 0.5};
+    UNIT_TRUE(disks_plan(&d));
+    UNIT_TRUE(disks_run(&d, INFINITY, 1) == DISKS_COLLISIONS);
+    UNIT_EQUAL(d.now, 1);
+    UNIT_EQUAL(d.disk[0].velocity[0], 0.25);
+    UNIT_EQUAL(d.disk[1].velocity[0], 0.75);
+    UNIT_EQUAL(d.virial, 0.75);
+    disks_run(&d, 1 + 5.5 / 0.75 + 0.01, UINT64_MAX);
+    UNIT_EQUAL(d.disk[1].velocity[0], -0.375);
+    UNIT_EQUAL(d.impulse[0], 0.75 + 0.375);
+    disks_free(&d);
+}
+
+/* Equal times: the smaller number first, then the smaller partner. */
+static void test_order(void)
+{
+    const struct disks_event a = {1, 3, 0}, b = {1, 0, 2}, c = {1, 1, 2};
+    const struct disks_event wall = {1, 0, 4}, late = {2, 0, 1};
+    UNIT_TRUE(disks_before(b, a) && !disks_before(a, b));
+    UNIT_TRUE(disks_before(a, c) && !disks_before(c, a));
+    UNIT_TRUE(disks_before(a, wall) && !disks_before(wall, a));
+    UNIT_TRUE(disks_before(c, late) && !disks_before(late, c));
+    UNIT_TRUE(!disks_before(a, a));
+}
+
+/* The lattice holds what the packing of a commensurate box allows. */
+static void test_lattice(void)
+{
+    struct disks d;
+    size_t a, b;
+    /* 4 x 2 cells of width 1 and height sqrt(3): packing .9069 */
+    if (!disks_create(&d, 2, 16))
+        exit(1);
+    d.boundary = DISKS_PERIODIC;
+    d.box[0] = 4 * (1 + 1e-12);
+    d.box[1] = 2 * sqrt(3) * (1 + 1e-12);
+    for (size_t i = 0; i < 16; ++i)
+        d.disk[i].radius = 0.5;
+    UNIT_TRUE(disks_place_lattice(&d) && disks_fit(&d, &a, &b));
+    UNIT_NEAR(disks_packing(&d), acos(-1) / (2 * sqrt(3)), 1e-10);
+    d.box[0] = 3.99;
+    UNIT_TRUE(!disks_place_lattice(&d));
+    disks_free(&d);
+    /* 3^3 cells of face-centred cubes: packing .7405 */
+    if (!disks_create(&d, 3, 108))
+        exit(1);
+    d.boundary = DISKS_PERIODIC;
+    for (size_t k = 0; k < 3; ++k)
+        d.box[k] = 3 * sqrt(2) * (1 + 1e-12);
+    for (size_t i = 0; i < 108; ++i)
+        d.disk[i].radius = 0.5;
+    UNIT_TRUE(disks_place_lattice(&d) && disks_fit(&d, &a, &b));
+    UNIT_NEAR(disks_packing(&d), acos(-1) / (3 * sqrt(2)), 1e-10);
+    disks_free(&d);
+}
+
+/* One big disk among small ones goes to the middle, up to packing .7. */
+static void test_guest(void)
+{
+    for (int boundary = 0; boundary < DISKS_BOUNDARIES; ++boundary)
+        for (int dense = 2; dense <= 7; ++dense) {
+            struct disks d;
+            size_t a = 0, b = 0;
+            if (!disks_create(&d, 2, 401))
+                exit(1);
+            d.boundary = boundary;
+            d.box[0] = d.box[1] = sqrt((100 + 4) * acos(-1) * 10 / dense);
+            for (size_t i = 0; i < 401; ++i)
+                d.disk[i].radius = i == 200 ? 2 : 0.5;
+            UNIT_TRUE(disks_place_lattice(&d));
+            UNIT_TRUE(disks_fit(&d, &a, &b));
+            UNIT_EQUAL(d.disk[200].position[0], d.box[0] / 2);
+            disks_free(&d);
+        }
+}
+
+static void test_random_start(void)
+{
+    struct disks d;
+    struct random r;
+    size_t a, b;
+    random_seed(&r, 1);
+    begin(&d, 2, 40, 0.5, 9, DISKS_WALLS, 1);
+    UNIT_TRUE(disks_place_random(&d, &r) && disks_fit(&d, &a, &b));
+    for (size_t i = 0; i < 40; ++i)
+        d.disk[i].radius = 0.7;
+    UNIT_TRUE(!disks_place_random(&d, &r));
+    d.disk[0].radius = 5;
+    UNIT_TRUE(!disks_place_random(&d, &r));
+    disks_free(&d);
+}
+
+/* The first pair that overlaps, or the disk that sticks out. */
+static void test_fit(void)
+{
+    struct disks d;
+    size_t a, b;
+    begin(&d, 2, 4, 0.15, 1, DISKS_WALLS, 1);
+    memcpy(d.disk[3].position, d.disk[1].position, sizeof(double[3]));
+    UNIT_TRUE(!disks_fit(&d, &a, &b) && a == 1 && b == 3);
+    d.disk[0].position[1] = 0.1499;
+    UNIT_TRUE(!disks_fit(&d, &a, &b) && a == 0 && b == 4);
+    d.disk[0].position[1] = NAN;
+    UNIT_TRUE(!disks_fit(&d, &a, &b) && a == 0);
+    disks_free(&d);
+}
+
+/* Images: nearest, and folded. A box of 4 radii is too narrow. */
+static void test_images(void)
+{
+    struct disks d;
+    double apart[DISKS_AXES], place[DISKS_AXES] = {-0.5, 31.25, 0};
+    begin(&d, 2, 2, 0.5, 3, DISKS_PERIODIC, 1);
+    disks_apart(&d, (double[]){0.25, 0, 0}, (double[]){2.75, 1, 0}, apart);
+    UNIT_EQUAL(apart[0], -0.5);
+    UNIT_EQUAL(apart[1], 1);
+    UNIT_EQUAL(apart[2], 0);
+    disks_fold(&d, place);
+    UNIT_EQUAL(place[0], 2.5);
+    UNIT_EQUAL(place[1], 1.25);
+    d.box[1] = 2;
+    UNIT_TRUE(!(disks_leash(&d) > 0));
+    d.boundary = DISKS_WALLS;
+    UNIT_TRUE(disks_leash(&d) == INFINITY);
+    disks_free(&d);
+}
+
+/* Maxwell's velocities: <m v^2> = kT for each mass, to 4 sigma. */
+static void test_temperature(void)
+{
+    enum { N = 20000 };
+    struct disks d;
+    struct random r;
+    double square[2] = {0};
+    random_seed(&r, 4);
+    if (!disks_create(&d, 2, N))
+        exit(1);
+    d.box[0] = d.box[1] = 1000;
+    for (size_t i = 0; i < N; ++i)
+        d.mass[i] = i % 2 ? 5 : 1;
+    disks_set_temperature(&d, 0.3, &r);
+    for (size_t i = 0; i < N; ++i)
+        for (size_t k = 0; k < 2; ++k)
+            square[i % 2] += d.mass[i] * pow(d.disk[i].velocity[k], 2) / N;
+    UNIT_NEAR(square[0], 0.3, 0.3 * 4 * sqrt(2.0 / N));
+    UNIT_NEAR(square[1], 0.3, 0.3 * 4 * sqrt(2.0 / N));
+    d.boundary = DISKS_PERIODIC;
+    const double energy = disks_energy(&d);
+    disks_set_speed(&d, 2, &r);
+    UNIT_NEAR(disks_energy(&d), 2 * 3 * N, 1e-7);
+    UNIT_TRUE(energy > 0);
+    disks_free(&d);
+}
+
+int main(void)
+{
+    return unit_run(
+        "disks",
+        (struct unit_test[]){
+            {"wall times", test_wall_time},
+            {"pair times of known triangles", test_pair_time},
+            {"overlaps collide now if they approach", test_overlap},
+            {"a small gap keeps its digits", test_small_gap},
+            {"meetings are canonical", test_canonical},
+            {"a plan has the bits of every pair looked at", test_engines},
+            {"pieces of a run have the bits of the whole", test_pieces},
+            {"virial, walls and energy balance", test_balance},
+            {"energy and momentum are conserved", test_conserved},
+            {"four disks: direct sampling", test_four},
+            {"two disks: exact pressure", test_two},
+            {"one disk: exact impulses", test_one},
+            {"nothing happens at rest", test_rest},
+            {"settling folds, and begins to count", test_settle},
+            {"restitution", test_restitution},
+            {"equal times have an order", test_order},
+            {"lattices hold the closest packing", test_lattice},
+            {"a guest stands in the middle", test_guest},
+            {"random starts fit or are refused", test_random_start},
+            {"misfits are named", test_fit},
+            {"nearest images", test_images},
+            {"temperature and speed of a start", test_temperature},
+            {0}});
+}

@@ -1,0 +1,437 @@
+/* Samplers of hard disks against closed forms, against each other and
+   against reference runs. Reference values computed for this book by
+   programs of its own; statistical tests allow four standard errors, of
+   the run and of the reference, with fixed seeds. */
+#include "unit.h"
+
+#include "sampling.h"
+
+#include <float.h>
+
+enum quantity { WALL_X, WALL_Y, WALL_Z, PAIR, QUANTITIES };
+
+/* What a run says of contacts. */
+struct told {
+    double mean[QUANTITIES], error[QUANTITIES];
+    double acceptance, acceptance_error;
+};
+
+/* Samples configurations, direct (step 0) or by a chain. */
+static struct told run(struct sampling *s, double step, size_t samples)
+{
+    struct told told = {0};
+    struct sampling_means m;
+    struct random r;
+    size_t tries = 0, accepted = 0;
+    random_seed(&r, 1);
+    UNIT_TRUE(sampling_means_create(&m, QUANTITIES));
+    UNIT_TRUE(step == 0 || sampling_start(s, &r));
+    for (size_t n = 0; n < samples; ++n) {
+        if (step == 0)
+            for (++accepted;
+                 ++tries, sampling_throw(s, &r) < s->disks.count;)
+                ;
+        for (size_t k = 0; step > 0 && k < s->disks.count; ++k, ++tries)
+            accepted += sampling_try(s, step, &r);
+        const size_t i = n % s->large;
+        for (size_t k = 0; k < s->disks.dimensions; ++k)
+            if (s->disks.boundary == DISKS_WALLS)
+                sampling_means_add(&m, k, sampling_wall_density(s, i, k));
+        for (size_t j = 0; j < s->large; ++j)
+            if (j != i)
+                sampling_means_add(&m, PAIR,
+                                   sampling_pair_density(s, i, j) /
+                                       (double)(s->large - 1));
+        sampling_means_next(&m);
+    }
+    for (size_t q = 0; q < QUANTITIES; ++q) {
+        told.mean[q] = sampling_means_mean(&m, q);
+        told.error[q] = sampling_means_error(&m, q);
+    }
+    told.acceptance = (double)accepted / (double)tries;
+    told.acceptance_error =
+        told.acceptance * sqrt((1 - told.acceptance) / (double)accepted);
+    sampling_means_free(&m);
+    return told;
+}
+
+static void box(struct sampling *s, size_t dimensions,
+                enum disks_boundary boundary, const double sides[],
+                size_t count, double radius)
+{
+    UNIT_TRUE(sampling_create(s, dimensions, boundary, sides, count, radius,
+                              0, 0));
+}
+
+static const double unit[] = {1, 1, 1};
+
+/* (6.2, eq:two-disks) for r = 0.15, and what follows from it at the wall
+   and at contact. */
+static void test_two_disks(void)
+{
+    for (double step = 0; step < 0.5; step += 0.4) {
+        struct sampling s;
+        box(&s, 2, DISKS_WALLS, unit, 2, 0.15);
+        const struct told t = run(&s, step, 300000);
+        if (step == 0)
+            UNIT_NEAR(t.acceptance, 0.616017342677, 4 * t.acceptance_error);
+        UNIT_NEAR(t.mean[WALL_X], 1.771667475064, 4 * t.error[WALL_X]);
+        UNIT_NEAR(t.mean[WALL_Y], 1.771667475064, 4 * t.error[WALL_Y]);
+        UNIT_NEAR(t.mean[PAIR], 3.202196, 4 * t.error[PAIR]);
+        UNIT_TRUE(t.error[WALL_X] < 0.006 && t.error[PAIR] < 0.03);
+        sampling_free(&s);
+    }
+}
+
+/* 5e9 throws: acceptance 0.0365551596 +- 2.5e-6, density at the wall
+   2.698893 +- 0.00031, of distances at contact 3.952373 +- 0.00059. */
+static void test_four_disks(void)
+{
+    for (double step = 0; step < 0.3; step += 0.2) {
+        struct sampling s;
+        box(&s, 2, DISKS_WALLS, unit, 4, 0.15);
+        const struct told t = run(&s, step, 300000);
+        if (step == 0)
+            UNIT_NEAR(t.acceptance, 0.0365551596, 4 * t.acceptance_error);
+        UNIT_NEAR(t.mean[WALL_X], 2.698893, 4 * t.error[WALL_X] + 1e-3);
+        UNIT_NEAR(t.mean[WALL_Y], 2.698893, 4 * t.error[WALL_Y] + 1e-3);
+        UNIT_NEAR(t.mean[PAIR], 3.952373, 4 * t.error[PAIR] + 2e-3);
+        UNIT_TRUE(t.error[WALL_X] < 0.03 && t.error[PAIR] < 0.03);
+        sampling_free(&s);
+    }
+}
+
+/* (6.5, eq:two-sides) in boxes of unequal sides, in the plane and in space,
+   for both samplers. */
+static void test_virial(void)
+{
+    const double sides[] = {1.3, 0.9, 1.1};
+    for (size_t dimensions = 2; dimensions <= 3; ++dimensions)
+        for (double step = 0; step < 0.3; step += 0.2) {
+            const double r = 0.13, D = (double)dimensions;
+            struct sampling s;
+            box(&s, dimensions, DISKS_WALLS, sides, 5, r);
+            const struct told t = run(&s, step, 200000);
+            double walls = 0, error = 0;
+            for (size_t k = 0; k < dimensions; ++k) {
+                walls += (sides[k] - 2 * r) * t.mean[k] / D;
+                error += (sides[k] - 2 * r) * t.error[k] / D;
+            }
+            const double factor = 4 * 2 * r / (2 * D);
+            UNIT_NEAR(walls, 1 + factor * t.mean[PAIR],
+                      4 * (error + factor * t.error[PAIR]));
+            UNIT_TRUE(error < 0.02 * walls);
+            sampling_free(&s);
+        }
+}
+
+/* The free part of a line by looking at many points of it: a midpoint
+   rule, whose error is less than a few steps of the line. */
+static double scanned(const struct sampling *s, size_t i, size_t except,
+                      const double from[], const double along[], double low,
+                      double high, int power, bool *first)
+{
+    enum { POINTS = 100000 };
+    double sum = 0;
+    for (size_t n = 0; n < POINTS; ++n) {
+        const double t = low + (high - low) * ((double)n + 0.5) / POINTS;
+        double place[DISKS_AXES];
+        bool is_free = true;
+        for (size_t k = 0; k < DISKS_AXES; ++k)
+            place[k] = from[k] + t * along[k];
+        for (size_t j = 0; j < s->disks.count; ++j) {
+            const double reach =
+                s->disks.disk[i].radius + s->disks.disk[j].radius;
+            double apart[DISKS_AXES];
+            disks_apart(&s->disks, place, s->disks.disk[j].position, apart);
+            if (j != i && j != except &&
+                apart[0] * apart[0] + apart[1] * apart[1] +
+                        apart[2] * apart[2] <
+                    reach * reach)
+                is_free = false;
+        }
+        sum += is_free ? pow(t, power) : 0;
+        if (n == 0)
+            *first = is_free;
+    }
+    return sum * (high - low) / POINTS;
+}
+
+/* In a periodic box the images block as well. */
+static void test_pair_line(void)
+{
+    for (size_t dimensions = 2; dimensions <= 3; ++dimensions) {
+        struct sampling s;
+        struct random r;
+        size_t seen = 0;
+        box(&s, dimensions, DISKS_PERIODIC, unit, 6, 0.15);
+        random_seed(&r, 3);
+        UNIT_TRUE(sampling_start(&s, &r));
+        for (int n = 0; n < 20; ++n) {
+            double along[DISKS_AXES], high = INFINITY, length;
+            bool first;
+            for (int k = 0; k < 100; ++k)
+                sampling_try(&s, 0.2, &r);
+            disks_apart(&s.disks, s.disks.disk[1].position,
+                        s.disks.disk[0].position, along);
+            length = sqrt(along[0] * along[0] + along[1] * along[1] +
+                          along[2] * along[2]);
+            for (size_t k = 0; k < DISKS_AXES; ++k) {
+                along[k] /= length;
+                if (k < dimensions)
+                    high = fmin(high, 0.5 / fabs(along[k]));
+            }
+            const double part =
+                scanned(&s, 0, 1, s.disks.disk[1].position, along, 0.3,
+                        high, (int)dimensions - 1, &first);
+            const double expected =
+                first ? pow(0.3, (double)dimensions - 1) / part : 0;
+            UNIT_NEAR(sampling_pair_density(&s, 0, 1), expected,
+                      1e-3 * expected);
+            seen += first;
+        }
+        UNIT_TRUE(seen > 3 && seen < 20);
+        sampling_free(&s);
+    }
+}
+
+/* Between walls, with small ones in the way. */
+static void test_wall_line(void)
+{
+    struct sampling s;
+    struct random r;
+    size_t both = 0, one = 0;
+    UNIT_TRUE(sampling_create(&s, 2, DISKS_WALLS, unit, 2, 0.15, 5, 0.05));
+    random_seed(&r, 4);
+    UNIT_TRUE(sampling_start(&s, &r));
+    for (int n = 0; n < 40; ++n) {
+        const double along[] = {1, 0, 0}, back[] = {-1, 0, 0};
+        bool low, high;
+        for (int k = 0; k < 100; ++k)
+            sampling_try(&s, 0.2, &r);
+        double from[DISKS_AXES] = {0, s.disks.disk[0].position[1], 0};
+        const double part =
+            scanned(&s, 0, 0, from, along, 0.15, 0.85, 0, &low);
+        from[0] = 1;
+        scanned(&s, 0, 0, from, back, 0.15, 0.85, 0, &high);
+        UNIT_NEAR(sampling_wall_density(&s, 0, 0),
+                  (low + high) / (2 * part), 1e-3 / part);
+        both += low && high;
+        one += low != high;
+    }
+    UNIT_TRUE(both > 2 && one > 2);
+    sampling_free(&s);
+}
+
+/* R = 1, d = 0.2: computed with 12 digits and by 2e7 random points. */
+static void test_overlaps(void)
+{
+    UNIT_NEAR(sampling_overlap(2, 1.2, 2), 0.360124449, 1e-9);
+    UNIT_NEAR(sampling_overlap(2, 1.2, 2.2), 0.128994108, 1e-9);
+    UNIT_NEAR(sampling_overlap(3, 1.2, 2), 0.284837734, 1e-9);
+    UNIT_NEAR(sampling_overlap(3, 1.2, 2.2), 0.073303829, 1e-9);
+    UNIT_NEAR(sampling_segment(2, 1.2, 0.8), 0.495597133, 1e-9);
+    UNIT_NEAR(sampling_segment(2, 1.2, 1), 0.180062225, 1e-9);
+    UNIT_NEAR(sampling_segment(3, 1.2, 0.8), 0.536165146, 1e-9);
+    UNIT_NEAR(sampling_segment(3, 1.2, 1), 0.142418867, 1e-9);
+}
+
+/* One on the other, touching, and apart; the lens of (6.13, eq:lens3). */
+static void test_overlap_limits(void)
+{
+    const double pi = acos(-1);
+    UNIT_NEAR(sampling_overlap(2, 1.5, 0), pi * 2.25, 1e-14);
+    UNIT_NEAR(sampling_overlap(3, 1.5, 0), 4 * pi / 3 * 3.375, 1e-13);
+    UNIT_EQUAL(sampling_overlap(2, 1.5, 3), 0);
+    UNIT_EQUAL(sampling_overlap(3, 1.5, 7), 0);
+    UNIT_NEAR(sampling_segment(2, 1, 0), pi / 2, 1e-15);
+    for (double s = 0; s < 2.4; s += 0.1)
+        UNIT_NEAR(sampling_overlap(3, 1.2, s),
+                  4 * pi / 3 * 1.728 *
+                      (1 - 0.75 * s / 1.2 + s * s * s / (16 * 1.728)),
+                  1e-13);
+    /* A wall attracts root 2 times and twice as strongly, for tiny ones;
+       q = 0.01: 1.4121 and 1.9934. */
+    UNIT_NEAR(sampling_segment(2, 1.01, 0.99) /
+                  sampling_overlap(2, 1.01, 2),
+              1.4121, 1e-4);
+    UNIT_NEAR(sampling_segment(3, 1.01, 0.99) /
+                  sampling_overlap(3, 1.01, 2),
+              1.9934, 1e-4);
+}
+
+/* Two big ones among ideal small ones: the shares of distances in five
+   parts of 2 to 2.5 against (6.9, eq:canonical). */
+static void test_depletion(void)
+{
+    const double sides[] = {5, 5, 5};
+    enum { PARTS = 5 };
+    for (size_t dimensions = 2; dimensions <= 3; ++dimensions) {
+        const size_t small = dimensions == 2 ? 72 : 150;
+        const double volume = dimensions == 2
+                                  ? 25 - 2 * acos(-1) * 1.44
+                                  : 125 - 8 * acos(-1) / 3 * 1.728;
+        double law[PARTS] = {0}, total = 0, all = 0;
+        struct sampling_means m;
+        struct sampling s;
+        struct random r;
+        UNIT_TRUE(sampling_means_create(&m, PARTS));
+        UNIT_TRUE(sampling_create(&s, dimensions, DISKS_PERIODIC, sides, 2,
+                                  1, small, 0.2));
+        random_seed(&r, 5);
+        UNIT_TRUE(sampling_start(&s, &r));
+        for (int n = 0; n < 20000; ++n) {
+            double apart[DISKS_AXES];
+            for (int k = 0; k < 60; ++k)
+                sampling_try(&s, 0.3, &r);
+            disks_apart(&s.disks, s.disks.disk[0].position,
+                        s.disks.disk[1].position, apart);
+            const double distance =
+                sqrt(apart[0] * apart[0] + apart[1] * apart[1] +
+                     apart[2] * apart[2]);
+            if (distance < 2.5)
+                sampling_means_add(&m, (size_t)((distance - 2) * 2 * PARTS),
+                                   1);
+            sampling_means_next(&m);
+        }
+        for (int n = 0; n < 1000 * PARTS; ++n) {
+            const double at = 2 + (n + 0.5) * 0.5 / (1000 * PARTS);
+            const double room =
+                1 + sampling_overlap(dimensions, 1.2, at) / volume;
+            law[n / 1000] +=
+                pow(at, (double)dimensions - 1) * pow(room, (double)small);
+        }
+        for (size_t p = 0; p < PARTS; ++p) {
+            total += law[p];
+            all += sampling_means_mean(&m, p);
+        }
+        for (size_t p = 0; p < PARTS; ++p)
+            UNIT_NEAR(sampling_means_mean(&m, p) / all, law[p] / total,
+                      4 * sampling_means_error(&m, p) / all);
+        UNIT_TRUE(dimensions == 3 || law[0] > law[PARTS - 1]);
+        UNIT_TRUE(sampling_means_error(&m, 0) / all < 0.02);
+        sampling_means_free(&m);
+        sampling_free(&s);
+    }
+}
+
+/* A rejected try leaves all in place; an accepted one moves one disk by at
+   most the step; all fit all the time. */
+static void test_moves(void)
+{
+    struct sampling s;
+    struct random r;
+    size_t moved = 0, a, b;
+    box(&s, 2, DISKS_WALLS, unit, 4, 0.2);
+    random_seed(&r, 6);
+    UNIT_TRUE(sampling_start(&s, &r));
+    for (int n = 0; n < 20000; ++n) {
+        struct disk before[4];
+        size_t changed = 0;
+        double longest = 0;
+        memcpy(before, s.disks.disk, sizeof before);
+        const bool said = sampling_try(&s, 0.05, &r);
+        for (size_t i = 0; i < 4; ++i) {
+            const double *old = before[i].position;
+            const double *now = s.disks.disk[i].position;
+            changed += old[0] != now[0] || old[1] != now[1];
+            longest = fmax(longest, fmax(fabs(old[0] - now[0]),
+                                         fabs(old[1] - now[1])));
+        }
+        UNIT_TRUE(changed == said && longest <= 0.05);
+        UNIT_TRUE(disks_fit(&s.disks, &a, &b));
+        moved += said;
+    }
+    UNIT_TRUE(moved > 5000 && moved < 15000);
+    sampling_free(&s);
+}
+
+/* Where no lattice fits they grow; where nothing fits there is no start. */
+static void test_starts(void)
+{
+    struct sampling s;
+    struct random r;
+    size_t a, b;
+    random_seed(&r, 7);
+    box(&s, 2, DISKS_WALLS, unit, 4, 0.24);
+    UNIT_TRUE(sampling_start(&s, &r));
+    UNIT_TRUE(disks_fit(&s.disks, &a, &b));
+    UNIT_EQUAL(s.disks.disk[3].radius, 0.24);
+    sampling_free(&s);
+    box(&s, 2, DISKS_WALLS, unit, 4, 0.251);
+    UNIT_TRUE(!sampling_start(&s, &r));
+    sampling_free(&s);
+    UNIT_TRUE(sampling_create(&s, 2, DISKS_WALLS, unit, 1, 0.3, 500, 0.1));
+    UNIT_TRUE(sampling_start(&s, &r));
+    sampling_free(&s);
+}
+
+/* Four disks: ln 0.036555; thirty in a box of four times the area: no
+   throw comes near, but the guess is far below any patience. */
+static void test_guess(void)
+{
+    const double sides[] = {2, 2};
+    struct sampling s;
+    struct random r;
+    random_seed(&r, 8);
+    box(&s, 2, DISKS_WALLS, unit, 4, 0.15);
+    UNIT_NEAR(sampling_log_acceptance(&s, 100000, &r), log(0.0365551596),
+              0.1);
+    sampling_free(&s);
+    box(&s, 2, DISKS_WALLS, sides, 30, 0.15);
+    const double guess = sampling_log_acceptance(&s, 100000, &r);
+    UNIT_TRUE(guess < -25 && guess > -60);
+    sampling_free(&s);
+}
+
+/* Mean and error of independent numbers; joined blocks; an unfinished one
+   counts in the mean. */
+static void test_means(void)
+{
+    struct sampling_means m;
+    struct random r;
+    double sum = 0;
+    random_seed(&r, 9);
+    UNIT_TRUE(sampling_means_create(&m, 2));
+    UNIT_TRUE(isnan(sampling_means_mean(&m, 0)));
+    for (int n = 1; n <= 100003; ++n) {
+        const double x = random_uniform(&r);
+        sampling_means_add(&m, 0, x);
+        sampling_means_add(&m, 1, n);
+        sampling_means_next(&m);
+        sum += x;
+        if (n == 1)
+            UNIT_TRUE(isnan(sampling_means_error(&m, 0)));
+        if (n == 2)
+            UNIT_NEAR(sampling_means_error(&m, 1), 0.5, 1e-15);
+    }
+    UNIT_NEAR(sampling_means_mean(&m, 0), sum / 100003, 1e-12);
+    UNIT_NEAR(sampling_means_mean(&m, 1), 50002, 1e-6);
+    UNIT_TRUE(m.blocks >= SAMPLING_BLOCKS / 2 &&
+              m.blocks < SAMPLING_BLOCKS);
+    UNIT_EQUAL((double)(m.blocks * m.length + m.filled), 100003);
+    /* 1/sqrt(12 n), uncertain by 8 per cent. */
+    UNIT_NEAR(sampling_means_error(&m, 0), 1 / sqrt(12 * 100003.0),
+              0.32 / sqrt(12 * 100003.0));
+    sampling_means_free(&m);
+}
+
+int main(void)
+{
+    return unit_run(
+        "sampling",
+        (struct unit_test[]){
+            {"two disks are where the closed forms say", test_two_disks},
+            {"four disks are where a long run says", test_four_disks},
+            {"walls and pairs agree on the pressure", test_virial},
+            {"a line past images has the right free part", test_pair_line},
+            {"a line between walls has it, too", test_wall_line},
+            {"lenses and segments", test_overlaps},
+            {"lenses and segments at their limits", test_overlap_limits},
+            {"Asakura and Oosawa's law of distances", test_depletion},
+            {"a try moves one disk or none", test_moves},
+            {"starts are found, or not", test_starts},
+            {"hopeless throws are known beforehand", test_guess},
+            {"means and their errors", test_means},
+            {0}});
+}

@@ -1,0 +1,56 @@
+#!/bin/sh
+# Cells in every build: gcc and clang, -O2, -O3 and the vector instructions
+# of this machine pass the tests of tests/library/cells.c and end their runs
+# with the same bytes; and the memory that a million disks take.
+. tests/programs/common
+sources='src/cells.c src/calendar.c src/disks.c src/collide.c
+    src/toolbox/random.c'
+
+expected=
+for cc in gcc clang; do
+    for level in '-O2' '-O3 -march=native'; do
+        # shellcheck disable=SC2086
+        $cc -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off $level \
+            -Isrc -Itests -o "$work/cells" tests/library/cells.c $sources \
+            -lcunit -lm || not_ok "$cc $level" 'does not compile'
+        "$work/cells" bytes >"$work/said" 2>&1
+        got=$(sed -n 's/^[a-z0-9]* \([0-9a-f]\{16\}\)$/\1/p' "$work/said")
+        kernel=$(sed -n 's/^\([a-z0-9]*\) [0-9a-f]\{16\}$/\1/p' "$work/said")
+        expected=${expected:-$got}
+        if grep -q '^not ok' "$work/said"; then
+            not_ok "$cc $level" "$(grep '^not ok' "$work/said" | head -1)"
+        elif [ -z "$got" ] || [ "$got" != "$expected" ]; then
+            not_ok "$cc $level" "bytes $got, expected $expected"
+        else
+            ok "$cc $level, $kernel: the same bytes as pairs"
+        fi
+    done
+done
+
+# Memory, more than a small run takes: dense disks have short leashes and
+# few in a cell, thin ones need longer lists; while lists grow, old and new
+# are held at once.
+runs_in() { # KIBIBYTES PARTICLES OPTION...
+    most=$1 particles=$2
+    shift 2
+    (ulimit -v "$most" && build/bin/disks-speed --particles "$particles" \
+        --collisions 1000 "$@" -o "$work/table") >"$work/said" 2>&1
+}
+takes() { # BYTES OPTION...
+    bytes=$1
+    shift
+    least=2000
+    while [ $least -lt 20000 ] && ! runs_in $least 100 "$@"; do
+        least=$((least + 500))
+    done
+    if runs_in $((least + bytes * 1000000 / 1024)) 1000000 "$@"; then
+        ok "$*: a million take $bytes bytes each"
+    else
+        not_ok "$*: a million take $bytes bytes each" \
+            "$(head -c 200 "$work/said")"
+    fi
+}
+takes 320 --dimensions 2 --packing 0.7
+takes 250 --dimensions 3 --packing 0.49
+takes 340 --dimensions 2 --packing 0.3
+takes 280 --dimensions 3 --packing 0.3

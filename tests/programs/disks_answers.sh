@@ -1,0 +1,240 @@
+#!/bin/sh
+# What disks says, against exact results and against references computed
+# for this book by programs of its own (direct sampling, another
+# event-driven run). A measured number may be 4 standard errors away, its
+# own and the reference's; seeds are fixed, so a pass stays a pass.
+. tests/programs/common
+d=build/bin/disks
+
+# near NAME KEY EXPECTED TOLERANCE: what the last summary says.
+near() {
+    holds "$1" awk -v key="$2" -v want="$3" -v tolerance="$4" '
+        $1 == key { got = $2; found = 1 }
+        END { d = got - want; if (d < 0) d = -d
+            print key, got, "not", want, "to within", tolerance
+            exit !(found && got == got + 0 && d <= tolerance) }' "$work/s"
+}
+
+# within NAME KEY EXPECTED ERROR LARGEST: within 4 errors, the summary's own
+# (KEY_error, which may be LARGEST at most) and that of the reference.
+within() {
+    holds "$1" awk -v key="$2" -v want="$3" -v error="$4" -v most="$5" '
+        $1 == key { got = $2; found = 1 }
+        $1 == key "_error" { own = $2 }
+        END { z = (got - want) / sqrt(own * own + error * error)
+            print key, got, "+-", own, "not", want, "+-", error, "z", z
+            exit !(found && own > 0 && own <= most && z < 4 && z > -4) }' \
+        "$work/s"
+}
+
+# says NAME CONDITION: an awk expression of the last summary, s["key"].
+says() {
+    holds "$1" awk "{ s[\$1] = \$2 } function abs(x) { return x < 0 ? -x : x }
+        END { for (k in s) print k, s[k]; exit !($2) }" "$work/s"
+}
+
+# Without options: the article's four disks.
+$d --until 6000 -o /dev/null --summary "$work/s"
+near 'four disks fill 0.09 pi of the box' packing 0.28274333882308 1e-13
+near 'all speeds 1: kT is 1/2' kT 0.5 1e-12
+near 'the energy stays' energy_error 0 1e-12
+within 'four disks press on x' Z_wall_x 2.69889 0.00031 0.02
+within 'four disks press on y' Z_wall_y 2.69889 0.00031 0.02
+# Pairs at contact, f(2r) = 3.95237(59): 1 + 3 r f / 2 - 1 of the identity.
+within 'their virial' Z_virial 1.88928 0.00013 0.01
+# 8.88634 sqrt(E) wall hits a second with E = 2, .776638 pairs to each.
+says 'they hit the walls as often as they should' \
+    'abs(s["wall_collisions"] / s["time"] / 12.56718 - 1) < 0.006'
+says 'and each other' \
+    'abs(s["collisions"] / s["wall_collisions"] / 0.776638 - 1) < 0.006'
+
+$d --disks 2 --radius 0.15 --until 8000 -o /dev/null --summary "$work/s"
+within 'two disks, exactly known: x' Z_wall_x 1.771667475 1e-9 0.025
+within 'two disks, exactly known: y' Z_wall_y 1.771667475 1e-9 0.025
+$d --disks 1 --radius 0.1 --until 4000 --warmup 0 -o /dev/null --summary "$work/s"
+says 'one disk flies to and fro: Z = 2 v_x^2 / v^2 * L / (L - 2r), both together' \
+    'abs((s["Z_wall_x"] + s["Z_wall_y"]) / 2 - 1.25) < 1e-3'
+
+# p(x) of the four, five bins of one hundredth, both axes and both sides.
+$d --measure positions --every 0.5 --samples 40000 -o "$work/p" --summary "$work/s"
+near 'every clock time is looked at' samples 40001 0
+holds 'p(x) is that of direct sampling' awk 'BEGIN {
+        split("15 20 30 40 49", bin); split("2.6306 2.0330 1.2990 .9879 1.1055", want) }
+    !/^#/ { for (k = 0; k < 2; ++k) { p[k, NR - head] = $(2 + 2 * k); e[k, NR - head] = $(3 + 2 * k) } }
+    /^#/ { head = NR + 1 }
+    END { for (i = 1; i <= 5; ++i) { sum = var = 0
+            for (k = 0; k < 2; ++k) for (side = 0; side < 2; ++side) {
+                at = side ? 99 - bin[i] : bin[i]
+                sum += p[k, at] / 4; var += e[k, at] ^ 2 / 16 }
+            z = (sum - want[i]) / sqrt(var + 9e-8)
+            print bin[i], sum, sqrt(var), want[i], z
+            bad += !(z < 4 && z > -4) || var > 0.0004 }
+        for (at = 0; at < 15; ++at) bad += p[0, at] > 0 || p[1, 99 - at] > 0
+        exit bad }' "$work/p"
+holds 'the densities sum to one' awk '!/^#/ { x += $2 / 100; y += $4 / 100 }
+    END { print x, y; exit !((x - 1) ^ 2 < 1e-20 && (y - 1) ^ 2 < 1e-20) }' \
+    "$work/p"
+
+# MPPhys: 250 disks. The wall pressures from other runs, 60 times 200 s.
+$d --disks 250 --radius 0.1 --box 7.5,5 --until 300 -o "$work/gas" \
+    --summary "$work/s"
+near 'the gas fills a fifth of the box' packing 0.20943951 1e-8
+within 'the gas presses on x' Z_wall_x 1.66779 0.00059 0.02
+within 'the gas presses on y' Z_wall_y 1.68545 0.00055 0.02
+within 'its virial' Z_virial 1.62075 0.00031 0.005
+says 'a disk collides 4.956 times a second' \
+    'abs(s["collision_rate"] / 4.956 - 1) < 0.004'
+holds 'the virial theorem holds in every run, to rounding' awk '
+    NR == FNR { s[$1] = $2; next }
+    /^#/ || !NF { next }
+    { if (!begun++) t = $1
+        G[$1 == t] += $3 * (($5 - 3.75) * $7 + ($6 - 2.5) * $8) }
+    END { unit = 2 * s["kT"] * 250 * s["time"]
+        walls = (s["Z_wall_x"] * 7.3 / 7.5 + s["Z_wall_y"] * 4.8 / 5) / 2
+        off = (G[0] - G[1]) / unit - (s["Z_virial"] - walls)
+        print off, walls, s["Z_virial"]; exit !(off < 1e-12 && off > -1e-12) }' \
+    "$work/s" "$work/gas"
+
+# Bulk, with the correction for N; another event-driven run of so many.
+bulk() { # DIMENSIONS DISKS PACKING COLLISIONS Z ERROR LARGEST
+    $d --dimensions "$1" --disks "$2" --packing "$3" --boundary periodic \
+        --temperature 1 --collisions "$4" -o /dev/null --summary "$work/s"
+    within "$1-D, packing $3: Z" Z_virial "$5" "$6" "$7"
+    near "$1-D, packing $3: it was asked for" packing "$3" 1e-12
+    near "$1-D, packing $3: kT is exact" kT 1 1e-12
+    says "$1-D, packing $3: Enskog's rate" \
+        "abs(s[\"collision_rate\"] / (2 * $1 * (s[\"Z_virial\"] - 1)) * 1.7724538509 - 1) < 0.004"
+}
+bulk 2 324 0.10 200000 1.23570 0.00016 0.001
+bulk 2 324 0.30 200000 2.06120 0.00055 0.005
+bulk 2 324 0.60 200000 6.45002 0.00318 0.03
+bulk 3 500 0.20 200000 2.40584 0.00079 0.01
+bulk 3 480 0.49 300000 12.17400 0.01127 0.07
+
+# Speeds: the columns of laws are the laws, and the gas follows the exact one.
+$d --disks 10 --radius 0.1 --box 1.5,1 --measure speeds --every 0.5 \
+    --samples 20000 -o "$work/v" --summary "$work/s"
+holds 'the exact law and Maxwell, averaged over a bin' awk '
+    function below(u) { return 1 - (u * u < 10 ? (1 - u * u / 10) ^ 9 : 0) }
+    !/^#/ { w = 2 / 21; n++
+        a = (below($1 + w) - below($1)) / w - $4
+        b = (exp(-$1 ^ 2) - exp(-($1 + w) ^ 2)) / w - $5
+        if (a * a > worst) worst = a * a
+        if (b * b > worst) worst = b * b }
+    END { print n, worst; exit !(n == 42 && worst < 1e-18) }' "$work/v"
+within 'ten disks: <v^4> = 2 N / (N + 1)' v4 1.81818181818 1e-9 0.01
+near 'ten disks: the exact law gives that' v4_finite 1.8181818181818 1e-12
+# Gamma(1.5) Gamma(10) / Gamma(10.5) sqrt(10)
+within 'ten disks: the mean speed' mean_speed 0.8973696 1e-6 0.002
+near 'ten disks: the exact mean' mean_speed_finite 0.8973696 1e-6
+near "ten disks: Maxwell's mean" mean_speed_maxwell 0.88622692545 1e-9
+says 'ten disks: the exact law fits, Maxwell does not' \
+    's["chi2_finite"] < 2.2 * s["bins"] && s["chi2_maxwell"] > 10 * s["bins"]'
+$d --disks 250 --radius 0.1 --box 7.5,5 --measure speeds --every 1 \
+    --samples 3 -o /dev/null --summary "$work/s"
+near '250 disks: <v^4>' v4_finite 1.9920318725 1e-9
+near '250 disks: <v>' mean_speed_finite 0.886670149 1e-9
+$d --disks 32 --packing 0.3 --boundary periodic --dimensions 3 \
+    --measure speeds --every 0.5 --samples 4000 -o /dev/null --summary "$work/s"
+# n = 93 numbers, u^2 at most 93/2 31/32: <u^4> is 15 of its squares / n (n + 2).
+within 'periodic spheres: <v^4>' v4 3.445196 1e-8 0.05
+near 'periodic spheres: the exact law gives that' v4_finite 3.445196 1e-5
+
+# Relaxation: the first collisions, 64/225 of <v^4> for each of a disk; at
+# 0.19 of them another run has 0.2784. Of 750 collisions: 3 per cent.
+for seed in 1 2 3 4 5 6 7 8; do
+    $d --disks 1000 --packing 0.05 --start random \
+        --measure relaxation --every 0.5 --until 3 --seed $seed
+done >"$work/r"
+holds 'the first collisions raise <v^4> by 64/225 each' awk '
+    !/^#/ && $1 == 0 { bad += ($3 - 1) ^ 2 > 1e-12 }
+    !/^#/ && $1 == 1 { c += $2 / 8; v += ($3 - 1) / 8 }
+    END { print c, v, v / c, bad; exit bad || c < 0.15 || c > 0.25 ||
+        (v / c - 0.2784) ^ 2 > 0.035 ^ 2 }' "$work/r"
+# MPPhys's gas, 240 times as large: 3000 runs of the small one have this.
+$d --disks 60000 --radius 0.1 --box 116.1895004,77.45966692 \
+    --measure relaxation --every 0.05 --until 2.6 -o "$work/large"
+holds '<v^4> relaxes as in three thousand runs of 250 disks' awk 'BEGIN {
+        n = split("1 2 3 5 8 12", at); split("1.262 1.472 1.629 1.821 1.934 1.971", want) }
+    !/^#/ { while (k < n && $2 >= at[k + 1]) { ++k
+            v = a + ($3 - a) * (at[k] - c) / ($2 - c)
+            print at[k], v, want[k]; bad += (v - want[k]) ^ 2 > 0.033 ^ 2 }
+        c = $2; a = $3 }
+    END { exit bad || k != n }' "$work/large"
+holds 'H of equal speeds is that of one ring' awk '
+    !/^#/ && $1 == 0 { a = 20 / 21; b = 22 / 21; n++
+        d = $4 + log(3.14159265358979 * (b * b - a * a)); bad += d * d > 1e-12 }
+    END { exit bad || n != 8 }' "$work/r"
+$d --disks 1000 --packing 0.2 --measure relaxation --every 1 --until 24 \
+    -o "$work/r"
+holds 'H ends at -1 - ln pi, within the bias of the bins' awk '
+    !/^#/ && $2 > 12 { n++; h += $4 }
+    END { h /= n; print n, h; exit !(h < -2.09 && h > -2.16) }' "$work/r"
+
+# The heavy disk: slope of its correlation at the start.
+$d --disks 400 --radius 0.5 --heavy 40,2 --start random --temperature 1 \
+    --box 39.79149,39.79149 --boundary periodic --warmup 5 \
+    --measure brownian --every 0.1 --until 250 -o "$work/b" --summary "$work/s"
+near 'M <V^2> is kT, less its share of the momentum' V2_exact 0.02272727273 1e-9
+near 'it is hit as often as kinetic theory says' heavy_rate 2.478 0.4
+says 'the correlation begins with the slope that the collisions make' \
+    'abs(s["slope"] - s["slope_exact"]) < 4 * s["slope_error"] &&
+     s["slope_error"] < 0.1 * s["slope_exact"] &&
+     abs(s["slope_exact"] / s["heavy_rate"] / 0.0012195 - 1) < 1e-3'
+holds 'at first it flies freely: the displacement is 2 C t^2' awk '
+    !/^#/ { if (n++ == 0) c = $2; else if (n == 2) m = $4 }
+    END { r = m / (2 * c * 0.01); print r; exit !(r > 0.98 && r < 1.0) }' \
+    "$work/b"
+
+# Continued, looked at, moved by another engine: the same bytes.
+rows() { grep -v '^#' "$1"; }
+for box in periodic walls; do
+    run="$d --disks 60 --packing 0.4 --boundary $box --seed 5"
+    $run --every 0.7 --samples 40 -o "$work/whole"
+    $run --every 0.7 --samples 13 -o "$work/part"
+    $d --start "$work/part" --every 0.7 --until 28 -o "$work/rest"
+    rows "$work/rest" >"$work/rest.rows"
+    rows "$work/whole" | tail -n "$(wc -l <"$work/rest.rows")" >"$work/end.rows"
+    holds "$box: a state in a file is continued exactly" \
+        cmp "$work/rest.rows" "$work/end.rows"
+    $run --every 28 --samples 1 -o "$work/once"
+    holds "$box: looking changes nothing" sh -c "grep -v '^#' '$work/whole' | tail -n 60 |
+        cut -d ' ' -f 2- >'$work/x'; tail -n 60 '$work/once' | cut -d ' ' -f 2- |
+        cmp - '$work/x'"
+    for engine in pairs cells; do
+        $run --every 7 --samples 4 --engine $engine -o "$work/$engine"
+    done
+    holds "$box: two engines, the same bytes" cmp "$work/pairs" "$work/cells"
+done
+$d --dimensions 3 --disks 20 --packing 0.2 --boundary periodic --every 1 \
+    --samples 6 -o "$work/whole"
+$d --dimensions 3 --disks 20 --packing 0.2 --boundary periodic --every 1 \
+    --samples 2 -o "$work/part"
+$d --start "$work/part" --every 1 --samples 4 | grep -v '^#' >"$work/rest.rows"
+rows "$work/whole" | tail -n "$(wc -l <"$work/rest.rows")" >"$work/end.rows"
+holds 'spheres are continued exactly' cmp "$work/rest.rows" "$work/end.rows"
+
+# A file by hand: two disks of 1 kg and 3 kg, head on, meet after 1 s.
+printf '# box 10 10 walls\n0 1 1 0.5 2 5 2 0\n0 2 3 0.5 5 5 0 0\n' >"$work/two"
+$d --start "$work/two" --until 2 --summary "$work/s" | tail -n 2 >"$work/x"
+holds 'two disks head on' awk '
+    NR == 1 { bad += ($5 - 3) ^ 2 > 1e-24 || ($7 + 1) ^ 2 > 1e-24 || $9 != 4 || $11 != 1 }
+    NR == 2 { bad += ($5 - 6) ^ 2 > 1e-24 || ($7 - 1) ^ 2 > 1e-24 || $11 != 1 }
+    END { exit bad || NR != 2 }' "$work/x"
+# sigma J / (D N kT t) = 1 * 3 / (2 * 2 * 1/2... kT = 2 K / (D N) = 1 J.
+near 'its virial' Z_virial 1.375 1e-12
+$d --start "$work/two" --until 2 --restitution 0.5 -o /dev/null \
+    --summary "$work/s"
+# (1 - e^2) mu w^2 / 2 = 0.75 * 0.75 * 4 / 2 of 2 J.
+near 'with half the speed of approach left' energy_change -0.5625 1e-12
+says 'no pressure is claimed of a gas that cools' '!("Z_virial" in s)'
+
+# A mixture: equal energies, whatever the mass.
+printf '20 1 0.5 # light\n\n20 8 1\n' >"$work/kinds"
+$d --species "$work/kinds" --packing 0.3 --boundary periodic --start random \
+    --every 2 --samples 500 -o "$work/m" --summary "$work/s"
+near 'a mixture fills what was asked for' packing 0.3 1e-12
+holds 'light and heavy have the same energy' awk '!/^#/ && NF {
+        K[$3] += $3 * ($7 ^ 2 + $8 ^ 2) / 2; n[$3]++ }
+    END { r = K[1] / n[1] / (K[8] / n[8]); print r, n[1], n[8]
+        exit !(n[1] == n[8] && r > 0.94 && r < 1.06) }' "$work/m"

@@ -1,0 +1,26 @@
+/* A right answer: from where the path is nearest to the centre of the box
+   the distance only grows, so halving finds where it is reached. */
+
+#include "exercise.h"
+#include <math.h>
+
+double round_wall_time(double box, double radius, const double r[2],
+                       const double v[2])
+{
+    double v2 = v[0] * v[0] + v[1] * v[1], early, late;
+    int i;
+    if (v2 == 0)
+        return INFINITY;
+    early = -(r[0] * v[0] + r[1] * v[1]) / v2;
+    if (early < 0)
+        early = 0;
+    late = early + 2 * box / sqrt(v2);
+    for (i = 0; i < 200; i++) {
+        double t = early + (late - early) / 2;
+        if (hypot(r[0] + v[0] * t, r[1] + v[1] * t) < box - radius)
+            early = t;
+        else
+            late = t;
+    }
+    return early;
+}

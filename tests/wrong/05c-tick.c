@@ -1,0 +1,27 @@
+/* mistake: next-event-from-the-tick */
+
+#include "exercise.h"
+#include <stddef.h>
+
+struct box;
+double box_next(struct box *box);
+void box_fly(struct box *box, double time);
+void box_collide(struct box *box);
+void box_record(struct box *box, double t);
+
+void box_run(struct box *box, double tick, size_t samples)
+{
+    double t = 0.0, event = box_next(box);
+    for (size_t k = 1; k <= samples; ++k) {
+        const double sample = (double)k * tick;
+        while (event <= sample) {
+            box_fly(box, event - t);
+            box_collide(box);
+            t = event;
+            event = sample + box_next(box);
+        }
+        box_fly(box, sample - t);
+        t = sample;
+        box_record(box, t);
+    }
+}

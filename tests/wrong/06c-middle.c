@@ -1,0 +1,24 @@
+/* mistake: chord-in-the-middle */
+
+#include "exercise.h"
+#include <math.h>
+
+static double piece(int dimensions, double z, double c)
+{
+    if (dimensions == 2)
+        return z * z * acos(c / z) - c * sqrt(z * z - c * c);
+    return M_PI * (z - c) * (z - c) * (2 * z + c) / 3;
+}
+
+double depletion(int dimensions, double R1, double R2, double small,
+                 double density, double r, double *overlap)
+{
+    double a = R1 + small, b = R2 + small, c, d;
+    if (r < R1 + R2)
+        return INFINITY;
+    if (r >= a + b)
+        return *overlap = 0;
+    c = d = r / 2;
+    *overlap = piece(dimensions, a, c) + piece(dimensions, b, d);
+    return -density * *overlap;
+}

@@ -1,5 +1,5 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 646660705 of the lines below */
+/* checksum 1942417117 of the lines below */
 #include "cells.h"
 
 #include <math.h>
@@ -213,15 +213,13 @@ static void plan(struct cells *c, uint32_t i)
 
 static bool more_seats(struct cells *c)
 {
-    const size_t seats = c->seats + 4, old = c->seats;
-    uint32_t *list = malloc(c->d->count * seats * sizeof *list);
+    const size_t n = c->d->count, seats = c->seats + 4, old = c->seats;
+    uint32_t *list = realloc(c->neighbour, n * seats * sizeof *list);
     if (!list)
         return false;
-    for (size_t i = 0; i < c->d->count; ++i)
-        for (size_t k = 0; k < seats; ++k)
-            list[i * seats + k] =
-                k < old ? c->neighbour[i * old + k] : (uint32_t)i;
-    free(c->neighbour);
+    for (size_t i = n; i-- > 0;)
+        for (size_t k = seats; k-- > 0;)
+            list[i * seats + k] = k < old ? list[i * old + k] : (uint32_t)i;
     c->neighbour = list;
     c->seats = seats;
     return true;
@@ -270,25 +268,21 @@ static size_t cell_of(const struct cells *c, const double x[])
 static bool more_room(struct cells *c)
 {
     const size_t old = c->room, room = old + 2;
-    float *place = calloc(c->cells * room * 3 + BATCH, sizeof *place);
-    uint32_t *who = calloc(c->cells * room, sizeof *who);
-    if (place && who) {
-        for (size_t row = 0; row < 3 * c->cells; ++row)
-            memcpy(place + row * room, c->place + row * old,
-                   old * sizeof *place);
-        for (size_t cell = 0; cell < c->cells; ++cell)
-            memcpy(who + cell * room, c->who + cell * old,
-                   old * sizeof *who);
-        free(c->place);
-        free(c->who);
+    float *place =
+        realloc(c->place, (c->cells * room * 3 + BATCH) * sizeof *place);
+    if (place)
         c->place = place;
+    uint32_t *who = realloc(c->who, c->cells * room * sizeof *who);
+    if (who)
         c->who = who;
-        c->room = room;
-        return true;
-    }
-    free(place);
-    free(who);
-    return false;
+    if (!place || !who)
+        return false;
+    for (size_t row = 3 * c->cells; row-- > 0;)
+        memmove(place + row * room, place + row * old, old * sizeof *place);
+    for (size_t cell = c->cells; cell-- > 0;)
+        memmove(who + cell * room, who + cell * old, old * sizeof *who);
+    c->room = room;
+    return true;
 }
 
 static void write_place(struct cells *c, size_t cell, size_t at, uint32_t i,

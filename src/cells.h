@@ -1,5 +1,5 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 3920058089 of the lines below */
+/* checksum 546022619 of the lines below */
 #ifndef CELLS_H
 #define CELLS_H
 
@@ -49,9 +49,9 @@ void cells_free(struct cells *c);
 /* As disks_fit, but looks at neighbours only. Before the first run. */
 bool cells_fit(const struct cells *c, size_t *a, size_t *b);
 
-/* Runs as disks_run does, to the same bits, at a cost for a collision
-   that does not depend on how many disks there are. DISKS_COLLISIONS
-   before there were so many: there is no memory for longer lists. */
+/* Runs as disks_run does, to the same bits, with as many operations for
+   a collision however many disks there are. DISKS_COLLISIONS before there
+   were so many: there is no memory for longer lists. */
 enum disks_stop cells_run(struct cells *c, double until,
                           uint64_t collisions);
 

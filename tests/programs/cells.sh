@@ -50,7 +50,7 @@ takes() { # BYTES OPTION...
             "$(head -c 200 "$work/said")"
     fi
 }
-takes 320 --dimensions 2 --packing 0.7
+takes 250 --dimensions 2 --packing 0.7
 takes 250 --dimensions 3 --packing 0.49
-takes 340 --dimensions 2 --packing 0.3
-takes 280 --dimensions 3 --packing 0.3
+takes 250 --dimensions 2 --packing 0.3
+takes 250 --dimensions 3 --packing 0.3

@@ -1,5 +1,5 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 1942417117 of the lines below */
+/* checksum 3181378054 of the lines below */
 #include "cells.h"
 
 #include <math.h>
@@ -255,8 +255,8 @@ static void forget_all(struct cells *c, uint32_t i)
 
 static size_t cell_of(const struct cells *c, const double x[])
 {
-    size_t cell = 0;
-    for (size_t k = DISKS_AXES; k-- > 0;) {
+    size_t cell = 0, k = DISKS_AXES;
+    while (k-- > 0) {
         const double part = /* (7.3, eq:cell-index) */
             c->grid[k] > 1 ? x[k] / c->d->box[k] * (double)c->grid[k] : 0;
         const size_t g = part > 0 ? (size_t)part : 0;
@@ -526,18 +526,18 @@ bool cells_create(struct cells *c, struct disks *d)
 bool cells_fit(const struct cells *c, size_t *a, size_t *b)
 {
     const size_t n = c->d->count;
-    for (*a = 0; *a < n; ++*a) {
-        const uint32_t *list = c->neighbour + *a * c->seats;
+    bool clash = false;
+    for (size_t i = 0; i < n && !clash; ++i) {
+        const uint32_t *list = c->neighbour + i * c->seats;
+        *a = i;
         *b = n;
-        if (disks_clash(c->d, *a, n))
-            return false;
-        for (size_t k = 0; k < c->anchor[*a].neighbours; ++k)
-            if (list[k] < *b && disks_clash(c->d, *a, list[k]))
+        clash = disks_clash(c->d, i, n);
+        for (size_t k = 0; k < c->anchor[i].neighbours && !clash; ++k)
+            if (list[k] < *b && disks_clash(c->d, i, list[k]))
                 *b = list[k];
-        if (*b < n)
-            return false;
+        clash = clash || *b < n;
     }
-    return true;
+    return !clash;
 }
 
 /* Says whether the event of disk i is one of these, and deals with it.

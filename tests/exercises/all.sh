@@ -121,7 +121,7 @@ for suite in tests/exercises/*.c; do
         'no "Section" in it that the chapter has' \
         sections_named "tests/hints/$ex.txt"
 
-    grep -o '"eq:[a-z-]*"' "$suite" | tr -d '"' | sort -u >"$out/labels"
+    grep -o '"eq:[a-z0-9-]*"' "$suite" | tr -d '"' | sort -u >"$out/labels"
     verdict "$ex: the suite names an equation" 'none found' \
         [ -s "$out/labels" ]
     while IFS= read -r label; do

@@ -28,8 +28,7 @@ for cc in gcc clang; do
 done
 
 # Memory, more than a small run takes: dense disks have short leashes and
-# few in a cell, thin ones need longer lists; while lists grow, old and new
-# are held at once.
+# few in a cell, thin ones need longer lists.
 runs_in() { # KIBIBYTES PARTICLES OPTION...
     most=$1 particles=$2
     shift 2

@@ -7,14 +7,14 @@
 double round_wall_time(double box, double radius, const double r[2],
                        const double v[2])
 {
-    double v2 = v[0] * v[0] + v[1] * v[1], early, late;
+    double speed = hypot(v[0], v[1]), early, late;
     int i;
-    if (v2 == 0)
+    if (speed == 0)
         return INFINITY;
-    early = -(r[0] * v[0] + r[1] * v[1]) / v2;
+    early = -(r[0] * v[0] + r[1] * v[1]) / speed / speed;
     if (early < 0)
         early = 0;
-    late = early + 2 * box / sqrt(v2);
+    late = early + 2 * box / speed;
     for (i = 0; i < 200; i++) {
         double t = early + (late - early) / 2;
         if (hypot(r[0] + v[0] * t, r[1] + v[1] * t) < box - radius)

@@ -1,5 +1,5 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 546022619 of the lines below */
+/* checksum 3548385363 of the lines below */
 #ifndef CELLS_H
 #define CELLS_H
 
@@ -36,8 +36,8 @@ struct cells {
     uint64_t renewed; /* ends of a leash */
 };
 
-/* Says whether the box is large enough for cells: at least three along
-   each axis, if it is periodic. */
+/* Says whether the box suits cells: at least three along each axis, if it
+   is periodic, and no side of more than 1e15 m. */
 bool cells_suit(const struct disks *d);
 
 /* Plans from the present state of d, which has to outlive c; it may be

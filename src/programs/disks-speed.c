@@ -1,5 +1,5 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 142506519 of the lines below */
+/* checksum 285989347 of the lines below */
 #include "cells.h"
 #include "toolbox/bench.h"
 #include "toolbox/options.h"
@@ -241,7 +241,7 @@ static void read_settings(struct settings *s, int argc, char *argv[])
 static void time_size(const struct settings *s, size_t count,
                       struct table *out, struct table *summary)
 {
-    struct engines e;
+    struct engines e = {0};
     double pairs, cells;
     begin_or_exit(&e.disks, s, count);
     if (!cells_suit(&e.disks))
@@ -251,8 +251,6 @@ static void time_size(const struct settings *s, size_t count,
     run_on(&e, true, s->collisions ? s->collisions : 5 * count);
     if (count <= PAIRS_MOST)
         copy_or_exit(&e.pairs, &e.disks);
-    else
-        e.pairs = (struct disks){0};
     if (s->steps)
         write_steps(&e, s, out);
     else {

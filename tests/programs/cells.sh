@@ -53,3 +53,13 @@ takes 250 --dimensions 2 --packing 0.7
 takes 250 --dimensions 3 --packing 0.49
 takes 250 --dimensions 2 --packing 0.3
 takes 250 --dimensions 3 --packing 0.3
+
+# What each step of the chapter has bought: three rows, each a speed.
+build/bin/disks-speed --steps --particles 200 --collisions 300 \
+    -o "$work/steps" >"$work/said" 2>&1
+rows=$(grep -cE '^(pairs|neighbours|calendar) [0-9.e+-]+$' "$work/steps")
+if [ "$rows" -eq 3 ]; then
+    ok 'disks-speed --steps: three steps, three speeds'
+else
+    not_ok 'disks-speed --steps: three steps, three speeds' "$rows rows"
+fi

@@ -157,7 +157,7 @@ build/check/obj/%.o: src/%.c $(headers) build/check/flags
 	$(call say,cc $@)
 	$(Q)$(check_cc) -Wall -Wextra -pedantic -Isrc -c -o $@ $<
 build/check/libcheck.a: $(patsubst src/%.c,build/check/obj/%.o,\
-	src/examiner/check.c $(wildcard src/toolbox/*.c))
+	src/examiner/check.c src/examiner/hidden.c $(wildcard src/toolbox/*.c))
 	@rm -f $@
 	@ar rcs $@ $^
 build/check/examine: $(patsubst %,build/obj/examiner/%.o,\

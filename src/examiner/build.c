@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 4158542356 of the lines below */
+/* checksum 884252141 of the lines below */
 #include "examiner/build.h"
 #include "examiner/process.h"
 #include "examiner/text.h"
@@ -31,7 +31,8 @@ static bool compile(const char *folder, char *suite, char *source,
 {
     static char script[] = "exec $1 $2 -Isrc -Isrc/examiner -Wall -Wextra "
                            "-o \"$3\" \"$4\" \"$5\" $6";
-    const struct process_limits limits = {30, RLIM_INFINITY, RLIM_INFINITY};
+    const struct process_limits limits = {30, RLIM_INFINITY, RLIM_INFINITY,
+                                          RLIM_INFINITY};
     struct process_end end;
     char runner[4096], messages[4096];
     char *libraries = flags_read(), *flags = libraries;
@@ -45,7 +46,8 @@ static bool compile(const char *folder, char *suite, char *source,
     setenv("GCC_COLORS", "", 1);
     setenv("TMPDIR", folder, 1);
     const int file = open(messages, O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    const bool started = process_run(command, ".", file, -1, &limits, &end);
+    const struct process_files files = {.output = file};
+    const bool started = process_run(command, ".", &files, &limits, &end);
     close(file);
     free(flags);
     return started && end.status == 0;

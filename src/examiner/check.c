@@ -1,8 +1,9 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 4019142444 of the lines below */
+/* checksum 2888978661 of the lines below */
 #include "examiner/check.h"
 #include "examiner/exercise.h"
 #include "examiner/report.h"
+#include "toolbox/random.h"
 
 #include <CUnit/CUnit.h>
 #include <CUnit/TestRun.h>
@@ -26,7 +27,6 @@ const char *check_text(const char *format, ...)
     return text;
 }
 
-static int report_file = -1;
 static pid_t report_owner;
 static char report_nonce[REPORT_NONCE + 1];
 
@@ -37,16 +37,17 @@ static void report(const char *word, const char *text)
         return;
     const int length = snprintf(record, sizeof record, "\n%s %s %s\n",
                                 report_nonce, word, text);
-    if (write(report_file, record, (size_t)length) != length)
+    if (write(REPORT_FILE, record, (size_t)length) != length)
         _exit(EXIT_FAILURE);
 }
 
-static bool report_open(int file)
+static bool report_open(void)
 {
-    report_file = file;
     report_owner = getpid();
-    return pread(file, report_nonce, REPORT_NONCE, 0) == REPORT_NONCE &&
-           ftruncate(file, 0) == 0 && fcntl(file, F_SETFD, FD_CLOEXEC) == 0;
+    return pread(REPORT_FILE, report_nonce, REPORT_NONCE, 0) ==
+               REPORT_NONCE &&
+           ftruncate(REPORT_FILE, 0) == 0 &&
+           fcntl(REPORT_FILE, F_SETFD, FD_CLOEXEC) == 0;
 }
 
 void exercise_not_done(const char *file, int line)
@@ -91,7 +92,8 @@ static const struct check_mistake *mistake_behind(double got,
     const size_t room = sizeof c->mistakes / sizeof c->mistakes[0];
     for (size_t i = 0; i < room && c->mistakes[i].name; ++i) {
         const double value = c->mistakes[i].value;
-        const double slack = c->tolerance + 1e-9 * fabs(value);
+        const double slack =
+            isinf(value) ? 0.0 : c->tolerance + 1e-9 * fabs(value);
         const bool same =
             near(got, value, slack) || (isnan(got) && isnan(value));
         if (same && !near(value, c->expected, slack))
@@ -131,13 +133,34 @@ bool check_near(const char *file, int line, double got, struct check c)
     return passed;
 }
 
+static struct random inputs;
+
+static void seed_inputs(uint64_t seed, int number)
+{
+    random_seed(&inputs, seed + (uint64_t)number * 0x9e3779b97f4a7c15u);
+}
+
+double check_draw(double low, double high)
+{
+    char text[32];
+    snprintf(text, sizeof text, "%.3e", random_between(&inputs, low, high));
+    return strtod(text, NULL);
+}
+
+int check_draw_whole(int low, int high)
+{
+    const uint64_t count = (uint64_t)((int64_t)high - low + 1);
+    return (int)(low + (int64_t)random_below(&inputs, count));
+}
+
 static int list_suite(void)
 {
-    printf("exercise %s\ntitle %s\nminutes %d\npoints %d\n",
-           check_suite.exercise, check_suite.title, check_suite.minutes,
-           check_suite.points);
+    printf("exercise %s\ntitle %s\nminutes %d\n", check_suite.exercise,
+           check_suite.title, check_suite.minutes);
     for (const struct check_test *t = check_suite.tests; t->name; ++t)
-        printf("test %s\n", t->name);
+        printf("test %d %d %s\n", t->points, t->hidden, t->name);
+    for (const struct check_test *t = check_hidden; t->name; ++t)
+        printf("hidden %d %s\n", t->points, t->name);
     return fflush(stdout) ? EXIT_FAILURE : EXIT_SUCCESS;
 }
 
@@ -166,18 +189,29 @@ static int run_test(const struct check_test *t)
     return EXIT_SUCCESS;
 }
 
+static const struct check_test *find_test(int number)
+{
+    const struct check_test *lists[] = {check_suite.tests, check_hidden};
+    for (size_t i = 0; number > 0 && i < 2; ++i)
+        for (const struct check_test *t = lists[i]; t->name; ++t)
+            if (--number == 0)
+                return t;
+    return NULL;
+}
+
 int main(int argc, char **argv)
 {
-    int count = 0;
-    while (count < CHECK_TESTS - 1 && check_suite.tests[count].name)
-        ++count;
     if (argc == 2 && strcmp(argv[1], "--list") == 0)
         return list_suite();
-    const int number = argc == 3 ? atoi(argv[1]) : 0;
-    if (number < 1 || number > count || !report_open(atoi(argv[2]))) {
-        fprintf(stderr, "usage: %s --list, or TEST REPORT\n", argv[0]);
+    const int number = argc == 2 || argc == 3 ? atoi(argv[1]) : 0;
+    const uint64_t seed = argc == 3 ? strtoull(argv[2], NULL, 10) : 0;
+    const struct check_test *test = find_test(number);
+    if (!test || !report_open()) {
+        fprintf(stderr, "usage: %s --list, or TEST [SEED] 3<>REPORT\n",
+                argv[0]);
         return EXIT_FAILURE;
     }
+    seed_inputs(seed, number);
     setvbuf(stdout, NULL, _IOLBF, BUFSIZ);
-    _exit(run_test(&check_suite.tests[number - 1]));
+    _exit(run_test(test));
 }

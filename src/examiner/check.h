@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 4207129916 of the lines below */
+/* checksum 1868696338 of the lines below */
 #ifndef CHECK_H
 #define CHECK_H
 
@@ -23,10 +23,14 @@ struct check {
     const char *question; /* one question that leads on */
     struct check_mistake mistakes[8]; /* unused ones have no name */
 };
-/* A test: a sentence that says what holds, and the function that checks. */
+/* A test: a sentence that says what holds, the function that checks, and
+   the points that it earns. A test that draws its inputs earns further
+   points when a lecturer grades it with a seed of his own. */
 struct check_test {
     const char *name;
     void (*run)(void);
+    int points; /* at least 1 */
+    int hidden; /* with another seed; 0: nothing in it is drawn */
 };
 
 enum { CHECK_TESTS = 32 }; /* room for tests, the last entry included */
@@ -36,12 +40,15 @@ enum { CHECK_TESTS = 32 }; /* room for tests, the last entry included */
 struct check_suite {
     const char *exercise; /* "01a" */
     const char *title;
-    int minutes; /* that it should take */
-    int points;
-    struct check_test tests[CHECK_TESTS]; /* ends with {NULL, NULL} */
+    int minutes;                          /* that it should take */
+    struct check_test tests[CHECK_TESTS]; /* ends without a name */
 };
 
 extern const struct check_suite check_suite;
+
+/* More tests, which only the grader runs, with a seed of the lecturer's;
+   the last one has no name. Where nobody defines them there are none. */
+extern const struct check_test check_hidden[];
 
 /* Compares got with the expected value of the check c and tells CUnit.
    Returns whether it passed, so that a test can stop at the first failure.
@@ -57,5 +64,13 @@ bool check_near(const char *file, int line, double got, struct check c);
 /* printf into a buffer that stays valid for the next 20 calls; what is
    longer than 511 characters is cut. */
 const char *check_text(const char *format, ...);
+
+/* Draws a number from low to high, rounded to four significant digits, so
+   that it may pass an end by half a unit of the fourth. Each test has a
+   sequence of its own, the same in every run with the same seed. */
+double check_draw(double low, double high);
+
+/* Draws a whole number from low to high, both included. */
+int check_draw_whole(int low, int high);
 
 #endif

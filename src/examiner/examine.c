@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 1516020972 of the lines below */
+/* checksum 2080844184 of the lines below */
 #include "examiner/build.h"
 #include "examiner/check.h"
 #include "examiner/process.h"
@@ -106,6 +106,14 @@ static void find_one(const char *where, const char *name,
     globfree(&found);
 }
 
+static void learn_test(struct exercise *e, const char *text)
+{
+    char *name;
+    e->points += (int)strtol(text, &name, 10);
+    strtol(name, &name, 10);
+    e->tests[e->count++] = name + strspn(name, " ");
+}
+
 static void read_about(struct exercise *e, const char *path)
 {
     char *rest = text_read(path);
@@ -118,11 +126,9 @@ static void read_about(struct exercise *e, const char *path)
             e->title = text;
         else if ((text = text_after(line, "minutes ")))
             e->minutes = atoi(text);
-        else if ((text = text_after(line, "points ")))
-            e->points = atoi(text);
         else if ((text = text_after(line, "test ")) &&
                  e->count < CHECK_TESTS)
-            e->tests[e->count++] = text;
+            learn_test(e, text);
     if (!*e->name || !e->count)
         text_fail("%s is not complete; remove it and make check again",
                   path);
@@ -253,7 +259,8 @@ static void build_and_test(struct exercise *e,
     const struct trial trial = {.folder = work,
                                 .source = e->file,
                                 .sanitized = build_sanitized(),
-                                .seconds = options->seconds};
+                                .seconds = options->seconds,
+                                .runner = "../runner"};
     e->state = DOES_NOT_BUILD;
     if (!build_runner(work, e->name, e->file, options->strict, story))
         return;

@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 15085282 of the lines below */
+/* checksum 2456040640 of the lines below */
 #include "examiner/process.h"
 
 #include <errno.h>
@@ -44,27 +44,40 @@ static void restrain(int resource, rlim_t most)
     }
 }
 
-static void close_others(int keep)
+static void close_from(int first)
 {
     const long most = sysconf(_SC_OPEN_MAX);
     const long end = most > 0 && most < 1024 ? most : 1024;
-    for (int file = 3; file < end; ++file)
-        if (file != keep)
-            close(file);
+    for (int file = first; file < end; ++file)
+        close(file);
 }
 
-static void become(char *const command[], const char *folder, int output,
-                   int keep, const struct process_limits *limits)
+static int hand_over(const int kept[6])
+{
+    int high[6], count = 0;
+    while (count < 6 && kept[count] > 0) {
+        high[count] = fcntl(kept[count], F_DUPFD, 100);
+        ++count;
+    }
+    for (int i = 0; i < count; ++i)
+        dup2(high[i], 3 + i);
+    return 3 + count;
+}
+
+static void become(char *const command[], const char *folder,
+                   const struct process_files *files,
+                   const struct process_limits *limits)
 {
     const int nothing = open("/dev/null", O_RDONLY);
     setpgid(0, 0);
     dup2(nothing, STDIN_FILENO);
-    dup2(output, STDOUT_FILENO);
-    dup2(output, STDERR_FILENO);
-    close_others(keep);
+    dup2(files->output, STDOUT_FILENO);
+    dup2(files->output, STDERR_FILENO);
+    close_from(hand_over(files->kept));
     restrain(RLIMIT_CPU, (rlim_t)limits->seconds);
     restrain(RLIMIT_AS, limits->memory_bytes);
     restrain(RLIMIT_FSIZE, limits->file_bytes);
+    restrain(RLIMIT_NPROC, limits->processes);
     restrain(RLIMIT_CORE, 0);
     if (chdir(folder) == 0)
         execvp(command[0], command);
@@ -102,28 +115,47 @@ static bool wait_for_end(pid_t pid, double seconds)
     return late;
 }
 
-static void kill_strays(void)
+static pid_t beside; /* what process_start has started, or 0 */
+
+static int find_stray(void)
 {
+    int child = 0;
 #ifdef __linux__
     char path[64];
-    int stray = 0;
     snprintf(path, sizeof path, "/proc/self/task/%ld/children",
              (long)getpid());
-    do {
-        FILE *list = fopen(path, "r");
-        if (!list || fscanf(list, "%d", &stray) != 1)
-            stray = 0;
-        if (list)
-            fclose(list);
-        if (stray)
-            kill(stray, SIGKILL);
-    } while (stray && waitpid(stray, NULL, 0) == stray);
+    FILE *list = fopen(path, "r");
+    while (list && fscanf(list, "%d", &child) == 1 && child == beside)
+        child = 0;
+    if (list)
+        fclose(list);
 #endif
+    return child == beside ? 0 : child;
 }
 
-bool process_run(char *const command[], const char *folder, int output,
-                 int keep, const struct process_limits *limits,
-                 struct process_end *end)
+static void kill_strays(void)
+{
+    int stray;
+    while ((stray = find_stray()) > 0) {
+        kill(stray, SIGKILL);
+        if (waitpid(stray, NULL, 0) != stray)
+            return;
+    }
+}
+
+static void collect(pid_t pid, double seconds, struct process_end *end)
+{
+    const bool late = wait_for_end(pid, seconds);
+    while (waitpid(pid, &end->status, 0) < 0 && errno == EINTR)
+        ;
+    end->timed_out = late || (WIFSIGNALED(end->status) &&
+                              WTERMSIG(end->status) == SIGXCPU);
+    kill_strays();
+}
+
+static pid_t launch(char *const command[], const char *folder,
+                    const struct process_files *files,
+                    const struct process_limits *limits)
 {
     fflush(NULL);
 #ifdef __linux__
@@ -131,15 +163,41 @@ bool process_run(char *const command[], const char *folder, int output,
 #endif
     const pid_t pid = fork();
     if (pid == 0)
-        become(command, folder, output, keep, limits);
+        become(command, folder, files, limits);
+    if (pid > 0)
+        setpgid(pid, pid);
+    return pid;
+}
+
+bool process_run(char *const command[], const char *folder,
+                 const struct process_files *files,
+                 const struct process_limits *limits,
+                 struct process_end *end)
+{
+    const pid_t pid = launch(command, folder, files, limits);
     if (pid < 0)
         return false;
-    setpgid(pid, pid);
-    const bool late = wait_for_end(pid, 2.0 * limits->seconds);
-    while (waitpid(pid, &end->status, 0) < 0 && errno == EINTR)
-        ;
-    end->timed_out = late || (WIFSIGNALED(end->status) &&
-                              WTERMSIG(end->status) == SIGXCPU);
-    kill_strays();
+    collect(pid, 2.0 * limits->seconds, end);
     return true;
+}
+
+bool process_start(char *const command[], const char *folder,
+                   const struct process_files *files,
+                   const struct process_limits *limits)
+{
+    const pid_t pid = launch(command, folder, files, limits);
+    beside = pid > 0 ? pid : 0;
+    return pid > 0;
+}
+
+struct process_end process_stop(void)
+{
+    struct process_end end = {0, false};
+    const pid_t pid = beside;
+    if (pid == 0)
+        return end;
+    kill(-pid, SIGKILL);
+    beside = 0;
+    collect(pid, 1.0, &end);
+    return end;
 }

@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 3052999210 of the lines below */
+/* checksum 3975140814 of the lines below */
 #ifndef PROCESS_H
 #define PROCESS_H
 
@@ -11,6 +11,13 @@ struct process_limits {
     int seconds;         /* of processor time; twice that on the wall */
     rlim_t memory_bytes; /* of address space */
     rlim_t file_bytes;   /* of any one file that it writes */
+    rlim_t processes;    /* of its user, threads included */
+};
+
+/* What a program is given open. */
+struct process_files {
+    int output;  /* where it prints and complains */
+    int kept[6]; /* become 3, 4, ... as far as they go; the rest are 0 */
 };
 
 /* How a program ended. */
@@ -20,14 +27,25 @@ struct process_end {
 };
 
 /* Runs a command (a NULL-terminated list, the program looked for in PATH)
-   in a folder and in a process group of its own, with nothing to read, its
-   output and errors in the file output, within the limits and without core
-   files. Of our other descriptors it gets keep alone (-1: none).
+   in a folder and in a process group of its own, with nothing to read,
+   the files given, within the limits and without core files.
    Returns when it has ended, with everything in its group killed; false
    when no process could be started (errno says why). */
-bool process_run(char *const command[], const char *folder, int output,
-                 int keep, const struct process_limits *limits,
+bool process_run(char *const command[], const char *folder,
+                 const struct process_files *files,
+                 const struct process_limits *limits,
                  struct process_end *end);
+
+/* Starts a command in the same way and lets it run beside us, one at a
+   time; returns false when no process could be started. Its limits hold,
+   but for the time on the wall, which is ours to watch. */
+bool process_start(char *const command[], const char *folder,
+                   const struct process_files *files,
+                   const struct process_limits *limits);
+
+/* Kills what process_start has started, with its group, and returns how it
+   ended; nothing happens when there is none. */
+struct process_end process_stop(void);
 
 /* Makes SIGINT, SIGTERM and SIGHUP stop the running program instead of
    us. */

@@ -1,14 +1,16 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 1736998867 of the lines below */
+/* checksum 2605414009 of the lines below */
 #ifndef REPORT_H
 #define REPORT_H
 
 /* The report of a test: lines `NONCE WORD TEXT`, written by the runner and
    read by the examiner when the runner has ended. */
-enum { REPORT_NONCE = 32, REPORT_RECORD = 1024 };
+enum { REPORT_FILE = 3, REPORT_NONCE = 32, REPORT_RECORD = 1024 };
 
 #define REPORT_SAYS "says"       /* TEXT: a label and what it says */
 #define REPORT_UNDONE "undone"   /* TEXT: FILE:LINE of a NOT_DONE_YET */
 #define REPORT_VERDICT "verdict" /* TEXT: passed or failed; comes last */
+#define REPORT_ENDED "ended"     /* TEXT: a boxed program's wait status */
+#define REPORT_LOST "lost"       /* TEXT: what a boxed program did wrong */
 
 #endif

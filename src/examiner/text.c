@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 3120327111 of the lines below */
+/* checksum 3979282769 of the lines below */
 #include "examiner/text.h"
 
 #include <ctype.h>
@@ -8,11 +8,13 @@
 #include <string.h>
 #include <sys/stat.h>
 
+const char *text_program = "examine";
+
 void text_fail(const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    fputs("examine: ", stderr);
+    fprintf(stderr, "%s: ", text_program);
     vfprintf(stderr, format, arguments);
     fputc('\n', stderr);
     va_end(arguments);
@@ -27,8 +29,15 @@ bool text_plain(const char *path)
 
 char *text_read(const char *path)
 {
+    return text_read_from(path, 0);
+}
+
+char *text_read_from(const char *path, long start)
+{
     FILE *file = text_plain(path) ? fopen(path, "r") : NULL;
-    char *text = file ? malloc(TEXT_LIMIT + 1) : NULL;
+    char *text = file && fseek(file, start, SEEK_SET) == 0
+                     ? malloc(TEXT_LIMIT + 1)
+                     : NULL;
     size_t length = text ? fread(text, 1, TEXT_LIMIT, file) : 0;
     if (file)
         fclose(file);

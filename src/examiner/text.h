@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 1800527038 of the lines below */
+/* checksum 3754918317 of the lines below */
 #ifndef TEXT_H
 #define TEXT_H
 
@@ -14,6 +14,9 @@ bool text_plain(const char *path);
 /* The first TEXT_LIMIT bytes of a file as a string, unprintable ones turned
    into '?', or NULL when it cannot be read. The caller frees it. */
 char *text_read(const char *path);
+
+/* The same, from that byte on; an empty text when it ends before. */
+char *text_read_from(const char *path, long start);
 
 /* Cuts the next line off *rest and returns it without its end; NULL when
    nothing is left. Changes the text in place. */
@@ -32,6 +35,9 @@ void text_quote(FILE *out, const char *text, int lines);
 
 /* Writes line number of a file behind such a bar, if there is one. */
 void text_quote_line(FILE *out, const char *path, int number);
+
+/* Who says it: "examine", unless a program changes it. */
+extern const char *text_program;
 
 /* Says on standard error why the examiner cannot go on; exits with 2. */
 _Noreturn void text_fail(const char *format, ...);

@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 1918184933 of the lines below */
+/* checksum 505375328 of the lines below */
 #include "examiner/trial.h"
 #include "examiner/process.h"
 #include "examiner/report.h"
@@ -32,9 +32,10 @@ enum { MIB = 1 << 20, MEMORY_MIB = 512, SANITIZER_STATUS = 86 };
 struct result {
     struct process_end end;
     char nonce[REPORT_NONCE + 1];
-    char *report; /* as it was written */
-    char *output; /* what the program printed */
-    char *error;  /* what the sanitizers added to it, or NULL */
+    char *report;             /* as it was written */
+    char *output;             /* what the program printed */
+    char *error;              /* what the sanitizers added to it, or NULL */
+    char lost[REPORT_RECORD]; /* what a program in a box did wrong */
 };
 
 static void draw_nonce(char nonce[REPORT_NONCE + 1])
@@ -81,53 +82,6 @@ static char *cut_error(char *output)
     return copy;
 }
 
-static void run_runner(const struct trial *trial, int number,
-                       struct result *result)
-{
-    char report[4096], output[4096];
-    snprintf(report, sizeof report, "%s/report", trial->folder);
-    snprintf(output, sizeof output, "%s/output", trial->folder);
-    const int report_file = open_fresh(report);
-    const int output_file = open_fresh(output);
-    draw_nonce(result->nonce);
-    if (write(report_file, result->nonce, REPORT_NONCE) != REPORT_NONCE)
-        text_fail("cannot write '%s': %s", report, strerror(errno));
-    char desk[4096], runner[] = "../runner", test[16], descriptor[16];
-    snprintf(desk, sizeof desk, "%s/desk", trial->folder);
-    if (mkdir(desk, 0700) != 0 && errno != EEXIST)
-        text_fail("cannot make '%s': %s", desk, strerror(errno));
-    setenv("TMPDIR", ".", 1);
-    snprintf(test, sizeof test, "%d", number);
-    snprintf(descriptor, sizeof descriptor, "%d", report_file);
-    char *command[] = {runner, test, descriptor, NULL};
-    const struct process_limits limits = {
-        .seconds = trial->seconds,
-        .memory_bytes =
-            trial->sanitized ? RLIM_INFINITY : (rlim_t)MEMORY_MIB * MIB,
-        .file_bytes = MIB,
-    };
-    char options[256];
-    snprintf(options, sizeof options,
-             "exitcode=%d:hard_rss_limit_mb=%d:handle_abort=1:"
-             "detect_leaks=0:allow_addr2line=1:color=never",
-             SANITIZER_STATUS, MEMORY_MIB);
-    setenv("ASAN_OPTIONS", options, 1);
-    setenv("UBSAN_OPTIONS", options, 1);
-    if (!process_run(command, desk, output_file, report_file, &limits,
-                     &result->end))
-        text_fail("cannot start '%s': %s", runner, strerror(errno));
-    close(report_file);
-    close(output_file);
-    result->report = text_read(report);
-    result->output = text_read(output);
-    if (!result->report || !result->output)
-        text_fail("cannot read '%s': %s", trial->folder, strerror(errno));
-    drop_words(result->output, "AddressSanitizer:DEADLYSIGNAL\n");
-    if (WIFEXITED(result->end.status) &&
-        WEXITSTATUS(result->end.status) == SANITIZER_STATUS)
-        result->error = cut_error(result->output);
-}
-
 static const char *find_record(const char *from,
                                const struct result *result,
                                const char *word, char text[REPORT_RECORD])
@@ -140,6 +94,66 @@ static const char *find_record(const char *from,
     found += strlen(key);
     snprintf(text, REPORT_RECORD, "%.*s", (int)strcspn(found, "\n"), found);
     return found;
+}
+
+static void run_runner(const struct trial *trial, int number,
+                       struct result *result)
+{
+    char report[4096], output[4096];
+    snprintf(report, sizeof report, "%s/report", trial->folder);
+    snprintf(output, sizeof output, "%s/output", trial->folder);
+    const int report_file = open_fresh(report);
+    const int output_file = open_fresh(output);
+    draw_nonce(result->nonce);
+    if (write(report_file, result->nonce, REPORT_NONCE) != REPORT_NONCE)
+        text_fail("cannot write '%s': %s", report, strerror(errno));
+    char desk[4096], test[16];
+    snprintf(desk, sizeof desk, "%s/desk", trial->folder);
+    if (mkdir(desk, 0700) != 0 && errno != EEXIST)
+        text_fail("cannot make '%s': %s", desk, strerror(errno));
+    setenv("TMPDIR", ".", 1);
+    snprintf(test, sizeof test, "%d", number);
+    char *command[] = {(char *)trial->runner, test, (char *)trial->seed,
+                       NULL};
+    const struct process_files files = {
+        output_file, {report_file, trial->border[0], trial->border[1]}};
+    const struct process_limits limits = {
+        .seconds = trial->seconds,
+        .memory_bytes =
+            trial->sanitized ? RLIM_INFINITY : (rlim_t)MEMORY_MIB * MIB,
+        .file_bytes = MIB,
+        .processes = RLIM_INFINITY,
+    };
+    char options[256];
+    snprintf(options, sizeof options,
+             "exitcode=%d:hard_rss_limit_mb=%d:handle_abort=1:"
+             "detect_leaks=0:allow_addr2line=1:color=never",
+             SANITIZER_STATUS, MEMORY_MIB);
+    setenv("ASAN_OPTIONS", options, 1);
+    setenv("UBSAN_OPTIONS", options, 1);
+    if (!process_run(command, desk, &files, &limits, &result->end))
+        text_fail("cannot start '%s': %s", command[0], strerror(errno));
+    close(report_file);
+    close(output_file);
+    result->report = text_read(report);
+    result->output = text_read(output);
+    if (!result->report || !result->output)
+        text_fail("cannot read '%s': %s", trial->folder, strerror(errno));
+    char ended[REPORT_RECORD];
+    find_record(result->report, result, REPORT_LOST, result->lost);
+    if (find_record(result->report, result, REPORT_ENDED, ended)) {
+        result->end.status = atoi(ended);
+        result->end.timed_out = WIFSIGNALED(result->end.status) &&
+                                WTERMSIG(result->end.status) == SIGXCPU;
+    }
+    if (trial->prints) {
+        free(result->output);
+        result->output = text_read_from(trial->prints, trial->printed);
+    }
+    drop_words(result->output, "AddressSanitizer:DEADLYSIGNAL\n");
+    if (WIFEXITED(result->end.status) &&
+        WEXITSTATUS(result->end.status) == SANITIZER_STATUS)
+        result->error = cut_error(result->output);
 }
 
 static void tell_time_out(const struct trial *trial, FILE *story)
@@ -214,6 +228,8 @@ static void crash_text(const struct result *result, char *text, size_t room)
     const int status = result->end.status;
     if (result->error) {
         error_text(result->error, text, room);
+    } else if (*result->lost) {
+        snprintf(text, room, "%s", result->lost);
     } else if (WIFSIGNALED(status)) {
         const char *known = meaning(NULL, WTERMSIG(status));
         snprintf(text, room, "It was ended by signal %d.",

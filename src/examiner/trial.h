@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 3868046780 of the lines below */
+/* checksum 2888218517 of the lines below */
 #ifndef TRIAL_H
 #define TRIAL_H
 
@@ -22,6 +22,11 @@ struct trial {
     const char *source; /* the student's file, as the compiler saw it */
     bool sanitized;     /* compiled with the address sanitizer */
     int seconds;        /* of processor time; twice that on the wall */
+    const char *runner; /* to be started, as seen from folder/desk */
+    const char *seed;   /* of the inputs, in digits; NULL: the students' */
+    int border[2];      /* the way to a program in a box, or zeros */
+    const char *prints; /* what such a program prints to, or NULL */
+    long printed;       /* bytes that were in there before the test */
 };
 
 /* "not begun", "does not build", ... */

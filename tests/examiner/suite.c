@@ -33,9 +33,8 @@ const struct check_suite check_suite = {
     .exercise = "99a",
     .title = "Twice",
     .minutes = 5,
-    .points = 3,
-    .tests = {{"twice one is two", test_one},
-              {"twice three is six", test_three},
-              {"twice a negative number is negative", test_below_zero},
-              {NULL, NULL}},
+    .tests = {{"twice one is two", test_one, 1, 0},
+              {"twice three is six", test_three, 1, 0},
+              {"twice a negative number is negative", test_below_zero, 1, 0},
+              {0}},
 };

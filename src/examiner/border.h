@@ -1,0 +1,50 @@
+/* From chapters/B-grader.nw: edit there, then run make tangle. */
+/* checksum 2546919025 of the lines below */
+#ifndef BORDER_H
+#define BORDER_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* Move count numbers across the border: out of x on the side that speaks,
+   into x on the side that listens. Both sides must move the same kinds of
+   numbers in the same order; a side that finds no partner ends. */
+void border_doubles(double x[], size_t count);
+void border_sizes(size_t x[], size_t count);
+void border_ints(int x[], size_t count);
+void border_unsigneds(unsigned x[], size_t count);
+void border_bools(bool x[], size_t count);
+
+/* Begins a call of the function in the box: its arguments follow. */
+void border_call(void);
+
+/* Ends the arguments and waits for the answer: its values follow. While it
+   waits, it serves what the box asks for by border_heed. */
+void border_wait(void);
+
+/* Defined by an exercise whose functions call back, where the judge is:
+   takes the arguments of function number `which`, calls border_tell and
+   moves the values of the answer. */
+void border_heed(int which);
+
+/* Ends the arguments of what the box has asked: the answer follows. */
+void border_tell(void);
+
+/* Defined by the exercise: takes the arguments, calls the student's
+   function, calls border_reply and moves the values of the answer. */
+void border_answer(void);
+
+/* Ends the arguments: the values of the answer follow. */
+void border_reply(void);
+
+/* Asks the judge to call function number `which`: the arguments follow. */
+void border_ask(int which);
+
+/* Ends those arguments and waits: the values of the answer follow. */
+void border_hear(void);
+
+/* Memory of just this size, so that a sanitizer notices who goes beyond
+   it, for the caller to free; ends the program when there is none. */
+void *border_memory(size_t bytes);
+
+#endif

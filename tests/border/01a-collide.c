@@ -1,0 +1,45 @@
+/* What crosses the border of exercise 01a: see examiner/border.h. */
+
+#include "examiner/border.h"
+
+void velocities_after(double u1, double u2, double im1, double im2,
+                      double v[2]);
+
+/* The arguments, and the places for the answer as they are before. */
+struct call {
+    double u1, u2, im1, im2, v[2];
+};
+
+static void move_arguments(struct call *c)
+{
+    border_doubles(&c->u1, 1);
+    border_doubles(&c->u2, 1);
+    border_doubles(&c->im1, 1);
+    border_doubles(&c->im2, 1);
+    border_doubles(c->v, 2);
+}
+
+#ifdef BORDER_INSIDE
+
+void border_answer(void)
+{
+    struct call c;
+    move_arguments(&c);
+    velocities_after(c.u1, c.u2, c.im1, c.im2, c.v);
+    border_reply();
+    border_doubles(c.v, 2);
+}
+
+#else
+
+void velocities_after(double u1, double u2, double im1, double im2,
+                      double v[2])
+{
+    struct call c = {u1, u2, im1, im2, {v[0], v[1]}};
+    border_call();
+    move_arguments(&c);
+    border_wait();
+    border_doubles(v, 2);
+}
+
+#endif

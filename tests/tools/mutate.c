@@ -1,0 +1,936 @@
+/* Breaks a C file in small ways, one at a time, to see whether a test
+   notices.
+
+       mutate --count FILE    prints how many mutants the file has
+       mutate --list FILE     prints one line for each:
+                              NUMBER :: LINE :: OPERATOR :: BEFORE :: AFTER
+       mutate NUMBER FILE     prints the file with that one change, from 1
+
+   BEFORE and AFTER are the lines that the change touches, as one line with
+   single spaces. Where the same operator, BEFORE and AFTER come again in
+   the file, the operator is followed by #2, #3, ...: so a mutant can be
+   named without its number, which changes with every edit.
+
+   Only function bodies are changed. What differs from the file, or from an
+   earlier mutant, in spaces and comments alone is left out. A mutant need
+   not be valid C: the file is taken apart into tokens, brackets and
+   statements, and no types are known. Exit status 2 when the file cannot be
+   read or its brackets do not match. */
+
+#include <ctype.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum kind { WORD, NUMBER, QUOTED, PUNCTUATION };
+
+/* A token, and where it stands in the text. */
+struct token {
+    enum kind kind;
+    size_t start, end;
+    size_t mate; /* of a bracket: the index of the other one */
+};
+
+struct source {
+    const char *path;
+    char *text;
+    struct token *tokens;
+    size_t count;
+};
+
+/* What a function returns, as far as `return` must know it. */
+enum value { NOTHING, TRUTH, SOMETHING };
+
+/* One change: the text from start to end is replaced. */
+struct mutant {
+    const char *operator;
+    size_t start, end;
+    char *with;
+    char *plain; /* the tokens of the whole mutant with single spaces */
+};
+
+static struct source file;
+static struct mutant *mutants;
+static size_t mutant_count;
+static char *original; /* the tokens of the file with single spaces */
+
+_Noreturn static void fail(const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    fputs("mutate: ", stderr);
+    vfprintf(stderr, format, arguments);
+    fputc('\n', stderr);
+    va_end(arguments);
+    exit(2);
+}
+
+static void *grow(void *memory, size_t bytes)
+{
+    memory = realloc(memory, bytes ? bytes : 1);
+    if (!memory)
+        fail("out of memory");
+    return memory;
+}
+
+static char *copy_of(const char *text, size_t length)
+{
+    char *copy = grow(NULL, length + 1);
+    memcpy(copy, text, length);
+    copy[length] = '\0';
+    return copy;
+}
+
+static int line_of(size_t place)
+{
+    int line = 1;
+    for (size_t i = 0; i < place; ++i)
+        line += file.text[i] == '\n';
+    return line;
+}
+
+/* ---- tokens -------------------------------------------------------------
+ */
+
+static const char *after_comment(const char *at)
+{
+    const char *end =
+        at[1] == '*' ? strstr(at + 2, "*/") : strchr(at, '\n');
+    if (!end)
+        return at + strlen(at);
+    return at[1] == '*' ? end + 2 : end;
+}
+
+static bool is_comment(const char *at)
+{
+    return at[0] == '/' && (at[1] == '*' || at[1] == '/');
+}
+
+static const char *after_directive(const char *at)
+{
+    while (*at && *at != '\n')
+        if (is_comment(at))
+            at = after_comment(at);
+        else
+            at += *at == '\\' && at[1] ? 2 : 1;
+    return at;
+}
+
+/* The next place after `at` where a token begins, or the end. */
+static const char *after_space(const char *text, const char *at)
+{
+    for (;;) {
+        const char *first = at;
+        while (first > text && (first[-1] == ' ' || first[-1] == '\t'))
+            --first;
+        if (isspace((unsigned char)*at))
+            ++at;
+        else if (is_comment(at))
+            at = after_comment(at);
+        else if (*at == '#' && (first == text || first[-1] == '\n'))
+            at = after_directive(at);
+        else
+            return at;
+    }
+}
+
+static const char *after_quoted(const char *at)
+{
+    const char quote = *at++;
+    while (*at && *at != quote)
+        at += *at == '\\' && at[1] ? 2 : 1;
+    return *at ? at + 1 : at;
+}
+
+static const char *after_number(const char *at)
+{
+    while (isalnum((unsigned char)*at) || *at == '.' || *at == '_')
+        at += strchr("eEpP", *at) && (at[1] == '+' || at[1] == '-') ? 2 : 1;
+    return at;
+}
+
+static const char *after_punctuation(const char *at)
+{
+    static const char *const longer[] = {
+        "<<=", ">>=", "...", "->", "++", "--", "<<", ">>",
+        "<=",  ">=",  "==",  "!=", "&&", "||", "+=", "-=",
+        "*=",  "/=",  "%=",  "&=", "|=", "^="};
+    for (size_t i = 0; i < sizeof longer / sizeof *longer; ++i)
+        if (strncmp(at, longer[i], strlen(longer[i])) == 0)
+            return at + strlen(longer[i]);
+    return at + 1;
+}
+
+/* Reads the token at `at` and returns the place after it. */
+static const char *read_token(const char *at, enum kind *kind)
+{
+    if (isalpha((unsigned char)*at) || *at == '_') {
+        *kind = WORD;
+        while (isalnum((unsigned char)*at) || *at == '_')
+            ++at;
+        return at;
+    }
+    if (isdigit((unsigned char)*at) ||
+        (*at == '.' && isdigit((unsigned char)at[1]))) {
+        *kind = NUMBER;
+        return after_number(at);
+    }
+    *kind = *at == '"' || *at == '\'' ? QUOTED : PUNCTUATION;
+    return *kind == QUOTED ? after_quoted(at) : after_punctuation(at);
+}
+
+/* The tokens of a text with single spaces between them. */
+static char *plain_text(const char *text)
+{
+    char *plain = grow(NULL, 2 * strlen(text) + 1), *end = plain;
+    enum kind kind;
+    for (const char *at = after_space(text, text); *at;) {
+        const char *next = read_token(at, &kind);
+        memcpy(end, at, (size_t)(next - at));
+        end += next - at;
+        *end++ = ' ';
+        at = after_space(text, next);
+    }
+    *end = '\0';
+    return plain;
+}
+
+static bool is(size_t i, const char *text)
+{
+    if (i >= file.count)
+        return false;
+    const struct token *t = &file.tokens[i];
+    return strlen(text) == t->end - t->start &&
+           strncmp(file.text + t->start, text, t->end - t->start) == 0;
+}
+
+static bool is_any(size_t i, const char *const list[])
+{
+    while (*list && !is(i, *list))
+        ++list;
+    return *list != NULL;
+}
+
+static bool is_open(size_t i)
+{
+    return is(i, "(") || is(i, "[") || is(i, "{");
+}
+
+static bool is_close(size_t i)
+{
+    return is(i, ")") || is(i, "]") || is(i, "}");
+}
+
+/* Finds the mate of each bracket. */
+static void match_brackets(void)
+{
+    size_t *open = grow(NULL, file.count * sizeof *open), depth = 0;
+    for (size_t i = 0; i < file.count; ++i) {
+        if (is_open(i))
+            open[depth++] = i;
+        if (!is_close(i))
+            continue;
+        const char *opens = is(i, ")") ? "(" : is(i, "]") ? "[" : "{";
+        if (depth == 0 || !is(open[depth - 1], opens))
+            fail("%s:%d: this bracket closes none, or another kind",
+                 file.path, line_of(file.tokens[i].start));
+        file.tokens[i].mate = open[--depth];
+        file.tokens[open[depth]].mate = i;
+    }
+    if (depth > 0)
+        fail("%s:%d: this bracket is never closed", file.path,
+             line_of(file.tokens[open[depth - 1]].start));
+    free(open);
+}
+
+static void read_tokens(void)
+{
+    size_t room = 0;
+    for (const char *at = after_space(file.text, file.text); *at;) {
+        if (file.count == room) {
+            room = 2 * room + 256;
+            file.tokens = grow(file.tokens, room * sizeof *file.tokens);
+        }
+        struct token *t = &file.tokens[file.count++];
+        *t = (struct token){.start = (size_t)(at - file.text)};
+        const char *next = read_token(at, &t->kind);
+        t->end = (size_t)(next - file.text);
+        at = after_space(file.text, next);
+    }
+    match_brackets();
+}
+
+static void read_file(const char *path)
+{
+    size_t size = 0, got;
+    FILE *input = fopen(path, "r");
+    if (!input)
+        fail("cannot read '%s'", path);
+    file.path = path;
+    do {
+        file.text = grow(file.text, size + 65537);
+        got = fread(file.text + size, 1, 65536, input);
+        size += got;
+    } while (got > 0);
+    fclose(input);
+    file.text[size] = '\0';
+    read_tokens();
+}
+
+/* ---- what a token is in its place ---------------------------------------
+ */
+
+static bool is_keyword(size_t i)
+{
+    static const char *const keywords[] = {
+        "break", "case", "continue", "default", "do",     "else",  "for",
+        "goto",  "if",   "return",   "sizeof",  "switch", "while", NULL};
+    return is_any(i, keywords);
+}
+
+static bool is_tag(size_t i)
+{
+    static const char *const kinds[] = {"struct", "union", "enum", NULL};
+    return is_any(i, kinds);
+}
+
+/* Whether a word can only begin or continue the name of a type. */
+static bool is_type(size_t i)
+{
+    static const char *const types[] = {
+        "auto",     "bool",   "char",    "const",    "double",   "extern",
+        "float",    "int",    "long",    "register", "restrict", "short",
+        "signed",   "static", "typedef", "unsigned", "void",     "_Bool",
+        "volatile", "FILE",   "inline",  "_Complex", NULL};
+    if (i >= file.count || file.tokens[i].kind != WORD)
+        return false;
+    const struct token *t = &file.tokens[i];
+    return is_any(i, types) || is_tag(i) || (i > 0 && is_tag(i - 1)) ||
+           (t->end - t->start > 2 &&
+            strncmp(file.text + t->end - 2, "_t", 2) == 0);
+}
+
+static bool is_name(size_t i)
+{
+    return i < file.count && file.tokens[i].kind == WORD && !is_type(i) &&
+           !is_keyword(i);
+}
+
+/* Whether the ')' number i ends a cast. */
+static bool ends_cast(size_t i)
+{
+    const size_t open = file.tokens[i].mate;
+    if (!is_type(open + 1) ||
+        (open > 0 && (is_name(open - 1) || is(open - 1, "sizeof"))))
+        return false;
+    for (size_t k = open + 1; k < i; ++k)
+        if (!is_type(k) && !is(k, "*"))
+            return false;
+    return true;
+}
+
+/* Whether the ')' number i ends the head of an if or of a loop. */
+static bool ends_head(size_t i)
+{
+    static const char *const heads[] = {"if", "while", "for", "switch",
+                                        NULL};
+    const size_t open = file.tokens[i].mate;
+    return open > 0 && is_any(open - 1, heads);
+}
+
+/* Whether a value ends with token i, so that an operator may follow. */
+static bool ends_operand(size_t i)
+{
+    while (i > 0 && (is(i, "++") || is(i, "--")))
+        --i;
+    if (is(i, ")"))
+        return !ends_cast(i) && !ends_head(i);
+    return is(i, "]") || is_name(i) || file.tokens[i].kind == NUMBER ||
+           file.tokens[i].kind == QUOTED;
+}
+
+/* How tightly an operator between two values binds; 0 for other tokens. */
+static int binding(size_t i)
+{
+    static const struct {
+        const char *text;
+        int binding;
+    } known[] = {{"||", 1}, {"&&", 2}, {"|", 3},  {"^", 4}, {"&", 5},
+                 {"==", 6}, {"!=", 6}, {"<", 7},  {">", 7}, {"<=", 7},
+                 {">=", 7}, {"<<", 8}, {">>", 8}, {"+", 9}, {"-", 9},
+                 {"*", 10}, {"/", 10}, {"%", 10}};
+    if (i == 0 || !ends_operand(i - 1))
+        return 0;
+    for (size_t k = 0; k < sizeof known / sizeof *known; ++k)
+        if (is(i, known[k].text))
+            return known[k].binding;
+    return 0;
+}
+
+/* Whether no operand reaches over token i. */
+static bool separates(size_t i)
+{
+    static const char *const separators[] = {
+        ",",  ";",  "?",  ":",  "=", "+=",  "-=",  "*=", "/=",
+        "%=", "&=", "|=", "^=", "{", "<<=", ">>=", "}",  NULL};
+    return is_any(i, separators) || (is_keyword(i) && !is(i, "sizeof"));
+}
+
+/* The first token of the value before the operator number i, which goes as
+   far as operators that bind more tightly than `least`. */
+static size_t operand_start(size_t i, int least)
+{
+    while (i > 0) {
+        const size_t k = i - 1;
+        if (separates(k) || is_open(k) || (is(k, ")") && ends_head(k)) ||
+            (binding(k) > 0 && binding(k) <= least))
+            return i;
+        i = is_close(k) ? file.tokens[k].mate : k;
+    }
+    return i;
+}
+
+/* The token after the value that follows the operator number i. */
+static size_t operand_end(size_t i, int least)
+{
+    for (++i; i < file.count; ++i) {
+        if (separates(i) || is_close(i) ||
+            (binding(i) > 0 && binding(i) <= least))
+            return i;
+        if (is_open(i))
+            i = file.tokens[i].mate;
+    }
+    return i;
+}
+
+/* ---- mutants ------------------------------------------------------------
+ */
+
+static size_t start_of(size_t i)
+{
+    return file.tokens[i].start;
+}
+
+static size_t end_of(size_t i)
+{
+    return file.tokens[i].end;
+}
+
+/* The text of tokens from first up to, not including, last. */
+static char *text_of(size_t first, size_t last)
+{
+    if (last <= first)
+        return copy_of("", 0);
+    return copy_of(file.text + start_of(first),
+                   end_of(last - 1) - start_of(first));
+}
+
+/* Three texts as one. */
+static char *joined(const char *a, const char *b, const char *c)
+{
+    char *text = grow(NULL, strlen(a) + strlen(b) + strlen(c) + 1);
+    strcpy(text, a);
+    strcat(text, b);
+    return strcat(text, c);
+}
+
+static char *mutated(const struct mutant *m)
+{
+    char *head = copy_of(file.text, m->start);
+    char *text = joined(head, m->with, file.text + m->end);
+    free(head);
+    return text;
+}
+
+/* Adds the mutant that has `with` from start to end, unless it is there. */
+static void add(const char *operator, size_t start, size_t end,
+                const char *with)
+{
+    struct mutant m = {operator, start, end, copy_of(with, strlen(with)),
+                       NULL};
+    char *text = mutated(&m);
+    m.plain = plain_text(text);
+    free(text);
+    bool known = strcmp(m.plain, original) == 0;
+    for (size_t i = 0; i < mutant_count && !known; ++i)
+        known = strcmp(m.plain, mutants[i].plain) == 0;
+    if (known) {
+        free(m.plain);
+        free(m.with);
+        return;
+    }
+    mutants = grow(mutants, (mutant_count + 1) * sizeof *mutants);
+    mutants[mutant_count++] = m;
+}
+
+static void replace_token(const char *operator, size_t i, const char *with)
+{
+    char *spaced = joined(" ", with, " "); /* a+-b must not become a--b */
+    add(operator, start_of(i), end_of(i), spaced);
+    free(spaced);
+}
+
+/* One operator for another: those between two values, then the others. */
+static void exchange(size_t i)
+{
+    static const struct {
+        const char *from, *to, *operator;
+        bool binary;
+    } known[] = {
+        {"+", "-", "plus-minus", true},   {"-", "+", "plus-minus", true},
+        {"*", "/", "times-divide", true}, {"/", "*", "times-divide", true},
+        {"%", "/", "times-divide", true}, {"<", "<=", "boundary", true},
+        {"<=", "<", "boundary", true},    {">", ">=", "boundary", true},
+        {">=", ">", "boundary", true},    {"==", "!=", "equal", true},
+        {"!=", "==", "equal", true},      {"&&", "||", "and-or", true},
+        {"||", "&&", "and-or", true},     {"++", "--", "step", false},
+        {"--", "++", "step", false},      {"+=", "-=", "assign", false},
+        {"+=", "=", "assign", false},     {"-=", "+=", "assign", false},
+        {"-=", "=", "assign", false},     {"*=", "/=", "assign", false},
+        {"*=", "=", "assign", false},     {"/=", "*=", "assign", false},
+        {"/=", "=", "assign", false},
+    };
+    for (size_t k = 0; k < sizeof known / sizeof *known; ++k)
+        if (is(i, known[k].from) && (!known[k].binary || binding(i) > 0))
+            replace_token(known[k].operator, i, known[k].to);
+}
+
+/* Drops a sign or a `not` in front of a value. */
+static void drop_sign(size_t i)
+{
+    if (is(i, "!"))
+        add("negate", start_of(i), end_of(i), "");
+    else if (is(i, "-") && binding(i) == 0)
+        add("drop-sign", start_of(i), end_of(i), "");
+}
+
+/* Drops a term of a sum, a factor of a product, one of two conditions. The
+   first one of several goes with the operator behind it. */
+static void drop_term(size_t i)
+{
+    static const char *const chains[] = {"+", "-",  "*",  "/",
+                                         "%", "&&", "||", NULL};
+    const int own = binding(i);
+    if (own == 0 || !is_any(i, chains))
+        return;
+    add("drop-term", end_of(i - 1), end_of(operand_end(i, own) - 1), "");
+    const size_t first = operand_start(i, own);
+    if (is(i, "%") || (first > 0 && binding(first - 1) == own))
+        return;
+    if (is(i, "-"))
+        add("drop-term", start_of(first), start_of(i), "");
+    else if (is(i, "/"))
+        add("drop-term", start_of(first), start_of(i), "1.0 ");
+    else
+        add("drop-term", start_of(first), start_of(i + 1), "");
+}
+
+static void change_whole(size_t i, const char *text, int change)
+{
+    char *suffix, with[64];
+    const unsigned long long value = strtoull(text, &suffix, 0);
+    const unsigned long long size = change < 0 ? 0ULL - change : change;
+    if (change > 0)
+        snprintf(with, sizeof with, "%llu%.8s", value + size, suffix);
+    else if (size <= value)
+        snprintf(with, sizeof with, "%llu%.8s", value - size, suffix);
+    else
+        snprintf(with, sizeof with, "(-%llu%.8s)", size - value, suffix);
+    add("constant", start_of(i), end_of(i), with);
+}
+
+static void change_floating(size_t i, const char *text, int change)
+{
+    char *suffix, digits[32], with[64];
+    const double value = strtod(text, &suffix) + change;
+    snprintf(digits, sizeof digits, "%.17g", value);
+    const char *point = strpbrk(digits, ".en") ? "" : ".0";
+    snprintf(with, sizeof with, value < 0 ? "(%s%s%.8s)" : "%s%s%.8s",
+             digits, point, suffix);
+    add("constant", start_of(i), end_of(i), with);
+}
+
+/* Changes a number by one and by two, up and down. */
+static void change_constant(size_t i)
+{
+    static const int changes[] = {1, -1, 2, -2};
+    if (file.tokens[i].kind != NUMBER)
+        return;
+    char *text = text_of(i, i + 1);
+    const bool hexadecimal = text[0] == '0' && strchr("xX", text[1]);
+    const bool floating = strpbrk(text, hexadecimal ? ".pP" : ".eE");
+    for (size_t k = 0; k < sizeof changes / sizeof *changes; ++k)
+        if (floating)
+            change_floating(i, text, changes[k]);
+        else
+            change_whole(i, text, changes[k]);
+    free(text);
+}
+
+/* The ',' behind the argument that starts with token i, or the ')'. */
+static size_t argument_end(size_t i)
+{
+    while (!is(i, ",") && !is_close(i))
+        i = is_open(i) ? file.tokens[i].mate + 1 : i + 1;
+    return i;
+}
+
+/* Swaps each two neighbours among the arguments of a call. */
+static void swap_arguments(size_t i)
+{
+    if (!is(i, "(") || !is_name(i - 1))
+        return;
+    size_t first = i + 1, middle = argument_end(first);
+    while (is(middle, ",")) {
+        const size_t end = argument_end(middle + 1);
+        char *one = text_of(first, middle);
+        char *other = text_of(middle + 1, end);
+        char *with = joined(other, ", ", one);
+        add("swap-arguments", start_of(first), end_of(end - 1), with);
+        free(one);
+        free(other);
+        free(with);
+        first = middle + 1;
+        middle = end;
+    }
+}
+
+/* Negates the condition made of the tokens from first up to last. */
+static void negate(size_t first, size_t last)
+{
+    if (first >= last)
+        return;
+    if (is(first, "!") && is(first + 1, "(") &&
+        file.tokens[first + 1].mate == last - 1) {
+        add("negate", start_of(first), end_of(first), "");
+        return;
+    }
+    char *condition = text_of(first, last);
+    char *with = joined("!(", condition, ")");
+    add("negate", start_of(first), end_of(last - 1), with);
+    free(condition);
+    free(with);
+}
+
+/* All that concerns one token and its neighbours. */
+static void mutate_token(size_t i)
+{
+    exchange(i);
+    drop_sign(i);
+    drop_term(i);
+    change_constant(i);
+    swap_arguments(i);
+    if (is(i, "?"))
+        negate(operand_start(i, 0), i);
+}
+
+/* ---- statements ---------------------------------------------------------
+ */
+
+static void drop(size_t first, size_t last, const char *with)
+{
+    if (first < last)
+        add("drop-statement", start_of(first), end_of(last - 1), with);
+}
+
+static bool is_declaration(size_t i)
+{
+    return is_type(i) || (is_name(i) && is_name(i + 1)) ||
+           (is_name(i) && is(i + 1, "*") && is_name(i + 2) &&
+            (is(i + 3, "=") || is(i + 3, ";")));
+}
+
+/* The token after the next ';' that stands in no bracket. */
+static size_t after_semicolon(size_t i)
+{
+    const size_t first = i;
+    while (i < file.count && !is(i, ";") && !is_close(i))
+        i = is_open(i) ? file.tokens[i].mate + 1 : i + 1;
+    if (!is(i, ";"))
+        fail("%s:%d: no ';' ends this statement", file.path,
+             line_of(start_of(first)));
+    return i + 1;
+}
+
+/* Whether the tokens from first up to last return this truth, or 0. */
+static bool returns(size_t first, size_t last, bool truth)
+{
+    if (last - first != 3 || !is(first, "return"))
+        return false;
+    char *text = text_of(first + 1, first + 2), *end;
+    const bool zero = strtod(text, &end) == 0.0 && end > text;
+    const bool same = is(first + 1, truth ? "true" : "false") ||
+                      (!truth && (zero || is(first + 1, "NULL")));
+    free(text);
+    return same;
+}
+
+static void return_with(const char *text, size_t first, size_t last,
+                        bool in_block)
+{
+    const size_t end = in_block ? start_of(first) : end_of(last - 1);
+    add("return-early", start_of(first), end, text);
+}
+
+/* Returns before the statement from first up to last. One that stands in no
+   block of its own is replaced. */
+static void return_early(size_t first, size_t last, enum value value,
+                         bool in_block)
+{
+    if (value == NOTHING && !is(first, "return"))
+        return_with("return; ", first, last, in_block);
+    else if (value == SOMETHING && !returns(first, last, false))
+        return_with("return 0; ", first, last, in_block);
+    if (value == TRUTH && !returns(first, last, false))
+        return_with("return false; ", first, last, in_block);
+    if (value == TRUTH && !returns(first, last, true))
+        return_with("return true; ", first, last, in_block);
+}
+
+static size_t statement(size_t i, enum value value, bool in_block,
+                        bool after_declaration);
+
+/* The statements of the block that begins with the '{' number i. Between
+   two declarations a return does what one before the first of them does. */
+static size_t block(size_t i, enum value value)
+{
+    const size_t close = file.tokens[i].mate;
+    bool declared = false;
+    for (++i; i < close;) {
+        const bool declares = is_declaration(i);
+        i = statement(i, value, true, declared);
+        declared = declares;
+    }
+    return close + 1;
+}
+
+/* A statement inside another: a block, or one that stands alone. */
+static size_t inner(size_t i, enum value value)
+{
+    return is(i, "{") ? block(i, value) : statement(i, value, false, false);
+}
+
+static size_t if_statement(size_t i, enum value value)
+{
+    const size_t close = file.tokens[i + 1].mate;
+    negate(i + 2, close);
+    const size_t then = inner(close + 1, value);
+    if (!is(then, "else"))
+        return then;
+    const size_t end = inner(then + 1, value);
+    drop(then, end, "");
+    return end;
+}
+
+/* for, while or switch. */
+static size_t loop(size_t i, enum value value)
+{
+    const size_t close = file.tokens[i + 1].mate;
+    if (is(i, "for")) {
+        const size_t condition = after_semicolon(i + 2);
+        const size_t step = after_semicolon(condition);
+        if (!is_declaration(i + 2))
+            drop(i + 2, condition - 1, "");
+        negate(condition, step - 1);
+        drop(step, close, "");
+    } else if (is(i, "while")) {
+        negate(i + 2, close);
+    }
+    return inner(close + 1, value);
+}
+
+static size_t do_loop(size_t i, enum value value)
+{
+    const size_t end = inner(i + 1, value);
+    negate(end + 2, file.tokens[end + 1].mate);
+    return after_semicolon(end);
+}
+
+/* The parts of the statement that begins with token i, and its end. */
+static size_t parts(size_t i, enum value value)
+{
+    if (is(i, "{"))
+        return block(i, value);
+    if (is(i, "if"))
+        return if_statement(i, value);
+    if (is(i, "do"))
+        return do_loop(i, value);
+    if (is(i, "for") || is(i, "while") || is(i, "switch"))
+        return loop(i, value);
+    return after_semicolon(i);
+}
+
+static size_t after_label(size_t i)
+{
+    if (is(i, "case") || is(i, "default") || (is_name(i) && is(i + 1, ":")))
+        while (i < file.count && !is(i++, ":"))
+            ;
+    return i;
+}
+
+static size_t statement(size_t i, enum value value, bool in_block,
+                        bool after_declaration)
+{
+    const size_t first = after_label(i);
+    if (is_close(first))
+        return first;
+    const size_t end = parts(first, value);
+    if (!is(first, "{") && !is(first, ";") && !is_declaration(first))
+        drop(first, end, ";");
+    if (!after_declaration)
+        return_early(first, end, value, in_block);
+    return end;
+}
+
+/* ---- functions ----------------------------------------------------------
+ */
+
+/* What the function returns whose parameters begin with '(' number open. */
+static enum value value_of(size_t open)
+{
+    bool nothing = false, truth = false, pointer = false;
+    for (size_t i = open - 1; i-- > 0 && !is(i, ";") && !is(i, "}");) {
+        nothing = nothing || is(i, "void");
+        truth = truth || is(i, "bool") || is(i, "_Bool");
+        pointer = pointer || is(i, "*");
+    }
+    return pointer   ? SOMETHING
+           : nothing ? NOTHING
+           : truth   ? TRUTH
+                     : SOMETHING;
+}
+
+static void mutate_function(size_t open, size_t brace)
+{
+    block(brace, value_of(open));
+    for (size_t i = brace; i < file.tokens[brace].mate; ++i)
+        mutate_token(i);
+}
+
+static int by_place(const void *a, const void *b)
+{
+    const struct mutant *x = a, *y = b;
+    if (x->start != y->start)
+        return x->start < y->start ? -1 : 1;
+    if (x->end != y->end)
+        return x->end < y->end ? -1 : 1;
+    return strcmp(x->with, y->with);
+}
+
+static void make_mutants(void)
+{
+    original = plain_text(file.text);
+    for (size_t i = 0; i < file.count; ++i) {
+        if (is(i, "{") && i > 0 && is(i - 1, ")") &&
+            file.tokens[i - 1].mate > 0 &&
+            is_name(file.tokens[i - 1].mate - 1))
+            mutate_function(file.tokens[i - 1].mate, i);
+        if (is(i, "{"))
+            i = file.tokens[i].mate;
+    }
+    qsort(mutants, mutant_count, sizeof *mutants, by_place);
+}
+
+/* ---- answers ------------------------------------------------------------
+ */
+
+/* The text from start to end with `with` in the middle, single-spaced. */
+static char *one_line(size_t start, size_t from, const char *with,
+                      size_t to, size_t end)
+{
+    char *head = copy_of(file.text + start, from - start);
+    char *tail = copy_of(file.text + to, end - to);
+    char *text = joined(head, with, tail), *out = text;
+    bool space = false;
+    for (const char *in = text; *in; ++in) {
+        if (isspace((unsigned char)*in)) {
+            space = out > text;
+            continue;
+        }
+        if (space)
+            *out++ = ' ';
+        space = false;
+        *out++ = *in;
+    }
+    *out = '\0';
+    free(head);
+    free(tail);
+    return text;
+}
+
+/* The lines that a mutant touches, before or after. */
+static char *lines_of(const struct mutant *m, bool after)
+{
+    size_t start = m->start, end = m->end;
+    while (start > 0 && file.text[start - 1] != '\n')
+        --start;
+    end += strcspn(file.text + end, "\n");
+    return after ? one_line(start, m->start, m->with, m->end, end)
+                 : one_line(start, end, "", end, end);
+}
+
+static void list(void)
+{
+    char **keys = grow(NULL, mutant_count * sizeof *keys);
+    for (size_t i = 0; i < mutant_count; ++i) {
+        const struct mutant *m = &mutants[i];
+        char *before = lines_of(m, false), *after = lines_of(m, true);
+        char *change = joined(before, " :: ", after);
+        keys[i] = joined(m->operator, " :: ", change);
+        int same = 1;
+        for (size_t k = 0; k < i; ++k)
+            same += strcmp(keys[k], keys[i]) == 0;
+        printf("%zu :: %d :: %s", i + 1, line_of(m->start), m->operator);
+        if (same > 1)
+            printf("#%d", same);
+        printf(" :: %s\n", change);
+        free(before);
+        free(after);
+        free(change);
+    }
+    for (size_t i = 0; i < mutant_count; ++i)
+        free(keys[i]);
+    free(keys);
+}
+
+static void print_mutant(const char *number)
+{
+    char *end;
+    const unsigned long n = strtoul(number, &end, 10);
+    if (*end || end == number || n < 1 || n > mutant_count)
+        fail("'%s' is not a whole number from 1 to %zu", number,
+             mutant_count);
+    char *text = mutated(&mutants[n - 1]);
+    fputs(text, stdout);
+    free(text);
+}
+
+static void clean_up(void)
+{
+    for (size_t i = 0; i < mutant_count; ++i) {
+        free(mutants[i].with);
+        free(mutants[i].plain);
+    }
+    free(mutants);
+    free(original);
+    free(file.text);
+    free(file.tokens);
+}
+
+int main(int argc, char **argv)
+{
+    if (argc != 3)
+        fail("usage: mutate --count FILE, --list FILE or NUMBER FILE");
+    read_file(argv[2]);
+    make_mutants();
+    if (strcmp(argv[1], "--count") == 0)
+        printf("%zu\n", mutant_count);
+    else if (strcmp(argv[1], "--list") == 0)
+        list();
+    else
+        print_mutant(argv[1]);
+    clean_up();
+    return fflush(stdout) ? EXIT_FAILURE : EXIT_SUCCESS;
+}

@@ -1,0 +1,36 @@
+/* From chapters/B-grader.nw: edit there, then run make tangle. */
+/* checksum 1913277176 of the lines below */
+#ifndef WIRE_H
+#define WIRE_H
+
+/* What a message begins with. To the box: */
+enum {
+    WIRE_TEST = 't', /* make a process for a test */
+    WIRE_CALL = 'c', /* call the function; arguments follow */
+    WIRE_TOLD = 'a', /* what was asked for follows */
+    WIRE_OVER = 'x'  /* the test is over */
+};
+/* From the box: */
+enum {
+    WIRE_BUILT = 'b',  /* said by the box's shell: compiled and linked */
+    WIRE_READY = 'h',  /* the program has come to its main */
+    WIRE_ASK = 'q',    /* the number of a function and its arguments */
+    WIRE_REPLY = 'r',  /* the values of the answer follow */
+    WIRE_UNDONE = 'u', /* a NOT_DONE_YET was reached, and its line */
+    WIRE_ENDED = 'e',  /* the test's process ended; its status follows */
+    WIRE_IDLE = 'o'    /* there is no such process */
+};
+/* Listens at one descriptor and speaks into the other from now on. */
+void wire_open(int listen, int speak);
+
+/* Begins to speak, with this word. */
+void wire_speak(int word);
+
+/* Sends what was spoken and returns the next word heard, or EOF. */
+int wire_listen(void);
+
+/* Defined by each side: what it does when its partner is gone or talks
+   nonsense. */
+_Noreturn void wire_lost(void);
+
+#endif

@@ -40,6 +40,23 @@ suites := $(basename $(notdir $(wildcard tests/exercises/*.c)))
 need = @command -v $(1) >/dev/null 2>&1 || { echo "make: $(1) is missing;\
  install it with: apt-get install --no-install-recommends $(2)" >&2; exit 1; }
 
+# A course that was handed out (make handout) is the kit without what only its
+# author needs: goals that need that say so, and make help leaves them out.
+define only_with
+ifeq ($(wildcard $(1)),)
+absent += $(2)
+ifneq ($(filter $(2),$(MAKECMDGOALS)),)
+$$(error $(firstword $(filter $(2),$(MAKECMDGOALS))) needs $(1), which is not\
+ part of the course as handed out; your lecturer has it)
+endif
+endif
+endef
+$(eval $(call only_with,chapters/book.tex,tangle check-tangle))
+$(eval $(call only_with,tests/wrong,book test memcheck handout mutants grade))
+$(eval $(call only_with,solutions,solution))
+# $(call offer,GOAL): echo, but for a goal that is absent.
+offer = @$(if $(filter $(1),$(absent)),: ||) echo
+
 ## ---- programs: cc and make are enough -------------------------------------
 
 programs: $(programs:%=build/bin/%)
@@ -51,7 +68,8 @@ first: programs
 		$(basename $(notdir $(filter src/programs/%,$(gsl_files)))))
 	@echo 'Two bodies meet: 1 kg at 1 m/s runs into 4 kg at rest.'
 	@build/bin/collide --velocities 1,0 --inverse-masses 1,0.25
-	@echo 'Next: make check (the exercises), make book (the PDF), make help'
+	@echo 'Next: make check (the exercises),' $(if $(filter book,$(absent)),\
+		'the book (bonkers.pdf)','make book (the PDF)'), make help
 
 # What the compiler can do: OpenMP, for the programs that can use all cores,
 # and optimization across files, for the native build.
@@ -180,6 +198,82 @@ endef
 $(foreach s,$(suites),$(eval $(call suite_rules,$(firstword \
 	$(subst -, ,$(s))),$(s))))
 
+## ---- grading: cc, make, CUnit, jansson, libxml2, bubblewrap ---------------
+
+# make grade SUBMISSIONS=dir [REPORT=table,csv,...] [JOBS=n] [HIDDEN=seed]
+# [EX=01a,02] [RESULTS=dir] [UNSAFE=1]
+SUBMISSIONS =
+grade_options = $(if $(REPORT),--report $(REPORT)) \
+	$(if $(JOBS),--jobs $(JOBS)) $(if $(HIDDEN),--hidden $(HIDDEN)) \
+	$(if $(EX),--exercises $(EX)) $(if $(UNSAFE),--unsafe) \
+	$(if $(RESULTS),--output "$(RESULTS)")
+GRADE_BUILT = build/grade/grade $(exercises:%=build/grade/%.list) \
+	$(exercises:%=build/grade/%.names)
+
+.PHONY: grade grade-parts
+grade: grade-parts
+	@[ -n "$(SUBMISSIONS)" ] || { echo 'make: grade: which submissions?\
+ make grade SUBMISSIONS=dir, with a folder for each student' >&2; exit 2; }
+	@build/grade/grade $(grade_options) "$(SUBMISSIONS)"
+grade-parts: $(GRADE_BUILT)
+
+# jansson and libxml2, in the grader alone; asked only when it is built.
+xml_flags = $$(pkg-config --cflags libxml-2.0 2>/dev/null || \
+	echo -I/usr/include/libxml2)
+build/grade/obj/grade/%.o: src/examiner/%.c $(headers) Makefile
+	@mkdir -p $(@D)
+	$(call say,cc $<)
+	$(Q)$(CC) $(STANDARD) -D_XOPEN_SOURCE=700 $(PORTABLE) -Isrc \
+		$(xml_flags) $(CFLAGS) -c -o $@ $<
+build/grade/grade: $(patsubst %,build/grade/obj/grade/%.o,grade grading box \
+	marks submissions publish trial process text)
+	$(call say,link $@)
+	$(Q)$(CC) $(PORTABLE) $(CFLAGS) -o $@ $^ $(LDFLAGS) -ljansson -lxml2
+
+# The compiler for students' files, without sanitizers and with.
+build/grade/flags: build/check/flags
+	@mkdir -p $(@D)
+	@printf '%s\n%s\n' '$(check_base)' "$$(sed -n 1p build/check/flags)" >$@
+
+# What judges and boxes are linked with.
+build/grade/obj/%.o: src/%.c $(headers) build/check/flags
+	@mkdir -p $(@D)
+	$(call say,cc $@)
+	$(Q)$(check_base) -Wall -Wextra -pedantic -Isrc -c -o $@ $<
+build/grade/libjudge.a: $(patsubst src/%.c,build/grade/obj/%.o,\
+	$(patsubst %,src/examiner/%.c,check hidden heed judge wire) \
+	$(wildcard src/toolbox/*.c))
+	@rm -f $@
+	@ar rcs $@ $^
+
+# One exercise: its judge, what goes into a box with the student's file, the
+# list of its tests, and the names that the student's file may show.
+define grade_rules
+build/grade/$(1).judge: tests/exercises/$(2).c tests/border/$(2).c \
+		$(wildcard tests/hidden/$(2).c) build/grade/libjudge.a $(headers)
+	$$(call say,cc $$@)
+	$(Q)$$(check_base) -Wall -Wextra -pedantic -Isrc -o $$@ \
+		$$(filter %.c %.a,$$^) $$(LDFLAGS) -lcunit -lm
+build/grade/$(1).inside.o: tests/border/$(2).c \
+		build/grade/obj/examiner/boxed.o build/grade/obj/examiner/wire.o
+	@mkdir -p build/grade/obj/border
+	$(Q)$$(check_base) -Wall -Wextra -pedantic -DBORDER_INSIDE -Isrc -c \
+		-o build/grade/obj/border/$(1).o $$<
+	@ld -r -o $$@ build/grade/obj/border/$(1).o $$(filter %.o,$$^)
+build/grade/$(1).list: build/grade/$(1).judge
+	@build/grade/$(1).judge --list >$$@
+build/grade/$(1).names: build/grade/$(1).inside.o tests/stubs/$(2).c
+	@$$(check_base) -Isrc/examiner -c -o build/grade/obj/border/$(1).stub.o \
+		tests/stubs/$(2).c
+	@nm -P -g build/grade/$(1).inside.o | awk '$$$$2 == "U" { print $$$$1 }' \
+		>build/grade/obj/border/$(1).wanted
+	@nm -P -g build/grade/obj/border/$(1).stub.o | awk '$$$$2 != "U" \
+		{ print $$$$1 }' | grep -x -F -f build/grade/obj/border/$(1).wanted | \
+		sed 's/^/--keep-global-symbol=/' | tr '\n' ' ' >$$@
+endef
+$(foreach s,$(wildcard tests/border/*.c),$(eval $(call grade_rules,$(firstword \
+	$(subst -, ,$(basename $(notdir $(s))))),$(basename $(notdir $(s))))))
+
 ## ---- the book: noweb, gnuplot, TeX ---------------------------------------
 
 tangle:
@@ -192,7 +286,7 @@ check-tangle:
 
 # What figures and transcripts are made from, read from the scripts and the
 # chapters. Goals that need no book do without.
-bookless := all first programs native bench movie check tangle check-tangle clean \
+bookless := all first programs native bench movie check mutants tangle check-tangle clean \
 	help format memcheck
 ifneq ($(filter-out $(bookless),$(MAKECMDGOALS)),)
 build/recipes/rules.mk: chapters/recipes chapters plots \
@@ -231,6 +325,16 @@ build/bonkers$(edition).pdf: $(FIGURES_PDF) $(FIGURES_ALT) $(RUNS) \
 		plots/data/*) \
 		tests/equations.txt
 	@EDITION=$(EDITION) chapters/make-book
+
+## ---- the course for students -----------------------------------------------
+
+# Its book has no solutions. WITH_CHAPTERS=1 adds the chapters.
+ifneq ($(and $(EDITION),$(filter handout,$(MAKECMDGOALS))),)
+$(error handout: EDITION: students get the book without solutions; leave it out)
+endif
+.PHONY: handout
+handout: has-tex build/bonkers.pdf
+	@WITH_CHAPTERS='$(WITH_CHAPTERS)' chapters/handout
 
 ## ---- movies: gnuplot ------------------------------------------------------
 
@@ -318,7 +422,20 @@ has-test-tools:
 	$(call need,clang-format,clang-format)
 	$(call need,pdftotext,poppler-utils)
 
-test-parts: build/check/examine $(CHECK_BUILT) $(unit_tests) $(tools)
+test-parts: build/check/examine $(CHECK_BUILT) $(unit_tests) $(tools) \
+	build/tests/mutants/outlive
+
+# How many small mistakes in the solutions the suites notice; EX=01a for one,
+# RECORD=1 keeps the table for the book.
+.PHONY: mutants
+mutants: build/check/examine $(CHECK_BUILT) build/tests/mutate \
+		build/tests/mutants/outlive
+	@RECORD=$(RECORD) tests/mutants/run $(EX)
+build/tests/mutants/outlive: tests/mutants/outlive.c \
+		$(patsubst %,build/obj/examiner/%.o,trial process text)
+	@mkdir -p $(@D)
+	$(call say,link $@)
+	$(Q)$(CC) $(STANDARD) $(PORTABLE) -Isrc $(CFLAGS) -o $@ $^ $(LDFLAGS)
 
 # The library's tests under the sanitizers.
 memcheck: $(patsubst build/tests/%,build/memcheck/%,$(unit_tests))
@@ -352,16 +469,18 @@ clean:
 help:
 	@echo 'make              build the programs; show a first result'
 	@echo 'make check        check your exercises; EX=01a for one'
-	@echo 'make book         the PDF; EDITION=instructor adds the solutions'
+	$(call offer,book) 'make book         the PDF; EDITION=instructor adds the solutions'
+	$(call offer,handout) 'make handout      the archive for students; WITH_CHAPTERS=1 for more'
 	@echo 'make figures      the figures; QUALITY=lecture for slides too'
-	@echo 'make test         prove everything: N passed, N failed'
+	$(call offer,test) 'make test         prove everything: N passed, N failed'
 	@echo 'make programs     only build build/bin/'
 	@echo 'make movie        a run as a GIF: PRESET=cradle; LIVE=1 in a window'
 	@echo 'make native       the fastest build for this machine, build/native/'
 	@echo 'make bench        the speed tables, measured here'
-	@echo 'make memcheck     the library tests under sanitizers'
-	@echo 'make tangle       write src/ from chapters/'
-	@echo 'make check-tangle see that src/ is what the chapters say'
+	$(call offer,mutants) 'make mutants      how many planted mistakes the exercises notice'
+	$(call offer,memcheck) 'make memcheck     the library tests under sanitizers'
+	$(call offer,tangle) 'make tangle       write src/ from chapters/'
+	$(call offer,check-tangle) 'make check-tangle see that src/ is what the chapters say'
 	@echo 'make format       see that the C files keep .clang-format'
 	@echo 'make compile_commands.json   for editors'
 	@echo 'make clean        remove build/'

@@ -1,5 +1,5 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 2546919025 of the lines below */
+/* checksum 3056429623 of the lines below */
 #ifndef BORDER_H
 #define BORDER_H
 
@@ -14,6 +14,10 @@ void border_sizes(size_t x[], size_t count);
 void border_ints(int x[], size_t count);
 void border_unsigneds(unsigned x[], size_t count);
 void border_bools(bool x[], size_t count);
+
+/* Memory of just this size, so that a sanitizer notices who goes beyond
+   it, for the caller to free; ends the program when there is none. */
+void *border_memory(size_t bytes);
 
 /* Begins a call of the function in the box: its arguments follow. */
 void border_call(void);
@@ -42,9 +46,5 @@ void border_ask(int which);
 
 /* Ends those arguments and waits: the values of the answer follow. */
 void border_hear(void);
-
-/* Memory of just this size, so that a sanitizer notices who goes beyond
-   it, for the caller to free; ends the program when there is none. */
-void *border_memory(size_t bytes);
 
 #endif

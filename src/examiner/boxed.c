@@ -1,5 +1,5 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 3609969848 of the lines below */
+/* checksum 378725826 of the lines below */
 #include "examiner/border.h"
 #include "examiner/exercise.h"
 #include "examiner/wire.h"
@@ -35,14 +35,6 @@ void border_hear(void)
         return;
     fflush(NULL);
     _exit(EXIT_SUCCESS);
-}
-
-void *border_memory(size_t bytes)
-{
-    void *memory = malloc(bytes);
-    if (!memory && bytes > 0)
-        wire_lost();
-    return memory;
 }
 
 void exercise_not_done(const char *file, int line)

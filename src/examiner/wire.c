@@ -1,9 +1,10 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 1718472133 of the lines below */
+/* checksum 3525214179 of the lines below */
 #include "examiner/wire.h"
 #include "examiner/border.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 
 static FILE *ear, *mouth;
 static bool speaking;
@@ -66,4 +67,12 @@ void border_bools(bool x[], size_t count)
         if (!speaking)
             x[i] = truth != 0;
     }
+}
+
+void *border_memory(size_t bytes)
+{
+    void *memory = malloc(bytes);
+    if (!memory && bytes > 0)
+        wire_lost();
+    return memory;
 }

@@ -1,6 +1,6 @@
 /* The suite of exercise 01b: equal masses, known values, lost energy, both
-   bodies moving, what is conserved, walls and what is nearly one, and what
-   no collision can do. */
+   bodies moving, what is conserved, walls and what is nearly one, what no
+   collision can do, and numbers that are drawn. */
 
 #include "examiner/check.h"
 #include <float.h>
@@ -125,11 +125,11 @@ static bool check_real(struct seen s)
                       "of your tests turns it away?");
 }
 
-static void check_both(struct seen s, double ratio, double restitution,
+static bool check_both(struct seen s, double ratio, double restitution,
                        const char *question)
 {
-    (void)(check_real(s) && check_ratio(s, ratio, question) &&
-           check_restitution(s, restitution, question));
+    return check_real(s) && check_ratio(s, ratio, question) &&
+           check_restitution(s, restitution, question);
 }
 
 static void test_twins(void)
@@ -217,7 +217,7 @@ static void test_energy(void)
                            "approach. Is your e a ratio of speeds?");
 }
 
-static bool check_wall(struct seen s, double expected)
+static bool check_wall(struct seen s, double ratio, double restitution)
 {
     static const char question[] =
         "One velocity did not change at all. A ratio with that change in "
@@ -226,16 +226,33 @@ static bool check_wall(struct seen s, double expected)
                s, true,
                "One body is a wall here, and that can be told. Which "
                "of your tests turns it away?") &&
-           check_ratio(s, expected, question) &&
-           check_restitution(s, 0.5, question);
+           check_ratio(s, ratio, question) &&
+           check_restitution(s, restitution, question);
+}
+
+/* A wall moves at c, and a body comes up to it and leaves it with e times
+   that speed. */
+static bool check_drawn_wall(int i)
+{
+    const double e = check_draw_whole(0, 16) / 16.0;
+    const double c = check_draw_whole(-40, 40) / 4.0;
+    const double in = (i % 2 ? -1.0 : 1.0) * check_draw_whole(1, 40) / 4.0;
+    const double before = c + in, after = c - e * in;
+    return i % 4 < 2
+               ? check_wall((struct seen){before, c, after, c}, 0.0, e)
+               : check_wall((struct seen){c, before, c, after}, INFINITY,
+                            e);
 }
 
 static void test_walls(void)
 {
-    (void)(check_wall((struct seen){3.0, 0.0, -1.5, 0.0}, 0.0) &&
-           check_wall((struct seen){-3.0, 0.0, 1.5, 0.0}, 0.0) &&
-           check_wall((struct seen){0.0, -3.0, 0.0, 1.5}, INFINITY) &&
-           check_wall((struct seen){0.0, 3.0, 0.0, -1.5}, INFINITY));
+    bool passed =
+        check_wall((struct seen){3.0, 0.0, -1.5, 0.0}, 0.0, 0.5) &&
+        check_wall((struct seen){-3.0, 0.0, 1.5, 0.0}, 0.0, 0.5) &&
+        check_wall((struct seen){0.0, -3.0, 0.0, 1.5}, INFINITY, 0.5) &&
+        check_wall((struct seen){0.0, 3.0, 0.0, -1.5}, INFINITY, 0.5);
+    for (int i = 0; passed && i < 40; ++i)
+        passed = check_drawn_wall(i);
 }
 
 static void test_far_apart(void)
@@ -286,6 +303,54 @@ static void test_impossible(void)
                          "negative-mass", why));
 }
 
+/* Made from the answer. Seen from the centre of mass, which moves at c,
+   each body comes in with the other's mass times p, and leaves with e times
+   that in the opposite direction. All of it without a rounding. */
+static void test_drawn(void)
+{
+    for (int i = 0; i < 40; ++i) {
+        const double m1 = check_draw_whole(1, 20);
+        const double m2 = check_draw_whole(1, 20);
+        const double e = check_draw_whole(0, 16) / 16.0;
+        const double c = check_draw_whole(-40, 40) / 4.0;
+        const double p =
+            (i % 2 ? -1.0 : 1.0) * check_draw_whole(1, 8) / 4.0;
+        if (!check_both((struct seen){c + p * m2, c - p * m1,
+                                      c - e * p * m2, c + e * p * m1},
+                        m1 / m2, e,
+                        check_text("The centre of mass of these two moves "
+                                   "at %g m/s. What does somebody see who "
+                                   "moves with it?",
+                                   c)))
+            return;
+    }
+}
+
+/* Two that move alike before, two that miss each other, and two that both
+   lose a and b, or gain them. */
+static void test_drawn_refused(void)
+{
+    for (int i = 0; i < 40; ++i) {
+        const double u = check_draw(-9.0, 9.0), w = check_draw(-9.0, 9.0);
+        const double sign = i % 2 ? -1.0 : 1.0;
+        const double a = sign * check_draw(0.01, 5.0);
+        const double b = sign * check_draw(0.01, 5.0);
+        if (!check_refused((struct seen){u, u, u - a, u + b},
+                           "never-refuses",
+                           "The two moved alike before. Who could have "
+                           "caught up with whom?") ||
+            !check_refused((struct seen){u, w, u, w}, "never-refuses",
+                           "Nothing has changed here. What can be learned "
+                           "of bodies that nothing has happened to?") ||
+            !check_refused((struct seen){u, w, u - a, w - b},
+                           "negative-mass",
+                           "Both velocities have changed in the same "
+                           "direction. Who lost the momentum, and who "
+                           "gained it?"))
+            return;
+    }
+}
+
 const struct check_suite check_suite = {
     .exercise = "01b",
     .title = "Weighing without a balance",
@@ -304,10 +369,13 @@ const struct check_suite check_suite = {
          {"the masses found conserve the momentum", test_momentum, 1, 0},
          {"the restitution found accounts for the lost energy", test_energy,
           1, 0},
-         {"a wall is a body of infinite mass", test_walls, 1, 0},
+         {"a wall is a body of infinite mass", test_walls, 1, 1},
          {"a body a million times as heavy is no wall", test_far_apart, 1,
           0},
          {"bodies that never met tell nothing", test_no_collision, 1, 0},
          {"masses are never negative", test_impossible, 1, 0},
+         {"forty collisions give away their masses", test_drawn, 1, 2},
+         {"what forty pairs did was no collision", test_drawn_refused, 1,
+          1},
          {0}},
 };

@@ -1,5 +1,6 @@
 /* The suite of exercise 01c: one ball, equal balls, known values, limits,
-   the energy, loss, and the ball that is too heavy to be thrown up. */
+   the energy, loss, the ball that is too heavy to be thrown up, and stacks
+   that are drawn. */
 
 #include "examiner/check.h"
 #include <float.h>
@@ -16,7 +17,7 @@ static const char *input(size_t n, const double masses[], double speed,
     char list[200] = "";
     size_t used = 0;
     for (size_t k = 0; k < n && used < sizeof list; ++k)
-        used += (size_t)snprintf(list + used, sizeof list - used, "%s%g",
+        used += (size_t)snprintf(list + used, sizeof list - used, "%s%.10g",
                                  k ? ", " : "", masses[k]);
     return check_text("masses {%s} kg from the bottom up, speed = %g m/s, "
                       "restitution = %g",
@@ -208,6 +209,57 @@ static void test_too_heavy(void)
            check_top(3, three, 2.0, 1.0, -0.25, question));
 }
 
+/* Made from the answer. Ride down with the stack: the floor comes up and
+   gives the lowest ball (1 + e) times the speed. We draw with which
+   velocity each ball shall leave the one below, and give it the mass with
+   which it does: of the momentum m w that comes up, the lower ball keeps
+   what it needs to be slower by e times the upper one's velocity. */
+static void test_drawn(void)
+{
+    enum { MOST = 6 };
+    for (int i = 0; i < 40; ++i) {
+        const size_t n = 1 + (size_t)i % MOST;
+        const double speed = check_draw(0.5, 20.0);
+        const double e = i % 4 == 3 ? 1.0 : check_draw(0.2, 1.0);
+        double masses[MOST] = {check_draw(0.1, 5.0)};
+        double w = speed + e * speed;
+        for (size_t k = 1; k < n; ++k) {
+            const double up = w * (1.0 + e) * check_draw(0.2, 0.9);
+            masses[k] = masses[k - 1] * (w - (up - e * w)) / up;
+            w = up;
+        }
+        if (!check_top(n, masses, speed, e, w - speed,
+                       "Follow the blow from ball to ball. With which "
+                       "velocity does each one part from the falling "
+                       "stack?"))
+            return;
+    }
+}
+
+/* Each ball has q times the mass of the one below: then every step
+   multiplies by the same number, and a power does for all. */
+static void test_drawn_powers(void)
+{
+    enum { MOST = 8 };
+    for (int i = 0; i < 40; ++i) {
+        const size_t n = 1 + (size_t)i % MOST;
+        const double speed = check_draw(0.5, 20.0);
+        const double e = check_draw(0.0, 1.0);
+        const double q = check_draw_whole(1, 12) / 4.0;
+        double masses[MOST];
+        for (size_t k = 0; k < n; ++k)
+            masses[k] = pow(q, (double)k);
+        const double times =
+            pow((1.0 + e) / (1.0 + q), (double)n) * (1.0 + q);
+        if (!check_top(n, masses, speed, e, (times - 1.0) * speed,
+                       check_text("Each ball has %g times the mass of the "
+                                  "one below it. Which share of its "
+                                  "velocity does a ball give on?",
+                                  q)))
+            return;
+    }
+}
+
 const struct check_suite check_suite = {
     .exercise = "01c",
     .title = "A stack of balls is dropped",
@@ -215,7 +267,7 @@ const struct check_suite check_suite = {
     .tests =
         {{"a single ball bounces back from the floor", test_one_ball, 1, 0},
          {"equal balls only pass the bounce on", test_equal_balls, 1, 0},
-         {"two balls leave as worked out by hand", test_two_balls, 1, 0},
+         {"two balls leave as worked out by hand", test_two_balls, 2, 0},
          {"a very light ball on a heavy one leaves three times as fast",
           test_limit_of_two, 1, 0},
          {"five ever lighter balls come near to 31 times the speed",
@@ -224,8 +276,11 @@ const struct check_suite check_suite = {
           0},
          {"every impact loses its share when the restitution is "
           "below 1",
-          test_loss, 1, 0},
+          test_loss, 2, 0},
          {"a ball too heavy to be thrown up goes on falling",
           test_too_heavy, 1, 0},
+         {"forty stacks leave as they were meant to", test_drawn, 1, 3},
+         {"forty stacks of one ratio leave with a power of it",
+          test_drawn_powers, 1, 1},
          {0}},
 };

@@ -1,6 +1,7 @@
 /* The suite of exercise 03a: an even law, a law turned round by hand, the
    arcsine, a law far from zero, shares without a formula, a single bin,
-   flat pieces, and a law so steep that the last digit counts. */
+   flat pieces, a law so steep that the last digit counts, and laws drawn
+   with their edges known. */
 
 #include "examiner/check.h"
 #include <float.h>
@@ -133,11 +134,62 @@ static double lumps_below(double x)
     return first + fmin(fmax(4.0 * (x - 0.625), 0.0), 0.5);
 }
 
-/* Three powers mixed: no formula for the place. */
+/* Three powers mixed in whole parts: no formula for the place. */
+static int part[3];
+static double mixed_low, mixed_width;
+
 static double mixed_below(double x)
 {
-    const double y = 0.5 * (x + 3.0);
-    return 0.25 * y + 0.25 * y * y + 0.5 * y * y * y * y * y;
+    const double y = (x - mixed_low) / mixed_width;
+    return (part[0] * y + part[1] * y * y + part[2] * y * y * y * y * y) /
+           (part[0] + part[1] + part[2]);
+}
+
+/* A line bent at drawn corners, between which it always rises by the same:
+   the corners are the edges of as many bins. */
+enum { CORNERS = 9 };
+static double corner[CORNERS];
+static size_t pieces, asked_outside;
+
+static double bent_below(double x)
+{
+    size_t k = 0;
+    asked_outside += !(x >= corner[0] && x <= corner[pieces]);
+    while (k + 1 < pieces && x > corner[k + 1])
+        ++k;
+    return ((double)k + (x - corner[k]) / (corner[k + 1] - corner[k])) /
+           (double)pieces;
+}
+
+static double bent_place(double p)
+{
+    const double along = p * (double)pieces;
+    const size_t k = (size_t)fmin(along, (double)pieces - 1.0);
+    return corner[k] + (along - (double)k) * (corner[k + 1] - corner[k]);
+}
+
+/* That of the widest piece: the least there is. */
+static double bent_density(double x)
+{
+    double widest = 0.0;
+    (void)x;
+    for (size_t k = 0; k < pieces; ++k)
+        widest = fmax(widest, corner[k + 1] - corner[k]);
+    return 1.0 / (widest * (double)pieces);
+}
+
+/* Corners in eighths, which a report shows whole. */
+static const char *draw_corners(void)
+{
+    pieces = (size_t)check_draw_whole(3, CORNERS - 1);
+    corner[0] = check_draw_whole(-400, 400) / 8.0;
+    const char *list = check_text("straight from {%g", corner[0]);
+    for (size_t k = 0; k < pieces; ++k) {
+        corner[k + 1] = corner[k] + check_draw_whole(1, 60) / 8.0;
+        list = check_text("%s, %g", list, corner[k + 1]);
+    }
+    return check_text("%s} to the next, rising by 1/%zu each", list,
+                      pieces);
 }
 
 static void answer(const struct law *l, size_t bins, double edge[])
@@ -286,25 +338,47 @@ static void test_anywhere(void)
               "know where the law begins and where it ends?");
 }
 
-static void test_shares(void)
+static bool check_shares(const struct law *l, size_t bins)
 {
-    const struct law mixed = {
-        "a mixture of powers", mixed_below, NULL, NULL, -3.0, -1.0};
-    const size_t bins = 7;
+    const double larger = fmax(fabs(l->low), fabs(l->high));
     double edge[MOST + 1];
-    answer(&mixed, bins, edge);
+    answer(l, bins, edge);
     for (size_t k = 0; k < bins; ++k)
         if (!CHECK_NEAR(
-                mixed_below(edge[k + 1]) - mixed_below(edge[k]),
+                l->below(edge[k + 1]) - l->below(edge[k]),
                 .quantity = check_text("probability of bin %zu", k),
-                .input = input(&mixed, bins), .expected = 1.0 / 7.0,
-                .tolerance = 32.0 * DBL_EPSILON,
-                .because = "32 epsilons: the places are known to an "
-                           "epsilon of 3, and the density is below 2",
+                .input = input(l, bins), .expected = 1.0 / (double)bins,
+                .tolerance =
+                    8.0 * DBL_EPSILON * (1.0 + 5.0 * larger / mixed_width),
+                .because = "8 epsilons, and of the larger end times the "
+                           "density, which is at most 5 over the width",
                 .equation = "eq:equal-bins",
-                .question = "Every bin should have one seventh. Which of "
-                            "its two edges is at fault?"))
+                .question = "Every bin should have the same. Which of its "
+                            "two edges is at fault?"))
+            return false;
+    return true;
+}
+
+static void test_shares(void)
+{
+    for (int i = 0; i < 5; ++i) {
+        for (int k = 0; k < 3; ++k)
+            part[k] = check_draw_whole(1, 9);
+        mixed_low = check_draw_whole(-36, 36) / 4.0;
+        mixed_width = check_draw_whole(8, 80) / 4.0;
+        const struct law mixed = {
+            check_text("(%d y + %d y^2 + %d y^5)/%d with y = (x - "
+                       "low)/(high - low)",
+                       part[0], part[1], part[2],
+                       part[0] + part[1] + part[2]),
+            mixed_below,
+            NULL,
+            NULL,
+            mixed_low,
+            mixed_low + mixed_width};
+        if (!check_shares(&mixed, (size_t)check_draw_whole(2, 12)))
             return;
+    }
 }
 
 static void test_one_bin(void)
@@ -356,6 +430,38 @@ static void test_steep(void)
               "does your search know when it is near enough?");
 }
 
+static bool check_inside(const struct law *l, size_t bins)
+{
+    return CHECK_NEAR(
+        (double)asked_outside,
+        .quantity = "how often distribution() was asked outside low to "
+                    "high",
+        .input = input(l, bins), .expected = 0.0, .tolerance = 0.0,
+        .because = "it is given from low to high",
+        .equation = "eq:equal-bins",
+        .question = "Between which two places must an edge lie, whatever "
+                    "the law is?");
+}
+
+static void test_drawn(void)
+{
+    static const char question[] =
+        "This law rises by the same from corner to corner. In which piece "
+        "must this edge lie?";
+    asked_outside = 0;
+    for (int i = 0; i < 6; ++i) {
+        const char *name = draw_corners();
+        const struct law bent = {name,         bent_below, bent_place,
+                                 bent_density, corner[0],  corner[pieces]};
+        const size_t many = (size_t)check_draw_whole(1, MOST);
+        if (!(check_law(&bent, pieces, question) &&
+              check_law(&bent, 2 * pieces, question) &&
+              check_law(&bent, many, question) &&
+              check_inside(&bent, many)))
+            return;
+    }
+}
+
 const struct check_suite check_suite = {
     .exercise = "03a",
     .title = "Bins of equal probability",
@@ -364,11 +470,13 @@ const struct check_suite check_suite = {
               {"a rising law has the bins worked out by hand", test_by_hand,
                1, 0},
               {"the law of two movers has narrow bins at its ends",
-               test_arcsine, 1, 0},
+               test_arcsine, 2, 0},
               {"the law may lie anywhere on the axis", test_anywhere, 1, 0},
-              {"every bin has the same probability", test_shares, 1, 0},
+              {"every bin has the same probability", test_shares, 2, 2},
               {"a single bin reaches from end to end", test_one_bin, 1, 0},
               {"flat pieces do not move the ends", test_flat, 1, 0},
-              {"a steep law needs the last digit", test_steep, 1, 0},
+              {"a steep law needs the last digit", test_steep, 2, 0},
+              {"a law of straight pieces has its corners for edges",
+               test_drawn, 3, 3},
               {0}},
 };

@@ -1,6 +1,7 @@
 /* The suite of exercise 03b: independent samples, samples that hang
    together, a dimple, the law's own scatter, an inefficiency below one,
-   counts without end, and what cannot be judged. */
+   counts without end, what cannot be judged, and bins of all kinds drawn.
+ */
 
 #include "examiner/check.h"
 #include <float.h>
@@ -167,15 +168,15 @@ static void test_effective(void)
            check((struct bin){340, 1600, 0.2, 1.5625}, 1.0, question));
 }
 
-/* The expected share of |u| < 0.1 among eight movers is 0.202028305. */
+/* Among eight movers |u| < 0.1 has the expected share 0.202. */
 static void test_dimple(void)
 {
     static const char question[] =
         "This bin has too few samples. Work out the standard deviation on "
         "paper: is it a dimple, or bad luck?";
-    const struct bin b = {7650, 40000, 0.202028305, 50.0};
-    const double z = (7650.0 - 40000.0 * 0.202028305) /
-                     deviation(40000.0, 0.202028305, 50.0);
+    const struct bin b = {7650, 40000, 0.202, 50.0};
+    const double z =
+        (7650.0 - 40000.0 * 0.202) / deviation(40000.0, 0.202, 50.0);
     (void)(check(b, z, question) &&
            check((struct bin){20, 400, 0.2, 4.0}, -3.75, question));
 }
@@ -251,7 +252,7 @@ static void test_few(void)
     static const char outside[] =
         "In the bin there are enough. How many independent samples are "
         "expected outside it?";
-    (void)(check_refused((struct bin){61, 400, 0.202028305, 50.0},
+    (void)(check_refused((struct bin){61, 400, 0.202, 50.0},
                          "all-samples-counted", why) &&
            check_refused((struct bin){3, 16, 0.25, 1.0},
                          "all-samples-counted", why) &&
@@ -265,6 +266,68 @@ static void test_few(void)
                         "bin and outside. Were five too few?"));
 }
 
+/* A bin that expects so many independent samples, in it or outside it,
+   whichever are fewer, and a count that is off by a few deviations. */
+static struct bin draw_bin(double low, double high)
+{
+    struct bin b;
+    b.p = check_draw(0.02, 0.98);
+    b.g = check_draw_whole(0, 2) ? check_draw(1.0, 60.0)
+                                 : check_draw(0.05, 0.95);
+    const double worth = fmax(b.g, 1.0), rarer = fmin(b.p, 1.0 - b.p);
+    const double n = check_draw(low, high) * worth / rarer;
+    b.samples = (size_t)n;
+    const double off = check_draw(-4.0, 4.0) * deviation(n, b.p, worth);
+    b.count = (size_t)fmin(fmax(floor(n) * b.p + off, 0.0), floor(n));
+    return b;
+}
+
+/* Pearson's way: the squares of what bin and rest have too many, each
+   divided by what is expected, add up to the square of z. */
+static double by_squares(struct bin b)
+{
+    const long double n = (long double)b.samples, p = b.p;
+    const long double in = n * p, out = n - n * p;
+    const long double off = (long double)b.count - in;
+    const long double square = off * off / in + off * off / out;
+    const double size = (double)sqrtl(square / fmaxl(b.g, 1.0L));
+    return off < 0.0L ? -size : size;
+}
+
+static void test_drawn(void)
+{
+    for (int i = 0; i < 40; ++i) {
+        const struct bin b = draw_bin(6.0, 400.0);
+        if (!check(b, by_squares(b),
+                   "What does the law expect in this bin, and with which "
+                   "standard deviation? Is z the one divided by the "
+                   "other?"))
+            return;
+    }
+}
+
+/* Too few by a tenth and more, or enough by as much. */
+static void test_drawn_limit(void)
+{
+    static const char enough[] =
+        "A few more than five independent samples are expected in the bin "
+        "and outside it. Which of your tests turns this away?";
+    static const char rarer[] =
+        "How many independent samples does the law expect in the bin, and "
+        "how many outside it? An inefficiency below 1 counts as 1.";
+    for (int i = 0; i < 40; ++i) {
+        const struct bin few = draw_bin(1.0, 4.5),
+                         more = draw_bin(5.6, 7.0);
+        const bool outside = few.p > 0.5;
+        if (!(check_refused(few,
+                            outside ? "outside-forgotten"
+                                    : "all-samples-counted",
+                            rarer) &&
+              check_judged(more, enough)))
+            return;
+    }
+}
+
 const struct check_suite check_suite = {
     .exercise = "03b",
     .title = "Is the dimple real?",
@@ -272,13 +335,16 @@ const struct check_suite check_suite = {
     .tests =
         {{"independent samples scatter as coins do", test_independent, 1,
           0},
-         {"samples that hang together scatter more", test_effective, 1, 0},
+         {"samples that hang together scatter more", test_effective, 2, 0},
          {"a dimple is a negative surplus", test_dimple, 1, 0},
          {"the law's own scatter is asked for, also by an empty bin",
           test_empty_bin, 1, 0},
          {"an inefficiency below one counts as one", test_below_one, 1, 0},
          {"four thousand million samples can be judged", test_large, 1, 0},
          {"a law that leaves no choice is refused", test_certain, 1, 0},
-         {"too few independent samples are refused", test_few, 1, 0},
+         {"too few independent samples are refused", test_few, 2, 0},
+         {"bins of all kinds agree with Pearson's sum", test_drawn, 3, 3},
+         {"bins of all kinds are judged when they can be", test_drawn_limit,
+          2, 2},
          {0}},
 };

@@ -1,6 +1,6 @@
 /* The suite of exercise 03c: the two laws known at sight, four and five
-   movers by hand, a table, the slope, the mirror, a hundred movers, and
-   what lies outside. */
+   movers by hand, a table, the slope, the mirror, a hundred movers, what
+   lies outside, and laws drawn. */
 
 #include "examiner/check.h"
 #include <math.h>
@@ -241,6 +241,45 @@ static void test_many(void)
             return;
 }
 
+/* The integral of the cosine to this power from 0 to an angle, by Gauss's
+   rule of three points in many strips. */
+static long double gauss(int power, double to)
+{
+    enum { STRIPS = 400 };
+    const long double h = 0.5L * to / STRIPS, off = h * sqrtl(0.6L);
+    long double sum = 0.0L;
+    for (int i = 0; i < STRIPS; ++i) {
+        const long double middle = (2 * i + 1) * h;
+        sum += 5.0L * powl(cosl(middle - off), power) +
+               8.0L * powl(cosl(middle), power) +
+               5.0L * powl(cosl(middle + off), power);
+    }
+    return h * sum / 9.0L;
+}
+
+/* The distribution function as a share of areas: with u the sine of an
+   angle the density is a power of the cosine. */
+static double by_area(int n, double u)
+{
+    const long double half = gauss(n - 2, asin(1.0));
+    return (double)(0.5L + 0.5L * gauss(n - 2, asin(u)) / half);
+}
+
+static void test_drawn(void)
+{
+    for (int i = 0; i < 24; ++i) {
+        const int n = i < 16 ? i / 2 + 2 : check_draw_whole(10, 100);
+        const double u = check_draw(-0.99, 0.99);
+        const double expected = by_area(n, u);
+        if (!(n < 4 ? check_first(n, u, expected,
+                                  "Which law is known at sight here?")
+                    : check_later(n, u, expected,
+                                  "From which law do your steps of two "
+                                  "start here, and how many are there?")))
+            return;
+    }
+}
+
 static bool check_outside(int n, double u, double expected)
 {
     static const char why[] =
@@ -267,23 +306,29 @@ static void test_outside(void)
               check_outside(n, INFINITY, 1.0) &&
               check_outside(n, -INFINITY, 0.0)))
             return;
+    for (int i = 0; i < 20; ++i) {
+        const int n = check_draw_whole(2, 100);
+        const double u = check_draw(1.001, 4.0);
+        if (!(check_outside(n, u, 1.0) && check_outside(n, -u, 0.0)))
+            return;
+    }
 }
 
 const struct check_suite check_suite = {
     .exercise = "03c",
     .title = "The exact law of the velocities",
     .minutes = 30,
-    .tests = {{"three movers: every velocity is equally likely", test_three,
-               1, 0},
-              {"two movers: the arcsine", test_two, 1, 0},
-              {"four and five movers are as worked out by hand",
-               test_by_hand, 1, 0},
-              {"six to ten movers agree with a table", test_table, 1, 0},
-              {"the slope is the density of the velocities", test_slope, 1,
-               0},
-              {"left and right are alike", test_mirror, 1, 0},
-              {"a hundred movers keep all digits", test_many, 1, 0},
-              {"nothing lies beyond the largest velocity", test_outside, 1,
-               0},
-              {0}},
+    .tests =
+        {{"three movers: every velocity is equally likely", test_three, 1,
+          0},
+         {"two movers: the arcsine", test_two, 1, 0},
+         {"four and five movers are as worked out by hand", test_by_hand, 2,
+          0},
+         {"six to ten movers agree with a table", test_table, 2, 0},
+         {"the slope is the density of the velocities", test_slope, 1, 0},
+         {"left and right are alike", test_mirror, 1, 0},
+         {"a hundred movers keep all digits", test_many, 2, 0},
+         {"nothing lies beyond the largest velocity", test_outside, 1, 1},
+         {"laws and velocities drawn agree with an area", test_drawn, 3, 3},
+         {0}},
 };

@@ -1,6 +1,6 @@
 /* The suite of exercise 05d: one disk to and fro, both axes, unequal
    masses, points, the time that counts, its ends, times that follow each
-   other, and lists without a hit. */
+   other, drawn disks, and lists without a hit. */
 
 #include "examiner/check.h"
 #include <float.h>
@@ -29,15 +29,17 @@ struct record {
     size_t disks;
     double energy, from, until;
     size_t n;
-    struct wall_hit hit[MOST];
+    struct wall_hit hit[MOST + 1];
 };
 
-/* What the student's function answers; untouched places read as NaN. */
+/* What the student's function answers; untouched places read as NaN. Behind
+   the list stands a heavy hit that does not belong to it. */
 static double answer(const struct record *r, int k)
 {
     double z[2] = {NAN, NAN};
-    wall_z(r->n, r->hit, r->size, r->disks, r->energy, r->from, r->until,
-           z);
+    struct record q = *r;
+    q.hit[r->n] = (struct wall_hit){r->until, LEFT, 1000.0, -10.0};
+    wall_z(q.n, q.hit, q.size, q.disks, q.energy, q.from, q.until, z);
     return z[k];
 }
 
@@ -444,6 +446,56 @@ static void test_parts(void)
                    "in its parts. Is every hit in one of them?");
 }
 
+/* Disks that fly through each other, with drawn masses, radii and journeys:
+   each goes to and fro a whole number of times in the time that counts, and
+   the list begins before that and ends after it. No hit is near its ends.
+   In a journey of 2 w/|v| a disk gives 4 m |v|, and so with the energy K in
+   its motion along an axis of length L it adds 2 K L/w to the sum that is
+   divided by the energy of all. */
+static struct record draw_disks(double expected[2])
+{
+    struct record r = {.text = "drawn disks",
+                       .size = {check_draw(3.0, 9.0), check_draw(3.0, 9.0)},
+                       .disks = (size_t)check_draw_whole(1, 4),
+                       .from = check_draw(1.0, 4.0)};
+    const double time = check_draw(2.0, 20.0);
+    r.until = r.from + time;
+    expected[0] = expected[1] = 0.0;
+    for (size_t i = 0; i < r.disks; ++i) {
+        const double mass = check_draw(0.2, 5.0);
+        const double radius = check_draw(0.1, 1.0);
+        for (int k = 0; k < 2; ++k) {
+            const double way = r.size[k] - 2.0 * radius;
+            const int journeys = check_draw_whole(1, 4);
+            const double v = 2.0 * journeys * way / time;
+            const double wait = check_draw(0.1, 0.9) * way / v;
+            const double energy = 0.5 * mass * v * v;
+            to_and_fro(&r, k, mass, way, r.from + wait - 2.0 * way / v,
+                       check_draw_whole(0, 1) ? v : -v, r.until + way / v);
+            r.energy += energy;
+            expected[k] += 2.0 * energy * r.size[k] / way;
+        }
+    }
+    for (int k = 0; k < 2; ++k)
+        expected[k] /= r.energy;
+    return r;
+}
+
+static void test_drawn(void)
+{
+    static const char question[] =
+        "Each disk makes whole journeys to and fro in the time that "
+        "counts. How much does it give in one journey, and how long does "
+        "that take?";
+    for (int i = 0; i < 20; ++i) {
+        double expected[2];
+        const struct record r = draw_disks(expected);
+        for (int k = 0; k < 2; ++k)
+            if (!check_z(&r, k, expected[k], question))
+                return;
+    }
+}
+
 static void test_no_hits(void)
 {
     const struct record none = {.text = "an empty list",
@@ -478,17 +530,18 @@ const struct check_suite check_suite = {
     .title = "Pressure from a list of wall hits",
     .minutes = 25,
     .tests =
-        {{"one disk presses as worked out by hand", test_one_disk, 1, 0},
+        {{"one disk presses as worked out by hand", test_one_disk, 2, 0},
          {"it does not press on the other walls", test_other_axis, 1, 0},
-         {"three disks press as worked out by hand", test_three_disks, 1,
+         {"three disks press as worked out by hand", test_three_disks, 2,
           0},
          {"heavy and light disks count by their momentum", test_masses, 1,
           0},
          {"points are an ideal gas", test_points, 1, 0},
-         {"only the time that counts is counted", test_time, 1, 0},
+         {"only the time that counts is counted", test_time, 2, 0},
          {"a hit at the end counts, one at the beginning does not",
           test_ends, 1, 0},
          {"a time is the sum of its parts", test_parts, 1, 0},
+         {"whole journeys press as the energy says", test_drawn, 2, 3},
          {"where nothing is hit there is no pressure", test_no_hits, 1, 0},
          {0}},
 };

@@ -50,12 +50,12 @@ holds 'no module includes one of a later chapter' \
     sh -c "echo '$wrong'; test -z '$wrong'"
 
 c_files="$(ls src/*.c src/*/*.c tests/library/*.c tests/stability/*.c \
-    tests/tools/*.c solutions/*.c tests/stubs/*.c tests/right/*.c \
+    tests/tools/*.c tests/mutants/*.c solutions/*.c tests/stubs/*.c tests/right/*.c \
     tests/exercises/*.c)"
 holds 'the layout of every C file is .clang-format' \
     clang-format --dry-run -Werror src/*.[ch] src/*/*.[ch] tests/*.h \
     tests/library/*.[ch] tests/stability/*.c tests/tools/*.c \
-    tests/exercises/*.c tests/right/*.c tests/wrong/*.c tests/stubs/*.c \
+    tests/mutants/*.c tests/exercises/*.c tests/right/*.c tests/wrong/*.c tests/stubs/*.c \
     solutions/*.c
 for cc in gcc clang; do
     # shellcheck disable=SC2086
@@ -83,7 +83,7 @@ holds 'the gate runs the second' \
 holds 'make help names every target a reader may want' sh -c '
     ${MAKE:-make} -s help >'"$work"'/help
     for goal in check book figures movie test programs native bench memcheck \
-        tangle check-tangle format compile_commands.json clean; do
+        mutants tangle check-tangle format compile_commands.json clean; do
         grep -q "^make $goal " '"$work"'/help || { echo "$goal"; exit 1; }
     done'
 

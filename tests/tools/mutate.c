@@ -531,7 +531,7 @@ static void change_whole(size_t i, const char *text, int change)
 {
     char *suffix, with[64];
     const unsigned long long value = strtoull(text, &suffix, 0);
-    const unsigned long long size = change < 0 ? 0ULL - change : change;
+    const unsigned long long size = (unsigned long long)abs(change);
     if (change > 0)
         snprintf(with, sizeof with, "%llu%.8s", value + size, suffix);
     else if (size <= value)
@@ -836,7 +836,8 @@ static void make_mutants(void)
 /* ---- answers ------------------------------------------------------------
  */
 
-/* The text from start to end with `with` in the middle, single-spaced. */
+/* The text from start to end, with `with` in place of what is between from
+   and to, without comments and with single spaces. */
 static char *one_line(size_t start, size_t from, const char *with,
                       size_t to, size_t end)
 {
@@ -844,15 +845,16 @@ static char *one_line(size_t start, size_t from, const char *with,
     char *tail = copy_of(file.text + to, end - to);
     char *text = joined(head, with, tail), *out = text;
     bool space = false;
-    for (const char *in = text; *in; ++in) {
-        if (isspace((unsigned char)*in)) {
+    for (const char *in = text; *in;) {
+        if (isspace((unsigned char)*in) || is_comment(in)) {
             space = out > text;
+            in = is_comment(in) ? after_comment(in) : in + 1;
             continue;
         }
         if (space)
             *out++ = ' ';
         space = false;
-        *out++ = *in;
+        *out++ = *in++;
     }
     *out = '\0';
     free(head);

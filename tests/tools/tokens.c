@@ -11,6 +11,16 @@
            `longest N` with the longest run of all. Exit status 1 when a run
            of K or more was found.
 
+       tokens --within K FILE... -- TEXT...
+           looks for each function body of K tokens or more of the files
+           before the --, whole, in each of the texts after it, which need
+           not be C, and prints for each that it finds a line
+           FILE:LINE: NAME<tab>TEXT:LINE
+           and then one line `N bodies sought, the longest left out has N
+           tokens`. A text is read twice: as C, and once more with all that
+           stands in its comments, strings and preprocessor lines taken for
+           code. Exit status 1 when a body was found.
+
    Comments and preprocessor lines are left out, and so is `const`. Strings
    and characters are all alike, numbers are compared by value (2 is 2.0).
    Identifiers that are not keywords match whatever they are called, as long
@@ -33,13 +43,15 @@ struct token {
     char text[NAME_LENGTH];
     int name;
     int line;
+    const char *at; /* in its text */
 };
 
+/* `opened` are the tokens with the strings opened. */
 struct body {
     const char *file;
     char function[NAME_LENGTH];
-    struct token *tokens;
-    size_t count;
+    struct token *tokens, *opened;
+    size_t count, opened_count;
     int line;
 };
 
@@ -48,9 +60,17 @@ struct bodies {
     size_t count;
 };
 
-/* Every identifier seen so far, in order of first appearance. */
+/* How a text is read: as C, with its strings opened, or with its comments
+   and preprocessor lines opened as well. */
+enum reading { AS_CODE, OPEN_STRINGS, OPEN_ALL };
+
+/* Every identifier seen so far, in order of first appearance, and where to
+   find it: `places` has a power of two of places, each with the number of a
+   name or -1. */
 static char (*names)[NAME_LENGTH];
 static int name_count;
+static int *places;
+static size_t place_count;
 
 static void *grow(void *memory, size_t bytes)
 {
@@ -62,14 +82,39 @@ static void *grow(void *memory, size_t bytes)
     return memory;
 }
 
+/* Where the name stands in `places`, or should. */
+static size_t place_of(const char *text)
+{
+    size_t place = 5381;
+    for (const char *c = text; *c; ++c)
+        place = place * 33 + (unsigned char)*c;
+    place &= place_count - 1;
+    while (places[place] >= 0 && strcmp(names[places[place]], text) != 0)
+        place = (place + 1) & (place_count - 1);
+    return place;
+}
+
+static void make_room(void)
+{
+    place_count = place_count ? 2 * place_count : 1024;
+    places = grow(places, place_count * sizeof *places);
+    names = grow(names, place_count * sizeof *names);
+    for (size_t i = 0; i < place_count; ++i)
+        places[i] = -1;
+    for (int i = 0; i < name_count; ++i)
+        places[place_of(names[i])] = i;
+}
+
 static int name_number(const char *text)
 {
-    for (int i = 0; i < name_count; ++i)
-        if (strcmp(names[i], text) == 0)
-            return i;
-    names = grow(names, ((size_t)name_count + 1) * sizeof names[0]);
-    strcpy(names[name_count], text);
-    return name_count++;
+    if (2 * (size_t)name_count >= place_count)
+        make_room();
+    const size_t place = place_of(text);
+    if (places[place] < 0) {
+        strcpy(names[name_count], text);
+        places[place] = name_count++;
+    }
+    return places[place];
 }
 
 static bool is_keyword(const char *text)
@@ -87,7 +132,8 @@ static bool is_keyword(const char *text)
     return false;
 }
 
-static char *read_file(const char *path)
+/* The text of the file, a NUL behind it, and its length. */
+static char *read_file(const char *path, size_t *length)
 {
     size_t size = 0, got;
     char *text = NULL;
@@ -103,12 +149,14 @@ static char *read_file(const char *path)
     } while (got > 0);
     fclose(file);
     text[size] = '\0';
+    *length = size;
     return text;
 }
 
 /* A place in a text. */
 struct reader {
-    const char *at;
+    const char *at, *end;
+    enum reading reading;
     int line;
     bool line_start; /* nothing but space since the last newline */
 };
@@ -154,9 +202,33 @@ static void skip_directive(struct reader *r)
     }
 }
 
+/* How many characters here are no code but a mark around it. */
+static int mark_length(const struct reader *r)
+{
+    const char *at = r->at;
+    if (r->reading == AS_CODE)
+        return 0;
+    if (*at == '\\')
+        return at[1] == 'n' || at[1] == 't' ? 2 : 1;
+    if (*at == '"' || *at == '\'')
+        return 1;
+    if (r->reading == OPEN_STRINGS)
+        return 0;
+    if (starts_comment(r) || (*at == '*' && at[1] == '/'))
+        return 2;
+    if (r->line_start && (*at == '#' || *at == '%'))
+        return 1;
+    return r->line_start && *at == '*' && isspace((unsigned char)at[1]);
+}
+
 static void skip_space(struct reader *r)
 {
-    for (;;) {
+    while (r->at < r->end) {
+        const int marks = mark_length(r);
+        for (int i = 0; i < marks; ++i)
+            step(r);
+        if (marks)
+            continue;
         if (isspace((unsigned char)*r->at))
             step(r);
         else if (starts_comment(r))
@@ -226,10 +298,10 @@ static void read_operator(struct reader *r, struct token *t)
 static bool read_token(struct reader *r, struct token *t)
 {
     skip_space(r);
-    if (!*r->at)
+    if (r->at >= r->end)
         return false;
     r->line_start = false;
-    *t = (struct token){.name = -1, .line = r->line};
+    *t = (struct token){.name = -1, .line = r->line, .at = r->at};
     if (*r->at == '"' || *r->at == '\'')
         read_quoted(r, t);
     else if (isalpha((unsigned char)*r->at) || *r->at == '_')
@@ -260,6 +332,23 @@ static const char *function_before(const struct token *t, size_t brace)
     return "?";
 }
 
+/* The tokens from `text` up to `end`, *count of them. */
+static struct token *read_tokens(const char *text, const char *end,
+                                 enum reading reading, size_t *count)
+{
+    struct reader r = {text, end, reading, 1, true};
+    struct token *t = NULL, next;
+    *count = 0;
+    while (read_token(&r, &next)) {
+        if (strcmp(next.text, "const") == 0)
+            continue;
+        if ((*count & (*count + 1)) == 0) /* 0, 1, 3, 7: room is used up */
+            t = grow(t, 2 * (*count + 1) * sizeof *t);
+        t[(*count)++] = next;
+    }
+    return t;
+}
+
 static void add_body(struct bodies *all, const char *file,
                      const struct token *t, size_t brace, size_t end)
 {
@@ -267,6 +356,8 @@ static void add_body(struct bodies *all, const char *file,
     b.count = end - brace - 1;
     b.tokens = grow(NULL, b.count * sizeof *t);
     memcpy(b.tokens, t + brace + 1, b.count * sizeof *t);
+    b.opened = read_tokens(t[brace].at + 1, t[end].at, OPEN_STRINGS,
+                           &b.opened_count);
     strcpy(b.function, function_before(t, brace));
     all->list = grow(all->list, (all->count + 1) * sizeof b);
     all->list[all->count++] = b;
@@ -274,22 +365,16 @@ static void add_body(struct bodies *all, const char *file,
 
 static void read_bodies(struct bodies *all, const char *file)
 {
-    char *text = read_file(file);
-    struct reader r = {text, 1, true};
-    struct token *t = NULL, next;
-    size_t count = 0, start = 0;
+    size_t length, count, start = 0;
+    char *text = read_file(file, &length);
+    struct token *t = read_tokens(text, text + length, AS_CODE, &count);
     int depth = 0;
-    while (read_token(&r, &next)) {
-        if (strcmp(next.text, "const") == 0)
-            continue;
-        if ((count & (count + 1)) == 0) /* 0, 1, 3, 7: room is used up */
-            t = grow(t, 2 * (count + 1) * sizeof *t);
-        t[count++] = next;
-        if (is(&next, "{") && depth++ == 0)
-            start = count - 1;
-        if (is(&next, "}") && --depth == 0 && start > 0 &&
+    for (size_t i = 0; i < count; ++i) {
+        if (is(&t[i], "{") && depth++ == 0)
+            start = i;
+        if (is(&t[i], "}") && --depth == 0 && start > 0 &&
             is(&t[start - 1], ")"))
-            add_body(all, file, t, start, count - 1);
+            add_body(all, file, t, start, i);
     }
     free(t);
     free(text);
@@ -394,27 +479,130 @@ static bool compare(const struct bodies *own, const struct bodies *book,
     return longest >= limit;
 }
 
+/* A text to search. A token's kind is the number of its text, or -1 for an
+   identifier, which any other may match. */
+struct text {
+    struct token *tokens;
+    int *kinds;
+    size_t count;
+};
+
+static int kind_of(const struct token *t)
+{
+    return t->name < 0 ? name_number(t->text) : -1;
+}
+
+static struct text read_text(const char *from, const char *end,
+                             enum reading reading)
+{
+    struct text t;
+    t.tokens = read_tokens(from, end, reading, &t.count);
+    t.kinds = grow(NULL, t.count * sizeof *t.kinds);
+    for (size_t i = 0; i < t.count; ++i)
+        t.kinds[i] = kind_of(&t.tokens[i]);
+    return t;
+}
+
+static void free_text(struct text *t)
+{
+    free(t->tokens);
+    free(t->kinds);
+}
+
+/* Looks for the tokens, whole, in the text; the line where they begin, or
+   0. Only where the first that is no identifier fits need the others be
+   tried. */
+static int find_tokens(const struct token *sought, size_t count,
+                       const struct text *text, int *to, int *from)
+{
+    size_t first = 0;
+    if (count == 0)
+        return 0;
+    while (first + 1 < count && sought[first].name >= 0)
+        ++first;
+    const int kind = kind_of(&sought[first]);
+    for (size_t i = 0; i + count <= text->count; ++i)
+        if (text->kinds[i + first] == kind &&
+            run_length(sought, count, text->tokens + i, count, to, from) ==
+                count)
+            return text->tokens[i].line;
+    return 0;
+}
+
+/* Looks for the bodies in one text; returns whether one was found. */
+static bool search(const struct bodies *own, size_t limit, const char *path)
+{
+    size_t length;
+    char *text = read_file(path, &length);
+    struct text code = read_text(text, text + length, AS_CODE);
+    struct text all = read_text(text, text + length, OPEN_ALL);
+    int *to = grow(NULL, (size_t)name_count * sizeof *to);
+    int *from = grow(NULL, (size_t)name_count * sizeof *from);
+    bool found = false;
+    for (int i = 0; i < name_count; ++i)
+        to[i] = from[i] = -1;
+    for (size_t i = 0; i < own->count; ++i) {
+        const struct body *b = &own->list[i];
+        int line = 0;
+        if (b->count < limit)
+            continue;
+        line = find_tokens(b->tokens, b->count, &code, to, from);
+        if (!line)
+            line = find_tokens(b->opened, b->opened_count, &all, to, from);
+        if (line)
+            printf("%s:%d: %s\t%s:%d\n", b->file, b->line, b->function,
+                   path, line);
+        found |= line != 0;
+    }
+    free(to);
+    free(from);
+    free_text(&code);
+    free_text(&all);
+    free(text);
+    return found;
+}
+
+static void count_sought(const struct bodies *own, size_t limit)
+{
+    size_t sought = 0, longest = 0;
+    for (size_t i = 0; i < own->count; ++i)
+        if (own->list[i].count >= limit)
+            ++sought;
+        else if (own->list[i].count > longest)
+            longest = own->list[i].count;
+    printf("%zu bodies sought, the longest left out has %zu tokens\n",
+           sought, longest);
+}
+
 int main(int argc, char **argv)
 {
     struct bodies own = {NULL, 0}, book = {NULL, 0};
-    struct bodies *into = &own;
     const bool shared = argc > 2 && strcmp(argv[1], "--shared") == 0;
-    const int limit = shared ? atoi(argv[2]) : 0;
-    for (int i = shared ? 3 : 1; i < argc; ++i) {
-        if (shared && strcmp(argv[i], "--") == 0)
-            into = &book;
-        else
-            read_bodies(into, argv[i]);
-    }
-    if (own.count == 0 || (shared && (limit < 1 || book.count == 0))) {
+    const bool within = argc > 2 && strcmp(argv[1], "--within") == 0;
+    const bool paired = shared || within;
+    const int limit = paired ? atoi(argv[2]) : 0;
+    int i = paired ? 3 : 1;
+    bool found = false;
+    for (; i < argc && (!paired || strcmp(argv[i], "--") != 0); ++i)
+        read_bodies(&own, argv[i]);
+    const int texts = argc - ++i;
+    for (; shared && i < argc; ++i)
+        read_bodies(&book, argv[i]);
+    if (own.count == 0 || (paired && limit < 1) ||
+        (shared && book.count == 0) || (within && texts < 1)) {
         fprintf(stderr,
                 "usage: tokens FILE... or tokens --shared K FILE... "
-                "-- BOOK...\n"
+                "-- BOOK... or tokens --within K FILE... -- TEXT...\n"
                 "tokens: no function bodies to compare\n");
         return 2;
     }
     if (shared)
         return compare(&own, &book, (size_t)limit) ? 1 : 0;
-    print_bodies(&own);
-    return 0;
+    for (; within && i < argc; ++i)
+        found |= search(&own, (size_t)limit, argv[i]);
+    if (within)
+        count_sought(&own, (size_t)limit);
+    else
+        print_bodies(&own);
+    return found ? 1 : 0;
 }

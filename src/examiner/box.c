@@ -1,0 +1,317 @@
+/* From chapters/B-grader.nw: edit there, then run make tangle. */
+/* checksum 2962563068 of the lines below */
+#include "examiner/box.h"
+#include "examiner/process.h"
+#include "examiner/text.h"
+#include "examiner/wire.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+#define MEMORY_BYTES 536870912 /* of addresses, for each process */
+#define DISK_BYTES 33554432    /* of the box's folder */
+
+enum {
+    BUILD_MS = 45000, /* on the wall, to compile and link */
+    START_MS = 5000,  /* from there to main */
+    SETTLE_MS = 2000  /* to end a test that is over */
+};
+
+enum { WORDS = 128, NUMBERS = 8 };
+
+struct words {
+    const char *list[WORDS];
+    int count;
+    char numbers[NUMBERS][24];
+    int made;
+};
+
+static void add(struct words *w, const char *const words[])
+{
+    for (int i = 0; words[i] && w->count < WORDS - 1; ++i)
+        w->list[w->count++] = words[i];
+    w->list[w->count] = NULL;
+}
+
+#define ADD(w, ...) add(w, (const char *const[]){__VA_ARGS__, NULL})
+static const char *number(struct words *w, long long x)
+{
+    char *text = w->numbers[w->made++ % NUMBERS];
+    snprintf(text, sizeof w->numbers[0], "%lld", x);
+    return text;
+}
+
+static long box_user(void)
+{
+    return 20000 + (long)getpid() % 40000;
+}
+
+static void add_user(struct words *w)
+{
+    const char *user = number(w, box_user());
+    ADD(w, "setpriv", "--reuid", user, "--regid", user, "--clear-groups",
+        "--no-new-privs");
+}
+
+static void add_namespaces(struct words *w, enum box_kind kind)
+{
+    ADD(w, "bwrap", "--unshare-ipc", "--unshare-pid", "--unshare-net",
+        "--unshare-uts", "--unshare-cgroup-try", "--die-with-parent",
+        "--new-session", "--clearenv", "--cap-drop", "ALL");
+    if (kind == BOX_ROOT)
+        ADD(w, "--cap-add", "CAP_SETUID", "--cap-add", "CAP_SETGID",
+            "--cap-add", "CAP_SETPCAP");
+    else
+        ADD(w, "--unshare-user");
+    if (kind == BOX_SEALED)
+        ADD(w, "--disable-userns");
+    if (geteuid() != 0)
+        ADD(w, "--uid", "65534", "--gid", "65534");
+}
+
+static void add_system(struct words *w)
+{
+    ADD(w, "--ro-bind", "/usr", "/usr", "--symlink", "usr/bin", "/bin",
+        "--symlink", "usr/lib", "/lib", "--symlink", "usr/lib64", "/lib64");
+    ADD(w, "--ro-bind-try", "/etc/alternatives", "/etc/alternatives",
+        "--ro-bind-try", "/etc/ld.so.cache", "/etc/ld.so.cache");
+    ADD(w, "--proc", "/proc", "--dev", "/dev", "--remount-ro", "/dev");
+    ADD(w, "--perms", "0777", "--size", number(w, DISK_BYTES), "--tmpfs",
+        "/work", "--perms", "0755", "--dir", "/kit", "--perms", "0755",
+        "--dir", "/exercises");
+}
+static void add_copies(struct words *w, const char *name)
+{
+    static char source[256];
+    snprintf(source, sizeof source, "/%s", name);
+    ADD(w, "--perms", "0444", "--ro-bind-data", "5", source);
+    ADD(w, "--perms", "0444", "--ro-bind-data", "6", "/kit/exercise.h");
+    ADD(w, "--perms", "0444", "--ro-bind-data", "7", "/kit/inside.o");
+    ADD(w, "--remount-ro", "/");
+}
+
+static void add_walls(struct words *w, enum box_kind kind, const char *name)
+{
+    if (geteuid() == 0 && kind != BOX_ROOT)
+        add_user(w);
+    add_namespaces(w, kind);
+    add_system(w);
+    add_copies(w, name);
+    if (kind == BOX_ROOT) {
+        add_user(w);
+        ADD(w, "--inh-caps=-all", "--bounding-set=-all");
+    }
+}
+
+static bool try_kind(enum box_kind kind)
+{
+    struct words w = {.count = 0};
+    struct process_end end;
+    const int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
+    const struct process_files files = {
+        nothing, {nothing, nothing, nothing, nothing, nothing}};
+    const struct process_limits limits = {5, RLIM_INFINITY, RLIM_INFINITY,
+                                          RLIM_INFINITY};
+    add_walls(&w, kind, "exercises/none.c");
+    ADD(&w, "/usr/bin/true");
+    const bool ran =
+        process_run((char *const *)w.list, "/", &files, &limits, &end);
+    close(nothing);
+    return ran && end.status == 0;
+}
+
+enum box_kind box_probe(void)
+{
+    enum box_kind kind = BOX_SEALED;
+    while (kind != BOX_OPEN &&
+           ((kind == BOX_ROOT && geteuid() != 0) || !try_kind(kind)))
+        ++kind;
+    return kind;
+}
+
+const char *box_name(enum box_kind kind)
+{
+    static const char *const names[] = {"sealed namespaces", "namespaces",
+                                        "root's namespaces",
+                                        "NONE: limits only, no isolation"};
+    return names[kind];
+}
+
+static const char script[] =
+    "root=$1 name=$2 compiler=$3 keep=$4 seconds=$5 memory=$6\n"
+    "echo 1000 >/proc/self/oom_score_adj\n"
+    "export PATH=/usr/bin:/bin LC_ALL=C HOME=$root/work TMPDIR=$root/work\n"
+    "build() { prlimit --core=0 --cpu=20 --as=2147483648 --nproc=64 \\\n"
+    "    --fsize=33554432 \"$@\" 3<&- 4>&- || exit; }\n"
+    "cd $root/ || exit\n"
+    "build $compiler -I$root/kit -Wall -Wextra -c -o work/answer.o $name\n"
+    "cd work || exit\n"
+    "build objcopy $keep answer.o\n"
+    "build $compiler -o program answer.o ../kit/inside.o -lm\n"
+    "printf b >&4\n"
+    "exec prlimit --core=0 --cpu=$seconds --as=$memory --nproc=24 \\\n"
+    "    --fsize=1048576 ./program\n";
+static void add_script(struct words *w, const struct box_order *order,
+                       const char *root)
+{
+    const char *memory =
+        order->sanitized ? "unlimited" : number(w, MEMORY_BYTES);
+    ADD(w, "/usr/bin/env", "-i",
+        "ASAN_OPTIONS=exitcode=86:hard_rss_limit_mb=512:handle_abort=1:"
+        "detect_leaks=0:color=never",
+        "UBSAN_OPTIONS=exitcode=86:color=never", "/bin/sh", "-c", script,
+        "sh", root, order->name, order->compiler, order->keep,
+        number(w, order->seconds), memory);
+}
+
+enum { GONE = -1, LATE = -2 };
+
+static int wait_for_byte(int file, int milliseconds)
+{
+    struct pollfd wait = {.fd = file, .events = POLLIN};
+    unsigned char byte;
+    const int ready = poll(&wait, 1, milliseconds);
+    if (ready == 0)
+        return LATE;
+    return ready > 0 && read(file, &byte, 1) == 1 ? byte : GONE;
+}
+
+static double seconds_now(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+static char open_root[] = "/tmp/bonkers.XXXXXX";
+static bool furnished;
+
+static void copy(int from, const char *name)
+{
+    char path[512], bytes[4096];
+    snprintf(path, sizeof path, "%s/%s", open_root, name);
+    const int to = open(path, O_WRONLY | O_CREAT | O_TRUNC, 0644);
+    ssize_t length;
+    lseek(from, 0, SEEK_SET);
+    while ((length = read(from, bytes, sizeof bytes)) > 0)
+        if (write(to, bytes, (size_t)length) != length)
+            text_fail("cannot write '%s': %s", path, strerror(errno));
+    if (to < 0 || length < 0)
+        text_fail("cannot write '%s': %s", path, strerror(errno));
+    close(to);
+}
+static void furnish_folder(const struct box_order *order)
+{
+    static const char *const folders[] = {"kit", "exercises", "work"};
+    char path[512];
+    strcpy(open_root, "/tmp/bonkers.XXXXXX");
+    if (!mkdtemp(open_root) || chmod(open_root, 0755) != 0)
+        text_fail("cannot make a folder in /tmp: %s", strerror(errno));
+    furnished = true;
+    for (int i = 0; i < 3; ++i) {
+        snprintf(path, sizeof path, "%s/%s", open_root, folders[i]);
+        if (mkdir(path, 0755) != 0)
+            text_fail("cannot make '%s': %s", path, strerror(errno));
+    }
+    if (geteuid() == 0 &&
+        chown(path, (uid_t)box_user(), (gid_t)box_user()) != 0)
+        text_fail("cannot give '%s' away: %s", path, strerror(errno));
+    copy(order->source, order->name);
+    copy(order->header, "kit/exercise.h");
+    copy(order->inside, "kit/inside.o");
+}
+
+static void start(const struct box_order *order, int requests, int answers,
+                  int prints)
+{
+    struct words w = {.count = 0};
+    const struct process_files files = {
+        prints,
+        {requests, answers, order->source, order->header, order->inside}};
+    const struct process_limits limits = {3600, RLIM_INFINITY, 33554432,
+                                          RLIM_INFINITY};
+    if (order->kind != BOX_OPEN) {
+        add_walls(&w, order->kind, order->name);
+        add_script(&w, order, "");
+    } else {
+        furnish_folder(order);
+        if (geteuid() == 0)
+            add_user(&w);
+        add_script(&w, order, open_root);
+    }
+    lseek(order->source, 0, SEEK_SET);
+    lseek(order->header, 0, SEEK_SET);
+    lseek(order->inside, 0, SEEK_SET);
+    if (!process_start((char *const *)w.list, "/", &files, &limits))
+        text_fail("cannot start '%s': %s", w.list[0], strerror(errno));
+}
+
+static enum box_stage wait_for_main(struct box *box)
+{
+    const double start = seconds_now();
+    const int built = wait_for_byte(box->answers, BUILD_MS);
+    box->build_seconds = seconds_now() - start;
+    if (built != WIRE_BUILT)
+        return built == LATE ? BOX_TOO_LONG : BOX_NOT_BUILT;
+    return wait_for_byte(box->answers, START_MS) == WIRE_READY
+               ? BOX_READY
+               : BOX_NO_MAIN;
+}
+
+enum box_stage box_open(struct box *box, const struct box_order *order,
+                        int prints)
+{
+    int in[2], out[2];
+    if (pipe(in) != 0 || pipe(out) != 0)
+        text_fail("cannot make a pipe: %s", strerror(errno));
+    *box = (struct box){in[1], out[0], prints, 0.0};
+    fcntl(box->requests, F_SETFD, FD_CLOEXEC);
+    fcntl(box->answers, F_SETFD, FD_CLOEXEC);
+    start(order, in[0], out[1], prints);
+    close(in[0]);
+    close(out[1]);
+    return wait_for_main(box);
+}
+
+bool box_settle(const struct box *box)
+{
+    const char over = WIRE_OVER;
+    char status[sizeof(int)];
+    if (write(box->requests, &over, 1) != 1)
+        return false;
+    const int word = wait_for_byte(box->answers, SETTLE_MS);
+    if (word == WIRE_ENDED)
+        return read(box->answers, status, sizeof status) == sizeof status;
+    return word == WIRE_IDLE;
+}
+
+static void sweep_folder(void)
+{
+    char command[256];
+    snprintf(command, sizeof command,
+             "setpriv --reuid %ld --regid %ld --clear-groups "
+             "sh -c 'kill -KILL -1' 2>/dev/null",
+             box_user(), box_user());
+    if (geteuid() == 0 && system(command) < 0)
+        text_fail("cannot sweep '%s'", open_root);
+    snprintf(command, sizeof command, "rm -rf '%s'", open_root);
+    if (system(command) != 0)
+        text_fail("cannot remove '%s'", open_root);
+    furnished = false;
+}
+
+void box_close(struct box *box)
+{
+    close(box->requests);
+    close(box->answers);
+    process_stop();
+    if (furnished)
+        sweep_folder();
+}

@@ -1,0 +1,64 @@
+/* From chapters/B-grader.nw: edit there, then run make tangle. */
+/* checksum 3302986302 of the lines below */
+#ifndef BOX_H
+#define BOX_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum box_kind {
+    BOX_SEALED, /* namespaces of its own, and no more of them inside */
+    BOX_USER,   /* the same, but it may make further ones inside */
+    BOX_ROOT,   /* made by root, where users may not make namespaces */
+    BOX_OPEN    /* no box: limits only */
+};
+
+/* What is built and run in a box. The descriptors are of open files, read
+   from their beginning by each box; none is seen by the program itself. */
+struct box_order {
+    enum box_kind kind;
+    const char *name;     /* of the student's file, "exercises/01a-x.c" */
+    int source;           /* the student's file */
+    int header;           /* exercise.h */
+    int inside;           /* the driver and the border of the exercise */
+    const char *compiler; /* with its flags, to be split at blanks */
+    const char *keep;     /* options of objcopy: the symbols that stay */
+    bool sanitized;       /* compiled with sanitizers */
+    int seconds;          /* of processor time, for each test */
+};
+
+/* A box with a program in it. */
+struct box {
+    int requests, answers; /* descriptors: ours of the two pipes */
+    int prints;            /* where compiler and program print; ours */
+    double build_seconds;  /* until it was compiled and linked */
+};
+
+/* How far a box has come. */
+enum box_stage {
+    BOX_NOT_BUILT, /* the compiler or the linker refused */
+    BOX_TOO_LONG,  /* they were stopped */
+    BOX_NO_MAIN,   /* the program ended before its main */
+    BOX_READY
+};
+
+/* The best kind of box that this machine allows; BOX_OPEN if none. */
+enum box_kind box_probe(void);
+
+/* "namespaces, sealed", ...: what to tell the lecturer. */
+const char *box_name(enum box_kind kind);
+
+/* Builds the order in a new box and starts it; prints is a file, open to
+   append, that is empty. One box at a time. Exits with status 2 when no
+   process can be started. */
+enum box_stage box_open(struct box *box, const struct box_order *order,
+                        int prints);
+
+/* Ends the test that the program in the box has served. Returns whether
+   the box is fit for another. */
+bool box_settle(const struct box *box);
+
+/* Kills all that is in the box, and the box. */
+void box_close(struct box *box);
+
+#endif

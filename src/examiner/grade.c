@@ -1,0 +1,506 @@
+/* From chapters/B-grader.nw: edit there, then run make tangle. */
+/* checksum 133821876 of the lines below */
+#include "examiner/grading.h"
+#include "examiner/process.h"
+#include "examiner/publish.h"
+#include "examiner/submissions.h"
+#include "examiner/text.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <getopt.h>
+#include <inttypes.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+
+struct options {
+    const char *folder, *reports, *output, *exercises;
+    long jobs;
+    int seconds;
+    uint64_t seed;
+    bool seeded, unsafe;
+};
+
+struct batch {
+    struct options options;
+    struct kit *kits;
+    struct submission *submissions;
+    size_t kit_count, count; /* of exercises, of students */
+    struct grading grading;
+    char root[4096], work[4200];
+    size_t done, failed;
+};
+static const char usage[] =
+    "usage: grade [OPTION]... FOLDER\n"
+    "Grades a folder that has a folder for each student.\n"
+    "  --exercises LIST  only these, 01a,02b or 01 for a chapter (all)\n"
+    "  --hidden SEED     of the inputs that students never see, a whole\n"
+    "                    number (drawn once and kept in the output "
+    "folder)\n"
+    "  --jobs N          gradings at a time (one for each processor)\n"
+    "  --output FOLDER   for results and reports (build/grade/results)\n"
+    "  --report LIST     table,csv,gradescope,classroom50,junit "
+    "(table,csv)\n"
+    "  --seconds N       processor time that a test may take (5)\n"
+    "  --unsafe          go on where programs cannot be put into a box\n"
+    "  --help            print this\n"
+    "What was graded before and has not changed is not graded again.\n"
+    "Exit status: 0 all is graded, 1 something could not be, 2 trouble.\n";
+
+static uint64_t whole(const char *option, const char *text, uint64_t least,
+                      uint64_t most)
+{
+    char *end;
+    errno = 0;
+    const unsigned long long x = strtoull(text, &end, 10);
+    if (errno || !isdigit((unsigned char)*text) || *end || x < least ||
+        x > most)
+        text_fail("%s: '%s' is not a whole number from %" PRIu64
+                  " to %" PRIu64,
+                  option, text, least, most);
+    return x;
+}
+
+static void take_option(struct options *o, int c)
+{
+    switch (c) {
+    case 'e': o->exercises = optarg; break;
+    case 'H':
+        o->seed = whole("--hidden", optarg, 0, UINT64_MAX);
+        o->seeded = true;
+        break;
+    case 'j': o->jobs = (long)whole("--jobs", optarg, 1, 1024); break;
+    case 'o': o->output = optarg; break;
+    case 'r': o->reports = optarg; break;
+    case 's': o->seconds = (int)whole("--seconds", optarg, 1, 3600); break;
+    case 'u': o->unsafe = true; break;
+    case 'h': fputs(usage, stdout); exit(EXIT_SUCCESS);
+    default: fputs("Try: grade --help\n", stderr); exit(2);
+    }
+}
+
+static bool next_word(const char **list, char word[64])
+{
+    *list += strspn(*list, ", ");
+    const size_t length = strcspn(*list, ", ");
+    snprintf(word, 64, "%.*s", (int)(length < 63 ? length : 63), *list);
+    *list += length;
+    return length > 0;
+}
+
+static void check_reports(const char *list)
+{
+    char word[64];
+    while (next_word(&list, word))
+        if (!publish_known(word))
+            text_fail("--report: '%s' is none of table, csv, gradescope, "
+                      "classroom50, junit",
+                      word);
+}
+
+static void choose_kits(struct batch *b)
+{
+    const char *list = b->options.exercises;
+    char word[64];
+    size_t kept = 0;
+    if (!list)
+        return;
+    for (size_t i = 0; i < b->kit_count; ++i) {
+        bool wanted = false;
+        for (const char *rest = list; next_word(&rest, word);)
+            wanted |= text_after(b->kits[i].exercise, word) != NULL;
+        if (wanted)
+            b->kits[kept++] = b->kits[i];
+    }
+    if (kept == 0)
+        text_fail("--exercises: there is none that '%s' names", list);
+    b->kit_count = kept;
+}
+
+static struct options read_options(int argc, char **argv)
+{
+    static const struct option known[] = {
+        {"exercises", required_argument, NULL, 'e'},
+        {"hidden", required_argument, NULL, 'H'},
+        {"jobs", required_argument, NULL, 'j'},
+        {"output", required_argument, NULL, 'o'},
+        {"report", required_argument, NULL, 'r'},
+        {"seconds", required_argument, NULL, 's'},
+        {"unsafe", no_argument, NULL, 'u'},
+        {"help", no_argument, NULL, 'h'},
+        {0},
+    };
+    struct options o = {.reports = "table,csv",
+                        .output = "build/grade/results",
+                        .jobs = sysconf(_SC_NPROCESSORS_ONLN),
+                        .seconds = 5};
+    for (int c; (c = getopt_long(argc, argv, "", known, NULL)) != -1;)
+        take_option(&o, c);
+    if (optind + 1 != argc)
+        text_fail("which folder of submissions? Try: grade --help");
+    o.folder = argv[optind];
+    check_reports(o.reports);
+    return o;
+}
+
+static char *work_folder;
+
+static void remove_work(void)
+{
+    char command[4400];
+    snprintf(command, sizeof command, "rm -rf '%s'", work_folder);
+    if (system(command) != 0)
+        fprintf(stderr, "grade: cannot remove '%s'\n", work_folder);
+}
+
+static void make_folder(const char *path)
+{
+    if (mkdir(path, 0700) != 0 && errno != EEXIST)
+        text_fail("cannot make '%s': %s", path, strerror(errno));
+}
+
+static void prepare_folders(struct batch *b)
+{
+    if (!getcwd(b->root, sizeof b->root - 64))
+        text_fail("cannot name the working folder: %s", strerror(errno));
+    make_folder(b->options.output);
+    snprintf(b->work, sizeof b->work, "%s/build/grade/work.XXXXXX",
+             b->root);
+    if (strchr(b->root, '\'') || !mkdtemp(b->work))
+        text_fail("cannot make a folder '%s': %s", b->work,
+                  strerror(errno));
+    work_folder = b->work;
+    b->grading = (struct grading){
+        .root = b->root, .work = b->work, .seconds = b->options.seconds};
+}
+
+static uint64_t draw_seed(void)
+{
+    uint64_t seed = 0;
+    FILE *random = fopen("/dev/urandom", "r");
+    if (!random || fread(&seed, sizeof seed, 1, random) != 1)
+        text_fail("cannot read /dev/urandom: %s", strerror(errno));
+    fclose(random);
+    return seed;
+}
+
+static void choose_seed(struct batch *b)
+{
+    char path[4300];
+    uint64_t seed = b->options.seed;
+    snprintf(path, sizeof path, "%s/seed", b->options.output);
+    FILE *file = b->options.seeded ? NULL : fopen(path, "r");
+    if (file && fscanf(file, "%" SCNu64, &seed) != 1)
+        text_fail("there is no number in %s; remove it", path);
+    if (file)
+        fclose(file);
+    else if (!b->options.seeded)
+        seed = draw_seed();
+    file = fopen(path, "w");
+    if (!file || fprintf(file, "%" PRIu64 "\n", seed) < 0 ||
+        fclose(file) != 0)
+        text_fail("cannot write '%s': %s", path, strerror(errno));
+    b->grading.seed = seed;
+}
+
+static void choose_box(struct batch *b)
+{
+    b->grading.kind = box_probe();
+    if (b->grading.kind != BOX_OPEN)
+        return;
+    fprintf(stderr,
+            "grade: THE PROGRAMS OF STUDENTS CANNOT BE ISOLATED HERE. "
+            "bubblewrap is missing\n"
+            "(apt-get install --no-install-recommends bubblewrap), or this "
+            "machine does not\n"
+            "allow namespaces. They would see all files that you see, and "
+            "the network.\n");
+    if (!b->options.unsafe) {
+        remove_work();
+        text_fail("nothing was run; to go on all the same: --unsafe (make "
+                  "grade UNSAFE=1)");
+    }
+}
+
+static void result_path(const struct batch *b, size_t s, size_t e,
+                        char path[4400])
+{
+    char name[800], *end = name;
+    const char *entry = b->submissions[s].entry;
+    for (; *entry && end < name + sizeof name - 8; ++entry)
+        if (isalnum((unsigned char)*entry) || strchr("-_", *entry))
+            *end++ = *entry;
+        else
+            end += sprintf(end, "%%%02X", (unsigned char)*entry);
+    *end = '\0';
+    snprintf(path, 4400, "%s/%.200s%s", b->options.output, name,
+             strlen(name) > 200 ? "+" : "");
+    make_folder(path);
+    snprintf(path + strlen(path), 32, "/%s.json", b->kits[e].exercise);
+}
+
+static uint64_t hash(uint64_t h, const void *bytes, size_t length)
+{
+    const unsigned char *s = bytes;
+    for (size_t i = 0; i < length; ++i)
+        h = (h ^ s[i]) * 0x100000001b3u;
+    return h;
+}
+
+static uint64_t hash_file(uint64_t h, const char *path)
+{
+    char bytes[65536];
+    size_t length;
+    FILE *file = fopen(path, "r");
+    if (!file)
+        text_fail("cannot read '%s': %s; start me with make grade", path,
+                  strerror(errno));
+    while ((length = fread(bytes, 1, sizeof bytes, file)) > 0)
+        h = hash(h, bytes, length);
+    fclose(file);
+    return h;
+}
+
+static uint64_t hash_kit(const struct batch *b, const char *exercise)
+{
+    char path[64];
+    uint64_t h = 0xcbf29ce484222325u;
+    snprintf(path, sizeof path, "build/grade/%s.judge", exercise);
+    h = hash_file(h, path);
+    snprintf(path, sizeof path, "build/grade/%s.inside.o", exercise);
+    h = hash_file(h, path);
+    h = hash_file(h, "build/grade/flags");
+    h = hash(h, &b->grading.seed, sizeof b->grading.seed);
+    h = hash(h, &b->grading.seconds, sizeof b->grading.seconds);
+    return hash(h, &b->grading.kind, sizeof b->grading.kind);
+}
+
+static void result_key(uint64_t kit, const char *bytes, size_t length,
+                       const char *remark, char key[24])
+{
+    uint64_t h = hash(kit, bytes ? bytes : "", bytes ? length : 0);
+    h = hash(h, remark, strlen(remark));
+    snprintf(key, 24, "%016" PRIx64, h);
+}
+
+struct job {
+    size_t student, exercise;
+    char *bytes, *remark;
+    size_t length;
+    char key[24], path[4400];
+    int tries;
+};
+
+static double wall_seconds(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+static struct marks blank_marks(const struct batch *b,
+                                const struct job *job)
+{
+    return (struct marks){
+        .student = b->submissions[job->student].name,
+        .exercise = b->kits[job->exercise].exercise,
+        .title = b->kits[job->exercise].title,
+        .file = job->remark,
+        .story = strdup(""),
+        .prints = strdup(""),
+        .advice = strdup(""),
+        .tries = job->tries,
+    };
+}
+
+static _Noreturn void work(const struct batch *b, const struct job *job)
+{
+    struct marks marks = blank_marks(b, job);
+    const double start = wall_seconds();
+#ifdef __linux__
+    prctl(PR_SET_PDEATHSIG, SIGTERM);
+#endif
+    grading_run(&b->grading, &b->kits[job->exercise], job->bytes,
+                job->length, &marks);
+    marks.seconds = wall_seconds() - start;
+    if (process_signal() || chdir(b->root) != 0)
+        _exit(EXIT_FAILURE);
+    marks_write(&marks, job->key, job->path);
+    _exit(EXIT_SUCCESS);
+}
+
+enum { MOST_JOBS = 1024 };
+
+static pid_t workers[MOST_JOBS];
+static int running;
+
+static void stop_workers(void)
+{
+    for (int i = 0; i < running; ++i)
+        kill(workers[i], SIGTERM);
+}
+
+static void show_progress(const struct batch *b)
+{
+    if (isatty(STDERR_FILENO))
+        fprintf(stderr, "\rgrade: %zu of %zu", b->done,
+                b->count * b->kit_count);
+}
+
+static void wait_for_one(struct batch *b)
+{
+    int status, i = 0;
+    const pid_t pid = waitpid(-1, &status, 0);
+    if (pid < 0 && process_signal())
+        stop_workers();
+    if (pid < 0)
+        return;
+    while (i < running && workers[i] != pid)
+        ++i;
+    if (i == running)
+        return;
+    workers[i] = workers[--running];
+    if (status == 0)
+        ++b->done;
+    else if (!process_signal())
+        ++b->failed;
+    show_progress(b);
+}
+
+static void start_job(struct batch *b, const struct job *job)
+{
+    while (running >= b->options.jobs)
+        wait_for_one(b);
+    if (process_signal())
+        return;
+    unlink(job->path);
+    fflush(NULL);
+    const pid_t pid = fork();
+    if (pid < 0)
+        text_fail("cannot start a process: %s", strerror(errno));
+    if (pid == 0)
+        work(b, job);
+    workers[running++] = pid;
+}
+
+static void look_at(struct batch *b, uint64_t kit, size_t s, size_t e,
+                    int tried)
+{
+    struct job job = {.student = s, .exercise = e, .tries = tried + 1};
+    struct marks marks;
+    job.bytes = submissions_read(b->options.folder, &b->submissions[s],
+                                 b->kits[e].exercise, b->kits[e].file,
+                                 &job.length, &job.remark);
+    result_key(kit, job.bytes, job.length, job.remark, job.key);
+    result_path(b, s, e, job.path);
+    const bool known = marks_read(&marks, job.key, job.path);
+    const bool late = known && marks.tries == 1 && marks_late(&marks);
+    if (tried == 0 && known)
+        ++b->done;
+    if (tried == 0 ? !known : late)
+        start_job(b, &job);
+    marks_free(&marks);
+    free(job.bytes);
+    free(job.remark);
+}
+
+static void grade_all(struct batch *b)
+{
+    for (size_t e = 0; e < b->kit_count; ++e) {
+        const uint64_t kit = hash_kit(b, b->kits[e].exercise);
+        for (size_t s = 0; s < b->count && !process_signal(); ++s)
+            look_at(b, kit, s, e, 0);
+    }
+    while (running > 0)
+        wait_for_one(b);
+}
+
+static void retry_late(struct batch *b)
+{
+    b->options.jobs = 1;
+    for (size_t e = 0; e < b->kit_count; ++e) {
+        const uint64_t kit = hash_kit(b, b->kits[e].exercise);
+        for (size_t s = 0; s < b->count && !process_signal(); ++s) {
+            look_at(b, kit, s, e, 1);
+            while (running > 0)
+                wait_for_one(b);
+        }
+    }
+}
+
+static struct marks *read_results(const struct batch *b)
+{
+    char path[4400];
+    struct marks *marks = calloc(b->count * b->kit_count, sizeof *marks);
+    if (!marks)
+        text_fail("out of memory");
+    for (size_t i = 0; i < b->count * b->kit_count; ++i) {
+        struct job job = {.student = i / b->kit_count,
+                          .exercise = i % b->kit_count};
+        result_path(b, job.student, job.exercise, path);
+        if (marks_read(&marks[i], NULL, path))
+            continue;
+        job.remark = strdup("NOT GRADED: the grader failed");
+        marks[i] = blank_marks(b, &job);
+    }
+    return marks;
+}
+
+static void publish_all(struct batch *b)
+{
+    const char *list = b->options.reports;
+    char word[64], when[32];
+    const time_t now = time(NULL);
+    strftime(when, sizeof when, "%Y-%m-%dT%H:%M:%SZ", gmtime(&now));
+    const struct course course = {b->count,
+                                  b->kit_count,
+                                  read_results(b),
+                                  b->options.folder,
+                                  box_name(b->grading.kind),
+                                  when};
+    if (isatty(STDERR_FILENO))
+        fputc('\n', stderr);
+    while (next_word(&list, word))
+        publish(word, &course, b->options.output);
+    printf("Results and reports: %s/ (hidden seed %" PRIu64
+           "; programs in: %s)\n",
+           b->options.output, b->grading.seed, box_name(b->grading.kind));
+    if (b->failed)
+        fprintf(stderr,
+                "grade: %zu could not be graded, see above; the "
+                "same command tries them again\n",
+                b->failed);
+}
+
+int main(int argc, char **argv)
+{
+    text_program = "grade";
+    struct batch b = {.options = read_options(argc, argv)};
+    b.kit_count = grading_kits(&b.kits);
+    choose_kits(&b);
+    b.count = submissions_find(b.options.folder, &b.submissions);
+    prepare_folders(&b);
+    choose_seed(&b);
+    choose_box(&b);
+    process_catch_signals();
+    signal(SIGPIPE, SIG_IGN);
+    grade_all(&b);
+    if (!process_signal())
+        retry_late(&b);
+    remove_work();
+    if (process_signal())
+        text_fail("interrupted with %zu of %zu graded; the same command "
+                  "goes on from there",
+                  b.done, b.count * b.kit_count);
+    publish_all(&b);
+    return b.failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}

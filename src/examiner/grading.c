@@ -1,0 +1,371 @@
+/* From chapters/B-grader.nw: edit there, then run make tangle. */
+/* checksum 3717719087 of the lines below */
+#include "examiner/grading.h"
+#include "examiner/process.h"
+#include "examiner/text.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <glob.h>
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+static void add_test(struct kit *kit, const char *name, int points,
+                     int hidden)
+{
+    struct kit_test *test = kit->tests + kit->count;
+    const int number =
+        kit->count == 0 ? 1 : kit->tests[kit->count - 1].number + 1;
+    if (kit->count + 2 > MARKS_MOST)
+        text_fail("exercise %s has more than %d tests", kit->exercise,
+                  MARKS_MOST);
+    if (points > 0)
+        *test++ = (struct kit_test){strdup(name), number, points, false};
+    if (hidden > 0)
+        *test++ = (struct kit_test){strdup(name), number, hidden, true};
+    kit->count = (int)(test - kit->tests);
+}
+
+static void read_line(struct kit *kit, char *line)
+{
+    const char *text;
+    char *end;
+    if ((text = text_after(line, "exercise "))) {
+        kit->exercise = strdup(text);
+    } else if ((text = text_after(line, "title "))) {
+        kit->title = strdup(text);
+    } else if ((text = text_after(line, "test "))) {
+        const int points = (int)strtol(text, &end, 10);
+        const int hidden = (int)strtol(end, &end, 10);
+        add_test(kit, end + 1, points, hidden);
+    } else if ((text = text_after(line, "hidden "))) {
+        const int points = (int)strtol(text, &end, 10);
+        add_test(kit, end + 1, 0, points);
+    }
+}
+
+static void public_first(struct kit *kit)
+{
+    struct kit_test sorted[MARKS_MOST];
+    int count = 0;
+    for (int hidden = 0; hidden < 2; ++hidden)
+        for (int i = 0; i < kit->count; ++i)
+            if (kit->tests[i].hidden == hidden)
+                sorted[count++] = kit->tests[i];
+    memcpy(kit->tests, sorted, (size_t)count * sizeof *sorted);
+}
+
+static char *usual_name(const char *exercise)
+{
+    char pattern[64];
+    glob_t found = {0};
+    snprintf(pattern, sizeof pattern, "tests/stubs/%s-*.c", exercise);
+    if (glob(pattern, 0, NULL, &found) != 0)
+        text_fail("there is no stub %s", pattern);
+    char *name = strdup(strrchr(found.gl_pathv[0], '/') + 1);
+    globfree(&found);
+    return name;
+}
+
+size_t grading_kits(struct kit **kits)
+{
+    glob_t found = {0};
+    glob("build/grade/[0-9][0-9][a-z].list", 0, NULL, &found);
+    const size_t count = found.gl_pathc;
+    *kits = calloc(count + 1, sizeof **kits);
+    for (size_t i = 0; *kits && i < count; ++i) {
+        struct kit *kit = *kits + i;
+        char *text = text_read(found.gl_pathv[i]), *rest = text;
+        for (char *line; (line = text_line(&rest));)
+            read_line(kit, line);
+        free(text);
+        if (!kit->exercise || !kit->title || kit->count == 0)
+            text_fail("%s is not complete; remove it and make grade again",
+                      found.gl_pathv[i]);
+        kit->file = usual_name(kit->exercise);
+        public_first(kit);
+    }
+    globfree(&found);
+    if (!*kits || count == 0)
+        text_fail("no lists in build/grade; start me with make grade");
+    return count;
+}
+
+enum { MOST_LATE = 3, PRINTS_KEPT = 4096, STORY_KEPT = 8192 };
+
+struct job {
+    const struct grading *grading;
+    const struct kit *kit;
+    struct marks *marks;
+    struct box_order order;
+    struct box box;
+    bool open;
+    int prints;
+    char judge[4096], name[256];
+};
+
+static int open_or_fail(const char *path, int flags)
+{
+    const int file = open(path, flags | O_CLOEXEC, 0600);
+    if (file < 0)
+        text_fail("cannot open '%s': %s", path, strerror(errno));
+    return file;
+}
+
+static void lay_file(const char *name, const char *bytes, size_t length)
+{
+    const int file = open_or_fail(name, O_WRONLY | O_CREAT | O_EXCL);
+    if (write(file, bytes, length) != (ssize_t)length || close(file) != 0)
+        text_fail("cannot write '%s': %s", name, strerror(errno));
+}
+
+static void go_to_desk(const struct grading *g, const char *exercise)
+{
+    char path[8192], tests[8192];
+    snprintf(path, sizeof path, "%s/%s.XXXXXX", g->work, exercise);
+    snprintf(tests, sizeof tests, "%s/tests", g->root);
+    if (!mkdtemp(path) || chdir(path) != 0 ||
+        mkdir("exercises", 0700) != 0 || symlink(tests, "tests") != 0)
+        text_fail("cannot make a folder in '%s': %s", g->work,
+                  strerror(errno));
+}
+
+static void prepare(struct job *job, const char *bytes, size_t length)
+{
+    const struct grading *g = job->grading;
+    char path[8192];
+    snprintf(job->name, sizeof job->name, "exercises/%s", job->kit->file);
+    go_to_desk(g, job->kit->exercise);
+    lay_file(job->name, bytes, length);
+    job->order.kind = g->kind;
+    job->order.name = job->name;
+    job->order.source = open_or_fail(job->name, O_RDONLY);
+    job->order.seconds = g->seconds;
+    snprintf(path, sizeof path, "%s/src/examiner/exercise.h", g->root);
+    job->order.header = open_or_fail(path, O_RDONLY);
+    snprintf(path, sizeof path, "%s/build/grade/%s.inside.o", g->root,
+             job->kit->exercise);
+    job->order.inside = open_or_fail(path, O_RDONLY);
+    snprintf(job->judge, sizeof job->judge, "%s/build/grade/%s.judge",
+             g->root, job->kit->exercise);
+    job->prints = open_or_fail("prints", O_RDWR | O_CREAT | O_APPEND);
+}
+static char *read_kit(const struct job *job, const char *name, int line)
+{
+    char path[8192];
+    snprintf(path, sizeof path, "%s/build/grade/%s", job->grading->root,
+             name);
+    char *text = text_read(path), *rest = text, *found = NULL;
+    while (line-- > 0)
+        found = text_line(&rest);
+    if (!found || !*found)
+        text_fail("%s is not complete; remove it and make grade again",
+                  path);
+    found = strdup(found);
+    free(text);
+    return found;
+}
+
+static enum state open_box(struct job *job, FILE *story)
+{
+    if (ftruncate(job->prints, 0) != 0)
+        text_fail("cannot empty a file: %s", strerror(errno));
+    const enum box_stage stage =
+        box_open(&job->box, &job->order, job->prints);
+    job->marks->build_seconds += job->box.build_seconds;
+    job->open = stage == BOX_READY;
+    if (job->open)
+        return PASSED;
+    box_close(&job->box);
+    char *said = text_read("prints");
+    if (stage == BOX_TOO_LONG)
+        fputs("  The compiler was stopped: it took too long.\n", story);
+    else if (stage == BOX_NO_MAIN)
+        fputs("  The program ended before its first test.\n", story);
+    text_quote(story, said ? said : "", 24);
+    free(said);
+    return stage == BOX_NO_MAIN ? CRASHED : DOES_NOT_BUILD;
+}
+
+static enum state run_test(struct job *job, const struct kit_test *test,
+                           FILE *story)
+{
+    char seed[24];
+    snprintf(seed, sizeof seed, "%" PRIu64, job->grading->seed);
+    const struct trial trial = {
+        .folder = ".",
+        .source = job->name,
+        .sanitized = job->order.sanitized,
+        .seconds = job->grading->seconds,
+        .runner = job->judge,
+        .seed = test->hidden ? seed : NULL,
+        .border = {job->box.answers, job->box.requests},
+        .prints = "prints",
+    };
+    if (ftruncate(job->prints, 0) != 0)
+        text_fail("cannot empty a file: %s", strerror(errno));
+    const enum state state = trial_run(&trial, test->number, story);
+    if (state == TIMED_OUT || !box_settle(&job->box)) {
+        box_close(&job->box);
+        job->open = false;
+    }
+    return state;
+}
+
+static void keep_mark(struct marks *marks, const struct kit_test *test,
+                      enum state state, const char *text, size_t size)
+{
+    marks->marks[marks->count++] = (struct mark){
+        .name = strdup(test->name),
+        .hidden = test->hidden,
+        .points = test->points,
+        .state = state,
+        .story = marks_text(text, size, STORY_KEPT),
+    };
+    if (marks->state == PASSED ||
+        (!state_wrong(marks->state) && state_wrong(state)))
+        marks->state = state;
+}
+
+static void keep_prints(struct marks *marks)
+{
+    struct stat about;
+    FILE *file = *marks->prints ? NULL : fopen("prints", "r");
+    if (!file)
+        return;
+    char *bytes = malloc(PRINTS_KEPT);
+    const size_t got = bytes ? fread(bytes, 1, PRINTS_KEPT, file) : 0;
+    if (got > 0 && fstat(fileno(file), &about) == 0) {
+        free(marks->prints);
+        marks->prints = marks_text(bytes, got, PRINTS_KEPT);
+        if (about.st_size > PRINTS_KEPT) {
+            const size_t length = strlen(marks->prints);
+            char *longer = realloc(marks->prints, length + 64);
+            if (!longer)
+                text_fail("out of memory");
+            snprintf(longer + length, 64, "\n... (%lld bytes in all)",
+                     (long long)about.st_size);
+            marks->prints = longer;
+        }
+    }
+    free(bytes);
+    fclose(file);
+}
+
+static void run_tests(struct job *job)
+{
+    int late = 0;
+    for (int i = 0; i < job->kit->count && !process_signal(); ++i) {
+        char *text = NULL;
+        size_t size;
+        enum state state = PASSED;
+        FILE *story = open_memstream(&text, &size);
+        if (!story)
+            text_fail("out of memory");
+        if (late == MOST_LATE)
+            state = NOT_BEGUN;
+        else if (!job->open)
+            state = open_box(job, story);
+        if (state == PASSED)
+            state = run_test(job, &job->kit->tests[i], story);
+        late += state == TIMED_OUT;
+        fclose(story);
+        keep_mark(job->marks, &job->kit->tests[i], state, text, size);
+        keep_prints(job->marks);
+        free(text);
+    }
+}
+
+static void ask_sanitizers(struct job *job)
+{
+    enum state state = PASSED;
+    char *text = NULL;
+    size_t size;
+    FILE *story = open_memstream(&text, &size);
+    job->order.sanitized = true;
+    job->order.compiler = read_kit(job, "flags", 2);
+    if (story && open_box(job, story) == PASSED) {
+        for (int i = 0; i < job->kit->count && job->open &&
+                        !job->kit->tests[i].hidden && state != CRASHED;
+             ++i) {
+            rewind(story);
+            state = run_test(job, &job->kit->tests[i], story);
+        }
+    }
+    if (story)
+        fclose(story);
+    if (state == CRASHED) {
+        free(job->marks->advice);
+        job->marks->advice = marks_text(text, size, STORY_KEPT);
+    }
+    if (job->open)
+        box_close(&job->box);
+    job->open = false;
+    free(text);
+}
+
+static bool is_stub(const struct grading *grading, const struct kit *kit,
+                    const char *bytes, size_t length)
+{
+    char path[8192];
+    snprintf(path, sizeof path, "%s/tests/stubs/%s", grading->root,
+             kit->file);
+    FILE *stub = fopen(path, "r");
+    size_t at = 0;
+    int c = EOF;
+    while (stub && (c = getc(stub)) != EOF && at < length &&
+           c == (unsigned char)bytes[at])
+        ++at;
+    if (stub)
+        fclose(stub);
+    return stub && c == EOF && at == length;
+}
+
+static void give_nothing(const struct kit *kit, struct marks *marks,
+                         enum state state)
+{
+    for (int i = 0; i < kit->count; ++i)
+        keep_mark(marks, &kit->tests[i], NOT_BEGUN, "", 0);
+    marks->state = state;
+}
+
+void grading_run(const struct grading *grading, const struct kit *kit,
+                 const char *bytes, size_t length, struct marks *marks)
+{
+    struct job job = {.grading = grading, .kit = kit, .marks = marks};
+    marks->state = NOT_BEGUN;
+    if (!bytes || is_stub(grading, kit, bytes, length)) {
+        give_nothing(kit, marks, NOT_BEGUN);
+        return;
+    }
+    prepare(&job, bytes, length);
+    job.order.compiler = read_kit(&job, "flags", 1);
+    char names[16];
+    snprintf(names, sizeof names, "%s.names", kit->exercise);
+    job.order.keep = read_kit(&job, names, 1);
+    char *text = NULL;
+    size_t size;
+    FILE *story = open_memstream(&text, &size);
+    if (!story)
+        text_fail("out of memory");
+    marks->state = open_box(&job, story);
+    fclose(story);
+    free(marks->story);
+    marks->story = marks_text(text, size, STORY_KEPT);
+    free(text);
+    if (marks->state != PASSED) {
+        give_nothing(kit, marks, marks->state);
+        return;
+    }
+    run_tests(&job);
+    if (job.open)
+        box_close(&job.box);
+    job.open = false;
+    if (marks->state != TIMED_OUT && marks->state != NOT_BEGUN)
+        ask_sanitizers(&job);
+}

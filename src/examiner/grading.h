@@ -1,0 +1,47 @@
+/* From chapters/B-grader.nw: edit there, then run make tangle. */
+/* checksum 4213168132 of the lines below */
+#ifndef GRADING_H
+#define GRADING_H
+
+#include "examiner/box.h"
+#include "examiner/marks.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* A test of the kit, as it is to be run. */
+struct kit_test {
+    char *name;
+    int number; /* the judge's */
+    int points;
+    bool hidden; /* run with the seed of the grading */
+};
+
+/* An exercise of the kit. */
+struct kit {
+    char *exercise; /* "01a" */
+    char *title;
+    char *file; /* "01a-collide.c" */
+    int count;
+    struct kit_test tests[MARKS_MOST];
+};
+
+struct grading {
+    const char *root; /* of the project, absolute */
+    const char *work; /* a folder for gradings, absolute */
+    enum box_kind kind;
+    uint64_t seed; /* of the hidden tests */
+    int seconds;   /* of processor time, for each test */
+};
+
+/* Reads the lists in build/grade; returns how many exercises there are.
+   Exits with status 2 when the lists are missing or damaged. */
+size_t grading_kits(struct kit **kits);
+
+/* Grades a file, its bytes given, as an exercise: fills in state, tests,
+   texts and times of the marks. Changes the working folder; to be called
+   in a process of its own. */
+void grading_run(const struct grading *grading, const struct kit *kit,
+                 const char *bytes, size_t length, struct marks *marks);
+
+#endif

@@ -1,0 +1,191 @@
+/* From chapters/B-grader.nw: edit there, then run make tangle. */
+/* checksum 1065873138 of the lines below */
+#include "examiner/marks.h"
+#include "examiner/text.h"
+
+#include <errno.h>
+#include <jansson.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+int marks_earned(const struct marks *marks, bool hidden)
+{
+    int points = 0;
+    for (int i = 0; i < marks->count; ++i)
+        if (marks->marks[i].hidden == hidden &&
+            marks->marks[i].state == PASSED)
+            points += marks->marks[i].points;
+    return points;
+}
+
+int marks_possible(const struct marks *marks, bool hidden)
+{
+    int points = 0;
+    for (int i = 0; i < marks->count; ++i)
+        if (marks->marks[i].hidden == hidden)
+            points += marks->marks[i].points;
+    return points;
+}
+
+bool marks_late(const struct marks *marks)
+{
+    for (int i = 0; i < marks->count; ++i)
+        if (marks->marks[i].state == TIMED_OUT)
+            return true;
+    return false;
+}
+
+static size_t character(const unsigned char *s, size_t left)
+{
+    static const unsigned long least[] = {0, 0, 0xa0, 0x800, 0x10000};
+    if (*s < 0x80)
+        return *s == '\n' || (*s >= ' ' && *s != 0x7f);
+    const size_t length = *s >= 0xf8   ? 0
+                          : *s >= 0xf0 ? 4
+                          : *s >= 0xe0 ? 3
+                          : *s >= 0xc0 ? 2
+                                       : 0;
+    if (length == 0 || length > left)
+        return 0;
+    unsigned long code = *s & (0xffu >> (length + 1));
+    for (size_t i = 1; i < length; ++i) {
+        if ((s[i] & 0xc0) != 0x80)
+            return 0;
+        code = code << 6 | (s[i] & 0x3f);
+    }
+    const bool stays = code >= least[length] && code <= 0x10ffff &&
+                       (code < 0xd800 || code > 0xdfff) && code != 0xfffe &&
+                       code != 0xffff;
+    return stays ? length : 0;
+}
+char *marks_text(const char *bytes, size_t length, size_t most)
+{
+    const unsigned char *s = (const unsigned char *)bytes;
+    const size_t kept = length < most ? length : most;
+    char *text = malloc(4 * kept + 80), *end = text;
+    if (!text)
+        text_fail("out of memory");
+    for (size_t i = 0; i < kept;) {
+        const size_t whole = character(s + i, kept - i);
+        if (whole == 0)
+            end += sprintf(end, "\\x%02x", s[i]);
+        memcpy(end, s + i, whole);
+        end += whole;
+        i += whole ? whole : 1;
+    }
+    *end = '\0';
+    if (kept < length)
+        sprintf(end, "\n... (%zu bytes in all)", length);
+    return text;
+}
+
+static json_t *json_of_mark(const struct mark *mark)
+{
+    return json_pack("{s:s, s:b, s:i, s:s, s:s}", "name", mark->name,
+                     "hidden", mark->hidden, "points", mark->points,
+                     "state", state_name(mark->state), "story",
+                     mark->story);
+}
+
+static json_t *json_of_marks(const struct marks *m, const char *key)
+{
+    json_t *list = json_array();
+    for (int i = 0; i < m->count; ++i)
+        json_array_append_new(list, json_of_mark(&m->marks[i]));
+    return json_pack(
+        "{s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:f, s:f, s:i, s:o}",
+        "key", key, "student", m->student, "exercise", m->exercise, "title",
+        m->title, "file", m->file, "state", state_name(m->state), "story",
+        m->story, "prints", m->prints, "advice", m->advice, "seconds",
+        m->seconds, "build_seconds", m->build_seconds, "tries", m->tries,
+        "tests", list);
+}
+
+void marks_write(const struct marks *marks, const char *key,
+                 const char *path)
+{
+    char part[4096];
+    snprintf(part, sizeof part, "%s.part", path);
+    json_t *json = json_of_marks(marks, key);
+    if (!json || json_dump_file(json, part, JSON_INDENT(1)) != 0 ||
+        rename(part, path) != 0)
+        text_fail("cannot write '%s': %s", path, strerror(errno));
+    json_decref(json);
+}
+
+static enum state state_of(const char *name)
+{
+    enum state state = NOT_BEGUN;
+    while (state < PASSED && strcmp(state_name(state), name) != 0)
+        ++state;
+    return state;
+}
+
+static bool mark_of_json(struct mark *mark, json_t *json)
+{
+    const char *name, *state, *story;
+    int hidden;
+    if (json_unpack(json, "{s:s, s:b, s:i, s:s, s:s}", "name", &name,
+                    "hidden", &hidden, "points", &mark->points, "state",
+                    &state, "story", &story) != 0)
+        return false;
+    mark->name = strdup(name);
+    mark->hidden = hidden;
+    mark->state = state_of(state);
+    mark->story = strdup(story);
+    return true;
+}
+
+static bool marks_of_json(struct marks *m, json_t *json, const char *key)
+{
+    const char *its, *state, *texts[7];
+    char **places[] = {&m->student, &m->exercise, &m->title, &m->file,
+                       &m->story,   &m->prints,   &m->advice};
+    json_t *list;
+    if (json_unpack(
+            json,
+            "{s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:f, s:f, s:i, "
+            "s:o}",
+            "key", &its, "student", &texts[0], "exercise", &texts[1],
+            "title", &texts[2], "file", &texts[3], "state", &state, "story",
+            &texts[4], "prints", &texts[5], "advice", &texts[6], "seconds",
+            &m->seconds, "build_seconds", &m->build_seconds, "tries",
+            &m->tries, "tests", &list) != 0 ||
+        (key && strcmp(its, key) != 0))
+        return false;
+    m->state = state_of(state);
+    for (int i = 0; i < 7; ++i)
+        *places[i] = strdup(texts[i]);
+    bool whole = json_array_size(list) <= MARKS_MOST;
+    for (size_t i = 0; whole && i < json_array_size(list); ++i) {
+        whole = mark_of_json(&m->marks[i], json_array_get(list, i));
+        m->count += whole;
+    }
+    return whole;
+}
+
+bool marks_read(struct marks *marks, const char *key, const char *path)
+{
+    json_t *json = json_load_file(path, 0, NULL);
+    *marks = (struct marks){0};
+    const bool whole = json && marks_of_json(marks, json, key);
+    json_decref(json);
+    if (!whole)
+        marks_free(marks);
+    return whole;
+}
+
+void marks_free(struct marks *marks)
+{
+    char *texts[] = {marks->student, marks->exercise, marks->title,
+                     marks->file,    marks->story,    marks->prints,
+                     marks->advice};
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; ++i)
+        free(texts[i]);
+    for (int i = 0; i < marks->count; ++i) {
+        free(marks->marks[i].name);
+        free(marks->marks[i].story);
+    }
+    *marks = (struct marks){0};
+}

@@ -1,0 +1,34 @@
+/* From chapters/B-grader.nw: edit there, then run make tangle. */
+/* checksum 349415462 of the lines below */
+#ifndef PUBLISH_H
+#define PUBLISH_H
+
+#include "examiner/marks.h"
+
+#include <stddef.h>
+
+/* The marks of a course: exercises of each student side by side, students
+   in order of name, exercises in order of number. */
+struct course {
+    size_t students, exercises;
+    const struct marks *marks; /* of student s and exercise e at
+                                  [s * exercises + e] */
+    const char *name;          /* of the submissions' folder */
+    const char *isolation;     /* how students' programs were kept apart */
+    const char *when;          /* ISO 8601, UTC */
+};
+
+/* Whether there is a report of this name: table, csv, gradescope,
+   classroom50 or junit. */
+bool publish_known(const char *report);
+
+/* Writes a report: table to standard output, csv, junit to
+   FOLDER/grades.csv, FOLDER/junit.xml; gradescope and classroom50 to
+   FOLDER/gradescope/STUDENT.json, FOLDER/classroom50/STUDENT.json, with
+   characters of a student's name that a file name should not have as %XX.
+   Files are there whole or not at all. Exits with status 2 when it
+   cannot. */
+void publish(const char *report, const struct course *course,
+             const char *folder);
+
+#endif

@@ -1,0 +1,61 @@
+/* What crosses the border of exercise 03d: see examiner/border.h. */
+
+#include "examiner/border.h"
+#include <stdlib.h>
+
+bool error_by_blocks(size_t n, const double x[], size_t length,
+                     double *error, double *inefficiency);
+
+/* The numbers among the arguments, and the places for the answer as they
+   are before; the series follows. */
+struct call {
+    size_t n, length;
+    double error, inefficiency;
+};
+
+static void move_arguments(struct call *c)
+{
+    border_sizes(&c->n, 1);
+    border_sizes(&c->length, 1);
+    border_doubles(&c->error, 1);
+    border_doubles(&c->inefficiency, 1);
+}
+
+static void move_answer(bool *told, double *error, double *inefficiency)
+{
+    border_bools(told, 1);
+    border_doubles(error, 1);
+    border_doubles(inefficiency, 1);
+}
+
+#ifdef BORDER_INSIDE
+
+void border_answer(void)
+{
+    struct call c;
+    move_arguments(&c);
+    double *x = border_memory(c.n * sizeof *x);
+    border_doubles(x, c.n);
+    bool told =
+        error_by_blocks(c.n, x, c.length, &c.error, &c.inefficiency);
+    border_reply();
+    move_answer(&told, &c.error, &c.inefficiency);
+    free(x);
+}
+
+#else
+
+bool error_by_blocks(size_t n, const double x[], size_t length,
+                     double *error, double *inefficiency)
+{
+    struct call c = {n, length, *error, *inefficiency};
+    bool told;
+    border_call();
+    move_arguments(&c);
+    border_doubles((double *)x, n); /* which only reads on this side */
+    border_wait();
+    move_answer(&told, error, inefficiency);
+    return told;
+}
+
+#endif

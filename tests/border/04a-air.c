@@ -1,0 +1,57 @@
+/* What crosses the border of exercise 04a: see examiner/border.h. */
+
+#include "examiner/border.h"
+
+void piston_slopes(int f, double length, double mass, double gas,
+                   const double energy[2], const double state[2],
+                   double slope[2]);
+
+/* The arguments, and the places for the answer as they are before. */
+struct call {
+    int f;
+    double length, mass, gas;
+    double energy[2], state[2], slope[2];
+};
+
+static void move_arguments(struct call *c)
+{
+    border_ints(&c->f, 1);
+    border_doubles(&c->length, 1);
+    border_doubles(&c->mass, 1);
+    border_doubles(&c->gas, 1);
+    border_doubles(c->energy, 2);
+    border_doubles(c->state, 2);
+    border_doubles(c->slope, 2);
+}
+
+#ifdef BORDER_INSIDE
+
+void border_answer(void)
+{
+    struct call c;
+    move_arguments(&c);
+    piston_slopes(c.f, c.length, c.mass, c.gas, c.energy, c.state, c.slope);
+    border_reply();
+    border_doubles(c.slope, 2);
+}
+
+#else
+
+void piston_slopes(int f, double length, double mass, double gas,
+                   const double energy[2], const double state[2],
+                   double slope[2])
+{
+    struct call c = {f,
+                     length,
+                     mass,
+                     gas,
+                     {energy[0], energy[1]},
+                     {state[0], state[1]},
+                     {slope[0], slope[1]}};
+    border_call();
+    move_arguments(&c);
+    border_wait();
+    border_doubles(slope, 2);
+}
+
+#endif

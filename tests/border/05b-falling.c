@@ -1,0 +1,67 @@
+/* What crosses the border of exercise 05b: see examiner/border.h. */
+
+#include "examiner/border.h"
+
+struct thrown {
+    double x, y, vx, vy, radius;
+};
+
+double falling_pair_time(double g, const struct thrown *a,
+                         const struct thrown *b, double *height);
+
+/* The arguments, and the place for the height as it is before. */
+struct call {
+    double g;
+    struct thrown a, b;
+    double height;
+};
+
+static void move_disk(struct thrown *d)
+{
+    border_doubles(&d->x, 1);
+    border_doubles(&d->y, 1);
+    border_doubles(&d->vx, 1);
+    border_doubles(&d->vy, 1);
+    border_doubles(&d->radius, 1);
+}
+
+static void move_arguments(struct call *c)
+{
+    border_doubles(&c->g, 1);
+    move_disk(&c->a);
+    move_disk(&c->b);
+    border_doubles(&c->height, 1);
+}
+
+static void move_answer(double *time, double *height)
+{
+    border_doubles(time, 1);
+    border_doubles(height, 1);
+}
+
+#ifdef BORDER_INSIDE
+
+void border_answer(void)
+{
+    struct call c;
+    move_arguments(&c);
+    double time = falling_pair_time(c.g, &c.a, &c.b, &c.height);
+    border_reply();
+    move_answer(&time, &c.height);
+}
+
+#else
+
+double falling_pair_time(double g, const struct thrown *a,
+                         const struct thrown *b, double *height)
+{
+    struct call c = {g, *a, *b, *height};
+    double time;
+    border_call();
+    move_arguments(&c);
+    border_wait();
+    move_answer(&time, height);
+    return time;
+}
+
+#endif

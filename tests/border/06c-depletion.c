@@ -1,0 +1,53 @@
+/* What crosses the border of exercise 06c: see examiner/border.h. */
+
+#include "examiner/border.h"
+
+double depletion(int dimensions, double R1, double R2, double small,
+                 double density, double r, double *overlap);
+
+/* The arguments, and the place for the overlap as it is before. */
+struct call {
+    int dimensions;
+    double R1, R2, small, density, r, overlap;
+};
+
+static void move_arguments(struct call *c)
+{
+    border_ints(&c->dimensions, 1);
+    border_doubles(&c->R1, 1);
+    border_doubles(&c->R2, 1);
+    border_doubles(&c->small, 1);
+    border_doubles(&c->density, 1);
+    border_doubles(&c->r, 1);
+    border_doubles(&c->overlap, 1);
+}
+
+#ifdef BORDER_INSIDE
+
+void border_answer(void)
+{
+    struct call c;
+    move_arguments(&c);
+    double potential = depletion(c.dimensions, c.R1, c.R2, c.small,
+                                 c.density, c.r, &c.overlap);
+    border_reply();
+    border_doubles(&potential, 1);
+    border_doubles(&c.overlap, 1);
+}
+
+#else
+
+double depletion(int dimensions, double R1, double R2, double small,
+                 double density, double r, double *overlap)
+{
+    struct call c = {dimensions, R1, R2, small, density, r, *overlap};
+    double potential;
+    border_call();
+    move_arguments(&c);
+    border_wait();
+    border_doubles(&potential, 1);
+    border_doubles(overlap, 1);
+    return potential;
+}
+
+#endif

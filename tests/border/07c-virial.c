@@ -1,0 +1,87 @@
+/* What crosses the border of exercise 07c: see examiner/border.h. */
+
+#include "examiner/border.h"
+#include <stdlib.h>
+#include <string.h>
+
+struct collision {
+    double mass[2];
+    double apart[3];
+    double first[3];
+    double second[3];
+};
+
+double compressibility(int dimensions, const double box[3], size_t n,
+                       double energy, double time, size_t count,
+                       const struct collision collisions[],
+                       double *pressure);
+
+/* The arguments but for the list, and the place for the pressure as it is
+   before. */
+struct call {
+    int dimensions;
+    size_t n, count;
+    double box[3], energy, time, pressure;
+};
+
+static void move_arguments(struct call *c)
+{
+    border_ints(&c->dimensions, 1);
+    border_sizes(&c->n, 1);
+    border_sizes(&c->count, 1);
+    border_doubles(c->box, 3);
+    border_doubles(&c->energy, 1);
+    border_doubles(&c->time, 1);
+    border_doubles(&c->pressure, 1);
+}
+
+static void move_collisions(struct collision c[], size_t count)
+{
+    for (size_t i = 0; i < count; ++i) {
+        border_doubles(c[i].mass, 2);
+        border_doubles(c[i].apart, 3);
+        border_doubles(c[i].first, 3);
+        border_doubles(c[i].second, 3);
+    }
+}
+
+#ifdef BORDER_INSIDE
+
+void border_answer(void)
+{
+    struct call c;
+    move_arguments(&c);
+    struct collision *list = border_memory(c.count * sizeof *list);
+    move_collisions(list, c.count);
+    double z = compressibility(c.dimensions, c.box, c.n, c.energy, c.time,
+                               c.count, list, &c.pressure);
+    border_reply();
+    border_doubles(&z, 1);
+    border_doubles(&c.pressure, 1);
+    free(list);
+}
+
+#else
+
+double compressibility(int dimensions, const double box[3], size_t n,
+                       double energy, double time, size_t count,
+                       const struct collision collisions[],
+                       double *pressure)
+{
+    struct call c = {dimensions, n,    count,    {box[0], box[1], box[2]},
+                     energy,     time, *pressure};
+    struct collision *copy = border_memory(count * sizeof *copy);
+    double z;
+    if (count > 0)
+        memcpy(copy, collisions, count * sizeof *copy);
+    border_call();
+    move_arguments(&c);
+    move_collisions(copy, count);
+    free(copy);
+    border_wait();
+    border_doubles(&z, 1);
+    border_doubles(pressure, 1);
+    return z;
+}
+
+#endif

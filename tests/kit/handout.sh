@@ -1,0 +1,437 @@
+#!/bin/sh
+# The course as students get it: the archive is the same whoever makes it and
+# whatever lies about, builds and checks on its own, and says in one line what
+# it cannot do. And nothing in it gives an answer away.
+. tests/programs/common
+LC_ALL=C
+export LC_ALL
+unset EDITION WITH_CHAPTERS SOURCE_DATE_EPOCH EX HIDDEN PRESET LIVE V
+make=${MAKE:-make}
+root=$(pwd)
+tokens=build/tests/tokens
+course=bonkers-course
+archive=build/$course.tar.gz
+[ -x "$tokens" ] || {
+    echo "not ok $suite - $tokens is missing: make test"
+    exit 1
+}
+
+# equal NAME EXPECTED GOT
+equal() {
+    if [ "$2" = "$3" ]; then ok "$1"; else
+        not_ok "$1" "expected '$2', got '$(echo "$3" | head -c 300)'"; fi
+}
+
+# ---- the archive ----------------------------------------------------------
+
+rm -f "$archive"
+$make -s handout >"$work/out" 2>&1
+holds 'make handout makes it' \
+    sh -c "[ $? -eq 0 ] || { tail -3 '$work/out'; false; }"
+holds 'and says where it is' grep -q "^The course: $archive, " "$work/out"
+[ -s "$archive" ] || exit 0
+holds 'and only one file of it' test ! -e "$archive.part"
+
+# In a folder whose name has a space.
+mkdir "$work/a place" "$work/all"
+cp "$archive" "$work/made.tar.gz"
+tar xzf "$archive" -C "$work/a place"
+place="$work/a place/$course"
+equal 'all in one folder' "$course" "$(ls -A "$work/a place")"
+
+# Kinds of files, and no other; nothing but the recipes of chapters/.
+strangers=$(cd "$place" && find . ! -type d ! \( -type f \( \
+    -path './src/*.[ch]' -o -path './tests/exercises/*.[ch]' -o \
+    -path './tests/stubs/*.c' -o -path './exercises/*.c' -o \
+    -path './tests/hints/*.txt' -o -path './plots/*.gp' -o \
+    -path './plots/*.svg' -o -path './plots/data/*.dat' \) -o \
+    -path ./README.md -o -path ./LICENSE -o -path ./CITATION.cff -o \
+    -path ./Makefile -o -path ./bonkers.pdf -o -path ./chapters/recipes -o \
+    -path ./tests/equations.txt -o -path ./.ci/install -o \
+    -path ./.clang-format -o -path ./.editorconfig -o -path ./.gitignore -o \
+    -path ./.gitattributes \))
+equal 'no file of another kind' '' "$strangers"
+equal 'no folder of another kind' "$(printf '%s\n' .ci chapters exercises \
+    plots plots/data src src/examiner src/programs src/toolbox tests \
+    tests/exercises tests/hints tests/stubs)" \
+    "$(cd "$place" && find . -mindepth 1 -type d | sed 's/..//' | sort)"
+holds 'the book is the one just made' cmp build/bonkers.pdf \
+    "$place/bonkers.pdf"
+for folder in src tests/exercises tests/stubs tests/hints plots; do
+    holds "$folder is what it is here" sh -c '
+        cd "$1" && find . -type f | while read -r file; do
+            cmp "$file" "$2/$file" || echo differs
+        done | grep . && exit 1; exit 0' - "$place/$folder" "$root/$folder"
+done
+
+# A lecturer's folder has seen work: exercises solved, a note to self, files
+# touched by somebody with another umask. $work/kit has no git at first.
+kit=$work/kit
+mkdir "$kit"
+tar cf - --exclude=./build --exclude=./.git . | (cd "$kit" && tar xf -)
+chmod -R u+w "$kit"
+mkdir "$kit/build"
+cp build/bonkers.pdf "$kit/build"
+cp "$kit"/solutions/*.c "$kit/exercises"
+echo 'marks, private' >"$kit/tests/exercises/marks.txt"
+(cd "$kit" && chapters/handout) >"$work/out" 2>&1
+holds 'a folder without git makes one' test $? -eq 0
+cp "$kit/$archive" "$work/first.tar.gz"
+find "$kit" -type f -exec touch {} +
+chmod -R go-rwx "$kit"
+(umask 027 && cd "$kit" && chapters/handout) >"$work/out" 2>&1
+holds 'and the same again, byte for byte' cmp "$kit/$archive" \
+    "$work/first.tar.gz"
+(cd "$kit" && WITH_CHAPTERS=1 chapters/handout) >"$work/out" 2>&1
+tar xzf "$kit/$archive" -C "$work/all"
+holds 'exercises/ are the stubs as they came' \
+    diff -r tests/stubs "$work/all/$course/exercises"
+equal 'a note stays at home' '' \
+    "$(find "$work/all" -name 'marks*' -o -name 'handout*')"
+equal 'WITH_CHAPTERS=1 adds chapters/ and nothing else' 'chapters' \
+    "$(tar tzf "$kit/$archive" | sort >"$work/with"
+        tar tzf "$work/first.tar.gz" | sort | comm -13 - "$work/with" |
+            cut -d / -f 2 | uniq)"
+holds 'all of the chapters' sh -c "ls chapters | grep -v '^handout' |
+    diff - '$work/all/$course/chapters'/. 2>/dev/null ||
+    ls chapters | grep -v '^handout' >'$work/a' &&
+    ls '$work/all/$course/chapters' | diff '$work/a' -"
+
+# With git, what it does not know is left out, and named.
+if command -v git >/dev/null 2>&1; then
+    (cd "$kit" && rm -f tests/exercises/marks.txt && git init -q &&
+        git add -A && echo 'int x;' >src/mine.c &&
+        SOURCE_DATE_EPOCH=0 chapters/handout) >"$work/out" 2>&1
+    holds 'what git does not know is left out' \
+        cmp "$kit/$archive" "$work/first.tar.gz"
+    holds 'and named' grep -qx \
+        'handout: left out, for git does not know it: src/mine.c' "$work/out"
+    rm -f "$kit/src/mine.c"
+fi
+
+# refused NAME STATUS PATTERN COMMAND...: in one line.
+refused() {
+    what=$1 want=$2 pattern=$3
+    shift 3
+    "$@" >"$work/said" 2>&1 </dev/null
+    got=$?
+    if [ "$got" -eq "$want" ] && [ "$(wc -l <"$work/said")" -eq 1 ] &&
+        grep -q -e "$pattern" "$work/said"; then ok "$what"; else
+        not_ok "$what" "status $got, said: $(head -c 300 "$work/said")"; fi
+}
+refused 'no book with solutions' 2 'EDITION: students get the book without' \
+    $make -s handout EDITION=instructor
+refused 'WITH_CHAPTERS is 1 or 0' 2 "^handout: WITH_CHAPTERS: 'yes' is" \
+    env WITH_CHAPTERS=yes "$kit/chapters/handout"
+rm "$kit/tests/stubs/01a-collide.c"
+[ -e "$kit/.git" ] && (cd "$kit" && git add -A)
+refused 'no suite without a stub' 1 \
+    'tests/exercises/01a-collide.c has no tests/stubs/01a-collide.c' \
+    "$kit/chapters/handout"
+rm "$kit/build/bonkers.pdf"
+refused 'no archive without a book' 2 \
+    '^handout: build/bonkers.pdf is missing' "$kit/chapters/handout"
+
+# ---- what a student does with it -------------------------------------------
+
+cd "$place" || exit 1
+$make -j2 -s check >"$work/out" 2>&1
+holds 'make check works on its own' test $? -eq 0
+holds 'nothing is begun' grep -q 'Nothing is begun' "$work/out"
+equal 'in every exercise' "$(ls tests/stubs | wc -l)" \
+    "$(grep -c '^[0-9][0-9][a-z] .* not begun' "$work/out")"
+cp "$root"/solutions/01a-*.c exercises
+$make -s check EX=01a >"$work/out" 2>&1
+holds 'a right answer ends well' test $? -eq 0
+holds 'and passes' grep -q '^01a .* passed' "$work/out"
+# Each of the six states once.
+cp "$root"/tests/wrong/01b-always.c exercises/01b-measure.c
+sed 's/;$//' tests/stubs/01c-stack.c >exercises/01c-stack.c
+sed 's/NOT_DONE_YET([^)]*)/*(volatile double *)0/' tests/stubs/01d-aim.c \
+    >exercises/01d-aim.c
+sed 's/return .*/for (volatile int i = 0;; i = i) {}/' \
+    tests/stubs/02a-ring.c >exercises/02a-ring.c
+build/check/examine --seconds 1 01 02a 02b >"$work/out" 2>&1
+holds 'a wrong answer ends badly' test $? -eq 1
+for pair in 01a:passed 01b:failed '01c:does not build' 01d:crashed \
+    '02a:timed out' '02b:not begun'; do
+    holds "$pair" grep -q "^${pair%%:*} .* ${pair#*:}" "$work/out"
+done
+for stub in tests/stubs/*.c; do cp "$stub" exercises; done
+
+# What make help offers can be made, and what cannot says so in one line.
+$make -s help >"$work/help" 2>&1
+for goal in $(sed -n 's/^make \([a-z][a-z_.-]*\) .*/\1/p' "$work/help"); do
+    holds "make $goal is offered, and can be made" $make -n "$goal"
+done
+for goal in book test memcheck handout mutants grade tangle check-tangle \
+    solution; do
+    refused "make $goal cannot, and says why" 2 \
+        "$goal needs [a-z/.]*, which is not part of the course" \
+        $make -s "$goal"
+    holds "make help does not offer $goal" \
+        sh -c "! grep -q '^make $goal ' '$work/help'"
+done
+$make -s >"$work/out" 2>&1
+holds 'make works on its own' test $? -eq 0
+holds 'and shows where to go on' \
+    grep -qx 'Next: make check .*, the book (bonkers.pdf), make help' \
+    "$work/out"
+holds 'a figure can be drawn' $make -s build/figures/01-geometry.svg
+holds 'a movie can be made' \
+    $make -s movie PRESET=two EVERY=0.1 UNTIL=0.3 FPS=5
+
+# The README names only what is here.
+grep -o '`make [a-z]*' README.md | sed 's/^.make //' | sort -u |
+    while read -r goal; do
+        grep -q "^make $goal " "$work/help" || [ "$goal" = help ] ||
+            echo "$goal"
+    done >"$work/out"
+equal 'each goal of its README is offered' '' "$(cat "$work/out")"
+grep -o '`[a-z]*/[a-z0-9./-]*`' README.md | tr -d '`' | grep -v '^build/' |
+    while read -r name; do
+        [ -e "$name" ] || echo "$name"
+    done >"$work/out"
+equal 'each path of its README is there' '' "$(cat "$work/out")"
+cd "$root" || exit 1
+
+# ---- no answer in it -----------------------------------------------------
+
+# Function bodies of fewer words say nothing: `return a - b;` has 5. No body
+# of the answers has between 10 and 14 as this is written, and a dot product
+# has 21.
+least=12
+# A reference value has so many significant digits, or more.
+digits=8
+
+# Leaks are told one a line. Exempt is
+# - a body that src/ prints, and a number that src/, chapters/ or plots/data/
+#   (which the figures show) print: they are the book's;
+# - a helper that the exercise's own stub gives, under the same name: that
+#   the stub is no answer is the business of tests/exercises/all.sh;
+# - a helper of a hidden test that the public suite of the same exercise has
+#   under the same name and that is no test itself.
+
+# hidden_lists FILE...: what stands in their check_hidden[], on one line.
+hidden_lists() {
+    sed -n '/check_hidden\[\]/,/^};/p' "$@" | tr '\n' ' ' |
+        sed 's/" *"//g'
+}
+
+# values FILE...: each long number in it, as FILE<tab>DIGITS.
+values() {
+    awk -v least=$digits '{
+        rest = tolower($0)
+        while (match(rest, /0x[0-9a-f.]+|[0-9]+\.?[0-9]*|\.[0-9]+/)) {
+            before = RSTART > 1 ? substr(rest, RSTART - 1, 1) : ""
+            number = substr(rest, RSTART, RLENGTH)
+            rest = substr(rest, RSTART + RLENGTH)
+            if (before ~ /[a-z0-9_]/)
+                continue
+            if (number !~ /^0x/) {
+                gsub(/\./, "", number)
+                gsub(/^0+|0+$/, "", number)
+            }
+            # 10000001 and 9999999 are round numbers, nearly.
+            if (length(number) >= least + 2 * (number ~ /^0x/) &&
+                number !~ /^[0-9]00000+[0-9]$|^[0-9]?999999+$/)
+                print FILENAME "\t" number
+        }
+    }' "$@" /dev/null
+}
+
+# same_values: of the second list those that are in the first, when both are
+# cut to the shorter one of the two.
+same_values() {
+    awk -F '\t' 'function same(a, b,    n, d) {
+        if (a ~ /^0x/ || b ~ /^0x/)
+            return a == b
+        n = length(a) < length(b) ? length(a) : length(b)
+        n = n < 15 ? n : 15
+        d = substr(a, 1, n) - substr(b, 1, n)
+        return d * d <= 1
+    }
+    function key(a) { return a ~ /^0x/ ? a : substr(a, 1, 7) + 0 }
+    FNR == NR {
+        for (i = a = key($2); i <= a + 1 || i == a; ++i) {
+            known[i] = known[i] " " $2
+            if (a ~ /^0x/)
+                break
+        }
+        if (a !~ /^0x/)
+            known[a - 1] = known[a - 1] " " $2
+        if (!($2 in from))
+            from[$2] = $1
+        next
+    }
+    {
+        n = split(known[key($2)], list, " ")
+        for (i = 1; i <= n; ++i)
+            if (same(list[i], $2)) {
+                print $1 ": " $2 " is a value of " from[list[i]] "\t" list[i]
+                break
+            }
+    }' "$1" "$2"
+}
+
+# The answers, what is exempt, and the hidden tests, worked out once: into
+# $work/exempt, $work/values, $work/names; $1 is the folder of hidden tests.
+learn() {
+    hidden=$(ls "$1"/*.c 2>/dev/null)
+    answers="$(ls solutions/*.c tests/right/*.c tests/wrong/*.c) $hidden"
+    # shellcheck disable=SC2086
+    "$tokens" --within $least $answers -- src/*.[ch] src/*/*.[ch] |
+        cut -f 1 >"$work/exempt"
+    # shellcheck disable=SC2086
+    {
+        hidden_lists /dev/null $hidden | tr -c 'a-zA-Z0-9_' '\n'
+        "$tokens" $answers tests/stubs/*.c tests/exercises/*.c
+    } | awk -v hidden="$1" '
+        # FILE:LINE: NAME: TOKENS, and before them the words of the lists.
+        NF == 1 { listed[$1] }
+        NF < 3 { next }
+        {
+            number = $1
+            sub(/.*\//, "", number)
+            kind = index($1, "tests/stubs/") == 1 ? "given" : \
+                index($1, "tests/exercises/") == 1 ? "public" : \
+                index($1, hidden "/") == 1 ? "hidden" : "answer"
+            key = (kind ~ /given|answer/) substr(number, 1, 3) \
+                substr($0, length($1) + 1)
+            if (kind ~ /given|public/)
+                known[key]
+            else if (kind != "hidden" || !(substr($2, 1, \
+                    length($2) - 1) in listed))
+                key_of[$1 " " substr($2, 1, length($2) - 1)] = key
+        }
+        END {
+            for (body in key_of)
+                if (key_of[body] in known)
+                    print body
+        }' >>"$work/exempt"
+
+    # shellcheck disable=SC2086
+    values $answers tests/library/*.c >"$work/all-values"
+    values $(find src chapters plots/data -type f) >"$work/book-values"
+    same_values "$work/book-values" "$work/all-values" | cut -f 1 |
+        sed 's/: \([^ ]*\) is a value of .*/\t\1/' >"$work/printed"
+    grep -vxF -f "$work/printed" "$work/all-values" >"$work/values"
+
+    # shellcheck disable=SC2086
+    hidden_lists /dev/null $hidden | grep -o '"[^"]*"' |
+        sort -u >"$work/strings"
+    tr -cs 'a-zA-Z0-9\n' ' ' <"$work/strings" | grep '[a-z] .* .* ' \
+        >"$work/names"
+}
+
+# leaks FOLDER: what the files in it give away.
+leaks() {
+    find "$1" -type f ! -name '*.pdf' | sort >"$work/texts"
+    for pdf in $(find "$1" -name '*.pdf'); do
+        pdftotext -layout "$pdf" "$work/${pdf##*/}.txt"
+        echo "$work/${pdf##*/}.txt"
+    done >>"$work/texts"
+    # shellcheck disable=SC2046,SC2086
+    "$tokens" --within $least $answers -- $(cat "$work/texts") |
+        awk -F '\t' 'FNR == NR { exempt[$0]; next }
+            NF == 2 && !($1 in exempt) { print $2 ": the body of " $1 }' \
+            "$work/exempt" -
+    # A page of print may cut a function in two: lines of 24 characters and
+    # more, spaces not counted, are looked for on their own.
+    # shellcheck disable=SC2086
+    awk '{ line = $0; gsub(/[ \t\f\r]/, "", line) }
+        kind == "book" { book[line]; next }
+        kind == "answer" {
+            if (length(line) >= 24 && line ~ /[;{}(),=]/ && !(line in book))
+                from[line] = FILENAME ":" FNR
+            next
+        }
+        line in from { print FILENAME ":" FNR ": the line " from[line] }
+        ' kind=book src/*.[ch] src/*/*.[ch] tests/stubs/*.c tests/hints/* \
+        kind=answer $answers kind=text "$work"/*.pdf.txt
+    values $(cat "$work/texts") >"$work/found"
+    same_values "$work/values" "$work/found" | cut -f 1 | sort -u
+    # Names may be broken over lines, with the marks of a comment between.
+    # shellcheck disable=SC2046
+    {
+        awk 'FNR == 1 { printf "\n%s: ", FILENAME }
+            gsub(/[^a-zA-Z0-9]+/, " ") {
+                sub(/^ /, "")
+                sub(/ $/, "")
+            }
+            { printf "%s ", $0 }
+            END { print "" }' $(cat "$work/texts") |
+            grep -iF -f "$work/names" | sed 's/: .*//'
+        grep -lF -f "$work/strings" $(cat "$work/texts")
+    } | sort -u | sed 's/$/: the name of a hidden test/'
+}
+
+# Hidden tests of our own, so that there are some to leak.
+mkdir "$work/hidden"
+cp tests/hidden/*.c "$work/hidden" 2>/dev/null
+cat >"$work/hidden/01a-planted.c" <<'END'
+static bool planted_run(void)
+{
+    return check_draw(1.0, 9.0) * check_draw(2.0, 3.0) > 7.25;
+}
+
+const struct check_test check_hidden[] = {
+    {"a planted secret "
+     "of the grader", planted_run, 1},
+    {0},
+};
+END
+learn "$work/hidden"
+holds 'answers are sought' test "$(echo $answers | wc -w)" -gt 300
+holds 'and values' test "$(wc -l <"$work/values")" -gt 20
+holds 'and the names of hidden tests' test -s "$work/names"
+leaks "$work/all/$course" >"$work/leaks"
+sed "s|^$work/all/$course/||; s|^$work/||" "$work/leaks" >"$work/out"
+if [ -s "$work/out" ]; then
+    sed 's/^/    /' "$work/out"
+    not_ok 'no answer in the course' \
+        "$(wc -l <"$work/out") leaks, the first: $(head -n 1 "$work/out")"
+else
+    ok 'no answer in the course'
+fi
+
+# The search must be able to fail.
+cd "$work/all/$course" || exit 1
+sed 's/im1/p/g; s/im2/q/g; s/u1/left/g; s/u2/right/g; s/const //
+    s/;/; \/\* mine \*\//' "$root/solutions/01a-collide.c" >>src/collide.h
+echo '/* See also: a planted' '
+   secret of the grader. */' >>src/schedule.c
+echo 'Why not return draw(1, 9) * draw(2.00, 3) > 7.250; as it were?' \
+    >>tests/hints/02a.txt
+grep -v '^/\*' "$root/tests/wrong/01b-always.c" | sed 's/^/# /' \
+    >>plots/01-forms.gp
+grep -v '^/\*' "$root/tests/right/01c-pairs.c" |
+    sed 's/.*/"&\\n"/' >>src/statistics.c
+value=$(sed -n 's/^tests\/library.*\t\([0-9]\{9\}\).*/\1/p' "$work/values" |
+    head -n 1)
+echo "# The limit is 0.$value." >>plots/02-drift.gp
+if [ -s "$root/build/bonkers-instructor.pdf" ]; then
+    cp "$root/build/bonkers-instructor.pdf" answers.pdf
+fi
+cd "$root" || exit 1
+leaks "$work/all/$course" | grep -vxF -f "$work/leaks" |
+    sed "s|^$work/all/$course/||; s|^$work/||" >"$work/out"
+found() { # NAME PATTERN
+    holds "found out: $1" grep -q "^$2" "$work/out"
+}
+found 'a solution with its variables renamed, in a header' \
+    'src/collide.h:[0-9]*: the body of solutions/01a-'
+found 'the name of a hidden test, in a comment on two lines' \
+    'src/schedule.c: the name of a hidden test'
+found 'what a hidden test does, among the hints' \
+    'tests/hints/02a.txt:[0-9]*: the body of .*planted_run'
+found 'a wrong answer, in the comments of a figure' \
+    'plots/01-forms.gp:[0-9]*: the body of tests/wrong/01b-always.c'
+found 'a right answer, in a string' \
+    'src/statistics.c:[0-9]*: the body of tests/right/01c-pairs.c'
+found "the reference value 0.$value" \
+    "plots/02-drift.gp: $value is a value of tests/library/"
+[ -e "$work/all/$course/answers.pdf" ] && for file in solutions/*.c; do
+    found "$file, in an instructor's book" "answers.pdf.txt:.* $file:"
+done
+exit 0

@@ -1,0 +1,124 @@
+#!/bin/sh
+# The tool that breaks solutions on purpose does what it says, operator by
+# operator, and the run that counts survivors refuses a wrong list of those
+# that are equal in effect.
+. tests/programs/common
+mutate=build/tests/mutate
+
+cat >"$work/small.c" <<'END'
+#include <math.h>
+#define TWICE(x) (2 * (x)) /* no mutants in here: 1 + 1 */
+static const double outside = 3.0 + 4.0;
+
+bool kind(const double *p)
+{
+    return !isnan(*p) && *p != -2.0;
+}
+
+/* Nor in comments, "1 + 1". */
+double work(int n, double a, double b)
+{
+    double sum = (double)n * a - b / 2.5;
+    if (n < 3 || a >= b)
+        return 0.0;
+    for (int i = 0; i <= n; ++i)
+        sum += pow(a, b);
+    puts("1 + 1");
+    return sum > 0.0 ? sum : -sum;
+}
+END
+$mutate --list "$work/small.c" >"$work/list"
+
+# makes OPERATOR BEFORE AFTER: there is just this mutant of it.
+makes() {
+    holds "$1: $3" test "$(cut -d' ' -f5- "$work/list" |
+        grep -cxF "$1 :: $2 :: $3")" -eq 1
+}
+# never TEXT: no mutant changes a line like this.
+never() {
+    holds "nothing touches $1" test "$(grep -cF ":: $1 ::" "$work/list")" -eq 0
+}
+
+sum='double sum = (double)n * a - b / 2.5;'
+loop='for (int i = 0; i <= n; ++i)'
+last='return sum > 0.0 ? sum : -sum;'
+test='if (n < 3 || a >= b)'
+makes plus-minus "$sum" 'double sum = (double)n * a + b / 2.5;'
+makes times-divide "$sum" 'double sum = (double)n / a - b / 2.5;'
+makes times-divide "$sum" 'double sum = (double)n * a - b * 2.5;'
+makes drop-term "$sum" 'double sum = (double)n * a;'
+makes drop-term "$sum" 'double sum = - b / 2.5;'
+makes drop-term "$sum" 'double sum = a - b / 2.5;'
+makes drop-term "$sum" 'double sum = (double)n - b / 2.5;'
+makes drop-term "$sum" 'double sum = (double)n * a - 1.0 / 2.5;'
+makes drop-term "$test" 'if (a >= b)'
+makes constant "$sum" 'double sum = (double)n * a - b / 3.5;'
+makes constant "$sum" 'double sum = (double)n * a - b / 0.5;'
+makes constant "$loop" 'for (int i = (-1); i <= n; ++i)'
+makes constant "$loop" 'for (int i = 2; i <= n; ++i)'
+makes boundary "$loop" 'for (int i = 0; i < n; ++i)'
+makes boundary "$test" 'if (n < 3 || a > b)'
+makes boundary "$test" 'if (n <= 3 || a >= b)'
+makes boundary "$last" 'return sum >= 0.0 ? sum : -sum;'
+makes equal 'return !isnan(*p) && *p != -2.0;' 'return !isnan(*p) && *p == -2.0;'
+makes and-or "$test" 'if (n < 3 && a >= b)'
+makes and-or 'return !isnan(*p) && *p != -2.0;' 'return !isnan(*p) || *p != -2.0;'
+makes drop-sign "$last" 'return sum > 0.0 ? sum : sum;'
+makes drop-sign 'return !isnan(*p) && *p != -2.0;' 'return !isnan(*p) && *p != 2.0;'
+makes negate 'return !isnan(*p) && *p != -2.0;' 'return isnan(*p) && *p != -2.0;'
+makes negate "$test" 'if (!(n < 3 || a >= b))'
+makes negate "$loop" 'for (int i = 0; !(i <= n); ++i)'
+makes negate "$last" 'return !(sum > 0.0) ? sum : -sum;'
+makes step "$loop" 'for (int i = 0; i <= n; -- i)'
+makes assign 'sum += pow(a, b);' 'sum -= pow(a, b);'
+makes assign 'sum += pow(a, b);' 'sum = pow(a, b);'
+makes swap-arguments 'sum += pow(a, b);' 'sum += pow(b, a);'
+makes drop-statement 'sum += pow(a, b);' ';'
+makes drop-statement "$test return 0.0;" ';'
+makes drop-statement "$loop" 'for (int i = 0; i <= n; )'
+makes return-early 'sum += pow(a, b);' 'return 0;'
+makes return-early 'puts("1 + 1");' 'return 0; puts("1 + 1");'
+makes return-early 'return !isnan(*p) && *p != -2.0;' \
+    'return true; return !isnan(*p) && *p != -2.0;'
+never 'static const double outside = 3.0 + 4.0;'
+never '#define TWICE(x) (2 * (x))'
+holds 'a call that returns 0 already is no early return' \
+    test "$(grep -c 'return-early :: return 0.0;' "$work/list")" -eq 0
+
+count=$($mutate --count "$work/small.c")
+holds 'as many are counted as listed' \
+    test "$count" -eq "$(wc -l <"$work/list")"
+number=$(sed -n '/ :: boundary :: for /s/ .*//p' "$work/list")
+$mutate "$number" "$work/small.c" >"$work/one.c"
+holds 'a mutant differs in one line' \
+    test "$(diff "$work/small.c" "$work/one.c" | grep -c '^>')" -eq 1
+i=0
+while [ $i -lt "$count" ]; do
+    i=$((i + 1))
+    $mutate $i "$work/small.c" | tr -s ' \n' '  ' | cksum
+done >"$work/sums"
+holds 'all mutants are different' test "$(sort -u "$work/sums" | wc -l)" -eq "$count"
+refuses 2 'not a whole number from 1' $mutate 0 "$work/small.c"
+refuses 2 "cannot read '$work/none'" $mutate --list "$work/none"
+echo 'int f(void) { return (1; }' >"$work/torn.c"
+refuses 2 'torn.c:1: this bracket' $mutate --list "$work/torn.c"
+
+# A list of mutants that are equal in effect must name mutants that there are
+# and that survive.
+wrong_list() { # ENTRY PATTERN
+    echo "$1" >"$work/equal.txt"
+    EQUIVALENT=$work/equal.txt tests/mutants/run 01a >"$work/out" 2>"$work/err"
+    status=$?
+    holds "an entry is refused: $2" sh -c "
+        cat $work/err; [ $status -eq 2 ] &&
+        grep -q 'mutants: $work/equal.txt:1: $2' $work/err"
+}
+line='v[0] = 2.0 * centre - u1;'
+wrong_list "01a :: constant :: $line :: v[0] = 7.0 * centre - u1; :: why not" \
+    'there is no such mutant of 01a'
+wrong_list "01a :: constant :: $line :: v[0] = 3.0 * centre - u1;" \
+    'want EXERCISE'
+wrong_list "01a :: constant :: $line :: v[0] = 3.0 * centre - u1; :: why not" \
+    'this mutant is not equal in effect: failed'
+holds 'the table has a row and a total' sh -c \
+    "grep -q '^01a  *[0-9]' $work/out && grep -q '^total ' $work/out"

@@ -9,7 +9,8 @@ SHELL = /bin/sh
 .DELETE_ON_ERROR:
 .SUFFIXES:
 .PHONY: all first programs native bench tangle check-tangle figures book \
-	test test-parts check memcheck format clean help
+	test test-parts check watch hint progress reset solution memcheck format \
+	clean help
 
 CC ?= cc
 STANDARD = -std=c11 -D_POSIX_C_SOURCE=200809L -Wall -Wextra -pedantic
@@ -138,9 +139,11 @@ bench: native build/bin/disks-speed
 
 # What the exercises are compiled with; build/check/flags keeps it for examine:
 # the compiler's command on the first line, the libraries on the second.
-# XOPEN_SOURCE, more than the kit itself asks for, gives students M_PI.
+# XOPEN_SOURCE, more than the kit itself asks for, gives students M_PI. What
+# newer compilers take for errors, and a missing return, are errors in all.
 check_base = $(CC) -std=c11 -D_XOPEN_SOURCE=700 -ffp-contract=off -g -O1 \
-	$(CPPFLAGS)
+	$(errors:%=-Werror=%) $(CPPFLAGS)
+errors = return-type implicit-function-declaration int-conversion
 sanitizers = -fsanitize=address,undefined -fno-sanitize=object-size \
 	-fno-sanitize-recover=undefined
 check_cc = $$(sed -n 1p build/check/flags)
@@ -151,6 +154,9 @@ CHECK_BUILT = build/check/flags build/check/libcheck.a \
 
 check: build/check/examine $(CHECK_BUILT)
 	@build/check/examine $(EX)
+
+watch hint progress reset solution: build/check/examine $(CHECK_BUILT)
+	@build/check/examine --$@ $(EX)
 
 build/check/compiler: FORCE
 	@mkdir -p $(@D)
@@ -179,7 +185,8 @@ build/check/libcheck.a: $(patsubst src/%.c,build/check/obj/%.o,\
 	@rm -f $@
 	@ar rcs $@ $^
 build/check/examine: $(patsubst %,build/obj/examiner/%.o,\
-	examine build trial process text)
+	examine watch hint reset solution round verdict memory work course sum \
+	build message trial process text)
 	@mkdir -p $(@D)
 	$(call say,link $@)
 	$(Q)$(CC) $(PORTABLE) $(CFLAGS) -o $@ $^ $(LDFLAGS)
@@ -201,21 +208,36 @@ $(foreach s,$(suites),$(eval $(call suite_rules,$(firstword \
 ## ---- grading: cc, make, CUnit, jansson, libxml2, bubblewrap ---------------
 
 # make grade SUBMISSIONS=dir [REPORT=table,csv,...] [JOBS=n] [HIDDEN=seed]
-# [EX=01a,02] [RESULTS=dir] [UNSAFE=1]
+# [EX=01a,02] [SECONDS=5] [RESULTS=dir] [UNSAFE=1]
 SUBMISSIONS =
 grade_options = $(if $(REPORT),--report $(REPORT)) \
 	$(if $(JOBS),--jobs $(JOBS)) $(if $(HIDDEN),--hidden $(HIDDEN)) \
-	$(if $(EX),--exercises $(EX)) $(if $(UNSAFE),--unsafe) \
+	$(if $(EX),--exercises $(EX)) $(if $(SECONDS),--seconds $(SECONDS)) \
+	$(if $(UNSAFE),--unsafe) \
 	$(if $(RESULTS),--output "$(RESULTS)")
-GRADE_BUILT = build/grade/grade $(exercises:%=build/grade/%.list) \
-	$(exercises:%=build/grade/%.names)
+borders := $(basename $(notdir $(wildcard tests/border/*.c)))
+graded := $(foreach s,$(borders),$(firstword $(subst -, ,$(s))))
+GRADE_BUILT = build/grade/grade build/grade/flags \
+	$(graded:%=build/grade/%.list) $(graded:%=build/grade/%.names)
 
-.PHONY: grade grade-parts
-grade: grade-parts
-	@[ -n "$(SUBMISSIONS)" ] || { echo 'make: grade: which submissions?\
- make grade SUBMISSIONS=dir, with a folder for each student' >&2; exit 2; }
+.PHONY: grade grade-parts has-submissions
+has-submissions:
+	@[ -n "$(SUBMISSIONS)" ] || { echo 'make: grade: which submissions?' \
+		'make grade SUBMISSIONS=dir (a folder with one for each student)' \
+		>&2; exit 2; }
+grade: has-submissions grade-parts
+	$(if $(filter-out $(graded),$(exercises)),@echo 'Not graded (there is' \
+		'no file in tests/border):' $(filter-out $(graded),$(exercises)))
 	@build/grade/grade $(grade_options) "$(SUBMISSIONS)"
-grade-parts: $(GRADE_BUILT)
+grade-parts: has-grade-parts $(GRADE_BUILT)
+
+.PHONY: has-grade-parts
+has-grade-parts:
+	@printf '#include <jansson.h>\n#include <libxml/xmlwriter.h>\n' | \
+		$(CC) $(xml_flags) $(CPPFLAGS) $(CFLAGS) -E - >/dev/null 2>&1 || { \
+		echo 'make: grade needs jansson and libxml2; install them with:' \
+		'apt-get install --no-install-recommends libjansson-dev' \
+		'libxml2-dev bubblewrap' >&2; exit 1; }
 
 # jansson and libxml2, in the grader alone; asked only when it is built.
 xml_flags = $$(pkg-config --cflags libxml-2.0 2>/dev/null || \
@@ -271,8 +293,8 @@ build/grade/$(1).names: build/grade/$(1).inside.o tests/stubs/$(2).c
 		{ print $$$$1 }' | grep -x -F -f build/grade/obj/border/$(1).wanted | \
 		sed 's/^/--keep-global-symbol=/' | tr '\n' ' ' >$$@
 endef
-$(foreach s,$(wildcard tests/border/*.c),$(eval $(call grade_rules,$(firstword \
-	$(subst -, ,$(basename $(notdir $(s))))),$(basename $(notdir $(s))))))
+$(foreach s,$(borders),$(eval $(call grade_rules,$(firstword \
+	$(subst -, ,$(s))),$(s))))
 
 ## ---- the book: noweb, gnuplot, TeX ---------------------------------------
 
@@ -286,8 +308,8 @@ check-tangle:
 
 # What figures and transcripts are made from, read from the scripts and the
 # chapters. Goals that need no book do without.
-bookless := all first programs native bench movie check mutants tangle check-tangle clean \
-	help format memcheck
+bookless := all first programs native bench movie check watch hint progress \
+	reset solution mutants tangle check-tangle clean help format memcheck
 ifneq ($(filter-out $(bookless),$(MAKECMDGOALS)),)
 build/recipes/rules.mk: chapters/recipes chapters plots \
 		$(wildcard chapters/*.nw chapters/*.tex plots/*.gp)
@@ -469,6 +491,11 @@ clean:
 help:
 	@echo 'make              build the programs; show a first result'
 	@echo 'make check        check your exercises; EX=01a for one'
+	@echo 'make watch        check whatever you save, until Ctrl-C'
+	@echo 'make hint         the next hint; EX=01a for that exercise'
+	@echo 'make progress     a bar for each chapter, and what comes next'
+	$(call offer,solution) 'make solution     EX=01a: the worked solution, once yours passes'
+	@echo 'make reset        EX=01a: begin afresh; what you had is kept'
 	$(call offer,book) 'make book         the PDF; EDITION=instructor adds the solutions'
 	$(call offer,handout) 'make handout      the archive for students; WITH_CHAPTERS=1 for more'
 	@echo 'make figures      the figures; QUALITY=lecture for slides too'

@@ -39,5 +39,5 @@ double impact_parameter(double r1, double r2, double im1, double im2,
     if (sine > 1.0 || (turns_back && im2 >= im1))
         return -1.0;
     const double chi = deflection + asin(sine);
-    return (r1 + r2) * fmax(0.0, cos(0.5 * chi));
+    return (r1 + r2) * cos(0.5 * chi);
 }

@@ -1,5 +1,5 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 2962563068 of the lines below */
+/* checksum 2437440575 of the lines below */
 #include "examiner/box.h"
 #include "examiner/process.h"
 #include "examiner/text.h"
@@ -8,12 +8,19 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>
+#include <pwd.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
+#ifdef __linux__
+#include <linux/audit.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <sys/syscall.h>
+#endif
 
 #define MEMORY_BYTES 536870912 /* of addresses, for each process */
 #define DISK_BYTES 33554432    /* of the box's folder */
@@ -50,7 +57,10 @@ static const char *number(struct words *w, long long x)
 
 static long box_user(void)
 {
-    return 20000 + (long)getpid() % 40000;
+    long user = 20000 + (long)getpid() % 40000;
+    while (getpwuid((uid_t)user))
+        ++user;
+    return user;
 }
 
 static void add_user(struct words *w)
@@ -58,6 +68,14 @@ static void add_user(struct words *w)
     const char *user = number(w, box_user());
     ADD(w, "setpriv", "--reuid", user, "--regid", user, "--clear-groups",
         "--no-new-privs");
+}
+
+static void add_clean_start(struct words *w)
+{
+    static char path[4096];
+    snprintf(path, sizeof path, "PATH=%s",
+             getenv("PATH") ? getenv("PATH") : "/usr/bin:/bin");
+    ADD(w, "env", "-i", path);
 }
 
 static void add_namespaces(struct words *w, enum box_kind kind)
@@ -94,11 +112,12 @@ static void add_copies(struct words *w, const char *name)
     ADD(w, "--perms", "0444", "--ro-bind-data", "5", source);
     ADD(w, "--perms", "0444", "--ro-bind-data", "6", "/kit/exercise.h");
     ADD(w, "--perms", "0444", "--ro-bind-data", "7", "/kit/inside.o");
-    ADD(w, "--remount-ro", "/");
+    ADD(w, "--seccomp", "8", "--remount-ro", "/");
 }
 
 static void add_walls(struct words *w, enum box_kind kind, const char *name)
 {
+    add_clean_start(w);
     if (geteuid() == 0 && kind != BOX_ROOT)
         add_user(w);
     add_namespaces(w, kind);
@@ -110,13 +129,64 @@ static void add_walls(struct words *w, enum box_kind kind, const char *name)
     }
 }
 
+#if defined(__linux__) && (defined(__x86_64__) || defined(__aarch64__))
+static const int forbidden[] = {
+    SYS_shmget,        SYS_memfd_create,    SYS_unshare,
+    SYS_setns,         SYS_ptrace,          SYS_process_vm_writev,
+    SYS_add_key,       SYS_keyctl,          SYS_request_key,
+    SYS_bpf,           SYS_perf_event_open, SYS_userfaultfd,
+    SYS_io_uring_setup};
+
+enum { FORBIDDEN = sizeof forbidden / sizeof forbidden[0] };
+#ifdef __x86_64__
+enum { LAST_CALL = 0x3fffffff }; /* above begin the calls of x32 */
+static const unsigned OUR_CALLS = AUDIT_ARCH_X86_64;
+#else
+enum { LAST_CALL = 0x7fffffff };
+static const unsigned OUR_CALLS = AUDIT_ARCH_AARCH64;
+#endif
+
+static int open_filter(void)
+{
+    struct sock_filter code[2 * FORBIDDEN + 8];
+    int n = 0, ends[2];
+#define DO(c, value) code[n++] = (struct sock_filter)BPF_STMT(c, value)
+#define SKIP(c, value, yes, no)                                            \
+    code[n++] =                                                            \
+        (struct sock_filter)BPF_JUMP(BPF_JMP | c | BPF_K, value, yes, no)
+    DO(BPF_LD | BPF_W | BPF_ABS, offsetof(struct seccomp_data, arch));
+    SKIP(BPF_JEQ, OUR_CALLS, 1, 0);
+    DO(BPF_RET | BPF_K, SECCOMP_RET_KILL);
+    DO(BPF_LD | BPF_W | BPF_ABS, offsetof(struct seccomp_data, nr));
+    SKIP(BPF_JGT, LAST_CALL, 0, 1);
+    DO(BPF_RET | BPF_K, SECCOMP_RET_KILL);
+    for (int i = 0; i < FORBIDDEN; ++i) {
+        SKIP(BPF_JEQ, (unsigned)forbidden[i], 0, 1);
+        DO(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | EPERM);
+    }
+    DO(BPF_RET | BPF_K, SECCOMP_RET_ALLOW);
+    const size_t bytes = (size_t)n * sizeof *code;
+    if (pipe(ends) != 0 || write(ends[1], code, bytes) != (ssize_t)bytes)
+        text_fail("cannot write a filter: %s", strerror(errno));
+    close(ends[1]);
+    fcntl(ends[0], F_SETFD, FD_CLOEXEC);
+    return ends[0];
+}
+#else
+static int open_filter(void)
+{
+    return open("/dev/null", O_RDONLY | O_CLOEXEC);
+}
+#endif
+
 static bool try_kind(enum box_kind kind)
 {
     struct words w = {.count = 0};
     struct process_end end;
     const int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
+    const int filter = open_filter();
     const struct process_files files = {
-        nothing, {nothing, nothing, nothing, nothing, nothing}};
+        nothing, {nothing, nothing, nothing, nothing, nothing, filter}};
     const struct process_limits limits = {5, RLIM_INFINITY, RLIM_INFINITY,
                                           RLIM_INFINITY};
     add_walls(&w, kind, "exercises/none.c");
@@ -124,6 +194,7 @@ static bool try_kind(enum box_kind kind)
     const bool ran =
         process_run((char *const *)w.list, "/", &files, &limits, &end);
     close(nothing);
+    close(filter);
     return ran && end.status == 0;
 }
 
@@ -156,8 +227,8 @@ static const char script[] =
     "build objcopy $keep answer.o\n"
     "build $compiler -o program answer.o ../kit/inside.o -lm\n"
     "printf b >&4\n"
-    "exec prlimit --core=0 --cpu=$seconds --as=$memory --nproc=24 \\\n"
-    "    --fsize=1048576 ./program\n";
+    "exec prlimit --core=0 --cpu=$seconds --as=$memory --nproc=16 \\\n"
+    "    --nofile=64 --fsize=1048576 ./program\n";
 static void add_script(struct words *w, const struct box_order *order,
                        const char *root)
 {
@@ -212,7 +283,9 @@ static void furnish_folder(const struct box_order *order)
     static const char *const folders[] = {"kit", "exercises", "work"};
     char path[512];
     strcpy(open_root, "/tmp/bonkers.XXXXXX");
-    if (!mkdtemp(open_root) || chmod(open_root, 0755) != 0)
+    if (!mkdtemp(open_root) ||
+        (geteuid() == 0 && (chown(open_root, 0, (gid_t)box_user()) != 0 ||
+                            chmod(open_root, 0750) != 0)))
         text_fail("cannot make a folder in /tmp: %s", strerror(errno));
     furnished = true;
     for (int i = 0; i < 3; ++i) {
@@ -232,9 +305,11 @@ static void start(const struct box_order *order, int requests, int answers,
                   int prints)
 {
     struct words w = {.count = 0};
-    const struct process_files files = {
-        prints,
-        {requests, answers, order->source, order->header, order->inside}};
+    const int filter = open_filter();
+    const struct process_files files = {prints,
+                                        {requests, answers, order->source,
+                                         order->header, order->inside,
+                                         filter}};
     const struct process_limits limits = {3600, RLIM_INFINITY, 33554432,
                                           RLIM_INFINITY};
     if (order->kind != BOX_OPEN) {
@@ -242,6 +317,7 @@ static void start(const struct box_order *order, int requests, int answers,
         add_script(&w, order, "");
     } else {
         furnish_folder(order);
+        add_clean_start(&w);
         if (geteuid() == 0)
             add_user(&w);
         add_script(&w, order, open_root);
@@ -251,6 +327,7 @@ static void start(const struct box_order *order, int requests, int answers,
     lseek(order->inside, 0, SEEK_SET);
     if (!process_start((char *const *)w.list, "/", &files, &limits))
         text_fail("cannot start '%s': %s", w.list[0], strerror(errno));
+    close(filter);
 }
 
 static enum box_stage wait_for_main(struct box *box)
@@ -260,9 +337,10 @@ static enum box_stage wait_for_main(struct box *box)
     box->build_seconds = seconds_now() - start;
     if (built != WIRE_BUILT)
         return built == LATE ? BOX_TOO_LONG : BOX_NOT_BUILT;
-    return wait_for_byte(box->answers, START_MS) == WIRE_READY
-               ? BOX_READY
-               : BOX_NO_MAIN;
+    const int started = wait_for_byte(box->answers, START_MS);
+    return started == WIRE_READY ? BOX_READY
+           : started == LATE     ? BOX_STUCK
+                                 : BOX_NO_MAIN;
 }
 
 enum box_stage box_open(struct box *box, const struct box_order *order,
@@ -280,16 +358,22 @@ enum box_stage box_open(struct box *box, const struct box_order *order,
     return wait_for_main(box);
 }
 
+static bool send_byte(int file, char byte)
+{
+    struct pollfd room = {.fd = file, .events = POLLOUT};
+    return poll(&room, 1, SETTLE_MS) == 1 && (room.revents & POLLOUT) &&
+           write(file, &byte, 1) == 1;
+}
+
 bool box_settle(const struct box *box)
 {
-    const char over = WIRE_OVER;
-    char status[sizeof(int)];
-    if (write(box->requests, &over, 1) != 1)
+    if (!send_byte(box->requests, WIRE_OVER))
         return false;
     const int word = wait_for_byte(box->answers, SETTLE_MS);
-    if (word == WIRE_ENDED)
-        return read(box->answers, status, sizeof status) == sizeof status;
-    return word == WIRE_IDLE;
+    bool whole = word == WIRE_IDLE || word == WIRE_ENDED;
+    for (size_t i = 0; word == WIRE_ENDED && i < sizeof(int); ++i)
+        whole = whole && wait_for_byte(box->answers, SETTLE_MS) >= 0;
+    return whole && wait_for_byte(box->answers, 0) == LATE;
 }
 
 static void sweep_folder(void)

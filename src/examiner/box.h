@@ -1,5 +1,5 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 3302986302 of the lines below */
+/* checksum 2883928556 of the lines below */
 #ifndef BOX_H
 #define BOX_H
 
@@ -39,6 +39,7 @@ enum box_stage {
     BOX_NOT_BUILT, /* the compiler or the linker refused */
     BOX_TOO_LONG,  /* they were stopped */
     BOX_NO_MAIN,   /* the program ended before its main */
+    BOX_STUCK,     /* it did not come to its main in time */
     BOX_READY
 };
 

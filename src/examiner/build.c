@@ -1,6 +1,7 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 884252141 of the lines below */
+/* checksum 1675771906 of the lines below */
 #include "examiner/build.h"
+#include "examiner/message.h"
 #include "examiner/process.h"
 #include "examiner/text.h"
 
@@ -76,20 +77,45 @@ static const char *find_line(const char *text, const char *start,
     return NULL;
 }
 
-static int count_errors(const char *text)
+static int count(const char *text, const char *word)
 {
-    int count = 0;
-    for (; (text = strstr(text, " error: ")); ++text)
-        ++count;
-    return count;
+    int found = 0;
+    for (; (text = strstr(text, word)); ++text)
+        ++found;
+    return found;
+}
+
+static const char *find_error(const char *text, const char *source)
+{
+    const char *first = find_line(text, source, "error:");
+    const char *line = first;
+    while (line && find_line(line, source, "return-type") == line)
+        line = find_line(line + strcspn(line, "\n"), source, "error:");
+    return line ? line : first;
+}
+
+static void tell_header(const char *text, const char *source, FILE *story)
+{
+    char place[4200];
+    snprintf(place, sizeof place, "from %s:", source);
+    const char *from = strstr(text, place);
+    if (!from)
+        return;
+    const int number = atoi(from + strlen(place));
+    text_quote_line(story, source, number);
+    snprintf(place, sizeof place,
+             "This is line %d of %s. The error was noticed behind it, and "
+             "is before it: is a semicolon or a } missing above?",
+             number, source);
+    text_field(story, "means", place);
 }
 
 static void tell_build(const char *text, const char *source, FILE *story)
 {
-    const int errors = count_errors(text);
-    const char *line = find_line(text, source, "error:");
-    if (!line)
-        line = find_line(text, "", "error:");
+    const char *own = find_error(text, source);
+    const char *line = own ? own : find_line(text, "", "error:");
+    if (!own && line)
+        tell_header(text, source, story);
     const char *lost = strstr(text, "undefined reference");
     const char *twice = strstr(text, "multiple definition");
     const char *tests = strstr(text, ".suite.o");
@@ -108,10 +134,16 @@ static void tell_build(const char *text, const char *source, FILE *story)
               story);
     if (lost || twice)
         line = lost ? lost : twice;
+    if (lost && find_line(text, source, "implicit"))
+        line = find_line(text, source, "implicit");
     text_quote(story, line ? line : text, line ? 4 : 8);
-    if (errors > 1)
+    if (line && (own || lost))
+        message_explain(story, line);
+    const int others =
+        count(text, " error: ") - count(text, "[-Werror=return-type]");
+    if (others > 1)
         fprintf(story, "  and %d more that may go away with it\n",
-                errors - 1);
+                others - 1);
 }
 
 bool build_runner(const char *folder, const char *exercise,
@@ -127,13 +159,31 @@ bool build_runner(const char *folder, const char *exercise,
     return built;
 }
 
+static const char *find_warning(const char *text, const char *source)
+{
+    const char *first = find_line(text, source, "warning:");
+    const char *line = first;
+    while (line && !message_known(line))
+        line = find_line(line + strcspn(line, "\n"), source, "warning:");
+    return line ? line : first;
+}
+
 void build_warning(const char *folder, const char *source, FILE *story)
 {
     char *text = read_messages(folder);
-    const char *line = find_line(text, source, "warning:");
+    const char *line = find_warning(text, source);
     if (line) {
         fprintf(story, "  The compiler has a warning:\n");
         text_quote(story, line, 3);
+        message_explain(story, line);
     }
     free(text);
+}
+
+bool build_blames(const char *folder, const char *source)
+{
+    char *text = read_messages(folder);
+    const bool found = find_line(text, source, "error:") != NULL;
+    free(text);
+    return found;
 }

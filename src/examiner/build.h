@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 990471514 of the lines below */
+/* checksum 2248531417 of the lines below */
 #ifndef BUILD_H
 #define BUILD_H
 
@@ -13,8 +13,12 @@
 bool build_runner(const char *folder, const char *exercise,
                   const char *source, bool strict, FILE *story);
 
-/* Writes the first warning about source in that folder's last build. */
+/* Writes the first warning about source in that folder's last build, of
+   those that we can explain if there are any. */
 void build_warning(const char *folder, const char *source, FILE *story);
+
+/* Whether that folder's last build found an error in source. */
+bool build_blames(const char *folder, const char *source);
 
 /* Whether build/check/flags turns the address sanitizer on. */
 bool build_sanitized(void);

@@ -1,5 +1,5 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 133821876 of the lines below */
+/* checksum 3093284108 of the lines below */
 #include "examiner/grading.h"
 #include "examiner/process.h"
 #include "examiner/publish.h"
@@ -172,7 +172,10 @@ static void prepare_folders(struct batch *b)
 {
     if (!getcwd(b->root, sizeof b->root - 64))
         text_fail("cannot name the working folder: %s", strerror(errno));
+    char marks[4200];
+    snprintf(marks, sizeof marks, "%s/marks", b->options.output);
     make_folder(b->options.output);
+    make_folder(marks);
     snprintf(b->work, sizeof b->work, "%s/build/grade/work.XXXXXX",
              b->root);
     if (strchr(b->root, '\'') || !mkdtemp(b->work))
@@ -197,7 +200,7 @@ static void choose_seed(struct batch *b)
 {
     char path[4300];
     uint64_t seed = b->options.seed;
-    snprintf(path, sizeof path, "%s/seed", b->options.output);
+    snprintf(path, sizeof path, "%s/hidden.seed", b->options.output);
     FILE *file = b->options.seeded ? NULL : fopen(path, "r");
     if (file && fscanf(file, "%" SCNu64, &seed) != 1)
         text_fail("there is no number in %s; remove it", path);
@@ -231,22 +234,7 @@ static void choose_box(struct batch *b)
     }
 }
 
-static void result_path(const struct batch *b, size_t s, size_t e,
-                        char path[4400])
-{
-    char name[800], *end = name;
-    const char *entry = b->submissions[s].entry;
-    for (; *entry && end < name + sizeof name - 8; ++entry)
-        if (isalnum((unsigned char)*entry) || strchr("-_", *entry))
-            *end++ = *entry;
-        else
-            end += sprintf(end, "%%%02X", (unsigned char)*entry);
-    *end = '\0';
-    snprintf(path, 4400, "%s/%.200s%s", b->options.output, name,
-             strlen(name) > 200 ? "+" : "");
-    make_folder(path);
-    snprintf(path + strlen(path), 32, "/%s.json", b->kits[e].exercise);
-}
+static const uint64_t HASH_START = 0xcbf29ce484222325u;
 
 static uint64_t hash(uint64_t h, const void *bytes, size_t length)
 {
@@ -270,10 +258,30 @@ static uint64_t hash_file(uint64_t h, const char *path)
     return h;
 }
 
+static void result_path(const struct batch *b, size_t s, size_t e,
+                        char path[4400])
+{
+    char name[1100], *end = name;
+    const char *entry = b->submissions[s].entry;
+    for (; *entry && end < name + sizeof name - 8; ++entry)
+        if (isalnum((unsigned char)*entry) || strchr("-_", *entry))
+            *end++ = *entry;
+        else
+            end += sprintf(end, "%%%02X", (unsigned char)*entry);
+    *end = '\0';
+    if (end - name > 200)
+        snprintf(name + 180, 20, "+%016" PRIx64,
+                 hash(HASH_START, b->submissions[s].entry,
+                      strlen(b->submissions[s].entry)));
+    snprintf(path, 4400, "%s/marks/%s", b->options.output, name);
+    make_folder(path);
+    snprintf(path + strlen(path), 32, "/%s.json", b->kits[e].exercise);
+}
+
 static uint64_t hash_kit(const struct batch *b, const char *exercise)
 {
     char path[64];
-    uint64_t h = 0xcbf29ce484222325u;
+    uint64_t h = HASH_START;
     snprintf(path, sizeof path, "build/grade/%s.judge", exercise);
     h = hash_file(h, path);
     snprintf(path, sizeof path, "build/grade/%s.inside.o", exercise);
@@ -345,8 +353,12 @@ static int running;
 
 static void stop_workers(void)
 {
+    static double since;
+    if (since == 0.0)
+        since = wall_seconds();
+    const bool patient = wall_seconds() - since < 5.0;
     for (int i = 0; i < running; ++i)
-        kill(workers[i], SIGTERM);
+        kill(workers[i], patient ? SIGTERM : SIGKILL);
 }
 
 static void show_progress(const struct batch *b)
@@ -358,12 +370,14 @@ static void show_progress(const struct batch *b)
 
 static void wait_for_one(struct batch *b)
 {
+    const struct timespec nap = {0, 2000000};
     int status, i = 0;
-    const pid_t pid = waitpid(-1, &status, 0);
-    if (pid < 0 && process_signal())
-        stop_workers();
-    if (pid < 0)
-        return;
+    pid_t pid;
+    while ((pid = waitpid(-1, &status, WNOHANG)) <= 0) {
+        if (process_signal())
+            stop_workers();
+        nanosleep(&nap, NULL);
+    }
     while (i < running && workers[i] != pid)
         ++i;
     if (i == running)

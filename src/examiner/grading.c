@@ -1,5 +1,5 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 3717719087 of the lines below */
+/* checksum 649010967 of the lines below */
 #include "examiner/grading.h"
 #include "examiner/process.h"
 #include "examiner/text.h"
@@ -96,7 +96,12 @@ size_t grading_kits(struct kit **kits)
     return count;
 }
 
-enum { MOST_LATE = 3, PRINTS_KEPT = 4096, STORY_KEPT = 8192 };
+enum {
+    MOST_LATE = 3,
+    MOST_BUILDING = 60,
+    PRINTS_KEPT = 4096,
+    STORY_KEPT = 8192
+};
 
 struct job {
     const struct grading *grading;
@@ -179,6 +184,7 @@ static enum state open_box(struct job *job, FILE *story)
         box_open(&job->box, &job->order, job->prints);
     job->marks->build_seconds += job->box.build_seconds;
     job->open = stage == BOX_READY;
+    job->marks->late |= stage == BOX_TOO_LONG;
     if (job->open)
         return PASSED;
     box_close(&job->box);
@@ -187,9 +193,13 @@ static enum state open_box(struct job *job, FILE *story)
         fputs("  The compiler was stopped: it took too long.\n", story);
     else if (stage == BOX_NO_MAIN)
         fputs("  The program ended before its first test.\n", story);
+    else if (stage == BOX_STUCK)
+        fputs("  The program did not come to its first test.\n", story);
     text_quote(story, said ? said : "", 24);
     free(said);
-    return stage == BOX_NO_MAIN ? CRASHED : DOES_NOT_BUILD;
+    return stage == BOX_NO_MAIN ? CRASHED
+           : stage == BOX_STUCK ? TIMED_OUT
+                                : DOES_NOT_BUILD;
 }
 
 static enum state run_test(struct job *job, const struct kit_test *test,
@@ -267,7 +277,7 @@ static void run_tests(struct job *job)
         FILE *story = open_memstream(&text, &size);
         if (!story)
             text_fail("out of memory");
-        if (late == MOST_LATE)
+        if (late == MOST_LATE || job->marks->build_seconds > MOST_BUILDING)
             state = NOT_BEGUN;
         else if (!job->open)
             state = open_box(job, story);
@@ -276,7 +286,8 @@ static void run_tests(struct job *job)
         late += state == TIMED_OUT;
         fclose(story);
         keep_mark(job->marks, &job->kit->tests[i], state, text, size);
-        keep_prints(job->marks);
+        if (!job->kit->tests[i].hidden)
+            keep_prints(job->marks);
         free(text);
     }
 }

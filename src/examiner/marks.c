@@ -1,5 +1,5 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 1065873138 of the lines below */
+/* checksum 3900885889 of the lines below */
 #include "examiner/marks.h"
 #include "examiner/text.h"
 
@@ -30,6 +30,8 @@ int marks_possible(const struct marks *marks, bool hidden)
 
 bool marks_late(const struct marks *marks)
 {
+    if (marks->late || marks->state == TIMED_OUT)
+        return true;
     for (int i = 0; i < marks->count; ++i)
         if (marks->marks[i].state == TIMED_OUT)
             return true;
@@ -93,13 +95,14 @@ static json_t *json_of_marks(const struct marks *m, const char *key)
     json_t *list = json_array();
     for (int i = 0; i < m->count; ++i)
         json_array_append_new(list, json_of_mark(&m->marks[i]));
-    return json_pack(
-        "{s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:f, s:f, s:i, s:o}",
-        "key", key, "student", m->student, "exercise", m->exercise, "title",
-        m->title, "file", m->file, "state", state_name(m->state), "story",
-        m->story, "prints", m->prints, "advice", m->advice, "seconds",
-        m->seconds, "build_seconds", m->build_seconds, "tries", m->tries,
-        "tests", list);
+    return json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:f, "
+                     "s:f, s:i, s:b, s:o}",
+                     "key", key, "student", m->student, "exercise",
+                     m->exercise, "title", m->title, "file", m->file,
+                     "state", state_name(m->state), "story", m->story,
+                     "prints", m->prints, "advice", m->advice, "seconds",
+                     m->seconds, "build_seconds", m->build_seconds, "tries",
+                     m->tries, "late", m->late, "tests", list);
 }
 
 void marks_write(const struct marks *marks, const char *key,
@@ -143,18 +146,20 @@ static bool marks_of_json(struct marks *m, json_t *json, const char *key)
     char **places[] = {&m->student, &m->exercise, &m->title, &m->file,
                        &m->story,   &m->prints,   &m->advice};
     json_t *list;
+    int late;
     if (json_unpack(
             json,
             "{s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:f, s:f, s:i, "
-            "s:o}",
+            "s:b, s:o}",
             "key", &its, "student", &texts[0], "exercise", &texts[1],
             "title", &texts[2], "file", &texts[3], "state", &state, "story",
             &texts[4], "prints", &texts[5], "advice", &texts[6], "seconds",
             &m->seconds, "build_seconds", &m->build_seconds, "tries",
-            &m->tries, "tests", &list) != 0 ||
+            &m->tries, "late", &late, "tests", &list) != 0 ||
         (key && strcmp(its, key) != 0))
         return false;
     m->state = state_of(state);
+    m->late = late;
     for (int i = 0; i < 7; ++i)
         *places[i] = strdup(texts[i]);
     bool whole = json_array_size(list) <= MARKS_MOST;

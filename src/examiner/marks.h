@@ -1,5 +1,5 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 2305781274 of the lines below */
+/* checksum 3716324263 of the lines below */
 #ifndef MARKS_H
 #define MARKS_H
 
@@ -35,6 +35,7 @@ struct marks {
     double seconds; /* on the wall, the build included */
     double build_seconds;
     int tries; /* 2 when a time-out was tried again alone */
+    bool late; /* the build was stopped by the clock */
 };
 
 /* The points that were earned, and that can be: of the tests that are
@@ -42,7 +43,7 @@ struct marks {
 int marks_earned(const struct marks *marks, bool hidden);
 int marks_possible(const struct marks *marks, bool hidden);
 
-/* Whether a test has timed out. */
+/* Whether a test has timed out, or the build has. */
 bool marks_late(const struct marks *marks);
 
 /* Makes text of bytes: UTF-8 passes, with \n; what is not, or controls a

@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 505375328 of the lines below */
+/* checksum 3703962062 of the lines below */
 #include "examiner/trial.h"
 #include "examiner/process.h"
 #include "examiner/report.h"
@@ -266,14 +266,22 @@ static void tell_place(const char *report, const char *source, FILE *story)
     text_quote_line(story, source, number);
 }
 
+static const char nowhere[] =
+    "Only a compiler with sanitizers could tell the line. Let your "
+    "function print something, with \\n at the end, at several places: "
+    "what was printed last was reached.";
+
 static void tell_crash(const struct trial *trial,
                        const struct result *result, FILE *story)
 {
-    char text[512];
+    char text[REPORT_RECORD];
     crash_text(result, text, sizeof text);
     text_field(story, "what", text);
     if (result->error)
         tell_place(result->error, trial->source, story);
+    else if (WIFSIGNALED(result->end.status) && !trial->sanitized &&
+             !trial->prints)
+        text_field(story, "where", nowhere);
 }
 
 static const char *equation_in_book(const char *label,

@@ -19,8 +19,9 @@ static void move_path(size_t events, struct event path[])
     }
 }
 
-/* The suite looks one place behind the last sample; that place crosses as
-   well, so x has samples + 1 of them on both sides. */
+/* The suite looks one place before the first sample and one behind the
+   last; these two cross as well, so that x stands in an array of samples
+   + 2. */
 
 #ifdef BORDER_INSIDE
 
@@ -33,13 +34,13 @@ void border_answer(void)
     move_path(events, path);
     border_doubles(&tick, 1);
     border_sizes(&samples, 1);
-    double *x = border_memory((samples + 1) * sizeof x[0]);
-    border_doubles(x, samples + 1);
-    sample(events, path, tick, samples, x);
+    double *places = border_memory((samples + 2) * sizeof places[0]);
+    border_doubles(places, samples + 2);
+    sample(events, path, tick, samples, places + 1);
     free(path);
     border_reply();
-    border_doubles(x, samples + 1);
-    free(x);
+    border_doubles(places, samples + 2);
+    free(places);
 }
 
 #else
@@ -52,9 +53,9 @@ void sample(size_t events, const struct event path[], double tick,
     move_path(events, (struct event *)path);
     border_doubles(&tick, 1);
     border_sizes(&samples, 1);
-    border_doubles(x, samples + 1);
+    border_doubles(x - 1, samples + 2);
     border_wait();
-    border_doubles(x, samples + 1);
+    border_doubles(x - 1, samples + 2);
 }
 
 #endif

@@ -18,14 +18,14 @@ both() { # status, pattern, arguments
 traps=$here/traps
 
 verdict 'a fresh copy is not begun, and that is no error' \
-    both 0 '^99a  Twice  *5 min  not begun$'
+    both 0 '^99a  Twice  *not begun  *0 of  3 points  5 min$'
 verdict 'a fresh copy is told where to start' \
     says '^Next: open exercises/99a-twice.c, then: make check EX=99a$'
 verdict 'a fresh copy is told kindly' says 'Nothing is begun yet'
 
 cp "$traps/wrong.c" exercises/99a-twice.c
 cksum exercises/* >before
-verdict 'a wrong answer ends with status 1' both 1 ' failed  *0 of 3$'
+verdict 'a wrong answer ends with status 1' both 1 ' failed  *0 of  3 points  5 min$'
 verdict 'a wrong answer is what comes next' \
     says '^Next: mend exercises/99a-twice.c, then: make check EX=99a$'
 verdict 'an equation without a number keeps its label' says 'eq:twice'
@@ -33,12 +33,12 @@ echo 'eq:twice 1.7' >tests/equations.txt
 verdict 'an equation has its number in the book' \
     both 1 'book       equation (1.7)$' 99a
 verdict 'an exercise not named is not checked' \
-    eval 'run 0 99b && ! says 99a'
+    eval "run 0 99b && ! says '^99a'"
 cksum exercises/* >after
 verdict 'the files of the student are as before' cmp -s before after
 
 cp "$traps/right.c" exercises/99a-twice.c
-verdict 'a right answer ends with status 0' both 0 ' passed  *3 of 3$'
+verdict 'a right answer ends with status 0' both 0 ' passed  *3 of  3 points  5 min$'
 verdict 'after a right answer the next exercise is named' \
     says '^Next: open exercises/99b-twice.c'
 verdict 'a chapter stands for its exercises' both 0 '^99b' 99
@@ -48,7 +48,7 @@ verdict 'a test that checks nothing does not pass' both 1 'checked nothing' 99b
 cp "$traps/warned.c" exercises/99b-twice.c
 verdict 'a warning alone does not stop the build' both 1 ' failed ' 99b
 verdict 'with --strict a warning is an error' \
-    both 1 ' does not build$' --strict 99b
+    both 1 ' does not build  *0 of' --strict 99b
 
 verdict 'an unknown exercise is refused with the names of the known' \
     both 2 "^examine: there is no exercise '98z'; there are 99a 99b$" 98z
@@ -67,11 +67,11 @@ rm exercises/99a-twice.c
 verdict 'a name with blanks is as good as any' both 0 'passed' 99a
 rm exercises/99a-*
 verdict 'a file that is gone can be fetched again' \
-    both 0 'cp tests/stubs/99a-twice.c exercises/' 99a
+    both 0 'file is missing. Fetch it: make reset EX=99a' 99a
 cp tests/stubs/99b-twice.c exercises/
 verdict 'a full round says that a file is missing' both 0 'file is missing'
 verdict 'a missing file is fetched, not opened' \
-    eval "says '^Next: fetch .*: cp tests/stubs/99a' && ! says 'open tests'"
+    eval "says '^Next: fetch .*: make reset EX=99a' && ! says 'open tests'"
 cp "$traps/right.c" exercises/99a_twice.c
 verdict 'a misnamed file is named' \
     both 0 'is it exercises/99a_twice.c? .* exercises/99a-twice.c$'
@@ -83,7 +83,7 @@ verdict 'a pipe among the exercises is refused, not waited for' \
 rm exercises/99a-twice.c
 
 cp "$traps/partial.c" exercises/99a-twice.c
-verdict 'a gap in begun work is counted' both 0 ' not begun  *2 of 3$'
+verdict 'a gap in begun work is counted' both 0 ' not begun  *2 of  3 points'
 verdict 'a gap in begun work is said to be at its line' \
     says '^99a is under way; its gap is at line 8.$'
 verdict 'a fresh exercise does not deny begun work' \
@@ -112,13 +112,16 @@ cp "$traps/right.c" exercises/99a-twice.c
 verdict 'sanitizers that are there are not missed' \
     eval "run 0 99a && { ! grep -q =address build/check/flags ||
         ! says 'no sanitizers'; }"
+plain_objects='check.o hidden.o random.o'
 plain=$(echo "$cc" | sed 's/ -f[a-z-]*saniti[^ ]*//g')
 rm build/check/flags
 printf '#!/bin/sh\necho "$TMPDIR" >tmpdir\nexec "$@"\n' >said
 chmod +x said
-printf '%s\n%s\n' "./said $plain" "check.o ${libraries#* }" >build/check/flags
+printf '%s\n%s\n' "./said $plain" "$plain_objects ${libraries#* }" \
+    >build/check/flags
 # shellcheck disable=SC2086
-$plain -Isrc -c src/examiner/check.c &&
+$plain -Isrc -c src/examiner/check.c src/examiner/hidden.c \
+    src/toolbox/random.c &&
     $plain -Isrc -c "$here/suite.c" -o build/check/99a.suite.o
 verdict 'a compiler without sanitizers is named as such' \
     both 0 'no sanitizers: errors of memory may pass unseen' 99a

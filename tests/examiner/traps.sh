@@ -5,7 +5,7 @@
 . tests/examiner/kit
 
 judged() { # file state
-    [ "$(sed -n '1s/^99a  Twice  *5 min  \([a-z ]*[a-z]\).*/\1/p' out)" = "$2" ] &&
+    [ "$(sed -n '1s/^99a  Twice  *\([a-z ]*[a-z]\)  .*/\1/p' out)" = "$2" ] &&
         narrow || return 1
     case "$2" in
     passed | 'not begun') [ "$status" -eq 0 ] || return 1 ;;

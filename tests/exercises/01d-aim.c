@@ -1,6 +1,6 @@
 /* The suite of exercise 01d: a graze and a head-on blow, a disk that
    nothing moves, equal masses, a known value, the blow carried out, two
-   answers, and angles out of reach. */
+   answers, angles out of reach, and shots that are drawn. */
 
 #include "examiner/check.h"
 #include <float.h>
@@ -237,6 +237,72 @@ static void test_out_of_reach(void)
                question));
 }
 
+/* A target that nothing moves is a mirror, and equal disks leave at a right
+   angle: in both cases the aim is the cosine of an angle that is given. */
+static void test_drawn_special(void)
+{
+    for (int i = 0; i < 30; ++i) {
+        const double r1 = check_draw(0.1, 2.0), r2 = check_draw(0.1, 2.0);
+        const double im = check_draw(0.2, 5.0);
+        const double wide = check_draw(0.6, 3.0);
+        const double sharp = check_draw(0.1, 1.4);
+        if (!check_aim((struct shot){r1, r2, im, 0.0, wide},
+                       (r1 + r2) * cos(0.5 * wide),
+                       "Where does a mirror stand that turns a ray by this "
+                       "angle?") ||
+            !check_aim((struct shot){r1, r2, im, im, sharp},
+                       (r1 + r2) * cos(sharp),
+                       "Equal disks part at a right angle. In which "
+                       "direction does the target go, and where was it "
+                       "hit?"))
+            return;
+    }
+}
+
+/* Made from the answer: we aim, carry the blow out in more digits, and ask
+   for the aim. Where the moving disk is the heavier, a blow is the softer
+   one of two if it turns the disk by less than acos(-im1/im2) as seen from
+   the centre of mass; we stay well below. */
+static void test_drawn(void)
+{
+    for (int i = 0; i < 40; ++i) {
+        struct shot s = {.r1 = check_draw(0.1, 2.0),
+                         .r2 = check_draw(0.1, 2.0),
+                         .im1 = check_draw(0.2, 5.0),
+                         .im2 = check_draw(0.2, 5.0)};
+        const double most =
+            s.im2 > s.im1 ? 0.9 * acos(-s.im1 / s.im2) : 2.5;
+        const long double phi = 0.5 * (pi() - most * check_draw(0.05, 1.0));
+        const long double blow = 2.0L * cosl(phi) / (1.0L + s.im2 / s.im1);
+        s.deflection =
+            (double)atan2l(blow * sinl(phi), 1.0L - blow * cosl(phi));
+        if (!check_aim(s, (double)((s.r1 + s.r2) * sinl(phi)),
+                       "A disk was aimed, hit, and went off at this angle. "
+                       "From which angle, as seen from the centre of mass, "
+                       "does the other one come about?"))
+            return;
+    }
+}
+
+/* Beyond the largest angle, on the way to pi; for equal disks that is a
+   right angle. */
+static void test_drawn_out_of_reach(void)
+{
+    for (int i = 0; i < 40; ++i) {
+        struct shot s = {.r1 = check_draw(0.1, 2.0),
+                         .r2 = check_draw(0.1, 2.0),
+                         .im1 = check_draw(0.2, 5.0)};
+        s.im2 = i % 5 == 4 ? s.im1 : s.im1 * check_draw(1.01, 8.0);
+        const double most = asin(s.im1 / s.im2);
+        s.deflection = most + check_draw(0.02, 0.99) * (pi() - most);
+        if (!check_out_of_reach(s, check_text("This target can turn the "
+                                              "disk by %.4g rad at most. "
+                                              "Is it asked for more?",
+                                              most)))
+            return;
+    }
+}
+
 const struct check_suite check_suite = {
     .exercise = "01d",
     .title = "Taking aim",
@@ -248,8 +314,12 @@ const struct check_suite check_suite = {
          {"a light disk leaves as worked out by hand", test_right_angle, 1,
           0},
          {"the blow turns the disk by the wanted angle", test_blow, 1, 0},
-         {"of two impact parameters the larger is returned", test_heavy, 1,
+         {"of two impact parameters the larger is returned", test_heavy, 2,
           0},
-         {"an angle out of reach is refused", test_out_of_reach, 1, 0},
+         {"an angle out of reach is refused", test_out_of_reach, 2, 0},
+         {"thirty mirrors and thirty pairs of equal disks",
+          test_drawn_special, 1, 1},
+         {"forty blows are aimed again", test_drawn, 1, 2},
+         {"forty angles are too large", test_drawn_out_of_reach, 1, 1},
          {0}},
 };

@@ -1,6 +1,7 @@
 /* The suite of exercise 02a: two beads, beads that never meet, the seam,
    both ways round, one that catches up, pairs that part, pairs that touch,
-   the wrong order by a rounding, ties, and a ring that turns as a whole. */
+   the wrong order by a rounding, ties, a ring that turns as a whole, and
+   rings that are drawn. */
 
 #include "examiner/check.h"
 #include <float.h>
@@ -369,6 +370,118 @@ static void test_turning(void)
     }
 }
 
+/* Rings made from the answer, as a film that is run backwards: in the end
+   the beads stand in these gaps, and before that each gap was larger by
+   what the two have approached each other since. All in whole numbers of
+   1/128, so that nothing is rounded. */
+struct film {
+    size_t n;
+    double time;
+    double v[MOST], after[MOST]; /* the gap to the right of each bead */
+};
+
+/* What the right neighbour of a bead gains on it. */
+static double parting(const struct film *f, size_t i)
+{
+    return f->v[(i + 1) % f->n] - f->v[i];
+}
+
+/* A film in which all beads are apart, from the beginning to the end. */
+static struct film draw_film(double time)
+{
+    struct film f = {.n = (size_t)check_draw_whole(2, MOST), .time = time};
+    for (size_t i = 0; i < f.n; ++i)
+        f.v[i] = check_draw_whole(-24, 24) / 8.0;
+    for (size_t i = 0; i < f.n; ++i)
+        f.after[i] = check_draw_whole(1, 48) / 16.0 +
+                     fmax(0.0, parting(&f, i) * time);
+    return f;
+}
+
+/* Lets a pair meet in the end, or all that can. Returns the first of them,
+   or n. A film that takes no time begins with its end, and there the
+   pair across the seam would be beyond the length. */
+static size_t let_meet(struct film *f, bool all)
+{
+    const size_t start = (size_t)check_draw_whole(0, (int)f->n - 1);
+    size_t left = f->n;
+    for (size_t k = 0; k < f->n && (all || left == f->n); ++k) {
+        const size_t i = (start + k) % f->n;
+        if (parting(f, i) >= 0.0 || (f->time == 0.0 && i + 1 == f->n))
+            continue;
+        f->after[i] = 0.0;
+        left = i < left ? i : left;
+    }
+    return left;
+}
+
+/* Pairs that do not approach touch in the beginning. */
+static void let_touch(struct film *f)
+{
+    for (size_t i = 0; i + 1 < f->n; ++i)
+        if (parting(f, i) >= 0.0)
+            f->after[i] = parting(f, i) * f->time;
+}
+
+static struct ring first_picture(const struct film *f)
+{
+    struct ring r = {.n = f->n};
+    for (size_t i = 0; i < f->n; ++i) {
+        r.x[i] = r.length;
+        r.v[i] = f->v[i];
+        r.length += f->after[i] - parting(f, i) * f->time;
+    }
+    /* Move all beads into the gap across the seam. */
+    const double turn = gap(&r, r.n - 1) * check_draw_whole(0, 3) / 4.0;
+    for (size_t i = 0; i < r.n; ++i)
+        r.x[i] += turn;
+    return r;
+}
+
+static const char film_question[] =
+    "This ring was made by running a film backwards from its meeting. How "
+    "long has the film run, and who meets at its end?";
+
+/* Every third time all pairs that can meet do so at one time. */
+static void test_drawn(void)
+{
+    for (int take = 0; take < 60; ++take) {
+        struct film f = draw_film(check_draw_whole(1, 40) / 8.0);
+        const size_t left = let_meet(&f, take % 3 == 2);
+        const struct ring r = first_picture(&f);
+        if (left == f.n ? !check_never(r, film_question)
+                        : !check_both(r, f.time, left, film_question))
+            return;
+    }
+}
+
+/* All pairs that do not approach touch, but not across the seam; every
+   third time one of these, or of those that meet at once, is in the wrong
+   order by a rounding. */
+static void test_drawn_touching(void)
+{
+    static const char question[] =
+        "Several pairs touch here, or nearly. Which of them press on each "
+        "other, which part, and who meets next?";
+    for (int take = 0; take < 60; ++take) {
+        struct film f =
+            draw_film(take % 2 ? 0.0 : check_draw_whole(1, 40) / 8.0);
+        const size_t left = let_meet(&f, false);
+        if (left == f.n && f.time == 0.0)
+            continue;
+        let_touch(&f);
+        struct ring r = first_picture(&f);
+        for (size_t i = 0; take % 3 == 0 && i + 1 < r.n; ++i)
+            if (r.x[i] == r.x[i + 1]) {
+                r.x[i] *= 1.0 + DBL_EPSILON;
+                break;
+            }
+        if (left == f.n ? !check_never(r, question)
+                        : !check_both(r, f.time, left, question))
+            return;
+    }
+}
+
 const struct check_suite check_suite = {
     .exercise = "02a",
     .title = "The next collision on a ring",
@@ -388,5 +501,7 @@ const struct check_suite check_suite = {
          {"of pairs that meet at one time the first is named", test_ties, 1,
           0},
          {"a ring that turns changes nothing", test_turning, 1, 0},
+         {"sixty films run backwards from a meeting", test_drawn, 1, 2},
+         {"sixty rings on which pairs touch", test_drawn_touching, 1, 1},
          {0}},
 };

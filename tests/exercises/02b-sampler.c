@@ -1,6 +1,7 @@
 /* The suite of exercise 02b: several collisions within a tick, a path
    without any, ticks between two collisions, a tick on a collision, the
-   flight after the last, how many samples, the average, and a long run. */
+   flight after the last, how many samples, the average, a long run, and
+   paths that are drawn. */
 
 #include "examiner/check.h"
 #include <float.h>
@@ -16,7 +17,7 @@ struct event {
 void sample(size_t events, const struct event path[], double tick,
             size_t samples, double x[]);
 
-enum { MOST_EVENTS = 400, MOST_SAMPLES = 100000 };
+enum { MOST_EVENTS = 640, MOST_SAMPLES = 100000 };
 
 /* A path and its sampling. */
 struct job {
@@ -27,14 +28,14 @@ struct job {
 };
 
 /* What the student's function answers; untouched places read as NaN, and
-   so does the one behind the last. */
+   so do one before the first and one behind the last. */
 static const double *answer(const struct job *j)
 {
-    static double x[MOST_SAMPLES + 1];
-    for (size_t k = 0; k <= j->samples; ++k)
-        x[k] = NAN;
-    sample(j->events, j->path, j->tick, j->samples, x);
-    return x;
+    static double places[MOST_SAMPLES + 2];
+    for (size_t k = 0; k < j->samples + 2; ++k)
+        places[k] = NAN;
+    sample(j->events, j->path, j->tick, j->samples, places + 1);
+    return places + 1;
 }
 
 static const char *input(const struct job *j)
@@ -42,10 +43,10 @@ static const char *input(const struct job *j)
     char list[300] = "";
     size_t used = 0;
     for (size_t e = 0; e < j->events && used < 240; ++e)
-        used += (size_t)snprintf(list + used, sizeof list - used,
-                                 "%s(%g s, %g m, %g m/s)", e ? ", " : "",
-                                 j->path[e].t, j->path[e].x, j->path[e].v);
-    return check_text("tick %g s, %zu samples, %zu events: %s%s", j->tick,
+        used += (size_t)snprintf(
+            list + used, sizeof list - used, "%s(%.9g s, %.9g m, %g m/s)",
+            e ? ", " : "", j->path[e].t, j->path[e].x, j->path[e].v);
+    return check_text("tick %.9g s, %zu samples, %zu events: %s%s", j->tick,
                       j->samples, j->events, list,
                       used < 240 ? "" : ", ...");
 }
@@ -144,22 +145,22 @@ static double tolerance(const struct job *j, size_t k)
         far = fmax(far, fabs(j->path[e].x));
         fast = fmax(fast, fabs(j->path[e].v));
     }
-    return 2.0 * DBL_EPSILON * (far + 2.0 * fast * (double)k * j->tick);
+    return 4.0 * DBL_EPSILON * (far + fast * (double)k * j->tick);
 }
 
 static const char because[] =
-    "2 epsilons of the farthest place, and of twice the way that the "
-    "fastest flight would have made since the start";
+    "4 epsilons of the farthest place, and of the way that the fastest "
+    "flight would have made since the start";
 
 /* Checks the sample number k, counted from 1: after k ticks. */
 static bool check_sample(const struct job *j, const double x[], size_t k,
-                         const char *question)
+                         double expected, const char *question)
 {
     return CHECK_NEAR(
         x[k - 1],
         .quantity = check_text("x[%zu], the place after %zu tick%s", k - 1,
                                k, k == 1 ? "" : "s"),
-        .unit = "m", .input = input(j), .expected = place(j, k),
+        .unit = "m", .input = input(j), .expected = expected,
         .tolerance = tolerance(j, k), .because = because,
         .equation = "eq:clock", .question = question,
         .mistakes = {
@@ -196,7 +197,7 @@ static bool check_all(struct job j, const char *question)
 {
     const double *x = answer(&j);
     for (size_t k = 1; k <= j.samples; ++k)
-        if (!check_sample(&j, x, k, question))
+        if (!check_sample(&j, x, k, place(&j, k), question))
             return false;
     return true;
 }
@@ -251,28 +252,35 @@ static void test_after_the_last(void)
               "there?");
 }
 
+static bool check_empty(const struct job *j, double place,
+                        const char *question)
+{
+    return CHECK_NEAR(isnan(place) ? 0.0 : 1.0,
+                      .quantity = "samples more than were wanted",
+                      .unit = "", .input = input(j), .expected = 0.0,
+                      .tolerance = 0.0,
+                      .because = "a number of samples is exact",
+                      .equation = "eq:clock", .question = question);
+}
+
 static void test_how_many(void)
 {
-    const struct job j = {5, walls, 1.5, 3};
-    const double *x = answer(&j);
-    for (size_t k = 1; k <= j.samples; ++k)
-        if (!check_sample(&j, x, k, "Three samples were wanted. Which?"))
-            return;
-    CHECK_NEAR(isnan(x[j.samples]) ? 0.0 : 1.0,
-               .quantity = "samples more than were wanted", .unit = "",
-               .input = input(&j), .expected = 0.0, .tolerance = 0.0,
-               .because = "a number of samples is exact",
-               .equation = "eq:clock",
-               .question = "Something was written behind the last sample. "
-                           "Where does your loop end?");
+    const struct job three = {5, walls, 1.5, 3};
     const struct job none = {5, walls, 1.5, 0};
-    CHECK_NEAR(isnan(answer(&none)[0]) ? 0.0 : 1.0,
-               .quantity = "samples more than were wanted", .unit = "",
-               .input = input(&none), .expected = 0.0, .tolerance = 0.0,
-               .because = "a number of samples is exact",
-               .equation = "eq:clock",
-               .question = "No sample was wanted here. What did your "
-                           "program write?");
+    const double *x = answer(&three);
+    for (size_t k = 1; k <= three.samples; ++k)
+        if (!check_sample(&three, x, k, place(&three, k),
+                          "Three samples were wanted. Which?"))
+            return;
+    (void)(check_empty(&three, x[three.samples],
+                       "Something was written behind the last sample. "
+                       "Where does your loop end?") &&
+           check_empty(&three, x[-1],
+                       "Something was written before the first sample. "
+                       "Where does your loop begin?") &&
+           check_empty(&none, answer(&none)[0],
+                       "No sample was wanted here. What did your program "
+                       "write?"));
 }
 
 /* A slow ball is caught between the wall at 10 m and a heavy neighbour at
@@ -318,20 +326,31 @@ static void test_average(void)
              "spend there?"}});
 }
 
+/* Two walls 30 m apart; the ball has a speed of its own for each way. The
+   true place is that within one round, and nothing is summed up. A tick of
+   a whole number of ms, but not of 1/8 s, is always rounded. */
 static void test_long_run(void)
 {
     static struct event path[MOST_EVENTS];
-    size_t events = 0;
-    for (double t = 0.0; t < 1e4; ++events) {
-        const bool left = events % 2 == 0;
-        path[events] = left ? (struct event){t, 0.0, 1.3}
-                            : (struct event){t, 30.0, -0.7};
-        t += left ? 30.0 / 1.3 : 30.0 / 0.7;
+    const double there = check_draw(0.6, 1.5), back = check_draw(0.6, 1.5);
+    const double tick = check_draw_whole(101, 124) / 1000.0;
+    const long double right = 30.0L / there, left = 30.0L / back;
+    struct job j = {0, path, tick, MOST_SAMPLES};
+    for (; j.events < MOST_EVENTS; ++j.events) {
+        const size_t round = j.events / 2;
+        const long double start = round * (right + left);
+        path[j.events] =
+            j.events % 2
+                ? (struct event){(double)(start + right), 30.0, -back}
+                : (struct event){(double)start, 0.0, there};
     }
-    const struct job j = {events, path, 0.1, MOST_SAMPLES};
     const double *x = answer(&j);
     for (size_t k = 10000; k <= j.samples; k += 10000) {
-        const double true_place = place(&j, k);
+        const long double phase =
+            fmodl((long double)k * tick, right + left);
+        const double true_place =
+            (double)(phase < right ? there * phase
+                                   : back * (right + left - phase));
         if (!CHECK_NEAR(
                 x[k - 1] - true_place,
                 .quantity = check_text("how far x[%zu] is from the true "
@@ -352,12 +371,58 @@ static void test_long_run(void)
     }
 }
 
+/* A path that is walked in steps of 1/64 s, each of them added to the place
+   before. Places are whole numbers of 1/512 m, so that nothing is rounded.
+ */
+enum { MOST_WALKED = 12, MOST_STEPS = 1000 };
+
+struct walk {
+    size_t events, steps;
+    struct event path[MOST_WALKED];
+    double place[MOST_STEPS]; /* after each step, the start first */
+};
+
+static struct walk draw_walk(void)
+{
+    struct walk w = {.events = (size_t)check_draw_whole(1, MOST_WALKED)};
+    double place = check_draw_whole(-40, 40) / 8.0;
+    for (size_t e = 0; e < w.events; ++e) {
+        const double v = check_draw_whole(-40, 40) / 8.0;
+        int flight = check_draw_whole(1, 60);
+        w.path[e] = (struct event){(double)w.steps / 64.0, place, v};
+        if (e + 1 == w.events)
+            flight += 200; /* nobody ends it */
+        for (; flight > 0; --flight) {
+            w.place[w.steps++] = place;
+            place += v / 64.0;
+        }
+    }
+    return w;
+}
+
+static void test_drawn(void)
+{
+    for (int i = 0; i < 40; ++i) {
+        const struct walk w = draw_walk();
+        const size_t steps = (size_t)check_draw_whole(1, 90);
+        const struct job j = {w.events, w.path, (double)steps / 64.0,
+                              (w.steps - 1) / steps};
+        const double *x = answer(&j);
+        for (size_t k = 1; k <= j.samples; ++k)
+            if (!check_sample(&j, x, k, w.place[k * steps],
+                              "This path was walked in small steps. At "
+                              "which of its events does your ball lose the "
+                              "way?"))
+                return;
+    }
+}
+
 const struct check_suite check_suite = {
     .exercise = "02b",
     .title = "A sampler that looks too often",
     .minutes = 20,
     .tests = {{"after several collisions the ball is on its present flight",
-               test_several, 1, 0},
+               test_several, 2, 0},
               {"a ball that meets nobody flies on", test_no_collision, 1,
                0},
               {"many ticks fall into one flight", test_many_ticks, 1, 0},
@@ -366,8 +431,10 @@ const struct check_suite check_suite = {
               {"as many samples are taken as were wanted", test_how_many, 1,
                0},
               {"the samples have the average of the whole path",
-               test_average, 1, 0},
+               test_average, 2, 0},
               {"after a hundred thousand ticks the clock is right",
-               test_long_run, 1, 0},
+               test_long_run, 2, 1},
+              {"forty paths are where somebody who walks them is",
+               test_drawn, 1, 2},
               {0}},
 };

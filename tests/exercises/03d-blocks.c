@@ -1,6 +1,6 @@
 /* The suite of exercise 03d: blocks of one value, a series done by hand,
-   one that alternates, values left over, a long memory, a large offset, and
-   what cannot be cut into two. */
+   one that alternates, values left over, a long memory, a large offset,
+   what cannot be cut into two, and series drawn. */
 
 #include "examiner/check.h"
 #include "toolbox/random.h"
@@ -320,21 +320,103 @@ static void test_refused(void)
            check_told((struct series){"nine numbers", 9, x, 4}));
 }
 
+/* The square of the standard error of the mean of n numbers by way of
+   their differences: the squares of those of all pairs, divided by n^2 and
+   n - 1. With whole numbers this is exact up to the division. */
+static double by_pairs(size_t n, const double x[])
+{
+    const double count = (double)n;
+    double squares = 0.0;
+    for (size_t i = 1; i < n; ++i)
+        for (size_t j = 0; j < i; ++j)
+            squares += (x[i] - x[j]) * (x[i] - x[j]);
+    return squares / (count * count * (count - 1.0));
+}
+
+enum { DRAWN = 30 };
+
+/* Sums of blocks, in place of means: whole numbers too. */
+static size_t add_up(struct series s, double sums[])
+{
+    const size_t blocks = s.n / s.length;
+    for (size_t k = 0; k < blocks; ++k) {
+        sums[k] = 0.0;
+        for (size_t i = 0; i < s.length; ++i)
+            sums[k] += s.x[k * s.length + i] - s.x[0];
+    }
+    return blocks;
+}
+
+/* Whole numbers, each near the one before; sometimes far from zero. The
+   first block stands out, so that no error is zero. */
+static struct series draw_series(double x[])
+{
+    struct series s = {NULL, (size_t)check_draw_whole(4, DRAWN), x, 0};
+    s.length = (size_t)check_draw_whole(1, (int)s.n / 2);
+    const int lift = check_draw_whole(0, 2) ? 0 : 100000000;
+    x[0] = check_draw_whole(-9, 9) + lift;
+    for (size_t i = 1; i < s.n; ++i)
+        x[i] = x[i - 1] + check_draw_whole(-4, 4);
+    double sums[DRAWN];
+    if (by_pairs(add_up(s, sums), sums) < 0.5)
+        x[1] += 7.0;
+    const char *list = check_text("{%.10g", x[0]);
+    for (size_t i = 1; i < s.n; ++i)
+        list = check_text("%s, %.10g", list, x[i]);
+    s.name = check_text("%s}", list);
+    return s;
+}
+
+static void test_drawn(void)
+{
+    double x[DRAWN], sums[DRAWN];
+    for (int i = 0; i < 40; ++i) {
+        const struct series s = draw_series(x);
+        const size_t blocks = add_up(s, sums);
+        const double length = (double)s.length;
+        const double square = by_pairs(blocks, sums) / (length * length);
+        if (!check_both(s, sqrt(square),
+                        square / by_pairs(blocks * s.length, x),
+                        "Cut this series on paper. Which values make a "
+                        "block, and how far do the block means "
+                        "scatter?"))
+            return;
+    }
+}
+
+/* One block and what is left, or two just full. */
+static void test_drawn_refused(void)
+{
+    double x[DRAWN];
+    for (int i = 0; i < 20; ++i) {
+        struct series s = draw_series(x);
+        const int half = (int)s.n / 2;
+        s.length = (size_t)check_draw_whole(half + 1, 2 * DRAWN);
+        if (!check_refused(s))
+            return;
+        s.length = (size_t)half;
+        if (!check_told(s))
+            return;
+    }
+}
+
 const struct check_suite check_suite = {
     .exercise = "03d",
     .title = "Block errors on a correlated series",
     .minutes = 30,
-    .tests = {{"blocks of one value give the ordinary error", test_single,
-               1, 0},
-              {"two short series are as worked out by hand", test_by_hand,
-               1, 0},
-              {"values that alternate have a certain mean",
-               test_alternating, 1, 0},
-              {"values left over are used for nothing", test_rest, 1, 0},
-              {"a long memory is cut into blocks of any length",
-               test_memory, 1, 0},
-              {"an offset of a thousand million changes nothing",
-               test_offset, 1, 0},
-              {"fewer than two blocks tell nothing", test_refused, 1, 0},
-              {0}},
+    .tests =
+        {{"blocks of one value give the ordinary error", test_single, 1, 0},
+         {"two short series are as worked out by hand", test_by_hand, 2, 0},
+         {"values that alternate have a certain mean", test_alternating, 1,
+          0},
+         {"values left over are used for nothing", test_rest, 2, 0},
+         {"a long memory is cut into blocks of any length", test_memory, 2,
+          0},
+         {"an offset of a thousand million changes nothing", test_offset, 2,
+          0},
+         {"fewer than two blocks tell nothing", test_refused, 1, 0},
+         {"series drawn agree with the differences of all pairs",
+          test_drawn, 3, 3},
+         {"series drawn are cut in two at least", test_drawn_refused, 1, 1},
+         {0}},
 };

@@ -1,6 +1,6 @@
 /* The suite of exercise 04a: the velocity, equal gases, the left gas on a
    line and in more directions, the right gas, the stored energy, small and
-   large swings, and the gas that rides along. */
+   large swings, the gas that rides along, and boxes drawn. */
 
 #include "examiner/check.h"
 #include <float.h>
@@ -37,7 +37,7 @@ static const char *input(const struct box *b, struct state s)
 {
     return check_text(
         "f = %d, length = %g m, mass = %g kg, gas = %g kg, energy = {%g, "
-        "%g} J in the middle; state = {%g m, %g m/s}",
+        "%g} J in the middle; state = {%.10g m, %g m/s}",
         b->f, b->length, b->mass, b->gas, b->energy[0], b->energy[1], s.x,
         s.v);
 }
@@ -392,6 +392,80 @@ static void test_gas_rides(void)
              "a velocity that grows from 0 to 1?"}});
 }
 
+/* By how much the particles of a gas get faster when its length shrinks to
+   1/squeeze: f such factors make the squeeze. Found by halving. */
+static double faster(int f, double squeeze)
+{
+    double low = 0.0, high = squeeze + 1.0;
+    for (int i = 0; i < 100; ++i) {
+        const double s = 0.5 * (low + high);
+        double product = s;
+        for (int k = 1; k < f; ++k)
+            product *= s;
+        *(product > squeeze ? &high : &low) = s;
+    }
+    return low;
+}
+
+/* The force of a gas at the length l. The energy goes with the square of
+   the velocities, and one part in f of it is along the box. */
+static double force(const struct box *b, int i, double l)
+{
+    const double s = faster(b->f, 0.5 * b->length / l);
+    return b->energy[i] * s * s / (0.5 * b->f * l);
+}
+
+static struct box draw_box(void)
+{
+    struct box b = {check_draw_whole(1, 7),
+                    check_draw(0.5, 90.0),
+                    check_draw(0.2, 80.0),
+                    0.0,
+                    {0.0, 0.0}};
+    b.gas = check_draw_whole(0, 2) ? check_draw(0.1, 90.0) : 0.0;
+    b.energy[0] = check_draw(0.1, 9.0);
+    b.energy[1] = check_draw(0.1, 9.0);
+    return b;
+}
+
+static bool check_drawn(const struct box *b, struct state s)
+{
+    const double left = force(b, 0, s.x);
+    const double right = force(b, 1, b->length - s.x);
+    const double moved = b->mass + b->gas / 3.0;
+    return CHECK_NEAR(
+        answer(b, s).v, .quantity = dv_dt, .unit = "m/s^2",
+        .input = input(b, s), .expected = (left - right) / moved,
+        .tolerance = tolerance(b, s.x), .because = because,
+        .equation = "eq:piston-force",
+        .question = "Work out the two forces on paper. Which of them is "
+                    "not yours, and what does the piston carry along?",
+        .mistakes = {
+            {"both-push-right", (left + right) / moved,
+             "Both gases push to the right here. On which side of the "
+             "piston is the right one?"},
+            {"left-length-for-both", (left - force(b, 1, s.x)) / moved,
+             "The right gas has the length of the left one here. How long "
+             "is it when the piston is at x?"},
+            {"gas-left-behind", (left - right) / b->mass,
+             "The piston moves as if the gas had no mass. What must the "
+             "gas beside it do when it moves?"},
+            {"mass-forgotten", left - right,
+             "This is the force. What is asked for is the rate at which "
+             "the velocity changes. Which unit has that?"}});
+}
+
+static void test_drawn(void)
+{
+    for (int i = 0; i < 40; ++i) {
+        const struct box b = draw_box();
+        const struct state s = {check_draw(0.12, 0.88) * b.length,
+                                check_draw(-3.0, 3.0)};
+        if (!(check_velocity(&b, s) && check_drawn(&b, s)))
+            return;
+    }
+}
+
 const struct check_suite check_suite = {
     .exercise = "04a",
     .title = "Springs of air",
@@ -401,13 +475,15 @@ const struct check_suite check_suite = {
           test_velocity, 1, 0},
          {"equal gases leave the piston in the middle alone", test_middle,
           1, 0},
-         {"a gas on a line pushes as worked out by hand", test_line, 1, 0},
-         {"more directions make a softer spring", test_room, 1, 0},
-         {"the right gas pushes to the left", test_right, 1, 0},
+         {"a gas on a line pushes as worked out by hand", test_line, 2, 0},
+         {"more directions make a softer spring", test_room, 2, 0},
+         {"the right gas pushes to the left", test_right, 2, 0},
          {"the force is the slope of the stored energy", test_stored, 1, 0},
          {"small swings have the frequency worked out by hand",
           test_small_swing, 1, 0},
          {"a large swing conserves the energy", test_large_swing, 1, 0},
-         {"a third of the gas rides along", test_gas_rides, 1, 0},
+         {"a third of the gas rides along", test_gas_rides, 2, 0},
+         {"boxes drawn agree with velocities that gain by a squeeze",
+          test_drawn, 3, 3},
          {0}},
 };

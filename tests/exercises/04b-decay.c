@@ -1,6 +1,7 @@
 /* The suite of exercise 04b: an exact decay, two points by hand, a limit,
    a clock that began elsewhere, errors that differ, points that are all
-   noise, the error of the decay time, and what does not decay. */
+   noise, the error of the decay time, what does not decay, and decays
+   drawn. */
 
 #include "examiner/check.h"
 #include <float.h>
@@ -119,6 +120,36 @@ static bool check_told(const struct points *p)
                                   "turns them away?");
 }
 
+static bool check_weights(const struct points *p, double expected,
+                          const char *question)
+{
+    return check_told(p) &&
+           CHECK_NEAR(
+               answer(p).tau, .quantity = "decay time tau", .unit = "s",
+               .input = input(p), .expected = expected,
+               .tolerance = share_of_rounding * expected,
+               .because = because, .equation = "eq:decay",
+               .question = question,
+               .mistakes = {
+                   {"unweighted",
+                    time_of(p, (struct fit){0, 0, 3.0, false}),
+                    "All points count the same here. Is the last logarithm "
+                    "known as well as the first?"},
+                   {"weights-upside-down",
+                    time_of(p, (struct fit){-2, 2, 3.0, false}),
+                    "The worst points hold the line here. Should a large "
+                    "error make a weight large?"},
+                   {"error-of-the-share",
+                    time_of(p, (struct fit){0, -2, 3.0, false}),
+                    "These weights come from the errors of the shares. The "
+                    "line goes through logarithms: what error has the "
+                    "logarithm of y when y has the error e?"},
+                   {"weights-not-squared",
+                    time_of(p, (struct fit){1, -1, 3.0, false}),
+                    "A point that is known twice as well is worth four "
+                    "others. How does the weight go with the error?"}});
+}
+
 /* Points that lie on a decay without any noise: every weight gives the
    same line. */
 static bool check_exact(const struct points *p, double expected,
@@ -189,6 +220,18 @@ static void test_two(void)
                 "A line through two points: work it out on paper.");
 }
 
+static void test_short(void)
+{
+    const struct points p = {.name = "an excess that halves every 1e-6 s",
+                             .n = 3,
+                             .t = {0.0, 1e-6, 2e-6},
+                             .share = {1.0, 0.5, 0.25},
+                             .error = {0.01, 0.01, 0.01}};
+    check_exact(&p, 1e-6 / log(2.0),
+                "A decay within microseconds. Is there a number in your "
+                "function that belongs to seconds only?");
+}
+
 static void test_limit(void)
 {
     const struct points p =
@@ -241,34 +284,9 @@ static struct points with_low_points(void)
 static void test_weights(void)
 {
     const struct points p = measured();
-    const double expected = time_of(&p, right);
-    (void)(check_told(&p) &&
-           CHECK_NEAR(
-               answer(&p).tau, .quantity = "decay time tau", .unit = "s",
-               .input = input(&p), .expected = expected,
-               .tolerance = share_of_rounding * expected,
-               .because = because, .equation = "eq:decay",
-               .question = "Each point has an error of its own. How large "
-                           "is the error of its logarithm, and which "
-                           "weight does it get?",
-               .mistakes = {
-                   {"unweighted",
-                    time_of(&p, (struct fit){0, 0, 3.0, false}),
-                    "All points count the same here. Is the last logarithm "
-                    "known as well as the first?"},
-                   {"weights-upside-down",
-                    time_of(&p, (struct fit){-2, 2, 3.0, false}),
-                    "The worst points hold the line here. Should a large "
-                    "error make a weight large?"},
-                   {"error-of-the-share",
-                    time_of(&p, (struct fit){0, -2, 3.0, false}),
-                    "These weights come from the errors of the shares. The "
-                    "line goes through logarithms: what error has the "
-                    "logarithm of y when y has the error e?"},
-                   {"weights-not-squared",
-                    time_of(&p, (struct fit){1, -1, 3.0, false}),
-                    "A point that is known twice as well is worth four "
-                    "others. How does the weight go with the error?"}}));
+    check_weights(&p, time_of(&p, right),
+                  "Each point has an error of its own. How large is the "
+                  "error of its logarithm, and which weight does it get?");
 }
 
 static void test_low_points(void)
@@ -297,6 +315,28 @@ static void test_low_points(void)
                    {"log-of-a-negative", NAN,
                     "Not a number: some of the shares are below the limit, "
                     "by chance. What is their logarithm?"}}));
+}
+
+/* An excess of just 3 errors, to the last bit, is not greater. */
+static void test_just_three(void)
+{
+    static const char why[] =
+        "The last point has an excess of just 3 errors. Is that greater "
+        "than 3 errors?";
+    const struct points p = {
+        .name = "an excess of 1, 1/2 and 3/8 with errors of 1/8 each",
+        .limit = 0.25,
+        .n = 3,
+        .t = {0.0, 10.0, 20.0},
+        .share = {1.25, 0.75, 0.625},
+        .error = {0.125, 0.125, 0.125}};
+    const double expected = 10.0 / log(2.0);
+    (void)(check_told(&p) &&
+           CHECK_NEAR(answer(&p).tau, .quantity = "decay time tau",
+                      .unit = "s", .input = input(&p), .expected = expected,
+                      .tolerance = share_of_rounding * expected,
+                      .because = because, .equation = "eq:decay",
+                      .question = why));
 }
 
 static bool check_sigma(const struct points *p, double expected,
@@ -362,18 +402,6 @@ static bool check_refused(const struct points *p, const char *mistake,
                       .question = why, .mistakes = {{mistake, 1.0, why}});
 }
 
-static void test_growth(void)
-{
-    static const char why[] =
-        "These shares rise. What would a negative decay time mean?";
-    const struct points p = {.name = "shares that rise",
-                             .n = 3,
-                             .t = {0.0, 10.0, 20.0},
-                             .share = {0.1, 0.2, 0.4},
-                             .error = {0.01, 0.01, 0.01}};
-    check_refused(&p, "growth-for-decay", why);
-}
-
 static void test_too_few(void)
 {
     static const char why[] =
@@ -399,20 +427,142 @@ static void test_too_few(void)
            check_refused(&none, "never-refuses", why));
 }
 
+/* What is drawn, and what follows from it. */
+struct drawn {
+    struct points p;
+    double tau, sigma;
+};
+
+static void put(struct points *p, double t, double share, double error)
+{
+    const size_t to = (size_t)check_draw_whole(0, (int)p->n);
+    p->t[p->n] = p->t[to], p->t[to] = t;
+    p->share[p->n] = p->share[to], p->share[to] = share;
+    p->error[p->n] = p->error[to], p->error[to] = error;
+    ++p->n;
+}
+
+static const char *listed(const char *name, const double x[], size_t n)
+{
+    const char *list = check_text("%s = {%.17g", name, x[0]);
+    for (size_t i = 1; i < n; ++i)
+        list = check_text("%s, %.17g", list, x[i]);
+    return check_text("%s}", list);
+}
+
+/* The points lie in pairs, as long before some time as after it, and both
+   of a pair have the same weight. Each pair is lifted off the line, and
+   turned about its middle; the last is turned back by so much that all
+   turns, times their weights and distances, add up to nothing. So the best
+   line has the slope that we began with, and the weights give its error.
+   Two points that are all noise come on top; the order is any. */
+static void draw_pairs(struct drawn *d, double rate)
+{
+    const double middle = check_draw_whole(-2000, 4000);
+    const double height = check_draw(0.05, 0.4);
+    double spread = 0.0, turned = 0.0;
+    *d = (struct drawn){.tau = 1.0 / rate};
+    d->p.limit = check_draw(0.0, 0.4);
+    for (int k = 1; k <= 3; ++k) {
+        const double sure =
+            check_draw(k < 3 ? 3.1 : 25.0, k == 2 ? 4.0 : 50.0);
+        const double far = floor(d->tau * (k - check_draw(0.1, 0.7)) * 0.6);
+        const double lever = sure * sure * far;
+        const double lift = check_draw(-0.3, 0.3);
+        const double turn = k < 3 ? check_draw(-0.3, 0.3) : -turned / lever;
+        turned += lever * turn;
+        spread += 2.0 * lever * far;
+        for (int side = -1; side <= 1; side += 2) {
+            const double off = lift + side * turn - side * far * rate;
+            const double y = height * exp(off);
+            put(&d->p, middle + side * far, d->p.limit + y, y / sure);
+        }
+    }
+    for (int k = 0; k < 2; ++k) {
+        const double error = check_draw(0.01, 0.02);
+        put(&d->p, middle + check_draw_whole(-900, 900),
+            d->p.limit + error * check_draw(-2.0, 2.5), error);
+    }
+    d->sigma = d->tau * d->tau / sqrt(spread);
+    d->p.name = check_text("%s s, %s, %s", listed("t", d->p.t, d->p.n),
+                           listed("share", d->p.share, d->p.n),
+                           listed("error", d->p.error, d->p.n));
+}
+
+static void test_drawn(void)
+{
+    struct drawn d;
+    for (int i = 0; i < 30; ++i) {
+        draw_pairs(&d, 1.0 / check_draw(50.0, 900.0));
+        if (!check_weights(&d.p, d.tau,
+                           "Which points are left out here, and which "
+                           "weight has each of the others?"))
+            return;
+    }
+}
+
+static void test_drawn_error(void)
+{
+    struct drawn d;
+    for (int i = 0; i < 30; ++i) {
+        draw_pairs(&d, 1.0 / check_draw(50.0, 900.0));
+        if (!check_sigma(&d.p, d.sigma,
+                         "How well do the weights fix the slope, and what "
+                         "does that mean for tau?"))
+            return;
+    }
+}
+
+static void test_growth(void)
+{
+    static const char why[] =
+        "These shares rise. What would a negative decay time mean?";
+    const struct points p = {.name = "shares that rise",
+                             .n = 3,
+                             .t = {0.0, 10.0, 20.0},
+                             .share = {0.1, 0.2, 0.4},
+                             .error = {0.01, 0.01, 0.01}};
+    const struct points fast = {.name = "shares that double every 1e-6 s",
+                                .n = 3,
+                                .t = {0.0, 1e-6, 2e-6},
+                                .share = {0.1, 0.2, 0.4},
+                                .error = {0.01, 0.01, 0.01}};
+    const struct points level = {.name = "an excess that stays 1",
+                                 .limit = 0.25,
+                                 .n = 3,
+                                 .t = {0.0, 10.0, 20.0},
+                                 .share = {1.25, 1.25, 1.25},
+                                 .error = {0.01, 0.01, 0.01}};
+    struct drawn d;
+    bool passed = check_refused(&p, "growth-for-decay", why) &&
+                  check_refused(&fast, "growth-for-decay", why) &&
+                  check_refused(&level, "growth-for-decay",
+                                "These shares stay what they are. When "
+                                "would they have fallen?");
+    for (int i = 0; passed && i < 20; ++i) {
+        draw_pairs(&d, -1.0 / check_draw(50.0, 900.0));
+        passed = check_refused(&d.p, "growth-for-decay", why);
+    }
+}
+
 const struct check_suite check_suite = {
     .exercise = "04b",
     .title = "A decay time from noisy shares",
     .minutes = 35,
-    .tests = {{"an exact decay to zero has its decay time", test_exact, 1,
-               0},
-              {"two points are as worked out by hand", test_two, 1, 0},
-              {"a decay to a limit has its decay time", test_limit, 1, 0},
-              {"it does not matter when the clock began", test_clock, 1, 0},
-              {"well known points count for more", test_weights, 1, 0},
-              {"points that are all noise are left out", test_low_points, 1,
-               0},
-              {"the error comes from the errors given", test_sigma, 1, 0},
-              {"too few points tell nothing", test_too_few, 1, 0},
-              {"what rises does not decay", test_growth, 1, 0},
-              {0}},
+    .tests =
+        {{"an exact decay to zero has its decay time", test_exact, 1, 0},
+         {"two points are as worked out by hand", test_two, 1, 0},
+         {"a decay to a limit has its decay time", test_limit, 1, 0},
+         {"it does not matter when the clock began", test_clock, 1, 0},
+         {"a decay within microseconds is one", test_short, 1, 0},
+         {"well known points count for more", test_weights, 2, 0},
+         {"points that are all noise are left out", test_low_points, 2, 0},
+         {"three errors are not more than three", test_just_three, 1, 0},
+         {"the error comes from the errors given", test_sigma, 2, 0},
+         {"too few points tell nothing", test_too_few, 1, 0},
+         {"what rises does not decay", test_growth, 1, 1},
+         {"pairs of points that balance do not turn the line", test_drawn,
+          3, 3},
+         {"pairs of points fix the error", test_drawn_error, 2, 2},
+         {0}},
 };

@@ -1,6 +1,6 @@
 /* The suite of exercise 05a: from the centre, from elsewhere, towards the
    wall and away from it, all directions, on the wall, a hair beyond, along
-   the wall, at rest, other units, and the whole chord there and back. */
+   the wall, at rest, other units, and flights drawn from their ends. */
 
 #include "examiner/check.h"
 #include <float.h>
@@ -24,7 +24,7 @@ static double answer(const struct flight *f)
 static const char *input(const struct flight *f)
 {
     return check_text("box = %g m, radius = %g m, r = {%.17g, %.17g} m, "
-                      "v = {%g, %g} m/s",
+                      "v = {%.17g, %.17g} m/s",
                       f->box, f->radius, f->r[0], f->r[1], f->v[0],
                       f->v[1]);
 }
@@ -247,6 +247,44 @@ static void test_all_directions(void)
     }
 }
 
+/* A flight drawn from its end: the disk comes to the wall after some time,
+   at some slant to the wall, and flies backwards from there. Chord is how
+   long it takes from wall to wall. */
+struct drawn {
+    struct flight f;
+    double time, chord;
+};
+
+static struct drawn draw_flight(double from, double to)
+{
+    struct drawn d;
+    d.f.box = check_draw(0.5, 9.0);
+    d.f.radius = check_draw(0.05 * d.f.box, 0.8 * d.f.box);
+    const double speed = check_draw_whole(0, 1) ? check_draw(0.01, 0.2)
+                                                : check_draw(0.2, 30);
+    const double way = check_draw(-3.1416, 3.1416);
+    const double slant = check_draw(-1.4, 1.4), s = reach(&d.f);
+    d.f.v[0] = speed * cos(way);
+    d.f.v[1] = speed * sin(way);
+    d.chord = 2.0 * s * cos(slant) / speed;
+    d.time = d.chord * check_draw(from, to);
+    d.f.r[0] = s * cos(way + slant) - d.f.v[0] * d.time;
+    d.f.r[1] = s * sin(way + slant) - d.f.v[1] * d.time;
+    return d;
+}
+
+static void test_drawn(void)
+{
+    for (int i = 0; i < 40; ++i) {
+        const struct drawn d = draw_flight(0.02, 0.98);
+        if (!check_inside(d.f, d.time,
+                          "This flight was drawn backwards from the wall. "
+                          "Where does yours end, and how far is that from "
+                          "the centre?"))
+            return;
+    }
+}
+
 /* A place on the circle of the radius 5, exactly. */
 static void test_on_the_wall_inwards(void)
 {
@@ -274,6 +312,23 @@ static void test_on_the_wall_outwards(void)
                      question));
 }
 
+/* At the wall, and nobody knows on which side of it by a rounding. */
+static void test_drawn_at_the_wall(void)
+{
+    for (int i = 0; i < 40; ++i) {
+        const struct drawn d = draw_flight(0.0, 0.0);
+        struct flight back = d.f;
+        back.v[0] = -d.f.v[0];
+        back.v[1] = -d.f.v[1];
+        if (!(check_now(d.f, "The disk has come to the wall and moves on. "
+                             "When does it bounce?") &&
+              check_across(back, d.chord,
+                           "The disk leaves the wall and crosses the "
+                           "box. How long is the chord before it?")))
+            return;
+    }
+}
+
 static void test_a_hair_beyond(void)
 {
     static const char question[] =
@@ -294,6 +349,26 @@ static void test_a_hair_beyond(void)
                16.0, question));
 }
 
+/* Just along the wall the path has only this point in common with the
+   circle. A rounding of the place is a square root of it in time. */
+static bool check_along(struct flight f)
+{
+    const double got = answer(&f);
+    return check_comes(&f, got) &&
+           CHECK_NEAR(
+               got, .quantity = "time until the disk touches the wall",
+               .unit = "s", .input = input(&f), .expected = 0.0,
+               .tolerance = 4.0 * sqrt(DBL_EPSILON) * reach(&f) /
+                            sqrt(dot(f.v, f.v)),
+               .because = "4 square roots of an epsilon, times the time to "
+                          "fly the radius s",
+               .equation = "eq:pair-quadratic",
+               .question = "The disk touches the wall and moves just along "
+                           "it, so the next moment it would be outside. "
+                           "What is your numerator, and what do you divide "
+                           "by?");
+}
+
 /* A hair too far out and nearly along the wall, the path just misses the
    circle. Anything from now to twice the time of the nearest approach will
    do; what will not do is no number, or never. */
@@ -302,7 +377,10 @@ static void test_along_the_wall(void)
     const double hair = 4.0 * DBL_EPSILON, slope = 1e-9;
     const struct flight f = {2.0, 1.0, {1.0 + hair, 0.0}, {-slope, 1.0}};
     const double got = answer(&f);
-    (void)(check_comes(&f, got) &&
+    (void)(check_along((struct flight){6.0, 1.0, {5.0, 0.0}, {0.0, 2.0}}) &&
+           check_along(
+               (struct flight){6.0, 1.0, {3.0, 4.0}, {4.0, -3.0}}) &&
+           check_comes(&f, got) &&
            CHECK_NEAR(
                got, .quantity = "time until the disk touches the wall",
                .unit = "s", .input = input(&f), .expected = slope,
@@ -369,7 +447,7 @@ const struct check_suite check_suite = {
         {{"a disk from the centre comes straight to the wall", test_centre,
           1, 0},
          {"a disk from elsewhere flies as far as drawn by hand",
-          test_by_hand, 1, 0},
+          test_by_hand, 2, 0},
          {"a disk that moves inwards crosses the box", test_inwards, 1, 0},
          {"the way is right in all directions", test_all_directions, 1, 0},
          {"a disk that has just bounced crosses the box",
@@ -377,10 +455,12 @@ const struct check_suite check_suite = {
          {"a disk on the wall that moves outwards bounces now",
           test_on_the_wall_outwards, 1, 0},
          {"a hair beyond the wall nothing else holds", test_a_hair_beyond,
-          1, 0},
+          2, 0},
          {"along the wall there is still a time", test_along_the_wall, 1,
           0},
          {"a disk at rest never comes to the wall", test_at_rest, 1, 0},
          {"small and fast is as good as large and slow", test_units, 1, 0},
+         {"flights drawn end where they were drawn from", test_drawn, 3, 3},
+         {"flights drawn begin at the wall", test_drawn_at_the_wall, 2, 2},
          {0}},
 };

@@ -73,7 +73,7 @@ chmod -R u+w "$kit"
 mkdir "$kit/build"
 cp build/bonkers.pdf "$kit/build"
 cp "$kit"/solutions/*.c "$kit/exercises"
-echo 'marks, private' >"$kit/tests/exercises/marks.txt"
+echo 'marks, private' >"$kit/tests/exercises/note-to-self.txt"
 (cd "$kit" && chapters/handout) >"$work/out" 2>&1
 holds 'a folder without git makes one' test $? -eq 0
 cp "$kit/$archive" "$work/first.tar.gz"
@@ -87,7 +87,7 @@ tar xzf "$kit/$archive" -C "$work/all"
 holds 'exercises/ are the stubs as they came' \
     diff -r tests/stubs "$work/all/$course/exercises"
 equal 'a note stays at home' '' \
-    "$(find "$work/all" -name 'marks*' -o -name 'handout*')"
+    "$(find "$work/all" -name 'note-to*' -o -name 'handout*')"
 equal 'WITH_CHAPTERS=1 adds chapters/ and nothing else' 'chapters' \
     "$(tar tzf "$kit/$archive" | sort >"$work/with"
         tar tzf "$work/first.tar.gz" | sort | comm -13 - "$work/with" |
@@ -99,7 +99,7 @@ holds 'all of the chapters' sh -c "ls chapters | grep -v '^handout' |
 
 # With git, what it does not know is left out, and named.
 if command -v git >/dev/null 2>&1; then
-    (cd "$kit" && rm -f tests/exercises/marks.txt && git init -q &&
+    (cd "$kit" && rm -f tests/exercises/note-to-self.txt && git init -q &&
         git add -A && echo 'int x;' >src/mine.c &&
         SOURCE_DATE_EPOCH=0 chapters/handout) >"$work/out" 2>&1
     holds 'what git does not know is left out' \
@@ -172,7 +172,7 @@ for goal in book test memcheck handout mutants grade tangle check-tangle \
     holds "make help does not offer $goal" \
         sh -c "! grep -q '^make $goal ' '$work/help'"
 done
-$make -s >"$work/out" 2>&1
+$make -j2 -s >"$work/out" 2>&1
 holds 'make works on its own' test $? -eq 0
 holds 'and shows where to go on' \
     grep -qx 'Next: make check .*, the book (bonkers.pdf), make help' \
@@ -209,12 +209,12 @@ digits=8
 #   (which the figures show) print: they are the book's;
 # - a helper that the exercise's own stub gives, under the same name: that
 #   the stub is no answer is the business of tests/exercises/all.sh;
-# - a helper of a hidden test that the public suite of the same exercise has
-#   under the same name and that is no test itself.
+# - a helper of hidden tests, no test itself, that a public suite has under
+#   the same name.
 
 # hidden_lists FILE...: what stands in their check_hidden[], on one line.
 hidden_lists() {
-    sed -n '/check_hidden\[\]/,/^};/p' "$@" | tr '\n' ' ' |
+    sed -n '/check_hidden\[\]/,/};/p' "$@" | tr '\n' ' ' |
         sed 's/" *"//g'
 }
 
@@ -296,7 +296,7 @@ learn() {
             kind = index($1, "tests/stubs/") == 1 ? "given" : \
                 index($1, "tests/exercises/") == 1 ? "public" : \
                 index($1, hidden "/") == 1 ? "hidden" : "answer"
-            key = (kind ~ /given|answer/) substr(number, 1, 3) \
+            key = (kind ~ /given|answer/ ? substr(number, 1, 3) : "") \
                 substr($0, length($1) + 1)
             if (kind ~ /given|public/)
                 known[key]

@@ -1,5 +1,5 @@
 /* not begun: two tests pass, and the last one meets a gap */
-/* says: 2 of 3$ */
+/* says: 2 of  3 points */
 /* says: is under way$ */
 #include "exercise.h"
 

@@ -1,0 +1,107 @@
+/* From chapters/B-examiner.nw: edit there, then run make tangle. */
+/* checksum 628213539 of the lines below */
+#include "examiner/course.h"
+#include "examiner/sum.h"
+#include "examiner/text.h"
+
+#include <glob.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void find_one(const char *where, const char *name,
+                     char path[COURSE_PATH])
+{
+    glob_t found = {0};
+    char pattern[64];
+    snprintf(pattern, sizeof pattern, where, name);
+    path[0] = '\0';
+    if (glob(pattern, 0, NULL, &found) == 0)
+        snprintf(path, COURSE_PATH, "%s", found.gl_pathv[0]);
+    if (*path && !text_plain(path))
+        text_fail("'%s' is not a plain file; move it out of the folder",
+                  path);
+    if (found.gl_pathc > 1)
+        text_fail("'%s' and '%s' are the same exercise; move one of them "
+                  "out of the folder",
+                  found.gl_pathv[0], found.gl_pathv[1]);
+    globfree(&found);
+}
+
+void course_find_file(struct exercise *e)
+{
+    find_one("exercises/%s-*.c", e->name, e->file);
+    e->stray[0] = '\0';
+    if (!*e->file)
+        find_one("exercises/%s*.c", e->name, e->stray);
+}
+
+static void learn_test(struct exercise *e, const char *text)
+{
+    char *name;
+    e->worth[e->count] = (int)strtol(text, &name, 10);
+    e->points += e->worth[e->count];
+    strtol(name, &name, 10);
+    e->tests[e->count++] = name + strspn(name, " ");
+}
+
+static void read_about(struct exercise *e, const char *path)
+{
+    char *rest = text_read(path);
+    const char *text;
+    e->name = e->title = "";
+    for (char *line; (line = text_line(&rest));)
+        if ((text = text_after(line, "exercise ")))
+            e->name = text;
+        else if ((text = text_after(line, "title ")))
+            e->title = text;
+        else if ((text = text_after(line, "minutes ")))
+            e->minutes = atoi(text);
+        else if ((text = text_after(line, "test ")) &&
+                 e->count < CHECK_TESTS)
+            learn_test(e, text);
+    if (!*e->name || !e->count)
+        text_fail("%s is not complete; remove it and make check again",
+                  path);
+    find_one("tests/stubs/%s-*.c", e->name, e->stub);
+    course_find_file(e);
+}
+
+struct course course_learn(void)
+{
+    struct course course = {NULL, 0};
+    glob_t found = {0};
+    glob("build/check/[0-9][0-9][a-z].list", 0, NULL, &found);
+    course.count = found.gl_pathc;
+    if (course.count == 0)
+        text_fail("no suites in build/check; start me with make check");
+    course.exercises = calloc(course.count, sizeof *course.exercises);
+    if (!course.exercises)
+        text_fail("out of memory");
+    for (size_t i = 0; i < course.count; ++i)
+        read_about(&course.exercises[i], found.gl_pathv[i]);
+    globfree(&found);
+    return course;
+}
+
+struct exercise *course_choose(struct course *course, const char *name)
+{
+    struct exercise *first = NULL;
+    const size_t length = strlen(name) == 2 ? 2 : 4;
+    for (size_t i = course->count; i-- > 0;)
+        if (strncmp(course->exercises[i].name, name, length) == 0) {
+            first = &course->exercises[i];
+            first->chosen = true;
+        }
+    if (first)
+        return first;
+    fprintf(stderr, "examine: there is no exercise '%s'; there are", name);
+    for (size_t i = 0; i < course->count; ++i)
+        fprintf(stderr, " %s", course->exercises[i].name);
+    fputc('\n', stderr);
+    exit(2);
+}
+
+bool course_touched(const struct exercise *e)
+{
+    return *e->file && sum_file(0, e->file) != sum_file(0, e->stub);
+}

@@ -1,0 +1,52 @@
+/* From chapters/B-examiner.nw: edit there, then run make tangle. */
+/* checksum 143787355 of the lines below */
+#ifndef COURSE_H
+#define COURSE_H
+
+#include "examiner/check.h"
+#include "examiner/trial.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum { COURSE_PATH = 1024 };
+
+/* An exercise, and how it stands. */
+struct exercise {
+    const char *name; /* "01a" */
+    const char *title;
+    const char *tests[CHECK_TESTS];
+    int worth[CHECK_TESTS]; /* points of each test */
+    int count, minutes, points;
+    char file[COURSE_PATH];  /* the student's; empty when it is missing */
+    char stub[COURSE_PATH];  /* as it came with the book */
+    char stray[COURSE_PATH]; /* what may be the student's, misnamed */
+    bool chosen;             /* it was asked for */
+    bool judged;             /* what follows is known */
+    enum state state;
+    int earned;  /* points */
+    int gap;     /* the line of a NOT_DONE_YET that was reached, or 0 */
+    char *story; /* what to say about it, or NULL */
+};
+
+struct course {
+    struct exercise *exercises;
+    size_t count;
+};
+
+/* Learns which exercises there are; exits with 2 when the kit is not
+   ready or a file stands where it must not. */
+struct course course_learn(void);
+
+/* Chooses the exercises of a name: "01a", or "01" for a chapter. Returns
+   the first; exits with 2, naming those that there are, for another name.
+ */
+struct exercise *course_choose(struct course *course, const char *name);
+
+/* Looks again where the student's file is. */
+void course_find_file(struct exercise *e);
+
+/* Whether the student's file is there and differs from its stub. */
+bool course_touched(const struct exercise *e);
+
+#endif

@@ -1,0 +1,92 @@
+/* From chapters/B-examiner.nw: edit there, then run make tangle. */
+/* checksum 995321865 of the lines below */
+#include "examiner/hint.h"
+#include "examiner/text.h"
+#include "examiner/work.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char path[] = ".progress";
+
+static int given(const char *name)
+{
+    char *text = text_read(path);
+    char *rest = text;
+    const char *number;
+    int count = 0;
+    for (char *line; (line = text_line(&rest));)
+        if ((number = text_after(line, name)) && *number == ' ')
+            count = atoi(number);
+    free(text);
+    return count > 0 ? count : 0;
+}
+
+static void remember(const char *name, int count)
+{
+    char *text = text_read(path), *rest = text, *fresh = NULL;
+    size_t size;
+    FILE *out = open_memstream(&fresh, &size);
+    if (!out)
+        text_fail("out of memory");
+    for (char *line; (line = text_line(&rest));)
+        if (!text_after(line, name))
+            fprintf(out, "%s\n", line);
+    fprintf(out, "%s %d\n", name, count);
+    fclose(out);
+    if (!work_write(path, fresh, size))
+        fprintf(stderr, "examine: cannot write '%s': %s\n", path,
+                strerror(errno));
+    free(fresh);
+    free(text);
+}
+
+void hint_forget(const struct exercise *e)
+{
+    if (given(e->name) > 0)
+        remember(e->name, 0);
+}
+
+static int find_hint(char *text, int wanted)
+{
+    int number = 1;
+    for (char *line; (line = text_line(&text));)
+        if (strcmp(line, "--") == 0)
+            ++number;
+        else if (number == wanted)
+            puts(line);
+    return number;
+}
+
+static int count_hints(const char *file)
+{
+    char *text = text_read(file);
+    if (!text)
+        text_fail("there are no hints: cannot read '%s'", file);
+    const int count = find_hint(text, 0);
+    free(text);
+    return count;
+}
+
+void hint_show(const struct exercise *e)
+{
+    char file[64];
+    snprintf(file, sizeof file, "tests/hints/%s.txt", e->name);
+    const int count = count_hints(file);
+    int number = given(e->name) + 1;
+    const bool again = number > count;
+    if (again)
+        number = count;
+    else
+        remember(e->name, number);
+    printf("%s, %s: hint %d of %d%s\n\n", e->name, e->title, number, count,
+           again ? ", the last one again; there are no more" : "");
+    char *text = text_read(file);
+    if (text)
+        find_hint(text, number);
+    free(text);
+    printf("\nThen: make check EX=%s%s\n", e->name,
+           number < count ? ", or the next hint: the same command again"
+                          : "");
+}

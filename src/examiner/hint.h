@@ -1,0 +1,14 @@
+/* From chapters/B-examiner.nw: edit there, then run make tangle. */
+/* checksum 4803835 of the lines below */
+#ifndef HINT_H
+#define HINT_H
+
+#include "examiner/course.h"
+
+/* Shows the next hint and remembers that; exits with 2 if there is none. */
+void hint_show(const struct exercise *e);
+
+/* Forgets which hints were given. */
+void hint_forget(const struct exercise *e);
+
+#endif

@@ -1,0 +1,15 @@
+/* From chapters/B-examiner.nw: edit there, then run make tangle. */
+/* checksum 78984701 of the lines below */
+#ifndef MESSAGE_H
+#define MESSAGE_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+/* Whether we know what this line of a compiler's messages means. */
+bool message_known(const char *line);
+
+/* Writes what it means in a plain sentence, if we know. */
+void message_explain(FILE *story, const char *line);
+
+#endif

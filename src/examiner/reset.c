@@ -1,0 +1,91 @@
+/* From chapters/B-examiner.nw: edit there, then run make tangle. */
+/* checksum 2733779762 of the lines below */
+#include "examiner/reset.h"
+#include "examiner/hint.h"
+#include "examiner/sum.h"
+#include "examiner/text.h"
+#include "examiner/work.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+static bool copy(const char *from, const char *to)
+{
+    char block[1 << 12];
+    const int in = open(from, O_RDONLY);
+    const int out = open(to, O_WRONLY | O_CREAT | O_EXCL, 0666);
+    bool fine = in >= 0 && out >= 0;
+    for (ssize_t length; fine && (length = read(in, block, sizeof block));)
+        fine = length > 0 && write(out, block, (size_t)length) == length;
+    fine = out >= 0 && fsync(out) == 0 && fine;
+    if (in >= 0)
+        close(in);
+    if (out >= 0 && (close(out) != 0 || !fine))
+        unlink(to);
+    return fine;
+}
+
+enum { KEPT = COURSE_PATH + 64 };
+
+static bool save(const char *file, char kept[KEPT])
+{
+    char date[32];
+    const time_t now = time(NULL);
+    strftime(date, sizeof date, "%Y-%m-%dT%H%M%S", localtime(&now));
+    snprintf(kept, KEPT, "%s.%s", file, date);
+    for (int i = 2; i < 100; ++i) {
+        if (link(file, kept) == 0)
+            return true;
+        if (errno != EEXIST)
+            return copy(file, kept);
+        snprintf(kept, KEPT, "%s.%s-%d", file, date, i);
+    }
+    return false;
+}
+
+static bool replace(const char *file, const char *stub)
+{
+    char fresh[64];
+    struct stat about;
+    snprintf(fresh, sizeof fresh, "%s/stub", work_folder());
+    unlink(fresh);
+    if (!copy(stub, fresh))
+        return false;
+    if (stat(file, &about) == 0)
+        chmod(fresh, about.st_mode & 0777);
+    return rename(fresh, file) == 0;
+}
+
+_Noreturn static void give_up(const char *file, const char *kept)
+{
+    const int why = errno;
+    if (*kept)
+        unlink(kept);
+    text_fail("cannot reset '%s', which is as it was: %s", file,
+              strerror(why));
+}
+
+void reset_exercise(struct exercise *e)
+{
+    char kept[KEPT] = "";
+    const bool there = *e->file;
+    if (there && sum_file(0, e->file) == sum_file(0, e->stub)) {
+        printf("%s is as it came; there is nothing to reset.\n", e->file);
+        return;
+    }
+    if (!there)
+        snprintf(e->file, sizeof e->file, "exercises/%s",
+                 strrchr(e->stub, '/') + 1);
+    if (there && !save(e->file, kept))
+        give_up(e->file, "");
+    if (!replace(e->file, e->stub))
+        give_up(e->file, kept);
+    hint_forget(e);
+    if (there)
+        printf("What you had is kept in %s\n", kept);
+    printf("%s is as it came. Next: make check EX=%s\n", e->file, e->name);
+}

@@ -1,0 +1,195 @@
+/* From chapters/B-examiner.nw: edit there, then run make tangle. */
+/* checksum 2100744139 of the lines below */
+#include "examiner/round.h"
+#include "examiner/build.h"
+#include "examiner/process.h"
+#include "examiner/text.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static const char *colour(enum state state)
+{
+    if (state == NOT_BEGUN || !isatty(STDOUT_FILENO) || getenv("NO_COLOR"))
+        return "";
+    return state_wrong(state) ? "\033[31m" : "\033[32m";
+}
+
+void round_line(const struct exercise *e)
+{
+    const char *code = colour(e->state);
+    printf("%s  %-36.36s%s%-14s%s %2d of %2d points %2d min\n", e->name,
+           e->title, code, state_name(e->state), *code ? "\033[0m" : "",
+           e->earned, e->points, e->minutes);
+    fflush(stdout);
+}
+
+void round_story(const struct exercise *e)
+{
+    printf("\n%s: %s %s\n%s", e->name, *e->file ? e->file : e->title,
+           e->gap                       ? "is under way"
+           : e->state == NOT_BEGUN      ? "is not begun"
+           : e->state == DOES_NOT_BUILD ? "does not build"
+           : e->state == PASSED         ? "passes"
+                                        : "does not pass yet",
+           e->story ? e->story : "");
+}
+
+static int urgency(const struct exercise *e)
+{
+    if (e->judged && e->state == PASSED)
+        return 0;
+    const int kind = state_wrong(e->state) ? 3 : e->gap ? 2 : 1;
+    return kind + (e->chosen ? 3 : 0);
+}
+
+const struct exercise *round_current(const struct course *course)
+{
+    const struct exercise *current = NULL;
+    int highest = 0;
+    for (size_t i = 0; i < course->count; ++i)
+        if (urgency(&course->exercises[i]) > highest) {
+            current = &course->exercises[i];
+            highest = urgency(current);
+        }
+    return current;
+}
+
+static bool any_passed(const struct course *course)
+{
+    for (size_t i = 0; i < course->count; ++i)
+        if (course->exercises[i].state == PASSED)
+            return true;
+    return false;
+}
+
+static bool any_touched(const struct course *course)
+{
+    for (size_t i = 0; i < course->count; ++i)
+        if (course_touched(&course->exercises[i]))
+            return true;
+    return false;
+}
+
+static void invite(const struct course *course, const struct exercise *e)
+{
+    if (e->gap)
+        printf("%s is under way; its gap is at line %d.\n", e->name,
+               e->gap);
+    else if (any_passed(course))
+        printf("So far, so good.\n");
+    else if (!any_touched(course))
+        printf("Nothing is begun yet; every course starts there.\n");
+    if (*e->file)
+        printf("Next: open %s, then: make check EX=%s\n", e->file, e->name);
+    else
+        printf("Next: fetch the missing file: make reset EX=%s\n", e->name);
+}
+
+void round_next(const struct course *course)
+{
+    const struct exercise *e = round_current(course);
+    putchar('\n');
+    if (!e)
+        printf("Everything here passes. Well done.\n");
+    else if (state_wrong(e->state))
+        printf("Next: mend %s, then: make check EX=%s\n"
+               "Stuck? make hint EX=%s\n",
+               e->file, e->name, e->name);
+    else
+        invite(course, e);
+}
+
+void round_learn(struct course *course, const struct verdict_rules *rules)
+{
+    for (size_t i = 0; i < course->count; ++i) {
+        struct exercise *e = &course->exercises[i];
+        verdict_reach(e, rules);
+        if (process_signal())
+            text_fail("interrupted");
+    }
+}
+
+static void tell_stories(const struct course *course, bool named)
+{
+    bool told = false, run = false;
+    for (size_t i = 0; i < course->count; ++i) {
+        const struct exercise *e = &course->exercises[i];
+        const bool mend = state_wrong(e->state) && !told;
+        if (!e->chosen)
+            continue;
+        run |= e->gap || e->state != NOT_BEGUN;
+        if (e->story && *e->story && (named || mend || !*e->file)) {
+            round_story(e);
+            told |= mend;
+        }
+    }
+    if (run && !build_sanitized())
+        printf("\nThis compiler has no sanitizers: errors of memory may "
+               "pass unseen.\n");
+}
+
+bool round_check(struct course *course, const struct verdict_rules *rules,
+                 bool named)
+{
+    bool fine = true;
+    for (size_t i = 0; i < course->count; ++i) {
+        struct exercise *e = &course->exercises[i];
+        if (!e->chosen) {
+            verdict_recall(e, rules);
+            continue;
+        }
+        verdict_reach(e, rules);
+        if (process_signal())
+            text_fail("interrupted");
+        round_line(e);
+        fine &= !state_wrong(e->state);
+    }
+    tell_stories(course, named);
+    return fine;
+}
+
+enum { BAR = 24 };
+
+static void draw_bar(char bar[BAR + 1], int earned, int points)
+{
+    const int full = points > 0 ? BAR * earned / points : 0;
+    for (int i = 0; i < BAR; ++i)
+        bar[i] = i < full ? '#' : '.';
+    bar[BAR] = '\0';
+}
+
+static void add_up(const char *label, const struct course *course,
+                   size_t first, size_t end)
+{
+    int earned = 0, points = 0, passed = 0;
+    for (size_t i = first; i < end; ++i) {
+        const struct exercise *e = &course->exercises[i];
+        earned += e->earned;
+        points += e->points;
+        passed += e->state == PASSED;
+    }
+    char bar[BAR + 1];
+    draw_bar(bar, earned, points);
+    printf("%-10s  %s  %3d of %3d points, %2d of %2d exercises\n", label,
+           bar, earned, points, passed, (int)(end - first));
+}
+
+void round_progress(const struct course *course)
+{
+    size_t first = 0;
+    while (first < course->count) {
+        char label[32];
+        size_t end = first;
+        while (end < course->count &&
+               strncmp(course->exercises[end].name,
+                       course->exercises[first].name, 2) == 0)
+            ++end;
+        snprintf(label, sizeof label, "chapter %d",
+                 atoi(course->exercises[first].name));
+        add_up(label, course, first, end);
+        first = end;
+    }
+    add_up("all", course, 0, course->count);
+}

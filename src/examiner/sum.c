@@ -1,0 +1,35 @@
+/* From chapters/B-examiner.nw: edit there, then run make tangle. */
+/* checksum 794863913 of the lines below */
+#include "examiner/sum.h"
+#include "examiner/text.h"
+
+#include <string.h>
+
+uint64_t sum_number(uint64_t sum, uint64_t number)
+{
+    sum = (sum ^ number) * 0x9e3779b97f4a7c15u;
+    return sum ^ sum >> 32;
+}
+
+uint64_t sum_bytes(uint64_t sum, const void *bytes, size_t length)
+{
+    const char *from = bytes;
+    for (size_t i = 0; i < length; i += 8) {
+        uint64_t word = 0;
+        memcpy(&word, from + i, length - i < 8 ? length - i : 8);
+        sum = sum_number(sum, word);
+    }
+    return sum_number(sum, length);
+}
+
+uint64_t sum_file(uint64_t sum, const char *path)
+{
+    char block[1 << 16];
+    FILE *file = text_plain(path) ? fopen(path, "r") : NULL;
+    if (!file)
+        return sum_number(sum, UINT64_MAX);
+    for (size_t length; (length = fread(block, 1, sizeof block, file)) > 0;)
+        sum = sum_bytes(sum, block, length);
+    fclose(file);
+    return sum;
+}

@@ -1,0 +1,15 @@
+/* From chapters/B-examiner.nw: edit there, then run make tangle. */
+/* checksum 1114539511 of the lines below */
+#ifndef SUM_H
+#define SUM_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* Add a file, some bytes or a number to a checksum that starts with 0; what
+   is not a plain file adds a number that no contents have. */
+uint64_t sum_file(uint64_t sum, const char *path);
+uint64_t sum_bytes(uint64_t sum, const void *bytes, size_t length);
+uint64_t sum_number(uint64_t sum, uint64_t number);
+
+#endif

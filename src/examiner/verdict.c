@@ -1,0 +1,158 @@
+/* From chapters/B-examiner.nw: edit there, then run make tangle. */
+/* checksum 854110846 of the lines below */
+#include "examiner/verdict.h"
+#include "examiner/build.h"
+#include "examiner/memory.h"
+#include "examiner/process.h"
+#include "examiner/text.h"
+#include "examiner/work.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static void tell_others(const struct exercise *e, const enum state states[],
+                        int decides, int run, FILE *story)
+{
+    char text[512];
+    for (int i = decides + 1; i < run; ++i)
+        if (states[i] != PASSED) {
+            snprintf(text, sizeof text, "%s (%s)", e->tests[i],
+                     state_name(states[i]));
+            text_field(story, "also", text);
+        }
+    if (run < e->count)
+        fprintf(story, "  The tests after it were not run.\n");
+}
+
+static int gap_line(const char *account)
+{
+    const char *colon = strrchr(account, ':');
+    return colon ? atoi(colon + 1) : 0;
+}
+
+static bool repeatable(const enum state states[], int run)
+{
+    for (int i = 0; i < run; ++i)
+        if (states[i] == CRASHED || states[i] == TIMED_OUT)
+            return false;
+    return true;
+}
+
+static bool run_tests(struct exercise *e, const struct trial *trial,
+                      FILE *story)
+{
+    enum state states[CHECK_TESTS], last = PASSED;
+    char *account = NULL;
+    int run = 0, decides = 0;
+    e->state = PASSED;
+    while (run < e->count && last != TIMED_OUT && !process_signal()) {
+        char *text = NULL;
+        size_t size;
+        FILE *told = open_memstream(&text, &size);
+        if (!told)
+            text_fail("out of memory");
+        last = states[run] = trial_run(trial, run + 1, told);
+        fclose(told);
+        if (last == PASSED)
+            e->earned += e->worth[run];
+        if (e->state == PASSED ||
+            (!state_wrong(e->state) && state_wrong(last))) {
+            free(account);
+            account = text;
+            e->state = last;
+            decides = run;
+        } else {
+            free(text);
+        }
+        ++run;
+    }
+    if (e->state != PASSED) {
+        text_field(story, "test", e->tests[decides]);
+        fputs(account, story);
+    }
+    if (e->state == NOT_BEGUN)
+        e->gap = gap_line(account);
+    if (state_wrong(e->state))
+        tell_others(e, states, decides, run, story);
+    free(account);
+    return repeatable(states, run);
+}
+
+static bool build_and_test(struct exercise *e,
+                           const struct verdict_rules *rules, FILE *story)
+{
+    const char *folder = work_folder();
+    const struct trial trial = {.folder = folder,
+                                .source = e->file,
+                                .sanitized = build_sanitized(),
+                                .seconds = rules->seconds,
+                                .runner = "../runner"};
+    e->state = DOES_NOT_BUILD;
+    if (!build_runner(folder, e->name, e->file, rules->strict, story))
+        return build_blames(folder, e->file);
+    const bool certain = run_tests(e, &trial, story);
+    if (state_wrong(e->state))
+        build_warning(folder, e->file, story);
+    return certain;
+}
+
+static void forget(struct exercise *e)
+{
+    free(e->story);
+    e->story = NULL;
+    e->judged = false;
+    e->state = NOT_BEGUN;
+    e->earned = e->gap = 0;
+}
+
+static void tell_missing(struct exercise *e)
+{
+    char text[4 * COURSE_PATH];
+    int length = snprintf(text, sizeof text,
+                          "  The file is missing. Fetch it: make reset "
+                          "EX=%s\n",
+                          e->name);
+    if (*e->stray)
+        snprintf(text + length, sizeof text - (size_t)length,
+                 "  Or is it %s? Then name it exercises/%s\n", e->stray,
+                 strrchr(e->stub, '/') + 1);
+    e->story = strdup(text);
+}
+
+static FILE *open_story(char **story)
+{
+    static size_t size;
+    FILE *stream = open_memstream(story, &size);
+    if (!stream)
+        text_fail("out of memory");
+    return stream;
+}
+
+void verdict_recall(struct exercise *e, const struct verdict_rules *rules)
+{
+    forget(e);
+    if (*e->file && course_touched(e)) {
+        e->judged =
+            rules->remember &&
+            memory_recall(e, memory_key(e, rules->strict, rules->seconds));
+        return;
+    }
+    e->judged = true;
+    if (!*e->file)
+        tell_missing(e);
+}
+
+void verdict_reach(struct exercise *e, const struct verdict_rules *rules)
+{
+    verdict_recall(e, rules);
+    if (e->judged)
+        return;
+    const uint64_t key = memory_key(e, rules->strict, rules->seconds);
+    FILE *story = open_story(&e->story);
+    const bool certain = build_and_test(e, rules, story);
+    fclose(story);
+    e->judged = !process_signal();
+    if (e->judged && certain && rules->remember &&
+        memory_key(e, rules->strict, rules->seconds) == key)
+        memory_keep(e, key);
+}

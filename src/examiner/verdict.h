@@ -1,0 +1,21 @@
+/* From chapters/B-examiner.nw: edit there, then run make tangle. */
+/* checksum 403546024 of the lines below */
+#ifndef VERDICT_H
+#define VERDICT_H
+
+#include "examiner/course.h"
+
+/* How an exercise is to be judged. */
+struct verdict_rules {
+    bool strict;   /* warnings are errors */
+    bool remember; /* it is the student's own file */
+    int seconds;   /* of processor time for a test */
+};
+
+/* Finds out how an exercise stands. */
+void verdict_reach(struct exercise *e, const struct verdict_rules *rules);
+
+/* The same if it can be told without compiling; else judged is false. */
+void verdict_recall(struct exercise *e, const struct verdict_rules *rules);
+
+#endif

@@ -1,0 +1,12 @@
+/* From chapters/B-examiner.nw: edit there, then run make tangle. */
+/* checksum 725802761 of the lines below */
+#ifndef WATCH_H
+#define WATCH_H
+
+#include "examiner/verdict.h"
+
+/* Shows the one thing to mend, and again whenever one of the chosen files
+   was saved; returns after a signal, or a q on the keyboard. */
+void watch_files(struct course *course, const struct verdict_rules *rules);
+
+#endif

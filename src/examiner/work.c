@@ -1,0 +1,41 @@
+/* From chapters/B-examiner.nw: edit there, then run make tangle. */
+/* checksum 1044185149 of the lines below */
+#include "examiner/work.h"
+#include "examiner/text.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+static char folder[] = "build/check/work.XXXXXX";
+
+static void remove_folder(void)
+{
+    char command[64];
+    snprintf(command, sizeof command, "rm -rf '%s'", folder);
+    if (system(command) != 0)
+        fprintf(stderr, "examine: cannot remove '%s'\n", folder);
+}
+
+const char *work_folder(void)
+{
+    static bool made;
+    if (!made && !mkdtemp(folder))
+        text_fail("cannot make a folder in build/check: %s",
+                  strerror(errno));
+    if (!made)
+        atexit(remove_folder);
+    made = true;
+    return folder;
+}
+
+bool work_write(const char *path, const char *text, size_t length)
+{
+    char fresh[64];
+    snprintf(fresh, sizeof fresh, "%s/fresh", work_folder());
+    FILE *file = fopen(fresh, "w");
+    if (!file)
+        return false;
+    const bool written = fwrite(text, 1, length, file) == length;
+    return fclose(file) == 0 && written && rename(fresh, path) == 0;
+}

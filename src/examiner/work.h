@@ -1,0 +1,16 @@
+/* From chapters/B-examiner.nw: edit there, then run make tangle. */
+/* checksum 3885477149 of the lines below */
+#ifndef WORK_H
+#define WORK_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* A folder of our own, made at the first call and removed at the end. */
+const char *work_folder(void);
+
+/* Writes a file so that it is there whole, or as it was before. Returns
+   whether that worked; if not, errno says why. */
+bool work_write(const char *path, const char *text, size_t length);
+
+#endif

@@ -1,0 +1,48 @@
+#!/bin/sh
+# What a compiler says and what it means: one file for each mistake in
+# messages/, with the state in its first line and what must be said below,
+# tried with gcc and with clang; and crashes, with the sanitizers and without.
+. tests/examiner/kit
+
+errors=$(echo "$cc" | grep -o -e '-Werror=[a-z-]*' | tr '\n' ' ')
+
+# use COMPILER FLAG...: a kit made by another compiler.
+use() {
+    compiler=$*
+    rm -f build/check/flags build/check/libcheck.a build/check/*.suite.o
+    mkdir -p objects
+    base="$* -std=c11 -D_XOPEN_SOURCE=700 -ffp-contract=off -g -O1 $errors"
+    for file in src/examiner/check.c src/examiner/hidden.c \
+        src/toolbox/random.c; do
+        # shellcheck disable=SC2086
+        $base -Isrc -c "$file" -o "objects/$(basename "$file" .c).o" ||
+            return 1
+    done
+    rm -f build/check/libcheck.a
+    ar rcs build/check/libcheck.a objects/*.o
+    # shellcheck disable=SC2086
+    $base -Isrc -c "$here/suite.c" -o build/check/99a.suite.o || return 1
+    printf '%s\n%s\n' "$base" "$libraries" >build/check/flags
+}
+judged() { # file state
+    grep -q "^99a  Twice  *$2  " out && narrow || return 1
+    sed -n 's/^\/\* says: \(.*\) \*\/$/\1/p' "$1" >wanted
+    [ -s wanted ] || return 1
+    while IFS= read -r words; do
+        says "$words" || return 1
+    done <wanted
+}
+try() { # file
+    name=${1##*/}
+    state=$(sed -n '1s/^\/\* \([a-z ]*\): .* \*\/$/\1/p' "$1")
+    cp "$1" "$name"
+    build/check/examine --seconds 1 --as 99a --file "$name" >out 2>&1
+    verdict "$compiler, $name: $state" judged "$1" "$state"
+}
+
+for cc in gcc clang; do
+    use $cc || echo "not ok examiner: $cc - it builds no kit"
+    for file in "$here"/messages/*.c; do
+        try "$file"
+    done
+done

@@ -420,7 +420,8 @@ unit_tests := $(patsubst tests/%.c,build/tests/%,$(filter-out $(without),\
 	$(wildcard tests/library/*.c tests/stability/*.c)))
 tools := $(patsubst tests/tools/%.c,build/tests/%,$(wildcard tests/tools/*.c))
 scripts := $(wildcard tests/stability/*.sh tests/programs/*.sh \
-	tests/examiner/*.sh tests/exercises/*.sh tests/kit/*.sh)
+	tests/examiner/*.sh tests/exercises/*.sh tests/grader/*.sh \
+	tests/kit/*.sh)
 
 build/tests/%: tests/%.c $(wildcard tests/*.h tests/*/*.h) $(headers) build/obj/libbonkers.a
 	@mkdir -p $(@D)
@@ -443,9 +444,21 @@ has-test-tools:
 	$(call need,clang,clang)
 	$(call need,clang-format,clang-format)
 	$(call need,pdftotext,poppler-utils)
+	$(call need,xmllint,libxml2-utils)
+	$(call need,bwrap,bubblewrap)
 
-test-parts: build/check/examine $(CHECK_BUILT) $(unit_tests) $(tools) \
-	build/tests/mutants/outlive
+test-parts: grade-parts build/check/examine $(CHECK_BUILT) $(unit_tests) $(tools) \
+	build/tests/mutants/outlive build/tests/grader/reports \
+	build/tests/grader/schema
+
+# What the reports are tested with: a course made up, a validator of JSON.
+build/tests/grader/reports: $(patsubst %,build/grade/obj/grade/%.o,\
+	publish marks trial process text)
+build/tests/grader/%: tests/grader/%.c $(headers)
+	@mkdir -p $(@D)
+	$(call say,cc $<)
+	$(Q)$(CC) $(STANDARD) $(PORTABLE) -Isrc $(xml_flags) $(CFLAGS) -o $@ \
+		$(filter %.c %.o,$^) $(LDFLAGS) -ljansson -lxml2
 
 # How many small mistakes in the solutions the suites notice; EX=01a for one,
 # RECORD=1 keeps the table for the book.

@@ -1,5 +1,5 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 2437440575 of the lines below */
+/* checksum 3544545609 of the lines below */
 #include "examiner/box.h"
 #include "examiner/process.h"
 #include "examiner/text.h"
@@ -98,8 +98,9 @@ static void add_system(struct words *w)
 {
     ADD(w, "--ro-bind", "/usr", "/usr", "--symlink", "usr/bin", "/bin",
         "--symlink", "usr/lib", "/lib", "--symlink", "usr/lib64", "/lib64");
-    ADD(w, "--ro-bind-try", "/etc/alternatives", "/etc/alternatives",
-        "--ro-bind-try", "/etc/ld.so.cache", "/etc/ld.so.cache");
+    ADD(w, "--perms", "0755", "--dir", "/etc", "--ro-bind-try",
+        "/etc/alternatives", "/etc/alternatives", "--ro-bind-try",
+        "/etc/ld.so.cache", "/etc/ld.so.cache");
     ADD(w, "--proc", "/proc", "--dev", "/dev", "--remount-ro", "/dev");
     ADD(w, "--perms", "0777", "--size", number(w, DISK_BYTES), "--tmpfs",
         "/work", "--perms", "0755", "--dir", "/kit", "--perms", "0755",
@@ -179,7 +180,7 @@ static int open_filter(void)
 }
 #endif
 
-static bool try_kind(enum box_kind kind)
+static bool try_kind(enum box_kind kind, const char *compiler)
 {
     struct words w = {.count = 0};
     struct process_end end;
@@ -190,7 +191,8 @@ static bool try_kind(enum box_kind kind)
     const struct process_limits limits = {5, RLIM_INFINITY, RLIM_INFINITY,
                                           RLIM_INFINITY};
     add_walls(&w, kind, "exercises/none.c");
-    ADD(&w, "/usr/bin/true");
+    ADD(&w, "/usr/bin/env", "PATH=/usr/bin:/bin", "/bin/sh", "-c",
+        "set -- $1; \"$1\" --version && objcopy --version", "sh", compiler);
     const bool ran =
         process_run((char *const *)w.list, "/", &files, &limits, &end);
     close(nothing);
@@ -198,12 +200,16 @@ static bool try_kind(enum box_kind kind)
     return ran && end.status == 0;
 }
 
-enum box_kind box_probe(void)
+enum box_kind box_probe(const char *compiler)
 {
     enum box_kind kind = BOX_SEALED;
     while (kind != BOX_OPEN &&
-           ((kind == BOX_ROOT && geteuid() != 0) || !try_kind(kind)))
+           ((kind == BOX_ROOT && geteuid() != 0) || !try_kind(kind, ":")))
         ++kind;
+    if (kind != BOX_OPEN && !try_kind(kind, compiler))
+        text_fail("no student's file can be compiled: '%s' or objcopy is "
+                  "not in the box, which has no more than /usr",
+                  compiler);
     return kind;
 }
 
@@ -227,7 +233,8 @@ static const char script[] =
     "build objcopy $keep answer.o\n"
     "build $compiler -o program answer.o ../kit/inside.o -lm\n"
     "printf b >&4\n"
-    "exec prlimit --core=0 --cpu=$seconds --as=$memory --nproc=16 \\\n"
+    "exec prlimit --core=0 --cpu=$seconds:$((seconds + 1)) --as=$memory "
+    "--nproc=16 \\\n"
     "    --nofile=64 --fsize=1048576 ./program\n";
 static void add_script(struct words *w, const struct box_order *order,
                        const char *root)
@@ -330,7 +337,7 @@ static void start(const struct box_order *order, int requests, int answers,
     close(filter);
 }
 
-static enum box_stage wait_for_main(struct box *box)
+static enum box_stage wait_for_main(struct box *box, int seconds)
 {
     const double start = seconds_now();
     const int built = wait_for_byte(box->answers, BUILD_MS);
@@ -338,9 +345,10 @@ static enum box_stage wait_for_main(struct box *box)
     if (built != WIRE_BUILT)
         return built == LATE ? BOX_TOO_LONG : BOX_NOT_BUILT;
     const int started = wait_for_byte(box->answers, START_MS);
-    return started == WIRE_READY ? BOX_READY
-           : started == LATE     ? BOX_STUCK
-                                 : BOX_NO_MAIN;
+    if (started == WIRE_READY)
+        return BOX_READY;
+    const double waited = seconds_now() - start - box->build_seconds;
+    return started == LATE || waited >= seconds ? BOX_STUCK : BOX_NO_MAIN;
 }
 
 enum box_stage box_open(struct box *box, const struct box_order *order,
@@ -355,7 +363,7 @@ enum box_stage box_open(struct box *box, const struct box_order *order,
     start(order, in[0], out[1], prints);
     close(in[0]);
     close(out[1]);
-    return wait_for_main(box);
+    return wait_for_main(box, order->seconds);
 }
 
 static bool send_byte(int file, char byte)

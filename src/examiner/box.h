@@ -1,5 +1,5 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 2883928556 of the lines below */
+/* checksum 3207345860 of the lines below */
 #ifndef BOX_H
 #define BOX_H
 
@@ -43,8 +43,9 @@ enum box_stage {
     BOX_READY
 };
 
-/* The best kind of box that this machine allows; BOX_OPEN if none. */
-enum box_kind box_probe(void);
+/* The best kind of box that this machine allows; BOX_OPEN if none. Exits
+   with status 2 when the compiler cannot be started in it. */
+enum box_kind box_probe(const char *compiler);
 
 /* "namespaces, sealed", ...: what to tell the lecturer. */
 const char *box_name(enum box_kind kind);

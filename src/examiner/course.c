@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 628213539 of the lines below */
+/* checksum 700151455 of the lines below */
 #include "examiner/course.h"
 #include "examiner/sum.h"
 #include "examiner/text.h"
@@ -63,6 +63,7 @@ static void read_about(struct exercise *e, const char *path)
         text_fail("%s is not complete; remove it and make check again",
                   path);
     find_one("tests/stubs/%s-*.c", e->name, e->stub);
+    find_one("solutions/%s-*.c", e->name, e->solution);
     course_find_file(e);
 }
 

@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 143787355 of the lines below */
+/* checksum 1419810336 of the lines below */
 #ifndef COURSE_H
 #define COURSE_H
 
@@ -21,8 +21,9 @@ struct exercise {
     char file[COURSE_PATH];  /* the student's; empty when it is missing */
     char stub[COURSE_PATH];  /* as it came with the book */
     char stray[COURSE_PATH]; /* what may be the student's, misnamed */
-    bool chosen;             /* it was asked for */
-    bool judged;             /* what follows is known */
+    char solution[COURSE_PATH]; /* worked; empty where others keep it */
+    bool chosen;                /* it was asked for */
+    bool judged;                /* what follows is known */
     enum state state;
     int earned;  /* points */
     int gap;     /* the line of a NOT_DONE_YET that was reached, or 0 */

@@ -1,5 +1,5 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 3093284108 of the lines below */
+/* checksum 3308474504 of the lines below */
 #include "examiner/grading.h"
 #include "examiner/process.h"
 #include "examiner/publish.h"
@@ -217,7 +217,9 @@ static void choose_seed(struct batch *b)
 
 static void choose_box(struct batch *b)
 {
-    b->grading.kind = box_probe();
+    char *flags = text_read("build/grade/flags"), *rest = flags;
+    b->grading.kind = box_probe(text_line(&rest));
+    free(flags);
     if (b->grading.kind != BOX_OPEN)
         return;
     fprintf(stderr,

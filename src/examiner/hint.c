@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 995321865 of the lines below */
+/* checksum 760844062 of the lines below */
 #include "examiner/hint.h"
 #include "examiner/text.h"
 #include "examiner/work.h"
@@ -20,7 +20,7 @@ static int given(const char *name)
         if ((number = text_after(line, name)) && *number == ' ')
             count = atoi(number);
     free(text);
-    return count > 0 ? count : 0;
+    return count < 0 || count > 1000 ? 0 : count;
 }
 
 static void remember(const char *name, int count)
@@ -76,10 +76,7 @@ void hint_show(const struct exercise *e)
     const int count = count_hints(file);
     int number = given(e->name) + 1;
     const bool again = number > count;
-    if (again)
-        number = count;
-    else
-        remember(e->name, number);
+    number = again ? count : number;
     printf("%s, %s: hint %d of %d%s\n\n", e->name, e->title, number, count,
            again ? ", the last one again; there are no more" : "");
     char *text = text_read(file);
@@ -89,4 +86,6 @@ void hint_show(const struct exercise *e)
     printf("\nThen: make check EX=%s%s\n", e->name,
            number < count ? ", or the next hint: the same command again"
                           : "");
+    if (!again)
+        remember(e->name, number);
 }

@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 2100744139 of the lines below */
+/* checksum 3599257429 of the lines below */
 #include "examiner/round.h"
 #include "examiner/build.h"
 #include "examiner/process.h"
@@ -34,6 +34,13 @@ void round_story(const struct exercise *e)
            : e->state == PASSED         ? "passes"
                                         : "does not pass yet",
            e->story ? e->story : "");
+}
+
+void round_solution(const struct exercise *e)
+{
+    if (e->state == PASSED && *e->solution)
+        printf("\n%s passes. The worked solution: make solution EX=%s\n",
+               e->name, e->name);
 }
 
 static int urgency(const struct exercise *e)
@@ -147,6 +154,9 @@ bool round_check(struct course *course, const struct verdict_rules *rules,
         fine &= !state_wrong(e->state);
     }
     tell_stories(course, named);
+    for (size_t i = 0; named && rules->remember && i < course->count; ++i)
+        if (course->exercises[i].chosen)
+            round_solution(&course->exercises[i]);
     return fine;
 }
 

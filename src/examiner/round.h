@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 3674381299 of the lines below */
+/* checksum 497216772 of the lines below */
 #ifndef ROUND_H
 #define ROUND_H
 
@@ -19,6 +19,9 @@ void round_line(const struct exercise *e);
 
 /* What there is to say about it, under a head line. */
 void round_story(const struct exercise *e);
+
+/* Where an exercise passes and its solution is there: the command. */
+void round_solution(const struct exercise *e);
 
 /* The exercise to work on next, or NULL when all of them pass. */
 const struct exercise *round_current(const struct course *course);

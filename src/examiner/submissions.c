@@ -1,5 +1,5 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 527488665 of the lines below */
+/* checksum 1156808427 of the lines below */
 #include "examiner/submissions.h"
 #include "examiner/marks.h"
 #include "examiner/text.h"
@@ -191,7 +191,10 @@ static char *read_regular(int folder, const char *name, size_t *length,
     const int file = openat(folder, name,
                             O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
     char *bytes = NULL;
-    if (file < 0 || fstat(file, &about) != 0 || !S_ISREG(about.st_mode))
+    if (file < 0 && errno != ELOOP)
+        set_remark(remark, "cannot be read: ", strerror(errno));
+    else if (file < 0 || fstat(file, &about) != 0 ||
+             !S_ISREG(about.st_mode))
         set_remark(remark, "refused, since it is no regular file: ", name);
     else if (!(bytes = read_all(file, length)))
         set_remark(remark,
@@ -214,6 +217,8 @@ char *submissions_read(const char *folder, const struct submission *s,
     *remark = strdup("");
     if (own >= 0)
         place = find_place(own, exercise, usual, DEPTH, &name, remark);
+    else
+        set_remark(remark, "the folder cannot be read: ", strerror(errno));
     if (name)
         bytes = read_regular(place, name, length, remark);
     else if (!**remark)

@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 4103978181 of the lines below */
+/* checksum 1032609737 of the lines below */
 #include "examiner/watch.h"
 #include "examiner/hint.h"
 #include "examiner/process.h"
@@ -56,6 +56,7 @@ static void show(const struct course *course, const struct exercise *e)
         round_line(e);
         if (e->story && *e->story)
             round_story(e);
+        round_solution(e);
     }
     round_next(course);
     puts("\nWatching: save a file, and it is checked. Ctrl-C ends it.");

@@ -40,9 +40,40 @@ try() { # file
     verdict "$compiler, $name: $state" judged "$1" "$state"
 }
 
+# crash TRAP PATTERN...: the trap crashes, and each pattern is said.
+crash() {
+    trap=$1
+    cp "$here/traps/$trap.c" "my-$trap.c"
+    build/check/examine --seconds 2 --as 99a --file "my-$trap.c" >out 2>&1
+    shift
+    for words; do
+        verdict "$compiler, $trap.c crashes: $words" \
+            eval 'grep -q "^99a  Twice  *crashed " out && says "$words"'
+    done
+}
+
+sanitizers='-fsanitize=address,undefined -fno-sanitize=object-size
+-fno-sanitize-recover=undefined'
+echo 'int main(void) { return 0; }' >main.c
 for cc in gcc clang; do
     use $cc || echo "not ok examiner: $cc - it builds no kit"
     for file in "$here"/messages/*.c; do
         try "$file"
     done
+    nowhere='^  where  *Only a compiler with sanitizers could tell the line'
+    crash null '^  what  *SIGSEGV: it used a pointer' "$nowhere"
+    crash divide '^  what  *SIGFPE: .*divided by zero' "$nowhere"
+    crash abort '^  what  *SIGABRT: it called abort' "$nowhere"
+    crash stack '^  what  *SIGSEGV: .*$' "$nowhere"
+    # shellcheck disable=SC2086
+    if $cc $sanitizers -o main main.c 2>said && ./main; then
+        use $cc $sanitizers
+        compiler="$cc with sanitizers"
+        crash null 'null pointer' '^  where  *my-null.c:7' '  |.*nowhere + x'
+        crash divide 'division by zero' '^  where  *my-divide.c:7'
+        crash abort 'SIGABRT: ' '^  where  *my-abort.c:7, in the function twice'
+        crash stack 'the stack is full' '^  where  *my-stack.c:[67], .* twice'
+    else
+        echo "ok examiner: $cc has no sanitizers here"
+    fi
 done

@@ -1,6 +1,6 @@
 /* The suite of exercise 02c: a good top, a stale one, the better event on
    the other side, what is counted, none left, an empty heap, large heaps,
-   and counters that run over. */
+   counters that run over, and heaps that are drawn. */
 
 #include "examiner/check.h"
 #include "toolbox/random.h"
@@ -143,14 +143,14 @@ static size_t passed(const struct job *j, size_t k)
                : 0;
 }
 
-static bool check_next(const struct job *j, double got,
+static bool check_next(const struct job *j, double got, size_t next,
                        const char *question)
 {
     return CHECK_NEAR(
         got, .quantity = "number of the next event", .unit = "",
-        .input = input(j), .expected = (double)earliest(j, good),
-        .tolerance = 0.0, .because = "a place in an array is exact",
-        .equation = "eq:heap", .question = question,
+        .input = input(j), .expected = (double)next, .tolerance = 0.0,
+        .because = "a place in an array is exact", .equation = "eq:heap",
+        .question = question,
         .mistakes = {
             {"top-unchecked", 0.0,
              "This is the top of the heap, and it is stale. Which two "
@@ -181,16 +181,14 @@ static bool check_next(const struct job *j, double got,
              "the event has noted, larger or smaller?"}});
 }
 
-static bool check_stale(const struct job *j, double got,
-                        const char *question)
+static bool check_stale(const struct job *j, double got, size_t next,
+                        size_t stale, const char *question)
 {
-    const size_t next = earliest(j, good);
     return CHECK_NEAR(
         got, .quantity = "*stale, the stale events before the next one",
-        .unit = "", .input = input(j),
-        .expected = (double)earlier_than(j, next), .tolerance = 0.0,
-        .because = "a number of events is exact", .equation = "eq:heap",
-        .question = question,
+        .unit = "", .input = input(j), .expected = (double)stale,
+        .tolerance = 0.0, .because = "a number of events is exact",
+        .equation = "eq:heap", .question = question,
         .mistakes = {
             {"passed-on-the-way", (double)passed(j, 0),
              "These are the stale events that you looked at on the way. "
@@ -203,16 +201,23 @@ static bool check_stale(const struct job *j, double got,
              "So many are stale in the whole heap, and some of them come "
              "after the next event. Which ones stand before it in time?"},
             {"counts-the-good-one",
-             (double)earlier_than(j, next) + (next < j->n ? 1.0 : 0.0),
+             (double)stale + (next < j->n ? 1.0 : 0.0),
              "The event that you return is not stale. Is it among those "
              "that you have counted?"}});
 }
 
-static bool check_both(const struct job *j, const char *question)
+static bool check_known(const struct job *j, size_t next, size_t stale,
+                        const char *question)
 {
     const struct answer a = answer(j);
-    return check_next(j, a.next, question) &&
-           check_stale(j, a.stale, question);
+    return check_next(j, a.next, next, question) &&
+           check_stale(j, a.stale, next, stale, question);
+}
+
+static bool check_both(const struct job *j, const char *question)
+{
+    const size_t next = earliest(j, good);
+    return check_known(j, next, earlier_than(j, next), question);
 }
 
 static void test_good_top(void)
@@ -338,6 +343,68 @@ static void test_run_over(void)
         "When does a counter agree with what an event has noted?");
 }
 
+/* Fills a heap in the order of time: the top first, and then any place
+   whose parent has been filled. order[k] is the place of the k-th event. */
+static void draw_order(size_t n, size_t order[])
+{
+    size_t open[MOST], opened = 1;
+    open[0] = 0;
+    for (size_t k = 0; k < n; ++k) {
+        const size_t one = (size_t)check_draw_whole(0, (int)opened - 1);
+        const size_t place = open[one];
+        order[k] = place;
+        open[one] = open[--opened];
+        for (size_t child = 2 * place + 1;
+             child < n && child <= 2 * place + 2; ++child)
+            open[opened++] = child;
+    }
+}
+
+/* An event between two bodies, which agrees with both counters or is one to
+   three collisions behind one of them, or both. */
+static struct event draw_event(const struct job *j, double time,
+                               bool is_good)
+{
+    const size_t a = (size_t)check_draw_whole(0, BODIES - 1);
+    const size_t b = (a + (size_t)check_draw_whole(1, 3)) % BODIES;
+    struct event e = {time, a, b, j->counts[a], j->counts[b]};
+    const int behind = is_good ? 0 : check_draw_whole(1, 3);
+    if (behind != 2)
+        e.count_i -= is_good ? 0 : (unsigned)check_draw_whole(1, 3);
+    if (behind >= 2)
+        e.count_j -= (unsigned)check_draw_whole(1, 3);
+    return e;
+}
+
+/* Made from the answer: in the order of time so many events are stale, the
+   one after them is good, and of the others half are. Some counters have
+   run over. */
+static void test_drawn(void)
+{
+    for (int i = 0; i < 60; ++i) {
+        struct job j = {.n = (size_t)check_draw_whole(1, 40)};
+        size_t order[MOST];
+        const size_t stale =
+            i % 10 == 9 ? j.n : (size_t)check_draw_whole(0, (int)j.n - 1);
+        for (size_t b = 0; b < BODIES; ++b)
+            j.counts[b] = (unsigned)check_draw_whole(0, 9);
+        draw_order(j.n, order);
+        double time = 0.0;
+        for (size_t k = 0; k < j.n; ++k) {
+            time += check_draw(0.01, 1.0);
+            j.heap[order[k]] = draw_event(
+                &j, time,
+                k == stale || (k > stale && check_draw_whole(0, 1)));
+        }
+        if (!check_known(&j, stale < j.n ? order[stale] : j.n, stale,
+                         check_text("This heap was filled with %zu stale "
+                                    "events first. Which of them has led "
+                                    "you astray?",
+                                    stale)))
+            return;
+    }
+}
+
 const struct check_suite check_suite = {
     .exercise = "02c",
     .title = "What is still true in a heap",
@@ -345,11 +412,13 @@ const struct check_suite check_suite = {
     .tests = {{"a top that is good is the next event", test_good_top, 1, 0},
               {"stale events are passed over", test_stale_top, 1, 0},
               {"the next event may stand on the other side",
-               test_other_side, 1, 0},
-              {"only what is earlier is counted", test_count, 1, 0},
+               test_other_side, 2, 0},
+              {"only what is earlier is counted", test_count, 2, 0},
               {"where nothing is good nothing is found", test_none, 1, 0},
               {"large heaps give what a look at every event gives",
-               test_large, 1, 0},
+               test_large, 2, 0},
               {"a counter may run over", test_run_over, 1, 0},
+              {"sixty heaps are filled in the order of time", test_drawn, 1,
+               3},
               {0}},
 };

@@ -1,6 +1,7 @@
 /* The suite of exercise 02d: time 0, one body and its walls, two that meet,
    a full box worked out by hand, what is conserved, a box that comes back
-   to where it began, a million seconds, and the way back in time. */
+   to where it began, a million seconds, the way back in time, and boxes in
+   which every collision is carried out. */
 
 #include "examiner/check.h"
 #include <float.h>
@@ -8,6 +9,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 void positions_at(size_t n, double length, const double x0[],
                   const double v0[], double t, double x[], double v[]);
@@ -57,8 +59,7 @@ static double tolerance(const struct gas *g, double t)
 
 static const char because[] =
     "4 epsilons of the length and of the way at top speed: the roundings "
-    "of "
-    "one product, of one sum and of the numbers given";
+    "of one product, of one sum and of the numbers given";
 
 /* The slips: what becomes of the ghost of one body. A ghost has passed
    through everything but, perhaps, the walls. */
@@ -278,27 +279,32 @@ static void test_return(void)
                      "program?"));
 }
 
-/* The same in whole nanometres and nm/s: no rounding at all. */
-static double exact_place(size_t k, long long seconds)
+/* The same in whole nanometres and nm/s: no rounding at all. Fills in where
+   each body is; false when two of them, or a body and a wall, are
+   within a micrometre. */
+static bool exact_places(const struct gas *g, long long seconds, double x[])
 {
-    enum { BODIES = 6 };
-    const long long nano = 1000000000, length = 17 * (nano / 10);
-    long long place[BODIES];
-    for (size_t i = 0; i < BODIES; ++i) {
-        const long long v = llround(odd.v[i] * 1e9);
-        long long rest =
-            (llround(odd.x[i] * 1e9) + v * seconds) % (2 * length);
-        rest = rest < 0 ? -rest : rest;
-        place[i] = rest > length ? 2 * length - rest : rest;
+    const long long length = llround(g->length * 1e9), micro = 1000;
+    long long place[MOST + 1] = {0}; /* the left wall, then the bodies */
+    for (size_t i = 0; i < g->n; ++i) {
+        const long long way =
+            llround(g->x[i] * 1e9) + llround(g->v[i] * 1e9) * seconds;
+        const long long rest = llabs(way) % (2 * length);
+        long long here = rest > length ? 2 * length - rest : rest;
+        for (size_t k = 1; k <= i; ++k)
+            if (place[k] > here) {
+                const long long farther = place[k];
+                place[k] = here;
+                here = farther;
+            }
+        place[i + 1] = here;
     }
-    for (size_t i = 0; i < BODIES; ++i) {
-        size_t left = 0;
-        for (size_t j = 0; j < BODIES; ++j)
-            left += place[j] < place[i];
-        if (left == k)
-            return (double)place[i] / 1e9;
+    bool apart = length - place[g->n] > micro;
+    for (size_t k = 0; k < g->n; ++k) {
+        apart = apart && place[k + 1] - place[k] > micro;
+        x[k] = (double)place[k + 1] / 1e9;
     }
-    return NAN;
+    return apart;
 }
 
 /* What comes of taking the periods off one by one. */
@@ -317,33 +323,41 @@ static double singly(const struct gas *g, size_t k, double t)
     return sorted_place(&ghosts, k, 0.0, FOLDED);
 }
 
+/* The places of the gas above and velocities that are drawn, one of them
+   near 1 m/s; a time of whole seconds at which nobody touches anything. */
 static void test_million(void)
 {
-    const long long seconds = 1000003;
+    struct gas g = odd;
+    double x[MOST];
+    long long seconds;
+    for (size_t k = 0; k < g.n; ++k)
+        g.v[k] = check_draw_whole(k == 4 ? 900000 : -999999, 999999) / 1e6;
+    do
+        seconds = check_draw_whole(900000, 1100000);
+    while (!exact_places(&g, seconds, x));
     const double t = (double)seconds;
-    const struct gas a = answer(&odd, t);
-    for (size_t k = 0; k < odd.n; ++k) {
-        const double true_place = exact_place(k, seconds);
+    const struct gas a = answer(&g, t);
+    for (size_t k = 0; k < g.n; ++k) {
         if (!CHECK_NEAR(
-                a.x[k] - true_place,
+                a.x[k] - x[k],
                 .quantity = check_text("how far x[%zu] is from the true "
                                        "place",
                                        k),
-                .unit = "m", .input = input(&odd, t), .expected = 0.0,
-                .tolerance = tolerance(&odd, t), .because = because,
+                .unit = "m", .input = input(&g, t), .expected = 0.0,
+                .tolerance = tolerance(&g, t), .because = because,
                 .equation = "eq:unfold",
                 .question = "Which of your operations is done again and "
                             "again in a million seconds, and adds its "
                             "rounding each time?",
                 .mistakes =
-                    {{"periods-one-by-one", singly(&odd, k, t) - true_place,
+                    {{"periods-one-by-one", singly(&g, k, t) - x[k],
                       "Each subtraction of a period is rounded, and there "
                       "are hundreds of thousands, nearly all alike. Which "
                       "single operation gives the remainder of a "
                       "division?"}}) ||
             !check_velocity(
-                &odd, t, k, a.v[k],
-                ghost_velocity(&odd, ghost_at(&odd, k, t, FOLDED), t),
+                &g, t, k, a.v[k],
+                ghost_velocity(&g, ghost_at(&g, k, t, FOLDED), t),
                 "The place is right. Which velocity has the "
                 "ghost that is there?"))
             return;
@@ -376,22 +390,126 @@ static void test_backwards(void)
             return;
 }
 
+/* What the exercise spares: every collision, one after the other, with more
+   digits. Gap k is to the left of body k, or of the right wall. */
+struct box {
+    size_t n;
+    long double x[MOST + 2]; /* with the walls at both ends */
+    double v[MOST + 2];
+};
+
+static void fly(struct box *b, long double time)
+{
+    for (size_t k = 1; k <= b->n; ++k)
+        b->x[k] += b->v[k] * time;
+}
+
+/* The gap that closes next, and when; 0 where none does within the time. */
+static size_t next_gap(const struct box *b, long double *time)
+{
+    size_t next = 0;
+    for (size_t k = 1; k <= b->n + 1; ++k) {
+        const long double gap = fmaxl(0.0L, b->x[k] - b->x[k - 1]);
+        const double closing = b->v[k - 1] - b->v[k];
+        if (closing > 0.0 && gap < closing * *time) {
+            *time = gap / closing;
+            next = k;
+        }
+    }
+    return next;
+}
+
+/* A wall sends a body back, and two bodies exchange their velocities. */
+static void collide(struct box *b, size_t gap)
+{
+    const double left = b->v[gap - 1], right = b->v[gap];
+    if (gap > 1)
+        b->v[gap - 1] = gap > b->n ? -left : right;
+    if (gap <= b->n)
+        b->v[gap] = gap > 1 ? left : -right;
+}
+
+static struct box collided(const struct gas *g, double t)
+{
+    struct box b = {.n = g->n};
+    long double rest = t;
+    b.x[g->n + 1] = g->length;
+    for (size_t k = 0; k < g->n; ++k) {
+        b.x[k + 1] = g->x[k];
+        b.v[k + 1] = g->v[k];
+    }
+    for (;;) {
+        long double wait = rest;
+        const size_t gap = next_gap(&b, &wait);
+        fly(&b, wait);
+        if (gap == 0)
+            return b;
+        rest -= wait;
+        collide(&b, gap);
+    }
+}
+
+/* Whether two bodies, or a body and a wall, are within a micrometre. */
+static bool touches(const struct box *b)
+{
+    for (size_t k = 1; k <= b->n + 1; ++k)
+        if (b->x[k] - b->x[k - 1] < 1e-6L)
+            return true;
+    return false;
+}
+
+/* Places in whole millimetres, one body in each n-th of the box. */
+static struct gas draw_gas(void)
+{
+    struct gas g = {.n = (size_t)check_draw_whole(1, MOST)};
+    const int length = check_draw_whole(2000, 9000);
+    const int part = length / (int)g.n;
+    g.length = length / 1000.0;
+    for (size_t k = 0; k < g.n; ++k) {
+        g.x[k] = ((int)k * part + check_draw_whole(1, part - 1)) / 1000.0;
+        g.v[k] = check_draw(-3.0, 3.0);
+    }
+    return g;
+}
+
+static void test_drawn(void)
+{
+    for (int i = 0; i < 40; ++i) {
+        const struct gas g = draw_gas();
+        double t, x[MOST];
+        struct box b;
+        do {
+            t = check_draw(0.0, 40.0);
+            b = collided(&g, t);
+        } while (touches(&b));
+        for (size_t k = 0; k < g.n; ++k)
+            x[k] = (double)b.x[k + 1];
+        if (!check_gas(&g, t, x, b.v + 1,
+                       "Every collision in this box has been carried out, "
+                       "one after the other. Which body, and which wall, "
+                       "have your ghosts not come to?"))
+            return;
+    }
+}
+
 const struct check_suite check_suite = {
     .exercise = "02d",
     .title = "A million seconds, no collision",
     .minutes = 30,
     .tests = {{"at time 0 nothing has changed", test_start, 1, 0},
               {"a body alone goes to and fro between its walls", test_walls,
-               1, 0},
+               2, 0},
               {"two that meet exchange their velocities", test_two, 1, 0},
-              {"five bodies are where they are on paper", test_by_hand, 1,
+              {"five bodies are where they are on paper", test_by_hand, 2,
                0},
               {"the energy stays what it was", test_energy, 1, 0},
               {"after a whole number of periods all is as it was",
                test_return, 1, 0},
               {"after a million seconds every place is right", test_million,
-               1, 0},
+               2, 1},
               {"turned round in time the bodies come back", test_backwards,
                1, 0},
+              {"forty boxes are as all their collisions leave them",
+               test_drawn, 1, 3},
               {0}},
 };

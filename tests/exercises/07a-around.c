@@ -1,9 +1,8 @@
 /* The suite of exercise 07a: the middle of a box, its sides and corners,
    positions outside, edges, a hair below an edge, few columns or rows, and
-   all of these at random. */
+   drawn boxes. */
 
 #include "examiner/check.h"
-#include "toolbox/random.h"
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
@@ -27,12 +26,18 @@ struct list {
     size_t count, cell[MOST];
 };
 
-static struct list answer(const struct job *j)
+/* What the student makes of a list that holds something already. */
+static struct list answer(const struct job *j, struct list l)
+{
+    l.count = cells_around(j->box, j->cells, j->at, l.cell);
+    return l;
+}
+
+static struct list unfilled(void)
 {
     struct list l = {0};
     for (size_t k = 0; k < MOST; ++k)
         l.cell[k] = untouched;
-    l.count = cells_around(j->box, j->cells, j->at, l.cell);
     return l;
 }
 
@@ -220,16 +225,21 @@ static bool check_cell(const struct job *j, const struct list *got,
              "end?"}});
 }
 
+/* Once with an unfilled list, and once with one that holds the right cells
+   beforehand. */
 static bool check_list(const struct job *j, const struct list *wanted,
                        const char *question)
 {
-    const struct list got = answer(j);
+    const struct list got = answer(j, unfilled());
     if (!check_count(j, &got, wanted, question))
         return false;
     for (size_t k = 0; k < wanted->count; ++k)
         if (!check_cell(j, &got, wanted, k, question))
             return false;
-    return true;
+    const struct list again = answer(j, *wanted);
+    return check_count(j, &again, wanted,
+                       "Whatever `around` holds beforehand means nothing. "
+                       "Do you read a place before you have filled it?");
 }
 
 /* Against a list by hand. */
@@ -361,30 +371,41 @@ static void test_few(void)
                      (struct list){9, {1, 2, 3, 5, 6, 7, 9, 10, 11}}));
 }
 
-/* In the inner nine tenths of a cell, so that no rounding matters, and up
-   to three periods away. */
-static double anywhere(struct random *r, double side, size_t n)
+/* Every cell is asked how many columns and rows it is away, on a ring of so
+   many. */
+static struct list next_to(const struct job *j, int column, int row)
 {
-    const double cell = (double)random_below(r, (unsigned)n);
-    const double turns = (double)random_below(r, 7) - 3.0;
-    return (turns + (cell + random_between(r, 0.05, 0.95)) / (double)n) *
-           side;
+    const int nx = (int)j->cells[0], ny = (int)j->cells[1];
+    struct list l = {0};
+    for (int k = 0; k < nx * ny; ++k)
+        if (fabs(remainder(k % nx - column, nx)) <= 1.0 &&
+            fabs(remainder(k / nx - row, ny)) <= 1.0)
+            l.cell[l.count++] = (size_t)k;
+    return l;
 }
 
-static void test_random(void)
+/* A box, and a cell in it: at first of a few, later of many. The position
+   is in the inner nine tenths of the cell, so that no rounding matters, and
+   up to three periods away. */
+static void test_drawn(void)
 {
-    struct random r;
-    random_seed(&r, 7);
-    for (int i = 0; i < 500; ++i) {
+    for (int i = 0; i < 200; ++i) {
         struct job j;
+        int own[2];
         for (int k = 0; k < 2; ++k) {
-            j.box[k] = random_between(&r, 1.0, 20.0);
-            j.cells[k] = 1 + (size_t)random_below(&r, i < 250 ? 5 : 30);
-            j.at[k] = anywhere(&r, j.box[k], j.cells[k]);
+            const int n = check_draw_whole(1, i < 100 ? 5 : 30);
+            own[k] = check_draw_whole(0, n - 1);
+            j.cells[k] = (size_t)n;
+            j.box[k] = check_draw(1.0, 20.0);
+            j.at[k] = (check_draw_whole(-3, 3) +
+                       (own[k] + check_draw(0.05, 0.95)) / n) *
+                      j.box[k];
         }
-        if (!check_searched(j, "Here your list is not that of somebody who "
-                               "looked at every cell. Which cell is "
-                               "missing, or too much?"))
+        const struct list wanted = next_to(&j, own[0], own[1]);
+        if (!check_list(&j, &wanted,
+                        "Here your list is not that of somebody who looked "
+                        "at every cell. Which cell is missing, or too "
+                        "much?"))
             return;
     }
 }
@@ -395,14 +416,14 @@ const struct check_suite check_suite = {
     .minutes = 20,
     .tests = {{"in the middle of the box nine cells are around",
                test_middle, 1, 0},
-              {"opposite sides of the box are joined", test_sides, 1, 0},
+              {"opposite sides of the box are joined", test_sides, 2, 0},
               {"outside of the box everything repeats", test_outside, 1, 0},
               {"a cell owns its left and its lower edge", test_edges, 1, 0},
               {"a hair below a side is still in the last cell", test_hair,
                1, 0},
-              {"with few columns or rows each cell comes once", test_few, 1,
+              {"with few columns or rows each cell comes once", test_few, 2,
                0},
-              {"random boxes give what a look at every cell gives",
-               test_random, 1, 0},
+              {"drawn boxes give what a look at every cell gives",
+               test_drawn, 2, 3},
               {0}},
 };

@@ -1,5 +1,6 @@
 /* The suite of exercise 07b: two disks, a table, what lies outside, one
-   disk, small speeds, many disks, the mean square, and the fourth power. */
+   disk, small speeds, many disks, the mean square, the fourth power, and
+   drawn gases. */
 
 #include "examiner/check.h"
 #include <math.h>
@@ -329,21 +330,46 @@ static void test_agree(void)
                     "one law?");
 }
 
+/* A speed that is made for its probability: as small as one likes, and
+   nearly 1. When the n - 1 others each leave e^-x/(n-1) of the probability
+   of a speed above v, all of them leave e^-x; the first of these numbers
+   says which share of the energy v is. */
+static struct known draw_known(void)
+{
+    const int n = 2 + (int)pow(10.0, check_draw(0.0, 8.9));
+    const double x = pow(10.0, check_draw(-25.0, 1.4));
+    const double mean = check_draw(0.1, 9.0);
+    const double share = -expm1(-x / (n - 1.0));
+    return (struct known){n, mean, sqrt(share * n * mean), -expm1(-x)};
+}
+
+static void test_drawn(void)
+{
+    for (int i = 0; i < 50; ++i) {
+        const struct known k = draw_known();
+        if (!check_below(&k, "Many disks or few, fast or slow: where in "
+                             "your formula do digits get lost?") ||
+            !check_fourth(k.n, k.mean, k.v))
+            return;
+    }
+}
+
 const struct check_suite check_suite = {
     .exercise = "07b",
     .title = "How fast is a disk?",
     .minutes = 25,
     .tests = {{"two disks: every share is equally likely", test_two, 1, 0},
-              {"three to 250 disks agree with a table", test_some, 1, 0},
+              {"three to 250 disks agree with a table", test_some, 2, 0},
               {"no disk has more than all the energy", test_outside, 1, 0},
               {"one disk alone has one speed", test_one, 1, 0},
               {"slow disks keep all digits", test_slow, 1, 0},
-              {"many disks keep all digits", test_many, 1, 0},
+              {"many disks keep all digits", test_many, 2, 0},
               {"the mean square is the one that was given", test_mean, 1,
                0},
               {"the fourth power has its mean, few disks or many",
                test_fourth, 1, 0},
               {"the fourth power and the probabilities agree", test_agree,
                1, 0},
+              {"a speed made for its probability has it", test_drawn, 2, 3},
               {0}},
 };

@@ -7,8 +7,9 @@
 
    COURSE: plain, a few students and exercises; strange, with all that a
    name, a story and a compiler's message may hold; many, 40 students and 30
-   exercises; one, a single student. What is hidden has the word SECRET in
-   it, what may be shown the word PUBLIC. */
+   exercises; one, a single student; lost, the plain one, but Bjoern's
+   second exercise was not graded. What is hidden has the word SECRET in it,
+   what may be shown the word PUBLIC. */
 #include "examiner/publish.h"
 #include "examiner/text.h"
 
@@ -39,6 +40,10 @@ struct name {
 
 static const struct name plain[] = {
     {"Ada", 0}, {"Bj\xc3\xb6rn", 0}, {"Grace", 0}, {"Zoe", 0}};
+
+/* As long as a file's name may be, where its letters are spelled alike. */
+#define FORTY "a long name, with ten words; to be spelt"
+#define LONG_NAME FORTY FORTY FORTY FORTY "and some more, before "
 
 /* The names of a folder may be any bytes but NUL and the slash; marks_text
    has been there before us, but a slash costs nothing. */
@@ -75,6 +80,8 @@ static const struct name strange[] = {
      0},
     {"emoji \xf0\x9f\x8e\xb1", 0},
     {"line\nbreak", 0},
+    {LONG_NAME "one", 0},
+    {LONG_NAME "two", 0},
     {"nul \0 byte", 10},
     {"twin", 0},
     {"twin", 0},
@@ -206,6 +213,20 @@ static char *student_of(const char *course, size_t s)
     return strcmp(course, "many") == 0 ? made_name(s) : text_of(plain[s]);
 }
 
+/* What the grader leaves of an exercise when it has failed itself. */
+static void lose(struct marks *m)
+{
+    struct marks rest = {.student = copy(m->student),
+                         .exercise = copy(m->exercise),
+                         .title = copy(m->title),
+                         .file = copy("NOT GRADED: the grader failed"),
+                         .story = copy(""),
+                         .prints = copy(""),
+                         .advice = copy("")};
+    marks_free(m);
+    *m = rest;
+}
+
 static void fill(struct course *c, const char *course)
 {
     const bool wild = strcmp(course, "strange") == 0;
@@ -222,6 +243,8 @@ static void fill(struct course *c, const char *course)
         }
         free(name);
     }
+    if (strcmp(course, "lost") == 0)
+        lose(&marks[c->exercises + 1]);
     c->marks = marks;
 }
 
@@ -249,6 +272,7 @@ int main(int argc, char **argv)
         {"strange", sizeof strange / sizeof strange[0], KINDS},
         {"many", 40, 30},
         {"one", 1, KINDS},
+        {"lost", sizeof plain / sizeof plain[0], KINDS},
     };
     struct course c = {.isolation = "none & <loud>",
                        .when = "2026-10-05T09:30:00Z"};
@@ -260,7 +284,8 @@ int main(int argc, char **argv)
             c.exercises = courses[i].exercises;
         }
     if (c.students == 0)
-        text_fail("usage: reports plain|strange|many|one REPORT FOLDER");
+        text_fail(
+            "usage: reports plain|strange|many|one|lost REPORT FOLDER");
     c.name = strcmp(argv[1], "strange") == 0 ? "au\xfftumn ]]>\n\x1b[2J \"&"
                                              : "autumn";
     fill(&c, argv[1]);

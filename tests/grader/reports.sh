@@ -217,7 +217,7 @@ junit_names() {
         }
         n=$((n + 1))
     done <"$work/strange/names.txt"
-    [ "$n" -eq 27 ]
+    [ "$n" -eq 29 ]
 }
 holds 'names survive in XML' junit_names
 whole() {
@@ -284,7 +284,7 @@ holds 'no cell begins like a formula' sh -c "
     ! grep -q -e '^\"[-=+@]' -e ',\"[-=+@]' -e ',[-+]' '$work/strange/grades.csv' &&
     grep -q -e \"^\\\"'=HYPER\" '$work/strange/grades.csv'"
 
-# The table: every row of a block is equally wide.
+# The table: every row of a block is equally wide, and has its own line.
 straight() { # COURSE
     while IFS= read -r line; do
         case $line in
@@ -292,9 +292,11 @@ straight() { # COURSE
         *) printf '%s\n' "$line" | wc -L ;;
         esac
     done <"$work/$1/table" | sed 1,2d >"$work/widths"
-    awk '$1 == 0 { first = 0; next } !first { first = $1; ++blocks }
-        $1 != first { print NR ": " $1 ", not " first; exit 1 }
-        END { exit blocks == 0 }' "$work/widths"
+    awk -v students="$(wc -l <"$work/$1/names.txt")" '
+        $1 == 0 { bad = bad || rows != students + 2; rows = 0; next }
+        !rows++ { first = $1; ++blocks }
+        $1 != first { print NR ": " $1 ", not " first; bad = 1 }
+        END { exit bad || !blocks }' "$work/widths"
 }
 holds 'the columns of the table are straight' straight many
 holds 'the columns are straight for strange names' straight strange
@@ -311,6 +313,33 @@ human() {
 holds 'what needs a human eye stands below the table' human
 holds 'the table sends no control characters' \
     sh -c "! LC_ALL=C grep -q '[[:cntrl:]]' '$work/strange/table'"
+holds 'the table turns no line round' \
+    sh -c "! grep -q '$(printf '\342\200\256')' '$work/strange/table' &&
+    grep -q '$(printf '\342\200\256')' '$work/strange/names.txt'"
+
+# What was not graded is not zero points.
+lost() {
+    mkdir -p "$work/lost/gradescope" && cp "$ada" "$work/lost/gradescope/Björn.json"
+    for report in csv gradescope classroom50 junit table; do
+        "$reports" lost "$report" "$work/lost" >"$work/lost/table" || return 1
+    done
+    [ "$(cd "$work/lost" && echo gradescope/* classroom50/*)" = \
+        "$(for kind in gradescope classroom50; do
+            printf '%s ' $kind/Ada.json $kind/Grace.json $kind/Zoe.json
+        done | sed 's/ $//')" ] || { ls "$work/lost/"*; return 1; }
+}
+holds 'who was not graded whole has no result' lost
+holds 'who was not graded has empty cells' sh -c "
+    grep -q '^\"Björn\",15,,0,18,17,0,0,21,21,,189' '$work/lost/grades.csv' &&
+    grep -q '^\"points possible\",21,21,' '$work/lost/grades.csv'"
+holds 'who was not graded has question marks' sh -c "
+    grep -q '^Björn  *?  15   ?   b ' '$work/lost/table' &&
+    grep -q 'Björn *01b  NOT GRADED: the grader failed' '$work/lost/table'"
+holds 'who was not graded has an error' sh -c "
+    xmllint --noout --schema '$schemas/junit.xsd' '$work/lost/junit.xml' 2>&1 &&
+    [ \"\$(xmllint --xpath 'string(//error[@message = \"not graded\"])' \
+        '$work/lost/junit.xml')\" = 'NOT GRADED: the grader failed' ]"
+holds 'the totals of junit count it' counts lost
 
 # A disk that is full, a place that is none, a report that is none.
 full() { # REPORT FILE

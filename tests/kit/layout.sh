@@ -51,17 +51,23 @@ holds 'no module includes one of a later chapter' \
 
 c_files="$(ls src/*.c src/*/*.c tests/library/*.c tests/stability/*.c \
     tests/tools/*.c tests/mutants/*.c solutions/*.c tests/stubs/*.c tests/right/*.c \
-    tests/exercises/*.c)"
+    tests/exercises/*.c tests/border/*.c tests/hidden/*.c tests/grader/*.c)"
+xml="-I/usr/include/libxml2 $(pkg-config --cflags libxml-2.0 2>/dev/null)"
 holds 'the layout of every C file is .clang-format' \
     clang-format --dry-run -Werror src/*.[ch] src/*/*.[ch] tests/*.h \
     tests/library/*.[ch] tests/stability/*.c tests/tools/*.c \
-    tests/mutants/*.c tests/exercises/*.c tests/right/*.c tests/wrong/*.c tests/stubs/*.c \
+    tests/mutants/*.c tests/exercises/*.c tests/right/*.c tests/wrong/*.c \
+    tests/stubs/*.c tests/border/*.c tests/hidden/*.c tests/grader/*.c \
     solutions/*.c
 for cc in gcc clang; do
     # shellcheck disable=SC2086
     holds "no warning from $cc" \
         $cc -std=c11 -D_POSIX_C_SOURCE=200809L -Wall -Wextra -pedantic \
-        -Werror -O2 -Isrc -Isrc/examiner -Itests -fsyntax-only $c_files
+        -Werror -O2 -Isrc -Isrc/examiner -Itests $xml -fsyntax-only $c_files
+    # shellcheck disable=SC2086
+    holds "no warning from $cc in the box's half of the borders" \
+        $cc -std=c11 -Wall -Wextra -pedantic -Werror -O2 -Isrc \
+        -DBORDER_INSIDE -fsyntax-only tests/border/*.c
 done
 
 # The numbers of equations in comments are those of the book.

@@ -1,0 +1,276 @@
+#!/bin/sh
+# Everything that somebody may hand in who would rather be clever than right,
+# or who is just unlucky: one file each in hostile/. The first line of a file
+# says the state it should be given, `earns:` what it should earn; a file
+# without a function gets a right one, which calls its trick in the first of
+# the tests. All are graded in one batch, with two honest students among
+# them. A trick that works prints BROKEN. LONG=1 also takes those that cost the
+# compiler a minute.
+topic='hostile'
+. tests/grader/hostile/kit
+
+kit
+mounts >"$scratch/mounts"
+sums >"$scratch/kit.before"
+
+# ---- one file for each trick ----
+
+for file in "$here"/hostile/*.c; do
+    name=${file##*/}
+    if [ "${LONG-}" = 1 ] || ! grep -q '^/\* long \*/$' "$file"; then
+        prepare "$file" "$scratch/tricks/${name%.c}"
+    fi
+done
+honest "$scratch/tricks"
+grade "$scratch/tricks" "$scratch/out"
+verdict 'the batch ends well' ended 0
+grep -q 'sealed namespaces' "$scratch/said"
+sealed=$?
+for file in "$here"/hostile/*.c; do
+    name=${file##*/}
+    name=${name%.c}
+    if [ ! -d "$scratch/tricks/$name" ] ||
+        { [ "$name" = sealed ] && [ "$sealed" -ne 0 ]; }; then
+        continue
+    fi
+    state=$(sed -n '1s/^\/\* \(.*\): .* \*\/$/\1/p' "$file")
+    verdict "$name is $state" judged "$name" "$state" "$(earns "$file")"
+done
+honest_judged 'among tricks'
+
+# What a student prints is text in the end, and his secrets are no others'.
+plain() {
+    ! LC_ALL=C grep -q "$(printf '[\001-\010\013-\037\177\377]')" \
+        "$(result prints)" || why 'control characters' || return 1
+    grep -q 'xff..xfe..x00..x01..x02..x1b' "$(result prints)" ||
+        why "$(grep '"prints"' "$(result prints)")"
+}
+verdict 'what it prints becomes text, and loses no byte' plain
+verdict 'nothing is left behind' clean
+unchanged() {
+    sums | cmp -s - "$scratch/kit.before" || why 'the kit was changed'
+}
+verdict 'the kit is as it was' unchanged
+
+# ---- what is handed in is no file, or has a name that is no name ----
+
+encoded() { # NAME: as the folder of results is called
+    printf '%s' "$1" | od -An -v -tu1 | awk '{ for (i = 1; i <= NF; ++i)
+        if (($i >= 48 && $i <= 57) || ($i >= 65 && $i <= 90) || $i == 45 ||
+            ($i >= 97 && $i <= 122) || $i == 95) printf "%c", $i
+        else printf "%%%02X", $i }'
+}
+hand_in() { # FOLDER FILE right|partly
+    mkdir -p "$scratch/names/$1" && case $3 in
+    right) cp "$scratch/tricks/honest/01a-collide.c" "$scratch/names/$1/$2" ;;
+    partly) cp "$scratch/tricks/partly/01a-collide.c" "$scratch/names/$1/$2" ;;
+    esac
+}
+line='line
+break'
+bytes=$(printf 'bytes \377\376\201')
+long=$(printf '%0127d' 0 | sed 's/0/ä/g')
+blanks=$(printf '%0240d' 0 | sed 's/0/ /g')
+set -- 'with blank' "quote ' s" 'double " quote' "$line" "$bytes" -rf \
+    --help '$(touch hostile-was-here)' '`touch hostile-was-here`' '*' '%20' \
+    'a%20b' 'a b' "a'; touch hostile-was-here; '" seed hidden.seed grades.csv \
+    junit.xml gradescope tests exercises CON '\' '&amp;<b>' "$long" NAME name \
+    Name "$blanks" "${blanks}x" "${blanks}y"
+for name; do
+    hand_in "$name" 01a-collide.c right
+done
+hand_in "${blanks}x" 01a-collide.c partly
+hand_in Name 01a-collide.c partly
+hand_in 'a b' 01a-collide.c partly
+for name in '01a collide.c' "01a-'quote'.c" "01a-$line.c" "01a-$bytes.c" \
+    '01a-$(touch hostile-was-here).c' '01a.c' "01a-%s%n%n%s.c"; do
+    folder="file $(encoded "$name")"
+    hand_in "$folder" "$name" right
+done
+
+cd "$scratch/names" || exit 1
+mkdir no-file empty-file fifo folder link two-usual two kit deep too-deep \
+    large hard device other hidden-file
+: >empty-file/01a-collide.c
+mkfifo fifo/01a-collide.c
+mkdir folder/01a-collide.c
+ln -s /etc/passwd link/01a-collide.c
+ln -s "$root/solutions" linked-folder
+ln -s "$root/solutions/01a-collide.c" linked-file
+right=$scratch/tricks/honest/01a-collide.c
+partly=$scratch/tricks/partly/01a-collide.c
+cp "$right" two-usual/01a-collide.c && cp "$partly" two-usual/01a-again.c
+cp "$right" two/01a-mine.c && cp "$partly" two/01a-again.c
+mkdir -p kit/exercises kit/solutions kit/tests/exercises kit/tests/stubs
+cp "$partly" kit/exercises/01a-collide.c
+cp "$right" kit/solutions/01a-collide.c
+cp "$right" kit/tests/exercises/01a-collide.c
+cp "$root"/tests/stubs/01a-*.c kit/tests/stubs
+mkdir -p deep/1/2 too-deep/1/2/3/4/5 && cp "$right" deep/1/2/01a-collide.c &&
+    cp "$right" too-deep/1/2/3/4/5/01a-collide.c
+{
+    cat "$right"
+    head -c 2000000 /dev/zero | tr '\0' ' '
+} >large/01a-collide.c
+cp "$right" "$scratch/hard.c"
+ln "$scratch/hard.c" hard/01a-collide.c
+mknod device/01a-collide.c c 1 5 2>/dev/null || rmdir device
+cp "$right" other/01ab-collide.c && cp "$right" other/x01a-collide.c
+cp "$right" hidden-file/.01a-collide.c
+cd "$root" || exit 1
+
+grade "$scratch/names" "$scratch/out"
+verdict 'a batch of strange names ends well' ended 0
+for name; do
+    case $name in
+    "$blanks"* | "$long") continue ;;
+    Name | 'a b') verdict "the student $(encoded "$name") has her points" \
+        judged "$(encoded "$name")" failed $((full - first)) ;;
+    *) verdict "the student $(encoded "$name") has his points" \
+        judged "$(encoded "$name")" passed "$full" ;;
+    esac
+done
+# Names so long that the folder's cannot hold them are kept apart all the same.
+apart() {
+    right=$(grep -l '"student": ".\{240\}y\?",' "$scratch"/out/marks/*/01a.json |
+        xargs grep -l '^ "state": "passed"' | wc -l)
+    wrong=$(grep -l '"student": ".\{240\}x",' "$scratch"/out/marks/*/01a.json |
+        xargs grep -l '^ "state": "failed"' | wc -l)
+    [ "$right" -eq 2 ] && [ "$wrong" -eq 1 ] || why "$right right, $wrong wrong"
+}
+verdict 'long names that begin alike are kept apart' apart
+for folder in "$scratch"/names/file*; do
+    verdict "the ${folder##*/} is taken" \
+        judged "$(encoded "${folder##*/}")" passed "$full"
+done
+says() { # FOLDER TEXT
+    grep -q "^ \"file\": \".*$2" "$(result "$1")" ||
+        why "$(grep '"file"' "$(result "$1")")"
+}
+nothing() { # FOLDER TEXT
+    judged "$1" 'not begun' 0 && says "$1" "$2"
+}
+verdict 'a folder without files is not begun' nothing no-file 'no file'
+verdict 'a named pipe is refused' nothing fifo 'no regular file'
+verdict 'a folder called like a file is refused' nothing folder 'no regular'
+verdict 'a symbolic link is refused' nothing link 'no regular file'
+[ -d "$scratch/names/device" ] &&
+    verdict 'a device is refused' nothing device 'no regular file'
+verdict 'a file of 2 MB is refused' nothing large 'larger than 1 MiB'
+verdict 'two files of which none has the name are none' nothing two 'two files'
+verdict 'of two files that with the name is taken' judged two-usual passed "$full"
+verdict 'a file of another exercise is none' nothing other 'no file'
+verdict 'a file that nobody sees is none' nothing hidden-file 'no file'
+verdict 'an empty file does not build' judged empty-file 'does not build' 0
+verdict 'of a whole kit only exercises/ counts' \
+    judged kit failed $((full - first))
+verdict 'a hard link is a file' judged hard passed "$full"
+verdict 'folders in folders are searched' judged deep passed "$full"
+verdict 'but not for ever' nothing too-deep 'no file'
+links() {
+    [ ! -e "$out/marks/linked-folder" ] && [ ! -e "$out/marks/linked-file" ] ||
+        why 'a link was followed'
+}
+verdict 'a link to a folder is nobody' links
+verdict 'nothing is left of strange names' clean
+
+# ---- other users, other boxes ----
+
+some() { # FOLDER TRICK...: these and the honest ones
+    into=$scratch/$1
+    shift
+    for trick; do
+        prepare "$here/hostile/$trick.c" "$into/$trick"
+    done
+    honest "$into"
+}
+# batch WHERE FOLDER OUTPUT TRICK...: grades them and looks at each.
+batch() {
+    where=$1 from=$2 to=$3
+    shift 3
+    some "$from" "$@"
+    # shellcheck disable=SC2086
+    grade "$scratch/$from" "$scratch/$to" $more
+    verdict "$where: the batch ends well" ended 0
+    for trick; do
+        file=$here/hostile/$trick.c
+        state=$(sed -n '1s/^\/\* \(.*\): .* \*\/$/\1/p' "$file")
+        verdict "$where: $trick is $state" \
+            judged "$trick" "$state" "$(earns "$file")"
+    done
+    honest_judged "$where"
+    verdict "$where: nothing is left behind" clean
+}
+told() {
+    grep -q -e "$1" "$scratch/said" || why "$(tail -3 "$scratch/said")"
+}
+more=
+
+# Nobody's program has a user of its own then.
+if [ "$(id -u)" -eq 0 ]; then
+    mkdir "$scratch/plain" && chown -R 64999:64999 "$scratch/plain" \
+        "$scratch/kit" && user='setpriv --reuid 64999 --regid 64999
+        --clear-groups'
+    batch 'an ordinary user' ordinary plain/out output-locked pipe-full \
+        settle-half settle-silent kill-all proc network rights read-files \
+        disk fork-left memory-children close-all read-all
+    # Among the files of an ordinary user some are not for him.
+    mkdir "$scratch/secret" && hand_in ../secret/none 01a-collide.c right &&
+        hand_in ../secret/locked 01a-collide.c right &&
+        chmod 0 "$scratch/secret/none" "$scratch/secret/locked/01a-collide.c"
+    grade "$scratch/secret" "$scratch/plain/out"
+    verdict 'an ordinary user: what cannot be read stops nobody' ended 0
+    for name in none locked; do
+        verdict "an ordinary user: the folder $name is not begun, for a reason" \
+            nothing "$name" 'cannot be read'
+    done
+    chown -R 0:0 "$scratch/kit"
+    user=
+fi
+
+# A bubblewrap that refuses what other machines refuse.
+refuse() { # NAME WORD
+    mkdir -p "$scratch/$1" && cat >"$scratch/$1/bwrap" <<END
+#!/bin/sh
+case " \$* " in *" $2 "*) exit 1 ;; esac
+exec $(command -v bwrap) "\$@"
+END
+    chmod 755 "$scratch/$1/bwrap"
+}
+
+refuse nested --disable-userns
+refuse rooted --unshare-user
+user="env PATH=$scratch/nested:$PATH"
+batch 'where boxes can be nested' other nested/out kill-all rights proc
+verdict 'the lecturer is told which box' told 'in: namespaces'
+if [ "$(id -u)" -eq 0 ]; then
+    user="env PATH=$scratch/rooted:$PATH"
+    batch 'where users have no namespaces' other rooted/out kill-all rights \
+        network read-files proc fork-left memory-children
+    verdict 'the lecturer is told that root has made them' told "in: root's"
+fi
+
+# Without bubblewrap nothing is run, unless it is asked for.
+mkdir "$scratch/bare"
+for tool in env sh setpriv rm prlimit; do
+    ln -s "$(command -v $tool)" "$scratch/bare/$tool"
+done
+user="env PATH=$scratch/bare"
+grade "$scratch/other" "$scratch/bare/out"
+verdict 'without a box nothing is run' ended 2
+verdict 'and the lecturer is told why' told 'CANNOT BE ISOLATED'
+verdict 'and what to do' told '--unsafe'
+empty() {
+    set -- "$scratch"/bare/out/marks/*/*.json
+    [ ! -e "$1" ] || why "there is $1"
+}
+verdict 'and there is no result' empty
+verdict 'and nothing is left' clean
+rm -r "$scratch/other"
+more=--unsafe
+if [ "$(id -u)" -eq 0 ]; then
+    batch 'without a box' other bare/out fork-left exit close-all
+else
+    batch 'without a box' other bare/out exit close-all
+fi
+verdict 'the lecturer is told that there is none' told 'NONE'

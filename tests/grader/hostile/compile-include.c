@@ -1,0 +1,2 @@
+/* does not build: it includes itself for ever */
+#include __FILE__

@@ -1,0 +1,3 @@
+/* does not build: it includes a device that never ends, nor repeats */
+/* long */
+#include "/dev/urandom"

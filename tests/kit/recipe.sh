@@ -1,0 +1,63 @@
+#!/bin/sh
+# The recipe of the book's last appendix, run as it is printed, in a copy of
+# the kit: a chapter is changed, an exercise added, the course handed out and
+# a submission graded.
+. tests/programs/common
+LC_ALL=C
+export LC_ALL
+unset EX HIDDEN SUBMISSIONS REPORT RESULTS SECONDS UNSAFE WITH_CHAPTERS
+root=$(pwd)
+kit=$work/kit
+mkdir "$kit"
+
+# What is built is taken along, so that only what changes is built again; the
+# book is taken for new, since its text is another test's business.
+tar cf - --exclude=./.git --exclude=./build . | (cd "$kit" && tar xf -)
+mkdir "$kit/build"
+cp -Rp build/compiler.mk build/compiler build/check build/bonkers.pdf \
+    build/recipes "$kit/build/" 2>/dev/null
+[ -d build/grade ] && cp -Rp build/grade "$kit/build/"
+rm -rf "$kit"/build/grade/results "$kit"/build/grade/work.*
+cd "$kit" || exit 1
+git init -q . && git add -A >/dev/null 2>&1 &&
+    git -c user.name=kit -c user.email=kit@localhost commit -qm kit ||
+    not_ok 'the copy is put under git' 'git failed'
+
+{
+    # shellcheck disable=SC2016
+    echo 'make() { command ${MAKE:-make} -o build/bonkers.pdf "$@"; }'
+    cat tests/kit/recipe/steps
+} >"$work/steps"
+sh -eu "$work/steps" >"$work/out" 2>&1
+holds 'the recipe runs to its end' sh -c "[ $? -eq 0 ] ||
+    { tail -5 '$work/out'; false; }"
+holds 'the change of the chapter is in src/' \
+    grep -q 'Whether the two approach is' src/collide.h
+holds 'its stub is not begun' \
+    grep -q '^01e  What a collision can cost.* not begun' "$work/out"
+holds 'its three right answers pass' \
+    test "$(grep -c '^01e  What a .* passed ' "$work/out")" -eq 3
+for mistake in all-of-it half-forgotten sum-of-velocities; do
+    holds "its wrong answer is told [$mistake]" \
+        grep -q -F "[$mistake]" "$work/out"
+done
+tar tzf build/bonkers-course.tar.gz >"$work/list" 2>/dev/null
+for file in exercises/01e-stake.c tests/exercises/01e-stake.c \
+    tests/hints/01e.txt; do
+    holds "the archive has $file" grep -q -x "bonkers-course/$file" \
+        "$work/list"
+done
+holds 'the archive has no solution' \
+    sh -c "! grep -E 'solutions/|right/|wrong/|border/' '$work/list'"
+holds 'Ada has all eight points' \
+    grep -q '^ada,8,8,8' build/grade/results/grades.csv
+# The same files, looked at as the kit's own tests do.
+build/check/examine --strict --as 01e --file tests/stubs/01e-stake.c \
+    >"$work/said" 2>&1
+holds 'the exercise stands the strict compiler' grep -q 'not begun' \
+    "$work/said"
+cd "$root" || exit 1
+for file in tests/kit/recipe/*.c; do
+    holds "$file keeps .clang-format" \
+        clang-format --dry-run -Werror "$file"
+done

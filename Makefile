@@ -1,7 +1,7 @@
 # Bonkers: a book that is a program. `make help` lists what can be made.
 #
 # Everything made goes under build/. Only `make tangle` writes src/, and
-# nothing writes exercises/.
+# only `make reset` writes exercises/.
 
 all: first
 

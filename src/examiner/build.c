@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 1675771906 of the lines below */
+/* checksum 931450579 of the lines below */
 #include "examiner/build.h"
 #include "examiner/message.h"
 #include "examiner/process.h"
@@ -134,11 +134,9 @@ static void tell_build(const char *text, const char *source, FILE *story)
               story);
     if (lost || twice)
         line = lost ? lost : twice;
-    if (lost && find_line(text, source, "implicit"))
-        line = find_line(text, source, "implicit");
     text_quote(story, line ? line : text, line ? 4 : 8);
-    if (line && (own || lost))
-        message_explain(story, line);
+    if (own)
+        message_explain(story, own);
     const int others =
         count(text, " error: ") - count(text, "[-Werror=return-type]");
     if (others > 1)

@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 700151455 of the lines below */
+/* checksum 1734438484 of the lines below */
 #include "examiner/course.h"
 #include "examiner/sum.h"
 #include "examiner/text.h"
@@ -44,6 +44,15 @@ static void learn_test(struct exercise *e, const char *text)
     e->tests[e->count++] = name + strspn(name, " ");
 }
 
+static void find_files(struct exercise *e)
+{
+    find_one("tests/stubs/%s-*.c", e->name, e->stub);
+    if (!*e->stub)
+        text_fail("exercise %s has no stub in tests/stubs", e->name);
+    find_one("solutions/%s-*.c", e->name, e->solution);
+    course_find_file(e);
+}
+
 static void read_about(struct exercise *e, const char *path)
 {
     char *rest = text_read(path);
@@ -62,9 +71,7 @@ static void read_about(struct exercise *e, const char *path)
     if (!*e->name || !e->count)
         text_fail("%s is not complete; remove it and make check again",
                   path);
-    find_one("tests/stubs/%s-*.c", e->name, e->stub);
-    find_one("solutions/%s-*.c", e->name, e->solution);
-    course_find_file(e);
+    find_files(e);
 }
 
 struct course course_learn(void)

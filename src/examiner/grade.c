@@ -1,5 +1,5 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 3308474504 of the lines below */
+/* checksum 2678784894 of the lines below */
 #include "examiner/grading.h"
 #include "examiner/process.h"
 #include "examiner/publish.h"
@@ -9,6 +9,7 @@
 #include <ctype.h>
 #include <errno.h>
 #include <getopt.h>
+#include <glob.h>
 #include <inttypes.h>
 #include <signal.h>
 #include <stdio.h>
@@ -107,6 +108,14 @@ static void check_reports(const char *list)
                       word);
 }
 
+static void check_name(const struct batch *b, const char *word)
+{
+    for (size_t i = 0; i < b->kit_count; ++i)
+        if (text_after(b->kits[i].exercise, word))
+            return;
+    text_fail("--exercises: there is no exercise '%s'", word);
+}
+
 static void choose_kits(struct batch *b)
 {
     const char *list = b->options.exercises;
@@ -114,6 +123,8 @@ static void choose_kits(struct batch *b)
     size_t kept = 0;
     if (!list)
         return;
+    for (const char *rest = list; next_word(&rest, word);)
+        check_name(b, word);
     for (size_t i = 0; i < b->kit_count; ++i) {
         bool wanted = false;
         for (const char *rest = list; next_word(&rest, word);)
@@ -122,7 +133,7 @@ static void choose_kits(struct batch *b)
             b->kits[kept++] = b->kits[i];
     }
     if (kept == 0)
-        text_fail("--exercises: there is none that '%s' names", list);
+        text_fail("--exercises: '%s' names none", list);
     b->kit_count = kept;
 }
 
@@ -168,6 +179,19 @@ static void make_folder(const char *path)
         text_fail("cannot make '%s': %s", path, strerror(errno));
 }
 
+static void remove_abandoned(void)
+{
+    glob_t found = {0};
+    glob("build/grade/work.*", 0, NULL, &found);
+    for (size_t i = 0; i < found.gl_pathc; ++i) {
+        work_folder = found.gl_pathv[i];
+        const long pid = strtol(strchr(work_folder, '.') + 1, NULL, 10);
+        if (kill((pid_t)pid, 0) != 0 && errno == ESRCH)
+            remove_work();
+    }
+    globfree(&found);
+}
+
 static void prepare_folders(struct batch *b)
 {
     if (!getcwd(b->root, sizeof b->root - 64))
@@ -176,8 +200,9 @@ static void prepare_folders(struct batch *b)
     snprintf(marks, sizeof marks, "%s/marks", b->options.output);
     make_folder(b->options.output);
     make_folder(marks);
-    snprintf(b->work, sizeof b->work, "%s/build/grade/work.XXXXXX",
-             b->root);
+    remove_abandoned();
+    snprintf(b->work, sizeof b->work, "%s/build/grade/work.%ld.XXXXXX",
+             b->root, (long)getpid());
     if (strchr(b->root, '\'') || !mkdtemp(b->work))
         text_fail("cannot make a folder '%s': %s", b->work,
                   strerror(errno));
@@ -308,6 +333,7 @@ struct job {
     size_t length;
     char key[24], path[4400];
     int tries;
+    const struct marks *before; /* of the first try, in the second */
 };
 
 static double wall_seconds(void)
@@ -335,12 +361,14 @@ static struct marks blank_marks(const struct batch *b,
 static _Noreturn void work(const struct batch *b, const struct job *job)
 {
     struct marks marks = blank_marks(b, job);
+    struct grading grading = b->grading;
     const double start = wall_seconds();
+    grading.before = job->before;
 #ifdef __linux__
     prctl(PR_SET_PDEATHSIG, SIGTERM);
 #endif
-    grading_run(&b->grading, &b->kits[job->exercise], job->bytes,
-                job->length, &marks);
+    grading_run(&grading, &b->kits[job->exercise], job->bytes, job->length,
+                &marks);
     marks.seconds = wall_seconds() - start;
     if (process_signal() || chdir(b->root) != 0)
         _exit(EXIT_FAILURE);
@@ -422,6 +450,8 @@ static void look_at(struct batch *b, uint64_t kit, size_t s, size_t e,
     const bool late = known && marks.tries == 1 && marks_late(&marks);
     if (tried == 0 && known)
         ++b->done;
+    if (tried == 1 && late)
+        job.before = &marks;
     if (tried == 0 ? !known : late)
         start_job(b, &job);
     marks_free(&marks);

@@ -1,5 +1,5 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 4213168132 of the lines below */
+/* checksum 75486673 of the lines below */
 #ifndef GRADING_H
 #define GRADING_H
 
@@ -30,8 +30,9 @@ struct grading {
     const char *root; /* of the project, absolute */
     const char *work; /* a folder for gradings, absolute */
     enum box_kind kind;
-    uint64_t seed; /* of the hidden tests */
-    int seconds;   /* of processor time, for each test */
+    uint64_t seed;              /* of the hidden tests */
+    int seconds;                /* of processor time, for each test */
+    const struct marks *before; /* of a first try, or NULL */
 };
 
 /* Reads the lists in build/grade; returns how many exercises there are.

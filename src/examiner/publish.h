@@ -1,5 +1,5 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 349415462 of the lines below */
+/* checksum 3902107024 of the lines below */
 #ifndef PUBLISH_H
 #define PUBLISH_H
 
@@ -8,14 +8,16 @@
 #include <stddef.h>
 
 /* The marks of a course: exercises of each student side by side, students
-   in order of name, exercises in order of number. */
+   in order of name, exercises in order of number. There is at least one
+   student, and every exercise has all its tests, begun or not; it has none
+   if it was not graded, and its file says why. */
 struct course {
     size_t students, exercises;
     const struct marks *marks; /* of student s and exercise e at
                                   [s * exercises + e] */
     const char *name;          /* of the submissions' folder */
     const char *isolation;     /* how students' programs were kept apart */
-    const char *when;          /* ISO 8601, UTC */
+    const char *when;          /* 2026-10-05T09:30:00Z: ISO 8601, UTC */
 };
 
 /* Whether there is a report of this name: table, csv, gradescope,

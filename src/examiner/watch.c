@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 1032609737 of the lines below */
+/* checksum 1336349032 of the lines below */
 #include "examiner/watch.h"
 #include "examiner/hint.h"
 #include "examiner/process.h"
@@ -63,7 +63,8 @@ static void show(const struct course *course, const struct exercise *e)
     if (isatty(STDIN_FILENO))
         puts("Keys: h and Enter for a hint, q and Enter to end.");
     if (e)
-        printf("To begin afresh, elsewhere: make reset EX=%s\n", e->name);
+        printf("In another window: make reset EX=%s, to begin afresh.\n",
+               e->name);
     fflush(stdout);
 }
 

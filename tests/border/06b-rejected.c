@@ -1,5 +1,7 @@
 /* What crosses the border of exercise 06b: see examiner/border.h. The
-   random numbers stay outside, and each of them is asked for. */
+   random numbers stay outside and come in by the BLOCK; with the answer it
+   is said how many of the last block were left over, and only what was used
+   is used up in the suite. */
 
 #include "examiner/border.h"
 #include <stdlib.h>
@@ -8,7 +10,10 @@ double uniform(void);
 double mean_square(size_t n, double radius, double dish, double step,
                    size_t tries, double x[], double y[], size_t *accepted);
 
-enum { UNIFORM };
+/* Outside, in the suite: the numbers that uniform() will give next. */
+void uniform_ahead(double u[], size_t count);
+
+enum { MORE, BLOCK = 64 };
 
 /* The arguments but for the two lists, and *accepted as it is before. */
 struct call {
@@ -28,13 +33,25 @@ static void move_arguments(struct call *c)
 
 #ifdef BORDER_INSIDE
 
+static struct {
+    double u[BLOCK];
+    size_t left;
+} block;
+
+static void take_block(void)
+{
+    border_doubles(block.u, BLOCK);
+    block.left = BLOCK;
+}
+
 double uniform(void)
 {
-    double u;
-    border_ask(UNIFORM);
-    border_hear();
-    border_doubles(&u, 1);
-    return u;
+    if (block.left == 0) {
+        border_ask(MORE);
+        border_hear();
+        take_block();
+    }
+    return block.u[BLOCK - block.left--];
 }
 
 static double *take_doubles(size_t n)
@@ -49,10 +66,12 @@ void border_answer(void)
     struct call c;
     move_arguments(&c);
     double *x = take_doubles(c.n), *y = take_doubles(c.n);
+    take_block();
     double mean = mean_square(c.n, c.radius, c.dish, c.step, c.tries, x, y,
                               &c.accepted);
     border_reply();
     border_doubles(&mean, 1);
+    border_sizes(&block.left, 1);
     border_sizes(&c.accepted, 1);
     border_doubles(x, c.n);
     border_doubles(y, c.n);
@@ -62,12 +81,26 @@ void border_answer(void)
 
 #else
 
+static void give_block(void)
+{
+    double u[BLOCK];
+    uniform_ahead(u, BLOCK);
+    border_doubles(u, BLOCK);
+}
+
+static void use_up(size_t left)
+{
+    for (size_t k = left; k < BLOCK; ++k)
+        (void)uniform();
+}
+
+/* All of the last block are used: more. */
 void border_heed(int which)
 {
     (void)which;
-    double u = uniform();
+    use_up(0);
     border_tell();
-    border_doubles(&u, 1);
+    give_block();
 }
 
 double mean_square(size_t n, double radius, double dish, double step,
@@ -75,15 +108,19 @@ double mean_square(size_t n, double radius, double dish, double step,
 {
     struct call c = {n, tries, *accepted, radius, dish, step};
     double mean;
+    size_t left;
     border_call();
     move_arguments(&c);
     border_doubles(x, n);
     border_doubles(y, n);
+    give_block();
     border_wait();
     border_doubles(&mean, 1);
+    border_sizes(&left, 1);
     border_sizes(accepted, 1);
     border_doubles(x, n);
     border_doubles(y, n);
+    use_up(left);
     return mean;
 }
 

@@ -180,6 +180,8 @@ mv tests/stubs/99a-twice.c stub
 mkdir tests/stubs/99a-twice.c
 verdict 'without a stub nothing is reset' gives 2 'not a plain' --reset 99a
 rmdir tests/stubs/99a-twice.c
+verdict 'nor is anything else told' \
+    gives 2 '^examine: exercise 99a has no stub in tests/stubs$' --progress
 mv stub tests/stubs/99a-twice.c
 verdict 'and the file is as it was' cmp -s $mine "$traps/wrong.c"
 

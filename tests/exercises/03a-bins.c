@@ -147,7 +147,7 @@ static double mixed_below(double x)
 
 /* A line bent at drawn corners, between which it always rises by the same:
    the corners are the edges of as many bins. */
-enum { CORNERS = 9 };
+enum { CORNERS = 8 };
 static double corner[CORNERS];
 static size_t pieces, asked_outside;
 
@@ -361,7 +361,7 @@ static bool check_shares(const struct law *l, size_t bins)
 
 static void test_shares(void)
 {
-    for (int i = 0; i < 5; ++i) {
+    for (int i = 0; i < 3; ++i) {
         for (int k = 0; k < 3; ++k)
             part[k] = check_draw_whole(1, 9);
         mixed_low = check_draw_whole(-36, 36) / 4.0;
@@ -449,13 +449,12 @@ static void test_drawn(void)
         "This law rises by the same from corner to corner. In which piece "
         "must this edge lie?";
     asked_outside = 0;
-    for (int i = 0; i < 6; ++i) {
+    for (int i = 0; i < 5; ++i) {
         const char *name = draw_corners();
         const struct law bent = {name,         bent_below, bent_place,
                                  bent_density, corner[0],  corner[pieces]};
-        const size_t many = (size_t)check_draw_whole(1, MOST);
+        const size_t many = (size_t)check_draw_whole(1, MOST / 2);
         if (!(check_law(&bent, pieces, question) &&
-              check_law(&bent, 2 * pieces, question) &&
               check_law(&bent, many, question) &&
               check_inside(&bent, many)))
             return;

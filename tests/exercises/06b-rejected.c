@@ -45,6 +45,20 @@ double uniform(void)
                                : random_uniform(&source.random);
 }
 
+/* The numbers that uniform() will give next, which are not used up by that:
+   for a grader, which hands out many at once. */
+void uniform_ahead(double u[], size_t count);
+
+void uniform_ahead(double u[], size_t count)
+{
+    struct random random = source.random;
+    for (size_t i = 0; i < count; ++i) {
+        const size_t k = source.used + i;
+        u[i] = k < source.scripted ? source.script[k]
+                                   : random_uniform(&random);
+    }
+}
+
 struct answer {
     bool ended;
     double mean, accepted, numbers;

@@ -77,7 +77,7 @@ interrupt() {
         tries=$((tries + 1))
     done
     kill "-$1" "$batch"
-    wait "$batch"
+    wait "$batch" 2>/dev/null
     status=$?
 }
 halfway() {
@@ -146,10 +146,10 @@ stamps >"$scratch/first"
 changed() { # NAME...: these and no others have been graded again
     stamps | sort >"$scratch/now"
     sort "$scratch/first" | comm -13 - "$scratch/now" |
-        sed 's|.* \(.*\)/01a.json|\1|' | sort | tr '\n' ' ' >"$scratch/again"
+        sed 's|.*/\([^/]*\)/01a.json|\1|' | sort | tr '\n' ' ' >"$scratch/again"
+    stamps >"$scratch/first"
     [ "$(cat "$scratch/again")" = "$*${1:+ }" ] ||
         why "graded again: $(cat "$scratch/again")"
-    stamps >"$scratch/first"
 }
 grade "$scratch/ten" "$scratch/out" --seconds 2
 verdict 'the same command grades nothing' changed

@@ -112,7 +112,7 @@ static char *strange_story(size_t length)
     if (!raw)
         text_fail("out of memory");
     for (size_t i = 0; i < length; ++i)
-        raw[i] = i < 64 ? (char)i : bytes[i % (sizeof bytes - 1)];
+        raw[i] = i < 256 ? (char)i : bytes[i % (sizeof bytes - 1)];
     memcpy(raw + length - 6, "PUBEND", 6);
     char *text = marks_text(raw, length, length);
     free(raw);
@@ -237,7 +237,9 @@ static void fill(struct course *c, const char *course)
         char *name = student_of(course, s);
         for (size_t e = 0; e < c->exercises; ++e) {
             const enum kind kind = (enum kind)((s + e) % KINDS);
-            const size_t story = s == 3 || s == 4 ? LONG : SHORT;
+            const bool most =
+                s == 3 && (kind == SECOND_FAILS || kind == UNBUILT);
+            const size_t story = most ? LONG : SHORT;
             marks[s * c->exercises + e] =
                 exercise_of(name, e, kind, wild ? story : 0);
         }

@@ -225,10 +225,9 @@ whole() {
         "$work/strange/junit.xml" | grep -q '\\x1b\[1m' &&
         [ "$(xmllint --huge --xpath \
             'count(//failure[string-length(.) > 1000000])' \
-            "$work/strange/junit.xml")" -eq 2 ] &&
-        values output "$work/strange/gradescope"/%2B1* \
-            "$work/strange/gradescope"/%2Drf* |
-            awk 'length > 1000000 && /PUBEND$/ { ++n } END { exit n < 4 }'
+            "$work/strange/junit.xml")" -eq 1 ] &&
+        values output "$work/strange/gradescope"/%2B1* |
+        awk 'length > 1000000 && /PUBEND/ { ++n } END { exit n != 2 }'
 }
 holds 'a story of a megabyte survives whole' whole
 

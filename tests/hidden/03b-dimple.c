@@ -59,10 +59,25 @@ static bool check_same(const char *quantity, struct bin b, double got,
                     "and should it?");
 }
 
+/* So many samples more in the bin are so many more deviations. */
+static bool check_more(struct bin b)
+{
+    const int many = check_draw_whole(1, 5);
+    const struct bin more = {b.count + (size_t)many, b.samples, b.p, b.g};
+    const double n = (double)b.samples;
+    return check_same(check_text("by how much z grows with %d more in the "
+                                 "bin",
+                                 many),
+                      b, surprise(more) - surprise(b),
+                      many / sqrt(b.g * n * (b.p - b.p * b.p)));
+}
+
 static void test_rest(void)
 {
     for (int i = 0; i < 40; ++i) {
         const struct bin b = draw_bin();
+        if (!check_more(b))
+            return;
         const struct bin rest = {b.samples - b.count, b.samples, 1.0 - b.p,
                                  b.g};
         if (!check_same("z of all that is not in the bin", b,

@@ -17,22 +17,23 @@ struct points {
     double limit, t[MOST], share[MOST], error[MOST];
 };
 
-/* A noisy decay; every excess is clearly above 3 errors or clearly below,
-   also when errors are half as large again. */
-static void draw_points(struct points *p)
+/* A noisy decay, and its decay time; every excess is clearly above 3 errors
+   or clearly below, also when errors are half as large again. */
+static double draw_points(struct points *p, double noise)
 {
     const double tau = check_draw(80.0, 600.0);
     p->limit = check_draw(0.0, 0.3);
     p->n = (size_t)check_draw_whole(6, MOST / 2);
     for (size_t i = 0; i < p->n; ++i) {
-        const double y =
-            0.3 * exp(check_draw(-0.2, 0.2) - 2.5 * (double)i / p->n);
+        const double y = 0.3 * exp(noise * check_draw(-0.2, 0.2) -
+                                   2.5 * (double)i / p->n);
         const bool low = i > 3 && check_draw_whole(0, 4) == 0;
         p->t[i] = 2.5 * tau * (double)i / p->n;
         p->share[i] = p->limit + y;
         p->error[i] =
             y / (low ? check_draw(0.5, 2.8) : check_draw(5.0, 60.0));
     }
+    return tau;
 }
 
 struct answer {
@@ -70,7 +71,11 @@ static void test_units(void)
 {
     struct points p, q;
     for (int i = 0; i < 20; ++i) {
-        draw_points(&p);
+        const double tau = draw_points(&p, 0.0);
+        if (!check_same("tau of points without noise", &p, answer(&p).tau,
+                        tau))
+            return;
+        draw_points(&p, 1.0);
         const double begin = check_draw_whole(-3000, 3000);
         q = p;
         q.limit *= 1000.0;
@@ -95,7 +100,7 @@ static void test_errors(void)
 {
     struct points p, q;
     for (int i = 0; i < 20; ++i) {
-        draw_points(&p);
+        draw_points(&p, 1.0);
         q = p;
         for (size_t k = 0; k < p.n; ++k)
             q.error[k] *= 1.5;

@@ -88,6 +88,15 @@ static void test_turned(void)
     for (int i = 0; i < 40; ++i) {
         struct flight f = draw_flight();
         const double time = answer(&f, 1.0, 1.0, 0);
+        const double x = f.r[0] + f.v[0] * time, y = f.r[1] + f.v[1] * time;
+        if (!check_same("from the centre to where the disk is then, at its "
+                        "speed",
+                        &f, hypot(x, y) / speed(&f),
+                        (f.box - f.radius) / speed(&f)) ||
+            !check_same("0 if a disk at rest never comes to the wall", &f,
+                        answer(&f, 1.0, 0.0, 0) == INFINITY ? 0.0 : 1.0,
+                        0.0))
+            return;
         for (int turned = 1; turned < 4; ++turned)
             if (!check_same("time in a box that is turned or mirrored", &f,
                             answer(&f, 1.0, 1.0, turned), time))

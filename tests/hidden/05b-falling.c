@@ -97,11 +97,25 @@ static void test_told_otherwise(void)
         const struct pair p = draw_pair();
         const struct answer first = answer(p.g, &p.a, &p.b);
         const double unit = i % 2 ? 1e3 : 1e-3;
+        const double x = p.b.x - p.a.x + (p.b.vx - p.a.vx) * first.time;
+        const double y = p.b.y - p.a.y + (p.b.vy - p.a.vy) * first.time;
         const struct thrown a = scaled(p.a, unit, -1.0);
         const struct thrown b = scaled(p.b, unit, -1.0);
         struct answer other = answer(p.g * unit, &a, &b);
         other.height /= unit;
-        if (!(check_same("with a and b exchanged", &p,
+        if (!(CHECK_NEAR(hypot(x, y),
+                         .quantity = "distance of the centres at the time "
+                                     "found",
+                         .unit = "m",
+                         .input = check_text("a: %s; b: %s", disk(&p.a),
+                                             disk(&p.b)),
+                         .expected = p.a.radius + p.b.radius,
+                         .tolerance = 1e-11 * (1.0 + first.time),
+                         .because = "that of the time, times the speed",
+                         .equation = "eq:pair-quadratic",
+                         .question = "How far apart are two centres when "
+                                     "edge meets edge?") &&
+              check_same("with a and b exchanged", &p,
                          answer(p.g, &p.b, &p.a), first) &&
               check_same(check_text("in a mirror, and with lengths in "
                                     "units of %g m",

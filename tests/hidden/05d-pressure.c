@@ -158,8 +158,31 @@ static void test_cut(void)
     }
 }
 
+/* A list without hits; or with none in the time between two of them. */
+static void test_quiet(void)
+{
+    for (int i = 0; i < 10; ++i) {
+        const struct list l = draw_list();
+        const int last = check_draw_whole(0, HITS - 2);
+        const double from = l.hit[last].t;
+        const double until = 0.5 * (from + l.hit[last + 1].t);
+        double z[2] = {NAN, NAN};
+        wall_z(0, l.hit, l.size, l.disks, l.energy, from, l.until, z);
+        for (int k = 0; k < 2; ++k)
+            if (!check(z[k], 0.0, "Z from a list without hits", &l,
+                       "There is nothing in the list. What is the "
+                       "pressure, and was it filled in?") ||
+                !check(answer(&l, from, until, k), 0.0,
+                       "Z of a time between two hits", &l,
+                       "Nothing was hit in this time. What is the "
+                       "pressure?"))
+                return;
+    }
+}
+
 const struct check_test check_hidden[] = {
     {"Z has no unit", test_units, 1, 0},
     {"a box may lie on its side", test_on_its_side, 1, 0},
     {"a time that is cut at a hit is the sum of its parts", test_cut, 2, 0},
+    {"where nothing is hit there is no pressure", test_quiet, 1, 0},
     {0}};

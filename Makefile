@@ -53,7 +53,8 @@ endif
 endif
 endef
 $(eval $(call only_with,chapters/book.tex,tangle check-tangle))
-$(eval $(call only_with,tests/wrong,book test memcheck handout mutants grade))
+$(eval $(call only_with,tests/wrong,book test memcheck handout mutants \
+	grade grade-bench))
 $(eval $(call only_with,solutions,solution))
 # $(call offer,GOAL): echo, but for a goal that is absent.
 offer = @$(if $(filter $(1),$(absent)),: ||) echo
@@ -220,7 +221,9 @@ graded := $(foreach s,$(borders),$(firstword $(subst -, ,$(s))))
 GRADE_BUILT = build/grade/grade build/grade/flags \
 	$(graded:%=build/grade/%.list) $(graded:%=build/grade/%.names)
 
-.PHONY: grade grade-parts has-submissions
+.PHONY: grade grade-parts grade-bench has-submissions
+grade-bench: grade-parts
+	@tests/grader/bench 100 $(if $(RECORD),plots/data/B-grade.dat)
 has-submissions:
 	@[ -n "$(SUBMISSIONS)" ] || { echo 'make: grade: which submissions?' \
 		'make grade SUBMISSIONS=dir (a folder with one for each student)' \
@@ -436,7 +439,7 @@ build/tests/%: tests/tools/%.c
 
 # The book is the first of the tests: the others look at what it made.
 test: has-tex has-test-tools programs native test-parts
-	@MAKE='$(MAKE)' tests/run -t $(TEST_SECONDS) tests/book/book.sh $(unit_tests) \
+	@MAKE='$(MAKE)' tests/run -t $(TEST_SECONDS) -j 2 tests/book/book.sh $(unit_tests) \
 		$(scripts) $(filter-out tests/book/book.sh,$(wildcard tests/book/*.sh))
 
 .PHONY: has-test-tools
@@ -511,6 +514,7 @@ help:
 	@echo 'make reset        EX=01a: begin afresh; what you had is kept'
 	$(call offer,book) 'make book         the PDF; EDITION=instructor adds the solutions'
 	$(call offer,handout) 'make handout      the archive for students; WITH_CHAPTERS=1 for more'
+	$(call offer,grade) 'make grade        SUBMISSIONS=dir: points for a folder of students'
 	@echo 'make figures      the figures; QUALITY=lecture for slides too'
 	$(call offer,test) 'make test         prove everything: N passed, N failed'
 	@echo 'make programs     only build build/bin/'
@@ -518,6 +522,7 @@ help:
 	@echo 'make native       the fastest build for this machine, build/native/'
 	@echo 'make bench        the speed tables, measured here'
 	$(call offer,mutants) 'make mutants      how many planted mistakes the exercises notice'
+	$(call offer,grade) 'make grade-bench  how long a hundred submissions take; RECORD=1'
 	$(call offer,memcheck) 'make memcheck     the library tests under sanitizers'
 	$(call offer,tangle) 'make tangle       write src/ from chapters/'
 	$(call offer,check-tangle) 'make check-tangle see that src/ is what the chapters say'

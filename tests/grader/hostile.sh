@@ -60,11 +60,14 @@ encoded() { # NAME: as the folder of results is called
             ($i >= 97 && $i <= 122) || $i == 95) printf "%c", $i
         else printf "%%%02X", $i }'
 }
-hand_in() { # FOLDER FILE right|partly
-    mkdir -p "$scratch/names/$1" && case $3 in
-    right) cp "$scratch/tricks/honest/01a-collide.c" "$scratch/names/$1/$2" ;;
-    partly) cp "$scratch/tricks/partly/01a-collide.c" "$scratch/names/$1/$2" ;;
-    esac
+# hand_in FOLDER FILE [STUB]: a file that does not build, which is soon seen,
+# or the stub, which is sooner seen.
+hand_in() {
+    mkdir -p "$scratch/names/$1" && if [ $# -eq 2 ]; then
+        echo '#error this is no answer' >"$scratch/names/$1/$2"
+    else
+        cp tests/stubs/01a-*.c "$scratch/names/$1/$2"
+    fi
 }
 line='line
 break'
@@ -77,15 +80,15 @@ set -- 'with blank' "quote ' s" 'double " quote' "$line" "$bytes" -rf \
     junit.xml gradescope tests exercises CON '\' '&amp;<b>' "$long" NAME name \
     Name "$blanks" "${blanks}x" "${blanks}y"
 for name; do
-    hand_in "$name" 01a-collide.c right
+    hand_in "$name" 01a-collide.c
 done
-hand_in "${blanks}x" 01a-collide.c partly
-hand_in Name 01a-collide.c partly
-hand_in 'a b' 01a-collide.c partly
+for name in "${blanks}x" Name 'a b'; do
+    hand_in "$name" 01a-collide.c stub
+done
 for name in '01a collide.c' "01a-'quote'.c" "01a-$line.c" "01a-$bytes.c" \
     '01a-$(touch hostile-was-here).c' '01a.c' "01a-%s%n%n%s.c"; do
     folder="file $(encoded "$name")"
-    hand_in "$folder" "$name" right
+    hand_in "$folder" "$name"
 done
 
 cd "$scratch/names" || exit 1
@@ -124,24 +127,24 @@ verdict 'a batch of strange names ends well' ended 0
 for name; do
     case $name in
     "$blanks"* | "$long") continue ;;
-    Name | 'a b') verdict "the student $(encoded "$name") has her points" \
-        judged "$(encoded "$name")" failed $((full - first)) ;;
-    *) verdict "the student $(encoded "$name") has his points" \
-        judged "$(encoded "$name")" passed "$full" ;;
+    Name | 'a b') verdict "the student $(encoded "$name") is not another" \
+        judged "$(encoded "$name")" 'not begun' 0 ;;
+    *) verdict "the student $(encoded "$name") is found" \
+        judged "$(encoded "$name")" 'does not build' 0 ;;
     esac
 done
 # Names so long that the folder's cannot hold them are kept apart all the same.
 apart() {
     right=$(grep -l '"student": ".\{240\}y\?",' "$scratch"/out/marks/*/01a.json |
-        xargs grep -l '^ "state": "passed"' | wc -l)
+        xargs grep -l '^ "state": "does not build"' | wc -l)
     wrong=$(grep -l '"student": ".\{240\}x",' "$scratch"/out/marks/*/01a.json |
-        xargs grep -l '^ "state": "failed"' | wc -l)
+        xargs grep -l '^ "state": "not begun"' | wc -l)
     [ "$right" -eq 2 ] && [ "$wrong" -eq 1 ] || why "$right right, $wrong wrong"
 }
 verdict 'long names that begin alike are kept apart' apart
 for folder in "$scratch"/names/file*; do
     verdict "the ${folder##*/} is taken" \
-        judged "$(encoded "${folder##*/}")" passed "$full"
+        judged "$(encoded "${folder##*/}")" 'does not build' 0
 done
 says() { # FOLDER TEXT
     grep -q "^ \"file\": \".*$2" "$(result "$1")" ||
@@ -213,10 +216,10 @@ if [ "$(id -u)" -eq 0 ]; then
         --clear-groups'
     batch 'an ordinary user' ordinary plain/out output-locked pipe-full \
         settle-half settle-silent kill-all proc network rights read-files \
-        disk fork-left memory-children close-all read-all
+        disk fork-left memory-children close-all
     # Among the files of an ordinary user some are not for him.
-    mkdir "$scratch/secret" && hand_in ../secret/none 01a-collide.c right &&
-        hand_in ../secret/locked 01a-collide.c right &&
+    mkdir "$scratch/secret" && hand_in ../secret/none 01a-collide.c &&
+        hand_in ../secret/locked 01a-collide.c &&
         chmod 0 "$scratch/secret/none" "$scratch/secret/locked/01a-collide.c"
     grade "$scratch/secret" "$scratch/plain/out"
     verdict 'an ordinary user: what cannot be read stops nobody' ended 0

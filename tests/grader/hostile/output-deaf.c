@@ -2,7 +2,7 @@
 /* earns: all */
 #include "exercise.h"
 #include <signal.h>
-#include <stdio.h>
+#include <stdlib.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -18,5 +18,5 @@ static void trick(void)
             break;
     if (ftruncate(1, 1 << 30) == 0 ||
         (fstat(1, &about) == 0 && about.st_size > 1 << 20))
-        printf("BROKEN: its output is larger than 1 MiB\n");
+        abort(); /* which is seen; what it prints would not be */
 }

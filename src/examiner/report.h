@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 2605414009 of the lines below */
+/* checksum 523704211 of the lines below */
 #ifndef REPORT_H
 #define REPORT_H
 
@@ -10,7 +10,5 @@ enum { REPORT_FILE = 3, REPORT_NONCE = 32, REPORT_RECORD = 1024 };
 #define REPORT_SAYS "says"       /* TEXT: a label and what it says */
 #define REPORT_UNDONE "undone"   /* TEXT: FILE:LINE of a NOT_DONE_YET */
 #define REPORT_VERDICT "verdict" /* TEXT: passed or failed; comes last */
-#define REPORT_ENDED "ended"     /* TEXT: a boxed program's wait status */
-#define REPORT_LOST "lost"       /* TEXT: what a boxed program did wrong */
 
 #endif

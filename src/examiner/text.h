@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 3754918317 of the lines below */
+/* checksum 2219239195 of the lines below */
 #ifndef TEXT_H
 #define TEXT_H
 
@@ -14,9 +14,6 @@ bool text_plain(const char *path);
 /* The first TEXT_LIMIT bytes of a file as a string, unprintable ones turned
    into '?', or NULL when it cannot be read. The caller frees it. */
 char *text_read(const char *path);
-
-/* The same, from that byte on; an empty text when it ends before. */
-char *text_read_from(const char *path, long start);
 
 /* Cuts the next line off *rest and returns it without its end; NULL when
    nothing is left. Changes the text in place. */

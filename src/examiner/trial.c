@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 3703962062 of the lines below */
+/* checksum 4257667652 of the lines below */
 #include "examiner/trial.h"
 #include "examiner/process.h"
 #include "examiner/report.h"
@@ -32,10 +32,9 @@ enum { MIB = 1 << 20, MEMORY_MIB = 512, SANITIZER_STATUS = 86 };
 struct result {
     struct process_end end;
     char nonce[REPORT_NONCE + 1];
-    char *report;             /* as it was written */
-    char *output;             /* what the program printed */
-    char *error;              /* what the sanitizers added to it, or NULL */
-    char lost[REPORT_RECORD]; /* what a program in a box did wrong */
+    char *report; /* as it was written */
+    char *output; /* what the program printed */
+    char *error;  /* what the sanitizers added to it, or NULL */
 };
 
 static void draw_nonce(char nonce[REPORT_NONCE + 1])
@@ -139,17 +138,13 @@ static void run_runner(const struct trial *trial, int number,
     result->output = text_read(output);
     if (!result->report || !result->output)
         text_fail("cannot read '%s': %s", trial->folder, strerror(errno));
-    char ended[REPORT_RECORD];
-    find_record(result->report, result, REPORT_LOST, result->lost);
-    if (find_record(result->report, result, REPORT_ENDED, ended)) {
-        result->end.status = atoi(ended);
-        result->end.timed_out = WIFSIGNALED(result->end.status) &&
-                                WTERMSIG(result->end.status) == SIGXCPU;
-    }
     if (trial->prints) {
         free(result->output);
-        result->output = text_read_from(trial->prints, trial->printed);
+        chmod(trial->prints, 0600);
+        result->output = text_read(trial->prints);
     }
+    if (!result->output)
+        text_fail("cannot read '%s': %s", trial->folder, strerror(errno));
     drop_words(result->output, "AddressSanitizer:DEADLYSIGNAL\n");
     if (WIFEXITED(result->end.status) &&
         WEXITSTATUS(result->end.status) == SANITIZER_STATUS)
@@ -228,8 +223,6 @@ static void crash_text(const struct result *result, char *text, size_t room)
     const int status = result->end.status;
     if (result->error) {
         error_text(result->error, text, room);
-    } else if (*result->lost) {
-        snprintf(text, room, "%s", result->lost);
     } else if (WIFSIGNALED(status)) {
         const char *known = meaning(NULL, WTERMSIG(status));
         snprintf(text, room, "It was ended by signal %d.",

@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 2888218517 of the lines below */
+/* checksum 439961708 of the lines below */
 #ifndef TRIAL_H
 #define TRIAL_H
 
@@ -26,7 +26,6 @@ struct trial {
     const char *seed;   /* of the inputs, in digits; NULL: the students' */
     int border[2];      /* the way to a program in a box, or zeros */
     const char *prints; /* what such a program prints to, or NULL */
-    long printed;       /* bytes that were in there before the test */
 };
 
 /* "not begun", "does not build", ... */

@@ -54,12 +54,6 @@ for n in 0 1 2 3 4 5 6 7 8 9; do
         { cat "$scratch/ten/honest/01a-collide.c" && echo "/* $n */"; } \
             >"$scratch/ten/s$n/01a-collide.c"
 done
-# One of them leaves something behind, which ends with him.
-cp "$here/hostile/fork-left.c" "$scratch/left.c"
-prepare "$scratch/left.c" "$scratch/ten/s4"
-sed -i.old 's/trick();/trick(), sleep(1);/' "$scratch/ten/s4/01a-collide.c"
-rm "$scratch/ten/s4/01a-collide.c.old"
-
 graded() {
     find "$scratch/out" -name '01a.json' 2>/dev/null | wc -l
 }
@@ -96,14 +90,6 @@ whole() { # every result that there is, is one
 told() {
     grep -q -e "$1" "$scratch/said" || why "$(cat "$scratch/said")"
 }
-gone() { # soon after us our boxes end
-    for pause in 0 0.5 1 2; do
-        sleep $pause
-        left=$(ps -eo comm= 2>/dev/null | grep bonkers-left)
-        [ -z "$left" ] && return 0
-    done
-    why "still there: $left"
-}
 stamps() {
     (cd "$scratch/out/marks" && ls -i --time-style=full-iso -l ./*/01a.json)
 }
@@ -113,11 +99,9 @@ verdict 'and says how to go on' told 'interrupted with [0-9]* of 12'
 verdict 'it was half done' halfway
 verdict 'what was done is whole' whole
 verdict 'nothing is left' nothing
-verdict 'no process lives on' gone
 stamps >"$scratch/first"
 interrupt KILL
 verdict 'what was done before a batch was killed is whole' whole
-verdict 'its processes end with it' gone
 stamps >"$scratch/second"
 kept() { # FILE: all that is in it is as it was
     stamps | sort >"$scratch/now"
@@ -139,6 +123,49 @@ parts() {
     nothing
 }
 verdict 'no half file is left of it' parts
+
+# In the middle of a test: the program in the box must not outlive the batch.
+cat >"$scratch/wait.c" <<'END'
+#define _GNU_SOURCE
+#include "exercise.h"
+#include <sys/prctl.h>
+#include <unistd.h>
+
+static void trick(void)
+{
+    prctl(PR_SET_NAME, "bonkers-left", 0, 0, 0);
+    for (;;)
+        pause();
+}
+END
+prepare "$scratch/wait.c" "$scratch/wait/anna"
+alive() {
+    ps -eo comm= 2>/dev/null | grep -q bonkers-left
+}
+outlived() { # SIGNAL
+    (cd "$scratch/kit" && exec build/grade/grade --exercises 01a \
+        --seconds 30 --output "$scratch/waited" "$scratch/wait") \
+        >"$scratch/said" 2>&1 </dev/null &
+    batch=$!
+    tries=0
+    while ! alive && [ $tries -lt 200 ]; do
+        sleep 0.1
+        tries=$((tries + 1))
+    done
+    alive || why 'it did not come to its test' || return 1
+    kill "-$1" "$batch"
+    wait "$batch" 2>/dev/null
+    tries=0
+    while alive && [ $tries -lt 30 ]; do
+        sleep 0.1
+        tries=$((tries + 1))
+    done
+    ! alive || why 'it lives on'
+}
+for signal in INT TERM HUP KILL; do
+    verdict "with a batch that gets SIG$signal ends the program in its box" \
+        outlived "$signal"
+done
 
 # ---- graded again or not ----
 

@@ -224,11 +224,13 @@ late one 'while (u1 == 2.0 && im1 == 0.25)
         ;'
 late crash 'if (u1 == 2.0 && im1 == 0.25)
         abort();'
-late once "while (u1 == 3.0 && time(NULL) < $(date +%s) + 9)
-        pause();"
 late z-always 'for (;;)
         pause();'
-grade "$scratch/late" "$scratch/out"
+# All begin at once, and he is the last to be tried again: some ten seconds
+# from now, for one before him takes six of them, and three at his second try.
+late zz-once "while (u1 == 3.0 && time(NULL) < $(date +%s) + 7)
+        sleep(1);"
+grade "$scratch/late" "$scratch/out" --jobs 4
 verdict 'a batch with programs that are late ends well' ended 0
 again() { # NAME TRIES
     grep -q "^ \"tries\": $2," "$(result "$1")" ||
@@ -241,8 +243,8 @@ verdict 'it was tried twice' again one 2
 verdict 'a crash costs the points of its test alone' \
     judged crash crashed $((full - second))
 verdict 'it was tried once' again crash 1
-verdict 'who was late once has all points' judged once passed "$full"
-verdict 'at the second try' again once 2
+verdict 'who was late once has all points' judged zz-once passed "$full"
+verdict 'at the second try' again zz-once 2
 verdict 'who is always late has none' judged z-always 'timed out' 0
 waited() {
     [ "$(grep -c '^   "state": "timed out"' "$(result z-always)")" -eq 3 ] ||

@@ -284,7 +284,8 @@ learn() {
         cut -f 1 >"$work/exempt"
     # shellcheck disable=SC2086
     {
-        hidden_lists /dev/null $hidden | tr -c 'a-zA-Z0-9_' '\n'
+        hidden_lists /dev/null $hidden | sed 's/"[^"]*"//g' |
+            tr -c 'a-zA-Z0-9_' '\n'
         "$tokens" $answers tests/stubs/*.c tests/exercises/*.c
     } | awk -v hidden="$1" '
         # FILE:LINE: NAME: TOKENS, and before them the words of the lists.

@@ -4,8 +4,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+static void *volatile block;
+
 static void trick(void)
 {
-    for (;;)
-        memset(malloc(1 << 24), 1, 1 << 24);
+    for (;;) {
+        block = malloc(1 << 24);
+        memset(block, 1, 1 << 24);
+    }
 }

@@ -116,6 +116,12 @@ static double meet_disk(struct box *b, size_t i, size_t j)
     return sqrt(dd) - 2.0 * b->radius;
 }
 
+/* The larger of two errors; one that is not a number is the largest. */
+static double worse(double one, double other)
+{
+    return isnan(one) || other <= one ? one : other;
+}
+
 void box_collide(struct box *b)
 {
     if (b->collisions < KEPT)
@@ -123,7 +129,7 @@ void box_collide(struct box *b)
     ++b->collisions;
     const double gap = b->j >= DISKS ? meet_wall(b, b->i, b->j - DISKS)
                                      : meet_disk(b, b->i, b->j);
-    b->largest_gap = fmax(b->largest_gap, fabs(gap));
+    b->largest_gap = worse(b->largest_gap, fabs(gap));
 }
 
 void box_record(struct box *b, double t)
@@ -135,8 +141,8 @@ void box_record(struct box *b, double t)
         b->claimed[b->samples] = t;
     }
     ++b->samples;
-    b->clock_error = fmax(b->clock_error, (double)fabsl(b->flown - due));
-    b->clock_error = fmax(b->clock_error, (double)fabsl(t - due));
+    b->clock_error = worse(b->clock_error, (double)fabsl(b->flown - due));
+    b->clock_error = worse(b->clock_error, (double)fabsl(t - due));
     b->last = t;
 }
 

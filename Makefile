@@ -251,7 +251,7 @@ build/grade/obj/grade/%.o: src/examiner/%.c $(headers) Makefile
 	$(Q)$(CC) $(STANDARD) -D_XOPEN_SOURCE=700 $(PORTABLE) -Isrc \
 		$(xml_flags) $(CFLAGS) -c -o $@ $<
 build/grade/grade: $(patsubst %,build/grade/obj/grade/%.o,grade grading box \
-	marks submissions publish trial process text)
+	marks submissions publish build message sum trial process text)
 	$(call say,link $@)
 	$(Q)$(CC) $(PORTABLE) $(CFLAGS) -o $@ $^ $(LDFLAGS) -ljansson -lxml2
 

@@ -1,5 +1,5 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 55405606 of the lines below */
+/* checksum 1371304931 of the lines below */
 #include "examiner/box.h"
 #include "examiner/process.h"
 #include "examiner/text.h"
@@ -112,7 +112,7 @@ static void add_copies(struct words *w, const char *name)
     snprintf(source, sizeof source, "/%s", name);
     ADD(w, "--perms", "0444", "--ro-bind-data", "5", source);
     ADD(w, "--perms", "0444", "--ro-bind-data", "6", "/kit/exercise.h");
-    ADD(w, "--perms", "0444", "--ro-bind-data", "7", "/kit/inside.o");
+    ADD(w, "--perms", "0444", "--ro-bind-data", "7", "/kit/box.suite.o");
     ADD(w, "--seccomp", "8", "--remount-ro", "/");
 }
 
@@ -231,7 +231,7 @@ static const char script[] =
     "build $compiler -I$root/kit -Wall -Wextra -c -o work/answer.o $name\n"
     "cd work || exit\n"
     "build objcopy $keep answer.o\n"
-    "build $compiler -o program answer.o ../kit/inside.o -lm\n"
+    "build $compiler -o program answer.o ../kit/box.suite.o -lm\n"
     "printf b >&4\n"
     "exec prlimit --core=0 --cpu=$seconds:$((seconds + 1)) --as=$memory "
     "--nproc=16 \\\n"
@@ -259,13 +259,6 @@ static int wait_for_byte(int file, int milliseconds)
     if (ready == 0)
         return LATE;
     return ready > 0 && read(file, &byte, 1) == 1 ? byte : GONE;
-}
-
-static double seconds_now(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
 static char open_root[] = "/tmp/bonkers.XXXXXX";
@@ -305,7 +298,7 @@ static void furnish_folder(const struct box_order *order)
         text_fail("cannot give '%s' away: %s", path, strerror(errno));
     copy(order->source, order->name);
     copy(order->header, "kit/exercise.h");
-    copy(order->inside, "kit/inside.o");
+    copy(order->inside, "kit/box.suite.o");
 }
 
 static void start(const struct box_order *order, int requests, int answers,
@@ -339,15 +332,15 @@ static void start(const struct box_order *order, int requests, int answers,
 
 static enum box_stage wait_for_main(struct box *box, int seconds)
 {
-    const double start = seconds_now();
+    const double start = process_clock();
     const int built = wait_for_byte(box->answers, BUILD_MS);
-    box->build_seconds = seconds_now() - start;
+    box->build_seconds = process_clock() - start;
     if (built != WIRE_BUILT)
         return built == LATE ? BOX_TOO_LONG : BOX_NOT_BUILT;
     const int started = wait_for_byte(box->answers, START_MS);
     if (started == WIRE_READY)
         return BOX_READY;
-    const double waited = seconds_now() - start - box->build_seconds;
+    const double waited = process_clock() - start - box->build_seconds;
     return started == LATE || waited >= 0.8 * seconds ? BOX_STUCK
                                                       : BOX_NO_MAIN;
 }

@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 931450579 of the lines below */
+/* checksum 2430261760 of the lines below */
 #include "examiner/build.h"
 #include "examiner/message.h"
 #include "examiner/process.h"
@@ -110,7 +110,7 @@ static void tell_header(const char *text, const char *source, FILE *story)
     text_field(story, "means", place);
 }
 
-static void tell_build(const char *text, const char *source, FILE *story)
+void build_tell(const char *text, const char *source, FILE *story)
 {
     const char *own = find_error(text, source);
     const char *line = own ? own : find_line(text, "", "error:");
@@ -152,7 +152,7 @@ bool build_runner(const char *folder, const char *exercise,
     const bool built = compile(folder, suite, (char *)source, strict);
     char *text = read_messages(folder);
     if (!built)
-        tell_build(text, source, story);
+        build_tell(text, source, story);
     free(text);
     return built;
 }

@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 2248531417 of the lines below */
+/* checksum 3694866957 of the lines below */
 #ifndef BUILD_H
 #define BUILD_H
 
@@ -12,6 +12,10 @@
    with status 2 when the kit itself is not ready. */
 bool build_runner(const char *folder, const char *exercise,
                   const char *source, bool strict, FILE *story);
+
+/* Writes to story what a student should know of the messages in text, in
+   which his file is called source. */
+void build_tell(const char *text, const char *source, FILE *story);
 
 /* Writes the first warning about source in that folder's last build, of
    those that we can explain if there are any. */

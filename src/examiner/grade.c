@@ -1,9 +1,10 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 2678784894 of the lines below */
+/* checksum 266939424 of the lines below */
 #include "examiner/grading.h"
 #include "examiner/process.h"
 #include "examiner/publish.h"
 #include "examiner/submissions.h"
+#include "examiner/sum.h"
 #include "examiner/text.h"
 
 #include <ctype.h>
@@ -261,30 +262,6 @@ static void choose_box(struct batch *b)
     }
 }
 
-static const uint64_t HASH_START = 0xcbf29ce484222325u;
-
-static uint64_t hash(uint64_t h, const void *bytes, size_t length)
-{
-    const unsigned char *s = bytes;
-    for (size_t i = 0; i < length; ++i)
-        h = (h ^ s[i]) * 0x100000001b3u;
-    return h;
-}
-
-static uint64_t hash_file(uint64_t h, const char *path)
-{
-    char bytes[65536];
-    size_t length;
-    FILE *file = fopen(path, "r");
-    if (!file)
-        text_fail("cannot read '%s': %s; start me with make grade", path,
-                  strerror(errno));
-    while ((length = fread(bytes, 1, sizeof bytes, file)) > 0)
-        h = hash(h, bytes, length);
-    fclose(file);
-    return h;
-}
-
 static void result_path(const struct batch *b, size_t s, size_t e,
                         char path[4400])
 {
@@ -298,33 +275,32 @@ static void result_path(const struct batch *b, size_t s, size_t e,
     *end = '\0';
     if (end - name > 200)
         snprintf(name + 180, 20, "+%016" PRIx64,
-                 hash(HASH_START, b->submissions[s].entry,
-                      strlen(b->submissions[s].entry)));
+                 sum_bytes(0, b->submissions[s].entry,
+                           strlen(b->submissions[s].entry)));
     snprintf(path, 4400, "%s/marks/%s", b->options.output, name);
     make_folder(path);
     snprintf(path + strlen(path), 32, "/%s.json", b->kits[e].exercise);
 }
 
-static uint64_t hash_kit(const struct batch *b, const char *exercise)
+static uint64_t sum_kit(const struct batch *b, const char *exercise)
 {
     char path[64];
-    uint64_t h = HASH_START;
     snprintf(path, sizeof path, "build/grade/%s.judge", exercise);
-    h = hash_file(h, path);
+    uint64_t sum = sum_file(0, path);
     snprintf(path, sizeof path, "build/grade/%s.inside.o", exercise);
-    h = hash_file(h, path);
-    h = hash_file(h, "build/grade/flags");
-    h = hash(h, &b->grading.seed, sizeof b->grading.seed);
-    h = hash(h, &b->grading.seconds, sizeof b->grading.seconds);
-    return hash(h, &b->grading.kind, sizeof b->grading.kind);
+    sum = sum_file(sum, path);
+    sum = sum_file(sum, "build/grade/flags");
+    sum = sum_number(sum, b->grading.seed);
+    sum = sum_number(sum, (uint64_t)b->grading.seconds);
+    return sum_number(sum, (uint64_t)b->grading.kind);
 }
 
 static void result_key(uint64_t kit, const char *bytes, size_t length,
                        const char *remark, char key[24])
 {
-    uint64_t h = hash(kit, bytes ? bytes : "", bytes ? length : 0);
-    h = hash(h, remark, strlen(remark));
-    snprintf(key, 24, "%016" PRIx64, h);
+    uint64_t sum = bytes ? sum_bytes(kit, bytes, length) : kit;
+    sum = sum_bytes(sum, remark, strlen(remark));
+    snprintf(key, 24, "%016" PRIx64, sum);
 }
 
 struct job {
@@ -335,13 +311,6 @@ struct job {
     int tries;
     const struct marks *before; /* of the first try, in the second */
 };
-
-static double wall_seconds(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 static struct marks blank_marks(const struct batch *b,
                                 const struct job *job)
@@ -362,14 +331,14 @@ static _Noreturn void work(const struct batch *b, const struct job *job)
 {
     struct marks marks = blank_marks(b, job);
     struct grading grading = b->grading;
-    const double start = wall_seconds();
+    const double start = process_clock();
     grading.before = job->before;
 #ifdef __linux__
     prctl(PR_SET_PDEATHSIG, SIGTERM);
 #endif
     grading_run(&grading, &b->kits[job->exercise], job->bytes, job->length,
                 &marks);
-    marks.seconds = wall_seconds() - start;
+    marks.seconds = process_clock() - start;
     if (process_signal() || chdir(b->root) != 0)
         _exit(EXIT_FAILURE);
     marks_write(&marks, job->key, job->path);
@@ -385,8 +354,8 @@ static void stop_workers(void)
 {
     static double since;
     if (since == 0.0)
-        since = wall_seconds();
-    const bool patient = wall_seconds() - since < 5.0;
+        since = process_clock();
+    const bool patient = process_clock() - since < 5.0;
     for (int i = 0; i < running; ++i)
         kill(workers[i], patient ? SIGTERM : SIGKILL);
 }
@@ -462,7 +431,7 @@ static void look_at(struct batch *b, uint64_t kit, size_t s, size_t e,
 static void grade_all(struct batch *b)
 {
     for (size_t e = 0; e < b->kit_count; ++e) {
-        const uint64_t kit = hash_kit(b, b->kits[e].exercise);
+        const uint64_t kit = sum_kit(b, b->kits[e].exercise);
         for (size_t s = 0; s < b->count && !process_signal(); ++s)
             look_at(b, kit, s, e, 0);
     }
@@ -474,7 +443,7 @@ static void retry_late(struct batch *b)
 {
     b->options.jobs = 1;
     for (size_t e = 0; e < b->kit_count; ++e) {
-        const uint64_t kit = hash_kit(b, b->kits[e].exercise);
+        const uint64_t kit = sum_kit(b, b->kits[e].exercise);
         for (size_t s = 0; s < b->count && !process_signal(); ++s) {
             look_at(b, kit, s, e, 1);
             while (running > 0)

@@ -1,6 +1,7 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 3562097084 of the lines below */
+/* checksum 803677164 of the lines below */
 #include "examiner/grading.h"
+#include "examiner/build.h"
 #include "examiner/process.h"
 #include "examiner/text.h"
 
@@ -190,13 +191,16 @@ static enum state open_box(struct job *job, FILE *story)
     box_close(&job->box);
     chmod("prints", 0600);
     char *said = text_read("prints");
-    if (stage == BOX_TOO_LONG)
+    if (stage == BOX_NOT_BUILT)
+        build_tell(said ? said : "", job->name, story);
+    else if (stage == BOX_TOO_LONG)
         fputs("  The compiler was stopped: it took too long.\n", story);
     else if (stage == BOX_NO_MAIN)
         fputs("  The program ended before its first test.\n", story);
     else if (stage == BOX_STUCK)
         fputs("  The program did not come to its first test.\n", story);
-    text_quote(story, said ? said : "", 24);
+    if (stage != BOX_NOT_BUILT)
+        text_quote(story, said ? said : "", 12);
     free(said);
     return stage == BOX_NO_MAIN ? CRASHED
            : stage == BOX_STUCK ? TIMED_OUT

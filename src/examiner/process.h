@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 3975140814 of the lines below */
+/* checksum 349268375 of the lines below */
 #ifndef PROCESS_H
 #define PROCESS_H
 
@@ -46,6 +46,9 @@ bool process_start(char *const command[], const char *folder,
 /* Kills what process_start has started, with its group, and returns how it
    ended; nothing happens when there is none. */
 struct process_end process_stop(void);
+
+/* Seconds on a clock that only goes forward. */
+double process_clock(void);
 
 /* Makes SIGINT, SIGTERM and SIGHUP stop the running program instead of
    us. */

@@ -391,7 +391,7 @@ movie_gp = plots/$(call movie_of,disks-)movie.gp
 movie_run = $(movie_bin) $(call movie_of,$(options_$(PRESET)) --warmup 0 \
 	--measure states,--preset $(PRESET)) --every $(EVERY) \
 	$(if $(UNTIL),--until $(UNTIL),--samples 460) -o $(movie).dat
-movie_show = gnuplot -e "file='$(movie).dat'; name='$(PRESET)'; fps=$(FPS);\
+movie_show = LC_ALL=C.UTF-8 gnuplot -e "file='$(movie).dat'; name='$(PRESET)'; fps=$(FPS);\
  radii='$(radii_$(PRESET))'$(1)" $(movie_gp)
 
 ifneq ($(filter movie,$(MAKECMDGOALS)),)
@@ -449,6 +449,8 @@ has-test-tools:
 	$(call need,pdftotext,poppler-utils)
 	$(call need,xmllint,libxml2-utils)
 	$(call need,bwrap,bubblewrap)
+	$(call need,ps,procps)
+	$(call need,git,git)
 
 test-parts: grade-parts build/check/examine $(CHECK_BUILT) $(unit_tests) $(tools) \
 	build/tests/mutants/outlive build/tests/grader/reports \

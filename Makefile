@@ -14,8 +14,10 @@ SHELL = /bin/sh
 
 CC ?= cc
 STANDARD = -std=c11 -D_POSIX_C_SOURCE=200809L -Wall -Wextra -pedantic
-PORTABLE = -O2 -ffp-contract=off
-NATIVE = -O3 -march=native $(LTO) -ffp-contract=off
+# A root need not tell errno that its number was negative: with that, gcc
+# would take the roots of a loop one by one. It changes no bit.
+PORTABLE = -O2 -ffp-contract=off -fno-math-errno
+NATIVE = -O3 -march=native $(LTO) -ffp-contract=off -fno-math-errno
 
 # V=1 shows the commands.
 Q = $(if $(V),,@)
@@ -23,8 +25,12 @@ say = $(if $(V),,@echo '  $(1)')
 
 # What is there. What needs the GNU Scientific Library includes laws.h or
 # gsl/; without the library it is left out, and bare make says so.
-gsl_files := $(shell grep -lE '^.include ("laws.h"|<gsl/)' src/*.c \
-	src/programs/*.c tests/library/*.c tests/stability/*.c 2>/dev/null)
+# What includes reference.h can do without: it asks whether it is there.
+gsl_sources = src/*.c src/programs/*.c tests/library/*.c tests/stability/*.c
+gsl_files := $(filter-out src/reference.c,$(shell grep -lE \
+	'^.include ("laws.h"|<gsl/)' $(gsl_sources) 2>/dev/null))
+gsl_users := $(shell grep -l '^.include "reference.h"' $(gsl_sources) \
+	2>/dev/null)
 gsl := $(shell printf '\043include <gsl/gsl_cdf.h>\n' | \
 	$(CC) $(CPPFLAGS) $(CFLAGS) -E - >/dev/null 2>&1 && echo yes)
 GSL_LIBS = -lgsl -lgslcblas
@@ -33,7 +39,8 @@ programs := $(notdir $(basename $(filter-out $(without),\
 	$(wildcard src/programs/*.c))))
 library := $(filter-out $(without),$(wildcard src/*.c src/toolbox/*.c))
 # $(call gsl_libs,src/FILE.c): what to link it with.
-gsl_libs = $(if $(filter $(1),$(gsl_files)),$(GSL_LIBS))
+gsl_libs = $(if $(gsl),$(if $(filter $(1),$(gsl_files) $(gsl_users)),\
+	$(GSL_LIBS)))
 headers := $(wildcard src/*.h src/*/*.h)
 suites := $(basename $(notdir $(wildcard tests/exercises/*.c)))
 
@@ -56,6 +63,7 @@ $(eval $(call only_with,chapters/book.tex,tangle check-tangle))
 $(eval $(call only_with,tests/wrong,book test memcheck handout mutants \
 	grade grade-bench))
 $(eval $(call only_with,solutions,solution))
+$(eval $(call only_with,tests/fuzz,fuzz))
 # $(call offer,GOAL): echo, but for a goal that is absent.
 offer = @$(if $(filter $(1),$(absent)),: ||) echo
 
@@ -89,8 +97,9 @@ build/compiler.mk:
 		then echo 'LTO = -flto=auto'; else echo 'LTO ='; fi >>flags
 	@mv build/compiler/flags $@
 include build/compiler.mk
-parallel := bonkers
-flags_of = $(if $(filter $(parallel),$(notdir $*)),$(OPENMP))
+parallel := bonkers springs gravity
+flags_of = $(if $(filter $(parallel),$(notdir $*)),$(OPENMP)) \
+	$(if $(gsl),$(if $(filter reference,$*),-DWITH_GSL))
 
 # The portable build, and the same for this machine alone.
 define tree
@@ -105,7 +114,7 @@ build/$(1)obj/libbonkers.a: $$(library:src/%.c=build/$(1)obj/%.o)
 build/$(1)bin/%: build/$(1)obj/programs/%.o build/$(1)obj/libbonkers.a
 	@mkdir -p $$(@D)
 	$$(call say,link $$@)
-	$$(Q)$$(CC) $(2) $$(flags_of) $$(CFLAGS) -o $$@ $$^ $$(LDFLAGS) \
+	$$(Q)$$(CC) $(2) $$(OPENMP) $$(CFLAGS) -o $$@ $$^ $$(LDFLAGS) \
 		$$(call gsl_libs,src/programs/$$*.c) -lm
 endef
 $(eval $(call tree,,$(PORTABLE)))
@@ -115,7 +124,7 @@ $(eval $(call tree,native/,$(NATIVE)))
 native: $(programs:%=build/native/bin/%)
 
 # The speed tables of the chapters, on this machine.
-bench: native build/bin/disks-speed
+bench: native build/bin/disks-speed build/bin/gravity-studies
 	build/native/bin/collide-forms --study cost --collisions 10000000
 	build/native/bin/bonkers-studies --study speed --summary build/ratios
 	@cat build/ratios
@@ -133,8 +142,18 @@ bench: native build/bin/disks-speed
 		build/native/bin/disks-speed --packing $$packing || exit 1; done
 	for packing in .30 .49; do build/native/bin/disks-speed \
 		--dimensions 3 --packing $$packing || exit 1; done
+	build/native/bin/step-studies --study cost
+	build/native/bin/scene-speed
 	for bin in build/bin build/native/bin; do $$bin/disks-speed --steps \
 		--particles 1e4 --dimensions 3 --packing .49 || exit 1; done
+	build/native/bin/springs-studies --study speed --summary -
+	build/native/bin/springs-studies --study work -o - | tail -n +7
+	build/native/bin/spheres-studies --study cost --runs 4
+	build/bin/gravity-studies --study speed
+	build/bin/gravity-studies --study tree
+	build/native/bin/scene sun-earth | build/native/bin/step - \
+		--until 90000 --every 9000 --summary - -o build/bench.dat | \
+		grep steps_per_second
 
 ## ---- exercises: cc, make and CUnit ----------------------------------------
 
@@ -311,8 +330,9 @@ check-tangle:
 
 # What figures and transcripts are made from, read from the scripts and the
 # chapters. Goals that need no book do without.
-bookless := all first programs native bench movie check watch hint progress \
-	reset solution mutants tangle check-tangle clean help format memcheck
+bookless := all first programs native bench movie inspect check watch hint progress \
+	reset solution mutants tangle check-tangle clean help format memcheck \
+	fuzz
 ifneq ($(filter-out $(bookless),$(MAKECMDGOALS)),)
 build/recipes/rules.mk: chapters/recipes chapters plots \
 		$(wildcard chapters/*.nw chapters/*.tex plots/*.gp)
@@ -416,6 +436,33 @@ $(movie).gif: $(movie).dat $(movie_gp) plots/style.gp
 	$(Q)$(call movie_show,; output='$@.part')
 	@mv $@.part $@
 
+## ---- the particle inspector: gnuplot ---------------------------------------
+
+# make inspect SCENE=membrane X=t Y=z:30 [UNTIL=20] [DT=..] [METHOD=..]
+# [EVERY=..] [KEYS='--nx 8'] [LIVE=1]: one observable of a scene, a file or a
+# name of build/bin/scene, against another. A run that blows up is drawn too.
+SCENE = sun-earth
+X = t
+Y = energy
+inspect = build/inspect/$(notdir $(basename $(SCENE)))
+inspect_scene = $(if $(wildcard $(SCENE)),$(SCENE),$(inspect).plist)
+inspect_run = build/bin/step $(inspect_scene) --observe $(X),$(Y) \
+	$(if $(UNTIL),--until $(UNTIL)) $(if $(DT),--dt $(DT)) \
+	$(if $(METHOD),--method $(METHOD)) \
+	$(if $(filter command%,$(origin EVERY)),--every $(EVERY)) \
+	-o $(inspect).dat
+
+.PHONY: inspect
+inspect: has-gnuplot build/bin/step build/bin/scene
+	@mkdir -p build/inspect
+	$(if $(wildcard $(SCENE)),,@build/bin/scene $(SCENE) $(KEYS) \
+		-o $(inspect).plist)
+	$(call say,$(inspect_run))
+	$(Q)$(inspect_run) || [ $$? -eq 1 ]
+	@gnuplot -e "file='$(inspect).dat'$(if $(LIVE),,; \
+output='$(inspect).svg')" plots/inspector.gp
+	$(if $(LIVE),,@echo 'The picture: $(inspect).svg')
+
 ## ---- proof ---------------------------------------------------------------
 
 TEST_SECONDS = 600
@@ -429,7 +476,7 @@ scripts := $(wildcard tests/stability/*.sh tests/programs/*.sh \
 build/tests/%: tests/%.c $(wildcard tests/*.h tests/*/*.h) $(headers) build/obj/libbonkers.a
 	@mkdir -p $(@D)
 	$(call say,cc $<)
-	$(Q)$(CC) $(STANDARD) $(PORTABLE) -Isrc -Itests $(CFLAGS) -o $@ $< \
+	$(Q)$(CC) $(STANDARD) $(PORTABLE) $(OPENMP) -Isrc -Itests $(CFLAGS) -o $@ $< \
 		build/obj/libbonkers.a $(LDFLAGS) -lcunit \
 		$(call gsl_libs,tests/$*.c) -lm
 build/tests/%: tests/tools/%.c
@@ -487,6 +534,27 @@ build/memcheck/%: tests/%.c $(wildcard tests/*.h tests/*/*.h) $(headers) $(libra
 		$(CFLAGS) -o $@ $< $(library) $(LDFLAGS) -lcunit \
 		$(if $(gsl),$(GSL_LIBS)) -lm
 
+# The reader of scenes, fed with what is no scene, TEXTS=1e7 for longer. With
+# clang libFuzzer chooses the texts; with others, tests/fuzz/alone.c does.
+TEXTS = 200000
+FUZZ = -std=c11 -D_POSIX_C_SOURCE=200809L -g -O2 -ffp-contract=off $(sanitizers)
+.PHONY: fuzz
+fuzz: build/fuzz/scene
+	@mkdir -p build/fuzz/corpus
+	@build/fuzz/scene -seed=1 -runs=$$(printf '%.0f' $(TEXTS)) -max_len=512 \
+		-verbosity=0 -artifact_prefix=build/fuzz/ \
+		-dict=tests/fuzz/scene.dict build/fuzz/corpus tests/fuzz/seeds \
+		2>build/fuzz/log || { cat build/fuzz/log; exit 1; }
+	@echo 'Fuzzed: $(TEXTS) texts, all of them read or refused'
+build/fuzz/scene: tests/fuzz/scene.c tests/fuzz/alone.c src/scene.c \
+		src/scene.h src/decimal.c src/toolbox/random.c tests/library/scene_same.h
+	@mkdir -p $(@D)
+	$(call say,cc $<)
+	$(Q)clang $(FUZZ) -fsanitize=fuzzer -Isrc -o $@ $< src/scene.c \
+		src/decimal.c -lm \
+		2>/dev/null || $(CC) $(FUZZ) -Isrc -o $@ $< tests/fuzz/alone.c \
+		src/scene.c src/decimal.c src/toolbox/random.c -lm
+
 # Every C file in the one layout; src/ is only compared, see the chapters.
 c_files = $(wildcard tests/*.h tests/*/*.[ch] solutions/*.c src/*.[ch] \
 	src/*/*.[ch])
@@ -520,12 +588,14 @@ help:
 	@echo 'make figures      the figures; QUALITY=lecture for slides too'
 	$(call offer,test) 'make test         prove everything: N passed, N failed'
 	@echo 'make programs     only build build/bin/'
+	@echo 'make inspect      SCENE=ring X=t Y=energy: what a scene does, drawn'
 	@echo 'make movie        a run as a GIF: PRESET=cradle; LIVE=1 in a window'
 	@echo 'make native       the fastest build for this machine, build/native/'
 	@echo 'make bench        the speed tables, measured here'
 	$(call offer,mutants) 'make mutants      how many planted mistakes the exercises notice'
 	$(call offer,grade) 'make grade-bench  how long a hundred submissions take; RECORD=1'
 	$(call offer,memcheck) 'make memcheck     the library tests under sanitizers'
+	$(call offer,fuzz) 'make fuzz         the reader of scenes against random texts; TEXTS=1e7'
 	$(call offer,tangle) 'make tangle       write src/ from chapters/'
 	$(call offer,check-tangle) 'make check-tangle see that src/ is what the chapters say'
 	@echo 'make format       see that the C files keep .clang-format'

@@ -39,8 +39,8 @@ void box_record(struct box *box, double t);
 void box_run(struct box *box, double tick, size_t samples)
 {
     double now = 0.0, event = box_next(box);
-    for (size_t k = 1; k <= samples; ++k) {
-        const double sample = (double)k * tick;
+    for (size_t k = 0; k < samples;) {
+        const double sample = (double)++k * tick;
         while (event <= sample) {
             box_fly(box, event - now);
             box_collide(box);

@@ -49,8 +49,7 @@ void wall_z(size_t n, const struct wall_hit hits[], const double size[2],
             momentum[across] += 2.0 * h->mass * fabs(h->v);
     }
     for (int k = 0; k < 2; ++k) {
-        const double walls = 2.0 * size[1 - k];
-        const double pressure = momentum[k] / (until - from) / walls;
-        z[k] = pressure * size[0] * size[1] / n_kT;
+        z[k] = momentum[k] / (until - from) / (2.0 * size[1 - k]);
+        z[k] *= size[0] * size[1] / n_kT;
     }
 }

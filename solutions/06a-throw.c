@@ -39,14 +39,18 @@ static double along(double size, double radius)
     return radius + (size - 2.0 * radius) * uniform();
 }
 
+static double square(double a)
+{
+    return a * a;
+}
+
 /* Says whether disk i overlaps none of those before it. */
 static bool fits(size_t i, const double radius[], const double x[],
                  const double y[])
 {
     for (size_t j = i; j-- > 0;) {
-        const double dx = x[i] - x[j], dy = y[i] - y[j];
-        const double reach = radius[i] + radius[j];
-        if (dx * dx + dy * dy < reach * reach)
+        const double apart = square(x[i] - x[j]) + square(y[i] - y[j]);
+        if (apart < square(radius[i] + radius[j]))
             return false;
     }
     return true;

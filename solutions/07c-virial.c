@@ -36,8 +36,8 @@ struct collision {
 static double jump(const struct collision *c, int dimensions)
 {
     double closing = 0.0;
-    for (int k = 0; k < dimensions; ++k)
-        closing += c->apart[k] * (c->first[k] - c->second[k]);
+    for (int k = dimensions; k-- > 0;)
+        closing += (c->first[k] - c->second[k]) * c->apart[k];
     return 2.0 * closing / (1.0 / c->mass[0] + 1.0 / c->mass[1]);
 }
 

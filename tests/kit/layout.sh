@@ -50,12 +50,12 @@ holds 'no module includes one of a later chapter' \
     sh -c "echo '$wrong'; test -z '$wrong'"
 
 c_files="$(ls src/*.c src/*/*.c tests/library/*.c tests/stability/*.c \
-    tests/tools/*.c tests/mutants/*.c solutions/*.c tests/stubs/*.c tests/right/*.c \
+    tests/tools/*.c tests/fuzz/*.c tests/mutants/*.c solutions/*.c tests/stubs/*.c tests/right/*.c \
     tests/exercises/*.c tests/border/*.c tests/hidden/*.c tests/grader/*.c)"
 xml="-I/usr/include/libxml2 $(pkg-config --cflags libxml-2.0 2>/dev/null)"
 holds 'the layout of every C file is .clang-format' \
     clang-format --dry-run -Werror src/*.[ch] src/*/*.[ch] tests/*.h \
-    tests/library/*.[ch] tests/stability/*.c tests/tools/*.c \
+    tests/library/*.[ch] tests/stability/*.c tests/tools/*.c tests/fuzz/*.c \
     tests/mutants/*.c tests/exercises/*.c tests/right/*.c tests/wrong/*.c \
     tests/stubs/*.c tests/border/*.c tests/hidden/*.c tests/grader/*.c \
     solutions/*.c
@@ -88,8 +88,8 @@ holds 'the gate runs the second' \
     grep -qxF "$(sed -n 2p "$work/commands")" .ci/run
 holds 'make help names every target a reader may want' sh -c '
     ${MAKE:-make} -s help >'"$work"'/help
-    for goal in check watch hint progress solution reset book handout grade grade-bench figures movie test programs native bench memcheck \
-        mutants tangle check-tangle format compile_commands.json clean; do
+    for goal in check watch hint progress solution reset book handout grade grade-bench figures movie inspect test programs native bench memcheck \
+        mutants fuzz tangle check-tangle format compile_commands.json clean; do
         grep -q "^make $goal " '"$work"'/help || { echo "$goal"; exit 1; }
     done'
 

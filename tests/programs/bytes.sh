@@ -2,10 +2,18 @@
 # The same seed gives the same bytes: gcc and clang, -O2, -O3, and the
 # vector instructions of this machine; one thread and many.
 . tests/programs/common
-all=$(grep -LE '^.include ("laws.h"|<gsl/)' src/*.c src/toolbox/*.c)
+all="$(grep -LE '^.include ("laws.h"|<gsl/)' src/*.c src/toolbox/*.c)
+    src/reference.c"
+# What is stepped: gravity, springs with dashpots, and contacts.
+for scene in figure-eight 'ring --particles 150' 'membrane --damping 0.1' \
+    double-pendulum gas break; do
+    # shellcheck disable=SC2086
+    build/bin/scene $scene -o "$work/${scene%% *}.plist"
+done
 
 # run_all FOLDER: what the programs of the folder print, timings left out.
 run_all() {
+    case $1 in /*) bin=$1 ;; *) bin=$PWD/$1 ;; esac
     "$1/collide" --tests 10 --dimensions 3 --seed 3 --mass-ratio 100 -o - \
         --restitution 0.7
     "$1/collide" --tests 20000 --mass-ratio 1e6 --form complement
@@ -57,6 +65,33 @@ run_all() {
     "$1/sample-studies" --study memory --radii 0.1,0.2 --step 0.1,0.3 \
         --samples 2000
     "$1/sample-studies" --study acceptance --samples 500
+    for study in spin errors rod sag shapes; do
+        "$1/springs-studies" --study $study
+    done
+    for study in rows late rest break; do
+        "$1/spheres-studies" --study $study
+    done
+    for study in sun-earth circumbinary choreography figure-eight ring-speeds \
+        'ring --kernel portable --orbits 0.05'; do
+        # shellcheck disable=SC2086
+        "$1/gravity-studies" --study $study
+    done
+    for method in euler symplectic-euler leapfrog rk4 yoshida4 yoshida6 pefrl \
+        kahan-li8 implicit-midpoint gauss4; do
+        (cd "$work" && "$bin/step" figure-eight.plist --method $method &&
+            "$bin/step" membrane.plist --method $method --until 1 \
+                --observe parts,z:30)
+    done
+    for threads in 1 2; do
+        (cd "$work" && for scene in ring membrane double-pendulum gas break; do
+            "$bin/step" $scene.plist --threads $threads --compensated \
+                --observe energy,momentum --track 1,2
+        done)
+    done
+    for scene in $(build/bin/scene --help |
+        sed -n 's/^  \([a-z][a-z-]*\) .*/\1/p'); do
+        "$1/scene" "$scene"
+    done
 }
 run_all build/bin >"$work/expected"
 holds 'the programs run' test "$(wc -l <"$work/expected")" -gt 800
@@ -70,7 +105,8 @@ for cc in gcc clang; do
                 not_ok "$cc $level" "$file does not compile"
         done
         for program in collide collide-forms bonkers bonkers-studies disks \
-            sample sample-studies; do
+            gravity-studies sample sample-studies scene step spheres-studies \
+            springs-studies; do
             # shellcheck disable=SC2086
             $cc -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off $level \
                 -Isrc -o "$work/bin/$program" "src/programs/$program.c" \

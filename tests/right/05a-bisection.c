@@ -11,7 +11,7 @@ double round_wall_time(double box, double radius, const double r[2],
     int i;
     if (speed == 0)
         return INFINITY;
-    early = -(r[0] * v[0] + r[1] * v[1]) / speed / speed;
+    early = -(r[1] * v[1] + r[0] * v[0]) / speed / speed;
     if (early < 0)
         early = 0;
     late = early + 2 * box / speed;

@@ -10,7 +10,7 @@ double round_wall_time(double box, double radius, const double r[2],
     double along, across, half, way;
     if (speed == 0)
         return INFINITY;
-    along = (r[0] * v[0] + r[1] * v[1]) / speed;
+    along = (r[1] * v[1] + r[0] * v[0]) / speed;
     across = fabs(r[0] * v[1] - r[1] * v[0]) / speed;
     half = across < s ? sqrt((s - across) * (s + across)) : 0;
     way = half - along;

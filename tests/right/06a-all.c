@@ -19,8 +19,8 @@ static bool overlap_somewhere(size_t n, const double radius[],
     size_t i, j;
     for (i = 1; i < n; i++)
         for (j = 0; j != i; j++) {
-            double a = x[i] - x[j], b = y[i] - y[j];
-            double gap = a * a + b * b -
+            double b = y[i] - y[j], a = x[j] - x[i];
+            double gap = (a * a + b * b) -
                          (radius[i] + radius[j]) * (radius[i] + radius[j]);
             if (gap < 0)
                 return true;

@@ -1,0 +1,25 @@
+# data: build/data/08-friction.dat
+# command: build/bin/step-studies --study friction -o build/data/08-friction.dat
+# alt: Factor by which a step changes a velocity under friction alone, against c dt from 0 to 6. The truth falls exponentially. Implicit midpoint falls to zero at 2 and rises slowly towards one. Leapfrog leaves the truth early and exceeds one at 1, Euler and symplectic Euler at 2, PEFRL at 2.15, Yoshida 4 at 2.34, RK4 at 2.79, Yoshida 6 at 3.1, Kahan and Li at 4.8.
+width = 14
+height = 7
+load 'plots/style.gp'
+file = 'build/data/08-friction.dat'
+set xrange [0:6]
+set yrange [0:1.6]
+set xlabel '{/:Italic c dt}'
+set ylabel 'factor of a velocity, a step' offset 1
+set lmargin at screen 0.09*room
+set rmargin at screen 0.755
+set bmargin at screen 0.16*room
+set tmargin at screen 0.97
+set key at screen 0.99,0.97 right top samplen 3 Left reverse
+plot exp(-x) ls 9 lw 4*thick title 'truth', 1 ls 9, \
+     file using 1:4 with lines ls 1 title 'leapfrog', \
+     file using 1:5 with lines ls 4 dt 4 title 'RK4', \
+     file using 1:6 with lines ls 2 dt 2 title 'Yoshida 4', \
+     file using 1:7 with lines ls 4 title 'Yoshida 6', \
+     file using 1:8 with lines ls 3 dt 3 lw 2*thick title 'PEFRL', \
+     file using 1:9 with lines ls 5 title 'Kahan–Li 8', \
+     file using 1:10 with lines ls 1 dt 2 title 'midpoint', \
+     file using 1:11 with lines ls 2 title 'Gauss 4'

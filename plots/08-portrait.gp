@@ -1,0 +1,25 @@
+# data: build/data/08-portrait.dat
+# command: build/bin/step-studies --study portrait -o build/data/08-portrait.dat
+# alt: Four panels, angular velocity against angle of a pendulum, each with the points of four swings of different size. Euler's points leave their curves outwards at once. Symplectic Euler's lie on closed curves that lean to one side, leapfrog's on closed upright ones, RK4's on spirals that wind inwards a little.
+width = 14
+height = 8.5
+load 'plots/style.gp'
+file = 'build/data/08-portrait.dat'
+names = 'Euler|symplectic Euler|leapfrog|RK4'
+array part[4] = ['Euler', 'symplectic Euler', 'leapfrog', 'RK4']
+set multiplot layout 2,2 margins 0.085*room,0.985,0.13*room,0.975 spacing 0.09*room,0.06*room
+set xrange [-3.3:3.3]
+set yrange [-2.9:2.9]
+set xtics 1
+set ytics 1
+set samples 400
+do for [k=0:3] {
+  set format x (k > 1 ? '%g' : '')
+  set xlabel k > 1 ? 'angle {/:Italic x}' : ''
+  set ylabel k % 2 == 0 ? 'angular velocity {/:Italic v}  (1/s)' : '' offset 1
+  set label 1 part[k+1] at graph 0.03,0.92
+  plot for [j=1:4] sqrt(2*(cos(x) - cos(0.6*j))) ls 9, \
+       for [j=1:4] -sqrt(2*(cos(x) - cos(0.6*j))) ls 9, \
+       for [j=0:3] file index 4*k+j using 1:2 with points pt 7 ps 0.25*big lc rgb (j % 2 ? red : blue)
+}
+unset multiplot

@@ -1,0 +1,25 @@
+# data: build/data/08-rounding.dat
+# command: build/bin/step-studies --study rounding -o build/data/08-rounding.dat
+# lecture: build/bin/step-studies --study rounding --orbits 16384 -o build/data/08-rounding.dat
+# alt: Error of the energy against the number of orbits for Kahan and Li's method at 400 steps an orbit, logarithmic. Without compensation it grows as the root of the number of orbits from ten to the minus 14 to some ten to the minus 13; with it, it starts at ten to the minus 16 and stays a hundred times smaller.
+width = 14
+height = 7
+load 'plots/style.gp'
+file = 'build/data/08-rounding.dat'
+set logscale xy
+set format '10^{%T}'
+set xrange [0.8:700]
+set yrange [1e-16:1e-7]
+set ytics 100
+set xlabel 'orbits'
+set ylabel 'error of the energy' offset 0.5
+set lmargin at screen 0.11*room
+set rmargin at screen 0.985
+set bmargin at screen 0.17*room
+set tmargin at screen 0.97
+set key at graph 0.02,0.97 left top reverse Left samplen 2
+plot 8e-15*sqrt(x) ls 9, \
+     file index 0 using 1:2 with linespoints ls 5 title '100 steps an orbit, plain', \
+     file index 1 using 1:2 with linespoints ls 5 pt 12 dt 2 title '100 steps, carried', \
+     file index 2 using 1:2 with linespoints ls 2 title '400 steps, plain', \
+     file index 3 using 1:2 with linespoints ls 1 title '400 steps, carried'

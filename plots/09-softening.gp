@@ -1,0 +1,21 @@
+# data: build/data/09-softening.dat
+# command: build/bin/gravity-studies --study softening -o build/data/09-softening.dat
+# alt: Logarithmic: by how much an ellipse of eccentricity 0.2 turns back in an orbit, and by how much the period of a circle is too long, against the softening from 0.001 to 0.3. Both rise with slope two; the points of the runs lie on the line of the theory up to a softening of about 0.1 and fall below it beyond.
+width = 14
+height = 6.4
+load 'plots/style.gp'
+file = 'build/data/09-softening.dat'
+set lmargin at screen 0.11*room
+set rmargin at screen 0.985
+set bmargin at screen 0.19*room
+set tmargin at screen 0.97
+set logscale xy
+set format '10^{%T}'
+set xlabel 'softening {/Symbol e}  (AU)'
+set ylabel 'per orbit' offset -0.3
+set xrange [7e-4:0.5]
+set yrange [3e-7:5]
+set key at graph 0.03,0.95 left top Left reverse samplen 2
+plot 3*pi*x**2/0.64 ls 9 notitle, 0.75*x**2 ls 9 notitle, \
+     file using 1:(-$3) with points ls 1 title 'turn of the ellipse, backwards  (rad)', \
+     file using 1:4 with points ls 2 title 'period too long'

@@ -1,0 +1,31 @@
+# data: build/data/09-sun-earth.dat
+# command: build/bin/gravity-studies --study sun-earth -o build/data/09-sun-earth.dat
+# alt: Left: five years of the Earth seen from the Sun, in steps of two days. The closed form and leapfrog lie on one circle of radius one; Euler's method winds outwards in a spiral to twice the distance. Right: the distance against time: leapfrog stays at one, Euler's rises close to a grey law that grows as the cube root of the time.
+width = 14
+height = 7
+load 'plots/style.gp'
+file = 'build/data/09-sun-earth.dat'
+set multiplot layout 1,2 margins 0.08*room,0.985,0.16*room,0.97 spacing 0.12*room,0
+set size ratio -1
+set xrange [-2.4:2.4]
+set yrange [-2.4:2.4]
+set xtics 1
+set ytics 1
+set xlabel '{/:Italic x}  (AU)'
+set ylabel '{/:Italic y}  (AU)' offset 1
+plot file using 4:5 with lines ls 2, \
+     file using 2:3 with lines ls 9, \
+     file every 12 using 6:7 with points ls 1, \
+     '+' using (0):(0) every ::::0 with points pt 7 ps 1.4*big lc rgb orange
+set size noratio
+set ytics 0.4
+set xrange [0:5]
+set yrange [0.8:2.3]
+set xlabel '{/:Italic t}  (years)'
+set ylabel 'distance  (AU)' offset 1
+set key at graph 0.03,0.97 left top Left reverse samplen 2
+h = 2*0.0172
+plot (1 + 6*h*0.0172*365.25*x)**(1./3) ls 9 title 'law', \
+     file using ($1/365.25):(sqrt($4**2+$5**2)) with lines ls 2 title 'Euler', \
+     file every 12 using ($1/365.25):(sqrt($6**2+$7**2)) with points ls 1 title 'leapfrog'
+unset multiplot

@@ -1,0 +1,22 @@
+# data: plots/data/09-tree.dat
+# alt: Time of one evaluation of all forces against the number of particles in a ring, both axes logarithmic, from 250 to 32000. The direct sums rise with slope two: portable from 0.3 milliseconds to 5 seconds, the vector kernel a quarter of that. A tree rises with a slope near 1.2 and crosses the vector kernel near 2500 particles, with larger cells near 1000. A vertical line marks 3072.
+width = 14
+height = 7
+load 'plots/style.gp'
+file = 'plots/data/09-tree.dat'
+set lmargin at screen 0.11*room
+set rmargin at screen 0.985
+set bmargin at screen 0.16*room
+set tmargin at screen 0.97
+set logscale xy
+set format '10^{%T}'
+set xlabel 'particles {/:Italic N}'
+set ylabel 'time of all forces  (ms)' offset 1
+set xrange [200:40000]
+set yrange [0.05:1e4]
+set key at graph 0.03,0.96 left top Left reverse samplen 2
+set arrow from 3072,0.05 to 3072,1e4 nohead ls 9
+plot file using 1:2 with linespoints ls 2 title 'direct, portable', \
+     file using 1:3 with linespoints ls 1 title 'direct, vectors', \
+     file using 1:4 with linespoints ls 3 title 'tree, {/Symbol q} = 0.2', \
+     file using 1:7 with linespoints ls 4 dt 2 title 'tree, {/Symbol q} = 0.5'

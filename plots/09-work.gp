@@ -1,0 +1,27 @@
+# data: build/data/09-work.dat
+# command: build/bin/gravity-studies --study work -o build/data/09-work.dat
+# lecture: build/bin/gravity-studies --study work --orbits 1000 -o build/data/09-work.dat
+# alt: Two panels with logarithmic axes: error against evaluations of the forces in a period of the stars. Left, largest error of the energy; right, error of the planet's place after 400 days. Each method falls with a slope of its own: symplectic Euler highest, then leapfrog, Runge-Kutta, Yoshida's fourth order, PEFRL, Yoshida's sixth order, and Kahan and Li's eighth order, which reaches the level of rounding with about 600 evaluations.
+width = 14
+height = 8.6
+load 'plots/style.gp'
+file = 'build/data/09-work.dat'
+colours = '#999999 #0072b2 #d55e00 #009e73 #aa4499 #e69f00 #000000'
+shapes = '2 7 5 9 11 6 13'
+names = 'sympl.-Euler leapfrog rk4 yoshida4 pefrl yoshida6 kahan-li8'
+set multiplot layout 1,2 margins 0.1*room,0.82,0.15*room,0.97 spacing 0.12*room,0
+set logscale xy
+set format y '10^{%T}'
+set xlabel 'evaluations in a period of the stars'
+set ylabel 'largest error of the energy' offset 0.8
+set xrange [40:8000]
+set yrange [1e-16:1]
+unset key
+plot for [i=0:6] file index i using 1:2 with linespoints \
+     lc rgb word(colours, i+1) pt int(word(shapes, i+1)) ps 0.6*big lw 1.5*thick
+set key at screen 0.995,0.93 right top Left reverse samplen 1.5
+set ylabel 'error of place after 400 d  (AU)' offset 0.8
+plot for [i=0:6] file index i using 1:3 with linespoints \
+     lc rgb word(colours, i+1) pt int(word(shapes, i+1)) ps 0.6*big lw 1.5*thick \
+     title word(names, i+1)
+unset multiplot

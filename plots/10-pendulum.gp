@@ -1,0 +1,49 @@
+# data: build/data/10-path.dat
+# command: build/bin/springs-studies --study path -o build/data/10-path.dat
+# data: build/data/10-errors.dat
+# command: build/bin/springs-studies --study errors -o build/data/10-errors.dat
+# alt: Two panels. Left, the paths of the two bodies in ten seconds: the upper one swings on an arc of a circle, the lower one draws a winding curve below it. Right, error of the place after ten seconds against the step, with logarithmic axes, for nine methods: lines of slopes one, two, four, six and eight, each ending on the right at its step limit, but for the two implicit methods, whose error levels off near one for large steps.
+width = 14
+height = 8
+load 'plots/style.gp'
+set multiplot
+set lmargin at screen 0.075*room
+set rmargin at screen 0.37
+set bmargin at screen 0.14*room
+set tmargin at screen 0.97
+set size ratio -1
+set xrange [-1.5:1.5]
+set yrange [-1.9:1.15]
+set xlabel '{/:Italic x}  (m)'
+set ylabel '{/:Italic z}  (m)' offset 1.5
+set xtics 1
+file = 'build/data/10-path.dat'
+plot file using 4:5 with lines lc rgb blue lw 0.8*thick, file using 2:3 with lines lc rgb red lw 1.5*thick, \
+     '+' using (0):(1) every ::0::0 with points pt 7 ps 0.8*big lc rgb dark, \
+     file every ::0::0 using (0):(1):2:($3-1) with vectors nohead lc rgb dark lw thick, \
+     file every ::0::0 using 2:3:($4-$2):($5-$3) with vectors nohead lc rgb dark lw thick, \
+     file every ::0::0 using 2:3 with points pt 7 ps big lc rgb red, file every ::0::0 using 4:5 with points pt 7 ps big lc rgb blue
+set size noratio
+set lmargin at screen 0.48
+set rmargin at screen 0.985
+set logscale xy
+set format x '10^{%T}'
+set format y '10^{%T}'
+set xtics auto
+set xrange [5e-5:6]
+set yrange [1e-13:3]
+set xlabel 'step  (s)'
+set ylabel 'error after 10 s  (m)' offset 1
+set key at graph 0.985,0.02 right bottom samplen 1.5 spacing 0.95
+errors = 'build/data/10-errors.dat'
+plot errors index 0 using 1:3 with linespoints lc rgb grey pt 1 ps 0.6*big title 'Euler', \
+     errors index 1 using 1:3 with linespoints lc rgb dark pt 2 ps 0.6*big title 'symplectic Euler', \
+     errors index 2 using 1:3 with linespoints ls 1 title 'leapfrog', \
+     errors index 8 using 1:3 with linespoints ls 5 title 'implicit midpoint', \
+     errors index 3 using 1:3 with linespoints ls 2 title 'RK4', \
+     errors index 4 using 1:3 with linespoints ls 3 title 'Yoshida 4', \
+     errors index 6 using 1:3 with linespoints lc rgb orange pt 4 ps 0.6*big title 'PEFRL', \
+     errors index 9 using 1:3 with linespoints lc rgb orange pt 12 ps 0.6*big dt 2 title 'Gauss 4', \
+     errors index 5 using 1:3 with linespoints ls 4 title 'Yoshida 6', \
+     errors index 7 using 1:3 with linespoints lc rgb grey pt 6 ps 0.6*big title 'Kahan–Li 8'
+unset multiplot

@@ -1,0 +1,19 @@
+# data: plots/data/10-speed.dat
+# alt: Steps of a body per second against the side of the grid, 8 to 512, both axes logarithmic. Spring by spring 50 to 30 million, falling slowly. By bands it rises from 70 million at 8 to 120 million at 32 and 64 and falls to 60 million at 512. Computing every spring twice is best at 8 with 100 million and lies between the two from 32 on.
+width = 11
+height = 7
+load 'plots/style.gp'
+set lmargin at screen 0.14*room
+set rmargin at screen 0.985
+set bmargin at screen 0.16*room
+set tmargin at screen 0.97
+set logscale x 2
+set xlabel 'bodies on a side'
+set ylabel 'steps of a body per second  (millions)' offset 0.5
+set xrange [6.5:630]
+set yrange [0:180]
+set key at graph 0.98,0.97 right top samplen 1.5
+file = 'plots/data/10-speed.dat'
+plot file using 1:($3/1e6) with linespoints ls 1 title 'bands', \
+     file using 1:($4/1e6) with linespoints ls 3 title 'every spring twice', \
+     file using 1:($2/1e6) with linespoints ls 2 title 'spring by spring'

@@ -1,0 +1,23 @@
+# data: build/data/10-spin.dat
+# command: build/bin/springs-studies --study spin -o build/data/10-spin.dat
+# alt: Two panels over five seconds. Left, angular momentum of a spinning dumbbell on a logarithmic axis: constant with the axial dashpot, a straight line down to seven thousandths of the start with the printed one. Right, energy: with the axial dashpot it oscillates down to a plateau of about 1.2 joules, the rotation that is left; with the printed one it goes to zero.
+width = 14
+height = 6.5
+load 'plots/style.gp'
+set multiplot layout 1,2 margins 0.09*room,0.985,0.17*room,0.97 spacing 0.11*room,0
+set xlabel 'time  (s)'
+set xrange [0:5]
+set logscale y
+set yrange [5e-3:2]
+set ylabel 'angular momentum  (kg m^2/s)' offset 1
+set key at graph 0.03,0.05 left bottom samplen 1.5
+plot 1.1*exp(-x) ls 9, 1.1 ls 9, \
+     'build/data/10-spin.dat' every 4 using 1:2 with points ls 2 title 'dashpot as printed', \
+     '' every 4 using 1:3 with points ls 1 title 'along the axis'
+unset logscale
+set yrange [0:1.7]
+set ylabel 'energy  (J)' offset 1
+set key at graph 0.97,0.5 right center
+plot 'build/data/10-spin.dat' using 1:4 with lines ls 2 title 'as printed', \
+     '' using 1:5 with lines ls 1 title 'along the axis'
+unset multiplot

@@ -1,0 +1,32 @@
+# data: build/data/11-bound-stiff.dat
+# command: build/bin/scene double-pendulum | build/bin/step - --dt 0.0285 --until 9.69 --every 0.0285 --bound 1e300 --observe parts -o build/data/11-bound-stiff.dat
+# data: build/data/11-bound-good.dat
+# command: build/bin/scene circumbinary | build/bin/step - --dt 4 --until 9600 --every 12 --observe parts -o build/data/11-bound-good.dat
+# data: build/data/11-bound-euler.dat
+# command: build/bin/scene double-pendulum | build/bin/step - --dt 0.002 --method euler --until 6 --every 0.01 --bound 1e300 --observe parts -o build/data/11-bound-euler.dat
+# data: build/data/11-bound-spiral.dat
+# command: build/bin/scene sun-earth | build/bin/step - --dt 1 --method euler --until 9600 --every 20 --bound 1e300 --observe parts -o build/data/11-bound-spiral.dat
+# alt: Energy gained, in units of the scale S, against time, logarithmic upwards. The double pendulum with a step just above leapfrog's limit rises exponentially and crosses the bound 10; by Euler's method at a small step it does so much earlier. Two stars and a planet by leapfrog, ten steps a turn, stay near one hundredth. Euler's Earth levels off at a third, below the bound.
+width = 14
+height = 7.2
+load 'plots/style.gp'
+set logscale y
+set format y '10^{%T}'
+set xrange [0:9.6]
+set yrange [1e-6:1e6]
+set xlabel 'time  (s; of stars and planets in thousands of days)'
+set ylabel '({/:Italic E} − {/:Italic E}_0)/{/:Italic S}' offset 1
+set lmargin at screen 0.105*room
+set bmargin at screen 0.155*room
+set tmargin at screen 0.97
+set rmargin at screen 0.98
+set key at graph 0.985,0.97 right Left reverse samplen 2 spacing 1.1
+set label 1 'the bound' at 9.5,22 right tc rgb '#555555'
+neg(x) = x < 0 ? -x : 0
+E(a,b,c,d) = a + b + c + d
+grown(a,b,c,d) = (n = n + 1, n == 1 ? e0 = E(a,b,c,d) : 0, s = n == 1 ? 0 : s, q = neg(b) + neg(c) + neg(d), s = q > s ? q : s, g = (E(a,b,c,d) - e0) / (abs(e0) + s), g > 1e-6 ? g : NaN)
+plot 10 ls 9, \
+     n = 0, 'build/data/11-bound-euler.dat' using 1:(grown($2,$3,$4,$5)) with lines lc rgb red lw 1.8*thick title 'double pendulum, Euler, 0.002 s', \
+     n = 0, 'build/data/11-bound-stiff.dat' using 1:(grown($2,$3,$4,$5)) with lines lc rgb blue lw 1.5*thick title 'leapfrog, 0.0285 s', \
+     n = 0, 'build/data/11-bound-spiral.dat' using ($1/1000):(grown($2,$3,$4,$5)) with lines lc rgb purple lw 1.8*thick dt '-' title 'Sun and Earth, Euler, 1 d', \
+     n = 0, 'build/data/11-bound-good.dat' using ($1/1000):(grown($2,$3,$4,$5)) with points pt 7 ps 0.2*big lc rgb green title 'Kepler-16, leapfrog, 4 d'

@@ -1,0 +1,242 @@
+/* From chapters/11-step.nw: edit there, then run make tangle. */
+/* checksum 1333336302 of the lines below */
+#include "motion.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void add_friction(const struct scene *s, const double v[],
+                         double a[])
+{
+    const size_t n = s->bodies;
+    for (size_t k = 0; k < 3; ++k)
+        for (size_t i = 0; i < n; ++i)
+            a[k * n + i] -= s->damping / s->mass[i] * v[k * n + i];
+}
+
+/* (11.8, eq:motion) */
+static void accelerate(void *what, const double x[], const double v[],
+                       double a[])
+{
+    struct motion *m = what;
+    const struct scene *s = m->scene;
+    for (size_t k = 0; k < 3; ++k)
+        for (size_t i = 0; i < s->bodies; ++i)
+            a[k * s->bodies + i] = s->gravity[k];
+    if (m->attracts)
+        gravity_add(&m->gravity, x, a);
+    if (m->bound)
+        springs_add(&m->springs, x, v, a);
+    if (s->damping > 0)
+        add_friction(s, v, a);
+    for (size_t j = 0; j < m->fixed; ++j)
+        a[m->held[j]] = 0;
+}
+
+static bool make_parts(struct motion *m)
+{
+    const struct scene *s = m->scene;
+    if (s->k2 > 0)
+        m->attracts = gravity_create(&m->gravity, s->bodies, s->mass, s->k2,
+                                     s->softening);
+    if (s->springs > 0)
+        m->bound = springs_create(&m->springs, s);
+    if (s->contact)
+        m->collides = spheres_create(&m->spheres, s, SPHERES_ALL);
+    return m->attracts == (s->k2 > 0) && m->bound == (s->springs > 0) &&
+           m->collides == s->contact;
+}
+
+static bool hold_coordinates(struct motion *m)
+{
+    struct scene *s = m->scene;
+    m->held = malloc((3 * s->bodies + 1) * sizeof *m->held);
+    for (size_t c = 0; m->held && c < 3 * s->bodies; ++c)
+        if (!s->freedom[c]) {
+            m->held[m->fixed++] = c;
+            s->velocity[c] = 0;
+        }
+    return m->held != NULL;
+}
+
+static bool begin_stepping(struct motion *m,
+                           const struct stepping_method *method, double dt)
+{
+    struct scene *s = m->scene;
+    const bool damped =
+        s->damping > 0 || (m->bound && springs_damped(&m->springs));
+    struct stepping_forces forces = {3 * s->bodies, damped, accelerate, m};
+    if (m->bound && !m->attracts)
+        forces = springs_forces(&m->springs);
+    if (!stepping_begin(&m->stepping, method, forces, dt, s->position,
+                        s->velocity))
+        return false;
+    m->stepping.start = s->time;
+    m->spheres.dt = dt;
+    m->stepping.compensated = s->carry != NULL;
+    if (s->carry)
+        memcpy(m->stepping.carry, s->carry,
+               6 * s->bodies * sizeof *s->carry);
+    return true;
+}
+
+static bool is_light(const struct scene *s, size_t i)
+{
+    const size_t n = s->bodies;
+    return s->mass[i] == 0 &&
+           (s->freedom[i] || s->freedom[n + i] || s->freedom[2 * n + i]);
+}
+
+/* A free body without mass on which a force acts, or the bodies' number. */
+static size_t find_light(const struct scene *s)
+{
+    for (size_t i = 0; s->damping > 0 && i < s->bodies; ++i)
+        if (is_light(s, i))
+            return i;
+    for (size_t j = 0; j < s->springs; ++j) {
+        if (is_light(s, s->spring[j].a))
+            return s->spring[j].a;
+        if (is_light(s, s->spring[j].b))
+            return s->spring[j].b;
+    }
+    return s->bodies;
+}
+
+static bool complain(const char *program, const char *what)
+{
+    fprintf(stderr, "%s: %s\n", program, what);
+    return false;
+}
+
+bool motion_begin(struct motion *m, const char *program, struct scene *s,
+                  const char *method, double dt)
+{
+    char message[128];
+    const struct stepping_method *found = stepping_find(method);
+    const size_t light = find_light(s);
+    *m = (struct motion){.scene = s};
+    snprintf(message, sizeof message,
+             "body %zu has no mass, expected one, since a spring, friction "
+             "or a contact acts on it",
+             light);
+    if (light < s->bodies)
+        return complain(program, message);
+    snprintf(message, sizeof message, "there is no method '%.40s'", method);
+    if (!found)
+        return complain(program, message);
+    if (dt == 0 && s->dt == 0)
+        return complain(program, "the scene has no line dt, and no time "
+                                 "step was given");
+    if (make_parts(m) && hold_coordinates(m) &&
+        begin_stepping(m, found, dt > 0 ? dt : s->dt))
+        return true;
+    motion_end(m);
+    return complain(program, "no memory for the motion");
+}
+
+void motion_end(struct motion *m)
+{
+    if (m->attracts)
+        gravity_free(&m->gravity);
+    if (m->bound)
+        springs_free(&m->springs);
+    if (m->collides)
+        spheres_free(&m->spheres);
+    stepping_free(&m->stepping);
+    free(m->held);
+    *m = (struct motion){0};
+}
+
+static enum stepping_end step_once(struct motion *m)
+{
+    struct stepping *s = &m->stepping;
+    if (!m->outside)
+        return stepping_run(s, 1);
+    if (!m->outside(m->with, s->dt, s->x, s->v))
+        return STEPPING_STUCK;
+    ++s->steps;
+    stepping_disturb(s);
+    return STEPPING_DONE;
+}
+
+enum stepping_end motion_run(struct motion *m, uint64_t steps)
+{
+    enum stepping_end end = STEPPING_DONE;
+    if (!m->collides && !m->outside)
+        return stepping_run(&m->stepping, steps);
+    for (; steps > 0 && end == STEPPING_DONE; --steps) {
+        end = step_once(m);
+        if (end != STEPPING_DONE || !m->collides)
+            continue;
+        const uint64_t met =
+            spheres_resolve(&m->spheres, m->stepping.x, m->stepping.v);
+        m->collisions += met;
+        if (met > 0)
+            stepping_disturb(&m->stepping);
+    }
+    return end;
+}
+
+double motion_time(const struct motion *m)
+{
+    return stepping_time(&m->stepping);
+}
+
+void motion_resume(struct motion *m, double start, uint64_t steps,
+                   const double acceleration[])
+{
+    m->stepping.start = start;
+    stepping_resume(&m->stepping, steps, NULL, acceleration);
+}
+
+void motion_note(struct motion *m)
+{
+    struct scene *s = m->scene;
+    const size_t size = 6 * s->bodies * sizeof *s->carry;
+    s->time = motion_time(m);
+    s->dt = m->stepping.dt;
+    if (m->stepping.compensated && !s->carry)
+        s->carry = malloc(size);
+    if (m->stepping.compensated && s->carry)
+        memcpy(s->carry, m->stepping.carry, size);
+}
+
+static double weigh(const struct scene *s)
+{
+    const size_t n = s->bodies;
+    double sum = 0;
+    for (size_t k = 0; k < 3; ++k)
+        for (size_t i = 0; s->gravity[k] != 0 && i < n; ++i)
+            if (s->freedom[k * n + i])
+                sum -= s->mass[i] * s->gravity[k] * s->position[k * n + i];
+    return sum;
+}
+
+double motion_kinetic(const struct motion *m)
+{
+    const struct scene *s = m->scene;
+    const size_t n = s->bodies;
+    double sum = 0;
+    for (size_t i = 0; i < n; ++i) {
+        const double x = s->velocity[i], y = s->velocity[n + i],
+                     z = s->velocity[2 * n + i];
+        sum += s->mass[i] * (x * x + y * y + z * z) / 2;
+    }
+    return sum;
+}
+
+struct motion_energy motion_energy(const struct motion *m)
+{
+    const double *x = m->scene->position;
+    return (struct motion_energy){
+        motion_kinetic(m),
+        m->attracts ? gravity_potential(&m->gravity, x) : 0,
+        m->bound ? springs_potential(&m->springs, x) : 0, weigh(m->scene)};
+}
+
+double motion_potential(const struct motion *m)
+{
+    const struct motion_energy e = motion_energy(m);
+    return e.gravity + e.springs + e.weight;
+}

@@ -1,0 +1,640 @@
+/* From chapters/11-step.nw: edit there, then run make tangle. */
+/* checksum 2043916379 of the lines below */
+#include "checkpoint.h"
+#include "motion.h"
+#include "observables.h"
+#include "reference.h"
+#include "scene.h"
+#include "toolbox/bench.h"
+#include "toolbox/options.h"
+#include "toolbox/progress.h"
+#include "toolbox/table.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#define PROGRAM "step"
+
+struct settings {
+    const char *scene, *method;
+    double dt, until, every; /* s; 0: the scene's, -, a hundredth */
+    const char *observe;
+    const char *track;
+    int threads, kernel;
+    size_t rule, shift, order; /* of contacts */
+    bool compensated, resume;
+    double bound, tolerance;
+    double checkpoint; /* s of the wall's clock */
+    const char *output, *summary, *save, *command;
+};
+
+enum { METHODS_MOST = 40 };
+static const char *method_names[METHODS_MOST];
+static const char outside_name[] = "rk8pd";
+
+static void list_methods(void)
+{
+    size_t n = 0;
+    while (stepping_methods[n].name && n + 2 < METHODS_MOST) {
+        method_names[n] = stepping_methods[n].name;
+        ++n;
+    }
+    method_names[n] = outside_name;
+}
+
+_Noreturn static void refuse(const char *format, ...)
+{
+    va_list values;
+    va_start(values, format);
+    fprintf(stderr, PROGRAM ": ");
+    vfprintf(stderr, format, values);
+    fprintf(stderr, "\n");
+    va_end(values);
+    table_abandon();
+    exit(OPTIONS_FAILURE);
+}
+
+_Noreturn static void give_up(const char *what)
+{
+    fprintf(stderr, PROGRAM ": no memory for %s\n", what);
+    table_abandon();
+    exit(EXIT_FAILURE);
+}
+
+enum ending { WHOLE, INTERRUPTED, INFINITE, STUCK, TOO_MUCH, UNWRITTEN };
+
+/* What becomes of the energy, J. */
+struct watch {
+    double start;  /* E at the start */
+    double depth;  /* of the deepest potential so far */
+    double worst;  /* largest |E - start| */
+    double before; /* S of the row before: (11.9, eq:energy-scale) */
+};
+
+struct run {
+    const struct settings *s;
+    struct scene scene;
+    struct motion motion;
+    struct reference reference;
+    struct observables observables;
+    size_t *tracked, tracks, columns;
+    double *row;
+    struct table *out, *summary, *save;
+    bool kept; /* rows go to the checkpoint's companion */
+    struct checkpoint checkpoint;
+    uint64_t every, last, rows; /* steps to a row, steps to the end */
+    uint64_t evaluations;       /* before this process */
+    double energy, time;        /* of the last row */
+    struct watch watch;
+    double seconds; /* of processor time, rows included */
+    struct progress progress;
+};
+
+static bool use_reference(void *with, double dt, double x[], double v[])
+{
+    return reference_step(with, dt, x, v);
+}
+
+static void choose_outside(struct run *r)
+{
+    struct motion *m = &r->motion;
+    if (strcmp(r->s->method, outside_name) != 0)
+        return;
+    if (!reference_begin(&r->reference, m->stepping.forces,
+                         r->s->tolerance))
+        give_up("the reference");
+    m->outside = use_reference;
+    m->with = &r->reference;
+}
+
+static void set_in_motion(struct run *r)
+{
+    struct motion *m = &r->motion;
+    const bool outside = strcmp(r->s->method, outside_name) == 0;
+    if (!motion_begin(m, PROGRAM, &r->scene,
+                      outside ? "leapfrog" : r->s->method, r->s->dt))
+        exit(OPTIONS_FAILURE);
+    if (r->s->compensated)
+        m->stepping.compensated = true;
+    m->gravity.threads = r->s->threads;
+    m->gravity.kernel = (enum gravity_kernel)r->s->kernel;
+    if (m->bound && !springs_threads(&m->springs, r->s->threads))
+        give_up("the threads");
+    m->spheres.rule = (enum spheres_rule)r->s->rule;
+    m->spheres.shift = (enum spheres_shift)r->s->shift;
+    m->spheres.order = (enum spheres_order)r->s->order;
+    choose_outside(r);
+}
+
+/* The time over dt, as a whole number of steps; *whole: it is one. */
+static uint64_t steps_in(double time, double dt, bool *whole)
+{
+    const double n = time / dt;
+    if (!(n < 9e15))
+        refuse("--dt: %g takes more than 9e15 steps for %g", dt, time);
+    *whole = fabs(n - round(n)) <= 1e-9 * n;
+    return (uint64_t)(*whole ? round(n) : n);
+}
+
+static void divide(struct run *r, double start)
+{
+    const double dt = r->motion.stepping.dt;
+    const double until =
+        isnan(r->s->until) ? start + 1000 * dt : r->s->until;
+    const uint64_t rows = r->tracks > 0 ? 100 : 1000;
+    bool whole;
+    if (!(until >= start))
+        refuse("--until: %g is before the scene's time, %g", until, start);
+    r->last = steps_in(until - start, dt, &whole);
+    r->every = r->last / rows > 0 ? r->last / rows : 1;
+    if (r->s->every == 0)
+        return;
+    r->every = steps_in(r->s->every, dt, &whole);
+    const double nearest = fmax(1, round(r->s->every / dt)) * dt;
+    if (!whole || r->every == 0)
+        refuse("--every: %g is no whole number of steps of %g; the nearest "
+               "is %.10g",
+               r->s->every, dt, nearest);
+}
+
+static void track_all(struct run *r)
+{
+    r->tracks = r->scene.bodies;
+    for (size_t i = 0; i < r->tracks; ++i)
+        r->tracked[i] = i;
+}
+
+/* Reads numbers of bodies with commas between them. */
+static void track(struct run *r, const char *text)
+{
+    while (true) {
+        char *end = NULL;
+        const unsigned long long id =
+            *text >= '0' && *text <= '9' ? strtoull(text, &end, 10) : 0;
+        if (!end || (*end != ',' && *end != '\0') || id >= r->scene.bodies)
+            refuse("--track: '%s' does not begin with one of the bodies 0 "
+                   "to %zu",
+                   text, r->scene.bodies - 1);
+        if (r->tracks == r->scene.bodies)
+            refuse("--track: more bodies than there are");
+        r->tracked[r->tracks++] = (size_t)id;
+        if (*end == '\0')
+            return;
+        text = end + 1;
+    }
+}
+
+static void choose_columns(struct run *r)
+{
+    char message[OBSERVABLES_MESSAGE];
+    r->tracked = malloc(r->scene.bodies * sizeof *r->tracked);
+    if (!r->tracked)
+        give_up("the bodies that are tracked");
+    if (r->s->observe && !observables_read(&r->observables, r->s->observe,
+                                           r->scene.bodies, message))
+        refuse("--observe: %s", message);
+    if (r->s->track)
+        track(r, r->s->track);
+    else if (!r->s->observe)
+        track_all(r);
+    r->columns = 1 + r->observables.columns + 6 * r->tracks;
+    r->row = malloc(r->columns * sizeof *r->row);
+    if (!r->row)
+        give_up("a row");
+}
+
+static void write_head(struct run *r)
+{
+    static const char *const symbol[] = {"x", "y", "z", "vx", "vy", "vz"};
+    char name[32];
+    table_begin(r->out, r->s->command, 0);
+    table_column(r->out, "t", "time", "time, in the units of the scene");
+    observables_head(&r->observables, r->out);
+    for (size_t j = 0; j < r->tracks; ++j)
+        for (size_t k = 0; k < 6; ++k) {
+            snprintf(name, sizeof name, "%s:%zu", symbol[k], r->tracked[j]);
+            table_column(r->out, name, k < 3 ? "length" : "length/time",
+                         k < 3 ? "place" : "velocity");
+        }
+}
+
+static bool write_row(struct run *r)
+{
+    const size_t n = r->scene.bodies;
+    double *next = r->row;
+    *next++ = motion_time(&r->motion);
+    observables_values(&r->observables, &r->motion, next);
+    next += r->observables.columns;
+    for (size_t j = 0; j < r->tracks; ++j) {
+        const size_t i = r->tracked[j];
+        for (size_t k = 0; k < 3; ++k, ++next) {
+            next[0] = r->scene.position[k * n + i];
+            next[3] = r->scene.velocity[k * n + i];
+        }
+        next += 3;
+    }
+    ++r->rows;
+    return r->kept ? checkpoint_row(&r->checkpoint, r->columns, r->row)
+                   : table_row(r->out, r->columns, r->row);
+}
+
+static double below_zero(double energy)
+{
+    return energy < 0 ? -energy : 0;
+}
+
+/* Looks at the energy. false: it is beyond the bound (11.10,
+   eq:energy-bound). */
+static bool is_sane(struct run *r)
+{
+    struct watch *w = &r->watch;
+    const struct motion_energy e = motion_energy(&r->motion);
+    r->energy = e.kinetic + (e.gravity + e.springs + e.weight);
+    if (r->rows == 0)
+        w->start = r->energy;
+    const double scale = w->before, grown = r->energy - w->start;
+    w->depth =
+        fmax(w->depth, below_zero(e.gravity) + below_zero(e.springs) +
+                           below_zero(e.weight));
+    w->before = fabs(w->start) + w->depth;
+    if (!(scale == 0 || grown <= r->s->bound * scale))
+        return false;
+    w->worst = fmax(w->worst, fabs(grown));
+    return true;
+}
+
+static bool keep_checkpoint(struct run *r)
+{
+    const struct checkpoint_numbers known = {
+        .start = r->motion.stepping.start,
+        .steps = (double)r->motion.stepping.steps,
+        .collisions = (double)r->motion.collisions,
+        .evaluations =
+            (double)(r->evaluations + r->motion.stepping.evaluations),
+        .rows = (double)r->rows,
+        .energy = r->watch.start,
+        .depth = r->watch.depth,
+        .worst = r->watch.worst};
+    return checkpoint_write(&r->checkpoint, &r->motion, known);
+}
+
+static double wall_clock(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+/* Writes a checkpoint when it is time to. false: it could not. */
+static bool keep_if_due(struct run *r, double *kept)
+{
+    const double now = r->kept ? wall_clock() : 0;
+    if (!r->kept || now - *kept < r->s->checkpoint)
+        return true;
+    *kept = now;
+    return keep_checkpoint(r);
+}
+
+static void resume(struct run *r, const struct checkpoint_numbers *n,
+                   double *acceleration)
+{
+    motion_resume(&r->motion, n->start, (uint64_t)n->steps, acceleration);
+    r->motion.collisions = (uint64_t)n->collisions;
+    r->evaluations = (uint64_t)n->evaluations;
+    r->rows = (uint64_t)n->rows;
+    r->watch = (struct watch){n->energy, n->depth, n->worst,
+                              fabs(n->energy) + n->depth};
+    free(acceleration);
+}
+
+static uint64_t least(uint64_t a, uint64_t b)
+{
+    return a < b ? a : b;
+}
+
+/* Takes at most *bite steps, up to the next row or the end at most. */
+static enum ending take_bite(struct run *r, uint64_t *bite)
+{
+    const double start = wall_clock();
+    const uint64_t steps = r->motion.stepping.steps;
+    const uint64_t ahead =
+        least(r->every - steps % r->every, r->last - steps);
+    const enum stepping_end end =
+        motion_run(&r->motion, least(*bite, ahead));
+    const double took = wall_clock() - start;
+    if (took > 0.05 && *bite > 1)
+        *bite /= 2;
+    else if (took < 0.02 && *bite < ahead)
+        *bite *= 2;
+    return end == STEPPING_DONE       ? WHOLE
+           : end == STEPPING_INFINITE ? INFINITE
+                                      : STUCK;
+}
+
+static enum ending add_row(struct run *r)
+{
+    if (!is_sane(r))
+        return TOO_MUCH;
+    r->time = motion_time(&r->motion);
+    return write_row(r) ? WHOLE : UNWRITTEN;
+}
+
+static enum ending run_on(struct run *r)
+{
+    const uint64_t *steps = &r->motion.stepping.steps;
+    const double start = bench_seconds();
+    uint64_t bite = 16;
+    double kept = r->kept ? wall_clock() : 0;
+    enum ending end = r->rows == 0 ? add_row(r) : WHOLE;
+    while (end == WHOLE && *steps < r->last) {
+        end = progress_signal() ? INTERRUPTED : take_bite(r, &bite);
+        if (end == WHOLE && *steps % r->every == 0)
+            end = add_row(r);
+        if (end == WHOLE && !keep_if_due(r, &kept))
+            end = UNWRITTEN;
+        progress_update(&r->progress, *steps, *steps);
+    }
+    r->seconds = bench_seconds() - start;
+    return end;
+}
+
+static void explain(const struct run *r, enum ending end)
+{
+    if (end == STUCK)
+        fprintf(stderr,
+                PROGRAM ": %s found no solution after t = %.10g: try a "
+                        "smaller --dt\n",
+                r->s->method, r->time);
+    if (end == INFINITE)
+        fprintf(stderr,
+                PROGRAM ": blew up after t = %.10g (infinite coordinates): "
+                        "try a smaller --dt\n",
+                r->time);
+    if (end == TOO_MUCH)
+        fprintf(stderr,
+                PROGRAM ": blew up after t = %.10g (energy %.4g, now "
+                        "%.4g): try a smaller --dt\n",
+                r->time, r->watch.start, r->energy);
+}
+
+static void open_outputs(struct run *r)
+{
+    const struct settings *s = r->s;
+    r->out = table_open(PROGRAM, s->output);
+    r->summary = r->out ? table_open(PROGRAM, s->summary) : NULL;
+    r->save = r->summary && s->save ? table_open(PROGRAM, s->save) : NULL;
+    if (!r->summary || (s->save && !r->save)) {
+        table_abandon();
+        exit(EXIT_FAILURE);
+    }
+    if (!r->kept)
+        return;
+    table_discard(r->out);
+    r->out = NULL;
+}
+
+/* Reads the scene, or goes on from a checkpoint. */
+static void begin_run(struct run *r)
+{
+    const struct settings *s = r->s;
+    struct checkpoint_numbers known = {0};
+    double *acceleration = NULL;
+    r->kept = checkpoint_possible(s->output);
+    const bool again = s->resume && r->kept && checkpoint_exists(s->output);
+    if (again ? !checkpoint_resume(&r->checkpoint, PROGRAM, s->command,
+                                   s->output, &r->scene, &known,
+                                   &acceleration)
+              : !scene_read(&r->scene, PROGRAM, s->scene))
+        exit(OPTIONS_FAILURE);
+    set_in_motion(r);
+    choose_columns(r);
+    divide(r, again ? known.start : r->scene.time);
+    open_outputs(r);
+    if (again)
+        resume(r, &known, acceleration);
+    else if (r->kept && !checkpoint_begin(&r->checkpoint, PROGRAM,
+                                          s->command, s->output)) {
+        table_abandon();
+        exit(EXIT_FAILURE);
+    }
+}
+
+/* Makes the table of the rows that were kept. */
+static bool make_table(struct run *r)
+{
+    r->out = table_open(PROGRAM, r->s->output);
+    if (!r->out)
+        return false;
+    write_head(r);
+    if (checkpoint_copy(&r->checkpoint, r->out))
+        return table_close(r->out);
+    table_discard(r->out);
+    return false;
+}
+
+/* Writes the last state as a scene. */
+static bool save_scene(struct run *r)
+{
+    motion_note(&r->motion);
+    scene_write(&r->scene, r->save);
+    return table_close(r->save);
+}
+
+/* Completes the table and the saved scene. Returns whether all was
+   written. */
+static bool close_outputs(struct run *r, enum ending end)
+{
+    bool good = r->kept ? make_table(r) : table_close(r->out);
+    if (r->kept && (end == INTERRUPTED || !good))
+        keep_checkpoint(r);
+    if (r->kept)
+        checkpoint_end(&r->checkpoint, !good || end == INTERRUPTED);
+    if (good && r->save && (end == WHOLE || end == INTERRUPTED))
+        good = save_scene(r);
+    else
+        table_discard(r->save);
+    return good && end != UNWRITTEN;
+}
+
+static void summarise(const struct run *r, enum ending end)
+{
+    static const char *const names[] = {
+        "whole", "interrupted", "infinite", "stuck", "energy", "unwritten"};
+    const struct stepping *p = &r->motion.stepping;
+    struct table *t = r->summary;
+    const double start = r->watch.start;
+    table_text(t, "end", names[end]);
+    table_count(t, "bodies", r->scene.bodies);
+    table_text(t, "method", r->s->method);
+    table_real(t, "dt", p->dt);
+    table_count(t, "steps", p->steps);
+    table_count(t, "rows", r->rows);
+    table_count(t, "evaluations",
+                r->evaluations + p->evaluations + r->reference.evaluations);
+    table_count(t, "collisions", r->motion.collisions);
+    table_real(t, "time", r->time);
+    table_real(t, "energy_start", start);
+    table_real(t, "energy", r->energy);
+    table_real(t, "energy_error",
+               start != 0 ? r->watch.worst / fabs(start) : r->watch.worst);
+    table_real(t, "seconds", r->seconds);
+    table_real(t, "steps_per_second",
+               r->seconds > 0 ? (double)p->steps / r->seconds : 0);
+}
+
+static const struct options_entry entries[] = {
+    {"", 0, "SCENE", "a scene file; - is standard input"},
+    {"until", 't', "T", "the time at which to stop (1000 steps)"},
+    {"method", 'm', "NAME",
+     "euler, symplectic-euler, leapfrog, rk4,\n"
+     "yoshida4, yoshida6, pefrl, kahan-li8,\n"
+     "implicit-midpoint, gauss4, or GSL's adaptive\n"
+     "rk8pd, within each step (leapfrog)"},
+    {"dt", 's', "H", "the time step (the scene's)"},
+    {"every", 'd', "DT",
+     "time from row to row, a whole number of steps\n"
+     "(a hundredth of the run; without states a\n"
+     "thousandth)"},
+    {"observe", 'O', "NAMES",
+     "instead of all states: t, energy, kinetic,\n"
+     "potential, parts, momentum, angular-momentum,\n"
+     "centre, temperature, collisions, x:ID, y:ID,\n"
+     "z:ID, vx:ID, vy:ID, vz:ID, speed:ID,\n"
+     "distance:ID:ID"},
+    {"track", 'T', "ID,..", "the states of these bodies only"},
+    {"compensated", 'c', NULL, "sums carry their rounding errors"},
+    {"kernel", 'k', "NAME",
+     "of gravity: portable, avx2 or avx512 (portable)"},
+    {"threads", 'j', "N", "how many, for forces (1)"},
+    {"rule", 'r', "NAME",
+     "contacts: all pairs that overlap, or those\n"
+     "approaching (all)"},
+    {"shift", 'x', "NAME",
+     "contacts: apart by radius, apart by mass, or\n"
+     "back (radius)"},
+    {"order", 'p', "NAME",
+     "contacts: ascending, descending or deepest\n"
+     "(ascending)"},
+    {"bound", 'B', "B",
+     "end when the energy has grown by B times\n"
+     "what there was (10)"},
+    {"tolerance", 'a', "E", "of rk8pd (1e-13)"},
+    {"save", 'w', "FILE", "write the last state as a scene"},
+    {"checkpoint", 'C', "S",
+     "seconds from one checkpoint to the next (60)"},
+    {"resume", 'R', NULL, "go on from the checkpoint of -o FILE, if any"},
+    {"output", 'o', "FILE", "for the table (standard output)"},
+    {"summary", 'S', "FILE", "for the results as lines: key value"},
+    {0}};
+
+static void take_scene(struct options *o, struct settings *s)
+{
+    if (s->scene)
+        options_fail(o, "'%s': there is a scene already, '%s'",
+                     options_text(o), s->scene);
+    s->scene = options_text(o);
+}
+
+static void check_settings(struct options *o, const struct settings *s)
+{
+    if (!s->scene)
+        options_fail(o, "a scene is needed, as in build/bin/scene "
+                        "sun-earth | step - --until 365");
+    if (!gravity_can((enum gravity_kernel)s->kernel))
+        options_fail(o, "--kernel: this machine has no %s",
+                     gravity_kernels[s->kernel]);
+    if (strcmp(s->method, outside_name) == 0 && !reference_available)
+        options_fail(o, "--method: this build has no rk8pd; install GSL "
+                        "(apt-get install --no-install-recommends "
+                        "libgsl-dev), then make");
+    if (s->resume && !checkpoint_possible(s->output))
+        options_fail(o, "--resume needs -o FILE, a regular file");
+    if (strcmp(s->summary, s->output ? s->output : "-") == 0 &&
+        strcmp(s->summary, "/dev/null") != 0)
+        options_fail(o, "--summary and the table would both go to '%s'",
+                     s->summary);
+}
+
+static const char *const rule_names[] = {"all", "approaching", NULL};
+static const char *const shift_names[] = {"radius", "mass", "back", NULL};
+static const char *const order_names[] = {"ascending", "descending",
+                                          "deepest", NULL};
+
+/* Takes one option. */
+static void take_option(struct options *o, struct settings *s, int option)
+{
+    switch (option) {
+    case OPTIONS_ARGUMENT: take_scene(o, s); break;
+    case 't': s->until = options_real(o, -INFINITY, INFINITY); break;
+    case 'm':
+        s->method = method_names[options_choice(o, method_names)];
+        break;
+    case 's': s->dt = options_real(o, OPTIONS_POSITIVE, INFINITY); break;
+    case 'd': s->every = options_real(o, OPTIONS_POSITIVE, INFINITY); break;
+    case 'O': s->observe = options_text(o); break;
+    case 'T': s->track = options_text(o); break;
+    case 'c': s->compensated = true; break;
+    case 'k': s->kernel = (int)options_choice(o, gravity_kernels); break;
+    case 'j': s->threads = (int)options_count(o, 1, 1024); break;
+    case 'r': s->rule = options_choice(o, rule_names); break;
+    case 'x': s->shift = options_choice(o, shift_names); break;
+    case 'p': s->order = options_choice(o, order_names); break;
+    case 'B': s->bound = options_real(o, OPTIONS_POSITIVE, INFINITY); break;
+    case 'a': s->tolerance = options_real(o, 1e-15, 1); break;
+    case 'w': s->save = options_text(o); break;
+    case 'C': s->checkpoint = options_real(o, 0, INFINITY); break;
+    case 'R': s->resume = true; break;
+    case 'o': s->output = options_text(o); break;
+    case 'S': s->summary = options_text(o); break;
+    }
+}
+
+static void read_settings(struct settings *s, int argc, char *argv[])
+{
+    struct options o;
+    int option;
+    list_methods();
+    *s = (struct settings){.method = "leapfrog",
+                           .until = NAN,
+                           .threads = 1,
+                           .bound = 10,
+                           .tolerance = 1e-13,
+                           .checkpoint = 60,
+                           .summary = "/dev/null"};
+    options_begin(&o, PROGRAM, "Step a scene through time.", entries, argc,
+                  argv);
+    while ((option = options_next(&o)) != -1)
+        take_option(&o, s, option);
+    s->command = options_command(&o);
+    check_settings(&o, s);
+}
+
+int main(int argc, char *argv[])
+{
+    static struct settings s;
+    static struct run r;
+    read_settings(&s, argc, argv);
+    r.s = &s;
+    begin_run(&r);
+    progress_catch_signals();
+    progress_begin(&r.progress, PROGRAM, r.last, "steps");
+    if (!r.kept)
+        write_head(&r);
+    const enum ending end = run_on(&r);
+    const bool whole = progress_end(&r.progress) || end != INTERRUPTED;
+    explain(&r, end);
+    const bool written = close_outputs(&r, end);
+    summarise(&r, end);
+    if (!whole || !written)
+        table_discard(r.summary);
+    else if (!table_close(r.summary))
+        return EXIT_FAILURE;
+    motion_end(&r.motion);
+    scene_free(&r.scene);
+    return whole && written && end == WHOLE ? EXIT_SUCCESS : EXIT_FAILURE;
+}

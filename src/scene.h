@@ -1,0 +1,94 @@
+/* From chapters/08-scenes.nw: edit there, then run make tangle. */
+/* checksum 191108145 of the lines below */
+#ifndef SCENE_H
+#define SCENE_H
+
+#include "toolbox/table.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+enum { SCENE_AXES = 3 };
+enum scene_wall { SCENE_OPEN, SCENE_HARD, SCENE_PERIODIC };
+
+/* A kind of spring: a line "s". */
+struct scene_kind {
+    double stiffness;          /* D, N/m */
+    double damping;            /* c, kg/s */
+    double colour[SCENE_AXES]; /* red, green, blue, from 0 to 1 */
+};
+
+/* A spring from one body to another: a line "sl". */
+struct scene_spring {
+    uint32_t a, b, kind;
+    double rest; /* m */
+};
+
+/* Bodies, what acts on them, and where they are. What has three numbers
+   for each body lies axis by axis: coordinate k of body i is at
+   [k * bodies + i]. */
+struct scene {
+    size_t bodies, kinds, springs;
+    double *mass, *charge, *radius; /* [bodies] kg, none, m */
+    double *position, *velocity;    /* [3 * bodies] m, m/s */
+    unsigned char *freedom;         /* [3 * bodies] 1: free, 0: fixed */
+    double *colour;                 /* [3 * bodies] red, green, blue */
+    uint32_t *species;              /* [bodies] */
+    double *carry; /* NULL, or [6 * bodies]: what compensated sums still
+                      owe to the positions, then to the velocities */
+    struct scene_kind *kind;
+    struct scene_spring *spring;
+    double k2;                  /* gravity between bodies; 0: none */
+    double softening;           /* its epsilon, m */
+    double gravity[SCENE_AXES]; /* the same for all, m/s^2 */
+    double damping;  /* each body feels the force -damping * v, kg/s */
+    double dt, time; /* s; dt 0: not given */
+    bool axial;      /* dashpots act along their spring only */
+    bool contact;    /* bodies collide; if not, radii are for drawing */
+    double restitution;
+    enum scene_wall wall[SCENE_AXES];
+    double low[SCENE_AXES], high[SCENE_AXES]; /* of the box, m */
+};
+
+/* Why a text is no scene. */
+struct scene_error {
+    size_t line;    /* the first line is 1 */
+    char text[200]; /* "found this, expected that" */
+};
+
+/* Prepares a scene of so many bodies at the origin, at rest: masses 1, all
+   free, restitution 1, walls open, all else 0. Returns false, with nothing
+   to free, when there is no memory. */
+bool scene_create(struct scene *s, size_t bodies);
+
+/* Frees the scene and makes *s empty. */
+void scene_free(struct scene *s);
+
+/* Makes *to a copy of the scene. Returns as scene_create does. */
+bool scene_copy(struct scene *to, const struct scene *from);
+
+/* Adds a kind of spring, whose number is then kinds - 1. Returns false
+   when there is no memory. */
+bool scene_add_kind(struct scene *s, double stiffness, double damping);
+
+/* Adds a spring between two bodies. With rest < 0 its rest length is the
+   distance of the two now. Returns false when there is no memory. */
+bool scene_add_spring(struct scene *s, size_t a, size_t b, size_t kind,
+                      double rest);
+
+/* Reads a scene from a file; "-" is standard input. On failure says why on
+   standard error, as in "program: file:line: found ..., expected ...", and
+   returns false, with nothing to free. */
+bool scene_read(struct scene *s, const char *program, const char *path);
+
+/* The same from a text in memory, which needs no '\0' at its end. On
+   failure fills *e and returns false, with nothing to free. */
+bool scene_parse(struct scene *s, const char *text, size_t length,
+                 struct scene_error *e);
+
+/* Writes the scene so that reading it gives the same bits: the places where
+   bodies are now, each rest length, the time and what sums carry. */
+void scene_write(const struct scene *s, struct table *out);
+
+#endif

@@ -1,0 +1,104 @@
+/* From chapters/08-stepping.nw: edit there, then run make tangle. */
+/* checksum 2210325953 of the lines below */
+#ifndef STEPPING_H
+#define STEPPING_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+enum { STEPPING_WATCH = 64 }; /* steps from one look to the next */
+
+/* Forces on `size` coordinates: accelerate writes all of a, the second
+   derivative of x, m/s^2. damped: it depends on v. */
+struct stepping_forces {
+    size_t size;
+    bool damped;
+    void (*accelerate)(void *what, const double x[], const double v[],
+                       double a[]);
+    void *what;
+};
+
+enum stepping_family {
+    STEPPING_SPLITTING, /* kicks and drifts */
+    STEPPING_EXPLICIT,  /* Runge-Kutta, stage after stage */
+    STEPPING_IMPLICIT   /* Runge-Kutta, all stages at once */
+};
+
+/* A method is data. */
+struct stepping_method {
+    const char *name;
+    enum stepping_family family;
+    int order;
+    bool symmetric, symplectic;
+    size_t stages; /* evaluations of the forces in a step; of an implicit
+                      method at least so many */
+    size_t drifts; /* of a splitting */
+    const double *drift; /* [drifts], in units of dt */
+    const double *kick;  /* [drifts + 1]: one before, between and after the
+                            drifts; NULL: the means of their neighbours */
+    const double *a, *b; /* Runge-Kutta: the tableau by rows, the weights */
+    double limit; /* of omega dt for an oscillator; INFINITY: none, 0: it
+                     is never stable */
+};
+
+enum stepping_end {
+    STEPPING_DONE,
+    STEPPING_INFINITE, /* a coordinate or velocity is no longer finite */
+    STEPPING_STUCK     /* the equations of an implicit step have not been
+                          solved: x and v are those before that step */
+};
+
+/* A system under way. Its fields may be read. */
+struct stepping {
+    const struct stepping_method *method;
+    struct stepping_forces forces;
+    double dt, start; /* s; start is 0 unless written before the first
+                         step */
+    uint64_t steps;   /* the time is start + steps * dt */
+    double *x, *v;    /* of the caller, [size] */
+    bool compensated; /* sums carry their rounding errors; to be set before
+                         the first step */
+    double *carry;    /* [2 * size]: what is still to be added to x, to v */
+    double *acceleration; /* [size] of the last evaluation */
+    uint64_t evaluations; /* of the forces so far */
+    /* ---- private */
+    bool fresh; /* acceleration belongs to x (and v) as they are */
+    double *work;
+    struct stepping_work *part;
+};
+
+/* The methods that there are; the last one is followed by a name NULL. */
+extern const struct stepping_method stepping_methods[];
+
+/* The method of this name, or NULL. */
+const struct stepping_method *stepping_find(const char *name);
+
+/* Prepares to step x (m) and v (m/s), which stay the caller's, by dt, s.
+   The method and what the forces point to must outlive s. Returns false,
+   with nothing to free, without memory. */
+bool stepping_begin(struct stepping *s, const struct stepping_method *m,
+                    struct stepping_forces f, double dt, double x[],
+                    double v[]);
+
+/* Lets a run go on that has taken `steps` steps elsewhere, before the
+   first step here: with the same x and v, the same carry if it was
+   compensated, the same acceleration if it was a damped leapfrog (NULL for
+   what is not needed) all bits are those of the run in one piece. */
+void stepping_resume(struct stepping *s, uint64_t steps,
+                     const double carry[], const double acceleration[]);
+
+/* Takes so many steps; how many calls they are divided into changes no
+   bit. Looks for numbers that are not finite at the end, and whenever
+   STEPPING_WATCH steps have been taken in all. */
+enum stepping_end stepping_run(struct stepping *s, uint64_t steps);
+
+/* The time of x and v, s. */
+double stepping_time(const struct stepping *s);
+
+/* To be called after x or v were changed from outside. */
+void stepping_disturb(struct stepping *s);
+
+void stepping_free(struct stepping *s);
+
+#endif

@@ -1,0 +1,74 @@
+/* What crosses the border of exercise 08c: see examiner/border.h. With the
+   runs comes the place behind them: the suite has put something there. */
+
+#include "examiner/border.h"
+#include <stdlib.h>
+#include <string.h>
+
+enum verdict { TOO_FEW, NOT_YET, MEASURED };
+
+enum verdict measure_order(size_t n, const double h[], const double error[],
+                           double rounding, double *order);
+
+/* The arguments but for the runs, and the place for the order as it is
+   before. */
+struct call {
+    size_t n;
+    double rounding, order;
+};
+
+static void move_arguments(struct call *c)
+{
+    border_sizes(&c->n, 1);
+    border_doubles(&c->rounding, 1);
+    border_doubles(&c->order, 1);
+}
+
+#ifdef BORDER_INSIDE
+
+static double *take_doubles(size_t count)
+{
+    double *x = border_memory(count * sizeof *x);
+    border_doubles(x, count);
+    return x;
+}
+
+void border_answer(void)
+{
+    struct call c;
+    move_arguments(&c);
+    double *h = take_doubles(c.n + 1), *error = take_doubles(c.n + 1);
+    int verdict = (int)measure_order(c.n, h, error, c.rounding, &c.order);
+    free(h);
+    free(error);
+    border_reply();
+    border_ints(&verdict, 1);
+    border_doubles(&c.order, 1);
+}
+
+#else
+
+static void give_doubles(const double x[], size_t count)
+{
+    double *copy = border_memory(count * sizeof *copy);
+    memcpy(copy, x, count * sizeof *copy);
+    border_doubles(copy, count);
+    free(copy);
+}
+
+enum verdict measure_order(size_t n, const double h[], const double error[],
+                           double rounding, double *order)
+{
+    struct call c = {n, rounding, *order};
+    int verdict;
+    border_call();
+    move_arguments(&c);
+    give_doubles(h, n + 1);
+    give_doubles(error, n + 1);
+    border_wait();
+    border_ints(&verdict, 1);
+    border_doubles(order, 1);
+    return (enum verdict)verdict;
+}
+
+#endif

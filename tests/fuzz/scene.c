@@ -1,0 +1,82 @@
+/* Fuzzing the reader of scenes: any bytes are a scene or are refused, and
+   nothing worse happens. A scene that was read is written and read again,
+   and has to come out with the same bits. Made for libFuzzer; alone.c has a
+   main for compilers without it. */
+#include "scene.h"
+
+#include "../library/scene_same.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+/* A table that is kept in memory: scene.c needs no other part of it. */
+struct table {
+    char *text;
+    size_t used, room;
+};
+
+bool table_print(struct table *t, const char *format, ...)
+{
+    va_list values;
+    if (t->room - t->used < 1000) {
+        t->room = 2 * t->room + 4000;
+        t->text = realloc(t->text, t->room);
+        if (!t->text)
+            abort();
+    }
+    va_start(values, format);
+    const int n =
+        vsnprintf(t->text + t->used, t->room - t->used, format, values);
+    va_end(values);
+    if (n < 0 || (size_t)n >= t->room - t->used)
+        abort();
+    t->used += (size_t)n;
+    return true;
+}
+
+static struct table write_scene(const struct scene *s)
+{
+    struct table t = {0};
+    scene_write(s, &t);
+    return t;
+}
+
+static void check_written(const struct scene *s)
+{
+    struct scene again;
+    struct scene_error e;
+    struct table first = write_scene(s);
+    if (!scene_parse(&again, first.text, first.used, &e)) {
+        fprintf(stderr, "%.*s\nline %zu: %s\n", (int)first.used, first.text,
+                e.line, e.text);
+        abort();
+    }
+    if (!scene_same(s, &again))
+        abort();
+    free(first.text);
+    scene_free(&again);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    struct scene s;
+    struct scene_error e = {0};
+    char *text = malloc(size + (size == 0)); /* its end is an end */
+    if (!text)
+        abort();
+    if (size > 0)
+        memcpy(text, data, size);
+    if (scene_parse(&s, text, size, &e)) {
+        check_written(&s);
+        scene_free(&s);
+    } else if (e.line == 0 || strncmp(e.text, "found ", 6) != 0 ||
+               !strstr(e.text, ", expected ")) {
+        abort();
+    }
+    free(text);
+    return 0;
+}

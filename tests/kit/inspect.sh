@@ -1,0 +1,68 @@
+#!/bin/sh
+# make inspect: a picture of any observable against any other, of a scene by
+# name or by file, also of a run that blows up; what is wrong is said.
+. tests/programs/common
+make=${MAKE:-make}
+kit=$work/kit
+mkdir "$kit"
+tar cf - Makefile src plots | (cd "$kit" && tar xf -)
+mkdir -p "$kit/build/bin"
+cp build/bin/step build/bin/scene "$kit/build/bin/"
+cd "$kit" || exit 1
+unset SCENE X Y UNTIL DT METHOD EVERY KEYS LIVE output
+# What make would build is there already.
+inspect() { $make -s inspect -o build/bin/step -o build/bin/scene "$@"; }
+
+# drawn NAME: the picture is whole and has curves.
+drawn() {
+    holds "$1: a picture" sh -c "
+        grep -q '</svg>' build/inspect/$1.svg && xmllint --noout \
+        build/inspect/$1.svg && grep -c '<path' build/inspect/$1.svg"
+}
+inspect SCENE=membrane X=t Y=z:30 UNTIL=20 >"$work/out" 2>&1
+holds 'it says what it runs, where the picture is, and nothing else' \
+    test "$(sed 1d "$work/out")" = 'The picture: build/inspect/membrane.svg'
+drawn membrane
+holds 'its axes have names and units' \
+    grep -q 'z:30  (length)' build/inspect/membrane.svg
+build/bin/scene figure-eight -o mine.plist
+inspect SCENE=mine.plist X=x:0 Y=y:0 DT=0.02 METHOD=rk4 EVERY=0.1 \
+    >"$work/out" 2>&1
+drawn mine
+holds 'the command is that of the variables' grep -q \
+    '^# command: step mine.plist --observe x:0,y:0 --dt 0.02 --method rk4 --every 0.1' \
+    build/inspect/mine.dat
+inspect SCENE=membrane KEYS='--nx 5 --ny 5' Y=parts UNTIL=3 >"$work/out" 2>&1
+holds 'keys go to the scene' \
+    test "$(grep -c ^pos build/inspect/membrane.plist)" -eq 25
+holds 'four columns are four curves' \
+    grep -q 'U_springs' build/inspect/membrane.svg
+inspect SCENE=membrane X=momentum Y=parts UNTIL=1 >"$work/out" 2>&1
+holds 'eight columns are eight, not octal' test $? -eq 0
+inspect SCENE=double-pendulum Y=energy DT=0.03 >"$work/out" 2>&1
+holds 'a run that blows up is drawn' test $? -eq 0
+holds 'and says so' grep -q '^step: blew up after' "$work/out"
+drawn double-pendulum
+
+inspect SCENE=nonsense >"$work/out" 2>&1
+holds 'no scene: make fails' test $? -ne 0
+holds 'and the line says which there are' \
+    grep -q "^scene: 'nonsense' is no scene; there are" "$work/out"
+inspect SCENE=sun-earth Y=z:30 >"$work/out" 2>&1
+holds 'no such body: make fails' test $? -ne 0
+holds 'and the line says which there are' \
+    grep -q "^step: --observe: 'z:30': z needs 1 of the bodies 0 to 1" "$work/out"
+# told PATTERN: the inspector says one line about bad.dat, with status 2.
+told() {
+    gnuplot -e "file='bad.dat'; output='x.svg'" plots/inspector.gp \
+        >"$work/out" 2>&1
+    got=$?
+    if [ $got -eq 2 ] && [ "$(wc -l <"$work/out")" -eq 1 ] &&
+        grep -q "^inspector.gp: $1" "$work/out"
+    then ok "refused: $1"; else
+        not_ok "refused: $1" "status $got: $(cat "$work/out")"; fi
+}
+echo '# nothing' >bad.dat
+told "'bad.dat' is no table of step"
+printf '# 1 t [s] t\n# 2 t [s] t\n# 3 x [m] x\n0 0 0\n' >bad.dat
+told "'bad.dat' has 1 rows, expected two"

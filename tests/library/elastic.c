@@ -1,0 +1,170 @@
+/* The scenes of springs: what is where, what is held, and the motion of the
+   paper's membrane and of the beam against this book's own numbers
+   (springs_numbers.txt). */
+#include "unit.h"
+
+#include "elastic.h"
+#include "springs.h"
+
+#include <stdlib.h>
+
+static void make(struct scene *s, const char *name, const char *key,
+                 double value)
+{
+    if (gallery_make(s, gallery_find(elastic_scenes, name), key, value))
+        exit(1);
+}
+
+static void begin(struct springs *p, struct stepping *t, struct scene *s,
+                  const char *method, double dt)
+{
+    if (!springs_create(p, s) ||
+        !stepping_begin(t, stepping_find(method), springs_forces(p), dt,
+                        s->position, s->velocity))
+        exit(1);
+}
+
+/* Every scene at its usual values and with each key at both ends (grids no
+   larger than a hundred on a side) builds, and is finite. */
+static void test_all_keys(void)
+{
+    for (const struct gallery_scene *g = elastic_scenes; g->name; ++g)
+        for (size_t k = 0; g->key[k].name; ++k)
+            for (int high = 0; high < 2; ++high) {
+                struct scene s;
+                const double value =
+                    high ? fmin(g->key[k].high, 100) : g->key[k].low;
+                const char *why =
+                    gallery_make(&s, g, g->key[k].name, value);
+                UNIT_TRUE(g->key[k].usual >= g->key[k].low &&
+                          g->key[k].usual <= g->key[k].high);
+                if (why) /* the oscillator turned over */
+                    UNIT_TRUE(strcmp(g->name, "oscillator") == 0);
+                if (why)
+                    continue;
+                for (size_t i = 0; i < 3 * s.bodies; ++i)
+                    UNIT_TRUE(isfinite(s.position[i]));
+                scene_free(&s);
+            }
+}
+
+static void test_pendulum(void)
+{
+    struct scene s;
+    make(&s, "double-pendulum", NULL, 0);
+    /* sines of the series are right to a rounding */
+    UNIT_NEAR(s.position[1], 5.6464247339503535720e-01, 1.2e-16);
+    UNIT_NEAR(s.position[7], 1.7466438509032170276e-01, 1.2e-16);
+    UNIT_NEAR(s.position[2], 1.1292849467900707144, 2.3e-16);
+    UNIT_NEAR(s.position[8], -6.5067122981935659448e-01, 2.3e-16);
+    UNIT_EQUAL(s.spring[0].rest, 1);
+    UNIT_EQUAL(s.freedom[1], 1);
+    UNIT_EQUAL(s.freedom[4], 0);
+    UNIT_EQUAL(s.freedom[0], 0);
+    scene_free(&s);
+}
+
+/* Symmetric to the last bit, the rim held and flat. */
+static void test_membrane(void)
+{
+    struct scene s;
+    make(&s, "membrane", "s", 2);
+    const double *z = s.position + 128;
+    for (size_t y = 0; y < 8; ++y)
+        for (size_t x = 0; x < 8; ++x) {
+            const size_t i = y * 8 + x;
+            const bool rim = x == 0 || y == 0 || x == 7 || y == 7;
+            UNIT_EQUAL(z[i], z[y * 8 + 7 - x]);
+            UNIT_EQUAL(z[i], -z[(7 - y) * 8 + x]);
+            UNIT_EQUAL(s.freedom[i], !rim);
+            UNIT_EQUAL(rim ? z[i] : 0, 0);
+            UNIT_NEAR(z[i],
+                      0.1 * sin(acos(-1) * (double)x / 7) *
+                          sin(2 * acos(-1) * (double)y / 7),
+                      1e-16);
+        }
+    UNIT_EQUAL((double)s.springs, 112);
+    scene_free(&s);
+}
+
+/* The paper's membrane, along z only: its first mode at 1, 2, 5, 10 s. */
+static void test_naive(void)
+{
+    const double expected[][2] = {{1, .9358708481},
+                                  {2, .7680008832},
+                                  {5, .0381770696},
+                                  {10, -.9797675654}};
+    const struct elastic_membrane m = {8,   8, 1, 50,    0, 1,
+                                       0.1, 1, 1, false, 0, 0};
+    struct scene s;
+    struct springs p;
+    struct stepping t;
+    if (elastic_membrane(&s, &m))
+        exit(1);
+    begin(&p, &t, &s, "kahan-li8", 0.02);
+    for (int k = 0; k < 4; ++k) {
+        double sum = 0;
+        stepping_run(&t, (uint64_t)(expected[k][0] / 0.02 + 0.5) - t.steps);
+        for (size_t i = 0; i < 64; ++i)
+            sum += s.position[128 + i] *
+                   sin(acos(-1) * (double)(i % 8) / 7) *
+                   sin(acos(-1) * (double)(i / 8) / 7);
+        UNIT_NEAR(4 * sum / 49 / 0.1, expected[k][1], 1e-9);
+    }
+    stepping_free(&t);
+    springs_free(&p);
+    scene_free(&s);
+}
+
+/* Two rows of five, six uprights, and the diagonals of five cells; those
+   that go up to the left begin one body further right. */
+static void test_truss(void)
+{
+    for (int diagonals = 0; diagonals < 3; ++diagonals) {
+        struct scene s;
+        int left = 0;
+        make(&s, "cantilever", "diagonals", diagonals);
+        for (size_t i = 0; i < s.springs; ++i)
+            left += s.spring[i].b - s.spring[i].a == 5;
+        UNIT_EQUAL((double)s.springs, 16 + 5 * diagonals);
+        UNIT_EQUAL(left, diagonals == 2 ? 5 : 0);
+        scene_free(&s);
+    }
+}
+
+/* Where the beam comes to rest in gravities of 0.1, 1 and 10. */
+static void test_beam(void)
+{
+    const double g[] = {0.1, 1, 10};
+    const double x[] = {-0.0056884367, -0.0734410910, -1.5278380940};
+    const double y[] = {-0.0424677517, -0.4201093055, -2.9697608283};
+    for (int k = 0; k < 3; ++k) {
+        struct scene s;
+        struct springs p;
+        struct stepping t;
+        make(&s, "cantilever", "gravity", g[k]);
+        s.damping = 2;
+        begin(&p, &t, &s, "leapfrog", 0.01);
+        stepping_run(&t, 6000); /* some exp(-50) of the motion is left */
+        UNIT_NEAR(s.position[5] - 5, x[k], 2e-10);
+        UNIT_NEAR(s.position[17], y[k], 2e-10);
+        stepping_free(&t);
+        springs_free(&p);
+        scene_free(&s);
+    }
+}
+
+int main(void)
+{
+    return unit_run(
+        "elastic",
+        (struct unit_test[]){
+            {"every key of every scene at both ends", test_all_keys},
+            {"the double pendulum hangs where it should", test_pendulum},
+            {"a membrane is symmetric to the last bit", test_membrane},
+            {"the paper's membrane moves as computed elsewhere",
+             test_naive},
+            {"a truss has the diagonals it was asked for", test_truss},
+            {"the beam comes to rest as computed elsewhere", test_beam},
+            {0}});
+}

@@ -1,0 +1,259 @@
+/* The sum over pairs: forces by hand, all kernels against long double,
+   numbers of bodies that no vector divides, the same bits for any number
+   of threads, Newton's third law, and energy as the force's potential. */
+#include "unit.h"
+
+#include "gravity.h"
+#include "toolbox/random.h"
+
+#include <float.h>
+#include <stdlib.h>
+
+enum { MOST = 700 };
+static double place[3 * MOST], mass[MOST], sum[3 * MOST], other[3 * MOST];
+
+static void scatter(size_t n, uint64_t seed)
+{
+    struct random r;
+    random_seed(&r, seed);
+    for (size_t i = 0; i < 3 * n; ++i)
+        place[i] = random_between(&r, -1, 1);
+    for (size_t i = 0; i < n; ++i)
+        mass[i] = random_between(&r, 0, 1);
+}
+
+static struct gravity prepare(size_t n, double k2, double softening)
+{
+    struct gravity g;
+    UNIT_TRUE(gravity_create(&g, n, mass, k2, softening));
+    UNIT_EQUAL(g.kernel, GRAVITY_PORTABLE);
+    UNIT_EQUAL(g.threads, 1);
+    return g;
+}
+
+static void add(const struct gravity *g, double a[])
+{
+    memset(a, 0, 3 * g->bodies * sizeof a[0]);
+    gravity_add(g, place, a);
+}
+
+/* Masses 2 and 3 at a distance of 5 = |(3, 4, 0)|, and with a softening of
+   12, for which the root is 13. */
+static void test_by_hand(void)
+{
+    memcpy(place, (double[]){1, 4, 1, 5, 2, 2}, 6 * sizeof place[0]);
+    mass[0] = 2, mass[1] = 3;
+    struct gravity g = prepare(2, 7, 0);
+    for (int i = 0; i < 6; ++i)
+        sum[i] = 100; /* it adds */
+    gravity_add(&g, place, sum);
+    UNIT_NEAR(sum[0], 100 + 7 * 3 * 3. / 125, 1e-13);
+    UNIT_NEAR(sum[1], 100 - 7 * 2 * 3. / 125, 1e-13);
+    UNIT_NEAR(sum[2], 100 + 7 * 3 * 4. / 125, 1e-13);
+    UNIT_NEAR(sum[3], 100 - 7 * 2 * 4. / 125, 1e-13);
+    UNIT_EQUAL(sum[4], 100);
+    UNIT_NEAR(gravity_potential(&g, place), -7 * 6 / 5., 1e-15 * 9);
+    g.softening = 12;
+    add(&g, sum);
+    UNIT_NEAR(sum[0], 7 * 3 * 3. / 2197, 1e-17);
+    UNIT_NEAR(gravity_potential(&g, place), -7 * 6 / 13., 1e-15 * 4);
+    struct stepping_forces f = gravity_forces(&g);
+    UNIT_EQUAL((double)f.size, 6);
+    UNIT_TRUE(!f.damped);
+    f.accelerate(f.what, place, NULL, other); /* it writes */
+    UNIT_TRUE(memcmp(sum, other, 6 * sizeof sum[0]) == 0);
+    gravity_free(&g);
+}
+
+/* The largest error of sum[], by the sum of the sizes of what is added. */
+static double worst_error(const struct gravity *g)
+{
+    const size_t n = g->bodies;
+    double worst = 0;
+    for (size_t i = 0; i < 3 * n; ++i) {
+        long double right = 0, size = 0;
+        for (size_t j = 0; j < n; ++j) {
+            long double s = (long double)g->softening * g->softening;
+            for (size_t k = 0; k < 3; ++k) {
+                const long double d =
+                    (long double)place[k * n + j] - place[k * n + i % n];
+                s += d * d;
+            }
+            const long double d =
+                (long double)place[i - i % n + j] - place[i];
+            if (j == i % n)
+                continue;
+            const long double w = g->k2 * mass[j] / (s * sqrtl(s)) * d;
+            right += w;
+            size += fabsl(w);
+        }
+        if (size > 0)
+            worst = fmax(worst, (double)(fabsl(sum[i] - right) / size));
+    }
+    return worst;
+}
+
+/* Rounding of a term, of n sums, and of the weight: (n + 10) epsilon. */
+static void test_kernels(void)
+{
+    static const size_t counts[] = {1,  2,  31, 32, 33, 34, 35,
+                                    36, 37, 39, 40, 41, 64, 200};
+    for (int kernel = 0; kernel < GRAVITY_KERNELS; ++kernel) {
+        if (!gravity_can((enum gravity_kernel)kernel))
+            continue;
+        for (size_t c = 0; c < sizeof counts / sizeof counts[0]; ++c)
+            for (int soft = 0; soft < 2; ++soft) {
+                const size_t n = counts[c];
+                scatter(n, 1 + c);
+                struct gravity g = prepare(n, 0.3, soft ? 0.2 : 0);
+                g.kernel = (enum gravity_kernel)kernel;
+                sum[3 * n] = 77; /* nothing beyond the end is touched */
+                add(&g, sum);
+                UNIT_EQUAL(sum[3 * n], 77);
+                UNIT_NEAR(worst_error(&g), 0,
+                          ((double)n + 10) * DBL_EPSILON);
+            }
+    }
+}
+
+/* One body pulls, and the others weigh nothing: each acceleration is one
+   term, right to 1e-14 at all distances from 1e-9 to 1e9. */
+static void test_one_term(void)
+{
+    const size_t n = MOST;
+    struct random r;
+    random_seed(&r, 5);
+    for (int kernel = 0; kernel < GRAVITY_KERNELS; ++kernel) {
+        if (!gravity_can((enum gravity_kernel)kernel))
+            continue;
+        memset(mass, 0, sizeof mass);
+        memset(place, 0, sizeof place);
+        mass[3] = 1;
+        for (size_t i = 0; i < n; ++i)
+            if (i != 3)
+                place[i] = random_log_uniform(&r, 1e-9, 1e9);
+        for (size_t i = 0; i < n; ++i) /* apart, for those without mass */
+            place[n + i] = place[i] * (double)i;
+        place[n + 3] = 0;
+        struct gravity g = prepare(n, 1, 0);
+        g.kernel = (enum gravity_kernel)kernel;
+        add(&g, sum);
+        double worst = 0;
+        for (size_t i = 0; i < n; ++i)
+            if (i != 3) {
+                const long double x = place[i], y = place[n + i];
+                const long double s = x * x + y * y;
+                const long double right = -x / (s * sqrtl(s));
+                worst = fmax(worst, (double)fabsl(sum[i] / right - 1));
+            }
+        UNIT_NEAR(worst, 0, 1e-14);
+    }
+}
+
+static void test_threads(void)
+{
+    const size_t n = 501;
+    scatter(n, 9);
+    struct gravity g = prepare(n, 1, 0.01);
+    for (int kernel = 0; kernel < GRAVITY_KERNELS; ++kernel) {
+        if (!gravity_can((enum gravity_kernel)kernel))
+            continue;
+        g.kernel = (enum gravity_kernel)kernel;
+        g.threads = 1;
+        add(&g, sum);
+        for (g.threads = 2; g.threads <= 7; ++g.threads) {
+            add(&g, other);
+            UNIT_TRUE(memcmp(sum, other, 3 * n * sizeof sum[0]) == 0);
+        }
+    }
+}
+
+/* Few bodies: all kernels are the same loop. */
+static void test_few(void)
+{
+    scatter(32, 4);
+    struct gravity g = prepare(32, 1, 0);
+    add(&g, sum);
+    for (int kernel = 1; kernel < GRAVITY_KERNELS; ++kernel) {
+        g.kernel = (enum gravity_kernel)kernel;
+        add(&g, other);
+        UNIT_TRUE(memcmp(sum, other, 96 * sizeof sum[0]) == 0);
+    }
+}
+
+static void test_third_law(void)
+{
+    static const size_t counts[] = {2, 3, 20, 33, 300};
+    for (size_t c = 0; c < 5; ++c) {
+        const size_t n = counts[c];
+        scatter(n, 20 + c);
+        struct gravity g = prepare(n, 1, 0.05);
+        add(&g, sum);
+        for (size_t k = 0; k < 3; ++k) {
+            double total = 0, size = 0;
+            for (size_t i = 0; i < n; ++i) {
+                total += mass[i] * sum[k * n + i];
+                size += fabs(mass[i] * sum[k * n + i]);
+            }
+            UNIT_NEAR(total / size, 0, 1e-13);
+        }
+    }
+}
+
+/* A body moved to and fro: minus force times way, to the second order that
+   is left, 1e-10 of 1e-5 squared, and rounding of U, 1e-15 by 1e-5. */
+static void test_potential(void)
+{
+    scatter(40, 6);
+    struct gravity g = prepare(40, 2, 0.1);
+    add(&g, sum);
+    for (size_t i = 0; i < 120; i += 17) {
+        const double h = 1e-5, x = place[i];
+        place[i] = x + h;
+        const double up = gravity_potential(&g, place);
+        place[i] = x - h;
+        const double down = gravity_potential(&g, place);
+        place[i] = x;
+        UNIT_NEAR(-(up - down) / (2 * h), mass[i % 40] * sum[i], 1e-6);
+    }
+}
+
+/* In one place: no force with softening, not a number without. */
+static void test_together(void)
+{
+    memset(place, 0, sizeof place);
+    mass[0] = mass[1] = 1;
+    struct gravity g = prepare(2, 1, 0.1);
+    add(&g, sum);
+    UNIT_EQUAL(sum[0], 0);
+    g.softening = 0;
+    add(&g, sum);
+    UNIT_TRUE(isnan(sum[0]));
+}
+
+static void test_names(void)
+{
+    UNIT_TRUE(strcmp(gravity_kernels[GRAVITY_PORTABLE], "portable") == 0);
+    UNIT_TRUE(strcmp(gravity_kernels[GRAVITY_AVX2], "avx2") == 0);
+    UNIT_TRUE(strcmp(gravity_kernels[GRAVITY_AVX512], "avx512") == 0);
+    UNIT_TRUE(!gravity_kernels[GRAVITY_KERNELS]);
+    UNIT_TRUE(gravity_can(GRAVITY_PORTABLE));
+    UNIT_TRUE(gravity_can(gravity_fastest()));
+}
+
+int main(void)
+{
+    return unit_run(
+        "gravity",
+        (struct unit_test[]){
+            {"two bodies are as by hand", test_by_hand},
+            {"all kernels sum right, whatever the number", test_kernels},
+            {"a single pull is right to 1e-14", test_one_term},
+            {"any number of threads has the same bits", test_threads},
+            {"few bodies have the same bits in all kernels", test_few},
+            {"forces are opposite in pairs", test_third_law},
+            {"the force is the slope of the potential", test_potential},
+            {"softening keeps coincidence finite", test_together},
+            {"kernels have names", test_names},
+            {0}});
+}

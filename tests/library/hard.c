@@ -1,0 +1,205 @@
+/* The scenes of hard bodies, and that they equal the starts of parts I and
+   II. */
+#include "unit.h"
+
+#include "bonkers.h"
+#include "hard.h"
+#include "spheres.h"
+
+#include <stdlib.h>
+
+static void make(struct scene *s, const char *name, const char *key,
+                 double value)
+{
+    const char *wrong =
+        gallery_make(s, gallery_find(hard_scenes, name), key, value);
+    if (wrong) {
+        printf("%s: %s\n", name, wrong);
+        exit(1);
+    }
+}
+
+/* No two overlap by more than rounding does, and none sticks out. */
+static bool fits(const struct scene *s)
+{
+    const size_t n = s->bodies;
+    for (size_t i = 0; i < n; ++i) {
+        for (size_t k = 0; k < SCENE_AXES; ++k)
+            if (s->wall[k] == SCENE_HARD &&
+                !(s->position[k * n + i] >=
+                      s->low[k] + s->radius[i] - 1e-9 &&
+                  s->position[k * n + i] <=
+                      s->high[k] - s->radius[i] + 1e-9))
+                return false;
+        for (size_t j = 0; j < i; ++j) {
+            double square = 0;
+            for (size_t k = 0; k < SCENE_AXES; ++k)
+                square +=
+                    pow(s->position[k * n + i] - s->position[k * n + j], 2);
+            if (!(sqrt(square) >= s->radius[i] + s->radius[j] - 1e-9))
+                return false;
+        }
+    }
+    return true;
+}
+
+static void test_all(void)
+{
+    size_t count = 0;
+    for (const struct gallery_scene *g = hard_scenes; g->name;
+         ++g, ++count) {
+        double value[GALLERY_KEYS];
+        const size_t keys = gallery_usual(g, value);
+        struct scene s;
+        for (size_t k = 0; k < keys; ++k) {
+            UNIT_TRUE(value[k] >= g->key[k].low &&
+                      value[k] <= g->key[k].high);
+            UNIT_TRUE(!g->key[k].whole || value[k] == floor(value[k]));
+        }
+        UNIT_TRUE(!g->build(&s, value));
+        UNIT_TRUE(s.contact && s.dt > 0 && fits(&s));
+        scene_free(&s);
+    }
+    UNIT_EQUAL((double)count, 8);
+}
+
+static void test_wrong(void)
+{
+    const struct gallery_scene *cradle =
+        gallery_find(hard_scenes, "cradle");
+    struct scene s;
+    UNIT_TRUE(gallery_make(&s, cradle, "left", 6) != NULL);
+    UNIT_TRUE(gallery_make(&s, cradle, "string", 0.25) != NULL);
+    UNIT_TRUE(gallery_make(&s, gallery_find(hard_scenes, "gas"), "radius",
+                           1) != NULL);
+    UNIT_TRUE(gallery_make(&s, gallery_find(hard_scenes, "piston"),
+                           "particles", 10) != NULL);
+}
+
+/* `disks --disks 4 --radius 0.15 --box 1,1 --seed 7`, as that program makes
+   it (chapter 7). */
+static void test_four_disks(void)
+{
+    struct scene s;
+    struct disks d, e;
+    struct random r;
+    make(&s, "four-disks", "seed", 7);
+    random_seed(&r, 7);
+    UNIT_TRUE(disks_create(&d, 2, 4));
+    d.box[0] = d.box[1] = 1;
+    for (size_t i = 0; i < 4; ++i)
+        d.disk[i].radius = 0.15;
+    UNIT_TRUE(disks_place_lattice(&d));
+    disks_set_speed(&d, 1, &r);
+    UNIT_TRUE(hard_disks(&e, &s));
+    UNIT_TRUE(memcmp(d.disk, e.disk, 4 * sizeof *d.disk) == 0);
+    UNIT_TRUE(memcmp(d.box, e.box, sizeof d.box) == 0);
+    disks_free(&d);
+    disks_free(&e);
+    scene_free(&s);
+}
+
+static const char *const lines[] = {"thermal", "piston", "galperin"};
+static const enum start_kind kinds[] = {START_THERMAL, START_PISTON,
+                                        START_GALPERIN};
+
+/* Without a radius number for number; with one the collisions are as many:
+   for 20 s, since rounding grows. */
+static void test_lines(void)
+{
+    for (int k = 0; k < 3; ++k)
+        for (int wide = 0; wide < 2; ++wide) {
+            struct scene s;
+            struct start a, b;
+            struct bonkers x, y;
+            size_t wrong;
+            make(&s, lines[k], "radius", wide ? 0.05 : 0);
+            const struct start_wish wish = {.kind = kinds[k], .seed = 1};
+            UNIT_TRUE(start_fill(&a, &wish) && hard_start(&b, &s));
+            UNIT_EQUAL((double)b.movers, (double)a.movers);
+            for (size_t i = 0; i < a.movers; ++i) {
+                UNIT_EQUAL(b.mass[i], a.mass[i]);
+                UNIT_EQUAL(b.v[i], a.v[i]);
+                if (!wide)
+                    UNIT_EQUAL(b.x[i], a.x[i]);
+            }
+            for (size_t i = wide; i < a.movers; ++i)
+                b.radius[i] = s.radius[0];
+            b.radius[0] = s.radius[0];
+            UNIT_TRUE(bonkers_begin(&x, &a, 1, BONKERS_SCAN, &wrong) &&
+                      bonkers_begin(&y, &b, 1, BONKERS_SCAN, &wrong));
+            bonkers_run(&x, 20, UINT64_MAX);
+            bonkers_run(&y, 20, UINT64_MAX);
+            UNIT_TRUE(x.collisions > 0);
+            UNIT_EQUAL((double)y.collisions, (double)x.collisions);
+            bonkers_free(&x);
+            bonkers_free(&y);
+            start_free(&a);
+            start_free(&b);
+            scene_free(&s);
+        }
+}
+
+/* Steps see the ten bodies collide as often as events do: the mean of
+   2 s, up to one collision that is not yet found. */
+static void test_line_by_steps(void)
+{
+    struct scene s;
+    struct spheres p;
+    struct start start;
+    struct bonkers b;
+    size_t wrong;
+    make(&s, "thermal", NULL, 0);
+    UNIT_TRUE(hard_start(&start, &s) &&
+              bonkers_begin(&b, &start, 1, BONKERS_SCAN, &wrong));
+    bonkers_run(&b, 2, UINT64_MAX);
+    UNIT_TRUE(spheres_create(&p, &s, SPHERES_APPROACHING));
+    p.shift = SPHERES_BACK;
+    p.dt = 0.001;
+    for (int k = 0; k < 2000; ++k) {
+        for (size_t i = 0; i < s.bodies; ++i)
+            s.position[i] += s.velocity[i] * p.dt;
+        spheres_resolve(&p, s.position, s.velocity);
+    }
+    UNIT_NEAR((double)(p.collisions + p.wall_collisions),
+              (double)b.collisions, 1);
+    spheres_free(&p);
+    bonkers_free(&b);
+    start_free(&start);
+    scene_free(&s);
+}
+
+/* A hanging ball feels no force: string and weight cancel. */
+static void test_strings(void)
+{
+    struct scene s;
+    make(&s, "cradle", "string", 1);
+    UNIT_EQUAL((double)s.bodies, 10);
+    UNIT_EQUAL((double)s.springs, 5);
+    for (size_t i = 0; i < 5; ++i) {
+        const struct scene_spring *g = &s.spring[i];
+        const double dx = s.position[g->a] - s.position[g->b],
+                     dz = s.position[20 + g->a] - s.position[20 + g->b];
+        UNIT_NEAR(sqrt(dx * dx + dz * dz), 1, 1e-15);
+        UNIT_NEAR(s.kind[0].stiffness * (1 - g->rest),
+                  s.mass[i] * -s.gravity[2], 1e-10);
+        UNIT_TRUE(!s.freedom[g->b] && !s.freedom[20 + g->b]);
+        UNIT_NEAR(s.velocity[i], 0, 0);
+    }
+    UNIT_NEAR(s.position[0] - s.position[5], -0.5, 1e-15);
+    scene_free(&s);
+}
+
+int main(void)
+{
+    return unit_run(
+        "hard",
+        (struct unit_test[]){
+            {"every scene can be made, and fits", test_all},
+            {"what cannot be made is refused", test_wrong},
+            {"four disks are those of chapter 5", test_four_disks},
+            {"the lines are those of chapters 2 to 4", test_lines},
+            {"a line collides as often by steps", test_line_by_steps},
+            {"hanging balls hang", test_strings},
+            {0}});
+}

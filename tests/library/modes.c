@@ -1,0 +1,159 @@
+/* Modes and scenes of springs against formulas and numbers of this book's
+   own computations (membrane_modes.dat, springs_numbers.txt). */
+#include "unit.h"
+
+#include "elastic.h"
+#include "modes.h"
+
+#include <stdlib.h>
+
+static void find(struct modes *m, const struct scene *s)
+{
+    struct springs p;
+    if (!springs_create(&p, s) || !modes_find(m, &p, s->position))
+        exit(1);
+    springs_free(&p);
+}
+
+static void make(struct scene *s, const char *name, const char *key,
+                 double value)
+{
+    if (gallery_make(s, gallery_find(elastic_scenes, name), key, value))
+        exit(1);
+}
+
+static int rising(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* All frequencies of a taut membrane with unequal sides, by formula. */
+static void test_taut(void)
+{
+    const struct elastic_membrane e = {8, 6, 2, 50,   0, 0.8,
+                                       0, 1, 1, true, 0, 0};
+    struct scene s;
+    struct modes m;
+    double law[72];
+    size_t n = 0;
+    if (elastic_membrane(&s, &e))
+        exit(1);
+    find(&m, &s);
+    for (int axis = 0; axis < 3; ++axis)
+        for (int r = 1; r <= 6; ++r)
+            for (int h = 1; h <= 4; ++h) {
+                const double a = sin(r * acos(-1) / 14);
+                const double b = sin(h * acos(-1) / 10);
+                const double kx = axis == 0 ? 50 : 10;
+                const double ky = axis == 1 ? 50 : 10;
+                law[n++] = 4 * (kx * a * a + ky * b * b) / 2;
+            }
+    qsort(law, n, sizeof *law, rising);
+    UNIT_EQUAL((double)m.size, (double)n);
+    for (size_t i = 0; i < n; ++i) /* of up to 200: 1e-12 is 20 roundings */
+        UNIT_NEAR(m.square[i], law[i], 1e-12);
+    modes_free(&m);
+    scene_free(&s);
+}
+
+/* The 8 x 8 membrane: first and largest frequency taut; at rest length no
+   stiffness across. */
+static void test_membranes(void)
+{
+    struct scene s;
+    struct modes m;
+    int loose = 0;
+    make(&s, "membrane", "amplitude", 0);
+    find(&m, &s);
+    for (size_t i = 0; i < m.size; ++i)
+        loose += fabs(m.square[i]) < 1e-10;
+    UNIT_EQUAL(loose, 36);
+    UNIT_NEAR(sqrt(m.square[m.size - 1]), 13.787563, 1e-6);
+    modes_free(&m);
+    scene_free(&s);
+    const struct elastic_membrane e = {8, 8, 1, 50,   0, 0.8,
+                                       0, 1, 1, true, 0, 0};
+    if (elastic_membrane(&s, &e))
+        exit(1);
+    find(&m, &s);
+    UNIT_NEAR(sqrt(m.square[0]), 1.990287738972, 1e-11);
+    UNIT_NEAR(sqrt(m.square[1]), 3.083962808592, 1e-11);
+    UNIT_NEAR(sqrt(m.square[m.size - 1]), 15.103518, 1e-6);
+    modes_free(&m);
+    scene_free(&s);
+}
+
+static void test_cantilever(void)
+{
+    struct scene s;
+    struct modes m;
+    double a[36] = {0}, u[36] = {0};
+    make(&s, "cantilever", NULL, 0);
+    find(&m, &s);
+    UNIT_NEAR(sqrt(m.square[0]), 1.76355068, 1e-8);
+    UNIT_NEAR(sqrt(m.square[1]), 8.93555667, 1e-8);
+    UNIT_NEAR(sqrt(m.square[2]), 10.1679045, 1e-7);
+    UNIT_NEAR(sqrt(m.square[m.size - 1]), 74.8249253, 1e-6);
+    for (int i = 12; i < 24; ++i)
+        a[i] = -1;
+    modes_deflection(&m, 1e-6, a, u);
+    UNIT_NEAR(u[5], -0.055, 1e-12);
+    UNIT_NEAR(u[17], -0.425, 1e-12);
+    UNIT_NEAR(u[11], 0.055, 1e-12);
+    UNIT_NEAR(u[23], -0.425, 1e-12);
+    modes_free(&m);
+    scene_free(&s);
+}
+
+/* Modes of length 1, at right angles, each a solution of its equation. */
+static void test_orthogonal(void)
+{
+    struct scene s;
+    struct modes m;
+    make(&s, "cantilever", "diagonals", 1);
+    find(&m, &s);
+    for (size_t i = 0; i < m.size; ++i)
+        for (size_t j = 0; j < m.size; ++j) {
+            double sum = 0;
+            for (size_t k = 0; k < m.size; ++k)
+                sum += m.shape[i * m.size + k] * m.shape[j * m.size + k];
+            UNIT_NEAR(sum, i == j, 1e-13);
+        }
+    modes_free(&m);
+    scene_free(&s);
+}
+
+/* The pendulum as it hangs: sqrt of (D1 + 2 D2 +- ...)/2. */
+static void test_pendulum(void)
+{
+    struct scene s;
+    struct modes m;
+    make(&s, "double-pendulum", "angle1", 0);
+    s.position[7] = -3.6 / 5000;
+    s.position[8] = s.position[7] - 1 - 0.36;
+    s.position[2] = 0;
+    find(&m, &s);
+    UNIT_NEAR(sqrt(m.square[0]), 0.94289956, 1e-8);
+    UNIT_NEAR(sqrt(m.square[1]), 2.23494966, 1e-8);
+    UNIT_NEAR(sqrt(m.square[2]), 2.31417569, 1e-8);
+    UNIT_NEAR(sqrt(m.square[3]), 70.74605996, 1e-8);
+    modes_free(&m);
+    scene_free(&s);
+}
+
+int main(void)
+{
+    return unit_run(
+        "modes",
+        (struct unit_test[]){
+            {"all modes of a taut membrane are those of the formula",
+             test_taut},
+            {"a membrane at rest length has 36 loose modes",
+             test_membranes},
+            {"the cantilever's frequencies and deflection",
+             test_cantilever},
+            {"modes are at right angles", test_orthogonal},
+            {"the double pendulum's frequencies", test_pendulum},
+            {0}});
+}

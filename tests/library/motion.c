@@ -1,0 +1,327 @@
+/* A scene set in motion: what acts is the sum of its parts; what is held
+   stays; how a run is cut, saved or resumed changes no bit. */
+#include "unit.h"
+
+#include "motion.h"
+
+#include <stdlib.h>
+
+static void must(bool good, const char *what)
+{
+    if (!good) {
+        printf("not ok motion: %s\n", what);
+        exit(1);
+    }
+}
+
+/* Three bodies that feel everything; with contact they are in a box. */
+static void build(struct scene *s, bool contact)
+{
+    static const double place[] = {0, 1, 0.2, 0, 0.1, 0.9, 0, -0.3, 0.4};
+    must(scene_create(s, 3), "no memory");
+    for (size_t c = 0; c < 9; ++c) {
+        s->position[c] = place[c];
+        s->velocity[c] = 0.1 * (double)c - 0.3;
+    }
+    s->mass[0] = 2;
+    s->mass[2] = 0.5;
+    s->freedom[3] = s->freedom[8] = 0; /* y of body 0, z of body 2 */
+    s->k2 = 0.3;
+    s->softening = 0.1;
+    s->gravity[2] = -1.5;
+    s->damping = 0.2;
+    s->dt = 0.01;
+    must(scene_add_kind(s, 4, 0.3), "no memory");
+    must(scene_add_spring(s, 0, 2, 0, 0.7), "no memory");
+    s->contact = contact;
+    for (size_t k = 0; k < 3; ++k) {
+        s->radius[k] = 0.2;
+        s->low[k] = -2;
+        s->high[k] = 2;
+        s->wall[k] = contact ? SCENE_HARD : SCENE_OPEN;
+    }
+}
+
+static void begin(struct motion *m, struct scene *s, const char *method)
+{
+    must(motion_begin(m, "motion", s, method, 0), "no motion");
+}
+
+/* Equation (11.9), term by term, with formulas of its own. */
+static void test_sum(void)
+{
+    struct scene s;
+    struct motion m;
+    double a[9], d[3], w[3], expected[9];
+    build(&s, false);
+    begin(&m, &s, "leapfrog");
+    m.stepping.forces.accelerate(m.stepping.forces.what, s.position,
+                                 s.velocity, a);
+    for (size_t i = 0; i < 3; ++i)
+        for (size_t k = 0; k < 3; ++k)
+            expected[3 * k + i] = s.gravity[k] - s.damping / s.mass[i] *
+                                                     s.velocity[3 * k + i];
+    for (size_t i = 0; i < 3; ++i)
+        for (size_t j = 0; j < 3; ++j) {
+            double r2 = 0.01, r3;
+            for (size_t k = 0; k < 3; ++k) {
+                d[k] = s.position[3 * k + j] - s.position[3 * k + i];
+                r2 += d[k] * d[k];
+            }
+            r3 = r2 * sqrt(r2);
+            for (size_t k = 0; k < 3 && i != j; ++k)
+                expected[3 * k + i] += 0.3 * s.mass[j] * d[k] / r3;
+        }
+    double r = 0;
+    for (size_t k = 0; k < 3; ++k) {
+        d[k] = s.position[3 * k + 2] - s.position[3 * k];
+        w[k] = s.velocity[3 * k + 2] - s.velocity[3 * k];
+        r += d[k] * d[k];
+    }
+    r = sqrt(r);
+    for (size_t k = 0; k < 3; ++k) {
+        const double f = 4 * (r - 0.7) * d[k] / r + 0.3 * w[k];
+        expected[3 * k] += f / s.mass[0];
+        expected[3 * k + 2] -= f / s.mass[2];
+    }
+    expected[3] = expected[8] = 0;
+    for (size_t c = 0; c < 9;
+         ++c) /* a dozen roundings of numbers below 10 */
+        UNIT_NEAR(a[c], expected[c], 1e-14);
+    UNIT_EQUAL(s.velocity[3], 0);
+    motion_end(&m);
+    scene_free(&s);
+}
+
+/* Springs alone take a way of their own. */
+static void test_springs_alone(void)
+{
+    struct scene s, t;
+    struct motion m, n;
+    build(&s, false);
+    s.k2 = 0;
+    must(scene_copy(&t, &s), "no memory");
+    t.k2 = 1e-300;
+    begin(&m, &s, "rk4");
+    begin(&n, &t, "rk4");
+    motion_run(&m, 100);
+    motion_run(&n, 100);
+    for (size_t c = 0; c < 9; ++c)
+        UNIT_NEAR(s.position[c], t.position[c], 1e-14);
+    motion_end(&m);
+    motion_end(&n);
+    scene_free(&s);
+    scene_free(&t);
+}
+
+static void test_held(void)
+{
+    struct scene s;
+    struct motion m;
+    build(&s, true);
+    begin(&m, &s, "leapfrog");
+    UNIT_TRUE(motion_run(&m, 1000) == STEPPING_DONE);
+    UNIT_EQUAL(s.position[3], 0);
+    UNIT_EQUAL(s.position[8], 0.4);
+    UNIT_TRUE(s.position[4] != 0.1);
+    UNIT_NEAR(motion_time(&m), 10, 1e-12);
+    motion_end(&m);
+    scene_free(&s);
+}
+
+/* Leapfrog is exact for a fall: z = -g t^2/2, up to the rounding of 1000
+   sums of numbers below 100. */
+static void test_fall(void)
+{
+    struct scene s;
+    struct motion m;
+    must(scene_create(&s, 1), "no memory");
+    s.gravity[2] = -2;
+    s.dt = 0.01;
+    s.velocity[0] = 3;
+    begin(&m, &s, "leapfrog");
+    motion_run(&m, 1000);
+    UNIT_NEAR(s.position[2], -100, 1e-11);
+    UNIT_NEAR(s.position[0], 30, 1e-11);
+    UNIT_NEAR(motion_kinetic(&m), 4.5 + 200, 1e-10);
+    UNIT_NEAR(motion_potential(&m), -200, 1e-10);
+    UNIT_EQUAL(motion_energy(&m).gravity, 0);
+    motion_end(&m);
+    scene_free(&s);
+}
+
+/* Leapfrog turns an oscillator by 2 asin(h/2) in a step (8.x): here of the
+   frequency 1, two masses 2 on a spring with D = 1. */
+static void test_oscillator(void)
+{
+    struct scene s;
+    struct motion m;
+    must(scene_create(&s, 2), "no memory");
+    must(scene_add_kind(&s, 1, 0), "no memory");
+    s.position[0] = -0.6;
+    s.position[1] = 0.6;
+    s.mass[0] = s.mass[1] = 2;
+    must(scene_add_spring(&s, 0, 1, 0, 1), "no memory");
+    s.dt = 0.1;
+    begin(&m, &s, "leapfrog");
+    motion_run(&m, 500);
+    /* 500 steps of rounding */
+    UNIT_NEAR(s.position[1], 0.5 + 0.1 * cos(500 * 2 * asin(0.05)), 1e-13);
+    motion_end(&m);
+    scene_free(&s);
+}
+
+/* Whether the two have the same places and velocities to the last bit. */
+static bool is_same(const struct scene *a, const struct scene *b)
+{
+    const size_t size = 3 * a->bodies * sizeof *a->position;
+    return memcmp(a->position, b->position, size) == 0 &&
+           memcmp(a->velocity, b->velocity, size) == 0;
+}
+
+static void test_cuts(void)
+{
+    static const char *const methods[] = {"leapfrog", "yoshida4", "rk4",
+                                          "gauss4", NULL};
+    for (int contact = 0; contact < 2; ++contact)
+        for (size_t k = 0; methods[k]; ++k) {
+            struct scene s, t;
+            struct motion m, n;
+            build(&s, contact);
+            build(&t, contact);
+            begin(&m, &s, methods[k]);
+            begin(&n, &t, methods[k]);
+            motion_run(&m, 300);
+            for (uint64_t left = 300, bite = 1; left > 0; bite += 3) {
+                motion_run(&n, bite < left ? bite : left);
+                left -= bite < left ? bite : left;
+            }
+            UNIT_TRUE(is_same(&s, &t));
+            UNIT_EQUAL((double)m.collisions, (double)n.collisions);
+            UNIT_TRUE(!contact || m.collisions > 0);
+            motion_end(&m);
+            motion_end(&n);
+            scene_free(&s);
+            scene_free(&t);
+        }
+}
+
+/* From the places, the velocities, what sums carry and the acceleration a
+   run goes on to the same bits, wherever it was cut; without what sums
+   carry, or the acceleration, it does not. */
+static void resume(uint64_t cut, bool contact, bool carry,
+                   bool acceleration, bool same)
+{
+    struct scene s, t;
+    struct motion m, n;
+    double kept[9];
+    build(&s, contact);
+    begin(&m, &s, "leapfrog");
+    m.stepping.compensated = true;
+    motion_run(&m, cut);
+    motion_note(&m);
+    must(scene_copy(&t, &s), "no memory");
+    if (!carry)
+        memset(t.carry, 0, 18 * sizeof *t.carry);
+    memcpy(kept, m.stepping.acceleration, sizeof kept);
+    const bool fresh = m.stepping.fresh;
+    begin(&n, &t, "leapfrog");
+    UNIT_TRUE(n.stepping.compensated);
+    motion_resume(&n, 0, cut, acceleration && fresh ? kept : NULL);
+    motion_run(&m, 500);
+    motion_run(&n, 500);
+    UNIT_TRUE(is_same(&s, &t) == same);
+    UNIT_EQUAL(motion_time(&m), motion_time(&n));
+    motion_end(&m);
+    motion_end(&n);
+    scene_free(&s);
+    scene_free(&t);
+}
+
+static void test_resume(void)
+{
+    for (uint64_t cut = 1; cut < 400; cut += 37) {
+        resume(cut, false, true, true, true);
+        resume(cut, true, true, true, true);
+    }
+    resume(100, false, false, true, false);
+    resume(100, false, true, false, false);
+}
+
+/* A step after a contact begins with the acceleration where the bodies are
+   now: half a kick and a drift by it give the next place. */
+static void test_contact(void)
+{
+    struct scene s;
+    struct motion m;
+    bool met = false;
+    build(&s, true);
+    s.damping = 0;
+    s.kind[0].damping = 0;
+    begin(&m, &s, "leapfrog");
+    for (int k = 0; k < 3000; ++k) {
+        double a[9], expected[9];
+        const uint64_t before = m.collisions;
+        motion_run(&m, 1);
+        if (m.collisions == before)
+            continue;
+        m.stepping.forces.accelerate(m.stepping.forces.what, s.position,
+                                     s.velocity, a);
+        for (size_t c = 0; c < 9; ++c)
+            expected[c] =
+                s.position[c] + 0.01 * (s.velocity[c] + 0.005 * a[c]);
+        const uint64_t then = m.collisions;
+        motion_run(&m, 1);
+        for (size_t c = 0; c < 9 && m.collisions == then; ++c)
+            UNIT_NEAR(s.position[c], expected[c],
+                      1e-15); /* an ulp or two */
+        met = true;
+    }
+    UNIT_TRUE(met);
+    motion_end(&m);
+    scene_free(&s);
+}
+
+static bool from_outside(void *with, double dt, double x[], double v[])
+{
+    *(double *)with += dt;
+    x[0] += v[0] * dt;
+    return *(double *)with < 0.995;
+}
+
+static void test_outside(void)
+{
+    struct scene s;
+    struct motion m;
+    double clock = 0;
+    must(scene_create(&s, 1), "no memory");
+    s.velocity[0] = 2;
+    s.dt = 0.25;
+    begin(&m, &s, "leapfrog");
+    m.outside = from_outside;
+    m.with = &clock;
+    UNIT_TRUE(motion_run(&m, 3) == STEPPING_DONE);
+    UNIT_EQUAL(s.position[0], 1.5);
+    UNIT_EQUAL(motion_time(&m), 0.75);
+    UNIT_TRUE(motion_run(&m, 2) == STEPPING_STUCK);
+    motion_end(&m);
+    scene_free(&s);
+}
+
+int main(void)
+{
+    return unit_run(
+        "motion",
+        (struct unit_test[]){
+            {"what acts is the sum of all that is in the scene", test_sum},
+            {"springs alone move as they do with others",
+             test_springs_alone},
+            {"what is held stays", test_held},
+            {"a fall is exact", test_fall},
+            {"an oscillator turns by leapfrog's angle", test_oscillator},
+            {"how a run is cut changes no bit", test_cuts},
+            {"a resumed run goes on to the same bits", test_resume},
+            {"after a contact the method looks again", test_contact},
+            {"another stepper can take the method's place", test_outside},
+            {0}});
+}

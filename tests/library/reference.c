@@ -1,0 +1,87 @@
+/* The adaptive method from outside against what is known exactly. */
+#include "unit.h"
+
+#include "reference.h"
+
+#include <gsl/gsl_version.h>
+
+static void orbit(void *what, const double x[], const double v[],
+                  double a[])
+{
+    const double r = sqrt(x[0] * x[0] + x[1] * x[1]);
+    (void)what, (void)v;
+    a[0] = -x[0] / (r * r * r);
+    a[1] = -x[1] / (r * r * r);
+}
+
+/* Ten orbits of eccentricity 1/2, in pieces: an error of the tolerance in
+   some 60 steps an orbit, and errors grow with the square of the time. */
+static double orbit_error(double tolerance, int pieces)
+{
+    const double period = 2 * acos(-1);
+    double x[] = {0.5, 0}, v[] = {0, sqrt(3)};
+    struct reference r;
+    UNIT_TRUE(reference_begin(
+        &r, (struct stepping_forces){2, false, orbit, NULL}, tolerance));
+    for (int k = 0; k < pieces; ++k)
+        UNIT_TRUE(reference_step(&r, 10 * period / pieces, x, v));
+    UNIT_TRUE(r.evaluations > 1000);
+    reference_free(&r);
+    return hypot(x[0] - 0.5, x[1]);
+}
+
+static void test_orbit(void)
+{
+    UNIT_TRUE(reference_available);
+    UNIT_TRUE(orbit_error(1e-13, 1) < 1e-10);
+    UNIT_TRUE(orbit_error(1e-13, 40) < 1e-10);
+    UNIT_TRUE(orbit_error(1e-6, 1) > 1e-6);
+}
+
+static void friction(void *what, const double x[], const double v[],
+                     double a[])
+{
+    (void)what;
+    a[0] = -x[0] - 0.2 * v[0];
+}
+
+/* x(5) of the oscillator with gamma 0.1: references, section 11. */
+static void test_friction(void)
+{
+    double x = 1, v = 0;
+    struct reference r;
+    reference_begin(&r, (struct stepping_forces){1, true, friction, NULL},
+                    1e-14);
+    UNIT_TRUE(reference_step(&r, 5, &x, &v));
+    UNIT_NEAR(x, 0.09855066761858596, 1e-13);
+    UNIT_TRUE(reference_step(&r, 5, &x, &v));
+    UNIT_NEAR(x, -0.3368516805904134, 1e-13);
+    reference_free(&r);
+}
+
+static void nowhere(void *what, const double x[], const double v[],
+                    double a[])
+{
+    (void)what, (void)v;
+    a[0] = x[0] > 1 ? NAN : 1;
+}
+
+static void test_gives_up(void)
+{
+    double x = 0, v = 0;
+    struct reference r;
+    reference_begin(&r, (struct stepping_forces){1, false, nowhere, NULL},
+                    1e-10);
+    UNIT_TRUE(!reference_step(&r, 5, &x, &v));
+    reference_free(&r);
+}
+
+int main(void)
+{
+    return unit_run(
+        "reference",
+        (struct unit_test[]){{"an orbit", test_orbit},
+                             {"an oscillator with friction", test_friction},
+                             {"it says when it gives up", test_gives_up},
+                             {0}});
+}

@@ -1,0 +1,456 @@
+/* Springs: the force of one by hand, sums that must balance, the two ways
+   to sum and any number of threads against each other bit for bit, the
+   damped oscillator against its closed form, and the stiff double pendulum
+   against a computation in quadruple precision (of a program of our own;
+   the numbers are those of double_pendulum.dat and
+   double_pendulum_damped.dat). */
+#include "unit.h"
+
+#include "elastic.h"
+#include "springs.h"
+
+#include <float.h>
+#include <stdlib.h>
+
+/* Two bodies of mass 1 and 2 on a spring of 10 N/m, 1 m, c = 3 kg/s; the
+   second at (x, y, 0). */
+static void make_pair(struct scene *s, double x, double y, bool axial)
+{
+    if (!scene_create(s, 2) || !scene_add_kind(s, 10, 3) ||
+        !scene_add_spring(s, 0, 1, 0, 1))
+        exit(1);
+    s->mass[1] = 2;
+    s->position[1] = x;
+    s->position[3] = y;
+    s->axial = axial;
+}
+
+static void forces(const struct scene *s, double a[])
+{
+    struct springs p;
+    if (!springs_create(&p, s))
+        exit(1);
+    springs_accelerate(&p, s->position, s->velocity, a);
+    springs_free(&p);
+}
+
+/* Stretched from 1 to 5 m along (3, 4): 40 N, and the second is heavier. */
+static void test_pull(void)
+{
+    struct scene s;
+    double a[6];
+    make_pair(&s, 3, 4, false);
+    forces(&s, a);
+    UNIT_NEAR(a[0], 24, 1e-14); /* towards the other: the right sign */
+    UNIT_NEAR(a[2], 32, 1e-14);
+    UNIT_NEAR(a[1], -12, 1e-14);
+    UNIT_NEAR(a[3], -16, 1e-14);
+    UNIT_EQUAL(a[4], 0);
+    scene_free(&s);
+}
+
+/* At rest length: only the dashpots act. Moving across the axis the printed
+   one brakes, the axial one does not; along the axis they agree. */
+static void test_dashpots(void)
+{
+    struct scene s;
+    double full[6], axial[6];
+    make_pair(&s, 1, 0, false);
+    s.velocity[1] = 0.5;
+    s.velocity[3] = 2;
+    forces(&s, full);
+    s.axial = true;
+    forces(&s, axial);
+    UNIT_NEAR(full[0], 1.5, 1e-15);
+    UNIT_NEAR(full[2], 6, 1e-15);
+    UNIT_NEAR(full[3], -3, 1e-15);
+    UNIT_NEAR(axial[0], 1.5, 1e-15);
+    UNIT_NEAR(axial[1], -0.75, 1e-15);
+    UNIT_EQUAL(axial[2], 0);
+    scene_free(&s);
+}
+
+/* Two bodies in one place: no direction, so no elastic force, and nothing
+   that is not a number. */
+static void test_same_place(void)
+{
+    struct scene s;
+    double a[6];
+    make_pair(&s, 0, 0, false);
+    forces(&s, a);
+    for (int i = 0; i < 6; ++i)
+        UNIT_EQUAL(a[i], 0);
+    s.axial = true;
+    s.velocity[1] = 1;
+    forces(&s, a);
+    for (int i = 0; i < 6; ++i)
+        UNIT_EQUAL(a[i], 0);
+    scene_free(&s);
+}
+
+/* Held axes feel nothing; gravity and friction act where a body is free. */
+static void test_held(void)
+{
+    struct scene s;
+    struct springs p;
+    double a[6], more[6] = {7, 7, 7, 7, 7, 7};
+    make_pair(&s, 3, 4, false);
+    s.freedom[0] = s.freedom[3] = 0;
+    s.gravity[1] = -9;
+    s.damping = 0.5;
+    s.velocity[1] = 1;
+    forces(&s, a);
+    UNIT_EQUAL(a[0], 0);
+    UNIT_EQUAL(a[3], 0);
+    UNIT_NEAR(a[2], 32 - 9, 1e-13);
+    UNIT_NEAR(a[1], -12 - 1.5 - 0.25, 1e-14);
+    if (!springs_create(&p, &s))
+        exit(1);
+    springs_add(&p, s.position, s.velocity, more);
+    UNIT_EQUAL(more[0], 7);
+    UNIT_NEAR(more[2], 7 + 32, 1e-13);
+    UNIT_TRUE(springs_damped(&p) && springs_forces(&p).damped);
+    springs_free(&p);
+    scene_free(&s);
+}
+
+/* The energy's slope is the force: central differences, error h^2. */
+static void test_potential(void)
+{
+    struct scene s;
+    struct springs p;
+    double a[6];
+    make_pair(&s, 0.3, 0.5, false);
+    s.position[4] = 0.7;
+    forces(&s, a);
+    if (!springs_create(&p, &s))
+        exit(1);
+    for (int i = 0; i < 6; ++i) {
+        const double h = 1e-5, here = s.position[i];
+        s.position[i] = here + h;
+        const double up = springs_potential(&p, s.position);
+        s.position[i] = here - h;
+        const double down = springs_potential(&p, s.position);
+        s.position[i] = here;
+        UNIT_NEAR(-(up - down) / (2 * h) / s.mass[i % 2], a[i], 1e-8);
+    }
+    springs_free(&p);
+    scene_free(&s);
+}
+
+/* ---- the two ways, and threads ----------------------------------------
+ */
+
+static unsigned long long noise_state = 1;
+
+static double noise(void)
+{
+    noise_state =
+        noise_state * 6364136223846793005ull + 1442695040888963407ull;
+    return (double)(noise_state >> 11) / 9007199254740992.0 - 0.5;
+}
+
+/* Shakes all places and velocities. */
+static void shake(struct scene *s)
+{
+    for (size_t i = 0; i < 3 * s->bodies; ++i) {
+        s->position[i] += 0.2 * noise();
+        s->velocity[i] += noise();
+    }
+}
+
+/* All ways to sum give the same bits, for adding and for writing. */
+static void same_bits(const struct scene *s, size_t bands)
+{
+    const size_t n = 3 * s->bodies;
+    double *one = calloc(n, sizeof *one), *other = calloc(n, sizeof *other);
+    struct springs p;
+    if (!one || !other || !springs_create(&p, s))
+        exit(1);
+    UNIT_EQUAL((double)p.bands, (double)bands);
+    for (int adds = 0; adds < 2; ++adds) {
+        p.engine = SPRINGS_SCATTER;
+        for (size_t i = 0; i < n; ++i)
+            one[i] = 0.1 * (double)(i % 7);
+        adds ? springs_add(&p, s->position, s->velocity, one)
+             : springs_accelerate(&p, s->position, s->velocity, one);
+        p.engine = SPRINGS_GATHER;
+        for (int threads = 1; threads <= 5; ++threads) {
+            UNIT_TRUE(springs_threads(&p, threads));
+            for (size_t i = 0; i < n; ++i)
+                other[i] = 0.1 * (double)(i % 7);
+            adds ? springs_add(&p, s->position, s->velocity, other)
+                 : springs_accelerate(&p, s->position, s->velocity, other);
+            UNIT_TRUE(memcmp(one, other, n * sizeof *one) == 0);
+        }
+    }
+    springs_free(&p);
+    free(one);
+    free(other);
+}
+
+static void make_membrane(struct scene *s, size_t nx, size_t ny, double c)
+{
+    const struct elastic_membrane m = {nx,  ny, 1.5, 50,   c, 0.9,
+                                       0.1, 1,  1,   true, 0, 0};
+    if (elastic_membrane(s, &m))
+        exit(1);
+    shake(s);
+}
+
+static void test_same_bits(void)
+{
+    static const size_t size[][2] = {{5, 4},   {8, 8},   {33, 7},  {7, 40},
+                                     {64, 64}, {50, 61}, {1500, 3}};
+    for (size_t i = 0; i < sizeof size / sizeof *size; ++i)
+        for (int way = 0; way < 5; ++way) {
+            struct scene s;
+            make_membrane(&s, size[i][0], size[i][1], way % 3);
+            s.axial = way == 2;
+            s.gravity[2] = way > 2 ? -1 : 0;
+            s.damping = way > 3 ? 0.3 : 0;
+            same_bits(&s, size[i][0] * size[i][1] == 20 ? 1 : 2);
+            scene_free(&s);
+        }
+}
+
+/* Diagonals, springs written backwards, springs of another kind, doubled
+   springs, one across the grid, and holes. */
+static void test_odd_lists(void)
+{
+    struct scene s;
+    const double values[] = {20, 9, 1, 1.5, 1, 1000, 0.5, 2, 1, 0.1};
+    if (gallery_find(elastic_scenes, "cantilever")->build(&s, values))
+        exit(1);
+    shake(&s);
+    same_bits(&s, 4);
+    for (size_t i = 0; i < s.springs; i += 3) {
+        const uint32_t a = s.spring[i].a;
+        s.spring[i].a = s.spring[i].b;
+        s.spring[i].b = a;
+    }
+    same_bits(&s, 4);
+    if (!scene_add_kind(&s, 300, 1) ||
+        !scene_add_spring(&s, 0, 179, 1, 2) ||
+        !scene_add_spring(&s, 90, 3, 0, 1) ||
+        !scene_add_spring(&s, 5, 6, 1, 0.5))
+        exit(1);
+    same_bits(&s, 4);
+    if (!scene_add_spring(&s, 5, 6, 0, 0.5)) /* a second one: no band */
+        exit(1);
+    same_bits(&s, 3);
+    for (size_t i = 0; i < s.springs; ++i)
+        if (i % 5 == 1)
+            s.spring[i].kind = 1;
+    UNIT_TRUE(s.springs > 500);
+    same_bits(&s, 3);
+    scene_free(&s);
+}
+
+/* Nothing but inner forces: the momentum stays, to rounding. */
+static void test_momentum(void)
+{
+    struct scene s;
+    struct springs p;
+    struct stepping t;
+    const double values[] = {9, 5, 1, 1, 2, 100, 0.5, 2, 0, 0};
+    if (gallery_find(elastic_scenes, "cantilever")->build(&s, values))
+        exit(1);
+    for (size_t i = 0; i < 3 * s.bodies; ++i)
+        s.freedom[i] = 1;
+    shake(&s);
+    for (int axial = 0; axial < 2; ++axial) {
+        double before[3] = {0}, after[3] = {0};
+        s.axial = axial;
+        if (!springs_create(&p, &s) ||
+            !stepping_begin(&t, stepping_find("leapfrog"),
+                            springs_forces(&p), 0.01, s.position,
+                            s.velocity))
+            exit(1);
+        for (size_t i = 0; i < 3 * s.bodies; ++i)
+            before[i / s.bodies] += s.velocity[i];
+        stepping_run(&t, 1000);
+        for (size_t i = 0; i < 3 * s.bodies; ++i)
+            after[i / s.bodies] += s.velocity[i];
+        for (int k = 0; k < 3; ++k) /* 1e6 sums of size 1 to 10 */
+            UNIT_NEAR(after[k], before[k], 1e-11);
+        stepping_free(&t);
+        springs_free(&p);
+    }
+    scene_free(&s);
+}
+
+/* A spinning dumbbell: L falls as exp(-c t / mu) with the printed dashpot,
+   whatever the spring does, and stays with the axial one. */
+static void test_spin(void)
+{
+    for (int axial = 0; axial < 2; ++axial) {
+        struct scene s;
+        struct springs p;
+        struct stepping t;
+        make_pair(&s, 1.2, 0, axial);
+        s.kind[0].damping = 0.3;
+        s.velocity[2] = -1; /* y velocities: no momentum */
+        s.velocity[3] = 0.5;
+        if (!springs_create(&p, &s) ||
+            !stepping_begin(&t, stepping_find("yoshida4"),
+                            springs_forces(&p), 1e-3, s.position,
+                            s.velocity))
+            exit(1);
+        double spin[2];
+        for (int k = 0; k < 2; ++k) {
+            const double *x = s.position, *v = s.velocity;
+            spin[k] =
+                x[0] * v[2] - x[2] * v[0] + 2 * (x[1] * v[3] - x[3] * v[1]);
+            stepping_run(&t, 3000);
+        }
+        /* mu = 2/3 kg; 3 s; the error of a step with damping, some 3e-9 */
+        UNIT_NEAR(spin[1] / spin[0], axial ? 1 : exp(-0.3 * 3 * 1.5), 1e-8);
+        stepping_free(&t);
+        springs_free(&p);
+        scene_free(&s);
+    }
+}
+
+/* ---- the oscillator
+ * ------------------------------------------------------ */
+
+/* The closed form of the chapter, m = D = 1, from q = 1, v = 0. */
+static double closed(double g, double t)
+{
+    const double square = (1 - g) * (1 + g), y = sqrt(fabs(square)) * t;
+    const double c = square > 0 ? cos(y) : cosh(y);
+    const double s = y == 0 ? 1 : (square > 0 ? sin(y) : sinh(y)) / y;
+    return exp(-g * t) * (c + g * t * s);
+}
+
+static void test_closed_form(void)
+{
+    static const double expected[6][4] = {
+        {0.1, 0.5689718909460998, 0.09855066761858596, -0.3368516805904134},
+        {0.5, 0.6597001533917017, -0.0745905665950333,
+         -0.002170116739326209},
+        {0.999999, 0.7357587597163552, 0.04042740124672117,
+         0.0004993840941530791},
+        {1, 0.7357588823428846, 0.0404276819945128, 0.0004993992273873334},
+        {1.000001, 0.735759004969316, 0.04042796274230443,
+         0.0004994143607729208},
+        {2, 0.8222634239018095, 0.2821711739751532, 0.07390407190962298}};
+    const double t[3] = {1, 5, 10};
+    for (int i = 0; i < 6; ++i)
+        for (int k = 0; k < 3; ++k) /* a few roundings of terms up to 1 */
+            UNIT_NEAR(closed(expected[i][0], t[k]), expected[i][1 + k],
+                      1e-15 + 4e-15 * fabs(expected[i][1 + k]));
+}
+
+/* The scene, stepped: second order, so the error is that of the step. */
+static void test_regimes(void)
+{
+    const double g[] = {0, 0.1, 0.5, 1, 2};
+    const struct gallery_scene *o =
+        gallery_find(elastic_scenes, "oscillator");
+    for (int i = 0; i < 5; ++i) {
+        double error[2];
+        for (int fine = 0; fine < 2; ++fine) {
+            struct scene s;
+            struct springs p;
+            struct stepping t;
+            const double h = fine ? 0.01 : 0.02;
+            if (gallery_make(&s, o, "damping", 2 * g[i]) ||
+                !springs_create(&p, &s) ||
+                !stepping_begin(&t, stepping_find("leapfrog"),
+                                springs_forces(&p), h, s.position,
+                                s.velocity))
+                exit(1);
+            stepping_run(&t, fine ? 300 : 150);
+            error[fine] = fabs(s.position[1] - 4 - closed(g[i], 3));
+            stepping_free(&t);
+            springs_free(&p);
+            scene_free(&s);
+        }
+        UNIT_TRUE(error[1] < 1e-4);
+        UNIT_NEAR(log2(error[0] / error[1]), 2, 0.1); /* order 2 */
+    }
+}
+
+/* ---- the double pendulum
+ * --------------------------------------------------- */
+
+static void swing(double damping, const char *method, double dt,
+                  const double expected[][5], size_t rows, double tolerance)
+{
+    struct scene s;
+    struct springs p;
+    struct stepping t;
+    if (gallery_make(&s, gallery_find(elastic_scenes, "double-pendulum"),
+                     "damping", damping) ||
+        !springs_create(&p, &s) ||
+        !stepping_begin(&t, stepping_find(method), springs_forces(&p), dt,
+                        s.position, s.velocity))
+        exit(1);
+    for (size_t i = 0; i < rows; ++i) {
+        const double *e = expected[i];
+        stepping_run(&t, (uint64_t)(e[0] / dt + 0.5) - t.steps);
+        UNIT_NEAR(s.position[1], e[1], tolerance);
+        UNIT_NEAR(s.position[7], e[2], tolerance);
+        UNIT_NEAR(s.position[2], e[3], tolerance);
+        UNIT_NEAR(s.position[8], e[4], tolerance);
+    }
+    stepping_free(&t);
+    springs_free(&p);
+    scene_free(&s);
+}
+
+static void test_pendulum(void)
+{
+    static const double expected[][5] = {
+        {1, .197244031927094, .0186762558101898, .975990985448774,
+         -1.31939490351796},
+        {2, .0345676922176585, -.000662174641185643, -.171656298813054,
+         -1.60028854808313},
+        {5, -.116543909214427, .00578872310697865, -.706442948838152,
+         -1.41776258066317},
+        {10, -.156264701442401, .0112096197458345, -.921375731195946,
+         -1.25031461636596}};
+    /* rounding: 1e5 evaluations of forces that cancel to 1e-4 of D l */
+    swing(0, "kahan-li8", 0.002, expected, 4, 2e-12);
+    /* errors of the methods as in references.md, section 11 */
+    swing(0, "leapfrog", 0.001, expected, 4, 3e-5);
+    swing(0, "rk4", 0.001, expected, 4, 3e-8);
+}
+
+static void test_damped_pendulum(void)
+{
+    static const double expected[][5] = {
+        {1, 2.4160295858323034841e-01, 2.8678298143717773561e-02,
+         9.5332401571640475183e-01, -1.2545769281161205486},
+        {5, -6.1712774673966554399e-02, 1.1132837755741934501e-03,
+         -3.2915675725886318983e-01, -1.3787723725297371349},
+        {9, -4.6995661270264904098e-02, 3.3184889279482390290e-04,
+         -5.9468768399949105756e-02, -1.4064380809984304704}};
+    swing(0.5, "rk4", 0.0005, expected, 3, 1e-8);
+    swing(0.5, "leapfrog", 0.0005, expected, 3, 1e-5);
+}
+
+int main(void)
+{
+    return unit_run(
+        "springs",
+        (struct unit_test[]){
+            {"a stretched spring draws its ends together", test_pull},
+            {"the printed dashpot brakes all, the axial one its axis",
+             test_dashpots},
+            {"two bodies in one place do no harm", test_same_place},
+            {"held axes, gravity and friction", test_held},
+            {"the slope of the energy is the force", test_potential},
+            {"scatter, gather and threads give the same bits",
+             test_same_bits},
+            {"so they do for lists that are no grid", test_odd_lists},
+            {"inner forces keep the momentum", test_momentum},
+            {"what dashpots do to rotation", test_spin},
+            {"the closed form in all regimes", test_closed_form},
+            {"the stepped oscillator follows it", test_regimes},
+            {"the double pendulum is where it should be", test_pendulum},
+            {"and with dashpots", test_damped_pendulum},
+            {0}});
+}

@@ -1,0 +1,553 @@
+/* The methods of stepping: orders, laws of energy, reversibility, areas,
+   and bits that do not depend on how a run is cut or resumed. Reference
+   numbers were computed for this book by a program of its own, in
+   quadruple precision. */
+#include "unit.h"
+
+#include "stepping.h"
+#include "toolbox/quad.h"
+
+#include <float.h>
+#include <stdlib.h>
+
+enum { MOST = 6 };
+
+static void pendulum(void *what, const double x[], const double v[],
+                     double a[])
+{
+    (void)what, (void)v;
+    a[0] = -sin(x[0]);
+}
+
+static void oscillator(void *what, const double x[], const double v[],
+                       double a[])
+{
+    const double *w = what;
+    (void)v;
+    a[0] = -w[0] * w[0] * x[0];
+}
+
+/* Two coordinates, a friction that depends on place, nothing symmetric. */
+static void rough(void *what, const double x[], const double v[],
+                  double a[])
+{
+    (void)what;
+    a[0] = -sin(x[0]) + 0.2 * x[1] - 0.3 * v[0] * (1 + 0.2 * x[1]);
+    a[1] = -x[1] + 0.2 * x[0] - 0.1 * v[1];
+}
+
+/* An orbit about the origin. */
+static void orbit(void *what, const double x[], const double v[],
+                  double a[])
+{
+    const double r = sqrt(x[0] * x[0] + x[1] * x[1]);
+    (void)what, (void)v;
+    a[0] = -x[0] / (r * r * r);
+    a[1] = -x[1] / (r * r * r);
+}
+
+static double one = 1;
+static const struct stepping_forces pendulum_forces = {1, false, pendulum,
+                                                       NULL};
+static const struct stepping_forces oscillator_forces = {1, false,
+                                                         oscillator, &one};
+static const struct stepping_forces rough_forces = {2, true, rough, NULL};
+static const struct stepping_forces orbit_forces = {2, false, orbit, NULL};
+
+static void begin(struct stepping *s, const struct stepping_method *m,
+                  struct stepping_forces f, double dt, double x[],
+                  double v[])
+{
+    if (!stepping_begin(s, m, f, dt, x, v))
+        exit(1);
+}
+
+/* x and v of one coordinate after so many steps. */
+static void go(const char *name, struct stepping_forces f, double dt,
+               uint64_t steps, double *x, double *v)
+{
+    struct stepping s;
+    begin(&s, stepping_find(name), f, dt, x, v);
+    UNIT_TRUE(stepping_run(&s, steps) == STEPPING_DONE);
+    stepping_free(&s);
+}
+
+/* |dq| + |dp| of the pendulum q = 1.5, p = 0.2 at t = 3 */
+static double pendulum_error(const char *name, uint64_t steps)
+{
+    double x = 1.5, v = 0.2;
+    go(name, pendulum_forces, 3.0 / (double)steps, steps, &x, &v);
+    return fabs(x + 1.14790170017933) + fabs(v + 0.8481327619737);
+}
+
+static void test_orders(void)
+{
+    for (const struct stepping_method *m = stepping_methods; m->name; ++m) {
+        /* Within 0.1 as soon as the steps are short, as long as rounding
+           does not count. */
+        uint64_t n = m->order > 4 ? 8 : 64;
+        double far = pendulum_error(m->name, n), near;
+        for (;; far = near, n *= 2) {
+            near = pendulum_error(m->name, 2 * n);
+            if (near < 1e3 * DBL_EPSILON || n > 500)
+                break;
+            UNIT_NEAR(log2(far / near), m->order, 0.1);
+        }
+        UNIT_TRUE(far < 0.1);
+    }
+}
+
+/* Four digits each of the reference. */
+static void test_errors(void)
+{
+    static const struct {
+        const char *name;
+        double at50, at100;
+    } known[] = {{"symplectic-euler", 0.02867, 0.0144},
+                 {"leapfrog", 7.55e-4, 1.888e-4},
+                 {"yoshida4", 1.818e-6, 1.138e-7},
+                 {"yoshida6", 6.835e-10, 1.069e-11},
+                 {"pefrl", 2.777e-8, 1.736e-9}};
+    for (int k = 0; k < 5; ++k) {
+        /* half a unit of the last digit, and of 1e-11 the reference's own
+           fourteen digits */
+        UNIT_NEAR(pendulum_error(known[k].name, 50) / known[k].at50, 1,
+                  5e-4);
+        UNIT_NEAR(pendulum_error(known[k].name, 100) / known[k].at100, 1,
+                  2e-3);
+    }
+}
+
+/* Kahan and Li's order in quadruple precision: the energy of x'' = -x^3
+   needs no functions. */
+static quad quartic_error(const struct stepping_method *m, int steps)
+{
+    quad x = 1, v = 0.5;
+    for (int n = 0; n < steps; ++n)
+        for (size_t k = 0; k <= m->drifts; ++k) {
+            const quad before = k ? (quad)m->drift[k - 1] : 0;
+            const quad after = k < m->drifts ? (quad)m->drift[k] : 0;
+            v -= (before + after) / 2 * 3 / steps * x * x * x;
+            x += after * 3 / steps * v;
+        }
+    return v * v / 2 + x * x * x * x / 4 - (quad)0.375;
+}
+
+static void test_kahan_li(void)
+{
+    const struct stepping_method *m = stepping_find("kahan-li8");
+    /* The weights of the row are doubles, so that the order ends at errors
+       of 1e-16. */
+    for (int n = 20; n <= 40; n *= 2)
+        UNIT_NEAR(log2(fabs((double)(quartic_error(m, n) /
+                                     quartic_error(m, 2 * n)))),
+                  8, 0.05);
+    long double sum[4] = {0};
+    for (size_t k = 0; k < 17; ++k)
+        for (int p = 0; p < 4; ++p)
+            sum[p] += powl(m->drift[k], 2 * p + 1);
+    UNIT_NEAR((double)sum[0], 1, 4 * DBL_EPSILON);
+    for (int p = 1; p < 4; ++p)
+        UNIT_NEAR((double)sum[p], 0, 4 * DBL_EPSILON);
+}
+
+/* What a row must satisfy, whatever its method: consistency, symmetry, and
+   the conditions of its order for a tableau. */
+static void test_rows(void)
+{
+    for (const struct stepping_method *m = stepping_methods; m->name; ++m) {
+        double kicks = 0, drifts = 0, b = 0, bc = 0, bc2 = 0, bac = 0;
+        UNIT_TRUE(stepping_find(m->name) == m);
+        for (size_t k = 0; k < m->drifts; ++k) {
+            drifts += m->drift[k];
+            if (m->symmetric)
+                UNIT_EQUAL(m->drift[k], m->drift[m->drifts - 1 - k]);
+        }
+        for (size_t k = 0; m->kick && k <= m->drifts; ++k)
+            kicks += m->kick[k];
+        for (size_t i = 0; m->b && i < m->stages; ++i) {
+            double c = 0, ac = 0;
+            for (size_t j = 0; j < m->stages; ++j) {
+                double cj = 0;
+                for (size_t k = 0; k < m->stages; ++k)
+                    cj += m->a[j * m->stages + k];
+                c += m->a[i * m->stages + j];
+                ac += m->a[i * m->stages + j] * cj;
+            }
+            b += m->b[i];
+            bc += m->b[i] * c;
+            bc2 += m->b[i] * c * c;
+            bac += m->b[i] * ac;
+        }
+        if (m->drift)
+            UNIT_NEAR(drifts, 1, 4 * DBL_EPSILON);
+        if (m->kick)
+            UNIT_NEAR(kicks, 1, 4 * DBL_EPSILON);
+        if (m->b)
+            UNIT_NEAR(b, 1, 4 * DBL_EPSILON);
+        if (m->b && m->order >= 2)
+            UNIT_NEAR(bc, 0.5, 4 * DBL_EPSILON);
+        if (m->b && m->order >= 3) {
+            UNIT_NEAR(bc2, 1.0 / 3, 4 * DBL_EPSILON);
+            UNIT_NEAR(bac, 1.0 / 6, 4 * DBL_EPSILON);
+        }
+    }
+    UNIT_TRUE(stepping_find("leap") == NULL);
+}
+
+/* Exact laws on the oscillator; 1e4 steps round by 1e4 DBL_EPSILON at most
+   for each of the few operations of a step. */
+static void test_laws(void)
+{
+    static const double h = 0.3;
+    const int n = 10000;
+    const double rounding = 8.0 * n * DBL_EPSILON;
+    double x = 1, v = 0;
+    go("euler", oscillator_forces, h, 1000, &x, &v);
+    UNIT_NEAR((x * x + v * v) / pow(1 + h * h, 1000), 1, rounding);
+    x = 1, v = 0;
+    go("rk4", oscillator_forces, h, (uint64_t)n, &x, &v);
+    UNIT_NEAR((x * x + v * v) /
+                  pow(1 - pow(h, 6) / 72 + pow(h, 8) / 576, n),
+              1, rounding);
+    x = 1, v = 0;
+    go("leapfrog", oscillator_forces, h, (uint64_t)n, &x, &v);
+    const double slack = 1 - h * h / 4;
+    UNIT_NEAR((v * v + slack * x * x) / slack, 1, rounding);
+    UNIT_NEAR(x, cos(n * 2 * asin(h / 2)), 4 * rounding);
+    x = 1, v = 0;
+    go("implicit-midpoint", oscillator_forces, h, (uint64_t)n, &x, &v);
+    UNIT_NEAR(x * x + v * v, 1, rounding);
+    UNIT_NEAR(x, cos(n * 2 * atan(h / 2)), 4 * rounding);
+    x = 1, v = 0;
+    go("gauss4", oscillator_forces, h, (uint64_t)n, &x, &v);
+    UNIT_NEAR(x * x + v * v, 1, rounding);
+    UNIT_NEAR(x, cos(n * 2 * atan(h / 2 / (1 - h * h / 12))), 4 * rounding);
+}
+
+/* Implicit steps far longer than the period: the energy stays, and each
+   step turns by the angle of the law. */
+static void test_long_implicit_steps(void)
+{
+    double w = 50;
+    const struct stepping_forces f = {1, false, oscillator, &w};
+    double x = 1, v = 0;
+    go("implicit-midpoint", f, 1, 1000, &x, &v);
+    UNIT_NEAR(x * x + v * v / (w * w), 1, 1e-9);
+    UNIT_NEAR(x, cos(1000 * 2 * atan(w / 2)), 1e-7);
+    x = 1, v = 0;
+    go("gauss4", f, 1, 1000, &x, &v);
+    UNIT_NEAR(x * x + v * v / (w * w), 1, 1e-9);
+}
+
+/* A stiff, strongly nonlinear spring: what midpoint promises is its own
+   equation, v1 - v0 = dt a((x0 + x1) / 2). */
+static void stiff(void *what, const double x[], const double v[],
+                  double a[])
+{
+    const double r = sqrt(x[0] * x[0] + x[1] * x[1]);
+    (void)what, (void)v;
+    for (int k = 0; k < 2; ++k)
+        a[k] = -5000 * (r - 1) * x[k] / r;
+    a[1] -= 1.8;
+}
+
+static void test_newton(void)
+{
+    const struct stepping_forces f = {2, false, stiff, NULL};
+    const double dt = 0.1;
+    double x[] = {0.6, -0.8}, v[] = {0, 0};
+    struct stepping s;
+    begin(&s, stepping_find("implicit-midpoint"), f, dt, x, v);
+    for (int n = 0; n < 200; ++n) {
+        const double x0[] = {x[0], x[1]}, v0[] = {v[0], v[1]};
+        double a[2];
+        UNIT_TRUE(stepping_run(&s, 1) == STEPPING_DONE);
+        stiff(NULL, (double[]){(x0[0] + x[0]) / 2, (x0[1] + x[1]) / 2}, v,
+              a);
+        for (int k = 0; k < 2; ++k) {
+            UNIT_NEAR(v[k] - v0[k], dt * a[k], 1e-11);
+            UNIT_NEAR(x[k] - x0[k], dt * (v0[k] + v[k]) / 2, 1e-14);
+        }
+    }
+    stepping_free(&s);
+}
+
+/* There and back: symmetric methods return but for rounding, the others
+   keep twice their error. */
+static void test_reversal(void)
+{
+    for (const struct stepping_method *m = stepping_methods; m->name; ++m) {
+        double x = 1.5, v = 0.2;
+        go(m->name, pendulum_forces, 0.1, 100, &x, &v);
+        go(m->name, pendulum_forces, -0.1, 100, &x, &v);
+        const double miss = fabs(x - 1.5) + fabs(v - 0.2);
+        if (m->symmetric)
+            UNIT_NEAR(miss, 0, 1e-12);
+        else
+            UNIT_TRUE(miss > 1e-6);
+    }
+}
+
+/* The derivatives of the state after five steps of an orbit by the state
+   before, by symmetric differences of 1e-5: their error is of the order
+   of 1e-7, and that of rounding 1e-10. */
+static void jacobian(const char *name, double j[4][4])
+{
+    for (int k = 0; k < 4; ++k) {
+        double y[2][4];
+        for (int side = 0; side < 2; ++side) {
+            double state[] = {0.5, 0.1, 0.1, 1.7};
+            state[k] += side ? 1e-5 : -1e-5;
+            go(name, orbit_forces, 0.1, 5, state, state + 2);
+            memcpy(y[side], state, sizeof state);
+        }
+        for (int i = 0; i < 4; ++i)
+            j[i][k] = (y[1][i] - y[0][i]) / 2e-5;
+    }
+}
+
+/* The sum of the areas of two displacements in the planes (x, v): what a
+   symplectic step keeps for every pair. */
+static double worst_area(double j[4][4])
+{
+    double worst = 0;
+    for (int p = 0; p < 4; ++p)
+        for (int q = 0; q < 4; ++q) {
+            const double sum = j[0][p] * j[2][q] - j[2][p] * j[0][q] +
+                               j[1][p] * j[3][q] - j[3][p] * j[1][q];
+            const double before = q == p + 2 ? 1 : p == q + 2 ? -1 : 0;
+            worst = fmax(worst, fabs(sum - before));
+        }
+    return worst;
+}
+
+static void test_areas(void)
+{
+    for (const struct stepping_method *m = stepping_methods; m->name; ++m) {
+        double j[4][4];
+        jacobian(m->name, j);
+        if (m->symplectic)
+            UNIT_NEAR(worst_area(j), 0, 1e-6);
+        else
+            UNIT_TRUE(worst_area(j) > 1e-5);
+    }
+    /* Exactly, for the oscillator: the matrix of a step has determinant 1.
+     */
+    for (const struct stepping_method *m = stepping_methods; m->name; ++m) {
+        double x[] = {1, 0}, v[] = {0, 1};
+        go(m->name, oscillator_forces, 0.7, 1, &x[0], &v[0]);
+        go(m->name, oscillator_forces, 0.7, 1, &x[1], &v[1]);
+        if (m->symplectic)
+            UNIT_NEAR(x[0] * v[1] - x[1] * v[0], 1, 1e-14);
+        else
+            UNIT_TRUE(fabs(x[0] * v[1] - x[1] * v[0] - 1) > 1e-5);
+    }
+}
+
+/* All of a run that a resumed one needs. */
+struct kept {
+    double x[2], v[2], carry[4], acceleration[2];
+};
+
+static void keep(const struct stepping *s, struct kept *k)
+{
+    memcpy(k->x, s->x, sizeof k->x);
+    memcpy(k->v, s->v, sizeof k->v);
+    memcpy(k->carry, s->carry, sizeof k->carry);
+    memcpy(k->acceleration, s->acceleration, sizeof k->acceleration);
+}
+
+/* 200 steps: cut as asked, resumed after step 77 if that is wanted. */
+static struct kept run_in_pieces(const struct stepping_method *m,
+                                 struct stepping_forces f, bool compensated,
+                                 uint64_t piece, bool resumed)
+{
+    double x[] = {0.5, 0.1}, v[] = {0.1, 1.5};
+    struct stepping s;
+    struct kept k = {{0}, {0}, {0}, {0}};
+    begin(&s, m, f, 0.03, x, v);
+    s.compensated = compensated;
+    for (uint64_t done = 0; done < 200; done += piece) {
+        stepping_run(&s, piece < 200 - done ? piece : 200 - done);
+        if (resumed && s.steps == 77) {
+            keep(&s, &k);
+            stepping_free(&s);
+            memcpy(x, k.x, sizeof x);
+            memcpy(v, k.v, sizeof v);
+            begin(&s, m, f, 0.03, x, v);
+            s.compensated = compensated;
+            stepping_resume(&s, 77, compensated ? k.carry : NULL,
+                            f.damped ? k.acceleration : NULL);
+        }
+    }
+    UNIT_EQUAL(stepping_time(&s), 200 * 0.03);
+    keep(&s, &k);
+    stepping_free(&s);
+    if (!f.damped)
+        memset(k.acceleration, 0, sizeof k.acceleration);
+    return k;
+}
+
+static void test_cuts(void)
+{
+    for (const struct stepping_method *m = stepping_methods; m->name; ++m)
+        for (int way = 0; way < 4; ++way) {
+            const struct stepping_forces f =
+                way & 1 ? rough_forces : orbit_forces;
+            const bool compensated = way & 2;
+            const struct kept whole =
+                run_in_pieces(m, f, compensated, 200, false);
+            static const uint64_t pieces[] = {1, 7, 64, 150};
+            for (int k = 0; k < 4; ++k) {
+                const struct kept cut =
+                    run_in_pieces(m, f, compensated, pieces[k], false);
+                UNIT_TRUE(!memcmp(&cut, &whole, sizeof whole));
+            }
+            const struct kept cut =
+                run_in_pieces(m, f, compensated, 11, true);
+            UNIT_TRUE(!memcmp(&cut, &whole, sizeof whole));
+        }
+}
+
+/* The leapfrog of its own code has the bits of the general one. */
+static void test_leapfrog_is_a_splitting(void)
+{
+    static const double kick[] = {0.5, 0.5};
+    struct stepping_method general = *stepping_find("leapfrog");
+    general.kick = kick;
+    const struct kept a = run_in_pieces(stepping_find("leapfrog"),
+                                        orbit_forces, false, 200, false);
+    const struct kept b =
+        run_in_pieces(&general, orbit_forces, false, 200, false);
+    UNIT_TRUE(!memcmp(&a, &b, sizeof a));
+}
+
+/* Evaluations of a step: stages, and two for a kick with friction. */
+static void test_evaluations(void)
+{
+    for (const struct stepping_method *m = stepping_methods; m->name; ++m)
+        for (int damped = 0; damped < 2; ++damped) {
+            double x[] = {0.5, 0.1}, v[] = {0.1, 1.5};
+            uint64_t kicks = m->drifts + 1, expected = 100 * m->stages;
+            struct stepping s;
+            begin(&s, m, damped ? rough_forces : orbit_forces, 0.01, x, v);
+            stepping_run(&s, 100);
+            for (size_t k = 0; m->kick && k <= m->drifts; ++k)
+                kicks -= m->kick[k] == 0;
+            if (damped && m->drift && strcmp(m->name, "leapfrog"))
+                expected = 200 * kicks;
+            else if (m->drift && (!m->kick || m->kick[0] != 0) &&
+                     strcmp(m->name, "symplectic-euler"))
+                ++expected; /* the very first kick */
+            if (m->family == STEPPING_IMPLICIT)
+                UNIT_TRUE(s.evaluations > expected &&
+                          s.evaluations < 30 * expected);
+            else
+                UNIT_EQUAL((double)s.evaluations, (double)expected);
+            stepping_free(&s);
+        }
+}
+
+/* Carried sums: Kahan and Li with short steps on a circle, where the
+   energy's error is rounding alone. */
+static double circle_error(bool compensated)
+{
+    double x[] = {1, 0}, v[] = {0, 1};
+    struct stepping s;
+    begin(&s, stepping_find("kahan-li8"), orbit_forces, 0.02, x, v);
+    s.compensated = compensated;
+    double sum = 0;
+    for (int n = 0; n < 100; ++n) {
+        stepping_run(&s, 1000);
+        const double energy = (v[0] * v[0] + v[1] * v[1]) / 2 -
+                              1 / sqrt(x[0] * x[0] + x[1] * x[1]);
+        sum += fabs(energy + 0.5);
+    }
+    stepping_free(&s);
+    return sum / 100;
+}
+
+static void test_compensation(void)
+{
+    const double plain = circle_error(false), carried = circle_error(true);
+    UNIT_TRUE(carried < plain / 5);
+    UNIT_TRUE(carried < 2e-15);
+}
+
+static void grow(void *what, const double x[], const double v[], double a[])
+{
+    (void)what, (void)v;
+    a[0] = x[0] * x[0] * x[0];
+}
+
+/* A run that blows up ends at the next look, wherever it is cut. */
+static void test_infinite(void)
+{
+    const struct stepping_forces f = {1, false, grow, NULL};
+    for (const struct stepping_method *m = stepping_methods; m->name; ++m) {
+        uint64_t ends[2];
+        for (int cut = 0; cut < 2; ++cut) {
+            double x = 2, v = 2;
+            struct stepping s;
+            enum stepping_end end = STEPPING_DONE;
+            begin(&s, m, f, 0.1, &x, &v);
+            while (end == STEPPING_DONE && s.steps < 1000)
+                end = stepping_run(&s, cut ? 64 : 1000);
+            UNIT_TRUE(end == (m->family == STEPPING_IMPLICIT
+                                  ? STEPPING_STUCK
+                                  : STEPPING_INFINITE));
+            UNIT_TRUE(end != STEPPING_STUCK || x - x == 0);
+            ends[cut] = s.steps;
+            stepping_free(&s);
+        }
+        UNIT_EQUAL((double)ends[0], (double)ends[1]);
+    }
+}
+
+/* With friction all methods but Euler's two have order 2 at least. */
+static void test_friction(void)
+{
+    double exact[2], state[2][4];
+    for (const struct stepping_method *m = stepping_methods; m->name; ++m) {
+        double error[2];
+        double x[] = {1, 0.5}, v[] = {0, -1};
+        go("gauss4", rough_forces, 1.0 / 1024, 2048, x, v);
+        memcpy(exact, x, sizeof exact);
+        for (int k = 0; k < 2; ++k) {
+            const double start[] = {1, 0.5, 0, -1};
+            memcpy(state[k], start, sizeof start);
+            go(m->name, rough_forces, k ? 1.0 / 128 : 1.0 / 64,
+               k ? 256 : 128, state[k], state[k] + 2);
+            error[k] =
+                fabs(state[k][0] - exact[0]) + fabs(state[k][1] - exact[1]);
+        }
+        const int order =
+            m->family == STEPPING_SPLITTING && m->order > 2 ? 2 : m->order;
+        UNIT_NEAR(log2(error[0] / error[1]), order, 0.1);
+    }
+}
+
+int main(void)
+{
+    return unit_run(
+        "stepping",
+        (struct unit_test[]){
+            {"every method has the order of its row", test_orders},
+            {"errors of the pendulum are the reference's", test_errors},
+            {"Kahan and Li's weights have order 8", test_kahan_li},
+            {"every row is consistent", test_rows},
+            {"energies follow their laws", test_laws},
+            {"implicit steps may be long", test_long_implicit_steps},
+            {"and stiff springs bend no equation", test_newton},
+            {"symmetric methods come back", test_reversal},
+            {"symplectic methods keep areas", test_areas},
+            {"neither cuts nor resuming change a bit", test_cuts},
+            {"leapfrog's own code is that of a splitting",
+             test_leapfrog_is_a_splitting},
+            {"the forces are asked as often as promised", test_evaluations},
+            {"carried sums keep the energy", test_compensation},
+            {"what is not finite is noticed", test_infinite},
+            {"orders with friction", test_friction},
+            {0}});
+}

@@ -1,0 +1,25 @@
+#!/bin/sh
+# What gravity-studies refuses, and what it says; how a signal ends it; the
+# same bytes for any number of threads.
+. tests/programs/common
+g=build/bin/gravity-studies
+refuses 2 'study is needed' $g
+refuses 2 'is not' $g --study nothing
+refuses 2 'orbits' $g --study work --orbits -1
+refuses 2 'factor' $g --study ring --factor nan
+refuses 2 'moon' $g --study ring --moon 1
+refuses 2 'mixed' $g --study ring --mixed 1.5
+refuses 2 'threads' $g --study ring --threads 0
+refuses 2 'kernel' $g --study ring --kernel fast
+refuses 2 'seed' $g --study ring --seed -1
+for kernel in portable avx2 avx512; do
+    ring="--study ring --orbits .02 --kernel $kernel"
+    $g $ring -o "$work/1" 2>"$work/why" || {
+        holds "no $kernel: it says so" grep -q "no $kernel" "$work/why"
+        continue
+    }
+    $g $ring --threads 2 -o "$work/2"
+    holds "$kernel: two threads, the same bytes" cmp "$work/1" "$work/2"
+    holds "$kernel is named in the head" grep -q "^# kernel $kernel" \
+        "$work/1"
+done

@@ -1,0 +1,199 @@
+#!/bin/sh
+# step: closed forms, every option, every error, and runs that blow up.
+. tests/programs/common
+step=build/bin/step
+scene=build/bin/scene
+w=$work
+
+# key FILE KEY: a number of a summary. near NAME GOT EXPECTED TOLERANCE
+key() { sed -n "s/^$2 //p" "$1"; }
+near() {
+    holds "$1: $2 is $3 to $4" awk -v a="$2" -v b="$3" -v e="$4" \
+        'BEGIN { d = a - b; exit !(a ~ /[0-9]/ && d <= e && -d <= e) }'
+}
+# cell ROW COLUMN FILE: of the rows, the first is 1.
+cell() { grep -v '^#' "$3" | awk -v r="$1" -v c="$2" 'NR == r { print $c }'; }
+
+# Sun and Earth: the period is 2 pi/k = 365.301 days, for masses of 1 and
+# 0; leapfrog with 5000 steps an orbit is right to 2 pi (2 pi/5000)^2.
+cat >"$w/sun" <<'E2'
+pos 0  0 0 0  1 0 0.1
+pos 1  1 0 0  0 0 0.1
+vel 1  0 0.0172 0
+k2 2.9584e-4
+E2
+$step "$w/sun" --dt 0.073060294269530 --until 365.30147134765 \
+    --every 365.30147134765 -o "$w/t" --summary "$w/s"
+near 'a year later: x' "$(cell 2 8 "$w/t")" 1 1e-6
+near 'a year later: y' "$(cell 2 9 "$w/t")" 0 1e-5
+near 'in steps' "$(key "$w/s" steps)" 5000 0
+near 'evaluations' "$(key "$w/s" evaluations)" 5001 0
+near 'rows' "$(key "$w/s" rows)" 2 0
+holds 'it ends whole' grep -qx 'end whole' "$w/s"
+near 'energy' "$(key "$w/s" energy_start)" 0 1e-12
+
+# An oscillator, damped: q = e^(-t/10) (cos wt + sin(wt)/(10 w)), w^2 = .99.
+cat >"$w/oscillator" <<'E2'
+pos 0  0 0 0  1 0 0.1
+pos 1  1 0 0  1 0 0.1
+vfix 0  0 0 0
+s 0  1 0
+sl 0 1 0
+dis 1  0.5 0 0
+damp 0.2
+dt 0.001
+E2
+exact=$(awk 'BEGIN { w = sqrt(.99); t = 10
+    printf "%.12f", 1 + .5 * exp(-t / 10) * (cos(w*t) + sin(w*t) / (10 * w)) }')
+for method in leapfrog rk4 implicit-midpoint gauss4; do
+    $step "$w/oscillator" --method $method --until 10 --observe x:1,energy \
+        --every 10 -o "$w/t"
+    near "damped oscillator by $method" "$(cell 2 2 "$w/t")" "$exact" 2e-7
+done
+
+# A fall, by hand: z = -t^2, v = -2 t, leapfrog exact.
+cat >"$w/fall" <<'E2'
+pos 0  0 0 0  3 0 0
+pos 1  5 0 0  1 0 0
+grav 0 0 -2
+dt 0.25
+E2
+$step "$w/fall" --until 2 --every 0.5 --track 1,0 --observe t,parts -o "$w/t"
+holds 'every row is a multiple' sh -c "grep -v '^#' '$w/t' | cut -d ' ' -f 1 |
+    tr '\n' ' ' | grep -qx '0 0.5 1 1.5 2 '"
+holds 'a row: time, observables, the bodies tracked' \
+    test "$(grep -v '^#' "$w/t" | tail -n 1)" = \
+    '2 2 32 0 0 -32 5 0 -4 0 0 -4 0 0 -4 0 0 -4'
+holds 'a column for each' test "$(grep -c '^# [0-9]* [^ ]* \[' "$w/t")" -eq 18
+holds 'named by body' grep -q '^# 9 z:1 \[length\]' "$w/t"
+$step "$w/fall" --until 2.1 -o "$w/a" --summary "$w/s"
+near 'the end is the last step that fits' "$(key "$w/s" steps)" 8 0
+$step "$w/fall" -o "$w/a" --summary "$w/s"
+near 'without --until a thousand steps' "$(key "$w/s" steps)" 1000 0
+near 'and a hundred rows' "$(key "$w/s" rows)" 101 0
+$step "$w/fall" --observe energy -o "$w/a" --summary "$w/s"
+near 'or a thousand' "$(key "$w/s" rows)" 1001 0
+$step "$w/fall" --until 0 -o "$w/a"
+holds 'no step at all: one row' test "$(grep -vc '^#' "$w/a")" -eq 1
+$step - --until 2 <"$w/fall" >"$w/a"
+$step "$w/fall" --until 2 | sed 2d >"$w/b"
+sed -i 2d "$w/a"
+holds 'the scene may come from a pipe' cmp "$w/a" "$w/b"
+
+# --every changes no bit; nor do threads; a saved scene goes on.
+$scene ring --particles 200 -o "$w/ring"
+$step "$w/ring" --until 400 --every 400 --track 7 -o "$w/a"
+$step "$w/ring" --until 400 --every 4 --track 7 -o "$w/b"
+holds '--every changes nothing' \
+    test "$(tail -n 1 "$w/a")" = "$(tail -n 1 "$w/b")"
+$step "$w/ring" --until 400 --every 4 --track 7 --threads 2 -o "$w/c"
+holds 'nor do two threads' cmp "$w/b" "$w/c"
+$step "$w/ring" --until 400 --every 400 -o "$w/a" --compensated
+$step "$w/ring" --until 200 -o "$w/c" --compensated --save "$w/half"
+$step "$w/half" --until 400 --every 200 -o "$w/c"
+holds 'a saved scene goes on to the same bits' \
+    test "$(tail -n 1 "$w/a")" = "$(tail -n 1 "$w/c")"
+$step "$w/ring" --until 400 --every 400 -o "$w/b"
+for kernel in avx2 avx512; do
+    if ! $step "$w/ring" --until 400 --every 400 --kernel $kernel \
+        -o "$w/c" 2>"$w/told"; then
+        holds "$kernel: this machine has none" \
+            grep -qx "step: --kernel: this machine has no $kernel" "$w/told"
+        continue
+    fi
+    near "$kernel is another rounding" "$(cell 2 2 "$w/c")" \
+        "$(tail -n 1 "$w/b" | cut -d ' ' -f 2)" 1e-11
+    holds "and not the same bits" \
+        test "$(tail -n 1 "$w/b")" != "$(tail -n 1 "$w/c")"
+    holds "$kernel stands in the head" \
+        grep -q "^# command: .*--kernel $kernel" "$w/c"
+done
+
+# Contacts.
+$scene cradle -o "$w/cradle"
+for rule in all approaching; do
+    for shift in radius mass back; do
+        $step "$w/cradle" --until 1 --rule $rule --shift $shift --order deepest \
+            --observe energy,momentum,collisions -o "$w/a" --summary "$w/s" ||
+            not_ok "--rule $rule" 'it fails'
+        near "$rule, $shift: the energy" "$(key "$w/s" energy_error)" 0 1e-12
+    done
+done
+
+# Blow-ups: what came before stays, one line, status 1.
+$scene double-pendulum -o "$w/pendulum"
+refuses 1 'blew up after t = [0-9.]* (energy -0.8568, now [0-9.e+]*): try' \
+    $step "$w/pendulum" --dt 0.03 --until 30 --every 0.03 -o "$w/t" \
+    --summary "$w/s"
+holds 'rows before are there' test "$(grep -vc '^#' "$w/t")" -gt 3
+holds 'and no row that is nonsense' awk \
+    '!/^#/ { for (i = 1; i <= NF; ++i) if ($i * $i > 1e4) exit 1 }' "$w/t"
+holds 'the summary says why' grep -qx 'end energy' "$w/s"
+holds 'nothing is left beside it' test ! -e "$w/t.checkpoint"
+refuses 1 'blew up after t = .* (infinite coordinates): try' \
+    $step "$w/pendulum" --dt 0.03 --until 300 --bound 1e300 -o "$w/t"
+refuses 1 'blew up after t = ' \
+    $step "$w/pendulum" --dt 0.01 --method euler --until 300 -o "$w/t"
+refuses 1 'blew up after t = ' \
+    $step "$w/pendulum" --dt 0.04 --method leapfrog --until 300 -o -
+# But Euler's spiral has no more energy than there was: it is a run.
+holds 'a spiral is no blow-up' $step "$w/sun" --dt 1 --method euler \
+    --until 3650 -o "$w/t"
+printf 'pos 0 0 0 0 1 0 0\npos 1 1 0 0 1 0 0\nk2 1\nsoft 0.001\ndt 0.01\n' \
+    >"$w/meet"
+refuses 1 'blew up' $step "$w/meet" --until 10 --every 0.01 -o "$w/t"
+
+# Wrong commands.
+refuses 2 'a scene is needed' $step
+refuses 2 "there is a scene already, '$w/sun'" $step "$w/sun" "$w/fall"
+refuses 2 'cannot read' $step "$w/none" --until 1
+refuses 2 'line dt' $step "$w/sun" --until 1
+refuses 2 "dt: '0'" $step "$w/sun" --dt 0
+refuses 2 "dt: 1e-300 takes more than 9e15 steps" \
+    $step "$w/sun" --dt 1e-300 --until 1
+refuses 2 "until: 'soon'" $step "$w/sun" --until soon
+refuses 2 'until: 1 is before the scene.s time, 200' $step "$w/half" --until 1
+refuses 2 'every: 0.3 is no whole number of steps of 0.25; the nearest is 0.25' \
+    $step "$w/fall" --every 0.3
+refuses 2 'every: 0.1 .*the nearest is 0.25' $step "$w/fall" --every 0.1
+refuses 2 "'magic'.*leapfrog" $step "$w/fall" --method magic
+refuses 2 "kernel: 'sse'" $step "$w/fall" --kernel sse
+refuses 2 "rule: 'none'" $step "$w/fall" --rule none
+refuses 2 "shift: 'none'" $step "$w/fall" --shift none
+refuses 2 "order: 'none'" $step "$w/fall" --order none
+refuses 2 "threads: '0'" $step "$w/fall" --threads 0
+refuses 2 "bound: '0'" $step "$w/fall" --bound 0
+refuses 2 "tolerance: '2'" $step "$w/fall" --tolerance 2
+refuses 2 "checkpoint: '-1'" $step "$w/fall" --checkpoint -1
+refuses 2 "observe: 'heat' is no observable" $step "$w/fall" --observe heat
+refuses 2 "observe: 'z:2': z needs 1 of the bodies 0 to 1" \
+    $step "$w/fall" --observe t,z:2
+refuses 2 "track: '2' does not begin with one of the bodies 0 to 1" \
+    $step "$w/fall" --track 2
+refuses 2 "track: 'x' does not begin" $step "$w/fall" --track 0,x
+refuses 2 'track: more bodies than there are' $step "$w/fall" --track 0,1,0
+refuses 2 'resume needs -o FILE' $step "$w/fall" --resume
+refuses 2 'resume needs -o FILE' $step "$w/fall" --resume -o /dev/null
+refuses 2 "both go to '-'" $step "$w/fall" --summary -
+refuses 1 'cannot write' $step "$w/fall" -o "$w/none/t"
+refuses 1 'cannot write' $step "$w/fall" --save "$w/none/t" -o "$w/t"
+printf 'pos 0 0 0 0 0 0 0\npos 1 1 0 0 1 0 0\ns 0 1 0\nsl 0 1 0\ndt 1\n' \
+    >"$w/light"
+refuses 2 'body 0 has no mass' $step "$w/light"
+printf 'pos 0 0 0 0 1 0 0\ngrav 0 0 x\n' >"$w/bad"
+refuses 2 'bad:2: ' $step "$w/bad"
+
+# The minimum setup writes what step does.
+cat >"$w/data.plist" <<'E2'
+pos 0  0 0 0  1.0  0 0.1
+pos 1  1 0 0  3e-6 0 0.03
+vel 1  0 0.0172 0
+k2  2.9584e-4
+dt  25
+E2
+build/bin/orbit "$w/data.plist" >"$w/a"
+$step "$w/data.plist" --until 50000 --every 25 --observe x:1,y:1 |
+    grep -v -e '^#' -e '^0 ' | awk '{ printf "%.9g %.9g %.9g\n", $1, $2, $3 }' \
+    >"$w/b"
+holds 'ten lines of C do what step does' cmp "$w/a" "$w/b"
+refuses 2 'none' build/bin/orbit "$w/none"

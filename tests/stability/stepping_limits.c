@@ -1,0 +1,197 @@
+/* Where stepping fails, and that it fails there: the limits of the step on
+   an oscillator, from both sides, growth and decay that nobody ordered,
+   and friction. Numbers of the limits: references, section 9, but for
+   Kahan and Li's, found for this book from the trace of a step. */
+#include "unit.h"
+
+#include "stepping.h"
+
+#include <stdlib.h>
+
+/* x'' = -w^2 x - c v */
+struct linear {
+    double w, c;
+};
+
+static void force(void *what, const double x[], const double v[],
+                  double a[])
+{
+    const struct linear *l = what;
+    a[0] = -l->w * l->w * x[0] - l->c * v[0];
+}
+
+/* The largest of |x| and |v| in the last of so many steps of 1 s. */
+static double size_after(const struct stepping_method *m, double w,
+                         double c, uint64_t steps)
+{
+    struct linear l = {w, c};
+    const struct stepping_forces f = {1, c != 0, force, &l};
+    double x = 1, v = 0.3, most = 0;
+    struct stepping s;
+    if (!stepping_begin(&s, m, f, 1, &x, &v))
+        exit(1);
+    stepping_run(&s, steps);
+    for (int k = 0; k < 100; ++k) {
+        if (stepping_run(&s, 1) != STEPPING_DONE)
+            most = INFINITY;
+        most = fmax(most, fmax(fabs(x), fabs(v)));
+    }
+    stepping_free(&s);
+    return most;
+}
+
+static double size_by(const char *name, double w, double c, uint64_t steps)
+{
+    return size_after(stepping_find(name), w, c, steps);
+}
+
+/* A share d below its limit a splitting turns in the phase plane on a long
+   ellipse, at most 1/sqrt(d) = 1000 long; a share d beyond it grows by
+   some sqrt(d) = 1e-3 a step, in 1e5 steps by e^100. */
+static void test_splitting_limits(void)
+{
+    static const struct {
+        const char *name;
+        double limit;
+    } known[] = {{"symplectic-euler", 2},     {"leapfrog", 2},
+                 {"yoshida4", 1.57340194743}, {"yoshida6", 2.2690579964},
+                 {"pefrl", 2.98944954591},    {"kahan-li8", 3.09643868000}};
+    for (int k = 0; k < 6; ++k) {
+        const double w = known[k].limit;
+        UNIT_NEAR(stepping_find(known[k].name)->limit, w, 1e-10);
+        UNIT_TRUE(size_by(known[k].name, w * (1 - 1e-6), 0, 100000) < 1e4);
+        UNIT_TRUE(size_by(known[k].name, w * (1 + 1e-6), 0, 100000) > 1e8);
+    }
+}
+
+/* RK4's factor is 1 + 2.5 d a share d beyond the limit: e^25 in 1e5 steps
+   for d = 1e-4, and e^-25 on the other side. */
+static void test_explicit_limits(void)
+{
+    const double w = 2.828427;
+    UNIT_NEAR(stepping_find("rk4")->limit, w, 1e-6);
+    UNIT_TRUE(size_by("rk4", w * (1 - 1e-4), 0, 100000) < 1e-8);
+    UNIT_TRUE(size_by("rk4", w * (1 + 1e-4), 0, 100000) > 1e8);
+    /* Euler grows at any step: by (1 + h^2)^(n / 2). */
+    UNIT_TRUE(stepping_find("euler")->limit == 0);
+    UNIT_NEAR(log(size_by("euler", 0.01, 0, 399900) / 30.0), 20, 3);
+}
+
+static void test_implicit_have_no_limit(void)
+{
+    static const double ws[] = {1.9, 2.1, 10, 1000};
+    for (int k = 0; k < 4; ++k) {
+        UNIT_TRUE(size_by("implicit-midpoint", ws[k], 0, 1000) <
+                  1.1 * ws[k]);
+        UNIT_TRUE(size_by("gauss4", ws[k], 0, 1000) < 1.1 * ws[k]);
+    }
+    /* Friction of 100 a step, and a spring as strong. */
+    UNIT_TRUE(size_by("implicit-midpoint", 0, 100, 1000) < 1.1);
+    UNIT_TRUE(size_by("gauss4", 10, 100, 1000) < 1.1);
+    UNIT_TRUE(isinf(stepping_find("implicit-midpoint")->limit));
+    UNIT_TRUE(isinf(stepping_find("gauss4")->limit));
+}
+
+/* The method of higher order is the first to fail: Forest and Ruth's, our
+   yoshida4, lies below leapfrog. */
+static void test_higher_is_not_safer(void)
+{
+    UNIT_TRUE(size_by("leapfrog", 1.8, 0, 1000) < 10);
+    UNIT_TRUE(size_by("yoshida4", 1.8, 0, 1000) > 1e100);
+}
+
+/* The other failure, without a sound: at 2.5 RK4 swallows a mode whole. */
+static void test_rk4_swallows(void)
+{
+    const double h = 2.5,
+                 factor = sqrt(1 - pow(h, 6) / 72 + pow(h, 8) / 576);
+    UNIT_TRUE(factor < 0.8);
+    UNIT_TRUE(size_by("rk4", h, 0, 1000) < pow(factor, 1000) * 10);
+}
+
+/* More rows: an undamped oscillator grows under Heun's method (RK2) by
+   1 + h^4/4 a step in the square, and under Fehlberg's of order 4 a
+   little. */
+static const double heun_a[] = {0, 0, 1, 0}, heun_b[] = {0.5, 0.5};
+static const struct stepping_method heun = {.name = "heun",
+                                            .family = STEPPING_EXPLICIT,
+                                            .order = 2,
+                                            .stages = 2,
+                                            .a = heun_a,
+                                            .b = heun_b};
+static const double fehlberg_a[] = {0,
+                                    0,
+                                    0,
+                                    0,
+                                    0,
+                                    1.0 / 4,
+                                    0,
+                                    0,
+                                    0,
+                                    0,
+                                    3.0 / 32,
+                                    9.0 / 32,
+                                    0,
+                                    0,
+                                    0,
+                                    1932.0 / 2197,
+                                    -7200.0 / 2197,
+                                    7296.0 / 2197,
+                                    0,
+                                    0,
+                                    439.0 / 216,
+                                    -8,
+                                    3680.0 / 513,
+                                    -845.0 / 4104,
+                                    0};
+static const double fehlberg_b[] = {25.0 / 216, 0, 1408.0 / 2565,
+                                    2197.0 / 4104, -1.0 / 5};
+static const struct stepping_method fehlberg = {.name = "rkf4",
+                                                .family = STEPPING_EXPLICIT,
+                                                .order = 4,
+                                                .stages = 5,
+                                                .a = fehlberg_a,
+                                                .b = fehlberg_b};
+
+static void test_more_rows(void)
+{
+    const double h = 0.2, grown = size_after(&heun, h, 0, 100000);
+    UNIT_NEAR(log(grown) / (100000 * log(1 + pow(h, 4) / 4) / 2), 1, 0.1);
+    UNIT_TRUE(size_after(&fehlberg, 0.5, 0, 100000) > 20);
+    UNIT_TRUE(size_after(&fehlberg, 0.8, 0, 100000) > 1e10);
+}
+
+/* With friction alone a splitting's kicks stop working when c dt is too
+   large, and the higher order needs more evaluations to get no further. */
+static void test_friction_limits(void)
+{
+    static const struct {
+        const char *name;
+        double limit;
+    } known[] = {{"leapfrog", 1},
+                 {"euler", 2},
+                 {"yoshida4", 2.3396},
+                 {"pefrl", 2.1489},
+                 {"rk4", 2.7853}};
+    for (int k = 0; k < 5; ++k) {
+        const double c = known[k].limit;
+        UNIT_TRUE(size_by(known[k].name, 0, c * 0.99, 10000) < 100);
+        UNIT_TRUE(size_by(known[k].name, 0, c * 1.01, 10000) > 1e20);
+    }
+}
+
+int main(void)
+{
+    return unit_run(
+        "stepping limits",
+        (struct unit_test[]){
+            {"splittings, from both sides", test_splitting_limits},
+            {"explicit methods, from both sides", test_explicit_limits},
+            {"implicit methods have none", test_implicit_have_no_limit},
+            {"Forest and Ruth fail before leapfrog",
+             test_higher_is_not_safer},
+            {"RK4 damps a stiff mode silently", test_rk4_swallows},
+            {"Heun's and Fehlberg's methods grow", test_more_rows},
+            {"friction has limits too", test_friction_limits},
+            {0}});
+}

@@ -1,0 +1,25 @@
+/* mistake: velocity-of-the-beginning */
+
+#include "exercise.h"
+#include <stddef.h>
+
+void acceleration(const double x[], double a[]);
+
+void drift_kick_drift(size_t n, double x[], double v[], double dt,
+                      size_t steps)
+{
+    double a[60], h = 0.5 * dt;
+    size_t i, s;
+    for (s = 0; s < steps; s++) {
+        double old[60];
+        for (i = 0; i < n; i++) {
+            old[i] = v[i];
+            x[i] += h * v[i];
+        }
+        acceleration(x, a);
+        for (i = 0; i < n; i++) {
+            v[i] += dt * a[i];
+            x[i] += h * old[i];
+        }
+    }
+}

@@ -1,0 +1,27 @@
+/* mistake: body-by-body */
+
+#include "exercise.h"
+#include <math.h>
+#include <stddef.h>
+
+double potential_energy(size_t n, const double mass[], const double x[],
+                        double k2, double softening, double potential[])
+{
+    double sum = 0, dx, dy, dz, rr, u;
+    size_t i, j;
+    for (i = 0; i < n; i++) {
+        potential[i] = 0;
+        for (j = 0; j < n; j++) {
+            if (i == j)
+                continue;
+            dx = x[3 * j] - x[3 * i];
+            dy = x[3 * j + 1] - x[3 * i + 1];
+            dz = x[3 * j + 2] - x[3 * i + 2];
+            rr = dx * dx + dy * dy + dz * dz;
+            u = -k2 / sqrt(rr + softening * softening);
+            potential[i] += u * mass[j];
+        }
+        sum += mass[i] * potential[i];
+    }
+    return sum / 2;
+}

@@ -1,0 +1,23 @@
+/* mistake: other-stands-still */
+
+#include "exercise.h"
+#include <math.h>
+#include <stddef.h>
+
+void binary_speeds(double k2, double m1, double m2, double d, double *v1,
+                   double *v2)
+{
+    double m = m1 + m2, v = sqrt(k2 * m / d);
+    (void)v;
+    *v1 = sqrt(k2 * m2 / d);
+    *v2 = sqrt(k2 * m1 / d);
+}
+
+double choreography_speed(double k2, size_t n, double mass, double radius)
+{
+    double s = 0, pi = acos(-1.0);
+    size_t j;
+    for (j = 1; j < n; j++)
+        s += 1 / sin(pi * (2 * j > n ? n - j : j) / n);
+    return sqrt(k2 * mass * s / radius) / 2;
+}

@@ -1,0 +1,18 @@
+/* mistake: e-beside-the-sine */
+
+#include "exercise.h"
+#include <math.h>
+
+double eccentric_anomaly(double e, double mean)
+{
+    double pi = acos(-1.0), a = mean - e, b = mean + e, c = mean;
+    int i;
+    for (i = 0; i < 200; i++) {
+        c = (a + b) / 2;
+        if (c - sin(e * c) < mean)
+            a = c;
+        else
+            b = c;
+    }
+    return c + 0 * pi;
+}

@@ -1,0 +1,15 @@
+/* mistake: stopped-too-soon */
+
+#include "exercise.h"
+#include <math.h>
+
+double eccentric_anomaly(double e, double mean)
+{
+    double pi = acos(-1.0), a = mean - e, b = mean + e, c = mean;
+    int i;
+    i = a < b;
+    (void)i;
+    for (i = 0; i < 50; i++)
+        c = mean + e * sin(c);
+    return c + 0 * pi;
+}

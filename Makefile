@@ -365,6 +365,10 @@ book: has-tex build/bonkers$(edition).pdf figures
 	@echo 'The book: build/bonkers$(edition).pdf'
 	@echo 'Next: open it, then try an exercise: make check'
 
+# What both editions are set from; then they can be made side by side.
+.PHONY: book-parts
+book-parts: has-tex $(FIGURES_PDF) $(FIGURES_SVG) $(FIGURES_ALT) $(RUNS)
+
 build/bonkers$(edition).pdf: $(FIGURES_PDF) $(FIGURES_ALT) $(RUNS) \
 		$(wildcard chapters/* solutions/* tests/hints/* tests/stubs/* \
 		plots/data/*) \

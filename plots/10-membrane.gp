@@ -19,7 +19,7 @@ set format x ''
 set xzeroaxis ls 9
 set ylabel 'amplitude' offset 0.5
 set key at graph 0.99,0.98 right top horizontal samplen 1.5
-plot cos(1.9902877390*x) ls 9, \
+plot cos(1.99029*x) ls 9, \
      file using 1:6 with points ls 1 ps 0.3*big title 'taut, mode (1, 1)', file using 1:7 with lines ls 2 title 'other modes'
 set tmargin at screen 0.55
 set bmargin at screen 0.14*room

@@ -7,15 +7,15 @@ width = 14
 height = 8
 load 'plots/style.gp'
 set multiplot
-set lmargin at screen 0.075*room
-set rmargin at screen 0.37
+set lmargin at screen 0.09*room
+set rmargin at screen 0.375
 set bmargin at screen 0.14*room
 set tmargin at screen 0.97
 set size ratio -1
 set xrange [-1.5:1.5]
 set yrange [-1.9:1.15]
 set xlabel '{/:Italic x}  (m)'
-set ylabel '{/:Italic z}  (m)' offset 1.5
+set ylabel '{/:Italic z}  (m)' offset 0.6
 set xtics 1
 file = 'build/data/10-path.dat'
 plot file using 4:5 with lines lc rgb blue lw 0.8*thick, file using 2:3 with lines lc rgb red lw 1.5*thick, \
@@ -33,7 +33,7 @@ set xtics auto
 set xrange [5e-5:6]
 set yrange [1e-13:3]
 set xlabel 'step  (s)'
-set ylabel 'error after 10 s  (m)' offset 1
+set ylabel 'error after 10 s  (m)' offset 0
 set key at graph 0.985,0.02 right bottom samplen 1.5 spacing 0.95
 errors = 'build/data/10-errors.dat'
 plot errors index 0 using 1:3 with linespoints lc rgb grey pt 1 ps 0.6*big title 'Euler', \

@@ -1,5 +1,5 @@
 # data: plots/data/10-speed.dat
-# alt: Steps of a body per second against the side of the grid, 8 to 512, both axes logarithmic. Spring by spring 50 to 30 million, falling slowly. By bands it rises from 70 million at 8 to 120 million at 32 and 64 and falls to 60 million at 512. Computing every spring twice is best at 8 with 100 million and lies between the two from 32 on.
+# alt: Steps of a body per second against the side of the grid, 8 to 512 on a logarithmic axis. Spring by spring from 64 million at 8 falling slowly to 36 million at 512. By bands it rises from 70 million at 8 to 125 million at 32 and falls to 82 million at 512. Computing every spring twice is best at 8 with about 100 million and lies between the two from 32 on.
 width = 11
 height = 7
 load 'plots/style.gp'

@@ -1,8 +1,9 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 3717306696 of the lines below */
+/* checksum 2554681887 of the lines below */
 #include "checkpoint.h"
 
 #include <errno.h>
+#include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,12 +13,13 @@
 bool checkpoint_possible(const char *output)
 {
     struct stat file;
-    if (!output || strcmp(output, "-") == 0)
+    if (!output || strcmp(output, "-") == 0 ||
+        strncmp(output, "/proc/", 6) == 0)
         return false;
-    if (stat(output, &file) == 0)
-        return S_ISREG(file.st_mode);
-    return strncmp(output, "/dev/", 5) != 0 &&
-           strncmp(output, "/proc/", 6) != 0;
+    if (strncmp(output, "/dev/", 5) == 0 &&
+        strncmp(output, "/dev/shm/", 9) != 0)
+        return false;
+    return stat(output, &file) != 0 || S_ISREG(file.st_mode);
 }
 
 /* Both strings together, to be freed, or NULL. */
@@ -47,10 +49,43 @@ static bool complain(struct checkpoint *c, const char *path,
     return false;
 }
 
+static bool lose(struct checkpoint *c)
+{
+    c->lost = true;
+    return complain(c, c->rows_path, strerror(errno));
+}
+
+#define NO_ROWS UINT64_C(14695981039346656037)
+
+/* Adds a text to the sum of what stood before it. */
+static uint64_t add_up(uint64_t sum, const char *text, size_t n)
+{
+    for (size_t i = 0; i < n; ++i)
+        sum = (sum ^ (unsigned char)text[i]) * UINT64_C(1099511628211);
+    return sum;
+}
+
+double checkpoint_sum(const char *path)
+{
+    static char piece[65536];
+    uint64_t sum = NO_ROWS;
+    struct stat status;
+    const bool regular =
+        stat(path, &status) == 0 && S_ISREG(status.st_mode);
+    FILE *file = regular ? fopen(path, "r") : NULL;
+    if (!file)
+        return 0;
+    for (size_t n; (n = fread(piece, 1, sizeof piece, file)) > 0;)
+        sum = add_up(sum, piece, n);
+    fclose(file);
+    return (double)(sum >> 11);
+}
+
 static bool name_files(struct checkpoint *c, const char *program,
                        const char *command, const char *output)
 {
-    *c = (struct checkpoint){.program = program, .command = command};
+    *c = (struct checkpoint){
+        .program = program, .command = command, .sum = NO_ROWS};
     c->path = join(output, ".checkpoint");
     c->rows_path = join(output, ".rows");
     return c->path && c->rows_path ? true
@@ -87,20 +122,30 @@ bool checkpoint_begin(struct checkpoint *c, const char *program,
 bool checkpoint_row(struct checkpoint *c, size_t n, const double values[])
 {
     for (size_t i = 0; i < n; ++i) {
-        const char *format = i + 1 < n ? "%.17g " : "%.17g\n";
-        if (isnan(values[i]))
-            fputs(i + 1 < n ? "nan " : "nan\n", c->rows);
-        else
-            fprintf(c->rows, format, values[i]);
+        char text[32] = "nan ";
+        if (!isnan(values[i]))
+            snprintf(text, sizeof text, "%.17g ", values[i]);
+        const size_t length = strlen(text);
+        text[length - 1] = i + 1 < n ? ' ' : '\n';
+        fputs(text, c->rows);
+        c->sum = add_up(c->sum, text, length);
     }
-    return !ferror(c->rows) || complain(c, c->rows_path, strerror(errno));
+    return !ferror(c->rows) || lose(c);
+}
+
+/* Sees to it that the file has all rows, and stands at its end. */
+static bool flush_rows(struct checkpoint *c)
+{
+    if (c->lost || fflush(c->rows) != 0 || fseek(c->rows, 0, SEEK_END) != 0)
+        return lose(c);
+    return true;
 }
 
 bool checkpoint_copy(struct checkpoint *c, struct table *t)
 {
     static char piece[65536];
     size_t n;
-    bool good = fflush(c->rows) == 0;
+    bool good = flush_rows(c);
     rewind(c->rows);
     while (good && (n = fread(piece, 1, sizeof piece, c->rows)) > 0)
         good = table_print(t, "%.*s", (int)n, piece);
@@ -108,18 +153,16 @@ bool checkpoint_copy(struct checkpoint *c, struct table *t)
            complain(c, c->rows_path, strerror(errno));
 }
 
+#define PLACE(field) #field, offsetof(struct checkpoint_numbers, field)
 static const struct {
     const char *name;
     size_t offset;
-} numbers[] = {
-    {"start", offsetof(struct checkpoint_numbers, start)},
-    {"steps", offsetof(struct checkpoint_numbers, steps)},
-    {"collisions", offsetof(struct checkpoint_numbers, collisions)},
-    {"evaluations", offsetof(struct checkpoint_numbers, evaluations)},
-    {"rows", offsetof(struct checkpoint_numbers, rows)},
-    {"energy", offsetof(struct checkpoint_numbers, energy)},
-    {"depth", offsetof(struct checkpoint_numbers, depth)},
-    {"worst", offsetof(struct checkpoint_numbers, worst)}};
+    bool count; /* whole, and not below zero */
+} numbers[] = {{PLACE(start), false},     {PLACE(steps), true},
+               {PLACE(collisions), true}, {PLACE(evaluations), true},
+               {PLACE(rows), true},       {PLACE(energy), false},
+               {PLACE(depth), false},     {PLACE(worst), false},
+               {PLACE(last), false},      {PLACE(scene), true}};
 
 enum { NUMBERS = sizeof numbers / sizeof numbers[0] };
 
@@ -131,8 +174,8 @@ static double *number(struct checkpoint_numbers *n, size_t k)
 bool checkpoint_write(struct checkpoint *c, struct motion *m,
                       struct checkpoint_numbers n)
 {
-    if (fflush(c->rows) != 0)
-        return complain(c, c->rows_path, strerror(errno));
+    if (!flush_rows(c))
+        return false;
     const long length = ftell(c->rows);
     struct table *t = table_open(c->program, c->path);
     if (!t)
@@ -140,24 +183,28 @@ bool checkpoint_write(struct checkpoint *c, struct motion *m,
     table_print(t, "# a checkpoint, and a scene: --resume goes on\n");
     table_print(t, "#= command %s\n", c->command);
     table_print(t, "#= length %ld\n", length);
+    table_print(t, "#= sum %" PRIu64 "\n", c->sum);
     for (size_t k = 0; k < NUMBERS; ++k)
         table_print(t, "#= %s %.17g\n", numbers[k].name, *number(&n, k));
     const struct stepping *s = &m->stepping;
     const size_t size = s->forces.damped && s->fresh ? s->forces.size : 0;
+    table_print(t, "#= accelerations %zu\n", size);
     for (size_t i = 0; i < size; ++i)
         table_print(t, "#= acceleration %.17g\n", s->acceleration[i]);
-    table_print(t, "#= end\n");
     motion_note(m);
     scene_write(m->scene, t);
+    table_print(t, "#= end\n");
     return table_close(t);
 }
+
+enum { COUNTS = 3 }; /* besides the numbers */
 
 struct head {
     char *line; /* of getline */
     size_t room;
     bool command, end;
-    long length;
-    size_t found, accelerations; /* numbers; coordinates */
+    uint64_t length, sum, expected; /* of rows, of accelerations */
+    size_t found, accelerations;    /* numbers; coordinates */
     double *acceleration;
 };
 
@@ -183,6 +230,23 @@ static const char *after(const char *line, const char *key)
                                                         : NULL;
 }
 
+static bool take_count(struct head *h, const char *value, uint64_t *count)
+{
+    char *end;
+    *count = strtoull(value, &end, 10);
+    ++h->found;
+    return *value >= '0' && *value <= '9' && *end == '\0';
+}
+
+static bool take_number(const char *value, bool count, double *number)
+{
+    char *end;
+    *number = strtod(value, &end);
+    return end != value && *end == '\0' && isfinite(*number) &&
+           (!count || (*number >= 0 && *number < 0x1p53 &&
+                       *number == floor(*number)));
+}
+
 static bool take_line(struct checkpoint *c, struct head *h,
                       struct checkpoint_numbers *n, const char *line)
 {
@@ -190,14 +254,17 @@ static bool take_line(struct checkpoint *c, struct head *h,
     if (value)
         return h->command = strcmp(value, c->command) == 0;
     if ((value = after(line, "length")))
-        return (h->length = strtol(value, NULL, 10)) >= 0;
+        return take_count(h, value, &h->length);
+    if ((value = after(line, "sum")))
+        return take_count(h, value, &h->sum);
+    if ((value = after(line, "accelerations")))
+        return take_count(h, value, &h->expected);
     if ((value = after(line, "acceleration")))
         return add_acceleration(h, strtod(value, NULL));
     for (size_t k = 0; k < NUMBERS; ++k)
         if ((value = after(line, numbers[k].name))) {
-            *number(n, k) = strtod(value, NULL);
             ++h->found;
-            return true;
+            return take_number(value, numbers[k].count, number(n, k));
         }
     return h->end = strcmp(line, "end") == 0;
 }
@@ -217,7 +284,8 @@ static bool read_head(struct checkpoint *c, struct head *h,
     }
     if (file)
         fclose(file);
-    if (good && h->end && h->command && h->found == NUMBERS)
+    if (good && h->end && h->command && h->found == NUMBERS + COUNTS &&
+        h->accelerations == h->expected)
         return true;
     return complain(c, c->path,
                     !file ? strerror(errno)
@@ -227,16 +295,34 @@ static bool read_head(struct checkpoint *c, struct head *h,
                           "begins anew");
 }
 
-static bool open_rows(struct checkpoint *c, long length)
+/* Reads so many bytes of the rows into the sum; returns how many. */
+static uint64_t read_rows(struct checkpoint *c, uint64_t length)
 {
-    struct stat file;
+    static char piece[65536];
+    uint64_t done = 0;
+    size_t n = 1;
+    while (n > 0 && done < length) {
+        const uint64_t left = length - done;
+        n = fread(piece, 1, left < sizeof piece ? left : sizeof piece,
+                  c->rows);
+        c->sum = add_up(c->sum, piece, n);
+        done += n;
+    }
+    return done;
+}
+
+static bool open_rows(struct checkpoint *c, const struct head *h)
+{
     c->rows = fopen(c->rows_path, "r+");
-    if (!c->rows || fstat(fileno(c->rows), &file) != 0)
+    if (!c->rows)
         return complain(c, c->rows_path, strerror(errno));
-    if (file.st_size < length)
+    if (read_rows(c, h->length) < h->length)
         return complain(c, c->rows_path,
                         "has fewer rows than the checkpoint says");
-    if (ftruncate(fileno(c->rows), length) != 0 ||
+    if (c->sum != h->sum)
+        return complain(c, c->rows_path,
+                        "has other rows than the checkpoint says");
+    if (ftruncate(fileno(c->rows), (off_t)h->length) != 0 ||
         fseek(c->rows, 0, SEEK_END) != 0)
         return complain(c, c->rows_path, strerror(errno));
     return true;
@@ -249,7 +335,7 @@ bool checkpoint_resume(struct checkpoint *c, const char *program,
 {
     struct head h = {0};
     bool good = name_files(c, program, command, output) &&
-                read_head(c, &h, n) && open_rows(c, h.length) &&
+                read_head(c, &h, n) && open_rows(c, &h) &&
                 scene_read(s, program, c->path);
     if (good && h.acceleration && h.accelerations != 3 * s->bodies) {
         scene_free(s);

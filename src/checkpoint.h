@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 3861695481 of the lines below */
+/* checksum 2136469405 of the lines below */
 #ifndef CHECKPOINT_H
 #define CHECKPOINT_H
 
@@ -9,6 +9,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 #include <stdio.h>
 
 /* What a run knows besides its scene; counts are whole. */
@@ -16,6 +17,8 @@ struct checkpoint_numbers {
     double start; /* s */
     double steps, collisions, evaluations, rows;
     double energy, depth, worst; /* J: see struct watch of step */
+    double last;                 /* J: the energy of the last row */
+    double scene;                /* checkpoint_sum of its file */
 };
 
 /* The rows of a table in the making, FILE.rows, and what is needed to go
@@ -24,12 +27,18 @@ struct checkpoint {
     const char *program, *command;
     char *path, *rows_path;
     FILE *rows;
-    bool failed; /* to write: it has been said */
+    uint64_t sum; /* of the bytes of all rows */
+    bool failed;  /* to write: it has been said */
+    bool lost;    /* rows are: no more checkpoints */
 };
 
 /* Can a table of this name (NULL: standard output) be resumed? It can be
    if it is a regular file, or none yet. */
 bool checkpoint_possible(const char *output);
+
+/* A whole number below 2^53 that is another one for another file; 0 for
+   what is no regular file, or cannot be read. */
+double checkpoint_sum(const char *path);
 
 /* Begins with no rows. Returns false, having said why on standard error
    and with nothing to free, when FILE.rows cannot be written. program and

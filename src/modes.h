@@ -1,5 +1,5 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 718883576 of the lines below */
+/* checksum 526143578 of the lines below */
 #ifndef MODES_H
 #define MODES_H
 
@@ -18,7 +18,7 @@ struct modes {
 
 /* Finds the modes round x, from the springs alone: no dashpots. The time
    that it takes grows as size^3. Returns false, with nothing to free,
-   without memory. Source: (10.12, eq:spring-stiffness). */
+   without memory. Source: (10.10, eq:spring-stiffness). */
 bool modes_find(struct modes *m, const struct springs *p, const double x[]);
 
 /* Frees the modes and makes *m empty. */

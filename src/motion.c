@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 1333336302 of the lines below */
+/* checksum 1460878428 of the lines below */
 #include "motion.h"
 
 #include <stdio.h>
@@ -91,7 +91,8 @@ static bool is_light(const struct scene *s, size_t i)
 /* A free body without mass on which a force acts, or the bodies' number. */
 static size_t find_light(const struct scene *s)
 {
-    for (size_t i = 0; s->damping > 0 && i < s->bodies; ++i)
+    const bool all = s->damping > 0 || s->contact;
+    for (size_t i = 0; all && i < s->bodies; ++i)
         if (is_light(s, i))
             return i;
     for (size_t j = 0; j < s->springs; ++j) {
@@ -109,19 +110,32 @@ static bool complain(const char *program, const char *what)
     return false;
 }
 
-bool motion_begin(struct motion *m, const char *program, struct scene *s,
-                  const char *method, double dt)
+/* Can the scene be set in motion? If not, says why. */
+static bool check_scene(const char *program, const struct scene *s)
 {
     char message[128];
-    const struct stepping_method *found = stepping_find(method);
     const size_t light = find_light(s);
-    *m = (struct motion){.scene = s};
+    const bool walls = s->wall[0] || s->wall[1] || s->wall[2];
     snprintf(message, sizeof message,
              "body %zu has no mass, expected one, since a spring, friction "
              "or a contact acts on it",
              light);
     if (light < s->bodies)
         return complain(program, message);
+    if (walls && !s->contact)
+        return complain(program, "the scene has walls but no line contact, "
+                                 "without which nothing minds them");
+    return true;
+}
+
+bool motion_begin(struct motion *m, const char *program, struct scene *s,
+                  const char *method, double dt)
+{
+    char message[128];
+    const struct stepping_method *found = stepping_find(method);
+    *m = (struct motion){.scene = s};
+    if (!check_scene(program, s))
+        return false;
     snprintf(message, sizeof message, "there is no method '%.40s'", method);
     if (!found)
         return complain(program, message);

@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 3443698403 of the lines below */
+/* checksum 2097469009 of the lines below */
 #ifndef MOTION_H
 #define MOTION_H
 
@@ -53,7 +53,8 @@ void motion_resume(struct motion *m, double start, uint64_t steps,
                    const double acceleration[]);
 
 /* Puts time and rounding errors into the scene: what scene_write then
-   writes goes on to the same bits. */
+   writes goes on to the same bits. (But for leapfrog with damping: the
+   acceleration that it keeps has no place in a scene.) */
 void motion_note(struct motion *m);
 
 /* The energy now. Held coordinates have no weight. */

@@ -1,14 +1,11 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 1905998499 of the lines below */
+/* checksum 4290782744 of the lines below */
 #include "observables.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-typedef void values(const struct motion *m, const size_t body[],
-                    double out[]);
 
 static void time_now(const struct motion *m, const size_t body[],
                      double out[])
@@ -168,7 +165,8 @@ struct observables_kind {
     const char *name;
     size_t bodies, width; /* asked for; columns */
     const char *symbol[4], *unit, *meaning;
-    values *values;
+    void (*values)(const struct motion *m, const size_t body[],
+                   double out[]);
 };
 
 #define ENERGY "mass length^2/time^2"

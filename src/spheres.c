@@ -1,5 +1,5 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 3227017979 of the lines below */
+/* checksum 1679502382 of the lines below */
 #include "spheres.h"
 
 #include <math.h>
@@ -380,6 +380,12 @@ static uint64_t collide_walls(struct spheres *p, double x[], double v[])
     return p->wall_collisions - before;
 }
 
+static bool is_again(const struct spheres_pair pair[], size_t i)
+{
+    return i > 0 && pair[i].a == pair[i - 1].a &&
+           pair[i].b == pair[i - 1].b;
+}
+
 uint64_t spheres_resolve(struct spheres *p, double x[], double v[])
 {
     static int (*const orders[SPHERES_ORDERS])(
@@ -399,6 +405,7 @@ uint64_t spheres_resolve(struct spheres *p, double x[], double v[])
     if (p->pairs > 1)
         qsort(p->pair, p->pairs, sizeof *p->pair, orders[p->order]);
     for (size_t i = 0; i < p->pairs; ++i)
-        count += collide_pair(p, p->pair[i], x, v);
+        if (!is_again(p->pair, i))
+            count += collide_pair(p, p->pair[i], x, v);
     return count;
 }

@@ -1,5 +1,5 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 1095537445 of the lines below */
+/* checksum 3162899125 of the lines below */
 #ifndef SPRINGS_H
 #define SPRINGS_H
 
@@ -8,7 +8,7 @@
 
 enum {
     SPRINGS_BAND = 16,   /* springs that a band has at least */
-    SPRINGS_BLOCK = 1024 /* bodies at a time */
+    SPRINGS_BLOCK = 2048 /* bodies at a time */
 };
 
 /* How the forces are summed. Both ways give the same bits. */
@@ -56,7 +56,7 @@ void springs_free(struct springs *p);
 /* Adds to a what the springs and their dashpots do to the bodies, m/s^2.
    x, v and a lie axis by axis, as in struct scene. Along a fixed coordinate
    a stays as it is. The same bits from either engine and from any number of
-   threads. Source: (10.2, eq:spring-force), and (10.4, eq:axial-dashpot) if
+   threads. Source: (10.1, eq:spring-force), and (10.3, eq:axial-dashpot) if
    the scene says so. */
 void springs_add(struct springs *p, const double x[], const double v[],
                  double a[]);

@@ -1,5 +1,5 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 2911949950 of the lines below */
+/* checksum 4246659918 of the lines below */
 #define _XOPEN_SOURCE 700
 #include "elastic.h"
 #include "modes.h"
@@ -932,7 +932,8 @@ static void study_shapes(struct settings *s)
 struct beam {
     const char *name;
     struct choice choice[3];
-    double frequency, linear, still, lowest, time;
+    double frequency, second, third, fastest; /* rad/s */
+    double linear, still, lowest, time;
     size_t loose; /* modes without stiffness */
 };
 
@@ -949,6 +950,9 @@ static void find_linear(struct beam *b, const struct scene *s, size_t nx)
     for (b->loose = 0; m.square[b->loose] < 1e-6;)
         ++b->loose;
     b->frequency = sqrt(m.square[b->loose]);
+    b->second = sqrt(m.square[b->loose + 1]);
+    b->third = sqrt(m.square[b->loose + 2]);
+    b->fastest = sqrt(m.square[m.size - 1]);
     modes_deflection(&m, 1e-6, p.fall, u);
     b->linear = b->loose > 0 ? NAN : u[s->bodies + nx - 1];
     free(u);
@@ -1013,6 +1017,9 @@ static void study_beams(struct settings *s)
         snprintf(key, sizeof key, "loose_%s", b->name);
         table_count(s->summary, key, b->loose);
     }
+    table_real(s->summary, "second", beams[0].second);
+    table_real(s->summary, "third", beams[0].third);
+    table_real(s->summary, "fastest", beams[0].fastest);
 }
 
 /* Each body looks up all its neighbours: every spring is computed twice.

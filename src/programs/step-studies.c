@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 2246633798 of the lines below */
+/* checksum 3158130290 of the lines below */
 #include "reference.h"
 #include "stepping.h"
 #include "toolbox/bench.h"
@@ -225,7 +225,8 @@ static void study_laws(struct settings *s)
         double row[5] = {n};
         for (int k = 0; k < 4; ++k) {
             row[k + 1] = 1 + energy_error(&c[k]);
-            stepping_run(&c[k].s, 1);
+            if (n < 60)
+                stepping_run(&c[k].s, 1);
         }
         table_row(s->out, 5, row);
     }

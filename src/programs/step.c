@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 2043916379 of the lines below */
+/* checksum 3621603807 of the lines below */
 #include "checkpoint.h"
 #include "motion.h"
 #include "observables.h"
@@ -16,7 +16,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <time.h>
+#include <unistd.h>
 
 #define PROGRAM "step"
 
@@ -70,10 +72,9 @@ enum ending { WHOLE, INTERRUPTED, INFINITE, STUCK, TOO_MUCH, UNWRITTEN };
 
 /* What becomes of the energy, J. */
 struct watch {
-    double start;  /* E at the start */
-    double depth;  /* of the deepest potential so far */
-    double worst;  /* largest |E - start| */
-    double before; /* S of the row before: (11.9, eq:energy-scale) */
+    double start; /* E at the start */
+    double depth; /* of the deepest potential so far */
+    double worst; /* largest |E - start| */
 };
 
 struct run {
@@ -89,6 +90,8 @@ struct run {
     struct checkpoint checkpoint;
     uint64_t every, last, rows; /* steps to a row, steps to the end */
     uint64_t evaluations;       /* before this process */
+    uint64_t taken;             /* steps in this process */
+    double sum;                 /* of the scene's file */
     double energy, time;        /* of the last row */
     struct watch watch;
     double seconds; /* of processor time, rows included */
@@ -137,7 +140,7 @@ static uint64_t steps_in(double time, double dt, bool *whole)
     const double n = time / dt;
     if (!(n < 9e15))
         refuse("--dt: %g takes more than 9e15 steps for %g", dt, time);
-    *whole = fabs(n - round(n)) <= 1e-9 * n;
+    *whole = fabs(n - round(n)) <= fmin(1e-9 * n, 0.01);
     return (uint64_t)(*whole ? round(n) : n);
 }
 
@@ -148,9 +151,10 @@ static void divide(struct run *r, double start)
         isnan(r->s->until) ? start + 1000 * dt : r->s->until;
     const uint64_t rows = r->tracks > 0 ? 100 : 1000;
     bool whole;
-    if (!(until >= start))
-        refuse("--until: %g is before the scene's time, %g", until, start);
-    r->last = steps_in(until - start, dt, &whole);
+    if (!(until - start >= -1e-6 * dt))
+        refuse("--until: %.15g is before the scene's time, %.15g", until,
+               start);
+    r->last = steps_in(fmax(0, until - start), dt, &whole);
     r->every = r->last / rows > 0 ? r->last / rows : 1;
     if (r->s->every == 0)
         return;
@@ -248,21 +252,46 @@ static double below_zero(double energy)
     return energy < 0 ? -energy : 0;
 }
 
+/* The energy now, and the depth so far. */
+static void look(struct run *r)
+{
+    const struct motion_energy e = motion_energy(&r->motion);
+    r->energy = e.kinetic + (e.gravity + e.springs + e.weight);
+    r->watch.depth =
+        fmax(r->watch.depth, below_zero(e.gravity) + below_zero(e.springs) +
+                                 below_zero(e.weight));
+}
+
+static double unseen(const struct scene *s)
+{
+    double size = 0, sum = 0;
+    for (size_t c = 0; c < 3 * s->bodies; ++c)
+        size = fmax(size, fabs(s->position[c]));
+    for (size_t j = 0; j < s->springs; ++j)
+        sum += s->kind[s->spring[j].kind].stiffness;
+    return 1e-10 * size * (1e-10 * size) * sum;
+}
+
+static void begin_watch(struct run *r)
+{
+    r->watch.depth = unseen(&r->scene);
+    look(r);
+    r->watch.start = r->energy;
+    if (!isfinite(r->energy))
+        refuse("the energy at the start is %g, expected a number: are two "
+               "bodies in one place, without a line soft?",
+               r->energy);
+}
+
 /* Looks at the energy. false: it is beyond the bound (11.10,
-   eq:energy-bound). */
+   eq:energy-bound), or no number. */
 static bool is_sane(struct run *r)
 {
     struct watch *w = &r->watch;
-    const struct motion_energy e = motion_energy(&r->motion);
-    r->energy = e.kinetic + (e.gravity + e.springs + e.weight);
-    if (r->rows == 0)
-        w->start = r->energy;
-    const double scale = w->before, grown = r->energy - w->start;
-    w->depth =
-        fmax(w->depth, below_zero(e.gravity) + below_zero(e.springs) +
-                           below_zero(e.weight));
-    w->before = fabs(w->start) + w->depth;
-    if (!(scale == 0 || grown <= r->s->bound * scale))
+    const double scale = fabs(w->start) + w->depth; /* of the row before */
+    look(r);
+    const double grown = r->energy - w->start;
+    if (!isfinite(grown) || (scale > 0 && grown > r->s->bound * scale))
         return false;
     w->worst = fmax(w->worst, fabs(grown));
     return true;
@@ -275,11 +304,14 @@ static bool keep_checkpoint(struct run *r)
         .steps = (double)r->motion.stepping.steps,
         .collisions = (double)r->motion.collisions,
         .evaluations =
-            (double)(r->evaluations + r->motion.stepping.evaluations),
+            (double)(r->evaluations + r->motion.stepping.evaluations +
+                     r->reference.evaluations),
         .rows = (double)r->rows,
         .energy = r->watch.start,
         .depth = r->watch.depth,
-        .worst = r->watch.worst};
+        .worst = r->watch.worst,
+        .last = r->energy,
+        .scene = r->sum};
     return checkpoint_write(&r->checkpoint, &r->motion, known);
 }
 
@@ -303,12 +335,23 @@ static bool keep_if_due(struct run *r, double *kept)
 static void resume(struct run *r, const struct checkpoint_numbers *n,
                    double *acceleration)
 {
-    motion_resume(&r->motion, n->start, (uint64_t)n->steps, acceleration);
+    const uint64_t steps = (uint64_t)n->steps;
+    if (steps > r->last || n->rows != (double)(steps / r->every + 1))
+        refuse("%s.checkpoint: no checkpoint, or a damaged one",
+               r->s->output);
+    if (r->sum != 0 && r->sum != n->scene)
+        refuse("%s: is not the scene that %s.checkpoint began with; "
+               "without --resume the run begins anew",
+               r->s->scene, r->s->output);
+    r->sum = n->scene;
+    motion_resume(&r->motion, n->start, steps, acceleration);
     r->motion.collisions = (uint64_t)n->collisions;
     r->evaluations = (uint64_t)n->evaluations;
     r->rows = (uint64_t)n->rows;
-    r->watch = (struct watch){n->energy, n->depth, n->worst,
-                              fabs(n->energy) + n->depth};
+    r->energy = n->last;
+    r->time =
+        n->start + (n->rows - 1) * (double)r->every * r->motion.stepping.dt;
+    r->watch = (struct watch){n->energy, n->depth, n->worst};
     free(acceleration);
 }
 
@@ -338,7 +381,7 @@ static enum ending take_bite(struct run *r, uint64_t *bite)
 
 static enum ending add_row(struct run *r)
 {
-    if (!is_sane(r))
+    if (r->rows > 0 && !is_sane(r))
         return TOO_MUCH;
     r->time = motion_time(&r->motion);
     return write_row(r) ? WHOLE : UNWRITTEN;
@@ -348,7 +391,8 @@ static enum ending run_on(struct run *r)
 {
     const uint64_t *steps = &r->motion.stepping.steps;
     const double start = bench_seconds();
-    uint64_t bite = 16;
+    const uint64_t before = *steps;
+    uint64_t bite = 1;
     double kept = r->kept ? wall_clock() : 0;
     enum ending end = r->rows == 0 ? add_row(r) : WHOLE;
     while (end == WHOLE && *steps < r->last) {
@@ -360,6 +404,7 @@ static enum ending run_on(struct run *r)
         progress_update(&r->progress, *steps, *steps);
     }
     r->seconds = bench_seconds() - start;
+    r->taken = *steps - before;
     return end;
 }
 
@@ -398,22 +443,77 @@ static void open_outputs(struct run *r)
     r->out = NULL;
 }
 
-/* Reads the scene, or goes on from a checkpoint. */
+/* Refuses to write to FILE, with SUFFIX behind it, if that is the scene. */
+static void spare_scene(const struct settings *s, const char *option,
+                        const char *file, const char *suffix)
+{
+    struct stat scene, other;
+    char name[4096];
+    const bool piped = strcmp(s->scene, "-") == 0;
+    if (!file || strcmp(file, "-") == 0)
+        return;
+    snprintf(name, sizeof name, "%s%s", file, suffix);
+    if ((piped ? fstat(STDIN_FILENO, &scene) : stat(s->scene, &scene)) ==
+            0 &&
+        S_ISREG(scene.st_mode) && stat(name, &other) == 0 &&
+        scene.st_dev == other.st_dev && scene.st_ino == other.st_ino)
+        refuse("--%s: '%s' is the scene, which would be lost", option,
+               name);
+}
+
+static void spare_companion(const struct settings *s, const char *option,
+                            const char *file)
+{
+    const char *const suffix[] = {".rows", ".checkpoint"};
+    const size_t n = strlen(s->output);
+    for (size_t i = 0; file && i < 2; ++i)
+        if (strncmp(file, s->output, n) == 0 &&
+            strcmp(file + n, suffix[i]) == 0)
+            refuse("--%s: '%s' is a companion of the table", option, file);
+}
+
+static void spare_files(const struct run *r)
+{
+    const struct settings *s = r->s;
+    spare_scene(s, "output", s->output, "");
+    spare_scene(s, "summary", s->summary, "");
+    spare_scene(s, "save", s->save, "");
+    if (!r->kept)
+        return;
+    spare_scene(s, "output", s->output, ".rows");
+    spare_scene(s, "output", s->output, ".checkpoint");
+    spare_companion(s, "summary", s->summary);
+    spare_companion(s, "save", s->save);
+}
+
+/* Reads the scene (false), or goes on from a checkpoint (true). */
+static bool read_start(struct run *r, struct checkpoint_numbers *known,
+                       double **acceleration)
+{
+    const struct settings *s = r->s;
+    r->kept = checkpoint_possible(s->output);
+    spare_files(r);
+    r->sum = checkpoint_sum(s->scene);
+    const bool again = s->resume && r->kept && checkpoint_exists(s->output);
+    if (again
+            ? !checkpoint_resume(&r->checkpoint, PROGRAM, s->command,
+                                 s->output, &r->scene, known, acceleration)
+            : !scene_read(&r->scene, PROGRAM, s->scene))
+        exit(OPTIONS_FAILURE);
+    return again;
+}
+
 static void begin_run(struct run *r)
 {
     const struct settings *s = r->s;
     struct checkpoint_numbers known = {0};
     double *acceleration = NULL;
-    r->kept = checkpoint_possible(s->output);
-    const bool again = s->resume && r->kept && checkpoint_exists(s->output);
-    if (again ? !checkpoint_resume(&r->checkpoint, PROGRAM, s->command,
-                                   s->output, &r->scene, &known,
-                                   &acceleration)
-              : !scene_read(&r->scene, PROGRAM, s->scene))
-        exit(OPTIONS_FAILURE);
+    const bool again = read_start(r, &known, &acceleration);
     set_in_motion(r);
     choose_columns(r);
     divide(r, again ? known.start : r->scene.time);
+    if (!again)
+        begin_watch(r);
     open_outputs(r);
     if (again)
         resume(r, &known, acceleration);
@@ -450,10 +550,11 @@ static bool save_scene(struct run *r)
 static bool close_outputs(struct run *r, enum ending end)
 {
     bool good = r->kept ? make_table(r) : table_close(r->out);
-    if (r->kept && (end == INTERRUPTED || !good))
+    const bool later = !good || end == INTERRUPTED || end == UNWRITTEN;
+    if (r->kept && (end == INTERRUPTED || (end == WHOLE && !good)))
         keep_checkpoint(r);
     if (r->kept)
-        checkpoint_end(&r->checkpoint, !good || end == INTERRUPTED);
+        checkpoint_end(&r->checkpoint, later);
     if (good && r->save && (end == WHOLE || end == INTERRUPTED))
         good = save_scene(r);
     else
@@ -484,7 +585,7 @@ static void summarise(const struct run *r, enum ending end)
                start != 0 ? r->watch.worst / fabs(start) : r->watch.worst);
     table_real(t, "seconds", r->seconds);
     table_real(t, "steps_per_second",
-               r->seconds > 0 ? (double)p->steps / r->seconds : 0);
+               r->seconds > 0 ? (double)r->taken / r->seconds : 0);
 }
 
 static const struct options_entry entries[] = {

@@ -338,6 +338,32 @@ static void test_sweep(void)
         }
 }
 
+/* In a periodic box of four radii a pair is near on both sides. */
+static void test_tiny_box(void)
+{
+    struct scene a, b;
+    struct spheres pa, pb;
+    struct scene *scene[] = {&a, &b};
+    for (int i = 0; i < 2; ++i) {
+        make_crowd(scene[i], SCENE_PERIODIC, 3);
+        for (size_t k = 0; k < SCENE_AXES; ++k)
+            scene[i]->high[k] = scene[i]->low[k] + 1.6;
+    }
+    begin(&pa, &a, SPHERES_ALL, SPHERES_BY_RADIUS, 0.02);
+    begin(&pb, &b, SPHERES_ALL, SPHERES_BY_RADIUS, 0.02);
+    pa.search = SPHERES_PAIRS;
+    pb.search = SPHERES_SWEEP;
+    run(&a, &pa, 2);
+    run(&b, &pb, 2);
+    UNIT_TRUE(pa.collisions == pb.collisions && pa.collisions > 100);
+    UNIT_TRUE(memcmp(a.velocity, b.velocity, 600 * sizeof *a.velocity) ==
+              0);
+    spheres_free(&pa);
+    spheres_free(&pb);
+    scene_free(&a);
+    scene_free(&b);
+}
+
 /* Energy and momentum by every rule and shift; the centre of mass by all
    but the shares of the radii. 1e-12: some thousand collisions. */
 static void test_kept(void)
@@ -474,6 +500,7 @@ int main(void)
             {"walls mirror, and lose what they should", test_walls},
             {"awkward scenes do no harm", test_awkward},
             {"the sweep finds what every pair finds", test_sweep},
+            {"a pair that is near twice collides once", test_tiny_box},
             {"energy, momentum, centre of mass are kept", test_kept},
             {"walls balance flight and virial", test_identity},
             {"what leaves the cradle", test_cradle},

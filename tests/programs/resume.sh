@@ -109,6 +109,7 @@ killed_at_checkpoint "$scene" --until 9000 --every 0.5 --checkpoint 0
 refuses 2 'part.checkpoint: is of another command' \
     $step "$scene" --until 9000 --every 1 --checkpoint 0 -o "$work/part" --resume
 cp "$work/part.checkpoint" "$work/kept"
+cp "$work/part.rows" "$work/part.rows.kept"
 sed '/^#= end/d' "$work/kept" >"$work/part.checkpoint"
 again="$step $scene --until 9000 --every 0.5 --checkpoint 0 -o $work/part --resume"
 # shellcheck disable=SC2086
@@ -126,6 +127,97 @@ refuses 2 'part.rows: has fewer rows than the checkpoint says' $again
 rm "$work/part.rows"
 # shellcheck disable=SC2086
 refuses 2 'part.rows: No such file' $again
+# Each of these has been taken for a checkpoint once.
+cp "$work/part.rows.kept" "$work/part.rows"
+for garbled in 's/^#= length .*/#= length x/' '/^#= length/d' \
+    's/^#= steps .*/#= steps -5/' 's/^#= steps .*/#= steps nan/' \
+    's/^#= steps .*/#= steps 7.5/' 's/^#= steps .*/#= steps 1e300/' \
+    's/^#= rows .*/#= rows 0/' 's/^#= accelerations .*/#= accelerations 6/'
+do
+    sed "$garbled" "$work/kept" >"$work/part.checkpoint"
+    # shellcheck disable=SC2086
+    refuses 2 'part.checkpoint: no checkpoint, or a damaged one' $again
+done
+for lines in 1 3 5 7; do
+    head -n -$lines "$work/kept" >"$work/part.checkpoint"
+    # shellcheck disable=SC2086
+    refuses 2 'part.checkpoint: no checkpoint, or a damaged one' $again
+done
+cp "$work/kept" "$work/part.checkpoint"
+sed -i '1s/1/2/' "$work/part.rows"
+# shellcheck disable=SC2086
+refuses 2 'part.rows: has other rows than the checkpoint says' $again
+
+# Nor is another scene, of the same name. But the scene need not be there.
+cp "$work/part.rows.kept" "$work/part.rows"
+cp "$scene" "$work/scene.kept"
+sed -i 's/^k2 .*/k2 0.2/' "$scene"
+# shellcheck disable=SC2086
+refuses 2 'is not the scene that .*part.checkpoint began with' $again
+rm "$scene"
+# shellcheck disable=SC2086
+holds 'a run goes on without its scene' $again
+# shellcheck disable=SC2016
+holds 'and ends with the same bytes' sh -c '
+    sed 2d "$1" >"$1.a"; sed 2d "$2" | cmp - "$1.a"' \
+    sh "$work/whole" "$work/part"
+cp "$work/scene.kept" "$scene"
+
+# A damped leapfrog needs all of its accelerations, and the scene is read to
+# its last line.
+scene=$work/scene
+rm -f "$work"/part*
+killed_at_checkpoint "$scene" --until 300 --every 0.5 --checkpoint 0
+again="$step $scene --until 300 --every 0.5 --checkpoint 0 -o $work/part --resume"
+cp "$work/part.checkpoint" "$work/kept"
+for garbled in '/^#= acceleration /d' '/^#= accelerations /d' \
+    '0,/^#= acceleration /{/^#= acceleration /d}' '/^vel 2/q' '/^k2/,$d' \
+    's/^#= depth .*/#= depth inf/' 's/^#= energy .*/#= energy nan/'
+do
+    sed "$garbled" "$work/kept" >"$work/part.checkpoint"
+    # shellcheck disable=SC2086
+    refuses 2 'part.checkpoint: no checkpoint, or a damaged one' $again
+done
+cp "$work/kept" "$work/part.checkpoint"
+# shellcheck disable=SC2086
+holds 'as it was it goes on' $again
+$step "$scene" --until 300 --every 0.5 --checkpoint 0 -o "$work/whole"
+holds 'to the same bytes' cmp "$work/whole" "$work/part"
+scene=$work/free
+$step "$scene" --until 9000 --every 0.5 -o "$work/whole"
+
+# The summary of a run in two parts has all of it but the times; leapfrog
+# asks for one acceleration more.
+# (Here there is one row, at the start, which the rest does not see.)
+$step "$scene" --until 9000 --every 10000 -o "$work/a" --summary "$work/sa"
+rm -f "$work"/part*
+killed_at_checkpoint "$scene" --until 9000 --every 10000 --checkpoint 0
+holds 'its rest' $step "$scene" --until 9000 --every 10000 --checkpoint 0 \
+    -o "$work/part" --resume --summary "$work/sb"
+# shellcheck disable=SC2016
+holds 'the summary of a run in two parts' sh -c '
+    for s in "$1" "$2"; do sed -i "/seconds/d;/per_second/d;/^eval/d;/^#/d" "$s"
+    done; diff "$1" "$2"' sh "$work/sa" "$work/sb"
+
+# On a full disk (here: a limit of the file) no row is lost that is not
+# computed again.
+for limit in 8 64; do
+    for seconds in 0 60; do
+        rm -f "$work"/part*
+        # shellcheck disable=SC3045
+        (ulimit -f $limit && $step "$scene" --until 1000 --every 0.5 \
+            --checkpoint $seconds -o "$work/part") 2>"$work/said"
+        holds 'a full disk: status 1' test $? -eq 1
+        $step "$scene" --until 1000 --every 0.5 --checkpoint $seconds \
+            -o "$work/part" --resume
+        lines=$(wc -l <"$work/part")
+        # shellcheck disable=SC2016
+        holds 'a full disk: the same rows' sh -c '
+            head -n "$3" "$1" | sed 2d >"$1.a"; sed 2d "$2" | cmp - "$1.a"' \
+            sh "$work/whole" "$work/part" "$lines"
+    done
+done
+
 # Without --resume the run begins anew.
 $step "$scene" --until 9000 --every 0.5 -o "$work/part"
 holds 'without --resume all begins anew' cmp "$work/whole" "$work/part"

@@ -80,6 +80,12 @@ $step "$w/fall" --until 2 | sed 2d >"$w/b"
 sed -i 2d "$w/a"
 holds 'the scene may come from a pipe' cmp "$w/a" "$w/b"
 
+mkfifo "$w/pipe"
+cat "$w/fall" >"$w/pipe" &
+$step "$w/pipe" --until 2 -o "$w/a"
+sed -i 2d "$w/a"
+holds 'and from a pipe with a name' cmp "$w/a" "$w/b"
+
 # --every changes no bit; nor do threads; a saved scene goes on.
 $scene ring --particles 200 -o "$w/ring"
 $step "$w/ring" --until 400 --every 400 --track 7 -o "$w/a"
@@ -143,6 +149,12 @@ printf 'pos 0 0 0 0 1 0 0\npos 1 1 0 0 1 0 0\nk2 1\nsoft 0.001\ndt 0.01\n' \
     >"$w/meet"
 refuses 1 'blew up' $step "$w/meet" --until 10 --every 0.01 -o "$w/t"
 
+# At rest there is the energy of rounding errors, and it is no blow-up.
+$scene membrane --amplitude 0 -o "$w/rest"
+holds 'a grid at rest' $step "$w/rest" --observe energy -o "$w/t"
+$scene cantilever --gravity 0 --dx 0.3 --dy 0.7 -o "$w/rest"
+holds 'a beam at rest' $step "$w/rest" --observe energy -o "$w/t"
+
 # Wrong commands.
 refuses 2 'a scene is needed' $step
 refuses 2 "there is a scene already, '$w/sun'" $step "$w/sun" "$w/fall"
@@ -183,6 +195,53 @@ refuses 2 'body 0 has no mass' $step "$w/light"
 printf 'pos 0 0 0 0 1 0 0\ngrav 0 0 x\n' >"$w/bad"
 refuses 2 'bad:2: ' $step "$w/bad"
 
+# A contact needs mass, a wall needs contacts.
+printf 'pos 0 0 0 0 0 0 1\npos 1 1 1 1 1 0 1\nvel 1 -1 0 0\ncontact\ndt 1\n' \
+    >"$w/light"
+refuses 2 'body 0 has no mass' $step "$w/light"
+printf 'pos 0 .5 .5 .5 1 0 .1\nbox 0 1 0 1 0 1\nwalls hard open open\ndt 1\n' \
+    >"$w/walls"
+refuses 2 'walls but no line contact' $step "$w/walls"
+
+# Two bodies in one place: no row, and not the advice to take a smaller step.
+printf 'pos 0 0 0 0 1 0 0\npos 1 0 0 0 1 0 0\nk2 1\ndt 1\n' >"$w/same"
+refuses 2 'the energy at the start is -inf, expected a number: are two' \
+    $step "$w/same" -o "$w/no"
+holds 'and no file' sh -c "! ls '$w'/no*"
+
+# The scene is never written over.
+for suffix in '' .rows .checkpoint; do
+    cp "$w/fall" "$w/mine$suffix"
+    refuses 2 "output: '$w/mine$suffix' is the scene" \
+        $step "$w/mine$suffix" -o "$w/mine"
+    holds 'the scene is as it was' cmp "$w/fall" "$w/mine$suffix"
+    rm -f "$w/mine$suffix"
+done
+cp "$w/fall" "$w/mine"
+ln -s mine "$w/link"
+for option in --output --save --summary; do
+    refuses 2 "${option#--}: '$w/link' is the scene" \
+        $step "$w/mine" $option "$w/link" --until 1
+done
+$step - -o "$w/mine" <"$w/mine" 2>"$w/said" && not_ok 'a scene by redirection'
+holds 'the scene is as it was' cmp "$w/fall" "$w/mine"
+refuses 2 "save: '$w/t.rows' is a companion" \
+    $step "$w/fall" -o "$w/t" --save "$w/t.rows"
+refuses 2 "summary: '$w/t.checkpoint' is a companion" \
+    $step "$w/fall" -o "$w/t" --summary "$w/t.checkpoint"
+
+# Where a run has ended, another one may end too; and half a step is none.
+$step "$w/fall" --dt 1.1 --until 3.3 --every 3.3 -o "$w/t" --save "$w/later"
+$step "$w/later" --until 3.3 -o "$w/a" --summary "$w/s"
+near 'no step to where we are' "$(key "$w/s" steps)" 0 0
+refuses 2 'every: 1e+09 is no whole number' \
+    $step "$w/fall" --dt 1.6 --every 1000000000.5
+
+# Standard output that is a file has no companions.
+$step "$w/fall" --until 2 -o /dev/stdout 2>"$w/told" >"$w/b"
+holds '/dev/stdout may be a file' test $? -eq 0
+holds 'and has the rows' test "$(grep -vc '^#' "$w/b")" -eq 9
+
 # The minimum setup writes what step does.
 cat >"$w/data.plist" <<'E2'
 pos 0  0 0 0  1.0  0 0.1
@@ -197,3 +256,10 @@ $step "$w/data.plist" --until 50000 --every 25 --observe x:1,y:1 |
     >"$w/b"
 holds 'ten lines of C do what step does' cmp "$w/a" "$w/b"
 refuses 2 'none' build/bin/orbit "$w/none"
+if [ -e /dev/full ]; then
+    build/bin/orbit "$w/data.plist" >/dev/full 2>"$w/told"
+    holds 'ten lines of C notice a full disk' test $? -eq 1
+fi
+sed 's/^dt .*/dt 0.1/' "$w/pendulum" >"$w/wild"
+build/bin/orbit "$w/wild" >"$w/a" 2>"$w/told"
+holds 'and a run that blew up' test $? -eq 1

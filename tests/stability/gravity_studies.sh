@@ -78,3 +78,9 @@ between 'the figure of eight closes' eight closure 0 3e-14
 study alive --study survival --orbits 250
 between 'how close the planet may come' alive safe 2.1 2.33
 between "Holman and Wiegert's formula" alive law 2.27304 2.27306
+
+# A Jupiter of 0.29 Suns throws Saturn out, and a fixed step pays for it with
+# Jupiter's orbit; without the outer planets the energy is kept to rounding.
+study planets --study planets
+between 'five planets keep their energy' planets energy_300 0 1e-10
+between 'of eight, one meeting costs a third of it' planets eight .1 1

@@ -79,6 +79,9 @@ study beams
 between 'the beam at rest' beams still_usual 0.4201093054 0.4201093056
 between 'linear theory' beams linear_usual 0.42499999 0.42500001
 between 'heavy' beams still_heavy 2.969760828 2.969760829
+between 'the second frequency' beams second 8.93555666 8.93555667
+between 'the third' beams third 10.1679044 10.1679046
+between 'the fastest' beams fastest 74.8249253 74.8249254
 between 'twice the depth at the turning point' beams lowest_light 0.083 0.086
 between 'no diagonals: a mechanism' beams loose_no_diagonals 5 5
 

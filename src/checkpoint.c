@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 2554681887 of the lines below */
+/* checksum 3384183398 of the lines below */
 #include "checkpoint.h"
 
 #include <errno.h>
@@ -176,6 +176,8 @@ bool checkpoint_write(struct checkpoint *c, struct motion *m,
 {
     if (!flush_rows(c))
         return false;
+    if (!motion_note(m))
+        return complain(c, c->path, "no memory");
     const long length = ftell(c->rows);
     struct table *t = table_open(c->program, c->path);
     if (!t)
@@ -186,41 +188,19 @@ bool checkpoint_write(struct checkpoint *c, struct motion *m,
     table_print(t, "#= sum %" PRIu64 "\n", c->sum);
     for (size_t k = 0; k < NUMBERS; ++k)
         table_print(t, "#= %s %.17g\n", numbers[k].name, *number(&n, k));
-    const struct stepping *s = &m->stepping;
-    const size_t size = s->forces.damped && s->fresh ? s->forces.size : 0;
-    table_print(t, "#= accelerations %zu\n", size);
-    for (size_t i = 0; i < size; ++i)
-        table_print(t, "#= acceleration %.17g\n", s->acceleration[i]);
-    motion_note(m);
     scene_write(m->scene, t);
     table_print(t, "#= end\n");
     return table_close(t);
 }
 
-enum { COUNTS = 3 }; /* besides the numbers */
+enum { COUNTS = 2 }; /* besides the numbers */
 
 struct head {
-    char *line; /* of getline */
-    size_t room;
+    char *line;         /* of getline */
+    size_t room, found; /* numbers and counts */
     bool command, end;
-    uint64_t length, sum, expected; /* of rows, of accelerations */
-    size_t found, accelerations;    /* numbers; coordinates */
-    double *acceleration;
+    uint64_t length, sum; /* of the rows */
 };
-
-static bool add_acceleration(struct head *h, double value)
-{
-    const size_t n = h->accelerations;
-    if ((n & (n - 1)) == 0) {
-        double *more =
-            realloc(h->acceleration, (n ? 2 * n : 1) * sizeof *more);
-        if (!more)
-            return false;
-        h->acceleration = more;
-    }
-    h->acceleration[h->accelerations++] = value;
-    return true;
-}
 
 /* What follows "#= KEY " in this line, or NULL if it is not that key. */
 static const char *after(const char *line, const char *key)
@@ -257,10 +237,6 @@ static bool take_line(struct checkpoint *c, struct head *h,
         return take_count(h, value, &h->length);
     if ((value = after(line, "sum")))
         return take_count(h, value, &h->sum);
-    if ((value = after(line, "accelerations")))
-        return take_count(h, value, &h->expected);
-    if ((value = after(line, "acceleration")))
-        return add_acceleration(h, strtod(value, NULL));
     for (size_t k = 0; k < NUMBERS; ++k)
         if ((value = after(line, numbers[k].name))) {
             ++h->found;
@@ -284,8 +260,7 @@ static bool read_head(struct checkpoint *c, struct head *h,
     }
     if (file)
         fclose(file);
-    if (good && h->end && h->command && h->found == NUMBERS + COUNTS &&
-        h->accelerations == h->expected)
+    if (good && h->end && h->command && h->found == NUMBERS + COUNTS)
         return true;
     return complain(c, c->path,
                     !file ? strerror(errno)
@@ -330,22 +305,14 @@ static bool open_rows(struct checkpoint *c, const struct head *h)
 
 bool checkpoint_resume(struct checkpoint *c, const char *program,
                        const char *command, const char *output,
-                       struct scene *s, struct checkpoint_numbers *n,
-                       double **acceleration)
+                       struct scene *s, struct checkpoint_numbers *n)
 {
     struct head h = {0};
-    bool good = name_files(c, program, command, output) &&
-                read_head(c, &h, n) && open_rows(c, &h) &&
-                scene_read(s, program, c->path);
-    if (good && h.acceleration && h.accelerations != 3 * s->bodies) {
-        scene_free(s);
-        good = complain(c, c->path, "no checkpoint, or a damaged one");
-    }
+    const bool good = name_files(c, program, command, output) &&
+                      read_head(c, &h, n) && open_rows(c, &h) &&
+                      scene_read(s, program, c->path);
     free(h.line);
-    *acceleration = good ? h.acceleration : NULL;
-    if (good)
-        return true;
-    free(h.acceleration);
-    checkpoint_end(c, true);
-    return false;
+    if (!good)
+        checkpoint_end(c, true);
+    return good;
 }

@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 2136469405 of the lines below */
+/* checksum 3220300433 of the lines below */
 #ifndef CHECKPOINT_H
 #define CHECKPOINT_H
 
@@ -49,13 +49,12 @@ bool checkpoint_begin(struct checkpoint *c, const char *program,
 /* Is there one to go on from? */
 bool checkpoint_exists(const char *output);
 
-/* Begins with the rows of FILE.rows and the scene, the numbers and the
-   acceleration (to be freed; NULL: none) of FILE.checkpoint. Returns false
-   as above, also when they are those of another command. */
+/* Begins with the rows of FILE.rows and the scene and the numbers of
+   FILE.checkpoint. Returns false as above, also when they are those of
+   another command. */
 bool checkpoint_resume(struct checkpoint *c, const char *program,
                        const char *command, const char *output,
-                       struct scene *s, struct checkpoint_numbers *n,
-                       double **acceleration);
+                       struct scene *s, struct checkpoint_numbers *n);
 /* Adds a row, as table_row writes it. */
 bool checkpoint_row(struct checkpoint *c, size_t n, const double values[]);
 

@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 1460878428 of the lines below */
+/* checksum 3897207788 of the lines below */
 #include "motion.h"
 
 #include <stdio.h>
@@ -60,6 +60,22 @@ static bool hold_coordinates(struct motion *m)
     return m->held != NULL;
 }
 
+/* Does the method go on with the acceleration of the step before, (8.13,
+   eq:leapfrog-damped)? */
+static bool keeps_acceleration(const struct stepping *p)
+{
+    return p->forces.damped && strcmp(p->method->name, "leapfrog") == 0;
+}
+
+/* The acceleration in the scene, if the method can go on with it, or
+   NULL. */
+static const double *find_kept(const struct motion *m)
+{
+    const bool same_step = m->stepping.dt == m->scene->dt;
+    return keeps_acceleration(&m->stepping) && same_step ? m->scene->kept
+                                                         : NULL;
+}
+
 static bool begin_stepping(struct motion *m,
                            const struct stepping_method *method, double dt)
 {
@@ -75,9 +91,7 @@ static bool begin_stepping(struct motion *m,
     m->stepping.start = s->time;
     m->spheres.dt = dt;
     m->stepping.compensated = s->carry != NULL;
-    if (s->carry)
-        memcpy(m->stepping.carry, s->carry,
-               6 * s->bodies * sizeof *s->carry);
+    stepping_resume(&m->stepping, 0, s->carry, find_kept(m));
     return true;
 }
 
@@ -197,23 +211,32 @@ double motion_time(const struct motion *m)
     return stepping_time(&m->stepping);
 }
 
-void motion_resume(struct motion *m, double start, uint64_t steps,
-                   const double acceleration[])
+void motion_resume(struct motion *m, double start, uint64_t steps)
 {
     m->stepping.start = start;
-    stepping_resume(&m->stepping, steps, NULL, acceleration);
+    stepping_resume(&m->stepping, steps, NULL, find_kept(m));
 }
 
-void motion_note(struct motion *m)
+/* Makes *to a copy of n numbers, or NULL of NULL. false: no memory. */
+static bool note(double **to, const double from[], size_t n)
+{
+    free(*to);
+    *to = from ? malloc(n * sizeof *from) : NULL;
+    if (*to)
+        memcpy(*to, from, n * sizeof *from);
+    return !*to == !from;
+}
+
+bool motion_note(struct motion *m)
 {
     struct scene *s = m->scene;
-    const size_t size = 6 * s->bodies * sizeof *s->carry;
+    const struct stepping *p = &m->stepping;
+    const bool keeps = keeps_acceleration(p) && p->fresh;
     s->time = motion_time(m);
-    s->dt = m->stepping.dt;
-    if (m->stepping.compensated && !s->carry)
-        s->carry = malloc(size);
-    if (m->stepping.compensated && s->carry)
-        memcpy(s->carry, m->stepping.carry, size);
+    s->dt = p->dt;
+    return note(&s->carry, p->compensated ? p->carry : NULL,
+                6 * s->bodies) &&
+           note(&s->kept, keeps ? p->acceleration : NULL, 3 * s->bodies);
 }
 
 static double weigh(const struct scene *s)

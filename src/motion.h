@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 2097469009 of the lines below */
+/* checksum 3969914865 of the lines below */
 #ifndef MOTION_H
 #define MOTION_H
 
@@ -47,15 +47,13 @@ enum stepping_end motion_run(struct motion *m, uint64_t steps);
 double motion_time(const struct motion *m); /* s */
 
 /* Takes m, before its first step, for a run that began at the time start,
-   s, and has come so many steps far; the acceleration is the one that the
-   method kept, or NULL. */
-void motion_resume(struct motion *m, double start, uint64_t steps,
-                   const double acceleration[]);
+   s, and has come so many steps far. */
+void motion_resume(struct motion *m, double start, uint64_t steps);
 
-/* Puts time and rounding errors into the scene: what scene_write then
-   writes goes on to the same bits. (But for leapfrog with damping: the
-   acceleration that it keeps has no place in a scene.) */
-void motion_note(struct motion *m);
+/* Puts time, step, rounding errors and the acceleration that the method has
+   kept into the scene: what scene_write then writes goes on, by the same
+   method, to the same bits. Returns false without memory. */
+bool motion_note(struct motion *m);
 
 /* The energy now. Held coordinates have no weight. */
 struct motion_energy motion_energy(const struct motion *m);

@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 4290782744 of the lines below */
+/* checksum 4196196878 of the lines below */
 #include "observables.h"
 
 #include <math.h>
@@ -214,13 +214,8 @@ static const struct observables_kind kinds[] = {
     {"vy", 1, 1, {"vy"}, SPEED, "velocity of a body", velocity_y},
     {"vz", 1, 1, {"vz"}, SPEED, "velocity of a body", velocity_z},
     {"speed", 1, 1, {"v"}, SPEED, "speed of a body", speed},
-    {"distance",
-     2,
-     1,
-     {"d"},
-     "length",
-     "distance of two bodies",
-     distance}};
+    {"distance", 2, 1, {"d"}, "length", "distance of two bodies", distance},
+};
 
 enum { KINDS = sizeof kinds / sizeof kinds[0] };
 

@@ -1,5 +1,5 @@
 /* From chapters/08-scenes.nw: edit there, then run make tangle. */
-/* checksum 2796982393 of the lines below */
+/* checksum 336219042 of the lines below */
 #include "scene.h"
 
 #include "decimal.h"
@@ -47,6 +47,7 @@ void scene_free(struct scene *s)
     free(s->colour);
     free(s->species);
     free(s->carry);
+    free(s->kept);
     free(s->kind);
     free(s->spring);
     *s = (struct scene){0};
@@ -64,6 +65,17 @@ static void *copy_list(const void *list, size_t count, size_t size)
     return copy;
 }
 
+/* Copies the lists that may be NULL. false: no memory. */
+static bool copy_rare(struct scene *to, const struct scene *from)
+{
+    const size_t n = from->bodies, size = sizeof(double);
+    if (from->carry)
+        to->carry = copy_list(from->carry, 6 * n, size);
+    if (from->kept)
+        to->kept = copy_list(from->kept, 3 * n, size);
+    return !to->carry == !from->carry && !to->kept == !from->kept;
+}
+
 bool scene_copy(struct scene *to, const struct scene *from)
 {
     const size_t n = from->bodies;
@@ -78,12 +90,10 @@ bool scene_copy(struct scene *to, const struct scene *from)
     c.species = copy_list(from->species, n, sizeof *c.species);
     c.kind = copy_list(from->kind, from->kinds, sizeof *c.kind);
     c.spring = copy_list(from->spring, from->springs, sizeof *c.spring);
-    if (from->carry)
-        c.carry = copy_list(from->carry, 6 * n, sizeof *c.carry);
+    const bool rare = copy_rare(&c, from);
     *to = c;
     if (c.mass && c.charge && c.radius && c.position && c.velocity &&
-        c.freedom && c.colour && c.species && c.kind && c.spring &&
-        !c.carry == !from->carry)
+        c.freedom && c.colour && c.species && c.kind && c.spring && rare)
         return true;
     scene_free(to);
     return false;
@@ -141,8 +151,8 @@ struct piece {
 };
 
 /* The sorts of lines. Those of a body each body may have once. */
-enum { POS, VEL, VFIX, DIS, SPECIES, CARRY };          /* of a body */
-enum { S = CARRY + 1, SL, DASHPOT };                   /* of springs */
+enum { POS, VEL, VFIX, DIS, SPECIES, CARRY, KEPT };    /* of a body */
+enum { S = KEPT + 1, SL, DASHPOT };                    /* of springs */
 enum { GRAV = DASHPOT + 1, DAMP, K2, SOFT, DT, TIME }; /* of all */
 enum { CONTACT = TIME + 1, RESTITUTION, BOX, WALLS, LINES }; /* of a box */
 
@@ -401,15 +411,32 @@ static bool lack(struct reader *r, const char *what)
     return false;
 }
 
+/* As spread, to a list that is made, of zeros, when it is needed. */
+static bool spread_rare(double **to, struct reader *r, const double value[],
+                        size_t count)
+{
+    if (!*to)
+        *to = calloc(r->scene->bodies, (count - 1) * sizeof **to);
+    if (!*to)
+        return lack(r, "no memory for the scene");
+    spread(*to, r, value, count);
+    return true;
+}
+
 static bool take_carry(struct reader *r, const double value[], size_t count)
 {
-    struct scene *s = r->scene;
-    if (!s->carry)
-        s->carry = calloc(s->bodies, 6 * sizeof *s->carry);
-    if (!s->carry)
-        return lack(r, "no memory for the scene");
-    spread(s->carry, r, value, count);
-    return true;
+    return spread_rare(&r->scene->carry, r, value, count);
+}
+
+static bool take_kept(struct reader *r, const double value[], size_t count)
+{
+    const size_t bodies = r->scene->bodies, lines = r->lines[KEPT];
+    if (lines < bodies)
+        return fail(r, r->first,
+                    "one for each of the %zu bodies, or none (lines kept: "
+                    "%zu)",
+                    bodies, lines);
+    return spread_rare(&r->scene->kept, r, value, count);
 }
 
 static bool take_kind(struct reader *r, const double value[], size_t count)
@@ -483,6 +510,7 @@ static const struct line forms[LINES] = {
     [DIS] = {"dis", "@body dx dy dz", 3, take_dis, 0},
     [SPECIES] = {"species", "@body #species", 1, take_species, 0},
     [CARRY] = {"carry", "@body x y z vx vy vz", 1, take_carry, 0},
+    [KEPT] = {"kept", "@body ax ay az", 1, take_kept, 0},
     [S] = {"s", "&kind +D +c ;%red %green %blue", 1, take_kind, 0},
     [SL] = {"sl", "@body @body &kind ;+rest", 2, take_spring, 0},
     [DASHPOT] = {"dashpot", "=way", 1, take_dashpot, 0},
@@ -519,6 +547,8 @@ static bool refuse_word(struct reader *r)
     }
     return fail(r, r->first, "%s", list);
 }
+
+_Static_assert(S < 8, "a byte of `seen` has a bit for each sort");
 
 /* Refuses a second line where there may be one. */
 static bool come_once(struct reader *r, size_t sort, const double value[])
@@ -699,6 +729,16 @@ static void write_places(const struct scene *s, struct table *out)
                     c[2 * n + i]);
 }
 
+static void write_remains(const struct scene *s, struct table *out)
+{
+    const size_t n = s->bodies;
+    for (size_t i = 0; i < n && s->carry; ++i)
+        if (i == 0 || !is_nothing(s->carry, n, i, 6))
+            write_body(out, "carry", s->carry, n, i, 6);
+    for (size_t i = 0; i < n && s->kept; ++i)
+        write_body(out, "kept", s->kept, n, i, SCENE_AXES);
+}
+
 static void write_motion(const struct scene *s, struct table *out)
 {
     const size_t n = s->bodies;
@@ -714,9 +754,7 @@ static void write_motion(const struct scene *s, struct table *out)
     for (size_t i = 0; i < n; ++i)
         if (s->species[i] != 0)
             table_print(out, "species %zu %" PRIu32 "\n", i, s->species[i]);
-    for (size_t i = 0; i < n && s->carry; ++i)
-        if (i == 0 || !is_nothing(s->carry, n, i, 6))
-            write_body(out, "carry", s->carry, n, i, 6);
+    write_remains(s, out);
 }
 
 static void write_springs(const struct scene *s, struct table *out)

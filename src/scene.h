@@ -1,5 +1,5 @@
 /* From chapters/08-scenes.nw: edit there, then run make tangle. */
-/* checksum 191108145 of the lines below */
+/* checksum 926638723 of the lines below */
 #ifndef SCENE_H
 #define SCENE_H
 
@@ -37,6 +37,8 @@ struct scene {
     uint32_t *species;              /* [bodies] */
     double *carry; /* NULL, or [6 * bodies]: what compensated sums still
                       owe to the positions, then to the velocities */
+    double *kept;  /* NULL, or [3 * bodies] m/s^2: with which acceleration
+                      a method goes on from these places and velocities */
     struct scene_kind *kind;
     struct scene_spring *spring;
     double k2;                  /* gravity between bodies; 0: none */
@@ -88,7 +90,8 @@ bool scene_parse(struct scene *s, const char *text, size_t length,
                  struct scene_error *e);
 
 /* Writes the scene so that reading it gives the same bits: the places where
-   bodies are now, each rest length, the time and what sums carry. */
+   bodies are now, each rest length, the time, what sums carry and the
+   acceleration that was kept. */
 void scene_write(const struct scene *s, struct table *out);
 
 #endif

@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 3621603807 of the lines below */
+/* checksum 4021309068 of the lines below */
 #include "checkpoint.h"
 #include "motion.h"
 #include "observables.h"
@@ -332,8 +332,7 @@ static bool keep_if_due(struct run *r, double *kept)
     return keep_checkpoint(r);
 }
 
-static void resume(struct run *r, const struct checkpoint_numbers *n,
-                   double *acceleration)
+static void resume(struct run *r, const struct checkpoint_numbers *n)
 {
     const uint64_t steps = (uint64_t)n->steps;
     if (steps > r->last || n->rows != (double)(steps / r->every + 1))
@@ -344,7 +343,7 @@ static void resume(struct run *r, const struct checkpoint_numbers *n,
                "without --resume the run begins anew",
                r->s->scene, r->s->output);
     r->sum = n->scene;
-    motion_resume(&r->motion, n->start, steps, acceleration);
+    motion_resume(&r->motion, n->start, steps);
     r->motion.collisions = (uint64_t)n->collisions;
     r->evaluations = (uint64_t)n->evaluations;
     r->rows = (uint64_t)n->rows;
@@ -352,7 +351,6 @@ static void resume(struct run *r, const struct checkpoint_numbers *n,
     r->time =
         n->start + (n->rows - 1) * (double)r->every * r->motion.stepping.dt;
     r->watch = (struct watch){n->energy, n->depth, n->worst};
-    free(acceleration);
 }
 
 static uint64_t least(uint64_t a, uint64_t b)
@@ -487,18 +485,16 @@ static void spare_files(const struct run *r)
 }
 
 /* Reads the scene (false), or goes on from a checkpoint (true). */
-static bool read_start(struct run *r, struct checkpoint_numbers *known,
-                       double **acceleration)
+static bool read_start(struct run *r, struct checkpoint_numbers *known)
 {
     const struct settings *s = r->s;
     r->kept = checkpoint_possible(s->output);
     spare_files(r);
     r->sum = checkpoint_sum(s->scene);
     const bool again = s->resume && r->kept && checkpoint_exists(s->output);
-    if (again
-            ? !checkpoint_resume(&r->checkpoint, PROGRAM, s->command,
-                                 s->output, &r->scene, known, acceleration)
-            : !scene_read(&r->scene, PROGRAM, s->scene))
+    if (again ? !checkpoint_resume(&r->checkpoint, PROGRAM, s->command,
+                                   s->output, &r->scene, known)
+              : !scene_read(&r->scene, PROGRAM, s->scene))
         exit(OPTIONS_FAILURE);
     return again;
 }
@@ -507,8 +503,7 @@ static void begin_run(struct run *r)
 {
     const struct settings *s = r->s;
     struct checkpoint_numbers known = {0};
-    double *acceleration = NULL;
-    const bool again = read_start(r, &known, &acceleration);
+    const bool again = read_start(r, &known);
     set_in_motion(r);
     choose_columns(r);
     divide(r, again ? known.start : r->scene.time);
@@ -516,7 +511,7 @@ static void begin_run(struct run *r)
         begin_watch(r);
     open_outputs(r);
     if (again)
-        resume(r, &known, acceleration);
+        resume(r, &known);
     else if (r->kept && !checkpoint_begin(&r->checkpoint, PROGRAM,
                                           s->command, s->output)) {
         table_abandon();
@@ -540,7 +535,8 @@ static bool make_table(struct run *r)
 /* Writes the last state as a scene. */
 static bool save_scene(struct run *r)
 {
-    motion_note(&r->motion);
+    if (!motion_note(&r->motion))
+        give_up("the scene to be saved");
     scene_write(&r->scene, r->save);
     return table_close(r->save);
 }

@@ -67,6 +67,7 @@ static void mutate(struct text *t, struct random *r)
         "1",     "7",      " ",
         "\n",    "#",      "sl",
         "pos",   "carry",  "9007199254740993",
+        "kept",  "vel",    "kept 0 1 2 -0",
         "e",     ".",      "-",
         "\r\n",  "\t",     "walls hard open open"};
     const struct text *other = &seeds[random_below(r, count)];

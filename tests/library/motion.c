@@ -2,9 +2,13 @@
    stays; how a run is cut, saved or resumed changes no bit. */
 #include "unit.h"
 
+#include "library/scene_same.h"
 #include "motion.h"
+#include "toolbox/table.h"
 
 #include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
 
 static void must(bool good, const char *what)
 {
@@ -206,28 +210,118 @@ static void test_cuts(void)
         }
 }
 
-/* From the places, the velocities, what sums carry and the acceleration a
-   run goes on to the same bits, wherever it was cut; without what sums
-   carry, or the acceleration, it does not. */
-static void resume(uint64_t cut, bool contact, bool carry,
-                   bool acceleration, bool same)
+static const char *const path = "build/tests/motion-saved.plist";
+
+/* Saves the motion to a file and reads that again. */
+static void save(struct motion *m, struct scene *again)
+{
+    must(motion_note(m), "no memory");
+    struct table *t = table_open("motion", path);
+    must(t != NULL, "no file");
+    scene_write(m->scene, t);
+    must(table_close(t) && scene_read(again, "motion", path), "no scene");
+    UNIT_TRUE(scene_same(m->scene, again));
+    unlink(path);
+}
+
+/* The ways in which a scene may be run. */
+enum { DAMPED = 1, COMPENSATED = 2, CONTACT = 4, SPRINGS = 8, WAYS = 16 };
+
+/* As build, without friction but with DAMPED; with SPRINGS nothing else
+   acts but the weight, and springs_forces take the place of the sum. */
+static void build_way(struct scene *s, int way)
+{
+    build(s, way & CONTACT);
+    if (way & SPRINGS)
+        s->k2 = s->damping = 0;
+    if (!(way & DAMPED))
+        s->damping = s->kind[0].damping = 0;
+}
+
+/* Saved after `cut` steps and read, a run goes on to the same bits, and
+   keeps an acceleration only where it must. Returns whether it has. */
+static bool goes_on(const char *method, int way, uint64_t cut)
 {
     struct scene s, t;
     struct motion m, n;
-    double kept[9];
-    build(&s, contact);
+    build_way(&s, way);
+    begin(&m, &s, method);
+    m.stepping.compensated = way & COMPENSATED;
+    motion_run(&m, cut);
+    save(&m, &t);
+    const bool kept = t.kept != NULL;
+    UNIT_TRUE(!kept || (strcmp(method, "leapfrog") == 0 && way & DAMPED));
+    UNIT_EQUAL(t.time, motion_time(&m));
+    begin(&n, &t, method);
+    UNIT_TRUE(n.stepping.compensated == !!(way & COMPENSATED));
+    motion_run(&m, 150);
+    motion_run(&n, 150);
+    must(motion_note(&m) && motion_note(&n), "no memory");
+    t.time = s.time; /* counted from another start: see below */
+    UNIT_TRUE(scene_same(&s, &t));
+    motion_end(&m);
+    motion_end(&n);
+    scene_free(&s);
+    scene_free(&t);
+    return kept;
+}
+
+static void test_saved(void)
+{
+    for (const struct stepping_method *m = stepping_methods; m->name; ++m)
+        for (int way = 0; way < WAYS; ++way) {
+            size_t kept = 0;
+            for (uint64_t cut = 1; cut < 400; cut += 57)
+                kept += goes_on(m->name, way, cut);
+            const bool must_keep =
+                strcmp(m->name, "leapfrog") == 0 && way & DAMPED;
+            UNIT_TRUE(must_keep == (kept > 0));
+        }
+}
+
+/* Saved right after a contact there is nothing to keep: the acceleration is
+   that of before, and either run asks for a new one. */
+static void test_saved_after_contact(void)
+{
+    struct scene s, t;
+    struct motion m, n;
+    build_way(&s, DAMPED | CONTACT);
+    begin(&m, &s, "leapfrog");
+    for (int k = 0; k < 1000 && m.collisions == 0; ++k)
+        motion_run(&m, 1);
+    UNIT_TRUE(m.collisions > 0);
+    save(&m, &t);
+    UNIT_TRUE(t.kept == NULL);
+    begin(&n, &t, "leapfrog");
+    motion_run(&m, 5);
+    motion_run(&n, 5);
+    UNIT_TRUE(is_same(&s, &t));
+    motion_end(&m);
+    motion_end(&n);
+    scene_free(&s);
+    scene_free(&t);
+}
+
+/* As a checkpoint has it, start and steps besides: the times are the same
+   as well. Without what sums carry, or the acceleration, all is not. */
+static void resume(uint64_t cut, bool carry, bool kept, bool same)
+{
+    struct scene s, t;
+    struct motion m, n;
+    build(&s, false);
+    s.time = 0.7;
     begin(&m, &s, "leapfrog");
     m.stepping.compensated = true;
     motion_run(&m, cut);
-    motion_note(&m);
-    must(scene_copy(&t, &s), "no memory");
+    save(&m, &t);
     if (!carry)
         memset(t.carry, 0, 18 * sizeof *t.carry);
-    memcpy(kept, m.stepping.acceleration, sizeof kept);
-    const bool fresh = m.stepping.fresh;
+    if (!kept) {
+        free(t.kept);
+        t.kept = NULL;
+    }
     begin(&n, &t, "leapfrog");
-    UNIT_TRUE(n.stepping.compensated);
-    motion_resume(&n, 0, cut, acceleration && fresh ? kept : NULL);
+    motion_resume(&n, 0.7, cut);
     motion_run(&m, 500);
     motion_run(&n, 500);
     UNIT_TRUE(is_same(&s, &t) == same);
@@ -240,12 +334,67 @@ static void resume(uint64_t cut, bool contact, bool carry,
 
 static void test_resume(void)
 {
-    for (uint64_t cut = 1; cut < 400; cut += 37) {
-        resume(cut, false, true, true, true);
-        resume(cut, true, true, true, true);
+    for (uint64_t cut = 1; cut < 400; cut += 37)
+        resume(cut, true, true, true);
+    resume(100, false, true, false);
+    resume(100, true, false, false);
+}
+
+/* An acceleration that is nonsense is in the scene: does it change a bit of
+   the motion? */
+static bool heeds(const char *method, int way, double dt)
+{
+    struct scene s, t;
+    struct motion m, n;
+    build_way(&s, way);
+    must(scene_copy(&t, &s), "no memory");
+    t.kept = calloc(9, sizeof *t.kept);
+    must(t.kept != NULL, "no memory");
+    for (size_t c = 0; c < 9; ++c)
+        t.kept[c] = 1e3;
+    must(motion_begin(&m, "motion", &s, method, dt), "no motion");
+    must(motion_begin(&n, "motion", &t, method, dt), "no motion");
+    UNIT_TRUE(motion_run(&m, 3) == motion_run(&n, 3));
+    const bool heeded = !is_same(&s, &t);
+    must(motion_note(&m) && motion_note(&n), "no memory");
+    UNIT_TRUE(heeded || scene_same(&s, &t));
+    motion_end(&m);
+    motion_end(&n);
+    scene_free(&s);
+    scene_free(&t);
+    return heeded;
+}
+
+static void test_heeded(void)
+{
+    for (const struct stepping_method *m = stepping_methods; m->name; ++m)
+        for (int way = 0; way < WAYS; ++way)
+            UNIT_TRUE(heeds(m->name, way, 0) ==
+                      (strcmp(m->name, "leapfrog") == 0 && way & DAMPED));
+    UNIT_TRUE(heeds("leapfrog", DAMPED, 0.01));
+    UNIT_TRUE(!heeds("leapfrog", DAMPED, 0.005));
+}
+
+/* What was kept is kept over no step at all, and forgotten by a method that
+   has no use for it. */
+static void test_forgotten(void)
+{
+    for (int way = 0; way < 2; ++way) {
+        struct scene s, t;
+        struct motion m;
+        build(&s, false);
+        begin(&m, &s, "leapfrog");
+        motion_run(&m, 10);
+        save(&m, &t);
+        UNIT_TRUE(t.kept != NULL && t.kept[5] != 0);
+        motion_end(&m);
+        begin(&m, &t, way ? "rk4" : "leapfrog");
+        must(motion_note(&m), "no memory");
+        UNIT_TRUE(way ? t.kept == NULL : scene_same(&s, &t));
+        motion_end(&m);
+        scene_free(&s);
+        scene_free(&t);
     }
-    resume(100, false, false, true, false);
-    resume(100, false, true, false, false);
 }
 
 /* A step after a contact begins with the acceleration where the bodies are
@@ -320,7 +469,13 @@ int main(void)
             {"a fall is exact", test_fall},
             {"an oscillator turns by leapfrog's angle", test_oscillator},
             {"how a run is cut changes no bit", test_cuts},
-            {"a resumed run goes on to the same bits", test_resume},
+            {"a saved run goes on to the same bits", test_saved},
+            {"saved right after a contact as well",
+             test_saved_after_contact},
+            {"and a resumed one to the same times", test_resume},
+            {"an acceleration that was kept is heeded where it counts",
+             test_heeded},
+            {"and forgotten where it does not", test_forgotten},
             {"after a contact the method looks again", test_contact},
             {"another stepper can take the method's place", test_outside},
             {0}});

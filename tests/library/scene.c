@@ -47,7 +47,7 @@ static void test_paper(void)
     UNIT_EQUAL(s.k2, 2.9584e-4);
     UNIT_EQUAL(s.dt, 0.03);
     UNIT_EQUAL(s.restitution, 1);
-    UNIT_TRUE(!s.contact && !s.axial && s.carry == NULL);
+    UNIT_TRUE(!s.contact && !s.axial && s.carry == NULL && s.kept == NULL);
     UNIT_EQUAL(s.softening, 0);
     scene_free(&s);
     UNIT_TRUE(s.mass == NULL);
@@ -89,10 +89,14 @@ static void test_ours(void)
     struct scene s;
     UNIT_TRUE(parse(&s, "pos 0 1 2 3 0 -1 .5\nspecies 0 4294967295\n"
                         "carry 0 1 2 3 4 5 6e-20\nsoft 1e-3\ntime -5\n"
+                        "kept 0 7 -0 8e-20\n"
                         "contact\nrestitution .9\ndashpot axial\n"
                         "walls hard periodic open\nbox 0 4 -1 1 3 3\n"));
     UNIT_EQUAL(s.species[0], 4294967295);
     UNIT_EQUAL(s.carry[5], 6e-20);
+    UNIT_EQUAL(s.kept[0], 7);
+    UNIT_TRUE(s.kept[1] == 0 && signbit(s.kept[1]));
+    UNIT_EQUAL(s.kept[2], 8e-20);
     UNIT_EQUAL(s.charge[0], -1);
     UNIT_EQUAL(s.softening, 1e-3);
     UNIT_EQUAL(s.time, -5);
@@ -114,6 +118,7 @@ struct refusal {
 
 #define P0 "pos 0 0 0 0 1 0 1\n"
 #define P1 "pos 1 2 0 0 1 0 1\n"
+#define P2 "pos 2 4 0 0 1 0 1\n"
 #define TWO P0 P1 "s 0 1 0\n"
 
 static const struct refusal refusals[] = {
@@ -136,6 +141,21 @@ static const struct refusal refusals[] = {
     {P0 "pos x 0 0 0 1 0 1\n", 2, "found 'x'"},
     {P0 "dis 1 0 0 0\n", 2, "body: 0 to 0 (lines pos: 1)"},
     {P0 "carry 3 0 0 0 0 0 0\n", 2, "body: 0 to 0 (lines pos: 1)"},
+    /* an acceleration for each, or for none */
+    {P0 "kept 1 0 0 0\n", 2, "found '1', expected body: 0 to 0 (lines pos"},
+    {P0 P1 P2 "\nkept 1 0 0 0\nkept 0 0 0 0\n", 5,
+     "found 'kept', expected one for each of the 3 bodies, or none (lines "
+     "kept: 2)"},
+    {"kept 1 0 0 0\n" P0 P1, 1, "of the 2 bodies, or none (lines kept: 1)"},
+    {P0 P1 "kept 1 0 0 0\nkept 1 0 0 0\n", 4,
+     "found '1', expected one without a line kept so far"},
+    {P0 P1 "kept 1 0 0 0\nkept 0 0 0 0\nkept 0 0 0 0\n", 5,
+     "found '0', expected one without a line kept so far"},
+    {P0 "kept 0 0 nan 0\n", 2, "found 'nan', expected ay: a number"},
+    {P0 "kept 0 0 0 -inf\n", 2, "found '-inf', expected az: a number"},
+    {P0 "kept 0 0 0\n", 2, "found the end of the line, expected az"},
+    {P0 "kept 0 0 0 0 0\n", 2, "found '0', expected the end of the line"},
+    {P0 "kept\n", 2, "found the end of the line, expected body"},
     /* numbers */
     {"pos 0 nan 0 0 1 0 1\n", 1, "found 'nan', expected x: a number"},
     {"pos 0 0 inf 0 1 0 1\n", 1, "found 'inf', expected y: a number"},
@@ -324,6 +344,8 @@ static void make_random(struct scene *s, struct random *r)
     fill(r, s->velocity, 3 * n);
     if (random_below(r, 2) && (s->carry = calloc(6 * n, sizeof(double))))
         fill(r, s->carry, random_below(r, 6 * n));
+    if (random_below(r, 2) && (s->kept = calloc(3 * n, sizeof(double))))
+        fill(r, s->kept, random_below(r, 3 * n));
     make_springs(s, r);
     make_box(s, r);
     fill(r, s->gravity, 3);

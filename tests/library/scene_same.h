@@ -38,8 +38,9 @@ static inline bool scene_same(const struct scene *a, const struct scene *b)
            SAME_LIST(a, b, 3 * n, colour) && SAME_LIST(a, b, n, species) &&
            !a->carry == !b->carry &&
            (!a->carry || SAME_LIST(a, b, 6 * n, carry)) &&
-           same_kinds(a, b) && SAME_LIST(a, b, 3, gravity) &&
-           same_double(a->k2, b->k2) &&
+           !a->kept == !b->kept &&
+           (!a->kept || SAME_LIST(a, b, 3 * n, kept)) && same_kinds(a, b) &&
+           SAME_LIST(a, b, 3, gravity) && same_double(a->k2, b->k2) &&
            same_double(a->softening, b->softening) &&
            same_double(a->damping, b->damping) &&
            same_double(a->dt, b->dt) && same_double(a->time, b->time) &&

@@ -99,6 +99,78 @@ $step "$w/ring" --until 200 -o "$w/c" --compensated --save "$w/half"
 $step "$w/half" --until 400 --every 200 -o "$w/c"
 holds 'a saved scene goes on to the same bits' \
     test "$(tail -n 1 "$w/a")" = "$(tail -n 1 "$w/c")"
+
+# Saved at a row in the middle, a scene goes on to the rows of a run in one
+# piece, by every method, with friction and without, compensated or not. The
+# step is 1/128, so that no time is rounded.
+# goes_on NAME SCENE OPTION...
+goes_on() {
+    run_of=$1 begun=$2
+    shift 2
+    set -- "$@" --dt 0.0078125 --every 0.25
+    : >"$w/b"
+    $step "$begun" "$@" --until 8 -o "$w/a" &&
+        $step "$begun" "$@" --until 4 -o "$w/c" --save "$w/saved" &&
+        $step "$w/saved" "$@" --until 8 -o "$w/b"
+    grep -v '^#' "$w/a" | tail -n 17 >"$w/whole"
+    grep -v '^#' "$w/b" >"$w/rest"
+    holds "$run_of: half of the rows" test "$(wc -l <"$w/rest")" -eq 17
+    holds "$run_of goes on to the same bytes" cmp "$w/whole" "$w/rest"
+}
+cat >"$w/rough" <<'E2'
+pos 0 0 0 0     1 0 0.1
+pos 1 1 0 0     1 0 0.1
+pos 2 2 0 0.3   2 0 0.1
+vfix 0 0 0 0
+s 0 50 0.3
+s 1 20 0
+sl 0 1 0
+sl 1 2 1
+k2 0.1
+soft 0.05
+grav 0 0 -1
+damp 0.01
+E2
+sed '/^damp/d; s/0.3$/0/' "$w/rough" >"$w/free"
+methods='euler symplectic-euler leapfrog rk4 yoshida4 yoshida6 pefrl kahan-li8
+    implicit-midpoint gauss4'
+$step "$w/free" --method rk8pd --dt 1 --until 1 -o "$w/a" 2>"$w/said" &&
+    methods="$methods rk8pd"
+for method in $methods; do
+    for from in free rough; do
+        goes_on "$from, $method" "$w/$from" --method "$method"
+        goes_on "$from, $method, compensated" "$w/$from" --method "$method" \
+            --compensated
+    done
+done
+# And where others compute the forces, or bodies meet.
+$scene membrane --nx 6 --ny 5 --damping 0.2 -o "$w/damped"
+goes_on 'a damped membrane' "$w/damped"
+$scene ring --particles 20 -o "$w/a"
+{ cat "$w/a"; echo 'damp 1e-9'; } >"$w/damped"
+goes_on 'a damped ring' "$w/damped"
+$scene cradle -o "$w/a"
+{ cat "$w/a"; echo 'damp 0.1'; } >"$w/damped"
+goes_on 'a damped cradle' "$w/damped"
+goes_on 'a damped cradle, compensated' "$w/damped" --compensated
+
+# What leapfrog has kept matters, and a part of it is no scene.
+$step "$w/rough" --dt 0.01 --until 4 -o "$w/c" --save "$w/saved"
+holds 'an acceleration for each body' test "$(grep -c '^kept ' "$w/saved")" -eq 3
+sed '/^kept/d' "$w/saved" >"$w/less"
+last() { $step "$@" --until 8 --track 2 -o "$w/a" && tail -n 1 "$w/a"; }
+holds 'without what was kept it is another run' \
+    test "$(last "$w/saved")" != "$(last "$w/less")"
+for option in '--method rk4' '--method yoshida4' '--dt 0.005'; do
+    # shellcheck disable=SC2086
+    holds "but not with $option" \
+        test "$(last "$w/saved" $option)" = "$(last "$w/less" $option)"
+done
+sed '/^kept 1/d' "$w/saved" >"$w/less"
+refuses 2 "less:[0-9]*: found 'kept', expected one for each of the 3 bodies" \
+    $step "$w/less"
+$step "$w/saved" --method rk4 --until 5 -o "$w/a" --save "$w/c"
+holds 'nobody else keeps one' sh -c "! grep '^kept' '$w/c'"
 $step "$w/ring" --until 400 --every 400 -o "$w/b"
 for kernel in avx2 avx512; do
     if ! $step "$w/ring" --until 400 --every 400 --kernel $kernel \

@@ -1,5 +1,5 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 3985794681 of the lines below */
+/* checksum 3071818873 of the lines below */
 #include "gravity.h"
 
 #include <math.h>
@@ -15,7 +15,12 @@ const char *const gravity_kernels[] = {"portable", "avx2", "avx512", NULL};
 bool gravity_create(struct gravity *g, size_t bodies, const double mass[],
                     double k2, double softening)
 {
-    *g = (struct gravity){bodies, mass, k2, softening, GRAVITY_PORTABLE, 1};
+    *g = (struct gravity){.bodies = bodies,
+                          .mass = mass,
+                          .k2 = k2,
+                          .softening = softening,
+                          .kernel = GRAVITY_PORTABLE,
+                          .threads = 1};
     return true;
 }
 
@@ -75,6 +80,35 @@ static void add_portable(const struct gravity *g, const double x[],
     pull(g, x, i, i + 1, g->bodies, sum);
     for (size_t k = 0; k < 3; ++k)
         a[k * g->bodies + i] += g->k2 * sum[k];
+}
+
+/* Adds to bodies first to last - 1 what body j pulls at them. */
+static void add_source(const struct gravity *g, const double x[],
+                       double a[], size_t j, size_t first, size_t last)
+{
+    const size_t n = g->bodies;
+    const double *y = x + n, *z = y + n;
+    const double least = g->softening * g->softening;
+    const double pull = g->k2 * g->mass[j];
+    double *b = a + n, *c = b + n;
+    for (size_t i = first; i < last; ++i) {
+        const double dx = x[j] - x[i], dy = y[j] - y[i], dz = z[j] - z[i];
+        const double s = dx * dx + dy * dy + dz * dz + least;
+        const double w = pull * g->share[i] / (s * sqrt(s));
+        a[i] += w * dx;
+        b[i] += w * dy;
+        c[i] += w * dz;
+    }
+}
+
+static void add_sources(const struct gravity *g, const double x[],
+                        double a[])
+{
+    for (size_t k = 0; k < g->sources; ++k) {
+        const size_t j = g->source[k];
+        add_source(g, x, a, j, 0, j);
+        add_source(g, x, a, j, j + 1, g->bodies);
+    }
 }
 
 #ifdef VECTORS
@@ -271,6 +305,10 @@ enum { FEW = 32 }; /* bodies up to which each pair is taken once */
 
 void gravity_add(const struct gravity *g, const double x[], double a[])
 {
+    if (g->source) {
+        add_sources(g, x, a);
+        return;
+    }
     if (g->bodies <= FEW) {
         add_pairs(g, x, a);
         return;

@@ -1,5 +1,5 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 1840339638 of the lines below */
+/* checksum 31613320 of the lines below */
 #ifndef GRAVITY_H
 #define GRAVITY_H
 
@@ -7,6 +7,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 /* How the sum is computed. All kernels sum in the same order; the vector
    kernels round otherwise, and by less than 1e-14 of each term. */
@@ -29,6 +30,10 @@ struct gravity {
     double softening;           /* m; 0: none */
     enum gravity_kernel kernel; /* more than 32 bodies: who sums */
     int threads;                /* and in how many threads */
+    const uint32_t *source;     /* NULL, or which bodies pull: no others */
+    size_t sources;             /* how many they are */
+    const double *share;        /* [bodies] if there are sources: a factor
+                                   on all that pulls at a body */
 };
 
 /* Prepares the sum over so many bodies: the portable kernel, one thread.

@@ -1,5 +1,5 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 3750473422 of the lines below */
+/* checksum 850865130 of the lines below */
 #include "hard.h"
 
 #include "toolbox/random.h"
@@ -404,15 +404,26 @@ const struct gallery_scene hard_scenes[] = {
       LINE_KEYS},
      build_galperin},
     {0}};
+/* Does anything happen outside the plane of x and y? */
+static bool is_deep(const struct scene *s)
+{
+    const double *z = s->position + 2 * s->bodies;
+    const double *v = s->velocity + 2 * s->bodies;
+    for (size_t i = 0; i < s->bodies; ++i)
+        if (z[i] != z[0] || v[i] != 0)
+            return true;
+    return false;
+}
+
 bool hard_disks(struct disks *d, const struct scene *s)
 {
     const size_t n = s->bodies;
-    if (!disks_create(d, 2, n))
+    if (!disks_create(d, is_deep(s) ? 3 : 2, n))
         return false;
     if (s->wall[0] == SCENE_PERIODIC)
         d->boundary = DISKS_PERIODIC;
     d->restitution = s->restitution;
-    for (size_t k = 0; k < 2; ++k) {
+    for (size_t k = 0; k < d->dimensions; ++k) {
         d->box[k] = s->high[k] - s->low[k];
         for (size_t i = 0; i < n; ++i) {
             d->disk[i].position[k] = s->position[k * n + i] - s->low[k];

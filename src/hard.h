@@ -1,5 +1,5 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 2121830679 of the lines below */
+/* checksum 2126099152 of the lines below */
 #ifndef HARD_H
 #define HARD_H
 
@@ -13,7 +13,8 @@
 /* Make of a scene what the engines of parts I and II start from. Both
    return false, with nothing to free, when there is no memory.
    hard_disks: the disks of a scene in a box of hard walls, or of periodic
-   ones, along x and y; the corner of the box goes to the origin.
+   ones, along x and y, and along z if anything happens there; the corner of
+   the box goes to the origin.
    hard_start: bodies that are free along x only, in order from left to
    right; walls at infinity where the scene has none. */
 bool hard_disks(struct disks *d, const struct scene *s);

@@ -1,5 +1,5 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 1655779598 of the lines below */
+/* checksum 3452371286 of the lines below */
 #include "modes.h"
 
 #include <math.h>
@@ -105,8 +105,8 @@ static void rotate(double matrix[], double shape[], size_t n, size_t i,
 {
     const double off = matrix[i * n + j];
     const double half = (matrix[j * n + j] - matrix[i * n + i]) / 2;
-    const double t =
-        (half < 0 ? -1 : 1) * off / (fabs(half) + hypot(half, off));
+    const double root = sqrt(half * half + off * off);
+    const double t = (half < 0 ? -1 : 1) * off / (fabs(half) + root);
     const double c = 1 / sqrt(1 + t * t), s = t * c;
     turn(matrix + i * n, matrix + j * n, n, 1, c, s);
     turn(matrix + i, matrix + j, n, n, c, s);

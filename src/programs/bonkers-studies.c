@@ -1,29 +1,22 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 1274494492 of the lines below */
+/* checksum 1038954044 of the lines below */
 #include "bonkers.h"
 #include "collide.h"
 #include "start.h"
 #include "toolbox/bench.h"
-#include "toolbox/options.h"
-#include "toolbox/progress.h"
 #include "toolbox/quad.h"
 #include "toolbox/random.h"
-#include "toolbox/table.h"
+#include "toolbox/study.h"
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #define PROGRAM "bonkers-studies"
 
 struct settings {
-    size_t study;
-    uint64_t most, seed; /* collisions, or particles for the speed */
+    uint64_t most; /* collisions, or particles for the speed */
     double until;
-    const char *output, *summary_path, *command;
-    struct table *out, *summary;
-    struct progress progress;
 };
 
 /* Ends the program where memory is short. */
@@ -33,11 +26,8 @@ static void begin_or_exit(struct bonkers *b, const struct start_wish *wish,
     struct start start;
     size_t wrong = 0;
     if (!start_fill(&start, wish) ||
-        !bonkers_begin(b, &start, 1, engine, &wrong) || wrong < b->gaps) {
-        fprintf(stderr, PROGRAM ": no memory for the particles\n");
-        table_abandon();
-        exit(EXIT_FAILURE);
-    }
+        !bonkers_begin(b, &start, 1, engine, &wrong) || wrong < b->gaps)
+        study_fail(PROGRAM, "no memory for the particles");
     start_free(&start);
 }
 
@@ -166,7 +156,7 @@ static double speed_of(struct bonkers *b)
 
 /* Medians of the engines' speeds at N; in speed[0] how much the slab
    engine did twice, per cent. */
-static void compare_engines(struct settings *s, size_t movers,
+static void compare_engines(struct study *s, size_t movers,
                             double speed[BONKERS_ENGINES])
 {
     const struct start_wish wish = {
@@ -190,8 +180,41 @@ static const size_t sizes[] = {4,    10,    30,     100,
                                1000, 10000, 100000, 1000000};
 enum { SIZES = sizeof sizes / sizeof sizes[0] };
 
-static bool study_speed(struct settings *s)
+/* Notes how much faster each engine is than the one before it. */
+static void note_ratios(struct table *summary, size_t movers,
+                        const double speed[])
 {
+    char key[64];
+    for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e) {
+        snprintf(key, sizeof key, "%s/%s-%zu", bonkers_engine_names[e],
+                 bonkers_engine_names[e - 1], movers);
+        table_real(summary, key, speed[e] / speed[e - 1]);
+    }
+    snprintf(key, sizeof key, "slab/scan-%zu", movers);
+    table_real(summary, key, speed[BONKERS_SLAB] / speed[BONKERS_SCAN]);
+}
+
+/* Notes what needs a million particles. */
+static void note_large(struct table *summary,
+                       double speed[SIZES][BONKERS_ENGINES])
+{
+    double most = 0, least = INFINITY;
+    for (int k = 4; k < 8; ++k) {
+        most = fmax(most, speed[k][BONKERS_SLAB]);
+        least = fmin(least, speed[k][BONKERS_SLAB]);
+    }
+    const double *thousand = speed[4], *million = speed[7];
+    table_real(summary, "slab/naive",
+               million[BONKERS_SLAB] / million[BONKERS_NAIVE]);
+    table_real(summary, "heap-slowdown",
+               thousand[BONKERS_HEAP] / million[BONKERS_HEAP]);
+    table_real(summary, "slab-spread", most / least);
+    table_real(summary, "redone-percent", million[0]);
+}
+
+static void study_speed(struct study *s)
+{
+    const struct settings *own = s->own;
     double speed[SIZES][BONKERS_ENGINES];
     size_t n = 0;
     bench_machine(s->out);
@@ -200,40 +223,15 @@ static bool study_speed(struct settings *s)
         table_column(s->out, bonkers_engine_names[e], "1/s",
                      "collisions a second of processor time");
     progress_begin(&s->progress, PROGRAM, SIZES, "sizes");
-    for (; n < SIZES && sizes[n] <= s->most; ++n) {
+    for (; n < SIZES && sizes[n] <= own->most && !progress_signal(); ++n) {
         compare_engines(s, sizes[n], speed[n]);
         table_print(s->out, "%-7zu %9.4g %9.4g %9.4g %9.4g\n", sizes[n],
                     speed[n][1], speed[n][2], speed[n][3], speed[n][4]);
+        note_ratios(s->summary, sizes[n], speed[n]);
         progress_update(&s->progress, n, 0);
-        if (progress_signal())
-            return false;
     }
-    for (size_t k = 0; k < n; ++k) {
-        char key[64];
-        for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e) {
-            snprintf(key, sizeof key, "%s/%s-%zu", bonkers_engine_names[e],
-                     bonkers_engine_names[e - 1], sizes[k]);
-            table_real(s->summary, key, speed[k][e] / speed[k][e - 1]);
-        }
-        snprintf(key, sizeof key, "slab/scan-%zu", sizes[k]);
-        table_real(s->summary, key,
-                   speed[k][BONKERS_SLAB] / speed[k][BONKERS_SCAN]);
-    }
-    if (n == SIZES) {
-        double most = 0, least = INFINITY;
-        for (int k = 4; k < 8; ++k) {
-            most = fmax(most, speed[k][BONKERS_SLAB]);
-            least = fmin(least, speed[k][BONKERS_SLAB]);
-        }
-        const double *thousand = speed[4], *million = speed[7];
-        table_real(s->summary, "slab/naive",
-                   million[BONKERS_SLAB] / million[BONKERS_NAIVE]);
-        table_real(s->summary, "heap-slowdown",
-                   thousand[BONKERS_HEAP] / million[BONKERS_HEAP]);
-        table_real(s->summary, "slab-spread", most / least);
-        table_real(s->summary, "redone-percent", million[0]);
-    }
-    return true;
+    if (n == SIZES)
+        note_large(s->summary, speed);
 }
 
 /* For random velocities of two masses: how often g - q is a tie, and how
@@ -265,11 +263,8 @@ static void throw_coins(struct table *summary, const char *name,
 
 static void begin_whole_ratio(struct bonkers *b)
 {
-    if (!bonkers_create(b, 3, 1, BONKERS_SCAN)) {
-        fprintf(stderr, PROGRAM ": no memory for the particles\n");
-        table_abandon();
-        exit(EXIT_FAILURE);
-    }
+    if (!bonkers_create(b, 3, 1, BONKERS_SCAN))
+        study_fail(PROGRAM, "no memory for the particles");
     b->body[1] = (struct bonkers_body){1, 1, 0, 1};
     b->body[2] = (struct bonkers_body){2, -0.3, 0, 0.5};
     b->body[3] = (struct bonkers_body){3, 0.77, 0, 1 / 1.5};
@@ -290,43 +285,61 @@ static uint64_t next_stop(uint64_t n)
                             : 10 * decade;
 }
 
-static bool study_drift(struct settings *s)
+/* The runs, and their energies at the start. */
+struct drift {
+    struct bonkers mixed, whole;
+    struct line single;
+    double mixed_energy, whole_energy;
+};
+
+static void begin_drift(struct drift *d)
 {
     const struct start_wish wish = {.kind = START_MIXED};
-    struct bonkers b, two;
-    double error = 0, single_error = 0, two_error = 0;
-    begin_or_exit(&b, &wish, BONKERS_SCAN);
-    struct line single;
-    const double start = bonkers_energy(&b);
-    line_copy(&single, &b, LINE_SINGLE);
-    begin_whole_ratio(&two);
-    const double two_start = bonkers_energy(&two);
-    progress_begin(&s->progress, PROGRAM, s->most, "collisions");
+    begin_or_exit(&d->mixed, &wish, BONKERS_SCAN);
+    line_copy(&d->single, &d->mixed, LINE_SINGLE);
+    begin_whole_ratio(&d->whole);
+    d->mixed_energy = bonkers_energy(&d->mixed);
+    d->whole_energy = bonkers_energy(&d->whole);
+}
+
+/* Runs on to collision n; error: of the double, whole and single runs. */
+static void drift_on(struct drift *d, uint64_t n, double error[3])
+{
+    bonkers_run(&d->mixed, INFINITY, n);
+    bonkers_run(&d->whole, INFINITY, n);
+    error[0] = bonkers_energy(&d->mixed) / d->mixed_energy - 1;
+    error[1] = bonkers_energy(&d->whole) / d->whole_energy - 1;
+    if (n <= SINGLE_MOST)
+        error[2] =
+            line_energy(line_run(&d->single, n)) / d->mixed_energy - 1;
+}
+
+static void study_drift(struct study *s)
+{
+    const struct settings *own = s->own;
+    struct drift d;
+    double error[3] = {0};
+    begin_drift(&d);
+    progress_begin(&s->progress, PROGRAM, own->most, "collisions");
     table_column(s->out, "n", "", "collisions");
     table_column(s->out, "double", "", "relative error of the energy");
     table_column(s->out, "whole", "", "the same, masses 1, 2 and 1.5");
     table_column(s->out, "float", "", "the same in single precision");
-    for (uint64_t n = 100; n <= s->most && !progress_signal();
+    for (uint64_t n = 100; n <= own->most && !progress_signal();
          n = next_stop(n)) {
-        bonkers_run(&b, INFINITY, n);
-        bonkers_run(&two, INFINITY, n);
-        error = bonkers_energy(&b) / start - 1;
-        two_error = bonkers_energy(&two) / two_start - 1;
-        if (n <= SINGLE_MOST)
-            single_error = line_energy(line_run(&single, n)) / start - 1;
+        drift_on(&d, n, error);
         table_row(s->out, 4,
-                  (double[]){(double)n, error, two_error,
-                             n <= SINGLE_MOST ? single_error : NAN});
+                  (double[]){(double)n, error[0], error[1],
+                             n <= SINGLE_MOST ? error[2] : NAN});
         progress_update(&s->progress, n, n);
     }
-    table_real(s->summary, "energy_error", error);
-    table_real(s->summary, "energy_error_whole", two_error);
-    table_real(s->summary, "energy_error_float", single_error);
+    table_real(s->summary, "energy_error", error[0]);
+    table_real(s->summary, "energy_error_whole", error[1]);
+    table_real(s->summary, "energy_error_float", error[2]);
     throw_coins(s->summary, "whole", 1, 2);
     throw_coins(s->summary, "mixed", 1, 1 / 0.9);
-    bonkers_free(&b);
-    bonkers_free(&two);
-    return !progress_signal();
+    bonkers_free(&d.mixed);
+    bonkers_free(&d.whole);
 }
 
 static void turn_round(struct bonkers *b)
@@ -378,15 +391,29 @@ static double line_miss(enum line_kind kind, uint64_t n)
     return worst;
 }
 
-static bool study_reverse(struct settings *s)
+static void note_misses(struct table *summary, uint64_t n,
+                        const double row[])
 {
-    progress_begin(&s->progress, PROGRAM, s->most, "collisions");
+    static const char *const keys[] = {"scan", "biased", "float"};
+    char key[32];
+    if (n != 1000 && n != 5000 && n != 10000 && n != 100000 && n != 1000000)
+        return;
+    for (int k = 0; k < 3; ++k) {
+        snprintf(key, sizeof key, "%s_%d", keys[k], (int)n);
+        table_real(summary, key, row[2 + k]);
+    }
+}
+
+static void study_reverse(struct study *s)
+{
+    const struct settings *own = s->own;
+    progress_begin(&s->progress, PROGRAM, own->most, "collisions");
     table_column(s->out, "n", "", "collisions there, and as many back");
     table_column(s->out, "naive", "m", "largest error of a position");
     table_column(s->out, "scan", "m", "the same");
     table_column(s->out, "biased", "m", "the same, difference form");
     table_column(s->out, "float", "m", "the same in single precision");
-    for (uint64_t n = 100; n <= s->most && !progress_signal();
+    for (uint64_t n = 100; n <= own->most && !progress_signal();
          n = next_stop(n)) {
         const double row[] = {(double)n, miss(BONKERS_NAIVE, n),
                               miss(BONKERS_SCAN, n),
@@ -394,18 +421,8 @@ static bool study_reverse(struct settings *s)
                               n <= 10000 ? line_miss(LINE_SINGLE, n) : NAN};
         table_row(s->out, 5, row);
         progress_update(&s->progress, n, 2 * n);
-        char key[32];
-        if (n == 1000 || n == 5000 || n == 10000 || n == 100000 ||
-            n == 1000000) {
-            snprintf(key, sizeof key, "scan_%d", (int)n);
-            table_real(s->summary, key, row[2]);
-            snprintf(key, sizeof key, "biased_%d", (int)n);
-            table_real(s->summary, key, row[3]);
-            snprintf(key, sizeof key, "float_%d", (int)n);
-            table_real(s->summary, key, row[4]);
-        }
+        note_misses(s->summary, n, row);
     }
-    return !progress_signal();
 }
 
 /* Walks for this many steps of dt. */
@@ -438,12 +455,12 @@ static double distance(const struct line *truth,
     return sqrt(sum / (double)(truth->gaps - 1));
 }
 
-/* Walks from the start to the time s->until, again and again; returns the
+/* Walks from the start to the time until, again and again; returns the
    processor time of once, s. body: where it ended. */
-static double time_walk(const struct settings *s, const struct bonkers *b,
-                        double dt, struct bonkers_body body[])
+static double time_walk(double until, const struct bonkers *b, double dt,
+                        struct bonkers_body body[])
 {
-    const uint64_t steps = (uint64_t)(s->until / dt + 0.5);
+    const uint64_t steps = (uint64_t)(until / dt + 0.5);
     const double start = bench_seconds();
     double seconds = 0;
     int times = 0;
@@ -453,13 +470,12 @@ static double time_walk(const struct settings *s, const struct bonkers *b,
         seconds = bench_seconds() - start;
     }
     for (size_t i = 0; i <= b->gaps; ++i)
-        body[i].since = s->until;
+        body[i].since = until;
     return seconds / times;
 }
 
 /* The same for an engine. */
-static double time_events(const struct settings *s,
-                          const struct start_wish *wish,
+static double time_events(double until, const struct start_wish *wish,
                           struct bonkers_body body[], uint64_t *collisions)
 {
     double seconds = 0;
@@ -468,7 +484,7 @@ static double time_events(const struct settings *s,
         struct bonkers b;
         begin_or_exit(&b, wish, BONKERS_SCAN);
         const double start = bench_seconds();
-        bonkers_run(&b, s->until, UINT64_MAX);
+        bonkers_run(&b, until, UINT64_MAX);
         seconds += bench_seconds() - start;
         *collisions = b.collisions;
         memcpy(body, b.body, (b.gaps + 1) * sizeof body[0]);
@@ -477,8 +493,17 @@ static double time_events(const struct settings *s,
     return seconds / times;
 }
 
-static bool study_steps(struct settings *s)
+static void name_steps(struct table *out)
 {
+    bench_machine(out);
+    table_column(out, "dt", "s", "step; 0: event-driven");
+    table_column(out, "seconds", "s", "processor time of one run");
+    table_column(out, "error", "m", "root mean square error of positions");
+}
+
+static void study_steps(struct study *s)
+{
+    const struct settings *own = s->own;
     const struct start_wish wish = {.kind = START_MIXED};
     struct bonkers_body body[LINE_BODIES];
     struct bonkers b;
@@ -486,18 +511,13 @@ static bool study_steps(struct settings *s)
     uint64_t n = 0;
     begin_or_exit(&b, &wish, BONKERS_SCAN);
     line_copy(&truth, &b, LINE_WIDE);
-    line_run_to(&truth, s->until);
-    bench_machine(s->out);
-    table_column(s->out, "dt", "s", "step; 0: event-driven");
-    table_column(s->out, "seconds", "s", "processor time of one run");
-    table_column(s->out, "error", "m",
-                 "root mean square error of positions");
-    progress_begin(&s->progress, PROGRAM, 0, "steps");
-    double seconds = time_events(s, &wish, body, &n), dt = 0.1;
+    line_run_to(&truth, own->until);
+    name_steps(s->out);
+    double seconds = time_events(own->until, &wish, body, &n), dt = 0.1;
     const double error = distance(&truth, body);
     table_print(s->out, "%-9d %9.4g %9.4g\n", 0, seconds, error);
     for (; dt > 0.9e-6 && !progress_signal(); dt /= 2) {
-        seconds = time_walk(s, &b, dt, body);
+        seconds = time_walk(own->until, &b, dt, body);
         table_print(s->out, "%-9.4g %9.4g %9.4g\n", dt, seconds,
                     distance(&truth, body));
     }
@@ -505,7 +525,6 @@ static bool study_steps(struct settings *s)
     table_real(s->summary, "error_events", error);
     table_real(s->summary, "smallest_step", 2 * dt);
     bonkers_free(&b);
-    return !progress_signal();
 }
 
 /* The number of collisions, or 0 when they collapse. */
@@ -525,12 +544,11 @@ static uint64_t count_until_still(double restitution)
     return n;
 }
 
-static bool study_collapse(struct settings *s)
+static void study_collapse(struct study *s)
 {
     const double pi = acos(-1);
     double border = 0;
     uint64_t next = 0;
-    progress_begin(&s->progress, PROGRAM, 0, "collisions");
     table_column(s->out, "e", "", "restitution");
     table_column(s->out, "n", "", "collisions; 0: without end");
     table_column(s->out, "theory", "", "two to a round, pi/phi rounds");
@@ -548,7 +566,6 @@ static bool study_collapse(struct settings *s)
     }
     table_real(s->summary, "border", border);
     table_count(s->summary, "next", next);
-    return !progress_signal();
 }
 
 /* Strikes a row of n touching bodies, with masses from 1 to 5, at one end.
@@ -574,9 +591,8 @@ static uint64_t strike(size_t n, uint64_t seed, double apart, bool right)
     return count;
 }
 
-static bool study_row(struct settings *s)
+static void study_row(struct study *s)
 {
-    progress_begin(&s->progress, PROGRAM, 0, "collisions");
     table_column(s->out, "N", "", "bodies in the row");
     table_column(s->out, "left", "", "collisions, struck from the left");
     table_column(s->out, "right", "", "collisions, struck from the right");
@@ -593,7 +609,6 @@ static bool study_row(struct settings *s)
             table_real(s->summary, "apart", row[3]);
         }
     }
-    return !progress_signal();
 }
 
 enum { SHOWN = 60, EVENTS = 32 };
@@ -622,121 +637,117 @@ static size_t gap_of_now(const struct bonkers *b)
     return i;
 }
 
-static bool study_islands(struct settings *s)
+static struct {
+    struct trail trail[SHOWN + 2];
+    size_t hits[SHOWN + 1]; /* of a gap */
+} slab;
+
+static void fill_slab(struct bonkers *b, double until)
 {
-    const struct start_wish wish = {
-        .kind = START_RANDOM, .movers = SHOWN, .seed = s->seed};
-    static struct trail trail[SHOWN + 2];
-    static size_t hits[SHOWN + 1];
-    struct bonkers b;
-    begin_or_exit(&b, &wish, BONKERS_SCAN);
-    progress_begin(&s->progress, PROGRAM, 0, "collisions");
-    for (size_t i = 0; i <= b.gaps; ++i)
-        add_point(&trail[i], b.body[i].x, 0);
-    while (bonkers_run(&b, s->until, b.collisions + 1) != BONKERS_TIME) {
-        const size_t i = gap_of_now(&b);
-        ++hits[i];
-        add_point(&trail[i], b.body[i].x, b.now);
-        add_point(&trail[i + 1], b.body[i].x, b.now);
+    for (size_t i = 0; i <= b->gaps; ++i)
+        add_point(&slab.trail[i], b->body[i].x, 0);
+    while (bonkers_run(b, until, b->collisions + 1) != BONKERS_TIME) {
+        const size_t i = gap_of_now(b);
+        ++slab.hits[i];
+        add_point(&slab.trail[i], b->body[i].x, b->now);
+        add_point(&slab.trail[i + 1], b->body[i].x, b->now);
     }
-    size_t island = 0, last = 0;
-    table_print(s->out,
-                "# x [m], t [s] of a body; an empty line after each\n");
-    for (size_t i = 0; i <= b.gaps; ++i) {
-        add_point(&trail[i],
-                  b.body[i].x + b.body[i].v * (b.now - b.body[i].since),
-                  b.now);
-        for (size_t k = 0; k < trail[i].count; ++k)
-            table_print(s->out, "%.6f %.6f\n", trail[i].x[k],
-                        trail[i].t[k]);
-        table_print(s->out, "\n");
-    }
-    table_print(s->out, "\n# x, t of a collision, its island\n");
-    for (size_t i = 0; i < b.gaps; ++i) {
-        if (hits[i] > 0 && (island == 0 || i > last + 2))
-            ++island;
-        last = hits[i] > 0 ? i : last;
-        for (size_t k = 1; hits[i] > 0 && k + 1 < trail[i].count; ++k)
-            for (size_t j = 1; j + 1 < trail[i + 1].count; ++j)
-                if (trail[i].t[k] == trail[i + 1].t[j])
-                    table_print(s->out, "%.6f %.6f %zu\n", trail[i].x[k],
-                                trail[i].t[k], island);
-    }
-    table_count(s->summary, "islands", island);
-    table_count(s->summary, "collisions", b.collisions);
-    bonkers_free(&b);
-    return true;
+    for (size_t i = 0; i <= b->gaps; ++i)
+        add_point(&slab.trail[i],
+                  b->body[i].x + b->body[i].v * (b->now - b->body[i].since),
+                  b->now);
 }
 
-static const struct {
-    bool (*run)(struct settings *s);
-} studies[] = {{study_speed}, {study_drift},    {study_reverse},
-               {study_steps}, {study_collapse}, {study_islands},
-               {study_row}};
+static void write_trails(struct table *out, size_t gaps)
+{
+    table_print(out,
+                "# x [m], t [s] of a body; an empty line after each\n");
+    for (size_t i = 0; i <= gaps; ++i) {
+        const struct trail *t = &slab.trail[i];
+        for (size_t k = 0; k < t->count; ++k)
+            table_print(out, "%.6f %.6f\n", t->x[k], t->t[k]);
+        table_print(out, "\n");
+    }
+}
 
-static const char *const study_names[] = {"speed", "drift",    "reverse",
-                                          "steps", "collapse", "islands",
-                                          "row",   NULL};
+/* Writes the collisions of gap i, which belongs to this island. */
+static void write_gap(struct table *out, size_t i, size_t island)
+{
+    const struct trail *t = &slab.trail[i], *next = t + 1;
+    for (size_t k = 1; k + 1 < t->count; ++k)
+        for (size_t j = 1; j + 1 < next->count; ++j)
+            if (t->t[k] == next->t[j])
+                table_print(out, "%.6f %.6f %zu\n", t->x[k], t->t[k],
+                            island);
+}
+
+/* Writes all collisions; returns the number of islands. */
+static size_t write_islands(struct table *out, size_t gaps)
+{
+    size_t island = 0, last = 0;
+    table_print(out, "\n# x, t of a collision, its island\n");
+    for (size_t i = 0; i < gaps; ++i) {
+        if (slab.hits[i] == 0)
+            continue;
+        if (island == 0 || i > last + 2)
+            ++island;
+        last = i;
+        write_gap(out, i, island);
+    }
+    return island;
+}
+
+static void study_islands(struct study *s)
+{
+    const struct settings *own = s->own;
+    const struct start_wish wish = {
+        .kind = START_RANDOM, .movers = SHOWN, .seed = s->seed};
+    struct bonkers b;
+    begin_or_exit(&b, &wish, BONKERS_SCAN);
+    fill_slab(&b, own->until);
+    write_trails(s->out, b.gaps);
+    table_count(s->summary, "islands", write_islands(s->out, b.gaps));
+    table_count(s->summary, "collisions", b.collisions);
+    bonkers_free(&b);
+}
+
+static const struct study_entry studies[] = {
+    {"speed", study_speed, "collisions in a second, by engine"},
+    {"drift", study_drift, "of the energy"},
+    {"reverse", study_reverse, "how the way back is missed"},
+    {"steps", study_steps, "walking instead of events"},
+    {"collapse", study_collapse, "two balls and a wall"},
+    {"islands", study_islands, "the collisions of a slab"},
+    {"row", study_row, "of bodies that touch"},
+    {0}};
 
 static const struct options_entry entries[] = {
-    {"study", 'y', "NAME",
-     "speed, drift, reverse, steps, collapse, islands or row"},
     {"collisions", 'c', "N", "drift, reverse: most collisions (1000000)"},
     {"particles", 'N', "N", "speed: most particles (1000000)"},
     {"until", 't', "T", "steps, islands: length of the run, s (10)"},
-    {"seed", 's', "S", "of the random numbers (1)"},
-    {"output", 'o', "FILE", "for the table (standard output)"},
-    {"summary", 'S', "FILE", "for the results as lines: key value"},
     {0}};
 
-static void read_settings(struct settings *s, int argc, char *argv[])
+static void take_option(struct options *o, int letter, void *settings)
 {
-    struct options o;
-    int option;
-    bool chosen = false;
-    *s = (struct settings){.most = 1000000,
-                           .seed = 1,
-                           .until = 10,
-                           .summary_path = "/dev/null"};
-    options_begin(&o, PROGRAM, "Measure the engines of bonkers.", entries,
-                  argc, argv);
-    while ((option = options_next(&o)) != -1)
-        switch (option) {
-        case 'y':
-            s->study = options_choice(&o, study_names);
-            chosen = true;
-            break;
-        case 'c': s->most = options_count(&o, 100, 1000000000000); break;
-        case 'N': s->most = options_count(&o, 4, BONKERS_MOVERS); break;
-        case 't': s->until = options_real(&o, 1e-3, 1000); break;
-        case 's': s->seed = options_count(&o, 0, UINT64_MAX); break;
-        case 'o': s->output = options_text(&o); break;
-        case 'S': s->summary_path = options_text(&o); break;
-        }
-    s->command = options_command(&o);
-    if (!chosen)
-        options_fail(&o, "--study is needed: %s", entries[0].help);
-    if (strcmp(s->summary_path, s->output ? s->output : "-") == 0 &&
-        strcmp(s->summary_path, "/dev/null") != 0)
-        options_fail(&o, "--summary and the table would both go to '%s'",
-                     s->summary_path);
+    struct settings *own = settings;
+    switch (letter) {
+    case 'c': own->most = options_count(o, 100, 1000000000000); break;
+    case 'N': own->most = options_count(o, 4, BONKERS_MOVERS); break;
+    case 't': own->until = options_real(o, 1e-3, 1000); break;
+    }
 }
 
 int main(int argc, char *argv[])
 {
-    struct settings s;
-    read_settings(&s, argc, argv);
-    s.out = table_open(PROGRAM, s.output);
-    s.summary = table_open(PROGRAM, s.summary_path);
-    if (!s.out || !s.summary)
-        return table_discard(s.out), table_discard(s.summary), EXIT_FAILURE;
-    progress_catch_signals();
-    table_begin(s.out, s.command, s.seed);
-    const bool done = studies[s.study].run(&s);
-    const bool whole = progress_end(&s.progress) && done;
-    const bool written = table_close(s.out);
-    if (whole && written)
-        return table_close(s.summary) ? EXIT_SUCCESS : EXIT_FAILURE;
-    table_discard(s.summary);
-    return EXIT_FAILURE;
+    struct settings own = {.most = 1000000, .until = 10};
+    const struct study_program program = {
+        .name = PROGRAM,
+        .purpose = "Measure the engines of bonkers.",
+        .events = "collisions",
+        .studies = studies,
+        .seeds = UINT64_MAX,
+        .options = entries,
+        .take = take_option,
+        .own = &own};
+    return study_main(&program, argc, argv);
 }

@@ -1,16 +1,13 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 722913583 of the lines below */
+/* checksum 2317370412 of the lines below */
 #include "disks.h"
 #include "toolbox/bench.h"
-#include "toolbox/options.h"
-#include "toolbox/progress.h"
 #include "toolbox/quad.h"
 #include "toolbox/random.h"
-#include "toolbox/table.h"
+#include "toolbox/study.h"
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #define PROGRAM "disks-studies"
@@ -18,13 +15,9 @@
 enum { MOST_STARTS = 100000 };
 
 struct settings {
-    size_t study;
-    uint64_t samples, seed;
+    uint64_t samples;
     uint64_t starts; /* 0: what the study takes */
     double every;    /* s */
-    const char *output, *summary_path, *command;
-    struct table *out, *summary;
-    struct progress progress;
 };
 
 /* Count disks of radius r in a square box with walls, all of the speed v.
@@ -40,9 +33,7 @@ static void begin_or_exit(struct disks *d, size_t count, double r,
         if (disks_place_lattice(d) && disks_plan(d))
             return;
     }
-    fprintf(stderr, PROGRAM ": no memory or no room for the disks\n");
-    table_abandon();
-    exit(EXIT_FAILURE);
+    study_fail(PROGRAM, "no memory or no room for the disks");
 }
 
 static const double radius = 0.15; /* of the four in a box of 1 m */
@@ -127,52 +118,71 @@ static void sample(struct loop *l, double bins[])
     }
 }
 
-static void study_clock(struct settings *s)
+enum { OURS, ARTICLE, MENDED, CLOCKS };
+
+static const char *const clocks[CLOCKS] = {"clock", "article", "mended"};
+
+/* Lets one of the three sample the four disks; the energy at the start. */
+static double sample_by(int way, const struct study *s, struct loop *l,
+                        double bins[BINS])
 {
-    static const char *const names[] = {"clock", "article", "mended"};
-    static double bins[3][BINS];
-    for (int way = 0; way < 3; ++way) {
-        struct loop l = {.slip = way == 1 ? -1 : 1};
-        begin_four(&l.d, 1, s->seed);
-        const double energy = disks_energy(&l.d);
-        l.next = disks_next(&l.d);
-        for (uint64_t k = 1; k <= s->samples; ++k) {
-            if (way == 0)
-                go_to(&l, (double)k * s->every);
-            else
-                turn(&l, s->every);
-            sample(&l, bins[way]);
-        }
-        const double impulse = l.d.impulse[0] + l.d.impulse[1];
-        const double nkt = disks_energy(&l.d); /* 2 E / D */
-        const double edge = (bins[way][15] + bins[way][84]) / 16 * BINS;
-        const double values[] = {
-            impulse / (4 * nkt * l.t), l.overlap,
-            disks_energy(&l.d) / energy - 1,
-            (edge / (double)s->samples / 2.630625 - 1) *
-                100}; /* direct sampling */
-        static const char *const keys[] = {"Z", "overlap", "energy",
-                                           "edge"};
-        for (int k = 0; k < 4; ++k) {
-            char key[32];
-            snprintf(key, sizeof key, "%s_%s", keys[k], names[way]);
-            table_real(s->summary, key, values[k]);
-        }
-        disks_free(&l.d);
+    const struct settings *own = s->own;
+    begin_four(&l->d, 1, s->seed);
+    const double energy = disks_energy(&l->d);
+    l->next = disks_next(&l->d);
+    for (uint64_t k = 1; k <= own->samples; ++k) {
+        if (way == OURS)
+            go_to(l, (double)k * own->every);
+        else
+            turn(l, own->every);
+        sample(l, bins);
     }
+    return energy;
+}
+
+/* Notes the pressure, the energy and the density at the edge. */
+static void sum_up(struct study *s, const char *name, const struct loop *l,
+                   double energy, const double bins[BINS])
+{
+    const struct settings *own = s->own;
+    const double impulse = l->d.impulse[0] + l->d.impulse[1];
+    const double nkt = disks_energy(&l->d); /* 2 E / D */
+    const double edge = (bins[15] + bins[84]) / 16 * BINS;
+    const double values[] = {impulse / (4 * nkt * l->t), l->overlap,
+                             disks_energy(&l->d) / energy - 1,
+                             (edge / (double)own->samples / 2.630625 - 1) *
+                                 100}; /* direct sampling */
+    static const char *const keys[] = {"Z", "overlap", "energy", "edge"};
+    for (int k = 0; k < 4; ++k) {
+        char key[32];
+        snprintf(key, sizeof key, "%s_%s", keys[k], name);
+        table_real(s->summary, key, values[k]);
+    }
+}
+
+static void study_clock(struct study *s)
+{
+    const struct settings *own = s->own;
+    static double bins[CLOCKS][BINS];
     table_column(s->out, "x", "m", "lower edge of the bin");
-    for (int way = 0; way < 3; ++way)
-        table_column(s->out, names[way], "1/m", "density of a coordinate");
+    for (int way = 0; way < CLOCKS; ++way) {
+        struct loop l = {.slip = way == ARTICLE ? -1 : 1};
+        const double energy = sample_by(way, s, &l, bins[way]);
+        sum_up(s, clocks[way], &l, energy, bins[way]);
+        disks_free(&l.d);
+        table_column(s->out, clocks[way], "1/m", "density of a coordinate");
+    }
+    const double scale = BINS / (8 * (double)own->samples);
     for (int bin = 0; bin < BINS; ++bin) {
-        const double scale = BINS / (8 * (double)s->samples);
-        const double row[] = {(double)bin / BINS, bins[0][bin] * scale,
-                              bins[1][bin] * scale, bins[2][bin] * scale};
-        table_row(s->out, 4, row);
+        double row[1 + CLOCKS] = {(double)bin / BINS};
+        for (int way = 0; way < CLOCKS; ++way)
+            row[1 + way] = bins[way][bin] * scale;
+        table_row(s->out, 1 + CLOCKS, row);
     }
 }
 
 /* A row: where the first disk is now. */
-static void record(struct settings *s, struct loop *l)
+static void record(struct study *s, struct loop *l)
 {
     double place[DISKS_AXES];
     disks_position(&l->d, 0, place);
@@ -192,8 +202,9 @@ static void go_on(struct loop *l, int way, int k, double every)
         l->d.now = 1.5;
 }
 
-static void study_timeline(struct settings *s)
+static void study_timeline(struct study *s)
 {
+    const struct settings *own = s->own;
     table_column(s->out, "t", "s", "events; clock times; the article's");
     table_column(s->out, "x", "m", "of the first disk");
     table_column(s->out, "y", "m", "of the first disk");
@@ -205,7 +216,7 @@ static void study_timeline(struct settings *s)
         l.next = disks_next(&l.d);
         record(s, &l);
         for (int k = 1; l.d.now < 1.5 && k < 1000; ++k) {
-            go_on(&l, way, k, s->every);
+            go_on(&l, way, k, own->every);
             record(s, &l);
         }
         table_print(s->out, "\n\n");
@@ -238,11 +249,12 @@ static double miss(struct disks *d, double t, double *collisions)
 }
 
 /* The median miss of four disks of energy e after the time t. */
-static double median_miss(const struct settings *s, double e, double t,
+static double median_miss(const struct study *s, double e, double t,
                           double *collisions)
 {
     static double worst[MOST_STARTS];
-    const uint64_t starts = s->starts ? s->starts : 101;
+    const struct settings *own = s->own;
+    const uint64_t starts = own->starts ? own->starts : 101;
     *collisions = 0;
     for (uint64_t i = 0; i < starts; ++i) {
         struct disks d;
@@ -255,7 +267,7 @@ static double median_miss(const struct settings *s, double e, double t,
     return bench_median(worst, starts);
 }
 
-static void study_reverse(struct settings *s)
+static void study_reverse(struct study *s)
 {
     double one[16], four[16], n = 0, other;
     table_column(s->out, "t", "s", "times the root of E: there, and back");
@@ -337,10 +349,11 @@ static void throw_kind(int kind, double size, struct random *r, double x[],
 }
 
 /* Throws pairs of one kind, and keeps the worst two errors of them. */
-static void worst_of(const struct settings *s, int kind, double size,
+static void worst_of(const struct study *s, int kind, double size,
                      struct random *r, double worst[])
 {
-    const uint64_t pairs = s->starts ? s->starts : 1000;
+    const struct settings *own = s->own;
+    const uint64_t pairs = own->starts ? own->starts : 1000;
     const double scale = kind == GRAZE ? 1 : size;
     for (uint64_t i = 0; i < pairs; ++i) {
         double x[3], v[3], book, ours;
@@ -353,7 +366,7 @@ static void worst_of(const struct settings *s, int kind, double size,
     }
 }
 
-static void study_contact(struct settings *s)
+static void study_contact(struct study *s)
 {
     static const char *const keys[] = {"time", "place",      "book",
                                        "ours", "book_exact", "ours_exact"};
@@ -391,30 +404,26 @@ static bool collapses(struct disks *d, size_t n, double restitution,
     return disks_run(d, INFINITY, 100 * n) == DISKS_COLLAPSE;
 }
 
-static void study_collapse(struct settings *s)
+static double share_of_collapses(struct study *s, size_t n, double e)
 {
-    const uint64_t starts = s->starts ? s->starts : 10;
-    static const size_t sizes[] = {10, 30, 100};
-    struct disks d;
-    table_column(s->out, "e", "", "restitution");
-    table_column(s->out, "p_10", "",
-                 "share of starts that collapse, N = 10");
-    table_column(s->out, "p_30", "", "the same, N = 30");
-    table_column(s->out, "p_100", "", "the same, N = 100");
-    for (double e = 0.05; e < 0.99 && !progress_signal(); e += 0.05) {
-        double row[] = {e, 0, 0, 0};
-        for (int k = 0; k < 3; ++k)
-            for (uint64_t i = 0; i < starts; ++i) {
-                row[k + 1] += collapses(&d, sizes[k], e, s->seed + i);
-                disks_free(&d);
-            }
-        for (int k = 1; k < 4; ++k)
-            row[k] /= (double)starts;
-        table_row(s->out, 4, row);
+    const struct settings *own = s->own;
+    const uint64_t starts = own->starts ? own->starts : 10;
+    double collapsed = 0;
+    for (uint64_t i = 0; i < starts; ++i) {
+        struct disks d;
+        collapsed += collapses(&d, n, e, s->seed + i);
+        disks_free(&d);
     }
+    return collapsed / (double)starts;
+}
+
+/* Writes down the end of one of the runs. */
+static void write_end(struct study *s)
+{
+    struct disks d;
+    double last = 0;
     table_print(s->out, "\n\n# the end: x y, 1 if it collides for ever\n");
     collapses(&d, 100, 0.4, s->seed);
-    double last = 0;
     for (size_t i = 0; i < d.count; ++i) {
         double place[DISKS_AXES];
         disks_position(&d, i, place);
@@ -426,6 +435,23 @@ static void study_collapse(struct settings *s)
     table_real(s->summary, "time", d.now);
     table_real(s->summary, "collisions", (double)d.collisions);
     disks_free(&d);
+}
+
+static void study_collapse(struct study *s)
+{
+    static const size_t sizes[] = {10, 30, 100};
+    table_column(s->out, "e", "", "restitution");
+    table_column(s->out, "p_10", "",
+                 "share of starts that collapse, N = 10");
+    table_column(s->out, "p_30", "", "the same, N = 30");
+    table_column(s->out, "p_100", "", "the same, N = 100");
+    for (double e = 0.05; e < 0.99 && !progress_signal(); e += 0.05) {
+        double row[4] = {e};
+        for (int k = 0; k < 3; ++k)
+            row[k + 1] = share_of_collapses(s, sizes[k], e);
+        table_row(s->out, 4, row);
+    }
+    write_end(s);
 }
 
 /* Lets so many collisions happen, every pair looked at. */
@@ -454,33 +480,37 @@ static double speed_of(struct disks *d, bool plan)
     return (double)(d->collisions + d->wall_collisions - before) / seconds;
 }
 
-static void study_speed(struct settings *s)
+/* A row: both engines with n disks. */
+static void compare_engines(struct study *s, size_t n)
+{
+    const double length = sqrt((double)n * 0.785398163397448 / 0.3);
+    double rounds[2][BENCH_ROUNDS], row[] = {(double)n, 0, 0};
+    struct random r;
+    struct disks d[2];
+    for (int way = 0; way < 2; ++way) {
+        random_seed(&r, s->seed);
+        begin_or_exit(&d[way], n, 0.5, length, 1, &r);
+    }
+    for (int round = -1; round < BENCH_ROUNDS; ++round)
+        for (int way = 0; way < 2; ++way)
+            rounds[way][round < 0 ? 0 : round] =
+                speed_of(&d[way], way == 1);
+    for (int way = 0; way < 2; ++way) {
+        row[1 + way] = bench_median(rounds[way], BENCH_ROUNDS);
+        disks_free(&d[way]);
+    }
+    table_row(s->out, 3, row);
+}
+
+static void study_speed(struct study *s)
 {
     bench_machine(s->out);
     table_column(s->out, "N", "", "disks");
     table_column(s->out, "pairs", "1/s",
                  "collisions, every pair looked at");
     table_column(s->out, "plan", "1/s", "collisions, a plan remembered");
-    for (size_t n = 4; n <= 1024 && !progress_signal(); n *= 2) {
-        const double length = sqrt((double)n * 0.785398163397448 / 0.3);
-        double rounds[2][BENCH_ROUNDS];
-        struct random r;
-        struct disks d[2];
-        for (int way = 0; way < 2; ++way) {
-            random_seed(&r, s->seed);
-            begin_or_exit(&d[way], n, 0.5, length, 1, &r);
-        }
-        for (int round = -1; round < BENCH_ROUNDS; ++round)
-            for (int way = 0; way < 2; ++way)
-                rounds[way][round < 0 ? 0 : round] =
-                    speed_of(&d[way], way == 1);
-        double row[] = {(double)n, 0, 0};
-        for (int way = 0; way < 2; ++way) {
-            row[1 + way] = bench_median(rounds[way], BENCH_ROUNDS);
-            disks_free(&d[way]);
-        }
-        table_row(s->out, 3, row);
-    }
+    for (size_t n = 4; n <= 1024 && !progress_signal(); n *= 2)
+        compare_engines(s, n);
 }
 
 /* Z of a run of so many collisions, and the seconds that it took. */
@@ -507,9 +537,30 @@ static double pressure_of(uint64_t collisions, uint64_t seed, bool plan,
 
 enum { RUNS = 32 };
 
-static void study_pressure(struct settings *s)
+static const double reference = 2.69889; /* direct sampling, +- 0.00031 */
+
+/* Fills a row: the times of both engines, error and bias of runs of
+   row[0] collisions. Returns in how many the engines differed. */
+static double find_errors(uint64_t seed, double row[5])
 {
-    const double reference = 2.69889; /* direct sampling, +- 0.00031 */
+    const uint64_t count = (uint64_t)row[0];
+    double different = 0;
+    for (uint64_t run = 0; run < RUNS; ++run) {
+        const double z = pressure_of(count, seed + run, true, &row[2]);
+        const double off = z - reference;
+        different += z != pressure_of(count, seed + run, false, &row[1]);
+        row[3] += off * off;
+        row[4] += off;
+    }
+    for (int k = 1; k < 5; ++k)
+        row[k] /= RUNS;
+    row[3] = sqrt(row[3]);
+    return different;
+}
+
+static void study_pressure(struct study *s)
+{
+    const struct settings *own = s->own;
     double different = 0;
     bench_machine(s->out);
     table_column(s->out, "n", "", "collisions of a run");
@@ -518,96 +569,55 @@ static void study_pressure(struct settings *s)
     table_column(s->out, "plan", "s", "processor time, a plan remembered");
     table_column(s->out, "error", "", "rms of Z - 2.69889");
     table_column(s->out, "bias", "", "mean of Z - 2.69889");
-    for (double n = 100; n <= (double)s->samples && !progress_signal();
+    for (double n = 100; n <= (double)own->samples && !progress_signal();
          n *= sqrt(10)) {
-        double row[] = {floor(n), 0, 0, 0, 0};
-        for (uint64_t run = 0; run < RUNS; ++run) {
-            const uint64_t count = (uint64_t)row[0], seed = s->seed + run;
-            const double z = pressure_of(count, seed, true, &row[2]);
-            const double off = z - reference;
-            different += z != pressure_of(count, seed, false, &row[1]);
-            row[3] += off * off;
-            row[4] += off;
-        }
-        for (int k = 1; k < 5; ++k)
-            row[k] /= RUNS;
-        row[3] = sqrt(row[3]);
+        double row[5] = {floor(n)};
+        different += find_errors(s->seed, row);
         table_row(s->out, 5, row);
     }
     table_real(s->summary, "different", different);
 }
 
-static void (*const studies[])(struct settings *s) = {
-    study_clock,    study_timeline, study_reverse, study_contact,
-    study_collapse, study_speed,    study_pressure};
-
-static const char *const study_names[] = {"clock",    "timeline", "reverse",
-                                          "contact",  "collapse", "speed",
-                                          "pressure", NULL};
+static const struct study_entry studies[] = {
+    {"clock", study_clock, "three programs, right and wrong"},
+    {"timeline", study_timeline, "what they write down"},
+    {"reverse", study_reverse, "how soon the way back is lost"},
+    {"contact", study_contact, "errors of the time of contact"},
+    {"collapse", study_collapse, "disks that collide for ever"},
+    {"speed", study_speed, "collisions in a second"},
+    {"pressure", study_pressure, "its error against time"},
+    {0}};
 
 static const struct options_entry entries[] = {
-    {"study", 'y', "NAME",
-     "clock, timeline, reverse, contact, collapse,\nspeed or pressure"},
     {"every", 'e', "DT", "clock, timeline: time step, s (0.01)"},
     {"samples", 'k', "K",
      "clock: samples; pressure: longest run (1000000)"},
     {"starts", 'n', "N",
      "how many, of reverse (101) and collapse (10);\ncontact: pairs "
      "(1000)"},
-    {"seed", 's', "S", "of the random numbers (1)"},
-    {"output", 'o', "FILE", "for the table (standard output)"},
-    {"summary", 'S', "FILE", "for the results as lines: key value"},
     {0}};
 
-static void read_settings(struct settings *s, int argc, char *argv[])
+static void take_option(struct options *o, int letter, void *settings)
 {
-    struct options o;
-    int option;
-    bool chosen = false;
-    *s = (struct settings){.samples = 1000000,
-                           .seed = 1,
-                           .every = 0.01,
-                           .summary_path = "/dev/null"};
-    options_begin(&o, PROGRAM, "Measure hard disks, and what fails.",
-                  entries, argc, argv);
-    while ((option = options_next(&o)) != -1)
-        switch (option) {
-        case 'y':
-            s->study = options_choice(&o, study_names);
-            chosen = true;
-            break;
-        case 'e': s->every = options_real(&o, 1e-6, 1); break;
-        case 'k': s->samples = options_count(&o, 1, 1000000000); break;
-        case 'n': s->starts = options_count(&o, 1, MOST_STARTS); break;
-        case 's': s->seed = options_count(&o, 0, UINT64_MAX); break;
-        case 'o': s->output = options_text(&o); break;
-        case 'S': s->summary_path = options_text(&o); break;
-        }
-    s->command = options_command(&o);
-    if (!chosen)
-        options_fail(&o, "--study is needed: %s", entries[0].help);
-    if (strcmp(s->summary_path, s->output ? s->output : "-") == 0 &&
-        strcmp(s->summary_path, "/dev/null") != 0)
-        options_fail(&o, "--summary and the table would both go to '%s'",
-                     s->summary_path);
+    struct settings *own = settings;
+    switch (letter) {
+    case 'e': own->every = options_real(o, 1e-6, 1); break;
+    case 'k': own->samples = options_count(o, 1, 1000000000); break;
+    case 'n': own->starts = options_count(o, 1, MOST_STARTS); break;
+    }
 }
 
 int main(int argc, char *argv[])
 {
-    struct settings s;
-    read_settings(&s, argc, argv);
-    s.out = table_open(PROGRAM, s.output);
-    s.summary = table_open(PROGRAM, s.summary_path);
-    if (!s.out || !s.summary)
-        return table_discard(s.out), table_discard(s.summary), EXIT_FAILURE;
-    progress_catch_signals();
-    progress_begin(&s.progress, PROGRAM, 0, "collisions");
-    table_begin(s.out, s.command, s.seed);
-    studies[s.study](&s);
-    const bool whole = progress_end(&s.progress);
-    const bool written = table_close(s.out);
-    if (whole && written)
-        return table_close(s.summary) ? EXIT_SUCCESS : EXIT_FAILURE;
-    table_discard(s.summary);
-    return EXIT_FAILURE;
+    struct settings own = {.samples = 1000000, .every = 0.01};
+    const struct study_program program = {
+        .name = PROGRAM,
+        .purpose = "Measure hard disks, and what fails.",
+        .events = "collisions",
+        .studies = studies,
+        .seeds = UINT64_MAX,
+        .options = entries,
+        .take = take_option,
+        .own = &own};
+    return study_main(&program, argc, argv);
 }

@@ -1,14 +1,11 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 785297310 of the lines below */
+/* checksum 205048335 of the lines below */
 #include "celestial.h"
 #include "gravity.h"
 #include "kepler.h"
 #include "stepping.h"
 #include "toolbox/bench.h"
-#include "toolbox/options.h"
-#include "toolbox/progress.h"
-#include "toolbox/random.h"
-#include "toolbox/table.h"
+#include "toolbox/study.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -18,14 +15,18 @@
 #define PROGRAM "gravity-studies"
 
 struct settings {
-    size_t study, kernel;
-    uint64_t seed, threads;
     double orbits; /* 0: what the study takes */
     double factor, moon, mixed;
-    const char *output, *summary_path, *command;
-    struct table *out, *summary;
-    struct progress progress;
+    size_t kernel;
+    uint64_t threads; /* 0: what the study takes */
 };
+
+/* How long a study runs, in its own unit, if nothing else was asked for. */
+static double duration(const struct study *s, double usual)
+{
+    const struct settings *own = s->own;
+    return own->orbits > 0 ? own->orbits : usual;
+}
 
 /* A scene, what pulls in it, and the method that moves it. */
 struct sky {
@@ -40,13 +41,6 @@ struct wish {
     double value;
 };
 
-static _Noreturn void give_up(const char *why)
-{
-    fprintf(stderr, PROGRAM ": %s\n", why);
-    table_abandon();
-    exit(EXIT_FAILURE);
-}
-
 static void make_scene(struct scene *s, const char *name,
                        const struct wish wishes[])
 {
@@ -57,7 +51,7 @@ static void make_scene(struct scene *s, const char *name,
         value[gallery_key(g, wishes->key)] = wishes->value;
     const char *wrong = g->build(s, value);
     if (wrong)
-        give_up(wrong);
+        study_fail(PROGRAM, wrong);
 }
 
 static void begin_sky(struct sky *k, const char *name,
@@ -70,7 +64,7 @@ static void begin_sky(struct sky *k, const char *name,
     if (!stepping_begin(&k->stepping, stepping_find(method),
                         gravity_forces(&k->gravity), dt, s->position,
                         s->velocity))
-        give_up("no memory");
+        study_fail(PROGRAM, "no memory");
 }
 
 static void end_sky(struct sky *k)
@@ -106,7 +100,7 @@ static double length(const double x[3])
 }
 
 /* Time and drift of the paper's listing: one year in its own steps. */
-static void measure_year(struct settings *s)
+static void measure_year(struct study *s)
 {
     struct sky k;
     double x[3], v[3], a, e, t;
@@ -130,23 +124,42 @@ static void measure_year(struct settings *s)
     end_sky(&k);
 }
 
-/* Five years in steps of two days: the closed form, and two methods. */
-static void study_sun_earth(struct settings *s)
+/* k: Euler's and leapfrog's sky; the closed form has the Earth at x. */
+static void compare_with_laws(struct study *s, struct sky k[2],
+                              const double x[3], double pull)
 {
-    static const char *const methods[] = {"euler", "leapfrog"};
+    const double turned = sqrt(pull) * 913 * 2, h = sqrt(pull) * 2;
+    double after[3], v[3];
+    seen_from_first(&k[0].scene, 1, after, v);
+    table_real(s->summary, "euler_radius", length(after));
+    table_real(s->summary, "euler_law", cbrt(1 + 6 * h * turned));
+    seen_from_first(&k[1].scene, 1, after, v);
+    const double off[3] = {after[0] - x[0], after[1] - x[1], 0};
+    table_real(s->summary, "leapfrog_error", length(off));
+    table_real(s->summary, "leapfrog_law", turned * h * h / 3);
+}
+
+static void name_paths(struct table *out)
+{
+    table_column(out, "t", "d", "time");
+    table_column(out, "x", "AU", "the Earth from the Sun, closed form");
+    table_column(out, "y", "AU", "");
+    table_column(out, "x_e", "AU", "Euler's method");
+    table_column(out, "y_e", "AU", "");
+    table_column(out, "x_l", "AU", "leapfrog");
+    table_column(out, "y_l", "AU", "");
+}
+
+/* Five years in steps of two days: the closed form, and two methods. */
+static void study_sun_earth(struct study *s)
+{
     struct sky k[2];
     double x[3], v[3], u[3], after[3];
-    for (int i = 0; i < 2; ++i)
-        begin_sky(&k[i], "sun-earth", (struct wish[]){{0}}, methods[i], 2);
+    begin_sky(&k[0], "sun-earth", (struct wish[]){{0}}, "euler", 2);
+    begin_sky(&k[1], "sun-earth", (struct wish[]){{0}}, "leapfrog", 2);
     const double pull = k[0].scene.k2 * (1 + k[0].scene.mass[1]);
     seen_from_first(&k[0].scene, 1, x, v);
-    table_column(s->out, "t", "d", "time");
-    table_column(s->out, "x", "AU", "the Earth from the Sun, closed form");
-    table_column(s->out, "y", "AU", "");
-    table_column(s->out, "x_e", "AU", "Euler's method");
-    table_column(s->out, "y_e", "AU", "");
-    table_column(s->out, "x_l", "AU", "leapfrog");
-    table_column(s->out, "y_l", "AU", "");
+    name_paths(s->out);
     for (int n = 0; n <= 912; ++n) {
         double row[7] = {2. * n, x[0], x[1]};
         for (int i = 0; i < 2; ++i) {
@@ -158,20 +171,13 @@ static void study_sun_earth(struct settings *s)
         table_row(s->out, 7, row);
         kepler_move(pull, 2, x, v);
     }
-    seen_from_first(&k[0].scene, 1, after, u);
-    table_real(s->summary, "euler_radius", length(after));
-    const double turned = sqrt(pull) * 913 * 2, h = sqrt(pull) * 2;
-    table_real(s->summary, "euler_law", cbrt(1 + 6 * h * turned));
-    seen_from_first(&k[1].scene, 1, after, u);
-    double off[3] = {after[0] - x[0], after[1] - x[1], 0};
-    table_real(s->summary, "leapfrog_error", length(off));
-    table_real(s->summary, "leapfrog_law", turned * h * h / 3);
-    for (int i = 0; i < 2; ++i)
-        end_sky(&k[i]);
+    compare_with_laws(s, k, x, pull);
+    end_sky(&k[0]);
+    end_sky(&k[1]);
     measure_year(s);
 }
 
-static void study_anomaly(struct settings *s)
+static void study_anomaly(struct study *s)
 {
     static const double e[] = {0.1, 0.5, 0.9, 0.99};
     table_column(s->out, "M", "rad", "mean anomaly");
@@ -212,11 +218,30 @@ static double orbit_error(double e, const char *method, double evaluations)
     return error;
 }
 
-static void study_eccentric(struct settings *s)
+static void write_long_path(struct table *out)
+{
+    struct sky k;
+    const double axis = 1 / 1.95;
+    const double period = 2 * KEPLER_PI / CELESTIAL_K * axis * sqrt(axis);
+    begin_sky(&k, "sun-earth",
+              (struct wish[]){{"mass", 0}, {"speed", sqrt(0.05)}, {0}},
+              "leapfrog", period / 1000);
+    table_print(out,
+                "\n\n# e = 0.95, leapfrog, 1000 steps an orbit: x y\n");
+    for (int n = 0; n <= 6000; ++n) {
+        table_print(out, "%.5f %.5f\n", k.scene.position[1],
+                    k.scene.position[3]);
+        stepping_run(&k.stepping, 1);
+    }
+    end_sky(&k);
+}
+
+static void study_eccentric(struct study *s)
 {
     static const char *const methods[] = {"leapfrog", "rk4", "kahan-li8"};
     static const double e[] = {0,  .1,  .2, .3,  .4,  .5,  .6,  .7,
                                .8, .85, .9, .93, .95, .97, .98, .99};
+    char key[24];
     table_column(s->out, "e", "", "eccentricity");
     for (int i = 0; i < 3; ++i)
         table_column(s->out, methods[i], "",
@@ -226,23 +251,37 @@ static void study_eccentric(struct settings *s)
         for (int i = 0; i < 3; ++i)
             row[1 + i] = orbit_error(e[n], methods[i], 1e4);
         table_row(s->out, 4, row);
+        snprintf(key, sizeof key, "kahan-li8_%g", e[n]);
+        table_real(s->summary, key, row[3]);
     }
     table_real(s->summary, "leapfrog", orbit_error(.99, methods[0], 1e4));
     table_real(s->summary, "more", orbit_error(.99, methods[0], 1e6));
-    struct sky k;
-    const double axis = 1 / 1.95;
-    const double period = 2 * KEPLER_PI / CELESTIAL_K * axis * sqrt(axis);
-    begin_sky(&k, "sun-earth",
-              (struct wish[]){{"mass", 0}, {"speed", sqrt(0.05)}, {0}},
-              "leapfrog", period / 1000);
-    table_print(s->out,
-                "\n\n# e = 0.95, leapfrog, 1000 steps an orbit: x y\n");
-    for (int n = 0; n <= 6000; ++n) {
-        table_print(s->out, "%.5f %.5f\n", k.scene.position[1],
-                    k.scene.position[3]);
-        stepping_run(&k.stepping, 1);
+    write_long_path(s->out);
+}
+
+/* Puts the planet, which weighs nothing, where the elements say. */
+static void begin_fall(struct sky *k, const char *method, double step,
+                       double softening, const struct kepler_elements *o)
+{
+    double x[3], v[3];
+    begin_sky(k, "sun-earth", (struct wish[]){{"mass", 0}, {0}}, method,
+              step);
+    k->gravity.softening = softening;
+    kepler_place(CELESTIAL_K2, o, x, v);
+    for (size_t i = 0; i < 3; ++i) {
+        k->scene.position[2 * i + 1] = x[i];
+        k->scene.velocity[2 * i + 1] = v[i];
     }
-    end_sky(&k);
+}
+
+/* The relative change of the planet's energy since it was at 1 AU. */
+static double energy_change(const double x[3], const double v[3],
+                            double softening)
+{
+    const double mu = CELESTIAL_K2, r0 = sqrt(1 + softening * softening);
+    const double before = mu / 2 - mu / r0;
+    const double r = sqrt(length(x) * length(x) + softening * softening);
+    return fabs(length(v) * length(v) / 2 - mu / r - before) / (mu / 2);
 }
 
 /* A fall past the Sun from 1 AU to 1 AU, on an ellipse of axis 1 AU that
@@ -252,54 +291,61 @@ static void fall(double q, const char *method, double dt, double softening,
                  double *energy, double *place)
 {
     struct sky k;
-    const double half = KEPLER_PI / 2 - (1 - q), mu = CELESTIAL_K2;
+    const double half = KEPLER_PI / 2 - (1 - q);
     struct kepler_elements o = {1, 1 - q, 0, 0, 0, -half};
-    double x[3], v[3];
+    double x[3], v[3], right[3];
     const double time = 2 * half / CELESTIAL_K;
     const uint64_t steps = (uint64_t)ceil(time / dt);
-    begin_sky(&k, "sun-earth", (struct wish[]){{"mass", 0}, {0}}, method,
-              time / (double)steps);
-    k.gravity.softening = softening;
-    kepler_place(mu, &o, x, v);
-    for (size_t i = 0; i < 3; ++i) {
-        k.scene.position[2 * i + 1] = x[i];
-        k.scene.velocity[2 * i + 1] = v[i];
-    }
-    /* the planet weighs nothing: its energy per mass */
-    const double r0 = sqrt(1 + softening * softening);
-    const double before = mu / 2 - mu / r0;
+    begin_fall(&k, method, time / (double)steps, softening, &o);
     stepping_run(&k.stepping, steps);
     seen_from_first(&k.scene, 1, x, v);
-    const double r = sqrt(length(x) * length(x) + softening * softening);
-    *energy = fabs(length(v) * length(v) / 2 - mu / r - before) / (mu / 2);
+    *energy = energy_change(x, v, softening);
     o.mean_anomaly = half;
-    double right[3];
-    kepler_place(mu, &o, right, v);
+    kepler_place(CELESTIAL_K2, &o, right, v);
     for (size_t i = 0; i < 3; ++i)
         x[i] -= right[i];
     *place = length(x);
     end_sky(&k);
 }
 
-static void study_encounter(struct settings *s)
+enum { FALLS = 3 };
+
+static const char *const fall_columns[2 * FALLS] = {"dE_l", "dE_k", "dE_s",
+                                                    "dx_l", "dx_k", "dx_s"};
+
+static void name_falls(struct table *out)
+{
+    table_column(out, "q", "AU", "closest approach");
+    table_column(out, fall_columns[0], "", "energy: leapfrog");
+    table_column(out, fall_columns[1], "", "energy: kahan-li8");
+    table_column(out, fall_columns[2], "", "energy: leapfrog, softened");
+    table_column(out, fall_columns[3], "AU", "place: leapfrog");
+    table_column(out, fall_columns[4], "AU", "place: kahan-li8");
+    table_column(out, fall_columns[5], "AU", "place: leapfrog, softened");
+}
+
+static void study_encounter(struct study *s)
 {
     const double dt = 0.01;
-    double error[4], place[4];
-    table_column(s->out, "q", "AU", "closest approach");
-    table_column(s->out, "dE_l", "", "energy: leapfrog");
-    table_column(s->out, "dE_k", "", "energy: kahan-li8");
-    table_column(s->out, "dE_s", "", "energy: leapfrog, softened");
-    table_column(s->out, "dx_l", "AU", "place: leapfrog");
-    table_column(s->out, "dx_k", "AU", "place: kahan-li8");
-    table_column(s->out, "dx_s", "AU", "place: leapfrog, softened");
+    double worst[2] = {0};
+    char key[24];
+    name_falls(s->out);
     for (double q = 0.3; q > 2e-6; q /= sqrt(sqrt(10))) {
-        fall(q, "leapfrog", dt, 0, &error[0], &place[0]);
-        fall(q, "kahan-li8", dt * 17, 0, &error[1], &place[1]);
-        fall(q, "leapfrog", dt, 0.01, &error[2], &place[2]);
-        table_row(s->out, 7,
-                  (double[]){q, error[0], error[1], error[2], place[0],
-                             place[1], place[2]});
+        double row[1 + 2 * FALLS] = {q}, *energy = row + 1,
+                           *place = energy + FALLS;
+        fall(q, "leapfrog", dt, 0, &energy[0], &place[0]);
+        fall(q, "kahan-li8", dt * 17, 0, &energy[1], &place[1]);
+        fall(q, "leapfrog", dt, 0.01, &energy[2], &place[2]);
+        table_row(s->out, 1 + 2 * FALLS, row);
+        for (int k = 0; k < 2 * FALLS; ++k) {
+            snprintf(key, sizeof key, "%s_%.2g", fall_columns[k], q);
+            table_real(s->summary, key, row[1 + k]);
+        }
+        worst[0] = fmax(worst[0], energy[2]);
+        worst[1] = fmax(worst[1], place[2]);
     }
+    table_real(s->summary, "dE_s", worst[0]);
+    table_real(s->summary, "dx_s", worst[1]);
 }
 
 static const double jupiters[] = {1, 30, 100, 300};
@@ -328,11 +374,19 @@ static double lose_saturn(double jupiter)
     return error;
 }
 
-static void study_planets(struct settings *s)
+/* The eccentricities of the Earth and of Mars; then five years on. */
+static void five_years(struct sky *k, double eccentricity[2])
+{
+    eccentricity[0] = eccentricity_of(&k->scene, 3);
+    eccentricity[1] = eccentricity_of(&k->scene, 4);
+    stepping_run(&k->stepping, 300);
+}
+
+static void study_planets(struct study *s)
 {
     struct sky k[JUPITERS];
-    double before[JUPITERS], error[JUPITERS] = {0};
-    const double years = s->orbits ? s->orbits : 1000;
+    double before[JUPITERS], error = 0;
+    const double years = duration(s, 1000);
     table_column(s->out, "t", "a", "time, in years of 365.25 days");
     for (int i = 0; i < JUPITERS; ++i) {
         begin_sky(
@@ -345,16 +399,13 @@ static void study_planets(struct settings *s)
     }
     for (double t = 0; t <= years && !progress_signal(); t += 5) {
         double row[1 + 2 * JUPITERS] = {t};
-        for (int i = 0; i < JUPITERS; ++i) {
-            row[1 + 2 * i] = eccentricity_of(&k[i].scene, 3);
-            row[2 + 2 * i] = eccentricity_of(&k[i].scene, 4);
-            stepping_run(&k[i].stepping, 300);
-            error[i] =
-                fmax(error[i], fabs(energy_of(&k[i]) / before[i] - 1));
-        }
+        for (int i = 0; i < JUPITERS; ++i)
+            five_years(&k[i], row + 1 + 2 * i);
         table_row(s->out, 1 + 2 * JUPITERS, row);
+        const int last = JUPITERS - 1;
+        error = fmax(error, fabs(energy_of(&k[last]) / before[last] - 1));
     }
-    table_real(s->summary, "energy_300", error[JUPITERS - 1]);
+    table_real(s->summary, "energy_300", error);
     table_real(s->summary, "eight", lose_saturn(300));
     for (int i = 0; i < JUPITERS; ++i)
         end_sky(&k[i]);
@@ -362,7 +413,7 @@ static void study_planets(struct settings *s)
 
 /* Writes the paths of the stars and of a planet that begins at this
    distance, for so many days. */
-static void write_paths(struct settings *s, double distance, double days)
+static void write_paths(struct study *s, double distance, double days)
 {
     struct sky k;
     begin_sky(&k, "circumbinary",
@@ -378,7 +429,7 @@ static void write_paths(struct settings *s, double distance, double days)
     end_sky(&k);
 }
 
-static void study_circumbinary(struct settings *s)
+static void study_circumbinary(struct study *s)
 {
     struct sky k;
     table_print(s->out, "# paths of Kepler-16, AU and days\n");
@@ -424,9 +475,9 @@ static int survivors(double distance, double periods)
     return alive;
 }
 
-static void study_survival(struct settings *s)
+static void study_survival(struct study *s)
 {
-    const double periods = s->orbits ? s->orbits : 1000;
+    const double periods = duration(s, 1000);
     double safe = 0;
     table_column(s->out, "a", "", "distance, the stars' being 1");
     table_column(s->out, "r", "AU", "the same");
@@ -471,12 +522,26 @@ static void precision(const char *method, double evaluations,
     end_sky(&k);
 }
 
-static void study_work(struct settings *s)
+static void note_precision(struct table *summary, const char *method,
+                           double evaluations, double energy, double place)
+{
+    static const int quoted[] = {100, 141, 200, 800, 1600};
+    char key[40];
+    for (size_t i = 0; i < sizeof quoted / sizeof quoted[0]; ++i)
+        if (quoted[i] == (int)round(evaluations)) {
+            snprintf(key, sizeof key, "dE_%s_%d", method, quoted[i]);
+            table_real(summary, key, energy);
+            snprintf(key, sizeof key, "dx_%s_%d", method, quoted[i]);
+            table_real(summary, key, place);
+        }
+}
+
+static void study_work(struct study *s)
 {
     static const char *const methods[] = {
         "symplectic-euler", "leapfrog", "rk4", "yoshida4", "pefrl",
         "yoshida6",         "kahan-li8"};
-    const double periods = s->orbits ? s->orbits : 100;
+    const double periods = duration(s, 100);
     table_column(s->out, "f", "", "evaluations in a period of the stars");
     table_column(s->out, "dE", "", "largest error of the energy");
     table_column(s->out, "dx", "AU", "error of place after 400 d");
@@ -487,6 +552,7 @@ static void study_work(struct settings *s)
             precision(methods[i], n, periods, &energy, &place);
             if (energy < 1)
                 table_row(s->out, 3, (double[]){n, energy, place});
+            note_precision(s->summary, methods[i], n, energy, place);
         }
     }
 }
@@ -513,7 +579,7 @@ struct broken {
 };
 
 /* Lets a choreography run until it breaks; writes how far it is off. */
-static struct broken run_until_broken(struct settings *s, size_t count)
+static struct broken run_until_broken(struct study *s, size_t count)
 {
     struct sky k;
     struct broken b = {0};
@@ -540,7 +606,7 @@ static struct broken run_until_broken(struct settings *s, size_t count)
 }
 
 /* Writes a line of the summary, with the number of bodies in its key. */
-static void tell(struct settings *s, const char *what, size_t count,
+static void tell(struct study *s, const char *what, size_t count,
                  double value)
 {
     char key[40];
@@ -548,7 +614,7 @@ static void tell(struct settings *s, const char *what, size_t count,
     table_real(s->summary, key, value);
 }
 
-static void study_choreography(struct settings *s)
+static void study_choreography(struct study *s)
 {
     struct broken b[11] = {{0}};
     for (size_t n = 3; n <= 10; ++n)
@@ -590,7 +656,7 @@ static double closure(const char *method, double steps, bool compensated)
     return worst;
 }
 
-static void study_eight(struct settings *s)
+static void study_eight(struct study *s)
 {
     static const char *const methods[] = {"leapfrog", "rk4", "kahan-li8"};
     struct sky k;
@@ -619,7 +685,7 @@ static void study_eight(struct settings *s)
     table_real(s->summary, "closure", closure("kahan-li8", 2000, true));
 }
 
-static void study_ring_speeds(struct settings *s)
+static void study_ring_speeds(struct study *s)
 {
     const double sigma = 0.02, inner = 2, outer = 2.5;
     const double area = KEPLER_PI * (outer - inner) * (outer + inner);
@@ -687,43 +753,62 @@ static double stirring(const struct scene *s, size_t particles)
     return sqrt(sum / (double)particles);
 }
 
-static void study_ring(struct settings *s)
+enum { PARTICLES = 3072 };
+
+static void begin_ring(const struct study *s, struct sky *k, double period)
 {
-    const double period = 2 * KEPLER_PI / CELESTIAL_K * 2.25 * sqrt(2.25);
-    const double orbits = s->orbits ? s->orbits : 2;
-    const size_t particles = 3072;
-    struct sky k;
-    begin_sky(&k, "ring",
-              (struct wish[]){{"factor", s->factor},
-                              {"moon", s->moon},
+    const struct settings *own = s->own;
+    begin_sky(k, "ring",
+              (struct wish[]){{"factor", own->factor},
+                              {"moon", own->moon},
                               {"moon-distance", 2.7},
-                              {"mixed", s->mixed},
+                              {"mixed", own->mixed},
                               {"seed", (double)s->seed},
                               {0}},
               "leapfrog", period / 200);
-    k.gravity.kernel = (enum gravity_kernel)s->kernel;
-    k.gravity.threads = (int)s->threads;
-    const double before = energy_of(&k);
-    while (stepping_time(&k.stepping) < (orbits - 1e-9) * period &&
-           !progress_signal())
-        stepping_run(&k.stepping, 10);
+    k->gravity.kernel = (enum gravity_kernel)own->kernel;
+    if (own->threads > 0)
+        k->gravity.threads = (int)own->threads;
+}
+
+static void write_ring(const struct study *s, const struct scene *scene)
+{
+    const struct settings *own = s->own;
     table_print(
         s->out, "# kernel %s\n# x y of the planet, the ring%s; mass\n",
-        gravity_kernels[s->kernel], s->moon > 0 ? ", the moon" : "");
-    for (size_t i = 0; i < k.scene.bodies; ++i) {
+        gravity_kernels[own->kernel], own->moon > 0 ? ", the moon" : "");
+    for (size_t i = 0; i < scene->bodies; ++i) {
         double x[3], v[3];
-        seen_from_first(&k.scene, i, x, v);
-        table_print(s->out, "%.4f %.4f %.3g\n", x[0], x[1],
-                    k.scene.mass[i]);
+        seen_from_first(scene, i, x, v);
+        table_print(s->out, "%.4f %.4f %.3g\n", x[0], x[1], scene->mass[i]);
     }
-    const double energy = energy_of(&k) / before - 1;
-    const double clumps = dispersion(&k.scene, particles);
-    const double heat = stirring(&k.scene, particles);
+}
+
+static void judge_ring(const struct study *s, const struct sky *k,
+                       double before)
+{
+    const double energy = energy_of(k) / before - 1;
+    const double clumps = dispersion(&k->scene, PARTICLES);
+    const double heat = stirring(&k->scene, PARTICLES);
     table_print(s->out, "\n\n# energy error, dispersion, stirring\n");
     table_print(s->out, "%.3g %.4g %.4g\n", energy, clumps, heat);
     table_real(s->summary, "energy", energy);
     table_real(s->summary, "dispersion", clumps);
     table_real(s->summary, "stirring", heat);
+}
+
+static void study_ring(struct study *s)
+{
+    const double period = 2 * KEPLER_PI / CELESTIAL_K * 2.25 * sqrt(2.25);
+    const double orbits = duration(s, 2);
+    struct sky k;
+    begin_ring(s, &k, period);
+    const double before = energy_of(&k);
+    while (stepping_time(&k.stepping) < (orbits - 1e-9) * period &&
+           !progress_signal())
+        stepping_run(&k.stepping, 10);
+    write_ring(s, &k.scene);
+    judge_ring(s, &k, before);
     end_sky(&k);
 }
 
@@ -754,7 +839,7 @@ static double precession(double e, double softening)
     return atan2(x[1], x[0]);
 }
 
-static void study_softening(struct settings *s)
+static void study_softening(struct study *s)
 {
     table_column(s->out, "eps", "AU", "softening");
     table_column(s->out, "theory", "rad", "-3 pi (eps / p)^2");
@@ -865,15 +950,16 @@ static double measure_peak(const struct yardstick *y)
 }
 
 /* Ordered pairs a second. */
-static double measure_pairs(struct gravity *g, const double x[], double a[])
+static double measure_pairs(struct gravity *g, double (*seconds)(void),
+                            const double x[], double a[])
 {
-    const double n = (double)g->bodies, begin = bench_seconds();
+    const double n = (double)g->bodies, begin = seconds();
     double runs = 0;
     do {
         gravity_add(g, x, a);
         ++runs;
-    } while (bench_seconds() - begin < 0.1);
-    return runs * n * (n - 1) / (bench_seconds() - begin);
+    } while (seconds() - begin < 0.1);
+    return runs * n * (n - 1) / (seconds() - begin);
 }
 
 /* The largest error of an acceleration, by the sum of what is added up. */
@@ -938,18 +1024,18 @@ static void measure_two(double *general, double *by_hand)
     end_sky(&k);
 }
 
-static void measure_kernel(struct settings *s, struct sky *k, double a[],
+static void measure_kernel(struct study *s, struct sky *k, double a[],
                            enum gravity_kernel kernel)
 {
     const struct yardstick *y = &yardsticks[kernel];
     double pairs[BENCH_ROUNDS], peak[BENCH_ROUNDS];
     k->gravity.kernel = kernel;
-    k->gravity.threads = (int)s->threads;
     const double error = kernel_error(&k->gravity, k->scene.position, a);
     for (int round = -1; round < BENCH_ROUNDS; ++round) {
         const int at = round < 0 ? 0 : round; /* the first: a warm-up */
         peak[at] = measure_peak(y);
-        pairs[at] = measure_pairs(&k->gravity, k->scene.position, a);
+        pairs[at] =
+            measure_pairs(&k->gravity, bench_seconds, k->scene.position, a);
     }
     const double p = bench_median(pairs, BENCH_ROUNDS);
     const double most = bench_median(peak, BENCH_ROUNDS);
@@ -958,14 +1044,14 @@ static void measure_kernel(struct settings *s, struct sky *k, double a[],
                 100 * p * y->operations / most, error);
 }
 
-static void study_speed(struct settings *s)
+static void study_speed(struct study *s)
 {
     struct sky k;
     double general[BENCH_ROUNDS], by_hand[BENCH_ROUNDS];
     begin_sky(&k, "ring", (struct wish[]){{0}}, "leapfrog", 4);
     double *a = malloc(3 * k.scene.bodies * sizeof *a);
     if (!a)
-        give_up("no memory");
+        study_fail(PROGRAM, "no memory");
     bench_machine(s->out);
     table_print(s->out,
                 "# %zu bodies\n# kernel, ordered pairs a second, "
@@ -987,6 +1073,53 @@ static void study_speed(struct settings *s)
     end_sky(&k);
 }
 
+/* One row: pairs a second by one thread and by many, and the ratio. */
+static void compare_threads(struct study *s, struct sky *k, int many,
+                            double a[])
+{
+    double pairs[2][BENCH_ROUNDS], ratio[BENCH_ROUNDS];
+    for (int round = -1; round < BENCH_ROUNDS; ++round) {
+        const int at = round < 0 ? 0 : round; /* the first: a warm-up */
+        for (int way = 0; way < 2; ++way) {
+            k->gravity.threads = way ? many : 1;
+            pairs[way][at] = measure_pairs(&k->gravity, bench_clock,
+                                           k->scene.position, a);
+        }
+        ratio[at] = pairs[1][at] / pairs[0][at];
+    }
+    table_row(s->out, 4,
+              (double[]){(double)k->scene.bodies,
+                         bench_median(pairs[0], BENCH_ROUNDS),
+                         bench_median(pairs[1], BENCH_ROUNDS),
+                         bench_median(ratio, BENCH_ROUNDS)});
+}
+
+static void study_threads(struct study *s)
+{
+    const struct settings *own = s->own;
+    const int many = own->threads > 0 ? (int)own->threads : 2;
+    bench_machine(s->out);
+    table_print(s->out, "# kernel %s, %d threads\n",
+                gravity_kernels[own->kernel], many);
+    table_column(s->out, "N", "", "bodies of a ring");
+    table_column(s->out, "one", "1/s", "pairs, one thread, by the clock");
+    table_column(s->out, "many", "1/s", "pairs, as many as there are");
+    table_column(s->out, "ratio", "", "median of the rounds'");
+    for (size_t n = 63; n < 5000 && !progress_signal(); n = 4 * n + 3) {
+        struct sky k;
+        begin_sky(&k, "ring",
+                  (struct wish[]){{"particles", (double)n}, {0}},
+                  "leapfrog", 4);
+        k.gravity.kernel = (enum gravity_kernel)own->kernel;
+        double *a = calloc(3 * k.scene.bodies, sizeof *a);
+        if (!a)
+            study_fail(PROGRAM, "no memory");
+        compare_threads(s, &k, many, a);
+        free(a);
+        end_sky(&k);
+    }
+}
+
 enum { LEAF = 8 }; /* bodies in a cell that is not divided further */
 
 /* A square cell: what it weighs, where, and its four quarters. */
@@ -1004,42 +1137,51 @@ struct tree {
     uint64_t interactions;
 };
 
+/* Sorts the bodies of quarter q to the front of order[from] .. [end - 1];
+   x, y: the middle of the cell. Returns where the rest begins. */
+static int sort_quarter(struct tree *t, int q, int from, int end, double x,
+                        double y)
+{
+    for (int n = from; n < end; ++n) {
+        const int i = t->order[n];
+        if ((t->x[i] >= x) + 2 * (t->y[i] >= y) == q) {
+            t->order[n] = t->order[from];
+            t->order[from++] = i;
+        }
+    }
+    return from;
+}
+
+static void weigh(const struct tree *t, struct cell *c)
+{
+    for (int n = c->first; n < c->first + c->count; ++n) {
+        const int i = t->order[n];
+        c->mass += t->mass[i];
+        c->x += t->mass[i] * t->x[i];
+        c->y += t->mass[i] * t->y[i];
+    }
+    c->x /= c->mass;
+    c->y /= c->mass;
+}
+
 /* Makes the cell of bodies order[first] .. on, in the square with this
    corner and side; returns its number. */
 static int grow(struct tree *t, int first, int count, double x, double y,
                 double side)
 {
-    const int number = t->cells++;
+    const int number = t->cells++, end = first + count;
+    const double half = side / 2;
     struct cell c = {.side = side,
                      .first = first,
                      .count = count,
                      .quarter = {-1, -1, -1, -1}};
-    for (int n = first; n < first + count; ++n) {
-        const int i = t->order[n];
-        c.mass += t->mass[i];
-        c.x += t->mass[i] * t->x[i];
-        c.y += t->mass[i] * t->y[i];
-    }
-    c.x /= c.mass;
-    c.y /= c.mass;
-    if (count > LEAF) {
-        const double half = side / 2;
-        int sorted = first;
-        for (int q = 0; q < 4; ++q) {
-            const int from = sorted;
-            for (int n = from; n < first + count; ++n) {
-                const int i = t->order[n];
-                if ((t->x[i] >= x + half) + 2 * (t->y[i] >= y + half) ==
-                    q) {
-                    t->order[n] = t->order[sorted];
-                    t->order[sorted++] = i;
-                }
-            }
-            if (sorted > from)
-                c.quarter[q] =
-                    grow(t, from, sorted - from, x + (q & 1) * half,
-                         y + (q >> 1) * half, half);
-        }
+    weigh(t, &c);
+    for (int q = 0; q < 4 && count > LEAF; ++q) {
+        const int from = first;
+        first = sort_quarter(t, q, from, end, x + half, y + half);
+        if (first > from)
+            c.quarter[q] = grow(t, from, first - from, x + (q & 1) * half,
+                                y + (q >> 1) * half, half);
     }
     t->cell[number] = c;
     return number;
@@ -1128,8 +1270,23 @@ static double time_direct(struct sky *k, enum gravity_kernel kernel,
     return (bench_seconds() - begin) * 1e3;
 }
 
+/* Makes room for the tree of a scene. */
+static struct tree plant(const struct scene *s)
+{
+    const size_t n = s->bodies;
+    struct tree t = {.cell = malloc((4 * n + 64) * sizeof *t.cell),
+                     .order = malloc(n * sizeof *t.order),
+                     .x = s->position,
+                     .y = s->position + n,
+                     .mass = s->mass,
+                     .softening = s->softening};
+    if (!t.cell || !t.order)
+        study_fail(PROGRAM, "no memory");
+    return t;
+}
+
 /* One row: so many particles, two direct sums, and two trees. */
-static void compare_tree(struct settings *s, size_t particles)
+static void compare_tree(struct study *s, size_t particles)
 {
     static const double theta[] = {0.2, 0.5};
     struct sky k;
@@ -1137,18 +1294,10 @@ static void compare_tree(struct settings *s, size_t particles)
               (struct wish[]){{"particles", (double)particles}, {0}},
               "leapfrog", 4);
     const size_t n = k.scene.bodies;
-    double *a = malloc(2 * n * sizeof *a), *b = calloc(3 * n, sizeof *b);
-    struct tree t = {malloc((4 * n + 64) * sizeof *t.cell),
-                     0,
-                     malloc(n * sizeof *t.order),
-                     k.scene.position,
-                     k.scene.position + n,
-                     k.scene.mass,
-                     k.scene.softening,
-                     0,
-                     0};
-    if (!a || !b || !t.cell || !t.order)
-        give_up("no memory");
+    double *a = calloc(2 * n, sizeof *a), *b = calloc(3 * n, sizeof *b);
+    if (!a || !b)
+        study_fail(PROGRAM, "no memory");
+    struct tree t = plant(&k.scene);
     const double slow = time_direct(&k, GRAVITY_PORTABLE, b);
     const double fast = time_direct(&k, gravity_fastest(), b);
     table_print(s->out, "%zu %.4g %.4g", particles, slow, fast);
@@ -1164,7 +1313,7 @@ static void compare_tree(struct settings *s, size_t particles)
     end_sky(&k);
 }
 
-static void study_tree(struct settings *s)
+static void study_tree(struct study *s)
 {
     bench_machine(s->out);
     table_print(s->out,
@@ -1175,24 +1324,26 @@ static void study_tree(struct settings *s)
         compare_tree(s, n);
 }
 
-static const char *const study_names[] = {
-    "sun-earth",    "anomaly",      "eccentric",   "encounter",
-    "planets",      "circumbinary", "survival",    "work",
-    "choreography", "figure-eight", "ring-speeds", "ring",
-    "softening",    "speed",        "tree",        NULL};
-
-static void (*const studies[])(struct settings *) = {
-    study_sun_earth, study_anomaly,     study_eccentric,
-    study_encounter, study_planets,     study_circumbinary,
-    study_survival,  study_work,        study_choreography,
-    study_eight,     study_ring_speeds, study_ring,
-    study_softening, study_speed,       study_tree};
+static const struct study_entry studies[] = {
+    {"sun-earth", study_sun_earth, "five years by two methods"},
+    {"anomaly", study_anomaly, "Kepler's equation"},
+    {"eccentric", study_eccentric, "errors on long ellipses"},
+    {"encounter", study_encounter, "falls past the Sun"},
+    {"planets", study_planets, "a heavier Jupiter"},
+    {"circumbinary", study_circumbinary, "the planet of two stars"},
+    {"survival", study_survival, "how close it may come"},
+    {"work", study_work, "seven methods on its orbit"},
+    {"choreography", study_choreography, "circles that break"},
+    {"figure-eight", study_eight, "three bodies on an eight"},
+    {"ring-speeds", study_ring_speeds, "circles in a ring"},
+    {"ring", study_ring, "3072 particles and their weight"},
+    {"softening", study_softening, "how it turns an orbit"},
+    {"speed", study_speed, "pairs a second of the kernels"},
+    {"threads", study_threads, "the same on several threads"},
+    {"tree", study_tree, "when it would pay"},
+    {0}};
 
 static const struct options_entry entries[] = {
-    {"study", 'y', "NAME",
-     "sun-earth, anomaly, eccentric, encounter, planets,\ncircumbinary, "
-     "survival, work, choreography,\nfigure-eight, ring-speeds, ring, "
-     "softening, speed\nor tree"},
     {"orbits", 'n', "N",
      "how long: planets: years (1000); survival (1000),\nwork (100): "
      "periods of the stars; ring: orbits (2)"},
@@ -1200,69 +1351,37 @@ static const struct options_entry entries[] = {
     {"moon", 'm', "M", "ring: mass of a moon (0: none)"},
     {"mixed", 'x', "D", "ring: decades of different masses (0)"},
     {"kernel", 'k', "NAME",
-     "ring: portable, avx2 or avx512 (the fastest here)"},
-    {"threads", 't', "N", "ring, speed: how many (1)"},
-    {"seed", 's', "S", "of the random places (1)"},
-    {"output", 'o', "FILE", "for the table (standard output)"},
-    {"summary", 'S', "FILE", "for the results as lines: key value"},
+     "ring, threads: portable, avx2 or avx512\n(the fastest here)"},
+    {"threads", 't', "N", "ring (1), threads (2): how many"},
     {0}};
 
-static void read_settings(struct settings *s, int argc, char *argv[])
+static void take_option(struct options *o, int letter, void *settings)
 {
-    struct options o;
-    int option;
-    bool chosen = false;
-    *s = (struct settings){.seed = 1,
-                           .threads = 1,
-                           .factor = 1,
-                           .kernel = gravity_fastest(),
-                           .summary_path = "/dev/null"};
-    options_begin(&o, PROGRAM, "Measure bodies that attract each other.",
-                  entries, argc, argv);
-    while ((option = options_next(&o)) != -1)
-        switch (option) {
-        case 'y':
-            s->study = options_choice(&o, study_names);
-            chosen = true;
-            break;
-        case 'k':
-            s->kernel = options_choice(&o, gravity_kernels);
-            if (!gravity_can((enum gravity_kernel)s->kernel))
-                options_fail(&o, "this processor has no %s",
-                             options_text(&o));
-            break;
-        case 'n':
-            s->orbits = options_real(&o, OPTIONS_POSITIVE, 1e6);
-            break;
-        case 'f': s->factor = options_real(&o, 0, 1e5); break;
-        case 'm': s->moon = options_real(&o, 0, 0.1); break;
-        case 'x': s->mixed = (double)options_count(&o, 0, 6); break;
-        case 't': s->threads = options_count(&o, 1, 1024); break;
-        case 's': s->seed = options_count(&o, 0, 1000000000000000); break;
-        case 'o': s->output = options_text(&o); break;
-        case 'S': s->summary_path = options_text(&o); break;
-        }
-    s->command = options_command(&o);
-    if (!chosen)
-        options_fail(&o, "--study is needed; --help lists them");
+    struct settings *own = settings;
+    switch (letter) {
+    case 'n': own->orbits = options_real(o, OPTIONS_POSITIVE, 1e6); break;
+    case 'f': own->factor = options_real(o, 0, 1e5); break;
+    case 'm': own->moon = options_real(o, 0, 0.1); break;
+    case 'x': own->mixed = (double)options_count(o, 0, 6); break;
+    case 't': own->threads = options_count(o, 1, 1024); break;
+    case 'k':
+        own->kernel = options_choice(o, gravity_kernels);
+        if (!gravity_can((enum gravity_kernel)own->kernel))
+            options_fail(o, "this processor has no %s", options_text(o));
+    }
 }
 
 int main(int argc, char *argv[])
 {
-    struct settings s;
-    read_settings(&s, argc, argv);
-    s.out = table_open(PROGRAM, s.output);
-    s.summary = table_open(PROGRAM, s.summary_path);
-    if (!s.out || !s.summary)
-        return table_discard(s.out), table_discard(s.summary), EXIT_FAILURE;
-    progress_catch_signals();
-    progress_begin(&s.progress, PROGRAM, 0, "rows");
-    table_begin(s.out, s.command, s.seed);
-    studies[s.study](&s);
-    const bool whole = progress_end(&s.progress);
-    const bool written = table_close(s.out);
-    if (whole && written)
-        return table_close(s.summary) ? EXIT_SUCCESS : EXIT_FAILURE;
-    table_discard(s.summary);
-    return EXIT_FAILURE;
+    struct settings own = {.factor = 1, .kernel = gravity_fastest()};
+    const struct study_program program = {
+        .name = PROGRAM,
+        .purpose = "Measure bodies that attract each other.",
+        .events = "rows",
+        .studies = studies,
+        .seeds = 1000000000000000,
+        .options = entries,
+        .take = take_option,
+        .own = &own};
+    return study_main(&program, argc, argv);
 }

@@ -1,11 +1,9 @@
 /* From chapters/06-room.nw: edit there, then run make tangle. */
-/* checksum 1015726697 of the lines below */
+/* checksum 2422226414 of the lines below */
 #include "sampling.h"
 #include "statistics.h"
 #include "toolbox/bench.h"
-#include "toolbox/options.h"
-#include "toolbox/progress.h"
-#include "toolbox/table.h"
+#include "toolbox/study.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -25,38 +23,30 @@ enum {
 };
 
 struct settings {
-    size_t study, disks, radii, steps;
+    size_t disks, radii, steps;
     double radius[LIST], step[LIST];
-    uint64_t samples, seed;
-    const char *output, *summary_path, *command;
-    struct table *out, *summary;
+    uint64_t samples;
 };
 
 static const struct options_entry entries[] = {
-    {"study", 't', "NAME", "mistakes, memory, acceptance or cost"},
     {"disks", 'N', "N", "in a unit box with walls (4)"},
     {"radii", 'r', "R1,..", "m (0.15)"},
     {"step", 'd', "D1,..", "of the chain, m (0.1)"},
     {"samples", 'k', "K", "configurations or sweeps (100000)"},
-    {"seed", 's', "S", "of the random numbers (1)"},
-    {"output", 'o', "FILE", "for the table (standard output)"},
-    {"summary", 'S', "FILE", "for the results as lines: key value"},
     {0}};
 
 /* Ends the program without memory. */
 static _Noreturn void end_without_memory(void)
 {
-    fprintf(stderr, PROGRAM ": no memory; use fewer disks or samples\n");
-    table_abandon();
-    exit(EXIT_FAILURE);
+    study_fail(PROGRAM, "no memory; use fewer disks or samples");
 }
 
 /* Disks of this radius in the unit box. */
-static void make_box(struct sampling *p, const struct settings *s,
+static void make_box(struct sampling *p, const struct settings *own,
                      double radius)
 {
     if (!sampling_create(p, 2, DISKS_WALLS, (const double[]){1, 1},
-                         s->disks, radius, 0, 0))
+                         own->disks, radius, 0, 0))
         end_without_memory();
 }
 
@@ -65,10 +55,10 @@ static void start_chain(struct sampling *p, double step, uint64_t sweeps,
                         struct random *r)
 {
     if (!sampling_start(p, r)) {
-        fprintf(stderr, PROGRAM ": --radii: %g leaves no room\n",
-                p->disks.disk[0].radius);
-        table_abandon();
-        exit(EXIT_FAILURE);
+        char why[60];
+        snprintf(why, sizeof why, "--radii: %g leaves no room",
+                 p->disks.disk[0].radius);
+        study_fail(PROGRAM, why);
     }
     for (uint64_t k = 0; k < sweeps * p->disks.count; ++k)
         sampling_try(p, step, r);
@@ -141,7 +131,7 @@ static void take(enum way way, struct sampling_means *m, struct sampling *p,
 
 /* How much a wrong density differs from the right one, per cent, in bins b
    and BINS - 1 - b. */
-static void write_bias(struct settings *s, const char *key,
+static void write_bias(struct study *s, const char *key,
                        const struct sampling_means *wrong,
                        const struct sampling_means *right, size_t b)
 {
@@ -153,7 +143,7 @@ static void write_bias(struct settings *s, const char *key,
 }
 
 /* Writes both sides of (6.5, eq:two-sides) in one of the ways. */
-static void write_sides(struct settings *s, const char *way,
+static void write_sides(struct study *s, const char *way,
                         const struct sampling_means *m)
 {
     static const char *const sides[] = {"walls", "pairs"};
@@ -166,12 +156,13 @@ static void write_sides(struct settings *s, const char *way,
     }
 }
 
-static void write_mistakes(struct settings *s,
+static void write_mistakes(struct study *s,
                            const struct sampling_means means[])
 {
-    const double width = (1 - 2 * s->radius[0]) / BINS;
+    const struct settings *own = s->own;
+    const double width = (1 - 2 * own->radius[0]) / BINS;
     for (size_t b = 0; b < BINS; ++b) {
-        double row[1 + 2 * WAYS] = {s->radius[0] +
+        double row[1 + 2 * WAYS] = {own->radius[0] +
                                     ((double)b + 0.5) * width};
         for (int way = 0; way < WAYS; ++way) {
             row[1 + 2 * way] = sampling_means_mean(&means[way], b);
@@ -187,12 +178,13 @@ static void write_mistakes(struct settings *s,
     write_bias(s, "moved_middle", &means[MOVED], &means[CHAIN], HALF - 1);
 }
 
-static bool study_mistakes(struct settings *s)
+static void study_mistakes(struct study *s)
 {
+    const struct settings *own = s->own;
     struct sampling_means means[WAYS];
     struct sampling p;
     struct random r;
-    make_box(&p, s, s->radius[0]);
+    make_box(&p, own, own->radius[0]);
     random_seed(&r, s->seed);
     table_column(s->out, "x", "m", "middle of the bin");
     for (int way = 0; way < WAYS; ++way) {
@@ -200,15 +192,14 @@ static bool study_mistakes(struct settings *s)
         table_column(s->out, "e", "1/m", "its error");
         if (!sampling_means_create(&means[way], QUANTITIES))
             end_without_memory();
-        start_chain(&p, s->step[0], 1000, &r);
-        for (uint64_t k = 0; k < s->samples && !progress_signal(); ++k)
-            take((enum way)way, &means[way], &p, s->step[0], &r);
+        start_chain(&p, own->step[0], 1000, &r);
+        for (uint64_t k = 0; k < own->samples && !progress_signal(); ++k)
+            take((enum way)way, &means[way], &p, own->step[0], &r);
     }
     write_mistakes(s, means);
     for (int way = 0; way < WAYS; ++way)
         sampling_means_free(&means[way]);
     sampling_free(&p);
-    return !progress_signal();
 }
 
 /* Records, sweep by sweep, x of disk 1 and the share of all coordinates in
@@ -242,15 +233,16 @@ static double inefficiency(size_t n, const double x[])
 }
 
 /* Runs chain k of all radii and steps; x has room for two series. */
-static void study_chain(struct settings *s, size_t k, double x[],
+static void study_chain(struct study *s, size_t k, double x[],
                         struct random *r)
 {
+    const struct settings *own = s->own;
     static const char *const keys[] = {"acceptance", "g_x", "g_edge"};
-    const double radius = s->radius[k / s->steps];
-    const double step = s->step[k % s->steps];
-    const size_t n = s->samples;
+    const double radius = own->radius[k / own->steps];
+    const double step = own->step[k % own->steps];
+    const size_t n = own->samples;
     struct sampling p;
-    make_box(&p, s, radius);
+    make_box(&p, own, radius);
     start_chain(&p, step, n / 10, r);
     const double share = record(&p, step, n, x, x + n, r);
     const double row[] = {radius,
@@ -268,9 +260,10 @@ static void study_chain(struct settings *s, size_t k, double x[],
     sampling_free(&p);
 }
 
-static bool study_memory(struct settings *s)
+static void study_memory(struct study *s)
 {
-    double *x = malloc(2 * s->samples * sizeof *x);
+    const struct settings *own = s->own;
+    double *x = malloc(2 * own->samples * sizeof *x);
     struct random r;
     if (!x)
         end_without_memory();
@@ -281,36 +274,35 @@ static bool study_memory(struct settings *s)
     table_column(s->out, "gx", "sweeps", "inefficiency of x of disk 1");
     table_column(s->out, "ge", "sweeps", "of the share in the end bins");
     table_column(s->out, "mean", "m", "mean x of disk 1");
-    const size_t chains = s->radii * s->steps;
+    const size_t chains = own->radii * own->steps;
     for (size_t k = 0; k < chains && !progress_signal(); ++k)
         study_chain(s, k, x, &r);
     free(x);
-    return !progress_signal();
 }
 
 /* Throws until so many have fitted, or until patience ends. */
-static bool study_acceptance(struct settings *s)
+static void study_acceptance(struct study *s)
 {
+    const struct settings *own = s->own;
     struct random r;
     random_seed(&r, s->seed);
     table_column(s->out, "r", "m", "radius");
     table_column(s->out, "packing", "", "share of the box that is filled");
     table_column(s->out, "acceptance", "", "share of throws");
     table_column(s->out, "e", "", "its error");
-    for (size_t k = 0; k < s->radii && !progress_signal(); ++k) {
+    for (size_t k = 0; k < own->radii && !progress_signal(); ++k) {
         struct sampling p;
         uint64_t fitted = 0, throws = 0;
-        make_box(&p, s, s->radius[k]);
-        for (; fitted < s->samples && throws < PATIENCE; ++throws)
-            fitted += sampling_throw(&p, &r) == s->disks;
+        make_box(&p, own, own->radius[k]);
+        for (; fitted < own->samples && throws < PATIENCE; ++throws)
+            fitted += sampling_throw(&p, &r) == own->disks;
         const double share = (double)fitted / (double)throws;
         if (fitted > 0)
             table_row(s->out, 4,
-                      (double[]){s->radius[k], disks_packing(&p.disks),
+                      (double[]){own->radius[k], disks_packing(&p.disks),
                                  share, share / sqrt((double)fitted)});
         sampling_free(&p);
     }
-    return !progress_signal();
 }
 
 enum method { DIRECT, MARKOV, DYNAMICS, METHODS };
@@ -385,24 +377,42 @@ static double deviation(const double counts[HALF],
 }
 
 /* Runs a method and adds its deviation after each of the times. */
-static void run_method(enum method method, struct sampling *p,
-                       const struct settings *s, struct random *r,
-                       const double reference[HALF], double sum[TIMES])
+static void run_method(enum method method, struct sampling *p, double step,
+                       struct random *r, const double reference[HALF],
+                       double sum[TIMES])
 {
     double counts[HALF] = {0}, until = first_time;
-    begin_method(method, p, s->step[0], r);
+    begin_method(method, p, step, r);
     const double start = bench_seconds();
     for (int t = 0; t < TIMES; ++t, until *= 4) {
         while (bench_seconds() - start < until && !progress_signal())
             for (int k = 0; k < TRIES; ++k)
-                if (next_try(method, p, s->step[0], r))
+                if (next_try(method, p, step, r))
                     add_places(p, counts);
         sum[t] += deviation(counts, reference);
     }
 }
 
-static bool study_cost(struct settings *s)
+/* Measures a method and writes its rows. */
+static void measure(struct study *s, enum method method, struct sampling *p,
+                    struct random *r, const double reference[HALF])
 {
+    const struct settings *own = s->own;
+    const double radius = p->disks.disk[0].radius;
+    double sum[TIMES] = {0}, until = first_time;
+    for (int seed = -1; seed < SEEDS; ++seed) {
+        if (seed == 0)
+            memset(sum, 0, sizeof sum); /* the first one warms up */
+        run_method(method, p, own->step[0], r, reference, sum);
+    }
+    for (int t = 0; t < TIMES; ++t, until *= 4)
+        table_print(s->out, "%s-%g %g %.9g %.4g\n", method_names[method],
+                    radius, radius, until, sqrt(sum[t] / SEEDS));
+}
+
+static void study_cost(struct study *s)
+{
+    const struct settings *own = s->own;
     struct random r;
     random_seed(&r, s->seed);
     bench_machine(s->out);
@@ -411,93 +421,66 @@ static bool study_cost(struct settings *s)
     table_column(s->out, "time", "s", "of the processor, for a run");
     table_column(s->out, "error", "",
                  "rms of the density, in units of its mean");
-    for (size_t k = 0; k < s->radii && !progress_signal(); ++k) {
+    for (size_t k = 0; k < own->radii && !progress_signal(); ++k) {
         double reference[HALF] = {0};
         struct sampling p;
-        make_box(&p, s, s->radius[k]);
-        begin_method(DYNAMICS, &p, s->step[0], &r);
-        for (uint64_t n = 0; n < s->samples && !progress_signal(); ++n) {
-            next_try(DYNAMICS, &p, s->step[0], &r);
+        make_box(&p, own, own->radius[k]);
+        begin_method(DYNAMICS, &p, own->step[0], &r);
+        for (uint64_t n = 0; n < own->samples && !progress_signal(); ++n) {
+            next_try(DYNAMICS, &p, own->step[0], &r);
             add_places(&p, reference);
         }
-        for (int method = 0; method < METHODS; ++method) {
-            double sum[TIMES] = {0}, until = first_time;
-            for (int seed = -1; seed < SEEDS; ++seed) {
-                if (seed == 0)
-                    memset(sum, 0, sizeof sum); /* the first one warms up */
-                run_method((enum method)method, &p, s, &r, reference, sum);
-            }
-            for (int t = 0; t < TIMES; ++t, until *= 4)
-                table_print(s->out, "%s-%g %g %.9g %.4g\n",
-                            method_names[method], s->radius[k],
-                            s->radius[k], until, sqrt(sum[t] / SEEDS));
-        }
+        for (int method = 0; method < METHODS; ++method)
+            measure(s, (enum method)method, &p, &r, reference);
         sampling_free(&p);
     }
-    return !progress_signal();
 }
 
-static bool (*const studies[])(struct settings *) = {
-    study_mistakes, study_memory, study_acceptance, study_cost};
-static const char *const study_names[] = {"mistakes", "memory",
-                                          "acceptance", "cost", NULL};
+static const struct study_entry studies[] = {
+    {"mistakes", study_mistakes, "two of them, and the right ways"},
+    {"memory", study_memory, "how long a chain's is"},
+    {"acceptance", study_acceptance, "how many throws fit"},
+    {"cost", study_cost, "error against processor time"},
+    {0}};
 
-static void check_list(struct options *o, const char *option, size_t n,
-                       const double x[], double limit)
+/* Reads a list of lengths; returns how many there are. */
+static size_t read_lengths(struct options *o, double x[], double limit)
 {
+    const size_t n = options_list(o, x, LIST);
     for (size_t k = 0; k < n; ++k)
         if (!(x[k] > 0 && x[k] < limit))
-            options_fail(o,
-                         "--%s: %g, expected more than 0 and less than %g",
-                         option, x[k], limit);
+            options_fail(o, "%g, expected more than 0 and less than %g",
+                         x[k], limit);
+    return n;
 }
 
-static void read_settings(struct settings *s, int argc, char *argv[])
+static void take_option(struct options *o, int letter, void *settings)
 {
-    struct options o;
-    int option;
-    *s = (struct settings){.disks = 4,
-                           .radii = 1,
-                           .radius = {0.15},
-                           .steps = 1,
-                           .step = {0.1},
-                           .samples = 100000,
-                           .seed = 1,
-                           .summary_path = "/dev/null"};
-    options_begin(&o, PROGRAM, "Compare samplers of disks in a box.",
-                  entries, argc, argv);
-    while ((option = options_next(&o)) != -1)
-        switch (option) {
-        case 't': s->study = options_choice(&o, study_names); break;
-        case 'N': s->disks = options_count(&o, 1, 1000); break;
-        case 'r': s->radii = options_list(&o, s->radius, LIST); break;
-        case 'd': s->steps = options_list(&o, s->step, LIST); break;
-        case 'k': s->samples = options_count(&o, 100, 1000000000); break;
-        case 's': s->seed = options_count(&o, 0, UINT64_MAX); break;
-        case 'o': s->output = options_text(&o); break;
-        case 'S': s->summary_path = options_text(&o); break;
-        }
-    s->command = options_command(&o);
-    if (strcmp(s->summary_path, s->output ? s->output : "-") == 0 &&
-        strcmp(s->summary_path, "/dev/null") != 0)
-        options_fail(&o, "--summary and the table would both go to '%s'",
-                     s->summary_path);
-    check_list(&o, "radii", s->radii, s->radius, 0.5);
-    check_list(&o, "step", s->steps, s->step, 1);
+    struct settings *own = settings;
+    switch (letter) {
+    case 'N': own->disks = options_count(o, 1, 1000); break;
+    case 'r': own->radii = read_lengths(o, own->radius, 0.5); break;
+    case 'd': own->steps = read_lengths(o, own->step, 1); break;
+    case 'k': own->samples = options_count(o, 100, 1000000000); break;
+    }
 }
 
 int main(int argc, char *argv[])
 {
-    struct settings s;
-    read_settings(&s, argc, argv);
-    s.out = table_open(PROGRAM, s.output);
-    s.summary = table_open(PROGRAM, s.summary_path);
-    if (!s.out || !s.summary)
-        return table_discard(s.out), table_discard(s.summary), EXIT_FAILURE;
-    progress_catch_signals();
-    table_begin(s.out, s.command, s.seed);
-    const bool done = studies[s.study](&s);
-    if (!table_close(s.out) || !done)
-        return table_discard(s.summary), EXIT_FAILURE;
-    return table_close(s.summary) ? EXIT_SUCCESS : EXIT_FAILURE;
+    struct settings own = {.disks = 4,
+                           .radii = 1,
+                           .radius = {0.15},
+                           .steps = 1,
+                           .step = {0.1},
+                           .samples = 100000};
+    const struct study_program program = {
+        .name = PROGRAM,
+        .purpose = "Compare samplers of disks in a box.",
+        .events = "samples",
+        .studies = studies,
+        .seeds = UINT64_MAX,
+        .options = entries,
+        .take = take_option,
+        .own = &own};
+    return study_main(&program, argc, argv);
 }

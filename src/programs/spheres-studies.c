@@ -1,5 +1,5 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 2415932707 of the lines below */
+/* checksum 1179093387 of the lines below */
 #include "blocks.h"
 #include "bonkers.h"
 #include "cells.h"
@@ -7,13 +7,10 @@
 #include "hard.h"
 #include "spheres.h"
 #include "toolbox/bench.h"
-#include "toolbox/options.h"
-#include "toolbox/progress.h"
-#include "toolbox/table.h"
+#include "toolbox/study.h"
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #define PROGRAM "spheres-studies"
@@ -21,19 +18,15 @@
 enum { MOST_RUNS = 1000 };
 
 struct settings {
-    size_t study;
-    uint64_t runs, seed;
-    double until; /* s */
-    const char *output, *summary_path, *command;
-    struct table *out, *summary;
-    struct progress progress;
+    uint64_t runs;
+    double until; /* s; 0: what the study takes */
 };
 
-_Noreturn static void give_up(const char *what)
+/* How long a run of this study is, s. */
+static double length_of(const struct study *s, double usual)
 {
-    fprintf(stderr, PROGRAM ": %s\n", what);
-    table_abandon();
-    exit(EXIT_FAILURE);
+    const struct settings *own = s->own;
+    return own->until > 0 ? own->until : usual;
 }
 
 /* Makes a scene of this chapter; so many of its keys have their values in
@@ -48,7 +41,7 @@ static void make(struct scene *s, const char *name, size_t keys,
         value[gallery_key(g, key[k])] = to[k];
     const char *wrong = g->build(s, value);
     if (wrong)
-        give_up(wrong);
+        study_fail(PROGRAM, wrong);
 }
 
 enum { PAPER, APPROACHING, BACK, WAYS };
@@ -68,7 +61,7 @@ static void begin(struct run *r, int way, double dt)
     r->dt = dt;
     if (!spheres_create(&r->spheres, &r->scene,
                         way == PAPER ? SPHERES_ALL : SPHERES_APPROACHING))
-        give_up("no memory for the spheres");
+        study_fail(PROGRAM, "no memory for the spheres");
     r->spheres.dt = dt;
     r->spheres.shift = way == BACK ? SPHERES_BACK : SPHERES_BY_RADIUS;
 }
@@ -148,7 +141,7 @@ static void gas_by_steps(struct run *r, double until, double value[])
 static void as_disks(struct disks *d, const struct scene *s)
 {
     if (!hard_disks(d, s))
-        give_up("no memory for the disks");
+        study_fail(PROGRAM, "no memory for the disks");
 }
 
 static void gas_by_events(struct disks *d, double until, double value[])
@@ -156,7 +149,7 @@ static void gas_by_events(struct disks *d, double until, double value[])
     struct cells c;
     const double E = disks_energy(d);
     if (!cells_create(&c, d))
-        give_up("no memory for the cells");
+        study_fail(PROGRAM, "no memory for the cells");
     cells_run(&c, warm, UINT64_MAX);
     const struct disks before = *d;
     cells_run(&c, warm + until, UINT64_MAX);
@@ -191,21 +184,22 @@ static void run_gas(uint64_t seed, int way, double dt, double until,
 
 /* Averages over runs, with their errors; of the energy's error the worst.
    way: WAYS is by events. */
-static void average(const struct settings *s, int way, double dt,
+static void average(const struct study *s, int way, double dt,
                     double mean[], double error[])
 {
     static double values[MEASURED][MOST_RUNS];
+    const struct settings *own = s->own;
     mean[ENERGY] = error[ENERGY] = 0;
-    for (uint64_t i = 0; i < s->runs; ++i) {
+    for (uint64_t i = 0; i < own->runs; ++i) {
         double value[MEASURED];
-        run_gas(s->seed + i, way, dt, s->until, value);
+        run_gas(s->seed + i, way, dt, length_of(s, 60), value);
         for (int k = 0; k < MEASURED; ++k)
             values[k][i] = value[k];
         mean[ENERGY] = fmax(mean[ENERGY], value[ENERGY]);
     }
     for (int k = 0; k < ENERGY; ++k) {
         const struct blocks_average a =
-            blocks_average_of(s->runs, values[k]);
+            blocks_average_of(own->runs, values[k]);
         mean[k] = a.mean;
         error[k] = a.error;
     }
@@ -216,7 +210,7 @@ enum { DTS = 7, FITTED = 5 };
 static const double dts[DTS] = {0.0025, 0.005, 0.01, 0.02,
                                 0.04,   0.08,  0.16};
 
-static void pressure_columns(struct settings *s)
+static void pressure_columns(struct study *s)
 {
     static const char *const symbols[] = {"Z_x",      "Z_y",    "rate",
                                           "receding", "virial", "v4"};
@@ -236,7 +230,7 @@ struct points {
     double y[3][DTS], error[3][DTS];
 };
 
-static void pressure_row(struct settings *s, double dt, int at,
+static void pressure_row(struct study *s, double dt, int at,
                          struct points points[])
 {
     static const int fitted[3] = {Z_X, Z_Y, VIRIAL};
@@ -285,7 +279,7 @@ static struct parabola fit(size_t n, const double t[], const double y[],
         sqrt(c[3] / det)};
 }
 
-static void study_pressure(struct settings *s)
+static void study_pressure(struct study *s)
 {
     static struct points points[WAYS];
     pressure_columns(s);
@@ -331,12 +325,9 @@ static void count_pairs(const struct disks *d, double shell[])
     }
 }
 
-/* The slope d ln g / d ln r at contact, by events; *error of it. Also the
-   virial over N kT. */
-static double contact_slope(const struct settings *s, double *error,
-                            double *virial)
+/* Counts the pairs of the gas by events; returns the virial over N kT. */
+static double fill_shells(const struct study *s, double shell[])
 {
-    double shell[SHELLS] = {0}, t[SHELLS], y[SHELLS], e[SHELLS];
     const double seed = (double)s->seed;
     struct run r;
     struct disks d;
@@ -344,18 +335,25 @@ static double contact_slope(const struct settings *s, double *error,
     make(&r.scene, "gas", 1, (const char *const[]){"seed"}, &seed);
     as_disks(&d, &r.scene);
     scene_free(&r.scene);
-    const double E = disks_energy(&d), end = 10 * s->until;
+    const double E = disks_energy(&d), end = 10 * length_of(s, 60);
     if (!cells_create(&c, &d))
-        give_up("no memory for the cells");
+        study_fail(PROGRAM, "no memory for the cells");
     cells_run(&c, warm, UINT64_MAX);
     const double before = d.virial;
     for (double at = 0.1; at <= end && !progress_signal(); at += 0.1) {
         cells_run(&c, warm + at, UINT64_MAX);
         count_pairs(&d, shell);
     }
-    *virial = (d.virial - before) / (2 * E * end);
+    const double virial = (d.virial - before) / (2 * E * end);
     cells_free(&c);
     disks_free(&d);
+    return virial;
+}
+
+/* The slope d ln g / d ln r at contact, and *error of it. */
+static double contact_slope(const double shell[], double *error)
+{
+    double t[SHELLS], y[SHELLS], e[SHELLS];
     for (int k = 0; k < SHELLS; ++k) {
         t[k] = (k + 0.5) / 100;
         y[k] = log(shell[k] / (1 + t[k]));
@@ -366,11 +364,12 @@ static double contact_slope(const struct settings *s, double *error,
     return p.b;
 }
 
-static void study_law(struct settings *s)
+static void study_law(struct study *s)
 {
     const double pi = 3.14159265358979324, eta = 250 * pi * 0.01 / 37.5;
-    double error, virial;
-    const double slope = contact_slope(s, &error, &virial);
+    double shell[SHELLS] = {0}, error;
+    const double virial = fill_shells(s, shell);
+    const double slope = contact_slope(shell, &error);
     const double density =
         2 * eta / (1 - eta) - 7 * eta / 16 / (1 - 7 * eta / 16);
     const double hit = sqrt(2 / pi);
@@ -451,7 +450,7 @@ static double near_by_events(struct run *r)
     double near = 0;
     as_disks(&d, &r->scene);
     if (!cells_create(&c, &d))
-        give_up("no memory for the cells");
+        study_fail(PROGRAM, "no memory for the cells");
     for (int k = 0; k < 200; ++k) {
         cells_run(&c, warm + 0.2 * k, UINT64_MAX);
         take_in(&r->scene, &d);
@@ -560,7 +559,7 @@ static double missed_way_back(uint64_t seed, int way, double dt)
     return bench_median(miss, DISKS) / 0.2;
 }
 
-static void do_checks(struct settings *s, int way, double dt,
+static void do_checks(struct study *s, int way, double dt,
                       const double truth[], double near, double found[])
 {
     double mean[MEASURED], error[MEASURED];
@@ -582,7 +581,7 @@ static void do_checks(struct settings *s, int way, double dt,
     }
 }
 
-static void study_checks(struct settings *s)
+static void study_checks(struct study *s)
 {
     double truth[MEASURED], error[MEASURED];
     struct run r;
@@ -638,7 +637,7 @@ static void begin_events(struct bonkers *b, const struct scene *s)
     size_t wrong;
     if (!hard_start(&start, s) ||
         !bonkers_begin(b, &start, s->restitution, BONKERS_SCAN, &wrong))
-        give_up("no memory for a row");
+        study_fail(PROGRAM, "no memory for a row");
     start_free(&start);
 }
 
@@ -712,7 +711,7 @@ static double worst_of(const double a[], const double b[])
     return worst;
 }
 
-static void report(struct settings *s, const char *kind, int row,
+static void report(struct study *s, const char *kind, int row,
                    const double v[])
 {
     for (int i = 0; i < BALLS; ++i) {
@@ -722,43 +721,56 @@ static void report(struct settings *s, const char *kind, int row,
     }
 }
 
-static void study_rows(struct settings *s)
+enum { KINDS = 4 };
+
+static const struct {
+    const char *name;
+    struct stepped how;
+} kinds[KINDS] = {
+    {"wide", {APPROACHING, SPHERES_ASCENDING, 0.01, 0.001}},
+    {"narrow", {APPROACHING, SPHERES_ASCENDING, 0.0001, 0.001}},
+    {"up", {APPROACHING, SPHERES_ASCENDING, 0, 0.001}},
+    {"down", {APPROACHING, SPHERES_DESCENDING, 0, 0.001}}};
+
+/* A line of the table: a row by events, by steps and at once. */
+static void let_go(struct study *s, int row, double line[2 + KINDS])
 {
-    static const struct stepped ways_to_step[] = {
-        {APPROACHING, SPHERES_ASCENDING, 0.01, 0.001},
-        {APPROACHING, SPHERES_ASCENDING, 0.0001, 0.001},
-        {APPROACHING, SPHERES_ASCENDING, 0, 0.001},
-        {APPROACHING, SPHERES_DESCENDING, 0, 0.001}};
-    static const char *const kinds[] = {"wide", "narrow", "up", "down"};
-    double worst[4] = {0};
-    table_column(s->out, "row", "", "one two three both double ...");
-    table_column(s->out, "n", "", "collisions, by events");
-    for (int k = 0; k < 4; ++k)
-        table_column(s->out, kinds[k], "m/s", "worst difference, by steps");
-    for (int row = 0; row < ROWS; ++row) {
-        double x[BALLS], exact[BALLS], v[BALLS], line[6] = {row};
-        const uint64_t n = row_by_events(row, 0.01, 100, x, exact);
-        char key[20];
-        snprintf(key, sizeof key, "n_%s", rows[row].name);
-        table_count(s->summary, key, n);
-        line[1] = (double)n;
-        report(s, "events", row, exact);
-        for (int k = 0; k < 4; ++k) {
-            row_by_steps(row, ways_to_step[k], 10, x, v);
-            line[2 + k] = worst_of(v, exact);
-            report(s, kinds[k], row, v);
-            if (row + 1 < ROWS)
-                worst[k] = fmax(worst[k], line[2 + k]);
-        }
-        row_at_once(row, v);
-        report(s, "once", row, v);
-        table_row(s->out, 6, line);
+    double x[BALLS], exact[BALLS], v[BALLS];
+    const uint64_t n = row_by_events(row, 0.01, 100, x, exact);
+    char key[20];
+    snprintf(key, sizeof key, "n_%s", rows[row].name);
+    table_count(s->summary, key, n);
+    report(s, "events", row, exact);
+    line[0] = row;
+    line[1] = (double)n;
+    for (int k = 0; k < KINDS; ++k) {
+        row_by_steps(row, kinds[k].how, 10, x, v);
+        line[2 + k] = worst_of(v, exact);
+        report(s, kinds[k].name, row, v);
     }
-    for (int k = 0; k < 4; ++k)
-        table_real(s->summary, kinds[k], worst[k]);
+    row_at_once(row, v);
+    report(s, "once", row, v);
 }
 
-static void study_late(struct settings *s)
+static void study_rows(struct study *s)
+{
+    double worst[KINDS] = {0}, line[2 + KINDS];
+    table_column(s->out, "row", "", "one two three both double ...");
+    table_column(s->out, "n", "", "collisions, by events");
+    for (int k = 0; k < KINDS; ++k)
+        table_column(s->out, kinds[k].name, "m/s",
+                     "worst difference, by steps");
+    for (int row = 0; row < ROWS; ++row) {
+        let_go(s, row, line);
+        table_row(s->out, 2 + KINDS, line);
+        for (int k = 0; k < KINDS && row + 1 < ROWS; ++k)
+            worst[k] = fmax(worst[k], line[2 + k]);
+    }
+    for (int k = 0; k < KINDS; ++k)
+        table_real(s->summary, kinds[k].name, worst[k]);
+}
+
+static void study_late(struct study *s)
 {
     const double until = 3;
     double x[BALLS], v[BALLS], place[BALLS], velocity[BALLS];
@@ -781,13 +793,24 @@ static void study_late(struct settings *s)
     }
 }
 
-static void study_rest(struct settings *s)
+/* A line of the table: energies and places at t. */
+static void write_cradle(struct table *out, double t, struct bonkers *b,
+                         const struct run *r)
 {
-    const double every = 0.05, restitution = 0.9;
     double x[BALLS + 2], v[BALLS + 2];
+    bonkers_run(b, t, UINT64_MAX);
+    bonkers_state(b, x, v);
+    double line[3 + BALLS] = {t, bonkers_energy(b), energy(&r->scene)};
+    memcpy(line + 3, r->scene.position, BALLS * sizeof *line);
+    table_row(out, 3 + BALLS, line);
+}
+
+static void study_rest(struct study *s)
+{
+    const double every = 0.05, until = length_of(s, 60);
     struct run r;
     struct bonkers b;
-    make_row(&r.scene, 0, 0.001, restitution);
+    make_row(&r.scene, 0, 0.001, 0.9);
     begin(&r, APPROACHING, 0.0005);
     begin_events(&b, &r.scene);
     table_column(s->out, "t", "s", "time");
@@ -795,13 +818,8 @@ static void study_rest(struct settings *s)
     table_column(s->out, "steps", "J", "energy by steps");
     for (int i = 0; i < BALLS; ++i)
         table_column(s->out, "x", "m", "of a ball, by steps");
-    for (int k = 0; k * every <= s->until && !progress_signal(); ++k) {
-        bonkers_run(&b, k * every, UINT64_MAX);
-        bonkers_state(&b, x, v);
-        double line[3 + BALLS] = {k * every, bonkers_energy(&b),
-                                  energy(&r.scene)};
-        memcpy(line + 3, r.scene.position, BALLS * sizeof *line);
-        table_row(s->out, 3 + BALLS, line);
+    for (int k = 0; k * every <= until && !progress_signal(); ++k) {
+        write_cradle(s->out, k * every, &b, &r);
         steps(&r, every);
     }
     table_real(s->summary, "difference",
@@ -819,21 +837,23 @@ static void make_break(struct scene *s, double jitter, uint64_t seed)
          (const double[]){jitter, (double)seed});
 }
 
+static const double usual_break = 0.5; /* s */
+
 /* Where the balls are after a break, by steps. */
-static void break_by_steps(const struct settings *s,
-                           enum spheres_order order, double dt, double x[])
+static void break_by_steps(const struct study *s, enum spheres_order order,
+                           double dt, double x[])
 {
     struct run r;
     make_break(&r.scene, 0, 1);
     begin(&r, BACK, dt);
     r.spheres.order = order;
-    steps(&r, s->until);
+    steps(&r, length_of(s, usual_break));
     memcpy(x, r.scene.position, 2 * RACK * sizeof *x);
     end(&r);
 }
 
 /* The same by events, in a box so large that its walls do not matter. */
-static void break_by_events(const struct settings *s, double jitter,
+static void break_by_events(const struct study *s, double jitter,
                             uint64_t seed, double x[])
 {
     const double far = 50; /* m */
@@ -847,8 +867,8 @@ static void break_by_events(const struct settings *s, double jitter,
     }
     as_disks(&d, &scene);
     if (!disks_plan(&d))
-        give_up("no memory for the break");
-    disks_run(&d, s->until, UINT64_MAX);
+        study_fail(PROGRAM, "no memory for the break");
+    disks_run(&d, length_of(s, usual_break), UINT64_MAX);
     for (size_t i = 0; i < RACK; ++i) {
         double place[DISKS_AXES];
         disks_position(&d, i, place);
@@ -890,31 +910,41 @@ static double nearest(const double x[], double outcome[][2 * RACK])
     return least;
 }
 
-static void study_break(struct settings *s)
+enum { BREAKS = 4 };
+
+static void write_orders(struct table *out, double x[BREAKS][2 * RACK])
 {
-    static double stepped[4][2 * RACK], outcome[OUTCOMES][2 * RACK];
+    table_column(out, "x", "m", "steps, ascending; then by events");
+    table_column(out, "y", "m", "");
+    table_column(out, "x'", "m", "steps, descending");
+    table_column(out, "y'", "m", "");
+    table_column(out, "x''", "m", "steps, the deepest first");
+    table_column(out, "y''", "m", "");
+    for (size_t i = 0; i < RACK; ++i)
+        table_row(out, 6,
+                  (double[]){x[0][i], x[0][RACK + i], x[1][i],
+                             x[1][RACK + i], x[3][i], x[3][RACK + i]});
+}
+
+static void write_racks(struct table *out, double x[OUTCOMES][2 * RACK])
+{
+    table_print(out, "\n\n");
+    for (size_t k = 0; k < OUTCOMES; ++k)
+        for (size_t i = 0; i < RACK; ++i)
+            table_print(out, "%.9g %.9g\n", x[k][i], x[k][RACK + i]);
+}
+
+static void study_break(struct study *s)
+{
+    static double stepped[BREAKS][2 * RACK], outcome[OUTCOMES][2 * RACK];
     break_by_steps(s, SPHERES_ASCENDING, 1e-5, stepped[0]);
     break_by_steps(s, SPHERES_DESCENDING, 1e-5, stepped[1]);
     break_by_steps(s, SPHERES_ASCENDING, 0.5e-5, stepped[2]);
     break_by_steps(s, SPHERES_DEEPEST, 1e-5, stepped[3]);
     for (size_t i = 0; i < OUTCOMES; ++i)
         break_by_events(s, 1e-12, i, outcome[i]);
-    table_column(s->out, "x", "m", "steps, ascending; then by events");
-    table_column(s->out, "y", "m", "");
-    table_column(s->out, "x'", "m", "steps, descending");
-    table_column(s->out, "y'", "m", "");
-    table_column(s->out, "x''", "m", "steps, the deepest first");
-    table_column(s->out, "y''", "m", "");
-    for (size_t i = 0; i < RACK; ++i)
-        table_row(s->out, 6,
-                  (double[]){stepped[0][i], stepped[0][RACK + i],
-                             stepped[1][i], stepped[1][RACK + i],
-                             stepped[3][i], stepped[3][RACK + i]});
-    table_print(s->out, "\n\n");
-    for (size_t k = 0; k < OUTCOMES; ++k)
-        for (size_t i = 0; i < RACK; ++i)
-            table_print(s->out, "%.9g %.9g\n", outcome[k][i],
-                        outcome[k][RACK + i]);
+    write_orders(s->out, stepped);
+    write_racks(s->out, outcome);
     table_real(s->summary, "orders", apart(stepped[0], stepped[1]));
     table_real(s->summary, "halved", apart(stepped[0], stepped[2]));
     table_real(s->summary, "ascending", nearest(stepped[0], outcome));
@@ -932,140 +962,130 @@ static void make_packed(struct scene *s, double packing, uint64_t seed)
          (const double[]){1.5 * height, height, 1, (double)seed});
 }
 
+/* Runs a gas for so long; its virial, and the time that it took. */
+static double timed(struct scene *scene, int way, double dt, double until,
+                    double *seconds)
+{
+    double value[MEASURED];
+    struct run r = {.scene = *scene};
+    struct disks d;
+    as_disks(&d, scene);
+    begin(&r, way, dt);
+    const double start = bench_seconds();
+    if (way < WAYS)
+        gas_by_steps(&r, until, value);
+    else
+        gas_by_events(&d, until, value);
+    *seconds += bench_seconds() - start;
+    disks_free(&d);
+    end(&r);
+    return value[VIRIAL];
+}
+
 /* The virial over N kT, and processor time for a second of the gas. */
-static void cost_of(const struct settings *s, double packing, int way,
+static void cost_of(const struct study *s, double packing, int way,
                     double dt, struct blocks_average *virial, double *cost)
 {
     static double values[MOST_RUNS];
+    const struct settings *own = s->own;
+    const double until = length_of(s, 60);
     double seconds = 0;
-    for (uint64_t i = 0; i < s->runs; ++i) {
-        double value[MEASURED];
-        struct run r;
-        struct disks d;
-        make_packed(&r.scene, packing, s->seed + i);
-        as_disks(&d, &r.scene);
-        begin(&r, way, dt);
-        const double start = bench_seconds();
-        if (way < WAYS)
-            gas_by_steps(&r, s->until, value);
-        else
-            gas_by_events(&d, s->until, value);
-        seconds += bench_seconds() - start;
-        disks_free(&d);
-        end(&r);
-        values[i] = value[VIRIAL];
+    for (uint64_t i = 0; i < own->runs; ++i) {
+        struct scene scene;
+        make_packed(&scene, packing, s->seed + i);
+        values[i] = timed(&scene, way, dt, until, &seconds);
     }
-    *virial = blocks_average_of(s->runs, values);
-    *cost = seconds / (double)s->runs / (warm + s->until);
+    *virial = blocks_average_of(own->runs, values);
+    *cost = seconds / (double)own->runs / (warm + until);
 }
 
-static void study_cost(struct settings *s)
+static void name_costs(struct table *out)
+{
+    table_column(out, "row", "", "packing and dt");
+    table_column(out, "packing", "", "of 250 disks of radius 0.1 m");
+    table_column(out, "dt", "s", "step; v = 1 m/s");
+    table_column(out, "events", "s", "processor time of a second");
+    table_column(out, "Z", "", "1 + virial/(2 N kT), by events");
+    table_column(out, "error", "", "its statistical error");
+    for (int way = APPROACHING; way < WAYS; ++way) {
+        table_column(out, ways[way], "s", "processor time of a second");
+        table_column(out, "dZ/Z", "", "relative error of Z, absolute");
+        table_column(out, "error", "", "its statistical error");
+    }
+}
+
+enum { COSTS = 11 };
+
+/* One row, whose first numbers, of the events, are there already. */
+static void compare_step(struct study *s, double dt, double row[COSTS])
+{
+    struct blocks_average found;
+    row[1] = dt;
+    for (int way = APPROACHING; way < WAYS; ++way) {
+        double *at = &row[5 + 3 * (way - APPROACHING)];
+        cost_of(s, row[0], way, dt, &found, at);
+        at[1] = fabs(1 + found.mean - row[3]) / row[3];
+        at[2] = hypot(found.error, row[4]) / row[3];
+    }
+    table_print(s->out, "%g-%g", row[0], dt);
+    for (int c = 0; c < COSTS; ++c)
+        table_print(s->out, " %.9g", row[c]);
+    table_print(s->out, "\n");
+}
+
+static void study_cost(struct study *s)
 {
     static const double packings[] = {0.1, 0.3, 0.5, 0.7};
-    static const double steps_of[] = {0.0025, 0.005, 0.01, 0.02,
-                                      0.04,   0.08,  0.16};
-    table_column(s->out, "row", "", "packing and dt");
-    table_column(s->out, "packing", "", "of 250 disks of radius 0.1 m");
-    table_column(s->out, "dt", "s", "step; v = 1 m/s");
-    table_column(s->out, "events", "s", "processor time of a second");
-    table_column(s->out, "Z", "", "1 + virial/(2 N kT), by events");
-    table_column(s->out, "error", "", "its statistical error");
-    for (int way = APPROACHING; way < WAYS; ++way) {
-        table_column(s->out, ways[way], "s", "processor time of a second");
-        table_column(s->out, "dZ/Z", "", "relative error of Z, absolute");
-        table_column(s->out, "error", "", "its statistical error");
-    }
+    name_costs(s->out);
     bench_machine(s->out);
     for (size_t k = 0; k < 4 && !progress_signal(); ++k) {
-        struct blocks_average truth, found;
-        double row[11];
+        struct blocks_average truth;
+        double row[COSTS] = {packings[k]};
         cost_of(s, packings[k], WAYS, 1, &truth, &row[2]);
-        row[0] = packings[k];
         row[3] = 1 + truth.mean;
         row[4] = truth.error;
-        for (size_t i = 0; i < sizeof steps_of / sizeof *steps_of; ++i) {
-            row[1] = steps_of[i];
-            for (int way = APPROACHING; way < WAYS; ++way) {
-                double *at = &row[5 + 3 * (way - APPROACHING)];
-                cost_of(s, packings[k], way, row[1], &found, at);
-                at[1] = fabs(found.mean - truth.mean) / row[3];
-                at[2] = hypot(found.error, truth.error) / row[3];
-            }
-            table_print(s->out, "%g-%g", row[0], row[1]);
-            for (int c = 0; c < 11; ++c)
-                table_print(s->out, " %.9g", row[c]);
-            table_print(s->out, "\n");
-        }
+        for (int i = 0; i < DTS; ++i)
+            compare_step(s, dts[i], row);
         table_print(s->out, "\n\n");
     }
 }
 
-static const char *const study_names[] = {"pressure", "law",  "checks",
-                                          "rows",     "late", "rest",
-                                          "break",    "cost", NULL};
-
-static void (*const studies[])(struct settings *) = {
-    study_pressure, study_law,  study_checks, study_rows,
-    study_late,     study_rest, study_break,  study_cost};
-
-static const struct options_entry entries[] = {
-    {"study", 'y', "NAME",
-     "pressure, law, checks, rows, late, rest, break\nor cost"},
-    {"runs", 'n', "N", "with different starts (8)"},
-    {"until", 'u', "T", "how long each is, s (60; break: 0.5)"},
-    {"seed", 's', "S", "of the first start (1)"},
-    {"output", 'o', "FILE", "for the table (standard output)"},
-    {"summary", 'S', "FILE", "for the results as lines: key value"},
+static const struct study_entry studies[] = {
+    {"pressure", study_pressure, "of the gas, by steps and events"},
+    {"law", study_law, "what the pressure loses"},
+    {"checks", study_checks, "and what they see"},
+    {"rows", study_rows, "what leaves a row of balls"},
+    {"late", study_late, "and when"},
+    {"rest", study_rest, "a cradle's energy"},
+    {"break", study_break, "the first shot of a game"},
+    {"cost", study_cost, "error against processor time"},
     {0}};
 
-static void read_settings(struct settings *s, int argc, char *argv[])
+static const struct options_entry entries[] = {
+    {"runs", 'n', "N", "with different starts (8)"},
+    {"until", 'u', "T", "how long each is, s (60; break: 0.5)"},
+    {0}};
+
+static void take_option(struct options *o, int letter, void *settings)
 {
-    struct options o;
-    int option;
-    bool chosen = false;
-    *s = (struct settings){
-        .runs = 8, .seed = 1, .summary_path = "/dev/null"};
-    options_begin(&o, PROGRAM, "Measure spheres in steps, and what fails.",
-                  entries, argc, argv);
-    while ((option = options_next(&o)) != -1)
-        switch (option) {
-        case 'y':
-            s->study = options_choice(&o, study_names);
-            chosen = true;
-            break;
-        case 'n': s->runs = options_count(&o, 2, MOST_RUNS); break;
-        case 'u': s->until = options_real(&o, 0.01, 1e6); break;
-        case 's': s->seed = options_count(&o, 0, 1000000000); break;
-        case 'o': s->output = options_text(&o); break;
-        case 'S': s->summary_path = options_text(&o); break;
-        }
-    s->command = options_command(&o);
-    if (!chosen)
-        options_fail(&o, "--study is needed: %s", entries[0].help);
-    if (s->until == 0)
-        s->until = studies[s->study] == study_break ? 0.5 : 60;
-    if (strcmp(s->summary_path, s->output ? s->output : "-") == 0 &&
-        strcmp(s->summary_path, "/dev/null") != 0)
-        options_fail(&o, "--summary and the table would both go to '%s'",
-                     s->summary_path);
+    struct settings *own = settings;
+    switch (letter) {
+    case 'n': own->runs = options_count(o, 2, MOST_RUNS); break;
+    case 'u': own->until = options_real(o, 0.01, 1e6); break;
+    }
 }
 
 int main(int argc, char *argv[])
 {
-    struct settings s;
-    read_settings(&s, argc, argv);
-    s.out = table_open(PROGRAM, s.output);
-    s.summary = table_open(PROGRAM, s.summary_path);
-    if (!s.out || !s.summary)
-        return table_discard(s.out), table_discard(s.summary), EXIT_FAILURE;
-    progress_catch_signals();
-    progress_begin(&s.progress, PROGRAM, 0, "rows");
-    table_begin(s.out, s.command, s.seed);
-    studies[s.study](&s);
-    const bool whole = progress_end(&s.progress);
-    const bool written = table_close(s.out);
-    if (whole && written)
-        return table_close(s.summary) ? EXIT_SUCCESS : EXIT_FAILURE;
-    table_discard(s.summary);
-    return EXIT_FAILURE;
+    struct settings own = {.runs = 8};
+    const struct study_program program = {
+        .name = PROGRAM,
+        .purpose = "Measure spheres in steps, and what fails.",
+        .events = "rows",
+        .studies = studies,
+        .seeds = 1000000000,
+        .options = entries,
+        .take = take_option,
+        .own = &own};
+    return study_main(&program, argc, argv);
 }

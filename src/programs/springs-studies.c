@@ -1,40 +1,30 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 4246659918 of the lines below */
-#define _XOPEN_SOURCE 700
+/* checksum 3080021898 of the lines below */
 #include "elastic.h"
 #include "modes.h"
 #include "springs.h"
 #include "toolbox/bench.h"
-#include "toolbox/options.h"
-#include "toolbox/progress.h"
-#include "toolbox/table.h"
+#include "toolbox/study.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #define PROGRAM "springs-studies"
 
 struct settings {
-    size_t study;
     double until; /* s; 0: what the study takes */
     double every; /* s; 0: what the study takes */
     double damping;
     uint64_t steps;
     int threads;
-    const char *output, *summary_path, *command;
-    struct table *out, *summary;
-    struct progress progress;
 };
 
 /* Ends the program for want of memory. */
 static _Noreturn void no_memory(void)
 {
-    fprintf(stderr, PROGRAM ": there is no memory\n");
-    table_abandon();
-    exit(EXIT_FAILURE);
+    study_fail(PROGRAM, "there is no memory");
 }
 
 /* A scene, its springs, and how it is stepped. */
@@ -128,7 +118,7 @@ static double by_series(double g, double t)
     return exp(-g * t) * sum;
 }
 
-static void study_critical(struct settings *s)
+static void study_critical(struct study *s)
 {
     const double t = 3;
     table_column(s->out, "e", "",
@@ -148,31 +138,43 @@ static void study_critical(struct settings *s)
     }
 }
 
-/* Leapfrog at four dampings, and how far it is from the exact motion. */
-static void study_regimes(struct settings *s)
+enum { DAMPINGS = 4 };
+
+static const double dampings[DAMPINGS] = {0.2, 1, 2, 4}; /* kg/s */
+
+/* Where the masses are, at the time row[0]; steps them on by 0.1 s.
+   Returns how far the worst one is from the exact motion. */
+static double note_masses(struct run r[DAMPINGS], double row[1 + DAMPINGS])
 {
-    const double c[4] = {0.2, 1, 2, 4};
-    struct run r[4];
-    double worst = 0, steps[4];
+    double worst = 0;
+    for (int k = 0; k < DAMPINGS; ++k) {
+        row[1 + k] = r[k].scene.position[1] - 4;
+        const double exact = by_series(dampings[k] / 2, row[0]);
+        worst = fmax(worst, fabs(row[1 + k] - exact));
+        stepping_run(&r[k].stepping, 2);
+    }
+    return worst;
+}
+
+/* Leapfrog at four dampings, and how far it is from the exact motion. */
+static void study_regimes(struct study *s)
+{
+    struct run r[DAMPINGS];
+    double worst = 0;
     table_column(s->out, "t", "s", "time");
-    for (int k = 0; k < 4; ++k) {
+    for (int k = 0; k < DAMPINGS; ++k) {
         table_column(s->out, "q", "m", "place of the mass");
         make(&r[k].scene, "oscillator",
-             (struct choice[]){{"damping", c[k]}, {0}});
+             (struct choice[]){{"damping", dampings[k]}, {0}});
         set_off(&r[k], stepping_find("leapfrog"), 0.05);
     }
-    for (int row = 0; row <= 150; ++row) {
-        const double t = 0.1 * row;
-        for (int k = 0; k < 4; ++k) {
-            steps[k] = r[k].scene.position[1] - 4;
-            worst = fmax(worst, fabs(steps[k] - by_series(c[k] / 2, t)));
-            stepping_run(&r[k].stepping, 2);
-        }
-        table_row(s->out, 5,
-                  (double[]){t, steps[0], steps[1], steps[2], steps[3]});
+    for (int n = 0; n <= 150; ++n) {
+        double row[1 + DAMPINGS] = {0.1 * n};
+        worst = fmax(worst, note_masses(r, row));
+        table_row(s->out, 1 + DAMPINGS, row);
     }
     table_real(s->summary, "worst", worst);
-    for (int k = 0; k < 4; ++k)
+    for (int k = 0; k < DAMPINGS; ++k)
         tidy_up(&r[k]);
 }
 
@@ -203,27 +205,37 @@ static double spin(const struct scene *s)
     return sum;
 }
 
-static void study_spin(struct settings *s)
+static void name_dumbbells(struct table *out)
+{
+    table_column(out, "t", "s", "time");
+    table_column(out, "L_full", "kg m^2/s", "dashpot as printed");
+    table_column(out, "L_axial", "kg m^2/s", "dashpot along the axis");
+    table_column(out, "E_full", "J", "energy, dashpot as printed");
+    table_column(out, "E_axial", "J", "energy, dashpot along the axis");
+}
+
+static void note_dumbbells(struct run r[2], double row[5])
+{
+    row[0] = stepping_time(&r[0].stepping);
+    for (int k = 0; k < 2; ++k) {
+        row[1 + k] = spin(&r[k].scene);
+        row[3 + k] = energy(&r[k]);
+        stepping_run(&r[k].stepping, 50);
+    }
+}
+
+static void study_spin(struct study *s)
 {
     struct run r[2];
     double row[5] = {0}, start = 0, law = 0;
-    table_column(s->out, "t", "s", "time");
-    table_column(s->out, "L_full", "kg m^2/s", "dashpot as printed");
-    table_column(s->out, "L_axial", "kg m^2/s", "dashpot along the axis");
-    table_column(s->out, "E_full", "J", "energy, dashpot as printed");
-    table_column(s->out, "E_axial", "J", "energy, dashpot along the axis");
+    name_dumbbells(s->out);
     for (int k = 0; k < 2; ++k) {
         make_dumbbell(&r[k].scene, k == 1);
         set_off(&r[k], stepping_find("leapfrog"), 0.001);
         start = spin(&r[k].scene);
     }
     for (int i = 0; i < DUMBBELL_ROWS; ++i) {
-        row[0] = stepping_time(&r[0].stepping);
-        for (int k = 0; k < 2; ++k) {
-            row[1 + k] = spin(&r[k].scene);
-            row[3 + k] = energy(&r[k]);
-            stepping_run(&r[k].stepping, 50);
-        }
+        note_dumbbells(r, row);
         law = fmax(law, fabs(row[1] / (start * exp(-row[0])) - 1));
         table_row(s->out, 5, row);
     }
@@ -235,13 +247,14 @@ static void study_spin(struct settings *s)
     tidy_up(&r[1]);
 }
 
-static void study_path(struct settings *s)
+static void study_path(struct study *s)
 {
-    const double every = s->every > 0 ? s->every : 0.02;
-    const double until = s->until > 0 ? s->until : 10;
+    const struct settings *own = s->own;
+    const double every = own->every > 0 ? own->every : 0.02;
+    const double until = own->until > 0 ? own->until : 10;
     struct run r;
     make(&r.scene, "double-pendulum",
-         (struct choice[]){{"damping", s->damping}, {0}});
+         (struct choice[]){{"damping", own->damping}, {0}});
     set_off(&r, stepping_find("yoshida4"), every / 40);
     const double *x = r.scene.position, *z = x + 6, start = energy(&r);
     table_column(s->out, "t", "s", "time");
@@ -262,8 +275,7 @@ static void study_path(struct settings *s)
 }
 
 /* Where the bodies are after 10 s: x1, z1, x2, z2, from a computation of
-   its own in quadruple precision; shared/references, double_pendulum.dat.
- */
+   its own in quadruple precision. */
 static const double after_10[4] = {-.156264701442401, .0112096197458345,
                                    -.921375731195946, -1.25031461636596};
 
@@ -296,17 +308,21 @@ static bool swing_of(const struct stepping_method *method, uint64_t n,
     return end == STEPPING_DONE && row[2] < 3;
 }
 
-static void study_precision(struct settings *s, bool timed)
+static void name_errors(struct table *out, bool timed)
 {
-    const char *const keys[] = {"leapfrog_1e-3", "rk4_1e-3"};
     if (timed)
-        bench_machine(s->out);
-    table_column(s->out, "dt", "s", "step");
-    table_column(s->out, "n", "", "evaluations of the forces");
-    table_column(s->out, "error", "m", "of a place, after 10 s");
-    table_column(s->out, "energy", "J", "change of the energy");
+        bench_machine(out);
+    table_column(out, "dt", "s", "step");
+    table_column(out, "n", "", "evaluations of the forces");
+    table_column(out, "error", "m", "of a place, after 10 s");
+    table_column(out, "energy", "J", "change of the energy");
     if (timed)
-        table_column(s->out, "cost", "s", "processor time");
+        table_column(out, "cost", "s", "processor time");
+}
+
+static void write_errors(struct study *s, bool timed)
+{
+    name_errors(s->out, timed);
     for (const struct stepping_method *m = stepping_methods; m->name; ++m) {
         table_print(s->out, "# %s\n", m->name);
         for (uint64_t n = 50; n <= 160000; n *= 2) {
@@ -319,53 +335,69 @@ static void study_precision(struct settings *s, bool timed)
         }
         table_print(s->out, "\n\n");
     }
+}
+
+static void sum_up_errors(struct study *s)
+{
     double row[5];
-    for (int k = 0; k < 2; ++k) {
-        swing_of(stepping_find(k ? "rk4" : "leapfrog"), 10000, row);
-        table_real(s->summary, keys[k], row[2]);
-    }
+    swing_of(stepping_find("leapfrog"), 10000, row);
+    table_real(s->summary, "leapfrog_1e-3", row[2]);
+    swing_of(stepping_find("rk4"), 10000, row);
+    table_real(s->summary, "rk4_1e-3", row[2]);
     swing_of(stepping_find("implicit-midpoint"), 100, row);
     table_real(s->summary, "midpoint_0.1", row[2]);
 }
 
-static void study_errors(struct settings *s)
+static void study_errors(struct study *s)
 {
-    study_precision(s, false);
+    write_errors(s, false);
+    sum_up_errors(s);
 }
 
-static void study_work(struct settings *s)
+static void study_work(struct study *s)
 {
-    study_precision(s, true);
+    write_errors(s, true);
+    sum_up_errors(s);
+}
+
+enum { WAYS = 3 };
+
+static const char *const damping_ways[WAYS] = {"rk4", "leapfrog",
+                                               "yoshida4"};
+static const double damping_step = 0.025; /* s */
+
+static void begin_ways(struct study *s, struct run r[WAYS])
+{
+    table_column(s->out, "t", "s", "time");
+    for (int k = 0; k < WAYS; ++k) {
+        table_column(s->out, damping_ways[k], "m",
+                     "stretch of the upper spring");
+        make(&r[k].scene, "double-pendulum", NULL);
+        set_off(&r[k], stepping_find(damping_ways[k]),
+                k == 2 ? damping_step / 50 : damping_step);
+    }
 }
 
 /* How much the stiff spring is stretched, stepped by RK4 with a step near
    its limit, by the leapfrog with the same, and with a small step. */
-static void study_silent(struct settings *s)
+static void study_silent(struct study *s)
 {
-    const char *const name[3] = {"rk4", "leapfrog", "yoshida4"};
-    const double dt = 0.025;
-    double most[3] = {0}, least[3];
-    struct run r[3];
-    table_column(s->out, "t", "s", "time");
-    for (int k = 0; k < 3; ++k) {
-        table_column(s->out, name[k], "m", "stretch of the upper spring");
-        make(&r[k].scene, "double-pendulum", NULL);
-        set_off(&r[k], stepping_find(name[k]), k == 2 ? dt / 50 : dt);
-        least[k] = INFINITY;
-    }
+    double most[WAYS], least[WAYS];
+    struct run r[WAYS];
+    begin_ways(s, r);
     for (int i = 0; i <= 400; ++i) {
-        double row[4] = {i * dt};
-        for (int k = 0; k < 3; ++k) {
+        double row[1 + WAYS] = {i * damping_step};
+        for (int k = 0; k < WAYS; ++k) {
             const double *const x = r[k].scene.position;
             row[1 + k] = hypot(x[1], x[7] - 1) - 1;
-            most[k] = fmax(i < 392 ? 0 : most[k], row[1 + k]);
-            least[k] = fmin(i < 392 ? INFINITY : least[k], row[1 + k]);
+            most[k] = i < 392 ? row[1 + k] : fmax(most[k], row[1 + k]);
+            least[k] = i < 392 ? row[1 + k] : fmin(least[k], row[1 + k]);
             stepping_run(&r[k].stepping, k == 2 ? 50 : 1);
         }
-        table_row(s->out, 4, row);
+        table_row(s->out, 1 + WAYS, row);
     }
-    for (int k = 0; k < 3; ++k) {
-        table_real(s->summary, name[k], most[k] - least[k]);
+    for (int k = 0; k < WAYS; ++k) {
+        table_real(s->summary, damping_ways[k], most[k] - least[k]);
         tidy_up(&r[k]);
     }
 }
@@ -455,7 +487,7 @@ static void spring_swing(double stiffness, double place[4])
     tidy_up(&r);
 }
 
-static void study_rod(struct settings *s)
+static void study_rod(struct study *s)
 {
     double rigid[4], place[4];
     rod_swing(100000, rigid);
@@ -560,68 +592,85 @@ static double find_limit(const struct stepping_method *m, bool pendulum,
     return low;
 }
 
-static void study_limits(struct settings *s)
+/* The limits of omega dt with the pendulum and on the membrane. */
+static void find_limits(const struct stepping_method *m, uint64_t steps,
+                        double limit[2])
 {
-    table_column(s->out, "limit", "", "omega dt, from the theory");
-    table_column(s->out, "pendulum", "",
-                 "omega dt, found with the pendulum");
-    table_column(s->out, "dt_1", "s", "the same step");
-    table_column(s->out, "membrane", "", "omega dt, found on the membrane");
-    table_column(s->out, "dt_2", "s", "the same step");
+    if (m->family == STEPPING_IMPLICIT) {
+        const bool stable = excursion(m, true, 20, 400) < 1e-6;
+        limit[0] = limit[1] = stable ? INFINITY : 0;
+        return;
+    }
+    limit[0] = limit[1] = find_limit(m, true, steps, 0.5);
+    if (limit[0] > 0)
+        limit[1] = find_limit(m, false, steps / 2, 0.95 * limit[0]);
+}
+
+static void name_limits(struct table *out)
+{
+    table_column(out, "limit", "", "omega dt, from the theory");
+    table_column(out, "pendulum", "", "omega dt, found with the pendulum");
+    table_column(out, "dt_1", "s", "the same step");
+    table_column(out, "membrane", "", "omega dt, found on the membrane");
+    table_column(out, "dt_2", "s", "the same step");
+}
+
+static void study_limits(struct study *s)
+{
+    const struct settings *own = s->own;
+    name_limits(s->out);
     for (const struct stepping_method *m = stepping_methods; m->name; ++m) {
-        const bool implicit = m->family == STEPPING_IMPLICIT;
-        const double one =
-            implicit ? excursion(m, true, 20, 400) < 1e-6 ? INFINITY : 0
-                     : find_limit(m, true, s->steps, 0.5);
-        const double two =
-            implicit || one == 0
-                ? one
-                : find_limit(m, false, s->steps / 2, 0.95 * one);
+        double limit[2];
         char key[40];
+        find_limits(m, own->steps, limit);
+        const double dt[2] = {limit[0] / 70.74605996, limit[1] / 15.103518};
         table_print(s->out, "# %s\n", m->name);
         table_row(s->out, 5,
-                  (double[]){m->limit, one, one / 70.74605996, two,
-                             two / 15.103518});
+                  (double[]){m->limit, limit[0], dt[0], limit[1], dt[1]});
         snprintf(key, sizeof key, "pendulum_%s", m->name);
-        table_real(s->summary, key, one / 70.74605996);
+        table_real(s->summary, key, dt[0]);
         snprintf(key, sizeof key, "membrane_%s", m->name);
-        table_real(s->summary, key, two / 15.103518);
+        table_real(s->summary, key, dt[1]);
     }
+}
+
+static void put_between(struct scene *s, double a)
+{
+    if (!scene_create(s, 3) || !scene_add_kind(s, 50, 0))
+        no_memory();
+    for (size_t i = 0; i < 3; ++i) {
+        s->position[i] = 2.0 / 7 * (double)i;
+        for (size_t k = 0; k < 3; ++k)
+            s->freedom[3 * k + i] = i == 1 && k == 2;
+    }
+    if (!scene_add_spring(s, 0, 1, 0, -1) ||
+        !scene_add_spring(s, 1, 2, 0, -1))
+        no_memory();
+    s->position[7] = a;
 }
 
 /* A mass between two springs at rest length, moved across them by a: its
    period, from the second and third time that it comes through. */
 static double period(double a)
 {
-    const double l = 2.0 / 7, guess = 0.3 / a;
+    const double guess = 0.3 / a;
     struct run r;
-    double before = a, t[3], *z;
+    double before = a, t[3];
     int times = 0;
-    if (!scene_create(&r.scene, 3) || !scene_add_kind(&r.scene, 50, 0))
-        no_memory();
-    for (size_t i = 0; i < 3; ++i) {
-        r.scene.position[i] = l * (double)i;
-        for (size_t k = 0; k < 3; ++k)
-            r.scene.freedom[3 * k + i] = i == 1 && k == 2;
-    }
-    if (!scene_add_spring(&r.scene, 0, 1, 0, -1) ||
-        !scene_add_spring(&r.scene, 1, 2, 0, -1))
-        no_memory();
-    z = &r.scene.position[7];
-    *z = a;
+    put_between(&r.scene, a);
+    const double *z = &r.scene.position[7], *v = &r.scene.velocity[7];
     set_off(&r, stepping_find("yoshida6"), guess / 1024);
     while (times < 3) {
         stepping_run(&r.stepping, 1);
         if (before * *z < 0)
-            t[times++] =
-                stepping_time(&r.stepping) - *z / r.scene.velocity[7];
+            t[times++] = stepping_time(&r.stepping) - *z / *v;
         before = *z;
     }
     tidy_up(&r);
     return t[2] - t[0];
 }
 
-static void study_quartic(struct settings *s)
+static void study_quartic(struct study *s)
 {
     table_column(s->out, "A", "m", "amplitude");
     table_column(s->out, "T", "s", "period");
@@ -672,45 +721,58 @@ static void make_membrane(struct scene *s, double rest, double a, bool free)
                            {0}});
 }
 
-static void study_membranes(struct settings *s)
+enum { MEMBRANES = 3 };
+
+/* How far they are moved at the start, m. */
+static const double lifted[MEMBRANES] = {0.1, 0.1, 0.01};
+
+static void begin_membranes(struct study *s, struct run r[MEMBRANES])
 {
-    const double until = s->until > 0 ? s->until : 40;
-    struct run r[3];
     table_column(s->out, "t", "s", "time");
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < MEMBRANES; ++k) {
         table_column(s->out, "a", "", "of the first mode, over the start");
         table_column(s->out, "rest", "", "of the other modes, the same");
-        make_membrane(&r[k].scene, k == 2 ? 0.8 : 1, k == 2 ? 0.01 : 0.1,
-                      k > 0);
+        make_membrane(&r[k].scene, k == 2 ? 0.8 : 1, lifted[k], k > 0);
         set_off(&r[k], stepping_find("pefrl"), 0.02);
     }
+}
+
+static void note_amplitudes(struct study *s, int row, const double values[])
+{
+    static const char *const keys[] = {NULL,        "a",  "rest",     NULL,
+                                       "free_rest", NULL, "taut_rest"};
+    char key[24];
+    if (row != 10 && row != 50 && row != 100 && row != 400)
+        return;
+    for (int k = 0; k < 7; ++k)
+        if (keys[k]) {
+            snprintf(key, sizeof key, "%s_%d", keys[k], row / 10);
+            table_real(s->summary, key, values[k]);
+        }
+}
+
+static void study_membranes(struct study *s)
+{
+    const struct settings *own = s->own;
+    const double until = own->until > 0 ? own->until : 40;
+    struct run r[MEMBRANES];
+    begin_membranes(s, r);
     for (int row = 0; 0.1 * row <= until; ++row) {
-        double values[7] = {0.1 * row};
-        for (int k = 0; k < 3; ++k) {
-            const double a = k == 2 ? 0.01 : 0.1;
-            values[2 * k + 1] = amplitude(&r[k].scene, 8, 1, 1) / a;
-            values[2 * k + 2] = others(&r[k].scene, 8, a);
+        double values[1 + 2 * MEMBRANES] = {0.1 * row};
+        for (int k = 0; k < MEMBRANES; ++k) {
+            values[2 * k + 1] = amplitude(&r[k].scene, 8, 1, 1) / lifted[k];
+            values[2 * k + 2] = others(&r[k].scene, 8, lifted[k]);
             stepping_run(&r[k].stepping, 5);
         }
-        table_row(s->out, 7, values);
-        char key[24];
-        if (row == 10 || row == 50 || row == 100 || row == 400) {
-            snprintf(key, sizeof key, "a_%d", row / 10);
-            table_real(s->summary, key, values[1]);
-            snprintf(key, sizeof key, "rest_%d", row / 10);
-            table_real(s->summary, key, values[2]);
-            snprintf(key, sizeof key, "free_rest_%d", row / 10);
-            table_real(s->summary, key, values[4]);
-            snprintf(key, sizeof key, "taut_rest_%d", row / 10);
-            table_real(s->summary, key, values[6]);
-        }
+        table_row(s->out, 1 + 2 * MEMBRANES, values);
+        note_amplitudes(s, row, values);
     }
-    for (int k = 0; k < 3; ++k)
+    for (int k = 0; k < MEMBRANES; ++k)
         tidy_up(&r[k]);
 }
 
 /* The grid at four times: taut, then at rest length. */
-static void study_snapshots(struct settings *s)
+static void study_snapshots(struct study *s)
 {
     table_column(s->out, "x", "m", "place of a body");
     table_column(s->out, "y", "m", "place of a body");
@@ -796,7 +858,7 @@ static double measured(size_t n, size_t r, size_t half, size_t axis)
     return 10 * acos(-1) / time;
 }
 
-static void study_dispersion(struct settings *s)
+static void study_dispersion(struct study *s)
 {
     const size_t n = 8;
     double worst = 0;
@@ -839,7 +901,7 @@ static double sag(struct scene *s, double g)
     return depth;
 }
 
-static void study_sag(struct settings *s)
+static void study_sag(struct study *s)
 {
     struct run r;
     const double depth = sag(&r.scene, 0.5);
@@ -892,7 +954,7 @@ static double fall(struct run *r, size_t body)
 }
 
 /* The bodies of a scene as lines, row by row, and then column by column. */
-static void draw(struct settings *s, const struct scene *scene, size_t nx)
+static void draw(struct study *s, const struct scene *scene, size_t nx)
 {
     const double *const x = scene->position, *const y = x + scene->bodies;
     const size_t ny = scene->bodies / nx;
@@ -906,7 +968,7 @@ static void draw(struct settings *s, const struct scene *scene, size_t nx)
 }
 
 /* Beams with 2, 1 and 0 diagonals: at the turning point, then at rest. */
-static void study_shapes(struct settings *s)
+static void study_shapes(struct study *s)
 {
     table_column(s->out, "x", "m", "place of a body");
     table_column(s->out, "y", "m", "place of a body");
@@ -979,43 +1041,55 @@ static void find_turn(struct beam *b)
     tidy_up(&r);
 }
 
-static void study_beams(struct settings *s)
+static void name_beams(struct table *out)
 {
-    static struct beam beams[] = {
-        {.name = "usual"},
-        {.name = "mass", .choice = {{"mass", 2}}},
-        {.name = "stiffness", .choice = {{"stiffness", 2000}}},
-        {.name = "dx", .choice = {{"dx", 2}}},
-        {.name = "dy", .choice = {{"dy", 2}}},
-        {.name = "one_diagonal", .choice = {{"diagonals", 1}}},
-        {.name = "light", .choice = {{"gravity", 0.1}}},
-        {.name = "heavy", .choice = {{"gravity", 10}}},
-        {.name = "no_diagonals", .choice = {{"diagonals", 0}}}};
-    table_column(s->out, "w", "rad/s", "lowest frequency above 0");
-    table_column(s->out, "loose", "", "modes without stiffness");
-    table_column(s->out, "linear", "m", "the end's deflection, linear");
-    table_column(s->out, "still", "m", "the end's deflection at rest");
-    table_column(s->out, "lowest", "m", "at the turning point");
-    table_column(s->out, "t", "s", "when it is there");
-    for (size_t i = 0; i < sizeof beams / sizeof *beams; ++i) {
-        struct beam *const b = &beams[i];
+    table_column(out, "w", "rad/s", "lowest frequency above 0");
+    table_column(out, "loose", "", "modes without stiffness");
+    table_column(out, "linear", "m", "the end's deflection, linear");
+    table_column(out, "still", "m", "the end's deflection at rest");
+    table_column(out, "lowest", "m", "at the turning point");
+    table_column(out, "t", "s", "when it is there");
+}
+
+static void note_beam(struct study *s, const struct beam *b)
+{
+    const double values[] = {b->frequency, -b->linear, -b->still,
+                             -b->lowest, b->time};
+    static const char *const keys[] = {"w", "linear", "still", "lowest",
+                                       "t"};
+    char key[32];
+    for (int k = 0; k < 5; ++k) {
+        snprintf(key, sizeof key, "%s_%s", keys[k], b->name);
+        if (isfinite(values[k]))
+            table_real(s->summary, key, values[k]);
+    }
+    snprintf(key, sizeof key, "loose_%s", b->name);
+    table_count(s->summary, key, b->loose);
+}
+
+enum { BEAMS = 9 };
+
+static struct beam beams[BEAMS] = {
+    {.name = "usual"},
+    {.name = "mass", .choice = {{"mass", 2}}},
+    {.name = "stiffness", .choice = {{"stiffness", 2000}}},
+    {.name = "dx", .choice = {{"dx", 2}}},
+    {.name = "dy", .choice = {{"dy", 2}}},
+    {.name = "one_diagonal", .choice = {{"diagonals", 1}}},
+    {.name = "light", .choice = {{"gravity", 0.1}}},
+    {.name = "heavy", .choice = {{"gravity", 10}}},
+    {.name = "no_diagonals", .choice = {{"diagonals", 0}}}};
+
+static void study_beams(struct study *s)
+{
+    name_beams(s->out);
+    for (struct beam *b = beams; b < beams + BEAMS; ++b) {
         find_turn(b);
         table_print(s->out, "# %s\n", b->name);
         table_row(s->out, 6,
                   (double[]){b->frequency, (double)b->loose, b->linear,
                              b->still, b->lowest, b->time});
-        const double values[] = {b->frequency, -b->linear, -b->still,
-                                 -b->lowest, b->time};
-        static const char *const keys[] = {"w", "linear", "still", "lowest",
-                                           "t"};
-        char key[32];
-        for (int k = 0; k < 5; ++k) {
-            snprintf(key, sizeof key, "%s_%s", keys[k], b->name);
-            if (isfinite(values[k]))
-                table_real(s->summary, key, values[k]);
-        }
-        snprintf(key, sizeof key, "loose_%s", b->name);
-        table_count(s->summary, key, b->loose);
+        note_beam(s, b);
     }
     table_real(s->summary, "second", beams[0].second);
     table_real(s->summary, "third", beams[0].third);
@@ -1059,15 +1133,8 @@ static void accelerate_twice(void *springs, const double x[],
 
 enum { SCATTER, GATHER, TWICE, SPEEDS };
 
-static double wall_seconds(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 /* A damped membrane, free, of n x n bodies, to be stepped in one way. */
-static void make_fast(struct run *r, size_t n, int way, int threads)
+static void make_fast(struct run *r, size_t n, int way)
 {
     make(&r->scene, "membrane",
          (struct choice[]){{"nx", (double)n}, {"ny", (double)n}, {0}});
@@ -1075,30 +1142,27 @@ static void make_fast(struct run *r, size_t n, int way, int threads)
     r->springs.engine = way == SCATTER ? SPRINGS_SCATTER : SPRINGS_GATHER;
     if (way == TWICE)
         r->stepping.forces.accelerate = accelerate_twice;
-    if (!springs_threads(&r->springs, way == GATHER ? threads : 1))
-        no_memory();
 }
 
-/* Bodies stepped in a second: of the processor, or by the clock. */
-static double speed_of(struct run *r, uint64_t steps, bool clock)
+/* Steps of a body in a second, of about two million. */
+static double speed_of(struct run *r, double (*seconds)(void))
 {
-    const double start = clock ? wall_seconds() : bench_seconds();
+    const uint64_t steps = 2000000 / r->scene.bodies + 1;
+    const double start = seconds();
     stepping_run(&r->stepping, steps);
-    const double time = (clock ? wall_seconds() : bench_seconds()) - start;
-    return (double)(steps * r->scene.bodies) / time;
+    return (double)(steps * r->scene.bodies) / (seconds() - start);
 }
 
-static void measure_speeds(size_t n, int threads, double row[1 + SPEEDS])
+static void measure_speeds(size_t n, double row[1 + SPEEDS])
 {
-    const uint64_t steps = 2000000 / (n * n) + 1;
     double rounds[SPEEDS][BENCH_ROUNDS];
     struct run r[SPEEDS];
     for (int way = 0; way < SPEEDS; ++way)
-        make_fast(&r[way], n, way, threads);
+        make_fast(&r[way], n, way);
     for (int round = -1; round < BENCH_ROUNDS; ++round)
         for (int way = 0; way < SPEEDS; ++way)
             rounds[way][round < 0 ? 0 : round] =
-                speed_of(&r[way], steps, threads > 1);
+                speed_of(&r[way], bench_seconds);
     row[0] = (double)n;
     for (int way = 0; way < SPEEDS; ++way) {
         row[1 + way] = bench_median(rounds[way], BENCH_ROUNDS);
@@ -1106,7 +1170,7 @@ static void measure_speeds(size_t n, int threads, double row[1 + SPEEDS])
     }
 }
 
-static void study_speed(struct settings *s)
+static void study_speed(struct study *s)
 {
     double most = 0, least = INFINITY;
     bench_machine(s->out);
@@ -1118,7 +1182,7 @@ static void study_speed(struct settings *s)
                  "each body looks at all its springs");
     for (size_t n = 8; n <= 512 && !progress_signal(); n *= 2) {
         double row[1 + SPEEDS];
-        measure_speeds(n, s->threads, row);
+        measure_speeds(n, row);
         table_row(s->out, 1 + SPEEDS, row);
         most = fmax(most, row[1 + GATHER]);
         if (n >= 64)
@@ -1128,80 +1192,95 @@ static void study_speed(struct settings *s)
     table_real(s->summary, "least_ratio_from_64", least);
 }
 
-static void (*const studies[])(struct settings *s) = {
-    study_critical,   study_regimes, study_spin,      study_path,
-    study_errors,     study_work,    study_rod,       study_limits,
-    study_silent,     study_quartic, study_membranes, study_snapshots,
-    study_dispersion, study_sag,     study_shapes,    study_beams,
-    study_speed};
+/* One row: steps of a body in a second by one thread and by many, and the
+   ratio. */
+static void compare_threads(struct study *s, size_t n, int many)
+{
+    double speed[2][BENCH_ROUNDS], ratio[BENCH_ROUNDS];
+    struct run r[2];
+    for (int way = 0; way < 2; ++way) {
+        make_fast(&r[way], n, GATHER);
+        if (way && !springs_threads(&r[way].springs, many))
+            no_memory();
+    }
+    for (int round = -1; round < BENCH_ROUNDS; ++round) {
+        const int at = round < 0 ? 0 : round; /* the first: a warm-up */
+        for (int way = 0; way < 2; ++way)
+            speed[way][at] = speed_of(&r[way], bench_clock);
+        ratio[at] = speed[1][at] / speed[0][at];
+    }
+    table_row(s->out, 4,
+              (double[]){(double)n, bench_median(speed[0], BENCH_ROUNDS),
+                         bench_median(speed[1], BENCH_ROUNDS),
+                         bench_median(ratio, BENCH_ROUNDS)});
+    tidy_up(&r[0]);
+    tidy_up(&r[1]);
+}
 
-static const char *const study_names[] = {
-    "critical",   "regimes", "spin",   "path",    "errors",    "work",
-    "rod",        "limits",  "silent", "quartic", "membranes", "snapshots",
-    "dispersion", "sag",     "shapes", "beams",   "speed",     NULL};
+static void study_threads(struct study *s)
+{
+    const struct settings *own = s->own;
+    bench_machine(s->out);
+    table_print(s->out, "# %d threads\n", own->threads);
+    table_column(s->out, "n", "", "bodies on a side");
+    table_column(s->out, "one", "1/s", "steps of a body, by the clock");
+    table_column(s->out, "many", "1/s", "by as many threads as there are");
+    table_column(s->out, "ratio", "", "median of the rounds'");
+    for (size_t n = 8; n <= 512 && !progress_signal(); n *= 2)
+        compare_threads(s, n, own->threads);
+}
+
+static const struct study_entry studies[] = {
+    {"critical", study_critical, "digits lost at the border"},
+    {"regimes", study_regimes, "the oscillator at four dampings"},
+    {"spin", study_spin, "what dashpots do to a spin"},
+    {"path", study_path, "of the double pendulum"},
+    {"errors", study_errors, "methods on it, by step"},
+    {"work", study_work, "the same by processor time"},
+    {"rod", study_rod, "in place of the stiff spring"},
+    {"limits", study_limits, "the largest stable steps"},
+    {"silent", study_silent, "a method that damps"},
+    {"quartic", study_quartic, "a mode without stiffness"},
+    {"membranes", study_membranes, "at rest length and taut"},
+    {"snapshots", study_snapshots, "pictures of the same"},
+    {"dispersion", study_dispersion, "a membrane's frequencies"},
+    {"sag", study_sag, "a membrane that hangs"},
+    {"shapes", study_shapes, "a beam, bent"},
+    {"beams", study_beams, "nine of them in numbers"},
+    {"speed", study_speed, "steps of a body in a second"},
+    {"threads", study_threads, "the same on several threads"},
+    {0}};
 
 static const struct options_entry entries[] = {
-    {"study", 'y', "NAME",
-     "critical, regimes, spin, path, errors, work, rod,\nlimits, silent, "
-     "quartic, "
-     "membranes, snapshots, dispersion,\nsag, shapes, beams or speed"},
     {"until", 't', "T", "path (10), membranes (40): end, s"},
     {"every", 'e', "DT", "path: time between rows, s (0.02)"},
     {"damping", 'c', "C", "path: of the dashpots, kg/s (0)"},
     {"steps", 'n', "N", "limits: steps of a test (4000)"},
-    {"threads", 'j', "N", "speed: of the bands; then by the clock (1)"},
-    {"output", 'o', "FILE", "for the table (standard output)"},
-    {"summary", 'S', "FILE", "for the results as lines: key value"},
+    {"threads", 'j', "N", "threads: how many (2)"},
     {0}};
 
-static void read_settings(struct settings *s, int argc, char *argv[])
+static void take_option(struct options *o, int letter, void *settings)
 {
-    struct options o;
-    int option;
-    bool chosen = false;
-    *s = (struct settings){
-        .steps = 4000, .threads = 1, .summary_path = "/dev/null"};
-    options_begin(&o, PROGRAM, "Measure springs, and what fails.", entries,
-                  argc, argv);
-    while ((option = options_next(&o)) != -1)
-        switch (option) {
-        case 'y':
-            s->study = options_choice(&o, study_names);
-            chosen = true;
-            break;
-        case 't': s->until = options_real(&o, 1e-3, 1e6); break;
-        case 'e': s->every = options_real(&o, 1e-6, 1); break;
-        case 'c': s->damping = options_real(&o, 0, 1e3); break;
-        case 'n': s->steps = options_count(&o, 100, 1000000); break;
-        case 'j': s->threads = (int)options_count(&o, 1, 256); break;
-        case 'o': s->output = options_text(&o); break;
-        case 'S': s->summary_path = options_text(&o); break;
-        }
-    s->command = options_command(&o);
-    if (!chosen)
-        options_fail(&o, "--study is needed; --help names them");
-    if (strcmp(s->summary_path, s->output ? s->output : "-") == 0 &&
-        strcmp(s->summary_path, "/dev/null") != 0)
-        options_fail(&o, "--summary and the table would both go to '%s'",
-                     s->summary_path);
+    struct settings *own = settings;
+    switch (letter) {
+    case 't': own->until = options_real(o, 1e-3, 1e6); break;
+    case 'e': own->every = options_real(o, 1e-6, 1); break;
+    case 'c': own->damping = options_real(o, 0, 1e3); break;
+    case 'n': own->steps = options_count(o, 100, 1000000); break;
+    case 'j': own->threads = (int)options_count(o, 1, 256); break;
+    }
 }
 
 int main(int argc, char *argv[])
 {
-    struct settings s;
-    read_settings(&s, argc, argv);
-    s.out = table_open(PROGRAM, s.output);
-    s.summary = table_open(PROGRAM, s.summary_path);
-    if (!s.out || !s.summary)
-        return table_discard(s.out), table_discard(s.summary), EXIT_FAILURE;
-    progress_catch_signals();
-    progress_begin(&s.progress, PROGRAM, 0, "studies");
-    table_begin(s.out, s.command, 0);
-    studies[s.study](&s);
-    const bool whole = progress_end(&s.progress);
-    const bool written = table_close(s.out);
-    if (whole && written)
-        return table_close(s.summary) ? EXIT_SUCCESS : EXIT_FAILURE;
-    table_discard(s.summary);
-    return EXIT_FAILURE;
+    struct settings own = {.steps = 4000, .threads = 2};
+    const struct study_program program = {
+        .name = PROGRAM,
+        .purpose = "Measure springs, and what fails.",
+        .events = "studies",
+        .studies = studies,
+        .options = entries,
+        .take = take_option,
+        .own = &own};
+    return study_main(&program, argc, argv);
 }

@@ -1,26 +1,18 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 3158130290 of the lines below */
+/* checksum 3289492291 of the lines below */
 #include "reference.h"
 #include "stepping.h"
 #include "toolbox/bench.h"
-#include "toolbox/options.h"
-#include "toolbox/progress.h"
-#include "toolbox/table.h"
+#include "toolbox/study.h"
 
 #include <float.h>
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #define PROGRAM "step-studies"
 
 struct settings {
-    size_t study;
     uint64_t orbits;
-    const char *output, *summary_path, *command;
-    struct table *out, *summary;
-    struct progress progress;
 };
 
 enum { CHAIN = 32, MOST = CHAIN };
@@ -159,11 +151,8 @@ static void begin_or_exit(struct course *c, const struct system *y,
                                       &c->friction};
     y->start(c->x, c->v);
     c->energy = y->energy(c->x, c->v);
-    if (stepping_begin(&c->s, stepping_find(method), f, dt, c->x, c->v))
-        return;
-    fprintf(stderr, PROGRAM ": no memory\n");
-    table_abandon();
-    exit(EXIT_FAILURE);
+    if (!stepping_begin(&c->s, stepping_find(method), f, dt, c->x, c->v))
+        study_fail(PROGRAM, "no memory");
 }
 
 /* By how much the energy is wrong, in units of what it was. */
@@ -190,7 +179,7 @@ static double steps_for(const struct stepping_method *m, double budget)
     return budget / (double)m->stages / rounds;
 }
 
-static void study_portrait(struct settings *s)
+static void study_portrait(struct study *s)
 {
     static const char *const names[] = {"euler", "symplectic-euler",
                                         "leapfrog", "rk4"};
@@ -211,7 +200,7 @@ static void study_portrait(struct settings *s)
         }
 }
 
-static void study_laws(struct settings *s)
+static void study_laws(struct study *s)
 {
     static const char *const names[] = {"euler", "symplectic-euler",
                                         "leapfrog", "rk4"};
@@ -265,7 +254,7 @@ static void carry_rim(double p[RIM][2], const char *method, uint64_t steps)
     stepping_free(&c.s);
 }
 
-static void study_area(struct settings *s)
+static void study_area(struct study *s)
 {
     static const char *const names[] = {"euler", "leapfrog", "rk4"};
     table_column(s->out, "x", "", "angle");
@@ -292,15 +281,15 @@ static void study_area(struct settings *s)
 enum { BUDGET = 400 }; /* evaluations of the forces in an orbit */
 
 /* The largest error of the energy so far, at times that grow by a tenth. */
-static void record_energy(struct settings *s,
-                          const struct stepping_method *m)
+static void record_energy(struct study *s, const struct stepping_method *m)
 {
+    const struct settings *own = s->own;
     struct course c;
     const double steps = steps_for(m, BUDGET);
     double worst = 0, next = 0.1;
     begin_or_exit(&c, &orbit, m->name, period / steps, 0);
     table_print(s->out, "# %s\n", m->name);
-    while ((double)c.s.steps < steps * (double)s->orbits &&
+    while ((double)c.s.steps < steps * (double)own->orbits &&
            !progress_signal() && stepping_run(&c.s, 1) == STEPPING_DONE) {
         const double orbits = stepping_time(&c.s) / period;
         worst = fmax(worst, fabs(energy_error(&c)));
@@ -314,7 +303,7 @@ static void record_energy(struct settings *s,
     stepping_free(&c.s);
 }
 
-static void study_energy(struct settings *s)
+static void study_energy(struct study *s)
 {
     table_column(s->out, "t", "orbits", "time");
     table_column(s->out, "dE/E", "", "largest error of the energy so far");
@@ -342,7 +331,7 @@ static void step_matrix(const struct stepping_method *m, double w, double c,
         const struct stepping_forces f = {1, c != 0, linear_force,
                                           constants};
         if (!stepping_begin(&s, m, f, 1, &x, &v))
-            exit(EXIT_FAILURE);
+            study_fail(PROGRAM, "no memory");
         stepping_resume(&s, 0, NULL, c != 0 && m->drifts ? &a : NULL);
         stepping_run(&s, 1);
         matrix[0][k] = x;
@@ -373,7 +362,7 @@ static double growth(double m[3][3])
     return exp(exponent);
 }
 
-static void study_stability(struct settings *s)
+static void study_stability(struct study *s)
 {
     table_column(s->out, "re", "", "real part of lambda dt");
     table_column(s->out, "im", "", "imaginary part of lambda dt");
@@ -394,7 +383,7 @@ static void study_stability(struct settings *s)
 }
 
 /* Half the trace of a step against omega dt, for every splitting. */
-static void study_trace(struct settings *s)
+static void study_trace(struct study *s)
 {
     static const char *const names[] = {"leapfrog", "yoshida4", "pefrl",
                                         "yoshida6", "kahan-li8"};
@@ -452,7 +441,7 @@ static void reference(double friction, double *x, double *v)
     stepping_free(&c.s);
 }
 
-static void study_order(struct settings *s)
+static void study_order(struct study *s)
 {
     double x, v, xc, vc;
     reference(0, &x, &v);
@@ -497,7 +486,7 @@ static double sum_of_moduli(const double y[], size_t n)
     return sum;
 }
 
-static void study_damping(struct settings *s)
+static void study_damping(struct study *s)
 {
     table_print(s->out, "# method            sum|drift|  c dt\n");
     for (const struct stepping_method *m = stepping_methods; m->name; ++m)
@@ -507,7 +496,7 @@ static void study_damping(struct settings *s)
 }
 
 /* What a step does to a velocity under friction alone. */
-static void study_friction(struct settings *s)
+static void study_friction(struct study *s)
 {
     table_column(s->out, "c dt", "", "friction times step");
     for (const struct stepping_method *m = stepping_methods; m->name; ++m)
@@ -535,7 +524,7 @@ static void record_size(const char *method, double w, double c,
     const struct stepping_forces f = {1, c != 0, linear_force, constants};
     struct stepping s;
     if (!stepping_begin(&s, stepping_find(method), f, 1, &x, &v))
-        exit(EXIT_FAILURE);
+        study_fail(PROGRAM, "no memory");
     for (int n = 0; n <= 60; ++n) {
         size[n] = c != 0 ? fabs(v) : sqrt(x * x + v * v / (w * w));
         stepping_run(&s, 1);
@@ -543,7 +532,7 @@ static void record_size(const char *method, double w, double c,
     stepping_free(&s);
 }
 
-static void study_fails(struct settings *s)
+static void study_fails(struct study *s)
 {
     static const struct {
         const char *method;
@@ -567,12 +556,10 @@ static void study_fails(struct settings *s)
 
 enum { STARTS = 16 };
 
-/* The energy's error after powers of two of orbits: the root of the mean
-   square over orbits that differ a little. */
-static void record_rounding(struct settings *s, double steps_of_orbit,
-                            bool compensated)
+/* Orbits that differ a little. */
+static void begin_orbits(struct course c[STARTS], double steps_of_orbit,
+                         bool compensated)
 {
-    static struct course c[STARTS];
     for (int k = 0; k < STARTS; ++k) {
         begin_or_exit(&c[k], &orbit, "kahan-li8", period / steps_of_orbit,
                       0);
@@ -580,24 +567,38 @@ static void record_rounding(struct settings *s, double steps_of_orbit,
         c[k].energy = orbit_energy(c[k].x, c[k].v);
         c[k].s.compensated = compensated;
     }
-    for (uint64_t n = 1; n <= s->orbits && !progress_signal(); n *= 2) {
-        double sum = 0;
-        for (int k = 0; k < STARTS; ++k) {
-            stepping_run(&c[k].s,
-                         n * (uint64_t)steps_of_orbit - c[k].s.steps);
-            sum += pow(energy_error(&c[k]), 2);
-        }
-        table_row(s->out, 2, (double[]){(double)n, sqrt(sum / STARTS)});
-        if (n > s->orbits / 2)
+}
+
+/* Goes on to this number of steps; the root of the mean square. */
+static double error_after(struct course c[STARTS], uint64_t steps)
+{
+    double sum = 0;
+    for (int k = 0; k < STARTS; ++k) {
+        stepping_run(&c[k].s, steps - c[k].s.steps);
+        sum += pow(energy_error(&c[k]), 2);
+    }
+    return sqrt(sum / STARTS);
+}
+
+static void record_rounding(struct study *s, double steps_of_orbit,
+                            bool compensated)
+{
+    static struct course c[STARTS];
+    const struct settings *own = s->own;
+    begin_orbits(c, steps_of_orbit, compensated);
+    for (uint64_t n = 1; n <= own->orbits && !progress_signal(); n *= 2) {
+        const double error = error_after(c, n * (uint64_t)steps_of_orbit);
+        table_row(s->out, 2, (double[]){(double)n, error});
+        if (n > own->orbits / 2)
             table_real(s->summary, compensated ? "carried" : "plain",
-                       sqrt(sum / STARTS));
+                       error);
     }
     table_print(s->out, "\n\n");
     for (int k = 0; k < STARTS; ++k)
         stepping_free(&c[k].s);
 }
 
-static void study_rounding(struct settings *s)
+static void study_rounding(struct study *s)
 {
     table_column(s->out, "n", "", "orbits");
     table_column(s->out, "dE/E", "", "error of the energy, rms");
@@ -674,7 +675,7 @@ static void set_chain_task(struct task *k)
     stepping_free(&c.s);
 }
 
-static void record_work(struct settings *s, const struct task *k)
+static void record_work(struct study *s, const struct task *k)
 {
     for (const struct stepping_method *m = stepping_methods; m->name; ++m) {
         table_print(s->out, "# %s\n", m->name);
@@ -696,7 +697,7 @@ static void record_work(struct settings *s, const struct task *k)
     table_print(s->out, "\n\n");
 }
 
-static void study_work(struct settings *s)
+static void study_work(struct study *s)
 {
     struct task k;
     table_column(s->out, "n", "", "evaluations of the forces");
@@ -724,7 +725,22 @@ static struct outcome timed(const struct task *k,
     return o;
 }
 
-static void study_cost(struct settings *s)
+/* One row of the table, if the error is not beyond all bounds. */
+static void record_cost(struct study *s, const struct task *k,
+                        const struct stepping_method *m, double effort,
+                        int row)
+{
+    double seconds[BENCH_ROUNDS];
+    const struct outcome o = timed(k, m, effort);
+    for (int round = 0; round < BENCH_ROUNDS; ++round)
+        seconds[round] = timed(k, m, effort).seconds;
+    if (o.error < 10)
+        table_row(s->out, 4,
+                  (double[]){row, o.evaluations,
+                             bench_median(seconds, BENCH_ROUNDS), o.error});
+}
+
+static void study_cost(struct study *s)
 {
     struct task k;
     const struct stepping_method *m = stepping_methods;
@@ -739,80 +755,48 @@ static void study_cost(struct settings *s)
         for (int step = 0; step < 11; ++step) {
             const double effort =
                 (m->name ? 500 : 10) * pow(2, m->name ? step : 4 * step);
-            double seconds[BENCH_ROUNDS];
-            struct outcome o = timed(&k, m, effort);
-            for (int round = 0; round < BENCH_ROUNDS; ++round)
-                seconds[round] = timed(&k, m, effort).seconds;
-            if (o.error < 10)
-                table_row(s->out, 4,
-                          (double[]){100 * row + step, o.evaluations,
-                                     bench_median(seconds, BENCH_ROUNDS),
-                                     o.error});
+            record_cost(s, &k, m, effort, 100 * row + step);
         }
         table_print(s->out, "\n\n");
     }
 }
 
-enum { STUDIES = 13 };
-
-static const char *const study_names[] = {
-    "portrait", "laws",  "area",    "energy",   "stability",
-    "trace",    "order", "damping", "friction", "fails",
-    "rounding", "work",  "cost",    NULL};
-static void (*const studies[STUDIES])(struct settings *s) = {
-    study_portrait,  study_laws,  study_area,     study_energy,
-    study_stability, study_trace, study_order,    study_damping,
-    study_friction,  study_fails, study_rounding, study_work,
-    study_cost};
-
-static const struct options_entry entries[] = {
-    {"study", 'y', "NAME",
-     "portrait, laws, area, energy, stability,\ntrace, order, damping, "
-     "friction, fails,\nrounding, work or cost"},
-    {"orbits", 'n', "N", "energy, rounding: how many (1000)"},
-    {"output", 'o', "FILE", "for the table (standard output)"},
-    {"summary", 'S', "FILE", "for the results as lines: key value"},
+static const struct study_entry studies[] = {
+    {"portrait", study_portrait, "three methods in the phase plane"},
+    {"laws", study_laws, "of their energies"},
+    {"area", study_area, "of a disk of starts"},
+    {"energy", study_energy, "of a planet, in the long run"},
+    {"stability", study_stability, "friction and a spring together"},
+    {"trace", study_trace, "a spring without friction"},
+    {"order", study_order, "the slope of the error"},
+    {"damping", study_damping, "the limits under friction alone"},
+    {"friction", study_friction, "what it makes of a velocity"},
+    {"fails", study_fails, "three ways to fail"},
+    {"rounding", study_rounding, "carried along or not"},
+    {"work", study_work, "error against evaluations"},
+    {"cost", study_cost, "error against processor time"},
     {0}};
 
-static void read_settings(struct settings *s, int argc, char *argv[])
+static const struct options_entry entries[] = {
+    {"orbits", 'n', "N", "energy, rounding: how many (1000)"}, {0}};
+
+static void take_option(struct options *o, int letter, void *settings)
 {
-    struct options o;
-    int option;
-    bool chosen = false;
-    *s = (struct settings){.orbits = 1000, .summary_path = "/dev/null"};
-    options_begin(&o, PROGRAM, "Measure the methods of stepping.", entries,
-                  argc, argv);
-    while ((option = options_next(&o)) != -1)
-        switch (option) {
-        case 'y':
-            s->study = options_choice(&o, study_names);
-            chosen = true;
-            break;
-        case 'n': s->orbits = options_count(&o, 1, 1000000000); break;
-        case 'o': s->output = options_text(&o); break;
-        case 'S': s->summary_path = options_text(&o); break;
-        }
-    s->command = options_command(&o);
-    if (!chosen)
-        options_fail(&o, "--study is needed; --help lists them");
+    struct settings *own = settings;
+    if (letter == 'n')
+        own->orbits = options_count(o, 1, 1000000000);
 }
 
 int main(int argc, char *argv[])
 {
-    struct settings s;
-    read_settings(&s, argc, argv);
-    s.out = table_open(PROGRAM, s.output);
-    s.summary = table_open(PROGRAM, s.summary_path);
-    if (!s.out || !s.summary)
-        return table_discard(s.out), table_discard(s.summary), EXIT_FAILURE;
-    progress_catch_signals();
-    progress_begin(&s.progress, PROGRAM, 0, "steps");
-    table_begin(s.out, s.command, 0);
-    studies[s.study](&s);
-    const bool whole = progress_end(&s.progress);
-    const bool written = table_close(s.out);
-    if (whole && written)
-        return table_close(s.summary) ? EXIT_SUCCESS : EXIT_FAILURE;
-    table_discard(s.summary);
-    return EXIT_FAILURE;
+    struct settings own = {.orbits = 1000};
+    const struct study_program program = {
+        .name = PROGRAM,
+        .purpose = "Measure the methods of stepping.",
+        .events = "steps",
+        .studies = studies,
+        .options = entries,
+        .take = take_option,
+        .own = &own};
+    return study_main(&program, argc, argv);
 }

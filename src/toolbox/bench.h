@@ -1,5 +1,5 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 1557299029 of the lines below */
+/* checksum 4054187077 of the lines below */
 #ifndef TOOLBOX_BENCH_H
 #define TOOLBOX_BENCH_H
 
@@ -11,6 +11,9 @@ enum { BENCH_ROUNDS = 5 }; /* runs of which the median counts */
 
 /* Returns the processor time that this process has used, s. */
 double bench_seconds(void);
+
+/* Returns what the clock on the wall says, s since some moment. */
+double bench_clock(void);
 
 /* Sorts n values, n > 0, and returns the middle one, the upper of two. */
 double bench_median(double values[], size_t n);

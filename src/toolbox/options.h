@@ -1,5 +1,5 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 1052597191 of the lines below */
+/* checksum 1058905847 of the lines below */
 #ifndef TOOLBOX_OPTIONS_H
 #define TOOLBOX_OPTIONS_H
 
@@ -58,8 +58,8 @@ int options_next(struct options *o);
 
 /* The command for the head of a table: the program and the options by
    their full names, without those that do not change the numbers: output,
-   summary, engine, threads, resume. NULL until options_next has
-   returned -1. */
+   summary, engine, threads, resume, explain, chart. NULL until
+   options_next has returned -1. */
 const char *options_command(const struct options *o);
 
 /* The value as a whole number from low to high. Every unsigned decimal

@@ -231,6 +231,31 @@ static void test_together(void)
     UNIT_TRUE(isnan(sum[0]));
 }
 
+/* Sources pull as bodies do whose mates have no mass; a share multiplies.
+ */
+static void test_sources(void)
+{
+    const uint32_t source[] = {0, 7, 39};
+    double share[40], all[40];
+    scatter(40, 9);
+    struct gravity g = prepare(40, 3, 0.05);
+    memcpy(all, mass, sizeof all);
+    for (size_t i = 0; i < 40; ++i) {
+        share[i] = 1 + (double)(i % 2);
+        if (i != 0 && i != 7 && i != 39)
+            mass[i] = 0;
+    }
+    add(&g, other);
+    memcpy(mass, all, sizeof all);
+    g.source = source;
+    g.sources = 3;
+    g.share = share;
+    add(&g, sum);
+    for (size_t c = 0; c < 120; ++c)
+        UNIT_NEAR(sum[c], share[c % 40] * other[c],
+                  1e-14 * (1 + fabs(sum[c])));
+}
+
 static void test_names(void)
 {
     UNIT_TRUE(strcmp(gravity_kernels[GRAVITY_PORTABLE], "portable") == 0);
@@ -254,6 +279,7 @@ int main(void)
             {"forces are opposite in pairs", test_third_law},
             {"the force is the slope of the potential", test_potential},
             {"softening keeps coincidence finite", test_together},
+            {"none but the sources pull, by their share", test_sources},
             {"kernels have names", test_names},
             {0}});
 }

@@ -94,7 +94,12 @@ static void test_lanes(void)
                 x[i] = fmod((double)(i + 1) * 0.6180339887498949, 1);
             for (size_t i = 0; i < n; ++i)
                 m[i] = 1 + (double)(i % 3);
-            struct gravity g = {n, m, 1, soft ? 0.1 : 0, GRAVITY_AVX512, 1};
+            struct gravity g = {.bodies = n,
+                                .mass = m,
+                                .k2 = 1,
+                                .softening = soft ? 0.1 : 0,
+                                .kernel = GRAVITY_AVX512,
+                                .threads = 1};
             memset(a, 0, sizeof a);
             memset(b, 0, sizeof b);
             a[3 * n] = 77;

@@ -1,0 +1,132 @@
+/* From chapters/A-toolbox.nw: edit there, then run make tangle. */
+/* checksum 1605722698 of the lines below */
+#include "toolbox/study.h"
+
+#include <assert.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct command {
+    size_t study;
+    uint64_t seed;
+    const char *output, *summary, *record;
+};
+
+enum { LINE = 64 }; /* letters for a study in the help */
+
+/* Names and help of the studies; returns how many there are. */
+static size_t list_studies(const struct study_program *p,
+                           const char *names[STUDY_MOST + 1],
+                           char help[STUDY_MOST * LINE])
+{
+    size_t n = 0;
+    help += sprintf(help, "what to measure:");
+    for (const struct study_entry *e = p->studies; e->name; ++e) {
+        assert(n + 1 < STUDY_MOST);
+        assert(strlen(e->name) + strlen(e->about) <= STUDY_WIDTH);
+        names[n++] = e->name;
+        help += sprintf(help, "\n%s: %s", e->name, e->about);
+    }
+    names[n] = NULL;
+    return n;
+}
+
+static void list_options(const struct study_program *p, const char *help,
+                         struct options_entry entries[])
+{
+    const struct options_entry *own = p->options;
+    *entries++ = (struct options_entry){"study", 'y', "NAME", help};
+    while (own && own->name)
+        *entries++ = *own++;
+    if (p->seeds > 0)
+        *entries++ = (struct options_entry){"seed", 's', "S",
+                                            "of the random numbers (1)"};
+    *entries++ = (struct options_entry){"output", 'o', "FILE",
+                                        "for the table (standard output)"};
+    *entries = (struct options_entry){
+        "summary", 'S', "FILE", "for the results as lines: key value"};
+}
+
+static void take_option(struct options *o, int letter,
+                        const struct study_program *p,
+                        const char *const names[], struct command *c)
+{
+    switch (letter) {
+    case 'y': c->study = options_choice(o, names); break;
+    case 'o': c->output = options_text(o); break;
+    case 'S': c->summary = options_text(o); break;
+    case 's':
+        if (p->seeds > 0) {
+            c->seed = options_count(o, 0, p->seeds);
+            break;
+        }
+        /* fall through */
+    default: p->take(o, letter, p->own);
+    }
+}
+
+static void read_command(const struct study_program *p, struct command *c,
+                         int argc, char *argv[])
+{
+    const char *names[STUDY_MOST + 1];
+    char help[STUDY_MOST * LINE];
+    struct options_entry entries[OPTIONS_MAXIMUM + 1] = {{0}};
+    struct options o;
+    int letter;
+    const size_t studies = c->study = list_studies(p, names, help);
+    list_options(p, help, entries);
+    options_begin(&o, p->name, p->purpose, entries, argc, argv);
+    while ((letter = options_next(&o)) != -1)
+        take_option(&o, letter, p, names, c);
+    c->record = options_command(&o);
+    if (c->study == studies)
+        options_fail(&o, "--study is needed; %s --help lists them",
+                     p->name);
+    const char *output = c->output ? c->output : "-";
+    if (strcmp(c->summary, output) == 0 && strcmp(output, "/dev/null") != 0)
+        options_fail(&o, "--summary and the table would both go to '%s'",
+                     output);
+}
+
+static bool open_tables(const char *program, const struct command *c,
+                        struct study *s)
+{
+    s->out = table_open(program, c->output);
+    s->summary = s->out ? table_open(program, c->summary) : NULL;
+    if (!s->summary)
+        table_discard(s->out);
+    return s->summary != NULL;
+}
+
+static bool close_tables(struct study *s)
+{
+    const bool whole = progress_end(&s->progress);
+    const bool written = table_close(s->out);
+    if (whole && written)
+        return table_close(s->summary);
+    table_discard(s->summary);
+    return false;
+}
+
+int study_main(const struct study_program *p, int argc, char *argv[])
+{
+    struct command c = {.seed = p->seeds > 0, .summary = "/dev/null"};
+    struct study s = {.own = p->own};
+    read_command(p, &c, argc, argv);
+    if (!open_tables(p->name, &c, &s))
+        return EXIT_FAILURE;
+    s.seed = c.seed;
+    progress_catch_signals();
+    progress_begin(&s.progress, p->name, 0, p->events);
+    table_begin(s.out, c.record, c.seed);
+    p->studies[c.study].run(&s);
+    return close_tables(&s) ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+_Noreturn void study_fail(const char *program, const char *why)
+{
+    fprintf(stderr, "%s: %s\n", program, why);
+    table_abandon();
+    exit(EXIT_FAILURE);
+}

@@ -1,0 +1,53 @@
+/* From chapters/A-toolbox.nw: edit there, then run make tangle. */
+/* checksum 1495998435 of the lines below */
+#ifndef TOOLBOX_STUDY_H
+#define TOOLBOX_STUDY_H
+
+#include "toolbox/options.h"
+#include "toolbox/progress.h"
+#include "toolbox/table.h"
+
+#include <stdint.h>
+
+/* A study at work. */
+struct study {
+    struct table *out, *summary; /* open; out has its first lines */
+    uint64_t seed;
+    struct progress progress; /* begun, with no total */
+    const void *own;          /* the program's own settings */
+};
+
+/* One study; a list of them ends with {0}. */
+struct study_entry {
+    const char *name; /* what --study calls it */
+    void (*run)(struct study *s);
+    /* A phrase for --help; with the name at most STUDY_WIDTH letters. */
+    const char *about;
+};
+
+/* A program of fewer than STUDY_MOST studies. */
+struct study_program {
+    const char *name, *purpose; /* for options_begin */
+    const char *events;         /* for progress_begin */
+    const struct study_entry *studies;
+    uint64_t seeds; /* the highest --seed; 0: no such option */
+    /* Options of its own, or NULL; take puts the value of each into own
+       and may end in options_fail. */
+    const struct options_entry *options;
+    void (*take)(struct options *o, int letter, void *own);
+    void *own;
+};
+
+enum { STUDY_MOST = 32, STUDY_WIDTH = 48 };
+
+/* Reads the command line, opens table and summary, runs the study asked
+   for, and closes both. A table cut short by a signal is kept, its summary
+   is not. Returns the status to exit with: EXIT_FAILURE if a file could
+   not be written or a signal came. A wrong command ends the process. */
+int study_main(const struct study_program *p, int argc, char *argv[]);
+
+/* Says why, after the program's name, removes what has been written of
+   table and summary, and ends the process with EXIT_FAILURE. */
+_Noreturn void study_fail(const char *program, const char *why);
+
+#endif

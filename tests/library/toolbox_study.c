@@ -1,0 +1,236 @@
+/* The frame of a program of studies: what it reads, what it leaves behind
+   when all is well, and what when something is not. Each case runs in a
+   process of its own, since a wrong command ends it. */
+#include "unit.h"
+
+#include "library/toolbox_child.h"
+#include "toolbox/study.h"
+
+#include <signal.h>
+
+#define TABLE "build/tests/study.dat"
+#define SUMMARY "build/tests/study.txt"
+
+struct own {
+    double mass;
+};
+
+static void measure(struct study *s)
+{
+    const struct own *own = s->own;
+    table_column(s->out, "m", "kg", "mass");
+    table_row(s->out, 1, (double[]){own->mass});
+    table_count(s->summary, "seed", s->seed);
+}
+
+static void fall(struct study *s)
+{
+    measure(s);
+    study_fail("drop", "no ground");
+}
+
+static void interrupt(struct study *s)
+{
+    measure(s);
+    raise(SIGTERM);
+}
+
+static const struct study_entry studies[] = {
+    {"measure", measure, "a mass"},
+    {"fall", fall, "to nowhere"},
+    {"interrupt", interrupt, "itself"},
+    {0}};
+
+static const struct options_entry entries[] = {
+    {"mass", 'm', "M", "of the body, kg (1)"}, {0}};
+
+static void take(struct options *o, int letter, void *settings)
+{
+    struct own *own = settings;
+    if (letter == 'm')
+        own->mass = options_real(o, 0, 10);
+}
+
+static uint64_t seeds;
+static const struct options_entry *own_entries;
+
+static int program(void *argument)
+{
+    char *argv[17] = {"build/bin/drop"}, *text = argument;
+    struct own own = {.mass = 1};
+    int argc = 1;
+    for (; text && argc < 16; text = strchr(text, '\n')) {
+        if (argc > 1)
+            *text++ = '\0';
+        argv[argc++] = text;
+    }
+    return study_main(&(struct study_program){.name = "drop",
+                                              .purpose = "Drop things.",
+                                              .events = "falls",
+                                              .studies = studies,
+                                              .seeds = seeds,
+                                              .options = own_entries,
+                                              .take = take,
+                                              .own = &own},
+                      argc, argv);
+}
+
+/* Runs the program with these arguments, one a line, after the files of
+   the case before are gone. */
+static struct child run(const char *arguments)
+{
+    char text[400];
+    snprintf(text, sizeof text, "%s", arguments);
+    remove(TABLE);
+    remove(SUMMARY);
+    return child_run(program, *text ? text : NULL, NULL);
+}
+
+/* What the file has, or "" if there is none. */
+static const char *content(const char *path)
+{
+    static char text[2][2048];
+    static int which;
+    char *const t = text[which = 1 - which];
+    FILE *file = fopen(path, "r");
+    t[0] = '\0';
+    if (file) {
+        t[fread(t, 1, sizeof text[0] - 1, file)] = '\0';
+        fclose(file);
+    }
+    return t;
+}
+
+#define FILES "\n--output\n" TABLE "\n--summary\n" SUMMARY
+
+static void test_whole(void)
+{
+    const struct child c =
+        run("--study\nmeasure\n--mass\n2.5\n--seed\n7" FILES);
+    UNIT_TRUE(c.status == 0);
+    UNIT_TRUE(c.out[0] == '\0' && c.err[0] == '\0');
+    UNIT_TRUE(strcmp(content(SUMMARY), "seed 7\n") == 0);
+    UNIT_TRUE(strstr(content(TABLE), "# command: drop --study measure "
+                                     "--mass 2.5 --seed 7\n# seed: 7\n"));
+    UNIT_TRUE(strstr(content(TABLE), "# 1 m [kg] mass\n2.5\n"));
+}
+
+static void test_usual(void)
+{
+    const struct child c = run("-y\nmeasure");
+    UNIT_TRUE(c.status == 0);
+    UNIT_TRUE(strstr(c.out, "# seed: 1\n"));
+    UNIT_TRUE(strstr(c.out, "\n1\n"));
+    UNIT_TRUE(content(SUMMARY)[0] == '\0');
+}
+
+static void test_command(void)
+{
+    struct child c = run("");
+    UNIT_TRUE(c.status == 2);
+    UNIT_TRUE(strcmp(c.err, "drop: --study is needed; drop --help lists "
+                            "them\n") == 0);
+    c = run("--study\nfly" FILES);
+    UNIT_TRUE(c.status == 2);
+    UNIT_TRUE(strstr(c.err, "'fly' is not measure, fall or interrupt"));
+    c = run("--study\nmeasure\n--mass\n11" FILES);
+    UNIT_TRUE(c.status == 2 && strstr(c.err, "drop: --mass: '11'"));
+    c = run("--study\nmeasure\n--seed\n101" FILES);
+    UNIT_TRUE(c.status == 2 && strstr(c.err, "drop: --seed: '101'"));
+    UNIT_TRUE(content(TABLE)[0] == '\0');
+}
+
+static void test_same_place(void)
+{
+    struct child c = run("--study\nmeasure\n--summary\n-");
+    UNIT_TRUE(c.status == 2);
+    UNIT_TRUE(strstr(c.err, "both go to '-'") && c.out[0] == '\0');
+    c = run("--study\nmeasure\n-o\n" TABLE "\n-S\n" TABLE);
+    UNIT_TRUE(c.status == 2);
+    UNIT_TRUE(content(TABLE)[0] == '\0');
+    c = run("--study\nmeasure\n-o\n/dev/null");
+    UNIT_TRUE(c.status == 0);
+}
+
+static void test_no_file(void)
+{
+    struct child c =
+        run("--study\nmeasure\n-o\n" TABLE "\n-S\nbuild/nowhere/s");
+    UNIT_TRUE(c.status == 1);
+    UNIT_TRUE(strstr(c.err, "drop: ") == c.err);
+    UNIT_TRUE(content(TABLE)[0] == '\0');
+    c = run("--study\nmeasure\n-o\nbuild/nowhere/t\n-S\n" SUMMARY);
+    UNIT_TRUE(c.status == 1);
+    UNIT_TRUE(content(SUMMARY)[0] == '\0');
+    c = run("--study\nmeasure\n-o\n/dev/full\n-S\n" SUMMARY);
+    UNIT_TRUE(c.status == 1);
+    UNIT_TRUE(content(SUMMARY)[0] == '\0');
+}
+
+static void test_failure(void)
+{
+    const struct child c = run("--study\nfall" FILES);
+    UNIT_TRUE(c.status == 1);
+    UNIT_TRUE(strcmp(c.err, "drop: no ground\n") == 0);
+    UNIT_TRUE(content(TABLE)[0] == '\0');
+    UNIT_TRUE(content(SUMMARY)[0] == '\0');
+}
+
+static void test_signal(void)
+{
+    const struct child c = run("--study\ninterrupt" FILES);
+    UNIT_TRUE(c.status == 1);
+    UNIT_TRUE(strstr(c.err, "drop: interrupted"));
+    UNIT_TRUE(strstr(content(TABLE), "\n1\n"));
+    UNIT_TRUE(content(SUMMARY)[0] == '\0');
+}
+
+static void test_help(void)
+{
+    const struct child c = run("--help");
+    UNIT_TRUE(c.status == 0);
+    UNIT_TRUE(strstr(c.out, "Drop things."));
+    UNIT_TRUE(strstr(c.out, "measure: a mass\n"));
+    UNIT_TRUE(strstr(c.out, "interrupt: itself\n"));
+    const char *mass = strstr(c.out, "--mass M"),
+               *seed = strstr(c.out, "--seed S");
+    UNIT_TRUE(mass && seed && mass < seed);
+}
+
+static void test_no_seed(void)
+{
+    own_entries = NULL;
+    seeds = 0;
+    struct child c = run("--study\nmeasure\n--seed\n1" FILES);
+    UNIT_TRUE(c.status == 2 && strstr(c.err, "unknown option"));
+    c = run("--study\nmeasure" FILES);
+    UNIT_TRUE(c.status == 0);
+    UNIT_TRUE(strstr(content(TABLE), "# seed: 0\n"));
+    own_entries = entries;
+    seeds = 100;
+}
+
+int main(void)
+{
+    own_entries = entries;
+    seeds = 100;
+    const int status = unit_run(
+        "study",
+        (struct unit_test[]){
+            {"table and summary are whole", test_whole},
+            {"nothing said: seed 1, standard output, no summary",
+             test_usual},
+            {"a wrong command is refused before a file is opened",
+             test_command},
+            {"table and summary may not share a file", test_same_place},
+            {"a file that cannot be written leaves none behind",
+             test_no_file},
+            {"a study that fails leaves nothing", test_failure},
+            {"a signal keeps the table, not the summary", test_signal},
+            {"--help lists the studies and the options", test_help},
+            {"no seeds: no option, and 0 in the head", test_no_seed},
+            {0}});
+    remove(TABLE);
+    remove(SUMMARY);
+    return status;
+}

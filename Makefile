@@ -146,10 +146,12 @@ bench: native build/bin/disks-speed build/bin/gravity-studies
 	build/native/bin/scene-speed
 	for bin in build/bin build/native/bin; do $$bin/disks-speed --steps \
 		--particles 1e4 --dimensions 3 --packing .49 || exit 1; done
-	build/native/bin/springs-studies --study speed --summary -
+	build/native/bin/springs-studies --study speed
+	build/native/bin/springs-studies --study threads
 	build/native/bin/springs-studies --study work -o - | tail -n +7
 	build/native/bin/spheres-studies --study cost --runs 4
 	build/bin/gravity-studies --study speed
+	build/bin/gravity-studies --study threads
 	build/bin/gravity-studies --study tree
 	build/native/bin/scene sun-earth | build/native/bin/step - \
 		--until 90000 --every 9000 --summary - -o build/bench.dat | \
@@ -489,7 +491,8 @@ build/tests/%: tests/tools/%.c
 	$(Q)$(CC) $(STANDARD) $(PORTABLE) $(CFLAGS) -o $@ $< $(LDFLAGS)
 
 # The book is the first of the tests: the others look at what it made.
-test: has-tex has-test-tools programs native test-parts
+test: has-tex has-test-tools
+	@$(MAKE) -s -j2 programs native test-parts
 	@MAKE='$(MAKE)' tests/run -t $(TEST_SECONDS) -j 2 tests/book/book.sh $(unit_tests) \
 		$(scripts) $(filter-out tests/book/book.sh,$(wildcard tests/book/*.sh))
 

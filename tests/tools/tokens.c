@@ -38,7 +38,7 @@
 enum { NAME_LENGTH = 64 };
 
 /* A token; `name` counts the identifiers of one program run from 0, and is
-   -1 for anything else, whose text then decides. */
+   -1 for anything else. */
 struct token {
     char text[NAME_LENGTH];
     int name;
@@ -46,12 +46,19 @@ struct token {
     const char *at; /* in its text */
 };
 
+/* A token's kind is the number of its text, or -1 for an identifier, which
+   any other may match: tokens match only where their kinds are equal. */
+struct tokens {
+    struct token *list;
+    int *kinds;
+    size_t count;
+};
+
 /* `opened` are the tokens with the strings opened. */
 struct body {
     const char *file;
     char function[NAME_LENGTH];
-    struct token *tokens, *opened;
-    size_t count, opened_count;
+    struct tokens code, opened;
     int line;
 };
 
@@ -332,32 +339,51 @@ static const char *function_before(const struct token *t, size_t brace)
     return "?";
 }
 
-/* The tokens from `text` up to `end`, *count of them. */
-static struct token *read_tokens(const char *text, const char *end,
-                                 enum reading reading, size_t *count)
+static int kind_of(const struct token *t)
+{
+    return t->name < 0 ? name_number(t->text) : -1;
+}
+
+static struct tokens with_kinds(struct token *list, size_t count)
+{
+    struct tokens t = {list, grow(NULL, count * sizeof *t.kinds), count};
+    for (size_t i = 0; i < count; ++i)
+        t.kinds[i] = kind_of(&list[i]);
+    return t;
+}
+
+static void free_tokens(struct tokens *t)
+{
+    free(t->list);
+    free(t->kinds);
+}
+
+/* The tokens from `text` up to `end`. */
+static struct tokens read_tokens(const char *text, const char *end,
+                                 enum reading reading)
 {
     struct reader r = {text, end, reading, 1, true};
     struct token *t = NULL, next;
-    *count = 0;
+    size_t count = 0;
     while (read_token(&r, &next)) {
         if (strcmp(next.text, "const") == 0)
             continue;
-        if ((*count & (*count + 1)) == 0) /* 0, 1, 3, 7: room is used up */
-            t = grow(t, 2 * (*count + 1) * sizeof *t);
-        t[(*count)++] = next;
+        if ((count & (count + 1)) == 0) /* 0, 1, 3, 7: room is used up */
+            t = grow(t, 2 * (count + 1) * sizeof *t);
+        t[count++] = next;
     }
-    return t;
+    return with_kinds(t, count);
 }
 
 static void add_body(struct bodies *all, const char *file,
                      const struct token *t, size_t brace, size_t end)
 {
     struct body b = {.file = file, .line = t[brace].line};
-    b.count = end - brace - 1;
-    b.tokens = grow(NULL, b.count * sizeof *t);
-    memcpy(b.tokens, t + brace + 1, b.count * sizeof *t);
-    b.opened = read_tokens(t[brace].at + 1, t[end].at, OPEN_STRINGS,
-                           &b.opened_count);
+    const size_t count = end - brace - 1;
+    struct token *code = grow(NULL, count * sizeof *t);
+    memcpy(code, t + brace + 1, count * sizeof *t);
+    b.code = with_kinds(code, count);
+    b.opened = read_tokens(t[brace].at + 1, t[end].at, OPEN_STRINGS);
     strcpy(b.function, function_before(t, brace));
     all->list = grow(all->list, (all->count + 1) * sizeof b);
     all->list[all->count++] = b;
@@ -365,18 +391,19 @@ static void add_body(struct bodies *all, const char *file,
 
 static void read_bodies(struct bodies *all, const char *file)
 {
-    size_t length, count, start = 0;
+    size_t length, start = 0;
     char *text = read_file(file, &length);
-    struct token *t = read_tokens(text, text + length, AS_CODE, &count);
+    struct tokens read = read_tokens(text, text + length, AS_CODE);
+    const struct token *t = read.list;
     int depth = 0;
-    for (size_t i = 0; i < count; ++i) {
+    for (size_t i = 0; i < read.count; ++i) {
         if (is(&t[i], "{") && depth++ == 0)
             start = i;
         if (is(&t[i], "}") && --depth == 0 && start > 0 &&
             is(&t[start - 1], ")"))
             add_body(all, file, t, start, i);
     }
-    free(t);
+    free_tokens(&read);
     free(text);
 }
 
@@ -389,8 +416,8 @@ static void print_bodies(const struct bodies *all)
         for (int i = 0; i < name_count; ++i)
             number[i] = 0;
         printf("%s:%d: %s:", b->file, b->line, b->function);
-        for (size_t i = 0; i < b->count; ++i) {
-            const struct token *t = &b->tokens[i];
+        for (size_t i = 0; i < b->code.count; ++i) {
+            const struct token *t = &b->code.list[i];
             if (t->name < 0) {
                 printf(" %s", t->text);
                 continue;
@@ -404,46 +431,52 @@ static void print_bodies(const struct bodies *all)
     }
 }
 
-/* The length of the run that starts at a[0] and b[0]. `to` and `from` have
-   a place for each name, all of them -1 before and after. */
-static size_t run_length(const struct token *a, size_t room_a,
-                         const struct token *b, size_t room_b, int *to,
-                         int *from)
+/* The length of the run that starts at a[i] and b[j], at most `room`. `to`
+   and `from` have a place for each name, all of them -1 before and after.
+ */
+static size_t run_length(const struct tokens *a, size_t i,
+                         const struct tokens *b, size_t j, size_t room,
+                         int *to, int *from)
 {
-    const size_t room = room_a < room_b ? room_a : room_b;
     size_t n = 0;
-    for (; n < room; ++n) {
-        const int x = a[n].name, y = b[n].name;
-        if (x < 0 || y < 0) {
-            if (x != y || strcmp(a[n].text, b[n].text) != 0)
-                break;
-        } else if (to[x] < 0 && from[y] < 0) {
+    for (; n < room && a->kinds[i + n] == b->kinds[j + n]; ++n) {
+        const int x = a->list[i + n].name, y = b->list[j + n].name;
+        if (x < 0)
+            continue;
+        if (to[x] < 0 && from[y] < 0) {
             to[x] = y;
             from[y] = x;
         } else if (to[x] != y) {
             break;
         }
     }
-    for (size_t i = 0; i < n; ++i)
-        if (a[i].name >= 0)
-            to[a[i].name] = from[b[i].name] = -1;
+    for (size_t k = 0; k < n; ++k)
+        if (a->list[i + k].name >= 0)
+            to[a->list[i + k].name] = from[b->list[j + k].name] = -1;
     return n;
 }
 
-/* The longest run that the two bodies share; *at is where it starts in a.
- */
-static size_t longest_run(const struct body *a, const struct body *b,
-                          size_t *at, int *to, int *from)
+/* The longest run of more than `floor` tokens that the two share, `floor`
+   if there is none; *at is where it starts in a. A run that is longer than
+   the longest so far has equal kinds where that one ended: that is asked
+   first. */
+static size_t longest_run(const struct tokens *a, const struct tokens *b,
+                          size_t floor, size_t *at, int *to, int *from)
 {
-    size_t longest = 0;
+    size_t longest = floor;
     for (size_t i = 0; i + longest < a->count; ++i)
         for (size_t j = 0; j + longest < b->count; ++j) {
-            const size_t n =
-                run_length(a->tokens + i, a->count - i, b->tokens + j,
-                           b->count - j, to, from);
+            if (a->kinds[i + longest] != b->kinds[j + longest] ||
+                a->kinds[i] != b->kinds[j])
+                continue;
+            const size_t room_a = a->count - i, room_b = b->count - j;
+            const size_t n = run_length(
+                a, i, b, j, room_a < room_b ? room_a : room_b, to, from);
             if (n > longest) {
                 longest = n;
                 *at = i;
+                if (i + longest >= a->count)
+                    break;
             }
         }
     return longest;
@@ -461,16 +494,18 @@ static bool compare(const struct bodies *own, const struct bodies *book,
         for (size_t j = 0; j < book->count; ++j) {
             const struct body *a = &own->list[i], *b = &book->list[j];
             size_t at = 0;
-            const size_t n = longest_run(a, b, &at, to, from);
+            const size_t floor = longest < limit ? longest : limit - 1;
+            const size_t n =
+                longest_run(&a->code, &b->code, floor, &at, to, from);
             if (n > longest)
                 longest = n;
             if (n < limit)
                 continue;
             printf("%s:%d: %s shares %zu tokens with %s in %s:%d:", a->file,
-                   a->tokens[at].line, a->function, n, b->function, b->file,
-                   b->line);
+                   a->code.list[at].line, a->function, n, b->function,
+                   b->file, b->line);
             for (size_t k = at; k < at + n; ++k)
-                printf(" %s", a->tokens[k].text);
+                printf(" %s", a->code.list[k].text);
             printf("\n");
         }
     printf("longest %zu\n", longest);
@@ -479,53 +514,71 @@ static bool compare(const struct bodies *own, const struct bodies *book,
     return longest >= limit;
 }
 
-/* A text to search. A token's kind is the number of its text, or -1 for an
-   identifier, which any other may match. */
+/* A text to search: where each kind of token stands in it, the places of
+   the kind k from first[k] up to first[k + 1]. Kinds that came up after it
+   was read have none. */
 struct text {
-    struct token *tokens;
-    int *kinds;
-    size_t count;
+    struct tokens tokens;
+    size_t *places, *first;
+    int kinds;
 };
-
-static int kind_of(const struct token *t)
-{
-    return t->name < 0 ? name_number(t->text) : -1;
-}
 
 static struct text read_text(const char *from, const char *end,
                              enum reading reading)
 {
-    struct text t;
-    t.tokens = read_tokens(from, end, reading, &t.count);
-    t.kinds = grow(NULL, t.count * sizeof *t.kinds);
-    for (size_t i = 0; i < t.count; ++i)
-        t.kinds[i] = kind_of(&t.tokens[i]);
+    struct text t = {.tokens = read_tokens(from, end, reading)};
+    t.kinds = name_count;
+    t.places = grow(NULL, t.tokens.count * sizeof *t.places);
+    t.first = grow(NULL, ((size_t)t.kinds + 2) * sizeof *t.first);
+    for (int k = 0; k < t.kinds + 2; ++k)
+        t.first[k] = 0;
+    for (size_t i = 0; i < t.tokens.count; ++i)
+        if (t.tokens.kinds[i] >= 0)
+            ++t.first[t.tokens.kinds[i] + 2];
+    for (int k = 0; k < t.kinds; ++k)
+        t.first[k + 2] += t.first[k + 1];
+    for (size_t i = 0; i < t.tokens.count; ++i)
+        if (t.tokens.kinds[i] >= 0)
+            t.places[t.first[t.tokens.kinds[i] + 1]++] = i;
     return t;
 }
 
 static void free_text(struct text *t)
 {
-    free(t->tokens);
-    free(t->kinds);
+    free_tokens(&t->tokens);
+    free(t->places);
+    free(t->first);
+}
+
+static size_t times(const struct text *text, int kind)
+{
+    return kind < text->kinds ? text->first[kind + 1] - text->first[kind]
+                              : 0;
 }
 
 /* Looks for the tokens, whole, in the text; the line where they begin, or
-   0. Only where the first that is no identifier fits need the others be
-   tried. */
-static int find_tokens(const struct token *sought, size_t count,
-                       const struct text *text, int *to, int *from)
+   0. Only where the rarest of them stands need the others be tried. */
+static int find_tokens(const struct tokens *sought, const struct text *text,
+                       int *to, int *from)
 {
-    size_t first = 0;
-    if (count == 0)
+    const size_t none = sought->count;
+    size_t rare = none;
+    for (size_t i = 0; i < sought->count; ++i)
+        if (sought->kinds[i] >= 0 &&
+            (rare == none || times(text, sought->kinds[i]) <
+                                 times(text, sought->kinds[rare])))
+            rare = i;
+    if (rare == none || times(text, sought->kinds[rare]) == 0)
         return 0;
-    while (first + 1 < count && sought[first].name >= 0)
-        ++first;
-    const int kind = kind_of(&sought[first]);
-    for (size_t i = 0; i + count <= text->count; ++i)
-        if (text->kinds[i + first] == kind &&
-            run_length(sought, count, text->tokens + i, count, to, from) ==
-                count)
-            return text->tokens[i].line;
+    const int kind = sought->kinds[rare];
+    for (size_t k = text->first[kind]; k < text->first[kind + 1]; ++k) {
+        const size_t place = text->places[k];
+        if (place >= rare &&
+            place - rare + sought->count <= text->tokens.count &&
+            run_length(sought, 0, &text->tokens, place - rare,
+                       sought->count, to, from) == sought->count)
+            return text->tokens.list[place - rare].line;
+    }
     return 0;
 }
 
@@ -544,11 +597,11 @@ static bool search(const struct bodies *own, size_t limit, const char *path)
     for (size_t i = 0; i < own->count; ++i) {
         const struct body *b = &own->list[i];
         int line = 0;
-        if (b->count < limit)
+        if (b->code.count < limit)
             continue;
-        line = find_tokens(b->tokens, b->count, &code, to, from);
+        line = find_tokens(&b->code, &code, to, from);
         if (!line)
-            line = find_tokens(b->opened, b->opened_count, &all, to, from);
+            line = find_tokens(&b->opened, &all, to, from);
         if (line)
             printf("%s:%d: %s\t%s:%d\n", b->file, b->line, b->function,
                    path, line);
@@ -566,10 +619,10 @@ static void count_sought(const struct bodies *own, size_t limit)
 {
     size_t sought = 0, longest = 0;
     for (size_t i = 0; i < own->count; ++i)
-        if (own->list[i].count >= limit)
+        if (own->list[i].code.count >= limit)
             ++sought;
-        else if (own->list[i].count > longest)
-            longest = own->list[i].count;
+        else if (own->list[i].code.count > longest)
+            longest = own->list[i].code.count;
     printf("%zu bodies sought, the longest left out has %zu tokens\n",
            sought, longest);
 }

@@ -153,6 +153,7 @@ bench: native build/bin/disks-speed build/bin/gravity-studies
 	build/bin/gravity-studies --study speed
 	build/bin/gravity-studies --study threads
 	build/bin/gravity-studies --study tree
+	build/bin/bonk-studies --study prices
 	build/native/bin/scene sun-earth | build/native/bin/step - \
 		--until 90000 --every 9000 --summary - -o build/bench.dat | \
 		grep steps_per_second
@@ -332,7 +333,7 @@ check-tangle:
 
 # What figures and transcripts are made from, read from the scripts and the
 # chapters. Goals that need no book do without.
-bookless := all first programs native bench movie inspect check watch hint progress \
+bookless := all first programs native bench atlas movie inspect chart check watch hint progress \
 	reset solution mutants tangle check-tangle clean help format memcheck \
 	fuzz
 ifneq ($(filter-out $(bookless),$(MAKECMDGOALS)),)
@@ -469,6 +470,35 @@ inspect: has-gnuplot build/bin/step build/bin/scene
 output='$(inspect).svg')" plots/inspector.gp
 	$(if $(LIVE),,@echo 'The picture: $(inspect).svg')
 
+## ---- the chart of a choice: gnuplot ----------------------------------------
+
+# make chart SCENE=figure-eight [UNTIL=20] [TOLERANCE=1e-3] [OBSERVE=..]
+# [KEYS='--dt 0.1']: what bonk tries on a scene, error against cost.
+TOLERANCE = 1e-3
+chart = build/chart/$(notdir $(basename $(SCENE)))
+chart_scene = $(if $(wildcard $(SCENE)),$(SCENE),$(chart).plist)
+chart_run = build/bin/bonk $(chart_scene) --until $(or $(UNTIL),20) \
+	--tolerance $(TOLERANCE) $(if $(OBSERVE),--observe $(OBSERVE)) \
+	--explain --chart $(chart).dat -o $(chart).rows
+
+.PHONY: chart
+chart: has-gnuplot build/bin/bonk build/bin/scene
+	@mkdir -p build/chart
+	$(if $(wildcard $(SCENE)),,@build/bin/scene $(SCENE) $(KEYS) \
+		-o $(chart).plist)
+	$(call say,$(chart_run))
+	$(Q)$(chart_run) || [ $$? -eq 1 ]
+	@gnuplot -e "file='$(chart).dat'; output='$(chart).svg'" plots/chart.gp
+	@echo 'The chart: $(chart).svg'
+
+## ---- the atlas -------------------------------------------------------------
+
+# The maps of chapter 12 and their truths, made anew: some minutes.
+.PHONY: atlas
+atlas: build/bin/bonk-studies
+	build/bin/bonk-studies --study atlas --summary - \
+		-o plots/data/12-atlas.dat
+
 ## ---- proof ---------------------------------------------------------------
 
 TEST_SECONDS = 600
@@ -596,6 +626,8 @@ help:
 	$(call offer,test) 'make test         prove everything: N passed, N failed'
 	@echo 'make programs     only build build/bin/'
 	@echo 'make inspect      SCENE=ring X=t Y=energy: what a scene does, drawn'
+	@echo 'make chart        SCENE=figure-eight TOLERANCE=1e-6: what bonk tries'
+	@echo 'make atlas        the maps of chapter 12 anew: some minutes'
 	@echo 'make movie        a run as a GIF: PRESET=cradle; LIVE=1 in a window'
 	@echo 'make native       the fastest build for this machine, build/native/'
 	@echo 'make bench        the speed tables, measured here'

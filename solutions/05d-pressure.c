@@ -43,7 +43,7 @@ void wall_z(size_t n, const struct wall_hit hits[], const double size[2],
 {
     const double n_kT = (double)disks * (2.0 * energy / (2.0 * disks));
     double momentum[2] = {0.0, 0.0};
-    for (const struct wall_hit *h = hits; h < hits + n; ++h) {
+    for (const struct wall_hit *h = hits; h != hits + n; ++h) {
         const int across = h->wall == LEFT || h->wall == RIGHT ? 0 : 1;
         if (h->t > from && h->t <= until)
             momentum[across] += 2.0 * h->mass * fabs(h->v);

@@ -4,7 +4,8 @@
 . tests/programs/common
 all="$(grep -LE '^.include ("laws.h"|<gsl/)' src/*.c src/toolbox/*.c)
     src/reference.c"
-# What is stepped: gravity, springs with dashpots, and contacts.
+# What is stepped, and chosen for: gravity, springs with dashpots, and
+# contacts.
 for scene in figure-eight 'ring --particles 150' 'membrane --damping 0.1' \
     double-pendulum gas break; do
     # shellcheck disable=SC2086
@@ -88,6 +89,10 @@ run_all() {
                 --observe energy,momentum --track 1,2
         done)
     done
+    (cd "$work" && for scene in figure-eight membrane double-pendulum gas \
+        break; do
+        "$bin/bonk" $scene.plist --until 2 --tolerance 1e-6 --explain 2>&1
+    done)
     for scene in $(build/bin/scene --help |
         sed -n 's/^  \([a-z][a-z-]*\) .*/\1/p'); do
         "$1/scene" "$scene"
@@ -104,7 +109,7 @@ for cc in gcc clang; do
                 -Isrc -c -o "$work/obj/$(basename "$file" .c).o" "$file" ||
                 not_ok "$cc $level" "$file does not compile"
         done
-        for program in collide collide-forms bonkers bonkers-studies disks \
+        for program in bonk collide collide-forms bonkers bonkers-studies disks \
             gravity-studies sample sample-studies scene step spheres-studies \
             springs-studies; do
             # shellcheck disable=SC2086

@@ -43,8 +43,9 @@ void positions_at(size_t n, double length, const double x0[],
     if (g)
         qsort(g, n, sizeof *g, from_left);
     for (i = 0; g && i < n; i++) {
-        x[i] = g[i].x;
-        v[i] = g[i].v;
+        const struct ghost *one = g + i;
+        x[i] = one->x;
+        v[i] = one->v;
     }
     free(g);
 }

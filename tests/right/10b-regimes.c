@@ -36,8 +36,8 @@ double oscillate(const struct oscillator *o, double t, double *velocity)
     } else {
         double n = sqrt(y), fast = exp(-(z + n) * T), slow;
         slow = exp(-T / (z + n));
-        even = (slow + fast) / 2;
-        odd = (slow - fast) / (2 * n);
+        even = slow / 2 + fast / 2;
+        odd = (slow / 2 - fast / 2) / n;
     }
     *velocity = w * (b * even - (z * b + a) * odd);
     return a * even + (b + z * a) * odd;

@@ -1,0 +1,1204 @@
+/* From chapters/12-choose.nw: edit there, then run make tangle. */
+/* checksum 747193209 of the lines below */
+#include "choose.h"
+
+#include "scout.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { RUNGS = 40, CANDIDATES = 64 };
+static const double margin = 1.05; /* errors that were seen, below e */
+static const double safety = 1.25; /* errors that are extrapolated */
+static const double rounding = 2;  /* times what other units change */
+static const double share = 0.8;   /* of e, that cuts may use */
+static const double stiff = 0.1;   /* s: to look ahead so long is dear */
+
+/* The next number of steps, eight to an octave: 1 to 16, 18, 20 ... 32,
+   36 ... */
+static uint64_t next_steps(uint64_t n)
+{
+    uint64_t more = 1;
+    while (more * 16 <= n)
+        more *= 2;
+    return n + more;
+}
+
+/* The first of them that is not below x; 2^60 at most. */
+static uint64_t steps_for(double x)
+{
+    uint64_t n = 1;
+    while ((double)n * 2 <= x && n < (UINT64_C(1) << 60))
+        n *= 2;
+    while ((double)n < x && n < (UINT64_C(1) << 60))
+        n = next_steps(n);
+    return n;
+}
+
+static double power(double x, int n)
+{
+    double y = 1;
+    for (; n > 0; --n)
+        y *= x;
+    return y;
+}
+
+/* A method on its way up the ladder of steps. */
+struct racer {
+    size_t candidate;
+    struct models_plan plan;
+    double effect; /* of what it leaves out */
+    struct rung {
+        uint64_t steps;
+        double error, cost; /* NAN: not known yet */
+    } rung[RUNGS];
+    size_t rungs;
+    struct record finest;
+    int order;     /* measured, whole; 0: none yet */
+    uint64_t need; /* steps that should hold */
+    double error;  /* with them; NAN: not seen */
+    double price;  /* of the run with so many; not above what it will be */
+    enum { RUNNING, LOWER, READY, OUT } state;
+};
+
+struct chooser {
+    const struct choose_request *q;
+    struct choose_choice *c;
+    struct record_view view;
+    size_t rows;
+    bool scouted;
+    struct scout scout;
+    double passing; /* 1/s: bodies that meet must not pass unseen */
+    struct models_plan look;       /* the plan that looks ahead */
+    struct record looked, rounded; /* by it; and in other units */
+    struct record guide;           /* exact, if any is */
+    struct racer *racer;
+    size_t racers;
+    double best; /* the smallest cost that holds so far */
+    bool failed; /* no memory */
+};
+
+static void say(struct choose_candidate *c, const char *text)
+{
+    snprintf(c->text, sizeof c->text, "%s", text);
+}
+
+/* A new candidate; the list has room for all. */
+static struct choose_candidate *enter(struct chooser *h,
+                                      struct models_plan plan)
+{
+    struct choose_choice *c = h->c;
+    if (c->candidates == CANDIDATES)
+        return NULL;
+    struct choose_candidate *next = &c->candidate[c->candidates++];
+    *next = (struct choose_candidate){.plan = plan,
+                                      .sure = CHOOSE_OUT,
+                                      .error = INFINITY,
+                                      .cost = INFINITY};
+    return next;
+}
+
+/* Keeps a run whose error is known; the list has room for all. */
+static void plot(struct chooser *h, size_t candidate, uint64_t steps,
+                 double error, double cost)
+{
+    struct choose_choice *c = h->c;
+    if (isfinite(error) && c->points < CANDIDATES * RUNGS)
+        c->point[c->points++] =
+            (struct choose_point){candidate, steps, error, cost};
+}
+
+static struct record_order order_of(const struct chooser *h,
+                                    struct models_plan plan, double limit)
+{
+    return (struct record_order){.scene = h->q->scene,
+                                 .plan = plan,
+                                 .every = h->q->every,
+                                 .rows = h->rows,
+                                 .limit = limit};
+}
+
+/* Runs, and counts what that cost. */
+static bool run(struct chooser *h, struct record *r,
+                const struct record_order *o)
+{
+    if (record_run(r, &h->view, o)) {
+        h->c->deciding += r->cost;
+        return true;
+    }
+    h->failed = true;
+    return false;
+}
+
+/* NULL, or why the model does not carry the scene without the cuts. */
+static const char *refusal(const struct chooser *h,
+                           const struct models_model *m, unsigned cuts)
+{
+    const struct models_plan plan = {m, cuts, m->method ? 1 : 0};
+    return models_refuse(&plan, h->q->scene);
+}
+
+static const char *ending(const struct record *r)
+{
+    return r->why                        ? r->why
+           : r->end == MODELS_STANDSTILL ? "collisions without end"
+           : r->end == MODELS_COSTLY     ? "dearer than the best"
+           : r->end == MODELS_MEMORY     ? "no memory"
+           : r->end == MODELS_BROKEN     ? "breaks down"
+                                         : "";
+}
+
+static bool whole(const struct chooser *h, const struct record *r)
+{
+    return r->end == MODELS_DONE && r->reached == h->rows;
+}
+
+static double until_of(const struct chooser *h, size_t row)
+{
+    return h->q->scene->time + (double)row * h->q->every;
+}
+
+/* Notes how far the run and the same in other units agree. */
+static void note_rounding(struct chooser *h, const struct record *a,
+                          const struct record *b)
+{
+    struct choose_choice *c = h->c;
+    const double apart = record_apart(&h->view, a, b, 1, h->rows);
+    c->rounding = rounding * apart;
+    c->growth = apart / 0x1p-53;
+    const size_t held =
+        record_agree(&h->view, a, b, h->q->tolerance / rounding);
+    c->horizon = held < h->rows ? until_of(h, held) : INFINITY;
+}
+
+static void judge_exact(struct chooser *h, struct choose_candidate *c,
+                        struct record *r, double effect)
+{
+    struct record other;
+    struct record_order o = order_of(h, c->plan, INFINITY);
+    o.converted = true;
+    c->cost = r->cost;
+    if (!run(h, &other, &o))
+        return;
+    const double apart =
+        rounding * record_apart(&h->view, r, &other, 1, h->rows);
+    c->error = effect + apart;
+    c->sure = effect > 0 ? CHOOSE_ESTIMATE : CHOOSE_EXACT;
+    if (effect == 0)
+        note_rounding(h, r, &other);
+    if (c->error > h->q->tolerance)
+        snprintf(c->text, sizeof c->text, "%s",
+                 effect > h->q->tolerance / 2 ? "leaves too much out"
+                                              : "rounding grows beyond e");
+    else
+        snprintf(c->text, sizeof c->text, "rounding %.1e", apart);
+    if (c->error <= h->q->tolerance)
+        h->best = fmin(h->best, c->cost);
+    plot(h, (size_t)(c - h->c->candidate), 0, c->error, c->cost);
+    record_free(&other);
+}
+
+static void try_exact(struct chooser *h, const struct models_model *m,
+                      unsigned cuts, double effect)
+{
+    struct record r;
+    struct choose_candidate *c =
+        enter(h, (struct models_plan){.model = m, .cuts = cuts});
+    const struct record_order o = order_of(h, c->plan, h->q->reason);
+    if (!run(h, &r, &o))
+        return;
+    if (!whole(h, &r))
+        say(c, ending(&r));
+    else
+        judge_exact(h, c, &r, effect);
+    if (cuts == 0 && c->error <= h->q->tolerance && !h->guide.value)
+        h->guide = r;
+    else
+        record_free(&r);
+}
+
+static bool wanted(const struct chooser *h, const struct models_model *m)
+{
+    return !h->q->only || (h->q->only->model == m && h->q->only->cuts == 0);
+}
+
+static void try_all_exact(struct chooser *h)
+{
+    for (const struct models_model *m = models; m->name && !h->failed;
+         ++m) {
+        if (m->family == MODELS_STEPS || m->approximate || !wanted(h, m))
+            continue;
+        const char *why = refusal(h, m, 0);
+        if (!why)
+            try_exact(h, m, 0, 0);
+        else
+            say(enter(h, (struct models_plan){.model = m}), why);
+    }
+}
+
+/* How fast two bodies could pass through each other, 1/s, at twice the
+   largest speed so far. */
+static void note_passing(struct chooser *h, double speed)
+{
+    const struct scene *s = h->q->scene;
+    double least = INFINITY;
+    for (size_t i = 0; s->contact && i < s->bodies; ++i)
+        if (s->radius[i] > 0)
+            least = fmin(least, s->radius[i]);
+    if (isfinite(least))
+        h->passing = 2 * speed / least;
+}
+
+static bool look_ahead(struct chooser *h)
+{
+    const struct choose_request *q = h->q;
+    const double little = 0.01 * q->tolerance * h->c->scale;
+    h->c->fastest = h->c->acts.fastest;
+    note_passing(h, h->view.speed);
+    if (q->scene->k2 <= 0)
+        return true;
+    h->scouted = scout_ahead(&h->scout, q->scene, q->every, h->rows, little,
+                             q->reason / 10);
+    h->failed = !h->scouted;
+    h->c->deciding += h->scout.cost;
+    h->c->fastest = fmax(h->c->fastest, h->scout.most);
+    return h->scouted && h->scout.reached == h->rows;
+}
+
+static struct models_plan plan_of(const char *name, double steps)
+{
+    return (struct models_plan){.model = models_find(name),
+                                .steps = steps_for(steps)};
+}
+
+/* The largest rate in the scene without what the plan leaves out, 1/s. */
+static double rate_of(const struct chooser *h, struct models_plan plan)
+{
+    struct models_run run;
+    const char *why;
+    plan.steps = plan.model->method ? 1 : 0;
+    if (!models_begin(&run, &plan, h->q->scene, h->q->every, &why))
+        return h->c->fastest;
+    models_analyse(&run.acts, &run.scene); /* which has lost its rods */
+    const double rate = fmax(run.acts.fastest, h->scout.most);
+    models_end(&run);
+    return fmax(rate, h->passing);
+}
+
+static bool is_damped(const struct chooser *h)
+{
+    return h->c->acts.friction || h->c->acts.dashpots;
+}
+
+static struct models_plan even_plan(const struct chooser *h)
+{
+    const double phase = h->q->every * fmax(h->c->fastest, h->passing);
+    return h->c->acts.contact ? plan_of("leapfrog", phase)
+           : is_damped(h)     ? plan_of("rk4", phase / 0.5)
+                              : plan_of("pefrl", phase / 0.5);
+}
+
+/* Doubles the steps of the run until that changes little. False: that would
+   cost too much. */
+static bool settle(struct chooser *h, struct record_order *o)
+{
+    struct record finer;
+    double apart = INFINITY;
+    while (apart > h->q->tolerance / 4 && h->looked.end != MODELS_COSTLY) {
+        o->plan.steps *= 2;
+        if (!run(h, &finer, o))
+            return false;
+        apart = record_apart(&h->view, &h->looked, &finer, 1, h->rows);
+        record_free(&h->looked);
+        h->looked = finer;
+        note_passing(h, finer.speed);
+    }
+    h->look = o->plan;
+    return whole(h, &h->looked);
+}
+
+/* Looks with a plan, at a cost below limit. */
+static bool look_with(struct chooser *h, struct models_plan plan,
+                      bool settled, double limit)
+{
+    struct record_order o = order_of(h, plan, limit);
+    record_free(&h->looked);
+    h->look = plan;
+    if (!run(h, &h->looked, &o))
+        return false;
+    return settled ? settle(h, &o) : whole(h, &h->looked);
+}
+
+/* The run that looks ahead with even steps, and the same in other units.
+   Springs may be too stiff for it; then an implicit method looks. */
+static void look_evenly(struct chooser *h)
+{
+    const struct models_acts *a = &h->c->acts;
+    const double most = h->q->reason / 10;
+    const bool springs = a->springs && !a->gravity && !a->contact;
+    const bool good =
+        look_with(h, even_plan(h), a->contact,
+                  springs ? fmin(stiff, most) : most) ||
+        (springs && (look_with(h, plan_of("gauss4", 4), true, most) ||
+                     look_with(h, even_plan(h), false, most)));
+    if (!good || h->failed)
+        return;
+    struct record_order o = order_of(h, h->look, INFINITY);
+    o.converted = true;
+    if (run(h, &h->rounded, &o))
+        note_rounding(h, &h->looked, &h->rounded);
+}
+
+/* What the cuts do to a run: how far the two are apart; INFINITY: more than
+   the tolerance, or they cannot be made. */
+static double cut_apart(struct chooser *h, const struct record *with,
+                        unsigned cuts)
+{
+    struct record without = {0};
+    double apart = INFINITY;
+    struct record_order o = order_of(h, with->plan, INFINITY);
+    o.plan.cuts = cuts;
+    o.guide = with;
+    o.apart = h->q->tolerance;
+    if (run(h, &without, &o) && whole(h, &without))
+        apart = record_apart(&h->view, with, &without, 1, h->rows);
+    record_free(&without);
+    return apart;
+}
+
+/* The plan with which cuts are tried: rods need leapfrog. */
+static struct models_plan cut_plan(const struct chooser *h, unsigned cuts,
+                                   uint64_t times)
+{
+    const double phase = h->q->every * h->c->fastest;
+    struct models_plan plan = h->look;
+    if (cuts & MODELS_RODS)
+        return plan_of("leapfrog", (double)times * phase / 0.2);
+    plan.steps *= times;
+    return plan;
+}
+
+/* What the cuts do to the run that looks ahead, with so many times its
+   steps. */
+static double effect_at(struct chooser *h, unsigned cuts, uint64_t times)
+{
+    struct record with = {0};
+    const struct models_plan plan = cut_plan(h, cuts, times);
+    if (refusal(h, plan.model, cuts))
+        return INFINITY;
+    if (times == 1 && !(cuts & MODELS_RODS))
+        return cut_apart(h, &h->looked, cuts);
+    const struct record_order o = order_of(h, plan, h->q->reason / 10);
+    double apart = INFINITY;
+    if (run(h, &with, &o) && whole(h, &with))
+        apart = cut_apart(h, &with, cuts);
+    record_free(&with);
+    return apart;
+}
+
+/* The larger of two such effects, and a quarter more if they differ. */
+static double effect_of(struct chooser *h, unsigned cuts)
+{
+    const double a = effect_at(h, cuts, 1);
+    if (!(a <= share * h->q->tolerance) || a == 0)
+        return a;
+    const double b = effect_at(h, cuts, 2);
+    const double most = fmax(a, b);
+    return most * (fabs(a - b) > most / 8 ? 1.25 : 1.05);
+}
+
+/* Cuts that make a step cheaper, or a larger one possible. */
+static const unsigned for_steps = MODELS_NO_LIGHT | MODELS_NO_PULL |
+                                  MODELS_NO_WEAK | MODELS_NO_FRICTION |
+                                  MODELS_NO_DASHPOTS;
+
+/* Does the cut, with others or alone, open the scene to a model without
+   steps that would not carry it otherwise? */
+static bool opens(const struct chooser *h, unsigned cut, unsigned all)
+{
+    for (const struct models_model *m = models; m->name; ++m)
+        for (unsigned set = all; m->family != MODELS_STEPS && set > 0;
+             set = (set - 1) & all)
+            if ((set & cut) && !refusal(h, m, set) &&
+                refusal(h, m, set & ~cut))
+                return true;
+    return false;
+}
+
+static void measure_cuts(struct chooser *h)
+{
+    const unsigned all = models_cuts(h->q->scene);
+    struct choose_choice *c = h->c;
+    for (unsigned k = 0; k < MODELS_CUTS; ++k) {
+        const unsigned cut = 1u << k;
+        if ((all & cut) &&
+            ((cut & (for_steps | MODELS_RODS)) || opens(h, cut, all)))
+            c->cut[c->cuts++] = (struct choose_cut){
+                .cut = cut, .effect = effect_of(h, cut)};
+    }
+}
+
+/* The effects of a set, added; INFINITY if one is too much. */
+static double sum_of(const struct choose_choice *c, unsigned cuts)
+{
+    double sum = 0;
+    for (size_t j = 0; j < c->cuts; ++j)
+        if (cuts & c->cut[j].cut)
+            sum += c->cut[j].effect;
+    return sum;
+}
+
+static unsigned affordable(const struct chooser *h)
+{
+    unsigned set = 0;
+    for (size_t j = 0; j < h->c->cuts; ++j)
+        if (h->c->cut[j].effect <= share * h->q->tolerance)
+            set |= h->c->cut[j].cut;
+    return set;
+}
+
+/* The set, out of these cuts, with which the model carries the scene at
+   the smallest effect; 0: there is none. */
+static unsigned best_set(struct chooser *h, const struct models_model *m,
+                         unsigned from)
+{
+    unsigned best = 0;
+    double least = share * h->q->tolerance;
+    for (unsigned set = from; set > 0; set = (set - 1) & from) {
+        const double sum = sum_of(h->c, set);
+        if (sum > least || (sum == least && best) || refusal(h, m, set))
+            continue;
+        best = set;
+        least = sum;
+    }
+    return best;
+}
+
+/* How far a model that is not exact is from the run that looks ahead. */
+static double seen_from_look(struct chooser *h, const struct record *r)
+{
+    return safety * record_apart(&h->view, r, &h->looked, 1, h->rows);
+}
+
+static void try_approximate(struct chooser *h, const struct models_model *m)
+{
+    struct record r;
+    struct choose_candidate *c = enter(h, (struct models_plan){.model = m});
+    const struct record_order o = order_of(h, c->plan, h->q->reason);
+    const char *why = refusal(h, m, 0);
+    say(c, why ? why : "not exact: seen by looking ahead");
+    if (why || !run(h, &r, &o))
+        return;
+    c->cost = r.cost;
+    c->error = seen_from_look(h, &r);
+    if (c->error <= h->q->tolerance) {
+        c->sure = CHOOSE_ESTIMATE;
+        h->best = fmin(h->best, c->cost);
+    }
+    record_free(&r);
+}
+
+static void try_cut_exact(struct chooser *h)
+{
+    const unsigned from = affordable(h);
+    for (const struct models_model *m = models; m->name && !h->failed; ++m)
+        if (m->approximate && wanted(h, m))
+            try_approximate(h, m);
+    for (const struct models_model *m = models; m->name && !h->failed;
+         ++m) {
+        const bool exact =
+            m->family != MODELS_STEPS && !m->approximate && wanted(h, m);
+        if (!exact || !refusal(h, m, 0))
+            continue;
+        const unsigned set = best_set(h, m, from);
+        if (set)
+            try_exact(h, m, set, effect_of(h, set));
+    }
+}
+
+static double target_of(const struct chooser *h, const struct racer *r)
+{
+    return (h->q->tolerance - r->effect) / margin;
+}
+
+/* The steps at which a ladder begins: below what the method can bear, and
+   no body may meet another between two of them. */
+static uint64_t first_steps(const struct chooser *h,
+                            struct models_plan plan)
+{
+    const double limit = plan.model->method->limit;
+    const bool implicit = plan.model->method->family == STEPPING_IMPLICIT;
+    const double rate =
+        implicit ? fmax(h->scout.most, h->passing) : rate_of(h, plan);
+    return steps_for(h->q->every * rate / fmin(0.6 * limit, 2));
+}
+
+/* What so many steps will cost at least, as far as the run that looked
+   ahead tells, s. */
+static double foretell(const struct chooser *h, struct models_plan plan)
+{
+    const struct stepping_method *m = plan.model->method;
+    if (!h->looked.value)
+        return 0;
+    const struct models_plan *by = &h->looked.plan;
+    const double each = h->looked.cost / (double)by->steps /
+                        (double)by->model->method->stages;
+    const double light = plan.cuts ? 0.1 : 0.8;
+    const double sweeps = m->family == STEPPING_IMPLICIT ? 4 : 1;
+    return light * each * sweeps * (double)m->stages * (double)plan.steps;
+}
+
+static void add_racer(struct chooser *h, const struct models_model *m,
+                      unsigned cuts, double effect)
+{
+    struct racer *r = &h->racer[h->racers];
+    const char *why = refusal(h, m, cuts);
+    struct models_plan plan = {m, cuts, 1};
+    plan.steps = why ? 1 : first_steps(h, plan);
+    struct choose_candidate *c = enter(h, plan);
+    if (!c)
+        return;
+    if (why) {
+        say(c, why);
+        return;
+    }
+    *r = (struct racer){.candidate = h->c->candidates - 1,
+                        .plan = plan,
+                        .effect = effect,
+                        .need = plan.steps,
+                        .price = foretell(h, plan)};
+    ++h->racers;
+}
+
+/* What to leave out while stepping: all that costs time and little else. */
+static unsigned set_for_steps(struct chooser *h)
+{
+    unsigned set = 0;
+    double sum = 0;
+    for (size_t j = 0; j < h->c->cuts; ++j) {
+        const struct choose_cut *cut = &h->c->cut[j];
+        if (!(cut->cut & for_steps) ||
+            sum + cut->effect > h->q->tolerance / 2)
+            continue;
+        set |= cut->cut;
+        sum += cut->effect;
+    }
+    return set;
+}
+
+static const char *const beaten[] = {"euler", "symplectic-euler"};
+
+static bool is_beaten(const struct chooser *h, const struct models_model *m)
+{
+    if (h->q->only)
+        return false;
+    for (size_t j = 0; j < sizeof beaten / sizeof *beaten; ++j)
+        if (strcmp(m->name, beaten[j]) == 0)
+            return true;
+    return h->c->acts.contact && strcmp(m->name, "leapfrog") != 0;
+}
+
+static void enter_methods(struct chooser *h)
+{
+    const struct models_plan *only = h->q->only;
+    if (only && only->cuts) {
+        add_racer(h, only->model, only->cuts, effect_of(h, only->cuts));
+        return;
+    }
+    const unsigned set = set_for_steps(h);
+    const double effect = set ? effect_of(h, set) : 0;
+    const bool rods = affordable(h) & MODELS_RODS;
+    for (const struct models_model *m = models; m->name; ++m) {
+        if (m->family != MODELS_STEPS || !wanted(h, m) || is_beaten(h, m))
+            continue;
+        add_racer(h, m, 0, 0);
+        if (!only && set && effect < share * h->q->tolerance)
+            add_racer(h, m, set, effect);
+        if (!only && rods && strcmp(m->name, "leapfrog") == 0)
+            add_racer(h, m, MODELS_RODS, sum_of(h->c, MODELS_RODS));
+    }
+}
+
+/* The whole order that two errors at n and 2n steps show. */
+static int order_seen(double coarse, double fine, int most)
+{
+    int order = 0;
+    double ratio = fine > 0 ? coarse / fine : INFINITY;
+    for (; order < most && ratio >= 1.4142135623730951; ++order)
+        ratio /= 2;
+    return order;
+}
+
+static int order_at_most(const struct racer *r)
+{
+    return r->plan.model->method->order;
+}
+
+/* The error of a run with n steps, from its distance to one with m > n and
+   the order: (12.x, eq:choose-error). */
+static double error_of(double apart, uint64_t n, uint64_t m, int order)
+{
+    const double finer = power((double)m / (double)n, order);
+    return apart * finer / (finer - 1);
+}
+
+/* Finds the error of a rung from the next one. */
+static void learn(struct chooser *h, struct racer *r,
+                  const struct record *fine)
+{
+    const size_t k = r->rungs - 1; /* the new one */
+    if (h->guide.value) {
+        r->rung[k].error =
+            record_apart(&h->view, fine, &h->guide, 1, h->rows);
+    } else if (k > 0) {
+        const int p = r->order ? r->order : order_at_most(r);
+        const double d =
+            record_apart(&h->view, &r->finest, fine, 1, h->rows);
+        r->rung[k - 1].error =
+            error_of(d, r->rung[k - 1].steps, r->rung[k].steps, p);
+    }
+    const size_t last = h->guide.value ? k : k > 0 ? k - 1 : 0;
+    if (last > 0 && isfinite(r->rung[last - 1].error))
+        r->order = order_seen(r->rung[last - 1].error, r->rung[last].error,
+                              order_at_most(r));
+}
+
+/* The last rung whose error is known; rungs: none. */
+static size_t last_known(const struct racer *r)
+{
+    size_t k = r->rungs;
+    while (k > 0 && isnan(r->rung[k - 1].error))
+        --k;
+    return k > 0 ? k - 1 : r->rungs;
+}
+
+/* The smallest number of steps that holds when `steps` have this error. */
+static uint64_t extrapolate(uint64_t steps, double error, int order,
+                            double target)
+{
+    const double low = (double)steps / 1.9;
+    uint64_t n = error <= target ? steps_for(low) : steps;
+    while (n < (UINT64_C(1) << 60) &&
+           !(error * power((double)steps / (double)n, order) <= target))
+        n = next_steps(n);
+    return n;
+}
+
+/* A dearer rung than this is not climbed for its own sake, s. */
+static const double patience = 0.3;
+
+/* What is needed at least when no rung is known to hold: what the errors
+   promise, or, as long as they promise nothing, what the last rung has,
+   whose error nobody knows yet. */
+static void look_up(struct racer *r, double target)
+{
+    const size_t known = last_known(r);
+    const struct rung *last = &r->rung[r->rungs - 1];
+    r->need = last->steps;
+    if (known == r->rungs || !isfinite(r->rung[known].error) ||
+        (r->order == 0 && known > 0))
+        return;
+    const int order = r->order > 0 ? r->order : order_at_most(r);
+    r->need =
+        extrapolate(r->rung[known].steps,
+                    safety / margin * r->rung[known].error, order, target);
+    if (r->order > 0 && last->cost > patience && r->need > last->steps &&
+        (double)r->need <= 1.5 * (double)last->steps)
+        r->state = READY;
+}
+
+/* Foresees what the racer will need, and where it stands. */
+static void foresee(const struct chooser *h, struct racer *r)
+{
+    const double target = target_of(h, r);
+    const struct rung *last = &r->rung[r->rungs - 1];
+    size_t k = 0;
+    while (k < r->rungs && !(r->rung[k].error <= target))
+        ++k;
+    if (k == r->rungs)
+        look_up(r, target);
+    else {
+        r->need = r->rung[k].steps;
+        r->error = r->rung[k].error;
+        r->state = LOWER;
+        r->order = k > 0 && r->order == 0 ? 1 : r->order;
+    }
+    r->price = last->cost / (double)last->steps * (double)r->need;
+}
+
+/* Not above what it may come to: the steps that hold may be half as
+   many. */
+static double optimistic(const struct racer *r)
+{
+    return r->state == LOWER ? r->price / 2 : 0.8 * r->price;
+}
+
+static void give_out(struct chooser *h, struct racer *r, const char *text)
+{
+    struct choose_candidate *c = &h->c->candidate[r->candidate];
+    r->state = OUT;
+    say(c, text);
+}
+
+/* Writes into the list of candidates what is known of a racer. */
+static void publish(struct chooser *h, struct racer *r)
+{
+    for (size_t k = 0; k < r->rungs; ++k)
+        plot(h, r->candidate, r->rung[k].steps,
+             r->effect + r->rung[k].error, r->rung[k].cost);
+    struct choose_candidate *c = &h->c->candidate[r->candidate];
+    c->plan.steps = r->need;
+    c->cost = r->price;
+    c->order = r->order;
+    const size_t known = last_known(r);
+    if (known < r->rungs)
+        c->error = r->effect +
+                   r->rung[known].error *
+                       power((double)r->rung[known].steps / (double)r->need,
+                             r->order > 0 ? r->order : 1);
+    if (r->state != READY)
+        return;
+    c->sure = CHOOSE_ESTIMATE;
+    if (r->error > 0)
+        c->error = r->effect + r->error;
+    if (c->text[0] == '\0')
+        snprintf(c->text, sizeof c->text,
+                 r->order ? "order %d" : "the largest step that holds",
+                 r->order);
+}
+
+/* Adds a rung to the ladder; the run becomes the finest. */
+static void add_rung(struct chooser *h, struct racer *r,
+                     struct record *next)
+{
+    r->rung[r->rungs++] = (struct rung){next->plan.steps, NAN, next->cost};
+    if (!whole(h, next) && r->rungs > 1)
+        r->rung[r->rungs - 2].error = INFINITY;
+    else if (r->rungs > 1 || h->guide.value)
+        learn(h, r, next);
+    record_free(&r->finest);
+    r->finest = *next;
+    foresee(h, r);
+}
+
+/* One rung higher. */
+static void climb(struct chooser *h, struct racer *r)
+{
+    struct record next;
+    struct record_order o = order_of(h, r->plan, h->q->reason);
+    if (r->rungs == RUNGS || r->need >> 58) {
+        give_out(h, r, "no step is small enough");
+        return;
+    }
+    o.plan.steps = r->rungs ? 2 * r->rung[r->rungs - 1].steps : r->need;
+    if (!h->q->all) /* which tells the errors of half as many steps */
+        o.limit = fmin(o.limit, 2.1 * h->best);
+    if (!run(h, &next, &o))
+        return;
+    if (next.why || next.end == MODELS_COSTLY ||
+        next.end == MODELS_MEMORY) {
+        r->price = fmax(r->price, next.cost);
+        give_out(h, r, ending(&next));
+        record_free(&next);
+    } else
+        add_rung(h, r, &next);
+}
+
+/* Is the error at the bottom, where rounding keeps it? */
+static bool at_the_bottom(const struct chooser *h, const struct racer *r)
+{
+    const size_t k = last_known(r);
+    return k < r->rungs && k > 0 && r->state == RUNNING &&
+           r->rung[k].error > r->rung[k - 1].error / 1.5 &&
+           r->rung[k].error < 10 * h->c->rounding;
+}
+
+/* The error of a run with fewer steps than the finest. */
+static double error_against(struct chooser *h, struct racer *r,
+                            uint64_t steps)
+{
+    struct record run_now = {0};
+    struct models_plan plan = r->plan;
+    const bool exact = h->guide.value != NULL;
+    const struct record *against = exact ? &h->guide : &r->finest;
+    plan.steps = steps;
+    const struct record_order o = order_of(h, plan, INFINITY);
+    if (!run(h, &run_now, &o))
+        return INFINITY;
+    const double apart =
+        record_apart(&h->view, &run_now, against, 1, h->rows);
+    record_free(&run_now);
+    return exact ? apart
+                 : error_of(apart, steps, r->finest.plan.steps,
+                            r->order > 0 ? r->order : order_at_most(r));
+}
+
+/* Looks for fewer steps, between those that cannot hold and those that
+   do. */
+static void descend(struct chooser *h, struct racer *r)
+{
+    const double each = r->price / (double)r->need;
+    uint64_t low = 0, high = r->need;
+    for (size_t k = 0; k < r->rungs; ++k)
+        if (r->rung[k].error > target_of(h, r) && r->rung[k].steps < high)
+            low = r->rung[k].steps;
+    while (next_steps(low) < high && !h->failed) {
+        uint64_t n = steps_for((double)(low + high) / 2);
+        if (n >= high)
+            n = next_steps(low);
+        const double error = error_against(h, r, n);
+        if (error <= target_of(h, r)) {
+            high = n;
+            r->error = error;
+        } else
+            low = n;
+    }
+    r->need = high;
+    r->price = each * (double)high;
+    r->state = READY;
+}
+
+/* For a chart every method may climb to this cost, s. */
+static const double charted = 0.02;
+
+/* The racer that may still be the cheapest, or NULL. */
+static struct racer *front(struct chooser *h)
+{
+    struct racer *best = NULL;
+    for (size_t j = 0; j < h->racers; ++j) {
+        struct racer *r = &h->racer[j];
+        if ((r->state == RUNNING || r->state == LOWER) &&
+            (!best || optimistic(r) < optimistic(best)))
+            best = r;
+    }
+    const double most = h->q->all ? fmax(30 * h->best, charted) : h->best;
+    return best && optimistic(best) <= most ? best : NULL;
+}
+
+static void race(struct chooser *h)
+{
+    struct racer *r;
+    while (!h->failed && (r = front(h)) != NULL) {
+        if (r->state == LOWER)
+            descend(h, r);
+        else if (r->rungs && r->price > h->q->reason)
+            give_out(h, r, "too dear");
+        else
+            climb(h, r);
+        if (at_the_bottom(h, r))
+            give_out(h, r, "rounding: no step makes the error smaller");
+        if (r->state == READY)
+            h->best = fmin(h->best, r->price);
+    }
+}
+
+static void end_race(struct chooser *h)
+{
+    for (size_t j = 0; j < h->racers; ++j) {
+        struct racer *r = &h->racer[j];
+        if (r->state == RUNNING || r->state == LOWER)
+            say(&h->c->candidate[r->candidate], "behind");
+        if (r->rungs)
+            publish(h, r);
+        record_free(&r->finest);
+    }
+}
+
+static void take_best(struct chooser *h)
+{
+    struct choose_choice *c = h->c;
+    c->taken = c->candidates;
+    for (size_t j = 0; j < c->candidates; ++j) {
+        const struct choose_candidate *next = &c->candidate[j];
+        if (next->sure != CHOOSE_OUT && next->error <= h->q->tolerance &&
+            next->cost <= h->q->reason &&
+            (c->taken == c->candidates ||
+             next->cost < c->candidate[c->taken].cost))
+            c->taken = j;
+    }
+}
+
+static void refuse_horizon(struct chooser *h)
+{
+    struct choose_choice *c = h->c;
+    snprintf(
+        c->refusal, sizeof c->refusal,
+        "rounding alone grows to %.2g of the scale by t = %.10g, so no "
+        "run can hold %.3g: the horizon is t = %.10g; ask for a "
+        "shorter time, or for averages (--observe mean:...)",
+        c->rounding, h->q->until, h->q->tolerance, c->horizon);
+}
+
+static void refuse_cost(struct chooser *h)
+{
+    struct choose_choice *c = h->c;
+    double least = INFINITY;
+    char plan[MODELS_TEXT] = "none";
+    for (size_t j = 0; j < c->candidates; ++j)
+        if (c->candidate[j].cost < least) {
+            least = c->candidate[j].cost;
+            models_write(&c->candidate[j].plan, plan);
+        }
+    snprintf(c->refusal, sizeof c->refusal,
+             "no way was found that holds %.3g for less than %.3g s by the "
+             "price list (the nearest, %s, would cost %.3g s): ask for a "
+             "larger tolerance, a shorter time, or for averages",
+             h->q->tolerance, h->q->reason, plan, least);
+}
+
+/* Looks ahead, and at what can be left out; false: rounding forbids all. */
+static bool look_around(struct chooser *h, bool found)
+{
+    if (look_ahead(h))
+        look_evenly(h);
+    if (!found && h->c->horizon < INFINITY)
+        return false;
+    if (!h->failed && h->looked.value) {
+        measure_cuts(h);
+        try_cut_exact(h);
+    }
+    return true;
+}
+
+static void decide(struct chooser *h)
+{
+    struct choose_choice *c = h->c;
+    c->fastest = c->acts.fastest;
+    try_all_exact(h);
+    const bool found = isfinite(h->best);
+    const bool enough = found && (!h->q->all || c->acts.contact);
+    if ((!found && c->horizon < INFINITY) ||
+        (!enough && !h->failed && !look_around(h, found))) {
+        refuse_horizon(h);
+        return;
+    }
+    if (!h->failed)
+        enter_methods(h);
+    race(h);
+    end_race(h);
+    take_best(h);
+    if (c->taken == c->candidates)
+        refuse_cost(h);
+}
+
+static void end(struct chooser *h)
+{
+    record_free(&h->looked);
+    record_free(&h->rounded);
+    record_free(&h->guide);
+    if (h->scouted)
+        scout_free(&h->scout);
+    free(h->racer);
+    record_look_away(&h->view);
+}
+
+static size_t rows_of(const struct choose_request *q)
+{
+    return (size_t)((q->until - q->scene->time) / q->every + 0.5);
+}
+
+bool choose(struct choose_choice *c, const struct choose_request *q)
+{
+    struct chooser h = {
+        .q = q, .c = c, .rows = rows_of(q), .best = INFINITY};
+    *c = (struct choose_choice){.horizon = INFINITY, .rows = h.rows};
+    if (!record_look(&h.view, q->program, q->scene, q->asked,
+                     q->until - q->scene->time))
+        return false;
+    c->scale = h.view.scale;
+    c->judged = h.view.judged;
+    models_analyse(&c->acts, q->scene);
+    c->candidate = calloc(CANDIDATES, sizeof *c->candidate);
+    h.racer = calloc(CANDIDATES, sizeof *h.racer);
+    c->point = calloc(CANDIDATES * RUNGS, sizeof *c->point);
+    h.failed = !c->candidate || !h.racer || !c->point;
+    if (!h.failed)
+        decide(&h);
+    if (c->refusal[0] != '\0')
+        c->taken = c->candidates;
+    end(&h);
+    if (h.failed) {
+        fprintf(stderr, "%s: no memory to choose\n", q->program);
+        choose_free(c);
+    }
+    return !h.failed;
+}
+
+void choose_free(struct choose_choice *c)
+{
+    free(c->candidate);
+    free(c->point);
+    *c = (struct choose_choice){0};
+}
+
+enum { TIGHTENINGS = 6 };
+
+/* Makes the record the run that is handed out. */
+static void keep_run(struct choose_run *r, struct record *from)
+{
+    free(r->value);
+    r->plan = from->plan;
+    r->value = from->value;
+    r->cost = from->cost;
+    r->seconds = from->seconds;
+    memcpy(r->work, from->work, sizeof r->work);
+    from->value = NULL;
+}
+
+static void refuse_run(struct choose_run *r, const char *why)
+{
+    char plan[MODELS_TEXT];
+    models_write(&r->plan, plan);
+    snprintf(r->refusal, sizeof r->refusal, "%s: %s", plan, why);
+}
+
+/* Says how far off the run is, and what it held to. */
+static void refuse_error(struct chooser *h, struct choose_run *r,
+                         const struct record *a, const struct record *b)
+{
+    char plan[MODELS_TEXT];
+    const double e = h->q->tolerance;
+    const size_t held = record_agree(&h->view, a, b, e / 2);
+    models_write(&r->plan, plan);
+    if (r->effect > e)
+        snprintf(r->refusal, sizeof r->refusal,
+                 "%s leaves out what matters more than %.3g", plan, e);
+    else
+        snprintf(r->refusal, sizeof r->refusal,
+                 "%s is off by %.3g of the scale, more than %.3g; up to t "
+                 "= %.10g it holds",
+                 plan, r->error, e, until_of(h, held));
+}
+
+/* The order by which the error of a run is found from its companion's. */
+static int check_order(const struct chooser *h, struct models_plan plan,
+                       double seen)
+{
+    return seen > 0               ? (int)seen
+           : h->q->scene->contact ? 1
+                                  : plan.model->method->order;
+}
+
+/* Compares a run with its companion: half the step, or other units. */
+static void check(struct chooser *h, struct choose_run *r,
+                  const struct record *a, int order)
+{
+    struct record b = {0};
+    struct record_order o = order_of(h, a->plan, INFINITY);
+    o.plan.steps *= 2;
+    o.converted = a->plan.steps == 0;
+    if (!run(h, &b, &o))
+        return;
+    const double apart = record_apart(&h->view, a, &b, 1, h->rows);
+    r->error = r->effect;
+    r->error += o.converted
+                    ? rounding * apart
+                    : error_of(apart, a->plan.steps, o.plan.steps, order);
+    if (!(r->error <= h->q->tolerance))
+        refuse_error(h, r, a, &b);
+    record_free(&b);
+}
+
+/* One attempt. r->error is what was found. */
+static void attempt(struct chooser *h, struct choose_run *r, int order)
+{
+    struct record a = {0};
+    const struct record_order o = order_of(h, r->plan, h->q->reason);
+    r->error = INFINITY;
+    r->refusal[0] = '\0';
+    if (!run(h, &a, &o))
+        return;
+    h->c->deciding -= a.cost;
+    if (whole(h, &a)) {
+        check(h, r, &a, order);
+        keep_run(r, &a);
+    } else
+        refuse_run(r, ending(&a));
+    record_free(&a);
+}
+
+/* The steps for another attempt. */
+static uint64_t tighter(const struct chooser *h, const struct choose_run *r,
+                        int order)
+{
+    const uint64_t n = r->plan.steps;
+    const double target = (h->q->tolerance - r->effect) / safety;
+    const uint64_t next =
+        isfinite(r->error) && target > 0
+            ? extrapolate(n, r->error - r->effect, order, target)
+            : 2 * n;
+    return next > n ? next : next_steps(n);
+}
+
+/* What is left out is measured; a model that is not exact is compared. */
+static void find_effect(struct chooser *h, struct choose_run *r)
+{
+    struct record a = {0};
+    const struct models_model *m = r->plan.model;
+    if (r->plan.cuts == 0 && !m->approximate)
+        return;
+    if (look_ahead(h))
+        look_evenly(h);
+    if (h->failed || !h->looked.value) {
+        r->effect = INFINITY;
+        return;
+    }
+    r->effect = r->plan.cuts ? effect_of(h, r->plan.cuts) : 0;
+    const struct record_order o = order_of(h, r->plan, h->q->reason);
+    if (m->approximate && run(h, &a, &o))
+        r->effect += seen_from_look(h, &a);
+    record_free(&a);
+}
+
+static void carry_on(struct chooser *h, struct choose_run *r, double seen,
+                     bool fixed)
+{
+    const int order = r->plan.steps ? check_order(h, r->plan, seen) : 0;
+    find_effect(h, r);
+    for (r->tightened = 0; !h->failed; ++r->tightened) {
+        attempt(h, r, order);
+        if (r->error <= h->q->tolerance || fixed || r->plan.steps == 0 ||
+            r->tightened == TIGHTENINGS)
+            return;
+        r->plan.steps = tighter(h, r, order);
+    }
+}
+
+static void note_view(struct choose_run *r, struct chooser *h)
+{
+    r->rows = h->rows;
+    r->columns = h->view.columns;
+    r->scale = h->c->scale = h->view.scale;
+    r->judged = h->view.judged;
+}
+
+bool choose_carry(struct choose_run *r, const struct choose_request *q,
+                  const struct models_plan *plan, double order, bool fixed)
+{
+    struct choose_choice c = {.horizon = INFINITY};
+    struct chooser h = {.q = q, .c = &c, .rows = rows_of(q)};
+    *r = (struct choose_run){.plan = *plan};
+    if (!record_look(&h.view, q->program, q->scene, q->asked,
+                     q->until - q->scene->time))
+        return false;
+    note_view(r, &h);
+    models_analyse(&c.acts, q->scene);
+    carry_on(&h, r, order, fixed);
+    r->checking = c.deciding;
+    end(&h);
+    if (h.failed)
+        fprintf(stderr, "%s: no memory to carry the scene\n", q->program);
+    if (h.failed || r->refusal[0] != '\0') {
+        free(r->value);
+        r->value = NULL;
+    }
+    return !h.failed;
+}
+
+void choose_run_free(struct choose_run *r)
+{
+    free(r->value);
+    *r = (struct choose_run){0};
+}

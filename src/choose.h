@@ -1,0 +1,104 @@
+/* From chapters/12-choose.nw: edit there, then run make tangle. */
+/* checksum 2598227772 of the lines below */
+#ifndef CHOOSE_H
+#define CHOOSE_H
+
+#include "models.h"
+#include "observables.h"
+#include "record.h"
+
+enum { CHOOSE_TEXT = 160, CHOOSE_REFUSAL = 400 };
+
+/* What is asked for. */
+struct choose_request {
+    const struct scene *scene;
+    const char *program;             /* before what goes wrong */
+    double until, every;             /* s: the last row, from row to row */
+    double tolerance;                /* share of the scale */
+    const struct observables *asked; /* NULL: all positions */
+    double reason; /* the dearest run that is reasonable, s by the price
+                      list */
+    const struct models_plan *only; /* NULL, or the model to be taken, and
+                                       what it is to leave out */
+    bool all; /* candidates that have lost are measured, too: for charts */
+};
+
+/* How sure an error is. */
+enum choose_sure {
+    CHOOSE_EXACT,
+    CHOOSE_BOUND,
+    CHOOSE_ESTIMATE,
+    CHOOSE_OUT
+};
+
+/* A way to carry the scene that was looked at. */
+struct choose_candidate {
+    struct models_plan plan;
+    enum choose_sure sure;
+    double error, cost; /* share of the scale; s by the price list: both of
+                           this plan */
+    double order;       /* measured; 0: none */
+    char text[CHOOSE_TEXT]; /* what was seen, or why it is out */
+};
+
+/* Something that could be left out, and what that does to the run. */
+struct choose_cut {
+    unsigned cut;
+    double effect; /* share of the scale; INFINITY: beyond the tolerance */
+};
+
+/* A run whose error was seen. */
+struct choose_point {
+    size_t candidate;
+    uint64_t steps;
+    double error, cost; /* share of the scale; s by the price list */
+};
+
+struct choose_choice {
+    struct choose_candidate *candidate;
+    size_t candidates, taken; /* taken == candidates: refused */
+    struct choose_cut cut[MODELS_CUTS];
+    size_t cuts;
+    struct choose_point *point;
+    size_t points;
+    struct models_acts acts;
+    double scale; /* what errors are divided by: of judged */
+    const char *judged;
+    size_t rows;
+    double rounding; /* what rounding does to the run: share of the scale */
+    double growth;   /* of a displacement at the start, in the run */
+    double horizon;  /* s; INFINITY: the run is inside it */
+    double fastest;  /* 1/s: the largest rate that was met */
+    double deciding; /* cost of all this, s by the price list */
+    char refusal[CHOOSE_REFUSAL];
+};
+
+/* A run that has been checked. */
+struct choose_run {
+    struct models_plan plan; /* with the steps that it came to */
+    size_t columns, rows;    /* row 0 is the start */
+    double *value;           /* [(rows + 1) * columns]; NULL: refused */
+    double error;            /* found, share of the scale */
+    double effect;           /* of it, by what was left out */
+    double scale;            /* of judged */
+    const char *judged;
+    double cost, checking; /* s by the price list */
+    double seconds;        /* of this processor, of the run alone */
+    double work[MODELS_UNITS];
+    int tightened; /* how often the steps were */
+    char refusal[CHOOSE_REFUSAL];
+};
+
+/* Looks for the cheapest way. Returns false when there is no memory, or
+   the scene cannot be set in motion: says so, with nothing to free. A
+   refusal is a result. */
+bool choose(struct choose_choice *c, const struct choose_request *q);
+void choose_free(struct choose_choice *c);
+
+/* Runs a plan and checks it; unless fixed, tightens the steps until it
+   holds, or refuses. order 0: the method's. Returns as choose does. */
+bool choose_carry(struct choose_run *r, const struct choose_request *q,
+                  const struct models_plan *plan, double order, bool fixed);
+void choose_run_free(struct choose_run *r);
+
+#endif

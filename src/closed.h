@@ -1,0 +1,38 @@
+/* From chapters/12-models.nw: edit there, then run make tangle. */
+/* checksum 2493829065 of the lines below */
+#ifndef CLOSED_H
+#define CLOSED_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* e to the x, within 1e-15 of itself, the same bits on every machine. */
+double closed_exp(double x);
+
+/* Moves a body by the time t (s) under a constant acceleration g (m/s^2)
+   and a friction of -rate v (rate in 1/s, not negative). Source: (12.4,
+   eq:models-flight). */
+void closed_fly(double t, double rate, double g, double *x, double *v);
+
+/* Moves y (m) and v (m/s) by the time t (s) along the solution of y'' +
+   rate y' + square y = 0; rate in 1/s and square in 1/s^2, not negative.
+   Source: (12.5, eq:models-swing). */
+void closed_oscillate(double t, double square, double rate, double *y,
+                      double *v);
+
+/* Equal points on a line between elastic walls at low and high (m;
+   -INFINITY, INFINITY: none): fills place and speed, from left to right,
+   with what x and v have become after the time t, s. Returns false without
+   memory. */
+bool closed_relabel(double low, double high, size_t n, const double x[],
+                    const double v[], double t, double place[],
+                    double speed[]);
+
+/* How often they have met each other and the walls by then, not counting
+   those that touch at the start; UINT64_MAX without memory. Time: of the
+   order of n log n. Source: (12.6, eq:closed-meetings). */
+uint64_t closed_meetings(double low, double high, size_t n,
+                         const double x[], const double v[], double t);
+
+#endif

@@ -1,0 +1,287 @@
+/* From chapters/12-averages.nw: edit there, then run make tangle. */
+/* checksum 1938597754 of the lines below */
+#include "averages.h"
+#include "gallery.h"
+#include "start.h"
+#include "toolbox/study.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define PROGRAM "averages-studies"
+
+/* Makes some of the four disks of chapter 5, at rest in the corners of
+   cells or thrown. */
+static void make_disks(struct scene *s, double count, double radius,
+                       double seed)
+{
+    const struct gallery_scene *g = gallery_find(hard_scenes, "four-disks");
+    double value[GALLERY_KEYS];
+    gallery_usual(g, value);
+    value[gallery_key(g, "particles")] = count;
+    value[gallery_key(g, "seed")] = seed;
+    if (g->build(s, value))
+        study_fail(PROGRAM, "no memory");
+    for (size_t i = 0; i < s->bodies; ++i) {
+        s->radius[i] = radius;
+        s->position[i] = i % 2 ? 0.75 : 0.25;
+        s->position[s->bodies + i] = (i + i / 2) % 2 ? 0.75 : 0.25;
+    }
+}
+
+/* Makes bodies of START_ADIABATIC a scene, with the piston moved to 0.35
+   of the box and each gas with it. */
+static void make_piston(struct scene *s, size_t bodies, double ratio)
+{
+    const struct start_wish wish = {.kind = START_ADIABATIC,
+                                    .movers = bodies,
+                                    .ratio = ratio,
+                                    .seed = 1};
+    struct start start;
+    if (!start_fill(&start, &wish) || !scene_create(s, bodies))
+        study_fail(PROGRAM, "no memory");
+    const double length = start.wall[1], middle = length / 2;
+    s->contact = true;
+    s->wall[0] = SCENE_HARD;
+    s->high[0] = length;
+    for (size_t i = 0; i < bodies; ++i) {
+        const double x = start.x[i];
+        s->mass[i] = start.mass[i];
+        s->velocity[i] = start.v[i];
+        s->position[i] =
+            x <= middle ? 0.7 * x : length - 1.3 * (length - x);
+        s->freedom[bodies + i] = s->freedom[2 * bodies + i] = 0;
+    }
+    start_free(&start);
+}
+
+/* Asks for an average by name. */
+static struct averages_found ask(const struct scene *s, const char *name,
+                                 double until, double tolerance,
+                                 const char *model)
+{
+    struct averages_request q = {.scene = s,
+                                 .until = until,
+                                 .tolerance = tolerance,
+                                 .reason = 6,
+                                 .model = model};
+    struct averages_found f;
+    char message[AVERAGES_TEXT];
+    if (!averages_read(&q.quantity, name, s, message))
+        study_fail(PROGRAM, message);
+    if (!averages_find(&f, &q))
+        study_fail(PROGRAM, "no memory");
+    return f;
+}
+
+/* What a way has found, or NULL. */
+static const struct averages_candidate *candidate(
+    const struct averages_found *f, const char *name)
+{
+    for (size_t k = 0; k < f->candidates; ++k)
+        if (strcmp(f->candidate[k].name, name) == 0)
+            return &f->candidate[k];
+    return NULL;
+}
+
+static bool refused(const struct averages_found *f)
+{
+    return f->taken == f->candidates;
+}
+
+enum { STARTS = 200 };
+
+/* How many of so many starts of two disks stop within half of their error,
+   and within all of it. */
+static void count_hits(double tolerance, double row[])
+{
+    const double law = 1.2401672; /* eq:averages-two */
+    row[0] = tolerance;
+    row[1] = row[2] = row[3] = 0;
+    for (int seed = 1; seed <= STARTS && !progress_signal(); ++seed) {
+        struct scene s;
+        make_disks(&s, 2, 0.15, seed);
+        const struct averages_found f =
+            ask(&s, "pressure", 1e7, tolerance, "events");
+        const double off = fabs(f.value - law) / f.scale;
+        row[1] += off <= f.error / 2;
+        row[2] += off <= f.error;
+        row[3] += f.time / STARTS;
+        scene_free(&s);
+    }
+}
+
+static void study_stop(struct study *s)
+{
+    static const double tolerances[] = {0.05, 0.02, 0.01, 0.005};
+    table_column(s->out, "e", "", "tolerance");
+    table_column(s->out, "half", "", "starts off by at most e/2, of 200");
+    table_column(s->out, "all", "", "by at most e");
+    table_column(s->out, "t", "s", "simulated, mean");
+    for (int k = 0; k < 4; ++k) {
+        double row[4];
+        char key[32];
+        count_hits(tolerances[k], row);
+        table_row(s->out, 4, row);
+        snprintf(key, sizeof key, "all_%g", tolerances[k]);
+        table_real(s->summary, key, row[2] / STARTS);
+        snprintf(key, sizeof key, "half_%g", tolerances[k]);
+        table_real(s->summary, key, row[1] / STARTS);
+    }
+}
+
+/* The mean place from the start on, at times that double. */
+static void run_piston(const struct scene *s, size_t body, int times,
+                       double mean[])
+{
+    enum { EVERY = 4 }; /* s */
+    const struct models_plan plan = {.model = models_find("line")};
+    struct models_run r;
+    const char *why;
+    double sum = 0;
+    if (!models_begin(&r, &plan, s, EVERY, &why))
+        study_fail(PROGRAM, why);
+    for (int k = 0; k < times && !progress_signal(); ++k) {
+        for (; (double)(r.rows * EVERY) < 256 * ldexp(1, k);) {
+            models_row(&r);
+            sum += r.scene.position[body];
+        }
+        mean[k] = sum / (double)r.rows;
+    }
+    models_end(&r);
+}
+
+static void study_patience(struct study *s)
+{
+    enum { BODIES = 41, PISTON = 20, TIMES = 10 };
+    struct scene piston;
+    double mean[TIMES] = {0};
+    make_piston(&piston, BODIES, 600);
+    run_piston(&piston, PISTON, TIMES, mean);
+    table_column(s->out, "T", "s", "time of the run");
+    table_column(s->out, "mean", "m", "place of the piston, events to T");
+    table_column(s->out, "x", "m", "the answer, nan: refused");
+    table_column(s->out, "error", "m", "and its error");
+    table_column(s->out, "way", "", "1: springs, 2: law, 3: events");
+    table_column(s->out, "springs", "m", "mean place by springs alone");
+    for (int k = 0; k < TIMES && !progress_signal(); ++k) {
+        const double T = 256 * ldexp(1, k);
+        const struct averages_found f = ask(&piston, "x:20", T, 0.01, NULL);
+        const char *name = refused(&f) ? "" : f.candidate[f.taken].name;
+        const double row[] = {T,
+                              mean[k],
+                              refused(&f) ? NAN : f.value,
+                              f.error * f.scale,
+                              *name == 's'   ? 1
+                              : *name == 'o' ? 2
+                              : *name == 'e' ? 3
+                                             : 0,
+                              candidate(&f, "springs")->value};
+        table_row(s->out, 6, row);
+        char key[32];
+        const struct averages_candidate *springs = candidate(&f, "springs");
+        if (k == 0) {
+            table_real(s->summary, "springs", springs->value);
+            table_real(s->summary, "springs_error", springs->error);
+        }
+        if (k == 3) {
+            table_real(s->summary, "answer", f.value);
+            table_real(s->summary, "answer_error", f.error * f.scale);
+        }
+        snprintf(key, sizeof key, "mean_%d", k);
+        table_real(s->summary, key, mean[k]);
+    }
+    scene_free(&piston);
+}
+
+static void study_places(struct study *s)
+{
+    static const double radii[] = {0.1, 0.15, 0.18, 0.2, 0.22};
+    static const char *const ways[] = {"events", "sampling"};
+    table_column(s->out, "r", "m", "radius of the four disks");
+    for (int k = 0; k < 2; ++k) {
+        table_column(s->out, "x", "m",
+                     k ? "the same by sampling"
+                       : "mean x of disk 0 by events");
+        table_column(s->out, "error", "m", "as blocks see it");
+        table_column(s->out, "answer", "", "1: given, 0: refused");
+    }
+    for (int k = 0; k < 5 && !progress_signal(); ++k) {
+        double row[7] = {radii[k]};
+        for (int w = 0; w < 2; ++w) {
+            struct scene four;
+            char key[32];
+            make_disks(&four, 4, radii[k], 1);
+            const struct averages_found f =
+                ask(&four, "x:0", 1e4, 0.02, ways[w]);
+            const struct averages_candidate *c = candidate(&f, ways[w]);
+            row[1 + 3 * w] = c->value;
+            row[2 + 3 * w] = c->error;
+            row[3 + 3 * w] = !refused(&f);
+            snprintf(key, sizeof key, "%s_%g", ways[w], radii[k]);
+            table_real(s->summary, key, c->value);
+            snprintf(key, sizeof key, "%s_error_%g", ways[w], radii[k]);
+            table_real(s->summary, key, c->error);
+            snprintf(key, sizeof key, "%s_given_%g", ways[w], radii[k]);
+            table_real(s->summary, key, row[3 + 3 * w]);
+            scene_free(&four);
+        }
+        table_row(s->out, 7, row);
+    }
+}
+
+/* What it costs to hold a tolerance, s by the price list, or NAN. */
+static double price(const struct scene *s, const char *name,
+                    double tolerance, const char *model)
+{
+    const struct averages_found f = ask(s, name, 1e9, tolerance, model);
+    return refused(&f) ? NAN : f.cost + f.deciding;
+}
+
+static void study_digits(struct study *s)
+{
+    static const double tolerances[] = {0.1, 0.05, 0.02, 0.01, 0.005};
+    struct scene gas, four;
+    if (gallery_make(&gas, gallery_find(hard_scenes, "gas"), NULL, 0))
+        study_fail(PROGRAM, "no memory");
+    make_disks(&four, 4, 0.15, 1);
+    table_column(s->out, "e", "", "tolerance");
+    table_column(s->out, "Z_events", "s", "pressure of 250 disks, price");
+    table_column(s->out, "Z_chain", "s", "the same by sampling");
+    table_column(s->out, "x_events", "s", "place of one of four, price");
+    table_column(s->out, "x_chain", "s", "the same by sampling");
+    for (int k = 0; k < 5 && !progress_signal(); ++k) {
+        const double e = tolerances[k];
+        const double row[] = {
+            e, price(&gas, "pressure", e, "events"),
+            e < 0.02 ? NAN : price(&gas, "pressure", e, "sampling"),
+            price(&four, "x:0", e, "events"),
+            price(&four, "x:0", e, "sampling")};
+        table_row(s->out, 5, row);
+        if (e == 0.02) {
+            table_real(s->summary, "Z_ratio", row[2] / row[1]);
+            table_real(s->summary, "x_ratio", row[3] / row[4]);
+        }
+    }
+    scene_free(&gas);
+    scene_free(&four);
+}
+
+static const struct study_entry studies[] = {
+    {"stop", study_stop, "how often a mean is within its error"},
+    {"patience", study_patience, "a heavy piston and ever longer runs"},
+    {"places", study_places, "disks that change places, or do not"},
+    {"digits", study_digits, "what a tolerance costs, by two ways"},
+    {0}};
+
+int main(int argc, char *argv[])
+{
+    const struct study_program program = {
+        .name = PROGRAM,
+        .purpose = "Study averages: when to stop, and what misleads.",
+        .events = "rows",
+        .studies = studies};
+    return study_main(&program, argc, argv);
+}

@@ -1,0 +1,652 @@
+/* From chapters/12-choose.nw: edit there, then run make tangle. */
+/* checksum 1481236245 of the lines below */
+#include "averages.h"
+#include "choose.h"
+#include "scene.h"
+#include "toolbox/options.h"
+#include "toolbox/table.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define PROGRAM "bonk"
+
+struct settings {
+    const char *scene;
+    double until, tolerance, every, reason; /* s; share; s; s */
+    const char *observe, *model;
+    bool explain;
+    const char *chart, *output, *summary, *command;
+};
+
+enum { ROWS = 16, ROWS_MOST = 1000000 };
+
+static const char mean_mark[] = "mean:";
+enum { MEANS_MOST = 16, MARK = sizeof mean_mark - 1 };
+
+/* An average that is asked for. */
+struct mean {
+    struct averages_quantity quantity;
+    struct averages_found found;
+};
+
+struct run {
+    const struct settings *s;
+    struct scene scene;
+    struct observables asked;
+    struct choose_request request;
+    struct choose_choice choice;
+    struct models_plan plan;
+    double order;
+    bool planned; /* the plan was given, with its steps */
+    struct choose_run done;
+    struct mean mean[MEANS_MOST];
+    size_t means; /* 0: a run is asked for */
+    struct table *out, *summary, *chart;
+    FILE *story; /* where --explain goes */
+};
+
+_Noreturn static void refuse(const char *format, ...)
+{
+    va_list values;
+    va_start(values, format);
+    fprintf(stderr, PROGRAM ": ");
+    vfprintf(stderr, format, values);
+    fprintf(stderr, "\n");
+    va_end(values);
+    table_abandon();
+    exit(OPTIONS_FAILURE);
+}
+
+static void read_observe(struct run *r)
+{
+    char message[OBSERVABLES_MESSAGE];
+    const char *text = r->s->observe;
+    if (!text)
+        return;
+    if (!observables_read(&r->asked, text, r->scene.bodies, message))
+        refuse("--observe: %s", message);
+    r->request.asked = &r->asked;
+}
+
+/* Sets the rows: whole ones, from the start to the end. */
+static void divide(struct run *r)
+{
+    const struct settings *s = r->s;
+    const double length = s->until - r->scene.time;
+    if (!(length > 0))
+        refuse("--until: %.15g is not after the scene's time, %.15g",
+               s->until, r->scene.time);
+    const double every = s->every > 0 ? s->every : length / ROWS;
+    const double rows = length / every;
+    if (!(rows <= ROWS_MOST))
+        refuse("--every: %g makes %.3g rows, more than %d", every, rows,
+               ROWS_MOST);
+    if (rows < 0.5 || fabs(rows - floor(rows + 0.5)) > 1e-9 * rows)
+        refuse("--every: the time from %.10g to %.10g is no whole number "
+               "of rows of %.10g",
+               r->scene.time, s->until, every);
+    r->request.every = every;
+}
+
+static void read_model(struct run *r)
+{
+    char message[MODELS_TEXT];
+    if (!r->s->model)
+        return;
+    if (!models_read(&r->plan, r->s->model, message))
+        refuse("--model: %s", message);
+    const char *why = models_refuse(&r->plan, &r->scene);
+    if (why)
+        refuse("--model: %s does not suit this scene: %s", r->s->model,
+               why);
+    r->planned = r->plan.model->family != MODELS_STEPS || r->plan.steps > 0;
+    if (!r->planned)
+        r->request.only = &r->plan;
+}
+
+/* Reads mean:NAME,mean:NAME... */
+static void read_means(struct run *r)
+{
+    char message[AVERAGES_TEXT], name[64];
+    for (const char *at = r->s->observe; *at;) {
+        const size_t n = strcspn(at, ",");
+        if (strncmp(at, mean_mark, MARK) != 0)
+            refuse("--observe: averages (mean:...) and values cannot be "
+                   "asked for together, found '%.*s'",
+                   (int)n, at);
+        snprintf(name, sizeof name, "%.*s", (int)(n - MARK), at + MARK);
+        if (r->means == MEANS_MOST)
+            refuse("--observe: more than %d averages", MEANS_MOST);
+        if (!averages_read(&r->mean[r->means].quantity, name, &r->scene,
+                           message))
+            refuse("--observe: mean:%s: %s", name, message);
+        ++r->means;
+        at += n + (at[n] == ',');
+    }
+}
+
+static bool asks_for_means(const struct settings *s)
+{
+    return s->observe && strstr(s->observe, mean_mark) != NULL;
+}
+
+static void begin_run(struct run *r)
+{
+    const struct settings *s = r->s;
+    if (!scene_read(&r->scene, PROGRAM, s->scene))
+        exit(OPTIONS_FAILURE);
+    r->request = (struct choose_request){.scene = &r->scene,
+                                         .program = PROGRAM,
+                                         .until = s->until,
+                                         .tolerance = s->tolerance,
+                                         .reason = s->reason,
+                                         .all = s->chart != NULL};
+    divide(r);
+    if (asks_for_means(s)) {
+        read_means(r);
+        return;
+    }
+    read_observe(r);
+    read_model(r);
+}
+
+static void open_outputs(struct run *r)
+{
+    const struct settings *s = r->s;
+    r->story = s->output && strcmp(s->output, "-") ? stdout : stderr;
+    r->out = table_open(PROGRAM, s->output);
+    r->summary = r->out ? table_open(PROGRAM, s->summary) : NULL;
+    r->chart =
+        r->summary && s->chart ? table_open(PROGRAM, s->chart) : NULL;
+    if (r->summary && (r->chart || !s->chart))
+        return;
+    table_abandon();
+    exit(EXIT_FAILURE);
+}
+
+static void tell(const struct run *r, const char *format, ...)
+{
+    va_list values;
+    if (!r->s->explain)
+        return;
+    va_start(values, format);
+    vfprintf(r->story, format, values);
+    va_end(values);
+}
+
+static void tell_acts(const struct run *r)
+{
+    const struct models_acts *a = &r->choice.acts;
+    tell(r, "what acts:%s%s%s%s%s%s%s\n", a->gravity ? " gravity" : "",
+         a->springs ? " springs" : "", a->weight ? " weight" : "",
+         a->dashpots ? " dashpots" : "", a->friction ? " friction" : "",
+         a->contact ? " contacts" : "",
+         a->gravity || a->springs || a->weight || a->contact ||
+                 a->friction || a->dashpots
+             ? ""
+             : " nothing");
+    tell(r, "bodies that move: %zu of %zu, in %zu dimension%s\n", a->free,
+         r->scene.bodies, a->dimensions, a->dimensions == 1 ? "" : "s");
+}
+
+static void tell_asked(const struct run *r)
+{
+    const struct choose_choice *c = &r->choice;
+    tell(r,
+         "asked for: %s within %.3g of %.6g, in %zu rows up to t = %.10g\n",
+         c->judged, r->s->tolerance, c->scale, c->rows, r->s->until);
+    tell(r, "rounding: grows %.2g times, to %.2g\n", c->growth,
+         c->rounding);
+    if (isfinite(c->horizon))
+        tell(r, "horizon: t = %.10g\n", c->horizon);
+}
+
+static void tell_cuts(const struct run *r)
+{
+    const struct choose_choice *c = &r->choice;
+    if (c->cuts > 0)
+        tell(r, "what leaving out would do:\n");
+    for (size_t j = 0; j < c->cuts; ++j) {
+        char text[MODELS_TEXT];
+        const char *name = text;
+        for (unsigned k = 0; k < MODELS_CUTS; ++k)
+            if (c->cut[j].cut == 1u << k)
+                name = models_cut_names[k];
+        if (isfinite(c->cut[j].effect))
+            tell(r, "  %-26s %9.2e\n", name, c->cut[j].effect);
+        else
+            tell(r, "  %-26s too much\n", name);
+    }
+}
+
+static void tell_candidates(const struct run *r)
+{
+    const struct choose_choice *c = &r->choice;
+    char plan[MODELS_TEXT], error[16];
+    tell(r, "candidates:                     error      cost, s\n");
+    for (size_t j = 0; j < c->candidates; ++j) {
+        const struct choose_candidate *next = &c->candidate[j];
+        models_write(&next->plan, plan);
+        if (isinf(next->cost)) {
+            tell(r, "  %-26s %s\n", plan, next->text);
+            continue;
+        }
+        snprintf(error, sizeof error, isfinite(next->error) ? "%.2e" : "-",
+                 next->error);
+        tell(r, "%c %-26s %9s  %9.2e  %s\n", j == c->taken ? '*' : ' ',
+             plan, error, next->cost, next->text);
+    }
+}
+
+static void tell_choice(const struct run *r)
+{
+    tell_acts(r);
+    tell_asked(r);
+    tell_cuts(r);
+    tell_candidates(r);
+}
+
+static void tell_found(const struct run *r)
+{
+    char plan[MODELS_TEXT];
+    models_write(&r->done.plan, plan);
+    if (r->done.refusal[0] == '\0')
+        tell(r, "taken: %s\n", plan);
+    tell(r,
+         "found: error %.2e, cost %.2e s (deciding %.2e s, checking %.2e "
+         "s)\n",
+         r->done.error, r->done.cost, r->choice.deciding, r->done.checking);
+}
+
+static void write_state_columns(struct run *r)
+{
+    static const char *const symbol[] = {"x", "y", "z", "vx", "vy", "vz"};
+    char name[32];
+    for (size_t i = 0; i < r->scene.bodies; ++i)
+        for (size_t k = 0; k < 6; ++k) {
+            snprintf(name, sizeof name, "%s:%zu", symbol[k], i);
+            table_column(r->out, name, k < 3 ? "length" : "length/time",
+                         k < 3 ? "place" : "velocity");
+        }
+}
+
+static void write_head(struct run *r)
+{
+    char plan[MODELS_TEXT], command[8192];
+    models_write(&r->done.plan, plan);
+    snprintf(command, sizeof command, "%s%s%s", r->s->command,
+             r->s->model ? "" : " --model ", r->s->model ? "" : plan);
+    table_begin(r->out, command, 0);
+    table_print(r->out, "# model: %s\n", plan);
+    table_column(r->out, "t", "time", "time, in the units of the scene");
+    if (r->request.asked)
+        observables_head(&r->asked, r->out);
+    else
+        write_state_columns(r);
+}
+
+static bool write_rows(struct run *r)
+{
+    const struct choose_run *d = &r->done;
+    double *row = malloc((d->columns + 1) * sizeof *row);
+    bool good = row != NULL;
+    for (size_t j = 0; good && j <= d->rows; ++j) {
+        row[0] = r->scene.time + (double)j * r->request.every;
+        memcpy(row + 1, d->value + j * d->columns,
+               d->columns * sizeof *row);
+        good = table_row(r->out, d->columns + 1, row);
+    }
+    free(row);
+    return good;
+}
+
+static void write_point(const struct run *r, struct models_plan plan,
+                        double error, double cost, int taken)
+{
+    char text[MODELS_TEXT];
+    models_write(&plan, text);
+    table_print(r->chart, "%.6g %.6g %d %s\n", error, cost, taken, text);
+}
+
+static void write_chart_head(const struct run *r)
+{
+    table_begin(r->chart, r->s->command, 0);
+    table_print(r->chart, "# tolerance: %.17g\n", r->s->tolerance);
+    table_column(r->chart, "error", "", "share of the scale");
+    table_column(r->chart, "cost", "s", "by the price list");
+    table_column(r->chart, "taken", "", "1: this one, and where it stands");
+    table_column(r->chart, "plan", "", "its model, and what it leaves out");
+}
+
+static void write_chart(const struct run *r)
+{
+    const struct choose_choice *c = &r->choice;
+    write_chart_head(r);
+    for (size_t j = 0; j < c->points; ++j) {
+        const struct choose_point *p = &c->point[j];
+        struct models_plan plan = c->candidate[p->candidate].plan;
+        plan.steps = p->steps;
+        if (j > 0 && p->candidate != p[-1].candidate)
+            table_print(r->chart, "\n\n");
+        write_point(r, plan, p->error, p->cost, 0);
+    }
+    if (c->taken == c->candidates)
+        return;
+    const struct choose_candidate *taken = &c->candidate[c->taken];
+    table_print(r->chart, "\n\n");
+    write_point(r, taken->plan, taken->error, taken->cost, 1);
+}
+
+static void summarise(const struct run *r, const char *refusal)
+{
+    const struct choose_choice *c = &r->choice;
+    struct table *t = r->summary;
+    char plan[MODELS_TEXT] = "none";
+    if (!refusal)
+        models_write(&r->done.plan, plan);
+    table_text(t, "end", refusal ? "refused" : "whole");
+    table_text(t, "model", plan);
+    table_real(t, "tolerance", r->s->tolerance);
+    table_text(t, "judged", c->judged ? c->judged : r->done.judged);
+    table_real(t, "scale", c->judged ? c->scale : r->done.scale);
+    if (!r->planned && c->taken < c->candidates)
+        table_real(t, "error_estimated", c->candidate[c->taken].error);
+    table_real(t, "error_found", r->done.error);
+    table_real(t, "cost", r->done.cost);
+    table_real(t, "deciding", c->deciding);
+    table_real(t, "checking", r->done.checking);
+    table_real(t, "growth", c->growth);
+    table_real(t, "rounding", c->rounding);
+    table_real(t, "horizon", c->horizon);
+    table_count(t, "tightened", (uint64_t)r->done.tightened);
+    table_real(t, "seconds", r->done.seconds);
+}
+
+static const struct options_entry entries[] = {
+    {"", 0, "SCENE", "a scene file; - is standard input"},
+    {"until", 't', "T", "the time at which to stop"},
+    {"tolerance", 'e', "E",
+     "the largest error, a share of the scale of\n"
+     "what is asked for"},
+    {"every", 'd', "DT", "time from row to row (a sixteenth of the run)"},
+    {"observe", 'O', "NAMES",
+     "instead of all states: energy, momentum, x:3\n"
+     "and others of step; or averages: mean:NAME"},
+    {"model", 'm', "PLAN",
+     "instead of choosing: a model, as in kepler or\n"
+     "pefrl:24 (24 steps in each row)"},
+    {"reason", 'r', "S",
+     "the dearest run that is reasonable, seconds by\n"
+     "the price list (600)"},
+    {"explain", 'x', NULL,
+     "say what was looked at, and why; with -o FILE\n"
+     "to standard output, else to standard error"},
+    {"chart", 'c', "FILE", "write the candidates: error and cost"},
+    {"output", 'o', "FILE", "for the table (standard output)"},
+    {"summary", 'S', "FILE", "for the results as lines: key value"},
+    {0}};
+
+static void take_scene(struct options *o, struct settings *s)
+{
+    if (s->scene)
+        options_fail(o, "'%s': there is a scene already, '%s'",
+                     options_text(o), s->scene);
+    s->scene = options_text(o);
+}
+
+static bool same_file(const char *a, const char *b)
+{
+    return a && b && strcmp(a, b) == 0 && strcmp(a, "/dev/null") != 0;
+}
+
+static void check_settings(struct options *o, const struct settings *s)
+{
+    const char *output = s->output ? s->output : "-";
+    if (!s->scene)
+        options_fail(o, "a scene is needed, as in build/bin/scene "
+                        "sun-earth | bonk - --until 365 --tolerance 1e-3");
+    if (isnan(s->until))
+        options_fail(o, "--until is needed: the time at which to stop");
+    if (isnan(s->tolerance))
+        options_fail(o, "--tolerance is needed: how wrong may it be?");
+    if (same_file(s->summary, output) || same_file(s->chart, output) ||
+        same_file(s->chart, s->summary))
+        options_fail(o, "the table, --summary and --chart need files of "
+                        "their own");
+}
+
+static void take_option(struct options *o, struct settings *s, int option)
+{
+    switch (option) {
+    case OPTIONS_ARGUMENT: take_scene(o, s); break;
+    case 't': s->until = options_real(o, -INFINITY, INFINITY); break;
+    case 'e':
+        s->tolerance = options_real(o, OPTIONS_POSITIVE, INFINITY);
+        break;
+    case 'd': s->every = options_real(o, OPTIONS_POSITIVE, INFINITY); break;
+    case 'O': s->observe = options_text(o); break;
+    case 'm': s->model = options_text(o); break;
+    case 'r':
+        s->reason = options_real(o, OPTIONS_POSITIVE, INFINITY);
+        break;
+    case 'x': s->explain = true; break;
+    case 'c': s->chart = options_text(o); break;
+    case 'o': s->output = options_text(o); break;
+    case 'S': s->summary = options_text(o); break;
+    }
+}
+
+static void read_settings(struct settings *s, int argc, char *argv[])
+{
+    struct options o;
+    int option;
+    *s = (struct settings){.until = NAN,
+                           .tolerance = NAN,
+                           .reason = 600,
+                           .summary = "/dev/null"};
+    options_begin(&o, PROGRAM,
+                  "Carry a scene through time at the least cost that holds "
+                  "a tolerance.",
+                  entries, argc, argv);
+    while ((option = options_next(&o)) != -1)
+        take_option(&o, s, option);
+    s->command = options_command(&o);
+    check_settings(&o, s);
+}
+
+static bool decide(struct run *r)
+{
+    const struct choose_choice *c = &r->choice;
+    if (r->planned)
+        return true;
+    if (!choose(&r->choice, &r->request)) {
+        table_abandon();
+        exit(EXIT_FAILURE);
+    }
+    tell_choice(r);
+    if (r->chart)
+        write_chart(r);
+    if (c->taken == c->candidates)
+        return false;
+    r->plan = c->candidate[c->taken].plan;
+    r->order = c->candidate[c->taken].order;
+    return true;
+}
+
+/* Returns NULL, or why there is no run. */
+static const char *carry(struct run *r)
+{
+    if (!decide(r))
+        return r->choice.refusal;
+    if (!choose_carry(&r->done, &r->request, &r->plan, r->order,
+                      r->planned)) {
+        table_abandon();
+        exit(EXIT_FAILURE);
+    }
+    tell_found(r);
+    return r->done.value ? NULL : r->done.refusal;
+}
+
+/* Hands out the rows, or says why there are none. */
+static bool hand_out(struct run *r, const char *refusal)
+{
+    if (refusal) {
+        fprintf(stderr, PROGRAM ": %s: %s\n", r->s->scene, refusal);
+        table_discard(r->out);
+        return true;
+    }
+    write_head(r);
+    const bool good = write_rows(r);
+    return table_close(r->out) && good;
+}
+
+static const char *const sure_names[] = {"exact", "bound", "estimate",
+                                         "out"};
+
+static void tell_mean(const struct run *r, const struct mean *m)
+{
+    const struct averages_found *f = &m->found;
+    char symbol[32];
+    averages_name(&m->quantity, symbol);
+    tell(r, "%s:                         value      error    cost, s\n",
+         symbol);
+    for (size_t j = 0; j < f->candidates; ++j) {
+        const struct averages_candidate *c = &f->candidate[j];
+        if (c->sure == AVERAGES_OUT && !isfinite(c->cost))
+            tell(r, "  %-12s %-9s %s\n", c->name, "out", c->text);
+        else
+            tell(r, "%c %-12s %-9s %12.6g  %9.2e  %9.2e  %s\n",
+                 j == f->taken ? '*' : ' ', c->name, sure_names[c->sure],
+                 c->value, c->error, c->cost, c->text);
+    }
+}
+
+/* Finds one average. Returns NULL, or why there is none. */
+static const char *find_mean(struct run *r, struct mean *m)
+{
+    const struct settings *s = r->s;
+    const struct averages_request q = {.scene = &r->scene,
+                                       .quantity = m->quantity,
+                                       .until = s->until,
+                                       .tolerance = s->tolerance,
+                                       .reason = s->reason,
+                                       .model = s->model};
+    if (!averages_find(&m->found, &q)) {
+        fprintf(stderr, PROGRAM ": no memory for averages\n");
+        table_abandon();
+        exit(EXIT_FAILURE);
+    }
+    tell_mean(r, m);
+    return m->found.taken == m->found.candidates ? m->found.refusal : NULL;
+}
+
+/* The way that was taken, the same for all or "several". */
+static const char *mean_model(const struct run *r)
+{
+    const char *name = NULL;
+    for (size_t j = 0; j < r->means; ++j) {
+        const struct averages_found *f = &r->mean[j].found;
+        const char *next = f->candidate[f->taken].name;
+        name = !name || strcmp(name, next) == 0 ? next : "several";
+    }
+    return name;
+}
+
+static bool write_means(struct run *r)
+{
+    double row[2 * MEANS_MOST];
+    char symbol[32], error[48];
+    table_begin(r->out, r->s->command, 0);
+    table_print(r->out, "# model: %s\n", mean_model(r));
+    for (size_t j = 0; j < r->means; ++j) {
+        const struct averages_found *f = &r->mean[j].found;
+        const char *unit = averages_name(&r->mean[j].quantity, symbol);
+        snprintf(error, sizeof error, "error_%s", symbol);
+        table_column(r->out, symbol, unit, "average");
+        table_column(r->out, error, "", "two standard errors, or a bound");
+        row[2 * j] = f->value;
+        row[2 * j + 1] = f->error;
+    }
+    const bool good = table_row(r->out, 2 * r->means, row);
+    return table_close(r->out) && good;
+}
+
+static void chart_means(const struct run *r)
+{
+    write_chart_head(r);
+    for (size_t j = 0; j < r->means; ++j) {
+        const struct averages_found *f = &r->mean[j].found;
+        for (size_t k = 0; k < f->candidates; ++k)
+            if (isfinite(f->candidate[k].error) &&
+                isfinite(f->candidate[k].cost))
+                table_print(r->chart, "%.6g %.6g %d %s\n\n\n",
+                            f->candidate[k].error, f->candidate[k].cost,
+                            k == f->taken, f->candidate[k].name);
+    }
+}
+
+static void summarise_means(const struct run *r, const char *refusal)
+{
+    struct table *t = r->summary;
+    double cost = 0, deciding = 0, most = 0;
+    for (size_t j = 0; j < r->means; ++j) {
+        cost += r->mean[j].found.cost;
+        deciding += r->mean[j].found.deciding;
+        most = fmax(most, r->mean[j].found.error);
+    }
+    table_text(t, "end", refusal ? "refused" : "whole");
+    table_text(t, "model", refusal ? "none" : mean_model(r));
+    table_real(t, "tolerance", r->s->tolerance);
+    table_real(t, "error_found", most);
+    table_real(t, "cost", cost);
+    table_real(t, "deciding", deciding);
+}
+
+/* Averages: all are found, or none is handed out. */
+static bool answer_means(struct run *r, const char **refusal)
+{
+    bool good = true;
+    for (size_t j = 0; j < r->means && !*refusal; ++j)
+        *refusal = find_mean(r, &r->mean[j]);
+    if (*refusal) {
+        fprintf(stderr, PROGRAM ": %s: %s\n", r->s->scene, *refusal);
+        table_discard(r->out);
+    } else
+        good = write_means(r);
+    if (r->chart)
+        chart_means(r);
+    summarise_means(r, *refusal);
+    return good;
+}
+
+static bool answer_run(struct run *r, const char **refusal)
+{
+    r->done.plan = r->plan;
+    *refusal = carry(r);
+    const bool good = hand_out(r, *refusal);
+    summarise(r, *refusal);
+    choose_free(&r->choice);
+    choose_run_free(&r->done);
+    return good;
+}
+
+int main(int argc, char *argv[])
+{
+    static struct settings s;
+    static struct run r;
+    const char *refusal = NULL;
+    read_settings(&s, argc, argv);
+    r.s = &s;
+    begin_run(&r);
+    open_outputs(&r);
+    bool good =
+        r.means > 0 ? answer_means(&r, &refusal) : answer_run(&r, &refusal);
+    good = table_close(r.chart) && good;
+    good = table_close(r.summary) && good;
+    scene_free(&r.scene);
+    return good && !refusal ? EXIT_SUCCESS : EXIT_FAILURE;
+}

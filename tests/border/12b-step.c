@@ -1,0 +1,54 @@
+/* What crosses the border of exercise 12b: see examiner/border.h. */
+
+#include "examiner/border.h"
+
+enum verdict { OUT_OF_REACH, TOO_FINE, NO_ORDER, CHOSEN };
+
+enum verdict choose_step(double p, const double h[2], const double error[2],
+                         double rounding, double tolerance, double *step);
+
+/* The arguments, and the place for the step as it is before. */
+struct call {
+    double p, h[2], error[2], rounding, tolerance, step;
+};
+
+static void move_arguments(struct call *c)
+{
+    border_doubles(&c->p, 1);
+    border_doubles(c->h, 2);
+    border_doubles(c->error, 2);
+    border_doubles(&c->rounding, 1);
+    border_doubles(&c->tolerance, 1);
+    border_doubles(&c->step, 1);
+}
+
+#ifdef BORDER_INSIDE
+
+void border_answer(void)
+{
+    struct call c;
+    move_arguments(&c);
+    int verdict = (int)choose_step(c.p, c.h, c.error, c.rounding,
+                                   c.tolerance, &c.step);
+    border_reply();
+    border_ints(&verdict, 1);
+    border_doubles(&c.step, 1);
+}
+
+#else
+
+enum verdict choose_step(double p, const double h[2], const double error[2],
+                         double rounding, double tolerance, double *step)
+{
+    struct call c = {p,        {h[0], h[1]}, {error[0], error[1]},
+                     rounding, tolerance,    *step};
+    int verdict;
+    border_call();
+    move_arguments(&c);
+    border_wait();
+    border_ints(&verdict, 1);
+    border_doubles(step, 1);
+    return (enum verdict)verdict;
+}
+
+#endif

@@ -1,0 +1,446 @@
+/* Averages: laws, events and chains against numbers known from elsewhere,
+   the stop at the tolerance, and refusals. */
+#include "unit.h"
+
+#include "averages.h"
+#include "gallery.h"
+#include "start.h"
+#include "toolbox/random.h"
+
+#include <stdlib.h>
+
+static struct averages_found ask(const struct scene *s, const char *name,
+                                 double until, double tolerance,
+                                 const char *model)
+{
+    struct averages_request q = {.scene = s,
+                                 .until = until,
+                                 .tolerance = tolerance,
+                                 .reason = 5,
+                                 .model = model};
+    struct averages_found f = {.taken = 99};
+    char message[AVERAGES_TEXT];
+    UNIT_TRUE(averages_read(&q.quantity, name, s, message));
+    UNIT_TRUE(averages_find(&f, &q));
+    return f;
+}
+
+static bool refused(const struct averages_found *f)
+{
+    return f->taken == f->candidates && f->refusal[0] != '\0';
+}
+
+static bool taken(const struct averages_found *f, const char *name)
+{
+    return f->taken < f->candidates && f->refusal[0] == '\0' &&
+           strcmp(f->candidate[f->taken].name, name) == 0;
+}
+
+/* The scene of the gallery with one key set. */
+static void make(struct scene *s, const char *name, const char *key,
+                 double value)
+{
+    const char *why =
+        gallery_make(s, gallery_find(hard_scenes, name), key, value);
+    if (why) {
+        fprintf(stderr, "%s: %s\n", name, why);
+        exit(1);
+    }
+}
+
+/* So many rods of different masses and radii between walls. */
+static void make_rods(struct scene *s, size_t n, double first, double last)
+{
+    struct random r;
+    random_seed(&r, 5);
+    if (!scene_create(s, n))
+        exit(1);
+    s->contact = true;
+    s->wall[0] = SCENE_HARD;
+    s->low[0] = 1;
+    s->high[0] = 11;
+    for (size_t i = 0; i < n; ++i) {
+        s->mass[i] = 1 + (double)(i * i) / 4;
+        s->radius[i] = 0.05 * (double)(1 + i % 3);
+        s->position[i] =
+            first + (last - first) * ((double)i + 0.5) / (double)n;
+        s->velocity[i] = random_between(&r, -1, 1);
+        s->freedom[n + i] = s->freedom[2 * n + i] = 0;
+    }
+}
+
+/* A piston between two gases, at 0.35 of the box. */
+static void make_piston(struct scene *s, size_t bodies, double ratio)
+{
+    const struct start_wish wish = {.kind = START_ADIABATIC,
+                                    .movers = bodies,
+                                    .ratio = ratio,
+                                    .seed = 1};
+    struct start start;
+    if (!start_fill(&start, &wish) || !scene_create(s, bodies))
+        exit(1);
+    s->contact = true;
+    s->wall[0] = SCENE_HARD;
+    s->high[0] = start.wall[1];
+    for (size_t i = 0; i < bodies; ++i) {
+        const double x = start.x[i], L = start.wall[1];
+        s->mass[i] = start.mass[i];
+        s->velocity[i] = start.v[i];
+        s->position[i] = x <= L / 2 ? 0.7 * x : L - 1.3 * (L - x);
+        s->freedom[bodies + i] = s->freedom[2 * bodies + i] = 0;
+    }
+    start_free(&start);
+}
+
+/* The next collision of rods: gap i is left of body i; returns its time. */
+static double next_gap(const struct scene *s, size_t *gap)
+{
+    const size_t n = s->bodies;
+    double soonest = INFINITY;
+    for (size_t i = 0; i <= n; ++i) {
+        const double left =
+            i > 0 ? s->position[i - 1] + s->radius[i - 1] : s->low[0];
+        const double right =
+            i < n ? s->position[i] - s->radius[i] : s->high[0];
+        const double closing =
+            (i > 0 ? s->velocity[i - 1] : 0) - (i < n ? s->velocity[i] : 0);
+        const double t = closing > 0 ? (right - left) / closing : INFINITY;
+        if (t < soonest) {
+            soonest = t;
+            *gap = i;
+        }
+    }
+    return soonest < 0 ? 0 : soonest;
+}
+
+/* Lets the rods fly for a time and returns the impulse that both walls
+   have given: an engine of the test's own. */
+static double fly(struct scene *s, double until)
+{
+    const size_t n = s->bodies;
+    double now = 0, impulse = 0;
+    for (;;) {
+        size_t i = 0;
+        const double t = next_gap(s, &i);
+        if (now + t > until)
+            return impulse;
+        now += t;
+        for (size_t k = 0; k < n; ++k)
+            s->position[k] += s->velocity[k] * t;
+        if (i == 0 || i == n) {
+            double *v = &s->velocity[i == 0 ? 0 : n - 1];
+            impulse += 2 * s->mass[i == 0 ? 0 : n - 1] * fabs(*v);
+            *v = -*v;
+        } else {
+            double *a = &s->velocity[i - 1], *b = &s->velocity[i];
+            const double ma = s->mass[i - 1], mb = s->mass[i];
+            const double mean = (ma * *a + mb * *b) / (ma + mb);
+            *a = 2 * mean - *a;
+            *b = 2 * mean - *b;
+        }
+    }
+}
+
+static void test_conserved(void)
+{
+    struct scene s;
+    make_rods(&s, 4, 2, 10);
+    double K = 0;
+    for (size_t i = 0; i < 4; ++i)
+        K += s.mass[i] * s.velocity[i] * s.velocity[i] / 2;
+    struct averages_found f = ask(&s, "kinetic", 1, 1e-9, NULL);
+    UNIT_TRUE(taken(&f, "conserved"));
+    UNIT_NEAR(f.value, K, 1e-14 * K);
+    UNIT_EQUAL(f.error, 0);
+    f = ask(&s, "temperature", 1, 1e-9, NULL);
+    UNIT_NEAR(f.value, 2 * K / 4, 1e-14 * K);
+    scene_free(&s);
+}
+
+/* Every run, of two bodies or of many, shows Tonks's force to within the
+   bound (eq:averages-bound): checked on an engine of the test's own. */
+static void test_tonks(void)
+{
+    for (size_t n = 1; n <= 6; ++n) {
+        struct scene s;
+        double K = 0, M = 0, radii = 0;
+        const double T = 200;
+        make_rods(&s, n, 2, 10);
+        for (size_t i = 0; i < n; ++i) {
+            K += s.mass[i] * s.velocity[i] * s.velocity[i] / 2;
+            M += s.mass[i];
+            radii += s.radius[i];
+        }
+        const struct averages_found f = ask(&s, "pressure", T, 1e-9, NULL);
+        const double free = 10 - 2 * radii,
+                     room = 10 - s.radius[0] - s.radius[n - 1];
+        UNIT_TRUE(taken(&f, "tonks"));
+        UNIT_NEAR(f.value, room / free, 1e-13);
+        const double force = fly(&s, T) / (2 * T);
+        UNIT_NEAR(force * room / (2 * K), f.value,
+                  f.value * free * sqrt(M / (2 * K)) / T);
+        scene_free(&s);
+    }
+}
+
+/* Two disks: 1.24017, as chapter 6 has it; and the middle of the box. */
+static void test_two_disks(void)
+{
+    struct scene s;
+    make(&s, "four-disks", "particles", 2);
+    struct averages_found f = ask(&s, "pressure", 10, 1e-6, NULL);
+    UNIT_TRUE(taken(&f, "two-disks"));
+    UNIT_NEAR(f.value, 1.24017, 5e-6); /* as printed there */
+    f = ask(&s, "y:1", 10, 1e-6, NULL);
+    UNIT_TRUE(taken(&f, "two-disks"));
+    UNIT_EQUAL(f.value, 0.5);
+    s.mass[1] = 2; /* proved for equal masses only */
+    f = ask(&s, "pressure", 1e6, 0.02, NULL);
+    UNIT_TRUE(!taken(&f, "two-disks"));
+    UNIT_NEAR(f.value, 1.24017, 2 * f.error * f.scale);
+    scene_free(&s);
+}
+
+/* Four disks: Z = 1.88926(13), references/data/disks4_mcmc.txt by
+   (5.7, eq:wall-virial). Twice the error is four standard errors. */
+static void test_four_disks(void)
+{
+    struct scene s;
+    make(&s, "four-disks", NULL, 0);
+    static const char *const ways[] = {NULL, "events", "sampling"};
+    for (int k = 0; k < 3; ++k) {
+        const struct averages_found f =
+            ask(&s, "pressure", 1e6, 0.01, ways[k]);
+        UNIT_TRUE(!refused(&f));
+        UNIT_TRUE(f.error <= 0.01 && f.error > 0.001);
+        UNIT_NEAR(f.value, 1.88926, 2 * f.error * f.value);
+        UNIT_TRUE(f.samples >= 192 && f.inefficiency > 0);
+    }
+    struct averages_found f = ask(&s, "x:2", 1e6, 0.02, "events");
+    UNIT_NEAR(f.value, 0.5, 2 * f.error);
+    f = ask(&s, "y:1", 1e6, 0.02, "sampling");
+    UNIT_NEAR(f.value, 0.5, 2 * f.error);
+    scene_free(&s);
+}
+
+/* In a periodic box the centre of mass makes no pressure, by events as by a
+   chain, which knows of no velocities: the two agree. */
+static void test_periodic(void)
+{
+    struct scene s;
+    make(&s, "four-disks", NULL, 0);
+    s.wall[0] = s.wall[1] = SCENE_PERIODIC;
+    for (size_t i = 0; i < 4; ++i)
+        s.velocity[i] += 0.7;
+    const struct averages_found a =
+        ask(&s, "pressure", 1e6, 0.005, "events");
+    const struct averages_found b =
+        ask(&s, "pressure", 1e6, 0.01, "sampling");
+    UNIT_TRUE(!refused(&a) && !refused(&b));
+    UNIT_NEAR(a.value, b.value, 1.5 * (a.error + b.error) * a.value);
+    scene_free(&s);
+}
+
+/* No more time than the tolerance needs, and more for more digits. */
+static void test_stop(void)
+{
+    struct scene s;
+    make(&s, "four-disks", NULL, 0);
+    const struct averages_found a =
+        ask(&s, "pressure", 1e7, 0.02, "events");
+    const struct averages_found b =
+        ask(&s, "pressure", 1e7, 0.005, "events");
+    UNIT_TRUE(!refused(&a) && !refused(&b));
+    UNIT_TRUE(4 * a.time < b.time); /* sixteen times, were it exact */
+    UNIT_TRUE(b.time < 1e5);
+    UNIT_TRUE(4 * a.cost < b.cost);
+    scene_free(&s);
+}
+
+static void test_same_bits(void)
+{
+    struct scene s;
+    make(&s, "four-disks", NULL, 0);
+    const struct averages_found a = ask(&s, "x:0", 1e5, 0.03, NULL);
+    const struct averages_found b = ask(&s, "x:0", 1e5, 0.03, NULL);
+    UNIT_EQUAL(a.value, b.value);
+    UNIT_EQUAL(a.error, b.error);
+    UNIT_EQUAL((double)a.taken, (double)b.taken);
+    UNIT_EQUAL(a.cost + a.deciding, b.cost + b.deciding);
+    scene_free(&s);
+}
+
+/* The law of places is taken when events bear it out: k/(n+1) of the free
+   length, and the radii. */
+static void test_order(void)
+{
+    struct scene s;
+    make_rods(&s, 6, 2, 10);
+    const double free = 10 - 2 * (0.05 + 0.1 + 0.15) * 2;
+    const struct averages_found f = ask(&s, "x:2", 1e6, 1e-4, NULL);
+    UNIT_TRUE(taken(&f, "order"));
+    UNIT_NEAR(f.value, 1 + 2 * (0.05 + 0.1) + 0.15 + free * 3 / 7, 1e-12);
+    scene_free(&s);
+}
+
+/* Six rods that begin in a tenth of the box: the beginning does not
+   count. */
+static void test_squeezed(void)
+{
+    struct scene s;
+    make_rods(&s, 6, 1, 3.4);
+    const double law = 1 + 2 * (0.05 + 0.1) + 0.15 + 8.8 * 3 / 7;
+    const struct averages_found f = ask(&s, "x:2", 1e6, 0.01, "events");
+    UNIT_TRUE(taken(&f, "events"));
+    UNIT_NEAR(f.value, law, 2 * f.error * 10);
+    scene_free(&s);
+}
+
+/* Springs instead of forty bodies: the mean of the same 256 s by events
+   , within the error that springs give. */
+static void test_springs(void)
+{
+    struct scene s;
+    make_piston(&s, 41, 600);
+    const struct averages_found f = ask(&s, "x:20", 256, 0.01, NULL);
+    UNIT_TRUE(taken(&f, "springs"));
+    const struct models_plan plan = {.model = models_find("line")};
+    struct models_run r;
+    const char *why;
+    double sum = 0;
+    UNIT_TRUE(models_begin(&r, &plan, &s, 1, &why));
+    for (int k = 0; k < 256; ++k) {
+        models_row(&r);
+        sum += r.scene.position[20];
+    }
+    models_end(&r);
+    UNIT_NEAR(f.value, sum / 256, f.error * 12);
+    UNIT_TRUE(f.error * 12 < 0.12);
+    scene_free(&s);
+}
+
+/* Radii move the places, and nothing else. */
+static void test_radii(void)
+{
+    struct scene s;
+    make_piston(&s, 41, 600);
+    const struct averages_found points = ask(&s, "x:20", 256, 0.01, NULL);
+    for (size_t i = 0; i < 41; ++i) {
+        s.radius[i] = 0.25; /* a power of two: sums are exact */
+        s.position[i] += 0.25 * (double)(2 * i + 1);
+    }
+    s.high[0] += 0.5 * 41;
+    const struct averages_found rods = ask(&s, "x:20", 256, 0.01, NULL);
+    UNIT_TRUE(taken(&rods, "springs"));
+    UNIT_NEAR(rods.value, points.value + 0.25 * 41, 1e-9);
+    scene_free(&s);
+}
+
+/* A gas that begins in two fifths of its box, on a lattice: the pressure
+   is that of the gas, 1.6207(5) by `disks`, chapter 7. */
+static void test_burst(void)
+{
+    const struct gallery_scene *g = gallery_find(hard_scenes, "gas");
+    double value[GALLERY_KEYS];
+    struct scene s;
+    gallery_usual(g, value);
+    value[gallery_key(g, "width")] = 3;
+    value[gallery_key(g, "lattice")] = 1;
+    if (g->build(&s, value))
+        exit(1);
+    s.high[0] = 7.5;
+    const struct averages_found f = ask(&s, "pressure", 1e4, 0.01, NULL);
+    UNIT_TRUE(taken(&f, "events"));
+    UNIT_NEAR(f.value, 1.6207, 2 * f.error * f.value);
+    scene_free(&s);
+}
+
+static void test_read(void)
+{
+    struct averages_quantity q;
+    char message[AVERAGES_TEXT], symbol[32];
+    struct scene s;
+    make(&s, "four-disks", NULL, 0);
+    UNIT_TRUE(averages_read(&q, "y:3", &s, message));
+    UNIT_EQUAL((double)q.body, 3);
+    UNIT_EQUAL((double)q.axis, 1);
+    UNIT_TRUE(strcmp(averages_name(&q, symbol), "length") == 0);
+    UNIT_TRUE(strcmp(symbol, "y:3") == 0);
+    UNIT_TRUE(averages_read(&q, "pressure", &s, message));
+    UNIT_TRUE(strcmp(averages_name(&q, symbol), "") == 0);
+    static const char *const wrong[] = {"x:4",  "x:",   "x",      "z:1",
+                                        "x:1,", "x:-1", "energy", ""};
+    for (size_t k = 0; k < sizeof wrong / sizeof wrong[0]; ++k)
+        UNIT_TRUE(!averages_read(&q, wrong[k], &s, message) &&
+                  strstr(message, "pressure"));
+    scene_free(&s);
+}
+
+/* Says whether the reason is as expected. */
+static bool says(const struct scene *s, const char *name, const char *why)
+{
+    const struct averages_found f = ask(s, name, 10, 0.01, NULL);
+    return refused(&f) && strstr(f.refusal, why);
+}
+
+static void test_refusals(void)
+{
+    struct scene s;
+    make(&s, "four-disks", NULL, 0);
+    s.restitution = 0.9;
+    UNIT_TRUE(says(&s, "pressure", "loses energy"));
+    s.restitution = 1;
+    s.gravity[1] = -1;
+    UNIT_TRUE(says(&s, "pressure", "no force"));
+    s.gravity[1] = 0;
+    s.wall[1] = SCENE_OPEN;
+    UNIT_TRUE(says(&s, "pressure", "not closed"));
+    s.wall[0] = s.wall[1] = SCENE_PERIODIC;
+    UNIT_TRUE(says(&s, "x:0", "periodic"));
+    s.wall[0] = s.wall[1] = SCENE_HARD;
+    const struct averages_found f = ask(&s, "x:0", 10, 0.01, "events");
+    UNIT_TRUE(refused(&f) && strstr(f.refusal, "does not settle"));
+    for (size_t i = 0; i < 8; ++i)
+        s.velocity[i] = 0;
+    UNIT_TRUE(says(&s, "pressure", "othing moves") ||
+              says(&s, "pressure", "no force"));
+    scene_free(&s);
+    make(&s, "galperin", NULL, 0);
+    UNIT_TRUE(says(&s, "x:1", "held"));
+    scene_free(&s);
+}
+
+/* Too short a time: how much longer it would take is said. */
+static void test_short(void)
+{
+    struct scene s;
+    make(&s, "four-disks", NULL, 0);
+    const struct averages_found f =
+        ask(&s, "pressure", 1000, 1e-3, "events");
+    UNIT_TRUE(refused(&f) && strstr(f.refusal, "times as long"));
+    scene_free(&s);
+}
+
+int main(void)
+{
+    return unit_run(
+        "averages",
+        (struct unit_test[]){
+            {"what is conserved is its mean", test_conserved},
+            {"every run shows Tonks's law to within its bound", test_tonks},
+            {"two disks have a law, if they are equal", test_two_disks},
+            {"four disks have the pressure of the reference, by any way",
+             test_four_disks},
+            {"in a periodic box events and chain agree", test_periodic},
+            {"no more is simulated than the tolerance needs", test_stop},
+            {"the same question has the same bits", test_same_bits},
+            {"the law of places is taken when it is borne out", test_order},
+            {"a squeezed start does not count", test_squeezed},
+            {"springs have the piston's mean place", test_springs},
+            {"radii move the places only", test_radii},
+            {"a gas let out of a corner has its own pressure", test_burst},
+            {"names are read, and others refused", test_read},
+            {"scenes without an average are refused", test_refusals},
+            {"too short a time is refused with a better one", test_short},
+            {0}});
+}

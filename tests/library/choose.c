@@ -1,0 +1,360 @@
+/* What is looked at, scouts, and picks: right within the tolerance, and at
+   most 1.5 times as dear as the cheapest that is right. */
+#include "choose.h"
+#include "gallery.h"
+#include "scout.h"
+#include "unit.h"
+
+#include <stdlib.h>
+
+/* A scene of the gallery with its usual values, but for one. */
+static struct scene made(const char *name, const char *key, double value)
+{
+    const struct gallery_scene *const lists[] = {
+        celestial_scenes, elastic_scenes, hard_scenes};
+    struct scene s = {0};
+    for (size_t j = 0; j < 3; ++j) {
+        const struct gallery_scene *g = gallery_find(lists[j], name);
+        if (g)
+            UNIT_TRUE(gallery_make(&s, g, key, value) == NULL);
+    }
+    return s;
+}
+
+static struct choose_request asked(const struct scene *s, double until,
+                                   double tolerance)
+{
+    return (struct choose_request){.scene = s,
+                                   .program = "choose",
+                                   .until = s->time + until,
+                                   .every = until / 16,
+                                   .tolerance = tolerance,
+                                   .reason = 600};
+}
+
+static struct models_plan plan(const char *text)
+{
+    struct models_plan p = {0};
+    char message[MODELS_TEXT];
+    UNIT_TRUE(models_read(&p, text, message));
+    return p;
+}
+
+static struct record recorded(struct record_view *v, const struct scene *s,
+                              double until, const char *text,
+                              bool converted)
+{
+    struct record r;
+    const struct record_order o = {.scene = s,
+                                   .plan = plan(text),
+                                   .every = until / 16,
+                                   .rows = 16,
+                                   .limit = INFINITY,
+                                   .converted = converted};
+    UNIT_TRUE(record_run(&r, v, &o));
+    return r;
+}
+
+/* Sun and Earth: the size is 1 AU; the same in other units differs by
+   rounding only, and by some of it; leapfrog with 8 and 16 steps to a row
+   errs by four times as much. */
+static void test_record(void)
+{
+    struct scene s = made("sun-earth", NULL, 0);
+    struct record_view v;
+    UNIT_TRUE(record_look(&v, "choose", &s, NULL, 365));
+    UNIT_EQUAL(v.scale, 1);
+    struct record a = recorded(&v, &s, 365, "kepler", false);
+    struct record b = recorded(&v, &s, 365, "kepler", true);
+    struct record c = recorded(&v, &s, 365, "leapfrog:8", false);
+    struct record d = recorded(&v, &s, 365, "leapfrog:16", false);
+    const double rounding = record_apart(&v, &a, &b, 1, 16);
+    UNIT_TRUE(rounding > 0 && rounding < 1e-14);
+    const double coarse = record_apart(&v, &a, &c, 1, 16);
+    UNIT_NEAR(coarse / record_apart(&v, &a, &d, 1, 16), 4, 0.05);
+    UNIT_EQUAL((double)record_agree(&v, &a, &c, coarse), 16);
+    UNIT_TRUE(record_agree(&v, &a, &c, coarse / 100) < 16);
+    record_free(&a);
+    record_free(&b);
+    record_free(&c);
+    record_free(&d);
+    record_look_away(&v);
+    scene_free(&s);
+}
+
+/* A limit on the cost ends a run early, and then it is infinitely far from
+   all others. */
+static void test_limit(void)
+{
+    struct scene s = made("figure-eight", NULL, 0);
+    struct record_view v;
+    UNIT_TRUE(record_look(&v, "choose", &s, NULL, 10));
+    struct record a = recorded(&v, &s, 10, "pefrl:16", false);
+    struct record b;
+    const struct record_order o = {.scene = &s,
+                                   .plan = a.plan,
+                                   .every = 10.0 / 16,
+                                   .rows = 16,
+                                   .limit = a.cost / 2};
+    UNIT_TRUE(record_run(&b, &v, &o));
+    UNIT_TRUE(b.end == MODELS_COSTLY && b.reached < 16 && b.reached > 6);
+    UNIT_TRUE(isinf(record_apart(&v, &a, &b, 1, 16)));
+    record_free(&a);
+    record_free(&b);
+    record_look_away(&v);
+    scene_free(&s);
+}
+
+/* Masses 3 and 1 at the distance 2 go round at sqrt(4/8) a second; at a
+   relative speed of 6 they pass at 3 a second, unless that moves them by
+   too little. */
+static void test_rate(void)
+{
+    struct scene s;
+    UNIT_TRUE(scene_create(&s, 2));
+    s.mass[0] = 3;
+    s.k2 = 1;
+    s.position[1] = 2;
+    UNIT_NEAR(scout_rate(&s, 1, 0), sqrt(0.5), 1e-15);
+    s.velocity[3] = 6;
+    UNIT_NEAR(scout_rate(&s, 1, 0), 3, 1e-15);
+    UNIT_NEAR(scout_rate(&s, 1, 1), sqrt(0.5), 1e-15);
+    scene_free(&s);
+}
+
+/* Two bodies on an orbit of eccentricity .9, from the far end: at the near
+   one, 0.1 away, they go round with sqrt(1/.001) and pass faster, with
+   v = sqrt(19), v/r = 43.6. The scout meets it in the middle of the run,
+   to the length of its step. */
+static void test_scout(void)
+{
+    struct scene s;
+    struct scout p;
+    UNIT_TRUE(scene_create(&s, 2));
+    s.mass[1] = 0;
+    s.k2 = 1;
+    s.position[1] = 1.9;
+    s.velocity[3] = 0.2294157338705618; /* sqrt(.1/1.9) */
+    const double period = 6.283185307179586;
+    UNIT_TRUE(scout_ahead(&p, &s, period / 15, 15, 0, INFINITY));
+    UNIT_EQUAL((double)p.reached, 15);
+    UNIT_EQUAL((double)p.hardest, 8);
+    UNIT_NEAR(p.most, 43.59, 0.5);
+    UNIT_TRUE(p.rate[1] < 1);
+    const double half = p.cost / 2;
+    scout_free(&p);
+    UNIT_TRUE(scout_ahead(&p, &s, period / 15, 15, 0, half));
+    UNIT_TRUE(p.reached > 0 && p.reached < 15);
+    scout_free(&p);
+    scene_free(&s);
+}
+
+/* A scene, a time, and what is the truth. */
+struct trial {
+    const char *name, *key;
+    double value, until;
+    const char *truth; /* exact, or with so many steps that it is */
+};
+
+static const struct trial exact_trials[] = {
+    {"sun-earth", NULL, 0, 730, "kepler"},
+    {"oscillator", NULL, 0, 20, "oscillator"},
+    {"cradle", NULL, 0, 20, "relabel"},
+    {"galperin", NULL, 0, 20, "line"},
+    {"four-disks", NULL, 0, 3, "disks"},
+    {"break", NULL, 0, 1, "disks"}};
+
+/* What has a closed form, or contacts only, is carried so. */
+static void test_exact(void)
+{
+    char text[MODELS_TEXT];
+    for (size_t j = 0; j < sizeof exact_trials / sizeof *exact_trials;
+         ++j) {
+        const struct trial *t = &exact_trials[j];
+        struct scene s = made(t->name, t->key, t->value);
+        const struct choose_request q = asked(&s, t->until, 1e-6);
+        struct choose_choice c;
+        UNIT_TRUE(choose(&c, &q));
+        UNIT_TRUE(c.taken < c.candidates);
+        models_write(&c.candidate[c.taken].plan, text);
+        if (strcmp(text, t->truth) != 0)
+            printf("# %s: %s, not %s\n", t->name, text, t->truth);
+        UNIT_TRUE(strcmp(text, t->truth) == 0);
+        choose_free(&c);
+        scene_free(&s);
+    }
+}
+
+static const struct trial stepped_trials[] = {
+    {"figure-eight", NULL, 0, 20, "kahan-li8:200"},
+    {"double-pendulum", NULL, 0, 10, "kahan-li8:1000"},
+    {"circumbinary", NULL, 0, 300, "kahan-li8:200"},
+    {"choreography", NULL, 0, 10, "kahan-li8:100"},
+    {"cantilever", NULL, 0, 5, "kahan-li8:400"},
+    {"solar-system", NULL, 0, 3650, "kahan-li8:400"}};
+
+/* Eight to an octave, as in choose. */
+static uint64_t after(uint64_t n)
+{
+    uint64_t more = 1;
+    while (more * 16 <= n)
+        more *= 2;
+    return n + more;
+}
+
+/* Says whether a method holds for less than the cost: with these steps, and
+   with all more that are still cheaper; and by the margin that whoever does
+   not know the truth must keep. */
+static bool undercut(struct record_view *v, const struct choose_request *q,
+                     const struct record *truth,
+                     const struct models_model *m, double cost)
+{
+    bool holds = false;
+    for (uint64_t n = 1;; n = after(n)) {
+        struct record r;
+        const struct record_order o = {.scene = q->scene,
+                                       .plan = {m, 0, n},
+                                       .every = q->every,
+                                       .rows = 16,
+                                       .limit = cost};
+        UNIT_TRUE(record_run(&r, v, &o));
+        const bool over = r.end == MODELS_COSTLY || r.cost > cost;
+        if (!over)
+            holds = record_apart(v, &r, truth, 1, 16) <= q->tolerance / 1.05;
+        record_free(&r);
+        if (over)
+            return holds;
+    }
+}
+
+static void check_pick(const struct trial *t, struct scene *s,
+                       double tolerance)
+{
+    const struct choose_request q = asked(s, t->until, tolerance);
+    struct choose_choice c;
+    struct choose_run r;
+    struct record_view v;
+    UNIT_TRUE(choose(&c, &q));
+    UNIT_TRUE(c.taken < c.candidates);
+    UNIT_TRUE(choose_carry(&r, &q, &c.candidate[c.taken].plan,
+                           c.candidate[c.taken].order, false));
+    UNIT_TRUE(r.value != NULL);
+    UNIT_TRUE(record_look(&v, "choose", s, NULL, t->until));
+    struct record truth = recorded(&v, s, t->until, t->truth, false);
+    struct record same = {.value = r.value, .reached = r.rows};
+    const double error = record_apart(&v, &same, &truth, 1, 16);
+    UNIT_TRUE(error <= tolerance);
+    UNIT_NEAR(error, r.error, fmax(0.1 * tolerance, 0.5 * r.error));
+    for (const struct models_model *m = models; m->name; ++m)
+        if (m->method) {
+            const bool cheaper = undercut(&v, &q, &truth, m, r.cost / 1.5);
+            if (cheaper)
+                printf("# %s at %g: %s is cheaper\n", t->name, tolerance,
+                       m->name);
+            UNIT_TRUE(!cheaper);
+        }
+    record_free(&truth);
+    record_look_away(&v);
+    choose_run_free(&r);
+    choose_free(&c);
+}
+
+/* Stepped: right by an independent run, and no other method with any
+   number of steps is right for less than two thirds. */
+static void test_stepped(void)
+{
+    for (size_t j = 0; j < sizeof stepped_trials / sizeof *stepped_trials;
+         ++j) {
+        const struct trial *t = &stepped_trials[j];
+        struct scene s = made(t->name, t->key, t->value);
+        check_pick(t, &s, 1e-3);
+        check_pick(t, &s, 1e-6);
+        check_pick(t, &s, 1e-9);
+        scene_free(&s);
+    }
+}
+
+/* Four disks forget their start: at t = 20 nobody knows where they are, and
+   the horizon lies between 4 and 8 (chapter 5: tenfold in half a second or
+   so). A shorter time is carried. */
+static void test_horizon(void)
+{
+    struct scene s = made("four-disks", NULL, 0);
+    struct choose_request q = asked(&s, 20, 1e-3);
+    struct choose_choice c;
+    UNIT_TRUE(choose(&c, &q));
+    UNIT_TRUE(c.taken == c.candidates && c.refusal[0] != '\0');
+    UNIT_NEAR(c.horizon, 6, 2);
+    q.until = c.horizon;
+    q.every = c.horizon / 16;
+    choose_free(&c);
+    UNIT_TRUE(choose(&c, &q));
+    UNIT_TRUE(c.taken < c.candidates);
+    choose_free(&c);
+    scene_free(&s);
+}
+
+/* Observables have scales of their own: the energy of the figure eight is
+   held by fewer steps than its places; and what may not cost anything is
+   refused, with the cost. */
+static void test_asked(void)
+{
+    struct scene s = made("figure-eight", NULL, 0);
+    struct choose_request q = asked(&s, 20, 1e-6);
+    struct choose_choice places, energy;
+    struct observables o;
+    char message[OBSERVABLES_MESSAGE];
+    UNIT_TRUE(observables_read(&o, "energy", 3, message));
+    UNIT_TRUE(choose(&places, &q));
+    q.asked = &o;
+    UNIT_TRUE(choose(&energy, &q));
+    UNIT_NEAR(energy.scale, 1.287, 0.001); /* |E| */
+    UNIT_TRUE(energy.candidate[energy.taken].cost <
+              places.candidate[places.taken].cost);
+    choose_free(&energy);
+    q.asked = NULL;
+    q.reason = places.candidate[places.taken].cost / 2;
+    choose_free(&places);
+    UNIT_TRUE(choose(&places, &q));
+    UNIT_TRUE(places.taken == places.candidates);
+    UNIT_TRUE(strstr(places.refusal, "price list") != NULL);
+    choose_free(&places);
+    scene_free(&s);
+}
+
+/* A plan that is given by hand is checked, and refused if it is off; unless
+   it may be tightened. */
+static void test_carry(void)
+{
+    struct scene s = made("figure-eight", NULL, 0);
+    const struct choose_request q = asked(&s, 20, 1e-3);
+    const struct models_plan p = plan("pefrl:4");
+    struct choose_run r;
+    UNIT_TRUE(choose_carry(&r, &q, &p, 0, true));
+    UNIT_TRUE(r.value == NULL && r.error > 1e-3 && r.refusal[0] != '\0');
+    choose_run_free(&r);
+    UNIT_TRUE(choose_carry(&r, &q, &p, 0, false));
+    UNIT_TRUE(r.value != NULL && r.error <= 1e-3 && r.tightened > 0);
+    UNIT_TRUE(r.plan.steps > 4);
+    choose_run_free(&r);
+    scene_free(&s);
+}
+
+int main(void)
+{
+    return unit_run(
+        "choose",
+        (struct unit_test[]){
+            {"records are compared, and other units change rounding only",
+             test_record},
+            {"a run ends at its limit", test_limit},
+            {"the rate of a pair", test_rate},
+            {"the scout meets what is in the middle of the run",
+             test_scout},
+            {"what has a closed form is carried so", test_exact},
+            {"picks hold, and none is 1.5 times cheaper", test_stepped},
+            {"beyond the horizon nothing is carried", test_horizon},
+            {"observables have scales, and costs limits", test_asked},
+            {"a run checks itself", test_carry},
+            {0}});
+}

@@ -1,0 +1,120 @@
+#!/bin/sh
+# bonk: what it picks, what it writes, and every way to be refused.
+. tests/programs/common
+bonk=build/bin/bonk
+scene=build/bin/scene
+w=$work
+key() { sed -n "s/^$2 //p" "$1"; }
+for s in sun-earth figure-eight four-disks cradle piston double-pendulum; do
+    $scene $s -o "$w/$s"
+done
+
+# The head names the model, and its command reproduces the run to the byte.
+again() { # NAME SCENE OPTIONS...
+    name=$1 file=$2
+    shift 2
+    $bonk "$file" "$@" -o "$w/first" >"$w/told"
+    command=$(sed -n 's/^# command: bonk //p' "$w/first")
+    eval "$bonk $command -o $w/second"
+    holds "$name: the command of the head makes the same bytes" \
+        cmp "$w/first" "$w/second"
+    holds "$name: which names the model" \
+        grep -q '^# model: [a-z]' "$w/first"
+}
+again 'closed form' "$w/sun-earth" --until 365 --tolerance 1e-6
+again 'steps' "$w/figure-eight" --until 20 --tolerance 1e-6 --every 5
+again 'events' "$w/cradle" --until 20 --tolerance 1e-6
+again 'observables' "$w/double-pendulum" --until 5 --tolerance 1e-3 \
+    --observe energy,z:1 --explain --chart "$w/chart"
+again 'averages' "$w/four-disks" --until 1e6 --tolerance 0.05 \
+    --observe mean:pressure
+
+# Seventeen rows; or as many as are asked for. States as step writes them.
+$bonk "$w/sun-earth" --until 365 --tolerance 1e-6 -o "$w/t"
+holds '16 rows and the start' test "$(grep -vc '^#' "$w/t")" -eq 17
+holds 'with the time and twelve numbers' \
+    awk '!/^#/ && NF != 13 { exit 1 }' "$w/t"
+$bonk "$w/sun-earth" --until 365 --every 73 --tolerance 1e-6 -o "$w/t"
+holds '--every: five rows' test "$(grep -vc '^#' "$w/t")" -eq 6
+
+# The Earth after a year of 365.3 days is where it was: 2 pi/k, k^2 of the
+# scene times both masses.
+year=$(awk 'BEGIN { printf "%.15g",
+    2 * 3.14159265358979324 / sqrt(2.9584e-4 * 1.000003) }')
+$bonk "$w/sun-earth" --until "$year" --tolerance 1e-9 -o "$w/t" \
+    --summary "$w/s"
+holds 'it takes kepler' grep -qx 'model kepler' "$w/s"
+
+# --explain: to standard output with -o FILE, else to standard error; what
+# was taken, and what was found.
+$bonk "$w/figure-eight" --until 20 --tolerance 1e-3 --explain -o "$w/t" \
+    >"$w/story"
+for line in 'what acts: gravity' 'bodies that move: 3 of 3' 'asked for' \
+    'rounding' 'candidates' '\* pefrl:' 'leapfrog:' 'taken: pefrl:' 'found'; do
+    holds "--explain says: $line" grep -q "^ *$line" "$w/story"
+done
+$bonk "$w/figure-eight" --until 20 --tolerance 1e-3 --explain \
+    >"$w/t2" 2>"$w/story2"
+holds '--explain without -o says the same on standard error' \
+    cmp "$w/story" "$w/story2"
+holds 'and the table is the same' cmp "$w/t" "$w/t2"
+
+# --chart: points of several methods, the one that was taken marked.
+$bonk "$w/figure-eight" --until 20 --tolerance 1e-6 --chart "$w/c" -o "$w/t"
+holds '--chart: four methods at least' awk '!/^#/ && NF { split($4, a, ":")
+    seen[a[1]] } END { for (k in seen) ++n; exit n < 4 }' "$w/c"
+holds 'one of them taken, within the tolerance' awk '!/^#/ && $3 == 1 {
+    ++n; good = $1 <= 1e-6 } END { exit !(n == 1 && good) }' "$w/c"
+
+# A smaller tolerance costs more, and a model by name finds its steps.
+for e in 1e-3 1e-6; do
+    $bonk "$w/figure-eight" --until 20 --tolerance $e --model leapfrog \
+        -o "$w/t" --summary "$w/s"
+    holds "leapfrog by name at $e" grep -q '^model leapfrog:' "$w/s"
+    holds "found within $e" awk -v e="$(key "$w/s" error_found)" \
+        -v t=$e 'BEGIN { exit !(e ~ /[0-9]/ && e <= t) }'
+done
+
+# Refused, with exit 1, one line, and nothing in -o.
+refused() { # PATTERN OPTIONS...
+    rm -f "$w/none"
+    pattern=$1
+    shift
+    refuses 1 "$pattern" $bonk "$@" -o "$w/none"
+    holds '  and no table' test ! -e "$w/none"
+}
+refused 'the horizon is t = [0-9]' "$w/four-disks" --until 20 \
+    --tolerance 1e-3
+refused 'off by .* more than' "$w/figure-eight" --until 20 \
+    --tolerance 1e-6 --model pefrl:4
+refused 'by the price list' "$w/figure-eight" --until 20 \
+    --tolerance 1e-9 --reason 1e-5
+$bonk "$w/four-disks" --until 20 --tolerance 1e-3 --summary "$w/s" \
+    -o "$w/none" 2>/dev/null
+holds 'the summary says so, and where' awk '$1 == "end" { r = $2 }
+    $1 == "horizon" { h = $2 } END { exit !(r == "refused" && h > 3 && h < 9) }' \
+    "$w/s"
+
+# Wrong commands: exit 2, one line.
+refuses 2 'a scene is needed' $bonk --until 1 --tolerance 1
+refuses 2 '\-\-until is needed' $bonk "$w/cradle" --tolerance 1e-3
+refuses 2 '\-\-tolerance is needed' $bonk "$w/cradle" --until 1
+refuses 2 'tolerance' $bonk "$w/cradle" --until 1 --tolerance 0
+refuses 2 'not after' $bonk "$w/cradle" --until 0 --tolerance 1e-3
+refuses 2 'no whole number of rows' $bonk "$w/cradle" --until 1 \
+    --every 0.3 --tolerance 1e-3
+refuses 2 'rows, more than' $bonk "$w/cradle" --until 1 --every 1e-9 \
+    --tolerance 1e-3
+refuses 2 'does not suit' $bonk "$w/cradle" --until 1 --tolerance 1e-3 \
+    --model kepler
+refuses 2 '\-\-model' $bonk "$w/cradle" --until 1 --tolerance 1e-3 \
+    --model midpoint
+refuses 2 'no observable' $bonk "$w/cradle" --until 1 --tolerance 1e-3 \
+    --observe speedy
+refuses 2 'cannot be asked for together' $bonk "$w/cradle" --until 1 \
+    --tolerance 1e-3 --observe mean:x:0,energy
+refuses 2 'there is a scene already' $bonk "$w/cradle" "$w/piston" \
+    --until 1 --tolerance 1e-3
+refuses 2 'files of their own' $bonk "$w/cradle" --until 1 \
+    --tolerance 1e-3 -o "$w/x" --summary "$w/x"
+refuses 2 'nowhere' $bonk "$w/nowhere" --until 1 --tolerance 1e-3

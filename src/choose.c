@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 747193209 of the lines below */
+/* checksum 1895395328 of the lines below */
 #include "choose.h"
 
 #include "scout.h"
@@ -14,6 +14,7 @@ static const double margin = 1.05; /* errors that were seen, below e */
 static const double safety = 1.25; /* errors that are extrapolated */
 static const double rounding = 2;  /* times what other units change */
 static const double share = 0.8;   /* of e, that cuts may use */
+static const double looks = 4;     /* in the time that is reasonable */
 static const double stiff = 0.1;   /* s: to look ahead so long is dear */
 
 /* The next number of steps, eight to an octave: 1 to 16, 18, 20 ... 32,
@@ -260,7 +261,7 @@ static bool look_ahead(struct chooser *h)
     if (q->scene->k2 <= 0)
         return true;
     h->scouted = scout_ahead(&h->scout, q->scene, q->every, h->rows, little,
-                             q->reason / 10);
+                             q->reason / looks);
     h->failed = !h->scouted;
     h->c->deciding += h->scout.cost;
     h->c->fastest = fmax(h->c->fastest, h->scout.most);
@@ -331,20 +332,40 @@ static bool look_with(struct chooser *h, struct models_plan plan,
     return settled ? settle(h, &o) : whole(h, &h->looked);
 }
 
+/* What looking ahead will cost if the rate stays as it is, s. */
+static double look_price(const struct chooser *h)
+{
+    const struct scene *s = h->q->scene;
+    const double n = (double)s->bodies;
+    const struct models_plan plan = even_plan(h);
+    const double e = (double)plan.steps * (double)h->rows *
+                     (double)plan.model->method->stages;
+    const double work[MODELS_UNITS] = {
+        [MODELS_EVALUATION] = e,
+        [MODELS_BODY] = e * n,
+        [MODELS_PAIR] = s->k2 > 0 ? e * n * (n - 1) / 2 : 0,
+        [MODELS_SPRING] = e * (double)s->springs};
+    return models_cost(work);
+}
+
 /* The run that looks ahead with even steps, and the same in other units.
    Springs may be too stiff for it; then an implicit method looks. */
 static void look_evenly(struct chooser *h)
 {
     const struct models_acts *a = &h->c->acts;
-    const double most = h->q->reason / 10;
+    const double most = h->q->reason / looks;
     const bool springs = a->springs && !a->gravity && !a->contact;
     const bool good =
         look_with(h, even_plan(h), a->contact,
                   springs ? fmin(stiff, most) : most) ||
-        (springs && (look_with(h, plan_of("gauss4", 4), true, most) ||
-                     look_with(h, even_plan(h), false, most)));
-    if (!good || h->failed)
+        (springs &&
+         (look_with(h, plan_of("gauss4", 4), true, fmin(5 * stiff, most)) ||
+          (look_price(h) < most &&
+           look_with(h, even_plan(h), false, most))));
+    if (!good || h->failed) {
+        record_free(&h->looked);
         return;
+    }
     struct record_order o = order_of(h, h->look, INFINITY);
     o.converted = true;
     if (run(h, &h->rounded, &o))
@@ -368,39 +389,86 @@ static double cut_apart(struct chooser *h, const struct record *with,
     return apart;
 }
 
-/* The plan with which cuts are tried: rods need leapfrog. */
-static struct models_plan cut_plan(const struct chooser *h, unsigned cuts,
-                                   uint64_t times)
-{
-    const double phase = h->q->every * h->c->fastest;
-    struct models_plan plan = h->look;
-    if (cuts & MODELS_RODS)
-        return plan_of("leapfrog", (double)times * phase / 0.2);
-    plan.steps *= times;
-    return plan;
-}
-
 /* What the cuts do to the run that looks ahead, with so many times its
    steps. */
 static double effect_at(struct chooser *h, unsigned cuts, uint64_t times)
 {
     struct record with = {0};
-    const struct models_plan plan = cut_plan(h, cuts, times);
+    struct models_plan plan = h->look;
+    double apart = INFINITY;
     if (refusal(h, plan.model, cuts))
         return INFINITY;
-    if (times == 1 && !(cuts & MODELS_RODS))
+    if (times == 1)
         return cut_apart(h, &h->looked, cuts);
-    const struct record_order o = order_of(h, plan, h->q->reason / 10);
-    double apart = INFINITY;
+    plan.steps *= times;
+    const struct record_order o = order_of(h, plan, h->q->reason / looks);
     if (run(h, &with, &o) && whole(h, &with))
         apart = cut_apart(h, &with, cuts);
     record_free(&with);
     return apart;
 }
 
+/* A run by leapfrog, extrapolated from two: the error is of the fourth
+   order. Source: (8.3, eq:order). */
+static bool extrapolated(struct chooser *h, struct record *r,
+                         struct models_plan plan)
+{
+    struct record fine = {0};
+    struct record_order o = order_of(h, plan, h->q->reason / looks);
+    *r = (struct record){0};
+    if (!run(h, r, &o) || !whole(h, r))
+        return false;
+    o.plan.steps *= 2;
+    const bool good = run(h, &fine, &o) && whole(h, &fine);
+    const size_t all = (h->rows + 1) * h->view.columns;
+    for (size_t j = 0; good && j < all; ++j)
+        r->value[j] = (4 * fine.value[j] - r->value[j]) / 3;
+    record_free(&fine);
+    return good;
+}
+
+/* Runs a plan with rods in shorter and shorter steps, until they do not
+   matter any more. */
+static bool settle_rods(struct chooser *h, struct record *r,
+                        struct models_plan plan)
+{
+    struct record finer;
+    double apart = INFINITY;
+    plan.steps = steps_for(h->q->every * rate_of(h, plan));
+    bool good = extrapolated(h, r, plan);
+    while (good && apart > h->q->tolerance / 10) {
+        plan.steps *= 2;
+        good = extrapolated(h, &finer, plan);
+        apart = record_apart(&h->view, r, &finer, 1, h->rows);
+        record_free(r);
+        *r = finer;
+    }
+    return good;
+}
+
+/* What rods do: their steps are dear and may be long, those of the springs
+   in their place cheap and short. */
+static double effect_of_rods(struct chooser *h, unsigned cuts)
+{
+    struct record springs, rods = {0};
+    const struct models_plan plan = {models_find("leapfrog"), cuts, 1};
+    const double phase = h->q->every * h->c->fastest;
+    double apart = INFINITY;
+    if (refusal(h, plan.model, cuts))
+        return INFINITY;
+    if (extrapolated(h, &springs, plan_of("leapfrog", phase / 0.2)) &&
+        settle_rods(h, &rods, plan))
+        apart = record_apart(&h->view, &springs, &rods, 1, h->rows);
+    record_free(&springs);
+    record_free(&rods);
+    return apart;
+}
+
 /* The larger of two such effects, and a quarter more if they differ. */
 static double effect_of(struct chooser *h, unsigned cuts)
 {
+    if (cuts & MODELS_RODS)
+        return effect_of_rods(h, cuts);
     const double a = effect_at(h, cuts, 1);
     if (!(a <= share * h->q->tolerance) || a == 0)
         return a;
@@ -535,6 +603,12 @@ static uint64_t first_steps(const struct chooser *h,
     return steps_for(h->q->every * rate / fmin(0.6 * limit, 2));
 }
 
+/* How often a method looks at each of its stages, about. */
+static double sweeps(const struct stepping_method *m)
+{
+    return m->family == STEPPING_IMPLICIT ? 8 : 1;
+}
+
 /* What so many steps will cost at least, as far as the run that looked
    ahead tells, s. */
 static double foretell(const struct chooser *h, struct models_plan plan)
@@ -543,11 +617,12 @@ static double foretell(const struct chooser *h, struct models_plan plan)
     if (!h->looked.value)
         return 0;
     const struct models_plan *by = &h->looked.plan;
+    const struct stepping_method *of = by->model->method;
     const double each = h->looked.cost / (double)by->steps /
-                        (double)by->model->method->stages;
+                        (double)of->stages / sweeps(of);
     const double light = plan.cuts ? 0.1 : 0.8;
-    const double sweeps = m->family == STEPPING_IMPLICIT ? 4 : 1;
-    return light * each * sweeps * (double)m->stages * (double)plan.steps;
+    return light * each * sweeps(m) * (double)m->stages *
+           (double)plan.steps;
 }
 
 static void add_racer(struct chooser *h, const struct models_model *m,
@@ -637,7 +712,7 @@ static int order_at_most(const struct racer *r)
 }
 
 /* The error of a run with n steps, from its distance to one with m > n and
-   the order: (12.x, eq:choose-error). */
+   the order: (12.10, eq:choose-error). */
 static double error_of(double apart, uint64_t n, uint64_t m, int order)
 {
     const double finer = power((double)m / (double)n, order);
@@ -732,7 +807,7 @@ static void foresee(const struct chooser *h, struct racer *r)
    many. */
 static double optimistic(const struct racer *r)
 {
-    return r->state == LOWER ? r->price / 2 : 0.8 * r->price;
+    return (r->state == LOWER || r->rungs < 2 ? 0.5 : 0.8) * r->price;
 }
 
 static void give_out(struct chooser *h, struct racer *r, const char *text)
@@ -793,8 +868,8 @@ static void climb(struct chooser *h, struct racer *r)
         return;
     }
     o.plan.steps = r->rungs ? 2 * r->rung[r->rungs - 1].steps : r->need;
-    if (!h->q->all) /* which tells the errors of half as many steps */
-        o.limit = fmin(o.limit, 2.1 * h->best);
+    if (!h->q->all) /* a rung tells the errors of fewer steps */
+        o.limit = fmin(o.limit, (r->rungs < 2 ? 4.2 : 2.1) * h->best);
     if (!run(h, &next, &o))
         return;
     if (next.why || next.end == MODELS_COSTLY ||
@@ -920,15 +995,42 @@ static void take_best(struct chooser *h)
     }
 }
 
+/* Looks for the horizon within the first row. */
+static void look_closer(struct chooser *h)
+{
+    struct choose_request first = *h->q;
+    struct choose_choice c;
+    first.until = until_of(h, 1);
+    first.every = h->q->every / 16;
+    if (!choose(&c, &first))
+        return;
+    h->c->horizon = fmin(c.horizon, first.until);
+    h->c->deciding += c.deciding;
+    choose_free(&c);
+}
+
 static void refuse_horizon(struct chooser *h)
 {
     struct choose_choice *c = h->c;
+    const double e = h->q->tolerance;
+    if (c->horizon <= h->q->scene->time && c->rounding > e)
+        look_closer(h);
     snprintf(
         c->refusal, sizeof c->refusal,
         "rounding alone grows to %.2g of the scale by t = %.10g, so no "
         "run can hold %.3g: the horizon is t = %.10g; ask for a "
         "shorter time, or for averages (--observe mean:...)",
-        c->rounding, h->q->until, h->q->tolerance, c->horizon);
+        c->rounding, h->q->until, e, c->horizon);
+}
+
+static void refuse_look(struct chooser *h)
+{
+    snprintf(
+        h->c->refusal, sizeof h->c->refusal,
+        "so long a time is beyond reason: to look ahead once would cost "
+        "about %.2g s by the price list, of %.3g s that are reasonable "
+        "for all; ask for a shorter time, or for averages",
+        fmax(look_price(h), h->c->deciding), h->q->reason);
 }
 
 static void refuse_cost(struct chooser *h)
@@ -941,20 +1043,35 @@ static void refuse_cost(struct chooser *h)
             least = c->candidate[j].cost;
             models_write(&c->candidate[j].plan, plan);
         }
-    snprintf(c->refusal, sizeof c->refusal,
-             "no way was found that holds %.3g for less than %.3g s by the "
-             "price list (the nearest, %s, would cost %.3g s): ask for a "
-             "larger tolerance, a shorter time, or for averages",
-             h->q->tolerance, h->q->reason, plan, least);
+    if (isinf(least))
+        snprintf(c->refusal, sizeof c->refusal,
+                 "no model carries this scene (--explain says why)");
+    else
+        snprintf(
+            c->refusal, sizeof c->refusal,
+            "no way was found that holds %.3g for less than %.3g s by the "
+            "price list (the nearest, %s, would cost %.3g s): ask for "
+            "a larger tolerance, a shorter time, or for averages",
+            h->q->tolerance, h->q->reason, plan, least);
 }
 
-/* Looks ahead, and at what can be left out; false: rounding forbids all. */
+/* Looks ahead, and at what can be left out. Unless something has been found
+   already, returns false when it has refused. */
 static bool look_around(struct chooser *h, bool found)
 {
-    if (look_ahead(h))
+    const struct models_acts *a = &h->c->acts;
+    const bool springs = a->springs && !a->gravity && !a->contact;
+    note_passing(h, h->view.speed);
+    if ((springs || look_price(h) < h->q->reason / looks) && look_ahead(h))
         look_evenly(h);
-    if (!found && h->c->horizon < INFINITY)
+    if (!found && !h->failed && !h->looked.value) {
+        refuse_look(h);
         return false;
+    }
+    if (!found && h->c->horizon < INFINITY) {
+        refuse_horizon(h);
+        return false;
+    }
     if (!h->failed && h->looked.value) {
         measure_cuts(h);
         try_cut_exact(h);
@@ -969,11 +1086,12 @@ static void decide(struct chooser *h)
     try_all_exact(h);
     const bool found = isfinite(h->best);
     const bool enough = found && (!h->q->all || c->acts.contact);
-    if ((!found && c->horizon < INFINITY) ||
-        (!enough && !h->failed && !look_around(h, found))) {
+    if (!found && c->horizon < INFINITY) {
         refuse_horizon(h);
         return;
     }
+    if (!enough && !h->failed && !look_around(h, found))
+        return;
     if (!h->failed)
         enter_methods(h);
     race(h);

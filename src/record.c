@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 4032579302 of the lines below */
+/* checksum 2486650938 of the lines below */
 #include "record.h"
 
 #include "toolbox/bench.h"
@@ -135,14 +135,27 @@ static double scale_by(const struct scales *to, const struct judgement *j)
     return *(const double *)(const void *)((const char *)to + j->scale);
 }
 
+/* The length after which an observable is the same: of a coordinate across
+   a periodic box; 0: there is none. */
+static double turn_of(const struct scene *s, const struct judgement *j)
+{
+    const size_t k = (size_t)(j->name[0] - 'x');
+    return j->name[1] == ':' && k < SCENE_AXES &&
+                   s->wall[k] == SCENE_PERIODIC
+               ? s->high[k] - s->low[k]
+               : 0;
+}
+
 static void judge_all(struct record_view *v, const struct scales *to)
 {
     size_t next = 0, width = 0;
     for (size_t i = 0; i < v->asked->count; ++i) {
         const struct judgement *j =
             find_judgement(&v->asked->list[i], &width);
-        for (size_t k = 0; k < width; ++k)
-            v->weight[next++] = 1 / scale_by(to, j);
+        for (size_t k = 0; k < width; ++k, ++next) {
+            v->weight[next] = 1 / scale_by(to, j);
+            v->turn[next] = turn_of(&v->scene, j);
+        }
         if (i == 0) {
             v->scale = scale_by(to, j);
             v->judged = j->as;
@@ -297,8 +310,8 @@ static void copy_states(const struct scene *s, double to[])
 }
 
 /* Looks at a run as it is now. */
-static void look(struct record_view *v, const struct models_run *run,
-                 double unit, double to[])
+static void look(struct record_view *v, struct models_run *run, double unit,
+                 double to[])
 {
     struct scene *s = &v->scene;
     for (size_t c = 0; c < SCENE_AXES * s->bodies; ++c) {
@@ -306,10 +319,10 @@ static void look(struct record_view *v, const struct models_run *run,
         s->velocity[c] = run->scene.velocity[c] / unit;
     }
     v->motion.stepping.start = run->start + (double)run->rows * run->every;
-    v->motion.collisions = run->collisions;
-    if (v->asked)
+    if (v->asked) {
+        v->motion.collisions = models_collisions(run);
         observables_values(v->asked, &v->motion, to);
-    else
+    } else
         copy_states(s, to);
 }
 

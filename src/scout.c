@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1946281946 of the lines below */
+/* checksum 1829636510 of the lines below */
 #include "scout.h"
 
 #include "models.h"
@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Of one pair: (12.x, eq:scout-rate). */
+/* Of one pair: (12.11, eq:scout-rate). */
 static double pair_rate(const struct scene *s, size_t i, size_t j,
                         double left, double little)
 {

@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1481236245 of the lines below */
+/* checksum 722822279 of the lines below */
 #include "averages.h"
 #include "choose.h"
 #include "scene.h"
@@ -134,11 +134,20 @@ static bool asks_for_means(const struct settings *s)
     return s->observe && strstr(s->observe, mean_mark) != NULL;
 }
 
+/* Reads the scene, and asks whether it can be set in motion at all. */
+static void read_scene(struct run *r)
+{
+    struct motion m;
+    if (!scene_read(&r->scene, PROGRAM, r->s->scene) ||
+        !motion_begin(&m, PROGRAM, &r->scene, "leapfrog", 1))
+        exit(OPTIONS_FAILURE);
+    motion_end(&m);
+}
+
 static void begin_run(struct run *r)
 {
     const struct settings *s = r->s;
-    if (!scene_read(&r->scene, PROGRAM, s->scene))
-        exit(OPTIONS_FAILURE);
+    read_scene(r);
     r->request = (struct choose_request){.scene = &r->scene,
                                          .program = PROGRAM,
                                          .until = s->until,

@@ -1,5 +1,5 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 2614736506 of the lines below */
+/* checksum 130756081 of the lines below */
 #include "toolbox/options.h"
 
 #include "toolbox/version.h"
@@ -108,9 +108,9 @@ static void write_quoted(FILE *stream, const char *text)
 
 static void record_option(struct options *o)
 {
-    static const char *const silent[] = {"output", "summary", "engine",
-                                         "threads", "resume",
-                                         "explain", "chart"};
+    static const char *const silent[] = {"output",  "summary", "engine",
+                                         "threads", "resume",  "explain",
+                                         "chart"};
     for (size_t i = 0; i < sizeof silent / sizeof silent[0]; ++i)
         if (strcmp(o->current->name, silent[i]) == 0)
             return;

@@ -220,7 +220,8 @@ static bool undercut(struct record_view *v, const struct choose_request *q,
         UNIT_TRUE(record_run(&r, v, &o));
         const bool over = r.end == MODELS_COSTLY || r.cost > cost;
         if (!over)
-            holds = record_apart(v, &r, truth, 1, 16) <= q->tolerance / 1.05;
+            holds =
+                record_apart(v, &r, truth, 1, 16) <= q->tolerance / 1.05;
         record_free(&r);
         if (over)
             return holds;

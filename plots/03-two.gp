@@ -10,7 +10,7 @@ file = 'build/data/03-two.dat'
 states = 'build/data/03-two-states.dat'
 stats states using 2 every ::1::1 nooutput
 energy = STATS_min
-set multiplot layout 1,3 margins 0.075*room,0.985,0.205*room,0.97 spacing 0.095*room,0
+set multiplot layout 1,3 margins 0.075*room,0.985,0.205*room,0.97 spacing 0.105*room,0
 set xlabel '{/:Italic v}_1  (m/s)'
 set ylabel 'density  (s/m)' offset 1.5
 set xrange [-1.4:1.4]
@@ -19,7 +19,7 @@ set xtics 1
 set ytics 1
 plot file index 0 using 1:5 with histeps ls 9 lw 1.4*thick, \
      file index 0 using 1:3:4 with yerrorbars ls 1 ps 0.4*big
-set ylabel '{/:Italic v}_2  (m/s)' offset 2
+set ylabel '{/:Italic v}_2  (m/s)' offset 0.6
 set yrange [-0.5:0.5]
 set ytics 0.2
 set parametric

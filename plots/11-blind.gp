@@ -11,7 +11,7 @@ set logscale xy
 set xlabel '{/:Italic v dt} / 2{/:Italic r}'
 set xrange [0.01:1]
 set format y '10^{%T}'
-set ylabel '|Δ{/:Italic E}| / {/:Italic E}' offset 1
+set ylabel '|Δ{/:Italic E}| / {/:Italic E}' offset 0
 set yrange [1e-17:1]
 set key at graph 0.97,0.95 right top samplen 1
 plot file index 0 using ($1/0.2):14 with points ls 2 title 'all pairs', \
@@ -23,7 +23,7 @@ set key at graph 0.03,0.95 left top samplen 1
 dz(a,b) = abs(0.5*(a + b)/E_mean - 1)
 er(a,b) = sqrt(0.25*(a**2 + b**2) + F_mean**2)/E_mean
 low(d,e) = d > 1.2*e ? d - e : 3e-4
-plot 0.4286*x ls 9 title 'law', (x > 0.05 ? 0.42*x*x : NaN) ls 9 dt 2, \
+plot 0.430*x ls 9 title 'law', (x > 0.05 ? 0.42*x*x : NaN) ls 9 dt 2, \
      file index 0 using ($1/0.2):(dz($2,$4)):(low(dz($2,$4),er($3,$5))):(dz($2,$4)+er($3,$5)) every ::1 with yerrorbars ls 2 title 'all pairs', \
      file index 0 using ($1/0.2*1.03):(dz($15,$17)):(low(dz($15,$17),er($16,$18))):(dz($15,$17)+er($16,$18)) every ::1 with yerrorbars ls 3 title 'approaching', \
      file index 0 using ($1/0.2):(dz($28,$30)):(low(dz($28,$30),er($29,$31))):(dz($28,$30)+er($29,$31)) every ::1 with yerrorbars ls 1 title 'going back'

@@ -15,7 +15,7 @@ low(d,e) = d > 1.2*e ? d - e : 5e-4
 do for [i=0:3] {
   set label 1 what(i) at graph 0.96,0.92 right
   if (i < 2) { set format x ''; set xlabel '' } else { set format x '10^{%T}'; set xlabel 'processor time for a second  (s)' }
-  if (i % 2) { set format y ''; set ylabel '' } else { set format y '10^{%T}'; set ylabel '|Δ{/:Italic Z}| / {/:Italic Z}' offset 1 }
+  if (i % 2) { set format y ''; set ylabel '' } else { set format y '10^{%T}'; set ylabel '|Δ{/:Italic Z}| / {/:Italic Z}' offset 0 }
   set arrow 1 from value(sprintf('E%d_mean', i)), graph 0 to value(sprintf('E%d_mean', i)), graph 1 nohead lc rgb dark lw 1.2*thick
   if (i == 0) { set label 2 'events' at value(sprintf('E%d_mean', i))*0.9,1.2e-3 right rotate by 0 } else { unset label 2 }
   if (i == 2) { set key at graph 0.04,0.06 left bottom samplen 1 } else { unset key }

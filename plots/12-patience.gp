@@ -12,8 +12,8 @@ set yrange [4.7:6.15]
 set xlabel 'time {/:Italic T}  (s)'
 set ylabel 'mean place of the piston  (m)'
 set key left top at graph 0.03,0.88 samplen 1.5 Left reverse
-set label 1 'law of places' at 200,6.05 left
-set label 2 'two springs' at 131000,4.83 right
+set label 1 'law of places' at 200,6.085 left
+set label 2 'two springs' at 150000,4.82 right
 plot 6 ls 9 lw 2*thick, 'build/data/12-patience.dat' using 1:6 with lines ls 9 lw 2*thick, \
      '' using 1:2 with linespoints ls 1 title 'events, to {/:Italic T}', \
      '' using 1:($5 > 0 ? $3 : 1/0):4 with yerrorbars ls 2 title 'answers'

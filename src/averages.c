@@ -1,5 +1,5 @@
 /* From chapters/12-averages.nw: edit there, then run make tangle. */
-/* checksum 2646801968 of the lines below */
+/* checksum 4110382127 of the lines below */
 #include "averages.h"
 
 #include "blocks.h"
@@ -224,14 +224,14 @@ static void take_tonks(struct search *h)
     const double free = h->box[0] - 2 * h->radii;
     outer_radii(h, &first, &last);
     c->value = (h->box[0] - first - last) / free;
-    c->sure = AVERAGES_EXACT;
+    c->error = free * sqrt(h->mass / (2 * h->energy)) / h->q->until;
+    c->sure = AVERAGES_BOUND;
     snprintf(c->text, AVERAGES_TEXT,
-             "Tonks: the free length is %.6g; a run of T is off by at most "
-             "%.2g",
-             free, free * sqrt(h->mass / (2 * h->energy)) / h->q->until);
+             "free length %.6g; no run of this time is further off", free);
 }
 
-static void take_two_disks(struct search *h)
+static void enter_two_disks(struct search *h,
+                            struct averages_candidate **law)
 {
     const struct averages_quantity *q = &h->q->quantity;
     const double sigma = 2 * h->s->radius[0];
@@ -250,9 +250,10 @@ static void take_two_disks(struct search *h)
     c->value = q->kind == AVERAGES_PRESSURE
                    ? 1 - sigma * slope / share / 4
                    : (h->s->low[q->axis] + h->s->high[q->axis]) / 2;
-    c->sure = AVERAGES_EXACT;
     snprintf(c->text, AVERAGES_TEXT,
-             "two equal disks between walls are ergodic (proved)");
+             "two equal disks between walls mix (proved)");
+    if (wanted(h, c->name))
+        *law = c;
 }
 
 enum { ALIKE = 8 }; /* bodies whose places are compared */
@@ -264,12 +265,13 @@ struct way {
     struct blocks blocks;
     size_t width, body[ALIKE]; /* columns; whose places they are */
     double work[MODELS_UNITS];
-    bool begun, over; /* over: it cannot go on */
-    const char *why;  /* NULL, or why it is out */
+    bool begun, over, dear; /* over: it cannot go on; dear: or may not */
+    const char *why;        /* NULL, or why it is out */
     bool (*begin)(struct way *w);
     bool (*sample)(struct way *w, double value[]);
-    double goal;           /* the error that will do */
-    double least;          /* cost of the first look, s by the price list */
+    double goal;  /* the error that will do */
+    double least; /* cost of the first look, s by the price list */
+    double free;  /* of an independent sample, could disks move freely */
     struct models_run run; /* by events */
     bool running;
     double pace, virial;
@@ -278,10 +280,12 @@ struct way {
     double step;
     uint64_t sweeps;
     double mean, error; /* two standard errors, share of the scale */
+    double least_error; /* as small as it may be */
     double inefficiency;
     uint64_t samples;
     bool looked, plateau, steady, mixed;
     double first, sum, squares; /* of samples, from the first one on */
+    double spread; /* of the means of bodies that are alike, m */
     uint64_t taken;
     double apart; /* how far the means of bodies that are alike are, m */
 };
@@ -382,17 +386,17 @@ static double sweep(struct way *w)
     return (double)moved / (double)n;
 }
 
-/* Notes the least that places cost which diffuse with this step. */
+/* Notes what an independent place costs when it diffuses with this step,
+   s by the price list. */
 static bool expect_diffusion(struct way *w)
 {
     const struct averages_quantity *q = &w->h->q->quantity;
     const double n = (double)w->h->n;
     if (q->kind == AVERAGES_PLACE) {
         const double way = w->h->box[q->axis] / w->step;
-        const double e = w->h->q->tolerance;
         double work[MODELS_UNITS] = {0};
-        work[MODELS_TRIAL] = fmax(360, 4 / (3 * e * e)) * way * way * n * n;
-        w->least = models_cost(work);
+        work[MODELS_TRIAL] = 3 * way * way * n * n;
+        w->free = models_cost(work);
     }
     return true;
 }
@@ -480,17 +484,40 @@ static double inefficiency(const struct way *w, double error)
 static bool compare(struct way *w, size_t from, double error)
 {
     struct statistics_blocking b;
-    double mean;
+    double mean, sum = 0, squares = 0;
     w->mixed = true;
     w->apart = 0;
     for (size_t k = 1; k < w->width; ++k) {
         if (!block(w, k, from, &mean, &b))
             return false;
-        const double apart = fabs(mean - w->mean);
-        w->apart = fmax(w->apart, apart);
-        w->mixed = w->mixed && apart <= 5 * (error + b.error);
+        const double apart = mean - w->mean;
+        w->apart = fmax(w->apart, fabs(apart));
+        w->mixed = w->mixed && fabs(apart) <= 5 * (error + b.error);
+        sum += apart;
+        squares += apart * apart;
     }
+    const double n = (double)w->width;
+    w->spread = n > 1 ? sqrt((squares - sum * sum / n) / (n - 1)) : 0;
     return true;
+}
+
+enum { WITNESSES = 90 }; /* independent samples that a plateau takes */
+
+/* How many times as long as it is the run has to be, at least, for two
+   standard errors of e. */
+static double lengthen(const struct way *w, double e)
+{
+    const struct search *h = w->h;
+    const struct averages_quantity *q = &h->q->quantity;
+    const double r = w->error / e, n = (double)w->samples;
+    const double longer = fmax(r * r, WITNESSES * w->inefficiency / n);
+    if (q->kind != AVERAGES_PLACE || w->width < 2)
+        return longer;
+    const double box = h->box[q->axis - h->axis];
+    const double room = box - 2 * h->s->radius[q->body];
+    const double known = 2 * w->spread / (e * box);
+    const double share = sqrt(12) * w->spread / room;
+    return fmax(longer, fmax(known * known, WITNESSES * share * share));
 }
 
 /* Looks at the last three quarters. Returns false without memory. */
@@ -504,6 +531,7 @@ static bool look(struct way *w)
     w->error = 2 * sure / scale_of(w->h, w->mean);
     if (w->sweeps > 0 && w->h->q->quantity.kind == AVERAGES_PRESSURE)
         w->error *= 1.5; /* the means of 1/l have a long tail */
+    w->least_error = (2 * b.error / sure - 1) * w->error;
     w->looked = true;
     w->plateau = b.plateau;
     w->samples = (w->blocks.count - from) * w->blocks.per;
@@ -512,24 +540,34 @@ static bool look(struct way *w)
     return compare(w, from, b.error);
 }
 
-static bool holds(const struct way *w)
+/* Says whether the error of a way can be believed. */
+static bool settled(const struct way *w)
 {
-    return w->looked && w->plateau && w->steady && w->mixed &&
-           w->error <= w->h->q->tolerance;
+    return w->looked && w->plateau && w->steady && w->mixed;
 }
 
-/* What the whole way will cost, as it looks now; a lower bound while there
-   is no plateau. */
+static bool holds(const struct way *w)
+{
+    return settled(w) && w->error <= w->h->q->tolerance;
+}
+
+/* What the whole way will cost, s by the price list, as it looks now, when
+   two standard errors of e are wanted; if it has not settled, at least. */
+static double price(const struct way *w, double e)
+{
+    const double first =
+        fmax(w->least, w->free * fmax(120, 4 / (9 * e * e)));
+    const double r = w->error / e;
+    if (!w->looked)
+        return first;
+    if (settled(w))
+        return cost(w) * fmax(1.25, r * r);
+    return fmax(first, cost(w) * fmax(2, lengthen(w, e)));
+}
+
 static double predicted(const struct way *w)
 {
-    const double r = w->error / w->goal;
-    if (!w->looked)
-        return w->least;
-    if (holds(w))
-        return cost(w);
-    if (w->plateau && w->mixed)
-        return cost(w) * fmax(1.25, r * r);
-    return fmax(w->least, cost(w) * fmax(2, r * r));
+    return holds(w) ? cost(w) : price(w, w->goal);
 }
 
 /* Adds a sample to the sums of all, counted from the first one. */
@@ -549,7 +587,8 @@ static bool advance(struct way *w)
         return w->why != NULL;
     }
     do {
-        if (cost(w) > w->h->q->reason || !w->sample(w, value)) {
+        w->dear = cost(w) > w->h->q->reason;
+        if (w->dear || !w->sample(w, value)) {
             w->over = true;
             return w->blocks.count < 2 || look(w);
         }
@@ -741,7 +780,7 @@ static void take_springs(struct search *h)
         off / h->box[0], stretch, drift / h->box[0]);
 }
 
-static void enter_law(struct search *h, struct averages_candidate **law)
+static void enter_order(struct search *h, struct averages_candidate **law)
 {
     const struct averages_quantity *q = &h->q->quantity;
     size_t rank = 0;
@@ -769,9 +808,9 @@ static void enter_law(struct search *h, struct averages_candidate **law)
 static bool borne_out(const struct averages_candidate *law,
                       const struct way *w, const struct search *h)
 {
-    const double off = fabs(w->mean - law->value) / h->box[0];
-    return w->looked && w->plateau && w->steady &&
-           w->error <= fmax(0.01, h->q->tolerance) && off <= 1.5 * w->error;
+    const double off = fabs(w->mean - law->value) / scale_of(h, law->value);
+    return settled(w) && w->error <= fmax(0.01, h->q->tolerance) &&
+           off <= 1.5 * w->error;
 }
 
 /* Says whether the law is to be taken, or what the way has found; where
@@ -784,6 +823,14 @@ static bool trusted(const struct way *w,
     return holds(w) && wanted(w->h, w->name) && (!law || w->over);
 }
 
+/* Says whether a way is, as far as can be seen, too dear. */
+static bool beyond(const struct way *w)
+{
+    const double r = w->looked ? w->least_error / w->error : 1;
+    const double sure = w->looked && !settled(w) ? 2 * cost(w) : cost(w);
+    return fmax(sure, predicted(w) * r * r) > w->h->q->reason;
+}
+
 enum { STUCK = 1 << 22 }; /* sweeps without a plateau */
 
 /* The way that promises to be the cheapest, or NULL: all are over. */
@@ -794,7 +841,8 @@ static struct way *most_promising(struct way way[], size_t ways)
         struct way *w = &way[k];
         w->over = w->over || w->why ||
                   (w->sweeps > STUCK && !(w->plateau && w->mixed));
-        w->over = w->over || predicted(w) > w->h->q->reason;
+        w->dear = w->dear || (!w->over && beyond(w));
+        w->over = w->over || w->dear;
         if (!w->over && (!best || predicted(w) < predicted(best)))
             best = w;
     }
@@ -855,7 +903,7 @@ static const char *way_gone(const struct way *w, char text[64])
     return text;
 }
 
-/* Says what is wrong with a run that has come so far. */
+/* Says what keeps a run that has come so far from an answer. */
 static void unsettled(char *to, const struct way *w, const char *gone)
 {
     if (!w->mixed)
@@ -874,16 +922,66 @@ static void unsettled(char *to, const struct way *w, const char *gone)
                  w->error);
 }
 
+/* A number with two digits, not less than x. */
+static double round_up(double x)
+{
+    const double unit = pow(10, floor(log10(x)) - 1);
+    return ceil(x / unit) * unit;
+}
+
+/* The sharpest tolerance, to two digits, whose price is reasonable as far
+   as can be seen; INFINITY if there is none. */
+static double affordable(const struct way *w)
+{
+    for (double e = w->h->q->tolerance; e < 0.25; e *= 1.05)
+        if (3 * price(w, e) <= w->h->q->reason)
+            return round_up(e);
+    return INFINITY;
+}
+
+/* Says which tolerance could be asked for at a reasonable price. */
+static const char *offer(const struct way *w, char text[64])
+{
+    const double e = affordable(w);
+    if (isfinite(e))
+        snprintf(text, 64, "%.2g %s", e, settled(w) ? "fits" : "may fit");
+    else
+        snprintf(text, 64, "no tolerance fits%s",
+                 w->h->q->quantity.kind == AVERAGES_PLACE
+                     ? ": ask for the pressure"
+                     : "");
+    return text;
+}
+
+/* Says what a way would cost that is dearer than is reasonable. */
+static void too_dear(char *to, const struct way *w, const char *gone)
+{
+    char text[64];
+    int n = 0;
+    if (w->looked && !w->mixed)
+        n = snprintf(to, AVERAGES_REFUSAL,
+                     "in %s bodies that are just alike have kept to places "
+                     "whose means are %.3g of the box apart: ",
+                     gone, w->apart / scale_of(w->h, 0));
+    snprintf(to + n, AVERAGES_REFUSAL - (size_t)n,
+             "%.2g would cost %s %.2g s by the price list, of %.3g that "
+             "are reasonable; %s",
+             w->goal, settled(w) ? "about" : "at least", price(w, w->goal),
+             w->h->q->reason, offer(w, text));
+}
+
 /* Says why a way that has taken samples gives no answer. */
 static void refuse(struct search *h, const struct way *w)
 {
     char *to = h->f->refusal, gone[64];
     const double e = h->q->tolerance, r = w->error / e;
     way_gone(w, gone);
-    if (w->why || !w->looked)
+    if (w->why || !(w->looked || w->dear))
         snprintf(to, AVERAGES_REFUSAL, "%s",
                  w->why ? w->why : "the run ended before its first look");
-    else if (!w->mixed || !w->plateau || !w->steady)
+    else if (w->dear)
+        too_dear(to, w, gone);
+    else if (!settled(w))
         unsettled(to, w, gone);
     else
         snprintf(to, AVERAGES_REFUSAL,
@@ -924,7 +1022,7 @@ static double first_look(const struct search *h)
 static void begin_ways(struct search *h, struct way way[2],
                        const struct averages_candidate *law)
 {
-    const bool lawful = law && wanted(h, "order");
+    const bool lawful = law && wanted(h, law->name);
     const double e = h->q->tolerance;
     way[0] = (struct way){.name = "events",
                           .h = h,
@@ -936,12 +1034,14 @@ static void begin_ways(struct search *h, struct way way[2],
                           .sample = sample_chain,
                           .why = unsampled(h)};
     if (h->dimensions == 1 && h->q->quantity.kind == AVERAGES_PRESSURE)
-        way[0].why = "on a line Tonks's law is exact";
+        way[0].why = "on a line Tonks's law says more";
+    if (law && h->dimensions == 2)
+        way[1].why = "a chain cannot say how soon the motion mixes";
     way[1].least = first_look(h);
     for (int k = 0; k < 2; ++k) {
         compare_alike(&way[k]);
         way[k].goal = lawful ? fmax(0.01, e) : e;
-        if (!wanted(h, way[k].name) && !(k == 0 && wanted(h, "order")))
+        if (!wanted(h, way[k].name) && !(k == 0 && lawful))
             way[k].why = "another way was asked for";
     }
 }
@@ -983,11 +1083,26 @@ static void judge(struct averages_candidate *law, const struct way *w)
     const bool good = borne_out(law, w, w->h);
     law->sure = good ? AVERAGES_ESTIMATE : AVERAGES_OUT;
     snprintf(law->text, AVERAGES_TEXT,
-             good ? "if it mixes; events agree, %.2g off, error %.2g"
-                  : "if it mixes; events do not bear it out: %.2g off, "
-                    "error %.2g",
-             w->looked ? fabs(w->mean - law->value) / w->h->box[0] : NAN,
+             good ? "if it mixes in this time; events agree: %.2g off, "
+                    "error %.2g"
+                  : "if it mixes in this time; events do not bear it "
+                    "out: %.2g off, error %.2g",
+             w->looked
+                 ? fabs(w->mean - law->value) / scale_of(w->h, law->value)
+                 : NAN,
              w->looked ? w->error : NAN);
+}
+
+/* The way that speaks for all when none has won: the one that was asked
+   for, the one that time has ended, or the cheaper one. */
+static const struct way *speaker(const struct search *h,
+                                 const struct way way[2])
+{
+    if (h->q->model)
+        return &way[strcmp(h->q->model, "sampling") == 0];
+    if (way[1].why || !way[0].dear)
+        return &way[0];
+    return &way[predicted(&way[1]) < predicted(&way[0])];
 }
 
 /* Takes samples, where no closed form will do. */
@@ -995,7 +1110,8 @@ static bool take_samples(struct search *h)
 {
     struct averages_candidate *law = NULL;
     struct way way[2], *winner = NULL;
-    enter_law(h, &law);
+    enter_order(h, &law);
+    enter_two_disks(h, &law);
     begin_ways(h, way, law);
     bool well = blocks_create(&way[0].blocks, way[0].width);
     well = blocks_create(&way[1].blocks, way[1].width) && well;
@@ -1008,7 +1124,7 @@ static bool take_samples(struct search *h)
     if (well && winner)
         crown(h, winner, law);
     else if (well)
-        refuse(h, &way[wanted(h, "sampling") && h->q->model]);
+        refuse(h, speaker(h, way));
     end_way(&way[0], h->f);
     end_way(&way[1], h->f);
     return well;
@@ -1035,7 +1151,7 @@ static void explain_refusal(struct search *h)
 {
     struct averages_found *f = h->f;
     const char *name = h->q->model;
-    if (f->taken < f->candidates || !name || strcmp(name, "events") == 0 ||
+    if (!name || strcmp(name, "events") == 0 ||
         strcmp(name, "sampling") == 0)
         return;
     snprintf(f->refusal, AVERAGES_REFUSAL,
@@ -1045,6 +1161,20 @@ static void explain_refusal(struct search *h)
         if (strcmp(c->name, name) == 0)
             snprintf(f->refusal, AVERAGES_REFUSAL, "%s: error %.2g; %s",
                      name, c->error, c->text);
+    }
+}
+
+static void explain_bound(struct search *h)
+{
+    struct averages_found *f = h->f;
+    for (size_t k = 0; k < f->candidates; ++k) {
+        const struct averages_candidate *c = &f->candidate[k];
+        if (c->sure == AVERAGES_BOUND && wanted(h, c->name))
+            snprintf(f->refusal, AVERAGES_REFUSAL,
+                     "a run of %.4g s may be off by %.2g from the law that "
+                     "long runs obey; ask for that, or for %.4g s",
+                     h->q->until, round_up(c->error),
+                     round_up(c->error * h->q->until / h->q->tolerance));
     }
 }
 
@@ -1061,11 +1191,13 @@ bool averages_find(struct averages_found *f,
     }
     take_conserved(&h);
     take_tonks(&h);
-    take_two_disks(&h);
     take_springs(&h);
     if (!take_closed(&h)) {
         well = take_samples(&h);
-        explain_refusal(&h);
+        if (f->taken == f->candidates) {
+            explain_refusal(&h);
+            explain_bound(&h);
+        }
     }
     f->scale = scale_of(&h, f->value);
     f->deciding = models_cost(f->work) - f->cost;

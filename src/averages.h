@@ -1,5 +1,5 @@
 /* From chapters/12-averages.nw: edit there, then run make tangle. */
-/* checksum 1140301472 of the lines below */
+/* checksum 2628631957 of the lines below */
 #ifndef AVERAGES_H
 #define AVERAGES_H
 
@@ -40,6 +40,7 @@ enum averages_sure {
     AVERAGES_OUT       /* not a way for this scene, or not far enough */
 };
 enum { AVERAGES_TEXT = 200, AVERAGES_MOST = 8, AVERAGES_REFUSAL = 400 };
+enum { AVERAGES_REASON = 60 }; /* s by the price list: a usual .reason */
 
 /* A way to the average. */
 struct averages_candidate {

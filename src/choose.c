@@ -1,5 +1,5 @@
-/* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1895395328 of the lines below */
+/* From chapters/12-pick.nw: edit there, then run make tangle. */
+/* checksum 472936366 of the lines below */
 #include "choose.h"
 
 #include "scout.h"
@@ -10,12 +10,15 @@
 #include <string.h>
 
 enum { RUNGS = 40, CANDIDATES = 64 };
-static const double margin = 1.05; /* errors that were seen, below e */
-static const double safety = 1.25; /* errors that are extrapolated */
-static const double rounding = 2;  /* times what other units change */
-static const double share = 0.8;   /* of e, that cuts may use */
-static const double looks = 4;     /* in the time that is reasonable */
-static const double stiff = 0.1;   /* s: to look ahead so long is dear */
+static const double margin = 1.05;  /* errors that were seen, below e */
+static const double safety = 1.25;  /* errors that are extrapolated */
+static const double rounding = 2;   /* times what other units change */
+static const double share = 0.8;    /* of e, that cuts may use */
+static const double looks = 4;      /* in the time that is reasonable */
+static const double stiff = 0.1;    /* s: to look ahead so long is dear */
+static const double patience = 0.3; /* s: a run that is not made for its own
+                                       sake */
+static const double near = 1.2; /* radii: of a step, at twice the speed */
 
 /* The next number of steps, eight to an octave: 1 to 16, 18, 20 ... 32,
    36 ... */
@@ -54,6 +57,7 @@ struct racer {
     struct rung {
         uint64_t steps;
         double error, cost; /* NAN: not known yet */
+        double apart;       /* from the next rung */
     } rung[RUNGS];
     size_t rungs;
     struct record finest;
@@ -71,7 +75,11 @@ struct chooser {
     size_t rows;
     bool scouted;
     struct scout scout;
+    double little;  /* m: a passage that moves by less does not count */
+    bool settled;   /* two scouts have brought home the same */
     double passing; /* 1/s: bodies that meet must not pass unseen */
+    double turning; /* 1/s: nor springs turn round */
+    bool kinked;    /* but they do, faster than steps can be short */
     struct models_plan look;       /* the plan that looks ahead */
     struct record looked, rounded; /* by it; and in other units */
     struct record guide;           /* exact, if any is */
@@ -133,11 +141,24 @@ static bool run(struct chooser *h, struct record *r,
     return false;
 }
 
+/* Are there two points that have to meet, being on one line? */
+static bool points_meet(const struct chooser *h)
+{
+    const struct scene *s = h->q->scene;
+    size_t points = 0;
+    for (size_t i = 0; i < s->bodies; ++i)
+        points += s->radius[i] == 0;
+    return h->c->acts.contact && h->c->acts.dimensions < 2 && points > 1;
+}
+
 /* NULL, or why the model does not carry the scene without the cuts. */
 static const char *refusal(const struct chooser *h,
                            const struct models_model *m, unsigned cuts)
 {
     const struct models_plan plan = {m, cuts, m->method ? 1 : 0};
+    if (m->family == MODELS_STEPS && points_meet(h))
+        return "points on a line meet, and no step sees it: give them "
+               "radii";
     return models_refuse(&plan, h->q->scene);
 }
 
@@ -239,8 +260,8 @@ static void try_all_exact(struct chooser *h)
     }
 }
 
-/* How fast two bodies could pass through each other, 1/s, at twice the
-   largest speed so far. */
+/* How fast two bodies could pass through each other, 1/s, at the largest
+   speed so far. */
 static void note_passing(struct chooser *h, double speed)
 {
     const struct scene *s = h->q->scene;
@@ -249,23 +270,72 @@ static void note_passing(struct chooser *h, double speed)
         if (s->radius[i] > 0)
             least = fmin(least, s->radius[i]);
     if (isfinite(least))
-        h->passing = 2 * speed / least;
+        h->passing = fmax(h->passing, 2 * speed / least);
+}
+
+/* Is a row of so many steps fine enough for that? */
+static bool sees_passing(const struct chooser *h, uint64_t steps)
+{
+    return h->passing * h->q->every <= near * (double)steps;
+}
+
+/* Sends a scout. False: there is no memory. */
+static bool send_scout(struct chooser *h, struct scout *p, double aim)
+{
+    const struct scout_order o = {.every = h->q->every,
+                                  .rows = h->rows,
+                                  .little = h->little,
+                                  .aim = aim,
+                                  .limit = h->q->reason / looks};
+    if (!scout_ahead(p, h->q->scene, &o)) {
+        h->failed = true;
+        return false;
+    }
+    h->c->deciding += p->cost;
+    ++h->c->scouts;
+    return true;
+}
+
+/* Sends scouts until two agree, or one does not come to the end. */
+static void send_scouts(struct chooser *h)
+{
+    enum { HALVINGS = 8 };
+    double aim = 0.6;
+    if (h->scouted)
+        scout_free(&h->scout);
+    h->scouted = send_scout(h, &h->scout, aim);
+    h->settled = false;
+    for (int k = 0; h->scouted && !h->settled && k < HALVINGS; ++k) {
+        struct scout finer;
+        aim /= 2;
+        if (!send_scout(h, &finer, aim))
+            return;
+        if (k > 0 && finer.reached < h->rows) {
+            scout_free(&finer);
+            return;
+        }
+        h->settled = scout_agree(&h->scout, &finer);
+        scout_free(&h->scout);
+        h->scout = finer;
+    }
 }
 
 static bool look_ahead(struct chooser *h)
 {
-    const struct choose_request *q = h->q;
-    const double little = 0.01 * q->tolerance * h->c->scale;
     h->c->fastest = h->c->acts.fastest;
     note_passing(h, h->view.speed);
-    if (q->scene->k2 <= 0)
+    h->settled = true;
+    if (h->q->scene->k2 <= 0)
         return true;
-    h->scouted = scout_ahead(&h->scout, q->scene, q->every, h->rows, little,
-                             q->reason / looks);
-    h->failed = !h->scouted;
-    h->c->deciding += h->scout.cost;
+    send_scouts(h);
     h->c->fastest = fmax(h->c->fastest, h->scout.most);
     return h->scouted && h->scout.reached == h->rows;
+}
+
+/* Do forces jump, so that methods have no order? */
+static bool is_rough(const struct chooser *h)
+{
+    return h->c->acts.contact || h->kinked;
 }
 
 static struct models_plan plan_of(const char *name, double steps)
@@ -285,7 +355,7 @@ static double rate_of(const struct chooser *h, struct models_plan plan)
     models_analyse(&run.acts, &run.scene); /* which has lost its rods */
     const double rate = fmax(run.acts.fastest, h->scout.most);
     models_end(&run);
-    return fmax(rate, h->passing);
+    return fmax(rate, fmax(h->passing, h->kinked ? 0 : h->turning));
 }
 
 static bool is_damped(const struct chooser *h)
@@ -295,10 +365,21 @@ static bool is_damped(const struct chooser *h)
 
 static struct models_plan even_plan(const struct chooser *h)
 {
-    const double phase = h->q->every * fmax(h->c->fastest, h->passing);
+    const double rate = fmax(h->c->fastest, h->kinked ? 0 : h->turning);
+    const double phase = h->q->every * fmax(rate, h->passing);
     return h->c->acts.contact ? plan_of("leapfrog", phase)
            : is_damped(h)     ? plan_of("rk4", phase / 0.5)
                               : plan_of("pefrl", phase / 0.5);
+}
+
+/* Will the run, refined until it settles, cost more than the limit? */
+static bool hopeless(const struct chooser *h, const struct record_order *o,
+                     double apart)
+{
+    const int p = h->c->acts.contact ? 1 : o->plan.model->method->order;
+    return isfinite(apart) && h->looked.cost > patience &&
+           apart >
+               h->q->tolerance / 4 * power(o->limit / h->looked.cost, p);
 }
 
 /* Doubles the steps of the run until that changes little. False: that would
@@ -307,7 +388,11 @@ static bool settle(struct chooser *h, struct record_order *o)
 {
     struct record finer;
     double apart = INFINITY;
-    while (apart > h->q->tolerance / 4 && h->looked.end != MODELS_COSTLY) {
+    while (
+        (apart > h->q->tolerance / 4 || !sees_passing(h, o->plan.steps)) &&
+        h->looked.end != MODELS_COSTLY) {
+        if (hopeless(h, o, apart))
+            return false;
         o->plan.steps *= 2;
         if (!run(h, &finer, o))
             return false;
@@ -325,10 +410,12 @@ static bool look_with(struct chooser *h, struct models_plan plan,
                       bool settled, double limit)
 {
     struct record_order o = order_of(h, plan, limit);
+    o.watched = h->q->scene->contact || h->q->scene->springs > 0;
     record_free(&h->looked);
     h->look = plan;
     if (!run(h, &h->looked, &o))
         return false;
+    note_passing(h, h->looked.speed);
     return settled ? settle(h, &o) : whole(h, &h->looked);
 }
 
@@ -348,21 +435,28 @@ static double look_price(const struct chooser *h)
     return models_cost(work);
 }
 
-/* The run that looks ahead with even steps, and the same in other units.
-   Springs may be too stiff for it; then an implicit method looks. */
-static void look_evenly(struct chooser *h)
+/* The run that looks ahead with even steps. Springs may be too stiff for
+   it; then an implicit method looks. */
+static bool look_evenly(struct chooser *h)
 {
     const struct models_acts *a = &h->c->acts;
     const double most = h->q->reason / looks;
     const bool springs = a->springs && !a->gravity && !a->contact;
-    const bool good =
-        look_with(h, even_plan(h), a->contact,
-                  springs ? fmin(stiff, most) : most) ||
-        (springs &&
-         (look_with(h, plan_of("gauss4", 4), true, fmin(5 * stiff, most)) ||
-          (look_price(h) < most &&
-           look_with(h, even_plan(h), false, most))));
-    if (!good || h->failed) {
+    if (!springs)
+        return look_price(h) < most &&
+               look_with(h, even_plan(h), a->contact, most);
+    return look_with(h, even_plan(h), false, fmin(stiff, most)) ||
+           look_with(h, plan_of("gauss4", 4), true,
+                     fmin(5 * stiff, most)) ||
+           (look_price(h) < most &&
+            look_with(h, even_plan(h), false, most));
+}
+
+/* Looks with even steps and in other units. */
+static void look_twice(struct chooser *h)
+{
+    record_free(&h->rounded);
+    if (!look_evenly(h) || h->failed) {
         record_free(&h->looked);
         return;
     }
@@ -370,6 +464,50 @@ static void look_evenly(struct chooser *h)
     o.converted = true;
     if (run(h, &h->rounded, &o))
         note_rounding(h, &h->looked, &h->rounded);
+}
+
+/* Is there something in the drawers that should have counted? */
+static bool overlooked(const struct chooser *h)
+{
+    double weaker = 1;
+    for (size_t k = 0; h->scouted && k < SCOUT_DRAWERS; ++k, weaker *= 2)
+        if (weaker < 2 * h->c->growth &&
+            h->scout.passed[k] > 2 * h->c->fastest)
+            return true;
+    return false;
+}
+
+/* Has a spring turned round faster than what the steps were made for? Then
+   another look is needed, or there is no help: h->kinked. */
+static bool turned(struct chooser *h)
+{
+    const double known = fmax(fmax(h->c->fastest, h->passing), h->turning);
+    if (h->kinked || !(h->looked.turning > 2 * known))
+        return false;
+    h->turning = h->looked.turning;
+    h->kinked = !(look_price(h) < h->q->reason / looks);
+    return !h->kinked;
+}
+
+/* Looks ahead: scouts, then even steps, until nothing is overlooked. What
+   was looked at stands in h->looked; nothing there: that is too dear. */
+static void look_around(struct chooser *h)
+{
+    enum { TIMES = 4 };
+    h->little = 0.01 * h->q->tolerance * h->view.length;
+    for (int k = 0; k < TIMES && !h->failed; ++k) {
+        record_free(&h->looked);
+        if (!look_ahead(h))
+            return;
+        look_twice(h);
+        if (!h->looked.value)
+            return;
+        const bool again = turned(h);
+        if (!overlooked(h) && !again)
+            return;
+        if (!again)
+            h->little /= fmax(2, h->c->growth);
+    }
 }
 
 /* What the cuts do to a run: how far the two are apart; INFINITY: more than
@@ -672,7 +810,7 @@ static bool is_beaten(const struct chooser *h, const struct models_model *m)
     for (size_t j = 0; j < sizeof beaten / sizeof *beaten; ++j)
         if (strcmp(m->name, beaten[j]) == 0)
             return true;
-    return h->c->acts.contact && strcmp(m->name, "leapfrog") != 0;
+    return is_rough(h) && strcmp(m->name, "leapfrog") != 0;
 }
 
 static void enter_methods(struct chooser *h)
@@ -706,9 +844,9 @@ static int order_seen(double coarse, double fine, int most)
     return order;
 }
 
-static int order_at_most(const struct racer *r)
+static int order_at_most(const struct chooser *h, const struct racer *r)
 {
-    return r->plan.model->method->order;
+    return h->kinked ? 1 : r->plan.model->method->order;
 }
 
 /* The error of a run with n steps, from its distance to one with m > n and
@@ -728,16 +866,16 @@ static void learn(struct chooser *h, struct racer *r,
         r->rung[k].error =
             record_apart(&h->view, fine, &h->guide, 1, h->rows);
     } else if (k > 0) {
-        const int p = r->order ? r->order : order_at_most(r);
-        const double d =
-            record_apart(&h->view, &r->finest, fine, 1, h->rows);
-        r->rung[k - 1].error =
-            error_of(d, r->rung[k - 1].steps, r->rung[k].steps, p);
+        const int p = r->order ? r->order : order_at_most(h, r);
+        struct rung *last = &r->rung[k - 1];
+        last->apart = record_apart(&h->view, &r->finest, fine, 1, h->rows);
+        last->error =
+            error_of(last->apart, last->steps, r->rung[k].steps, p);
     }
     const size_t last = h->guide.value ? k : k > 0 ? k - 1 : 0;
     if (last > 0 && isfinite(r->rung[last - 1].error))
         r->order = order_seen(r->rung[last - 1].error, r->rung[last].error,
-                              order_at_most(r));
+                              order_at_most(h, r));
 }
 
 /* The last rung whose error is known; rungs: none. */
@@ -761,13 +899,10 @@ static uint64_t extrapolate(uint64_t steps, double error, int order,
     return n;
 }
 
-/* A dearer rung than this is not climbed for its own sake, s. */
-static const double patience = 0.3;
-
 /* What is needed at least when no rung is known to hold: what the errors
    promise, or, as long as they promise nothing, what the last rung has,
    whose error nobody knows yet. */
-static void look_up(struct racer *r, double target)
+static void look_up(const struct chooser *h, struct racer *r, double target)
 {
     const size_t known = last_known(r);
     const struct rung *last = &r->rung[r->rungs - 1];
@@ -775,7 +910,7 @@ static void look_up(struct racer *r, double target)
     if (known == r->rungs || !isfinite(r->rung[known].error) ||
         (r->order == 0 && known > 0))
         return;
-    const int order = r->order > 0 ? r->order : order_at_most(r);
+    const int order = r->order > 0 ? r->order : order_at_most(h, r);
     r->need =
         extrapolate(r->rung[known].steps,
                     safety / margin * r->rung[known].error, order, target);
@@ -784,16 +919,22 @@ static void look_up(struct racer *r, double target)
         r->state = READY;
 }
 
+/* The factor by which errors may be larger than they look. */
+static double doubt(const struct chooser *h, const struct racer *r)
+{
+    return h->guide.value || r->order > 0 ? 1 : 2;
+}
+
 /* Foresees what the racer will need, and where it stands. */
 static void foresee(const struct chooser *h, struct racer *r)
 {
-    const double target = target_of(h, r);
+    const double target = target_of(h, r) / doubt(h, r);
     const struct rung *last = &r->rung[r->rungs - 1];
     size_t k = 0;
     while (k < r->rungs && !(r->rung[k].error <= target))
         ++k;
     if (k == r->rungs)
-        look_up(r, target);
+        look_up(h, r, target);
     else {
         r->need = r->rung[k].steps;
         r->error = r->rung[k].error;
@@ -848,7 +989,8 @@ static void publish(struct chooser *h, struct racer *r)
 static void add_rung(struct chooser *h, struct racer *r,
                      struct record *next)
 {
-    r->rung[r->rungs++] = (struct rung){next->plan.steps, NAN, next->cost};
+    r->rung[r->rungs++] =
+        (struct rung){next->plan.steps, NAN, next->cost, NAN};
     if (!whole(h, next) && r->rungs > 1)
         r->rung[r->rungs - 2].error = INFINITY;
     else if (r->rungs > 1 || h->guide.value)
@@ -890,24 +1032,53 @@ static bool at_the_bottom(const struct chooser *h, const struct racer *r)
            r->rung[k].error < 10 * h->c->rounding;
 }
 
-/* The error of a run with fewer steps than the finest. */
-static double error_against(struct chooser *h, struct racer *r,
-                            uint64_t steps)
+/* How far a run with fewer steps is from the finest, or from the guide. */
+static double apart_with(struct chooser *h, const struct racer *r,
+                         uint64_t steps)
 {
-    struct record run_now = {0};
+    struct record now = {0};
     struct models_plan plan = r->plan;
-    const bool exact = h->guide.value != NULL;
-    const struct record *against = exact ? &h->guide : &r->finest;
     plan.steps = steps;
     const struct record_order o = order_of(h, plan, INFINITY);
-    if (!run(h, &run_now, &o))
+    if (!run(h, &now, &o))
         return INFINITY;
     const double apart =
-        record_apart(&h->view, &run_now, against, 1, h->rows);
-    record_free(&run_now);
-    return exact ? apart
-                 : error_of(apart, steps, r->finest.plan.steps,
-                            r->order > 0 ? r->order : order_at_most(r));
+        record_apart(&h->view, &now,
+                     h->guide.value ? &h->guide : &r->finest, 1, h->rows);
+    record_free(&now);
+    return apart;
+}
+
+/* The error that shows. */
+static double error_from(const struct chooser *h, const struct racer *r,
+                         double apart, uint64_t steps)
+{
+    return h->guide.value ? apart
+                          : error_of(apart, steps, r->finest.plan.steps,
+                                     r->order > 0 ? r->order : 1);
+}
+
+/* The order, if these are half the steps of the first rung. */
+static void learn_late(const struct chooser *h, struct racer *r,
+                       double apart, uint64_t steps)
+{
+    struct rung *first = &r->rung[0];
+    if (h->guide.value || r->order > 0 || 2 * steps != first->steps ||
+        r->rungs != 2)
+        return;
+    r->order =
+        order_seen(apart - first->apart, first->apart, order_at_most(h, r));
+    r->error = first->error = error_from(h, r, first->apart, first->steps);
+}
+
+/* The fewest steps that are known not to do; 0: none. */
+static uint64_t too_few(const struct chooser *h, const struct racer *r)
+{
+    uint64_t low = 0;
+    for (size_t k = 0; k < r->rungs && r->rung[k].steps < r->need; ++k)
+        if (r->rung[k].error > target_of(h, r))
+            low = r->rung[k].steps;
+    return low;
 }
 
 /* Looks for fewer steps, between those that cannot hold and those that
@@ -915,15 +1086,14 @@ static double error_against(struct chooser *h, struct racer *r,
 static void descend(struct chooser *h, struct racer *r)
 {
     const double each = r->price / (double)r->need;
-    uint64_t low = 0, high = r->need;
-    for (size_t k = 0; k < r->rungs; ++k)
-        if (r->rung[k].error > target_of(h, r) && r->rung[k].steps < high)
-            low = r->rung[k].steps;
+    uint64_t low = too_few(h, r), high = r->need;
     while (next_steps(low) < high && !h->failed) {
         uint64_t n = steps_for((double)(low + high) / 2);
         if (n >= high)
             n = next_steps(low);
-        const double error = error_against(h, r, n);
+        const double apart = apart_with(h, r, n);
+        learn_late(h, r, apart, n);
+        const double error = error_from(h, r, apart, n);
         if (error <= target_of(h, r)) {
             high = n;
             r->error = error;
@@ -981,18 +1151,28 @@ static void end_race(struct chooser *h)
     }
 }
 
+static bool holds(const struct chooser *h, const struct choose_candidate *c)
+{
+    return c->sure != CHOOSE_OUT && c->error <= h->q->tolerance &&
+           c->cost <= h->q->reason;
+}
+
+static bool is_better(const struct choose_candidate *a,
+                      const struct choose_candidate *b)
+{
+    return a->cost < b->cost ||
+           (a->cost == b->cost && a->plan.cuts == 0 && b->plan.cuts != 0);
+}
+
 static void take_best(struct chooser *h)
 {
     struct choose_choice *c = h->c;
     c->taken = c->candidates;
-    for (size_t j = 0; j < c->candidates; ++j) {
-        const struct choose_candidate *next = &c->candidate[j];
-        if (next->sure != CHOOSE_OUT && next->error <= h->q->tolerance &&
-            next->cost <= h->q->reason &&
+    for (size_t j = 0; j < c->candidates; ++j)
+        if (holds(h, &c->candidate[j]) &&
             (c->taken == c->candidates ||
-             next->cost < c->candidate[c->taken].cost))
+             is_better(&c->candidate[j], &c->candidate[c->taken])))
             c->taken = j;
-    }
 }
 
 /* Looks for the horizon within the first row. */
@@ -1025,12 +1205,33 @@ static void refuse_horizon(struct chooser *h)
 
 static void refuse_look(struct chooser *h)
 {
-    snprintf(
-        h->c->refusal, sizeof h->c->refusal,
-        "so long a time is beyond reason: to look ahead once would cost "
-        "about %.2g s by the price list, of %.3g s that are reasonable "
-        "for all; ask for a shorter time, or for averages",
-        fmax(look_price(h), h->c->deciding), h->q->reason);
+    const double price = look_price(h), rate = h->c->fastest;
+    if (price > h->q->reason / looks)
+        snprintf(
+            h->c->refusal, sizeof h->c->refusal,
+            "so long a time is beyond reason: to look ahead once, with "
+            "steps for what changes at a rate of %.2g, would cost "
+            "about %.2g s by the price list, of %.3g s that are "
+            "reasonable for all; ask for a shorter time, or for "
+            "averages",
+            fmax(rate, h->passing), price, h->q->reason);
+    else
+        snprintf(
+            h->c->refusal, sizeof h->c->refusal,
+            "looking ahead does not settle: shorter steps keep changing "
+            "the run by more than %.3g, and to go on until they do not "
+            "is beyond reason (%.3g s by the price list); ask for a "
+            "shorter time, or for averages",
+            h->q->tolerance / 4, h->q->reason);
+}
+
+static void refuse_unsettled(struct chooser *h)
+{
+    snprintf(h->c->refusal, sizeof h->c->refusal,
+             "looking ahead does not settle: runs with ever shorter steps "
+             "meet ever faster passages (%.3g a second), so no error could "
+             "be trusted; ask for a shorter time, or for averages",
+             h->scout.most);
 }
 
 static void refuse_cost(struct chooser *h)
@@ -1055,23 +1256,29 @@ static void refuse_cost(struct chooser *h)
             h->q->tolerance, h->q->reason, plan, least);
 }
 
+/* Refuses, if looking ahead has shown that it must: true. */
+static bool must_refuse(struct chooser *h)
+{
+    if (!h->looked.value)
+        refuse_look(h);
+    else if (h->c->horizon < INFINITY)
+        refuse_horizon(h);
+    else if (!h->settled)
+        refuse_unsettled(h);
+    return h->c->refusal[0] != '\0';
+}
+
 /* Looks ahead, and at what can be left out. Unless something has been found
    already, returns false when it has refused. */
-static bool look_around(struct chooser *h, bool found)
+static bool prepare(struct chooser *h, bool found)
 {
     const struct models_acts *a = &h->c->acts;
     const bool springs = a->springs && !a->gravity && !a->contact;
     note_passing(h, h->view.speed);
-    if ((springs || look_price(h) < h->q->reason / looks) && look_ahead(h))
-        look_evenly(h);
-    if (!found && !h->failed && !h->looked.value) {
-        refuse_look(h);
+    if (springs || look_price(h) < h->q->reason / looks)
+        look_around(h);
+    if (!found && !h->failed && must_refuse(h))
         return false;
-    }
-    if (!found && h->c->horizon < INFINITY) {
-        refuse_horizon(h);
-        return false;
-    }
     if (!h->failed && h->looked.value) {
         measure_cuts(h);
         try_cut_exact(h);
@@ -1090,7 +1297,7 @@ static void decide(struct chooser *h)
         refuse_horizon(h);
         return;
     }
-    if (!enough && !h->failed && !look_around(h, found))
+    if (!enough && !h->failed && !prepare(h, found))
         return;
     if (!h->failed)
         enter_methods(h);
@@ -1136,6 +1343,9 @@ bool choose(struct choose_choice *c, const struct choose_request *q)
         decide(&h);
     if (c->refusal[0] != '\0')
         c->taken = c->candidates;
+    c->meeting = h.scout.most;
+    c->passing = h.passing;
+    c->turning = h.kinked ? INFINITY : h.turning;
     end(&h);
     if (h.failed) {
         fprintf(stderr, "%s: no memory to choose\n", q->program);
@@ -1192,11 +1402,68 @@ static void refuse_error(struct chooser *h, struct choose_run *r,
 
 /* The order by which the error of a run is found from its companion's. */
 static int check_order(const struct chooser *h, struct models_plan plan,
-                       double seen)
+                       const struct choose_known *known)
 {
-    return seen > 0               ? (int)seen
-           : h->q->scene->contact ? 1
-                                  : plan.model->method->order;
+    if (plan.steps == 0)
+        return 0;
+    if (known && known->order > 0)
+        return (int)known->order;
+    return known || h->q->scene->contact ? 1 : plan.model->method->order;
+}
+
+/* The plan of the companion. */
+static struct models_plan companion(const struct chooser *h,
+                                    struct models_plan plan)
+{
+    if (plan.steps > 0) {
+        const uint64_t least = first_steps(h, plan);
+        plan.steps = 2 * plan.steps > least ? 2 * plan.steps : least;
+    }
+    return plan;
+}
+
+/* The cost of a companion, by that of the run. */
+static double foreseen(const struct record *a, const struct record_order *o)
+{
+    return a->plan.steps == 0
+               ? a->cost
+               : a->cost * (double)o->plan.steps / (double)a->plan.steps;
+}
+
+static bool sees_turning(const struct chooser *h, uint64_t steps)
+{
+    return h->turning * h->q->every <= (double)steps;
+}
+
+/* Runs the companion of a run. False: no memory. */
+static bool run_companion(struct chooser *h, struct record *b,
+                          const struct record *a)
+{
+    struct record_order o =
+        order_of(h, companion(h, a->plan), fmax(h->q->reason, 3 * a->cost));
+    if (foreseen(a, &o) > o.limit) {
+        *b = (struct record){.plan = o.plan, .end = MODELS_COSTLY};
+        return true;
+    }
+    o.converted = a->plan.steps == 0;
+    o.watched =
+        !o.converted && (h->q->scene->contact || h->q->scene->springs > 0);
+    for (;;) {
+        if (!run(h, b, &o))
+            return false;
+        const uint64_t steps = o.plan.steps;
+        if (o.watched && whole(h, b)) {
+            note_passing(h, b->speed);
+            h->turning = fmax(h->turning, b->turning);
+            if (!sees_passing(h, steps))
+                o.plan = companion(h, o.plan);
+            else if (!sees_turning(h, steps))
+                o.plan.steps = 8 * a->plan.steps + 1;
+        }
+        if (o.plan.steps <= steps)
+            return true;
+        record_free(b);
+    }
 }
 
 /* Compares a run with its companion: half the step, or other units. */
@@ -1204,16 +1471,19 @@ static void check(struct chooser *h, struct choose_run *r,
                   const struct record *a, int order)
 {
     struct record b = {0};
-    struct record_order o = order_of(h, a->plan, INFINITY);
-    o.plan.steps *= 2;
-    o.converted = a->plan.steps == 0;
-    if (!run(h, &b, &o))
+    if (!run_companion(h, &b, a))
         return;
+    if (b.end == MODELS_COSTLY) {
+        refuse_run(r, "to check it is beyond reason");
+        record_free(&b);
+        return;
+    }
     const double apart = record_apart(&h->view, a, &b, 1, h->rows);
     r->error = r->effect;
-    r->error += o.converted
+    r->error += a->plan.steps == 0
                     ? rounding * apart
-                    : error_of(apart, a->plan.steps, o.plan.steps, order);
+                    : error_of(apart, a->plan.steps, b.plan.steps,
+                               sees_turning(h, b.plan.steps) ? order : 1);
     if (!(r->error <= h->q->tolerance))
         refuse_error(h, r, a, &b);
     record_free(&b);
@@ -1257,8 +1527,7 @@ static void find_effect(struct chooser *h, struct choose_run *r)
     const struct models_model *m = r->plan.model;
     if (r->plan.cuts == 0 && !m->approximate)
         return;
-    if (look_ahead(h))
-        look_evenly(h);
+    look_around(h);
     if (h->failed || !h->looked.value) {
         r->effect = INFINITY;
         return;
@@ -1270,15 +1539,40 @@ static void find_effect(struct chooser *h, struct choose_run *r)
     record_free(&a);
 }
 
-static void carry_on(struct chooser *h, struct choose_run *r, double seen,
-                     bool fixed)
+/* Learns what a companion has to see. False, with a refusal: that is not
+   to be had. */
+static bool find_meetings(struct chooser *h, struct choose_run *r,
+                          const struct choose_known *known)
 {
-    const int order = r->plan.steps ? check_order(h, r->plan, seen) : 0;
+    h->settled = h->kinked = true;
+    if (known) {
+        h->scout.most = known->meeting;
+        h->passing = known->passing;
+        h->turning = known->turning;
+        h->kinked = isinf(known->turning);
+    } else if (r->plan.steps > 0 && !h->scouted) {
+        h->little = 0.01 * h->q->tolerance * h->view.length;
+        if (!look_ahead(h))
+            refuse_run(r, "to look ahead once is beyond reason");
+    }
+    if (!h->settled)
+        refuse_run(r, "looking ahead does not settle, so no error could "
+                      "be trusted");
+    return r->refusal[0] == '\0';
+}
+
+static void carry_on(struct chooser *h, struct choose_run *r,
+                     const struct choose_known *known, bool fixed)
+{
+    const int order = check_order(h, r->plan, known);
+    r->error = INFINITY;
     find_effect(h, r);
+    if (!find_meetings(h, r, known))
+        return;
     for (r->tightened = 0; !h->failed; ++r->tightened) {
         attempt(h, r, order);
         if (r->error <= h->q->tolerance || fixed || r->plan.steps == 0 ||
-            r->tightened == TIGHTENINGS)
+            r->tightened == TIGHTENINGS || h->c->deciding > h->q->reason)
             return;
         r->plan.steps = tighter(h, r, order);
     }
@@ -1293,7 +1587,8 @@ static void note_view(struct choose_run *r, struct chooser *h)
 }
 
 bool choose_carry(struct choose_run *r, const struct choose_request *q,
-                  const struct models_plan *plan, double order, bool fixed)
+                  const struct models_plan *plan,
+                  const struct choose_known *known, bool fixed)
 {
     struct choose_choice c = {.horizon = INFINITY};
     struct chooser h = {.q = q, .c = &c, .rows = rows_of(q)};
@@ -1303,7 +1598,7 @@ bool choose_carry(struct choose_run *r, const struct choose_request *q,
         return false;
     note_view(r, &h);
     models_analyse(&c.acts, q->scene);
-    carry_on(&h, r, order, fixed);
+    carry_on(&h, r, known, fixed);
     r->checking = c.deciding;
     end(&h);
     if (h.failed)
@@ -1313,6 +1608,13 @@ bool choose_carry(struct choose_run *r, const struct choose_request *q,
         r->value = NULL;
     }
     return !h.failed;
+}
+
+struct choose_known choose_known(const struct choose_choice *c,
+                                 size_t candidate)
+{
+    return (struct choose_known){c->candidate[candidate].order, c->meeting,
+                                 c->passing, c->turning};
 }
 
 void choose_run_free(struct choose_run *r)

@@ -1,5 +1,5 @@
-/* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 2598227772 of the lines below */
+/* From chapters/12-pick.nw: edit there, then run make tangle. */
+/* checksum 2459212298 of the lines below */
 #ifndef CHOOSE_H
 #define CHOOSE_H
 
@@ -69,8 +69,20 @@ struct choose_choice {
     double growth;   /* of a displacement at the start, in the run */
     double horizon;  /* s; INFINITY: the run is inside it */
     double fastest;  /* 1/s: the largest rate that was met */
+    int scouts;      /* that were sent */
+    double meeting;  /* 1/s: of it, by attraction */
+    double passing;  /* 1/s: the rate at which balls could pass unseen */
+    double turning;  /* 1/s: at which springs with a length turn round;
+                        INFINITY: faster than any step */
     double deciding; /* cost of all this, s by the price list */
     char refusal[CHOOSE_REFUSAL];
+};
+
+/* What a choice has taught about a plan, for its check. */
+struct choose_known {
+    double order;            /* that was seen; 0: none */
+    double meeting, passing; /* 1/s, as above */
+    double turning;
 };
 
 /* A run that has been checked. */
@@ -96,9 +108,13 @@ bool choose(struct choose_choice *c, const struct choose_request *q);
 void choose_free(struct choose_choice *c);
 
 /* Runs a plan and checks it; unless fixed, tightens the steps until it
-   holds, or refuses. order 0: the method's. Returns as choose does. */
+   holds, or refuses. known: what was learnt of it in choosing, or NULL: it
+   is learnt now, and the order is the method's. Returns as choose does. */
 bool choose_carry(struct choose_run *r, const struct choose_request *q,
-                  const struct models_plan *plan, double order, bool fixed);
+                  const struct models_plan *plan,
+                  const struct choose_known *known, bool fixed);
+struct choose_known choose_known(const struct choose_choice *c,
+                                 size_t candidate);
 void choose_run_free(struct choose_run *r);
 
 #endif

@@ -1,5 +1,5 @@
 /* From chapters/08-scenes.nw: edit there, then run make tangle. */
-/* checksum 1964114359 of the lines below */
+/* checksum 4205889454 of the lines below */
 #include "gallery.h"
 
 #include <string.h>
@@ -30,12 +30,28 @@ size_t gallery_key(const struct gallery_scene *g, const char *name)
     return n;
 }
 
+const char *gallery_choose(struct scene *s,
+                           const struct gallery_scene list[],
+                           const char *name,
+                           const struct gallery_choice chosen[])
+{
+    const struct gallery_scene *g = gallery_find(list, name);
+    if (!g)
+        return "there is no such scene";
+    double value[GALLERY_KEYS];
+    const size_t keys = gallery_usual(g, value);
+    for (; chosen && chosen->key; ++chosen) {
+        const size_t k = gallery_key(g, chosen->key);
+        if (k == keys)
+            return "the scene has no such key";
+        value[k] = chosen->value;
+    }
+    return g->build(s, value);
+}
+
 const char *gallery_make(struct scene *s, const struct gallery_scene *g,
                          const char *name, double value)
 {
-    double values[GALLERY_KEYS + 1];
-    gallery_usual(g, values);
-    if (name)
-        values[gallery_key(g, name)] = value;
-    return g->build(s, values);
+    return gallery_choose(s, g, g->name,
+                          (struct gallery_choice[]){{name, value}, {0}});
 }

@@ -1,5 +1,5 @@
 /* From chapters/08-scenes.nw: edit there, then run make tangle. */
-/* checksum 3683102682 of the lines below */
+/* checksum 1650047087 of the lines below */
 #ifndef GALLERY_H
 #define GALLERY_H
 
@@ -24,6 +24,12 @@ struct gallery_scene {
     const char *(*build)(struct scene *s, const double value[]);
 };
 
+/* A value for a key; a list of choices ends with a key of NULL. */
+struct gallery_choice {
+    const char *key;
+    double value;
+};
+
 /* The scenes of chapters 9, 10 and 11. */
 extern const struct gallery_scene celestial_scenes[];
 extern const struct gallery_scene elastic_scenes[];
@@ -40,8 +46,15 @@ size_t gallery_usual(const struct gallery_scene *g,
 /* Returns which of the scene's keys has this name, or their number. */
 size_t gallery_key(const struct gallery_scene *g, const char *name);
 
-/* Makes the scene with its usual values, but for one: name may be NULL.
-   Returns as build does. */
+/* Makes the scene of this name with its usual values, but for those that
+   are chosen (NULL: none). Returns as build does, and says so when there is
+   no such scene or key. */
+const char *gallery_choose(struct scene *s,
+                           const struct gallery_scene list[],
+                           const char *name,
+                           const struct gallery_choice chosen[]);
+
+/* The same for a scene that was found and one choice: name may be NULL. */
 const char *gallery_make(struct scene *s, const struct gallery_scene *g,
                          const char *name, double value);
 

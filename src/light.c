@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 1592759977 of the lines below */
+/* checksum 726966367 of the lines below */
 #include "light.h"
 
 #include <math.h>
@@ -19,7 +19,7 @@ static double middle(const struct light *l, const struct scene *s,
 }
 
 struct place {
-    double square; /* of the distance from the middle */
+    double square; /* of the distance from the middle, m^2 */
     uint32_t body;
 };
 

@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 4183603849 of the lines below */
+/* checksum 1753043243 of the lines below */
 #ifndef LIGHT_H
 #define LIGHT_H
 
@@ -17,10 +17,11 @@ struct light {
     uint32_t *order;  /* [lights] from the nearest to the farthest */
     double *share; /* [bodies] by which what pulls a body is multiplied */
     double *inner; /* [lights] mass of the heavy ones and of the lights up
-                      to and including this one */
+                      to and including this one, kg */
     bool moving;   /* the heavy ones give way: Jacobi's coordinates */
-    double centre[SCENE_AXES], drift[SCENE_AXES]; /* of all the mass */
-    double fall[SCENE_AXES];                      /* its acceleration */
+    double centre[SCENE_AXES]; /* of all the mass at the start, m */
+    double drift[SCENE_AXES];  /* its velocity, m/s */
+    double fall[SCENE_AXES];   /* its acceleration, m/s^2 */
 };
 
 /* Sorts the bodies of s: is_heavy[i] says who pulls, which somebody must.

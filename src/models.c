@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 2925676358 of the lines below */
+/* checksum 2158175436 of the lines below */
 #include "models.h"
 
 #include "bonkers.h"
@@ -20,12 +20,13 @@
 #include <string.h>
 
 const struct models_price models_prices[MODELS_UNITS] = {
-    [MODELS_EVALUATION] = {"evaluation", "call of the forces", 19},
-    [MODELS_BODY] = {"body", "body in a call of the forces", 3.2},
+    [MODELS_EVALUATION] = {"evaluation", "call of the forces", 17},
+    [MODELS_BODY] = {"body", "body in a call of the forces", 4.5},
     [MODELS_PAIR] = {"pair", "pull between bodies", 7},
     [MODELS_SPRING] = {"spring", "force of a spring", 12},
-    [MODELS_ROD] = {"rod", "correction of a rod", 29},
-    [MODELS_CONTACT] = {"contact", "body looked at for overlaps", 65},
+    [MODELS_ROD] = {"rod", "correction of a rod", 25},
+    [MODELS_CONTACT] = {"contact", "body looked at for overlaps", 19},
+    [MODELS_OVERLAP] = {"overlap", "pair tested for an overlap", 4.5},
     [MODELS_LINE_EVENT] = {"line-event", "collision on a line", 30},
     [MODELS_LINE_SCAN] = {"line-scan", "gap looked at for it", 0.95},
     [MODELS_DISK_EVENT] = {"disk-event", "collision of disks", 50},
@@ -34,7 +35,8 @@ const struct models_price models_prices[MODELS_UNITS] = {
     [MODELS_FLIGHT] = {"flight", "coordinate moved freely", 4.2},
     [MODELS_ORDER] = {"order", "comparison of two bodies", 3.2},
     [MODELS_MODE] = {"mode", "operation on modes", 0.54},
-    [MODELS_TRIAL] = {"trial", "disk looked at for a trial move", 3.7}};
+    [MODELS_TRIAL] = {"trial", "disk looked at for a trial move", 3.7},
+};
 
 double models_cost(const double work[MODELS_UNITS])
 {
@@ -88,9 +90,7 @@ static bool is_active(const struct scene *s, const struct scene_spring *p)
            (is_free(s, p->a, ALL_AXES) || is_free(s, p->b, ALL_AXES));
 }
 
-/* Are two bodies that may act on each other at different places along axis
-   k? (Who may act: all if they collide or attract, or the springs' ends.)
- */
+/* Are two bodies at different places along axis k? */
 static bool is_spread(const struct scene *s, size_t k)
 {
     const double *x = s->position + k * s->bodies;
@@ -256,8 +256,8 @@ static double square_of_gravity(const struct scene *s)
                     most = fmax(most, square_of_pair(s, i, j));
     return most;
 }
-/* Adds what a spring puts into the rows of its two bodies: what it does to
-   the displacement of each, in units of the root of the mass. */
+/* Adds what a spring puts into the rows of its two bodies: its strength
+   over their mass, and over the root of both masses. */
 static void add_rows(const struct scene *s, const struct scene_spring *p,
                      double row[], double strength)
 {
@@ -299,6 +299,7 @@ static void bound_springs(const struct scene *s, double *square,
         add_rows(s, p, row, stiffness(s, p));
         add_rows(s, p, row + s->bodies, s->kind[p->kind].damping);
     }
+
     for (size_t i = 0; i < s->bodies; ++i) {
         *square = fmax(*square, row[i]);
         *rate = fmax(*rate, row[s->bodies + i]);
@@ -1336,6 +1337,7 @@ static const char *find_rest(struct vibration *w, struct models_run *r)
     const size_t n = w->modes.size;
     if (n > 0 && w->modes.square[0] < -1e-9 * w->modes.square[n - 1])
         return "the place of rest is not stable";
+
     return NULL;
 }
 
@@ -1445,7 +1447,7 @@ struct steps {
     struct light light;
     struct rods rods;
     bool lights, rodded;
-    uint64_t evaluations, corrections; /* counted so far */
+    uint64_t evaluations, corrections, tested; /* counted so far */
 };
 
 static void end_steps(struct models_run *r)
@@ -1539,9 +1541,17 @@ static double count_pulls(const struct steps *t)
 
 static size_t passes(const struct stepping_method *m)
 {
-    return m->family == STEPPING_IMPLICIT   ? 2 + 2 * m->stages
-           : m->family == STEPPING_EXPLICIT ? 3
+    return m->family == STEPPING_IMPLICIT   ? 1 + m->stages
+           : m->family == STEPPING_EXPLICIT ? 2
                                             : 1;
+}
+
+enum { LISTED = 3 }; /* what a spring in no band counts */
+
+static double count_springs(const struct steps *t)
+{
+    const struct springs *p = &t->motion.springs;
+    return (double)p->count + (LISTED - 1) * (double)p->listed;
 }
 
 static void count_steps(struct models_run *r, struct steps *t,
@@ -1556,9 +1566,14 @@ static void count_steps(struct models_run *r, struct steps *t,
     r->work[MODELS_BODY] +=
         more * n * (double)passes(r->plan.model->method);
     r->work[MODELS_PAIR] += more * count_pulls(t);
-    r->work[MODELS_SPRING] += more * (double)r->scene.springs;
-    if (t->motion.collides)
+    r->work[MODELS_SPRING] += more * count_springs(t);
+    if (t->motion.collides) {
         r->work[MODELS_CONTACT] += (double)steps * n;
+        r->work[MODELS_OVERLAP] +=
+            (double)(t->motion.spheres.tested - t->tested);
+        t->tested = t->motion.spheres.tested;
+    }
+
     if (t->rodded) {
         r->work[MODELS_ROD] +=
             (double)(t->rods.corrections - t->corrections) +

@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 1345466667 of the lines below */
+/* checksum 1100129354 of the lines below */
 #ifndef MODELS_H
 #define MODELS_H
 
@@ -13,14 +13,14 @@
 /* What is counted while a scene is carried. */
 enum models_unit {
     MODELS_EVALUATION, /* of all forces: the calls */
-    MODELS_BODY,       /* in each of them, a body: once, thrice in explicit
-                          stages, twice and twice a stage in implicit
-                          ones */
+    MODELS_BODY,       /* in each of them, a body: once, twice in explicit
+                          stages, once and once a stage in implicit ones */
     MODELS_PAIR,       /* a pull: of both bodies of a pair on each other up
                           to 32 bodies, of one on one beyond */
-    MODELS_SPRING,     /* a spring's force */
+    MODELS_SPRING,     /* a spring's force; thrice if it is in no band */
     MODELS_ROD,        /* one correction of one rod */
     MODELS_CONTACT,    /* a body looked at for overlaps after a step */
+    MODELS_OVERLAP,    /* and, for each pair that is tested */
     MODELS_LINE_EVENT, /* a collision on a line */
     MODELS_LINE_SCAN,  /* and, for each gap that is looked at */
     MODELS_DISK_EVENT, /* a collision of disks, or with a wall */

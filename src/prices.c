@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 572488564 of the lines below */
+/* checksum 2981255329 of the lines below */
 #include "prices.h"
 
 #include "gallery.h"
@@ -50,9 +50,14 @@ static bool make_beam(struct scene *s)
     return make(s, elastic_scenes, "cantilever", "nx", 12);
 }
 
-static bool make_gas(struct scene *s)
+static bool make_hundred(struct scene *s)
 {
-    return make(s, hard_scenes, "gas", NULL, 0);
+    return make(s, hard_scenes, "cradle", "balls", 100);
+}
+
+static bool make_brownian(struct scene *s)
+{
+    return make(s, hard_scenes, "brownian", NULL, 0);
 }
 
 static bool make_two(struct scene *s)
@@ -99,7 +104,8 @@ static const struct bout bouts[MODELS_UNITS] = {
     [MODELS_PAIR] = {make_circle, "pefrl:100", 0.1, 10},
     [MODELS_SPRING] = {make_membrane, "pefrl:100", 1, 10},
     [MODELS_ROD] = {make_pendulum, "leapfrog:2000,rods", 1, 10},
-    [MODELS_CONTACT] = {make_gas, "leapfrog:50", 0.1, 10},
+    [MODELS_CONTACT] = {make_hundred, "leapfrog:1000", 1, 10},
+    [MODELS_OVERLAP] = {make_brownian, "leapfrog:50", 0.05, 10},
     [MODELS_LINE_EVENT] = {make_two, "line", 1000, 10},
     [MODELS_LINE_SCAN] = {make_line, "line", 100, 10},
     [MODELS_DISK_EVENT] = {make_four, "disks", 100, 10},

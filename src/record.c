@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 2486650938 of the lines below */
+/* checksum 3752224823 of the lines below */
 #include "record.h"
 
 #include "toolbox/bench.h"
@@ -180,6 +180,7 @@ static void judge(struct record_view *v, double length)
 {
     const struct scales to = measure(v, length);
     v->speed = speed_of(&v->scene);
+    v->length = to.length;
     if (v->asked)
         judge_all(v, &to);
     else
@@ -334,6 +335,56 @@ static bool strays(const struct record *r, const struct record_view *v,
            !(row_apart(v, r->value + at, o->guide->value + at) <= o->apart);
 }
 
+/* How fast the ends of a spring pass each other, or have passed, within
+   this step, 1/s; 0: they do not. */
+static double spring_turns(const struct scene *s,
+                           const struct scene_spring *spring, double step)
+{
+    const size_t n = s->bodies, i = spring->a, j = spring->b;
+    double r2 = 0, v2 = 0, rv = 0;
+    for (size_t k = 0; k < SCENE_AXES; ++k) {
+        const double d = s->position[k * n + j] - s->position[k * n + i];
+        const double v = s->velocity[k * n + j] - s->velocity[k * n + i];
+        r2 += d * d;
+        v2 += v * v;
+        rv += d * v;
+    }
+    if (spring->rest == 0 || !(fabs(rv) <= step * v2) || v2 == 0)
+        return 0;
+    return sqrt(v2 / fmax(r2 - rv * rv / v2, 0));
+}
+
+static void watch(struct record *r, const struct models_run *run,
+                  double unit)
+{
+    const struct scene *s = &run->scene;
+    r->speed = fmax(r->speed, speed_of(s) / unit);
+    for (size_t j = 0; j < s->springs; ++j)
+        r->turning =
+            fmax(r->turning, spring_turns(s, &s->spring[j], run->every));
+}
+
+/* How many parts a row is run in. */
+static uint64_t parts_of(const struct record_order *o)
+{
+    return o->watched && o->plan.steps > 1 ? o->plan.steps : 1;
+}
+
+/* Runs one row, in its parts. */
+static enum models_end one_row(struct record *r,
+                               const struct record_order *o,
+                               struct models_run *run)
+{
+    const double unit = o->converted ? unit_length : 1;
+    for (uint64_t parts = parts_of(o); parts > 0; --parts) {
+        const enum models_end end = models_row(run);
+        if (end != MODELS_DONE)
+            return end;
+        watch(r, run, unit);
+    }
+    return MODELS_DONE;
+}
+
 static void carry(struct record *r, struct record_view *v,
                   const struct record_order *o, struct models_run *run)
 {
@@ -342,12 +393,11 @@ static void carry(struct record *r, struct record_view *v,
     look(v, run, unit, r->value);
     r->speed = speed_of(&v->scene);
     while (r->reached < o->rows && r->end == MODELS_DONE) {
-        r->end = models_row(run);
+        r->end = one_row(r, o, run);
         if (r->end != MODELS_DONE)
             break;
         ++r->reached;
         look(v, run, unit, r->value + r->reached * v->columns);
-        r->speed = fmax(r->speed, speed_of(&v->scene));
         if (strays(r, v, o))
             break;
     }
@@ -359,7 +409,10 @@ static bool set_out(struct record *r, struct record_view *v,
                     const struct record_order *o, const struct scene *s)
 {
     struct models_run run;
-    if (!models_begin(&run, &o->plan, s, o->every, &r->why)) {
+    struct models_plan plan = o->plan;
+    const uint64_t parts = parts_of(o);
+    plan.steps /= parts;
+    if (!models_begin(&run, &plan, s, o->every / (double)parts, &r->why)) {
         r->end = MODELS_BROKEN;
         return true;
     }

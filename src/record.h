@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 2478436445 of the lines below */
+/* checksum 2119221466 of the lines below */
 #ifndef RECORD_H
 #define RECORD_H
 
@@ -11,9 +11,10 @@ struct record_view {
     const struct observables *asked; /* NULL: all states, as step's rows */
     size_t columns;
     double *weight; /* [columns] 1/scale; 0: is shown, but not judged */
-    double *turn; /* [columns] after which a place is the same; 0: never */
-    double scale; /* of the first column that is judged */
-    double speed; /* the largest at the start, m/s */
+    double *turn;  /* [columns] after which a place is the same; 0: never */
+    double scale;  /* of the first column that is judged */
+    double length; /* of places, m */
+    double speed;  /* the largest at the start, m/s */
     const char *judged; /* and what that is: "positions", "energy", ... */
     /* ---- private */
     struct scene scene;
@@ -28,8 +29,10 @@ struct record {
     double *value;  /* [(rows + 1) * columns], so far as reached */
     double work[MODELS_UNITS];
     double cost;     /* of them, s by the price list */
-    double speed;    /* the largest at any row, m/s */
+    double speed;    /* the largest at any row, m/s; watched: at any step */
     double seconds;  /* of this processor */
+    double turning;  /* watched: how fast a spring with a length turned
+                        round at most, 1/s */
     const char *why; /* NULL, or why it could not begin */
 };
 
@@ -41,6 +44,7 @@ struct record_order {
     size_t rows;
     double limit;   /* cost, s by the price list */
     bool converted; /* computed in other units, which no bit should know */
+    bool watched;   /* a row is cut into its steps, to see all speeds */
     /* NULL, or what it is compared with, to be given up beyond `apart` */
     const struct record *guide;
     double apart;

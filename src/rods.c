@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 631062617 of the lines below */
+/* checksum 450519812 of the lines below */
 #include "rods.h"
 
 #include <math.h>
@@ -43,8 +43,9 @@ bool rods_create(struct rods *p, const struct scene *s,
     return true;
 }
 
-/* Adds share times the way, by the inverse masses, to q of the rod's first
-   end, and takes it off that of the other. */
+/* Adds share (kg, or kg/s for velocities) times the way (m), by the inverse
+   masses, to q of the rod's first end, and takes it off that of the other.
+ */
 static void shift_ends(const struct rods *p, const struct rods_rod *r,
                        const double way[3], double share, double q[])
 {
@@ -55,10 +56,10 @@ static void shift_ends(const struct rods *p, const struct rods_rod *r,
     }
 }
 
-/* The numbers of (12.7, eq:rods-shake): what the rod has moved to, x, and
-   from. */
+/* The numbers of (12.7, eq:rods-shake), and the way between a rod's ends
+   before the step. */
 struct rods_way {
-    double way[3], a, b, c; /* a, b and c in m^4, but c in m^2 */
+    double way[3], a, b, c; /* m, m^2/kg^2, m^2/kg, m^2 */
     double far;             /* the largest coordinate, m */
 };
 

@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 2806722 of the lines below */
+/* checksum 2576763515 of the lines below */
 #ifndef RODS_H
 #define RODS_H
 
@@ -20,12 +20,13 @@ struct rods_rod {
 struct rods {
     size_t bodies, count;
     struct rods_rod *rod;
-    double *weight; /* [3 * bodies] 1/m, 0 along a fixed coordinate */
-    struct stepping_forces forces;        /* of all that is no rod */
-    double *acceleration, *before, *last; /* [3 * bodies] */
-    bool fresh;                           /* acceleration belongs to last */
-    uint64_t corrections;                 /* of one rod, so far */
-    uint64_t evaluations;                 /* of the forces */
+    double *weight; /* [3 * bodies] 1/kg, 0 along a fixed coordinate */
+    struct stepping_forces forces; /* of all that is no rod */
+    double *acceleration;          /* [3 * bodies] m/s^2 */
+    double *before, *last;         /* [3 * bodies] m */
+    bool fresh;                    /* acceleration belongs to last */
+    uint64_t corrections;          /* of one rod, so far */
+    uint64_t evaluations;          /* of the forces */
 };
 
 /* Makes rods of so many springs of a scene, as long as the springs are now.

@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1829636510 of the lines below */
+/* checksum 3327514278 of the lines below */
 #include "scout.h"
 
 #include "models.h"
@@ -9,39 +9,78 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Of one pair: (12.11, eq:scout-rate). */
-static double pair_rate(const struct scene *s, size_t i, size_t j,
-                        double left, double little)
+/* Two bodies, seen from each other. */
+struct pair {
+    double pull;       /* k^2 (m1 + m2) */
+    double r2, v2, rv; /* squared distance and speed; r . v */
+};
+
+static struct pair pair_of(const struct scene *s, size_t i, size_t j)
 {
     const size_t n = s->bodies;
-    const double pull = s->k2 * (s->mass[i] + s->mass[j]);
-    double r2 = s->softening * s->softening, v2 = 0;
+    struct pair p = {s->k2 * (s->mass[i] + s->mass[j]),
+                     s->softening * s->softening, 0, 0};
     for (size_t k = 0; k < SCENE_AXES; ++k) {
         const double d = s->position[k * n + j] - s->position[k * n + i];
         const double v = s->velocity[k * n + j] - s->velocity[k * n + i];
-        r2 += d * d;
-        v2 += v * v;
+        p.r2 += d * d;
+        p.v2 += v * v;
+        p.rv += d * v;
     }
-    const double r = sqrt(r2), v = sqrt(v2);
-    const double round = pull / (r2 * r);
-    const double moved = 2 * pull * left;
-    if (!(moved > little * r * v))
-        return round;
-    return fmax(round, v2 / r2);
+    return p;
 }
 
-double scout_rate(const struct scene *s, double left, double little)
+/* The squared distance at which the two pass, or have passed, if that is so
+   near in time; else that of now. Source: (12.13, eq:scout-nearest). */
+static double nearest2(const struct pair *p, double around)
+{
+    if (!(fabs(p->rv) <= around * p->v2) || p->v2 == 0)
+        return p->r2;
+    return fmax(p->r2 - p->rv * p->rv / p->v2, 0);
+}
+
+/* Puts a passage that is too weak by this factor away. */
+static void put_away(double passed[], double weaker, double rate)
+{
+    size_t k = 0;
+    for (; k < SCOUT_DRAWERS && weaker > 1; ++k)
+        weaker /= 2;
+    if (k < SCOUT_DRAWERS)
+        passed[k] = fmax(passed[k], rate);
+}
+
+/* The squared rate of one pair: (12.11, eq:scout-rate). */
+static double pair_rate(const struct pair *p,
+                        const struct scout_sight *sight)
+{
+    const double round = p->pull / (p->r2 * sqrt(p->r2));
+    const double b2 = nearest2(p, sight->around);
+    const double moved = 2 * p->pull * sight->left;
+    const double counts = sight->little * sqrt(b2 * p->v2);
+    if (moved > counts) {
+        if (sight->nearest)
+            *sight->nearest = fmin(*sight->nearest, sqrt(b2));
+        return fmax(round, p->v2 / p->r2);
+    }
+    if (sight->passed && moved > 0)
+        put_away(sight->passed, counts / moved, sqrt(p->v2 / b2));
+    return round;
+}
+
+double scout_rate(const struct scene *s, const struct scout_sight *sight)
 {
     double most = 0;
     for (size_t i = 0; i < s->bodies; ++i)
         for (size_t j = 0; j < i; ++j)
-            if (s->mass[i] > 0 || s->mass[j] > 0)
-                most = fmax(most, pair_rate(s, i, j, left, little));
+            if (s->mass[i] > 0 || s->mass[j] > 0) {
+                const struct pair p = pair_of(s, i, j);
+                most = fmax(most, pair_rate(&p, sight));
+            }
     return sqrt(most);
 }
 
-/* rate * step: aimed at, and at most found after it. */
-static const double aim = 0.3, most_found = 0.5;
+/* rate * step, found after it: so many times what was aimed at, at most. */
+static const double most_found = 5.0 / 3;
 enum { FINEST = 40 }; /* halvings of a row */
 
 /* A look ahead under way. */
@@ -52,13 +91,28 @@ struct going {
     bool moving;
     int halvings; /* of the row: the step */
     double place; /* in the row, from 0 to 1 */
-    double every, end, little, limit;
+    const struct scout_order *o;
+    double nearest; /* passage so far in this row, m */
+    double end;     /* of the run, s */
     double springs; /* their rate, 1/s */
 };
 
-static double rate_now(const struct going *g, double time)
+static double step_of(const struct going *g)
 {
-    return fmax(scout_rate(&g->now, g->end - time, g->little), g->springs);
+    double step = g->o->every;
+    for (int k = 0; k < g->halvings; ++k)
+        step /= 2;
+    return step;
+}
+
+static double rate_now(struct going *g, double time)
+{
+    const struct scout_sight sight = {.left = g->end - time,
+                                      .little = g->o->little,
+                                      .around = step_of(g) / g->o->aim,
+                                      .passed = g->p->passed,
+                                      .nearest = &g->nearest};
+    return fmax(scout_rate(&g->now, &sight), g->springs);
 }
 
 /* The halvings that the rate asks for, and from which this place can be
@@ -66,21 +120,14 @@ static double rate_now(const struct going *g, double time)
 static int halvings_for(const struct going *g, double rate)
 {
     int k = 0;
-    double step = g->every, steps = g->place;
-    while (k < FINEST && (rate * step > aim || steps != floor(steps))) {
+    double step = g->o->every, steps = g->place;
+    while (k < FINEST &&
+           (rate * step > g->o->aim || steps != floor(steps))) {
         step /= 2;
         steps *= 2;
         ++k;
     }
     return k;
-}
-
-static double step_of(const struct going *g)
-{
-    double step = g->every;
-    for (int k = 0; k < g->halvings; ++k)
-        step /= 2;
-    return step;
 }
 
 static bool change_step(struct going *g, int halvings)
@@ -124,8 +171,8 @@ static bool try_step(struct going *g, double start, double *met)
     const double step = step_of(g);
     count(g, g->motion.stepping.evaluations - before);
     *met = rate_now(g, start + step);
-    if (end == STEPPING_DONE && *met * step <= most_found) {
-        g->place += step / g->every;
+    if (end == STEPPING_DONE && *met * step <= most_found * g->o->aim) {
+        g->place += step / g->o->every;
         g->now.time = start + step;
         return true;
     }
@@ -142,7 +189,7 @@ static bool step_on(struct going *g, size_t row, double *rate)
     double met;
     take_state(&g->before, &g->now);
     for (int halvings = halvings_for(g, *rate);
-         halvings < FINEST && g->p->cost <= g->limit; ++halvings) {
+         halvings < FINEST && g->p->cost <= g->o->limit; ++halvings) {
         g->now.time = start;
         if (!change_step(g, halvings))
             return false;
@@ -155,23 +202,35 @@ static bool step_on(struct going *g, size_t row, double *rate)
     return false;
 }
 
+static void note_row(struct going *g, size_t row)
+{
+    struct scout *p = g->p;
+    memcpy(p->place + row * p->coordinates, g->now.position,
+           p->coordinates * sizeof *p->place);
+    p->nearest[row] = g->nearest;
+    p->reached = row;
+    if (p->rate[row] > p->most) {
+        p->most = p->rate[row];
+        p->hardest = row;
+    }
+}
+
 static void go(struct going *g)
 {
     struct scout *p = g->p;
     const double start = g->now.time;
+    g->nearest = INFINITY;
     double rate = p->rate[0] = rate_now(g, start);
+    note_row(g, 0);
     for (size_t row = 1; row <= p->rows; ++row) {
         g->place = 0;
-        g->now.time = start + (double)(row - 1) * g->every;
+        g->nearest = INFINITY;
+        g->now.time = start + (double)(row - 1) * g->o->every;
         p->rate[row] = rate;
         while (g->place < 1)
             if (!step_on(g, row, &rate))
                 return;
-        p->reached = row;
-        if (p->rate[row] > p->most) {
-            p->most = p->rate[row];
-            p->hardest = row;
-        }
+        note_row(g, row);
     }
 }
 
@@ -187,18 +246,26 @@ static double springs_of(const struct scene *s)
     return acts.fastest;
 }
 
-bool scout_ahead(struct scout *p, const struct scene *s, double every,
-                 size_t rows, double little, double limit)
+static bool make_scout(struct scout *p, const struct scene *s, size_t rows)
+{
+    *p =
+        (struct scout){.rows = rows, .coordinates = SCENE_AXES * s->bodies};
+    p->rate = calloc((rows + 1) * (2 + p->coordinates), sizeof *p->rate);
+    if (!p->rate)
+        return false;
+    p->nearest = p->rate + rows + 1;
+    p->place = p->nearest + rows + 1;
+    return true;
+}
+
+bool scout_ahead(struct scout *p, const struct scene *s,
+                 const struct scout_order *o)
 {
     struct going g = {.p = p,
-                      .every = every,
-                      .little = little,
-                      .limit = limit,
+                      .o = o,
                       .springs = springs_of(s),
-                      .end = s->time + (double)rows * every};
-    *p = (struct scout){.rows = rows};
-    p->rate = calloc(rows + 1, sizeof *p->rate);
-    const bool now = p->rate && scene_copy(&g.now, s);
+                      .end = s->time + (double)o->rows * o->every};
+    const bool now = make_scout(p, s, o->rows) && scene_copy(&g.now, s);
     const bool before = now && scene_copy(&g.before, s);
     if (before)
         go(&g);
@@ -217,4 +284,29 @@ void scout_free(struct scout *p)
 {
     free(p->rate);
     *p = (struct scout){0};
+}
+
+/* The largest difference of a coordinate at the end of a row, m. */
+static double places_apart(const struct scout *a, const struct scout *b,
+                           size_t row)
+{
+    const double *x = a->place + row * a->coordinates;
+    const double *y = b->place + row * b->coordinates;
+    double most = 0;
+    for (size_t c = 0; c < a->coordinates; ++c)
+        most = fmax(most, fabs(x[c] - y[c]));
+    return most;
+}
+
+bool scout_agree(const struct scout *a, const struct scout *b)
+{
+    static const double sharp = 3;
+    if (a->reached < a->rows || b->reached < b->rows)
+        return false;
+    for (size_t row = 1; row <= a->rows; ++row) {
+        const double nearest = fmin(a->nearest[row], b->nearest[row]);
+        if (!(sharp * places_apart(a, b, row - 1) <= nearest))
+            return false;
+    }
+    return true;
 }

@@ -1,5 +1,5 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 1679502382 of the lines below */
+/* checksum 1916871275 of the lines below */
 #include "spheres.h"
 
 #include <math.h>
@@ -196,6 +196,7 @@ static void test(struct spheres *p, const struct spheres_edge *a,
     const double touching = a->radius + b->radius;
     const double near = touching + p->margin;
     double square = 0;
+    ++p->tested;
     for (size_t k = 0; k < SPHERES_AXES; ++k) {
         double d = fabs(b->place[k] - a->place[k]);
         if (d > p->half[k])

@@ -1,5 +1,5 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 1977776816 of the lines below */
+/* checksum 1209158454 of the lines below */
 #ifndef SPHERES_H
 #define SPHERES_H
 
@@ -63,6 +63,7 @@ struct spheres {
     /* ---- counted by spheres_resolve */
     uint64_t collisions, wall_collisions;
     uint64_t receding; /* of the collisions: of pairs that were parting */
+    uint64_t tested;   /* pairs looked at for an overlap */
     double impulse[SPHERES_AXES]; /* that walls across an axis took, N s */
     double virial; /* what collisions have added to the sum of m x v, J s */
     double depth;  /* the deepest overlap of a collision, m */

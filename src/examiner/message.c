@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 947564965 of the lines below */
+/* checksum 3097856826 of the lines below */
 #include "examiner/message.h"
 #include "examiner/text.h"
 
@@ -12,8 +12,7 @@ static const struct meaning {
 } meanings[] = {
     {"expected ';'", "expected ',' or ';'",
      "A statement ends with a semicolon, and one is missing: here, or at "
-     "the "
-     "end of the line above."},
+     "the end of the line above."},
     {"expected '=', ',', ';'", NULL,
      "The compiler lost its way here. Is a word misspelt, or a semicolon "
      "missing above?"},
@@ -24,8 +23,7 @@ static const struct meaning {
      "quotation mark copied from a page. Type it anew."},
     {"'else' without", NULL,
      "An else follows its if directly. Is there a semicolon behind the if, "
-     "or "
-     "are braces missing?"},
+     "or are braces missing?"},
     {"expected expression", NULL,
      "Something is missing here: a number, a name or a formula."},
     {"at end of input", "expected '}'",
@@ -38,12 +36,10 @@ static const struct meaning {
     {"implicit declaration", "implicitly declaring", NULL},
     {"No such file or directory", "file not found",
      "There is no header of this name. The kit has \"exercise.h\"; those "
-     "of "
-     "the C library stand in < and >."},
+     "of the C library stand in < and >."},
     {"has no member named", "no member named",
      "The structure has no such member. Its declaration stands at the top "
-     "of "
-     "the file."},
+     "of the file."},
     {"redefinition of", "redeclared as",
      "NAME is there twice. One of the two has to go, or needs another "
      "name."},
@@ -67,16 +63,13 @@ static const struct meaning {
      "structure, and the other a number?"},
     {"too few arguments", NULL,
      "The call has fewer values than the function takes. Compare it with "
-     "the "
-     "function's first line."},
+     "the function's first line."},
     {"too many arguments", NULL,
      "The call has more values than the function takes. Compare it with "
-     "the "
-     "function's first line."},
+     "the function's first line."},
     {"called object", NULL,
      "A parenthesis behind a number or a variable calls it, as if it were "
-     "a "
-     "function. Is a * missing in front of it?"},
+     "a function. Is a * missing in front of it?"},
     {"operands to binary ^", "operands to binary %",
      "The signs ^ and % are for whole numbers. A square is x * x, a power "
      "pow(x, y), a remainder fmod(x, y)."},
@@ -86,18 +79,15 @@ static const struct meaning {
      "pow(x, y), a remainder fmod(x, y)."},
     {"operands to binary", NULL,
      "These two cannot be combined. Is one of them an array, a pointer or "
-     "a "
-     "structure?"},
+     "a structure?"},
     {"read-only", "const-qualified",
      "This is const: it is given, and must not be changed."},
     {"lvalue required", "expression is not assignable",
      "On the left of = must stand something that can be changed, and this "
-     "is "
-     "a formula."},
+     "is a formula."},
     {"reaches end of non-void", "void function does not return a value",
      "There is a way through the function on which it ends without a "
-     "return. "
-     "What is its value then?"},
+     "return. What is its value then?"},
     {"'return' with a value", "should not return a value",
      "The function is void: it returns nothing. Where does its result "
      "belong?"},
@@ -105,8 +95,7 @@ static const struct meaning {
      "The function promises a value, and this return has none."},
     {"expects argument of type", "format specifies type",
      "printf is told of another type than it gets: %g is for double, %d "
-     "for "
-     "int, %zu for size_t."},
+     "for int, %zu for size_t."},
     {"assignment used as truth", "assignment as a condition",
      "A single = assigns; == compares. Which of them is meant?"},
     {"statement with no effect", "result unused",

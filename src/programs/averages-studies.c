@@ -1,5 +1,5 @@
 /* From chapters/12-averages.nw: edit there, then run make tangle. */
-/* checksum 1938597754 of the lines below */
+/* checksum 1963059632 of the lines below */
 #include "averages.h"
 #include "gallery.h"
 #include "start.h"
@@ -65,7 +65,7 @@ static struct averages_found ask(const struct scene *s, const char *name,
     struct averages_request q = {.scene = s,
                                  .until = until,
                                  .tolerance = tolerance,
-                                 .reason = 6,
+                                 .reason = AVERAGES_REASON,
                                  .model = model};
     struct averages_found f;
     char message[AVERAGES_TEXT];
@@ -166,9 +166,11 @@ static void study_patience(struct study *s)
     table_column(s->out, "error", "m", "and its error");
     table_column(s->out, "way", "", "1: springs, 2: law, 3: events");
     table_column(s->out, "springs", "m", "mean place by springs alone");
+    table_column(s->out, "springs_error", "", "and its error, of the box");
     for (int k = 0; k < TIMES && !progress_signal(); ++k) {
         const double T = 256 * ldexp(1, k);
         const struct averages_found f = ask(&piston, "x:20", T, 0.01, NULL);
+        const struct averages_candidate *springs = candidate(&f, "springs");
         const char *name = refused(&f) ? "" : f.candidate[f.taken].name;
         const double row[] = {T,
                               mean[k],
@@ -178,20 +180,9 @@ static void study_patience(struct study *s)
                               : *name == 'o' ? 2
                               : *name == 'e' ? 3
                                              : 0,
-                              candidate(&f, "springs")->value};
-        table_row(s->out, 6, row);
-        char key[32];
-        const struct averages_candidate *springs = candidate(&f, "springs");
-        if (k == 0) {
-            table_real(s->summary, "springs", springs->value);
-            table_real(s->summary, "springs_error", springs->error);
-        }
-        if (k == 3) {
-            table_real(s->summary, "answer", f.value);
-            table_real(s->summary, "answer_error", f.error * f.scale);
-        }
-        snprintf(key, sizeof key, "mean_%d", k);
-        table_real(s->summary, key, mean[k]);
+                              springs->value,
+                              springs->error};
+        table_row(s->out, 7, row);
     }
     scene_free(&piston);
 }
@@ -260,10 +251,6 @@ static void study_digits(struct study *s)
             price(&four, "x:0", e, "events"),
             price(&four, "x:0", e, "sampling")};
         table_row(s->out, 5, row);
-        if (e == 0.02) {
-            table_real(s->summary, "Z_ratio", row[2] / row[1]);
-            table_real(s->summary, "x_ratio", row[3] / row[4]);
-        }
     }
     scene_free(&gas);
     scene_free(&four);

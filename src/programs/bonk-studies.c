@@ -1,5 +1,5 @@
 /* From chapters/12-atlas.nw: edit there, then run make tangle. */
-/* checksum 2836935348 of the lines below */
+/* checksum 3732470883 of the lines below */
 #include "choose.h"
 #include "gallery.h"
 #include "models.h"
@@ -674,8 +674,9 @@ static void ask(struct pick *p, struct map *m, double tolerance)
     p->deciding = c.deciding;
     p->horizon = c.horizon;
     if (c.taken < c.candidates) {
-        const struct choose_candidate *k = &c.candidate[c.taken];
-        if (!choose_carry(&r, &q, &k->plan, k->order, false))
+        const struct choose_known known = choose_known(&c, c.taken);
+        if (!choose_carry(&r, &q, &c.candidate[c.taken].plan, &known,
+                          false))
             fail("no memory to carry");
         take_pick(p, m, &r);
         choose_run_free(&r);

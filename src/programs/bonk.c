@@ -1,5 +1,5 @@
-/* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 722822279 of the lines below */
+/* From chapters/12-bonk.nw: edit there, then run make tangle. */
+/* checksum 3570136797 of the lines below */
 #include "averages.h"
 #include "choose.h"
 #include "scene.h"
@@ -40,8 +40,8 @@ struct run {
     struct choose_request request;
     struct choose_choice choice;
     struct models_plan plan;
-    double order;
-    bool planned; /* the plan was given, with its steps */
+    struct choose_known known; /* unless it was */
+    bool planned;              /* the plan was given, with its steps */
     struct choose_run done;
     struct mean mean[MEANS_MOST];
     size_t means; /* 0: a run is asked for */
@@ -208,8 +208,12 @@ static void tell_asked(const struct run *r)
     tell(r,
          "asked for: %s within %.3g of %.6g, in %zu rows up to t = %.10g\n",
          c->judged, r->s->tolerance, c->scale, c->rows, r->s->until);
-    tell(r, "rounding: grows %.2g times, to %.2g\n", c->growth,
-         c->rounding);
+    if (c->scouts > 0)
+        tell(r, "scouts: %d; the fastest passage: %.3g a second\n",
+             c->scouts, c->meeting);
+    if (c->growth > 0)
+        tell(r, "rounding: grows %.2g times, to %.2g\n", c->growth,
+             c->rounding);
     if (isfinite(c->horizon))
         tell(r, "horizon: t = %.10g\n", c->horizon);
 }
@@ -266,8 +270,8 @@ static void tell_found(const struct run *r)
     if (r->done.refusal[0] == '\0')
         tell(r, "taken: %s\n", plan);
     tell(r,
-         "found: error %.2e, cost %.2e s (deciding %.2e s, checking %.2e "
-         "s)\n",
+         "found: error %.2e, cost %.2e s\n"
+         "besides: deciding %.2e s, checking %.2e s\n",
          r->done.error, r->done.cost, r->choice.deciding, r->done.checking);
 }
 
@@ -390,7 +394,7 @@ static const struct options_entry entries[] = {
      "pefrl:24 (24 steps in each row)"},
     {"reason", 'r', "S",
      "the dearest run that is reasonable, seconds by\n"
-     "the price list (600)"},
+     "the price list (600; 60 for averages)"},
     {"explain", 'x', NULL,
      "say what was looked at, and why; with -o FILE\n"
      "to standard output, else to standard error"},
@@ -453,16 +457,16 @@ static void read_settings(struct settings *s, int argc, char *argv[])
 {
     struct options o;
     int option;
-    *s = (struct settings){.until = NAN,
-                           .tolerance = NAN,
-                           .reason = 600,
-                           .summary = "/dev/null"};
+    *s = (struct settings){
+        .until = NAN, .tolerance = NAN, .summary = "/dev/null"};
     options_begin(&o, PROGRAM,
                   "Carry a scene through time at the least cost that holds "
                   "a tolerance.",
                   entries, argc, argv);
     while ((option = options_next(&o)) != -1)
         take_option(&o, s, option);
+    if (s->reason == 0)
+        s->reason = asks_for_means(s) ? AVERAGES_REASON : 600;
     s->command = options_command(&o);
     check_settings(&o, s);
 }
@@ -482,7 +486,7 @@ static bool decide(struct run *r)
     if (c->taken == c->candidates)
         return false;
     r->plan = c->candidate[c->taken].plan;
-    r->order = c->candidate[c->taken].order;
+    r->known = choose_known(c, c->taken);
     return true;
 }
 
@@ -491,8 +495,8 @@ static const char *carry(struct run *r)
 {
     if (!decide(r))
         return r->choice.refusal;
-    if (!choose_carry(&r->done, &r->request, &r->plan, r->order,
-                      r->planned)) {
+    if (!choose_carry(&r->done, &r->request, &r->plan,
+                      r->planned ? NULL : &r->known, r->planned)) {
         table_abandon();
         exit(EXIT_FAILURE);
     }

@@ -1,5 +1,5 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 205048335 of the lines below */
+/* checksum 1865644224 of the lines below */
 #include "celestial.h"
 #include "gravity.h"
 #include "kepler.h"
@@ -35,31 +35,20 @@ struct sky {
     struct stepping stepping;
 };
 
-/* A key of a scene and its value; a list ends with a name of NULL. */
-struct wish {
-    const char *key;
-    double value;
-};
-
 static void make_scene(struct scene *s, const char *name,
-                       const struct wish wishes[])
+                       const struct gallery_choice chosen[])
 {
-    const struct gallery_scene *g = gallery_find(celestial_scenes, name);
-    double value[GALLERY_KEYS];
-    gallery_usual(g, value);
-    for (; wishes->key; ++wishes)
-        value[gallery_key(g, wishes->key)] = wishes->value;
-    const char *wrong = g->build(s, value);
+    const char *wrong = gallery_choose(s, celestial_scenes, name, chosen);
     if (wrong)
         study_fail(PROGRAM, wrong);
 }
 
 static void begin_sky(struct sky *k, const char *name,
-                      const struct wish wishes[], const char *method,
-                      double dt)
+                      const struct gallery_choice chosen[],
+                      const char *method, double dt)
 {
     struct scene *s = &k->scene;
-    make_scene(s, name, wishes);
+    make_scene(s, name, chosen);
     gravity_create(&k->gravity, s->bodies, s->mass, s->k2, s->softening);
     if (!stepping_begin(&k->stepping, stepping_find(method),
                         gravity_forces(&k->gravity), dt, s->position,
@@ -104,7 +93,7 @@ static void measure_year(struct study *s)
 {
     struct sky k;
     double x[3], v[3], a, e, t;
-    begin_sky(&k, "sun-earth", (struct wish[]){{0}}, "leapfrog", 0.03);
+    begin_sky(&k, "sun-earth", NULL, "leapfrog", 0.03);
     const double *y = k.scene.position + 2, *m = k.scene.mass;
     const double pull = k.scene.k2 * (1 + m[1]);
     seen_from_first(&k.scene, 1, x, v);
@@ -155,8 +144,8 @@ static void study_sun_earth(struct study *s)
 {
     struct sky k[2];
     double x[3], v[3], u[3], after[3];
-    begin_sky(&k[0], "sun-earth", (struct wish[]){{0}}, "euler", 2);
-    begin_sky(&k[1], "sun-earth", (struct wish[]){{0}}, "leapfrog", 2);
+    begin_sky(&k[0], "sun-earth", NULL, "euler", 2);
+    begin_sky(&k[1], "sun-earth", NULL, "leapfrog", 2);
     const double pull = k[0].scene.k2 * (1 + k[0].scene.mass[1]);
     seen_from_first(&k[0].scene, 1, x, v);
     name_paths(s->out);
@@ -209,8 +198,8 @@ static double orbit_error(double e, const char *method, double evaluations)
     const uint64_t steps =
         (uint64_t)fmax(1, round(evaluations / (double)stages));
     begin_sky(&k, "sun-earth",
-              (struct wish[]){{"mass", 0}, {"speed", speed}, {0}}, method,
-              period / (double)steps);
+              (struct gallery_choice[]){{"mass", 0}, {"speed", speed}, {0}},
+              method, period / (double)steps);
     stepping_run(&k.stepping, steps);
     const double error =
         hypot(k.scene.position[1] - 1, k.scene.position[3]);
@@ -223,9 +212,10 @@ static void write_long_path(struct table *out)
     struct sky k;
     const double axis = 1 / 1.95;
     const double period = 2 * KEPLER_PI / CELESTIAL_K * axis * sqrt(axis);
-    begin_sky(&k, "sun-earth",
-              (struct wish[]){{"mass", 0}, {"speed", sqrt(0.05)}, {0}},
-              "leapfrog", period / 1000);
+    begin_sky(
+        &k, "sun-earth",
+        (struct gallery_choice[]){{"mass", 0}, {"speed", sqrt(0.05)}, {0}},
+        "leapfrog", period / 1000);
     table_print(out,
                 "\n\n# e = 0.95, leapfrog, 1000 steps an orbit: x y\n");
     for (int n = 0; n <= 6000; ++n) {
@@ -264,8 +254,8 @@ static void begin_fall(struct sky *k, const char *method, double step,
                        double softening, const struct kepler_elements *o)
 {
     double x[3], v[3];
-    begin_sky(k, "sun-earth", (struct wish[]){{"mass", 0}, {0}}, method,
-              step);
+    begin_sky(k, "sun-earth", (struct gallery_choice[]){{"mass", 0}, {0}},
+              method, step);
     k->gravity.softening = softening;
     kepler_place(CELESTIAL_K2, o, x, v);
     for (size_t i = 0; i < 3; ++i) {
@@ -365,8 +355,8 @@ static double lose_saturn(double jupiter)
 {
     struct sky k;
     begin_sky(&k, "solar-system",
-              (struct wish[]){{"jupiter", jupiter}, {0}}, "leapfrog",
-              365.25 / 180);
+              (struct gallery_choice[]){{"jupiter", jupiter}, {0}},
+              "leapfrog", 365.25 / 180);
     const double before = energy_of(&k);
     stepping_run(&k.stepping, 18000);
     const double error = fabs(energy_of(&k) / before - 1);
@@ -389,10 +379,10 @@ static void study_planets(struct study *s)
     const double years = duration(s, 1000);
     table_column(s->out, "t", "a", "time, in years of 365.25 days");
     for (int i = 0; i < JUPITERS; ++i) {
-        begin_sky(
-            &k[i], "solar-system",
-            (struct wish[]){{"jupiter", jupiters[i]}, {"planets", 5}, {0}},
-            "kahan-li8", 365.25 / 60);
+        begin_sky(&k[i], "solar-system",
+                  (struct gallery_choice[]){
+                      {"jupiter", jupiters[i]}, {"planets", 5}, {0}},
+                  "kahan-li8", 365.25 / 60);
         before[i] = energy_of(&k[i]);
         table_column(s->out, "e_E", "", "eccentricity of the Earth");
         table_column(s->out, "e_M", "", "eccentricity of Mars");
@@ -417,7 +407,8 @@ static void write_paths(struct study *s, double distance, double days)
 {
     struct sky k;
     begin_sky(&k, "circumbinary",
-              (struct wish[]){{"distance", distance}, {0}}, "kahan-li8", 1);
+              (struct gallery_choice[]){{"distance", distance}, {0}},
+              "kahan-li8", 1);
     const double *x = k.scene.position;
     table_print(s->out, "\n\n# planet at %g AU: t x y of A, B, P\n",
                 distance);
@@ -435,7 +426,7 @@ static void study_circumbinary(struct study *s)
     table_print(s->out, "# paths of Kepler-16, AU and days\n");
     write_paths(s, 0.7048, 240);
     write_paths(s, 0.445, 1900);
-    begin_sky(&k, "circumbinary", (struct wish[]){{0}}, "kahan-li8", 0.5);
+    begin_sky(&k, "circumbinary", NULL, "kahan-li8", 0.5);
     const double *v = k.scene.velocity;
     table_real(s->summary, "v_A", -v[3]);
     table_real(s->summary, "v_B", v[4]);
@@ -458,10 +449,10 @@ static int survivors(double distance, double periods)
     for (int phase = 0; phase < 8; ++phase) {
         struct sky k;
         begin_sky(&k, "circumbinary",
-                  (struct wish[]){{"distance", distance * binary},
-                                  {"phase", phase / 8.},
-                                  {"planet", 0},
-                                  {0}},
+                  (struct gallery_choice[]){{"distance", distance * binary},
+                                            {"phase", phase / 8.},
+                                            {"planet", 0},
+                                            {0}},
                   "leapfrog", binary_period / 100);
         const double *x = k.scene.position;
         double r = distance;
@@ -507,8 +498,7 @@ static void precision(const char *method, double evaluations,
     const struct stepping_method *m = stepping_find(method);
     const double step = binary_period * (double)m->stages / evaluations;
     const uint64_t steps = (uint64_t)ceil(400 / step);
-    begin_sky(&k, "circumbinary", (struct wish[]){{0}}, method,
-              400 / (double)steps);
+    begin_sky(&k, "circumbinary", NULL, method, 400 / (double)steps);
     k.stepping.compensated = true;
     const double before = energy_of(&k), *x = k.scene.position;
     *energy = 0;
@@ -587,7 +577,7 @@ static struct broken run_until_broken(struct study *s, size_t count)
         2 * KEPLER_PI / sqrt(celestial_choreography(count) / sqrt(8));
     double before = 0;
     begin_sky(&k, "choreography",
-              (struct wish[]){{"particles", (double)count}, {0}},
+              (struct gallery_choice[]){{"particles", (double)count}, {0}},
               "kahan-li8", period / PARTS_OF_ORBIT / 5);
     table_print(s->out, "\n\n# %zu bodies: orbits, deviation\n", count);
     while (b.orbits < 20 && before < 0.1) {
@@ -643,9 +633,8 @@ static double closure(const char *method, double steps, bool compensated)
 {
     struct sky k;
     struct scene right;
-    begin_sky(&k, "figure-eight", (struct wish[]){{0}}, method,
-              eight_period / steps);
-    make_scene(&right, "figure-eight", (struct wish[]){{0}});
+    begin_sky(&k, "figure-eight", NULL, method, eight_period / steps);
+    make_scene(&right, "figure-eight", NULL);
     k.stepping.compensated = compensated;
     stepping_run(&k.stepping, (uint64_t)steps);
     double worst = 0;
@@ -660,8 +649,7 @@ static void study_eight(struct study *s)
 {
     static const char *const methods[] = {"leapfrog", "rk4", "kahan-li8"};
     struct sky k;
-    begin_sky(&k, "figure-eight", (struct wish[]){{0}}, "kahan-li8",
-              eight_period / 240);
+    begin_sky(&k, "figure-eight", NULL, "kahan-li8", eight_period / 240);
     const double *x = k.scene.position;
     table_print(s->out, "# t, x y of three bodies\n");
     for (int n = 0; n <= 240; ++n) {
@@ -759,12 +747,12 @@ static void begin_ring(const struct study *s, struct sky *k, double period)
 {
     const struct settings *own = s->own;
     begin_sky(k, "ring",
-              (struct wish[]){{"factor", own->factor},
-                              {"moon", own->moon},
-                              {"moon-distance", 2.7},
-                              {"mixed", own->mixed},
-                              {"seed", (double)s->seed},
-                              {0}},
+              (struct gallery_choice[]){{"factor", own->factor},
+                                        {"moon", own->moon},
+                                        {"moon-distance", 2.7},
+                                        {"mixed", own->mixed},
+                                        {"seed", (double)s->seed},
+                                        {0}},
               "leapfrog", period / 200);
     k->gravity.kernel = (enum gravity_kernel)own->kernel;
     if (own->threads > 0)
@@ -819,9 +807,10 @@ static double precession(double e, double softening)
     const double axis = 1 / (1 + e);
     const double period = 2 * KEPLER_PI / CELESTIAL_K * axis * sqrt(axis);
     double x[3], v[3], before, now;
-    begin_sky(&k, "sun-earth",
-              (struct wish[]){{"mass", 0}, {"speed", sqrt(1 - e)}, {0}},
-              "kahan-li8", period / 400);
+    begin_sky(
+        &k, "sun-earth",
+        (struct gallery_choice[]){{"mass", 0}, {"speed", sqrt(1 - e)}, {0}},
+        "kahan-li8", period / 400);
     k.gravity.softening = softening;
     now = 0;
     do { /* until the next aphelion */
@@ -1011,7 +1000,7 @@ static void measure_two(double *general, double *by_hand)
 {
     const uint64_t steps = 2000000;
     struct sky k;
-    begin_sky(&k, "sun-earth", (struct wish[]){{0}}, "leapfrog", 0.03);
+    begin_sky(&k, "sun-earth", NULL, "leapfrog", 0.03);
     double begin = bench_seconds();
     stepping_run(&k.stepping, steps);
     *general = (bench_seconds() - begin) / (double)steps * 1e9;
@@ -1048,7 +1037,7 @@ static void study_speed(struct study *s)
 {
     struct sky k;
     double general[BENCH_ROUNDS], by_hand[BENCH_ROUNDS];
-    begin_sky(&k, "ring", (struct wish[]){{0}}, "leapfrog", 4);
+    begin_sky(&k, "ring", NULL, "leapfrog", 4);
     double *a = malloc(3 * k.scene.bodies * sizeof *a);
     if (!a)
         study_fail(PROGRAM, "no memory");
@@ -1108,7 +1097,7 @@ static void study_threads(struct study *s)
     for (size_t n = 63; n < 5000 && !progress_signal(); n = 4 * n + 3) {
         struct sky k;
         begin_sky(&k, "ring",
-                  (struct wish[]){{"particles", (double)n}, {0}},
+                  (struct gallery_choice[]){{"particles", (double)n}, {0}},
                   "leapfrog", 4);
         k.gravity.kernel = (enum gravity_kernel)own->kernel;
         double *a = calloc(3 * k.scene.bodies, sizeof *a);
@@ -1290,9 +1279,10 @@ static void compare_tree(struct study *s, size_t particles)
 {
     static const double theta[] = {0.2, 0.5};
     struct sky k;
-    begin_sky(&k, "ring",
-              (struct wish[]){{"particles", (double)particles}, {0}},
-              "leapfrog", 4);
+    begin_sky(
+        &k, "ring",
+        (struct gallery_choice[]){{"particles", (double)particles}, {0}},
+        "leapfrog", 4);
     const size_t n = k.scene.bodies;
     double *a = calloc(2 * n, sizeof *a), *b = calloc(3 * n, sizeof *b);
     if (!a || !b)

@@ -1,5 +1,5 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 1179093387 of the lines below */
+/* checksum 551075553 of the lines below */
 #include "blocks.h"
 #include "bonkers.h"
 #include "cells.h"
@@ -29,17 +29,11 @@ static double length_of(const struct study *s, double usual)
     return own->until > 0 ? own->until : usual;
 }
 
-/* Makes a scene of this chapter; so many of its keys have their values in
-   `to`, the others the usual ones. */
-static void make(struct scene *s, const char *name, size_t keys,
-                 const char *const key[], const double to[])
+/* Makes a scene of this chapter with what is chosen. */
+static void make(struct scene *s, const char *name,
+                 const struct gallery_choice chosen[])
 {
-    const struct gallery_scene *g = gallery_find(hard_scenes, name);
-    double value[GALLERY_KEYS];
-    gallery_usual(g, value);
-    for (size_t k = 0; k < keys; ++k)
-        value[gallery_key(g, key[k])] = to[k];
-    const char *wrong = g->build(s, value);
+    const char *wrong = gallery_choose(s, hard_scenes, name, chosen);
     if (wrong)
         study_fail(PROGRAM, wrong);
 }
@@ -166,9 +160,9 @@ static void gas_by_events(struct disks *d, double until, double value[])
 static void run_gas(uint64_t seed, int way, double dt, double until,
                     double value[])
 {
-    const double at = (double)seed;
     struct run r;
-    make(&r.scene, "gas", 1, (const char *const[]){"seed"}, &at);
+    make(&r.scene, "gas",
+         (struct gallery_choice[]){{"seed", (double)seed}, {0}});
     if (way < WAYS) {
         begin(&r, way, dt);
         gas_by_steps(&r, until, value);
@@ -332,7 +326,7 @@ static double fill_shells(const struct study *s, double shell[])
     struct run r;
     struct disks d;
     struct cells c;
-    make(&r.scene, "gas", 1, (const char *const[]){"seed"}, &seed);
+    make(&r.scene, "gas", (struct gallery_choice[]){{"seed", seed}, {0}});
     as_disks(&d, &r.scene);
     scene_free(&r.scene);
     const double E = disks_energy(&d), end = 10 * length_of(s, 60);
@@ -489,8 +483,8 @@ static double identity(struct run *r)
 static void begin_gas(struct run *r, const char *name, uint64_t seed,
                       enum scene_wall wall, int way, double dt)
 {
-    const double at = (double)seed;
-    make(&r->scene, name, 1, (const char *const[]){"seed"}, &at);
+    make(&r->scene, name,
+         (struct gallery_choice[]){{"seed", (double)seed}, {0}});
     r->scene.wall[0] = r->scene.wall[1] = wall;
     begin(r, way, dt);
 }
@@ -623,12 +617,15 @@ enum { ROWS = sizeof rows / sizeof *rows, BALLS = 5, DOUBLE = 4 };
 static void make_row(struct scene *s, int row, double gap,
                      double restitution)
 {
-    make(s, "cradle", 7,
-         (const char *const[]){"left", "right", "first", "last", "middle",
-                               "gap", "restitution"},
-         (const double[]){rows[row].left, rows[row].right, rows[row].first,
-                          rows[row].last, rows[row].middle, gap,
-                          restitution});
+    make(s, "cradle",
+         (struct gallery_choice[]){{"left", rows[row].left},
+                                   {"right", rows[row].right},
+                                   {"first", rows[row].first},
+                                   {"last", rows[row].last},
+                                   {"middle", rows[row].middle},
+                                   {"gap", gap},
+                                   {"restitution", restitution},
+                                   {0}});
 }
 
 static void begin_events(struct bonkers *b, const struct scene *s)
@@ -833,8 +830,9 @@ enum { RACK = 16, OUTCOMES = 100 };
 
 static void make_break(struct scene *s, double jitter, uint64_t seed)
 {
-    make(s, "break", 2, (const char *const[]){"jitter", "seed"},
-         (const double[]){jitter, (double)seed});
+    make(s, "break",
+         (struct gallery_choice[]){
+             {"jitter", jitter}, {"seed", (double)seed}, {0}});
 }
 
 static const double usual_break = 0.5; /* s */
@@ -957,9 +955,12 @@ static void make_packed(struct scene *s, double packing, uint64_t seed)
 {
     const double area = 250 * 3.14159265358979324 * 0.01 / packing;
     const double height = sqrt(area / 1.5);
-    make(s, "gas", 4,
-         (const char *const[]){"width", "height", "lattice", "seed"},
-         (const double[]){1.5 * height, height, 1, (double)seed});
+    make(s, "gas",
+         (struct gallery_choice[]){{"width", 1.5 * height},
+                                   {"height", height},
+                                   {"lattice", 1},
+                                   {"seed", (double)seed},
+                                   {0}});
 }
 
 /* Runs a gas for so long; its virial, and the time that it took. */

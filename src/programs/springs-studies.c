@@ -1,5 +1,5 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 3080021898 of the lines below */
+/* checksum 1280973873 of the lines below */
 #include "elastic.h"
 #include "modes.h"
 #include "springs.h"
@@ -34,23 +34,13 @@ struct run {
     struct stepping stepping;
 };
 
-/* A value for a key of a scene; a list ends with a key NULL. */
-struct choice {
-    const char *key;
-    double value;
-};
-
-/* The gallery's scene of this name with these values. */
+/* The gallery's scene of this name, with what is chosen. */
 static void make(struct scene *s, const char *name,
-                 const struct choice choices[])
+                 const struct gallery_choice chosen[])
 {
-    double value[GALLERY_KEYS];
-    const struct gallery_scene *g = gallery_find(elastic_scenes, name);
-    gallery_usual(g, value);
-    for (; choices && choices->key; ++choices)
-        value[gallery_key(g, choices->key)] = choices->value;
-    if (g->build(s, value))
-        no_memory();
+    const char *wrong = gallery_choose(s, elastic_scenes, name, chosen);
+    if (wrong)
+        study_fail(PROGRAM, wrong);
 }
 
 /* Prepares r->scene to be stepped. */
@@ -165,7 +155,7 @@ static void study_regimes(struct study *s)
     for (int k = 0; k < DAMPINGS; ++k) {
         table_column(s->out, "q", "m", "place of the mass");
         make(&r[k].scene, "oscillator",
-             (struct choice[]){{"damping", dampings[k]}, {0}});
+             (struct gallery_choice[]){{"damping", dampings[k]}, {0}});
         set_off(&r[k], stepping_find("leapfrog"), 0.05);
     }
     for (int n = 0; n <= 150; ++n) {
@@ -254,7 +244,7 @@ static void study_path(struct study *s)
     const double until = own->until > 0 ? own->until : 10;
     struct run r;
     make(&r.scene, "double-pendulum",
-         (struct choice[]){{"damping", own->damping}, {0}});
+         (struct gallery_choice[]){{"damping", own->damping}, {0}});
     set_off(&r, stepping_find("yoshida4"), every / 40);
     const double *x = r.scene.position, *z = x + 6, start = energy(&r);
     table_column(s->out, "t", "s", "time");
@@ -454,7 +444,7 @@ static bool rod_swing(uint64_t n, double place[4])
 {
     struct rod o = {0};
     make(&o.run.scene, "double-pendulum",
-         (struct choice[]){{"stiffness1", 0}, {0}});
+         (struct gallery_choice[]){{"stiffness1", 0}, {0}});
     set_off(&o.run, stepping_find("leapfrog"), 10 / (double)n);
     const double *const x = o.run.scene.position, *const z = x + 6;
     springs_accelerate(&o.run.springs, x, o.run.scene.velocity, o.a);
@@ -479,7 +469,7 @@ static void spring_swing(double stiffness, double place[4])
     const uint64_t n = (uint64_t)(10 * 100 * sqrt(stiffness / 100)) + 1000;
     struct run r;
     make(&r.scene, "double-pendulum",
-         (struct choice[]){{"stiffness1", stiffness}, {0}});
+         (struct gallery_choice[]){{"stiffness1", stiffness}, {0}});
     set_off(&r, stepping_find("kahan-li8"), 10 / (double)n);
     stepping_run(&r.stepping, n);
     const double *const x = r.scene.position, *const z = x + 6;
@@ -515,12 +505,12 @@ static void make_at_rest(struct scene *s, bool pendulum)
 {
     if (!pendulum) {
         make(s, "membrane",
-             (struct choice[]){
+             (struct gallery_choice[]){
                  {"rest", 0.8}, {"amplitude", 0}, {"damping", 0}, {0}});
         return;
     }
     make(s, "double-pendulum",
-         (struct choice[]){{"angle1", 0}, {"angle2", 0}, {0}});
+         (struct gallery_choice[]){{"angle1", 0}, {"angle2", 0}, {0}});
     s->position[7] = -2 * 1.8 / 5000;
     s->position[8] = s->position[7] - 1 - 1.8 / 5;
 }
@@ -568,7 +558,7 @@ static double excursion(const struct stepping_method *method, bool pendulum,
 }
 
 /* The method's limit of omega dt: upwards from low until it is unstable, by
-   2 per cent, then by halving. 0: it is never stable; INFINITY: it is even
+   1 per cent, then by halving. 0: it is never stable; INFINITY: it is even
    at 20. */
 static double find_limit(const struct stepping_method *m, bool pendulum,
                          uint64_t steps, double low)
@@ -578,7 +568,7 @@ static double find_limit(const struct stepping_method *m, bool pendulum,
         return 0;
     do {
         low = high;
-        high *= 1.02;
+        high *= 1.01;
     } while (high < 20 && excursion(m, pendulum, high, steps) < 1e-6);
     if (high >= 20)
         return INFINITY;
@@ -714,11 +704,11 @@ static double others(const struct scene *s, size_t n, double a)
 static void make_membrane(struct scene *s, double rest, double a, bool free)
 {
     make(s, "membrane",
-         (struct choice[]){{"rest", rest},
-                           {"amplitude", a},
-                           {"damping", 0},
-                           {"free", free},
-                           {0}});
+         (struct gallery_choice[]){{"rest", rest},
+                                   {"amplitude", a},
+                                   {"damping", 0},
+                                   {"free", free},
+                                   {0}});
 }
 
 enum { MEMBRANES = 3 };
@@ -742,7 +732,7 @@ static void note_amplitudes(struct study *s, int row, const double values[])
     static const char *const keys[] = {NULL,        "a",  "rest",     NULL,
                                        "free_rest", NULL, "taut_rest"};
     char key[24];
-    if (row != 10 && row != 50 && row != 100 && row != 400)
+    if (row != 10 && row != 50 && row != 100 && row != 400 && row != 4000)
         return;
     for (int k = 0; k < 7; ++k)
         if (keys[k]) {
@@ -843,14 +833,14 @@ static double measured(size_t n, size_t r, size_t half, size_t axis)
     struct run o;
     double home = 0;
     make(&o.scene, "membrane",
-         (struct choice[]){{"nx", (double)n},
-                           {"ny", (double)n},
-                           {"rest", 0.8},
-                           {"amplitude", 1e-5},
-                           {"damping", 0},
-                           {"r", (double)r},
-                           {"s", (double)half},
-                           {0}});
+         (struct gallery_choice[]){{"nx", (double)n},
+                                   {"ny", (double)n},
+                                   {"rest", 0.8},
+                                   {"amplitude", 1e-5},
+                                   {"damping", 0},
+                                   {"r", (double)r},
+                                   {"s", (double)half},
+                                   {0}});
     const size_t body = turn_to(&o.scene, axis, &home);
     set_off(&o, stepping_find("pefrl"), 0.01);
     const double time = ten_halves(&o, axis * n * n + body, home);
@@ -885,13 +875,13 @@ static double sag(struct scene *s, double g)
 {
     struct run r;
     make(&r.scene, "membrane",
-         (struct choice[]){{"nx", 9},
-                           {"ny", 9},
-                           {"amplitude", 0},
-                           {"gravity", g},
-                           {"friction", 1.5},
-                           {"damping", 0},
-                           {0}});
+         (struct gallery_choice[]){{"nx", 9},
+                                   {"ny", 9},
+                                   {"amplitude", 0},
+                                   {"gravity", g},
+                                   {"friction", 1.5},
+                                   {"damping", 0},
+                                   {0}});
     set_off(&r, stepping_find("leapfrog"), 0.05);
     stepping_run(&r.stepping, 20000);
     const double depth = -r.scene.position[2 * 81 + 40];
@@ -976,10 +966,10 @@ static void study_shapes(struct study *s)
         for (int still = 0; still < 2; ++still) {
             struct run r;
             make(&r.scene, "cantilever",
-                 (struct choice[]){{"gravity", 3},
-                                   {"diagonals", diagonals},
-                                   {"friction", still ? 2 : 0},
-                                   {0}});
+                 (struct gallery_choice[]){{"gravity", 3},
+                                           {"diagonals", diagonals},
+                                           {"friction", still ? 2 : 0},
+                                           {0}});
             set_off(&r, stepping_find("leapfrog"), 0.01);
             if (still)
                 settle(&r);
@@ -993,7 +983,7 @@ static void study_shapes(struct study *s)
 /* A beam: what is different from the usual one, and what it does. */
 struct beam {
     const char *name;
-    struct choice choice[3];
+    struct gallery_choice choice[3];
     double frequency, second, third, fastest; /* rad/s */
     double linear, still, lowest, time;
     size_t loose; /* modes without stiffness */
@@ -1137,7 +1127,8 @@ enum { SCATTER, GATHER, TWICE, SPEEDS };
 static void make_fast(struct run *r, size_t n, int way)
 {
     make(&r->scene, "membrane",
-         (struct choice[]){{"nx", (double)n}, {"ny", (double)n}, {0}});
+         (struct gallery_choice[]){
+             {"nx", (double)n}, {"ny", (double)n}, {0}});
     set_off(r, stepping_find("leapfrog"), 1e-3);
     r->springs.engine = way == SCATTER ? SPRINGS_SCATTER : SPRINGS_GATHER;
     if (way == TWICE)

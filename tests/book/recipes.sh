@@ -102,6 +102,36 @@ has 'and says where it comes from' \
     'recipes: chapters/01-x.nw:6: run bad ended with status 2, not 0:' "$said"
 is 'and leaves nothing behind' '' "$(ls build/runs | grep bad)"
 
+# A run that throws away the table of a figure makes it; another reads both.
+chapter '%run same: build/bin/walk -o /dev/null' '\result[1 to 4]{same}{steps}' \
+    '%run reads: cat build/runs/same.summary build/data/walk.dat' \
+    '%run other: build/bin/walk --seed 1 -o /dev/null'
+chapters/recipes
+rules=$(cat build/recipes/rules.mk)
+is 'a run and a figure with one command are made once' \
+    'build/bin/walk -o build/data/walk.dat --summary build/runs/same.summary' \
+    "$(sed -n '$p' build/recipes/run-same)"
+has 'the figure waits for the run' \
+    'build/data/walk.dat: build/runs/same.txt' "$rules"
+has 'the run does not wait for the figure' \
+    'build/runs/same.txt: build/recipes/run-same build/bin/walk
+' "$rules"
+is 'another command is another run' 'build/bin/walk --seed 1 -o /dev/null' \
+    "$(sed -n '$p' build/recipes/run-other)"
+has 'a run waits for what it reads' 'build/runs/reads.txt: '\
+'build/recipes/run-reads build/runs/same.summary build/data/walk.dat' "$rules"
+rm -f build/data/walk.dat
+make -s -f build/recipes/rules.mk build/runs/reads.txt >/dev/null
+is 'made once, all is there' '$ cat build/runs/same.summary build/data/walk.dat
+steps 3
+1 2' "$(cat build/runs/reads.txt)"
+is 'and the transcript shows what the chapter says' \
+    '$ build/bin/walk -o /dev/null
+walked' "$(cat build/runs/same.txt)"
+rm build/data/walk.dat
+make -s -f build/recipes/rules.mk build/data/walk.dat >/dev/null
+is 'a table that is lost is made again' '1 2' "$(cat build/data/walk.dat)"
+
 figure 01-b 'build/bin/walk --seed 2 -o build/data/walk.dat'
 said=$(chapters/recipes 2>&1)
 is 'two commands for one file are refused' 1 $?

@@ -158,7 +158,8 @@ static void test_conserved(void)
 }
 
 /* Every run, of two bodies or of many, shows Tonks's force to within the
-   bound (eq:averages-bound): checked on an engine of the test's own. */
+   bound (eq:averages-bound): checked on an engine of the test's own. A time
+   that is too short for the tolerance is refused. */
 static void test_tonks(void)
 {
     for (size_t n = 1; n <= 6; ++n) {
@@ -171,27 +172,39 @@ static void test_tonks(void)
             M += s.mass[i];
             radii += s.radius[i];
         }
-        const struct averages_found f = ask(&s, "pressure", T, 1e-9, NULL);
         const double free = 10 - 2 * radii,
                      room = 10 - s.radius[0] - s.radius[n - 1];
+        const double bound = free * sqrt(M / (2 * K)) / T;
+        const struct averages_found f =
+            ask(&s, "pressure", T, 1.01 * bound, NULL);
         UNIT_TRUE(taken(&f, "tonks"));
+        UNIT_EQUAL(f.candidate[f.taken].sure, AVERAGES_BOUND);
         UNIT_NEAR(f.value, room / free, 1e-13);
+        UNIT_NEAR(f.error, bound, 1e-13 * bound);
         const double force = fly(&s, T) / (2 * T);
-        UNIT_NEAR(force * room / (2 * K), f.value,
-                  f.value * free * sqrt(M / (2 * K)) / T);
+        UNIT_NEAR(force * room / (2 * K), f.value, f.error * f.scale);
+        const struct averages_found brief =
+            ask(&s, "pressure", T, 0.99 * bound, NULL);
+        UNIT_TRUE(refused(&brief) && strstr(brief.refusal, "ask for"));
         scene_free(&s);
     }
 }
 
-/* Two disks: 1.24017, as chapter 6 has it; and the middle of the box. */
+/* Two disks: 1.24017, as chapter 6 has it; and the middle of the box. But
+   only when there is time to forget the start. */
 static void test_two_disks(void)
 {
     struct scene s;
     make(&s, "four-disks", "particles", 2);
-    struct averages_found f = ask(&s, "pressure", 10, 1e-6, NULL);
+    struct averages_found f = ask(&s, "pressure", 1e5, 1e-6, NULL);
     UNIT_TRUE(taken(&f, "two-disks"));
-    UNIT_NEAR(f.value, 1.24017, 5e-6); /* as printed there */
+    UNIT_NEAR(f.value, 1.24017, 5e-6);        /* as printed there */
+    UNIT_TRUE(f.cost == 0 && f.deciding > 0); /* events bear it out */
+    f = ask(&s, "pressure", 10, 1e-6, NULL);
+    UNIT_TRUE(refused(&f));
     f = ask(&s, "y:1", 10, 1e-6, NULL);
+    UNIT_TRUE(refused(&f));
+    f = ask(&s, "y:1", 1e5, 1e-6, NULL);
     UNIT_TRUE(taken(&f, "two-disks"));
     UNIT_EQUAL(f.value, 0.5);
     s.mass[1] = 2; /* proved for equal masses only */
@@ -421,6 +434,73 @@ static void test_short(void)
     scene_free(&s);
 }
 
+/* What is much too dear is refused for little work, by all of the ways:
+   for a second by the price list, of a minute that is reasonable. */
+static void test_dear(void)
+{
+    static const struct {
+        const char *scene, *name, *model;
+        double tolerance;
+    } asked[] = {{"gas", "pressure", NULL, 1e-5},
+                 {"gas", "pressure", "sampling", 1e-5},
+                 {"gas", "x:5", NULL, 0.005},
+                 {"gas", "x:5", "sampling", 0.005},
+                 {"four-disks", "x:0", NULL, 1e-5},
+                 {"four-disks", "pressure", "events", 1e-6}};
+    for (size_t k = 0; k < sizeof asked / sizeof asked[0]; ++k) {
+        struct scene s;
+        make(&s, asked[k].scene, NULL, 0);
+        struct averages_request q = {.scene = &s,
+                                     .until = 1e9,
+                                     .tolerance = asked[k].tolerance,
+                                     .reason = AVERAGES_REASON,
+                                     .model = asked[k].model};
+        struct averages_found f;
+        char message[AVERAGES_TEXT];
+        UNIT_TRUE(averages_read(&q.quantity, asked[k].name, &s, message));
+        UNIT_TRUE(averages_find(&f, &q));
+        UNIT_TRUE(refused(&f) && strstr(f.refusal, "price list"));
+        UNIT_TRUE(f.cost + f.deciding < 1);
+        scene_free(&s);
+    }
+}
+
+/* Disks that cannot pass each other, and all the time in the world: that
+   they keep their places is known long before the price is paid. */
+static void test_locked(void)
+{
+    struct scene s;
+    make(&s, "four-disks", NULL, 0);
+    for (size_t i = 0; i < 4; ++i) {
+        s.radius[i] = 0.22;
+        s.position[i] = i % 2 ? 0.75 : 0.25;
+        s.position[4 + i] = i / 2 ? 0.75 : 0.25;
+    }
+    const struct averages_found f = ask(&s, "x:0", 1e9, 0.1, NULL);
+    UNIT_TRUE(refused(&f) && strstr(f.refusal, "just alike"));
+    UNIT_TRUE(f.cost + f.deciding < 0.5); /* of 5 */
+    scene_free(&s);
+}
+
+/* The tolerance that a refusal offers is held when it is asked for. */
+static void test_offer(void)
+{
+    struct scene s;
+    make(&s, "four-disks", NULL, 0);
+    struct averages_request q = {
+        .scene = &s, .until = 1e9, .tolerance = 1e-5, .reason = 0.2};
+    struct averages_found f;
+    UNIT_TRUE(averages_find(&f, &q));
+    const char *offer = refused(&f) ? strstr(f.refusal, "; ") : NULL;
+    UNIT_TRUE(offer && strstr(offer, " fits"));
+    q.tolerance = offer ? strtod(offer + 2, NULL) : 1;
+    UNIT_TRUE(q.tolerance > 1e-5 && q.tolerance < 0.1);
+    UNIT_TRUE(averages_find(&f, &q));
+    UNIT_TRUE(!refused(&f) && f.error <= q.tolerance);
+    UNIT_TRUE(f.cost + f.deciding < 0.3);
+    scene_free(&s);
+}
+
 int main(void)
 {
     return unit_run(
@@ -442,5 +522,9 @@ int main(void)
             {"names are read, and others refused", test_read},
             {"scenes without an average are refused", test_refusals},
             {"too short a time is refused with a better one", test_short},
+            {"what is much too dear is refused at little cost", test_dear},
+            {"disks that are locked in are refused at little cost",
+             test_locked},
+            {"the tolerance that is offered can be had", test_offer},
             {0}});
 }

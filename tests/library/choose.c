@@ -115,10 +115,12 @@ static void test_rate(void)
     s.mass[0] = 3;
     s.k2 = 1;
     s.position[1] = 2;
-    UNIT_NEAR(scout_rate(&s, 1, 0), sqrt(0.5), 1e-15);
+    struct scout_sight sight = {.left = 1};
+    UNIT_NEAR(scout_rate(&s, &sight), sqrt(0.5), 1e-15);
     s.velocity[3] = 6;
-    UNIT_NEAR(scout_rate(&s, 1, 0), 3, 1e-15);
-    UNIT_NEAR(scout_rate(&s, 1, 1), sqrt(0.5), 1e-15);
+    UNIT_NEAR(scout_rate(&s, &sight), 3, 1e-15);
+    sight.little = 1;
+    UNIT_NEAR(scout_rate(&s, &sight), sqrt(0.5), 1e-15);
     scene_free(&s);
 }
 
@@ -136,14 +138,16 @@ static void test_scout(void)
     s.position[1] = 1.9;
     s.velocity[3] = 0.2294157338705618; /* sqrt(.1/1.9) */
     const double period = 6.283185307179586;
-    UNIT_TRUE(scout_ahead(&p, &s, period / 15, 15, 0, INFINITY));
+    struct scout_order order = {
+        .every = period / 15, .rows = 15, .aim = 0.3, .limit = INFINITY};
+    UNIT_TRUE(scout_ahead(&p, &s, &order));
     UNIT_EQUAL((double)p.reached, 15);
     UNIT_EQUAL((double)p.hardest, 8);
     UNIT_NEAR(p.most, 43.59, 0.5);
     UNIT_TRUE(p.rate[1] < 1);
-    const double half = p.cost / 2;
+    order.limit = p.cost / 2;
     scout_free(&p);
-    UNIT_TRUE(scout_ahead(&p, &s, period / 15, 15, 0, half));
+    UNIT_TRUE(scout_ahead(&p, &s, &order));
     UNIT_TRUE(p.reached > 0 && p.reached < 15);
     scout_free(&p);
     scene_free(&s);
@@ -237,8 +241,9 @@ static void check_pick(const struct trial *t, struct scene *s,
     struct record_view v;
     UNIT_TRUE(choose(&c, &q));
     UNIT_TRUE(c.taken < c.candidates);
-    UNIT_TRUE(choose_carry(&r, &q, &c.candidate[c.taken].plan,
-                           c.candidate[c.taken].order, false));
+    const struct choose_known known = choose_known(&c, c.taken);
+    UNIT_TRUE(
+        choose_carry(&r, &q, &c.candidate[c.taken].plan, &known, false));
     UNIT_TRUE(r.value != NULL);
     UNIT_TRUE(record_look(&v, "choose", s, NULL, t->until));
     struct record truth = recorded(&v, s, t->until, t->truth, false);
@@ -295,6 +300,92 @@ static void test_horizon(void)
     scene_free(&s);
 }
 
+/* Masses 3 and 1, ten apart, approach with 5 and will pass at 1, in two
+   seconds: 2*4*1 > 1*5, but not 1*5*sqrt(101). Where little is ten times as
+   much the passage goes into drawer 3: 50/8 = 6.25 = 2^2.6. */
+static void test_nearest(void)
+{
+    struct scene s;
+    double nearest = INFINITY, passed[SCOUT_DRAWERS] = {0};
+    UNIT_TRUE(scene_create(&s, 2));
+    s.mass[0] = 3;
+    s.k2 = 1;
+    s.position[1] = 10;
+    s.position[3] = 1;
+    s.velocity[1] = -5;
+    struct scout_sight sight = {.left = 1,
+                                .little = 1,
+                                .around = 1.9,
+                                .passed = passed,
+                                .nearest = &nearest};
+    const double round = sqrt(4 / (101 * sqrt(101)));
+    UNIT_NEAR(scout_rate(&s, &sight), round, 1e-15);
+    UNIT_TRUE(isinf(nearest));
+    sight.around = 2.1;
+    UNIT_NEAR(scout_rate(&s, &sight), 5 / sqrt(101), 1e-15);
+    UNIT_NEAR(nearest, 1, 1e-14);
+    s.velocity[1] = 5; /* the same, two seconds ago */
+    UNIT_NEAR(scout_rate(&s, &sight), 5 / sqrt(101), 1e-15);
+    UNIT_NEAR(passed[3], 5 / sqrt(101), 1e-15); /* while it was far */
+    sight.little = 10;
+    UNIT_NEAR(scout_rate(&s, &sight), round, 1e-15);
+    UNIT_NEAR(passed[3], 5, 1e-13);
+    UNIT_EQUAL(passed[2] + passed[4], 0);
+    scene_free(&s);
+}
+
+/* Two scouts know where they have been if that is a third of the distance
+   at which bodies have passed in the row that follows. */
+static void test_agree(void)
+{
+    double here[] = {0, 0}, there[] = {0.33, 9}, near[] = {9, 1};
+    struct scout a = {.rows = 1,
+                      .reached = 1,
+                      .coordinates = 1,
+                      .place = here,
+                      .nearest = near};
+    struct scout b = a;
+    b.place = there;
+    UNIT_TRUE(scout_agree(&a, &b));
+    there[0] = 0.34;
+    UNIT_TRUE(!scout_agree(&a, &b));
+    a.reached = 0;
+    there[0] = 0;
+    UNIT_TRUE(!scout_agree(&a, &b));
+}
+
+/* A mass of 1 on a spring of 1 N/m, let go 1.5 m from its place of rest:
+   looked at once in a period it rests, watched it moves with 1.5 m/s. If
+   the spring is 1 m long, it turns round in its anchor. */
+static void test_watched(void)
+{
+    const double period = 6.283185307179586;
+    struct record_view v;
+    struct scene s = made("oscillator", "displacement", 1.5);
+    s.kind[0].damping = 0;
+    for (int k = 0; k < 2; ++k) {
+        struct record r;
+        struct record_order o = {.scene = &s,
+                                 .plan = plan("pefrl:64"),
+                                 .every = period,
+                                 .rows = 1,
+                                 .limit = INFINITY};
+        UNIT_TRUE(record_look(&v, "choose", &s, NULL, period));
+        UNIT_TRUE(record_run(&r, &v, &o));
+        UNIT_TRUE(k > 0 || r.speed < 1e-2);
+        record_free(&r);
+        o.watched = true;
+        UNIT_TRUE(record_run(&r, &v, &o));
+        UNIT_TRUE(r.reached == 1);
+        UNIT_TRUE(k > 0 || fabs(r.speed - 1.5) < 0.01);
+        UNIT_TRUE(k == 0 ? r.turning == 0 : r.turning > 1e9);
+        record_free(&r);
+        record_look_away(&v);
+        s.spring[0].rest = 1;
+    }
+    scene_free(&s);
+}
+
 /* Observables have scales of their own: the energy of the figure eight is
    held by fewer steps than its places; and what may not cost anything is
    refused, with the cost. */
@@ -331,10 +422,10 @@ static void test_carry(void)
     const struct choose_request q = asked(&s, 20, 1e-3);
     const struct models_plan p = plan("pefrl:4");
     struct choose_run r;
-    UNIT_TRUE(choose_carry(&r, &q, &p, 0, true));
+    UNIT_TRUE(choose_carry(&r, &q, &p, NULL, true));
     UNIT_TRUE(r.value == NULL && r.error > 1e-3 && r.refusal[0] != '\0');
     choose_run_free(&r);
-    UNIT_TRUE(choose_carry(&r, &q, &p, 0, false));
+    UNIT_TRUE(choose_carry(&r, &q, &p, NULL, false));
     UNIT_TRUE(r.value != NULL && r.error <= 1e-3 && r.tightened > 0);
     UNIT_TRUE(r.plan.steps > 4);
     choose_run_free(&r);
@@ -352,6 +443,9 @@ int main(void)
             {"the rate of a pair", test_rate},
             {"the scout meets what is in the middle of the run",
              test_scout},
+            {"a passage counts by its nearest point", test_nearest},
+            {"two scouts agree, or not", test_agree},
+            {"between two rows speeds and turns are seen", test_watched},
             {"what has a closed form is carried so", test_exact},
             {"picks hold, and none is 1.5 times cheaper", test_stepped},
             {"beyond the horizon nothing is carried", test_horizon},

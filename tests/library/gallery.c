@@ -138,6 +138,29 @@ static void test_ends(void)
     UNIT_EQUAL(for_all(check_ends), 0);
 }
 
+/* Chosen values, and refusals of what is not there, as build makes them. */
+static void test_chosen(void)
+{
+    const struct gallery_scene *g = gallery_find(hard_scenes, "cradle");
+    double value[GALLERY_KEYS];
+    struct scene s, t;
+    gallery_usual(g, value);
+    value[gallery_key(g, "left")] = 2;
+    value[gallery_key(g, "gap")] = 0.25;
+    CU_ASSERT_PTR_NULL_FATAL(g->build(&s, value));
+    CU_ASSERT_PTR_NULL_FATAL(gallery_choose(
+        &t, hard_scenes, "cradle",
+        (struct gallery_choice[]){{"left", 2}, {"gap", 0.25}, {0}}));
+    CU_ASSERT(scene_same(&s, &t));
+    scene_free(&s);
+    scene_free(&t);
+    CU_ASSERT_PTR_NOT_NULL(gallery_choose(
+        &t, hard_scenes, "cradle",
+        (struct gallery_choice[]){{"gap", 0.25}, {"leff", 2}, {0}}));
+    CU_ASSERT_PTR_NOT_NULL(
+        gallery_choose(&t, elastic_scenes, "cradle", NULL));
+}
+
 int main(void)
 {
     return unit_run("gallery",
@@ -146,5 +169,6 @@ int main(void)
                         {"every scene has its own name", test_names},
                         {"scenes come back from files", test_written},
                         {"keys at their ends do no harm", test_ends},
+                        {"what is chosen, and nothing else", test_chosen},
                         {0}});
 }

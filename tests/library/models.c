@@ -768,6 +768,20 @@ static void test_work(void)
     UNIT_EQUAL(r.work[MODELS_CONTACT], 2500);
     models_end(&r);
     scene_free(&scene);
+    /* Of five balls all ten pairs are tested after each step; a stage of
+       rk4 counts twice, and a pendulum's springs, in no band, thrice. */
+    make("cradle", NULL);
+    r = run_of("rk4:50", 0.1, 1);
+    UNIT_EQUAL(r.work[MODELS_CONTACT], 250);
+    UNIT_EQUAL(r.work[MODELS_OVERLAP], 500);
+    UNIT_EQUAL(r.work[MODELS_BODY], 50 * 4 * 5 * 2);
+    models_end(&r);
+    scene_free(&scene);
+    make("double-pendulum", NULL);
+    r = run_of("symplectic-euler:50", 0.1, 1);
+    UNIT_EQUAL(r.work[MODELS_SPRING], 50 * 2 * 3);
+    models_end(&r);
+    scene_free(&scene);
 }
 
 /* A run that breaks down, and one that comes to a standstill. */

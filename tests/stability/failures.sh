@@ -388,6 +388,16 @@ late_comet() { # the pair's places, with the step that did before the comet
         { print sqrt((x - $4) ^ 2 + (y - $5) ^ 2) }' "$w/o" "$w/t" |
         tail -n 1
 }
+through_anchor() { # PEFRL, 12 steps in 63/16 s, against a million
+    cp tests/stability/misleading/through-anchor.plist "$w/p"
+    steps --method pefrl --dt 0.328125 --until 63 --every 63 --observe x:1
+    key energy_error
+    cp "$w/t" "$w/o"
+    steps --method leapfrog --dt 3.9375e-05 --until 63 --every 63 \
+        --observe x:1
+    awk '/^#/ { next } NR == FNR { x = $2; next } { y = $2 }
+        END { d = (x - y) / 2.5; print (d < 0 ? -d : d) }' "$w/o" "$w/t"
+}
 
 # ---- the checks ----
 

@@ -18,8 +18,9 @@
                 place
    To fill in:
      potential  potential[i] is that of all OTHER bodies at the place of
-   body i, for each kilogram there: in m^2/s^2 Returns the potential energy
-   of all bodies together, in J. A pair of them has one energy.
+                body i, for each kilogram there: in m^2/s^2
+   Returns the potential energy of all bodies together, in J. A pair of them
+   has one energy.
 
    Check your answer with    make check EX=09a
    Hints ask before they tell: the book's appendix "Hints", which shows

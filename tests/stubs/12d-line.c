@@ -15,10 +15,10 @@
               All other forces act along the lines from body to body.
    To fill in:
      along    a vector along the line, of any length and in either
-   direction, but not (0, 0, 0). Only where every line through the bodies
-              will do it is to be (0, 0, 0): all are at one place and at
-              rest, and without weight. When there is no line, what is in it
-              does not matter.
+              direction, but not (0, 0, 0). Only where every line through
+              the bodies will do it is to be (0, 0, 0): all are at one place
+              and at rest, and without weight. When there is no line, what
+              is in it does not matter.
    Returns whether there is a straight line which does not move and which
    the bodies never leave: all of them are on it now, and their velocities
    and the weight point along it.

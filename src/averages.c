@@ -1,5 +1,5 @@
 /* From chapters/12-averages.nw: edit there, then run make tangle. */
-/* checksum 4110382127 of the lines below */
+/* checksum 2104615198 of the lines below */
 #include "averages.h"
 
 #include "blocks.h"
@@ -284,6 +284,7 @@ struct way {
     double inefficiency;
     uint64_t samples;
     bool looked, plateau, steady, mixed;
+    bool contradicted;          /* a chain, by events */
     double first, sum, squares; /* of samples, from the first one on */
     double spread; /* of the means of bodies that are alike, m */
     uint64_t taken;
@@ -849,6 +850,32 @@ static struct way *most_promising(struct way way[], size_t ways)
     return best;
 }
 
+/* Does the motion, as far as it has been looked at, what the chain says? */
+static bool agrees(const struct way *chain, const struct way *events)
+{
+    const struct search *h = chain->h;
+    const double off =
+        fabs(chain->mean - events->mean) / scale_of(h, chain->mean);
+    return events->looked && off <= 1.5 * (chain->error + events->error);
+}
+
+/* Lets events go on until they bear a chain out, or are over. Returns false
+   without memory. */
+static bool ask_events(struct way way[2], bool *good)
+{
+    struct way *events = &way[0], *chain = &way[1];
+    *good = events->why != NULL;
+    while (!*good && !events->over) {
+        if (!advance(events))
+            return false;
+        *good = agrees(chain, events);
+        events->over = events->over || beyond(events);
+    }
+    chain->contradicted = !*good;
+    chain->over = chain->over || chain->contradicted;
+    return true;
+}
+
 /* Lets the ways go on, always the one that promises most, until one holds
    or bears the law out: *winner, NULL if none. Returns false without
    memory. */
@@ -860,7 +887,10 @@ static bool race(struct way way[], size_t ways,
     while ((w = most_promising(way, ways))) {
         if (!advance(w))
             return false;
-        if (trusted(w, law)) {
+        bool good = trusted(w, law);
+        if (good && w == &way[1] && !ask_events(way, &good))
+            return false;
+        if (good) {
             *winner = w;
             break;
         }
@@ -875,11 +905,15 @@ static void report(const struct way *w, struct averages_candidate *c)
     c->value = w->looked ? w->mean : NAN;
     c->error = w->looked ? w->error : NAN;
     c->cost = predicted(w);
-    c->sure = holds(w) ? AVERAGES_ESTIMATE : AVERAGES_OUT;
+    c->sure =
+        holds(w) && !w->contradicted ? AVERAGES_ESTIMATE : AVERAGES_OUT;
     if (w->why)
         snprintf(c->text, AVERAGES_TEXT, "%s", w->why);
     else if (!w->looked)
         snprintf(c->text, AVERAGES_TEXT, "dearer before its first look");
+    else if (w->contradicted)
+        snprintf(c->text, AVERAGES_TEXT,
+                 "the motion does not go where the chain goes");
     else if (!w->mixed)
         snprintf(c->text, AVERAGES_TEXT,
                  "bodies that are just alike have means up to %.3g of the "

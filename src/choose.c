@@ -1,5 +1,5 @@
 /* From chapters/12-pick.nw: edit there, then run make tangle. */
-/* checksum 472936366 of the lines below */
+/* checksum 1855319850 of the lines below */
 #include "choose.h"
 
 #include "scout.h"
@@ -75,11 +75,12 @@ struct chooser {
     size_t rows;
     bool scouted;
     struct scout scout;
-    double little;  /* m: a passage that moves by less does not count */
-    bool settled;   /* two scouts have brought home the same */
-    double passing; /* 1/s: bodies that meet must not pass unseen */
-    double turning; /* 1/s: nor springs turn round */
-    bool kinked;    /* but they do, faster than steps can be short */
+    double little;   /* m: a passage that moves by less does not count */
+    bool settled;    /* two scouts have brought home the same */
+    double passing;  /* 1/s: bodies that meet must not pass unseen */
+    double turning;  /* 1/s: nor springs turn round */
+    double swinging; /* 1/s: of springs that implicit methods must follow */
+    bool kinked;     /* but they do, faster than steps can be short */
     struct models_plan look;       /* the plan that looks ahead */
     struct record looked, rounded; /* by it; and in other units */
     struct record guide;           /* exact, if any is */
@@ -126,7 +127,9 @@ static struct record_order order_of(const struct chooser *h,
                                  .plan = plan,
                                  .every = h->q->every,
                                  .rows = h->rows,
-                                 .limit = limit};
+                                 .limit = limit,
+                                 .little = 0.1 * h->q->tolerance *
+                                           h->view.length};
 }
 
 /* Runs, and counts what that cost. */
@@ -208,7 +211,8 @@ static void judge_exact(struct chooser *h, struct choose_candidate *c,
         rounding * record_apart(&h->view, r, &other, 1, h->rows);
     c->error = effect + apart;
     c->sure = effect > 0 ? CHOOSE_ESTIMATE : CHOOSE_EXACT;
-    if (effect == 0)
+    if (effect == 0 && (c->error <= h->q->tolerance ||
+                        c->plan.model->family == MODELS_EVENTS))
         note_rounding(h, r, &other);
     if (c->error > h->q->tolerance)
         snprintf(c->text, sizeof c->text, "%s",
@@ -222,15 +226,81 @@ static void judge_exact(struct chooser *h, struct choose_candidate *c,
     record_free(&other);
 }
 
+/* Notes where two runs have parted: true, if they have. */
+static bool note_loss(struct chooser *h, const struct record *a,
+                      const struct record *b)
+{
+    const size_t held =
+        record_agree(&h->view, a, b, h->q->tolerance / rounding);
+    if (held >= b->reached)
+        return false;
+    h->c->horizon = until_of(h, held);
+    h->c->rounding = record_apart(&h->view, a, b, 1, b->reached);
+    return true;
+}
+
+/* Looks for a horizon within the first row: true, if there is one. If not,
+ *price is what all rows will cost, s. */
+static bool look_closer(struct chooser *h, double *price)
+{
+    struct choose_request first = *h->q;
+    struct choose_choice c;
+    first.until = until_of(h, 1);
+    first.every = h->q->every / 16;
+    if (!choose(&c, &first))
+        return false;
+    const bool lost = c.horizon < INFINITY;
+    *price = c.taken < c.candidates
+                 ? c.candidate[c.taken].cost * (double)h->rows
+                 : INFINITY;
+    if (lost || h->c->horizon < INFINITY)
+        h->c->horizon = fmin(c.horizon, first.until);
+    h->c->rounding = fmax(c.rounding, h->c->rounding);
+    h->c->deciding += c.deciding;
+    choose_free(&c);
+    return lost;
+}
+
+/* Looks for a horizon in the rows of a run that was cut short: true, if
+   there is one. If not, *price is what all rows will cost, s. */
+static bool lost_early(struct chooser *h, const struct record *r,
+                       double *price)
+{
+    struct record other;
+    struct record_order o = order_of(h, r->plan, patience);
+    o.converted = true;
+    if (r->reached == 0)
+        return look_closer(h, price);
+    *price = r->cost / (double)r->reached * (double)h->rows;
+    o.rows = r->reached;
+    if (!run(h, &other, &o))
+        return false;
+    const bool lost = note_loss(h, r, &other);
+    record_free(&other);
+    return lost;
+}
+
 static void try_exact(struct chooser *h, const struct models_model *m,
                       unsigned cuts, double effect)
 {
     struct record r;
     struct choose_candidate *c =
         enter(h, (struct models_plan){.model = m, .cuts = cuts});
-    const struct record_order o = order_of(h, c->plan, h->q->reason);
+    struct record_order o = order_of(h, c->plan, h->q->reason);
+    if (m->family == MODELS_EVENTS)
+        o.limit = fmin(patience, o.limit);
     if (!run(h, &r, &o))
         return;
+    if (r.end == MODELS_COSTLY && o.limit < h->q->reason) {
+        double price = INFINITY;
+        const bool lost = lost_early(h, &r, &price);
+        record_free(&r);
+        o.limit = h->q->reason;
+        say(c, lost ? "rounding grows beyond e" : "too dear");
+        if (lost || price > o.limit || !run(h, &r, &o))
+            return;
+    }
+
     if (!whole(h, &r))
         say(c, ending(&r));
     else
@@ -273,17 +343,40 @@ static void note_passing(struct chooser *h, double speed)
         h->passing = fmax(h->passing, 2 * speed / least);
 }
 
-/* Is a row of so many steps fine enough for that? */
-static bool sees_passing(const struct chooser *h, uint64_t steps)
+/* Notes what a watched run has shown. */
+static void note_watched(struct chooser *h, const struct record *r)
 {
-    return h->passing * h->q->every <= near * (double)steps;
+    note_passing(h, r->speed);
+    if (r->missed > 0)
+        h->passing = fmax(h->passing,
+                          near * 2 * (double)r->plan.steps / h->q->every);
+    h->swinging = fmax(h->swinging, r->swinging);
+}
+
+/* Is a row of so many steps fine enough for that? */
+static bool sees_passing(const struct chooser *h, struct models_plan plan)
+{
+    const double n = (double)plan.steps;
+    const bool implicit = plan.model->method->family == STEPPING_IMPLICIT;
+    return h->passing * h->q->every <= near * n &&
+           (!implicit || h->swinging * h->q->every <= 2 * n);
+}
+
+/* So many parts of a row, a power of two, that there are sixteen. */
+static size_t parts_for(size_t rows)
+{
+    size_t parts = 1;
+    while (parts * rows < 16)
+        parts *= 2;
+    return parts;
 }
 
 /* Sends a scout. False: there is no memory. */
 static bool send_scout(struct chooser *h, struct scout *p, double aim)
 {
-    const struct scout_order o = {.every = h->q->every,
-                                  .rows = h->rows,
+    const size_t parts = parts_for(h->rows);
+    const struct scout_order o = {.every = h->q->every / (double)parts,
+                                  .rows = h->rows * parts,
                                   .little = h->little,
                                   .aim = aim,
                                   .limit = h->q->reason / looks};
@@ -305,12 +398,14 @@ static void send_scouts(struct chooser *h)
         scout_free(&h->scout);
     h->scouted = send_scout(h, &h->scout, aim);
     h->settled = false;
-    for (int k = 0; h->scouted && !h->settled && k < HALVINGS; ++k) {
+    for (int k = 0; h->scouted && h->scout.reached == h->scout.rows &&
+                    !h->settled && k < HALVINGS;
+         ++k) {
         struct scout finer;
         aim /= 2;
         if (!send_scout(h, &finer, aim))
             return;
-        if (k > 0 && finer.reached < h->rows) {
+        if (k > 0 && finer.reached < finer.rows) {
             scout_free(&finer);
             return;
         }
@@ -329,7 +424,7 @@ static bool look_ahead(struct chooser *h)
         return true;
     send_scouts(h);
     h->c->fastest = fmax(h->c->fastest, h->scout.most);
-    return h->scouted && h->scout.reached == h->rows;
+    return h->scouted && h->scout.reached == h->scout.rows;
 }
 
 /* Do forces jump, so that methods have no order? */
@@ -377,6 +472,11 @@ static bool hopeless(const struct chooser *h, const struct record_order *o,
                      double apart)
 {
     const int p = h->c->acts.contact ? 1 : o->plan.model->method->order;
+    const double needed = fmax(h->passing / near, h->swinging / 2);
+    if (!sees_passing(h, o->plan) &&
+        h->looked.cost * needed * h->q->every / (double)o->plan.steps >
+            o->limit)
+        return true;
     return isfinite(apart) && h->looked.cost > patience &&
            apart >
                h->q->tolerance / 4 * power(o->limit / h->looked.cost, p);
@@ -388,9 +488,8 @@ static bool settle(struct chooser *h, struct record_order *o)
 {
     struct record finer;
     double apart = INFINITY;
-    while (
-        (apart > h->q->tolerance / 4 || !sees_passing(h, o->plan.steps)) &&
-        h->looked.end != MODELS_COSTLY) {
+    while ((apart > h->q->tolerance / 4 || !sees_passing(h, o->plan)) &&
+           h->looked.end != MODELS_COSTLY) {
         if (hopeless(h, o, apart))
             return false;
         o->plan.steps *= 2;
@@ -399,7 +498,7 @@ static bool settle(struct chooser *h, struct record_order *o)
         apart = record_apart(&h->view, &h->looked, &finer, 1, h->rows);
         record_free(&h->looked);
         h->looked = finer;
-        note_passing(h, finer.speed);
+        note_watched(h, &finer);
     }
     h->look = o->plan;
     return whole(h, &h->looked);
@@ -415,7 +514,7 @@ static bool look_with(struct chooser *h, struct models_plan plan,
     h->look = plan;
     if (!run(h, &h->looked, &o))
         return false;
-    note_passing(h, h->looked.speed);
+    note_watched(h, &h->looked);
     return settled ? settle(h, &o) : whole(h, &h->looked);
 }
 
@@ -508,6 +607,7 @@ static void look_around(struct chooser *h)
         if (!again)
             h->little /= fmax(2, h->c->growth);
     }
+    h->settled = h->settled && !overlooked(h);
 }
 
 /* What the cuts do to a run: how far the two are apart; INFINITY: more than
@@ -588,13 +688,18 @@ static bool settle_rods(struct chooser *h, struct record *r,
    in their place cheap and short. */
 static double effect_of_rods(struct chooser *h, unsigned cuts)
 {
-    struct record springs, rods = {0};
+    struct record springs = {0}, rods = {0};
     const struct models_plan plan = {models_find("leapfrog"), cuts, 1};
     const double phase = h->q->every * h->c->fastest;
     double apart = INFINITY;
     if (refusal(h, plan.model, cuts))
         return INFINITY;
-    if (extrapolated(h, &springs, plan_of("leapfrog", phase / 0.2)) &&
+    const struct models_plan fine = plan_of("leapfrog", phase / 0.2);
+    const struct models_plan *by = &h->looked.plan;
+    const double price = h->looked.cost * (double)fine.steps /
+                         (double)by->steps /
+                         (double)by->model->method->stages;
+    if (price < h->q->reason / looks && extrapolated(h, &springs, fine) &&
         settle_rods(h, &rods, plan))
         apart = record_apart(&h->view, &springs, &rods, 1, h->rows);
     record_free(&springs);
@@ -737,7 +842,8 @@ static uint64_t first_steps(const struct chooser *h,
     const double limit = plan.model->method->limit;
     const bool implicit = plan.model->method->family == STEPPING_IMPLICIT;
     const double rate =
-        implicit ? fmax(h->scout.most, h->passing) : rate_of(h, plan);
+        implicit ? fmax(fmax(h->scout.most, h->passing), h->swinging)
+                 : rate_of(h, plan);
     return steps_for(h->q->every * rate / fmin(0.6 * limit, 2));
 }
 
@@ -1011,7 +1117,7 @@ static void climb(struct chooser *h, struct racer *r)
     }
     o.plan.steps = r->rungs ? 2 * r->rung[r->rungs - 1].steps : r->need;
     if (!h->q->all) /* a rung tells the errors of fewer steps */
-        o.limit = fmin(o.limit, (r->rungs < 2 ? 4.2 : 2.1) * h->best);
+        o.limit = fmin(o.limit, 4.2 * h->best);
     if (!run(h, &next, &o))
         return;
     if (next.why || next.end == MODELS_COSTLY ||
@@ -1175,32 +1281,19 @@ static void take_best(struct chooser *h)
             c->taken = j;
 }
 
-/* Looks for the horizon within the first row. */
-static void look_closer(struct chooser *h)
-{
-    struct choose_request first = *h->q;
-    struct choose_choice c;
-    first.until = until_of(h, 1);
-    first.every = h->q->every / 16;
-    if (!choose(&c, &first))
-        return;
-    h->c->horizon = fmin(c.horizon, first.until);
-    h->c->deciding += c.deciding;
-    choose_free(&c);
-}
-
 static void refuse_horizon(struct chooser *h)
 {
     struct choose_choice *c = h->c;
     const double e = h->q->tolerance;
+    double price;
     if (c->horizon <= h->q->scene->time && c->rounding > e)
-        look_closer(h);
+        look_closer(h, &price);
     snprintf(
         c->refusal, sizeof c->refusal,
-        "rounding alone grows to %.2g of the scale by t = %.10g, so no "
-        "run can hold %.3g: the horizon is t = %.10g; ask for a "
-        "shorter time, or for averages (--observe mean:...)",
-        c->rounding, h->q->until, e, c->horizon);
+        "rounding alone grows to %.2g of the scale, so no run can hold "
+        "%.3g: the horizon is t = %.10g; ask for a shorter time, or for "
+        "averages (--observe mean:...)",
+        c->rounding, e, c->horizon);
 }
 
 static void refuse_look(struct chooser *h)
@@ -1227,11 +1320,12 @@ static void refuse_look(struct chooser *h)
 
 static void refuse_unsettled(struct chooser *h)
 {
-    snprintf(h->c->refusal, sizeof h->c->refusal,
-             "looking ahead does not settle: runs with ever shorter steps "
-             "meet ever faster passages (%.3g a second), so no error could "
-             "be trusted; ask for a shorter time, or for averages",
-             h->scout.most);
+    snprintf(
+        h->c->refusal, sizeof h->c->refusal,
+        "looking ahead does not settle: runs with ever shorter steps "
+        "meet ever faster passages (%.3g per unit of time), so no error "
+        "could be trusted; ask for a shorter time, or for averages",
+        h->scout.most);
 }
 
 static void refuse_cost(struct chooser *h)
@@ -1240,7 +1334,9 @@ static void refuse_cost(struct chooser *h)
     double least = INFINITY;
     char plan[MODELS_TEXT] = "none";
     for (size_t j = 0; j < c->candidates; ++j)
-        if (c->candidate[j].cost < least) {
+        if (c->candidate[j].cost < least &&
+            (c->candidate[j].plan.model->family == MODELS_STEPS ||
+             !(c->candidate[j].error > h->q->tolerance))) {
             least = c->candidate[j].cost;
             models_write(&c->candidate[j].plan, plan);
         }
@@ -1346,6 +1442,7 @@ bool choose(struct choose_choice *c, const struct choose_request *q)
     c->meeting = h.scout.most;
     c->passing = h.passing;
     c->turning = h.kinked ? INFINITY : h.turning;
+    c->swinging = h.swinging;
     end(&h);
     if (h.failed) {
         fprintf(stderr, "%s: no memory to choose\n", q->program);
@@ -1411,13 +1508,21 @@ static int check_order(const struct chooser *h, struct models_plan plan,
     return known || h->q->scene->contact ? 1 : plan.model->method->order;
 }
 
+/* How many steps a companion has where forces jump. */
+static uint64_t many(uint64_t times, uint64_t steps)
+{
+    return times * (steps > 128 ? steps : 128) + 1;
+}
+
 /* The plan of the companion. */
 static struct models_plan companion(const struct chooser *h,
                                     struct models_plan plan)
 {
+    const bool contact = h->q->scene->contact;
     if (plan.steps > 0) {
-        const uint64_t least = first_steps(h, plan);
-        plan.steps = 2 * plan.steps > least ? 2 * plan.steps : least;
+        const uint64_t least = first_steps(h, plan) + contact;
+        const uint64_t n = contact ? many(8, plan.steps) : 2 * plan.steps;
+        plan.steps = n > least ? n : least;
     }
     return plan;
 }
@@ -1430,40 +1535,56 @@ static double foreseen(const struct record *a, const struct record_order *o)
                : a->cost * (double)o->plan.steps / (double)a->plan.steps;
 }
 
-static bool sees_turning(const struct chooser *h, uint64_t steps)
+/* Do forces jump within one of so many steps? */
+static bool is_jumping(const struct chooser *h, uint64_t steps)
 {
-    return h->turning * h->q->every <= (double)steps;
+    return h->q->scene->contact || h->turning * h->q->every > (double)steps;
 }
 
 /* Runs the companion of a run. False: no memory. */
 static bool run_companion(struct chooser *h, struct record *b,
                           const struct record *a)
 {
-    struct record_order o =
-        order_of(h, companion(h, a->plan), fmax(h->q->reason, 3 * a->cost));
-    if (foreseen(a, &o) > o.limit) {
-        *b = (struct record){.plan = o.plan, .end = MODELS_COSTLY};
-        return true;
-    }
+    struct record_order o = order_of(h, companion(h, a->plan),
+                                     fmax(h->q->reason, 10 * a->cost));
     o.converted = a->plan.steps == 0;
     o.watched =
         !o.converted && (h->q->scene->contact || h->q->scene->springs > 0);
     for (;;) {
+        if (foreseen(a, &o) > o.limit) {
+            *b = (struct record){.plan = o.plan, .end = MODELS_COSTLY};
+            return true;
+        }
         if (!run(h, b, &o))
             return false;
         const uint64_t steps = o.plan.steps;
         if (o.watched && whole(h, b)) {
-            note_passing(h, b->speed);
+            note_watched(h, b);
             h->turning = fmax(h->turning, b->turning);
-            if (!sees_passing(h, steps))
+            if (!sees_passing(h, o.plan))
                 o.plan = companion(h, o.plan);
-            else if (!sees_turning(h, steps))
-                o.plan.steps = 8 * a->plan.steps + 1;
+            else if (is_jumping(h, steps))
+                o.plan.steps = many(8, a->plan.steps);
         }
         if (o.plan.steps <= steps)
             return true;
         record_free(b);
     }
+}
+
+/* How far a run is from another one, with so many steps; twice as dear as
+   `like` at most. */
+static double witness(struct chooser *h, const struct record *a,
+                      uint64_t steps, const struct record *like)
+{
+    struct record other = {0};
+    struct record_order o = order_of(h, a->plan, 2 * like->cost);
+    o.plan.steps = steps;
+    if (!run(h, &other, &o))
+        return INFINITY;
+    const double apart = record_apart(&h->view, a, &other, 1, h->rows);
+    record_free(&other);
+    return apart;
 }
 
 /* Compares a run with its companion: half the step, or other units. */
@@ -1478,12 +1599,15 @@ static void check(struct chooser *h, struct choose_run *r,
         record_free(&b);
         return;
     }
-    const double apart = record_apart(&h->view, a, &b, 1, h->rows);
+    double apart = record_apart(&h->view, a, &b, 1, h->rows);
+    if (a->plan.steps > 0 && is_jumping(h, b.plan.steps))
+        apart = fmax(apart, witness(h, a, many(5, a->plan.steps), &b)) +
+                witness(h, &b, b.plan.steps + 2, &b);
     r->error = r->effect;
     r->error += a->plan.steps == 0
                     ? rounding * apart
                     : error_of(apart, a->plan.steps, b.plan.steps,
-                               sees_turning(h, b.plan.steps) ? order : 1);
+                               is_jumping(h, b.plan.steps) ? 1 : order);
     if (!(r->error <= h->q->tolerance))
         refuse_error(h, r, a, &b);
     record_free(&b);
@@ -1544,11 +1668,12 @@ static void find_effect(struct chooser *h, struct choose_run *r)
 static bool find_meetings(struct chooser *h, struct choose_run *r,
                           const struct choose_known *known)
 {
-    h->settled = h->kinked = true;
+    h->kinked = true;
     if (known) {
         h->scout.most = known->meeting;
         h->passing = known->passing;
         h->turning = known->turning;
+        h->swinging = known->swinging;
         h->kinked = isinf(known->turning);
     } else if (r->plan.steps > 0 && !h->scouted) {
         h->little = 0.01 * h->q->tolerance * h->view.length;
@@ -1574,7 +1699,13 @@ static void carry_on(struct chooser *h, struct choose_run *r,
         if (r->error <= h->q->tolerance || fixed || r->plan.steps == 0 ||
             r->tightened == TIGHTENINGS || h->c->deciding > h->q->reason)
             return;
-        r->plan.steps = tighter(h, r, order);
+        const uint64_t next = tighter(h, r, order);
+        const double price = r->cost * (double)next / (double)r->plan.steps;
+        if (price > h->q->reason)
+            return;
+        h->c->deciding += r->cost;
+        r->cost = 0;
+        r->plan.steps = next;
     }
 }
 
@@ -1591,7 +1722,8 @@ bool choose_carry(struct choose_run *r, const struct choose_request *q,
                   const struct choose_known *known, bool fixed)
 {
     struct choose_choice c = {.horizon = INFINITY};
-    struct chooser h = {.q = q, .c = &c, .rows = rows_of(q)};
+    struct chooser h = {
+        .q = q, .c = &c, .rows = rows_of(q), .settled = true};
     *r = (struct choose_run){.plan = *plan};
     if (!record_look(&h.view, q->program, q->scene, q->asked,
                      q->until - q->scene->time))
@@ -1614,7 +1746,7 @@ struct choose_known choose_known(const struct choose_choice *c,
                                  size_t candidate)
 {
     return (struct choose_known){c->candidate[candidate].order, c->meeting,
-                                 c->passing, c->turning};
+                                 c->passing, c->turning, c->swinging};
 }
 
 void choose_run_free(struct choose_run *r)

@@ -1,5 +1,5 @@
 /* From chapters/12-pick.nw: edit there, then run make tangle. */
-/* checksum 2459212298 of the lines below */
+/* checksum 846671341 of the lines below */
 #ifndef CHOOSE_H
 #define CHOOSE_H
 
@@ -74,6 +74,7 @@ struct choose_choice {
     double passing;  /* 1/s: the rate at which balls could pass unseen */
     double turning;  /* 1/s: at which springs with a length turn round;
                         INFINITY: faster than any step */
+    double swinging; /* 1/s: of the fastest spring that is stretched */
     double deciding; /* cost of all this, s by the price list */
     char refusal[CHOOSE_REFUSAL];
 };
@@ -82,7 +83,7 @@ struct choose_choice {
 struct choose_known {
     double order;            /* that was seen; 0: none */
     double meeting, passing; /* 1/s, as above */
-    double turning;
+    double turning, swinging;
 };
 
 /* A run that has been checked. */

@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 3897207788 of the lines below */
+/* checksum 988166615 of the lines below */
 #include "motion.h"
 
 #include <stdio.h>
@@ -60,20 +60,13 @@ static bool hold_coordinates(struct motion *m)
     return m->held != NULL;
 }
 
-/* Does the method go on with the acceleration of the step before, (8.13,
-   eq:leapfrog-damped)? */
-static bool keeps_acceleration(const struct stepping *p)
-{
-    return p->forces.damped && strcmp(p->method->name, "leapfrog") == 0;
-}
-
 /* The acceleration in the scene, if the method can go on with it, or
    NULL. */
 static const double *find_kept(const struct motion *m)
 {
     const bool same_step = m->stepping.dt == m->scene->dt;
-    return keeps_acceleration(&m->stepping) && same_step ? m->scene->kept
-                                                         : NULL;
+    return stepping_keeps(&m->stepping) && same_step ? m->scene->kept
+                                                     : NULL;
 }
 
 static bool begin_stepping(struct motion *m,
@@ -231,7 +224,7 @@ bool motion_note(struct motion *m)
 {
     struct scene *s = m->scene;
     const struct stepping *p = &m->stepping;
-    const bool keeps = keeps_acceleration(p) && p->fresh;
+    const bool keeps = stepping_keeps(p) && p->fresh;
     s->time = motion_time(m);
     s->dt = p->dt;
     return note(&s->carry, p->compensated ? p->carry : NULL,

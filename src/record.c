@@ -1,10 +1,11 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 3752224823 of the lines below */
+/* checksum 225593879 of the lines below */
 #include "record.h"
 
 #include "toolbox/bench.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -202,13 +203,17 @@ bool record_look(struct record_view *v, const char *program,
 {
     *v = (struct record_view){.asked = asked};
     v->columns = asked ? asked->columns : 6 * s->bodies;
-    if (!scene_copy(&v->scene, s))
+    if (!scene_copy(&v->scene, s)) {
+        fprintf(stderr, "%s: no memory for a scene\n", program);
         return false;
+    }
     if (!motion_begin(&v->motion, program, &v->scene, "leapfrog", 1)) {
         scene_free(&v->scene);
         return false;
     }
     if (!make_room(v)) {
+        fprintf(stderr, "%s: no memory for %zu columns\n", program,
+                v->columns);
         record_look_away(v);
         return false;
     }
@@ -232,6 +237,8 @@ static void convert_bodies(struct scene *s)
     for (size_t c = 0; c < SCENE_AXES * s->bodies; ++c) {
         s->position[c] *= unit_length;
         s->velocity[c] *= unit_length;
+        if (s->kept)
+            s->kept[c] *= unit_length;
     }
     for (size_t i = 0; i < s->bodies; ++i) {
         s->mass[i] *= unit_mass;
@@ -354,14 +361,120 @@ static double spring_turns(const struct scene *s,
     return sqrt(v2 / fmax(r2 - rv * rv / v2, 0));
 }
 
+/* What a contact would have done to two bodies that have passed through
+   each other in this step, m; 0: they have not. */
+static double graze(const struct scene *from, const struct scene *to,
+                    size_t i, size_t j, double step)
+{
+    const size_t n = to->bodies;
+    double r2 = 0, d2 = 0, rd = 0, bend2 = 0;
+    for (size_t k = 0; k < SCENE_AXES; ++k) {
+        const size_t a = k * n + i, b = k * n + j;
+        const double r = from->position[b] - from->position[a];
+        const double d = to->position[b] - to->position[a] - r;
+        const double u = to->velocity[b] - to->velocity[a] -
+                         (from->velocity[b] - from->velocity[a]);
+        r2 += r * r;
+        d2 += d * d;
+        rd += r * d;
+        bend2 += u * u;
+    }
+    const double R = to->radius[i] + to->radius[j] - sqrt(bend2) * step / 8;
+    const double b2 = r2 - rd * rd / d2;
+    return -rd > 0 && -rd < d2 && R > 0 && b2 < R * R
+               ? sqrt(1 - b2 / (R * R)) * sqrt(d2) / step
+               : 0;
+}
+
+/* How many contacts that matter the step from one state to the other has
+   missed, of which it has found so many. */
+static uint64_t missed_of(const struct scene *from, const struct scene *to,
+                          double step, double matters, uint64_t found)
+{
+    uint64_t passed = 0;
+    for (size_t i = 0; i < to->bodies; ++i)
+        for (size_t j = 0; j < i; ++j)
+            passed += graze(from, to, i, j, step) > matters;
+    return passed > found ? passed - found : 0;
+}
+
+/* How easily the ends of a spring are moved against each other, 1/kg. */
+static double ease_of(const struct scene *s,
+                      const struct scene_spring *spring)
+{
+    const size_t n = s->bodies, ends[] = {spring->a, spring->b};
+    double ease = 0;
+    for (size_t e = 0; e < 2; ++e) {
+        const size_t i = ends[e];
+        if (s->freedom[i] || s->freedom[n + i] || s->freedom[2 * n + i])
+            ease += 1 / s->mass[i];
+    }
+    return ease;
+}
+
+/* How far it may swing, m. */
+static double spring_swing(const struct scene *s,
+                           const struct scene_spring *spring, double rate)
+{
+    const size_t n = s->bodies, i = spring->a, j = spring->b;
+    double r2 = 0, rv = 0;
+    for (size_t k = 0; k < SCENE_AXES; ++k) {
+        const double d = s->position[k * n + j] - s->position[k * n + i];
+        r2 += d * d;
+        rv += d * (s->velocity[k * n + j] - s->velocity[k * n + i]);
+    }
+    const double length = sqrt(r2);
+    return fmax(fabs(length - spring->rest),
+                length > 0 ? fabs(rv) / length / rate : 0);
+}
+
+static void note_swinging(struct record *r, const struct scene *s,
+                          double little)
+{
+    for (size_t j = 0; j < s->springs; ++j) {
+        const struct scene_spring *spring = &s->spring[j];
+        const double rate =
+            sqrt(s->kind[spring->kind].stiffness * ease_of(s, spring));
+        if (rate > r->swinging &&
+            spring_swing(s, &s->spring[j], rate) > little)
+            r->swinging = rate;
+    }
+}
+
+static double speed_of_body(const struct scene *s, size_t i)
+{
+    const size_t n = s->bodies;
+    const double x = s->velocity[i], y = s->velocity[n + i],
+                 z = s->velocity[2 * n + i];
+    return sqrt(x * x + y * y + z * z);
+}
+
+static void note_damping(struct record *r, const struct scene *s,
+                         double alive)
+{
+    for (size_t i = 0; s->damping > 0 && i < s->bodies; ++i)
+        if (s->mass[i] > 0 && speed_of_body(s, i) > alive)
+            r->swinging = fmax(r->swinging, s->damping / s->mass[i]);
+    for (size_t j = 0; j < s->springs; ++j) {
+        const struct scene_spring *spring = &s->spring[j];
+        const double c = s->kind[spring->kind].damping;
+        if (c > 0 &&
+            speed_of_body(s, spring->a) + speed_of_body(s, spring->b) >
+                alive)
+            r->swinging = fmax(r->swinging, c * ease_of(s, spring));
+    }
+}
+
 static void watch(struct record *r, const struct models_run *run,
-                  double unit)
+                  double unit, const struct record_order *o)
 {
     const struct scene *s = &run->scene;
     r->speed = fmax(r->speed, speed_of(s) / unit);
     for (size_t j = 0; j < s->springs; ++j)
         r->turning =
             fmax(r->turning, spring_turns(s, &s->spring[j], run->every));
+    note_swinging(r, s, o->little);
+    note_damping(r, s, o->little / (o->every * (double)o->rows));
 }
 
 /* How many parts a row is run in. */
@@ -370,30 +483,53 @@ static uint64_t parts_of(const struct record_order *o)
     return o->watched && o->plan.steps > 1 ? o->plan.steps : 1;
 }
 
+/* Runs a part of a row, and watches for contacts that it misses. */
+static enum models_end one_part(struct record *r,
+                                const struct record_order *o,
+                                struct models_run *run,
+                                struct scene *before)
+{
+    const size_t size =
+        SCENE_AXES * before->bodies * sizeof *before->position;
+    const uint64_t met = models_collisions(run);
+    memcpy(before->position, run->scene.position, size);
+    memcpy(before->velocity, run->scene.velocity, size);
+    const enum models_end end = models_row(run);
+    if (end == MODELS_DONE)
+        r->missed += missed_of(before, &run->scene, run->every,
+                               o->little / (o->every * (double)o->rows),
+                               models_collisions(run) - met);
+    return end;
+}
+
 /* Runs one row, in its parts. */
 static enum models_end one_row(struct record *r,
                                const struct record_order *o,
-                               struct models_run *run)
+                               struct models_run *run, struct scene *before)
 {
     const double unit = o->converted ? unit_length : 1;
     for (uint64_t parts = parts_of(o); parts > 0; --parts) {
-        const enum models_end end = models_row(run);
+        const enum models_end end = before->bodies > 0
+                                        ? one_part(r, o, run, before)
+                                        : models_row(run);
         if (end != MODELS_DONE)
             return end;
-        watch(r, run, unit);
+        if (o->watched)
+            watch(r, run, unit, o);
     }
     return MODELS_DONE;
 }
 
 static void carry(struct record *r, struct record_view *v,
-                  const struct record_order *o, struct models_run *run)
+                  const struct record_order *o, struct models_run *run,
+                  struct scene *before)
 {
     const double unit = o->converted ? unit_length : 1;
     run->limit = o->limit;
     look(v, run, unit, r->value);
     r->speed = speed_of(&v->scene);
     while (r->reached < o->rows && r->end == MODELS_DONE) {
-        r->end = one_row(r, o, run);
+        r->end = one_row(r, o, run, before);
         if (r->end != MODELS_DONE)
             break;
         ++r->reached;
@@ -416,11 +552,15 @@ static bool set_out(struct record *r, struct record_view *v,
         r->end = MODELS_BROKEN;
         return true;
     }
+    struct scene before = {0};
+    const bool contacts = o->watched && s->contact && plan.steps > 0;
     r->value = malloc((o->rows + 1) * v->columns * sizeof *r->value);
-    if (r->value)
-        carry(r, v, o, &run);
+    const bool good = r->value && (!contacts || scene_copy(&before, s));
+    if (good)
+        carry(r, v, o, &run, &before);
+    scene_free(&before);
     models_end(&run);
-    return r->value != NULL;
+    return good;
 }
 
 /* The same in other units. */

@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 2119221466 of the lines below */
+/* checksum 2112143319 of the lines below */
 #ifndef RECORD_H
 #define RECORD_H
 
@@ -33,6 +33,9 @@ struct record {
     double seconds;  /* of this processor */
     double turning;  /* watched: how fast a spring with a length turned
                         round at most, 1/s */
+    uint64_t missed; /* watched: contacts that no step has seen */
+    double swinging; /* watched: the rate of the fastest spring that is
+                        stretched, 1/s */
     const char *why; /* NULL, or why it could not begin */
 };
 
@@ -45,6 +48,8 @@ struct record_order {
     double limit;   /* cost, s by the price list */
     bool converted; /* computed in other units, which no bit should know */
     bool watched;   /* a row is cut into its steps, to see all speeds */
+    double little;  /* m: what moves nobody by more does not matter, be it
+                       a missed contact or a spring that is stretched */
     /* NULL, or what it is compared with, to be given up beyond `apart` */
     const struct record *guide;
     double apart;

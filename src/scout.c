@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 3327514278 of the lines below */
+/* checksum 2282438916 of the lines below */
 #include "scout.h"
 
 #include "models.h"
@@ -13,13 +13,15 @@
 struct pair {
     double pull;       /* k^2 (m1 + m2) */
     double r2, v2, rv; /* squared distance and speed; r . v */
+    double bend;       /* m: of the way, within a step from the nearest
+                          point */
 };
 
 static struct pair pair_of(const struct scene *s, size_t i, size_t j)
 {
     const size_t n = s->bodies;
     struct pair p = {s->k2 * (s->mass[i] + s->mass[j]),
-                     s->softening * s->softening, 0, 0};
+                     s->softening * s->softening, 0, 0, 0};
     for (size_t k = 0; k < SCENE_AXES; ++k) {
         const double d = s->position[k * n + j] - s->position[k * n + i];
         const double v = s->velocity[k * n + j] - s->velocity[k * n + i];
@@ -39,6 +41,26 @@ static double nearest2(const struct pair *p, double around)
     return fmax(p->r2 - p->rv * p->rv / p->v2, 0);
 }
 
+/* By how much the way of two bodies bends until the nearest point, or has
+   bent since, m; 0 beyond a step. Their acceleration is taken from the
+   velocities a step ago. */
+static double bend_of(const struct scene *s, size_t i, size_t j,
+                      const struct pair *p, const struct scout_sight *sight)
+{
+    const size_t n = s->bodies;
+    const double tau = fabs(p->rv) / p->v2;
+    double u2 = 0;
+    if (!sight->before || !(tau <= sight->step))
+        return 0;
+    for (size_t k = 0; k < SCENE_AXES; ++k) {
+        const double *now = s->velocity + k * n;
+        const double *then = sight->before->velocity + k * n;
+        const double u = now[j] - now[i] - (then[j] - then[i]);
+        u2 += u * u;
+    }
+    return sqrt(u2) / sight->step * tau * tau / 2;
+}
+
 /* Puts a passage that is too weak by this factor away. */
 static void put_away(double passed[], double weaker, double rate)
 {
@@ -55,8 +77,9 @@ static double pair_rate(const struct pair *p,
 {
     const double round = p->pull / (p->r2 * sqrt(p->r2));
     const double b2 = nearest2(p, sight->around);
+    const double least = fmax(sqrt(b2) - p->bend, 0);
     const double moved = 2 * p->pull * sight->left;
-    const double counts = sight->little * sqrt(b2 * p->v2);
+    const double counts = sight->little * least * sqrt(p->v2);
     if (moved > counts) {
         if (sight->nearest)
             *sight->nearest = fmin(*sight->nearest, sqrt(b2));
@@ -73,7 +96,8 @@ double scout_rate(const struct scene *s, const struct scout_sight *sight)
     for (size_t i = 0; i < s->bodies; ++i)
         for (size_t j = 0; j < i; ++j)
             if (s->mass[i] > 0 || s->mass[j] > 0) {
-                const struct pair p = pair_of(s, i, j);
+                struct pair p = pair_of(s, i, j);
+                p.bend = bend_of(s, i, j, &p, sight);
                 most = fmax(most, pair_rate(&p, sight));
             }
     return sqrt(most);
@@ -110,6 +134,8 @@ static double rate_now(struct going *g, double time)
     const struct scout_sight sight = {.left = g->end - time,
                                       .little = g->o->little,
                                       .around = step_of(g) / g->o->aim,
+                                      .before = &g->before,
+                                      .step = step_of(g),
                                       .passed = g->p->passed,
                                       .nearest = &g->nearest};
     return fmax(scout_rate(&g->now, &sight), g->springs);

@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 2097723675 of the lines below */
+/* checksum 923189037 of the lines below */
 #ifndef SCOUT_H
 #define SCOUT_H
 
@@ -40,9 +40,11 @@ struct scout_order {
 
 /* What there is to be seen at one moment. */
 struct scout_sight {
-    double left;     /* s, of the run */
-    double little;   /* m, as above */
-    double around;   /* s: passages so near in time, past or to come */
+    double left;   /* s, of the run */
+    double little; /* m, as above */
+    double around; /* s: passages so near in time, past or to come */
+    const struct scene *before; /* NULL, or the state one step ago */
+    double step;                /* s: so long ago */
     double *passed;  /* NULL, or [SCOUT_DRAWERS] as above, to be raised */
     double *nearest; /* NULL, or as above, to be lowered */
 };

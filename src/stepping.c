@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 2169559828 of the lines below */
+/* checksum 2967281236 of the lines below */
 #include "stepping.h"
 
 #include <float.h>
@@ -320,6 +320,11 @@ static void splitting_step(struct stepping *s)
 static bool is_leapfrog(const struct stepping_method *m)
 {
     return m->family == STEPPING_SPLITTING && m->drifts == 1 && !m->kick;
+}
+
+bool stepping_keeps(const struct stepping *s)
+{
+    return s->forces.damped && is_leapfrog(s->method);
 }
 
 /* Leapfrog, (8.4, eq:verlet): the bits of splitting_step, in one pass
@@ -646,7 +651,7 @@ static bool step(struct stepping *s)
     case STEPPING_EXPLICIT: explicit_step(s); return true;
     case STEPPING_IMPLICIT: return implicit_step(s);
     default:
-        if (is_leapfrog(s->method) && s->forces.damped)
+        if (stepping_keeps(s))
             leap_damped(s);
         else
             splitting_step(s);

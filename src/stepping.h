@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 2210325953 of the lines below */
+/* checksum 2178617633 of the lines below */
 #ifndef STEPPING_H
 #define STEPPING_H
 
@@ -83,10 +83,15 @@ bool stepping_begin(struct stepping *s, const struct stepping_method *m,
 
 /* Lets a run go on that has taken `steps` steps elsewhere, before the
    first step here: with the same x and v, the same carry if it was
-   compensated, the same acceleration if it was a damped leapfrog (NULL for
-   what is not needed) all bits are those of the run in one piece. */
+   compensated, the same acceleration if stepping_keeps it (NULL for what
+   is not needed) all bits are those of the run in one piece. */
 void stepping_resume(struct stepping *s, uint64_t steps,
                      const double carry[], const double acceleration[]);
+
+/* Does a step begin with the acceleration that the last one ended with, and
+   that x and v do not tell? Leapfrog's does, if the forces depend on the
+   velocity: (8.13, eq:leapfrog-damped). */
+bool stepping_keeps(const struct stepping *s);
 
 /* Takes so many steps; how many calls they are divided into changes no
    bit. Looks for numbers that are not finite at the end, and whenever

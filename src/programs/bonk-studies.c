@@ -1,5 +1,5 @@
 /* From chapters/12-atlas.nw: edit there, then run make tangle. */
-/* checksum 3732470883 of the lines below */
+/* checksum 3484092300 of the lines below */
 #include "choose.h"
 #include "gallery.h"
 #include "models.h"
@@ -74,10 +74,10 @@ _Noreturn static void fail(const char *why)
 
 static void make_scene(struct scene *s, const struct subject *t)
 {
+    double value[GALLERY_KEYS + 1];
     static const struct gallery_scene *const lists[] = {
         celestial_scenes, elastic_scenes, hard_scenes};
     const struct gallery_scene *g = NULL;
-    double value[GALLERY_KEYS + 1];
     for (size_t k = 0; k < 3 && !g; ++k)
         g = gallery_find(lists[k], t->scene);
     if (!g)
@@ -356,7 +356,7 @@ struct column {
 };
 
 /* From the column before, which has twice the steps' length.
-   (12.17, eq:atlas-richardson) */
+   (12.21, eq:atlas-richardson) */
 static void fill_column(struct column *now, const struct column *before,
                         size_t levels, const struct stepping_method *m)
 {
@@ -621,9 +621,9 @@ static const struct point *finest(const struct map *m)
 {
     struct models_acts a;
     const struct point *best = NULL;
-    double least = INFINITY;
     models_analyse(&a, &m->scene);
     const enum models_family f = a.contact ? MODELS_EVENTS : MODELS_STEPS;
+    double least = INFINITY;
     for (size_t i = 0; i < m->points; ++i)
         if (is_plain(&m->point[i], f))
             least = fmin(least, m->point[i].error);

@@ -1,5 +1,5 @@
 /* From chapters/12-bonk.nw: edit there, then run make tangle. */
-/* checksum 3570136797 of the lines below */
+/* checksum 668277591 of the lines below */
 #include "averages.h"
 #include "choose.h"
 #include "scene.h"
@@ -38,6 +38,7 @@ struct run {
     struct scene scene;
     struct observables asked;
     struct choose_request request;
+    size_t judged; /* rows, of which the last one is written */
     struct choose_choice choice;
     struct models_plan plan;
     struct choose_known known; /* unless it was */
@@ -89,7 +90,8 @@ static void divide(struct run *r)
         refuse("--every: the time from %.10g to %.10g is no whole number "
                "of rows of %.10g",
                r->scene.time, s->until, every);
-    r->request.every = every;
+    r->judged = rows < ROWS - 0.5 ? (size_t)ceil(ROWS / rows - 1e-9) : 1;
+    r->request.every = every / (double)r->judged;
 }
 
 static void read_model(struct run *r)
@@ -209,7 +211,7 @@ static void tell_asked(const struct run *r)
          "asked for: %s within %.3g of %.6g, in %zu rows up to t = %.10g\n",
          c->judged, r->s->tolerance, c->scale, c->rows, r->s->until);
     if (c->scouts > 0)
-        tell(r, "scouts: %d; the fastest passage: %.3g a second\n",
+        tell(r, "scouts: %d; the fastest passage: %.3g per unit of time\n",
              c->scouts, c->meeting);
     if (c->growth > 0)
         tell(r, "rounding: grows %.2g times, to %.2g\n", c->growth,
@@ -307,7 +309,7 @@ static bool write_rows(struct run *r)
     const struct choose_run *d = &r->done;
     double *row = malloc((d->columns + 1) * sizeof *row);
     bool good = row != NULL;
-    for (size_t j = 0; good && j <= d->rows; ++j) {
+    for (size_t j = 0; good && j <= d->rows; j += r->judged) {
         row[0] = r->scene.time + (double)j * r->request.every;
         memcpy(row + 1, d->value + j * d->columns,
                d->columns * sizeof *row);
@@ -391,7 +393,8 @@ static const struct options_entry entries[] = {
      "and others of step; or averages: mean:NAME"},
     {"model", 'm', "PLAN",
      "instead of choosing: a model, as in kepler or\n"
-     "pefrl:24 (24 steps in each row)"},
+     "pefrl:24 (24 steps in each row, or in each part\n"
+     "of one that is longer than a sixteenth of all)"},
     {"reason", 'r', "S",
      "the dearest run that is reasonable, seconds by\n"
      "the price list (600; 60 for averages)"},
@@ -523,18 +526,23 @@ static const char *const sure_names[] = {"exact", "bound", "estimate",
 static void tell_mean(const struct run *r, const struct mean *m)
 {
     const struct averages_found *f = &m->found;
-    char symbol[32];
+    char symbol[32], value[24], error[16];
     averages_name(&m->quantity, symbol);
     tell(r, "%s:                         value      error    cost, s\n",
          symbol);
     for (size_t j = 0; j < f->candidates; ++j) {
         const struct averages_candidate *c = &f->candidate[j];
-        if (c->sure == AVERAGES_OUT && !isfinite(c->cost))
+        if (c->sure == AVERAGES_OUT && !isfinite(c->cost)) {
             tell(r, "  %-12s %-9s %s\n", c->name, "out", c->text);
-        else
-            tell(r, "%c %-12s %-9s %12.6g  %9.2e  %9.2e  %s\n",
-                 j == f->taken ? '*' : ' ', c->name, sure_names[c->sure],
-                 c->value, c->error, c->cost, c->text);
+            continue;
+        }
+        snprintf(value, sizeof value, isfinite(c->value) ? "%.6g" : "-",
+                 c->value);
+        snprintf(error, sizeof error, isfinite(c->error) ? "%.2e" : "-",
+                 c->error);
+        tell(r, "%c %-12s %-9s %12s  %9s  %9.2e  %s\n",
+             j == f->taken ? '*' : ' ', c->name, sure_names[c->sure], value,
+             error, c->cost, c->text);
     }
 }
 
@@ -544,7 +552,7 @@ static const char *find_mean(struct run *r, struct mean *m)
     const struct settings *s = r->s;
     const struct averages_request q = {.scene = &r->scene,
                                        .quantity = m->quantity,
-                                       .until = s->until,
+                                       .until = s->until - r->scene.time,
                                        .tolerance = s->tolerance,
                                        .reason = s->reason,
                                        .model = s->model};

@@ -1,5 +1,5 @@
 /* From chapters/06-room.nw: edit there, then run make tangle. */
-/* checksum 2422226414 of the lines below */
+/* checksum 50097022 of the lines below */
 #include "sampling.h"
 #include "statistics.h"
 #include "toolbox/bench.h"
@@ -294,8 +294,11 @@ static void study_acceptance(struct study *s)
         struct sampling p;
         uint64_t fitted = 0, throws = 0;
         make_box(&p, own, own->radius[k]);
-        for (; fitted < own->samples && throws < PATIENCE; ++throws)
+        for (; fitted < own->samples && throws < PATIENCE; ++throws) {
+            if (progress_signal())
+                break;
             fitted += sampling_throw(&p, &r) == own->disks;
+        }
         const double share = (double)fitted / (double)throws;
         if (fitted > 0)
             table_row(s->out, 4,

@@ -1,5 +1,5 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 1280973873 of the lines below */
+/* checksum 1498057939 of the lines below */
 #include "elastic.h"
 #include "modes.h"
 #include "springs.h"
@@ -609,7 +609,8 @@ static void study_limits(struct study *s)
 {
     const struct settings *own = s->own;
     name_limits(s->out);
-    for (const struct stepping_method *m = stepping_methods; m->name; ++m) {
+    for (const struct stepping_method *m = stepping_methods;
+         m->name && !progress_signal(); ++m) {
         double limit[2];
         char key[40];
         find_limits(m, own->steps, limit);

@@ -50,7 +50,9 @@ holds 'it takes kepler' grep -qx 'model kepler' "$w/s"
 $bonk "$w/figure-eight" --until 20 --tolerance 1e-3 --explain -o "$w/t" \
     >"$w/story"
 for line in 'what acts: gravity' 'bodies that move: 3 of 3' 'asked for' \
-    'rounding' 'candidates' '\* pefrl:' 'leapfrog:' 'taken: pefrl:' 'found'; do
+    'scouts: [0-9]*; the fastest passage: [0-9.]* per unit of time' \
+    'rounding' 'candidates' '\* pefrl:' 'leapfrog:' 'taken: pefrl:' \
+    'found: error .*, cost' 'besides: deciding .*, checking'; do
     holds "--explain says: $line" grep -q "^ *$line" "$w/story"
 done
 $bonk "$w/figure-eight" --until 20 --tolerance 1e-3 --explain \
@@ -58,6 +60,11 @@ $bonk "$w/figure-eight" --until 20 --tolerance 1e-3 --explain \
 holds '--explain without -o says the same on standard error' \
     cmp "$w/story" "$w/story2"
 holds 'and the table is the same' cmp "$w/t" "$w/t2"
+$bonk "$w/four-disks" --until 1e6 --tolerance 0.05 --observe mean:pressure \
+    --explain -o "$w/t" >"$w/story"
+holds 'of averages: a way without a value has a dash for it' \
+    sh -c "grep -q '^  steps  *out  *- ' '$w/story' &&
+        ! grep -q nan '$w/story'"
 
 # --chart: points of several methods, the one that was taken marked.
 $bonk "$w/figure-eight" --until 20 --tolerance 1e-6 --chart "$w/c" -o "$w/t"

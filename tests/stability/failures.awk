@@ -36,9 +36,9 @@ BEGIN {
     } else if (want == "figure")
         draw()
     else if (want == "tex")
-        print "\\refstepcounter{failure}\\thefailure\\label{fail:" $1 \
+        print strut() "\\refstepcounter{failure}\\thefailure\\label{fail:" $1 \
             "} & " tex($2) " & " tex($3) " & " tex($4) \
-            " & " tex($5) " & " tex($11) " & \\ref{" $9 "}\\\\[1pt]"
+            " & " tex($5) " & " tex($11) " & \\ref{" $9 "}\\\\"
 }
 END {
     if (want == "keys") {
@@ -62,14 +62,21 @@ function begin_part(part) {
     else
         print "\\newcounter{failure}"
     print "\\begin{table}[p]\\centering\\footnotesize"
-    print "\\setlength{\\tabcolsep}{3.5pt}"
+    print "\\setlength{\\tabcolsep}{2.7pt}"
     print "\\caption[Failures of part " part "]{Where methods fail, part " \
-        part ", in the order of the book; the numbers are those of " \
+        part "; numbered as in " \
         "figure~\\ref{fig:12-failures}.}\\label{tab:failures-" parts "}"
-    print "\\begin{tabular}{r" p(.16) p(.14) p(.225) p(.14) p(.12) "l}"
+    print "\\begin{tabular}{r" p(.158) p(.14) p(.232) p(.142) p(.143) "l}"
     print "\\hline"
-    print " & method & scene & what goes wrong & at & seen by & section\\\\"
+    fresh = 1
+    print strut() " & method & scene & what goes wrong & at & seen by & sec.\\\\"
     print "\\hline"
+    fresh = 1
+}
+function strut(    room) { # below a line
+    room = fresh ? "\\rule{0pt}{2.4ex}" : ""
+    fresh = 0
+    return room
 }
 function end_table() {
     print "\\hline\n\\end{tabular}\n\\end{table}"

@@ -24,16 +24,17 @@ apart() {
 
 # check SCENE UNTIL E REFERENCE: runs bonk; the table of the other run is
 # there. The true error is within E, and within a tenth of what was found
-# or, where that is closer, of E: that is what an estimate is good for.
+# or, where that is closer, of E: that is what an estimate is good for. With
+# contacts a fifth: the finest companion may itself be off by an eighth.
 check() {
     holds "$1 at $3" $bonk "$here/$1.plist" --until "$2" --tolerance "$3" \
         -o "$w/picked" --summary "$w/summary"
     error=$(apart "$w/picked" "$4" "$(key "$w/summary" scale)")
     found=$(key "$w/summary" error_found)
     holds "$1 at $3: error $error, found $found" awk -v e="$3" \
-        -v error="$error" -v found="$found" 'BEGIN {
+        -v error="$error" -v found="$found" -v part="${5:-10}" 'BEGIN {
             exit !(error ~ /[0-9]/ && error <= e && found <= e &&
-                error <= found + e / 10) }'
+                error <= found + e / part) }'
 }
 model() { holds "$1 takes $2" grep -q "^model $2" "$w/summary"; }
 never() { holds "$1 does not take $2" sh -c "! grep -q '^model.*$2' $w/summary"; }
@@ -46,7 +47,7 @@ steps() {
         --every "$every" -o "$w/reference"
 }
 
-# A comet after nine tenths of the run, at a hundredth of the distance.
+# A comet after nine tenths of the run, at a fifteenth of the distance.
 steps late-comet 30 kahan-li8 1500
 check late-comet 30 1e-3 "$w/reference"
 check late-comet 30 1e-6 "$w/reference"
@@ -115,10 +116,13 @@ holds 'far-meeting: nothing is left in its place' test ! -e "$w/far"
 refuses 1 'to check it is beyond reason' $bonk "$here/far-meeting.plist" \
     --until 640 --tolerance 1e-3 --model pefrl:20480 --reason 60 -o "$w/far"
 
-# What a grain does is nothing, until the star multiplies it.
+# What a grain does is nothing, until the star multiplies it: two scouts
+# pass it over, two more do not.
 steps weak-first 6 kahan-li8 100000
 check weak-first 6 1e-3 "$w/reference"
 never weak-first no-light
+holds 'weak-first: scouts go again' sh -c "$bonk $here/weak-first.plist \
+    --until 6 --tolerance 1e-3 --explain -o $w/t | grep -q '^scouts: 4'"
 
 # Rows at which the body is at rest: the ball is met in between.
 $step "$here/small-ball.plist" --until 6.2831853071795862 \
@@ -158,3 +162,32 @@ for n in 12 24 48; do
     refuses 1 'off by' $bonk "$here/through-anchor.plist" --until 63 \
         --tolerance 1e-2 --model pefrl:$n -o "$w/t5"
 done
+
+# A ball thrown on a parabola grazes another one, on a chord that is a
+# fortieth of it; a grain without mass passes another at a millionth of what
+# its way bends; springs stiffer than any step are stretched; and a ball that
+# bounces once does so in the second half of a step, or in the first.
+steps grazing 3.3 leapfrog 62500
+check grazing 3.3 1e-3 "$w/reference"
+refuses 1 'beyond reason' $bonk "$here/bent-way.plist" --until 3.2 \
+    --tolerance 1e-3 -o "$w/t6"
+refuses 1 'beyond reason' $bonk "$here/stiff-stretched.plist" --until 160 \
+    --tolerance 1e-2 -o "$w/t7"
+refuses 1 'beyond reason' $bonk "$here/stiff-stretched.plist" --until 160 \
+    --tolerance 1e-2 --model gauss4:1 -o "$w/t7"
+for t in 0.61 0.68 0.733 0.912; do
+    steps one-bounce $t leapfrog 12000
+    check one-bounce $t 1e-3 "$w/reference" 5
+done
+
+# One row only: whoever is late by whole turns agrees with himself.
+t=117.45341159552609
+holds 'whole-turns' $bonk "$here/whole-turns.plist" --until $t --every $t \
+    --tolerance 1e-2 -o "$w/picked" --summary "$w/summary"
+$step "$here/whole-turns.plist" --until $t --every $t --method kahan-li8 \
+    --dt 0.0058726705797763045 -o "$w/reference"
+error=$(apart "$w/picked" "$w/reference" "$(key "$w/summary" scale)")
+holds "whole-turns: error $error" awk -v error="$error" \
+    'BEGIN { exit !(error ~ /[0-9]/ && error <= 1e-2) }'
+refuses 1 'beyond reason' $bonk "$here/far-meeting.plist" --until 640 \
+    --every 640 --tolerance 1e-3 -o "$w/far"

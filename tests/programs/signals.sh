@@ -1,0 +1,51 @@
+#!/bin/sh
+# A run that is told to stop is gone in seconds, long before whoever told it
+# loses patience; its table is there, and no temporary file beside it.
+. tests/programs/common
+
+# told SIGNAL STATUS FILES COMMAND...: so it ends, with these files.
+told() {
+    number=$1 want=$2 files=$3
+    shift 3
+    rm -rf "$work/folder"
+    mkdir "$work/folder"
+    "$@" -o "$work/folder/table" --summary "$work/folder/summary" \
+        >"$work/out" 2>&1 &
+    run=$!
+    sleep 0.2
+    kill -0 "$run" 2>/dev/null || not_ok "$*" 'it was done before it was told'
+    kill "-$number" "$run"
+    for tenth in 0 1 2 3 4 5 6 7; do
+        for _ in 0 1 2 3 4 5 6 7 8 9; do
+            kill -0 "$run" 2>/dev/null && sleep "0.0$((tenth + 2))"
+        done
+    done
+    kill -9 "$run" 2>/dev/null
+    wait "$run" 2>/dev/null
+    got=$?
+    found=$(echo $(ls "$work/folder"))
+    if [ "$got" -eq "$want" ] && [ "$found" = "$files" ]; then
+        ok "$* stops at a $number"
+    else
+        not_ok "$* at a $number" "status $got, not $want; left: '$found'"
+    fi
+}
+
+bin=build/bin
+told TERM 1 table $bin/collide --tests 1000000000
+told TERM 1 table $bin/bonkers --preset thermal --until 1e8
+told TERM 1 table $bin/bonkers-studies --study drift --collisions 1000000000
+told TERM 1 table $bin/disks --disks 20000 --packing 0.3 --until 1000
+told TERM 1 table $bin/disks-studies --study collapse
+told TERM 1 table $bin/sample --samples 1000000000
+told TERM 1 table $bin/sample-studies --study acceptance --samples 100000000
+told TERM 1 table $bin/gravity-studies --study ring
+told TERM 1 table $bin/springs-studies --study limits
+told TERM 1 table $bin/spheres-studies --study checks
+told TERM 1 table $bin/step-studies --study rounding
+told TERM 1 table $bin/averages-studies --study digits
+told HUP 129 '' $bin/disks-studies --study collapse
+$bin/scene ring -o "$work/ring.plist"
+told TERM 143 '' $bin/bonk "$work/ring.plist" --until 100 --tolerance 1e-3
+told TERM 1 'table table.checkpoint table.rows' $bin/step "$work/ring.plist" \
+    --until 10000

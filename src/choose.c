@@ -1,5 +1,5 @@
 /* From chapters/12-pick.nw: edit there, then run make tangle. */
-/* checksum 1855319850 of the lines below */
+/* checksum 2238301211 of the lines below */
 #include "choose.h"
 
 #include "scout.h"
@@ -1266,8 +1266,9 @@ static bool holds(const struct chooser *h, const struct choose_candidate *c)
 static bool is_better(const struct choose_candidate *a,
                       const struct choose_candidate *b)
 {
-    return a->cost < b->cost ||
-           (a->cost == b->cost && a->plan.cuts == 0 && b->plan.cuts != 0);
+    if (a->cost != b->cost)
+        return a->cost < b->cost;
+    return a->plan.cuts == 0 && b->plan.cuts != 0;
 }
 
 static void take_best(struct chooser *h)

@@ -466,7 +466,7 @@ inspect: has-gnuplot build/bin/step build/bin/scene
 		-o $(inspect).plist)
 	$(call say,$(inspect_run))
 	$(Q)$(inspect_run) || [ $$? -eq 1 ]
-	@gnuplot -e "file='$(inspect).dat'$(if $(LIVE),,; \
+	@LC_ALL=C.UTF-8 gnuplot -e "file='$(inspect).dat'$(if $(LIVE),,; \
 output='$(inspect).svg')" plots/inspector.gp
 	$(if $(LIVE),,@echo 'The picture: $(inspect).svg')
 
@@ -488,7 +488,7 @@ chart: has-gnuplot build/bin/bonk build/bin/scene
 		-o $(chart).plist)
 	$(call say,$(chart_run))
 	$(Q)$(chart_run) || [ $$? -eq 1 ]
-	@gnuplot -e "file='$(chart).dat'; output='$(chart).svg'" plots/chart.gp
+	@LC_ALL=C.UTF-8 gnuplot -e "file='$(chart).dat'; output='$(chart).svg'" plots/chart.gp
 	@echo 'The chart: $(chart).svg'
 
 ## ---- the atlas -------------------------------------------------------------

@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 988166615 of the lines below */
+/* checksum 1736918212 of the lines below */
 #include "motion.h"
 
 #include <stdio.h>
@@ -81,6 +81,8 @@ static bool begin_stepping(struct motion *m,
     if (!stepping_begin(&m->stepping, method, forces, dt, s->position,
                         s->velocity))
         return false;
+    if (m->bound && !m->attracts)
+        m->stepping.sweep = springs_sweep;
     m->stepping.start = s->time;
     m->spheres.dt = dt;
     m->stepping.compensated = s->carry != NULL;

@@ -1,8 +1,9 @@
 /* From chapters/08-scenes.nw: edit there, then run make tangle. */
-/* checksum 336219042 of the lines below */
+/* checksum 4239270593 of the lines below */
 #include "scene.h"
 
 #include "decimal.h"
+#include "toolbox/room.h"
 
 #include <assert.h>
 #include <errno.h>
@@ -20,8 +21,8 @@ bool scene_create(struct scene *s, size_t bodies)
     s->mass = calloc(bodies, sizeof *s->mass);
     s->charge = calloc(bodies, sizeof *s->charge);
     s->radius = calloc(bodies, sizeof *s->radius);
-    s->position = calloc(bodies, axes * sizeof *s->position);
-    s->velocity = calloc(bodies, axes * sizeof *s->velocity);
+    s->position = room_doubles(axes * bodies);
+    s->velocity = room_doubles(axes * bodies);
     s->freedom = calloc(bodies, axes);
     s->colour = calloc(bodies, axes * sizeof *s->colour);
     s->species = calloc(bodies, sizeof *s->species);

@@ -1,6 +1,8 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 2537250257 of the lines below */
+/* checksum 1371525216 of the lines below */
 #include "springs.h"
+
+#include "toolbox/room.h"
 
 #include <assert.h>
 #include <float.h>
@@ -208,9 +210,9 @@ bool springs_create(struct springs *p, const struct scene *s)
                           .axial = s->axial};
     p->spring = malloc((p->count + 1) * sizeof *p->spring);
     p->kind = malloc((s->kinds + 1) * sizeof *p->kind);
-    p->weight = malloc((3 * p->bodies + 1) * sizeof *p->weight);
-    p->fall = malloc((3 * p->bodies + 1) * sizeof *p->fall);
-    p->force = malloc((3 * p->bodies + 1) * sizeof *p->force);
+    p->weight = room_doubles(3 * p->bodies);
+    p->fall = room_doubles(3 * p->bodies);
+    p->force = room_doubles(3 * p->bodies);
     bool made =
         all && p->spring && p->kind && p->weight && p->fall && p->force;
     if (made) {
@@ -423,6 +425,7 @@ struct task {
     const double *x, *v;
     double *a;
     bool writes;
+    const struct stepping_ahead *ahead; /* NULL, or who gets x and v ready */
 };
 
 /* Finishes the task along axis k for n bodies from body `from` on, on which
@@ -441,6 +444,31 @@ static void finish(const struct springs *p, const struct task *t, size_t k,
                   t->v + at, n);
 }
 
+static bool is_plain(const struct springs *p)
+{
+    return p->bands == 2 && p->listed == 0 && p->quiet;
+}
+
+static void weigh_two(double *restrict a, const double *restrict weight,
+                      const double *restrict f, size_t s,
+                      const double *restrict g, size_t t, size_t n)
+{
+    for (size_t i = 0; i < n; ++i)
+        a[i] = 0 + weight[i] * (0 - f[i] + f[i + s] - g[i] + g[i + t]);
+}
+
+/* As sum_axis and finish, for two bands and no more. */
+static void write_two(const struct springs *p, double a[], size_t k,
+                      size_t from, size_t n, const double room[])
+{
+    const struct springs_band *const one = p->band, *const two = one + 1;
+    const size_t at = k * p->bodies + from;
+    const double *const f = room + k * room_of(one);
+    const double *const g = room + 3 * room_of(one) + k * room_of(two);
+    weigh_two(a + at, p->weight + (p->even ? from : at), f, one->stride, g,
+              two->stride, n);
+}
+
 /* The forces of all bands for n bodies from body `from` on. At first the
    room holds those of the springs that reach into the block; in the end, of
    those that reach into the next. */
@@ -455,6 +483,10 @@ static void gather_block(const struct springs *p, const struct task *t,
         f += 3 * size;
     }
     for (size_t k = 0; k < 3; ++k) {
+        if (t->writes && is_plain(p)) {
+            write_two(p, t->a, k, from, n, room);
+            continue;
+        }
         sum_axis(p, from, n, k, room, sum);
         finish(p, t, k, from, n, sum);
     }
@@ -464,20 +496,51 @@ static void gather_block(const struct springs *p, const struct task *t,
             memmove(f, f + n, p->band[b].stride * sizeof *f);
 }
 
-/* The task for the bodies from `from` to before end. */
-static void gather(const struct springs *p, const struct task *t,
-                   size_t from, size_t end, double room[])
+/* Has the bodies from `from` to before end moved. */
+static void get_ready(const struct springs *p, const struct task *t,
+                      size_t from, size_t end)
 {
-    double *f = room;
+    for (size_t k = 0; k < 3 && from < end; ++k)
+        t->ahead->ready(t->ahead->step, k * p->bodies + from, end - from);
+}
+
+static size_t reach(const struct springs *p)
+{
+    size_t longest = 0;
+    for (size_t b = 0; b < p->bands; ++b)
+        if (p->band[b].stride > longest)
+            longest = p->band[b].stride;
+    return longest;
+}
+
+/* The forces that reach into the block at body `from`. */
+static void reach_in(const struct springs *p, const struct task *t,
+                     size_t from, double room[])
+{
     for (size_t b = 0; b < p->bands; ++b) {
         const size_t stride = p->band[b].stride;
         band_forces(p, &p->band[b], t->x, t->v,
-                    (ptrdiff_t)from - (ptrdiff_t)stride, stride, f,
+                    (ptrdiff_t)from - (ptrdiff_t)stride, stride, room,
                     room_of(&p->band[b]));
-        f += 3 * room_of(&p->band[b]);
+        room += 3 * room_of(&p->band[b]);
     }
+}
+
+/* The task for the bodies from `from` to before end; those from ready on
+   have still to be moved. */
+static void gather(const struct springs *p, const struct task *t,
+                   size_t from, size_t end, size_t ready, double room[])
+{
+    const size_t far = reach(p) + SPRINGS_BLOCK;
+    reach_in(p, t, from, room);
     for (size_t at = from, n; at < end; at += n) {
         n = end - at < SPRINGS_BLOCK ? end - at : SPRINGS_BLOCK;
+        if (ready < p->bodies) {
+            const size_t rest = p->bodies - at;
+            const size_t next = at + (rest < far ? rest : far);
+            get_ready(p, t, ready, next);
+            ready = next;
+        }
         gather_block(p, t, at, n, room);
     }
 }
@@ -485,21 +548,38 @@ static void gather(const struct springs *p, const struct task *t,
 static void gather_shared(struct springs *p, const struct task *task)
 {
     const size_t size = room_of_all(p), threads = (size_t)p->threads;
+    const size_t n = p->bodies;
+    if (threads == 1) {
+        gather(p, task, 0, n, task->ahead ? 0 : n, p->room);
+        return;
+    }
 #ifdef _OPENMP
-#pragma omp parallel for num_threads(p->threads) schedule(static, 1)
+#pragma omp parallel num_threads(p->threads)
 #endif
-    for (size_t t = 0; t < threads; ++t)
-        gather(p, task, p->bodies * t / threads,
-               p->bodies * (t + 1) / threads, p->room + t * size);
+    {
+        #ifdef _OPENMP
+        #pragma omp for schedule(static, 1)
+        #endif
+        for (size_t t = 0; t < threads; ++t)
+            if (task->ahead)
+                get_ready(p, task, n * t / threads, n * (t + 1) / threads);
+        #ifdef _OPENMP
+        #pragma omp for schedule(static, 1)
+        #endif
+        for (size_t t = 0; t < threads; ++t)
+            gather(p, task, n * t / threads, n * (t + 1) / threads, n,
+                   p->room + t * size);
+    }
 }
 
 bool springs_threads(struct springs *p, int threads)
 {
     const size_t size = room_of_all(p) * (size_t)threads;
     assert(threads > 0);
-    double *const room = realloc(p->room, (size + 1) * sizeof *room);
+    double *const room = room_doubles(size);
     if (!room)
         return false;
+    free(p->room);
     p->room = room;
     p->threads = threads;
     return true;
@@ -519,16 +599,32 @@ static void act(struct springs *p, const struct task *t)
         finish(p, t, k, 0, p->bodies, p->force + k * p->bodies);
 }
 
+/* The task, whose ahead is not NULL. */
+static void act_ahead(struct springs *p, struct task t)
+{
+    if (p->engine != SPRINGS_GATHER || p->bands == 0 || p->listed > 0) {
+        get_ready(p, &t, 0, p->bodies);
+        t.ahead = NULL;
+    }
+    act(p, &t);
+}
+
 void springs_add(struct springs *p, const double x[], const double v[],
                  double a[])
 {
-    act(p, &(struct task){x, v, a, false});
+    act(p, &(struct task){x, v, a, false, NULL});
 }
 
 void springs_accelerate(void *springs, const double x[], const double v[],
                         double a[])
 {
-    act(springs, &(struct task){x, v, a, true});
+    act(springs, &(struct task){x, v, a, true, NULL});
+}
+
+void springs_sweep(void *springs, const double x[], const double v[],
+                   double a[], const struct stepping_ahead *ahead)
+{
+    act_ahead(springs, (struct task){x, v, a, true, ahead});
 }
 
 struct stepping_forces springs_forces(struct springs *p)

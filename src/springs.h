@@ -1,5 +1,5 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 3162899125 of the lines below */
+/* checksum 3306895621 of the lines below */
 #ifndef SPRINGS_H
 #define SPRINGS_H
 
@@ -7,8 +7,8 @@
 #include "stepping.h"
 
 enum {
-    SPRINGS_BAND = 16,   /* springs that a band has at least */
-    SPRINGS_BLOCK = 2048 /* bodies at a time */
+    SPRINGS_BAND = 16,  /* springs that a band has at least */
+    SPRINGS_BLOCK = 512 /* bodies at a time */
 };
 
 /* How the forces are summed. Both ways give the same bits. */
@@ -68,6 +68,11 @@ void springs_accelerate(void *springs, const double x[], const double v[],
 
 /* The same, ready for stepping_begin. */
 struct stepping_forces springs_forces(struct springs *p);
+
+/* The same in one sweep, for the stepping that has springs_forces; see
+   stepping_sweep. */
+void springs_sweep(void *springs, const double x[], const double v[],
+                   double a[], const struct stepping_ahead *ahead);
 
 /* Returns the energy of all springs, J. */
 double springs_potential(const struct springs *p, const double x[]);

@@ -1,6 +1,8 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 2967281236 of the lines below */
+/* checksum 3882898625 of the lines below */
 #include "stepping.h"
+
+#include "toolbox/room.h"
 
 #include <float.h>
 #include <math.h>
@@ -95,6 +97,7 @@ struct stepping_work {
     double *x, *v;               /* [size] at a stage */
     double *matrix, *slope;      /* of Newton's method */
     size_t *pivot;
+    bool owing; /* of leapfrog: half a kick, from the step before */
 };
 
 /* How many of the n doubles at *next: they are passed over. */
@@ -169,7 +172,7 @@ bool stepping_begin(struct stepping *s, const struct stepping_method *m,
 {
     *s = (struct stepping){
         .method = m, .forces = f, .dt = dt, .x = x, .v = v};
-    s->work = calloc(room(s), sizeof *s->work);
+    s->work = room_doubles(room(s));
     s->part = calloc(1, sizeof *s->part);
     if (!s->work || !s->part) {
         stepping_free(s);
@@ -327,61 +330,101 @@ bool stepping_keeps(const struct stepping *s)
     return s->forces.damped && is_leapfrog(s->method);
 }
 
-/* Leapfrog, (8.4, eq:verlet): the bits of splitting_step, in one pass
-   over the coordinates before the forces and one after. */
-static void leap(struct stepping *s, uint64_t steps)
+/* Half a kick and the drift of n coordinates from number `from` on; first
+   the half kick that is owing. */
+static void set_out(void *stepping, size_t from, size_t n)
 {
-    double *const restrict x = s->x, *const restrict v = s->v;
-    double *const restrict a = s->acceleration;
+    const struct stepping *const s = stepping;
+    double *const restrict x = s->x + from, *const restrict v = s->v + from;
+    const double *const restrict a = s->acceleration + from;
     const double h = s->part->kick[0], dt = s->part->drift[0];
-    const size_t n = s->forces.size;
-    refresh(s);
-    for (; steps > 0; --steps) {
+    if (s->part->owing)
+        for (size_t i = 0; i < n; ++i) {
+            v[i] += h * a[i];
+            v[i] += h * a[i];
+            x[i] += dt * v[i];
+        }
+    else
         for (size_t i = 0; i < n; ++i) {
             v[i] += h * a[i];
             x[i] += dt * v[i];
         }
-        evaluate(s, x, v, a);
-        for (size_t i = 0; i < n; ++i)
-            v[i] += h * a[i];
-    }
 }
 
-/* Half a kick, the drift, and in part->v the velocity foreseen at the end:
-   in one pass, for large systems are as slow as their memory. */
-static void set_out(struct stepping *s)
+/* The accelerations at x and v, when `ready` has got both ready. */
+static void evaluate_ahead(struct stepping *s,
+                           void (*ready)(void *, size_t, size_t),
+                           const double v[])
 {
-    double *const restrict x = s->x, *const restrict v = s->v;
-    double *const restrict ahead = s->part->v;
-    const double *const restrict a = s->acceleration;
+    if (s->sweep) {
+        s->sweep(s->forces.what, s->x, v, s->acceleration,
+                 &(struct stepping_ahead){ready, s});
+        ++s->evaluations;
+        return;
+    }
+    ready(s, 0, s->forces.size);
+    evaluate(s, s->x, v, s->acceleration);
+}
+
+/* Steps of leapfrog whose coordinates `ready` moves, with forces at v. */
+static void leap_by(struct stepping *s, uint64_t steps,
+                    void (*ready)(void *, size_t, size_t), const double v[])
+{
+    refresh(s);
+    for (uint64_t k = 0; k < steps; ++k) {
+        s->part->owing = k > 0;
+        evaluate_ahead(s, ready, v);
+    }
+    add(s->v, s->part->kick[0], s->acceleration, s->forces.size);
+}
+
+/* Leapfrog, (8.4, eq:verlet): the bits of splitting_step. */
+static void leap(struct stepping *s, uint64_t steps)
+{
+    leap_by(s, steps, set_out, s->v);
+}
+
+/* As set_out, and in part->v the velocity foreseen at the end. */
+static void set_out_damped(void *stepping, size_t from, size_t n)
+{
+    const struct stepping *const s = stepping;
+    double *const restrict x = s->x + from, *const restrict v = s->v + from;
+    double *const restrict ahead = s->part->v + from;
+    const double *const restrict a = s->acceleration + from;
     const double h = s->part->kick[0], dt = s->part->drift[0];
-    for (size_t i = 0; i < s->forces.size; ++i) {
-        v[i] += h * a[i];
-        x[i] += dt * v[i];
-        ahead[i] = v[i] + h * a[i];
-    }
-}
-
-static void set_out_carried(struct stepping *s)
-{
-    const double h = s->part->kick[0];
-    push_v(s, h, s->acceleration);
-    push_x(s, s->part->drift[0], s->v);
-    for (size_t i = 0; i < s->forces.size; ++i)
-        s->part->v[i] = s->v[i] + h * s->acceleration[i];
+    if (s->part->owing)
+        for (size_t i = 0; i < n; ++i) {
+            v[i] += h * a[i];
+            v[i] += h * a[i];
+            x[i] += dt * v[i];
+            ahead[i] = v[i] + h * a[i];
+        }
+    else
+        for (size_t i = 0; i < n; ++i) {
+            v[i] += h * a[i];
+            x[i] += dt * v[i];
+            ahead[i] = v[i] + h * a[i];
+        }
 }
 
 /* A leapfrog step with forces that depend on the velocity: (8.13,
    eq:leapfrog-damped). */
-static void leap_damped(struct stepping *s)
+static void leap_damped(struct stepping *s, uint64_t steps)
 {
+    leap_by(s, steps, set_out_damped, s->part->v);
+}
+
+/* The same, compensated. */
+static void leap_carried(struct stepping *s)
+{
+    const double h = s->part->kick[0];
     refresh(s);
-    if (s->compensated)
-        set_out_carried(s);
-    else
-        set_out(s);
+    push_v(s, h, s->acceleration);
+    push_x(s, s->part->drift[0], s->v);
+    for (size_t i = 0; i < s->forces.size; ++i)
+        s->part->v[i] = s->v[i] + h * s->acceleration[i];
     evaluate(s, s->x, s->part->v, s->acceleration);
-    push_v(s, s->part->kick[0], s->acceleration);
+    push_v(s, h, s->acceleration);
 }
 
 /* Where stage i is, (8.10, eq:stage): x and v of the work. */
@@ -652,7 +695,7 @@ static bool step(struct stepping *s)
     case STEPPING_IMPLICIT: return implicit_step(s);
     default:
         if (stepping_keeps(s))
-            leap_damped(s);
+            leap_carried(s);
         else
             splitting_step(s);
         return true;
@@ -673,8 +716,8 @@ static bool run_until_watch(struct stepping *s, uint64_t *left)
 {
     const uint64_t most = STEPPING_WATCH - s->steps % STEPPING_WATCH;
     const uint64_t steps = *left < most ? *left : most;
-    if (is_leapfrog(s->method) && !s->forces.damped && !s->compensated) {
-        leap(s, steps);
+    if (is_leapfrog(s->method) && !s->compensated) {
+        (s->forces.damped ? leap_damped : leap)(s, steps);
         s->steps += steps;
         *left -= steps;
         return true;

@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 2178617633 of the lines below */
+/* checksum 4167036112 of the lines below */
 #ifndef STEPPING_H
 #define STEPPING_H
 
@@ -18,6 +18,19 @@ struct stepping_forces {
                        double a[]);
     void *what;
 };
+
+/* Who moves n coordinates from number `from` on to where the forces are
+   asked for. */
+struct stepping_ahead {
+    void (*ready)(void *step, size_t from, size_t n);
+    void *step;
+};
+
+/* As accelerate, with x and v that are not ready: before it reads any of
+   them, or writes a there, it has that part made ready, each coordinate
+   once; from any thread and in any order. */
+typedef void stepping_sweep(void *what, const double x[], const double v[],
+                            double a[], const struct stepping_ahead *ahead);
 
 enum stepping_family {
     STEPPING_SPLITTING, /* kicks and drifts */
@@ -59,6 +72,9 @@ struct stepping {
     double *x, *v;    /* of the caller, [size] */
     bool compensated; /* sums carry their rounding errors; to be set before
                          the first step */
+    stepping_sweep *sweep; /* NULL, or a way to find the accelerations of
+                              forces.what in parts: same bits, for leapfrog
+                              that is not compensated; to be set as well */
     double *carry;    /* [2 * size]: what is still to be added to x, to v */
     double *acceleration; /* [size] of the last evaluation */
     uint64_t evaluations; /* of the forces so far */

@@ -1,5 +1,5 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 1498057939 of the lines below */
+/* checksum 3087201997 of the lines below */
 #include "elastic.h"
 #include "modes.h"
 #include "springs.h"
@@ -51,6 +51,7 @@ static void set_off(struct run *r, const struct stepping_method *method,
         !stepping_begin(&r->stepping, method, springs_forces(&r->springs),
                         dt, r->scene.position, r->scene.velocity))
         no_memory();
+    r->stepping.sweep = springs_sweep;
 }
 
 static void tidy_up(struct run *r)
@@ -1132,8 +1133,10 @@ static void make_fast(struct run *r, size_t n, int way)
              {"nx", (double)n}, {"ny", (double)n}, {0}});
     set_off(r, stepping_find("leapfrog"), 1e-3);
     r->springs.engine = way == SCATTER ? SPRINGS_SCATTER : SPRINGS_GATHER;
-    if (way == TWICE)
+    if (way == TWICE) {
         r->stepping.forces.accelerate = accelerate_twice;
+        r->stepping.sweep = NULL;
+    }
 }
 
 /* Steps of a body in a second, of about two million. */

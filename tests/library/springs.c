@@ -159,6 +159,45 @@ static void shake(struct scene *s)
     }
 }
 
+/* A step of which nothing is ready: x and v are not numbers until then. */
+struct waiting {
+    const struct scene *scene;
+    double *x, *v;
+    int *times; /* that a coordinate was asked for */
+};
+
+static void arrive(void *step, size_t from, size_t n)
+{
+    const struct waiting *w = step;
+    memcpy(w->x + from, w->scene->position + from, n * sizeof *w->x);
+    memcpy(w->v + from, w->scene->velocity + from, n * sizeof *w->v);
+    for (size_t i = from; i < from + n; ++i)
+        ++w->times[i];
+}
+
+/* A sweep has each coordinate made ready once, and before it looks. */
+static void sweeps(struct springs *p, const struct scene *s,
+                   const double expected[])
+{
+    const size_t n = 3 * s->bodies;
+    double *room = calloc(3 * n, sizeof *room);
+    int *times = calloc(n, sizeof *times);
+    if (!room || !times)
+        exit(1);
+    struct waiting w = {s, room, room + n, times};
+    for (size_t i = 0; i < 3 * n; ++i)
+        room[i] = NAN;
+    springs_sweep(p, w.x, w.v, room + 2 * n,
+                  &(struct stepping_ahead){arrive, &w});
+    UNIT_TRUE(memcmp(room + 2 * n, expected, n * sizeof *room) == 0);
+    bool once = true;
+    for (size_t i = 0; i < n; ++i)
+        once = once && times[i] == 1;
+    UNIT_TRUE(once);
+    free(room);
+    free(times);
+}
+
 /* All ways to sum give the same bits, for adding and for writing. */
 static void same_bits(const struct scene *s, size_t bands)
 {
@@ -174,6 +213,8 @@ static void same_bits(const struct scene *s, size_t bands)
             one[i] = 0.1 * (double)(i % 7);
         adds ? springs_add(&p, s->position, s->velocity, one)
              : springs_accelerate(&p, s->position, s->velocity, one);
+        if (!adds)
+            sweeps(&p, s, one);
         p.engine = SPRINGS_GATHER;
         for (int threads = 1; threads <= 5; ++threads) {
             UNIT_TRUE(springs_threads(&p, threads));
@@ -182,6 +223,8 @@ static void same_bits(const struct scene *s, size_t bands)
             adds ? springs_add(&p, s->position, s->velocity, other)
                  : springs_accelerate(&p, s->position, s->velocity, other);
             UNIT_TRUE(memcmp(one, other, n * sizeof *one) == 0);
+            if (!adds)
+                sweeps(&p, s, one);
         }
     }
     springs_free(&p);
@@ -212,6 +255,54 @@ static void test_same_bits(void)
             same_bits(&s, size[i][0] * size[i][1] == 20 ? 1 : 2);
             scene_free(&s);
         }
+}
+
+/* Steps of leapfrog, in pieces of `piece`, swept or not. */
+static void leap(const struct scene *from, uint64_t steps, uint64_t piece,
+                 bool swept, struct scene *s)
+{
+    struct springs p;
+    struct stepping stepping;
+    make_membrane(s, 40, 30, 0.5);
+    memcpy(s->position, from->position, 3600 * sizeof *s->position);
+    memcpy(s->velocity, from->velocity, 3600 * sizeof *s->velocity);
+    s->damping = from->damping;
+    for (size_t i = 0; i < s->kinds; ++i)
+        s->kind[i] = from->kind[i];
+    if (!springs_create(&p, s) ||
+        !stepping_begin(&stepping, stepping_find("leapfrog"),
+                        springs_forces(&p), 0.01, s->position, s->velocity))
+        exit(1);
+    stepping.sweep = swept ? springs_sweep : NULL;
+    for (uint64_t k = 0; k < steps; k += piece)
+        stepping_run(&stepping, piece);
+    UNIT_EQUAL((double)stepping.evaluations, (double)steps + 1);
+    stepping_free(&stepping);
+    springs_free(&p);
+}
+
+/* With dashpots, with friction, without both; the last kick of a piece is
+   owed to the next one. */
+static void test_leapfrog(void)
+{
+    for (int way = 0; way < 3; ++way) {
+        struct scene s, one, other;
+        make_membrane(&s, 40, 30, way == 0 ? 0.5 : 0);
+        s.damping = way == 1 ? 0.2 : 0;
+        leap(&s, 140, 1, false, &one);
+        static const uint64_t pieces[] = {1, 7, 140};
+        for (int i = 0; i < 3; ++i)
+            for (int swept = 0; swept < 2; ++swept) {
+                leap(&s, 140, pieces[i], swept, &other);
+                UNIT_TRUE(memcmp(one.position, other.position,
+                                 3600 * sizeof *one.position) == 0);
+                UNIT_TRUE(memcmp(one.velocity, other.velocity,
+                                 3600 * sizeof *one.velocity) == 0);
+                scene_free(&other);
+            }
+        scene_free(&one);
+        scene_free(&s);
+    }
 }
 
 /* Diagonals, springs written backwards, springs of another kind, doubled
@@ -446,6 +537,7 @@ int main(void)
             {"scatter, gather and threads give the same bits",
              test_same_bits},
             {"so they do for lists that are no grid", test_odd_lists},
+            {"leapfrog swept and in pieces, the same bits", test_leapfrog},
             {"inner forces keep the momentum", test_momentum},
             {"what dashpots do to rotation", test_spin},
             {"the closed form in all regimes", test_closed_form},

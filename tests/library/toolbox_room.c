@@ -1,0 +1,37 @@
+/* The toolbox's room: where it begins, what is in it, and too much of it.
+ */
+#include "toolbox/room.h"
+#include "unit.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+
+static void test_lines(void)
+{
+    for (size_t n = 0; n < 40; ++n) {
+        double *room = room_doubles(n);
+        UNIT_TRUE(room != NULL);
+        UNIT_EQUAL((double)((uintptr_t)room % ROOM_LINE), 0);
+        for (size_t i = 0; i < n; ++i) {
+            UNIT_EQUAL(room[i], 0);
+            room[i] = 1; /* so that what comes back is not zero */
+        }
+        free(room);
+    }
+}
+
+static void test_too_much(void)
+{
+    UNIT_TRUE(room_doubles(SIZE_MAX) == NULL);
+    UNIT_TRUE(room_doubles(SIZE_MAX / sizeof(double)) == NULL);
+    UNIT_TRUE(room_doubles(SIZE_MAX / sizeof(double) - ROOM_LINE) == NULL);
+}
+
+int main(void)
+{
+    return unit_run("toolbox: room",
+                    (struct unit_test[]){
+                        {"zeros from the beginning of a line", test_lines},
+                        {"more than there is", test_too_much},
+                        {0}});
+}

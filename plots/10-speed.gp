@@ -11,9 +11,10 @@ set logscale x 2
 set xlabel 'bodies on a side'
 set ylabel 'steps of a body per second  (millions)' offset 0.5
 set xrange [6.5:630]
-set yrange [0:180]
+set yrange [0:260]
 set key at graph 0.98,0.97 right top samplen 1.5
 file = 'plots/data/10-speed.dat'
-plot file using 1:($3/1e6) with linespoints ls 1 title 'bands', \
-     file using 1:($4/1e6) with linespoints ls 3 title 'every spring twice', \
+plot file using 1:($3/1e6) with linespoints ls 1 title 'bands, one sweep', \
+     file using 1:($4/1e6) with linespoints ls 4 title 'bands, two trips', \
+     file using 1:($5/1e6) with linespoints ls 3 title 'every spring twice', \
      file using 1:($2/1e6) with linespoints ls 2 title 'spring by spring'

@@ -625,7 +625,7 @@ help:
 	@echo 'make figures      the figures; QUALITY=lecture for slides too'
 	$(call offer,test) 'make test         prove everything: N passed, N failed'
 	@echo 'make programs     only build build/bin/'
-	@echo 'make inspect      SCENE=ring X=t Y=energy: what a scene does, drawn'
+	@echo 'make inspect      SCENE=membrane X=t Y=z:30: what a scene does, drawn'
 	@echo 'make chart        SCENE=figure-eight TOLERANCE=1e-6: what bonk tries'
 	@echo 'make atlas        the maps of chapter 12 anew: some minutes'
 	@echo 'make movie        a run as a GIF: PRESET=cradle; LIVE=1 in a window'

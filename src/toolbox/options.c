@@ -1,5 +1,5 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 130756081 of the lines below */
+/* checksum 4152857168 of the lines below */
 #include "toolbox/options.h"
 
 #include "toolbox/version.h"
@@ -101,8 +101,12 @@ static void write_quoted(FILE *stream, const char *text)
         return;
     }
     fputs(" '", stream);
-    for (; *text; ++text)
-        fprintf(stream, *text == '\'' ? "'\\''" : "%c", *text);
+    for (; *text; ++text) {
+        if (*text == '\n')
+            fputs("'$'\\n''", stream);
+        else
+            fprintf(stream, *text == '\'' ? "'\\''" : "%c", *text);
+    }
     fputc('\'', stream);
 }
 

@@ -32,6 +32,14 @@ near 'rows' "$(key "$w/s" rows)" 2 0
 holds 'it ends whole' grep -qx 'end whole' "$w/s"
 near 'energy' "$(key "$w/s" energy_start)" 0 1e-12
 
+# A file whose name has the end of a line in it: the head stays a head.
+two_lines=$(printf '%s/sun\nand moon' "$w")
+cp "$w/sun" "$two_lines"
+$step "$two_lines" --dt 1 --until 1 --every 1 -o "$w/t"
+near 'a name of two lines: rows that are not the head' \
+    "$(grep -vc '^#' "$w/t")" 2 0
+holds 'and it is written in one' grep -q "sun'\$'.n''and moon'" "$w/t"
+
 # An oscillator, damped: q = e^(-t/10) (cos wt + sin(wt)/(10 w)), w^2 = .99.
 cat >"$w/oscillator" <<'E2'
 pos 0  0 0 0  1 0 0.1

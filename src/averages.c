@@ -1,8 +1,9 @@
 /* From chapters/12-averages.nw: edit there, then run make tangle. */
-/* checksum 2104615198 of the lines below */
+/* checksum 3952907213 of the lines below */
 #include "averages.h"
 
 #include "blocks.h"
+#include "closed.h"
 #include "piston.h"
 #include "sampling.h"
 #include "statistics.h"
@@ -82,6 +83,20 @@ static double drift(const struct search *h, size_t k)
     for (size_t i = 0; i < h->n; ++i)
         sum += h->s->mass[i] * h->s->velocity[k * h->n + i];
     return h->periodic ? sum / h->mass : 0;
+}
+
+/* What is no room for points between 0 and the place of a body, m; *rank
+   is how many bodies are to its left. */
+static double taken_out(const struct search *h, size_t body, size_t *rank)
+{
+    double shift = h->s->low[h->axis] + h->s->radius[body];
+    *rank = 0;
+    for (size_t i = 0; i < h->n; ++i)
+        if (coordinate(h, i) < coordinate(h, body)) {
+            shift += 2 * h->s->radius[i];
+            ++*rank;
+        }
+    return shift;
 }
 
 static void add_up(struct search *h)
@@ -263,7 +278,8 @@ struct way {
     const char *name;
     struct search *h;
     struct blocks blocks;
-    size_t width, body[ALIKE]; /* columns; whose places they are */
+    size_t width, body[ALIKE]; /* quantities; whose places they are */
+    size_t columns;            /* these, and the share of the energy */
     double work[MODELS_UNITS];
     bool begun, over, dear; /* over: it cannot go on; dear: or may not */
     const char *why;        /* NULL, or why it is out */
@@ -278,6 +294,9 @@ struct way {
     struct sampling box; /* by a chain */
     struct random random;
     double step;
+    double *point; /* of equal masses, see begin_instants */
+    double shift;  /* of the body that is asked for, m */
+    size_t rank;
     uint64_t sweeps;
     double mean, error; /* two standard errors, share of the scale */
     double least_error; /* as small as it may be */
@@ -285,10 +304,14 @@ struct way {
     uint64_t samples;
     bool looked, plateau, steady, mixed;
     bool contradicted;          /* a chain, by events */
+    bool witness;               /* asked by a chain only */
     double first, sum, squares; /* of samples, from the first one on */
     double spread; /* of the means of bodies that are alike, m */
     uint64_t taken;
     double apart; /* how far the means of bodies that are alike are, m */
+    double share; /* of the energy along the first axis, mean */
+    bool shared;  /* it is a half */
+    bool central; /* the mean place is the middle */
 };
 
 static double cost(const struct way *w)
@@ -345,6 +368,18 @@ static bool begin_events(struct way *w)
     return w->running;
 }
 
+/* The share of the kinetic energy that is in the motion along x. */
+static double share_of(const struct search *h, const double velocity[])
+{
+    const double mean = drift(h, h->axis);
+    double sum = 0;
+    for (size_t i = 0; i < h->n; ++i) {
+        const double v = velocity[h->axis * h->n + i] - mean;
+        sum += h->s->mass[i] * v * v / 2;
+    }
+    return sum / h->energy;
+}
+
 static bool sample_events(struct way *w, double value[])
 {
     const struct search *h = w->h;
@@ -363,6 +398,8 @@ static bool sample_events(struct way *w, double value[])
                            (2 * h->energy * w->pace);
         w->virial = r->virial;
     }
+    if (w->columns > w->width)
+        value[w->width] = share_of(h, r->scene.velocity);
     return true;
 }
 
@@ -455,7 +492,7 @@ static bool block(const struct way *w, size_t column, size_t from,
     const size_t n = w->blocks.count - from;
     *mean = 0;
     for (size_t i = 0; i < n; ++i) {
-        x[i] = w->blocks.sum[(from + i) * w->width + column] /
+        x[i] = w->blocks.sum[(from + i) * w->columns + column] /
                (double)w->blocks.per;
         *mean += x[i] / (double)n;
     }
@@ -468,8 +505,8 @@ static double halves(const struct way *w, size_t from)
     const size_t half = (w->blocks.count - from) / 2;
     double sum = 0;
     for (size_t i = 0; i < half; ++i)
-        sum += w->blocks.sum[(from + half + i) * w->width] -
-               w->blocks.sum[(from + i) * w->width];
+        sum += w->blocks.sum[(from + half + i) * w->columns] -
+               w->blocks.sum[(from + i) * w->columns];
     return sum / (double)half / (double)w->blocks.per;
 }
 
@@ -502,6 +539,34 @@ static bool compare(struct way *w, size_t from, double error)
     return true;
 }
 
+/* Looks at what mixing would make a half, and the middle. Returns false
+   without memory. */
+static bool doubt(struct way *w, size_t from)
+{
+    const struct search *h = w->h;
+    const struct averages_quantity *q = &h->q->quantity;
+    struct statistics_blocking b;
+    w->shared = w->central = true;
+    if (w->columns > w->width) {
+        if (!block(w, w->width, from, &w->share, &b))
+            return false;
+        w->shared = fabs(w->share - 0.5) <= 5 * b.error + 1e-9;
+    }
+    if (q->kind == AVERAGES_PLACE && h->dimensions == 2) {
+        const double middle =
+            (h->s->low[q->axis] + h->s->high[q->axis]) / 2;
+        w->central = fabs(w->mean - middle) <=
+                     1.5 * w->error * h->box[q->axis - h->axis];
+    }
+    return true;
+}
+
+/* Says whether the scene has not been everywhere, as far as is known. */
+static bool doubted(const struct way *w)
+{
+    return w->looked && !(w->shared && w->central);
+}
+
 enum { WITNESSES = 90 }; /* independent samples that a plateau takes */
 
 /* How many times as long as it is the run has to be, at least, for two
@@ -530,6 +595,8 @@ static bool look(struct way *w)
         return false;
     const double sure = b.error + b.level[b.chosen].uncertainty;
     w->error = 2 * sure / scale_of(w->h, w->mean);
+    if (w->point)
+        w->error += 3 / (double)w->samples; /* what none has seen */
     if (w->sweeps > 0 && w->h->q->quantity.kind == AVERAGES_PRESSURE)
         w->error *= 1.5; /* the means of 1/l have a long tail */
     w->least_error = (2 * b.error / sure - 1) * w->error;
@@ -538,7 +605,7 @@ static bool look(struct way *w)
     w->samples = (w->blocks.count - from) * w->blocks.per;
     w->inefficiency = inefficiency(w, b.error);
     w->steady = fabs(halves(w, from)) <= 6 * b.error;
-    return compare(w, from, b.error);
+    return compare(w, from, b.error) && doubt(w, from);
 }
 
 /* Says whether the error of a way can be believed. */
@@ -566,8 +633,16 @@ static double price(const struct way *w, double e)
     return fmax(first, cost(w) * fmax(2, lengthen(w, e)));
 }
 
+/* What a run will cost to the end of its time, s by the price list. */
+static double to_the_end(const struct way *w)
+{
+    return cost(w) * w->h->q->until / ((double)w->run.rows * w->pace);
+}
+
 static double predicted(const struct way *w)
 {
+    if (holds(w) && doubted(w) && w->running && !w->over)
+        return to_the_end(w);
     return holds(w) ? cost(w) : price(w, w->goal);
 }
 
@@ -582,7 +657,7 @@ static void note(struct way *w, double value)
 /* Goes on to the next look. Returns false without memory. */
 static bool advance(struct way *w)
 {
-    double value[ALIKE];
+    double value[ALIKE + 1];
     if (!w->begun && !(w->begun = w->begin(w))) {
         w->over = true;
         return w->why != NULL;
@@ -781,20 +856,169 @@ static void take_springs(struct search *h)
         off / h->box[0], stretch, drift / h->box[0]);
 }
 
+/* How many rows a run takes, for the mean place of its body to be off by
+   at most half the tolerance (eq:averages-bends). */
+static double rows_needed(const struct search *h, double *error)
+{
+    const struct averages_request *q = h->q;
+    const double free = h->box[0] - 2 * h->radii, T = q->until;
+    const double v = sqrt(2 * h->energy / h->mass);
+    const double bends = h->energy / (2 * free * h->box[0]) /
+                         h->s->mass[q->quantity.body] *
+                         (1 + 2 * free / (v * T));
+    const double rows = ceil(T * sqrt(2 * bends / q->tolerance));
+    *error = bends * (T / rows) * (T / rows);
+    return rows;
+}
+
+/* Multiplies all lengths of a scene. */
+static void convert(struct scene *s, double unit)
+{
+    for (size_t c = 0; c < SCENE_AXES * s->bodies; ++c) {
+        s->position[c] *= unit;
+        s->velocity[c] *= unit;
+    }
+    for (size_t i = 0; i < s->bodies; ++i)
+        s->radius[i] *= unit;
+    for (size_t k = 0; k < SCENE_AXES; ++k) {
+        s->low[k] *= unit;
+        s->high[k] *= unit;
+    }
+}
+
+/* What two runs of so many rows will cost, s by the price list, as it
+   looks now. */
+static double foreseen(const struct models_run *r, double rows)
+{
+    return 2 * models_cost(r->work) * rows / (double)r->rows;
+}
+
+/* The mean place in a run of so many rows, by the trapezoidal rule. NAN if
+   it ends before: it is too dear, or stuck. */
+static double sum_rows(const struct search *h, struct models_run *r,
+                       double rows)
+{
+    const size_t at = h->axis * h->n + h->q->quantity.body;
+    double sum = r->scene.position[at] / 2;
+    while ((double)r->rows < rows) {
+        if (models_row(r) != MODELS_DONE ||
+            (r->rows > 1024 && foreseen(r, rows) > h->q->reason))
+            return NAN;
+        r->work[MODELS_FLIGHT] += (double)h->n;
+        sum += r->scene.position[at];
+    }
+    return (sum - r->scene.position[at] / 2) / rows;
+}
+
+/* The mean place, m, in a run of so many rows in units of which a metre
+   has so many; NAN if there is none. Adds its work, and sets what both
+   runs will cost. */
+static double run_whole(const struct search *h, double unit, double rows,
+                        double work[], double *price)
+{
+    const struct models_plan plan = {.model = models_find("line")};
+    struct models_run r;
+    struct scene s;
+    const char *why;
+    double mean = NAN;
+    if (!scene_copy(&s, h->s))
+        return NAN;
+    convert(&s, unit);
+    if (models_begin(&r, &plan, &s, h->q->until / rows, &why)) {
+        mean = sum_rows(h, &r, rows) / unit;
+        for (size_t u = 0; u < MODELS_UNITS; ++u)
+            work[u] += r.work[u];
+        *price = foreseen(&r, rows);
+        models_end(&r);
+    }
+    scene_free(&s);
+    return mean;
+}
+
+/* Says whether the places that are asked for never mix. */
+static bool never_mixes(const struct search *h)
+{
+    return h->q->quantity.kind == AVERAGES_PLACE && h->dimensions == 1 &&
+           (h->n < 3 || h->equal);
+}
+
+static void take_whole(struct search *h)
+{
+    double bound, own[MODELS_UNITS] = {0}, price = INFINITY;
+    if (!never_mixes(h) || h->equal)
+        return;
+    struct averages_candidate *c = enter(h, "whole");
+    const double rows = rows_needed(h, &bound);
+    if (!wanted(h, c->name)) {
+        snprintf(c->text, AVERAGES_TEXT, "another way was asked for");
+        return;
+    }
+    c->value = run_whole(h, 1, rows, own, &price);
+    if (!isnan(c->value)) {
+        const double twin = run_whole(h, 0.7, rows, own, &price);
+        const double off = fabs(twin - c->value) / h->box[0];
+        c->error = bound + 4 * off;
+        c->sure = isnan(off) ? AVERAGES_OUT : AVERAGES_ESTIMATE;
+        h->f->time = h->q->until;
+        snprintf(c->text, AVERAGES_TEXT,
+                 "all of the run, as two alone on a line may never forget; "
+                 "%.2g of the box off in other units",
+                 off);
+    }
+    c->cost = models_cost(own);
+    for (size_t u = 0; u < MODELS_UNITS; ++u)
+        h->f->work[u] += own[u];
+    const double room = 0.7 * h->q->reason / price;
+    if (c->sure == AVERAGES_OUT)
+        snprintf(c->text, AVERAGES_TEXT,
+                 "two alone on a line may never forget: only all of the "
+                 "run tells, and %.4g s of it cost %.2g s by the price "
+                 "list, of %.3g; ask for %.1g s",
+                 h->q->until, price, h->q->reason, h->q->until * room);
+}
+
+/* Makes points of the bodies: n places without radii, n velocities, and
+   room for both at another time. */
+static bool begin_instants(struct way *w)
+{
+    const struct search *h = w->h;
+    w->point = malloc(4 * h->n * sizeof *w->point);
+    if (!w->point)
+        return false;
+    for (size_t i = 0; i < h->n; ++i) {
+        w->point[i] = coordinate(h, i) - taken_out(h, i, &w->rank);
+        w->point[h->n + i] = h->s->velocity[h->axis * h->n + i];
+    }
+    w->shift = taken_out(h, h->q->quantity.body, &w->rank);
+    random_seed(&w->random, 1);
+    return true;
+}
+
+static bool sample_instants(struct way *w, double value[])
+{
+    const struct search *h = w->h;
+    const size_t n = h->n;
+    double *x = w->point, *v = x + n, *place = v + n, *speed = place + n;
+    const double t = random_between(&w->random, 0, h->q->until);
+    w->work[MODELS_FLIGHT] += (double)n;
+    for (size_t m = n; m > 0; m /= 2) /* n log n comparisons */
+        w->work[MODELS_ORDER] += (double)n;
+    if (!closed_relabel(0, h->box[0] - 2 * h->radii, n, x, v, t, place,
+                        speed))
+        return false;
+    value[0] = w->shift + place[w->rank];
+    return true;
+}
+
 static void enter_order(struct search *h, struct averages_candidate **law)
 {
     const struct averages_quantity *q = &h->q->quantity;
-    size_t rank = 0;
-    double place = h->s->low[h->axis] + h->s->radius[q->body];
+    size_t rank;
     if (q->kind != AVERAGES_PLACE || h->dimensions != 1)
         return;
-    for (size_t i = 0; i < h->n; ++i)
-        if (coordinate(h, i) < coordinate(h, q->body)) {
-            place += 2 * h->s->radius[i];
-            ++rank;
-        }
     struct averages_candidate *c = enter(h, "order");
-    c->value = place + (h->box[0] - 2 * h->radii) * (double)(rank + 1) /
+    const double shift = taken_out(h, q->body, &rank);
+    c->value = shift + (h->box[0] - 2 * h->radii) * (double)(rank + 1) /
                            (double)(h->n + 1);
     if (h->n < 3)
         snprintf(c->text, AVERAGES_TEXT, "fewer than three do not mix");
@@ -821,7 +1045,8 @@ static bool trusted(const struct way *w,
 {
     if (law && borne_out(law, w, w->h))
         return wanted(w->h, law->name) || holds(w);
-    return holds(w) && wanted(w->h, w->name) && (!law || w->over);
+    return holds(w) && wanted(w->h, w->name) &&
+           ((!law && !doubted(w)) || w->over);
 }
 
 /* Says whether a way is, as far as can be seen, too dear. */
@@ -844,7 +1069,8 @@ static struct way *most_promising(struct way way[], size_t ways)
                   (w->sweeps > STUCK && !(w->plateau && w->mixed));
         w->dear = w->dear || (!w->over && beyond(w));
         w->over = w->over || w->dear;
-        if (!w->over && (!best || predicted(w) < predicted(best)))
+        if (!w->over && !w->witness &&
+            (!best || predicted(w) < predicted(best)))
             best = w;
     }
     return best;
@@ -856,7 +1082,8 @@ static bool agrees(const struct way *chain, const struct way *events)
     const struct search *h = chain->h;
     const double off =
         fabs(chain->mean - events->mean) / scale_of(h, chain->mean);
-    return events->looked && off <= 1.5 * (chain->error + events->error);
+    return settled(events) && events->error <= 4 * h->q->tolerance &&
+           off <= 1.5 * (chain->error + events->error);
 }
 
 /* Lets events go on until they bear a chain out, or are over. Returns false
@@ -890,8 +1117,8 @@ static bool race(struct way way[], size_t ways,
         bool good = trusted(w, law);
         if (good && w == &way[1] && !ask_events(way, &good))
             return false;
-        if (good) {
-            *winner = w;
+        if (good || (w->contradicted && trusted(&way[0], law))) {
+            *winner = good ? w : &way[0];
             break;
         }
     }
@@ -1004,6 +1231,26 @@ static void too_dear(char *to, const struct way *w, const char *gone)
              w->h->q->reason, offer(w, text));
 }
 
+/* Says what is doubtful about a way that has settled. */
+static void come_round(char *to, const struct way *w, const char *gone)
+{
+    int n;
+    if (!w->shared)
+        n = snprintf(to, AVERAGES_REFUSAL,
+                     "it does not mix: in %s the motion along x has %.2g "
+                     "of the energy, and not a half",
+                     gone, w->share);
+    else
+        n = snprintf(to, AVERAGES_REFUSAL,
+                     "it does not mix: in %s the mean is %.4g, and not the "
+                     "middle of the box",
+                     gone, w->mean);
+    snprintf(to + n, AVERAGES_REFUSAL - (size_t)n,
+             "; all of the time would cost %.2g s by the price list, of "
+             "%.3g that are reasonable: ask for a shorter one",
+             to_the_end(w), w->h->q->reason);
+}
+
 /* Says why a way that has taken samples gives no answer. */
 static void refuse(struct search *h, const struct way *w)
 {
@@ -1013,6 +1260,12 @@ static void refuse(struct search *h, const struct way *w)
     if (w->why || !(w->looked || w->dear))
         snprintf(to, AVERAGES_REFUSAL, "%s",
                  w->why ? w->why : "the run ended before its first look");
+    else if (w->contradicted)
+        snprintf(to, AVERAGES_REFUSAL,
+                 "the motion does not go where the chain goes: ask for "
+                 "events, or a longer time");
+    else if (settled(w) && doubted(w) && w->running)
+        come_round(to, w, gone);
     else if (w->dear)
         too_dear(to, w, gone);
     else if (!settled(w))
@@ -1072,10 +1325,22 @@ static void begin_ways(struct search *h, struct way way[2],
     if (law && h->dimensions == 2)
         way[1].why = "a chain cannot say how soon the motion mixes";
     way[1].least = first_look(h);
+    if (never_mixes(h) && h->equal) {
+        way[0].name = "instants";
+        way[0].begin = begin_instants;
+        way[0].sample = sample_instants;
+    } else if (never_mixes(h))
+        way[0].why = "two alone on a line may never forget: blocks do not "
+                     "tell";
     for (int k = 0; k < 2; ++k) {
         compare_alike(&way[k]);
+        way[k].columns =
+            way[k].width + (k == 0 && h->dimensions == 2 && h->n > 1);
         way[k].goal = lawful ? fmax(0.01, e) : e;
-        if (!wanted(h, way[k].name) && !(k == 0 && lawful))
+        way[k].witness = k == 0 && !lawful && wanted(h, way[1].name) &&
+                         !wanted(h, way[0].name);
+        if (!wanted(h, way[k].name) && !(k == 0 && lawful) &&
+            !way[k].witness)
             way[k].why = "another way was asked for";
     }
 }
@@ -1088,6 +1353,7 @@ static void end_way(struct way *w, struct averages_found *f)
         models_end(&w->run);
     if (w->begun && w->box.blocked)
         sampling_free(&w->box);
+    free(w->point);
     blocks_free(&w->blocks);
 }
 
@@ -1147,8 +1413,8 @@ static bool take_samples(struct search *h)
     enter_order(h, &law);
     enter_two_disks(h, &law);
     begin_ways(h, way, law);
-    bool well = blocks_create(&way[0].blocks, way[0].width);
-    well = blocks_create(&way[1].blocks, way[1].width) && well;
+    bool well = blocks_create(&way[0].blocks, way[0].columns);
+    well = blocks_create(&way[1].blocks, way[1].columns) && well;
     well = well && race(way, 2, law, &winner);
     if (well && law)
         judge(law, &way[0]);
@@ -1203,7 +1469,15 @@ static void explain_bound(struct search *h)
     struct averages_found *f = h->f;
     for (size_t k = 0; k < f->candidates; ++k) {
         const struct averages_candidate *c = &f->candidate[k];
-        if (c->sure == AVERAGES_BOUND && wanted(h, c->name))
+        if (strcmp(c->name, "whole") == 0 && wanted(h, c->name)) {
+            if (c->sure == AVERAGES_OUT)
+                snprintf(f->refusal, AVERAGES_REFUSAL, "%s", c->text);
+            else
+                snprintf(f->refusal, AVERAGES_REFUSAL,
+                         "%s: rounding decides where it goes; ask for "
+                         "%.2g, or for a shorter time",
+                         c->text, round_up(2 * c->error));
+        } else if (c->sure == AVERAGES_BOUND && wanted(h, c->name))
             snprintf(f->refusal, AVERAGES_REFUSAL,
                      "a run of %.4g s may be off by %.2g from the law that "
                      "long runs obey; ask for that, or for %.4g s",
@@ -1226,6 +1500,7 @@ bool averages_find(struct averages_found *f,
     take_conserved(&h);
     take_tonks(&h);
     take_springs(&h);
+    take_whole(&h);
     if (!take_closed(&h)) {
         well = take_samples(&h);
         if (f->taken == f->candidates) {

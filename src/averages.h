@@ -1,5 +1,5 @@
 /* From chapters/12-averages.nw: edit there, then run make tangle. */
-/* checksum 2628631957 of the lines below */
+/* checksum 2923593527 of the lines below */
 #ifndef AVERAGES_H
 #define AVERAGES_H
 
@@ -44,8 +44,8 @@ enum { AVERAGES_REASON = 60 }; /* s by the price list: a usual .reason */
 
 /* A way to the average. */
 struct averages_candidate {
-    const char *name; /* conserved, tonks, two-disks, springs, order,
-                         events, sampling or steps */
+    const char *name; /* conserved, tonks, two-disks, springs, whole,
+                         order, events, instants, sampling or steps */
     enum averages_sure sure;
     double value, error; /* in its unit; share of the scale */
     double cost;         /* of the whole way, s by the price list */

@@ -1,5 +1,5 @@
 /* From chapters/06-room.nw: edit there, then run make tangle. */
-/* checksum 1030299340 of the lines below */
+/* checksum 3303471605 of the lines below */
 #ifndef SAMPLING_H
 #define SAMPLING_H
 
@@ -23,7 +23,8 @@ struct sampling {
 enum { SAMPLING_BLOCKS = 128 }; /* even; at least half of them are full */
 
 /* Means of quantities over a run, with errors from blocks of samples that
-   double in length when there are too many. */
+   double in length when there are too many. Not yet the blocks of chapter
+   7: those take whole samples, here a few of hundreds of bins change. */
 struct sampling_means {
     size_t quantities, blocks; /* full ones */
     uint64_t length, filled;   /* samples in a full block, in the next */

@@ -1,8 +1,11 @@
 /* From chapters/12-averages.nw: edit there, then run make tangle. */
-/* checksum 1963059632 of the lines below */
+/* checksum 309814986 of the lines below */
 #include "averages.h"
+#include "blocks.h"
 #include "gallery.h"
 #include "start.h"
+#include "statistics.h"
+#include "toolbox/random.h"
 #include "toolbox/study.h"
 
 #include <math.h>
@@ -132,6 +135,132 @@ static void study_stop(struct study *s)
     }
 }
 
+static void make_pair(struct scene *s, double ratio, int seed)
+{
+    struct random r;
+    random_seed(&r, (uint64_t)seed);
+    if (!scene_create(s, 2))
+        study_fail(PROGRAM, "no memory");
+    s->contact = true;
+    s->wall[0] = SCENE_HARD;
+    s->high[0] = 1;
+    for (size_t i = 0; i < 2; ++i) {
+        const double u = random_between(&r, -1, 1);
+        s->mass[i] = i == 0 ? 1 : ratio;
+        s->position[i] =
+            random_between(&r, 0.5 * (double)i, 0.5 * (double)(i + 1));
+        s->velocity[i] = ratio == 1 ? 1 + u / 100 : u;
+        s->freedom[2 + i] = s->freedom[4 + i] = 0;
+    }
+}
+
+enum { ROWS = 64 }; /* to a second, about one crossing of the box */
+
+/* Looks at the last three quarters: mean and two standard errors. Returns
+   false without a plateau. */
+static bool look(const struct blocks *b, double *mean, double *error)
+{
+    struct statistics_blocking found;
+    double x[BLOCKS_MOST];
+    const size_t from = (b->count + 3) / 4, n = b->count - from;
+    *mean = 0;
+    for (size_t i = 0; i < n; ++i) {
+        x[i] = b->sum[from + i] / (double)b->per;
+        *mean += x[i] / (double)n;
+    }
+    if (!statistics_blocking(n, x, &found))
+        study_fail(PROGRAM, "no memory");
+    *error = 2 * (found.error + found.level[found.chosen].uncertainty);
+    return found.plateau;
+}
+
+/* Runs until blocks are believed: a plateau, and an error of at most e; if
+   twice, again at twice the time, and the two agree. */
+static bool believe(const struct scene *s, double until, double e,
+                    bool twice, double *mean, double *error)
+{
+    const struct models_plan plan = {.model = models_find("line")};
+    struct blocks b;
+    struct models_run r;
+    const char *why;
+    double first = 0, bar = 0, time = 0; /* of the look to be confirmed */
+    bool held = false;
+    if (!blocks_create(&b, 1) ||
+        !models_begin(&r, &plan, s, 1.0 / ROWS, &why))
+        study_fail(PROGRAM, "no run");
+    while (!held && (double)r.rows < until * ROWS) {
+        models_row(&r);
+        blocks_add(&b, r.scene.position);
+        const double now = (double)r.rows;
+        if (b.filled > 0 || b.count % 64 > 0 || b.count < 256 ||
+            !look(&b, mean, error) || *error > e ||
+            (time > 0 && now < 2 * time))
+            continue;
+        held = !twice ||
+               (time > 0 && fabs(*mean - first) <= 0.75 * (*error + bar));
+        first = *mean;
+        bar = *error;
+        time = now;
+    }
+    models_end(&r);
+    blocks_free(&b);
+    return held;
+}
+
+/* Counts: runs believed, those beyond their error, and the worst of them in
+   its errors; then the same of runs looked at twice. */
+static void count_pair(double ratio, double row[6])
+{
+    enum { PAIRS = 6 };
+    const double T = 1e4, e = 0.01;
+    for (int seed = 1; seed <= PAIRS && !progress_signal(); ++seed) {
+        struct scene s;
+        double mean, error;
+        make_pair(&s, ratio, seed);
+        const double whole = ask(&s, "x:0", T, e, NULL).value;
+        for (int k = 0; k < 6; k += 3)
+            if (believe(&s, T, e, k > 0, &mean, &error)) {
+                const double off = fabs(mean - whole) / error;
+                row[k] += 1;
+                row[k + 1] += off > 1;
+                row[k + 2] = fmax(row[k + 2], off);
+            }
+        scene_free(&s);
+    }
+}
+
+static void study_pairs(struct study *s)
+{
+    static const double ratios[] = {1, 1.1, 2, 3, 10, 30, 100, 1000};
+    static const char *const keys[] = {"believed",     "beyond",
+                                       "worst",        "twice",
+                                       "twice_beyond", "twice_worst"};
+    double all[6] = {0};
+    table_column(s->out, "m2/m1", "", "ratio of the masses");
+    for (int k = 0; k < 2; ++k) {
+        table_column(s->out, "n", "",
+                     k ? "believed after two looks"
+                       : "runs believed, of 6");
+        table_column(s->out, "beyond", "", "of them off by more than e");
+        table_column(s->out, "worst", "e", "the largest difference");
+    }
+    for (int k = 0; k < 8 && !progress_signal(); ++k) {
+        double row[7] = {ratios[k]};
+        count_pair(ratios[k], row + 1);
+        table_row(s->out, 7, row);
+        for (int j = 0; j < 6; ++j) {
+            char key[32];
+            snprintf(key, sizeof key, "%s_%g", keys[j], ratios[k]);
+            table_real(s->summary, key, row[1 + j]);
+            if (k > 0)
+                all[j] = j % 3 == 2 ? fmax(all[j], row[1 + j])
+                                    : all[j] + row[1 + j];
+        }
+    }
+    for (int j = 0; j < 6; ++j)
+        table_real(s->summary, keys[j], all[j]);
+}
+
 /* The mean place from the start on, at times that double. */
 static void run_piston(const struct scene *s, size_t body, int times,
                        double mean[])
@@ -223,12 +352,13 @@ static void study_places(struct study *s)
     }
 }
 
-/* What it costs to hold a tolerance, s by the price list, or NAN. */
+/* What it costs to hold a tolerance by this way alone, s by the price
+   list, or NAN. */
 static double price(const struct scene *s, const char *name,
                     double tolerance, const char *model)
 {
     const struct averages_found f = ask(s, name, 1e9, tolerance, model);
-    return refused(&f) ? NAN : f.cost + f.deciding;
+    return refused(&f) ? NAN : f.cost;
 }
 
 static void study_digits(struct study *s)
@@ -258,6 +388,7 @@ static void study_digits(struct study *s)
 
 static const struct study_entry studies[] = {
     {"stop", study_stop, "how often a mean is within its error"},
+    {"pairs", study_pairs, "two on a line, and blocks that agree"},
     {"patience", study_patience, "a heavy piston and ever longer runs"},
     {"places", study_places, "disks that change places, or do not"},
     {"digits", study_digits, "what a tolerance costs, by two ways"},

@@ -245,7 +245,7 @@ GRADE_BUILT = build/grade/grade build/grade/flags \
 
 .PHONY: grade grade-parts grade-bench has-submissions
 grade-bench: grade-parts
-	@tests/grader/bench 100 $(if $(RECORD),plots/data/B-grade.dat)
+	@tests/grader/bench 25 $(if $(RECORD),plots/data/B-grade.dat)
 has-submissions:
 	@[ -n "$(SUBMISSIONS)" ] || { echo 'make: grade: which submissions?' \
 		'make grade SUBMISSIONS=dir (a folder with one for each student)' \
@@ -632,7 +632,7 @@ help:
 	@echo 'make native       the fastest build for this machine, build/native/'
 	@echo 'make bench        the speed tables, measured here'
 	$(call offer,mutants) 'make mutants      how many planted mistakes the exercises notice'
-	$(call offer,grade) 'make grade-bench  how long a hundred submissions take; RECORD=1'
+	$(call offer,grade) 'make grade-bench  how long a course of 25 takes to grade; RECORD=1'
 	$(call offer,memcheck) 'make memcheck     the library tests under sanitizers'
 	$(call offer,fuzz) 'make fuzz         the reader of scenes against random texts; TEXTS=1e7'
 	$(call offer,tangle) 'make tangle       write src/ from chapters/'

@@ -1,7 +1,8 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 225593879 of the lines below */
+/* checksum 1182363060 of the lines below */
 #include "record.h"
 
+#include "pair.h"
 #include "toolbox/bench.h"
 
 #include <math.h>
@@ -9,48 +10,53 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* From the lowest body or wall along an axis to the highest, m. */
+static double spread_of(const struct scene *s, size_t k)
+{
+    const double *x = s->position + k * s->bodies;
+    double low = x[0], high = x[0];
+    for (size_t i = 1; i < s->bodies; ++i) {
+        low = fmin(low, x[i]);
+        high = fmax(high, x[i]);
+    }
+    if (s->wall[k] != SCENE_OPEN) {
+        low = fmin(low, s->low[k]);
+        high = fmax(high, s->high[k]);
+    }
+    return high - low;
+}
+
 /* The diagonal of the box that holds all bodies and walls, m. */
 static double size_of(const struct scene *s)
 {
     double sum = 0;
-    for (size_t k = 0; k < SCENE_AXES; ++k) {
-        const double *x = s->position + k * s->bodies;
-        double low = x[0], high = x[0];
-        for (size_t i = 1; i < s->bodies; ++i) {
-            low = fmin(low, x[i]);
-            high = fmax(high, x[i]);
-        }
-        if (s->wall[k] != SCENE_OPEN) {
-            low = fmin(low, s->low[k]);
-            high = fmax(high, s->high[k]);
-        }
-        sum += (high - low) * (high - low);
-    }
+    for (size_t k = 0; k < SCENE_AXES; ++k)
+        sum += spread_of(s, k) * spread_of(s, k);
     return sqrt(sum);
+}
+
+static double speed_of_body(const struct scene *s, size_t i)
+{
+    const size_t n = s->bodies;
+    const double x = s->velocity[i], y = s->velocity[n + i],
+                 z = s->velocity[2 * n + i];
+    return sqrt(x * x + y * y + z * z);
 }
 
 /* The largest speed, m/s. */
 static double speed_of(const struct scene *s)
 {
-    const size_t n = s->bodies;
     double most = 0;
-    for (size_t i = 0; i < n; ++i) {
-        const double x = s->velocity[i], y = s->velocity[n + i],
-                     z = s->velocity[2 * n + i];
-        most = fmax(most, x * x + y * y + z * z);
-    }
-    return sqrt(most);
+    for (size_t i = 0; i < s->bodies; ++i)
+        most = fmax(most, speed_of_body(s, i));
+    return most;
 }
 
 static double momentum_of(const struct scene *s)
 {
-    const size_t n = s->bodies;
     double sum = 0;
-    for (size_t i = 0; i < n; ++i) {
-        const double x = s->velocity[i], y = s->velocity[n + i],
-                     z = s->velocity[2 * n + i];
-        sum += s->mass[i] * sqrt(x * x + y * y + z * z);
-    }
+    for (size_t i = 0; i < s->bodies; ++i)
+        sum += s->mass[i] * speed_of_body(s, i);
     return sum;
 }
 
@@ -307,6 +313,11 @@ size_t record_agree(const struct record_view *v, const struct record *a,
     return r - 1;
 }
 
+static double unit_of(const struct record_order *o)
+{
+    return o->converted ? unit_length : 1;
+}
+
 static void copy_states(const struct scene *s, double to[])
 {
     const size_t n = s->bodies;
@@ -317,18 +328,23 @@ static void copy_states(const struct scene *s, double to[])
         }
 }
 
-/* Looks at a run as it is now. */
-static void look(struct record_view *v, struct models_run *run, double unit,
-                 double to[])
+/* Looks at a run as it is at the end of the row that was reached; met: its
+   collisions so far. */
+static void look(struct record *r, struct record_view *v,
+                 const struct record_order *o, const struct scene *now,
+                 uint64_t met)
 {
+    const double unit = unit_of(o);
+    double *to = r->value + r->reached * v->columns;
     struct scene *s = &v->scene;
     for (size_t c = 0; c < SCENE_AXES * s->bodies; ++c) {
-        s->position[c] = run->scene.position[c] / unit;
-        s->velocity[c] = run->scene.velocity[c] / unit;
+        s->position[c] = now->position[c] / unit;
+        s->velocity[c] = now->velocity[c] / unit;
     }
-    v->motion.stepping.start = run->start + (double)run->rows * run->every;
     if (v->asked) {
-        v->motion.collisions = models_collisions(run);
+        v->motion.stepping.start =
+            o->scene->time + (double)r->reached * o->every;
+        v->motion.collisions = met;
         observables_values(v->asked, &v->motion, to);
     } else
         copy_states(s, to);
@@ -344,58 +360,12 @@ static bool strays(const struct record *r, const struct record_view *v,
 
 /* How fast the ends of a spring pass each other, or have passed, within
    this step, 1/s; 0: they do not. */
-static double spring_turns(const struct scene *s,
-                           const struct scene_spring *spring, double step)
+static double spring_turns(const struct scene_spring *spring,
+                           const struct pair *ends, double step)
 {
-    const size_t n = s->bodies, i = spring->a, j = spring->b;
-    double r2 = 0, v2 = 0, rv = 0;
-    for (size_t k = 0; k < SCENE_AXES; ++k) {
-        const double d = s->position[k * n + j] - s->position[k * n + i];
-        const double v = s->velocity[k * n + j] - s->velocity[k * n + i];
-        r2 += d * d;
-        v2 += v * v;
-        rv += d * v;
-    }
-    if (spring->rest == 0 || !(fabs(rv) <= step * v2) || v2 == 0)
+    if (spring->rest == 0 || !pair_passes(ends, step))
         return 0;
-    return sqrt(v2 / fmax(r2 - rv * rv / v2, 0));
-}
-
-/* What a contact would have done to two bodies that have passed through
-   each other in this step, m; 0: they have not. */
-static double graze(const struct scene *from, const struct scene *to,
-                    size_t i, size_t j, double step)
-{
-    const size_t n = to->bodies;
-    double r2 = 0, d2 = 0, rd = 0, bend2 = 0;
-    for (size_t k = 0; k < SCENE_AXES; ++k) {
-        const size_t a = k * n + i, b = k * n + j;
-        const double r = from->position[b] - from->position[a];
-        const double d = to->position[b] - to->position[a] - r;
-        const double u = to->velocity[b] - to->velocity[a] -
-                         (from->velocity[b] - from->velocity[a]);
-        r2 += r * r;
-        d2 += d * d;
-        rd += r * d;
-        bend2 += u * u;
-    }
-    const double R = to->radius[i] + to->radius[j] - sqrt(bend2) * step / 8;
-    const double b2 = r2 - rd * rd / d2;
-    return -rd > 0 && -rd < d2 && R > 0 && b2 < R * R
-               ? sqrt(1 - b2 / (R * R)) * sqrt(d2) / step
-               : 0;
-}
-
-/* How many contacts that matter the step from one state to the other has
-   missed, of which it has found so many. */
-static uint64_t missed_of(const struct scene *from, const struct scene *to,
-                          double step, double matters, uint64_t found)
-{
-    uint64_t passed = 0;
-    for (size_t i = 0; i < to->bodies; ++i)
-        for (size_t j = 0; j < i; ++j)
-            passed += graze(from, to, i, j, step) > matters;
-    return passed > found ? passed - found : 0;
+    return sqrt(ends->v2 / pair_nearest2(ends));
 }
 
 /* How easily the ends of a spring are moved against each other, 1/kg. */
@@ -413,40 +383,27 @@ static double ease_of(const struct scene *s,
 }
 
 /* How far it may swing, m. */
-static double spring_swing(const struct scene *s,
-                           const struct scene_spring *spring, double rate)
+static double spring_swings(const struct scene_spring *spring,
+                            const struct pair *ends, double rate)
 {
-    const size_t n = s->bodies, i = spring->a, j = spring->b;
-    double r2 = 0, rv = 0;
-    for (size_t k = 0; k < SCENE_AXES; ++k) {
-        const double d = s->position[k * n + j] - s->position[k * n + i];
-        r2 += d * d;
-        rv += d * (s->velocity[k * n + j] - s->velocity[k * n + i]);
-    }
-    const double length = sqrt(r2);
+    const double length = sqrt(ends->r2);
     return fmax(fabs(length - spring->rest),
-                length > 0 ? fabs(rv) / length / rate : 0);
+                length > 0 ? fabs(ends->rv) / length / rate : 0);
 }
 
-static void note_swinging(struct record *r, const struct scene *s,
-                          double little)
+static void note_springs(struct record *r, const struct scene *s,
+                         double step, double little)
 {
     for (size_t j = 0; j < s->springs; ++j) {
         const struct scene_spring *spring = &s->spring[j];
+        const struct pair ends = pair_of(s, spring->a, spring->b);
         const double rate =
             sqrt(s->kind[spring->kind].stiffness * ease_of(s, spring));
+        r->turning = fmax(r->turning, spring_turns(spring, &ends, step));
         if (rate > r->swinging &&
-            spring_swing(s, &s->spring[j], rate) > little)
+            spring_swings(spring, &ends, rate) > little)
             r->swinging = rate;
     }
-}
-
-static double speed_of_body(const struct scene *s, size_t i)
-{
-    const size_t n = s->bodies;
-    const double x = s->velocity[i], y = s->velocity[n + i],
-                 z = s->velocity[2 * n + i];
-    return sqrt(x * x + y * y + z * z);
 }
 
 static void note_damping(struct record *r, const struct scene *s,
@@ -465,16 +422,214 @@ static void note_damping(struct record *r, const struct scene *s,
     }
 }
 
+static void count_looks(struct record *r, enum models_unit unit,
+                        double times)
+{
+    r->watching += 1e-9 * models_prices[unit].ns * times;
+}
+
+/* What moves nobody by more than a little in the whole run, m/s. */
+static double alive(const struct record_order *o)
+{
+    return o->little / (o->every * (double)o->rows);
+}
+
 static void watch(struct record *r, const struct models_run *run,
-                  double unit, const struct record_order *o)
+                  const struct record_order *o)
 {
     const struct scene *s = &run->scene;
-    r->speed = fmax(r->speed, speed_of(s) / unit);
-    for (size_t j = 0; j < s->springs; ++j)
-        r->turning =
-            fmax(r->turning, spring_turns(s, &s->spring[j], run->every));
-    note_swinging(r, s, o->little);
-    note_damping(r, s, o->little / (o->every * (double)o->rows));
+    r->speed = fmax(r->speed, speed_of(s) / unit_of(o));
+    note_springs(r, s, run->every, o->little);
+    note_damping(r, s, alive(o));
+    count_looks(r, MODELS_EVALUATION, 1);
+    count_looks(r, MODELS_BODY, (double)s->bodies);
+    count_looks(r, MODELS_SPRING, (double)s->springs);
+}
+
+/* What a contact would have done to two bodies that have passed through
+   each other in this step, m/s; 0: they have not. */
+static double graze(const struct pair *before, const struct pair *after,
+                    double touching, double step)
+{
+    const struct pair way = pair_way(before, after);
+    const double R = touching - pair_changed(before, after) * step / 8;
+    if (!(-way.rv > 0 && -way.rv < way.v2 && R > 0))
+        return 0;
+    const double b2 = pair_nearest2(&way);
+    return b2 < R * R ? sqrt(1 - b2 / (R * R)) * sqrt(way.v2) / step : 0;
+}
+
+/* What a body sweeps in a step, m. */
+struct sweep {
+    double low[SCENE_AXES], high[SCENE_AXES]; /* along each axis */
+    double from, to; /* along that of the order, and in a periodic box */
+    size_t body;
+};
+
+/* The ways of a step. */
+struct ways {
+    struct scene before; /* the state where they begin */
+    size_t axis;         /* of the order */
+    double side;         /* of a periodic box along this axis, m; or 0 */
+    struct sweep *sweep; /* [bodies], in order of from */
+};
+
+/* A copy of the scene that can take states from the middle of a run. */
+static bool copy_for_states(struct scene *to, const struct scene *s)
+{
+    if (!scene_copy(to, s))
+        return false;
+    free(to->kept);
+    free(to->carry);
+    to->kept = to->carry = NULL;
+    return true;
+}
+
+static void take_state(struct scene *to, const struct scene *from)
+{
+    const size_t size = SCENE_AXES * from->bodies * sizeof *from->position;
+    memcpy(to->position, from->position, size);
+    memcpy(to->velocity, from->velocity, size);
+}
+
+static void find_sweep(struct sweep *p, const struct ways *w,
+                       const struct scene *now)
+{
+    const double radius = now->radius[p->body];
+    for (size_t k = 0; k < SCENE_AXES; ++k) {
+        const size_t at = k * now->bodies + p->body;
+        const double x = w->before.position[at], y = now->position[at];
+        p->low[k] = fmin(x, y) - radius;
+        p->high[k] = fmax(x, y) + radius;
+    }
+    p->from = p->low[w->axis];
+    p->to = p->high[w->axis];
+    if (w->side > 0) {
+        const double far = p->from - now->low[w->axis];
+        const double shift = w->side * floor(far / w->side);
+        p->from -= shift;
+        p->to -= shift;
+    }
+}
+
+static size_t longest_axis(const struct scene *s)
+{
+    size_t longest = 0;
+    for (size_t k = 1; k < SCENE_AXES; ++k)
+        if (spread_of(s, k) > spread_of(s, longest))
+            longest = k;
+    return longest;
+}
+
+static int by_from(const void *a, const void *b)
+{
+    const struct sweep *p = a, *q = b;
+    if (p->from != q->from)
+        return p->from < q->from ? -1 : 1;
+    return p->body < q->body ? -1 : p->body > q->body;
+}
+
+static bool make_ways(struct ways *w, const struct scene *s)
+{
+    *w = (struct ways){.axis = longest_axis(s)};
+    w->sweep = malloc(s->bodies * sizeof *w->sweep + 1);
+    if (!w->sweep || !copy_for_states(&w->before, s))
+        return false;
+    if (s->wall[w->axis] == SCENE_PERIODIC)
+        w->side = s->high[w->axis] - s->low[w->axis];
+    for (size_t i = 0; i < s->bodies; ++i) {
+        w->sweep[i].body = i;
+        find_sweep(&w->sweep[i], w, s);
+    }
+    qsort(w->sweep, s->bodies, sizeof *w->sweep, by_from);
+    return true;
+}
+
+static void free_ways(struct ways *w)
+{
+    scene_free(&w->before);
+    free(w->sweep);
+}
+
+/* Returns how many comparisons that took. */
+static uint64_t put_in_order(struct sweep sweep[], size_t n)
+{
+    uint64_t compared = 0;
+    for (size_t i = 1; i < n; ++i) {
+        const struct sweep now = sweep[i];
+        size_t j = i;
+        for (; j > 0 && sweep[j - 1].from > now.from; --j)
+            sweep[j] = sweep[j - 1];
+        sweep[j] = now;
+        compared += i - j + 1;
+    }
+    return compared;
+}
+
+static bool is_far(const struct sweep *a, const struct sweep *b,
+                   const struct scene *s)
+{
+    for (size_t k = 0; k < SCENE_AXES; ++k)
+        if (s->wall[k] != SCENE_PERIODIC &&
+            (a->high[k] < b->low[k] || b->high[k] < a->low[k]))
+            return true;
+    return false;
+}
+
+/* Have the two passed through each other, in a contact that matters? */
+static bool is_grazed(const struct ways *w, const struct scene *now,
+                      const struct sweep *a, const struct sweep *b,
+                      double step, double matters)
+{
+    const size_t i = a->body, j = b->body;
+    if (is_far(a, b, now))
+        return false;
+    struct pair from = pair_of(&w->before, i, j), to = pair_of(now, i, j);
+    for (size_t k = 0; k < SCENE_AXES; ++k)
+        if (now->wall[k] == SCENE_PERIODIC) {
+            const double side = now->high[k] - now->low[k];
+            const double shift = side * floor(from.r[k] / side + 0.5);
+            from.r[k] -= shift;
+            to.r[k] -= shift;
+        }
+    return graze(&from, &to, now->radius[i] + now->radius[j], step) >
+           matters;
+}
+
+/* How many contacts that matter ways have had; *asked: of so many pairs. */
+static uint64_t count_grazed(const struct ways *w, const struct scene *now,
+                             double step, double matters, uint64_t *asked)
+{
+    const size_t n = now->bodies;
+    const struct sweep *p = w->sweep;
+    uint64_t grazed = 0;
+    for (size_t i = 0; i < n; ++i) {
+        const double past = w->side > 0 ? p[i].to - w->side : -INFINITY;
+        for (size_t j = i + 1; j < n && p[j].from < p[i].to; ++j, ++*asked)
+            grazed += is_grazed(w, now, &p[i], &p[j], step, matters);
+        for (size_t j = 0; j < i && p[j].from < past; ++j, ++*asked)
+            grazed += is_grazed(w, now, &p[i], &p[j], step, matters);
+    }
+    return grazed;
+}
+
+/* Counts the contacts that matter and that the last step has missed, of
+   which it has found so many. */
+static void note_missed(struct record *r, struct ways *w,
+                        const struct models_run *run,
+                        const struct record_order *o, uint64_t found)
+{
+    const struct scene *now = &run->scene;
+    uint64_t asked = 0;
+    for (size_t j = 0; j < now->bodies; ++j)
+        find_sweep(&w->sweep[j], w, now);
+    const uint64_t compared = put_in_order(w->sweep, now->bodies);
+    const uint64_t grazed =
+        count_grazed(w, now, run->every, alive(o), &asked);
+    r->missed += grazed > found ? grazed - found : 0;
+    count_looks(r, MODELS_CONTACT, (double)now->bodies);
+    count_looks(r, MODELS_ORDER, (double)compared);
+    count_looks(r, MODELS_OVERLAP, (double)asked);
 }
 
 /* How many parts a row is run in. */
@@ -483,83 +638,184 @@ static uint64_t parts_of(const struct record_order *o)
     return o->watched && o->plan.steps > 1 ? o->plan.steps : 1;
 }
 
-/* Runs a part of a row, and watches for contacts that it misses. */
+static bool is_halfway(const struct record_order *o)
+{
+    return o->halfway && !o->watched && o->plan.steps > 0;
+}
+
+/* Runs a part of a row, and watches for contacts that it misses, unless
+   ways is NULL. */
 static enum models_end one_part(struct record *r,
                                 const struct record_order *o,
-                                struct models_run *run,
-                                struct scene *before)
+                                struct models_run *run, struct ways *ways)
 {
-    const size_t size =
-        SCENE_AXES * before->bodies * sizeof *before->position;
+    if (!ways)
+        return models_row(run);
     const uint64_t met = models_collisions(run);
-    memcpy(before->position, run->scene.position, size);
-    memcpy(before->velocity, run->scene.velocity, size);
+    take_state(&ways->before, &run->scene);
     const enum models_end end = models_row(run);
     if (end == MODELS_DONE)
-        r->missed += missed_of(before, &run->scene, run->every,
-                               o->little / (o->every * (double)o->rows),
-                               models_collisions(run) - met);
+        note_missed(r, ways, run, o, models_collisions(run) - met);
     return end;
 }
 
 /* Runs one row, in its parts. */
 static enum models_end one_row(struct record *r,
                                const struct record_order *o,
-                               struct models_run *run, struct scene *before)
+                               struct models_run *run, struct ways *ways)
 {
-    const double unit = o->converted ? unit_length : 1;
     for (uint64_t parts = parts_of(o); parts > 0; --parts) {
-        const enum models_end end = before->bodies > 0
-                                        ? one_part(r, o, run, before)
-                                        : models_row(run);
+        const enum models_end end = one_part(r, o, run, ways);
         if (end != MODELS_DONE)
             return end;
         if (o->watched)
-            watch(r, run, unit, o);
+            watch(r, run, o);
+        run->limit = o->limit - r->watching;
     }
     return MODELS_DONE;
 }
 
 static void carry(struct record *r, struct record_view *v,
                   const struct record_order *o, struct models_run *run,
-                  struct scene *before)
+                  struct ways *ways)
 {
-    const double unit = o->converted ? unit_length : 1;
-    run->limit = o->limit;
-    look(v, run, unit, r->value);
-    r->speed = speed_of(&v->scene);
-    while (r->reached < o->rows && r->end == MODELS_DONE) {
-        r->end = one_row(r, o, run, before);
+    while (r->reached < o->rows) {
+        r->end = one_row(r, o, run, ways);
         if (r->end != MODELS_DONE)
-            break;
+            return;
         ++r->reached;
-        look(v, run, unit, r->value + r->reached * v->columns);
+        look(r, v, o, &run->scene, v->asked ? models_collisions(run) : 0);
         if (strays(r, v, o))
-            break;
+            return;
     }
-    memcpy(r->work, run->work, sizeof r->work);
-    r->cost = models_cost(r->work);
+}
+
+/* Begins a run by the plan of the order, with rows and steps of its own. */
+static bool begin_run(struct models_run *run, struct record *r,
+                      const struct record_order *o, const struct scene *s,
+                      uint64_t steps, double every)
+{
+    struct models_plan plan = o->plan;
+    plan.steps = steps;
+    if (models_begin(run, &plan, s, every, &r->why)) {
+        run->limit = o->limit;
+        return true;
+    }
+    r->end = MODELS_BROKEN;
+    return false;
+}
+
+static void end_run(struct models_run *run, struct record *r)
+{
+    for (size_t u = 0; u < MODELS_UNITS; ++u)
+        r->work[u] += run->work[u];
+    models_end(run);
+}
+
+/* Carries a scene by half a step; adds its collisions to *met. */
+static bool leap(struct record *r, const struct record_order *o,
+                 struct scene *s, uint64_t *met)
+{
+    struct models_run run;
+    const double step = o->every / (double)o->plan.steps;
+    if (!begin_run(&run, r, o, s, 1, step / 2))
+        return false;
+    r->end = models_row(&run);
+    *met += models_collisions(&run);
+    take_state(s, &run.scene);
+    end_run(&run, r);
+    return r->end == MODELS_DONE;
+}
+
+/* Looks half a step ahead, where the row ends, of a run that has met so
+   many until it began. */
+static bool look_aside(struct record *r, struct record_view *v,
+                       const struct record_order *o, struct models_run *run,
+                       struct scene *aside, uint64_t met)
+{
+    met += models_collisions(run);
+    take_state(aside, &run->scene);
+    if (!leap(r, o, aside, &met))
+        return false;
+    ++r->reached;
+    look(r, v, o, aside, met);
+    return true;
+}
+
+/* So many steps, each a row of this run. */
+static bool go_on(struct record *r, struct models_run *run, uint64_t steps)
+{
+    for (; steps > 0 && r->end == MODELS_DONE; --steps)
+        r->end = models_row(run);
+    return r->end == MODELS_DONE;
+}
+
+static void carry_halfway(struct record *r, struct record_view *v,
+                          const struct record_order *o, struct scene *aside)
+{
+    struct models_run run;
+    uint64_t met = 0;
+    const uint64_t steps = o->plan.steps;
+    if (!leap(r, o, aside, &met) ||
+        !begin_run(&run, r, o, aside, 1, o->every / (double)steps))
+        return;
+    while (go_on(r, &run, steps - 1) &&
+           look_aside(r, v, o, &run, aside, met) && r->reached < o->rows &&
+           !strays(r, v, o))
+        r->end = models_row(&run);
+    end_run(&run, r);
+}
+
+static bool carry_aside(struct record *r, struct record_view *v,
+                        const struct record_order *o, const struct scene *s)
+{
+    struct scene aside;
+    if (!copy_for_states(&aside, s))
+        return false;
+    carry_halfway(r, v, o, &aside);
+    scene_free(&aside);
+    return true;
+}
+
+static bool carry_watched(struct record *r, struct record_view *v,
+                          const struct record_order *o,
+                          struct models_run *run, const struct scene *s)
+{
+    struct ways ways;
+    const bool good = make_ways(&ways, s);
+    if (good)
+        carry(r, v, o, run, &ways);
+    free_ways(&ways);
+    return good;
+}
+
+/* Carries a run that has begun. False: no memory. */
+static bool carry_begun(struct record *r, struct record_view *v,
+                        const struct record_order *o,
+                        struct models_run *run, const struct scene *s)
+{
+    look(r, v, o, &run->scene, 0);
+    r->speed = speed_of(&v->scene);
+    if (is_halfway(o))
+        return carry_aside(r, v, o, s);
+    if (o->watched && s->contact && o->plan.steps > 0)
+        return carry_watched(r, v, o, run, s);
+    carry(r, v, o, run, NULL);
+    return true;
 }
 
 static bool set_out(struct record *r, struct record_view *v,
                     const struct record_order *o, const struct scene *s)
 {
     struct models_run run;
-    struct models_plan plan = o->plan;
     const uint64_t parts = parts_of(o);
-    plan.steps /= parts;
-    if (!models_begin(&run, &plan, s, o->every / (double)parts, &r->why)) {
-        r->end = MODELS_BROKEN;
+    if (!begin_run(&run, r, o, s, o->plan.steps / parts,
+                   o->every / (double)parts))
         return true;
-    }
-    struct scene before = {0};
-    const bool contacts = o->watched && s->contact && plan.steps > 0;
     r->value = malloc((o->rows + 1) * v->columns * sizeof *r->value);
-    const bool good = r->value && (!contacts || scene_copy(&before, s));
-    if (good)
-        carry(r, v, o, &run, &before);
-    scene_free(&before);
-    models_end(&run);
+    const bool good = r->value && carry_begun(r, v, o, &run, s);
+    end_run(&run, r);
+    r->cost = models_cost(r->work);
     return good;
 }
 

@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 2112143319 of the lines below */
+/* checksum 1954677307 of the lines below */
 #ifndef RECORD_H
 #define RECORD_H
 
@@ -30,6 +30,8 @@ struct record {
     double work[MODELS_UNITS];
     double cost;     /* of them, s by the price list */
     double speed;    /* the largest at any row, m/s; watched: at any step */
+    double watching; /* watched: of the looking itself, s by the price list;
+                        not in cost */
     double seconds;  /* of this processor */
     double turning;  /* watched: how fast a spring with a length turned
                         round at most, 1/s */
@@ -48,6 +50,8 @@ struct record_order {
     double limit;   /* cost, s by the price list */
     bool converted; /* computed in other units, which no bit should know */
     bool watched;   /* a row is cut into its steps, to see all speeds */
+    bool halfway;   /* rows end in the middle of a step: of a model with
+                       steps, if not watched */
     double little;  /* m: what moves nobody by more does not matter, be it
                        a missed contact or a spring that is stretched */
     /* NULL, or what it is compared with, to be given up beyond `apart` */

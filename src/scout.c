@@ -1,64 +1,43 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 2282438916 of the lines below */
+/* checksum 1458986822 of the lines below */
 #include "scout.h"
 
 #include "models.h"
 #include "motion.h"
+#include "pair.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Two bodies, seen from each other. */
-struct pair {
-    double pull;       /* k^2 (m1 + m2) */
-    double r2, v2, rv; /* squared distance and speed; r . v */
-    double bend;       /* m: of the way, within a step from the nearest
-                          point */
+/* Two bodies that attract each other. */
+struct meeting {
+    struct pair pair; /* its r2 with the softening */
+    double pull;      /* k^2 (m1 + m2) */
+    double bend;      /* m: of the way, within a step from the nearest
+                         point */
 };
 
-static struct pair pair_of(const struct scene *s, size_t i, size_t j)
-{
-    const size_t n = s->bodies;
-    struct pair p = {s->k2 * (s->mass[i] + s->mass[j]),
-                     s->softening * s->softening, 0, 0, 0};
-    for (size_t k = 0; k < SCENE_AXES; ++k) {
-        const double d = s->position[k * n + j] - s->position[k * n + i];
-        const double v = s->velocity[k * n + j] - s->velocity[k * n + i];
-        p.r2 += d * d;
-        p.v2 += v * v;
-        p.rv += d * v;
-    }
-    return p;
-}
-
-/* The squared distance at which the two pass, or have passed, if that is so
-   near in time; else that of now. Source: (12.13, eq:scout-nearest). */
-static double nearest2(const struct pair *p, double around)
-{
-    if (!(fabs(p->rv) <= around * p->v2) || p->v2 == 0)
-        return p->r2;
-    return fmax(p->r2 - p->rv * p->rv / p->v2, 0);
-}
-
 /* By how much the way of two bodies bends until the nearest point, or has
-   bent since, m; 0 beyond a step. Their acceleration is taken from the
-   velocities a step ago. */
-static double bend_of(const struct scene *s, size_t i, size_t j,
-                      const struct pair *p, const struct scout_sight *sight)
+   bent since, m; 0 beyond a step. */
+static double bend_of(const struct scout_sight *sight, size_t i, size_t j,
+                      const struct pair *now)
 {
-    const size_t n = s->bodies;
-    const double tau = fabs(p->rv) / p->v2;
-    double u2 = 0;
-    if (!sight->before || !(tau <= sight->step))
+    if (!sight->before || !pair_passes(now, sight->step))
         return 0;
-    for (size_t k = 0; k < SCENE_AXES; ++k) {
-        const double *now = s->velocity + k * n;
-        const double *then = sight->before->velocity + k * n;
-        const double u = now[j] - now[i] - (then[j] - then[i]);
-        u2 += u * u;
-    }
-    return sqrt(u2) / sight->step * tau * tau / 2;
+    const struct pair then = pair_of(sight->before, i, j);
+    const double tau = fabs(now->rv) / now->v2;
+    return pair_changed(&then, now) / sight->step * tau * tau / 2;
+}
+
+static struct meeting meeting_of(const struct scene *s, size_t i, size_t j,
+                                 const struct scout_sight *sight)
+{
+    struct meeting m = {.pair = pair_of(s, i, j),
+                        .pull = s->k2 * (s->mass[i] + s->mass[j])};
+    m.bend = bend_of(sight, i, j, &m.pair);
+    m.pair.r2 += s->softening * s->softening;
+    return m;
 }
 
 /* Puts a passage that is too weak by this factor away. */
@@ -71,14 +50,16 @@ static void put_away(double passed[], double weaker, double rate)
         passed[k] = fmax(passed[k], rate);
 }
 
-/* The squared rate of one pair: (12.11, eq:scout-rate). */
-static double pair_rate(const struct pair *p,
-                        const struct scout_sight *sight)
+/* The squared rate of one pair: (12.12, eq:scout-rate). */
+static double rate_of(const struct meeting *m,
+                      const struct scout_sight *sight)
 {
-    const double round = p->pull / (p->r2 * sqrt(p->r2));
-    const double b2 = nearest2(p, sight->around);
-    const double least = fmax(sqrt(b2) - p->bend, 0);
-    const double moved = 2 * p->pull * sight->left;
+    const struct pair *p = &m->pair;
+    const double round = m->pull / (p->r2 * sqrt(p->r2));
+    const double b2 =
+        pair_passes(p, sight->around) ? pair_nearest2(p) : p->r2;
+    const double least = fmax(sqrt(b2) - m->bend, 0);
+    const double moved = 2 * m->pull * sight->left;
     const double counts = sight->little * least * sqrt(p->v2);
     if (moved > counts) {
         if (sight->nearest)
@@ -96,9 +77,8 @@ double scout_rate(const struct scene *s, const struct scout_sight *sight)
     for (size_t i = 0; i < s->bodies; ++i)
         for (size_t j = 0; j < i; ++j)
             if (s->mass[i] > 0 || s->mass[j] > 0) {
-                struct pair p = pair_of(s, i, j);
-                p.bend = bend_of(s, i, j, &p, sight);
-                most = fmax(most, pair_rate(&p, sight));
+                const struct meeting m = meeting_of(s, i, j, sight);
+                most = fmax(most, rate_of(&m, sight));
             }
     return sqrt(most);
 }

@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 923189037 of the lines below */
+/* checksum 268305633 of the lines below */
 #ifndef SCOUT_H
 #define SCOUT_H
 
@@ -51,7 +51,7 @@ struct scout_sight {
 
 /* The rate at which forces between bodies change now, 1/s: of every pair
    that attracts, how fast it would go round, and how fast it meets, unless
-   that is too weak to count. Source: (12.11, eq:scout-rate). */
+   that is too weak to count. Source: (12.12, eq:scout-rate). */
 double scout_rate(const struct scene *s, const struct scout_sight *sight);
 
 /* Looks ahead through a run, with steps that follow the rate. Returns
@@ -61,7 +61,8 @@ bool scout_ahead(struct scout *p, const struct scene *s,
 void scout_free(struct scout *p);
 
 /* Do two scouts know where they have been: are they, at the beginning of
-   each row, apart by less than a third of the nearest passage in it? */
+   each row, apart by less than a third of the nearest passage in it? All
+   depends on rows that are short against the run: sixteen at least. */
 bool scout_agree(const struct scout *a, const struct scout *b);
 
 #endif

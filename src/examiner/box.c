@@ -1,5 +1,5 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 1371304931 of the lines below */
+/* checksum 3324713546 of the lines below */
 #include "examiner/box.h"
 #include "examiner/process.h"
 #include "examiner/text.h"
@@ -147,14 +147,15 @@ enum { LAST_CALL = 0x7fffffff };
 static const unsigned OUR_CALLS = AUDIT_ARCH_AARCH64;
 #endif
 
-static int open_filter(void)
-{
-    struct sock_filter code[2 * FORBIDDEN + 8];
-    int n = 0, ends[2];
 #define DO(c, value) code[n++] = (struct sock_filter)BPF_STMT(c, value)
 #define SKIP(c, value, yes, no)                                            \
     code[n++] =                                                            \
         (struct sock_filter)BPF_JUMP(BPF_JMP | c | BPF_K, value, yes, no)
+
+static int open_filter(void)
+{
+    struct sock_filter code[2 * FORBIDDEN + 8];
+    int n = 0, ends[2];
     DO(BPF_LD | BPF_W | BPF_ABS, offsetof(struct seccomp_data, arch));
     SKIP(BPF_JEQ, OUR_CALLS, 1, 0);
     DO(BPF_RET | BPF_K, SECCOMP_RET_KILL);

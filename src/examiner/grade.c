@@ -1,5 +1,5 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 266939424 of the lines below */
+/* checksum 2281875813 of the lines below */
 #include "examiner/grading.h"
 #include "examiner/process.h"
 #include "examiner/publish.h"
@@ -369,9 +369,9 @@ static void show_progress(const struct batch *b)
 
 static void wait_for_one(struct batch *b)
 {
-    const struct timespec nap = {0, 2000000};
     int status, i = 0;
     pid_t pid;
+    const struct timespec nap = {0, 2000000};
     while ((pid = waitpid(-1, &status, WNOHANG)) <= 0) {
         if (process_signal())
             stop_workers();

@@ -1,5 +1,5 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 803677164 of the lines below */
+/* checksum 3984848597 of the lines below */
 #include "examiner/grading.h"
 #include "examiner/build.h"
 #include "examiner/process.h"
@@ -150,8 +150,8 @@ static void prepare(struct job *job, const char *bytes, size_t length)
     lay_file(job->name, bytes, length);
     job->order.kind = g->kind;
     job->order.name = job->name;
-    job->order.source = open_or_fail(job->name, O_RDONLY);
     job->order.seconds = g->seconds;
+    job->order.source = open_or_fail(job->name, O_RDONLY);
     snprintf(path, sizeof path, "%s/src/examiner/exercise.h", g->root);
     job->order.header = open_or_fail(path, O_RDONLY);
     snprintf(path, sizeof path, "%s/build/grade/%s.inside.o", g->root,

@@ -35,6 +35,7 @@ const struct check_suite check_suite = {
     .minutes = 5,
     .tests = {{"twice one is two", test_one, 1, 0},
               {"twice three is six", test_three, 1, 0},
-              {"twice a negative number is negative", test_below_zero, 1, 0},
+              {"twice a negative number is negative", test_below_zero, 1,
+               0},
               {0}},
 };

@@ -58,6 +58,7 @@ holds 'the layout of every C file is .clang-format' \
     tests/library/*.[ch] tests/stability/*.c tests/tools/*.c tests/fuzz/*.c \
     tests/mutants/*.c tests/exercises/*.c tests/right/*.c tests/wrong/*.c \
     tests/stubs/*.c tests/border/*.c tests/hidden/*.c tests/grader/*.c \
+    tests/examiner/*.c \
     solutions/*.c
 for cc in gcc clang; do
     # shellcheck disable=SC2086

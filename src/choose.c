@@ -1,5 +1,5 @@
 /* From chapters/12-pick.nw: edit there, then run make tangle. */
-/* checksum 2238301211 of the lines below */
+/* checksum 771245156 of the lines below */
 #include "choose.h"
 
 #include "scout.h"
@@ -19,6 +19,7 @@ static const double stiff = 0.1;    /* s: to look ahead so long is dear */
 static const double patience = 0.3; /* s: a run that is not made for its own
                                        sake */
 static const double near = 1.2; /* radii: of a step, at twice the speed */
+static const double dear = 4;   /* times the best, on a stretch: out */
 
 /* The next number of steps, eight to an octave: 1 to 16, 18, 20 ... 32,
    36 ... */
@@ -65,6 +66,9 @@ struct racer {
     uint64_t need; /* steps that should hold */
     double error;  /* with them; NAN: not seen */
     double price;  /* of the run with so many; not above what it will be */
+    bool tried;    /* on the stretch: */
+    uint64_t foot; /* with so many steps, and twice as many, */
+    double near[2], each; /* it erred so; and s for a step in all rows */
     enum { RUNNING, LOWER, READY, OUT } state;
 };
 
@@ -81,11 +85,27 @@ struct chooser {
     double turning;  /* 1/s: nor springs turn round */
     double swinging; /* 1/s: of springs that implicit methods must follow */
     bool kinked;     /* but they do, faster than steps can be short */
+    bool ordered; /* the order of a plan has been seen, above the first */
     struct models_plan look;       /* the plan that looks ahead */
     struct record looked, rounded; /* by it; and in other units */
     struct record guide;           /* exact, if any is */
+    double
+        bound[MODELS_CUTS]; /* of one cut, if its bit is set in bounded */
+    unsigned bounded;
+    struct {
+        unsigned cuts;
+        double effect;
+    } measured[CANDIDATES];
+    size_t measurements;
+    struct record finer; /* the look, with twice the steps */
     struct racer *racer;
     size_t racers;
+    bool sought;    /* has it been chosen, or seen that there is none? */
+    size_t stretch; /* rows; 0: there is none */
+    struct scene at;
+    struct record reference; /* the stretch as it should be */
+    double amplified; /* its errors, in the whole run; 0: not known */
+
     double best; /* the smallest cost that holds so far */
     bool failed; /* no memory */
 };
@@ -137,7 +157,7 @@ static bool run(struct chooser *h, struct record *r,
                 const struct record_order *o)
 {
     if (record_run(r, &h->view, o)) {
-        h->c->deciding += r->cost;
+        h->c->deciding += r->cost + r->watching;
         return true;
     }
     h->failed = true;
@@ -210,6 +230,7 @@ static void judge_exact(struct chooser *h, struct choose_candidate *c,
     const double apart =
         rounding * record_apart(&h->view, r, &other, 1, h->rows);
     c->error = effect + apart;
+    c->effect = effect;
     c->sure = effect > 0 ? CHOOSE_ESTIMATE : CHOOSE_EXACT;
     if (effect == 0 && (c->error <= h->q->tolerance ||
                         c->plan.model->family == MODELS_EVENTS))
@@ -610,6 +631,121 @@ static void look_around(struct chooser *h)
     h->settled = h->settled && !overlooked(h);
 }
 
+/* The velocities of two rows: the largest difference, m/s. */
+static double speeds_apart(const struct chooser *h, const double a[],
+                           const double b[])
+{
+    double most = 0;
+    for (size_t c = 0; c < h->view.columns; ++c)
+        if (c % 6 >= 3)
+            most = fmax(most, fabs(a[c] - b[c]));
+    return most;
+}
+
+/* What leaving out the cuts for one row, from row k on, does until the
+   end: share of the scale. Source: (12.14, eq:choose-fan). */
+static double blade(struct chooser *h, const struct scene *at,
+                    unsigned cuts, size_t k)
+{
+    struct record r;
+    struct record_order o = order_of(h, h->look, INFINITY);
+    const size_t next = (k + 1) * h->view.columns;
+    struct record kept = {
+        .reached = 1, .value = h->looked.value + next - h->view.columns};
+    o.scene = at;
+    o.rows = 1;
+    o.plan.cuts = cuts;
+    if (!run(h, &r, &o))
+        return INFINITY;
+    if (r.end != MODELS_DONE || r.reached < 1) {
+        record_free(&r);
+        return INFINITY;
+    }
+    const double left = (double)(h->rows - k - 1) * h->q->every;
+    const double bound = record_apart(&h->view, &kept, &r, 1, 1) +
+                         left / h->view.length *
+                             speeds_apart(h, h->looked.value + next,
+                                          r.value + h->view.columns);
+    record_free(&r);
+    return fmax(1, h->c->growth) * bound;
+}
+
+/* Puts the bodies where the look had them in row k. */
+static void put_at(const struct chooser *h, struct scene *at, size_t k)
+{
+    const double *row = h->looked.value + k * h->view.columns;
+    const size_t n = at->bodies;
+    free(at->carry);
+    free(at->kept);
+    at->carry = at->kept = NULL;
+    for (size_t i = 0; i < n; ++i)
+        for (size_t c = 0; c < SCENE_AXES; ++c) {
+            at->position[c * n + i] = row[6 * i + c];
+            at->velocity[c * n + i] = row[6 * i + 3 + c];
+        }
+}
+
+static double open_fan(struct chooser *h, struct scene *at, unsigned cut)
+{
+    double sum = 0;
+    if (refusal(h, h->look.model, cut))
+        return INFINITY;
+    for (size_t k = 0; k < h->rows && sum < 1 && !h->failed; ++k) {
+        put_at(h, at, k);
+        sum += safety * blade(h, at, cut, k);
+    }
+    return sum;
+}
+
+/* The same of rods. Source: (12.15, eq:choose-swing). */
+static double bound_rods(const struct chooser *h, struct scene *at)
+{
+    double swing = 0, turning = 0, rate;
+    const struct models_plan rods = {models_find("leapfrog"), MODELS_RODS,
+                                     1};
+    for (size_t k = 0; k <= h->rows; ++k) {
+        put_at(h, at, k);
+        swing = fmax(swing, models_swing(at, &rate));
+        turning = fmax(turning, rate);
+    }
+    const double turns =
+        fmax(turning, rate_of(h, rods)) * (double)h->rows * h->q->every;
+    return safety * swing / h->view.length *
+           (1 + fmax(1, h->c->growth) * turns * turns / 2);
+}
+
+/* How much a cut may do at most. INFINITY: that would be as much as the
+   scene is large, or nobody knows. */
+static double find_bound(struct chooser *h, unsigned cut)
+{
+    struct scene at;
+    if (h->q->asked)
+        return INFINITY;
+    if (!scene_copy(&at, h->q->scene)) {
+        h->failed = true;
+        return INFINITY;
+    }
+    const double bound =
+        cut == MODELS_RODS ? bound_rods(h, &at) : open_fan(h, &at, cut);
+    scene_free(&at);
+    return bound < 1 ? bound : INFINITY;
+}
+
+/* The same of a set of cuts, each of which is looked at only once. */
+static double bound_of(struct chooser *h, unsigned cuts)
+{
+    double sum = 0;
+    for (unsigned k = 0; k < MODELS_CUTS; ++k) {
+        const unsigned cut = 1u << k;
+        if (cuts & cut & ~h->bounded)
+            h->bound[k] = find_bound(h, cut);
+        if (cuts & cut)
+            sum += h->bound[k];
+        h->bounded |= cuts & cut;
+    }
+    return sum;
+}
+
 /* What the cuts do to a run: how far the two are apart; INFINITY: more than
    the tolerance, or they cannot be made. */
 static double cut_apart(struct chooser *h, const struct record *with,
@@ -627,23 +763,25 @@ static double cut_apart(struct chooser *h, const struct record *with,
     return apart;
 }
 
+/* The look once more, with twice its steps; NULL: that is too dear. */
+static const struct record *look_finer(struct chooser *h)
+{
+    struct models_plan plan = h->look;
+    plan.steps *= 2;
+    const struct record_order o = order_of(h, plan, h->q->reason / looks);
+    if (h->finer.plan.steps != plan.steps && !run(h, &h->finer, &o))
+        return NULL;
+    return whole(h, &h->finer) ? &h->finer : NULL;
+}
+
 /* What the cuts do to the run that looks ahead, with so many times its
-   steps. */
+   steps: one or two. */
 static double effect_at(struct chooser *h, unsigned cuts, uint64_t times)
 {
-    struct record with = {0};
-    struct models_plan plan = h->look;
-    double apart = INFINITY;
-    if (refusal(h, plan.model, cuts))
+    if (refusal(h, h->look.model, cuts))
         return INFINITY;
-    if (times == 1)
-        return cut_apart(h, &h->looked, cuts);
-    plan.steps *= times;
-    const struct record_order o = order_of(h, plan, h->q->reason / looks);
-    if (run(h, &with, &o) && whole(h, &with))
-        apart = cut_apart(h, &with, cuts);
-    record_free(&with);
-    return apart;
+    const struct record *with = times == 1 ? &h->looked : look_finer(h);
+    return with ? cut_apart(h, with, cuts) : INFINITY;
 }
 
 /* A run by leapfrog, extrapolated from two: the error is of the fourth
@@ -708,7 +846,7 @@ static double effect_of_rods(struct chooser *h, unsigned cuts)
 }
 
 /* The larger of two such effects, and a quarter more if they differ. */
-static double effect_of(struct chooser *h, unsigned cuts)
+static double measure_effect(struct chooser *h, unsigned cuts)
 {
     if (cuts & MODELS_RODS)
         return effect_of_rods(h, cuts);
@@ -718,6 +856,34 @@ static double effect_of(struct chooser *h, unsigned cuts)
     const double b = effect_at(h, cuts, 2);
     const double most = fmax(a, b);
     return most * (fabs(a - b) > most / 8 ? 1.25 : 1.05);
+}
+
+/* May the bound be enough? */
+static bool is_little(const struct chooser *h, unsigned cuts, double bound)
+{
+    return !(cuts & MODELS_RODS) && bound <= 0.01 * h->q->tolerance;
+}
+
+/* The bound, if it is enough; or what was measured. */
+static double bound_or_measure(struct chooser *h, unsigned cuts)
+{
+    const double bound = bound_of(h, cuts);
+    if (is_little(h, cuts, bound) && effect_at(h, cuts, 1) <= bound)
+        return bound;
+    return measure_effect(h, cuts);
+}
+
+static double effect_of(struct chooser *h, unsigned cuts)
+{
+    for (size_t j = 0; j < h->measurements; ++j)
+        if (h->measured[j].cuts == cuts)
+            return h->measured[j].effect;
+    const double effect = bound_or_measure(h, cuts);
+    if (h->measurements < CANDIDATES) {
+        h->measured[h->measurements].cuts = cuts;
+        h->measured[h->measurements++].effect = effect;
+    }
+    return effect;
 }
 
 /* Cuts that make a step cheaper, or a larger one possible. */
@@ -744,10 +910,14 @@ static void measure_cuts(struct chooser *h)
     struct choose_choice *c = h->c;
     for (unsigned k = 0; k < MODELS_CUTS; ++k) {
         const unsigned cut = 1u << k;
-        if ((all & cut) &&
-            ((cut & (for_steps | MODELS_RODS)) || opens(h, cut, all)))
-            c->cut[c->cuts++] = (struct choose_cut){
-                .cut = cut, .effect = effect_of(h, cut)};
+        if (!(all & cut) ||
+            (!(cut & (for_steps | MODELS_RODS)) && !opens(h, cut, all)))
+            continue;
+        struct choose_cut *next = &c->cut[c->cuts++];
+        next->cut = cut;
+        next->effect = effect_of(h, cut);
+        next->bound = bound_of(h, cut);
+        next->measured = isinf(next->effect) || next->effect != next->bound;
     }
 }
 
@@ -803,7 +973,7 @@ static void try_approximate(struct chooser *h, const struct models_model *m)
     if (why || !run(h, &r, &o))
         return;
     c->cost = r.cost;
-    c->error = seen_from_look(h, &r);
+    c->error = c->effect = seen_from_look(h, &r);
     if (c->error <= h->q->tolerance) {
         c->sure = CHOOSE_ESTIMATE;
         h->best = fmin(h->best, c->cost);
@@ -834,6 +1004,18 @@ static double target_of(const struct chooser *h, const struct racer *r)
     return (h->q->tolerance - r->effect) / margin;
 }
 
+/* May something that swings be a radian early or late in the end, so that
+   no order can be trusted? Source: (12.16, eq:choose-late). */
+static bool is_stiff(const struct chooser *h, struct models_plan plan)
+{
+    const struct stepping_method *m = plan.model->method;
+    const double angle = h->swinging * h->q->every;
+    const double late = power(angle / (double)plan.steps, m->order) / 12;
+    return !h->q->scene->contact && !(plan.cuts & MODELS_RODS) &&
+           (m->family != STEPPING_SPLITTING || !h->ordered) &&
+           (double)h->rows * angle * late > 1;
+}
+
 /* The steps at which a ladder begins: below what the method can bear, and
    no body may meet another between two of them. */
 static uint64_t first_steps(const struct chooser *h,
@@ -844,7 +1026,11 @@ static uint64_t first_steps(const struct chooser *h,
     const double rate =
         implicit ? fmax(fmax(h->scout.most, h->passing), h->swinging)
                  : rate_of(h, plan);
-    return steps_for(h->q->every * rate / fmin(0.6 * limit, 2));
+    plan.steps = steps_for(h->q->every * rate / fmin(0.6 * limit, 2));
+    while (plan.model->method->family != STEPPING_SPLITTING &&
+           is_stiff(h, plan) && plan.steps < UINT64_C(1) << 58)
+        plan.steps = next_steps(plan.steps);
+    return plan.steps;
 }
 
 /* How often a method looks at each of its stages, about. */
@@ -887,6 +1073,7 @@ static void add_racer(struct chooser *h, const struct models_model *m,
                         .plan = plan,
                         .effect = effect,
                         .need = plan.steps,
+                        .foot = plan.steps,
                         .price = foretell(h, plan)};
     ++h->racers;
 }
@@ -963,6 +1150,19 @@ static double error_of(double apart, uint64_t n, uint64_t m, int order)
     return apart * finer / (finer - 1);
 }
 
+/* How much an error on the stretch has become in the whole run: the least
+   that any method has shown. */
+static void calibrate(struct chooser *h, const struct racer *r)
+{
+    const struct rung *first = &r->rung[0];
+    if (first->steps != r->foot || !isfinite(first->error) ||
+        !(r->near[0] > 0))
+        return;
+    const double times = fmax(1, first->error / r->near[0]);
+    if (h->amplified == 0 || times < h->amplified)
+        h->amplified = times;
+}
+
 /* Finds the error of a rung from the next one. */
 static void learn(struct chooser *h, struct racer *r,
                   const struct record *fine)
@@ -982,6 +1182,8 @@ static void learn(struct chooser *h, struct racer *r,
     if (last > 0 && isfinite(r->rung[last - 1].error))
         r->order = order_seen(r->rung[last - 1].error, r->rung[last].error,
                               order_at_most(h, r));
+    if (r->rungs > 0 && r->tried)
+        calibrate(h, r);
 }
 
 /* The last rung whose error is known; rungs: none. */
@@ -1050,11 +1252,164 @@ static void foresee(const struct chooser *h, struct racer *r)
     r->price = last->cost / (double)last->steps * (double)r->need;
 }
 
+/* One run on the stretch. */
+static bool run_stretch(struct chooser *h, struct record *r,
+                        struct models_plan plan)
+{
+    struct record_order o = order_of(h, plan, h->q->reason / looks);
+    o.scene = &h->at;
+    o.rows = h->stretch;
+    return run(h, r, &o);
+}
+
+/* Has a run on the stretch come to its end? */
+static bool ends_stretch(const struct chooser *h, const struct record *r)
+{
+    return r->end == MODELS_DONE && r->reached == h->stretch;
+}
+
+/* The row at which a stretch of so many rows begins. */
+static size_t begins_at(const struct chooser *h, size_t rows)
+{
+    const size_t hard =
+        h->scouted ? h->scout.hardest / parts_for(h->rows) : 0;
+    const size_t from = hard > rows / 2 ? hard - rows / 2 : 0;
+    return from + rows > h->rows ? h->rows - rows : from;
+}
+
+/* Runs the stretch as it should be. False: it cannot be had. */
+static bool run_reference(struct chooser *h)
+{
+    struct models_plan plan =
+        plan_of(is_damped(h) ? "rk4" : "kahan-li8", 1);
+    plan.steps = 4 * first_steps(h, plan);
+    return run_stretch(h, &h->reference, plan) &&
+           ends_stretch(h, &h->reference);
+}
+
+/* Chooses a stretch, unless there is none to be had. */
+static void choose_stretch(struct chooser *h)
+{
+    const size_t rows = h->rows / 8;
+    const bool none = !h->looked.value || h->q->asked || h->q->all ||
+                      h->guide.value || is_rough(h);
+    if (none || rows == 0)
+        return;
+    if (!scene_copy(&h->at, h->q->scene)) {
+        h->failed = true;
+        return;
+    }
+    const size_t from = begins_at(h, rows);
+    put_at(h, &h->at, from);
+    h->stretch = rows;
+    if (run_reference(h)) {
+        h->c->stretch = rows;
+        h->c->stretch_from = until_of(h, from);
+    } else {
+        scene_free(&h->at);
+        h->stretch = 0;
+    }
+}
+
+/* Runs a racer on the stretch, and returns its error there; INFINITY: it
+   has not come to the end. */
+static double error_there(struct chooser *h, struct racer *r,
+                          uint64_t steps)
+{
+    struct record now;
+    struct models_plan plan = r->plan;
+    double error = INFINITY;
+    plan.steps = steps;
+    if (!run_stretch(h, &now, plan))
+        return INFINITY;
+    if (ends_stretch(h, &now)) {
+        error = record_apart(&h->view, &now, &h->reference, 1, h->stretch);
+        r->each =
+            now.cost / (double)steps / (double)h->stretch * (double)h->rows;
+    }
+    record_free(&now);
+    return error;
+}
+
+/* A racer on the stretch, the second time in half the step. */
+static void try_stretch(struct chooser *h, struct racer *r)
+{
+    enum { DOUBLINGS = 6 };
+    r->tried = true;
+    r->near[0] = error_there(h, r, r->foot);
+    for (int k = 0; k < DOUBLINGS && isinf(r->near[0]); ++k) {
+        r->foot *= 2;
+        r->near[0] = error_there(h, r, r->foot);
+    }
+    r->need = r->foot;
+    r->near[1] = error_there(h, r, 2 * r->foot);
+    r->price = fmax(r->price, r->each * (double)r->foot);
+}
+
+/* The order that it has shown there. */
+static int order_there(const struct chooser *h, const struct racer *r)
+{
+    return isfinite(r->near[0])
+               ? order_seen(r->near[0], r->near[1], order_at_most(h, r))
+               : 0;
+}
+
+/* The steps that should hold in the whole run. */
+static uint64_t needed(const struct chooser *h, const struct racer *r)
+{
+    const double target = target_of(h, r) / fmax(1, h->amplified);
+    const int order = order_there(h, r);
+    if (order == 0 || r->near[0] <= target)
+        return r->foot;
+    return extrapolate(2 * r->foot, r->near[1], order, target);
+}
+
+/* And what they would cost, s. */
+static double expected(const struct chooser *h, const struct racer *r)
+{
+    return r->each > 0 ? r->each * (double)needed(h, r) : r->price;
+}
+
+/* Writes down what the stretch has promised. */
+static void note_promise(struct chooser *h, const struct racer *r)
+{
+    struct choose_choice *c = h->c;
+    if (c->promises < CANDIDATES)
+        c->promise[c->promises++] = (struct choose_promise){
+            r->candidate,      r->near[0],   r->foot,
+            order_there(h, r), needed(h, r), expected(h, r)};
+}
+
 /* Not above what it may come to: the steps that hold may be half as
    many. */
-static double optimistic(const struct racer *r)
+static double optimistic(const struct chooser *h, const struct racer *r)
 {
+    if (r->tried && r->rungs < 2)
+        return fmax(0.5 * r->price, expected(h, r) / dear);
     return (r->state == LOWER || r->rungs < 2 ? 0.5 : 0.8) * r->price;
+}
+
+/* Is there a stretch to be run? */
+static bool has_stretch(struct chooser *h)
+{
+    bool begun = false;
+    size_t fresh = 0;
+    for (size_t j = 0; j < h->racers; ++j) {
+        const struct racer *r = &h->racer[j];
+        begun = begun || r->rungs > 1;
+        fresh += r->rungs == 0 && optimistic(h, r) <= h->best;
+    }
+    if (begun && fresh > 2 && !h->sought) {
+        h->sought = true;
+        choose_stretch(h);
+    }
+    return h->stretch > 0;
+}
+
+/* What a racer is expected to cost, by all that is known of it. */
+static double promise(const struct chooser *h, const struct racer *r)
+{
+    return r->tried && r->rungs < 2 ? expected(h, r) : optimistic(h, r);
 }
 
 static void give_out(struct chooser *h, struct racer *r, const char *text)
@@ -1074,6 +1429,7 @@ static void publish(struct chooser *h, struct racer *r)
     c->plan.steps = r->need;
     c->cost = r->price;
     c->order = r->order;
+    c->effect = r->effect;
     const size_t known = last_known(r);
     if (known < r->rungs)
         c->error = r->effect +
@@ -1116,8 +1472,14 @@ static void climb(struct chooser *h, struct racer *r)
         return;
     }
     o.plan.steps = r->rungs ? 2 * r->rung[r->rungs - 1].steps : r->need;
+    o.halfway = is_rough(h);
     if (!h->q->all) /* a rung tells the errors of fewer steps */
         o.limit = fmin(o.limit, 4.2 * h->best);
+    if (0.8 * r->each * (double)o.plan.steps > o.limit) {
+        r->price = fmax(r->price, r->each * (double)o.plan.steps);
+        give_out(h, r, "dearer than the best");
+        return;
+    }
     if (!run(h, &next, &o))
         return;
     if (next.why || next.end == MODELS_COSTLY ||
@@ -1145,7 +1507,8 @@ static double apart_with(struct chooser *h, const struct racer *r,
     struct record now = {0};
     struct models_plan plan = r->plan;
     plan.steps = steps;
-    const struct record_order o = order_of(h, plan, INFINITY);
+    struct record_order o = order_of(h, plan, INFINITY);
+    o.halfway = is_rough(h);
     if (!run(h, &now, &o))
         return INFINITY;
     const double apart =
@@ -1218,14 +1581,15 @@ static const double charted = 0.02;
 static struct racer *front(struct chooser *h)
 {
     struct racer *best = NULL;
+    const double most = h->q->all ? fmax(30 * h->best, charted) : h->best;
     for (size_t j = 0; j < h->racers; ++j) {
         struct racer *r = &h->racer[j];
         if ((r->state == RUNNING || r->state == LOWER) &&
-            (!best || optimistic(r) < optimistic(best)))
+            optimistic(h, r) <= most &&
+            (!best || promise(h, r) < promise(h, best)))
             best = r;
     }
-    const double most = h->q->all ? fmax(30 * h->best, charted) : h->best;
-    return best && optimistic(best) <= most ? best : NULL;
+    return best;
 }
 
 static void race(struct chooser *h)
@@ -1234,6 +1598,8 @@ static void race(struct chooser *h)
     while (!h->failed && (r = front(h)) != NULL) {
         if (r->state == LOWER)
             descend(h, r);
+        else if (r->rungs == 0 && !r->tried && has_stretch(h))
+            try_stretch(h, r);
         else if (r->rungs && r->price > h->q->reason)
             give_out(h, r, "too dear");
         else
@@ -1249,8 +1615,13 @@ static void end_race(struct chooser *h)
 {
     for (size_t j = 0; j < h->racers; ++j) {
         struct racer *r = &h->racer[j];
+        const bool far =
+            r->tried && r->rungs < 2 && expected(h, r) > dear * h->best;
         if (r->state == RUNNING || r->state == LOWER)
-            say(&h->c->candidate[r->candidate], "behind");
+            say(&h->c->candidate[r->candidate],
+                far ? "dear on a stretch" : "behind");
+        if (r->tried)
+            note_promise(h, r);
         if (r->rungs)
             publish(h, r);
         record_free(&r->finest);
@@ -1409,7 +1780,11 @@ static void end(struct chooser *h)
 {
     record_free(&h->looked);
     record_free(&h->rounded);
+    record_free(&h->finer);
     record_free(&h->guide);
+    record_free(&h->reference);
+    if (h->stretch > 0)
+        scene_free(&h->at);
     if (h->scouted)
         scout_free(&h->scout);
     free(h->racer);
@@ -1435,7 +1810,8 @@ bool choose(struct choose_choice *c, const struct choose_request *q)
     c->candidate = calloc(CANDIDATES, sizeof *c->candidate);
     h.racer = calloc(CANDIDATES, sizeof *h.racer);
     c->point = calloc(CANDIDATES * RUNGS, sizeof *c->point);
-    h.failed = !c->candidate || !h.racer || !c->point;
+    c->promise = calloc(CANDIDATES, sizeof *c->promise);
+    h.failed = !c->candidate || !h.racer || !c->point || !c->promise;
     if (!h.failed)
         decide(&h);
     if (c->refusal[0] != '\0')
@@ -1456,6 +1832,7 @@ void choose_free(struct choose_choice *c)
 {
     free(c->candidate);
     free(c->point);
+    free(c->promise);
     *c = (struct choose_choice){0};
 }
 
@@ -1515,11 +1892,24 @@ static uint64_t many(uint64_t times, uint64_t steps)
     return times * (steps > 128 ? steps : 128) + 1;
 }
 
+/* A plan that follows all that swings. */
+static struct models_plan follow(const struct chooser *h, unsigned cuts)
+{
+    const double rate = fmax(h->swinging, h->c->acts.fastest);
+    struct models_plan plan =
+        is_damped(h) ? plan_of("rk4", h->q->every * rate / 0.2)
+                     : plan_of("kahan-li8", h->q->every * rate);
+    plan.cuts = cuts;
+    return plan;
+}
+
 /* The plan of the companion. */
 static struct models_plan companion(const struct chooser *h,
                                     struct models_plan plan)
 {
     const bool contact = h->q->scene->contact;
+    if (plan.steps > 0 && is_stiff(h, plan))
+        return follow(h, plan.cuts);
     if (plan.steps > 0) {
         const uint64_t least = first_steps(h, plan) + contact;
         const uint64_t n = contact ? many(8, plan.steps) : 2 * plan.steps;
@@ -1529,17 +1919,28 @@ static struct models_plan companion(const struct chooser *h,
 }
 
 /* The cost of a companion, by that of the run. */
-static double foreseen(const struct record *a, const struct record_order *o)
+static double foreseen(const struct chooser *h, const struct record *a,
+                       const struct record_order *o)
 {
-    return a->plan.steps == 0
-               ? a->cost
-               : a->cost * (double)o->plan.steps / (double)a->plan.steps;
+    if (a->plan.steps == 0)
+        return a->cost;
+    if (o->plan.model == a->plan.model)
+        return a->cost * (double)o->plan.steps / (double)a->plan.steps;
+    return a->cost / a->work[MODELS_EVALUATION] * (double)h->rows *
+           (double)o->plan.steps * (double)o->plan.model->method->stages;
 }
 
 /* Do forces jump within one of so many steps? */
 static bool is_jumping(const struct chooser *h, uint64_t steps)
 {
     return h->q->scene->contact || h->turning * h->q->every > (double)steps;
+}
+
+/* Do forces change too fast for an order that nobody has seen? */
+static bool has_kinks(const struct chooser *h, uint64_t steps)
+{
+    return is_jumping(h, steps) ||
+           (!h->ordered && h->turning > 2 * h->c->fastest);
 }
 
 /* Runs the companion of a run. False: no memory. */
@@ -1552,7 +1953,7 @@ static bool run_companion(struct chooser *h, struct record *b,
     o.watched =
         !o.converted && (h->q->scene->contact || h->q->scene->springs > 0);
     for (;;) {
-        if (foreseen(a, &o) > o.limit) {
+        if (foreseen(h, a, &o) > o.limit) {
             *b = (struct record){.plan = o.plan, .end = MODELS_COSTLY};
             return true;
         }
@@ -1562,12 +1963,14 @@ static bool run_companion(struct chooser *h, struct record *b,
         if (o.watched && whole(h, b)) {
             note_watched(h, b);
             h->turning = fmax(h->turning, b->turning);
-            if (!sees_passing(h, o.plan))
+            if (is_stiff(h, a->plan))
+                o.plan = follow(h, a->plan.cuts);
+            else if (!sees_passing(h, o.plan))
                 o.plan = companion(h, o.plan);
             else if (is_jumping(h, steps))
                 o.plan.steps = many(8, a->plan.steps);
         }
-        if (o.plan.steps <= steps)
+        if (o.plan.steps <= steps && o.plan.model == b->plan.model)
             return true;
         record_free(b);
     }
@@ -1581,6 +1984,7 @@ static double witness(struct chooser *h, const struct record *a,
     struct record other = {0};
     struct record_order o = order_of(h, a->plan, 2 * like->cost);
     o.plan.steps = steps;
+    o.halfway = true;
     if (!run(h, &other, &o))
         return INFINITY;
     const double apart = record_apart(&h->view, a, &other, 1, h->rows);
@@ -1603,12 +2007,15 @@ static void check(struct chooser *h, struct choose_run *r,
     double apart = record_apart(&h->view, a, &b, 1, h->rows);
     if (a->plan.steps > 0 && is_jumping(h, b.plan.steps))
         apart = fmax(apart, witness(h, a, many(5, a->plan.steps), &b)) +
-                witness(h, &b, b.plan.steps + 2, &b);
+                witness(h, &b, b.plan.steps, &b);
     r->error = r->effect;
-    r->error += a->plan.steps == 0
-                    ? rounding * apart
-                    : error_of(apart, a->plan.steps, b.plan.steps,
-                               is_jumping(h, b.plan.steps) ? 1 : order);
+    if (a->plan.steps == 0)
+        r->error += rounding * apart;
+    else if (b.plan.model != a->plan.model)
+        r->error += margin * apart;
+    else
+        r->error += error_of(apart, a->plan.steps, b.plan.steps,
+                             has_kinks(h, b.plan.steps) ? 1 : order);
     if (!(r->error <= h->q->tolerance))
         refuse_error(h, r, a, &b);
     record_free(&b);
@@ -1646,11 +2053,14 @@ static uint64_t tighter(const struct chooser *h, const struct choose_run *r,
 }
 
 /* What is left out is measured; a model that is not exact is compared. */
-static void find_effect(struct chooser *h, struct choose_run *r)
+static void find_effect(struct chooser *h, struct choose_run *r,
+                        const struct choose_known *known)
 {
     struct record a = {0};
     const struct models_model *m = r->plan.model;
-    if (r->plan.cuts == 0 && !m->approximate)
+    if (known)
+        r->effect = known->effect;
+    if (known || (r->plan.cuts == 0 && !m->approximate))
         return;
     look_around(h);
     if (h->failed || !h->looked.value) {
@@ -1691,8 +2101,9 @@ static void carry_on(struct chooser *h, struct choose_run *r,
                      const struct choose_known *known, bool fixed)
 {
     const int order = check_order(h, r->plan, known);
+    h->ordered = known && known->order > 1;
     r->error = INFINITY;
-    find_effect(h, r);
+    find_effect(h, r, known);
     if (!find_meetings(h, r, known))
         return;
     for (r->tightened = 0; !h->failed; ++r->tightened) {
@@ -1746,7 +2157,8 @@ bool choose_carry(struct choose_run *r, const struct choose_request *q,
 struct choose_known choose_known(const struct choose_choice *c,
                                  size_t candidate)
 {
-    return (struct choose_known){c->candidate[candidate].order, c->meeting,
+    const struct choose_candidate *of = &c->candidate[candidate];
+    return (struct choose_known){of->effect, of->order,  c->meeting,
                                  c->passing, c->turning, c->swinging};
 }
 

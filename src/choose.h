@@ -1,5 +1,5 @@
 /* From chapters/12-pick.nw: edit there, then run make tangle. */
-/* checksum 846671341 of the lines below */
+/* checksum 2331880886 of the lines below */
 #ifndef CHOOSE_H
 #define CHOOSE_H
 
@@ -37,6 +37,7 @@ struct choose_candidate {
     enum choose_sure sure;
     double error, cost; /* share of the scale; s by the price list: both of
                            this plan */
+    double effect;      /* of the error, by what is left out */
     double order;       /* measured; 0: none */
     char text[CHOOSE_TEXT]; /* what was seen, or why it is out */
 };
@@ -44,7 +45,11 @@ struct choose_candidate {
 /* Something that could be left out, and what that does to the run. */
 struct choose_cut {
     unsigned cut;
-    double effect; /* share of the scale; INFINITY: beyond the tolerance */
+    double bound;  /* share of the scale, estimated; INFINITY: there is none
+                      that says anything */
+    double effect; /* measured, or the bound where that is enough;
+                      INFINITY: beyond the tolerance */
+    bool measured;
 };
 
 /* A run whose error was seen. */
@@ -54,6 +59,16 @@ struct choose_point {
     double error, cost; /* share of the scale; s by the price list */
 };
 
+/* What a method has shown on a stretch of the run. */
+struct choose_promise {
+    size_t candidate;
+    double error; /* with these steps, on the stretch; share of the scale */
+    uint64_t steps;
+    int order;       /* that it has shown there; 0: none */
+    uint64_t needed; /* steps that should hold in the whole run */
+    double cost;     /* of that, s by the price list */
+};
+
 struct choose_choice {
     struct choose_candidate *candidate;
     size_t candidates, taken; /* taken == candidates: refused */
@@ -61,6 +76,9 @@ struct choose_choice {
     size_t cuts;
     struct choose_point *point;
     size_t points;
+    struct choose_promise *promise;
+    size_t promises, stretch; /* how many; so many rows */
+    double stretch_from;      /* the time at which they begin, s */
     struct models_acts acts;
     double scale; /* what errors are divided by: of judged */
     const char *judged;
@@ -81,6 +99,7 @@ struct choose_choice {
 
 /* What a choice has taught about a plan, for its check. */
 struct choose_known {
+    double effect;           /* of what it leaves out */
     double order;            /* that was seen; 0: none */
     double meeting, passing; /* 1/s, as above */
     double turning, swinging;

@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 2158175436 of the lines below */
+/* checksum 453821745 of the lines below */
 #include "models.h"
 
 #include "bonkers.h"
@@ -430,6 +430,41 @@ static size_t take_springs(struct scene *s, bool stiff,
     }
     s->springs = kept;
     return count;
+}
+
+/* How far the ends of a spring swing in the state of s, m; raises turning
+   to the rate at which they go round each other, 1/s. */
+static double swing_of(const struct scene *s, const struct scene_spring *p,
+                       double *turning)
+{
+    double r2 = 0, v2 = 0, rv = 0, ease = 0;
+    for (size_t k = 0; k < SCENE_AXES; ++k) {
+        const size_t a = at(s, k, p->a), b = at(s, k, p->b);
+        const double r = s->position[b] - s->position[a];
+        const double v = s->velocity[b] - s->velocity[a];
+        r2 += r * r;
+        v2 += v * v;
+        rv += r * v;
+    }
+    const size_t end[2] = {p->a, p->b};
+    for (int e = 0; e < 2; ++e)
+        if (is_free(s, end[e], ALL_AXES) && s->mass[end[e]] > 0)
+            ease += 1 / s->mass[end[e]];
+    *turning = fmax(*turning, sqrt(v2 / r2));
+    const double stretch = sqrt(r2) - p->rest;
+    return sqrt(stretch * stretch +
+                rv * rv / r2 / (ease * s->kind[p->kind].stiffness));
+}
+
+double models_swing(const struct scene *s, double *turning)
+{
+    double least, most, sum = 0;
+    *turning = 0;
+    stiffnesses(s, &least, &most);
+    for (size_t j = 0; j < s->springs; ++j)
+        if (is_stiff(s, &s->spring[j], least, most))
+            sum += swing_of(s, &s->spring[j], turning);
+    return sum;
 }
 
 static void flatten(struct scene *s)

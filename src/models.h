@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 1100129354 of the lines below */
+/* checksum 1056907959 of the lines below */
 #ifndef MODELS_H
 #define MODELS_H
 
@@ -137,6 +137,10 @@ double models_cost(const double work[MODELS_UNITS]);
    carried out on it. */
 unsigned models_cuts(const struct scene *s);
 void models_cut(struct scene *s, unsigned cuts);
+
+/* How far the springs that would become rods swing, as s is now, m: added.
+   turning: the largest rate at which one of them goes round, 1/s. */
+double models_swing(const struct scene *s, double *turning);
 
 /* Looks at what acts in a scene. */
 void models_analyse(struct models_acts *a, const struct scene *s);

@@ -1,5 +1,5 @@
 /* From chapters/12-bonk.nw: edit there, then run make tangle. */
-/* checksum 668277591 of the lines below */
+/* checksum 4073601997 of the lines below */
 #include "averages.h"
 #include "choose.h"
 #include "scene.h"
@@ -224,17 +224,43 @@ static void tell_cuts(const struct run *r)
 {
     const struct choose_choice *c = &r->choice;
     if (c->cuts > 0)
-        tell(r, "what leaving out would do:\n");
+        tell(r, "what leaving out would do:   at most   measured\n");
     for (size_t j = 0; j < c->cuts; ++j) {
         char text[MODELS_TEXT];
         const char *name = text;
         for (unsigned k = 0; k < MODELS_CUTS; ++k)
             if (c->cut[j].cut == 1u << k)
                 name = models_cut_names[k];
-        if (isfinite(c->cut[j].effect))
-            tell(r, "  %-26s %9.2e\n", name, c->cut[j].effect);
-        else
-            tell(r, "  %-26s too much\n", name);
+        const struct choose_cut *of = &c->cut[j];
+        char bound[16], effect[16];
+        snprintf(bound, sizeof bound, isfinite(of->bound) ? "%.2e" : "-",
+                 of->bound);
+        snprintf(effect, sizeof effect,
+                 !of->measured          ? "-"
+                 : isfinite(of->effect) ? "%.2e"
+                                        : "too much",
+                 of->effect);
+        tell(r, "  %-26s %9s  %9s\n", name, bound, effect);
+    }
+}
+
+static void tell_stretch(const struct run *r)
+{
+    const struct choose_choice *c = &r->choice;
+    char plan[MODELS_TEXT];
+    if (c->promises > 0)
+        tell(r,
+             "on a stretch, %zu of %zu rows from t = %.6g:\n"
+             "                                error  order   would need"
+             "    cost, s\n",
+             c->stretch, c->rows, c->stretch_from);
+    for (size_t j = 0; j < c->promises; ++j) {
+        const struct choose_promise *p = &c->promise[j];
+        struct models_plan foot = c->candidate[p->candidate].plan;
+        foot.steps = p->steps;
+        models_write(&foot, plan);
+        tell(r, "  %-26s %9.2e  %5d   %10llu  %9.2e\n", plan, p->error,
+             p->order, (unsigned long long)p->needed, p->cost);
     }
 }
 
@@ -262,6 +288,7 @@ static void tell_choice(const struct run *r)
     tell_acts(r);
     tell_asked(r);
     tell_cuts(r);
+    tell_stretch(r);
     tell_candidates(r);
 }
 

@@ -55,6 +55,10 @@ for line in 'what acts: gravity' 'bodies that move: 3 of 3' 'asked for' \
     'found: error .*, cost' 'besides: deciding .*, checking'; do
     holds "--explain says: $line" grep -q "^ *$line" "$w/story"
 done
+holds '--explain says what the methods have shown on a stretch' \
+    sh -c "grep -q '^on a stretch, 2 of 16 rows from t = [0-9]' '$w/story' &&
+        grep -q '^  pefrl:3  *[0-9.e-]*  *4  *[0-9]*  *[0-9.e-]*$' \
+            '$w/story'"
 $bonk "$w/figure-eight" --until 20 --tolerance 1e-3 --explain \
     >"$w/t2" 2>"$w/story2"
 holds '--explain without -o says the same on standard error' \
@@ -65,6 +69,22 @@ $bonk "$w/four-disks" --until 1e6 --tolerance 0.05 --observe mean:pressure \
 holds 'of averages: a way without a value has a dash for it' \
     sh -c "grep -q '^  steps  *out  *- ' '$w/story' &&
         ! grep -q nan '$w/story'"
+
+# What is left out has a bound beside its effect; where the bound is enough,
+# nothing is measured; where it says nothing, there is a dash.
+$scene ring --particles 30 >"$w/ring"
+for t in 400 40; do
+    $bonk "$w/ring" --until $t --tolerance 1e-3 --explain -o "$w/t" \
+        >"$w/story$t"
+done
+holds 'a bound and an effect, which is smaller' awk '
+    $1 == "no-light" { n = $2 > $3 && $3 > 0 } END { exit !n }' "$w/story400"
+holds 'a bound that says nothing is a dash' \
+    grep -q '^  no-pull  *-  *too much$' "$w/story400"
+holds 'a bound that is enough stands alone' \
+    grep -q '^  no-light  *[0-9.]*e-0[5-9]  *-$' "$w/story40"
+holds 'to check what choosing has measured costs one companion' awk '
+    $1 == "besides:" { exit !($6 < 1e-4) }' "$w/story400"
 
 # --chart: points of several methods, the one that was taken marked.
 $bonk "$w/figure-eight" --until 20 --tolerance 1e-6 --chart "$w/c" -o "$w/t"

@@ -191,6 +191,16 @@ awk 'BEGIN {
 check row-end 1.0000625 1e-4 "$w/reference" 5
 check row-end 1.0000625 1e-5 "$w/reference" 5
 
+# A swing that dies in RK4, whatever the step, and loses its phase in the
+# implicit methods: two runs agree, and both are wrong. The true error of the
+# pick before: 3.7e-4, where 5e-7 had been found.
+steps dies-out 8 kahan-li8 1000
+for e in 3e-4 1e-5; do check dies-out 8 $e "$w/reference"; done
+for plan in rk4:160 gauss4:64 implicit-midpoint:64; do
+    refuses 1 'off by' $bonk "$here/dies-out.plist" --until 8 \
+        --tolerance 1e-4 --model $plan -o "$w/t8"
+done
+
 # One row only: whoever is late by whole turns agrees with himself.
 t=117.45341159552609
 holds 'whole-turns' $bonk "$here/whole-turns.plist" --until $t --every $t \

@@ -1,5 +1,5 @@
 # data: plots/data/10-speed.dat
-# alt: Steps of a body per second against the side of the grid, 8 to 512 on a logarithmic axis. Spring by spring from about 105 million at 8 falling slowly to 45 million at 512. By bands, in one sweep or in two trips alike, about 180 million up to 64, falling to about 95 million at 512. Computing every spring twice lies between, and meets spring by spring from 256 on.
+# alt: Steps of a body per second against the side of the grid, 8 to 512 on a logarithmic axis. Spring by spring from about 100 million at 8 falling slowly to 45 million at 512. By bands, in one sweep or in two trips alike, between 160 and 190 million up to 128, falling to about 95 million at 512. Computing every spring twice lies between, and meets spring by spring from 256 on.
 width = 11
 height = 7
 load 'plots/style.gp'

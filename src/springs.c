@@ -1,5 +1,5 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 1371525216 of the lines below */
+/* checksum 4240946852 of the lines below */
 #include "springs.h"
 
 #include "toolbox/room.h"
@@ -425,7 +425,8 @@ struct task {
     const double *x, *v;
     double *a;
     bool writes;
-    const struct stepping_ahead *ahead; /* NULL, or who gets x and v ready */
+    /* NULL, or who gets x and v ready: */
+    const struct stepping_ahead *ahead;
 };
 
 /* Finishes the task along axis k for n bodies from body `from` on, on which
@@ -557,15 +558,15 @@ static void gather_shared(struct springs *p, const struct task *task)
 #pragma omp parallel num_threads(p->threads)
 #endif
     {
-        #ifdef _OPENMP
-        #pragma omp for schedule(static, 1)
-        #endif
+#ifdef _OPENMP
+#pragma omp for schedule(static, 1)
+#endif
         for (size_t t = 0; t < threads; ++t)
             if (task->ahead)
                 get_ready(p, task, n * t / threads, n * (t + 1) / threads);
-        #ifdef _OPENMP
-        #pragma omp for schedule(static, 1)
-        #endif
+#ifdef _OPENMP
+#pragma omp for schedule(static, 1)
+#endif
         for (size_t t = 0; t < threads; ++t)
             gather(p, task, n * t / threads, n * (t + 1) / threads, n,
                    p->room + t * size);

@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 4167036112 of the lines below */
+/* checksum 3910030047 of the lines below */
 #ifndef STEPPING_H
 #define STEPPING_H
 
@@ -75,7 +75,7 @@ struct stepping {
     stepping_sweep *sweep; /* NULL, or a way to find the accelerations of
                               forces.what in parts: same bits, for leapfrog
                               that is not compensated; to be set as well */
-    double *carry;    /* [2 * size]: what is still to be added to x, to v */
+    double *carry; /* [2 * size]: what is still to be added to x, to v */
     double *acceleration; /* [size] of the last evaluation */
     uint64_t evaluations; /* of the forces so far */
     /* ---- private */

@@ -1,5 +1,5 @@
 /* From chapters/12-atlas.nw: edit there, then run make tangle. */
-/* checksum 3484092300 of the lines below */
+/* checksum 2178712020 of the lines below */
 #include "choose.h"
 #include "gallery.h"
 #include "models.h"
@@ -356,7 +356,7 @@ struct column {
 };
 
 /* From the column before, which has twice the steps' length.
-   (12.21, eq:atlas-richardson) */
+   (12.25, eq:atlas-richardson) */
 static void fill_column(struct column *now, const struct column *before,
                         size_t levels, const struct stepping_method *m)
 {

@@ -215,7 +215,7 @@ static void test_two_disks(void)
 }
 
 /* Four disks: Z = 1.88926(13), references/data/disks4_mcmc.txt by
-   (5.7, eq:wall-virial). Twice the error is four standard errors. */
+   (5.9, eq:wall-virial). Twice the error is four standard errors. */
 static void test_four_disks(void)
 {
     struct scene s;

@@ -1,5 +1,5 @@
 /* From chapters/12-pick.nw: edit there, then run make tangle. */
-/* checksum 771245156 of the lines below */
+/* checksum 1586317326 of the lines below */
 #include "choose.h"
 
 #include "scout.h"
@@ -1875,12 +1875,22 @@ static void refuse_error(struct chooser *h, struct choose_run *r,
                  plan, r->error, e, until_of(h, held));
 }
 
+/* Is its error a sum of two orders? */
+static bool is_mixed(const struct chooser *h, struct models_plan plan)
+{
+    const struct stepping_method *m = plan.model->method;
+    return plan.steps > 0 && is_damped(h) && m->order > 2 &&
+           m->family == STEPPING_SPLITTING;
+}
+
 /* The order by which the error of a run is found from its companion's. */
 static int check_order(const struct chooser *h, struct models_plan plan,
                        const struct choose_known *known)
 {
     if (plan.steps == 0)
         return 0;
+    if (is_mixed(h, plan))
+        return 1;
     if (known && known->order > 0)
         return (int)known->order;
     return known || h->q->scene->contact ? 1 : plan.model->method->order;
@@ -1912,7 +1922,8 @@ static struct models_plan companion(const struct chooser *h,
         return follow(h, plan.cuts);
     if (plan.steps > 0) {
         const uint64_t least = first_steps(h, plan) + contact;
-        const uint64_t n = contact ? many(8, plan.steps) : 2 * plan.steps;
+        const uint64_t finer = (is_mixed(h, plan) ? 4 : 2) * plan.steps;
+        const uint64_t n = contact ? many(8, plan.steps) : finer;
         plan.steps = n > least ? n : least;
     }
     return plan;

@@ -201,6 +201,12 @@ for plan in rk4:160 gauss4:64 implicit-midpoint:64; do
         --tolerance 1e-4 --model $plan -o "$w/t8"
 done
 
+# An error that is the sum of two orders: half the step differs by a fourth of
+# it. True before: 2.0e-7 for a tolerance of 1e-7, with 4.8e-8 found.
+steps two-orders 19.6782 rk4 2000
+check two-orders 19.6782 1e-7 "$w/reference"
+check two-orders 19.6782 1e-8 "$w/reference"
+
 # One row only: whoever is late by whole turns agrees with himself.
 t=117.45341159552609
 holds 'whole-turns' $bonk "$here/whole-turns.plist" --until $t --every $t \

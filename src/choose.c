@@ -1,5 +1,5 @@
 /* From chapters/12-pick.nw: edit there, then run make tangle. */
-/* checksum 1586317326 of the lines below */
+/* checksum 2075725657 of the lines below */
 #include "choose.h"
 
 #include "scout.h"
@@ -260,6 +260,8 @@ static bool note_loss(struct chooser *h, const struct record *a,
     return true;
 }
 
+enum { CLOSER = 8 };
+
 /* Looks for a horizon within the first row: true, if there is one. If not,
  *price is what all rows will cost, s. */
 static bool look_closer(struct chooser *h, double *price)
@@ -268,7 +270,8 @@ static bool look_closer(struct chooser *h, double *price)
     struct choose_choice c;
     first.until = until_of(h, 1);
     first.every = h->q->every / 16;
-    if (!choose(&c, &first))
+    *price = INFINITY;
+    if (++first.closer > CLOSER || !choose(&c, &first))
         return false;
     const bool lost = c.horizon < INFINITY;
     *price = c.taken < c.candidates
@@ -511,7 +514,7 @@ static bool settle(struct chooser *h, struct record_order *o)
     double apart = INFINITY;
     while ((apart > h->q->tolerance / 4 || !sees_passing(h, o->plan)) &&
            h->looked.end != MODELS_COSTLY) {
-        if (hopeless(h, o, apart))
+        if (hopeless(h, o, apart) || o->plan.steps >> 58)
             return false;
         o->plan.steps *= 2;
         if (!run(h, &finer, o))
@@ -1083,7 +1086,7 @@ static unsigned set_for_steps(struct chooser *h)
 {
     unsigned set = 0;
     double sum = 0;
-    for (size_t j = 0; j < h->c->cuts; ++j) {
+    for (size_t j = 0; j < h->c->cuts && !h->q->scene->contact; ++j) {
         const struct choose_cut *cut = &h->c->cut[j];
         if (!(cut->cut & for_steps) ||
             sum + cut->effect > h->q->tolerance / 2)
@@ -1115,7 +1118,8 @@ static void enter_methods(struct chooser *h)
     }
     const unsigned set = set_for_steps(h);
     const double effect = set ? effect_of(h, set) : 0;
-    const bool rods = affordable(h) & MODELS_RODS;
+    const bool rods =
+        (affordable(h) & MODELS_RODS) && !h->q->scene->contact;
     for (const struct models_model *m = models; m->name; ++m) {
         if (m->family != MODELS_STEPS || !wanted(h, m) || is_beaten(h, m))
             continue;

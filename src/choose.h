@@ -1,5 +1,5 @@
 /* From chapters/12-pick.nw: edit there, then run make tangle. */
-/* checksum 2331880886 of the lines below */
+/* checksum 569244234 of the lines below */
 #ifndef CHOOSE_H
 #define CHOOSE_H
 
@@ -21,6 +21,7 @@ struct choose_request {
     const struct models_plan *only; /* NULL, or the model to be taken, and
                                        what it is to leave out */
     bool all; /* candidates that have lost are measured, too: for charts */
+    int closer; /* private: how often a first row has been divided */
 };
 
 /* How sure an error is. */

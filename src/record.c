@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1182363060 of the lines below */
+/* checksum 3831544076 of the lines below */
 #include "record.h"
 
 #include "pair.h"
@@ -382,18 +382,25 @@ static double ease_of(const struct scene *s,
     return ease;
 }
 
-/* How far it may swing, m. */
+/* How far it may swing, or push what is slower, in the time that there is,
+   m. */
 static double spring_swings(const struct scene_spring *spring,
-                            const struct pair *ends, double rate)
+                            const struct pair *ends, double rate,
+                            double time)
 {
     const double length = sqrt(ends->r2);
-    return fmax(fabs(length - spring->rest),
-                length > 0 ? fabs(ends->rv) / length / rate : 0);
+    if (!(length > 0))
+        return spring->rest;
+    const double far = fmax(fabs(length - spring->rest),
+                            fabs(ends->rv) / length / rate);
+    const double way = far * rate * time;
+    return fmax(far, way * way / (2 * length));
 }
 
 static void note_springs(struct record *r, const struct scene *s,
-                         double step, double little)
+                         double step, const struct record_order *o)
 {
+    const double time = o->every * (double)o->rows;
     for (size_t j = 0; j < s->springs; ++j) {
         const struct scene_spring *spring = &s->spring[j];
         const struct pair ends = pair_of(s, spring->a, spring->b);
@@ -401,7 +408,7 @@ static void note_springs(struct record *r, const struct scene *s,
             sqrt(s->kind[spring->kind].stiffness * ease_of(s, spring));
         r->turning = fmax(r->turning, spring_turns(spring, &ends, step));
         if (rate > r->swinging &&
-            spring_swings(spring, &ends, rate) > little)
+            spring_swings(spring, &ends, rate, time) > o->little)
             r->swinging = rate;
     }
 }
@@ -439,7 +446,7 @@ static void watch(struct record *r, const struct models_run *run,
 {
     const struct scene *s = &run->scene;
     r->speed = fmax(r->speed, speed_of(s) / unit_of(o));
-    note_springs(r, s, run->every, o->little);
+    note_springs(r, s, run->every, o);
     note_damping(r, s, alive(o));
     count_looks(r, MODELS_EVALUATION, 1);
     count_looks(r, MODELS_BODY, (double)s->bodies);
@@ -679,6 +686,8 @@ static void carry(struct record *r, struct record_view *v,
                   const struct record_order *o, struct models_run *run,
                   struct ways *ways)
 {
+    if (o->watched)
+        watch(r, run, o);
     while (r->reached < o->rows) {
         r->end = one_row(r, o, run, ways);
         if (r->end != MODELS_DONE)

@@ -207,6 +207,25 @@ steps two-orders 19.6782 rk4 2000
 check two-orders 19.6782 1e-7 "$w/reference"
 check two-orders 19.6782 1e-8 "$w/reference"
 
+# The same with rows of its own: NAME UNTIL EVERY TOLERANCE METHOD DT
+check_rows() {
+    holds "$1" $bonk "$here/$1.plist" --until "$2" --every "$3" \
+        --tolerance "$4" -o "$w/picked" --summary "$w/summary"
+    $step "$here/$1.plist" --until "$2" --every "$3" --method "$5" \
+        --dt "$6" -o "$w/reference"
+    error=$(apart "$w/picked" "$w/reference" "$(key "$w/summary" scale)")
+    holds "$1: error $error" awk -v error="$error" -v e="$4" \
+        'BEGIN { exit !(error ~ /[0-9]/ && error <= e) }'
+    rm -f "$w/picked"
+}
+
+# A swing that is small, fast, and pushes what is slow. True before: 1.2e-3,
+# with 1.3e-4 found. And a pull that decides how deep a graze is: true before,
+# without the pull: 5.3e-5, with 7.6e-6 found.
+check_rows slow-push 7.6041 0.1901025 3e-4 rk4 9.5051249999999999e-05
+check_rows pulled-graze 2.8164808211694012 0.40235440302420017 1e-5 \
+    leapfrog 1.3411813434140006e-06
+
 # One row only: whoever is late by whole turns agrees with himself.
 t=117.45341159552609
 holds 'whole-turns' $bonk "$here/whole-turns.plist" --until $t --every $t \

@@ -584,13 +584,15 @@ fuzz: build/fuzz/scene
 		2>build/fuzz/log || { cat build/fuzz/log; exit 1; }
 	@echo 'Fuzzed: $(TEXTS) texts, all of them read or refused'
 build/fuzz/scene: tests/fuzz/scene.c tests/fuzz/alone.c src/scene.c \
-		src/scene.h src/decimal.c src/toolbox/random.c tests/library/scene_same.h
+		src/scene.h src/decimal.c src/toolbox/random.c \
+		src/toolbox/room.c tests/library/scene_same.h
 	@mkdir -p $(@D)
 	$(call say,cc $<)
 	$(Q)clang $(FUZZ) -fsanitize=fuzzer -Isrc -o $@ $< src/scene.c \
-		src/decimal.c -lm \
+		src/decimal.c src/toolbox/room.c -lm \
 		2>/dev/null || $(CC) $(FUZZ) -Isrc -o $@ $< tests/fuzz/alone.c \
-		src/scene.c src/decimal.c src/toolbox/random.c -lm
+		src/scene.c src/decimal.c src/toolbox/random.c \
+		src/toolbox/room.c -lm
 
 # Every C file in the one layout; src/ is only compared, see the chapters.
 c_files = $(wildcard tests/*.h tests/*/*.[ch] solutions/*.c src/*.[ch] \

@@ -65,7 +65,8 @@ holds 'the reader of scenes, fuzzed' \
 cc=${CC:-cc}
 if $cc -std=c11 -D_POSIX_C_SOURCE=200809L -g -O1 -ffp-contract=off \
     -fsanitize=address,undefined -Isrc -o "$work/alone" tests/fuzz/*.c \
-    src/scene.c src/decimal.c src/toolbox/random.c -lm; then
+    src/scene.c src/decimal.c src/toolbox/random.c src/toolbox/room.c \
+    -lm; then
     holds 'and fuzzed without libFuzzer' \
         "$work/alone" -runs=10000 tests/fuzz/seeds
 fi

@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 972446267 of the lines below */
+/* checksum 3458826305 of the lines below */
 #include "models.h"
 
 #include "bonkers.h"
@@ -1260,9 +1260,10 @@ static bool is_endless(const struct models_run *r, struct room *d)
         sides += d->disks.box[k];
     for (size_t i = 0; i < d->disks.count; ++i) {
         double square = 0;
-        for (size_t k = 0; k < d->axes; ++k)
-            square += d->disks.disk[i].velocity[k] *
-                      d->disks.disk[i].velocity[k];
+        for (size_t k = 0; k < d->axes; ++k) {
+            const double v = d->disks.disk[i].velocity[k];
+            square += v * v;
+        }
         speeds += sqrt(square);
     }
     d->crossed += speeds * time / sides;

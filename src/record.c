@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 3831544076 of the lines below */
+/* checksum 3524359770 of the lines below */
 #include "record.h"
 
 #include "pair.h"
@@ -391,8 +391,8 @@ static double spring_swings(const struct scene_spring *spring,
     const double length = sqrt(ends->r2);
     if (!(length > 0))
         return spring->rest;
-    const double far = fmax(fabs(length - spring->rest),
-                            fabs(ends->rv) / length / rate);
+    const double far =
+        fmax(fabs(length - spring->rest), fabs(ends->rv) / length / rate);
     const double way = far * rate * time;
     return fmax(far, way * way / (2 * length));
 }

@@ -1,5 +1,5 @@
 /* From chapters/12-averages.nw: edit there, then run make tangle. */
-/* checksum 3952907213 of the lines below */
+/* checksum 3341195644 of the lines below */
 #include "averages.h"
 
 #include "blocks.h"
@@ -788,18 +788,18 @@ static double lag(const struct swing *w, const struct search *h,
    the start on, in the second half of a stretch of this length, s. NAN if
    there is none. */
 static double check_swing(const struct swing *w, const struct search *h,
-                          double stretch)
+                          double stretch, int rows)
 {
     const struct models_plan plan = {.model = models_find("line")};
     struct piston_state s = {w->x, w->v};
     struct models_run r;
     const char *why;
     double sum = 0, worst = 0;
-    if (!models_begin(&r, &plan, h->s, stretch / ROWS, &why))
+    if (!models_begin(&r, &plan, h->s, stretch / rows, &why))
         return NAN;
-    for (int k = 1; k <= ROWS && !isnan(sum); ++k) {
+    for (int k = 1; k <= rows && !isnan(sum); ++k) {
         sum += lag(w, h, &r, &s);
-        if (2 * k > ROWS && fabs(sum / k) > worst)
+        if (2 * k > rows && fabs(sum / k) > worst)
             worst = fabs(sum / k);
     }
     for (size_t u = 0; u < MODELS_UNITS; ++u)
@@ -841,10 +841,18 @@ static void take_springs(struct search *h)
         return;
     }
     const double periods = 4 * 3.14159265358979324 / w.frequency;
-    const double stretch = periods < T / 4 ? periods : T / 4;
-    const double off = check_swing(&w, h, stretch), drift = wander(&w, h);
+    const double before = models_cost(h->f->work), drift = wander(&w, h);
+    double stretch = periods < T / 4 ? periods : T / 4;
+    double off = check_swing(&w, h, stretch, ROWS);
+    const double price = models_cost(h->f->work) - before;
+    const double times = fmin(T / stretch, h->q->reason / 20 / price);
+    if (times > 1 && off <= h->q->tolerance * h->box[0]) {
+        stretch *= times;
+        off = check_swing(&w, h, stretch, (int)fmin(ROWS * times, 1e6));
+    }
     c->value = w.shift + w.mean;
-    c->error = (off + drift) / h->box[0];
+    const double unseen = T / stretch;
+    c->error = (off * unseen * unseen + drift) / h->box[0];
     c->sure = isnan(off) ? AVERAGES_OUT : AVERAGES_ESTIMATE;
     for (size_t u = 0; u < MODELS_UNITS; ++u)
         h->f->work[u] += own[u];

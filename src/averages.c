@@ -1,5 +1,5 @@
 /* From chapters/12-averages.nw: edit there, then run make tangle. */
-/* checksum 3341195644 of the lines below */
+/* checksum 2424940265 of the lines below */
 #include "averages.h"
 
 #include "blocks.h"
@@ -539,6 +539,17 @@ static bool compare(struct way *w, size_t from, double error)
     return true;
 }
 
+/* Says whether one body is much heavier than the others. */
+static bool has_heavy(const struct scene *s)
+{
+    double most = 0, sum = 0;
+    for (size_t i = 0; i < s->bodies; ++i) {
+        most = fmax(most, s->mass[i]);
+        sum += s->mass[i];
+    }
+    return most * (double)(s->bodies - 1) > 8 * (sum - most);
+}
+
 /* Looks at what mixing would make a half, and the middle. Returns false
    without memory. */
 static bool doubt(struct way *w, size_t from)
@@ -552,6 +563,8 @@ static bool doubt(struct way *w, size_t from)
             return false;
         w->shared = fabs(w->share - 0.5) <= 5 * b.error + 1e-9;
     }
+    if (q->kind == AVERAGES_PLACE && h->dimensions == 1)
+        w->central = !has_heavy(h->s);
     if (q->kind == AVERAGES_PLACE && h->dimensions == 2) {
         const double middle =
             (h->s->low[q->axis] + h->s->high[q->axis]) / 2;
@@ -1051,10 +1064,11 @@ static bool borne_out(const struct averages_candidate *law,
 static bool trusted(const struct way *w,
                     const struct averages_candidate *law)
 {
+    if (doubted(w) && !w->over)
+        return false;
     if (law && borne_out(law, w, w->h))
         return wanted(w->h, law->name) || holds(w);
-    return holds(w) && wanted(w->h, w->name) &&
-           ((!law && !doubted(w)) || w->over);
+    return holds(w) && wanted(w->h, w->name) && (!law || w->over);
 }
 
 /* Says whether a way is, as far as can be seen, too dear. */
@@ -1248,6 +1262,11 @@ static void come_round(char *to, const struct way *w, const char *gone)
                      "it does not mix: in %s the motion along x has %.2g "
                      "of the energy, and not a half",
                      gone, w->share);
+    else if (w->h->dimensions == 1)
+        n = snprintf(to, AVERAGES_REFUSAL,
+                     "%s are too few to be sure of: one body is so much "
+                     "heavier than the others that it remembers for long",
+                     gone);
     else
         n = snprintf(to, AVERAGES_REFUSAL,
                      "it does not mix: in %s the mean is %.4g, and not the "
@@ -1272,7 +1291,7 @@ static void refuse(struct search *h, const struct way *w)
         snprintf(to, AVERAGES_REFUSAL,
                  "the motion does not go where the chain goes: ask for "
                  "events, or a longer time");
-    else if (settled(w) && doubted(w) && w->running)
+    else if (settled(w) && doubted(w) && w->running && !w->over)
         come_round(to, w, gone);
     else if (w->dear)
         too_dear(to, w, gone);

@@ -1,5 +1,5 @@
 /* From chapters/12-averages.nw: edit there, then run make tangle. */
-/* checksum 2424940265 of the lines below */
+/* checksum 3105406003 of the lines below */
 #include "averages.h"
 
 #include "blocks.h"
@@ -187,6 +187,12 @@ static struct averages_candidate *enter(struct search *h, const char *name)
 static bool wanted(const struct search *h, const char *name)
 {
     return !h->q->model || strcmp(h->q->model, name) == 0;
+}
+
+/* What a check against events may cost, s by the price list. */
+static double patience(const struct search *h)
+{
+    return h->q->reason / 20;
 }
 
 /* What errors of this quantity are divided by, when its value is this. */
@@ -858,7 +864,7 @@ static void take_springs(struct search *h)
     double stretch = periods < T / 4 ? periods : T / 4;
     double off = check_swing(&w, h, stretch, ROWS);
     const double price = models_cost(h->f->work) - before;
-    const double times = fmin(T / stretch, h->q->reason / 20 / price);
+    const double times = fmin(T / stretch, patience(h) / price);
     if (times > 1 && off <= h->q->tolerance * h->box[0]) {
         stretch *= times;
         off = check_swing(&w, h, stretch, (int)fmin(ROWS * times, 1e6));
@@ -1050,13 +1056,23 @@ static void enter_order(struct search *h, struct averages_candidate **law)
         *law = c;
 }
 
-/* Says whether events, which have settled, bear the law out. */
-static bool borne_out(const struct averages_candidate *law,
-                      const struct way *w, const struct search *h)
+/* Says whether events have settled, and agree with the law. */
+static bool agree(const struct averages_candidate *law, const struct way *w,
+                  const struct search *h)
 {
     const double off = fabs(w->mean - law->value) / scale_of(h, law->value);
     return settled(w) && w->error <= fmax(0.01, h->q->tolerance) &&
            off <= 1.5 * w->error;
+}
+
+/* Says whether events, which have settled, bear the law out: a bet, for as
+   long as may be looked. */
+static bool borne_out(const struct averages_candidate *law,
+                      const struct way *w, const struct search *h)
+{
+    const bool bet = strcmp(law->name, "order") == 0;
+    const bool seen = w->over || cost(w) >= patience(h);
+    return agree(law, w, h) && (!bet || seen);
 }
 
 /* Says whether the law is to be taken, or what the way has found; where
@@ -1066,9 +1082,10 @@ static bool trusted(const struct way *w,
 {
     if (doubted(w) && !w->over)
         return false;
-    if (law && borne_out(law, w, w->h))
-        return wanted(w->h, law->name) || holds(w);
-    return holds(w) && wanted(w->h, w->name) && (!law || w->over);
+    if (law && borne_out(law, w, w->h) && wanted(w->h, law->name))
+        return true;
+    return holds(w) && wanted(w->h, w->name) &&
+           (!law || w->over || agree(law, w, w->h));
 }
 
 /* Says whether a way is, as far as can be seen, too dear. */
@@ -1389,7 +1406,7 @@ static void crown(struct search *h, const struct way *w,
                   const struct averages_candidate *law)
 {
     struct averages_found *f = h->f;
-    const bool by_law = !holds(w);
+    const bool by_law = !(holds(w) && wanted(h, w->name));
     f->taken = f->candidates;
     for (size_t k = 0; k < f->candidates; ++k)
         if (by_law ? &f->candidate[k] == law
@@ -1407,13 +1424,13 @@ static void crown(struct search *h, const struct way *w,
 /* Notes what the events say of the law. */
 static void judge(struct averages_candidate *law, const struct way *w)
 {
-    const bool good = borne_out(law, w, w->h);
-    law->sure = good ? AVERAGES_ESTIMATE : AVERAGES_OUT;
+    law->sure = borne_out(law, w, w->h) ? AVERAGES_ESTIMATE : AVERAGES_OUT;
     snprintf(law->text, AVERAGES_TEXT,
-             good ? "if it mixes in this time; events agree: %.2g off, "
-                    "error %.2g"
-                  : "if it mixes in this time; events do not bear it "
-                    "out: %.2g off, error %.2g",
+             agree(law, w, w->h)
+                 ? "if it mixes in this time; events agree: %.2g off, "
+                   "error %.2g"
+                 : "if it mixes in this time; events do not bear it "
+                   "out: %.2g off, error %.2g",
              w->looked
                  ? fabs(w->mean - law->value) / scale_of(w->h, law->value)
                  : NAN,

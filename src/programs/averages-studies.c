@@ -1,5 +1,5 @@
 /* From chapters/12-averages.nw: edit there, then run make tangle. */
-/* checksum 309814986 of the lines below */
+/* checksum 137627906 of the lines below */
 #include "averages.h"
 #include "blocks.h"
 #include "gallery.h"
@@ -261,6 +261,102 @@ static void study_pairs(struct study *s)
         table_real(s->summary, keys[j], all[j]);
 }
 
+static void make_line(struct scene *s, double share, int seed)
+{
+    const size_t n = 3 + (size_t)seed % 6;
+    struct random r;
+    random_seed(&r, (uint64_t)seed);
+    if (!scene_create(s, n))
+        study_fail(PROGRAM, "no memory");
+    s->contact = true;
+    s->wall[0] = SCENE_HARD;
+    s->high[0] = (double)n;
+    for (size_t i = 0; i < n; ++i) {
+        s->mass[i] = 1 + share * random_between(&r, -1, 1);
+        s->position[i] = (double)i + random_between(&r, 0, 1);
+        s->velocity[i] = random_between(&r, -1, 1);
+        s->freedom[n + i] = s->freedom[2 * n + i] = 0;
+    }
+}
+
+/* What two looks at a run have seen of the first body: the first look with
+   a plateau and an error of at most e, if any, and the last. */
+struct looks {
+    bool believed;
+    double mean, error, last, bar; /* m, with two standard errors */
+};
+
+static struct looks look_twice(const struct scene *s, double until,
+                               double e)
+{
+    enum { EVERY = 4 }; /* to a second */
+    const struct models_plan plan = {.model = models_find("line")};
+    struct looks w = {.believed = false};
+    struct blocks b;
+    struct models_run r;
+    const char *why;
+    if (!blocks_create(&b, 1) ||
+        !models_begin(&r, &plan, s, 1.0 / EVERY, &why))
+        study_fail(PROGRAM, "no run");
+    while ((double)r.rows < until * EVERY) {
+        models_row(&r);
+        blocks_add(&b, r.scene.position);
+        if (!w.believed && b.filled == 0 && b.count % 64 == 0 &&
+            b.count >= 256)
+            w.believed = look(&b, &w.mean, &w.error) && w.error <= e;
+    }
+    look(&b, &w.last, &w.bar);
+    models_end(&r);
+    blocks_free(&b);
+    return w;
+}
+
+/* Counts: looks believed, those whose mean the last look finds beyond the
+   errors of both; looks that agree with the law, and those of them where
+   the last one does not. */
+static void count_line(double share, int seed, double row[4])
+{
+    struct scene s;
+    make_line(&s, share, seed);
+    const double n = (double)s.bodies, law = n / (n + 1);
+    const struct looks w = look_twice(&s, 3e4, 0.01 * n);
+    const double off = fabs(w.mean - w.last);
+    const bool agree = fabs(w.mean - law) <= 1.5 * w.error;
+    scene_free(&s);
+    if (!w.believed)
+        return;
+    row[0] += 1;
+    row[1] += off > hypot(w.error, w.bar);
+    row[2] += agree;
+    row[3] += agree && fabs(w.last - law) > 1.5 * w.bar;
+}
+
+static void study_bets(struct study *s)
+{
+    enum { LINES = 40 };
+    static const double shares[] = {0.001, 0.003, 0.01, 0.03, 0.1, 0.3};
+    static const char *const keys[] = {"believed", "off", "agree",
+                                       "contradicted"};
+    double all[4] = {0};
+    table_column(s->out, "share", "", "by which masses differ, at most");
+    table_column(s->out, "believed", "", "looks believed, of 40");
+    table_column(s->out, "off", "",
+                 "of them beyond both errors at the end");
+    table_column(s->out, "agree", "", "looks that agree with the law");
+    table_column(s->out, "contradicted", "",
+                 "of them, by the end of the run");
+    for (int k = 0; k < 6 && !progress_signal(); ++k) {
+        double row[5] = {shares[k]};
+        for (int seed = 1; seed <= LINES; ++seed)
+            count_line(shares[k], seed, row + 1);
+        table_row(s->out, 5, row);
+        for (int j = 0; j < 4; ++j)
+            all[j] += row[1 + j];
+    }
+    for (int j = 0; j < 4; ++j)
+        table_real(s->summary, keys[j], all[j]);
+}
+
 /* The mean place from the start on, at times that double. */
 static void run_piston(const struct scene *s, size_t body, int times,
                        double mean[])
@@ -389,6 +485,7 @@ static void study_digits(struct study *s)
 static const struct study_entry studies[] = {
     {"stop", study_stop, "how often a mean is within its error"},
     {"pairs", study_pairs, "two on a line, and blocks that agree"},
+    {"bets", study_bets, "random lines and the law of places"},
     {"patience", study_patience, "a heavy piston and ever longer runs"},
     {"places", study_places, "disks that change places, or do not"},
     {"digits", study_digits, "what a tolerance costs, by two ways"},

@@ -293,6 +293,11 @@ static void test_order(void)
     const struct averages_found f = ask(&s, "x:2", 1e6, 1e-4, NULL);
     UNIT_TRUE(taken(&f, "order"));
     UNIT_NEAR(f.value, 1 + 2 * (0.05 + 0.1) + 0.15 + free * 3 / 7, 1e-12);
+    const struct averages_found known = ask(&s, "x:2", 1e6, 0.02, NULL);
+    UNIT_TRUE(taken(&known, "events")); /* it does not need the law */
+    const struct averages_found law = ask(&s, "x:2", 1e6, 0.02, "order");
+    UNIT_TRUE(taken(&law, "order"));
+    UNIT_EQUAL(law.value, f.value);
     scene_free(&s);
 }
 

@@ -1,5 +1,5 @@
 /* From chapters/12-averages.nw: edit there, then run make tangle. */
-/* checksum 3105406003 of the lines below */
+/* checksum 3114912413 of the lines below */
 #include "averages.h"
 
 #include "blocks.h"
@@ -395,6 +395,7 @@ static bool sample_events(struct way *w, double value[])
         models_row(r) != MODELS_DONE)
         return false;
     memcpy(w->work, r->work, sizeof w->work);
+    w->work[MODELS_FLIGHT] += (double)(r->rows * h->n * h->dimensions);
     if (q->kind == AVERAGES_PLACE)
         for (size_t k = 0; k < w->width; ++k)
             value[k] = r->scene.position[q->axis * h->n + w->body[k]];

@@ -1,5 +1,5 @@
 /* From chapters/12-atlas.nw: edit there, then run make tangle. */
-/* checksum 2178712020 of the lines below */
+/* checksum 843655868 of the lines below */
 #include "choose.h"
 #include "gallery.h"
 #include "models.h"
@@ -249,7 +249,7 @@ static void fly(struct flight *f, quad t)
     f->now = t;
 }
 
-/* (1.13, eq:normal) */
+/* (1.10, eq:impulse) */
 static void knock(struct flight *f, size_t i, size_t j)
 {
     const size_t n = f->bodies;

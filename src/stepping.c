@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 3882898625 of the lines below */
+/* checksum 1325230880 of the lines below */
 #include "stepping.h"
 
 #include "toolbox/room.h"
@@ -332,89 +332,65 @@ bool stepping_keeps(const struct stepping *s)
 
 /* Half a kick and the drift of n coordinates from number `from` on; first
    the half kick that is owing. */
-static void set_out(void *stepping, size_t from, size_t n)
+static inline void move(const struct stepping *s, size_t from, size_t n,
+                        bool owing, bool damped)
 {
-    const struct stepping *const s = stepping;
-    double *const restrict x = s->x + from, *const restrict v = s->v + from;
-    const double *const restrict a = s->acceleration + from;
-    const double h = s->part->kick[0], dt = s->part->drift[0];
-    if (s->part->owing)
-        for (size_t i = 0; i < n; ++i) {
-            v[i] += h * a[i];
-            v[i] += h * a[i];
-            x[i] += dt * v[i];
-        }
-    else
-        for (size_t i = 0; i < n; ++i) {
-            v[i] += h * a[i];
-            x[i] += dt * v[i];
-        }
-}
-
-/* The accelerations at x and v, when `ready` has got both ready. */
-static void evaluate_ahead(struct stepping *s,
-                           void (*ready)(void *, size_t, size_t),
-                           const double v[])
-{
-    if (s->sweep) {
-        s->sweep(s->forces.what, s->x, v, s->acceleration,
-                 &(struct stepping_ahead){ready, s});
-        ++s->evaluations;
-        return;
-    }
-    ready(s, 0, s->forces.size);
-    evaluate(s, s->x, v, s->acceleration);
-}
-
-/* Steps of leapfrog whose coordinates `ready` moves, with forces at v. */
-static void leap_by(struct stepping *s, uint64_t steps,
-                    void (*ready)(void *, size_t, size_t), const double v[])
-{
-    refresh(s);
-    for (uint64_t k = 0; k < steps; ++k) {
-        s->part->owing = k > 0;
-        evaluate_ahead(s, ready, v);
-    }
-    add(s->v, s->part->kick[0], s->acceleration, s->forces.size);
-}
-
-/* Leapfrog, (8.4, eq:verlet): the bits of splitting_step. */
-static void leap(struct stepping *s, uint64_t steps)
-{
-    leap_by(s, steps, set_out, s->v);
-}
-
-/* As set_out, and in part->v the velocity foreseen at the end. */
-static void set_out_damped(void *stepping, size_t from, size_t n)
-{
-    const struct stepping *const s = stepping;
     double *const restrict x = s->x + from, *const restrict v = s->v + from;
     double *const restrict ahead = s->part->v + from;
     const double *const restrict a = s->acceleration + from;
     const double h = s->part->kick[0], dt = s->part->drift[0];
-    if (s->part->owing)
-        for (size_t i = 0; i < n; ++i) {
-            v[i] += h * a[i];
-            v[i] += h * a[i];
-            x[i] += dt * v[i];
-            ahead[i] = v[i] + h * a[i];
-        }
-    else
-        for (size_t i = 0; i < n; ++i) {
-            v[i] += h * a[i];
-            x[i] += dt * v[i];
-            ahead[i] = v[i] + h * a[i];
-        }
+    for (size_t i = 0; i < n; ++i) {
+        const double half = h * a[i];
+        if (owing)
+            v[i] += half;
+        v[i] += half;
+        x[i] += dt * v[i];
+        if (damped)
+            ahead[i] = v[i] + half;
+    }
 }
 
-/* A leapfrog step with forces that depend on the velocity: (8.13,
-   eq:leapfrog-damped). */
-static void leap_damped(struct stepping *s, uint64_t steps)
+static void set_out(void *stepping, size_t from, size_t n)
 {
-    leap_by(s, steps, set_out_damped, s->part->v);
+    const struct stepping *const s = stepping;
+    const bool owing = s->part->owing, damped = s->forces.damped;
+    if (owing && damped)
+        move(s, from, n, true, true);
+    else if (owing)
+        move(s, from, n, true, false);
+    else if (damped)
+        move(s, from, n, false, true);
+    else
+        move(s, from, n, false, false);
 }
 
-/* The same, compensated. */
+/* The accelerations at x and v, once set_out has got both ready. */
+static void evaluate_ahead(struct stepping *s, const double v[])
+{
+    if (s->sweep) {
+        s->sweep(s->forces.what, s->x, v, s->acceleration,
+                 &(struct stepping_ahead){set_out, s});
+        ++s->evaluations;
+        return;
+    }
+    set_out(s, 0, s->forces.size);
+    evaluate(s, s->x, v, s->acceleration);
+}
+
+/* Steps of leapfrog, (8.4, eq:verlet), to the bits of splitting_step; under
+   friction those of (8.13, eq:leapfrog-damped). */
+static void leap(struct stepping *s, uint64_t steps)
+{
+    const double *const v = s->forces.damped ? s->part->v : s->v;
+    refresh(s);
+    for (uint64_t k = 0; k < steps; ++k) {
+        s->part->owing = k > 0;
+        evaluate_ahead(s, v);
+    }
+    add(s->v, s->part->kick[0], s->acceleration, s->forces.size);
+}
+
+/* A step under friction, compensated. */
 static void leap_carried(struct stepping *s)
 {
     const double h = s->part->kick[0];
@@ -717,7 +693,7 @@ static bool run_until_watch(struct stepping *s, uint64_t *left)
     const uint64_t most = STEPPING_WATCH - s->steps % STEPPING_WATCH;
     const uint64_t steps = *left < most ? *left : most;
     if (is_leapfrog(s->method) && !s->compensated) {
-        (s->forces.damped ? leap_damped : leap)(s, steps);
+        leap(s, steps);
         s->steps += steps;
         *left -= steps;
         return true;

@@ -4,6 +4,7 @@
 #include "unit.h"
 
 #include "gallery.h"
+#include "library/plans.h"
 #include "models.h"
 #include "prices.h"
 #include "toolbox/random.h"
@@ -34,21 +35,10 @@ static void make(const char *name, const struct wish wishes[])
     }
 }
 
-static struct models_plan plan_of(const char *text)
-{
-    struct models_plan p;
-    char message[MODELS_TEXT];
-    if (!models_read(&p, text, message)) {
-        printf("%s: %s\n", text, message);
-        UNIT_TRUE(false);
-    }
-    return p;
-}
-
 static struct models_run run_of(const char *text, double every,
                                 uint64_t rows)
 {
-    const struct models_plan p = plan_of(text);
+    const struct models_plan p = plan(text);
     struct models_run r;
     const char *why;
     if (!models_begin(&r, &p, &scene, every, &why)) {
@@ -92,7 +82,7 @@ static struct gap compare(const char *one, const char *other, double every,
 /* Why a plan is refused, at sight or in the beginning; "" if it is not. */
 static const char *refused(const char *text)
 {
-    const struct models_plan p = plan_of(text);
+    const struct models_plan p = plan(text);
     struct models_run r;
     const char *why = models_refuse(&p, &scene), *again;
     const bool begun = models_begin(&r, &p, &scene, 1, &again);
@@ -702,14 +692,14 @@ static void test_text(void)
                                        "leapfrog:1000000000000,rods"};
     char text[MODELS_TEXT];
     for (size_t i = 0; i < 4; ++i) {
-        struct models_plan p = plan_of(same[i]);
+        struct models_plan p = plan(same[i]);
         models_write(&p, text);
         UNIT_TRUE(strcmp(text, same[i]) == 0);
     }
-    struct models_plan all = plan_of("implicit-midpoint:1000000000000");
+    struct models_plan all = plan("implicit-midpoint:1000000000000");
     all.cuts = (1u << MODELS_CUTS) - 1;
     models_write(&all, text);
-    const struct models_plan again = plan_of(text);
+    const struct models_plan again = plan(text);
     UNIT_TRUE(again.model == all.model && again.cuts == all.cuts &&
               again.steps == all.steps);
 }
@@ -814,13 +804,13 @@ static void test_ends(void)
     const char *why;
     struct models_run r;
     make("double-pendulum", NULL);
-    struct models_plan p = plan_of("leapfrog:2000");
+    struct models_plan p = plan("leapfrog:2000");
     UNIT_TRUE(models_begin(&r, &p, &scene, 100, &why));
     UNIT_EQUAL(models_row(&r), MODELS_BROKEN);
     models_end(&r);
     scene_free(&scene);
     make("cradle", (struct wish[]){{"restitution", 0.1}, {"gap", 0}, {0}});
-    p = plan_of("line");
+    p = plan("line");
     UNIT_TRUE(models_begin(&r, &p, &scene, 100, &why));
     enum models_end end = MODELS_DONE;
     for (int k = 0; k < 20 && end == MODELS_DONE; ++k)

@@ -1,19 +1,12 @@
 /* Two bodies that pass; runs whose rows end in the middle of a step; and
    what watched runs find, pair by pair. */
+#include "library/plans.h"
 #include "pair.h"
 #include "record.h"
 #include "toolbox/random.h"
 #include "unit.h"
 
 #include <stdlib.h>
-
-static struct models_plan plan(const char *text)
-{
-    struct models_plan p = {0};
-    char message[MODELS_TEXT];
-    UNIT_TRUE(models_read(&p, text, message));
-    return p;
-}
 
 static struct record_order order(const struct scene *s, const char *text,
                                  double until, size_t rows)
@@ -154,13 +147,8 @@ static void test_asked(void)
    times as small in half the step, to the next order, 1/36 of it here. */
 static void test_order(void)
 {
-    struct scene s;
+    struct scene s = light_orbit(1, 1.1);
     struct record_view v;
-    UNIT_TRUE(scene_create(&s, 2));
-    s.mass[1] = 0;
-    s.k2 = 1;
-    s.position[1] = 1;
-    s.velocity[3] = 1.1;
     UNIT_TRUE(record_look(&v, "record", &s, NULL, 8));
     struct record_order o = order(&s, "kahan-li8:100", 8, 16);
     struct record truth = recorded(&v, &o);

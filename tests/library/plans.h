@@ -1,0 +1,33 @@
+/* What tests of runs begin with: a plan from its text, and a body without
+   mass on its way round another one. */
+#ifndef PLANS_H
+#define PLANS_H
+
+#include "models.h"
+#include "unit.h"
+
+static inline struct models_plan plan(const char *text)
+{
+    struct models_plan p = {0};
+    char message[MODELS_TEXT];
+    const bool good = models_read(&p, text, message);
+    if (!good)
+        printf("# %s: %s\n", text, message);
+    UNIT_TRUE(good);
+    return p;
+}
+
+/* About a mass of 1 at the origin, with k = 1: from (distance, 0), with the
+   velocity (0, speed). */
+static inline struct scene light_orbit(double distance, double speed)
+{
+    struct scene s;
+    UNIT_TRUE(scene_create(&s, 2));
+    s.mass[1] = 0;
+    s.k2 = 1;
+    s.position[1] = distance;
+    s.velocity[3] = speed;
+    return s;
+}
+
+#endif

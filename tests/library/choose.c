@@ -2,6 +2,7 @@
    most 1.5 times as dear as the cheapest that is right. */
 #include "choose.h"
 #include "gallery.h"
+#include "library/plans.h"
 #include "scout.h"
 #include "unit.h"
 
@@ -30,14 +31,6 @@ static struct choose_request asked(const struct scene *s, double until,
                                    .every = until / 16,
                                    .tolerance = tolerance,
                                    .reason = 600};
-}
-
-static struct models_plan plan(const char *text)
-{
-    struct models_plan p = {0};
-    char message[MODELS_TEXT];
-    UNIT_TRUE(models_read(&p, text, message));
-    return p;
 }
 
 static struct record recorded(struct record_view *v, const struct scene *s,
@@ -130,13 +123,8 @@ static void test_rate(void)
    to the length of its step. */
 static void test_scout(void)
 {
-    struct scene s;
+    struct scene s = light_orbit(1.9, sqrt(0.1 / 1.9));
     struct scout p;
-    UNIT_TRUE(scene_create(&s, 2));
-    s.mass[1] = 0;
-    s.k2 = 1;
-    s.position[1] = 1.9;
-    s.velocity[3] = 0.2294157338705618; /* sqrt(.1/1.9) */
     const double period = 6.283185307179586;
     struct scout_order order = {
         .every = period / 15, .rows = 15, .aim = 0.3, .limit = INFINITY};

@@ -12,15 +12,7 @@ w=$work
 key() { sed -n "s/^$2 //p" "$1"; }
 
 # apart A B SCALE: the largest difference of a place in any row, over SCALE.
-apart() {
-    { grep -v '^#' "$1"; echo; grep -v '^#' "$2"; } | awk -v scale="$3" '
-        NF == 0 { second = 1; n = 0; next }
-        { ++n }
-        !second { for (i = 2; i <= NF; ++i) a[n, i] = $i; rows = n; next }
-        { for (i = 2; i <= NF; ++i) if ((i - 2) % 6 < 3) {
-            d = a[n, i] - $i; if (d < 0) d = -d; if (d > most) most = d } }
-        END { print n == rows ? most / scale : "rows" }'
-}
+apart() { awk -v scale="$3" -f tests/stability/apart.awk "$1" "$2"; }
 
 # check SCENE UNTIL E REFERENCE: runs bonk; the table of the other run is
 # there. The true error is within E, and within a tenth of what was found

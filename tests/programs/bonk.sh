@@ -4,7 +4,6 @@
 bonk=build/bin/bonk
 scene=build/bin/scene
 w=$work
-key() { sed -n "s/^$2 //p" "$1"; }
 for s in sun-earth figure-eight four-disks cradle piston double-pendulum; do
     $scene $s -o "$w/$s"
 done

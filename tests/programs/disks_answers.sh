@@ -3,17 +3,8 @@
 # for this book by programs of its own (direct sampling, another
 # event-driven run). A measured number may be 4 standard errors away, its
 # own and the reference's; seeds are fixed, so a pass stays a pass.
-. tests/programs/common
+. tests/programs/summaries
 d=build/bin/disks
-
-# near NAME KEY EXPECTED TOLERANCE: what the last summary says.
-near() {
-    holds "$1" awk -v key="$2" -v want="$3" -v tolerance="$4" '
-        $1 == key { got = $2; found = 1 }
-        END { d = got - want; if (d < 0) d = -d
-            print key, got, "not", want, "to within", tolerance
-            exit !(found && got == got + 0 && d <= tolerance) }' "$work/s"
-}
 
 # within NAME KEY EXPECTED ERROR LARGEST: within 4 errors, the summary's own
 # (KEY_error, which may be LARGEST at most) and that of the reference.

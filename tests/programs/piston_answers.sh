@@ -3,18 +3,9 @@
 # against a table whose answers are known, and the theory against the
 # particles. Reference values computed for this book by a program of its
 # own.
-. tests/programs/common
+. tests/programs/summaries
 p=build/bin/piston
 b=build/bin/bonkers
-
-# near NAME KEY EXPECTED TOLERANCE: what the last summary says.
-near() {
-    holds "$1" awk -v key="$2" -v want="$3" -v tolerance="$4" '
-        $1 == key { got = $2; found = 1 }
-        END { d = got - want; if (d < 0) d = -d
-            print key, got, "not", want, "to within", tolerance
-            exit !(found && got == got + 0 && d <= tolerance) }' "$work/s"
-}
 
 # The model. Digits as given; x_max from rows 0.1 s apart is less than
 # a (w 0.05)^2/2 = 1e-4 short.

@@ -43,21 +43,7 @@ survives() {
 }
 
 scene=$work/scene
-cat >"$scene" <<'E2'
-pos 0 0 0 0     1 0 0.1
-pos 1 1 0 0     1 0 0.1
-pos 2 2 0 0.3   2 0 0.1
-vfix 0 0 0 0
-s 0 50 0.3
-s 1 20 0
-sl 0 1 0
-sl 1 2 1
-k2 0.1
-soft 0.05
-grav 0 0 -1
-damp 0.01
-dt 0.001
-E2
+{ cat tests/programs/rough.plist && echo dt 0.001; } >"$scene"
 # A checkpoint after each bite of steps; about a second of a run.
 survives 'damped leapfrog' --until 300 --every 0.5 --checkpoint 0
 survives 'compensated sums' --until 300 --every 0.5 --checkpoint 0 \

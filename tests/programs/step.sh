@@ -5,8 +5,7 @@ step=build/bin/step
 scene=build/bin/scene
 w=$work
 
-# key FILE KEY: a number of a summary. near NAME GOT EXPECTED TOLERANCE
-key() { sed -n "s/^$2 //p" "$1"; }
+# near NAME GOT EXPECTED TOLERANCE
 near() {
     holds "$1: $2 is $3 to $4" awk -v a="$2" -v b="$3" -v e="$4" \
         'BEGIN { d = a - b; exit !(a ~ /[0-9]/ && d <= e && -d <= e) }'
@@ -125,20 +124,7 @@ goes_on() {
     holds "$run_of: half of the rows" test "$(wc -l <"$w/rest")" -eq 17
     holds "$run_of goes on to the same bytes" cmp "$w/whole" "$w/rest"
 }
-cat >"$w/rough" <<'E2'
-pos 0 0 0 0     1 0 0.1
-pos 1 1 0 0     1 0 0.1
-pos 2 2 0 0.3   2 0 0.1
-vfix 0 0 0 0
-s 0 50 0.3
-s 1 20 0
-sl 0 1 0
-sl 1 2 1
-k2 0.1
-soft 0.05
-grav 0 0 -1
-damp 0.01
-E2
+cp tests/programs/rough.plist "$w/rough"
 sed '/^damp/d; s/0.3$/0/' "$w/rough" >"$w/free"
 methods='euler symplectic-euler leapfrog rk4 yoshida4 yoshida6 pefrl kahan-li8
     implicit-midpoint gauss4'

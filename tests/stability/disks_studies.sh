@@ -1,25 +1,13 @@
 #!/bin/sh
 # The failures of chapter 5 that the studies show, against theory and
 # reference values computed for this book.
-. tests/programs/common
-study() { # NAME OPTION...
-    name=$1
-    shift
-    build/bin/disks-studies "$@" -o "$work/$name.dat" \
-        --summary "$work/$name" || not_ok "$*" 'does not run'
-}
-# between WHAT RUN KEY LOW HIGH
-between() {
-    holds "$1" awk -v key="$3" -v low="$4" -v high="$5" '
-        $1 == key { got = $2; found = 1 }
-        END { print key, got, "not from", low, "to", high
-            exit !(found && got + 0 >= low && got + 0 <= high) }' "$work/$2"
-}
+. tests/programs/summaries
+studies=build/bin/disks-studies
 
 # The clock, 9300 to 10^4 s: Z of 2.69889(31) to 4 x 0.3 per cent; the
 # article's is 11 to 19 per cent short and of first order in the step, with
 # its energy right to rounding, 2e5 collisions at 1e-16 each and more.
-study clock --study clock
+study clock
 between 'our clock: the pressure of direct sampling' clock Z_clock 2.667 2.731
 between 'our clock: the density at the walls' clock edge_clock -2 2
 between 'the wrong clock: far too little pressure' clock Z_article 2.1 2.45
@@ -34,7 +22,7 @@ study fine --study clock --every 0.001 --samples 3000000
 between 'a tenth of the step, a tenth of the error' fine Z_article 2.59 2.68
 
 # Chaos: e^(3.6 t) at 1 J, twice that at 4 J; medians of 101 scatter.
-study reverse --study reverse
+study reverse
 between 'errors grow as e^(3.6 t)' reverse rate_1 3.2 4.1
 between 'twice as fast at four times the energy' reverse rate_4 6.4 8.2
 between '5 s: 10^-8.4' reverse miss_5 4e-10 4e-8
@@ -42,7 +30,7 @@ between '8 s: 10^-3.5' reverse miss_8 2e-5 5e-3
 between '53 collisions in 8 s' reverse collisions 50 57
 
 # Contact at a gap of 2^-26: eps / gap is 1.5e-8.
-study contact --study contact
+study contact
 between 'the stable root keeps all digits of exact places' contact \
     ours_exact 0 1e-15
 between 'the textbook loses half of them' contact book_exact 1e-9 1e-7
@@ -51,7 +39,7 @@ between 'a grazing time is uncertain' contact time 1e-11 1e-8
 between 'and the distance is not' contact place 0 3e-15
 
 # Collapse: the more disks, the milder the loss that is enough.
-study collapse --study collapse
+study collapse
 holds '100 disks collapse at e = 0.5, 30 not at 0.6, 10 not at 0.5' awk '
     !/^#/ && NF == 4 { e = int($1 * 100 + 0.5); p10[e] = $2; p30[e] = $3
         p100[e] = $4 }

@@ -2,20 +2,8 @@
 # The failures of chapter 9 that its studies show, and the numbers that they
 # have to give before they fail, against theory and against values computed
 # for this book in quadruple precision.
-. tests/programs/common
-study() { # NAME OPTION...
-    name=$1
-    shift
-    build/bin/gravity-studies "$@" -o "$work/$name.dat" \
-        --summary "$work/$name" || not_ok "$*" 'does not run'
-}
-# between WHAT RUN KEY LOW HIGH
-between() {
-    holds "$1" awk -v key="$3" -v low="$4" -v high="$5" '
-        $1 == key { got = $2; found = 1 }
-        END { print key, got, "not from", low, "to", high
-            exit !(found && got + 0 >= low && got + 0 <= high) }' "$work/$2"
-}
+. tests/programs/summaries
+studies=build/bin/gravity-studies
 # row WHAT FILE FIRST COLUMN LOW HIGH: of the row that begins near FIRST
 row() {
     holds "$1" awk -v first="$3" -v column="$4" -v low="$5" -v high="$6" '
@@ -81,6 +69,6 @@ between "Holman and Wiegert's formula" alive law 2.27304 2.27306
 
 # A Jupiter of 0.29 Suns throws Saturn out, and a fixed step pays for it with
 # Jupiter's orbit; without the outer planets the energy is kept to rounding.
-study planets --study planets
+study planets
 between 'five planets keep their energy' planets energy_300 0 1e-10
 between 'of eight, one meeting costs a third of it' planets eight .1 1

@@ -9,8 +9,6 @@ step=build/bin/step
 here=tests/stability/misleading
 w=$work
 
-key() { sed -n "s/^$2 //p" "$1"; }
-
 # apart A B SCALE: the largest difference of a place in any row, over SCALE.
 apart() { awk -v scale="$3" -f tests/stability/apart.awk "$1" "$2"; }
 

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Where the springs are the wrong model. Each case must go on failing as
 # the chapter says it does.
-. tests/programs/common
+. tests/programs/summaries
 p=build/bin/piston
 b=build/bin/bonkers
 measured() { # BODY OPTION... < TABLE: into $work/s
@@ -11,47 +11,39 @@ measured() { # BODY OPTION... < TABLE: into $work/s
         --summary "$work/s" "$@"
 }
 
-# between NAME KEY LOW HIGH: what the last summary says.
-between() {
-    holds "$1" awk -v key="$2" -v low="$3" -v high="$4" '
-        $1 == key { got = $2; found = 1 }
-        END { print key, got, "not from", low, "to", high
-            exit !(found && got + 0 >= low && got + 0 <= high) }' "$work/s"
-}
-
 # A wall too near.
 refuses 1 "step: 0.01 s leads into a wall at t = 0.06 s" \
     $p --velocity 100 -o /dev/null
 holds 'a shorter step gets through' \
     $p --velocity 100 --step 1e-5 --until 1 -o /dev/null --summary "$work/s"
-between 'with its energy to one per cent' energy_error 1e-12 0.01
+between 'with its energy to one per cent' s energy_error 1e-12 0.01
 $p --velocity 10 -o /dev/null --summary "$work/s"
-between 'a near miss shows in the energy' energy_error 0.01 0.1
+between 'a near miss shows in the energy' s energy_error 0.01 0.1
 
 # Equal speeds are no gas: model 3.74 m beyond the middle, equal halves.
 $b --preset piston --ensemble 500 --every 0.25 --until 90 | measured 6
 between 'equal speeds: the piston runs a metre further than the model' \
-    reach 4.3 5.2
-between 'equal speeds: one half period is too short' first_half 5 8
-between 'equal speeds: the next is twice as long' second_half 12 16
+    s reach 4.3 5.2
+between 'equal speeds: one half period is too short' s first_half 5 8
+between 'equal speeds: the next is twice as long' s second_half 12 16
 
 # One particle on either side is no gas; two are.
 $b --preset piston --particles 3 --ensemble 500 --every 0.25 --until 160 |
     measured 2
-between 'one particle a side: the mean has no period' period_spread 2 20
+between 'one particle a side: the mean has no period' s period_spread 2 20
 $b --preset adiabatic --particles 5 --ensemble 1000 --every 0.5 --until 160 |
     measured 3
 between 'two warm particles a side: the period within 4 per cent' \
-    period 37.8 40.9
+    s period 37.8 40.9
 
 # The bare formula is 4.6 per cent off, the isothermal guess 65 per cent;
 # 16 starts scatter by 0.04 s, 0.1 per cent.
 $b --preset adiabatic --ensemble 16 --every 0.5 --until 110 >"$work/table"
 measured 201 <"$work/table"
 between 'the bare formula, 37.699 s, is 4 to 5.2 per cent short' \
-    period 39.207 39.659
+    s period 39.207 39.659
 between 'the isothermal guess, 65.297 s, is 1.6 to 1.7 times too long' \
-    period 38.41 40.81
+    s period 38.41 40.81
 
 # Friction without memory, M / Gamma_0 = 11.28 s: right for two seconds
 # (0.0838 m/s, the mean of 16 thermal pistons to 4 times 0.004), and of

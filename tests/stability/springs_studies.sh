@@ -1,18 +1,8 @@
 #!/bin/sh
 # What the studies of chapter 10 show, against theory and against reference
 # values computed for this book in quadruple precision.
-. tests/programs/common
-study() { # NAME
-    build/bin/springs-studies --study "$1" -o "$work/$1.dat" \
-        --summary "$work/$1" || not_ok "$1" 'does not run'
-}
-# between WHAT RUN KEY LOW HIGH
-between() {
-    holds "$1" awk -v key="$3" -v low="$4" -v high="$5" '
-        $1 == key { got = $2; found = 1 }
-        END { print key, got, "not from", low, "to", high
-            exit !(found && got + 0 >= low && got + 0 <= high) }' "$work/$2"
-}
+. tests/programs/summaries
+studies=build/bin/springs-studies
 
 # Errors of second order, (omega h)^2 t / 24 and less: h = 0.05, t = 15.
 study regimes

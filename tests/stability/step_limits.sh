@@ -5,7 +5,6 @@ step=build/bin/step
 w=$work
 build/bin/scene double-pendulum -o "$w/pendulum"
 build/bin/scene sun-earth -o "$w/sun"
-key() { sed -n "s/^$2 //p" "$1"; }
 less() { # NAME A B: A < B
     holds "$1: $2 < $3" awk -v a="$2" -v b="$3" \
         'BEGIN { exit !(a ~ /[0-9]/ && a + 0 < b + 0) }'

@@ -4,75 +4,56 @@
 # pairs against quadruple precision, and exact counts of Galperin's
 # collisions (the digits of pi). Maxima of other samples differ in the second
 # digit, so bounds leave a third on each side.
-set -u
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' HUP INT TERM
-study() { # NAME OPTION...
-    name=$1
-    shift
-    build/bin/collide-forms "$@" -o "$work/$name.dat" \
-        --summary "$work/$name" || echo "not ok stability: $* does not run"
-}
-within() { # WHAT RUN KEY LOW HIGH
-    awk -v key="$3" -v low="$4" -v high="$5" -v what="$1" '
-        $1 == key { found = 1; value = $2 }
-        END {
-            if (found && value + 0 >= low && value + 0 <= high)
-                print "ok stability: " what
-            else
-                print "not ok stability: " what " - " key " is " value \
-                    ", not from " low " to " high
-        }' "$work/$2"
-}
+. tests/programs/summaries
+studies=build/bin/collide-forms
 
 study mild --study rounding --mass-ratio 3.1622776601683795
-within 'similar masses: the cm form errs by 6 eps' mild energy_max_cm 4.1 8.1
-within 'similar masses: the smaller form by 2.7' mild energy_max_smaller 1.8 3.6
+between 'similar masses: the cm form errs by 6 eps' mild energy_max_cm 4.1 8.1
+between 'similar masses: the smaller form by 2.7' mild energy_max_smaller 1.8 3.6
 
 # The complement form loses the small fraction's digits: 500 eps in energy
 # and 13000 in momentum, or more, at a mass ratio of 1e6.
 study wild --study rounding --mass-ratio 1e6
-within 'mass ratio 1e6: the complement ruins energy' \
+between 'mass ratio 1e6: the complement ruins energy' \
     wild energy_max_complement 300 3000
-within 'mass ratio 1e6: the complement ruins momentum' \
+between 'mass ratio 1e6: the complement ruins momentum' \
     wild momentum_max_complement 8000 100000
-within 'mass ratio 1e6: the smaller form does not (energy)' \
+between 'mass ratio 1e6: the smaller form does not (energy)' \
     wild energy_max_smaller 0 4.3
-within 'mass ratio 1e6: the smaller form does not (momentum)' \
+between 'mass ratio 1e6: the smaller form does not (momentum)' \
     wild momentum_max_smaller 0 4
 
 # A common velocity of 1e6: half an ulp for forms in d, 3 for the cm form.
 study train --study rounding --mass-ratio 3.1622776601683795 --offset 1e6
-within 'on a train the smaller form loses half a digit' \
+between 'on a train the smaller form loses half a digit' \
     train velocity_max_smaller 0.2 0.3
-within 'on a train the cm form loses three' train velocity_max_cm 2.1 4.1
+between 'on a train the cm form loses three' train velocity_max_cm 2.1 4.1
 
 # Galperin: the double forms count right to k = 7, the complement and single
 # precision fail from k = 6 on.
 study pi6 --study galperin --digits 6
 study pi7 --study galperin --digits 7
 for form in cm difference impulse smaller; do
-    within "digits of pi, k=6: $form" pi6 count_$form 3141592 3141592
-    within "digits of pi, k=7: $form" pi7 count_$form 31415926 31415926
+    between "digits of pi, k=6: $form" pi6 count_$form 3141592 3141592
+    between "digits of pi, k=7: $form" pi7 count_$form 31415926 31415926
 done
-within 'k=6: the complement counts wrong' pi6 count_complement 3141453 3141453
-within 'k=6: single precision counts wrong' pi6 count_float 3141593 3200000
+between 'k=6: the complement counts wrong' pi6 count_complement 3141453 3141453
+between 'k=6: single precision counts wrong' pi6 count_float 3141593 3200000
 study pi5 --study galperin --digits 5
-within 'k=5: single precision counts right' pi5 count_float 314159 314159
+between 'k=5: single precision counts right' pi5 count_float 314159 314159
 
 # The bias of eq:bias, added up collision by collision, is the drift: what is
 # left is the random walk, 0.3 eps sqrt(n) = 1e-13 of 1.8e-10, less than 1 %.
 study law --study drift --collisions 2000000
 predicted=$(awk '$1 == "predicted_difference" { print $2 }' "$work/law")
-within 'the drift is what the rounded fractions predict' \
+between 'the drift is what the rounded fractions predict' \
     law energy_error_difference "$(awk "BEGIN { print 1.01 * $predicted }")" \
     "$(awk "BEGIN { print 0.99 * $predicted }")"
 
 # Ten times the collisions, ten times the drift.
 study drift --study drift --collisions 2000000 --seed 7
-within 'the drift of the difference form is linear' drift slope 9.5 10.5
-within 'the smaller form drifts a hundred times less' \
+between 'the drift of the difference form is linear' drift slope 9.5 10.5
+between 'the smaller form drifts a hundred times less' \
     drift improvement 100 1e9
 
 # A ball that the wall hardly overtakes: its energy seen from the wall is
@@ -81,7 +62,7 @@ build/bin/collide --velocities 1,1,1.001,1 --inverse-masses 1,0 \
     --normal=-1,0.3 >"$work/slow" 2>&1
 if grep -q 'warning' "$work/slow" || ! grep -q 'the wall takes' "$work/slow"
 then
-    echo "not ok stability: no false alarm at a fast wall - $(cat "$work/slow")"
+    not_ok 'no false alarm at a fast wall' "$(cat "$work/slow")"
 else
-    echo 'ok stability: no false alarm at a fast wall'
+    ok 'no false alarm at a fast wall'
 fi

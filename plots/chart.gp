@@ -11,25 +11,32 @@ if (told eq '') {
 tolerance = real(told)
 live = !exists("output")
 medium = 'svg'
-width = 15
-height = 9
+plans = system(sprintf("awk '!/^#/ && !NF { fresh = 1 } !/^#/ && NF && (fresh || !n++) { split($4, a, \":\"); cuts = $4; sub(/^[^,]*/, \"\", cuts); sub(/:.*/, \"\", a[1]); sub(/,.*/, \"\", a[1]); print ($3 == 1 ? \"taken:\" : \"\") a[1] cuts; fresh = 0 }' '%s'", file))
+n = words(plans)
+if (n == 0) {
+    system(sprintf("echo \"chart.gp: '%s' has no run to be drawn\" >&2", file))
+    exit status 2
+}
+taken = word(plans, n)[1:6] eq 'taken:'
+# One column of names beside the plot, however many there are.
+width = 17
+height = n > 18 ? 3 + 0.33 * (n + 1) : 9
 if (live) output = '/dev/null'
 load 'plots/style.gp'
 if (live) {
     set output
-    set terminal qt size 900,580 font 'Latin Modern Sans,13' noenhanced
+    set terminal qt size int(48*width),int(48*height) font 'Latin Modern Sans,13' noenhanced
 }
-plans = system(sprintf("awk '!/^#/ && !NF { fresh = 1 } !/^#/ && NF && (fresh || !n++) { split($4, a, \":\"); cuts = $4; sub(/^[^,]*/, \"\", cuts); sub(/:.*/, \"\", a[1]); sub(/,.*/, \"\", a[1]); print ($3 == 1 ? \"taken:\" : \"\") a[1] cuts; fresh = 0 }' '%s'", file))
-n = words(plans)
-taken = n > 0 && word(plans, n)[1:6] eq 'taken:'
+stats file using 2 nooutput
+if (STATS_min == STATS_max) set xrange [STATS_min/2:STATS_max*2]
 set logscale xy
 set format x '10^{%T}'
 set format y '10^{%T}'
 set xlabel 'cost  (s by the price list)'
 set ylabel 'error  (share of the scale)' offset 1
 set title system(sprintf("sed -n 's/^# command: //p' '%s' | cut -c 1-90", file)) noenhanced font ',11'
-set key outside right top samplen 1.5 noenhanced
+set key outside right top vertical samplen 1.5 font ',11' spacing 0.9 noenhanced
 plot tolerance ls 9 dt '-' title 'tolerance', \
-     for [k = 0:n-1-taken] file index k using 2:1 with linespoints lc k+1 pt (k % 7)*2+4 ps 0.6*big lw 1.2*thick title word(plans, k+1), \
-     (taken ? file : '/dev/null') index n-1 using 2:1 with points pt 3 ps 2*big lw 2.5*thick lc rgb dark title taken ? word(plans, n) : ''
+     for [k = 0:n-1] file index k using 2:1 with linespoints lc k+1 pt (k % 7)*2+4 ps 0.6*big lw 1.2*thick title k < n-taken ? word(plans, k+1) : '', \
+     file index n-1 using 2:1 with points pt 3 ps taken*2*big lw 2.5*thick lc rgb dark title taken ? word(plans, n) : ''
 if (live) { pause mouse close }

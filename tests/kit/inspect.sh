@@ -1,15 +1,16 @@
 #!/bin/sh
 # make inspect: a picture of any observable against any other, of a scene by
-# name or by file, also of a run that blows up; what is wrong is said.
+# name or by file, also of a run that blows up; what is wrong is said. And
+# make chart: what bonk has tried, be it much or little.
 . tests/programs/common
 make=${MAKE:-make}
 kit=$work/kit
 mkdir "$kit"
 tar cf - Makefile src plots | (cd "$kit" && tar xf -)
 mkdir -p "$kit/build/bin"
-cp build/bin/step build/bin/scene "$kit/build/bin/"
+cp build/bin/step build/bin/scene build/bin/bonk "$kit/build/bin/"
 cd "$kit" || exit 1
-unset SCENE X Y UNTIL DT METHOD EVERY KEYS LIVE output
+unset SCENE X Y UNTIL DT METHOD EVERY KEYS LIVE TOLERANCE OBSERVE output
 # What make would build is there already.
 inspect() { $make -s inspect -o build/bin/step -o build/bin/scene "$@"; }
 
@@ -52,13 +53,14 @@ inspect SCENE=sun-earth Y=z:30 >"$work/out" 2>&1
 holds 'no such body: make fails' test $? -ne 0
 holds 'and the line says which there are' \
     grep -q "^step: --observe: 'z:30': z needs 1 of the bodies 0 to 1" "$work/out"
-# told PATTERN: the inspector says one line about bad.dat, with status 2.
+# told PATTERN: the script says one line about bad.dat, with status 2.
+script=inspector
 told() {
-    gnuplot -e "file='bad.dat'; output='x.svg'" plots/inspector.gp \
+    gnuplot -e "file='bad.dat'; output='x.svg'" plots/$script.gp \
         >"$work/out" 2>&1
     got=$?
     if [ $got -eq 2 ] && [ "$(wc -l <"$work/out")" -eq 1 ] &&
-        grep -q "^inspector.gp: $1" "$work/out"
+        grep -q "^$script.gp: $1" "$work/out"
     then ok "refused: $1"; else
         not_ok "refused: $1" "status $got: $(cat "$work/out")"; fi
 }
@@ -66,3 +68,27 @@ echo '# nothing' >bad.dat
 told "'bad.dat' is no table of step"
 printf '# 1 t [s] t\n# 2 t [s] t\n# 3 x [m] x\n0 0 0\n' >bad.dat
 told "'bad.dat' has 1 rows, expected two"
+
+# chart OPTION...: what it says on standard error goes to $work/err.
+chart() {
+    $make -s chart -o build/bin/bonk -o build/bin/scene "$@" 2>"$work/err" |
+        tail -n 1 >"$work/out"
+}
+for name in sun-earth figure-eight; do
+    chart SCENE=$name
+    holds "what was tried on $name is drawn, and no complaint" sh -c "
+        cat '$work/err'; test ! -s '$work/err' &&
+        grep -qx 'The chart: build/chart/$name.svg' '$work/out' &&
+        xmllint --noout build/chart/$name.svg"
+done
+holds 'with the plan that was taken' \
+    grep -q 'taken:pefrl' build/chart/figure-eight.svg
+chart SCENE=four-disks
+holds 'one run that was refused is drawn, and only bonk complains' sh -c "
+    cat '$work/err'; test \"\$(grep -vc '^bonk: ' '$work/err')\" -eq 0 &&
+    xmllint --noout build/chart/four-disks.svg"
+script=chart
+echo '# nothing' >bad.dat
+told "'bad.dat' is no table of bonk --chart"
+echo '# tolerance: 0.001' >bad.dat
+told "'bad.dat' has no run to be drawn"

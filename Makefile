@@ -464,7 +464,7 @@ inspect: has-gnuplot build/bin/step build/bin/scene
 	@mkdir -p build/inspect
 	$(if $(wildcard $(SCENE)),,@build/bin/scene $(SCENE) $(KEYS) \
 		-o $(inspect).plist)
-	$(call say,$(inspect_run))
+	$(call say,$(strip $(inspect_run)))
 	$(Q)$(inspect_run) || [ $$? -eq 1 ]
 	@LC_ALL=C.UTF-8 gnuplot -e "file='$(inspect).dat'$(if $(LIVE),,; \
 output='$(inspect).svg')" plots/inspector.gp
@@ -486,7 +486,7 @@ chart: has-gnuplot build/bin/bonk build/bin/scene
 	@mkdir -p build/chart
 	$(if $(wildcard $(SCENE)),,@build/bin/scene $(SCENE) $(KEYS) \
 		-o $(chart).plist)
-	$(call say,$(chart_run))
+	$(call say,$(strip $(chart_run)))
 	$(Q)$(chart_run) || [ $$? -eq 1 ]
 	@LC_ALL=C.UTF-8 gnuplot -e "file='$(chart).dat'; output='$(chart).svg'" plots/chart.gp
 	@echo 'The chart: $(chart).svg'

@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 1325230880 of the lines below */
+/* checksum 3817799265 of the lines below */
 #include "stepping.h"
 
 #include "toolbox/room.h"
@@ -330,15 +330,14 @@ bool stepping_keeps(const struct stepping *s)
     return s->forces.damped && is_leapfrog(s->method);
 }
 
-/* Half a kick and the drift of n coordinates from number `from` on; first
-   the half kick that is owing. */
-static inline void move(const struct stepping *s, size_t from, size_t n,
-                        bool owing, bool damped)
+/* Half a kick and the drift of n coordinates; first the half kick that is
+   owing. */
+static inline void move(size_t n, double *restrict x, double *restrict v,
+                        double *restrict ahead, const double *restrict a,
+                        const struct stepping_work *w, bool owing,
+                        bool damped)
 {
-    double *const restrict x = s->x + from, *const restrict v = s->v + from;
-    double *const restrict ahead = s->part->v + from;
-    const double *const restrict a = s->acceleration + from;
-    const double h = s->part->kick[0], dt = s->part->drift[0];
+    const double h = w->kick[0], dt = w->drift[0];
     for (size_t i = 0; i < n; ++i) {
         const double half = h * a[i];
         if (owing)
@@ -350,18 +349,21 @@ static inline void move(const struct stepping *s, size_t from, size_t n,
     }
 }
 
+/* The same from coordinate number `from` on. */
 static void set_out(void *stepping, size_t from, size_t n)
 {
     const struct stepping *const s = stepping;
-    const bool owing = s->part->owing, damped = s->forces.damped;
-    if (owing && damped)
-        move(s, from, n, true, true);
-    else if (owing)
-        move(s, from, n, true, false);
-    else if (damped)
-        move(s, from, n, false, true);
+    const struct stepping_work *const w = s->part;
+    double *const x = s->x + from, *const v = s->v + from;
+    double *const ahead = w->v + from, *const a = s->acceleration + from;
+    if (w->owing && s->forces.damped)
+        move(n, x, v, ahead, a, w, true, true);
+    else if (w->owing)
+        move(n, x, v, ahead, a, w, true, false);
+    else if (s->forces.damped)
+        move(n, x, v, ahead, a, w, false, true);
     else
-        move(s, from, n, false, false);
+        move(n, x, v, ahead, a, w, false, false);
 }
 
 /* The accelerations at x and v, once set_out has got both ready. */

@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 4076284355 of the lines below */
+/* checksum 3068763754 of the lines below */
 #include "models.h"
 
 #include "bonkers.h"
@@ -1664,14 +1664,12 @@ static enum models_end run_steps(struct models_run *r, struct steps *t)
 static enum models_end row_steps(struct models_run *r)
 {
     struct steps *t = r->engine;
-    const size_t size = 3 * r->scene.bodies;
     const enum models_end end = run_steps(r, t);
     const struct scene *s = t->motion.scene;
     if (end == MODELS_DONE && t->rodded &&
         !rods_project(&t->rods, s->position, s->velocity))
         return MODELS_BROKEN;
-    memcpy(r->scene.position, s->position, size * sizeof *s->position);
-    memcpy(r->scene.velocity, s->velocity, size * sizeof *s->velocity);
+    scene_take_state(&r->scene, s);
     if (t->lights)
         light_leave(&t->light, s, r->elapsed, r->scene.position,
                     r->scene.velocity);

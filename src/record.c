@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 3524359770 of the lines below */
+/* checksum 835655198 of the lines below */
 #include "record.h"
 
 #include "pair.h"
@@ -8,7 +8,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* From the lowest body or wall along an axis to the highest, m. */
 static double spread_of(const struct scene *s, size_t k)
@@ -492,13 +491,6 @@ static bool copy_for_states(struct scene *to, const struct scene *s)
     return true;
 }
 
-static void take_state(struct scene *to, const struct scene *from)
-{
-    const size_t size = SCENE_AXES * from->bodies * sizeof *from->position;
-    memcpy(to->position, from->position, size);
-    memcpy(to->velocity, from->velocity, size);
-}
-
 static void find_sweep(struct sweep *p, const struct ways *w,
                        const struct scene *now)
 {
@@ -659,7 +651,7 @@ static enum models_end one_part(struct record *r,
     if (!ways)
         return models_row(run);
     const uint64_t met = models_collisions(run);
-    take_state(&ways->before, &run->scene);
+    scene_take_state(&ways->before, &run->scene);
     const enum models_end end = models_row(run);
     if (end == MODELS_DONE)
         note_missed(r, ways, run, o, models_collisions(run) - met);
@@ -731,7 +723,7 @@ static bool leap(struct record *r, const struct record_order *o,
         return false;
     r->end = models_row(&run);
     *met += models_collisions(&run);
-    take_state(s, &run.scene);
+    scene_take_state(s, &run.scene);
     end_run(&run, r);
     return r->end == MODELS_DONE;
 }
@@ -743,7 +735,7 @@ static bool look_aside(struct record *r, struct record_view *v,
                        struct scene *aside, uint64_t met)
 {
     met += models_collisions(run);
-    take_state(aside, &run->scene);
+    scene_take_state(aside, &run->scene);
     if (!leap(r, o, aside, &met))
         return false;
     ++r->reached;

@@ -1,5 +1,5 @@
 /* From chapters/08-scenes.nw: edit there, then run make tangle. */
-/* checksum 926638723 of the lines below */
+/* checksum 2568779410 of the lines below */
 #ifndef SCENE_H
 #define SCENE_H
 
@@ -69,6 +69,10 @@ void scene_free(struct scene *s);
 
 /* Makes *to a copy of the scene. Returns as scene_create does. */
 bool scene_copy(struct scene *to, const struct scene *from);
+
+/* Gives the bodies the places and velocities of those of another scene,
+   which has as many. */
+void scene_take_state(struct scene *s, const struct scene *from);
 
 /* Adds a kind of spring, whose number is then kinds - 1. Returns false
    when there is no memory. */

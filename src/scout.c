@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1458986822 of the lines below */
+/* checksum 1795372889 of the lines below */
 #include "scout.h"
 
 #include "models.h"
@@ -148,14 +148,6 @@ static bool change_step(struct going *g, int halvings)
     return g->moving;
 }
 
-/* Takes the scene's state from another one. */
-static void take_state(struct scene *to, const struct scene *from)
-{
-    const size_t size = SCENE_AXES * from->bodies * sizeof *from->position;
-    memcpy(to->position, from->position, size);
-    memcpy(to->velocity, from->velocity, size);
-}
-
 static void count(struct going *g, uint64_t evaluations)
 {
     const struct scene *s = &g->now;
@@ -182,7 +174,7 @@ static bool try_step(struct going *g, double start, double *met)
         g->now.time = start + step;
         return true;
     }
-    take_state(&g->now, &g->before);
+    scene_take_state(&g->now, &g->before);
     stepping_disturb(&g->motion.stepping);
     return false;
 }
@@ -193,7 +185,7 @@ static bool step_on(struct going *g, size_t row, double *rate)
 {
     const double start = g->now.time;
     double met;
-    take_state(&g->before, &g->now);
+    scene_take_state(&g->before, &g->now);
     for (int halvings = halvings_for(g, *rate);
          halvings < FINEST && g->p->cost <= g->o->limit; ++halvings) {
         g->now.time = start;

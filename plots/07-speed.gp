@@ -1,5 +1,5 @@
 # data: plots/data/07-speed.dat
-# alt: Processor time of a collision against the number of disks, both axes logarithmic, from a hundred to a million. With pairs it rises in proportion to N, from seven microseconds to half a millisecond at ten thousand disks. With cells it stays near one microsecond up to ten thousand, for disks and spheres at two packings each, and grows to a few microseconds at a million, where the memory is the brake.
+# alt: Processor time of a collision against the number of disks, both axes logarithmic, from a hundred to a million. With pairs it rises in proportion to N, from five microseconds to four tenths of a millisecond at ten thousand disks. With cells it stays near one microsecond up to ten thousand, for disks and spheres at two packings each, and grows to a few microseconds at a million, where the memory is the brake.
 width = 14
 height = 8.4
 load 'plots/style.gp'

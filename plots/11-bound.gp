@@ -6,7 +6,7 @@
 # command: build/bin/scene double-pendulum | build/bin/step - --dt 0.002 --method euler --until 6 --every 0.01 --bound 1e300 --observe parts -o build/data/11-bound-euler.dat
 # data: build/data/11-bound-spiral.dat
 # command: build/bin/scene sun-earth | build/bin/step - --dt 1 --method euler --until 9600 --every 20 --bound 1e300 --observe parts -o build/data/11-bound-spiral.dat
-# alt: Energy gained, in units of the scale S, against time, logarithmic upwards. The double pendulum with a step just above leapfrog's limit rises exponentially and crosses the bound 10; by Euler's method at a small step it does so much earlier. Two stars and a planet by leapfrog, ten steps a turn, stay near one hundredth. Euler's Earth levels off at a third, below the bound.
+# alt: Energy gained, in units of the scale S, against time, logarithmic upwards. The double pendulum with a step just above leapfrog's limit rises exponentially and crosses the bound 10; by Euler's method at a small step it does so half a second later. Two stars and a planet by leapfrog, ten steps a turn, stay near one hundredth. Euler's Earth levels off at a third, below the bound.
 width = 14
 height = 7.2
 load 'plots/style.gp'

@@ -1,5 +1,5 @@
 /* From chapters/12-pick.nw: edit there, then run make tangle. */
-/* checksum 2075725657 of the lines below */
+/* checksum 3385457994 of the lines below */
 #include "choose.h"
 
 #include "scout.h"
@@ -1030,6 +1030,10 @@ static uint64_t first_steps(const struct chooser *h,
         implicit ? fmax(fmax(h->scout.most, h->passing), h->swinging)
                  : rate_of(h, plan);
     plan.steps = steps_for(h->q->every * rate / fmin(0.6 * limit, 2));
+    if (plan.model->method->family == STEPPING_EXPLICIT) {
+        const uint64_t n = steps_for(h->q->every * h->scout.most / 0.5);
+        plan.steps = n > plan.steps ? n : plan.steps;
+    }
     while (plan.model->method->family != STEPPING_SPLITTING &&
            is_stiff(h, plan) && plan.steps < UINT64_C(1) << 58)
         plan.steps = next_steps(plan.steps);

@@ -1,6 +1,6 @@
 # data: build/data/08-friction.dat
 # command: build/bin/step-studies --study friction -o build/data/08-friction.dat
-# alt: Factor by which a step changes a velocity under friction alone, against c dt from 0 to 6. The truth falls exponentially. Implicit midpoint falls to zero at 2 and rises slowly towards one. Leapfrog leaves the truth early and exceeds one at 1, Euler and symplectic Euler at 2, PEFRL at 2.15, Yoshida 4 at 2.34, RK4 at 2.79, Yoshida 6 at 3.1, Kahan and Li at 4.8.
+# alt: Factor by which a step changes a velocity under friction alone, against c dt from 0 to 6. The truth falls exponentially. Implicit midpoint falls to zero at 2 and rises slowly towards one. Gauss 4 stays near the truth and rises slowly from 3.5 on. Leapfrog leaves the truth early and exceeds one at 1, PEFRL at 2.15, Yoshida 4 at 2.34, RK4 at 2.79, Yoshida 6 at 3.1, Kahan and Li at 4.8.
 width = 14
 height = 7
 load 'plots/style.gp'

@@ -1,7 +1,7 @@
 # data: build/data/08-rounding.dat
 # command: build/bin/step-studies --study rounding -o build/data/08-rounding.dat
 # lecture: build/bin/step-studies --study rounding --orbits 16384 -o build/data/08-rounding.dat
-# alt: Error of the energy against the number of orbits for Kahan and Li's method at 400 steps an orbit, logarithmic. Without compensation it grows as the root of the number of orbits from ten to the minus 14 to some ten to the minus 13; with it, it starts at ten to the minus 16 and stays a hundred times smaller.
+# alt: Error of the energy against the number of orbits for Kahan and Li's method, logarithmic. At 100 steps an orbit it is flat at 3e-11, with compensation or without. At 400 steps it grows without compensation as the root of the number of orbits, from ten to the minus 14 to 2e-13; with it, it starts below ten to the minus 15 and in the end is a hundred times smaller.
 width = 14
 height = 7
 load 'plots/style.gp'

@@ -1,6 +1,6 @@
 # data: build/data/08-work.dat
 # command: build/bin/step-studies --study work -o build/data/08-work.dat
-# alt: Two panels, error against evaluations of the forces, both logarithmic; left an orbit of eccentricity one half after ten turns, right a chain of 32 masses. Each method falls with the slope of its order. Methods of order one need most work for any error; leapfrog and midpoint have slope two; of the methods of order four PEFRL is best and Yoshida's worst; from an error of about a thousandth on Kahan and Li's order eight and the adaptive rk8pd are cheapest, down to ten to the minus 13.
+# alt: Two panels, error against evaluations of the forces, both logarithmic; left an orbit of eccentricity one half after ten turns, right a chain of 32 masses. Each method falls with the slope of its order, but symplectic Euler on the orbit, whose slope is two as that of leapfrog and midpoint. Euler does not arrive on the orbit and needs most work on the chain. Of the explicit methods of order four PEFRL is best and Yoshida's worst. From an error of ten to the minus 8 on the adaptive rk8pd and Kahan and Li's order eight are the cheapest on both sides, down to ten to the minus 12 on the orbit and to less than ten to the minus 13 on the chain.
 width = 14
 height = 11
 load 'plots/style.gp'

@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 3634831268 of the lines below */
+/* checksum 368778651 of the lines below */
 #ifndef REFERENCE_H
 #define REFERENCE_H
 
@@ -17,9 +17,11 @@ struct reference {
 /* Whether this program was built with the library. */
 extern const bool reference_available;
 
-/* Prepares r; the error of each of its steps is kept below `tolerance` of
-   every coordinate or velocity. Returns false without memory, or if there
-   is no library. Turns off the library's habit of ending the program. */
+/* Prepares r; in each of its steps the error of a coordinate is kept below
+   `tolerance` times the largest one, that of a velocity likewise, as they
+   are when reference_step is called. Returns false without memory, or if
+   there is no library. Turns off the library's habit of ending the
+   program. */
 bool reference_begin(struct reference *r, struct stepping_forces f,
                      double tolerance);
 

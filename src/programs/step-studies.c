@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 3289492291 of the lines below */
+/* checksum 410676758 of the lines below */
 #include "reference.h"
 #include "stepping.h"
 #include "toolbox/bench.h"
@@ -762,7 +762,7 @@ static void study_cost(struct study *s)
 }
 
 static const struct study_entry studies[] = {
-    {"portrait", study_portrait, "three methods in the phase plane"},
+    {"portrait", study_portrait, "four methods in the phase plane"},
     {"laws", study_laws, "of their energies"},
     {"area", study_area, "of a disk of starts"},
     {"energy", study_energy, "of a planet, in the long run"},

@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 2493829065 of the lines below */
+/* checksum 1163536812 of the lines below */
 #ifndef CLOSED_H
 #define CLOSED_H
 
@@ -30,7 +30,8 @@ bool closed_relabel(double low, double high, size_t n, const double x[],
                     double speed[]);
 
 /* How often they have met each other and the walls by then, not counting
-   those that touch at the start; UINT64_MAX without memory. Time: of the
+   those that touch at the start; UINT64_MAX without memory, or if they
+   are more. Time: of the
    order of n log n. Source: (12.6, eq:closed-meetings). */
 uint64_t closed_meetings(double low, double high, size_t n,
                          const double x[], const double v[], double t);

@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 3068763754 of the lines below */
+/* checksum 851608755 of the lines below */
 #include "models.h"
 
 #include "bonkers.h"
@@ -12,6 +12,7 @@
 #include "modes.h"
 #include "motion.h"
 #include "rods.h"
+#include "spheres.h"
 
 #include <assert.h>
 #include <math.h>
@@ -204,6 +205,45 @@ void models_analyse(struct models_acts *a, const struct scene *s)
 {
     look_at(a, s);
     a->fastest = largest_frequency(s, a);
+}
+/* How far bodies are beyond hard walls that they do not come back from,
+   m. */
+static double beyond_walls(const struct scene *s)
+{
+    double most = 0;
+    for (size_t i = 0; i < s->bodies; ++i)
+        for (size_t k = 0; k < SCENE_AXES; ++k) {
+            const double x = s->position[at(s, k, i)], r = s->radius[i];
+            const double v = s->velocity[at(s, k, i)];
+            if (s->wall[k] == SCENE_HARD && v <= 0)
+                most = fmax(most, s->low[k] + r - x);
+            if (s->wall[k] == SCENE_HARD && v >= 0)
+                most = fmax(most, x + r - s->high[k]);
+        }
+    return most;
+}
+
+double models_overlap(const struct scene *s)
+{
+    struct spheres p;
+    struct scene copy;
+    double depth = INFINITY;
+    if (!s->contact)
+        return 0;
+    if (!scene_copy(&copy, s))
+        return INFINITY;
+    for (size_t k = 0; k < SCENE_AXES; ++k)
+        if (copy.wall[k] == SCENE_HARD)
+            copy.wall[k] = SCENE_OPEN;
+    for (size_t i = 0; i < copy.bodies; ++i)
+        copy.mass[i] = 1;
+    if (spheres_create(&p, &copy, SPHERES_ALL)) {
+        spheres_resolve(&p, copy.position, copy.velocity);
+        depth = p.depth;
+        spheres_free(&p);
+    }
+    scene_free(&copy);
+    return fmax(depth, beyond_walls(s));
 }
 
 static double heaviest(const struct scene *s)

@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 1056907959 of the lines below */
+/* checksum 2862324183 of the lines below */
 #ifndef MODELS_H
 #define MODELS_H
 
@@ -144,6 +144,11 @@ double models_swing(const struct scene *s, double *turning);
 
 /* Looks at what acts in a scene. */
 void models_analyse(struct models_acts *a, const struct scene *s);
+
+/* How deep bodies overlap at the start, or are outside of walls and do not
+   come back, m; 0: nowhere, or there are no contacts. INFINITY without
+   memory. */
+double models_overlap(const struct scene *s);
 
 /* All models; a name NULL ends them. models_find: NULL, there is none. */
 extern const struct models_model models[];

@@ -1,5 +1,5 @@
 /* From chapters/12-pick.nw: edit there, then run make tangle. */
-/* checksum 3385457994 of the lines below */
+/* checksum 3624069781 of the lines below */
 #include "choose.h"
 
 #include "scout.h"
@@ -49,6 +49,8 @@ static double power(double x, int n)
         y *= x;
     return y;
 }
+static const double blurred = 0.1; /* of e, that a guide may be off */
+static const double worth = 1.3;   /* times what was promised: ask others */
 
 /* A method on its way up the ladder of steps. */
 struct racer {
@@ -85,10 +87,12 @@ struct chooser {
     double turning;  /* 1/s: nor springs turn round */
     double swinging; /* 1/s: of springs that implicit methods must follow */
     bool kinked;     /* but they do, faster than steps can be short */
+    uint64_t fine;   /* steps of a row with which jumps do not matter */
     bool ordered; /* the order of a plan has been seen, above the first */
     struct models_plan look;       /* the plan that looks ahead */
     struct record looked, rounded; /* by it; and in other units */
     struct record guide;           /* exact, if any is */
+    double blur;                   /* but for this share of the scale */
     double
         bound[MODELS_CUTS]; /* of one cut, if its bit is set in bounded */
     unsigned bounded;
@@ -174,10 +178,26 @@ static bool points_meet(const struct chooser *h)
     return h->c->acts.contact && h->c->acts.dimensions < 2 && points > 1;
 }
 
+/* What the check of a model has found, if there was one; or NULL. */
+static const struct choose_verdict *verdict_of(
+    const struct choose_request *q, const struct models_model *m,
+    unsigned cuts)
+{
+    for (size_t j = 0; j < q->verdicts; ++j) {
+        const struct choose_verdict *v = &q->verdict[j];
+        if (v->plan.model == m && v->plan.cuts == cuts)
+            return v;
+    }
+    return NULL;
+}
+
 /* NULL, or why the model does not carry the scene without the cuts. */
 static const char *refusal(const struct chooser *h,
                            const struct models_model *m, unsigned cuts)
 {
+    const struct choose_verdict *v = verdict_of(h->q, m, cuts);
+    if (v && isinf(v->cost))
+        return "its check has refused it";
     const struct models_plan plan = {m, cuts, m->method ? 1 : 0};
     if (m->family == MODELS_STEPS && points_meet(h))
         return "points on a line meet, and no step sees it: give them "
@@ -270,6 +290,8 @@ static bool look_closer(struct chooser *h, double *price)
     struct choose_choice c;
     first.until = until_of(h, 1);
     first.every = h->q->every / 16;
+    first.verdicts = 0;
+    first.spent = 0;
     *price = INFINITY;
     if (++first.closer > CLOSER || !choose(&c, &first))
         return false;
@@ -474,7 +496,9 @@ static double rate_of(const struct chooser *h, struct models_plan plan)
     models_analyse(&run.acts, &run.scene); /* which has lost its rods */
     const double rate = fmax(run.acts.fastest, h->scout.most);
     models_end(&run);
-    return fmax(rate, fmax(h->passing, h->kinked ? 0 : h->turning));
+    return h->blur > 0
+               ? rate
+               : fmax(rate, fmax(h->passing, h->kinked ? 0 : h->turning));
 }
 
 static bool is_damped(const struct chooser *h)
@@ -1004,7 +1028,8 @@ static void try_cut_exact(struct chooser *h)
 
 static double target_of(const struct chooser *h, const struct racer *r)
 {
-    return (h->q->tolerance - r->effect) / margin;
+    const double left = h->q->tolerance - r->effect;
+    return h->blur > 0 ? share * left / margin : left / margin;
 }
 
 /* May something that swings be a radian early or late in the end, so that
@@ -1082,6 +1107,16 @@ static void add_racer(struct chooser *h, const struct models_model *m,
                         .need = plan.steps,
                         .foot = plan.steps,
                         .price = foretell(h, plan)};
+    const struct choose_verdict *v = verdict_of(h->q, m, cuts);
+    if (v) {
+        r->state = READY;
+        r->need = v->plan.steps;
+        r->error = v->error - effect;
+        r->price = v->cost;
+        r->order = (int)v->order;
+        h->best = fmin(h->best, v->cost);
+        say(c, "as its check has found");
+    }
     ++h->racers;
 }
 
@@ -1101,6 +1136,42 @@ static unsigned set_for_steps(struct chooser *h)
     return set;
 }
 
+/* The next finer run of a plan in a rough scene, half a step beside the one
+   before. */
+static bool look_closely(struct chooser *h, struct record_order *o)
+{
+    struct record finer;
+    o->plan.steps = 2 * o->plan.steps + 1;
+    o->halfway = !o->halfway;
+    if (!run(h, &finer, o))
+        return false;
+    h->blur = whole(h, &finer) && h->guide.value
+                  ? record_apart(&h->view, &h->guide, &finer, 1, h->rows)
+                  : INFINITY;
+    record_free(&h->guide);
+    h->guide = finer;
+    return whole(h, &finer);
+}
+
+/* Looks for a guide where forces jump. */
+static void find_guide(struct chooser *h)
+{
+    const double most =
+        fmin(fmax(patience, 4 * h->looked.cost), h->q->reason / looks);
+    struct record_order o = order_of(h, h->look, most);
+    h->blur = INFINITY;
+    o.plan.steps /= 2;
+    bool good = true;
+    while (good && h->blur > blurred * h->q->tolerance)
+        good = 2 * h->guide.cost < most && look_closely(h, &o);
+    h->fine = h->guide.plan.steps;
+    if (!good || h->blur == 0) {
+        record_free(&h->guide);
+        h->blur = 0;
+        h->fine = 0;
+    }
+}
+
 static const char *const beaten[] = {"euler", "symplectic-euler"};
 
 static bool is_beaten(const struct chooser *h, const struct models_model *m)
@@ -1109,8 +1180,8 @@ static bool is_beaten(const struct chooser *h, const struct models_model *m)
         return false;
     for (size_t j = 0; j < sizeof beaten / sizeof *beaten; ++j)
         if (strcmp(m->name, beaten[j]) == 0)
-            return true;
-    return is_rough(h) && strcmp(m->name, "leapfrog") != 0;
+            return j == 0 || h->blur == 0;
+    return is_rough(h) && h->blur == 0 && strcmp(m->name, "leapfrog") != 0;
 }
 
 static void enter_methods(struct chooser *h)
@@ -1147,7 +1218,13 @@ static int order_seen(double coarse, double fine, int most)
 
 static int order_at_most(const struct chooser *h, const struct racer *r)
 {
-    return h->kinked ? 1 : r->plan.model->method->order;
+    return h->kinked && h->blur == 0 ? 1 : r->plan.model->method->order;
+}
+
+/* The order by which a distance is made an error. */
+static int safe_order(const struct stepping_method *m, int order)
+{
+    return m->symmetric || order < 2 ? order : order - 1;
 }
 
 /* The error of a run with n steps, from its distance to one with m > n and
@@ -1180,7 +1257,8 @@ static void learn(struct chooser *h, struct racer *r,
         r->rung[k].error =
             record_apart(&h->view, fine, &h->guide, 1, h->rows);
     } else if (k > 0) {
-        const int p = r->order ? r->order : order_at_most(h, r);
+        const int p = safe_order(r->plan.model->method,
+                                 r->order ? r->order : order_at_most(h, r));
         struct rung *last = &r->rung[k - 1];
         last->apart = record_apart(&h->view, &r->finest, fine, 1, h->rows);
         last->error =
@@ -1354,6 +1432,17 @@ static void try_stretch(struct chooser *h, struct racer *r)
     r->price = fmax(r->price, r->each * (double)r->foot);
 }
 
+/* How few steps may do, by halving, when `steps` have this error. */
+static uint64_t fewer(uint64_t steps, double error, int order,
+                      double target)
+{
+    uint64_t n = steps;
+    while (n > 1 &&
+           error * power(2 * (double)steps / (double)n, order) <= target)
+        n /= 2;
+    return n;
+}
+
 /* The order that it has shown there. */
 static int order_there(const struct chooser *h, const struct racer *r)
 {
@@ -1367,8 +1456,10 @@ static uint64_t needed(const struct chooser *h, const struct racer *r)
 {
     const double target = target_of(h, r) / fmax(1, h->amplified);
     const int order = order_there(h, r);
-    if (order == 0 || r->near[0] <= target)
+    if (order == 0)
         return r->foot;
+    if (r->near[0] <= target)
+        return fewer(r->foot, r->near[0], order, target);
     return extrapolate(2 * r->foot, r->near[1], order, target);
 }
 
@@ -1393,7 +1484,13 @@ static void note_promise(struct chooser *h, const struct racer *r)
 static double optimistic(const struct chooser *h, const struct racer *r)
 {
     if (r->tried && r->rungs < 2)
-        return fmax(0.5 * r->price, expected(h, r) / dear);
+        return fmin(fmax(0.5 * r->price, expected(h, r) / dear),
+                    expected(h, r));
+    if (r->state == LOWER && r->need == r->rung[0].steps)
+        return 0.5 * r->price *
+               (double)fewer(r->need, r->error, order_at_most(h, r),
+                             target_of(h, r)) /
+               (double)r->need;
     return (r->state == LOWER || r->rungs < 2 ? 0.5 : 0.8) * r->price;
 }
 
@@ -1480,7 +1577,7 @@ static void climb(struct chooser *h, struct racer *r)
         return;
     }
     o.plan.steps = r->rungs ? 2 * r->rung[r->rungs - 1].steps : r->need;
-    o.halfway = is_rough(h);
+    o.halfway = is_rough(h) && h->blur == 0;
     if (!h->q->all) /* a rung tells the errors of fewer steps */
         o.limit = fmin(o.limit, 4.2 * h->best);
     if (0.8 * r->each * (double)o.plan.steps > o.limit) {
@@ -1516,7 +1613,7 @@ static double apart_with(struct chooser *h, const struct racer *r,
     struct models_plan plan = r->plan;
     plan.steps = steps;
     struct record_order o = order_of(h, plan, INFINITY);
-    o.halfway = is_rough(h);
+    o.halfway = is_rough(h) && h->blur == 0;
     if (!run(h, &now, &o))
         return INFINITY;
     const double apart =
@@ -1530,9 +1627,11 @@ static double apart_with(struct chooser *h, const struct racer *r,
 static double error_from(const struct chooser *h, const struct racer *r,
                          double apart, uint64_t steps)
 {
-    return h->guide.value ? apart
-                          : error_of(apart, steps, r->finest.plan.steps,
-                                     r->order > 0 ? r->order : 1);
+    return h->guide.value
+               ? apart
+               : error_of(apart, steps, r->finest.plan.steps,
+                          safe_order(r->plan.model->method,
+                                     r->order > 0 ? r->order : 1));
 }
 
 /* The order, if these are half the steps of the first rung. */
@@ -1630,7 +1729,7 @@ static void end_race(struct chooser *h)
                 far ? "dear on a stretch" : "behind");
         if (r->tried)
             note_promise(h, r);
-        if (r->rungs)
+        if (r->rungs || r->state == READY)
             publish(h, r);
         record_free(&r->finest);
     }
@@ -1758,6 +1857,8 @@ static bool prepare(struct chooser *h, bool found)
     if (!h->failed && h->looked.value) {
         measure_cuts(h);
         try_cut_exact(h);
+        if (is_rough(h) && !h->guide.value)
+            find_guide(h);
     }
     return true;
 }
@@ -1808,7 +1909,8 @@ bool choose(struct choose_choice *c, const struct choose_request *q)
 {
     struct chooser h = {
         .q = q, .c = c, .rows = rows_of(q), .best = INFINITY};
-    *c = (struct choose_choice){.horizon = INFINITY, .rows = h.rows};
+    *c = (struct choose_choice){
+        .horizon = INFINITY, .rows = h.rows, .deciding = q->spent};
     if (!record_look(&h.view, q->program, q->scene, q->asked,
                      q->until - q->scene->time))
         return false;
@@ -1828,6 +1930,7 @@ bool choose(struct choose_choice *c, const struct choose_request *q)
     c->passing = h.passing;
     c->turning = h.kinked ? INFINITY : h.turning;
     c->swinging = h.swinging;
+    c->fine = h.fine;
     end(&h);
     if (h.failed) {
         fprintf(stderr, "%s: no memory to choose\n", q->program);
@@ -1897,17 +2000,19 @@ static int check_order(const struct chooser *h, struct models_plan plan,
 {
     if (plan.steps == 0)
         return 0;
-    if (is_mixed(h, plan))
-        return 1;
+    if (is_mixed(h, plan) && known && known->order > 1)
+        return 2;
     if (known && known->order > 0)
         return (int)known->order;
     return known || h->q->scene->contact ? 1 : plan.model->method->order;
 }
 
 /* How many steps a companion has where forces jump. */
-static uint64_t many(uint64_t times, uint64_t steps)
+static uint64_t many(const struct chooser *h, uint64_t times,
+                     uint64_t steps)
 {
-    return times * (steps > 128 ? steps : 128) + 1;
+    const uint64_t n = times * (steps > 128 ? steps : 128) + 1;
+    return n > h->fine ? n : h->fine + 1;
 }
 
 /* A plan that follows all that swings. */
@@ -1931,7 +2036,7 @@ static struct models_plan companion(const struct chooser *h,
     if (plan.steps > 0) {
         const uint64_t least = first_steps(h, plan) + contact;
         const uint64_t finer = (is_mixed(h, plan) ? 4 : 2) * plan.steps;
-        const uint64_t n = contact ? many(8, plan.steps) : finer;
+        const uint64_t n = contact ? many(h, 8, plan.steps) : finer;
         plan.steps = n > least ? n : least;
     }
     return plan;
@@ -1987,7 +2092,7 @@ static bool run_companion(struct chooser *h, struct record *b,
             else if (!sees_passing(h, o.plan))
                 o.plan = companion(h, o.plan);
             else if (is_jumping(h, steps))
-                o.plan.steps = many(8, a->plan.steps);
+                o.plan.steps = many(h, 8, a->plan.steps);
         }
         if (o.plan.steps <= steps && o.plan.model == b->plan.model)
             return true;
@@ -2025,8 +2130,9 @@ static void check(struct chooser *h, struct choose_run *r,
     }
     double apart = record_apart(&h->view, a, &b, 1, h->rows);
     if (a->plan.steps > 0 && is_jumping(h, b.plan.steps))
-        apart = fmax(apart, witness(h, a, many(5, a->plan.steps), &b)) +
+        apart = fmax(apart, witness(h, a, many(h, 5, a->plan.steps), &b)) +
                 witness(h, &b, b.plan.steps, &b);
+    r->checked = true;
     r->error = r->effect;
     if (a->plan.steps == 0)
         r->error += rounding * apart;
@@ -2034,7 +2140,9 @@ static void check(struct chooser *h, struct choose_run *r,
         r->error += margin * apart;
     else
         r->error += error_of(apart, a->plan.steps, b.plan.steps,
-                             has_kinks(h, b.plan.steps) ? 1 : order);
+                             has_kinks(h, b.plan.steps)
+                                 ? 1
+                                 : safe_order(b.plan.model->method, order));
     if (!(r->error <= h->q->tolerance))
         refuse_error(h, r, a, &b);
     record_free(&b);
@@ -2063,7 +2171,8 @@ static uint64_t tighter(const struct chooser *h, const struct choose_run *r,
                         int order)
 {
     const uint64_t n = r->plan.steps;
-    const double target = (h->q->tolerance - r->effect) / safety;
+    const double target =
+        (h->q->tolerance - r->effect) / (h->fine ? margin : safety);
     const uint64_t next =
         isfinite(r->error) && target > 0
             ? extrapolate(n, r->error - r->effect, order, target)
@@ -2104,6 +2213,7 @@ static bool find_meetings(struct chooser *h, struct choose_run *r,
         h->passing = known->passing;
         h->turning = known->turning;
         h->swinging = known->swinging;
+        h->fine = known->fine;
         h->kinked = isinf(known->turning);
     } else if (r->plan.steps > 0 && !h->scouted) {
         h->little = 0.01 * h->q->tolerance * h->view.length;
@@ -2178,7 +2288,22 @@ struct choose_known choose_known(const struct choose_choice *c,
 {
     const struct choose_candidate *of = &c->candidate[candidate];
     return (struct choose_known){of->effect, of->order,  c->meeting,
-                                 c->passing, c->turning, c->swinging};
+                                 c->passing, c->turning, c->swinging,
+                                 c->fine};
+}
+
+bool choose_again(struct choose_request *q, const struct choose_choice *c,
+                  const struct choose_run *r)
+{
+    const struct choose_candidate *of = &c->candidate[c->taken];
+    if (!r->checked || q->only || q->verdicts == CHOOSE_VERDICTS ||
+        verdict_of(q, r->plan.model, r->plan.cuts) ||
+        (r->value && r->cost <= worth * of->cost))
+        return false;
+    q->verdict[q->verdicts++] = (struct choose_verdict){
+        r->plan, r->error, r->value ? r->cost : INFINITY, of->order};
+    q->spent = c->deciding + r->checking + r->cost;
+    return true;
 }
 
 void choose_run_free(struct choose_run *r)

@@ -1,5 +1,5 @@
 /* From chapters/12-pick.nw: edit there, then run make tangle. */
-/* checksum 569244234 of the lines below */
+/* checksum 2752981640 of the lines below */
 #ifndef CHOOSE_H
 #define CHOOSE_H
 
@@ -7,7 +7,14 @@
 #include "observables.h"
 #include "record.h"
 
-enum { CHOOSE_TEXT = 160, CHOOSE_REFUSAL = 400 };
+enum { CHOOSE_TEXT = 160, CHOOSE_REFUSAL = 400, CHOOSE_VERDICTS = 8 };
+
+/* What the check of a plan has found. */
+struct choose_verdict {
+    struct models_plan plan; /* with the steps that it came to */
+    double error, cost;      /* INFINITY: it was refused */
+    double order;            /* by which it was checked; 0: none */
+};
 
 /* What is asked for. */
 struct choose_request {
@@ -22,6 +29,9 @@ struct choose_request {
                                        what it is to leave out */
     bool all; /* candidates that have lost are measured, too: for charts */
     int closer; /* private: how often a first row has been divided */
+    struct choose_verdict verdict[CHOOSE_VERDICTS]; /* of choices before */
+    size_t verdicts;
+    double spent; /* by them, s by the price list */
 };
 
 /* How sure an error is. */
@@ -94,6 +104,7 @@ struct choose_choice {
     double turning;  /* 1/s: at which springs with a length turn round;
                         INFINITY: faster than any step */
     double swinging; /* 1/s: of the fastest spring that is stretched */
+    uint64_t fine;   /* steps to a row with which jumps have settled */
     double deciding; /* cost of all this, s by the price list */
     char refusal[CHOOSE_REFUSAL];
 };
@@ -104,6 +115,7 @@ struct choose_known {
     double order;            /* that was seen; 0: none */
     double meeting, passing; /* 1/s, as above */
     double turning, swinging;
+    uint64_t fine; /* steps to a row with which the guide has settled */
 };
 
 /* A run that has been checked. */
@@ -119,6 +131,7 @@ struct choose_run {
     double seconds;        /* of this processor, of the run alone */
     double work[MODELS_UNITS];
     int tightened; /* how often the steps were */
+    bool checked;  /* it has been held against a companion */
     char refusal[CHOOSE_REFUSAL];
 };
 
@@ -136,6 +149,11 @@ bool choose_carry(struct choose_run *r, const struct choose_request *q,
                   const struct choose_known *known, bool fixed);
 struct choose_known choose_known(const struct choose_choice *c,
                                  size_t candidate);
+
+/* Is there reason to choose once more, when the taken candidate has been
+   carried? Then the request knows of it, and the choice may be freed. */
+bool choose_again(struct choose_request *q, const struct choose_choice *c,
+                  const struct choose_run *r);
 void choose_run_free(struct choose_run *r);
 
 #endif

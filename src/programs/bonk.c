@@ -1,5 +1,5 @@
 /* From chapters/12-bonk.nw: edit there, then run make tangle. */
-/* checksum 4073601997 of the lines below */
+/* checksum 3986680627 of the lines below */
 #include "averages.h"
 #include "choose.h"
 #include "scene.h"
@@ -531,6 +531,11 @@ static const char *carry(struct run *r)
         exit(EXIT_FAILURE);
     }
     tell_found(r);
+    if (!r->planned && choose_again(&r->request, &r->choice, &r->done)) {
+        choose_free(&r->choice);
+        choose_run_free(&r->done);
+        return carry(r);
+    }
     return r->done.value ? NULL : r->done.refusal;
 }
 

@@ -234,6 +234,16 @@ model long-swing oscillator
 holds 'long-swing: its place' awk '!/^#/ { d = $2 - 0.45275091099883398 }
     END { exit !(d * d < 1e-18 * 0.16) }' "$w/picked"
 
+# Forces that might jump, and do not, or by next to nothing. And modes that
+# rounding has found, and in other units has not: another model goes.
+steps never-meet 1.9 rk4 4000
+check never-meet 1.9 2e-6 "$w/reference"
+steps weak-kink 5.9 rk4 8191
+check weak-kink 5.9 3e-5 "$w/reference" 5
+steps neutral-turn 288 kahan-li8 200
+check neutral-turn 288 1.6e-3 "$w/reference"
+never neutral-turn modes
+
 # A heavy body remembers for longer than blocks can see: 0.6556 was given,
 # with two errors of 0.0097, where the mean of the whole run is 0.6226.
 refuses 1 'does not settle' $bonk "$here/remembers.plist" --until 829.5 \

@@ -1,5 +1,5 @@
 /* From chapters/12-pick.nw: edit there, then run make tangle. */
-/* checksum 3624069781 of the lines below */
+/* checksum 2467239538 of the lines below */
 #include "choose.h"
 
 #include "scout.h"
@@ -176,6 +176,20 @@ static bool points_meet(const struct chooser *h)
     for (size_t i = 0; i < s->bodies; ++i)
         points += s->radius[i] == 0;
     return h->c->acts.contact && h->c->acts.dimensions < 2 && points > 1;
+}
+
+/* Says whether they do; then the refusal says it, too. */
+static bool overlaps(const struct chooser *h, char refusal[CHOOSE_REFUSAL])
+{
+    const double depth = models_overlap(h->q->scene);
+    if (!(depth > h->q->tolerance * h->view.length))
+        return false;
+    snprintf(refusal, CHOOSE_REFUSAL,
+             "at the start bodies overlap, or are outside of a wall, by "
+             "%.3g, and what comes of that depends on the step; expected "
+             "bodies that at most touch",
+             depth);
+    return true;
 }
 
 /* What the check of a model has found, if there was one; or NULL. */
@@ -1867,6 +1881,8 @@ static void decide(struct chooser *h)
 {
     struct choose_choice *c = h->c;
     c->fastest = c->acts.fastest;
+    if (overlaps(h, c->refusal))
+        return;
     try_all_exact(h);
     const bool found = isfinite(h->best);
     const bool enough = found && (!h->q->all || c->acts.contact);
@@ -2232,6 +2248,8 @@ static void carry_on(struct chooser *h, struct choose_run *r,
     const int order = check_order(h, r->plan, known);
     h->ordered = known && known->order > 1;
     r->error = INFINITY;
+    if (overlaps(h, r->refusal))
+        return;
     find_effect(h, r, known);
     if (!find_meetings(h, r, known))
         return;

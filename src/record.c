@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1120058419 of the lines below */
+/* checksum 4134132086 of the lines below */
 #include "record.h"
 
 #include "pair.h"
@@ -362,10 +362,12 @@ static bool strays(const struct record *r, const struct record_view *v,
 
 /* How fast the ends of a spring pass each other, or have passed, within
    this step, 1/s; 0: they do not. */
-static double spring_turns(const struct scene_spring *spring,
+static double spring_turns(const struct scene *s,
+                           const struct scene_spring *spring,
                            const struct pair *ends, double step)
 {
-    if (spring->rest == 0 || !pair_passes(ends, step))
+    const bool along = s->axial && s->kind[spring->kind].damping > 0;
+    if ((spring->rest == 0 && !along) || !pair_passes(ends, step))
         return 0;
     return sqrt(ends->v2 / pair_nearest2(ends));
 }
@@ -408,7 +410,8 @@ static void note_springs(struct record *r, const struct scene *s,
         const struct pair ends = pair_of(s, spring->a, spring->b);
         const double rate =
             sqrt(s->kind[spring->kind].stiffness * ease_of(s, spring));
-        r->turning = fmax(r->turning, spring_turns(spring, &ends, step));
+        const double turns = spring_turns(s, spring, &ends, step);
+        r->turning = fmax(r->turning, turns);
         if (rate > r->swinging &&
             spring_swings(spring, &ends, rate, time) > o->little)
             r->swinging = rate;

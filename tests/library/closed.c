@@ -151,6 +151,8 @@ static void test_relabel_at_once(void)
     UNIT_EQUAL(x[1], 4);
     UNIT_EQUAL(v[1], -1);
     UNIT_EQUAL((double)closed_meetings(0, 4, 2, at, with, 3), 3);
+    UNIT_TRUE(closed_meetings(0, 4, 2, at, (double[]){0, 1e21}, 3) ==
+              UINT64_MAX); /* more than there are numbers for */
 }
 
 int main(void)

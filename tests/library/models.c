@@ -648,6 +648,33 @@ static void test_meeting(void)
 }
 
 /* Which cuts change a scene, and how. */
+/* Overlaps at the start, whichever way the bodies go; walls, beyond which
+   a body does not come back from; and those that touch. */
+static void test_overlap(void)
+{
+    make("four-disks", NULL);
+    const size_t n = scene.bodies;
+    UNIT_EQUAL(models_overlap(&scene), 0);
+    scene.position[0] = scene.low[0] + scene.radius[0] - 0.03;
+    scene.velocity[0] = -1;
+    UNIT_NEAR(models_overlap(&scene), 0.03, 1e-15);
+    scene.velocity[0] = 1; /* comes back, and bounces from nothing */
+    UNIT_EQUAL(models_overlap(&scene), 0);
+    const double reach = scene.radius[0] + scene.radius[1];
+    scene.position[1] = scene.position[0] + 0.75 * reach;
+    scene.position[n + 1] = scene.position[n];
+    for (int way = -1; way <= 1; ++way) {
+        scene.velocity[1] = 1 + way;
+        UNIT_NEAR(models_overlap(&scene), 0.25 * reach, 1e-15);
+    }
+    scene.position[1] = scene.position[0] + reach;
+    UNIT_TRUE(models_overlap(&scene) < 1e-15);
+    scene.position[1] = scene.position[0] + 0.75 * reach;
+    scene.contact = false;
+    UNIT_EQUAL(models_overlap(&scene), 0);
+    scene_free(&scene);
+}
+
 static void test_cuts(void)
 {
     make("ring", (struct wish[]){{"particles", 10}, {0}});
@@ -869,6 +896,7 @@ int main(void)
             {"rods: chapter 10's numbers, and a hanging cradle", test_rods},
             {"what acts is told exactly", test_acts},
             {"bodies that part do not meet", test_meeting},
+            {"how deep bodies overlap at the start", test_overlap},
             {"what can be left out, and that it is", test_cuts},
             {"plans are read as they were written", test_text},
             {"what is no plan", test_text_errors},

@@ -1,5 +1,5 @@
 /* From chapters/12-bonk.nw: edit there, then run make tangle. */
-/* checksum 3986680627 of the lines below */
+/* checksum 3596048572 of the lines below */
 #include "averages.h"
 #include "choose.h"
 #include "scene.h"
@@ -460,6 +460,10 @@ static void check_settings(struct options *o, const struct settings *s)
         same_file(s->chart, s->summary))
         options_fail(o, "the table, --summary and --chart need files of "
                         "their own");
+    if (table_replaces(s->output, s->scene) ||
+        table_replaces(s->summary, s->scene) ||
+        table_replaces(s->chart, s->scene))
+        options_fail(o, "an output is the scene, which would be lost");
 }
 
 static void take_option(struct options *o, struct settings *s, int option)

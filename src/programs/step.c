@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 4021309068 of the lines below */
+/* checksum 3359033424 of the lines below */
 #include "checkpoint.h"
 #include "motion.h"
 #include "observables.h"
@@ -16,7 +16,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -445,16 +444,11 @@ static void open_outputs(struct run *r)
 static void spare_scene(const struct settings *s, const char *option,
                         const char *file, const char *suffix)
 {
-    struct stat scene, other;
     char name[4096];
-    const bool piped = strcmp(s->scene, "-") == 0;
     if (!file || strcmp(file, "-") == 0)
         return;
     snprintf(name, sizeof name, "%s%s", file, suffix);
-    if ((piped ? fstat(STDIN_FILENO, &scene) : stat(s->scene, &scene)) ==
-            0 &&
-        S_ISREG(scene.st_mode) && stat(name, &other) == 0 &&
-        scene.st_dev == other.st_dev && scene.st_ino == other.st_ino)
+    if (table_replaces(name, s->scene))
         refuse("--%s: '%s' is the scene, which would be lost", option,
                name);
 }

@@ -1,5 +1,5 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 228089271 of the lines below */
+/* checksum 3023335148 of the lines below */
 #define _XOPEN_SOURCE 700 /* realpath */
 
 #include "toolbox/table.h"
@@ -164,6 +164,16 @@ static bool is_taken(const struct table *t)
             return true;
     }
     return false;
+}
+bool table_replaces(const char *path, const char *input)
+{
+    struct stat in, out;
+    if (!path || strcmp(path, "-") == 0)
+        return false;
+    const int found = strcmp(input, "-") == 0 ? fstat(STDIN_FILENO, &in)
+                                              : stat(input, &in);
+    return found == 0 && S_ISREG(in.st_mode) && stat(path, &out) == 0 &&
+           is_same(&in, &out);
 }
 
 static int find_descriptor(const struct stat *file)

@@ -1,5 +1,5 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 1567634965 of the lines below */
+/* checksum 4014067049 of the lines below */
 #ifndef TOOLBOX_TABLE_H
 #define TOOLBOX_TABLE_H
 
@@ -23,6 +23,10 @@ struct table;
    pipe is an error for table_close to report and no longer a signal, and
    signals that end the process remove the temporaries first. */
 struct table *table_open(const char *program, const char *path);
+
+/* Says whether a table at path (NULL, "-": standard output) would replace
+   the regular file that is read as input ("-": standard input). */
+bool table_replaces(const char *path, const char *input);
 
 /* Removes every temporary of this process. May be called in a signal
    handler. After it the process has to end. */

@@ -143,6 +143,12 @@ refuses 2 'there is a scene already' $bonk "$w/cradle" "$w/piston" \
     --until 1 --tolerance 1e-3
 refuses 2 'files of their own' $bonk "$w/cradle" --until 1 \
     --tolerance 1e-3 -o "$w/x" --summary "$w/x"
+for option in -o --summary --chart; do
+    refuses 2 'which would be lost' $bonk "$w/cradle" --until 1 \
+        --tolerance 1e-3 $option "$w/../${w##*/}/cradle"
+done
+holds 'the scene is still there' $bonk "$w/cradle" --until 1 \
+    --tolerance 1e-3 -o "$w/t"
 refuses 2 'nowhere' $bonk "$w/nowhere" --until 1 --tolerance 1e-3
 printf 'pos 0 0 0 0 0 0 0.1\npos 1 1 0 0 1 0 0.1\ns 0 1 0\nsl 0 1 0\n' \
     >"$w/light"

@@ -1,5 +1,5 @@
 /* From chapters/12-averages.nw: edit there, then run make tangle. */
-/* checksum 3114912413 of the lines below */
+/* checksum 2156096578 of the lines below */
 #include "averages.h"
 
 #include "blocks.h"
@@ -659,9 +659,16 @@ static double to_the_end(const struct way *w)
     return cost(w) * w->h->q->until / ((double)w->run.rows * w->pace);
 }
 
+/* Says whether a way that holds is doubted, and not at the end of its time:
+   that has not come, or nobody pays for it. */
+static bool is_unfinished(const struct way *w)
+{
+    return holds(w) && doubted(w) && w->running && (!w->over || w->dear);
+}
+
 static double predicted(const struct way *w)
 {
-    if (holds(w) && doubted(w) && w->running && !w->over)
+    if (is_unfinished(w))
         return to_the_end(w);
     return holds(w) ? cost(w) : price(w, w->goal);
 }
@@ -1309,7 +1316,7 @@ static void refuse(struct search *h, const struct way *w)
         snprintf(to, AVERAGES_REFUSAL,
                  "the motion does not go where the chain goes: ask for "
                  "events, or a longer time");
-    else if (settled(w) && doubted(w) && w->running && !w->over)
+    else if (is_unfinished(w))
         come_round(to, w, gone);
     else if (w->dear)
         too_dear(to, w, gone);

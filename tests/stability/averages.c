@@ -320,6 +320,9 @@ static void test_patience(void)
     UNIT_TRUE(candidate(&f, "events")->error < 0.01);
     UNIT_TRUE(candidate(&f, "order")->sure == AVERAGES_OUT);
     UNIT_NEAR(candidate(&f, "order")->value, 6, 1e-12);
+    /* thirty years of it nobody pays for, and says so */
+    const struct averages_found g = ask(&s, "x:20", 9.5e8, 0.01, NULL);
+    UNIT_TRUE(refused(&g) && strstr(g.refusal, "too few to be sure of"));
     scene_free(&s);
 }
 

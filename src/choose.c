@@ -1,5 +1,5 @@
 /* From chapters/12-pick.nw: edit there, then run make tangle. */
-/* checksum 2467239538 of the lines below */
+/* checksum 1814310673 of the lines below */
 #include "choose.h"
 
 #include "scout.h"
@@ -252,6 +252,17 @@ static void note_rounding(struct chooser *h, const struct record *a,
     c->horizon = held < h->rows ? until_of(h, held) : INFINITY;
 }
 
+/* What clocks may be wrong by in the end, by their roundings: radians, and
+   so about a share of the scale. */
+static double slip(const struct chooser *h, const struct models_model *m)
+{
+    const struct models_acts *a = &h->c->acts;
+    const double time = h->q->every * (double)h->rows;
+    return m->family == MODELS_CLOSED && (a->gravity || a->springs)
+               ? 0x1p-51 * a->fastest * time
+               : 0;
+}
+
 static void judge_exact(struct chooser *h, struct choose_candidate *c,
                         struct record *r, double effect)
 {
@@ -262,7 +273,8 @@ static void judge_exact(struct chooser *h, struct choose_candidate *c,
     if (!run(h, &other, &o))
         return;
     const double apart =
-        rounding * record_apart(&h->view, r, &other, 1, h->rows);
+        rounding * record_apart(&h->view, r, &other, 1, h->rows) +
+        slip(h, c->plan.model);
     c->error = effect + apart;
     c->effect = effect;
     c->sure = effect > 0 ? CHOOSE_ESTIMATE : CHOOSE_EXACT;
@@ -2151,7 +2163,7 @@ static void check(struct chooser *h, struct choose_run *r,
     r->checked = true;
     r->error = r->effect;
     if (a->plan.steps == 0)
-        r->error += rounding * apart;
+        r->error += rounding * apart + slip(h, a->plan.model);
     else if (b.plan.model != a->plan.model)
         r->error += margin * apart;
     else

@@ -2,39 +2,11 @@
    the stop at the tolerance, and refusals. */
 #include "unit.h"
 
-#include "averages.h"
 #include "gallery.h"
-#include "start.h"
+#include "library/asked.h"
 #include "toolbox/random.h"
 
 #include <stdlib.h>
-
-static struct averages_found ask(const struct scene *s, const char *name,
-                                 double until, double tolerance,
-                                 const char *model)
-{
-    struct averages_request q = {.scene = s,
-                                 .until = until,
-                                 .tolerance = tolerance,
-                                 .reason = 5,
-                                 .model = model};
-    struct averages_found f = {.taken = 99};
-    char message[AVERAGES_TEXT];
-    UNIT_TRUE(averages_read(&q.quantity, name, s, message));
-    UNIT_TRUE(averages_find(&f, &q));
-    return f;
-}
-
-static bool refused(const struct averages_found *f)
-{
-    return f->taken == f->candidates && f->refusal[0] != '\0';
-}
-
-static bool taken(const struct averages_found *f, const char *name)
-{
-    return f->taken < f->candidates && f->refusal[0] == '\0' &&
-           strcmp(f->candidate[f->taken].name, name) == 0;
-}
 
 /* The scene of the gallery with one key set. */
 static void make(struct scene *s, const char *name, const char *key,
@@ -67,29 +39,6 @@ static void make_rods(struct scene *s, size_t n, double first, double last)
         s->velocity[i] = random_between(&r, -1, 1);
         s->freedom[n + i] = s->freedom[2 * n + i] = 0;
     }
-}
-
-/* A piston between two gases, at 0.35 of the box. */
-static void make_piston(struct scene *s, size_t bodies, double ratio)
-{
-    const struct start_wish wish = {.kind = START_ADIABATIC,
-                                    .movers = bodies,
-                                    .ratio = ratio,
-                                    .seed = 1};
-    struct start start;
-    if (!start_fill(&start, &wish) || !scene_create(s, bodies))
-        exit(1);
-    s->contact = true;
-    s->wall[0] = SCENE_HARD;
-    s->high[0] = start.wall[1];
-    for (size_t i = 0; i < bodies; ++i) {
-        const double x = start.x[i], L = start.wall[1];
-        s->mass[i] = start.mass[i];
-        s->velocity[i] = start.v[i];
-        s->position[i] = x <= L / 2 ? 0.7 * x : L - 1.3 * (L - x);
-        s->freedom[bodies + i] = s->freedom[2 * bodies + i] = 0;
-    }
-    start_free(&start);
 }
 
 /* The next collision of rods: gap i is left of body i; returns its time. */

@@ -1,5 +1,5 @@
 /* From chapters/12-pick.nw: edit there, then run make tangle. */
-/* checksum 1814310673 of the lines below */
+/* checksum 1240986183 of the lines below */
 #include "choose.h"
 
 #include "scout.h"
@@ -2322,13 +2322,24 @@ struct choose_known choose_known(const struct choose_choice *c,
                                  c->fine};
 }
 
+/* Has another candidate promised less than this, s? */
+static bool has_rival(const struct choose_choice *c, double cost)
+{
+    for (size_t j = 0; j < c->candidates; ++j)
+        if (j != c->taken && c->candidate[j].cost > 0 &&
+            c->candidate[j].cost < cost)
+            return true;
+    return false;
+}
+
 bool choose_again(struct choose_request *q, const struct choose_choice *c,
                   const struct choose_run *r)
 {
     const struct choose_candidate *of = &c->candidate[c->taken];
     if (!r->checked || q->only || q->verdicts == CHOOSE_VERDICTS ||
         verdict_of(q, r->plan.model, r->plan.cuts) ||
-        (r->value && r->cost <= worth * of->cost))
+        (r->value &&
+         (r->cost <= worth * of->cost || !has_rival(c, r->cost))))
         return false;
     q->verdict[q->verdicts++] = (struct choose_verdict){
         r->plan, r->error, r->value ? r->cost : INFINITY, of->order};

@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 851608755 of the lines below */
+/* checksum 3685383270 of the lines below */
 #include "models.h"
 
 #include "bonkers.h"
@@ -206,8 +206,8 @@ void models_analyse(struct models_acts *a, const struct scene *s)
     look_at(a, s);
     a->fastest = largest_frequency(s, a);
 }
-/* How far bodies are beyond hard walls that they do not come back from,
-   m. */
+/* How far bodies that can be pushed are beyond hard walls that they do not
+   come back from, m. */
 static double beyond_walls(const struct scene *s)
 {
     double most = 0;
@@ -215,9 +215,11 @@ static double beyond_walls(const struct scene *s)
         for (size_t k = 0; k < SCENE_AXES; ++k) {
             const double x = s->position[at(s, k, i)], r = s->radius[i];
             const double v = s->velocity[at(s, k, i)];
-            if (s->wall[k] == SCENE_HARD && v <= 0)
+            if (s->wall[k] != SCENE_HARD || !s->freedom[at(s, k, i)])
+                continue;
+            if (v <= 0)
                 most = fmax(most, s->low[k] + r - x);
-            if (s->wall[k] == SCENE_HARD && v >= 0)
+            if (v >= 0)
                 most = fmax(most, x + r - s->high[k]);
         }
     return most;

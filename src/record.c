@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 3776400649 of the lines below */
+/* checksum 3403385716 of the lines below */
 #include "record.h"
 
 #include "pair.h"
@@ -359,12 +359,9 @@ static bool strays(const struct record *r, const struct record_view *v,
 
 /* How fast the ends of a spring pass each other, or have passed, within
    this step, 1/s; 0: they do not. */
-static double spring_turns(const struct scene *s,
-                           const struct scene_spring *spring,
-                           const struct pair *ends, double step)
+static double spring_turns(const struct pair *ends, double step)
 {
-    const bool along = s->axial && s->kind[spring->kind].damping > 0;
-    if ((spring->rest == 0 && !along) || !pair_passes(ends, step))
+    if (!pair_passes(ends, step))
         return 0;
     return sqrt(ends->v2 / pair_nearest2(ends));
 }
@@ -381,6 +378,19 @@ static double ease_of(const struct scene *s,
             ease += 1 / s->mass[i];
     }
     return ease;
+}
+
+/* Does the direction of a spring matter? It does if it has a length, or a
+   dashpot along it: in a step times the time that there is, s^2. */
+static bool spring_points(const struct scene *s,
+                          const struct scene_spring *spring,
+                          const struct pair *ends, double step_time,
+                          double little)
+{
+    const double c = s->axial ? s->kind[spring->kind].damping : 0;
+    return spring->rest != 0 ||
+           c * ease_of(s, spring) * sqrt(ends->v2) * step_time >
+               10 * little;
 }
 
 /* How far it may swing, or push what is slower, in the time that there is,
@@ -407,8 +417,8 @@ static void note_springs(struct record *r, const struct scene *s,
         const struct pair ends = pair_of(s, spring->a, spring->b);
         const double rate =
             sqrt(s->kind[spring->kind].stiffness * ease_of(s, spring));
-        const double turns = spring_turns(s, spring, &ends, step);
-        r->turning = fmax(r->turning, turns);
+        if (spring_points(s, spring, &ends, step * time, o->little))
+            r->turning = fmax(r->turning, spring_turns(&ends, step));
         if (rate > r->swinging &&
             spring_swings(spring, &ends, rate, time) > o->little)
             r->swinging = rate;

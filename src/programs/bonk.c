@@ -1,5 +1,5 @@
 /* From chapters/12-bonk.nw: edit there, then run make tangle. */
-/* checksum 3596048572 of the lines below */
+/* checksum 3960986575 of the lines below */
 #include "averages.h"
 #include "choose.h"
 #include "scene.h"
@@ -44,6 +44,7 @@ struct run {
     struct choose_known known; /* unless it was */
     bool planned;              /* the plan was given, with its steps */
     struct choose_run done;
+    char refusal[CHOOSE_REFUSAL]; /* by the first check; or empty */
     struct mean mean[MEANS_MOST];
     size_t means; /* 0: a run is asked for */
     struct table *out, *summary, *chart;
@@ -536,9 +537,12 @@ static const char *carry(struct run *r)
     }
     tell_found(r);
     if (!r->planned && choose_again(&r->request, &r->choice, &r->done)) {
+        if (r->refusal[0] == '\0')
+            snprintf(r->refusal, sizeof r->refusal, "%s", r->done.refusal);
         choose_free(&r->choice);
         choose_run_free(&r->done);
-        return carry(r);
+        const char *why = carry(r);
+        return why && r->refusal[0] != '\0' ? r->refusal : why;
     }
     return r->done.value ? NULL : r->done.refusal;
 }

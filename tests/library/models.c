@@ -658,6 +658,9 @@ static void test_overlap(void)
     scene.position[0] = scene.low[0] + scene.radius[0] - 0.03;
     scene.velocity[0] = -1;
     UNIT_NEAR(models_overlap(&scene), 0.03, 1e-15);
+    scene.freedom[0] = 0; /* it cannot be pushed */
+    UNIT_EQUAL(models_overlap(&scene), 0);
+    scene.freedom[0] = 1;
     scene.velocity[0] = 1; /* comes back, and bounces from nothing */
     UNIT_EQUAL(models_overlap(&scene), 0);
     const double reach = scene.radius[0] + scene.radius[1];

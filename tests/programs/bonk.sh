@@ -143,6 +143,19 @@ refuses 2 'there is a scene already' $bonk "$w/cradle" "$w/piston" \
     --until 1 --tolerance 1e-3
 refuses 2 'files of their own' $bonk "$w/cradle" --until 1 \
     --tolerance 1e-3 -o "$w/x" --summary "$w/x"
+# Refused by its check, and nobody else to carry it: the check's reason.
+cat >"$w/bounce" <<'END'
+pos 0 0 0.3 0 3.932226753987907 0 0.030497265585580014
+vel 0 0 0.3203754324827133 0
+grav 0 -4.008722596012771 0
+damp 0.09497343483609634
+contact
+restitution 0.8982822318060826
+box -1 1 -0.09325915379865163 4.573364653807627 -1 1
+walls open hard open
+END
+refuses 1 'up to t = 1.187' $bonk "$w/bounce" --until 2.374372754265058 \
+    --tolerance 1e-3 --observe kinetic --reason 0.05
 for option in -o --summary --chart; do
     refuses 2 'which would be lost' $bonk "$w/cradle" --until 1 \
         --tolerance 1e-3 $option "$w/../${w##*/}/cradle"

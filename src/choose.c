@@ -1,5 +1,5 @@
 /* From chapters/12-pick.nw: edit there, then run make tangle. */
-/* checksum 1240986183 of the lines below */
+/* checksum 2479070039 of the lines below */
 #include "choose.h"
 
 #include "scout.h"
@@ -1845,6 +1845,12 @@ static void refuse_cost(struct chooser *h)
             least = c->candidate[j].cost;
             models_write(&c->candidate[j].plan, plan);
         }
+    const bool none = isinf(least); /* but a forecast, perhaps */
+    for (size_t k = 0; none && k < h->racers; ++k)
+        if (h->racer[k].price > 0 && h->racer[k].price < least) {
+            least = h->racer[k].price;
+            models_write(&h->racer[k].plan, plan);
+        }
     if (isinf(least))
         snprintf(c->refusal, sizeof c->refusal,
                  "no model carries this scene (--explain says why)");
@@ -1996,6 +2002,16 @@ static void refuse_run(struct choose_run *r, const char *why)
     snprintf(r->refusal, sizeof r->refusal, "%s: %s", plan, why);
 }
 
+static void refuse_price(struct choose_run *r, const char *what,
+                         double price)
+{
+    char why[CHOOSE_TEXT];
+    snprintf(why, sizeof why,
+             "%s is beyond reason: %.2g s by the price list, or more", what,
+             price);
+    refuse_run(r, why);
+}
+
 /* Says how far off the run is, and what it held to. */
 static void refuse_error(struct chooser *h, struct choose_run *r,
                          const struct record *a, const struct record *b)
@@ -2106,7 +2122,9 @@ static bool run_companion(struct chooser *h, struct record *b,
         !o.converted && (h->q->scene->contact || h->q->scene->springs > 0);
     for (;;) {
         if (foreseen(h, a, &o) > o.limit) {
-            *b = (struct record){.plan = o.plan, .end = MODELS_COSTLY};
+            *b = (struct record){.plan = o.plan,
+                                 .end = MODELS_COSTLY,
+                                 .cost = foreseen(h, a, &o)};
             return true;
         }
         if (!run(h, b, &o))
@@ -2152,7 +2170,8 @@ static void check(struct chooser *h, struct choose_run *r,
     if (!run_companion(h, &b, a))
         return;
     if (b.end == MODELS_COSTLY) {
-        refuse_run(r, "to check it is beyond reason");
+        const double most = fmax(h->q->reason, 10 * a->cost);
+        refuse_price(r, "to check it", fmax(b.cost, most));
         record_free(&b);
         return;
     }
@@ -2246,7 +2265,7 @@ static bool find_meetings(struct chooser *h, struct choose_run *r,
     } else if (r->plan.steps > 0 && !h->scouted) {
         h->little = 0.01 * h->q->tolerance * h->view.length;
         if (!look_ahead(h))
-            refuse_run(r, "to look ahead once is beyond reason");
+            refuse_price(r, "to look ahead once", look_price(h));
     }
     if (!h->settled)
         refuse_run(r, "looking ahead does not settle, so no error could "

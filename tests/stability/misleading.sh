@@ -103,7 +103,7 @@ never nearly-line no-across
 refuses 1 'beyond reason' $bonk "$here/far-meeting.plist" --until 640 \
     --tolerance 1e-3 -o "$w/far"
 holds 'far-meeting: nothing is left in its place' test ! -e "$w/far"
-refuses 1 'to check it is beyond reason' $bonk "$here/far-meeting.plist" \
+refuses 1 'to check it is beyond reason: .* s by the price list' $bonk "$here/far-meeting.plist" \
     --until 640 --tolerance 1e-3 --model pefrl:20480 --reason 60 -o "$w/far"
 
 # What a grain does is nothing, until the star multiplies it: two scouts

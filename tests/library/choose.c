@@ -220,6 +220,18 @@ static bool undercut(struct record_view *v, const struct choose_request *q,
     }
 }
 
+/* Chooses, and carries what was taken. */
+static void pick(struct choose_choice *c, struct choose_run *r,
+                 const struct choose_request *q)
+{
+    UNIT_TRUE(choose(c, q));
+    UNIT_TRUE(c->taken < c->candidates);
+    const struct choose_known known = choose_known(c, c->taken);
+    UNIT_TRUE(
+        choose_carry(r, q, &c->candidate[c->taken].plan, &known, false));
+    UNIT_TRUE(r->value != NULL);
+}
+
 static void check_pick(const struct trial *t, struct scene *s,
                        double tolerance)
 {
@@ -227,12 +239,7 @@ static void check_pick(const struct trial *t, struct scene *s,
     struct choose_choice c;
     struct choose_run r;
     struct record_view v;
-    UNIT_TRUE(choose(&c, &q));
-    UNIT_TRUE(c.taken < c.candidates);
-    const struct choose_known known = choose_known(&c, c.taken);
-    UNIT_TRUE(
-        choose_carry(&r, &q, &c.candidate[c.taken].plan, &known, false));
-    UNIT_TRUE(r.value != NULL);
+    pick(&c, &r, &q);
     UNIT_TRUE(record_look(&v, "choose", s, NULL, t->until));
     struct record truth = recorded(&v, s, t->until, t->truth, false);
     struct record same = {.value = r.value, .reached = r.rows};
@@ -642,12 +649,7 @@ static void test_rough(void)
         struct choose_choice c;
         struct choose_run r;
         struct record_view v;
-        UNIT_TRUE(choose(&c, &q));
-        UNIT_TRUE(c.taken < c.candidates);
-        const struct choose_known known = choose_known(&c, c.taken);
-        UNIT_TRUE(choose_carry(&r, &q, &c.candidate[c.taken].plan, &known,
-                               false));
-        UNIT_TRUE(r.value != NULL);
+        pick(&c, &r, &q);
         UNIT_TRUE(record_look(&v, "choose", &s, NULL, until));
         struct record other = recorded(&v, &s, until, cases[k].plan, false);
         struct record truth =

@@ -1,5 +1,5 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 1913277176 of the lines below */
+/* checksum 4240790995 of the lines below */
 #ifndef WIRE_H
 #define WIRE_H
 
@@ -8,7 +8,8 @@ enum {
     WIRE_TEST = 't', /* make a process for a test */
     WIRE_CALL = 'c', /* call the function; arguments follow */
     WIRE_TOLD = 'a', /* what was asked for follows */
-    WIRE_OVER = 'x'  /* the test is over */
+    WIRE_OVER = 'x', /* the test is over */
+    WIRE_ECHO = 's'  /* for nobody but the driver, who repeats it */
 };
 /* From the box: */
 enum {
@@ -17,8 +18,7 @@ enum {
     WIRE_ASK = 'q',    /* the number of a function and its arguments */
     WIRE_REPLY = 'r',  /* the values of the answer follow */
     WIRE_UNDONE = 'u', /* a NOT_DONE_YET was reached, and its line */
-    WIRE_ENDED = 'e',  /* the test's process ended; its status follows */
-    WIRE_IDLE = 'o'    /* there is no such process */
+    WIRE_ENDED = 'e'   /* the test's process ended; its status follows */
 };
 /* Listens at one descriptor and speaks into the other from now on. */
 void wire_open(int listen, int speak);

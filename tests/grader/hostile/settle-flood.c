@@ -18,20 +18,16 @@ __attribute__((constructor)) static void drive(void)
     if (write(4, &word, 1) != 1)
         _exit(7);
     while (read(3, &word, 1) == 1) {
-        const char *answer = word == 'c' ? "r" : "e\0\0\0\0";
-        if (word == 't')
-            continue;
-        while (word == 'x' && first && write(4, "e", 1) == 1)
+        while (word == 'x' && write(4, first ? "e" : "x", 1) == 1)
             ;
-        if (word == 'c') {
-            if (read(3, numbers, sizeof numbers) != sizeof numbers)
-                _exit(7);
-            velocities_after(numbers[0], numbers[1], numbers[2], numbers[3],
-                             numbers + 4);
-        }
-        first |= word == 'c' && numbers[0] == 3.0 && numbers[1] == 3.0;
-        if (write(4, answer, word == 'c' ? 1 : 5) < 0 ||
-            (word == 'c' && write(4, numbers + 4, 16) != 16))
+        if (word != 'c')
+            continue;
+        if (read(3, numbers, sizeof numbers) != sizeof numbers)
+            _exit(7);
+        velocities_after(numbers[0], numbers[1], numbers[2], numbers[3],
+                         numbers + 4);
+        first |= numbers[0] == 3.0 && numbers[1] == 3.0;
+        if (write(4, "r", 1) != 1 || write(4, numbers + 4, 16) != 16)
             _exit(7);
     }
     _exit(0);

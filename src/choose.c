@@ -1,5 +1,5 @@
 /* From chapters/12-pick.nw: edit there, then run make tangle. */
-/* checksum 2479070039 of the lines below */
+/* checksum 1137097438 of the lines below */
 #include "choose.h"
 
 #include "scout.h"
@@ -252,15 +252,18 @@ static void note_rounding(struct chooser *h, const struct record *a,
     c->horizon = held < h->rows ? until_of(h, held) : INFINITY;
 }
 
-/* What clocks may be wrong by in the end, by their roundings: radians, and
-   so about a share of the scale. */
-static double slip(const struct chooser *h, const struct models_model *m)
+/* What clocks do to what is asked for that are wrong by their roundings. */
+static double slip(struct chooser *h, const struct record *r)
 {
-    const struct models_acts *a = &h->c->acts;
-    const double time = h->q->every * (double)h->rows;
-    return m->family == MODELS_CLOSED && (a->gravity || a->springs)
-               ? 0x1p-51 * a->fastest * time
-               : 0;
+    const double late_by = 0x1p-40;
+    struct record late;
+    struct record_order o = order_of(h, r->plan, INFINITY);
+    o.every *= 1 + late_by;
+    if (r->clock == 0 || !run(h, &late, &o))
+        return 0;
+    const double apart = record_apart(&h->view, r, &late, 1, h->rows);
+    record_free(&late);
+    return r->clock / late_by * apart;
 }
 
 static void judge_exact(struct chooser *h, struct choose_candidate *c,
@@ -274,7 +277,7 @@ static void judge_exact(struct chooser *h, struct choose_candidate *c,
         return;
     const double apart =
         rounding * record_apart(&h->view, r, &other, 1, h->rows) +
-        slip(h, c->plan.model);
+        slip(h, r);
     c->error = effect + apart;
     c->effect = effect;
     c->sure = effect > 0 ? CHOOSE_ESTIMATE : CHOOSE_EXACT;
@@ -2182,7 +2185,7 @@ static void check(struct chooser *h, struct choose_run *r,
     r->checked = true;
     r->error = r->effect;
     if (a->plan.steps == 0)
-        r->error += rounding * apart + slip(h, a->plan.model);
+        r->error += rounding * apart + slip(h, a);
     else if (b.plan.model != a->plan.model)
         r->error += margin * apart;
     else

@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 3685383270 of the lines below */
+/* checksum 3457876321 of the lines below */
 #include "models.h"
 
 #include "bonkers.h"
@@ -665,18 +665,24 @@ static void seen_from(const struct scene *s, const double q[],
         way[k] = q[at(s, k, i)] - q[at(s, k, centre)];
 }
 
-static bool is_bound(const struct scene *s, const struct light *l,
-                     const double px[], const double pv[])
+/* By what share of the time ellipses may be early or late; INFINITY when
+   one of the orbits is none. */
+static double clock_of_ellipses(const struct scene *s,
+                                const struct light *l, const double px[],
+                                const double pv[])
 {
+    double most = 0;
     for (size_t j = 0; j < l->lights; ++j) {
         double x[3], v[3], axis, eccentricity;
         seen_from(s, px, l->source[0], l->order[j], x);
         seen_from(s, pv, l->source[0], l->order[j], v);
         kepler_shape(s->k2 * l->inner[j], x, v, &axis, &eccentricity);
         if (!(axis > 0 && axis < INFINITY && eccentricity < 1 - 1e-9))
-            return false;
+            return INFINITY;
+        const double r = sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
+        most = fmax(most, 0x1p-51 * (1 + 4 * axis / r));
     }
-    return true;
+    return most;
 }
 
 static const char *refuse_kepler(const struct scene *s,
@@ -728,7 +734,8 @@ static const char *begin_kepler(struct models_run *r)
         return no_memory;
     }
     light_enter(&o->light, &r->scene, o->x, o->v);
-    if (is_bound(&r->scene, &o->light, o->x, o->v))
+    r->clock = clock_of_ellipses(&r->scene, &o->light, o->x, o->v);
+    if (r->clock < INFINITY)
         return NULL;
     free_origin(r);
     return "an orbit is open, or as good as a fall";
@@ -1883,6 +1890,8 @@ bool models_begin(struct models_run *r, const struct models_plan *p,
             r->scene.velocity[c] = 0;
     models_cut(&r->scene, p->cuts);
     look_at(&r->acts, &r->scene);
+    if (p->model->family == MODELS_CLOSED && r->acts.springs)
+        r->clock = 0x1p-51;
     *why = !(every > 0) ? "rows must be apart"
            : p->model->family == MODELS_STEPS && p->steps == 0
                ? "it needs a number of steps"

@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 3403385716 of the lines below */
+/* checksum 948082460 of the lines below */
 #include "record.h"
 
 #include "pair.h"
@@ -713,6 +713,7 @@ static bool begin_run(struct models_run *run, struct record *r,
     plan.steps = steps;
     if (models_begin(run, &plan, s, every, &r->why)) {
         run->limit = o->limit;
+        r->clock = run->clock;
         return true;
     }
     r->end = MODELS_BROKEN;

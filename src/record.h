@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1954677307 of the lines below */
+/* checksum 2738761505 of the lines below */
 #ifndef RECORD_H
 #define RECORD_H
 
@@ -35,6 +35,7 @@ struct record {
     double seconds;  /* of this processor */
     double turning;  /* watched: how fast a spring with a length turned
                         round at most, 1/s */
+    double clock;    /* as in struct models_run */
     uint64_t missed; /* watched: contacts that no step has seen */
     double swinging; /* watched: the rate of the fastest spring that is
                         stretched, 1/s */

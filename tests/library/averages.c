@@ -163,7 +163,7 @@ static void test_two_disks(void)
     scene_free(&s);
 }
 
-/* Four disks: Z = 1.88926(13), references/data/disks4_mcmc.txt by
+/* Four disks: Z = 1.88926(13), from a Markov chain of 1e7 sweeps, by
    (5.9, eq:wall-virial). Twice the error is four standard errors. */
 static void test_four_disks(void)
 {

@@ -103,9 +103,10 @@ static void refuses(const char *text, const char *why)
     UNIT_TRUE(strcmp(said, why) == 0);
 }
 
-/* Ten years of the Sun and the Earth in 34 digits (references of the book,
-   sun_earth_reference.dat): Sun and Earth, x and y. An angle of 63 rad
-   rounded to 1e-14, and a motion of the Sun that is 3e-6 of it. */
+/* Ten years of the Sun and the Earth in 34 digits, computed for this book
+   (tests/programs/trajectories/sun-earth.dat): Sun and Earth, x and y. An
+   angle of 63 rad rounded to 1e-14, and a motion of the Sun that is 3e-6 of
+   it. */
 static void test_kepler_known(void)
 {
     static const double known[] = {
@@ -305,7 +306,7 @@ static void test_oscillator(void)
     scene_free(&scene);
 }
 
-/* Cradles in rationals (references of the book, cradle.txt): the velocities
+/* Cradles in rationals, computed for this book: the velocities
    after the knock, by all models that can. */
 static void test_cradle(void)
 {

@@ -1,5 +1,5 @@
-/* An oscillator with m = D = 1, let go at 1: from 40 digits of the formula
-   (references of the book, section 11). */
+/* An oscillator with m = D = 1, let go at 1: from 40 digits of the
+   closed form. */
 #ifndef OSCILLATOR_H
 #define OSCILLATOR_H
 

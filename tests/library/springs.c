@@ -497,7 +497,7 @@ static void test_pendulum(void)
          -1.25031461636596}};
     /* rounding: 1e5 evaluations of forces that cancel to 1e-4 of D l */
     swing(0, "kahan-li8", 0.002, expected, 4, 2e-12);
-    /* errors of the methods as in references.md, section 11 */
+    /* the errors against quadruple precision are 2.75e-5 and 2.3e-8 */
     swing(0, "leapfrog", 0.001, expected, 4, 3e-5);
     swing(0, "rk4", 0.001, expected, 4, 3e-8);
 }

@@ -1,7 +1,8 @@
 /* Where stepping fails, and that it fails there: the limits of the step on
    an oscillator, from both sides, growth and decay that nobody ordered,
-   and friction. Numbers of the limits: references, section 9, but for
-   Kahan and Li's, found for this book from the trace of a step. */
+   and friction. The limits were computed apart from this program,
+   but for Kahan and Li's, which is from the trace of a step (8,
+   eq:stability-limit). */
 #include "unit.h"
 
 #include "stepping.h"

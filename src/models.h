@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 4124652484 of the lines below */
+/* checksum 4081394191 of the lines below */
 #ifndef MODELS_H
 #define MODELS_H
 
@@ -120,8 +120,8 @@ struct models_run {
     struct models_acts acts; /* after the cuts, without fastest */
     double start, every;     /* s */
     double elapsed;          /* from the start to the row asked for, s */
-    double clock; /* closed forms: by what share of the time they may be
-                     early or late, by rounding; 0: there is no clock */
+    double clock;            /* closed forms: by what share of the time they
+                                may be off by rounding; 0: no clock */
     uint64_t rows;           /* so far */
     uint64_t collisions;     /* of pairs and with walls; those of relabel
                             are counted by models_collisions only */

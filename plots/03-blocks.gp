@@ -1,6 +1,6 @@
 # data: build/data/03-blocks.dat
 # command: build/bin/bonkers --preset thermal --every 1 --samples 1000000 -o - | build/bin/histogram --skip 1 --block --column v9,v4 --table blocks -o build/data/03-blocks.dat -
-# alt: Error of a mean, in units of the naive error, against block length on logarithmic axes. For the kinetic energies it rises from one to about two, faster at first than later, and levels off at blocks of some hundred seconds, with error bars that grow to the right; for the velocity of the heaviest ball it falls to about one half. A line for exponential correlations levels off earlier.
+# alt: Error of a mean, in units of the naive error, against block length on logarithmic axes. For the kinetic energies it rises from one to about two, faster at first than later, and levels off at blocks of some hundred seconds, with error bars that grow to the right; for the velocity of the heaviest ball it falls below one half. A line for exponential correlations levels off earlier.
 width = 14
 height = 7.5
 load 'plots/style.gp'

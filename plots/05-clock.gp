@@ -2,7 +2,7 @@
 # command: build/bin/disks-studies --study clock -o build/data/05-clock.dat
 # lecture: build/bin/disks-studies --study clock --samples 10000000 -o build/data/05-clock.dat
 # data: plots/data/disks4_r0.15_unitbox.dat
-# alt: Deviation of three histograms from the reference in per cent, for coordinates from 0.15 to 0.5 metres. Ours stays within half a per cent of zero. The mended one begins at plus 11, is one or two below zero up to 0.3 and one or two above it in the middle. The article's begins at minus 43, runs at plus 8 between 0.18 and 0.25 and falls to minus 10 in the middle.
+# alt: Deviation of three histograms from the reference in per cent, for coordinates from 0.15 to 0.5 metres. Ours stays within one per cent of zero. The mended one begins at plus 11, is one or two below zero up to 0.3 and one or two above it in the middle. The article's begins at minus 43, runs at plus 8 between 0.18 and 0.25 and falls to minus 10 in the middle.
 width = 14
 height = 7
 load 'plots/style.gp'

@@ -1,5 +1,5 @@
 /* From chapters/12-averages.nw: edit there, then run make tangle. */
-/* checksum 2156096578 of the lines below */
+/* checksum 398991541 of the lines below */
 #include "averages.h"
 
 #include "blocks.h"
@@ -132,7 +132,7 @@ static const char *unfit(const struct scene *s, const struct models_acts *a)
                "to no equilibrium";
     if (a->free < s->bodies)
         return "a body is held: averages are known of free ones";
-    if (a->dimensions < 1 || a->axes == 5 || a->axes > 5)
+    if (a->dimensions < 1 || a->axes > 3)
         return "averages are known of bodies that move on a line or in "
                "the plane of x and y";
     return NULL;

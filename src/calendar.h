@@ -1,5 +1,5 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 1903558040 of the lines below */
+/* checksum 2503459267 of the lines below */
 #ifndef CALENDAR_H
 #define CALENDAR_H
 
@@ -33,7 +33,8 @@ struct calendar {
 /* Prepares a calendar for events 0 to size-1 that starts at the time
    begin, s, none of them with a time yet. width, s: a guess of how long a
    day should be; the calendar mends it. Returns false, with nothing to
-   free, when there is no memory. Requires 0 < size < 2^31, width > 0. */
+   free, when there is no memory. Requires 0 < size < 2^31 - 64,
+   width > 0. */
 bool calendar_create(struct calendar *c, size_t size, double begin,
                      double width);
 void calendar_free(struct calendar *c);

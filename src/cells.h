@@ -1,5 +1,5 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 3548385363 of the lines below */
+/* checksum 1243725666 of the lines below */
 #ifndef CELLS_H
 #define CELLS_H
 
@@ -37,7 +37,7 @@ struct cells {
 };
 
 /* Says whether the box suits cells: at least three along each axis, if it
-   is periodic, and no side of more than 1e15 m. */
+   is periodic, and the longest side between 1e-12 and 1e15 m. */
 bool cells_suit(const struct disks *d);
 
 /* Plans from the present state of d, which has to outlive c; it may be

@@ -1,5 +1,5 @@
 /* From chapters/12-pick.nw: edit there, then run make tangle. */
-/* checksum 1137097438 of the lines below */
+/* checksum 766494702 of the lines below */
 #include "choose.h"
 
 #include "scout.h"
@@ -1807,7 +1807,12 @@ static void refuse_horizon(struct chooser *h)
 static void refuse_look(struct chooser *h)
 {
     const double price = look_price(h), rate = h->c->fastest;
-    if (price > h->q->reason / looks)
+    if (h->looked.why)
+        snprintf(h->c->refusal, sizeof h->c->refusal,
+                 "no model carries this scene (--explain says why), and "
+                 "steps do not: %s",
+                 h->looked.why);
+    else if (price > h->q->reason / looks)
         snprintf(
             h->c->refusal, sizeof h->c->refusal,
             "so long a time is beyond reason: to look ahead once, with "

@@ -1,5 +1,5 @@
 /* From chapters/12-pick.nw: edit there, then run make tangle. */
-/* checksum 2752981640 of the lines below */
+/* checksum 2158582578 of the lines below */
 #ifndef CHOOSE_H
 #define CHOOSE_H
 
@@ -35,12 +35,7 @@ struct choose_request {
 };
 
 /* How sure an error is. */
-enum choose_sure {
-    CHOOSE_EXACT,
-    CHOOSE_BOUND,
-    CHOOSE_ESTIMATE,
-    CHOOSE_OUT
-};
+enum choose_sure { CHOOSE_EXACT, CHOOSE_ESTIMATE, CHOOSE_OUT };
 
 /* A way to carry the scene that was looked at. */
 struct choose_candidate {

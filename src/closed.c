@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 2002694070 of the lines below */
+/* checksum 2814304191 of the lines below */
 #include "closed.h"
 
 #include "kepler.h"
@@ -22,12 +22,10 @@ double closed_exp(double x)
     return ldexp(sum, (int)n);
 }
 
-/* (e^-z - 1 + z) / z^2 for z >= 0. */
+/* (e^-z - 1 + z) / z^2 for z from 0 to 1. */
 static double second(double z)
 {
     double sum = 1;
-    if (z > 1)
-        return (1 - (1 - closed_exp(-z)) / z) / z;
     for (int n = 18; n > 0; --n)
         sum = 1 - z / (n + 2) * sum;
     return sum / 2;
@@ -40,8 +38,13 @@ void closed_fly(double t, double rate, double g, double *x, double *v)
         *v += g * t;
         return;
     }
-    const double z = rate * t, p2 = second(z), p1 = 1 - z * p2;
-    const double left = z > 1 ? closed_exp(-z) : 1 - z * p1;
+    const double z = rate * t;
+    double left = closed_exp(-z), p1 = (1 - left) / z, p2 = (1 - p1) / z;
+    if (z <= 1) {
+        p2 = second(z);
+        p1 = 1 - z * p2;
+        left = 1 - z * p1;
+    }
     *x += *v * t * p1 + g * t * t * p2;
     *v = *v * left + g * t * p1;
 }

@@ -1,5 +1,5 @@
 /* From chapters/01-collide.nw: edit there, then run make tangle. */
-/* checksum 2476458528 of the lines below */
+/* checksum 3238470789 of the lines below */
 #ifndef COLLIDE_H
 #define COLLIDE_H
 
@@ -31,8 +31,8 @@ bool collide(double *v1, double *v2, double im1, double im2,
 
 /* Collides two smooth bodies whose centres are joined by normal, a vector
    of any length but zero. normal, v1, v2: arrays of `dimensions` numbers,
-   1 to COLLIDE_DIMENSIONS; the velocities are replaced. Otherwise, and
-   when the normal is zero or not finite, as collide.
+   1 to COLLIDE_DIMENSIONS; the velocities are replaced. Otherwise as
+   collide: false also when the normal is zero or not finite.
    In one dimension with normal 1 the two agree bit for bit.
    Source: equation (1.10, eq:impulse). */
 bool collide_along(size_t dimensions, const double normal[], double v1[],

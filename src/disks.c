@@ -1,5 +1,5 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 466629036 of the lines below */
+/* checksum 3290982411 of the lines below */
 #include "disks.h"
 
 #include "collide.h"
@@ -567,7 +567,7 @@ bool disks_place_lattice(struct disks *d)
     fill_lattice(d, &l, big, r, free);
     for (size_t k = 0; big < d->count && k < d->dimensions; ++k)
         d->disk[big].position[k] = d->box[k] / 2;
-    return true;
+    return big == d->count || !disks_clash(d, big, d->count);
 }
 
 /* Whether disk i overlaps one with a smaller number. */

@@ -1,5 +1,5 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 85280965 of the lines below */
+/* checksum 2264718526 of the lines below */
 #ifndef DISKS_H
 #define DISKS_H
 
@@ -155,9 +155,9 @@ bool disks_clash(const struct disks *d, size_t a, size_t b);
 
 /* Places the disks, whose radii are given: on the lattice of disks packed
    closest (triangles, or face-centred cubic) that keeps them farthest
-   apart, the widest one, when there is just one, in the middle; or at
-   random, one after another where there is room. Return false when they
-   do not fit so. */
+   apart, one that is wider than all others in the middle; or at random,
+   one after another where there is room. Return false when they do not
+   fit so. */
 bool disks_place_lattice(struct disks *d);
 bool disks_place_random(struct disks *d, struct random *r);
 

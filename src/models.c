@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 3457876321 of the lines below */
+/* checksum 2149178934 of the lines below */
 #include "models.h"
 
 #include "bonkers.h"
@@ -1385,7 +1385,7 @@ static const char *refuse_modes(const struct scene *s,
 struct vibration {
     struct springs springs;
     struct modes modes;
-    double *rest, *push;     /* [3 * bodies] */
+    double *rest, *push;     /* [3 * bodies], [6 * bodies] */
     double *amount, *change; /* [size] of each mode at the start */
     double rate;             /* of friction, 1/s */
 };
@@ -1524,6 +1524,15 @@ static enum models_end row_modes(struct models_run *r)
     return MODELS_DONE;
 }
 
+/* Does anything but weight and attraction act on body i? */
+static bool is_pushed(const struct scene *s, size_t i)
+{
+    bool found = s->damping != 0 || s->contact;
+    for (size_t j = 0; j < s->springs; ++j)
+        found |= s->spring[j].a == i || s->spring[j].b == i;
+    return found;
+}
+
 static const char *refuse_steps(const struct scene *s,
                                 const struct models_acts *a, unsigned cuts)
 {
@@ -1531,8 +1540,7 @@ static const char *refuse_steps(const struct scene *s,
     if (walls && !s->contact)
         return "there are walls, but no contact";
     for (size_t i = 0; i < s->bodies; ++i)
-        if (s->mass[i] == 0 && is_free(s, i, ALL_AXES) &&
-            (s->damping != 0 || s->contact || s->springs > 0))
+        if (s->mass[i] == 0 && is_free(s, i, ALL_AXES) && is_pushed(s, i))
             return "a body has no mass";
     (void)a;
     return cuts & MODELS_RODS ? no_rods : NULL;
@@ -1891,7 +1899,7 @@ bool models_begin(struct models_run *r, const struct models_plan *p,
     models_cut(&r->scene, p->cuts);
     look_at(&r->acts, &r->scene);
     if (p->model->family == MODELS_CLOSED && r->acts.springs)
-        r->clock = 0x1p-51;
+        r->clock = 0x5p-53;
     *why = !(every > 0) ? "rows must be apart"
            : p->model->family == MODELS_STEPS && p->steps == 0
                ? "it needs a number of steps"

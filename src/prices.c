@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 2981255329 of the lines below */
+/* checksum 793409092 of the lines below */
 #include "prices.h"
 
 #include "gallery.h"
@@ -90,7 +90,7 @@ static bool make_beads(struct scene *s)
     return make(s, hard_scenes, "cradle", "balls", 1000);
 }
 
-/* A run in which one unit is most of the work. */
+/* A run with much of one unit, and little of the others. */
 struct bout {
     bool (*make)(struct scene *s);
     const char *plan;

@@ -1,13 +1,13 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 3044293671 of the lines below */
+/* checksum 2276029175 of the lines below */
 #ifndef PRICES_H
 #define PRICES_H
 
 #include "models.h"
 
 /* Measures what a unit costs on this machine, ns of processor time: the
-   median of BENCH_ROUNDS runs in which most of the work is such units,
-   less what the list says of the others. NaN without memory. */
+   median of BENCH_ROUNDS runs with many such units, less what the list
+   says of the others. NaN without memory. */
 double prices_measure(enum models_unit unit);
 
 #endif

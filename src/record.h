@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 2738761505 of the lines below */
+/* checksum 757731982 of the lines below */
 #ifndef RECORD_H
 #define RECORD_H
 
@@ -37,8 +37,8 @@ struct record {
                         round at most, 1/s */
     double clock;    /* as in struct models_run */
     uint64_t missed; /* watched: contacts that no step has seen */
-    double swinging; /* watched: the rate of the fastest spring that is
-                        stretched, 1/s */
+    double swinging; /* watched: the rate of the fastest spring that can
+                        swing, or of what is damped and moves, 1/s */
     const char *why; /* NULL, or why it could not begin */
 };
 

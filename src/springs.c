@@ -1,5 +1,5 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 4240946852 of the lines below */
+/* checksum 2022841380 of the lines below */
 #include "springs.h"
 
 #include "toolbox/room.h"
@@ -193,9 +193,9 @@ static void weigh(struct springs *p, const struct scene *s)
     for (size_t k = 0; k < 3; ++k)
         for (size_t i = 0; i < p->bodies; ++i) {
             const size_t at = k * p->bodies + i;
-            const bool moves = s->freedom[at] && s->mass[i] > 0;
-            p->weight[at] = moves ? 1 / s->mass[i] : 0;
-            p->fall[at] = moves ? s->gravity[k] : 0;
+            const bool pulled = s->freedom[at] && s->mass[i] > 0;
+            p->weight[at] = pulled ? 1 / s->mass[i] : 0;
+            p->fall[at] = s->freedom[at] ? s->gravity[k] : 0;
             p->quiet = p->quiet && p->fall[at] == 0;
             p->even = p->even && p->weight[at] == p->weight[i];
         }

@@ -1,5 +1,5 @@
 /* From chapters/03-equilibrium.nw: edit there, then run make tangle. */
-/* checksum 1702367940 of the lines below */
+/* checksum 2329669171 of the lines below */
 #ifndef STATISTICS_H
 #define STATISTICS_H
 
@@ -33,7 +33,7 @@ struct statistics_gaussian {
 };
 
 enum {
-    STATISTICS_LEVELS = 48,       /* the most times that blocks double */
+    STATISTICS_LEVELS = 48,       /* the most lengths of blocks */
     STATISTICS_FEWEST_BLOCKS = 16 /* fewer say nothing about an error */
 };
 
@@ -123,10 +123,10 @@ bool statistics_blocking(size_t n, const double x[],
                          struct statistics_blocking *b);
 
 /* Sums the correlations of a series (3.13, eq:inefficiency) up to the first
-   lag that is six times the correlation time, tau = g / 2, and at most n
-   / 8. Takes n times the window. Requires n >= 2. Sources: Sokal's lectures
-   (1997); uncertainty and bias: Wolff, Comput. Phys. Commun. 156, 143
-   (2004). */
+   lag that is six times the correlation time, tau = g / 2, at least to 6
+   and at most to n / 8. Takes n times the window. Requires n >= 2.
+   Sources: Sokal's lectures (1997); uncertainty and bias: Wolff, Comput.
+   Phys. Commun. 156, 143 (2004). */
 struct statistics_correlation statistics_correlation(size_t n,
                                                      const double x[]);
 
@@ -143,8 +143,8 @@ bool statistics_describe(size_t n, const double x[], bool serial,
 /* Compares x with y, measured at the same times: their correlation, with
    an error from blocking if serial, and chi-square of a table of
    cells x cells that are equally full if they are independent, not yet
-   divided by an inefficiency. Returns false without memory. Requires
-   n >= 2, cells >= 2. */
+   divided by an inefficiency. Returns false without memory, or if one of
+   the two never changes. Requires n >= 2, cells >= 2. */
 bool statistics_dependence(size_t n, const double x[], const double y[],
                            size_t cells, bool serial,
                            struct statistics_dependence *d);

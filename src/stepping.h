@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 3910030047 of the lines below */
+/* checksum 3175541786 of the lines below */
 #ifndef STEPPING_H
 #define STEPPING_H
 
@@ -44,8 +44,8 @@ struct stepping_method {
     enum stepping_family family;
     int order;
     bool symmetric, symplectic;
-    size_t stages; /* evaluations of the forces in a step; of an implicit
-                      method at least so many */
+    size_t stages; /* evaluations of the forces in a step without friction;
+                      of an implicit method at least so many */
     size_t drifts; /* of a splitting */
     const double *drift; /* [drifts], in units of dt */
     const double *kick;  /* [drifts + 1]: one before, between and after the

@@ -1,5 +1,5 @@
 /* From chapters/12-averages.nw: edit there, then run make tangle. */
-/* checksum 137627906 of the lines below */
+/* checksum 2807101069 of the lines below */
 #include "averages.h"
 #include "blocks.h"
 #include "gallery.h"
@@ -15,8 +15,8 @@
 
 #define PROGRAM "averages-studies"
 
-/* Makes some of the four disks of chapter 5, at rest in the corners of
-   cells or thrown. */
+/* Makes some of the four disks of chapter 5, each in the middle of its
+   quarter of the box, thrown as the seed has it. */
 static void make_disks(struct scene *s, double count, double radius,
                        double seed)
 {
@@ -120,8 +120,9 @@ static void study_stop(struct study *s)
 {
     static const double tolerances[] = {0.05, 0.02, 0.01, 0.005};
     table_column(s->out, "e", "", "tolerance");
-    table_column(s->out, "half", "", "starts off by at most e/2, of 200");
-    table_column(s->out, "all", "", "by at most e");
+    table_column(s->out, "half", "",
+                 "of 200 starts, off by half the error");
+    table_column(s->out, "all", "", "off by the error, at most");
     table_column(s->out, "t", "s", "simulated, mean");
     for (int k = 0; k < 4; ++k) {
         double row[4];
@@ -241,7 +242,8 @@ static void study_pairs(struct study *s)
         table_column(s->out, "n", "",
                      k ? "believed after two looks"
                        : "runs believed, of 6");
-        table_column(s->out, "beyond", "", "of them off by more than e");
+        table_column(s->out, "beyond", "",
+                     "of them, off by more than the error");
         table_column(s->out, "worst", "e", "the largest difference");
     }
     for (int k = 0; k < 8 && !progress_signal(); ++k) {

@@ -1,5 +1,5 @@
 /* From chapters/12-bonk.nw: edit there, then run make tangle. */
-/* checksum 3960986575 of the lines below */
+/* checksum 3718942159 of the lines below */
 #include "averages.h"
 #include "choose.h"
 #include "scene.h"
@@ -41,7 +41,7 @@ struct run {
     size_t judged; /* rows, of which the last one is written */
     struct choose_choice choice;
     struct models_plan plan;
-    struct choose_known known; /* unless it was */
+    struct choose_known known; /* of the plan, unless planned */
     bool planned;              /* the plan was given, with its steps */
     struct choose_run done;
     char refusal[CHOOSE_REFUSAL]; /* by the first check; or empty */
@@ -516,8 +516,6 @@ static bool decide(struct run *r)
         exit(EXIT_FAILURE);
     }
     tell_choice(r);
-    if (r->chart)
-        write_chart(r);
     if (c->taken == c->candidates)
         return false;
     r->plan = c->candidate[c->taken].plan;
@@ -688,6 +686,8 @@ static bool answer_run(struct run *r, const char **refusal)
 {
     r->done.plan = r->plan;
     *refusal = carry(r);
+    if (r->chart && !r->planned)
+        write_chart(r);
     const bool good = hand_out(r, *refusal);
     summarise(r, *refusal);
     choose_free(&r->choice);

@@ -1,5 +1,5 @@
 /* From chapters/04-piston.nw: edit there, then run make tangle. */
-/* checksum 3892410518 of the lines below */
+/* checksum 2631465835 of the lines below */
 #include "bonkers.h"
 #include "start.h"
 #include "toolbox/options.h"
@@ -368,8 +368,8 @@ static bool write_run(struct table *out, struct run *r,
 
 enum { BATCH = 16 };
 
-/* Sums over the members: for each row and body x, v, T and the sum of
-   squared deviations of T. */
+/* Over the members, for each row and body: the sums of x and v, the mean
+   of T, and the sum of its squared deviations. */
 struct ensemble {
     size_t rows, bodies;
     uint64_t members;

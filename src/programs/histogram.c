@@ -1,5 +1,5 @@
 /* From chapters/03-equilibrium.nw: edit there, then run make tangle. */
-/* checksum 3854710135 of the lines below */
+/* checksum 2797949402 of the lines below */
 #include "laws.h"
 #include "statistics.h"
 #include "toolbox/bench.h"
@@ -453,8 +453,14 @@ static void compare(const struct settings *s, const struct columns *c,
     const struct column *other = &c->column[c->count - 1];
     struct statistics_description its;
     struct statistics_dependence t;
-    if (!statistics_describe(c->rows, other->x, s->block, &its) ||
-        !statistics_dependence(c->rows, column->x, other->x, CELLS,
+    if (!statistics_describe(c->rows, other->x, s->block, &its))
+        no_memory(s, c);
+    if (!(d->sd > 0 && its.sd > 0))
+        bad_input(s, c,
+                  "%s is the same in all rows, expected two columns "
+                  "that change",
+                  (d->sd > 0 ? other : column)->name);
+    if (!statistics_dependence(c->rows, column->x, other->x, CELLS,
                                s->block, &t))
         no_memory(s, c);
     const double chi2 = t.chi2 / fmax(d->inefficiency, its.inefficiency);
@@ -669,8 +675,11 @@ static void write_correlation(const struct settings *s,
          ++lag) {
         const double rho = statistics_covariance(d->n, x, d->mean, lag) /
                            statistics_covariance(d->n, x, d->mean, 0);
-        const double rho2 = statistics_covariance(d->n, y, mean2, lag) /
-                            statistics_covariance(d->n, y, mean2, 0);
+        const double spread2 = statistics_covariance(d->n, y, mean2, 0);
+        const double rho2 =
+            spread2 > 0
+                ? statistics_covariance(d->n, y, mean2, lag) / spread2
+                : NAN; /* all are alike */
         g += 2 * rho;
         g2 += 2 * rho2;
         print_row(s->out, 5, (double[]){(double)lag, rho, g, rho2, g2});

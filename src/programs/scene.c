@@ -1,5 +1,5 @@
 /* From chapters/08-scenes.nw: edit there, then run make tangle. */
-/* checksum 2119908352 of the lines below */
+/* checksum 988930282 of the lines below */
 #include "gallery.h"
 #include "scene.h"
 #include "toolbox/options.h"
@@ -25,7 +25,7 @@ static const struct gallery_scene *find_scene(const char *name)
     return g;
 }
 
-static char text[8192]; /* what --help says, or which scenes there are */
+static char text[8192]; /* what --help says when no scene is named */
 
 static void say(const char *format, ...)
 {

@@ -1,5 +1,5 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 1779722601 of the lines below */
+/* checksum 4008667323 of the lines below */
 #include "elastic.h"
 #include "modes.h"
 #include "springs.h"
@@ -393,8 +393,8 @@ static void study_silent(struct study *s)
     }
 }
 
-/* The rod's share: body 1 stays at the distance 1 m from body 0. A step of
-   dt with the forces of p (RATTLE). r and v lie as in the scene. */
+/* A pendulum of which body 1 stays at the distance 1 m from body 0, and the
+   accelerations without the rod, m/s^2, which lie as in the scene. */
 struct rod {
     struct run run;
     double a[9];
@@ -642,7 +642,7 @@ static void put_between(struct scene *s, double a)
 }
 
 /* A mass between two springs at rest length, moved across them by a: its
-   period, from the second and third time that it comes through. */
+   period, from the first to the third time that it comes through. */
 static double period(double a)
 {
     const double guess = 0.3 / a;

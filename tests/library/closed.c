@@ -50,6 +50,12 @@ static void test_flight(void)
             UNIT_NEAR(v, (double)(-3 * expl(-z) + 1.5L * p1),
                       1e-15 * (3 + 1.5 * t));
         }
+    /* a million times its time, and it is v / rate away: 1 + 8.6e-11 if the
+       series' way is gone backwards */
+    double x = 0, v = 1;
+    closed_fly(1000003.7, 1, 0, &x, &v);
+    UNIT_NEAR(x, 1, 4e-16);
+    UNIT_NEAR(v, 0, 0);
 }
 
 /* 2e-15 is a few roundings of numbers below 2. */

@@ -91,6 +91,28 @@ holds '--chart: four methods at least' awk '!/^#/ && NF { split($4, a, ":")
     seen[a[1]] } END { for (k in seen) ++n; exit n < 4 }' "$w/c"
 holds 'one of them taken, within the tolerance' awk '!/^#/ && $3 == 1 {
     ++n; good = $1 <= 1e-6 } END { exit !(n == 1 && good) }' "$w/c"
+$bonk tests/stability/misleading/neutral-turn.plist --until 10 \
+    --tolerance 1e-4 --chart "$w/c" -o "$w/t" --explain >"$w/said"
+holds 'a choice that is made again has two stories' \
+    test "$(grep -c '^what acts:' "$w/said")" = 2
+holds 'and one chart' test "$(grep -c '^# command' "$w/c")" = 1
+holds 'with one star' test "$(awk '!/^#/ && $3 == 1' "$w/c" | wc -l)" = 1
+
+# A body without mass falls beside a spring that does not end at it.
+printf '%s\n' 'pos 0 0 0 0 1 0 0' 'vfix 0 0 0 0' 'pos 1 1 0 0 1 0 0' \
+    'pos 2 5 0 0 0 0 0' 's 0 1 0' 'sl 0 1 0 1' 'grav 0 0 -1' >"$w/weightless"
+holds 'no mass, no spring' $bonk "$w/weightless" --until 1 --tolerance 1e-6 \
+    --observe z:2 -o "$w/t"
+holds 'but weight' awk '!/^#/ { z = $2 } END { exit !(z == -0.5) }' "$w/t"
+# One whom a spring pulls does not move at all, and that is said.
+sed 's/^sl 0 1/sl 0 2/' "$w/weightless" >"$w/pulled"
+refuses 2 'body 2 has no mass' $bonk "$w/pulled" --until 1 --tolerance 1e-6 \
+    -o "$w/none"
+# Bodies along z have a line, but averages do not know it.
+printf '%s\n' 'pos 0 0 0 1 1 0 0.1' 'vel 0 0 0 1' 'pos 1 0 0 2 2 0 0.1' \
+    contact 'box -1 1 -1 1 0 3' 'walls open open hard' >"$w/upright"
+refuses 1 'on a line or in the plane' $bonk "$w/upright" --until 1e4 \
+    --tolerance 0.1 --observe mean:pressure -o "$w/none"
 
 # A smaller tolerance costs more, and a model by name finds its steps.
 for e in 1e-3 1e-6; do

@@ -35,6 +35,8 @@ refuses 2 "periodic box needs two" $d --disks 1 --boundary periodic
 refuses 2 "speeds needs more disks: 2" \
     $d --disks 2 --boundary periodic --measure speeds --every 1
 refuses 2 "100 disks .*find no place on a lattice" $d --disks 100
+refuses 2 "find no place on a lattice" $d --disks 4 --radius 0.01 \
+    --heavy 10,0.6 --until 1
 refuses 2 "find no place at random" \
     $d --disks 100 --packing 0.8 --start random
 refuses 2 "places 20000 disks at most, not 20001" \

@@ -33,6 +33,9 @@ refuses 2 "$good:3: no column 3: the row has 2" $h --column 3 "$good"
 refuses 2 "$good:3: no column 0" $h --column 0 "$good"
 refuses 2 "$good:3: no column ''" $h --column ,v1 "$good"
 refuses 2 "$good:3: no column 'v9'" $h --column v1 --against v9 "$good"
+printf '1 2\n1 3\n1 4\n' >"$work/still"
+refuses 2 'c1 is the same in all rows' $h --column 1 --against 2 "$work/still"
+refuses 2 'c1 is the same in all rows' $h --column 2 --against 1 "$work/still"
 refuses 2 "$good:3: 2 laws for 1 columns" \
     $h --column v1 --law normal --law normal "$good"
 refuses 2 "$good:3: 2 ranges for 1 columns" \

@@ -221,7 +221,7 @@ memory() { # the velocity's correlation after 7 to 10 s
         --warmup 5 --measure brownian --every 0.5 --until 3000
     key energy_error
     awk '!/^#/ { if (!n++) c = $2
-        r = exp(-0.0297 / 0.227 * $1) / ($2 / c)
+        r = exp(-0.00303 / 0.02273 * $1) / ($2 / c)
         if ($1 > 7 && $1 < 10) { late += 1 - r; ++m } }
         END { print late / m }' "$w/t"
 }

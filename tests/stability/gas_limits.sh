@@ -39,7 +39,7 @@ $d --disks 400 --radius 0.5 --heavy 40,2 --start random --temperature 1 \
     --measure brownian --every 0.5 --until 3000 -o "$work/b"
 holds 'the gas remembers longer than friction does' awk '!/^#/ {
         if (!n++) c = $2
-        r = $2 / c / exp(-0.0297 / 0.227 * $1)
+        r = $2 / c / exp(-0.00303 / 0.02273 * $1)
         if ($1 == 0.5) early = r
         if ($1 > 7 && $1 < 10) { late += r; ++m } }
     END { late /= m; print early, late

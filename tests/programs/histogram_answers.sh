@@ -122,6 +122,12 @@ awk 'BEGIN { for (i = 0; i < 9; ++i) print i / 4 - 1 }' |
     $h --law microcanonical:2,0.5,1 -B 4 -r -1,1 -S "$work/s" -o "$work/t" -
 row 4 5 0.666666667 1e-8
 
+# Plus and minus one: all squares are alike, and correlate with nothing.
+awk 'BEGIN { for (i = 0; i < 100; ++i) print "1\n-1" }' >"$work/signs"
+$h --table correlation --column 1 -o "$work/t" "$work/signs"
+holds 'squares that are alike have no correlation' awk '!/^#/ {
+    ++n; bad += $4 != "nan" || $3 != $3 + 0 } END { exit !n || bad }' "$work/t"
+
 # A series and its square: no correlation, no independence.
 awk 'BEGIN { for (i = 0; i < 1001; ++i) print i - 500, (i - 500)^2 }' |
     $h -c 1 --against 2 --table columns -S "$work/s" -o "$work/t" - 2>"$work/err"

@@ -5,6 +5,6 @@
 
 static void trick(void)
 {
-    if (write(4, "o", 1) != 1)
+    if (write(4, "x", 1) != 1)
         _exit(7);
 }

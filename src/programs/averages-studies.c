@@ -1,5 +1,5 @@
 /* From chapters/12-averages.nw: edit there, then run make tangle. */
-/* checksum 2807101069 of the lines below */
+/* checksum 3462533576 of the lines below */
 #include "averages.h"
 #include "blocks.h"
 #include "gallery.h"
@@ -485,12 +485,13 @@ static void study_digits(struct study *s)
 }
 
 static const struct study_entry studies[] = {
-    {"stop", study_stop, "how often a mean is within its error"},
-    {"pairs", study_pairs, "two on a line, and blocks that agree"},
-    {"bets", study_bets, "random lines and the law of places"},
-    {"patience", study_patience, "a heavy piston and ever longer runs"},
-    {"places", study_places, "disks that change places, or do not"},
-    {"digits", study_digits, "what a tolerance costs, by two ways"},
+    {"stop", study_stop, "how often a mean is within its error", NULL},
+    {"pairs", study_pairs, "two on a line, and blocks that agree", NULL},
+    {"bets", study_bets, "random lines and the law of places", NULL},
+    {"patience", study_patience, "a heavy piston and ever longer runs",
+     NULL},
+    {"places", study_places, "disks that change places, or do not", NULL},
+    {"digits", study_digits, "what a tolerance costs, by two ways", NULL},
     {0}};
 
 int main(int argc, char *argv[])

@@ -1,5 +1,5 @@
 /* From chapters/12-atlas.nw: edit there, then run make tangle. */
-/* checksum 2459629302 of the lines below */
+/* checksum 2269785799 of the lines below */
 #include "choose.h"
 #include "gallery.h"
 #include "models.h"
@@ -933,8 +933,8 @@ static void take_option(struct options *o, int letter, void *own)
 int main(int argc, char *argv[])
 {
     static const struct study_entry studies[] = {
-        {"atlas", study_atlas, "error and cost of all models"},
-        {"prices", study_prices, "what the units of cost cost here"},
+        {"atlas", study_atlas, "error and cost of all models", NULL},
+        {"prices", study_prices, "what the units of cost cost here", NULL},
         {0}};
     static const struct options_entry own[] = {
         {"scene", 'c', "NAME", "of the atlas: this scene only"}, {0}};

@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 1038954044 of the lines below */
+/* checksum 979632414 of the lines below */
 #include "bonkers.h"
 #include "collide.h"
 #include "start.h"
@@ -712,13 +712,13 @@ static void study_islands(struct study *s)
 }
 
 static const struct study_entry studies[] = {
-    {"speed", study_speed, "collisions in a second, by engine"},
-    {"drift", study_drift, "of the energy"},
-    {"reverse", study_reverse, "how the way back is missed"},
-    {"steps", study_steps, "walking instead of events"},
-    {"collapse", study_collapse, "two balls and a wall"},
-    {"islands", study_islands, "the collisions of a slab"},
-    {"row", study_row, "of bodies that touch"},
+    {"speed", study_speed, "collisions in a second, by engine", NULL},
+    {"drift", study_drift, "of the energy", NULL},
+    {"reverse", study_reverse, "how the way back is missed", NULL},
+    {"steps", study_steps, "walking instead of events", NULL},
+    {"collapse", study_collapse, "two balls and a wall", NULL},
+    {"islands", study_islands, "the collisions of a slab", NULL},
+    {"row", study_row, "of bodies that touch", NULL},
     {0}};
 
 static const struct options_entry entries[] = {

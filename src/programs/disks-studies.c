@@ -1,5 +1,5 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 2317370412 of the lines below */
+/* checksum 1704242301 of the lines below */
 #include "disks.h"
 #include "toolbox/bench.h"
 #include "toolbox/quad.h"
@@ -579,13 +579,13 @@ static void study_pressure(struct study *s)
 }
 
 static const struct study_entry studies[] = {
-    {"clock", study_clock, "three programs, right and wrong"},
-    {"timeline", study_timeline, "what they write down"},
-    {"reverse", study_reverse, "how soon the way back is lost"},
-    {"contact", study_contact, "errors of the time of contact"},
-    {"collapse", study_collapse, "disks that collide for ever"},
-    {"speed", study_speed, "collisions in a second"},
-    {"pressure", study_pressure, "its error against time"},
+    {"clock", study_clock, "three programs, right and wrong", NULL},
+    {"timeline", study_timeline, "what they write down", NULL},
+    {"reverse", study_reverse, "how soon the way back is lost", NULL},
+    {"contact", study_contact, "errors of the time of contact", NULL},
+    {"collapse", study_collapse, "disks that collide for ever", NULL},
+    {"speed", study_speed, "collisions in a second", NULL},
+    {"pressure", study_pressure, "its error against time", NULL},
     {0}};
 
 static const struct options_entry entries[] = {

@@ -1,5 +1,5 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 3893767977 of the lines below */
+/* checksum 1820767897 of the lines below */
 #include "celestial.h"
 #include "gravity.h"
 #include "kepler.h"
@@ -1316,22 +1316,22 @@ static void study_tree(struct study *s)
 }
 
 static const struct study_entry studies[] = {
-    {"sun-earth", study_sun_earth, "five years by two methods"},
-    {"anomaly", study_anomaly, "Kepler's equation"},
-    {"eccentric", study_eccentric, "errors on long ellipses"},
-    {"encounter", study_encounter, "falls past the Sun"},
-    {"planets", study_planets, "a heavier Jupiter"},
-    {"circumbinary", study_circumbinary, "the planet of two stars"},
-    {"survival", study_survival, "how close it may come"},
-    {"work", study_work, "seven methods on its orbit"},
-    {"choreography", study_choreography, "circles that break"},
-    {"figure-eight", study_eight, "three bodies on an eight"},
-    {"ring-speeds", study_ring_speeds, "circles in a ring"},
-    {"ring", study_ring, "3072 particles and their weight"},
-    {"softening", study_softening, "how it turns an orbit"},
-    {"speed", study_speed, "pairs a second of the kernels"},
-    {"threads", study_threads, "the same on several threads"},
-    {"tree", study_tree, "when it would pay"},
+    {"sun-earth", study_sun_earth, "five years by two methods", NULL},
+    {"anomaly", study_anomaly, "Kepler's equation", NULL},
+    {"eccentric", study_eccentric, "errors on long ellipses", NULL},
+    {"encounter", study_encounter, "falls past the Sun", NULL},
+    {"planets", study_planets, "a heavier Jupiter", NULL},
+    {"circumbinary", study_circumbinary, "the planet of two stars", NULL},
+    {"survival", study_survival, "how close it may come", NULL},
+    {"work", study_work, "seven methods on its orbit", NULL},
+    {"choreography", study_choreography, "circles that break", NULL},
+    {"figure-eight", study_eight, "three bodies on an eight", NULL},
+    {"ring-speeds", study_ring_speeds, "circles in a ring", NULL},
+    {"ring", study_ring, "3072 particles and their weight", NULL},
+    {"softening", study_softening, "how it turns an orbit", NULL},
+    {"speed", study_speed, "pairs a second of the kernels", NULL},
+    {"threads", study_threads, "the same on several threads", NULL},
+    {"tree", study_tree, "when it would pay", NULL},
     {0}};
 
 static const struct options_entry entries[] = {

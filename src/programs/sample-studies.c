@@ -1,5 +1,5 @@
 /* From chapters/06-room.nw: edit there, then run make tangle. */
-/* checksum 50097022 of the lines below */
+/* checksum 3806364527 of the lines below */
 #include "sampling.h"
 #include "statistics.h"
 #include "toolbox/bench.h"
@@ -440,10 +440,10 @@ static void study_cost(struct study *s)
 }
 
 static const struct study_entry studies[] = {
-    {"mistakes", study_mistakes, "two of them, and the right ways"},
-    {"memory", study_memory, "how long a chain's is"},
-    {"acceptance", study_acceptance, "how many throws fit"},
-    {"cost", study_cost, "error against processor time"},
+    {"mistakes", study_mistakes, "two of them, and the right ways", NULL},
+    {"memory", study_memory, "how long a chain's is", NULL},
+    {"acceptance", study_acceptance, "how many throws fit", NULL},
+    {"cost", study_cost, "error against processor time", NULL},
     {0}};
 
 /* Reads a list of lengths; returns how many there are. */

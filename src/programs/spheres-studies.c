@@ -1,5 +1,5 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 551075553 of the lines below */
+/* checksum 3237995510 of the lines below */
 #include "blocks.h"
 #include "bonkers.h"
 #include "cells.h"
@@ -1052,14 +1052,14 @@ static void study_cost(struct study *s)
 }
 
 static const struct study_entry studies[] = {
-    {"pressure", study_pressure, "of the gas, by steps and events"},
-    {"law", study_law, "what the pressure loses"},
-    {"checks", study_checks, "and what they see"},
-    {"rows", study_rows, "what leaves a row of balls"},
-    {"late", study_late, "and when"},
-    {"rest", study_rest, "a cradle's energy"},
-    {"break", study_break, "the first shot of a game"},
-    {"cost", study_cost, "error against processor time"},
+    {"pressure", study_pressure, "of the gas, by steps and events", NULL},
+    {"law", study_law, "what the pressure loses", NULL},
+    {"checks", study_checks, "and what they see", NULL},
+    {"rows", study_rows, "what leaves a row of balls", NULL},
+    {"late", study_late, "and when", NULL},
+    {"rest", study_rest, "a cradle's energy", NULL},
+    {"break", study_break, "the first shot of a game", NULL},
+    {"cost", study_cost, "error against processor time", NULL},
     {0}};
 
 static const struct options_entry entries[] = {

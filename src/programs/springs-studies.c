@@ -1,5 +1,5 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 4008667323 of the lines below */
+/* checksum 260809048 of the lines below */
 #include "elastic.h"
 #include "modes.h"
 #include "springs.h"
@@ -1227,24 +1227,24 @@ static void study_threads(struct study *s)
 }
 
 static const struct study_entry studies[] = {
-    {"critical", study_critical, "digits lost at the border"},
-    {"regimes", study_regimes, "the oscillator at four dampings"},
-    {"spin", study_spin, "what dashpots do to a spin"},
-    {"path", study_path, "of the double pendulum"},
-    {"errors", study_errors, "methods on it, by step"},
-    {"work", study_work, "the same by processor time"},
-    {"rod", study_rod, "in place of the stiff spring"},
-    {"limits", study_limits, "the largest stable steps"},
-    {"silent", study_silent, "a method that damps"},
-    {"quartic", study_quartic, "a mode without stiffness"},
-    {"membranes", study_membranes, "at rest length and taut"},
-    {"snapshots", study_snapshots, "pictures of the same"},
-    {"dispersion", study_dispersion, "a membrane's frequencies"},
-    {"sag", study_sag, "a membrane that hangs"},
-    {"shapes", study_shapes, "a beam, bent"},
-    {"beams", study_beams, "nine of them in numbers"},
-    {"speed", study_speed, "steps of a body in a second"},
-    {"threads", study_threads, "the same on several threads"},
+    {"critical", study_critical, "digits lost at the border", NULL},
+    {"regimes", study_regimes, "the oscillator at four dampings", NULL},
+    {"spin", study_spin, "what dashpots do to a spin", NULL},
+    {"path", study_path, "of the double pendulum", NULL},
+    {"errors", study_errors, "methods on it, by step", NULL},
+    {"work", study_work, "the same by processor time", NULL},
+    {"rod", study_rod, "in place of the stiff spring", NULL},
+    {"limits", study_limits, "the largest stable steps", NULL},
+    {"silent", study_silent, "a method that damps", NULL},
+    {"quartic", study_quartic, "a mode without stiffness", NULL},
+    {"membranes", study_membranes, "at rest length and taut", NULL},
+    {"snapshots", study_snapshots, "pictures of the same", NULL},
+    {"dispersion", study_dispersion, "a membrane's frequencies", NULL},
+    {"sag", study_sag, "a membrane that hangs", NULL},
+    {"shapes", study_shapes, "a beam, bent", NULL},
+    {"beams", study_beams, "nine of them in numbers", NULL},
+    {"speed", study_speed, "steps of a body in a second", NULL},
+    {"threads", study_threads, "the same on several threads", NULL},
     {0}};
 
 static const struct options_entry entries[] = {

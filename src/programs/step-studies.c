@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 410676758 of the lines below */
+/* checksum 2599859883 of the lines below */
 #include "reference.h"
 #include "stepping.h"
 #include "toolbox/bench.h"
@@ -762,19 +762,19 @@ static void study_cost(struct study *s)
 }
 
 static const struct study_entry studies[] = {
-    {"portrait", study_portrait, "four methods in the phase plane"},
-    {"laws", study_laws, "of their energies"},
-    {"area", study_area, "of a disk of starts"},
-    {"energy", study_energy, "of a planet, in the long run"},
-    {"stability", study_stability, "friction and a spring together"},
-    {"trace", study_trace, "a spring without friction"},
-    {"order", study_order, "the slope of the error"},
-    {"damping", study_damping, "the limits under friction alone"},
-    {"friction", study_friction, "what it makes of a velocity"},
-    {"fails", study_fails, "three ways to fail"},
-    {"rounding", study_rounding, "carried along or not"},
-    {"work", study_work, "error against evaluations"},
-    {"cost", study_cost, "error against processor time"},
+    {"portrait", study_portrait, "four methods in the phase plane", NULL},
+    {"laws", study_laws, "of their energies", NULL},
+    {"area", study_area, "of a disk of starts", NULL},
+    {"energy", study_energy, "of a planet, in the long run", NULL},
+    {"stability", study_stability, "friction and a spring together", NULL},
+    {"trace", study_trace, "a spring without friction", NULL},
+    {"order", study_order, "the slope of the error", NULL},
+    {"damping", study_damping, "the limits under friction alone", NULL},
+    {"friction", study_friction, "what it makes of a velocity", NULL},
+    {"fails", study_fails, "three ways to fail", NULL},
+    {"rounding", study_rounding, "carried along or not", NULL},
+    {"work", study_work, "error against evaluations", NULL},
+    {"cost", study_cost, "error against processor time", NULL},
     {0}};
 
 static const struct options_entry entries[] = {

@@ -1,7 +1,8 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 4152857168 of the lines below */
+/* checksum 1008386215 of the lines below */
 #include "toolbox/options.h"
 
+#include "toolbox/table.h"
 #include "toolbox/version.h"
 
 #include <errno.h>
@@ -26,23 +27,28 @@ void options_fail(struct options *o, const char *format, ...)
     exit(OPTIONS_FAILURE);
 }
 
-static void print_entry(const struct options_entry *e)
+static void print_from(int width, const char *text)
 {
     const int column = 28;
+    if (width >= column)
+        width = printf("\n") - 1;
+    for (;; ++text) {
+        const int length = (int)strcspn(text, "\n");
+        printf("%*s%.*s\n", column - width, "", length, text);
+        text += length;
+        width = 0;
+        if (*text == '\0')
+            break;
+    }
+}
+
+static void print_entry(const struct options_entry *e)
+{
     int width = e->letter ? printf("  -%c, ", e->letter) : printf("      ");
     width += printf("--%s", e->name);
     if (e->argument)
         width += printf(" %s", e->argument);
-    if (width >= column)
-        width = printf("\n") - 1;
-    for (const char *rest = e->help;; ++rest) {
-        const int length = (int)strcspn(rest, "\n");
-        printf("%*s%.*s\n", column - width, "", length, rest);
-        rest += length;
-        width = 0;
-        if (*rest == '\0')
-            break;
-    }
+    print_from(width, e->help);
 }
 
 static void print_help(const struct options *o)
@@ -60,6 +66,15 @@ static void print_help(const struct options *o)
             print_entry(e);
     print_entry(&standard[0]);
     print_entry(&standard[1]);
+    if (o->keys)
+        printf("\nThe summary says:\n");
+    for (const struct table_key *k = o->keys; k && k->name; ++k)
+        print_from(printf("  %s [%s]", k->name, k->unit), k->meaning);
+}
+
+void options_keys(struct options *o, const struct table_key *keys)
+{
+    o->keys = keys;
 }
 
 static _Noreturn void print_and_exit(const struct options *o, bool help)

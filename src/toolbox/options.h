@@ -1,5 +1,5 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 1058905847 of the lines below */
+/* checksum 2191999053 of the lines below */
 #ifndef TOOLBOX_OPTIONS_H
 #define TOOLBOX_OPTIONS_H
 
@@ -28,6 +28,7 @@ enum {
 struct options {
     const char *program, *purpose;
     const struct options_entry *entries, *current;
+    const struct table_key *keys;
     int count;
     char **arguments;
     const char *value, *command;
@@ -55,6 +56,10 @@ void options_begin(struct options *o, const char *program,
    --version print to standard output and end the process with status 0. A
    wrong option ends it with one line and status 2. */
 int options_next(struct options *o);
+
+/* Has --help say what a summary with these keys says; the list is kept.
+   Called after options_begin, or with an option that is read. */
+void options_keys(struct options *o, const struct table_key *keys);
 
 /* The command for the head of a table: the program and the options by
    their full names, without those that do not change the numbers: output,

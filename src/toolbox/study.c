@@ -1,5 +1,5 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 1605722698 of the lines below */
+/* checksum 329462212 of the lines below */
 #include "toolbox/study.h"
 
 #include <assert.h>
@@ -44,8 +44,10 @@ static void list_options(const struct study_program *p, const char *help,
                                             "of the random numbers (1)"};
     *entries++ = (struct options_entry){"output", 'o', "FILE",
                                         "for the table (standard output)"};
-    *entries = (struct options_entry){
-        "summary", 'S', "FILE", "for the results as lines: key value"};
+    *entries =
+        (struct options_entry){"summary", 'S', "FILE",
+                               "for the results as lines: key value;\n"
+                               "--study NAME --help lists them"};
 }
 
 static void take_option(struct options *o, int letter,
@@ -53,7 +55,10 @@ static void take_option(struct options *o, int letter,
                         const char *const names[], struct command *c)
 {
     switch (letter) {
-    case 'y': c->study = options_choice(o, names); break;
+    case 'y':
+        c->study = options_choice(o, names);
+        options_keys(o, p->studies[c->study].keys);
+        break;
     case 'o': c->output = options_text(o); break;
     case 'S': c->summary = options_text(o); break;
     case 's':
@@ -120,6 +125,7 @@ int study_main(const struct study_program *p, int argc, char *argv[])
     progress_catch_signals();
     progress_begin(&s.progress, p->name, 0, p->events);
     table_begin(s.out, c.record, c.seed);
+    table_keys(s.summary, p->studies[c.study].keys);
     p->studies[c.study].run(&s);
     return close_tables(&s) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,5 +1,5 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 1495998435 of the lines below */
+/* checksum 1678914171 of the lines below */
 #ifndef TOOLBOX_STUDY_H
 #define TOOLBOX_STUDY_H
 
@@ -23,6 +23,7 @@ struct study_entry {
     void (*run)(struct study *s);
     /* A phrase for --help; with the name at most STUDY_WIDTH letters. */
     const char *about;
+    const struct table_key *keys; /* of its summary; NULL: it is empty */
 };
 
 /* A program of fewer than STUDY_MOST studies. */

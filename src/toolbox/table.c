@@ -1,5 +1,5 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 3023335148 of the lines below */
+/* checksum 1517316377 of the lines below */
 #define _XOPEN_SOURCE 700 /* realpath */
 
 #include "toolbox/table.h"
@@ -28,8 +28,10 @@ struct table {
     bool exists;     /* the file did, when it was opened, and was: */
     struct stat file;
     size_t columns;
-    int error;          /* errno of the first failure, or 0 */
-    struct table *next; /* of the open tables */
+    const struct table_key *keys; /* of a summary */
+    uint64_t written;             /* which of them, a bit each */
+    int error;                    /* errno of the first failure, or 0 */
+    struct table *next;           /* of the open tables */
 };
 
 static struct table *tables; /* the open ones */
@@ -266,30 +268,6 @@ static void note_error(struct table *t, bool good)
         t->error = errno != 0 ? errno : EIO;
 }
 
-bool table_close(struct table *t)
-{
-    if (!t)
-        return true;
-    note_error(t, fflush(t->stream) == 0 && !ferror(t->stream));
-    if (t->name)
-        note_error(t, fclose(t->stream) == 0);
-    if (t->temporary && t->error == 0)
-        note_error(t, rename(t->temporary, t->path) == 0);
-    const bool good = t->error == 0;
-    if (!good)
-        complain(t->program, t->name, strerror(t->error));
-    forget_table(t, good);
-    return good;
-}
-
-void table_discard(struct table *t)
-{
-    if (t && t->name)
-        fclose(t->stream);
-    if (t)
-        forget_table(t, false);
-}
-
 bool table_print(struct table *t, const char *format, ...)
 {
     va_list arguments;
@@ -333,19 +311,81 @@ bool table_row(struct table *t, size_t n, const double values[])
     return table_print(t, "\n");
 }
 
+static bool is_named(const char *key, const char *name)
+{
+    const size_t before = strcspn(name, "<"), length = strlen(key);
+    if (name[before] == '\0')
+        return strcmp(key, name) == 0;
+    const char *after = strchr(name, '>') + 1;
+    return length > before + strlen(after) &&
+           strncmp(key, name, before) == 0 &&
+           strcmp(key + length - strlen(after), after) == 0;
+}
+
+static void print_key(struct table *t, const char *key)
+{
+    const struct table_key *k = t->keys;
+    while (k && k->name && !is_named(key, k->name))
+        ++k;
+    assert(!t->keys || k->name);
+    t->written |= UINT64_C(1) << (k - t->keys);
+    table_print(t, "%s ", key);
+}
+
+void table_keys(struct table *t, const struct table_key keys[])
+{
+    t->keys = keys;
+}
+
+static bool is_complete(const struct table *t)
+{
+    for (const struct table_key *k = t->keys; k && k->name; ++k)
+        if (strncmp(k->meaning, "if ", 3) != 0 &&
+            !(t->written >> (k - t->keys) & 1))
+            return false;
+    return true;
+}
+
 void table_real(struct table *t, const char *key, double value)
 {
-    table_print(t, "%s ", key);
+    print_key(t, key);
     print_real(t, value);
     table_print(t, "\n");
 }
 
 void table_count(struct table *t, const char *key, uint64_t value)
 {
-    table_print(t, "%s %" PRIu64 "\n", key, value);
+    print_key(t, key);
+    table_print(t, "%" PRIu64 "\n", value);
 }
 
 void table_text(struct table *t, const char *key, const char *text)
 {
-    table_print(t, "%s %s\n", key, text);
+    print_key(t, key);
+    table_print(t, "%s\n", text);
+}
+
+bool table_close(struct table *t)
+{
+    if (!t)
+        return true;
+    assert(is_complete(t));
+    note_error(t, fflush(t->stream) == 0 && !ferror(t->stream));
+    if (t->name)
+        note_error(t, fclose(t->stream) == 0);
+    if (t->temporary && t->error == 0)
+        note_error(t, rename(t->temporary, t->path) == 0);
+    const bool good = t->error == 0;
+    if (!good)
+        complain(t->program, t->name, strerror(t->error));
+    forget_table(t, good);
+    return good;
+}
+
+void table_discard(struct table *t)
+{
+    if (t && t->name)
+        fclose(t->stream);
+    if (t)
+        forget_table(t, false);
 }

@@ -1,5 +1,5 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 4014067049 of the lines below */
+/* checksum 362150696 of the lines below */
 #ifndef TOOLBOX_TABLE_H
 #define TOOLBOX_TABLE_H
 
@@ -9,6 +9,13 @@
 
 /* A text file being written: a table of numbers, or a summary. */
 struct table;
+
+/* One key of a summary. A list of at most 64 ends with {0}. Every run
+   writes all of them, but for those whose meaning begins with "if ". */
+struct table_key {
+    const char *name, *unit; /* "1" for a pure number, "word" for none */
+    const char *meaning;     /* a phrase; \n breaks the line */
+};
 
 /* Opens path for writing; NULL or "-" is standard output. A file is
    written to a temporary beside it, which takes its name, and the place
@@ -48,7 +55,10 @@ void table_column(struct table *t, const char *symbol, const char *unit,
    number of columns, if any were named. Returns as table_print does. */
 bool table_row(struct table *t, size_t n, const double values[]);
 
-/* Write one line of a summary, "key value". A key has no spaces. */
+/* Lists the keys that this summary will have; the list is kept. */
+void table_keys(struct table *t, const struct table_key keys[]);
+
+/* Write one line of a summary, "key value". Require a listed key. */
 void table_real(struct table *t, const char *key, double value);
 void table_count(struct table *t, const char *key, uint64_t value);
 void table_text(struct table *t, const char *key, const char *text);
@@ -56,7 +66,8 @@ void table_text(struct table *t, const char *key, const char *text);
 /* Writes what is left, gives the file its name and frees t. Returns
    whether every byte was written; if not, says why on standard error,
    removes the temporary and leaves an older file of that name as it was,
-   but for one written in place. A t of NULL is well and closed. */
+   but for one written in place. A t of NULL is well and closed. Requires
+   that a summary has all its keys. */
 bool table_close(struct table *t);
 
 /* Gives up: removes the temporary and frees t, which may be NULL. */

@@ -4,6 +4,7 @@
 
 #include "library/toolbox_child.h"
 #include "toolbox/options.h"
+#include "toolbox/table.h"
 #include "toolbox/version.h"
 
 #include <inttypes.h>
@@ -25,6 +26,11 @@ static const struct options_entry entries[] = {
 
 static const struct options_entry with_arguments[] = {
     {"quick", 'q', NULL, "do less"}, {"", 0, "FILE", NULL}, {0}};
+
+static const struct table_key keys[] = {
+    {"energy", "J", "of all\nparticles"},
+    {"mean_energy_of_<particle>", "J", "of one"},
+    {0}};
 
 /* Prints what each option gives, and last the command. */
 static void read_option(struct options *o, int code)
@@ -82,6 +88,7 @@ static int program(void *argument)
             *text++ = '\0';
     }
     options_begin(&o, "gas", "Move particles.", list, argc, argv);
+    options_keys(&o, list == with_arguments ? NULL : keys);
     for (int code; (code = options_next(&o)) != -1;)
         read_option(&o, code);
     printf("%s\n", options_command(&o));
@@ -310,7 +317,14 @@ static void test_help(void)
     UNIT_TRUE(strstr(c.out, "\n      --restitution E       ratio of the "
                             "speeds\n"
                             "                            after and"));
-    UNIT_TRUE(strstr(c.out, "\n      --version             name"));
+    UNIT_TRUE(strstr(c.out,
+                     "\n      --version             name the version "
+                     "and exit\n"
+                     "\nThe summary says:\n"
+                     "  energy [J]                of all\n"
+                     "                            particles\n"
+                     "  mean_energy_of_<particle> [J]\n"
+                     "                            of one\n"));
     for (const char *line = c.out, *end; *line; line = end + 1) {
         end = strchr(line, '\n');
         UNIT_TRUE(end && end - line <= 78);

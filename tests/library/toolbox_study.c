@@ -35,10 +35,13 @@ static void interrupt(struct study *s)
     raise(SIGTERM);
 }
 
+static const struct table_key keys[] = {{"seed", "1", "that was asked for"},
+                                        {0}};
+
 static const struct study_entry studies[] = {
-    {"measure", measure, "a mass"},
-    {"fall", fall, "to nowhere"},
-    {"interrupt", interrupt, "itself"},
+    {"measure", measure, "a mass", keys},
+    {"fall", fall, "to nowhere", keys},
+    {"interrupt", interrupt, "itself", keys},
     {0}};
 
 static const struct options_entry entries[] = {
@@ -195,6 +198,10 @@ static void test_help(void)
     const char *mass = strstr(c.out, "--mass M"),
                *seed = strstr(c.out, "--seed S");
     UNIT_TRUE(mass && seed && mass < seed);
+    UNIT_TRUE(!strstr(c.out, "The summary says"));
+    UNIT_TRUE(strstr(run("--study\nmeasure\n--help").out,
+                     "\n\nThe summary says:\n"
+                     "  seed [1]                  that was asked for\n"));
 }
 
 static void test_no_seed(void)

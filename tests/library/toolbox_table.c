@@ -81,20 +81,58 @@ static void test_content(void)
     UNIT_TRUE(sweep() == 1);
 }
 
+static const struct table_key keys[] = {
+    {"energy", "J", "at the end"},
+    {"strange", "1", "if there is one"},
+    {"<number>_events", "1", "by number"},
+    {"form", "word", "of the collision"},
+    {0}};
+
 static void test_summary(void)
 {
     struct table *t = table_open("gas", "s");
+    table_keys(t, keys);
     table_real(t, "energy", 0.1);
     table_real(t, "strange", -NAN);
-    table_count(t, "events", UINT64_MAX);
+    table_count(t, "all_events", UINT64_MAX);
     table_text(t, "form", "cm");
     UNIT_TRUE(table_print(t, "%d free\n", 3));
     UNIT_TRUE(table_close(t));
     UNIT_TRUE(file_is("s", "energy 0.10000000000000001\nstrange nan\n"
-                           "events 18446744073709551615\nform cm\n"
+                           "all_events 18446744073709551615\nform cm\n"
                            "3 free\n"));
     UNIT_TRUE(table_close(NULL));
     sweep();
+}
+
+/* Writes a summary of the keys named, with a space behind each. */
+static int write_keys(void *argument)
+{
+    struct table *t = table_open("gas", "s");
+    table_keys(t, keys);
+    for (char *key = strtok(argument, " "); key; key = strtok(NULL, " "))
+        table_count(t, key, 1);
+    return table_close(t) ? 0 : 1;
+}
+
+static int with_keys(const char *text)
+{
+    char copy[100];
+    snprintf(copy, sizeof copy, "%s", text);
+    const struct child c = child_run(write_keys, copy, NULL);
+    sweep();
+    return c.status;
+}
+
+static void test_keys(void)
+{
+    UNIT_TRUE(with_keys("energy 1_events form") == 0);
+    UNIT_TRUE(with_keys("form 12_events 3_events energy strange") == 0);
+    UNIT_TRUE(with_keys("energy 1_events form power") == 128 + SIGABRT);
+    UNIT_TRUE(with_keys("energy 1_event form") == 128 + SIGABRT);
+    UNIT_TRUE(with_keys("energy _events form") == 128 + SIGABRT);
+    UNIT_TRUE(with_keys("energy 1_events") == 128 + SIGABRT);
+    UNIT_TRUE(with_keys("energy form") == 128 + SIGABRT);
 }
 
 static void test_round_trip(void)
@@ -632,6 +670,7 @@ int main(void)
         (struct unit_test[]){
             {"head, columns and rows are as promised", test_content},
             {"summaries are keys and values", test_summary},
+            {"a summary has the keys of its list, and all", test_keys},
             {"seventeen digits bring every double back", test_round_trip},
             {"the old file stays until the new is whole",
              test_whole_or_absent},

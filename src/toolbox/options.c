@@ -1,10 +1,11 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 1008386215 of the lines below */
+/* checksum 2345532446 of the lines below */
 #include "toolbox/options.h"
 
 #include "toolbox/table.h"
 #include "toolbox/version.h"
 
+#include <assert.h>
 #include <errno.h>
 #include <getopt.h>
 #include <inttypes.h>
@@ -51,6 +52,15 @@ static void print_entry(const struct options_entry *e)
     print_from(width, e->help);
 }
 
+static const char *print_heading(const char *heading, const char *before)
+{
+    if (heading)
+        printf("with %s:\n", heading);
+    else if (before)
+        printf("always:\n");
+    return heading;
+}
+
 static void print_help(const struct options *o)
 {
     static const struct options_entry standard[] = {
@@ -58,12 +68,16 @@ static void print_help(const struct options *o)
         {"version", 0, NULL, "name the version and exit"}};
     printf("Usage: %s [OPTION]...", o->program);
     for (const struct options_entry *e = o->entries; e->name; ++e)
-        if (!*e->name)
+        if (!*e->name && e->argument)
             printf(" %s", e->argument);
     printf("\n%s\n\n", o->purpose);
+    const char *heading = NULL;
     for (const struct options_entry *e = o->entries; e->name; ++e)
         if (*e->name)
             print_entry(e);
+        else if (!e->argument)
+            heading = print_heading(e->help, heading);
+    print_heading(NULL, heading);
     print_entry(&standard[0]);
     print_entry(&standard[1]);
     if (o->keys)
@@ -144,6 +158,92 @@ const char *options_command(const struct options *o)
     return o->command;
 }
 
+static const struct options_entry *named(const struct options *o,
+                                         const char *name)
+{
+    const struct options_entry *e = o->entries;
+    while (e->name && strcmp(e->name, name) != 0)
+        ++e;
+    assert(e->name);
+    return e;
+}
+
+static bool get_value(const struct options *o,
+                      const struct options_entry *e, char value[],
+                      size_t size)
+{
+    const char *given = o->given[e - o->entries];
+    const char *open = strrchr(e->help, '(');
+    const size_t length = open ? strcspn(open + 1, ")") : 0;
+    const bool standard = length > 0 && strcmp(open + 1 + length, ")") == 0;
+    if (given)
+        snprintf(value, size, "%s", given);
+    else if (standard)
+        snprintf(value, size, "%.*s", (int)length, open + 1);
+    return given || standard;
+}
+
+static bool is_among(const char *value, const char *list)
+{
+    const size_t length = strlen(value);
+    for (;; list += 2) {
+        const size_t n = strcspn(list, ",");
+        if (n == length && strncmp(list, value, n) == 0)
+            return true;
+        list += n;
+        if (*list == '\0')
+            return false;
+    }
+}
+
+static void check_heading(struct options *o, const struct options_entry *e,
+                          const char *heading)
+{
+    char name[32], values[128];
+    const char *next;
+    for (const char *c = heading; c; c = next ? next + 2 : NULL) {
+        const bool no = strncmp(c, "no ", 3) == 0;
+        *values = '\0';
+        sscanf(c + (no ? 3 : 0), "--%31[^ ;] %127[^;]", name, values);
+        next = strchr(c, ';');
+        o->current = e;
+        const struct options_entry *other = named(o, name);
+        char value[64];
+        const bool has = get_value(o, other, value, sizeof value);
+        if (no && o->given[other - o->entries])
+            options_fail(o, "means nothing with --%s", name);
+        if (!no && !*values && !o->given[other - o->entries])
+            options_fail(o, "means nothing without --%s", name);
+        if (*values && !has)
+            options_fail(o, "means nothing without --%s %s", name, values);
+        if (*values && !is_among(value, values))
+            options_fail(o, "means nothing with --%s %s (only with %s)",
+                         name, value, values);
+    }
+}
+
+static void refuse_idle(struct options *o)
+{
+    const char *heading = NULL;
+    for (int i = 0; o->entries[i].name; ++i) {
+        const struct options_entry *e = &o->entries[i];
+        if (!*e->name && !e->argument)
+            heading = e->help;
+        else if (o->given[i] && heading)
+            check_heading(o, e, heading);
+    }
+    o->current = NULL;
+}
+
+void options_refuse(struct options *o, const char *name, const char *why)
+{
+    const struct options_entry *e = named(o, name);
+    if (!o->given[e - o->entries])
+        return;
+    o->current = e;
+    options_fail(o, "means nothing %s", why);
+}
+
 void options_begin(struct options *o, const char *program,
                    const char *purpose,
                    const struct options_entry entries[], int argc,
@@ -186,7 +286,7 @@ static const struct options_entry *find_entry(const struct options *o,
     for (int i = 0; o->entries[i].name; ++i)
         if (*o->entries[i].name
                 ? code == OPTIONS_LONG + i || code == o->entries[i].letter
-                : code == OPTIONS_ARGUMENT)
+                : code == OPTIONS_ARGUMENT && o->entries[i].argument)
             return &o->entries[i];
     return NULL;
 }
@@ -238,6 +338,7 @@ int options_next(struct options *o)
     if (code == '?' || code == ':')
         refuse_option(o, code);
     if (code == -1) {
+        refuse_idle(o);
         fflush(record);
         o->command = recorded;
         return -1;
@@ -247,6 +348,7 @@ int options_next(struct options *o)
         options_fail(o, "'%s' is not an option; see %s --help", o->value,
                      o->program);
     record_option(o);
+    o->given[o->current - o->entries] = o->value ? o->value : "";
     return o->current->letter ? o->current->letter : code;
 }
 

@@ -1,5 +1,5 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 2191999053 of the lines below */
+/* checksum 29813671 of the lines below */
 #ifndef TOOLBOX_OPTIONS_H
 #define TOOLBOX_OPTIONS_H
 
@@ -9,7 +9,9 @@
 #include <stdint.h>
 
 /* One option. A list of them ends with {0}. An entry named "" stands for
-   the arguments that are no options; without one they are refused. */
+   the arguments that are no options; without one they are refused. If it
+   has no argument either, its help is a heading: when the options up to
+   the next heading mean anything, NULL for always. */
 struct options_entry {
     const char *name;     /* the long name, without the dashes */
     int letter;           /* the short name, or 0 for none */
@@ -32,6 +34,7 @@ struct options {
     int count;
     char **arguments;
     const char *value, *command;
+    const char *given[OPTIONS_MAXIMUM]; /* values, by place in the list */
     bool ended;
 };
 
@@ -54,8 +57,13 @@ void options_begin(struct options *o, const char *program,
    the list if it has none, or OPTIONS_ARGUMENT, or -1 at the end. A long
    name may be cut short as long as only one option begins so. --help and
    --version print to standard output and end the process with status 0. A
-   wrong option ends it with one line and status 2. */
+   wrong option ends it with one line and status 2, and so does, at the
+   end, one whose heading does not hold. */
 int options_next(struct options *o);
+
+/* Ends in options_fail if --name was given: it "means nothing", and why,
+   as in "without contacts". */
+void options_refuse(struct options *o, const char *name, const char *why);
 
 /* Has --help say what a summary with these keys says; the list is kept.
    Called after options_begin, or with an option that is read. */

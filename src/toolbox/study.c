@@ -1,5 +1,5 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 329462212 of the lines below */
+/* checksum 905996136 of the lines below */
 #include "toolbox/study.h"
 
 #include <assert.h>
@@ -39,9 +39,11 @@ static void list_options(const struct study_program *p, const char *help,
     *entries++ = (struct options_entry){"study", 'y', "NAME", help};
     while (own && own->name)
         *entries++ = *own++;
+    *entries++ = (struct options_entry){"", 0, NULL, p->drawing};
     if (p->seeds > 0)
         *entries++ = (struct options_entry){"seed", 's', "S",
                                             "of the random numbers (1)"};
+    *entries++ = (struct options_entry){"", 0, NULL, NULL};
     *entries++ = (struct options_entry){"output", 'o', "FILE",
                                         "for the table (standard output)"};
     *entries =

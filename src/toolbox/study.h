@@ -1,5 +1,5 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 1678914171 of the lines below */
+/* checksum 2394391280 of the lines below */
 #ifndef TOOLBOX_STUDY_H
 #define TOOLBOX_STUDY_H
 
@@ -31,7 +31,8 @@ struct study_program {
     const char *name, *purpose; /* for options_begin */
     const char *events;         /* for progress_begin */
     const struct study_entry *studies;
-    uint64_t seeds; /* the highest --seed; 0: no such option */
+    uint64_t seeds;      /* the highest --seed; 0: no such option */
+    const char *drawing; /* its heading; NULL: all studies draw numbers */
     /* Options of its own, or NULL; take puts the value of each into own
        and may end in options_fail. */
     const struct options_entry *options;

@@ -32,12 +32,36 @@ static const struct table_key keys[] = {
     {"mean_energy_of_<particle>", "J", "of one"},
     {0}};
 
+static const struct options_entry with_headings[] = {
+    {"study", 0, "NAME", "run, cost or measure (run)"},
+    {"ensemble", 'E', "K", "this many"},
+    {"box", 0, "L", "its side"},
+    {"quick", 'q', NULL, "do less"},
+    {"scene", 0, "NAME", "which"},
+    {"", 0, NULL, "--study run, cost"},
+    {"mass", 'm', "M", "of the piston"},
+    {"length", 0, "L", "of the box"},
+    {"", 0, NULL, "--study measure; --ensemble"},
+    {"window", 0, "T", "in seconds"},
+    {"", 0, NULL, "no --box; no --quick"},
+    {"packing", 0, "P", "a share"},
+    {"", 0, NULL, "--scene a"},
+    {"factor", 0, "F", "of a"},
+    {"", 0, NULL, NULL},
+    {"output", 'o', "FILE", "where to write"},
+    {"", 0, "FILE", NULL},
+    {0}};
+
+static const struct options_entry *list;
+
 /* Prints what each option gives, and last the command. */
 static void read_option(struct options *o, int code)
 {
     static const char *const forms[] = {"cm", "difference", "impulse",
                                         NULL};
     double v[2];
+    if (list == with_headings)
+        return;
     switch (code) {
     case 'n':
         printf("n=%" PRIu64 "\n", options_count(o, 1, 10000000));
@@ -73,8 +97,6 @@ static void read_option(struct options *o, int code)
     }
 }
 
-static const struct options_entry *list;
-
 static int program(void *argument)
 {
     char *argv[17] = {"build/bin/gas"}, *text = argument;
@@ -91,6 +113,8 @@ static int program(void *argument)
     options_keys(&o, list == with_arguments ? NULL : keys);
     for (int code; (code = options_next(&o)) != -1;)
         read_option(&o, code);
+    if (list == with_headings)
+        options_refuse(&o, "box", "without a scene");
     printf("%s\n", options_command(&o));
     if (list == with_arguments)
         options_fail(&o, "need %d files", 2);
@@ -304,6 +328,47 @@ static void test_arguments(void)
     UNIT_TRUE(strcmp(c.err, "gas: need 2 files\n") == 0);
 }
 
+static void test_headings(void)
+{
+    list = with_headings;
+    accepted("--mass\n3\n-oX", "gas --mass 3\n");
+    accepted("--length\n3\n--study\ncost", "gas --length 3 --study cost\n");
+    accepted("--window\n1\n-E3\n--study\nmeasure",
+             "gas --window 1 --ensemble 3 --study measure\n");
+    accepted("--packing\n1\nfile", "gas --packing 1 file\n");
+    accepted("--factor\n1\n--scene\na", "gas --factor 1 --scene a\n");
+    accepted("--study\nmeasure\n--mass\n3\n--study\nrun",
+             "gas --study measure --mass 3 --study run\n");
+    refused("--mass\n3\n--study\nmeasure",
+            "--mass: means nothing with --study measure (only with run, "
+            "cost)");
+    refused("--mass\n3\n--study\nrunt",
+            "--mass: means nothing with --study runt (only with run, "
+            "cost)");
+    refused("--window\n3\n-E2",
+            "--window: means nothing with --study run (only with measure)");
+    refused("--window\n3\n--study\nmeasure",
+            "--window: means nothing without --ensemble");
+    refused("--packing\n3\n--box\n1",
+            "--packing: means nothing with --box");
+    refused("-q\n--packing\n3", "--packing: means nothing with --quick");
+    refused("--factor\n3", "--factor: means nothing without --scene a");
+    refused("--box\n3", "--box: means nothing without a scene");
+}
+
+static void test_help_headings(void)
+{
+    list = with_headings;
+    const struct child c = run("--help");
+    UNIT_TRUE(c.status == 0 && *c.err == '\0');
+    UNIT_TRUE(strstr(c.out, "Usage: gas [OPTION]... FILE\n"));
+    UNIT_TRUE(strstr(c.out, "\nwith --study run, cost:\n  -m, --mass"));
+    UNIT_TRUE(strstr(c.out, "side\n"));
+    UNIT_TRUE(strstr(c.out, "\nwith no --box; no --quick:\n"));
+    UNIT_TRUE(strstr(c.out, "\nalways:\n  -o, --output FILE"));
+    UNIT_TRUE(strstr(c.out, "where to write\n      --help"));
+}
+
 static void test_help(void)
 {
     static char help[] = "--help", version[] = "--version";
@@ -355,6 +420,9 @@ int main(void)
             {"names may be cut short while clear", test_abbreviated},
             {"the command is recorded in full names", test_command},
             {"arguments are taken where they are allowed", test_arguments},
+            {"an option that means nothing is refused", test_headings},
+            {"the help says where options mean anything",
+             test_help_headings},
             {"help and version succeed or say why not", test_help},
             {0}});
 }

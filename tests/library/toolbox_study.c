@@ -55,6 +55,7 @@ static void take(struct options *o, int letter, void *settings)
 }
 
 static uint64_t seeds;
+static const char *drawing;
 static const struct options_entry *own_entries;
 
 static int program(void *argument)
@@ -72,6 +73,7 @@ static int program(void *argument)
                                               .events = "falls",
                                               .studies = studies,
                                               .seeds = seeds,
+                                              .drawing = drawing,
                                               .options = own_entries,
                                               .take = take,
                                               .own = &own},
@@ -217,6 +219,18 @@ static void test_no_seed(void)
     seeds = 100;
 }
 
+static void test_drawing(void)
+{
+    drawing = "--study fall";
+    struct child c = run("--study\nmeasure\n--seed\n1" FILES);
+    UNIT_TRUE(c.status == 2);
+    UNIT_TRUE(strcmp(c.err, "drop: --seed: means nothing with --study "
+                            "measure (only with fall)\n") == 0);
+    c = run("--study\nfall\n--seed\n1" FILES);
+    UNIT_TRUE(c.status == 1 && strstr(c.err, "no ground"));
+    drawing = NULL;
+}
+
 int main(void)
 {
     own_entries = entries;
@@ -235,6 +249,7 @@ int main(void)
             {"a study that fails leaves nothing", test_failure},
             {"a signal keeps the table, not the summary", test_signal},
             {"--help lists the studies and the options", test_help},
+            {"a seed for the studies that draw", test_drawing},
             {"no seeds: no option, and 0 in the head", test_no_seed},
             {0}});
     remove(TABLE);

@@ -1,5 +1,5 @@
 /* From chapters/12-atlas.nw: edit there, then run make tangle. */
-/* checksum 2269785799 of the lines below */
+/* checksum 2049570534 of the lines below */
 #include "choose.h"
 #include "gallery.h"
 #include "models.h"
@@ -937,11 +937,16 @@ int main(int argc, char *argv[])
         {"prices", study_prices, "what the units of cost cost here", NULL},
         {0}};
     static const struct options_entry own[] = {
-        {"scene", 'c', "NAME", "of the atlas: this scene only"}, {0}};
+        {"", 0, NULL, "--study atlas"},
+        {"scene", 'c', "NAME", "this scene only"},
+        {0}};
     struct settings settings = {0};
-    const struct study_program p = {PROGRAM,     "Measure what is enough.",
-                                    "runs",      studies,
-                                    0,           own,
-                                    take_option, &settings};
+    const struct study_program p = {.name = PROGRAM,
+                                    .purpose = "Measure what is enough.",
+                                    .events = "runs",
+                                    .studies = studies,
+                                    .options = own,
+                                    .take = take_option,
+                                    .own = &settings};
     return study_main(&p, argc, argv);
 }

@@ -19,9 +19,51 @@ STANDARD = -std=c11 -D_POSIX_C_SOURCE=200809L -Wall -Wextra -pedantic
 PORTABLE = -O2 -ffp-contract=off -fno-math-errno
 NATIVE = -O3 -march=native $(LTO) -ffp-contract=off -fno-math-errno
 
+# What is given on the command line is a value, not text for make or a shell:
+# recipes read it from the environment, as in "$$EX".
+given = EX SUBMISSIONS REPORT JOBS HIDDEN RESULTS SECONDS TEXTS
+$(foreach v,$(given),$(if $(filter-out undefined,$(origin $v)),\
+	$(eval override $v := $$(value $v))$(eval export $v)))
+export seconds := $(value SECONDS) # bash counts in the other
+
 # V=1 shows the commands.
 Q = $(if $(V),,@)
 say = $(if $(V),,@echo '  $(1)')
+
+# What the compiler can do: GSL, OpenMP for the programs that can use all
+# cores, optimization across files for the native build. The key is what was
+# asked, and what everything compiled depends on.
+FLAGS = $(CPPFLAGS) $(CFLAGS)
+GSL_LIBS = -lgsl -lgslcblas
+asked = build/compiler
+try = $(CC) $(FLAGS) $(1) $(LDFLAGS) $(2) -o $(asked)/try 2>/dev/null && \
+	$(asked)/try
+build/compiler/key: export key = $(CC) / $(FLAGS) / $(LDFLAGS)
+build/compiler/key: FORCE
+	@mkdir -p $(@D)
+	@{ printf '%s\n' "$$key"; $(CC) --version 2>&1 | head -n 1; \
+		printf '\043include <gsl/gsl_cdf.h>\n' | $(CC) $(FLAGS) -E - \
+		2>/dev/null | grep -c gsl_cdf_ugaussian_P; } >$@.part
+	@if cmp -s $@.part $@; then rm $@.part; else mv $@.part $@; fi
+build/compiler.mk: build/compiler/key
+	@printf '\043include <gsl/gsl_cdf.h>\nint main(void)\n%s\n' \
+		'{ return gsl_cdf_ugaussian_P(0) != 0.5; }' >$(asked)/gsl.c
+	@printf '%s\n' 'int other(void);' 'int main(void)' '{' 'int n = 0;' \
+		'_Pragma("omp parallel reduction(+ : n)") ++n;' \
+		'return n + other() < 2;' '}' >$(asked)/main.c
+	@echo 'int other(void) { return 1; }' >$(asked)/other.c
+	@rm -f $(asked)/lib.a
+	@{ if $(call try,$(asked)/gsl.c,$(GSL_LIBS) -lm); \
+		then echo 'gsl = yes'; fi; \
+	if $(call try,-fopenmp $(asked)/main.c $(asked)/other.c); \
+		then echo 'OPENMP = -fopenmp'; fi; \
+	if $(CC) $(FLAGS) -O3 -flto=auto -c $(asked)/other.c \
+		-o $(asked)/other.o 2>/dev/null && \
+		ar rcs $(asked)/lib.a $(asked)/other.o 2>/dev/null && \
+		$(call try,-O3 -flto=auto $(asked)/main.c $(asked)/lib.a); \
+		then echo 'LTO = -flto=auto'; fi; } >$@.part
+	@mv $@.part $@
+include build/compiler.mk
 
 # What is there. What needs the GNU Scientific Library includes laws.h or
 # gsl/; without the library it is left out, and bare make says so.
@@ -31,9 +73,6 @@ gsl_files := $(filter-out src/reference.c,$(shell grep -lE \
 	'^.include ("laws.h"|<gsl/)' $(gsl_sources) 2>/dev/null))
 gsl_users := $(shell grep -l '^.include "reference.h"' $(gsl_sources) \
 	2>/dev/null)
-gsl := $(shell printf '\043include <gsl/gsl_cdf.h>\n' | \
-	$(CC) $(CPPFLAGS) $(CFLAGS) -E - >/dev/null 2>&1 && echo yes)
-GSL_LIBS = -lgsl -lgslcblas
 without = $(if $(gsl),,$(gsl_files))
 programs := $(notdir $(basename $(filter-out $(without),\
 	$(wildcard src/programs/*.c))))
@@ -81,40 +120,24 @@ first: programs
 	@echo 'Next: make check (the exercises),' $(if $(filter book,$(absent)),\
 		'the book (bonkers.pdf)','make book (the PDF)'), make help
 
-# What the compiler can do: OpenMP, for the programs that can use all cores,
-# and optimization across files, for the native build.
-build/compiler.mk:
-	@mkdir -p build/compiler
-	@echo 'int other(void); int main(void) { return other(); }' \
-		>build/compiler/main.c
-	@echo 'int other(void) { return 0; }' >build/compiler/other.c
-	@cd build/compiler && if $(CC) -fopenmp -o main main.c other.c \
-		2>/dev/null; \
-		then echo 'OPENMP = -fopenmp'; else echo 'OPENMP ='; fi >flags
-	@cd build/compiler && if $(CC) -O3 -flto=auto -c other.c main.c \
-		2>/dev/null && rm -f lib.a && ar rcs lib.a other.o 2>/dev/null && \
-		$(CC) -O3 -flto=auto -o main main.o lib.a 2>/dev/null; \
-		then echo 'LTO = -flto=auto'; else echo 'LTO ='; fi >>flags
-	@mv build/compiler/flags $@
-include build/compiler.mk
 parallel := bonkers springs gravity
 flags_of = $(if $(filter $(parallel),$(notdir $*)),$(OPENMP)) \
 	$(if $(gsl),$(if $(filter reference,$*),-DWITH_GSL))
 
 # The portable build, and the same for this machine alone.
 define tree
-build/$(1)obj/%.o: src/%.c $$(headers) Makefile
+build/$(1)obj/%.o: src/%.c $$(headers) Makefile build/compiler/key
 	@mkdir -p $$(@D)
 	$$(call say,cc $$<)
 	$$(Q)$$(CC) $$(STANDARD) $(2) $$(flags_of) \
-		-DBUILD_FLAGS='"$(strip $(2))"' -Isrc $$(CFLAGS) -c -o $$@ $$<
+		-DBUILD_FLAGS='"$(strip $(2))"' -Isrc $$(FLAGS) -c -o $$@ $$<
 build/$(1)obj/libbonkers.a: $$(library:src/%.c=build/$(1)obj/%.o)
 	@rm -f $$@
 	@ar rcs $$@ $$^
 build/$(1)bin/%: build/$(1)obj/programs/%.o build/$(1)obj/libbonkers.a
 	@mkdir -p $$(@D)
 	$$(call say,link $$@)
-	$$(Q)$$(CC) $(2) $$(OPENMP) $$(CFLAGS) -o $$@ $$^ $$(LDFLAGS) \
+	$$(Q)$$(CC) $(2) $$(OPENMP) $$(FLAGS) -o $$@ $$^ $$(LDFLAGS) \
 		$$(call gsl_libs,src/programs/$$*.c) -lm
 endef
 $(eval $(call tree,,$(PORTABLE)))
@@ -175,15 +198,18 @@ exercises := $(foreach s,$(suites),$(firstword $(subst -, ,$(s))))
 CHECK_BUILT = build/check/flags build/check/libcheck.a \
 	$(exercises:%=build/check/%.suite.o) $(exercises:%=build/check/%.list)
 
+# EX=01a,02b or '01a 02b'.
+split = set -f; IFS=', ';
 check: build/check/examine $(CHECK_BUILT)
-	@build/check/examine $(EX)
+	@$(split) build/check/examine $$EX
 
 watch hint progress reset solution: build/check/examine $(CHECK_BUILT)
-	@build/check/examine --$@ $(EX)
+	@$(split) build/check/examine --$@ $$EX
 
 build/check/compiler: FORCE
 	@mkdir -p $(@D)
-	@echo '$(check_base)' | cmp -s - $@ || echo '$(check_base)' >$@
+	@echo '$(check_base) $(LDFLAGS)' | cmp -s - $@ || \
+		echo '$(check_base) $(LDFLAGS)' >$@
 .PHONY: FORCE
 
 # Sanitizers where the compiler has them; CUnit must be there.
@@ -212,7 +238,7 @@ build/check/examine: $(patsubst %,build/obj/examiner/%.o,\
 	build message trial process text)
 	@mkdir -p $(@D)
 	$(call say,link $@)
-	$(Q)$(CC) $(PORTABLE) $(CFLAGS) -o $@ $^ $(LDFLAGS)
+	$(Q)$(CC) $(PORTABLE) $(FLAGS) -o $@ $^ $(LDFLAGS)
 
 # One suite, and what it says about itself (asked of the pristine stub).
 define suite_rules
@@ -233,11 +259,10 @@ $(foreach s,$(suites),$(eval $(call suite_rules,$(firstword \
 # make grade SUBMISSIONS=dir [REPORT=table,csv,...] [JOBS=n] [HIDDEN=seed]
 # [EX=01a,02] [SECONDS=5] [RESULTS=dir] [UNSAFE=1]
 SUBMISSIONS =
-grade_options = $(if $(REPORT),--report $(REPORT)) \
-	$(if $(JOBS),--jobs $(JOBS)) $(if $(HIDDEN),--hidden $(HIDDEN)) \
-	$(if $(EX),--exercises $(EX)) $(if $(SECONDS),--seconds $(SECONDS)) \
-	$(if $(UNSAFE),--unsafe) \
-	$(if $(RESULTS),--output "$(RESULTS)")
+grade_options = $${REPORT:+--report "$$REPORT"} $${JOBS:+--jobs "$$JOBS"} \
+	$${HIDDEN:+--hidden "$$HIDDEN"} $${EX:+--exercises "$$EX"} \
+	$${seconds:+--seconds "$$seconds"} $(if $(UNSAFE),--unsafe) \
+	$${RESULTS:+--output "$$RESULTS"}
 borders := $(basename $(notdir $(wildcard tests/border/*.c)))
 graded := $(foreach s,$(borders),$(firstword $(subst -, ,$(s))))
 GRADE_BUILT = build/grade/grade build/grade/flags \
@@ -247,19 +272,19 @@ GRADE_BUILT = build/grade/grade build/grade/flags \
 grade-bench: grade-parts
 	@tests/grader/bench 25 $(if $(RECORD),plots/data/B-grade.dat)
 has-submissions:
-	@[ -n "$(SUBMISSIONS)" ] || { echo 'make: grade: which submissions?' \
+	@[ -n "$$SUBMISSIONS" ] || { echo 'make: grade: which submissions?' \
 		'make grade SUBMISSIONS=dir (a folder with one for each student)' \
 		>&2; exit 2; }
 grade: has-submissions grade-parts
 	$(if $(filter-out $(graded),$(exercises)),@echo 'Not graded (there is' \
 		'no file in tests/border):' $(filter-out $(graded),$(exercises)))
-	@build/grade/grade $(grade_options) "$(SUBMISSIONS)"
+	@build/grade/grade $(grade_options) "$$SUBMISSIONS"
 grade-parts: has-grade-parts $(GRADE_BUILT)
 
 .PHONY: has-grade-parts
 has-grade-parts:
 	@printf '#include <jansson.h>\n#include <libxml/xmlwriter.h>\n' | \
-		$(CC) $(xml_flags) $(CPPFLAGS) $(CFLAGS) -E - >/dev/null 2>&1 || { \
+		$(CC) $(xml_flags) $(FLAGS) -E - >/dev/null 2>&1 || { \
 		echo 'make: grade needs jansson and libxml2; install them with:' \
 		'apt-get install --no-install-recommends libjansson-dev' \
 		'libxml2-dev bubblewrap' >&2; exit 1; }
@@ -267,15 +292,15 @@ has-grade-parts:
 # jansson and libxml2, in the grader alone; asked only when it is built.
 xml_flags = $$(pkg-config --cflags libxml-2.0 2>/dev/null || \
 	echo -I/usr/include/libxml2)
-build/grade/obj/grade/%.o: src/examiner/%.c $(headers) Makefile
+build/grade/obj/grade/%.o: src/examiner/%.c $(headers) Makefile build/compiler/key
 	@mkdir -p $(@D)
 	$(call say,cc $<)
 	$(Q)$(CC) $(STANDARD) -D_XOPEN_SOURCE=700 $(PORTABLE) -Isrc \
-		$(xml_flags) $(CFLAGS) -c -o $@ $<
+		$(xml_flags) $(FLAGS) -c -o $@ $<
 build/grade/grade: $(patsubst %,build/grade/obj/grade/%.o,grade grading box \
 	marks submissions publish build message sum trial process text)
 	$(call say,link $@)
-	$(Q)$(CC) $(PORTABLE) $(CFLAGS) -o $@ $^ $(LDFLAGS) -ljansson -lxml2
+	$(Q)$(CC) $(PORTABLE) $(FLAGS) -o $@ $^ $(LDFLAGS) -ljansson -lxml2
 
 # The compiler for students' files, without sanitizers and with.
 build/grade/flags: build/check/flags
@@ -512,13 +537,13 @@ scripts := $(wildcard tests/stability/*.sh tests/programs/*.sh \
 build/tests/%: tests/%.c $(wildcard tests/*.h tests/*/*.h) $(headers) build/obj/libbonkers.a
 	@mkdir -p $(@D)
 	$(call say,cc $<)
-	$(Q)$(CC) $(STANDARD) $(PORTABLE) $(OPENMP) -Isrc -Itests $(CFLAGS) -o $@ $< \
+	$(Q)$(CC) $(STANDARD) $(PORTABLE) $(OPENMP) -Isrc -Itests $(FLAGS) -o $@ $< \
 		build/obj/libbonkers.a $(LDFLAGS) -lcunit \
 		$(call gsl_libs,tests/$*.c) -lm
 build/tests/%: tests/tools/%.c
 	@mkdir -p $(@D)
 	$(call say,cc $<)
-	$(Q)$(CC) $(STANDARD) $(PORTABLE) $(CFLAGS) -o $@ $< $(LDFLAGS)
+	$(Q)$(CC) $(STANDARD) $(PORTABLE) $(FLAGS) -o $@ $< $(LDFLAGS)
 
 # The book is the first of the tests: the others look at what it made.
 test: has-tex has-test-tools
@@ -546,7 +571,7 @@ build/tests/grader/reports: $(patsubst %,build/grade/obj/grade/%.o,\
 build/tests/grader/%: tests/grader/%.c $(headers)
 	@mkdir -p $(@D)
 	$(call say,cc $<)
-	$(Q)$(CC) $(STANDARD) $(PORTABLE) -Isrc $(xml_flags) $(CFLAGS) -o $@ \
+	$(Q)$(CC) $(STANDARD) $(PORTABLE) -Isrc $(xml_flags) $(FLAGS) -o $@ \
 		$(filter %.c %.o,$^) $(LDFLAGS) -ljansson -lxml2
 
 # How many small mistakes in the solutions the suites notice; EX=01a for one,
@@ -554,12 +579,12 @@ build/tests/grader/%: tests/grader/%.c $(headers)
 .PHONY: mutants
 mutants: build/check/examine $(CHECK_BUILT) build/tests/mutate \
 		build/tests/mutants/outlive
-	@RECORD=$(RECORD) tests/mutants/run $(EX)
+	@export RECORD='$(if $(RECORD),1)'; $(split) tests/mutants/run $$EX
 build/tests/mutants/outlive: tests/mutants/outlive.c \
 		$(patsubst %,build/obj/examiner/%.o,trial process text)
 	@mkdir -p $(@D)
 	$(call say,link $@)
-	$(Q)$(CC) $(STANDARD) $(PORTABLE) -Isrc $(CFLAGS) -o $@ $^ $(LDFLAGS)
+	$(Q)$(CC) $(STANDARD) $(PORTABLE) -Isrc $(FLAGS) -o $@ $^ $(LDFLAGS)
 
 # The library's tests under the sanitizers.
 memcheck: $(patsubst build/tests/%,build/memcheck/%,$(unit_tests))
@@ -568,21 +593,23 @@ build/memcheck/%: tests/%.c $(wildcard tests/*.h tests/*/*.h) $(headers) $(libra
 	@mkdir -p $(@D)
 	$(call say,cc $<)
 	$(Q)$(CC) $(STANDARD) -g -O1 -ffp-contract=off $(sanitizers) -Isrc -Itests \
-		$(CFLAGS) -o $@ $< $(library) $(LDFLAGS) -lcunit \
+		$(FLAGS) -o $@ $< $(library) $(LDFLAGS) -lcunit \
 		$(if $(gsl),$(GSL_LIBS)) -lm
 
 # The reader of scenes, fed with what is no scene, TEXTS=1e7 for longer. With
 # clang libFuzzer chooses the texts; with others, tests/fuzz/alone.c does.
 TEXTS = 200000
-FUZZ = -std=c11 -D_POSIX_C_SOURCE=200809L -g -O2 -ffp-contract=off $(sanitizers)
+export TEXTS
+FUZZ = -std=c11 -D_POSIX_C_SOURCE=200809L -g -O2 -ffp-contract=off \
+	$(sanitizers) $(FLAGS)
 .PHONY: fuzz
 fuzz: build/fuzz/scene
 	@mkdir -p build/fuzz/corpus
-	@build/fuzz/scene -seed=1 -runs=$$(printf '%.0f' $(TEXTS)) -max_len=512 \
+	@build/fuzz/scene -seed=1 -runs=$$(printf '%.0f' "$$TEXTS") -max_len=512 \
 		-verbosity=0 -artifact_prefix=build/fuzz/ \
 		-dict=tests/fuzz/scene.dict build/fuzz/corpus tests/fuzz/seeds \
 		2>build/fuzz/log || { cat build/fuzz/log; exit 1; }
-	@echo 'Fuzzed: $(TEXTS) texts, all of them read or refused'
+	@echo "Fuzzed: $$TEXTS texts, all of them read or refused"
 build/fuzz/scene: tests/fuzz/scene.c tests/fuzz/alone.c src/scene.c \
 		src/scene.h src/decimal.c src/toolbox/random.c \
 		src/toolbox/room.c tests/library/scene_same.h

@@ -1,11 +1,18 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 362150696 of the lines below */
+/* checksum 2295145684 of the lines below */
 #ifndef TOOLBOX_TABLE_H
 #define TOOLBOX_TABLE_H
 
+#include <float.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+
+#if !defined BONKERS_ANY_ROUNDING &&                                       \
+    (defined __FAST_MATH__ || defined __ASSOCIATIVE_MATH__ ||              \
+     defined __RECIPROCAL_MATH__ || FLT_EVAL_METHOD != 0)
+#error "results would differ: no -Ofast, no x87; or -DBONKERS_ANY_ROUNDING"
+#endif
 
 /* A text file being written: a table of numbers, or a summary. */
 struct table;

@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 2888978661 of the lines below */
+/* checksum 1620938330 of the lines below */
 #include "examiner/check.h"
 #include "examiner/exercise.h"
 #include "examiner/report.h"
@@ -153,12 +153,22 @@ int check_draw_whole(int low, int high)
     return (int)(low + (int64_t)random_below(&inputs, count));
 }
 
+static bool is_idle(const struct check_test *t)
+{
+    const size_t room = sizeof check_suite.idle / sizeof *check_suite.idle;
+    for (size_t i = 0; i < room; ++i)
+        if (check_suite.idle[i] == t->run)
+            return true;
+    return false;
+}
+
 static int list_suite(void)
 {
     printf("exercise %s\ntitle %s\nminutes %d\n", check_suite.exercise,
            check_suite.title, check_suite.minutes);
     for (const struct check_test *t = check_suite.tests; t->name; ++t)
-        printf("test %d %d %s\n", t->points, t->hidden, t->name);
+        printf("test %d %d %d %s\n", t->points, t->hidden, is_idle(t),
+               t->name);
     for (const struct check_test *t = check_hidden; t->name; ++t)
         printf("hidden %d %s\n", t->points, t->name);
     return fflush(stdout) ? EXIT_FAILURE : EXIT_SUCCESS;

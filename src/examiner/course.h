@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 1419810336 of the lines below */
+/* checksum 950511522 of the lines below */
 #ifndef COURSE_H
 #define COURSE_H
 
@@ -17,6 +17,7 @@ struct exercise {
     const char *title;
     const char *tests[CHECK_TESTS];
     int worth[CHECK_TESTS]; /* points of each test */
+    bool idle[CHECK_TESTS]; /* passed by what does nothing, too */
     int count, minutes, points;
     char file[COURSE_PATH];  /* the student's; empty when it is missing */
     char stub[COURSE_PATH];  /* as it came with the book */

@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 854110846 of the lines below */
+/* checksum 856311289 of the lines below */
 #include "examiner/verdict.h"
 #include "examiner/build.h"
 #include "examiner/memory.h"
@@ -43,7 +43,7 @@ static bool run_tests(struct exercise *e, const struct trial *trial,
 {
     enum state states[CHECK_TESTS], last = PASSED;
     char *account = NULL;
-    int run = 0, decides = 0;
+    int run = 0, decides = 0, idle = 0;
     e->state = PASSED;
     while (run < e->count && last != TIMED_OUT && !process_signal()) {
         char *text = NULL;
@@ -54,7 +54,7 @@ static bool run_tests(struct exercise *e, const struct trial *trial,
         last = states[run] = trial_run(trial, run + 1, told);
         fclose(told);
         if (last == PASSED)
-            e->earned += e->worth[run];
+            *(e->idle[run] ? &idle : &e->earned) += e->worth[run];
         if (e->state == PASSED ||
             (!state_wrong(e->state) && state_wrong(last))) {
             free(account);
@@ -66,6 +66,8 @@ static bool run_tests(struct exercise *e, const struct trial *trial,
         }
         ++run;
     }
+    if (e->earned > 0)
+        e->earned += idle;
     if (e->state != PASSED) {
         text_field(story, "test", e->tests[decides]);
         fputs(account, story);

@@ -37,6 +37,11 @@ verdict 'an exercise not named is not checked' \
 cksum exercises/* >after
 verdict 'the files of the student are as before' cmp -s before after
 
+sed 's|3 [*] x|x < 0 ? 2 * x : x|' "$traps/wrong.c" >exercises/99a-twice.c
+verdict 'an idle test alone earns nothing' both 1 ' failed  *0 of  3 points'
+sed 's|3 [*] x|x > 1 ? x : 2 * x|' "$traps/wrong.c" >exercises/99a-twice.c
+verdict 'beside another it earns its points' both 1 ' failed  *2 of  3 points'
+
 cp "$traps/right.c" exercises/99a-twice.c
 verdict 'a right answer ends with status 0' both 0 ' passed  *3 of  3 points  5 min$'
 verdict 'after a right answer the next exercise is named' \

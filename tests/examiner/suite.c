@@ -38,4 +38,5 @@ const struct check_suite check_suite = {
               {"twice a negative number is negative", test_below_zero, 1,
                0},
               {0}},
+    .idle = {test_below_zero},
 };

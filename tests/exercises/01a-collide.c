@@ -287,4 +287,5 @@ const struct check_suite check_suite = {
                1, 2},
               {"forty bodies come back from a wall", test_drawn_wall, 1, 1},
               {0}},
+    .idle = {test_nothing_happens, test_momentum, test_energy},
 };

@@ -378,4 +378,6 @@ const struct check_suite check_suite = {
          {"what forty pairs did was no collision", test_drawn_refused, 1,
           1},
          {0}},
+    .idle = {test_twins, test_no_collision, test_impossible,
+             test_drawn_refused},
 };

@@ -283,4 +283,5 @@ const struct check_suite check_suite = {
          {"forty stacks of one ratio leave with a power of it",
           test_drawn_powers, 1, 1},
          {0}},
+    .idle = {test_equal_balls},
 };

@@ -322,4 +322,5 @@ const struct check_suite check_suite = {
          {"forty blows are aimed again", test_drawn, 1, 2},
          {"forty angles are too large", test_drawn_out_of_reach, 1, 1},
          {0}},
+    .idle = {test_graze},
 };

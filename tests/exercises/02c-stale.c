@@ -421,4 +421,5 @@ const struct check_suite check_suite = {
               {"sixty heaps are filled in the order of time", test_drawn, 1,
                3},
               {0}},
+    .idle = {test_good_top},
 };

@@ -512,4 +512,5 @@ const struct check_suite check_suite = {
               {"forty boxes are as all their collisions leave them",
                test_drawn, 1, 3},
               {0}},
+    .idle = {test_start, test_energy, test_return, test_backwards},
 };

@@ -347,4 +347,5 @@ const struct check_suite check_suite = {
          {"bins of all kinds are judged when they can be", test_drawn_limit,
           2, 2},
          {0}},
+    .idle = {test_certain},
 };

@@ -486,4 +486,5 @@ const struct check_suite check_suite = {
          {"boxes drawn agree with velocities that gain by a squeeze",
           test_drawn, 3, 3},
          {0}},
+    .idle = {test_velocity, test_middle},
 };

@@ -565,4 +565,5 @@ const struct check_suite check_suite = {
           3, 3},
          {"pairs of points fix the error", test_drawn_error, 2, 2},
          {0}},
+    .idle = {test_too_few, test_growth},
 };

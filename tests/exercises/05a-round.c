@@ -463,4 +463,5 @@ const struct check_suite check_suite = {
          {"flights drawn end where they were drawn from", test_drawn, 3, 3},
          {"flights drawn begin at the wall", test_drawn_at_the_wall, 2, 2},
          {0}},
+    .idle = {test_on_the_wall_outwards, test_along_the_wall},
 };

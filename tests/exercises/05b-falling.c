@@ -619,4 +619,5 @@ const struct check_suite check_suite = {
          {"pairs drawn in contact meet now or never", test_drawn_contact, 1,
           1},
          {0}},
+    .idle = {test_touching},
 };

@@ -836,4 +836,6 @@ const struct check_suite check_suite = {
          {"after a long time the clock is right", test_long_clock, 1, 0},
          {"the pressure on the walls is right", test_pressure, 1, 0},
          {0}},
+    .idle = {test_energy, test_how_many, test_contact, test_any_four,
+             test_long_clock},
 };

@@ -855,4 +855,5 @@ const struct check_suite check_suite = {
                test_acceptance, 2, 0},
               {"four disks crowd the walls", test_crowd, 1, 0},
               {0}},
+    .idle = {test_at_once},
 };

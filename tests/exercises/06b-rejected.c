@@ -703,4 +703,5 @@ const struct check_suite check_suite = {
          {"one disk is evenly spread over the dish", test_one, 2, 0},
          {"two disks are as far out as they must be", test_two, 2, 0},
          {0}},
+    .idle = {test_accepted, test_just_fits},
 };

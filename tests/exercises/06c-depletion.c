@@ -459,4 +459,5 @@ const struct check_suite check_suite = {
          {"zones made for their lens share it", test_drawn, 2, 3},
          {"too near or too far, whatever the bodies", test_limits, 1, 1},
          {0}},
+    .idle = {test_apart},
 };

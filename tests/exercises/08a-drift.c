@@ -518,4 +518,5 @@ const struct check_suite check_suite = {
               {"coordinates that act on each other", test_coupled, 2, 2},
               {"forth and back again", test_back, 1, 1},
               {0}},
+    .idle = {test_none, test_back},
 };

@@ -341,4 +341,5 @@ const struct check_suite check_suite = {
               {"one step, or two", test_short, 1, 0},
               {"drawn methods and units", test_drawn, 2, 3},
               {0}},
+    .idle = {test_never},
 };

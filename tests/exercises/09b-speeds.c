@@ -349,4 +349,5 @@ const struct check_suite check_suite = {
               {"drawn choreographies", test_drawn_rings, 1, 1},
               {"two on a circle are a binary", test_agree, 1, 1},
               {0}},
+    .idle = {test_one},
 };

@@ -258,4 +258,5 @@ const struct check_suite check_suite = {
               {"small mean anomalies", test_small, 1, 0},
               {"drawn planets and comets", test_drawn, 2, 3},
               {0}},
+    .idle = {test_circle, test_ends},
 };

@@ -418,4 +418,5 @@ const struct check_suite check_suite = {
               {"any two bodies", test_drawn, 2, 2},
               {"the heat of any two", test_drawn_heat, 1, 1},
               {0}},
+    .idle = {test_turning},
 };

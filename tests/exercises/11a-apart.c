@@ -472,4 +472,5 @@ const struct check_suite check_suite = {
          {"any two that overlap", test_drawn, 2, 2},
          {"any two that do not", test_drawn_apart, 1, 1},
          {0}},
+    .idle = {test_apart, test_drawn_apart},
 };

@@ -646,4 +646,5 @@ const struct check_suite check_suite = {
          {"any velocities of equal balls", test_drawn_equal, 1, 1},
          {"any row", test_drawn_row, 1, 3},
          {0}},
+    .idle = {test_none},
 };

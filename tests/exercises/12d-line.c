@@ -536,4 +536,5 @@ const struct check_suite check_suite = {
                2},
               {"drawn lines of many digits", test_drawn_far, 1, 2},
               {0}},
+    .idle = {test_moving, test_nothing_between, test_plane, test_hair},
 };

@@ -224,6 +224,8 @@ late one 'while (u1 == 2.0 && im1 == 0.25)
         ;'
 late crash 'if (u1 == 2.0 && im1 == 0.25)
         abort();'
+late idle 'v[0] = u1, v[1] = u2;
+    return;'
 late z-always 'for (;;)
         pause();'
 # All begin at once, and he is the last to be tried again: some ten seconds
@@ -243,6 +245,8 @@ verdict 'it was tried twice' again one 2
 verdict 'a crash costs the points of its test alone' \
     judged crash crashed $((full - second))
 verdict 'it was tried once' again crash 1
+verdict 'who does nothing has nothing, whatever that conserves' \
+    judged idle failed 0
 verdict 'who was late once has all points' judged zz-once passed "$full"
 verdict 'at the second try' again zz-once 2
 verdict 'who is always late has none' judged z-always 'timed out' 0

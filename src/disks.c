@@ -1,5 +1,5 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 3290982411 of the lines below */
+/* checksum 1966430846 of the lines below */
 #include "disks.h"
 
 #include "collide.h"
@@ -102,7 +102,8 @@ double disks_leash(const struct disks *d)
         least = fmin(least, d->box[k]);
     for (size_t i = 0; i < d->count; ++i)
         widest = fmax(widest, d->disk[i].radius);
-    return 0.999 * (least / 2 - 2 * widest) / 3;
+    const double spare = least / 2 - 2 * widest;
+    return spare >= 1e-6 * least ? 0.999 * spare / 3 : 0;
 }
 
 double disks_meeting(const struct disks *d, size_t i, size_t j, double at)

@@ -1,5 +1,5 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 2264718526 of the lines below */
+/* checksum 2635422816 of the lines below */
 #ifndef DISKS_H
 #define DISKS_H
 
@@ -107,8 +107,9 @@ void disks_collide(struct disks *d, struct disks_event event);
 bool disks_collapsed(const struct disks *d);
 
 /* How far a disk may fly before it has to look again which images are
-   nearest, m; INFINITY with walls. Not above 0 when the box is too narrow
-   to be periodic: no wider than four of the widest radii. */
+   nearest, m; INFINITY with walls. 0 when the box is too narrow to be
+   periodic: no wider than four of the widest radii, or by a few millionths
+   only. */
 double disks_leash(const struct disks *d);
 
 /* Makes the memory for disks_run, and plans from the present state; to be

@@ -1,5 +1,5 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 2081238044 of the lines below */
+/* checksum 2356443016 of the lines below */
 #include "blocks.h"
 #include "cells.h"
 #include "disks.h"
@@ -290,15 +290,21 @@ static enum disks_stop advance(struct run *r, double until,
     return stop;
 }
 
-static double first_piece(const struct disks *d)
+static double shortest(const struct disks *d)
 {
-    double mass = 0, least = d->box[0];
-    for (size_t i = 0; i < d->count; ++i)
-        mass += d->mass[i];
+    double least = d->box[0];
     for (size_t k = 1; k < d->dimensions; ++k)
         least = fmin(least, d->box[k]);
+    return least;
+}
+
+static double first_piece(const struct disks *d)
+{
+    double mass = 0;
+    for (size_t i = 0; i < d->count; ++i)
+        mass += d->mass[i];
     const double speed = sqrt(2 * disks_energy(d) / mass);
-    return least / speed / (double)d->count;
+    return shortest(d) / speed / (double)d->count;
 }
 
 static void end_piece(struct run *r)
@@ -339,13 +345,20 @@ static void run_to(struct run *r, double until, uint64_t collisions)
     r->seconds += bench_seconds() - start;
 }
 
-/* Can a disk ever meet another one? */
+static double widest(const struct disks *d)
+{
+    double most = 0;
+    for (size_t i = 0; i < d->count; ++i)
+        most = fmax(most, d->disk[i].radius);
+    return most;
+}
+
+/* Can a disk be hoped to meet another one? */
 static bool can_meet(const struct disks *d)
 {
-    double widest = 0;
-    for (size_t i = 0; i < d->count; ++i)
-        widest = fmax(widest, d->disk[i].radius);
-    return d->count > 1 && widest > 0 && disks_energy(d) > 0;
+    const double across = 4 * widest(d) / shortest(d);
+    const double share = d->dimensions == 2 ? across : across * across;
+    return share * (double)(d->count - 1) > 1e-9 && disks_energy(d) > 0;
 }
 
 static void warm_up(struct run *r, double each)
@@ -355,10 +368,11 @@ static void warm_up(struct run *r, double each)
     if (last == 0 || !can_meet(&r->d))
         return;
     plan(r);
+    const double slice = 1000 * first_piece(&r->d);
     while (r->d.collisions < last && !progress_signal() &&
            r->stop != DISKS_COLLAPSE) {
         const uint64_t bite = r->d.collisions + 1000 + r->d.count;
-        r->stop = advance(r, INFINITY, bite < last ? bite : last);
+        r->stop = advance(r, r->d.now + slice, bite < last ? bite : last);
     }
     if (r->stop != DISKS_COLLAPSE)
         advance(r, r->d.now * 1.01, UINT64_MAX);
@@ -1012,6 +1026,10 @@ static void check_start(struct run *r)
 {
     const struct disks *d = &r->d;
     size_t a, b;
+    if (!(disks_leash(d) > 0))
+        refuse("--boundary: a side of %.10g is too narrow to be periodic: "
+               "with a radius of %.10g it must be more than %.10g",
+               shortest(d), widest(d), 4 * widest(d));
     if (r->s->measure == SPEED_LAW &&
         d->count < (d->boundary == DISKS_PERIODIC ? 3 : 2))
         refuse("--measure speeds needs more disks: %zu have no law",

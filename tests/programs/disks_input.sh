@@ -107,3 +107,20 @@ refuses 1 'inelastic collapse at t = ' \
     $d --start "$work/row" --restitution 0.1 --until 1000 -o "$work/collapsed"
 holds 'the table of a collapse is kept' \
     sh -c "tail -n 1 '$work/collapsed' | grep -q ' 3 1 0.5 '"
+
+# A periodic box shows each disk one image of another, and time for it.
+narrow='too narrow to be periodic: with a radius of'
+refuses 2 "boundary: a side of 1 is $narrow 0.25 it must be more than 1" \
+    $d --boundary periodic --radius 0.25 --disks 2 --until .1
+refuses 2 "$narrow 0.3 " $d --boundary periodic --heavy 5,.3
+refuses 2 "$narrow 0.2499999" \
+    $d --boundary periodic --radius 0.2499999 --disks 2 --until .1
+refuses 2 "$narrow 0.5 " $d --boundary periodic --packing .6 --disks 2
+cat >"$work/two" <<'END'
+# box 1 1 periodic
+0 1 1 .3 .2 .2 1 0
+0 2 1 .3 .8 .8 -1 0
+END
+refuses 2 "$narrow 0.3 " $d --start "$work/two" --until .1
+# Those that are too small to meet are not waited for.
+refuses 2 'until: needed for disks that never meet' $d --radius 1e-12

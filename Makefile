@@ -302,10 +302,14 @@ build/grade/grade: $(patsubst %,build/grade/obj/grade/%.o,grade grading box \
 	$(call say,link $@)
 	$(Q)$(CC) $(PORTABLE) $(FLAGS) -o $@ $^ $(LDFLAGS) -ljansson -lxml2
 
-# The compiler for students' files, without sanitizers and with.
-build/grade/flags: build/check/flags
+# The compiler for students' files, without sanitizers and with, and how gcc,
+# or else clang, is told to quote no lines.
+build/grade/flags: build/check/flags Makefile
 	@mkdir -p $(@D)
-	@printf '%s\n%s\n' '$(check_base)' "$$(sed -n 1p build/check/flags)" >$@
+	@terse=-fno-diagnostics-show-caret; $(CC) $$terse -E -x c /dev/null \
+		>/dev/null 2>&1 || terse=-fno-caret-diagnostics; \
+	printf '%s %s\n' '$(check_base)' -fmax-errors=20 \
+		"$$(sed -n 1p build/check/flags)" -fmax-errors=20 $$terse '' >$@
 
 # What judges and boxes are linked with.
 build/grade/obj/%.o: src/%.c $(headers) build/check/flags

@@ -1,5 +1,5 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 3207345860 of the lines below */
+/* checksum 1475751962 of the lines below */
 #ifndef BOX_H
 #define BOX_H
 
@@ -22,6 +22,7 @@ struct box_order {
     int header;           /* exercise.h */
     int inside;           /* the driver and the border of the exercise */
     const char *compiler; /* with its flags, to be split at blanks */
+    const char *terse;    /* the flag with which it quotes no lines */
     const char *keep;     /* options of objcopy: the symbols that stay */
     bool sanitized;       /* compiled with sanitizers */
     int seconds;          /* of processor time, for each test */

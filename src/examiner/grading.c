@@ -1,5 +1,5 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 1280917773 of the lines below */
+/* checksum 3696228277 of the lines below */
 #include "examiner/grading.h"
 #include "examiner/build.h"
 #include "examiner/process.h"
@@ -333,22 +333,26 @@ static void run_tests(struct job *job)
 static void ask_sanitizers(struct job *job)
 {
     enum state state = PASSED;
+    bool leaks = false;
     char *text = NULL;
     size_t size;
     FILE *story = open_memstream(&text, &size);
     job->order.sanitized = true;
     job->order.compiler = read_kit(job, "flags", 2);
     if (story && open_box(job, story) == PASSED) {
-        for (int i = 0; i < job->kit->count && job->open &&
+        for (int i = 0; i < job->kit->count && job->open && !leaks &&
                         !job->kit->tests[i].hidden && state != CRASHED;
              ++i) {
             rewind(story);
             state = run_test(job, &job->kit->tests[i], story);
+            chmod("prints", 0600);
+            leaks =
+                state == PASSED && trial_leak("prints", job->name, story);
         }
     }
     if (story)
         fclose(story);
-    if (state == CRASHED) {
+    if (state == CRASHED || leaks) {
         free(job->marks->advice);
         job->marks->advice = marks_text(text, size, STORY_KEPT);
     }
@@ -394,6 +398,7 @@ void grading_run(const struct grading *grading, const struct kit *kit,
     }
     prepare(&job, bytes, length);
     job.order.compiler = read_kit(&job, "flags", 1);
+    job.order.terse = read_kit(&job, "flags", 3);
     char names[16];
     snprintf(names, sizeof names, "%s.names", kit->exercise);
     job.order.keep = read_kit(&job, names, 1);

@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 4257667652 of the lines below */
+/* checksum 1987793807 of the lines below */
 #include "examiner/trial.h"
 #include "examiner/process.h"
 #include "examiner/report.h"
@@ -275,6 +275,20 @@ static void tell_crash(const struct trial *trial,
     else if (WIFSIGNALED(result->end.status) && !trial->sanitized &&
              !trial->prints)
         text_field(story, "where", nowhere);
+}
+bool trial_leak(const char *prints, const char *source, FILE *story)
+{
+    char *text = text_read(prints);
+    const char *report =
+        text ? strstr(text, "LeakSanitizer: detected") : NULL;
+    const bool own = report && strstr(report, source);
+    if (own) {
+        text_field(story, "what",
+                   "it took memory, and lost it without free");
+        tell_place(report, source, story);
+    }
+    free(text);
+    return own;
 }
 
 static const char *equation_in_book(const char *label,

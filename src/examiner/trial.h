@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 439961708 of the lines below */
+/* checksum 769981008 of the lines below */
 #ifndef TRIAL_H
 #define TRIAL_H
 
@@ -39,5 +39,9 @@ bool state_wrong(enum state state);
    to story. When the examiner itself fails, says why on standard error
    and exits with status 2. */
 enum state trial_run(const struct trial *trial, int number, FILE *story);
+
+/* Whether the sanitizers, when a test had passed, have printed that memory
+   was lost which source had asked for; if so, tells of it. */
+bool trial_leak(const char *prints, const char *source, FILE *story);
 
 #endif

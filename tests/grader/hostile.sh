@@ -21,6 +21,18 @@ for file in "$here"/hostile/*.c; do
         prepare "$file" "$scratch/tricks/${name%.c}"
     fi
 done
+# More than a compiler can say in its time.
+many() { # COUNT LINE: with the number in place of N
+    awk -v count="$1" -v line="$2" 'BEGIN { print "#include \"exercise.h\""
+        for (i = 0; i < count; ++i) { text = line; gsub(/N/, i, text); print text } }'
+}
+many 20000 'signed char nN = 1000;' >"$scratch/warnings.c"
+{ echo '/* does not build */' && many 50000 'int nN = mN;'; } >"$scratch/errors.c"
+{ echo '/* does not build */' && many 9000 'signed char nN = 1000;' &&
+    echo 'int *wrong = 3;'; } >"$scratch/both.c"
+for name in warnings errors both; do
+    prepare "$scratch/$name.c" "$scratch/tricks/many-$name"
+done
 honest "$scratch/tricks"
 grade "$scratch/tricks" "$scratch/out"
 verdict 'the batch ends well' ended 0
@@ -36,6 +48,25 @@ for file in "$here"/hostile/*.c; do
     state=$(sed -n '1s/^\/\* \(.*\): .* \*\/$/\1/p' "$file")
     verdict "$name is $state" judged "$name" "$state" "$(earns "$file")"
 done
+story() { # NAME TEXT
+    sed -n 's/^ "story": //p' "$(result "$1")" | grep -q "$2" ||
+        why "$(sed -n 's/^ "story": //p' "$(result "$1")" | head -c 300)"
+}
+verdict '20000 warnings cost nobody a point' judged many-warnings passed "$full"
+verdict '50000 errors do not build' judged many-errors 'does not build' 0
+verdict 'and 20 of them are enough' story many-errors \
+    "m0' undeclared.*and 19 more"
+verdict 'an error among 9000 warnings does not build' \
+    judged many-both 'does not build' 0
+verdict 'and is what is told' \
+    story many-both 'error: initialization of .int \*'
+advice() { # NAME TEXT
+    sed -n 's/^ "advice": //p' "$(result "$1")" | grep -q "$2" ||
+        why "$(sed -n 's/^ "advice": //p' "$(result "$1")" | head -c 300)"
+}
+verdict 'memory that was lost is told' advice leak 'lost it without free'
+verdict 'with the line that asked for it' advice leak '01a-collide.c:8'
+verdict 'and others hear of no such thing' advice honest '^"",$'
 honest_judged 'among tricks'
 
 # What a student prints is text in the end, and his secrets are no others'.

@@ -1,5 +1,5 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 2345532446 of the lines below */
+/* checksum 209284665 of the lines below */
 #include "toolbox/options.h"
 
 #include "toolbox/table.h"
@@ -83,7 +83,10 @@ static void print_help(const struct options *o)
     if (o->keys)
         printf("\nThe summary says:\n");
     for (const struct table_key *k = o->keys; k && k->name; ++k)
-        print_from(printf("  %s [%s]", k->name, k->unit), k->meaning);
+        if (*k->name)
+            print_from(printf("  %s [%s]", k->name, k->unit), k->meaning);
+        else
+            printf("%s\n", k->meaning);
 }
 
 void options_keys(struct options *o, const struct table_key *keys)

@@ -1,5 +1,5 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 1517316377 of the lines below */
+/* checksum 2312101216 of the lines below */
 #define _XOPEN_SOURCE 700 /* realpath */
 
 #include "toolbox/table.h"
@@ -313,13 +313,12 @@ bool table_row(struct table *t, size_t n, const double values[])
 
 static bool is_named(const char *key, const char *name)
 {
-    const size_t before = strcspn(name, "<"), length = strlen(key);
-    if (name[before] == '\0')
-        return strcmp(key, name) == 0;
-    const char *after = strchr(name, '>') + 1;
-    return length > before + strlen(after) &&
-           strncmp(key, name, before) == 0 &&
-           strcmp(key + length - strlen(after), after) == 0;
+    if (*name != '<')
+        return *key == *name && (!*key || is_named(key + 1, name + 1));
+    while (*key)
+        if (is_named(++key, strchr(name, '>') + 1))
+            return true;
+    return false;
 }
 
 static void print_key(struct table *t, const char *key)
@@ -328,7 +327,9 @@ static void print_key(struct table *t, const char *key)
     while (k && k->name && !is_named(key, k->name))
         ++k;
     assert(!t->keys || k->name);
-    t->written |= UINT64_C(1) << (k - t->keys);
+    const uint64_t bit = UINT64_C(1) << (k - t->keys);
+    assert(!(t->written & bit) || !k || strchr(k->name, '<'));
+    t->written |= bit;
     table_print(t, "%s ", key);
 }
 
@@ -339,11 +340,10 @@ void table_keys(struct table *t, const struct table_key keys[])
 
 static bool is_complete(const struct table *t)
 {
-    for (const struct table_key *k = t->keys; k && k->name; ++k)
-        if (strncmp(k->meaning, "if ", 3) != 0 &&
-            !(t->written >> (k - t->keys) & 1))
-            return false;
-    return true;
+    const struct table_key *k = t->keys;
+    while (k && k->name && t->written >> (k - t->keys) & 1)
+        ++k;
+    return !k || !k->name || !*k->name;
 }
 
 void table_real(struct table *t, const char *key, double value)

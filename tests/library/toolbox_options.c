@@ -29,6 +29,7 @@ static const struct options_entry with_arguments[] = {
 
 static const struct table_key keys[] = {
     {"energy", "J", "of all\nparticles"},
+    {"", "", "if --mass:"},
     {"mean_energy_of_<particle>", "J", "of one"},
     {0}};
 
@@ -388,6 +389,7 @@ static void test_help(void)
                      "\nThe summary says:\n"
                      "  energy [J]                of all\n"
                      "                            particles\n"
+                     "if --mass:\n"
                      "  mean_energy_of_<particle> [J]\n"
                      "                            of one\n"));
     for (const char *line = c.out, *end; *line; line = end + 1) {

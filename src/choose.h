@@ -1,5 +1,5 @@
 /* From chapters/12-pick.nw: edit there, then run make tangle. */
-/* checksum 2158582578 of the lines below */
+/* checksum 2477587518 of the lines below */
 #ifndef CHOOSE_H
 #define CHOOSE_H
 
@@ -7,7 +7,7 @@
 #include "observables.h"
 #include "record.h"
 
-enum { CHOOSE_TEXT = 160, CHOOSE_REFUSAL = 400, CHOOSE_VERDICTS = 8 };
+enum { CHOOSE_TEXT = 160, CHOOSE_REFUSAL = 500, CHOOSE_VERDICTS = 8 };
 
 /* What the check of a plan has found. */
 struct choose_verdict {

@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 2149178934 of the lines below */
+/* checksum 1676924785 of the lines below */
 #include "models.h"
 
 #include "bonkers.h"
@@ -1833,6 +1833,17 @@ static bool complain(char message[MODELS_TEXT], const char *word,
     return false;
 }
 
+static bool list_models(char message[MODELS_TEXT], const char *word)
+{
+    char names[MODELS_TEXT] = "";
+    for (const struct models_model *m = models; m->name; ++m) {
+        const size_t used = strlen(names);
+        snprintf(names + used, sizeof names - used, "%s%s",
+                 used ? ", " : "one of ", m->name);
+    }
+    return complain(message, word, names);
+}
+
 /* The first word: a model, and its steps where it has steps. */
 static bool read_model(struct models_plan *p, char word[MODELS_TEXT],
                        char message[MODELS_TEXT])
@@ -1842,7 +1853,7 @@ static bool read_model(struct models_plan *p, char word[MODELS_TEXT],
         *colon = '\0';
     p->model = models_find(word);
     if (!p->model)
-        return complain(message, word, "the name of a model");
+        return list_models(message, word);
     if (colon && p->model->family != MODELS_STEPS)
         return complain(message, colon + 1, "no steps with this model");
     p->steps = colon ? read_steps(colon + 1) : 0;
@@ -1858,7 +1869,7 @@ bool models_read(struct models_plan *p, const char *text,
     char word[MODELS_TEXT];
     *p = (struct models_plan){0};
     if (!next_word(&text, word))
-        return complain(message, text, "the name of a model");
+        return list_models(message, text);
     if (!read_model(p, word, message))
         return false;
     while (*text == ',') {

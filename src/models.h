@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 4081394191 of the lines below */
+/* checksum 816425467 of the lines below */
 #ifndef MODELS_H
 #define MODELS_H
 
@@ -81,7 +81,7 @@ struct models_plan {
     uint64_t steps; /* in each row; 0 for models without steps */
 };
 
-enum { MODELS_TEXT = 160 };
+enum { MODELS_TEXT = 256 };
 enum models_family { MODELS_CLOSED, MODELS_EVENTS, MODELS_STEPS };
 
 /* How a row ended. */

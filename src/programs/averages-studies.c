@@ -1,5 +1,5 @@
 /* From chapters/12-averages.nw: edit there, then run make tangle. */
-/* checksum 3462533576 of the lines below */
+/* checksum 893596525 of the lines below */
 #include "averages.h"
 #include "blocks.h"
 #include "gallery.h"
@@ -116,6 +116,11 @@ static void count_hits(double tolerance, double row[])
     }
 }
 
+static const struct table_key stop_keys[] = {
+    {"all_<tolerance>", "1", "starts off by the error, at most"},
+    {"half_<tolerance>", "1", "by half of it"},
+    {0}};
+
 static void study_stop(struct study *s)
 {
     static const double tolerances[] = {0.05, 0.02, 0.01, 0.005};
@@ -230,6 +235,16 @@ static void count_pair(double ratio, double row[6])
     }
 }
 
+static const struct table_key pairs_keys[] = {
+    {"believed", "1", "runs, all ratios but 1"},
+    {"beyond", "1", "of them, off by more than the error"},
+    {"worst", "e", "largest difference"},
+    {"twice", "1", "the same after two looks"},
+    {"twice_beyond", "1", "the same"},
+    {"twice_worst", "e", "the same"},
+    {"<key>_<ratio>", "its own", "at this ratio of the masses"},
+    {0}};
+
 static void study_pairs(struct study *s)
 {
     static const double ratios[] = {1, 1.1, 2, 3, 10, 30, 100, 1000};
@@ -333,6 +348,13 @@ static void count_line(double share, int seed, double row[4])
     row[3] += agree && fabs(w.last - law) > 1.5 * w.bar;
 }
 
+static const struct table_key bets_keys[] = {
+    {"believed", "1", "looks believed"},
+    {"off", "1", "beyond both errors at the end"},
+    {"agree", "1", "with the law"},
+    {"contradicted", "1", "of them, by the end of the run"},
+    {0}};
+
 static void study_bets(struct study *s)
 {
     enum { LINES = 40 };
@@ -414,6 +436,12 @@ static void study_patience(struct study *s)
     scene_free(&piston);
 }
 
+static const struct table_key places_keys[] = {
+    {"<way>_error_<r>", "m", "as blocks see it"},
+    {"<way>_given_<r>", "1", "1: given, 0: refused"},
+    {"<way>_<r>", "m", "mean x of disk 0"},
+    {0}};
+
 static void study_places(struct study *s)
 {
     static const double radii[] = {0.1, 0.15, 0.18, 0.2, 0.22};
@@ -485,12 +513,14 @@ static void study_digits(struct study *s)
 }
 
 static const struct study_entry studies[] = {
-    {"stop", study_stop, "how often a mean is within its error", NULL},
-    {"pairs", study_pairs, "two on a line, and blocks that agree", NULL},
-    {"bets", study_bets, "random lines and the law of places", NULL},
+    {"stop", study_stop, "how often a mean is within its error", stop_keys},
+    {"pairs", study_pairs, "two on a line, and blocks that agree",
+     pairs_keys},
+    {"bets", study_bets, "random lines and the law of places", bets_keys},
     {"patience", study_patience, "a heavy piston and ever longer runs",
      NULL},
-    {"places", study_places, "disks that change places, or do not", NULL},
+    {"places", study_places, "disks that change places, or do not",
+     places_keys},
     {"digits", study_digits, "what a tolerance costs, by two ways", NULL},
     {0}};
 

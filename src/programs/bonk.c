@@ -1,5 +1,5 @@
 /* From chapters/12-bonk.nw: edit there, then run make tangle. */
-/* checksum 3718942159 of the lines below */
+/* checksum 1447080512 of the lines below */
 #include "averages.h"
 #include "choose.h"
 #include "scene.h"
@@ -420,9 +420,11 @@ static const struct options_entry entries[] = {
      "instead of all states: energy, momentum, x:3\n"
      "and others of step; or averages: mean:NAME"},
     {"model", 'm', "PLAN",
-     "instead of choosing: a model, as in kepler or\n"
-     "pefrl:24 (24 steps in each row, or in each part\n"
-     "of one that is longer than a sixteenth of all)"},
+     "instead of choosing: free, kepler, oscillator,\n"
+     "relabel, modes, line, disks, or a method of step\n"
+     "but rk8pd, as in pefrl:24 (24 steps in each row,\n"
+     "or in each part of one that is longer than a\n"
+     "sixteenth of all)"},
     {"reason", 'r', "S",
      "the dearest run that is reasonable, seconds by\n"
      "the price list (600; 60 for averages)"},
@@ -432,6 +434,26 @@ static const struct options_entry entries[] = {
     {"chart", 'c', "FILE", "write the candidates: error and cost"},
     {"output", 'o', "FILE", "for the table (standard output)"},
     {"summary", 'S', "FILE", "for the results as lines: key value"},
+    {0}};
+
+static const struct table_key keys[] = {
+    {"end", "word", "whole or refused"},
+    {"model", "word", "that was taken; none, several"},
+    {"tolerance", "1", "as asked for"},
+    {"error_found", "1", "as a share of the scale"},
+    {"cost", "s", "of the run, by the price list"},
+    {"deciding", "s", "of choosing, the same"},
+    {"", "", "if --observe names no mean:"},
+    {"judged", "word", "what the error is of"},
+    {"scale", "its own", "what it is a share of"},
+    {"checking", "s", "of the check of the run, by the price list"},
+    {"growth", "1", "of a displacement at the start, in the run"},
+    {"rounding", "1", "what rounding does to the run, as error_found"},
+    {"horizon", "time", "beyond which nothing can be said"},
+    {"tightened", "1", "times that the step was made finer"},
+    {"seconds", "s", "processor time of the run"},
+    {"", "", "if the model was chosen, too:"},
+    {"error_estimated", "1", "before the run"},
     {0}};
 
 static void take_scene(struct options *o, struct settings *s)
@@ -498,6 +520,7 @@ static void read_settings(struct settings *s, int argc, char *argv[])
                   "Carry a scene through time at the least cost that holds "
                   "a tolerance.",
                   entries, argc, argv);
+    options_keys(&o, keys);
     while ((option = options_next(&o)) != -1)
         take_option(&o, s, option);
     if (s->reason == 0)
@@ -704,6 +727,7 @@ int main(int argc, char *argv[])
     r.s = &s;
     begin_run(&r);
     open_outputs(&r);
+    table_keys(r.summary, keys);
     bool good =
         r.means > 0 ? answer_means(&r, &refusal) : answer_run(&r, &refusal);
     good = table_close(r.chart) && good;

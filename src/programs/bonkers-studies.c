@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 979632414 of the lines below */
+/* checksum 154709839 of the lines below */
 #include "bonkers.h"
 #include "collide.h"
 #include "start.h"
@@ -212,6 +212,15 @@ static void note_large(struct table *summary,
     table_real(summary, "redone-percent", million[0]);
 }
 
+static const struct table_key speed_keys[] = {
+    {"<engine>/<engine>-<N>", "1", "ratio of their speeds at N particles"},
+    {"", "", "if --particles reaches 1000000:"},
+    {"slab/naive", "1", "their speeds at a million particles"},
+    {"heap-slowdown", "1", "heap: speed at 1000 / at a million"},
+    {"slab-spread", "1", "slab: greatest / least speed from 1000 on"},
+    {"redone-percent", "%", "slab: collisions done twice at a million"},
+    {0}};
+
 static void study_speed(struct study *s)
 {
     const struct settings *own = s->own;
@@ -314,6 +323,14 @@ static void drift_on(struct drift *d, uint64_t n, double error[3])
             line_energy(line_run(&d->single, n)) / d->mixed_energy - 1;
 }
 
+static const struct table_key drift_keys[] = {
+    {"energy_error", "1", "relative, masses of preset mixed"},
+    {"energy_error_whole", "1", "the same, masses 1, 2 and 1.5"},
+    {"energy_error_float", "1", "mixed, single precision"},
+    {"ties_<masses>", "%", "of throws: exact halves to be rounded"},
+    {"up_<masses>", "%", "of ties: rounded up"},
+    {0}};
+
 static void study_drift(struct study *s)
 {
     const struct settings *own = s->own;
@@ -403,6 +420,11 @@ static void note_misses(struct table *summary, uint64_t n,
         table_real(summary, key, row[2 + k]);
     }
 }
+
+static const struct table_key reverse_keys[] = {
+    {"", "", "if --collisions reaches n (1000, 5000, 1e4, 1e5, 1e6):"},
+    {"<line>_<n>", "m", "largest miss after n and back; nan: not run"},
+    {0}};
 
 static void study_reverse(struct study *s)
 {
@@ -501,6 +523,12 @@ static void name_steps(struct table *out)
     table_column(out, "error", "m", "root mean square error of positions");
 }
 
+static const struct table_key steps_keys[] = {
+    {"collisions", "1", "in the run"},
+    {"error_events", "m", "by events, rms error of positions"},
+    {"smallest_step", "s", "of the walks"},
+    {0}};
+
 static void study_steps(struct study *s)
 {
     const struct settings *own = s->own;
@@ -543,6 +571,11 @@ static uint64_t count_until_still(double restitution)
     bonkers_free(&b);
     return n;
 }
+
+static const struct table_key collapse_keys[] = {
+    {"border", "1", "greatest restitution that collapses"},
+    {"next", "1", "collisions at the one after it"},
+    {0}};
 
 static void study_collapse(struct study *s)
 {
@@ -590,6 +623,12 @@ static uint64_t strike(size_t n, uint64_t seed, double apart, bool right)
     bonkers_free(&b);
     return count;
 }
+
+static const struct table_key row_keys[] = {
+    {"left", "1", "collisions of 160, struck from the left"},
+    {"right", "1", "the same from the right"},
+    {"apart", "1", "from the right, bodies 1 nm apart"},
+    {0}};
 
 static void study_row(struct study *s)
 {
@@ -697,6 +736,11 @@ static size_t write_islands(struct table *out, size_t gaps)
     return island;
 }
 
+static const struct table_key islands_keys[] = {
+    {"islands", "1", "groups of gaps with collisions"},
+    {"collisions", "1", "of all"},
+    {0}};
+
 static void study_islands(struct study *s)
 {
     const struct settings *own = s->own;
@@ -712,13 +756,13 @@ static void study_islands(struct study *s)
 }
 
 static const struct study_entry studies[] = {
-    {"speed", study_speed, "collisions in a second, by engine", NULL},
-    {"drift", study_drift, "of the energy", NULL},
-    {"reverse", study_reverse, "how the way back is missed", NULL},
-    {"steps", study_steps, "walking instead of events", NULL},
-    {"collapse", study_collapse, "two balls and a wall", NULL},
-    {"islands", study_islands, "the collisions of a slab", NULL},
-    {"row", study_row, "of bodies that touch", NULL},
+    {"speed", study_speed, "collisions in a second, by engine", speed_keys},
+    {"drift", study_drift, "of the energy", drift_keys},
+    {"reverse", study_reverse, "how the way back is missed", reverse_keys},
+    {"steps", study_steps, "walking instead of events", steps_keys},
+    {"collapse", study_collapse, "two balls and a wall", collapse_keys},
+    {"islands", study_islands, "the collisions of a slab", islands_keys},
+    {"row", study_row, "of bodies that touch", row_keys},
     {0}};
 
 static const struct options_entry entries[] = {

@@ -1,5 +1,5 @@
 /* From chapters/04-piston.nw: edit there, then run make tangle. */
-/* checksum 2631465835 of the lines below */
+/* checksum 3660714772 of the lines below */
 #include "bonkers.h"
 #include "start.h"
 #include "toolbox/options.h"
@@ -57,6 +57,21 @@ static const struct options_entry entries[] = {
     {"summary", 'S', "FILE", "for the results as lines: key value"},
     {0}};
 
+static const struct table_key keys[] = {
+    {"collisions", "1", "of all members"},
+    {"samples", "1", "rows"},
+    {"time", "s", "at the end"},
+    {"engine", "word", "that was used"},
+    {"collisions_per_second", "1/s", "of processor time"},
+    {"order_violations", "1", "pairs that rounding had put out of order"},
+    {"", "", "if --restitution is 1:"},
+    {"energy_error", "1", "relative; of the worst member"},
+    {"", "", "if it is less:"},
+    {"energy_change", "1", "the same"},
+    {"", "", "if --ensemble:"},
+    {"members", "1", "averaged over"},
+    {0}};
+
 /* Reads a list into values; checks that each is within low and high. */
 static const double *read_list(struct options *o, struct settings *s,
                                double values[], double low, double high)
@@ -99,6 +114,7 @@ static void read_settings(struct settings *s, int argc, char *argv[])
                            .summary = "/dev/null"};
     options_begin(&o, PROGRAM, "Run bodies on a line between two walls.",
                   entries, argc, argv);
+    options_keys(&o, keys);
     while ((option = options_next(&o)) != -1)
         switch (option) {
         case 'p':
@@ -583,6 +599,7 @@ int main(int argc, char *argv[])
     struct table *summary = table_open(PROGRAM, s.summary);
     if (!out || !summary)
         return table_discard(out), table_discard(summary), EXIT_FAILURE;
+    table_keys(summary, keys);
     progress_catch_signals();
 #ifdef _OPENMP
     if (s.threads > 0)

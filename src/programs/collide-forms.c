@@ -1,5 +1,5 @@
 /* From chapters/01-collide.nw: edit there, then run make tangle. */
-/* checksum 573088420 of the lines below */
+/* checksum 3317840402 of the lines below */
 #include "collide.h"
 #include "toolbox/bench.h"
 #include "toolbox/options.h"
@@ -71,6 +71,13 @@ static void measure_rounding(struct rounding *all, int form, double u1,
         fmax(all->velocity_max, fmax(fabs((double)e1), fabs((double)e2)) /
                                     fmax(fabs(u1), fabs(u2)) / DBL_EPSILON);
 }
+
+static const struct table_key rounding_keys[] = {
+    {"energy_max_<form>", "2^-52", "worst relative error of energy"},
+    {"energy_rms_<form>", "2^-52", "root mean square of the same"},
+    {"momentum_max_<form>", "2^-52", "worst error of momentum / sum m|u|"},
+    {"velocity_max_<form>", "2^-52", "worst error of v / larger |u|"},
+    {0}};
 
 static bool study_rounding(struct settings *s)
 {
@@ -158,6 +165,14 @@ static double row_bias(uint64_t i, const double v[BODIES])
     return 2 * delta * d * d / sum;
 }
 
+static const struct table_key drift_keys[] = {
+    {"energy_error_tenth_<form>", "1", "after a tenth of the collisions"},
+    {"energy_error_<form>", "1", "relative error of the energy"},
+    {"predicted_difference", "1", "the same of difference, summed up"},
+    {"slope", "1", "difference: error / error after a tenth"},
+    {"improvement", "1", "error of difference / error of smaller"},
+    {0}};
+
 static bool study_drift(struct settings *s)
 {
     double v[COLLIDE_FORMS][BODIES], error[COLLIDE_FORMS + 1];
@@ -244,6 +259,12 @@ static uint64_t count_galperin_float(float im_heavy, uint64_t limit)
     return n;
 }
 
+static const struct table_key galperin_keys[] = {
+    {"exact", "1", "collisions at the last mass ratio"},
+    {"count_float", "1", "counted by smaller, single precision"},
+    {"count_<form>", "1", "counted in this form"},
+    {0}};
+
 static bool study_galperin(struct settings *s)
 {
     double ratio = 1, row[COLLIDE_FORMS + 3];
@@ -313,6 +334,9 @@ static double time_form(const struct bench *b, int form, uint64_t passes)
     return (bench_seconds() - start) * 1e9 / ((double)passes * PAIRS);
 }
 
+static const struct table_key cost_keys[] = {
+    {"ns_<form>", "ns", "processor time a collision, median"}, {0}};
+
 static bool study_cost(struct settings *s)
 {
     static struct bench b;
@@ -346,11 +370,12 @@ static bool study_cost(struct settings *s)
 
 static const struct {
     bool (*run)(struct settings *s);
-} studies[] = {{study_rounding},
-               {study_drift},
-               {study_galperin},
-               {study_map},
-               {study_cost}};
+    const struct table_key *keys;
+} studies[] = {{study_rounding, rounding_keys},
+               {study_drift, drift_keys},
+               {study_galperin, galperin_keys},
+               {study_map, NULL},
+               {study_cost, cost_keys}};
 
 static const char *const study_names[] = {"rounding", "drift", "galperin",
                                           "map",      "cost",  NULL};
@@ -365,7 +390,9 @@ static const struct options_entry entries[] = {
     {"inverse-masses", 'i', "a,b", "map: of the two bodies (1,0.25)"},
     {"seed", 's', "S", "of the random numbers (1)"},
     {"output", 'o', "FILE", "for the table (standard output)"},
-    {"summary", 'S', "FILE", "for the results as lines: key value"},
+    {"summary", 'S', "FILE",
+     "for the results as lines: key value;\n"
+     "--study NAME --help lists them"},
     {0}};
 
 static void read_settings(struct settings *s, int argc, char *argv[])
@@ -387,6 +414,7 @@ static void read_settings(struct settings *s, int argc, char *argv[])
         switch (option) {
         case 't':
             s->study = options_choice(&o, study_names);
+            options_keys(&o, studies[s->study].keys);
             chosen = true;
             break;
         case 'R':
@@ -433,6 +461,7 @@ int main(int argc, char *argv[])
     s.summary = table_open(PROGRAM, s.summary_path);
     if (!s.out || !s.summary)
         return table_discard(s.out), table_discard(s.summary), EXIT_FAILURE;
+    table_keys(s.summary, studies[s.study].keys);
     progress_catch_signals();
     table_begin(s.out, s.command, s.seed);
     random_seed(&s.random, s.seed);

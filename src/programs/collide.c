@@ -1,5 +1,5 @@
 /* From chapters/01-collide.nw: edit there, then run make tangle. */
-/* checksum 593970155 of the lines below */
+/* checksum 3822776314 of the lines below */
 #include "collide.h"
 #include "toolbox/options.h"
 #include "toolbox/progress.h"
@@ -48,6 +48,21 @@ static const struct options_entry entries[] = {
     {"output", 'o', "FILE", "for the report (standard output)"},
     {"summary", 'S', "FILE", "for the results as lines: key value"},
     {0}};
+static const struct table_key keys[] = {
+    {"form", "word", "that was used"},
+    {"", "", "if --tests:"},
+    {"dimensions", "1", "of the collisions"},
+    {"energy_error_max", "2^-52", "relative, of the worst collision"},
+    {"energy_error_rms", "2^-52", "root mean square of all"},
+    {"momentum_error_max", "2^-52",
+     "over sum m|u|, of the worst collision"},
+    {"momentum_error_rms", "2^-52", "root mean square of all"},
+    {"", "", "if --velocities:"},
+    {"v<body>_<axis>", "m/s", "after the collision"},
+    {"energy_error", "2^-52", "relative; 2^-52 is a machine epsilon"},
+    {"momentum_error", "2^-52", "over sum m|u|"},
+    {0}};
+
 struct pair {
     size_t dimensions;
     double im[2], normal[COLLIDE_DIMENSIONS];
@@ -87,6 +102,7 @@ static void read_settings(struct settings *s, int argc, char *argv[])
     options_begin(&o, PROGRAM,
                   "Collide two bodies, or test random collisions.", entries,
                   argc, argv);
+    options_keys(&o, keys);
     while ((option = options_next(&o)) != -1)
         switch (option) {
         case 'v':
@@ -403,6 +419,8 @@ int main(int argc, char *argv[])
         s.summary ? table_open(PROGRAM, s.summary) : NULL;
     if (!out || (s.summary && !summary))
         return table_discard(out), table_discard(summary), EXIT_FAILURE;
+    if (summary)
+        table_keys(summary, keys);
     progress_catch_signals();
     bool done = s.velocities_given ? run_by_hand(&s, out, summary)
                                    : run_tests(&s, out, &worst, &rms);

@@ -1,5 +1,5 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 285989347 of the lines below */
+/* checksum 4044671000 of the lines below */
 #include "cells.h"
 #include "toolbox/bench.h"
 #include "toolbox/options.h"
@@ -197,6 +197,13 @@ static const struct options_entry entries[] = {
     {"summary", 'S', "FILE", "for the results as lines: key value"},
     {0}};
 
+static const struct table_key keys[] = {
+    {"", "", "if not --steps:"},
+    {"cells_<N>", "1/s", "collisions, cells, N disks"},
+    {"bytes_<N>", "B", "of memory for a disk"},
+    {"cells/pairs_<N>", "1", "ratio of speeds; nan: too many for pairs"},
+    {0}};
+
 static void read_particles(struct settings *s, struct options *o)
 {
     s->sizes = options_list(o, s->particles, SIZES);
@@ -219,6 +226,7 @@ static void read_settings(struct settings *s, int argc, char *argv[])
                            .summary = "/dev/null"};
     options_begin(&o, PROGRAM, "Time the engines of disks.", entries, argc,
                   argv);
+    options_keys(&o, keys);
     while ((option = options_next(&o)) != -1)
         switch (option) {
         case 'N': read_particles(s, &o); break;
@@ -271,6 +279,7 @@ int main(int argc, char *argv[])
     struct table *summary = table_open(PROGRAM, s.summary);
     if (!out || !summary)
         return table_discard(out), table_discard(summary), EXIT_FAILURE;
+    table_keys(summary, keys);
     progress_catch_signals();
     progress_begin(&progress, PROGRAM, s.sizes, "sizes");
     write_head(out, &s);

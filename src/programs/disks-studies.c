@@ -1,5 +1,5 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 1704242301 of the lines below */
+/* checksum 2728090141 of the lines below */
 #include "disks.h"
 #include "toolbox/bench.h"
 #include "toolbox/quad.h"
@@ -160,6 +160,13 @@ static void sum_up(struct study *s, const char *name, const struct loop *l,
     }
 }
 
+static const struct table_key clock_keys[] = {
+    {"Z_<program>", "1", "P V/(N kT) at the walls across x"},
+    {"overlap_<program>", "m", "deepest seen"},
+    {"energy_<program>", "1", "relative change"},
+    {"edge_<program>", "%", "density at the edge, off direct sampling"},
+    {0}};
+
 static void study_clock(struct study *s)
 {
     const struct settings *own = s->own;
@@ -267,6 +274,14 @@ static double median_miss(const struct study *s, double e, double t,
     return bench_median(worst, starts);
 }
 
+static const struct table_key reverse_keys[] = {
+    {"miss_5", "m", "1 J: median miss, 5 s and back"},
+    {"miss_8", "m", "1 J: the same, 8 s"},
+    {"collisions", "1", "1 J: mean of 8 s, one way"},
+    {"rate_1", "1/s", "growth of the miss, 1 J"},
+    {"rate_4", "1/s", "the same, 4 J"},
+    {0}};
+
 static void study_reverse(struct study *s)
 {
     double one[16], four[16], n = 0, other;
@@ -366,6 +381,15 @@ static void worst_of(const struct study *s, int kind, double size,
     }
 }
 
+static const struct table_key contact_keys[] = {
+    {"time", "1", "grazing by 2^-40: error of the time"},
+    {"place", "1", "the same: error of the distance then"},
+    {"book", "1", "gap 2^-26: relative error, textbook's root"},
+    {"ours", "1", "the same, stable root"},
+    {"book_exact", "1", "textbook's root, exact places"},
+    {"ours_exact", "1", "stable root, exact places"},
+    {0}};
+
 static void study_contact(struct study *s)
 {
     static const char *const keys[] = {"time", "place",      "book",
@@ -436,6 +460,12 @@ static void write_end(struct study *s)
     table_real(s->summary, "collisions", (double)d.collisions);
     disks_free(&d);
 }
+
+static const struct table_key collapse_keys[] = {
+    {"bound", "1", "of 100 disks: collide for ever"},
+    {"time", "s", "of the collapse"},
+    {"collisions", "1", "until then"},
+    {0}};
 
 static void study_collapse(struct study *s)
 {
@@ -558,6 +588,9 @@ static double find_errors(uint64_t seed, double row[5])
     return different;
 }
 
+static const struct table_key pressure_keys[] = {
+    {"different", "1", "runs in which the engines differ"}, {0}};
+
 static void study_pressure(struct study *s)
 {
     const struct settings *own = s->own;
@@ -579,13 +612,16 @@ static void study_pressure(struct study *s)
 }
 
 static const struct study_entry studies[] = {
-    {"clock", study_clock, "three programs, right and wrong", NULL},
+    {"clock", study_clock, "three programs, right and wrong", clock_keys},
     {"timeline", study_timeline, "what they write down", NULL},
-    {"reverse", study_reverse, "how soon the way back is lost", NULL},
-    {"contact", study_contact, "errors of the time of contact", NULL},
-    {"collapse", study_collapse, "disks that collide for ever", NULL},
+    {"reverse", study_reverse, "how soon the way back is lost",
+     reverse_keys},
+    {"contact", study_contact, "errors of the time of contact",
+     contact_keys},
+    {"collapse", study_collapse, "disks that collide for ever",
+     collapse_keys},
     {"speed", study_speed, "collisions in a second", NULL},
-    {"pressure", study_pressure, "its error against time", NULL},
+    {"pressure", study_pressure, "its error against time", pressure_keys},
     {0}};
 
 static const struct options_entry entries[] = {

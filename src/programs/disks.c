@@ -1,5 +1,5 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 2356443016 of the lines below */
+/* checksum 4246565700 of the lines below */
 #include "blocks.h"
 #include "cells.h"
 #include "disks.h"
@@ -396,7 +396,9 @@ static double Z_wall(const struct run *r, size_t k, double impulse,
     return impulse * r->d.box[k] / (2 * time * (double)r->d.count * r->kT);
 }
 
-/* The same from what collisions have summed up (7.9, eq:virial). */
+/* From what collisions have summed up: P V/(N kT) in a periodic box
+   (7.9, eq:virial); with walls the mean of Z_wall (1 - 2R/L), since they
+   push on centres that keep a radius away (7.10, eq:gas-walls). */
 static double Z_virial(const struct run *r, double virial, double time)
 {
     return 1 +
@@ -647,7 +649,9 @@ static void begin_pressure(struct run *r)
         table_column(r->out, symbol, "",
                      "P V/(N kT) of the walls across this axis");
     }
-    table_column(r->out, "Z_virial", "", "the same from the virial");
+    table_column(r->out, "Z_virial", "",
+                 walls ? "mean of Z_wall (1 - 2R/L), from collisions"
+                       : "P V/(N kT) from collisions");
 }
 
 static void look_at_pressure(struct run *r)
@@ -817,7 +821,9 @@ static const struct options_entry entries[] = {
     {"collisions", 'c', "C",
      "stop at this collision of two disks\n"
      "(100 of each disk, if no end is given)"},
-    {"every", 'd', "DT", "look at each multiple of this time, s"},
+    {"every", 'd', "DT",
+     "look at each multiple of this time, s; states\n"
+     "and pressure can do without"},
     {"samples", 'k', "K", "stop after so many looks behind the first"},
     {"measure", 'm', "NAME",
      "states, positions, speeds, pressure,\n"
@@ -825,6 +831,54 @@ static const struct options_entry entries[] = {
     {"engine", 'g', "NAME", "auto, pairs or cells (auto)"},
     {"output", 'o', "FILE", "for the table (standard output)"},
     {"summary", 'S', "FILE", "for the results as lines: key value"},
+    {0}};
+
+static const struct table_key keys[] = {
+    {"disks", "1", "or spheres"},
+    {"collisions", "1", "of two disks, behind the warm-up"},
+    {"wall_collisions", "1", "of a disk and a wall"},
+    {"samples", "1", "looks"},
+    {"time", "s", "behind the warm-up"},
+    {"kT", "J", "temperature"},
+    {"packing", "1", "share of the box that is filled"},
+    {"engine", "word", "that was used"},
+    {"collisions_per_second", "1/s", "of processor time, walls counted"},
+    {"", "", "if --restitution is 1:"},
+    {"energy_error", "1", "relative"},
+    {"", "", "if it is less:"},
+    {"energy_change", "1", "relative"},
+    {"", "", "if the run takes time:"},
+    {"collision_rate", "1/s", "of a disk: two disks to a collision"},
+    {"", "", "the same with --restitution 1:"},
+    {"Z_virial", "1",
+     "P V/(N kT) from collisions; with walls V is the\nroom of the "
+     "centres: mean of Z_wall (1 - 2R/L)"},
+    {"Z_virial_error", "1", "standard error"},
+    {"", "", "the same with walls:"},
+    {"Z_wall_<axis>", "1", "P V/(N kT) at the walls across this axis"},
+    {"Z_wall_<axis>_error", "1", "standard error"},
+    {"", "", "if --measure speeds, u = v sqrt(m/(2 kT)):"},
+    {"mean_speed", "1", "mean u"},
+    {"mean_speed_error", "1", "standard error"},
+    {"mean_speed_finite", "1", "by the law for so many disks"},
+    {"mean_speed_maxwell", "1", "by Maxwell's"},
+    {"v4", "1", "mean u^4"},
+    {"v4_error", "1", "standard error"},
+    {"v4_finite", "1", "by the law for so many disks"},
+    {"v4_maxwell", "1", "by Maxwell's"},
+    {"chi2_finite", "1", "of the speeds against that law"},
+    {"chi2_maxwell", "1", "against Maxwell's"},
+    {"bins", "1", "that both count"},
+    {"", "", "if --measure brownian:"},
+    {"V2", "m2/s2", "mean square of a component"},
+    {"V2_error", "m2/s2", "standard error"},
+    {"V2_exact", "m2/s2", "by equipartition"},
+    {"heavy_rate", "1/s", "collisions of the heavy disk"},
+    {"", "", "the same with more than 32 looks:"},
+    {"slope", "m2/s3", "-dC/dt at lag 0"},
+    {"slope_error", "m2/s3", "standard error"},
+    {"", "", "the same in a periodic box:"},
+    {"slope_exact", "m2/s3", "from heavy_rate"},
     {0}};
 
 static void read_settings(struct settings *s, int argc, char *argv[])
@@ -843,6 +897,7 @@ static void read_settings(struct settings *s, int argc, char *argv[])
                            .summary = "/dev/null"};
     options_begin(&o, PROGRAM, "Run hard disks or spheres in a box.",
                   entries, argc, argv);
+    options_keys(&o, keys);
     while ((option = options_next(&o)) != -1)
         switch (option) {
         case 'N': s->disks = options_count(&o, 1, DISKS_MOST); break;
@@ -898,7 +953,7 @@ static void read_settings(struct settings *s, int argc, char *argv[])
         options_fail(&o, "--speed and --temperature exclude each other");
     if (s->samples < UINT64_MAX && s->every == 0)
         options_fail(&o, "--samples needs --every");
-    if (s->measure != STATES && s->every == 0)
+    if (s->measure != STATES && s->measure != PRESSURE && s->every == 0)
         options_fail(&o, "--measure %s needs --every",
                      measure_names[s->measure]);
     for (size_t k = 0; k < s->axes; ++k)
@@ -984,7 +1039,8 @@ static void run_and_look(struct run *r)
         run_to(r, clock, collisions);
         over = over || r->stop != DISKS_TIME;
         const bool regular = r->d.now == (double)r->row * every;
-        if (!progress_signal() && (regular || r->s->measure == STATES)) {
+        const bool at_end = r->s->measure == STATES || every == 0;
+        if (!progress_signal() && (regular || at_end)) {
             measures[r->s->measure].look(r);
             ++r->rows;
         }
@@ -1060,6 +1116,7 @@ int main(int argc, char *argv[])
     struct table *summary = table_open(PROGRAM, s.summary);
     if (!r.out || !summary)
         return table_discard(r.out), table_discard(summary), EXIT_FAILURE;
+    table_keys(summary, keys);
     progress_catch_signals();
     table_begin(r.out, s.command, s.seed);
     progress_begin(&r.progress, PROGRAM, PARTS, "collisions");

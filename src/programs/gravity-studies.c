@@ -1,5 +1,5 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 1820767897 of the lines below */
+/* checksum 1933332462 of the lines below */
 #include "celestial.h"
 #include "gravity.h"
 #include "kepler.h"
@@ -139,6 +139,18 @@ static void name_paths(struct table *out)
     table_column(out, "y_l", "AU", "");
 }
 
+static const struct table_key sun_earth_keys[] = {
+    {"axis", "AU", "of the first ellipse"},
+    {"eccentricity", "1", "the same"},
+    {"period", "d", "of leapfrog"},
+    {"closed_period", "d", "Kepler's"},
+    {"drift", "AU/d", "speed of the centre of mass"},
+    {"euler_radius", "AU", "after five years by euler"},
+    {"euler_law", "AU", "the same by the law"},
+    {"leapfrog_error", "AU", "of place after five years"},
+    {"leapfrog_law", "AU", "the same by the law"},
+    {0}};
+
 /* Five years in steps of two days: the closed form, and two methods. */
 static void study_sun_earth(struct study *s)
 {
@@ -225,6 +237,12 @@ static void write_long_path(struct table *out)
     }
     end_sky(&k);
 }
+
+static const struct table_key eccentric_keys[] = {
+    {"kahan-li8_<e>", "AU", "error after an orbit of eccentricity e"},
+    {"leapfrog", "AU", "the same at 0.99"},
+    {"more", "AU", "the same, 100 times the steps"},
+    {0}};
 
 static void study_eccentric(struct study *s)
 {
@@ -314,6 +332,13 @@ static void name_falls(struct table *out)
     table_column(out, fall_columns[5], "AU", "place: leapfrog, softened");
 }
 
+static const struct table_key encounter_keys[] = {
+    {"dE_s", "1", "largest error of energy, softened"},
+    {"dx_s", "AU", "largest error of place, softened"},
+    {"dE_<fall>_<q>", "1", "energy: l leapfrog, k kahan-li8, s softened"},
+    {"dx_<fall>_<q>", "AU", "place: the same"},
+    {0}};
+
 static void study_encounter(struct study *s)
 {
     const double dt = 0.01;
@@ -372,6 +397,11 @@ static void five_years(struct sky *k, double eccentricity[2])
     stepping_run(&k->stepping, 300);
 }
 
+static const struct table_key planets_keys[] = {
+    {"energy_300", "1", "relative error, Jupiter x 300"},
+    {"eight", "1", "the same by leapfrog in a century"},
+    {0}};
+
 static void study_planets(struct study *s)
 {
     struct sky k[JUPITERS];
@@ -420,6 +450,13 @@ static void write_paths(struct study *s, double distance, double days)
     end_sky(&k);
 }
 
+static const struct table_key circumbinary_keys[] = {
+    {"v_A", "AU/d", "first star, at the start"},
+    {"v_B", "AU/d", "second star"},
+    {"v_P", "AU/d", "planet"},
+    {"error", "AU", "of the planet's place after 400 d"},
+    {0}};
+
 static void study_circumbinary(struct study *s)
 {
     struct sky k;
@@ -465,6 +502,13 @@ static int survivors(double distance, double periods)
     }
     return alive;
 }
+
+static const struct table_key survival_keys[] = {
+    {"safe", "1", "least safe distance, the stars' being 1"},
+    {"safe_AU", "AU", "the same"},
+    {"law", "1", "by the fitted law"},
+    {"law_AU", "AU", "the same"},
+    {0}};
 
 static void study_survival(struct study *s)
 {
@@ -525,6 +569,11 @@ static void note_precision(struct table *summary, const char *method,
             table_real(summary, key, place);
         }
 }
+
+static const struct table_key work_keys[] = {
+    {"dE_<method>_<n>", "1", "error of energy, n evaluations a period"},
+    {"dx_<method>_<n>", "AU", "error of place after 400 d"},
+    {0}};
 
 static void study_work(struct study *s)
 {
@@ -604,6 +653,15 @@ static void tell(struct study *s, const char *what, size_t count,
     table_real(s->summary, key, value);
 }
 
+static const struct table_key choreography_keys[] = {
+    {"S_<N>", "1", "the sum of N bodies"},
+    {"v_<N>", "1", "speed on the circle"},
+    {"rate_<N>", "1", "growth over angular velocity, theory"},
+    {"measured_<N>", "1", "the same, measured"},
+    {"theory_<N>", "1", "orbits until it breaks, theory"},
+    {"orbits_<N>", "1", "the same, measured; 0 for N = 2"},
+    {0}};
+
 static void study_choreography(struct study *s)
 {
     struct broken b[11] = {{0}};
@@ -645,6 +703,9 @@ static double closure(const char *method, double steps, bool compensated)
     return worst;
 }
 
+static const struct table_key figure_eight_keys[] = {
+    {"closure", "1", "miss after a period, kahan-li8"}, {0}};
+
 static void study_eight(struct study *s)
 {
     static const char *const methods[] = {"leapfrog", "rk4", "kahan-li8"};
@@ -672,6 +733,11 @@ static void study_eight(struct study *s)
     }
     table_real(s->summary, "closure", closure("kahan-li8", 2000, true));
 }
+
+static const struct table_key ring_speeds_keys[] = {
+    {"edge_<k>", "1/AU^2", "pull of the ring 10^-k AU outside"},
+    {"per_decade", "1/AU^2", "its growth, by the law"},
+    {0}};
 
 static void study_ring_speeds(struct study *s)
 {
@@ -784,6 +850,12 @@ static void judge_ring(const struct study *s, const struct sky *k,
     table_real(s->summary, "dispersion", clumps);
     table_real(s->summary, "stirring", heat);
 }
+
+static const struct table_key ring_keys[] = {
+    {"energy", "1", "relative change"},
+    {"dispersion", "1", "variance / mean of the cells' counts"},
+    {"stirring", "1", "rms radial velocity / circle's"},
+    {0}};
 
 static void study_ring(struct study *s)
 {
@@ -1316,18 +1388,24 @@ static void study_tree(struct study *s)
 }
 
 static const struct study_entry studies[] = {
-    {"sun-earth", study_sun_earth, "five years by two methods", NULL},
+    {"sun-earth", study_sun_earth, "five years by two methods",
+     sun_earth_keys},
     {"anomaly", study_anomaly, "Kepler's equation", NULL},
-    {"eccentric", study_eccentric, "errors on long ellipses", NULL},
-    {"encounter", study_encounter, "falls past the Sun", NULL},
-    {"planets", study_planets, "a heavier Jupiter", NULL},
-    {"circumbinary", study_circumbinary, "the planet of two stars", NULL},
-    {"survival", study_survival, "how close it may come", NULL},
-    {"work", study_work, "seven methods on its orbit", NULL},
-    {"choreography", study_choreography, "circles that break", NULL},
-    {"figure-eight", study_eight, "three bodies on an eight", NULL},
-    {"ring-speeds", study_ring_speeds, "circles in a ring", NULL},
-    {"ring", study_ring, "3072 particles and their weight", NULL},
+    {"eccentric", study_eccentric, "errors on long ellipses",
+     eccentric_keys},
+    {"encounter", study_encounter, "falls past the Sun", encounter_keys},
+    {"planets", study_planets, "a heavier Jupiter", planets_keys},
+    {"circumbinary", study_circumbinary, "the planet of two stars",
+     circumbinary_keys},
+    {"survival", study_survival, "how close it may come", survival_keys},
+    {"work", study_work, "seven methods on its orbit", work_keys},
+    {"choreography", study_choreography, "circles that break",
+     choreography_keys},
+    {"figure-eight", study_eight, "three bodies on an eight",
+     figure_eight_keys},
+    {"ring-speeds", study_ring_speeds, "circles in a ring",
+     ring_speeds_keys},
+    {"ring", study_ring, "3072 particles and their weight", ring_keys},
     {"softening", study_softening, "how it turns an orbit", NULL},
     {"speed", study_speed, "pairs a second of the kernels", NULL},
     {"threads", study_threads, "the same on several threads", NULL},

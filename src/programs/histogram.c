@@ -1,5 +1,5 @@
 /* From chapters/03-equilibrium.nw: edit there, then run make tangle. */
-/* checksum 2797949402 of the lines below */
+/* checksum 1567094729 of the lines below */
 #include "laws.h"
 #include "statistics.h"
 #include "toolbox/bench.h"
@@ -284,6 +284,65 @@ static const struct options_entry entries[] = {
     {"", 0, "FILE", "a table of numbers; - is standard input"},
     {0}};
 
+static const struct table_key keys[] = {
+    {"samples", "1", "rows that count"},
+    {"columns", "1", "described"},
+    {"mean_error_<column>", "its own", "standard error of the mean"},
+    {"mean_naive_<column>", "its own", "the same for independent samples"},
+    {"sd_error_<column>", "its own", "standard error of sd"},
+    {"kurtosis_error_<column>", "1", "standard error of kurtosis"},
+    {"least_<column>", "its own", "sample"},
+    {"greatest_<column>", "its own", "sample"},
+    {"effective_<column>", "1", "independent samples that they are worth"},
+    {"plateau_<column>", "1", "0: the errors are lower bounds"},
+    {"inefficiency_<column>", "1", "samples to one independent one"},
+    {"kurtosis_<column>", "1", "3 for a Gaussian"},
+    {"mean_<column>", "its own", "of the samples"},
+    {"sd_<column>", "its own", "standard deviation"},
+    {"block_<column>", "1", "samples in the longest block"},
+    {"", "", "if --table histogram:"},
+    {"bins_<column>", "1", "of the histogram"},
+    {"outside_<column>", "1", "samples beyond the bins"},
+    {"", "", "if --fit, and a Gaussian fits:"},
+    {"fit_mean_error_<column>", "its own", "standard error"},
+    {"fit_sd_error_<column>", "its own", "standard error"},
+    {"fit_mean_<column>", "its own", "of the Gaussian"},
+    {"fit_sd_<column>", "its own", "the same"},
+    {"fit_chi2_<column>", "1", "of the bins"},
+    {"fit_degrees_<column>", "1", "of freedom"},
+    {"", "", "if --law:"},
+    {"law_fitted_<column>", "1", "parameters taken from the samples"},
+    {"law_mean_<column>", "its own", "of the law"},
+    {"law_sd_<column>", "its own", "the same"},
+    {"law_chi2_probability_<column>", "1", "of as bad a chi2"},
+    {"law_chi2_<column>", "1", "of the samples against it"},
+    {"law_degrees_<column>", "1", "of freedom"},
+    {"", "", "if no parameter is fitted, too:"},
+    {"law_distance_probability_<column>", "1", "of as long a distance"},
+    {"law_distance_<column>", "1", "Kolmogorov's"},
+    {"mean_z_<column>", "1", "(mean - law_mean)/mean_error"},
+    {"sd_z_<column>", "1", "(sd - law_sd)/sd_error"},
+    {"", "", "if --against:"},
+    {"correlation_error_<column>", "1", "standard error"},
+    {"correlation_<column>", "1", "of the two"},
+    {"against_chi2_<column>", "1", "for independence"},
+    {"against_degrees_<column>", "1", "of freedom"},
+    {"against_probability_<column>", "1", "of as bad a chi2"},
+    {"", "", "if --table blocks:"},
+    {"block_inefficiency_<column>", "1", "samples to one independent one"},
+    {"block_length_<column>", "1", "samples in the chosen block"},
+    {"block_error_<column>", "its own", "of the mean"},
+    {"block_naive_<column>", "its own", "the same for independent samples"},
+    {"block_<what>2_<column>", "its own^2", "the same of the variance"},
+    {"", "", "if --table correlation:"},
+    {"window_<column>", "1", "longest lag that is summed"},
+    {"sum_inefficiency_<column>", "1", "samples to one independent one"},
+    {"sum_uncertainty_<column>", "1", "its standard error"},
+    {"window2_<column>", "1", "of the variance"},
+    {"sum_<what>2_<column>", "1", "the same of the variance"},
+    {"sum_settled_<column>", "1", "0: no window was long enough"},
+    {0}};
+
 static void read_range(struct options *o, struct settings *s)
 {
     if (s->ranges == MOST_COLUMNS)
@@ -312,6 +371,7 @@ static void read_settings(struct settings *s, int argc, char *argv[])
     options_begin(&o, PROGRAM,
                   "Histograms of the columns of a table, with errors.",
                   entries, argc, argv);
+    options_keys(&o, keys);
     while ((option = options_next(&o)) != -1)
         switch (option) {
         case 'c': s->columns = options_text(&o); break;
@@ -797,6 +857,7 @@ int main(int argc, char *argv[])
     s.summary = table_open(PROGRAM, s.summary_path);
     if (!s.out || !s.summary)
         return table_discard(s.out), table_discard(s.summary), EXIT_FAILURE;
+    table_keys(s.summary, keys);
     read_table(&s, &c);
     begin_table(&s, &c);
     for (size_t i = 0; i < c.count; ++i)

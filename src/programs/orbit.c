@@ -1,14 +1,26 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 3160393421 of the lines below */
+/* checksum 2897836997 of the lines below */
 #include "motion.h"
+#include "toolbox/options.h"
 
 #include <stdio.h>
 
 int main(int argc, char *argv[])
 {
+    static const struct options_entry entries[] = {
+        {"", 0, "[SCENE]", "a scene file; - is standard input"}, {0}};
+    const char *file = NULL;
+    struct options o;
     struct scene s;
     struct motion m;
-    if (!scene_read(&s, "orbit", argc > 1 ? argv[1] : "-") ||
+    options_begin(&o, "orbit", "Print t, x and y of body 1 until 50000.",
+                  entries, argc, argv);
+    while (options_next(&o) != -1) {
+        if (file)
+            options_fail(&o, "'%s': one SCENE is enough", options_text(&o));
+        file = options_text(&o);
+    }
+    if (!scene_read(&s, "orbit", file ? file : "-") ||
         !motion_begin(&m, "orbit", &s, "leapfrog", 0))
         return 2;
     while (motion_time(&m) < 50000 && motion_run(&m, 1) == STEPPING_DONE)

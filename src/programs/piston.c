@@ -1,5 +1,5 @@
 /* From chapters/04-piston.nw: edit there, then run make tangle. */
-/* checksum 2538385206 of the lines below */
+/* checksum 1784173526 of the lines below */
 #include "piston.h"
 #include "toolbox/bench.h"
 #include "toolbox/options.h"
@@ -74,6 +74,18 @@ static void summarise_periods(const struct settings *s)
     table_real(s->summary, "period_acoustic",
                2 * acos(-1) / piston_frequency_acoustic(&s->piston));
 }
+
+static const struct table_key run_keys[] = {
+    {"x_min", "m", "leftmost place of the piston"},
+    {"x_max", "m", "rightmost"},
+    {"energy_error", "1", "largest relative error"},
+    {"period_isothermal", "s", "small swings, gases kept at a temperature"},
+    {"period_small", "s", "small swings, gases of no mass"},
+    {"period_large", "s", "swings of this run, the same"},
+    {"period_small_added", "s", "small swings, with a third of the gases"},
+    {"period_large_added", "s", "swings of this run, the same"},
+    {"period_acoustic", "s", "small swings, with sound in the gases"},
+    {0}};
 
 static bool study_run(struct settings *s)
 {
@@ -448,6 +460,23 @@ static struct fit fit_decay(const struct settings *s,
     return f;
 }
 
+static const struct table_key measure_keys[] = {
+    {"movers", "1", "bodies between the walls"},
+    {"share_start", "1", "of the energy, the piston's"},
+    {"reach", "m", "farthest place from the middle"},
+    {"crossings", "1", "of the middle, 8 at most"},
+    {"windows", "1", "of the fit"},
+    {"tau", "s", "of the decay; nan: under 3 windows"},
+    {"tau_error", "s", "its standard error"},
+    {"", "", "if there are 4 crossings:"},
+    {"first_half", "s", "first crossing to second"},
+    {"second_half", "s", "second to third"},
+    {"period", "s", "mean"},
+    {"period_spread", "s", "standard deviation"},
+    {"", "", "if --at:"},
+    {"share_<i>", "1", "the piston's in window i; nan: none"},
+    {0}};
+
 static bool study_measure(struct settings *s)
 {
     struct record r = {0};
@@ -486,7 +515,11 @@ static bool study_measure(struct settings *s)
 
 static const struct {
     bool (*run)(struct settings *s);
-} studies[] = {{study_run}, {study_cost}, {study_measure}, {study_gases}};
+    const struct table_key *keys;
+} studies[] = {{study_run, run_keys},
+               {study_cost, NULL},
+               {study_measure, measure_keys},
+               {study_gases, NULL}};
 
 static const char *const study_names[] = {"run", "cost", "measure", "gases",
                                           NULL};
@@ -509,7 +542,9 @@ static const struct options_entry entries[] = {
     {"at", 'a', "T1,..", "s, measure: middles of windows to report"},
     {"fit", 'F', "A,B", "measure: excess of the share (0.1,0.01)"},
     {"output", 'o', "FILE", "for the table (standard output)"},
-    {"summary", 'S', "FILE", "for the results as lines: key value"},
+    {"summary", 'S', "FILE",
+     "for the results as lines: key value;\n"
+     "--study NAME --help lists them"},
     {0}};
 
 static void read_settings(struct settings *s, int argc, char *argv[])
@@ -531,6 +566,7 @@ static void read_settings(struct settings *s, int argc, char *argv[])
     options_begin(&o, PROGRAM,
                   "A piston between two adiabatic springs of gas.", entries,
                   argc, argv);
+    options_keys(&o, run_keys);
     while ((option = options_next(&o)) != -1)
         switch (option) {
         case 'M': s->piston.mass = options_real(&o, 1e-9, 1e9); break;
@@ -543,7 +579,10 @@ static void read_settings(struct settings *s, int argc, char *argv[])
         case 'h': s->step = options_real(&o, 1e-9, 1e9); break;
         case 'e': s->every = options_real(&o, 1e-9, 1e9); break;
         case 'u': s->until = options_real(&o, 0, 1e9); break;
-        case 't': s->study = options_choice(&o, study_names); break;
+        case 't':
+            s->study = options_choice(&o, study_names);
+            options_keys(&o, studies[s->study].keys);
+            break;
         case 'f': s->path = options_text(&o); break;
         case 'b': s->body = options_count(&o, 1, 4096); break;
         case 'w': s->window = options_real(&o, 1e-9, 1e9); break;
@@ -588,6 +627,7 @@ int main(int argc, char *argv[])
     s.summary = table_open(PROGRAM, s.summary_path);
     if (!s.out || !s.summary)
         return table_discard(s.out), table_discard(s.summary), EXIT_FAILURE;
+    table_keys(s.summary, studies[s.study].keys);
     progress_catch_signals();
     table_begin(s.out, s.command, 0);
     const bool done = studies[s.study].run(&s);

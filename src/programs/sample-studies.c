@@ -1,5 +1,5 @@
 /* From chapters/06-room.nw: edit there, then run make tangle. */
-/* checksum 3806364527 of the lines below */
+/* checksum 3093471928 of the lines below */
 #include "sampling.h"
 #include "statistics.h"
 #include "toolbox/bench.h"
@@ -178,6 +178,17 @@ static void write_mistakes(struct study *s,
     write_bias(s, "moved_middle", &means[MOVED], &means[CHAIN], HALF - 1);
 }
 
+static const struct table_key mistakes_keys[] = {
+    {"kept_edge", "%", "density in the end bins, off thrown"},
+    {"kept_middle", "%", "the same in the middle"},
+    {"moved_edge", "%", "density in the end bins, off chain"},
+    {"moved_middle", "%", "the same in the middle"},
+    {"<way>_walls", "1", "left side of (6.5)"},
+    {"<way>_walls_error", "1", "its standard error"},
+    {"<way>_pairs", "1", "right side of (6.5)"},
+    {"<way>_pairs_error", "1", "its standard error"},
+    {0}};
+
 static void study_mistakes(struct study *s)
 {
     const struct settings *own = s->own;
@@ -259,6 +270,12 @@ static void study_chain(struct study *s, size_t k, double x[],
     }
     sampling_free(&p);
 }
+
+static const struct table_key memory_keys[] = {
+    {"acceptance_<k>", "1", "chain k: share of moves accepted"},
+    {"g_x_<k>", "sweeps", "inefficiency of x of disk 1"},
+    {"g_edge_<k>", "sweeps", "the same of the share in the end bins"},
+    {0}};
 
 static void study_memory(struct study *s)
 {
@@ -440,8 +457,9 @@ static void study_cost(struct study *s)
 }
 
 static const struct study_entry studies[] = {
-    {"mistakes", study_mistakes, "two of them, and the right ways", NULL},
-    {"memory", study_memory, "how long a chain's is", NULL},
+    {"mistakes", study_mistakes, "two of them, and the right ways",
+     mistakes_keys},
+    {"memory", study_memory, "how long a chain's is", memory_keys},
     {"acceptance", study_acceptance, "how many throws fit", NULL},
     {"cost", study_cost, "error against processor time", NULL},
     {0}};

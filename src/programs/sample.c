@@ -1,5 +1,5 @@
 /* From chapters/06-room.nw: edit there, then run make tangle. */
-/* checksum 1947384006 of the lines below */
+/* checksum 1982922773 of the lines below */
 #include "sampling.h"
 #include "toolbox/options.h"
 #include "toolbox/progress.h"
@@ -57,6 +57,28 @@ static const struct options_entry entries[] = {
     {"summary", 'S', "FILE", "for the results as lines: key value"},
     {0}};
 
+static const struct table_key keys[] = {
+    {"samples", "1", "direct: configurations; markov: sweeps"},
+    {"tries", "1", "throws or moves"},
+    {"acceptance", "1", "share of them"},
+    {"acceptance_error", "1", "standard error"},
+    {"", "", "if there are walls:"},
+    {"Z_wall_<axis>", "1", "P V/(N kT) at the walls across this axis"},
+    {"Z_wall_<axis>_error", "1", "standard error"},
+    {"mean_x1", "m", "mean place of disk 1"},
+    {"mean_x1_error", "m", "standard error"},
+    {"", "", "if there are two disks or more:"},
+    {"f_contact", "1/m", "density of the distance of two at contact"},
+    {"f_contact_error", "1/m", "standard error"},
+    {"", "", "the same without --small:"},
+    {"Z_virial", "1",
+     "P V/(N kT) from pairs; with walls V is the room\nof the centres: "
+     "mean of Z_wall (1 - 2R/L)"},
+    {"Z_virial_error", "1", "standard error"},
+    {"", "", "if --method markov:"},
+    {"moved", "m", "rms way of a disk from its start"},
+    {0}};
+
 static void read_box(struct options *o, struct settings *s)
 {
     s->dimensions = options_list(o, s->box, DISKS_AXES);
@@ -93,6 +115,7 @@ static void read_settings(struct settings *s, struct options *o, int argc,
                            .summary = "/dev/null"};
     options_begin(o, PROGRAM, "Sample the places of hard disks in a box.",
                   entries, argc, argv);
+    options_keys(o, keys);
     while ((option = options_next(o)) != -1)
         switch (option) {
         case 'm': s->method = options_choice(o, method_names); break;
@@ -536,6 +559,7 @@ int main(int argc, char *argv[])
     struct table *summary = table_open(PROGRAM, s.summary);
     if (!run.out || !summary)
         return table_discard(run.out), table_discard(summary), EXIT_FAILURE;
+    table_keys(summary, keys);
     progress_catch_signals();
     progress_begin(&run.progress, PROGRAM, s.samples, "tries");
     table_begin(run.out, s.command, s.seed);

@@ -1,5 +1,5 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 3237995510 of the lines below */
+/* checksum 3900447628 of the lines below */
 #include "blocks.h"
 #include "bonkers.h"
 #include "cells.h"
@@ -358,6 +358,17 @@ static double contact_slope(const double shell[], double *error)
     return p.b;
 }
 
+static const struct table_key law_keys[] = {
+    {"slope", "1", "d ln g/d ln r at contact"},
+    {"error", "1", "its standard error"},
+    {"density", "1", "d ln g/d ln eta"},
+    {"hit", "1", "what a collision yields less"},
+    {"rate", "1", "how many fewer collisions"},
+    {"share", "1", "(Z - 1)/Z"},
+    {"law", "1", "loss of Z, relative, in units of v dt/2r"},
+    {"virial_slope", "1/s", "of Z in dt, by the law"},
+    {0}};
+
 static void study_law(struct study *s)
 {
     const double pi = 3.14159265358979324, eta = 250 * pi * 0.01 / 37.5;
@@ -575,6 +586,9 @@ static void do_checks(struct study *s, int way, double dt,
     }
 }
 
+static const struct table_key checks_keys[] = {
+    {"<check>_<way>_<dt>", "1", "what it finds; dt in 1/100 s"}, {0}};
+
 static void study_checks(struct study *s)
 {
     double truth[MEASURED], error[MEASURED];
@@ -749,6 +763,15 @@ static void let_go(struct study *s, int row, double line[2 + KINDS])
     report(s, "once", row, v);
 }
 
+static const struct table_key rows_keys[] = {
+    {"wide", "m/s", "worst difference from events"},
+    {"narrow", "m/s", "the same"},
+    {"up", "m/s", "the same"},
+    {"down", "m/s", "the same"},
+    {"n_<row>", "1", "collisions, by events"},
+    {"<way>_<row>_<i>", "m/s", "velocity of ball i at the end"},
+    {0}};
+
 static void study_rows(struct study *s)
 {
     double worst[KINDS] = {0}, line[2 + KINDS];
@@ -801,6 +824,11 @@ static void write_cradle(struct table *out, double t, struct bonkers *b,
     memcpy(line + 3, r->scene.position, BALLS * sizeof *line);
     table_row(out, 3 + BALLS, line);
 }
+
+static const struct table_key rest_keys[] = {
+    {"difference", "1", "of the energies, relative"},
+    {"left", "1", "share of the energy, by steps"},
+    {0}};
 
 static void study_rest(struct study *s)
 {
@@ -932,6 +960,14 @@ static void write_racks(struct table *out, double x[OUTCOMES][2 * RACK])
             table_print(out, "%.9g %.9g\n", x[k][i], x[k][RACK + i]);
 }
 
+static const struct table_key break_keys[] = {
+    {"orders", "m", "ascending from descending"},
+    {"halved", "m", "step from half of it"},
+    {"ascending", "m", "from the nearest outcome by events"},
+    {"deepest", "m", "the same"},
+    {"outcomes", "1", "by events, more than 1 mm apart"},
+    {0}};
+
 static void study_break(struct study *s)
 {
     static double stepped[BREAKS][2 * RACK], outcome[OUTCOMES][2 * RACK];
@@ -1053,12 +1089,12 @@ static void study_cost(struct study *s)
 
 static const struct study_entry studies[] = {
     {"pressure", study_pressure, "of the gas, by steps and events", NULL},
-    {"law", study_law, "what the pressure loses", NULL},
-    {"checks", study_checks, "and what they see", NULL},
-    {"rows", study_rows, "what leaves a row of balls", NULL},
+    {"law", study_law, "what the pressure loses", law_keys},
+    {"checks", study_checks, "and what they see", checks_keys},
+    {"rows", study_rows, "what leaves a row of balls", rows_keys},
     {"late", study_late, "and when", NULL},
-    {"rest", study_rest, "a cradle's energy", NULL},
-    {"break", study_break, "the first shot of a game", NULL},
+    {"rest", study_rest, "a cradle's energy", rest_keys},
+    {"break", study_break, "the first shot of a game", break_keys},
     {"cost", study_cost, "error against processor time", NULL},
     {0}};
 

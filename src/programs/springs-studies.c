@@ -1,5 +1,5 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 260809048 of the lines below */
+/* checksum 1377278879 of the lines below */
 #include "elastic.h"
 #include "modes.h"
 #include "springs.h"
@@ -109,6 +109,9 @@ static double by_series(double g, double t)
     return exp(-g * t) * sum;
 }
 
+static const struct table_key critical_keys[] = {
+    {"book_error", "1", "two exponentials, relative, e = 1e-10"}, {0}};
+
 static void study_critical(struct study *s)
 {
     const double t = 3;
@@ -146,6 +149,9 @@ static double note_masses(struct run r[DAMPINGS], double row[1 + DAMPINGS])
     }
     return worst;
 }
+
+static const struct table_key regimes_keys[] = {
+    {"worst", "m", "distance from the exact motion"}, {0}};
 
 /* Leapfrog at four dampings, and how far it is from the exact motion. */
 static void study_regimes(struct study *s)
@@ -215,6 +221,13 @@ static void note_dumbbells(struct run r[2], double row[5])
     }
 }
 
+static const struct table_key spin_keys[] = {
+    {"left", "1", "share of the spin, dashpot as printed"},
+    {"off_law", "1", "largest relative error of the law"},
+    {"axial_change", "1", "of the spin, dashpot along the axis"},
+    {"axial_energy", "J", "then"},
+    {0}};
+
 static void study_spin(struct study *s)
 {
     struct run r[2];
@@ -237,6 +250,9 @@ static void study_spin(struct study *s)
     tidy_up(&r[0]);
     tidy_up(&r[1]);
 }
+
+static const struct table_key path_keys[] = {
+    {"energy", "J", "at the start"}, {0}};
 
 static void study_path(struct study *s)
 {
@@ -339,11 +355,23 @@ static void sum_up_errors(struct study *s)
     table_real(s->summary, "midpoint_0.1", row[2]);
 }
 
+static const struct table_key errors_keys[] = {
+    {"leapfrog_1e-3", "m", "error of place after 10 s, dt 1 ms"},
+    {"rk4_1e-3", "m", "the same"},
+    {"midpoint_0.1", "m", "the same, dt 0.1 s"},
+    {0}};
+
 static void study_errors(struct study *s)
 {
     write_errors(s, false);
     sum_up_errors(s);
 }
+
+static const struct table_key work_keys[] = {
+    {"leapfrog_1e-3", "m", "error of place after 10 s, dt 1 ms"},
+    {"rk4_1e-3", "m", "the same"},
+    {"midpoint_0.1", "m", "the same, dt 0.1 s"},
+    {0}};
 
 static void study_work(struct study *s)
 {
@@ -368,6 +396,9 @@ static void begin_ways(struct study *s, struct run r[WAYS])
                 k == 2 ? damping_step / 50 : damping_step);
     }
 }
+
+static const struct table_key silent_keys[] = {
+    {"<method>", "m", "range of the stretch in the last 0.2 s"}, {0}};
 
 /* How much the stiff spring is stretched, stepped by RK4 with a step near
    its limit, by the leapfrog with the same, and with a small step. */
@@ -477,6 +508,12 @@ static void spring_swing(double stiffness, double place[4])
     memcpy(place, (double[]){x[1], z[1], x[2], z[2]}, 4 * sizeof *place);
     tidy_up(&r);
 }
+
+static const struct table_key rod_keys[] = {
+    {"spring_to_rod", "m", "distance of places after 10 s"},
+    {"rod_0.1", "m", "error of the rod, dt 0.1 s"},
+    {"rod_0.5", "m", "the same, 0.5 s"},
+    {0}};
 
 static void study_rod(struct study *s)
 {
@@ -606,6 +643,11 @@ static void name_limits(struct table *out)
     table_column(out, "dt_2", "s", "the same step");
 }
 
+static const struct table_key limits_keys[] = {
+    {"pendulum_<method>", "s", "largest stable step"},
+    {"membrane_<method>", "s", "the same"},
+    {0}};
+
 static void study_limits(struct study *s)
 {
     const struct settings *own = s->own;
@@ -661,6 +703,11 @@ static double period(double a)
     tidy_up(&r);
     return t[2] - t[0];
 }
+
+static const struct table_key quartic_keys[] = {
+    {"T_0.1", "s", "period, amplitude 0.1 m"},
+    {"AT", "m s", "amplitude x period, 2 mm"},
+    {0}};
 
 static void study_quartic(struct study *s)
 {
@@ -742,6 +789,14 @@ static void note_amplitudes(struct study *s, int row, const double values[])
             table_real(s->summary, key, values[k]);
         }
 }
+
+static const struct table_key membranes_keys[] = {
+    {"", "", "if --until reaches t (1, 5, 10, 40, 400):"},
+    {"a_<t>", "1", "first mode / start, at rest length"},
+    {"rest_<t>", "1", "other modes / start, at rest length"},
+    {"free_rest_<t>", "1", "the same, free to move along"},
+    {"taut_rest_<t>", "1", "the same, taut"},
+    {0}};
 
 static void study_membranes(struct study *s)
 {
@@ -850,6 +905,11 @@ static double measured(size_t n, size_t r, size_t half, size_t axis)
     return 10 * acos(-1) / time;
 }
 
+static const struct table_key dispersion_keys[] = {
+    {"first", "rad/s", "of the lowest mode"},
+    {"worst", "1", "largest relative error of the law"},
+    {0}};
+
 static void study_dispersion(struct study *s)
 {
     const size_t n = 8;
@@ -892,6 +952,12 @@ static double sag(struct scene *s, double g)
     tidy_up(&r);
     return depth;
 }
+
+static const struct table_key sag_keys[] = {
+    {"depth", "m", "of the middle, at rest"},
+    {"rest", "m", "modes but the first, most"},
+    {"ratio", "1", "of depths, gravity 8 times"},
+    {0}};
 
 static void study_sag(struct study *s)
 {
@@ -1072,6 +1138,18 @@ static struct beam beams[BEAMS] = {
     {.name = "heavy", .choice = {{"gravity", 10}}},
     {.name = "no_diagonals", .choice = {{"diagonals", 0}}}};
 
+static const struct table_key beams_keys[] = {
+    {"second", "rad/s", "the usual beam"},
+    {"third", "rad/s", "the same"},
+    {"fastest", "rad/s", "the same"},
+    {"linear_<beam>", "m", "deflection of the end, linear"},
+    {"still_<beam>", "m", "at rest"},
+    {"lowest_<beam>", "m", "at the turning point"},
+    {"loose_<beam>", "1", "modes without stiffness"},
+    {"w_<beam>", "rad/s", "lowest frequency above 0"},
+    {"t_<beam>", "s", "when it is at the turning point"},
+    {0}};
+
 static void study_beams(struct study *s)
 {
     name_beams(s->out);
@@ -1165,6 +1243,11 @@ static void measure_speeds(size_t n, double row[1 + SPEEDS])
     }
 }
 
+static const struct table_key speed_keys[] = {
+    {"most", "1/s", "steps of a body, gather"},
+    {"least_ratio_from_64", "1", "gather / scatter, from 64 on a side on"},
+    {0}};
+
 static void study_speed(struct study *s)
 {
     double most = 0, least = INFINITY;
@@ -1227,23 +1310,27 @@ static void study_threads(struct study *s)
 }
 
 static const struct study_entry studies[] = {
-    {"critical", study_critical, "digits lost at the border", NULL},
-    {"regimes", study_regimes, "the oscillator at four dampings", NULL},
-    {"spin", study_spin, "what dashpots do to a spin", NULL},
-    {"path", study_path, "of the double pendulum", NULL},
-    {"errors", study_errors, "methods on it, by step", NULL},
-    {"work", study_work, "the same by processor time", NULL},
-    {"rod", study_rod, "in place of the stiff spring", NULL},
-    {"limits", study_limits, "the largest stable steps", NULL},
-    {"silent", study_silent, "a method that damps", NULL},
-    {"quartic", study_quartic, "a mode without stiffness", NULL},
-    {"membranes", study_membranes, "at rest length and taut", NULL},
+    {"critical", study_critical, "digits lost at the border",
+     critical_keys},
+    {"regimes", study_regimes, "the oscillator at four dampings",
+     regimes_keys},
+    {"spin", study_spin, "what dashpots do to a spin", spin_keys},
+    {"path", study_path, "of the double pendulum", path_keys},
+    {"errors", study_errors, "methods on it, by step", errors_keys},
+    {"work", study_work, "the same by processor time", work_keys},
+    {"rod", study_rod, "in place of the stiff spring", rod_keys},
+    {"limits", study_limits, "the largest stable steps", limits_keys},
+    {"silent", study_silent, "a method that damps", silent_keys},
+    {"quartic", study_quartic, "a mode without stiffness", quartic_keys},
+    {"membranes", study_membranes, "at rest length and taut",
+     membranes_keys},
     {"snapshots", study_snapshots, "pictures of the same", NULL},
-    {"dispersion", study_dispersion, "a membrane's frequencies", NULL},
-    {"sag", study_sag, "a membrane that hangs", NULL},
+    {"dispersion", study_dispersion, "a membrane's frequencies",
+     dispersion_keys},
+    {"sag", study_sag, "a membrane that hangs", sag_keys},
     {"shapes", study_shapes, "a beam, bent", NULL},
-    {"beams", study_beams, "nine of them in numbers", NULL},
-    {"speed", study_speed, "steps of a body in a second", NULL},
+    {"beams", study_beams, "nine of them in numbers", beams_keys},
+    {"speed", study_speed, "steps of a body in a second", speed_keys},
     {"threads", study_threads, "the same on several threads", NULL},
     {0}};
 

@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 2599859883 of the lines below */
+/* checksum 210811297 of the lines below */
 #include "reference.h"
 #include "stepping.h"
 #include "toolbox/bench.h"
@@ -7,6 +7,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #define PROGRAM "step-studies"
@@ -200,6 +201,9 @@ static void study_portrait(struct study *s)
         }
 }
 
+static const struct table_key laws_keys[] = {
+    {"<method>", "1", "energy after 60 steps / at the start"}, {0}};
+
 static void study_laws(struct study *s)
 {
     static const char *const names[] = {"euler", "symplectic-euler",
@@ -254,6 +258,9 @@ static void carry_rim(double p[RIM][2], const char *method, uint64_t steps)
     stepping_free(&c.s);
 }
 
+static const struct table_key area_keys[] = {
+    {"<method>", "1", "area after 9 steps / at the start"}, {0}};
+
 static void study_area(struct study *s)
 {
     static const char *const names[] = {"euler", "leapfrog", "rk4"};
@@ -302,6 +309,9 @@ static void record_energy(struct study *s, const struct stepping_method *m)
     table_print(s->out, "\n\n");
     stepping_free(&c.s);
 }
+
+static const struct table_key energy_keys[] = {
+    {"<method>", "1", "largest relative error"}, {0}};
 
 static void study_energy(struct study *s)
 {
@@ -440,6 +450,9 @@ static void reference(double friction, double *x, double *v)
     *v = c.v[0];
     stepping_free(&c.s);
 }
+
+static const struct table_key order_keys[] = {
+    {"<method>", "1", "error after 3 s in 50 steps"}, {0}};
 
 static void study_order(struct study *s)
 {
@@ -585,18 +598,25 @@ static void record_rounding(struct study *s, double steps_of_orbit,
 {
     static struct course c[STARTS];
     const struct settings *own = s->own;
+    char key[24];
+    snprintf(key, sizeof key, "%s_%g", compensated ? "carried" : "plain",
+             steps_of_orbit);
     begin_orbits(c, steps_of_orbit, compensated);
     for (uint64_t n = 1; n <= own->orbits && !progress_signal(); n *= 2) {
         const double error = error_after(c, n * (uint64_t)steps_of_orbit);
         table_row(s->out, 2, (double[]){(double)n, error});
         if (n > own->orbits / 2)
-            table_real(s->summary, compensated ? "carried" : "plain",
-                       error);
+            table_real(s->summary, key, error);
     }
     table_print(s->out, "\n\n");
     for (int k = 0; k < STARTS; ++k)
         stepping_free(&c[k].s);
 }
+
+static const struct table_key rounding_keys[] = {
+    {"plain_<steps>", "1", "rms error of the energy, steps an orbit"},
+    {"carried_<steps>", "1", "the same, rounding carried along"},
+    {0}};
 
 static void study_rounding(struct study *s)
 {
@@ -763,16 +783,16 @@ static void study_cost(struct study *s)
 
 static const struct study_entry studies[] = {
     {"portrait", study_portrait, "four methods in the phase plane", NULL},
-    {"laws", study_laws, "of their energies", NULL},
-    {"area", study_area, "of a disk of starts", NULL},
-    {"energy", study_energy, "of a planet, in the long run", NULL},
+    {"laws", study_laws, "of their energies", laws_keys},
+    {"area", study_area, "of a disk of starts", area_keys},
+    {"energy", study_energy, "of a planet, in the long run", energy_keys},
     {"stability", study_stability, "friction and a spring together", NULL},
     {"trace", study_trace, "a spring without friction", NULL},
-    {"order", study_order, "the slope of the error", NULL},
+    {"order", study_order, "the slope of the error", order_keys},
     {"damping", study_damping, "the limits under friction alone", NULL},
     {"friction", study_friction, "what it makes of a velocity", NULL},
     {"fails", study_fails, "three ways to fail", NULL},
-    {"rounding", study_rounding, "carried along or not", NULL},
+    {"rounding", study_rounding, "carried along or not", rounding_keys},
     {"work", study_work, "error against evaluations", NULL},
     {"cost", study_cost, "error against processor time", NULL},
     {0}};

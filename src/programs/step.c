@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 1493434311 of the lines below */
+/* checksum 842692674 of the lines below */
 #include "checkpoint.h"
 #include "motion.h"
 #include "observables.h"
@@ -622,6 +622,23 @@ static const struct options_entry entries[] = {
     {"summary", 'S', "FILE", "for the results as lines: key value"},
     {0}};
 
+static const struct table_key keys[] = {
+    {"end", "word", "whole, or how the run ended early"},
+    {"bodies", "1", "of the scene"},
+    {"method", "word", "of stepping"},
+    {"dt", "time", "step; all units are the scene's"},
+    {"steps", "1", "taken"},
+    {"rows", "1", "of the table"},
+    {"evaluations", "1", "of the forces"},
+    {"collisions", "1", "contacts, resolved"},
+    {"time", "time", "at the end"},
+    {"energy_start", "energy", "kinetic and potential"},
+    {"energy", "energy", "at the end"},
+    {"energy_error", "1", "largest, relative; of 0: in energy"},
+    {"seconds", "s", "processor time"},
+    {"steps_per_second", "1/s", "in it"},
+    {0}};
+
 static void take_scene(struct options *o, struct settings *s)
 {
     if (s->scene)
@@ -698,6 +715,7 @@ static void read_settings(struct settings *s, int argc, char *argv[])
                            .summary = "/dev/null"};
     options_begin(&o, PROGRAM, "Step a scene through time.", entries, argc,
                   argv);
+    options_keys(&o, keys);
     while ((option = options_next(&o)) != -1)
         take_option(&o, s, option);
     s->command = options_command(&o);
@@ -711,6 +729,7 @@ int main(int argc, char *argv[])
     read_settings(&s, argc, argv);
     r.s = &s;
     begin_run(&r);
+    table_keys(r.summary, keys);
     progress_catch_signals();
     progress_begin(&r.progress, PROGRAM, r.last, "steps");
     if (!r.kept)

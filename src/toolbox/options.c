@@ -1,5 +1,5 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 209284665 of the lines below */
+/* checksum 3399061231 of the lines below */
 #include "toolbox/options.h"
 
 #include "toolbox/table.h"
@@ -294,6 +294,15 @@ static const struct options_entry *find_entry(const struct options *o,
     return NULL;
 }
 
+static _Noreturn void fail_without_value(struct options *o)
+{
+    char help[2048];
+    snprintf(help, sizeof help, "%s", o->current->help);
+    for (char *c = help; (c = strchr(c, '\n')); ++c)
+        *c = ' ';
+    options_fail(o, "needs a value, %s: %s", o->current->argument, help);
+}
+
 static void fail_if_ambiguous(struct options *o, const char *given)
 {
     const char *first = NULL;
@@ -313,8 +322,7 @@ static _Noreturn void refuse_option(struct options *o, int code)
     const char *given = o->arguments[optind - 1];
     if (code == ':') {
         o->current = find_entry(o, optopt);
-        options_fail(o, "needs a value: --%s %s", o->current->name,
-                     o->current->argument);
+        fail_without_value(o);
     }
     if (optopt >= OPTIONS_LONG)
         options_fail(o, "'%s': this option takes no value", given);

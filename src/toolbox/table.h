@@ -1,5 +1,5 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 3313116896 of the lines below */
+/* checksum 1209016397 of the lines below */
 #ifndef TOOLBOX_TABLE_H
 #define TOOLBOX_TABLE_H
 
@@ -19,7 +19,7 @@ struct table;
 
 /* One key of a summary. A list of at most 64 ends with {0}. A name of ""
    makes the meaning a heading; every run writes all keys before the
-   first. Of two that fit, the first is meant. */
+   first. */
 struct table_key {
     const char *name, *unit; /* "1" for a pure number, "word" for none */
     const char *meaning;     /* a phrase; \n breaks the line */

@@ -738,8 +738,14 @@ static void test_text(void)
 static void test_text_errors(void)
 {
     static const char *const wrong[][2] = {
-        {"", "found '', expected the name of a model"},
-        {"keppler", "found 'keppler', expected the name of a model"},
+        {"", "found '', expected one of free, kepler, oscillator, "
+             "relabel, modes, line, disks, euler, symplectic-euler, "
+             "leapfrog, rk4, yoshida4, yoshida6, pefrl, kahan-li8, "
+             "implicit-midpoint, gauss4"},
+        {"keppler", "found 'keppler', expected one of free, kepler, "
+                    "oscillator, relabel, modes, line, disks, euler, "
+                    "symplectic-euler, leapfrog, rk4, yoshida4, yoshida6, "
+                    "pefrl, kahan-li8, implicit-midpoint, gauss4"},
         {"rk4:", "found '', expected a whole number of steps from 1 to "
                  "10^12"},
         {"rk4:0", "found '0', expected a whole number of steps from 1 to "

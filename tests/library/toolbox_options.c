@@ -288,8 +288,11 @@ static void test_unknown(void)
     refused("--speed=3", "unknown option '--speed=3'; see gas --help");
     refused("-z", "unknown option '-z'; see gas --help");
     refused("-qz", "unknown option '-z'; see gas --help");
-    refused("--particles", "--particles: needs a value: --particles N");
-    refused("-n", "--particles: needs a value: --particles N");
+    refused("--particles",
+            "--particles: needs a value, N: how many particles");
+    refused("-n", "--particles: needs a value, N: how many particles");
+    refused("--restitution", "--restitution: needs a value, E: ratio of "
+                             "the speeds after and before");
     refused("--quick=3", "'--quick=3': this option takes no value");
     refused("--help=3", "'--help=3': this option takes no value");
     refused("foo", "'foo' is not an option; see gas --help");

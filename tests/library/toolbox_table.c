@@ -158,12 +158,12 @@ static void test_whole_or_absent(void)
 {
     write_file("a", "old\n");
     struct table *t = table_open("gas", "a");
-    table_text(t, "key", "new");
+    table_print(t, "key new\n");
     UNIT_TRUE(file_is("a", "old\n"));
     UNIT_TRUE(table_close(t));
     UNIT_TRUE(file_is("a", "key new\n"));
     t = table_open("gas", "a");
-    table_text(t, "key", "newer");
+    table_print(t, "key newer\n");
     table_discard(t);
     table_discard(NULL);
     UNIT_TRUE(file_is("a", "key new\n"));
@@ -243,7 +243,7 @@ static void test_closed_stdout_is_not_the_table(void)
 static int print_beside(void *path)
 {
     struct table *t = table_open("gas", path);
-    table_text(t, "key", "table");
+    table_print(t, "key table\n");
     (void)!write(STDOUT_FILENO, "screen\n", 7);
     return !table_close(t);
 }
@@ -569,7 +569,7 @@ static int end_early(void *number)
     static struct table
         *volatile t; /* so that it does not count as leaked */
     t = table_open("gas", "a");
-    table_text(t, "key", "half");
+    table_print(t, "key half\n");
     if (signal_number)
         raise(signal_number);
     return 7;
@@ -592,7 +592,7 @@ static int hold_and_fork(void *argument)
     struct table *t = table_open("gas", "a");
     int status;
     (void)argument;
-    table_text(t, "key", "whole");
+    table_print(t, "key whole\n");
     fflush(NULL);
     const pid_t pid = fork();
     if (pid == 0)
@@ -617,7 +617,7 @@ static int interrupted(void *times)
     progress_catch_signals();
     progress_begin(&p, "gas", 10, "steps");
     for (uint64_t i = 0; i < 10 && !progress_signal(); ++i) {
-        table_count(t, "step", i);
+        table_print(t, "step %d\n", (int)i);
         progress_update(&p, i + 1, i + 1);
         for (int k = 0; i == 3 && k < *(int *)times; ++k)
             raise(SIGTERM);

@@ -155,8 +155,9 @@ refuses 2 'rows, more than' $bonk "$w/cradle" --until 1 --every 1e-9 \
     --tolerance 1e-3
 refuses 2 'does not suit' $bonk "$w/cradle" --until 1 --tolerance 1e-3 \
     --model kepler
-refuses 2 '\-\-model' $bonk "$w/cradle" --until 1 --tolerance 1e-3 \
-    --model midpoint
+refuses 2 '\-\-model.* one of .*gauss4' $bonk "$w/cradle" --until 1 \
+    --tolerance 1e-3 --model midpoint
+refuses 2 '\-\-model: needs a value, PLAN: .*kepler.*disks' $bonk --model
 refuses 2 'no observable' $bonk "$w/cradle" --until 1 --tolerance 1e-3 \
     --observe speedy
 refuses 2 'cannot be asked for together' $bonk "$w/cradle" --until 1 \

@@ -229,3 +229,15 @@ holds 'light and heavy have the same energy' awk '!/^#/ && NF {
         K[$3] += $3 * ($7 ^ 2 + $8 ^ 2) / 2; n[$3]++ }
     END { r = K[1] / n[1] / (K[8] / n[8]); print r, n[1], n[8]
         exit !(n[1] == n[8] && r > 0.94 && r < 1.06) }' "$work/m"
+
+# The pressure of a run without a clock is one row, that of the summary. By
+# (7.10) the two pressures differ by the rim that no centre enters, R = 0.5.
+$d -N 50 --box 12,11 --radius 0.5 --collisions 20000 --measure pressure \
+    -o "$work/t" --summary "$work/s"
+holds 'a pressure without --every is that of the run' awk '
+    FNR == NR { s[$1] = $2 }
+    FNR != NR && !/^#/ { ++n; good = $1 > 0 && $2 == s["Z_wall_x"] &&
+        $3 == s["Z_wall_y"] && $4 == s["Z_virial"] }
+    END { exit !(n == 1 && good) }' "$work/s" "$work/t"
+says 'its virial is the mean of Z_wall (1 - 2R/L)' \
+    'abs((s["Z_wall_x"] * 11 / 12 + s["Z_wall_y"] * 10 / 11) / 2 - s["Z_virial"]) < 0.01'

@@ -322,6 +322,11 @@ $step "$w/data.plist" --until 50000 --every 25 --observe x:1,y:1 |
     >"$w/b"
 holds 'ten lines of C do what step does' cmp "$w/a" "$w/b"
 refuses 2 'none' build/bin/orbit "$w/none"
+refuses 2 "'--dt'" build/bin/orbit --dt 1
+refuses 2 'one SCENE' build/bin/orbit "$w/data.plist" "$w/data.plist"
+for option in --help --version; do
+    holds "orbit knows $option" build/bin/orbit $option
+done
 if [ -e /dev/full ]; then
     build/bin/orbit "$w/data.plist" >/dev/full 2>"$w/told"
     holds 'ten lines of C notice a full disk' test $? -eq 1

@@ -102,7 +102,7 @@ for program in $bin/*; do
         idle=
         for study in $($program --study '' 2>&1 |
             sed 's/.* is not//; s/,//g; s/ or / /'); do
-            grep -Eq "study .*[ ,]$study([ ;,]|$)" "$work/all" || idle="$idle $study"
+            grep -Eq "study (.*[ ,])?$study([ ;,]|$)" "$work/all" || idle="$idle $study"
         done
         holds "$name: each study is run" test -z "$idle" ;;
     *--summary*)

@@ -230,7 +230,8 @@ build/check/obj/%.o: src/%.c $(headers) build/check/flags
 	$(call say,cc $@)
 	$(Q)$(check_cc) -Wall -Wextra -pedantic -Isrc -c -o $@ $<
 build/check/libcheck.a: $(patsubst src/%.c,build/check/obj/%.o,\
-	src/examiner/check.c src/examiner/hidden.c $(wildcard src/toolbox/*.c))
+	$(patsubst %,src/examiner/%.c,check hidden heed home place border) \
+	$(wildcard src/toolbox/*.c))
 	@rm -f $@
 	@ar rcs $@ $^
 build/check/examine: $(patsubst %,build/obj/examiner/%.o,\
@@ -240,11 +241,26 @@ build/check/examine: $(patsubst %,build/obj/examiner/%.o,\
 	$(call say,link $@)
 	$(Q)$(CC) $(PORTABLE) $(FLAGS) -o $@ $^ $(LDFLAGS)
 
+# A suite and the two halves of its border, where it has one, in one object.
+# On the suite's side the functions that cross are called suite_..., so that
+# the student's can keep their names.
+border_of = $(filter tests/border/%,$^)
+crossing = $$(sed -n '/^static/d; s/^[a-z][a-z_ *]*[ *]\([a-z0-9_]*\)(.*/\1/p' \
+	/dev/null $(border_of) | grep -v '^border_' | sed 's/.*/-D&=suite_&/')
+check_part = $(check_cc) -Wall -Wextra -pedantic -Isrc -c \
+	-o build/check/obj/suite/$*
 # One suite, and what it says about itself (asked of the pristine stub).
+build/check/%.suite.o: build/check/flags
+	$(call say,cc $(filter tests/exercises/%,$^))
+	@mkdir -p build/check/obj/suite
+	$(Q)$(check_part).o $(crossing) $(filter tests/exercises/%,$^)
+	$(if $(border_of),$(Q)$(check_part).outside.o $(crossing) $(border_of))
+	$(if $(border_of),$(Q)$(check_part).inside.o -DBORDER_INSIDE $(border_of))
+	@ld -r -o $@ build/check/obj/suite/$*.o $(if $(border_of),\
+		build/check/obj/suite/$*.outside.o build/check/obj/suite/$*.inside.o)
 define suite_rules
-build/check/$(1).suite.o: tests/exercises/$(2).c $(headers) build/check/flags
-	$$(call say,cc $$<)
-	$(Q)$$(check_cc) -Wall -Wextra -pedantic -Isrc -c -o $$@ $$<
+build/check/$(1).suite.o: tests/exercises/$(2).c \
+		$(wildcard tests/border/$(2).c) $(headers)
 build/check/$(1).list: tests/stubs/$(2).c build/check/$(1).suite.o \
 		build/check/libcheck.a
 	$(Q)$$(check_cc) -Isrc -Isrc/examiner -o build/check/$(1).stub $$< \
@@ -317,7 +333,7 @@ build/grade/obj/%.o: src/%.c $(headers) build/check/flags
 	$(call say,cc $@)
 	$(Q)$(check_base) -Wall -Wextra -pedantic -Isrc -c -o $@ $<
 build/grade/libjudge.a: $(patsubst src/%.c,build/grade/obj/%.o,\
-	$(patsubst %,src/examiner/%.c,check hidden heed judge wire) \
+	$(patsubst %,src/examiner/%.c,check hidden heed judge wire border) \
 	$(wildcard src/toolbox/*.c))
 	@rm -f $@
 	@ar rcs $@ $^
@@ -331,7 +347,7 @@ build/grade/$(1).judge: tests/exercises/$(2).c tests/border/$(2).c \
 	$(Q)$$(check_base) -Wall -Wextra -pedantic -Isrc -o $$@ \
 		$$(filter %.c %.a,$$^) $$(LDFLAGS) -lcunit -lm
 build/grade/$(1).inside.o: tests/border/$(2).c \
-		build/grade/obj/examiner/boxed.o build/grade/obj/examiner/wire.o
+		$(patsubst %,build/grade/obj/examiner/%.o,boxed wire border place)
 	@mkdir -p build/grade/obj/border
 	$(Q)$$(check_base) -Wall -Wextra -pedantic -DBORDER_INSIDE -Isrc -c \
 		-o build/grade/obj/border/$(1).o $$<

@@ -1,5 +1,5 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 3056429623 of the lines below */
+/* checksum 257853329 of the lines below */
 #ifndef BORDER_H
 #define BORDER_H
 
@@ -15,8 +15,9 @@ void border_ints(int x[], size_t count);
 void border_unsigneds(unsigned x[], size_t count);
 void border_bools(bool x[], size_t count);
 
-/* Memory of just this size, so that a sanitizer notices who goes beyond
-   it, for the caller to free; ends the program when there is none. */
+/* Memory of just this size for what the student's function only reads, so
+   that a sanitizer notices who goes beyond it, for the caller to free; ends
+   the program when there is none. */
 void *border_memory(size_t bytes);
 
 /* Begins a call of the function in the box: its arguments follow. */
@@ -38,7 +39,18 @@ void border_tell(void);
    function, calls border_reply and moves the values of the answer. */
 void border_answer(void);
 
-/* Ends the arguments: the values of the answer follow. */
+/* A place for what the student's function may write: so many bytes, alone
+   in memory, with a guard before and a guard behind. The name is for who
+   writes outside of it. It is freed when the next call comes. */
+void *border_place(const char *name, size_t bytes);
+
+/* The same, with the next of the arguments in it. */
+double *border_place_doubles(const char *name, size_t count);
+size_t *border_place_sizes(const char *name, size_t count);
+int *border_place_ints(const char *name, size_t count);
+
+/* Ends the arguments: the values of the answer follow. Whoever has written
+   outside of a place is found out here. */
 void border_reply(void);
 
 /* Asks the judge to call function number `which`: the arguments follow. */

@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 1620938330 of the lines below */
+/* checksum 2777277180 of the lines below */
 #include "examiner/check.h"
 #include "examiner/exercise.h"
 #include "examiner/report.h"
@@ -131,6 +131,32 @@ bool check_near(const char *file, int line, double got, struct check c)
     CU_assertImplementation(passed, (unsigned)line, "CHECK_NEAR", file, "",
                             CU_FALSE);
     return passed;
+}
+
+static void say_overrun(const struct check_overrun *o)
+{
+    static const char low[] = "Does your function use an index below 0?";
+    static const char high[] = "Which index has the last one, and which is "
+                               "the largest that your function uses?";
+    const int length = (int)strspn(o->place, "abcdefghijklmnopqrstuvwxyz"
+                                             "0123456789_");
+    const char *side = o->before ? "before" : "behind";
+    const char *name = check_text("%.*s", length, o->place);
+    say("quantity", check_text("what stands %s %s", side, name));
+    say("expected", check_text("untouched: only %s itself is yours", name));
+    say("got", check_text("%d bytes changed by your function", o->bytes));
+    say("question", check_text("The first value of %s is %s[0]. %s", name,
+                               name, o->before ? low : high));
+}
+
+void check_overrun(const struct check_overrun *overrun)
+{
+    struct check_overrun o = *overrun;
+    o.place[sizeof o.place - 1] = '\0';
+    if (CU_get_number_of_failure_records() == 0)
+        say_overrun(&o);
+    CU_assertImplementation(CU_FALSE, 0, "check_overrun", o.place, "",
+                            CU_FALSE);
 }
 
 static struct random inputs;

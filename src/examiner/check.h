@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 187234109 of the lines below */
+/* checksum 2286986711 of the lines below */
 #ifndef CHECK_H
 #define CHECK_H
 
@@ -52,6 +52,12 @@ extern const struct check_suite check_suite;
    the last one has no name. Where nobody defines them there are none. They
    earn only beside a test of the suite that is not idle. */
 extern const struct check_test check_hidden[];
+/* What was written outside of a place for an answer. */
+struct check_overrun {
+    char place[32]; /* the name of the argument */
+    int before;     /* 1: before its start; 0: behind its end */
+    int bytes;      /* how many have changed */
+};
 
 /* Compares got with the expected value of the check c and tells CUnit.
    Returns whether it passed, so that a test can stop at the first failure.
@@ -75,5 +81,8 @@ double check_draw(double low, double high);
 
 /* Draws a whole number from low to high, both included. */
 int check_draw_whole(int low, int high);
+
+/* Tells CUnit, and the student, that a place was left. */
+void check_overrun(const struct check_overrun *overrun);
 
 #endif

@@ -1,6 +1,7 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 51249820 of the lines below */
+/* checksum 2734112505 of the lines below */
 #include "examiner/border.h"
+#include "examiner/check.h"
 #include "examiner/exercise.h"
 #include "examiner/wire.h"
 
@@ -52,13 +53,24 @@ void border_call(void)
     wire_speak(WIRE_CALL);
 }
 
+static void heed(int word)
+{
+    struct check_overrun overrun;
+    int number;
+    if (word == WIRE_ASK) {
+        border_ints(&number, 1);
+        border_heed(number);
+    } else {
+        wire_move(&overrun, sizeof overrun);
+        check_overrun(&overrun);
+    }
+}
+
 void border_wait(void)
 {
     int word, number = 0;
-    while ((word = wire_listen()) == WIRE_ASK) {
-        border_ints(&number, 1);
-        border_heed(number);
-    }
+    while ((word = wire_listen()) == WIRE_ASK || word == WIRE_LEFT)
+        heed(word);
     if (word == WIRE_UNDONE || word == WIRE_ENDED)
         border_ints(&number, 1);
     if (word == WIRE_UNDONE)

@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 1987793807 of the lines below */
+/* checksum 3144468543 of the lines below */
 #include "examiner/trial.h"
 #include "examiner/process.h"
 #include "examiner/report.h"
@@ -185,6 +185,8 @@ static const struct {
     {"stack-buffer-overflow", 0, "it went past the end of an array"},
     {"stack-buffer-underflow", 0, "it went before the start of an array"},
     {"global-buffer-overflow", 0, "it went past the end of an array"},
+    {"use-after-poison", 0,
+     "it went before the start or past the end of what it was given"},
     {"heap-use-after-free", 0, "it used memory after free"},
     {"attempting double-free", 0, "it freed the same memory twice"},
     {"attempting free", 0, "it freed what malloc had not given"},

@@ -1,7 +1,10 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 4240790995 of the lines below */
+/* checksum 705338844 of the lines below */
 #ifndef WIRE_H
 #define WIRE_H
+
+#include <stdbool.h>
+#include <stddef.h>
 
 /* What a message begins with. To the box: */
 enum {
@@ -16,6 +19,7 @@ enum {
     WIRE_BUILT = 'b',  /* said by the box's shell: compiled and linked */
     WIRE_READY = 'h',  /* the program has come to its main */
     WIRE_ASK = 'q',    /* the number of a function and its arguments */
+    WIRE_LEFT = 'w',   /* a place was left: how follows, then a reply */
     WIRE_REPLY = 'r',  /* the values of the answer follow */
     WIRE_UNDONE = 'u', /* a NOT_DONE_YET was reached, and its line */
     WIRE_ENDED = 'e'   /* the test's process ended; its status follows */
@@ -28,6 +32,12 @@ void wire_speak(int word);
 
 /* Sends what was spoken and returns the next word heard, or EOF. */
 int wire_listen(void);
+
+/* Whether it is our turn to speak. */
+extern bool wire_speaking;
+
+/* Moves so many bytes in the direction of the turn. */
+void wire_move(void *x, size_t bytes);
 
 /* Defined by each side: what it does when its partner is gone or talks
    nonsense. */

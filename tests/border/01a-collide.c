@@ -5,9 +5,9 @@
 void velocities_after(double u1, double u2, double im1, double im2,
                       double v[2]);
 
-/* The arguments, and the places for the answer as they are before. */
+/* The arguments; v follows. */
 struct call {
-    double u1, u2, im1, im2, v[2];
+    double u1, u2, im1, im2;
 };
 
 static void move_arguments(struct call *c)
@@ -16,7 +16,6 @@ static void move_arguments(struct call *c)
     border_doubles(&c->u2, 1);
     border_doubles(&c->im1, 1);
     border_doubles(&c->im2, 1);
-    border_doubles(c->v, 2);
 }
 
 #ifdef BORDER_INSIDE
@@ -25,9 +24,10 @@ void border_answer(void)
 {
     struct call c;
     move_arguments(&c);
-    velocities_after(c.u1, c.u2, c.im1, c.im2, c.v);
+    double *v = border_place_doubles("v", 2);
+    velocities_after(c.u1, c.u2, c.im1, c.im2, v);
     border_reply();
-    border_doubles(c.v, 2);
+    border_doubles(v, 2);
 }
 
 #else
@@ -35,9 +35,10 @@ void border_answer(void)
 void velocities_after(double u1, double u2, double im1, double im2,
                       double v[2])
 {
-    struct call c = {u1, u2, im1, im2, {v[0], v[1]}};
+    struct call c = {u1, u2, im1, im2};
     border_call();
     move_arguments(&c);
+    border_doubles(v, 2);
     border_wait();
     border_doubles(v, 2);
 }

@@ -5,17 +5,10 @@
 bool measure_collision(double u1, double u2, double v1, double v2,
                        double *mass_ratio, double *restitution);
 
-/* The arguments, and the places for the answer as they are before. */
+/* The arguments; the two places follow. */
 struct call {
     double u1, u2, v1, v2;
-    double mass_ratio, restitution;
 };
-
-static void move_places(struct call *c)
-{
-    border_doubles(&c->mass_ratio, 1);
-    border_doubles(&c->restitution, 1);
-}
 
 static void move_arguments(struct call *c)
 {
@@ -23,7 +16,6 @@ static void move_arguments(struct call *c)
     border_doubles(&c->u2, 1);
     border_doubles(&c->v1, 1);
     border_doubles(&c->v2, 1);
-    move_places(c);
 }
 
 #ifdef BORDER_INSIDE
@@ -32,11 +24,14 @@ void border_answer(void)
 {
     struct call c;
     move_arguments(&c);
-    bool told = measure_collision(c.u1, c.u2, c.v1, c.v2, &c.mass_ratio,
-                                  &c.restitution);
+    double *mass_ratio = border_place_doubles("mass_ratio", 1);
+    double *restitution = border_place_doubles("restitution", 1);
+    bool told =
+        measure_collision(c.u1, c.u2, c.v1, c.v2, mass_ratio, restitution);
     border_reply();
     border_bools(&told, 1);
-    move_places(&c);
+    border_doubles(mass_ratio, 1);
+    border_doubles(restitution, 1);
 }
 
 #else
@@ -44,15 +39,16 @@ void border_answer(void)
 bool measure_collision(double u1, double u2, double v1, double v2,
                        double *mass_ratio, double *restitution)
 {
-    struct call c = {u1, u2, v1, v2, *mass_ratio, *restitution};
+    struct call c = {u1, u2, v1, v2};
     bool told = false;
     border_call();
     move_arguments(&c);
+    border_doubles(mass_ratio, 1);
+    border_doubles(restitution, 1);
     border_wait();
     border_bools(&told, 1);
-    move_places(&c);
-    *mass_ratio = c.mass_ratio;
-    *restitution = c.restitution;
+    border_doubles(mass_ratio, 1);
+    border_doubles(restitution, 1);
     return told;
 }
 

@@ -10,7 +10,7 @@ double next_meeting(size_t n, double length, const double x[],
 
 void border_answer(void)
 {
-    size_t n, left;
+    size_t n;
     double length, time;
     border_sizes(&n, 1);
     border_doubles(&length, 1);
@@ -18,13 +18,13 @@ void border_answer(void)
     double *v = border_memory(n * sizeof v[0]);
     border_doubles(x, n);
     border_doubles(v, n);
-    border_sizes(&left, 1);
-    time = next_meeting(n, length, x, v, &left);
+    size_t *left = border_place_sizes("left", 1);
+    time = next_meeting(n, length, x, v, left);
     free(x);
     free(v);
     border_reply();
     border_doubles(&time, 1);
-    border_sizes(&left, 1);
+    border_sizes(left, 1);
 }
 
 #else

@@ -20,8 +20,7 @@ static void move_path(size_t events, struct event path[])
 }
 
 /* The suite looks one place before the first sample and one behind the
-   last; these two cross as well, so that x stands in an array of samples
-   + 2. */
+   last; these two cross as well, so that x has samples + 2 places. */
 
 #ifdef BORDER_INSIDE
 
@@ -34,13 +33,11 @@ void border_answer(void)
     move_path(events, path);
     border_doubles(&tick, 1);
     border_sizes(&samples, 1);
-    double *places = border_memory((samples + 2) * sizeof places[0]);
-    border_doubles(places, samples + 2);
-    sample(events, path, tick, samples, places + 1);
+    double *x = border_place_doubles("x", samples + 2);
+    sample(events, path, tick, samples, x + 1);
     free(path);
     border_reply();
-    border_doubles(places, samples + 2);
-    free(places);
+    border_doubles(x, samples + 2);
 }
 
 #else

@@ -27,20 +27,20 @@ static void move_heap(size_t n, struct event heap[])
 
 void border_answer(void)
 {
-    size_t n, bodies, stale, next;
+    size_t n, bodies, next;
     border_sizes(&n, 1);
     struct event *heap = border_memory(n * sizeof heap[0]);
     move_heap(n, heap);
     border_sizes(&bodies, 1);
     unsigned *counts = border_memory(bodies * sizeof counts[0]);
     border_unsigneds(counts, bodies);
-    border_sizes(&stale, 1);
-    next = next_valid(n, heap, counts, &stale);
+    size_t *stale = border_place_sizes("stale", 1);
+    next = next_valid(n, heap, counts, stale);
     free(heap);
     free(counts);
     border_reply();
     border_sizes(&next, 1);
-    border_sizes(&stale, 1);
+    border_sizes(stale, 1);
 }
 
 #else

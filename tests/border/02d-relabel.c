@@ -23,15 +23,14 @@ void border_answer(void)
     border_doubles(&length, 1);
     border_doubles(&t, 1);
     double *x0 = taken(n), *v0 = taken(n);
-    double *x = taken(n), *v = taken(n);
+    double *x = border_place_doubles("x", n);
+    double *v = border_place_doubles("v", n);
     positions_at(n, length, x0, v0, t, x, v);
     free(x0);
     free(v0);
     border_reply();
     border_doubles(x, n);
     border_doubles(v, n);
-    free(x);
-    free(v);
 }
 
 #else

@@ -2,7 +2,6 @@
    stays with the judge; the box asks for it, value by value. */
 
 #include "examiner/border.h"
-#include <stdlib.h>
 
 void equal_bins(double (*distribution)(double x), double low, double high,
                 size_t bins, double edge[]);
@@ -36,12 +35,10 @@ void border_answer(void)
 {
     struct call c;
     move_arguments(&c);
-    double *edge = border_memory((c.bins + 1) * sizeof *edge);
-    border_doubles(edge, c.bins + 1);
+    double *edge = border_place_doubles("edge", c.bins + 1);
     equal_bins(distribution, c.low, c.high, c.bins, edge);
     border_reply();
     border_doubles(edge, c.bins + 1);
-    free(edge);
 }
 
 #else

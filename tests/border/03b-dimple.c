@@ -5,10 +5,10 @@
 bool bin_surprise(size_t count, size_t samples, double probability,
                   double inefficiency, double *z);
 
-/* The arguments, and the place for z as it is before. */
+/* The arguments; z follows. */
 struct call {
     size_t count, samples;
-    double probability, inefficiency, z;
+    double probability, inefficiency;
 };
 
 static void move_arguments(struct call *c)
@@ -17,7 +17,6 @@ static void move_arguments(struct call *c)
     border_sizes(&c->samples, 1);
     border_doubles(&c->probability, 1);
     border_doubles(&c->inefficiency, 1);
-    border_doubles(&c->z, 1);
 }
 
 static void move_answer(bool *judged, double *z)
@@ -32,10 +31,11 @@ void border_answer(void)
 {
     struct call c;
     move_arguments(&c);
-    bool judged = bin_surprise(c.count, c.samples, c.probability,
-                               c.inefficiency, &c.z);
+    double *z = border_place_doubles("z", 1);
+    bool judged =
+        bin_surprise(c.count, c.samples, c.probability, c.inefficiency, z);
     border_reply();
-    move_answer(&judged, &c.z);
+    move_answer(&judged, z);
 }
 
 #else
@@ -43,10 +43,11 @@ void border_answer(void)
 bool bin_surprise(size_t count, size_t samples, double probability,
                   double inefficiency, double *z)
 {
-    struct call c = {count, samples, probability, inefficiency, *z};
+    struct call c = {count, samples, probability, inefficiency};
     bool judged;
     border_call();
     move_arguments(&c);
+    border_doubles(z, 1);
     border_wait();
     move_answer(&judged, z);
     return judged;

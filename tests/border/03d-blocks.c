@@ -6,19 +6,15 @@
 bool error_by_blocks(size_t n, const double x[], size_t length,
                      double *error, double *inefficiency);
 
-/* The numbers among the arguments, and the places for the answer as they
-   are before; the series follows. */
+/* The numbers among the arguments; the series and the two places follow. */
 struct call {
     size_t n, length;
-    double error, inefficiency;
 };
 
 static void move_arguments(struct call *c)
 {
     border_sizes(&c->n, 1);
     border_sizes(&c->length, 1);
-    border_doubles(&c->error, 1);
-    border_doubles(&c->inefficiency, 1);
 }
 
 static void move_answer(bool *told, double *error, double *inefficiency)
@@ -36,10 +32,11 @@ void border_answer(void)
     move_arguments(&c);
     double *x = border_memory(c.n * sizeof *x);
     border_doubles(x, c.n);
-    bool told =
-        error_by_blocks(c.n, x, c.length, &c.error, &c.inefficiency);
+    double *error = border_place_doubles("error", 1);
+    double *inefficiency = border_place_doubles("inefficiency", 1);
+    bool told = error_by_blocks(c.n, x, c.length, error, inefficiency);
     border_reply();
-    move_answer(&told, &c.error, &c.inefficiency);
+    move_answer(&told, error, inefficiency);
     free(x);
 }
 
@@ -48,11 +45,13 @@ void border_answer(void)
 bool error_by_blocks(size_t n, const double x[], size_t length,
                      double *error, double *inefficiency)
 {
-    struct call c = {n, length, *error, *inefficiency};
+    struct call c = {n, length};
     bool told;
     border_call();
     move_arguments(&c);
     border_doubles((double *)x, n); /* which only reads on this side */
+    border_doubles(error, 1);
+    border_doubles(inefficiency, 1);
     border_wait();
     move_answer(&told, error, inefficiency);
     return told;

@@ -6,11 +6,11 @@ void piston_slopes(int f, double length, double mass, double gas,
                    const double energy[2], const double state[2],
                    double slope[2]);
 
-/* The arguments, and the places for the answer as they are before. */
+/* The arguments; the slopes follow. */
 struct call {
     int f;
     double length, mass, gas;
-    double energy[2], state[2], slope[2];
+    double energy[2], state[2];
 };
 
 static void move_arguments(struct call *c)
@@ -21,7 +21,6 @@ static void move_arguments(struct call *c)
     border_doubles(&c->gas, 1);
     border_doubles(c->energy, 2);
     border_doubles(c->state, 2);
-    border_doubles(c->slope, 2);
 }
 
 #ifdef BORDER_INSIDE
@@ -30,9 +29,10 @@ void border_answer(void)
 {
     struct call c;
     move_arguments(&c);
-    piston_slopes(c.f, c.length, c.mass, c.gas, c.energy, c.state, c.slope);
+    double *slope = border_place_doubles("slope", 2);
+    piston_slopes(c.f, c.length, c.mass, c.gas, c.energy, c.state, slope);
     border_reply();
-    border_doubles(c.slope, 2);
+    border_doubles(slope, 2);
 }
 
 #else
@@ -41,15 +41,11 @@ void piston_slopes(int f, double length, double mass, double gas,
                    const double energy[2], const double state[2],
                    double slope[2])
 {
-    struct call c = {f,
-                     length,
-                     mass,
-                     gas,
-                     {energy[0], energy[1]},
-                     {state[0], state[1]},
-                     {slope[0], slope[1]}};
+    struct call c = {
+        f, length, mass, gas, {energy[0], energy[1]}, {state[0], state[1]}};
     border_call();
     move_arguments(&c);
+    border_doubles(slope, 2);
     border_wait();
     border_doubles(slope, 2);
 }

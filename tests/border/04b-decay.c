@@ -7,19 +7,16 @@ bool decay_time(size_t n, const double t[], const double share[],
                 const double error[], double limit, double *tau,
                 double *sigma);
 
-/* The numbers among the arguments, and the places for the answer as they
-   are before; the points follow. */
+/* The numbers among the arguments; the points and the two places follow. */
 struct call {
     size_t n;
-    double limit, tau, sigma;
+    double limit;
 };
 
 static void move_arguments(struct call *c)
 {
     border_sizes(&c->n, 1);
     border_doubles(&c->limit, 1);
-    border_doubles(&c->tau, 1);
-    border_doubles(&c->sigma, 1);
 }
 
 static void move_answer(bool *told, double *tau, double *sigma)
@@ -43,9 +40,11 @@ void border_answer(void)
     struct call c;
     move_arguments(&c);
     double *t = take(c.n), *share = take(c.n), *error = take(c.n);
-    bool told = decay_time(c.n, t, share, error, c.limit, &c.tau, &c.sigma);
+    double *tau = border_place_doubles("tau", 1);
+    double *sigma = border_place_doubles("sigma", 1);
+    bool told = decay_time(c.n, t, share, error, c.limit, tau, sigma);
     border_reply();
-    move_answer(&told, &c.tau, &c.sigma);
+    move_answer(&told, tau, sigma);
     free(t);
     free(share);
     free(error);
@@ -62,13 +61,15 @@ bool decay_time(size_t n, const double t[], const double share[],
                 const double error[], double limit, double *tau,
                 double *sigma)
 {
-    struct call c = {n, limit, *tau, *sigma};
+    struct call c = {n, limit};
     bool told;
     border_call();
     move_arguments(&c);
     give(t, n);
     give(share, n);
     give(error, n);
+    border_doubles(tau, 1);
+    border_doubles(sigma, 1);
     border_wait();
     move_answer(&told, tau, sigma);
     return told;

@@ -9,11 +9,10 @@ struct thrown {
 double falling_pair_time(double g, const struct thrown *a,
                          const struct thrown *b, double *height);
 
-/* The arguments, and the place for the height as it is before. */
+/* The arguments; the height follows. */
 struct call {
     double g;
     struct thrown a, b;
-    double height;
 };
 
 static void move_disk(struct thrown *d)
@@ -30,7 +29,6 @@ static void move_arguments(struct call *c)
     border_doubles(&c->g, 1);
     move_disk(&c->a);
     move_disk(&c->b);
-    border_doubles(&c->height, 1);
 }
 
 static void move_answer(double *time, double *height)
@@ -45,9 +43,10 @@ void border_answer(void)
 {
     struct call c;
     move_arguments(&c);
-    double time = falling_pair_time(c.g, &c.a, &c.b, &c.height);
+    double *height = border_place_doubles("height", 1);
+    double time = falling_pair_time(c.g, &c.a, &c.b, height);
     border_reply();
-    move_answer(&time, &c.height);
+    move_answer(&time, height);
 }
 
 #else
@@ -55,10 +54,11 @@ void border_answer(void)
 double falling_pair_time(double g, const struct thrown *a,
                          const struct thrown *b, double *height)
 {
-    struct call c = {g, *a, *b, *height};
+    struct call c = {g, *a, *b};
     double time;
     border_call();
     move_arguments(&c);
+    border_doubles(height, 1);
     border_wait();
     move_answer(&time, height);
     return time;

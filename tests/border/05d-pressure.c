@@ -17,11 +17,10 @@ void wall_z(size_t n, const struct wall_hit hits[], const double size[2],
             size_t disks, double energy, double from, double until,
             double z[2]);
 
-/* The arguments but for the list, and the places for the answer as they are
-   before. */
+/* The arguments but for the list and z. */
 struct call {
     size_t n, disks;
-    double size[2], energy, from, until, z[2];
+    double size[2], energy, from, until;
 };
 
 static void move_arguments(struct call *c)
@@ -32,7 +31,6 @@ static void move_arguments(struct call *c)
     border_doubles(&c->energy, 1);
     border_doubles(&c->from, 1);
     border_doubles(&c->until, 1);
-    border_doubles(c->z, 2);
 }
 
 static void move_hits(struct wall_hit hits[], size_t n)
@@ -57,10 +55,11 @@ void border_answer(void)
     struct wall_hit *hits = border_memory(count * sizeof *hits);
     memset(hits, 0, count * sizeof *hits);
     move_hits(hits, count);
-    wall_z(c.n, hits, c.size, c.disks, c.energy, c.from, c.until, c.z);
+    double *z = border_place_doubles("z", 2);
+    wall_z(c.n, hits, c.size, c.disks, c.energy, c.from, c.until, z);
     free(hits);
     border_reply();
-    border_doubles(c.z, 2);
+    border_doubles(z, 2);
 }
 
 #else
@@ -69,8 +68,7 @@ void wall_z(size_t n, const struct wall_hit hits[], const double size[2],
             size_t disks, double energy, double from, double until,
             double z[2])
 {
-    struct call c = {n,    disks, {size[0], size[1]}, energy,
-                     from, until, {z[0], z[1]}};
+    struct call c = {n, disks, {size[0], size[1]}, energy, from, until};
     const size_t count = n + 1;
     struct wall_hit *copy = border_memory(count * sizeof *copy);
     memcpy(copy, hits, count * sizeof *copy);
@@ -78,6 +76,7 @@ void wall_z(size_t n, const struct wall_hit hits[], const double size[2],
     move_arguments(&c);
     move_hits(copy, count);
     free(copy);
+    border_doubles(z, 2);
     border_wait();
     border_doubles(z, 2);
 }

@@ -39,21 +39,16 @@ double uniform(void)
     return block.u[BLOCK - block.left--];
 }
 
-static double *take_doubles(size_t n)
-{
-    double *x = border_memory(n * sizeof *x);
-    border_doubles(x, n);
-    return x;
-}
-
 void border_answer(void)
 {
     size_t n, throws;
     double size[2];
     border_sizes(&n, 1);
     border_doubles(size, 2);
-    double *radius = take_doubles(n);
-    double *x = take_doubles(n), *y = take_doubles(n);
+    double *radius = border_memory(n * sizeof *radius);
+    border_doubles(radius, n);
+    double *x = border_place_doubles("x", n);
+    double *y = border_place_doubles("y", n);
     take_block();
     throws = throw_disks(n, radius, size[0], size[1], x, y);
     border_reply();
@@ -62,8 +57,6 @@ void border_answer(void)
     border_doubles(x, n);
     border_doubles(y, n);
     free(radius);
-    free(x);
-    free(y);
 }
 
 #else

@@ -4,7 +4,6 @@
    is used up in the suite. */
 
 #include "examiner/border.h"
-#include <stdlib.h>
 
 double uniform(void);
 double mean_square(size_t n, double radius, double dish, double step,
@@ -15,9 +14,9 @@ void uniform_ahead(double u[], size_t count);
 
 enum { MORE, BLOCK = 64 };
 
-/* The arguments but for the two lists, and *accepted as it is before. */
+/* The arguments but for the three places. */
 struct call {
-    size_t n, tries, accepted;
+    size_t n, tries;
     double radius, dish, step;
 };
 
@@ -25,7 +24,6 @@ static void move_arguments(struct call *c)
 {
     border_sizes(&c->n, 1);
     border_sizes(&c->tries, 1);
-    border_sizes(&c->accepted, 1);
     border_doubles(&c->radius, 1);
     border_doubles(&c->dish, 1);
     border_doubles(&c->step, 1);
@@ -54,29 +52,22 @@ double uniform(void)
     return block.u[BLOCK - block.left--];
 }
 
-static double *take_doubles(size_t n)
-{
-    double *x = border_memory(n * sizeof *x);
-    border_doubles(x, n);
-    return x;
-}
-
 void border_answer(void)
 {
     struct call c;
     move_arguments(&c);
-    double *x = take_doubles(c.n), *y = take_doubles(c.n);
+    double *x = border_place_doubles("x", c.n);
+    double *y = border_place_doubles("y", c.n);
+    size_t *accepted = border_place_sizes("accepted", 1);
     take_block();
-    double mean = mean_square(c.n, c.radius, c.dish, c.step, c.tries, x, y,
-                              &c.accepted);
+    double mean =
+        mean_square(c.n, c.radius, c.dish, c.step, c.tries, x, y, accepted);
     border_reply();
     border_doubles(&mean, 1);
     border_sizes(&block.left, 1);
-    border_sizes(&c.accepted, 1);
+    border_sizes(accepted, 1);
     border_doubles(x, c.n);
     border_doubles(y, c.n);
-    free(x);
-    free(y);
 }
 
 #else
@@ -106,13 +97,14 @@ void border_heed(int which)
 double mean_square(size_t n, double radius, double dish, double step,
                    size_t tries, double x[], double y[], size_t *accepted)
 {
-    struct call c = {n, tries, *accepted, radius, dish, step};
+    struct call c = {n, tries, radius, dish, step};
     double mean;
     size_t left;
     border_call();
     move_arguments(&c);
     border_doubles(x, n);
     border_doubles(y, n);
+    border_sizes(accepted, 1);
     give_block();
     border_wait();
     border_doubles(&mean, 1);

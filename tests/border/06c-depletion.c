@@ -5,10 +5,10 @@
 double depletion(int dimensions, double R1, double R2, double small,
                  double density, double r, double *overlap);
 
-/* The arguments, and the place for the overlap as it is before. */
+/* The arguments; the overlap follows. */
 struct call {
     int dimensions;
-    double R1, R2, small, density, r, overlap;
+    double R1, R2, small, density, r;
 };
 
 static void move_arguments(struct call *c)
@@ -19,7 +19,6 @@ static void move_arguments(struct call *c)
     border_doubles(&c->small, 1);
     border_doubles(&c->density, 1);
     border_doubles(&c->r, 1);
-    border_doubles(&c->overlap, 1);
 }
 
 #ifdef BORDER_INSIDE
@@ -28,11 +27,12 @@ void border_answer(void)
 {
     struct call c;
     move_arguments(&c);
+    double *overlap = border_place_doubles("overlap", 1);
     double potential = depletion(c.dimensions, c.R1, c.R2, c.small,
-                                 c.density, c.r, &c.overlap);
+                                 c.density, c.r, overlap);
     border_reply();
     border_doubles(&potential, 1);
-    border_doubles(&c.overlap, 1);
+    border_doubles(overlap, 1);
 }
 
 #else
@@ -40,10 +40,11 @@ void border_answer(void)
 double depletion(int dimensions, double R1, double R2, double small,
                  double density, double r, double *overlap)
 {
-    struct call c = {dimensions, R1, R2, small, density, r, *overlap};
+    struct call c = {dimensions, R1, R2, small, density, r};
     double potential;
     border_call();
     move_arguments(&c);
+    border_doubles(overlap, 1);
     border_wait();
     border_doubles(&potential, 1);
     border_doubles(overlap, 1);

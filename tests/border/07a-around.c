@@ -1,7 +1,6 @@
 /* What crosses the border of exercise 07a: see examiner/border.h. */
 
 #include "examiner/border.h"
-#include <stdlib.h>
 
 size_t cells_around(const double box[2], const size_t cells[2],
                     const double at[2], size_t around[9]);
@@ -14,16 +13,14 @@ void border_answer(void)
 {
     double box[2], at[2];
     size_t cells[2], count;
-    size_t *around = border_memory(MOST * sizeof *around);
     border_doubles(box, 2);
     border_sizes(cells, 2);
     border_doubles(at, 2);
-    border_sizes(around, MOST);
+    size_t *around = border_place_sizes("around", MOST);
     count = cells_around(box, cells, at, around);
     border_reply();
     border_sizes(&count, 1);
     border_sizes(around, MOST);
-    free(around);
 }
 
 #else

@@ -4,10 +4,10 @@
 
 double speed_below(int n, double mean_square, double v, double *fourth);
 
-/* The arguments, and the place for the fourth power as it is before. */
+/* The arguments; the fourth power follows. */
 struct call {
     int n;
-    double mean_square, v, fourth;
+    double mean_square, v;
 };
 
 static void move_arguments(struct call *c)
@@ -15,7 +15,6 @@ static void move_arguments(struct call *c)
     border_ints(&c->n, 1);
     border_doubles(&c->mean_square, 1);
     border_doubles(&c->v, 1);
-    border_doubles(&c->fourth, 1);
 }
 
 #ifdef BORDER_INSIDE
@@ -24,20 +23,22 @@ void border_answer(void)
 {
     struct call c;
     move_arguments(&c);
-    double below = speed_below(c.n, c.mean_square, c.v, &c.fourth);
+    double *fourth = border_place_doubles("fourth", 1);
+    double below = speed_below(c.n, c.mean_square, c.v, fourth);
     border_reply();
     border_doubles(&below, 1);
-    border_doubles(&c.fourth, 1);
+    border_doubles(fourth, 1);
 }
 
 #else
 
 double speed_below(int n, double mean_square, double v, double *fourth)
 {
-    struct call c = {n, mean_square, v, *fourth};
+    struct call c = {n, mean_square, v};
     double below;
     border_call();
     move_arguments(&c);
+    border_doubles(fourth, 1);
     border_wait();
     border_doubles(&below, 1);
     border_doubles(fourth, 1);

@@ -17,12 +17,11 @@ double compressibility(int dimensions, const double box[3], size_t n,
                        const struct collision collisions[],
                        double *pressure);
 
-/* The arguments but for the list, and the place for the pressure as it is
-   before. */
+/* The arguments but for the list and the pressure. */
 struct call {
     int dimensions;
     size_t n, count;
-    double box[3], energy, time, pressure;
+    double box[3], energy, time;
 };
 
 static void move_arguments(struct call *c)
@@ -33,7 +32,6 @@ static void move_arguments(struct call *c)
     border_doubles(c->box, 3);
     border_doubles(&c->energy, 1);
     border_doubles(&c->time, 1);
-    border_doubles(&c->pressure, 1);
 }
 
 static void move_collisions(struct collision c[], size_t count)
@@ -55,11 +53,12 @@ void border_answer(void)
     const size_t length = c.count + 1;
     struct collision *list = border_memory(length * sizeof *list);
     move_collisions(list, length);
+    double *pressure = border_place_doubles("pressure", 1);
     double z = compressibility(c.dimensions, c.box, c.n, c.energy, c.time,
-                               c.count, list, &c.pressure);
+                               c.count, list, pressure);
     border_reply();
     border_doubles(&z, 1);
-    border_doubles(&c.pressure, 1);
+    border_doubles(pressure, 1);
     free(list);
 }
 
@@ -70,8 +69,8 @@ double compressibility(int dimensions, const double box[3], size_t n,
                        const struct collision collisions[],
                        double *pressure)
 {
-    struct call c = {dimensions, n,    count,    {box[0], box[1], box[2]},
-                     energy,     time, *pressure};
+    struct call c = {dimensions, n,   count, {box[0], box[1], box[2]},
+                     energy,     time};
     const size_t length = count + 1;
     struct collision *copy = border_memory(length * sizeof *copy);
     double z;
@@ -80,6 +79,7 @@ double compressibility(int dimensions, const double box[3], size_t n,
     move_arguments(&c);
     move_collisions(copy, length);
     free(copy);
+    border_doubles(pressure, 1);
     border_wait();
     border_doubles(&z, 1);
     border_doubles(pressure, 1);

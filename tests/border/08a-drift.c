@@ -4,7 +4,6 @@
    there. */
 
 #include "examiner/border.h"
-#include <stdlib.h>
 
 void acceleration(const double x[], double a[]);
 void drift_kick_drift(size_t n, double x[], double v[], double dt,
@@ -41,25 +40,17 @@ void acceleration(const double x[], double a[])
     border_doubles(a, present);
 }
 
-static double *take_doubles(size_t count)
-{
-    double *x = border_memory(count * sizeof *x);
-    border_doubles(x, count);
-    return x;
-}
-
 void border_answer(void)
 {
     struct call c;
     move_arguments(&c);
-    double *x = take_doubles(c.n + 1), *v = take_doubles(c.n + 1);
+    double *x = border_place_doubles("x", c.n + 1);
+    double *v = border_place_doubles("v", c.n + 1);
     present = c.n;
     drift_kick_drift(c.n, x, v, c.dt, c.steps);
     border_reply();
     border_doubles(x, c.n + 1);
     border_doubles(v, c.n + 1);
-    free(x);
-    free(v);
 }
 
 #else

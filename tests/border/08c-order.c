@@ -10,18 +10,16 @@ enum verdict { TOO_FEW, NOT_YET, MEASURED };
 enum verdict measure_order(size_t n, const double h[], const double error[],
                            double rounding, double *order);
 
-/* The arguments but for the runs, and the place for the order as it is
-   before. */
+/* The arguments but for the runs and the order. */
 struct call {
     size_t n;
-    double rounding, order;
+    double rounding;
 };
 
 static void move_arguments(struct call *c)
 {
     border_sizes(&c->n, 1);
     border_doubles(&c->rounding, 1);
-    border_doubles(&c->order, 1);
 }
 
 #ifdef BORDER_INSIDE
@@ -38,12 +36,13 @@ void border_answer(void)
     struct call c;
     move_arguments(&c);
     double *h = take_doubles(c.n + 1), *error = take_doubles(c.n + 1);
-    int verdict = (int)measure_order(c.n, h, error, c.rounding, &c.order);
+    double *order = border_place_doubles("order", 1);
+    int verdict = (int)measure_order(c.n, h, error, c.rounding, order);
     free(h);
     free(error);
     border_reply();
     border_ints(&verdict, 1);
-    border_doubles(&c.order, 1);
+    border_doubles(order, 1);
 }
 
 #else
@@ -59,12 +58,13 @@ static void give_doubles(const double x[], size_t count)
 enum verdict measure_order(size_t n, const double h[], const double error[],
                            double rounding, double *order)
 {
-    struct call c = {n, rounding, *order};
+    struct call c = {n, rounding};
     int verdict;
     border_call();
     move_arguments(&c);
     give_doubles(h, n + 1);
     give_doubles(error, n + 1);
+    border_doubles(order, 1);
     border_wait();
     border_ints(&verdict, 1);
     border_doubles(order, 1);

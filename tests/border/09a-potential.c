@@ -36,7 +36,7 @@ void border_answer(void)
     struct call c;
     move_arguments(&c);
     double *mass = take_doubles(c.n), *x = take_doubles(3 * c.n);
-    double *potential = take_doubles(c.n + 1);
+    double *potential = border_place_doubles("potential", c.n + 1);
     double energy =
         potential_energy(c.n, mass, x, c.k2, c.softening, potential);
     border_reply();
@@ -44,7 +44,6 @@ void border_answer(void)
     border_doubles(potential, c.n + 1);
     free(mass);
     free(x);
-    free(potential);
 }
 
 #else

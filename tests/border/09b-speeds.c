@@ -6,21 +6,21 @@ void binary_speeds(double k2, double m1, double m2, double d, double *v1,
                    double *v2);
 double choreography_speed(double k2, size_t n, double mass, double radius);
 
-/* Which function is called, and its arguments: k2, m1, m2, d, and the
-   places for the speeds as they are before; or k2, mass, radius. */
+/* Which function is called, and its arguments: k2, m1, m2, d; or k2, mass,
+   radius. The two speeds, or what stands in their place, follow. */
 enum { BINARY, CHOREOGRAPHY };
 
 struct call {
     int which;
     size_t n;
-    double number[6];
+    double number[4];
 };
 
 static void move_arguments(struct call *c)
 {
     border_ints(&c->which, 1);
     border_sizes(&c->n, 1);
-    border_doubles(c->number, 6);
+    border_doubles(c->number, 4);
 }
 
 #ifdef BORDER_INSIDE
@@ -29,37 +29,44 @@ void border_answer(void)
 {
     struct call c;
     move_arguments(&c);
-    double *x = c.number;
+    const double *x = c.number;
+    double *v1 = border_place_doubles("v1", 1);
+    double *v2 = border_place_doubles("v2", 1);
     if (c.which == BINARY)
-        binary_speeds(x[0], x[1], x[2], x[3], &x[4], &x[5]);
+        binary_speeds(x[0], x[1], x[2], x[3], v1, v2);
     else
-        x[4] = choreography_speed(x[0], c.n, x[1], x[2]);
+        *v1 = choreography_speed(x[0], c.n, x[1], x[2]);
     border_reply();
-    border_doubles(&x[4], 2);
+    border_doubles(v1, 1);
+    border_doubles(v2, 1);
 }
 
 #else
 
+static void call(struct call *c, double *v1, double *v2)
+{
+    border_call();
+    move_arguments(c);
+    border_doubles(v1, 1);
+    border_doubles(v2, 1);
+    border_wait();
+    border_doubles(v1, 1);
+    border_doubles(v2, 1);
+}
+
 void binary_speeds(double k2, double m1, double m2, double d, double *v1,
                    double *v2)
 {
-    struct call c = {BINARY, 0, {k2, m1, m2, d, *v1, *v2}};
-    border_call();
-    move_arguments(&c);
-    border_wait();
-    border_doubles(&c.number[4], 2);
-    *v1 = c.number[4];
-    *v2 = c.number[5];
+    struct call c = {BINARY, 0, {k2, m1, m2, d}};
+    call(&c, v1, v2);
 }
 
 double choreography_speed(double k2, size_t n, double mass, double radius)
 {
     struct call c = {CHOREOGRAPHY, n, {k2, mass, radius}};
-    border_call();
-    move_arguments(&c);
-    border_wait();
-    border_doubles(&c.number[4], 2);
-    return c.number[4];
+    double speed = 0.0, none = 0.0;
+    call(&c, &speed, &none);
+    return speed;
 }
 
 #endif

@@ -10,11 +10,10 @@ struct body {
 double dashpot(double c, const struct body *a, const struct body *b,
                double on_a[3], double on_b[3]);
 
-/* The arguments, and the places for the answer as they are before. */
+/* The arguments; the two forces follow. */
 struct call {
     double c;
     struct body a, b;
-    double on_a[3], on_b[3];
 };
 
 static void move_arguments(struct call *c)
@@ -24,8 +23,6 @@ static void move_arguments(struct call *c)
     border_doubles(c->a.v, 3);
     border_doubles(c->b.x, 3);
     border_doubles(c->b.v, 3);
-    border_doubles(c->on_a, 3);
-    border_doubles(c->on_b, 3);
 }
 
 #ifdef BORDER_INSIDE
@@ -34,11 +31,13 @@ void border_answer(void)
 {
     struct call c;
     move_arguments(&c);
-    double heat = dashpot(c.c, &c.a, &c.b, c.on_a, c.on_b);
+    double *on_a = border_place_doubles("on_a", 3);
+    double *on_b = border_place_doubles("on_b", 3);
+    double heat = dashpot(c.c, &c.a, &c.b, on_a, on_b);
     border_reply();
     border_doubles(&heat, 1);
-    border_doubles(c.on_a, 3);
-    border_doubles(c.on_b, 3);
+    border_doubles(on_a, 3);
+    border_doubles(on_b, 3);
 }
 
 #else
@@ -46,14 +45,12 @@ void border_answer(void)
 double dashpot(double c, const struct body *a, const struct body *b,
                double on_a[3], double on_b[3])
 {
-    struct call call = {c,
-                        *a,
-                        *b,
-                        {on_a[0], on_a[1], on_a[2]},
-                        {on_b[0], on_b[1], on_b[2]}};
+    struct call call = {c, *a, *b};
     double heat;
     border_call();
     move_arguments(&call);
+    border_doubles(on_a, 3);
+    border_doubles(on_b, 3);
     border_wait();
     border_doubles(&heat, 1);
     border_doubles(on_a, 3);

@@ -12,9 +12,8 @@ struct oscillator {
 
 double oscillate(const struct oscillator *o, double t, double *velocity);
 
-/* The arguments, and the place for the velocity as it is before. */
-static void move_arguments(struct oscillator *o, double *t,
-                           double *velocity)
+/* The arguments; the velocity follows. */
+static void move_arguments(struct oscillator *o, double *t)
 {
     border_doubles(&o->mass, 1);
     border_doubles(&o->damping, 1);
@@ -22,7 +21,6 @@ static void move_arguments(struct oscillator *o, double *t,
     border_doubles(&o->x, 1);
     border_doubles(&o->v, 1);
     border_doubles(t, 1);
-    border_doubles(velocity, 1);
 }
 
 #ifdef BORDER_INSIDE
@@ -30,12 +28,13 @@ static void move_arguments(struct oscillator *o, double *t,
 void border_answer(void)
 {
     struct oscillator o;
-    double t, velocity;
-    move_arguments(&o, &t, &velocity);
-    double x = oscillate(&o, t, &velocity);
+    double t;
+    move_arguments(&o, &t);
+    double *velocity = border_place_doubles("velocity", 1);
+    double x = oscillate(&o, t, velocity);
     border_reply();
     border_doubles(&x, 1);
-    border_doubles(&velocity, 1);
+    border_doubles(velocity, 1);
 }
 
 #else
@@ -45,7 +44,8 @@ double oscillate(const struct oscillator *o, double t, double *velocity)
     struct oscillator copy = *o;
     double x;
     border_call();
-    move_arguments(&copy, &t, velocity);
+    move_arguments(&copy, &t);
+    border_doubles(velocity, 1);
     border_wait();
     border_doubles(&x, 1);
     border_doubles(velocity, 1);

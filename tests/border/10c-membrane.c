@@ -3,7 +3,6 @@
  */
 
 #include "examiner/border.h"
-#include <stdlib.h>
 
 struct grid {
     int nx, ny;
@@ -39,13 +38,11 @@ void border_answer(void)
     struct grid g;
     move_grid(&g);
     const size_t count = places(&g);
-    double *omega = border_memory(count * sizeof *omega);
-    border_doubles(omega, count);
+    double *omega = border_place_doubles("omega", count);
     double step = membrane_modes(&g, omega);
     border_reply();
     border_doubles(&step, 1);
     border_doubles(omega, count);
-    free(omega);
 }
 
 #else

@@ -21,14 +21,15 @@ static void move_sphere(struct sphere *s)
 
 void border_answer(void)
 {
-    struct sphere a, b;
-    move_sphere(&a);
-    move_sphere(&b);
-    double depth = part_spheres(&a, &b);
+    struct sphere *a = border_place("a", sizeof *a);
+    struct sphere *b = border_place("b", sizeof *b);
+    move_sphere(a);
+    move_sphere(b);
+    double depth = part_spheres(a, b);
     border_reply();
     border_doubles(&depth, 1);
-    move_sphere(&a);
-    move_sphere(&b);
+    move_sphere(a);
+    move_sphere(b);
 }
 
 #else

@@ -14,15 +14,13 @@ void border_answer(void)
     size_t n;
     border_sizes(&n, 1);
     double *mass = border_memory((n + 1) * sizeof *mass);
-    double *v = border_memory((n + 1) * sizeof *v);
     border_doubles(mass, n + 1);
-    border_doubles(v, n + 1);
+    double *v = border_place_doubles("v", n + 1);
     size_t collisions = cradle(n, mass, v);
     border_reply();
     border_sizes(&collisions, 1);
     border_doubles(v, n + 1);
     free(mass);
-    free(v);
 }
 
 #else

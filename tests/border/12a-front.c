@@ -28,15 +28,13 @@ void border_answer(void)
     size_t n;
     border_sizes(&n, 1);
     struct choice *choice = border_memory((n + 1) * sizeof *choice);
-    size_t *front = border_memory((n + 1) * sizeof *front);
     move_choices(choice, n + 1);
-    border_sizes(front, n + 1);
+    size_t *front = border_place_sizes("front", n + 1);
     size_t count = pareto_front(n, choice, front);
     border_reply();
     border_sizes(&count, 1);
     border_sizes(front, n + 1);
     free(choice);
-    free(front);
 }
 
 #else

@@ -7,9 +7,9 @@ enum verdict { OUT_OF_REACH, TOO_FINE, NO_ORDER, CHOSEN };
 enum verdict choose_step(double p, const double h[2], const double error[2],
                          double rounding, double tolerance, double *step);
 
-/* The arguments, and the place for the step as it is before. */
+/* The arguments; the step follows. */
 struct call {
-    double p, h[2], error[2], rounding, tolerance, step;
+    double p, h[2], error[2], rounding, tolerance;
 };
 
 static void move_arguments(struct call *c)
@@ -19,7 +19,6 @@ static void move_arguments(struct call *c)
     border_doubles(c->error, 2);
     border_doubles(&c->rounding, 1);
     border_doubles(&c->tolerance, 1);
-    border_doubles(&c->step, 1);
 }
 
 #ifdef BORDER_INSIDE
@@ -28,11 +27,12 @@ void border_answer(void)
 {
     struct call c;
     move_arguments(&c);
-    int verdict = (int)choose_step(c.p, c.h, c.error, c.rounding,
-                                   c.tolerance, &c.step);
+    double *step = border_place_doubles("step", 1);
+    int verdict =
+        (int)choose_step(c.p, c.h, c.error, c.rounding, c.tolerance, step);
     border_reply();
     border_ints(&verdict, 1);
-    border_doubles(&c.step, 1);
+    border_doubles(step, 1);
 }
 
 #else
@@ -40,11 +40,12 @@ void border_answer(void)
 enum verdict choose_step(double p, const double h[2], const double error[2],
                          double rounding, double tolerance, double *step)
 {
-    struct call c = {p,        {h[0], h[1]}, {error[0], error[1]},
-                     rounding, tolerance,    *step};
+    struct call c = {
+        p, {h[0], h[1]}, {error[0], error[1]}, rounding, tolerance};
     int verdict;
     border_call();
     move_arguments(&c);
+    border_doubles(step, 1);
     border_wait();
     border_ints(&verdict, 1);
     border_doubles(step, 1);

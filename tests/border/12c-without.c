@@ -5,9 +5,9 @@
 bool leave_out(double push, double stretch, double time, double *budget,
                double *bound);
 
-/* The arguments, and the place for the bound as it is before. */
+/* The arguments; the budget and the bound follow. */
 struct call {
-    double push, stretch, time, budget, bound;
+    double push, stretch, time;
 };
 
 static void move_arguments(struct call *c)
@@ -15,8 +15,6 @@ static void move_arguments(struct call *c)
     border_doubles(&c->push, 1);
     border_doubles(&c->stretch, 1);
     border_doubles(&c->time, 1);
-    border_doubles(&c->budget, 1);
-    border_doubles(&c->bound, 1);
 }
 
 #ifdef BORDER_INSIDE
@@ -25,11 +23,13 @@ void border_answer(void)
 {
     struct call c;
     move_arguments(&c);
-    bool may = leave_out(c.push, c.stretch, c.time, &c.budget, &c.bound);
+    double *budget = border_place_doubles("budget", 1);
+    double *bound = border_place_doubles("bound", 1);
+    bool may = leave_out(c.push, c.stretch, c.time, budget, bound);
     border_reply();
     border_bools(&may, 1);
-    border_doubles(&c.budget, 1);
-    border_doubles(&c.bound, 1);
+    border_doubles(budget, 1);
+    border_doubles(bound, 1);
 }
 
 #else
@@ -37,10 +37,12 @@ void border_answer(void)
 bool leave_out(double push, double stretch, double time, double *budget,
                double *bound)
 {
-    struct call c = {push, stretch, time, *budget, *bound};
+    struct call c = {push, stretch, time};
     bool may;
     border_call();
     move_arguments(&c);
+    border_doubles(budget, 1);
+    border_doubles(bound, 1);
     border_wait();
     border_bools(&may, 1);
     border_doubles(budget, 1);

@@ -13,18 +13,16 @@ struct body {
 bool one_line(size_t n, const struct body body[], const int weight[3],
               int along[3]);
 
-/* The arguments but for the bodies, and the place for the direction as it
-   is before. */
+/* The arguments but for the bodies and the direction. */
 struct call {
     size_t n;
-    int weight[3], along[3];
+    int weight[3];
 };
 
 static void move_arguments(struct call *c)
 {
     border_sizes(&c->n, 1);
     border_ints(c->weight, 3);
-    border_ints(c->along, 3);
 }
 
 static void move_bodies(struct body *body, size_t count)
@@ -43,11 +41,12 @@ void border_answer(void)
     move_arguments(&c);
     struct body *body = border_memory((c.n + 1) * sizeof *body);
     move_bodies(body, c.n + 1);
-    bool line = one_line(c.n, body, c.weight, c.along);
+    int *along = border_place_ints("along", 3);
+    bool line = one_line(c.n, body, c.weight, along);
     free(body);
     border_reply();
     border_bools(&line, 1);
-    border_ints(c.along, 3);
+    border_ints(along, 3);
 }
 
 #else
@@ -55,9 +54,7 @@ void border_answer(void)
 bool one_line(size_t n, const struct body body[], const int weight[3],
               int along[3])
 {
-    struct call c = {n,
-                     {weight[0], weight[1], weight[2]},
-                     {along[0], along[1], along[2]}};
+    struct call c = {n, {weight[0], weight[1], weight[2]}};
     struct body *copy = border_memory((n + 1) * sizeof *copy);
     bool line;
     memcpy(copy, body, (n + 1) * sizeof *copy);
@@ -65,6 +62,7 @@ bool one_line(size_t n, const struct body body[], const int weight[3],
     move_arguments(&c);
     move_bodies(copy, n + 1);
     free(copy);
+    border_ints(along, 3);
     border_wait();
     border_bools(&line, 1);
     border_ints(along, 3);

@@ -43,6 +43,7 @@ equal 'all in one folder' "$course" "$(ls -A "$work/a place")"
 strangers=$(cd "$place" && find . ! -type d ! \( -type f \( \
     -path './src/*.[ch]' -o -path './tests/exercises/*.[ch]' -o \
     -path './tests/stubs/*.c' -o -path './exercises/*.c' -o \
+    -path './tests/border/*.c' -o \
     -path './tests/hints/*.txt' -o -path './plots/*.gp' -o \
     -path './plots/*.svg' -o -path './plots/data/*.dat' \) -o \
     -path ./README.md -o -path ./LICENSE -o -path ./CITATION.cff -o \
@@ -53,11 +54,12 @@ strangers=$(cd "$place" && find . ! -type d ! \( -type f \( \
 equal 'no file of another kind' '' "$strangers"
 equal 'no folder of another kind' "$(printf '%s\n' .ci chapters exercises \
     plots plots/data src src/examiner src/programs src/toolbox tests \
-    tests/exercises tests/hints tests/stubs)" \
+    tests/border tests/exercises tests/hints tests/stubs)" \
     "$(cd "$place" && find . -mindepth 1 -type d | sed 's/..//' | sort)"
 holds 'the book is the one just made' cmp build/bonkers.pdf \
     "$place/bonkers.pdf"
-for folder in src tests/exercises tests/stubs tests/hints plots; do
+for folder in src tests/border tests/exercises tests/stubs tests/hints plots
+do
     holds "$folder is what it is here" sh -c '
         cd "$1" && find . -type f | while read -r file; do
             cmp "$file" "$2/$file" || echo differs

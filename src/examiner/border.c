@@ -1,0 +1,46 @@
+/* From chapters/B-grader.nw: edit there, then run make tangle. */
+/* checksum 1609499497 of the lines below */
+#include "examiner/border.h"
+#include "examiner/wire.h"
+
+#include <stdlib.h>
+
+bool wire_speaking;
+
+void border_doubles(double x[], size_t count)
+{
+    wire_move(x, count * sizeof *x);
+}
+
+void border_sizes(size_t x[], size_t count)
+{
+    wire_move(x, count * sizeof *x);
+}
+
+void border_ints(int x[], size_t count)
+{
+    wire_move(x, count * sizeof *x);
+}
+
+void border_unsigneds(unsigned x[], size_t count)
+{
+    wire_move(x, count * sizeof *x);
+}
+
+void border_bools(bool x[], size_t count)
+{
+    for (size_t i = 0; i < count; ++i) {
+        int truth = wire_speaking && x[i];
+        wire_move(&truth, sizeof truth);
+        if (!wire_speaking)
+            x[i] = truth != 0;
+    }
+}
+
+void *border_memory(size_t bytes)
+{
+    void *memory = malloc(bytes);
+    if (!memory && bytes > 0)
+        wire_lost();
+    return memory;
+}

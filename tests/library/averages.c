@@ -419,9 +419,8 @@ static void test_dear(void)
     }
 }
 
-/* Disks that cannot pass each other, and all the time in the world: that
-   they keep their places is known long before the price is paid. */
-static void test_locked(void)
+/* Four disks that cannot pass each other. */
+static struct scene locked(void)
 {
     struct scene s;
     make(&s, "four-disks", NULL, 0);
@@ -430,9 +429,43 @@ static void test_locked(void)
         s.position[i] = i % 2 ? 0.75 : 0.25;
         s.position[4 + i] = i / 2 ? 0.75 : 0.25;
     }
+    return s;
+}
+
+/* Disks that cannot pass each other, and all the time in the world: that
+   they keep their places is known long before the price is paid. */
+static void test_locked(void)
+{
+    struct scene s = locked();
     const struct averages_found f = ask(&s, "x:0", 1e9, 0.1, NULL);
     UNIT_TRUE(refused(&f) && strstr(f.refusal, "just alike"));
     UNIT_TRUE(f.cost + f.deciding < 0.5); /* of 5 */
+    scene_free(&s);
+}
+
+/* What the price is foreseen from: of bodies that are locked in, two left
+   and two right of the middle by d, the means scatter by s = 2 d / sqrt(3).
+   Places that fill a room of 0.56 evenly scatter by 0.56 / sqrt(12), and 90
+   such samples are wanted: 90 (s / that)^2 times what has been spent. (A
+   twentieth of it went into getting ready.) */
+static void test_foreseen(void)
+{
+    struct scene s = locked();
+    const struct averages_request q = {.scene = &s,
+                                       .quantity = {AVERAGES_PLACE, 0, 0},
+                                       .until = 1e9,
+                                       .tolerance = 0.4,
+                                       .reason = 0.01,
+                                       .model = "events"};
+    struct averages_found f;
+    UNIT_TRUE(averages_find(&f, &q));
+    UNIT_TRUE(refused(&f));
+    UNIT_TRUE(strcmp(f.candidate[0].name, "events") == 0);
+    const double d = f.candidate[0].value - 0.5;
+    const double scatter = 4 * d * d / 3, whole = 0.56 * 0.56 / 12;
+    UNIT_NEAR(f.candidate[0].cost / (f.cost + f.deciding) /
+                  (90 * scatter / whole),
+              0.95, 0.1);
     scene_free(&s);
 }
 
@@ -479,6 +512,8 @@ int main(void)
             {"what is much too dear is refused at little cost", test_dear},
             {"disks that are locked in are refused at little cost",
              test_locked},
+            {"a price is foreseen from how far places scatter",
+             test_foreseen},
             {"the tolerance that is offered can be had", test_offer},
             {0}});
 }

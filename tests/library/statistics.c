@@ -337,6 +337,55 @@ static void test_description(void)
               0.01 * d.kurtosis_error);
 }
 
+/* An error of an error is the scatter of errors. Of three independent
+   blocks the squared error is one of chi-square with two degrees of
+   freedom, which scatters by all of itself: sqrt(2 / (3 - 1)). Its fourth
+   moment is 9 times its squared variance, so 4000 series know that to
+   sqrt(8 / 4 / 4000). */
+static void test_block_uncertainty(void)
+{
+    enum { TIMES = 4000 };
+    struct statistics_blocking b;
+    struct random r;
+    double square[TIMES];
+    random_seed(&r, 46);
+    for (int t = 0; t < TIMES; ++t) {
+        const double three[] = {random_normal(&r), random_normal(&r),
+                                random_normal(&r)};
+        UNIT_TRUE(statistics_blocking(3, three, &b));
+        square[t] = b.level[0].error * b.level[0].error;
+    }
+    const struct statistics_moments m = statistics_moments(TIMES, square);
+    UNIT_NEAR(2 * b.level[0].uncertainty / b.level[0].error,
+              sqrt(m.variance) / m.mean,
+              4 * sqrt(2.0 / TIMES + 1.0 / TIMES));
+}
+
+/* So is that of an inefficiency, from its correlations. By theory its
+   square is 4 (W + 1/2 - tau) / n for a window of W lags (Wolff's eq. 42),
+   and we say 4 (W + 1/2) / n, which is more by tau in W + 1/2, a twelfth or
+   so; 1000 series know their scatter to 2.2 %. */
+static void test_correlation_uncertainty(void)
+{
+    enum { TIMES = 1000, SAMPLES = 2000 };
+    struct random r;
+    static double g[TIMES];
+    double said = 0, expected = 0;
+    random_seed(&r, 47);
+    for (int t = 0; t < TIMES; ++t) {
+        correlated(&r, 0.5, SAMPLES, x);
+        const struct statistics_correlation c =
+            statistics_correlation(SAMPLES, x);
+        const double half = (double)c.window + 0.5;
+        UNIT_TRUE(c.settled);
+        g[t] = c.inefficiency;
+        said += c.uncertainty / TIMES;
+        expected += sqrt((half - inefficiency(0.5) / 2) / half) / TIMES;
+    }
+    const struct statistics_moments m = statistics_moments(TIMES, g);
+    UNIT_NEAR(sqrt(m.variance) / said, expected, 4 * 0.022);
+}
+
 /* A skewed law, u^2 with u uniform: moments about the mean 1/3 are 4/45,
    16/945 and 16/945, so the kurtosis is 15/7. Over 500 series it scatters
    as each says of itself: the mean of ((k - 15/7) / error)^2 is 1 +- 0.063,
@@ -428,6 +477,9 @@ int main(void)
             {"honest errors cover, naive ones do not", test_coverage},
             {"too short a run says so", test_no_plateau},
             {"mean, spread, kurtosis and their errors", test_description},
+            {"the error of an error is the scatter of errors",
+             test_block_uncertainty},
+            {"that of an inefficiency, too", test_correlation_uncertainty},
             {"the kurtosis of a skewed law", test_skewed},
             {"the slow squares of a fast series count", test_squares_count},
             {"dependence with and without correlation", test_dependence},

@@ -1,5 +1,5 @@
 /* From chapters/12-bonk.nw: edit there, then run make tangle. */
-/* checksum 1447080512 of the lines below */
+/* checksum 476919279 of the lines below */
 #include "averages.h"
 #include "choose.h"
 #include "scene.h"
@@ -461,7 +461,7 @@ static void take_scene(struct options *o, struct settings *s)
     if (s->scene)
         options_fail(o, "'%s': there is a scene already, '%s'",
                      options_text(o), s->scene);
-    s->scene = options_text(o);
+    s->scene = options_input(o);
 }
 
 static bool same_file(const char *a, const char *b)
@@ -483,10 +483,6 @@ static void check_settings(struct options *o, const struct settings *s)
         same_file(s->chart, s->summary))
         options_fail(o, "the table, --summary and --chart need files of "
                         "their own");
-    if (table_replaces(s->output, s->scene) ||
-        table_replaces(s->summary, s->scene) ||
-        table_replaces(s->chart, s->scene))
-        options_fail(o, "an output is the scene, which would be lost");
 }
 
 static void take_option(struct options *o, struct settings *s, int option)

@@ -1,5 +1,5 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 4246565700 of the lines below */
+/* checksum 2062313128 of the lines below */
 #include "blocks.h"
 #include "cells.h"
 #include "disks.h"
@@ -906,12 +906,16 @@ static void read_settings(struct settings *s, int argc, char *argv[])
             s->radius = options_real(&o, OPTIONS_POSITIVE, 1e100);
             break;
         case 'p': s->packing = options_real(&o, OPTIONS_POSITIVE, 1); break;
-        case 'f': s->species = options_text(&o); break;
+        case 'f': s->species = options_input(&o); break;
         case 'b': s->axes = options_list(&o, s->box, DISKS_AXES); break;
         case 'B':
             s->boundary = options_choice(&o, states_boundaries);
             break;
-        case 'x': s->start = options_text(&o); break;
+        case 'x':
+            s->start = options_text(&o);
+            if (starts_from_file(s))
+                options_input(&o);
+            break;
         case 'v':
             s->speed = options_real(&o, OPTIONS_POSITIVE, 1e100);
             break;

@@ -1,5 +1,5 @@
 /* From chapters/03-equilibrium.nw: edit there, then run make tangle. */
-/* checksum 1567094729 of the lines below */
+/* checksum 3993063732 of the lines below */
 #include "laws.h"
 #include "statistics.h"
 #include "toolbox/bench.h"
@@ -394,7 +394,7 @@ static void read_settings(struct settings *s, int argc, char *argv[])
             if (s->file)
                 options_fail(&o, "one FILE at a time, not '%s' as well",
                              options_text(&o));
-            s->file = options_text(&o);
+            s->file = options_input(&o);
             break;
         }
     s->command = options_command(&o);

@@ -1,5 +1,5 @@
 /* From chapters/04-piston.nw: edit there, then run make tangle. */
-/* checksum 1784173526 of the lines below */
+/* checksum 2197399396 of the lines below */
 #include "piston.h"
 #include "toolbox/bench.h"
 #include "toolbox/options.h"
@@ -583,7 +583,7 @@ static void read_settings(struct settings *s, int argc, char *argv[])
             s->study = options_choice(&o, study_names);
             options_keys(&o, studies[s->study].keys);
             break;
-        case 'f': s->path = options_text(&o); break;
+        case 'f': s->path = options_input(&o); break;
         case 'b': s->body = options_count(&o, 1, 4096); break;
         case 'w': s->window = options_real(&o, 1e-9, 1e9); break;
         case 'a': s->at_count = options_list(&o, s->at, MOST); break;

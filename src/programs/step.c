@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 842692674 of the lines below */
+/* checksum 2420997152 of the lines below */
 #include "checkpoint.h"
 #include "motion.h"
 #include "observables.h"
@@ -439,17 +439,13 @@ static void open_outputs(struct run *r)
     r->out = NULL;
 }
 
-/* Refuses to write to FILE, with SUFFIX behind it, if that is the scene. */
-static void spare_scene(const struct settings *s, const char *option,
-                        const char *file, const char *suffix)
+/* Refuses a companion of the table that is the scene. */
+static void spare_scene(const struct settings *s, const char *suffix)
 {
     char name[4096];
-    if (!file || strcmp(file, "-") == 0)
-        return;
-    snprintf(name, sizeof name, "%s%s", file, suffix);
+    snprintf(name, sizeof name, "%s%s", s->output, suffix);
     if (table_replaces(name, s->scene))
-        refuse("--%s: '%s' is the scene, which would be lost", option,
-               name);
+        refuse("--output: '%s' is the scene, which would be lost", name);
 }
 
 static void spare_companion(const struct settings *s, const char *option,
@@ -466,13 +462,10 @@ static void spare_companion(const struct settings *s, const char *option,
 static void spare_files(const struct run *r)
 {
     const struct settings *s = r->s;
-    spare_scene(s, "output", s->output, "");
-    spare_scene(s, "summary", s->summary, "");
-    spare_scene(s, "save", s->save, "");
     if (!r->kept)
         return;
-    spare_scene(s, "output", s->output, ".rows");
-    spare_scene(s, "output", s->output, ".checkpoint");
+    spare_scene(s, ".rows");
+    spare_scene(s, ".checkpoint");
     spare_companion(s, "summary", s->summary);
     spare_companion(s, "save", s->save);
 }
@@ -644,7 +637,7 @@ static void take_scene(struct options *o, struct settings *s)
     if (s->scene)
         options_fail(o, "'%s': there is a scene already, '%s'",
                      options_text(o), s->scene);
-    s->scene = options_text(o);
+    s->scene = options_input(o);
 }
 
 static void check_settings(struct options *o, const struct settings *s)

@@ -1,5 +1,5 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 3399061231 of the lines below */
+/* checksum 1075993623 of the lines below */
 #include "toolbox/options.h"
 
 #include "toolbox/table.h"
@@ -247,6 +247,24 @@ void options_refuse(struct options *o, const char *name, const char *why)
     options_fail(o, "means nothing %s", why);
 }
 
+static bool is_output(const char *name)
+{
+    return strcmp(name, "output") == 0 || strcmp(name, "summary") == 0 ||
+           strcmp(name, "chart") == 0 || strcmp(name, "save") == 0;
+}
+
+static void spare_inputs(struct options *o)
+{
+    for (int i = 0; o->entries[i].name; ++i)
+        for (int j = 0; o->entries[j].name; ++j) {
+            if (!o->given[i] || !is_output(o->entries[i].name) ||
+                !o->input[j] || !table_replaces(o->given[i], o->given[j]))
+                continue;
+            o->current = &o->entries[i];
+            options_fail(o, "'%s' is read, and would be lost", o->given[i]);
+        }
+}
+
 void options_begin(struct options *o, const char *program,
                    const char *purpose,
                    const struct options_entry entries[], int argc,
@@ -350,6 +368,7 @@ int options_next(struct options *o)
         refuse_option(o, code);
     if (code == -1) {
         refuse_idle(o);
+        spare_inputs(o);
         fflush(record);
         o->command = recorded;
         return -1;
@@ -482,5 +501,11 @@ size_t options_choice(struct options *o, const char *const names[])
 
 const char *options_text(const struct options *o)
 {
+    return o->value;
+}
+
+const char *options_input(struct options *o)
+{
+    o->input[o->current - o->entries] = true;
     return o->value;
 }

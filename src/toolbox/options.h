@@ -1,5 +1,5 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 29813671 of the lines below */
+/* checksum 2615629013 of the lines below */
 #ifndef TOOLBOX_OPTIONS_H
 #define TOOLBOX_OPTIONS_H
 
@@ -35,6 +35,7 @@ struct options {
     char **arguments;
     const char *value, *command;
     const char *given[OPTIONS_MAXIMUM]; /* values, by place in the list */
+    bool input[OPTIONS_MAXIMUM]; /* which are names of files to read */
     bool ended;
 };
 
@@ -96,5 +97,9 @@ size_t options_choice(struct options *o, const char *const names[]);
 
 /* The value as it was written. */
 const char *options_text(const struct options *o);
+
+/* The same, as the name of a file to be read ("-": standard input). At the
+   end options_next refuses an output that would take its place. */
+const char *options_input(struct options *o);
 
 #endif

@@ -179,12 +179,6 @@ walls open hard open
 END
 refuses 1 'up to t = 1.187' $bonk "$w/bounce" --until 2.374372754265058 \
     --tolerance 1e-3 --observe kinetic --reason 0.05
-for option in -o --summary --chart; do
-    refuses 2 'which would be lost' $bonk "$w/cradle" --until 1 \
-        --tolerance 1e-3 $option "$w/../${w##*/}/cradle"
-done
-holds 'the scene is still there' $bonk "$w/cradle" --until 1 \
-    --tolerance 1e-3 -o "$w/t"
 refuses 2 'nowhere' $bonk "$w/nowhere" --until 1 --tolerance 1e-3
 printf 'pos 0 0 0 0 0 0 0.1\npos 1 1 0 0 1 0 0.1\ns 0 1 0\nsl 0 1 0\n' \
     >"$w/light"

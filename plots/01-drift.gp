@@ -14,8 +14,8 @@ set ylabel '|Δ{/:Italic E}| / {/:Italic E}' offset 0.5
 set xrange [800:lecture ? 4e8 : 1.3e7]
 set yrange [1e-16:lecture ? 1e-7 : 1e-8]
 set key at graph 0.02,0.98 left top reverse Left samplen 1.5 spacing 1.1 maxrows (lecture ? 3 : 5)
-set lmargin at screen 0.13*room
-set bmargin at screen 0.155*room
+set lmargin at screen 0.13
+set bmargin at screen 0.155
 set tmargin at screen 0.97
 set rmargin at screen 0.98
 set label 1 '∝ {/:Italic n}' at 1.0e5,6e-11 tc rgb '#555555'

@@ -26,7 +26,7 @@ names = 'cm difference impulse complement smaller'
 set style line 2 pt 4 ps 0.95*big lw 2*thick
 set style line 3 ps 0.5*big
 
-set multiplot layout 1,2 margins 0.105*room,0.985,0.175*room,1-0.09*room spacing 0.1*room,0
+set multiplot layout 1,2 margins 0.105,0.985,0.175,0.895 spacing 0.1,0
 set logscale y
 set xlabel 'processor time (ns a collision)'
 set ylabel 'rms |Δ{/:Italic E}| / {/:Italic E}  (2^{–52})' offset 1

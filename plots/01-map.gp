@@ -7,7 +7,7 @@ load 'plots/style.gp'
 file = 'build/data/01-map.dat'
 a = 1.0
 b = 0.25
-set multiplot layout 1,2 margins 0.1*room,0.985,0.175*room,0.97 spacing 0.12*room,0
+set multiplot layout 1,2 margins 0.1,0.985,0.175,0.97 spacing 0.12,0
 set size ratio -1
 set parametric
 set trange [0:2*pi]

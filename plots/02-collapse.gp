@@ -12,8 +12,8 @@ set ylabel 'collisions' offset 0.8
 set xrange [0.08:0.6]
 set yrange [2:120]
 set ytics (2, 3, 5, 10, 20, 30, 50, 100)
-set lmargin at screen 0.115*room
-set bmargin at screen 0.165*room
+set lmargin at screen 0.115
+set bmargin at screen 0.165
 set tmargin at screen 0.97
 set rmargin at screen 0.98
 border = 3 - 2*sqrt(2)

@@ -13,12 +13,12 @@ set xlabel 'collisions {/:Italic n}'
 set ylabel '|Δ{/:Italic E}| / {/:Italic E}' offset 0.5
 set xrange [80:lecture ? 1.3e9 : 1.3e7]
 set yrange [1e-17:1e-3]
-set lmargin at screen 0.13*room
-set bmargin at screen 0.155*room
+set lmargin at screen 0.13
+set bmargin at screen 0.155
 set tmargin at screen 0.97
 set rmargin at screen 0.98
-set label 1 'single precision' at 1.2e3,3e-5 tc rgb red
-set label 2 'double precision' at 3e5,1.5e-14 tc rgb blue
+set label 1 'single precision' at 1.2e3,2e-4 tc rgb red
+set label 2 'double precision' at 3e5,5e-15 tc rgb blue
 eps = 2.0**-52
 set label 3 'masses 1, 2, 1.5' at 6e4,2e-11 right tc rgb '#007a58'
 plot 0.3*eps*sqrt(x) ls 9, 0.3*2.0**-23*sqrt(x) ls 9, \

@@ -10,8 +10,8 @@ set xlabel 'position {/:Italic x} (m)'
 set ylabel 'time {/:Italic t} (s)' offset 0.8
 set xrange [0:61]
 set yrange [0:0.8]
-set lmargin at screen 0.085*room
-set bmargin at screen 0.17*room
+set lmargin at screen 0.085
+set bmargin at screen 0.17
 set tmargin at screen 0.97
 set rmargin at screen 0.98
 shape(k) = word('7 5 9 11 13', int(k-1)%5+1)+0

@@ -13,8 +13,8 @@ set xlabel 'collisions {/:Italic n}, and as many back'
 set ylabel 'largest error of a position (m)' offset 0.5
 set xrange [80:lecture ? 3e7 : 1.5e6]
 set yrange [1e-15:1e6]
-set lmargin at screen 0.13*room
-set bmargin at screen 0.15*room
+set lmargin at screen 0.13
+set bmargin at screen 0.15
 set tmargin at screen 0.97
 set rmargin at screen 0.98
 set key at graph 0.98,0.98 right top samplen 1.5 spacing 1.1 maxrows 2 width -2

@@ -11,8 +11,8 @@ set xlabel 'particles {/:Italic N}'
 set ylabel 'collisions per second' offset 0.5
 set xrange [3:1.6e6]
 set yrange [50:1e8]
-set lmargin at screen 0.12*room
-set bmargin at screen 0.145*room
+set lmargin at screen 0.12
+set bmargin at screen 0.145
 set tmargin at screen 0.97
 set rmargin at screen 0.98
 set key at graph 0.03,0.05 left bottom reverse Left samplen 2 spacing 1.1

@@ -11,8 +11,8 @@ set xlabel 'processor time of the run (s)'
 set ylabel 'error of the positions (m)' offset 0.5
 set xrange [1e-6:1]
 set yrange [1e-15:100]
-set lmargin at screen 0.14*room
-set bmargin at screen 0.155*room
+set lmargin at screen 0.14
+set bmargin at screen 0.155
 set tmargin at screen 0.97
 set rmargin at screen 0.97
 set label 1 'time steps' at 1e-3,3 tc rgb red

@@ -19,7 +19,7 @@ set ylabel '{/:Italic v}_2 √({/:Italic m}_2/2{/:Italic E})' offset 0.8
 set parametric
 set trange [0:2*pi]
 set tmargin at screen 0.9
-set bmargin at screen 0.16*room
+set bmargin at screen 0.16
 set lmargin at screen 0.08
 set rmargin at screen 0.5
 set title '{/:Italic m}_2/{/:Italic m}_1 = 3' offset 0,-0.6

@@ -10,8 +10,8 @@ set xlabel 'position {/:Italic x} (m)'
 set ylabel 'time {/:Italic t} (s)' offset 0.8
 set xrange [0.85:10.15]
 set yrange [0:lecture ? 6 : 3]
-set lmargin at screen 0.085*room
-set bmargin at screen 0.135*room
+set lmargin at screen 0.085
+set bmargin at screen 0.145
 set tmargin at screen 0.97
 set rmargin at screen 0.98
 set arrow 1 from 1,graph 0 to 1,graph 1 nohead ls 9 lw 4*thick

@@ -21,8 +21,8 @@ set format x '10^{%T}'
 set xlabel 'block length  (s)'
 set ylabel 'error / naive error' offset 1
 set key at graph 0.02,0.97 left top reverse Left samplen 1.2 spacing 1.1
-set lmargin at screen 0.085*room
-set bmargin at screen 0.165*room
+set lmargin at screen 0.085
+set bmargin at screen 0.165
 set tmargin at screen 0.97
 set rmargin at screen 0.985
 plot seen(x,4.6) ls 9 lw 1.4*thick title 'exponential, {/:Italic g} = 4.6', \

@@ -15,7 +15,7 @@ many = 'build/data/03-many.dat'
 p(z,n) = z**2 < n ? gamma(n/2.)/sqrt(pi*n)/gamma((n-1)/2.)*(1-z**2/n)**((n-3)/2.) : NaN
 sd = sqrt(1/0.978265720408381)
 set samples 801
-set multiplot layout 1,2 margins 0.085*room,0.985,0.18*room,0.97 spacing 0.115*room,0
+set multiplot layout 1,2 margins 0.085,0.985,0.18,0.97 spacing 0.115,0
 set xlabel 'velocity / standard deviation'
 set ylabel 'density' offset 1.5
 set yrange [0:0.52]

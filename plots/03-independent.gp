@@ -17,8 +17,8 @@ set xrange [0:5]
 set yrange [-3.3:3.3]
 set xlabel '{/:Italic x}_1  (m)'
 set ylabel '{/:Italic v}_1  (m/s)' offset 1
-set lmargin at screen 0.085*room
-set bmargin at screen 0.18*room
+set lmargin at screen 0.085
+set bmargin at screen 0.18
 set tmargin at screen 0.97
 set rmargin at screen 0.985
 plot file every ::1 using 5:6 with points pt 7 ps 0.28*big lc rgb blue, \

@@ -6,7 +6,7 @@ height = 7.2
 load 'plots/style.gp'
 file = 'build/data/03-states.dat'
 set size square
-set multiplot layout 1,2 margins 0.085*room,0.985,0.18*room,0.97 spacing 0.12*room,0
+set multiplot layout 1,2 margins 0.085,0.985,0.18,0.97 spacing 0.12,0
 set xrange [0:11]
 set yrange [0:11]
 set xtics 2

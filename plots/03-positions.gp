@@ -12,8 +12,8 @@ set yrange [0:0.85]
 set xlabel 'position  (m)'
 set ylabel 'density  (1/m)' offset 1
 set key at graph 0.5,0.97 center top horizontal samplen 1 width 1
-set lmargin at screen 0.085*room
-set bmargin at screen 0.18*room
+set lmargin at screen 0.085
+set bmargin at screen 0.18
 set tmargin at screen 0.97
 set rmargin at screen 0.985
 plot for [k in '1 2 5 9 10'] p(x,k) ls 9 lw 1.3*thick, \

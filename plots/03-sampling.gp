@@ -11,7 +11,7 @@ T = 96000.
 tau = 2.2
 kappa = 2.5
 coth(x) = 1/tanh(x)
-set multiplot layout 1,2 margins 0.105*room,0.985,0.175*room,0.97 spacing 0.13*room,0
+set multiplot layout 1,2 margins 0.105,0.98,0.175,0.97 spacing 0.13,0
 set logscale xy
 set format x '10^{%T}'
 set format y '%g'

@@ -13,7 +13,7 @@ set parametric
 set trange [0:2*pi]
 set samples 200
 set size square
-set multiplot layout 1,2 margins 0.085*room,0.985,0.18*room,0.97 spacing 0.12*room,0
+set multiplot layout 1,2 margins 0.085,0.985,0.18,0.97 spacing 0.12,0
 set xrange [-3.4:3.4]
 set yrange [-3.4:3.4]
 set xtics 1

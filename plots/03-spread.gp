@@ -15,8 +15,8 @@ set ytics (0.5, 0.7, 1)
 set xlabel 'mass  (kg)'
 set ylabel 'standard deviation of {/:Italic v}  (m/s)' offset 0.5
 set key at graph 0.97,0.95 right top samplen 1.5
-set lmargin at screen 0.14*room
-set bmargin at screen 0.18*room
+set lmargin at screen 0.14
+set bmargin at screen 0.18
 set tmargin at screen 0.97
 set rmargin at screen 0.98
 plot 1/sqrt(x) ls 9 lw 1.5*thick title '√(2{/:Italic E}/{/:Italic nm})', \

@@ -10,7 +10,7 @@ file = 'build/data/03-two.dat'
 states = 'build/data/03-two-states.dat'
 stats states using 2 every ::1::1 nooutput
 energy = STATS_min
-set multiplot layout 1,3 margins 0.075*room,0.985,0.205*room,0.97 spacing 0.105*room,0
+set multiplot layout 1,3 margins 0.075,0.985,0.205,0.97 spacing 0.105,0
 set xlabel '{/:Italic v}_1  (m/s)'
 set ylabel 'density  (s/m)' offset 1.5
 set xrange [-1.4:1.4]

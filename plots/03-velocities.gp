@@ -13,7 +13,7 @@ array mass[2] = [0.978265720408381, 4.2937219878148802]
 top(k) = gamma(5.)/sqrt(pi)/gamma(4.5)*sqrt(mass[k]/10)
 p(v,k) = (v**2*mass[k]/10 < 1) ? top(k)*(1-v**2*mass[k]/10)**3.5 : 0
 set samples 400
-set multiplot layout 1,2 margins 0.085*room,0.985,0.18*room,0.97 spacing 0.105*room,0
+set multiplot layout 1,2 margins 0.085,0.985,0.18,0.97 spacing 0.105,0
 set xlabel '{/:Italic v}_4  (m/s)'
 set ylabel 'density  (s/m)' offset 1.5
 set yrange [0:0.56]

@@ -6,7 +6,7 @@ load 'plots/style.gp'
 cost = 'plots/data/04-cost.dat'
 exact = 39.2987817049
 truth = 39.437
-set multiplot layout 1,2 margins 0.11*room,0.985,0.155*room,1-0.085*room spacing 0.13*room,0
+set multiplot layout 1,2 margins 0.11,0.985,0.155,1-0.085 spacing 0.13,0
 set logscale xy
 set format x '10^{%T}'
 set format y '10^{%T}'

@@ -9,7 +9,7 @@ width = 14
 height = 7.5
 load 'plots/style.gp'
 masses = 'build/data/04-masses.dat'
-set multiplot layout 1,2 margins 0.115*room,0.985,0.16*room,0.97 spacing 0.12*room,0
+set multiplot layout 1,2 margins 0.115,0.985,0.16,0.97 spacing 0.12,0
 set logscale y
 set xlabel 'time {/:Italic t}  (s)'
 set ylabel 'share of the piston − 1/11' offset 0.2

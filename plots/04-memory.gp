@@ -7,9 +7,9 @@
 width = 14
 height = 7
 load 'plots/style.gp'
-set lmargin at screen 0.105*room
+set lmargin at screen 0.105
 set rmargin at screen 0.98
-set bmargin at screen 0.165*room
+set bmargin at screen 0.165
 set tmargin at screen 0.97
 set xlabel 'time {/:Italic t}  (s)'
 set ylabel 'velocity {/:Italic V}  (m/s)' offset 1

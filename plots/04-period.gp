@@ -13,7 +13,7 @@
 width = 14
 height = 7.2
 load 'plots/style.gp'
-set multiplot layout 1,2 margins 0.095*room,0.985,0.165*room,0.97 spacing 0.105*room,0
+set multiplot layout 1,2 margins 0.095,0.985,0.165,0.97 spacing 0.105,0
 set xlabel 'time {/:Italic t}  (s)'
 set ylabel 'position  {/:Italic x} − 6 m  (m)' offset 1
 set xrange [0:100]

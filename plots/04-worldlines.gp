@@ -5,7 +5,7 @@ width = 14
 height = 10
 load 'plots/style.gp'
 file = 'build/data/04-eleven.dat'
-set multiplot layout 1,2 margins 0.085*room,0.985,0.13*room,0.975 spacing 0.085*room,0
+set multiplot layout 1,2 margins 0.085,0.98,lecture ? 0.15 : 0.13,0.975 spacing 0.085,0
 set xlabel 'position {/:Italic x}  (m)'
 set ylabel 'time {/:Italic t}  (s)' offset 1.2
 set xrange [0:12]

@@ -21,9 +21,9 @@ set xrange [0.15:0.5]
 set yrange [-46:16]
 set xlabel 'distance from the wall  (m)'
 set ylabel 'deviation from the reference  (%)' offset 0.5
-set lmargin at screen 0.09*room
-set rmargin at screen 0.985
-set bmargin at screen 0.17*room
+set lmargin at screen 0.09
+set rmargin at screen 0.98
+set bmargin at screen 0.17
 set tmargin at screen 0.97
 set xzeroaxis ls 9
 set key at graph 0.97,0.05 right bottom samplen 1.5

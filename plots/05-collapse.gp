@@ -7,9 +7,9 @@ height = 7.5
 load 'plots/style.gp'
 file = 'build/data/05-collapse.dat'
 set multiplot
-set lmargin at screen 0.085*room
+set lmargin at screen 0.085
 set rmargin at screen 0.5
-set bmargin at screen 0.16*room
+set bmargin at screen 0.16
 set tmargin at screen 0.97
 set xrange [0:1]
 set yrange [-0.03:1.08]

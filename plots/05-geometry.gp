@@ -48,7 +48,7 @@ set arrow 8 from ax,ay to ax,ay+b nohead lc rgb '#555555' lw 0.8*thick front
 set arrow 9 from ax,ay to ax+along,ay+b nohead lc rgb '#555555' lw 1.2*thick front
 set arrow 10 from ax,ay to bx,ay+b dt 2 lc rgb '#555555' lw 1*thick front
 set label 5 '{/:Italic b}' at ax-0.12,ay+0.45 right tc rgb '#333333' front
-set label 6 '{/:Italic σ}' at ax+0.75,ay+0.95 right tc rgb '#333333' front
+set label 6 '{/:Italic σ}' at ax+0.44,ay+0.62 right tc rgb '#333333' front
 set label 7 'Δ{/:Bold x}' at ax+3.1,ay+0.35 tc rgb '#333333' front
 set label 8 'Δ{/:Bold v}' at bx-1.3,ay+b+0.4 tc rgb dark front
 set label 9 '1' at ax-0.55,ay-0.45 center tc rgb blue front

@@ -6,7 +6,7 @@ width = 14
 height = 7
 load 'plots/style.gp'
 file = 'build/data/05-grazing.dat'
-set multiplot layout 1,2 margins 0.1*room,0.985,0.17*room,0.97 spacing 0.115*room,0
+set multiplot layout 1,2 margins 0.1,0.985,0.17,0.97 spacing 0.115,0
 set logscale xy
 set format y '10^{%T}'
 set xrange [1:3e-16] reverse

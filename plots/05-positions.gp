@@ -8,7 +8,7 @@ height = 6.5
 load 'plots/style.gp'
 file = 'build/data/05-positions.dat'
 truth = 'plots/data/disks4_r0.15_unitbox.dat'
-set multiplot layout 1,2 margins 0.08*room,0.99,0.17*room,0.97 spacing 0.06*room,0
+set multiplot layout 1,2 margins 0.085,0.985,0.17,0.97 spacing 0.06,0
 set xrange [0:1]
 set yrange [0:2.9]
 set xtics 0.2

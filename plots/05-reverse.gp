@@ -13,9 +13,9 @@ set yrange [1e-16:1e-2]
 set ytics 100
 set xlabel 'time there, and as long back  (s)'
 set ylabel 'miss of the start  (m)' offset 0.5
-set lmargin at screen 0.11*room
+set lmargin at screen 0.11
 set rmargin at screen 0.985
-set bmargin at screen 0.17*room
+set bmargin at screen 0.17
 set tmargin at screen 0.97
 set key at graph 0.03,0.96 left top reverse Left samplen 1.5
 set label 1 '{/:Italic e}^{ 3.6 {/:Italic t}}' at 5.5,4e-10 left tc rgb '#555555'

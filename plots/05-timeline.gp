@@ -11,9 +11,9 @@ set ytics 0.15,0.1,0.86
 set xtics 0.1
 set xlabel 'time {/:Italic t}  (s)'
 set ylabel 'height {/:Italic y} of disk 1  (m)' offset 1
-set lmargin at screen 0.095*room
-set rmargin at screen 0.985
-set bmargin at screen 0.18*room
+set lmargin at screen 0.095
+set rmargin at screen 0.98
+set bmargin at screen 0.18
 set tmargin at screen 0.97
 set grid xtics lc rgb '#dddddd' lt 1
 set label 1 "events" at 0.01,0.955 front tc rgb '#333333'

@@ -13,9 +13,9 @@ set xrange [-2.2:2.2]
 set yrange [0:0.62]
 set xlabel 'component of the velocity  (m/s)'
 set ylabel 'density  (s/m)' offset 1
-set lmargin at screen 0.09*room
+set lmargin at screen 0.09
 set rmargin at screen 0.985
-set bmargin at screen 0.18*room
+set bmargin at screen 0.18
 set tmargin at screen 0.97
 set key at graph 0.02,0.96 left top reverse Left samplen 2
 plot gauss(x) with lines lc rgb red dt 2 lw 1.5*thick title 'Gaussian', \

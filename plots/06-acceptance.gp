@@ -14,16 +14,16 @@
 width = 14
 height = 7.5
 load 'plots/style.gp'
-set lmargin at screen 0.095*room
+set lmargin at screen 0.105
 set rmargin at screen 0.985
 set tmargin at screen 0.97
-set bmargin at screen 0.15*room
+set bmargin at screen 0.15
 set logscale y
 set format y '10^{%T}'
 set xrange [0:0.55]
 set yrange [1e-6:2]
 set xlabel 'packing η'
-set ylabel 'acceptance α' offset 1
+set ylabel 'acceptance α' offset 0.6
 set samples 300
 r(eta,N) = sqrt(eta/pi/N)
 a(x) = 1 - 2*x

@@ -6,7 +6,7 @@ load 'plots/style.gp'
 file = 'plots/data/06-cost.dat'
 list = 'direct markov dynamics'
 name(k) = k == 1 ? 'direct' : k == 2 ? 'chain' : 'dynamics'
-set multiplot layout 1,3 margins 0.085*room,0.985,0.17*room,0.9 spacing 0.015,0
+set multiplot layout 1,3 margins 0.085,0.985,0.17,0.9 spacing 0.015,0
 set logscale xy
 set format x '10^{%T}'
 set xrange [1.2e-4:3]

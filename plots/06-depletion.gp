@@ -20,7 +20,7 @@ ball(s) = (1 + 2*cap(s/2)/(125-8*pi*Z**3/3))**400
 free = 4.6**2 - pi*Z**2
 side(x) = S(x-0.2) + S(5-x-0.2)
 wall(x) = (sum [k=0:59] (1 + (side(x)+side(1.025+0.05*k))/free)**60)/60
-set multiplot layout 1,3 margins 0.075*room,0.985,0.19*room,0.88 spacing 0.06,0
+set multiplot layout 1,3 margins 0.075,0.98,0.19,0.88 spacing 0.06,0
 set samples 201
 set xlabel 'distance {/:Italic s}  (m)'
 set ylabel 'density, far away 1' offset 1.5

@@ -7,10 +7,10 @@ width = 14
 height = 6.8
 load 'plots/style.gp'
 file = 'build/data/06-mistakes.dat'
-set lmargin at screen 0.085*room
+set lmargin at screen 0.095
 set rmargin at screen 0.985
 set tmargin at screen 0.97
-set bmargin at screen 0.17*room
+set bmargin at screen 0.17
 set xrange [0.15:0.85]
 set yrange [0.84:1.16]
 set xlabel 'position {/:Italic x}  (m)'

@@ -6,10 +6,10 @@ width = 14
 height = 7
 load 'plots/style.gp'
 file = 'build/data/06-steps.dat'
-set lmargin at screen 0.095*room
+set lmargin at screen 0.105
 set rmargin at screen 0.985
 set tmargin at screen 0.85
-set bmargin at screen 0.16*room
+set bmargin at screen 0.16
 set label 1 'share of tries that succeed:' at graph 0,1.16 left
 do for [k=0:5] {
     stats file every ::2*k::2*k using (X = $2):(A = sprintf('%.0f %%', 100*$3), 0) nooutput

@@ -7,7 +7,7 @@ height = 6.5
 load 'plots/style.gp'
 file = 'build/data/06-radii.dat'
 lock = (sqrt(2)-1)/2
-set multiplot layout 1,2 margins 0.095*room,0.985,0.18*room,0.97 spacing 0.12*room,0
+set multiplot layout 1,2 margins 0.095,0.985,0.18,0.97 spacing 0.12,0
 set xrange [0.09:0.26]
 set xtics 0.05
 set xlabel 'radius {/:Italic r}  (m)'

@@ -22,7 +22,7 @@ title[1] = 'direct sampling'
 title[2] = 'Markov chain'
 title[3] = 'molecular dynamics'
 set multiplot
-set lmargin at screen 0.085*room
+set lmargin at screen 0.085
 set rmargin at screen 0.985
 set xrange [0:1]
 set format x ''
@@ -41,7 +41,7 @@ set yrange [-4:4]
 set ytics 2
 set grid y
 set tmargin at screen 0.43
-set bmargin at screen 0.13*room
+set bmargin at screen lecture ? 0.15 : 0.13
 inside(i) = i >= 15 && i < 85
 plot for [k=1:3] 'build/data/06-'.word(list,k).'.dat' using ($1+0.002+0.003*(k-1)):(inside($0) ? ($2-P[int($0)+1])/$3 : NaN) with points ls k ps 0.4*big
 unset multiplot

@@ -13,7 +13,7 @@ alpha(a,s) = 1 - pi*s**2/a**2 + 8*s**3/(3*a**3) - s**4/(2*a**4)
 I(t) = (t*sqrt(s**2-t**2) + s**2*asin(t/s))/a - (s**2*t - t**3/3)/a**2
 low(x,y) = x < y ? x : y
 p(x) = x < 0.15 || x > 0.85 ? NaN : (1 - (I(low(x-0.15,s)) + I(low(0.85-x,s)))/a)/(alpha(a,s)*a)
-set multiplot layout 1,2 margins 0.085*room,0.985,0.19*room,0.97 spacing 0.12*room,0
+set multiplot layout 1,2 margins 0.085,0.985,0.19,0.97 spacing 0.12,0
 set samples 401
 set xrange [0:1]
 set yrange [1:2]

@@ -9,7 +9,7 @@ file = 'build/data/07-brownian.dat'
 C0 = 1/40.*(1-40/440.)
 slope = 0.00303
 g = slope/C0
-set multiplot layout 1,2 margins 0.11*room,0.985,0.17*room,0.97 spacing 0.125*room,0
+set multiplot layout 1,2 margins 0.115,0.985,0.17,0.97 spacing 0.125,0
 set logscale y
 set xlabel 'lag {/:Italic t}  (s)'
 set ylabel '{/:Italic C}  (m^2/s^2)' offset 0.5

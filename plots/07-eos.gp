@@ -9,7 +9,7 @@ liu(x) = (1+x**2/8+x**3/18-4*x**4/21)/(1-x)**2
 starling(x) = (1+x+x**2-x**3)/(1-x)**3
 k(y) = 1+4*y+6*y**2+2.3647684*y**3-0.8698551*y**4+1.1062803*y**5-1.1014221*y**6+0.66605866*y**7-0.03633431*y**8-0.20965164*y**10+0.10555569*y**14-0.0087238*y**22
 kolafa(x) = k(x/(1-x))
-set multiplot layout 1,2 margins 0.075*room,0.985,0.17*room,0.97 spacing 0.12*room,0
+set multiplot layout 1,2 margins 0.075,0.985,0.17,0.97 spacing 0.12,0
 set xlabel 'packing {/Symbol h}'
 set ylabel '{/:Italic Z} = {/:Italic PV/NkT}' offset 1
 set xrange [0:0.65]

@@ -5,6 +5,7 @@
 # data: build/data/07-solid.dat
 # command: build/bin/disks --disks 120 --box 10,10.392304845413264 --packing 0.74 --boundary periodic --warmup 500 --every 0.12 --samples 60 -o build/data/07-solid.dat
 # data: plots/data/07-phases.dat
+# slides: 2
 # alt: Above, three boxes of 120 disks. In the first the dark dots of earlier places are everywhere; in the second they form worms through a dense crowd; in the third each disk has one small heap of dots and all heaps form a lattice of triangles. Below, the compressibility factor against packing: a curve rises from 1 to 10, falls between 0.69 and 0.72, and rises again along another curve.
 width = 14
 height = 12.5
@@ -18,24 +19,24 @@ unset xtics
 unset ytics
 set xrange [0:Lx]
 set yrange [0:Ly]
-do for [k=1:3] {
+do for [k=1:row(1) ? 3 : 0] {
   name = word('gas fluid solid', k)
   eta = real(word('0.30 0.65 0.74', k))
   file = 'build/data/07-'.name.'.dat'
   set lmargin at screen 0.01+(k-1)*0.335
   set rmargin at screen 0.32+(k-1)*0.335
-  set tmargin at screen 0.955
-  set bmargin at screen 0.545
+  set tmargin at screen slide ? 0.78 : 0.955
+  set bmargin at screen slide ? 0.16 : 0.545
   set label 1 sprintf('{/Symbol h} = %.2f', eta) at graph 0.5,1.05 center
   plot file index 60 using 5:6:4 with circles fs solid 0.45 border lc rgb '#56b4e9' fc rgb '#8fcbea', \
-       file using 5:6 with dots lc rgb dark
+       file using 5:6 with points pt 7 ps 0.06*big lc rgb dark
 }
 unset label 1
 set size noratio
-set lmargin at screen 0.08*room
+set lmargin at screen 0.08
 set rmargin at screen 0.98
-set tmargin at screen 0.5
-set bmargin at screen 0.095*room
+set tmargin at screen slide ? 0.96 : 0.5
+set bmargin at screen slide ? 0.15 : 0.095
 set xtics 0.1
 set ytics 2
 set xlabel 'packing {/Symbol h}'
@@ -44,7 +45,7 @@ set xrange [0:0.8]
 set yrange [0:12.5]
 set key at graph 0.03,0.95 left top Left reverse samplen 2
 full = pi/sqrt(12)
-plot [0:0.8] (x < 0.71 ? (1+x**2/8)/(1-x)**2 : NaN) ls 9 lw 1.6*thick title 'fluid', \
+if (row(2)) plot [0:0.8] (x < 0.71 ? (1+x**2/8)/(1-x)**2 : NaN) ls 9 lw 1.6*thick title 'fluid', \
      (x > 0.71 ? 1/(1-sqrt(x/full)) : NaN) ls 9 lw 1.6*thick dt 2 title 'crystal', \
      'plots/data/07-phases.dat' using 1:3 with points ls 1 title 'measured'
 unset multiplot

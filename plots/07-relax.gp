@@ -9,7 +9,7 @@ height = 6.8
 load 'plots/style.gp'
 few = 'build/data/07-relax-250.dat'
 many = 'build/data/07-relax-100000.dat'
-set multiplot layout 1,2 margins 0.075*room,0.985,0.18*room,0.97 spacing 0.11*room,0
+set multiplot layout 1,2 margins 0.085,0.985,0.18,0.97 spacing 0.11,0
 set xlabel 'collisions of a disk {/:Italic c}'
 set ylabel '<{/:Italic v}^4>  (m^4/s^4)' offset 1.5
 set xrange [0:15]

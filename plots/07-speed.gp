@@ -10,8 +10,8 @@ set xlabel '{/:Italic N}'
 set ylabel 'time of a collision  (µs)' offset 1
 set xrange [60:1.6e6]
 set yrange [0.3:1500]
-set lmargin at screen 0.11*room
-set bmargin at screen 0.145*room
+set lmargin at screen 0.11
+set bmargin at screen 0.145
 set tmargin at screen 0.97
 set rmargin at screen 0.98
 set key at graph 0.98,0.96 right top reverse Left samplen 2 spacing 1.1

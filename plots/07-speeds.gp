@@ -10,7 +10,7 @@ load 'plots/style.gp'
 few = 'build/data/07-speeds-10.dat'
 many = 'build/data/07-speeds-250.dat'
 half = 1./21 # half a bin
-set multiplot layout 1,2 margins 0.075*room,0.985,0.18*room,0.97 spacing 0.125*room,0
+set multiplot layout 1,2 margins 0.075,0.985,0.18,0.97 spacing 0.125,0
 set xlabel 'speed {/:Italic u}'
 set ylabel 'density' offset 1.5
 set xrange [0:3.2]

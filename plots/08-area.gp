@@ -6,7 +6,7 @@ height = 6
 load 'plots/style.gp'
 file = 'build/data/08-area.dat'
 array part[3] = ['Euler', 'leapfrog', 'RK4']
-set multiplot layout 1,3 margins 0.07*room,0.99,0.18*room,0.97 spacing 0.03*room,0
+set multiplot layout 1,3 margins 0.08,0.985,0.18,0.97 spacing 0.03,0
 set xrange [-3.6:3.6]
 set yrange [-3.1:3.1]
 set xtics 1

@@ -12,9 +12,9 @@ set xrange [0.1:1100]
 set yrange [1e-6:10]
 set xlabel 'orbits'
 set ylabel 'largest error of the energy so far' offset 0.5
-set lmargin at screen 0.1*room
+set lmargin at screen 0.1
 set rmargin at screen 0.755
-set bmargin at screen 0.15*room
+set bmargin at screen 0.15
 set tmargin at screen 0.97
 set key at screen 0.99,0.97 right top samplen 2 Left reverse
 plot file index 0 using 1:2 with linespoints ls 2 pi 8 title 'Euler', \

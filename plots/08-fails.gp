@@ -5,12 +5,12 @@ width = 14
 height = 6.5
 load 'plots/style.gp'
 file = 'build/data/08-fails.dat'
-set multiplot layout 1,3 margins 0.085*room,0.985,0.17*room,0.96 spacing 0.09*room,0
+set multiplot layout 1,3 margins 0.095,0.985,0.17,0.96 spacing 0.09,0
 set format y '10^{%g}'
 set xrange [0:60]
 set xtics 20
 set xlabel 'steps'
-set ylabel 'size' offset 1.5
+set ylabel 'size' offset 1
 set yrange [-2:42]
 set ytics 10
 set key at graph 0.97,0.97 right top samplen 1

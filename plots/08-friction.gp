@@ -9,9 +9,9 @@ set xrange [0:6]
 set yrange [0:1.6]
 set xlabel '{/:Italic c dt}'
 set ylabel 'factor of a velocity, a step' offset 1
-set lmargin at screen 0.09*room
+set lmargin at screen 0.09
 set rmargin at screen 0.755
-set bmargin at screen 0.16*room
+set bmargin at screen 0.16
 set tmargin at screen 0.97
 set key at screen 0.99,0.97 right top samplen 3 Left reverse
 plot exp(-x) ls 9 lw 4*thick title 'truth', 1 ls 9, \

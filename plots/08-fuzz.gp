@@ -3,7 +3,7 @@
 width = 14
 height = 6.5
 load 'plots/style.gp'
-set lmargin at screen 0.1*room
+set lmargin at screen 0.1
 set rmargin at screen 0.985
 set logscale x
 set format x '10^{%T}'

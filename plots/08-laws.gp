@@ -5,7 +5,7 @@ width = 14
 height = 6.5
 load 'plots/style.gp'
 file = 'build/data/08-laws.dat'
-set multiplot layout 1,2 margins 0.095*room,0.985,0.17*room,0.96 spacing 0.11*room,0
+set multiplot layout 1,2 margins 0.095,0.985,0.17,0.96 spacing 0.11,0
 set xlabel 'steps'
 set xrange [0:60]
 h2 = 0.25

@@ -3,7 +3,7 @@
 width = 14
 height = 6
 load 'plots/style.gp'
-set multiplot layout 1,2 margins 0.085*room,0.985,0.19*room,0.96 spacing 0.1*room,0
+set multiplot layout 1,2 margins 0.085,0.985,0.19,0.96 spacing 0.1,0
 set xlabel 'digits'
 set xrange [0:20]
 set xtics 5

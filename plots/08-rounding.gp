@@ -13,9 +13,9 @@ set yrange [1e-16:1e-7]
 set ytics 100
 set xlabel 'orbits'
 set ylabel 'error of the energy' offset 0.5
-set lmargin at screen 0.11*room
+set lmargin at screen 0.11
 set rmargin at screen 0.985
-set bmargin at screen 0.17*room
+set bmargin at screen 0.17
 set tmargin at screen 0.97
 set key at graph 0.02,0.97 left top reverse Left samplen 2
 plot 8e-15*sqrt(x) ls 9, \

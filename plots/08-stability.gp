@@ -7,7 +7,7 @@ load 'plots/style.gp'
 file = 'build/data/08-stability.dat'
 array part[10] = ['Euler', 'RK4', 'sympl. Euler', 'leapfrog', 'Yoshida 4', 'PEFRL', 'Yoshida 6', 'Kahan–Li 8', 'midpoint', 'Gauss 4']
 array which[10] = [0, 3, 1, 2, 4, 6, 5, 7, 8, 9]
-set multiplot layout 2,5 margins 0.075*room,0.985,0.13*room,0.97 spacing 0.02*room,0.05*room
+set multiplot layout 2,5 margins 0.075,0.985,0.15,0.93 spacing 0.02,0.085
 set xrange [-4:0.5]
 set yrange [0:3.5]
 set xtics 1
@@ -20,7 +20,7 @@ do for [k=0:9] {
   set format y (k % 5 == 0 ? '%g' : '')
   set xlabel k > 4 ? 'Re {/Symbol l}{/:Italic dt}' : ''
   set ylabel k % 5 == 0 ? 'Im {/Symbol l}{/:Italic dt}' : '' offset 1
-  set label 1 part[k+1] at graph 0.04,0.92 front
+  set title part[k+1] offset 0,-0.7
   plot file index which[k+1] using 1:2:($3 < 1+1e-6 ? 1 : 2) with image
 }
 unset multiplot

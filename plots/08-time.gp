@@ -11,9 +11,9 @@ set yrange [1e-14:10]
 set ytics 100
 set xlabel 'processor time of ten orbits  (s)'
 set ylabel 'error at the end' offset 0.5
-set lmargin at screen 0.1*room
+set lmargin at screen 0.1
 set rmargin at screen 0.755
-set bmargin at screen 0.15*room
+set bmargin at screen 0.15
 set tmargin at screen 0.97
 set key at screen 0.99,0.97 right top samplen 2 Left reverse
 plot file index 0 using 3:4 with linespoints ls 2 ps 0.4*big title 'Euler', \

@@ -9,9 +9,9 @@ set xrange [0:3.5]
 set yrange [-1.6:1.6]
 set xlabel '{/Symbol w}{/:Italic dt}'
 set ylabel 'half the trace of a step' offset 1
-set lmargin at screen 0.09*room
-set rmargin at screen 0.985
-set bmargin at screen 0.15*room
+set lmargin at screen 0.09
+set rmargin at screen 0.98
+set bmargin at screen 0.15
 set tmargin at screen 0.97
 set key at graph 0.02,0.68 left top reverse Left samplen 3 width -1
 plot 1 ls 9, -1 ls 9, cos(x) ls 9 lw 4*thick title 'cosine', \

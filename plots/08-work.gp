@@ -10,9 +10,9 @@ set logscale xy
 set format '10^{%T}'
 set yrange [1e-14:10]
 set ytics 100
-set lmargin at screen 0.1*room
-set rmargin at screen 0.535
-set bmargin at screen 0.27*room
+set lmargin at screen 0.105
+set rmargin at screen lecture ? 0.425 : 0.535
+set bmargin at screen lecture ? 0.15 : 0.27
 set tmargin at screen 0.98
 array part[11] = ['Euler', 'symplectic Euler', 'leapfrog', 'RK4', 'Yoshida 4', 'Yoshida 6', 'PEFRL', 'Kahan–Li 8', 'midpoint', 'Gauss 4', 'rk8pd (GSL)']
 style(k) = word('2 3 1 4 5 5 3 2 1 4 9', k+1)
@@ -21,9 +21,9 @@ do for [k=0:1] {
   set ylabel k == 0 ? 'error at the end' : '' offset 0.5
   set format y (k == 0 ? '10^{%T}' : '')
   set xrange [k == 0 ? 400 : 100 : 1.5e6]
-  if (k == 1) { set lmargin at screen 0.555; set rmargin at screen 0.99; }
+  if (k == 1) { set lmargin at screen lecture ? 0.445 : 0.555; set rmargin at screen lecture ? 0.765 : 0.99; }
   set label 1 (k == 0 ? 'orbit' : 'chain') at graph 0.04,0.06 left
-  if (k == 0) { set key at screen 0.52,0.01 center bottom maxrows 3 samplen 2 Left reverse width 1; }
+  if (k == 0) { if (lecture) { set key at screen 0.775,0.97 left top samplen 2 Left reverse } else { set key at screen 0.52,0.01 center bottom maxrows 3 samplen 2 Left reverse width 1 } }
   if (k == 1) { unset key; }
   n = 11*k
   plot file index n using 1:2 with linespoints ls 2 ps 0.4*big title part[1], \

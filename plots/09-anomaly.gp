@@ -6,9 +6,9 @@ height = 6.6
 load 'plots/style.gp'
 file = 'build/data/09-anomaly.dat'
 set multiplot
-set lmargin at screen 0.1*room
+set lmargin at screen 0.1
 set rmargin at screen 0.47
-set bmargin at screen 0.17*room
+set bmargin at screen 0.17
 set tmargin at screen 0.97
 set xrange [0:pi]
 set yrange [0:pi]

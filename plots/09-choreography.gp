@@ -5,7 +5,7 @@ width = 14
 height = 7.4
 load 'plots/style.gp'
 file = 'build/data/09-choreography.dat'
-set multiplot layout 1,2 margins 0.1*room,0.985,0.15*room,0.97 spacing 0.11*room,0
+set multiplot layout 1,2 margins 0.1,0.985,0.15,0.97 spacing 0.11,0
 set logscale y
 set format y '10^{%T}'
 set xlabel 'orbits'

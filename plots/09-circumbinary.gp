@@ -5,7 +5,7 @@ width = 14
 height = 7.2
 load 'plots/style.gp'
 file = 'build/data/09-circumbinary.dat'
-set multiplot layout 1,2 margins 0.08*room,0.985,0.16*room,0.97 spacing 0.11*room,0
+set multiplot layout 1,2 margins 0.085,0.985,0.16,0.97 spacing 0.11,0
 set size ratio -1
 set xlabel '{/:Italic x}  (AU)'
 set ylabel '{/:Italic y}  (AU)' offset 1

@@ -6,9 +6,9 @@ height = 7
 load 'plots/style.gp'
 file = 'build/data/09-eccentric.dat'
 set multiplot
-set lmargin at screen 0.1*room
+set lmargin at screen 0.1
 set rmargin at screen 0.52
-set bmargin at screen 0.16*room
+set bmargin at screen 0.16
 set tmargin at screen 0.97
 set logscale y
 set format y '10^{%T}'

@@ -6,9 +6,9 @@ height = 7
 load 'plots/style.gp'
 file = 'build/data/09-eight.dat'
 set multiplot
-set lmargin at screen 0.08*room
+set lmargin at screen 0.085
 set rmargin at screen 0.48
-set bmargin at screen 0.16*room
+set bmargin at screen 0.16
 set tmargin at screen 0.97
 set size ratio -1
 set xrange [-1.25:1.25]

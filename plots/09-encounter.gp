@@ -5,7 +5,7 @@ width = 14
 height = 7
 load 'plots/style.gp'
 file = 'build/data/09-encounter.dat'
-set multiplot layout 1,2 margins 0.1*room,0.985,0.16*room,0.97 spacing 0.115*room,0
+set multiplot layout 1,2 margins 0.1,0.985,0.16,0.97 spacing 0.115,0
 set logscale xy
 set format '10^{%T}'
 set xlabel 'closest approach  (AU)'

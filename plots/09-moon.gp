@@ -5,9 +5,9 @@ width = 14
 height = 6.6
 load 'plots/style.gp'
 file = 'build/data/09-moon.dat'
-set lmargin at screen 0.08*room
+set lmargin at screen 0.085
 set rmargin at screen 0.97
-set bmargin at screen 0.19*room
+set bmargin at screen 0.19
 set tmargin at screen 0.97
 stats file index 0 every ::3073 using (atan2($2,$1)) nooutput
 moon = STATS_min

@@ -5,9 +5,9 @@ width = 14
 height = 7.4
 load 'plots/style.gp'
 file = 'build/data/09-ring-speeds.dat'
-set lmargin at screen 0.1*room
+set lmargin at screen 0.105
 set rmargin at screen 0.985
-set bmargin at screen 0.15*room
+set bmargin at screen 0.15
 set tmargin at screen 0.97
 set xlabel '{/:Italic r}  (AU)'
 set ylabel 'speed  (AU/d)' offset 1

@@ -5,9 +5,9 @@ width = 14
 height = 6.4
 load 'plots/style.gp'
 file = 'build/data/09-softening.dat'
-set lmargin at screen 0.11*room
+set lmargin at screen 0.11
 set rmargin at screen 0.985
-set bmargin at screen 0.19*room
+set bmargin at screen 0.19
 set tmargin at screen 0.97
 set logscale xy
 set format '10^{%T}'

@@ -5,7 +5,7 @@ width = 14
 height = 7
 load 'plots/style.gp'
 file = 'build/data/09-sun-earth.dat'
-set multiplot layout 1,2 margins 0.08*room,0.985,0.16*room,0.97 spacing 0.12*room,0
+set multiplot layout 1,2 margins 0.08,0.985,0.16,0.97 spacing 0.12,0
 set size ratio -1
 set xrange [-2.4:2.4]
 set yrange [-2.4:2.4]

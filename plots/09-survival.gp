@@ -6,9 +6,9 @@
 width = 14
 height = 6.4
 load 'plots/style.gp'
-set lmargin at screen 0.09*room
+set lmargin at screen 0.09
 set rmargin at screen 0.985
-set bmargin at screen 0.2*room
+set bmargin at screen 0.2
 set tmargin at screen 0.97
 set xlabel 'distance at which the planet begins  (distances of the stars)'
 set ylabel 'phases that survive' offset 1

@@ -4,9 +4,9 @@ width = 14
 height = 7
 load 'plots/style.gp'
 file = 'plots/data/09-tree.dat'
-set lmargin at screen 0.11*room
+set lmargin at screen 0.11
 set rmargin at screen 0.985
-set bmargin at screen 0.16*room
+set bmargin at screen 0.16
 set tmargin at screen 0.97
 set logscale xy
 set format '10^{%T}'

@@ -9,7 +9,7 @@ file = 'build/data/09-work.dat'
 colours = '#999999 #0072b2 #d55e00 #009e73 #aa4499 #e69f00 #000000'
 shapes = '2 7 5 9 11 6 13'
 names = 'sympl.-Euler leapfrog rk4 yoshida4 pefrl yoshida6 kahan-li8'
-set multiplot layout 1,2 margins 0.1*room,0.82,0.15*room,0.97 spacing 0.12*room,0
+set multiplot layout 1,2 margins 0.1,0.82,0.15,0.97 spacing 0.12,0
 set logscale xy
 set format y '10^{%T}'
 set xlabel 'evaluations in a period of the stars'

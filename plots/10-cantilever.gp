@@ -4,7 +4,7 @@
 width = 14
 height = 7.8
 load 'plots/style.gp'
-set multiplot layout 1,3 margins 0.075*room,0.99,0.17*room,0.9 spacing 0.035,0
+set multiplot layout 1,3 margins 0.075,0.99,0.17,0.9 spacing 0.035,0
 set size ratio -1
 set xrange [-0.6:5.6]
 set yrange [-5.4:1.5]

@@ -4,9 +4,9 @@
 width = 11
 height = 7
 load 'plots/style.gp'
-set lmargin at screen 0.12*room
+set lmargin at screen 0.12
 set rmargin at screen 0.985
-set bmargin at screen 0.16*room
+set bmargin at screen 0.16
 set tmargin at screen 0.97
 set xlabel 'half waves {/:Italic r}  (one along {/:Italic y})'
 set ylabel 'angular frequency  (rad/s)' offset 0.5

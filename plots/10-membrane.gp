@@ -8,7 +8,7 @@ height = 8.5
 load 'plots/style.gp'
 file = 'build/data/10-membranes.dat'
 set multiplot
-set lmargin at screen 0.075*room
+set lmargin at screen 0.075
 set rmargin at screen 0.6
 set tmargin at screen 0.97
 set bmargin at screen 0.59
@@ -22,11 +22,11 @@ set key at graph 0.99,0.98 right top horizontal samplen 1.5
 plot cos(1.99029*x) ls 9, \
      file using 1:6 with points ls 1 ps 0.3*big title 'taut, mode (1, 1)', file using 1:7 with lines ls 2 title 'other modes'
 set tmargin at screen 0.55
-set bmargin at screen 0.14*room
+set bmargin at screen 0.15
 set format x '%g'
 set xlabel 'time  (s)'
 plot file using 1:2 with lines ls 1 title 'at rest length, mode (1, 1)', file using 1:3 with lines ls 2 title 'other modes'
-set lmargin at screen 0.72
+set lmargin at screen 0.735
 set rmargin at screen 0.985
 set tmargin at screen 0.97
 unset key
@@ -36,7 +36,7 @@ set format '10^{%T}'
 set xrange [2e-3:0.6]
 set yrange [0.5:200]
 set xlabel 'amplitude {/:Italic A}  (m)'
-set ylabel 'period  (s)' offset 1.5
+set ylabel 'period  (s)' offset 0.8
 set label 1 '∝ 1/{/:Italic A}' at 0.02,25 tc rgb '#555555'
 plot 0.299664/x ls 9, 'build/data/10-quartic.dat' using 1:2 with points ls 1
 unset multiplot

@@ -7,9 +7,9 @@ width = 14
 height = 8
 load 'plots/style.gp'
 set multiplot
-set lmargin at screen 0.09*room
+set lmargin at screen 0.09
 set rmargin at screen 0.375
-set bmargin at screen 0.14*room
+set bmargin at screen 0.14
 set tmargin at screen 0.97
 set size ratio -1
 set xrange [-1.5:1.5]

@@ -6,7 +6,7 @@
 width = 14
 height = 7
 load 'plots/style.gp'
-set multiplot layout 1,2 margins 0.075*room,0.985,0.16*room,0.97 spacing 0.135*room,0
+set multiplot layout 1,2 margins 0.075,0.985,0.16,0.97 spacing 0.135,0
 set xlabel 'time  (s)'
 set ylabel 'place {/:Italic q}  (m)' offset 1.5
 set xrange [0:15]

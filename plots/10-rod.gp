@@ -6,7 +6,7 @@
 width = 14
 height = 6.5
 load 'plots/style.gp'
-set multiplot layout 1,2 margins 0.09*room,0.985,0.17*room,0.97 spacing 0.13*room,0
+set multiplot layout 1,2 margins 0.09,0.985,0.17,0.97 spacing 0.13,0
 set logscale xy
 set format x '10^{%T}'
 set format y '10^{%T}'

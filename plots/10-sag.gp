@@ -4,9 +4,9 @@
 width = 14
 height = 6
 load 'plots/style.gp'
-set lmargin at screen 0.085*room
+set lmargin at screen 0.085
 set rmargin at screen 0.985
-set bmargin at screen 0.19*room
+set bmargin at screen 0.19
 set tmargin at screen 0.97
 set xlabel 'time since gravity and friction ended  (s)'
 set ylabel 'displacement  (m)' offset 1

@@ -4,9 +4,9 @@
 width = 14
 height = 6.5
 load 'plots/style.gp'
-set lmargin at screen 0.085*room
+set lmargin at screen 0.085
 set rmargin at screen 0.985
-set bmargin at screen 0.17*room
+set bmargin at screen 0.17
 set tmargin at screen 0.97
 set xlabel 'time  (s)'
 set ylabel 'stretch of the upper spring  (mm)' offset 1

@@ -3,9 +3,9 @@
 width = 11
 height = 7
 load 'plots/style.gp'
-set lmargin at screen 0.14*room
+set lmargin at screen 0.14
 set rmargin at screen 0.985
-set bmargin at screen 0.16*room
+set bmargin at screen 0.16
 set tmargin at screen 0.97
 set logscale x 2
 set xlabel 'bodies on a side'

@@ -4,7 +4,7 @@
 width = 14
 height = 6.5
 load 'plots/style.gp'
-set multiplot layout 1,2 margins 0.09*room,0.985,0.17*room,0.97 spacing 0.11*room,0
+set multiplot layout 1,2 margins 0.1,0.985,0.17,0.97 spacing 0.11,0
 set xlabel 'time  (s)'
 set xrange [0:5]
 set logscale y

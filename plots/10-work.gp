@@ -3,9 +3,9 @@
 width = 14
 height = 8
 load 'plots/style.gp'
-set lmargin at screen 0.1*room
+set lmargin at screen 0.1
 set rmargin at screen 0.735
-set bmargin at screen 0.14*room
+set bmargin at screen 0.14
 set tmargin at screen 0.97
 set logscale xy
 set format x '10^{%T}'

@@ -6,12 +6,12 @@ load 'plots/style.gp'
 file = 'plots/data/11-pressure.dat'
 stats file index 0 every ::0::0 using (0.5*($2 + $4)) name 'E' nooutput
 stats file index 0 every ::0::0 using (0.5*sqrt($3**2 + $5**2)) name 'F' nooutput
-set multiplot layout 1,2 margins 0.1*room,0.985,0.16*room,0.97 spacing 0.125*room,0
+set multiplot layout 1,2 margins 0.103,0.985,0.16,0.97 spacing 0.125,0
 set logscale xy
 set xlabel '{/:Italic v dt} / 2{/:Italic r}'
 set xrange [0.01:1]
 set format y '10^{%T}'
-set ylabel '|Δ{/:Italic E}| / {/:Italic E}' offset 0
+set ylabel '|Δ{/:Italic E}| / {/:Italic E}' offset 0.7
 set yrange [1e-17:1]
 set key at graph 0.97,0.95 right top samplen 1
 plot file index 0 using ($1/0.2):14 with points ls 2 title 'all pairs', \

@@ -15,9 +15,9 @@ set format y '10^{%T}'
 set xrange [0:9.6]
 set yrange [1e-6:1e6]
 set xlabel 'time  (s; of stars and planets in thousands of days)'
-set ylabel '({/:Italic E} − {/:Italic E}_0)/{/:Italic S}' offset 1
-set lmargin at screen 0.105*room
-set bmargin at screen 0.155*room
+set ylabel '({/:Italic E} − {/:Italic E}_0)/{/:Italic S}' offset 0.6
+set lmargin at screen 0.11
+set bmargin at screen 0.155
 set tmargin at screen 0.97
 set rmargin at screen 0.98
 set key at graph 0.985,0.97 right Left reverse samplen 2 spacing 1.1

@@ -5,7 +5,7 @@ width = 14
 height = 7.5
 load 'plots/style.gp'
 file = 'build/data/11-break.dat'
-set multiplot layout 1,2 margins 0.075*room,0.99,0.16*room,0.9 spacing 0.035*room,0
+set multiplot layout 1,2 margins 0.075,0.99,0.16,0.9 spacing 0.035,0
 set size ratio -1
 set xrange [-0.75:2.6]
 set yrange [-1.7:1.7]

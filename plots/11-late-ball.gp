@@ -5,7 +5,7 @@ width = 14
 height = 7
 load 'plots/style.gp'
 file = 'build/data/11-late-ball.dat'
-set multiplot layout 1,2 margins 0.1*room,0.985,0.17*room,0.9 spacing 0.09*room,0
+set multiplot layout 1,2 margins 0.1,0.985,0.17,0.9 spacing 0.09,0
 set logscale xy
 set format '10^{%T}'
 set xrange [4e-4:5]

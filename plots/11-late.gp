@@ -7,7 +7,7 @@ unset tics
 set size ratio -1
 set margins 0,0,0,0
 set xrange [-3.2:9.4]
-set yrange [-1.2:4.7]
+set yrange [lecture ? -1.8 : -1.2:lecture ? 5.3 : 4.7]
 s = 3.0
 # The path comes from the right at an angle; A on the circle at 32 degrees.
 pi = 3.14159265

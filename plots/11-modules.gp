@@ -27,7 +27,7 @@ do for [pair in "1-2 1-3 1-4 2-5 3-5 5-6 5-7 5-8 6-9 7-9 7-10 8-10 4-9"] {
 fill(k) = k == 1 ? '#ffffff' : k <= 5 ? '#dcebf5' : k <= 8 ? '#fbe3d3' : '#e6e6e6'
 do for [k=1:n] {
     set object k rectangle center X[k],Y[k] size 2 * half,2 * tall front fc rgb fill(k) fs solid border lc rgb '#555555'
-    set label k name[k] at X[k],Y[k] center front font face.',10'
+    set label k name[k] at X[k],Y[k] center front
 }
 set label 20 'the program' at 13.8,6.4 right tc rgb '#555555'
 set label 21 'puts together' at 13.8,4.3 right tc rgb '#555555'

@@ -8,7 +8,7 @@ height = 7
 load 'plots/style.gp'
 swing = 'build/data/11-swing.dat'
 rest = 'build/data/11-rest.dat'
-set multiplot layout 1,2 margins 0.085*room,0.985,0.17*room,0.96 spacing 0.125*room,0
+set multiplot layout 1,2 margins 0.085,0.985,0.17,0.96 spacing 0.125,0
 set xlabel 'time  (s)'
 set xrange [0:20]
 set ylabel '{/:Italic x}  (m)' offset 1.5

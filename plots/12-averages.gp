@@ -6,7 +6,7 @@ width = 14
 height = 6.5
 load 'plots/style.gp'
 file = 'build/data/12-averages.dat'
-set multiplot layout 1,2 margins 0.105*room,0.985,0.18*room,0.97 spacing 0.12*room,0
+set multiplot layout 1,2 margins 0.105,0.985,0.18,0.96 spacing 0.12,0
 set logscale xy
 set xrange [0.14:0.0035]
 set xtics ('0.1' 0.1, '0.05' 0.05, '0.02' 0.02, '0.01' 0.01, '0.005' 0.005)

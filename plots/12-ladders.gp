@@ -12,10 +12,10 @@ set xlabel 'cost  (s by the price list)'
 set ylabel 'error  (share of the scale)' offset 1
 set xrange [1e-5:0.1]
 set yrange [1e-5:10]
-set lmargin at screen 0.115*room
-set bmargin at screen 0.145*room
+set lmargin at screen 0.115
+set bmargin at screen 0.145
 set tmargin at screen 0.97
-set rmargin at screen 0.98
+set rmargin at screen 0.965
 set key at graph 0.985,0.97 right Right spacing 1.1 samplen 2
 file = 'build/data/12-ladders.dat'
 ladder(name) = sprintf("< awk '!/^#/ && $4 ~ /^%s:[0-9]*$/ && $3 == 0' %s", name, file)

@@ -1,4 +1,5 @@
 # data: plots/data/12-atlas.dat
+# slides: 3
 # alt: Six panels, error against cost, both logarithmic, from ten to the minus 17 to ten thousand and from a fifth of a microsecond to four tenths of a second. In each a closed form or events stand alone at the lower left, at errors of about ten to the minus 15, marked as the pick. Steps lie at errors about one and, at six to nine hundred times the cost, at ten to the minus 12, with little between.
 width = 14
 height = 16

@@ -6,16 +6,19 @@ if (!exists("output")) output = 'build/figure.svg'
 if (!exists("width")) width = 14
 if (!exists("height")) height = 8.5
 
-# A lecture slide is 16:9 and read from the back row: larger type, thicker
-# lines, larger points.
+# A lecture slide is 16:9: the book's figure, as much larger as it is wider,
+# with all its type, lines and points. One that is much taller has a slide for
+# each row: its script says how many (# slides: 3) and draws those that row()
+# lets it.
 face = 'Latin Modern Sans'
 lecture = medium eq 'lecture'
-thick = lecture ? 3 : 1
-big = lecture ? 3 : 1
-room = lecture ? 1.4 : 1  # for type beside and below the axes
+thick = lecture ? 2.3 : 1
+big = lecture ? 2.2 : 1
+if (!exists("slide")) slide = 0
+row(k) = slide == 0 || slide == k
 if (medium eq 'pdf') set terminal pdfcairo size width*1cm,height*1cm font face.',9' fontscale 0.75 enhanced
 if (medium eq 'svg') set terminal svg size int(width*48),int(height*48) font face.',DejaVu Sans,sans-serif,15' enhanced background rgb 'white'
-if (lecture) set terminal pdfcairo size 32cm,18cm font face.',28' fontscale 0.75 enhanced
+if (lecture) set terminal pdfcairo size 32cm,18cm font face.',20' fontscale 0.75 enhanced
 set output output
 set encoding utf8
 set minussign
@@ -38,4 +41,4 @@ set style line 9 lc rgb grey lw 1.0*thick           # theory, guides
 set border lw 0.8*thick lc rgb '#333333'
 set tics scale 0.6
 set key noautotitle
-set xlabel offset 0,0.4
+set xlabel offset 0,0.55

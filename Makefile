@@ -98,7 +98,7 @@ $$(error $(firstword $(filter $(2),$(MAKECMDGOALS))) needs $(1), which is not\
 endif
 endif
 endef
-$(eval $(call only_with,chapters/book.tex,tangle check-tangle))
+$(eval $(call only_with,chapters/book.tex,tangle check-tangle contact))
 $(eval $(call only_with,tests/wrong,book test memcheck handout mutants \
 	grade grade-bench))
 $(eval $(call only_with,solutions,solution))
@@ -407,6 +407,25 @@ figures: has-gnuplot has-gsl programs $(FIGURES_PDF) $(FIGURES_SVG) \
 	@echo 'Figures: build/figures/' \
 		$(if $(filter lecture,$(QUALITY)),'and build/lecture/')
 
+# One of them; with QUALITY=lecture its slide or slides.
+FIGURE = 09-eight
+.PHONY: figure contact
+ifneq ($(filter figure,$(MAKECMDGOALS)),)
+ifneq ($(filter $(basename $(notdir $(wildcard plots/[0-9]*.gp))),$\
+	$(value FIGURE)),$(or $(value FIGURE),one))
+$(error figure: FIGURE: '$(value FIGURE)' is no figure of plots/)
+endif
+figure: has-gnuplot has-gsl $(FIGURE:%=$(if $(filter \
+		lecture,$(QUALITY)),slides,figure)-%)
+	@echo 'In build/$(if $(filter lecture,$(QUALITY)),lecture,figures)/:' \
+		$(FIGURE)
+endif
+
+# All figures and slides on a few sheets, to be looked at.
+contact: has-tex has-gsl $(FIGURES_PDF)
+	@chapters/contact
+	@echo 'The contact sheets: build/contact.pdf'
+
 # EDITION=instructor adds the worked solutions.
 edition := $(if $(filter instructor,$(EDITION)),-instructor)
 book: has-tex build/bonkers$(edition).pdf figures
@@ -672,6 +691,8 @@ help:
 	$(call offer,handout) 'make handout      the archive for students; WITH_CHAPTERS=1 for more'
 	$(call offer,grade) 'make grade        SUBMISSIONS=dir: points for a folder of students'
 	@echo 'make figures      the figures; QUALITY=lecture for slides too'
+	@echo 'make figure       FIGURE=09-eight: one of them; QUALITY=lecture'
+	$(call offer,contact) 'make contact      all figures and slides, small, to look at'
 	$(call offer,test) 'make test         prove everything: N passed, N failed'
 	@echo 'make programs     only build build/bin/'
 	@echo 'make inspect      SCENE=membrane X=t Y=z:30: what a scene does, drawn'

@@ -21,6 +21,16 @@ if [ -e build/bonkers.pdf ]; then
     else
         echo 'not ok pdf: equation numbers - see above'
     fi
+    pdftotext build/bonkers.pdf - | tr -s ' \f' '\n' >"$scratch/words"
+    missing=$(for script in plots/[0-9]*.gp; do
+        name=${script##*/} name=${name%.gp}
+        grep -qxF -e "$name" "$scratch/words" || echo "$name"
+    done)
+    if [ -z "$missing" ]; then
+        echo 'ok pdf: each figure has its name beside it'
+    else
+        echo 'not ok pdf: each figure has its name beside it - not' $missing
+    fi
 fi
 
 printf 'name type\n---- ----\nXYZ+SFRM1000 Type 3   Custom yes\n' | no_bitmaps &&

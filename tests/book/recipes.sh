@@ -46,6 +46,8 @@ has() { # name needle haystack
 
 figure 01-a 'build/bin/walk -o build/data/walk.dat'
 figure 01-b 'build/bin/walk -o build/data/walk.dat'
+sed "s/^# alt/# slides: 2\n&/; s/^plot/load 'plots\/panels.gp'\n&/" \
+    plots/01-b.gp >plots/01-c.gp
 chapter '%run walk: build/bin/walk --seed 1 | cat' '\result[1 to 2]{walk}{steps}' \
     '%run no !2: build/bin/walk --fail' '%run bad: build/bin/walk --fail' \
     '\transcript{walk}'
@@ -57,6 +59,15 @@ has 'figures need script, style and data' \
     'build/figures/01-a.pdf: plots/01-a.gp plots/style.gp build/data/walk.dat' \
     "$rules"
 has 'lecture data stand apart' 'build/lecture/01-a.pdf: plots/01-a.gp plots/style.gp build/lecture/data/walk.dat' "$rules"
+has 'a figure of two slides is two files, and needs what it loads' \
+    'build/lecture/01-c-1.pdf build/lecture/01-c-2.pdf: plots/01-c.gp '\
+'plots/style.gp plots/panels.gp build/lecture/data/walk.dat' "$rules"
+has 'one figure has a goal of its own' \
+    'slides-01-c: build/lecture/01-c-1.pdf build/lecture/01-c-2.pdf' "$rules"
+is 'the names of slides are told' '01-b 01-c-1 01-c-2' "$(echo \
+    $(chapters/recipes --slides plots/01-b.gp) \
+    $(chapters/recipes --slides plots/01-c.gp))"
+rm plots/01-c.gp
 is 'data of two figures have one rule' 1 \
     "$(grep -c '^build/data/walk.dat:' build/recipes/rules.mk)"
 is 'the lecture command writes there' \

@@ -1,0 +1,133 @@
+#!/bin/sh
+# Every figure, as the book has it and as slides of a lecture, both from the
+# book's data: its words do not lie over each other, none leaves the page,
+# none is smaller than 7 points in the book and 14 on a slide. What lies over
+# data is for the eye: make contact.
+. tests/programs/common
+
+# What is wrong with the words of FILE.pdf, one line each, or nothing.
+# pdftotext leaves out what is not on the page: it gets a larger one. (What
+# begins beyond the left or the lower edge gnuplot does not draw: for the eye.)
+# Its boxes are as high as a line; letters fill them but for a fifth above and
+# an eighth below. That a word stands on end it does not say: this is told by
+# the word's letters, or by a longer word in its line.
+wrong() { # FILE.pdf LEAST-TYPE
+    size=$(LC_ALL=C sed -n 's|.*/MediaBox \[ 0 0 \(.*\) \].*|\1|p' "$1")
+    [ -n "$size" ] || { echo 'no page'; return; }
+    LC_ALL=C sed 's|/MediaBox \[.*\]|/MediaBox [ -99 -99 1999 1999 ]|' "$1" \
+        >"$work/larger.pdf"
+    pdftotext -bbox "$work/larger.pdf" "$work/words" 2>/dev/null &&
+        LC_ALL=C awk -v least="$2" -v size="$size" '
+    function width(text,    i, c, sum) {
+        for (i = 1; i <= length(text); ++i) {
+            c = substr(text, i, 1)
+            sum += c ~ /[ijl.,:;|()!]/ ? 0.3 : c ~ /[mwMW]/ ? 0.8 : \
+                c ~ /[^ -~]/ ? 0.25 : 0.5
+        }
+        return sum / 1.46
+    }
+    function far(a, b) { a = log(a / b); return a < 0 ? -a : a }
+    function least_of(a, b) { return a < b ? a : b }
+    BEGIN {
+        split(size, at)
+        left = 99; right = left + at[1]
+        bottom = 1999; top = bottom - at[2]
+    }
+    /<word / {
+        split($0, at, "\"")
+        ++n
+        x[n] = at[2]; y[n] = at[4]; X[n] = at[6]; Y[n] = at[8]
+        word[n] = $0
+        gsub(/.*">|<\/word>.*/, "", word[n])
+        gsub(/&[a-z0-9#]*;/, "x", word[n])
+        aspect = (X[n] - x[n]) / (Y[n] - y[n])
+        flat = far(1 / aspect, width(word[n])) - far(aspect, width(word[n]))
+        lies[n] = flat > -0.15
+        if (flat < -0.5) stands_at[x[n], X[n]]
+        if (flat > 0.5) lies_at[y[n], Y[n]]
+    }
+    END {
+        for (j = 1; j <= n; ++j) {
+            if ((x[j], X[j]) in stands_at) lies[j] = 0
+            else if ((y[j], Y[j]) in lies_at) lies[j] = 1
+            if (lies[j]) {
+                high = Y[j] - y[j]
+                y[j] += 0.2 * high; Y[j] -= 0.13 * high
+            } else {
+                high = X[j] - x[j]
+                x[j] += 0.2 * high; X[j] -= 0.13 * high
+            }
+            if (high / 1.46 < least - 0.2)
+                printf "%s has %.1f points\n", word[j], high / 1.46
+            if (x[j] < left || X[j] > right || y[j] < top || Y[j] > bottom)
+                print word[j] " leaves the page"
+            area[j] = (X[j] - x[j]) * (Y[j] - y[j])
+            for (i = 1; i < j; ++i) {
+                dx = least_of(X[i], X[j]) + least_of(-x[i], -x[j])
+                dy = least_of(Y[i], Y[j]) + least_of(-y[i], -y[j])
+                if (dx > 0 && dy > 0 &&
+                    dx * dy > least_of(area[i], area[j]) / 4)
+                    print word[j] " lies over " word[i]
+            }
+        }
+    }' "$work/words"
+}
+
+# Drawn, and with nothing wrong.
+sound() { # NAME MEDIUM SCRIPT LEAST-TYPE
+    if ! chapters/recipes --figure "$2" "$work/$1.pdf" "$3" >"$work/said" 2>&1
+    then
+        not_ok "$1, $2" "$(head -n 1 "$work/said")"
+        return
+    fi
+    found=$(wrong "$work/$1.pdf" "$4" 2>&1) || found="unread: $found"
+    if [ -z "$found" ]; then ok "$1, $2"; else
+        not_ok "$1, $2" "$(printf '%s\n' "$found" | head -n 5 | tr '\n' ';')"
+    fi
+}
+for script in plots/[0-9]*.gp; do
+    sound "$(basename "$script" .gp)" pdf "$script" 7
+    for name in $(chapters/recipes --slides "$script"); do
+        sound "$name" slide "$script" 14
+    done
+done
+
+# The test sees what it is to see, in words that lie and words that stand.
+sees() { # WHAT GNUPLOT-LINES
+    printf '%s\n' '# alt: planted' 'width = 14' 'height = 7' \
+        "load 'plots/style.gp'" 'unset tics' 'unset border' \
+        'set margins 0,0,0,0' \
+        "set label 1 'some words' at screen 0.5,0.5" \
+        "set label 2 'and more' at screen 0.3,0.5 rotate" "$2" \
+        'plot [0:1] x' >"$work/00-planted.gp"
+    chapters/recipes --figure slide "$work/00-planted.pdf" \
+        "$work/00-planted.gp" >"$work/said" 2>&1
+    found=$(wrong "$work/00-planted.pdf" 14 2>&1 | head -n 1)
+    # shellcheck disable=SC2254
+    case $found in
+    $1) ok "planted: ${2:-nothing}" ;;
+    *) not_ok "planted: ${2:-nothing}" "'$found', not '$1'" ;;
+    esac
+}
+sees '' ''
+sees 'some lies over other' "set label 3 'other' at screen 0.51,0.51"
+sees 'other lies over more' "set label 3 'other' at screen 0.3,0.6 rotate"
+sees 'other has 12.* points' \
+    "set label 3 'other' at screen 0.1,0.1 font face.',12.5'"
+sees 'other has 12.* points' \
+    "set label 3 'other' at screen 0.1,0.1 rotate font face.',12.5'"
+for place in 'screen 0.97,0.3' 'screen 0.01,0.3 center' 'screen 0.1,0.99' \
+    'screen 0.1,0.01' 'screen 0.995,0.3 rotate' 'screen 0.01,0.3 rotate'; do
+    sees 'other leaves the page' "set label 3 'other' at $place"
+done
+
+
+# One of them, by its name.
+make=${MAKE:-make}
+$make -n figure FIGURE=04-state QUALITY=lecture >"$work/out" 2>&1
+holds 'a slide for each row of a tall figure' sh -c "
+    grep -q -- '--figure lecture build/lecture/04-state-1.pdf' '$work/out' &&
+    grep -q -- '--figure lecture build/lecture/04-state-2.pdf' '$work/out'"
+$make -n figure FIGURE=04 >"$work/out" 2>&1
+holds 'a figure that is none is refused' \
+    grep -q "figure: FIGURE: '04' is no figure of plots/" "$work/out"

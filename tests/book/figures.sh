@@ -124,7 +124,7 @@ done
 
 # One of them, by its name.
 make=${MAKE:-make}
-$make -n figure FIGURE=04-state QUALITY=lecture >"$work/out" 2>&1
+$make -n -W plots/04-state.gp figure FIGURE=04-state QUALITY=lecture >"$work/out" 2>&1
 holds 'a slide for each row of a tall figure' sh -c "
     grep -q -- '--figure lecture build/lecture/04-state-1.pdf' '$work/out' &&
     grep -q -- '--figure lecture build/lecture/04-state-2.pdf' '$work/out'"

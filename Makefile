@@ -272,7 +272,7 @@ $(foreach s,$(suites),$(eval $(call suite_rules,$(firstword \
 
 ## ---- grading: cc, make, CUnit, jansson, libxml2, bubblewrap ---------------
 
-# make grade SUBMISSIONS=dir [REPORT=table,csv,...] [JOBS=n] [HIDDEN=seed]
+# make grade SUBMISSIONS=dir [REPORT=gradescope,...] [JOBS=n] [HIDDEN=seed]
 # [EX=01a,02] [SECONDS=5] [RESULTS=dir] [UNSAFE=1]
 SUBMISSIONS =
 grade_options = $${REPORT:+--report "$$REPORT"} $${JOBS:+--jobs "$$JOBS"} \

@@ -1,5 +1,5 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 3696228277 of the lines below */
+/* checksum 1621645808 of the lines below */
 #include "examiner/grading.h"
 #include "examiner/build.h"
 #include "examiner/process.h"
@@ -319,10 +319,15 @@ static void run_tests(struct job *job)
         FILE *story = open_memstream(&text, &size);
         if (!story)
             text_fail("out of memory");
+        const double start = process_clock() - job->marks->build_seconds;
         const enum state state = try_test(job, i, late, story);
         late += state == TIMED_OUT;
         fclose(story);
         keep_mark(job->marks, &job->kit->tests[i], state, text, size);
+        const struct marks *before = job->grading->before;
+        job->marks->marks[i].seconds =
+            process_clock() - job->marks->build_seconds - start +
+            (before ? before->marks[i].seconds : 0.0);
         if (!job->kit->tests[i].hidden)
             keep_prints(job->marks);
         free(text);

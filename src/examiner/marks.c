@@ -1,5 +1,5 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 3900885889 of the lines below */
+/* checksum 2626098563 of the lines below */
 #include "examiner/marks.h"
 #include "examiner/text.h"
 
@@ -84,10 +84,10 @@ char *marks_text(const char *bytes, size_t length, size_t most)
 
 static json_t *json_of_mark(const struct mark *mark)
 {
-    return json_pack("{s:s, s:b, s:i, s:s, s:s}", "name", mark->name,
+    return json_pack("{s:s, s:b, s:i, s:s, s:s, s:f}", "name", mark->name,
                      "hidden", mark->hidden, "points", mark->points,
-                     "state", state_name(mark->state), "story",
-                     mark->story);
+                     "state", state_name(mark->state), "story", mark->story,
+                     "seconds", mark->seconds);
 }
 
 static json_t *json_of_marks(const struct marks *m, const char *key)
@@ -129,9 +129,10 @@ static bool mark_of_json(struct mark *mark, json_t *json)
 {
     const char *name, *state, *story;
     int hidden;
-    if (json_unpack(json, "{s:s, s:b, s:i, s:s, s:s}", "name", &name,
+    if (json_unpack(json, "{s:s, s:b, s:i, s:s, s:s, s:f}", "name", &name,
                     "hidden", &hidden, "points", &mark->points, "state",
-                    &state, "story", &story) != 0)
+                    &state, "story", &story, "seconds",
+                    &mark->seconds) != 0)
         return false;
     mark->name = strdup(name);
     mark->hidden = hidden;

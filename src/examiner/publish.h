@@ -1,5 +1,5 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 3902107024 of the lines below */
+/* checksum 3550954502 of the lines below */
 #ifndef PUBLISH_H
 #define PUBLISH_H
 
@@ -20,16 +20,16 @@ struct course {
     const char *when;          /* 2026-10-05T09:30:00Z: ISO 8601, UTC */
 };
 
-/* Whether there is a report of this name: table, csv, gradescope,
-   classroom50 or junit. */
+/* The reports that may be asked for, "gradescope, ..."; whether this is
+   one of them. Those for people, table and csv, are always written. */
+extern const char publish_names[];
 bool publish_known(const char *report);
 
 /* Writes a report: table to standard output, csv, junit to
-   FOLDER/grades.csv, FOLDER/junit.xml; gradescope and classroom50 to
-   FOLDER/gradescope/STUDENT.json, FOLDER/classroom50/STUDENT.json, with
-   characters of a student's name that a file name should not have as %XX.
-   Files are there whole or not at all. Exits with status 2 when it
-   cannot. */
+   FOLDER/grades.csv, FOLDER/junit.xml; gradescope, classroom50 and github
+   to FOLDER/gradescope/STUDENT.json, ..., with characters of a student's
+   name that a file name should not have as %XX. Files are there whole or
+   not at all. Exits with status 2 when it cannot. */
 void publish(const char *report, const struct course *course,
              const char *folder);
 

@@ -310,5 +310,5 @@ fi
 # ---- The front door.
 for goal in watch hint progress reset solution; do
     ${MAKE:-make} -s -n -C "$root" $goal EX=01a >out 2>&1
-    verdict "make $goal asks for it" says "examine --$goal 01a"
+    verdict "make $goal asks for it" says "examine --$goal [$]EX"
 done

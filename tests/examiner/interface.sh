@@ -57,6 +57,8 @@ verdict 'with --strict a warning is an error' \
 
 verdict 'an unknown exercise is refused with the names of the known' \
     both 2 "^examine: there is no exercise '98z'; there are 99a 99b$" 98z
+verdict 'the names of exercises are parted by commas and blanks alike' \
+    both 2 "^examine: there is no exercise '98z'; there are" '99a, 99b,98z'
 verdict 'an unknown option is refused' both 2 'examine --help' --frobnicate
 verdict '--as needs --file' both 2 'go together' --as 99a
 verdict '--seconds wants a number' both 2 'whole number' --seconds ten

@@ -26,9 +26,11 @@ verdict 'a seed below zero' usage "--hidden: '-1'" --hidden -1 "$scratch/one"
 verdict 'a seed of 65 bits' usage '--hidden' --hidden 18446744073709551616 \
     "$scratch/one"
 verdict 'no time' usage "--seconds: '0'" --seconds 0 "$scratch/one"
-verdict 'an unknown report' usage "'pdf'" --report table,pdf "$scratch/one"
-verdict 'part of the name of a report' usage "'tab'" --report tab \
+verdict 'an unknown report' usage "'pdf'" --report junit,pdf "$scratch/one"
+verdict 'part of the name of a report' usage "'jun'" --report jun \
     "$scratch/one"
+verdict 'a report that is written in any case' usage "'csv'.* always" \
+    --report junit,csv "$scratch/one"
 verdict 'an unknown exercise' usage "'99z'" --exercises 99z "$scratch/one"
 verdict 'an unknown exercise among known ones' usage "'99z'" \
     --exercises 01a,99z "$scratch/one"
@@ -62,7 +64,7 @@ interrupt() {
     before=$(graded)
     out=$scratch/out
     (cd "$scratch/kit" && exec build/grade/grade --exercises 01a --jobs 2 \
-        --hidden "$seed" --seconds 2 --report table --output "$out" \
+        --hidden "$seed" --seconds 2 --output "$out" \
         "$scratch/ten") >"$scratch/said" 2>&1 </dev/null &
     batch=$!
     tries=0
@@ -180,7 +182,7 @@ changed() { # NAME...: these and no others have been graded again
 }
 grade "$scratch/ten" "$scratch/out" --seconds 2
 verdict 'the same command grades nothing' changed
-grade "$scratch/ten" "$scratch/out" --seconds 2 --jobs 1 --report csv,table
+grade "$scratch/ten" "$scratch/out" --seconds 2 --jobs 1 --report junit
 verdict 'other reports and jobs grade nothing' changed
 echo '/* again */' >>"$scratch/ten/s3/01a-collide.c"
 echo 'int x;' >"$scratch/ten/s5/01a-collide.c"
@@ -334,6 +336,25 @@ verdict 'who knows the hidden ones of this seed has all' \
 cp "$(result honest)" "$scratch/honest.one"
 grade "$scratch/learnt" "$scratch/out" --hidden 739147
 verdict 'with another seed he has not' judged told failed "$public"
+reported() { # KIND...: also these, and always what people read
+    rm "$out/grades.csv"
+    grade "$scratch/learnt" "$out" --hidden 739147 --report "$*"
+    for kind; do
+        [ -e "$out/$kind/honest.json" ] || why "no $kind" || return 1
+    done
+    grep -q '^"honest",' "$out/grades.csv" || why 'no spreadsheet' || return 1
+    grep -q '^possible ' "$scratch/said" || why 'no table' || return 1
+    grep -q '^For a human eye:' "$scratch/said" || why 'no list'
+}
+verdict 'whatever is reported, there are table, list and spreadsheet' \
+    reported gradescope github
+own_times() { # each test has its own, and together they are not the whole
+    awk -F'[ ,:]+' '/^   "seconds"/ { ++n; sum += $3; different += $3 != last
+        last = $3 } /^ "seconds"/ { all = $3 }
+        END { exit !(n > 5 && different > 1 && sum > 0 && sum < all) }' \
+        "$(result honest)" || why "$(grep seconds "$(result honest)")"
+}
+verdict 'each test has its own time' own_times
 verdict 'an honest student has all with any seed' judged honest passed "$full"
 verdict 'another one has what she deserves with any seed' \
     judged partly failed $((full - first))
@@ -346,7 +367,7 @@ done
 marks() { # JOBS
     grade "$scratch/learnt" "$scratch/jobs$1" --jobs "$1"
     for file in "$scratch/jobs$1"/marks/*/01a.json; do
-        sed '/^ "\(build_\)\{0,1\}seconds":/d' "$file"
+        sed '/^ *"\(build_\)\{0,1\}seconds":/d' "$file"
     done >"$scratch/marks$1"
 }
 marks 1
@@ -360,7 +381,7 @@ drawn() {
     grade "$scratch/one" "$scratch/drawn" --hidden "$seed"
     rm -rf "$scratch/drawn"
     (cd "$scratch/kit" && for n in 1 2; do
-        build/grade/grade --exercises 01a --report table --output \
+        build/grade/grade --exercises 01a --output \
             "$scratch/drawn" "$scratch/one" | sed -n 's/.*seed \([0-9]*\).*/\1/p'
     done) >"$scratch/seeds" 2>&1
     [ "$(wc -l <"$scratch/seeds")" -eq 2 ] &&

@@ -158,6 +158,7 @@ static void fill_tests(struct marks *m, enum kind kind, size_t wild)
                            : test_name(i, m->exercise[2] == 'b'),
             .hidden = hidden,
             .points = i + 1,
+            .seconds = 0.01 * (i + 1),
             .state = state,
             .story = hidden ? copy("SECRET u1 = 7.25, seed 271828")
                      : told ? (wild ? strange_story(wild)

@@ -37,11 +37,11 @@ for course in plain strange many one; do
     "$reports" "$course" --names "$out" || exit 1
     tr '\0\n' '\n?' <"$out/names" | sed 's/?/\\n/g' >"$out/names.txt"
     students=$(wc -l <"$out/names.txt")
-    for report in csv gradescope classroom50 junit; do
+    for report in csv gradescope classroom50 github junit; do
         holds "$course: $report is written" "$reports" "$course" "$report" "$out"
     done
     "$reports" "$course" table "$out" >"$out/table"
-    for kind in gradescope classroom50; do
+    for kind in gradescope classroom50 github; do
         holds "$course: $kind agrees with the schema" \
             "$schema" "$schemas/$kind.json" "$out/$kind"/*
         holds "$course: $kind has a file for each student" \
@@ -84,6 +84,11 @@ holds 'a fraction of a point is refused' spoilt classroom50 "$room" \
 holds 'a name that is too long is refused' spoilt classroom50 "$room" \
     's/"test-name": "01a.1/&xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx/' \
     'more than 100 characters'
+holds 'a test without a status is refused' spoilt github \
+    "$work/plain/github/Ada.json" '/"status": "error"/d' "'status' is missing"
+holds 'a message that is none is refused' spoilt github \
+    "$work/plain/github/Ada.json" 's/"message": ".*"/"message": null/' \
+    'not of type string'
 holds 'a time that is none is refused' spoilt classroom50 "$room" \
     's/T09:30/T24:30/' '/datetime: does not match'
 sed '1s/{/{"maximum": 3,/' "$schemas/gradescope.json" >"$work/schema.json"
@@ -121,6 +126,26 @@ holds 'Ada has 111 points of 189' sh -c "
     grep -q '^  \"score\": 111,' '$room' && grep -q '^  \"max-score\": 189,' '$room' &&
     grep -q '^\"Ada\",.*,111,189.\$' '$work/plain/grades.csv' &&
     grep -q '^Ada  *111 ' '$work/plain/table'"
+
+# GitHub Classroom adds up what the tests have earned, and takes the sum of the
+# runners' max_score, so both must be in one file; and 'fail' fails the job.
+github() {
+    for file in "$work"/*/github/*; do
+        classroom=${file%/github/*}/classroom50/${file##*/}
+        [ "$(values score "$file" | sum)" -eq \
+            "$(sed -n 's/^  "score": \([0-9]*\),$/\1/p' "$classroom")" ] &&
+            [ "$(values max_score "$file")" -eq \
+                "$(sed -n 's/^  "max-score": \([0-9]*\),$/\1/p' "$classroom")" ] &&
+            [ "$(values status "$file" | head -1)" = fail ] || {
+            echo "$file"
+            return 1
+        }
+    done
+    for status in pass fail error; do
+        values status "$work/plain/github/Ada.json" | grep -qx $status || return 1
+    done
+}
+holds 'GitHub Classroom comes to the same points' github
 
 # Gradescope: hidden tests are marked as such, have no story and no name.
 hidden() {
@@ -183,6 +208,9 @@ counts() { # COURSE
 }
 holds 'the totals of junit are right' counts plain
 holds 'the totals of junit are right for strange names' counts strange
+holds 'each case has its own time' test "$(xmllint --xpath \
+    '//testsuite[1]/testcase/@time' "$work/plain/junit.xml" | tr -d ' \n')" = \
+    'time="0.010"time="0.020"time="0.030"time="0.040"time="0.050"time="0.060"'
 holds 'a crash is an error' sh -c "
     xmllint --xpath 'string(//testcase[starts-with(@name, \"Ada, test 3\")]\
 [@classname = \"02a\"]/error/@message)' '$work/plain/junit.xml' | grep -qx crashed"

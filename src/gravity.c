@@ -1,5 +1,5 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 2562322471 of the lines below */
+/* checksum 501339815 of the lines below */
 #include "gravity.h"
 
 #include <math.h>
@@ -301,15 +301,13 @@ static const struct kernel kernels[] = {
 #endif
 };
 
-enum { FEW = 32 }; /* bodies up to which each pair is taken once */
-
 void gravity_add(const struct gravity *g, const double x[], double a[])
 {
     if (g->source) {
         add_sources(g, x, a);
         return;
     }
-    if (g->bodies <= FEW) {
+    if (g->bodies <= GRAVITY_FEW) {
         add_pairs(g, x, a);
         return;
     }

@@ -1,5 +1,5 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 31613320 of the lines below */
+/* checksum 768343403 of the lines below */
 #ifndef GRAVITY_H
 #define GRAVITY_H
 
@@ -21,6 +21,8 @@ enum gravity_kernel {
 /* Their names, as an option takes them; ends with NULL. */
 extern const char *const gravity_kernels[];
 
+enum { GRAVITY_FEW = 32 }; /* bodies up to which a pair is taken once */
+
 /* What pulls. Coordinate k of body i stands at [k * bodies + i]. */
 struct gravity {
     size_t bodies;
@@ -28,7 +30,7 @@ struct gravity {
     double k2;                  /* acceleration times distance squared, of
                                    the mass 1 */
     double softening;           /* m; 0: none */
-    enum gravity_kernel kernel; /* more than 32 bodies: who sums */
+    enum gravity_kernel kernel; /* more than a few bodies: who sums */
     int threads;                /* and in how many threads */
     const uint32_t *source;     /* NULL, or which bodies pull: no others */
     size_t sources;             /* how many they are */

@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 4269337013 of the lines below */
+/* checksum 2369575772 of the lines below */
 #include "start.h"
 
 #include "toolbox/random.h"
@@ -165,17 +165,17 @@ static void fill_piston(struct start *s, struct random *r, double ratio,
 
 static const struct {
     size_t usual, least, most;
-    bool odd, ratio;
+    bool odd;
 } kinds[START_KINDS] = {
-    [START_FOUR] = {4, 1, 10000000, false, false},
-    [START_MIXED] = {8, 8, 8, false, false},
-    [START_CRADLE] = {8, 8, 8, false, false},
-    [START_THERMAL] = {10, 2, 10000000, false, false},
-    [START_PISTON] = {11, 3, 9999999, true, true},
-    [START_ADIABATIC] = {401, 3, 9999999, true, true},
-    [START_TWO] = {2, 2, 2, false, true},
-    [START_RANDOM] = {10, 1, 10000000, false, false},
-    [START_GALPERIN] = {2, 2, 2, false, true},
+    [START_FOUR] = {4, 1, 10000000, false},
+    [START_MIXED] = {8, 8, 8, false},
+    [START_CRADLE] = {8, 8, 8, false},
+    [START_THERMAL] = {10, 2, 10000000, false},
+    [START_PISTON] = {11, 3, 9999999, true},
+    [START_ADIABATIC] = {401, 3, 9999999, true},
+    [START_TWO] = {2, 2, 2, false},
+    [START_RANDOM] = {10, 1, 10000000, false},
+    [START_GALPERIN] = {2, 2, 2, false},
 };
 
 bool start_allows(enum start_kind kind, size_t movers)
@@ -183,11 +183,6 @@ bool start_allows(enum start_kind kind, size_t movers)
     return movers == 0 ||
            (movers >= kinds[kind].least && movers <= kinds[kind].most &&
             (!kinds[kind].odd || movers % 2 == 1));
-}
-
-bool start_has_ratio(enum start_kind kind)
-{
-    return kinds[kind].ratio;
 }
 
 bool start_fill(struct start *s, const struct start_wish *w)

@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 2769196608 of the lines below */
+/* checksum 35525467 of the lines below */
 #ifndef START_H
 #define START_H
 
@@ -41,9 +41,9 @@ void start_free(struct start *s);
 struct start_wish {
     enum start_kind kind;
     size_t movers;
-    double ratio; /* of masses, where start_has_ratio: two, galperin: of
-                     the second to the first; piston, adiabatic: of the
-                     piston to the mean of the others */
+    double ratio; /* of masses; two, galperin: of the second to the
+                     first; piston, adiabatic: of the piston to the mean
+                     of the others; for no other kind */
     bool walls;   /* wall is given */
     double wall[2];
     uint64_t seed; /* of what is drawn at random */
@@ -51,9 +51,6 @@ struct start_wish {
 
 /* Says whether this kind of start can have so many movers, or 0. */
 bool start_allows(enum start_kind kind, size_t movers);
-
-/* Says whether this kind of start has a mass ratio to choose. */
-bool start_has_ratio(enum start_kind kind);
 
 /* Makes and fills in a start. Requires that start_allows the number.
    Returns false, with nothing to free, when there is no memory. */

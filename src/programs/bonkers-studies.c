@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 154709839 of the lines below */
+/* checksum 1403296766 of the lines below */
 #include "bonkers.h"
 #include "collide.h"
 #include "start.h"
@@ -766,9 +766,12 @@ static const struct study_entry studies[] = {
     {0}};
 
 static const struct options_entry entries[] = {
-    {"collisions", 'c', "N", "drift, reverse: most collisions (1000000)"},
-    {"particles", 'N', "N", "speed: most particles (1000000)"},
-    {"until", 't', "T", "steps, islands: length of the run, s (10)"},
+    {"", 0, NULL, "--study drift, reverse"},
+    {"collisions", 'c', "N", "most of them (1000000)"},
+    {"", 0, NULL, "--study speed"},
+    {"particles", 'N', "N", "most of them (1000000)"},
+    {"", 0, NULL, "--study steps, islands"},
+    {"until", 't', "T", "length of the run, s (10)"},
     {0}};
 
 static void take_option(struct options *o, int letter, void *settings)
@@ -790,6 +793,7 @@ int main(int argc, char *argv[])
         .events = "collisions",
         .studies = studies,
         .seeds = UINT64_MAX,
+        .drawing = "--study islands, row",
         .options = entries,
         .take = take_option,
         .own = &own};

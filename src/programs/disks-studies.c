@@ -1,5 +1,5 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 2728090141 of the lines below */
+/* checksum 667793098 of the lines below */
 #include "disks.h"
 #include "toolbox/bench.h"
 #include "toolbox/quad.h"
@@ -625,12 +625,15 @@ static const struct study_entry studies[] = {
     {0}};
 
 static const struct options_entry entries[] = {
-    {"every", 'e', "DT", "clock, timeline: time step, s (0.01)"},
+    {"", 0, NULL, "--study clock, timeline"},
+    {"every", 'e', "DT", "time step, s (0.01)"},
+    {"", 0, NULL, "--study clock, pressure"},
     {"samples", 'k', "K",
-     "clock: samples; pressure: longest run (1000000)"},
+     "clock: how many; pressure: longest run (1000000)"},
+    {"", 0, NULL, "--study reverse, contact, collapse"},
     {"starts", 'n', "N",
-     "how many, of reverse (101) and collapse (10);\ncontact: pairs "
-     "(1000)"},
+     "how many: reverse (101), contact: pairs (1000),\n"
+     "collapse (10)"},
     {0}};
 
 static void take_option(struct options *o, int letter, void *settings)
@@ -652,6 +655,8 @@ int main(int argc, char *argv[])
         .events = "collisions",
         .studies = studies,
         .seeds = UINT64_MAX,
+        .drawing =
+            "--study clock, timeline, reverse, contact, collapse, pressure",
         .options = entries,
         .take = take_option,
         .own = &own};

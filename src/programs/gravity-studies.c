@@ -1,5 +1,5 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 1933332462 of the lines below */
+/* checksum 743127574 of the lines below */
 #include "celestial.h"
 #include "gravity.h"
 #include "kepler.h"
@@ -18,7 +18,6 @@ struct settings {
     double orbits; /* 0: what the study takes */
     double factor, moon, mixed;
     size_t kernel;
-    uint64_t threads; /* 0: what the study takes */
 };
 
 /* How long a study runs, in its own unit, if nothing else was asked for. */
@@ -821,8 +820,6 @@ static void begin_ring(const struct study *s, struct sky *k, double period)
                                         {0}},
               "leapfrog", period / 200);
     k->gravity.kernel = (enum gravity_kernel)own->kernel;
-    if (own->threads > 0)
-        k->gravity.threads = (int)own->threads;
 }
 
 static void write_ring(const struct study *s, const struct scene *scene)
@@ -1136,14 +1133,13 @@ static void study_speed(struct study *s)
 }
 
 /* One row: pairs a second by one thread and by many, and the ratio. */
-static void compare_threads(struct study *s, struct sky *k, int many,
-                            double a[])
+static void compare_threads(struct study *s, struct sky *k, double a[])
 {
     double pairs[2][BENCH_ROUNDS], ratio[BENCH_ROUNDS];
     for (int round = -1; round < BENCH_ROUNDS; ++round) {
         const int at = round < 0 ? 0 : round; /* the first: a warm-up */
         for (int way = 0; way < 2; ++way) {
-            k->gravity.threads = way ? many : 1;
+            k->gravity.threads = way ? 2 : 1;
             pairs[way][at] = measure_pairs(&k->gravity, bench_clock,
                                            k->scene.position, a);
         }
@@ -1159,10 +1155,9 @@ static void compare_threads(struct study *s, struct sky *k, int many,
 static void study_threads(struct study *s)
 {
     const struct settings *own = s->own;
-    const int many = own->threads > 0 ? (int)own->threads : 2;
     bench_machine(s->out);
-    table_print(s->out, "# kernel %s, %d threads\n",
-                gravity_kernels[own->kernel], many);
+    table_print(s->out, "# kernel %s, 2 threads\n",
+                gravity_kernels[own->kernel]);
     table_column(s->out, "N", "", "bodies of a ring");
     table_column(s->out, "one", "1/s", "pairs, one thread, by the clock");
     table_column(s->out, "many", "1/s", "pairs, as many as there are");
@@ -1176,7 +1171,7 @@ static void study_threads(struct study *s)
         double *a = calloc(3 * k.scene.bodies, sizeof *a);
         if (!a)
             study_fail(PROGRAM, "no memory");
-        compare_threads(s, &k, many, a);
+        compare_threads(s, &k, a);
         free(a);
         end_sky(&k);
     }
@@ -1413,15 +1408,15 @@ static const struct study_entry studies[] = {
     {0}};
 
 static const struct options_entry entries[] = {
+    {"", 0, NULL, "--study planets, survival, work, ring"},
     {"orbits", 'n', "N",
-     "how long: planets: years (1000); survival (1000),\nwork (100): "
+     "planets: years (1000); survival (1000), work (100):\n"
      "periods of the stars; ring: orbits (2)"},
-    {"factor", 'f', "F", "ring: on the masses of the particles (1)"},
-    {"moon", 'm', "M", "ring: mass of a moon (0: none)"},
-    {"mixed", 'x', "D", "ring: decades of different masses (0)"},
-    {"kernel", 'k', "NAME",
-     "ring, threads: portable, avx2 or avx512\n(the fastest here)"},
-    {"threads", 't', "N", "ring (1), threads (2): how many"},
+    {"", 0, NULL, "--study ring"},
+    {"factor", 'f', "F", "on the masses of the particles (1)"},
+    {"moon", 'm', "M", "mass of a moon (0: none)"},
+    {"mixed", 'x', "D", "decades of different masses (0)"},
+    {"kernel", 'k', "NAME", "portable, avx2 or avx512 (the fastest here)"},
     {0}};
 
 static void take_option(struct options *o, int letter, void *settings)
@@ -1432,7 +1427,6 @@ static void take_option(struct options *o, int letter, void *settings)
     case 'f': own->factor = options_real(o, 0, 1e5); break;
     case 'm': own->moon = options_real(o, 0, 0.1); break;
     case 'x': own->mixed = (double)options_count(o, 0, 6); break;
-    case 't': own->threads = options_count(o, 1, 1024); break;
     case 'k':
         own->kernel = options_choice(o, gravity_kernels);
         if (!gravity_can((enum gravity_kernel)own->kernel))
@@ -1449,6 +1443,7 @@ int main(int argc, char *argv[])
         .events = "rows",
         .studies = studies,
         .seeds = 1000000000000000,
+        .drawing = "--study ring",
         .options = entries,
         .take = take_option,
         .own = &own};

@@ -1,5 +1,5 @@
 /* From chapters/03-equilibrium.nw: edit there, then run make tangle. */
-/* checksum 3993063732 of the lines below */
+/* checksum 1150242544 of the lines below */
 #include "laws.h"
 #include "statistics.h"
 #include "toolbox/bench.h"
@@ -266,12 +266,8 @@ static const struct options_entry entries[] = {
     {"column", 'c', "N,NAME,..", "which columns; all by default"},
     {"table", 't', "NAME",
      "what to write: histogram, columns (a row for each),\n"
-     "blocks, correlation (against length and lag) or cost"},
-    {"bins", 'B', "B", "as many bins; by default what suits the samples"},
-    {"range", 'r', "a,b",
-     "bins from a to b, not from least to greatest;\n"
-     "several serve the columns in turn"},
-    {"fit", 'f', "gaussian", "fit a Gaussian to the histogram"},
+     "blocks, correlation (against length and lag) or\n"
+     "cost (histogram)"},
     {"law", 'l', "LAW",
      "hold the samples against normal[:mean,sd],\n"
      "microcanonical:n[,E,m], beta:k,n[,low,high] or\n"
@@ -282,6 +278,12 @@ static const struct options_entry entries[] = {
     {"output", 'o', "FILE", "for the table (standard output)"},
     {"summary", 'S', "FILE", "for the results as lines: key value"},
     {"", 0, "FILE", "a table of numbers; - is standard input"},
+    {"", 0, NULL, "--table histogram"},
+    {"bins", 'B', "B", "as many bins; by default what suits the samples"},
+    {"range", 'r', "a,b",
+     "bins from a to b, not from least to greatest;\n"
+     "several serve the columns in turn"},
+    {"fit", 'f', "gaussian", "fit a Gaussian to the histogram"},
     {0}};
 
 static const struct table_key keys[] = {

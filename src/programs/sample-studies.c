@@ -1,5 +1,5 @@
 /* From chapters/06-room.nw: edit there, then run make tangle. */
-/* checksum 3093471928 of the lines below */
+/* checksum 1628289780 of the lines below */
 #include "sampling.h"
 #include "statistics.h"
 #include "toolbox/bench.h"
@@ -29,10 +29,13 @@ struct settings {
 };
 
 static const struct options_entry entries[] = {
-    {"disks", 'N', "N", "in a unit box with walls (4)"},
-    {"radii", 'r', "R1,..", "m (0.15)"},
-    {"step", 'd', "D1,..", "of the chain, m (0.1)"},
     {"samples", 'k', "K", "configurations or sweeps (100000)"},
+    {"", 0, NULL, "--study acceptance"},
+    {"disks", 'N', "N", "in a unit box with walls (4)"},
+    {"", 0, NULL, "--study memory, acceptance, cost"},
+    {"radii", 'r', "R1,..", "m (0.15)"},
+    {"", 0, NULL, "--study memory, cost"},
+    {"step", 'd', "D1,..", "of the chain, m (0.1)"},
     {0}};
 
 /* Ends the program without memory. */

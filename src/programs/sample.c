@@ -1,5 +1,5 @@
 /* From chapters/06-room.nw: edit there, then run make tangle. */
-/* checksum 1982922773 of the lines below */
+/* checksum 1349132876 of the lines below */
 #include "sampling.h"
 #include "toolbox/options.h"
 #include "toolbox/progress.h"
@@ -49,12 +49,14 @@ static const struct options_entry entries[] = {
     {"samples", 'k', "K",
      "direct: configurations; markov: sweeps of\n"
      "as many tries as there are disks (100000)"},
-    {"step", 'd', "D", "markov: the longest move along an axis, m (R)"},
     {"measure", 'M', "NAME", "positions, distances or states (positions)"},
-    {"bins", 'n', "B", "over the whole length (100)"},
     {"seed", 's', "S", "of the random numbers (1)"},
     {"output", 'o', "FILE", "for the table (standard output)"},
     {"summary", 'S', "FILE", "for the results as lines: key value"},
+    {"", 0, NULL, "--method markov"},
+    {"step", 'd', "D", "the longest move along an axis, m (R)"},
+    {"", 0, NULL, "--measure positions, distances"},
+    {"bins", 'n', "B", "over the whole length (100)"},
     {0}};
 
 static const struct table_key keys[] = {

@@ -1,5 +1,5 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 3900447628 of the lines below */
+/* checksum 2239646086 of the lines below */
 #include "blocks.h"
 #include "bonkers.h"
 #include "cells.h"
@@ -19,15 +19,10 @@ enum { MOST_RUNS = 1000 };
 
 struct settings {
     uint64_t runs;
-    double until; /* s; 0: what the study takes */
+    double until; /* of the study of the law, s */
 };
 
-/* How long a run of this study is, s. */
-static double length_of(const struct study *s, double usual)
-{
-    const struct settings *own = s->own;
-    return own->until > 0 ? own->until : usual;
-}
+static const double usual_length = 60; /* of the others, s */
 
 /* Makes a scene of this chapter with what is chosen. */
 static void make(struct scene *s, const char *name,
@@ -186,7 +181,7 @@ static void average(const struct study *s, int way, double dt,
     mean[ENERGY] = error[ENERGY] = 0;
     for (uint64_t i = 0; i < own->runs; ++i) {
         double value[MEASURED];
-        run_gas(s->seed + i, way, dt, length_of(s, 60), value);
+        run_gas(s->seed + i, way, dt, usual_length, value);
         for (int k = 0; k < MEASURED; ++k)
             values[k][i] = value[k];
         mean[ENERGY] = fmax(mean[ENERGY], value[ENERGY]);
@@ -322,6 +317,7 @@ static void count_pairs(const struct disks *d, double shell[])
 /* Counts the pairs of the gas by events; returns the virial over N kT. */
 static double fill_shells(const struct study *s, double shell[])
 {
+    const struct settings *own = s->own;
     const double seed = (double)s->seed;
     struct run r;
     struct disks d;
@@ -329,7 +325,7 @@ static double fill_shells(const struct study *s, double shell[])
     make(&r.scene, "gas", (struct gallery_choice[]){{"seed", seed}, {0}});
     as_disks(&d, &r.scene);
     scene_free(&r.scene);
-    const double E = disks_energy(&d), end = 10 * length_of(s, 60);
+    const double E = disks_energy(&d), end = own->until;
     if (!cells_create(&c, &d))
         study_fail(PROGRAM, "no memory for the cells");
     cells_run(&c, warm, UINT64_MAX);
@@ -832,7 +828,7 @@ static const struct table_key rest_keys[] = {
 
 static void study_rest(struct study *s)
 {
-    const double every = 0.05, until = length_of(s, 60);
+    const double every = 0.05, until = usual_length;
     struct run r;
     struct bonkers b;
     make_row(&r.scene, 0, 0.001, 0.9);
@@ -866,21 +862,19 @@ static void make_break(struct scene *s, double jitter, uint64_t seed)
 static const double usual_break = 0.5; /* s */
 
 /* Where the balls are after a break, by steps. */
-static void break_by_steps(const struct study *s, enum spheres_order order,
-                           double dt, double x[])
+static void break_by_steps(enum spheres_order order, double dt, double x[])
 {
     struct run r;
     make_break(&r.scene, 0, 1);
     begin(&r, BACK, dt);
     r.spheres.order = order;
-    steps(&r, length_of(s, usual_break));
+    steps(&r, usual_break);
     memcpy(x, r.scene.position, 2 * RACK * sizeof *x);
     end(&r);
 }
 
 /* The same by events, in a box so large that its walls do not matter. */
-static void break_by_events(const struct study *s, double jitter,
-                            uint64_t seed, double x[])
+static void break_by_events(double jitter, uint64_t seed, double x[])
 {
     const double far = 50; /* m */
     struct scene scene;
@@ -894,7 +888,7 @@ static void break_by_events(const struct study *s, double jitter,
     as_disks(&d, &scene);
     if (!disks_plan(&d))
         study_fail(PROGRAM, "no memory for the break");
-    disks_run(&d, length_of(s, usual_break), UINT64_MAX);
+    disks_run(&d, usual_break, UINT64_MAX);
     for (size_t i = 0; i < RACK; ++i) {
         double place[DISKS_AXES];
         disks_position(&d, i, place);
@@ -971,12 +965,12 @@ static const struct table_key break_keys[] = {
 static void study_break(struct study *s)
 {
     static double stepped[BREAKS][2 * RACK], outcome[OUTCOMES][2 * RACK];
-    break_by_steps(s, SPHERES_ASCENDING, 1e-5, stepped[0]);
-    break_by_steps(s, SPHERES_DESCENDING, 1e-5, stepped[1]);
-    break_by_steps(s, SPHERES_ASCENDING, 0.5e-5, stepped[2]);
-    break_by_steps(s, SPHERES_DEEPEST, 1e-5, stepped[3]);
+    break_by_steps(SPHERES_ASCENDING, 1e-5, stepped[0]);
+    break_by_steps(SPHERES_DESCENDING, 1e-5, stepped[1]);
+    break_by_steps(SPHERES_ASCENDING, 0.5e-5, stepped[2]);
+    break_by_steps(SPHERES_DEEPEST, 1e-5, stepped[3]);
     for (size_t i = 0; i < OUTCOMES; ++i)
-        break_by_events(s, 1e-12, i, outcome[i]);
+        break_by_events(1e-12, i, outcome[i]);
     write_orders(s->out, stepped);
     write_racks(s->out, outcome);
     table_real(s->summary, "orders", apart(stepped[0], stepped[1]));
@@ -1025,7 +1019,7 @@ static void cost_of(const struct study *s, double packing, int way,
 {
     static double values[MOST_RUNS];
     const struct settings *own = s->own;
-    const double until = length_of(s, 60);
+    const double until = usual_length;
     double seconds = 0;
     for (uint64_t i = 0; i < own->runs; ++i) {
         struct scene scene;
@@ -1099,8 +1093,10 @@ static const struct study_entry studies[] = {
     {0}};
 
 static const struct options_entry entries[] = {
+    {"", 0, NULL, "--study pressure, checks, cost"},
     {"runs", 'n', "N", "with different starts (8)"},
-    {"until", 'u', "T", "how long each is, s (60; break: 0.5)"},
+    {"", 0, NULL, "--study law"},
+    {"until", 'u', "T", "how long, s (600)"},
     {0}};
 
 static void take_option(struct options *o, int letter, void *settings)
@@ -1114,13 +1110,14 @@ static void take_option(struct options *o, int letter, void *settings)
 
 int main(int argc, char *argv[])
 {
-    struct settings own = {.runs = 8};
+    struct settings own = {.runs = 8, .until = 600};
     const struct study_program program = {
         .name = PROGRAM,
         .purpose = "Measure spheres in steps, and what fails.",
         .events = "rows",
         .studies = studies,
         .seeds = 1000000000,
+        .drawing = "--study pressure, law, checks, cost",
         .options = entries,
         .take = take_option,
         .own = &own};

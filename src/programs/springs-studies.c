@@ -1,5 +1,5 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 1377278879 of the lines below */
+/* checksum 1172691833 of the lines below */
 #include "elastic.h"
 #include "modes.h"
 #include "springs.h"
@@ -14,11 +14,7 @@
 #define PROGRAM "springs-studies"
 
 struct settings {
-    double until; /* s; 0: what the study takes */
-    double every; /* s; 0: what the study takes */
-    double damping;
-    uint64_t steps;
-    int threads;
+    double until; /* of two membranes in motion, s */
 };
 
 /* Ends the program for want of memory. */
@@ -256,12 +252,9 @@ static const struct table_key path_keys[] = {
 
 static void study_path(struct study *s)
 {
-    const struct settings *own = s->own;
-    const double every = own->every > 0 ? own->every : 0.02;
-    const double until = own->until > 0 ? own->until : 10;
+    const double every = 0.02, until = 10;
     struct run r;
-    make(&r.scene, "double-pendulum",
-         (struct gallery_choice[]){{"damping", own->damping}, {0}});
+    make(&r.scene, "double-pendulum", NULL);
     set_off(&r, stepping_find("yoshida4"), every / 40);
     const double *x = r.scene.position, *z = x + 6, start = energy(&r);
     table_column(s->out, "t", "s", "time");
@@ -621,9 +614,9 @@ static double find_limit(const struct stepping_method *m, bool pendulum,
 }
 
 /* The limits of omega dt with the pendulum and on the membrane. */
-static void find_limits(const struct stepping_method *m, uint64_t steps,
-                        double limit[2])
+static void find_limits(const struct stepping_method *m, double limit[2])
 {
+    const uint64_t steps = 4000;
     if (m->family == STEPPING_IMPLICIT) {
         const bool stable = excursion(m, true, 20, 400) < 1e-6;
         limit[0] = limit[1] = stable ? INFINITY : 0;
@@ -650,13 +643,12 @@ static const struct table_key limits_keys[] = {
 
 static void study_limits(struct study *s)
 {
-    const struct settings *own = s->own;
     name_limits(s->out);
     for (const struct stepping_method *m = stepping_methods;
          m->name && !progress_signal(); ++m) {
         double limit[2];
         char key[40];
-        find_limits(m, own->steps, limit);
+        find_limits(m, limit);
         const double dt[2] = {limit[0] / 70.74605996, limit[1] / 15.103518};
         table_print(s->out, "# %s\n", m->name);
         table_row(s->out, 5,
@@ -801,10 +793,9 @@ static const struct table_key membranes_keys[] = {
 static void study_membranes(struct study *s)
 {
     const struct settings *own = s->own;
-    const double until = own->until > 0 ? own->until : 40;
     struct run r[MEMBRANES];
     begin_membranes(s, r);
-    for (int row = 0; 0.1 * row <= until; ++row) {
+    for (int row = 0; 0.1 * row <= own->until; ++row) {
         double values[1 + 2 * MEMBRANES] = {0.1 * row};
         for (int k = 0; k < MEMBRANES; ++k) {
             values[2 * k + 1] = amplitude(&r[k].scene, 8, 1, 1) / lifted[k];
@@ -1273,13 +1264,13 @@ static void study_speed(struct study *s)
 
 /* One row: steps of a body in a second by one thread and by many, and the
    ratio. */
-static void compare_threads(struct study *s, size_t n, int many)
+static void compare_threads(struct study *s, size_t n)
 {
     double speed[2][BENCH_ROUNDS], ratio[BENCH_ROUNDS];
     struct run r[2];
     for (int way = 0; way < 2; ++way) {
         make_fast(&r[way], n, GATHER);
-        if (way && !springs_threads(&r[way].springs, many))
+        if (way && !springs_threads(&r[way].springs, 2))
             no_memory();
     }
     for (int round = -1; round < BENCH_ROUNDS; ++round) {
@@ -1298,15 +1289,14 @@ static void compare_threads(struct study *s, size_t n, int many)
 
 static void study_threads(struct study *s)
 {
-    const struct settings *own = s->own;
     bench_machine(s->out);
-    table_print(s->out, "# %d threads\n", own->threads);
+    table_print(s->out, "# 2 threads\n");
     table_column(s->out, "n", "", "bodies on a side");
     table_column(s->out, "one", "1/s", "steps of a body, by the clock");
     table_column(s->out, "many", "1/s", "by as many threads as there are");
     table_column(s->out, "ratio", "", "median of the rounds'");
     for (size_t n = 8; n <= 512 && !progress_signal(); n *= 2)
-        compare_threads(s, n, own->threads);
+        compare_threads(s, n);
 }
 
 static const struct study_entry studies[] = {
@@ -1335,28 +1325,20 @@ static const struct study_entry studies[] = {
     {0}};
 
 static const struct options_entry entries[] = {
-    {"until", 't', "T", "path (10), membranes (40): end, s"},
-    {"every", 'e', "DT", "path: time between rows, s (0.02)"},
-    {"damping", 'c', "C", "path: of the dashpots, kg/s (0)"},
-    {"steps", 'n', "N", "limits: steps of a test (4000)"},
-    {"threads", 'j', "N", "threads: how many (2)"},
+    {"", 0, NULL, "--study membranes"},
+    {"until", 't', "T", "end, s (40)"},
     {0}};
 
 static void take_option(struct options *o, int letter, void *settings)
 {
     struct settings *own = settings;
-    switch (letter) {
-    case 't': own->until = options_real(o, 1e-3, 1e6); break;
-    case 'e': own->every = options_real(o, 1e-6, 1); break;
-    case 'c': own->damping = options_real(o, 0, 1e3); break;
-    case 'n': own->steps = options_count(o, 100, 1000000); break;
-    case 'j': own->threads = (int)options_count(o, 1, 256); break;
-    }
+    if (letter == 't')
+        own->until = options_real(o, 1e-3, 1e6);
 }
 
 int main(int argc, char *argv[])
 {
-    struct settings own = {.steps = 4000, .threads = 2};
+    struct settings own = {.until = 40};
     const struct study_program program = {
         .name = PROGRAM,
         .purpose = "Measure springs, and what fails.",

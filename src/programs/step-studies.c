@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 210811297 of the lines below */
+/* checksum 4256925967 of the lines below */
 #include "reference.h"
 #include "stepping.h"
 #include "toolbox/bench.h"
@@ -798,7 +798,9 @@ static const struct study_entry studies[] = {
     {0}};
 
 static const struct options_entry entries[] = {
-    {"orbits", 'n', "N", "energy, rounding: how many (1000)"}, {0}};
+    {"", 0, NULL, "--study energy, rounding"},
+    {"orbits", 'n', "N", "how many (1000)"},
+    {0}};
 
 static void take_option(struct options *o, int letter, void *settings)
 {

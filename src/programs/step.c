@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 2420997152 of the lines below */
+/* checksum 3830748332 of the lines below */
 #include "checkpoint.h"
 #include "motion.h"
 #include "observables.h"
@@ -485,12 +485,30 @@ static bool read_start(struct run *r, struct checkpoint_numbers *known)
     return again;
 }
 
-static void begin_run(struct run *r)
+/* Refuses options for what is not in the scene. */
+static void refuse_idle(struct options *o, const struct motion *m)
+{
+    const bool pulls = m->attracts && m->gravity.bodies > GRAVITY_FEW;
+    if (!pulls)
+        options_refuse(o, "kernel",
+                       "without gravity of more than 32 bodies");
+    if (!pulls && !m->bound)
+        options_refuse(o, "threads",
+                       "without springs or gravity of more than 32 bodies");
+    if (m->collides)
+        return;
+    options_refuse(o, "rule", "in a scene without contacts");
+    options_refuse(o, "shift", "in a scene without contacts");
+    options_refuse(o, "order", "in a scene without contacts");
+}
+
+static void begin_run(struct run *r, struct options *o)
 {
     const struct settings *s = r->s;
     struct checkpoint_numbers known = {0};
     const bool again = read_start(r, &known);
     set_in_motion(r);
+    refuse_idle(o, &r->motion);
     choose_columns(r);
     divide(r, again ? known.start : r->scene.time);
     if (!again)
@@ -593,7 +611,7 @@ static const struct options_entry entries[] = {
     {"compensated", 'c', NULL, "sums carry their rounding errors"},
     {"kernel", 'k', "NAME",
      "of gravity: portable, avx2 or avx512 (portable)"},
-    {"threads", 'j', "N", "how many, for forces (1)"},
+    {"threads", 'j', "N", "how many, for gravity and springs (1)"},
     {"rule", 'r', "NAME",
      "contacts: all pairs that overlap, or those\n"
      "approaching (all)"},
@@ -606,13 +624,15 @@ static const struct options_entry entries[] = {
     {"bound", 'B', "B",
      "end when the energy has grown by B times\n"
      "what there was (10)"},
-    {"tolerance", 'a', "E", "of rk8pd (1e-13)"},
     {"save", 'w', "FILE", "write the last state as a scene"},
+    {"output", 'o', "FILE", "for the table (standard output)"},
+    {"summary", 'S', "FILE", "for the results as lines: key value"},
+    {"", 0, NULL, "--output"},
     {"checkpoint", 'C', "S",
      "seconds from one checkpoint to the next (60)"},
     {"resume", 'R', NULL, "go on from the checkpoint of -o FILE, if any"},
-    {"output", 'o', "FILE", "for the table (standard output)"},
-    {"summary", 'S', "FILE", "for the results as lines: key value"},
+    {"", 0, NULL, "--method rk8pd"},
+    {"tolerance", 'a', "E", "of its steps (1e-13)"},
     {0}};
 
 static const struct table_key keys[] = {
@@ -652,8 +672,10 @@ static void check_settings(struct options *o, const struct settings *s)
         options_fail(o, "--method: this build has no rk8pd; install GSL "
                         "(apt-get install --no-install-recommends "
                         "libgsl-dev), then make");
-    if (s->resume && !checkpoint_possible(s->output))
-        options_fail(o, "--resume needs -o FILE, a regular file");
+    if (!checkpoint_possible(s->output)) {
+        options_refuse(o, "checkpoint", "without -o FILE, a regular file");
+        options_refuse(o, "resume", "without -o FILE, a regular file");
+    }
     if (strcmp(s->summary, s->output ? s->output : "-") == 0 &&
         strcmp(s->summary, "/dev/null") != 0)
         options_fail(o, "--summary and the table would both go to '%s'",
@@ -694,9 +716,9 @@ static void take_option(struct options *o, struct settings *s, int option)
     }
 }
 
-static void read_settings(struct settings *s, int argc, char *argv[])
+static void read_settings(struct settings *s, struct options *o, int argc,
+                          char *argv[])
 {
-    struct options o;
     int option;
     list_methods();
     *s = (struct settings){.method = "leapfrog",
@@ -706,23 +728,23 @@ static void read_settings(struct settings *s, int argc, char *argv[])
                            .tolerance = 1e-13,
                            .checkpoint = 60,
                            .summary = "/dev/null"};
-    options_begin(&o, PROGRAM, "Step a scene through time.", entries, argc,
+    options_begin(o, PROGRAM, "Step a scene through time.", entries, argc,
                   argv);
-    options_keys(&o, keys);
-    while ((option = options_next(&o)) != -1)
-        take_option(&o, s, option);
-    s->command = options_command(&o);
-    check_settings(&o, s);
+    options_keys(o, keys);
+    while ((option = options_next(o)) != -1)
+        take_option(o, s, option);
+    s->command = options_command(o);
+    check_settings(o, s);
 }
 
 int main(int argc, char *argv[])
 {
     static struct settings s;
     static struct run r;
-    read_settings(&s, argc, argv);
+    struct options o;
+    read_settings(&s, &o, argc, argv);
     r.s = &s;
-    begin_run(&r);
-    table_keys(r.summary, keys);
+    begin_run(&r, &o);
     progress_catch_signals();
     progress_begin(&r.progress, PROGRAM, r.last, "steps");
     if (!r.kept)

@@ -152,7 +152,7 @@ one_line 'no table of disks' 2 "^disks-movie.gp: 'two.dat' is no table" \
 printf '# masses: 1 2\n0 1\n1 1\n' >bad.dat
 one_line 'no table of a run' 2 "^movie.gp: 'bad.dat' is no table" \
     gnuplot -e "file='bad.dat'; window='dumb'" plots/movie.gp
-$bonkers --preset two --every 0.1 --samples 3 --ensemble 2 -o bad.dat
+$bonkers --preset piston --every 0.1 --samples 3 --ensemble 2 -o bad.dat
 one_line 'an ensemble is no run' 2 "^movie.gp: 'bad.dat' is no table" \
     gnuplot -e "file='bad.dat'; window='dumb'" plots/movie.gp
 one_line 'no rate' 2 '^movie.gp: fps: 0 is not' \

@@ -103,7 +103,7 @@ for wish in '--preset galperin --mass-ratio 1e4' '--preset galperin' \
 done
 
 # The head names what was asked for, not how it was done.
-$b --preset two --until 3 --engine heap --threads 2 -o "$work/t" \
+$b --preset two --until 3 --engine heap -o "$work/t" \
     --summary "$work/s"
 equal 'the command in the head' "$(sed -n 's/^# command: //p' "$work/t")" \
     'bonkers --preset two --until 3'

@@ -20,20 +20,20 @@ refuses 2 "mover 2 and the right wall overlap" \
     $b --positions 1,2 --walls 0,1.5
 refuses 2 "the left wall and mover 1 overlap" \
     $b --positions 1,2 --radii 1.5,0
-refuses 2 "samples needs --every" $b --samples 3
-refuses 2 "ensemble: members reach a collision" \
-    $b --ensemble 3 --collisions 5
-refuses 2 "ensemble needs --restitution 1" \
-    $b --ensemble 3 --restitution 0.5
-refuses 2 "particles: mixed cannot have 3" $b --preset mixed --particles 3
+refuses 2 "samples: means nothing without --every" $b --samples 3
+refuses 2 "collisions: means nothing with --ensemble" \
+    $b --preset piston --ensemble 3 --collisions 5
+refuses 2 "restitution: means nothing with --ensemble" \
+    $b --preset piston --ensemble 3 --restitution 0.5
+refuses 2 "ensemble: means nothing with --preset four" $b --ensemble 3
 refuses 2 "particles: piston cannot have 4" $b --preset piston -N 4
 refuses 2 "two cannot have 3 movers" $b --preset two --positions 1,2,3
 refuses 2 "particles: '0' is not" $b --particles 0
 refuses 2 "particles: '1e8' is not" $b --particles 1e8
-refuses 2 "particles is 3, but the lists have 2" \
+refuses 2 "particles: means nothing with lists of them" \
     $b --positions 1,2 --particles 3
 refuses 2 "need --positions" $b --masses 1,2
-refuses 2 "mass-ratio is for" $b --mass-ratio 3
+refuses 2 "mass-ratio: means nothing with --preset four" $b --mass-ratio 3
 refuses 2 "mass-ratio: '0' is not" $b --preset two --mass-ratio 0
 refuses 2 "walls: '3,1', expected the left one" $b --walls 3,1
 refuses 2 "walls: '1,1', expected the left one" $b --walls 1,1
@@ -51,7 +51,7 @@ refuses 2 "restitution: '1.1' is not" $b --restitution 1.1
 refuses 2 "restitution: '-0.1' is not" $b --restitution=-0.1
 refuses 2 "samples: '0' is not" $b --every 1 --samples 0
 refuses 2 "collisions: '-1' is not" $b --collisions=-1
-refuses 2 "ensemble: '0' is not" $b --ensemble 0
+refuses 2 "ensemble: '1' is not" $b --ensemble 1
 refuses 2 "threads: '0' is not" $b --threads 0
 refuses 2 "seed: '-1' is not" $b --seed=-1
 refuses 2 "'stray' is not an option" $b stray
@@ -152,7 +152,7 @@ ends 'rows up to a collision that does not come' \
 # Memory: at most 100 bytes a particle more than a small run takes.
 runs_in() { # KIBIBYTES PARTICLES
     (ulimit -v "$1" && $b --preset random --particles "$2" --until 0.5 \
-        --threads 1 -o "$work/large") >"$work/said" 2>&1
+        -o "$work/large") >"$work/said" 2>&1
 }
 least=2000
 while [ $least -lt 20000 ] && ! runs_in $least 1000; do

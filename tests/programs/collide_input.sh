@@ -26,19 +26,14 @@ refuses 2 "two walls" $c --velocities 1,0 --inverse-masses 0,0
 refuses 2 "each 0 or from" $c --velocities 1,0 --inverse-masses 1,-1
 refuses 2 "each 0 or from" $c --velocities 1,0 --inverse-masses 1e-310,1
 refuses 2 "beyond 1e150" $c --velocities 1e308,0 --inverse-masses 1,0
-refuses 2 "normal has 3" \
-    $c --velocities 1,0,0,0 --inverse-masses 1,1 --normal 0,0,1 --dimensions 2
 refuses 2 "is zero" \
     $c --velocities 1,0 --inverse-masses 1,1 --normal 0,1 --normal 0
-refuses 2 "1e-290" $f --study map --inverse-masses 1e308,1e308
 refuses 2 "expected two" $c --velocities 1,0 --inverse-masses 1
 refuses 2 "expected 2 " $c --velocities 1,0,2 --inverse-masses 1,1
 refuses 2 "'x'" $c --velocities 1,x --inverse-masses 1,1
 refuses 2 "expected 4 " $c --velocities 1,0 --inverse-masses 1,1 --normal 1,1
 refuses 2 "line of centres" \
     $c --velocities 1,0,0,0 --inverse-masses 1,1 --normal 0,0
-refuses 2 "needs --velocities" $c --normal 1,0
-refuses 2 "by hand" $c --velocities 1,0 --inverse-masses 1,1 --tests 3
 refuses 2 "both go to" $c --summary -
 refuses 2 "both go to" $c --summary "$work/x" -o "$work/x"
 refuses 2 "study" $f

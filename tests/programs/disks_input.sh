@@ -16,17 +16,13 @@ refuses 2 "'round'.*walls" $d --boundary round
 refuses 2 "'grid'.*auto" $d --engine grid
 refuses 2 "'heat'.*states" $d --measure heat
 refuses 2 "speed: '0'" $d --speed 0
-refuses 2 "speed and --temperature" $d --speed 1 --temperature 1
 refuses 2 "engine: cells need a larger box" \
     $d --disks 4 --packing 0.3 --boundary periodic --engine cells
 refuses 2 "heavy: '3' is not a mass and a radius" $d --heavy 3
 refuses 2 "heavy: '3,0' is not" $d --heavy 3,0
 refuses 2 "restitution: '2'" $d --restitution 2
-refuses 2 "samples needs --every" $d --samples 3
 refuses 2 "measure speeds needs --every" $d --measure speeds
 refuses 2 "measure brownian needs --heavy" $d --measure brownian --every 1
-refuses 2 "positions needs --restitution 1" \
-    $d --measure positions --every 1 --restitution 0.9
 refuses 2 "until: needed for disks that never meet" $d --disks 1 --warmup 0
 refuses 2 "every: '0'" $d --every 0
 refuses 2 "both go to" $d --summary -
@@ -66,7 +62,6 @@ kinds part "part:1: '1.5 1 1'" '1.5 1 1\n'
 kinds light "light:1: '3 0 1'" '3 0 1\n'
 kinds none 'none has no line' '# nothing\n'
 refuses 2 "species: $work/missing: No such file" $d --species "$work/missing"
-refuses 2 "species gives the disks" $d --species "$work/none" --disks 3
 
 # States.
 state() { # NAME PATTERN TEXT [OPTION...]
@@ -91,7 +86,7 @@ state late 'disk 1 has mass 1, radius 0.5 and times 0, 1' \
     "${box}0 1 1 0.5 2 5 1 0 2 5 1\n"
 state times 'disk 2 has .* times 1, 1; expected' "$box${one}1 2 1 0.5 8 5 1 0\n"
 state nan 'nan:2: 4 numbers' "${box}0 1 1 0.5 nan 5 1 0\n"
-state own 'a file has its own disks' "$box$one" --disks 3
+state own 'disks: means nothing with --start ' "$box$one" --disks 3
 state still 'until: needed' "$box$one"
 refuses 2 "$work/missing: No such file" $d --start "$work/missing"
 printf "$one" >"$work/bare"

@@ -14,9 +14,8 @@ refuses 2 "gas-masses: '1,-1' is not two" $p --gas-masses 1,-1
 refuses 2 "start: 12 is not inside the box, 0 to 12" $p --start 12
 refuses 2 "start: 0 is not inside" $p --start 0
 refuses 2 "start to the right" $p --study cost --velocity 0
-refuses 2 "need each other" $p --study measure
-refuses 2 "need each other" $p --table x
-refuses 2 "is no decay" $p --fit 0.01,0.1
+refuses 2 "study measure needs --table" $p --study measure
+refuses 2 "is no decay" $p --study measure --table x --fit 0.01,0.1
 refuses 2 "both go to" $p --summary -
 refuses 2 "stray" $p stray
 

@@ -39,4 +39,4 @@ refuses 2 "step: 1, expected" $t --step 0.1,1
 refuses 2 "study" $t --study sleep
 refuses 1 "radii: 0.26 leaves no room" $t --study memory --radii 0.26
 refuses 2 "both go to" $t --study memory --summary -
-refuses 2 "study is needed" $t --disks 4
+refuses 2 "study is needed" $t

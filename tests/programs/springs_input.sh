@@ -6,9 +6,7 @@ g=build/bin/scene
 
 refuses 2 "study is needed" $s
 refuses 2 "'drum'" $s --study drum
-refuses 2 "damping: '-1'" $s --study path --damping -1
-refuses 2 "steps: '0'" $s --study limits --steps 0
-refuses 2 "threads: '0'" $s --study speed --threads 0
+refuses 2 "until: '0'" $s --study membranes --until 0
 refuses 2 "both go to" $s --study path --summary -
 refuses 2 "nx: '2'" $g membrane --nx 2
 refuses 2 "diagonals: '3'" $g cantilever --diagonals 3

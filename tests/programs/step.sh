@@ -250,8 +250,12 @@ refuses 2 "track: '2' does not begin with one of the bodies 0 to 1" \
     $step "$w/fall" --track 2
 refuses 2 "track: 'x' does not begin" $step "$w/fall" --track 0,x
 refuses 2 'track: more bodies than there are' $step "$w/fall" --track 0,1,0
-refuses 2 'resume needs -o FILE' $step "$w/fall" --resume
-refuses 2 'resume needs -o FILE' $step "$w/fall" --resume -o /dev/null
+refuses 2 'resume: means nothing without --output' $step "$w/fall" --resume
+for option in '--checkpoint 1' --resume; do
+    # shellcheck disable=SC2086
+    refuses 2 'means nothing without -o FILE, a regular file' \
+        $step "$w/fall" $option -o /dev/null
+done
 refuses 2 "both go to '-'" $step "$w/fall" --summary -
 refuses 1 'cannot write' $step "$w/fall" -o "$w/none/t"
 refuses 1 'cannot write' $step "$w/fall" --save "$w/none/t" -o "$w/t"

@@ -37,7 +37,7 @@ awk '{ v[$1] = $2 } END { exit !(v["leapfrog"] < 1e-3 && v["rk4"] > 5e-3 &&
     v["euler"] > 0.3 && v["pefrl"] < 2e-5) }' "$work/energy"
 holds 'energies: leapfrog bounded, RK4 drifts' test $? -eq 0
 
-refuses 2 'study is needed' $s --orbits 3
+refuses 2 'study is needed' $s
 refuses 2 "'euler' is not portrait" $s --study euler
 refuses 2 'orbits: ' $s --study energy --orbits 0
 refuses 2 'orbits: ' $s --study energy --orbits many

@@ -1,5 +1,5 @@
 /* From chapters/12-averages.nw: edit there, then run make tangle. */
-/* checksum 398991541 of the lines below */
+/* checksum 656773863 of the lines below */
 #include "averages.h"
 
 #include "blocks.h"
@@ -1507,12 +1507,18 @@ static void explain_refusal(struct search *h)
         strcmp(name, "sampling") == 0)
         return;
     snprintf(f->refusal, AVERAGES_REFUSAL,
-             "%s is no way to this average of this scene", name);
+             "'%.40s' is no way to this average of this scene; there are",
+             name);
     for (size_t k = 0; k < f->candidates; ++k) {
         const struct averages_candidate *c = &f->candidate[k];
-        if (strcmp(c->name, name) == 0)
+        const size_t used = strlen(f->refusal);
+        snprintf(f->refusal + used, AVERAGES_REFUSAL - used, "%s %s",
+                 k > 0 ? "," : "", c->name);
+        if (strcmp(c->name, name) == 0) {
             snprintf(f->refusal, AVERAGES_REFUSAL, "%s: error %.2g; %s",
                      name, c->error, c->text);
+            return;
+        }
     }
 }
 

@@ -158,6 +158,9 @@ refuses 2 'does not suit' $bonk "$w/cradle" --until 1 --tolerance 1e-3 \
 refuses 2 '\-\-model.* one of .*gauss4' $bonk "$w/cradle" --until 1 \
     --tolerance 1e-3 --model midpoint
 refuses 2 '\-\-model: needs a value, PLAN: .*kepler.*disks' $bonk --model
+refuses 1 "'nosuch' is no way .* there are events, sampling" $bonk \
+    "$w/four-disks" --until 1e6 --tolerance 0.05 --observe mean:pressure \
+    --model nosuch
 refuses 2 'no observable' $bonk "$w/cradle" --until 1 --tolerance 1e-3 \
     --observe speedy
 refuses 2 'cannot be asked for together' $bonk "$w/cradle" --until 1 \

@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 3830748332 of the lines below */
+/* checksum 98280706 of the lines below */
 #include "checkpoint.h"
 #include "motion.h"
 #include "observables.h"
@@ -745,6 +745,7 @@ int main(int argc, char *argv[])
     read_settings(&s, &o, argc, argv);
     r.s = &s;
     begin_run(&r, &o);
+    table_keys(r.summary, keys);
     progress_catch_signals();
     progress_begin(&r.progress, PROGRAM, r.last, "steps");
     if (!r.kept)

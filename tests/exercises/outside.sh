@@ -190,3 +190,21 @@ for ex in $(echo "$places" | cut -d ' ' -f 1 | uniq); do
         done
     done
 done
+
+# Without sanitizers the guards have to do alone.
+ex=01a
+plain() {
+    plant $ex solutions/$ex-collide.c >"$out/planted.c" &&
+        $base -Isrc -Dvelocities_after=suite_velocities_after -r -nostdlib \
+            -o "$out/suite.o" tests/exercises/$ex-collide.c \
+            tests/border/$ex-collide.c &&
+        $base -w -Isrc -Isrc/examiner -DBORDER_INSIDE -o "$out/home" \
+            "$out/planted.c" "$out/suite.o" tests/border/$ex-collide.c \
+            src/examiner/check.c src/examiner/hidden.c src/examiner/heed.c \
+            src/examiner/home.c src/examiner/place.c src/examiner/border.c \
+            src/toolbox/random.c ${libraries#* }
+}
+verdict "$ex can be built without sanitizers" plain
+verdict "$ex passes at home without sanitizers" passes at_home
+verdict "$ex: before v, without sanitizers" found at_home 'v<'
+verdict "$ex: behind v, without sanitizers" found at_home 'v>'

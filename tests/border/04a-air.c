@@ -29,8 +29,10 @@ void border_answer(void)
 {
     struct call c;
     move_arguments(&c);
+    const double energy[2] = {c.energy[0], c.energy[1]};
+    const double state[2] = {c.state[0], c.state[1]};
     double *slope = border_place_doubles("slope", 2);
-    piston_slopes(c.f, c.length, c.mass, c.gas, c.energy, c.state, slope);
+    piston_slopes(c.f, c.length, c.mass, c.gas, energy, state, slope);
     border_reply();
     border_doubles(slope, 2);
 }

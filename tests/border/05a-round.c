@@ -23,7 +23,8 @@ void border_answer(void)
 {
     struct call c;
     move_arguments(&c);
-    double time = round_wall_time(c.box, c.radius, c.r, c.v);
+    const double r[2] = {c.r[0], c.r[1]}, v[2] = {c.v[0], c.v[1]};
+    double time = round_wall_time(c.box, c.radius, r, v);
     border_reply();
     border_doubles(&time, 1);
 }

@@ -43,8 +43,9 @@ void border_answer(void)
 {
     struct call c;
     move_arguments(&c);
+    const struct thrown a = c.a, b = c.b;
     double *height = border_place_doubles("height", 1);
-    double time = falling_pair_time(c.g, &c.a, &c.b, height);
+    double time = falling_pair_time(c.g, &a, &b, height);
     border_reply();
     move_answer(&time, height);
 }

@@ -51,12 +51,13 @@ void border_answer(void)
 {
     struct call c;
     move_arguments(&c);
+    const double size[2] = {c.size[0], c.size[1]};
     const size_t count = c.n + 1;
     struct wall_hit *hits = border_memory(count * sizeof *hits);
     memset(hits, 0, count * sizeof *hits);
     move_hits(hits, count);
     double *z = border_place_doubles("z", 2);
-    wall_z(c.n, hits, c.size, c.disks, c.energy, c.from, c.until, z);
+    wall_z(c.n, hits, size, c.disks, c.energy, c.from, c.until, z);
     free(hits);
     border_reply();
     border_doubles(z, 2);

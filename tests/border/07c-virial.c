@@ -50,11 +50,12 @@ void border_answer(void)
 {
     struct call c;
     move_arguments(&c);
+    const double box[3] = {c.box[0], c.box[1], c.box[2]};
     const size_t length = c.count + 1;
     struct collision *list = border_memory(length * sizeof *list);
     move_collisions(list, length);
     double *pressure = border_place_doubles("pressure", 1);
-    double z = compressibility(c.dimensions, c.box, c.n, c.energy, c.time,
+    double z = compressibility(c.dimensions, box, c.n, c.energy, c.time,
                                c.count, list, pressure);
     border_reply();
     border_doubles(&z, 1);

@@ -31,9 +31,10 @@ void border_answer(void)
 {
     struct call c;
     move_arguments(&c);
+    const struct body a = c.a, b = c.b;
     double *on_a = border_place_doubles("on_a", 3);
     double *on_b = border_place_doubles("on_b", 3);
-    double heat = dashpot(c.c, &c.a, &c.b, on_a, on_b);
+    double heat = dashpot(c.c, &a, &b, on_a, on_b);
     border_reply();
     border_doubles(&heat, 1);
     border_doubles(on_a, 3);

@@ -27,9 +27,11 @@ void border_answer(void)
 {
     struct call c;
     move_arguments(&c);
+    const double h[2] = {c.h[0], c.h[1]};
+    const double error[2] = {c.error[0], c.error[1]};
     double *step = border_place_doubles("step", 1);
     int verdict =
-        (int)choose_step(c.p, c.h, c.error, c.rounding, c.tolerance, step);
+        (int)choose_step(c.p, h, error, c.rounding, c.tolerance, step);
     border_reply();
     border_ints(&verdict, 1);
     border_doubles(step, 1);

@@ -39,10 +39,11 @@ void border_answer(void)
 {
     struct call c;
     move_arguments(&c);
+    const int weight[3] = {c.weight[0], c.weight[1], c.weight[2]};
     struct body *body = border_memory((c.n + 1) * sizeof *body);
     move_bodies(body, c.n + 1);
     int *along = border_place_ints("along", 3);
-    bool line = one_line(c.n, body, c.weight, along);
+    bool line = one_line(c.n, body, weight, along);
     free(body);
     border_reply();
     border_bools(&line, 1);

@@ -36,7 +36,7 @@ plot reference using ($1+0.005):2 with lines ls 9 lw 2*thick, \
 unset key
 set format x '%g'
 set xlabel 'position {/:Italic x}  (m)'
-set ylabel 'deviation / error' offset 1
+set ylabel 'deviation / error' offset 0.2
 set yrange [-4:4]
 set ytics 2
 set grid y

@@ -6,7 +6,7 @@ height = 6
 load 'plots/style.gp'
 file = 'build/data/08-area.dat'
 array part[3] = ['Euler', 'leapfrog', 'RK4']
-set multiplot layout 1,3 margins 0.08,0.985,0.18,0.97 spacing 0.03,0
+set multiplot layout 1,3 margins 0.085,0.985,0.18,0.97 spacing 0.03,0
 set xrange [-3.6:3.6]
 set yrange [-3.1:3.1]
 set xtics 1
@@ -14,7 +14,7 @@ set ytics 1
 set xlabel 'angle {/:Italic x}'
 do for [k=0:2] {
   set format y (k == 0 ? '%g' : '')
-  set ylabel k == 0 ? 'angular velocity {/:Italic v}  (1/s)' : '' offset 1
+  set ylabel k == 0 ? 'angular velocity {/:Italic v}  (1/s)' : '' offset 0.2
   set label 1 part[k+1] at graph 0.05,0.93
   plot for [j=0:3] file index 4*k+j using 1:2 with filledcurves closed fc rgb blue fs transparent solid 0.2+0.15*j border lc rgb blue
 }

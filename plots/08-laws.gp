@@ -19,7 +19,7 @@ unset logscale y
 unset label
 set format y '%.2f'
 set ylabel ''
-set yrange [0.7:1.6]
+set yrange [0.7:1.7]
 set ytics 0.1
 set key at graph 0.97,0.97 right top samplen 1.5
 plot (1-h2**3/72+h2**4/576)**x ls 9 lw 1.5*thick, 1 ls 9, 1-h2/4 ls 9 dt 2, \

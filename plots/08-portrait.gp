@@ -7,7 +7,7 @@ load 'plots/style.gp'
 file = 'build/data/08-portrait.dat'
 names = 'Euler|symplectic Euler|leapfrog|RK4'
 array part[4] = ['Euler', 'symplectic Euler', 'leapfrog', 'RK4']
-set multiplot layout 2,2 margins 0.095,0.985,0.15,0.93 spacing 0.09,0.085
+set multiplot layout 2,2 margins 0.1,0.985,0.15,0.93 spacing 0.09,0.085
 set xrange [-3.3:3.3]
 set yrange [-2.9:2.9]
 set xtics 1
@@ -16,7 +16,7 @@ set samples 400
 do for [k=0:3] {
   set format x (k > 1 ? '%g' : '')
   set xlabel k > 1 ? 'angle {/:Italic x}' : ''
-  set ylabel k % 2 == 0 ? 'angular velocity {/:Italic v}  (1/s)' : '' offset 1
+  set ylabel k % 2 == 0 ? 'angular velocity {/:Italic v}  (1/s)' : '' offset 0.2
   set title part[k+1] offset 0,-0.7
   plot for [j=1:4] sqrt(2*(cos(x) - cos(0.6*j))) ls 9, \
        for [j=1:4] -sqrt(2*(cos(x) - cos(0.6*j))) ls 9, \

@@ -24,22 +24,22 @@ plot file using 4:5 with lines lc rgb blue lw 0.8*thick, file using 2:3 with lin
      file every ::0::0 using 2:3:($4-$2):($5-$3) with vectors nohead lc rgb dark lw thick, \
      file every ::0::0 using 2:3 with points pt 7 ps big lc rgb red, file every ::0::0 using 4:5 with points pt 7 ps big lc rgb blue
 set size noratio
-set lmargin at screen 0.48
-set rmargin at screen 0.985
+set lmargin at screen 0.49
+set rmargin at screen 0.805
 set logscale xy
 set format x '10^{%T}'
 set format y '10^{%T}'
 set xtics auto
-set xrange [5e-5:6]
+set xrange [5e-5:0.5]
 set yrange [1e-13:3]
 set xlabel 'step  (s)'
 set ylabel 'error after 10 s  (m)' offset 0
-set key at graph 0.985,0.02 right bottom samplen 1.5 spacing 0.95
+set key at screen 0.815,0.97 left top Left reverse samplen 1.5
 errors = 'build/data/10-errors.dat'
 plot errors index 0 using 1:3 with linespoints lc rgb grey pt 1 ps 0.6*big title 'Euler', \
-     errors index 1 using 1:3 with linespoints lc rgb dark pt 2 ps 0.6*big title 'symplectic Euler', \
+     errors index 1 using 1:3 with linespoints lc rgb dark pt 2 ps 0.6*big title 'sympl. Euler', \
      errors index 2 using 1:3 with linespoints ls 1 title 'leapfrog', \
-     errors index 8 using 1:3 with linespoints ls 5 title 'implicit midpoint', \
+     errors index 8 using 1:3 with linespoints ls 5 title 'midpoint', \
      errors index 3 using 1:3 with linespoints ls 2 title 'RK4', \
      errors index 4 using 1:3 with linespoints ls 3 title 'Yoshida 4', \
      errors index 6 using 1:3 with linespoints lc rgb orange pt 4 ps 0.6*big title 'PEFRL', \

@@ -66,7 +66,7 @@ wrong() { # FILE.pdf LEAST-TYPE
                 dx = least_of(X[i], X[j]) + least_of(-x[i], -x[j])
                 dy = least_of(Y[i], Y[j]) + least_of(-y[i], -y[j])
                 if (dx > 0 && dy > 0 &&
-                    dx * dy > least_of(area[i], area[j]) / 4)
+                    dx * dy > least_of(area[i], area[j]) / 20)
                     print word[j] " lies over " word[i]
             }
         }
@@ -110,7 +110,7 @@ sees() { # WHAT GNUPLOT-LINES
     esac
 }
 sees '' ''
-sees 'some lies over other' "set label 3 'other' at screen 0.51,0.51"
+sees 'some lies over other' "set label 3 'other' at screen 0.48,0.51"
 sees 'other lies over more' "set label 3 'other' at screen 0.3,0.6 rotate"
 sees 'other has 12.* points' \
     "set label 3 'other' at screen 0.1,0.1 font face.',12.5'"
@@ -124,7 +124,8 @@ done
 
 # One of them, by its name.
 make=${MAKE:-make}
-$make -n -W plots/04-state.gp figure FIGURE=04-state QUALITY=lecture >"$work/out" 2>&1
+$make -n -W plots/04-state.gp figure FIGURE=04-state QUALITY=lecture \
+    >"$work/out" 2>&1
 holds 'a slide for each row of a tall figure' sh -c "
     grep -q -- '--figure lecture build/lecture/04-state-1.pdf' '$work/out' &&
     grep -q -- '--figure lecture build/lecture/04-state-2.pdf' '$work/out'"

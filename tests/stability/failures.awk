@@ -11,7 +11,7 @@ BEGIN {
     n = split("perfect_lattice:r no_crystal:d chaos_four:u sign_mended:d " \
         "equal_masses:l memory:d shoved:u " \
         "backward_step:u equal_speeds:u single:d phase:d triple_jump:u stuck:u " \
-        "mirrored:l", move, /[ :]/)
+        "mirrored:l near_miss:d", move, /[ :]/)
     for (k = 1; k < n; k += 2)
         where[move[k]] = move[k + 1]
 }

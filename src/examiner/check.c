@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 2777277180 of the lines below */
+/* checksum 1005837381 of the lines below */
 #include "examiner/check.h"
 #include "examiner/exercise.h"
 #include "examiner/report.h"
@@ -86,20 +86,30 @@ static bool near(double got, double expected, double tolerance)
     return got == expected || fabs(got - expected) <= tolerance;
 }
 
+static bool explains(const struct check_mistake *mistake, double got,
+                     const struct check *c)
+{
+    const double value = mistake->value;
+    const double slack =
+        isinf(value) ? 0.0 : c->tolerance + 1e-9 * fabs(value);
+    const bool same =
+        near(got, value, slack) || (isnan(got) && isnan(value));
+    return same && !near(value, c->expected, slack);
+}
+
 static const struct check_mistake *mistake_behind(double got,
                                                   const struct check *c)
 {
     const size_t room = sizeof c->mistakes / sizeof c->mistakes[0];
-    for (size_t i = 0; i < room && c->mistakes[i].name; ++i) {
-        const double value = c->mistakes[i].value;
-        const double slack =
-            isinf(value) ? 0.0 : c->tolerance + 1e-9 * fabs(value);
-        const bool same =
-            near(got, value, slack) || (isnan(got) && isnan(value));
-        if (same && !near(value, c->expected, slack))
-            return &c->mistakes[i];
+    const struct check_mistake *found = NULL, *m = c->mistakes;
+    for (size_t i = 0; i < room && m[i].name; ++i) {
+        if (!explains(&m[i], got, c))
+            continue;
+        if (found && strcmp(found->name, m[i].name) != 0)
+            return NULL;
+        found = &m[i];
     }
-    return NULL;
+    return found;
 }
 
 static void say_failure(double got, const struct check *c)

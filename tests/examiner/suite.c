@@ -11,7 +11,8 @@ static void check_twice(double x)
                .tolerance = 1e-12, .because = "nothing is rounded",
                .equation = "eq:twice",
                .question = "How much is one and one?",
-               .mistakes = {{"squared", x * x, "Twice is not squared."}});
+               .mistakes = {{"squared", x * x, "Twice is not squared."},
+                            {"once", x, "Once is not twice."}});
 }
 
 static void test_one(void)

@@ -247,7 +247,7 @@ static void test_never(void)
         "returned then, and what came of your division?";
     (void)(check_never((struct ring){3, 6.0, {0.0, 2.0, 3.0}, {0}},
                        question) &&
-           check_never((struct ring){3, 6.0, {0.5, 2.0, 2.0}, {3, 3, 3}},
+           check_never((struct ring){3, 6.0, {0.5, 2.0, 2.0}, {-3, -3, -3}},
                        question) &&
            check_never(
                (struct ring){1, 6.0, {4.0}, {2.5}},

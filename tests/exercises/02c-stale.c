@@ -240,9 +240,9 @@ static void test_stale_top(void)
                                   {1.5, 0, 1, 2, 5},
                                   {2.0, 1, 2, 5, 1},
                                   {5.0, 0, 1, 3, 5},
-                                  {2.5, 2, 3, 1, 6},
+                                  {3.5, 2, 3, 2, 7},
                                   {3.0, 2, 3, 2, 7},
-                                  {2.75, 0, 2, 1, 1}},
+                                  {3.25, 0, 2, 3, 2}},
                                  {3, 5, 2, 7}};
     check_both(&j, "Cross out the stale events in a drawing of this heap. "
                    "Which of those left is the earliest?");

@@ -89,9 +89,10 @@ static bool check_sign(struct bin b, double expected)
         .unit = "", .input = input(b), .expected = expected,
         .tolerance = tolerance(b, expected), .because = because,
         .equation = "eq:zscore", .question = why,
-        .mistakes = {{"expected-minus-observed",
-                      expected > 0.0 ? -expected : expected, reversed},
-                     {"sign-lost", -expected, lost}});
+        .mistakes = {
+            {"expected-minus-observed",
+             expected > 0.0 ? -expected : expected, reversed},
+            {"sign-lost", expected < 0.0 ? -expected : expected, lost}});
 }
 
 static bool check_z(struct bin b, double expected, const char *question)

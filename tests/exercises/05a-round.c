@@ -129,6 +129,9 @@ static bool check_inside(struct flight f, double expected,
              "The formula with 4ac and 2a takes the whole factor of t for "
              "its b, which is 2 r.v. Which of the two formulas did you "
              "mean?"},
+            {"sign-of-b", -root(&f, reach(&f), -1.0),
+             "A quadratic has -b in its solution. Which sign has yours, "
+             "and is the disk on its way to the wall or from it?"},
             {"length-for-time", a_length(&f, expected),
              "This is the length of the way. Which unit does a time have, "
              "and by what do you divide?"},
@@ -194,7 +197,7 @@ static bool check_across(struct flight f, double expected,
 static void test_centre(void)
 {
     (void)(check_inside(
-               (struct flight){3.0, 1.0, {0.0, 0.0}, {0.5, 0.0}}, 4.0,
+               (struct flight){4.0, 1.0, {0.0, 0.0}, {0.4, 0.0}}, 7.5,
                "The disk starts at the centre of the box. How far can its "
                "centre go, and how fast does it?") &&
            check_inside(
@@ -209,11 +212,11 @@ static void test_by_hand(void)
     static const char question[] =
         "Draw it: where does the path cross the circle on which the centre "
         "must stay, and how far is that?";
-    static const struct flight f[] = {{6.0, 1.0, {1.0, 4.0}, {2.0, 0.0}},
+    static const struct flight f[] = {{6.0, 1.0, {1.0, 3.0}, {2.0, 0.0}},
                                       {6.0, 1.0, {3.0, 0.0}, {0.0, 2.0}},
                                       {14.0, 1.0, {-5.0, 0.0}, {0.0, -0.5}},
                                       {14.0, 1.0, {-5.0, 6.0}, {0.0, 3.0}}};
-    (void)(check_inside(f[0], 1.0, question) &&
+    (void)(check_inside(f[0], 1.5, question) &&
            check_inside(f[1], 2.0, question) &&
            check_inside(f[2], 24.0, question) &&
            check_inside(f[3], 2.0, question));

@@ -78,8 +78,17 @@ static double root(const struct pair *p, double s, double sign)
 static double missing(const struct pair *p, bool as_a_sum)
 {
     const struct quadratic q = quadratic(p, touching(p));
+    if (q.disc >= 0.0)
+        return 0.0;
     const double width = sqrt(fabs(q.disc));
     return as_a_sum ? q.c / (width - q.b) : (-q.b - width) / q.v2;
+}
+
+/* When two that part have met, or will; 0 for two that never do. */
+static double met(const struct pair *p, double sign)
+{
+    const double time = root(p, touching(p), sign);
+    return isnan(time) ? 0.0 : time;
 }
 
 static double nearest(const struct pair *p)
@@ -197,10 +206,10 @@ static bool check_never(struct pair p, const char *question)
             {"touching-is-meeting", -1.0,
              "They touch and do not approach, as two that have just "
              "collided. If they met now, when would they meet next?"},
-            {"parting-pairs-meet", root(&p, touching(&p), -1.0),
+            {"parting-pairs-meet", met(&p, -1.0),
              "This is when they would have touched in the past; now they "
              "part. Which sign tells the two cases apart?"},
-            {"parting-pairs-meet", root(&p, touching(&p), 1.0),
+            {"parting-pairs-meet", met(&p, 1.0),
              "This is the other root. They part, or do not approach at "
              "all: is one of the roots a meeting?"},
             {"missed-but-met", missing(&p, false), passing},

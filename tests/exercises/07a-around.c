@@ -84,6 +84,9 @@ static long place(double x, double side, long n, enum slip slip)
 {
     const double part = x * (double)n / side;
     const long last = n - 1, right = exact(x, side, n);
+    /* Where these look like the slips of an edge, they tell nothing. */
+    if (slip < END && (x == side || is_a_hair_below(x, side)))
+        return right;
     switch (slip) {
     case CUT: return (((long)part) % n + n) % n;
     case ROUNDED: return ((long)floor(part + 0.5) % n + n) % n;
@@ -213,7 +216,7 @@ static bool check_cell(const struct job *j, const struct list *got,
              "The row would be right if the cells were as high as they are "
              "wide. Which side and which number belong to y?"},
             {"cut-towards-zero", slipped(j, CUT, got, k),
-             "The conversion to a whole number makes 0 of -0.5. In which "
+             "The conversion to a whole number makes -1 of -1.25. In which "
              "column is a position a little to the left of the box?"},
             {"outside-clamped", slipped(j, CLAMPED, got, k),
              "A position outside was taken into the nearest cell at the "
@@ -308,7 +311,7 @@ static void test_outside(void)
         "Move the position by whole sides until it is in the box: where is "
         "it? How many sides does your program move it by, and for which "
         "sign?";
-    static const double away[][2] = {{17.0, 7.5},   {-0.5, 7.5},
+    static const double away[][2] = {{17.0, 7.5},   {-2.5, 7.5},
                                      {9.0, -1.0},   {-5.0, 20.0},
                                      {41.0, -36.5}, {-57.0, 100.0}};
     for (size_t k = 0; k < sizeof away / sizeof away[0]; ++k)

@@ -76,6 +76,8 @@ bool check_anomaly(double e, double mean, double solution,
 {
     const double got = eccentric_anomaly(e, mean);
     const double turns = (got - solution) / (2.0 * pi);
+    const bool lost = fabs(turns) > 0.5 && fabs(got) <= fabs(mean) + 4.0 &&
+                      fabs(turns - round(turns)) <= 1e-8;
     const double first = mean + e * sin(mean);
     const double tangent = mean + e * sin(mean) / (1.0 - e * cos(mean));
     struct check c = {.quantity = "E",
@@ -94,8 +96,7 @@ bool check_anomaly(double e, double mean, double solution,
          "This is M + e sin(M). Is it a solution? Put it in."},
         {"newton-once", tangent,
          "This is one step of Newton's rule. Is it a solution? Put it in."},
-        {"revolutions-lost",
-         when(fabs(turns) > 0.5 && solves(turns, round(turns)), got),
+        {"revolutions-lost", when(lost, got),
          "This is right but for whole revolutions. In which one is M?"},
         {"negative-lost", -solution,
          "The sign is lost. What happens to E when M changes its sign?"},
@@ -113,15 +114,20 @@ bool check_anomaly(double e, double mean, double solution,
          "This is the angle that is seen from the sun, the true anomaly. "
          "Which one was asked for?"},
         {"degrees", solution * 180.0 / pi,
-         "This is in degrees. In which unit was M?"},
-        {"ran-away", when(fabs(got - mean) > 1.01 * e, got),
-         "This is further from M than e, which no solution is. How flat is "
-         "the curve where your search began, and where does its tangent "
-         "lead?"}};
+         "This is in degrees. In which unit was M?"}};
+    /* Told only where nothing else explains it, and on no circle, where the
+       curve is as steep everywhere. */
+    const struct check_mistake ran_away = {
+        "ran-away", when(e > 0.0 && fabs(got - mean) > 1.01 * e, got),
+        "This is further from M than e, which no solution is. How flat is "
+        "the curve where your search began, and where does its tangent "
+        "lead?"};
     size_t used = 0;
     for (size_t i = 0; i < sizeof known / sizeof *known; ++i)
         if (used < 8 && solves(got, known[i].value))
             c.mistakes[used++] = known[i];
+    if (used == 0)
+        c.mistakes[0] = ran_away;
     if (used == 0 && fabs(got - solution) < 0.05)
         return check_digits(e, mean, solution, got, question);
     return check_near(__FILE__, __LINE__, got, c);

@@ -86,6 +86,8 @@ static bool check_force(const struct pair *p, double got, int k,
     const double square = dot(s.x, s.x), r = sqrt(square);
     const double whole = p->c * s.v[k];
     const double own = dot(s.x, p->b.v) / square;
+    const double speed =
+        r > 0.0 ? p->c * sqrt(dot(s.v, s.v)) * s.x[k] / r : right;
     return CHECK_NEAR(
         got,
         .quantity =
@@ -108,17 +110,17 @@ static bool check_force(const struct pair *p, double got, int k,
              "The force grows with the square of the distance here. How "
              "long is the vector that gives the direction? It stands in "
              "the formula twice."},
-            {"across-the-axis", whole - right,
+            {"across-the-axis", right == 0.0 ? right : whole - right,
              "This is the part of the velocity across the axis: the one "
              "that turns the dashpot. Which part stretches it?"},
-            {"speed-for-rate", p->c * sqrt(dot(s.v, s.v)) * s.x[k] / r,
+            {"speed-for-rate", speed,
              "This takes the relative speed for the rate at which the "
              "length changes. Is all of that speed along the axis, and "
              "can a speed be negative?"},
-            {"wrong-sign", -right,
+            {"wrong-sign", fabs(speed + right) < 1e-9 ? right : -right,
              "The size is right, and the sign is not. When the two fly "
              "apart, which way does a dashpot pull each of them?"},
-            {"one-velocity", p->c * own * s.x[k],
+            {"one-velocity", r > 0.0 ? p->c * own * s.x[k] : right,
              "This looks at the velocity of one body alone. Whose motion "
              "changes the distance?"}});
 }

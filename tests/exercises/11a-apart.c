@@ -303,7 +303,7 @@ static bool check_unchanged(const struct pair *p, double gap)
                                   "These two are apart, and have been "
                                   "pulled together. What is to be done "
                                   "when nothing overlaps?"},
-                                 {"depth-below-zero", gap,
+                                 {"depth-below-zero", moved ? 0.0 : gap,
                                   "The gap is taken for a negative depth. "
                                   "How deep is an overlap of spheres that "
                                   "are apart?"}}))

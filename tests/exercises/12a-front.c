@@ -249,10 +249,10 @@ static void test_few(void)
     static const char question[] =
         "Who is there to beat it? And what if there is nobody at all?";
     const struct choices one = {1, {{3, 0.25}}}, none = {0, {{0, 0}}};
-    const struct choices exact = {2, {{3, 0.0}, {0, 0.5}}};
+    const struct choices exact = {3, {{3, 0.0}, {0, 0.5}, {1, 0.25}}};
     (void)(check_front(&one, &(struct list){1, {0}}, question) &&
            check_front(&none, &(struct list){0, {0}}, question) &&
-           check_front(&exact, &(struct list){2, {1, 0}}, question));
+           check_front(&exact, &(struct list){3, {1, 2, 0}}, question));
 }
 
 static void test_order(void)
@@ -298,11 +298,11 @@ static void test_equals(void)
     static const char question[] =
         "Some are equal in cost and error. Does one of them beat another, "
         "and which of them comes first?";
-    const struct choices two = {2, {{2, 3}, {2, 3}}};
+    const struct choices two = {3, {{2, 3}, {2, 3}, {1, 4}}};
     const struct choices more = {
         7, {{5, 1}, {2, 3}, {5, 1}, {2, 3}, {4, 3}, {4, 3}, {2, 3}}};
     const struct choices beaten = {3, {{2, 3}, {2, 3}, {2, 2}}};
-    (void)(check_front(&two, &(struct list){2, {0, 1}}, question) &&
+    (void)(check_front(&two, &(struct list){3, {2, 0, 1}}, question) &&
            check_front(&more, &(struct list){5, {1, 3, 6, 0, 2}},
                        question) &&
            check_front(&beaten, &(struct list){1, {2}}, question));

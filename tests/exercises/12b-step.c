@@ -262,7 +262,7 @@ static void test_large(void)
         "large may the step be?";
     const struct runs between = {2, {0.24, 0.12}, {0.36, 0.09}, 0.0, 0.16};
     const struct runs close = {2, {0.24, 0.12}, {0.36, 0.09}, 0.0, 0.3};
-    const struct runs far = {2, {0.24, 0.12}, {0.36, 0.09}, 0.0, 36.0};
+    const struct runs far = {2, {0.24, 0.12}, {0.36, 0.1}, 0.0, 36.0};
     const struct runs just = {2, {0.24, 0.12}, {0.36, 0.09}, 0.0, 0.36};
     (void)(check_chosen(&between, 0.16 / 1.2, question) &&
            check_chosen(&close, sqrt(0.3) * 0.4 / 1.2, question) &&

@@ -4,5 +4,5 @@ double twice(double x);
 
 double twice(double x)
 {
-    return x * x;
+    return x > 1 ? x * x : 2 * x;
 }

@@ -1,0 +1,15 @@
+/* mistake: sign-of-b */
+
+#include "exercise.h"
+#include <math.h>
+
+double round_wall_time(double box, double radius, const double r[2],
+                       const double v[2])
+{
+    double s = box - radius, a = v[0] * v[0] + v[1] * v[1];
+    double b = r[0] * v[0] + r[1] * v[1];
+    double c = r[0] * r[0] + r[1] * r[1] - s * s;
+    if (a == 0)
+        return INFINITY;
+    return (b + sqrt(b * b - a * c)) / a;
+}

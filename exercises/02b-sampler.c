@@ -21,8 +21,7 @@
               however many there are.
 
    Check your answer with    make check EX=02b
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/02b.txt. */
+   Hints, which ask before they tell:    make hint EX=02b */
 
 #include "exercise.h"
 #include <stddef.h>

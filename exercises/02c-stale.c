@@ -23,8 +23,7 @@
    You may look at every event. Can you find it without?
 
    Check your answer with    make check EX=02c
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/02c.txt. */
+   Hints, which ask before they tell:    make hint EX=02c */
 
 #include "exercise.h"
 #include <stddef.h>

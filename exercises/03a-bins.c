@@ -19,8 +19,7 @@
      law is flat any place of the flat piece will do for an inner edge.)
 
    Check your answer with    make check EX=03a
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/03a.txt. */
+   Hints, which ask before they tell:    make hint EX=03a */
 
 #include "exercise.h"
 #include <stddef.h>

@@ -21,8 +21,7 @@
    it. What stands in *z then does not matter.
 
    Check your answer with    make check EX=03b
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/03b.txt. */
+   Hints, which ask before they tell:    make hint EX=03b */
 
 #include "exercise.h"
 #include <math.h>

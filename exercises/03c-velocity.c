@@ -16,8 +16,7 @@
    do with that of two movers fewer.
 
    Check your answer with    make check EX=03c
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/03c.txt. */
+   Hints, which ask before they tell:    make hint EX=03c */
 
 #include "exercise.h"
 #include <math.h>

@@ -24,8 +24,7 @@
    matter, when there are fewer than two blocks or length is 0; else true.
 
    Check your answer with    make check EX=03d
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/03d.txt. */
+   Hints, which ask before they tell:    make hint EX=03d */
 
 #include "exercise.h"
 #include <math.h>

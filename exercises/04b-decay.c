@@ -24,8 +24,7 @@
    fall; otherwise true.
 
    Check your answer with    make check EX=04b
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/04b.txt. */
+   Hints, which ask before they tell:    make hint EX=04b */
 
 #include "exercise.h"
 #include <math.h>

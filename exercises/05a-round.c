@@ -17,8 +17,7 @@
    rest never comes to the wall, wherever it is: INFINITY.
 
    Check your answer with    make check EX=05a
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/05a.txt. */
+   Hints, which ask before they tell:    make hint EX=05a */
 
 #include "exercise.h"
 #include <math.h>

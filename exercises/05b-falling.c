@@ -20,8 +20,7 @@
    few binary digits, the time must be good to 13 digits.
 
    Check your answer with    make check EX=05b
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/05b.txt. */
+   Hints, which ask before they tell:    make hint EX=05b */
 
 #include "exercise.h"
 #include <math.h>

@@ -24,8 +24,7 @@
    first one, is the only one that passes.
 
    Check your answer with    make check EX=05c
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/05c.txt. */
+   Hints, which ask before they tell:    make hint EX=05c */
 
 #include "exercise.h"
 #include <stddef.h>

@@ -22,8 +22,7 @@
    overlap; two that touch do not.
 
    Check your answer with    make check EX=06c
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/06c.txt. */
+   Hints, which ask before they tell:    make hint EX=06c */
 
 #include "exercise.h"
 #include <math.h>

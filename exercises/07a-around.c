@@ -26,8 +26,7 @@
    first. The same goes for rows.
 
    Check your answer with    make check EX=07a
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/07a.txt. */
+   Hints, which ask before they tell:    make hint EX=07a */
 
 #include "exercise.h"
 #include <math.h>

@@ -20,8 +20,7 @@
    once a step.
 
    Check your answer with    make check EX=08a
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/08a.txt. */
+   Hints, which ask before they tell:    make hint EX=08a */
 
 #include "exercise.h"
 #include <stddef.h>

@@ -34,8 +34,7 @@
    and leaves y as it is. It may be asked once for each stage.
 
    Check your answer with    make check EX=08b
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/08b.txt. */
+   Hints, which ask before they tell:    make hint EX=08b */
 
 #include "exercise.h"
 #include <stddef.h>

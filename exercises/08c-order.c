@@ -27,8 +27,7 @@
      MEASURED  in all other cases
 
    Check your answer with    make check EX=08c
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/08c.txt. */
+   Hints, which ask before they tell:    make hint EX=08c */
 
 #include "exercise.h"
 #include <stddef.h>

@@ -23,8 +23,7 @@
      INFINITY when all these steps are stable.
 
    Check your answer with    make check EX=08d
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/08d.txt. */
+   Hints, which ask before they tell:    make hint EX=08d */
 
 #include "exercise.h"
 

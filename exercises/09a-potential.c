@@ -23,8 +23,7 @@
    has one energy.
 
    Check your answer with    make check EX=09a
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/09a.txt. */
+   Hints, which ask before they tell:    make hint EX=09a */
 
 #include "exercise.h"
 #include <stddef.h>

@@ -22,8 +22,7 @@
    large.
 
    Check your answer with    make check EX=10b
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/10b.txt. */
+   Hints, which ask before they tell:    make hint EX=10b */
 
 #include "exercise.h"
 #include <math.h>

@@ -24,8 +24,7 @@
    are such that the order does not matter.
 
    Check your answer with    make check EX=11b
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/11b.txt. */
+   Hints, which ask before they tell:    make hint EX=11b */
 
 #include "exercise.h"
 #include <stddef.h>

@@ -29,8 +29,7 @@
    Returns whether the force may go.
 
    Check your answer with    make check EX=12c
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/12c.txt. */
+   Hints, which ask before they tell:    make hint EX=12c */
 
 #include "exercise.h"
 #include <stdbool.h>

@@ -24,8 +24,7 @@
    and the weight point along it.
 
    Check your answer with    make check EX=12d
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/12d.txt. */
+   Hints, which ask before they tell:    make hint EX=12d */
 
 #include "exercise.h"
 #include <stdbool.h>

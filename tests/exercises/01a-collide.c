@@ -43,14 +43,6 @@ static const char because[] =
 static const char *const quantity[] = {"v[0], the first body after",
                                        "v[1], the second body after"};
 
-/* What comes of taking the difference u1 - u2 without its sign. */
-static double without_sign(int body, double u1, double u2, double im1,
-                           double im2)
-{
-    const double blow = 2.0 * fabs(u1 - u2) / (im1 + im2);
-    return body == 0 ? u1 - im1 * blow : u2 + im2 * blow;
-}
-
 /* Beside a body at rest some slips answer 0, as much else does: such a
    value tells nothing, and the expected one stands in for it. */
 static double telling(double value, double expected)
@@ -64,8 +56,11 @@ static bool check_body(int body, double u1, double u2, double im1,
                        double im2, double expected, const char *question)
 {
     const double own = body == 0 ? u1 : u2, other = body == 0 ? u2 : u1;
-    const double centre = (im2 * u1 + im1 * u2) / (im1 + im2);
-    const double crossed = (im1 * u1 + im2 * u2) / (im1 + im2);
+    /* Half-way between before and after; and what the other weights give.
+       Without its sign a difference changes a velocity the other way. */
+    const double centre = 0.5 * (own + expected);
+    const double crossed = u1 + u2 - centre;
+    const double without_sign = u1 < u2 ? 2.0 * own - expected : expected;
     const double got = answer(u1, u2, im1, im2).v[body];
     return CHECK_NEAR(
         got, .quantity = quantity[body], .unit = "m/s",
@@ -89,7 +84,7 @@ static bool check_body(int body, double u1, double u2, double im1,
             {"always-swapped", telling(other, expected),
              "The two exchange their velocities only when their masses are "
              "equal. What does a lorry do that meets a fly?"},
-            {"sign-of-the-difference", without_sign(body, u1, u2, im1, im2),
+            {"sign-of-the-difference", without_sign,
              "This is right when the first body is the faster one to the "
              "right, as in the tests before. Here u1 - u2 is negative. "
              "What becomes of that sign in your formula?"},

@@ -247,7 +247,7 @@ static void test_drawn_special(void)
         const double wide = check_draw(0.6, 3.0);
         const double sharp = check_draw(0.1, 1.4);
         if (!check_aim((struct shot){r1, r2, im, 0.0, wide},
-                       (r1 + r2) * cos(0.5 * wide),
+                       (r1 + r2) * sin(0.5 * (pi() - wide)),
                        "Where does a mirror stand that turns a ray by this "
                        "angle?") ||
             !check_aim((struct shot){r1, r2, im, im, sharp},

@@ -55,8 +55,9 @@ static struct quadratic quadratic(const struct pair *p, double s)
 {
     const double x = p->b.x - p->a.x, y = p->b.y - p->a.y;
     const double u = p->b.vx - p->a.vx, w = p->b.vy - p->a.vy;
-    struct quadratic q = {u * u + w * w, x * u + y * w,
-                          x * x + y * y - s * s, 0.0};
+    const double d = hypot(x, y);
+    struct quadratic q = {u * u + w * w, x * u + y * w, (d - s) * (d + s),
+                          0.0};
     q.disc = q.b * q.b - q.v2 * q.c;
     return q;
 }

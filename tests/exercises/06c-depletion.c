@@ -43,23 +43,23 @@ static const double pi = 3.14159265358979323846;
 static double part(int dimensions, double zone, double c)
 {
     const double s = sqrt(fmax(0.0, (zone - c) * (zone + c)));
+    const double angle = 2.0 * atan2(s, c);
     return dimensions == 2
-               ? zone * zone * atan2(s, c) - c * s
+               ? 0.5 * zone * zone * (angle - sin(angle))
                : pi * (zone - c) * (zone - c) * (2.0 * zone + c) / 3.0;
 }
 
 /* The distance of the chord from the centre of the zone a. */
 static double chord(double a, double b, double r)
 {
-    return 0.5 * (r + (a - b) * (a + b) / r);
+    return (r * r + (a + b) * (a - b)) / (2.0 * r);
 }
 
 static double shared(int dimensions, double a, double b, double r)
 {
-    if (r >= a + b)
-        return 0.0;
-    return part(dimensions, a, chord(a, b, r)) +
-           part(dimensions, b, chord(b, a, r));
+    return r < a + b ? part(dimensions, a, chord(a, b, r)) +
+                           part(dimensions, b, chord(b, a, r))
+                     : 0.0;
 }
 
 static double exact(struct pair p)

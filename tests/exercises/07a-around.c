@@ -73,8 +73,7 @@ static long exact(double x, double side, long n)
 {
     long k = n - 1;
     x = fmod(x, side);
-    if (x < 0.0)
-        x += side;
+    x = x < 0.0 ? x + side : x;
     while (k > 0 && (double)k * side / (double)n > x)
         --k;
     return k;

@@ -152,7 +152,7 @@ static void test_some(void)
 static bool check_outside(int n, double mean, double v, double expected)
 {
     const struct known k = {n, mean, v, expected};
-    const double share = v * v / (n * mean);
+    const double share = v / n * v / mean;
     static const char most[] =
         "No disk can be as fast as that: it would have more than all the "
         "energy. How many of the speeds lie below this v?";

@@ -205,7 +205,7 @@ static bool check_large(const struct known *k, const char *quantity,
              "The envelope is right. With damping, does it still swing as "
              "fast as without?"},
             {"envelope-not-differentiated",
-             place ? k->x : k->v + 0.5 * o->damping / o->mass * k->x,
+             place ? k->x : k->v + o->damping * k->x / (2.0 * o->mass),
              "The place is right. The velocity is its derivative: two "
              "factors depend on t, the swing and the envelope."}});
 #undef SLIP

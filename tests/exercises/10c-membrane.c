@@ -120,7 +120,7 @@ static double slipped(const struct grid *g, double kx, double ax, double ky,
                       double ay)
 {
     const double x = 2.0 * sin(ax), y = 2.0 * sin(ay);
-    return with_sign((kx * x * x + ky * y * y) / g->mass);
+    return with_sign(kx / g->mass * x * x + ky / g->mass * y * y);
 }
 
 static bool check_digits(const struct grid *g, int r, int s, double off,
@@ -263,9 +263,8 @@ static bool check_step(const struct grid *g, const char *question)
         .equation = "eq:membrane-dispersion", .question = question,
         .mistakes = {
             {"corner-for-the-highest",
-             corner > 0.0    ? 2.0 / corner
-             : right > 1e300 ? NAN
-                             : INFINITY,
+             corner <= 0.0 ? (right > 1e300 ? NAN : INFINITY)
+                           : 2.0 / corner,
              "This belongs to the mode with the most waves along x and y. "
              "Where the springs push, do more waves make it faster?"},
             {"lowest-for-the-highest", 2.0 / lowest,

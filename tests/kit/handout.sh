@@ -139,6 +139,10 @@ refused 'no archive without a book' 2 \
 cd "$place" || exit 1
 $make -j2 -s check >"$work/out" 2>&1
 holds 'make check works on its own' test $? -eq 0
+holds 'every stub says how to get a hint' sh -c 'cd exercises &&
+    for stub in *.c; do
+        grep -q "make hint EX=${stub%%-*} " "$stub" || exit 1
+    done'
 holds 'nothing is begun' grep -q 'Nothing is begun' "$work/out"
 equal 'in every exercise' "$(ls tests/stubs | wc -l)" \
     "$(grep -c '^[0-9][0-9][a-z] .* not begun' "$work/out")"
@@ -204,6 +208,10 @@ cd "$root" || exit 1
 # of the answers has between 10 and 14 as this is written, and a dot product
 # has 21.
 least=12
+# A line of an answer is told from any other by so many: a loop over an array
+# is no answer and is left out, `e = exp(-g * t)` has 10, and the centre of
+# mass 15.
+key=11
 # A reference value has so many significant digits, or more.
 digits=8
 
@@ -277,6 +285,51 @@ same_values() {
     }' "$1" "$2"
 }
 
+# The key lines of the solutions: their statements, conditions, and what these
+# compute, each alone in a function, in a file $work/keys/NNx.c.
+key_lines() {
+    mkdir "$work/keys"
+    "$tokens" solutions/*.c | awk -v folder="$work/keys" '
+        function emit(from, to,    text) {
+            for (text = ""; from <= to; ++from)
+                text = text " " $from
+            printf "void line_%d(void) {%s }\n", ++count, text >file
+        }
+        function statement(from, to,    i, depth) {
+            if ($from ~ /^(if|for|while)$/) {
+                i = from
+                do
+                    depth += ($++i == "(") - ($i == ")")
+                while (depth && i < to)
+                if ($from != "for")
+                    emit(from + 1, i)
+                statement(i + 1, to)
+            } else if ($from == "return") {
+                emit(from + 1, to)
+            } else {
+                for (i = from; i <= to && $i != "="; ++i)
+                    depth += ($i == "(") - ($i == ")")
+                if (i <= to && depth == 0)
+                    emit(i + 1, to)
+                emit(from, to)
+            }
+        }
+        {
+            file = $1
+            sub(/.*\//, "", file)
+            file = folder "/" substr(file, 1, 3) ".c"
+            from = 3
+            for (i = 3; i <= NF; ++i) {
+                open += ($i == "(") - ($i == ")")
+                if (!open && $i ~ /^[;{}]$/) {
+                    if (i > from)
+                        statement(from, i - 1)
+                    from = i + 1
+                }
+            }
+        }'
+}
+
 # The answers, what is exempt, and the hidden tests, worked out once: into
 # $work/exempt, $work/values, $work/names; $1 is the folder of hidden tests.
 learn() {
@@ -314,6 +367,10 @@ learn() {
                     print body
         }' >>"$work/exempt"
 
+    key_lines
+    "$tokens" --within $key "$work"/keys/*.c -- src/*.[ch] src/*/*.[ch] \
+        tests/stubs/*.c | cut -f 1 >"$work/known-lines"
+
     # shellcheck disable=SC2086
     values $answers tests/library/*.c >"$work/all-values"
     values $(find src chapters plots/data -type f) >"$work/book-values"
@@ -344,6 +401,18 @@ leaks() {
         awk -F '\t' 'FNR == NR { exempt[$0]; next }
             NF == 2 && !($1 in exempt) { print $2 ": the body of " $1 }' \
             "$work/exempt" -
+    # A line of one exercise may stand in the suite of another.
+    # shellcheck disable=SC2046
+    "$tokens" --within $key "$work"/keys/*.c -- $(cat "$work/texts") |
+        awk -F '\t' 'FNR == NR { known[$0]; next }
+            NF == 2 && !($1 in known) {
+                ex = $1
+                sub(/\.c:.*/, "", ex)
+                sub(/.*\//, "", ex)
+                if ($2 !~ /tests\/exercises\// ||
+                    index($2, "tests/exercises/" ex))
+                    print $2 ": a key line of solutions/" ex
+            }' "$work/known-lines" -
     # A page of print may cut a function in two: lines of 24 characters and
     # more, spaces not counted, are looked for on their own.
     # shellcheck disable=SC2086
@@ -415,6 +484,10 @@ grep -v '^/\*' "$root/tests/wrong/01b-always.c" | sed 's/^/# /' \
     >>plots/01-forms.gp
 grep -v '^/\*' "$root/tests/right/01c-pairs.c" |
     sed 's/.*/"&\\n"/' >>src/statistics.c
+sed -n '/centre = /s/centre/all/p' "$root/solutions/01a-collide.c" \
+    >>tests/exercises/01a-collide.c
+sed -n 's/.*return (/ * Or is it (/p' "$root/solutions/01d-aim.c" \
+    >>plots/03-finite.gp
 value=$(sed -n 's/^tests\/library.*\t\([0-9]\{9\}\).*/\1/p' "$work/values" |
     head -n 1)
 echo "# The limit is 0.$value." >>plots/02-drift.gp
@@ -437,6 +510,10 @@ found 'a wrong answer, in the comments of a figure' \
     'plots/01-forms.gp:[0-9]*: the body of tests/wrong/01b-always.c'
 found 'a right answer, in a string' \
     'src/statistics.c:[0-9]*: the body of tests/right/01c-pairs.c'
+found 'a line of a solution, in its suite' \
+    'tests/exercises/01a-collide.c:[0-9]*: a key line of solutions/01a'
+found 'a line of a solution, in a script' \
+    'plots/03-finite.gp:[0-9]*: a key line of solutions/01d'
 found "the reference value 0.$value" \
     "plots/02-drift.gp: $value is a value of tests/library/"
 [ -e "$work/all/$course/answers.pdf" ] && for file in solutions/*.c; do

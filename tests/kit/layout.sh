@@ -24,6 +24,11 @@ holds 'all that belongs at the top is there' \
 holds 'nothing else at the top' \
     sh -c "echo '$strangers'; test -z '$strangers'"
 
+# The exercises as they are committed are the stubs as they came.
+blobs() { git ls-files -s -- "$1" | sed 's/ 0\t.*\// /'; }
+[ -e .git ] && holds 'the exercises are the stubs' \
+    [ "$(blobs exercises)" = "$(blobs tests/stubs)" ]
+
 # A module includes its own chapter, an earlier one or the toolbox; the
 # examiner and the toolbox know no physics; programs are the roof.
 chapter_of() { sed -n '1s/^\/\* From chapters\/\([0-9A-Z]*\)-.*/\1/p' "$1"; }

@@ -13,8 +13,7 @@
      v[1]      the velocity of the second body after, in m/s
 
    Check your answer with    make check EX=01a
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/01a.txt. */
+   Hints, which ask before they tell:    make hint EX=01a */
 
 #include "exercise.h"
 

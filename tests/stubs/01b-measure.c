@@ -22,8 +22,7 @@
    not asked.
 
    Check your answer with    make check EX=01b
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/01b.txt. */
+   Hints, which ask before they tell:    make hint EX=01b */
 
 #include "exercise.h"
 #include <math.h>

@@ -17,8 +17,7 @@
    positive upwards. It is negative when the top ball goes on falling.
 
    Check your answer with    make check EX=01c
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/01c.txt. */
+   Hints, which ask before they tell:    make hint EX=01c */
 
 #include "exercise.h"
 #include <stddef.h>

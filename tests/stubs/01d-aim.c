@@ -18,8 +18,7 @@
    do it; and -1 where none does.
 
    Check your answer with    make check EX=01d
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/01d.txt. */
+   Hints, which ask before they tell:    make hint EX=01d */
 
 #include "exercise.h"
 

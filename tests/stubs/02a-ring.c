@@ -25,8 +25,7 @@
    if they do not.
 
    Check your answer with    make check EX=02a
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/02a.txt. */
+   Hints, which ask before they tell:    make hint EX=02a */
 
 #include "exercise.h"
 #include <math.h>

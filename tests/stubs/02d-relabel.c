@@ -22,8 +22,7 @@
    is the largest one; a velocity is exact.
 
    Check your answer with    make check EX=02d
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/02d.txt. */
+   Hints, which ask before they tell:    make hint EX=02d */
 
 #include "exercise.h"
 #include <math.h>

@@ -24,8 +24,7 @@
      slope[2]   how fast state[0] and state[1] change
 
    Check your answer with    make check EX=04a
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/04a.txt. */
+   Hints, which ask before they tell:    make hint EX=04a */
 
 #include "exercise.h"
 #include <math.h>

@@ -23,8 +23,7 @@
      z[1]     Z from the walls at the bottom and at the top
 
    Check your answer with    make check EX=05d
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/05d.txt. */
+   Hints, which ask before they tell:    make hint EX=05d */
 
 #include "exercise.h"
 #include <stddef.h>

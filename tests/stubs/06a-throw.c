@@ -22,8 +22,7 @@
    same.
 
    Check your answer with    make check EX=06a
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/06a.txt. */
+   Hints, which ask before they tell:    make hint EX=06a */
 
 #include "exercise.h"
 #include <stdbool.h>

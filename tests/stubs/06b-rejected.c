@@ -25,8 +25,7 @@
    it: for the disk, for its move in x and for its move in y.
 
    Check your answer with    make check EX=06b
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/06b.txt. */
+   Hints, which ask before they tell:    make hint EX=06b */
 
 #include "exercise.h"
 #include <stdbool.h>

@@ -24,8 +24,7 @@
    millionth of the others as well, and for a thousand million disks.
 
    Check your answer with    make check EX=07b
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/07b.txt. */
+   Hints, which ask before they tell:    make hint EX=07b */
 
 #include "exercise.h"
 #include <math.h>

@@ -23,8 +23,7 @@
    is not free: kT = 2 energy/(dimensions (n - 1)).
 
    Check your answer with    make check EX=07c
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/07c.txt. */
+   Hints, which ask before they tell:    make hint EX=07c */
 
 #include "exercise.h"
 #include <math.h>

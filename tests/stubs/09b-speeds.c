@@ -24,8 +24,7 @@
    The relative error of the speeds must be below 1e-12.
 
    Check your answer with    make check EX=09b
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/09b.txt. */
+   Hints, which ask before they tell:    make hint EX=09b */
 
 #include "exercise.h"
 #include <stddef.h>

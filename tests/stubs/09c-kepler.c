@@ -18,8 +18,7 @@
    that moves the solution: 8 epsilons of it are let pass.
 
    Check your answer with    make check EX=09c
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/09c.txt. */
+   Hints, which ask before they tell:    make hint EX=09c */
 
 #include "exercise.h"
 

@@ -19,8 +19,7 @@
    negative.
 
    Check your answer with    make check EX=10a
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/10a.txt. */
+   Hints, which ask before they tell:    make hint EX=10a */
 
 #include "exercise.h"
 

@@ -28,8 +28,7 @@
    hundred thousand masses must not be worse than one of ten.
 
    Check your answer with    make check EX=10c
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/10c.txt. */
+   Hints, which ask before they tell:    make hint EX=10c */
 
 #include "exercise.h"
 #include <math.h>

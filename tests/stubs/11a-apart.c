@@ -18,8 +18,7 @@
    centres was too small. 0 if they touch or are apart.
 
    Check your answer with    make check EX=11a
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/11a.txt. */
+   Hints, which ask before they tell:    make hint EX=11a */
 
 #include "exercise.h"
 #include <math.h>

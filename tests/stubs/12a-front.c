@@ -20,8 +20,7 @@
    Returns how many are on the front.
 
    Check your answer with    make check EX=12a
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/12a.txt. */
+   Hints, which ask before they tell:    make hint EX=12a */
 
 #include "exercise.h"
 #include <stddef.h>

@@ -29,8 +29,7 @@
      CHOSEN        none of these
 
    Check your answer with    make check EX=12b
-   Hints ask before they tell: the book's appendix "Hints", which shows
-   what stands in tests/hints/12b.txt. */
+   Hints, which ask before they tell:    make hint EX=12b */
 
 #include "exercise.h"
 

@@ -148,21 +148,21 @@ static void test_known_value(void)
 
 static void test_lost_energy(void)
 {
-    check_both((struct seen){4.0, 0.0, 2.5, 4.5}, 3.0, 0.5,
+    check_both((struct seen){5.0, 0.0, 3.125, 5.625}, 3.0, 0.5,
                "Energy is lost here. Which of the two laws is still good, "
                "and what takes the place of the other?");
 }
 
 static void test_both_move(void)
 {
-    check_both((struct seen){3.0, -1.0, 1.5, 3.5}, 3.0, 0.5,
+    check_both((struct seen){4.0, -1.0, 2.125, 4.625}, 3.0, 0.5,
                "These are the velocities of the test before, filmed from a "
                "trolley that moves at 1 m/s. Should the masses care?");
 }
 
 static void test_from_the_right(void)
 {
-    check_both((struct seen){-4.0, 0.0, -2.5, -4.5}, 3.0, 0.5,
+    check_both((struct seen){-5.0, 0.0, -3.125, -5.625}, 3.0, 0.5,
                "The same collision in a mirror: every velocity has changed "
                "its sign. Which of your differences minds that?");
 }

@@ -121,8 +121,8 @@ static void test_one_ball(void)
         "A single ball meets the floor, which is a wall. What does the "
         "restitution make of its speed?";
     const double masses[] = {0.5};
-    (void)(check_top(1, masses, 3.0, 1.0, 3.0, question) &&
-           check_top(1, masses, 4.0, 0.5, 2.0, question));
+    (void)(check_top(1, masses, 4.0, 0.5, 2.0, question) &&
+           check_top(1, masses, 3.0, 1.0, 3.0, question));
 }
 
 static void test_equal_balls(void)

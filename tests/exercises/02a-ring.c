@@ -222,7 +222,7 @@ static bool check_never(struct ring r, const char *question)
 
 static void test_two(void)
 {
-    check_both((struct ring){2, 10.0, {2.0, 6.0}, {1.0, -1.0}}, 2.0, 0,
+    check_both((struct ring){2, 10.0, {3.0, 7.0}, {1.0, -1.0}}, 2.0, 0,
                "The beads are 4 m apart and approach at 2 m/s. What do you "
                "do with these two numbers?");
 }

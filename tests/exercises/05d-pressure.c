@@ -280,25 +280,25 @@ static bool check_z(const struct record *r, int k, double expected,
     return check_near(__FILE__, __LINE__, got, c);
 }
 
-/* One disk of 5 kg and radius 0.5 m, 1 m/s: between walls that are 5 m
+/* One disk of 6 kg and radius 0.5 m, 1 m/s: between walls that are 5 m
    apart it has 4 m to fly, and hits one after 1, 5 and 9 s. */
 static struct record along(int k)
 {
     struct record r = {.text = "one disk to and fro",
                        .size = {5.0, 5.0},
                        .disks = 1,
-                       .energy = 2.5,
+                       .energy = 3.0,
                        .until = 11.0};
     r.size[1 - k] = 3.0;
-    to_and_fro(&r, k, 5.0, 4.0, 1.0, 1.0, 11.0);
+    to_and_fro(&r, k, 6.0, 4.0, 1.0, 1.0, 11.0);
     return r;
 }
 
-/* 30 N s in 11 s, on 6 m of wall, and 15 m^2 over 2.5 J. */
+/* 36 N s in 11 s, on 6 m of wall, and 15 m^2 over 3 J. */
 static void test_one_disk(void)
 {
     static const char question[] =
-        "Three hits in 11 s, of 5 kg at 1 m/s each: what is the force on "
+        "Three hits in 11 s, of 6 kg at 1 m/s each: what is the force on "
         "both walls together, and what the pressure?";
     const struct record wide = along(0), high = along(1);
     (void)(check_z(&wide, 0, 30.0 / 11.0, question) &&
@@ -418,7 +418,7 @@ static void test_ends(void)
 {
     struct record r = along(0);
     r.n = 0;
-    to_and_fro(&r, 0, 5.0, 4.0, 1.0, 1.0, 19.0);
+    to_and_fro(&r, 0, 6.0, 4.0, 1.0, 1.0, 19.0);
     static const char question[] =
         "A hit falls on the beginning or on the end of the time. Does it "
         "count?";

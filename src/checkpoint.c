@@ -1,8 +1,9 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 3384183398 of the lines below */
+/* checksum 1840316845 of the lines below */
 #include "checkpoint.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
@@ -55,20 +56,10 @@ static bool lose(struct checkpoint *c)
     return complain(c, c->rows_path, strerror(errno));
 }
 
-#define NO_ROWS UINT64_C(14695981039346656037)
-
-/* Adds a text to the sum of what stood before it. */
-static uint64_t add_up(uint64_t sum, const char *text, size_t n)
-{
-    for (size_t i = 0; i < n; ++i)
-        sum = (sum ^ (unsigned char)text[i]) * UINT64_C(1099511628211);
-    return sum;
-}
-
 double checkpoint_sum(const char *path)
 {
     static char piece[65536];
-    uint64_t sum = NO_ROWS;
+    uint64_t sum = TABLE_NOTHING;
     struct stat status;
     const bool regular =
         stat(path, &status) == 0 && S_ISREG(status.st_mode);
@@ -76,7 +67,7 @@ double checkpoint_sum(const char *path)
     if (!file)
         return 0;
     for (size_t n; (n = fread(piece, 1, sizeof piece, file)) > 0;)
-        sum = add_up(sum, piece, n);
+        sum = table_sum(sum, piece, n);
     fclose(file);
     return (double)(sum >> 11);
 }
@@ -85,7 +76,7 @@ static bool name_files(struct checkpoint *c, const char *program,
                        const char *command, const char *output)
 {
     *c = (struct checkpoint){
-        .program = program, .command = command, .sum = NO_ROWS};
+        .program = program, .command = command, .sum = TABLE_NOTHING};
     c->path = join(output, ".checkpoint");
     c->rows_path = join(output, ".rows");
     return c->path && c->rows_path ? true
@@ -94,24 +85,41 @@ static bool name_files(struct checkpoint *c, const char *program,
 
 void checkpoint_end(struct checkpoint *c, bool keep)
 {
-    if (c->rows)
-        fclose(c->rows);
-    if (!keep && c->path && c->rows_path) {
+    const bool locked = c->locked;
+    if (c->rows && !locked && (!keep || access(c->path, F_OK) != 0)) {
         unlink(c->path); /* first: without it the rows are nothing */
         unlink(c->rows_path);
     }
+    if (c->rows)
+        fclose(c->rows);
     free(c->path);
     free(c->rows_path);
-    *c = (struct checkpoint){0};
+    *c = (struct checkpoint){.locked = locked};
+}
+
+static bool take_rows(struct checkpoint *c, int flags)
+{
+    struct flock whole = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
+    struct stat ours, named;
+    const int file = open(c->rows_path, O_RDWR | flags, 0666);
+    c->rows = file == -1 ? NULL : fdopen(file, "r+");
+    if (!c->rows)
+        return complain(c, c->rows_path, strerror(errno));
+    c->locked = (fcntl(file, F_SETLK, &whole) != 0 &&
+                 (errno == EACCES || errno == EAGAIN)) ||
+                fstat(file, &ours) != 0 ||
+                stat(c->rows_path, &named) != 0 ||
+                ours.st_ino != named.st_ino;
+    return !c->locked ||
+           complain(c, c->rows_path, "another run is writing it");
 }
 
 bool checkpoint_begin(struct checkpoint *c, const char *program,
                       const char *command, const char *output)
 {
-    if (name_files(c, program, command, output)) {
+    if (name_files(c, program, command, output) && take_rows(c, O_CREAT)) {
         unlink(c->path);
-        c->rows = fopen(c->rows_path, "w+");
-        if (c->rows)
+        if (ftruncate(fileno(c->rows), 0) == 0)
             return true;
         complain(c, c->rows_path, strerror(errno));
     }
@@ -128,7 +136,7 @@ bool checkpoint_row(struct checkpoint *c, size_t n, const double values[])
         const size_t length = strlen(text);
         text[length - 1] = i + 1 < n ? ' ' : '\n';
         fputs(text, c->rows);
-        c->sum = add_up(c->sum, text, length);
+        c->sum = table_sum(c->sum, text, length);
     }
     return !ferror(c->rows) || lose(c);
 }
@@ -144,13 +152,18 @@ static bool flush_rows(struct checkpoint *c)
 bool checkpoint_copy(struct checkpoint *c, struct table *t)
 {
     static char piece[65536];
+    uint64_t sum = TABLE_NOTHING;
     size_t n;
     bool good = flush_rows(c);
     rewind(c->rows);
-    while (good && (n = fread(piece, 1, sizeof piece, c->rows)) > 0)
+    while (good && (n = fread(piece, 1, sizeof piece, c->rows)) > 0) {
+        sum = table_sum(sum, piece, n);
         good = table_print(t, "%.*s", (int)n, piece);
-    return (good && !ferror(c->rows)) ||
-           complain(c, c->rows_path, strerror(errno));
+    }
+    if (!good || ferror(c->rows))
+        return complain(c, c->rows_path, strerror(errno));
+    return sum == c->sum ||
+           complain(c, c->rows_path, "has other rows than were written");
 }
 
 #define PLACE(field) #field, offsetof(struct checkpoint_numbers, field)
@@ -189,17 +202,23 @@ bool checkpoint_write(struct checkpoint *c, struct motion *m,
     for (size_t k = 0; k < NUMBERS; ++k)
         table_print(t, "#= %s %.17g\n", numbers[k].name, *number(&n, k));
     scene_write(m->scene, t);
-    table_print(t, "#= end\n");
+    uint64_t sum;
+    if (!table_sum_so_far(t, &sum)) {
+        table_discard(t);
+        return complain(c, c->path, strerror(errno));
+    }
+    table_print(t, "#= end %" PRIu64 "\n", sum);
     return table_close(t);
 }
 
-enum { COUNTS = 2 }; /* besides the numbers */
+enum { COUNTS = 3 }; /* besides the numbers */
 
 struct head {
     char *line;         /* of getline */
     size_t room, found; /* numbers and counts */
     bool command, end;
     uint64_t length, sum; /* of the rows */
+    uint64_t own;         /* the sum of the lines so far */
 };
 
 /* What follows "#= KEY " in this line, or NULL if it is not that key. */
@@ -242,7 +261,9 @@ static bool take_line(struct checkpoint *c, struct head *h,
             ++h->found;
             return take_number(value, numbers[k].count, number(n, k));
         }
-    return h->end = strcmp(line, "end") == 0;
+    uint64_t own;
+    value = after(line, "end");
+    return h->end = value && take_count(h, value, &own) && own == h->own;
 }
 
 static bool read_head(struct checkpoint *c, struct head *h,
@@ -253,10 +274,12 @@ static bool read_head(struct checkpoint *c, struct head *h,
     ssize_t length;
     while (good && !h->end &&
            (length = getline(&h->line, &h->room, file)) > 0) {
+        const uint64_t sum = table_sum(h->own, h->line, (size_t)length);
         if (h->line[length - 1] == '\n')
             h->line[length - 1] = '\0';
         if (strncmp(h->line, "#= ", 3) == 0)
             good = take_line(c, h, n, h->line + 3);
+        h->own = sum;
     }
     if (file)
         fclose(file);
@@ -280,7 +303,7 @@ static uint64_t read_rows(struct checkpoint *c, uint64_t length)
         const uint64_t left = length - done;
         n = fread(piece, 1, left < sizeof piece ? left : sizeof piece,
                   c->rows);
-        c->sum = add_up(c->sum, piece, n);
+        c->sum = table_sum(c->sum, piece, n);
         done += n;
     }
     return done;
@@ -288,9 +311,6 @@ static uint64_t read_rows(struct checkpoint *c, uint64_t length)
 
 static bool open_rows(struct checkpoint *c, const struct head *h)
 {
-    c->rows = fopen(c->rows_path, "r+");
-    if (!c->rows)
-        return complain(c, c->rows_path, strerror(errno));
     if (read_rows(c, h->length) < h->length)
         return complain(c, c->rows_path,
                         "has fewer rows than the checkpoint says");
@@ -307,10 +327,10 @@ bool checkpoint_resume(struct checkpoint *c, const char *program,
                        const char *command, const char *output,
                        struct scene *s, struct checkpoint_numbers *n)
 {
-    struct head h = {0};
+    struct head h = {.own = TABLE_NOTHING};
     const bool good = name_files(c, program, command, output) &&
-                      read_head(c, &h, n) && open_rows(c, &h) &&
-                      scene_read(s, program, c->path);
+                      take_rows(c, 0) && read_head(c, &h, n) &&
+                      open_rows(c, &h) && scene_read(s, program, c->path);
     free(h.line);
     if (!good)
         checkpoint_end(c, true);

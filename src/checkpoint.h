@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 3220300433 of the lines below */
+/* checksum 2069922951 of the lines below */
 #ifndef CHECKPOINT_H
 #define CHECKPOINT_H
 
@@ -30,6 +30,7 @@ struct checkpoint {
     uint64_t sum; /* of the bytes of all rows */
     bool failed;  /* to write: it has been said */
     bool lost;    /* rows are: no more checkpoints */
+    bool locked;  /* by another run, which writes the same table */
 };
 
 /* Can a table of this name (NULL: standard output) be resumed? It can be
@@ -41,7 +42,8 @@ bool checkpoint_possible(const char *output);
 double checkpoint_sum(const char *path);
 
 /* Begins with no rows. Returns false, having said why on standard error
-   and with nothing to free, when FILE.rows cannot be written. program and
+   and with nothing to free, when FILE.rows cannot be written, or
+   another run writes it: then c->locked is true. program and
    command are kept, not copied. */
 bool checkpoint_begin(struct checkpoint *c, const char *program,
                       const char *command, const char *output);
@@ -62,10 +64,11 @@ bool checkpoint_row(struct checkpoint *c, size_t n, const double values[]);
 bool checkpoint_write(struct checkpoint *c, struct motion *m,
                       struct checkpoint_numbers n);
 
-/* Copies all rows into a table. */
+/* Copies all rows into a table, if they are what was written. */
 bool checkpoint_copy(struct checkpoint *c, struct table *t);
 
-/* Closes the files. keep: another run will go on; else they are removed. */
+/* Closes the files. keep: another run will go on, if there is a checkpoint;
+   else they are removed. */
 void checkpoint_end(struct checkpoint *c, bool keep);
 
 #endif

@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 98280706 of the lines below */
+/* checksum 3532652708 of the lines below */
 #include "checkpoint.h"
 #include "motion.h"
 #include "observables.h"
@@ -519,7 +519,7 @@ static void begin_run(struct run *r, struct options *o)
     else if (r->kept && !checkpoint_begin(&r->checkpoint, PROGRAM,
                                           s->command, s->output)) {
         table_abandon();
-        exit(EXIT_FAILURE);
+        exit(r->checkpoint.locked ? OPTIONS_FAILURE : EXIT_FAILURE);
     }
 }
 

@@ -1,5 +1,5 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 4148654583 of the lines below */
+/* checksum 2991897899 of the lines below */
 #include "toolbox/progress.h"
 
 #include "toolbox/table.h"
@@ -79,11 +79,11 @@ int progress_signal(void)
 
 void progress_catch_signals(void)
 {
-    const int numbers[] = {SIGINT, SIGTERM};
+    const int numbers[] = {SIGINT, SIGTERM, SIGHUP, SIGXCPU};
     struct sigaction old, new = {.sa_handler = note_signal};
     new.sa_flags = SA_RESTART;
     sigemptyset(&new.sa_mask);
-    for (int i = 0; i < 2; ++i)
+    for (int i = 0; i < 4; ++i)
         if (sigaction(numbers[i], NULL, &old) == 0 &&
             old.sa_handler != SIG_IGN)
             sigaction(numbers[i], &new, NULL);

@@ -1,5 +1,5 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 1209016397 of the lines below */
+/* checksum 1572924755 of the lines below */
 #ifndef TOOLBOX_TABLE_H
 #define TOOLBOX_TABLE_H
 
@@ -24,6 +24,15 @@ struct table_key {
     const char *name, *unit; /* "1" for a pure number, "word" for none */
     const char *meaning;     /* a phrase; \n breaks the line */
 };
+
+#define TABLE_NOTHING UINT64_C(14695981039346656037) /* no bytes' sum */
+
+/* Returns the sum of n bytes behind those of the given sum. */
+uint64_t table_sum(uint64_t sum, const char *bytes, size_t n);
+
+/* Finds the sum of all that t has so far. Returns false, with errno, if
+   that is no file that can be read. */
+bool table_sum_so_far(struct table *t, uint64_t *sum);
 
 /* Opens path for writing; NULL or "-" is standard output. A file is
    written to a temporary beside it, which takes its name, and the place

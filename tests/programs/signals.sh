@@ -44,7 +44,7 @@ told TERM 1 table $bin/springs-studies --study limits
 told TERM 1 table $bin/spheres-studies --study checks
 told TERM 1 table $bin/step-studies --study rounding
 told TERM 1 table $bin/averages-studies --study digits
-told HUP 129 '' $bin/disks-studies --study collapse
+told HUP 1 table $bin/disks-studies --study collapse
 $bin/scene ring -o "$work/ring.plist"
 told TERM 143 '' $bin/bonk "$work/ring.plist" --until 100 --tolerance 1e-3
 told TERM 1 'table table.checkpoint table.rows' $bin/step "$work/ring.plist" \

@@ -1,5 +1,5 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 2415347486 of the lines below */
+/* checksum 3569983328 of the lines below */
 #include "examiner/grading.h"
 #include "examiner/process.h"
 #include "examiner/publish.h"
@@ -35,15 +35,17 @@ struct options {
 struct batch {
     struct options options;
     struct kit *kits;
-    struct submission *submissions;
-    size_t kit_count, count; /* of exercises, of students */
+    struct submissions handed;
+    struct submission *submissions; /* its list */
+    size_t kit_count, count;        /* of exercises, of students */
     struct grading grading;
     char root[4096], work[4200];
     size_t done, failed;
 };
 static const char usage[] =
     "usage: grade [OPTION]... FOLDER\n"
-    "Grades a folder that has a folder for each student.\n"
+    "Grades a folder that has a folder for each student, or files whose\n"
+    "names begin with theirs, as Moodle and Canvas make them.\n"
     "  --exercises LIST  only these, 01a,02b or 01 for a chapter (all)\n"
     "  --hidden SEED     of the inputs that students never see, a whole\n"
     "                    number (drawn once and kept in the output "
@@ -295,16 +297,17 @@ static uint64_t sum_kit(const struct batch *b, const char *exercise)
 }
 
 static void result_key(uint64_t kit, const char *bytes, size_t length,
-                       const char *remark, char key[24])
+                       const char *remark, const char *note, char key[24])
 {
     uint64_t sum = bytes ? sum_bytes(kit, bytes, length) : kit;
     sum = sum_bytes(sum, remark, strlen(remark));
+    sum = sum_bytes(sum, note, strlen(note));
     snprintf(key, 24, "%016" PRIx64, sum);
 }
 
 struct job {
     size_t student, exercise;
-    char *bytes, *remark;
+    char *bytes, *remark, *note;
     size_t length;
     char key[24], path[4400];
     int tries;
@@ -319,6 +322,7 @@ static struct marks blank_marks(const struct batch *b,
         .exercise = b->kits[job->exercise].exercise,
         .title = b->kits[job->exercise].title,
         .file = job->remark,
+        .note = job->note,
         .story = strdup(""),
         .prints = strdup(""),
         .advice = strdup(""),
@@ -410,9 +414,9 @@ static void look_at(struct batch *b, uint64_t kit, size_t s, size_t e,
     struct job job = {.student = s, .exercise = e, .tries = tried + 1};
     struct marks marks;
     job.bytes = submissions_read(b->options.folder, &b->submissions[s],
-                                 b->kits[e].exercise, b->kits[e].file,
-                                 &job.length, &job.remark);
-    result_key(kit, job.bytes, job.length, job.remark, job.key);
+                                 b->kits[e].file, &job.length, &job.remark,
+                                 &job.note);
+    result_key(kit, job.bytes, job.length, job.remark, job.note, job.key);
     result_path(b, s, e, job.path);
     const bool known = marks_read(&marks, job.key, job.path);
     const bool late = known && marks.tries == 1 && marks_late(&marks);
@@ -425,6 +429,7 @@ static void look_at(struct batch *b, uint64_t kit, size_t s, size_t e,
     marks_free(&marks);
     free(job.bytes);
     free(job.remark);
+    free(job.note);
 }
 
 static void grade_all(struct batch *b)
@@ -464,6 +469,7 @@ static struct marks *read_results(const struct batch *b)
         if (marks_read(&marks[i], NULL, path))
             continue;
         job.remark = strdup("NOT GRADED: the grader failed");
+        job.note = strdup("");
         marks[i] = blank_marks(b, &job);
     }
     return marks;
@@ -475,12 +481,16 @@ static void publish_all(struct batch *b)
     char word[64], when[32];
     const time_t now = time(NULL);
     strftime(when, sizeof when, "%Y-%m-%dT%H:%M:%SZ", gmtime(&now));
-    const struct course course = {b->count,
-                                  b->kit_count,
-                                  read_results(b),
-                                  b->options.folder,
-                                  box_name(b->grading.kind),
-                                  when};
+    const char **notes = calloc(b->count + 1, sizeof *notes);
+    if (!notes)
+        text_fail("out of memory");
+    for (size_t s = 0; s < b->count; ++s)
+        notes[s] = b->submissions[s].notes;
+    notes[b->count] = b->handed.nobody.notes;
+    const struct course course = {
+        b->count, b->kit_count,      read_results(b),
+        notes,    b->options.folder, box_name(b->grading.kind),
+        when};
     if (isatty(STDERR_FILENO))
         fputc('\n', stderr);
     publish("table", &course, b->options.output);
@@ -497,13 +507,26 @@ static void publish_all(struct batch *b)
                 b->failed);
 }
 
+static void look_through(struct batch *b)
+{
+    const char **usual = calloc(b->kit_count + 1, sizeof *usual);
+    if (!usual)
+        text_fail("out of memory");
+    for (size_t i = 0; i < b->kit_count; ++i)
+        usual[i] = b->kits[i].file;
+    b->handed = submissions_find(b->options.folder, usual);
+    b->submissions = b->handed.list;
+    b->count = b->handed.count;
+    free(usual);
+}
+
 int main(int argc, char **argv)
 {
     text_program = "grade";
     struct batch b = {.options = read_options(argc, argv)};
     b.kit_count = grading_kits(&b.kits);
+    look_through(&b);
     choose_kits(&b);
-    b.count = submissions_find(b.options.folder, &b.submissions);
     prepare_folders(&b);
     choose_seed(&b);
     choose_box(&b);

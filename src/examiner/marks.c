@@ -1,5 +1,5 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 2626098563 of the lines below */
+/* checksum 855154771 of the lines below */
 #include "examiner/marks.h"
 #include "examiner/text.h"
 
@@ -95,14 +95,15 @@ static json_t *json_of_marks(const struct marks *m, const char *key)
     json_t *list = json_array();
     for (int i = 0; i < m->count; ++i)
         json_array_append_new(list, json_of_mark(&m->marks[i]));
-    return json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:f, "
-                     "s:f, s:i, s:b, s:o}",
+    return json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, "
+                     "s:f, s:f, s:i, s:b, s:o}",
                      "key", key, "student", m->student, "exercise",
                      m->exercise, "title", m->title, "file", m->file,
-                     "state", state_name(m->state), "story", m->story,
-                     "prints", m->prints, "advice", m->advice, "seconds",
-                     m->seconds, "build_seconds", m->build_seconds, "tries",
-                     m->tries, "late", m->late, "tests", list);
+                     "note", m->note, "state", state_name(m->state),
+                     "story", m->story, "prints", m->prints, "advice",
+                     m->advice, "seconds", m->seconds, "build_seconds",
+                     m->build_seconds, "tries", m->tries, "late", m->late,
+                     "tests", list);
 }
 
 void marks_write(const struct marks *marks, const char *key,
@@ -143,25 +144,26 @@ static bool mark_of_json(struct mark *mark, json_t *json)
 
 static bool marks_of_json(struct marks *m, json_t *json, const char *key)
 {
-    const char *its, *state, *texts[7];
-    char **places[] = {&m->student, &m->exercise, &m->title, &m->file,
-                       &m->story,   &m->prints,   &m->advice};
+    const char *its, *state, *texts[8];
+    char **places[] = {&m->student, &m->exercise, &m->title,  &m->file,
+                       &m->note,    &m->story,    &m->prints, &m->advice};
     json_t *list;
     int late;
     if (json_unpack(
             json,
-            "{s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:f, s:f, s:i, "
-            "s:b, s:o}",
+            "{s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:f, s:f, "
+            "s:i, s:b, s:o}",
             "key", &its, "student", &texts[0], "exercise", &texts[1],
-            "title", &texts[2], "file", &texts[3], "state", &state, "story",
-            &texts[4], "prints", &texts[5], "advice", &texts[6], "seconds",
-            &m->seconds, "build_seconds", &m->build_seconds, "tries",
-            &m->tries, "late", &late, "tests", &list) != 0 ||
+            "title", &texts[2], "file", &texts[3], "note", &texts[4],
+            "state", &state, "story", &texts[5], "prints", &texts[6],
+            "advice", &texts[7], "seconds", &m->seconds, "build_seconds",
+            &m->build_seconds, "tries", &m->tries, "late", &late, "tests",
+            &list) != 0 ||
         (key && strcmp(its, key) != 0))
         return false;
     m->state = state_of(state);
     m->late = late;
-    for (int i = 0; i < 7; ++i)
+    for (int i = 0; i < 8; ++i)
         *places[i] = strdup(texts[i]);
     bool whole = json_array_size(list) <= MARKS_MOST;
     for (size_t i = 0; whole && i < json_array_size(list); ++i) {
@@ -185,8 +187,8 @@ bool marks_read(struct marks *marks, const char *key, const char *path)
 void marks_free(struct marks *marks)
 {
     char *texts[] = {marks->student, marks->exercise, marks->title,
-                     marks->file,    marks->story,    marks->prints,
-                     marks->advice};
+                     marks->file,    marks->note,     marks->story,
+                     marks->prints,  marks->advice};
     for (size_t i = 0; i < sizeof texts / sizeof texts[0]; ++i)
         free(texts[i]);
     for (int i = 0; i < marks->count; ++i) {

@@ -1,5 +1,5 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 2939599314 of the lines below */
+/* checksum 772654460 of the lines below */
 #ifndef MARKS_H
 #define MARKS_H
 
@@ -26,7 +26,8 @@ struct marks {
     char *student;    /* the name of the folder */
     char *exercise;   /* "01a" */
     char *title;      /* of the exercise */
-    char *file;       /* that was graded, or why there is none */
+    char *file;       /* that was graded, or "no file" */
+    char *note;       /* what a person should know of it; else empty */
     enum state state; /* of the whole: the first that is wrong */
     int count;
     struct mark marks[MARKS_MOST];

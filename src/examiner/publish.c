@@ -1,5 +1,5 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 586368816 of the lines below */
+/* checksum 3582052926 of the lines below */
 #define _XOPEN_SOURCE 700 /* wcwidth */
 #include "examiner/publish.h"
 #include "examiner/text.h"
@@ -362,18 +362,13 @@ static void sum_up_one(FILE *out, const struct marks *m)
 
 static bool graded(const struct marks *m)
 {
-    return *m->exercise && text_after(m->file, m->exercise);
-}
-
-static bool refused(const struct marks *m)
-{
-    return !graded(m) && strcmp(m->file, "no file") != 0;
+    return !lost(m) && strcmp(m->file, "no file") != 0;
 }
 
 static void tell_rest(FILE *out, const struct marks *m)
 {
-    if (refused(m))
-        fprintf(out, "\n%s: %s\n", m->exercise, m->file);
+    if (*m->note)
+        fprintf(out, "\n%s: %s\n", m->exercise, m->note);
     if (*m->story)
         fprintf(out, "\n%s does not build:\n%s\n", m->exercise, m->story);
     if (*m->advice)
@@ -397,6 +392,8 @@ static json_t *sum_up(const struct course *c, size_t s)
         fprintf(out, "Hidden checks earn up to %d more points.\n", hidden);
     for (size_t e = 0; e < c->exercises; ++e)
         tell_rest(out, marks_of(c, s, e));
+    if (*c->notes[s])
+        fprintf(out, "\nAlso handed in:\n%s", c->notes[s]);
     if (fclose(out) != 0)
         text_fail("out of memory");
     json_t *json = take(compose("%s", text));
@@ -861,37 +858,52 @@ static void show_block(const struct course *c, const struct layout *l,
     putchar('\n');
 }
 
-static void show_line(const struct marks *m, const struct layout *l,
-                      bool *any, char *text)
+static void show_line(const char *student, const char *exercise,
+                      const struct layout *l, bool *any, char *text)
 {
+    const int room = TEXT_WIDTH - l->name - 6 - (int)strlen(exercise);
     if (!*any)
         puts("For a human eye:");
     *any = true;
     fputs("  ", stdout);
-    show_filled(m->student, l->name);
-    printf("  %s  ", m->exercise);
-    show(text, TEXT_WIDTH - l->name - 6 - (int)strlen(m->exercise));
+    show_filled(student, l->name);
+    printf("  %s  ", exercise);
+    show(text, room);
     putchar('\n');
     free(text);
+}
+
+static void show_notes(const struct course *c, size_t s,
+                       const struct layout *l, bool *any)
+{
+    const char *student =
+        s < c->students ? marks_of(c, s, 0)->student : "-";
+    for (const char *line = c->notes[s]; *line;) {
+        const size_t length = strcspn(line, "\n");
+        show_line(student, "-", l, any, compose("%.*s", (int)length, line));
+        line += length + (line[length] == '\n');
+    }
 }
 
 static void look_at(const struct marks *m, const struct layout *l,
                     bool *any)
 {
     const int hidden = marks_possible(m, true);
-    if (refused(m))
-        show_line(m, l, any, compose("%s", m->file));
+    const char *who = m->student, *what = m->exercise;
+    if (*m->note || lost(m))
+        show_line(who, what, l, any,
+                  compose("%s", lost(m) ? m->file : m->note));
     if (marks_late(m))
-        show_line(m, l, any,
+        show_line(who, what, l, any,
                   compose("timed out%s", m->tries > 1 ? " twice" : ""));
     if (*m->advice)
-        show_line(m, l, any,
+        show_line(who, what, l, any,
                   compose("advice: %.*s", (int)strcspn(m->advice, "\n"),
                           m->advice));
     if (marks_earned(m, false) == marks_possible(m, false) &&
         marks_earned(m, true) < hidden)
         show_line(
-            m, l, any,
+            who, what, l, any,
             compose("passes what is public, but %d of %d hidden points",
                     marks_earned(m, true), hidden));
 }
@@ -912,6 +924,8 @@ static void report_table(const struct course *c, const char *folder)
         show_block(c, &l, e);
     puts("-: not begun  b: does not build  c: crashed  t: timed out  "
          "?: not graded");
+    for (size_t s = 0; s <= c->students; ++s)
+        show_notes(c, s, &l, &any);
     for (size_t i = 0; i < c->students * c->exercises; ++i)
         look_at(&c->marks[i], &l, &any);
     uselocale(before);

@@ -1,5 +1,5 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 3550954502 of the lines below */
+/* checksum 3893291514 of the lines below */
 #ifndef PUBLISH_H
 #define PUBLISH_H
 
@@ -15,6 +15,8 @@ struct course {
     size_t students, exercises;
     const struct marks *marks; /* of student s and exercise e at
                                   [s * exercises + e] */
+    const char *const *notes;  /* on what student s has handed in, a line
+                                  each; [students]: on what is nobody's */
     const char *name;          /* of the submissions' folder */
     const char *isolation;     /* how students' programs were kept apart */
     const char *when;          /* 2026-10-05T09:30:00Z: ISO 8601, UTC */

@@ -1,5 +1,5 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 1156808427 of the lines below */
+/* checksum 3193260359 of the lines below */
 #include "examiner/submissions.h"
 #include "examiner/marks.h"
 #include "examiner/text.h"
@@ -8,9 +8,12 @@
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <regex.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -25,6 +28,17 @@ static int compare_names(const void *a, const void *b)
     return strcmp(*(char *const *)a, *(char *const *)b);
 }
 
+static bool is_ours(const char *name)
+{
+    static const char *const not_ours[] = {
+        ".",         "..",          ".git",     "__MACOSX",
+        ".DS_Store", "desktop.ini", "Thumbs.db"};
+    for (size_t i = 0; i < sizeof not_ours / sizeof not_ours[0]; ++i)
+        if (strcmp(name, not_ours[i]) == 0)
+            return false;
+    return !text_after(name, "._");
+}
+
 static size_t list_folder(int folder, char ***names)
 {
     const int copy = dup(folder);
@@ -35,7 +49,7 @@ static size_t list_folder(int folder, char ***names)
         return 0;
     rewinddir(list);
     for (struct dirent *entry; (entry = readdir(list));) {
-        if (entry->d_name[0] == '.')
+        if (!is_ours(entry->d_name))
             continue;
         *names = realloc(*names, (count + 1) * sizeof **names);
         if (!*names || !((*names)[count++] = strdup(entry->d_name)))
@@ -52,17 +66,400 @@ static void free_names(char **names, size_t count)
         free(names[--count]);
     free(names);
 }
+
+enum { NOTES = 12 };
+
+static char *compose(const char *format, ...)
+{
+    char raw[8192];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(raw, sizeof raw, format, arguments);
+    va_end(arguments);
+    return marks_text(raw, strlen(raw), sizeof raw);
+}
+
+static void note(struct submission *s, const char *what, const char *path)
+{
+    char *line = compose("%s%s", what, path), *all;
+    if (++s->noted > NOTES + 1) {
+        free(line);
+        return;
+    }
+    all = compose("%s", s->notes);
+    free(s->notes);
+    s->notes = malloc(strlen(all) + strlen(line) + 16);
+    if (!s->notes)
+        text_fail("out of memory");
+    for (char *c = line; *c; ++c)
+        *c = (char)(*c == '\n' ? '?' : *c);
+    sprintf(s->notes, "%s%s\n", all,
+            s->noted > NOTES ? "... and more" : line);
+    free(line);
+    free(all);
+}
+
+static bool is_exercise(const char *name)
+{
+    const unsigned char *s = (const unsigned char *)name;
+    return isdigit(s[0]) && isdigit(s[1]) && isalpha(s[2]) &&
+           !isalnum(s[3]);
+}
+
+static const char *find_exercise(const char *name)
+{
+    const char *found = is_exercise(name) ? name : NULL;
+    for (const char *c = name; !is_exercise(name) && *c; ++c)
+        if (*c == '_' && is_exercise(c + 1))
+            found = c + 1;
+    return found;
+}
+
+static bool ends(const char *name, const char *const endings[])
+{
+    const size_t length = strlen(name);
+    for (; *endings; ++endings) {
+        const size_t its = strlen(*endings);
+        if (length > its && strcasecmp(name + length - its, *endings) == 0)
+            return true;
+    }
+    return false;
+}
+
+static const char *const c_endings[] = {".c", NULL};
+static const char *const source_endings[] = {".c", ".cpp", ".cc", ".cxx",
+                                             NULL};
+static const char *const archives[] = {
+    ".zip", ".tar", ".gz", ".tgz", ".bz2", ".xz", ".7z", ".rar", NULL};
+static const char *const made[] = {".o", ".exe", ".out", ".h", NULL};
+
+static const char canvas[] =
+    "^((LATE_)?anon_[[:alnum:]]+|[^_]+(_LATE)?_[0-9]+)_[0-9]+_";
+
+struct owner {
+    char name[256]; /* without LATE_ */
+    bool late, guessed;
+};
+
+/* Returns what follows the owner's name; NULL when there is none. */
+static const char *part_name(const char *name, struct owner *owner)
+{
+    static regex_t compiled;
+    static bool ready;
+    const char *moodle = strstr(name, "_assignsubmission_"), *rest;
+    regmatch_t found[2];
+    if (!ready && regcomp(&compiled, canvas, REG_EXTENDED) != 0)
+        text_fail("out of memory");
+    ready = true;
+    size_t length = 0;
+    owner->guessed = false;
+    if (moodle) {
+        rest = moodle + strlen("_assignsubmission_");
+        rest += strspn(rest, "abcdefghijklmnopqrstuvwxyz");
+        rest += *rest == '_';
+        length = (size_t)(moodle - name);
+    } else if (regexec(&compiled, name, 2, found, 0) == 0) {
+        rest = name + found[1].rm_eo + 1;
+        rest += strspn(rest, "0123456789") + 1;
+        length = (size_t)found[1].rm_eo;
+    } else {
+        rest = find_exercise(name);
+        length = rest > name ? (size_t)(rest - name - 1) : 0;
+        rest = length > 0 ? rest : NULL;
+        owner->guessed = true;
+    }
+    snprintf(owner->name, sizeof owner->name, "%.*s", (int)length, name);
+    char *word = strstr(owner->name, "LATE_");
+    owner->late = word && !moodle && !owner->guessed;
+    if (owner->late)
+        memmove(word, word + 5, strlen(word + 5) + 1);
+    return rest;
+}
+
+enum { DEEPER = 4, ELSEWHERE = 2, UNUSUAL = 1, MISNAMED = 1000 };
+
+static const char *find_usual(const char *const usual[], const char *ex)
+{
+    while (*usual && strncasecmp(*usual, ex, 3) != 0)
+        ++usual;
+    return *usual;
+}
+
+static void add_answer(struct submission *s, const char *path,
+                       const char *ex, const char *its, int depth)
+{
+    const char *name = strrchr(path, '/');
+    const char *folder = "exercises/";
+    const size_t before = name ? (size_t)(name + 1 - path) : 0;
+    const size_t length = strlen(folder);
+    const bool home = before >= length &&
+                      strncmp(path + before - length, folder, length) == 0;
+    s->answers = realloc(s->answers, (s->count + 1) * sizeof *s->answers);
+    if (!s->answers)
+        text_fail("out of memory");
+    struct answer *answer = &s->answers[s->count++];
+    *answer =
+        (struct answer){.path = strdup(path),
+                        .rank = depth * DEEPER + (home ? 0 : ELSEWHERE) +
+                                (strcmp(ex, its) == 0 ? 0 : UNUSUAL) +
+                                (ends(ex, c_endings) ? 0 : MISNAMED)};
+    memcpy(answer->exercise, its, 3);
+}
+
+static void take(struct submission *s, const char *const usual[],
+                 const char *path, const char *name, mode_t mode, int depth)
+{
+    const char *ex = find_exercise(name);
+    const char *its = ex ? find_usual(usual, ex) : NULL;
+    const bool source = ends(name, source_endings);
+    const bool hidden = *name == '.' || strstr(path, "/.");
+    ++s->others;
+    if (hidden && ((its && source) || ends(name, archives)))
+        note(s, "hidden, and not graded: ", path);
+    else if (hidden)
+        return;
+    else if (ends(name, archives))
+        note(s, "an archive that is not unpacked: ", path);
+    else if (its && !ends(name, made) && (source || strchr(ex, '.')))
+        add_answer(s, path, ex, its, depth);
+    else if (S_ISLNK(mode) || mode == 0)
+        note(s,
+             mode ? "a link, which is not followed: "
+                  : "cannot be looked at: ",
+             path);
+    else if (source)
+        note(s,
+             ex ? "there is no such exercise: "
+                : "not taken for any exercise: ",
+             path);
+}
+
 enum { DEPTH = 3 }; /* of folders below a student's that we look into */
 
-static void set_remark(char **remark, const char *what, const char *name)
+static mode_t mode_of(int folder, const char *name)
 {
-    char *text = marks_text(name, strlen(name), 200);
-    free(*remark);
-    *remark = malloc(strlen(what) + strlen(text) + 1);
-    if (!*remark)
+    struct stat about;
+    const int asked = fstatat(folder, name, &about, AT_SYMLINK_NOFOLLOW);
+    return asked == 0 ? about.st_mode : 0;
+}
+
+static bool is_kit(int folder, const char *name)
+{
+    static const char *const kit[] = {"tests",    "solutions", "src",
+                                      "chapters", "build",     "plots"};
+    for (size_t i = 0; i < sizeof kit / sizeof kit[0]; ++i)
+        if (strcmp(name, kit[i]) == 0)
+            return S_ISDIR(mode_of(folder, "exercises"));
+    return false;
+}
+
+static void walk(struct submission *s, const char *const usual[],
+                 int parent, const char *name, const char *path, int depth)
+{
+    const int folder = depth > DEPTH ? -1 : open_folder(parent, name);
+    char **names;
+    if (folder < 0) {
+        note(s,
+             depth > DEPTH ? "too deep, not looked into: "
+                           : "a folder that cannot be read: ",
+             path);
+        return;
+    }
+    const size_t count = list_folder(folder, &names);
+    for (size_t i = 0; i < count; ++i) {
+        char *below = malloc(strlen(path) + strlen(names[i]) + 2);
+        if (!below)
+            text_fail("out of memory");
+        sprintf(below, "%s/%s", path, names[i]);
+        const mode_t mode = mode_of(folder, names[i]);
+        if (!S_ISDIR(mode) || ends(names[i], c_endings))
+            take(s, usual, below, names[i], mode, depth);
+        else if (!is_kit(folder, names[i]))
+            walk(s, usual, folder, names[i], below, depth + 1);
+        free(below);
+    }
+    free_names(names, count);
+    close(folder);
+}
+
+static struct submission *student(struct submissions *all,
+                                  const char *entry, const char *name)
+{
+    for (size_t i = 0; i < all->count; ++i)
+        if (strcmp(all->list[i].entry, entry) == 0)
+            return &all->list[i];
+    all->list = realloc(all->list, (all->count + 1) * sizeof *all->list);
+    if (!all->list)
         text_fail("out of memory");
-    strcat(strcpy(*remark, what), text);
+    all->list[all->count] = (struct submission){
+        .entry = strdup(entry),
+        .name = compose("%s", name),
+        .notes = compose(""),
+    };
+    return &all->list[all->count++];
+}
+
+static void take_entry(struct submissions *all, const char *const usual[],
+                       int top, const char *name, size_t *loose)
+{
+    struct owner owner;
+    struct stat about;
+    const char *rest = part_name(name, &owner);
+    const mode_t mode = mode_of(top, name);
+    const bool link = S_ISLNK(mode) && fstatat(top, name, &about, 0) == 0 &&
+                      S_ISDIR(about.st_mode);
+    if (S_ISDIR(mode) || link) {
+        const bool moodle = strstr(name, "_assignsubmission_");
+        const char *whose = moodle ? owner.name : name;
+        struct submission *s = student(all, whose, whose);
+        if (link)
+            note(s, "a link, which is not followed: ", name);
+        else
+            walk(s, usual, top, name, name, 0);
+    } else if (rest) {
+        struct submission *s = student(all, owner.name, owner.name);
+        if (owner.late)
+            note(s, "handed in late, as its name says: ", name);
+        if (owner.guessed && s->others == 0)
+            note(s, "whose it is was guessed from its name: ", name);
+        take(s, usual, name, rest, mode, 0);
+    } else if (find_exercise(name) && ends(name, c_endings)) {
+        ++*loose;
+    } else if (*name != '.') {
+        note(&all->nobody,
+             ends(name, archives) ? "an archive that is not unpacked: "
+                                  : "of no student: ",
+             name);
+    }
+}
+
+static void tell_empty(struct submission *s)
+{
+    char *text = compose("no file of an exercise among %zu", s->others);
+    bool any = s->noted > 0;
+    for (size_t i = 0; i < s->count; ++i)
+        any |= s->answers[i].rank < MISNAMED;
+    if (!any)
+        note(s, text, "");
     free(text);
+}
+
+static int compare_entries(const void *a, const void *b)
+{
+    const struct submission *one = a, *other = b;
+    return strcmp(one->entry, other->entry);
+}
+
+struct submissions submissions_find(const char *folder,
+                                    const char *const usual[])
+{
+    const int top = open_folder(AT_FDCWD, folder);
+    struct submissions all = {.nobody = {.notes = compose("")}};
+    size_t loose = 0;
+    char **names;
+    if (top < 0)
+        text_fail("cannot read the folder '%s': %s", folder,
+                  strerror(errno));
+    const size_t entries = list_folder(top, &names);
+    for (size_t i = 0; i < entries; ++i)
+        take_entry(&all, usual, top, names[i], &loose);
+    const char *slash = strrchr(folder, '/');
+    struct submission *own = &all.nobody;
+    if (all.count == 0 && loose > 0)
+        own = student(&all, ".", slash && slash[1] ? slash + 1 : folder);
+    for (size_t i = 0; loose > 0 && i < entries; ++i) {
+        struct owner owner;
+        if (!S_ISDIR(mode_of(top, names[i])) && find_exercise(names[i]) &&
+            ends(names[i], c_endings) && !part_name(names[i], &owner)) {
+            if (own == &all.nobody)
+                note(own, "of no student: ", names[i]);
+            else
+                take(own, usual, names[i], names[i], mode_of(top, names[i]),
+                     0);
+        }
+    }
+    free_names(names, entries);
+    close(top);
+    if (all.count == 0)
+        text_fail("'%s' has neither folders of students nor files of "
+                  "exercises (01a-....c)",
+                  folder);
+    qsort(all.list, all.count, sizeof *all.list, compare_entries);
+    for (size_t i = 0; i < all.count; ++i)
+        tell_empty(&all.list[i]);
+    return all;
+}
+
+static const struct answer *choose(const struct submission *s,
+                                   const char *usual, char **note)
+{
+    const struct answer *best = NULL, *second = NULL;
+    int count = 0;
+    for (size_t i = 0; i < s->count; ++i) {
+        const struct answer *a = &s->answers[i];
+        if (strncmp(a->exercise, usual, 3) != 0)
+            continue;
+        count += a->rank < MISNAMED;
+        if (!best || a->rank < best->rank) {
+            second = best;
+            best = a;
+        } else if (!second || a->rank < second->rank) {
+            second = a;
+        }
+    }
+    *note = compose("");
+    if (!best)
+        return NULL;
+    const char *slash = strrchr(best->path, '/');
+    const char *name = slash ? slash + 1 : best->path;
+    const bool odd =
+        !ends(name, c_endings) ||
+        (slash ? strncmp(name, usual, 3) != 0
+               : strncmp(find_exercise(name), usual, 3) != 0) ||
+        strcmp(name + strlen(name) - 2, ".c") != 0;
+    char *said = NULL;
+    if (best->rank >= MISNAMED)
+        said = compose("not graded, since its name does not end in .c: %s",
+                       best->path);
+    else if (count > 1 && second->rank == best->rank)
+        said = compose("%d files could be it: %s, %s", count, best->path,
+                       second->path);
+    else if (count > 1)
+        said = compose("of %d files was taken %s, not %s", count,
+                       best->path, second->path);
+    else if (odd)
+        said = compose("taken in spite of its name: %s", best->path);
+    if (said) {
+        free(*note);
+        *note = said;
+    }
+    if (best->rank >= MISNAMED || (count > 1 && second->rank == best->rank))
+        return NULL;
+    return best;
+}
+
+static int open_below(const char *folder, const char *path)
+{
+    int at = open_folder(AT_FDCWD, folder);
+    while (at >= 0) {
+        const size_t length = strcspn(path, "/");
+        char *name = strndup(path, length);
+        const bool last = !path[length];
+        const int next =
+            !name  ? -1
+            : last ? openat(at, name,
+                            O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC)
+                   : open_folder(at, name);
+        const int why = errno;
+        free(name);
+        close(at);
+        errno = why;
+        if (last)
+            return next;
+        at = next;
+        path += length + 1;
+    }
+    return -1;
 }
 
 static char *read_all(int file, size_t *length)
@@ -81,152 +478,47 @@ static char *read_all(int file, size_t *length)
     return bytes;
 }
 
-static struct submission named(const char *entry, const char *name)
-{
-    const struct submission s = {strdup(entry),
-                                 marks_text(name, strlen(name), 4096)};
-    if (!s.entry)
-        text_fail("out of memory");
-    return s;
-}
-
-static bool is_folder(int parent, const char *name)
+static char *read_regular(int file, const char *name, size_t *length,
+                          char **refusal)
 {
     struct stat about;
-    return fstatat(parent, name, &about, AT_SYMLINK_NOFOLLOW) == 0 &&
-           S_ISDIR(about.st_mode);
-}
-
-static bool is_exercise(const char *name, const char *exercise)
-{
-    const unsigned char *s = (const unsigned char *)name;
-    const size_t length = strlen(name);
-    return length > 4 && strcmp(name + length - 2, ".c") == 0 &&
-           (exercise ? strncmp(name, exercise, 3) == 0
-                     : isdigit(s[0]) && isdigit(s[1]) && islower(s[2])) &&
-           !isalnum(s[3]);
-}
-
-size_t submissions_find(const char *folder, struct submission **list)
-{
-    const int open = open_folder(AT_FDCWD, folder);
-    char **names;
-    if (open < 0)
-        text_fail("cannot read the folder '%s': %s", folder,
-                  strerror(errno));
-    size_t count = 0;
-    const size_t entries = list_folder(open, &names);
-    *list = calloc(entries + 1, sizeof **list);
-    for (size_t i = 0; *list && i < entries; ++i)
-        if (is_folder(open, names[i]))
-            (*list)[count++] = named(names[i], names[i]);
-    for (size_t i = 0; *list && count == 0 && i < entries; ++i)
-        if (is_exercise(names[i], NULL)) {
-            const char *slash = strrchr(folder, '/');
-            (*list)[count++] = named(".", slash ? slash + 1 : folder);
-        }
-    free_names(names, entries);
-    close(open);
-    if (count == 0)
-        text_fail("'%s' has neither folders of students nor files of "
-                  "exercises (01a-....c)",
-                  folder);
-    return count;
-}
-
-static char *find_name(int folder, const char *exercise, const char *usual,
-                       char **remark)
-{
-    char **names, *found = NULL;
-    int matches = 0;
-    const size_t count = list_folder(folder, &names);
-    for (size_t i = 0; i < count; ++i)
-        if (is_exercise(names[i], exercise)) {
-            ++matches;
-            if (!found || strcmp(names[i], usual) == 0) {
-                free(found);
-                found = strdup(names[i]);
-            }
-        }
-    free_names(names, count);
-    if (matches > 1 && strcmp(found, usual) != 0) {
-        set_remark(remark, "two files could be it, and none is called ",
-                   usual);
-        free(found);
-        return NULL;
-    }
-    return found;
-}
-
-static int find_place(int folder, const char *exercise, const char *usual,
-                      int depth, char **name, char **remark)
-{
-    *name = find_name(folder, exercise, usual, remark);
-    if (*name || **remark)
-        return folder;
-    char **names;
-    const size_t count = list_folder(folder, &names);
-    int place = -1;
-    for (size_t i = 0; depth > 0 && place < 0 && i < count; ++i) {
-        static const char *const kits[] = {"tests",    "solutions", "src",
-                                           "chapters", "build",     "plots",
-                                           NULL};
-        bool known = false;
-        for (const char *const *kit = kits; *kit; ++kit)
-            known |= strcmp(names[i], *kit) == 0;
-        const int below = known ? -1 : open_folder(folder, names[i]);
-        if (below >= 0)
-            place =
-                find_place(below, exercise, usual, depth - 1, name, remark);
-    }
-    free_names(names, count);
-    close(folder);
-    return place;
-}
-
-static char *read_regular(int folder, const char *name, size_t *length,
-                          char **remark)
-{
-    struct stat about;
-    const int file = openat(folder, name,
-                            O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
     char *bytes = NULL;
     if (file < 0 && errno != ELOOP)
-        set_remark(remark, "cannot be read: ", strerror(errno));
+        *refusal = compose("cannot be read: %s", strerror(errno));
     else if (file < 0 || fstat(file, &about) != 0 ||
              !S_ISREG(about.st_mode))
-        set_remark(remark, "refused, since it is no regular file: ", name);
+        *refusal =
+            compose("refused, since it is no regular file: %s", name);
     else if (!(bytes = read_all(file, length)))
-        set_remark(remark,
-                   "refused, since it is larger than 1 MiB: ", name);
-    else
-        set_remark(remark, "", name);
+        *refusal =
+            compose("refused, since it is larger than 1 MiB: %s", name);
     if (file >= 0)
         close(file);
     return bytes;
 }
 
 char *submissions_read(const char *folder, const struct submission *s,
-                       const char *exercise, const char *usual,
-                       size_t *length, char **remark)
+                       const char *usual, size_t *length, char **file,
+                       char **note)
 {
-    const int top = open_folder(AT_FDCWD, folder);
-    const int own = top < 0 ? -1 : open_folder(top, s->entry);
-    char *name = NULL, *bytes = NULL;
-    int place = -1;
-    *remark = strdup("");
-    if (own >= 0)
-        place = find_place(own, exercise, usual, DEPTH, &name, remark);
-    else
-        set_remark(remark, "the folder cannot be read: ", strerror(errno));
-    if (name)
-        bytes = read_regular(place, name, length, remark);
-    else if (!**remark)
-        set_remark(remark, "no file", "");
-    free(name);
-    if (place >= 0)
-        close(place);
-    if (top >= 0)
-        close(top);
+    const struct answer *best = choose(s, usual, note);
+    char *bytes = NULL;
+    *length = 0;
+    *file = NULL;
+    if (best) {
+        const char *slash = strrchr(best->path, '/');
+        const char *name = slash ? slash + 1 : best->path;
+        const int opened = open_below(folder, best->path);
+        char *refusal = NULL;
+        bytes = read_regular(opened, name, length, &refusal);
+        if (bytes) {
+            *file = compose("%.200s", name);
+        } else {
+            free(*note);
+            *note = refusal;
+        }
+    }
+    if (!*file)
+        *file = compose("no file");
     return bytes;
 }

@@ -1,5 +1,5 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 3513018787 of the lines below */
+/* checksum 249345799 of the lines below */
 #ifndef SUBMISSIONS_H
 #define SUBMISSIONS_H
 
@@ -8,23 +8,41 @@
 
 enum { SUBMISSIONS_BYTES = 1 << 20 }; /* of a student's file, at most */
 
-/* What one student has handed in. */
-struct submission {
-    char *entry; /* of the folder of submissions; "." for itself */
-    char *name;  /* the student's, as text (see marks_text) */
+/* A file that may be somebody's answer to an exercise. */
+struct answer {
+    char *path;       /* below the folder of submissions */
+    char exercise[4]; /* "01a" */
+    int rank;         /* less is a better place, or a better name */
 };
 
-/* Finds the submissions in a folder: its folders, in order of name. If it
-   has none but files of exercises, it is itself the one submission. Returns
-   how many; exits with status 2 when it cannot be read or is empty. */
-size_t submissions_find(const char *folder, struct submission **list);
+/* What one student has handed in. */
+struct submission {
+    char *entry; /* of no other student; "." for the folder itself */
+    char *name;  /* the student's, as text (see marks_text) */
+    char *notes; /* what was not graded, and why: text, a line each */
+    size_t noted, count, others; /* notes, answers, other files */
+    struct answer *answers;
+};
 
-/* Reads the file of an exercise ("01a", usually called like usual,
-   "01a-collide.c"). Returns its bytes, for the caller to free, with their
-   number in *length; or NULL. *remark, for the caller to free, says which
-   file it was, or why there is none. */
+struct submissions {
+    struct submission *list; /* of students, in order of entry */
+    size_t count;
+    struct submission nobody; /* with notes on what is no student's */
+};
+
+/* Finds the submissions in a folder: folders of students, or files whose
+   names begin with theirs, or the files of one. usual: "01a-collide.c" and
+   all others that there are, ended by NULL. Exits with status 2 when the
+   folder cannot be read or holds no submission. */
+struct submissions submissions_find(const char *folder,
+                                    const char *const usual[]);
+
+/* Reads the answer to an exercise that is usually called so. Returns its
+   bytes, for the caller to free, with their number in *length; or NULL.
+   *file says which it was, "no file" if none; *note what a person should
+   know of it, or is empty. The caller frees both. */
 char *submissions_read(const char *folder, const struct submission *s,
-                       const char *exercise, const char *usual,
-                       size_t *length, char **remark);
+                       const char *usual, size_t *length, char **file,
+                       char **note);
 
 #endif

@@ -178,8 +178,8 @@ for folder in "$scratch"/names/file*; do
         judged "$(encoded "${folder##*/}")" 'does not build' 0
 done
 says() { # FOLDER TEXT
-    grep -q "^ \"file\": \".*$2" "$(result "$1")" ||
-        why "$(grep '"file"' "$(result "$1")")"
+    grep -q "^ \"\(file\|note\)\": \".*$2" "$(result "$1")" ||
+        why "$(grep '"file"\|"note"' "$(result "$1")")"
 }
 nothing() { # FOLDER TEXT
     judged "$1" 'not begun' 0 && says "$1" "$2"
@@ -191,7 +191,7 @@ verdict 'a symbolic link is refused' nothing link 'no regular file'
 [ -d "$scratch/names/device" ] &&
     verdict 'a device is refused' nothing device 'no regular file'
 verdict 'a file of 2 MB is refused' nothing large 'larger than 1 MiB'
-verdict 'two files of which none has the name are none' nothing two 'two files'
+verdict 'two files of which none has the name are none' nothing two '2 files could be it'
 verdict 'of two files that with the name is taken' judged two-usual passed "$full"
 verdict 'a file of another exercise is none' nothing other 'no file'
 verdict 'a file that nobody sees is none' nothing hidden-file 'no file'
@@ -201,11 +201,12 @@ verdict 'of a whole kit only exercises/ counts' \
 verdict 'a hard link is a file' judged hard passed "$full"
 verdict 'folders in folders are searched' judged deep passed "$full"
 verdict 'but not for ever' nothing too-deep 'no file'
+verdict 'a link to a folder is somebody, and not followed' \
+    nothing linked-folder 'no file'
 links() {
-    [ ! -e "$out/marks/linked-folder" ] && [ ! -e "$out/marks/linked-file" ] ||
-        why 'a link was followed'
+    [ ! -e "$out/marks/linked-file" ] || why 'a link was followed'
 }
-verdict 'a link to a folder is nobody' links
+verdict 'a link to a file is nobody' links
 verdict 'nothing is left of strange names' clean
 
 # ---- other users, other boxes ----
@@ -254,10 +255,10 @@ if [ "$(id -u)" -eq 0 ]; then
         chmod 0 "$scratch/secret/none" "$scratch/secret/locked/01a-collide.c"
     grade "$scratch/secret" "$scratch/plain/out"
     verdict 'an ordinary user: what cannot be read stops nobody' ended 0
-    for name in none locked; do
-        verdict "an ordinary user: the folder $name is not begun, for a reason" \
-            nothing "$name" 'cannot be read'
-    done
+    verdict 'an ordinary user: a locked file is not begun, for a reason' \
+        nothing locked 'cannot be read'
+    verdict 'an ordinary user: a locked folder is told of' \
+        grep -q '^  none  *-  a folder that cannot be read' "$scratch/said"
     chown -R 0:0 "$scratch/kit"
     user=
 fi

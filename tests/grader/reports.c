@@ -173,8 +173,7 @@ static struct marks exercise_of(const char *student, size_t e,
                                 enum kind kind, size_t wild)
 {
     static const char *const files[KINDS] = {
-        [UNTOUCHED] = "no file",
-        [REFUSED] = "refused, since it is no regular file: x.c"};
+        [UNTOUCHED] = "no file", [REFUSED] = "no file"};
     char exercise[8], file[32];
     struct marks m = {.state = PASSED, .seconds = 0.125 + (double)e};
     snprintf(exercise, sizeof exercise, "%02u%c",
@@ -184,6 +183,8 @@ static struct marks exercise_of(const char *student, size_t e,
     m.exercise = copy(exercise);
     m.title = copy(wild ? "Titles & <such> ]]> \"x\"" : "A title");
     m.file = copy(files[kind] ? files[kind] : file);
+    m.note = copy(
+        kind == REFUSED ? "refused, since it is no regular file: x.c" : "");
     m.tries = kind == FOURTH_LATE ? 2 : 1;
     m.prints = copy("SECRET u1 = 7.25");
     m.story = kind != UNBUILT ? copy("")
@@ -221,6 +222,7 @@ static void lose(struct marks *m)
                          .exercise = copy(m->exercise),
                          .title = copy(m->title),
                          .file = copy("NOT GRADED: the grader failed"),
+                         .note = copy(""),
                          .story = copy(""),
                          .prints = copy(""),
                          .advice = copy("")};
@@ -249,6 +251,14 @@ static void fill(struct course *c, const char *course)
     if (strcmp(course, "lost") == 0)
         lose(&marks[c->exercises + 1]);
     c->marks = marks;
+    const char **notes = calloc(c->students + 1, sizeof *notes);
+    if (!notes)
+        text_fail("out of memory");
+    for (size_t s = 0; s <= c->students; ++s)
+        notes[s] = s == 1 ? "an archive that is not unpacked: work.zip\n"
+                   : s == c->students ? "of no student: x.pdf\n"
+                                      : "";
+    c->notes = notes;
 }
 
 static void write_names(const struct course *c, const char *folder)
@@ -299,5 +309,6 @@ int main(int argc, char **argv)
     for (size_t i = 0; i < c.students * c.exercises; ++i)
         marks_free((struct marks *)&c.marks[i]);
     free((void *)c.marks);
+    free((void *)c.notes);
     return EXIT_SUCCESS;
 }

@@ -159,6 +159,8 @@ holds 'an exercise shows the state of its public tests' \
 holds 'a file that does not build is called that' \
     grep -q '01d A title: does not build, 0 of 10' "$ada"
 holds 'why a file was refused is told' grep -q 'no regular file: x.c' "$ada"
+holds 'and what else was handed in' grep -q 'Also handed in:.*work.zip' \
+    "$work/plain/gradescope/Björn.json"
 
 # Classroom 50: names of at most 100 bytes, none twice, no character halved.
 short() {
@@ -332,7 +334,8 @@ holds 'many exercises make several blocks' \
 human() {
     for line in 'Ada *01b *passes what is public, but 5 of 11 hidden' \
         'Ada *02b *timed out twice' 'Ada *02d *refused, since' \
-        'Ada *03a *advice: PUBLIC heap-buffer-overflow$'; do
+        'Ada *03a *advice: PUBLIC heap-buffer-overflow$' \
+        'Björn *-  an archive .*: work.zip$' '-  *-  of no student: x.pdf$'; do
         grep -q "^  $line" "$work/plain/table" || { echo "$line"; return 1; }
     done
     ! grep -q 'Ada *02c' "$work/plain/table"

@@ -1,0 +1,137 @@
+#!/bin/sh
+# Nothing that was handed in vanishes: it is graded, or a line below the table
+# says why not. Nobody's program runs here: all files are the stub, or could not be
+# built; what counts is whose they are, and which.
+topic='handed in'
+. tests/grader/hostile/kit
+
+kit
+# put PATH...: an answer that does not build, which is soon seen.
+put() {
+    for file; do
+        mkdir -p "$(dirname "$scratch/in/$file")"
+        echo "#error $file" >"$scratch/in/$file"
+    done
+}
+# told STUDENT TEXT: a line below the table says so of the student.
+told() {
+    sed '1,/^For a human eye:/d' "$scratch/said" | grep -q "^  $1  *[-0a1]*  $2" ||
+        why "$(sed '1,/^For a human eye:/d' "$scratch/said")"
+}
+# has STUDENT FILE: this one of his was graded.
+has() {
+    [ -f "$(result "$1")" ] || why "no $1 in $(ls "$out/marks")" || return 1
+    grep -q "^ \"file\": \"$2\",\$" "$(result "$1")" ||
+        why "$(grep '"file"\|"note"' "$(result "$1")")"
+}
+students() { # NUMBER
+    [ "$(ls "$out/marks" | wc -l)" -eq "$1" ] || why "$(ls "$out/marks")"
+}
+# graded: what has been put so far, as a batch; and begins anew.
+graded() {
+    rm -rf "$scratch/out"
+    grade "$scratch/in" "$scratch/out"
+    rm -rf "$scratch/in"
+    verdict "$1: the batch ends well" ended 0
+}
+
+# ---- flat, as platforms have it ----
+
+m=_assignsubmission_file_
+put "Ada Lovelace_1201${m}01a-collide.c" "Bo_1202${m}01a-collide.c" \
+    "Cy de la Cruz_1203${m}01a-collide.c"
+: >"$scratch/in/Di_1204${m}work.zip"
+graded 'Moodle, flat'
+verdict 'Moodle, flat: everybody is somebody' students 4
+verdict 'Moodle, flat: with a file' has Ada%20Lovelace_1201 \
+    "Ada Lovelace_1201${m}01a-collide.c"
+verdict 'Moodle, flat: an archive is told of' told Di_1204 'an archive'
+
+put "Ada_1201$m/01a-collide.c" 'Bo_1202_assignsubmission_file/01a-collide.c' \
+    'Bo_1202_assignsubmission_onlinetext/onlinetext.html'
+graded 'Moodle, folders'
+verdict 'Moodle, folders: two of one student are one' students 2
+verdict 'Moodle, folders: the name is the student' has Ada_1201 01a-collide.c
+verdict 'Moodle, folders: both' has Bo_1202 01a-collide.c
+
+put lovelaceada_11_91_01a-collide.c lovelaceada_11_92_02b-heap.c \
+    babbagech_LATE_12_93_01a-collide-1.c anon_xY3z_94_01a-collide.c
+put lovelaceada_11_95_notes.pdf
+graded 'Canvas'
+verdict 'Canvas: the number of a file is no student' students 3
+verdict 'Canvas: with a file' has lovelaceada_11 lovelaceada_11_91_01a-collide.c
+verdict 'Canvas: a second try is a file' has babbagech_12 \
+    babbagech_LATE_12_93_01a-collide-1.c
+verdict 'Canvas: who is late is told of' told babbagech_12 'handed in late'
+verdict 'Canvas: letters for a name' has anon_xY3z anon_xY3z_94_01a-collide.c
+verdict 'Canvas: what there is no exercise for is told of' \
+    told lovelaceada_11 'there is no such exercise: .*02b'
+
+put Ann_123_01a-collide.c Ben_124_01a-collide.c cat_01a.c 01a-collide.c 01a-dan.c
+graded 'another platform'
+verdict 'another platform: three students' students 3
+verdict 'another platform: by what is before' has Ann_123 Ann_123_01a-collide.c
+verdict 'another platform: and that is told of' told Ann_123 'whose it is was gu'
+verdict 'another platform: what has nothing before is told of' \
+    told - 'of no student: 01a-collide.c'
+verdict 'another platform: that, too' told - 'of no student: 01a-dan.c'
+
+put 01a-ann.c 01a-ben.c 01a-cat.c
+graded 'nobody'
+verdict 'three files without a name are one student, and doubtful' \
+    told in '3 files could be it: 01a-ann.c, 01a-ben.c'
+
+# ---- folders of students ----
+
+put upper/01A-COLLIDE.C prefixed/Name_123_01a-collide.c \
+    two/01a-collide.c two/01a-again.c places/backup/01a-collide.c \
+    places/exercises/01a-collide.c 'text/01a-collide.c.txt' cpp/01a-collide.cpp \
+    other/collide.c backups/01a-collide.c backups/01a-collide.c~ \
+    backups/01a-collide.o hidden/.old/01a-collide.c system/__MACOSX/01a-x.c \
+    system/.git/01a-x.c system/._01a-x.c deep/1/2/3/4/01a-collide.c \
+    kit/exercises/01a-collide.c kit/src/line.c kit/tests/stubs/01a-collide.c \
+    kitless/src/01a-collide.c archive/work.zip archive/Makefile loose/01a-collide.c \
+    late.zip README.txt 'x.part/02a-heap.c' many/a.c many/b.c many/c.c many/d.c \
+    many/e.c many/f.c many/g.c many/h.c many/i.c many/j.c many/k.c many/l.c \
+    many/m.c many/n.c many/o.c "$(printf 'odd/line\nbreak.zip')" \
+    "$(printf 'bytes/\377.zip')"
+mkdir "$scratch/in/empty"
+ln -s "$scratch/in/two" "$scratch/in/linked"
+ln -s "$scratch/in/two" "$scratch/in/loose/linked"
+mkfifo "$scratch/in/pipe"
+graded 'folders'
+verdict 'in capitals: taken' has upper 01A-COLLIDE.C
+verdict 'and told of' told upper 'taken in spite of its name: .*COLLIDE.C'
+verdict 'with a name before it: taken' has prefixed Name_123_01a-collide.c
+verdict 'and told of' told prefixed 'taken in spite of its name'
+verdict 'of two the usual name is taken' has two 01a-collide.c
+verdict 'and the other is told of' \
+    told two 'of 2 files was taken two/01a-collide.c, not two/01a-again.c'
+verdict 'of two places exercises is taken' \
+    told places 'of 2 files was taken places/exercises/01a'
+verdict 'a text is told of' told text 'not graded, since its name'
+verdict 'C++ is told of' told cpp 'not graded, since its name'
+verdict 'a file without a number is told of' told other 'not taken for any ex'
+verdict 'a backup beside the file is not' has backups 01a-collide.c
+quiet() { # STUDENT...: of these nothing is told
+    for name; do
+        ! told "$name" . || why "$(grep "^  $name " "$scratch/said")" || return 1
+    done
+}
+verdict 'and there is no word of it' quiet backups kit loose/none
+verdict 'what is hidden is told of' told hidden 'hidden, and not graded'
+verdict 'what the system has made is nothing' told system 'no file of an exer'
+verdict 'what is too deep is told of' told deep 'too deep, not looked into'
+verdict 'a whole kit has one file' has kit 01a-collide.c
+verdict 'a folder of the kit alone is a folder' has kitless 01a-collide.c
+verdict 'an archive is told of' told archive 'an archive that is not unpacked'
+verdict 'an empty folder is told of' told empty 'no file of an exercise among 0'
+verdict 'a linked folder is told of' told linked 'a link, which is not'
+verdict 'a link within is told of' told loose 'a link, which is not'
+verdict 'an archive among folders is told of' told - 'an archive .*late.zip'
+verdict 'any other file among them, too' told - 'of no student: README.txt'
+verdict 'and what is no file' told - 'of no student: pipe'
+verdict 'an exercise that is none is told of' told x.part 'there is no such ex'
+verdict 'a dozen lines are enough' told many '... and more'
+verdict 'a line break stays in its line' told odd 'an archive .*line?break.zip'
+verdict 'a byte that is no text is told of' told bytes 'an archive .*xff'

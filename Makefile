@@ -21,7 +21,8 @@ NATIVE = -O3 -march=native $(LTO) -ffp-contract=off -fno-math-errno
 
 # What is given on the command line is a value, not text for make or a shell:
 # recipes read it from the environment, as in "$$EX".
-given = EX SUBMISSIONS REPORT JOBS HIDDEN RESULTS SECONDS TEXTS
+given = EX SUBMISSIONS REPORT JOBS HIDDEN RESULTS SECONDS TEXTS PRESET SCENE \
+	KEYS UNTIL EVERY VIEW FPS LIVE DT METHOD TOLERANCE OBSERVE X Y
 $(foreach v,$(given),$(if $(filter-out undefined,$(origin $v)),\
 	$(eval override $v := $$(value $v))$(eval export $v)))
 # bash counts in the other; a comment behind it would leave its blank in it.
@@ -379,7 +380,7 @@ check-tangle:
 
 # What figures and transcripts are made from, read from the scripts and the
 # chapters. Goals that need no book do without.
-bookless := all first programs native bench atlas movie inspect chart check watch hint progress \
+bookless := all first programs native bench atlas movie movies wanted-movie inspect chart check watch hint progress \
 	reset solution mutants tangle check-tangle clean help format memcheck \
 	fuzz
 ifneq ($(filter-out $(bookless),$(MAKECMDGOALS)),)
@@ -453,108 +454,21 @@ endif
 handout: has-tex build/bonkers.pdf
 	@WITH_CHAPTERS='$(WITH_CHAPTERS)' chapters/handout
 
-## ---- movies: gnuplot ------------------------------------------------------
+## ---- films and pictures of runs: gnuplot, and ffmpeg if it is there --------
 
-# Time between two rows, s: small enough that one sees a body fly from one
-# collision to the next. FPS of them fill a second of the movie, 460 all of it.
-every_four = 0.04
-every_mixed = 0.03
-every_cradle = 0.2
-every_thermal = 0.15
-every_piston = 0.06
-every_two = 0.1
-every_random = 0.2
-every_galperin = 0.005
-every_disks = 0.02
-every_gas = 0.03
-radii_four = 0.1
-# Those of disks: the options of the run.
-options_disks = --disks 4 --radius 0.15 --box 1,1
-options_gas = --disks 250 --radius 0.1 --box 7.5,5
-movies = four mixed cradle thermal piston two random galperin disks gas
-
-PRESET = mixed
-EVERY = $(every_$(PRESET))
-FPS = 25
-movie = build/movies/$(PRESET)
-movie_of = $(if $(options_$(PRESET)),$(1),$(2))
-movie_bin = build/bin/$(call movie_of,disks,bonkers)
-movie_gp = plots/$(call movie_of,disks-)movie.gp
-movie_run = $(movie_bin) $(call movie_of,$(options_$(PRESET)) --warmup 0 \
-	--measure states,--preset $(PRESET)) --every $(EVERY) \
-	$(if $(UNTIL),--until $(UNTIL),--samples 460) -o $(movie).dat
-movie_show = LC_ALL=C.UTF-8 gnuplot -e "file='$(movie).dat'; name='$(PRESET)'; fps=$(FPS);\
- radii='$(radii_$(PRESET))'$(1)" $(movie_gp)
-
-ifneq ($(filter movie,$(MAKECMDGOALS)),)
-ifneq ($(words $(PRESET)) $(filter $(PRESET),$(movies)),1 $(PRESET))
-$(error movie: PRESET: '$(PRESET)' is none of $(movies))
-endif
-endif
-
-.PHONY: movie
-movie: has-gnuplot $(movie)$(if $(LIVE),.dat,.gif)
-	$(if $(LIVE),@$(call movie_show),@echo 'The movie: $(movie).gif')
-
-$(movie).how: FORCE
-	@mkdir -p $(@D)
-	@echo '$(movie_run) FPS=$(FPS)' | cmp -s - $@ || \
-		echo '$(movie_run) FPS=$(FPS)' >$@
-$(movie).dat: $(movie_bin) $(movie).how
-	$(call say,$(movie_run))
-	$(Q)$(movie_run)
-$(movie).gif: $(movie).dat $(movie_gp) plots/style.gp
-	$(call say,gnuplot $(movie_gp))
-	$(Q)$(call movie_show,; output='$@.part')
-	@mv $@.part $@
-
-## ---- the particle inspector: gnuplot ---------------------------------------
-
-# make inspect SCENE=membrane X=t Y=z:30 [UNTIL=20] [DT=..] [METHOD=..]
-# [EVERY=..] [KEYS='--nx 8'] [LIVE=1]: one observable of a scene, a file or a
-# name of build/bin/scene, against another. A run that blows up is drawn too.
-SCENE = sun-earth
-X = t
-Y = energy
-inspect = build/inspect/$(notdir $(basename $(SCENE)))
-inspect_scene = $(if $(wildcard $(SCENE)),$(SCENE),$(inspect).plist)
-inspect_run = build/bin/step $(inspect_scene) --observe $(X),$(Y) \
-	$(if $(UNTIL),--until $(UNTIL)) $(if $(DT),--dt $(DT)) \
-	$(if $(METHOD),--method $(METHOD)) \
-	$(if $(filter command%,$(origin EVERY)),--every $(EVERY)) \
-	-o $(inspect).dat
-
-.PHONY: inspect
+# plots/show reads what is given from the environment.
+.PHONY: movie movies inspect chart wanted-movie
+wanted-movie:
+	@plots/show movie --wanted
+movie: has-gnuplot wanted-movie $(patsubst %,build/bin/%,bonkers disks scene \
+		step bonk)
+	@plots/show movie
+movies: has-gnuplot $(patsubst %,build/bin/%,bonkers disks scene step)
+	@plots/show movies
 inspect: has-gnuplot build/bin/step build/bin/scene
-	@mkdir -p build/inspect
-	$(if $(wildcard $(SCENE)),,@build/bin/scene $(SCENE) $(KEYS) \
-		-o $(inspect).plist)
-	$(call say,$(strip $(inspect_run)))
-	$(Q)$(inspect_run) || [ $$? -eq 1 ]
-	@LC_ALL=C.UTF-8 gnuplot -e "file='$(inspect).dat'$(if $(LIVE),,; \
-output='$(inspect).svg')" plots/inspector.gp
-	$(if $(LIVE),,@echo 'The picture: $(inspect).svg')
-
-## ---- the chart of a choice: gnuplot ----------------------------------------
-
-# make chart SCENE=figure-eight [UNTIL=20] [TOLERANCE=1e-3] [OBSERVE=..]
-# [KEYS='--dt 0.1']: what bonk tries on a scene, error against cost.
-TOLERANCE = 1e-3
-chart = build/chart/$(notdir $(basename $(SCENE)))
-chart_scene = $(if $(wildcard $(SCENE)),$(SCENE),$(chart).plist)
-chart_run = build/bin/bonk $(chart_scene) --until $(or $(UNTIL),20) \
-	--tolerance $(TOLERANCE) $(if $(OBSERVE),--observe $(OBSERVE)) \
-	--explain --chart $(chart).dat -o $(chart).rows
-
-.PHONY: chart
+	@plots/show inspect
 chart: has-gnuplot build/bin/bonk build/bin/scene
-	@mkdir -p build/chart
-	$(if $(wildcard $(SCENE)),,@build/bin/scene $(SCENE) $(KEYS) \
-		-o $(chart).plist)
-	$(call say,$(strip $(chart_run)))
-	$(Q)$(chart_run) || [ $$? -eq 1 ]
-	@LC_ALL=C.UTF-8 gnuplot -e "file='$(chart).dat'; output='$(chart).svg'" plots/chart.gp
-	@echo 'The chart: $(chart).svg'
+	@plots/show chart
 
 ## ---- the atlas -------------------------------------------------------------
 
@@ -699,7 +613,8 @@ help:
 	@echo 'make inspect      SCENE=membrane X=t Y=z:30: what a scene does, drawn'
 	@echo 'make chart        SCENE=figure-eight TOLERANCE=1e-6: what bonk tries'
 	@echo 'make atlas        the maps of chapter 12 anew: some minutes'
-	@echo 'make movie        a run as a GIF: PRESET=cradle; LIVE=1 in a window'
+	@echo 'make movie        a film: SCENE=ring VIEW=tilted or PRESET=cradle; LIVE=1'
+	@echo 'make movies       films of all scenes and presets: half an hour'
 	@echo 'make native       the fastest build for this machine, build/native/'
 	@echo 'make bench        the speed tables, measured here'
 	$(call offer,mutants) 'make mutants      how many planted mistakes the exercises notice'

@@ -2,6 +2,7 @@
 # on a scene, from a file that `bonk --chart FILE` has written. make chart
 # runs both. By hand: gnuplot -e "file='chart.dat'" plots/chart.gp opens a
 # window; with output='picture.svg' besides it draws a file.
+script = 'chart.gp'
 if (!exists("file")) file = 'build/chart/figure-eight.dat'
 told = system(sprintf("[ -r '%s' ] && sed -n 's/^# tolerance: //p' '%s'", file, file))
 if (told eq '') {
@@ -21,12 +22,15 @@ taken = word(plans, n)[1:6] eq 'taken:'
 # One column of names beside the plot, however many there are.
 width = 17
 height = n > 18 ? 3 + 0.33 * (n + 1) : 9
-if (live) output = '/dev/null'
-load 'plots/style.gp'
 if (live) {
-    set output
-    set terminal qt size int(48*width),int(48*height) font 'Latin Modern Sans,13' noenhanced
+    wide = int(48 * width)
+    high = int(48 * height)
+    load 'plots/window.gp'
+    medium = 'window'
+    output = '/dev/null'
 }
+load 'plots/style.gp'
+if (live) { set output }
 stats file using 2 nooutput
 if (STATS_min == STATS_max) set xrange [STATS_min/2:STATS_max*2]
 set logscale xy

@@ -1,55 +1,20 @@
 # A run as a film: first its energy, then the bodies, above on their wire and
 # below each at its velocity. Reads the table that bonkers writes; call it
 # from the kit's own folder:
-#   gnuplot -e "file='run.dat'" plots/movie.gp                     in a window
-#   gnuplot -e "file='run.dat'; output='run.gif'" plots/movie.gp   as a file
-# To be set in the same way, with semicolons between:
-#   fps     frames a second (25)
+#   gnuplot -e "file='run.dat'" plots/movie.gp
+# To be set in the same way, with semicolons between, besides what film.gp
+# knows:
 #   speed   seconds of the run in a second of the film (every row a frame)
 #   radii   of the movers, as '0.1' or '0.1,0.2,..', if the run has them;
 #           points are drawn with sizes of their own, apart by these sizes
 #   intro   seconds for the energy (1.6)
-#   name    stands before the time
-#   window  which of gnuplot's terminals to show it in (the first there is)
+script = 'movie.gp'
 if (!exists("file")) file = 'build/movies/mixed.dat'
-if (!exists("fps")) fps = 25
 if (!exists("intro")) intro = 1.6
 if (!exists("radii")) radii = ''
-if (!exists("name")) name = ''
-live = !exists("output")
-fps = real(fps)
-if (!(fps >= 1 && fps <= 50)) {
-    print sprintf('movie.gp: fps: %g is not a number from 1 to 50', fps)
-    exit status 2
-}
-
-# Where to. A window wants a terminal that can open one and, but for macOS and
-# Windows, a display to open it on.
-if (live && !exists("window")) {
-    window = ''
-    do for [t in 'windows aqua qt wxt x11'] {
-        if (window eq '' && strstrt(' '.GPVAL_TERMINALS.' ', ' '.t.' ')) {
-            window = t
-        }
-    }
-    if (window eq '') {
-        print 'movie.gp: this gnuplot opens no window; install one that does:', \
-            'apt-get install --no-install-recommends gnuplot-qt'
-        exit status 1
-    }
-    if (strstrt('qt wxt x11', window) && GPVAL_SYSNAME ne 'Darwin' \
-        && system('echo "$DISPLAY$WAYLAND_DISPLAY"') eq '') {
-        print 'movie.gp: there is no display to open a window on:', \
-            'DISPLAY is not set'
-        exit status 1
-    }
-}
+load 'plots/film.gp'
 
 # The rows stay in memory, as lines; of the header we need the masses.
-if (system(sprintf("test -r '%s' && echo yes", file)) ne 'yes') {
-    print sprintf("movie.gp: '%s' cannot be read", file)
-    exit status 2
-}
 masses = system(sprintf("sed -n 's/^# masses: //p' '%s'", file))
 n = words(masses)
 load sprintf("< echo '$run << end'; grep -v '^#' '%s'; echo end", file)
@@ -114,27 +79,9 @@ do for [i=1:given > 0 ? n : 0] {
     edge = 0.0
 }
 
-# The style, and where to draw.
-medium = 'movie'
-if (live) output = '/dev/null'
-load 'plots/style.gp'
-set output
-if (live) {
-    eval 'set terminal '.window.(strstrt('qt wxt', window) ? \
-        ' noraise size 800,480 font "Latin Modern Sans,13"' : \
-        window eq 'x11' ? ' noraise persist size 800,480' : ' enhanced')
-    if (window eq 'x11') { unset minussign }  # its fonts may lack it
-} else {
-    set terminal gif animate optimize delay int(100 / fps + 0.5) loop 0 \
-        enhanced font 'Latin Modern Sans,13' size 800,480
-    set output output
-}
-
-# A GIF has no half-tones at the rim of a disc: behind it we draw a paler and
-# wider one.
+# What a body draws behind it is paler than itself.
 full(c) = c > 0 ? 0xd55e00 : 0x0072b2
 pale(c) = c > 0 ? 0xeebf99 : 0x99c7e0
-colours = '#0072b2 #d55e00 #99c7e0 #eebf99 #bbbbbb #999999 #fefefe #ffffff'
 dot(r) = 0.3 * r + 3 * pixel  # of a body drawn at its velocity
 
 # One plot holds both panels, so that a window never shows half a frame: the
@@ -144,7 +91,7 @@ top = vtop * 2.0
 wire = 0.5 * (vtop + top)
 wall = 0.012 * (box + edge)
 right = left + box + edge
-pixel = (box + edge + 2 * wall) / 712
+pixel = (box + edge + 2 * wall) / 854
 decade = 10**floor(log10(vtop))
 step = decade * (vtop / decade > 5 ? 2 : vtop / decade > 2 ? 1 : 0.5)
 set lmargin at screen 0.095
@@ -154,30 +101,18 @@ set tmargin at screen 0.9
 set tics nomirror
 set border 3
 unset key
-label = (name eq '' ? '' : name.':  ').sprintf('{/:Italic t} = %%.%df s', \
-    tc < 0.01 ? 3 : tc < 0.1 ? 2 : 1)
+label = sprintf('{/:Italic t} = %%.%df s', tc < 0.01 ? 3 : tc < 0.1 ? 2 : 1)
 place = given ? '{/:Italic x}' : '{/:Italic x_i} + {/:Italic s_i}'
 lost = change > 0 ? gprintf('%.0t·10^{%T}', change) : '0'
 tail = n > 50 ? 0 : 10
 first = ceil(intro * fps)
 frames = first + 1 + floor((rows - 1) * fps * tc / speed + 1e-6)
-# The pictures of a GIF hold only what is new, in the colours of the first one,
-# so that shows them all, under white.
-do for [i=1:live ? 0 : words(colours)] {
-    set object 10 + i rectangle from screen 0,0 to screen 0.01,0.01 behind \
-        fs solid noborder fc rgb word(colours, i)
-}
-set label 1 '' at screen 0.095,0.945 left
-set label 2 '' at screen 0.985,0.945 right tc rgb '#555555'
 start = time(0.0)
-f = 0
-while (f < frames) {
-    # A pixel of another white makes every two pictures differ: the writer of
-    # GIFs stumbles over nothing new.
-    if (!live) {
-        set object 10 rectangle from screen 0.09,0.94 to screen 0.092,0.943 \
-            fs solid noborder fc rgb (f % 2 ? '#fefefe' : '#ffffff')
+do for [f=0:frames - 1] {
+    if (late(f)) {
+        continue
     }
+    @before
     if (f < first) {
         # The energy, a line that grows.
         k = 2 + int((rows - 2) * (f + 1.0) / first)
@@ -224,8 +159,8 @@ while (f < frames) {
         set xlabel 'position '.place.' (m)'
         unset ylabel
         set label 1 sprintf(label, t(k))
-        set label 2 sprintf('%.3g s of the run in a second', speed)
-        set label 3 'velocity {/:Italic v} (m/s)' at screen 0.026,first 0 \
+        set label 2 sprintf('%.3g s in a second', speed)
+        set label 4 'velocity {/:Italic v} (m/s)' at screen 0.026,first 0 \
             center rotate by 90
         set object 1 rectangle from left - wall,-vtop to left,top behind \
             fs solid noborder fc rgb '#bbbbbb'
@@ -235,25 +170,12 @@ while (f < frames) {
         set arrow 2 from left,vtop to right,vtop nohead back lc rgb '#333333' lw 0.8
         set arrow 3 from left,0 to right,0 nohead back ls 9
         plot $trail using 1:2:(pale($3)) with lines lc rgb variable lw 2, \
-            X using (X[$1]):(wire):(R[$1] + pixel):(pale(C[$1])) \
-                with circles lc rgb variable fs solid noborder, \
             X using (X[$1]):(wire):(R[$1]):(full(C[$1])) \
-                with circles lc rgb variable fs solid noborder, \
-            X using (X[$1]):(V[$1]):(dot(R[$1]) + pixel):(pale(C[$1])) \
                 with circles lc rgb variable fs solid noborder, \
             X using (X[$1]):(V[$1]):(dot(R[$1])):(full(C[$1])) \
                 with circles lc rgb variable fs solid noborder
     }
-    f = f + 1
-    if (live && f < frames) {
-        # The clock keeps the rate: picture f is due f/fps after the start.
-        # Late, leave out pictures, but for the last; early, wait.
-        due = int((time(0.0) - start) * fps)
-        f = due > f ? (due < frames ? due : frames - 1) : f
-        wait = start + f / fps - time(0.0)
-        if (wait > 0) { pause wait }
-    }
+    @after
 }
-set output
 # A window stays until it is closed.
 if (live && strstrt('windows qt wxt x11', window)) { pause mouse close }

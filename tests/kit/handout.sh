@@ -5,7 +5,7 @@
 . tests/programs/common
 LC_ALL=C
 export LC_ALL
-unset EDITION WITH_CHAPTERS SOURCE_DATE_EPOCH EX HIDDEN PRESET LIVE V
+unset EDITION WITH_CHAPTERS SOURCE_DATE_EPOCH EX HIDDEN PRESET SCENE LIVE V
 make=${MAKE:-make}
 root=$(pwd)
 tokens=build/tests/tokens
@@ -45,6 +45,7 @@ strangers=$(cd "$place" && find . ! -type d ! \( -type f \( \
     -path './tests/stubs/*.c' -o -path './exercises/*.c' -o \
     -path './tests/border/*.c' -o \
     -path './tests/hints/*.txt' -o -path './plots/*.gp' -o \
+    -path './plots/*.awk' -o -path ./plots/films -o -path ./plots/show -o \
     -path './plots/*.svg' -o -path './plots/data/*.dat' \) -o \
     -path ./README.md -o -path ./LICENSE -o -path ./CITATION.cff -o \
     -path ./Makefile -o -path ./bonkers.pdf -o -path ./chapters/recipes -o \

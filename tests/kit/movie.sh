@@ -8,7 +8,7 @@ kit=$work/kit
 mkdir "$kit"
 tar cf - Makefile src plots | (cd "$kit" && tar xf -)
 cd "$kit" || exit 1
-unset PRESET EVERY UNTIL FPS LIVE output
+unset PRESET SCENE KEYS EVERY UNTIL VIEW FPS LIVE DT METHOD TOLERANCE output
 
 # What a GIF says of itself: width height pictures delay(1/100 s) loops.
 gif() {
@@ -57,64 +57,239 @@ one_line() {
         not_ok "$what" "status $got, said: $(head -c 300 "$work/said")"; fi
 }
 
-one_line 'a movie of nonsense is refused' 2 "PRESET: 'nonsense' is none of .*" \
-    $make -s movie PRESET=nonsense
-one_line 'and of two at once' 2 "PRESET: 'four two' is none of" \
-    $make -s movie PRESET='four two'
-is 'before anything is made' no "$([ -e build ] && ls -R build || echo no)"
+# Everything but ffmpeg.
+mkdir "$work/bin"
+for folder in $(echo "$PATH" | tr : ' '); do
+    ln -s "$folder"/* "$work/bin/" 2>/dev/null
+done
+rm -f "$work/bin/ffmpeg"
+full=$PATH
+PATH=$work/bin
+
+# refused NAME PATTERN VARIABLE=VALUE...: in one line, before a program is
+# looked for.
+refused() {
+    what=$1 pattern=$2
+    shift 2
+    one_line "$what" 2 "^movie: $pattern" env "$@" plots/show movie
+}
+refused 'a movie of nonsense' "PRESET: 'nonsense' is none of four .* gas$" \
+    PRESET=nonsense
+refused 'two presets at once' "PRESET: 'four two' is none of" \
+    PRESET='four two'
+refused 'a preset that is a scene' "PRESET: 'ring' is a scene: SCENE=ring" \
+    PRESET=ring
+refused 'a scene that is a preset' "SCENE: 'mixed' is a preset: PRESET=mixed" \
+    SCENE=mixed
+refused 'no scene' "SCENE: 'rng' is no file and none of sun-earth .* galperin$" \
+    SCENE=rng
+refused 'a preset and a scene' "PRESET: 'four' and SCENE: 'ring': one film" \
+    PRESET=four SCENE=ring
+for setting in KEYS=--nx=5 VIEW=xy DT=0.1 METHOD=rk4 TOLERANCE=1e-3; do
+    refused "${setting%%=*} of a preset" \
+        "${setting%%=*}: '${setting#*=}': only a SCENE takes that" "$setting"
+done
+refused 'a view of another kind' "VIEW: 'yz' is none of xy xz tilted" \
+    SCENE=ring VIEW=yz
+refused 'a method for bonk' 'TOLERANCE: bonk chooses DT and METHOD' \
+    SCENE=ring TOLERANCE=1e-3 METHOD=rk4
+for rate in 0 51 2.5 x; do
+    refused "the rate $rate" "FPS: '$rate' is not a number from 1 to 50" \
+        FPS=$rate
+done
+$make -s movie PRESET=ring >"$work/out" 2>&1
+is 'make says so' "movie: PRESET: 'ring' is a scene: SCENE=ring" \
+    "$(head -n 1 "$work/out")"
+is 'before anything is made' no "$(ls -d build/obj build/bin build/movies 2>/dev/null || echo no)"
 
 # 1.6 s at 25 pictures for the energy, then the rows of 0, 0.1, .. 1 s.
 holds 'a clean kit makes a movie' \
     $make -s movie PRESET=two EVERY=0.1 UNTIL=1
-is 'with the right pictures' '800 480 51 4 0 whole' \
+is 'with the right pictures' '960 540 51 4 0 whole' \
     "$(gif build/movies/two.gif)"
-# Later pictures can have only the colours of the first.
-colours=$(od -An -v -tu1 -j 13 -N 768 build/movies/two.gif | tr -s ' \n' ' ')
-for colour in '0 114 178' '213 94 0' '153 199 224' '238 191 153' '187 187 187'; do
-    holds "and the colour $colour" \
-        sh -c "case '$colours' in *' $colour '*) ;; *) exit 1 ;; esac"
-done
-is 'and nothing half made' '' "$(ls build/movies/*.part 2>&1 | grep -v 'No such\|cannot')"
+is 'and nothing half made' '' "$(ls build/movies | grep -v '^two\.[a-z]*$')"
 $make -s movie PRESET=two EVERY=0.1 UNTIL=1 FPS=10 >"$work/out" 2>&1
-is 'another rate is another movie' '800 480 27 10 0 whole' \
+is 'another rate is another movie' '960 540 27 10 0 whole' \
     "$(gif build/movies/two.gif)"
 bonkers=build/bin/bonkers
 
-# Every preset that the Makefile names, one second of it, without a word of
-# complaint from gnuplot.
-for preset in four mixed cradle thermal piston random galperin; do
-    $make -s movie PRESET=$preset FPS=5 \
-        UNTIL="$([ $preset = galperin ] && echo 0.02 || echo 0.4)" \
-        >"$work/out" 2>&1
-    is "$preset: a movie, and no complaint" \
-        "The movie: build/movies/$preset.gif" \
-        "$(grep -v -e '^  ' -e 'frames in animation' "$work/out")"
-    is "$preset: a whole GIF" whole "$(gif build/movies/$preset.gif |
-        cut -d ' ' -f 6-)"
+# film WHAT NAME PICTURES VARIABLE=VALUE...: it is made without a word of
+# complaint, and is whole.
+film() {
+    what=$1 name=$2 pictures=$3
+    shift 3
+    env "$@" plots/show movie >"$work/out" 2>&1
+    is "$what: a movie, and no complaint" "The movie: build/movies/$name.gif" \
+        "$(grep -v '^  ' "$work/out")"
+    is "$what: $pictures pictures" "960 540 $pictures 20 0 whole" \
+        "$(gif "build/movies/$name.gif")"
+}
+# Every preset: 1.6 s for the energy, but for disks, and three rows.
+awk '$1 == "preset" { print $2, $3 }' plots/films | while read -r name every; do
+    case $name in disks | gas) n=3 ;; *) n=11 ;; esac
+    film "$name" "$name" $n PRESET="$name" FPS=5 \
+        UNTIL="$(awk "BEGIN { print 2 * $every }")"
 done
 
-# And of the disks.
-for preset in disks gas; do
-    $make -s movie PRESET=$preset FPS=5 UNTIL=0.2 >"$work/out" 2>&1
-    is "$preset: a movie, and no complaint" \
-        "The movie: build/movies/$preset.gif" \
-        "$(grep -v -e '^  ' -e 'frames in animation' "$work/out")"
-    is "$preset: a whole GIF" whole "$(gif build/movies/$preset.gif |
-        cut -d ' ' -f 6-)"
+# Every scene of the gallery has a line in plots/films, and no other has.
+is 'plots/films has every scene' \
+    "$(build/bin/scene --help | sed -n 's/^  \([a-z][a-z-]*\)  .*/\1/p')" \
+    "$(awk '$1 == "scene" { print $2 }' plots/films)"
+# With it the film takes 6 to 16 s, and something moves by a tenth of all.
+awk '$1 == "scene" { print $2, $3, $4 }' plots/films >"$work/scenes"
+while read -r name every until; do
+    keys=
+    [ "$name" != ring ] || keys='--particles 40'
+    # shellcheck disable=SC2086
+    build/bin/scene "$name" $keys -o run.plist
+    n=$(awk "BEGIN { print int($until / $every / 8) }")
+    build/bin/step run.plist --until "$until" -o run.dat \
+        --every "$(awk "BEGIN { print $n * $every }")"
+    holds "$name: a film of 6 to 16 s ($((8 * n / 25)))" \
+        test "$n" -ge 18 -a "$n" -le 50
+    holds "$name: it moves" awk '!/^#/ {
+        if (!rows++)
+            for (i = 2; i <= NF; ++i)
+                first[i] = $i
+        for (i = 2; i <= NF; ++i)
+            if ((i - 2) % 6 < 3) {
+                k = (i - 2) % 6
+                if (rows == 1 && i < 8 || $i < low[k]) low[k] = $i
+                if (rows == 1 && i < 8 || $i > high[k]) high[k] = $i
+                d = ($i - first[i]) ^ 2
+                if (d > far) far = d
+            }
+        }
+        END {
+            for (k = 0; k < 3; ++k)
+                if (high[k] - low[k] > size) size = high[k] - low[k]
+            print sqrt(far), "of", size
+            exit !(rows > 7 && sqrt(far) > 0.07 * size)
+        }' run.dat
+    film "$name" "scene-$name" 3 SCENE="$name" KEYS="$keys" FPS=5 \
+        UNTIL="$(awk "BEGIN { print 2 * $every }")"
+done <"$work/scenes"
+film 'what bonk has made' scene-sun-earth 3 SCENE=sun-earth TOLERANCE=1e-3 \
+    UNTIL=6 FPS=5
+holds 'by bonk' grep -q '^# bonk ' build/movies/scene-sun-earth.dat
+
+# A scene of one's own, by any name; what is typed is no command.
+cp run.plist "a b;touch pwned.plist"
+holds 'a file, whatever it is called' $make -s movie \
+    SCENE="a b;touch pwned.plist" EVERY=0.1 UNTIL=0.2 FPS=5
+is 'its film' '960 540 3 20 0 whole' \
+    "$(gif 'build/movies/scene-a_b_touch_pwned.gif')"
+# shellcheck disable=SC2016
+value="x'; touch pwned; \"\$(touch pwned) \`touch pwned\` \$(shell touch pwned)"
+for goal in movie inspect chart; do
+    for setting in SCENE="$value" KEYS="$value" UNTIL="$value"; do
+        $make -s $goal SCENE=sun-earth "$setting" >"$work/out" 2>&1
+        is "$goal: ${setting%%=*} is text, and refused" 2 $?
+    done
 done
-is 'four disks: every row a picture, in a square' '480 520 11 20' \
-    "$(gif build/movies/disks.gif | cut -d ' ' -f 1-4)"
+is 'and nothing else is done' '' "$(ls pwned 2>/dev/null)"
+one_line 'a file takes no keys' 2 "^movie: KEYS: 'run.plist' is a file" \
+    env SCENE=run.plist KEYS='--dt 1' plots/show movie
+
+# MP4 where ffmpeg is: here one that writes down what it is given.
+mkdir "$work/fake"
+cat >"$work/fake/ffmpeg" <<'END'
+#!/bin/sh
+for file; do :; done
+echo "$*" >"$file"
+cd "${file%/*}" && set -- *.png && echo $# "$1" >>mp4 &&
+    od -An -v -tu1 -j 16 -N 8 "$1" >>mp4
+END
+chmod +x "$work/fake/ffmpeg"
+PATH=$work/fake:$PATH SCENE=four-disks UNTIL=0.1 plots/show movie \
+    >"$work/out" 2>&1
+is 'with ffmpeg: an MP4' 'The movie: build/movies/scene-four-disks.mp4' \
+    "$(grep -v '^  ' "$work/out")"
+is 'of six pictures, 1920 by 1080' '6 00000.png 0 0 7 128 0 0 4 56' \
+    "$(sed 1d build/movies/scene-four-disks.mp4 | tr -s ' \n' ' ' | sed 's/ $//')"
+holds 'at their rate' grep -q -e '-framerate 25 -i .*/%05d.png .*-pix_fmt yuv420p' \
+    build/movies/scene-four-disks.mp4
+echo 'echo "ffmpeg: no such codec" >&2; exit 1' >>"$work/fake/ffmpeg"
+sum=$(cksum <build/movies/scene-four-disks.mp4)
+PATH=$work/fake:$PATH SCENE=four-disks UNTIL=0.1 plots/show movie \
+    >"$work/out" 2>&1
+is 'one that cannot is heard' '1 ffmpeg: no such codec' \
+    "$? $(grep -v '^  ' "$work/out")"
+is 'and the film there was is kept' "$sum" \
+    "$(cksum <build/movies/scene-four-disks.mp4)"
+is 'no pictures are left' '' "$(ls -d build/movies/*.frames 2>/dev/null)"
+PATH=$full
+
+# What is drawn: the scene's own colours and radii, its springs, its walls.
+# said SCENE KEYS VIEW: how it is to be seen; drawn: its last picture.
+said() {
+    # shellcheck disable=SC2086
+    build/bin/scene "$1" $2 -o run.plist
+    build/bin/step run.plist --until 0.3 --every 0.1 -o run.dat ${4-}
+    awk -v view="$3" -v ask=1 -f plots/scene-movie.awk run.plist run.dat
+}
+drawn() {
+    awk -v view="$1" -v fps=25 -v left=-1 -v right=1 -v bottom=-1 -v top=1 \
+        -f plots/scene-movie.awk run.plist run.dat | awk '/bodies/ { all = "" }
+        { all = all $0 "\n" } END { printf "%s", all }'
+}
+is 'three bodies on a plane: seen from above' 'rows 4 0.1 0 xy' \
+    "$(said figure-eight '' '' | cut -d ' ' -f 1-5)"
+drawn xy >picture
+is 'red, green and blue, as large as the scene has them' \
+    '0.03 16711680 0.03 65280 0.03 255' \
+    "$(sed -n 2,4p picture | awk '{ printf "%s%g %d", (NR > 1 ? " " : ""), $3, $4 }')"
+is 'a pendulum: from the side' 'xz' \
+    "$(said double-pendulum '' '' | cut -d ' ' -f 5)"
+is 'a cradle: on a line' '1 xy' "$(said cradle '' '' | cut -d ' ' -f 4,5)"
+is 'a membrane: from where it is seen, its heights thrice' 'tilted 3' \
+    "$(said membrane '' '' | cut -d ' ' -f 5,6)"
+is 'or as one wants it' 'xz 1' "$(said membrane '' xz | cut -d ' ' -f 5,6)"
+drawn tilted >picture
+is 'its springs are lines' 112 \
+    "$(sed '1,/springs/d; /ways/,$d' picture | grep -c '^$' | awk '{ print $1 - 1 }')"
+said gas '--particles 30' '' >/dev/null
+is 'hard walls bound the picture' 'xy 1 0 7.5 0 5' \
+    "$(said gas '--particles 30' '' | cut -d ' ' -f 5-)"
+said gas '--particles 30' '' '--track 3,7' >/dev/null
+is 'of bodies that are tracked, these' 2 \
+    "$(drawn xy | sed '/^end/,$d' | grep -c '^[0-9]')"
+
+# A disk on the screen is round and has a smooth rim: as wide as high, the
+# right area, and half-tones.
+printf '%s\n' 'pos 0 0 0 0 1 0 0 .5 .5 .5' 'pos 1 1 0.2 0 1 0 0.4 0 0 1' \
+    'vel 1 0 0.2 0' contact >run.plist
+build/bin/step run.plist --dt 0.1 --until 0.2 --every 0.1 -o run.dat
+mkdir one
+gnuplot -e "file='run.dat'; scene='run.plist'; output='one'" \
+    plots/scene-movie.gp
+gnuplot -e "set table 'pixels'; \
+plot 'one/00000.png' binary filetype=png using 1:2:3 with rgbimage" 2>/dev/null
+awk '!/^#/ && NF >= 5 && $5 > $3 {
+        ++n
+        half += $3 > 20 && $3 < 235
+        if (!lx || $1 < lx) lx = $1
+        if ($1 > hx) hx = $1
+        if (!ly || $2 < ly) ly = $2
+        if ($2 > hy) hy = $2
+    }
+    END {
+        w = hx - lx + 1
+        h = hy - ly + 1
+        printf "%d %.2f %s\n", w - h, n / w / h, (half > 50 ? "smooth" : half)
+    }' pixels >"$work/round"
+is 'a disk is round and smooth' '0 0.78 smooth' "$(cat "$work/round")"
 
 # Bodies of 1 and 9 kg: radii 1 to 3; neighbours and walls meet as in the run.
 $bonkers --preset two --every 0.1 --samples 10 -o two.dat
-film() { # SETTINGS PRINT
+print_film() { # SETTINGS PRINT
     gnuplot -e "file='two.dat'; window='dumb'; fps=50; intro=0; $1" \
         plots/movie.gp -e "print $2" 2>&1 >"$work/shown" | tail -1
 }
-is 'points touch when they meet' '0 0 0 1' "$(film '' \
+is 'points touch when they meet' '0 0 0 1' "$(print_film '' \
     "sprintf('%.0f %.0f %.0f %.0f', 1e9*(S[1]-R[1]), 1e9*(S[2]-S[1]-R[1]-R[2]), \
     1e9*(right-3-2*R[1]-2*R[2]), R[2]/R[1]/3)")"
-is 'bodies with radii stay where they are' '0 0.1 0.2 3' "$(film \
+is 'bodies with radii stay where they are' '0 0.1 0.2 3' "$(print_film \
     "radii='0.1,0.2'" "sprintf('%g %g %g %g', S[1]+S[2], R[1], R[2], right)")"
 
 # 101 rows at 50 a second are due in 2 s and not before. A screen that takes
@@ -137,18 +312,29 @@ holds "late, pictures are left out ($1 of 101)" test "$1" -lt 90
 # No window here, whether for want of a terminal or of a display.
 one_line 'no window: one line that says why' 1 'gnuplot-qt|DISPLAY' \
     env -u DISPLAY -u WAYLAND_DISPLAY gnuplot -e "file='two.dat'" plots/movie.gp
+one_line 'nor for a scene' 1 '^scene-movie.gp: .*(gnuplot-qt|DISPLAY)' \
+    env -u DISPLAY -u WAYLAND_DISPLAY \
+    gnuplot -e "file='run.dat'; scene='run.plist'" plots/scene-movie.gp
 env -u DISPLAY -u WAYLAND_DISPLAY $make -s movie PRESET=two LIVE=1 \
     >"$work/out" 2>&1
 is 'and make fails' 2 $?
 holds 'with that line' grep -Eq '^movie.gp: .*(gnuplot-qt|DISPLAY)' "$work/out"
 
 # What is no table of a run.
+grep -v '^0\.[12]' run.dat >one.dat
+sed '/^[pv][a-z]* 1 /d' run.plist >other.plist
 one_line 'no file' 2 "^movie.gp: 'none.dat' cannot be read" \
     gnuplot -e "file='none.dat'; window='dumb'" plots/movie.gp
-one_line 'no file of disks' 2 "^disks-movie.gp: 'none.dat' cannot be read" \
-    gnuplot -e "file='none.dat'; window='dumb'" plots/disks-movie.gp
-one_line 'no table of disks' 2 "^disks-movie.gp: 'two.dat' is no table" \
-    gnuplot -e "file='two.dat'; window='dumb'" plots/disks-movie.gp
+one_line 'no file of a scene' 2 "^scene-movie.gp: 'none.dat' cannot be read" \
+    gnuplot -e "file='none.dat'; window='dumb'" plots/scene-movie.gp
+one_line 'no states' 2 "^scene-movie.gp: 'two.dat' and 'two.dat': no table" \
+    gnuplot -e "file='two.dat'; window='dumb'" plots/scene-movie.gp
+one_line 'one row' 2 'a table of 1 rows, expected two at least' \
+    gnuplot -e "file='one.dat'; scene='run.plist'; window='dumb'" \
+    plots/scene-movie.gp
+one_line 'another scene' 2 'a table with a body 1, which the scene has not' \
+    gnuplot -e "file='run.dat'; scene='other.plist'; window='dumb'" \
+    plots/scene-movie.gp
 printf '# masses: 1 2\n0 1\n1 1\n' >bad.dat
 one_line 'no table of a run' 2 "^movie.gp: 'bad.dat' is no table" \
     gnuplot -e "file='bad.dat'; window='dumb'" plots/movie.gp

@@ -1,5 +1,5 @@
 /* From chapters/04-piston.nw: edit there, then run make tangle. */
-/* checksum 2542527277 of the lines below */
+/* checksum 1444607231 of the lines below */
 #include "piston.h"
 #include "toolbox/bench.h"
 #include "toolbox/options.h"
@@ -74,6 +74,15 @@ static void summarise_periods(const struct settings *s)
     table_real(s->summary, "period_acoustic",
                2 * acos(-1) / piston_frequency_acoustic(&s->piston));
 }
+
+static const struct table_key cost_keys[] = {
+    {"period_isothermal", "s", "small swings, gases kept at a temperature"},
+    {"period_small", "s", "small swings, gases of no mass"},
+    {"period_large", "s", "swings of this run, the same"},
+    {"period_small_added", "s", "small swings, with a third of the gases"},
+    {"period_large_added", "s", "swings of this run, the same"},
+    {"period_acoustic", "s", "small swings, with sound in the gases"},
+    {0}};
 
 static const struct table_key run_keys[] = {
     {"x_min", "m", "leftmost place of the piston"},
@@ -517,7 +526,7 @@ static const struct {
     bool (*run)(struct settings *s);
     const struct table_key *keys;
 } studies[] = {{study_run, run_keys},
-               {study_cost, NULL},
+               {study_cost, cost_keys},
                {study_measure, measure_keys},
                {study_gases, NULL}};
 

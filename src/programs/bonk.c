@@ -1,5 +1,5 @@
 /* From chapters/12-bonk.nw: edit there, then run make tangle. */
-/* checksum 476919279 of the lines below */
+/* checksum 1065958681 of the lines below */
 #include "averages.h"
 #include "choose.h"
 #include "scene.h"
@@ -431,9 +431,10 @@ static const struct options_entry entries[] = {
     {"explain", 'x', NULL,
      "say what was looked at, and why; with -o FILE\n"
      "to standard output, else to standard error"},
-    {"chart", 'c', "FILE", "write the candidates: error and cost"},
     {"output", 'o', "FILE", "for the table (standard output)"},
     {"summary", 'S', "FILE", "for the results as lines: key value"},
+    {"", 0, NULL, "no --model"},
+    {"chart", 'c', "FILE", "write the candidates: error and cost"},
     {0}};
 
 static const struct table_key keys[] = {
@@ -479,6 +480,8 @@ static void check_settings(struct options *o, const struct settings *s)
         options_fail(o, "--until is needed: the time at which to stop");
     if (isnan(s->tolerance))
         options_fail(o, "--tolerance is needed: how wrong may it be?");
+    if (asks_for_means(s))
+        options_refuse(o, "every", "with an average, which has no rows");
     if (same_file(s->summary, output) || same_file(s->chart, output) ||
         same_file(s->chart, s->summary))
         options_fail(o, "the table, --summary and --chart need files of "

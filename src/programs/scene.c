@@ -1,5 +1,5 @@
 /* From chapters/08-scenes.nw: edit there, then run make tangle. */
-/* checksum 988930282 of the lines below */
+/* checksum 2283904947 of the lines below */
 #include "gallery.h"
 #include "scene.h"
 #include "toolbox/options.h"
@@ -114,6 +114,17 @@ static void read_key(struct settings *s, struct options *o, size_t k)
         s->value[k] = options_real(o, key->low, key->high);
 }
 
+static void refuse_idle(const struct settings *s, struct options *o)
+{
+    static const char *const parts[][4] = {
+        {"ring", "moon", "moon-distance", "without --moon"},
+        {"break", "jitter", "seed", "without --jitter"}};
+    for (size_t k = 0; k < sizeof parts / sizeof parts[0]; ++k)
+        if (strcmp(s->scene->name, parts[k][0]) == 0 &&
+            s->value[gallery_key(s->scene, parts[k][1])] == 0)
+            options_refuse(o, parts[k][2], parts[k][3]);
+}
+
 static void read_options(struct settings *s, struct options *o)
 {
     int names = 0;
@@ -128,6 +139,7 @@ static void read_options(struct settings *s, struct options *o)
     if (!s->scene)
         options_fail(o, "which scene? see " PROGRAM " --help");
     s->command = options_command(o);
+    refuse_idle(s, o);
 }
 
 static void write_head(const struct settings *s, struct table *out)

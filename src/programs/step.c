@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 3532652708 of the lines below */
+/* checksum 2600920262 of the lines below */
 #include "checkpoint.h"
 #include "motion.h"
 #include "observables.h"
@@ -608,7 +608,6 @@ static const struct options_entry entries[] = {
      "z:ID, vx:ID, vy:ID, vz:ID, speed:ID,\n"
      "distance:ID:ID"},
     {"track", 'T', "ID,..", "the states of these bodies only"},
-    {"compensated", 'c', NULL, "sums carry their rounding errors"},
     {"kernel", 'k', "NAME",
      "of gravity: portable, avx2 or avx512 (portable)"},
     {"threads", 'j', "N", "how many, for gravity and springs (1)"},
@@ -631,6 +630,8 @@ static const struct options_entry entries[] = {
     {"checkpoint", 'C', "S",
      "seconds from one checkpoint to the next (60)"},
     {"resume", 'R', NULL, "go on from the checkpoint of -o FILE, if any"},
+    {"", 0, NULL, "no --method rk8pd"},
+    {"compensated", 'c', NULL, "sums carry their rounding errors"},
     {"", 0, NULL, "--method rk8pd"},
     {"tolerance", 'a', "E", "of its steps (1e-13)"},
     {0}};

@@ -1,5 +1,5 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 1075993623 of the lines below */
+/* checksum 2541206165 of the lines below */
 #include "toolbox/options.h"
 
 #include "toolbox/table.h"
@@ -213,13 +213,15 @@ static void check_heading(struct options *o, const struct options_entry *e,
         const struct options_entry *other = named(o, name);
         char value[64];
         const bool has = get_value(o, other, value, sizeof value);
-        if (no && o->given[other - o->entries])
-            options_fail(o, "means nothing with --%s", name);
-        if (!no && !*values && !o->given[other - o->entries])
-            options_fail(o, "means nothing without --%s", name);
-        if (*values && !has)
+        const bool among = has && is_among(value, values);
+        if (!*values && !!o->given[other - o->entries] == no)
+            options_fail(o, "means nothing %s --%s",
+                         no ? "with" : "without", name);
+        if (*values && no && among)
+            options_fail(o, "means nothing with --%s %s", name, value);
+        if (*values && !no && !has)
             options_fail(o, "means nothing without --%s %s", name, values);
-        if (*values && !is_among(value, values))
+        if (*values && !no && !among)
             options_fail(o, "means nothing with --%s %s (only with %s)",
                          name, value, values);
     }

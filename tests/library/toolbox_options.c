@@ -46,6 +46,8 @@ static const struct options_entry with_headings[] = {
     {"window", 0, "T", "in seconds"},
     {"", 0, NULL, "no --box; no --quick"},
     {"packing", 0, "P", "a share"},
+    {"", 0, NULL, "no --scene b, c"},
+    {"rate", 0, "R", "of all but two"},
     {"", 0, NULL, "--scene a"},
     {"factor", 0, "F", "of a"},
     {"", 0, NULL, NULL},
@@ -357,6 +359,10 @@ static void test_headings(void)
             "--packing: means nothing with --box");
     refused("-q\n--packing\n3", "--packing: means nothing with --quick");
     refused("--factor\n3", "--factor: means nothing without --scene a");
+    accepted("--rate\n1", "gas --rate 1\n");
+    accepted("--rate\n1\n--scene\na", "gas --rate 1 --scene a\n");
+    refused("--rate\n3\n--scene\nc",
+            "--rate: means nothing with --scene c");
     refused("--box\n3", "--box: means nothing without a scene");
 }
 

@@ -9,6 +9,7 @@ bin=build/bin
 $bin/bonkers --preset thermal --every 1 --samples 9 -o "$work/table"
 $bin/disks --every 1 --samples 1 -o "$work/states"
 { $bin/scene ring --particles 40 && echo contact; } >"$work/scene"
+$bin/scene sun-earth -o "$work/pair"
 
 # What an option is given: PROGRAM (- is any) OPTION VALUE; and beside which
 # value of another it fits, if not all.
@@ -78,6 +79,10 @@ cat >"$work/values" <<END
 - walls 0,40
 - warmup 3
 - window 8
+bonk chart $work/none/c
+bonk every 10
+bonk model kepler
+bonk reason 3
 bonkers masses 1,2,3,4 four
 bonkers positions 1,2,3,4 four
 bonkers radii 0.1,0.1,0.1,0.1 four
@@ -149,17 +154,21 @@ function take(condition,    part) {
         list = ""
 }
 
+# What can be given for the name that was taken.
+function first(    item) {
+    if (list == "")
+        return value_of(name)
+    split(list, item, ", ")
+    return item[1]
+}
+
 # Gives what the heading of an option asks for.
-function satisfy(option,    part, n, i, first) {
+function satisfy(option,    part, n, i) {
     n = split(heading[option], part, "; ")
     for (i = 1; i <= n; ++i) {
         take(part[i])
-        first = list == "" ? value_of(name) : list
-        sub(/,.*/, "", first)
-        if (list == "")
-            first = value_of(name)
         if (!no && !(name in given)) {
-            give(name, first)
+            give(name, first())
             satisfy(name)
         }
     }
@@ -172,8 +181,7 @@ function fits(    option, part, n, i, value) {
         for (i = 1; i <= n; ++i) {
             take(part[i])
             value = name in given ? given[name] : usual[name]
-            if (no ? name in given : list != "" ? !has(list, value) : \
-                !(name in given))
+            if (no != (list != "" ? !has(list, value) : !(name in given)))
                 return 0
         }
     }
@@ -247,7 +255,7 @@ END {
             give(option, value_of(option))
             take(part[i])
             if (no)
-                give(name, value_of(name))
+                give(name, first())
             bare = name == "output"
             write_case()
             bare = 0
@@ -307,11 +315,11 @@ for program in bonk-studies bonkers bonkers-studies collide \
 done
 tries histogram "$work/table"
 tries step "$work/scene"
+tries bonk "$work/pair" --until 100 --tolerance 0.1
 [ $total -gt 900 ] || not_ok 'there are cases' "$total"
 
 # What no help knows, because it depends on the scene or on lists.
 $bin/scene cradle -o "$work/cradle"
-$bin/scene sun-earth -o "$work/pair"
 for option in '--rule all' '--shift back' '--order deepest' '--threads 2' \
     '--kernel portable'; do
     # shellcheck disable=SC2086
@@ -323,6 +331,12 @@ refuses 2 'threads: means nothing without springs' \
     $bin/step "$work/cradle" --threads 2
 refuses 2 'particles: means nothing with lists' \
     $bin/bonkers --positions 1,2 --particles 2
+
+refuses 2 'moon-distance: means nothing without --moon' \
+    $bin/scene ring --moon-distance 3
+refuses 2 'seed: means nothing without --jitter' $bin/scene break --seed 2
+refuses 2 'every: means nothing with an average' $bin/bonk "$work/cradle" \
+    --until 100 --tolerance 0.1 --observe mean:x:0 --every 1
 
 # Some that were taken once, and did nothing.
 refuses 2 'mass: means nothing with --study measure' \

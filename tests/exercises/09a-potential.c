@@ -244,13 +244,13 @@ static void test_two(void)
         "and which potential has each at the place of the other?";
     struct bodies b = {"2 kg and 6 kg, 3 m apart along x",
                        2,
-                       10.0,
+                       15.0,
                        4.0,
                        {2.0, 6.0},
                        {1.0, 4.0}};
-    (void)(check_value(&b, 0, -12.0, question) &&
-           check_value(&b, 1, -4.0, question) &&
-           check_value(&b, 2, -24.0, question) && check_behind(&b));
+    (void)(check_value(&b, 0, -18.0, question) &&
+           check_value(&b, 1, -6.0, question) &&
+           check_value(&b, 2, -36.0, question) && check_behind(&b));
 }
 
 /* The way is (2, 3, 6) m, 7 m long, and 24 m of softening make 25. */

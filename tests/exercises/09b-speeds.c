@@ -107,19 +107,19 @@ static bool check_binary(const struct binary *b, const double expected[2],
     return true;
 }
 
-/* 16 m^3/(kg s^2) and 9 m: with 4 kg in all the relative speed is 8/3 m/s.
+/* 25 m^3/(kg s^2) and 9 m: with 4 kg in all the relative speed is 10/3 m/s.
  */
 static void test_paper(void)
 {
     static const char question[] =
         "Where is the centre of mass, how large are the two circles, and "
         "which acceleration keeps each body on its own?";
-    const struct binary unequal = {16.0, {3.0, 1.0}, 9.0};
-    const struct binary other = {16.0, {1.0, 3.0}, 9.0};
+    const struct binary unequal = {25.0, {3.0, 1.0}, 9.0};
+    const struct binary other = {25.0, {1.0, 3.0}, 9.0};
     const struct binary equal = {8.0, {2.0, 2.0}, 2.0};
-    (void)(check_binary(&unequal, (const double[]){2.0 / 3.0, 2.0},
+    (void)(check_binary(&unequal, (const double[]){5.0 / 6.0, 2.5},
                         question) &&
-           check_binary(&other, (const double[]){2.0, 2.0 / 3.0},
+           check_binary(&other, (const double[]){2.5, 5.0 / 6.0},
                         question) &&
            check_binary(&equal, (const double[]){2.0, 2.0}, question));
 }

@@ -194,7 +194,7 @@ static const char fall_question[] =
 
 static void test_push(void)
 {
-    (void)(check_force(0.5, 0.0, 3.0, 2.25, fall_question) &&
+    (void)(check_force(0.25, 0.0, 3.0, 1.125, fall_question) &&
            check_force(2.0, 0.0, 1.0, 1.0, fall_question) &&
            check_force(9.81, 0.0, 1e-3, 4.905e-6, fall_question) &&
            check_force(1e-12, 0.0, 1e4, 5e-5, fall_question));

@@ -1,6 +1,6 @@
 # The panels of the atlas, one for each of the scenes named: error against
 # cost for all ways to carry it. The scripts 12-line.gp and its like set
-# names, titles and rows, and load this.
+# names, titles and rows, and load this. A slide has one row, the key beside.
 file = 'plots/data/12-atlas.dat'
 columns = 2
 if (!exists('keyx')) { keyx = 0.03; keyy = 0.04 }
@@ -20,7 +20,9 @@ do for [i=1:scenes] {
   set format y (i % columns == 1 ? '10^{%T}' : '')
   set ylabel (i % columns == 1 ? 'error' : '') offset 1
   set label 1 titles[i] at graph 0.97,0.93 right front
-  if (slide && i % columns == 1) { set key at screen 0.835,0.965 left top samplen 0.7 Left reverse } else { if (i == keyed && !slide) { set key at graph keyx,keyy left bottom samplen 0.7 Left reverse maxrows 4 width 0 } else { unset key } }
+  unset key
+  if (slide && i % columns == 1) { set key at screen 0.835,0.965 left top samplen 0.7 Left reverse }
+  if (!slide && i == keyed) { set key at graph keyx,keyy left bottom samplen 0.7 Left reverse maxrows 4 width 0 }
   plot 1e-3 ls 9 dt 3, 1e-6 ls 9 dt 3, 1e-9 ls 9 dt 3, \
        file index s.' order2' using 1:2 with points lc rgb grey pt 1 ps 0.5*big title 'order 1, 2', \
        file index s.' order4' using 1:2 with points lc rgb orange pt 4 ps 0.45*big title 'order 4', \

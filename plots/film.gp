@@ -33,6 +33,11 @@ medium = 'movie'
 output = '/dev/null'
 load 'plots/style.gp'
 set output
+if (!live && !strstrt(' '.GPVAL_TERMINALS.' ', ' pngcairo ')) {
+    print script.': this gnuplot draws no pngcairo; install one that does:', \
+        ' apt-get install --no-install-recommends gnuplot-nox'
+    exit status 1
+}
 if (!live) {
     set terminal pngcairo enhanced size lines * wide / high,lines \
         font 'Latin Modern Sans,15' fontscale lines / 540.0 \

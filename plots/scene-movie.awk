@@ -61,7 +61,7 @@ function read_scene() {
         }
     } else if (disks && !/^#/) {
         if (NF < 11 || bodies && $1 != begun)
-            nextfile
+            return
         begun = $1
         i = $2
         there[i] = ++bodies

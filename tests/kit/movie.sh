@@ -308,6 +308,10 @@ for lag in 0 1.5; do
     is "and end with the last ($lag s late)" 10.0 "$2"
 done
 holds "late, pictures are left out ($1 of 101)" test "$1" -lt 90
+gnuplot -e "file='run.dat'; scene='run.plist'; window='dumb'; fps=50; unit='s'" \
+    plots/scene-movie.gp >"$work/shown" 2>&1
+is 'a scene in a window ends with its last row' 0.2 \
+    "$(shown "$work/shown" | cut -d ' ' -f 2)"
 
 # No window here, whether for want of a terminal or of a display.
 one_line 'no window: one line that says why' 1 'gnuplot-qt|DISPLAY' \

@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 3144468543 of the lines below */
+/* checksum 23715439 of the lines below */
 #include "examiner/trial.h"
 #include "examiner/process.h"
 #include "examiner/report.h"
@@ -126,8 +126,9 @@ static void run_runner(const struct trial *trial, int number,
     char options[256];
     snprintf(options, sizeof options,
              "exitcode=%d:hard_rss_limit_mb=%d:handle_abort=1:"
-             "detect_leaks=0:allow_addr2line=1:color=never",
-             SANITIZER_STATUS, MEMORY_MIB);
+             "detect_leaks=%d:leak_check_at_exit=0:allow_addr2line=1:"
+             "color=never",
+             SANITIZER_STATUS, MEMORY_MIB, trial->leaks);
     setenv("ASAN_OPTIONS", options, 1);
     setenv("UBSAN_OPTIONS", options, 1);
     if (!process_run(command, desk, &files, &limits, &result->end))

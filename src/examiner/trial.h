@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 769981008 of the lines below */
+/* checksum 872597533 of the lines below */
 #ifndef TRIAL_H
 #define TRIAL_H
 
@@ -21,6 +21,7 @@ struct trial {
     const char *folder; /* of our own, with the runner in it */
     const char *source; /* the student's file, as the compiler saw it */
     bool sanitized;     /* compiled with the address sanitizer */
+    bool leaks;         /* which is to look for lost memory, too */
     int seconds;        /* of processor time; twice that on the wall */
     const char *runner; /* to be started, as seen from folder/desk */
     const char *seed;   /* of the inputs, in digits; NULL: the students' */

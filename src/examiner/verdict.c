@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 856311289 of the lines below */
+/* checksum 2147176482 of the lines below */
 #include "examiner/verdict.h"
 #include "examiner/build.h"
 #include "examiner/memory.h"
@@ -38,6 +38,25 @@ static bool repeatable(const enum state states[], int run)
     return true;
 }
 
+static bool tell_leak(const struct exercise *e, const struct trial *trial,
+                      FILE *story)
+{
+    char path[4096], *text = NULL;
+    size_t size;
+    FILE *told = open_memstream(&text, &size);
+    if (!told)
+        text_fail("out of memory");
+    snprintf(path, sizeof path, "%s/output", trial->folder);
+    const bool leaks =
+        e->state == PASSED && trial_leak(path, e->file, told);
+    fclose(told);
+    if (leaks)
+        fprintf(story, "  A word of advice, which costs no point:\n%s",
+                text);
+    free(text);
+    return leaks;
+}
+
 static bool run_tests(struct exercise *e, const struct trial *trial,
                       FILE *story)
 {
@@ -51,7 +70,9 @@ static bool run_tests(struct exercise *e, const struct trial *trial,
         FILE *told = open_memstream(&text, &size);
         if (!told)
             text_fail("out of memory");
-        last = states[run] = trial_run(trial, run + 1, told);
+        struct trial now = *trial;
+        now.leaks = run + 1 == e->count;
+        last = states[run] = trial_run(&now, run + 1, told);
         fclose(told);
         if (last == PASSED)
             *(e->idle[run] ? &idle : &e->earned) += e->worth[run];
@@ -77,7 +98,7 @@ static bool run_tests(struct exercise *e, const struct trial *trial,
     if (state_wrong(e->state))
         tell_others(e, states, decides, run, story);
     free(account);
-    return repeatable(states, run);
+    return !tell_leak(e, trial, story) && repeatable(states, run);
 }
 
 static bool build_and_test(struct exercise *e,

@@ -1,6 +1,5 @@
 # data: build/data/02-islands.dat
 # command: build/bin/bonkers-studies --study islands --until 0.8 -o build/data/02-islands.dat
-# lecture: build/bin/bonkers-studies --study islands --until 0.8 -o build/data/02-islands.dat
 # alt: Sixty nearly upright world lines in a narrow band of time. About twenty collisions are marked; they form nine groups, each group with a symbol and colour of its own, and between two groups there is always a body that no collision has touched.
 width = 14
 height = 6.6

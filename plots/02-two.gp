@@ -1,6 +1,5 @@
 # data: build/data/02-two-3.dat
 # command: build/bin/bonkers --preset two --mass-ratio 3 --every 0.37 --samples 4000 -o build/data/02-two-3.dat
-# lecture: build/bin/bonkers --preset two --mass-ratio 3 --every 0.37 --samples 4000 -o build/data/02-two-3.dat
 # data: build/data/02-two-golden.dat
 # command: build/bin/bonkers --preset two --mass-ratio 1.618033988749895 --every 0.37 --samples 4000 -o build/data/02-two-golden.dat
 # lecture: build/bin/bonkers --preset two --mass-ratio 1.618033988749895 --every 0.37 --samples 20000 -o build/data/02-two-golden.dat

@@ -8,7 +8,7 @@ load 'plots/style.gp'
 file = 'build/data/08-energy.dat'
 set logscale xy
 set format '10^{%T}'
-set xrange [0.1:1100]
+set xrange [0.1:lecture ? 22000 : 1100]
 set yrange [1e-6:10]
 set xlabel 'orbits'
 set ylabel 'largest error of the energy so far' offset 0.5

@@ -8,7 +8,7 @@ load 'plots/style.gp'
 file = 'build/data/08-rounding.dat'
 set logscale xy
 set format '10^{%T}'
-set xrange [0.8:700]
+set xrange [0.8:lecture ? 20000 : 700]
 set yrange [1e-16:1e-7]
 set ytics 100
 set xlabel 'orbits'

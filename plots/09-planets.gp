@@ -6,7 +6,7 @@ width = 14
 height = 7
 load 'plots/style.gp'
 file = 'build/data/09-planets.dat'
-set multiplot layout 1,2 margins 0.095,0.97,0.16,0.9 spacing 0.1,0
+set multiplot layout 1,2 margins 0.095,0.96,0.16,0.9 spacing 0.1,0
 set xlabel '{/:Italic t}  (years)'
 set ylabel 'eccentricity' offset 1
 set yrange [0:0.085]

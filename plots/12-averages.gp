@@ -1,6 +1,5 @@
 # data: build/data/12-averages.dat
 # command: build/bin/averages-studies --study digits -o build/data/12-averages.dat
-# lecture: build/bin/averages-studies --study digits -o build/data/12-averages.dat
 # alt: Left, price of a pressure of 250 disks against tolerance: by events 0.04 s down to 0.01, then rising; by a chain 0.3 s at 0.1 and 2 s at 0.02. Right, price of a mean place of one of four disks: the chain is cheaper than events at every tolerance from 0.1 to 0.005; both rise about as the tolerance to the power of minus two, events more steeply at the end.
 width = 14
 height = 6.5

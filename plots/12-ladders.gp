@@ -1,6 +1,5 @@
 # data: build/data/12-ladders.dat
 # command: build/bin/scene solar-system | build/bin/bonk - --until 3650 --tolerance 1e-3 --chart build/data/12-ladders.dat -o /dev/null
-# lecture: build/bin/scene solar-system | build/bin/bonk - --until 36500 --tolerance 1e-3 --chart build/data/12-ladders.dat -o /dev/null
 # alt: Error against cost for the solar system over ten years, both logarithmic. Methods with steps are ladders of points, most of which fall to the right, the steeper the higher their order; with the tolerance of one thousandth as a line across. Eight ellipses that leave out what the planets do to each other stand as one point below the line, more than ten times to the left of where the first ladder crosses it, and are taken.
 width = 14
 height = 8

@@ -1,6 +1,5 @@
 # data: build/data/12-patience.dat
 # command: build/bin/averages-studies --study patience -o build/data/12-patience.dat
-# lecture: build/bin/averages-studies --study patience -o build/data/12-patience.dat
 # alt: Mean place of a heavy piston against the time of the run, on a logarithmic axis. Up to 4000 s it stays close to 5 m, the place that two springs give (lower line); then it climbs, to 5.8 m at 131000 s, towards the 6 m of the law of places. Answers with error bars only at 256, 2048 and 4096 s.
 width = 12
 height = 7

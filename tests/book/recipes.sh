@@ -151,6 +151,11 @@ figure 01-b 'build/bin/walk -o build/data/other.dat'
 has 'a command that writes another file is refused' \
     'recipes: plots/01-b.gp: the command does not write build/data/walk.dat' \
     "$(chapters/recipes 2>&1)"
+figure 01-b 'build/bin/walk -o build/data/walk.dat'
+sed -i 's/ --long$//' plots/01-b.gp
+has 'a lecture of the same data is refused' \
+    'recipes: plots/01-b.gp:3: a lecture makes the same data again' \
+    "$(chapters/recipes 2>&1)"
 rm plots/01-b.gp
 chapter '\result[1 to 2]{lost}{steps}'
 is 'a number of a run that is not there is refused' \

@@ -22,7 +22,8 @@ NATIVE = -O3 -march=native $(LTO) -ffp-contract=off -fno-math-errno
 # What is given on the command line is a value, not text for make or a shell:
 # recipes read it from the environment, as in "$$EX".
 given = EX SUBMISSIONS REPORT JOBS HIDDEN RESULTS SECONDS TEXTS PRESET SCENE \
-	KEYS UNTIL EVERY VIEW FPS LIVE DT METHOD TOLERANCE OBSERVE X Y
+	KEYS UNTIL EVERY VIEW FPS LIVE DT METHOD TOLERANCE OBSERVE X Y \
+	EDITION WITH_CHAPTERS
 $(foreach v,$(given),$(if $(filter-out undefined,$(origin $v)),\
 	$(eval override $v := $$(value $v))$(eval export $v)))
 # bash counts in the other; a comment behind it would leave its blank in it.
@@ -442,7 +443,7 @@ build/bonkers$(edition).pdf: $(FIGURES_PDF) $(FIGURES_ALT) $(RUNS) \
 		$(wildcard chapters/* solutions/* tests/hints/* tests/stubs/* \
 		plots/data/*) \
 		tests/equations.txt
-	@EDITION=$(EDITION) chapters/make-book
+	@chapters/make-book
 
 ## ---- the course for students -----------------------------------------------
 
@@ -452,7 +453,7 @@ $(error handout: EDITION: students get the book without solutions; leave it out)
 endif
 .PHONY: handout
 handout: has-tex build/bonkers.pdf
-	@WITH_CHAPTERS='$(WITH_CHAPTERS)' chapters/handout
+	@chapters/handout
 
 ## ---- films and pictures of runs: gnuplot, and ffmpeg if it is there --------
 

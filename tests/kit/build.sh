@@ -64,12 +64,15 @@ holds 'OpenMP that runs is some' grep -q OPENMP build/compiler.mk
 # A value is a value: no recipe has it in its text.
 for value in '1;touch MARK' '$(touch MARK)' '$(shell touch MARK)' "'MARK"; do
     set --
-    for variable in EX SUBMISSIONS REPORT JOBS HIDDEN RESULTS SECONDS TEXTS; do
+    for variable in $(sed -n '/^given =/,/[^\\]$/{s/.*=//;s/\\//;p;}' Makefile); do
         set -- "$@" "$variable=$value"
     done
-    $make -n "$@" check hint grade fuzz >"$work/plan" 2>&1
+    $make -n "$@" check hint grade fuzz movie inspect chart book \
+        >"$work/plan" 2>&1
+    $make -n "WITH_CHAPTERS=$value" handout >>"$work/plan" 2>&1
     holds "$value in any variable stays a value" \
-        sh -c "! grep MARK '$work/plan' && ! ls MARK && grep EX '$work/plan'"
+        sh -c "! grep MARK '$work/plan' && ! ls MARK && grep 'plots/show chart' '$work/plan' &&
+            grep handout '$work/plan'"
     rm -f MARK
 done
 cd "$OLDPWD" || exit 1

@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 1736918212 of the lines below */
+/* checksum 2040771462 of the lines below */
 #include "motion.h"
 
 #include <stdio.h>
@@ -84,7 +84,7 @@ static bool begin_stepping(struct motion *m,
     if (m->bound && !m->attracts)
         m->stepping.sweep = springs_sweep;
     m->stepping.start = s->time;
-    m->spheres.dt = dt;
+    m->dt = m->spheres.dt = dt;
     m->stepping.compensated = s->carry != NULL;
     stepping_resume(&m->stepping, 0, s->carry, find_kept(m));
     return true;
@@ -212,6 +212,23 @@ void motion_resume(struct motion *m, double start, uint64_t steps)
     stepping_resume(&m->stepping, steps, NULL, find_kept(m));
 }
 
+bool motion_shorten(struct motion *m, double dt)
+{
+    struct stepping old = m->stepping, *s = &m->stepping;
+    if (!stepping_begin(s, old.method, old.forces, dt, old.x, old.v)) {
+        *s = old;
+        return false;
+    }
+    s->start = stepping_time(&old);
+    s->compensated = old.compensated;
+    s->sweep = old.sweep;
+    s->evaluations = old.evaluations;
+    stepping_resume(s, 0, old.compensated ? old.carry : NULL, NULL);
+    stepping_free(&old);
+    m->spheres.dt = dt;
+    return true;
+}
+
 /* Makes *to a copy of n numbers, or NULL of NULL. false: no memory. */
 static bool note(double **to, const double from[], size_t n)
 {
@@ -226,9 +243,9 @@ bool motion_note(struct motion *m)
 {
     struct scene *s = m->scene;
     const struct stepping *p = &m->stepping;
-    const bool keeps = stepping_keeps(p) && p->fresh;
+    const bool keeps = stepping_keeps(p) && p->fresh && p->dt == m->dt;
     s->time = motion_time(m);
-    s->dt = p->dt;
+    s->dt = m->dt;
     return note(&s->carry, p->compensated ? p->carry : NULL,
                 6 * s->bodies) &&
            note(&s->kept, keeps ? p->acceleration : NULL, 3 * s->bodies);

@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 3969914865 of the lines below */
+/* checksum 666540512 of the lines below */
 #ifndef MOTION_H
 #define MOTION_H
 
@@ -16,6 +16,7 @@
 /* A scene set in motion: all that acts in it, as one acceleration. */
 struct motion {
     struct scene *scene; /* position and velocity are stepped in place */
+    double dt;           /* s, of the steps that it begins with */
     struct stepping stepping;
     struct gravity gravity; /* if attracts */
     struct springs springs; /* if bound */
@@ -46,13 +47,18 @@ void motion_end(struct motion *m);
 enum stepping_end motion_run(struct motion *m, uint64_t steps);
 double motion_time(const struct motion *m); /* s */
 
+/* From here on a step is dt long, s, and the steps are counted from 0.
+   Returns false, with m as it was, without memory. */
+bool motion_shorten(struct motion *m, double dt);
+
 /* Takes m, before its first step, for a run that began at the time start,
    s, and has come so many steps far. */
 void motion_resume(struct motion *m, double start, uint64_t steps);
 
-/* Puts time, step, rounding errors and the acceleration that the method has
-   kept into the scene: what scene_write then writes goes on, by the same
-   method, to the same bits. Returns false without memory. */
+/* Puts time, step (that of the beginning), rounding errors and the
+   acceleration that the method has kept into the scene: what scene_write
+   then writes goes on, by the same method, to the same bits. Returns false
+   without memory. */
 bool motion_note(struct motion *m);
 
 /* The energy now. Held coordinates have no weight. */

@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 2600920262 of the lines below */
+/* checksum 3340818994 of the lines below */
 #include "checkpoint.h"
 #include "motion.h"
 #include "observables.h"
@@ -87,6 +87,8 @@ struct run {
     bool kept; /* rows go to the checkpoint's companion */
     struct checkpoint checkpoint;
     uint64_t every, last, rows; /* steps to a row, steps to the end */
+    double rest;                /* s: one step more, a shorter one; or 0 */
+    bool rested;                /* it has been taken */
     uint64_t evaluations;       /* before this process */
     uint64_t taken;             /* steps in this process */
     double sum;                 /* of the scene's file */
@@ -153,6 +155,9 @@ static void divide(struct run *r, double start)
         refuse("--until: %.15g is before the scene's time, %.15g", until,
                start);
     r->last = steps_in(fmax(0, until - start), dt, &whole);
+    r->rest = whole ? 0 : until - (start + (double)r->last * dt);
+    if (r->rest < 1e-12 * fmax(fabs(start), fabs(until)))
+        r->rest = 0;
     r->every = r->last / rows > 0 ? r->last / rows : 1;
     if (r->s->every == 0)
         return;
@@ -356,6 +361,13 @@ static uint64_t least(uint64_t a, uint64_t b)
     return a < b ? a : b;
 }
 
+static enum ending ending_of(enum stepping_end end)
+{
+    return end == STEPPING_DONE       ? WHOLE
+           : end == STEPPING_INFINITE ? INFINITE
+                                      : STUCK;
+}
+
 /* Takes at most *bite steps, up to the next row or the end at most. */
 static enum ending take_bite(struct run *r, uint64_t *bite)
 {
@@ -370,9 +382,7 @@ static enum ending take_bite(struct run *r, uint64_t *bite)
         *bite /= 2;
     else if (took < 0.02 && *bite < ahead)
         *bite *= 2;
-    return end == STEPPING_DONE       ? WHOLE
-           : end == STEPPING_INFINITE ? INFINITE
-                                      : STUCK;
+    return ending_of(end);
 }
 
 static enum ending add_row(struct run *r)
@@ -381,6 +391,17 @@ static enum ending add_row(struct run *r)
         return TOO_MUCH;
     r->time = motion_time(&r->motion);
     return write_row(r) ? WHOLE : UNWRITTEN;
+}
+
+static enum ending take_rest(struct run *r)
+{
+    if (r->kept && !keep_checkpoint(r))
+        return UNWRITTEN;
+    if (!motion_shorten(&r->motion, r->rest))
+        give_up("the last step");
+    r->rested = true;
+    const enum ending end = ending_of(motion_run(&r->motion, 1));
+    return end == WHOLE ? add_row(r) : end;
 }
 
 static enum ending run_on(struct run *r)
@@ -399,8 +420,10 @@ static enum ending run_on(struct run *r)
             end = UNWRITTEN;
         progress_update(&r->progress, *steps, *steps);
     }
-    r->seconds = bench_seconds() - start;
     r->taken = *steps - before;
+    if (end == WHOLE && r->rest > 0)
+        end = take_rest(r);
+    r->seconds = bench_seconds() - start;
     return end;
 }
 
@@ -551,7 +574,8 @@ static bool close_outputs(struct run *r, enum ending end)
 {
     bool good = r->kept ? make_table(r) : table_close(r->out);
     const bool later = !good || end == INTERRUPTED || end == UNWRITTEN;
-    if (r->kept && (end == INTERRUPTED || (end == WHOLE && !good)))
+    if (r->kept && !r->rested &&
+        (end == INTERRUPTED || (end == WHOLE && !good)))
         keep_checkpoint(r);
     if (r->kept)
         checkpoint_end(&r->checkpoint, later);
@@ -572,8 +596,9 @@ static void summarise(const struct run *r, enum ending end)
     table_text(t, "end", names[end]);
     table_count(t, "bodies", r->scene.bodies);
     table_text(t, "method", r->s->method);
-    table_real(t, "dt", p->dt);
-    table_count(t, "steps", p->steps);
+    table_real(t, "dt", r->motion.dt);
+    table_real(t, "last_step", r->rested ? r->rest : r->motion.dt);
+    table_count(t, "steps", r->rested ? r->last + 1 : p->steps);
     table_count(t, "rows", r->rows);
     table_count(t, "evaluations",
                 r->evaluations + p->evaluations + r->reference.evaluations);
@@ -590,7 +615,9 @@ static void summarise(const struct run *r, enum ending end)
 
 static const struct options_entry entries[] = {
     {"", 0, "SCENE", "a scene file; - is standard input"},
-    {"until", 't', "T", "the time at which to stop (1000 steps)"},
+    {"until", 't', "T",
+     "the time at which to stop (1000 steps); the last\n"
+     "step may be shorter than the others"},
     {"method", 'm', "NAME",
      "euler, symplectic-euler, leapfrog, rk4,\n"
      "yoshida4, yoshida6, pefrl, kahan-li8,\n"
@@ -641,6 +668,7 @@ static const struct table_key keys[] = {
     {"bodies", "1", "of the scene"},
     {"method", "word", "of stepping"},
     {"dt", "time", "step; all units are the scene's"},
+    {"last_step", "time", "the same, or shorter"},
     {"steps", "1", "taken"},
     {"rows", "1", "of the table"},
     {"evaluations", "1", "of the forces"},
@@ -749,6 +777,11 @@ int main(int argc, char *argv[])
     table_keys(r.summary, keys);
     progress_catch_signals();
     progress_begin(&r.progress, PROGRAM, r.last, "steps");
+    if (r.rest > 0)
+        fprintf(stderr,
+                PROGRAM ": --until: %.15g is no whole number of steps of "
+                        "%.15g: the last one is shorter, %.15g\n",
+                s.until, r.motion.dt, r.rest);
     if (!r.kept)
         write_head(&r);
     const enum ending end = run_on(&r);

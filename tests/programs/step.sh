@@ -73,8 +73,8 @@ holds 'a row: time, observables, the bodies tracked' \
     '2 2 32 0 0 -32 5 0 -4 0 0 -4 0 0 -4 0 0 -4'
 holds 'a column for each' test "$(grep -c '^# [0-9]* [^ ]* \[' "$w/t")" -eq 18
 holds 'named by body' grep -q '^# 9 z:1 \[length\]' "$w/t"
-$step "$w/fall" --until 2.1 -o "$w/a" --summary "$w/s"
-near 'the end is the last step that fits' "$(key "$w/s" steps)" 8 0
+$step "$w/fall" --until 2.1 -o "$w/a" --summary "$w/s" 2>"$w/told"
+near 'what is left of the time is a step' "$(key "$w/s" steps)" 9 0
 $step "$w/fall" -o "$w/a" --summary "$w/s"
 near 'without --until a thousand steps' "$(key "$w/s" steps)" 1000 0
 near 'and a hundred rows' "$(key "$w/s" rows)" 101 0
@@ -123,6 +123,13 @@ goes_on() {
     grep -v '^#' "$w/b" >"$w/rest"
     holds "$run_of: half of the rows" test "$(wc -l <"$w/rest")" -eq 17
     holds "$run_of goes on to the same bytes" cmp "$w/whole" "$w/rest"
+    # Half a step more is a step of half the length.
+    : >"$w/a"
+    $step "$begun" "$@" --until 4.00390625 -o "$w/a" 2>"$w/told"
+    $step "$w/saved" "$@" --dt 0.00390625 --every 0.00390625 \
+        --until 4.00390625 -o "$w/b"
+    holds "$run_of: half a step more" \
+        test "$(tail -n 1 "$w/a")" = "$(tail -n 1 "$w/b")"
 }
 cp tests/programs/rough.plist "$w/rough"
 sed '/^damp/d; s/0.3$/0/' "$w/rough" >"$w/free"
@@ -298,6 +305,30 @@ $step "$w/later" --until 3.3 -o "$w/a" --summary "$w/s"
 near 'no step to where we are' "$(key "$w/s" steps)" 0 0
 refuses 2 'every: 1e+09 is no whole number' \
     $step "$w/fall" --dt 1.6 --every 1000000000.5
+
+# An end between two steps has a shorter one, and says so.
+$step "$w/fall" --dt 2 --until 3 --track 1 -o "$w/t" --summary "$w/s" \
+    --save "$w/later" 2>"$w/told"
+holds 'the last row is the end' test "$(echo $(grep -v '^#' "$w/t" |
+    cut -d ' ' -f 1))" = '0 2 3'
+holds 'it is said' test "$(cat "$w/told")" = 'step: --until: 3 is no whole '\
+'number of steps of 2: the last one is shorter, 1'
+near 'in the summary too' "$(key "$w/s" last_step)" 1 0
+near 'as one step more' "$(key "$w/s" steps)" 2 0
+near 'with its row' "$(key "$w/s" rows)" 3 0
+near 'at its time' "$(key "$w/s" time)" 3 0
+holds 'what is saved has the step of the others' grep -qx 'dt 2' "$w/later"
+holds 'and the time of the end' grep -qx 'time 3' "$w/later"
+$step "$w/fall" --dt 1e30 --until 3 --track 1 -o "$w/t" 2>"$w/told"
+holds 'a step may be longer than the run' test "$(echo $(grep -v '^#' "$w/t" |
+    cut -d ' ' -f 1))" = '0 3'
+$step "$w/fall" --dt 0.25 --every 1 --until 2.3 --track 1 -o "$w/t" 2>"$w/told"
+holds 'the end has a row between the others' \
+    test "$(echo $(grep -v '^#' "$w/t" | cut -d ' ' -f 1))" = '0 1 2 2.2999999999999998'
+$step "$w/fall" --until 2 -o "$w/t" --summary "$w/s" 2>"$w/told"
+holds 'otherwise there is nothing to say' test ! -s "$w/told"
+near 'and the last step is as long as the others' \
+    "$(key "$w/s" last_step)" "$(key "$w/s" dt)" 0
 
 # Standard output that is a file has no companions.
 $step "$w/fall" --until 2 -o /dev/stdout 2>"$w/told" >"$w/b"

@@ -1,5 +1,5 @@
 /* From chapters/04-piston.nw: edit there, then run make tangle. */
-/* checksum 3469635454 of the lines below */
+/* checksum 1401336616 of the lines below */
 #include "bonkers.h"
 #include "start.h"
 #include "toolbox/options.h"
@@ -580,6 +580,23 @@ static bool say_collapse(const struct run *r)
     return r->stop == BONKERS_COLLAPSE;
 }
 
+/* Ends the program when its rows would never end: there are more than can
+   be counted until the end or, without one, until the first collision. */
+static void check_rows(const struct run *r)
+{
+    double end = r->until;
+    for (size_t i = 0; r->until == INFINITY && i < r->b.gaps; ++i)
+        end = fmin(end, r->b.due[i]);
+    if (r->every == 0 || r->samples < UINT64_MAX ||
+        !(end < INFINITY && end / r->every > 9e15))
+        return;
+    fprintf(stderr,
+            PROGRAM ": --every: %g s makes more than 9e15 rows in %g s; "
+                    "use a longer time, or --samples\n",
+            r->every, end);
+    exit(OPTIONS_FAILURE);
+}
+
 int main(int argc, char *argv[])
 {
     struct settings s;
@@ -588,6 +605,7 @@ int main(int argc, char *argv[])
     struct progress p;
     read_settings(&s, argc, argv);
     begin_run(&r, &s, s.wish.seed);
+    check_rows(&r);
     struct table *out = table_open(PROGRAM, s.output);
     struct table *summary = table_open(PROGRAM, s.summary);
     if (!out || !summary)

@@ -1,5 +1,5 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 999450942 of the lines below */
+/* checksum 3720282571 of the lines below */
 #include "blocks.h"
 #include "cells.h"
 #include "disks.h"
@@ -1071,6 +1071,18 @@ static bool fits(struct run *r, size_t *a, size_t *b)
     return cells_fit(&r->cells, a, b);
 }
 
+static void check_rows(const struct run *r)
+{
+    const struct disks *d = &r->d;
+    const double end =
+        r->s->until < INFINITY ? r->s->until : d->now + first_piece(d);
+    if (r->s->every > 0 && r->s->samples == UINT64_MAX && end < INFINITY &&
+        fmax(end, d->now) / r->s->every > 9e15)
+        refuse("--every: %g s makes more than 9e15 rows in %g s; use a "
+               "longer time, or --samples",
+               r->s->every, end);
+}
+
 /* Is it a state at all, and one that can be measured as was asked? */
 static void check_start(struct run *r)
 {
@@ -1084,6 +1096,7 @@ static void check_start(struct run *r)
         d->count < (d->boundary == DISKS_PERIODIC ? 3 : 2))
         refuse("--measure speeds needs more disks: %zu have no law",
                d->count);
+    check_rows(r);
     if (!starts_from_file(r->s) || fits(r, &a, &b))
         return;
     if (b == d->count)

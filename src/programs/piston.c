@@ -1,5 +1,5 @@
 /* From chapters/04-piston.nw: edit there, then run make tangle. */
-/* checksum 1444607231 of the lines below */
+/* checksum 227759840 of the lines below */
 #include "piston.h"
 #include "toolbox/bench.h"
 #include "toolbox/options.h"
@@ -634,6 +634,7 @@ static void read_settings(struct settings *s, int argc, char *argv[])
 int main(int argc, char *argv[])
 {
     struct settings s;
+    struct progress progress;
     read_settings(&s, argc, argv);
     s.out = table_open(PROGRAM, s.output);
     s.summary = table_open(PROGRAM, s.summary_path);
@@ -641,9 +642,11 @@ int main(int argc, char *argv[])
         return table_discard(s.out), table_discard(s.summary), EXIT_FAILURE;
     table_keys(s.summary, studies[s.study].keys);
     progress_catch_signals();
+    progress_begin(&progress, PROGRAM, 0, "steps");
     table_begin(s.out, s.command, 0);
     const bool done = studies[s.study].run(&s);
-    if (!table_close(s.out) || !done)
+    const bool whole = progress_end(&progress) && done;
+    if (!table_close(s.out) || !whole)
         return table_discard(s.summary), EXIT_FAILURE;
     return table_close(s.summary) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

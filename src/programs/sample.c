@@ -1,5 +1,5 @@
 /* From chapters/06-room.nw: edit there, then run make tangle. */
-/* checksum 1349132876 of the lines below */
+/* checksum 3575282715 of the lines below */
 #include "sampling.h"
 #include "toolbox/options.h"
 #include "toolbox/progress.h"
@@ -21,6 +21,7 @@ enum {
     HOPELESS = 15,  /* decimal digits of a number of throws to refuse */
     SOME = 256      /* samples between two looks at the clock */
 };
+#define VAIN 1e8 /* throws in a row that tell that nothing will fit */
 enum { BITE = 1 << 16 }; /* throws between two looks at the signals */
 
 enum method { DIRECT, MARKOV };
@@ -147,6 +148,23 @@ static void read_settings(struct settings *s, struct options *o, int argc,
                      s->summary);
 }
 
+/* Is it certain that the large ones do not fit between the walls? */
+static bool is_too_full(const struct settings *s)
+{
+    const double sigma = 2 * s->radius;
+    double area = 1, half = 0, square = 0;
+    for (size_t k = 0; k < s->dimensions; ++k) {
+        const double side = (s->box[k] - sigma) / sigma;
+        area *= side;
+        half += side;
+        square += side * side;
+    }
+    const double most = 2 / sqrt(3) * area + half + 1;
+    return s->boundary == DISKS_WALLS &&
+           ((s->large > 1 && square < 1 - 1e-12) ||
+            (s->dimensions == 2 && (double)s->large > most + 1e-9));
+}
+
 /* Ends the program when the disks cannot be in the box. */
 static void check_room(struct options *o, const struct settings *s,
                        const struct sampling *p)
@@ -176,6 +194,11 @@ static void check_room(struct options *o, const struct settings *s,
             "--disks: %zu of radius %g would fill %.4g of the box, "
             "and no packing fills more than %g",
             s->large, s->radius, packing, most);
+    if (is_too_full(s))
+        options_fail(o,
+                     "--disks: %zu of radius %g have no room between these "
+                     "walls",
+                     s->large, s->radius);
 }
 
 /* Ends the program when direct sampling would take for ever. */
@@ -184,10 +207,9 @@ static void check_patience(struct options *o, const struct settings *s,
 {
     struct random r;
     random_seed(&r, ~s->seed);
-    const double tries =
-        (log((double)s->samples) - sampling_log_acceptance(p, PILOT, &r)) /
-        log(10);
-    if (tries > HOPELESS)
+    const double once = -sampling_log_acceptance(p, PILOT, &r) / log(10);
+    const double tries = once + log((double)s->samples) / log(10);
+    if (tries > HOPELESS || once > log(VAIN / 20) / log(10))
         options_fail(
             o,
             "--method: direct would need more than 10^%.0f throws; "
@@ -206,6 +228,7 @@ struct run {
     double *start; /* the places of the large ones when counting began */
     double *row, high; /* of distances */
     struct table *out;
+    bool vain; /* too many throws in a row have failed */
 };
 
 /* The quantities of which run.numbers takes the means. */
@@ -254,14 +277,16 @@ static void end_run(struct run *run)
     free(run->row);
 }
 
-/* Throws until all fit. Returns false when a signal asks to stop. */
+/* Throws until all fit. Returns false when a signal asks to stop, or when
+   they do not seem to fit. */
 static bool next_direct(struct run *run)
 {
     uint64_t throws = 1;
     while (sampling_throw(&run->p, &run->r) < run->p.disks.count)
         if (throws++ % BITE == 0) {
             progress_update(&run->progress, run->done, run->tries + throws);
-            if (progress_signal()) {
+            run->vain = throws > VAIN;
+            if (progress_signal() || run->vain) {
                 run->tries += throws - 1;
                 return false;
             }
@@ -527,9 +552,14 @@ static void write_summary(struct table *out, const struct run *run)
 /* Writes what there is; returns the exit status. */
 static int finish(struct run *run, struct table *summary)
 {
-    const bool whole = progress_end(&run->progress);
+    const bool whole = progress_end(&run->progress) && !run->vain;
     const bool empty = run->done == 0;
-    if (empty)
+    if (run->vain)
+        fprintf(stderr,
+                PROGRAM ": nothing fitted in %.0e throws in a row; use "
+                        "--method markov, or a smaller --radius\n",
+                VAIN);
+    else if (empty)
         fprintf(stderr,
                 PROGRAM ": no configuration in %llu throws, no table\n",
                 (unsigned long long)run->tries);

@@ -1,5 +1,5 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 2991897899 of the lines below */
+/* checksum 630308292 of the lines below */
 #include "toolbox/progress.h"
 
 #include "toolbox/table.h"
@@ -60,6 +60,7 @@ void progress_update(struct progress *p, uint64_t done, uint64_t events)
     print_progress(p, now - p->start, events);
 }
 
+enum { PATIENCE = 10 }; /* s */
 static volatile sig_atomic_t signal_seen;
 
 static void note_signal(int number)
@@ -70,6 +71,16 @@ static void note_signal(int number)
         raise(number);
     }
     signal_seen = number;
+    alarm(PATIENCE);
+}
+
+/* It has been asked to stop, and has not. */
+static void give_up(int number)
+{
+    (void)number;
+    table_abandon();
+    signal(signal_seen, SIG_DFL);
+    raise(signal_seen);
 }
 
 int progress_signal(void)
@@ -87,6 +98,8 @@ void progress_catch_signals(void)
         if (sigaction(numbers[i], NULL, &old) == 0 &&
             old.sa_handler != SIG_IGN)
             sigaction(numbers[i], &new, NULL);
+    new.sa_handler = give_up;
+    sigaction(SIGALRM, &new, NULL);
 }
 
 bool progress_end(struct progress *p)
@@ -94,9 +107,12 @@ bool progress_end(struct progress *p)
     if (p->width > 0)
         fprintf(stderr, "\r%*s\r", p->width, "");
     p->width = 0;
+    alarm(0);
     if (!signal_seen)
         return true;
-    fprintf(stderr, "%s: interrupted; %.0f %% was done\n", p->program,
-            floor(100 * share_done(p)));
+    fprintf(stderr, "%s: interrupted", p->program);
+    if (p->total > 0)
+        fprintf(stderr, "; %.0f %% was done", floor(100 * share_done(p)));
+    fputc('\n', stderr);
     return false;
 }

@@ -1,5 +1,5 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 2276238605 of the lines below */
+/* checksum 2705001189 of the lines below */
 #ifndef TOOLBOX_PROGRESS_H
 #define TOOLBOX_PROGRESS_H
 
@@ -28,8 +28,9 @@ void progress_begin(struct progress *p, const char *program, uint64_t total,
 void progress_update(struct progress *p, uint64_t done, uint64_t events);
 
 /* From now on the first SIGINT, SIGTERM, SIGHUP or SIGXCPU only sets what
-   progress_signal returns; the second ends the process. A signal that the
-   process was started to ignore stays ignored. */
+   progress_signal returns; the second ends the process, and so do ten
+   seconds without progress_end. A signal that the process was started to
+   ignore stays ignored. */
 void progress_catch_signals(void);
 
 /* The signal that asks the run to stop, or 0. */

@@ -176,3 +176,12 @@ fi
 holds '--help' sh -c "$b --help | grep -q -- --restitution"
 holds '--version' sh -c "$b --version | grep -q '^bonkers (Bonkers)'"
 holds "the studies' --help" sh -c "$s --help | grep -q -- --study"
+
+# Rows without end.
+refuses 2 'every: 4.94066e-324 s makes more than 9e15 rows in 30 s' \
+    build/bin/bonkers --preset mixed --every 5e-324 --until 30
+refuses 2 'makes more than 9e15 rows' \
+    build/bin/bonkers --every 5e-324 --collisions 10
+build/bin/bonkers --every 5e-324 --samples 2 -o "$work/few"
+holds 'but three of them are three' \
+    test "$(grep -vc '^#' "$work/few")" -eq 3

@@ -119,3 +119,11 @@ END
 refuses 2 "$narrow 0.3 " $d --start "$work/two" --until .1
 # Those that are too small to meet are not waited for.
 refuses 2 'until: needed for disks that never meet' $d --radius 1e-12
+
+# Rows without end.
+refuses 2 'every: 4.94066e-324 s makes more than 9e15 rows in 1 s' \
+    $d --every 5e-324 --until 1
+refuses 2 'every: 4.94066e-324 s makes more than 9e15 rows' $d --every 5e-324
+$d --every 5e-324 --samples 2 -o "$work/few"
+holds 'but three of them are three' \
+    test "$(awk 'NF && !/^#/' "$work/few" | wc -l)" -eq 12

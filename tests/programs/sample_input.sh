@@ -40,3 +40,12 @@ refuses 2 "study" $t --study sleep
 refuses 1 "radii: 0.26 leaves no room" $t --study memory --radii 0.26
 refuses 2 "both go to" $t --study memory --summary -
 refuses 2 "study is needed" $t
+
+# What cannot be thrown is refused, or given up after a hundred million
+# throws in a row.
+refuses 2 'have no room between these walls' $s --disks 2 --radius .3
+refuses 2 'have no room between these walls' $s --disks 4 --radius .26
+refuses 2 'have no room between these walls' \
+    $s --disks 2 --radius .4 --box 1,1,1
+refuses 1 'nothing fitted in 1e+08 throws in a row; use --method markov' \
+    $s --radius .25 --samples 1

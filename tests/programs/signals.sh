@@ -15,10 +15,9 @@ told() {
     sleep 0.2
     kill -0 "$run" 2>/dev/null || not_ok "$*" 'it was done before it was told'
     kill "-$number" "$run"
-    for tenth in 0 1 2 3 4 5 6 7; do
-        for _ in 0 1 2 3 4 5 6 7 8 9; do
-            kill -0 "$run" 2>/dev/null && sleep "0.0$((tenth + 2))"
-        done
+    tenth=0
+    while [ $((tenth += 1)) -lt 150 ] && kill -0 "$run" 2>/dev/null; do
+        sleep 0.1
     done
     kill -9 "$run" 2>/dev/null
     wait "$run" 2>/dev/null
@@ -37,6 +36,7 @@ told TERM 1 table $bin/bonkers --preset thermal --until 1e8
 told TERM 1 table $bin/bonkers-studies --study drift --collisions 1000000000
 told TERM 1 table $bin/disks --disks 20000 --packing 0.3 --until 1000
 told TERM 1 table $bin/disks-studies --study collapse
+told TERM 1 table $bin/disks-speed --particles 100 --collisions 1000000000
 told TERM 1 table $bin/sample --samples 1000000000
 told TERM 1 table $bin/sample-studies --study acceptance --samples 100000000
 told TERM 1 table $bin/gravity-studies --study ring
@@ -45,6 +45,12 @@ told TERM 1 table $bin/spheres-studies --study checks
 told TERM 1 table $bin/step-studies --study rounding
 told TERM 1 table $bin/averages-studies --study digits
 told HUP 1 table $bin/disks-studies --study collapse
+# One that waits for its input and does not listen is ended after a while.
+mkfifo "$work/pipe"
+sleep 30 >"$work/pipe" &
+writer=$!
+told TERM 143 '' $bin/piston --study measure --table "$work/pipe"
+kill $writer
 $bin/scene ring -o "$work/ring.plist"
 told TERM 143 '' $bin/bonk "$work/ring.plist" --until 100 --tolerance 1e-3
 told TERM 1 'table table.checkpoint table.rows' $bin/step "$work/ring.plist" \

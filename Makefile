@@ -18,6 +18,7 @@ STANDARD = -std=c11 -D_POSIX_C_SOURCE=200809L -Wall -Wextra -pedantic
 # would take the roots of a loop one by one. It changes no bit.
 PORTABLE = -O2 -ffp-contract=off -fno-math-errno
 NATIVE = -O3 -march=native $(LTO) -ffp-contract=off -fno-math-errno
+SANITIZED = -g -O1 -ffp-contract=off $(sanitizers)
 
 # What is given on the command line is a value, not text for make or a shell:
 # recipes read it from the environment, as in "$$EX".
@@ -105,7 +106,7 @@ $(eval $(call only_with,chapters/book.tex,tangle check-tangle contact))
 $(eval $(call only_with,tests/wrong,book test memcheck handout mutants \
 	grade grade-bench))
 $(eval $(call only_with,solutions,solution))
-$(eval $(call only_with,tests/fuzz,fuzz))
+$(eval $(call only_with,tests/fuzz,fuzz fuzz-scenes fuzz-commands))
 # $(call offer,GOAL): echo, but for a goal that is absent.
 offer = @$(if $(filter $(1),$(absent)),: ||) echo
 
@@ -145,6 +146,7 @@ build/$(1)bin/%: build/$(1)obj/programs/%.o build/$(1)obj/libbonkers.a
 endef
 $(eval $(call tree,,$(PORTABLE)))
 $(eval $(call tree,native/,$(NATIVE)))
+$(eval $(call tree,sanitized/,$(SANITIZED)))
 .SECONDARY:
 
 native: $(programs:%=build/native/bin/%)
@@ -383,7 +385,7 @@ check-tangle:
 # chapters. Goals that need no book do without.
 bookless := all first programs native bench atlas movie movies wanted-movie inspect chart check watch hint progress \
 	reset solution mutants tangle check-tangle clean help format memcheck \
-	fuzz
+	fuzz fuzz-scenes fuzz-commands
 ifneq ($(filter-out $(bookless),$(MAKECMDGOALS)),)
 build/recipes/rules.mk: chapters/recipes chapters plots \
 		$(wildcard chapters/*.nw chapters/*.tex plots/*.gp)
@@ -544,28 +546,31 @@ build/tests/mutants/outlive: tests/mutants/outlive.c \
 # The library's tests under the sanitizers.
 memcheck: $(patsubst build/tests/%,build/memcheck/%,$(unit_tests))
 	@tests/run $^
-build/memcheck/%: tests/%.c $(wildcard tests/*.h tests/*/*.h) $(headers) $(library) Makefile
+build/memcheck/%: tests/%.c $(wildcard tests/*.h tests/*/*.h) $(headers) \
+		build/sanitized/obj/libbonkers.a
 	@mkdir -p $(@D)
 	$(call say,cc $<)
-	$(Q)$(CC) $(STANDARD) -g -O1 -ffp-contract=off $(sanitizers) -Isrc -Itests \
-		$(FLAGS) -o $@ $< $(library) $(LDFLAGS) -lcunit \
+	$(Q)$(CC) $(STANDARD) $(SANITIZED) $(OPENMP) -Isrc -Itests $(FLAGS) \
+		-o $@ $< build/sanitized/obj/libbonkers.a $(LDFLAGS) -lcunit \
 		$(if $(gsl),$(GSL_LIBS)) -lm
 
 # The reader of scenes, fed with what is no scene, TEXTS=1e7 for longer. With
 # clang libFuzzer chooses the texts; with others, tests/fuzz/alone.c does.
 TEXTS = 200000
 export TEXTS
+.PHONY: fuzz fuzz-scenes fuzz-commands
+fuzz: fuzz-scenes fuzz-commands
 FUZZ = -std=c11 -D_POSIX_C_SOURCE=200809L -g -O2 -ffp-contract=off \
 	$(sanitizers) $(FLAGS)
-.PHONY: fuzz
-fuzz: build/fuzz/scene
+fuzz-scenes: build/fuzz/scene
 	@mkdir -p build/fuzz/corpus
 	@build/fuzz/scene -seed=1 -runs=$$(printf '%.0f' "$$TEXTS") -max_len=512 \
 		-verbosity=0 -artifact_prefix=build/fuzz/ \
 		-dict=tests/fuzz/scene.dict build/fuzz/corpus tests/fuzz/seeds \
 		2>build/fuzz/log || { cat build/fuzz/log; exit 1; }
 	@echo "Fuzzed: $$TEXTS texts, all of them read or refused"
-build/fuzz/scene: tests/fuzz/scene.c tests/fuzz/alone.c src/scene.c \
+build/fuzz/scene: tests/fuzz/scene.c tests/fuzz/alone.c \
+		tests/fuzz/mutate.h src/scene.c \
 		src/scene.h src/decimal.c src/toolbox/random.c \
 		src/toolbox/room.c tests/library/scene_same.h
 	@mkdir -p $(@D)
@@ -575,6 +580,25 @@ build/fuzz/scene: tests/fuzz/scene.c tests/fuzz/alone.c src/scene.c \
 		2>/dev/null || $(CC) $(FUZZ) -Isrc -o $@ $< tests/fuzz/alone.c \
 		src/scene.c src/decimal.c src/toolbox/random.c \
 		src/toolbox/room.c -lm
+
+# All programs, under the sanitizers, with command lines and files that are
+# wrong: COMMANDS=1e4 for longer, SEED=2 for others, FIRST=123 COMMANDS=1 for
+# one of them again.
+COMMANDS = 2000
+SEED = 1
+FIRST = 0
+export COMMANDS SEED FIRST
+fuzz-commands: build/fuzz/commands $(programs:%=build/sanitized/bin/%)
+	@mkdir -p build/fuzz/work
+	@build/fuzz/commands "$$PWD/build/sanitized/bin" \
+		"$$PWD/build/fuzz/work" tests/fuzz/commands.txt \
+		"$$SEED" "$$FIRST" "$$COMMANDS" 2
+build/fuzz/commands: tests/fuzz/commands.c tests/fuzz/mutate.h \
+		src/toolbox/random.c
+	@mkdir -p $(@D)
+	$(call say,cc $<)
+	$(Q)$(CC) $(STANDARD) $(PORTABLE) -Isrc $(FLAGS) -o $@ \
+		$(filter %.c,$^) $(LDFLAGS) -lm
 
 # Every C file in the one layout; src/ is only compared, see the chapters.
 c_files = $(wildcard tests/*.h tests/*/*.[ch] solutions/*.c src/*.[ch] \
@@ -621,7 +645,7 @@ help:
 	$(call offer,mutants) 'make mutants      how many planted mistakes the exercises notice'
 	$(call offer,grade) 'make grade-bench  how long a course of 25 takes to grade; RECORD=1'
 	$(call offer,memcheck) 'make memcheck     the library tests under sanitizers'
-	$(call offer,fuzz) 'make fuzz         the reader of scenes against random texts; TEXTS=1e7'
+	$(call offer,fuzz) 'make fuzz         scenes, options and files that are wrong; TEXTS=1e7 COMMANDS=1e4'
 	$(call offer,tangle) 'make tangle       write src/ from chapters/'
 	$(call offer,check-tangle) 'make check-tangle see that src/ is what the chapters say'
 	@echo 'make format       see that the C files keep .clang-format'

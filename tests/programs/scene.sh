@@ -60,11 +60,11 @@ holds "a million bodies are read in $seconds s" \
     awk "BEGIN { exit !($seconds > 0 && $seconds < 2) }"
 
 holds 'the reader of scenes, fuzzed' \
-    ${MAKE:-make} -s fuzz TEXTS=20000
+    ${MAKE:-make} -s fuzz-scenes TEXTS=20000
 cc=${CC:-cc}
 if $cc -std=c11 -D_POSIX_C_SOURCE=200809L -g -O1 -ffp-contract=off \
-    -fsanitize=address,undefined -Isrc -o "$work/alone" tests/fuzz/*.c \
-    src/scene.c src/decimal.c src/toolbox/random.c src/toolbox/room.c \
+    -fsanitize=address,undefined -Isrc -o "$work/alone" tests/fuzz/scene.c \
+    tests/fuzz/alone.c src/scene.c src/decimal.c src/toolbox/random.c src/toolbox/room.c \
     -lm; then
     holds 'and fuzzed without libFuzzer' \
         "$work/alone" -runs=10000 tests/fuzz/seeds

@@ -47,8 +47,8 @@ build/compiler/key: FORCE
 	@mkdir -p $(@D)
 	@{ printf '%s\n' "$$key"; $(CC) --version 2>&1 | head -n 1; \
 		printf '\043include <gsl/gsl_cdf.h>\n' | $(CC) $(FLAGS) -E - \
-		2>/dev/null | grep -c gsl_cdf_ugaussian_P; } >$@.part
-	@if cmp -s $@.part $@; then rm $@.part; else mv $@.part $@; fi
+		2>/dev/null | grep -c gsl_cdf_ugaussian_P; } >$@.$$$$; \
+	if cmp -s $@.$$$$ $@; then rm $@.$$$$; else mv $@.$$$$ $@; fi
 build/compiler.mk: build/compiler/key
 	@printf '\043include <gsl/gsl_cdf.h>\nint main(void)\n%s\n' \
 		'{ return gsl_cdf_ugaussian_P(0) != 0.5; }' >$(asked)/gsl.c

@@ -24,7 +24,7 @@ SANITIZED = -g -O1 -ffp-contract=off $(sanitizers)
 # recipes read it from the environment, as in "$$EX".
 given = EX SUBMISSIONS REPORT JOBS HIDDEN RESULTS SECONDS TEXTS PRESET SCENE \
 	KEYS UNTIL EVERY VIEW FPS LIVE DT METHOD TOLERANCE OBSERVE X Y \
-	EDITION WITH_CHAPTERS
+	EDITION WITH_CHAPTERS COMMANDS SEED FIRST
 $(foreach v,$(given),$(if $(filter-out undefined,$(origin $v)),\
 	$(eval override $v := $$(value $v))$(eval export $v)))
 # bash counts in the other; a comment behind it would leave its blank in it.

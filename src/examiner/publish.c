@@ -1,5 +1,5 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 3582052926 of the lines below */
+/* checksum 1883816880 of the lines below */
 #define _XOPEN_SOURCE 700 /* wcwidth */
 #include "examiner/publish.h"
 #include "examiner/text.h"
@@ -885,6 +885,14 @@ static void show_notes(const struct course *c, size_t s,
     }
 }
 
+static char *first_advice(const struct marks *m)
+{
+    const char *text = m->advice + strspn(m->advice, " ");
+    const char *what = text_after(text, "what ");
+    if (what)
+        text = what + strspn(what, " ");
+    return compose("advice: %.*s", (int)strcspn(text, "\n"), text);
+}
 static void look_at(const struct marks *m, const struct layout *l,
                     bool *any)
 {
@@ -897,9 +905,7 @@ static void look_at(const struct marks *m, const struct layout *l,
         show_line(who, what, l, any,
                   compose("timed out%s", m->tries > 1 ? " twice" : ""));
     if (*m->advice)
-        show_line(who, what, l, any,
-                  compose("advice: %.*s", (int)strcspn(m->advice, "\n"),
-                          m->advice));
+        show_line(who, what, l, any, first_advice(m));
     if (marks_earned(m, false) == marks_possible(m, false) &&
         marks_earned(m, true) < hidden)
         show_line(

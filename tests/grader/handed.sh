@@ -120,12 +120,12 @@ quiet() { # STUDENT...: of these nothing is told
 }
 verdict 'and there is no word of it' quiet backups kit loose/none
 verdict 'what is hidden is told of' told hidden 'hidden, and not graded'
-verdict 'what the system has made is nothing' told system 'no file of an exer'
+verdict 'what the system has made is nothing' told system 'no file of an exercise$'
 verdict 'what is too deep is told of' told deep 'too deep, not looked into'
 verdict 'a whole kit has one file' has kit 01a-collide.c
 verdict 'a folder of the kit alone is a folder' has kitless 01a-collide.c
 verdict 'an archive is told of' told archive 'an archive that is not unpacked'
-verdict 'an empty folder is told of' told empty 'no file of an exercise among 0'
+verdict 'an empty folder is told of' told empty 'no file of an exercise$'
 verdict 'a linked folder is told of' told linked 'a link, which is not'
 verdict 'a link within is told of' told loose 'a link, which is not'
 verdict 'an archive among folders is told of' told - 'an archive .*late.zip'

@@ -190,9 +190,10 @@ static struct marks exercise_of(const char *student, size_t e,
     m.story = kind != UNBUILT ? copy("")
               : wild          ? strange_story(wild)
                               : copy("PUBLIC error: expected ';'");
-    m.advice = kind != ADVISED ? copy("")
-               : wild          ? strange_story(wild)
-                      : copy("PUBLIC heap-buffer-overflow\nline 3");
+    m.advice =
+        kind != ADVISED ? copy("")
+        : wild          ? strange_story(wild)
+               : copy("  what       PUBLIC heap-buffer-overflow\nline 3");
     fill_tests(&m, kind, wild);
     if (kind == UNBUILT)
         m.state = DOES_NOT_BUILD;

@@ -1,5 +1,5 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 3720282571 of the lines below */
+/* checksum 1988764077 of the lines below */
 #include "blocks.h"
 #include "cells.h"
 #include "disks.h"
@@ -319,18 +319,27 @@ static void end_piece(struct run *r)
     blocks_append(&r->pressure, sample);
 }
 
+static double end_of_piece(const struct run *r)
+{
+    const size_t per = r->pressure.per;
+    if (r->s->restitution == 1)
+        return r->begin +
+               (double)((r->pressure.count + 1) * per) * r->piece;
+    return r->d.now + (double)(1000 + r->d.count) * first_piece(&r->d);
+}
+
 static void run_to(struct run *r, double until, uint64_t collisions)
 {
     const double start = bench_seconds();
     r->stop = DISKS_TIME;
     while (r->stop == DISKS_TIME && r->d.now < until &&
            !progress_signal()) {
-        const double end =
-            r->begin +
-            (double)((r->pressure.count + 1) * r->pressure.per) * r->piece;
+        const double end = end_of_piece(r);
         r->stop = advance(r, fmin(end, until), collisions);
         if (r->stop == DISKS_TIME && end <= until)
             end_piece(r);
+        if (r->stop == DISKS_TIME && fmin(end, until) == INFINITY)
+            r->stop = DISKS_COLLAPSE;
         if (r->until < INFINITY)
             progress_update(&r->progress,
                             (uint64_t)((r->d.now - r->begin) /
@@ -1137,8 +1146,9 @@ int main(int argc, char *argv[])
     const bool whole = progress_end(&r.progress);
     if (r.stop == DISKS_COLLAPSE)
         fprintf(stderr,
-                PROGRAM ": inelastic collapse at t = %.6g s after %llu "
-                        "collisions\n",
+                PROGRAM ": %s at t = %.6g s after %llu collisions\n",
+                disks_collapsed(&r.d) ? "inelastic collapse"
+                                      : "all are at rest",
                 r.d.now, (unsigned long long)r.d.collisions);
     const bool written = table_close(r.out);
     cells_free(&r.cells);

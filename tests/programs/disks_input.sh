@@ -103,6 +103,12 @@ refuses 1 'inelastic collapse at t = ' \
 holds 'the table of a collapse is kept' \
     sh -c "tail -n 1 '$work/collapsed' | grep -q ' 3 1 0.5 '"
 
+# Disks that slow down end their run: at the collision asked for, or at rest.
+holds 'disks that slow down reach their last collision' \
+    timeout 60 $d --restitution 0.5 --summary /dev/null -o /dev/null
+refuses 1 'all are at rest at t = ' \
+    $d --restitution 0.5 --collisions 1000000 -o /dev/null
+
 # A periodic box shows each disk one image of another, and time for it.
 narrow='too narrow to be periodic: with a radius of'
 refuses 2 "boundary: a side of 1 is $narrow 0.25 it must be more than 1" \

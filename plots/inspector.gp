@@ -49,7 +49,7 @@ stats file using y nooutput
 lengths = same(4, 2, columns) eq 'length'
 constant = columns == y && !lengths && \
     STATS_max - STATS_min < 1e-3 * abs(STATS_max)
-first = constant ? real(system(sprintf("grep -v '^#' '%s' | sed 1q | cut -d ' ' -f %d", file, y))) : 0
+first = constant ? real(system(sprintf("sed '/^#/d;q' '%s' | cut -d ' ' -f %d", file, y))) : 0
 set xlabel axis(2, 1 + pairs) noenhanced
 set ylabel (constant ? 'change of ' : '').axis(y, columns) noenhanced offset (constant ? 0 : 1)
 if (lengths) { set size ratio -1 }

@@ -1,5 +1,5 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 905996136 of the lines below */
+/* checksum 1268893277 of the lines below */
 #include "toolbox/study.h"
 
 #include <assert.h>
@@ -37,9 +37,11 @@ static void list_options(const struct study_program *p, const char *help,
 {
     const struct options_entry *own = p->options;
     *entries++ = (struct options_entry){"study", 'y', "NAME", help};
-    while (own && own->name)
-        *entries++ = *own++;
-    *entries++ = (struct options_entry){"", 0, NULL, p->drawing};
+    const char *heading = NULL;
+    for (; own && own->name; *entries++ = *own++)
+        heading = *own->name ? heading : own->help;
+    if (!heading || !p->drawing || strcmp(heading, p->drawing) != 0)
+        *entries++ = (struct options_entry){"", 0, NULL, p->drawing};
     if (p->seeds > 0)
         *entries++ = (struct options_entry){"seed", 's', "S",
                                             "of the random numbers (1)"};

@@ -318,6 +318,11 @@ tries step "$work/scene"
 tries bonk "$work/pair" --until 100 --tolerance 0.1
 [ $total -gt 900 ] || not_ok 'there are cases' "$total"
 
+# A heading stands once.
+holds 'no help has a heading twice' sh -c 'for p in build/bin/*; do
+    "$p" --help | grep -E "^(with|always)" | sort | uniq -d; done |
+    { ! grep .; }'
+
 # What no help knows, because it depends on the scene or on lists.
 $bin/scene cradle -o "$work/cradle"
 for option in '--rule all' '--shift back' '--order deepest' '--threads 2' \

@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 1840316845 of the lines below */
+/* checksum 1033014390 of the lines below */
 #include "checkpoint.h"
 
 #include <errno.h>
@@ -97,6 +97,10 @@ void checkpoint_end(struct checkpoint *c, bool keep)
     *c = (struct checkpoint){.locked = locked};
 }
 
+static const char rows_begin[] = "# rows of step\n";
+static const char checkpoint_begins[] =
+    "# a checkpoint, and a scene: --resume goes on\n";
+
 static bool take_rows(struct checkpoint *c, int flags)
 {
     struct flock whole = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
@@ -114,15 +118,38 @@ static bool take_rows(struct checkpoint *c, int flags)
            complain(c, c->rows_path, "another run is writing it");
 }
 
+/* Is there no such file, an empty one, or one that begins so? */
+static bool is_ours(struct checkpoint *c, const char *path,
+                    const char *beginning)
+{
+    char line[64] = "";
+    FILE *file = fopen(path, "r");
+    const bool some = file && fgets(line, sizeof line, file);
+    if (file)
+        fclose(file);
+    c->locked = some && strcmp(line, beginning) != 0;
+    return !c->locked ||
+           complain(c, path, "is not step's and stays: another -o will do");
+}
+
+static bool start_rows(struct checkpoint *c)
+{
+    unlink(c->path);
+    c->sum = table_sum(c->sum, rows_begin, strlen(rows_begin));
+    if (ftruncate(fileno(c->rows), 0) == 0 &&
+        fputs(rows_begin, c->rows) >= 0)
+        return true;
+    return complain(c, c->rows_path, strerror(errno));
+}
+
 bool checkpoint_begin(struct checkpoint *c, const char *program,
                       const char *command, const char *output)
 {
-    if (name_files(c, program, command, output) && take_rows(c, O_CREAT)) {
-        unlink(c->path);
-        if (ftruncate(fileno(c->rows), 0) == 0)
-            return true;
-        complain(c, c->rows_path, strerror(errno));
-    }
+    if (name_files(c, program, command, output) &&
+        is_ours(c, c->rows_path, rows_begin) &&
+        is_ours(c, c->path, checkpoint_begins) && take_rows(c, O_CREAT) &&
+        start_rows(c))
+        return true;
     checkpoint_end(c, true);
     return false;
 }
@@ -152,10 +179,10 @@ static bool flush_rows(struct checkpoint *c)
 bool checkpoint_copy(struct checkpoint *c, struct table *t)
 {
     static char piece[65536];
-    uint64_t sum = TABLE_NOTHING;
+    const size_t skip = strlen(rows_begin);
+    uint64_t sum = table_sum(TABLE_NOTHING, rows_begin, skip);
     size_t n;
-    bool good = flush_rows(c);
-    rewind(c->rows);
+    bool good = flush_rows(c) && fseek(c->rows, (long)skip, SEEK_SET) == 0;
     while (good && (n = fread(piece, 1, sizeof piece, c->rows)) > 0) {
         sum = table_sum(sum, piece, n);
         good = table_print(t, "%.*s", (int)n, piece);
@@ -195,7 +222,7 @@ bool checkpoint_write(struct checkpoint *c, struct motion *m,
     struct table *t = table_open(c->program, c->path);
     if (!t)
         return false;
-    table_print(t, "# a checkpoint, and a scene: --resume goes on\n");
+    table_print(t, "%s", checkpoint_begins);
     table_print(t, "#= command %s\n", c->command);
     table_print(t, "#= length %ld\n", length);
     table_print(t, "#= sum %" PRIu64 "\n", c->sum);

@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 2069922951 of the lines below */
+/* checksum 3836905477 of the lines below */
 #ifndef CHECKPOINT_H
 #define CHECKPOINT_H
 
@@ -30,7 +30,7 @@ struct checkpoint {
     uint64_t sum; /* of the bytes of all rows */
     bool failed;  /* to write: it has been said */
     bool lost;    /* rows are: no more checkpoints */
-    bool locked;  /* by another run, which writes the same table */
+    bool locked;  /* the files are not ours: another run's, or somebody's */
 };
 
 /* Can a table of this name (NULL: standard output) be resumed? It can be
@@ -43,7 +43,7 @@ double checkpoint_sum(const char *path);
 
 /* Begins with no rows. Returns false, having said why on standard error
    and with nothing to free, when FILE.rows cannot be written, or
-   another run writes it: then c->locked is true. program and
+   is not ours to write: then c->locked is true. program and
    command are kept, not copied. */
 bool checkpoint_begin(struct checkpoint *c, const char *program,
                       const char *command, const char *output);

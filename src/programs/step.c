@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 3340818994 of the lines below */
+/* checksum 3501536179 of the lines below */
 #include "checkpoint.h"
 #include "motion.h"
 #include "observables.h"
@@ -780,7 +780,7 @@ int main(int argc, char *argv[])
     if (r.rest > 0)
         fprintf(stderr,
                 PROGRAM ": --until: %.15g is no whole number of steps of "
-                        "%.15g: the last one is shorter, %.15g\n",
+                        "%.15g: the last one is shorter, %g\n",
                 s.until, r.motion.dt, r.rest);
     if (!r.kept)
         write_head(&r);

@@ -124,7 +124,7 @@ while [ $line -lt "$lines" ]; do
 done
 holds 'a checkpoint that was changed is refused' test "$lines" -gt 20
 cp "$work/kept" "$work/part.checkpoint"
-sed -i '1s/1/2/' "$work/part.rows"
+sed -i '2s/1/2/' "$work/part.rows"
 # shellcheck disable=SC2086
 refuses 2 'part.rows: has other rows than the checkpoint says' $again
 
@@ -204,6 +204,17 @@ holds 'nor after the terminal was closed' ls "$work/part.rows" \
 $step "$scene" --until 9000 --every 0.5 -o "$work/part" --resume
 holds 'and that run goes on' cmp "$work/whole" "$work/part"
 
+# Nor is a file taken away that only has such a name.
+rm -f "$work"/part*
+for companion in rows checkpoint; do
+    echo 'the rows of my garden' >"$work/part.$companion"
+    refuses 2 "part.$companion: is not step's and stays" \
+        $step "$scene" --until 9000 --every 0.5 -o "$work/part"
+    holds 'and it is as it was' grep -qx 'the rows of my garden' \
+        "$work/part.$companion"
+    rm "$work/part.$companion"
+done
+
 # Two runs do not write one table, and what is copied into it is what was
 # written.
 $step "$scene" --until 9000 --every 0.5 -o "$work/part" &
@@ -234,3 +245,4 @@ holds 'and there is no table of them' test ! -e "$work/part"
 # Without --resume the run begins anew.
 $step "$scene" --until 9000 --every 0.5 -o "$work/part"
 holds 'without --resume all begins anew' cmp "$work/whole" "$work/part"
+echo 1..54

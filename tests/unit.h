@@ -55,9 +55,13 @@ static inline int unit_run(const char *suite_name, struct unit_test tests[])
 {
     CU_pSuite suite;
     int failed = 0;
+    int planned = 0;
     if (CU_initialize_registry() != CUE_SUCCESS ||
         !(suite = CU_add_suite(suite_name, NULL, NULL)))
         return 1;
+    while (tests[planned].name)
+        ++planned;
+    printf("1..%d\n", planned);
     for (; tests->name; ++tests) {
         CU_pTest test = CU_add_test(suite, tests->name, tests->run);
         CU_pFailureRecord why;

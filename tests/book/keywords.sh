@@ -81,3 +81,4 @@ if */ while
 [ "$got" = 'a C</* for>
 C<if */> K<while>' ] && echo 'ok keywords: a comment over a continued chunk' ||
     echo "not ok keywords: a comment over a continued chunk - got '$got'"
+echo 1..15

@@ -165,3 +165,4 @@ chapter '%run a: build/bin/walk' '%run a: build/bin/walk --seed 2'
 is 'two commands for one run are refused' \
     'recipes: chapters/01-x.nw:3: run a is another command in chapters/01-x.nw:2' \
     "$(chapters/recipes 2>&1)"
+echo 1..34

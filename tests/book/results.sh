@@ -78,3 +78,4 @@ refused 'another count' '\result[=31428489]{drift}{count}' \
 refused 'another word' '\result[0 to 1]{drift}{form}' \
     'chapters/01-x.nw:3: \result{drift}{form} is smaller, which is no number'
 cd "$here" || exit 1
+echo 1..17

@@ -147,3 +147,4 @@ some 'a mark stands at the end of a plain line' "$(sed -n 2p tex/01-x.tex)" \
 some 'and the list names it' "$(grep '^.termline' tex/terms.tex)" \
     '\termline{heap}{\termdef{1}}'
 cd "$here" || exit 1
+echo 1..16

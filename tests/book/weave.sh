@@ -90,3 +90,4 @@ printf '%s\n' "$two" | sed 's/^<<Includes>>$/<<Inclusions>>/' \
     >chapters/02-two.nw
 refused 'a chunk without a definition' \
     'weave: chapters/02-two.nw: no chunk is named <<Inclusions>>'
+echo 1..12

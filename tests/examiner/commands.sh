@@ -289,6 +289,7 @@ verdict 'when all passes the watch says so' wait_for '^Everything here passes'
 kill -TERM $watch
 wait $watch
 mv 99b.* build/check/
+fewer=0
 if command -v script >/dev/null 2>&1 && script -qec true out >/dev/null 2>&1
 then
     cp "$traps/wrong.c" $mine
@@ -305,6 +306,8 @@ then
         "PAGER='sed s/W/PW/' script -qec \
         'build/check/examine --solution 99a' script.out >out 2>&1 </dev/null
         says PWorked"
+else
+    fewer=4
 fi
 
 # ---- The front door.
@@ -312,3 +315,4 @@ for goal in watch hint progress reset solution; do
     ${MAKE:-make} -s -n -C "$root" $goal EX=01a >out 2>&1
     verdict "make $goal asks for it" says "examine --$goal [$]EX"
 done
+echo "1..$((94 - fewer))"

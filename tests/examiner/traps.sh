@@ -17,11 +17,12 @@ judged() { # file state
     done <wanted
 }
 
+fewer=0
 for file in "$here"/traps/*.c; do
     name=${file##*/}
     if grep -q "needs: sanitizers" "$file" &&
         ! grep -q fsanitize=address build/check/flags; then
-        echo "ok examiner: $name is left out, for want of sanitizers"
+        fewer=$((fewer + 1))
         continue
     fi
     state=$(sed -n '1s/^\/\* \(.*\): .* \*\/$/\1/p' "$file")
@@ -50,3 +51,4 @@ if [ -d /proc/self/task ]; then
     verdict 'on Linux a process that left the group is killed' \
         eval '[ -s strays.pid ] && [ -z "$alive" ]'
 fi
+echo "1..$((50 - fewer))"

@@ -89,3 +89,4 @@ for folder in tests/stubs solutions tests/right tests/wrong; do
         echo "ok exercises: $folder includes no physics"
     fi
 done
+echo 1..123

@@ -390,3 +390,4 @@ drawn() {
 }
 verdict 'a seed that is not given is drawn once and kept' drawn
 verdict 'nothing is left in the end' nothing
+echo 1..63

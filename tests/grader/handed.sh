@@ -135,3 +135,4 @@ verdict 'an exercise that is none is told of' told x.part 'there is no such ex'
 verdict 'a dozen lines are enough' told many '... and more'
 verdict 'a line break stays in its line' told odd 'an archive .*line?break.zip'
 verdict 'a byte that is no text is told of' told bytes 'an archive .*xff'
+echo 1..52

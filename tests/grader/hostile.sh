@@ -38,11 +38,13 @@ grade "$scratch/tricks" "$scratch/out"
 verdict 'the batch ends well' ended 0
 grep -q 'sealed namespaces' "$scratch/said"
 sealed=$?
+fewer=0
 for file in "$here"/hostile/*.c; do
     name=${file##*/}
     name=${name%.c}
     if [ ! -d "$scratch/tricks/$name" ] ||
         { [ "$name" = sealed ] && [ "$sealed" -ne 0 ]; }; then
+        [ "$name" != sealed ] || fewer=1
         continue
     fi
     state=$(sed -n '1s/^\/\* \(.*\): .* \*\/$/\1/p' "$file")
@@ -261,6 +263,8 @@ if [ "$(id -u)" -eq 0 ]; then
         grep -q '^  none  *-  a folder that cannot be read' "$scratch/said"
     chown -R 0:0 "$scratch/kit"
     user=
+else
+    fewer=$((fewer + 20))
 fi
 
 # A bubblewrap that refuses what other machines refuse.
@@ -283,6 +287,8 @@ if [ "$(id -u)" -eq 0 ]; then
     batch 'where users have no namespaces' other rooted/out kill-all rights \
         network read-files proc fork-left memory-children
     verdict 'the lecturer is told that root has made them' told "in: root's"
+else
+    fewer=$((fewer + 12))
 fi
 
 # Without bubblewrap nothing is run, unless it is asked for.
@@ -307,5 +313,7 @@ if [ "$(id -u)" -eq 0 ]; then
     batch 'without a box' other bare/out fork-left exit close-all
 else
     batch 'without a box' other bare/out exit close-all
+    fewer=$((fewer + 1))
 fi
 verdict 'the lecturer is told that there is none' told 'NONE'
+echo "1..$((197 - fewer))"

@@ -392,3 +392,4 @@ holds 'a file in place of the folder is an error' \
     refused 2 "$work/file/grades.csv" "$reports" plain csv "$work/file"
 holds 'an unknown report is refused' \
     refused 2 "no report 'pdf'; there are table" "$reports" plain pdf "$work"
+echo 1..143

@@ -85,9 +85,13 @@ for value in "01a;touch $hit" "\$(touch $hit)" "\$(shell touch $hit)"; do
 done
 
 # What changes every result is refused where it is compiled.
+fewer=0
 for flag in -Ofast -ffast-math -fassociative-math\ -fno-signed-zeros\ -fno-trapping-math \
     -mfpmath=387; do
-    case $flag in *387) [ "$(uname -m)" = x86_64 ] || continue ;; esac
+    case $flag$(uname -m) in
+    *387x86_64) ;;
+    *387*) fewer=2 && continue ;;
+    esac
     # shellcheck disable=SC2086
     cc -std=c11 -D_POSIX_C_SOURCE=200809L $flag -Isrc -fsyntax-only \
         src/toolbox/table.c >"$work/out" 2>&1
@@ -97,3 +101,4 @@ for flag in -Ofast -ffast-math -fassociative-math\ -fno-signed-zeros\ -fno-trapp
     holds 'which is taken' cc -std=c11 -D_POSIX_C_SOURCE=200809L $flag \
         -DBONKERS_ANY_ROUNDING -Isrc -fsyntax-only src/toolbox/table.c
 done
+echo "1..$((28 - fewer))"

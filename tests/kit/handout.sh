@@ -520,4 +520,4 @@ found "the reference value 0.$value" \
 [ -e "$work/all/$course/answers.pdf" ] && for file in solutions/*.c; do
     found "$file, in an instructor's book" "answers.pdf.txt:.* $file:"
 done
-exit 0
+echo 1..132

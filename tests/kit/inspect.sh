@@ -155,3 +155,4 @@ chart SCENE='my own.scene.plist'
 holds 'and of a file with a space in its name' grep -qx \
     'The chart: build/chart/my_own.scene.svg' "$work/out"
 no_window chart build/chart/sun-earth.dat
+echo 1..40

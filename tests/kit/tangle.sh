@@ -58,3 +58,4 @@ holds 'and leaves the others alone' test -z "$(find src/collide.c -newer src/col
 chapters/tangle -L "$work/lines" >"$work/out" 2>&1
 holds '-L names the chapter and its line' \
     grep -q '#line [0-9]* "chapters/01-collide.nw"' "$work/lines/collide.c"
+echo 1..12

@@ -186,3 +186,4 @@ refuses 2 'nowhere' $bonk "$w/nowhere" --until 1 --tolerance 1e-3
 printf 'pos 0 0 0 0 0 0 0.1\npos 1 1 0 0 1 0 0.1\ns 0 1 0\nsl 0 1 0\n' \
     >"$w/light"
 refuses 2 'has no mass' $bonk "$w/light" --until 1 --tolerance 1e-3
+echo 1..71

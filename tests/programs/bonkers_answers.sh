@@ -180,3 +180,4 @@ holds 'an ensemble of two is the mean of its two members' \
     awk -v one="$work/m1.rows" -v two="$work/m2.rows" \
     -v mass="$(sed -n 's/^# masses: //p' "$work/m1")" \
     -f "$work/means" "$work/e.rows"
+echo 1..81

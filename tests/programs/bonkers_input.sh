@@ -185,3 +185,4 @@ refuses 2 'makes more than 9e15 rows' \
 build/bin/bonkers --every 5e-324 --samples 2 -o "$work/few"
 holds 'but three of them are three' \
     test "$(grep -vc '^#' "$work/few")" -eq 3
+echo 1..76

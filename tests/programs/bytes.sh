@@ -137,3 +137,4 @@ for cc in gcc clang; do
         rm -r "$work/bin" "$work/obj"
     done
 done
+echo 1..6

@@ -67,3 +67,4 @@ holds 'the summary has the velocities after' \
 $c --tests 3 --seed 1 >"$work/one"
 $c --tests 3 --seed 2 >"$work/two"
 holds 'another seed is another run' sh -c "! cmp -s $work/one $work/two"
+echo 1..28

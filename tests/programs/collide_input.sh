@@ -92,3 +92,4 @@ holds 'no temporary is left' test "$(ls -A "$work" | tr '\n' ' ')" = \
     "err folder keep out said status "
 holds '--help' sh -c "$c --help | grep -q -- --restitution"
 holds '--version' sh -c "$c --version | grep -q '^collide (Bonkers)'"
+echo 1..47

@@ -241,3 +241,4 @@ holds 'a pressure without --every is that of the run' awk '
     END { exit !(n == 1 && good) }' "$work/s" "$work/t"
 says 'its virial is the mean of Z_wall (1 - 2R/L)' \
     'abs((s["Z_wall_x"] * 11 / 12 + s["Z_wall_y"] * 10 / 11) / 2 - s["Z_virial"]) < 0.01'
+echo 1..74

@@ -59,3 +59,4 @@ $d --engine pairs --every 0.5 --until 50 -o "$work/pairs"
 $d --engine auto --every 0.5 --until 50 -o "$work/auto"
 holds 'the engine does not show in the table' \
     cmp "$work/pairs" "$work/auto"
+echo 1..8

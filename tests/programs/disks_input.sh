@@ -133,3 +133,4 @@ refuses 2 'every: 4.94066e-324 s makes more than 9e15 rows' $d --every 5e-324
 $d --every 5e-324 --samples 2 -o "$work/few"
 holds 'but three of them are three' \
     test "$(awk 'NF && !/^#/' "$work/few" | wc -l)" -eq 12
+echo 1..68

@@ -43,3 +43,4 @@ planted hasty 'refused, and it wrote a file' \
 planted halves 'it leaves half a line' 'printf 1 >new.dat'
 planted takes 'it takes a file away' 'rm -f old.dat'
 planted endless 'it takes for ever' 'while :; do :; done' 1
+echo 1..14

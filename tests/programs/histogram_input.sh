@@ -67,3 +67,4 @@ refuses 1 'cannot write' $h -o "$work/none/x" "$good"
 if [ -c /dev/full ]; then
     refuses 1 'cannot write' $h -o /dev/full "$good"
 fi
+echo 1..43

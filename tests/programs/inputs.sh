@@ -51,3 +51,4 @@ echo 1 >lattice
 holds 'a start named lattice is no file' \
     "$bin/disks" --start lattice --every 1 --until 1 -o lattice
 holds 'a file of its own is written' "$bin/histogram" table -o other
+echo 1..75

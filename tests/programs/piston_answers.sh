@@ -141,3 +141,4 @@ near 'adiabatic: period' period 39.44 0.29
 near 'adiabatic: added mass, small swing' period 39.738 0.596
 near 'adiabatic: added mass, true swing' period 39.299 0.589
 near 'adiabatic: sound' period 39.779 0.597
+echo 1..39

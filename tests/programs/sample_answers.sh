@@ -178,3 +178,4 @@ holds 'a run that is cut short has a table' \
     test "$(grep -c '^[0-9]' "$work/table.cut")" -eq 100
 holds 'but no summary, and fails' \
     test "$status" -eq 1 -a ! -e "$work/none"
+echo 1..32

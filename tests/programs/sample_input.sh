@@ -49,3 +49,4 @@ refuses 2 'have no room between these walls' \
     $s --disks 2 --radius .4 --box 1,1,1
 refuses 1 'nothing fitted in 1e+08 throws in a row; use --method markov' \
     $s --radius .25 --samples 1
+echo 1..30

@@ -69,3 +69,4 @@ if $cc -std=c11 -D_POSIX_C_SOURCE=200809L -g -O1 -ffp-contract=off \
     holds 'and fuzzed without libFuzzer' \
         "$work/alone" -runs=10000 tests/fuzz/seeds
 fi
+echo 1..234

@@ -55,3 +55,4 @@ $bin/scene ring -o "$work/ring.plist"
 told TERM 143 '' $bin/bonk "$work/ring.plist" --until 100 --tolerance 1e-3
 told TERM 1 'table table.checkpoint table.rows' $bin/step "$work/ring.plist" \
     --until 10000
+echo 1..17

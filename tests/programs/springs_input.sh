@@ -13,3 +13,4 @@ refuses 2 "diagonals: '3'" $g cantilever --diagonals 3
 refuses 2 "nx: '2.5'" $g cantilever --nx 2.5
 refuses 2 "mass1: '0'" $g double-pendulum --mass1 0
 refuses 2 "turned over" $g oscillator --displacement -5
+echo 1..9

@@ -173,11 +173,13 @@ refuses 2 "less:[0-9]*: found 'kept', expected one for each of the 3 bodies" \
 $step "$w/saved" --method rk4 --until 5 -o "$w/a" --save "$w/c"
 holds 'nobody else keeps one' sh -c "! grep '^kept' '$w/c'"
 $step "$w/ring" --until 400 --every 400 -o "$w/b"
+fewer=0
 for kernel in avx2 avx512; do
     if ! $step "$w/ring" --until 400 --every 400 --kernel $kernel \
         -o "$w/c" 2>"$w/told"; then
         holds "$kernel: this machine has none" \
             grep -qx "step: --kernel: this machine has no $kernel" "$w/told"
+        fewer=$((fewer + 2))
         continue
     fi
     near "$kernel is another rounding" "$(cell 2 2 "$w/c")" \
@@ -361,3 +363,4 @@ fi
 sed 's/^dt .*/dt 0.1/' "$w/pendulum" >"$w/wild"
 build/bin/orbit "$w/wild" >"$w/a" 2>"$w/told"
 holds 'and a run that blew up' test $? -eq 1
+echo "1..$((262 - fewer))"

@@ -43,3 +43,4 @@ refuses 2 'orbits: ' $s --study energy --orbits 0
 refuses 2 'orbits: ' $s --study energy --orbits many
 refuses 1 nowhere $s --study laws -o /nowhere/table
 holds '--help lists the studies' sh -c "$s --help | grep -q friction"
+echo 1..13

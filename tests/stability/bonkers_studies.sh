@@ -119,3 +119,4 @@ within 'a nanometre apart: N^2/2 again' "$(key row apart)" 3200 12800
 study speed --study speed --particles 10
 within 'the speed of the scan is that of some engine' \
     "$(key speed scan/naive-10)" 0.01 100
+echo 1..31

@@ -66,3 +66,4 @@ then
 else
     ok 'no false alarm at a fast wall'
 fi
+echo 1..23

@@ -55,3 +55,4 @@ holds 'the error of the pressure falls' awk '
     !/^#/ { if (!n++) first = $4; last = $4 }
     END { print first, last; exit !(last < first / 2.5 && last > 0) }' \
     "$work/pressure.dat"
+echo 1..24

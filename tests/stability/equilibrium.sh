@@ -162,3 +162,4 @@ between 'a long tail is missed by the sum of correlations' \
 between 'and seen by blocks' blocks block_inefficiency2_v9 6.5 13
 between 'the velocity has g < 1 where its square has not' \
     mixed inefficiency_v1 1 3
+echo 1..91

@@ -466,3 +466,4 @@ for name in $names; do
                 e ~ /[0-9]/ && energy ~ /[0-9]/ &&
                 e + 0 < 1e-11 && energy + 0 < 1e-11)) }'
 done
+echo 1..47

@@ -63,3 +63,4 @@ holds 'a thousand disks come home after 4 s' \
     awk -v off="$(home 4)" 'BEGIN { print off; exit !(off < 1e-8) }'
 holds 'and do not after 16 s' \
     awk -v off="$(home 16)" 'BEGIN { print off; exit !(off > 0.05) }'
+echo 1..7

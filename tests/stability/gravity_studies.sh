@@ -72,3 +72,4 @@ between "Holman and Wiegert's formula" alive law 2.27304 2.27306
 study planets
 between 'five planets keep their energy' planets energy_300 0 1e-10
 between 'of eight, one meeting costs a third of it' planets eight .1 1
+echo 1..28

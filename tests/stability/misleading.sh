@@ -286,3 +286,4 @@ holds "whole-turns: error $error" awk -v error="$error" \
     'BEGIN { exit !(error ~ /[0-9]/ && error <= 1e-2) }'
 refuses 1 'beyond reason' $bonk "$here/far-meeting.plist" --until 640 \
     --every 640 --tolerance 1e-3 -o "$w/far"
+echo 1..118

@@ -79,3 +79,4 @@ holds 'but hardly a chain without rejections, which is 5 per cent off' awk '
     END { d = v["moved_walls"] - v["moved_pairs"]
         print d; exit !(d * d < 0.03 ^ 2 && v["moved_walls"] < 1.83 &&
             v["moved_pairs"] < 1.83) }' "$work/s"
+echo 1..12

@@ -1,0 +1,25 @@
+#!/bin/sh
+# tests/run: what a script leaves out is a failure.
+. tests/programs/common
+root=$PWD
+cd "$work" || exit 1
+
+# says STATUS LAST LINE...: of a script of these lines.
+says() {
+    want=$1 last=$2
+    shift 2
+    printf '%s\n' '#!/bin/sh' "$@" >script && chmod +x script
+    "$root/tests/run" ./script >out 2>&1
+    got=$?
+    holds "a script of: $*" sh -c "[ $got -eq $want ] || cat out; [ $got -eq $want ] &&
+        tail -n 1 out | grep -qx '$last'"
+}
+says 0 '2 passed, 0 failed' 'echo ok a' 'echo ok b' 'echo 1..2'
+says 1 '1 passed, 1 failed' 'echo ok a' 'exit 0' 'echo ok b' 'echo 1..2'
+says 1 '1 passed, 1 failed' 'echo ok a' 'for f in nothing/*.c; do [ -e $f ] &&
+    echo ok $f; done' 'echo 1..2'
+says 1 '3 passed, 1 failed' 'echo ok a' 'echo ok b' 'echo ok c' 'echo 1..2'
+says 1 '0 passed, 1 failed' 'echo 1..0'
+says 1 '1 passed, 1 failed' 'echo ok a' 'echo 1..1' 'exit 3'
+says 1 '1 passed, 1 failed' 'echo ok a' 'echo not ok b - why' 'echo 1..2'
+echo 1..7

@@ -9,6 +9,8 @@ mkdir "$kit"
 tar cf - Makefile src plots | (cd "$kit" && tar xf -)
 cd "$kit" || exit 1
 unset PRESET SCENE KEYS EVERY UNTIL VIEW FPS LIVE DT METHOD TOLERANCE output
+CFLAGS=-O0 # whether it films, not how fast it runs
+export CFLAGS
 
 # What a GIF says of itself: width height pictures delay(1/100 s) loops.
 gif() {

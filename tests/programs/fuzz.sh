@@ -4,7 +4,7 @@
 . tests/programs/common
 
 holds 'wrong commands are refused, and leave nothing' \
-    ${MAKE:-make} -s fuzz-commands COMMANDS=200 SEED=1
+    ${MAKE:-make} -s fuzz-commands COMMANDS=100 SEED=1
 
 # planted NAME WHY BODY: a program that goes wrong in this way is caught.
 mkdir -p "$work/bin" "$work/folder"

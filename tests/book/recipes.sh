@@ -82,8 +82,8 @@ echo '# new colours' >>plots/01-a.gp
 chapter '' '%run walk: build/bin/walk --seed 1 | cat' \
     '\result[1 to 2]{walk}{steps}' '%run no !2: build/bin/walk --fail' \
     '%run bad: build/bin/walk --fail -v' \
-    '%run long: build/bin/walk --first 1,2,3,4 --second 1,2,3,4 --third '\
-'1,2,3,4,5 --fourth -1 --fifth -o - --file x/y --empty --tests 3000 --seed 18 | cat'
+    '%run long: build/bin/walk --first 1,2,3,4 --second 1,2,3,4 --third \' \
+    '%   1,2,3,4,5 --fourth -1 --fifth -o - --file x/y --empty --tests 3000 --seed 18 | cat'
 chapters/recipes
 is 'an unchanged recipe keeps its time' '' \
     "$(find build/recipes -name data-walk.dat -newer build/bin/walk)"

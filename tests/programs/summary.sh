@@ -91,7 +91,8 @@ same speed $bin/bonkers-studies --study speed
 # Every program that writes a summary lists it. Of studies each is run by the
 # book, the bench or a test, and so keeps its list.
 {
-    grep -h '^%run' chapters/*.nw
+    awk '/^%run/ || more { more = sub(/ \\$/, ""); sub(/^%   /, " ")
+        printf more ? "%s" : "%s\n", $0 }' chapters/*.nw
     grep -h '^# [a-z]*:' plots/*.gp
     grep -h 'study ' Makefile tests/*/*.sh
     echo study run # piston, when nothing is said

@@ -102,7 +102,7 @@ $$(error $(firstword $(filter $(2),$(MAKECMDGOALS))) needs $(1), which is not\
 endif
 endif
 endef
-$(eval $(call only_with,chapters/book.tex,tangle check-tangle contact))
+$(eval $(call only_with,chapters/press/book.tex,tangle check-tangle contact))
 $(eval $(call only_with,tests/wrong,book test memcheck handout mutants \
 	grade grade-bench))
 $(eval $(call only_with,solutions,solution))
@@ -375,11 +375,11 @@ $(foreach s,$(borders),$(eval $(call grade_rules,$(firstword \
 
 tangle:
 	$(call need,notangle,noweb)
-	@chapters/tangle
+	@chapters/press/tangle
 
 check-tangle:
 	$(call need,notangle,noweb)
-	@chapters/tangle --check
+	@chapters/press/tangle --check
 
 # What figures and transcripts are made from, read from the scripts and the
 # chapters. Goals that need no book do without.
@@ -387,9 +387,9 @@ bookless := all first programs native bench atlas movie movies wanted-movie insp
 	reset solution mutants tangle check-tangle clean help format memcheck \
 	fuzz fuzz-scenes fuzz-commands
 ifneq ($(filter-out $(bookless),$(MAKECMDGOALS)),)
-build/recipes/rules.mk: chapters/recipes chapters plots \
+build/recipes/rules.mk: chapters/press/recipes chapters plots \
 		$(wildcard chapters/*.nw chapters/*.tex plots/*.gp)
-	@chapters/recipes
+	@chapters/press/recipes
 include build/recipes/rules.mk
 endif
 
@@ -428,7 +428,7 @@ endif
 
 # All figures and slides on a few sheets, to be looked at.
 contact: has-tex has-gsl $(FIGURES_PDF)
-	@chapters/contact
+	@chapters/press/contact
 	@echo 'The contact sheets: build/contact.pdf'
 
 # EDITION=instructor adds the worked solutions.
@@ -442,10 +442,10 @@ book: has-tex build/bonkers$(edition).pdf figures
 book-parts: has-tex $(FIGURES_PDF) $(FIGURES_SVG) $(FIGURES_ALT) $(RUNS)
 
 build/bonkers$(edition).pdf: $(FIGURES_PDF) $(FIGURES_ALT) $(RUNS) \
-		$(wildcard chapters/* solutions/* tests/hints/* tests/stubs/* \
+		$(wildcard chapters/*.nw chapters/press/* solutions/* tests/hints/* tests/stubs/* \
 		plots/data/*) \
 		tests/equations.txt
-	@chapters/make-book
+	@chapters/press/make-book
 
 ## ---- the course for students -----------------------------------------------
 
@@ -455,7 +455,7 @@ $(error handout: EDITION: students get the book without solutions; leave it out)
 endif
 .PHONY: handout
 handout: has-tex build/bonkers.pdf
-	@chapters/handout
+	@chapters/press/handout
 
 ## ---- films and pictures of runs: gnuplot, and ffmpeg if it is there --------
 

@@ -16,9 +16,9 @@ holds 'the instructor'"'"'s edition builds' \
 holds 'and make names the PDF' \
     grep -qx 'The book: build/bonkers.pdf' "$work/book"
 holds 'the PDF is there' test -s build/bonkers.pdf
-holds 'the log is clean' chapters/check-log build/book/book.log
+holds 'the log is clean' chapters/press/check-log build/book/book.log
 holds 'the equations have the numbers of tests/equations.txt' \
-    chapters/equations --check
+    chapters/press/equations --check
 for script in plots/[0-9]*.gp; do
     figure=build/figures/$(basename "$script" .gp)
     holds "$figure is drawn for the book and the page" \

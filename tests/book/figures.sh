@@ -75,7 +75,7 @@ wrong() { # FILE.pdf LEAST-TYPE
 
 # Drawn, and with nothing wrong.
 sound() { # NAME MEDIUM SCRIPT LEAST-TYPE
-    if ! chapters/recipes --figure "$2" "$work/$1.pdf" "$3" >"$work/said" 2>&1
+    if ! chapters/press/recipes --figure "$2" "$work/$1.pdf" "$3" >"$work/said" 2>&1
     then
         not_ok "$1, $2" "$(head -n 1 "$work/said")"
         return
@@ -87,7 +87,7 @@ sound() { # NAME MEDIUM SCRIPT LEAST-TYPE
 }
 for script in plots/[0-9]*.gp; do
     sound "$(basename "$script" .gp)" pdf "$script" 7
-    for name in $(chapters/recipes --slides "$script"); do
+    for name in $(chapters/press/recipes --slides "$script"); do
         sound "$name" slide "$script" 14
     done
 done
@@ -100,7 +100,7 @@ sees() { # WHAT GNUPLOT-LINES
         "set label 1 'some words' at screen 0.5,0.5" \
         "set label 2 'and more' at screen 0.3,0.5 rotate" "$2" \
         'plot [0:1] x' >"$work/00-planted.gp"
-    chapters/recipes --figure slide "$work/00-planted.pdf" \
+    chapters/press/recipes --figure slide "$work/00-planted.pdf" \
         "$work/00-planted.gp" >"$work/said" 2>&1
     found=$(wrong "$work/00-planted.pdf" 14 2>&1 | head -n 1)
     # shellcheck disable=SC2254

@@ -14,7 +14,7 @@ trap 'rm -rf "$scratch"' EXIT
 # Marks K<keyword>, C<comment>, S<string> and I<identifier with a link>.
 marked() {
     printf '%s\n' "$1" >"$scratch/x.nw"
-    "$lib/markup" "$scratch/x.nw" | "$lib/finduses" | chapters/keywords |
+    "$lib/markup" "$scratch/x.nw" | "$lib/finduses" | chapters/press/keywords |
         awk '
         /^@begin code/ { code = 1 }
         /^@end code/ { code = 0 }

@@ -11,12 +11,12 @@ if [ -e build/bonkers.pdf ]; then
     else
         echo 'not ok pdf: no bitmap fonts - pdffonts shows Type 3, or nothing'
     fi
-    if chapters/check-log; then
+    if chapters/press/check-log; then
         echo 'ok pdf: the log is quiet'
     else
         echo 'not ok pdf: the log is quiet - see above'
     fi
-    if chapters/equations --check; then
+    if chapters/press/equations --check; then
         echo 'ok pdf: equation numbers'
     else
         echo 'not ok pdf: equation numbers - see above'
@@ -38,7 +38,7 @@ printf 'name type\n---- ----\nXYZ+SFRM1000 Type 3   Custom yes\n' | no_bitmaps &
     echo 'ok pdf: a bitmap font is seen'
 seen() { # name log-line status
     printf '%s\n' 'This is pdfTeX' "$2" '[]text' >"$scratch/book.log"
-    chapters/check-log "$scratch/book.log" 2>/dev/null
+    chapters/press/check-log "$scratch/book.log" 2>/dev/null
     status=$?
     [ "$status" -eq "$3" ] && echo "ok pdf: $1" ||
         echo "not ok pdf: $1 - status $status for '$2'"
@@ -53,18 +53,18 @@ seen 'a missing character' 'Missing character: There is no x in font y!' 1
 seen 'a run too few' 'LaTeX Warning: Label(s) may have changed. Rerun to get cross-references right.' 1
 seen 'a quiet log' 'Underfull \hbox (badness 1000) in paragraph at lines 1--2' 0
 
-mkdir -p "$scratch/chapters" "$scratch/build/book" "$scratch/tests"
-cp chapters/equations "$scratch/chapters/"
+mkdir -p "$scratch/chapters/press" "$scratch/build/book" "$scratch/tests"
+cp chapters/press/equations "$scratch/chapters/press/"
 cd "$scratch" || exit 1
 printf '%s\n' '\newlabel{eq:b}{{1.2}{3}{Two}{equation.1.2}{}}' \
     '\newlabel{sec:x}{{1}{3}{}{}{}}' \
     '\newlabel{eq:a}{{1.1}{3}{One}{equation.1.1}{}}' >build/book/book.aux
-chapters/equations && [ "$(cat tests/equations.txt)" = 'eq:a 1.1
-eq:b 1.2' ] && chapters/equations --check &&
+chapters/press/equations && [ "$(cat tests/equations.txt)" = 'eq:a 1.1
+eq:b 1.2' ] && chapters/press/equations --check &&
     echo 'ok pdf: equation numbers are listed' ||
     echo 'not ok pdf: equation numbers are listed - they are not'
 echo 'eq:a 1.3' >tests/equations.txt
-chapters/equations --check 2>/dev/null &&
+chapters/press/equations --check 2>/dev/null &&
     echo 'not ok pdf: another number is seen - it was not' ||
     echo 'ok pdf: another number is seen'
 echo 1..16

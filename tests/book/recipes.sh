@@ -4,8 +4,8 @@
 set -u
 scratch=$(mktemp -d) || exit 1
 trap 'rm -rf "$scratch"' EXIT
-mkdir -p "$scratch/chapters" "$scratch/plots" "$scratch/build/bin"
-cp chapters/recipes "$scratch/chapters/"
+mkdir -p "$scratch/chapters/press" "$scratch/plots" "$scratch/build/bin"
+cp chapters/press/recipes "$scratch/chapters/press/"
 cd "$scratch" || exit 1
 cat >build/bin/walk <<'END'
 #!/bin/sh
@@ -51,7 +51,7 @@ sed "s/^# alt/# slides: 2\n&/; s/^plot/load 'plots\/panels.gp'\n&/" \
 chapter '%run walk: build/bin/walk --seed 1 | cat' '\result[1 to 2]{walk}{steps}' \
     '%run no !2: build/bin/walk --fail' '%run bad: build/bin/walk --fail' \
     '\transcript{walk}'
-chapters/recipes || echo 'not ok recipes: they are extracted - status 1'
+chapters/press/recipes || echo 'not ok recipes: they are extracted - status 1'
 rules=$(cat build/recipes/rules.mk)
 has 'data need recipe and program' \
     'build/data/walk.dat: build/recipes/data-walk.dat build/bin/walk' "$rules"
@@ -65,8 +65,8 @@ has 'a figure of two slides is two files, and needs what it loads' \
 has 'one figure has a goal of its own' \
     'slides-01-c: build/lecture/01-c-1.pdf build/lecture/01-c-2.pdf' "$rules"
 is 'the names of slides are told' '01-b 01-c-1 01-c-2' "$(echo \
-    $(chapters/recipes --slides plots/01-b.gp) \
-    $(chapters/recipes --slides plots/01-c.gp))"
+    $(chapters/press/recipes --slides plots/01-b.gp) \
+    $(chapters/press/recipes --slides plots/01-c.gp))"
 rm plots/01-c.gp
 is 'data of two figures have one rule' 1 \
     "$(grep -c '^build/data/walk.dat:' build/recipes/rules.mk)"
@@ -84,7 +84,7 @@ chapter '' '%run walk: build/bin/walk --seed 1 | cat' \
     '%run bad: build/bin/walk --fail -v' \
     '%run long: build/bin/walk --first 1,2,3,4 --second 1,2,3,4 --third \' \
     '%   1,2,3,4,5 --fourth -1 --fifth -o - --file x/y --empty --tests 3000 --seed 18 | cat'
-chapters/recipes
+chapters/press/recipes
 is 'an unchanged recipe keeps its time' '' \
     "$(find build/recipes -name data-walk.dat -newer build/bin/walk)"
 is 'an unchanged run keeps its time though its line moved' '' \
@@ -92,22 +92,22 @@ is 'an unchanged run keeps its time though its line moved' '' \
 is 'a changed run is new' build/recipes/run-bad \
     "$(find build/recipes -name run-bad -newer build/bin/walk)"
 
-chapters/recipes --data build/data/walk.dat >/dev/null
+chapters/press/recipes --data build/data/walk.dat >/dev/null
 is 'the data are made' '1 2' "$(cat build/data/walk.dat)"
-chapters/recipes --run walk
+chapters/press/recipes --run walk
 is 'a transcript shows command and output' '$ build/bin/walk --seed 1 | cat
 walked' "$(cat build/runs/walk.txt)"
 is 'and the summary is there' 'steps 3' "$(cat build/runs/walk.summary)"
-chapters/recipes --run long
+chapters/press/recipes --run long
 is 'a long command folds between options' \
     '$ build/bin/walk --first 1,2,3,4 --second 1,2,3,4 --third 1,2,3,4,5 \
     --fourth -1 --fifth -o - --file x/y --empty --tests 3000 --seed 18 \
     | cat
 walked' "$(cat build/runs/long.txt)"
-chapters/recipes --run no
+chapters/press/recipes --run no
 is 'a run that is to fail' "0 $(printf '$ build/bin/walk --fail\nwalk: no')" \
     "$? $(cat build/runs/no.txt)"
-said=$(chapters/recipes --run bad 2>&1)
+said=$(chapters/press/recipes --run bad 2>&1)
 is 'a run that fails unasked ends the build' 1 $?
 has 'and says where it comes from' \
     'recipes: chapters/01-x.nw:6: run bad ended with status 2, not 0:' "$said"
@@ -117,7 +117,7 @@ is 'and leaves nothing behind' '' "$(ls build/runs | grep bad)"
 chapter '%run same: build/bin/walk -o /dev/null' '\result[1 to 4]{same}{steps}' \
     '%run reads: cat build/runs/same.summary build/data/walk.dat' \
     '%run other: build/bin/walk --seed 1 -o /dev/null'
-chapters/recipes
+chapters/press/recipes
 rules=$(cat build/recipes/rules.mk)
 is 'a run and a figure with one command are made once' \
     'build/bin/walk -o build/data/walk.dat --summary build/runs/same.summary' \
@@ -144,25 +144,25 @@ make -s -f build/recipes/rules.mk build/data/walk.dat >/dev/null
 is 'a table that is lost is made again' '1 2' "$(cat build/data/walk.dat)"
 
 figure 01-b 'build/bin/walk --seed 2 -o build/data/walk.dat'
-said=$(chapters/recipes 2>&1)
+said=$(chapters/press/recipes 2>&1)
 is 'two commands for one file are refused' 1 $?
 has 'naming both' "two commands make it, one in plots/01-a.gp and another in plots/01-b.gp" "$said"
 figure 01-b 'build/bin/walk -o build/data/other.dat'
 has 'a command that writes another file is refused' \
     'recipes: plots/01-b.gp: the command does not write build/data/walk.dat' \
-    "$(chapters/recipes 2>&1)"
+    "$(chapters/press/recipes 2>&1)"
 figure 01-b 'build/bin/walk -o build/data/walk.dat'
 sed -i 's/ --long$//' plots/01-b.gp
 has 'a lecture of the same data is refused' \
     'recipes: plots/01-b.gp:3: a lecture makes the same data again' \
-    "$(chapters/recipes 2>&1)"
+    "$(chapters/press/recipes 2>&1)"
 rm plots/01-b.gp
 chapter '\result[1 to 2]{lost}{steps}'
 is 'a number of a run that is not there is refused' \
     'recipes: chapters/01-x.nw:2: no %run line makes run lost' \
-    "$(chapters/recipes 2>&1)"
+    "$(chapters/press/recipes 2>&1)"
 chapter '%run a: build/bin/walk' '%run a: build/bin/walk --seed 2'
 is 'two commands for one run are refused' \
     'recipes: chapters/01-x.nw:3: run a is another command in chapters/01-x.nw:2' \
-    "$(chapters/recipes 2>&1)"
+    "$(chapters/press/recipes 2>&1)"
 echo 1..34

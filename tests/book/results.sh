@@ -5,8 +5,8 @@ set -u
 here=$(pwd)
 scratch=$(mktemp -d) || exit 1
 trap 'rm -rf "$scratch"' EXIT
-mkdir -p "$scratch/chapters" "$scratch/build/runs" "$scratch/plots/data"
-cp chapters/results "$scratch/chapters/"
+mkdir -p "$scratch/chapters/press" "$scratch/build/runs" "$scratch/plots/data"
+cp chapters/press/results "$scratch/chapters/press/"
 cd "$scratch" || exit 1
 cat >build/runs/drift.summary <<'END'
 energy_error -5.1234e-13
@@ -29,12 +29,12 @@ is() { # name expected got
 }
 tex() { # the TeX that one \result gives
     printf '%s\n' "$1" >chapters/01-x.nw
-    chapters/results out.tex 2>&1 && sed 's/^\\setresult{[^}]*}{\(.*\)}$/\1/' out.tex
+    chapters/press/results out.tex 2>&1 && sed 's/^\\setresult{[^}]*}{\(.*\)}$/\1/' out.tex
 }
 refused() { # name text message
     printf 'one\ntwo\n%s\n' "$2" >chapters/01-x.nw
     rm -f out.tex
-    said=$(chapters/results out.tex 2>&1)
+    said=$(chapters/press/results out.tex 2>&1)
     is "$1" "1 $3" "$? $said"
     [ ! -e out.tex ] || echo "not ok results: $1 - wrote out.tex all the same"
 }

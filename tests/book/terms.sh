@@ -49,7 +49,7 @@ cited() {
     cat chapters/*.nw | tr '\n' ' ' | grep -o '\\cite\(\[[^]]*\]\)\{0,1\}{[^}]*}' |
         sed 's/.*{//; s/}//' | tr -d ' ' | tr ',' '\n' | sort -u
 }
-entries() { sed -n 's/^@[a-z]*{\([^,]*\),.*/\1/p' chapters/references.bib; }
+entries() { sed -n 's/^@[a-z]*{\([^,]*\),.*/\1/p' chapters/press/references.bib; }
 keys() { # those that are only in one of the two, or twice
     cited >"$scratch/cited"
     entries | sort >"$scratch/entries"
@@ -57,7 +57,7 @@ keys() { # those that are only in one of the two, or twice
     uniq -d "$scratch/entries"
 }
 unexplained() {
-    chapters/terms --check >"$scratch/words"
+    chapters/press/terms --check >"$scratch/words"
     sed -n 's/^.*|\(.*\)|no$/\1/p' "$scratch/words" | sort -u >"$scratch/bold"
     comm -3 "$scratch/bold" "$scratch/no-terms"
 }
@@ -94,7 +94,7 @@ some() { # name what-there-is expected
 [ "$(entries | wc -l)" -ge 60 ] && [ "$(names | wc -l)" -ge 60 ] &&
     echo 'ok terms: sixty entries, sixty words' ||
     echo 'not ok terms: sixty entries, sixty words - fewer'
-none 'cited is what chapters/references.bib has' "$(keys)"
+none 'cited is what chapters/press/references.bib has' "$(keys)"
 none 'words in bold are in chapters/F-glossary.nw, or in the list above' "$(unexplained)"
 none 'words of chapters/F-glossary.nw are used' "$(unused)"
 none 'the glossary is sorted' "$(unsorted)"
@@ -116,11 +116,11 @@ if [ -s build/book/terms.tex ] && [ -s build/book/book.aux ]; then
 fi
 
 # Each mistake is seen.
-mkdir -p "$scratch/kit/chapters" "$scratch/kit/src/toolbox"
-cp chapters/terms "$scratch/kit/chapters/"
+mkdir -p "$scratch/kit/chapters/press" "$scratch/kit/src/toolbox"
+cp chapters/press/terms "$scratch/kit/chapters/press/"
 cd "$scratch/kit" || exit 1
-printf '%s\n' '\bookchapter{01-x}' >chapters/book.tex
-printf '%s\n' '@book{one1999,' '}' '@article{two2000,' '}' >chapters/references.bib
+printf '%s\n' '\bookchapter{01-x}' >chapters/press/book.tex
+printf '%s\n' '@book{one1999,' '}' '@article{two2000,' '}' >chapters/press/references.bib
 printf '%s\n' 'A \textbf{heap}, a \textbf{slow' '  leash} \cite{one1999,' \
     'three2001}. Heaps are old.' '<<x.c>>=' 'virial' '@' >chapters/01-x.nw
 printf '%s\n' '\term[heaps]{heap}{A tree.}' '\term{virial}{A sum.}' \
@@ -141,7 +141,7 @@ some 'a name that the code does not have' "$(strangers)" mass
 mkdir tex
 printf '%s\n' '\section{One}' 'A \textbf{heap} stands' 'here in a row.' '' \
     'In $a' '+b$ heaps' 'grow, and so' 'does a heap.' >tex/01-x.tex
-chapters/terms tex
+chapters/press/terms tex
 some 'a mark stands at the end of a plain line' "$(sed -n 2p tex/01-x.tex)" \
     'A \textbf{heap} stands\termmark{1}'
 some 'and the list names it' "$(grep '^.termline' tex/terms.tex)" \

@@ -3,8 +3,8 @@
 set -u
 scratch=$(mktemp -d) || exit 1
 trap 'rm -rf "$scratch"' EXIT
-mkdir -p "$scratch/chapters" "$scratch/tests/hints" "$scratch/solutions"
-cp chapters/weave chapters/keywords "$scratch/chapters/"
+mkdir -p "$scratch/chapters/press" "$scratch/tests/hints" "$scratch/solutions"
+cp chapters/press/weave chapters/press/keywords "$scratch/chapters/press/"
 cd "$scratch" || exit 1
 has() { # name needle file
     if grep -qF -- "$2" "$3"; then
@@ -14,7 +14,7 @@ has() { # name needle file
     fi
 }
 refused() { # name message
-    said=$(chapters/weave 2>&1)
+    said=$(chapters/press/weave 2>&1)
     status=$?
     if [ "$status" -eq 1 ] && [ "$said" = "$2" ]; then
         echo "ok weave: $1"
@@ -54,7 +54,7 @@ lines() { awk -v n="$1" 'BEGIN { for (i = 1; i <= n; ++i)
 } >chapters/03-three.nw
 printf 'Try `a_b` for 5 %%.\n--\nNext "one".\n' >tests/hints/01a.txt
 printf 'int main(void)\n{\n    return 0; /* for */\n}\n' >solutions/01a-x.c
-chapters/weave || echo 'not ok weave: two chapters - status 1'
+chapters/press/weave || echo 'not ok weave: two chapters - status 1'
 label=$(sed -n 's/.*sublabel{\(NW[^}]*\)}.*one\.c.*/\1/p' build/book/01-one.tex)
 has 'an identifier is linked to another chapter' \
     "\\nwlinkedidentc{hit_it}{$label}" build/book/02-two.tex
@@ -77,7 +77,7 @@ has 'hints are a list' 'Try \texttt{a\_b} for 5 \%.' \
 [ ! -e build/book/solutions-01.tex ] && [ ! -s build/book/edition.tex ] &&
     echo 'ok weave: no solutions for students' ||
     echo 'not ok weave: no solutions for students - there they are'
-EDITION=instructor chapters/weave
+EDITION=instructor chapters/press/weave
 has 'solutions for instructors' '{\nwkeyword{}return} 0; {\nwcomment{}/* for */}' \
     build/book-instructor/solutions-01.tex
 

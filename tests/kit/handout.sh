@@ -48,13 +48,13 @@ strangers=$(cd "$place" && find . ! -type d ! \( -type f \( \
     -path './plots/*.awk' -o -path ./plots/films -o -path ./plots/show -o \
     -path './plots/*.svg' -o -path './plots/data/*.dat' \) -o \
     -path ./README.md -o -path ./LICENSE -o -path ./CITATION.cff -o \
-    -path ./Makefile -o -path ./bonkers.pdf -o -path ./chapters/recipes -o \
+    -path ./Makefile -o -path ./bonkers.pdf -o -path ./chapters/press/recipes -o \
     -path ./tests/equations.txt -o -path ./.ci/install -o \
     -path ./.clang-format -o -path ./.editorconfig -o -path ./.gitignore -o \
     -path ./.gitattributes \))
 equal 'no file of another kind' '' "$strangers"
-equal 'no folder of another kind' "$(printf '%s\n' .ci chapters exercises \
-    plots plots/data src src/examiner src/programs src/toolbox tests \
+equal 'no folder of another kind' "$(printf '%s\n' .ci chapters \
+    chapters/press exercises plots plots/data src src/examiner src/programs src/toolbox tests \
     tests/border tests/exercises tests/hints tests/stubs)" \
     "$(cd "$place" && find . -mindepth 1 -type d | sed 's/..//' | sort)"
 holds 'the book is the one just made' cmp build/bonkers.pdf \
@@ -77,15 +77,15 @@ mkdir "$kit/build"
 cp build/bonkers.pdf "$kit/build"
 cp "$kit"/solutions/*.c "$kit/exercises"
 echo 'marks, private' >"$kit/tests/exercises/note-to-self.txt"
-(cd "$kit" && chapters/handout) >"$work/out" 2>&1
+(cd "$kit" && chapters/press/handout) >"$work/out" 2>&1
 holds 'a folder without git makes one' test $? -eq 0
 cp "$kit/$archive" "$work/first.tar.gz"
 find "$kit" -type f -exec touch {} +
 chmod -R go-rwx "$kit"
-(umask 027 && cd "$kit" && chapters/handout) >"$work/out" 2>&1
+(umask 027 && cd "$kit" && chapters/press/handout) >"$work/out" 2>&1
 holds 'and the same again, byte for byte' cmp "$kit/$archive" \
     "$work/first.tar.gz"
-(cd "$kit" && WITH_CHAPTERS=1 chapters/handout) >"$work/out" 2>&1
+(cd "$kit" && WITH_CHAPTERS=1 chapters/press/handout) >"$work/out" 2>&1
 tar xzf "$kit/$archive" -C "$work/all"
 holds 'exercises/ are the stubs as they came' \
     diff -r tests/stubs "$work/all/$course/exercises"
@@ -95,16 +95,15 @@ equal 'WITH_CHAPTERS=1 adds chapters/ and nothing else' 'chapters' \
     "$(tar tzf "$kit/$archive" | sort >"$work/with"
         tar tzf "$work/first.tar.gz" | sort | comm -13 - "$work/with" |
             cut -d / -f 2 | uniq)"
-holds 'all of the chapters' sh -c "ls chapters | grep -v '^handout' |
-    diff - '$work/all/$course/chapters'/. 2>/dev/null ||
-    ls chapters | grep -v '^handout' >'$work/a' &&
-    ls '$work/all/$course/chapters' | diff '$work/a' -"
+files_of() { (cd "$1" && find . -type f ! -name 'handout*' | sort); }
+equal 'all of the chapters' "$(files_of chapters)" \
+    "$(files_of "$work/all/$course/chapters")"
 
 # With git, what it does not know is left out, and named.
 if command -v git >/dev/null 2>&1; then
     (cd "$kit" && rm -f tests/exercises/note-to-self.txt && git init -q &&
         git add -A && echo 'int x;' >src/mine.c &&
-        SOURCE_DATE_EPOCH=0 chapters/handout) >"$work/out" 2>&1
+        SOURCE_DATE_EPOCH=0 chapters/press/handout) >"$work/out" 2>&1
     holds 'what git does not know is left out' \
         cmp "$kit/$archive" "$work/first.tar.gz"
     holds 'and named' grep -qx \
@@ -125,15 +124,15 @@ refused() {
 refused 'no book with solutions' 2 'EDITION: students get the book without' \
     $make -s handout EDITION=instructor
 refused 'WITH_CHAPTERS is 1 or 0' 2 "^handout: WITH_CHAPTERS: 'yes' is" \
-    env WITH_CHAPTERS=yes "$kit/chapters/handout"
+    env WITH_CHAPTERS=yes "$kit/chapters/press/handout"
 rm "$kit/tests/stubs/01a-collide.c"
 [ -e "$kit/.git" ] && (cd "$kit" && git add -A)
 refused 'no suite without a stub' 1 \
     'tests/exercises/01a-collide.c has no tests/stubs/01a-collide.c' \
-    "$kit/chapters/handout"
+    "$kit/chapters/press/handout"
 rm "$kit/build/bonkers.pdf"
 refused 'no archive without a book' 2 \
-    '^handout: build/bonkers.pdf is missing' "$kit/chapters/handout"
+    '^handout: build/bonkers.pdf is missing' "$kit/chapters/press/handout"
 
 # ---- what a student does with it -------------------------------------------
 

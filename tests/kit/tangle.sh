@@ -1,7 +1,7 @@
 #!/bin/sh
-# What chapters/tangle promises, tried on a copy of the kit.
+# What chapters/press/tangle promises, tried on a copy of the kit.
 . tests/programs/common
-holds 'src/ is what the chapters tangle to' chapters/tangle --check
+holds 'src/ is what the chapters tangle to' chapters/press/tangle --check
 
 mkdir "$work/kit"
 cp -R chapters src "$work/kit"
@@ -14,7 +14,7 @@ find src -type f | while read -r file; do
 done
 fails() { # NAME PATTERN: tangling must fail and say so, src/ stay as it was
     find src -type f -exec cksum {} + | sort >"$work/before"
-    chapters/tangle >"$work/out" 2>&1
+    chapters/press/tangle >"$work/out" 2>&1
     status=$?
     find src -type f -exec cksum {} + | sort >"$work/after"
     if [ $status -ne 1 ] || ! grep -q -e "$2" "$work/out"; then
@@ -40,7 +40,7 @@ cp "$work/good.nw" $chapter
 
 echo 'int edited;' >>src/collide.c
 fails 'an edit in src/ is recognised and shown' '^+int edited;'
-chapters/tangle --check >"$work/out" 2>&1
+chapters/press/tangle --check >"$work/out" 2>&1
 holds 'and so does --check' grep -q '^+int edited;' "$work/out"
 cp "$OLDPWD/src/collide.c" src/
 echo 'int stray;' >src/stray.c
@@ -48,14 +48,14 @@ fails 'a file that no chapter writes is refused' 'no chapter writes it'
 rm src/stray.c
 
 printf '\n<<collide.h>>=\n/* more */\n@\n' >>$chapter
-chapters/tangle --check >"$work/out" 2>&1
+chapters/press/tangle --check >"$work/out" 2>&1
 holds 'a chapter ahead of src/ is seen' grep -q 'run make tangle' "$work/out"
 touch -t 200001010000 src/collide.c
-chapters/tangle >"$work/out" 2>&1
+chapters/press/tangle >"$work/out" 2>&1
 holds 'tangle writes the file that changed' grep -q 'more' src/collide.h
 holds 'and names it' grep -qx 'src/collide.h' "$work/out"
 holds 'and leaves the others alone' test -z "$(find src/collide.c -newer src/collide.h)"
-chapters/tangle -L "$work/lines" >"$work/out" 2>&1
+chapters/press/tangle -L "$work/lines" >"$work/out" 2>&1
 holds '-L names the chapter and its line' \
     grep -q '#line [0-9]* "chapters/01-collide.nw"' "$work/lines/collide.c"
 echo 1..12

@@ -72,19 +72,20 @@ include build/compiler.mk
 # What is there. What needs the GNU Scientific Library includes laws.h or
 # gsl/; without the library it is left out, and bare make says so.
 # What includes reference.h can do without: it asks whether it is there.
-gsl_sources = src/*.c src/programs/*.c tests/library/*.c tests/stability/*.c
-gsl_files := $(filter-out src/reference.c,$(shell grep -lE \
-	'^.include ("laws.h"|<gsl/)' $(gsl_sources) 2>/dev/null))
-gsl_users := $(shell grep -l '^.include "reference.h"' $(gsl_sources) \
+gsl_sources = src/*/*.c tests/library/*.c tests/stability/*.c
+gsl_files := $(filter-out src/forces/reference.c,$(shell grep -lE \
+	'^.include ("line/laws.h"|<gsl/)' $(gsl_sources) 2>/dev/null))
+gsl_users := $(shell grep -l '^.include "forces/reference.h"' $(gsl_sources) \
 	2>/dev/null)
 without = $(if $(gsl),,$(gsl_files))
-programs := $(notdir $(basename $(filter-out $(without),\
-	$(wildcard src/programs/*.c))))
-library := $(filter-out $(without),$(wildcard src/*.c src/toolbox/*.c))
+roofs := $(filter-out $(without),$(wildcard src/programs/*.c src/studies/*.c))
+programs := $(notdir $(roofs:.c=))
+rooms = toolbox line box scenes forces enough
+library := $(filter-out $(without),$(wildcard $(rooms:%=src/%/*.c)))
 # $(call gsl_libs,src/FILE.c): what to link it with.
 gsl_libs = $(if $(gsl),$(if $(filter $(1),$(gsl_files) $(gsl_users)),\
 	$(GSL_LIBS)))
-headers := $(wildcard src/*.h src/*/*.h)
+headers := $(wildcard src/*/*.h)
 suites := $(basename $(notdir $(wildcard tests/exercises/*.c)))
 
 # $(call need,COMMAND,PACKAGE): stop unless the command is there.
@@ -118,7 +119,8 @@ programs: $(programs:%=build/bin/%)
 first: programs
 	$(if $(gsl),,@echo 'Not built, for want of GSL (apt-get install\
  --no-install-recommends libgsl-dev):' \
-		$(basename $(notdir $(filter src/programs/%,$(gsl_files)))))
+		$(notdir $(basename $(filter src/programs/% src/studies/%,\
+		$(gsl_files)))))
 	@echo 'Two bodies meet: 1 kg at 1 m/s runs into 4 kg at rest.'
 	@build/bin/collide --velocities 1,0 --inverse-masses 1,0.25
 	@echo 'Next: make check (the exercises),' $(if $(filter book,$(absent)),\
@@ -126,27 +128,30 @@ first: programs
 
 parallel := bonkers springs gravity
 flags_of = $(if $(filter $(parallel),$(notdir $*)),$(OPENMP)) \
-	$(if $(gsl),$(if $(filter reference,$*),-DWITH_GSL))
+	$(if $(gsl),$(if $(filter reference,$(notdir $*)),-DWITH_GSL))
 
 # The portable build, and the same for this machine alone.
 define tree
 build/$(1)obj/%.o: src/%.c $$(headers) Makefile build/compiler/key
 	@mkdir -p $$(@D)
 	$$(call say,cc $$<)
-	$$(Q)$$(CC) $$(STANDARD) $(2) $$(flags_of) \
-		-DBUILD_FLAGS='"$(strip $(2))"' -Isrc $$(FLAGS) -c -o $$@ $$<
+	$$(Q)$$(CC) $$(STANDARD) $$($(2)) $$(flags_of) \
+		-DBUILD_FLAGS='"$$(strip $$($(2)))"' -Isrc $$(FLAGS) -c -o $$@ $$<
 build/$(1)obj/libbonkers.a: $$(library:src/%.c=build/$(1)obj/%.o)
 	@rm -f $$@
 	@ar rcs $$@ $$^
-build/$(1)bin/%: build/$(1)obj/programs/%.o build/$(1)obj/libbonkers.a
+$(foreach p,$(roofs:src/%.c=%),
+build/$(1)bin/$(notdir $(p)): build/$(1)obj/$(p).o)
+$(programs:%=build/$(1)bin/%): build/$(1)obj/libbonkers.a
 	@mkdir -p $$(@D)
 	$$(call say,link $$@)
-	$$(Q)$$(CC) $(2) $$(OPENMP) $$(FLAGS) -o $$@ $$^ $$(LDFLAGS) \
-		$$(call gsl_libs,src/programs/$$*.c) -lm
+	$$(Q)$$(CC) $$($(2)) $$(OPENMP) $$(FLAGS) -o $$@ $$(filter %.o,$$^) \
+		$$(filter %.a,$$^) $$(LDFLAGS) \
+		$$(call gsl_libs,$$(filter %/$$(@F).c,$(roofs))) -lm
 endef
-$(eval $(call tree,,$(PORTABLE)))
-$(eval $(call tree,native/,$(NATIVE)))
-$(eval $(call tree,sanitized/,$(SANITIZED)))
+$(eval $(call tree,,PORTABLE))
+$(eval $(call tree,native/,NATIVE))
+$(eval $(call tree,sanitized/,SANITIZED))
 .SECONDARY:
 
 native: $(programs:%=build/native/bin/%)
@@ -570,15 +575,15 @@ fuzz-scenes: build/fuzz/scene
 		2>build/fuzz/log || { cat build/fuzz/log; exit 1; }
 	@echo "Fuzzed: $$TEXTS texts, all of them read or refused"
 build/fuzz/scene: tests/fuzz/scene.c tests/fuzz/alone.c \
-		tests/fuzz/mutate.h src/scene.c \
-		src/scene.h src/decimal.c src/toolbox/random.c \
+		tests/fuzz/mutate.h src/scenes/scene.c \
+		src/scenes/scene.h src/scenes/decimal.c src/toolbox/random.c \
 		src/toolbox/room.c tests/library/scene_same.h
 	@mkdir -p $(@D)
 	$(call say,cc $<)
-	$(Q)clang $(FUZZ) -fsanitize=fuzzer -Isrc -o $@ $< src/scene.c \
-		src/decimal.c src/toolbox/room.c -lm \
+	$(Q)clang $(FUZZ) -fsanitize=fuzzer -Isrc -o $@ $< src/scenes/scene.c \
+		src/scenes/decimal.c src/toolbox/room.c -lm \
 		2>/dev/null || $(CC) $(FUZZ) -Isrc -o $@ $< tests/fuzz/alone.c \
-		src/scene.c src/decimal.c src/toolbox/random.c \
+		src/scenes/scene.c src/scenes/decimal.c src/toolbox/random.c \
 		src/toolbox/room.c -lm
 
 # All programs, under the sanitizers, with command lines and files that are
@@ -601,15 +606,14 @@ build/fuzz/commands: tests/fuzz/commands.c tests/fuzz/mutate.h \
 		$(filter %.c,$^) $(LDFLAGS) -lm
 
 # Every C file in the one layout; src/ is only compared, see the chapters.
-c_files = $(wildcard tests/*.h tests/*/*.[ch] solutions/*.c src/*.[ch] \
-	src/*/*.[ch])
+c_files = $(wildcard tests/*.h tests/*/*.[ch] solutions/*.c src/*/*.[ch])
 format:
 	$(call need,clang-format,clang-format)
 	@clang-format --dry-run -Werror $(c_files)
 
 # For editors and clangd.
 compile_commands.json: Makefile $(library)
-	@for file in $(wildcard src/*.c src/*/*.c); do \
+	@for file in $(wildcard src/*/*.c); do \
 	printf '  {"directory": "%s", "file": "%s",\n   "command": "%s"}\n' \
 	"$$PWD" $$file "$(CC) $(STANDARD) $(PORTABLE) -Isrc -c $$file"; \
 	done | awk 'BEGIN { print "[" } NR > 1 && /^  {/ { print "," } \

@@ -1,8 +1,8 @@
 /* From chapters/12-bonk.nw: edit there, then run make tangle. */
-/* checksum 1065958681 of the lines below */
-#include "averages.h"
-#include "choose.h"
-#include "scene.h"
+/* checksum 1794217042 of the lines below */
+#include "enough/averages.h"
+#include "enough/choose.h"
+#include "scenes/scene.h"
 #include "toolbox/options.h"
 #include "toolbox/table.h"
 

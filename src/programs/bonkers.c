@@ -1,7 +1,7 @@
 /* From chapters/04-piston.nw: edit there, then run make tangle. */
-/* checksum 1401336616 of the lines below */
-#include "bonkers.h"
-#include "start.h"
+/* checksum 2254778885 of the lines below */
+#include "line/bonkers.h"
+#include "line/start.h"
 #include "toolbox/options.h"
 #include "toolbox/progress.h"
 #include "toolbox/random.h"

@@ -1,6 +1,6 @@
 /* From chapters/01-collide.nw: edit there, then run make tangle. */
-/* checksum 4140663764 of the lines below */
-#include "collide.h"
+/* checksum 2415315714 of the lines below */
+#include "line/collide.h"
 #include "toolbox/options.h"
 #include "toolbox/progress.h"
 #include "toolbox/quad.h"

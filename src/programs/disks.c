@@ -1,10 +1,10 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 1988764077 of the lines below */
-#include "blocks.h"
-#include "cells.h"
-#include "disks.h"
-#include "speeds.h"
-#include "states.h"
+/* checksum 1061127801 of the lines below */
+#include "box/blocks.h"
+#include "box/cells.h"
+#include "box/disks.h"
+#include "box/speeds.h"
+#include "box/states.h"
 #include "toolbox/bench.h"
 #include "toolbox/options.h"
 #include "toolbox/progress.h"

@@ -1,7 +1,7 @@
 /* From chapters/03-equilibrium.nw: edit there, then run make tangle. */
-/* checksum 1150242544 of the lines below */
-#include "laws.h"
-#include "statistics.h"
+/* checksum 2969814985 of the lines below */
+#include "line/laws.h"
+#include "line/statistics.h"
 #include "toolbox/bench.h"
 #include "toolbox/options.h"
 #include "toolbox/table.h"

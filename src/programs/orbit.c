@@ -1,6 +1,6 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 3690997874 of the lines below */
-#include "motion.h"
+/* checksum 453308296 of the lines below */
+#include "forces/motion.h"
 #include "toolbox/options.h"
 
 #include <stdio.h>

@@ -1,6 +1,6 @@
 /* From chapters/04-piston.nw: edit there, then run make tangle. */
-/* checksum 227759840 of the lines below */
-#include "piston.h"
+/* checksum 2519751064 of the lines below */
+#include "line/piston.h"
 #include "toolbox/bench.h"
 #include "toolbox/options.h"
 #include "toolbox/progress.h"

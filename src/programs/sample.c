@@ -1,6 +1,6 @@
 /* From chapters/06-room.nw: edit there, then run make tangle. */
-/* checksum 3575282715 of the lines below */
-#include "sampling.h"
+/* checksum 2854447283 of the lines below */
+#include "box/sampling.h"
 #include "toolbox/options.h"
 #include "toolbox/progress.h"
 #include "toolbox/random.h"

@@ -1,7 +1,7 @@
 /* From chapters/08-scenes.nw: edit there, then run make tangle. */
-/* checksum 2283904947 of the lines below */
-#include "gallery.h"
-#include "scene.h"
+/* checksum 161194613 of the lines below */
+#include "scenes/gallery.h"
+#include "scenes/scene.h"
 #include "toolbox/options.h"
 #include "toolbox/table.h"
 #include "toolbox/version.h"

@@ -1,10 +1,10 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 3501536179 of the lines below */
-#include "checkpoint.h"
-#include "motion.h"
-#include "observables.h"
-#include "reference.h"
-#include "scene.h"
+/* checksum 4255020261 of the lines below */
+#include "forces/checkpoint.h"
+#include "forces/motion.h"
+#include "forces/observables.h"
+#include "forces/reference.h"
+#include "scenes/scene.h"
 #include "toolbox/bench.h"
 #include "toolbox/options.h"
 #include "toolbox/progress.h"

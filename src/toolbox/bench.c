@@ -1,6 +1,6 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 1752313373 of the lines below */
-#include "bench.h"
+/* checksum 795931796 of the lines below */
+#include "toolbox/bench.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,9 +1,9 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 4054187077 of the lines below */
+/* checksum 325220805 of the lines below */
 #ifndef TOOLBOX_BENCH_H
 #define TOOLBOX_BENCH_H
 
-#include "table.h"
+#include "toolbox/table.h"
 
 #include <stddef.h>
 

@@ -71,7 +71,7 @@ strangers() { # names in the table of symbols that the code does not have
     sed -n '/begin{longtable}/,/end{longtable}/p' chapters/E-symbols.nw |
         grep -o '\[\[[^]]*\]\]' | tr -c 'A-Za-z0-9_' '\n' | sed '/^$/d' |
         sort -u >"$scratch/wanted"
-    cat src/*.[ch] src/*/*.[ch] | tr -c 'A-Za-z0-9_' '\n' | sort -u |
+    cat src/*/*.[ch] | tr -c 'A-Za-z0-9_' '\n' | sort -u |
         comm -23 "$scratch/wanted" -
 }
 none() { # name what-there-is
@@ -127,8 +127,7 @@ printf '%s\n' '\term[heaps]{heap}{A tree.}' '\term{virial}{A sum.}' \
     '\term{anchor}{A place.}' >chapters/F-glossary.nw
 printf '%s\n' '\begin{longtable}' '[[disk]]\allowbreak[[.radius]] [[mass]]' \
     '\end{longtable}' >chapters/E-symbols.nw
-echo 'struct disk { double radius; };' >src/x.h
-cp src/x.h src/toolbox/
+echo 'struct disk { double radius; };' >src/toolbox/x.h
 : >"$scratch/no-terms"
 some 'a key that is missing, an entry that is not cited' "$(keys)" "three2001
 $(printf '\t')two2000"

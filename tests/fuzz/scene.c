@@ -2,7 +2,7 @@
    nothing worse happens. A scene that was read is written and read again,
    and has to come out with the same bits. Made for libFuzzer; alone.c has a
    main for compilers without it. */
-#include "scene.h"
+#include "scenes/scene.h"
 
 #include "../library/scene_same.h"
 

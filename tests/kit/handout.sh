@@ -54,7 +54,9 @@ strangers=$(cd "$place" && find . ! -type d ! \( -type f \( \
     -path ./.gitattributes \))
 equal 'no file of another kind' '' "$strangers"
 equal 'no folder of another kind' "$(printf '%s\n' .ci chapters \
-    chapters/press exercises plots plots/data src src/examiner src/programs src/toolbox tests \
+    chapters/press exercises plots plots/data src src/box src/enough \
+    src/examiner src/forces src/line src/programs src/scenes src/studies \
+    src/toolbox tests \
     tests/border tests/exercises tests/hints tests/stubs)" \
     "$(cd "$place" && find . -mindepth 1 -type d | sed 's/..//' | sort)"
 holds 'the book is the one just made' cmp build/bonkers.pdf \
@@ -102,13 +104,13 @@ equal 'all of the chapters' "$(files_of chapters)" \
 # With git, what it does not know is left out, and named.
 if command -v git >/dev/null 2>&1; then
     (cd "$kit" && rm -f tests/exercises/note-to-self.txt && git init -q &&
-        git add -A && echo 'int x;' >src/mine.c &&
+        git add -A && echo 'int x;' >src/line/mine.c &&
         SOURCE_DATE_EPOCH=0 chapters/press/handout) >"$work/out" 2>&1
     holds 'what git does not know is left out' \
         cmp "$kit/$archive" "$work/first.tar.gz"
     holds 'and named' grep -qx \
-        'handout: left out, for git does not know it: src/mine.c' "$work/out"
-    rm -f "$kit/src/mine.c"
+        'handout: left out, for git does not know it: src/line/mine.c' "$work/out"
+    rm -f "$kit/src/line/mine.c"
 fi
 
 # refused NAME STATUS PATTERN COMMAND...: in one line.
@@ -336,7 +338,7 @@ learn() {
     hidden=$(ls "$1"/*.c 2>/dev/null)
     answers="$(ls solutions/*.c tests/right/*.c tests/wrong/*.c) $hidden"
     # shellcheck disable=SC2086
-    "$tokens" --within $least $answers -- src/*.[ch] src/*/*.[ch] |
+    "$tokens" --within $least $answers -- src/*/*.[ch] |
         cut -f 1 >"$work/exempt"
     # shellcheck disable=SC2086
     {
@@ -368,7 +370,7 @@ learn() {
         }' >>"$work/exempt"
 
     key_lines
-    "$tokens" --within $key "$work"/keys/*.c -- src/*.[ch] src/*/*.[ch] \
+    "$tokens" --within $key "$work"/keys/*.c -- src/*/*.[ch] \
         tests/stubs/*.c | cut -f 1 >"$work/known-lines"
 
     # shellcheck disable=SC2086
@@ -424,7 +426,7 @@ leaks() {
             next
         }
         line in from { print FILENAME ":" FNR ": the line " from[line] }
-        ' kind=book src/*.[ch] src/*/*.[ch] tests/stubs/*.c tests/hints/* \
+        ' kind=book src/*/*.[ch] tests/stubs/*.c tests/hints/* \
         kind=answer $answers kind=text "$work"/*.pdf.txt
     values $(cat "$work/texts") >"$work/found"
     same_values "$work/values" "$work/found" | cut -f 1 | sort -u
@@ -475,15 +477,15 @@ fi
 # The search must be able to fail.
 cd "$work/all/$course" || exit 1
 sed 's/im1/p/g; s/im2/q/g; s/u1/left/g; s/u2/right/g; s/const //
-    s/;/; \/\* mine \*\//' "$root/solutions/01a-collide.c" >>src/collide.h
+    s/;/; \/\* mine \*\//' "$root/solutions/01a-collide.c" >>src/line/collide.h
 echo '/* See also: a planted' '
-   secret of the grader. */' >>src/schedule.c
+   secret of the grader. */' >>src/line/schedule.c
 echo 'Why not return draw(1, 9) * draw(2.00, 3) > 7.250; as it were?' \
     >>tests/hints/02a.txt
 grep -v '^/\*' "$root/tests/wrong/01b-always.c" | sed 's/^/# /' \
     >>plots/01-forms.gp
 grep -v '^/\*' "$root/tests/right/01c-pairs.c" |
-    sed 's/.*/"&\\n"/' >>src/statistics.c
+    sed 's/.*/"&\\n"/' >>src/line/statistics.c
 sed -n '/centre = /s/centre/all/p' "$root/solutions/01a-collide.c" \
     >>tests/exercises/01a-collide.c
 sed -n 's/.*return (/ * Or is it (/p' "$root/solutions/01d-aim.c" \
@@ -501,15 +503,15 @@ found() { # NAME PATTERN
     holds "found out: $1" grep -q "^$2" "$work/out"
 }
 found 'a solution with its variables renamed, in a header' \
-    'src/collide.h:[0-9]*: the body of solutions/01a-'
+    'src/line/collide.h:[0-9]*: the body of solutions/01a-'
 found 'the name of a hidden test, in a comment on two lines' \
-    'src/schedule.c: the name of a hidden test'
+    'src/line/schedule.c: the name of a hidden test'
 found 'what a hidden test does, among the hints' \
     'tests/hints/02a.txt:[0-9]*: the body of .*planted_run'
 found 'a wrong answer, in the comments of a figure' \
     'plots/01-forms.gp:[0-9]*: the body of tests/wrong/01b-always.c'
 found 'a right answer, in a string' \
-    'src/statistics.c:[0-9]*: the body of tests/right/01c-pairs.c'
+    'src/line/statistics.c:[0-9]*: the body of tests/right/01c-pairs.c'
 found 'a line of a solution, in its suite' \
     'tests/exercises/01a-collide.c:[0-9]*: a key line of solutions/01a'
 found 'a line of a solution, in a script' \

@@ -39,7 +39,7 @@ sh -eu "$work/steps" >"$work/out" 2>&1
 holds 'the recipe runs to its end' sh -c "[ $? -eq 0 ] ||
     { tail -5 '$work/out'; false; }"
 holds 'the change of the chapter is in src/' \
-    grep -q 'Whether the two approach is' src/collide.h
+    grep -q 'Whether the two approach is' src/line/collide.h
 holds 'its stub is not begun' \
     grep -q '^01e  What a collision can cost.* not begun' "$work/out"
 holds 'its three right answers pass' \

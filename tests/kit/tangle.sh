@@ -28,7 +28,7 @@ fails() { # NAME PATTERN: tangling must fail and say so, src/ stay as it was
 chapter=chapters/01-collide.nw
 cp $chapter "$work/good.nw"
 
-printf '\n<<collide.h>>=\n<<Never defined>>\n@\n' >>$chapter
+printf '\n<<line/collide.h>>=\n<<Never defined>>\n@\n' >>$chapter
 fails 'an undefined chunk is refused' 'Never defined'
 cp "$work/good.nw" $chapter
 printf '\n<<Never used>>=\nint x;\n@\n' >>$chapter
@@ -38,24 +38,24 @@ printf '\n<<toolbox/random.h>>=\nint x;\n@\n' >>$chapter
 fails 'a file of two chapters is refused' 'two chapters'
 cp "$work/good.nw" $chapter
 
-echo 'int edited;' >>src/collide.c
+echo 'int edited;' >>src/line/collide.c
 fails 'an edit in src/ is recognised and shown' '^+int edited;'
 chapters/press/tangle --check >"$work/out" 2>&1
 holds 'and so does --check' grep -q '^+int edited;' "$work/out"
-cp "$OLDPWD/src/collide.c" src/
-echo 'int stray;' >src/stray.c
+cp "$OLDPWD/src/line/collide.c" src/line/
+echo 'int stray;' >src/line/stray.c
 fails 'a file that no chapter writes is refused' 'no chapter writes it'
-rm src/stray.c
+rm src/line/stray.c
 
-printf '\n<<collide.h>>=\n/* more */\n@\n' >>$chapter
+printf '\n<<line/collide.h>>=\n/* more */\n@\n' >>$chapter
 chapters/press/tangle --check >"$work/out" 2>&1
 holds 'a chapter ahead of src/ is seen' grep -q 'run make tangle' "$work/out"
-touch -t 200001010000 src/collide.c
+touch -t 200001010000 src/line/collide.c
 chapters/press/tangle >"$work/out" 2>&1
-holds 'tangle writes the file that changed' grep -q 'more' src/collide.h
-holds 'and names it' grep -qx 'src/collide.h' "$work/out"
-holds 'and leaves the others alone' test -z "$(find src/collide.c -newer src/collide.h)"
+holds 'tangle writes the file that changed' grep -q 'more' src/line/collide.h
+holds 'and names it' grep -qx 'src/line/collide.h' "$work/out"
+holds 'and leaves the others alone' test -z "$(find src/line/collide.c -newer src/line/collide.h)"
 chapters/press/tangle -L "$work/lines" >"$work/out" 2>&1
 holds '-L names the chapter and its line' \
-    grep -q '#line [0-9]* "chapters/01-collide.nw"' "$work/lines/collide.c"
+    grep -q '#line [0-9]* "chapters/01-collide.nw"' "$work/lines/line/collide.c"
 echo 1..12

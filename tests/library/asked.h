@@ -4,8 +4,8 @@
 
 #include "unit.h"
 
-#include "averages.h"
-#include "start.h"
+#include "enough/averages.h"
+#include "line/start.h"
 
 #include <stdlib.h>
 

@@ -2,7 +2,7 @@
    the stop at the tolerance, and refusals. */
 #include "unit.h"
 
-#include "gallery.h"
+#include "scenes/gallery.h"
 #include "library/asked.h"
 #include "toolbox/random.h"
 

@@ -2,8 +2,8 @@
    that of the whole series. */
 #include "unit.h"
 
-#include "blocks.h"
-#include "statistics.h"
+#include "box/blocks.h"
+#include "line/statistics.h"
 #include "toolbox/random.h"
 
 #include <stdlib.h>

@@ -3,7 +3,7 @@
    computed for this book. */
 #include "unit.h"
 
-#include "bonkers.h"
+#include "line/bonkers.h"
 #include "toolbox/random.h"
 
 #include <float.h>

@@ -1,7 +1,7 @@
 /* The calendar against a plain array that is searched from end to end. */
 #include "unit.h"
 
-#include "calendar.h"
+#include "box/calendar.h"
 #include "toolbox/random.h"
 
 #include <stdlib.h>

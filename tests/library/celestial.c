@@ -3,9 +3,9 @@
    balance in them. */
 #include "unit.h"
 
-#include "celestial.h"
-#include "gravity.h"
-#include "kepler.h"
+#include "forces/celestial.h"
+#include "forces/gravity.h"
+#include "forces/kepler.h"
 
 #include <stdlib.h>
 

@@ -3,7 +3,7 @@
    a number each, for builds to be compared. */
 #include "unit.h"
 
-#include "cells.h"
+#include "box/cells.h"
 #include "toolbox/random.h"
 
 #include <stdlib.h>

@@ -1,9 +1,9 @@
 /* What is looked at, scouts, and picks: right within the tolerance, and at
    most 1.5 times as dear as the cheapest that is right. */
-#include "choose.h"
-#include "gallery.h"
+#include "enough/choose.h"
+#include "scenes/gallery.h"
 #include "library/plans.h"
-#include "scout.h"
+#include "enough/scout.h"
 #include "unit.h"
 
 #include <stdlib.h>

@@ -3,8 +3,8 @@
    values of 16 digits, equal points against chapter 2's engine. */
 #include "unit.h"
 
-#include "bonkers.h"
-#include "closed.h"
+#include "line/bonkers.h"
+#include "enough/closed.h"
 #include "library/oscillator.h"
 #include "toolbox/random.h"
 

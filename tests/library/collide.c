@@ -1,7 +1,7 @@
 /* The collision map against exact values and against its algebra. */
 #include "unit.h"
 
-#include "collide.h"
+#include "line/collide.h"
 #include "toolbox/quad.h"
 #include "toolbox/random.h"
 

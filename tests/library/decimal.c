@@ -1,7 +1,7 @@
 /* Numbers as decimal.c reads them, against strtod. */
 #include "unit.h"
 
-#include "decimal.h"
+#include "scenes/decimal.h"
 #include "toolbox/random.h"
 
 #include <locale.h>

@@ -4,7 +4,7 @@
    program of its own; direct sampling of four disks: 1.83e8 samples. */
 #include "unit.h"
 
-#include "disks.h"
+#include "box/disks.h"
 
 #include <float.h>
 #include <stdlib.h>

@@ -3,8 +3,8 @@
    (springs_numbers.txt). */
 #include "unit.h"
 
-#include "elastic.h"
-#include "springs.h"
+#include "forces/elastic.h"
+#include "forces/springs.h"
 
 #include <math.h>
 #include <stdlib.h>

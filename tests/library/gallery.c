@@ -2,7 +2,7 @@
    comes back from its file with the same bits. */
 #include "unit.h"
 
-#include "gallery.h"
+#include "scenes/gallery.h"
 #include "library/scene_same.h"
 #include "toolbox/table.h"
 

@@ -3,7 +3,7 @@
    of threads, Newton's third law, and energy as the force's potential. */
 #include "unit.h"
 
-#include "gravity.h"
+#include "forces/gravity.h"
 #include "toolbox/random.h"
 
 #include <float.h>

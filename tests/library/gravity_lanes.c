@@ -78,7 +78,7 @@ static void store(double *p, unsigned mask, struct lanes a)
 #define gravity_potential lanes_potential
 #define gravity_can lanes_can
 #define gravity_fastest lanes_fastest
-#include <gravity.c> /* of src, not of this folder */
+#include <forces/gravity.c> /* of src, not of this folder */
 
 static void test_lanes(void)
 {

@@ -2,9 +2,9 @@
    II. */
 #include "unit.h"
 
-#include "bonkers.h"
-#include "hard.h"
-#include "spheres.h"
+#include "line/bonkers.h"
+#include "forces/hard.h"
+#include "forces/spheres.h"
 
 #include <stdlib.h>
 

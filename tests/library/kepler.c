@@ -3,7 +3,7 @@
    against each other, and the closed form against a year in small steps. */
 #include "unit.h"
 
-#include "kepler.h"
+#include "forces/kepler.h"
 
 #include <float.h>
 

@@ -5,8 +5,8 @@
    is measured, unless said otherwise. */
 #include "unit.h"
 
-#include "laws.h"
-#include "statistics.h"
+#include "line/laws.h"
+#include "line/statistics.h"
 #include "toolbox/random.h"
 
 #include <float.h>

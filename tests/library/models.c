@@ -3,10 +3,10 @@
    it; plans as text; what is counted, and the limit of the cost. */
 #include "unit.h"
 
-#include "gallery.h"
+#include "scenes/gallery.h"
 #include "library/plans.h"
-#include "models.h"
-#include "prices.h"
+#include "enough/models.h"
+#include "enough/prices.h"
 #include "toolbox/random.h"
 
 #include <stdlib.h>

@@ -2,8 +2,8 @@
    own computations (membrane_modes.dat, springs_numbers.txt). */
 #include "unit.h"
 
-#include "elastic.h"
-#include "modes.h"
+#include "forces/elastic.h"
+#include "forces/modes.h"
 
 #include <stdlib.h>
 

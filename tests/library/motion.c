@@ -3,7 +3,7 @@
 #include "unit.h"
 
 #include "library/scene_same.h"
-#include "motion.h"
+#include "forces/motion.h"
 #include "toolbox/table.h"
 
 #include <stdlib.h>

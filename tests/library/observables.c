@@ -1,7 +1,7 @@
 /* Observables of a scene whose numbers are known. */
 #include "unit.h"
 
-#include "observables.h"
+#include "forces/observables.h"
 
 #include <stdlib.h>
 

@@ -2,7 +2,7 @@
    Reference values computed for this book by a program of its own. */
 #include "unit.h"
 
-#include "piston.h"
+#include "line/piston.h"
 
 #include <float.h>
 

@@ -1,8 +1,8 @@
 /* Two bodies that pass; runs whose rows end in the middle of a step; and
    what watched runs find, pair by pair. */
 #include "library/plans.h"
-#include "pair.h"
-#include "record.h"
+#include "scenes/pair.h"
+#include "enough/record.h"
 #include "toolbox/random.h"
 #include "unit.h"
 

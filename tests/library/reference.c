@@ -2,7 +2,7 @@
 #include "unit.h"
 
 #include "oscillator.h"
-#include "reference.h"
+#include "forces/reference.h"
 
 #include <gsl/gsl_version.h>
 

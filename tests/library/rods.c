@@ -3,8 +3,8 @@
    two and the way back, and steps that are too long. */
 #include "unit.h"
 
-#include "models.h"
-#include "rods.h"
+#include "enough/models.h"
+#include "forces/rods.h"
 
 #include <stdlib.h>
 

@@ -4,7 +4,7 @@
    the run and of the reference, with fixed seeds. */
 #include "unit.h"
 
-#include "sampling.h"
+#include "box/sampling.h"
 
 #include <float.h>
 

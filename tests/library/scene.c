@@ -2,10 +2,10 @@
  * scenes that come back with the same bits. */
 #include "unit.h"
 
-#include "gallery.h"
+#include "scenes/gallery.h"
 #include "library/scene_same.h"
 #include "library/toolbox_child.h"
-#include "scene.h"
+#include "scenes/scene.h"
 #include "toolbox/random.h"
 #include "toolbox/table.h"
 

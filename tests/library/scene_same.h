@@ -2,7 +2,7 @@
 #ifndef SCENE_SAME_H
 #define SCENE_SAME_H
 
-#include "scene.h"
+#include "scenes/scene.h"
 
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* The schedule against a plain array, and the scan against both. */
 #include "unit.h"
 
-#include "schedule.h"
+#include "line/schedule.h"
 #include "toolbox/random.h"
 
 enum { MOST = 300 };

@@ -1,7 +1,7 @@
 /* The laws of speed: closed forms, moments, and limits. */
 #include "unit.h"
 
-#include "speeds.h"
+#include "box/speeds.h"
 
 enum { BINS = 42 };
 static const double width = 2.0 / 21;

@@ -4,8 +4,8 @@
  */
 #include "unit.h"
 
-#include "hard.h"
-#include "spheres.h"
+#include "forces/hard.h"
+#include "forces/spheres.h"
 #include "toolbox/random.h"
 
 #include <stdlib.h>

@@ -6,9 +6,9 @@
    double_pendulum_damped.dat). */
 #include "unit.h"
 
-#include "elastic.h"
+#include "forces/elastic.h"
 #include "library/oscillator.h"
-#include "springs.h"
+#include "forces/springs.h"
 
 #include <float.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* The starts: their numbers, and what is random in them. */
 #include "unit.h"
 
-#include "start.h"
+#include "line/start.h"
 
 #include <float.h>
 

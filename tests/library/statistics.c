@@ -5,7 +5,7 @@
    unless said otherwise. */
 #include "unit.h"
 
-#include "statistics.h"
+#include "line/statistics.h"
 #include "toolbox/random.h"
 
 #include <float.h>

@@ -4,7 +4,7 @@
    quadruple precision. */
 #include "unit.h"
 
-#include "stepping.h"
+#include "forces/stepping.h"
 #include "toolbox/quad.h"
 
 #include <float.h>

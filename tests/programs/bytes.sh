@@ -5,8 +5,10 @@
 # More threads than idle cores: one that waits leaves its core to the others.
 OMP_WAIT_POLICY=passive
 export OMP_WAIT_POLICY
-all="$(grep -LE '^.include ("laws.h"|<gsl/)' src/*.c src/toolbox/*.c)
-    src/reference.c"
+rooms=$(echo src/toolbox src/line src/box src/scenes src/forces src/enough)
+all="$(for room in $rooms; do
+    grep -LE '^.include ("line/laws.h"|<gsl/)' "$room"/*.c
+done) src/forces/reference.c"
 # What is stepped, and chosen for: gravity, springs with dashpots, and
 # contacts.
 for scene in figure-eight 'ring --particles 150' 'membrane --damping 0.1' \
@@ -128,7 +130,7 @@ for cc in gcc clang; do
             springs-studies; do
             # shellcheck disable=SC2086
             $cc -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off $level \
-                -Isrc -o "$work/bin/$program" "src/programs/$program.c" \
+                -Isrc -o "$work/bin/$program" src/[ps]*s/"$program.c" \
                 "$work"/obj/*.o -lm || not_ok "$cc $level" 'does not build'
         done
         run_all "$work/bin" >"$work/got"

@@ -3,7 +3,7 @@
 # of this machine pass the tests of tests/library/cells.c and end their runs
 # with the same bytes; and the memory that a million disks take.
 . tests/programs/common
-sources='src/cells.c src/calendar.c src/disks.c src/collide.c
+sources='src/box/cells.c src/box/calendar.c src/box/disks.c src/line/collide.c
     src/toolbox/random.c'
 
 expected=

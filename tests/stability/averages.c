@@ -2,7 +2,7 @@
    small and wrong, which have to be refused. */
 #include "unit.h"
 
-#include "gallery.h"
+#include "scenes/gallery.h"
 #include "library/asked.h"
 #include "toolbox/random.h"
 

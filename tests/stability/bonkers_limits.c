@@ -2,7 +2,7 @@
    never mix, and the engine that feels when it is looked at. */
 #include "unit.h"
 
-#include "bonkers.h"
+#include "line/bonkers.h"
 #include "toolbox/random.h"
 
 #include <float.h>

@@ -2,7 +2,7 @@
    almost a unit vector, and the slow drift over many collisions. */
 #include "unit.h"
 
-#include "collide.h"
+#include "line/collide.h"
 #include "toolbox/quad.h"
 #include "toolbox/random.h"
 

@@ -3,7 +3,7 @@
    the chapter says it does. */
 #include "unit.h"
 
-#include "disks.h"
+#include "box/disks.h"
 
 #include <float.h>
 #include <stdlib.h>

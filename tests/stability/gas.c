@@ -3,9 +3,9 @@
    file keeps. */
 #include "unit.h"
 
-#include "cells.h"
-#include "disks.h"
-#include "states.h"
+#include "box/cells.h"
+#include "box/disks.h"
+#include "box/states.h"
 
 #include <stdlib.h>
 #include <unistd.h>

@@ -2,7 +2,7 @@
    quadrature. */
 #include "unit.h"
 
-#include "piston.h"
+#include "line/piston.h"
 
 #include <float.h>
 

@@ -2,9 +2,9 @@
    the chapter says it does. */
 #include "unit.h"
 
-#include "disks.h"
-#include "hard.h"
-#include "spheres.h"
+#include "box/disks.h"
+#include "forces/hard.h"
+#include "forces/spheres.h"
 
 #include <stdlib.h>
 

@@ -4,9 +4,9 @@
    is a mechanism. */
 #include "unit.h"
 
-#include "elastic.h"
-#include "modes.h"
-#include "springs.h"
+#include "forces/elastic.h"
+#include "forces/modes.h"
+#include "forces/springs.h"
 
 #include <stdlib.h>
 

@@ -5,7 +5,7 @@
    eq:stability-limit). */
 #include "unit.h"
 
-#include "stepping.h"
+#include "forces/stepping.h"
 
 #include <stdlib.h>
 

@@ -1,0 +1,68 @@
+/* From chapters/07-gas.nw: edit there, then run make tangle. */
+/* checksum 754342424 of the lines below */
+#include "box/blocks.h"
+
+#include "line/statistics.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+bool blocks_create(struct blocks *b, size_t width)
+{
+    *b = (struct blocks){.width = width, .per = 1};
+    b->sum = calloc(BLOCKS_MOST * width, sizeof b->sum[0]);
+    return b->sum != NULL;
+}
+
+void blocks_free(struct blocks *b)
+{
+    free(b->sum);
+    *b = (struct blocks){0};
+}
+static void end_block(struct blocks *b)
+{
+    const size_t width = b->width, half = BLOCKS_MOST / 2;
+    b->filled = 0;
+    if (++b->count < BLOCKS_MOST)
+        return;
+    for (size_t i = 0; i < half; ++i)
+        for (size_t k = 0; k < width; ++k)
+            b->sum[i * width + k] =
+                b->sum[2 * i * width + k] + b->sum[(2 * i + 1) * width + k];
+    memset(b->sum + half * width, 0, half * width * sizeof b->sum[0]);
+    b->count = half;
+    b->per *= 2;
+}
+
+void blocks_add(struct blocks *b, const double sample[])
+{
+    double *sum = b->sum + b->count * b->width;
+    for (size_t k = 0; k < b->width; ++k)
+        sum[k] += sample[k];
+    if (++b->filled == b->per)
+        end_block(b);
+}
+
+void blocks_append(struct blocks *b, const double sum[])
+{
+    memcpy(b->sum + b->count * b->width, sum, b->width * sizeof sum[0]);
+    end_block(b);
+}
+struct blocks_average blocks_average_of(size_t n, const double x[])
+{
+    struct statistics_blocking b;
+    double sum = 0;
+    for (size_t i = 0; i < n; ++i)
+        sum += x[i];
+    const bool known = n >= 2 && statistics_blocking(n, x, &b);
+    return (struct blocks_average){sum / (double)n, known ? b.error : NAN};
+}
+
+struct blocks_average blocks_average(const struct blocks *b, size_t column)
+{
+    double x[BLOCKS_MOST];
+    for (size_t i = 0; i < b->count; ++i)
+        x[i] = b->sum[i * b->width + column] / (double)b->per;
+    return blocks_average_of(b->count, x);
+}

@@ -1,0 +1,589 @@
+/* From chapters/07-gas.nw: edit there, then run make tangle. */
+/* checksum 514611265 of the lines below */
+#include "box/cells.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#ifdef __AVX2__
+#include <immintrin.h>
+#endif
+
+enum { BATCH = 4 }; /* anchors that are looked at together */
+
+static double dot(const double a[], const double b[])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* The coordinates of the anchor of disk i are `room` places apart. */
+static const float *place_of(const struct cells *c, uint32_t i)
+{
+    const struct cells_anchor *a = &c->anchor[i];
+    return c->place + 3 * a->cell * c->room + a->spot;
+}
+
+static double leash_end(const struct cells *c, uint32_t i)
+{
+    const double *v = c->d->disk[i].velocity;
+    const float *at = place_of(c, i);
+    double anchor[DISKS_AXES], here[DISKS_AXES], way[DISKS_AXES];
+    for (size_t k = 0; k < DISKS_AXES; ++k)
+        anchor[k] = (double)at[k * c->room];
+    disks_position(c->d, i, here);
+    disks_apart(c->d, anchor, here, way);
+    const double b = dot(way, v), vv = dot(v, v);
+    const double left = c->leash * c->leash - dot(way, way);
+    if (vv == 0)
+        return INFINITY;
+    if (left <= 0)
+        return c->d->now;
+    const double root = sqrt(b * b + vv * left); /* (7.2, eq:leash-end) */
+    return c->d->now + (b > 0 ? left / (root + b) : (root - b) / vv);
+}
+
+#ifndef __AVX2__
+const char cells_kernel[] = "scalar";
+
+static void look_at_neighbours(const struct cells *c, uint32_t i,
+                               struct disks_event *first)
+{
+    const uint32_t *list = c->neighbour + i * c->seats;
+    for (size_t k = 0; k < c->anchor[i].neighbours; ++k) {
+        const struct disks_event pair = {
+            disks_meeting(c->d, i, list[k], c->d->now), i, list[k]};
+        if (pair.time <= first->time && disks_before(pair, *first))
+            *first = pair;
+    }
+}
+
+#else
+const char cells_kernel[] = "avx2";
+
+typedef __m256d v4;
+typedef long long l4 __attribute__((vector_size(32)));
+
+static inline v4 all(double x)
+{
+    return _mm256_set1_pd(x);
+}
+
+/* Turns four rows of four numbers into four columns. */
+static inline void transpose(v4 a, v4 b, v4 c, v4 d, v4 column[4])
+{
+    const v4 ab = _mm256_unpacklo_pd(a, b), ba = _mm256_unpackhi_pd(a, b);
+    const v4 cd = _mm256_unpacklo_pd(c, d), dc = _mm256_unpackhi_pd(c, d);
+    column[0] = _mm256_permute2f128_pd(ab, cd, 0x20);
+    column[1] = _mm256_permute2f128_pd(ba, dc, 0x20);
+    column[2] = _mm256_permute2f128_pd(ab, cd, 0x31);
+    column[3] = _mm256_permute2f128_pd(ba, dc, 0x31);
+}
+
+static inline void gather(const struct disk *disk, const uint32_t *list,
+                          v4 place[4], v4 speed[4])
+{
+    const double *a = disk[list[0]].position;
+    const double *b = disk[list[1]].position;
+    const double *c = disk[list[2]].position;
+    const double *d = disk[list[3]].position;
+    transpose(_mm256_load_pd(a), _mm256_load_pd(b), _mm256_load_pd(c),
+              _mm256_load_pd(d), place);
+    transpose(_mm256_load_pd(a + 4), _mm256_load_pd(b + 4),
+              _mm256_load_pd(c + 4), _mm256_load_pd(d + 4), speed);
+}
+
+/* Ways and velocities of four disks as seen by disk a, and the sums of
+   the radii. Returns the moments at which the ways are taken. */
+static inline v4 approach(const struct cells *c, const struct disk *a,
+                          const uint32_t *list, bool fresh, v4 apart[3],
+                          v4 closing[3], v4 *distance)
+{
+    const double rounding = 6755399441055744; /* as in disks.c */
+    v4 place[4], speed[4], last = all(a->since);
+    gather(c->d->disk, list, place, speed);
+    if (!fresh)
+        last = _mm256_max_pd(place[3], last);
+    for (int k = 0; k < 3; ++k) {
+        v4 here = all(a->position[k]), then;
+        closing[k] = speed[k] - a->velocity[k];
+        if (!fresh)
+            here += a->velocity[k] * (last - a->since);
+        then = apart[k] = (place[k] + speed[k] * (last - place[3])) - here;
+        if (!fresh)
+            then += closing[k] * (c->d->now - last);
+        apart[k] -=
+            c->d->box[k] * (then * c->inverse[k] + rounding - rounding);
+    }
+    *distance = speed[3] + a->radius;
+    return last;
+}
+
+static inline v4 dot4(const v4 a[], const v4 b[])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* x in the lanes that are chosen, otherwise what is there. */
+static inline v4 choose(v4 otherwise, v4 x, l4 chosen)
+{
+    return _mm256_blendv_pd(otherwise, x, (v4)chosen);
+}
+
+struct lanes {
+    v4 time;
+    l4 who;
+};
+
+static inline void meet_four(const struct cells *c, const struct disk *a,
+                             const uint32_t *list, bool fresh,
+                             struct lanes *first)
+{
+    v4 apart[3], closing[3], distance;
+    const v4 last = approach(c, a, list, fresh, apart, closing, &distance);
+    const v4 b = dot4(apart, closing);
+    const v4 gap = dot4(apart, apart) - distance * distance;
+    const v4 disc = b * b - dot4(closing, closing) * gap;
+    const l4 meets = (b < all(0)) & (disc >= all(0));
+    if (_mm256_testz_pd((v4)meets, (v4)meets))
+        return;
+    const v4 root = _mm256_sqrt_pd(_mm256_max_pd(disc, all(0)));
+    const v4 flight = choose(all(0), gap / (root - b), gap > all(0));
+    const v4 time = choose(all(INFINITY), last + flight, meets);
+    const l4 who = {list[0], list[1], list[2], list[3]};
+    const l4 sooner =
+        (time < first->time) | ((time == first->time) & (who < first->who));
+    first->time = choose(first->time, time, sooner);
+    first->who = (l4)choose((v4)first->who, (v4)who, sooner);
+}
+
+static void look_at_neighbours(const struct cells *c, uint32_t i,
+                               struct disks_event *first)
+{
+    const struct disk *a = &c->d->disk[i];
+    const uint32_t *list = c->neighbour + i * c->seats;
+    const uint32_t *end = list + c->anchor[i].neighbours;
+    const long long wall = first->partner;
+    struct lanes lanes = {all(first->time), {wall, wall, wall, wall}};
+    if (a->since == c->d->now)
+        for (; list < end; list += 4)
+            meet_four(c, a, list, true, &lanes);
+    else
+        for (; list < end; list += 4)
+            meet_four(c, a, list, false, &lanes);
+    for (int k = 0; k < 4; ++k) {
+        const struct disks_event pair = {lanes.time[k], i,
+                                         (uint32_t)lanes.who[k]};
+        if (pair.time <= first->time && disks_before(pair, *first))
+            *first = pair;
+    }
+}
+
+#endif
+
+#ifdef __GNUC__
+#define FETCH(place) __builtin_prefetch(place)
+#else
+#define FETCH(place) ((void)(place))
+#endif
+
+static void fetch_neighbours(const struct cells *c, uint32_t i)
+{
+    const uint32_t *list = c->neighbour + i * c->seats;
+    FETCH(&c->calendar.event[i]);
+    for (size_t k = 0; k < c->anchor[i].neighbours; ++k)
+        FETCH(&c->d->disk[list[k]]);
+}
+
+static void plan(struct cells *c, uint32_t i)
+{
+    struct disks *d = c->d;
+    size_t axis = 0;
+    struct disks_event first = {disks_wall(d, i, &axis), i,
+                                (uint32_t)(d->count + axis)};
+    fetch_neighbours(c, i);
+    look_at_neighbours(c, i, &first);
+    const double end = leash_end(c, i);
+    if (end < first.time)
+        first = (struct disks_event){end, i, i};
+    struct calendar_event *e = &c->calendar.event[i];
+    e->partner = first.partner;
+    e->version = first.partner < d->count ? d->hits[first.partner] : 0;
+    calendar_put(&c->calendar, i, first.time);
+}
+
+static bool more_seats(struct cells *c)
+{
+    const size_t n = c->d->count, seats = c->seats + 4, old = c->seats;
+    uint32_t *list = realloc(c->neighbour, n * seats * sizeof *list);
+    if (!list)
+        return false;
+    for (size_t i = n; i-- > 0;)
+        for (size_t k = seats; k-- > 0;)
+            list[i * seats + k] = k < old ? list[i * old + k] : (uint32_t)i;
+    c->neighbour = list;
+    c->seats = seats;
+    return true;
+}
+
+static bool learn(struct cells *c, uint32_t i, uint32_t other)
+{
+    if (c->anchor[i].neighbours == UINT16_MAX ||
+        (c->anchor[i].neighbours == c->seats && !more_seats(c)))
+        return false;
+    c->neighbour[i * c->seats + c->anchor[i].neighbours++] = other;
+    return true;
+}
+
+static void forget(struct cells *c, uint32_t i, uint32_t other)
+{
+    uint32_t *seat = c->neighbour + i * c->seats;
+    uint32_t *last = seat + --c->anchor[i].neighbours;
+    while (*seat != other)
+        ++seat;
+    *seat = *last;
+    *last = i;
+}
+
+static void forget_all(struct cells *c, uint32_t i)
+{
+    while (c->anchor[i].neighbours > 0) {
+        const uint32_t other = c->neighbour[i * c->seats];
+        forget(c, i, other);
+        forget(c, other, i);
+    }
+}
+
+static size_t cell_of(const struct cells *c, const double x[])
+{
+    size_t cell = 0, k = DISKS_AXES;
+    while (k-- > 0) {
+        const double part = /* (7.3, eq:cell-index) */
+            c->grid[k] > 1 ? x[k] / c->d->box[k] * (double)c->grid[k] : 0;
+        const size_t g = part > 0 ? (size_t)part : 0;
+        cell = cell * c->grid[k] + (g < c->grid[k] ? g : c->grid[k] - 1);
+    }
+    return cell;
+}
+
+static bool more_room(struct cells *c)
+{
+    const size_t old = c->room, room = old + 2;
+    float *place =
+        realloc(c->place, (c->cells * room * 3 + BATCH) * sizeof *place);
+    if (place)
+        c->place = place;
+    uint32_t *who = realloc(c->who, c->cells * room * sizeof *who);
+    if (who)
+        c->who = who;
+    if (!place || !who)
+        return false;
+    for (size_t row = 3 * c->cells; row-- > 0;)
+        memmove(place + row * room, place + row * old, old * sizeof *place);
+    for (size_t cell = c->cells; cell-- > 0;)
+        memmove(who + cell * room, who + cell * old, old * sizeof *who);
+    c->room = room;
+    return true;
+}
+
+static void write_place(struct cells *c, size_t cell, size_t at, uint32_t i,
+                        const float x[], size_t step)
+{
+    float *place = c->place + 3 * cell * c->room + at;
+    for (size_t k = 0; k < DISKS_AXES; ++k)
+        place[k * c->room] = x[k * step];
+    c->who[cell * c->room + at] = i;
+    c->anchor[i].cell = (uint32_t)cell;
+    c->anchor[i].spot = (uint16_t)at;
+}
+
+static void leave_cell(struct cells *c, uint32_t i)
+{
+    const struct cells_anchor a = c->anchor[i];
+    const uint32_t *who = c->who + a.cell * c->room;
+    const uint32_t last = who[--c->full[a.cell]];
+    write_place(c, a.cell, a.spot, last, place_of(c, last), c->room);
+}
+
+static bool enter_cell(struct cells *c, uint32_t i)
+{
+    double x[DISKS_AXES];
+    disks_position(c->d, i, x);
+    disks_fold(c->d, x);
+    const size_t cell = cell_of(c, x);
+    if (c->full[cell] == UINT16_MAX ||
+        (c->full[cell] == c->room && !more_room(c)))
+        return false;
+    const float at[] = {(float)x[0], (float)x[1], (float)x[2]};
+    write_place(c, cell, c->full[cell]++, i, at, 1);
+    return true;
+}
+
+struct beside {
+    size_t count, at[3];
+    float shift[3]; /* m */
+};
+
+static struct beside beside(const struct cells *c, size_t g, size_t k)
+{
+    const bool round = c->inverse[k] > 0;
+    const float box = (float)c->d->box[k];
+    const size_t last = c->grid[k] - 1;
+    struct beside b = {1, {g, 0, 0}, {0, 0, 0}};
+    if (g > 0 || round) {
+        b.at[b.count] = g > 0 ? g - 1 : last;
+        b.shift[b.count++] = g > 0 ? 0 : -box;
+    }
+    if (g < last || round) {
+        b.at[b.count] = g < last ? g + 1 : 0;
+        b.shift[b.count++] = g < last ? 0 : box;
+    }
+    return b;
+}
+
+/* Two disks whose anchors are the root of square apart. */
+static bool consider(struct cells *c, uint32_t i, uint32_t other,
+                     float square)
+{
+    const double reach = c->d->disk[i].radius + c->d->disk[other].radius +
+                         2 * c->leash + c->slack; /* eq:neighbours */
+    if (other == i || (double)square > reach * reach)
+        return true;
+    return learn(c, i, other) && learn(c, other, i);
+}
+
+static bool look_in_cell(struct cells *c, uint32_t i, size_t cell,
+                         const float from[], float farthest)
+{
+    const float *x = c->place + 3 * cell * c->room;
+    const float *y = x + c->room, *z = y + c->room;
+    const size_t full = c->full[cell];
+    for (size_t k = 0; k < full; k += BATCH) {
+        float square[BATCH];
+        for (size_t l = 0; l < BATCH; ++l) {
+            const float u = x[k + l] - from[0], v = y[k + l] - from[1];
+            const float w = z[k + l] - from[2];
+            square[l] = u * u + v * v + w * w;
+        }
+        for (size_t l = 0; l < BATCH && k + l < full; ++l)
+            if (square[l] <= farthest &&
+                !consider(c, i, c->who[cell * c->room + k + l], square[l]))
+                return false;
+    }
+    return true;
+}
+
+static bool find_neighbours(struct cells *c, uint32_t i)
+{
+    const size_t nx = c->grid[0], ny = c->grid[1];
+    const size_t home = c->anchor[i].cell;
+    const float *at = place_of(c, i);
+    const float here[] = {at[0], at[c->room], at[2 * c->room]};
+    const struct beside bx = beside(c, home % nx, 0);
+    const struct beside by = beside(c, home / nx % ny, 1);
+    const struct beside bz = beside(c, home / nx / ny, 2);
+    const double reach =
+        c->d->disk[i].radius + c->widest + 2 * c->leash + c->slack;
+    for (size_t z = 0; z < bz.count; ++z)
+        for (size_t y = 0; y < by.count; ++y)
+            for (size_t x = 0; x < bx.count; ++x) {
+                const float from[] = {here[0] - bx.shift[x],
+                                      here[1] - by.shift[y],
+                                      here[2] - bz.shift[z]};
+                const size_t cell =
+                    (bz.at[z] * ny + by.at[y]) * nx + bx.at[x];
+                if (!look_in_cell(c, i, cell, from, (float)(reach * reach)))
+                    return false;
+            }
+    return true;
+}
+
+static bool renew(struct cells *c, uint32_t i)
+{
+    forget_all(c, i);
+    leave_cell(c, i);
+    return enter_cell(c, i) && find_neighbours(c, i);
+}
+
+enum { CROWD = 10, CROWD_3 = 11 }; /* neighbours a disk should have */
+
+static double choose_leash(const struct disks *d, double radius,
+                           double pair)
+{
+    double volume = 1, least = INFINITY;
+    for (size_t k = 0; k < d->dimensions; ++k) {
+        volume *= d->box[k];
+        least = fmin(least, d->box[k]);
+    }
+    const double crowd = d->dimensions == 3 ? CROWD_3 : CROWD;
+    const double share = (crowd + 1) * volume / (double)d->count;
+    const double sphere = 4.18879020478639098, circle = 3.14159265358979324;
+    const double far =
+        d->dimensions == 3 ? cbrt(share / sphere) : sqrt(share / circle);
+    const double leash = fmax((far - 2 * radius) / 2, 0.6 * radius);
+    const double image = (least / 2 - pair) / 4,
+                 cells = least / 6 - pair / 2;
+    return d->boundary == DISKS_PERIODIC
+               ? fmin(leash, 0.999 * fmin(image, cells))
+               : leash;
+}
+
+/* The largest radius, the sum of the two largest, and the mean, m. */
+struct sizes {
+    double widest, pair, mean;
+};
+
+static struct sizes sizes(const struct disks *d)
+{
+    double first = 0, second = 0, sum = 0;
+    for (size_t i = 0; i < d->count; ++i) {
+        const double r = d->disk[i].radius;
+        sum += r;
+        second = fmax(second, fmin(r, first));
+        first = fmax(first, r);
+    }
+    return (struct sizes){first, first + second, sum / (double)d->count};
+}
+
+static bool lay_grid(struct cells *c, const struct disks *d)
+{
+    const struct sizes s = sizes(d);
+    c->widest = s.widest;
+    c->leash = choose_leash(d, s.mean, s.pair);
+    c->slack = 0;
+    c->cells = 1;
+    for (size_t k = 0; k < d->dimensions; ++k)
+        c->slack = fmax(c->slack, 1e-6 * d->box[k]);
+    bool suit = c->leash > 0.1 * s.mean && c->leash > c->slack;
+    for (size_t k = 0; k < DISKS_AXES; ++k) {
+        const bool used = k < d->dimensions;
+        const bool round = used && d->boundary == DISKS_PERIODIC;
+        const double reach = s.pair + 2 * c->leash + c->slack;
+        const double most = used ? floor(d->box[k] / reach) : 1;
+        const double enough = 3 + 2 * (double)d->count / (double)c->cells;
+        c->grid[k] = most < 1 ? 1 : (size_t)fmin(most, enough);
+        c->inverse[k] = round ? 1 / d->box[k] : 0;
+        c->cells *= c->grid[k];
+        suit = suit && !(round && c->grid[k] < 3);
+    }
+    return suit;
+}
+
+bool cells_suit(const struct disks *d)
+{
+    struct cells c;
+    double longest = 0;
+    for (size_t k = 0; k < d->dimensions; ++k)
+        longest = fmax(longest, d->box[k]);
+    return lay_grid(&c, d) && longest > 1e-12 && longest < 1e15;
+}
+
+void cells_free(struct cells *c)
+{
+    free(c->neighbour);
+    free(c->anchor);
+    free(c->place);
+    free(c->who);
+    free(c->full);
+    calendar_free(&c->calendar);
+    *c = (struct cells){0};
+}
+
+static bool make_lists(struct cells *c, size_t n)
+{
+    double vv = 0;
+    for (size_t i = 0; i < n; ++i)
+        vv += dot(c->d->disk[i].velocity, c->d->disk[i].velocity);
+    const double v = sqrt(vv / (double)n);
+    const double day = v > 0 ? c->leash / v / (double)n : 1;
+    c->seats = c->d->dimensions == 3 ? 16 : 12;
+    c->room = 6;
+    c->neighbour = malloc(n * c->seats * sizeof *c->neighbour);
+    c->anchor = calloc(n, sizeof *c->anchor);
+    c->place = calloc(c->cells * c->room * 3 + BATCH, sizeof *c->place);
+    c->who = calloc(c->cells * c->room, sizeof *c->who);
+    c->full = calloc(c->cells, sizeof *c->full);
+    return c->neighbour && c->anchor && c->place && c->who && c->full &&
+           calendar_create(&c->calendar, n, c->d->now, day);
+}
+
+bool cells_create(struct cells *c, struct disks *d)
+{
+    const uint32_t n = (uint32_t)d->count;
+    *c = (struct cells){.d = d};
+    lay_grid(c, d);
+    bool enough = make_lists(c, n);
+    for (size_t seat = 0; enough && seat < n * c->seats; ++seat)
+        c->neighbour[seat] = (uint32_t)(seat / c->seats);
+    for (uint32_t i = 0; enough && i < n; ++i)
+        enough = enter_cell(c, i) && find_neighbours(c, i);
+    if (!enough)
+        cells_free(c);
+    for (uint32_t i = 0; enough && i < n; ++i)
+        plan(c, i);
+    return enough;
+}
+
+bool cells_fit(const struct cells *c, size_t *a, size_t *b)
+{
+    const size_t n = c->d->count;
+    bool clash = false;
+    for (size_t i = 0; i < n && !clash; ++i) {
+        const uint32_t *list = c->neighbour + i * c->seats;
+        *a = i;
+        *b = n;
+        clash = disks_clash(c->d, i, n);
+        for (size_t k = 0; k < c->anchor[i].neighbours && !clash; ++k)
+            if (list[k] < *b && disks_clash(c->d, i, list[k]))
+                *b = list[k];
+        clash = clash || *b < n;
+    }
+    return !clash;
+}
+
+/* Says whether the event of disk i is one of these, and deals with it.
+ *memory: whether there was enough. */
+static bool replan(struct cells *c, struct disks_event e, bool *memory)
+{
+    struct disks *d = c->d;
+    const bool end = e.partner == e.disk;
+    const bool stale =
+        !end && e.partner < d->count &&
+        c->calendar.event[e.disk].version != d->hits[e.partner];
+    if (!end && !stale)
+        return false;
+    d->now = e.time > d->now ? e.time : d->now;
+    c->renewed += end;
+    c->stale += stale;
+    if (end)
+        *memory = renew(c, e.disk);
+    plan(c, e.disk);
+    return true;
+}
+
+enum disks_stop cells_run(struct cells *c, double until,
+                          uint64_t collisions)
+{
+    struct disks *d = c->d;
+    bool memory = true;
+    while (d->collisions < collisions && memory) {
+        const uint32_t i = calendar_first(&c->calendar);
+        if (i == CALENDAR_NONE || c->calendar.event[i].time > until) {
+            if (until < INFINITY && until > d->now)
+                d->now = until;
+            return DISKS_TIME;
+        }
+        const struct disks_event e = {c->calendar.event[i].time, i,
+                                      c->calendar.event[i].partner};
+        if (replan(c, e, &memory))
+            continue;
+        if (e.partner < d->count)
+            fetch_neighbours(c, e.partner);
+        disks_collide(d, e);
+        if (disks_collapsed(d))
+            return DISKS_COLLAPSE;
+        plan(c, i);
+        if (e.partner < d->count)
+            plan(c, e.partner);
+    }
+    return DISKS_COLLISIONS;
+}

@@ -1,0 +1,671 @@
+/* From chapters/05-disks.nw: edit there, then run make tangle. */
+/* checksum 3670639210 of the lines below */
+#include "box/disks.h"
+
+#include "line/collide.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct disks_plan {
+    double leash;              /* m */
+    struct disks_event *event; /* of each disk */
+    uint32_t *hits;            /* of the partner, when it was planned */
+};
+
+bool disks_create(struct disks *d, size_t dimensions, size_t count)
+{
+    const size_t bytes = count * sizeof *d->disk;
+    *d = (struct disks){
+        .dimensions = dimensions, .count = count, .restitution = 1};
+    d->disk = aligned_alloc(sizeof *d->disk, bytes);
+    d->mass = malloc(count * sizeof *d->mass);
+    d->hits = calloc(count, sizeof *d->hits);
+    if (!d->disk || !d->mass || !d->hits) {
+        disks_free(d);
+        return false;
+    }
+    memset(d->disk, 0, bytes);
+    for (size_t i = 0; i < count; ++i)
+        d->mass[i] = 1;
+    return true;
+}
+
+void disks_free(struct disks *d)
+{
+    if (d->plan) {
+        free(d->plan->event);
+        free(d->plan->hits);
+    }
+    free(d->plan);
+    free(d->disk);
+    free(d->mass);
+    free(d->hits);
+    *d = (struct disks){0};
+}
+
+static double dot(const double a[], const double b[])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+double disks_wall_time(double x, double v, double radius, double length)
+{
+    const double way = v > 0 ? length - radius - x : radius - x;
+    if (v == 0)
+        return INFINITY;
+    return fmax(0, way / v);
+}
+
+double disks_pair_time(const double apart[], const double closing[],
+                       double distance)
+{
+    const double b = dot(apart, closing);
+    const double c = dot(apart, apart) - distance * distance;
+    const double disc = b * b - dot(closing, closing) * c;
+    if (b >= 0 || disc < 0)
+        return INFINITY;
+    return c <= 0 ? 0 : c / (sqrt(disc) - b);
+}
+
+/* The whole number nearest to x, for |x| < 2^51. */
+static double whole(double x)
+{
+    const double shift = 6755399441055744; /* 1.5 * 2^52 */
+    return x + shift - shift;
+}
+
+static double inverse(const struct disks *d, size_t k)
+{
+    return d->boundary == DISKS_PERIODIC && k < d->dimensions
+               ? 1 / d->box[k]
+               : 0;
+}
+
+void disks_apart(const struct disks *d, const double a[], const double b[],
+                 double apart[])
+{
+    for (size_t k = 0; k < DISKS_AXES; ++k) {
+        apart[k] = b[k] - a[k];
+        apart[k] -= d->box[k] * whole(apart[k] * inverse(d, k));
+    }
+}
+
+double disks_leash(const struct disks *d)
+{
+    double least = INFINITY, widest = 0;
+    if (d->boundary != DISKS_PERIODIC)
+        return INFINITY;
+    for (size_t k = 0; k < d->dimensions; ++k)
+        least = fmin(least, d->box[k]);
+    for (size_t i = 0; i < d->count; ++i)
+        widest = fmax(widest, d->disk[i].radius);
+    const double spare = least / 2 - 2 * widest;
+    return spare >= 1e-6 * least ? 0.999 * spare / 3 : 0;
+}
+
+double disks_meeting(const struct disks *d, size_t i, size_t j, double at)
+{
+    const struct disk *a = &d->disk[i], *b = &d->disk[j];
+    const double last = fmax(a->since, b->since);
+    const double wait = at - last;
+    double apart[DISKS_AXES], closing[DISKS_AXES];
+    for (size_t k = 0; k < DISKS_AXES; ++k) {
+        closing[k] = b->velocity[k] - a->velocity[k];
+        apart[k] = (b->position[k] + b->velocity[k] * (last - b->since)) -
+                   (a->position[k] + a->velocity[k] * (last - a->since));
+        const double then = apart[k] + closing[k] * wait;
+        apart[k] -= d->box[k] * whole(then * inverse(d, k));
+    }
+    return last + disks_pair_time(apart, closing, a->radius + b->radius);
+}
+
+double disks_wall(const struct disks *d, size_t i, size_t *axis)
+{
+    const struct disk *a = &d->disk[i];
+    double first = INFINITY;
+    *axis = 0;
+    if (d->boundary == DISKS_WALLS)
+        for (size_t k = 0; k < d->dimensions; ++k) {
+            const double time = disks_wall_time(
+                a->position[k], a->velocity[k], a->radius, d->box[k]);
+            if (time < first) {
+                first = time;
+                *axis = k;
+            }
+        }
+    return a->since + first;
+}
+
+static uint32_t low(struct disks_event e)
+{
+    return e.disk < e.partner ? e.disk : e.partner;
+}
+
+static uint32_t high(struct disks_event e)
+{
+    return e.disk < e.partner ? e.partner : e.disk;
+}
+
+bool disks_before(struct disks_event a, struct disks_event b)
+{
+    if (a.time != b.time)
+        return a.time < b.time;
+    if (low(a) != low(b))
+        return low(a) < low(b);
+    return high(a) < high(b);
+}
+
+static struct disks_event meet(size_t i, size_t j, double time)
+{
+    return (struct disks_event){time, (uint32_t)i, (uint32_t)j};
+}
+
+/* The first of what disk i does without another: it meets a wall, or has
+   flown as far as the leash. */
+static struct disks_event alone(const struct disks *d, size_t i,
+                                double leash)
+{
+    const double *v = d->disk[i].velocity;
+    size_t axis;
+    const double time = disks_wall(d, i, &axis);
+    const struct disks_event wall = meet(i, d->count + axis, time);
+    const struct disks_event look =
+        meet(i, i, d->now + leash / sqrt(dot(v, v)));
+    return look.time < time ? look : wall;
+}
+
+struct disks_event disks_next(const struct disks *d)
+{
+    const double leash = disks_leash(d);
+    struct disks_event first = alone(d, 0, leash);
+    for (size_t i = 0; i < d->count; ++i) {
+        const struct disks_event own = alone(d, i, leash);
+        if (disks_before(own, first))
+            first = own;
+        for (size_t j = i + 1; j < d->count; ++j) {
+            const struct disks_event pair =
+                meet(i, j, disks_meeting(d, i, j, d->now));
+            if (disks_before(pair, first))
+                first = pair;
+        }
+    }
+    return first;
+}
+
+static void move_to(struct disk *a, double time)
+{
+    for (size_t k = 0; k < DISKS_AXES; ++k)
+        a->position[k] += a->velocity[k] * (time - a->since);
+    a->since = time;
+}
+
+static void meet_wall(struct disks *d, size_t i, size_t k)
+{
+    struct disk *a = &d->disk[i];
+    const double v = a->velocity[k];
+    move_to(a, d->now);
+    ++d->hits[i];
+    a->velocity[k] = -d->restitution * v;
+    d->impulse[k] += d->mass[i] * fabs(v - a->velocity[k]);
+    ++d->wall_collisions;
+}
+
+static void meet_disk(struct disks *d, size_t i, size_t j)
+{
+    struct disk *a = &d->disk[i], *b = &d->disk[j];
+    double normal[DISKS_AXES], before[DISKS_AXES], moved = 0;
+    move_to(a, d->now);
+    move_to(b, d->now);
+    ++d->hits[i];
+    ++d->hits[j];
+    disks_apart(d, a->position, b->position, normal);
+    memcpy(before, a->velocity, sizeof before);
+    collide_along(DISKS_AXES, normal, a->velocity, b->velocity,
+                  1 / d->mass[i], 1 / d->mass[j], d->restitution);
+    for (size_t k = 0; k < DISKS_AXES; ++k)
+        moved += (before[k] - a->velocity[k]) * normal[k];
+    d->virial += d->mass[i] * moved;
+    ++d->collisions;
+}
+
+void disks_collide(struct disks *d, struct disks_event e)
+{
+    const double now = fmax(e.time, d->now);
+    d->standing = now > d->now ? 0 : d->standing + 1;
+    d->now = now;
+    if (e.partner >= d->count)
+        meet_wall(d, e.disk, e.partner - d->count);
+    else if (e.partner != e.disk)
+        meet_disk(d, low(e), high(e));
+}
+
+/* Plans what disk i does next as seen at d->now. */
+static void plan_disk(struct disks *d, size_t i)
+{
+    struct disks_plan *p = d->plan;
+    struct disks_event first = alone(d, i, p->leash);
+    for (size_t j = 0; j < d->count; ++j)
+        if (j != i) {
+            const struct disks_event pair =
+                meet(i, j, disks_meeting(d, i, j, d->now));
+            if (disks_before(pair, first))
+                first = pair;
+        }
+    p->event[i] = first;
+    p->hits[i] = first.partner < d->count ? d->hits[first.partner] : 0;
+}
+
+bool disks_plan(struct disks *d)
+{
+    if (!d->plan && !(d->plan = calloc(1, sizeof *d->plan)))
+        return false;
+    struct disks_plan *p = d->plan;
+    if (!p->event)
+        p->event = malloc(d->count * sizeof *p->event);
+    if (!p->hits)
+        p->hits = malloc(d->count * sizeof *p->hits);
+    if (!p->event || !p->hits)
+        return false;
+    p->leash = disks_leash(d);
+    assert(p->leash > 0);
+    for (size_t i = 0; i < d->count; ++i)
+        plan_disk(d, i);
+    return true;
+}
+
+static struct disks_event earliest(const struct disks *d)
+{
+    const struct disks_event *event = d->plan->event;
+    struct disks_event first = event[0];
+    for (size_t i = 1; i < d->count; ++i)
+        if (disks_before(event[i], first))
+            first = event[i];
+    return first;
+}
+
+static bool still_true(const struct disks *d, struct disks_event e)
+{
+    return e.partner >= d->count ||
+           (e.partner != e.disk &&
+            d->plan->hits[e.disk] == d->hits[e.partner]);
+}
+
+enum disks_stop disks_run(struct disks *d, double until,
+                          uint64_t collisions)
+{
+    while (d->collisions < collisions) {
+        const struct disks_event e = earliest(d);
+        if (e.time > until || e.time == INFINITY) {
+            if (until < INFINITY)
+                d->now = fmax(d->now, until);
+            return DISKS_TIME;
+        }
+        if (still_true(d, e)) {
+            disks_collide(d, e);
+            if (disks_collapsed(d))
+                return DISKS_COLLAPSE;
+            if (e.partner < d->count)
+                plan_disk(d, e.partner);
+        } else
+            d->now = fmax(d->now, e.time);
+        plan_disk(d, e.disk);
+    }
+    return DISKS_COLLISIONS;
+}
+
+bool disks_collapsed(const struct disks *d)
+{
+    return d->standing > 1000 + 10 * d->count;
+}
+
+void disks_position(const struct disks *d, size_t i, double place[])
+{
+    const struct disk *a = &d->disk[i];
+    for (size_t k = 0; k < DISKS_AXES; ++k)
+        place[k] = a->position[k] + a->velocity[k] * (d->now - a->since);
+}
+
+void disks_fold(const struct disks *d, double place[])
+{
+    if (d->boundary == DISKS_PERIODIC)
+        for (size_t k = 0; k < d->dimensions; ++k) {
+            place[k] -= d->box[k] * floor(place[k] / d->box[k]);
+            if (place[k] >= d->box[k])
+                place[k] = 0;
+        }
+}
+
+double disks_energy(const struct disks *d)
+{
+    double energy = 0;
+    for (size_t i = 0; i < d->count; ++i)
+        energy +=
+            d->mass[i] * dot(d->disk[i].velocity, d->disk[i].velocity) / 2;
+    return energy;
+}
+
+double disks_temperature(const struct disks *d)
+{
+    const size_t free =
+        d->boundary == DISKS_PERIODIC ? d->count - 1 : d->count;
+    return 2 * disks_energy(d) / (double)(d->dimensions * free);
+}
+
+double disks_packing(const struct disks *d)
+{
+    const double pi = 3.14159265358979324;
+    double filled = 0, box = 1;
+    for (size_t k = 0; k < d->dimensions; ++k)
+        box *= d->box[k];
+    for (size_t i = 0; i < d->count; ++i) {
+        const double r = d->disk[i].radius;
+        filled += d->dimensions == 2 ? pi * r * r : pi * r * r * r * 4 / 3;
+    }
+    return filled / box;
+}
+
+static bool within_walls(const struct disks *d, const double place[],
+                         double r)
+{
+    for (size_t k = 0; k < d->dimensions; ++k)
+        if (d->boundary == DISKS_WALLS &&
+            !(place[k] >= r - 1e-9 * d->box[k] &&
+              place[k] <= d->box[k] * (1 + 1e-9) - r))
+            return false;
+    return true;
+}
+
+bool disks_clash(const struct disks *d, size_t a, size_t b)
+{
+    double here[DISKS_AXES], there[DISKS_AXES], apart[DISKS_AXES];
+    const double r = d->disk[a].radius;
+    disks_position(d, a, here);
+    if (b == d->count)
+        return !within_walls(d, here, r);
+    const double least = (r + d->disk[b].radius) * (1 - 1e-9);
+    disks_position(d, b, there);
+    disks_apart(d, here, there, apart);
+    return !(dot(apart, apart) >= least * least);
+}
+
+bool disks_fit(const struct disks *d, size_t *a, size_t *b)
+{
+    for (*a = 0; *a < d->count; ++*a) {
+        *b = d->count;
+        if (disks_clash(d, *a, *b))
+            return false;
+        for (*b = *a + 1; *b < d->count; ++*b)
+            if (disks_clash(d, *a, *b))
+                return false;
+    }
+    return true;
+}
+
+struct lattice {
+    size_t cells[DISKS_AXES], basis;
+    double from[DISKS_AXES], step[DISKS_AXES], nearest;
+};
+
+/* Sites of a cell, in its widths. */
+static const double sites[4][DISKS_AXES] = {
+    {0, 0, 0}, {.5, .5, 0}, {.5, 0, .5}, {0, .5, .5}};
+
+static double nearest_site(const struct lattice *l, size_t dimensions)
+{
+    double least = INFINITY;
+    for (size_t k = 0; k < dimensions; ++k)
+        if (l->cells[k] > 1)
+            least = fmin(least, l->step[k] * l->step[k]);
+    for (size_t s = 1; s < l->basis; ++s) {
+        double square = 0;
+        for (size_t k = 0; k < dimensions; ++k) {
+            const double x = sites[s][k] * l->step[k];
+            square += x * x;
+        }
+        least = fmin(least, square);
+    }
+    return sqrt(least);
+}
+
+/* Stretches the lattice over the box, for disks of radius r. */
+static void stretch(const struct disks *d, double r, struct lattice *l)
+{
+    for (size_t k = 0; k < d->dimensions; ++k) {
+        const bool walls = d->boundary == DISKS_WALLS;
+        const double cells = (double)l->cells[k];
+        l->from[k] = walls ? r : 0;
+        l->step[k] =
+            walls ? (d->box[k] - 2 * r) / (cells - .5) : d->box[k] / cells;
+    }
+    l->nearest = nearest_site(l, d->dimensions);
+}
+
+/* Tries all lattices of so many layers of cells, for `need` cells. */
+static void try_layers(const struct disks *d, double r, size_t need,
+                       struct lattice l, struct lattice *best)
+{
+    const size_t layer = (need + l.cells[2] - 1) / l.cells[2];
+    const double row = sqrt((double)layer * d->box[0] / d->box[1]);
+    for (l.cells[0] = 1;
+         l.cells[0] <= layer && (double)l.cells[0] <= 2 + 4 * row;
+         ++l.cells[0]) {
+        l.cells[1] = (layer + l.cells[0] - 1) / l.cells[0];
+        stretch(d, r, &l);
+        if (l.nearest > best->nearest * (1 + 1e-12))
+            *best = l;
+    }
+}
+
+/* The lattice with so many places, or more, and the widest spacing. */
+static struct lattice best_lattice(const struct disks *d, double r,
+                                   size_t places)
+{
+    struct lattice best = {.nearest = 0}, l = {.cells = {1, 1, 1}};
+    l.basis = d->dimensions == 2 ? 2 : 4;
+    const size_t need = (places + l.basis - 1) / l.basis;
+    const double cube =
+        (double)need * d->box[2] * d->box[2] / (d->box[0] * d->box[1]);
+    for (double n = -1; n <= 0 || n * n * n <= 8 * cube; ++n) {
+        try_layers(d, r, need, l, &best);
+        ++l.cells[2];
+        if (d->dimensions == 2)
+            break;
+    }
+    return best;
+}
+
+static void place_of_site(const struct disks *d, const struct lattice *l,
+                          size_t site, double place[])
+{
+    const double *part = sites[site % l->basis];
+    site /= l->basis;
+    for (size_t k = 0; k < d->dimensions; ++k) {
+        const size_t cell = site % l->cells[k];
+        site /= l->cells[k];
+        place[k] = l->from[k] + ((double)cell + part[k]) * l->step[k];
+    }
+}
+
+/* The number of the widest disk, if it is the only one so wide and not the
+   only one; or count. *r: the widest radius of the others. */
+static size_t odd_one_out(const struct disks *d, double *r)
+{
+    size_t big = 0;
+    *r = d->count > 1 ? 0 : d->disk[0].radius;
+    for (size_t i = 1; i < d->count; ++i)
+        if (d->disk[i].radius > d->disk[big].radius)
+            big = i;
+    for (size_t i = 0; i < d->count; ++i)
+        if (i != big)
+            *r = fmax(*r, d->disk[i].radius);
+    return d->disk[big].radius > *r ? big : d->count;
+}
+
+static bool covered(const struct disks *d, size_t big, double r,
+                    const double place[])
+{
+    double square = 0;
+    if (big == d->count)
+        return false;
+    const double reach = d->disk[big].radius + r;
+    for (size_t k = 0; k < d->dimensions; ++k) {
+        const double x = place[k] - d->box[k] / 2;
+        square += x * x;
+    }
+    return square < reach * reach;
+}
+
+static size_t count_free(const struct disks *d, const struct lattice *l,
+                         size_t big, double r)
+{
+    const size_t all = l->basis * l->cells[0] * l->cells[1] * l->cells[2];
+    double place[DISKS_AXES];
+    size_t free = 0;
+    for (size_t site = 0; site < all; ++site) {
+        place_of_site(d, l, site, place);
+        free += !covered(d, big, r, place);
+    }
+    return free;
+}
+
+/* Puts the disks, but for the big one, on the free sites. */
+static void fill_lattice(struct disks *d, const struct lattice *l,
+                         size_t big, double r, size_t free)
+{
+    const size_t small = d->count - (big < d->count);
+    double place[DISKS_AXES] = {0};
+    size_t put = 0, seen = 0;
+    for (size_t site = 0; put < small; ++site) {
+        place_of_site(d, l, site, place);
+        if (covered(d, big, r, place))
+            continue;
+        if (seen == (size_t)((uint64_t)put * free / small)) {
+            struct disk *to = &d->disk[put + (put >= big)];
+            memcpy(to->position, place, sizeof place);
+            ++put;
+        }
+        ++seen;
+    }
+}
+
+bool disks_place_lattice(struct disks *d)
+{
+    double r;
+    const size_t big = odd_one_out(d, &r);
+    const size_t small = d->count - (big < d->count);
+    struct lattice l;
+    size_t places = small, free;
+    do {
+        l = best_lattice(d, r, places);
+        if (!(l.nearest >= 2 * r))
+            return false;
+        free = count_free(d, &l, big, r);
+        places += free < small ? small - free : 0;
+    } while (free < small);
+    fill_lattice(d, &l, big, r, free);
+    for (size_t k = 0; big < d->count && k < d->dimensions; ++k)
+        d->disk[big].position[k] = d->box[k] / 2;
+    return big == d->count || !disks_clash(d, big, d->count);
+}
+
+/* Whether disk i overlaps one with a smaller number. */
+static bool overlaps(const struct disks *d, size_t i)
+{
+    const struct disk *a = &d->disk[i];
+    for (size_t j = 0; j < i; ++j) {
+        const double least = a->radius + d->disk[j].radius;
+        double apart[DISKS_AXES];
+        disks_apart(d, d->disk[j].position, a->position, apart);
+        if (dot(apart, apart) < least * least)
+            return true;
+    }
+    return false;
+}
+
+static bool throw_disk(const struct disks *d, struct disk *a,
+                       struct random *r)
+{
+    const double edge = d->boundary == DISKS_WALLS ? a->radius : 0;
+    for (size_t k = 0; k < d->dimensions; ++k) {
+        if (!(d->box[k] >= 2 * edge))
+            return false;
+        a->position[k] = random_between(r, edge, d->box[k] - edge);
+    }
+    return true;
+}
+
+bool disks_place_random(struct disks *d, struct random *r)
+{
+    enum { TRIES = 10000 };
+    for (size_t i = 0; i < d->count; ++i) {
+        int tries = 0;
+        do {
+            if (tries++ == TRIES || !throw_disk(d, &d->disk[i], r))
+                return false;
+        } while (overlaps(d, i));
+    }
+    return true;
+}
+
+static void scale_velocities(struct disks *d, double factor)
+{
+    for (size_t i = 0; i < d->count; ++i)
+        for (size_t k = 0; k < DISKS_AXES; ++k)
+            d->disk[i].velocity[k] *= factor;
+}
+
+static void take_out_momentum(struct disks *d)
+{
+    double total[DISKS_AXES] = {0}, mass = 0;
+    const double before = disks_energy(d);
+    if (d->boundary != DISKS_PERIODIC || d->count < 2)
+        return;
+    for (size_t i = 0; i < d->count; ++i) {
+        mass += d->mass[i];
+        for (size_t k = 0; k < DISKS_AXES; ++k)
+            total[k] += d->mass[i] * d->disk[i].velocity[k];
+    }
+    for (size_t i = 0; i < d->count; ++i)
+        for (size_t k = 0; k < DISKS_AXES; ++k)
+            d->disk[i].velocity[k] -= total[k] / mass;
+    const double after = disks_energy(d);
+    if (after > 0)
+        scale_velocities(d, sqrt(before / after));
+}
+
+void disks_set_speed(struct disks *d, double v, struct random *r)
+{
+    for (size_t i = 0; i < d->count; ++i) {
+        random_direction(r, d->dimensions, d->disk[i].velocity);
+        for (size_t k = 0; k < d->dimensions; ++k)
+            d->disk[i].velocity[k] *= v;
+    }
+    take_out_momentum(d);
+}
+
+void disks_set_temperature(struct disks *d, double kT, struct random *r)
+{
+    for (size_t i = 0; i < d->count; ++i)
+        for (size_t k = 0; k < d->dimensions; ++k)
+            d->disk[i].velocity[k] =
+                sqrt(kT / d->mass[i]) * random_normal(r);
+    take_out_momentum(d);
+}
+
+void disks_settle(struct disks *d)
+{
+    for (size_t i = 0; i < d->count; ++i) {
+        struct disk *a = &d->disk[i];
+        move_to(a, d->now);
+        a->since = 0;
+        disks_fold(d, a->position);
+        d->hits[i] = 0;
+    }
+    d->now = 0;
+    d->collisions = d->wall_collisions = d->standing = 0;
+    d->virial = 0;
+    memset(d->impulse, 0, sizeof d->impulse);
+}

@@ -1,0 +1,240 @@
+/* From chapters/12-models.nw: edit there, then run make tangle. */
+/* checksum 388925960 of the lines below */
+#include "enough/closed.h"
+
+#include "forces/kepler.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+double closed_exp(double x)
+{
+    /* log 2 in two parts, the first of 33 bits */
+    const double part[] = {0x1.62e42feep-1, 0x1.a39ef35793c76p-33};
+    const double n = floor(x / 0.69314718055994531 + 0.5);
+    const double r = x - n * part[0] - n * part[1];
+    double sum = 1;
+    if (!(x > -746 && x < 710))
+        return x < 0 ? 0 : x > 0 ? INFINITY : x;
+    for (int k = 14; k > 0; --k)
+        sum = 1 + r / k * sum;
+    return ldexp(sum, (int)n);
+}
+
+/* (e^-z - 1 + z) / z^2 for z from 0 to 1. */
+static double second(double z)
+{
+    double sum = 1;
+    for (int n = 18; n > 0; --n)
+        sum = 1 - z / (n + 2) * sum;
+    return sum / 2;
+}
+
+void closed_fly(double t, double rate, double g, double *x, double *v)
+{
+    if (rate == 0) {
+        *x += (*v + g / 2 * t) * t;
+        *v += g * t;
+        return;
+    }
+    const double z = rate * t;
+    double left = closed_exp(-z), p1 = (1 - left) / z, p2 = (1 - p1) / z;
+    if (z <= 1) {
+        p2 = second(z);
+        p1 = 1 - z * p2;
+        left = 1 - z * p1;
+    }
+    *x += *v * t * p1 + g * t * t * p2;
+    *v = *v * left + g * t * p1;
+}
+
+/* The sum of (-z)^n / (2n + first)!, first 0 or 1, for |z| <= 1: the cosine
+   of the root of z, or its sine divided by it. */
+static double series(double z, int first)
+{
+    double sum = 1;
+    for (int n = 18; n > 0; n -= 2)
+        sum = 1 - z / ((n + first) * (n + first - 1)) * sum;
+    return sum;
+}
+
+/* Angles beyond 1e5, too. */
+static void turn(double angle, double *c, double *s)
+{
+    const double whole = 2 * KEPLER_PI;
+    kepler_turn(angle - whole * floor(angle / whole), c, s);
+}
+
+void closed_oscillate(double t, double square, double rate, double *y,
+                      double *v)
+{
+    const double half = rate / 2, w = square - half * half, z = w * t * t;
+    double c, s, decay = closed_exp(-half * t); /* s: of sine, times t */
+    if (z > 1) {
+        turn(sqrt(w) * t, &c, &s);
+        s /= sqrt(w);
+    } else if (z < -1) {
+        const double k = sqrt(-w), fast = closed_exp(-(half + k) * t);
+        const double slow = closed_exp(-square / (half + k) * t);
+        c = (slow + fast) / 2;
+        s = (slow - fast) / (2 * k);
+        decay = 1;
+    } else {
+        c = series(z, 0);
+        s = t * series(z, 1);
+    }
+    const double y0 = *y, v0 = *v;
+    *y = decay * (c * y0 + s * (v0 + half * y0));
+    *v = decay * (c * v0 - s * (half * v0 + square * y0));
+}
+
+struct point {
+    double x, v;
+};
+
+static int left_of(const void *one, const void *other)
+{
+    const struct point *a = one, *b = other;
+    if (a->x != b->x)
+        return a->x < b->x ? -1 : 1;
+    return (a->v > b->v) - (a->v < b->v);
+}
+
+/* Where on the way there and back, 0 to twice the width, a point is that
+   was at u and moved at v: then its place and velocity. */
+static struct point unfold(double low, double width, double u, double v)
+{
+    u -= 2 * width * floor(u / (2 * width));
+    if (u > width)
+        return (struct point){low + (2 * width - u), -v};
+    if (u == 0)
+        v = fabs(v);
+    return (struct point){low + u, u == width ? -fabs(v) : v};
+}
+
+/* Reflects a point that has flown freely at the walls. */
+static struct point fold(double low, double high, struct point p)
+{
+    const bool left = low > -INFINITY, right = high < INFINITY;
+    if (left && right)
+        return unfold(low, high - low, p.x - low, p.v);
+    if (left && (p.x < low || (p.x == low && p.v < 0)))
+        return (struct point){low + (low - p.x), -p.v};
+    if (right && (p.x > high || (p.x == high && p.v > 0)))
+        return (struct point){high - (p.x - high), -p.v};
+    return p;
+}
+
+bool closed_relabel(double low, double high, size_t n, const double x[],
+                    const double v[], double t, double place[],
+                    double speed[])
+{
+    struct point *p = malloc((n + 1) * sizeof *p);
+    if (!p)
+        return false;
+    for (size_t i = 0; i < n; ++i)
+        p[i] = fold(low, high, (struct point){x[i] + v[i] * t, v[i]});
+    qsort(p, n, sizeof *p, left_of);
+    for (size_t i = 0; i < n; ++i) {
+        place[i] = p[i].x;
+        speed[i] = p[i].v;
+    }
+    free(p);
+    return true;
+}
+
+/* A point on its way: turns of the circle that are whole, and the rest. */
+struct phase {
+    double v, turns, rest;
+};
+
+static int slower(const void *one, const void *other)
+{
+    const struct phase *a = one, *b = other;
+    if (a->v != b->v)
+        return a->v < b->v ? -1 : 1;
+    if (a->turns != b->turns)
+        return a->turns < b->turns ? -1 : 1;
+    return (a->rest > b->rest) - (a->rest < b->rest);
+}
+
+/* Sorts by rest, and returns how many pairs stood with the larger rest
+   first; room for n. */
+static double inversions(struct phase p[], size_t n, struct phase room[])
+{
+    const size_t half = n / 2;
+    if (n < 2)
+        return 0;
+    double count =
+        inversions(p, half, room) + inversions(p + half, n - half, room);
+    for (size_t i = 0, j = half, k = 0; k < n; ++k)
+        if (j == n || (i < half && p[i].rest <= p[j].rest))
+            room[k] = p[i++];
+        else {
+            count += (double)(half - i);
+            room[k] = p[j++];
+        }
+    memcpy(p, room, n * sizeof *p);
+    return count;
+}
+
+/* The sum of floor((a - b) / circle) over all pairs in which a is faster:
+   of whole turns, less one where the rest is smaller. */
+static double overtaken(struct phase p[], size_t n, struct phase room[])
+{
+    double sum = 0;
+    qsort(p, n, sizeof *p, slower);
+    for (size_t k = 0; k < n; ++k)
+        sum += p[k].turns * (2 * (double)k - (double)(n - 1));
+    return sum - inversions(p, n, room);
+}
+
+static struct phase phase(double u, double v, double circle)
+{
+    const double turns = circle < INFINITY ? floor(u / circle) : 0;
+    return (struct phase){v, turns, turns == 0 ? u : u - turns * circle};
+}
+
+/* The floor of a way over the circle; of a line without end, the sign. */
+static double whole(double way, double circle)
+{
+    return circle < INFINITY ? floor(way / circle) : way < 0 ? -1 : 0;
+}
+
+/* Points, and images if there is a wall, after the time t. */
+static double count_until(struct phase p[], size_t n, const double x[],
+                          const double v[], double t, double wall,
+                          double circle, bool images)
+{
+    double own = 0;
+    for (size_t i = 0; i < n; ++i) {
+        const double u = images ? x[i] - wall + v[i] * t : x[i] + v[i] * t;
+        p[i] = phase(u, v[i], circle);
+        if (images) {
+            p[n + i] = phase(-u, -v[i], circle);
+            own += v[i] == 0 ? 0 : whole(v[i] > 0 ? 2 * u : -2 * u, circle);
+        }
+    }
+    const size_t all = images ? 2 * n : n;
+    const double met = overtaken(p, all, p + all);
+    return images ? (met + own) / 2 : met;
+}
+
+uint64_t closed_meetings(double low, double high, size_t n,
+                         const double x[], const double v[], double t)
+{
+    const bool left = low > -INFINITY, right = high < INFINITY;
+    const double wall = left ? low : high;
+    const double circle = left && right ? 2 * (high - low) : INFINITY;
+    struct phase *p = malloc((4 * n + 1) * sizeof *p);
+    if (!p)
+        return UINT64_MAX;
+    const double before =
+        count_until(p, n, x, v, 0, wall, circle, left || right);
+    const double after =
+        count_until(p, n, x, v, t, wall, circle, left || right);
+    free(p);
+    const double met = after - before;
+    return met < 0x1p64 ? (uint64_t)met : UINT64_MAX;
+}

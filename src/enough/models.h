@@ -1,0 +1,182 @@
+/* From chapters/12-models.nw: edit there, then run make tangle. */
+/* checksum 1516219927 of the lines below */
+#ifndef MODELS_H
+#define MODELS_H
+
+#include "scenes/scene.h"
+#include "forces/stepping.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* What is counted while a scene is carried. */
+enum models_unit {
+    MODELS_EVALUATION, /* of all forces: the calls */
+    MODELS_BODY,       /* in each of them, a body: once, twice in explicit
+                          stages, once and once a stage in implicit ones */
+    MODELS_PAIR,       /* a pull: of both bodies of a pair on each other up
+                          to 32 bodies, of one on one beyond */
+    MODELS_SPRING,     /* a spring's force; thrice if it is in no band */
+    MODELS_ROD,        /* one correction of one rod */
+    MODELS_CONTACT,    /* a body looked at for overlaps after a step */
+    MODELS_OVERLAP,    /* and, for each pair that is tested */
+    MODELS_LINE_EVENT, /* a collision on a line */
+    MODELS_LINE_SCAN,  /* and, for each gap that is looked at */
+    MODELS_DISK_EVENT, /* a collision of disks, or with a wall */
+    MODELS_DISK_SCAN,  /* and, for each disk that is looked at */
+    MODELS_ELLIPSE,    /* a body moved along its ellipse */
+    MODELS_FLIGHT,     /* a coordinate moved freely; ten of them: one with
+                          friction, or on a spring */
+    MODELS_ORDER,      /* a comparison in putting bodies in order */
+    MODELS_MODE,       /* an operation in finding modes, and in summing */
+    MODELS_TRIAL,      /* a move of a Markov chain, per disk looked at */
+    MODELS_UNITS
+};
+
+/* What a unit costs: committed constants. */
+struct models_price {
+    const char *name, *what;
+    double ns;
+};
+extern const struct models_price models_prices[MODELS_UNITS];
+
+/* What can be left out of a scene: a set of these bits. */
+enum models_cut {
+    MODELS_NO_SOFTENING = 1,
+    MODELS_NO_LIGHT = 2,    /* bodies lighter than a hundredth of the
+                               heaviest pull nobody */
+    MODELS_NO_FRICTION = 4, /* the line damp */
+    MODELS_NO_DASHPOTS = 8,
+    MODELS_NO_WEAK = 16,    /* springs of less than a hundredth of the
+                               stiffest one's D */
+    MODELS_RODS = 32,       /* springs of more than a hundred times the
+                               softest one's D become rods; all if alike */
+    MODELS_NO_WEIGHT = 64,  /* the line grav */
+    MODELS_NO_PULL = 128,   /* gravity between bodies */
+    MODELS_NO_ACROSS = 256, /* all that happens across the longest axis */
+    MODELS_CUTS = 9         /* how many bits */
+};
+
+/* Their names, from bit 0 on, then NULL. */
+extern const char *const models_cut_names[MODELS_CUTS + 1];
+
+/* What acts in a scene, and where. */
+struct models_acts {
+    bool contact; /* two bodies, or a body and a wall, may meet */
+    bool gravity, springs, weight, friction, dashpots;
+    unsigned axes;     /* bit k: something may move along axis k */
+    unsigned offset;   /* bit k: bodies are at different places along k */
+    size_t dimensions; /* how many axes: exactly, not nearly */
+    size_t free;       /* bodies that may move */
+    double fastest;    /* the largest angular frequency now, about, plus
+                          the largest rate of friction, 1/s */
+};
+
+/* A way to carry a scene, with what it leaves out and its steps. As text:
+   "kepler", "pefrl:24", "kepler,no-light,no-softening". */
+struct models_plan {
+    const struct models_model *model;
+    unsigned cuts;
+    uint64_t steps; /* in each row; 0 for models without steps */
+};
+
+enum { MODELS_TEXT = 256 };
+enum models_family { MODELS_CLOSED, MODELS_EVENTS, MODELS_STEPS };
+
+/* How a row ended. */
+enum models_end {
+    MODELS_DONE,
+    MODELS_BROKEN,     /* no longer finite, or stuck */
+    MODELS_STANDSTILL, /* inelastic collapse */
+    MODELS_COSTLY,     /* over the limit */
+    MODELS_MEMORY
+};
+
+struct models_run;
+
+/* A row of the table of models. */
+struct models_model {
+    const char *name, *about;
+    enum models_family family;
+    bool approximate; /* not exact even where it does not refuse */
+    const struct stepping_method *method; /* of MODELS_STEPS, or NULL */
+    /* NULL: it carries this scene, from which all but NO_LIGHT and RODS
+       has been taken out, exactly but for rounding, or in steps; or why
+       not. */
+    const char *(*refuses)(const struct scene *s,
+                           const struct models_acts *a, unsigned cuts);
+    const char *(*begin)(struct models_run *r); /* NULL, or why not */
+    enum models_end (*row)(struct models_run *r);
+    void (*end)(struct models_run *r);
+};
+
+/* A scene under way. To be read: all but engine. */
+struct models_run {
+    struct models_plan plan;
+    struct scene scene; /* its own; position, velocity and time are those
+                           of the last row. Springs that are rods are not
+                           in it. */
+    struct models_acts acts; /* after the cuts, without fastest */
+    double start, every;     /* s */
+    double elapsed;          /* from the start to the row asked for, s */
+    double clock;            /* closed forms: by what share of the time they
+                                may be off by rounding; 0: no clock */
+    uint64_t rows;           /* so far */
+    uint64_t collisions;     /* of pairs and with walls; those of relabel
+                            are counted by models_collisions only */
+    double virial;           /* as in struct disks, J s; NaN if not known */
+    double work[MODELS_UNITS];
+    double limit; /* cost, s, at which a row ends as MODELS_COSTLY; may be
+                     written */
+    void *engine;
+};
+
+/* Seconds that so much work costs by the price list. */
+double models_cost(const double work[MODELS_UNITS]);
+
+/* The cuts that would change the scene, and all but NO_LIGHT and RODS
+   carried out on it. */
+unsigned models_cuts(const struct scene *s);
+void models_cut(struct scene *s, unsigned cuts);
+
+/* How far the springs that would become rods swing, as s is now, m: added.
+   turning: the largest rate at which one of them goes round, 1/s. */
+double models_swing(const struct scene *s, double *turning);
+
+/* Looks at what acts in a scene. */
+void models_analyse(struct models_acts *a, const struct scene *s);
+
+/* How deep bodies overlap at the start, or are outside of walls and do not
+   come back, m; 0: nowhere, or there are no contacts. INFINITY without
+   memory. */
+double models_overlap(const struct scene *s);
+
+/* All models; a name NULL ends them. models_find: NULL, there is none. */
+extern const struct models_model models[];
+const struct models_model *models_find(const char *name);
+
+/* A plan as text, and back; false: no plan, and message says why. */
+void models_write(const struct models_plan *p, char text[MODELS_TEXT]);
+bool models_read(struct models_plan *p, const char *text,
+                 char message[MODELS_TEXT]);
+
+/* Why the plan does not suit a scene, or NULL. */
+const char *models_refuse(const struct models_plan *p,
+                          const struct scene *s);
+
+/* Copies the scene, takes out what the plan leaves out, and prepares rows
+   that are `every` apart, s. On failure *why says why (a static text), and
+   there is nothing to free. */
+bool models_begin(struct models_run *r, const struct models_plan *p,
+                  const struct scene *s, double every, const char **why);
+
+/* Carries it to the next row: the time start + rows * every. */
+enum models_end models_row(struct models_run *r);
+void models_end(struct models_run *r);
+
+/* Collisions of pairs and with walls up to the last row; UINT64_MAX without
+   memory. */
+uint64_t models_collisions(struct models_run *r);
+
+#endif

@@ -1,0 +1,68 @@
+/* From chapters/09-gravity.nw: edit there, then run make tangle. */
+/* checksum 3449400890 of the lines below */
+#ifndef GRAVITY_H
+#define GRAVITY_H
+
+#include "forces/stepping.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* How the sum is computed. All kernels sum in the same order; the vector
+   kernels round otherwise, and by less than 1e-14 of each term. */
+enum gravity_kernel {
+    GRAVITY_PORTABLE, /* plain C, the same bits everywhere */
+    GRAVITY_AVX2,     /* four bodies at a time */
+    GRAVITY_AVX512,   /* eight */
+    GRAVITY_KERNELS
+};
+
+/* Their names, as an option takes them; ends with NULL. */
+extern const char *const gravity_kernels[];
+
+enum { GRAVITY_FEW = 32 }; /* bodies up to which a pair is taken once */
+
+/* What pulls. Coordinate k of body i stands at [k * bodies + i]. */
+struct gravity {
+    size_t bodies;
+    const double *mass;         /* [bodies], of the caller */
+    double k2;                  /* acceleration times distance squared, of
+                                   the mass 1 */
+    double softening;           /* m; 0: none */
+    enum gravity_kernel kernel; /* more than a few bodies: who sums */
+    int threads;                /* and in how many threads */
+    const uint32_t *source;     /* NULL, or which bodies pull: no others */
+    size_t sources;             /* how many they are */
+    const double *share;        /* [bodies] if there are sources: a factor
+                                   on all that pulls at a body */
+};
+
+/* Prepares the sum over so many bodies: the portable kernel, one thread.
+   mass is kept, not copied. Returns false, with nothing to free, when
+   there is no memory. */
+bool gravity_create(struct gravity *g, size_t bodies, const double mass[],
+                    double k2, double softening);
+
+/* Frees what gravity_create took. */
+void gravity_free(struct gravity *g);
+
+/* Adds to a[] the accelerations of bodies at x[], both of 3 * bodies
+   numbers, axis by axis. Without softening, bodies in one place make NaN.
+   The same bits for every number of threads. Source: (9.2,
+   eq:softened-force). */
+void gravity_add(const struct gravity *g, const double x[], double a[]);
+
+/* The same for stepping_begin: writes a. g must outlive them. */
+struct stepping_forces gravity_forces(struct gravity *g);
+
+/* The potential energy, mass 1 times velocity squared. Source: (9.1,
+   eq:softened-potential). */
+double gravity_potential(const struct gravity *g, const double x[]);
+
+/* Says whether this machine, and this build, has the kernel; which of
+   those that it has is the fastest. */
+bool gravity_can(enum gravity_kernel kernel);
+enum gravity_kernel gravity_fastest(void);
+
+#endif

@@ -1,0 +1,291 @@
+/* From chapters/11-step.nw: edit there, then run make tangle. */
+/* checksum 1177444879 of the lines below */
+#include "forces/motion.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void add_friction(const struct scene *s, const double v[],
+                         double a[])
+{
+    const size_t n = s->bodies;
+    for (size_t k = 0; k < 3; ++k)
+        for (size_t i = 0; i < n; ++i)
+            a[k * n + i] -= s->damping / s->mass[i] * v[k * n + i];
+}
+
+/* (11.8, eq:motion) */
+static void accelerate(void *what, const double x[], const double v[],
+                       double a[])
+{
+    struct motion *m = what;
+    const struct scene *s = m->scene;
+    for (size_t k = 0; k < 3; ++k)
+        for (size_t i = 0; i < s->bodies; ++i)
+            a[k * s->bodies + i] = s->gravity[k];
+    if (m->attracts)
+        gravity_add(&m->gravity, x, a);
+    if (m->bound)
+        springs_add(&m->springs, x, v, a);
+    if (s->damping > 0)
+        add_friction(s, v, a);
+    for (size_t j = 0; j < m->fixed; ++j)
+        a[m->held[j]] = 0;
+}
+
+static bool make_parts(struct motion *m)
+{
+    const struct scene *s = m->scene;
+    if (s->k2 > 0)
+        m->attracts = gravity_create(&m->gravity, s->bodies, s->mass, s->k2,
+                                     s->softening);
+    if (s->springs > 0)
+        m->bound = springs_create(&m->springs, s);
+    if (s->contact)
+        m->collides = spheres_create(&m->spheres, s, SPHERES_ALL);
+    return m->attracts == (s->k2 > 0) && m->bound == (s->springs > 0) &&
+           m->collides == s->contact;
+}
+
+static bool hold_coordinates(struct motion *m)
+{
+    struct scene *s = m->scene;
+    m->held = malloc((3 * s->bodies + 1) * sizeof *m->held);
+    for (size_t c = 0; m->held && c < 3 * s->bodies; ++c)
+        if (!s->freedom[c]) {
+            m->held[m->fixed++] = c;
+            s->velocity[c] = 0;
+        }
+    return m->held != NULL;
+}
+
+/* The acceleration in the scene, if the method can go on with it, or
+   NULL. */
+static const double *find_kept(const struct motion *m)
+{
+    const bool same_step = m->stepping.dt == m->scene->dt;
+    return stepping_keeps(&m->stepping) && same_step ? m->scene->kept
+                                                     : NULL;
+}
+
+static bool begin_stepping(struct motion *m,
+                           const struct stepping_method *method, double dt)
+{
+    struct scene *s = m->scene;
+    const bool damped =
+        s->damping > 0 || (m->bound && springs_damped(&m->springs));
+    struct stepping_forces forces = {3 * s->bodies, damped, accelerate, m};
+    if (m->bound && !m->attracts)
+        forces = springs_forces(&m->springs);
+    if (!stepping_begin(&m->stepping, method, forces, dt, s->position,
+                        s->velocity))
+        return false;
+    if (m->bound && !m->attracts)
+        m->stepping.sweep = springs_sweep;
+    m->stepping.start = s->time;
+    m->dt = m->spheres.dt = dt;
+    m->stepping.compensated = s->carry != NULL;
+    stepping_resume(&m->stepping, 0, s->carry, find_kept(m));
+    return true;
+}
+
+static bool is_light(const struct scene *s, size_t i)
+{
+    const size_t n = s->bodies;
+    return s->mass[i] == 0 &&
+           (s->freedom[i] || s->freedom[n + i] || s->freedom[2 * n + i]);
+}
+
+/* A free body without mass on which a force acts, or the bodies' number. */
+static size_t find_light(const struct scene *s)
+{
+    const bool all = s->damping > 0 || s->contact;
+    for (size_t i = 0; all && i < s->bodies; ++i)
+        if (is_light(s, i))
+            return i;
+    for (size_t j = 0; j < s->springs; ++j) {
+        if (is_light(s, s->spring[j].a))
+            return s->spring[j].a;
+        if (is_light(s, s->spring[j].b))
+            return s->spring[j].b;
+    }
+    return s->bodies;
+}
+
+static bool complain(const char *program, const char *what)
+{
+    fprintf(stderr, "%s: %s\n", program, what);
+    return false;
+}
+
+/* Can the scene be set in motion? If not, says why. */
+static bool check_scene(const char *program, const struct scene *s)
+{
+    char message[128];
+    const size_t light = find_light(s);
+    const bool walls = s->wall[0] || s->wall[1] || s->wall[2];
+    snprintf(message, sizeof message,
+             "body %zu has no mass, expected one, since a spring, friction "
+             "or a contact acts on it",
+             light);
+    if (light < s->bodies)
+        return complain(program, message);
+    if (walls && !s->contact)
+        return complain(program, "the scene has walls but no line contact, "
+                                 "without which nothing minds them");
+    return true;
+}
+
+bool motion_begin(struct motion *m, const char *program, struct scene *s,
+                  const char *method, double dt)
+{
+    char message[128];
+    const struct stepping_method *found = stepping_find(method);
+    *m = (struct motion){.scene = s};
+    if (!check_scene(program, s))
+        return false;
+    snprintf(message, sizeof message, "there is no method '%.40s'", method);
+    if (!found)
+        return complain(program, message);
+    if (dt == 0 && s->dt == 0)
+        return complain(program, "the scene has no line dt, and no time "
+                                 "step was given");
+    if (make_parts(m) && hold_coordinates(m) &&
+        begin_stepping(m, found, dt > 0 ? dt : s->dt))
+        return true;
+    motion_end(m);
+    return complain(program, "no memory for the motion");
+}
+
+void motion_end(struct motion *m)
+{
+    if (m->attracts)
+        gravity_free(&m->gravity);
+    if (m->bound)
+        springs_free(&m->springs);
+    if (m->collides)
+        spheres_free(&m->spheres);
+    stepping_free(&m->stepping);
+    free(m->held);
+    *m = (struct motion){0};
+}
+
+static enum stepping_end step_once(struct motion *m)
+{
+    struct stepping *s = &m->stepping;
+    if (!m->outside)
+        return stepping_run(s, 1);
+    if (!m->outside(m->with, s->dt, s->x, s->v))
+        return STEPPING_STUCK;
+    ++s->steps;
+    stepping_disturb(s);
+    return STEPPING_DONE;
+}
+
+enum stepping_end motion_run(struct motion *m, uint64_t steps)
+{
+    enum stepping_end end = STEPPING_DONE;
+    if (!m->collides && !m->outside)
+        return stepping_run(&m->stepping, steps);
+    for (; steps > 0 && end == STEPPING_DONE; --steps) {
+        end = step_once(m);
+        if (end != STEPPING_DONE || !m->collides)
+            continue;
+        const uint64_t met =
+            spheres_resolve(&m->spheres, m->stepping.x, m->stepping.v);
+        m->collisions += met;
+        if (met > 0)
+            stepping_disturb(&m->stepping);
+    }
+    return end;
+}
+
+double motion_time(const struct motion *m)
+{
+    return stepping_time(&m->stepping);
+}
+
+void motion_resume(struct motion *m, double start, uint64_t steps)
+{
+    m->stepping.start = start;
+    stepping_resume(&m->stepping, steps, NULL, find_kept(m));
+}
+
+bool motion_shorten(struct motion *m, double dt)
+{
+    struct stepping old = m->stepping, *s = &m->stepping;
+    if (!stepping_begin(s, old.method, old.forces, dt, old.x, old.v)) {
+        *s = old;
+        return false;
+    }
+    s->start = stepping_time(&old);
+    s->compensated = old.compensated;
+    s->sweep = old.sweep;
+    s->evaluations = old.evaluations;
+    stepping_resume(s, 0, old.compensated ? old.carry : NULL, NULL);
+    stepping_free(&old);
+    m->spheres.dt = dt;
+    return true;
+}
+
+/* Makes *to a copy of n numbers, or NULL of NULL. false: no memory. */
+static bool note(double **to, const double from[], size_t n)
+{
+    free(*to);
+    *to = from ? malloc(n * sizeof *from) : NULL;
+    if (*to)
+        memcpy(*to, from, n * sizeof *from);
+    return !*to == !from;
+}
+
+bool motion_note(struct motion *m)
+{
+    struct scene *s = m->scene;
+    const struct stepping *p = &m->stepping;
+    const bool keeps = stepping_keeps(p) && p->fresh && p->dt == m->dt;
+    s->time = motion_time(m);
+    s->dt = m->dt;
+    return note(&s->carry, p->compensated ? p->carry : NULL,
+                6 * s->bodies) &&
+           note(&s->kept, keeps ? p->acceleration : NULL, 3 * s->bodies);
+}
+
+static double weigh(const struct scene *s)
+{
+    const size_t n = s->bodies;
+    double sum = 0;
+    for (size_t k = 0; k < 3; ++k)
+        for (size_t i = 0; s->gravity[k] != 0 && i < n; ++i)
+            if (s->freedom[k * n + i])
+                sum -= s->mass[i] * s->gravity[k] * s->position[k * n + i];
+    return sum;
+}
+
+double motion_kinetic(const struct motion *m)
+{
+    const struct scene *s = m->scene;
+    const size_t n = s->bodies;
+    double sum = 0;
+    for (size_t i = 0; i < n; ++i) {
+        const double x = s->velocity[i], y = s->velocity[n + i],
+                     z = s->velocity[2 * n + i];
+        sum += s->mass[i] * (x * x + y * y + z * z) / 2;
+    }
+    return sum;
+}
+
+struct motion_energy motion_energy(const struct motion *m)
+{
+    const double *x = m->scene->position;
+    return (struct motion_energy){
+        motion_kinetic(m),
+        m->attracts ? gravity_potential(&m->gravity, x) : 0,
+        m->bound ? springs_potential(&m->springs, x) : 0, weigh(m->scene)};
+}
+
+double motion_potential(const struct motion *m)
+{
+    const struct motion_energy e = motion_energy(m);
+    return e.gravity + e.springs + e.weight;
+}

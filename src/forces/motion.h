@@ -1,0 +1,69 @@
+/* From chapters/11-step.nw: edit there, then run make tangle. */
+/* checksum 3329240512 of the lines below */
+#ifndef MOTION_H
+#define MOTION_H
+
+#include "forces/gravity.h"
+#include "scenes/scene.h"
+#include "forces/spheres.h"
+#include "forces/springs.h"
+#include "forces/stepping.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* A scene set in motion: all that acts in it, as one acceleration. */
+struct motion {
+    struct scene *scene; /* position and velocity are stepped in place */
+    double dt;           /* s, of the steps that it begins with */
+    struct stepping stepping;
+    struct gravity gravity; /* if attracts */
+    struct springs springs; /* if bound */
+    struct spheres spheres; /* if collides */
+    bool attracts, bound, collides;
+    uint64_t collisions; /* of pairs and with walls, so far */
+    size_t *held, fixed; /* coordinates that stay: how many */
+    /* NULL, or steps instead of the method: from x, v to those dt later;
+       false: it cannot. */
+    bool (*outside)(void *with, double dt, double x[], double v[]);
+    void *with;
+};
+
+/* Where the energy is, J in the units of the scene. */
+struct motion_energy {
+    double kinetic, gravity, springs, weight;
+};
+
+/* Prepares to step s, which has to outlive m; velocities along held
+   coordinates become zero. A dt of 0 is the scene's. On failure says why on
+   standard error, after program, and returns false with nothing to free. */
+bool motion_begin(struct motion *m, const char *program, struct scene *s,
+                  const char *method, double dt);
+void motion_end(struct motion *m);
+
+/* Takes so many steps, with contacts after each, if the scene has any. How
+   a run is cut into calls changes no bit of it. */
+enum stepping_end motion_run(struct motion *m, uint64_t steps);
+double motion_time(const struct motion *m); /* s */
+
+/* From here on a step is dt long, s, and the steps are counted from 0.
+   Returns false, with m as it was, without memory. */
+bool motion_shorten(struct motion *m, double dt);
+
+/* Takes m, before its first step, for a run that began at the time start,
+   s, and has come so many steps far. */
+void motion_resume(struct motion *m, double start, uint64_t steps);
+
+/* Puts time, step (that of the beginning), rounding errors and the
+   acceleration that the method has kept into the scene: what scene_write
+   then writes goes on, by the same method, to the same bits. Returns false
+   without memory. */
+bool motion_note(struct motion *m);
+
+/* The energy now. Held coordinates have no weight. */
+struct motion_energy motion_energy(const struct motion *m);
+double motion_kinetic(const struct motion *m);
+double motion_potential(const struct motion *m);
+
+#endif

@@ -1,0 +1,317 @@
+/* From chapters/11-step.nw: edit there, then run make tangle. */
+/* checksum 2461604446 of the lines below */
+#include "forces/observables.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void time_now(const struct motion *m, const size_t body[],
+                     double out[])
+{
+    (void)body;
+    out[0] = motion_time(m);
+}
+
+static void parts(const struct motion *m, const size_t body[], double out[])
+{
+    (void)body;
+    const struct motion_energy e = motion_energy(m);
+    out[0] = e.kinetic;
+    out[1] = e.gravity;
+    out[2] = e.springs;
+    out[3] = e.weight;
+}
+
+static void kinetic(const struct motion *m, const size_t body[],
+                    double out[])
+{
+    (void)body;
+    out[0] = motion_kinetic(m);
+}
+
+static void potential(const struct motion *m, const size_t body[],
+                      double out[])
+{
+    (void)body;
+    out[0] = motion_potential(m);
+}
+
+static void energy(const struct motion *m, const size_t body[],
+                   double out[])
+{
+    (void)body;
+    const struct motion_energy e = motion_energy(m);
+    out[0] = e.kinetic + (e.gravity + e.springs + e.weight);
+}
+
+static void momentum(const struct motion *m, const size_t body[],
+                     double out[])
+{
+    (void)body;
+    const struct scene *s = m->scene;
+    for (size_t k = 0; k < 3; ++k) {
+        out[k] = 0;
+        for (size_t i = 0; i < s->bodies; ++i)
+            out[k] += s->mass[i] * s->velocity[k * s->bodies + i];
+    }
+}
+
+static void centre(const struct motion *m, const size_t body[],
+                   double out[])
+{
+    (void)body;
+    const struct scene *s = m->scene;
+    double mass = 0;
+    out[0] = out[1] = out[2] = 0;
+    for (size_t i = 0; i < s->bodies; ++i) {
+        mass += s->mass[i];
+        for (size_t k = 0; k < 3; ++k)
+            out[k] += s->mass[i] * s->position[k * s->bodies + i];
+    }
+    for (size_t k = 0; k < 3; ++k)
+        out[k] /= mass;
+}
+
+static void angular_momentum(const struct motion *m, const size_t body[],
+                             double out[])
+{
+    (void)body;
+    const struct scene *s = m->scene;
+    const size_t n = s->bodies;
+    const double *x = s->position, *v = s->velocity;
+    for (size_t k = 0; k < 3; ++k) {
+        const size_t p = (k + 1) % 3 * n, q = (k + 2) % 3 * n;
+        out[k] = 0;
+        for (size_t i = 0; i < n; ++i)
+            out[k] +=
+                s->mass[i] * (x[p + i] * v[q + i] - x[q + i] * v[p + i]);
+    }
+}
+
+static void temperature(const struct motion *m, const size_t body[],
+                        double out[])
+{
+    (void)body;
+    const size_t free = 3 * m->scene->bodies - m->fixed;
+    out[0] = 2 * motion_kinetic(m) / (double)free;
+}
+
+static void collisions(const struct motion *m, const size_t body[],
+                       double out[])
+{
+    (void)body;
+    out[0] = (double)m->collisions;
+}
+
+static void place_x(const struct motion *m, const size_t body[],
+                    double out[])
+{
+    out[0] = m->scene->position[body[0]];
+}
+
+static void place_y(const struct motion *m, const size_t body[],
+                    double out[])
+{
+    out[0] = m->scene->position[m->scene->bodies + body[0]];
+}
+
+static void place_z(const struct motion *m, const size_t body[],
+                    double out[])
+{
+    out[0] = m->scene->position[2 * m->scene->bodies + body[0]];
+}
+
+static void velocity_x(const struct motion *m, const size_t body[],
+                       double out[])
+{
+    out[0] = m->scene->velocity[body[0]];
+}
+
+static void velocity_y(const struct motion *m, const size_t body[],
+                       double out[])
+{
+    out[0] = m->scene->velocity[m->scene->bodies + body[0]];
+}
+
+static void velocity_z(const struct motion *m, const size_t body[],
+                       double out[])
+{
+    out[0] = m->scene->velocity[2 * m->scene->bodies + body[0]];
+}
+
+static void speed(const struct motion *m, const size_t body[], double out[])
+{
+    const double *v = m->scene->velocity + body[0];
+    const size_t n = m->scene->bodies;
+    out[0] = sqrt(v[0] * v[0] + v[n] * v[n] + v[2 * n] * v[2 * n]);
+}
+
+static void distance(const struct motion *m, const size_t body[],
+                     double out[])
+{
+    const double *x = m->scene->position;
+    double sum = 0;
+    for (size_t k = 0; k < 3; ++k) {
+        const size_t axis = k * m->scene->bodies;
+        const double d = x[axis + body[1]] - x[axis + body[0]];
+        sum += d * d;
+    }
+    out[0] = sqrt(sum);
+}
+
+struct observables_kind {
+    const char *name;
+    size_t bodies, width; /* asked for; columns */
+    const char *symbol[4], *unit, *meaning;
+    void (*values)(const struct motion *m, const size_t body[],
+                   double out[]);
+};
+
+#define ENERGY "mass length^2/time^2"
+#define SPEED "length/time"
+
+static const struct observables_kind kinds[] = {
+    {"t", 0, 1, {"t"}, "time", "time", time_now},
+    {"energy", 0, 1, {"E"}, ENERGY, "energy", energy},
+    {"kinetic", 0, 1, {"K"}, ENERGY, "kinetic energy", kinetic},
+    {"potential", 0, 1, {"U"}, ENERGY, "potential energy", potential},
+    {"parts",
+     0,
+     4,
+     {"K", "U_gravity", "U_springs", "U_weight"},
+     ENERGY,
+     "part of the energy",
+     parts},
+    {"momentum",
+     0,
+     3,
+     {"px", "py", "pz"},
+     "mass " SPEED,
+     "momentum",
+     momentum},
+    {"angular-momentum",
+     0,
+     3,
+     {"Lx", "Ly", "Lz"},
+     "mass length^2/time",
+     "angular momentum about the origin",
+     angular_momentum},
+    {"centre", 0, 3, {"X", "Y", "Z"}, "length", "centre of mass", centre},
+    {"temperature",
+     0,
+     1,
+     {"kT"},
+     ENERGY,
+     "2 K/free coordinates",
+     temperature},
+    {"collisions", 0, 1, {"n"}, "", "collisions so far", collisions},
+    {"x", 1, 1, {"x"}, "length", "coordinate of a body", place_x},
+    {"y", 1, 1, {"y"}, "length", "coordinate of a body", place_y},
+    {"z", 1, 1, {"z"}, "length", "coordinate of a body", place_z},
+    {"vx", 1, 1, {"vx"}, SPEED, "velocity of a body", velocity_x},
+    {"vy", 1, 1, {"vy"}, SPEED, "velocity of a body", velocity_y},
+    {"vz", 1, 1, {"vz"}, SPEED, "velocity of a body", velocity_z},
+    {"speed", 1, 1, {"v"}, SPEED, "speed of a body", speed},
+    {"distance", 2, 1, {"d"}, "length", "distance of two bodies", distance},
+};
+
+enum { KINDS = sizeof kinds / sizeof kinds[0] };
+
+static const struct observables_kind *find_kind(const char *name, size_t n)
+{
+    for (size_t k = 0; k < KINDS; ++k)
+        if (strlen(kinds[k].name) == n && !strncmp(kinds[k].name, name, n))
+            return &kinds[k];
+    return NULL;
+}
+
+/* Reads :NUMBER; returns where it ends, or NULL: no such body. */
+static const char *read_body(const char *text, size_t bodies, size_t *body)
+{
+    char *end;
+    if (text[0] != ':' || text[1] < '0' || text[1] > '9')
+        return NULL;
+    const unsigned long long number = strtoull(text + 1, &end, 10);
+    *body = (size_t)number;
+    return number < bodies ? end : NULL;
+}
+
+static const char *read_one(struct observable *o, const char *text,
+                            size_t bodies,
+                            char message[OBSERVABLES_MESSAGE])
+{
+    const int width = (int)strcspn(text, ",");
+    const size_t name = strcspn(text, ":,");
+    const char *at = text + name;
+    o->kind = find_kind(text, name);
+    for (size_t k = 0; o->kind && at && k < o->kind->bodies; ++k)
+        at = read_body(at, bodies, &o->body[k]);
+    if (o->kind && at == text + width)
+        return at;
+    snprintf(message, OBSERVABLES_MESSAGE,
+             o->kind == NULL ? "'%.*s' is no observable: energy, parts, "
+                               "momentum, centre, z:30 and others are"
+             : o->kind->bodies == 0
+                 ? "'%.*s': %s is asked of no body"
+                 : "'%.*s': %s needs %zu of the bodies 0 to %zu, as in "
+                   "%s:0%s",
+             width > 40 ? 40 : width, text, o->kind ? o->kind->name : "",
+             o->kind ? o->kind->bodies : 0, bodies - 1,
+             o->kind ? o->kind->name : "",
+             o->kind && o->kind->bodies == 2 ? ":1" : "");
+    return NULL;
+}
+
+bool observables_read(struct observables *o, const char *text,
+                      size_t bodies, char message[OBSERVABLES_MESSAGE])
+{
+    *o = (struct observables){0};
+    for (;; ++text) {
+        if (o->count == OBSERVABLES_MOST) {
+            snprintf(message, OBSERVABLES_MESSAGE,
+                     "more than %d observables", OBSERVABLES_MOST);
+            return false;
+        }
+        struct observable *next = &o->list[o->count++];
+        text = read_one(next, text, bodies, message);
+        if (!text)
+            return false;
+        o->columns += next->kind->width;
+        if (*text == '\0')
+            return true;
+    }
+}
+
+static void symbol_of(const struct observable *o, size_t k, char *symbol,
+                      size_t size)
+{
+    const char *name = o->kind->symbol[k];
+    if (o->kind->bodies == 0)
+        snprintf(symbol, size, "%s", name);
+    else if (o->kind->bodies == 1)
+        snprintf(symbol, size, "%s:%zu", name, o->body[0]);
+    else
+        snprintf(symbol, size, "%s:%zu:%zu", name, o->body[0], o->body[1]);
+}
+
+void observables_head(const struct observables *o, struct table *t)
+{
+    char symbol[64];
+    for (size_t i = 0; i < o->count; ++i)
+        for (size_t k = 0; k < o->list[i].kind->width; ++k) {
+            symbol_of(&o->list[i], k, symbol, sizeof symbol);
+            table_column(t, symbol, o->list[i].kind->unit,
+                         o->list[i].kind->meaning);
+        }
+}
+
+void observables_values(const struct observables *o, const struct motion *m,
+                        double values[])
+{
+    for (size_t i = 0; i < o->count; ++i) {
+        o->list[i].kind->values(m, o->list[i].body, values);
+        values += o->list[i].kind->width;
+    }
+}

@@ -1,0 +1,36 @@
+/* From chapters/11-step.nw: edit there, then run make tangle. */
+/* checksum 717175329 of the lines below */
+#ifndef OBSERVABLES_H
+#define OBSERVABLES_H
+
+#include "forces/motion.h"
+#include "toolbox/table.h"
+
+enum { OBSERVABLES_MOST = 64, OBSERVABLES_MESSAGE = 160 };
+
+/* What is looked at: a kind, and the bodies it is asked of. */
+struct observable {
+    const struct observables_kind *kind;
+    size_t body[2];
+};
+
+/* A list of them, and how many columns they have in all. */
+struct observables {
+    struct observable list[OBSERVABLES_MOST];
+    size_t count, columns;
+};
+
+/* Reads names with commas between them, as in "energy,z:30". On failure
+   returns false and says why in message. */
+bool observables_read(struct observables *o, const char *text,
+                      size_t bodies, char message[OBSERVABLES_MESSAGE]);
+
+/* Adds a column to the head of a table for each number. */
+void observables_head(const struct observables *o, struct table *t);
+
+/* Writes the numbers now, o->columns of them. Units are those of the
+   scene: length, time, mass. */
+void observables_values(const struct observables *o, const struct motion *m,
+                        double values[]);
+
+#endif

@@ -1,0 +1,148 @@
+/* From chapters/08-stepping.nw: edit there, then run make tangle. */
+/* checksum 1405383533 of the lines below */
+#include "forces/reference.h"
+
+#ifdef WITH_GSL
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_odeiv2.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_TRIES = 1000000 }; /* steps of a call */
+
+const bool reference_available = true;
+
+struct reference_parts {
+    gsl_odeiv2_step *step;
+    gsl_odeiv2_evolve *evolve;
+    double *y, *scale; /* [2 * size] */
+};
+
+/* The library wants equations of the first order: y is x, then v. */
+static int slopes(double t, const double y[], double dy[], void *what)
+{
+    struct reference *const r = what;
+    const size_t n = r->forces.size;
+    (void)t;
+    memcpy(dy, y + n, n * sizeof *dy);
+    r->forces.accelerate(r->forces.what, y, y + n, dy + n);
+    ++r->evaluations;
+    return GSL_SUCCESS;
+}
+
+bool reference_begin(struct reference *r, struct stepping_forces f,
+                     double tolerance)
+{
+    const size_t n = 2 * f.size;
+    struct reference_parts *const p = calloc(1, sizeof *p);
+    *r =
+        (struct reference){.forces = f, .tolerance = tolerance, .parts = p};
+    if (!p)
+        return false;
+    gsl_set_error_handler_off();
+    p->step = gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, n);
+    p->evolve = gsl_odeiv2_evolve_alloc(n);
+    p->y = malloc(n * sizeof *p->y);
+    p->scale = malloc(n * sizeof *p->scale);
+    if (p->step && p->evolve && p->y && p->scale)
+        return true;
+    reference_free(r);
+    return false;
+}
+
+void reference_free(struct reference *r)
+{
+    struct reference_parts *const p = r->parts;
+    if (p) {
+        if (p->step)
+            gsl_odeiv2_step_free(p->step);
+        if (p->evolve)
+            gsl_odeiv2_evolve_free(p->evolve);
+        free(p->y);
+        free(p->scale);
+    }
+    free(p);
+    *r = (struct reference){0};
+}
+
+/* The largest of n moduli; `otherwise` if all are zero. */
+static double largest(const double y[], size_t n, double otherwise)
+{
+    double most = 0;
+    for (size_t i = 0; i < n; ++i)
+        most = fabs(y[i]) > most ? fabs(y[i]) : most;
+    return most > 0 ? most : otherwise;
+}
+
+/* Errors count against the largest coordinate and the largest velocity. */
+static gsl_odeiv2_control *control_errors(struct reference *r, double dt)
+{
+    struct reference_parts *const p = r->parts;
+    const size_t n = r->forces.size;
+    slopes(0, p->y, p->scale, r);
+    const double a = largest(p->scale + n, n, 0);
+    const double v = largest(p->y + n, n, a > 0 ? a * fabs(dt) : 1);
+    const double x = largest(p->y, n, v * fabs(dt));
+    for (size_t i = 0; i < n; ++i) {
+        p->scale[i] = x;
+        p->scale[n + i] = v;
+    }
+    return gsl_odeiv2_control_scaled_new(r->tolerance, 0, 0, 0, p->scale,
+                                         2 * n);
+}
+
+/* The library takes no offence at what is not a number. */
+static bool are_finite(const double y[], size_t n)
+{
+    double sum = 0;
+    for (size_t i = 0; i < n; ++i)
+        sum += 0 * y[i];
+    return sum == 0;
+}
+
+bool reference_step(struct reference *r, double dt, double x[], double v[])
+{
+    struct reference_parts *const p = r->parts;
+    const size_t n = r->forces.size;
+    gsl_odeiv2_system system = {slopes, NULL, 2 * n, r};
+    double t = 0, h = dt;
+    bool well = true;
+    memcpy(p->y, x, n * sizeof *x);
+    memcpy(p->y + n, v, n * sizeof *v);
+    gsl_odeiv2_control *const control = control_errors(r, dt);
+    gsl_odeiv2_evolve_reset(p->evolve);
+    gsl_odeiv2_step_reset(p->step);
+    for (long tries = 0; control && well && t != dt; ++tries)
+        well = tries < MOST_TRIES &&
+               gsl_odeiv2_evolve_apply(p->evolve, control, p->step, &system,
+                                       &t, dt, &h, p->y) == GSL_SUCCESS;
+    if (control)
+        gsl_odeiv2_control_free(control);
+    memcpy(x, p->y, n * sizeof *x);
+    memcpy(v, p->y + n, n * sizeof *v);
+    return control && well && are_finite(p->y, 2 * n);
+}
+
+#else
+const bool reference_available = false;
+
+bool reference_begin(struct reference *r, struct stepping_forces f,
+                     double tolerance)
+{
+    *r = (struct reference){.forces = f, .tolerance = tolerance};
+    return false;
+}
+
+bool reference_step(struct reference *r, double dt, double x[], double v[])
+{
+    (void)r, (void)dt, (void)x, (void)v;
+    return false;
+}
+
+void reference_free(struct reference *r)
+{
+    *r = (struct reference){0};
+}
+
+#endif

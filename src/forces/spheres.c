@@ -1,0 +1,412 @@
+/* From chapters/11-spheres.nw: edit there, then run make tangle. */
+/* checksum 3664775171 of the lines below */
+#include "forces/spheres.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+bool spheres_create(struct spheres *p, const struct scene *s,
+                    enum spheres_rule rule)
+{
+    const size_t n = s->bodies;
+    *p = (struct spheres){.rule = rule, .scene = s, .dt = s->dt};
+    p->restitution = s->restitution;
+    p->inverse = malloc(SPHERES_AXES * n * sizeof *p->inverse + 1);
+    p->edge = malloc(n * sizeof *p->edge + 1);
+    if (!p->inverse || !p->edge) {
+        spheres_free(p);
+        return false;
+    }
+    for (size_t i = 0; i < n; ++i) {
+        p->widest = fmax(p->widest, s->radius[i]);
+        p->edge[i].body = (uint32_t)i;
+        p->edge[i].radius = s->radius[i];
+        for (size_t k = 0; k < SPHERES_AXES; ++k)
+            p->inverse[k * n + i] =
+                s->freedom[k * n + i] ? 1 / s->mass[i] : 0;
+    }
+    return true;
+}
+
+void spheres_free(struct spheres *p)
+{
+    free(p->inverse);
+    free(p->edge);
+    free(p->pair);
+    *p = (struct spheres){0};
+}
+
+/* Makes room for one more pair, or returns false. */
+static bool make_room(struct spheres *p)
+{
+    if (p->pairs < p->room)
+        return true;
+    const size_t room = 2 * p->room + 16;
+    void *pair = realloc(p->pair, room * sizeof *p->pair);
+    if (!pair)
+        return false;
+    p->pair = pair;
+    p->room = room;
+    return true;
+}
+
+/* Two bodies, seen from the first. */
+struct contact {
+    size_t a, b;
+    double apart[SPHERES_AXES], closing[SPHERES_AXES]; /* m, m/s */
+    double distance, touching;                         /* m */
+    double normal[SPHERES_AXES]; /* as long as the distance */
+    double back;                 /* how long ago they touched, s */
+};
+
+/* The way from body a to body b along axis k, m. */
+static double way(const struct scene *s, const double x[], size_t a,
+                  size_t b, size_t k)
+{
+    const double d = x[k * s->bodies + b] - x[k * s->bodies + a];
+    const double side = s->high[k] - s->low[k];
+    if (s->wall[k] != SCENE_PERIODIC)
+        return d;
+    return d - side * floor(d / side + 0.5);
+}
+
+static double dot(const double a[], const double b[])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void set_normal(struct contact *c, const double apart[])
+{
+    c->distance = sqrt(dot(apart, apart));
+    for (size_t k = 0; k < SPHERES_AXES; ++k)
+        c->normal[k] = apart[k];
+    if (c->distance == 0)
+        c->normal[0] = c->distance = 1e-9 * c->touching;
+}
+
+static struct contact look_at(const struct spheres *p,
+                              struct spheres_pair pair, const double x[],
+                              const double v[])
+{
+    const struct scene *s = p->scene;
+    struct contact c = {.a = pair.a, .b = pair.b};
+    for (size_t k = 0; k < SPHERES_AXES; ++k) {
+        const size_t at = k * s->bodies;
+        c.apart[k] = way(s, x, c.a, c.b, k);
+        c.closing[k] = v[at + c.b] - v[at + c.a];
+    }
+    c.touching = s->radius[c.a] + s->radius[c.b];
+    set_normal(&c, c.apart);
+    return c;
+}
+
+static bool go_back(struct contact *c, double dt)
+{
+    const double b = dot(c->apart, c->closing);
+    const double out = c->touching * c->touching - dot(c->apart, c->apart);
+    const double u2 = dot(c->closing, c->closing);
+    double then[SPHERES_AXES];
+    c->back = out / (sqrt(b * b + u2 * out) - b);
+    if (!(b < 0 && c->back <= dt))
+        return false;
+    for (size_t k = 0; k < SPHERES_AXES; ++k)
+        then[k] = c->apart[k] - c->closing[k] * c->back;
+    set_normal(c, then);
+    return true;
+}
+
+static double weight(const struct spheres *p, const struct contact *c,
+                     size_t i)
+{
+    const size_t n = p->scene->bodies;
+    double w = 0;
+    for (size_t k = 0; k < SPHERES_AXES; ++k)
+        w += c->normal[k] * c->normal[k] * p->inverse[k * n + i];
+    return w;
+}
+
+/* Gives a body J times the normal, an impulse. */
+static void kick(const struct spheres *p, const struct contact *c, size_t i,
+                 double J, double v[])
+{
+    const size_t n = p->scene->bodies;
+    for (size_t k = 0; k < SPHERES_AXES; ++k)
+        v[k * n + i] += J * c->normal[k] * p->inverse[k * n + i];
+}
+
+static double along(const struct spheres *p, const struct contact *c,
+                    size_t i, const double v[])
+{
+    double sum = 0;
+    for (size_t k = 0; k < SPHERES_AXES; ++k)
+        sum += c->normal[k] * v[k * p->scene->bodies + i];
+    return sum;
+}
+
+/* Returns what it adds to the sum of m x v of the two, J s. */
+static double push_apart(const struct spheres *p, const struct contact *c,
+                         double wa, double wb, double x[], const double v[])
+{
+    const double depth = (c->touching - c->distance) * c->distance;
+    double a = depth / (wa + wb), b = a;
+    if (p->shift == SPHERES_BY_RADIUS && wa > 0 && wb > 0) {
+        a = depth * (p->scene->radius[c->a] / c->touching) / wa;
+        b = depth * (p->scene->radius[c->b] / c->touching) / wb;
+    }
+    kick(p, c, c->a, -a, x);
+    kick(p, c, c->b, b, x);
+    return b * along(p, c, c->b, v) - a * along(p, c, c->a, v);
+}
+
+static bool collide_pair(struct spheres *p, struct spheres_pair pair,
+                         double x[], double v[])
+{
+    struct contact c = look_at(p, pair, x, v);
+    const double depth = c.touching - c.distance;
+    const bool back = p->shift == SPHERES_BACK && go_back(&c, p->dt);
+    const double parting = dot(c.closing, c.normal);
+    const double wa = weight(p, &c, c.a), wb = weight(p, &c, c.b);
+    if (!(depth > 0 && wa + wb > 0))
+        return false;
+    if (parting >= 0 && p->rule == SPHERES_APPROACHING) {
+        if (p->shift != SPHERES_BACK)
+            p->virial += push_apart(p, &c, wa, wb, x, v);
+        return false;
+    }
+    const double J = -(1 + p->restitution) * parting / (wa + wb);
+    kick(p, &c, c.a, -J, v);
+    kick(p, &c, c.b, J, v);
+    p->virial += J * c.distance * c.distance;
+    if (back) {
+        kick(p, &c, c.a, -J * c.back, x);
+        kick(p, &c, c.b, J * c.back, x);
+    } else
+        p->virial += push_apart(p, &c, wa, wb, x, v);
+    ++p->collisions;
+    p->receding += parting >= 0;
+    p->depth = fmax(p->depth, depth);
+    return true;
+}
+
+/* Adds a pair if it may overlap when its turn comes; without memory it
+   waits for the next step. */
+static void test(struct spheres *p, const struct spheres_edge *a,
+                 const struct spheres_edge *b)
+{
+    const double touching = a->radius + b->radius;
+    const double near = touching + p->margin;
+    double square = 0;
+    ++p->tested;
+    for (size_t k = 0; k < SPHERES_AXES; ++k) {
+        double d = fabs(b->place[k] - a->place[k]);
+        if (d > p->half[k])
+            d = 2 * p->half[k] - d;
+        if (!(d < near))
+            return;
+        square += d * d;
+    }
+    if (square >= near * near || !make_room(p))
+        return;
+    struct spheres_pair *pair = &p->pair[p->pairs++];
+    pair->a = a->body < b->body ? a->body : b->body;
+    pair->b = a->body < b->body ? b->body : a->body;
+    pair->depth = touching - sqrt(square);
+}
+
+static void find_in_all(struct spheres *p)
+{
+    for (size_t i = 0; i < p->scene->bodies; ++i)
+        for (size_t j = i + 1; j < p->scene->bodies; ++j)
+            test(p, &p->edge[i], &p->edge[j]);
+}
+
+static void read_places(struct spheres *p, const double x[])
+{
+    const struct scene *s = p->scene;
+    const size_t n = s->bodies;
+    for (size_t k = 0; k < SPHERES_AXES; ++k) {
+        const double side = s->high[k] - s->low[k];
+        const bool periodic = s->wall[k] == SCENE_PERIODIC;
+        p->half[k] = periodic ? side / 2 : INFINITY;
+        for (size_t i = 0; i < n; ++i) {
+            double *place = &p->edge[i].place[k];
+            *place = x[k * n + p->edge[i].body];
+            if (periodic)
+                *place -= side * floor((*place - s->low[k]) / side);
+        }
+    }
+}
+
+static double margin(const struct spheres *p, const double v[])
+{
+    const size_t n = p->scene->bodies;
+    double most = 0;
+    for (size_t i = 0; i < n; ++i)
+        most = fmax(most, v[i] * v[i] + v[n + i] * v[n + i] +
+                              v[2 * n + i] * v[2 * n + i]);
+    return fmin(2 * sqrt(most) * p->dt, p->widest);
+}
+
+static void mend_order(struct spheres_edge edge[], size_t n, size_t axis)
+{
+    for (size_t i = 1; i < n; ++i) {
+        const struct spheres_edge e = edge[i];
+        size_t j = i;
+        for (; j > 0 && edge[j - 1].place[axis] > e.place[axis]; --j)
+            edge[j] = edge[j - 1];
+        edge[j] = e;
+    }
+}
+
+static int along_axis(const void *a, const void *b, size_t k)
+{
+    const struct spheres_edge *p = a, *q = b;
+    if (p->place[k] != q->place[k])
+        return p->place[k] < q->place[k] ? -1 : 1;
+    return p->body < q->body ? -1 : p->body > q->body;
+}
+
+static int along_x(const void *a, const void *b)
+{
+    return along_axis(a, b, 0);
+}
+
+static int along_y(const void *a, const void *b)
+{
+    return along_axis(a, b, 1);
+}
+
+static int along_z(const void *a, const void *b)
+{
+    return along_axis(a, b, 2);
+}
+
+/* The axis along which the bodies take most room. */
+static size_t longest_axis(const struct spheres *p)
+{
+    size_t longest = 0;
+    double most = -1;
+    for (size_t k = 0; k < SPHERES_AXES; ++k) {
+        double low = INFINITY, high = -INFINITY;
+        for (size_t i = 0; i < p->scene->bodies; ++i) {
+            low = fmin(low, p->edge[i].place[k]);
+            high = fmax(high, p->edge[i].place[k]);
+        }
+        if (high - low > most) {
+            most = high - low;
+            longest = k;
+        }
+    }
+    return longest;
+}
+
+static void sort_edges(struct spheres *p)
+{
+    static int (*const along[SPHERES_AXES])(const void *, const void *) = {
+        along_x, along_y, along_z};
+    const size_t n = p->scene->bodies;
+    if (p->sorted) {
+        mend_order(p->edge, n, p->axis);
+        return;
+    }
+    p->axis = longest_axis(p);
+    qsort(p->edge, n, sizeof *p->edge, along[p->axis]);
+    p->sorted = true;
+}
+
+static void sweep(struct spheres *p)
+{
+    const size_t n = p->scene->bodies, k = p->axis;
+    const double side = 2 * p->half[k];
+    for (size_t i = 0; i < n; ++i) {
+        const struct spheres_edge *a = &p->edge[i];
+        const double reach =
+            a->place[k] + a->radius + p->widest + p->margin;
+        for (size_t j = i + 1; j < n && p->edge[j].place[k] < reach; ++j)
+            test(p, a, &p->edge[j]);
+        for (size_t j = 0; j < i && p->edge[j].place[k] + side < reach; ++j)
+            test(p, a, &p->edge[j]);
+    }
+}
+
+static int ascending(const void *a, const void *b)
+{
+    const struct spheres_pair *p = a, *q = b;
+    if (p->a != q->a)
+        return p->a < q->a ? -1 : 1;
+    return p->b < q->b ? -1 : p->b > q->b;
+}
+
+static int descending(const void *a, const void *b)
+{
+    return ascending(b, a);
+}
+
+static int deepest(const void *a, const void *b)
+{
+    const struct spheres_pair *p = a, *q = b;
+    if (p->depth != q->depth)
+        return p->depth > q->depth ? -1 : 1;
+    return ascending(a, b);
+}
+
+/* Turns round body i, which is out of the wall at `edge` on the side
+   sign along axis k, with coordinate *x. Returns whether it did. */
+static bool bounce(struct spheres *p, size_t i, size_t k, double sign,
+                   double edge, double *x, double *v)
+{
+    const double out = sign * (*x - edge);
+    if (!(out > 0 && sign * *v > 0 &&
+          p->scene->freedom[k * p->scene->bodies + i]))
+        return false;
+    p->impulse[k] += p->scene->mass[i] * (1 + p->restitution) * fabs(*v);
+    *v *= -p->restitution;
+    *x = edge - sign * p->restitution * out;
+    ++p->wall_collisions;
+    return true;
+}
+
+static uint64_t collide_walls(struct spheres *p, double x[], double v[])
+{
+    const struct scene *s = p->scene;
+    const uint64_t before = p->wall_collisions;
+    for (size_t k = 0; k < SPHERES_AXES; ++k)
+        for (size_t i = 0; s->wall[k] == SCENE_HARD && i < s->bodies; ++i) {
+            const size_t at = k * s->bodies + i;
+            if (!bounce(p, i, k, -1, s->low[k] + s->radius[i], &x[at],
+                        &v[at]))
+                bounce(p, i, k, 1, s->high[k] - s->radius[i], &x[at],
+                       &v[at]);
+        }
+    return p->wall_collisions - before;
+}
+
+static bool is_again(const struct spheres_pair pair[], size_t i)
+{
+    return i > 0 && pair[i].a == pair[i - 1].a &&
+           pair[i].b == pair[i - 1].b;
+}
+
+uint64_t spheres_resolve(struct spheres *p, double x[], double v[])
+{
+    static int (*const orders[SPHERES_ORDERS])(
+        const void *, const void *) = {ascending, descending, deepest};
+    enum { FEW = 16 };
+    uint64_t count = collide_walls(p, x, v);
+    p->pairs = 0;
+    p->margin = margin(p, v);
+    read_places(p, x);
+    if (p->search == SPHERES_PAIRS ||
+        (p->search == SPHERES_AUTO && p->scene->bodies <= FEW))
+        find_in_all(p);
+    else {
+        sort_edges(p);
+        sweep(p);
+    }
+    if (p->pairs > 1)
+        qsort(p->pair, p->pairs, sizeof *p->pair, orders[p->order]);
+    for (size_t i = 0; i < p->pairs; ++i)
+        if (!is_again(p->pair, i))
+            count += collide_pair(p, p->pair[i], x, v);
+    return count;
+}

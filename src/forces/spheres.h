@@ -1,0 +1,98 @@
+/* From chapters/11-spheres.nw: edit there, then run make tangle. */
+/* checksum 2558055647 of the lines below */
+#ifndef SPHERES_H
+#define SPHERES_H
+
+#include "scenes/scene.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* What is done about pairs that overlap after a step. */
+enum spheres_rule {
+    SPHERES_ALL,        /* all are reflected, as in MPPhys */
+    SPHERES_APPROACHING /* those that part are only pushed apart */
+};
+
+/* How the two are moved so that they overlap no more. */
+enum spheres_shift {
+    SPHERES_BY_RADIUS, /* apart, in proportion to the radii, as in MPPhys */
+    SPHERES_BY_MASS,   /* apart, with the centre of mass at rest */
+    SPHERES_BACK       /* back to where they touched, and on from there */
+};
+
+/* Which pair is the first, of those that were found together. */
+enum spheres_order {
+    SPHERES_ASCENDING,  /* by the smaller number, then by the larger */
+    SPHERES_DESCENDING, /* the other way round */
+    SPHERES_DEEPEST,    /* by depth; equal ones ascending */
+    SPHERES_ORDERS
+};
+
+/* How they are found; the result is the same. */
+enum spheres_search {
+    SPHERES_AUTO,  /* by the sweep, but for a few */
+    SPHERES_PAIRS, /* every pair is looked at */
+    SPHERES_SWEEP  /* along one axis */
+};
+
+enum { SPHERES_AXES = 3 };
+
+/* Two bodies that overlap, a < b. */
+struct spheres_pair {
+    uint32_t a, b;
+    double depth; /* m */
+};
+
+/* A body in the order along an axis. */
+struct spheres_edge {
+    double place[SPHERES_AXES], radius; /* m; folded into the box */
+    uint32_t body;
+};
+
+/* The contacts of a scene. May be changed between steps: what stands above
+   the first line. To be read, and set to 0: the counts. */
+struct spheres {
+    enum spheres_rule rule;
+    enum spheres_shift shift;
+    enum spheres_order order;
+    enum spheres_search search;
+    double dt; /* s; SPHERES_BACK goes back no further. Of the scene */
+    double restitution;
+    /* ---- counted by spheres_resolve */
+    uint64_t collisions, wall_collisions;
+    uint64_t receding; /* of the collisions: of pairs that were parting */
+    uint64_t tested;   /* pairs looked at for an overlap */
+    double impulse[SPHERES_AXES]; /* that walls across an axis took, N s */
+    double virial; /* what collisions have added to the sum of m x v, J s */
+    double depth;  /* the deepest overlap of a collision, m */
+    /* ---- private */
+    const struct scene *scene;
+    double *inverse; /* 1/mass along each axis, 1/kg; 0 where fixed */
+    double widest;   /* radius, m */
+    double margin;   /* pairs that are so near are looked at too, m */
+    double half[SPHERES_AXES]; /* of a periodic box; INFINITY, m */
+    size_t axis;               /* of the sweep */
+    bool sorted;
+    struct spheres_edge *edge;
+    struct spheres_pair *pair;
+    size_t pairs, room;
+};
+
+/* Prepares for the bodies of a scene, which has to outlive *p: its masses
+   (positive), radii, freedom, walls, restitution and dt. The shift is by
+   radius. Returns false, with nothing to free, when there is no memory. */
+bool spheres_create(struct spheres *p, const struct scene *s,
+                    enum spheres_rule rule);
+void spheres_free(struct spheres *p);
+
+/* Does to bodies at x (m) with velocities v (m/s), both axis by axis as in
+   a scene, what has to be done after a step: walls, then pairs that
+   overlap, in their order. Returns how many collisions of both kinds there
+   were. A pair that overlaps only after its turn waits for the next step.
+   Sources: (11.1, eq:contact-impulse), (11.2, eq:back-time), (11.3,
+   eq:push). */
+uint64_t spheres_resolve(struct spheres *p, double x[], double v[]);
+
+#endif

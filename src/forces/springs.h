@@ -1,0 +1,87 @@
+/* From chapters/10-springs.nw: edit there, then run make tangle. */
+/* checksum 513447925 of the lines below */
+#ifndef SPRINGS_H
+#define SPRINGS_H
+
+#include "scenes/scene.h"
+#include "forces/stepping.h"
+
+enum {
+    SPRINGS_BAND = 16,  /* springs that a band has at least */
+    SPRINGS_BLOCK = 512 /* bodies at a time */
+};
+
+/* How the forces are summed. Both ways give the same bits. */
+enum springs_engine {
+    SPRINGS_GATHER, /* bands of springs, block by block */
+    SPRINGS_SCATTER /* spring after spring */
+};
+
+/* Springs that join body i to body i + stride, all of one kind, for many of
+   the bodies i from first on, before end. */
+struct springs_band {
+    size_t stride, first, end;
+    double stiffness, damping;
+    double *rest; /* of the spring at body i: rest[i - first], m; negative
+                     where there is none */
+};
+
+/* The springs of a scene. To be read; engine may be written. */
+struct springs {
+    size_t bodies, count;
+    struct scene_spring *spring; /* in the order of the sums; a < b */
+    struct scene_kind *kind;
+    size_t listed; /* so many of them, the first ones, are in no band */
+    size_t bands;
+    struct springs_band *band;
+    double *weight; /* [3 * bodies] 1/m, 0 along a fixed coordinate */
+    double *fall;   /* [3 * bodies] the scene's gravity where free, m/s^2 */
+    double friction;
+    bool quiet; /* neither gravity nor friction */
+    bool even;  /* weights are the same along all axes */
+    bool axial;
+    enum springs_engine engine;
+    int threads;
+    double *force; /* [3 * bodies] what is summed spring by spring */
+    double *room;  /* of the threads */
+};
+
+/* Takes what it needs of the scene, which may change or go away after it.
+   Returns false, with nothing to free, when there is no memory. */
+bool springs_create(struct springs *p, const struct scene *s);
+
+/* Frees all and makes *p empty. */
+void springs_free(struct springs *p);
+
+/* Adds to a what the springs and their dashpots do to the bodies, m/s^2.
+   x, v and a lie axis by axis, as in struct scene. Along a fixed coordinate
+   a stays as it is. The same bits from either engine and from any number of
+   threads. Source: (10.1, eq:spring-force), and (10.3, eq:axial-dashpot) if
+   the scene says so. */
+void springs_add(struct springs *p, const double x[], const double v[],
+                 double a[]);
+
+/* Writes into a what the springs, the scene's gravity and its friction do;
+   for a scene in which nothing else acts. */
+void springs_accelerate(void *springs, const double x[], const double v[],
+                        double a[]);
+
+/* The same, ready for stepping_begin. */
+struct stepping_forces springs_forces(struct springs *p);
+
+/* The same in one sweep, for the stepping that has springs_forces; see
+   stepping_sweep. */
+void springs_sweep(void *springs, const double x[], const double v[],
+                   double a[], const struct stepping_ahead *ahead);
+
+/* Returns the energy of all springs, J. */
+double springs_potential(const struct springs *p, const double x[]);
+
+/* Returns whether any spring has a dashpot. */
+bool springs_damped(const struct springs *p);
+
+/* From now on so many threads share the work, 1 or more. Returns false when
+   there is no memory: then all is as it was. */
+bool springs_threads(struct springs *p, int threads);
+
+#endif

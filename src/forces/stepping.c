@@ -1,0 +1,726 @@
+/* From chapters/08-stepping.nw: edit there, then run make tangle. */
+/* checksum 4013258524 of the lines below */
+#include "forces/stepping.h"
+
+#include "toolbox/room.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double one[] = {1, 0}, half[] = {0.5, 0}, zero[] = {0};
+
+/* 1 / (2 - cbrt(2)), and 1 minus twice that: (8.8, eq:triple-jump). */
+static const double yoshida4[] = {1.3512071919596576340476878,
+                                  -1.7024143839193152680953756,
+                                  1.3512071919596576340476878};
+
+/* Solution A of Yoshida (1990), with the digits of Hairer, Lubich and
+   Wanner (2006). */
+static const double yoshida6[] = {
+    0.78451361047755726381949763,  0.23557321335935813368479318,
+    -1.17767998417887100694641568, 1.31518632068391121888424973,
+    -1.17767998417887100694641568, 0.23557321335935813368479318,
+    0.78451361047755726381949763};
+
+/* Omelyan, Mryglod and Folk (2002). */
+#define XI 0.1786178958448091
+#define LAMBDA (-0.2123418310626054)
+#define CHI (-0.06626458266981849)
+static const double pefrl_drift[] = {XI, CHI, 1 - 2 * (CHI + XI), CHI, XI};
+static const double pefrl_kick[] = {0,      0.5 - LAMBDA, LAMBDA,
+                                    LAMBDA, 0.5 - LAMBDA, 0};
+
+/* Kahan and Li (1997), s17odr8a. */
+static const double kahan_li8[] = {
+    0.13020248308889008087881763,  0.56116298177510838456196441,
+    -0.38947496264484728640807860, 0.15884190655515560089621075,
+    -0.39590389413323757733623154, 0.18453964097831570709183254,
+    0.25837438768632204729397911,  0.29501172360931029887096624,
+    -0.60550853383003451169892108, 0.29501172360931029887096624,
+    0.25837438768632204729397911,  0.18453964097831570709183254,
+    -0.39590389413323757733623154, 0.15884190655515560089621075,
+    -0.38947496264484728640807860, 0.56116298177510838456196441,
+    0.13020248308889008087881763};
+
+static const double rk4_a[] = {0, 0,   0, 0, 0.5, 0, 0, 0,
+                               0, 0.5, 0, 0, 0,   0, 1, 0};
+static const double rk4_b[] = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
+#define ROOT 0.28867513459481288225457439 /* sqrt(3) / 6 */
+static const double gauss4_a[] = {0.25, 0.25 - ROOT, 0.25 + ROOT, 0.25};
+static const double gauss4_b[] = {0.5, 0.5};
+
+#define SPLITTING(n)                                                       \
+    .family = STEPPING_SPLITTING, .symplectic = true, .drifts = n
+const struct stepping_method stepping_methods[] = {
+    {"euler", .family = STEPPING_EXPLICIT, .order = 1, .stages = 1,
+     .a = zero, .b = one, .limit = 0},
+    {"symplectic-euler", SPLITTING(1), .order = 1, .stages = 1,
+     .drift = one, .kick = one, .limit = 2},
+    {"leapfrog", SPLITTING(1), .order = 2, .symmetric = true, .stages = 1,
+     .drift = one, .limit = 2},
+    {"rk4", .family = STEPPING_EXPLICIT, .order = 4, .stages = 4,
+     .a = rk4_a, .b = rk4_b, .limit = 2.8284271247461901},
+    {"yoshida4", SPLITTING(3), .order = 4, .symmetric = true, .stages = 3,
+     .drift = yoshida4, .limit = 1.5734019474345401},
+    {"yoshida6", SPLITTING(7), .order = 6, .symmetric = true, .stages = 7,
+     .drift = yoshida6, .limit = 2.2690579963976594},
+    {"pefrl", SPLITTING(5), .order = 4, .symmetric = true, .stages = 4,
+     .drift = pefrl_drift, .kick = pefrl_kick, .limit = 2.9894495459067291},
+    {"kahan-li8", SPLITTING(17), .order = 8, .symmetric = true,
+     .stages = 17, .drift = kahan_li8, .limit = 3.0964386800007322},
+    {"implicit-midpoint", .family = STEPPING_IMPLICIT, .order = 2,
+     .symmetric = true, .symplectic = true, .stages = 1, .a = half,
+     .b = one, .limit = INFINITY},
+    {"gauss4", .family = STEPPING_IMPLICIT, .order = 4, .symmetric = true,
+     .symplectic = true, .stages = 2, .a = gauss4_a, .b = gauss4_b,
+     .limit = INFINITY},
+    {.name = NULL}};
+
+const struct stepping_method *stepping_find(const char *name)
+{
+    const struct stepping_method *m = stepping_methods;
+    while (m->name && strcmp(m->name, name))
+        ++m;
+    return m->name ? m : NULL;
+}
+
+enum { DENSE = 1024 }; /* unknowns for which Newton's method is tried */
+
+/* What the methods work with. */
+struct stepping_work {
+    double *drift, *kick;        /* of a splitting, s */
+    double *c, *a, *a2, *b, *b2; /* of a tableau, times dt or dt^2 */
+    double *stage;               /* [stages * size] their accelerations */
+    double *guess;               /* [stages * size] the next ones */
+    double *x, *v;               /* [size] at a stage */
+    double *matrix, *slope;      /* of Newton's method */
+    size_t *pivot;
+    bool owing; /* of leapfrog: half a kick, from the step before */
+};
+
+/* How many of the n doubles at *next: they are passed over. */
+static double *take(double **next, size_t n)
+{
+    double *const part = *next;
+    *next += n;
+    return part;
+}
+
+static void share_out(struct stepping *s, double *next)
+{
+    struct stepping_work *const w = s->part;
+    const size_t n = s->forces.size, k = s->method->stages;
+    s->carry = take(&next, 2 * n);
+    s->acceleration = take(&next, n);
+    w->x = take(&next, n);
+    w->v = take(&next, n);
+    w->drift = take(&next, s->method->drifts);
+    w->kick = take(&next, s->method->drifts + 1);
+    w->stage = take(&next, k * n);
+    w->guess = take(&next, k * n);
+    w->c = take(&next, k);
+    w->a = take(&next, k * k);
+    w->a2 = take(&next, k * k);
+    w->b = take(&next, k);
+    w->b2 = take(&next, k);
+}
+
+static size_t room(const struct stepping *s)
+{
+    const size_t n = s->forces.size, k = s->method->stages;
+    return (5 + 2 * k) * n + 2 * s->method->drifts + 1 + 2 * k * k + 3 * k;
+}
+
+static void measure_kicks(struct stepping *s)
+{
+    const struct stepping_method *const m = s->method;
+    for (size_t k = 0; k < m->drifts; ++k)
+        s->part->drift[k] = m->drift[k] * s->dt;
+    for (size_t k = 0; k <= m->drifts; ++k) {
+        const double before = k ? m->drift[k - 1] : 0;
+        const double after = k < m->drifts ? m->drift[k] : 0;
+        s->part->kick[k] =
+            (m->kick ? m->kick[k] : (before + after) / 2) * s->dt;
+    }
+}
+
+static void measure_tableau(struct stepping *s)
+{
+    const struct stepping_method *const m = s->method;
+    struct stepping_work *const w = s->part;
+    const size_t n = m->stages;
+    for (size_t i = 0; i < n; ++i) {
+        w->b[i] = m->b[i] * s->dt;
+        for (size_t j = 0; j < n; ++j) {
+            w->a[i * n + j] = m->a[i * n + j] * s->dt;
+            w->c[i] += w->a[i * n + j];
+        }
+    }
+    for (size_t i = 0; i < n; ++i)
+        for (size_t j = 0; j < n; ++j) {
+            w->b2[j] += w->b[i] * w->a[i * n + j];
+            for (size_t k = 0; k < n; ++k)
+                w->a2[i * n + k] += w->a[i * n + j] * w->a[j * n + k];
+        }
+}
+
+bool stepping_begin(struct stepping *s, const struct stepping_method *m,
+                    struct stepping_forces f, double dt, double x[],
+                    double v[])
+{
+    *s = (struct stepping){
+        .method = m, .forces = f, .dt = dt, .x = x, .v = v};
+    s->work = room_doubles(room(s));
+    s->part = calloc(1, sizeof *s->part);
+    if (!s->work || !s->part) {
+        stepping_free(s);
+        return false;
+    }
+    share_out(s, s->work);
+    if (m->family == STEPPING_SPLITTING)
+        measure_kicks(s);
+    else
+        measure_tableau(s);
+    return true;
+}
+
+void stepping_free(struct stepping *s)
+{
+    if (s->part) {
+        free(s->part->matrix);
+        free(s->part->pivot);
+    }
+    free(s->part);
+    free(s->work);
+    *s = (struct stepping){0};
+}
+
+void stepping_resume(struct stepping *s, uint64_t steps,
+                     const double carry[], const double acceleration[])
+{
+    const size_t n = s->forces.size;
+    s->steps = steps;
+    if (carry)
+        memcpy(s->carry, carry, 2 * n * sizeof *carry);
+    s->fresh = acceleration != NULL;
+    if (acceleration)
+        memcpy(s->acceleration, acceleration, n * sizeof *acceleration);
+}
+
+void stepping_disturb(struct stepping *s)
+{
+    s->fresh = false;
+}
+
+/* Newton's method needs room of its own, and few systems do. */
+static bool prepare_newton(struct stepping *s)
+{
+    struct stepping_work *const w = s->part;
+    const size_t n = s->method->stages * s->forces.size;
+    if (n > DENSE)
+        return false;
+    if (!w->matrix)
+        w->matrix = malloc((n * n + s->forces.size) * sizeof *w->matrix);
+    if (!w->pivot)
+        w->pivot = malloc((n + 1) * sizeof *w->pivot);
+    if (w->matrix)
+        w->slope = w->matrix + n * n;
+    return w->matrix && w->pivot;
+}
+
+static void evaluate(struct stepping *s, const double x[], const double v[],
+                     double a[])
+{
+    s->forces.accelerate(s->forces.what, x, v, a);
+    ++s->evaluations;
+}
+
+static void refresh(struct stepping *s)
+{
+    if (!s->fresh)
+        evaluate(s, s->x, s->v, s->acceleration);
+    s->fresh = true;
+}
+
+/* Adds h by[i] to to[i]. */
+static void add(double *restrict to, double h, const double *restrict by,
+                size_t n)
+{
+    for (size_t i = 0; i < n; ++i)
+        to[i] += h * by[i];
+}
+
+/* The same, with what the sums owe: (8.14, eq:compensated). */
+static void add_carried(double *restrict to, double *restrict carry,
+                        double h, const double *restrict by, size_t n)
+{
+    for (size_t i = 0; i < n; ++i) {
+        const double old = to[i], more = h * by[i] + carry[i];
+        to[i] = old + more;
+        carry[i] = more - (to[i] - old);
+    }
+}
+
+static void push_x(struct stepping *s, double h, const double by[])
+{
+    if (s->compensated)
+        add_carried(s->x, s->carry, h, by, s->forces.size);
+    else
+        add(s->x, h, by, s->forces.size);
+}
+
+static void push_v(struct stepping *s, double h, const double by[])
+{
+    const size_t n = s->forces.size;
+    if (s->compensated)
+        add_carried(s->v, s->carry + n, h, by, n);
+    else
+        add(s->v, h, by, n);
+}
+
+/* Half the kick finds the velocity that the other evaluation needs. */
+static void kick_damped(struct stepping *s, double h)
+{
+    double *const middle = s->part->v;
+    evaluate(s, s->x, s->v, s->acceleration);
+    for (size_t i = 0; i < s->forces.size; ++i)
+        middle[i] = s->v[i] + h / 2 * s->acceleration[i];
+    evaluate(s, s->x, middle, s->acceleration);
+    push_v(s, h, s->acceleration);
+}
+
+static void kick(struct stepping *s, double h)
+{
+    if (h == 0)
+        return;
+    if (s->forces.damped) {
+        kick_damped(s, h);
+        return;
+    }
+    refresh(s);
+    push_v(s, h, s->acceleration);
+}
+
+static void drift(struct stepping *s, double h)
+{
+    push_x(s, h, s->v);
+    s->fresh = false;
+}
+
+static void splitting_step(struct stepping *s)
+{
+    const struct stepping_work *const w = s->part;
+    const size_t n = s->method->drifts;
+    for (size_t k = 0; k < n; ++k) {
+        kick(s, w->kick[k]);
+        drift(s, w->drift[k]);
+    }
+    kick(s, w->kick[n]);
+}
+
+static bool is_leapfrog(const struct stepping_method *m)
+{
+    return m->family == STEPPING_SPLITTING && m->drifts == 1 && !m->kick;
+}
+
+bool stepping_keeps(const struct stepping *s)
+{
+    return s->forces.damped && is_leapfrog(s->method);
+}
+
+/* Half a kick and the drift of n coordinates; first the half kick that is
+   owing. */
+static inline void move(size_t n, double *restrict x, double *restrict v,
+                        double *restrict ahead, const double *restrict a,
+                        const struct stepping_work *w, bool owing,
+                        bool damped)
+{
+    const double h = w->kick[0], dt = w->drift[0];
+    for (size_t i = 0; i < n; ++i) {
+        const double half = h * a[i];
+        if (owing)
+            v[i] += half;
+        v[i] += half;
+        x[i] += dt * v[i];
+        if (damped)
+            ahead[i] = v[i] + half;
+    }
+}
+
+/* The same from coordinate number `from` on. */
+static void set_out(void *stepping, size_t from, size_t n)
+{
+    const struct stepping *const s = stepping;
+    const struct stepping_work *const w = s->part;
+    double *const x = s->x + from, *const v = s->v + from;
+    double *const ahead = w->v + from, *const a = s->acceleration + from;
+    if (w->owing && s->forces.damped)
+        move(n, x, v, ahead, a, w, true, true);
+    else if (w->owing)
+        move(n, x, v, ahead, a, w, true, false);
+    else if (s->forces.damped)
+        move(n, x, v, ahead, a, w, false, true);
+    else
+        move(n, x, v, ahead, a, w, false, false);
+}
+
+/* The accelerations at x and v, once set_out has got both ready. */
+static void evaluate_ahead(struct stepping *s, const double v[])
+{
+    if (s->sweep) {
+        s->sweep(s->forces.what, s->x, v, s->acceleration,
+                 &(struct stepping_ahead){set_out, s});
+        ++s->evaluations;
+        return;
+    }
+    set_out(s, 0, s->forces.size);
+    evaluate(s, s->x, v, s->acceleration);
+}
+
+/* Steps of leapfrog, (8.4, eq:verlet), to the bits of splitting_step; under
+   friction those of (8.13, eq:leapfrog-damped). */
+static void leap(struct stepping *s, uint64_t steps)
+{
+    const double *const v = s->forces.damped ? s->part->v : s->v;
+    refresh(s);
+    for (uint64_t k = 0; k < steps; ++k) {
+        s->part->owing = k > 0;
+        evaluate_ahead(s, v);
+    }
+    add(s->v, s->part->kick[0], s->acceleration, s->forces.size);
+}
+
+/* A step under friction, compensated. */
+static void leap_carried(struct stepping *s)
+{
+    const double h = s->part->kick[0];
+    refresh(s);
+    push_v(s, h, s->acceleration);
+    push_x(s, s->part->drift[0], s->v);
+    for (size_t i = 0; i < s->forces.size; ++i)
+        s->part->v[i] = s->v[i] + h * s->acceleration[i];
+    evaluate(s, s->x, s->part->v, s->acceleration);
+    push_v(s, h, s->acceleration);
+}
+
+/* Where stage i is, (8.10, eq:stage): x and v of the work. */
+static void go_to_stage(struct stepping *s, size_t i)
+{
+    const struct stepping_work *const w = s->part;
+    const size_t n = s->forces.size, stages = s->method->stages;
+    memcpy(w->x, s->x, n * sizeof *w->x);
+    memcpy(w->v, s->v, n * sizeof *w->v);
+    add(w->x, w->c[i], s->v, n);
+    for (size_t j = 0; j < stages; ++j) {
+        const double a = w->a[i * stages + j], a2 = w->a2[i * stages + j];
+        if (a != 0)
+            add(w->v, a, w->stage + j * n, n);
+        if (a2 != 0)
+            add(w->x, a2, w->stage + j * n, n);
+    }
+}
+
+/* The step itself, once the stages are known. */
+static void close_step(struct stepping *s)
+{
+    const struct stepping_work *const w = s->part;
+    const size_t n = s->forces.size, stages = s->method->stages;
+    for (size_t i = 0; i < n; ++i) {
+        double dx = s->dt * s->v[i], dv = 0;
+        for (size_t j = 0; j < stages; ++j) {
+            dx += w->b2[j] * w->stage[j * n + i];
+            dv += w->b[j] * w->stage[j * n + i];
+        }
+        w->x[i] = dx;
+        w->v[i] = dv;
+    }
+    push_x(s, 1, w->x);
+    push_v(s, 1, w->v);
+}
+
+static void explicit_step(struct stepping *s)
+{
+    const struct stepping_work *const w = s->part;
+    const size_t n = s->forces.size;
+    for (size_t i = 0; i < s->method->stages; ++i) {
+        go_to_stage(s, i);
+        evaluate(s, w->x, w->v, w->stage + i * n);
+    }
+    close_step(s);
+}
+
+/* Brings the row with the largest number of column k, at or below row k, to
+   row k; returns where it was. */
+static size_t fetch_pivot(double m[], size_t n, size_t k)
+{
+    size_t best = k;
+    for (size_t i = k + 1; i < n; ++i)
+        if (fabs(m[i * n + k]) > fabs(m[best * n + k]))
+            best = i;
+    for (size_t j = 0; j < n && best != k; ++j) {
+        const double other = m[k * n + j];
+        m[k * n + j] = m[best * n + j];
+        m[best * n + j] = other;
+    }
+    return best;
+}
+
+/* Finds the factors L and U of m, n by n, in its place; row[k] is where
+   the k-th pivot was. False: there is none. */
+static bool factor(double m[], size_t n, size_t row[])
+{
+    for (size_t k = 0; k < n; ++k) {
+        row[k] = fetch_pivot(m, n, k);
+        if (!(fabs(m[k * n + k]) > 0))
+            return false;
+        for (size_t i = k + 1; i < n; ++i) {
+            const double f = m[i * n + k] /= m[k * n + k];
+            for (size_t j = k + 1; f != 0 && j < n; ++j)
+                m[i * n + j] -= f * m[k * n + j];
+        }
+    }
+    return true;
+}
+
+/* Replaces y by the solution of m z = y. */
+static void substitute(const double m[], size_t n, const size_t row[],
+                       double y[])
+{
+    for (size_t k = 0; k < n; ++k) {
+        const double other = y[row[k]];
+        y[row[k]] = y[k];
+        y[k] = other;
+    }
+    for (size_t i = 0; i < n; ++i)
+        for (size_t j = 0; j < i; ++j)
+            y[i] -= m[i * n + j] * y[j];
+    for (size_t i = n; i-- > 0;) {
+        for (size_t j = i + 1; j < n; ++j)
+            y[i] -= m[i * n + j] * y[j];
+        y[i] /= m[i * n + i];
+    }
+}
+
+enum { MOST_SWEEPS = 100, MOST_CORRECTIONS = 50 };
+
+/* The larger one; not a number if one of them is not. */
+static double larger(double a, double b)
+{
+    return a >= b || a != a ? a : b;
+}
+
+static double largest(const double y[], size_t n)
+{
+    double most = 0;
+    for (size_t i = 0; i < n; ++i)
+        most = larger(most, fabs(y[i]));
+    return most;
+}
+
+/* The forces at all stages, into guess. */
+static void sweep(struct stepping *s)
+{
+    const struct stepping_work *const w = s->part;
+    const size_t n = s->forces.size;
+    for (size_t i = 0; i < s->method->stages; ++i) {
+        go_to_stage(s, i);
+        evaluate(s, w->x, w->v, w->guess + i * n);
+    }
+}
+
+/* Whether a change is the last: none, or as small as rounding makes them
+   and no longer falling. */
+static bool settled(const struct stepping *s, double change, double last)
+{
+    const size_t n = s->forces.size;
+    const double scale = largest(s->part->stage, s->method->stages * n) +
+                         largest(s->v, n) / fabs(s->dt);
+    return change == 0 || (change > last / 2 && change <= 1e-10 * scale);
+}
+
+/* All stages begin with the acceleration before the step. */
+static void guess_stages(struct stepping *s)
+{
+    const size_t n = s->forces.size;
+    for (size_t i = 0; i < s->method->stages; ++i)
+        memcpy(s->part->stage + i * n, s->acceleration,
+               n * sizeof *s->acceleration);
+}
+
+/* Puts what the forces are at the stages in the place of what they were
+   thought to be, again and again. False: that does not lead anywhere. */
+static bool iterate(struct stepping *s)
+{
+    struct stepping_work *const w = s->part;
+    const size_t n = s->method->stages * s->forces.size;
+    double last = INFINITY;
+    for (int k = 0; k < MOST_SWEEPS; ++k) {
+        double change = 0;
+        sweep(s);
+        for (size_t i = 0; i < n; ++i) {
+            change = larger(change, fabs(w->guess[i] - w->stage[i]));
+            w->stage[i] = w->guess[i];
+        }
+        if (settled(s, change, last))
+            return true;
+        if (!(change < last / 2))
+            return false;
+        last = change;
+    }
+    return false;
+}
+
+/* Adds to the matrix what coordinate k of stage i, displaced by d, does:
+   `by` for each stage j is how much of acceleration j goes there. */
+static void enter_slope(struct stepping *s, size_t i, size_t k,
+                        const double by[], double d)
+{
+    const struct stepping_work *const w = s->part;
+    const size_t n = s->forces.size, stages = s->method->stages;
+    const size_t all = n * stages;
+    evaluate(s, w->x, w->v, w->slope);
+    for (size_t r = 0; r < n; ++r) {
+        const double slope = (w->slope[r] - w->guess[i * n + r]) / d;
+        for (size_t j = 0; j < stages; ++j)
+            w->matrix[(i * n + r) * all + j * n + k] -=
+                slope * by[i * stages + j];
+    }
+}
+
+/* Displaces coordinate k of stage i, and its velocity if that counts. */
+static void displace(struct stepping *s, size_t i, size_t k, double dx)
+{
+    const struct stepping_work *const w = s->part;
+    const double x = w->x[k], v = w->v[k], dv = dx / fabs(s->dt);
+    w->x[k] = x + dx;
+    enter_slope(s, i, k, w->a2, w->x[k] - x);
+    w->x[k] = x;
+    if (s->forces.damped) {
+        w->v[k] = v + dv;
+        enter_slope(s, i, k, w->a, w->v[k] - v);
+        w->v[k] = v;
+    }
+}
+
+/* The matrix of Newton's method, (8.12, eq:newton), at the stages as they
+   are now. */
+static bool linearize(struct stepping *s)
+{
+    struct stepping_work *const w = s->part;
+    const size_t n = s->forces.size, all = s->method->stages * n;
+    memset(w->matrix, 0, all * all * sizeof *w->matrix);
+    sweep(s);
+    for (size_t i = 0; i < s->method->stages; ++i) {
+        go_to_stage(s, i);
+        const double reach =
+            largest(w->x, n) + largest(w->v, n) * fabs(s->dt);
+        for (size_t k = 0; k < n; ++k) {
+            displace(s, i, k, (reach > 0 ? reach : 1) * 0x1p-26);
+            w->matrix[(i * n + k) * (all + 1)] += 1;
+        }
+    }
+    return factor(w->matrix, all, w->pivot);
+}
+
+/* One correction; returns the largest part of it. */
+static double correct(struct stepping *s)
+{
+    struct stepping_work *const w = s->part;
+    const size_t all = s->method->stages * s->forces.size;
+    sweep(s);
+    for (size_t i = 0; i < all; ++i)
+        w->guess[i] -= w->stage[i];
+    substitute(w->matrix, all, w->pivot, w->guess);
+    add(w->stage, 1, w->guess, all);
+    return largest(w->guess, all);
+}
+
+static bool newton(struct stepping *s)
+{
+    double last = INFINITY, change = INFINITY;
+    if (!prepare_newton(s))
+        return false;
+    for (int k = 0; k < MOST_CORRECTIONS; ++k) {
+        if (!(change < last / 10) && !linearize(s))
+            return false;
+        last = change;
+        change = correct(s);
+        if (settled(s, change, last))
+            return true;
+    }
+    return false;
+}
+
+static bool implicit_step(struct stepping *s)
+{
+    evaluate(s, s->x, s->v, s->acceleration);
+    guess_stages(s);
+    if (!iterate(s)) {
+        guess_stages(s);
+        if (!newton(s))
+            return false;
+    }
+    close_step(s);
+    return true;
+}
+
+static bool step(struct stepping *s)
+{
+    switch (s->method->family) {
+    case STEPPING_EXPLICIT: explicit_step(s); return true;
+    case STEPPING_IMPLICIT: return implicit_step(s);
+    default:
+        if (stepping_keeps(s))
+            leap_carried(s);
+        else
+            splitting_step(s);
+        return true;
+    }
+}
+
+/* Zero times a number is zero if the number is finite. */
+static bool is_finite(const struct stepping *s)
+{
+    double sum = 0;
+    for (size_t i = 0; i < s->forces.size; ++i)
+        sum += 0 * s->x[i] + 0 * s->v[i];
+    return sum == 0;
+}
+
+/* Steps up to the next look at the numbers, or fewer. False: stuck. */
+static bool run_until_watch(struct stepping *s, uint64_t *left)
+{
+    const uint64_t most = STEPPING_WATCH - s->steps % STEPPING_WATCH;
+    const uint64_t steps = *left < most ? *left : most;
+    if (is_leapfrog(s->method) && !s->compensated) {
+        leap(s, steps);
+        s->steps += steps;
+        *left -= steps;
+        return true;
+    }
+    for (uint64_t k = 0; k < steps; ++k) {
+        if (!step(s))
+            return false;
+        ++s->steps;
+        --*left;
+    }
+    return true;
+}
+
+enum stepping_end stepping_run(struct stepping *s, uint64_t steps)
+{
+    while (steps > 0) {
+        if (!run_until_watch(s, &steps))
+            return is_finite(s) ? STEPPING_STUCK : STEPPING_INFINITE;
+        if (!is_finite(s))
+            return STEPPING_INFINITE;
+    }
+    return STEPPING_DONE;
+}
+
+double stepping_time(const struct stepping *s)
+{
+    return s->start + (double)s->steps * s->dt;
+}

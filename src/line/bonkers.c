@@ -1,0 +1,667 @@
+/* From chapters/02-bonkers.nw: edit there, then run make tangle. */
+/* checksum 3765464090 of the lines below */
+#include "line/bonkers.h"
+
+#include "line/collide.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static double position(const struct bonkers_body *a, double t)
+{
+    return a->x + a->v * (t - a->since);
+}
+
+/* When the gap to the right of this body closes (2.3, eq:gap-time). */
+static double time_of_gap(const struct bonkers_body *left)
+{
+    const struct bonkers_body *right = left + 1;
+    const double approach = left->v - right->v;
+    if (!(approach > 0))
+        return INFINITY;
+    const double t =
+        left->since > right->since ? left->since : right->since;
+    const double gap = position(right, t) - position(left, t);
+    return gap > 0 ? t + gap / approach : t;
+}
+
+/* Nothing more happens before `until`: let the clock run on, or stop it
+   at the last collision if there is no end. */
+static enum bonkers_stop idle(struct bonkers *b, double until)
+{
+    if (until < INFINITY) {
+        b->now = until;
+        return BONKERS_TIME;
+    }
+    b->now = b->begun;
+    for (size_t i = 0; i <= b->gaps; ++i)
+        b->now = fmax(b->now, b->body[i].since);
+    return BONKERS_STILL;
+}
+
+/* As good as the same time: a few last bits of the clock. */
+static bool at_once(double before, double t)
+{
+    return t - before <= 4 * DBL_EPSILON * t;
+}
+
+/* How many collisions of a gap at one time are a collapse. */
+static uint32_t patience(const struct bonkers *b)
+{
+    return BONKERS_REPEATS + (b->gaps < 200 ? (uint32_t)b->gaps : 200);
+}
+
+/* Counts the collisions of gap i at one reading of the clock, which
+   stands or has moved on. Returns true when there are too many. */
+static bool count_repeat(struct bonkers *b, size_t i, bool stands)
+{
+    if (!b->repeats)
+        return false;
+    b->repeats[i] = stands ? b->repeats[i] + 1 : 0;
+    return b->repeats[i] >= patience(b);
+}
+
+static void move_all(struct bonkers *b, double wait)
+{
+    for (size_t i = 0; i <= b->gaps; ++i)
+        b->body[i].x += b->body[i].v * wait;
+}
+
+/* At every event look at every gap and move everybody. */
+static enum bonkers_stop run_naive(struct bonkers *b, double until,
+                                   uint64_t limit)
+{
+    enum bonkers_stop stop = BONKERS_TIME;
+    while (stop == BONKERS_TIME) {
+        size_t first = 0;
+        double wait = INFINITY;
+        for (size_t i = 0; i < b->gaps; ++i) {
+            const double approach = b->body[i].v - b->body[i + 1].v;
+            if (approach > 0) {
+                const double gap = b->body[i + 1].x - b->body[i].x;
+                if (gap < wait * approach) {
+                    wait = gap > 0 ? gap / approach : 0;
+                    first = i;
+                }
+            }
+        }
+        if (wait == INFINITY && until == INFINITY) {
+            stop = BONKERS_STILL;
+        } else if (b->now + wait > until) {
+            move_all(b, until - b->now);
+            break;
+        } else {
+            struct bonkers_body *left = &b->body[first], *right = left + 1;
+            const bool stands = at_once(b->now, b->now + wait);
+            move_all(b, wait);
+            b->now += wait;
+            collide(&left->v, &right->v, left->im, right->im,
+                    b->restitution);
+            ++b->collisions;
+            if (count_repeat(b, first, stands))
+                stop = BONKERS_COLLAPSE;
+            else if (b->collisions == limit)
+                stop = BONKERS_COLLISIONS;
+        }
+    }
+    b->now = stop == BONKERS_TIME ? until : b->now;
+    for (size_t i = 0; i <= b->gaps; ++i)
+        b->body[i].since = b->now;
+    return stop;
+}
+
+/* Collides the bodies of gap i at the time it is due. Returns true when the
+   clock has stood still for too long. */
+static bool collide_gap(struct bonkers *b, size_t i)
+{
+    struct bonkers_body *left = &b->body[i], *right = left + 1;
+    const double t = b->due[i];
+    const double l = position(left, t), r = position(right, t);
+    const bool stands = at_once(left->since, t) && at_once(right->since, t);
+    left->x = right->x = fabs(left->v) < fabs(right->v) ? l : r;
+    left->since = right->since = b->now = t;
+    collide(&left->v, &right->v, left->im, right->im, b->restitution);
+    return count_repeat(b, i, stands);
+}
+
+/* The gaps that a collision in gap i has touched: from *low to *high. */
+static void touched(const struct bonkers *b, size_t i, size_t *low,
+                    size_t *high)
+{
+    *low = i > 0 ? i - 1 : 0;
+    *high = i + 1 < b->gaps ? i + 1 : i;
+}
+
+static void renew(struct bonkers *b, size_t i)
+{
+    size_t low, high;
+    touched(b, i, &low, &high);
+    for (size_t k = low; k <= high; ++k)
+        b->due[k] = time_of_gap(&b->body[k]);
+}
+
+/* Look at every remembered time; move two bodies. */
+static enum bonkers_stop run_scan(struct bonkers *b, double until,
+                                  uint64_t limit)
+{
+    for (;;) {
+        const size_t i = schedule_scan(b->due, b->gaps);
+        if (b->due[i] > until || b->due[i] == INFINITY)
+            return idle(b, until);
+        const bool collapse = collide_gap(b, i);
+        renew(b, i);
+        ++b->collisions;
+        if (collapse)
+            return BONKERS_COLLAPSE;
+        if (b->collisions == limit)
+            return BONKERS_COLLISIONS;
+    }
+}
+
+/* Only gaps that will close are in the schedule. */
+static void reschedule(struct bonkers *b, size_t i)
+{
+    if (b->due[i] < INFINITY)
+        schedule_put(&b->schedule, i, b->due[i]);
+    else
+        schedule_drop(&b->schedule, i);
+}
+
+/* The earliest gap is on top; move two bodies. */
+static enum bonkers_stop run_heap(struct bonkers *b, double until,
+                                  uint64_t limit)
+{
+    for (;;) {
+        size_t low, high;
+        if (b->schedule.count == 0 || b->schedule.heap[0].time > until)
+            return idle(b, until);
+        const struct schedule_entry next = b->schedule.heap[0];
+        const bool collapse = collide_gap(b, next.event);
+        renew(b, next.event);
+        touched(b, next.event, &low, &high);
+        for (size_t k = low; k <= high; ++k)
+            reschedule(b, k);
+        ++b->collisions;
+        if (collapse)
+            return BONKERS_COLLAPSE;
+        if (b->collisions == limit)
+            return BONKERS_COLLISIONS;
+    }
+}
+
+/* What a collision overwrites. */
+struct record {
+    double time, x[2], v[2], since[2];
+    uint32_t gap, repeats;
+};
+
+/* Gaps first to last, and where their records begin in the log. */
+struct island {
+    uint32_t first, last;
+    size_t start;
+};
+
+struct bonkers_slab {
+    double width; /* of the next slab, s; 0: not known */
+    struct record *log;
+    size_t logged, log_size;
+    struct island *island;
+    size_t islands, island_size;
+    uint64_t redone; /* in this slab */
+    bool collapse, failed;
+};
+
+static struct record record_of(const struct bonkers *b, size_t i)
+{
+    const struct bonkers_body *l = &b->body[i], *r = l + 1;
+    return (struct record){b->due[i],    {l->x, r->x},
+                           {l->v, r->v}, {l->since, r->since},
+                           (uint32_t)i,  b->repeats ? b->repeats[i] : 0};
+}
+
+static void undo(struct bonkers *b, const struct record *r)
+{
+    struct bonkers_body *pair = &b->body[r->gap];
+    for (int k = 0; k < 2; ++k) {
+        pair[k].x = r->x[k];
+        pair[k].v = r->v[k];
+        pair[k].since = r->since[k];
+    }
+    if (b->repeats)
+        b->repeats[r->gap] = r->repeats;
+    renew(b, r->gap);
+}
+
+/* Undoes all but the first `start` records. */
+static void undo_to(struct bonkers *b, size_t start)
+{
+    struct bonkers_slab *s = b->slab;
+    s->redone += s->logged - start;
+    while (s->logged > start)
+        undo(b, &s->log[--s->logged]);
+}
+
+/* Makes room for one more of `size` bytes. */
+static bool make_room(void **array, size_t count, size_t *room, size_t size)
+{
+    if (count < *room)
+        return true;
+    const size_t more = *room * 3 / 2 + 256;
+    void *larger = realloc(*array, more * size);
+    if (!larger)
+        return false;
+    *array = larger;
+    *room = more;
+    return true;
+}
+
+/* The last gap of the chain of gaps due before `end` that begins at last,
+   with never more than one that is not due in between. */
+static size_t chain(const struct bonkers *b, size_t last, double end)
+{
+    for (;;)
+        if (last + 2 < b->gaps && b->due[last + 2] <= end)
+            last += 2;
+        else if (last + 1 < b->gaps && b->due[last + 1] <= end)
+            last += 1;
+        else
+            return last;
+}
+
+/* Schedules the gaps first to last that are due; takes the earliest. */
+static size_t gather(struct bonkers *b, size_t first, size_t last,
+                     double end)
+{
+    for (size_t k = first; k <= last; ++k)
+        if (b->due[k] <= end)
+            schedule_put(&b->schedule, k, b->due[k]);
+    return schedule_take(&b->schedule);
+}
+
+/* Renews the times around gap i, and schedules what has become due. */
+static void post(struct bonkers *b, size_t i, double end)
+{
+    size_t low, high;
+    touched(b, i, &low, &high);
+    for (size_t k = low; k <= high; ++k) {
+        b->due[k] = time_of_gap(&b->body[k]);
+        if (b->due[k] <= end)
+            schedule_put(&b->schedule, k, b->due[k]);
+        else if (b->schedule.count > 0)
+            schedule_drop(&b->schedule, k);
+    }
+}
+
+static bool too_long(const struct bonkers *b)
+{
+    const size_t most = 8 * b->gaps + 65536;
+    return b->slab->logged > most || b->slab->redone > most;
+}
+
+/* Runs the gaps *first to *last, and those they set going, up to the time
+   `end`. Returns false with a larger *first to *last when the island has
+   to be begun again: it has met another. */
+static bool run_island(struct bonkers *b, size_t *first, size_t *last,
+                       double end)
+{
+    struct bonkers_slab *s = b->slab;
+    size_t i = *first;
+    if (*first < *last)
+        i = gather(b, *first, *last, end);
+    for (;;) {
+        if (i < *first) {
+            *first = i;
+            if (s->islands > 0 &&
+                i <= s->island[s->islands - 1].last + (size_t)2)
+                return false;
+        } else if (i > *last) {
+            *last = i;
+            if (i + 2 < b->gaps && b->due[i + 2] <= end) {
+                *last = i + 2;
+                return false;
+            }
+        }
+        if (too_long(b) || !make_room((void **)&s->log, s->logged,
+                                      &s->log_size, sizeof *s->log)) {
+            s->failed = true;
+            return false;
+        }
+        s->log[s->logged++] = record_of(b, i);
+        if (collide_gap(b, i)) {
+            s->collapse = true;
+            schedule_clear(&b->schedule);
+            renew(b, i);
+            return true;
+        }
+        post(b, i, end);
+        if (b->schedule.count == 0)
+            return true;
+        i = schedule_take(&b->schedule);
+    }
+}
+
+/* Runs the island that begins at gap first. Returns the first gap after
+   it that may begin another, or 0 if the slab is too long. */
+static size_t add_island(struct bonkers *b, size_t first, double end)
+{
+    struct bonkers_slab *s = b->slab;
+    size_t start = s->logged, last = chain(b, first, end);
+    while (!run_island(b, &first, &last, end)) {
+        schedule_clear(&b->schedule);
+        undo_to(b, start);
+        if (s->failed)
+            return 0;
+        while (s->islands > 0 &&
+               first <= s->island[s->islands - 1].last + (size_t)2) {
+            const struct island *left = &s->island[--s->islands];
+            start = left->start;
+            first = left->first;
+            undo_to(b, start);
+        }
+        last = chain(b, last, end);
+    }
+    if (!make_room((void **)&s->island, s->islands, &s->island_size,
+                   sizeof *s->island)) {
+        s->failed = true;
+        return 0;
+    }
+    s->island[s->islands++] =
+        (struct island){(uint32_t)first, (uint32_t)last, start};
+    return last + 3;
+}
+
+enum { BLOCK = 256 };
+
+/* Asks for the bodies of a block that will soon be needed. */
+static void fetch(const struct bonkers *b, size_t from)
+{
+#ifdef __GNUC__
+    if (from + BLOCK <= b->gaps)
+        for (size_t i = from; i < from + BLOCK; i += 2)
+            __builtin_prefetch(&b->body[i], 1);
+#else
+    (void)b, (void)from;
+#endif
+}
+
+/* Runs every island up to the time `end`. Returns false when the slab is
+   too long; then what it did must be undone. */
+static bool run_islands(struct bonkers *b, double end)
+{
+    size_t next = 0;
+    for (size_t from = 0; from < b->gaps; from += BLOCK) {
+        const size_t to = from + BLOCK < b->gaps ? from + BLOCK : b->gaps;
+        uint32_t due[BLOCK];
+        size_t count = 0;
+        for (size_t i = next > from ? next : from; i < to; ++i) {
+            due[count] = (uint32_t)i;
+            count += b->due[i] <= end;
+        }
+        fetch(b, to);
+        for (size_t k = 0; k < count; ++k)
+            if (due[k] >= next && !(next = add_island(b, due[k], end)))
+                return false;
+    }
+    return true;
+}
+
+/* Chooses the width of the next slab from the last, of this width; 0 after
+   one in which nothing happened. */
+static void adapt(struct bonkers *b, double width)
+{
+    const double fill =
+        (double)b->slab->logged / (0.15 * (double)b->gaps + 1);
+    b->slab->width = b->slab->logged == 0 ? 0
+                     : fill < 0.5         ? 2 * width
+                     : fill > 2           ? 0.5 * width
+                                          : width / fill;
+}
+
+/* The width where nothing is known: reach twice as far as the next
+   collision. INFINITY if there is none. */
+static double first_width(const struct bonkers *b)
+{
+    const double wait = b->due[schedule_scan(b->due, b->gaps)] - b->now;
+    return wait == INFINITY ? wait
+                            : fmin(fmax(2 * wait, 1e-12 * b->now), DBL_MAX);
+}
+
+/* Runs a slab from now to `end`; undoes it and returns false when it is
+   too long. */
+static bool try_slab(struct bonkers *b, double end)
+{
+    struct bonkers_slab *s = b->slab;
+    s->logged = s->islands = 0;
+    s->redone = 0;
+    s->collapse = s->failed = false;
+    const bool done = run_islands(b, end);
+    if (!done)
+        undo_to(b, 0);
+    b->redone += s->redone;
+    return done;
+}
+
+static bool holds_the_end(const struct bonkers *b, uint64_t limit)
+{
+    return b->slab->collapse || b->slab->logged >= limit - b->collisions;
+}
+
+static enum bonkers_stop run_slab_by_heap(struct bonkers *b, double end,
+                                          uint64_t limit)
+{
+    for (size_t i = 0; i < b->gaps; ++i)
+        reschedule(b, i);
+    const enum bonkers_stop stop = run_heap(b, end, limit);
+    schedule_clear(&b->schedule);
+    b->slab->width = 0; /* begin afresh */
+    return stop;
+}
+
+/* Runs until the time `until`. */
+static enum bonkers_stop run_slabs(struct bonkers *b, double until,
+                                   uint64_t limit)
+{
+    enum bonkers_stop stop = BONKERS_TIME;
+    do {
+        const double begin = b->now;
+        double width = b->slab->width > 0 ? b->slab->width : first_width(b);
+        if (width == INFINITY)
+            return idle(b, until);
+        double end = fmin(fmin(begin + width, DBL_MAX), until);
+        int tries = 4;
+        while (tries > 0 && !try_slab(b, end)) {
+            --tries;
+            width /= 4;
+            end = fmin(begin + width, until);
+        }
+        if (tries == 0 || holds_the_end(b, limit)) {
+            undo_to(b, 0);
+            b->now = begin;
+            stop = run_slab_by_heap(b, end, limit);
+        } else {
+            b->collisions += b->slab->logged;
+            b->now = end;
+            adapt(b, end - begin);
+        }
+    } while (stop == BONKERS_TIME && b->now < until);
+    return stop;
+}
+
+/* By how much rounding may misplace bodies i-1 and i, m. */
+static double rounding(const struct bonkers *b, size_t i)
+{
+    double scale = 0;
+    for (size_t k = i > 0 ? i - 1 : 0; k <= i; ++k) {
+        const double x = fabs(position(&b->body[k], b->now));
+        scale += x > b->extent && x < INFINITY ? x : b->extent;
+        scale += fabs(b->body[k].v) * b->now;
+    }
+    return 8 * DBL_EPSILON * scale;
+}
+
+const char *const bonkers_engine_names[BONKERS_ENGINES + 1] = {
+    "auto", "naive", "scan", "heap", "slab", NULL};
+
+bool bonkers_create(struct bonkers *b, size_t movers, double restitution,
+                    enum bonkers_engine engine)
+{
+    *b = (struct bonkers){.gaps = movers + 1, .restitution = restitution};
+    b->engine = engine != BONKERS_AUTO      ? engine
+                : movers <= BONKERS_SCANNED ? BONKERS_SCAN
+                                            : BONKERS_SLAB;
+    bool enough = (b->body = calloc(movers + 2, sizeof *b->body)) &&
+                  (b->due = malloc(b->gaps * sizeof *b->due)) &&
+                  (b->shift = malloc((movers + 2) * sizeof *b->shift));
+    if (restitution < 1)
+        enough =
+            enough && (b->repeats = calloc(b->gaps, sizeof *b->repeats));
+    if (b->engine == BONKERS_HEAP || b->engine == BONKERS_SLAB)
+        enough = enough && schedule_create(&b->schedule, b->gaps);
+    if (b->engine == BONKERS_SLAB)
+        enough = enough && (b->slab = calloc(1, sizeof *b->slab));
+    if (!enough) {
+        bonkers_free(b);
+        return false;
+    }
+    return true;
+}
+
+void bonkers_free(struct bonkers *b)
+{
+    if (b->slab) {
+        free(b->slab->log);
+        free(b->slab->island);
+    }
+    free(b->slab);
+    free(b->body);
+    free(b->due);
+    free(b->shift);
+    free(b->repeats);
+    schedule_free(&b->schedule);
+    *b = (struct bonkers){0};
+}
+
+/* Subtracts the s_i of (2.2, eq:rods) from the positions. */
+static void take_out_radii(struct bonkers *b, const double radius[])
+{
+    double sum = 0;
+    for (size_t i = 0; i <= b->gaps; ++i) {
+        b->shift[i] = sum + radius[i];
+        b->body[i].x -= b->shift[i];
+        sum += 2 * radius[i];
+    }
+}
+
+size_t bonkers_start(struct bonkers *b, const double radius[])
+{
+    b->extent = 0;
+    for (size_t i = 0; i <= b->gaps; ++i)
+        if (isfinite(b->body[i].x))
+            b->extent = fmax(b->extent, fabs(b->body[i].x));
+    if (radius) {
+        take_out_radii(b, radius);
+    } else {
+        free(b->shift);
+        b->shift = NULL;
+    }
+    for (size_t i = 0; i < b->gaps; ++i) {
+        struct bonkers_body *left = &b->body[i], *right = left + 1;
+        if (!(right->x - left->x >= -rounding(b, i + 1)))
+            return i;
+        if (right->x < left->x)
+            right->x = left->x; /* they touch, but for rounding */
+        b->due[i] = time_of_gap(left);
+        if (b->engine == BONKERS_HEAP)
+            reschedule(b, i);
+    }
+    return b->gaps;
+}
+
+enum bonkers_stop bonkers_run(struct bonkers *b, double until,
+                              uint64_t collisions)
+{
+    if (b->collisions >= collisions)
+        return BONKERS_COLLISIONS;
+    b->begun = b->now;
+    switch (b->engine) {
+    case BONKERS_NAIVE: return run_naive(b, until, collisions);
+    case BONKERS_SCAN: return run_scan(b, until, collisions);
+    case BONKERS_HEAP: return run_heap(b, until, collisions);
+    default: return run_slabs(b, until, collisions);
+    }
+}
+
+bool bonkers_begin(struct bonkers *b, const struct start *s,
+                   double restitution, enum bonkers_engine engine,
+                   size_t *wrong)
+{
+    double *radius = NULL;
+    bool points = true;
+    for (size_t i = 0; i < s->movers; ++i)
+        points = points && s->radius[i] == 0;
+    if (!points) {
+        radius = calloc(s->movers + 2, sizeof *radius);
+        if (!radius)
+            return false;
+        memcpy(radius + 1, s->radius, s->movers * sizeof *radius);
+    }
+    if (!bonkers_create(b, s->movers, restitution, engine)) {
+        free(radius);
+        return false;
+    }
+    b->body[0].x = s->wall[0];
+    b->body[b->gaps].x = s->wall[1];
+    for (size_t i = 0; i < s->movers; ++i)
+        b->body[i + 1] =
+            (struct bonkers_body){s->x[i], s->v[i], 0, 1 / s->mass[i]};
+    *wrong = bonkers_start(b, radius);
+    free(radius);
+    return true;
+}
+
+void bonkers_settle(struct bonkers *b)
+{
+    for (size_t i = 0; i <= b->gaps; ++i) {
+        b->body[i].x =
+            position(&b->body[i], b->now) + (b->shift ? b->shift[i] : 0);
+        b->body[i].since = 0;
+        if (b->repeats && i < b->gaps)
+            b->repeats[i] = 0;
+    }
+    b->now = 0;
+    b->collisions = 0;
+    schedule_clear(&b->schedule);
+}
+
+void bonkers_state(struct bonkers *b, double x[], double v[])
+{
+    const double right = b->body[b->gaps].x;
+    double last = b->body[0].x;
+    for (size_t i = 0; i <= b->gaps; ++i) {
+        const double place = position(&b->body[i], b->now);
+        if (place < last - rounding(b, i))
+            ++b->disorder;
+        last = place < last ? last : place > right ? right : place;
+        x[i] = b->shift ? last + b->shift[i] : last;
+        v[i] = b->body[i].v;
+    }
+}
+
+bool bonkers_is_still(const struct bonkers *b)
+{
+    for (size_t i = 0; i < b->gaps; ++i)
+        if (b->body[i].v > b->body[i + 1].v &&
+            b->body[i + 1].x - b->body[i].x < INFINITY)
+            return false;
+    return true;
+}
+
+double bonkers_energy(const struct bonkers *b)
+{
+    double sum = 0;
+    for (size_t i = 1; i < b->gaps; ++i)
+        sum += b->body[i].v * b->body[i].v / b->body[i].im;
+    return sum / 2;
+}

@@ -1,0 +1,112 @@
+/* From chapters/02-bonkers.nw: edit there, then run make tangle. */
+/* checksum 1741653993 of the lines below */
+#ifndef BONKERS_H
+#define BONKERS_H
+
+#include "line/schedule.h"
+#include "line/start.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* A body on the line: at x + v (t - since) at the time t, until its next
+   collision (2.1, eq:flight). x has the radii taken out (2.2, eq:rods). */
+struct bonkers_body {
+    double x;     /* m */
+    double v;     /* m/s */
+    double since; /* s */
+    double im;    /* inverse mass, 1/kg; 0 is a wall */
+};
+
+/* Ways to find what happens next. All but the naive one give the same
+   bits. AUTO takes the scan up to BONKERS_SCANNED movers, and the slab for
+   more. */
+enum bonkers_engine {
+    BONKERS_AUTO,
+    BONKERS_NAIVE, /* look at every gap, move everybody */
+    BONKERS_SCAN,  /* look at every remembered time, move two */
+    BONKERS_HEAP,  /* keep the earliest on top, move two */
+    BONKERS_SLAB,  /* run far bodies independently for a short time */
+    BONKERS_ENGINES
+};
+
+enum bonkers_stop {
+    BONKERS_TIME,       /* the time was reached */
+    BONKERS_COLLISIONS, /* the number of collisions was reached */
+    BONKERS_STILL,      /* no collision will come any more */
+    BONKERS_COLLAPSE    /* the clock stands still: inelastic collapse */
+};
+
+enum {
+    BONKERS_SCANNED = 32,  /* most movers for which AUTO scans */
+    BONKERS_REPEATS = 100, /* of one gap at one time, and more: collapse */
+    BONKERS_MOVERS = 10000000
+};
+
+/* Bodies between two walls. To be read: body, gaps, now, collisions,
+   disorder, redone. Bodies are 0 (left wall) to gaps (right wall). */
+struct bonkers {
+    struct bonkers_body *body;
+    size_t gaps;   /* one more than there are movers */
+    double now;    /* s */
+    double begun;  /* the time at which the last call began, s */
+    double extent; /* the largest distance from 0 at the start, m */
+    uint64_t collisions;
+    uint64_t disorder; /* pairs that bonkers_state found out of order */
+    uint64_t redone;   /* collisions that the slab engine did twice */
+    enum bonkers_engine engine;
+    double restitution;
+    double *due;       /* when gap i will close, s */
+    double *shift;     /* the s_i of (2.2, eq:rods); NULL: all zero */
+    uint32_t *repeats; /* collisions of gap i at one time; NULL: elastic */
+    struct schedule schedule;
+    struct bonkers_slab *slab;
+};
+
+/* Prepares movers bodies between two walls, all at zero, with restitution
+   from 0 to 1, for an engine. Requires 1 to BONKERS_MOVERS movers. Returns
+   false, with nothing to free, when there is no memory. */
+bool bonkers_create(struct bonkers *b, size_t movers, double restitution,
+                    enum bonkers_engine engine);
+void bonkers_free(struct bonkers *b);
+
+/* Starts the clock at 0 with body[0..gaps] as the caller has filled it in:
+   x (m, the centre), v (m/s) and im (1/kg); radius: of bodies 0 to gaps
+   (m), or NULL for points. An x of -INFINITY or INFINITY is no wall at all
+   on that side. Returns the number of gaps if all is well; otherwise
+   the first gap that is narrower than the two radii or no number. */
+size_t bonkers_start(struct bonkers *b, const double radius[]);
+
+/* Runs until the time `until` (s, INFINITY allowed), the collision number
+   `collisions` or the last collision, whichever comes first, and says
+   which. A collision exactly at `until` takes place. Calls may follow each
+   other; how a run is cut into calls changes no bit of it, except in the
+   naive engine. */
+enum bonkers_stop bonkers_run(struct bonkers *b, double until,
+                              uint64_t collisions);
+
+/* Fills x (m) and v (m/s) with the state of bodies 0 to gaps at b->now,
+   changing nothing but b->disorder. The positions are in order. */
+void bonkers_state(struct bonkers *b, double x[], double v[]);
+
+/* Says whether no collision will come any more. */
+bool bonkers_is_still(const struct bonkers *b);
+
+/* Returns the kinetic energy of the movers, J, summed from the left. */
+double bonkers_energy(const struct bonkers *b);
+
+/* The engines' names, in the order of enum bonkers_engine, then NULL. */
+extern const char *const bonkers_engine_names[BONKERS_ENGINES + 1];
+
+/* Makes and starts a run of s, as bonkers_create and bonkers_start do.
+ *wrong: what bonkers_start has returned. */
+bool bonkers_begin(struct bonkers *b, const struct start *s,
+                   double restitution, enum bonkers_engine engine,
+                   size_t *wrong);
+
+/* Moves every body to where it is at b->now, and sets the clock to 0, with
+   no collisions counted. To go on call bonkers_start with the radii. */
+void bonkers_settle(struct bonkers *b);
+
+#endif

@@ -1,0 +1,431 @@
+/* From chapters/03-equilibrium.nw: edit there, then run make tangle. */
+/* checksum 1400450570 of the lines below */
+#include "line/statistics.h"
+
+#include <assert.h>
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+
+struct statistics_moments statistics_moments(size_t n, const double x[])
+{
+    struct statistics_moments m = {.least = x[0], .greatest = x[0]};
+    double sum = 0, first = 0, square = 0, cube = 0, fourth = 0;
+    assert(n >= 2);
+    for (size_t i = 0; i < n; ++i)
+        sum += x[i];
+    m.mean = sum / (double)n;
+    for (size_t i = 0; i < n; ++i) {
+        const double d = x[i] - m.mean;
+        first += d;
+        square += d * d;
+        cube += d * d * d;
+        fourth += d * d * d * d;
+        m.least = fmin(m.least, x[i]);
+        m.greatest = fmax(m.greatest, x[i]);
+    }
+    const double rest = first * first / (double)n;
+    m.variance = fmax(square - rest, 0) / (double)(n - 1);
+    m.third = cube / (double)n;
+    m.fourth = fourth / (double)n;
+    return m;
+}
+
+struct statistics_histogram *statistics_histogram_create(double low,
+                                                         double high,
+                                                         size_t bins)
+{
+    struct statistics_histogram *h;
+    assert(low < high && isfinite(high - low) && bins > 0);
+    h = calloc(1, sizeof *h + bins * sizeof h->count[0]);
+    if (h) {
+        h->low = low;
+        h->high = high;
+        h->bins = bins;
+    }
+    return h;
+}
+
+void statistics_histogram_add(struct statistics_histogram *h, double x)
+{
+    const double place =
+        (x - h->low) / (h->high - h->low) * (double)h->bins;
+    ++h->total;
+    if (x < h->low)
+        ++h->below;
+    else if (x > h->high)
+        ++h->above;
+    else
+        ++h->count[place < (double)h->bins ? (size_t)place : h->bins - 1];
+}
+
+double statistics_histogram_edge(const struct statistics_histogram *h,
+                                 size_t i)
+{
+    return h->low + (h->high - h->low) * ((double)i / (double)h->bins);
+}
+
+double statistics_histogram_density(const struct statistics_histogram *h,
+                                    size_t i)
+{
+    const double width = (h->high - h->low) / (double)h->bins;
+    return (double)h->count[i] / ((double)h->total * width);
+}
+
+double statistics_histogram_error(const struct statistics_histogram *h,
+                                  size_t i, double inefficiency)
+{
+    const double width = (h->high - h->low) / (double)h->bins;
+    const double n = (double)h->total / inefficiency; /* independent */
+    const double share = (double)h->count[i] / (double)h->total;
+    const double p = fmin(fmax(share, 1 / n), 1 - 1 / n);
+    return sqrt(p * (1 - p) / n) / width;
+}
+
+size_t statistics_bins(size_t n, double low, double high, double sd)
+{
+    const double width = 3.49 * sd / cbrt((double)n);
+    const double bins = ceil((high - low) / width);
+    return bins >= 1 && bins <= 1000 ? (size_t)bins : bins < 1 ? 1 : 1000;
+}
+
+double statistics_gaussian_between(double mean, double sd, double a,
+                                   double b)
+{
+    const double from = (a - mean) / (sd * sqrt(2));
+    const double to = (b - mean) / (sd * sqrt(2));
+    if (from > 0)
+        return 0.5 * (erfc(from) - erfc(to));
+    return 0.5 * (erfc(-to) - erfc(-from));
+}
+
+/* (z^power) phi(z) / sd, with z = (x - mean) / sd. */
+static double bell(double x, double mean, double sd, int power)
+{
+    const double z = (x - mean) / sd;
+    if (isinf(z))
+        return 0;
+    return exp(-z * z / 2) / (sd * sqrt(8 * atan(1))) * (power ? z : 1);
+}
+
+struct newton {
+    double score[2], information[3]; /* I: mean-mean, mean-sd, sd-sd */
+};
+
+static void add_bin(struct newton *s, double mean, double sd, double a,
+                    double b, double count, double total)
+{
+    const double p =
+        fmax(statistics_gaussian_between(mean, sd, a, b), DBL_MIN);
+    const double slope[2] = {bell(a, mean, sd, 0) - bell(b, mean, sd, 0),
+                             bell(a, mean, sd, 1) - bell(b, mean, sd, 1)};
+    for (int k = 0; k < 2; ++k)
+        s->score[k] += count / p * slope[k];
+    s->information[0] += total * slope[0] * slope[0] / p;
+    s->information[1] += total * slope[0] * slope[1] / p;
+    s->information[2] += total * slope[1] * slope[1] / p;
+}
+
+static struct newton newton_sums(const struct statistics_histogram *h,
+                                 double mean, double sd)
+{
+    struct newton s = {{0, 0}, {0, 0, 0}};
+    const double n = (double)h->total;
+    add_bin(&s, mean, sd, -INFINITY, h->low, (double)h->below, n);
+    for (size_t i = 0; i < h->bins; ++i)
+        add_bin(&s, mean, sd, statistics_histogram_edge(h, i),
+                statistics_histogram_edge(h, i + 1), (double)h->count[i],
+                n);
+    add_bin(&s, mean, sd, h->high, INFINITY, (double)h->above, n);
+    return s;
+}
+
+static bool moments_of_bins(const struct statistics_histogram *h,
+                            double *mean, double *sd)
+{
+    const double half = (h->high - h->low) / (double)h->bins / 2;
+    double inside = 0, sum = 0, square = 0;
+    for (size_t i = 0; i < h->bins; ++i) {
+        const double x = statistics_histogram_edge(h, i) + half - h->low;
+        inside += (double)h->count[i];
+        sum += (double)h->count[i] * x;
+        square += (double)h->count[i] * x * x;
+    }
+    *mean = h->low + sum / inside;
+    *sd = sqrt(square / inside - sum / inside * (sum / inside));
+    return inside > 0 && *sd > 0;
+}
+
+static void hold_against(const struct statistics_histogram *h, double g,
+                         struct statistics_gaussian *fit)
+{
+    const double n = (double)h->total;
+    double from = -INFINITY, found = (double)h->below;
+    size_t groups = 0;
+    fit->chi2 = 0;
+    for (size_t i = 0; i <= h->bins + 1; ++i) {
+        const bool last = i > h->bins;
+        const double to = last ? INFINITY : statistics_histogram_edge(h, i);
+        const double expected =
+            n * statistics_gaussian_between(fit->mean, fit->sd, from, to);
+        const double rest = n * statistics_gaussian_between(
+                                    fit->mean, fit->sd, to, INFINITY);
+        if (last || (expected >= 5 && rest >= 5)) {
+            fit->chi2 +=
+                (found - expected) * (found - expected) / expected / g;
+            ++groups;
+            from = to;
+            found = 0;
+        }
+        if (!last)
+            found += (double)(i < h->bins ? h->count[i] : h->above);
+    }
+    fit->degrees = groups > 3 ? groups - 3 : 0;
+}
+
+bool statistics_fit_gaussian(const struct statistics_histogram *h, double g,
+                             struct statistics_gaussian *fit)
+{
+    double mean, sd;
+    if (!moments_of_bins(h, &mean, &sd))
+        return false;
+    for (int step = 0; step < 100; ++step) {
+        const struct newton s = newton_sums(h, mean, sd);
+        const double *in = s.information;
+        const double determinant = in[0] * in[2] - in[1] * in[1];
+        if (!(determinant > 0))
+            return false;
+        const double to_mean =
+            (in[2] * s.score[0] - in[1] * s.score[1]) / determinant;
+        const double to_sd =
+            (in[0] * s.score[1] - in[1] * s.score[0]) / determinant;
+        mean += fmax(fmin(to_mean, sd), -sd);
+        sd += fmax(fmin(to_sd, sd), -sd / 2);
+        if (hypot(to_mean, to_sd) < 1e-9 * sd) {
+            *fit = (struct statistics_gaussian){mean, sd, 0, 0, 0, 0};
+            fit->mean_error = sqrt(g * in[2] / determinant);
+            fit->sd_error = sqrt(g * in[0] / determinant);
+            hold_against(h, g, fit);
+            return true;
+        }
+    }
+    return false;
+}
+
+static struct statistics_block error_of_blocks(size_t n, const double x[],
+                                               size_t length)
+{
+    const struct statistics_moments m = statistics_moments(n, x);
+    struct statistics_block b = {.length = length, .blocks = n};
+    b.error = sqrt(m.variance / (double)n);
+    b.uncertainty = b.error / sqrt(2 * (double)(n - 1));
+    return b;
+}
+
+static void choose_level(struct statistics_blocking *b)
+{
+    const double naive = b->level[0].error;
+    const double n = (double)b->level[0].blocks;
+    b->chosen = 0;
+    b->plateau = naive == 0; /* a constant has no error to wait for */
+    b->inefficiency = 1;
+    for (size_t k = 0; k < b->levels && naive > 0; ++k) {
+        const struct statistics_block *l = &b->level[k];
+        const double g = l->error * l->error / (naive * naive);
+        if (l->blocks < STATISTICS_FEWEST_BLOCKS)
+            break;
+        const double length = (double)l->length;
+        const double least = b->level[b->chosen].error;
+        const bool rule = length * length * length >= 2 * n * g * g;
+        const bool sure = l->blocks >= 4 * STATISTICS_FEWEST_BLOCKS;
+        if (b->plateau ? sure && l->error - l->uncertainty > least
+                       : rule || l->error > least) {
+            b->chosen = k;
+            b->inefficiency = g;
+        }
+        b->plateau = b->plateau || rule; /* (3.16, eq:choice) */
+    }
+    b->error = b->level[b->chosen].error;
+}
+
+bool statistics_blocking(size_t n, const double x[],
+                         struct statistics_blocking *b)
+{
+    double *block = malloc(n * sizeof block[0]);
+    size_t length = 1;
+    if (!block)
+        return false;
+    for (size_t i = 0; i < n; ++i)
+        block[i] = x[i];
+    for (b->levels = 0; n >= 2 && b->levels < STATISTICS_LEVELS;) {
+        b->level[b->levels++] = error_of_blocks(n, block, length);
+        n /= 2;
+        length *= 2;
+        for (size_t i = 0; i < n; ++i) /* an odd one is left out */
+            block[i] = (block[2 * i] + block[2 * i + 1]) / 2;
+    }
+    free(block);
+    choose_level(b);
+    return true;
+}
+
+double statistics_covariance(size_t n, const double x[], double mean,
+                             size_t lag)
+{
+    double sum = 0;
+    assert(lag < n);
+    for (size_t i = 0; i + lag < n; ++i)
+        sum += (x[i] - mean) * (x[i + lag] - mean);
+    return sum / (double)(n - lag);
+}
+
+struct statistics_correlation statistics_correlation(size_t n,
+                                                     const double x[])
+{
+    struct statistics_correlation c = {.inefficiency = 1};
+    const double mean = statistics_moments(n, x).mean;
+    const double variance = statistics_covariance(n, x, mean, 0);
+    double g = 1;
+    while (variance > 0 && !c.settled && c.window < n / 8) {
+        ++c.window;
+        g += 2 * statistics_covariance(n, x, mean, c.window) / variance;
+        c.settled = (double)c.window >= fmax(3 * g, 6);
+    }
+    c.settled = c.settled || variance == 0;
+    const double lags = 2 * (double)c.window + 1;
+    c.inefficiency = fmax(g * (1 + lags / (double)n), 0);
+    c.uncertainty = c.inefficiency * sqrt(2 * lags / (double)n);
+    c.error = sqrt(variance * c.inefficiency / (double)n);
+    return c;
+}
+
+enum number { MEAN, VARIANCE, KURTOSIS };
+
+static void additions(size_t n, const double x[], double y[],
+                      const struct statistics_moments *m, enum number of)
+{
+    const double v = m->variance, kurtosis = m->fourth / (v * v);
+    const double skew = 4 * m->third / (v * v);
+    for (size_t i = 0; i < n; ++i) {
+        const double d = x[i] - m->mean, square = d * d;
+        y[i] = of == MEAN       ? x[i]
+               : of == VARIANCE ? square
+                                : square * square / (v * v) -
+                                      2 * kurtosis / v * square - skew * d;
+    }
+}
+
+static bool error_of(size_t n, const double y[], bool serial,
+                     struct statistics_description *d, double *error)
+{
+    struct statistics_blocking b;
+    if (!serial) {
+        *error = error_of_blocks(n, y, 1).error;
+        return true;
+    }
+    if (!statistics_blocking(n, y, &b))
+        return false;
+    *error = b.error;
+    d->inefficiency = fmax(d->inefficiency, b.inefficiency);
+    d->plateau = d->plateau && b.plateau;
+    if (b.level[b.chosen].length > d->block)
+        d->block = b.level[b.chosen].length;
+    return true;
+}
+
+bool statistics_describe(size_t n, const double x[], bool serial,
+                         struct statistics_description *d)
+{
+    const struct statistics_moments m = statistics_moments(n, x);
+    double *y = calloc(n, sizeof y[0]);
+    if (!y)
+        return false;
+    *d = (struct statistics_description){
+        .n = n, .least = m.least, .greatest = m.greatest, .mean = m.mean};
+    d->sd = sqrt(m.variance);
+    d->kurtosis = m.variance > 0 ? m.fourth / (m.variance * m.variance) : 0;
+    d->naive_error = d->sd / sqrt((double)n);
+    d->inefficiency = 1;
+    d->plateau = true;
+    bool done = error_of(n, x, serial, d, &d->mean_error);
+    if (m.variance > 0) {
+        additions(n, x, y, &m, VARIANCE);
+        done = done && error_of(n, y, serial, d, &d->sd_error);
+        d->sd_error /= 2 * d->sd;
+        const double inefficiency = d->inefficiency;
+        additions(n, x, y, &m, KURTOSIS);
+        done = done && error_of(n, y, serial, d, &d->kurtosis_error);
+        d->inefficiency = inefficiency;
+    }
+    free(y);
+    return done;
+}
+
+struct placed {
+    double value;
+    size_t place;
+};
+
+static int by_value(const void *a, const void *b)
+{
+    const struct placed *p = a, *q = b;
+    return (p->value > q->value) - (p->value < q->value);
+}
+
+/* Sorts a copy of x and numbers the samples by the cell of their rank;
+   returns the numbers, for free, or NULL. */
+static size_t *cells_of(size_t n, const double x[], size_t cells)
+{
+    struct placed *sorted = malloc(n * sizeof sorted[0]);
+    size_t *cell = malloc(n * sizeof cell[0]);
+    for (size_t i = 0; sorted && cell && i < n; ++i)
+        sorted[i] = (struct placed){x[i], i};
+    if (sorted && cell)
+        qsort(sorted, n, sizeof sorted[0], by_value);
+    for (size_t i = 0; sorted && cell && i < n; ++i)
+        cell[sorted[i].place] =
+            (size_t)((double)i * (double)cells / (double)n);
+    if (!sorted)
+        free(cell);
+    free(sorted);
+    return sorted ? cell : NULL;
+}
+
+static bool count_table(size_t n, const double x[], const double y[],
+                        size_t cells, struct statistics_dependence *d)
+{
+    size_t *row = cells_of(n, x, cells), *column = cells_of(n, y, cells);
+    double *count = calloc(cells * cells, sizeof count[0]);
+    const double expected = (double)n / (double)(cells * cells);
+    const bool done = row && column && count;
+    for (size_t i = 0; done && i < n; ++i)
+        ++count[row[i] * cells + column[i]];
+    d->chi2 = 0;
+    for (size_t k = 0; done && k < cells * cells; ++k)
+        d->chi2 += (count[k] - expected) * (count[k] - expected) / expected;
+    d->degrees = (cells - 1) * (cells - 1);
+    free(row);
+    free(column);
+    free(count);
+    return done;
+}
+
+bool statistics_dependence(size_t n, const double x[], const double y[],
+                           size_t cells, bool serial,
+                           struct statistics_dependence *d)
+{
+    struct statistics_description unused = {0};
+    const struct statistics_moments a = statistics_moments(n, x);
+    const struct statistics_moments b = statistics_moments(n, y);
+    const double scale = sqrt(a.variance * b.variance);
+    double *product = malloc(n * sizeof product[0]);
+    bool done = product && scale > 0;
+    d->correlation = d->error = 0;
+    for (size_t i = 0; done && i < n; ++i) {
+        product[i] = (x[i] - a.mean) * (y[i] - b.mean) / scale;
+        d->correlation += product[i] / (double)n;
+    }
+    done = done && error_of(n, product, serial, &unused, &d->error);
+    free(product);
+    return done && count_table(n, x, y, cells, d);
+}

@@ -1,0 +1,160 @@
+/* From chapters/08-scenes.nw: edit there, then run make tangle. */
+/* checksum 68219007 of the lines below */
+#include "scenes/decimal.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+/* The number (-1)^negative digits 10^exponent. */
+struct decimal {
+    uint64_t digits;
+    int exponent;
+    bool negative, whole; /* whole: every digit is in it */
+};
+
+static bool is_digit(char c)
+{
+    return '0' <= c && c <= '9';
+}
+
+/* Reads digits with a point or without; returns where they end, or NULL
+   when there is no digit. */
+static const char *read_digits(const char *c, const char *end,
+                               struct decimal *d)
+{
+    bool point = false, any = false;
+    for (; c < end && (is_digit(*c) || (*c == '.' && !point)); ++c) {
+        if (*c == '.') {
+            point = true;
+            continue;
+        }
+        any = true;
+        if (d->digits < UINT64_MAX / 10 - 1) {
+            d->digits = 10 * d->digits + (uint64_t)(*c - '0');
+            d->exponent -= point;
+        } else {
+            d->whole = false;
+            d->exponent += !point;
+        }
+    }
+    return any ? c : NULL;
+}
+
+/* Reads the digits after an e; returns where they end, or NULL. */
+static const char *read_exponent(const char *c, const char *end,
+                                 struct decimal *d)
+{
+    int exponent = 0;
+    const bool negative = c < end && *c == '-';
+    if (c < end && (*c == '-' || *c == '+'))
+        ++c;
+    if (c == end || !is_digit(*c))
+        return NULL;
+    for (; c < end && is_digit(*c); ++c)
+        if (exponent < 100000)
+            exponent = 10 * exponent + (*c - '0');
+    d->exponent += negative ? -exponent : exponent;
+    return c;
+}
+
+static bool find_decimal(const char *c, size_t length, struct decimal *d)
+{
+    const char *end = c + length;
+    *d = (struct decimal){.whole = true};
+    if (c < end && (*c == '-' || *c == '+'))
+        d->negative = *c++ == '-';
+    c = read_digits(c, end, d);
+    if (c && c < end && (*c == 'e' || *c == 'E'))
+        c = read_exponent(c + 1, end, d);
+    return c == end;
+}
+
+enum { POWERS = 23 };
+static const double power[POWERS] = {
+    1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+    1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+
+static bool is_easy(const struct decimal *d)
+{
+    return FLT_EVAL_METHOD == 0 && d->whole && abs(d->exponent) < POWERS;
+}
+
+static double round_short(const struct decimal *d)
+{
+    const double w = (double)d->digits, p = power[abs(d->exponent)];
+    return d->exponent < 0 ? w / p : w * p;
+}
+
+/* What rounding has taken from the product a * b. */
+static double lost_product(double a, double b, double product)
+{
+    const double split = 134217729; /* 2^27 + 1 */
+    const double a1 = split * a - (split * a - a), a2 = a - a1;
+    const double b1 = split * b - (split * b - b), b2 = b - b1;
+    return ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2;
+}
+
+/* Rounds an easy number of more than 53 bits. Returns false if it cannot be
+   sure. */
+static bool round_pair(const struct decimal *d, double *value)
+{
+    const double high = (double)(d->digits & ~(uint64_t)2047);
+    const double low = (double)(d->digits & 2047);
+    const double p = power[abs(d->exponent)];
+    const double head = d->exponent < 0 ? high / p : high * p;
+    double tail;
+    if (d->exponent < 0) {
+        const double back = head * p;
+        tail = ((high - back) - lost_product(head, p, back) + low) / p;
+    } else {
+        tail = lost_product(high, p, head) + low * p;
+    }
+    const double doubt = 0x1p-90 * head;
+    *value = head + tail;
+    return head + (tail - doubt) == head + (tail + doubt);
+}
+
+static double round_by_library(const char *c, size_t length)
+{
+    char text[DECIMAL_LONGEST + 16];
+    const char *end = c + length;
+    struct decimal d = {.whole = true};
+    bool point = false;
+    size_t n = 0;
+    for (; c < end && *c != 'e' && *c != 'E'; ++c)
+        if (*c == '.') {
+            point = true;
+        } else {
+            text[n++] = *c;
+            d.exponent -= point;
+        }
+    if (c < end)
+        read_exponent(c + 1, end, &d);
+    snprintf(text + n, sizeof text - n, "e%d", d.exponent);
+    return strtod(text, NULL);
+}
+
+enum decimal_way decimal_read(const char *text, size_t length,
+                              double *value)
+{
+    const uint64_t exact = (uint64_t)1 << 53;
+    enum decimal_way way = DECIMAL_STRTOD;
+    struct decimal d;
+    if (length > DECIMAL_LONGEST || !find_decimal(text, length, &d))
+        return DECIMAL_NONE;
+    if (is_easy(&d) && d.digits <= exact) {
+        way = DECIMAL_SHORT;
+        *value = round_short(&d);
+    } else if (is_easy(&d) && round_pair(&d, value)) {
+        way = DECIMAL_PAIR;
+    } else {
+        *value = fabs(round_by_library(text, length));
+    }
+    if (d.negative)
+        *value = -*value;
+    return isfinite(*value) ? way : DECIMAL_NONE;
+}

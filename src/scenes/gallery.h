@@ -1,0 +1,61 @@
+/* From chapters/08-scenes.nw: edit there, then run make tangle. */
+/* checksum 2718848372 of the lines below */
+#ifndef GALLERY_H
+#define GALLERY_H
+
+#include "scenes/scene.h"
+
+/* A number with which a scene is made, as in --particles 3072. */
+struct gallery_key {
+    const char *name; /* without the dashes; NULL ends the list */
+    double usual, low, high;
+    bool whole;       /* takes whole numbers only */
+    const char *help; /* one phrase, with the unit */
+};
+
+enum { GALLERY_KEYS = 15 }; /* of a scene, at most */
+
+/* A scene that can be made. */
+struct gallery_scene {
+    const char *name, *about; /* a name of NULL ends a list */
+    struct gallery_key key[GALLERY_KEYS + 1];
+    /* Makes the scene; value[k] belongs to key[k]. Returns NULL, or says
+       what is wrong with the values, and then there is nothing to free. */
+    const char *(*build)(struct scene *s, const double value[]);
+};
+
+/* A value for a key; a list of choices ends with a key of NULL. */
+struct gallery_choice {
+    const char *key;
+    double value;
+};
+
+/* The scenes of chapters 9, 10 and 11. */
+extern const struct gallery_scene celestial_scenes[];
+extern const struct gallery_scene elastic_scenes[];
+extern const struct gallery_scene hard_scenes[];
+
+/* Returns the scene of this name, or NULL when the list has none. */
+const struct gallery_scene *gallery_find(const struct gallery_scene list[],
+                                         const char *name);
+
+/* Fills value with the usual values of the keys; returns how many. */
+size_t gallery_usual(const struct gallery_scene *g,
+                     double value[GALLERY_KEYS]);
+
+/* Returns which of the scene's keys has this name, or their number. */
+size_t gallery_key(const struct gallery_scene *g, const char *name);
+
+/* Makes the scene of this name with its usual values, but for those that
+   are chosen (NULL: none). Returns as build does, and says so when there is
+   no such scene or key. */
+const char *gallery_choose(struct scene *s,
+                           const struct gallery_scene list[],
+                           const char *name,
+                           const struct gallery_choice chosen[]);
+
+/* The same for a scene that was found and one choice: name may be NULL. */
+const char *gallery_make(struct scene *s, const struct gallery_scene *g,
+                         const char *name, double value);
+
+#endif

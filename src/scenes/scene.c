@@ -1,0 +1,828 @@
+/* From chapters/08-scenes.nw: edit there, then run make tangle. */
+/* checksum 471421571 of the lines below */
+#include "scenes/scene.h"
+
+#include "scenes/decimal.h"
+#include "toolbox/room.h"
+
+#include <assert.h>
+#include <errno.h>
+#include <inttypes.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+bool scene_create(struct scene *s, size_t bodies)
+{
+    const size_t axes = SCENE_AXES;
+    *s = (struct scene){.bodies = bodies, .restitution = 1};
+    s->mass = calloc(bodies, sizeof *s->mass);
+    s->charge = calloc(bodies, sizeof *s->charge);
+    s->radius = calloc(bodies, sizeof *s->radius);
+    s->position = room_doubles(axes * bodies);
+    s->velocity = room_doubles(axes * bodies);
+    s->freedom = calloc(bodies, axes);
+    s->colour = calloc(bodies, axes * sizeof *s->colour);
+    s->species = calloc(bodies, sizeof *s->species);
+    if (!s->mass || !s->charge || !s->radius || !s->position ||
+        !s->velocity || !s->freedom || !s->colour || !s->species) {
+        scene_free(s);
+        return false;
+    }
+    memset(s->freedom, 1, axes * bodies);
+    for (size_t i = 0; i < bodies; ++i)
+        s->mass[i] = 1;
+    return true;
+}
+
+void scene_free(struct scene *s)
+{
+    free(s->mass);
+    free(s->charge);
+    free(s->radius);
+    free(s->position);
+    free(s->velocity);
+    free(s->freedom);
+    free(s->colour);
+    free(s->species);
+    free(s->carry);
+    free(s->kept);
+    free(s->kind);
+    free(s->spring);
+    *s = (struct scene){0};
+}
+
+/* A copy of a list that has room for a power of two; NULL: no memory. */
+static void *copy_list(const void *list, size_t count, size_t size)
+{
+    size_t room = 1;
+    while (room < count)
+        room *= 2;
+    void *copy = malloc(room * size);
+    if (copy && count > 0)
+        memcpy(copy, list, count * size);
+    return copy;
+}
+
+/* Copies the lists that may be NULL. false: no memory. */
+static bool copy_rare(struct scene *to, const struct scene *from)
+{
+    const size_t n = from->bodies, size = sizeof(double);
+    if (from->carry)
+        to->carry = copy_list(from->carry, 6 * n, size);
+    if (from->kept)
+        to->kept = copy_list(from->kept, 3 * n, size);
+    return !to->carry == !from->carry && !to->kept == !from->kept;
+}
+
+bool scene_copy(struct scene *to, const struct scene *from)
+{
+    const size_t n = from->bodies;
+    struct scene c = *from;
+    c.mass = copy_list(from->mass, n, sizeof *c.mass);
+    c.charge = copy_list(from->charge, n, sizeof *c.charge);
+    c.radius = copy_list(from->radius, n, sizeof *c.radius);
+    c.position = copy_list(from->position, 3 * n, sizeof *c.position);
+    c.velocity = copy_list(from->velocity, 3 * n, sizeof *c.velocity);
+    c.freedom = copy_list(from->freedom, 3 * n, 1);
+    c.colour = copy_list(from->colour, 3 * n, sizeof *c.colour);
+    c.species = copy_list(from->species, n, sizeof *c.species);
+    c.kind = copy_list(from->kind, from->kinds, sizeof *c.kind);
+    c.spring = copy_list(from->spring, from->springs, sizeof *c.spring);
+    const bool rare = copy_rare(&c, from);
+    *to = c;
+    if (c.mass && c.charge && c.radius && c.position && c.velocity &&
+        c.freedom && c.colour && c.species && c.kind && c.spring && rare)
+        return true;
+    scene_free(to);
+    return false;
+}
+
+void scene_take_state(struct scene *s, const struct scene *from)
+{
+    const size_t size = SCENE_AXES * s->bodies * sizeof *s->position;
+    memcpy(s->position, from->position, size);
+    memcpy(s->velocity, from->velocity, size);
+}
+
+/* Returns the list with room for one item more than the count of it, or
+   NULL. The list has room for a power of two. */
+static void *make_room(void *list, size_t count, size_t size)
+{
+    if ((count & (count - 1)) != 0)
+        return list;
+    return realloc(list, (count > 0 ? 2 * count : 1) * size);
+}
+
+bool scene_add_kind(struct scene *s, double stiffness, double damping)
+{
+    struct scene_kind *kind = make_room(s->kind, s->kinds, sizeof *s->kind);
+    if (!kind)
+        return false;
+    s->kind = kind;
+    kind[s->kinds++] =
+        (struct scene_kind){.stiffness = stiffness, .damping = damping};
+    return true;
+}
+
+static double distance(const struct scene *s, size_t a, size_t b)
+{
+    double sum = 0;
+    for (size_t k = 0; k < SCENE_AXES; ++k) {
+        const double *x = s->position + k * s->bodies;
+        sum += (x[b] - x[a]) * (x[b] - x[a]);
+    }
+    return sqrt(sum);
+}
+
+bool scene_add_spring(struct scene *s, size_t a, size_t b, size_t kind,
+                      double rest)
+{
+    assert(a < s->bodies && b < s->bodies && kind < s->kinds);
+    struct scene_spring *spring =
+        make_room(s->spring, s->springs, sizeof *s->spring);
+    if (!spring)
+        return false;
+    s->spring = spring;
+    spring[s->springs++] =
+        (struct scene_spring){(uint32_t)a, (uint32_t)b, (uint32_t)kind,
+                              rest < 0 ? distance(s, a, b) : rest};
+    return true;
+}
+
+/* Part of a text. */
+struct piece {
+    const char *start;
+    size_t length;
+};
+
+/* The sorts of lines. Those of a body each body may have once. */
+enum { POS, VEL, VFIX, DIS, SPECIES, CARRY, KEPT };    /* of a body */
+enum { S = KEPT + 1, SL, DASHPOT };                    /* of springs */
+enum { GRAV = DASHPOT + 1, DAMP, K2, SOFT, DT, TIME }; /* of all */
+enum { CONTACT = TIME + 1, RESTITUTION, BOX, WALLS, LINES }; /* of a box */
+
+enum { MOST_FIELDS = 10 };
+
+struct reader {
+    struct scene *scene;
+    struct scene_error *error;
+    const char *next, *end;                /* what is left of the line */
+    size_t line;                           /* its number */
+    struct piece first, word[MOST_FIELDS]; /* its first word, the others */
+    size_t lines[LINES], read[LINES];      /* in the text, and so far */
+    unsigned char *seen; /* [bodies + kinds] the lines each has had */
+};
+
+static bool is_blank(char c)
+{
+    return c == ' ' || c == '\t' || c == '\r';
+}
+
+/* The next word of the line; of no length at its end. */
+static struct piece next_word(struct reader *r)
+{
+    while (r->next < r->end && is_blank(*r->next))
+        ++r->next;
+    const char *start = r->next;
+    while (r->next < r->end && !is_blank(*r->next))
+        ++r->next;
+    return (struct piece){start, (size_t)(r->next - start)};
+}
+
+/* Writes a word for a message: short, and only what can be printed. */
+static void quote(struct piece p, char text[], size_t size)
+{
+    const size_t most = 40;
+    if (p.length == 0) {
+        snprintf(text, size, "the end of the line");
+        return;
+    }
+    const int length = (int)(p.length < most ? p.length : most);
+    snprintf(text, size, "'%.*s%s'", length, p.start,
+             p.length > most ? "..." : "");
+    for (char *c = text; *c; ++c)
+        if (*c < ' ' || *c > '~')
+            *c = '?';
+}
+
+/* Says what was found and, as printf does, what was expected. */
+static bool fail(struct reader *r, struct piece found, const char *format,
+                 ...)
+{
+    char word[64];
+    va_list values;
+    quote(found, word, sizeof word);
+    r->error->line = r->line;
+    char *text = r->error->text;
+    const size_t size = sizeof r->error->text;
+    const int n = snprintf(text, size, "found %s, expected ", word);
+    va_start(values, format);
+    vsnprintf(text + n, size - (size_t)n, format, values);
+    va_end(values);
+    return false;
+}
+
+/* What stands on a line. A mark before a name: @ a body, & a kind of
+   spring, # a whole number, + not negative, > more than 0, % from 0 to 1,
+   ! 0 or 1, | what a wall is, = the word axial; ; what may be left out. */
+struct line {
+    const char *word, *fields;
+    int pass; /* over the text, in which it is read */
+    /* What is done with the values; without it they go to the scene, this
+       many bytes from its beginning. */
+    bool (*take)(struct reader *r, const double value[], size_t count);
+    size_t place;
+};
+
+struct field {
+    char mark; /* 0: none */
+    const char *name;
+    int length;
+    bool optional;
+};
+
+static struct field next_field(const char **fields)
+{
+    struct field f = {0};
+    const char *c = *fields;
+    f.optional = *c == ';';
+    c += f.optional;
+    if (strchr("@&#+>%!|=", *c))
+        f.mark = *c++;
+    f.name = c;
+    f.length = (int)strcspn(c, " ");
+    c += f.length;
+    *fields = *c ? c + 1 : c;
+    return f;
+}
+
+static bool read_whole(struct piece p, double *value)
+{
+    *value = 0;
+    for (size_t i = 0; i < p.length; ++i) {
+        const int digit = p.start[i] - '0';
+        if (digit < 0 || digit > 9 || i >= 10)
+            return false;
+        *value = 10 * *value + digit;
+    }
+    return p.length > 0 && *value <= UINT32_MAX;
+}
+
+static bool is_word(struct piece p, const char *word)
+{
+    return strlen(word) == p.length && memcmp(word, p.start, p.length) == 0;
+}
+
+static bool read_choice(struct piece p, const char *const names[],
+                        double *value)
+{
+    for (size_t i = 0; names[i]; ++i)
+        if (is_word(p, names[i])) {
+            *value = (double)i;
+            return true;
+        }
+    return false;
+}
+
+static const char *const wall_names[] = {"open", "hard", "periodic", NULL};
+static const char *const axial_names[] = {"axial", NULL};
+
+static bool read_value(const struct reader *r, char mark, struct piece p,
+                       double *value)
+{
+    switch (mark) {
+    case '@': return read_whole(p, value) && *value < r->lines[POS];
+    case '&': return read_whole(p, value) && *value < r->lines[S];
+    case '#': return read_whole(p, value);
+    case '|': return read_choice(p, wall_names, value);
+    case '=': return read_choice(p, axial_names, value);
+    }
+    return decimal_read(p.start, p.length, value) != DECIMAL_NONE &&
+           (mark == '+'   ? *value >= 0
+            : mark == '>' ? *value > 0
+            : mark == '%' ? *value >= 0 && *value <= 1
+            : mark == '!' ? *value == 0 || *value == 1
+                          : true);
+}
+
+static const char *describe(char mark)
+{
+    switch (mark) {
+    case '#': return "a whole number";
+    case '+': return "a number not below 0";
+    case '>': return "a number above 0";
+    case '%': return "a number from 0 to 1";
+    case '!': return "0 (fixed) or 1 (free)";
+    case '|': return "open, hard or periodic";
+    case '=': return "axial";
+    }
+    return "a number";
+}
+
+static bool refuse_value(struct reader *r, const struct field *f,
+                         struct piece p)
+{
+    const bool body = f->mark == '@';
+    const char *word = body ? "pos" : "s";
+    const size_t n = r->lines[body ? POS : S];
+    if (!body && f->mark != '&')
+        return fail(r, p, "%.*s: %s", f->length, f->name,
+                    describe(f->mark));
+    if (n == 0)
+        return fail(r, p, "%.*s, but there is no line %s", f->length,
+                    f->name, word);
+    return fail(r, p, "%.*s: 0 to %zu (lines %s: %zu)", f->length, f->name,
+                n - 1, word, n);
+}
+
+/* Reads the rest of a line into value and *count. */
+static bool read_fields(struct reader *r, const char *fields,
+                        double value[], size_t *count)
+{
+    for (*count = 0; *fields; ++*count) {
+        const struct field f = next_field(&fields);
+        const struct piece p = next_word(r);
+        r->word[*count] = p;
+        if (p.length == 0 && f.optional)
+            return true;
+        if (!read_value(r, f.mark, p, &value[*count]))
+            return refuse_value(r, &f, p);
+    }
+    const struct piece rest = next_word(r);
+    return rest.length == 0 || fail(r, rest, "the end of the line");
+}
+
+/* Puts numbers where they belong to one of the bodies, axis by axis. */
+static void spread(double *to, const struct reader *r, const double value[],
+                   size_t count)
+{
+    const size_t n = r->scene->bodies, i = (size_t)value[0];
+    for (size_t k = 0; k + 1 < count; ++k)
+        to[k * n + i] = value[k + 1];
+}
+
+static bool take_pos(struct reader *r, const double value[], size_t count)
+{
+    const size_t i = (size_t)value[0];
+    spread(r->scene->position, r, value, 4);
+    r->scene->mass[i] = value[4];
+    r->scene->charge[i] = value[5];
+    r->scene->radius[i] = value[6];
+    const double colour[] = {value[0], value[7], value[8], value[9]};
+    if (count == 10)
+        spread(r->scene->colour, r, colour, 4);
+    return true;
+}
+
+static bool take_vel(struct reader *r, const double value[], size_t count)
+{
+    spread(r->scene->velocity, r, value, count);
+    return true;
+}
+
+static bool take_vfix(struct reader *r, const double value[], size_t count)
+{
+    const size_t n = r->scene->bodies, i = (size_t)value[0];
+    for (size_t k = 0; k + 1 < count; ++k)
+        r->scene->freedom[k * n + i] = value[k + 1] == 1;
+    return true;
+}
+
+static bool take_species(struct reader *r, const double value[],
+                         size_t count)
+{
+    (void)count;
+    r->scene->species[(size_t)value[0]] = (uint32_t)value[1];
+    return true;
+}
+
+static bool take_dis(struct reader *r, const double value[], size_t count)
+{
+    const size_t n = r->scene->bodies, i = (size_t)value[0];
+    for (size_t k = 0; k + 1 < count; ++k) {
+        double *x = &r->scene->position[k * n + i];
+        *x += value[k + 1];
+        if (!isfinite(*x))
+            return fail(r, r->word[k + 1],
+                        "a place that is not beyond all numbers");
+    }
+    return true;
+}
+
+static bool lack(struct reader *r, const char *what)
+{
+    r->error->line = r->line;
+    snprintf(r->error->text, sizeof r->error->text, "%s", what);
+    return false;
+}
+
+/* As spread, to a list that is made, of zeros, when it is needed. */
+static bool spread_rare(double **to, struct reader *r, const double value[],
+                        size_t count)
+{
+    if (!*to)
+        *to = calloc(r->scene->bodies, (count - 1) * sizeof **to);
+    if (!*to)
+        return lack(r, "no memory for the scene");
+    spread(*to, r, value, count);
+    return true;
+}
+
+static bool take_carry(struct reader *r, const double value[], size_t count)
+{
+    return spread_rare(&r->scene->carry, r, value, count);
+}
+
+static bool take_kept(struct reader *r, const double value[], size_t count)
+{
+    const size_t bodies = r->scene->bodies, lines = r->lines[KEPT];
+    if (lines < bodies)
+        return fail(r, r->first,
+                    "one for each of the %zu bodies, or none (lines kept: "
+                    "%zu)",
+                    bodies, lines);
+    return spread_rare(&r->scene->kept, r, value, count);
+}
+
+static bool take_kind(struct reader *r, const double value[], size_t count)
+{
+    struct scene_kind *kind = &r->scene->kind[(size_t)value[0]];
+    kind->stiffness = value[1];
+    kind->damping = value[2];
+    if (count == 6)
+        memcpy(kind->colour, value + 3, sizeof kind->colour);
+    return true;
+}
+
+static bool take_spring(struct reader *r, const double value[],
+                        size_t count)
+{
+    struct scene *s = r->scene;
+    if (value[0] == value[1])
+        return fail(r, r->word[1], "another body than the first");
+    if (!scene_add_spring(s, (size_t)value[0], (size_t)value[1],
+                          (size_t)value[2], count == 4 ? value[3] : -1))
+        return lack(r, "no memory for the scene");
+    return isfinite(s->spring[s->springs - 1].rest) ||
+           fail(r, r->word[1], "a body not so far from the first");
+}
+
+static bool take_box(struct reader *r, const double value[], size_t count)
+{
+    struct scene *s = r->scene;
+    for (size_t k = 0; 2 * k < count; ++k) {
+        s->low[k] = value[2 * k];
+        s->high[k] = value[2 * k + 1];
+        if (s->low[k] > s->high[k])
+            return fail(r, r->word[2 * k + 1],
+                        "the high end of the axis not below the low one");
+    }
+    return true;
+}
+
+static bool take_walls(struct reader *r, const double value[], size_t count)
+{
+    struct scene *s = r->scene;
+    for (size_t k = 0; k < count; ++k) {
+        s->wall[k] = (enum scene_wall)value[k];
+        if (s->wall[k] != SCENE_OPEN && !(s->low[k] < s->high[k]))
+            return fail(r, r->word[k],
+                        "open, as no line box gives the axis a length");
+    }
+    return true;
+}
+
+static bool take_contact(struct reader *r, const double value[],
+                         size_t count)
+{
+    (void)value, (void)count;
+    return r->scene->contact = true;
+}
+
+static bool take_dashpot(struct reader *r, const double value[],
+                         size_t count)
+{
+    (void)value, (void)count;
+    return r->scene->axial = true;
+}
+
+#define TO(field) NULL, offsetof(struct scene, field)
+static const struct line forms[LINES] = {
+    [POS] = {"pos", "@body x y z +mass charge +radius ;%red %green %blue",
+             1, take_pos, 0},
+    [VEL] = {"vel", "@body vx vy vz", 1, take_vel, 0},
+    [VFIX] = {"vfix", "@body !x !y !z", 1, take_vfix, 0},
+    [DIS] = {"dis", "@body dx dy dz", 3, take_dis, 0},
+    [SPECIES] = {"species", "@body #species", 1, take_species, 0},
+    [CARRY] = {"carry", "@body x y z vx vy vz", 1, take_carry, 0},
+    [KEPT] = {"kept", "@body ax ay az", 1, take_kept, 0},
+    [S] = {"s", "&kind +D +c ;%red %green %blue", 1, take_kind, 0},
+    [SL] = {"sl", "@body @body &kind ;+rest", 2, take_spring, 0},
+    [DASHPOT] = {"dashpot", "=way", 1, take_dashpot, 0},
+    [GRAV] = {"grav", "gx gy gz", 1, TO(gravity)},
+    [DAMP] = {"damp", "+damping", 1, TO(damping)},
+    [K2] = {"k2", "+k2", 1, TO(k2)},
+    [SOFT] = {"soft", "+softening", 1, TO(softening)},
+    [DT] = {"dt", ">step", 1, TO(dt)},
+    [TIME] = {"time", "time", 1, TO(time)},
+    [CONTACT] = {"contact", "", 1, take_contact, 0},
+    [RESTITUTION] = {"restitution", "%restitution", 1, TO(restitution)},
+    [BOX] = {"box", "xlow xhigh ylow yhigh zlow zhigh", 1, take_box, 0},
+    [WALLS] = {"walls", "|x |y |z", 2, take_walls, 0}};
+
+/* Which sort of line begins so; LINES: none. */
+static size_t find_form(struct piece p)
+{
+    size_t i = 0;
+    while (i < LINES && !is_word(p, forms[i].word))
+        ++i;
+    return i;
+}
+
+static bool refuse_word(struct reader *r)
+{
+    char list[140] = "";
+    for (size_t i = 0; i < LINES; ++i) {
+        const size_t used = strlen(list);
+        snprintf(list + used, sizeof list - used, "%s%s",
+                 i == 0           ? ""
+                 : i + 1 == LINES ? " or "
+                                  : ", ",
+                 forms[i].word);
+    }
+    return fail(r, r->first, "%s", list);
+}
+
+_Static_assert(S < 8, "a byte of `seen` has a bit for each sort");
+
+/* Refuses a second line where there may be one. */
+static bool come_once(struct reader *r, size_t sort, const double value[])
+{
+    if (sort > S)
+        return sort == SL || r->read[sort] == 0 ||
+               fail(r, r->first, "it once only");
+    const size_t i = (size_t)value[0] + (sort == S ? r->scene->bodies : 0);
+    const unsigned char bit = (unsigned char)(1 << sort);
+    if (r->seen[i] & bit)
+        return fail(r, r->word[0], "one without a line %s so far",
+                    forms[sort].word);
+    r->seen[i] |= bit;
+    return true;
+}
+
+/* Reads the rest of a line of this sort. */
+static bool take_line(struct reader *r, size_t sort)
+{
+    const struct line *form = &forms[sort];
+    double value[MOST_FIELDS] = {0};
+    size_t count = 0;
+    if (!read_fields(r, form->fields, value, &count) ||
+        !come_once(r, sort, value))
+        return false;
+    ++r->read[sort];
+    if (form->take)
+        return form->take(r, value, count);
+    memcpy((char *)r->scene + form->place, value, count * sizeof value[0]);
+    return true;
+}
+
+/* Reads one line in this pass; in pass 0 only counts it. */
+static bool read_line(struct reader *r, const char *start, const char *stop,
+                      int pass)
+{
+    const char *comment = memchr(start, '#', (size_t)(stop - start));
+    r->next = start;
+    r->end = comment ? comment : stop;
+    r->first = next_word(r);
+    if (r->first.length == 0)
+        return true;
+    const size_t sort = find_form(r->first);
+    if (sort == LINES)
+        return refuse_word(r);
+    r->lines[sort] += pass == 0;
+    return forms[sort].pass != pass || take_line(r, sort);
+}
+
+static bool pass_through(struct reader *r, const char *text, size_t length,
+                         int pass)
+{
+    const char *c = text, *end = text + length;
+    for (r->line = 1; c < end; ++r->line) {
+        const char *stop = memchr(c, '\n', (size_t)(end - c));
+        stop = stop ? stop : end;
+        if (!read_line(r, c, stop, pass))
+            return false;
+        c = stop < end ? stop + 1 : end;
+    }
+    return true;
+}
+
+/* Makes room for what the text has lines for. */
+static bool prepare(struct reader *r)
+{
+    struct scene *s = r->scene;
+    const size_t bodies = r->lines[POS], kinds = r->lines[S];
+    if (bodies == 0)
+        return lack(r, "found no line pos, expected one for each body");
+    if (bodies > UINT32_MAX || !scene_create(s, bodies))
+        return lack(r, "no memory for the scene");
+    for (size_t i = 0; i < kinds; ++i)
+        if (!scene_add_kind(s, 0, 0))
+            return lack(r, "no memory for the scene");
+    r->seen = calloc(bodies + kinds, 1);
+    return r->seen || lack(r, "no memory for the scene");
+}
+
+bool scene_parse(struct scene *s, const char *text, size_t length,
+                 struct scene_error *e)
+{
+    struct reader r = {.scene = s, .error = e};
+    *s = (struct scene){0};
+    bool good = pass_through(&r, text, length, 0) && prepare(&r);
+    for (int pass = 1; good && pass <= 3; ++pass)
+        good = pass_through(&r, text, length, pass);
+    free(r.seen);
+    if (!good)
+        scene_free(s);
+    return good;
+}
+
+/* Reads all of a stream; NULL with errno set when that fails. */
+static char *read_all(FILE *stream, size_t *length)
+{
+    size_t room = 1 << 16;
+    char *text = malloc(room), *more;
+    for (*length = 0; text; text = more) {
+        *length += fread(text + *length, 1, room - *length, stream);
+        if (*length < room) {
+            if (!ferror(stream))
+                return text;
+            break;
+        }
+        room *= 2;
+        more = realloc(text, room);
+        if (!more)
+            break;
+    }
+    free(text);
+    return NULL;
+}
+
+static char *load(const char *path, size_t *length)
+{
+    if (strcmp(path, "-") == 0)
+        return read_all(stdin, length);
+    FILE *stream = fopen(path, "r");
+    if (!stream)
+        return NULL;
+    char *text = read_all(stream, length);
+    const int error = errno;
+    fclose(stream);
+    errno = error;
+    return text;
+}
+
+bool scene_read(struct scene *s, const char *program, const char *path)
+{
+    struct scene_error e;
+    size_t length;
+    char *text = load(path, &length);
+    const char *name = strcmp(path, "-") == 0 ? "standard input" : path;
+    if (!text) {
+        fprintf(stderr, "%s: cannot read the scene %s: %s\n", program, name,
+                strerror(errno));
+        return false;
+    }
+    const bool good = scene_parse(s, text, length, &e);
+    free(text);
+    if (!good)
+        fprintf(stderr, "%s: %s:%zu: %s\n", program, name, e.line, e.text);
+    return good;
+}
+
+/* Says whether these numbers of a body, axis by axis, are all +0. */
+static bool is_nothing(const double *x, size_t bodies, size_t i,
+                       size_t count)
+{
+    for (size_t k = 0; k < count; ++k)
+        if (x[k * bodies + i] != 0 || signbit(x[k * bodies + i]))
+            return false;
+    return true;
+}
+
+/* Writes a line: a word, a body, numbers of it axis by axis. */
+static void write_body(struct table *out, const char *word, const double *x,
+                       size_t bodies, size_t i, size_t count)
+{
+    table_print(out, "%s %zu", word, i);
+    for (size_t k = 0; k < count; ++k)
+        table_print(out, " %.17g", x[k * bodies + i]);
+    table_print(out, "\n");
+}
+
+static void write_places(const struct scene *s, struct table *out)
+{
+    const size_t n = s->bodies;
+    const double *x = s->position, *c = s->colour;
+    table_print(out, "# pos body x y z mass charge radius colour\n");
+    for (size_t i = 0; i < n; ++i)
+        table_print(out,
+                    "pos %zu %.17g %.17g %.17g %.17g %.17g %.17g "
+                    "%.17g %.17g %.17g\n",
+                    i, x[i], x[n + i], x[2 * n + i], s->mass[i],
+                    s->charge[i], s->radius[i], c[i], c[n + i],
+                    c[2 * n + i]);
+}
+
+static void write_remains(const struct scene *s, struct table *out)
+{
+    const size_t n = s->bodies;
+    for (size_t i = 0; i < n && s->carry; ++i)
+        if (i == 0 || !is_nothing(s->carry, n, i, 6))
+            write_body(out, "carry", s->carry, n, i, 6);
+    for (size_t i = 0; i < n && s->kept; ++i)
+        write_body(out, "kept", s->kept, n, i, SCENE_AXES);
+}
+
+static void write_motion(const struct scene *s, struct table *out)
+{
+    const size_t n = s->bodies;
+    for (size_t i = 0; i < n; ++i)
+        if (!is_nothing(s->velocity, n, i, SCENE_AXES))
+            write_body(out, "vel", s->velocity, n, i, SCENE_AXES);
+    for (size_t i = 0; i < n; ++i) {
+        const unsigned char *f = s->freedom + i;
+        if (!f[0] || !f[n] || !f[2 * n])
+            table_print(out, "vfix %zu %d %d %d\n", i, f[0] != 0, f[n] != 0,
+                        f[2 * n] != 0);
+    }
+    for (size_t i = 0; i < n; ++i)
+        if (s->species[i] != 0)
+            table_print(out, "species %zu %" PRIu32 "\n", i, s->species[i]);
+    write_remains(s, out);
+}
+
+static void write_springs(const struct scene *s, struct table *out)
+{
+    if (s->kinds > 0)
+        table_print(out, "# s kind D c colour; sl body body kind rest\n");
+    for (size_t i = 0; i < s->kinds; ++i) {
+        const struct scene_kind *k = &s->kind[i];
+        table_print(out, "s %zu %.17g %.17g %.17g %.17g %.17g\n", i,
+                    k->stiffness, k->damping, k->colour[0], k->colour[1],
+                    k->colour[2]);
+    }
+    for (size_t i = 0; i < s->springs; ++i) {
+        const struct scene_spring *l = &s->spring[i];
+        table_print(out, "sl %" PRIu32 " %" PRIu32 " %" PRIu32 " %.17g\n",
+                    l->a, l->b, l->kind, l->rest);
+    }
+    if (s->axial)
+        table_print(out, "dashpot axial\n");
+}
+
+/* Writes a line of numbers, unless they are all +0. */
+static void write_numbers(struct table *out, const char *word,
+                          const double *x, size_t count)
+{
+    if (is_nothing(x, 1, 0, count))
+        return;
+    table_print(out, "%s", word);
+    for (size_t k = 0; k < count; ++k)
+        table_print(out, " %.17g", x[k]);
+    table_print(out, "\n");
+}
+
+static void write_box(const struct scene *s, struct table *out)
+{
+    double box[2 * SCENE_AXES];
+    for (size_t k = 0; k < SCENE_AXES; ++k) {
+        box[2 * k] = s->low[k];
+        box[2 * k + 1] = s->high[k];
+    }
+    write_numbers(out, "box", box, 2 * SCENE_AXES);
+    if (s->wall[0] || s->wall[1] || s->wall[2])
+        table_print(out, "walls %s %s %s\n", wall_names[s->wall[0]],
+                    wall_names[s->wall[1]], wall_names[s->wall[2]]);
+    if (s->contact)
+        table_print(out, "contact\n");
+    if (s->restitution != 1)
+        table_print(out, "restitution %.17g\n", s->restitution);
+}
+
+void scene_write(const struct scene *s, struct table *out)
+{
+    write_places(s, out);
+    write_motion(s, out);
+    write_springs(s, out);
+    write_numbers(out, "grav", s->gravity, SCENE_AXES);
+    write_numbers(out, "damp", &s->damping, 1);
+    write_numbers(out, "k2", &s->k2, 1);
+    write_numbers(out, "soft", &s->softening, 1);
+    write_box(s, out);
+    write_numbers(out, "dt", &s->dt, 1);
+    write_numbers(out, "time", &s->time, 1);
+}

@@ -1,0 +1,960 @@
+/* From chapters/12-atlas.nw: edit there, then run make tangle. */
+/* checksum 2603409019 of the lines below */
+#include "enough/choose.h"
+#include "scenes/gallery.h"
+#include "enough/models.h"
+#include "enough/prices.h"
+#include "toolbox/bench.h"
+#include "toolbox/quad.h"
+#include "toolbox/study.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define PROGRAM "bonk-studies"
+
+struct settings {
+    const char *scene; /* the only one, or NULL */
+};
+
+enum { ROWS = 16, KEYS = 4 };
+
+/* A scene of the atlas: how it is made, and how long it runs. */
+struct subject {
+    const char *name, *scene;
+    double until; /* s */
+    struct {
+        const char *key;
+        double value;
+    } set[KEYS];
+};
+
+static const struct subject subjects[] = {
+    {"cradle", "cradle", 20, {{0}}},
+    {"equal-line",
+     "cradle",
+     10,
+     {{"balls", 50}, {"left", 20}, {"gap", 0.02}}},
+    {"heavy-cradle", "cradle", 20, {{"first", 2}, {"last", 3}}},
+    {"thermal", "thermal", 40, {{0}}},
+    {"piston", "piston", 40, {{0}}},
+    {"galperin", "galperin", 4, {{"mass-ratio", 10000}}},
+    {"four-disks", "four-disks", 4, {{0}}},
+    {"four-late", "four-disks", 12, {{0}}},
+    {"break", "break", 0.4, {{"offset", 0.003}}},
+    {"gas", "gas", 3, {{0}}},
+    {"brownian", "brownian", 2, {{0}}},
+    {"sun-earth", "sun-earth", 3652.5, {{0}}},
+    {"comet", "sun-earth", 730.5, {{"speed", 0.31622776601683794}}},
+    {"solar-system", "solar-system", 4383, {{0}}},
+    {"circumbinary", "circumbinary", 456, {{0}}},
+    {"choreography", "choreography", 20, {{0}}},
+    {"figure-eight", "figure-eight", 20, {{0}}},
+    {"ring", "ring", 400, {{"particles", 30}}},
+    {"oscillator", "oscillator", 20, {{0}}},
+    {"pendulum", "double-pendulum", 8, {{0}}},
+    {"stiff-springs",
+     "double-pendulum",
+     8,
+     {{"stiffness1", 5e7}, {"stiffness2", 5e7}}},
+    {"membrane", "membrane", 8, {{0}}},
+    {"taut-membrane",
+     "membrane",
+     200,
+     {{"free", 0}, {"rest", 0.5}, {"amplitude", 0.0025}, {"damping", 0}}},
+    {"cantilever", "cantilever", 8, {{0}}},
+    {0}};
+
+_Noreturn static void fail(const char *why)
+{
+    study_fail(PROGRAM, why);
+}
+
+static void make_scene(struct scene *s, const struct subject *t)
+{
+    double value[GALLERY_KEYS + 1];
+    static const struct gallery_scene *const lists[] = {
+        celestial_scenes, elastic_scenes, hard_scenes};
+    const struct gallery_scene *g = NULL;
+    for (size_t k = 0; k < 3 && !g; ++k)
+        g = gallery_find(lists[k], t->scene);
+    if (!g)
+        fail("there is no such scene");
+    gallery_usual(g, value);
+    for (size_t k = 0; k < KEYS && t->set[k].key; ++k)
+        value[gallery_key(g, t->set[k].key)] = t->set[k].value;
+    const char *why = g->build(s, value);
+    if (why)
+        fail(why);
+}
+
+/* Where all bodies were, row by row. */
+struct path {
+    size_t size; /* coordinates: three for each body */
+    double *x;   /* [ROWS * size] m */
+    double cost; /* s by the price list; INFINITY: it did not begin */
+};
+
+static void make_path(struct path *p, const struct scene *s)
+{
+    p->size = 3 * s->bodies;
+    p->x = malloc(ROWS * p->size * sizeof *p->x);
+    if (!p->x)
+        fail("no memory for a path");
+}
+
+/* Runs the plan for at most `limit` seconds by the price list. False: it
+   did not come to its end. */
+static bool follow(struct path *p, const struct models_plan *plan,
+                   const struct scene *s, double every, double limit)
+{
+    struct models_run r;
+    const char *why;
+    enum models_end end = MODELS_DONE;
+    p->cost = INFINITY;
+    if (progress_signal() || !models_begin(&r, plan, s, every, &why))
+        return false;
+    r.limit = limit;
+    for (size_t row = 0; row < ROWS && end == MODELS_DONE; ++row) {
+        end = models_row(&r);
+        memcpy(p->x + row * p->size, r.scene.position,
+               p->size * sizeof *p->x);
+    }
+    p->cost = models_cost(r.work);
+    models_end(&r);
+    return end == MODELS_DONE;
+}
+
+/* The largest difference of two paths in their first rows, m. */
+static double apart(const struct path *a, const struct path *b, size_t rows)
+{
+    double most = 0;
+    for (size_t c = 0; c < rows * a->size; ++c) {
+        const double d = fabs(a->x[c] - b->x[c]);
+        if (!(d < INFINITY))
+            return INFINITY;
+        most = fmax(most, d);
+    }
+    return most;
+}
+
+/* What errors of positions are divided by: the diagonal of the box that
+   holds all bodies and the walls. */
+static double size_of(const struct scene *s)
+{
+    double square = 0;
+    for (size_t k = 0; k < SCENE_AXES; ++k) {
+        const double *x = s->position + k * s->bodies;
+        double low = s->wall[k] ? s->low[k] : x[0];
+        double high = s->wall[k] ? s->high[k] : x[0];
+        for (size_t i = 0; i < s->bodies; ++i) {
+            low = fmin(low, x[i]);
+            high = fmax(high, x[i]);
+        }
+        square += (high - low) * (high - low);
+    }
+    return sqrt(square);
+}
+
+/* When body i meets another, or a wall, next. */
+struct meeting {
+    quad t;
+    size_t with; /* a body; or bodies + 2 * axis + side */
+};
+
+/* Bodies that fly straight between events, all known at the same time. */
+struct flight {
+    size_t bodies;
+    const struct scene *scene;
+    quad now, *x, *v; /* [3 * bodies] */
+    quad *inverse;    /* [bodies] 1/kg, 0: held */
+    struct meeting *next;
+};
+
+static quad root(quad square)
+{
+    quad r = sqrt((double)square);
+    for (int k = 0; r > 0 && k < 2; ++k)
+        r = (r + square / r) / 2;
+    return r;
+}
+
+static quad scalar(const struct flight *f, const quad a[], const quad b[],
+                   size_t i, size_t j)
+{
+    quad sum = 0;
+    const size_t n = f->bodies;
+    for (size_t k = 0; k < SCENE_AXES; ++k)
+        sum +=
+            (a[k * n + j] - a[k * n + i]) * (b[k * n + j] - b[k * n + i]);
+    return sum;
+}
+
+/* (5.3, eq:pair-time) */
+static quad pair_time(const struct flight *f, size_t i, size_t j)
+{
+    const struct scene *s = f->scene;
+    const quad sigma = (quad)s->radius[i] + s->radius[j];
+    const quad b = scalar(f, f->x, f->v, i, j);
+    if (b >= 0)
+        return INFINITY;
+    const quad a = scalar(f, f->v, f->v, i, j);
+    const quad c = scalar(f, f->x, f->x, i, j) - sigma * sigma;
+    const quad square = b * b - a * c;
+    if (square < 0)
+        return INFINITY;
+    return f->now + (c > 0 ? c / (root(square) - b) : 0);
+}
+
+/* (5.1, eq:wall-time) */
+static struct meeting wall_time(const struct flight *f, size_t i)
+{
+    const struct scene *s = f->scene;
+    struct meeting first = {INFINITY, 0};
+    for (size_t k = 0; k < SCENE_AXES; ++k) {
+        const size_t c = k * f->bodies + i;
+        const bool up = f->v[c] > 0;
+        if (s->wall[k] != SCENE_HARD || f->v[c] == 0)
+            continue;
+        const quad way = up ? s->high[k] - (quad)s->radius[i] - f->x[c]
+                            : s->low[k] + (quad)s->radius[i] - f->x[c];
+        const quad t = way / f->v[c];
+        const quad when = f->now + (t > 0 ? t : 0);
+        if (when < first.t)
+            first = (struct meeting){when, f->bodies + 2 * k + up};
+    }
+    return first;
+}
+
+static void foresee(struct flight *f, size_t i)
+{
+    f->next[i] = wall_time(f, i);
+    for (size_t j = 0; j < f->bodies; ++j) {
+        if (j == i)
+            continue;
+        const quad t = pair_time(f, i, j);
+        if (t < f->next[i].t)
+            f->next[i] = (struct meeting){t, j};
+        if (t < f->next[j].t)
+            f->next[j] = (struct meeting){t, i};
+    }
+}
+
+static void fly(struct flight *f, quad t)
+{
+    for (size_t c = 0; c < 3 * f->bodies; ++c)
+        f->x[c] += (t - f->now) * f->v[c];
+    f->now = t;
+}
+
+/* (1.10, eq:impulse) */
+static void knock(struct flight *f, size_t i, size_t j)
+{
+    const size_t n = f->bodies;
+    const quad push =
+        (1 + (quad)f->scene->restitution) * scalar(f, f->x, f->v, i, j) /
+        ((f->inverse[i] + f->inverse[j]) * scalar(f, f->x, f->x, i, j));
+    for (size_t k = 0; k < SCENE_AXES; ++k) {
+        const quad d = f->x[k * n + j] - f->x[k * n + i];
+        f->v[k * n + i] += f->inverse[i] * push * d;
+        f->v[k * n + j] -= f->inverse[j] * push * d;
+    }
+}
+
+static void let_happen(struct flight *f, size_t i)
+{
+    const size_t n = f->bodies, j = f->next[i].with;
+    fly(f, f->next[i].t);
+    if (j < n)
+        knock(f, i, j);
+    else {
+        const size_t c = (j - n) / 2 * n + i;
+        f->v[c] = -f->v[c] * f->scene->restitution;
+    }
+    for (size_t k = 0; k < n; ++k)
+        if (k == i || k == j || f->next[k].with == i ||
+            (j < n && f->next[k].with == j))
+            foresee(f, k);
+}
+
+static size_t find_next(const struct flight *f)
+{
+    size_t best = 0;
+    for (size_t i = 1; i < f->bodies; ++i)
+        if (f->next[i].t < f->next[best].t)
+            best = i;
+    return best;
+}
+
+static void take_off(struct flight *f, const struct scene *s)
+{
+    const size_t n = s->bodies;
+    *f = (struct flight){.bodies = n, .scene = s};
+    f->x = malloc(7 * n * sizeof *f->x);
+    f->next = malloc(n * sizeof *f->next);
+    if (!f->x || !f->next)
+        fail("no memory for a flight");
+    f->v = f->x + 3 * n;
+    f->inverse = f->v + 3 * n;
+    for (size_t c = 0; c < 3 * n; ++c) {
+        f->x[c] = s->position[c];
+        f->v[c] = s->freedom[c] ? s->velocity[c] : 0;
+    }
+    for (size_t i = 0; i < n; ++i) {
+        f->inverse[i] = s->freedom[i] ? 1 / (quad)s->mass[i] : 0;
+        f->next[i].t = INFINITY;
+    }
+    for (size_t i = 0; i < n; ++i)
+        foresee(f, i);
+}
+
+static void follow_events(struct path *p, const struct scene *s,
+                          double every)
+{
+    struct flight f;
+    take_off(&f, s);
+    for (size_t row = 0; row < ROWS; ++row) {
+        const double until = (double)(row + 1) * every;
+        for (size_t i; f.next[i = find_next(&f)].t <= until;)
+            let_happen(&f, i);
+        fly(&f, until);
+        for (size_t c = 0; c < p->size; ++c)
+            p->x[row * p->size + c] = (double)f.x[c];
+    }
+    free(f.x);
+    free(f.next);
+}
+
+/* What is true, and how well that is known. */
+struct truth {
+    struct path path;
+    double scale;  /* of positions, m */
+    double unsure; /* share of it by which two ways to find out differ */
+};
+
+/* Steps of one method, n in a row, with sums that lose nothing. */
+static bool step_finely(struct path *p, const char *method, uint64_t n,
+                        const struct scene *s, double every)
+{
+    const struct models_plan plan = {models_find(method), 0, n};
+    struct scene fine;
+    if (!scene_copy(&fine, s))
+        fail("no memory for a scene");
+    if (!fine.carry)
+        fine.carry = calloc(6 * s->bodies, sizeof *fine.carry);
+    const bool done = follow(p, &plan, &fine, every, 10);
+    scene_free(&fine);
+    return done;
+}
+
+enum { LEVELS = 3, FIRST = 8, HALVINGS = 20 };
+
+struct column {
+    struct path entry[LEVELS];
+};
+
+/* From the column before, which has twice the steps' length.
+   (12.25, eq:atlas-richardson) */
+static void fill_column(struct column *now, const struct column *before,
+                        size_t levels, const struct stepping_method *m)
+{
+    for (size_t j = 1; j < levels; ++j) {
+        const int order = m->order + (int)(j - 1) * (m->symmetric ? 2 : 1);
+        const double share = 1 / ((double)((uint64_t)1 << order) - 1);
+        const double *fine = now->entry[j - 1].x;
+        const double *coarse = before->entry[j - 1].x;
+        double *x = now->entry[j].x;
+        for (size_t c = 0; c < ROWS * now->entry[0].size; ++c)
+            x[c] = fine[c] + (fine[c] - coarse[c]) * share;
+    }
+}
+
+/* Halves the steps until the result no longer changes, or a run costs more
+   than the budget, s; fills best. */
+static void converge(struct path *best, const char *method,
+                     const struct scene *s, double every, double budget)
+{
+    struct column column[2];
+    double change = INFINITY;
+    size_t level = 0;
+    for (size_t j = 0; j < 2 * LEVELS; ++j)
+        make_path(&column[j / LEVELS].entry[j % LEVELS], s);
+    for (int k = 0; k < HALVINGS; ++k) {
+        struct column *now = &column[k % 2], *before = &column[1 - k % 2];
+        const bool whole = step_finely(&now->entry[0], method,
+                                       (uint64_t)FIRST << k, s, every);
+        const size_t levels = !whole           ? 0
+                              : level < LEVELS ? level + 1
+                                               : LEVELS;
+        fill_column(now, before, levels, stepping_find(method));
+        if (level > 0 && levels > 0) {
+            const struct path *last = &now->entry[levels - 1];
+            const double d = apart(last, &before->entry[level - 1], ROWS);
+            if (d < change) {
+                change = d;
+                memcpy(best->x, last->x,
+                       ROWS * best->size * sizeof *best->x);
+            } else if (change < 1e-9 * size_of(s))
+                break;
+        }
+        if (now->entry[0].cost > budget)
+            break;
+        level = levels;
+    }
+    for (size_t j = 0; j < 2 * LEVELS; ++j)
+        free(column[j / LEVELS].entry[j % LEVELS].x);
+}
+
+static void find_truth(struct truth *t, const struct scene *s, double every,
+                       double budget)
+{
+    struct models_acts a;
+    struct path other;
+    models_analyse(&a, s);
+    const bool damped = a.friction || a.dashpots;
+    make_path(&t->path, s);
+    t->scale = size_of(s);
+    t->unsure = 0;
+    if (a.contact) {
+        follow_events(&t->path, s, every);
+        return;
+    }
+    make_path(&other, s);
+    converge(&t->path, damped ? "gauss4" : "kahan-li8", s, every, budget);
+    converge(&other, damped ? "rk4" : "yoshida6", s, every, budget);
+    t->unsure = apart(&t->path, &other, ROWS) / t->scale;
+    free(other.x);
+}
+
+enum { TOLERANCES = 3, MOST_POINTS = 4000 };
+static const double tolerances[TOLERANCES] = {1e-3, 1e-6, 1e-9};
+
+/* A way to carry the scene, and how it went. */
+struct point {
+    struct models_plan plan;
+    double cost, error; /* s by the price list; share of the scale */
+    bool front;         /* nothing is both as cheap and as good */
+};
+
+/* All of a scene. */
+struct map {
+    const struct subject *subject;
+    struct scene scene;
+    double every, limit; /* s; s by the price list */
+    struct truth truth;
+    struct path path; /* of the last run */
+    struct point point[MOST_POINTS];
+    size_t points;
+};
+
+/* Runs a plan and adds its point. Returns its error, INFINITY if the run
+   did not end well. */
+static double add_point(struct map *m, struct models_plan plan)
+{
+    if (m->points == MOST_POINTS)
+        fail("there are too many points");
+    if (!follow(&m->path, &plan, &m->scene, m->every, m->limit))
+        return INFINITY;
+    const double error =
+        fmax(apart(&m->path, &m->truth.path, ROWS) / m->truth.scale, 1e-17);
+    m->point[m->points++] =
+        (struct point){plan, m->path.cost, error, false};
+    return error;
+}
+
+/* One, and then twice as many steps each time, until they no longer help or
+   cost too much. Returns the smallest error. */
+static double climb(struct map *m, struct models_plan plan)
+{
+    double best = INFINITY;
+    int vain = 0;
+    for (plan.steps = 1; vain < 2; plan.steps *= 2) {
+        const double error = add_point(m, plan);
+        if (error == INFINITY && m->path.cost >= m->limit)
+            break;
+        vain = error > 0.8 * best && best < 0.01 ? vain + 1 : 0;
+        best = fmin(best, error);
+        if (best < m->truth.unsure || best < 1e-14)
+            break;
+    }
+    return best;
+}
+
+/* Between n/2 and n steps, in sixteenths of n. */
+static void refine(struct map *m, struct models_plan plan, double tolerance)
+{
+    const uint64_t n = plan.steps;
+    uint64_t low = 8, high = 16;
+    while (n > 2 && low + 1 < high) {
+        const uint64_t middle = (low + high) / 2;
+        plan.steps = (n * middle + 15) / 16;
+        if (add_point(m, plan) <= tolerance)
+            high = middle;
+        else
+            low = middle;
+    }
+}
+
+static bool is_same(const struct models_plan *a,
+                    const struct models_plan *b)
+{
+    return a->model == b->model && a->cuts == b->cuts;
+}
+
+static bool is_luck(const struct map *m, const struct point *p,
+                    double tolerance)
+{
+    for (size_t i = 0; i < m->points; ++i) {
+        const struct point *q = &m->point[i];
+        if (is_same(&p->plan, &q->plan) && q->error > tolerance &&
+            q->plan.steps > p->plan.steps &&
+            q->plan.steps <= 2 * p->plan.steps)
+            return true;
+    }
+    return false;
+}
+
+/* The cheapest that holds, of this model and cuts, or of all if plan is
+   NULL; NULL: none does. */
+static const struct point *cheapest_of(const struct map *m,
+                                       const struct models_plan *plan,
+                                       double tolerance)
+{
+    const struct point *best = NULL;
+    for (size_t i = 0; i < m->points; ++i) {
+        const struct point *p = &m->point[i];
+        if ((!plan || is_same(&p->plan, plan)) && p->error <= tolerance &&
+            (!best || p->cost < best->cost) && !is_luck(m, p, tolerance))
+            best = p;
+    }
+    return best;
+}
+
+static void climb_finely(struct map *m, struct models_plan plan)
+{
+    climb(m, plan);
+    const struct point *fine = cheapest_of(m, &plan, 1e-11);
+    if (fine)
+        m->limit = fmin(m->limit, fmax(1e-3, 20 * fine->cost));
+    for (int k = 0; k < TOLERANCES; ++k) {
+        const struct point *p = cheapest_of(m, &plan, tolerances[k]);
+        const struct point *all = cheapest_of(m, NULL, tolerances[k]);
+        if (p && p->cost < 2 * all->cost)
+            refine(m, p->plan, tolerances[k]);
+    }
+}
+
+/* All models, with these cuts; the others than those in steps only if
+   steps is false. */
+static void try_models(struct map *m, unsigned cuts, bool steps)
+{
+    for (const struct models_model *k = models; k->name; ++k) {
+        const struct models_plan plan = {k, cuts, 0};
+        if (models_refuse(&plan, &m->scene))
+            continue;
+        if (k->family != MODELS_STEPS)
+            add_point(m, plan);
+        else if (steps)
+            climb_finely(m, plan);
+    }
+}
+
+/* The cheapest plan with steps that holds a ten-thousandth; false: there is
+   none. */
+static bool find_sound(const struct map *m, struct models_plan *plan)
+{
+    const struct point *best = NULL;
+    for (const struct models_model *k = models; k->name; ++k) {
+        const struct models_plan whole = {k, 0, 0};
+        const struct point *p = cheapest_of(m, &whole, 1e-4);
+        if (p && k->family == MODELS_STEPS &&
+            (!best || p->cost < best->cost))
+            best = p;
+    }
+    if (best)
+        *plan = best->plan;
+    return best != NULL;
+}
+
+/* The error with this left out. Rods are a matter of leapfrog. */
+static double effect(struct map *m, unsigned cut)
+{
+    struct models_plan plan = {models_find("leapfrog"), cut, 0};
+    if (!(cut & MODELS_RODS) && !find_sound(m, &plan))
+        return INFINITY;
+    plan.cuts = cut;
+    if (models_refuse(&plan, &m->scene))
+        return INFINITY;
+    return plan.steps ? add_point(m, plan) : climb(m, plan);
+}
+
+static void try_cuts(struct map *m)
+{
+    const unsigned all = models_cuts(&m->scene);
+    unsigned small = 0;
+    for (unsigned bit = 1; bit <= all; bit *= 2)
+        if ((all & bit) && effect(m, bit) < tolerances[0])
+            small |= bit;
+    for (unsigned cuts = 1; cuts <= all; ++cuts)
+        if ((cuts & ~all) == 0)
+            try_models(m, cuts, (cuts & ~small) == 0);
+}
+
+static bool is_front(const struct map *m, const struct point *p)
+{
+    for (size_t i = 0; i < m->points; ++i) {
+        const struct point *q = &m->point[i];
+        if (q->cost <= p->cost && q->error <= p->error &&
+            (q->cost < p->cost || q->error < p->error))
+            return false;
+    }
+    return true;
+}
+
+static bool is_plain(const struct point *p, enum models_family family)
+{
+    return p->plan.cuts == 0 && p->plan.model->family == family;
+}
+
+/* The cheapest plain way to 1e-11, or to twice the least error of all such;
+   NULL: there is none. */
+static const struct point *finest(const struct map *m)
+{
+    struct models_acts a;
+    const struct point *best = NULL;
+    models_analyse(&a, &m->scene);
+    const enum models_family f = a.contact ? MODELS_EVENTS : MODELS_STEPS;
+    double least = INFINITY;
+    for (size_t i = 0; i < m->points; ++i)
+        if (is_plain(&m->point[i], f))
+            least = fmin(least, m->point[i].error);
+    for (size_t i = 0; i < m->points; ++i) {
+        const struct point *p = &m->point[i];
+        if (is_plain(p, f) && p->error <= fmax(1e-11, 2 * least) &&
+            (!best || p->cost < best->cost))
+            best = p;
+    }
+    return best;
+}
+
+/* What was picked for a tolerance, and how it did. */
+struct pick {
+    char plan[MODELS_TEXT]; /* or "refused" */
+    struct point point;
+    double deciding, checking; /* s by the price list */
+    double horizon;            /* s; INFINITY: none was met */
+};
+
+static void take_pick(struct pick *p, struct map *m,
+                      const struct choose_run *r)
+{
+    p->checking = r->checking;
+    if (!r->value || !follow(&m->path, &r->plan, &m->scene, m->every, 100))
+        return;
+    models_write(&r->plan, p->plan);
+    p->point = (struct point){
+        r->plan, m->path.cost,
+        fmax(apart(&m->path, &m->truth.path, ROWS) / m->truth.scale, 1e-17),
+        false};
+}
+
+static void ask(struct pick *p, struct map *m, double tolerance)
+{
+    const struct choose_request q = {.scene = &m->scene,
+                                     .program = PROGRAM,
+                                     .until = ROWS * m->every,
+                                     .every = m->every,
+                                     .tolerance = tolerance,
+                                     .reason = 600};
+    struct choose_choice c;
+    struct choose_run r;
+    *p = (struct pick){.plan = "refused",
+                       .point = {.cost = NAN, .error = NAN}};
+    if (!choose(&c, &q))
+        fail("no memory to choose");
+    p->deciding = c.deciding;
+    p->horizon = c.horizon;
+    if (c.taken < c.candidates) {
+        const struct choose_known known = choose_known(&c, c.taken);
+        if (!choose_carry(&r, &q, &c.candidate[c.taken].plan, &known,
+                          false))
+            fail("no memory to carry");
+        take_pick(p, m, &r);
+        choose_run_free(&r);
+    }
+    choose_free(&c);
+}
+
+static const char *class_of(const struct point *p)
+{
+    if (p->plan.model->family == MODELS_EVENTS)
+        return "events";
+    if (p->plan.model->family == MODELS_CLOSED)
+        return "closed";
+    if (p->plan.cuts)
+        return "less";
+    const int order = p->plan.model->method->order;
+    return order <= 2 ? "order2" : order <= 4 ? "order4" : "order8";
+}
+
+static void write_point(const struct point *p, struct table *out)
+{
+    char text[MODELS_TEXT];
+    models_write(&p->plan, text);
+    table_print(out, "%.4g %.4g %s\n", p->cost, p->error, text);
+}
+
+/* A block of its own, which is not empty. */
+static void begin_block(const struct map *m, const char *what,
+                        struct table *out)
+{
+    table_print(out, "\n\n# %s %s\nNaN NaN -\n", m->subject->name, what);
+}
+
+static int cheaper(const void *one, const void *other)
+{
+    const struct point *a = one, *b = other;
+    return a->cost != b->cost
+               ? (a->cost < b->cost ? -1 : 1)
+               : (a->error > b->error) - (a->error < b->error);
+}
+
+enum { OFF = 30 }; /* errors beyond are off the map */
+
+/* The points of a kind, or, without one, the front. */
+static void write_kind(const struct map *m, const char *kind,
+                       struct table *out)
+{
+    begin_block(m, kind ? kind : "front", out);
+    for (size_t i = 0; i < m->points; ++i) {
+        const struct point *p = &m->point[i];
+        if (p->error < OFF &&
+            (kind ? strcmp(class_of(p), kind) == 0 : p->front))
+            write_point(p, out);
+    }
+}
+
+static void write_pick(const struct map *m, const struct pick *p, int k,
+                       struct table *out)
+{
+    const struct point none = {.cost = NAN, .error = NAN};
+    const struct point *best = cheapest_of(m, NULL, tolerances[k]);
+    const struct point *most = finest(m);
+    char text[2][MODELS_TEXT] = {"-", "-"};
+    if (best)
+        models_write(&best->plan, text[0]);
+    if (most)
+        models_write(&most->plan, text[1]);
+    best = best ? best : &none;
+    most = most ? most : &none;
+    table_print(out, "%s-%d %s %.3g %.4g %s %.4g %.3g %s %.3g %.4g %.3g",
+                m->subject->name, 3 + 3 * k, p->plan, p->point.error,
+                p->point.cost, text[0], best->cost,
+                p->point.cost / best->cost, text[1], most->error,
+                most->cost, most->cost / p->point.cost);
+    table_print(out, " %.4g %.4g %.4g\n", p->deciding, p->checking,
+                p->horizon);
+}
+
+enum { SUBJECTS = sizeof subjects / sizeof subjects[0], LINE = 160 };
+
+/* A plan in 16 letters, mostly: "kepler-light" for "kepler,no-light", and
+   of what is left out the first five. */
+static void shorten(char text[MODELS_TEXT], const struct pick *p)
+{
+    char *to = text;
+    if (strcmp(p->plan, "refused") == 0) {
+        snprintf(text, MODELS_TEXT, "(%.3g s)", p->horizon);
+        return;
+    }
+    for (const char *from = p->plan; *from;)
+        if (strncmp(from, ",no-", 4) == 0) {
+            *to++ = '-';
+            from += 4;
+            for (size_t k = 0, n = strcspn(from, ","); k < n && k < 5; ++k)
+                *to++ = from[k];
+            from += strcspn(from, ",");
+        } else
+            *to++ = *from++;
+    *to = '\0';
+}
+
+static void make_line(char line[LINE], const struct map *m,
+                      const struct pick pick[TOLERANCES])
+{
+    char text[MODELS_TEXT];
+    const struct point *most = finest(m);
+    int used = snprintf(line, LINE, "%-14s", m->subject->name);
+    for (int k = 0; k < TOLERANCES; ++k) {
+        const double saved = most ? most->cost / pick[k].point.cost : 0;
+        shorten(text, &pick[k]);
+        used += snprintf(line + used, LINE - (size_t)used,
+                         saved > 0 ? "%s%-16s%4.0f" : "%s%-16s   -",
+                         k ? " " : "", text, saved);
+    }
+}
+
+static void write_head(struct table *out)
+{
+    table_print(out, "# picks: name and digits of the tolerance; the plan "
+                     "picked, its true\n");
+    table_print(out, "# error, its cost (s); the cheapest that holds, its "
+                     "cost, the ratio;\n");
+    table_print(out, "# the finest plain way, its error, its cost, the "
+                     "ratio to the pick's;\n");
+    table_print(out, "# what deciding and checking cost (s); the horizon "
+                     "(s)\n# others: cost, error, plan\n");
+}
+
+static void explore(struct map *m, const struct subject *t)
+{
+    *m = (struct map){.subject = t, .every = t->until / ROWS, .limit = 0.2};
+    make_scene(&m->scene, t);
+    make_path(&m->path, &m->scene);
+    find_truth(&m->truth, &m->scene, m->every, 0.3);
+    try_models(m, 0, true);
+    try_cuts(m);
+    for (size_t i = 0; i < m->points; ++i)
+        m->point[i].front = is_front(m, &m->point[i]);
+    qsort(m->point, m->points, sizeof m->point[0], cheaper);
+}
+
+static bool is_refusal_right(struct map *m, const struct pick *p,
+                             double tolerance)
+{
+    const struct point *most = finest(m);
+    const double rows = p->horizon / m->every + 1e-9;
+    if (cheapest_of(m, NULL, tolerance))
+        return false;
+    if (!most || !(rows < ROWS))
+        return true;
+    return follow(&m->path, &most->plan, &m->scene, m->every, 100) &&
+           apart(&m->path, &m->truth.path, (size_t)rows) <=
+               tolerance * m->truth.scale;
+}
+
+/* 0: well; 1: it does not hold; 2: too dear; 3: wrongly refused. */
+static int judge(struct map *m, const struct pick *p, double tolerance)
+{
+    const struct point *best = cheapest_of(m, NULL, tolerance);
+    if (!(p->point.cost > 0))
+        return is_refusal_right(m, p, tolerance) ? 0 : 3;
+    if (!(p->point.error <= tolerance))
+        return 1;
+    return best && p->point.cost > 1.5 * best->cost ? 2 : 0;
+}
+
+static void write_map(struct map *m, struct study *s, size_t faults[4],
+                      char line[LINE])
+{
+    static const char *const kinds[] = {
+        "closed", "events", "less", "order2", "order4", "order8", NULL};
+    struct pick pick[TOLERANCES];
+    table_print(s->out, "\n\n# %s\n", m->subject->name);
+    for (int k = 0; k < TOLERANCES; ++k) {
+        ask(&pick[k], m, tolerances[k]);
+        write_pick(m, &pick[k], k, s->out);
+        ++faults[judge(m, &pick[k], tolerances[k])];
+    }
+    make_line(line, m, pick);
+    begin_block(m, "picked", s->out);
+    for (int k = 0; k < TOLERANCES; ++k)
+        if (pick[k].point.cost > 0)
+            write_point(&pick[k].point, s->out);
+    for (size_t k = 0; k <= sizeof kinds / sizeof kinds[0] - 1; ++k)
+        write_kind(m, kinds[k], s->out);
+}
+
+static void write_lines(char line[SUBJECTS][LINE], struct study *s)
+{
+    table_print(s->out, "\n\n#= %-14s", "scene");
+    for (int k = 0; k < TOLERANCES; ++k)
+        table_print(s->out, "%s1e-%-13dsave", k ? " " : "", 3 + 3 * k);
+    table_print(s->out, "\n");
+    for (size_t i = 0; i < SUBJECTS; ++i)
+        if (line[i][0])
+            table_print(s->out, "#= %s\n", line[i]);
+}
+
+static void write_summary(const size_t faults[4], double unsure,
+                          struct table *out)
+{
+    table_real(out, "unsure", unsure);
+    table_count(out, "good", faults[0]);
+    table_count(out, "beyond", faults[1]);
+    table_count(out, "dear", faults[2]);
+    table_count(out, "refused", faults[3]);
+}
+
+static const struct table_key atlas_keys[] = {
+    {"unsure", "1", "error of the truth, largest"},
+    {"good", "1", "choices"},
+    {"beyond", "1", "choices beyond the tolerance"},
+    {"dear", "1", "more than 1.5 times the cheapest"},
+    {"refused", "1", "wrongly"},
+    {0}};
+
+static void study_atlas(struct study *s)
+{
+    const struct settings *own = s->own;
+    static struct map m;
+    static char line[SUBJECTS][LINE];
+    size_t faults[4] = {0};
+    double unsure = 0;
+    write_head(s->out);
+    for (size_t i = 0; subjects[i].name && !progress_signal(); ++i) {
+        if (own->scene && strcmp(own->scene, subjects[i].name) != 0)
+            continue;
+        explore(&m, &subjects[i]);
+        write_map(&m, s, faults, line[i]);
+        unsure = fmax(unsure, m.truth.unsure);
+        free(m.truth.path.x);
+        free(m.path.x);
+        scene_free(&m.scene);
+    }
+    write_lines(line, s);
+    write_summary(faults, unsure, s->summary);
+}
+
+static void study_prices(struct study *s)
+{
+    bench_machine(s->out);
+    table_print(s->out,
+                "# unit, price in the list (ns), measured, ratio\n");
+    for (int k = 0; k < MODELS_UNITS && !progress_signal(); ++k) {
+        const double found = prices_measure((enum models_unit)k);
+        table_print(s->out, "%s %.3g %.3g %.3g\n", models_prices[k].name,
+                    models_prices[k].ns, found,
+                    found / models_prices[k].ns);
+    }
+}
+
+static void take_option(struct options *o, int letter, void *own)
+{
+    struct settings *s = own;
+    (void)letter;
+    s->scene = options_text(o);
+}
+
+int main(int argc, char *argv[])
+{
+    static const struct study_entry studies[] = {
+        {"atlas", study_atlas, "error and cost of all models", atlas_keys},
+        {"prices", study_prices, "what the units of cost cost here", NULL},
+        {0}};
+    static const struct options_entry own[] = {
+        {"", 0, NULL, "--study atlas"},
+        {"scene", 'c', "NAME", "this scene only"},
+        {0}};
+    struct settings settings = {0};
+    const struct study_program p = {.name = PROGRAM,
+                                    .purpose = "Measure what is enough.",
+                                    .events = "runs",
+                                    .studies = studies,
+                                    .options = own,
+                                    .take = take_option,
+                                    .own = &settings};
+    return study_main(&p, argc, argv);
+}

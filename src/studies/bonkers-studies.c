@@ -1,0 +1,801 @@
+/* From chapters/02-bonkers.nw: edit there, then run make tangle. */
+/* checksum 1086780990 of the lines below */
+#include "line/bonkers.h"
+#include "line/collide.h"
+#include "line/start.h"
+#include "toolbox/bench.h"
+#include "toolbox/quad.h"
+#include "toolbox/random.h"
+#include "toolbox/study.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#define PROGRAM "bonkers-studies"
+
+struct settings {
+    uint64_t most; /* collisions, or particles for the speed */
+    double until;
+};
+
+/* Ends the program where memory is short. */
+static void begin_or_exit(struct bonkers *b, const struct start_wish *wish,
+                          enum bonkers_engine engine)
+{
+    struct start start;
+    size_t wrong = 0;
+    if (!start_fill(&start, wish) ||
+        !bonkers_begin(b, &start, 1, engine, &wrong) || wrong < b->gaps)
+        study_fail(PROGRAM, "no memory for the particles");
+    start_free(&start);
+}
+
+enum { LINE_BODIES = 32 }; /* most that such a line can hold */
+
+enum line_kind {
+    LINE_WIDE,   /* the widest precision */
+    LINE_SINGLE, /* float */
+    LINE_BIASED /* double, with the difference form (1.8, eq:restitution) */
+};
+
+/* A line with the naive engine. */
+struct line {
+    size_t gaps;
+    enum line_kind kind;
+    uint64_t collisions;
+    quad now, x[LINE_BODIES], v[LINE_BODIES], im[LINE_BODIES];
+};
+
+static quad rounded(const struct line *l, quad value)
+{
+    return l->kind == LINE_SINGLE   ? (quad)(float)value
+           : l->kind == LINE_BIASED ? (quad)(double)value
+                                    : value;
+}
+
+static void line_copy(struct line *l, const struct bonkers *b,
+                      enum line_kind kind)
+{
+    *l = (struct line){.gaps = b->gaps, .kind = kind};
+    for (size_t i = 0; i <= b->gaps && i < LINE_BODIES; ++i) {
+        l->x[i] = rounded(l, b->body[i].x);
+        l->v[i] = rounded(l, b->body[i].v);
+        l->im[i] = rounded(l, b->body[i].im);
+    }
+}
+
+/* When the first gap closes, from now; *first: which. */
+static quad line_wait(const struct line *l, size_t *first)
+{
+    quad least = -1;
+    for (size_t i = 0; i < l->gaps; ++i) {
+        const quad approach = rounded(l, l->v[i] - l->v[i + 1]);
+        const quad gap = rounded(l, l->x[i + 1] - l->x[i]);
+        if (!(approach > 0))
+            continue;
+        const quad wait = gap > 0 ? rounded(l, gap / approach) : 0;
+        if (least < 0 || wait < least) {
+            least = wait;
+            *first = i;
+        }
+    }
+    return least;
+}
+
+static void line_move(struct line *l, quad wait)
+{
+    for (size_t i = 0; i <= l->gaps; ++i)
+        l->x[i] = rounded(l, l->x[i] + rounded(l, l->v[i] * wait));
+    l->now = rounded(l, l->now + wait);
+}
+
+static void line_collide(struct line *l, size_t i)
+{
+    const quad a = l->im[i], b = l->im[i + 1], sum = rounded(l, a + b);
+    const quad change = rounded(l, 2 * (l->v[i] - l->v[i + 1]));
+    quad part_a = rounded(l, change * rounded(l, a / sum));
+    quad part_b = rounded(l, change * rounded(l, b / sum));
+    if (l->kind != LINE_BIASED && a < b)
+        part_b = rounded(l, change - part_a);
+    else if (l->kind != LINE_BIASED)
+        part_a = rounded(l, change - part_b);
+    l->v[i] = rounded(l, l->v[i] - part_a);
+    l->v[i + 1] = rounded(l, l->v[i + 1] + part_b);
+    ++l->collisions;
+}
+
+/* Runs on to the collision number n. Returns the line. */
+static struct line *line_run(struct line *l, uint64_t n)
+{
+    while (l->collisions < n) {
+        size_t first = 0;
+        line_move(l, line_wait(l, &first));
+        line_collide(l, first);
+    }
+    return l;
+}
+
+/* Runs on to the time t. */
+static void line_run_to(struct line *l, quad t)
+{
+    size_t first = 0;
+    quad wait;
+    while ((wait = line_wait(l, &first)) >= 0 && l->now + wait < t) {
+        line_move(l, wait);
+        line_collide(l, first);
+    }
+    line_move(l, t - l->now);
+}
+
+static double line_energy(const struct line *l)
+{
+    quad sum = 0;
+    for (size_t i = 1; i < l->gaps; ++i)
+        sum += l->v[i] * l->v[i] / l->im[i];
+    return (double)(sum / 2);
+}
+
+/* Collisions a second in a run that lasts a twentieth of one or more. */
+static double speed_of(struct bonkers *b)
+{
+    const double n = (double)b->gaps, bite = fmax(4, 1e5 / n);
+    const uint64_t before = b->collisions;
+    const double start = bench_seconds();
+    double seconds = 0;
+    while (seconds < 0.05) {
+        if (b->engine < BONKERS_HEAP)
+            bonkers_run(b, INFINITY,
+                        b->collisions + 1 + (uint64_t)(1e6 / n));
+        else
+            bonkers_run(b, b->now + bite, UINT64_MAX);
+        seconds = bench_seconds() - start;
+    }
+    return (double)(b->collisions - before) / seconds;
+}
+
+/* Medians of the engines' speeds at N; in speed[0] how much the slab
+   engine did twice, per cent. */
+static void compare_engines(struct study *s, size_t movers,
+                            double speed[BONKERS_ENGINES])
+{
+    const struct start_wish wish = {
+        .kind = START_RANDOM, .movers = movers, .seed = s->seed};
+    double rounds[BONKERS_ENGINES][BENCH_ROUNDS];
+    struct bonkers b[BONKERS_ENGINES];
+    for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e)
+        begin_or_exit(&b[e], &wish, (enum bonkers_engine)e);
+    for (int k = -1; k < BENCH_ROUNDS; ++k)
+        for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e)
+            rounds[e][k < 0 ? 0 : k] = speed_of(&b[e]);
+    const struct bonkers *slab = &b[BONKERS_SLAB];
+    speed[0] = 100 * (double)slab->redone / (double)slab->collisions;
+    for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e) {
+        speed[e] = bench_median(rounds[e], BENCH_ROUNDS);
+        bonkers_free(&b[e]);
+    }
+}
+
+static const size_t sizes[] = {4,    10,    30,     100,
+                               1000, 10000, 100000, 1000000};
+enum { SIZES = sizeof sizes / sizeof sizes[0] };
+
+/* Notes how much faster each engine is than the one before it. */
+static void note_ratios(struct table *summary, size_t movers,
+                        const double speed[])
+{
+    char key[64];
+    for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e) {
+        snprintf(key, sizeof key, "%s/%s-%zu", bonkers_engine_names[e],
+                 bonkers_engine_names[e - 1], movers);
+        table_real(summary, key, speed[e] / speed[e - 1]);
+    }
+    snprintf(key, sizeof key, "slab/scan-%zu", movers);
+    table_real(summary, key, speed[BONKERS_SLAB] / speed[BONKERS_SCAN]);
+}
+
+/* Notes what needs a million particles. */
+static void note_large(struct table *summary,
+                       double speed[SIZES][BONKERS_ENGINES])
+{
+    double most = 0, least = INFINITY;
+    for (int k = 4; k < 8; ++k) {
+        most = fmax(most, speed[k][BONKERS_SLAB]);
+        least = fmin(least, speed[k][BONKERS_SLAB]);
+    }
+    const double *thousand = speed[4], *million = speed[7];
+    table_real(summary, "slab/naive",
+               million[BONKERS_SLAB] / million[BONKERS_NAIVE]);
+    table_real(summary, "heap-slowdown",
+               thousand[BONKERS_HEAP] / million[BONKERS_HEAP]);
+    table_real(summary, "slab-spread", most / least);
+    table_real(summary, "redone-percent", million[0]);
+}
+
+static const struct table_key speed_keys[] = {
+    {"<engine>/<engine>-<N>", "1", "ratio of their speeds at N particles"},
+    {"", "", "if --particles reaches 1000000:"},
+    {"slab/naive", "1", "their speeds at a million particles"},
+    {"heap-slowdown", "1", "heap: speed at 1000 / at a million"},
+    {"slab-spread", "1", "slab: greatest / least speed from 1000 on"},
+    {"redone-percent", "%", "slab: collisions done twice at a million"},
+    {0}};
+
+static void study_speed(struct study *s)
+{
+    const struct settings *own = s->own;
+    double speed[SIZES][BONKERS_ENGINES];
+    size_t n = 0;
+    bench_machine(s->out);
+    table_column(s->out, "N", "", "particles");
+    for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e)
+        table_column(s->out, bonkers_engine_names[e], "1/s",
+                     "collisions a second of processor time");
+    progress_begin(&s->progress, PROGRAM, SIZES, "sizes");
+    for (; n < SIZES && sizes[n] <= own->most && !progress_signal(); ++n) {
+        compare_engines(s, sizes[n], speed[n]);
+        table_print(s->out, "%-7zu %9.4g %9.4g %9.4g %9.4g\n", sizes[n],
+                    speed[n][1], speed[n][2], speed[n][3], speed[n][4]);
+        note_ratios(s->summary, sizes[n], speed[n]);
+        progress_update(&s->progress, n, 0);
+    }
+    if (n == SIZES)
+        note_large(s->summary, speed);
+}
+
+/* For random velocities of two masses: how often g - q is a tie, and how
+   often a tie is rounded up. */
+static void throw_coins(struct table *summary, const char *name,
+                        double mass1, double mass2)
+{
+    enum { THROWS = 1000000 };
+    const double a = 1 / mass1, b = 1 / mass2;
+    const double smaller = (a < b ? a : b) / (a + b);
+    char key[64];
+    struct random r;
+    int ties = 0, up = 0;
+    random_seed(&r, 1);
+    for (int k = 0; k < THROWS; ++k) {
+        const double u1 = random_normal(&r), u2 = random_normal(&r);
+        const double g = 2 * fabs(u1 - u2), q = g * smaller, rest = g - q;
+        const double error = (double)(rest - ((quad)g - q));
+        const bool tie =
+            fabs(error) == (nextafter(rest, INFINITY) - rest) / 2;
+        ties += tie;
+        up += tie && error > 0;
+    }
+    snprintf(key, sizeof key, "ties_%s", name);
+    table_real(summary, key, 100.0 * ties / THROWS);
+    snprintf(key, sizeof key, "up_%s", name);
+    table_real(summary, key, ties > 0 ? 100.0 * up / ties : 0);
+}
+
+static void begin_whole_ratio(struct bonkers *b)
+{
+    if (!bonkers_create(b, 3, 1, BONKERS_SCAN))
+        study_fail(PROGRAM, "no memory for the particles");
+    b->body[1] = (struct bonkers_body){1, 1, 0, 1};
+    b->body[2] = (struct bonkers_body){2, -0.3, 0, 0.5};
+    b->body[3] = (struct bonkers_body){3, 0.77, 0, 1 / 1.5};
+    b->body[4].x = 4;
+    bonkers_start(b, NULL);
+}
+
+enum { SINGLE_MOST = 200000 }; /* collisions; they are slow */
+
+/* The next of 1, 2, 5, 10, ... above n. */
+static uint64_t next_stop(uint64_t n)
+{
+    uint64_t decade = 1;
+    while (10 * decade <= n)
+        decade *= 10;
+    return n < 2 * decade   ? 2 * decade
+           : n < 5 * decade ? 5 * decade
+                            : 10 * decade;
+}
+
+/* The runs, and their energies at the start. */
+struct drift {
+    struct bonkers mixed, whole;
+    struct line single;
+    double mixed_energy, whole_energy;
+};
+
+static void begin_drift(struct drift *d)
+{
+    const struct start_wish wish = {.kind = START_MIXED};
+    begin_or_exit(&d->mixed, &wish, BONKERS_SCAN);
+    line_copy(&d->single, &d->mixed, LINE_SINGLE);
+    begin_whole_ratio(&d->whole);
+    d->mixed_energy = bonkers_energy(&d->mixed);
+    d->whole_energy = bonkers_energy(&d->whole);
+}
+
+/* Runs on to collision n; error: of the double, whole and single runs. */
+static void drift_on(struct drift *d, uint64_t n, double error[3])
+{
+    bonkers_run(&d->mixed, INFINITY, n);
+    bonkers_run(&d->whole, INFINITY, n);
+    error[0] = bonkers_energy(&d->mixed) / d->mixed_energy - 1;
+    error[1] = bonkers_energy(&d->whole) / d->whole_energy - 1;
+    if (n <= SINGLE_MOST)
+        error[2] =
+            line_energy(line_run(&d->single, n)) / d->mixed_energy - 1;
+}
+
+static const struct table_key drift_keys[] = {
+    {"energy_error", "1", "relative, masses of preset mixed"},
+    {"energy_error_whole", "1", "the same, masses 1, 2 and 1.5"},
+    {"energy_error_float", "1", "mixed, single precision"},
+    {"ties_<masses>", "%", "of throws: exact halves to be rounded"},
+    {"up_<masses>", "%", "of ties: rounded up"},
+    {0}};
+
+static void study_drift(struct study *s)
+{
+    const struct settings *own = s->own;
+    struct drift d;
+    double error[3] = {0};
+    begin_drift(&d);
+    progress_begin(&s->progress, PROGRAM, own->most, "collisions");
+    table_column(s->out, "n", "", "collisions");
+    table_column(s->out, "double", "", "relative error of the energy");
+    table_column(s->out, "whole", "", "the same, masses 1, 2 and 1.5");
+    table_column(s->out, "float", "", "the same in single precision");
+    for (uint64_t n = 100; n <= own->most && !progress_signal();
+         n = next_stop(n)) {
+        drift_on(&d, n, error);
+        table_row(s->out, 4,
+                  (double[]){(double)n, error[0], error[1],
+                             n <= SINGLE_MOST ? error[2] : NAN});
+        progress_update(&s->progress, n, n);
+    }
+    table_real(s->summary, "energy_error", error[0]);
+    table_real(s->summary, "energy_error_whole", error[1]);
+    table_real(s->summary, "energy_error_float", error[2]);
+    throw_coins(s->summary, "whole", 1, 2);
+    throw_coins(s->summary, "mixed", 1, 1 / 0.9);
+    bonkers_free(&d.mixed);
+    bonkers_free(&d.whole);
+}
+
+static void turn_round(struct bonkers *b)
+{
+    bonkers_settle(b);
+    for (size_t i = 0; i <= b->gaps; ++i)
+        b->body[i].v = -b->body[i].v;
+    bonkers_start(b, NULL);
+}
+
+/* The largest distance from the start after n collisions and as much time
+   back again, by an engine. */
+static double miss(enum bonkers_engine engine, uint64_t n)
+{
+    const struct start_wish wish = {.kind = START_MIXED};
+    struct bonkers b, start;
+    double worst = 0;
+    begin_or_exit(&b, &wish, engine);
+    begin_or_exit(&start, &wish, engine);
+    bonkers_run(&b, INFINITY, n);
+    const double t = b.now;
+    turn_round(&b);
+    bonkers_run(&b, t, UINT64_MAX);
+    bonkers_settle(&b);
+    for (size_t i = 0; i <= b.gaps; ++i)
+        worst = fmax(worst, fabs(b.body[i].x - start.body[i].x));
+    bonkers_free(&b);
+    bonkers_free(&start);
+    return worst;
+}
+
+/* The same for a line. */
+static double line_miss(enum line_kind kind, uint64_t n)
+{
+    const struct start_wish wish = {.kind = START_MIXED};
+    struct bonkers b;
+    struct line l;
+    double worst = 0;
+    begin_or_exit(&b, &wish, BONKERS_SCAN);
+    line_copy(&l, &b, kind);
+    const double t = (double)line_run(&l, n)->now;
+    for (size_t i = 0; i <= l.gaps; ++i)
+        l.v[i] = -l.v[i];
+    l.now = 0;
+    line_run_to(&l, t);
+    for (size_t i = 0; i <= l.gaps; ++i)
+        worst = fmax(worst, fabs((double)l.x[i] - b.body[i].x));
+    bonkers_free(&b);
+    return worst;
+}
+
+static void note_misses(struct table *summary, uint64_t n,
+                        const double row[])
+{
+    static const char *const keys[] = {"scan", "biased", "float"};
+    char key[32];
+    if (n != 1000 && n != 5000 && n != 10000 && n != 100000 && n != 1000000)
+        return;
+    for (int k = 0; k < 3; ++k) {
+        snprintf(key, sizeof key, "%s_%d", keys[k], (int)n);
+        table_real(summary, key, row[2 + k]);
+    }
+}
+
+static const struct table_key reverse_keys[] = {
+    {"", "", "if --collisions reaches n (1000, 5000, 1e4, 1e5, 1e6):"},
+    {"<line>_<n>", "m", "largest miss after n and back; nan: not run"},
+    {0}};
+
+static void study_reverse(struct study *s)
+{
+    const struct settings *own = s->own;
+    progress_begin(&s->progress, PROGRAM, own->most, "collisions");
+    table_column(s->out, "n", "", "collisions there, and as many back");
+    table_column(s->out, "naive", "m", "largest error of a position");
+    table_column(s->out, "scan", "m", "the same");
+    table_column(s->out, "biased", "m", "the same, difference form");
+    table_column(s->out, "float", "m", "the same in single precision");
+    for (uint64_t n = 100; n <= own->most && !progress_signal();
+         n = next_stop(n)) {
+        const double row[] = {(double)n, miss(BONKERS_NAIVE, n),
+                              miss(BONKERS_SCAN, n),
+                              n <= 200000 ? line_miss(LINE_BIASED, n) : NAN,
+                              n <= 10000 ? line_miss(LINE_SINGLE, n) : NAN};
+        table_row(s->out, 5, row);
+        progress_update(&s->progress, n, 2 * n);
+        note_misses(s->summary, n, row);
+    }
+}
+
+/* Walks for this many steps of dt. */
+static void walk(struct bonkers_body body[], size_t gaps, uint64_t steps,
+                 double dt)
+{
+    for (uint64_t k = 0; k < steps; ++k) {
+        for (size_t i = 0; i <= gaps; ++i)
+            body[i].x += body[i].v * dt;
+        for (size_t i = 0; i < gaps; ++i) {
+            struct bonkers_body *l = &body[i], *r = l + 1;
+            if (l->x > r->x && l->v > r->v)
+                collide(&l->v, &r->v, l->im, r->im, 1);
+        }
+    }
+}
+
+/* The root of the mean squared distance of the movers from the truth at
+   its time. */
+static double distance(const struct line *truth,
+                       const struct bonkers_body body[])
+{
+    double sum = 0;
+    for (size_t i = 1; i < truth->gaps; ++i) {
+        const double flight = (double)truth->now - body[i].since;
+        const quad x = body[i].x + body[i].v * flight;
+        const double d = (double)(x - truth->x[i]);
+        sum += d * d;
+    }
+    return sqrt(sum / (double)(truth->gaps - 1));
+}
+
+/* Walks from the start to the time until, again and again; returns the
+   processor time of once, s. body: where it ended. */
+static double time_walk(double until, const struct bonkers *b, double dt,
+                        struct bonkers_body body[])
+{
+    const uint64_t steps = (uint64_t)(until / dt + 0.5);
+    const double start = bench_seconds();
+    double seconds = 0;
+    int times = 0;
+    for (; seconds < 0.02; ++times) {
+        memcpy(body, b->body, (b->gaps + 1) * sizeof body[0]);
+        walk(body, b->gaps, steps, dt);
+        seconds = bench_seconds() - start;
+    }
+    for (size_t i = 0; i <= b->gaps; ++i)
+        body[i].since = until;
+    return seconds / times;
+}
+
+/* The same for an engine. */
+static double time_events(double until, const struct start_wish *wish,
+                          struct bonkers_body body[], uint64_t *collisions)
+{
+    double seconds = 0;
+    int times = 0;
+    for (; seconds < 0.02; ++times) {
+        struct bonkers b;
+        begin_or_exit(&b, wish, BONKERS_SCAN);
+        const double start = bench_seconds();
+        bonkers_run(&b, until, UINT64_MAX);
+        seconds += bench_seconds() - start;
+        *collisions = b.collisions;
+        memcpy(body, b.body, (b.gaps + 1) * sizeof body[0]);
+        bonkers_free(&b);
+    }
+    return seconds / times;
+}
+
+static void name_steps(struct table *out)
+{
+    bench_machine(out);
+    table_column(out, "dt", "s", "step; 0: event-driven");
+    table_column(out, "seconds", "s", "processor time of one run");
+    table_column(out, "error", "m", "root mean square error of positions");
+}
+
+static const struct table_key steps_keys[] = {
+    {"collisions", "1", "in the run"},
+    {"error_events", "m", "by events, rms error of positions"},
+    {"smallest_step", "s", "of the walks"},
+    {0}};
+
+static void study_steps(struct study *s)
+{
+    const struct settings *own = s->own;
+    const struct start_wish wish = {.kind = START_MIXED};
+    struct bonkers_body body[LINE_BODIES];
+    struct bonkers b;
+    struct line truth;
+    uint64_t n = 0;
+    begin_or_exit(&b, &wish, BONKERS_SCAN);
+    line_copy(&truth, &b, LINE_WIDE);
+    line_run_to(&truth, own->until);
+    name_steps(s->out);
+    double seconds = time_events(own->until, &wish, body, &n), dt = 0.1;
+    const double error = distance(&truth, body);
+    table_print(s->out, "%-9d %9.4g %9.4g\n", 0, seconds, error);
+    for (; dt > 0.9e-6 && !progress_signal(); dt /= 2) {
+        seconds = time_walk(own->until, &b, dt, body);
+        table_print(s->out, "%-9.4g %9.4g %9.4g\n", dt, seconds,
+                    distance(&truth, body));
+    }
+    table_count(s->summary, "collisions", n);
+    table_real(s->summary, "error_events", error);
+    table_real(s->summary, "smallest_step", 2 * dt);
+    bonkers_free(&b);
+}
+
+/* The number of collisions, or 0 when they collapse. */
+static uint64_t count_until_still(double restitution)
+{
+    struct bonkers b;
+    uint64_t n = 0;
+    if (!bonkers_create(&b, 2, restitution, BONKERS_SCAN))
+        return 0;
+    b.body[1] = (struct bonkers_body){1, 0, 0, 1};
+    b.body[2] = (struct bonkers_body){2, -1, 0, 1};
+    b.body[3].x = INFINITY;
+    bonkers_start(&b, NULL);
+    if (bonkers_run(&b, INFINITY, UINT64_MAX) == BONKERS_STILL)
+        n = b.collisions;
+    bonkers_free(&b);
+    return n;
+}
+
+static const struct table_key collapse_keys[] = {
+    {"border", "1", "greatest restitution that collapses"},
+    {"next", "1", "collisions at the one after it"},
+    {0}};
+
+static void study_collapse(struct study *s)
+{
+    const double pi = acos(-1);
+    double border = 0;
+    uint64_t next = 0;
+    table_column(s->out, "e", "", "restitution");
+    table_column(s->out, "n", "", "collisions; 0: without end");
+    table_column(s->out, "theory", "", "two to a round, pi/phi rounds");
+    for (int k = 40; k <= 300 && !progress_signal(); ++k) {
+        const double e = k / 500.0;
+        const double cosine = (1 - e) * (1 - e) / (4 * e);
+        const uint64_t n = count_until_still(e);
+        if (n == 0)
+            border = e;
+        else if (next == 0)
+            next = n;
+        table_row(s->out, 3,
+                  (double[]){e, (double)n,
+                             cosine < 1 ? 2 * pi / acos(cosine) : NAN});
+    }
+    table_real(s->summary, "border", border);
+    table_count(s->summary, "next", next);
+}
+
+/* Strikes a row of n touching bodies, with masses from 1 to 5, at one end.
+   Returns the number of collisions. */
+static uint64_t strike(size_t n, uint64_t seed, double apart, bool right)
+{
+    struct bonkers b;
+    struct random r;
+    uint64_t count = 0;
+    random_seed(&r, seed);
+    if (!bonkers_create(&b, n, 1, BONKERS_SCAN))
+        return 0;
+    b.body[0].x = -INFINITY;
+    b.body[n + 1].x = INFINITY;
+    for (size_t i = 1; i <= n; ++i)
+        b.body[i] = (struct bonkers_body){(double)i * apart, 0, 0,
+                                          1 / random_between(&r, 1, 5)};
+    b.body[right ? n : 1].v = right ? -1 : 1;
+    bonkers_start(&b, NULL);
+    bonkers_run(&b, INFINITY, 100000000);
+    count = b.collisions;
+    bonkers_free(&b);
+    return count;
+}
+
+static const struct table_key row_keys[] = {
+    {"left", "1", "collisions of 160, struck from the left"},
+    {"right", "1", "the same from the right"},
+    {"apart", "1", "from the right, bodies 1 nm apart"},
+    {0}};
+
+static void study_row(struct study *s)
+{
+    table_column(s->out, "N", "", "bodies in the row");
+    table_column(s->out, "left", "", "collisions, struck from the left");
+    table_column(s->out, "right", "", "collisions, struck from the right");
+    table_column(s->out, "apart", "", "the same, the bodies 1 nm apart");
+    for (size_t n = 10; n <= 160 && !progress_signal(); n *= 2) {
+        const double row[] = {(double)n,
+                              (double)strike(n, s->seed, 0, false),
+                              (double)strike(n, s->seed, 0, true),
+                              (double)strike(n, s->seed, 1e-9, true)};
+        table_row(s->out, 4, row);
+        if (n == 160) {
+            table_real(s->summary, "left", row[1]);
+            table_real(s->summary, "right", row[2]);
+            table_real(s->summary, "apart", row[3]);
+        }
+    }
+}
+
+enum { SHOWN = 60, EVENTS = 32 };
+
+/* Where each body was at the start, at its collisions and at the end. */
+struct trail {
+    size_t count;
+    double x[EVENTS], t[EVENTS];
+};
+
+static void add_point(struct trail *trail, double x, double t)
+{
+    if (trail->count < EVENTS) {
+        trail->x[trail->count] = x;
+        trail->t[trail->count++] = t;
+    }
+}
+
+/* The gap that has just had its collision. */
+static size_t gap_of_now(const struct bonkers *b)
+{
+    size_t i = 0;
+    while (i + 1 < b->gaps &&
+           (b->body[i].since != b->now || b->body[i + 1].since != b->now))
+        ++i;
+    return i;
+}
+
+static struct {
+    struct trail trail[SHOWN + 2];
+    size_t hits[SHOWN + 1]; /* of a gap */
+} slab;
+
+static void fill_slab(struct bonkers *b, double until)
+{
+    for (size_t i = 0; i <= b->gaps; ++i)
+        add_point(&slab.trail[i], b->body[i].x, 0);
+    while (bonkers_run(b, until, b->collisions + 1) != BONKERS_TIME) {
+        const size_t i = gap_of_now(b);
+        ++slab.hits[i];
+        add_point(&slab.trail[i], b->body[i].x, b->now);
+        add_point(&slab.trail[i + 1], b->body[i].x, b->now);
+    }
+    for (size_t i = 0; i <= b->gaps; ++i)
+        add_point(&slab.trail[i],
+                  b->body[i].x + b->body[i].v * (b->now - b->body[i].since),
+                  b->now);
+}
+
+static void write_trails(struct table *out, size_t gaps)
+{
+    table_print(out,
+                "# x [m], t [s] of a body; an empty line after each\n");
+    for (size_t i = 0; i <= gaps; ++i) {
+        const struct trail *t = &slab.trail[i];
+        for (size_t k = 0; k < t->count; ++k)
+            table_print(out, "%.6f %.6f\n", t->x[k], t->t[k]);
+        table_print(out, "\n");
+    }
+}
+
+/* Writes the collisions of gap i, which belongs to this island. */
+static void write_gap(struct table *out, size_t i, size_t island)
+{
+    const struct trail *t = &slab.trail[i], *next = t + 1;
+    for (size_t k = 1; k + 1 < t->count; ++k)
+        for (size_t j = 1; j + 1 < next->count; ++j)
+            if (t->t[k] == next->t[j])
+                table_print(out, "%.6f %.6f %zu\n", t->x[k], t->t[k],
+                            island);
+}
+
+/* Writes all collisions; returns the number of islands. */
+static size_t write_islands(struct table *out, size_t gaps)
+{
+    size_t island = 0, last = 0;
+    table_print(out, "\n# x, t of a collision, its island\n");
+    for (size_t i = 0; i < gaps; ++i) {
+        if (slab.hits[i] == 0)
+            continue;
+        if (island == 0 || i > last + 2)
+            ++island;
+        last = i;
+        write_gap(out, i, island);
+    }
+    return island;
+}
+
+static const struct table_key islands_keys[] = {
+    {"islands", "1", "groups of gaps with collisions"},
+    {"collisions", "1", "of all"},
+    {0}};
+
+static void study_islands(struct study *s)
+{
+    const struct settings *own = s->own;
+    const struct start_wish wish = {
+        .kind = START_RANDOM, .movers = SHOWN, .seed = s->seed};
+    struct bonkers b;
+    begin_or_exit(&b, &wish, BONKERS_SCAN);
+    fill_slab(&b, own->until);
+    write_trails(s->out, b.gaps);
+    table_count(s->summary, "islands", write_islands(s->out, b.gaps));
+    table_count(s->summary, "collisions", b.collisions);
+    bonkers_free(&b);
+}
+
+static const struct study_entry studies[] = {
+    {"speed", study_speed, "collisions in a second, by engine", speed_keys},
+    {"drift", study_drift, "of the energy", drift_keys},
+    {"reverse", study_reverse, "how the way back is missed", reverse_keys},
+    {"steps", study_steps, "walking instead of events", steps_keys},
+    {"collapse", study_collapse, "two balls and a wall", collapse_keys},
+    {"islands", study_islands, "the collisions of a slab", islands_keys},
+    {"row", study_row, "of bodies that touch", row_keys},
+    {0}};
+
+static const struct options_entry entries[] = {
+    {"", 0, NULL, "--study drift, reverse"},
+    {"collisions", 'c', "N", "most of them (1000000)"},
+    {"", 0, NULL, "--study speed"},
+    {"particles", 'N', "N", "most of them (1000000)"},
+    {"", 0, NULL, "--study steps, islands"},
+    {"until", 't', "T", "length of the run, s (10)"},
+    {0}};
+
+static void take_option(struct options *o, int letter, void *settings)
+{
+    struct settings *own = settings;
+    switch (letter) {
+    case 'c': own->most = options_count(o, 100, 1000000000000); break;
+    case 'N': own->most = options_count(o, 4, BONKERS_MOVERS); break;
+    case 't': own->until = options_real(o, 1e-3, 1000); break;
+    }
+}
+
+int main(int argc, char *argv[])
+{
+    struct settings own = {.most = 1000000, .until = 10};
+    const struct study_program program = {
+        .name = PROGRAM,
+        .purpose = "Measure the engines of bonkers.",
+        .events = "collisions",
+        .studies = studies,
+        .seeds = UINT64_MAX,
+        .drawing = "--study islands, row",
+        .options = entries,
+        .take = take_option,
+        .own = &own};
+    return study_main(&program, argc, argv);
+}

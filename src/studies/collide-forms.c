@@ -1,0 +1,468 @@
+/* From chapters/01-collide.nw: edit there, then run make tangle. */
+/* checksum 4042286559 of the lines below */
+#include "line/collide.h"
+#include "toolbox/bench.h"
+#include "toolbox/options.h"
+#include "toolbox/progress.h"
+#include "toolbox/quad.h"
+#include "toolbox/random.h"
+#include "toolbox/table.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define PROGRAM "collide-forms"
+
+struct settings {
+    size_t study;
+    double ratios[8], offset;
+    size_t ratio_count;
+    uint64_t tests, collisions, digits, seed;
+    const char *output, *summary_path, *command;
+    struct random random;
+    struct progress progress;
+    struct table *out, *summary;
+};
+
+static void summarise(const struct settings *s, const char *key, int form,
+                      double value)
+{
+    char name[64];
+    snprintf(name, sizeof name, "%s_%s", key, collide_form_names[form]);
+    table_real(s->summary, name, value);
+}
+static uint64_t next_stop(uint64_t n, uint64_t last)
+{
+    static const uint64_t steps[] = {1, 2, 5};
+    uint64_t stop = n < last / 10 ? last / 10 : last;
+    for (uint64_t decade = 1000; decade < stop; decade *= 10)
+        for (int i = 0; i < 3; ++i)
+            if (decade * steps[i] > n && decade * steps[i] < stop)
+                stop = decade * steps[i];
+    return stop;
+}
+
+struct rounding {
+    double energy_max, energy_square, momentum_max, velocity_max;
+};
+
+static void measure_rounding(struct rounding *all, int form, double u1,
+                             double u2, double im1, double im2)
+{
+    const quad m1 = 1 / (quad)im1, m2 = 1 / (quad)im2;
+    const quad d = (quad)u1 - u2, sum = (quad)im1 + im2;
+    double v1 = u1, v2 = u2;
+    collide_by(form, &v1, &v2, im1, im2, 1);
+    const quad e1 = v1 - (u1 - 2 * im1 / sum * d);
+    const quad e2 = v2 - (u2 + 2 * im2 / sum * d);
+    const quad momentum = m1 * e1 + m2 * e2;
+    const quad energy = m1 * (v1 - e1 / 2) * e1 + m2 * (v2 - e2 / 2) * e2;
+    const quad total = (m1 * u1 * u1 + m2 * u2 * u2) / 2;
+    const quad scale = m1 * fabs(u1) + m2 * fabs(u2);
+    const double relative = (double)(energy / total) / DBL_EPSILON;
+    all->energy_square += relative * relative;
+    all->energy_max = fmax(all->energy_max, fabs(relative));
+    all->momentum_max = fmax(
+        all->momentum_max, fabs((double)(momentum / scale)) / DBL_EPSILON);
+    all->velocity_max =
+        fmax(all->velocity_max, fmax(fabs((double)e1), fabs((double)e2)) /
+                                    fmax(fabs(u1), fabs(u2)) / DBL_EPSILON);
+}
+
+static const struct table_key rounding_keys[] = {
+    {"energy_max_<form>", "2^-52", "worst relative error of energy"},
+    {"energy_rms_<form>", "2^-52", "root mean square of the same"},
+    {"momentum_max_<form>", "2^-52", "worst error of momentum / sum m|u|"},
+    {"velocity_max_<form>", "2^-52", "worst error of v / larger |u|"},
+    {0}};
+
+static bool study_rounding(struct settings *s)
+{
+    const char *eps = "2^-52";
+    table_column(s->out, "R", "", "mass ratios are drawn from 1/R to R");
+    table_column(s->out, "form", "",
+                 "0 cm, 1 difference, 2 impulse, 3 complement, 4 smaller");
+    table_column(s->out, "dE_max", eps, "worst relative error of energy");
+    table_column(s->out, "dE_rms", eps, "root mean square of the same");
+    table_column(s->out, "dP_max", eps,
+                 "worst error of momentum / sum m|u|");
+    table_column(s->out, "dv_max", eps, "worst error of v / larger |u|");
+    progress_begin(&s->progress, PROGRAM, s->ratio_count * s->tests,
+                   "pairs");
+    for (size_t k = 0; k < s->ratio_count; ++k) {
+        struct rounding all[COLLIDE_FORMS] = {{0, 0, 0, 0}};
+        random_seed(&s->random, s->seed); /* the same for every ratio */
+        for (uint64_t i = 0; i < s->tests && !progress_signal(); ++i) {
+            struct random *r = &s->random;
+            const double im1 = random_between(r, 0.5, 1.5);
+            const double ratio = s->ratios[k];
+            const double im2 =
+                im1 * random_log_uniform(r, 1 / ratio, ratio);
+            const double u1 = s->offset + random_between(r, -1, 1);
+            const double u2 = s->offset + random_between(r, -1, 1);
+            for (int form = 0; form < COLLIDE_FORMS; ++form)
+                measure_rounding(&all[form], form, u1, u2, im1, im2);
+            progress_update(&s->progress, k * s->tests + i,
+                            k * s->tests + i);
+        }
+        if (progress_signal())
+            return false;
+        for (int form = 0; form < COLLIDE_FORMS; ++form) {
+            const struct rounding *a = &all[form];
+            const double rms = sqrt(a->energy_square / (double)s->tests);
+            table_row(s->out, 6,
+                      (double[]){s->ratios[k], form, a->energy_max, rms,
+                                 a->momentum_max, a->velocity_max});
+            if (k + 1 == s->ratio_count) {
+                summarise(s, "energy_max", form, a->energy_max);
+                summarise(s, "energy_rms", form, rms);
+                summarise(s, "momentum_max", form, a->momentum_max);
+                summarise(s, "velocity_max", form, a->velocity_max);
+            }
+        }
+    }
+    return true;
+}
+
+enum { MOVERS = 4, BODIES = MOVERS + 2 };
+
+static const double row_im[BODIES] = {0,         1 / 11.23, 1 / 21.23,
+                                      1 / 31.23, 1 / 41.23, 0};
+
+/* Draws a gap that closes; its number is that of its left neighbour. */
+static uint64_t row_draw(struct random *r, const double v[BODIES])
+{
+    for (;;) {
+        const uint64_t i = random_below(r, BODIES - 1);
+        if (v[i] > v[i + 1])
+            return i;
+    }
+}
+
+static void row_collide(uint64_t i, int form, double v[BODIES])
+{
+    collide_by(form, &v[i], &v[i + 1], row_im[i], row_im[i + 1], 1);
+}
+
+static quad row_energy(const double v[BODIES])
+{
+    quad energy = 0;
+    for (int i = 1; i <= MOVERS; ++i)
+        energy += (quad)v[i] * v[i] / row_im[i] / 2;
+    return energy;
+}
+
+/* The energy that the difference form gains in gap i because its two
+   fractions do not add up to one (1.11, eq:bias). */
+static double row_bias(uint64_t i, const double v[BODIES])
+{
+    const double a = row_im[i], b = row_im[i + 1], sum = a + b;
+    const double delta = (double)((quad)(a / sum) + (b / sum) - 1);
+    const double d = v[i] - v[i + 1];
+    return 2 * delta * d * d / sum;
+}
+
+static const struct table_key drift_keys[] = {
+    {"energy_error_tenth_<form>", "1", "after a tenth of the collisions"},
+    {"energy_error_<form>", "1", "relative error of the energy"},
+    {"predicted_difference", "1", "the same of difference, summed up"},
+    {"slope", "1", "difference: error / error after a tenth"},
+    {"improvement", "1", "error of difference / error of smaller"},
+    {0}};
+
+static bool study_drift(struct settings *s)
+{
+    double v[COLLIDE_FORMS][BODIES], error[COLLIDE_FORMS + 1];
+    double tenth[COLLIDE_FORMS] = {0}, predicted = 0;
+    struct random r[COLLIDE_FORMS];
+    progress_begin(&s->progress, PROGRAM, s->collisions, "collisions");
+    table_column(s->out, "n", "", "collisions");
+    for (int f = 0; f < COLLIDE_FORMS; ++f) {
+        table_column(s->out, collide_form_names[f], "",
+                     "relative error of the energy in this form");
+        memcpy(v[f], (double[BODIES]){0, 1, 2, 3, 4, 0}, sizeof v[f]);
+        r[f] = s->random;
+    }
+    const quad start = row_energy(v[0]);
+    for (uint64_t n = 0; n < s->collisions;) {
+        const uint64_t stop = next_stop(n, s->collisions);
+        while (n < stop) {
+            const uint64_t turn = stop - n < 1000000 ? stop - n : 1000000;
+            for (int f = 0; f < COLLIDE_FORMS; ++f)
+                for (uint64_t i = 0; i < turn; ++i) {
+                    const uint64_t gap = row_draw(&r[f], v[f]);
+                    if (f == COLLIDE_DIFFERENCE)
+                        predicted += row_bias(gap, v[f]);
+                    row_collide(gap, f, v[f]);
+                }
+            n += turn;
+            progress_update(&s->progress, n, COLLIDE_FORMS * n);
+            if (progress_signal())
+                return false;
+        }
+        error[0] = (double)n;
+        for (int f = 0; f < COLLIDE_FORMS; ++f) {
+            error[f + 1] = (double)(row_energy(v[f]) / start - 1);
+            if (n == s->collisions / 10)
+                tenth[f] = error[f + 1];
+        }
+        table_row(s->out, COLLIDE_FORMS + 1, error);
+    }
+    for (int f = 0; f < COLLIDE_FORMS; ++f) {
+        summarise(s, "energy_error", f, error[f + 1]);
+        summarise(s, "energy_error_tenth", f, tenth[f]);
+    }
+    table_real(s->summary, "predicted_difference",
+               predicted / (double)start);
+    table_real(s->summary, "slope",
+               error[COLLIDE_DIFFERENCE + 1] / tenth[COLLIDE_DIFFERENCE]);
+    table_real(
+        s->summary, "improvement",
+        fabs(error[COLLIDE_DIFFERENCE + 1] / error[COLLIDE_SMALLER + 1]));
+    return true;
+}
+
+/* Returns the collisions of the heavy ball, the light one and the wall;
+   stops at limit when there seems to be no end. */
+static uint64_t count_galperin(int form, double im_heavy, uint64_t limit)
+{
+    double heavy = -1, light = 0;
+    uint64_t n = 0;
+    for (; n < limit && !progress_signal(); ++n)
+        if (light > heavy)
+            collide_by(form, &light, &heavy, 1, im_heavy, 1);
+        else if (light < 0)
+            collide_by(form, &light, &(double){0}, 1, 0, 1);
+        else
+            break;
+    return n;
+}
+
+static uint64_t count_galperin_float(float im_heavy, uint64_t limit)
+{
+    float heavy = -1, light = 0;
+    uint64_t n = 0;
+    for (; n < limit && !progress_signal(); ++n)
+        if (light > heavy) {
+            const float change = 2 * (light - heavy);
+            const float small = change * (im_heavy / (1 + im_heavy));
+            light -= change - small;
+            heavy += small;
+        } else if (light < 0) {
+            light = -light;
+        } else {
+            break;
+        }
+    return n;
+}
+
+static const struct table_key galperin_keys[] = {
+    {"exact", "1", "collisions at the last mass ratio"},
+    {"count_float", "1", "counted by smaller, single precision"},
+    {"count_<form>", "1", "counted in this form"},
+    {0}};
+
+static bool study_galperin(struct settings *s)
+{
+    double ratio = 1, row[COLLIDE_FORMS + 3];
+    table_column(s->out, "k", "", "the mass ratio is 100^k");
+    table_column(s->out, "N", "", "exact number of collisions");
+    for (int f = 0; f < COLLIDE_FORMS; ++f)
+        table_column(s->out, collide_form_names[f], "",
+                     "counted in this form");
+    table_column(s->out, "float", "", "smaller, in single precision");
+    progress_begin(&s->progress, PROGRAM, s->digits, "mass ratios");
+    for (uint64_t k = 0; k <= s->digits; ++k, ratio *= 100) {
+        row[0] = (double)k;
+        row[1] = ceil(acos(-1) / atan(sqrt(1 / ratio))) - 1;
+        const uint64_t limit = 2 * (uint64_t)row[1];
+        for (int f = 0; f < COLLIDE_FORMS; ++f)
+            row[f + 2] = (double)count_galperin(f, 1 / ratio, limit);
+        row[COLLIDE_FORMS + 2] =
+            (double)count_galperin_float((float)(1 / ratio), limit);
+        if (progress_signal())
+            return false;
+        progress_update(&s->progress, k, k);
+        table_row(s->out, COLLIDE_FORMS + 3, row);
+    }
+    table_real(s->summary, "exact", row[1]);
+    for (int f = 0; f < COLLIDE_FORMS; ++f)
+        summarise(s, "count", f, row[f + 2]);
+    table_real(s->summary, "count_float", row[COLLIDE_FORMS + 2]);
+    return true;
+}
+static bool study_map(struct settings *s)
+{
+    const double im[] = {1, 0.25};
+    progress_begin(&s->progress, PROGRAM, s->tests, "pairs");
+    table_column(s->out, "u1", "m/s", "before, body 1");
+    table_column(s->out, "u2", "m/s", "before, body 2");
+    table_column(s->out, "v1", "m/s", "after, body 1");
+    table_column(s->out, "v2", "m/s", "after, body 2");
+    for (uint64_t n = 0; n < s->tests && !progress_signal();) {
+        double u[2], v[2];
+        random_direction(&s->random, 2, u);
+        for (int i = 0; i < 2; ++i)
+            v[i] = u[i] *= sqrt(im[i]);
+        if (!(u[0] > u[1]))
+            continue;
+        collide(&v[0], &v[1], im[0], im[1], 1);
+        table_row(s->out, 4, (double[]){u[0], u[1], v[0], v[1]});
+        ++n;
+    }
+    return true;
+}
+
+enum { PAIRS = 4096 };
+
+struct bench {
+    double u[PAIRS][2], im[PAIRS][2];
+};
+
+static double time_form(const struct bench *b, int form, uint64_t passes)
+{
+    static double v[PAIRS][2];
+    const double start = bench_seconds();
+    memcpy(v, b->u, sizeof v);
+    for (uint64_t k = 0; k < passes && !progress_signal(); ++k)
+        for (int i = 0; i < PAIRS; ++i)
+            collide_by(form, &v[i][0], &v[i][1], b->im[i][0], b->im[i][1],
+                       1);
+    return (bench_seconds() - start) * 1e9 / ((double)passes * PAIRS);
+}
+
+static const struct table_key cost_keys[] = {
+    {"ns_<form>", "ns", "processor time a collision, median"}, {0}};
+
+static bool study_cost(struct settings *s)
+{
+    static struct bench b;
+    double times[COLLIDE_FORMS][BENCH_ROUNDS];
+    const uint64_t passes = s->collisions / PAIRS + 1;
+    for (int i = 0; i < PAIRS; ++i)
+        for (int body = 0; body < 2; ++body) {
+            b.u[i][body] = random_between(&s->random, -1, 1);
+            b.im[i][body] = random_between(&s->random, 0.5, 1.5);
+        }
+    progress_begin(&s->progress, PROGRAM, BENCH_ROUNDS, "rounds");
+    for (int round = -1; round < BENCH_ROUNDS; ++round)
+        for (int f = 0; f < COLLIDE_FORMS; ++f) {
+            const double ns = time_form(&b, f, passes);
+            times[f][round < 0 ? 0 : round] = ns;
+        }
+    if (progress_signal())
+        return false;
+    bench_machine(s->out);
+    table_column(s->out, "form", "", "a form of the collision formula");
+    table_column(s->out, "median", "ns", "processor time a collision");
+    table_column(s->out, "least", "ns", "the shortest of five");
+    for (int f = 0; f < COLLIDE_FORMS; ++f) {
+        const double median = bench_median(times[f], BENCH_ROUNDS);
+        table_print(s->out, "%-10s %6.2f %6.2f\n", collide_form_names[f],
+                    median, times[f][0]);
+        summarise(s, "ns", f, median);
+    }
+    return true;
+}
+
+static const struct {
+    bool (*run)(struct settings *s);
+    const struct table_key *keys;
+} studies[] = {{study_rounding, rounding_keys},
+               {study_drift, drift_keys},
+               {study_galperin, galperin_keys},
+               {study_map, NULL},
+               {study_cost, cost_keys}};
+
+static const char *const study_names[] = {"rounding", "drift", "galperin",
+                                          "map",      "cost",  NULL};
+
+static const struct options_entry entries[] = {
+    {"study", 't', "NAME", "rounding, drift, galperin, map or cost"},
+    {"output", 'o', "FILE", "for the table (standard output)"},
+    {"summary", 'S', "FILE",
+     "for the results as lines: key value;\n"
+     "--study NAME --help lists them"},
+    {"", 0, NULL, "--study rounding"},
+    {"mass-ratio", 'R', "R1,..", "ratios from 1/R to R (1000)"},
+    {"offset", 'O', "V", "a common velocity (0)"},
+    {"", 0, NULL, "--study rounding, map"},
+    {"tests", 'n', "N", "random pairs (100000)"},
+    {"", 0, NULL, "--study drift, cost"},
+    {"collisions", 'c', "N", "how many (1000000)"},
+    {"", 0, NULL, "--study galperin"},
+    {"digits", 'k', "K", "mass ratios up to 100^K (5)"},
+    {"", 0, NULL, "--study rounding, drift, map"},
+    {"seed", 's', "S", "of the random numbers (1)"},
+    {0}};
+
+static void read_settings(struct settings *s, int argc, char *argv[])
+{
+    struct options o;
+    int option;
+    bool chosen = false;
+    *s = (struct settings){.ratios = {1000},
+                           .ratio_count = 1,
+                           .tests = 100000,
+                           .collisions = 1000000,
+                           .digits = 5,
+                           .seed = 1,
+                           .summary_path = "/dev/null"};
+    options_begin(&o, PROGRAM, "Compare five forms of a collision.",
+                  entries, argc, argv);
+    while ((option = options_next(&o)) != -1)
+        switch (option) {
+        case 't':
+            s->study = options_choice(&o, study_names);
+            options_keys(&o, studies[s->study].keys);
+            chosen = true;
+            break;
+        case 'R':
+            s->ratio_count = options_list(&o, s->ratios, 8);
+            for (size_t i = 0; i < s->ratio_count; ++i)
+                if (!(s->ratios[i] >= 1 && s->ratios[i] <= 1e100))
+                    options_fail(&o, "'%s' has a ratio outside 1 to 1e100",
+                                 options_text(&o));
+            break;
+        case 'O': s->offset = options_real(&o, -1e100, 1e100); break;
+        case 'n': s->tests = options_count(&o, 1, 1000000000); break;
+        case 'c':
+            s->collisions = options_count(&o, 1000, 1000000000000);
+            break;
+        case 'k': s->digits = options_count(&o, 0, 10); break;
+        case 's': s->seed = options_count(&o, 0, UINT64_MAX); break;
+        case 'o': s->output = options_text(&o); break;
+        case 'S': s->summary_path = options_text(&o); break;
+        }
+    s->command = options_command(&o);
+    if (!chosen)
+        options_fail(&o, "--study is needed: %s", entries[0].help);
+    if (strcmp(s->summary_path, s->output ? s->output : "-") == 0 &&
+        strcmp(s->summary_path, "/dev/null") != 0)
+        options_fail(&o, "--summary and the table would both go to '%s'",
+                     s->summary_path);
+}
+
+int main(int argc, char *argv[])
+{
+    struct settings s;
+    read_settings(&s, argc, argv);
+    s.out = table_open(PROGRAM, s.output);
+    s.summary = table_open(PROGRAM, s.summary_path);
+    if (!s.out || !s.summary)
+        return table_discard(s.out), table_discard(s.summary), EXIT_FAILURE;
+    table_keys(s.summary, studies[s.study].keys);
+    progress_catch_signals();
+    table_begin(s.out, s.command, s.seed);
+    random_seed(&s.random, s.seed);
+    const bool done = studies[s.study].run(&s);
+    const bool whole = progress_end(&s.progress) && done;
+    const bool written = table_close(s.out);
+    if (whole && written)
+        return table_close(s.summary) ? EXIT_SUCCESS : EXIT_FAILURE;
+    table_discard(s.summary);
+    return EXIT_FAILURE;
+}

@@ -1,0 +1,299 @@
+/* From chapters/07-gas.nw: edit there, then run make tangle. */
+/* checksum 582159979 of the lines below */
+#include "box/cells.h"
+#include "toolbox/bench.h"
+#include "toolbox/options.h"
+#include "toolbox/progress.h"
+#include "toolbox/random.h"
+#include "toolbox/table.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define PROGRAM "disks-speed"
+
+enum {
+    SIZES = 16,        /* numbers of disks in a table, at most */
+    PAIRS_MOST = 10000 /* disks that pairs are tried with */
+};
+
+struct settings {
+    size_t dimensions, sizes;
+    double packing, particles[SIZES];
+    bool steps;
+    uint64_t collisions, seed; /* collisions: of a round; 0: by the clock */
+    const char *output, *summary, *command;
+};
+
+static void give_up(const char *why)
+{
+    fprintf(stderr, PROGRAM ": %s\n", why);
+    table_abandon();
+    exit(EXIT_FAILURE);
+}
+
+static void begin_or_exit(struct disks *d, const struct settings *s,
+                          size_t count)
+{
+    const double pi = 3.14159265358979324;
+    const double each = s->dimensions == 2 ? pi / 4 : pi / 6;
+    const double volume = (double)count * each / s->packing;
+    struct random r;
+    random_seed(&r, 1);
+    if (!disks_create(d, s->dimensions, count))
+        give_up("no memory for the disks");
+    d->boundary = DISKS_PERIODIC;
+    for (size_t k = 0; k < d->dimensions; ++k)
+        d->box[k] = s->dimensions == 2 ? sqrt(volume) : cbrt(volume);
+    for (size_t i = 0; i < count; ++i)
+        d->disk[i].radius = 0.5;
+    if (!disks_place_lattice(d))
+        give_up("--packing: the disks have no room on a lattice");
+    disks_set_temperature(d, 1, &r);
+}
+
+static void copy_or_exit(struct disks *to, const struct disks *from)
+{
+    const size_t n = from->count;
+    if (!disks_create(to, from->dimensions, n))
+        give_up("no memory for the disks");
+    struct disk *disk = to->disk;
+    double *mass = to->mass;
+    uint32_t *hits = to->hits;
+    *to = *from;
+    to->plan = NULL;
+    to->disk = memcpy(disk, from->disk, n * sizeof *disk);
+    to->mass = memcpy(mass, from->mass, n * sizeof *mass);
+    to->hits = memcpy(hits, from->hits, n * sizeof *hits);
+    if (!disks_plan(to))
+        give_up("no memory for the plans");
+}
+
+struct engines {
+    struct disks pairs, disks; /* the second for cells */
+    struct cells cells;
+};
+
+static void run_on(struct engines *e, bool fast, uint64_t more)
+{
+    const struct disks *d = fast ? &e->disks : &e->pairs;
+    const uint64_t end = d->collisions + more, bite = 100000;
+    for (uint64_t next = d->collisions;
+         d->collisions == next && next < end && !progress_signal();) {
+        next += end - next < bite ? end - next : bite;
+        if (fast)
+            cells_run(&e->cells, INFINITY, next);
+        else
+            disks_run(&e->pairs, INFINITY, next);
+    }
+}
+
+/* Collisions a second in a round. */
+static double speed_of(struct engines *e, const struct settings *s,
+                       bool fast)
+{
+    const struct disks *d = fast ? &e->disks : &e->pairs;
+    const uint64_t bite = s->collisions ? s->collisions
+                          : fast        ? 10000
+                                        : 1 + 100000 / d->count;
+    const uint64_t before = d->collisions;
+    const double start = bench_seconds();
+    double seconds = 0;
+    do {
+        run_on(e, fast, bite);
+        seconds = bench_seconds() - start;
+    } while (!s->collisions && seconds < 0.2);
+    return (double)(d->collisions - before) / seconds;
+}
+
+/* *pairs is no number when there are too many disks for them. */
+static void compare(struct engines *e, const struct settings *s,
+                    double *pairs, double *cells)
+{
+    const bool both = e->disks.count <= PAIRS_MOST;
+    double rounds[2][BENCH_ROUNDS] = {{0}};
+    for (int k = -1; k < BENCH_ROUNDS; ++k) {
+        const int at = k < 0 ? 0 : k;
+        rounds[1][at] = speed_of(e, s, true);
+        if (both)
+            rounds[0][at] = speed_of(e, s, false);
+    }
+    *cells = bench_median(rounds[1], BENCH_ROUNDS);
+    *pairs = both ? bench_median(rounds[0], BENCH_ROUNDS) : NAN;
+}
+
+static double bytes_each(const struct cells *c)
+{
+    const struct disks *d = c->d;
+    const double disk = sizeof *d->disk + sizeof *d->mass + sizeof *d->hits;
+    const double own =
+        sizeof *c->anchor + (double)c->seats * sizeof *c->neighbour;
+    const double event = sizeof *c->calendar.event;
+    const double cell =
+        sizeof *c->full +
+        (double)c->room * (DISKS_AXES * sizeof *c->place + sizeof *c->who);
+    const double days =
+        ((double)c->calendar.days + 1) * sizeof *c->calendar.day;
+    return disk + own + event +
+           (cell * (double)c->cells + days) / (double)d->count;
+}
+
+static void write_head(struct table *t, const struct settings *s)
+{
+    table_begin(t, s->command, 1);
+    bench_machine(t);
+    table_print(t, "# kernel of cells: %s\n", cells_kernel);
+    if (s->steps) {
+        table_column(t, "step", "", "what is there");
+        table_column(t, "speed", "1/us", "collisions of processor time");
+        return;
+    }
+    table_column(t, "N", "", "disks or spheres");
+    table_column(t, "pairs", "1/s",
+                 "collisions a second of processor time");
+    table_column(t, "cells", "1/s",
+                 "collisions a second of processor time");
+    table_column(t, "bytes", "B", "of memory for a disk, with cells");
+    table_column(t, "stale", "", "stale events for a collision");
+    table_column(t, "renewed", "", "ends of a leash for a collision");
+}
+
+static void write_row(struct table *t, struct table *summary,
+                      const struct engines *e, double pairs, double cells)
+{
+    const double n = (double)e->disks.count;
+    const double collisions = (double)e->disks.collisions;
+    char key[64];
+    table_print(t, "%-8.0f %9.4g %9.4g %6.1f %6.3f %6.3f\n", n, pairs,
+                cells, bytes_each(&e->cells),
+                (double)e->cells.stale / collisions,
+                (double)e->cells.renewed / collisions);
+    snprintf(key, sizeof key, "cells_%.0f", n);
+    table_real(summary, key, cells);
+    snprintf(key, sizeof key, "bytes_%.0f", n);
+    table_real(summary, key, bytes_each(&e->cells));
+    snprintf(key, sizeof key, "cells/pairs_%.0f", n);
+    table_real(summary, key, cells / pairs);
+}
+
+static void write_steps(struct engines *e, const struct settings *s,
+                        struct table *out)
+{
+    struct calendar *calendar = &e->cells.calendar;
+    double pairs, cells, neighbours;
+    compare(e, s, &pairs, &cells);
+    calendar->width = INFINITY;
+    for (uint32_t i = 0; i < e->disks.count; ++i)
+        calendar_put(calendar, i, calendar->event[i].time);
+    compare(e, s, &pairs, &neighbours);
+    table_print(out, "pairs %.3g\nneighbours %.3g\ncalendar %.3g\n",
+                pairs / 1e6, neighbours / 1e6, cells / 1e6);
+}
+
+static const struct options_entry entries[] = {
+    {"particles", 'N', "N1,N2,..", "numbers of disks (100,1000,..,1e6)"},
+    {"packing", 'p', "P", "share of the box that they fill (0.3)"},
+    {"dimensions", 'd', "D", "2 or 3 (2)"},
+    {"steps", 'x', NULL, "time what each step of the chapter has bought"},
+    {"collisions", 'c', "C", "of a round (as many as take 0.2 s)"},
+    {"output", 'o', "FILE", "for the table (standard output)"},
+    {"", 0, NULL, "no --steps"},
+    {"summary", 'S', "FILE", "for the results as lines: key value"},
+    {0}};
+
+static const struct table_key keys[] = {
+    {"", "", "if not --steps:"},
+    {"cells_<N>", "1/s", "collisions, cells, N disks"},
+    {"bytes_<N>", "B", "of memory for a disk"},
+    {"cells/pairs_<N>", "1", "ratio of speeds; nan: too many for pairs"},
+    {0}};
+
+static void read_particles(struct settings *s, struct options *o)
+{
+    s->sizes = options_list(o, s->particles, SIZES);
+    for (size_t k = 0; k < s->sizes; ++k)
+        if (!(s->particles[k] >= 3 && s->particles[k] <= DISKS_MOST) ||
+            s->particles[k] != floor(s->particles[k]))
+            options_fail(o, "%g is not a whole number from 3 to %d",
+                         s->particles[k], DISKS_MOST);
+}
+
+static void read_settings(struct settings *s, int argc, char *argv[])
+{
+    struct options o;
+    int option;
+    *s = (struct settings){.dimensions = 2,
+                           .sizes = 5,
+                           .particles = {1e2, 1e3, 1e4, 1e5, 1e6},
+                           .packing = 0.3,
+                           .summary = "/dev/null"};
+    options_begin(&o, PROGRAM, "Time the engines of disks.", entries, argc,
+                  argv);
+    options_keys(&o, keys);
+    while ((option = options_next(&o)) != -1)
+        switch (option) {
+        case 'N': read_particles(s, &o); break;
+        case 'p': s->packing = options_real(&o, 1e-9, 1); break;
+        case 'd': s->dimensions = options_count(&o, 2, 3); break;
+        case 'c':
+            s->collisions = options_count(&o, 1, 1000000000000);
+            break;
+        case 'x': s->steps = true; break;
+        case 'o': s->output = options_text(&o); break;
+        case 'S': s->summary = options_text(&o); break;
+        }
+    s->command = options_command(&o);
+    if (strcmp(s->summary, s->output ? s->output : "-") == 0 &&
+        strcmp(s->summary, "/dev/null") != 0)
+        options_fail(&o, "--summary and the table would both go to '%s'",
+                     s->summary);
+}
+static void time_size(const struct settings *s, size_t count,
+                      struct table *out, struct table *summary)
+{
+    struct engines e = {0};
+    double pairs, cells;
+    begin_or_exit(&e.disks, s, count);
+    if (!cells_suit(&e.disks))
+        give_up("--particles: too few for three cells along each side");
+    if (!cells_create(&e.cells, &e.disks))
+        give_up("no memory for the cells");
+    run_on(&e, true, s->collisions ? s->collisions : 5 * count);
+    if (count <= PAIRS_MOST)
+        copy_or_exit(&e.pairs, &e.disks);
+    if (s->steps)
+        write_steps(&e, s, out);
+    else {
+        compare(&e, s, &pairs, &cells);
+        write_row(out, summary, &e, pairs, cells);
+    }
+    cells_free(&e.cells);
+    disks_free(&e.disks);
+    disks_free(&e.pairs);
+}
+
+int main(int argc, char *argv[])
+{
+    struct settings s;
+    struct progress progress;
+    read_settings(&s, argc, argv);
+    struct table *out = table_open(PROGRAM, s.output);
+    struct table *summary = table_open(PROGRAM, s.summary);
+    if (!out || !summary)
+        return table_discard(out), table_discard(summary), EXIT_FAILURE;
+    table_keys(summary, keys);
+    progress_catch_signals();
+    progress_begin(&progress, PROGRAM, s.sizes, "sizes");
+    write_head(out, &s);
+    for (size_t k = 0; k < s.sizes && !progress_signal(); ++k) {
+        time_size(&s, (size_t)s.particles[k], out, summary);
+        progress_update(&progress, k + 1, k + 1);
+    }
+    const bool whole = progress_end(&progress), written = table_close(out);
+    if (whole && written)
+        return table_close(summary) ? EXIT_SUCCESS : EXIT_FAILURE;
+    table_discard(summary);
+    return EXIT_FAILURE;
+}

@@ -1,0 +1,664 @@
+/* From chapters/05-disks.nw: edit there, then run make tangle. */
+/* checksum 3419035891 of the lines below */
+#include "box/disks.h"
+#include "toolbox/bench.h"
+#include "toolbox/quad.h"
+#include "toolbox/random.h"
+#include "toolbox/study.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#define PROGRAM "disks-studies"
+
+enum { MOST_STARTS = 100000 };
+
+struct settings {
+    uint64_t samples;
+    uint64_t starts; /* 0: what the study takes */
+    double every;    /* s */
+};
+
+/* Count disks of radius r in a square box with walls, all of the speed v.
+   Ends the program without memory, or when there is no room. */
+static void begin_or_exit(struct disks *d, size_t count, double r,
+                          double length, double v, struct random *random)
+{
+    if (disks_create(d, 2, count)) {
+        d->box[0] = d->box[1] = length;
+        for (size_t i = 0; i < count; ++i)
+            d->disk[i].radius = r;
+        disks_set_speed(d, v, random);
+        if (disks_place_lattice(d) && disks_plan(d))
+            return;
+    }
+    study_fail(PROGRAM, "no memory or no room for the disks");
+}
+
+static const double radius = 0.15; /* of the four in a box of 1 m */
+
+static void begin_four(struct disks *d, double v, uint64_t seed)
+{
+    struct random r;
+    random_seed(&r, seed);
+    begin_or_exit(d, 4, radius, 1, v, &r);
+}
+
+/* The article's loop: all disks are at the time t. */
+struct loop {
+    struct disks d;
+    struct disks_event next;
+    double t, slip; /* s; -1 as in the article, +1 as it should be */
+    double overlap; /* the deepest, m */
+};
+
+static void event(struct loop *l)
+{
+    disks_collide(&l->d, l->next);
+    l->next = disks_next(&l->d);
+}
+
+/* Moves all disks by step, s, and calls the time t. */
+static void shift(struct loop *l, double step)
+{
+    for (size_t i = 0; i < l->d.count; ++i) {
+        struct disk *a = &l->d.disk[i];
+        for (size_t k = 0; k < DISKS_AXES; ++k)
+            a->position[k] += a->velocity[k] * step;
+        a->since = l->t;
+    }
+    l->d.now = l->t;
+}
+
+static void turn(struct loop *l, double every)
+{
+    l->t += every;
+    if (l->t < l->next.time) {
+        shift(l, every);
+        return;
+    }
+    const double step = l->next.time - l->t + l->slip * every;
+    l->t = l->next.time;
+    shift(l, step);
+    event(l);
+}
+
+static void go_to(struct loop *l, double tick)
+{
+    while (l->next.time <= tick)
+        event(l);
+    l->t = l->d.now = tick;
+}
+
+enum { BINS = 100 };
+
+static int bin_of(double x)
+{
+    const double inside = 0.5 + (x - 0.5) * (1 - 1e-9);
+    return (int)fmin(fmax(floor(inside * BINS), 0), BINS - 1);
+}
+
+static void sample(struct loop *l, double bins[])
+{
+    for (size_t i = 0; i < l->d.count; ++i) {
+        double a[DISKS_AXES], b[DISKS_AXES], apart[DISKS_AXES];
+        disks_position(&l->d, i, a);
+        for (size_t k = 0; k < 2; ++k) {
+            bins[bin_of(a[k])] += 1;
+            l->overlap = fmax(l->overlap, radius - a[k]);
+            l->overlap = fmax(l->overlap, a[k] - 1 + radius);
+        }
+        for (size_t j = 0; j < i; ++j) {
+            disks_position(&l->d, j, b);
+            disks_apart(&l->d, a, b, apart);
+            const double s = hypot(apart[0], apart[1]);
+            l->overlap = fmax(l->overlap, 2 * radius - s);
+        }
+    }
+}
+
+enum { OURS, ARTICLE, MENDED, CLOCKS };
+
+static const char *const clocks[CLOCKS] = {"clock", "article", "mended"};
+
+/* Lets one of the three sample the four disks; the energy at the start. */
+static double sample_by(int way, const struct study *s, struct loop *l,
+                        double bins[BINS])
+{
+    const struct settings *own = s->own;
+    begin_four(&l->d, 1, s->seed);
+    const double energy = disks_energy(&l->d);
+    l->next = disks_next(&l->d);
+    for (uint64_t k = 1; k <= own->samples; ++k) {
+        if (way == OURS)
+            go_to(l, (double)k * own->every);
+        else
+            turn(l, own->every);
+        sample(l, bins);
+    }
+    return energy;
+}
+
+/* Notes the pressure, the energy and the density at the edge. */
+static void sum_up(struct study *s, const char *name, const struct loop *l,
+                   double energy, const double bins[BINS])
+{
+    const struct settings *own = s->own;
+    const double impulse = l->d.impulse[0] + l->d.impulse[1];
+    const double nkt = disks_energy(&l->d); /* 2 E / D */
+    const double edge = (bins[15] + bins[84]) / 16 * BINS;
+    const double values[] = {impulse / (4 * nkt * l->t), l->overlap,
+                             disks_energy(&l->d) / energy - 1,
+                             (edge / (double)own->samples / 2.630625 - 1) *
+                                 100}; /* direct sampling */
+    static const char *const keys[] = {"Z", "overlap", "energy", "edge"};
+    for (int k = 0; k < 4; ++k) {
+        char key[32];
+        snprintf(key, sizeof key, "%s_%s", keys[k], name);
+        table_real(s->summary, key, values[k]);
+    }
+}
+
+static const struct table_key clock_keys[] = {
+    {"Z_<program>", "1", "P V/(N kT) at the walls across x"},
+    {"overlap_<program>", "m", "deepest seen"},
+    {"energy_<program>", "1", "relative change"},
+    {"edge_<program>", "%", "density at the edge, off direct sampling"},
+    {0}};
+
+static void study_clock(struct study *s)
+{
+    const struct settings *own = s->own;
+    static double bins[CLOCKS][BINS];
+    table_column(s->out, "x", "m", "lower edge of the bin");
+    for (int way = 0; way < CLOCKS; ++way) {
+        struct loop l = {.slip = way == ARTICLE ? -1 : 1};
+        const double energy = sample_by(way, s, &l, bins[way]);
+        sum_up(s, clocks[way], &l, energy, bins[way]);
+        disks_free(&l.d);
+        table_column(s->out, clocks[way], "1/m", "density of a coordinate");
+    }
+    const double scale = BINS / (8 * (double)own->samples);
+    for (int bin = 0; bin < BINS; ++bin) {
+        double row[1 + CLOCKS] = {(double)bin / BINS};
+        for (int way = 0; way < CLOCKS; ++way)
+            row[1 + way] = bins[way][bin] * scale;
+        table_row(s->out, 1 + CLOCKS, row);
+    }
+}
+
+/* A row: where the first disk is now. */
+static void record(struct study *s, struct loop *l)
+{
+    double place[DISKS_AXES];
+    disks_position(&l->d, 0, place);
+    table_row(s->out, 3, (double[]){l->d.now, place[0], place[1]});
+}
+
+/* The next row: of the events, of the clock, of the article. */
+static void go_on(struct loop *l, int way, int k, double every)
+{
+    if (way == 2)
+        turn(l, every);
+    else if (way == 1)
+        go_to(l, k * every);
+    else if (l->next.time <= 1.5)
+        event(l);
+    else
+        l->d.now = 1.5;
+}
+
+static void study_timeline(struct study *s)
+{
+    const struct settings *own = s->own;
+    table_column(s->out, "t", "s", "events; clock times; the article's");
+    table_column(s->out, "x", "m", "of the first disk");
+    table_column(s->out, "y", "m", "of the first disk");
+    for (int way = 0; way < 3; ++way) {
+        struct loop l = {.slip = -1};
+        begin_four(&l.d, 1, s->seed);
+        disks_run(&l.d, 1, UINT64_MAX);
+        disks_settle(&l.d);
+        l.next = disks_next(&l.d);
+        record(s, &l);
+        for (int k = 1; l.d.now < 1.5 && k < 1000; ++k) {
+            go_on(&l, way, k, own->every);
+            record(s, &l);
+        }
+        table_print(s->out, "\n\n");
+        disks_free(&l.d);
+    }
+}
+
+/* How far the disks miss their start after the time t, and as much back,
+   m; adds the collisions of one way to *collisions. */
+static double miss(struct disks *d, double t, double *collisions)
+{
+    struct disk start[4];
+    double worst = 0;
+    memcpy(start, d->disk, sizeof start);
+    disks_run(d, t, UINT64_MAX);
+    *collisions += (double)d->collisions;
+    disks_settle(d);
+    for (size_t i = 0; i < d->count; ++i)
+        for (size_t k = 0; k < DISKS_AXES; ++k)
+            d->disk[i].velocity[k] *= -1;
+    if (!disks_plan(d))
+        return INFINITY;
+    disks_run(d, t, UINT64_MAX);
+    disks_settle(d);
+    for (size_t i = 0; i < d->count; ++i)
+        for (size_t k = 0; k < 2; ++k)
+            worst = fmax(
+                worst, fabs(d->disk[i].position[k] - start[i].position[k]));
+    return worst;
+}
+
+/* The median miss of four disks of energy e after the time t. */
+static double median_miss(const struct study *s, double e, double t,
+                          double *collisions)
+{
+    static double worst[MOST_STARTS];
+    const struct settings *own = s->own;
+    const uint64_t starts = own->starts ? own->starts : 101;
+    *collisions = 0;
+    for (uint64_t i = 0; i < starts; ++i) {
+        struct disks d;
+        begin_four(&d, sqrt(e / 2),
+                   s->seed * 1000 + i + (uint64_t)(100 * e));
+        worst[i] = miss(&d, t, collisions);
+        disks_free(&d);
+    }
+    *collisions /= (double)starts;
+    return bench_median(worst, starts);
+}
+
+static const struct table_key reverse_keys[] = {
+    {"miss_5", "m", "1 J: median miss, 5 s and back"},
+    {"miss_8", "m", "1 J: the same, 8 s"},
+    {"collisions", "1", "1 J: mean of 8 s, one way"},
+    {"rate_1", "1/s", "growth of the miss, 1 J"},
+    {"rate_4", "1/s", "the same, 4 J"},
+    {0}};
+
+static void study_reverse(struct study *s)
+{
+    double one[16], four[16], n = 0, other;
+    table_column(s->out, "t", "s", "times the root of E: there, and back");
+    table_column(s->out, "n", "", "collisions there, mean");
+    table_column(s->out, "miss_1", "m", "median miss, E = 1 J");
+    table_column(s->out, "miss_4", "m", "the same, E = 4 J");
+    for (int k = 0; k < 16; ++k) {
+        const double t = 0.5 * (k + 1);
+        one[k] = median_miss(s, 1, t, &n);
+        four[k] = median_miss(s, 4, t / 2, &other);
+        table_row(s->out, 4, (double[]){t, n, one[k], four[k]});
+    }
+    table_real(s->summary, "miss_5", one[9]);
+    table_real(s->summary, "miss_8", one[15]);
+    table_real(s->summary, "collisions", n);
+    table_real(s->summary, "rate_1", log(one[14] / one[2]) / 6);
+    table_real(s->summary, "rate_4", log(four[14] / four[2]) / 3);
+}
+
+/* A root in quad precision, by two steps of Newton's. */
+static quad root(quad x)
+{
+    quad y = (quad)sqrt((double)x);
+    for (int k = 0; k < 2 && y > 0; ++k)
+        y = (y + x / y) / 2;
+    return y;
+}
+
+/* A pair that will meet at impact parameter `miss`, with a gap between the
+   rims, both in units of sigma = 1, from a random side. */
+static void throw_pair(struct random *r, double gap, double miss,
+                       double apart[], double closing[])
+{
+    double e[DISKS_AXES] = {0};
+    random_direction(r, 2, e);
+    const double far = 1 + gap, along = sqrt(far * far - miss * miss);
+    for (size_t k = 0; k < DISKS_AXES; ++k)
+        closing[k] = -e[k];
+    apart[0] = along * e[0] - miss * e[1];
+    apart[1] = along * e[1] + miss * e[0];
+    apart[2] = 0;
+}
+
+/* Errors of the time: *book, by the textbook's root, and *ours. Returns by
+   how much the distance is wrong at our time; -1: they do not meet. */
+static double contact_errors(const double x[], const double v[],
+                             double *book, double *ours)
+{
+    const double time = disks_pair_time(x, v, 1);
+    const quad b = (quad)x[0] * v[0] + (quad)x[1] * v[1];
+    const quad a = (quad)v[0] * v[0] + (quad)v[1] * v[1];
+    const quad c = (quad)x[0] * x[0] + (quad)x[1] * x[1] - 1;
+    const double lb = x[0] * v[0] + x[1] * v[1];
+    const double la = v[0] * v[0] + v[1] * v[1];
+    const double lc = x[0] * x[0] + x[1] * x[1] - 1;
+    if (time == INFINITY || !(b * b - a * c > 0) || !(lb * lb >= la * lc))
+        return -1;
+    const quad exact = c / (root(b * b - a * c) - b);
+    *ours = fabs((double)(time - exact));
+    *book = fabs((double)((-lb - sqrt(lb * lb - la * lc)) / la - exact));
+    const quad dx = x[0] + v[0] * (quad)time, dy = x[1] + v[1] * (quad)time;
+    return fabs((double)(root(dx * dx + dy * dy) - 1));
+}
+
+enum { GRAZE, GAP, EXACT, KINDS };
+
+static void throw_kind(int kind, double size, struct random *r, double x[],
+                       double v[])
+{
+    if (kind == GRAZE)
+        throw_pair(r, 1, 1 - size, x, v);
+    else
+        throw_pair(r, size, random_uniform(r) * 0.9, x, v);
+    if (kind == EXACT) {
+        x[0] = 1 + size;
+        v[0] = -random_between(r, 0.5, 2);
+        x[1] = v[1] = 0;
+    }
+}
+
+/* Throws pairs of one kind, and keeps the worst two errors of them. */
+static void worst_of(const struct study *s, int kind, double size,
+                     struct random *r, double worst[])
+{
+    const struct settings *own = s->own;
+    const uint64_t pairs = own->starts ? own->starts : 1000;
+    const double scale = kind == GRAZE ? 1 : size;
+    for (uint64_t i = 0; i < pairs; ++i) {
+        double x[3], v[3], book, ours;
+        throw_kind(kind, size, r, x, v);
+        const double off = contact_errors(x, v, &book, &ours);
+        if (off < 0)
+            continue;
+        worst[0] = fmax(worst[0], (kind == GRAZE ? ours : book) / scale);
+        worst[1] = fmax(worst[1], (kind == GRAZE ? off : ours) / scale);
+    }
+}
+
+static const struct table_key contact_keys[] = {
+    {"time", "1", "grazing by 2^-40: error of the time"},
+    {"place", "1", "the same: error of the distance then"},
+    {"book", "1", "gap 2^-26: relative error, textbook's root"},
+    {"ours", "1", "the same, stable root"},
+    {"book_exact", "1", "textbook's root, exact places"},
+    {"ours_exact", "1", "stable root, exact places"},
+    {0}};
+
+static void study_contact(struct study *s)
+{
+    static const char *const keys[] = {"time", "place",      "book",
+                                       "ours", "book_exact", "ours_exact"};
+    struct random r;
+    random_seed(&r, s->seed);
+    table_column(s->out, "s", "", "gap, or what lacks to sigma; sigma = 1");
+    table_column(s->out, "time", "", "grazing: error of the time");
+    table_column(s->out, "place", "",
+                 "grazing: error of the distance then");
+    table_column(s->out, "book", "",
+                 "gap s: relative error, textbook's root");
+    table_column(s->out, "ours", "", "gap s: relative error, stable root");
+    table_column(s->out, "book'", "", "the textbook's, exact places");
+    table_column(s->out, "ours'", "", "the stable root, exact places");
+    for (int k = 1; k <= 50; ++k) {
+        double row[1 + 2 * KINDS] = {ldexp(1, -k)};
+        for (int kind = GRAZE; kind < KINDS; ++kind)
+            worst_of(s, kind, row[0], &r, &row[1 + 2 * kind]);
+        table_row(s->out, 1 + 2 * KINDS, row);
+        for (int c = 0; c < 2 * KINDS; ++c)
+            if (k == (c < 2 ? 40 : 26))
+                table_real(s->summary, keys[c], row[1 + c]);
+    }
+}
+
+/* Runs n disks with this restitution for 100 n collisions; returns whether
+   they collapsed before. */
+static bool collapses(struct disks *d, size_t n, double restitution,
+                      uint64_t seed)
+{
+    struct random r;
+    random_seed(&r, seed);
+    begin_or_exit(d, n, 0.5, sqrt((double)n * 2.8), 1, &r);
+    d->restitution = restitution;
+    return disks_run(d, INFINITY, 100 * n) == DISKS_COLLAPSE;
+}
+
+static double share_of_collapses(struct study *s, size_t n, double e)
+{
+    const struct settings *own = s->own;
+    const uint64_t starts = own->starts ? own->starts : 10;
+    double collapsed = 0;
+    for (uint64_t i = 0; i < starts; ++i) {
+        struct disks d;
+        collapsed += collapses(&d, n, e, s->seed + i);
+        disks_free(&d);
+    }
+    return collapsed / (double)starts;
+}
+
+/* Writes down the end of one of the runs. */
+static void write_end(struct study *s)
+{
+    struct disks d;
+    double last = 0;
+    table_print(s->out, "\n\n# the end: x y, 1 if it collides for ever\n");
+    collapses(&d, 100, 0.4, s->seed);
+    for (size_t i = 0; i < d.count; ++i) {
+        double place[DISKS_AXES];
+        disks_position(&d, i, place);
+        table_print(s->out, "%.6f %.6f %d\n", place[0], place[1],
+                    d.disk[i].since == d.now);
+        last += d.disk[i].since == d.now;
+    }
+    table_real(s->summary, "bound", last);
+    table_real(s->summary, "time", d.now);
+    table_real(s->summary, "collisions", (double)d.collisions);
+    disks_free(&d);
+}
+
+static const struct table_key collapse_keys[] = {
+    {"bound", "1", "of 100 disks: collide for ever"},
+    {"time", "s", "of the collapse"},
+    {"collisions", "1", "until then"},
+    {0}};
+
+static void study_collapse(struct study *s)
+{
+    static const size_t sizes[] = {10, 30, 100};
+    table_column(s->out, "e", "", "restitution");
+    table_column(s->out, "p_10", "",
+                 "share of starts that collapse, N = 10");
+    table_column(s->out, "p_30", "", "the same, N = 30");
+    table_column(s->out, "p_100", "", "the same, N = 100");
+    for (double e = 0.05; e < 0.99 && !progress_signal(); e += 0.05) {
+        double row[4] = {e};
+        for (int k = 0; k < 3; ++k)
+            row[k + 1] = share_of_collapses(s, sizes[k], e);
+        table_row(s->out, 4, row);
+    }
+    write_end(s);
+}
+
+/* Lets so many collisions happen, every pair looked at. */
+static void run_pairs(struct disks *d, uint64_t collisions)
+{
+    while (d->collisions < collisions)
+        disks_collide(d, disks_next(d));
+}
+
+/* Collisions, walls and all, a second of processor time. */
+static double speed_of(struct disks *d, bool plan)
+{
+    const uint64_t before = d->collisions + d->wall_collisions;
+    const double start = bench_seconds();
+    const double bite = plan ? 1 + 1e6 / (double)d->count
+                             : 1 + 1e6 / pow((double)d->count, 2);
+    double seconds = 0;
+    while (seconds < 0.05) {
+        const uint64_t goal = d->collisions + (uint64_t)bite;
+        if (plan)
+            disks_run(d, INFINITY, goal);
+        else
+            run_pairs(d, goal);
+        seconds = bench_seconds() - start;
+    }
+    return (double)(d->collisions + d->wall_collisions - before) / seconds;
+}
+
+/* A row: both engines with n disks. */
+static void compare_engines(struct study *s, size_t n)
+{
+    const double length = sqrt((double)n * 0.785398163397448 / 0.3);
+    double rounds[2][BENCH_ROUNDS], row[] = {(double)n, 0, 0};
+    struct random r;
+    struct disks d[2];
+    for (int way = 0; way < 2; ++way) {
+        random_seed(&r, s->seed);
+        begin_or_exit(&d[way], n, 0.5, length, 1, &r);
+    }
+    for (int round = -1; round < BENCH_ROUNDS; ++round)
+        for (int way = 0; way < 2; ++way)
+            rounds[way][round < 0 ? 0 : round] =
+                speed_of(&d[way], way == 1);
+    for (int way = 0; way < 2; ++way) {
+        row[1 + way] = bench_median(rounds[way], BENCH_ROUNDS);
+        disks_free(&d[way]);
+    }
+    table_row(s->out, 3, row);
+}
+
+static void study_speed(struct study *s)
+{
+    bench_machine(s->out);
+    table_column(s->out, "N", "", "disks");
+    table_column(s->out, "pairs", "1/s",
+                 "collisions, every pair looked at");
+    table_column(s->out, "plan", "1/s", "collisions, a plan remembered");
+    for (size_t n = 4; n <= 1024 && !progress_signal(); n *= 2)
+        compare_engines(s, n);
+}
+
+/* Z of a run of so many collisions, and the seconds that it took. */
+static double pressure_of(uint64_t collisions, uint64_t seed, bool plan,
+                          double *seconds)
+{
+    struct disks d;
+    begin_four(&d, 1, seed);
+    disks_run(&d, INFINITY, 400);
+    disks_settle(&d);
+    if (!disks_plan(&d))
+        return 0;
+    const double start = bench_seconds();
+    if (plan)
+        disks_run(&d, INFINITY, collisions);
+    else
+        run_pairs(&d, collisions);
+    *seconds += bench_seconds() - start;
+    const double z =
+        (d.impulse[0] + d.impulse[1]) / (4 * disks_energy(&d) * d.now);
+    disks_free(&d);
+    return z;
+}
+
+enum { RUNS = 32 };
+
+static const double reference = 2.69889; /* direct sampling, +- 0.00031 */
+
+/* Fills a row: the times of both engines, error and bias of runs of
+   row[0] collisions. Returns in how many the engines differed. */
+static double find_errors(uint64_t seed, double row[5])
+{
+    const uint64_t count = (uint64_t)row[0];
+    double different = 0;
+    for (uint64_t run = 0; run < RUNS; ++run) {
+        const double z = pressure_of(count, seed + run, true, &row[2]);
+        const double off = z - reference;
+        different += z != pressure_of(count, seed + run, false, &row[1]);
+        row[3] += off * off;
+        row[4] += off;
+    }
+    for (int k = 1; k < 5; ++k)
+        row[k] /= RUNS;
+    row[3] = sqrt(row[3]);
+    return different;
+}
+
+static const struct table_key pressure_keys[] = {
+    {"different", "1", "runs in which the engines differ"}, {0}};
+
+static void study_pressure(struct study *s)
+{
+    const struct settings *own = s->own;
+    double different = 0;
+    bench_machine(s->out);
+    table_column(s->out, "n", "", "collisions of a run");
+    table_column(s->out, "pairs", "s",
+                 "processor time, every pair looked at");
+    table_column(s->out, "plan", "s", "processor time, a plan remembered");
+    table_column(s->out, "error", "", "rms of Z - 2.69889");
+    table_column(s->out, "bias", "", "mean of Z - 2.69889");
+    for (double n = 100; n <= (double)own->samples && !progress_signal();
+         n *= sqrt(10)) {
+        double row[5] = {floor(n)};
+        different += find_errors(s->seed, row);
+        table_row(s->out, 5, row);
+    }
+    table_real(s->summary, "different", different);
+}
+
+static const struct study_entry studies[] = {
+    {"clock", study_clock, "three programs, right and wrong", clock_keys},
+    {"timeline", study_timeline, "what they write down", NULL},
+    {"reverse", study_reverse, "how soon the way back is lost",
+     reverse_keys},
+    {"contact", study_contact, "errors of the time of contact",
+     contact_keys},
+    {"collapse", study_collapse, "disks that collide for ever",
+     collapse_keys},
+    {"speed", study_speed, "collisions in a second", NULL},
+    {"pressure", study_pressure, "its error against time", pressure_keys},
+    {0}};
+
+static const struct options_entry entries[] = {
+    {"", 0, NULL, "--study clock, timeline"},
+    {"every", 'e', "DT", "time step, s (0.01)"},
+    {"", 0, NULL, "--study clock, pressure"},
+    {"samples", 'k', "K",
+     "clock: how many; pressure: longest run (1000000)"},
+    {"", 0, NULL, "--study reverse, contact, collapse"},
+    {"starts", 'n', "N",
+     "how many: reverse (101), contact: pairs (1000),\n"
+     "collapse (10)"},
+    {0}};
+
+static void take_option(struct options *o, int letter, void *settings)
+{
+    struct settings *own = settings;
+    switch (letter) {
+    case 'e': own->every = options_real(o, 1e-6, 1); break;
+    case 'k': own->samples = options_count(o, 1, 1000000000); break;
+    case 'n': own->starts = options_count(o, 1, MOST_STARTS); break;
+    }
+}
+
+int main(int argc, char *argv[])
+{
+    struct settings own = {.samples = 1000000, .every = 0.01};
+    const struct study_program program = {
+        .name = PROGRAM,
+        .purpose = "Measure hard disks, and what fails.",
+        .events = "collisions",
+        .studies = studies,
+        .seeds = UINT64_MAX,
+        .drawing =
+            "--study clock, timeline, reverse, contact, collapse, pressure",
+        .options = entries,
+        .take = take_option,
+        .own = &own};
+    return study_main(&program, argc, argv);
+}

@@ -1,0 +1,1451 @@
+/* From chapters/09-gravity.nw: edit there, then run make tangle. */
+/* checksum 2741477523 of the lines below */
+#include "forces/celestial.h"
+#include "forces/gravity.h"
+#include "forces/kepler.h"
+#include "forces/stepping.h"
+#include "toolbox/bench.h"
+#include "toolbox/study.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define PROGRAM "gravity-studies"
+
+struct settings {
+    double orbits; /* 0: what the study takes */
+    double factor, moon, mixed;
+    size_t kernel;
+};
+
+/* How long a study runs, in its own unit, if nothing else was asked for. */
+static double duration(const struct study *s, double usual)
+{
+    const struct settings *own = s->own;
+    return own->orbits > 0 ? own->orbits : usual;
+}
+
+/* A scene, what pulls in it, and the method that moves it. */
+struct sky {
+    struct scene scene;
+    struct gravity gravity;
+    struct stepping stepping;
+};
+
+static void make_scene(struct scene *s, const char *name,
+                       const struct gallery_choice chosen[])
+{
+    const char *wrong = gallery_choose(s, celestial_scenes, name, chosen);
+    if (wrong)
+        study_fail(PROGRAM, wrong);
+}
+
+static void begin_sky(struct sky *k, const char *name,
+                      const struct gallery_choice chosen[],
+                      const char *method, double dt)
+{
+    struct scene *s = &k->scene;
+    make_scene(s, name, chosen);
+    gravity_create(&k->gravity, s->bodies, s->mass, s->k2, s->softening);
+    if (!stepping_begin(&k->stepping, stepping_find(method),
+                        gravity_forces(&k->gravity), dt, s->position,
+                        s->velocity))
+        study_fail(PROGRAM, "no memory");
+}
+
+static void end_sky(struct sky *k)
+{
+    stepping_free(&k->stepping);
+    gravity_free(&k->gravity);
+    scene_free(&k->scene);
+}
+
+static double energy_of(const struct sky *k)
+{
+    const struct scene *s = &k->scene;
+    double sum = 0;
+    for (size_t i = 0; i < 3 * s->bodies; ++i)
+        sum += s->mass[i % s->bodies] * s->velocity[i] * s->velocity[i];
+    return sum / 2 + gravity_potential(&k->gravity, s->position);
+}
+
+/* Where body i is, and how fast, seen from body 0. */
+static void seen_from_first(const struct scene *s, size_t i, double x[3],
+                            double v[3])
+{
+    for (size_t k = 0; k < 3; ++k) {
+        const size_t at = k * s->bodies;
+        x[k] = s->position[at + i] - s->position[at];
+        v[k] = s->velocity[at + i] - s->velocity[at];
+    }
+}
+
+static double length(const double x[3])
+{
+    return sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
+}
+
+/* Time and drift of the paper's listing: one year in its own steps. */
+static void measure_year(struct study *s)
+{
+    struct sky k;
+    double x[3], v[3], a, e, t;
+    begin_sky(&k, "sun-earth", NULL, "leapfrog", 0.03);
+    const double *y = k.scene.position + 2, *m = k.scene.mass;
+    const double pull = k.scene.k2 * (1 + m[1]);
+    seen_from_first(&k.scene, 1, x, v);
+    kepler_shape(pull, x, v, &a, &e);
+    do {
+        stepping_run(&k.stepping, 1);
+        seen_from_first(&k.scene, 1, x, v);
+        t = stepping_time(&k.stepping);
+    } while (t < 100 || x[0] < 0 || x[1] < 0);
+    table_real(s->summary, "axis", a);
+    table_real(s->summary, "eccentricity", e);
+    table_real(s->summary, "period", t - x[1] / v[1]);
+    table_real(s->summary, "closed_period",
+               2 * KEPLER_PI * sqrt(a * a * a / pull));
+    table_real(s->summary, "drift",
+               (m[0] * y[0] + m[1] * y[1]) / (m[0] + m[1]) / t);
+    end_sky(&k);
+}
+
+/* k: Euler's and leapfrog's sky; the closed form has the Earth at x. */
+static void compare_with_laws(struct study *s, struct sky k[2],
+                              const double x[3], double pull)
+{
+    const double turned = sqrt(pull) * 913 * 2, h = sqrt(pull) * 2;
+    double after[3], v[3];
+    seen_from_first(&k[0].scene, 1, after, v);
+    table_real(s->summary, "euler_radius", length(after));
+    table_real(s->summary, "euler_law", cbrt(1 + 6 * h * turned));
+    seen_from_first(&k[1].scene, 1, after, v);
+    const double off[3] = {after[0] - x[0], after[1] - x[1], 0};
+    table_real(s->summary, "leapfrog_error", length(off));
+    table_real(s->summary, "leapfrog_law", turned * h * h / 3);
+}
+
+static void name_paths(struct table *out)
+{
+    table_column(out, "t", "d", "time");
+    table_column(out, "x", "AU", "the Earth from the Sun, closed form");
+    table_column(out, "y", "AU", "");
+    table_column(out, "x_e", "AU", "Euler's method");
+    table_column(out, "y_e", "AU", "");
+    table_column(out, "x_l", "AU", "leapfrog");
+    table_column(out, "y_l", "AU", "");
+}
+
+static const struct table_key sun_earth_keys[] = {
+    {"axis", "AU", "of the first ellipse"},
+    {"eccentricity", "1", "the same"},
+    {"period", "d", "of leapfrog"},
+    {"closed_period", "d", "Kepler's"},
+    {"drift", "AU/d", "speed of the centre of mass"},
+    {"euler_radius", "AU", "after five years by euler"},
+    {"euler_law", "AU", "the same by the law"},
+    {"leapfrog_error", "AU", "of place after five years"},
+    {"leapfrog_law", "AU", "the same by the law"},
+    {0}};
+
+/* Five years in steps of two days: the closed form, and two methods. */
+static void study_sun_earth(struct study *s)
+{
+    struct sky k[2];
+    double x[3], v[3], u[3], after[3];
+    begin_sky(&k[0], "sun-earth", NULL, "euler", 2);
+    begin_sky(&k[1], "sun-earth", NULL, "leapfrog", 2);
+    const double pull = k[0].scene.k2 * (1 + k[0].scene.mass[1]);
+    seen_from_first(&k[0].scene, 1, x, v);
+    name_paths(s->out);
+    for (int n = 0; n <= 912; ++n) {
+        double row[7] = {2. * n, x[0], x[1]};
+        for (int i = 0; i < 2; ++i) {
+            seen_from_first(&k[i].scene, 1, after, u);
+            row[3 + 2 * i] = after[0];
+            row[4 + 2 * i] = after[1];
+            stepping_run(&k[i].stepping, 1);
+        }
+        table_row(s->out, 7, row);
+        kepler_move(pull, 2, x, v);
+    }
+    compare_with_laws(s, k, x, pull);
+    end_sky(&k[0]);
+    end_sky(&k[1]);
+    measure_year(s);
+}
+
+static void study_anomaly(struct study *s)
+{
+    static const double e[] = {0.1, 0.5, 0.9, 0.99};
+    table_column(s->out, "M", "rad", "mean anomaly");
+    for (int i = 0; i < 4; ++i)
+        table_column(s->out, "E", "rad", "eccentric anomaly");
+    for (int n = 0; n <= 400; ++n) {
+        double row[5] = {KEPLER_PI * n / 400};
+        for (int i = 0; i < 4; ++i)
+            row[i + 1] = kepler_anomaly(e[i], row[0]);
+        table_row(s->out, 5, row);
+    }
+    table_print(s->out, "\n\n# e = 0.7 at 24 equal times: x y\n");
+    for (int n = 0; n < 24; ++n) {
+        struct kepler_elements o = {1, 0.7, 0, 0, 0, KEPLER_PI * n / 12};
+        double x[3], v[3];
+        kepler_place(1, &o, x, v);
+        table_print(s->out, "%.6f %.6f\n", x[0], x[1]);
+    }
+}
+
+/* How far from its place a planet is after one orbit that begins at the
+   aphelion, in units of the aphelion's distance. */
+static double orbit_error(double e, const char *method, double evaluations)
+{
+    struct sky k;
+    const double speed = sqrt(1 - e), axis = 1 / (1 + e);
+    const double period = 2 * KEPLER_PI / CELESTIAL_K * axis * sqrt(axis);
+    const size_t stages = stepping_find(method)->stages;
+    const uint64_t steps =
+        (uint64_t)fmax(1, round(evaluations / (double)stages));
+    begin_sky(&k, "sun-earth",
+              (struct gallery_choice[]){{"mass", 0}, {"speed", speed}, {0}},
+              method, period / (double)steps);
+    stepping_run(&k.stepping, steps);
+    const double error =
+        hypot(k.scene.position[1] - 1, k.scene.position[3]);
+    end_sky(&k);
+    return error;
+}
+
+static void write_long_path(struct table *out)
+{
+    struct sky k;
+    const double axis = 1 / 1.95;
+    const double period = 2 * KEPLER_PI / CELESTIAL_K * axis * sqrt(axis);
+    begin_sky(
+        &k, "sun-earth",
+        (struct gallery_choice[]){{"mass", 0}, {"speed", sqrt(0.05)}, {0}},
+        "leapfrog", period / 1000);
+    table_print(out,
+                "\n\n# e = 0.95, leapfrog, 1000 steps an orbit: x y\n");
+    for (int n = 0; n <= 6000; ++n) {
+        table_print(out, "%.5f %.5f\n", k.scene.position[1],
+                    k.scene.position[3]);
+        stepping_run(&k.stepping, 1);
+    }
+    end_sky(&k);
+}
+
+static const struct table_key eccentric_keys[] = {
+    {"kahan-li8_<e>", "AU", "error after an orbit of eccentricity e"},
+    {"leapfrog", "AU", "the same at 0.99"},
+    {"more", "AU", "the same, 100 times the steps"},
+    {0}};
+
+static void study_eccentric(struct study *s)
+{
+    static const char *const methods[] = {"leapfrog", "rk4", "kahan-li8"};
+    static const double e[] = {0,  .1,  .2, .3,  .4,  .5,  .6,  .7,
+                               .8, .85, .9, .93, .95, .97, .98, .99};
+    char key[24];
+    table_column(s->out, "e", "", "eccentricity");
+    for (int i = 0; i < 3; ++i)
+        table_column(s->out, methods[i], "",
+                     "error of place after an orbit");
+    for (size_t n = 0; n < sizeof e / sizeof e[0]; ++n) {
+        double row[4] = {e[n]};
+        for (int i = 0; i < 3; ++i)
+            row[1 + i] = orbit_error(e[n], methods[i], 1e4);
+        table_row(s->out, 4, row);
+        snprintf(key, sizeof key, "kahan-li8_%g", e[n]);
+        table_real(s->summary, key, row[3]);
+    }
+    table_real(s->summary, "leapfrog", orbit_error(.99, methods[0], 1e4));
+    table_real(s->summary, "more", orbit_error(.99, methods[0], 1e6));
+    write_long_path(s->out);
+}
+
+/* Puts the planet, which weighs nothing, where the elements say. */
+static void begin_fall(struct sky *k, const char *method, double step,
+                       double softening, const struct kepler_elements *o)
+{
+    double x[3], v[3];
+    begin_sky(k, "sun-earth", (struct gallery_choice[]){{"mass", 0}, {0}},
+              method, step);
+    k->gravity.softening = softening;
+    kepler_place(CELESTIAL_K2, o, x, v);
+    for (size_t i = 0; i < 3; ++i) {
+        k->scene.position[2 * i + 1] = x[i];
+        k->scene.velocity[2 * i + 1] = v[i];
+    }
+}
+
+/* The relative change of the planet's energy since it was at 1 AU. */
+static double energy_change(const double x[3], const double v[3],
+                            double softening)
+{
+    const double mu = CELESTIAL_K2, r0 = sqrt(1 + softening * softening);
+    const double before = mu / 2 - mu / r0;
+    const double r = sqrt(length(x) * length(x) + softening * softening);
+    return fabs(length(v) * length(v) / 2 - mu / r - before) / (mu / 2);
+}
+
+/* A fall past the Sun from 1 AU to 1 AU, on an ellipse of axis 1 AU that
+   comes as near as q. The relative error of the energy, and, in AU, of the
+   place. */
+static void fall(double q, const char *method, double dt, double softening,
+                 double *energy, double *place)
+{
+    struct sky k;
+    const double half = KEPLER_PI / 2 - (1 - q);
+    struct kepler_elements o = {1, 1 - q, 0, 0, 0, -half};
+    double x[3], v[3], right[3];
+    const double time = 2 * half / CELESTIAL_K;
+    const uint64_t steps = (uint64_t)ceil(time / dt);
+    begin_fall(&k, method, time / (double)steps, softening, &o);
+    stepping_run(&k.stepping, steps);
+    seen_from_first(&k.scene, 1, x, v);
+    *energy = energy_change(x, v, softening);
+    o.mean_anomaly = half;
+    kepler_place(CELESTIAL_K2, &o, right, v);
+    for (size_t i = 0; i < 3; ++i)
+        x[i] -= right[i];
+    *place = length(x);
+    end_sky(&k);
+}
+
+enum { FALLS = 3 };
+
+static const char *const fall_columns[2 * FALLS] = {"dE_l", "dE_k", "dE_s",
+                                                    "dx_l", "dx_k", "dx_s"};
+
+static void name_falls(struct table *out)
+{
+    table_column(out, "q", "AU", "closest approach");
+    table_column(out, fall_columns[0], "", "energy: leapfrog");
+    table_column(out, fall_columns[1], "", "energy: kahan-li8");
+    table_column(out, fall_columns[2], "", "energy: leapfrog, softened");
+    table_column(out, fall_columns[3], "AU", "place: leapfrog");
+    table_column(out, fall_columns[4], "AU", "place: kahan-li8");
+    table_column(out, fall_columns[5], "AU", "place: leapfrog, softened");
+}
+
+static const struct table_key encounter_keys[] = {
+    {"dE_s", "1", "largest error of energy, softened"},
+    {"dx_s", "AU", "largest error of place, softened"},
+    {"dE_<fall>_<q>", "1", "energy: l leapfrog, k kahan-li8, s softened"},
+    {"dx_<fall>_<q>", "AU", "place: the same"},
+    {0}};
+
+static void study_encounter(struct study *s)
+{
+    const double dt = 0.01;
+    double worst[2] = {0};
+    char key[24];
+    name_falls(s->out);
+    for (double q = 0.3; q > 2e-6; q /= sqrt(sqrt(10))) {
+        double row[1 + 2 * FALLS] = {q}, *energy = row + 1,
+                           *place = energy + FALLS;
+        fall(q, "leapfrog", dt, 0, &energy[0], &place[0]);
+        fall(q, "kahan-li8", dt * 17, 0, &energy[1], &place[1]);
+        fall(q, "leapfrog", dt, 0.01, &energy[2], &place[2]);
+        table_row(s->out, 1 + 2 * FALLS, row);
+        for (int k = 0; k < 2 * FALLS; ++k) {
+            snprintf(key, sizeof key, "%s_%.2g", fall_columns[k], q);
+            table_real(s->summary, key, row[1 + k]);
+        }
+        worst[0] = fmax(worst[0], energy[2]);
+        worst[1] = fmax(worst[1], place[2]);
+    }
+    table_real(s->summary, "dE_s", worst[0]);
+    table_real(s->summary, "dx_s", worst[1]);
+}
+
+static const double jupiters[] = {1, 30, 100, 300};
+enum { JUPITERS = 4 };
+
+static double eccentricity_of(const struct scene *s, size_t i)
+{
+    double x[3], v[3], a, e;
+    seen_from_first(s, i, x, v);
+    kepler_shape(s->k2 * (s->mass[0] + s->mass[i]), x, v, &a, &e);
+    return e;
+}
+
+/* The relative change of the energy in a century of all eight planets, by
+   leapfrog, with Jupiter so many times as heavy. */
+static double lose_saturn(double jupiter)
+{
+    struct sky k;
+    begin_sky(&k, "solar-system",
+              (struct gallery_choice[]){{"jupiter", jupiter}, {0}},
+              "leapfrog", 365.25 / 180);
+    const double before = energy_of(&k);
+    stepping_run(&k.stepping, 18000);
+    const double error = fabs(energy_of(&k) / before - 1);
+    end_sky(&k);
+    return error;
+}
+
+/* The eccentricities of the Earth and of Mars; then five years on. */
+static void five_years(struct sky *k, double eccentricity[2])
+{
+    eccentricity[0] = eccentricity_of(&k->scene, 3);
+    eccentricity[1] = eccentricity_of(&k->scene, 4);
+    stepping_run(&k->stepping, 300);
+}
+
+static const struct table_key planets_keys[] = {
+    {"energy_300", "1", "relative error, Jupiter x 300"},
+    {"eight", "1", "the same by leapfrog in a century"},
+    {0}};
+
+static void study_planets(struct study *s)
+{
+    struct sky k[JUPITERS];
+    double before[JUPITERS], error = 0;
+    const double years = duration(s, 1000);
+    table_column(s->out, "t", "a", "time, in years of 365.25 days");
+    for (int i = 0; i < JUPITERS; ++i) {
+        begin_sky(&k[i], "solar-system",
+                  (struct gallery_choice[]){
+                      {"jupiter", jupiters[i]}, {"planets", 5}, {0}},
+                  "kahan-li8", 365.25 / 60);
+        before[i] = energy_of(&k[i]);
+        table_column(s->out, "e_E", "", "eccentricity of the Earth");
+        table_column(s->out, "e_M", "", "eccentricity of Mars");
+    }
+    for (double t = 0; t <= years && !progress_signal(); t += 5) {
+        double row[1 + 2 * JUPITERS] = {t};
+        for (int i = 0; i < JUPITERS; ++i)
+            five_years(&k[i], row + 1 + 2 * i);
+        table_row(s->out, 1 + 2 * JUPITERS, row);
+        const int last = JUPITERS - 1;
+        error = fmax(error, fabs(energy_of(&k[last]) / before[last] - 1));
+    }
+    table_real(s->summary, "energy_300", error);
+    table_real(s->summary, "eight", lose_saturn(300));
+    for (int i = 0; i < JUPITERS; ++i)
+        end_sky(&k[i]);
+}
+
+/* Writes the paths of the stars and of a planet that begins at this
+   distance, for so many days. */
+static void write_paths(struct study *s, double distance, double days)
+{
+    struct sky k;
+    begin_sky(&k, "circumbinary",
+              (struct gallery_choice[]){{"distance", distance}, {0}},
+              "kahan-li8", 1);
+    const double *x = k.scene.position;
+    table_print(s->out, "\n\n# planet at %g AU: t x y of A, B, P\n",
+                distance);
+    for (int n = 0; n <= days; ++n) {
+        table_print(s->out, "%d %.5f %.5f %.5f %.5f %.5f %.5f\n", n, x[0],
+                    x[3], x[1], x[4], x[2], x[5]);
+        stepping_run(&k.stepping, 1);
+    }
+    end_sky(&k);
+}
+
+static const struct table_key circumbinary_keys[] = {
+    {"v_A", "AU/d", "first star, at the start"},
+    {"v_B", "AU/d", "second star"},
+    {"v_P", "AU/d", "planet"},
+    {"error", "AU", "of the planet's place after 400 d"},
+    {0}};
+
+static void study_circumbinary(struct study *s)
+{
+    struct sky k;
+    table_print(s->out, "# paths of Kepler-16, AU and days\n");
+    write_paths(s, 0.7048, 240);
+    write_paths(s, 0.445, 1900);
+    begin_sky(&k, "circumbinary", NULL, "kahan-li8", 0.5);
+    const double *v = k.scene.velocity;
+    table_real(s->summary, "v_A", -v[3]);
+    table_real(s->summary, "v_B", v[4]);
+    table_real(s->summary, "v_P", v[5]);
+    stepping_run(&k.stepping, 800);
+    table_real(s->summary, "error",
+               hypot(k.scene.position[2] - .13282865947670180,
+                     k.scene.position[5] + .68512113197667507));
+    end_sky(&k);
+}
+
+static const double binary = 0.2243, binary_period = 41.0808939256;
+
+/* How many of 8 phases survive for so many periods of the stars, massless
+   and beginning at this distance (in units of the stars'): neither within
+   0.05 of it from the centre nor beyond 5. */
+static int survivors(double distance, double periods)
+{
+    int alive = 0;
+    for (int phase = 0; phase < 8; ++phase) {
+        struct sky k;
+        begin_sky(&k, "circumbinary",
+                  (struct gallery_choice[]){{"distance", distance * binary},
+                                            {"phase", phase / 8.},
+                                            {"planet", 0},
+                                            {0}},
+                  "leapfrog", binary_period / 100);
+        const double *x = k.scene.position;
+        double r = distance;
+        for (double t = 0; t < periods && r > .05 && r < 5; t += .1) {
+            stepping_run(&k.stepping, 10);
+            r = hypot(x[2], x[5]) / binary;
+        }
+        alive += r > .05 && r < 5;
+        end_sky(&k);
+    }
+    return alive;
+}
+
+static const struct table_key survival_keys[] = {
+    {"safe", "1", "least safe distance, the stars' being 1"},
+    {"safe_AU", "AU", "the same"},
+    {"law", "1", "by the fitted law"},
+    {"law_AU", "AU", "the same"},
+    {0}};
+
+static void study_survival(struct study *s)
+{
+    const double periods = duration(s, 1000);
+    double safe = 0;
+    table_column(s->out, "a", "", "distance, the stars' being 1");
+    table_column(s->out, "r", "AU", "the same");
+    table_column(s->out, "n", "", "phases of 8 that survive");
+    for (int n = 0; n <= 20 && !progress_signal(); ++n) {
+        const double distance = 1.8 + 0.04 * n;
+        const int alive = survivors(distance, periods);
+        if (alive < 8)
+            safe = distance + 0.04;
+        table_row(s->out, 3,
+                  (double[]){distance, distance * binary, alive});
+    }
+    const double mu = 0.2026 / (0.6897 + 0.2026);
+    const double law = 1.60 + 4.12 * mu - 5.09 * mu * mu;
+    table_real(s->summary, "safe", safe);
+    table_real(s->summary, "safe_AU", safe * binary);
+    table_real(s->summary, "law", law);
+    table_real(s->summary, "law_AU", law * binary);
+}
+
+/* Largest relative error of the energy in so many periods of the stars,
+   and the error of the planet's place after 400 days, AU. */
+static void precision(const char *method, double evaluations,
+                      double periods, double *energy, double *place)
+{
+    struct sky k;
+    const struct stepping_method *m = stepping_find(method);
+    const double step = binary_period * (double)m->stages / evaluations;
+    const uint64_t steps = (uint64_t)ceil(400 / step);
+    begin_sky(&k, "circumbinary", NULL, method, 400 / (double)steps);
+    k.stepping.compensated = true;
+    const double before = energy_of(&k), *x = k.scene.position;
+    *energy = 0;
+    while (stepping_time(&k.stepping) < periods * binary_period) {
+        if (k.stepping.steps == steps)
+            *place =
+                hypot(x[2] - .13282865947670180, x[5] + .68512113197667507);
+        stepping_run(&k.stepping, 1);
+        *energy = fmax(*energy, fabs(energy_of(&k) / before - 1));
+    }
+    end_sky(&k);
+}
+
+static void note_precision(struct table *summary, const char *method,
+                           double evaluations, double energy, double place)
+{
+    static const int quoted[] = {100, 141, 200, 800, 1600};
+    char key[40];
+    for (size_t i = 0; i < sizeof quoted / sizeof quoted[0]; ++i)
+        if (quoted[i] == (int)round(evaluations)) {
+            snprintf(key, sizeof key, "dE_%s_%d", method, quoted[i]);
+            table_real(summary, key, energy);
+            snprintf(key, sizeof key, "dx_%s_%d", method, quoted[i]);
+            table_real(summary, key, place);
+        }
+}
+
+static const struct table_key work_keys[] = {
+    {"dE_<method>_<n>", "1", "error of energy, n evaluations a period"},
+    {"dx_<method>_<n>", "AU", "error of place after 400 d"},
+    {0}};
+
+static void study_work(struct study *s)
+{
+    static const char *const methods[] = {
+        "symplectic-euler", "leapfrog", "rk4", "yoshida4", "pefrl",
+        "yoshida6",         "kahan-li8"};
+    const double periods = duration(s, 100);
+    table_column(s->out, "f", "", "evaluations in a period of the stars");
+    table_column(s->out, "dE", "", "largest error of the energy");
+    table_column(s->out, "dx", "AU", "error of place after 400 d");
+    for (size_t i = 0; i < sizeof methods / sizeof methods[0]; ++i) {
+        table_print(s->out, "%s# %s\n", i ? "\n\n" : "", methods[i]);
+        for (double n = 50; n < 7000 && !progress_signal(); n *= sqrt(2)) {
+            double energy, place = NAN;
+            precision(methods[i], n, periods, &energy, &place);
+            if (energy < 1)
+                table_row(s->out, 3, (double[]){n, energy, place});
+            note_precision(s->summary, methods[i], n, energy, place);
+        }
+    }
+}
+
+/* How far the bodies are from one circle, in units of its radius. */
+static double deviation(const struct scene *s)
+{
+    double least = INFINITY, most = 0;
+    for (size_t i = 0; i < s->bodies; ++i) {
+        const double r = hypot(s->position[i], s->position[s->bodies + i]);
+        least = fmin(least, r);
+        most = fmax(most, r);
+    }
+    return most - least;
+}
+
+enum { PARTS_OF_ORBIT = 20 };
+
+/* What is measured of a choreography that breaks. */
+struct broken {
+    double orbits;       /* until the circle is off by a tenth */
+    double rate;         /* of growth, in units of the angular velocity */
+    double early, first; /* orbits and deviation when it was 1e-12 */
+};
+
+/* Lets a choreography run until it breaks; writes how far it is off. */
+static struct broken run_until_broken(struct study *s, size_t count)
+{
+    struct sky k;
+    struct broken b = {0};
+    const double period =
+        2 * KEPLER_PI / sqrt(celestial_choreography(count) / sqrt(8));
+    double before = 0;
+    begin_sky(&k, "choreography",
+              (struct gallery_choice[]){{"particles", (double)count}, {0}},
+              "kahan-li8", period / PARTS_OF_ORBIT / 5);
+    table_print(s->out, "\n\n# %zu bodies: orbits, deviation\n", count);
+    while (b.orbits < 20 && before < 0.1) {
+        stepping_run(&k.stepping, 5);
+        b.orbits = stepping_time(&k.stepping) / period;
+        before = deviation(&k.scene);
+        table_print(s->out, "%.4g %.4g\n", b.orbits, before);
+        if (before < 1e-12)
+            b.early = b.orbits, b.first = before;
+        else if (before < 1e-4)
+            b.rate = log(before / b.first) / (b.orbits - b.early) /
+                     (2 * KEPLER_PI);
+    }
+    end_sky(&k);
+    return b;
+}
+
+/* Writes a line of the summary, with the number of bodies in its key. */
+static void tell(struct study *s, const char *what, size_t count,
+                 double value)
+{
+    char key[40];
+    snprintf(key, sizeof key, "%s_%zu", what, count);
+    table_real(s->summary, key, value);
+}
+
+static const struct table_key choreography_keys[] = {
+    {"S_<N>", "1", "the sum of N bodies"},
+    {"v_<N>", "1", "speed on the circle"},
+    {"rate_<N>", "1", "growth over angular velocity, theory"},
+    {"measured_<N>", "1", "the same, measured"},
+    {"theory_<N>", "1", "orbits until it breaks, theory"},
+    {"orbits_<N>", "1", "the same, measured; 0 for N = 2"},
+    {0}};
+
+static void study_choreography(struct study *s)
+{
+    struct broken b[11] = {{0}};
+    for (size_t n = 3; n <= 10; ++n)
+        b[n] = run_until_broken(s, n);
+    table_print(s->out, "\n\n# N  S_N  v  growth rate: theory, measured  "
+                        "orbits: theory, measured\n");
+    for (size_t n = 2; n <= 10; ++n) {
+        const double sum = celestial_choreography(n);
+        const double rate = celestial_growth(n), v = sqrt(sum / sqrt(8));
+        const double theory = log(0.1 / 1e-16) / (2 * KEPLER_PI * rate);
+        if (n > 2)
+            table_print(s->out, "%zu %.15g %.15g %.6f %.6f %.3f %.3f\n", n,
+                        sum, v, rate, b[n].rate, theory, b[n].orbits);
+        tell(s, "S", n, sum);
+        tell(s, "v", n, v);
+        tell(s, "rate", n, rate);
+        tell(s, "measured", n, b[n].rate);
+        tell(s, "theory", n, theory);
+        tell(s, "orbits", n, b[n].orbits);
+    }
+}
+
+static const double eight_period = 6.32591398292621167758900033397;
+
+static double closure(const char *method, double steps, bool compensated)
+{
+    struct sky k;
+    struct scene right;
+    begin_sky(&k, "figure-eight", NULL, method, eight_period / steps);
+    make_scene(&right, "figure-eight", NULL);
+    k.stepping.compensated = compensated;
+    stepping_run(&k.stepping, (uint64_t)steps);
+    double worst = 0;
+    for (size_t i = 0; i < 9; ++i)
+        worst = fmax(worst, fabs(k.scene.position[i] - right.position[i]));
+    scene_free(&right);
+    end_sky(&k);
+    return worst;
+}
+
+static const struct table_key figure_eight_keys[] = {
+    {"closure", "1", "miss after a period, kahan-li8"}, {0}};
+
+static void study_eight(struct study *s)
+{
+    static const char *const methods[] = {"leapfrog", "rk4", "kahan-li8"};
+    struct sky k;
+    begin_sky(&k, "figure-eight", NULL, "kahan-li8", eight_period / 240);
+    const double *x = k.scene.position;
+    table_print(s->out, "# t, x y of three bodies\n");
+    for (int n = 0; n <= 240; ++n) {
+        table_print(s->out, "%.5f %.5f %.5f %.5f %.5f %.5f %.5f\n",
+                    stepping_time(&k.stepping), x[0], x[3], x[1], x[4],
+                    x[2], x[5]);
+        stepping_run(&k.stepping, 1);
+    }
+    end_sky(&k);
+    for (int i = 0; i < 3; ++i) {
+        const double stages = (double)stepping_find(methods[i])->stages;
+        table_print(s->out, "\n\n# %s: evaluations, error after a period\n",
+                    methods[i]);
+        for (double n = 100; n < 2e5; n *= 2) {
+            const double steps = round(n / stages);
+            table_row(s->out, 2,
+                      (double[]){steps * stages,
+                                 closure(methods[i], steps, true)});
+        }
+    }
+    table_real(s->summary, "closure", closure("kahan-li8", 2000, true));
+}
+
+static const struct table_key ring_speeds_keys[] = {
+    {"edge_<k>", "1/AU^2", "pull of the ring 10^-k AU outside"},
+    {"per_decade", "1/AU^2", "its growth, by the law"},
+    {0}};
+
+static void study_ring_speeds(struct study *s)
+{
+    const double sigma = 0.02, inner = 2, outer = 2.5;
+    const double area = KEPLER_PI * (outer - inner) * (outer + inner);
+    table_column(s->out, "r", "AU", "distance from the planet");
+    table_column(s->out, "v_0", "AU/d", "no ring");
+    table_column(s->out, "v", "AU/d", "a ring of 0.02 planets");
+    table_column(s->out, "v_l", "AU/d", "0.02 planets on every AU^2");
+    for (int n = 0; n <= 1200; ++n) {
+        const double r = 1.5 + n / 800. + 1e-4;
+        const double pull = celestial_ring_pull(sigma, inner, outer, r);
+        table_row(s->out, 4,
+                  (double[]){r, CELESTIAL_K * sqrt(1 / r),
+                             CELESTIAL_K * sqrt(1 / r + r * pull),
+                             CELESTIAL_K * sqrt(1 / r + r * area * pull)});
+    }
+    for (int k = 2; k <= 8; k += 2) {
+        char key[20];
+        snprintf(key, sizeof key, "edge_%d", k);
+        table_real(
+            s->summary, key,
+            celestial_ring_pull(sigma, inner, outer, outer + pow(10, -k)));
+    }
+    table_real(s->summary, "per_decade", 2 * log(10) * sigma / area);
+}
+
+enum { RADIAL = 4, AROUND = 96 };
+
+/* The variance of the numbers of particles in equal cells of the ring, by
+   their mean: 1 for places that are independent. */
+static double dispersion(const struct scene *s, size_t particles)
+{
+    static double count[RADIAL * AROUND];
+    double sum = 0, squares = 0;
+    memset(count, 0, sizeof count);
+    for (size_t i = 1; i <= particles; ++i) {
+        double x[3], v[3];
+        seen_from_first(s, i, x, v);
+        const double r = hypot(x[0], x[1]);
+        const double turn = atan2(x[1], x[0]) / (2 * KEPLER_PI) + 0.5;
+        const int a = (int)floor((r * r - 4) / 2.25 * RADIAL);
+        const int b = (int)(turn * AROUND) % AROUND;
+        if (a >= 0 && a < RADIAL)
+            ++count[a * AROUND + b];
+    }
+    for (int i = 0; i < RADIAL * AROUND; ++i) {
+        sum += count[i];
+        squares += count[i] * count[i];
+    }
+    const double mean = sum / (RADIAL * AROUND);
+    return (squares / (RADIAL * AROUND) - mean * mean) / mean;
+}
+
+/* The root mean square of the radial velocities, in units of the
+   circle's. */
+static double stirring(const struct scene *s, size_t particles)
+{
+    double sum = 0;
+    for (size_t i = 1; i <= particles; ++i) {
+        double x[3], v[3];
+        seen_from_first(s, i, x, v);
+        const double r = length(x);
+        const double out = (x[0] * v[0] + x[1] * v[1]) / r;
+        sum += out * out * r / s->k2;
+    }
+    return sqrt(sum / (double)particles);
+}
+
+enum { PARTICLES = 3072 };
+
+static void begin_ring(const struct study *s, struct sky *k, double period)
+{
+    const struct settings *own = s->own;
+    begin_sky(k, "ring",
+              (struct gallery_choice[]){{"factor", own->factor},
+                                        {"moon", own->moon},
+                                        {"moon-distance", 2.7},
+                                        {"mixed", own->mixed},
+                                        {"seed", (double)s->seed},
+                                        {0}},
+              "leapfrog", period / 200);
+    k->gravity.kernel = (enum gravity_kernel)own->kernel;
+}
+
+static void write_ring(const struct study *s, const struct scene *scene)
+{
+    const struct settings *own = s->own;
+    table_print(
+        s->out, "# kernel %s\n# x y of the planet, the ring%s; mass\n",
+        gravity_kernels[own->kernel], own->moon > 0 ? ", the moon" : "");
+    for (size_t i = 0; i < scene->bodies; ++i) {
+        double x[3], v[3];
+        seen_from_first(scene, i, x, v);
+        table_print(s->out, "%.4f %.4f %.3g\n", x[0], x[1], scene->mass[i]);
+    }
+}
+
+static void judge_ring(const struct study *s, const struct sky *k,
+                       double before)
+{
+    const double energy = energy_of(k) / before - 1;
+    const double clumps = dispersion(&k->scene, PARTICLES);
+    const double heat = stirring(&k->scene, PARTICLES);
+    table_print(s->out, "\n\n# energy error, dispersion, stirring\n");
+    table_print(s->out, "%.3g %.4g %.4g\n", energy, clumps, heat);
+    table_real(s->summary, "energy", energy);
+    table_real(s->summary, "dispersion", clumps);
+    table_real(s->summary, "stirring", heat);
+}
+
+static const struct table_key ring_keys[] = {
+    {"energy", "1", "relative change"},
+    {"dispersion", "1", "variance / mean of the cells' counts"},
+    {"stirring", "1", "rms radial velocity / circle's"},
+    {0}};
+
+static void study_ring(struct study *s)
+{
+    const double period = 2 * KEPLER_PI / CELESTIAL_K * 2.25 * sqrt(2.25);
+    const double orbits = duration(s, 2);
+    struct sky k;
+    begin_ring(s, &k, period);
+    const double before = energy_of(&k);
+    while (stepping_time(&k.stepping) < (orbits - 1e-9) * period &&
+           !progress_signal())
+        stepping_run(&k.stepping, 10);
+    write_ring(s, &k.scene);
+    judge_ring(s, &k, before);
+    end_sky(&k);
+}
+
+/* By what angle, rad, the ellipse of eccentricity e turns in an orbit. */
+static double precession(double e, double softening)
+{
+    struct sky k;
+    const double axis = 1 / (1 + e);
+    const double period = 2 * KEPLER_PI / CELESTIAL_K * axis * sqrt(axis);
+    double x[3], v[3], before, now;
+    begin_sky(
+        &k, "sun-earth",
+        (struct gallery_choice[]){{"mass", 0}, {"speed", sqrt(1 - e)}, {0}},
+        "kahan-li8", period / 400);
+    k.gravity.softening = softening;
+    now = 0;
+    do { /* until the next aphelion */
+        stepping_run(&k.stepping, 1);
+        seen_from_first(&k.scene, 1, x, v);
+        before = now;
+        now = x[0] * v[0] + x[1] * v[1];
+    } while (!(before > 0 && now <= 0));
+    const double share = now / (now - before); /* of the last step */
+    double earlier[3];
+    for (size_t i = 0; i < 3; ++i)
+        earlier[i] = x[i] - share * k.stepping.dt * v[i];
+    memcpy(x, earlier, sizeof x);
+    end_sky(&k);
+    return atan2(x[1], x[0]);
+}
+
+static void study_softening(struct study *s)
+{
+    table_column(s->out, "eps", "AU", "softening");
+    table_column(s->out, "theory", "rad", "-3 pi (eps / p)^2");
+    table_column(s->out, "turn", "rad", "of the ellipse, e = 0.2");
+    table_column(s->out, "period", "", "of the circle, relative change");
+    for (double eps = 1e-3; eps < 0.5; eps *= sqrt(sqrt(10))) {
+        const double p = 1 - 0.2;
+        table_row(s->out, 4,
+                  (double[]){eps, -3 * KEPLER_PI * eps * eps / (p * p),
+                             precession(0.2, eps),
+                             pow(1 + eps * eps, 0.75) - 1});
+    }
+}
+
+#if defined(__x86_64__) && defined(__GNUC__)
+#include <immintrin.h>
+__attribute__((target("avx2,fma"))) static double peak4(uint64_t n)
+{
+    const __m256d m = _mm256_set1_pd(0.999), c = _mm256_set1_pd(0.001);
+    __m256d a[10];
+    for (int i = 0; i < 10; ++i)
+        a[i] = _mm256_set1_pd(i);
+    for (uint64_t k = 0; k < n; ++k) {
+        a[0] = _mm256_fmadd_pd(a[0], m, c);
+        a[1] = _mm256_fmadd_pd(a[1], m, c);
+        a[2] = _mm256_fmadd_pd(a[2], m, c);
+        a[3] = _mm256_fmadd_pd(a[3], m, c);
+        a[4] = _mm256_fmadd_pd(a[4], m, c);
+        a[5] = _mm256_fmadd_pd(a[5], m, c);
+        a[6] = _mm256_fmadd_pd(a[6], m, c);
+        a[7] = _mm256_fmadd_pd(a[7], m, c);
+        a[8] = _mm256_fmadd_pd(a[8], m, c);
+        a[9] = _mm256_fmadd_pd(a[9], m, c);
+    }
+    for (int i = 1; i < 10; ++i)
+        a[0] = _mm256_add_pd(a[0], a[i]);
+    return _mm256_cvtsd_f64(a[0]);
+}
+
+__attribute__((target("avx512f"))) static double peak8(uint64_t n)
+{
+    const __m512d m = _mm512_set1_pd(0.999), c = _mm512_set1_pd(0.001);
+    __m512d a[10];
+    for (int i = 0; i < 10; ++i)
+        a[i] = _mm512_set1_pd(i);
+    for (uint64_t k = 0; k < n; ++k) {
+        a[0] = _mm512_fmadd_pd(a[0], m, c);
+        a[1] = _mm512_fmadd_pd(a[1], m, c);
+        a[2] = _mm512_fmadd_pd(a[2], m, c);
+        a[3] = _mm512_fmadd_pd(a[3], m, c);
+        a[4] = _mm512_fmadd_pd(a[4], m, c);
+        a[5] = _mm512_fmadd_pd(a[5], m, c);
+        a[6] = _mm512_fmadd_pd(a[6], m, c);
+        a[7] = _mm512_fmadd_pd(a[7], m, c);
+        a[8] = _mm512_fmadd_pd(a[8], m, c);
+        a[9] = _mm512_fmadd_pd(a[9], m, c);
+    }
+    for (int i = 1; i < 10; ++i)
+        a[0] = _mm512_add_pd(a[0], a[i]);
+    return _mm512_reduce_add_pd(a[0]);
+}
+
+#endif
+
+static double peak1(uint64_t n)
+{
+    const double m = 0.999, c = 0.001;
+    double a[10] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9}, sum = 0;
+    for (uint64_t k = 0; k < n; ++k) {
+        a[0] = a[0] * m + c;
+        a[1] = a[1] * m + c;
+        a[2] = a[2] * m + c;
+        a[3] = a[3] * m + c;
+        a[4] = a[4] * m + c;
+        a[5] = a[5] * m + c;
+        a[6] = a[6] * m + c;
+        a[7] = a[7] * m + c;
+        a[8] = a[8] * m + c;
+        a[9] = a[9] * m + c;
+    }
+    for (int i = 0; i < 10; ++i)
+        sum += a[i];
+    return sum;
+}
+
+/* What a kernel adds, subtracts and multiplies for a pair, a fused
+   multiply-add being two, a root, a quotient and an estimate one; and the
+   loop of nothing but such operations. */
+static const struct yardstick {
+    double operations, lanes;
+    double (*peak)(uint64_t n);
+} yardsticks[GRAVITY_KERNELS] = {
+    {18, 1, peak1},
+#if defined(__x86_64__) && defined(__GNUC__)
+    {35, 4, peak4},
+    {28, 8, peak8},
+#endif
+};
+
+/* Operations a second of a loop that does nothing else. */
+static double measure_peak(const struct yardstick *y)
+{
+    const uint64_t n = 5000000;
+    const double begin = bench_seconds();
+    volatile double sum = y->peak(n);
+    (void)sum;
+    return (double)n * 20 * y->lanes / (bench_seconds() - begin);
+}
+
+/* Ordered pairs a second. */
+static double measure_pairs(struct gravity *g, double (*seconds)(void),
+                            const double x[], double a[])
+{
+    const double n = (double)g->bodies, begin = seconds();
+    double runs = 0;
+    do {
+        gravity_add(g, x, a);
+        ++runs;
+    } while (seconds() - begin < 0.1);
+    return runs * n * (n - 1) / (seconds() - begin);
+}
+
+/* The largest error of an acceleration along x, of every 37th body, by
+   the sum of the sizes of what is added up. */
+static double kernel_error(struct gravity *g, const double x[], double a[])
+{
+    const size_t n = g->bodies;
+    double worst = 0;
+    memset(a, 0, 3 * n * sizeof a[0]);
+    gravity_add(g, x, a);
+    for (size_t i = 0; i < n; i += 37) {
+        long double sum = 0, size = 0;
+        for (size_t j = 0; j < n; ++j) {
+            const long double dx = (long double)x[j] - x[i];
+            const long double dy = (long double)x[n + j] - x[n + i];
+            const long double s = dx * dx + dy * dy +
+                                  (long double)g->softening * g->softening;
+            const long double w = g->k2 * g->mass[j] / (s * sqrtl(s));
+            sum += w * dx;
+            size += fabsl(w * dx);
+        }
+        worst = fmax(worst, (double)(fabsl(sum - a[i]) / size));
+    }
+    return worst;
+}
+
+/* A leapfrog for two bodies with nothing in it that is not needed: the
+   measure of what the general one costs. */
+static double step_by_hand(double x[6], double v[6], const double m[2],
+                           double k2, double h, uint64_t steps)
+{
+    double d[3], a = 0;
+    for (uint64_t n = 0; n <= steps; ++n) {
+        d[0] = x[1] - x[0], d[1] = x[3] - x[2], d[2] = x[5] - x[4];
+        const double s = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+        a = k2 / (s * sqrt(s)) * (n > 0 && n < steps ? h : h / 2);
+        v[0] += a * m[1] * d[0], v[1] -= a * m[0] * d[0];
+        v[2] += a * m[1] * d[1], v[3] -= a * m[0] * d[1];
+        v[4] += a * m[1] * d[2], v[5] -= a * m[0] * d[2];
+        if (n < steps)
+            for (int k = 0; k < 6; ++k)
+                x[k] += h * v[k];
+    }
+    return x[1];
+}
+
+/* Nanoseconds of a leapfrog step of the Sun and the Earth: by stepping,
+   and by hand. */
+static void measure_two(double *general, double *by_hand)
+{
+    const uint64_t steps = 2000000;
+    struct sky k;
+    begin_sky(&k, "sun-earth", NULL, "leapfrog", 0.03);
+    double begin = bench_seconds();
+    stepping_run(&k.stepping, steps);
+    *general = (bench_seconds() - begin) / (double)steps * 1e9;
+    begin = bench_seconds();
+    volatile double last =
+        step_by_hand(k.scene.position, k.scene.velocity, k.scene.mass,
+                     k.scene.k2, 0.03, steps);
+    (void)last;
+    *by_hand = (bench_seconds() - begin) / (double)steps * 1e9;
+    end_sky(&k);
+}
+
+static void measure_kernel(struct study *s, struct sky *k, double a[],
+                           enum gravity_kernel kernel)
+{
+    const struct yardstick *y = &yardsticks[kernel];
+    double pairs[BENCH_ROUNDS], peak[BENCH_ROUNDS];
+    k->gravity.kernel = kernel;
+    const double error = kernel_error(&k->gravity, k->scene.position, a);
+    for (int round = -1; round < BENCH_ROUNDS; ++round) {
+        const int at = round < 0 ? 0 : round; /* the first: a warm-up */
+        peak[at] = measure_peak(y);
+        pairs[at] =
+            measure_pairs(&k->gravity, bench_seconds, k->scene.position, a);
+    }
+    const double p = bench_median(pairs, BENCH_ROUNDS);
+    const double most = bench_median(peak, BENCH_ROUNDS);
+    table_print(s->out, "%-9s %.4g %.3g %.4g %.3g %.2g\n",
+                gravity_kernels[kernel], p, y->operations, most,
+                100 * p * y->operations / most, error);
+}
+
+static void study_speed(struct study *s)
+{
+    struct sky k;
+    double general[BENCH_ROUNDS], by_hand[BENCH_ROUNDS];
+    begin_sky(&k, "ring", NULL, "leapfrog", 4);
+    double *a = malloc(3 * k.scene.bodies * sizeof *a);
+    if (!a)
+        study_fail(PROGRAM, "no memory");
+    bench_machine(s->out);
+    table_print(s->out,
+                "# %zu bodies\n# kernel, ordered pairs a second, "
+                "operations a pair,\n# operations a second of a loop of "
+                "nothing else, per cent of it, error\n",
+                k.scene.bodies);
+    for (int i = 0; i < GRAVITY_KERNELS; ++i)
+        if (gravity_can((enum gravity_kernel)i))
+            measure_kernel(s, &k, a, (enum gravity_kernel)i);
+    for (int i = -1; i < BENCH_ROUNDS; ++i)
+        measure_two(&general[i < 0 ? 0 : i], &by_hand[i < 0 ? 0 : i]);
+    const double g = bench_median(general, BENCH_ROUNDS);
+    const double h = bench_median(by_hand, BENCH_ROUNDS);
+    table_print(s->out,
+                "# ns a step of two bodies: stepping, by hand, "
+                "ratio\ntwo       %.3g %.3g %.3g\n",
+                g, h, g / h);
+    free(a);
+    end_sky(&k);
+}
+
+/* One row: pairs a second by one thread and by many, and the ratio. */
+static void compare_threads(struct study *s, struct sky *k, double a[])
+{
+    double pairs[2][BENCH_ROUNDS], ratio[BENCH_ROUNDS];
+    for (int round = -1; round < BENCH_ROUNDS; ++round) {
+        const int at = round < 0 ? 0 : round; /* the first: a warm-up */
+        for (int way = 0; way < 2; ++way) {
+            k->gravity.threads = way ? 2 : 1;
+            pairs[way][at] = measure_pairs(&k->gravity, bench_clock,
+                                           k->scene.position, a);
+        }
+        ratio[at] = pairs[1][at] / pairs[0][at];
+    }
+    table_row(s->out, 4,
+              (double[]){(double)k->scene.bodies,
+                         bench_median(pairs[0], BENCH_ROUNDS),
+                         bench_median(pairs[1], BENCH_ROUNDS),
+                         bench_median(ratio, BENCH_ROUNDS)});
+}
+
+static void study_threads(struct study *s)
+{
+    const struct settings *own = s->own;
+    bench_machine(s->out);
+    table_print(s->out, "# kernel %s, 2 threads\n",
+                gravity_kernels[own->kernel]);
+    table_column(s->out, "N", "", "bodies of a ring");
+    table_column(s->out, "one", "1/s", "pairs, one thread, by the clock");
+    table_column(s->out, "many", "1/s", "pairs, as many as there are");
+    table_column(s->out, "ratio", "", "median of the rounds'");
+    for (size_t n = 63; n < 5000 && !progress_signal(); n = 4 * n + 3) {
+        struct sky k;
+        begin_sky(&k, "ring",
+                  (struct gallery_choice[]){{"particles", (double)n}, {0}},
+                  "leapfrog", 4);
+        k.gravity.kernel = (enum gravity_kernel)own->kernel;
+        double *a = calloc(3 * k.scene.bodies, sizeof *a);
+        if (!a)
+            study_fail(PROGRAM, "no memory");
+        compare_threads(s, &k, a);
+        free(a);
+        end_sky(&k);
+    }
+}
+
+enum { LEAF = 8 }; /* bodies in a cell that is not divided further */
+
+/* A square cell: what it weighs, where, and its four quarters. */
+struct cell {
+    double mass, x, y, side;
+    int quarter[4];   /* cells; -1: none */
+    int first, count; /* its bodies in the order of the tree */
+};
+
+struct tree {
+    struct cell *cell;
+    int cells, *order;
+    const double *x, *y, *mass;
+    double softening, theta2;
+    uint64_t interactions;
+};
+
+/* Sorts the bodies of quarter q to the front of order[from] .. [end - 1];
+   x, y: the middle of the cell. Returns where the rest begins. */
+static int sort_quarter(struct tree *t, int q, int from, int end, double x,
+                        double y)
+{
+    for (int n = from; n < end; ++n) {
+        const int i = t->order[n];
+        if ((t->x[i] >= x) + 2 * (t->y[i] >= y) == q) {
+            t->order[n] = t->order[from];
+            t->order[from++] = i;
+        }
+    }
+    return from;
+}
+
+static void weigh(const struct tree *t, struct cell *c)
+{
+    for (int n = c->first; n < c->first + c->count; ++n) {
+        const int i = t->order[n];
+        c->mass += t->mass[i];
+        c->x += t->mass[i] * t->x[i];
+        c->y += t->mass[i] * t->y[i];
+    }
+    c->x /= c->mass;
+    c->y /= c->mass;
+}
+
+/* Makes the cell of bodies order[first] .. on, in the square with this
+   corner and side; returns its number. */
+static int grow(struct tree *t, int first, int count, double x, double y,
+                double side)
+{
+    const int number = t->cells++, end = first + count;
+    const double half = side / 2;
+    struct cell c = {.side = side,
+                     .first = first,
+                     .count = count,
+                     .quarter = {-1, -1, -1, -1}};
+    weigh(t, &c);
+    for (int q = 0; q < 4 && count > LEAF; ++q) {
+        const int from = first;
+        first = sort_quarter(t, q, from, end, x + half, y + half);
+        if (first > from)
+            c.quarter[q] = grow(t, from, first - from, x + (q & 1) * half,
+                                y + (q >> 1) * half, half);
+    }
+    t->cell[number] = c;
+    return number;
+}
+
+/* Adds to a[2] what a mass at a place pulls at body i. */
+static void pull_once(struct tree *t, int i, double mass, double x,
+                      double y, double a[2])
+{
+    const double dx = x - t->x[i], dy = y - t->y[i];
+    const double s = dx * dx + dy * dy + t->softening * t->softening;
+    const double w = mass / (s * sqrt(s));
+    a[0] += w * dx;
+    a[1] += w * dy;
+    ++t->interactions;
+}
+
+/* Adds what a cell pulls at body i; one that looks too wide is looked
+   into. */
+static void walk(struct tree *t, int number, int i, double a[2])
+{
+    const struct cell *c = &t->cell[number];
+    const double dx = c->x - t->x[i], dy = c->y - t->y[i];
+    if (c->side * c->side < t->theta2 * (dx * dx + dy * dy))
+        pull_once(t, i, c->mass, c->x, c->y, a);
+    else if (c->count <= LEAF)
+        for (int n = c->first; n < c->first + c->count; ++n)
+            pull_once(t, i, t->mass[t->order[n]], t->x[t->order[n]],
+                      t->y[t->order[n]], a);
+    else
+        for (int q = 0; q < 4; ++q)
+            if (c->quarter[q] >= 0)
+                walk(t, c->quarter[q], i, a);
+}
+
+/* Accelerations by a tree, without the factor k2; returns the seconds. */
+static double time_tree(struct tree *t, int n, double a[])
+{
+    const double begin = bench_seconds();
+    t->cells = 0;
+    t->interactions = 0;
+    for (int i = 0; i < n; ++i)
+        t->order[i] = i;
+    grow(t, 0, n, -4, -4, 8);
+    for (int i = 0; i < n; ++i) {
+        a[2 * i] = a[2 * i + 1] = 0;
+        walk(t, 0, i, a + 2 * i);
+    }
+    return bench_seconds() - begin;
+}
+
+/* The ring's own pull at body i, k2 being 1: b without the planet's. */
+static void without_planet(struct tree *t, size_t n, size_t i, double k2,
+                           const double b[], double own[2])
+{
+    double planet[2] = {0, 0};
+    pull_once(t, (int)i, 1, t->x[0], t->y[0], planet);
+    own[0] = b[i] / k2 - planet[0];
+    own[1] = b[n + i] / k2 - planet[1];
+}
+
+/* The error of the tree's a against the direct sum b. */
+static double tree_error(struct tree *t, size_t n, double k2,
+                         const double a[], const double b[])
+{
+    double error = 0, size = 0;
+    for (size_t i = 1; i < n; ++i) {
+        double own[2];
+        without_planet(t, n, i, k2, b, own);
+        const double dx = a[2 * i] - b[i] / k2;
+        const double dy = a[2 * i + 1] - b[n + i] / k2;
+        error += dx * dx + dy * dy;
+        size += own[0] * own[0] + own[1] * own[1];
+    }
+    return sqrt(error / size);
+}
+
+/* Milliseconds of a direct sum, into b. */
+static double time_direct(struct sky *k, enum gravity_kernel kernel,
+                          double b[])
+{
+    const double begin = bench_seconds();
+    memset(b, 0, 3 * k->scene.bodies * sizeof *b);
+    k->gravity.kernel = kernel;
+    gravity_add(&k->gravity, k->scene.position, b);
+    return (bench_seconds() - begin) * 1e3;
+}
+
+/* Makes room for the tree of a scene. */
+static struct tree plant(const struct scene *s)
+{
+    const size_t n = s->bodies;
+    struct tree t = {.cell = malloc((4 * n + 64) * sizeof *t.cell),
+                     .order = malloc(n * sizeof *t.order),
+                     .x = s->position,
+                     .y = s->position + n,
+                     .mass = s->mass,
+                     .softening = s->softening};
+    if (!t.cell || !t.order)
+        study_fail(PROGRAM, "no memory");
+    return t;
+}
+
+/* One row: so many particles, two direct sums, and two trees. */
+static void compare_tree(struct study *s, size_t particles)
+{
+    static const double theta[] = {0.2, 0.5};
+    struct sky k;
+    begin_sky(
+        &k, "ring",
+        (struct gallery_choice[]){{"particles", (double)particles}, {0}},
+        "leapfrog", 4);
+    const size_t n = k.scene.bodies;
+    double *a = calloc(2 * n, sizeof *a), *b = calloc(3 * n, sizeof *b);
+    if (!a || !b)
+        study_fail(PROGRAM, "no memory");
+    struct tree t = plant(&k.scene);
+    const double slow = time_direct(&k, GRAVITY_PORTABLE, b);
+    const double fast = time_direct(&k, gravity_fastest(), b);
+    table_print(s->out, "%zu %.4g %.4g", particles, slow, fast);
+    for (int i = 0; i < 2; ++i) {
+        t.theta2 = theta[i] * theta[i];
+        const double seconds = time_tree(&t, (int)n, a);
+        const double each = (double)t.interactions / (double)n;
+        table_print(s->out, " %.4g %.3g %.2g", seconds * 1e3, each,
+                    tree_error(&t, n, k.scene.k2, a, b));
+    }
+    table_print(s->out, "\n");
+    free(a), free(b), free(t.cell), free(t.order);
+    end_sky(&k);
+}
+
+static void study_tree(struct study *s)
+{
+    bench_machine(s->out);
+    table_print(s->out,
+                "# times in ms. N, direct: portable and %s;\n# tree with "
+                "theta = 0.2: time, interactions a body, error; with 0.5\n",
+                gravity_kernels[gravity_fastest()]);
+    for (size_t n = 250; n < 33000 && !progress_signal(); n *= 2)
+        compare_tree(s, n);
+}
+
+static const struct study_entry studies[] = {
+    {"sun-earth", study_sun_earth, "five years by two methods",
+     sun_earth_keys},
+    {"anomaly", study_anomaly, "Kepler's equation", NULL},
+    {"eccentric", study_eccentric, "errors on long ellipses",
+     eccentric_keys},
+    {"encounter", study_encounter, "falls past the Sun", encounter_keys},
+    {"planets", study_planets, "a heavier Jupiter", planets_keys},
+    {"circumbinary", study_circumbinary, "the planet of two stars",
+     circumbinary_keys},
+    {"survival", study_survival, "how close it may come", survival_keys},
+    {"work", study_work, "seven methods on its orbit", work_keys},
+    {"choreography", study_choreography, "circles that break",
+     choreography_keys},
+    {"figure-eight", study_eight, "three bodies on an eight",
+     figure_eight_keys},
+    {"ring-speeds", study_ring_speeds, "circles in a ring",
+     ring_speeds_keys},
+    {"ring", study_ring, "3072 particles and their weight", ring_keys},
+    {"softening", study_softening, "how it turns an orbit", NULL},
+    {"speed", study_speed, "pairs a second of the kernels", NULL},
+    {"threads", study_threads, "the same on several threads", NULL},
+    {"tree", study_tree, "when it would pay", NULL},
+    {0}};
+
+static const struct options_entry entries[] = {
+    {"", 0, NULL, "--study planets, survival, work, ring"},
+    {"orbits", 'n', "N",
+     "planets: years (1000); survival (1000), work (100):\n"
+     "periods of the stars; ring: orbits (2)"},
+    {"", 0, NULL, "--study ring"},
+    {"factor", 'f', "F", "on the masses of the particles (1)"},
+    {"moon", 'm', "M", "mass of a moon (0: none)"},
+    {"mixed", 'x', "D", "decades of different masses (0)"},
+    {"kernel", 'k', "NAME", "portable, avx2 or avx512 (the fastest here)"},
+    {0}};
+
+static void take_option(struct options *o, int letter, void *settings)
+{
+    struct settings *own = settings;
+    switch (letter) {
+    case 'n': own->orbits = options_real(o, OPTIONS_POSITIVE, 1e6); break;
+    case 'f': own->factor = options_real(o, 0, 1e5); break;
+    case 'm': own->moon = options_real(o, 0, 0.1); break;
+    case 'x': own->mixed = (double)options_count(o, 0, 6); break;
+    case 'k':
+        own->kernel = options_choice(o, gravity_kernels);
+        if (!gravity_can((enum gravity_kernel)own->kernel))
+            options_fail(o, "this processor has no %s", options_text(o));
+    }
+}
+
+int main(int argc, char *argv[])
+{
+    struct settings own = {.factor = 1, .kernel = gravity_fastest()};
+    const struct study_program program = {
+        .name = PROGRAM,
+        .purpose = "Measure bodies that attract each other.",
+        .events = "rows",
+        .studies = studies,
+        .seeds = 1000000000000000,
+        .drawing = "--study ring",
+        .options = entries,
+        .take = take_option,
+        .own = &own};
+    return study_main(&program, argc, argv);
+}

@@ -1,0 +1,510 @@
+/* From chapters/06-room.nw: edit there, then run make tangle. */
+/* checksum 1282550564 of the lines below */
+#include "box/sampling.h"
+#include "line/statistics.h"
+#include "toolbox/bench.h"
+#include "toolbox/study.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define PROGRAM "sample-studies"
+
+enum {
+    LIST = 16, /* numbers that an option takes */
+    BINS = 14, /* over the room of a centre */
+    HALF = BINS / 2,
+    WALLS = BINS, /* quantities behind the bins: the two sides */
+    PAIRS,        /* of (6.5, eq:two-sides) */
+    QUANTITIES,
+    PATIENCE = 200000000 /* throws */
+};
+
+struct settings {
+    size_t disks, radii, steps;
+    double radius[LIST], step[LIST];
+    uint64_t samples;
+};
+
+static const struct options_entry entries[] = {
+    {"samples", 'k', "K", "configurations or sweeps (100000)"},
+    {"", 0, NULL, "--study acceptance"},
+    {"disks", 'N', "N", "in a unit box with walls (4)"},
+    {"", 0, NULL, "--study memory, acceptance, cost"},
+    {"radii", 'r', "R1,..", "m (0.15)"},
+    {"", 0, NULL, "--study memory, cost"},
+    {"step", 'd', "D1,..", "of the chain, m (0.1)"},
+    {0}};
+
+/* Ends the program without memory. */
+static _Noreturn void end_without_memory(void)
+{
+    study_fail(PROGRAM, "no memory; use fewer disks or samples");
+}
+
+/* Disks of this radius in the unit box. */
+static void make_box(struct sampling *p, const struct settings *own,
+                     double radius)
+{
+    if (!sampling_create(p, 2, DISKS_WALLS, (const double[]){1, 1},
+                         own->disks, radius, 0, 0))
+        end_without_memory();
+}
+
+/* Starts a chain and lets it run for a while. */
+static void start_chain(struct sampling *p, double step, uint64_t sweeps,
+                        struct random *r)
+{
+    if (!sampling_start(p, r)) {
+        char why[60];
+        snprintf(why, sizeof why, "--radii: %g leaves no room",
+                 p->disks.disk[0].radius);
+        study_fail(PROGRAM, why);
+    }
+    for (uint64_t k = 0; k < sweeps * p->disks.count; ++k)
+        sampling_try(p, step, r);
+}
+
+/* Which of BINS equal parts of its room a coordinate is in. */
+static size_t bin_of(const struct sampling *p, double x)
+{
+    const double r = p->disks.disk[0].radius;
+    const double bin = (x - r) / (1 - 2 * r) * BINS;
+    return bin < 0 ? 0 : bin < BINS ? (size_t)bin : BINS - 1;
+}
+
+/* Adds what one disk has to say of either side of (6.5, eq:two-sides).
+ */
+static void count_contacts(struct sampling_means *m,
+                           const struct sampling *p)
+{
+    const size_t count = p->disks.count;
+    const size_t i = (m->blocks * m->length + m->filled) % count;
+    const double r = p->disks.disk[i].radius;
+    double pairs = 1;
+    for (size_t j = 0; j < count; ++j)
+        if (j != i)
+            pairs += r * sampling_pair_density(p, i, j) / 2;
+    sampling_means_add(m, WALLS,
+                       (1 - 2 * r) *
+                           (sampling_wall_density(p, i, 0) +
+                            sampling_wall_density(p, i, 1)) /
+                           2);
+    sampling_means_add(m, PAIRS, pairs);
+}
+
+/* Adds a sample of all coordinates, scaled to a density. */
+static void count_places(struct sampling_means *m, const struct sampling *p)
+{
+    const size_t count = p->disks.count;
+    const double width = (1 - 2 * p->disks.disk[0].radius) / BINS;
+    for (size_t i = 0; i < count; ++i)
+        for (size_t k = 0; k < 2; ++k)
+            sampling_means_add(m, bin_of(p, p->disks.disk[i].position[k]),
+                               1 / (width * 2 * (double)count));
+    count_contacts(m, p);
+    sampling_means_next(m);
+}
+
+enum way { THROWN, KEPT, CHAIN, MOVED, WAYS };
+static const char *const way_names[WAYS] = {"thrown", "kept", "chain",
+                                            "moved"};
+
+/* Takes a sample in one of the ways, of which two are wrong: all thrown
+   again, only the last thrown again; every try, only moves count. */
+static void take(enum way way, struct sampling_means *m, struct sampling *p,
+                 double step, struct random *r)
+{
+    const size_t count = p->disks.count;
+    if (way == THROWN)
+        while (sampling_throw(p, r) < count)
+            ;
+    if (way == KEPT)
+        while (!disks_place_random(&p->disks, r))
+            ;
+    if (way <= KEPT)
+        count_places(m, p);
+    else
+        for (size_t k = 0; k < count; ++k)
+            if (sampling_try(p, step, r) || way == CHAIN)
+                count_places(m, p);
+}
+
+/* How much a wrong density differs from the right one, per cent, in bins b
+   and BINS - 1 - b. */
+static void write_bias(struct study *s, const char *key,
+                       const struct sampling_means *wrong,
+                       const struct sampling_means *right, size_t b)
+{
+    const double got = sampling_means_mean(wrong, b) +
+                       sampling_means_mean(wrong, BINS - 1 - b);
+    const double due = sampling_means_mean(right, b) +
+                       sampling_means_mean(right, BINS - 1 - b);
+    table_real(s->summary, key, 100 * (got / due - 1));
+}
+
+/* Writes both sides of (6.5, eq:two-sides) in one of the ways. */
+static void write_sides(struct study *s, const char *way,
+                        const struct sampling_means *m)
+{
+    static const char *const sides[] = {"walls", "pairs"};
+    for (size_t k = 0; k < 2; ++k) {
+        char key[40];
+        snprintf(key, sizeof key, "%s_%s", way, sides[k]);
+        table_real(s->summary, key, sampling_means_mean(m, WALLS + k));
+        snprintf(key, sizeof key, "%s_%s_error", way, sides[k]);
+        table_real(s->summary, key, sampling_means_error(m, WALLS + k));
+    }
+}
+
+static void write_mistakes(struct study *s,
+                           const struct sampling_means means[])
+{
+    const struct settings *own = s->own;
+    const double width = (1 - 2 * own->radius[0]) / BINS;
+    for (size_t b = 0; b < BINS; ++b) {
+        double row[1 + 2 * WAYS] = {own->radius[0] +
+                                    ((double)b + 0.5) * width};
+        for (int way = 0; way < WAYS; ++way) {
+            row[1 + 2 * way] = sampling_means_mean(&means[way], b);
+            row[2 + 2 * way] = sampling_means_error(&means[way], b);
+        }
+        table_row(s->out, 1 + 2 * WAYS, row);
+    }
+    for (int way = 0; way < WAYS; ++way)
+        write_sides(s, way_names[way], &means[way]);
+    write_bias(s, "kept_edge", &means[KEPT], &means[THROWN], 0);
+    write_bias(s, "kept_middle", &means[KEPT], &means[THROWN], HALF - 1);
+    write_bias(s, "moved_edge", &means[MOVED], &means[CHAIN], 0);
+    write_bias(s, "moved_middle", &means[MOVED], &means[CHAIN], HALF - 1);
+}
+
+static const struct table_key mistakes_keys[] = {
+    {"kept_edge", "%", "density in the end bins, off thrown"},
+    {"kept_middle", "%", "the same in the middle"},
+    {"moved_edge", "%", "density in the end bins, off chain"},
+    {"moved_middle", "%", "the same in the middle"},
+    {"<way>_walls", "1", "left side of (6.5)"},
+    {"<way>_walls_error", "1", "its standard error"},
+    {"<way>_pairs", "1", "right side of (6.5)"},
+    {"<way>_pairs_error", "1", "its standard error"},
+    {0}};
+
+static void study_mistakes(struct study *s)
+{
+    const struct settings *own = s->own;
+    struct sampling_means means[WAYS];
+    struct sampling p;
+    struct random r;
+    make_box(&p, own, own->radius[0]);
+    random_seed(&r, s->seed);
+    table_column(s->out, "x", "m", "middle of the bin");
+    for (int way = 0; way < WAYS; ++way) {
+        table_column(s->out, way_names[way], "1/m", "density of x and y");
+        table_column(s->out, "e", "1/m", "its error");
+        if (!sampling_means_create(&means[way], QUANTITIES))
+            end_without_memory();
+        start_chain(&p, own->step[0], 1000, &r);
+        for (uint64_t k = 0; k < own->samples && !progress_signal(); ++k)
+            take((enum way)way, &means[way], &p, own->step[0], &r);
+    }
+    write_mistakes(s, means);
+    for (int way = 0; way < WAYS; ++way)
+        sampling_means_free(&means[way]);
+    sampling_free(&p);
+}
+
+/* Records, sweep by sweep, x of disk 1 and the share of all coordinates in
+   the outermost bins. Returns the share of tries that succeeded. */
+static double record(struct sampling *p, double step, uint64_t sweeps,
+                     double x[], double edge[], struct random *r)
+{
+    const size_t count = p->disks.count;
+    uint64_t moved = 0;
+    for (uint64_t n = 0; n < sweeps; ++n) {
+        size_t at_edge = 0;
+        for (size_t k = 0; k < count; ++k)
+            moved += sampling_try(p, step, r);
+        for (size_t k = 0; k < 2 * count; ++k) {
+            const double place = p->disks.disk[k / 2].position[k % 2];
+            at_edge += bin_of(p, place) % (BINS - 1) == 0;
+        }
+        x[n] = p->disks.disk[0].position[0];
+        edge[n] = (double)at_edge / (2 * (double)count);
+    }
+    return (double)moved / (double)(sweeps * count);
+}
+
+/* Finds how many samples make an independent one. */
+static double inefficiency(size_t n, const double x[])
+{
+    static struct statistics_blocking b;
+    if (!statistics_blocking(n, x, &b))
+        end_without_memory();
+    return b.inefficiency;
+}
+
+/* Runs chain k of all radii and steps; x has room for two series. */
+static void study_chain(struct study *s, size_t k, double x[],
+                        struct random *r)
+{
+    const struct settings *own = s->own;
+    static const char *const keys[] = {"acceptance", "g_x", "g_edge"};
+    const double radius = own->radius[k / own->steps];
+    const double step = own->step[k % own->steps];
+    const size_t n = own->samples;
+    struct sampling p;
+    make_box(&p, own, radius);
+    start_chain(&p, step, n / 10, r);
+    const double share = record(&p, step, n, x, x + n, r);
+    const double row[] = {radius,
+                          step,
+                          share,
+                          inefficiency(n, x),
+                          inefficiency(n, x + n),
+                          statistics_moments(n, x).mean};
+    table_row(s->out, 6, row);
+    for (size_t q = 0; q < 3; ++q) {
+        char key[40];
+        snprintf(key, sizeof key, "%s_%zu", keys[q], k + 1);
+        table_real(s->summary, key, row[2 + q]);
+    }
+    sampling_free(&p);
+}
+
+static const struct table_key memory_keys[] = {
+    {"acceptance_<k>", "1", "chain k: share of moves accepted"},
+    {"g_x_<k>", "sweeps", "inefficiency of x of disk 1"},
+    {"g_edge_<k>", "sweeps", "the same of the share in the end bins"},
+    {0}};
+
+static void study_memory(struct study *s)
+{
+    const struct settings *own = s->own;
+    double *x = malloc(2 * own->samples * sizeof *x);
+    struct random r;
+    if (!x)
+        end_without_memory();
+    random_seed(&r, s->seed);
+    table_column(s->out, "r", "m", "radius");
+    table_column(s->out, "step", "m", "longest move along an axis");
+    table_column(s->out, "acceptance", "", "of moves");
+    table_column(s->out, "gx", "sweeps", "inefficiency of x of disk 1");
+    table_column(s->out, "ge", "sweeps", "of the share in the end bins");
+    table_column(s->out, "mean", "m", "mean x of disk 1");
+    const size_t chains = own->radii * own->steps;
+    for (size_t k = 0; k < chains && !progress_signal(); ++k)
+        study_chain(s, k, x, &r);
+    free(x);
+}
+
+/* Throws until so many have fitted, or until patience ends. */
+static void study_acceptance(struct study *s)
+{
+    const struct settings *own = s->own;
+    struct random r;
+    random_seed(&r, s->seed);
+    table_column(s->out, "r", "m", "radius");
+    table_column(s->out, "packing", "", "share of the box that is filled");
+    table_column(s->out, "acceptance", "", "share of throws");
+    table_column(s->out, "e", "", "its error");
+    for (size_t k = 0; k < own->radii && !progress_signal(); ++k) {
+        struct sampling p;
+        uint64_t fitted = 0, throws = 0;
+        make_box(&p, own, own->radius[k]);
+        for (; fitted < own->samples && throws < PATIENCE; ++throws) {
+            if (progress_signal())
+                break;
+            fitted += sampling_throw(&p, &r) == own->disks;
+        }
+        const double share = (double)fitted / (double)throws;
+        if (fitted > 0)
+            table_row(s->out, 4,
+                      (double[]){own->radius[k], disks_packing(&p.disks),
+                                 share, share / sqrt((double)fitted)});
+        sampling_free(&p);
+    }
+}
+
+enum method { DIRECT, MARKOV, DYNAMICS, METHODS };
+static const char *const method_names[METHODS] = {"direct", "markov",
+                                                  "dynamics"};
+enum {
+    TIMES = 7, /* processor times, each four times the one before */
+    SEEDS = 8, /* runs whose errors are averaged */
+    TRIES = 64 /* between two looks at the clock */
+};
+static const double first_time = 0.00025; /* s */
+
+/* One try of a method: a throw, a sweep, or a tenth of a second. Returns
+   whether there is a sample. */
+static bool next_try(enum method method, struct sampling *p, double step,
+                     struct random *r)
+{
+    switch (method) {
+    case DIRECT: return sampling_throw(p, r) == p->disks.count;
+    case MARKOV:
+        for (size_t k = 0; k < p->disks.count; ++k)
+            sampling_try(p, step, r);
+        return true;
+    default:
+        disks_run(&p->disks, p->disks.now + 0.1, UINT64_MAX);
+        return true;
+    }
+}
+
+static void begin_method(enum method method, struct sampling *p,
+                         double step, struct random *r)
+{
+    disks_set_speed(&p->disks, 0, r);
+    disks_settle(&p->disks);
+    start_chain(p, step, method == DIRECT ? 0 : 1000, r);
+    if (method != DYNAMICS)
+        return;
+    disks_set_speed(&p->disks, 1, r);
+    if (!disks_plan(&p->disks))
+        end_without_memory();
+}
+
+/* Adds the places of now to the counts of the bins from the wall in. */
+static void add_places(const struct sampling *p, double counts[HALF])
+{
+    for (size_t i = 0; i < p->disks.count; ++i) {
+        double place[DISKS_AXES];
+        disks_position(&p->disks, i, place);
+        for (size_t k = 0; k < 2; ++k) {
+            const size_t b = bin_of(p, place[k]);
+            ++counts[b < HALF ? b : BINS - 1 - b];
+        }
+    }
+}
+
+/* The mean square of the deviations of a density from a reference, in
+   units of the mean density. */
+static double deviation(const double counts[HALF],
+                        const double reference[HALF])
+{
+    double total = 0, of = 0, sum = 0;
+    for (size_t b = 0; b < HALF; ++b) {
+        total += counts[b];
+        of += reference[b];
+    }
+    for (size_t b = 0; b < HALF; ++b) {
+        const double share = total > 0 ? counts[b] / total : 0;
+        const double off = HALF * (share - reference[b] / of);
+        sum += off * off;
+    }
+    return sum / HALF;
+}
+
+/* Runs a method and adds its deviation after each of the times. */
+static void run_method(enum method method, struct sampling *p, double step,
+                       struct random *r, const double reference[HALF],
+                       double sum[TIMES])
+{
+    double counts[HALF] = {0}, until = first_time;
+    begin_method(method, p, step, r);
+    const double start = bench_seconds();
+    for (int t = 0; t < TIMES; ++t, until *= 4) {
+        while (bench_seconds() - start < until && !progress_signal())
+            for (int k = 0; k < TRIES; ++k)
+                if (next_try(method, p, step, r))
+                    add_places(p, counts);
+        sum[t] += deviation(counts, reference);
+    }
+}
+
+/* Measures a method and writes its rows. */
+static void measure(struct study *s, enum method method, struct sampling *p,
+                    struct random *r, const double reference[HALF])
+{
+    const struct settings *own = s->own;
+    const double radius = p->disks.disk[0].radius;
+    double sum[TIMES] = {0}, until = first_time;
+    for (int seed = -1; seed < SEEDS; ++seed) {
+        if (seed == 0)
+            memset(sum, 0, sizeof sum); /* the first one warms up */
+        run_method(method, p, own->step[0], r, reference, sum);
+    }
+    for (int t = 0; t < TIMES; ++t, until *= 4)
+        table_print(s->out, "%s-%g %g %.9g %.4g\n", method_names[method],
+                    radius, radius, until, sqrt(sum[t] / SEEDS));
+}
+
+static void study_cost(struct study *s)
+{
+    const struct settings *own = s->own;
+    struct random r;
+    random_seed(&r, s->seed);
+    bench_machine(s->out);
+    table_column(s->out, "method", "", "and radius");
+    table_column(s->out, "r", "m", "radius");
+    table_column(s->out, "time", "s", "of the processor, for a run");
+    table_column(s->out, "error", "",
+                 "rms of the density, in units of its mean");
+    for (size_t k = 0; k < own->radii && !progress_signal(); ++k) {
+        double reference[HALF] = {0};
+        struct sampling p;
+        make_box(&p, own, own->radius[k]);
+        begin_method(DYNAMICS, &p, own->step[0], &r);
+        for (uint64_t n = 0; n < own->samples && !progress_signal(); ++n) {
+            next_try(DYNAMICS, &p, own->step[0], &r);
+            add_places(&p, reference);
+        }
+        for (int method = 0; method < METHODS; ++method)
+            measure(s, (enum method)method, &p, &r, reference);
+        sampling_free(&p);
+    }
+}
+
+static const struct study_entry studies[] = {
+    {"mistakes", study_mistakes, "two of them, and the right ways",
+     mistakes_keys},
+    {"memory", study_memory, "how long a chain's is", memory_keys},
+    {"acceptance", study_acceptance, "how many throws fit", NULL},
+    {"cost", study_cost, "error against processor time", NULL},
+    {0}};
+
+/* Reads a list of lengths; returns how many there are. */
+static size_t read_lengths(struct options *o, double x[], double limit)
+{
+    const size_t n = options_list(o, x, LIST);
+    for (size_t k = 0; k < n; ++k)
+        if (!(x[k] > 0 && x[k] < limit))
+            options_fail(o, "%g, expected more than 0 and less than %g",
+                         x[k], limit);
+    return n;
+}
+
+static void take_option(struct options *o, int letter, void *settings)
+{
+    struct settings *own = settings;
+    switch (letter) {
+    case 'N': own->disks = options_count(o, 1, 1000); break;
+    case 'r': own->radii = read_lengths(o, own->radius, 0.5); break;
+    case 'd': own->steps = read_lengths(o, own->step, 1); break;
+    case 'k': own->samples = options_count(o, 100, 1000000000); break;
+    }
+}
+
+int main(int argc, char *argv[])
+{
+    struct settings own = {.disks = 4,
+                           .radii = 1,
+                           .radius = {0.15},
+                           .steps = 1,
+                           .step = {0.1},
+                           .samples = 100000};
+    const struct study_program program = {
+        .name = PROGRAM,
+        .purpose = "Compare samplers of disks in a box.",
+        .events = "samples",
+        .studies = studies,
+        .seeds = UINT64_MAX,
+        .options = entries,
+        .take = take_option,
+        .own = &own};
+    return study_main(&program, argc, argv);
+}

@@ -1,0 +1,139 @@
+/* From chapters/08-scenes.nw: edit there, then run make tangle. */
+/* checksum 704946769 of the lines below */
+#include "scenes/decimal.h"
+#include "scenes/scene.h"
+#include "toolbox/bench.h"
+#include "toolbox/options.h"
+#include "toolbox/random.h"
+#include "toolbox/table.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define PROGRAM "scene-speed"
+
+enum { NUMBERS = 20000, WIDTH = 32, MOST_DIGITS = 19 };
+
+_Noreturn static void give_up(const char *why)
+{
+    fprintf(stderr, PROGRAM ": %s\n", why);
+    table_abandon();
+    exit(EXIT_FAILURE);
+}
+
+static void write_numbers(char text[][WIDTH], int digits, struct random *r)
+{
+    for (size_t i = 0; i < NUMBERS; ++i)
+        snprintf(text[i], WIDTH, "%.*f", digits - 1,
+                 10 * random_uniform(r));
+}
+
+/* Seconds for a number, with decimal_read or strtod; counts the ways. */
+static double time_numbers(char text[][WIDTH], bool ours, size_t ways[])
+{
+    const double start = bench_seconds();
+    double sum = 0, value = 0;
+    for (size_t i = 0; i < NUMBERS; ++i) {
+        if (ours)
+            ++ways[decimal_read(text[i], strlen(text[i]), &value)];
+        else
+            value = strtod(text[i], NULL);
+        sum += value;
+    }
+    if (!(sum > 0))
+        give_up("numbers cannot be read");
+    return (bench_seconds() - start) / NUMBERS;
+}
+
+static void time_digits(int digits, struct table *out, struct random *r)
+{
+    static char text[NUMBERS][WIDTH];
+    double ours[BENCH_ROUNDS], library[BENCH_ROUNDS];
+    size_t ways[DECIMAL_STRTOD + 1];
+    write_numbers(text, digits, r);
+    for (int k = -1; k < BENCH_ROUNDS; ++k) {
+        memset(ways, 0, sizeof ways);
+        ours[k < 0 ? 0 : k] = time_numbers(text, true, ways);
+        library[k < 0 ? 0 : k] = time_numbers(text, false, ways);
+    }
+    table_print(out, "%d %.1f %.1f %.4f %.4f %.4f\n", digits,
+                1e9 * bench_median(ours, BENCH_ROUNDS),
+                1e9 * bench_median(library, BENCH_ROUNDS),
+                (double)ways[DECIMAL_SHORT] / NUMBERS,
+                (double)ways[DECIMAL_PAIR] / NUMBERS,
+                (double)ways[DECIMAL_STRTOD] / NUMBERS);
+}
+
+static char *write_gas(size_t bodies, size_t *length, struct random *r)
+{
+    char *text = malloc(256 * bodies), *c = text;
+    for (size_t i = 0; text && i < bodies; ++i) {
+        double x[6];
+        for (int k = 0; k < 6; ++k)
+            x[k] = 10 * random_uniform(r) - 5;
+        c += snprintf(c, 256,
+                      "pos %zu %.17g %.17g %.17g 1 0 0.001\n"
+                      "vel %zu %.17g %.17g %.17g\n",
+                      i, x[0], x[1], x[2], i, x[3], x[4], x[5]);
+    }
+    *length = (size_t)(c - text);
+    return text;
+}
+
+static void time_scene(size_t bodies, struct table *out, struct random *r)
+{
+    double seconds[BENCH_ROUNDS];
+    size_t length;
+    struct scene s;
+    struct scene_error e;
+    char *text = write_gas(bodies, &length, r);
+    if (!text)
+        give_up("no memory for a scene");
+    for (int k = -1; k < BENCH_ROUNDS; ++k) {
+        const double start = bench_seconds();
+        if (!scene_parse(&s, text, length, &e))
+            give_up(e.text);
+        seconds[k < 0 ? 0 : k] = bench_seconds() - start;
+        scene_free(&s);
+    }
+    free(text);
+    table_print(out, "scene %zu %.1f %.3f\n", bodies, (double)length / 1e6,
+                bench_median(seconds, BENCH_ROUNDS));
+}
+
+static void write_table(struct table *out, const char *command)
+{
+    struct random r;
+    random_seed(&r, 1);
+    table_begin(out, command, 1);
+    bench_machine(out);
+    table_column(out, "n", "", "digits of a number");
+    table_column(out, "ours", "ns", "processor time to read it");
+    table_column(out, "strtod", "ns", "the same, by the C library");
+    table_column(out, "short", "", "share read by one operation");
+    table_column(out, "pair", "", "share read as a head and a tail");
+    table_column(out, "library", "", "share left to the library");
+    for (int digits = 1; digits <= MOST_DIGITS; ++digits)
+        time_digits(digits, out, &r);
+    table_print(out, "\n\n# scene bodies megabytes seconds\n");
+    time_scene(1000000, out, &r);
+}
+
+int main(int argc, char *argv[])
+{
+    static const struct options_entry entries[] = {
+        {"output", 'o', "FILE", "for the table (standard output)"}, {0}};
+    struct options o;
+    const char *output = NULL;
+    options_begin(&o, PROGRAM, "Time the reading of numbers and scenes.",
+                  entries, argc, argv);
+    while (options_next(&o) != -1)
+        output = options_text(&o);
+    struct table *out = table_open(PROGRAM, output);
+    if (!out)
+        return EXIT_FAILURE;
+    write_table(out, options_command(&o));
+    return table_close(out) ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,1125 @@
+/* From chapters/11-spheres.nw: edit there, then run make tangle. */
+/* checksum 169713257 of the lines below */
+#include "box/blocks.h"
+#include "line/bonkers.h"
+#include "box/cells.h"
+#include "box/disks.h"
+#include "forces/hard.h"
+#include "forces/spheres.h"
+#include "toolbox/bench.h"
+#include "toolbox/study.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#define PROGRAM "spheres-studies"
+
+enum { MOST_RUNS = 1000 };
+
+struct settings {
+    uint64_t runs;
+    double until; /* of the study of the law, s */
+};
+
+static const double usual_length = 60; /* of the others, s */
+
+/* Makes a scene of this chapter with what is chosen. */
+static void make(struct scene *s, const char *name,
+                 const struct gallery_choice chosen[])
+{
+    const char *wrong = gallery_choose(s, hard_scenes, name, chosen);
+    if (wrong)
+        study_fail(PROGRAM, wrong);
+}
+
+enum { PAPER, APPROACHING, BACK, WAYS };
+
+static const char *const ways[WAYS] = {"paper", "approaching", "back"};
+
+/* A scene in steps of dt (s). */
+struct run {
+    struct scene scene;
+    struct spheres spheres;
+    double dt;
+};
+
+/* Prepares to step the scene that is in r. */
+static void begin(struct run *r, int way, double dt)
+{
+    r->dt = dt;
+    if (!spheres_create(&r->spheres, &r->scene,
+                        way == PAPER ? SPHERES_ALL : SPHERES_APPROACHING))
+        study_fail(PROGRAM, "no memory for the spheres");
+    r->spheres.dt = dt;
+    r->spheres.shift = way == BACK ? SPHERES_BACK : SPHERES_BY_RADIUS;
+}
+
+static void end(struct run *r)
+{
+    spheres_free(&r->spheres);
+    scene_free(&r->scene);
+}
+
+static void steps(struct run *r, double time)
+{
+    struct scene *s = &r->scene;
+    const long n = lround(time / r->dt);
+    for (long k = 0; k < n && !progress_signal(); ++k) {
+        for (size_t i = 0; i < SCENE_AXES * s->bodies; ++i)
+            s->position[i] += s->velocity[i] * r->dt;
+        spheres_resolve(&r->spheres, s->position, s->velocity);
+    }
+}
+
+static double energy(const struct scene *s)
+{
+    double sum = 0;
+    for (size_t i = 0; i < SCENE_AXES * s->bodies; ++i)
+        sum += s->mass[i % s->bodies] * s->velocity[i] * s->velocity[i] / 2;
+    return sum;
+}
+
+enum { Z_X, Z_Y, RATE, RECEDING, VIRIAL, FOURTH, ENERGY, MEASURED };
+
+static const double warm = 20; /* s, before anything is counted */
+
+static void forget(struct spheres *p)
+{
+    p->collisions = p->receding = p->wall_collisions = 0;
+    p->virial = 0;
+    memset(p->impulse, 0, sizeof p->impulse);
+}
+
+static double fourth_power(const struct scene *s)
+{
+    const size_t n = s->bodies;
+    double sum = 0;
+    for (size_t i = 0; i < n; ++i) {
+        const double v2 = s->velocity[i] * s->velocity[i] +
+                          s->velocity[n + i] * s->velocity[n + i];
+        sum += v2 * v2;
+    }
+    return sum / (double)n;
+}
+
+/* Runs a scene of disks by steps; E is N kT. */
+static void gas_by_steps(struct run *r, double until, double value[])
+{
+    enum { LOOKS = 100 };
+    const struct spheres *p = &r->spheres;
+    const double E = energy(&r->scene);
+    const double time =
+        LOOKS * r->dt * (double)lround(until / LOOKS / r->dt);
+    steps(r, warm);
+    forget(&r->spheres);
+    value[FOURTH] = 0;
+    for (int k = 0; k < LOOKS; ++k) {
+        steps(r, until / LOOKS);
+        value[FOURTH] += fourth_power(&r->scene) / LOOKS;
+    }
+    for (size_t k = 0; k < 2; ++k)
+        value[Z_X + k] = p->impulse[k] / (2 * time) *
+                         (r->scene.high[k] - r->scene.low[k]) / E;
+    value[RATE] = (double)(p->collisions - p->receding) / time;
+    value[RECEDING] = (double)p->receding / time;
+    value[VIRIAL] = p->virial / (2 * E * time);
+    value[ENERGY] = fabs(energy(&r->scene) / E - 1);
+}
+
+static void as_disks(struct disks *d, const struct scene *s)
+{
+    if (!hard_disks(d, s))
+        study_fail(PROGRAM, "no memory for the disks");
+}
+
+static void gas_by_events(struct disks *d, double until, double value[])
+{
+    struct cells c;
+    const double E = disks_energy(d);
+    if (!cells_create(&c, d))
+        study_fail(PROGRAM, "no memory for the cells");
+    cells_run(&c, warm, UINT64_MAX);
+    const struct disks before = *d;
+    cells_run(&c, warm + until, UINT64_MAX);
+    for (size_t k = 0; k < 2; ++k)
+        value[Z_X + k] = (d->impulse[k] - before.impulse[k]) / (2 * until) *
+                         d->box[k] / E;
+    value[RATE] = (double)(d->collisions - before.collisions) / until;
+    value[VIRIAL] = (d->virial - before.virial) / (2 * E * until);
+    value[ENERGY] = fabs(disks_energy(d) / E - 1);
+    value[RECEDING] = value[FOURTH] = 0;
+    cells_free(&c);
+}
+
+static void run_gas(uint64_t seed, int way, double dt, double until,
+                    double value[])
+{
+    struct run r;
+    make(&r.scene, "gas",
+         (struct gallery_choice[]){{"seed", (double)seed}, {0}});
+    if (way < WAYS) {
+        begin(&r, way, dt);
+        gas_by_steps(&r, until, value);
+        end(&r);
+    } else {
+        struct disks d;
+        as_disks(&d, &r.scene);
+        scene_free(&r.scene);
+        gas_by_events(&d, until, value);
+        disks_free(&d);
+    }
+}
+
+/* Averages over runs, with their errors; of the energy's error the worst.
+   way: WAYS is by events. */
+static void average(const struct study *s, int way, double dt,
+                    double mean[], double error[])
+{
+    static double values[MEASURED][MOST_RUNS];
+    const struct settings *own = s->own;
+    mean[ENERGY] = error[ENERGY] = 0;
+    for (uint64_t i = 0; i < own->runs; ++i) {
+        double value[MEASURED];
+        run_gas(s->seed + i, way, dt, usual_length, value);
+        for (int k = 0; k < MEASURED; ++k)
+            values[k][i] = value[k];
+        mean[ENERGY] = fmax(mean[ENERGY], value[ENERGY]);
+    }
+    for (int k = 0; k < ENERGY; ++k) {
+        const struct blocks_average a =
+            blocks_average_of(own->runs, values[k]);
+        mean[k] = a.mean;
+        error[k] = a.error;
+    }
+}
+
+enum { DTS = 7, FITTED = 5 };
+
+static const double dts[DTS] = {0.0025, 0.005, 0.01, 0.02,
+                                0.04,   0.08,  0.16};
+
+static void pressure_columns(struct study *s)
+{
+    static const char *const symbols[] = {"Z_x",      "Z_y",    "rate",
+                                          "receding", "virial", "v4"};
+    table_column(s->out, "dt", "s", "step; 0: by events");
+    for (int way = 0; way < WAYS; ++way) {
+        for (int k = 0; k < ENERGY; ++k) {
+            const char *unit = k == RATE || k == RECEDING ? "1/s" : "";
+            table_column(s->out, symbols[k], unit, ways[way]);
+            table_column(s->out, "error", unit, "its error");
+        }
+        table_column(s->out, "dE/E", "", "the energy's worst error");
+    }
+}
+
+/* What the parabolas go through: points and errors of each way. */
+struct points {
+    double y[3][DTS], error[3][DTS];
+};
+
+static void pressure_row(struct study *s, double dt, int at,
+                         struct points points[])
+{
+    static const int fitted[3] = {Z_X, Z_Y, VIRIAL};
+    double row[1 + WAYS * (2 * ENERGY + 1)] = {dt};
+    size_t n = 1;
+    for (int way = 0; way < WAYS; ++way) {
+        double mean[MEASURED], error[MEASURED];
+        average(s, dt > 0 ? way : WAYS, dt, mean, error);
+        for (int k = 0; k < ENERGY; ++k) {
+            row[n++] = mean[k];
+            row[n++] = error[k];
+        }
+        row[n++] = mean[ENERGY];
+        for (int k = 0; k < 3 && points; ++k) {
+            points[way].y[k][at] = mean[fitted[k]];
+            points[way].error[k][at] = error[fitted[k]];
+        }
+    }
+    table_row(s->out, n, row);
+}
+
+struct parabola {
+    double a, b, a_error, b_error; /* a + b t + c t^2 */
+};
+
+static struct parabola fit(size_t n, const double t[], const double y[],
+                           const double error[])
+{
+    double s[5] = {0}, r[3] = {0};
+    for (size_t i = 0; i < n; ++i) {
+        double w = 1 / (error[i] * error[i]);
+        for (int k = 0; k < 5; ++k, w *= t[i]) {
+            s[k] += w;
+            if (k < 3)
+                r[k] += w * y[i];
+        }
+    }
+    const double c[5] = {
+        s[2] * s[4] - s[3] * s[3], s[2] * s[3] - s[1] * s[4],
+        s[1] * s[3] - s[2] * s[2], s[0] * s[4] - s[2] * s[2],
+        s[1] * s[2] - s[0] * s[3]};
+    const double det = s[0] * c[0] + s[1] * c[1] + s[2] * c[2];
+    return (struct parabola){
+        (c[0] * r[0] + c[1] * r[1] + c[2] * r[2]) / det,
+        (c[1] * r[0] + c[3] * r[1] + c[4] * r[2]) / det, sqrt(c[0] / det),
+        sqrt(c[3] / det)};
+}
+
+static void study_pressure(struct study *s)
+{
+    static struct points points[WAYS];
+    pressure_columns(s);
+    bench_machine(s->out);
+    pressure_row(s, 0, 0, NULL);
+    for (int i = 0; i < DTS && !progress_signal(); ++i) {
+        pressure_row(s, dts[i], i, points);
+        progress_update(&s->progress, (uint64_t)i + 1, (uint64_t)i + 1);
+    }
+    table_print(s->out, "\n\n# parabolas up to 0.04 s: way, then of Z_x, "
+                        "Z_y, virial: value at 0, error, slope, error\n");
+    for (int way = 0; way < WAYS; ++way) {
+        table_print(s->out, "%s", ways[way]);
+        for (int k = 0; k < 3; ++k) {
+            const struct parabola p =
+                fit(FITTED, dts, points[way].y[k], points[way].error[k]);
+            table_print(s->out, " %.17g %.17g %.17g %.17g", p.a, p.a_error,
+                        p.b, p.b_error);
+        }
+        table_print(s->out, "\n");
+    }
+}
+
+enum { SHELLS = 25, MOST_DISKS = 250 };
+
+/* Adds the pairs of d in shells of width 0.01 from the contact on. */
+static void count_pairs(const struct disks *d, double shell[])
+{
+    const double touching = 2 * d->disk[0].radius;
+    const double far = touching * (1 + SHELLS / 100.0);
+    double place[MOST_DISKS][DISKS_AXES];
+    for (size_t i = 0; i < d->count; ++i) {
+        disks_position(d, i, place[i]);
+        for (size_t j = 0; j < i; ++j) {
+            const double x = place[i][0] - place[j][0],
+                         y = place[i][1] - place[j][1];
+            const double square = x * x + y * y;
+            if (square >= far * far)
+                continue;
+            const double r = sqrt(square) / touching;
+            shell[r < 1 ? 0 : (int)((r - 1) * 100) % SHELLS] += 1;
+        }
+    }
+}
+
+/* Counts the pairs of the gas by events; returns the virial over N kT. */
+static double fill_shells(const struct study *s, double shell[])
+{
+    const struct settings *own = s->own;
+    const double seed = (double)s->seed;
+    struct run r;
+    struct disks d;
+    struct cells c;
+    make(&r.scene, "gas", (struct gallery_choice[]){{"seed", seed}, {0}});
+    as_disks(&d, &r.scene);
+    scene_free(&r.scene);
+    const double E = disks_energy(&d), end = own->until;
+    if (!cells_create(&c, &d))
+        study_fail(PROGRAM, "no memory for the cells");
+    cells_run(&c, warm, UINT64_MAX);
+    const double before = d.virial;
+    for (double at = 0.1; at <= end && !progress_signal(); at += 0.1) {
+        cells_run(&c, warm + at, UINT64_MAX);
+        count_pairs(&d, shell);
+    }
+    const double virial = (d.virial - before) / (2 * E * end);
+    cells_free(&c);
+    disks_free(&d);
+    return virial;
+}
+
+/* The slope d ln g / d ln r at contact, and *error of it. */
+static double contact_slope(const double shell[], double *error)
+{
+    double t[SHELLS], y[SHELLS], e[SHELLS];
+    for (int k = 0; k < SHELLS; ++k) {
+        t[k] = (k + 0.5) / 100;
+        y[k] = log(shell[k] / (1 + t[k]));
+        e[k] = 1 / sqrt(shell[k]);
+    }
+    const struct parabola p = fit(SHELLS, t, y, e);
+    *error = p.b_error;
+    return p.b;
+}
+
+static const struct table_key law_keys[] = {
+    {"slope", "1", "d ln g/d ln r at contact"},
+    {"error", "1", "its standard error"},
+    {"density", "1", "d ln g/d ln eta"},
+    {"hit", "1", "what a collision yields less"},
+    {"rate", "1", "how many fewer collisions"},
+    {"share", "1", "(Z - 1)/Z"},
+    {"law", "1", "loss of Z, relative, in units of v dt/2r"},
+    {"virial_slope", "1/s", "of Z in dt, by the law"},
+    {0}};
+
+static void study_law(struct study *s)
+{
+    const double pi = 3.14159265358979324, eta = 250 * pi * 0.01 / 37.5;
+    double shell[SHELLS] = {0}, error;
+    const double virial = fill_shells(s, shell);
+    const double slope = contact_slope(shell, &error);
+    const double density =
+        2 * eta / (1 - eta) - 7 * eta / 16 / (1 - 7 * eta / 16);
+    const double hit = sqrt(2 / pi);
+    const double rate = (2 * density - slope) / (2 * sqrt(2 * pi));
+    const double law = virial / (1 + virial) * (hit + rate);
+    static const char *const names[] = {"slope", "error",       "density",
+                                        "hit",   "rate",        "share",
+                                        "law",   "virial_slope"};
+    const double row[] = {slope,   error,
+                          density, hit,
+                          rate,    virial / (1 + virial),
+                          law,     -virial * (hit + rate) / 0.2};
+    for (size_t k = 0; k < sizeof row / sizeof *row; ++k) {
+        table_column(s->out, names[k], "", "of the law of first order");
+        table_real(s->summary, names[k], row[k]);
+    }
+    table_row(s->out, sizeof row / sizeof *row, row);
+}
+
+enum {
+    CHECK_ENERGY,
+    CHECK_IDENTITY,
+    CHECK_SPEEDS,
+    CHECK_RATE,
+    CHECK_PRESSURE,
+    CHECK_NEAR,
+    CHECK_CENTRE,
+    CHECK_SPIN,
+    CHECK_BACK,
+    CHECKS
+};
+
+static const char *const checks[CHECKS] = {"energy", "identity", "speeds",
+                                           "rate",   "pressure", "near",
+                                           "centre", "spin",     "back"};
+
+/* The sum of m x v about the middle of the box. */
+static double moment(const struct scene *s)
+{
+    const size_t n = s->bodies;
+    double sum = 0;
+    for (size_t k = 0; k < 2; ++k)
+        for (size_t i = 0; i < n; ++i)
+            sum += s->mass[i] * s->velocity[k * n + i] *
+                   (s->position[k * n + i] - (s->low[k] + s->high[k]) / 2);
+    return sum;
+}
+
+/* Pairs nearer than 1.02 times the sum of their radii. */
+static double near_pairs(const struct scene *s)
+{
+    const size_t n = s->bodies;
+    double count = 0;
+    for (size_t i = 0; i < n; ++i)
+        for (size_t j = 0; j < i; ++j) {
+            const double far = 1.02 * (s->radius[i] + s->radius[j]);
+            const double x = s->position[i] - s->position[j],
+                         y = s->position[n + i] - s->position[n + j];
+            count += x * x + y * y < far * far;
+        }
+    return count;
+}
+
+static void take_in(struct scene *s, const struct disks *d)
+{
+    for (size_t i = 0; i < d->count; ++i) {
+        double place[DISKS_AXES];
+        disks_position(d, i, place);
+        for (size_t k = 0; k < 2; ++k)
+            s->position[k * d->count + i] = place[k];
+    }
+}
+
+static double near_by_events(struct run *r)
+{
+    struct disks d;
+    struct cells c;
+    double near = 0;
+    as_disks(&d, &r->scene);
+    if (!cells_create(&c, &d))
+        study_fail(PROGRAM, "no memory for the cells");
+    for (int k = 0; k < 200; ++k) {
+        cells_run(&c, warm + 0.2 * k, UINT64_MAX);
+        take_in(&r->scene, &d);
+        near += near_pairs(&r->scene) / 200;
+    }
+    cells_free(&c);
+    disks_free(&d);
+    return near;
+}
+
+static double near_by_steps(struct run *r)
+{
+    double near = 0;
+    steps(r, warm);
+    for (int k = 0; k < 200; ++k) {
+        steps(r, 0.2);
+        near += near_pairs(&r->scene) / 200;
+    }
+    return near;
+}
+
+static double identity(struct run *r)
+{
+    const double time = 20, radius = 0.1;
+    const struct spheres *p = &r->spheres;
+    forget(&r->spheres);
+    const double before = moment(&r->scene), E = energy(&r->scene);
+    steps(r, time);
+    double rest = moment(&r->scene) - before - 2 * E * time - p->virial;
+    for (size_t k = 0; k < 2; ++k)
+        rest += p->impulse[k] *
+                ((r->scene.high[k] - r->scene.low[k]) / 2 - radius);
+    return fabs(rest) / (2 * E * time);
+}
+
+static void begin_gas(struct run *r, const char *name, uint64_t seed,
+                      enum scene_wall wall, int way, double dt)
+{
+    make(&r->scene, name,
+         (struct gallery_choice[]){{"seed", (double)seed}, {0}});
+    r->scene.wall[0] = r->scene.wall[1] = wall;
+    begin(r, way, dt);
+}
+
+/* Where the centre of mass is along x. */
+static double centre(const struct scene *s, const double x[])
+{
+    double sum = 0, mass = 0;
+    for (size_t i = 0; i < s->bodies; ++i) {
+        sum += s->mass[i] * x[i];
+        mass += s->mass[i];
+    }
+    return sum / mass;
+}
+
+static double moved_centre(uint64_t seed, int way, double dt)
+{
+    struct run r;
+    begin_gas(&r, "brownian", seed, SCENE_PERIODIC, way, dt);
+    const double before = centre(&r.scene, r.scene.position) +
+                          2 * centre(&r.scene, r.scene.velocity);
+    steps(&r, 2);
+    const double moved = centre(&r.scene, r.scene.position) - before;
+    end(&r);
+    return fabs(moved) / 0.1;
+}
+
+static double spin(const struct scene *s)
+{
+    const size_t n = s->bodies;
+    double sum = 0;
+    for (size_t i = 0; i < n; ++i)
+        sum += s->mass[i] * (s->position[i] * s->velocity[n + i] -
+                             s->position[n + i] * s->velocity[i]);
+    return sum;
+}
+
+static double lost_spin(uint64_t seed, int way, double dt)
+{
+    struct run r;
+    begin_gas(&r, "gas", seed, SCENE_OPEN, way, dt);
+    const double before = spin(&r.scene);
+    steps(&r, 2);
+    const double lost = fabs(spin(&r.scene) - before);
+    const double collisions = (double)r.spheres.collisions;
+    end(&r);
+    return lost / sqrt(collisions) / 0.2;
+}
+
+static double missed_way_back(uint64_t seed, int way, double dt)
+{
+    enum { DISKS = 250 };
+    double x[2 * DISKS], miss[DISKS];
+    struct run r;
+    begin_gas(&r, "gas", seed, SCENE_HARD, way, dt);
+    steps(&r, 1);
+    memcpy(x, r.scene.position, sizeof x);
+    steps(&r, 0.2);
+    for (size_t i = 0; i < 2 * DISKS; ++i)
+        r.scene.velocity[i] *= -1;
+    steps(&r, 0.2);
+    for (size_t i = 0; i < DISKS; ++i)
+        miss[i] = hypot(r.scene.position[i] - x[i],
+                        r.scene.position[DISKS + i] - x[DISKS + i]);
+    end(&r);
+    return bench_median(miss, DISKS) / 0.2;
+}
+
+static void do_checks(struct study *s, int way, double dt,
+                      const double truth[], double near, double found[])
+{
+    double mean[MEASURED], error[MEASURED];
+    struct run r;
+    average(s, way, dt, mean, error);
+    found[CHECK_ENERGY] = mean[ENERGY];
+    found[CHECK_SPEEDS] = fabs(mean[FOURTH] / (2 * 250 / 251.0) - 1);
+    found[CHECK_RATE] = fabs(mean[RATE] / truth[RATE] - 1);
+    found[CHECK_PRESSURE] = fabs(mean[Z_X] / truth[Z_X] - 1);
+    begin_gas(&r, "gas", s->seed, SCENE_HARD, way, dt);
+    found[CHECK_NEAR] = fabs(near_by_steps(&r) / near - 1);
+    found[CHECK_IDENTITY] = identity(&r);
+    end(&r);
+    found[CHECK_CENTRE] = found[CHECK_SPIN] = found[CHECK_BACK] = 0;
+    for (uint64_t i = 0; i < 10; ++i) {
+        found[CHECK_CENTRE] += moved_centre(s->seed + i, way, dt) / 10;
+        found[CHECK_SPIN] += lost_spin(s->seed + i, way, dt) / 10;
+        found[CHECK_BACK] += missed_way_back(s->seed + i, way, dt) / 10;
+    }
+}
+
+static const struct table_key checks_keys[] = {
+    {"<check>_<way>_<dt>", "1", "what it finds; dt in 1/100 s"}, {0}};
+
+static void study_checks(struct study *s)
+{
+    double truth[MEASURED], error[MEASURED];
+    struct run r;
+    average(s, WAYS, 0, truth, error);
+    begin_gas(&r, "gas", s->seed, SCENE_HARD, PAPER, 1);
+    const double near = near_by_events(&r);
+    end(&r);
+    table_column(s->out, "way", "", "0 paper, 1 approaching, 2 back");
+    table_column(s->out, "dt", "s", "step");
+    for (int k = 0; k < CHECKS; ++k)
+        table_column(s->out, checks[k], "", "what it finds");
+    for (int way = 0; way < WAYS; way += 2)
+        for (int fine = 1; fine >= 0; --fine) {
+            double row[2 + CHECKS] = {way, fine ? 0.02 : 0.04};
+            do_checks(s, way, row[1], truth, near, row + 2);
+            table_row(s->out, 2 + CHECKS, row);
+            for (int k = 0; k < CHECKS; ++k) {
+                char key[40];
+                snprintf(key, sizeof key, "%s_%s_%d", checks[k], ways[way],
+                         fine ? 2 : 4);
+                table_real(s->summary, key, row[2 + k]);
+            }
+        }
+}
+
+/* Ways to start a row of five balls of 1 kg, but for the first, the last or
+   the middle one. */
+static const struct {
+    const char *name;
+    double left, right, first, last, middle;
+} rows[] = {{"one", 1, 0, 1, 1, 1},    {"two", 2, 0, 1, 1, 1},
+            {"three", 3, 0, 1, 1, 1},  {"both", 1, 1, 1, 1, 1},
+            {"double", 1, 0, 2, 1, 1}, {"triple", 1, 0, 3, 1, 1},
+            {"half", 1, 0, 0.5, 1, 1}, {"last", 1, 0, 1, 2, 1},
+            {"middle", 1, 1, 1, 1, 2}};
+
+enum { ROWS = sizeof rows / sizeof *rows, BALLS = 5, DOUBLE = 4 };
+
+static void make_row(struct scene *s, int row, double gap,
+                     double restitution)
+{
+    make(s, "cradle",
+         (struct gallery_choice[]){{"left", rows[row].left},
+                                   {"right", rows[row].right},
+                                   {"first", rows[row].first},
+                                   {"last", rows[row].last},
+                                   {"middle", rows[row].middle},
+                                   {"gap", gap},
+                                   {"restitution", restitution},
+                                   {0}});
+}
+
+static void begin_events(struct bonkers *b, const struct scene *s)
+{
+    struct start start;
+    size_t wrong;
+    if (!hard_start(&start, s) ||
+        !bonkers_begin(b, &start, s->restitution, BONKERS_SCAN, &wrong))
+        study_fail(PROGRAM, "no memory for a row");
+    start_free(&start);
+}
+
+/* Places and velocities of the balls at a time. Returns the collisions. */
+static uint64_t row_by_events(int row, double gap, double until, double x[],
+                              double v[])
+{
+    struct scene s;
+    struct bonkers b;
+    double places[BALLS + 2], velocities[BALLS + 2];
+    make_row(&s, row, gap, 1);
+    s.wall[0] = SCENE_OPEN;
+    begin_events(&b, &s);
+    bonkers_run(&b, until, UINT64_MAX);
+    bonkers_state(&b, places, velocities);
+    memcpy(x, places + 1, BALLS * sizeof *x);
+    memcpy(v, velocities + 1, BALLS * sizeof *v);
+    const uint64_t collisions = b.collisions;
+    bonkers_free(&b);
+    scene_free(&s);
+    return collisions;
+}
+
+/* A way to step a row. */
+struct stepped {
+    int way;
+    enum spheres_order order;
+    double gap, dt;
+};
+
+static void row_by_steps(int row, struct stepped how, double until,
+                         double x[], double v[])
+{
+    struct run r;
+    make_row(&r.scene, row, how.gap, 1);
+    r.scene.wall[0] = SCENE_OPEN;
+    begin(&r, how.way, how.dt);
+    r.spheres.order = how.order;
+    steps(&r, until);
+    memcpy(x, r.scene.position, BALLS * sizeof *x);
+    memcpy(v, r.scene.velocity, BALLS * sizeof *v);
+    end(&r);
+}
+
+static void row_at_once(int row, double v[])
+{
+    struct scene s;
+    double diagonal[BALLS], J[BALLS + 1] = {0}; /* J[c + 1] of contact c */
+    make_row(&s, row, 0, 1);
+    for (size_t c = 0; c + 1 < BALLS; ++c) {
+        const double before = c > 0 ? 1 / s.mass[c] / diagonal[c - 1] : 0;
+        diagonal[c] =
+            1 / s.mass[c] + 1 / s.mass[c + 1] - before / s.mass[c];
+        J[c + 1] = 2 * (s.velocity[c] - s.velocity[c + 1]) + before * J[c];
+    }
+    for (size_t c = BALLS - 1; c-- > 0;) {
+        const double after = c + 2 < BALLS ? J[c + 2] / s.mass[c + 1] : 0;
+        J[c + 1] = (J[c + 1] + after) / diagonal[c];
+    }
+    for (size_t i = 0; i < BALLS; ++i)
+        v[i] = s.velocity[i] +
+               (J[i] - (i + 1 < BALLS ? J[i + 1] : 0)) / s.mass[i];
+    scene_free(&s);
+}
+
+static double worst_of(const double a[], const double b[])
+{
+    double worst = 0;
+    for (int i = 0; i < BALLS; ++i)
+        worst = fmax(worst, fabs(a[i] - b[i]));
+    return worst;
+}
+
+static void report(struct study *s, const char *kind, int row,
+                   const double v[])
+{
+    for (int i = 0; i < BALLS; ++i) {
+        char key[40];
+        snprintf(key, sizeof key, "%s_%s_%d", kind, rows[row].name, i + 1);
+        table_real(s->summary, key, v[i]);
+    }
+}
+
+enum { KINDS = 4 };
+
+static const struct {
+    const char *name;
+    struct stepped how;
+} kinds[KINDS] = {
+    {"wide", {APPROACHING, SPHERES_ASCENDING, 0.01, 0.001}},
+    {"narrow", {APPROACHING, SPHERES_ASCENDING, 0.0001, 0.001}},
+    {"up", {APPROACHING, SPHERES_ASCENDING, 0, 0.001}},
+    {"down", {APPROACHING, SPHERES_DESCENDING, 0, 0.001}}};
+
+/* A line of the table: a row by events, by steps and at once. */
+static void let_go(struct study *s, int row, double line[2 + KINDS])
+{
+    double x[BALLS], exact[BALLS], v[BALLS];
+    const uint64_t n = row_by_events(row, 0.01, 100, x, exact);
+    char key[20];
+    snprintf(key, sizeof key, "n_%s", rows[row].name);
+    table_count(s->summary, key, n);
+    report(s, "events", row, exact);
+    line[0] = row;
+    line[1] = (double)n;
+    for (int k = 0; k < KINDS; ++k) {
+        row_by_steps(row, kinds[k].how, 10, x, v);
+        line[2 + k] = worst_of(v, exact);
+        report(s, kinds[k].name, row, v);
+    }
+    row_at_once(row, v);
+    report(s, "once", row, v);
+}
+
+static const struct table_key rows_keys[] = {
+    {"wide", "m/s", "worst difference from events"},
+    {"narrow", "m/s", "the same"},
+    {"up", "m/s", "the same"},
+    {"down", "m/s", "the same"},
+    {"n_<row>", "1", "collisions, by events"},
+    {"<way>_<row>_<i>", "m/s", "velocity of ball i at the end"},
+    {0}};
+
+static void study_rows(struct study *s)
+{
+    double worst[KINDS] = {0}, line[2 + KINDS];
+    table_column(s->out, "row", "", "one two three both double ...");
+    table_column(s->out, "n", "", "collisions, by events");
+    for (int k = 0; k < KINDS; ++k)
+        table_column(s->out, kinds[k].name, "m/s",
+                     "worst difference, by steps");
+    for (int row = 0; row < ROWS; ++row) {
+        let_go(s, row, line);
+        table_row(s->out, 2 + KINDS, line);
+        for (int k = 0; k < KINDS && row + 1 < ROWS; ++k)
+            worst[k] = fmax(worst[k], line[2 + k]);
+    }
+    for (int k = 0; k < KINDS; ++k)
+        table_real(s->summary, kinds[k].name, worst[k]);
+}
+
+static void study_late(struct study *s)
+{
+    const double until = 3;
+    double x[BALLS], v[BALLS], place[BALLS], velocity[BALLS];
+    table_column(s->out, "dt", "s", "step; v = 1 m/s, 2r = 0.2 m");
+    for (int way = 0; way < WAYS; ++way) {
+        table_column(s->out, "dv", "m/s", ways[way]);
+        table_column(s->out, "dx", "m", "of the last ball");
+    }
+    row_by_events(DOUBLE, 0.01, until, x, v);
+    for (double n = 3e4; n >= 4; n = floor(n / 1.17)) {
+        double line[1 + 2 * WAYS] = {until / n};
+        for (int way = 0; way < WAYS; ++way) {
+            const struct stepped how = {way, SPHERES_ASCENDING, 0.01,
+                                        line[0]};
+            row_by_steps(DOUBLE, how, until, place, velocity);
+            line[1 + 2 * way] = worst_of(velocity, v);
+            line[2 + 2 * way] = fabs(place[BALLS - 1] - x[BALLS - 1]);
+        }
+        table_row(s->out, 1 + 2 * WAYS, line);
+    }
+}
+
+/* A line of the table: energies and places at t. */
+static void write_cradle(struct table *out, double t, struct bonkers *b,
+                         const struct run *r)
+{
+    double x[BALLS + 2], v[BALLS + 2];
+    bonkers_run(b, t, UINT64_MAX);
+    bonkers_state(b, x, v);
+    double line[3 + BALLS] = {t, bonkers_energy(b), energy(&r->scene)};
+    memcpy(line + 3, r->scene.position, BALLS * sizeof *line);
+    table_row(out, 3 + BALLS, line);
+}
+
+static const struct table_key rest_keys[] = {
+    {"difference", "1", "of the energies, relative"},
+    {"left", "1", "share of the energy, by steps"},
+    {0}};
+
+static void study_rest(struct study *s)
+{
+    const double every = 0.05, until = usual_length;
+    struct run r;
+    struct bonkers b;
+    make_row(&r.scene, 0, 0.001, 0.9);
+    begin(&r, APPROACHING, 0.0005);
+    begin_events(&b, &r.scene);
+    table_column(s->out, "t", "s", "time");
+    table_column(s->out, "events", "J", "energy by events");
+    table_column(s->out, "steps", "J", "energy by steps");
+    for (int i = 0; i < BALLS; ++i)
+        table_column(s->out, "x", "m", "of a ball, by steps");
+    for (int k = 0; k * every <= until && !progress_signal(); ++k) {
+        write_cradle(s->out, k * every, &b, &r);
+        steps(&r, every);
+    }
+    table_real(s->summary, "difference",
+               fabs(energy(&r.scene) / bonkers_energy(&b) - 1));
+    table_real(s->summary, "left", energy(&r.scene) / 0.5);
+    bonkers_free(&b);
+    end(&r);
+}
+
+enum { RACK = 16, OUTCOMES = 100 };
+
+static void make_break(struct scene *s, double jitter, uint64_t seed)
+{
+    make(s, "break",
+         (struct gallery_choice[]){
+             {"jitter", jitter}, {"seed", (double)seed}, {0}});
+}
+
+static const double usual_break = 0.5; /* s */
+
+/* Where the balls are after a break, by steps. */
+static void break_by_steps(enum spheres_order order, double dt, double x[])
+{
+    struct run r;
+    make_break(&r.scene, 0, 1);
+    begin(&r, BACK, dt);
+    r.spheres.order = order;
+    steps(&r, usual_break);
+    memcpy(x, r.scene.position, 2 * RACK * sizeof *x);
+    end(&r);
+}
+
+/* The same by events, in a box so large that its walls do not matter. */
+static void break_by_events(double jitter, uint64_t seed, double x[])
+{
+    const double far = 50; /* m */
+    struct scene scene;
+    struct disks d;
+    make_break(&scene, jitter, seed);
+    for (size_t k = 0; k < 2; ++k) {
+        scene.wall[k] = SCENE_HARD;
+        scene.low[k] = -far;
+        scene.high[k] = far;
+    }
+    as_disks(&d, &scene);
+    if (!disks_plan(&d))
+        study_fail(PROGRAM, "no memory for the break");
+    disks_run(&d, usual_break, UINT64_MAX);
+    for (size_t i = 0; i < RACK; ++i) {
+        double place[DISKS_AXES];
+        disks_position(&d, i, place);
+        for (size_t k = 0; k < 2; ++k)
+            x[k * RACK + i] = place[k] - far;
+    }
+    disks_free(&d);
+    scene_free(&scene);
+}
+
+/* The largest distance of a ball's places in two outcomes. */
+static double apart(const double x[], const double y[])
+{
+    double most = 0;
+    for (size_t i = 0; i < RACK; ++i)
+        most = fmax(most, hypot(x[i] - y[i], x[RACK + i] - y[RACK + i]));
+    return most;
+}
+
+/* Counts the outcomes that are more than a millimetre from all before. */
+static size_t distinct(double outcome[][2 * RACK], size_t n)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < n; ++i) {
+        bool fresh = true;
+        for (size_t j = 0; j < i; ++j)
+            fresh = fresh && apart(outcome[i], outcome[j]) > 1e-3;
+        count += fresh;
+    }
+    return count;
+}
+
+/* How far x is from the outcome that is most like it. */
+static double nearest(const double x[], double outcome[][2 * RACK])
+{
+    double least = INFINITY;
+    for (size_t i = 0; i < OUTCOMES; ++i)
+        least = fmin(least, apart(x, outcome[i]));
+    return least;
+}
+
+enum { BREAKS = 4 };
+
+static void write_orders(struct table *out, double x[BREAKS][2 * RACK])
+{
+    table_column(out, "x", "m", "steps, ascending; then by events");
+    table_column(out, "y", "m", "");
+    table_column(out, "x'", "m", "steps, descending");
+    table_column(out, "y'", "m", "");
+    table_column(out, "x''", "m", "steps, the deepest first");
+    table_column(out, "y''", "m", "");
+    for (size_t i = 0; i < RACK; ++i)
+        table_row(out, 6,
+                  (double[]){x[0][i], x[0][RACK + i], x[1][i],
+                             x[1][RACK + i], x[3][i], x[3][RACK + i]});
+}
+
+static void write_racks(struct table *out, double x[OUTCOMES][2 * RACK])
+{
+    table_print(out, "\n\n");
+    for (size_t k = 0; k < OUTCOMES; ++k)
+        for (size_t i = 0; i < RACK; ++i)
+            table_print(out, "%.9g %.9g\n", x[k][i], x[k][RACK + i]);
+}
+
+static const struct table_key break_keys[] = {
+    {"orders", "m", "ascending from descending"},
+    {"halved", "m", "step from half of it"},
+    {"ascending", "m", "from the nearest outcome by events"},
+    {"deepest", "m", "the same"},
+    {"outcomes", "1", "by events, more than 1 mm apart"},
+    {0}};
+
+static void study_break(struct study *s)
+{
+    static double stepped[BREAKS][2 * RACK], outcome[OUTCOMES][2 * RACK];
+    break_by_steps(SPHERES_ASCENDING, 1e-5, stepped[0]);
+    break_by_steps(SPHERES_DESCENDING, 1e-5, stepped[1]);
+    break_by_steps(SPHERES_ASCENDING, 0.5e-5, stepped[2]);
+    break_by_steps(SPHERES_DEEPEST, 1e-5, stepped[3]);
+    for (size_t i = 0; i < OUTCOMES; ++i)
+        break_by_events(1e-12, i, outcome[i]);
+    write_orders(s->out, stepped);
+    write_racks(s->out, outcome);
+    table_real(s->summary, "orders", apart(stepped[0], stepped[1]));
+    table_real(s->summary, "halved", apart(stepped[0], stepped[2]));
+    table_real(s->summary, "ascending", nearest(stepped[0], outcome));
+    table_real(s->summary, "deepest", nearest(stepped[3], outcome));
+    table_count(s->summary, "outcomes", distinct(outcome, OUTCOMES));
+}
+
+/* The gas on a lattice, at a packing. */
+static void make_packed(struct scene *s, double packing, uint64_t seed)
+{
+    const double area = 250 * 3.14159265358979324 * 0.01 / packing;
+    const double height = sqrt(area / 1.5);
+    make(s, "gas",
+         (struct gallery_choice[]){{"width", 1.5 * height},
+                                   {"height", height},
+                                   {"lattice", 1},
+                                   {"seed", (double)seed},
+                                   {0}});
+}
+
+/* Runs a gas for so long; its virial, and the time that it took. */
+static double timed(struct scene *scene, int way, double dt, double until,
+                    double *seconds)
+{
+    double value[MEASURED];
+    struct run r = {.scene = *scene};
+    struct disks d;
+    as_disks(&d, scene);
+    begin(&r, way, dt);
+    const double start = bench_seconds();
+    if (way < WAYS)
+        gas_by_steps(&r, until, value);
+    else
+        gas_by_events(&d, until, value);
+    *seconds += bench_seconds() - start;
+    disks_free(&d);
+    end(&r);
+    return value[VIRIAL];
+}
+
+/* The virial over N kT, and processor time for a second of the gas. */
+static void cost_of(const struct study *s, double packing, int way,
+                    double dt, struct blocks_average *virial, double *cost)
+{
+    static double values[MOST_RUNS];
+    const struct settings *own = s->own;
+    const double until = usual_length;
+    double seconds = 0;
+    for (uint64_t i = 0; i < own->runs; ++i) {
+        struct scene scene;
+        make_packed(&scene, packing, s->seed + i);
+        values[i] = timed(&scene, way, dt, until, &seconds);
+    }
+    *virial = blocks_average_of(own->runs, values);
+    *cost = seconds / (double)own->runs / (warm + until);
+}
+
+static void name_costs(struct table *out)
+{
+    table_column(out, "row", "", "packing and dt");
+    table_column(out, "packing", "", "of 250 disks of radius 0.1 m");
+    table_column(out, "dt", "s", "step; v = 1 m/s");
+    table_column(out, "events", "s", "processor time of a second");
+    table_column(out, "Z", "", "1 + virial/(2 N kT), by events");
+    table_column(out, "error", "", "its statistical error");
+    for (int way = APPROACHING; way < WAYS; ++way) {
+        table_column(out, ways[way], "s", "processor time of a second");
+        table_column(out, "dZ/Z", "", "relative error of Z, absolute");
+        table_column(out, "error", "", "its statistical error");
+    }
+}
+
+enum { COSTS = 11 };
+
+/* One row, whose first numbers, of the events, are there already. */
+static void compare_step(struct study *s, double dt, double row[COSTS])
+{
+    struct blocks_average found;
+    row[1] = dt;
+    for (int way = APPROACHING; way < WAYS; ++way) {
+        double *at = &row[5 + 3 * (way - APPROACHING)];
+        cost_of(s, row[0], way, dt, &found, at);
+        at[1] = fabs(1 + found.mean - row[3]) / row[3];
+        at[2] = hypot(found.error, row[4]) / row[3];
+    }
+    table_print(s->out, "%g-%g", row[0], dt);
+    for (int c = 0; c < COSTS; ++c)
+        table_print(s->out, " %.9g", row[c]);
+    table_print(s->out, "\n");
+}
+
+static void study_cost(struct study *s)
+{
+    static const double packings[] = {0.1, 0.3, 0.5, 0.7};
+    name_costs(s->out);
+    bench_machine(s->out);
+    for (size_t k = 0; k < 4 && !progress_signal(); ++k) {
+        struct blocks_average truth;
+        double row[COSTS] = {packings[k]};
+        cost_of(s, packings[k], WAYS, 1, &truth, &row[2]);
+        row[3] = 1 + truth.mean;
+        row[4] = truth.error;
+        for (int i = 0; i < DTS; ++i)
+            compare_step(s, dts[i], row);
+        table_print(s->out, "\n\n");
+    }
+}
+
+static const struct study_entry studies[] = {
+    {"pressure", study_pressure, "of the gas, by steps and events", NULL},
+    {"law", study_law, "what the pressure loses", law_keys},
+    {"checks", study_checks, "and what they see", checks_keys},
+    {"rows", study_rows, "what leaves a row of balls", rows_keys},
+    {"late", study_late, "and when", NULL},
+    {"rest", study_rest, "a cradle's energy", rest_keys},
+    {"break", study_break, "the first shot of a game", break_keys},
+    {"cost", study_cost, "error against processor time", NULL},
+    {0}};
+
+static const struct options_entry entries[] = {
+    {"", 0, NULL, "--study pressure, checks, cost"},
+    {"runs", 'n', "N", "with different starts (8)"},
+    {"", 0, NULL, "--study law"},
+    {"until", 'u', "T", "how long, s (600)"},
+    {0}};
+
+static void take_option(struct options *o, int letter, void *settings)
+{
+    struct settings *own = settings;
+    switch (letter) {
+    case 'n': own->runs = options_count(o, 2, MOST_RUNS); break;
+    case 'u': own->until = options_real(o, 0.01, 1e6); break;
+    }
+}
+
+int main(int argc, char *argv[])
+{
+    struct settings own = {.runs = 8, .until = 600};
+    const struct study_program program = {
+        .name = PROGRAM,
+        .purpose = "Measure spheres in steps, and what fails.",
+        .events = "rows",
+        .studies = studies,
+        .seeds = 1000000000,
+        .drawing = "--study pressure, law, checks, cost",
+        .options = entries,
+        .take = take_option,
+        .own = &own};
+    return study_main(&program, argc, argv);
+}

@@ -1,0 +1,1351 @@
+/* From chapters/10-springs.nw: edit there, then run make tangle. */
+/* checksum 1960906093 of the lines below */
+#include "forces/elastic.h"
+#include "forces/modes.h"
+#include "forces/springs.h"
+#include "toolbox/bench.h"
+#include "toolbox/study.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define PROGRAM "springs-studies"
+
+struct settings {
+    double until; /* of two membranes in motion, s */
+};
+
+/* Ends the program for want of memory. */
+static _Noreturn void no_memory(void)
+{
+    study_fail(PROGRAM, "there is no memory");
+}
+
+/* A scene, its springs, and how it is stepped. */
+struct run {
+    struct scene scene;
+    struct springs springs;
+    struct stepping stepping;
+};
+
+/* The gallery's scene of this name, with what is chosen. */
+static void make(struct scene *s, const char *name,
+                 const struct gallery_choice chosen[])
+{
+    const char *wrong = gallery_choose(s, elastic_scenes, name, chosen);
+    if (wrong)
+        study_fail(PROGRAM, wrong);
+}
+
+/* Prepares r->scene to be stepped. */
+static void set_off(struct run *r, const struct stepping_method *method,
+                    double dt)
+{
+    if (!springs_create(&r->springs, &r->scene) ||
+        !stepping_begin(&r->stepping, method, springs_forces(&r->springs),
+                        dt, r->scene.position, r->scene.velocity))
+        no_memory();
+    r->stepping.sweep = springs_sweep;
+}
+
+static void tidy_up(struct run *r)
+{
+    stepping_free(&r->stepping);
+    springs_free(&r->springs);
+    scene_free(&r->scene);
+}
+
+static double kinetic(const struct scene *s)
+{
+    double sum = 0;
+    for (size_t k = 0; k < SCENE_AXES; ++k)
+        for (size_t i = 0; i < s->bodies; ++i) {
+            const double v = s->velocity[k * s->bodies + i];
+            sum += s->mass[i] * v * v / 2;
+        }
+    return sum;
+}
+
+static double energy(const struct run *r)
+{
+    const struct scene *s = &r->scene;
+    double sum = kinetic(s) + springs_potential(&r->springs, s->position);
+    for (size_t i = 0; i < 3 * s->bodies; ++i)
+        sum -= r->springs.fall[i] * s->mass[i % s->bodies] * s->position[i];
+    return sum;
+}
+
+/* What textbooks print, for q = 1 m and v = 0 at t = 0, m = D = 1: two
+   exponentials, or a cosine with a phase. */
+static double by_the_book(double g, double t)
+{
+    const double w = sqrt(fabs(g * g - 1));
+    if (g == 1)
+        return exp(-t) * (1 + t);
+    if (g > 1) {
+        const double slow = -g + w, fast = -g - w;
+        return (slow * exp(fast * t) - fast * exp(slow * t)) /
+               (slow - fast);
+    }
+    return exp(-g * t) / w * cos(w * t - atan2(g, w));
+}
+
+/* The same from a power series in y = (w t)^2, for small g t: no regime has
+   a border in it. */
+static double by_series(double g, double t)
+{
+    const double y = (1 - g) * (1 + g) * t * t;
+    double term = 1, sum = 0;
+    for (int k = 0; k < 150; ++k) {
+        sum += term * (1 + g * t / (2 * k + 1));
+        term *= -y / ((2 * k + 1) * (2 * k + 2));
+    }
+    return exp(-g * t) * sum;
+}
+
+static const struct table_key critical_keys[] = {
+    {"book_error", "1", "two exponentials, relative, e = 1e-10"}, {0}};
+
+static void study_critical(struct study *s)
+{
+    const double t = 3;
+    table_column(s->out, "e", "",
+                 "damping is 1 + e times the critical one");
+    table_column(s->out, "q", "m",
+                 "the place at t = 3 s, by a power series");
+    table_column(s->out, "book", "m", "the same by two exponentials");
+    table_column(s->out, "q_below", "m", "the place for 1 - e");
+    table_column(s->out, "book_below", "m", "the same by a cosine");
+    for (int k = 4; k <= 60; ++k) {
+        const double e = pow(10, -0.25 * k);
+        const double row[] = {e, by_series(1 + e, t), by_the_book(1 + e, t),
+                              by_series(1 - e, t), by_the_book(1 - e, t)};
+        table_row(s->out, 5, row);
+        if (k == 40)
+            table_real(s->summary, "book_error", fabs(row[2] / row[1] - 1));
+    }
+}
+
+enum { DAMPINGS = 4 };
+
+static const double dampings[DAMPINGS] = {0.2, 1, 2, 4}; /* kg/s */
+
+/* Where the masses are, at the time row[0]; steps them on by 0.1 s.
+   Returns how far the worst one is from the exact motion. */
+static double note_masses(struct run r[DAMPINGS], double row[1 + DAMPINGS])
+{
+    double worst = 0;
+    for (int k = 0; k < DAMPINGS; ++k) {
+        row[1 + k] = r[k].scene.position[1] - 4;
+        const double exact = by_series(dampings[k] / 2, row[0]);
+        worst = fmax(worst, fabs(row[1 + k] - exact));
+        stepping_run(&r[k].stepping, 2);
+    }
+    return worst;
+}
+
+static const struct table_key regimes_keys[] = {
+    {"worst", "m", "distance from the exact motion"}, {0}};
+
+/* Leapfrog at four dampings, and how far it is from the exact motion. */
+static void study_regimes(struct study *s)
+{
+    struct run r[DAMPINGS];
+    double worst = 0;
+    table_column(s->out, "t", "s", "time");
+    for (int k = 0; k < DAMPINGS; ++k) {
+        table_column(s->out, "q", "m", "place of the mass");
+        make(&r[k].scene, "oscillator",
+             (struct gallery_choice[]){{"damping", dampings[k]}, {0}});
+        set_off(&r[k], stepping_find("leapfrog"), 0.05);
+    }
+    for (int n = 0; n <= 150; ++n) {
+        double row[1 + DAMPINGS] = {0.1 * n};
+        worst = fmax(worst, note_masses(r, row));
+        table_row(s->out, 1 + DAMPINGS, row);
+    }
+    table_real(s->summary, "worst", worst);
+    for (int k = 0; k < DAMPINGS; ++k)
+        tidy_up(&r[k]);
+}
+
+enum { DUMBBELL_ROWS = 101 };
+
+/* A free dumbbell of two masses of 1 kg that spins round z. */
+static void make_dumbbell(struct scene *s, bool axial)
+{
+    if (!scene_create(s, 2) || !scene_add_kind(s, 100, 0.5))
+        no_memory();
+    s->position[0] = -0.5;
+    s->position[1] = 0.5;
+    if (!scene_add_spring(s, 0, 1, 0, -1))
+        no_memory();
+    s->position[0] -= 0.05;
+    s->position[1] += 0.05;
+    s->velocity[2] = -1;
+    s->velocity[3] = 1;
+    s->axial = axial;
+}
+
+static double spin(const struct scene *s)
+{
+    double sum = 0;
+    for (size_t i = 0; i < s->bodies; ++i)
+        sum += s->mass[i] * (s->position[i] * s->velocity[s->bodies + i] -
+                             s->position[s->bodies + i] * s->velocity[i]);
+    return sum;
+}
+
+static void name_dumbbells(struct table *out)
+{
+    table_column(out, "t", "s", "time");
+    table_column(out, "L_full", "kg m^2/s", "dashpot as printed");
+    table_column(out, "L_axial", "kg m^2/s", "dashpot along the axis");
+    table_column(out, "E_full", "J", "energy, dashpot as printed");
+    table_column(out, "E_axial", "J", "energy, dashpot along the axis");
+}
+
+static void note_dumbbells(struct run r[2], double row[5])
+{
+    row[0] = stepping_time(&r[0].stepping);
+    for (int k = 0; k < 2; ++k) {
+        row[1 + k] = spin(&r[k].scene);
+        row[3 + k] = energy(&r[k]);
+        stepping_run(&r[k].stepping, 50);
+    }
+}
+
+static const struct table_key spin_keys[] = {
+    {"left", "1", "share of the spin, dashpot as printed"},
+    {"off_law", "1", "largest relative error of the law"},
+    {"axial_change", "1", "of the spin, dashpot along the axis"},
+    {"axial_energy", "J", "then"},
+    {0}};
+
+static void study_spin(struct study *s)
+{
+    struct run r[2];
+    double row[5] = {0}, start = 0, law = 0;
+    name_dumbbells(s->out);
+    for (int k = 0; k < 2; ++k) {
+        make_dumbbell(&r[k].scene, k == 1);
+        set_off(&r[k], stepping_find("leapfrog"), 0.001);
+        start = spin(&r[k].scene);
+    }
+    for (int i = 0; i < DUMBBELL_ROWS; ++i) {
+        note_dumbbells(r, row);
+        law = fmax(law, fabs(row[1] / (start * exp(-row[0])) - 1));
+        table_row(s->out, 5, row);
+    }
+    table_real(s->summary, "left", row[1] / start);
+    table_real(s->summary, "off_law", law);
+    table_real(s->summary, "axial_change", row[2] / start - 1);
+    table_real(s->summary, "axial_energy", row[4]);
+    tidy_up(&r[0]);
+    tidy_up(&r[1]);
+}
+
+static const struct table_key path_keys[] = {
+    {"energy", "J", "at the start"}, {0}};
+
+static void study_path(struct study *s)
+{
+    const double every = 0.02, until = 10;
+    struct run r;
+    make(&r.scene, "double-pendulum", NULL);
+    set_off(&r, stepping_find("yoshida4"), every / 40);
+    const double *x = r.scene.position, *z = x + 6, start = energy(&r);
+    table_column(s->out, "t", "s", "time");
+    table_column(s->out, "x1", "m", "upper body");
+    table_column(s->out, "z1", "m", "upper body");
+    table_column(s->out, "x2", "m", "lower body");
+    table_column(s->out, "z2", "m", "lower body");
+    table_column(s->out, "stretch", "m", "of the upper spring");
+    for (double row = 0; row * every <= until; ++row) {
+        const double length = hypot(x[1], z[1] - 1);
+        table_row(
+            s->out, 6,
+            (double[]){row * every, x[1], z[1], x[2], z[2], length - 1});
+        stepping_run(&r.stepping, 40);
+    }
+    table_real(s->summary, "energy", start);
+    tidy_up(&r);
+}
+
+/* Where the bodies are after 10 s: x1, z1, x2, z2, from a computation of
+   its own in quadruple precision. */
+static const double after_10[4] = {-.156264701442401, .0112096197458345,
+                                   -.921375731195946, -1.25031461636596};
+
+static double miss(const struct scene *s, const double place[4])
+{
+    const double *const x = s->position, *const z = x + 6;
+    const double found[4] = {x[1], z[1], x[2], z[2]};
+    double worst = 0;
+    for (int k = 0; k < 4; ++k)
+        worst = fmax(worst, fabs(found[k] - place[k]));
+    return worst;
+}
+
+/* Runs the pendulum for 10 s in n steps. Fills row with dt, evaluations,
+   error, change of energy, seconds. Returns whether it stayed finite. */
+static bool swing_of(const struct stepping_method *method, uint64_t n,
+                     double row[5])
+{
+    struct run r;
+    make(&r.scene, "double-pendulum", NULL);
+    set_off(&r, method, 10 / (double)n);
+    const double before = energy(&r), start = bench_seconds();
+    const enum stepping_end end = stepping_run(&r.stepping, n);
+    row[4] = bench_seconds() - start;
+    row[0] = r.stepping.dt;
+    row[1] = (double)r.stepping.evaluations;
+    row[2] = miss(&r.scene, after_10);
+    row[3] = energy(&r) - before;
+    tidy_up(&r);
+    return end == STEPPING_DONE && row[2] < 3;
+}
+
+static void name_errors(struct table *out, bool timed)
+{
+    if (timed)
+        bench_machine(out);
+    table_column(out, "dt", "s", "step");
+    table_column(out, "n", "", "evaluations of the forces");
+    table_column(out, "error", "m", "of a place, after 10 s");
+    table_column(out, "energy", "J", "change of the energy");
+    if (timed)
+        table_column(out, "cost", "s", "processor time");
+}
+
+static void write_errors(struct study *s, bool timed)
+{
+    name_errors(s->out, timed);
+    for (const struct stepping_method *m = stepping_methods; m->name; ++m) {
+        table_print(s->out, "# %s\n", m->name);
+        for (uint64_t n = 50; n <= 160000; n *= 2) {
+            double row[5];
+            if (!swing_of(m, n, row) || progress_signal())
+                continue;
+            table_row(s->out, timed ? 5 : 4, row);
+            if (row[2] < 3e-13 || row[1] > 1500000)
+                break;
+        }
+        table_print(s->out, "\n\n");
+    }
+}
+
+static void sum_up_errors(struct study *s)
+{
+    double row[5];
+    swing_of(stepping_find("leapfrog"), 10000, row);
+    table_real(s->summary, "leapfrog_1e-3", row[2]);
+    swing_of(stepping_find("rk4"), 10000, row);
+    table_real(s->summary, "rk4_1e-3", row[2]);
+    swing_of(stepping_find("implicit-midpoint"), 100, row);
+    table_real(s->summary, "midpoint_0.1", row[2]);
+}
+
+static const struct table_key errors_keys[] = {
+    {"leapfrog_1e-3", "m", "error of place after 10 s, dt 1 ms"},
+    {"rk4_1e-3", "m", "the same"},
+    {"midpoint_0.1", "m", "the same, dt 0.1 s"},
+    {0}};
+
+static void study_errors(struct study *s)
+{
+    write_errors(s, false);
+    sum_up_errors(s);
+}
+
+static const struct table_key work_keys[] = {
+    {"leapfrog_1e-3", "m", "error of place after 10 s, dt 1 ms"},
+    {"rk4_1e-3", "m", "the same"},
+    {"midpoint_0.1", "m", "the same, dt 0.1 s"},
+    {0}};
+
+static void study_work(struct study *s)
+{
+    write_errors(s, true);
+    sum_up_errors(s);
+}
+
+enum { WAYS = 3 };
+
+static const char *const damping_ways[WAYS] = {"rk4", "leapfrog",
+                                               "yoshida4"};
+static const double damping_step = 0.025; /* s */
+
+static void begin_ways(struct study *s, struct run r[WAYS])
+{
+    table_column(s->out, "t", "s", "time");
+    for (int k = 0; k < WAYS; ++k) {
+        table_column(s->out, damping_ways[k], "m",
+                     "stretch of the upper spring");
+        make(&r[k].scene, "double-pendulum", NULL);
+        set_off(&r[k], stepping_find(damping_ways[k]),
+                k == 2 ? damping_step / 50 : damping_step);
+    }
+}
+
+static const struct table_key silent_keys[] = {
+    {"<method>", "m", "range of the stretch in the last 0.2 s"}, {0}};
+
+/* How much the stiff spring is stretched, stepped by RK4 with a step near
+   its limit, by the leapfrog with the same, and with a small step. */
+static void study_silent(struct study *s)
+{
+    double most[WAYS], least[WAYS];
+    struct run r[WAYS];
+    begin_ways(s, r);
+    for (int i = 0; i <= 400; ++i) {
+        double row[1 + WAYS] = {i * damping_step};
+        for (int k = 0; k < WAYS; ++k) {
+            const double *const x = r[k].scene.position;
+            row[1 + k] = hypot(x[1], x[7] - 1) - 1;
+            most[k] = i < 392 ? row[1 + k] : fmax(most[k], row[1 + k]);
+            least[k] = i < 392 ? row[1 + k] : fmin(least[k], row[1 + k]);
+            stepping_run(&r[k].stepping, k == 2 ? 50 : 1);
+        }
+        table_row(s->out, 1 + WAYS, row);
+    }
+    for (int k = 0; k < WAYS; ++k) {
+        table_real(s->summary, damping_ways[k], most[k] - least[k]);
+        tidy_up(&r[k]);
+    }
+}
+
+/* A pendulum of which body 1 stays at the distance 1 m from body 0, and the
+   accelerations without the rod, m/s^2, which lie as in the scene. */
+struct rod {
+    struct run run;
+    double a[9];
+};
+
+/* The scalar product of two vectors from body 0 to body 1, in the plane of
+   x and z; a at body 1 only, since body 0 rests. */
+static double along(const double r[], const double a[])
+{
+    return (r[1] - r[0]) * a[1] + (r[7] - r[6]) * a[7];
+}
+
+/* After a free drift from r to x: the share of r that has to be taken off,
+   so that the rod has its length again; the smaller root. */
+static double shorten(const double r[], const double x[])
+{
+    const double dx = x[1] - x[0], dz = x[7] - x[6];
+    const double b = (r[1] - r[0]) * dx + (r[7] - r[6]) * dz;
+    const double c = dx * dx + dz * dz - 1;
+    return c / (b + sqrt(b * b - c));
+}
+
+static void rod_step(struct rod *o, double dt)
+{
+    double *const x = o->run.scene.position, *const v =
+                                                 o->run.scene.velocity;
+    double r[9];
+    memcpy(r, x, sizeof r);
+    for (size_t i = 0; i < 9; ++i) {
+        v[i] += dt / 2 * o->a[i];
+        x[i] += dt * v[i];
+    }
+    const double share = shorten(r, x);
+    for (size_t i = 1; i < 9; i += 6) {
+        x[i] -= share * (r[i] - r[i - 1]);
+        v[i] -= share * (r[i] - r[i - 1]) / dt;
+    }
+    springs_accelerate(&o->run.springs, x, v, o->a);
+    for (size_t i = 0; i < 9; ++i)
+        v[i] += dt / 2 * o->a[i];
+    const double rate = along(x, v);
+    v[1] -= rate * (x[1] - x[0]);
+    v[7] -= rate * (x[7] - x[6]);
+}
+
+/* Swings the pendulum with a rod for 10 s in n steps; where it is then. */
+static bool rod_swing(uint64_t n, double place[4])
+{
+    struct rod o = {0};
+    make(&o.run.scene, "double-pendulum",
+         (struct gallery_choice[]){{"stiffness1", 0}, {0}});
+    set_off(&o.run, stepping_find("leapfrog"), 10 / (double)n);
+    const double *const x = o.run.scene.position, *const z = x + 6;
+    springs_accelerate(&o.run.springs, x, o.run.scene.velocity, o.a);
+    for (uint64_t i = 0; i < n; ++i)
+        rod_step(&o, 10 / (double)n);
+    memcpy(place, (double[]){x[1], z[1], x[2], z[2]}, 4 * sizeof *place);
+    tidy_up(&o.run);
+    return isfinite(place[0] + place[1] + place[2] + place[3]);
+}
+
+static double apart(const double a[4], const double b[4])
+{
+    double worst = 0;
+    for (int k = 0; k < 4; ++k)
+        worst = fmax(worst, fabs(a[k] - b[k]));
+    return worst;
+}
+
+/* Where the pendulum with an upper spring so stiff is after 10 s. */
+static void spring_swing(double stiffness, double place[4])
+{
+    const uint64_t n = (uint64_t)(10 * 100 * sqrt(stiffness / 100)) + 1000;
+    struct run r;
+    make(&r.scene, "double-pendulum",
+         (struct gallery_choice[]){{"stiffness1", stiffness}, {0}});
+    set_off(&r, stepping_find("kahan-li8"), 10 / (double)n);
+    stepping_run(&r.stepping, n);
+    const double *const x = r.scene.position, *const z = x + 6;
+    memcpy(place, (double[]){x[1], z[1], x[2], z[2]}, 4 * sizeof *place);
+    tidy_up(&r);
+}
+
+static const struct table_key rod_keys[] = {
+    {"spring_to_rod", "m", "distance of places after 10 s"},
+    {"rod_0.1", "m", "error of the rod, dt 0.1 s"},
+    {"rod_0.5", "m", "the same, 0.5 s"},
+    {0}};
+
+static void study_rod(struct study *s)
+{
+    double rigid[4], place[4];
+    rod_swing(100000, rigid);
+    table_column(s->out, "dt", "s", "step; next block: stiffness, N/m");
+    table_column(s->out, "error", "m",
+                 "of the rod's step; next block: from spring to rod");
+    for (uint64_t n = 10; n <= 20480; n *= 2)
+        if (rod_swing(n, place))
+            table_row(s->out, 2,
+                      (double[]){10 / (double)n, apart(place, rigid)});
+    table_print(s->out, "\n\n");
+    for (double stiffness = 100; stiffness < 2e6; stiffness *= sqrt(10)) {
+        spring_swing(stiffness, place);
+        table_row(s->out, 2, (double[]){stiffness, apart(place, rigid)});
+    }
+    table_real(s->summary, "spring_to_rod", apart(after_10, rigid));
+    rod_swing(100, place);
+    table_real(s->summary, "rod_0.1", apart(place, rigid));
+    rod_swing(20, place);
+    table_real(s->summary, "rod_0.5", apart(place, rigid));
+}
+
+/* The double pendulum hanging, or a taut membrane. */
+static void make_at_rest(struct scene *s, bool pendulum)
+{
+    if (!pendulum) {
+        make(s, "membrane",
+             (struct gallery_choice[]){
+                 {"rest", 0.8}, {"amplitude", 0}, {"damping", 0}, {0}});
+        return;
+    }
+    make(s, "double-pendulum",
+         (struct gallery_choice[]){{"angle1", 0}, {"angle2", 0}, {0}});
+    s->position[7] = -2 * 1.8 / 5000;
+    s->position[8] = s->position[7] - 1 - 1.8 / 5;
+}
+
+/* Moves what is at rest along its fastest mode by a billionth; returns the
+   mode's angular frequency. */
+static double disturb(struct scene *s)
+{
+    struct springs p;
+    struct modes m;
+    if (!springs_create(&p, s) || !modes_find(&m, &p, s->position))
+        no_memory();
+    const double *shape = m.shape + (m.size - 1) * m.size;
+    for (size_t i = 0; i < m.size; ++i)
+        s->position[m.coordinate[i]] += 1e-9 * shape[i];
+    const double fastest = sqrt(m.square[m.size - 1]);
+    modes_free(&m);
+    springs_free(&p);
+    return fastest;
+}
+
+/* How far what was disturbed by a billionth has gone after so many steps
+   of phase = omega dt; 1 at most. */
+static double excursion(const struct stepping_method *method, bool pendulum,
+                        double phase, uint64_t steps)
+{
+    struct run r;
+    struct scene rest;
+    double far = 0;
+    make_at_rest(&r.scene, pendulum);
+    if (!scene_copy(&rest, &r.scene))
+        no_memory();
+    const double fastest = disturb(&r.scene);
+    set_off(&r, method, phase / fastest);
+    for (uint64_t k = 0; k < steps && far < 1e-2; k += 50) {
+        stepping_run(&r.stepping, 50);
+        for (size_t i = 0; i < 3 * rest.bodies; ++i) {
+            const double off = r.scene.position[i] - rest.position[i];
+            far = isfinite(off) ? fmax(far, fabs(off)) : 1;
+        }
+    }
+    tidy_up(&r);
+    scene_free(&rest);
+    return fmin(far, 1);
+}
+
+/* The method's limit of omega dt: upwards from low until it is unstable, by
+   1 per cent, then by halving. 0: it is never stable; INFINITY: it is even
+   at 20. */
+static double find_limit(const struct stepping_method *m, bool pendulum,
+                         uint64_t steps, double low)
+{
+    double high = low;
+    if (excursion(m, pendulum, low, steps) > 1e-6)
+        return 0;
+    do {
+        low = high;
+        high *= 1.01;
+    } while (high < 20 && excursion(m, pendulum, high, steps) < 1e-6);
+    if (high >= 20)
+        return INFINITY;
+    while (high - low > 1e-4 * low) {
+        const double middle = (low + high) / 2;
+        if (excursion(m, pendulum, middle, steps) > 1e-6)
+            high = middle;
+        else
+            low = middle;
+    }
+    return low;
+}
+
+/* The limits of omega dt with the pendulum and on the membrane. */
+static void find_limits(const struct stepping_method *m, double limit[2])
+{
+    const uint64_t steps = 4000;
+    if (m->family == STEPPING_IMPLICIT) {
+        const bool stable = excursion(m, true, 20, 400) < 1e-6;
+        limit[0] = limit[1] = stable ? INFINITY : 0;
+        return;
+    }
+    limit[0] = limit[1] = find_limit(m, true, steps, 0.5);
+    if (limit[0] > 0)
+        limit[1] = find_limit(m, false, steps / 2, 0.95 * limit[0]);
+}
+
+static void name_limits(struct table *out)
+{
+    table_column(out, "limit", "", "omega dt, from the theory");
+    table_column(out, "pendulum", "", "omega dt, found with the pendulum");
+    table_column(out, "dt_1", "s", "the same step");
+    table_column(out, "membrane", "", "omega dt, found on the membrane");
+    table_column(out, "dt_2", "s", "the same step");
+}
+
+static const struct table_key limits_keys[] = {
+    {"pendulum_<method>", "s", "largest stable step"},
+    {"membrane_<method>", "s", "the same"},
+    {0}};
+
+static void study_limits(struct study *s)
+{
+    name_limits(s->out);
+    for (const struct stepping_method *m = stepping_methods;
+         m->name && !progress_signal(); ++m) {
+        double limit[2];
+        char key[40];
+        find_limits(m, limit);
+        const double dt[2] = {limit[0] / 70.74605996, limit[1] / 15.103518};
+        table_print(s->out, "# %s\n", m->name);
+        table_row(s->out, 5,
+                  (double[]){m->limit, limit[0], dt[0], limit[1], dt[1]});
+        snprintf(key, sizeof key, "pendulum_%s", m->name);
+        table_real(s->summary, key, dt[0]);
+        snprintf(key, sizeof key, "membrane_%s", m->name);
+        table_real(s->summary, key, dt[1]);
+    }
+}
+
+static void put_between(struct scene *s, double a)
+{
+    if (!scene_create(s, 3) || !scene_add_kind(s, 50, 0))
+        no_memory();
+    for (size_t i = 0; i < 3; ++i) {
+        s->position[i] = 2.0 / 7 * (double)i;
+        for (size_t k = 0; k < 3; ++k)
+            s->freedom[3 * k + i] = i == 1 && k == 2;
+    }
+    if (!scene_add_spring(s, 0, 1, 0, -1) ||
+        !scene_add_spring(s, 1, 2, 0, -1))
+        no_memory();
+    s->position[7] = a;
+}
+
+/* A mass between two springs at rest length, moved across them by a: its
+   period, from the first to the third time that it comes through. */
+static double period(double a)
+{
+    const double guess = 0.3 / a;
+    struct run r;
+    double before = a, t[3];
+    int times = 0;
+    put_between(&r.scene, a);
+    const double *z = &r.scene.position[7], *v = &r.scene.velocity[7];
+    set_off(&r, stepping_find("yoshida6"), guess / 1024);
+    while (times < 3) {
+        stepping_run(&r.stepping, 1);
+        if (before * *z < 0)
+            t[times++] = stepping_time(&r.stepping) - *z / *v;
+        before = *z;
+    }
+    tidy_up(&r);
+    return t[2] - t[0];
+}
+
+static const struct table_key quartic_keys[] = {
+    {"T_0.1", "s", "period, amplitude 0.1 m"},
+    {"AT", "m s", "amplitude x period, 2 mm"},
+    {0}};
+
+static void study_quartic(struct study *s)
+{
+    table_column(s->out, "A", "m", "amplitude");
+    table_column(s->out, "T", "s", "period");
+    table_column(s->out, "AT", "m s", "their product");
+    for (double a = 0.4; a > 0.002; a /= sqrt(2)) {
+        const double t = period(a);
+        table_row(s->out, 3, (double[]){a, t, a * t});
+    }
+    table_real(s->summary, "T_0.1", period(0.1));
+    table_real(s->summary, "AT", 0.002 * period(0.002));
+}
+
+/* By how much of the mode with r and s half waves the bodies of an n x n
+   membrane are displaced across it, m. */
+static double amplitude(const struct scene *s, size_t n, size_t r,
+                        size_t half)
+{
+    const double *const z = s->position + 2 * s->bodies;
+    const double pi = acos(-1), step = pi / (double)(n - 1);
+    double sum = 0;
+    for (size_t i = 0; i < n * n; ++i)
+        sum += z[i] * sin(step * (double)(r * (i % n))) *
+               sin(step * (double)(half * (i / n)));
+    return 4 * sum / (double)((n - 1) * (n - 1));
+}
+
+/* The amplitude of all that is not in the first mode (of one mode that
+   moves as much in the root mean square), over a. */
+static double others(const struct scene *s, size_t n, double a)
+{
+    const double *const z = s->position + 2 * s->bodies;
+    const double first = amplitude(s, n, 1, 1);
+    double sum = 0;
+    for (size_t i = 0; i < n * n; ++i)
+        sum += z[i] * z[i];
+    sum = 4 * sum / (double)((n - 1) * (n - 1)) - first * first;
+    return sqrt(fmax(sum, 0)) / a;
+}
+
+/* A membrane in its first mode, at rest length or taut. */
+static void make_membrane(struct scene *s, double rest, double a, bool free)
+{
+    make(s, "membrane",
+         (struct gallery_choice[]){{"rest", rest},
+                                   {"amplitude", a},
+                                   {"damping", 0},
+                                   {"free", free},
+                                   {0}});
+}
+
+enum { MEMBRANES = 3 };
+
+/* How far they are moved at the start, m. */
+static const double lifted[MEMBRANES] = {0.1, 0.1, 0.01};
+
+static void begin_membranes(struct study *s, struct run r[MEMBRANES])
+{
+    table_column(s->out, "t", "s", "time");
+    for (int k = 0; k < MEMBRANES; ++k) {
+        table_column(s->out, "a", "", "of the first mode, over the start");
+        table_column(s->out, "rest", "", "of the other modes, the same");
+        make_membrane(&r[k].scene, k == 2 ? 0.8 : 1, lifted[k], k > 0);
+        set_off(&r[k], stepping_find("pefrl"), 0.02);
+    }
+}
+
+static void note_amplitudes(struct study *s, int row, const double values[])
+{
+    static const char *const keys[] = {NULL,        "a",  "rest",     NULL,
+                                       "free_rest", NULL, "taut_rest"};
+    char key[24];
+    if (row != 10 && row != 50 && row != 100 && row != 400 && row != 4000)
+        return;
+    for (int k = 0; k < 7; ++k)
+        if (keys[k]) {
+            snprintf(key, sizeof key, "%s_%d", keys[k], row / 10);
+            table_real(s->summary, key, values[k]);
+        }
+}
+
+static const struct table_key membranes_keys[] = {
+    {"", "", "if --until reaches t (1, 5, 10, 40, 400):"},
+    {"a_<t>", "1", "first mode / start, at rest length"},
+    {"rest_<t>", "1", "other modes / start, at rest length"},
+    {"free_rest_<t>", "1", "the same, free to move along"},
+    {"taut_rest_<t>", "1", "the same, taut"},
+    {0}};
+
+static void study_membranes(struct study *s)
+{
+    const struct settings *own = s->own;
+    struct run r[MEMBRANES];
+    begin_membranes(s, r);
+    for (int row = 0; 0.1 * row <= own->until; ++row) {
+        double values[1 + 2 * MEMBRANES] = {0.1 * row};
+        for (int k = 0; k < MEMBRANES; ++k) {
+            values[2 * k + 1] = amplitude(&r[k].scene, 8, 1, 1) / lifted[k];
+            values[2 * k + 2] = others(&r[k].scene, 8, lifted[k]);
+            stepping_run(&r[k].stepping, 5);
+        }
+        table_row(s->out, 1 + 2 * MEMBRANES, values);
+        note_amplitudes(s, row, values);
+    }
+    for (int k = 0; k < MEMBRANES; ++k)
+        tidy_up(&r[k]);
+}
+
+/* The grid at four times: taut, then at rest length. */
+static void study_snapshots(struct study *s)
+{
+    table_column(s->out, "x", "m", "place of a body");
+    table_column(s->out, "y", "m", "place of a body");
+    table_column(s->out, "z", "m", "place of a body");
+    for (int k = 0; k < 2; ++k) {
+        struct run r;
+        make_membrane(&r.scene, k ? 1 : 0.8, 0.1, true);
+        set_off(&r, stepping_find("pefrl"), 0.01);
+        const double *const x = r.scene.position;
+        for (int shot = 0; shot < 4; ++shot) {
+            for (size_t i = 0; i < 64; ++i) {
+                table_row(s->out, 3,
+                          (double[]){x[i], x[64 + i], x[128 + i]});
+                if (i % 8 == 7)
+                    table_print(s->out, "\n");
+            }
+            table_print(s->out, "\n");
+            stepping_run(&r.stepping, 800);
+        }
+        tidy_up(&r);
+    }
+}
+
+/* Turns the displacement of an n x n membrane from z to another axis;
+   returns the body that is moved most, and where it would be at rest. */
+static size_t turn_to(struct scene *s, size_t axis, double *home)
+{
+    double *const z = s->position + 2 * s->bodies;
+    double *const moved = s->position + axis * s->bodies;
+    size_t body = 0;
+    double most = 0;
+    for (size_t i = 0; i < s->bodies; ++i) {
+        const double a = z[i];
+        if (fabs(a) > most) {
+            body = i;
+            most = fabs(a);
+            *home = axis == 2 ? 0 : moved[i];
+        }
+        z[i] = 0;
+        moved[i] += a;
+    }
+    return body;
+}
+
+/* The time of ten half swings of coordinate `at` round home. */
+static double ten_halves(struct run *r, size_t at, double home)
+{
+    double first = 0, before = r->scene.position[at] - home;
+    for (int times = 0;;) {
+        stepping_run(&r->stepping, 1);
+        const double now = r->scene.position[at] - home;
+        if (before * now < 0) {
+            const double t =
+                stepping_time(&r->stepping) - now / r->scene.velocity[at];
+            if (times == 0)
+                first = t;
+            if (times++ == 10)
+                return t - first;
+        }
+        before = now;
+    }
+}
+
+/* The measured angular frequency of mode (r, half) of a taut n x n
+   membrane; axis 2: across it, axis 0: along x. */
+static double measured(size_t n, size_t r, size_t half, size_t axis)
+{
+    struct run o;
+    double home = 0;
+    make(&o.scene, "membrane",
+         (struct gallery_choice[]){{"nx", (double)n},
+                                   {"ny", (double)n},
+                                   {"rest", 0.8},
+                                   {"amplitude", 1e-5},
+                                   {"damping", 0},
+                                   {"r", (double)r},
+                                   {"s", (double)half},
+                                   {0}});
+    const size_t body = turn_to(&o.scene, axis, &home);
+    set_off(&o, stepping_find("pefrl"), 0.01);
+    const double time = ten_halves(&o, axis * n * n + body, home);
+    tidy_up(&o);
+    return 10 * acos(-1) / time;
+}
+
+static const struct table_key dispersion_keys[] = {
+    {"first", "rad/s", "of the lowest mode"},
+    {"worst", "1", "largest relative error of the law"},
+    {0}};
+
+static void study_dispersion(struct study *s)
+{
+    const size_t n = 8;
+    double worst = 0;
+    table_column(s->out, "r", "", "half waves along x; one along y");
+    table_column(s->out, "across", "rad/s", "measured, motion along z");
+    table_column(s->out, "along", "rad/s", "measured, motion along x");
+    for (size_t r = 1; r <= n - 2; ++r) {
+        const double row[] = {(double)r, measured(n, r, 1, 2),
+                              measured(n, r, 1, 0)};
+        const double a = sin(acos(-1) * (double)r / 14);
+        const double b = sin(acos(-1) / 14);
+        const double law = sqrt(40 * (a * a + b * b));
+        worst = fmax(worst, fabs(row[1] / law - 1));
+        table_row(s->out, 3, row);
+        if (r == 1)
+            table_real(s->summary, "first", row[1]);
+    }
+    table_real(s->summary, "worst", worst);
+}
+
+/* Hangs a membrane of loose springs in a gravity g until friction has
+   brought it to rest; returns how deep its middle is. */
+static double sag(struct scene *s, double g)
+{
+    struct run r;
+    make(&r.scene, "membrane",
+         (struct gallery_choice[]){{"nx", 9},
+                                   {"ny", 9},
+                                   {"amplitude", 0},
+                                   {"gravity", g},
+                                   {"friction", 1.5},
+                                   {"damping", 0},
+                                   {0}});
+    set_off(&r, stepping_find("leapfrog"), 0.05);
+    stepping_run(&r.stepping, 20000);
+    const double depth = -r.scene.position[2 * 81 + 40];
+    if (s && !scene_copy(s, &r.scene))
+        no_memory();
+    tidy_up(&r);
+    return depth;
+}
+
+static const struct table_key sag_keys[] = {
+    {"depth", "m", "of the middle, at rest"},
+    {"rest", "m", "modes but the first, most"},
+    {"ratio", "1", "of depths, gravity 8 times"},
+    {0}};
+
+static void study_sag(struct study *s)
+{
+    struct run r;
+    const double depth = sag(&r.scene, 0.5);
+    double most = 0;
+    r.scene.gravity[2] = r.scene.damping = 0;
+    set_off(&r, stepping_find("pefrl"), 0.02);
+    table_column(s->out, "t", "s", "since gravity and friction ended");
+    table_column(s->out, "z", "m", "of the body in the middle");
+    table_column(s->out, "a11", "m", "amplitude of the mode (1, 1)");
+    table_column(s->out, "rest", "m", "all other modes, root mean square");
+    for (int row = 0; row <= 600; ++row) {
+        most = fmax(most, others(&r.scene, 9, 1));
+        table_row(s->out, 4,
+                  (double[]){0.1 * row, r.scene.position[2 * 81 + 40],
+                             amplitude(&r.scene, 9, 1, 1),
+                             others(&r.scene, 9, 1)});
+        stepping_run(&r.stepping, 5);
+    }
+    table_real(s->summary, "rest", most);
+    tidy_up(&r);
+    table_real(s->summary, "depth", depth);
+    table_real(s->summary, "ratio", sag(NULL, 0.004) / sag(NULL, 0.0005));
+}
+
+/* Lets friction bring r to rest; stops when nothing moves any more. */
+static void settle(struct run *r)
+{
+    for (int i = 0; i < 400; ++i) {
+        double fastest = 0;
+        stepping_run(&r->stepping, 500);
+        for (size_t k = 0; k < 3 * r->scene.bodies; ++k)
+            fastest = fmax(fastest, fabs(r->scene.velocity[k]));
+        if (fastest < 1e-13)
+            return;
+    }
+}
+
+/* Steps r until body falls no more: the turning point. Returns the time. */
+static double fall(struct run *r, size_t body)
+{
+    const double *const v = r->scene.velocity + r->scene.bodies + body;
+    double before;
+    stepping_run(&r->stepping, 1);
+    do {
+        before = *v;
+        stepping_run(&r->stepping, 1);
+    } while (*v < 0);
+    return stepping_time(&r->stepping) -
+           r->stepping.dt * *v / (*v - before);
+}
+
+/* The bodies of a scene as lines, row by row, and then column by column. */
+static void draw(struct study *s, const struct scene *scene, size_t nx)
+{
+    const double *const x = scene->position, *const y = x + scene->bodies;
+    const size_t ny = scene->bodies / nx;
+    for (size_t j = 0; j < ny; ++j, table_print(s->out, "\n"))
+        for (size_t i = 0; i < nx; ++i)
+            table_row(s->out, 2, (double[]){x[j * nx + i], y[j * nx + i]});
+    for (size_t i = 0; i < nx; ++i, table_print(s->out, "\n"))
+        for (size_t j = 0; j < ny; ++j)
+            table_row(s->out, 2, (double[]){x[j * nx + i], y[j * nx + i]});
+    table_print(s->out, "\n");
+}
+
+/* Beams with 2, 1 and 0 diagonals: at the turning point, then at rest. */
+static void study_shapes(struct study *s)
+{
+    table_column(s->out, "x", "m", "place of a body");
+    table_column(s->out, "y", "m", "place of a body");
+    for (int diagonals = 2; diagonals >= 0; --diagonals)
+        for (int still = 0; still < 2; ++still) {
+            struct run r;
+            make(&r.scene, "cantilever",
+                 (struct gallery_choice[]){{"gravity", 3},
+                                           {"diagonals", diagonals},
+                                           {"friction", still ? 2 : 0},
+                                           {0}});
+            set_off(&r, stepping_find("leapfrog"), 0.01);
+            if (still)
+                settle(&r);
+            else
+                fall(&r, 5);
+            draw(s, &r.scene, 6);
+            tidy_up(&r);
+        }
+}
+
+/* A beam: what is different from the usual one, and what it does. */
+struct beam {
+    const char *name;
+    struct gallery_choice choice[3];
+    double frequency, second, third, fastest; /* rad/s */
+    double linear, still, lowest, time;
+    size_t loose; /* modes without stiffness */
+};
+
+/* Modes, and the linear deflection of the lower corner of the free end. */
+static void find_linear(struct beam *b, const struct scene *s, size_t nx)
+{
+    struct springs p;
+    struct modes m;
+    if (!springs_create(&p, s) || !modes_find(&m, &p, s->position))
+        no_memory();
+    double *const u = calloc(3 * s->bodies, sizeof *u);
+    if (!u)
+        no_memory();
+    for (b->loose = 0; m.square[b->loose] < 1e-6;)
+        ++b->loose;
+    b->frequency = sqrt(m.square[b->loose]);
+    b->second = sqrt(m.square[b->loose + 1]);
+    b->third = sqrt(m.square[b->loose + 2]);
+    b->fastest = sqrt(m.square[m.size - 1]);
+    modes_deflection(&m, 1e-6, p.fall, u);
+    b->linear = b->loose > 0 ? NAN : u[s->bodies + nx - 1];
+    free(u);
+    modes_free(&m);
+    springs_free(&p);
+}
+
+static void find_turn(struct beam *b)
+{
+    struct run r;
+    make(&r.scene, "cantilever", b->choice);
+    const size_t nx = 6;
+    const double start = r.scene.position[r.scene.bodies + nx - 1];
+    find_linear(b, &r.scene, nx);
+    set_off(&r, stepping_find("leapfrog"), 0.005);
+    b->time = fall(&r, nx - 1);
+    b->lowest = r.scene.position[r.scene.bodies + nx - 1] - start;
+    tidy_up(&r);
+    make(&r.scene, "cantilever", b->choice);
+    r.scene.damping = r.scene.mass[0] * b->frequency;
+    set_off(&r, stepping_find("leapfrog"), 0.01);
+    settle(&r);
+    b->still = r.scene.position[r.scene.bodies + nx - 1] - start;
+    tidy_up(&r);
+}
+
+static void name_beams(struct table *out)
+{
+    table_column(out, "w", "rad/s", "lowest frequency above 0");
+    table_column(out, "loose", "", "modes without stiffness");
+    table_column(out, "linear", "m", "the end's deflection, linear");
+    table_column(out, "still", "m", "the end's deflection at rest");
+    table_column(out, "lowest", "m", "at the turning point");
+    table_column(out, "t", "s", "when it is there");
+}
+
+static void note_beam(struct study *s, const struct beam *b)
+{
+    const double values[] = {b->frequency, -b->linear, -b->still,
+                             -b->lowest, b->time};
+    static const char *const keys[] = {"w", "linear", "still", "lowest",
+                                       "t"};
+    char key[32];
+    for (int k = 0; k < 5; ++k) {
+        snprintf(key, sizeof key, "%s_%s", keys[k], b->name);
+        if (isfinite(values[k]))
+            table_real(s->summary, key, values[k]);
+    }
+    snprintf(key, sizeof key, "loose_%s", b->name);
+    table_count(s->summary, key, b->loose);
+}
+
+enum { BEAMS = 9 };
+
+static struct beam beams[BEAMS] = {
+    {.name = "usual"},
+    {.name = "mass", .choice = {{"mass", 2}}},
+    {.name = "stiffness", .choice = {{"stiffness", 2000}}},
+    {.name = "dx", .choice = {{"dx", 2}}},
+    {.name = "dy", .choice = {{"dy", 2}}},
+    {.name = "one_diagonal", .choice = {{"diagonals", 1}}},
+    {.name = "light", .choice = {{"gravity", 0.1}}},
+    {.name = "heavy", .choice = {{"gravity", 10}}},
+    {.name = "no_diagonals", .choice = {{"diagonals", 0}}}};
+
+static const struct table_key beams_keys[] = {
+    {"second", "rad/s", "the usual beam"},
+    {"third", "rad/s", "the same"},
+    {"fastest", "rad/s", "the same"},
+    {"linear_<beam>", "m", "deflection of the end, linear"},
+    {"still_<beam>", "m", "at rest"},
+    {"lowest_<beam>", "m", "at the turning point"},
+    {"loose_<beam>", "1", "modes without stiffness"},
+    {"w_<beam>", "rad/s", "lowest frequency above 0"},
+    {"t_<beam>", "s", "when it is at the turning point"},
+    {0}};
+
+static void study_beams(struct study *s)
+{
+    name_beams(s->out);
+    for (struct beam *b = beams; b < beams + BEAMS; ++b) {
+        find_turn(b);
+        table_print(s->out, "# %s\n", b->name);
+        table_row(s->out, 6,
+                  (double[]){b->frequency, (double)b->loose, b->linear,
+                             b->still, b->lowest, b->time});
+        note_beam(s, b);
+    }
+    table_real(s->summary, "second", beams[0].second);
+    table_real(s->summary, "third", beams[0].third);
+    table_real(s->summary, "fastest", beams[0].fastest);
+}
+
+/* Each body looks up all its neighbours: every spring is computed twice.
+   For springs in bands that have all their dashpots as printed. */
+static void look_up(const struct springs *p, const struct springs_band *b,
+                    const double *restrict x, const double *restrict v,
+                    double *restrict f, int side)
+{
+    const size_t n = p->bodies, s = b->stride, to = side ? 0 : s;
+    const size_t from = b->first + (side ? s : 0), end = b->end - b->first;
+    for (size_t j = 0; j < end; ++j) {
+        const size_t i = from + j, o = b->first + j + to;
+        const double dx = x[o] - x[i], dy = x[n + o] - x[n + i],
+                     dz = x[2 * n + o] - x[2 * n + i];
+        const double length = sqrt(dx * dx + dy * dy + dz * dz);
+        const double here = 0.5 + copysign(0.5, b->rest[j]);
+        const double q =
+            here * b->stiffness * (length - b->rest[j]) / length;
+        const double c = here * b->damping;
+        f[i] += q * dx + c * (v[o] - v[i]);
+        f[n + i] += q * dy + c * (v[n + o] - v[n + i]);
+        f[2 * n + i] += q * dz + c * (v[2 * n + o] - v[2 * n + i]);
+    }
+}
+
+static void accelerate_twice(void *springs, const double x[],
+                             const double v[], double a[])
+{
+    struct springs *const p = springs;
+    memset(a, 0, 3 * p->bodies * sizeof *a);
+    for (size_t b = 0; b < p->bands; ++b)
+        for (int side = 1; side >= 0; --side)
+            look_up(p, &p->band[b], x, v, a, side);
+    for (size_t i = 0; i < 3 * p->bodies; ++i)
+        a[i] *= p->weight[i];
+}
+
+enum { SCATTER, GATHER, TRIPS, TWICE, SPEEDS };
+
+/* A damped membrane, free, of n x n bodies, to be stepped in one way. */
+static void make_fast(struct run *r, size_t n, int way)
+{
+    make(&r->scene, "membrane",
+         (struct gallery_choice[]){
+             {"nx", (double)n}, {"ny", (double)n}, {0}});
+    set_off(r, stepping_find("leapfrog"), 1e-3);
+    r->springs.engine = way == SCATTER ? SPRINGS_SCATTER : SPRINGS_GATHER;
+    if (way == TRIPS || way == TWICE)
+        r->stepping.sweep = NULL;
+    if (way == TWICE)
+        r->stepping.forces.accelerate = accelerate_twice;
+}
+
+/* Steps of a body in a second, of about two million. */
+static double speed_of(struct run *r, double (*seconds)(void))
+{
+    const uint64_t steps = 2000000 / r->scene.bodies + 1;
+    const double start = seconds();
+    stepping_run(&r->stepping, steps);
+    return (double)(steps * r->scene.bodies) / (seconds() - start);
+}
+
+static void measure_speeds(size_t n, double row[1 + SPEEDS])
+{
+    double rounds[SPEEDS][BENCH_ROUNDS];
+    struct run r[SPEEDS];
+    for (int way = 0; way < SPEEDS; ++way)
+        make_fast(&r[way], n, way);
+    for (int round = -1; round < BENCH_ROUNDS; ++round)
+        for (int way = 0; way < SPEEDS; ++way)
+            rounds[way][round < 0 ? 0 : round] =
+                speed_of(&r[way], bench_seconds);
+    row[0] = (double)n;
+    for (int way = 0; way < SPEEDS; ++way) {
+        row[1 + way] = bench_median(rounds[way], BENCH_ROUNDS);
+        tidy_up(&r[way]);
+    }
+}
+
+static const struct table_key speed_keys[] = {
+    {"most", "1/s", "steps of a body, gather"},
+    {"least_ratio_from_64", "1", "gather / scatter, from 64 on a side on"},
+    {0}};
+
+static void study_speed(struct study *s)
+{
+    double most = 0, least = INFINITY;
+    bench_machine(s->out);
+    table_column(s->out, "n", "", "bodies on a side");
+    table_column(s->out, "scatter", "1/s",
+                 "steps of a body, spring by spring");
+    table_column(s->out, "gather", "1/s", "by bands, in one sweep");
+    table_column(s->out, "trips", "1/s", "by bands, in two trips");
+    table_column(s->out, "twice", "1/s",
+                 "each body looks at all its springs");
+    for (size_t n = 8; n <= 512 && !progress_signal(); n *= 2) {
+        double row[1 + SPEEDS];
+        measure_speeds(n, row);
+        table_row(s->out, 1 + SPEEDS, row);
+        most = fmax(most, row[1 + GATHER]);
+        if (n >= 64)
+            least = fmin(least, row[1 + GATHER] / row[1 + SCATTER]);
+    }
+    table_real(s->summary, "most", most);
+    table_real(s->summary, "least_ratio_from_64", least);
+}
+
+/* One row: steps of a body in a second by one thread and by many, and the
+   ratio. */
+static void compare_threads(struct study *s, size_t n)
+{
+    double speed[2][BENCH_ROUNDS], ratio[BENCH_ROUNDS];
+    struct run r[2];
+    for (int way = 0; way < 2; ++way) {
+        make_fast(&r[way], n, GATHER);
+        if (way && !springs_threads(&r[way].springs, 2))
+            no_memory();
+    }
+    for (int round = -1; round < BENCH_ROUNDS; ++round) {
+        const int at = round < 0 ? 0 : round; /* the first: a warm-up */
+        for (int way = 0; way < 2; ++way)
+            speed[way][at] = speed_of(&r[way], bench_clock);
+        ratio[at] = speed[1][at] / speed[0][at];
+    }
+    table_row(s->out, 4,
+              (double[]){(double)n, bench_median(speed[0], BENCH_ROUNDS),
+                         bench_median(speed[1], BENCH_ROUNDS),
+                         bench_median(ratio, BENCH_ROUNDS)});
+    tidy_up(&r[0]);
+    tidy_up(&r[1]);
+}
+
+static void study_threads(struct study *s)
+{
+    bench_machine(s->out);
+    table_print(s->out, "# 2 threads\n");
+    table_column(s->out, "n", "", "bodies on a side");
+    table_column(s->out, "one", "1/s", "steps of a body, by the clock");
+    table_column(s->out, "many", "1/s", "by as many threads as there are");
+    table_column(s->out, "ratio", "", "median of the rounds'");
+    for (size_t n = 8; n <= 512 && !progress_signal(); n *= 2)
+        compare_threads(s, n);
+}
+
+static const struct study_entry studies[] = {
+    {"critical", study_critical, "digits lost at the border",
+     critical_keys},
+    {"regimes", study_regimes, "the oscillator at four dampings",
+     regimes_keys},
+    {"spin", study_spin, "what dashpots do to a spin", spin_keys},
+    {"path", study_path, "of the double pendulum", path_keys},
+    {"errors", study_errors, "methods on it, by step", errors_keys},
+    {"work", study_work, "the same by processor time", work_keys},
+    {"rod", study_rod, "in place of the stiff spring", rod_keys},
+    {"limits", study_limits, "the largest stable steps", limits_keys},
+    {"silent", study_silent, "a method that damps", silent_keys},
+    {"quartic", study_quartic, "a mode without stiffness", quartic_keys},
+    {"membranes", study_membranes, "at rest length and taut",
+     membranes_keys},
+    {"snapshots", study_snapshots, "pictures of the same", NULL},
+    {"dispersion", study_dispersion, "a membrane's frequencies",
+     dispersion_keys},
+    {"sag", study_sag, "a membrane that hangs", sag_keys},
+    {"shapes", study_shapes, "a beam, bent", NULL},
+    {"beams", study_beams, "nine of them in numbers", beams_keys},
+    {"speed", study_speed, "steps of a body in a second", speed_keys},
+    {"threads", study_threads, "the same on several threads", NULL},
+    {0}};
+
+static const struct options_entry entries[] = {
+    {"", 0, NULL, "--study membranes"},
+    {"until", 't', "T", "end, s (40)"},
+    {0}};
+
+static void take_option(struct options *o, int letter, void *settings)
+{
+    struct settings *own = settings;
+    if (letter == 't')
+        own->until = options_real(o, 1e-3, 1e6);
+}
+
+int main(int argc, char *argv[])
+{
+    struct settings own = {.until = 40};
+    const struct study_program program = {
+        .name = PROGRAM,
+        .purpose = "Measure springs, and what fails.",
+        .events = "studies",
+        .studies = studies,
+        .options = entries,
+        .take = take_option,
+        .own = &own};
+    return study_main(&program, argc, argv);
+}

@@ -1,0 +1,824 @@
+/* From chapters/08-stepping.nw: edit there, then run make tangle. */
+/* checksum 3971134748 of the lines below */
+#include "forces/reference.h"
+#include "forces/stepping.h"
+#include "toolbox/bench.h"
+#include "toolbox/study.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#define PROGRAM "step-studies"
+
+struct settings {
+    uint64_t orbits;
+};
+
+enum { CHAIN = 32, MOST = CHAIN };
+
+/* A system of a few coordinates. Its forces are given the coefficient of a
+   friction -c v, 1/s. */
+struct system {
+    const char *name;
+    size_t size;
+    void (*accelerate)(void *friction, const double x[], const double v[],
+                       double a[]);
+    double (*energy)(const double x[], const double v[]);
+    void (*start)(double x[], double v[]);
+};
+
+static void oscillator_force(void *friction, const double x[],
+                             const double v[], double a[])
+{
+    a[0] = -x[0] - *(double *)friction * v[0];
+}
+
+static double oscillator_energy(const double x[], const double v[])
+{
+    return (v[0] * v[0] + x[0] * x[0]) / 2;
+}
+
+static void oscillator_start(double x[], double v[])
+{
+    x[0] = 1;
+    v[0] = 0;
+}
+
+/* The sine in + - * / alone, so that all machines agree on its bits. */
+static double sine(double x)
+{
+    const double pi = 3.14159265358979324;
+    double y = x - 2 * pi * floor(x / (2 * pi) + 0.5), sum = 0;
+    y = y > pi / 2 ? pi - y : y < -pi / 2 ? -pi - y : y;
+    for (int k = 23; k > 1; k -= 2)
+        sum = (1 - sum) * y * y / (k * (k - 1));
+    return y * (1 - sum);
+}
+
+static void pendulum_force(void *friction, const double x[],
+                           const double v[], double a[])
+{
+    a[0] = -sine(x[0]) - *(double *)friction * v[0];
+}
+
+static double pendulum_energy(const double x[], const double v[])
+{
+    const double s = sine(x[0] / 2);
+    return v[0] * v[0] / 2 + 2 * s * s;
+}
+
+static void pendulum_start(double x[], double v[])
+{
+    x[0] = 1.5;
+    v[0] = 0.2;
+}
+
+static void orbit_force(void *friction, const double x[], const double v[],
+                        double a[])
+{
+    const double r2 = x[0] * x[0] + x[1] * x[1];
+    const double f = -1 / (r2 * sqrt(r2));
+    for (int k = 0; k < 2; ++k)
+        a[k] = f * x[k] - *(double *)friction * v[k];
+}
+
+static double orbit_energy(const double x[], const double v[])
+{
+    return (v[0] * v[0] + v[1] * v[1]) / 2 -
+           1 / sqrt(x[0] * x[0] + x[1] * x[1]);
+}
+
+/* At its nearest, with eccentricity 1/2 and half-axis 1. */
+static void orbit_start(double x[], double v[])
+{
+    x[0] = 0.5;
+    v[1] = sqrt(3);
+    x[1] = v[0] = 0;
+}
+
+static void chain_force(void *friction, const double x[], const double v[],
+                        double a[])
+{
+    for (size_t i = 0; i < CHAIN; ++i) {
+        const double left = i ? x[i - 1] : 0;
+        const double right = i + 1 < CHAIN ? x[i + 1] : 0;
+        a[i] = (left - x[i]) + (right - x[i]) - *(double *)friction * v[i];
+    }
+}
+
+static double chain_energy(const double x[], const double v[])
+{
+    double sum = x[0] * x[0] + x[CHAIN - 1] * x[CHAIN - 1];
+    for (size_t i = 0; i < CHAIN; ++i) {
+        const double d = i ? x[i] - x[i - 1] : 0;
+        sum += v[i] * v[i] + d * d;
+    }
+    return sum / 2;
+}
+
+/* Plucked at a third of its length. */
+static void chain_start(double x[], double v[])
+{
+    for (size_t i = 0; i < CHAIN; ++i) {
+        x[i] = i < 11 ? (double)(i + 1) / 11 : (double)(CHAIN - i) / 22;
+        v[i] = 0;
+    }
+}
+
+static const struct system oscillator = {
+    "oscillator", 1, oscillator_force, oscillator_energy, oscillator_start};
+static const struct system pendulum = {"pendulum", 1, pendulum_force,
+                                       pendulum_energy, pendulum_start};
+static const struct system orbit = {"orbit", 2, orbit_force, orbit_energy,
+                                    orbit_start};
+static const struct system chain = {"chain", CHAIN, chain_force,
+                                    chain_energy, chain_start};
+static const double period = 6.283185307179586;
+
+/* A system on its way. */
+struct course {
+    const struct system *system;
+    double x[MOST], v[MOST], friction, energy;
+    struct stepping s;
+};
+
+static void begin_or_exit(struct course *c, const struct system *y,
+                          const char *method, double dt, double friction)
+{
+    *c = (struct course){.system = y, .friction = friction};
+    const struct stepping_forces f = {y->size, friction != 0, y->accelerate,
+                                      &c->friction};
+    y->start(c->x, c->v);
+    c->energy = y->energy(c->x, c->v);
+    if (!stepping_begin(&c->s, stepping_find(method), f, dt, c->x, c->v))
+        study_fail(PROGRAM, "no memory");
+}
+
+/* By how much the energy is wrong, in units of what it was. */
+static double energy_error(const struct course *c)
+{
+    return (c->system->energy(c->x, c->v) - c->energy) / fabs(c->energy);
+}
+
+/* The largest difference in a coordinate or a velocity. */
+static double distance(const struct course *c, const double x[],
+                       const double v[])
+{
+    double most = 0;
+    for (size_t i = 0; i < c->system->size; ++i)
+        most = fmax(most, fmax(fabs(c->x[i] - x[i]), fabs(c->v[i] - v[i])));
+    return most;
+}
+
+/* How many steps a budget of evaluations allows; an implicit step takes
+   some eight rounds. */
+static double steps_for(const struct stepping_method *m, double budget)
+{
+    const double rounds = m->family == STEPPING_IMPLICIT ? 8 : 1;
+    return budget / (double)m->stages / rounds;
+}
+
+static void study_portrait(struct study *s)
+{
+    static const char *const names[] = {"euler", "symplectic-euler",
+                                        "leapfrog", "rk4"};
+    table_column(s->out, "x", "", "angle");
+    table_column(s->out, "v", "1/s", "angular velocity");
+    for (int k = 0; k < 4; ++k)
+        for (int j = 1; j <= 4; ++j) {
+            struct course c;
+            begin_or_exit(&c, &pendulum, names[k], 0.5, 0);
+            c.x[0] = 0.6 * j;
+            c.v[0] = 0;
+            for (int n = 0; n <= (k ? 400 : 14); ++n) {
+                table_row(s->out, 2, (double[]){c.x[0], c.v[0]});
+                stepping_run(&c.s, 1);
+            }
+            table_print(s->out, "\n\n");
+            stepping_free(&c.s);
+        }
+}
+
+static const struct table_key laws_keys[] = {
+    {"<method>", "1", "energy after 60 steps / at the start"}, {0}};
+
+static void study_laws(struct study *s)
+{
+    static const char *const names[] = {"euler", "symplectic-euler",
+                                        "leapfrog", "rk4"};
+    struct course c[4];
+    table_column(s->out, "n", "", "steps");
+    for (int k = 0; k < 4; ++k) {
+        begin_or_exit(&c[k], &oscillator, names[k], 0.5, 0);
+        table_column(s->out, names[k], "", "energy, in units of the first");
+    }
+    for (int n = 0; n <= 60; ++n) {
+        double row[5] = {n};
+        for (int k = 0; k < 4; ++k) {
+            row[k + 1] = 1 + energy_error(&c[k]);
+            if (n < 60)
+                stepping_run(&c[k].s, 1);
+        }
+        table_row(s->out, 5, row);
+    }
+    for (int k = 0; k < 4; ++k) {
+        table_real(s->summary, names[k], 1 + energy_error(&c[k]));
+        stepping_free(&c[k].s);
+    }
+}
+
+enum { RIM = 2000 };
+
+/* The area inside the polygon of these points. */
+static double area(double p[RIM][2])
+{
+    double sum = 0;
+    for (int i = 0; i < RIM; ++i) {
+        const double *a = p[i], *b = p[(i + 1) % RIM];
+        sum += a[0] * b[1] - a[1] * b[0];
+    }
+    return fabs(sum) / 2;
+}
+
+/* Takes the rim of a disk of states along. */
+static void carry_rim(double p[RIM][2], const char *method, uint64_t steps)
+{
+    struct course c;
+    begin_or_exit(&c, &pendulum, method, 0.5, 0);
+    for (int i = 0; i < RIM; ++i) {
+        c.x[0] = p[i][0];
+        c.v[0] = p[i][1];
+        stepping_disturb(&c.s);
+        stepping_run(&c.s, steps);
+        p[i][0] = c.x[0];
+        p[i][1] = c.v[0];
+    }
+    stepping_free(&c.s);
+}
+
+static const struct table_key area_keys[] = {
+    {"<method>", "1", "area after 9 steps / at the start"}, {0}};
+
+static void study_area(struct study *s)
+{
+    static const char *const names[] = {"euler", "leapfrog", "rk4"};
+    table_column(s->out, "x", "", "angle");
+    table_column(s->out, "v", "1/s", "angular velocity");
+    for (int k = 0; k < 3; ++k) {
+        double p[RIM][2], before;
+        for (int i = 0; i < RIM; ++i) {
+            const double turn = period * i / RIM;
+            p[i][0] = 1.2 + 0.5 * sine(turn + period / 4);
+            p[i][1] = 0.5 * sine(turn);
+        }
+        before = area(p);
+        for (int part = 0; part < 4; ++part) {
+            if (part)
+                carry_rim(p, names[k], 3);
+            for (int i = 0; i <= RIM; i += 10)
+                table_row(s->out, 2, p[i % RIM]);
+            table_print(s->out, "\n\n");
+        }
+        table_real(s->summary, names[k], area(p) / before);
+    }
+}
+
+enum { BUDGET = 400 }; /* evaluations of the forces in an orbit */
+
+/* The largest error of the energy so far, at times that grow by a tenth. */
+static void record_energy(struct study *s, const struct stepping_method *m)
+{
+    const struct settings *own = s->own;
+    struct course c;
+    const double steps = steps_for(m, BUDGET);
+    double worst = 0, next = 0.1;
+    begin_or_exit(&c, &orbit, m->name, period / steps, 0);
+    table_print(s->out, "# %s\n", m->name);
+    while ((double)c.s.steps < steps * (double)own->orbits &&
+           !progress_signal() && stepping_run(&c.s, 1) == STEPPING_DONE) {
+        const double orbits = stepping_time(&c.s) / period;
+        worst = fmax(worst, fabs(energy_error(&c)));
+        if (orbits < next)
+            continue;
+        table_row(s->out, 2, (double[]){orbits, worst});
+        next = orbits * 1.1;
+    }
+    table_real(s->summary, m->name, worst);
+    table_print(s->out, "\n\n");
+    stepping_free(&c.s);
+}
+
+static const struct table_key energy_keys[] = {
+    {"<method>", "1", "largest relative error"}, {0}};
+
+static void study_energy(struct study *s)
+{
+    table_column(s->out, "t", "orbits", "time");
+    table_column(s->out, "dE/E", "", "largest error of the energy so far");
+    for (const struct stepping_method *m = stepping_methods; m->name; ++m)
+        record_energy(s, m);
+}
+
+static void linear_force(void *what, const double x[], const double v[],
+                         double a[])
+{
+    const double *const constants = what;
+    a[0] = -constants[0] * x[0] - constants[1] * v[0];
+}
+
+/* The matrix of a step, dt 1, of an oscillator of frequency w with
+   friction c. The state is x, v and the acceleration kept from the step
+   before; but for a leapfrog with friction nobody asks for that. */
+static void step_matrix(const struct stepping_method *m, double w, double c,
+                        double matrix[3][3])
+{
+    double constants[] = {w * w, c};
+    for (int k = 0; k < 3; ++k) {
+        double x = k == 0, v = k == 1, a = k == 2;
+        struct stepping s;
+        const struct stepping_forces f = {1, c != 0, linear_force,
+                                          constants};
+        if (!stepping_begin(&s, m, f, 1, &x, &v))
+            study_fail(PROGRAM, "no memory");
+        stepping_resume(&s, 0, NULL, c != 0 && m->drifts ? &a : NULL);
+        stepping_run(&s, 1);
+        matrix[0][k] = x;
+        matrix[1][k] = v;
+        matrix[2][k] = c != 0 && m->drifts == 1 ? s.acceleration[0] : 0;
+        stepping_free(&s);
+    }
+}
+
+/* By how much a step lengthens the state at most, in the long run: the
+   root of the norm of a high power. */
+static double growth(double m[3][3])
+{
+    double exponent = 0;
+    for (int k = 0; k < 30; ++k) {
+        double square[3][3] = {{0}}, most = 0;
+        for (int i = 0; i < 9; ++i)
+            for (int j = 0; j < 3; ++j)
+                square[i / 3][i % 3] += m[i / 3][j] * m[j][i % 3];
+        for (int i = 0; i < 9; ++i)
+            most = fmax(most, fabs(square[i / 3][i % 3]));
+        if (!(most > 0))
+            return most;
+        for (int i = 0; i < 9; ++i)
+            m[i / 3][i % 3] = square[i / 3][i % 3] / most;
+        exponent += log(most) * ldexp(1, -k - 1);
+    }
+    return exp(exponent);
+}
+
+static void study_stability(struct study *s)
+{
+    table_column(s->out, "re", "", "real part of lambda dt");
+    table_column(s->out, "im", "", "imaginary part of lambda dt");
+    table_column(s->out, "growth", "", "of the state in a step");
+    for (const struct stepping_method *m = stepping_methods; m->name; ++m) {
+        table_print(s->out, "# %s\n", m->name);
+        for (int i = 0; i <= 90; ++i) {
+            for (int j = 0; j <= 70; ++j) {
+                const double re = -4 + 0.05 * i, im = 0.05 * j;
+                double matrix[3][3];
+                step_matrix(m, sqrt(re * re + im * im), -2 * re, matrix);
+                table_row(s->out, 3, (double[]){re, im, growth(matrix)});
+            }
+            table_print(s->out, "\n");
+        }
+        table_print(s->out, "\n");
+    }
+}
+
+/* Half the trace of a step against omega dt, for every splitting. */
+static void study_trace(struct study *s)
+{
+    static const char *const names[] = {"leapfrog", "yoshida4", "pefrl",
+                                        "yoshida6", "kahan-li8"};
+    table_column(s->out, "w dt", "", "frequency times step");
+    for (int k = 0; k < 5; ++k)
+        table_column(s->out, names[k], "", "half the trace");
+    for (int i = 1; i <= 350; ++i) {
+        double row[6] = {i / 100.0}, matrix[3][3];
+        for (int k = 0; k < 5; ++k) {
+            step_matrix(stepping_find(names[k]), row[0], 0, matrix);
+            row[k + 1] = (matrix[0][0] + matrix[1][1]) / 2;
+        }
+        table_row(s->out, 6, row);
+    }
+}
+
+/* The error of a method in `steps` steps up to `until`; friction c. */
+static double error_of(const struct system *y, const char *method,
+                       double until, uint64_t steps, double friction,
+                       const double x[], const double v[])
+{
+    struct course c;
+    begin_or_exit(&c, y, method, until / (double)steps, friction);
+    const enum stepping_end end = stepping_run(&c.s, steps);
+    const double error = distance(&c, x, v);
+    stepping_free(&c.s);
+    return end == STEPPING_DONE ? error : INFINITY;
+}
+
+/* The order between two lengths of the step: as short as possible with an
+   error that is still a thousand times rounding. */
+static double order_of(const char *method, double friction, double x,
+                       double v, double *error)
+{
+    double order = 0, now = 0, last = 0;
+    for (uint64_t n = 8; n <= 2048; n *= 2) {
+        now = error_of(&pendulum, method, 3, n, friction, &x, &v);
+        if (now < 1e3 * DBL_EPSILON)
+            break;
+        order = log2(last / now);
+        last = *error = now;
+    }
+    return order;
+}
+
+/* Where the pendulum is after 3 s, with friction c. */
+static void reference(double friction, double *x, double *v)
+{
+    struct course c;
+    begin_or_exit(&c, &pendulum, "gauss4", 3.0 / 4096, friction);
+    c.s.compensated = true;
+    stepping_run(&c.s, 4096);
+    *x = c.x[0];
+    *v = c.v[0];
+    stepping_free(&c.s);
+}
+
+static const struct table_key order_keys[] = {
+    {"<method>", "1", "error after 3 s in 50 steps"}, {0}};
+
+static void study_order(struct study *s)
+{
+    double x, v, xc, vc;
+    reference(0, &x, &v);
+    reference(0.5, &xc, &vc);
+    table_print(s->out, "# method            order  with friction\n");
+    for (const struct stepping_method *m = stepping_methods; m->name; ++m) {
+        double error;
+        const double order = order_of(m->name, 0, x, v, &error);
+        const double damped = order_of(m->name, 0.5, xc, vc, &error);
+        table_print(s->out, "%-18s %6.2f  %6.2f\n", m->name, order, damped);
+        table_real(s->summary, m->name,
+                   error_of(&pendulum, m->name, 3, 50, 0, &x, &v));
+    }
+}
+
+/* The largest c dt for which a velocity does not grow under friction
+   alone, found on a grid and then by halving. */
+static double friction_limit(const struct stepping_method *m, double w)
+{
+    double matrix[3][3], low = 0, high = 0;
+    do {
+        low = high;
+        high += 0.01;
+        step_matrix(m, w, high, matrix);
+    } while (growth(matrix) < 1 + 1e-7 && high < 20);
+    while (high - low > 1e-9) {
+        const double middle = (low + high) / 2;
+        step_matrix(m, w, middle, matrix);
+        if (growth(matrix) < 1 + 1e-7)
+            low = middle;
+        else
+            high = middle;
+    }
+    return high < 20 ? low : INFINITY;
+}
+
+static double sum_of_moduli(const double y[], size_t n)
+{
+    double sum = 0;
+    for (size_t k = 0; k < n; ++k)
+        sum += fabs(y[k]);
+    return sum;
+}
+
+static void study_damping(struct study *s)
+{
+    table_print(s->out, "# method            sum|drift|  c dt\n");
+    for (const struct stepping_method *m = stepping_methods; m->name; ++m)
+        table_print(s->out, "%-18s %9.3f  %6.3f\n", m->name,
+                    sum_of_moduli(m->drift, m->drifts),
+                    friction_limit(m, 0));
+}
+
+/* What a step does to a velocity under friction alone. */
+static void study_friction(struct study *s)
+{
+    table_column(s->out, "c dt", "", "friction times step");
+    for (const struct stepping_method *m = stepping_methods; m->name; ++m)
+        table_column(s->out, m->name, "", "growth of the velocity");
+    for (int i = 1; i <= 120; ++i) {
+        double row[32] = {i * 0.05}, matrix[3][3];
+        size_t columns = 1;
+        for (const struct stepping_method *m = stepping_methods; m->name;
+             ++m) {
+            step_matrix(m, 0, row[0], matrix);
+            for (int k = 0; k < 3; ++k)
+                matrix[0][k] = matrix[k][0] = 0;
+            row[columns++] = growth(matrix);
+        }
+        table_row(s->out, columns, row);
+    }
+}
+
+/* The size of an oscillator of frequency w with friction c after each of
+   60 steps of 1. */
+static void record_size(const char *method, double w, double c,
+                        double size[61])
+{
+    double constants[] = {w * w, c}, x = c != 0 ? 0 : 1, v = c != 0 ? 1 : 0;
+    const struct stepping_forces f = {1, c != 0, linear_force, constants};
+    struct stepping s;
+    if (!stepping_begin(&s, stepping_find(method), f, 1, &x, &v))
+        study_fail(PROGRAM, "no memory");
+    for (int n = 0; n <= 60; ++n) {
+        size[n] = c != 0 ? fabs(v) : sqrt(x * x + v * v / (w * w));
+        stepping_run(&s, 1);
+    }
+    stepping_free(&s);
+}
+
+static void study_fails(struct study *s)
+{
+    static const struct {
+        const char *method;
+        double w, c;
+    } runs[] = {{"leapfrog", 1.8, 0}, {"yoshida4", 1.8, 0},
+                {"rk4", 2.5, 0},      {"rk4", 0, 2.5},
+                {"yoshida4", 0, 2.5}, {"leapfrog", 0, 1.2}};
+    double size[6][61];
+    table_column(s->out, "n", "", "steps");
+    for (int k = 0; k < 6; ++k) {
+        record_size(runs[k].method, runs[k].w, runs[k].c, size[k]);
+        table_column(s->out, runs[k].method, "", "size of the oscillator");
+    }
+    for (int n = 0; n <= 60; ++n) {
+        double row[7] = {n};
+        for (int k = 0; k < 6; ++k)
+            row[k + 1] = size[k][n];
+        table_row(s->out, 7, row);
+    }
+}
+
+enum { STARTS = 16 };
+
+/* Orbits that differ a little. */
+static void begin_orbits(struct course c[STARTS], double steps_of_orbit,
+                         bool compensated)
+{
+    for (int k = 0; k < STARTS; ++k) {
+        begin_or_exit(&c[k], &orbit, "kahan-li8", period / steps_of_orbit,
+                      0);
+        c[k].v[1] *= 1 - k / 256.0;
+        c[k].energy = orbit_energy(c[k].x, c[k].v);
+        c[k].s.compensated = compensated;
+    }
+}
+
+/* Goes on to this number of steps; the root of the mean square. */
+static double error_after(struct course c[STARTS], uint64_t steps)
+{
+    double sum = 0;
+    for (int k = 0; k < STARTS; ++k) {
+        stepping_run(&c[k].s, steps - c[k].s.steps);
+        sum += pow(energy_error(&c[k]), 2);
+    }
+    return sqrt(sum / STARTS);
+}
+
+static void record_rounding(struct study *s, double steps_of_orbit,
+                            bool compensated)
+{
+    static struct course c[STARTS];
+    const struct settings *own = s->own;
+    char key[24];
+    snprintf(key, sizeof key, "%s_%g", compensated ? "carried" : "plain",
+             steps_of_orbit);
+    begin_orbits(c, steps_of_orbit, compensated);
+    for (uint64_t n = 1; n <= own->orbits && !progress_signal(); n *= 2) {
+        const double error = error_after(c, n * (uint64_t)steps_of_orbit);
+        table_row(s->out, 2, (double[]){(double)n, error});
+        if (n > own->orbits / 2)
+            table_real(s->summary, key, error);
+    }
+    table_print(s->out, "\n\n");
+    for (int k = 0; k < STARTS; ++k)
+        stepping_free(&c[k].s);
+}
+
+static const struct table_key rounding_keys[] = {
+    {"plain_<steps>", "1", "rms error of the energy, steps an orbit"},
+    {"carried_<steps>", "1", "the same, rounding carried along"},
+    {0}};
+
+static void study_rounding(struct study *s)
+{
+    table_column(s->out, "n", "", "orbits");
+    table_column(s->out, "dE/E", "", "error of the energy, rms");
+    record_rounding(s, 100, false);
+    record_rounding(s, 100, true);
+    record_rounding(s, 400, false);
+    record_rounding(s, 400, true);
+}
+
+/* What a run cost and what it gave. */
+struct outcome {
+    double evaluations, error, seconds;
+};
+
+/* A task: a system to be taken to a time at which its state is known. */
+struct task {
+    const struct system *system;
+    double until, x[MOST], v[MOST];
+};
+
+static struct outcome work_of(const struct task *k, const char *method,
+                              uint64_t steps)
+{
+    struct outcome o = {0};
+    struct course c;
+    begin_or_exit(&c, k->system, method, k->until / (double)steps, 0);
+    const double start = bench_seconds();
+    const enum stepping_end end = stepping_run(&c.s, steps);
+    o.seconds = bench_seconds() - start;
+    o.evaluations = (double)c.s.evaluations;
+    o.error = end == STEPPING_DONE ? distance(&c, k->x, k->v) : INFINITY;
+    stepping_free(&c.s);
+    return o;
+}
+
+/* The same with the method from outside. */
+static struct outcome outside_work(const struct task *k, double tolerance)
+{
+    struct outcome o = {.error = INFINITY};
+    struct course c = {.system = k->system};
+    const struct stepping_forces f = {k->system->size, false,
+                                      k->system->accelerate, &c.friction};
+    struct reference r;
+    if (!reference_begin(&r, f, tolerance))
+        return o;
+    k->system->start(c.x, c.v);
+    const double start = bench_seconds();
+    const bool well = reference_step(&r, k->until, c.x, c.v);
+    o.seconds = bench_seconds() - start;
+    o.evaluations = (double)r.evaluations;
+    if (well)
+        o.error = distance(&c, k->x, k->v);
+    reference_free(&r);
+    return o;
+}
+
+/* Ten orbits end where they began. */
+static void set_orbit_task(struct task *k)
+{
+    *k = (struct task){.system = &orbit, .until = 10 * period};
+    orbit_start(k->x, k->v);
+}
+
+/* The chain's end is asked of the best method. */
+static void set_chain_task(struct task *k)
+{
+    struct course c;
+    *k = (struct task){.system = &chain, .until = 200};
+    begin_or_exit(&c, &chain, "kahan-li8", k->until / 4000, 0);
+    c.s.compensated = true;
+    stepping_run(&c.s, 4000);
+    memcpy(k->x, c.x, sizeof c.x);
+    memcpy(k->v, c.v, sizeof c.v);
+    stepping_free(&c.s);
+}
+
+static void record_work(struct study *s, const struct task *k)
+{
+    for (const struct stepping_method *m = stepping_methods; m->name; ++m) {
+        table_print(s->out, "# %s\n", m->name);
+        for (double budget = 500; budget < 1e6 && !progress_signal();
+             budget *= sqrt(2)) {
+            const struct outcome o =
+                work_of(k, m->name, (uint64_t)steps_for(m, budget));
+            if (o.error < 10)
+                table_row(s->out, 2, (double[]){o.evaluations, o.error});
+        }
+        table_print(s->out, "\n\n");
+    }
+    table_print(s->out, "# rk8pd\n");
+    for (double e = 1e-2; e > 1e-15; e /= 4) {
+        const struct outcome o = outside_work(k, e);
+        if (o.error < 10)
+            table_row(s->out, 2, (double[]){o.evaluations, o.error});
+    }
+    table_print(s->out, "\n\n");
+}
+
+static void study_work(struct study *s)
+{
+    struct task k;
+    table_column(s->out, "n", "", "evaluations of the forces");
+    table_column(s->out, "error", "", "of the end, largest coordinate");
+    set_orbit_task(&k);
+    record_work(s, &k);
+    set_chain_task(&k);
+    record_work(s, &k);
+}
+
+/* What m does with this effort, or, if it has no name, the method from
+   outside; the time is the mean of as many runs as fill 10 ms. */
+static struct outcome timed(const struct task *k,
+                            const struct stepping_method *m, double effort)
+{
+    struct outcome o = {0};
+    double seconds = 0;
+    int runs = 0;
+    for (; seconds < 0.01; ++runs) {
+        o = m->name ? work_of(k, m->name, (uint64_t)steps_for(m, effort))
+                    : outside_work(k, 1 / effort);
+        seconds += o.seconds;
+    }
+    o.seconds = seconds / runs;
+    return o;
+}
+
+/* One row of the table, if the error is not beyond all bounds. */
+static void record_cost(struct study *s, const struct task *k,
+                        const struct stepping_method *m, double effort,
+                        int row)
+{
+    double seconds[BENCH_ROUNDS];
+    const struct outcome o = timed(k, m, effort);
+    for (int round = 0; round < BENCH_ROUNDS; ++round)
+        seconds[round] = timed(k, m, effort).seconds;
+    if (o.error < 10)
+        table_row(s->out, 4,
+                  (double[]){row, o.evaluations,
+                             bench_median(seconds, BENCH_ROUNDS), o.error});
+}
+
+static void study_cost(struct study *s)
+{
+    struct task k;
+    const struct stepping_method *m = stepping_methods;
+    bench_machine(s->out);
+    table_column(s->out, "row", "", "method, times 100, and effort");
+    table_column(s->out, "n", "", "evaluations of the forces");
+    table_column(s->out, "t", "s", "processor time");
+    table_column(s->out, "error", "", "of the end, largest coordinate");
+    set_orbit_task(&k);
+    for (int row = 0; row < 11 && !progress_signal(); ++row, ++m) {
+        table_print(s->out, "# %s\n", m->name ? m->name : "rk8pd");
+        for (int step = 0; step < 11; ++step) {
+            const double effort =
+                (m->name ? 500 : 10) * pow(2, m->name ? step : 4 * step);
+            record_cost(s, &k, m, effort, 100 * row + step);
+        }
+        table_print(s->out, "\n\n");
+    }
+}
+
+static const struct study_entry studies[] = {
+    {"portrait", study_portrait, "four methods in the phase plane", NULL},
+    {"laws", study_laws, "of their energies", laws_keys},
+    {"area", study_area, "of a disk of starts", area_keys},
+    {"energy", study_energy, "of a planet, in the long run", energy_keys},
+    {"stability", study_stability, "friction and a spring together", NULL},
+    {"trace", study_trace, "a spring without friction", NULL},
+    {"order", study_order, "the slope of the error", order_keys},
+    {"damping", study_damping, "the limits under friction alone", NULL},
+    {"friction", study_friction, "what it makes of a velocity", NULL},
+    {"fails", study_fails, "three ways to fail", NULL},
+    {"rounding", study_rounding, "carried along or not", rounding_keys},
+    {"work", study_work, "error against evaluations", NULL},
+    {"cost", study_cost, "error against processor time", NULL},
+    {0}};
+
+static const struct options_entry entries[] = {
+    {"", 0, NULL, "--study energy, rounding"},
+    {"orbits", 'n', "N", "how many (1000)"},
+    {0}};
+
+static void take_option(struct options *o, int letter, void *settings)
+{
+    struct settings *own = settings;
+    if (letter == 'n')
+        own->orbits = options_count(o, 1, 1000000000);
+}
+
+int main(int argc, char *argv[])
+{
+    struct settings own = {.orbits = 1000};
+    const struct study_program program = {
+        .name = PROGRAM,
+        .purpose = "Measure the methods of stepping.",
+        .events = "steps",
+        .studies = studies,
+        .options = entries,
+        .take = take_option,
+        .own = &own};
+    return study_main(&program, argc, argv);
+}

@@ -392,8 +392,8 @@ bookless := all first programs native bench atlas movie movies wanted-movie insp
 	reset solution mutants tangle check-tangle clean help format memcheck \
 	fuzz fuzz-scenes fuzz-commands
 ifneq ($(filter-out $(bookless),$(MAKECMDGOALS)),)
-build/recipes/rules.mk: chapters/press/recipes chapters plots \
-		$(wildcard chapters/*.nw chapters/*.tex plots/*.gp)
+build/recipes/rules.mk: chapters/press/recipes chapters plots $(wildcard chapters/works) \
+		$(wildcard chapters/*.nw chapters/works/*.nw plots/*.gp)
 	@chapters/press/recipes
 include build/recipes/rules.mk
 endif
@@ -447,7 +447,7 @@ book: has-tex build/bonkers$(edition).pdf figures
 book-parts: has-tex $(FIGURES_PDF) $(FIGURES_SVG) $(FIGURES_ALT) $(RUNS)
 
 build/bonkers$(edition).pdf: $(FIGURES_PDF) $(FIGURES_ALT) $(RUNS) \
-		$(wildcard chapters/*.nw chapters/press/* solutions/* tests/hints/* tests/stubs/* \
+		$(wildcard chapters/*.nw chapters/works/*.nw chapters/press/* solutions/* tests/hints/* tests/stubs/* \
 		plots/data/*) \
 		tests/equations.txt
 	@chapters/press/make-book

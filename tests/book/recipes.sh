@@ -161,8 +161,14 @@ chapter '\result[1 to 2]{lost}{steps}'
 is 'a number of a run that is not there is refused' \
     'recipes: chapters/01-x.nw:2: no %run line makes run lost' \
     "$(chapters/press/recipes 2>&1)"
+mkdir chapters/works
+echo '%run works: build/bin/walk --seed 3' >chapters/works/01-x.nw
+chapter '%run a: build/bin/walk' '\result[1 to 2]{works}{steps}'
+chapters/press/recipes
+is 'Works has runs, too' 'build/bin/walk --seed 3 --summary build/runs/works.summary' \
+    "$(sed -n '$p' build/recipes/run-works)"
 chapter '%run a: build/bin/walk' '%run a: build/bin/walk --seed 2'
 is 'two commands for one run are refused' \
     'recipes: chapters/01-x.nw:3: run a is another command in chapters/01-x.nw:2' \
     "$(chapters/press/recipes 2>&1)"
-echo 1..34
+echo 1..35

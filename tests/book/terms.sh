@@ -46,7 +46,8 @@ without sanitizers
 END
 
 cited() {
-    cat chapters/*.nw | tr '\n' ' ' | grep -o '\\cite\(\[[^]]*\]\)\{0,1\}{[^}]*}' |
+    find chapters -name '*.nw' -exec cat {} + | tr '\n' ' ' |
+        grep -o '\\cite\(\[[^]]*\]\)\{0,1\}{[^}]*}' |
         sed 's/.*{//; s/}//' | tr -d ' ' | tr ',' '\n' | sort -u
 }
 entries() { sed -n 's/^@[a-z]*{\([^,]*\),.*/\1/p' chapters/press/references.bib; }

@@ -4,22 +4,23 @@ set -u
 scratch=$(mktemp -d) || exit 1
 trap 'rm -rf "$scratch"' EXIT
 mkdir -p "$scratch/chapters/press" "$scratch/tests/hints" "$scratch/solutions"
-cp chapters/press/weave chapters/press/keywords "$scratch/chapters/press/"
+cp chapters/press/weave chapters/press/keywords chapters/press/volumes \
+    "$scratch/chapters/press/"
 cd "$scratch" || exit 1
 has() { # name needle file
     if grep -qF -- "$2" "$3"; then
         echo "ok weave: $1"
     else
-        echo "not ok weave: $1 - no '$2' in $3"
+        printf '%s\n' "not ok weave: $1 - no '$2' in $3"
     fi
 }
 refused() { # name message
     said=$(chapters/press/weave 2>&1)
     status=$?
     if [ "$status" -eq 1 ] && [ "$said" = "$2" ]; then
-        echo "ok weave: $1"
+        printf '%s\n' "ok weave: $1"
     else
-        echo "not ok weave: $1 - status $status and '$said'"
+        printf '%s\n' "not ok weave: $1 - status $status and '$said'"
     fi
 }
 one='\chapter{One}
@@ -90,4 +91,48 @@ printf '%s\n' "$two" | sed 's/^<<Includes>>$/<<Inclusions>>/' \
     >chapters/02-two.nw
 refused 'a chunk without a definition' \
     'weave: chapters/02-two.nw: no chunk is named <<Inclusions>>'
-echo 1..12
+printf '%s\n' "$two" >chapters/02-two.nw
+
+# Two volumes: a chapter and its part in Works have one set of chunk names.
+mkdir chapters/works
+works='\chapter{Two}
+\section{The \prog{two} of [[hit_it]]}
+\label{works:two}
+As in \inbook{sec:one}, by~\eqref{eq:one}.
+<<Includes>>=
+#include <stdio.h>
+<<alone.c>>=
+<<Call [[hit_it]] once>>
+@'
+printf '%s\n' "$works" >chapters/works/02-two.nw
+printf '%s\n' "$one" '\section{More}\label{sec:one}' '\begin{equation}\label{eq:one}' \
+    '\end{equation}' '\inworks{how \prog{two} is' 'made}{works:two}{src/alone.c}' \
+    '[[\ref{works:two}]] is no reference, % nor is \ref{works:two}' >chapters/01-one.nw
+chapters/press/weave || echo 'not ok weave: two volumes - status 1'
+has 'Works are woven beside the book' '\label{works:two}' build/works/02-two.tex
+has 'the book knows the titles of Works' \
+    '\workstitle{works:two}{The \prog{two} of \texttt{hit\_it}}' build/book/titles.tex
+label=$(sed -n 's/.*sublabel{\(NW[^}]*\)}.*{Includes.*/\1/p' build/works/02-two.tex)
+has 'a chunk of the book goes on in Works' "{$label}" build/book/02-two.tex
+# said FILE LINE MESSAGE: with this line at its end the file is refused.
+said() {
+    cp "$1" "$scratch/kept"
+    printf '%s\n' "$2" >>"$1"
+    refused "$2" "weave: $1:$(wc -l <"$1"): $3"
+    cp "$scratch/kept" "$1"
+}
+said chapters/01-one.nw '\inworks{x}{works:three}{src/alone.c}' \
+    'no heading in chapters/works has \label{works:three}'
+said chapters/01-one.nw '\inworks{x}{works:two}{src/other.c}' \
+    'no chapter writes src/other.c'
+said chapters/01-one.nw '\inworks{x}{works:two}' \
+    '\inworks wants {what}{works:label}{src/file.c}'
+said chapters/01-one.nw 'See \ref{works:two}.' \
+    '\ref{works:two} leads to Works (chapters/works/02-two.nw:3); write \inworks'
+said chapters/works/02-two.nw 'On page~\pageref{sec:one}.' \
+    '\pageref{sec:one} leads to the book, whose pages Works does not know; write \inbook or \ref'
+said chapters/works/02-two.nw '\inbook{sec:two}' \
+    'no chapter of the book has \label{sec:two}'
+said chapters/works/02-two.nw '\label{sec:one}' \
+    '\label{sec:one} stands in the book, too: chapters/01-one.nw:11'
+echo 1..22

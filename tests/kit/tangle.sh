@@ -8,9 +8,9 @@ cp -R chapters src "$work/kit"
 chmod -R u+w "$work/kit"
 cd "$work/kit" || exit 1
 # A book of two chapters: what is refused in it is refused in all.
-find chapters -name '*.nw' ! -name '01-*' ! -name 'A-*' -exec rm -f {} +
+find chapters -name '*.nw' ! -name '01-*' ! -name '?-toolbox*' -exec rm -f {} +
 find src -type f | while read -r file; do
-    head -n 1 "$file" | grep -q 'From chapters/\(01\|A\)-' || rm -f "$file"
+    head -n 1 "$file" | grep -q 'From chapters/\(works/\)\{0,1\}\(01-\|.-toolbox\)' || rm -f "$file"
 done
 fails() { # NAME PATTERN: tangling must fail and say so, src/ stay as it was
     find src -type f -exec cksum {} + | sort >"$work/before"
@@ -58,4 +58,52 @@ holds 'and leaves the others alone' test -z "$(find src/line/collide.c -newer sr
 chapters/press/tangle -L "$work/lines" >"$work/out" 2>&1
 holds '-L names the chapter and its line' \
     grep -q '#line [0-9]* "chapters/01-collide.nw"' "$work/lines/line/collide.c"
-echo 1..12
+
+# One file of both volumes: the book's parts first, its chapter in line 1.
+mkdir -p chapters/works
+works=chapters/works/01-collide.nw
+[ ! -e $works ] || mv $works "$work/works.nw"
+first_line() { head -n 1 "src/$1" | grep -qxF "/* From $2: edit there, then run make tangle. */"; }
+cat >>$chapter <<'END'
+
+<<both.c>>=
+int from_book;
+<<Two of Works>>
+<<of-works.h>>=
+<<One of the book>>
+<<One of the book>>=
+int of_book;
+@
+END
+cat >$works <<'END'
+<<both.c>>=
+int from_works;
+<<Two of Works>>=
+int two;
+@
+
+<<of-works.h>>=
+int own;
+<<alone.c>>=
+int alone;
+<<Two of Works>>
+@
+END
+[ ! -e "$work/works.nw" ] || cat "$work/works.nw" >>$works
+chapters/press/tangle >"$work/out" 2>&1
+holds 'a file is made of chunks of both volumes' \
+    test "$(tail -n +3 src/both.c | tr '\n' ' ')" = 'int from_book; int two; int from_works; '
+holds 'it comes from the chapter of the book' first_line both.c $chapter
+holds 'a file of Works alone comes from there' first_line alone.c $works
+sed 's/^<<of-works.h>>=$/<<One more>>=/' $chapter >"$work/less.nw"
+cp "$work/less.nw" $chapter
+printf '%s\n' '<<of-works.h>>=' '<<One more>>' '@' >>$works
+chapters/press/tangle >"$work/out" 2>&1
+holds 'a root of Works with a chunk of the book comes from the book' \
+    first_line of-works.h $chapter
+chapters/press/tangle -L "$work/lines" >"$work/out" 2>&1
+holds '-L names either file' sh -c "grep -c -e '\"$chapter\"' $work/lines/both.c &&
+    grep -c -e '\"$works\"' $work/lines/both.c"
+printf '<<Lost>>=\nint x;\n@\n' >>$works
+fails 'a chunk of Works that nothing uses is refused' 'works/01.*Lost.*never used'
+echo 1..18

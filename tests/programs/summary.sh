@@ -92,7 +92,8 @@ same speed $bin/bonkers-studies --study speed
 # book, the bench or a test, and so keeps its list.
 {
     awk '/^%run/ || more { more = sub(/ \\$/, ""); sub(/^%   /, " ")
-        printf more ? "%s" : "%s\n", $0 }' chapters/*.nw
+        printf more ? "%s" : "%s\n", $0 }' \
+        $(find chapters -name '*.nw')
     grep -h '^# [a-z]*:' plots/*.gp
     grep -h 'study ' Makefile tests/*/*.sh
     echo study run # piston, when nothing is said

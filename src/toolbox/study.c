@@ -1,6 +1,8 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 1268893277 of the lines below */
+/* checksum 2158689316 of the lines below */
 #include "toolbox/study.h"
+
+#include "toolbox/program.h"
 
 #include <assert.h>
 #include <stdio.h>
@@ -92,30 +94,7 @@ static void read_command(const struct study_program *p, struct command *c,
     if (c->study == studies)
         options_fail(&o, "--study is needed; %s --help lists them",
                      p->name);
-    const char *output = c->output ? c->output : "-";
-    if (strcmp(c->summary, output) == 0 && strcmp(output, "/dev/null") != 0)
-        options_fail(&o, "--summary and the table would both go to '%s'",
-                     output);
-}
-
-static bool open_tables(const char *program, const struct command *c,
-                        struct study *s)
-{
-    s->out = table_open(program, c->output);
-    s->summary = s->out ? table_open(program, c->summary) : NULL;
-    if (!s->summary)
-        table_discard(s->out);
-    return s->summary != NULL;
-}
-
-static bool close_tables(struct study *s)
-{
-    const bool whole = progress_end(&s->progress);
-    const bool written = table_close(s->out);
-    if (whole && written)
-        return table_close(s->summary);
-    table_discard(s->summary);
-    return false;
+    program_apart(&o, c->output, c->summary, "table");
 }
 
 int study_main(const struct study_program *p, int argc, char *argv[])
@@ -123,20 +102,17 @@ int study_main(const struct study_program *p, int argc, char *argv[])
     struct command c = {.seed = p->seeds > 0, .summary = "/dev/null"};
     struct study s = {.own = p->own};
     read_command(p, &c, argc, argv);
-    if (!open_tables(p->name, &c, &s))
+    if (!program_open(p->name, c.output, c.summary,
+                      p->studies[c.study].keys, &s.out, &s.summary))
         return EXIT_FAILURE;
     s.seed = c.seed;
-    progress_catch_signals();
     progress_begin(&s.progress, p->name, 0, p->events);
     table_begin(s.out, c.record, c.seed);
-    table_keys(s.summary, p->studies[c.study].keys);
     p->studies[c.study].run(&s);
-    return close_tables(&s) ? EXIT_SUCCESS : EXIT_FAILURE;
+    return program_close(s.out, s.summary, progress_end(&s.progress));
 }
 
 _Noreturn void study_fail(const char *program, const char *why)
 {
-    fprintf(stderr, "%s: %s\n", program, why);
-    table_abandon();
-    exit(EXIT_FAILURE);
+    program_give_up(program, "%s", why);
 }

@@ -1,5 +1,5 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 2394391280 of the lines below */
+/* checksum 3926867484 of the lines below */
 #ifndef TOOLBOX_STUDY_H
 #define TOOLBOX_STUDY_H
 
@@ -48,8 +48,7 @@ enum { STUDY_MOST = 32, STUDY_WIDTH = 48 };
    not be written or a signal came. A wrong command ends the process. */
 int study_main(const struct study_program *p, int argc, char *argv[]);
 
-/* Says why, after the program's name, removes what has been written of
-   table and summary, and ends the process with EXIT_FAILURE. */
+/* As program_give_up. */
 _Noreturn void study_fail(const char *program, const char *why);
 
 #endif

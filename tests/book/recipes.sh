@@ -167,8 +167,14 @@ chapter '%run a: build/bin/walk' '\result[1 to 2]{works}{steps}'
 chapters/press/recipes
 is 'Works has runs, too' 'build/bin/walk --seed 3 --summary build/runs/works.summary' \
     "$(sed -n '$p' build/recipes/run-works)"
+chapter '%run pipe: build/bin/walk --seed 4 | build/bin/walk -o /dev/null | cat' \
+    '\result[1 to 2]{pipe}{steps}'
+chapters/press/recipes
+is 'of a pipe, who writes the table writes the summary' \
+    'build/bin/walk --seed 4 | build/bin/walk -o /dev/null --summary '\
+'build/runs/pipe.summary | cat' "$(sed -n '$p' build/recipes/run-pipe)"
 chapter '%run a: build/bin/walk' '%run a: build/bin/walk --seed 2'
 is 'two commands for one run are refused' \
     'recipes: chapters/01-x.nw:3: run a is another command in chapters/01-x.nw:2' \
     "$(chapters/press/recipes 2>&1)"
-echo 1..35
+echo 1..36

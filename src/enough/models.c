@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 3079873531 of the lines below */
+/* checksum 3990297953 of the lines below */
 #include "enough/models.h"
 
 #include "line/bonkers.h"
@@ -1524,25 +1524,15 @@ static enum models_end row_modes(struct models_run *r)
     return MODELS_DONE;
 }
 
-/* Does anything but weight and attraction act on body i? */
-static bool is_pushed(const struct scene *s, size_t i)
-{
-    bool found = s->damping != 0 || s->contact;
-    for (size_t j = 0; j < s->springs; ++j)
-        found |= s->spring[j].a == i || s->spring[j].b == i;
-    return found;
-}
-
 static const char *refuse_steps(const struct scene *s,
                                 const struct models_acts *a, unsigned cuts)
 {
-    const bool walls = s->wall[0] || s->wall[1] || s->wall[2];
-    if (walls && !s->contact)
-        return "there are walls, but no contact";
-    for (size_t i = 0; i < s->bodies; ++i)
-        if (s->mass[i] == 0 && is_free(s, i, ALL_AXES) && is_pushed(s, i))
-            return "a body has no mass";
     (void)a;
+    switch (motion_flaw(s, NULL)) {
+    case MOTION_WALLS: return "there are walls, but no contact";
+    case MOTION_LIGHT: return "a body has no mass";
+    case MOTION_WELL: break;
+    }
     return cuts & MODELS_RODS ? no_rods : NULL;
 }
 

@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 1177444879 of the lines below */
+/* checksum 1949017153 of the lines below */
 #include "forces/motion.h"
 
 #include <stdio.h>
@@ -113,6 +113,18 @@ static size_t find_light(const struct scene *s)
     return s->bodies;
 }
 
+enum motion_flaw motion_flaw(const struct scene *s, size_t *body)
+{
+    const size_t light = find_light(s);
+    if (body)
+        *body = light;
+    if (light < s->bodies)
+        return MOTION_LIGHT;
+    if ((s->wall[0] || s->wall[1] || s->wall[2]) && !s->contact)
+        return MOTION_WALLS;
+    return MOTION_WELL;
+}
+
 static bool complain(const char *program, const char *what)
 {
     fprintf(stderr, "%s: %s\n", program, what);
@@ -123,18 +135,19 @@ static bool complain(const char *program, const char *what)
 static bool check_scene(const char *program, const struct scene *s)
 {
     char message[128];
-    const size_t light = find_light(s);
-    const bool walls = s->wall[0] || s->wall[1] || s->wall[2];
+    size_t light;
+    switch (motion_flaw(s, &light)) {
+    case MOTION_WELL: return true;
+    case MOTION_WALLS:
+        return complain(program, "the scene has walls but no line contact, "
+                                 "without which nothing minds them");
+    case MOTION_LIGHT: break;
+    }
     snprintf(message, sizeof message,
              "body %zu has no mass, expected one, since a spring, friction "
              "or a contact acts on it",
              light);
-    if (light < s->bodies)
-        return complain(program, message);
-    if (walls && !s->contact)
-        return complain(program, "the scene has walls but no line contact, "
-                                 "without which nothing minds them");
-    return true;
+    return complain(program, message);
 }
 
 bool motion_begin(struct motion *m, const char *program, struct scene *s,

@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 3329240512 of the lines below */
+/* checksum 883602288 of the lines below */
 #ifndef MOTION_H
 #define MOTION_H
 
@@ -35,6 +35,9 @@ struct motion_energy {
     double kinetic, gravity, springs, weight;
 };
 
+/* What makes it impossible to step a scene. */
+enum motion_flaw { MOTION_WELL, MOTION_WALLS, MOTION_LIGHT };
+
 /* Prepares to step s, which has to outlive m; velocities along held
    coordinates become zero. A dt of 0 is the scene's. On failure says why on
    standard error, after program, and returns false with nothing to free. */
@@ -65,5 +68,10 @@ bool motion_note(struct motion *m);
 struct motion_energy motion_energy(const struct motion *m);
 double motion_kinetic(const struct motion *m);
 double motion_potential(const struct motion *m);
+
+/* Says whether s can be stepped: MOTION_WALLS if it has walls but no
+   contact, MOTION_LIGHT if a force acts on a body without mass, whose
+   number goes to body, which may be NULL. */
+enum motion_flaw motion_flaw(const struct scene *s, size_t *body);
 
 #endif

@@ -1,4 +1,4 @@
-/* From chapters/01-collide.nw: edit there, then run make tangle. */
+/* From chapters/works/01-collide.nw: edit there, then run make tangle. */
 /* checksum 2415315714 of the lines below */
 #include "line/collide.h"
 #include "toolbox/options.h"

@@ -1,4 +1,4 @@
-/* From chapters/08-stepping.nw: edit there, then run make tangle. */
+/* From chapters/works/08-stepping.nw: edit there, then run make tangle. */
 /* checksum 3971134748 of the lines below */
 #include "forces/reference.h"
 #include "forces/stepping.h"

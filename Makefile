@@ -42,7 +42,8 @@ GSL_LIBS = -lgsl -lgslcblas
 asked = build/compiler
 try = $(CC) $(FLAGS) $(1) $(LDFLAGS) $(2) -o $(asked)/try 2>/dev/null && \
 	$(asked)/try
-build/compiler/key: export key = $(CC) / $(FLAGS) / $(LDFLAGS)
+build/compiler/key: export key = $(CC) / $(FLAGS) / $(LDFLAGS) / \
+	$(foreach v,STANDARD PORTABLE NATIVE SANITIZED sanitizers,$(value $v))
 build/compiler/key: FORCE
 	@mkdir -p $(@D)
 	@{ printf '%s\n' "$$key"; $(CC) --version 2>&1 | head -n 1; \
@@ -85,7 +86,6 @@ library := $(filter-out $(without),$(wildcard $(rooms:%=src/%/*.c)))
 # $(call gsl_libs,src/FILE.c): what to link it with.
 gsl_libs = $(if $(gsl),$(if $(filter $(1),$(gsl_files) $(gsl_users)),\
 	$(GSL_LIBS)))
-headers := $(wildcard src/*/*.h)
 suites := $(basename $(notdir $(wildcard tests/exercises/*.c)))
 
 # $(call need,COMMAND,PACKAGE): stop unless the command is there.
@@ -126,33 +126,59 @@ first: programs
 	@echo 'Next: make check (the exercises),' $(if $(filter book,$(absent)),\
 		'the book (bonkers.pdf)','make book (the PDF)'), make help
 
+# Nothing is made twice. What is compiled hangs on the headers that it read,
+# which the compiler writes down; and what comes out as it was keeps its time,
+# so that nothing that hangs on it is made again. For that build/FILE is made
+# aside, build/made/FILE says when it was last made, and build/made/FILE.d
+# what was read for it. A rule names what it makes by its build/made/FILE, and
+# `kept' all such files.
+made = $(@:build/made/%=build/%)
+begin = @mkdir -p $(@D) $(dir $(made))
+reads = -MMD -MP -MT $@ -MF $@.new
+take = if cmp -s $(made).new $(made); then rm $(made).new && touch $@; \
+	else mv $(made).new $(made) && touch -r $(made) $@; fi
+# A source that is gone, like a header, is nothing to wait for.
+take_compiled = @{ cat $@.new*; printf '%s:\n' $(filter %.c,$^); } >$@.d && \
+	rm $@.new* && $(take)
+
+# Else optimization across files would make other names each time.
+seed = -frandom-seed=$<
 parallel := bonkers springs gravity
 flags_of = $(if $(filter $(parallel),$(notdir $*)),$(OPENMP)) \
 	$(if $(gsl),$(if $(filter reference,$(notdir $*)),-DWITH_GSL))
 
 # The portable build, and the same for this machine alone.
 define tree
-build/$(1)obj/%.o: src/%.c $$(headers) Makefile build/compiler/key
-	@mkdir -p $$(@D)
+build/made/$(1)obj/%.o: src/%.c build/compiler/key
+	$$(begin)
 	$$(call say,cc $$<)
-	$$(Q)$$(CC) $$(STANDARD) $$($(2)) $$(flags_of) \
-		-DBUILD_FLAGS='"$$(strip $$($(2)))"' -Isrc $$(FLAGS) -c -o $$@ $$<
-build/$(1)obj/libbonkers.a: $$(library:src/%.c=build/$(1)obj/%.o)
-	@rm -f $$@
-	@ar rcs $$@ $$^
+	$$(Q)$$(CC) $$(STANDARD) $$($(2)) $$(flags_of) $$(reads) \
+		$(if $(filter NATIVE,$(2)),$$(LTO:%=$$(seed))) \
+		-DBUILD_FLAGS='"$$(strip $$($(2)))"' -Isrc $$(FLAGS) \
+		-c -o $$(made).new $$<
+	$$(take_compiled)
+# The folders, too: a file may be gone.
+build/made/$(1)obj/libbonkers.a: $$(library:src/%.c=build/$(1)obj/%.o) \
+		$$(rooms:%=src/%)
+	$$(begin)
+	@rm -f $$(made).new
+	@ar rcs $$(made).new $$(filter %.o,$$^)
+	@$$(take)
 $(foreach p,$(roofs:src/%.c=%),
-build/$(1)bin/$(notdir $(p)): build/$(1)obj/$(p).o)
-$(programs:%=build/$(1)bin/%): build/$(1)obj/libbonkers.a
-	@mkdir -p $$(@D)
-	$$(call say,link $$@)
-	$$(Q)$$(CC) $$($(2)) $$(OPENMP) $$(FLAGS) -o $$@ $$(filter %.o,$$^) \
-		$$(filter %.a,$$^) $$(LDFLAGS) \
+build/made/$(1)bin/$(notdir $(p)): build/$(1)obj/$(p).o)
+$(programs:%=build/made/$(1)bin/%): build/$(1)obj/libbonkers.a
+	$$(begin)
+	$$(call say,link $$(made))
+	$$(Q)$$(CC) $$($(2)) $$(OPENMP) $$(FLAGS) -o $$(made).new \
+		$$(filter %.o,$$^) $$(filter %.a,$$^) $$(LDFLAGS) \
 		$$(call gsl_libs,$$(filter %/$$(@F).c,$(roofs))) -lm
+	@$$(take)
+kept += $$(patsubst src/%.c,build/$(1)obj/%.o,$$(wildcard src/*/*.c)) \
+	build/$(1)obj/libbonkers.a $$(programs:%=build/$(1)bin/%)
 endef
 $(eval $(call tree,,PORTABLE))
 $(eval $(call tree,native/,NATIVE))
 $(eval $(call tree,sanitized/,SANITIZED))
-.SECONDARY:
 
 native: $(programs:%=build/native/bin/%)
 
@@ -216,14 +242,11 @@ check: build/check/examine $(CHECK_BUILT)
 watch hint progress reset solution: build/check/examine $(CHECK_BUILT)
 	@$(split) build/check/examine --$@ $$EX
 
-build/check/compiler: FORCE
-	@mkdir -p $(@D)
-	@echo '$(check_base) $(LDFLAGS)' | cmp -s - $@ || \
-		echo '$(check_base) $(LDFLAGS)' >$@
 .PHONY: FORCE
 
 # Sanitizers where the compiler has them; CUnit must be there.
-build/check/flags: build/check/compiler
+build/made/check/flags: build/made/check/compiler build/compiler/key
+	$(begin)
 	@echo '#include <CUnit/CUnit.h>' >build/check/probe.c
 	@echo 'int main(void) { return CU_get_error(); }' >>build/check/probe.c
 	@$(check_base) -o build/check/probe build/check/probe.c $(LDFLAGS) -lcunit \
@@ -233,23 +256,36 @@ build/check/flags: build/check/compiler
 		build/check/probe.c $(LDFLAGS) -lcunit 2>/dev/null && \
 		build/check/probe >/dev/null 2>&1 || san=; \
 	printf '%s\n%s\n' "$(check_base) $$san" \
-		'build/check/libcheck.a $(LDFLAGS) -lcunit -lm' >$@
-
-build/check/obj/%.o: src/%.c $(headers) build/check/flags
+		'build/check/libcheck.a $(LDFLAGS) -lcunit -lm' >$(made).new
+	@$(take)
+build/made/check/compiler: FORCE
 	@mkdir -p $(@D)
-	$(call say,cc $@)
-	$(Q)$(check_cc) -Wall -Wextra -pedantic -Isrc -c -o $@ $<
-build/check/libcheck.a: $(patsubst src/%.c,build/check/obj/%.o,\
+	@echo '$(check_base) $(LDFLAGS)' | cmp -s - $@ || \
+		echo '$(check_base) $(LDFLAGS)' >$@
+
+build/made/check/obj/%.o: src/%.c build/check/flags
+	$(begin)
+	$(call say,cc $(made))
+	$(Q)$(check_cc) $(reads) -Wall -Wextra -pedantic -Isrc \
+		-c -o $(made).new $<
+	$(take_compiled)
+build/made/check/libcheck.a: $(patsubst src/%.c,build/check/obj/%.o,\
 	$(patsubst %,src/examiner/%.c,check hidden heed home place border) \
 	$(wildcard src/toolbox/*.c))
-	@rm -f $@
-	@ar rcs $@ $^
-build/check/examine: $(patsubst %,build/obj/examiner/%.o,\
+	$(begin)
+	@rm -f $(made).new
+	@ar rcs $(made).new $^
+	@$(take)
+build/made/check/examine: $(patsubst %,build/obj/examiner/%.o,\
 	examine watch hint reset solution round verdict memory work course sum \
 	build message trial process text)
-	@mkdir -p $(@D)
-	$(call say,link $@)
-	$(Q)$(CC) $(PORTABLE) $(FLAGS) -o $@ $^ $(LDFLAGS)
+	$(begin)
+	$(call say,link $(made))
+	$(Q)$(CC) $(PORTABLE) $(FLAGS) -o $(made).new $^ $(LDFLAGS)
+	@$(take)
+kept += build/check/flags build/check/libcheck.a build/check/examine \
+	$(patsubst src/%.c,build/check/obj/%.o,$(wildcard src/examiner/*.c \
+	src/toolbox/*.c)) $(exercises:%=build/check/%.suite.o)
 
 # A suite and the two halves of its border, where it has one, in one object.
 # On the suite's side the functions that cross are called suite_..., so that
@@ -260,17 +296,21 @@ crossing = $$(sed -n '/^static/d; s/^[a-z][a-z_ *]*[ *]\([a-z0-9_]*\)(.*/\1/p' \
 check_part = $(check_cc) -Wall -Wextra -pedantic -Isrc -c \
 	-o build/check/obj/suite/$*
 # One suite, and what it says about itself (asked of the pristine stub).
-build/check/%.suite.o: build/check/flags
+build/made/check/%.suite.o: build/check/flags
+	$(begin)
 	$(call say,cc $(filter tests/exercises/%,$^))
 	@mkdir -p build/check/obj/suite
-	$(Q)$(check_part).o $(crossing) $(filter tests/exercises/%,$^)
-	$(if $(border_of),$(Q)$(check_part).outside.o $(crossing) $(border_of))
-	$(if $(border_of),$(Q)$(check_part).inside.o -DBORDER_INSIDE $(border_of))
-	@ld -r -o $@ build/check/obj/suite/$*.o $(if $(border_of),\
+	$(Q)$(check_part).o $(reads) $(crossing) $(filter tests/exercises/%,$^)
+	$(if $(border_of),$(Q)$(check_part).outside.o $(reads).outside \
+		$(crossing) $(border_of))
+	$(if $(border_of),$(Q)$(check_part).inside.o $(reads).inside \
+		-DBORDER_INSIDE $(border_of))
+	@ld -r -o $(made).new build/check/obj/suite/$*.o $(if $(border_of),\
 		build/check/obj/suite/$*.outside.o build/check/obj/suite/$*.inside.o)
+	$(take_compiled)
 define suite_rules
-build/check/$(1).suite.o: tests/exercises/$(2).c \
-		$(wildcard tests/border/$(2).c) $(headers)
+build/made/check/$(1).suite.o: tests/exercises/$(2).c \
+		$(wildcard tests/border/$(2).c)
 build/check/$(1).list: tests/stubs/$(2).c build/check/$(1).suite.o \
 		build/check/libcheck.a
 	$(Q)$$(check_cc) -Isrc -Isrc/examiner -o build/check/$(1).stub $$< \
@@ -318,52 +358,81 @@ has-grade-parts:
 # jansson and libxml2, in the grader alone; asked only when it is built.
 xml_flags = $$(pkg-config --cflags libxml-2.0 2>/dev/null || \
 	echo -I/usr/include/libxml2)
-build/grade/obj/grade/%.o: src/examiner/%.c $(headers) Makefile build/compiler/key
-	@mkdir -p $(@D)
+build/made/grade/obj/grade/%.o: src/examiner/%.c build/compiler/key
+	$(begin)
 	$(call say,cc $<)
-	$(Q)$(CC) $(STANDARD) -D_XOPEN_SOURCE=700 $(PORTABLE) -Isrc \
-		$(xml_flags) $(FLAGS) -c -o $@ $<
-build/grade/grade: $(patsubst %,build/grade/obj/grade/%.o,grade grading box \
-	marks submissions publish build message sum trial process text)
-	$(call say,link $@)
-	$(Q)$(CC) $(PORTABLE) $(FLAGS) -o $@ $^ $(LDFLAGS) -ljansson -lxml2
+	$(Q)$(CC) $(STANDARD) -D_XOPEN_SOURCE=700 $(PORTABLE) -Isrc $(reads) \
+		$(xml_flags) $(FLAGS) -c -o $(made).new $<
+	$(take_compiled)
+build/made/grade/grade: $(patsubst %,build/grade/obj/grade/%.o,grade grading \
+	box marks submissions publish build message sum trial process text)
+	$(begin)
+	$(call say,link $(made))
+	$(Q)$(CC) $(PORTABLE) $(FLAGS) -o $(made).new $^ $(LDFLAGS) \
+		-ljansson -lxml2
+	@$(take)
 
 # The compiler for students' files, without sanitizers and with, and how gcc,
 # or else clang, is told to quote no lines.
-build/grade/flags: build/check/flags Makefile
-	@mkdir -p $(@D)
+build/made/grade/flags: build/check/flags
+	$(begin)
 	@terse=-fno-diagnostics-show-caret; $(CC) $$terse -E -x c /dev/null \
 		>/dev/null 2>&1 || terse=-fno-caret-diagnostics; \
 	printf '%s %s\n' '$(check_base)' -fmax-errors=20 \
-		"$$(sed -n 1p build/check/flags)" -fmax-errors=20 $$terse '' >$@
+		"$$(sed -n 1p build/check/flags)" -fmax-errors=20 $$terse '' \
+		>$(made).new
+	@$(take)
 
 # What judges and boxes are linked with.
-build/grade/obj/%.o: src/%.c $(headers) build/check/flags
-	@mkdir -p $(@D)
-	$(call say,cc $@)
-	$(Q)$(check_base) -Wall -Wextra -pedantic -Isrc -c -o $@ $<
-build/grade/libjudge.a: $(patsubst src/%.c,build/grade/obj/%.o,\
+build/made/grade/obj/%.o: src/%.c build/check/flags
+	$(begin)
+	$(call say,cc $(made))
+	$(Q)$(check_base) $(reads) -Wall -Wextra -pedantic -Isrc \
+		-c -o $(made).new $<
+	$(take_compiled)
+build/made/grade/libjudge.a: $(patsubst src/%.c,build/grade/obj/%.o,\
 	$(patsubst %,src/examiner/%.c,check hidden heed judge wire border) \
 	$(wildcard src/toolbox/*.c))
-	@rm -f $@
-	@ar rcs $@ $^
+	$(begin)
+	@rm -f $(made).new
+	@ar rcs $(made).new $^
+	@$(take)
+kept += build/grade/grade build/grade/flags build/grade/libjudge.a \
+	$(patsubst src/%.c,build/grade/obj/%.o,$(wildcard src/examiner/*.c \
+	src/toolbox/*.c)) \
+	$(patsubst src/examiner/%.c,build/grade/obj/grade/%.o,\
+	$(wildcard src/examiner/*.c)) \
+	$(graded:%=build/grade/%.judge) $(graded:%=build/grade/%.inside.o)
 
 # One exercise: its judge, what goes into a box with the student's file, the
 # list of its tests, and the names that the student's file may show.
-define grade_rules
-build/grade/$(1).judge: tests/exercises/$(2).c tests/border/$(2).c \
-		$(wildcard tests/hidden/$(2).c) build/grade/libjudge.a $(headers)
-	$$(call say,cc $$@)
-	$(Q)$$(check_base) -Wall -Wextra -pedantic -Isrc -o $$@ \
-		$$(filter %.c %.a,$$^) $$(LDFLAGS) -lcunit -lm
-build/grade/$(1).inside.o: tests/border/$(2).c \
-		$(patsubst %,build/grade/obj/examiner/%.o,boxed wire border place)
+judge_part = build/grade/obj/judge/$*
+build/made/grade/%.judge: build/grade/libjudge.a
+	$(begin)
+	@mkdir -p build/grade/obj/judge
+	$(call say,cc $(made))
+	$(Q)for file in $(filter %.c,$^); do \
+		part=$${file%/*} && part=$${part##*/} && \
+		$(check_base) $(reads).$$part -Wall -Wextra -pedantic -Isrc \
+		-c -o $(judge_part).$$part.o $$file || exit 1; done
+	$(Q)$(check_base) -o $(made).new \
+		$(patsubst tests/%/,$(judge_part).%.o,$(dir $(filter %.c,$^))) \
+		build/grade/libjudge.a $(LDFLAGS) -lcunit -lm
+	$(take_compiled)
+build/made/grade/%.inside.o: $(patsubst %,build/grade/obj/examiner/%.o,\
+		boxed wire border place)
+	$(begin)
 	@mkdir -p build/grade/obj/border
-	$(Q)$$(check_base) -Wall -Wextra -pedantic -DBORDER_INSIDE -Isrc -c \
-		-o build/grade/obj/border/$(1).o $$<
-	@ld -r -o $$@ build/grade/obj/border/$(1).o $$(filter %.o,$$^)
-build/grade/$(1).list: build/grade/$(1).judge
-	@build/grade/$(1).judge --list >$$@
+	$(Q)$(check_base) $(reads) -Wall -Wextra -pedantic -DBORDER_INSIDE -Isrc \
+		-c -o build/grade/obj/border/$*.o $(filter %.c,$^)
+	@ld -r -o $(made).new build/grade/obj/border/$*.o $(filter %.o,$^)
+	$(take_compiled)
+build/grade/%.list: build/grade/%.judge
+	@build/grade/$*.judge --list >$@
+define grade_rules
+build/made/grade/$(1).judge: tests/exercises/$(2).c tests/border/$(2).c \
+		$(wildcard tests/hidden/$(2).c)
+build/made/grade/$(1).inside.o: tests/border/$(2).c
 build/grade/$(1).names: build/grade/$(1).inside.o tests/stubs/$(2).c
 	@$$(check_base) -Isrc/examiner -c -o build/grade/obj/border/$(1).stub.o \
 		tests/stubs/$(2).c
@@ -396,6 +465,7 @@ build/recipes/rules.mk: chapters/press/recipes chapters plots $(wildcard chapter
 		$(wildcard chapters/*.nw chapters/works/*.nw plots/*.gp)
 	@chapters/press/recipes
 include build/recipes/rules.mk
+kept += $(FIGURES_DATA) $(LECTURE_DATA) $(RUNS)
 endif
 
 # The first thing that book and figures look for is what they need.
@@ -496,16 +566,22 @@ scripts := $(wildcard tests/stability/*.sh tests/programs/*.sh \
 	tests/examiner/*.sh tests/exercises/*.sh tests/grader/*.sh \
 	tests/kit/*.sh)
 
-build/tests/%: tests/%.c $(wildcard tests/*.h tests/*/*.h) $(headers) build/obj/libbonkers.a
-	@mkdir -p $(@D)
+build/made/tests/%: tests/%.c build/obj/libbonkers.a build/compiler/key
+	$(begin)
 	$(call say,cc $<)
-	$(Q)$(CC) $(STANDARD) $(PORTABLE) $(OPENMP) -Isrc -Itests $(FLAGS) -o $@ $< \
-		build/obj/libbonkers.a $(LDFLAGS) -lcunit \
-		$(call gsl_libs,tests/$*.c) -lm
-build/tests/%: tests/tools/%.c
-	@mkdir -p $(@D)
+	$(Q)$(CC) $(STANDARD) $(PORTABLE) $(OPENMP) $(reads) -Isrc -Itests \
+		$(FLAGS) -o $(made).new $< build/obj/libbonkers.a $(LDFLAGS) \
+		-lcunit $(call gsl_libs,tests/$*.c) -lm
+	$(take_compiled)
+build/made/tests/%: tests/tools/%.c build/compiler/key
+	$(begin)
 	$(call say,cc $<)
-	$(Q)$(CC) $(STANDARD) $(PORTABLE) $(FLAGS) -o $@ $< $(LDFLAGS)
+	$(Q)$(CC) $(STANDARD) $(PORTABLE) $(reads) $(FLAGS) -o $(made).new $< \
+		$(LDFLAGS)
+	$(take_compiled)
+kept += $(unit_tests) $(tools) build/tests/grader/reports \
+	build/tests/grader/schema build/tests/mutants/outlive \
+	$(unit_tests:build/tests/%=build/memcheck/%)
 
 # The book is the first of the tests: the others look at what it made.
 test: has-tex has-test-tools
@@ -528,13 +604,14 @@ test-parts: grade-parts build/check/examine $(CHECK_BUILT) $(unit_tests) $(tools
 	build/tests/grader/schema
 
 # What the reports are tested with: a course made up, a validator of JSON.
-build/tests/grader/reports: $(patsubst %,build/grade/obj/grade/%.o,\
+build/made/tests/grader/reports: $(patsubst %,build/grade/obj/grade/%.o,\
 	publish marks trial process text)
-build/tests/grader/%: tests/grader/%.c $(headers)
-	@mkdir -p $(@D)
+build/made/tests/grader/%: tests/grader/%.c build/compiler/key
+	$(begin)
 	$(call say,cc $<)
-	$(Q)$(CC) $(STANDARD) $(PORTABLE) -Isrc $(xml_flags) $(FLAGS) -o $@ \
-		$(filter %.c %.o,$^) $(LDFLAGS) -ljansson -lxml2
+	$(Q)$(CC) $(STANDARD) $(PORTABLE) $(reads) -Isrc $(xml_flags) $(FLAGS) \
+		-o $(made).new $(filter %.c %.o,$^) $(LDFLAGS) -ljansson -lxml2
+	$(take_compiled)
 
 # How many small mistakes in the solutions the suites notice; EX=01a for one,
 # RECORD=1 keeps the table for the book.
@@ -542,22 +619,24 @@ build/tests/grader/%: tests/grader/%.c $(headers)
 mutants: build/check/examine $(CHECK_BUILT) build/tests/mutate \
 		build/tests/mutants/outlive
 	@export RECORD='$(if $(RECORD),1)'; $(split) tests/mutants/run $$EX
-build/tests/mutants/outlive: tests/mutants/outlive.c \
+build/made/tests/mutants/outlive: tests/mutants/outlive.c \
 		$(patsubst %,build/obj/examiner/%.o,trial process text)
-	@mkdir -p $(@D)
-	$(call say,link $@)
-	$(Q)$(CC) $(STANDARD) $(PORTABLE) -Isrc $(FLAGS) -o $@ $^ $(LDFLAGS)
+	$(begin)
+	$(call say,cc $<)
+	$(Q)$(CC) $(STANDARD) $(PORTABLE) $(reads) -Isrc $(FLAGS) \
+		-o $(made).new $^ $(LDFLAGS)
+	$(take_compiled)
 
 # The library's tests under the sanitizers.
 memcheck: $(patsubst build/tests/%,build/memcheck/%,$(unit_tests))
 	@tests/run $^
-build/memcheck/%: tests/%.c $(wildcard tests/*.h tests/*/*.h) $(headers) \
-		build/sanitized/obj/libbonkers.a
-	@mkdir -p $(@D)
+build/made/memcheck/%: tests/%.c build/sanitized/obj/libbonkers.a
+	$(begin)
 	$(call say,cc $<)
-	$(Q)$(CC) $(STANDARD) $(SANITIZED) $(OPENMP) -Isrc -Itests $(FLAGS) \
-		-o $@ $< build/sanitized/obj/libbonkers.a $(LDFLAGS) -lcunit \
-		$(if $(gsl),$(GSL_LIBS)) -lm
+	$(Q)$(CC) $(STANDARD) $(SANITIZED) $(OPENMP) $(reads) -Isrc -Itests \
+		$(FLAGS) -o $(made).new $< build/sanitized/obj/libbonkers.a \
+		$(LDFLAGS) -lcunit $(if $(gsl),$(GSL_LIBS)) -lm
+	$(take_compiled)
 
 # The reader of scenes, fed with what is no scene, TEXTS=1e7 for longer. With
 # clang libFuzzer chooses the texts; with others, tests/fuzz/alone.c does.
@@ -574,17 +653,18 @@ fuzz-scenes: build/fuzz/scene
 		-dict=tests/fuzz/scene.dict build/fuzz/corpus tests/fuzz/seeds \
 		2>build/fuzz/log || { cat build/fuzz/log; exit 1; }
 	@echo "Fuzzed: $$TEXTS texts, all of them read or refused"
-build/fuzz/scene: tests/fuzz/scene.c tests/fuzz/alone.c \
-		tests/fuzz/mutate.h src/scenes/scene.c \
-		src/scenes/scene.h src/scenes/decimal.c src/toolbox/random.c \
-		src/toolbox/room.c tests/library/scene_same.h
-	@mkdir -p $(@D)
+# With clang, what libFuzzer follows is what is compiled with its option.
+scene_files = tests/fuzz/scene.c tests/fuzz/alone.c src/scenes/scene.c \
+	src/scenes/decimal.c src/toolbox/random.c src/toolbox/room.c
+build/made/fuzz/scene: $(scene_files) build/compiler/key
+	$(begin)
 	$(call say,cc $<)
-	$(Q)clang $(FUZZ) -fsanitize=fuzzer -Isrc -o $@ $< src/scenes/scene.c \
-		src/scenes/decimal.c src/toolbox/room.c -lm \
-		2>/dev/null || $(CC) $(FUZZ) -Isrc -o $@ $< tests/fuzz/alone.c \
-		src/scenes/scene.c src/scenes/decimal.c src/toolbox/random.c \
-		src/toolbox/room.c -lm
+	$(Q)$(CC) $(FUZZ) -MM -MP -MT $@ -Isrc $(scene_files) >$@.new
+	$(Q)clang $(FUZZ) -fsanitize=fuzzer -Isrc -o $(made).new \
+		$(filter-out %/alone.c %/random.c,$(scene_files)) -lm \
+		2>/dev/null || $(CC) $(FUZZ) -Isrc -o $(made).new $(scene_files) -lm
+	$(take_compiled)
+kept += build/fuzz/scene build/fuzz/commands
 
 # All programs, under the sanitizers, with command lines and files that are
 # wrong: COMMANDS=1e4 for longer, SEED=2 for others, FIRST=123 COMMANDS=1 for
@@ -598,12 +678,13 @@ fuzz-commands: build/fuzz/commands $(programs:%=build/sanitized/bin/%)
 	@build/fuzz/commands "$$PWD/build/sanitized/bin" \
 		"$$PWD/build/fuzz/work" tests/fuzz/commands.txt \
 		"$$SEED" "$$FIRST" "$$COMMANDS" 2
-build/fuzz/commands: tests/fuzz/commands.c tests/fuzz/mutate.h \
-		src/toolbox/random.c
-	@mkdir -p $(@D)
+build/made/fuzz/commands: tests/fuzz/commands.c build/obj/toolbox/random.o \
+		build/compiler/key
+	$(begin)
 	$(call say,cc $<)
-	$(Q)$(CC) $(STANDARD) $(PORTABLE) -Isrc $(FLAGS) -o $@ \
-		$(filter %.c,$^) $(LDFLAGS) -lm
+	$(Q)$(CC) $(STANDARD) $(PORTABLE) $(reads) -Isrc $(FLAGS) \
+		-o $(made).new $(filter %.c %.o,$^) $(LDFLAGS) -lm
+	$(take_compiled)
 
 # Every C file in the one layout; src/ is only compared, see the chapters.
 c_files = $(wildcard tests/*.h tests/*/*.[ch] solutions/*.c src/*/*.[ch])
@@ -619,6 +700,16 @@ compile_commands.json: Makefile $(library)
 	done | awk 'BEGIN { print "[" } NR > 1 && /^  {/ { print "," } \
 	{ printf "%s%s", /^  {/ ? "" : "\n", $$0 } END { print "\n]" }' >$@.part
 	@mv $@.part $@
+
+# What is kept hangs on the day when it was made (`+:' is to do nothing, and
+# to see whether it is as it was). What is lost is made again.
+$(kept): build/%: build/made/%
+	@+:
+lost := $(filter-out $(wildcard $(kept)),$(kept))
+lost := $(wildcard $(lost:build/%=build/made/%))
+$(if $(lost),$(shell rm -f $(lost)))
+-include $(wildcard build/made/*/*.d build/made/*/*/*.d \
+	build/made/*/*/*/*.d build/made/*/*/*/*/*.d)
 
 clean:
 	rm -rf build compile_commands.json

@@ -2,6 +2,7 @@
 # The recipes of figures and runs: remade when their command changes and only
 # then; one command for one file; a run that ends otherwise than said fails.
 set -u
+root=$(pwd)
 scratch=$(mktemp -d) || exit 1
 trap 'rm -rf "$scratch"' EXIT
 mkdir -p "$scratch/chapters/press" "$scratch/plots" "$scratch/build/bin"
@@ -54,7 +55,8 @@ chapter '%run walk: build/bin/walk --seed 1 | cat' '\result[1 to 2]{walk}{steps}
 chapters/press/recipes || echo 'not ok recipes: they are extracted - status 1'
 rules=$(cat build/recipes/rules.mk)
 has 'data need recipe and program' \
-    'build/data/walk.dat: build/recipes/data-walk.dat build/bin/walk' "$rules"
+    'build/made/data/walk.dat: build/recipes/data-walk.dat build/bin/walk' \
+    "$rules"
 has 'figures need script, style and data' \
     'build/figures/01-a.pdf: plots/01-a.gp plots/style.gp build/data/walk.dat' \
     "$rules"
@@ -69,7 +71,7 @@ is 'the names of slides are told' '01-b 01-c-1 01-c-2' "$(echo \
     $(chapters/press/recipes --slides plots/01-c.gp))"
 rm plots/01-c.gp
 is 'data of two figures have one rule' 1 \
-    "$(grep -c '^build/data/walk.dat:' build/recipes/rules.mk)"
+    "$(grep -c '^build/made/data/walk.dat:' build/recipes/rules.mk)"
 is 'the lecture command writes there' \
     'build/bin/walk -o build/lecture/data/walk.dat --long' \
     "$(sed -n '$p' build/recipes/lecture-data-walk.dat)"
@@ -123,16 +125,23 @@ is 'a run and a figure with one command are made once' \
     'build/bin/walk -o build/data/walk.dat --summary build/runs/same.summary' \
     "$(sed -n '$p' build/recipes/run-same)"
 has 'the figure waits for the run' \
-    'build/data/walk.dat: build/runs/same.txt' "$rules"
+    'build/made/data/walk.dat: build/made/runs/same.txt' "$rules"
 has 'the run does not wait for the figure' \
-    'build/runs/same.txt: build/recipes/run-same build/bin/walk
+    'build/made/runs/same.txt: build/recipes/run-same build/bin/walk
 ' "$rules"
 is 'another command is another run' 'build/bin/walk --seed 1 -o /dev/null' \
     "$(sed -n '$p' build/recipes/run-other)"
-has 'a run waits for what it reads' 'build/runs/reads.txt: '\
+has 'a run waits for what it reads' 'build/made/runs/reads.txt: '\
 'build/recipes/run-reads build/runs/same.summary build/data/walk.dat' "$rules"
 rm -f build/data/walk.dat
-make -s -f build/recipes/rules.mk build/runs/reads.txt >/dev/null
+# The kit's rule for what is kept, and a figure that is drawn from it.
+{
+    echo 'include build/recipes/rules.mk'
+    echo 'kept = $(FIGURES_DATA) $(RUNS)'
+    sed -n '/^# What is kept/,/^$/p' "$root/Makefile"
+    echo 'drawn: build/data/walk.dat build/runs/same.txt ; @echo drawn | tee $@'
+} >Makefile
+make -s build/runs/reads.txt >/dev/null
 is 'made once, all is there' '$ cat build/runs/same.summary build/data/walk.dat
 steps 3
 1 2' "$(cat build/runs/reads.txt)"
@@ -140,9 +149,36 @@ is 'and the transcript shows what the chapter says' \
     '$ build/bin/walk -o /dev/null
 walked' "$(cat build/runs/same.txt)"
 rm build/data/walk.dat
-make -s -f build/recipes/rules.mk build/data/walk.dat >/dev/null
+make -s build/data/walk.dat >/dev/null
 is 'a table that is lost is made again' '1 2' "$(cat build/data/walk.dat)"
+rm build/runs/same.summary
+make -s build/runs/same.summary >/dev/null
+is 'and a summary' 'steps 3' "$(cat build/runs/same.summary)"
 
+# What comes out as it was keeps its time, and nothing hangs on it.
+is 'a figure is drawn' drawn "$(make -s drawn)"
+is 'and once' '' "$(make -s drawn)"
+walk() { # PROGRAM...: another program that walks, in a while
+    sleep 0.01
+    printf '%s\n' "$@" >>build/bin/walk
+}
+walk 'echo "$$" >>ran'
+is 'a program that does as it did draws nothing anew' '' \
+    "$(make -s drawn build/runs/reads.txt build/runs/other.txt)"
+is 'though each of its runs was made' 2 "$(wc -l <ran | tr -d ' ')"
+is 'once' "$(cat ran)" "$(make -s drawn build/runs/other.txt; cat ran)"
+walk 'echo further'
+is 'one that does something else does' drawn "$(make -s drawn)"
+is 'and its transcript is new' further "$(tail -n 1 build/runs/same.txt)"
+walk 'exit 1'
+make -s build/runs/same.txt >out 2>&1
+is 'a run that fails leaves nothing that it made' '' \
+    "$(ls build/runs/same.* build/data/* | grep -v 'was$')"
+sed -i '/^exit 1/d' build/bin/walk
+is 'and is made when it is mended' further \
+    "$(make -s build/runs/same.txt && tail -n 1 build/runs/same.txt)"
+is 'as it was' '' "$(make -s drawn; ls build/runs/*.was build/data/*.was 2>&1 |
+    grep -v 'No such file')"
 figure 01-b 'build/bin/walk --seed 2 -o build/data/walk.dat'
 said=$(chapters/press/recipes 2>&1)
 is 'two commands for one file are refused' 1 $?
@@ -177,4 +213,4 @@ chapter '%run a: build/bin/walk' '%run a: build/bin/walk --seed 2'
 is 'two commands for one run are refused' \
     'recipes: chapters/01-x.nw:3: run a is another command in chapters/01-x.nw:2' \
     "$(chapters/press/recipes 2>&1)"
-echo 1..36
+echo 1..47

@@ -26,8 +26,13 @@ holds 'CFLAGS those of the kit' sh -c "
     ! grep 'build/\(native/\)\{0,1\}obj' '$work/compiled' |
     grep -v -e -DMARC | grep ."
 
+holds 'and each of them writes down what it reads' sh -c "
+    ! grep '[a-z]\.c\( \|$\)' '$work/compiled' | grep -v -e ' -MM' \
+    -e /probe.c -e ' build/fuzz/scene.new' -e '-o build/check/[^ ]*stub ' -e '-o build/grade/[^ ]*.stub.o' |
+    grep ."
+
 # Another flag, another compiler: compiled anew, and only then.
-object=build/obj/collide.o
+object=build/obj/line/collide.o
 up_to_date() { $make -q "$@" $object >/dev/null 2>&1; }
 $make -s $object >/dev/null 2>&1
 holds 'what is built is built' up_to_date
@@ -101,4 +106,4 @@ for flag in -Ofast -ffast-math -fassociative-math\ -fno-signed-zeros\ -fno-trapp
     holds 'which is taken' cc -std=c11 -D_POSIX_C_SOURCE=200809L $flag \
         -DBONKERS_ANY_ROUNDING -Isrc -fsyntax-only src/toolbox/table.c
 done
-echo "1..$((28 - fewer))"
+echo "1..$((29 - fewer))"

@@ -14,7 +14,7 @@ mkdir "$kit"
 # book is taken for new, since its text is another test's business.
 tar cf - --exclude=./.git --exclude=./build . | (cd "$kit" && tar xf -)
 mkdir "$kit/build"
-cp -Rp build/compiler.mk build/compiler build/check build/bonkers.pdf \
+cp -Rp build/compiler.mk build/compiler build/made build/check build/bonkers.pdf \
     build/recipes "$kit/build/" 2>/dev/null
 [ -d build/grade ] && cp -Rp build/grade "$kit/build/"
 rm -rf "$kit"/build/grade/results "$kit"/build/grade/work.*

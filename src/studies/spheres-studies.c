@@ -1,4 +1,4 @@
-/* From chapters/11-spheres.nw: edit there, then run make tangle. */
+/* From chapters/works/11-spheres.nw: edit there, then run make tangle. */
 /* checksum 169713257 of the lines below */
 #include "box/blocks.h"
 #include "line/bonkers.h"

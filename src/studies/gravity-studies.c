@@ -1,4 +1,4 @@
-/* From chapters/09-gravity.nw: edit there, then run make tangle. */
+/* From chapters/works/09-gravity.nw: edit there, then run make tangle. */
 /* checksum 2741477523 of the lines below */
 #include "forces/celestial.h"
 #include "forces/gravity.h"

@@ -1,4 +1,4 @@
-/* From chapters/10-springs.nw: edit there, then run make tangle. */
+/* From chapters/works/10-springs.nw: edit there, then run make tangle. */
 /* checksum 1960906093 of the lines below */
 #include "forces/elastic.h"
 #include "forces/modes.h"

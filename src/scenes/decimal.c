@@ -1,4 +1,4 @@
-/* From chapters/08-scenes.nw: edit there, then run make tangle. */
+/* From chapters/works/08-scenes.nw: edit there, then run make tangle. */
 /* checksum 68219007 of the lines below */
 #include "scenes/decimal.h"
 

@@ -1,4 +1,4 @@
-/* From chapters/08-scenes.nw: edit there, then run make tangle. */
+/* From chapters/works/08-scenes.nw: edit there, then run make tangle. */
 /* checksum 1614706435 of the lines below */
 #ifndef DECIMAL_H
 #define DECIMAL_H

@@ -1,4 +1,4 @@
-/* From chapters/08-scenes.nw: edit there, then run make tangle. */
+/* From chapters/works/08-scenes.nw: edit there, then run make tangle. */
 /* checksum 2346148083 of the lines below */
 #include "scenes/gallery.h"
 

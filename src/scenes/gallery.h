@@ -1,4 +1,4 @@
-/* From chapters/08-scenes.nw: edit there, then run make tangle. */
+/* From chapters/works/08-scenes.nw: edit there, then run make tangle. */
 /* checksum 2718848372 of the lines below */
 #ifndef GALLERY_H
 #define GALLERY_H

@@ -1,4 +1,4 @@
-/* From chapters/08-scenes.nw: edit there, then run make tangle. */
+/* From chapters/works/08-scenes.nw: edit there, then run make tangle. */
 /* checksum 471421571 of the lines below */
 #include "scenes/scene.h"
 

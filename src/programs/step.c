@@ -1,4 +1,4 @@
-/* From chapters/11-step.nw: edit there, then run make tangle. */
+/* From chapters/works/11-step.nw: edit there, then run make tangle. */
 /* checksum 4255020261 of the lines below */
 #include "forces/checkpoint.h"
 #include "forces/motion.h"

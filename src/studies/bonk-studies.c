@@ -1,4 +1,4 @@
-/* From chapters/12-atlas.nw: edit there, then run make tangle. */
+/* From chapters/works/12-atlas.nw: edit there, then run make tangle. */
 /* checksum 2603409019 of the lines below */
 #include "enough/choose.h"
 #include "scenes/gallery.h"

@@ -1,4 +1,4 @@
-/* From chapters/12-averages.nw: edit there, then run make tangle. */
+/* From chapters/works/12-averages.nw: edit there, then run make tangle. */
 /* checksum 860398014 of the lines below */
 #include "enough/averages.h"
 #include "box/blocks.h"

@@ -1,4 +1,4 @@
-/* From chapters/12-bonk.nw: edit there, then run make tangle. */
+/* From chapters/works/12-bonk.nw: edit there, then run make tangle. */
 /* checksum 1794217042 of the lines below */
 #include "enough/averages.h"
 #include "enough/choose.h"

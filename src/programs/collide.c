@@ -1,7 +1,8 @@
 /* From chapters/works/01-collide.nw: edit there, then run make tangle. */
-/* checksum 2415315714 of the lines below */
+/* checksum 1379001186 of the lines below */
 #include "line/collide.h"
 #include "toolbox/options.h"
+#include "toolbox/program.h"
 #include "toolbox/progress.h"
 #include "toolbox/quad.h"
 #include "toolbox/random.h"
@@ -103,7 +104,8 @@ static void read_settings(struct settings *s, int argc, char *argv[])
                            .tests = 10,
                            .seed = 1,
                            .restitution = 1,
-                           .form = COLLIDE_SMALLER};
+                           .form = COLLIDE_SMALLER,
+                           .summary = "/dev/null"};
     options_begin(&o, PROGRAM,
                   "Collide two bodies, or test random collisions.", entries,
                   argc, argv);
@@ -163,11 +165,7 @@ static void read_settings(struct settings *s, int argc, char *argv[])
                      s->velocity_count, 2 * s->dimensions, s->dimensions);
     if (s->normal[0] == 0 && s->normal[1] == 0 && s->normal[2] == 0)
         options_fail(&o, "--normal: is zero, expected the line of centres");
-    if (s->summary &&
-        strcmp(s->summary, s->output ? s->output : "-") == 0 &&
-        strcmp(s->summary, "/dev/null") != 0)
-        options_fail(&o, "--summary and the report would both go to '%s'",
-                     s->summary);
+    program_apart(&o, s->output, s->summary, "report");
 }
 
 static struct totals totals_of(struct pair *p,
@@ -373,7 +371,7 @@ static void summarise_by_hand(const struct settings *s,
     table_real(summary, "momentum_error", error.momentum);
 }
 
-static bool run_by_hand(const struct settings *s, struct table *out,
+static void run_by_hand(const struct settings *s, struct table *out,
                         struct table *summary)
 {
     struct pair p = {.dimensions = s->dimensions};
@@ -395,9 +393,7 @@ static bool run_by_hand(const struct settings *s, struct table *out,
                 PROGRAM ": warning: energy off by %.3g and momentum by "
                         "%.3g machine epsilons\n",
                 error.energy, error.momentum);
-    if (summary)
-        summarise_by_hand(s, summary, &p, error);
-    return true;
+    summarise_by_hand(s, summary, &p, error);
 }
 
 int main(int argc, char *argv[])
@@ -405,22 +401,15 @@ int main(int argc, char *argv[])
     struct settings s;
     struct errors worst = {0, 0}, rms = {0, 0};
     read_settings(&s, argc, argv);
-    struct table *out = table_open(PROGRAM, s.output);
-    struct table *summary =
-        s.summary ? table_open(PROGRAM, s.summary) : NULL;
-    if (!out || (s.summary && !summary))
-        return table_discard(out), table_discard(summary), EXIT_FAILURE;
-    if (summary)
-        table_keys(summary, keys);
-    progress_catch_signals();
-    bool done = s.velocities_given ? run_by_hand(&s, out, summary)
-                                   : run_tests(&s, out, &worst, &rms);
-    if (summary && !s.velocities_given)
-        summarise_tests(&s, summary, worst, rms);
-    done = table_close(out) && done;
-    if (!done) {
-        table_discard(summary);
+    struct table *out, *summary;
+    if (!program_open(PROGRAM, s.output, s.summary, keys, &out, &summary))
         return EXIT_FAILURE;
-    }
-    return table_close(summary) ? EXIT_SUCCESS : EXIT_FAILURE;
+    bool whole = true;
+    if (s.velocities_given)
+        run_by_hand(&s, out, summary);
+    else
+        whole = run_tests(&s, out, &worst, &rms);
+    if (!s.velocities_given)
+        summarise_tests(&s, summary, worst, rms);
+    return program_close(out, summary, whole);
 }

@@ -1,5 +1,6 @@
 /* From chapters/works/08-scenes.nw: edit there, then run make tangle. */
-/* checksum 161194613 of the lines below */
+/* checksum 2271335520 of the lines below */
+/* Writes a scene of the gallery with the keys that it is given. */
 #include "scenes/gallery.h"
 #include "scenes/scene.h"
 #include "toolbox/options.h"

@@ -1,5 +1,6 @@
 /* From chapters/works/08-scenes.nw: edit there, then run make tangle. */
-/* checksum 68219007 of the lines below */
+/* checksum 530700333 of the lines below */
+/* Rounds by one operation, by a head and a tail, or by the C library. */
 #include "scenes/decimal.h"
 
 #include <float.h>

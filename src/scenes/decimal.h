@@ -1,5 +1,6 @@
 /* From chapters/works/08-scenes.nw: edit there, then run make tangle. */
-/* checksum 1614706435 of the lines below */
+/* checksum 3335865482 of the lines below */
+/* The double that is nearest to a decimal number. */
 #ifndef DECIMAL_H
 #define DECIMAL_H
 

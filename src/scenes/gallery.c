@@ -1,5 +1,6 @@
 /* From chapters/works/08-scenes.nw: edit there, then run make tangle. */
-/* checksum 2346148083 of the lines below */
+/* checksum 851688612 of the lines below */
+/* Looks for scenes and keys in lists, and makes a scene of its keys. */
 #include "scenes/gallery.h"
 
 #include <string.h>

@@ -1,5 +1,6 @@
 /* From chapters/works/08-scenes.nw: edit there, then run make tangle. */
-/* checksum 2718848372 of the lines below */
+/* checksum 335822414 of the lines below */
+/* Scenes that can be made, by name, and their keys. */
 #ifndef GALLERY_H
 #define GALLERY_H
 

@@ -1,5 +1,6 @@
 /* From chapters/works/08-scenes.nw: edit there, then run make tangle. */
-/* checksum 471421571 of the lines below */
+/* checksum 258102829 of the lines below */
+/* Reads a scene in four passes, and writes it so that no bit is lost. */
 #include "scenes/scene.h"
 
 #include "scenes/decimal.h"

@@ -1,5 +1,6 @@
 /* From chapters/08-scenes.nw: edit there, then run make tangle. */
-/* checksum 2568779410 of the lines below */
+/* checksum 129133181 of the lines below */
+/* A scene: bodies, springs, walls, and what acts on them. */
 #ifndef SCENE_H
 #define SCENE_H
 

@@ -1,5 +1,6 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 1405383533 of the lines below */
+/* checksum 439057070 of the lines below */
+/* Hands a system over to the GNU Scientific Library, if it is there. */
 #include "forces/reference.h"
 
 #ifdef WITH_GSL

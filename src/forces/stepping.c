@@ -1,5 +1,6 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 4013258524 of the lines below */
+/* checksum 3433649627 of the lines below */
+/* Steps by kicks and drifts and by Runge-Kutta stages. */
 #include "forces/stepping.h"
 
 #include "toolbox/room.h"

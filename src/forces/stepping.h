@@ -1,5 +1,6 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 3175541786 of the lines below */
+/* checksum 1658736311 of the lines below */
+/* Stepping methods, and runs that step coordinates under forces. */
 #ifndef STEPPING_H
 #define STEPPING_H
 

@@ -1,5 +1,6 @@
 /* From chapters/works/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 3971134748 of the lines below */
+/* checksum 4010341499 of the lines below */
+/* Measures stepping methods on four small systems. */
 #include "forces/reference.h"
 #include "forces/stepping.h"
 #include "toolbox/bench.h"

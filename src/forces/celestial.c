@@ -1,5 +1,6 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 2348257457 of the lines below */
+/* checksum 776494719 of the lines below */
+/* Puts bodies on circles and ellipses about each other. */
 #include "forces/celestial.h"
 
 #include "forces/kepler.h"

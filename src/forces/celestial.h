@@ -1,5 +1,6 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 2618675809 of the lines below */
+/* checksum 2620519330 of the lines below */
+/* Scenes of the sky: planets, two suns, choreographies, a ring. */
 #ifndef CELESTIAL_H
 #define CELESTIAL_H
 

@@ -1,5 +1,6 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 3356586138 of the lines below */
+/* checksum 1156794788 of the lines below */
+/* Sums pulls pair by pair, body by body, and by vector instructions. */
 #include "forces/gravity.h"
 
 #include <math.h>

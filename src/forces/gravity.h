@@ -1,5 +1,6 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 3449400890 of the lines below */
+/* checksum 607137937 of the lines below */
+/* Gravity between all pairs of bodies, with softening. */
 #ifndef GRAVITY_H
 #define GRAVITY_H
 

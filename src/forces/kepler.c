@@ -1,5 +1,6 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 2470855715 of the lines below */
+/* checksum 1286298675 of the lines below */
+/* Solves Kepler's equation and moves a body along its ellipse. */
 #include "forces/kepler.h"
 
 #include <math.h>

@@ -1,5 +1,6 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 2238756009 of the lines below */
+/* checksum 1481878172 of the lines below */
+/* The orbits of two bodies in closed form. */
 #ifndef KEPLER_H
 #define KEPLER_H
 

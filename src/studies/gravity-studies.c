@@ -1,5 +1,6 @@
 /* From chapters/works/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 2741477523 of the lines below */
+/* checksum 1641208815 of the lines below */
+/* Measures bodies that attract each other. */
 #include "forces/celestial.h"
 #include "forces/gravity.h"
 #include "forces/kepler.h"

@@ -1,5 +1,6 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 3348557450 of the lines below */
+/* checksum 150629496 of the lines below */
+/* Lays out bodies in pairs, chains and grids, and joins them by springs. */
 #include "forces/elastic.h"
 
 #include <math.h>

@@ -1,5 +1,6 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 1451244873 of the lines below */
+/* checksum 2344492152 of the lines below */
+/* Scenes of springs: oscillator, double pendulum, membrane, beam. */
 #ifndef ELASTIC_H
 #define ELASTIC_H
 

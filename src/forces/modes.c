@@ -1,5 +1,6 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 1075367399 of the lines below */
+/* checksum 3939834047 of the lines below */
+/* Turns the stiffness of all springs by Jacobi's rotations. */
 #include "forces/modes.h"
 
 #include <math.h>

@@ -1,5 +1,6 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 3408451930 of the lines below */
+/* checksum 113008761 of the lines below */
+/* Sums forces spring by spring, or in bands where they form a grid. */
 #include "forces/springs.h"
 
 #include "toolbox/room.h"

@@ -1,5 +1,6 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 513447925 of the lines below */
+/* checksum 3377340113 of the lines below */
+/* Springs with dashpots between the bodies of a scene. */
 #ifndef SPRINGS_H
 #define SPRINGS_H
 

@@ -1,5 +1,6 @@
 /* From chapters/works/10-springs.nw: edit there, then run make tangle. */
-/* checksum 1960906093 of the lines below */
+/* checksum 3265418677 of the lines below */
+/* Measures an oscillator, a pendulum, membranes and beams of springs. */
 #include "forces/elastic.h"
 #include "forces/modes.h"
 #include "forces/springs.h"

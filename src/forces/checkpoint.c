@@ -1,5 +1,6 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 1300847644 of the lines below */
+/* checksum 806428296 of the lines below */
+/* A scene with all its digits, what else is known, and rows to be kept. */
 #include "forces/checkpoint.h"
 
 #include <errno.h>

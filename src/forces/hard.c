@@ -1,5 +1,6 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 125010121 of the lines below */
+/* checksum 3925614722 of the lines below */
+/* A cradle, a break, gases and lines of bodies, each made from its keys. */
 #include "forces/hard.h"
 
 #include "toolbox/random.h"

@@ -1,5 +1,6 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 1621292802 of the lines below */
+/* checksum 2032386287 of the lines below */
+/* Scenes of hard bodies, and their way back to the engines of events. */
 #ifndef HARD_H
 #define HARD_H
 

@@ -1,5 +1,6 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 1949017153 of the lines below */
+/* checksum 2726099591 of the lines below */
+/* Accelerations are added up; bodies collide between two steps. */
 #include "forces/motion.h"
 
 #include <stdio.h>

@@ -1,5 +1,6 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 883602288 of the lines below */
+/* checksum 4114529157 of the lines below */
+/* A scene set in motion by all that acts in it, as one acceleration. */
 #ifndef MOTION_H
 #define MOTION_H
 

@@ -1,5 +1,6 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 2461604446 of the lines below */
+/* checksum 2777318318 of the lines below */
+/* Each kind has its columns, and a function that computes them. */
 #include "forces/observables.h"
 
 #include <math.h>

@@ -1,5 +1,6 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 717175329 of the lines below */
+/* checksum 1364957789 of the lines below */
+/* What one may look at in a motion, by name: energies, places, speeds. */
 #ifndef OBSERVABLES_H
 #define OBSERVABLES_H
 

@@ -1,5 +1,6 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 3664775171 of the lines below */
+/* checksum 635719244 of the lines below */
+/* Pairs found along an axis, reflected one by one, and shifted. */
 #include "forces/spheres.h"
 
 #include <math.h>

@@ -1,5 +1,6 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 2558055647 of the lines below */
+/* checksum 2234124589 of the lines below */
+/* Spheres that a step leaves in each other collide and are moved apart. */
 #ifndef SPHERES_H
 #define SPHERES_H
 

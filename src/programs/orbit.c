@@ -1,5 +1,6 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 453308296 of the lines below */
+/* checksum 2289897491 of the lines below */
+/* The least that one has to write to see a planet go round. */
 #include "forces/motion.h"
 #include "toolbox/options.h"
 

@@ -1,5 +1,6 @@
 /* From chapters/works/11-step.nw: edit there, then run make tangle. */
-/* checksum 4255020261 of the lines below */
+/* checksum 1669564654 of the lines below */
+/* Steps a scene through time and writes what is looked at, row by row. */
 #include "forces/checkpoint.h"
 #include "forces/motion.h"
 #include "forces/observables.h"

@@ -1,5 +1,6 @@
 /* From chapters/works/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 169713257 of the lines below */
+/* checksum 730866722 of the lines below */
+/* Measures gases, cradles and the break, by steps and by events. */
 #include "box/blocks.h"
 #include "line/bonkers.h"
 #include "box/cells.h"

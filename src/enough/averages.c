@@ -1,5 +1,6 @@
 /* From chapters/12-averages.nw: edit there, then run make tangle. */
-/* checksum 725071343 of the lines below */
+/* checksum 3469685980 of the lines below */
+/* Laws, springs, whole runs, samples and events; the cheapest is taken. */
 #include "enough/averages.h"
 
 #include "box/blocks.h"

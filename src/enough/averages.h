@@ -1,5 +1,6 @@
 /* From chapters/12-averages.nw: edit there, then run make tangle. */
-/* checksum 2880729823 of the lines below */
+/* checksum 1038485358 of the lines below */
+/* The cheapest way to the mean of a quantity, or why there is none. */
 #ifndef AVERAGES_H
 #define AVERAGES_H
 

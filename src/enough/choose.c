@@ -1,5 +1,6 @@
 /* From chapters/12-pick.nw: edit there, then run make tangle. */
-/* checksum 2654361088 of the lines below */
+/* checksum 2148015262 of the lines below */
+/* Scout, twin and horizon, what may go, ladders, the race, the check. */
 #include "enough/choose.h"
 
 #include "enough/scout.h"

@@ -1,5 +1,6 @@
 /* From chapters/12-pick.nw: edit there, then run make tangle. */
-/* checksum 3971006665 of the lines below */
+/* checksum 3560849763 of the lines below */
+/* The cheapest way to carry a scene within a tolerance, or a reason. */
 #ifndef CHOOSE_H
 #define CHOOSE_H
 

@@ -1,5 +1,6 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 388925960 of the lines below */
+/* checksum 819055784 of the lines below */
+/* An exponential with the same bits everywhere, and points in order. */
 #include "enough/closed.h"
 
 #include "forces/kepler.h"

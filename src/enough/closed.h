@@ -1,5 +1,6 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 2165601688 of the lines below */
+/* checksum 351881293 of the lines below */
+/* Motions in closed form: flight, an oscillator, equal points on a line. */
 #ifndef CLOSED_H
 #define CLOSED_H
 

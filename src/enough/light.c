@@ -1,5 +1,6 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 886456083 of the lines below */
+/* checksum 1659052801 of the lines below */
+/* Who is light, from the nearest outwards; Jacobi's coordinates. */
 #include "enough/light.h"
 
 #include <math.h>

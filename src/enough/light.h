@@ -1,5 +1,6 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 3917306964 of the lines below */
+/* checksum 3995856275 of the lines below */
+/* Light bodies that pull nobody, each alone with all that is inside it. */
 #ifndef LIGHT_H
 #define LIGHT_H
 

@@ -1,5 +1,6 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 3990297953 of the lines below */
+/* checksum 1859734808 of the lines below */
+/* What acts, what can be left out, and how each model carries a scene. */
 #include "enough/models.h"
 
 #include "line/bonkers.h"

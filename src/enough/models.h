@@ -1,5 +1,6 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 1516219927 of the lines below */
+/* checksum 3689608943 of the lines below */
+/* All ways to carry a scene, behind one door, and what each costs. */
 #ifndef MODELS_H
 #define MODELS_H
 

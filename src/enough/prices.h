@@ -1,5 +1,6 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 3804767711 of the lines below */
+/* checksum 1897913714 of the lines below */
+/* What a unit of work costs on this machine. */
 #ifndef PRICES_H
 #define PRICES_H
 

@@ -1,5 +1,6 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 525272453 of the lines below */
+/* checksum 3683204114 of the lines below */
+/* Each column is judged by a scale; a run may be in other units. */
 #include "enough/record.h"
 
 #include "scenes/pair.h"

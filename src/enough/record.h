@@ -1,5 +1,6 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1685588983 of the lines below */
+/* checksum 2644823301 of the lines below */
+/* The rows of a run, and how far those of two runs are apart. */
 #ifndef RECORD_H
 #define RECORD_H
 

@@ -1,5 +1,6 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 19576711 of the lines below */
+/* checksum 1757747978 of the lines below */
+/* Steps that follow the largest rate of any pair, from row to row. */
 #include "enough/scout.h"
 
 #include "enough/models.h"

@@ -1,5 +1,6 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1216992217 of the lines below */
+/* checksum 2388637031 of the lines below */
+/* A look ahead through a whole run for the fastest that it will meet. */
 #ifndef SCOUT_H
 #define SCOUT_H
 

@@ -1,5 +1,6 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 650756684 of the lines below */
+/* checksum 1258135545 of the lines below */
+/* Lengths and velocities are mended rod by rod, in turns, after a step. */
 #include "forces/rods.h"
 
 #include <math.h>

@@ -1,5 +1,6 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 4284143775 of the lines below */
+/* checksum 4228465226 of the lines below */
+/* Stiff springs as rods that keep their length, in steps of leapfrog. */
 #ifndef RODS_H
 #define RODS_H
 

@@ -1,5 +1,6 @@
 /* From chapters/works/12-bonk.nw: edit there, then run make tangle. */
-/* checksum 1794217042 of the lines below */
+/* checksum 315354481 of the lines below */
+/* Carries a scene by the cheapest model that holds, and says why. */
 #include "enough/averages.h"
 #include "enough/choose.h"
 #include "scenes/scene.h"

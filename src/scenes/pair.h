@@ -1,5 +1,6 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 2832422470 of the lines below */
+/* checksum 3071908468 of the lines below */
+/* Two bodies as the first one sees the second: how near they pass. */
 #ifndef PAIR_H
 #define PAIR_H
 

@@ -1,5 +1,6 @@
 /* From chapters/works/12-averages.nw: edit there, then run make tangle. */
-/* checksum 860398014 of the lines below */
+/* checksum 2455440806 of the lines below */
+/* When a mean may be believed, and starts that mislead. */
 #include "enough/averages.h"
 #include "box/blocks.h"
 #include "scenes/gallery.h"

@@ -1,5 +1,6 @@
 /* From chapters/works/12-atlas.nw: edit there, then run make tangle. */
-/* checksum 2603409019 of the lines below */
+/* checksum 1359292742 of the lines below */
+/* Maps of cost against true error, for every scene; prices of units. */
 #include "enough/choose.h"
 #include "scenes/gallery.h"
 #include "enough/models.h"

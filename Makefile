@@ -86,7 +86,8 @@ library := $(filter-out $(without),$(wildcard $(rooms:%=src/%/*.c)))
 # $(call gsl_libs,src/FILE.c): what to link it with.
 gsl_libs = $(if $(gsl),$(if $(filter $(1),$(gsl_files) $(gsl_users)),\
 	$(GSL_LIBS)))
-suites := $(basename $(notdir $(wildcard tests/exercises/*.c)))
+exercises := $(patsubst tests/exercises/%/suite.c,%,\
+	$(wildcard tests/exercises/[0-9][0-9][a-z]/suite.c))
 
 # $(call need,COMMAND,PACKAGE): stop unless the command is there.
 need = @command -v $(1) >/dev/null 2>&1 || { echo "make: $(1) is missing;\
@@ -104,7 +105,7 @@ endif
 endif
 endef
 $(eval $(call only_with,chapters/press/book.tex,tangle check-tangle contact))
-$(eval $(call only_with,tests/wrong,book test memcheck handout mutants \
+$(eval $(call only_with,tests/library,book test memcheck handout mutants \
 	grade grade-bench))
 $(eval $(call only_with,solutions,solution))
 $(eval $(call only_with,tests/fuzz,fuzz fuzz-scenes fuzz-commands))
@@ -230,7 +231,6 @@ sanitizers = -fsanitize=address,undefined -fno-sanitize=object-size \
 	-fno-sanitize-recover=undefined
 check_cc = $$(sed -n 1p build/check/flags)
 check_libs = $$(sed -n 2p build/check/flags)
-exercises := $(foreach s,$(suites),$(firstword $(subst -, ,$(s))))
 CHECK_BUILT = build/check/flags build/check/libcheck.a \
 	$(exercises:%=build/check/%.suite.o) $(exercises:%=build/check/%.list)
 
@@ -288,9 +288,10 @@ kept += build/check/flags build/check/libcheck.a build/check/examine \
 	src/toolbox/*.c)) $(exercises:%=build/check/%.suite.o)
 
 # A suite and the two halves of its border, where it has one, in one object.
+# In a course that was handed out crossing.c is the border without comments.
 # On the suite's side the functions that cross are called suite_..., so that
 # the student's can keep their names.
-border_of = $(filter tests/border/%,$^)
+border_of = $(filter %/border.c %/crossing.c,$^)
 crossing = $$(sed -n '/^static/d; s/^[a-z][a-z_ *]*[ *]\([a-z0-9_]*\)(.*/\1/p' \
 	/dev/null $(border_of) | grep -v '^border_' | sed 's/.*/-D&=suite_&/')
 check_part = $(check_cc) -Wall -Wextra -pedantic -Isrc -c \
@@ -298,9 +299,9 @@ check_part = $(check_cc) -Wall -Wextra -pedantic -Isrc -c \
 # One suite, and what it says about itself (asked of the pristine stub).
 build/made/check/%.suite.o: build/check/flags
 	$(begin)
-	$(call say,cc $(filter tests/exercises/%,$^))
+	$(call say,cc $(filter %/suite.c,$^))
 	@mkdir -p build/check/obj/suite
-	$(Q)$(check_part).o $(reads) $(crossing) $(filter tests/exercises/%,$^)
+	$(Q)$(check_part).o $(reads) $(crossing) $(filter %/suite.c,$^)
 	$(if $(border_of),$(Q)$(check_part).outside.o $(reads).outside \
 		$(crossing) $(border_of))
 	$(if $(border_of),$(Q)$(check_part).inside.o $(reads).inside \
@@ -309,16 +310,15 @@ build/made/check/%.suite.o: build/check/flags
 		build/check/obj/suite/$*.outside.o build/check/obj/suite/$*.inside.o)
 	$(take_compiled)
 define suite_rules
-build/made/check/$(1).suite.o: tests/exercises/$(2).c \
-		$(wildcard tests/border/$(2).c)
-build/check/$(1).list: tests/stubs/$(2).c build/check/$(1).suite.o \
+build/made/check/$(1).suite.o: $(2)/suite.c \
+		$(wildcard $(2)/border.c $(2)/crossing.c)
+build/check/$(1).list: $(2)/stub.c build/check/$(1).suite.o \
 		build/check/libcheck.a
 	$(Q)$$(check_cc) -Isrc -Isrc/examiner -o build/check/$(1).stub $$< \
 		build/check/$(1).suite.o $$(check_libs)
 	@ASAN_OPTIONS=detect_leaks=0 build/check/$(1).stub --list >$$@
 endef
-$(foreach s,$(suites),$(eval $(call suite_rules,$(firstword \
-	$(subst -, ,$(s))),$(s))))
+$(foreach e,$(exercises),$(eval $(call suite_rules,$(e),tests/exercises/$(e))))
 
 ## ---- grading: cc, make, CUnit, jansson, libxml2, bubblewrap ---------------
 
@@ -329,8 +329,8 @@ grade_options = $${REPORT:+--report "$$REPORT"} $${JOBS:+--jobs "$$JOBS"} \
 	$${HIDDEN:+--hidden "$$HIDDEN"} $${EX:+--exercises "$$EX"} \
 	$${seconds:+--seconds "$$seconds"} $(if $(UNSAFE),--unsafe) \
 	$${RESULTS:+--output "$$RESULTS"}
-borders := $(basename $(notdir $(wildcard tests/border/*.c)))
-graded := $(foreach s,$(borders),$(firstword $(subst -, ,$(s))))
+graded := $(foreach e,$(exercises),\
+	$(if $(wildcard tests/exercises/$(e)/border.c),$(e)))
 GRADE_BUILT = build/grade/grade build/grade/flags \
 	$(graded:%=build/grade/%.list) $(graded:%=build/grade/%.names)
 
@@ -343,7 +343,7 @@ has-submissions:
 		>&2; exit 2; }
 grade: has-submissions grade-parts
 	$(if $(filter-out $(graded),$(exercises)),@echo 'Not graded (there is' \
-		'no file in tests/border):' $(filter-out $(graded),$(exercises)))
+		'no border.c in its folder):' $(filter-out $(graded),$(exercises)))
 	@build/grade/grade $(grade_options) "$$SUBMISSIONS"
 grade-parts: has-grade-parts $(GRADE_BUILT)
 
@@ -412,11 +412,11 @@ build/made/grade/%.judge: build/grade/libjudge.a
 	@mkdir -p build/grade/obj/judge
 	$(call say,cc $(made))
 	$(Q)for file in $(filter %.c,$^); do \
-		part=$${file%/*} && part=$${part##*/} && \
+		part=$${file##*/} && part=$${part%.c} && \
 		$(check_base) $(reads).$$part -Wall -Wextra -pedantic -Isrc \
 		-c -o $(judge_part).$$part.o $$file || exit 1; done
 	$(Q)$(check_base) -o $(made).new \
-		$(patsubst tests/%/,$(judge_part).%.o,$(dir $(filter %.c,$^))) \
+		$(patsubst %.c,$(judge_part).%.o,$(notdir $(filter %.c,$^))) \
 		build/grade/libjudge.a $(LDFLAGS) -lcunit -lm
 	$(take_compiled)
 build/made/grade/%.inside.o: $(patsubst %,build/grade/obj/examiner/%.o,\
@@ -430,20 +430,19 @@ build/made/grade/%.inside.o: $(patsubst %,build/grade/obj/examiner/%.o,\
 build/grade/%.list: build/grade/%.judge
 	@build/grade/$*.judge --list >$@
 define grade_rules
-build/made/grade/$(1).judge: tests/exercises/$(2).c tests/border/$(2).c \
-		$(wildcard tests/hidden/$(2).c)
-build/made/grade/$(1).inside.o: tests/border/$(2).c
-build/grade/$(1).names: build/grade/$(1).inside.o tests/stubs/$(2).c
+build/made/grade/$(1).judge: $(2)/suite.c $(2)/border.c \
+		$(wildcard $(2)/hidden.c)
+build/made/grade/$(1).inside.o: $(2)/border.c
+build/grade/$(1).names: build/grade/$(1).inside.o $(2)/stub.c
 	@$$(check_base) -Isrc/examiner -c -o build/grade/obj/border/$(1).stub.o \
-		tests/stubs/$(2).c
+		$(2)/stub.c
 	@nm -P -g build/grade/$(1).inside.o | awk '$$$$2 == "U" { print $$$$1 }' \
 		>build/grade/obj/border/$(1).wanted
 	@nm -P -g build/grade/obj/border/$(1).stub.o | awk '$$$$2 != "U" \
 		{ print $$$$1 }' | grep -x -F -f build/grade/obj/border/$(1).wanted | \
 		sed 's/^/--keep-global-symbol=/' | tr '\n' ' ' >$$@
 endef
-$(foreach s,$(borders),$(eval $(call grade_rules,$(firstword \
-	$(subst -, ,$(s))),$(s))))
+$(foreach e,$(graded),$(eval $(call grade_rules,$(e),tests/exercises/$(e))))
 
 ## ---- the book: noweb, gnuplot, TeX ---------------------------------------
 
@@ -517,8 +516,8 @@ book: has-tex build/bonkers$(edition).pdf figures
 book-parts: has-tex $(FIGURES_PDF) $(FIGURES_SVG) $(FIGURES_ALT) $(RUNS)
 
 build/bonkers$(edition).pdf: $(FIGURES_PDF) $(FIGURES_ALT) $(RUNS) \
-		$(wildcard chapters/*.nw chapters/works/*.nw chapters/press/* solutions/* tests/hints/* tests/stubs/* \
-		plots/data/*) \
+		$(wildcard chapters/*.nw chapters/works/*.nw chapters/press/* solutions/* plots/data/* \
+		$(addprefix tests/exercises/*/,hints.txt stub.c suite.c)) \
 		tests/equations.txt
 	@chapters/press/make-book
 
@@ -687,7 +686,8 @@ build/made/fuzz/commands: tests/fuzz/commands.c build/obj/toolbox/random.o \
 	$(take_compiled)
 
 # Every C file in the one layout; src/ is only compared, see the chapters.
-c_files = $(wildcard tests/*.h tests/*/*.[ch] solutions/*.c src/*/*.[ch])
+c_files = $(wildcard tests/*.h tests/*/*.[ch] tests/exercises/*/*.c solutions/*.c \
+	src/*/*.[ch])
 format:
 	$(call need,clang-format,clang-format)
 	@clang-format --dry-run -Werror $(c_files)

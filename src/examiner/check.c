@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 1017080372 of the lines below */
+/* checksum 964326650 of the lines below */
 #include "examiner/check.h"
 #include "examiner/exercise.h"
 #include "examiner/report.h"
@@ -201,7 +201,7 @@ static bool is_idle(const struct check_test *t)
 
 static int list_suite(void)
 {
-    printf("exercise %s\ntitle %s\nminutes %d\n", check_suite.exercise,
+    printf("file %s\ntitle %s\nminutes %d\n", check_suite.file,
            check_suite.title, check_suite.minutes);
     for (const struct check_test *t = check_suite.tests; t->name; ++t)
         printf("test %d %d %d %s\n", t->points, t->hidden, is_idle(t),

@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 2286986711 of the lines below */
+/* checksum 4046928642 of the lines below */
 #ifndef CHECK_H
 #define CHECK_H
 
@@ -38,7 +38,7 @@ enum { CHECK_TESTS = 32 }; /* room for tests, the last entry included */
 /* The tests of one exercise. Every suite file defines one of these under
    the name check_suite. */
 struct check_suite {
-    const char *exercise; /* "01a" */
+    const char *file; /* "01a-collide.c", in exercises/ and solutions/ */
     const char *title;
     int minutes;                          /* that it should take */
     struct check_test tests[CHECK_TESTS]; /* ends without a name */

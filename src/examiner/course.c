@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 80172031 of the lines below */
+/* checksum 608998662 of the lines below */
 #include "examiner/course.h"
 #include "examiner/sum.h"
 #include "examiner/text.h"
@@ -7,6 +7,7 @@
 #include <glob.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 static void find_one(const char *where, const char *name,
                      char path[COURSE_PATH])
@@ -47,21 +48,27 @@ static void learn_test(struct exercise *e, const char *text)
 
 static void find_files(struct exercise *e)
 {
-    find_one("tests/stubs/%s-*.c", e->name, e->stub);
+    find_one("tests/exercises/%s/stub.c", e->name, e->stub);
     if (!*e->stub)
-        text_fail("exercise %s has no stub in tests/stubs", e->name);
+        text_fail("exercise %s has no tests/exercises/%s/stub.c", e->name,
+                  e->name);
     find_one("solutions/%s-*.c", e->name, e->solution);
     course_find_file(e);
 }
 
-static void read_about(struct exercise *e, const char *path)
+static bool read_about(struct exercise *e, const char *name)
 {
+    char path[64];
+    snprintf(path, sizeof path, "build/check/%s.list", name);
     char *rest = text_read(path);
     const char *text;
-    e->name = e->title = "";
+    if (!rest && access(path, F_OK) != 0)
+        return false;
+    memcpy(e->name, name, 3);
+    e->usual = e->title = "";
     for (char *line; (line = text_line(&rest));)
-        if ((text = text_after(line, "exercise ")))
-            e->name = text;
+        if ((text = text_after(line, "file ")))
+            e->usual = text;
         else if ((text = text_after(line, "title ")))
             e->title = text;
         else if ((text = text_after(line, "minutes ")))
@@ -69,26 +76,28 @@ static void read_about(struct exercise *e, const char *path)
         else if ((text = text_after(line, "test ")) &&
                  e->count < CHECK_TESTS)
             learn_test(e, text);
-    if (!*e->name || !e->count)
+    if (!*e->usual || !e->count)
         text_fail("%s is not complete; remove it and make check again",
                   path);
     find_files(e);
+    return true;
 }
 
 struct course course_learn(void)
 {
     struct course course = {NULL, 0};
     glob_t found = {0};
-    glob("build/check/[0-9][0-9][a-z].list", 0, NULL, &found);
-    course.count = found.gl_pathc;
-    if (course.count == 0)
-        text_fail("no suites in build/check; start me with make check");
-    course.exercises = calloc(course.count, sizeof *course.exercises);
+    glob("tests/exercises/[0-9][0-9][a-z]", 0, NULL, &found);
+    course.exercises = calloc(found.gl_pathc + 1, sizeof *course.exercises);
     if (!course.exercises)
         text_fail("out of memory");
-    for (size_t i = 0; i < course.count; ++i)
-        read_about(&course.exercises[i], found.gl_pathv[i]);
+    for (size_t i = 0; i < found.gl_pathc; ++i)
+        if (read_about(&course.exercises[course.count],
+                       strrchr(found.gl_pathv[i], '/') + 1))
+            ++course.count;
     globfree(&found);
+    if (course.count == 0)
+        text_fail("no suites in build/check; start me with make check");
     return course;
 }
 

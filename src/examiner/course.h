@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 950511522 of the lines below */
+/* checksum 1436166513 of the lines below */
 #ifndef COURSE_H
 #define COURSE_H
 
@@ -13,7 +13,8 @@ enum { COURSE_PATH = 1024 };
 
 /* An exercise, and how it stands. */
 struct exercise {
-    const char *name; /* "01a" */
+    char name[4];      /* "01a" */
+    const char *usual; /* "01a-collide.c", what its file is called */
     const char *title;
     const char *tests[CHECK_TESTS];
     int worth[CHECK_TESTS]; /* points of each test */

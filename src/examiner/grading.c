@@ -1,5 +1,5 @@
 /* From chapters/B-grader.nw: edit there, then run make tangle. */
-/* checksum 1621645808 of the lines below */
+/* checksum 3713810626 of the lines below */
 #include "examiner/grading.h"
 #include "examiner/build.h"
 #include "examiner/process.h"
@@ -38,8 +38,8 @@ static void read_line(struct kit *kit, char *line)
 {
     const char *text;
     char *end;
-    if ((text = text_after(line, "exercise "))) {
-        kit->exercise = strdup(text);
+    if ((text = text_after(line, "file "))) {
+        kit->file = strdup(text);
     } else if ((text = text_after(line, "title "))) {
         kit->title = strdup(text);
     } else if ((text = text_after(line, "test "))) {
@@ -64,35 +64,28 @@ static void public_first(struct kit *kit)
     memcpy(kit->tests, sorted, (size_t)count * sizeof *sorted);
 }
 
-static char *usual_name(const char *exercise)
-{
-    char pattern[64];
-    glob_t found = {0};
-    snprintf(pattern, sizeof pattern, "tests/stubs/%s-*.c", exercise);
-    if (glob(pattern, 0, NULL, &found) != 0)
-        text_fail("there is no stub %s", pattern);
-    char *name = strdup(strrchr(found.gl_pathv[0], '/') + 1);
-    globfree(&found);
-    return name;
-}
-
 size_t grading_kits(struct kit **kits)
 {
     glob_t found = {0};
-    glob("build/grade/[0-9][0-9][a-z].list", 0, NULL, &found);
-    const size_t count = found.gl_pathc;
-    *kits = calloc(count + 1, sizeof **kits);
-    for (size_t i = 0; *kits && i < count; ++i) {
-        struct kit *kit = *kits + i;
-        char *text = text_read(found.gl_pathv[i]), *rest = text;
+    size_t count = 0;
+    glob("tests/exercises/[0-9][0-9][a-z]", 0, NULL, &found);
+    *kits = calloc(found.gl_pathc + 1, sizeof **kits);
+    for (size_t i = 0; *kits && i < found.gl_pathc; ++i) {
+        struct kit *kit = *kits + count;
+        char path[64];
+        memcpy(kit->exercise, strrchr(found.gl_pathv[i], '/') + 1, 3);
+        snprintf(path, sizeof path, "build/grade/%s.list", kit->exercise);
+        char *text = text_read(path), *rest = text;
+        if (!text && access(path, F_OK) != 0)
+            continue;
         for (char *line; (line = text_line(&rest));)
             read_line(kit, line);
         free(text);
-        if (!kit->exercise || !kit->title || kit->count == 0)
+        if (!kit->file || !kit->title || kit->count == 0)
             text_fail("%s is not complete; remove it and make grade again",
-                      found.gl_pathv[i]);
-        kit->file = usual_name(kit->exercise);
+                      path);
         public_first(kit);
+        ++count;
     }
     globfree(&found);
     if (!*kits || count == 0)
@@ -371,8 +364,8 @@ static bool is_stub(const struct grading *grading, const struct kit *kit,
                     const char *bytes, size_t length)
 {
     char path[8192];
-    snprintf(path, sizeof path, "%s/tests/stubs/%s", grading->root,
-             kit->file);
+    snprintf(path, sizeof path, "%s/tests/exercises/%s/stub.c",
+             grading->root, kit->exercise);
     FILE *stub = fopen(path, "r");
     size_t at = 0;
     int c = EOF;

@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 760844062 of the lines below */
+/* checksum 67757945 of the lines below */
 #include "examiner/hint.h"
 #include "examiner/text.h"
 #include "examiner/work.h"
@@ -72,7 +72,7 @@ static int count_hints(const char *file)
 void hint_show(const struct exercise *e)
 {
     char file[64];
-    snprintf(file, sizeof file, "tests/hints/%s.txt", e->name);
+    snprintf(file, sizeof file, "tests/exercises/%s/hints.txt", e->name);
     const int count = count_hints(file);
     int number = given(e->name) + 1;
     const bool again = number > count;

@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 2733779762 of the lines below */
+/* checksum 116785792 of the lines below */
 #include "examiner/reset.h"
 #include "examiner/hint.h"
 #include "examiner/sum.h"
@@ -78,8 +78,7 @@ void reset_exercise(struct exercise *e)
         return;
     }
     if (!there)
-        snprintf(e->file, sizeof e->file, "exercises/%s",
-                 strrchr(e->stub, '/') + 1);
+        snprintf(e->file, sizeof e->file, "exercises/%s", e->usual);
     if (there && !save(e->file, kept))
         give_up(e->file, "");
     if (!replace(e->file, e->stub))

@@ -3,7 +3,7 @@
 set -u
 scratch=$(mktemp -d) || exit 1
 trap 'rm -rf "$scratch"' EXIT
-mkdir -p "$scratch/chapters/press" "$scratch/tests/hints" "$scratch/solutions"
+mkdir -p "$scratch/chapters/press" "$scratch/tests/exercises/01a" "$scratch/solutions"
 cp chapters/press/weave chapters/press/keywords chapters/press/volumes \
     "$scratch/chapters/press/"
 cd "$scratch" || exit 1
@@ -53,7 +53,7 @@ lines() { awk -v n="$1" 'BEGIN { for (i = 1; i <= n; ++i)
     lines 14
     echo '@'
 } >chapters/03-three.nw
-printf 'Try `a_b` for 5 %%.\n--\nNext "one".\n' >tests/hints/01a.txt
+printf 'Try `a_b` for 5 %%.\n--\nNext "one".\n' >tests/exercises/01a/hints.txt
 printf 'int main(void)\n{\n    return 0; /* for */\n}\n' >solutions/01a-x.c
 chapters/press/weave || echo 'not ok weave: two chapters - status 1'
 label=$(sed -n 's/.*sublabel{\(NW[^}]*\)}.*one\.c.*/\1/p' build/book/01-one.tex)

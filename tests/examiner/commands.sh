@@ -91,10 +91,9 @@ verdict 'another file in its place is not remembered' \
         >out 2>&1; runs 0 0 99a && says passed'
 
 # ---- Hints.
-mkdir -p tests/hints
 printf 'Look at x.\nWhat is it?\n--\nAdd it.\n--\nSee "Twice".\n' \
-    >tests/hints/99a.txt
-printf 'Only one.\n' >tests/hints/99b.txt
+    >tests/exercises/99a/hints.txt
+printf 'Only one.\n' >tests/exercises/99b/hints.txt
 verdict 'the first hint comes first' \
     gives 0 '^99a, Twice: hint 1 of 3$' --hint 99a
 verdict 'with all of its lines' \
@@ -121,13 +120,13 @@ verdict 'two exercises are one too many' \
     gives 2 "one exercise at a time, and not '99b'" --hint 99a 99b
 verdict 'an unknown exercise has none' \
     gives 2 "there is no exercise '98a'; there are 99a 99b$" --hint 98a
-mv tests/hints tests/away
+mv tests/exercises/99a/hints.txt away
 verdict 'without hints it is said what is missing' \
-    gives 2 "cannot read 'tests/hints/99a.txt'" --hint 99a
-mv tests/away tests/hints
+    gives 2 "cannot read 'tests/exercises/99a/hints.txt'" --hint 99a
+mv away tests/exercises/99a/hints.txt
 
 # ---- The progress.
-cp tests/stubs/99b-twice.c exercises/
+cp tests/exercises/99b/stub.c exercises/99b-twice.c
 verdict 'the progress has a bar for a chapter' gives 0 \
     '^chapter 99  ##############\.\{10\}    3 of   5 points,  1 of  2 exercises$' \
     --progress
@@ -147,7 +146,7 @@ cp $mine old
 ask --hint 99a
 verdict 'a reset says what it has kept' \
     gives 0 '^What you had is kept in exercises/99a-twice.c.20' --reset 99a
-verdict 'the stub is back' cmp -s $mine tests/stubs/99a-twice.c
+verdict 'the stub is back' cmp -s $mine tests/exercises/99a/stub.c
 verdict 'what there was is kept, to the byte' cmp -s old $mine.20*
 verdict 'the hints begin again' gives 0 'hint 1 of 3' --hint 99a
 verdict 'what is kept is not taken for the exercise' \
@@ -163,7 +162,7 @@ verdict 'resets in one second keep every file' \
     [ "$(cat $mine.20* | grep -cx '[1-5]')" -eq 5 ]
 rm $mine
 verdict 'a missing file is fetched' gives 0 'is as it came' --reset 99a
-verdict 'and is there' cmp -s $mine tests/stubs/99a-twice.c
+verdict 'and is there' cmp -s $mine tests/exercises/99a/stub.c
 verdict 'a reset wants a name' gives 2 'which exercise' --reset
 verdict 'a chapter is not reset' gives 2 'is a chapter' --reset 99
 rm -f $mine.20*
@@ -176,13 +175,13 @@ verdict 'and stays as it was' cmp -s "$long" "$traps/wrong.c"
 verdict 'alone' [ "$(ls exercises/99a* | wc -l)" -eq 1 ]
 rm "$long"
 cp "$traps/wrong.c" $mine
-mv tests/stubs/99a-twice.c stub
-mkdir tests/stubs/99a-twice.c
+mv tests/exercises/99a/stub.c stub
+mkdir tests/exercises/99a/stub.c
 verdict 'without a stub nothing is reset' gives 2 'not a plain' --reset 99a
-rmdir tests/stubs/99a-twice.c
+rmdir tests/exercises/99a/stub.c
 verdict 'nor is anything else told' \
-    gives 2 '^examine: exercise 99a has no stub in tests/stubs$' --progress
-mv stub tests/stubs/99a-twice.c
+    gives 2 '^examine: exercise 99a has no tests/exercises/99a/stub.c$' --progress
+mv stub tests/exercises/99a/stub.c
 verdict 'and the file is as it was' cmp -s $mine "$traps/wrong.c"
 
 # A kill at any moment leaves a file that is the old one or the stub, and
@@ -196,7 +195,7 @@ for pause in 0 0.001 0.002 0.003 0.004 0.005 0.006 0.008; do
     kill -KILL $! 2>/dev/null
     wait $! 2>/dev/null
     cmp -s $mine "$traps/wrong.c" ||
-        { cmp -s $mine tests/stubs/99a-twice.c &&
+        { cmp -s $mine tests/exercises/99a/stub.c &&
             cmp -s $mine.20* "$traps/wrong.c"; } || lost="$lost $pause"
 done
 verdict 'a reset that is killed loses nothing' [ -z "$lost" ]
@@ -222,7 +221,7 @@ cp "$traps/wrong.c" $mine
 verdict 'before it passes there is no solution' \
     gives 0 'can be read once 99a passes' --solution 99a
 verdict 'but the state' eval "says '^99a .* failed ' && ! says Worked"
-cp tests/stubs/99a-twice.c $mine
+cp tests/exercises/99a/stub.c $mine
 verdict 'nor before it is begun' \
     gives 0 'can be read once 99a passes' --solution 99a
 cp "$traps/right.c" $mine
@@ -247,7 +246,9 @@ wait_for() {
     done
     return 1
 }
-cp tests/stubs/99?-twice.c exercises/
+for ex in 99a 99b; do
+    cp tests/exercises/$ex/stub.c exercises/$ex-twice.c
+done
 build/check/examine --watch >out 2>&1 </dev/null &
 watch=$!
 verdict 'the watch begins with what comes next' \

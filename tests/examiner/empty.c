@@ -15,7 +15,7 @@ static void test_nothing(void)
 }
 
 const struct check_suite check_suite = {
-    .exercise = "99b",
+    .file = "99b-twice.c",
     .title = "Nothing",
     .minutes = 5,
     .tests = {{"twice one is two", test_one, 1, 0},

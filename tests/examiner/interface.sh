@@ -75,7 +75,7 @@ verdict 'a name with blanks is as good as any' both 0 'passed' 99a
 rm exercises/99a-*
 verdict 'a file that is gone can be fetched again' \
     both 0 'file is missing. Fetch it: make reset EX=99a' 99a
-cp tests/stubs/99b-twice.c exercises/
+cp tests/exercises/99b/stub.c exercises/99b-twice.c
 verdict 'a full round says that a file is missing' both 0 'file is missing'
 verdict 'a missing file is fetched, not opened' \
     eval "says '^Next: fetch .*: make reset EX=99a' && ! says 'open tests'"

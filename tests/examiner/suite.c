@@ -31,7 +31,7 @@ static void test_below_zero(void)
 }
 
 const struct check_suite check_suite = {
-    .exercise = "99a",
+    .file = "99a-twice.c",
     .title = "Twice",
     .minutes = 5,
     .tests = {{"twice one is two", test_one, 1, 0},

@@ -86,10 +86,10 @@ if command -v ld.gold >/dev/null 2>&1; then
         export COMPILER_PATH="$out/linker"
 fi
 
-for suite in tests/exercises/*.c; do
-    topic=$(basename "$suite" .c)
-    ex=${topic%%-*}
-    stub=tests/stubs/$topic.c
+for folder in tests/exercises/*/; do
+    folder=${folder%/}
+    ex=${folder##*/} suite=$folder/suite.c stub=$folder/stub.c
+    called=$(sed -n 's/^ *\.file = "\(.*\)",$/\1/p' "$suite")
 
     file=$stub
     verdict "$ex: the pristine stub is not begun" \
@@ -99,35 +99,35 @@ for suite in tests/exercises/*.c; do
     verdict "$ex: the stub has one gap" \
         'it wants one TODO: and a NOT_DONE_YET' has_one_gap "$stub"
 
-    for file in "solutions/$topic.c" tests/right/"$ex"-*.c; do
+    for file in "solutions/$called" "$folder"/right-*.c; do
         verdict "$file passes" "see $examine --strict --as $ex --file $file" \
             says 0 passed --strict
     done
-    verdict "$ex: two right answers or more" 'fewer in tests/right' \
-        [ "$(count tests/right/"$ex"-*.c)" -ge 2 ]
+    verdict "$ex: two right answers or more" "fewer in $folder" \
+        [ "$(count "$folder"/right-*.c)" -ge 2 ]
 
-    for file in tests/wrong/"$ex"-*.c; do
+    for file in "$folder"/wrong-*.c; do
         mistake=$(sed -n '1s,^/\* mistake: \([a-z0-9-]*\) \*/$,\1,p' "$file")
         verdict "$file is refused as [$mistake]" \
             "see $examine --strict --as $ex --file $file" \
             recognised "${mistake:-without a name in line 1}"
     done
-    verdict "$ex: three wrong answers or more" 'fewer in tests/wrong' \
-        [ "$(count tests/wrong/"$ex"-*.c)" -ge 3 ]
+    verdict "$ex: three wrong answers or more" "fewer in $folder" \
+        [ "$(count "$folder"/wrong-*.c)" -ge 3 ]
     # Names in the suite's lists of mistakes, with no space in them.
     grep -o '{"[a-z0-9-]*",' "$suite" | tr -d '{",' | sort -u |
         while IFS= read -r mistake; do
             verdict "$ex: [$mistake] has a wrong answer" \
-                'none in tests/wrong makes this mistake' \
+                "none in $folder makes this mistake" \
                 grep -q "^/\* mistake: $mistake \*/\$" \
-                tests/wrong/"$ex"-*.c
+                "$folder"/wrong-*.c
         done
 
     verdict "$ex: three hints or more, of 30 to 60 words, that ask" \
-        "see tests/hints/$ex.txt" wordy "tests/hints/$ex.txt"
+        "see $folder/hints.txt" wordy "$folder/hints.txt"
     verdict "$ex: the last hint names a section" \
         'no "Section" in it that the chapter has' \
-        sections_named "tests/hints/$ex.txt"
+        sections_named "$folder/hints.txt"
 
     grep -o '"eq:[a-z0-9-]*"' "$suite" | tr -d '"' | sort -u >"$out/labels"
     verdict "$ex: the suite names an equation" 'none found' \

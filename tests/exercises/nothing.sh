@@ -79,10 +79,10 @@ tried() {
     built=$((built + 1))
 }
 
-for suite in tests/exercises/*.c; do
-    topic=$(basename "$suite" .c)
-    ex=${topic%%-*}
-    stub=tests/stubs/$topic.c
+for suite in tests/exercises/*/suite.c; do
+    folder=${suite%/*}
+    ex=${folder##*/}
+    stub=$folder/stub.c
     : >"$out/results"
     built=0
     # shellcheck disable=SC2086

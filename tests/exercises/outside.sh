@@ -75,8 +75,8 @@ verdict() {
 }
 
 all_named() {
-    for suite in tests/exercises/*.c; do
-        ex=$(basename "$suite" | cut -c 1-3)
+    for folder in tests/exercises/*/; do
+        ex=$(basename "$folder")
         echo "$without" "$places" | tr ' ' '\n' | grep -q -x "$ex" ||
             { echo "$ex is not named here"; return 1; }
     done
@@ -196,10 +196,10 @@ ex=01a
 plain() {
     plant $ex solutions/$ex-collide.c >"$out/planted.c" &&
         $base -Isrc -Dvelocities_after=suite_velocities_after -r -nostdlib \
-            -o "$out/suite.o" tests/exercises/$ex-collide.c \
-            tests/border/$ex-collide.c &&
+            -o "$out/suite.o" tests/exercises/$ex/suite.c \
+            tests/exercises/$ex/border.c &&
         $base -w -Isrc -Isrc/examiner -DBORDER_INSIDE -o "$out/home" \
-            "$out/planted.c" "$out/suite.o" tests/border/$ex-collide.c \
+            "$out/planted.c" "$out/suite.o" tests/exercises/$ex/border.c \
             src/examiner/check.c src/examiner/hidden.c src/examiner/heed.c \
             src/examiner/home.c src/examiner/place.c src/examiner/border.c \
             src/toolbox/random.c ${libraries#* }

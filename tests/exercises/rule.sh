@@ -29,9 +29,9 @@ compare() {
 
 # All of them at once, so that src/ is read once.
 set --
-for file in solutions/*.c tests/right/*.c; do
-    case ${file##*/} in
-    01a-*) ;;
+for file in solutions/*.c tests/exercises/*/right-*.c; do
+    case $file in
+    solutions/01a-* | tests/exercises/01a/*) ;;
     *) set -- "$@" "$file" ;;
     esac
 done
@@ -80,13 +80,15 @@ else
 fi
 
 # Only the C library, the exercise's own header and the toolbox.
-for folder in tests/stubs solutions tests/right tests/wrong; do
-    if grep -n '^ *# *include *"' "$folder"/*.c |
+for what in stub solution right wrong; do
+    set -- tests/exercises/*/"$what"*.c
+    [ $what != solution ] || set -- solutions/*.c
+    if grep -n '^ *# *include *"' "$@" |
         grep -v '"exercise\.h"\|"toolbox/[a-z]*\.h"' >"$out/includes"; then
-        echo "not ok exercises: $folder includes no physics -" \
+        echo "not ok exercises: $what includes no physics -" \
             "$(head -n 1 "$out/includes")"
     else
-        echo "ok exercises: $folder includes no physics"
+        echo "ok exercises: $what includes no physics"
     fi
 done
 echo 1..123

@@ -284,8 +284,8 @@ END
 compiler=$(sed -n 1p build/grade/flags)
 libraries=$(sed -n '2s/^[^ ]* //p' build/check/flags)
 # shellcheck disable=SC2086
-$compiler -Isrc -o "$scratch/pen" "$scratch/pen.c" tests/hidden/01a-collide.c \
-    tests/exercises/01a-collide.c build/grade/libjudge.a $libraries \
+$compiler -Isrc -o "$scratch/pen" "$scratch/pen.c" tests/exercises/01a/hidden.c \
+    tests/exercises/01a/suite.c build/grade/libjudge.a $libraries \
     2>"$scratch/said"
 verdict 'the inputs of the suite can be written down' [ -x "$scratch/pen" ]
 # write_down SEED FIRST LAST

@@ -89,7 +89,7 @@ put upper/01A-COLLIDE.C prefixed/Name_123_01a-collide.c \
     other/collide.c backups/01a-collide.c backups/01a-collide.c~ \
     backups/01a-collide.o hidden/.old/01a-collide.c system/__MACOSX/01a-x.c \
     system/.git/01a-x.c system/._01a-x.c deep/1/2/3/4/01a-collide.c \
-    kit/exercises/01a-collide.c kit/src/line.c kit/tests/stubs/01a-collide.c \
+    kit/exercises/01a-collide.c kit/src/line.c kit/tests/exercises/01a-collide.c \
     kitless/src/01a-collide.c archive/work.zip archive/Makefile loose/01a-collide.c \
     late.zip README.txt 'x.part/02a-heap.c' many/a.c many/b.c many/c.c many/d.c \
     many/e.c many/f.c many/g.c many/h.c many/i.c many/j.c many/k.c many/l.c \

@@ -99,7 +99,7 @@ hand_in() {
     mkdir -p "$scratch/names/$1" && if [ $# -eq 2 ]; then
         echo '#error this is no answer' >"$scratch/names/$1/$2"
     else
-        cp tests/stubs/01a-*.c "$scratch/names/$1/$2"
+        cp tests/exercises/01a/stub.c "$scratch/names/$1/$2"
     fi
 }
 line='line
@@ -137,11 +137,11 @@ right=$scratch/tricks/honest/01a-collide.c
 partly=$scratch/tricks/partly/01a-collide.c
 cp "$right" two-usual/01a-collide.c && cp "$partly" two-usual/01a-again.c
 cp "$right" two/01a-mine.c && cp "$partly" two/01a-again.c
-mkdir -p kit/exercises kit/solutions kit/tests/exercises kit/tests/stubs
+mkdir -p kit/exercises kit/solutions kit/tests/exercises/01a
 cp "$partly" kit/exercises/01a-collide.c
 cp "$right" kit/solutions/01a-collide.c
 cp "$right" kit/tests/exercises/01a-collide.c
-cp "$root"/tests/stubs/01a-*.c kit/tests/stubs
+cp "$root"/tests/exercises/01a/stub.c kit/tests/exercises/01a
 mkdir -p deep/1/2 too-deep/1/2/3/4/5 && cp "$right" deep/1/2/01a-collide.c &&
     cp "$right" too-deep/1/2/3/4/5/01a-collide.c
 {

@@ -41,10 +41,12 @@ equal 'all in one folder' "$course" "$(ls -A "$work/a place")"
 
 # Kinds of files, and no other; nothing but the recipes of chapters/.
 strangers=$(cd "$place" && find . ! -type d ! \( -type f \( \
-    -path './src/*.[ch]' -o -path './tests/exercises/*.[ch]' -o \
-    -path './tests/stubs/*.c' -o -path './exercises/*.c' -o \
-    -path './tests/border/*.c' -o \
-    -path './tests/hints/*.txt' -o -path './plots/*.gp' -o \
+    -path './src/*.[ch]' -o -path './exercises/*.c' -o \
+    -path './tests/exercises/[0-9][0-9][a-z]/suite.c' -o \
+    -path './tests/exercises/[0-9][0-9][a-z]/stub.c' -o \
+    -path './tests/exercises/[0-9][0-9][a-z]/hints.txt' -o \
+    -path './tests/exercises/[0-9][0-9][a-z]/crossing.c' -o \
+    -path './plots/*.gp' -o \
     -path './plots/*.awk' -o -path ./plots/films -o -path ./plots/show -o \
     -path './plots/*.svg' -o -path './plots/data/*.dat' \) -o \
     -path ./README.md -o -path ./LICENSE -o -path ./CITATION.cff -o \
@@ -53,18 +55,23 @@ strangers=$(cd "$place" && find . ! -type d ! \( -type f \( \
     -path ./.clang-format -o -path ./.editorconfig -o -path ./.gitignore -o \
     -path ./.gitattributes \))
 equal 'no file of another kind' '' "$strangers"
-equal 'no folder of another kind' "$(printf '%s\n' .ci chapters \
+# $folders: those of the exercises, which are in no other place.
+folders=$(cd tests/exercises && ls -d [0-9][0-9][a-z])
+equal 'no folder of another kind' "$({ printf '%s\n' .ci chapters \
     chapters/press exercises plots plots/data src src/box src/enough \
     src/examiner src/forces src/line src/programs src/scenes src/studies \
-    src/toolbox tests \
-    tests/border tests/exercises tests/hints tests/stubs)" \
+    src/toolbox tests tests/exercises
+    printf 'tests/exercises/%s\n' $folders; } | sort)" \
     "$(cd "$place" && find . -mindepth 1 -type d | sed 's/..//' | sort)"
+equal 'and each exercise has its four files' "$(for ex in $folders; do
+    printf "$ex/%s\n" crossing.c hints.txt stub.c suite.c; done)" \
+    "$(cd "$place/tests/exercises" && find . -type f | sed 's/..//' | sort)"
 holds 'the book is the one just made' cmp build/bonkers.pdf \
     "$place/bonkers.pdf"
-for folder in src tests/border tests/exercises tests/stubs tests/hints plots
+for folder in src tests/exercises plots
 do
     holds "$folder is what it is here" sh -c '
-        cd "$1" && find . -type f | while read -r file; do
+        cd "$1" && find . -type f ! -name crossing.c | while read -r file; do
             cmp "$file" "$2/$file" || echo differs
         done | grep . && exit 1; exit 0' - "$place/$folder" "$root/$folder"
 done
@@ -79,6 +86,15 @@ mkdir "$kit/build"
 cp build/bonkers.pdf "$kit/build"
 cp "$kit"/solutions/*.c "$kit/exercises"
 echo 'marks, private' >"$kit/tests/exercises/note-to-self.txt"
+# And a lecturer's files lie in the folders of exercises, old and new, one
+# below another.
+mkdir "$kit/tests/exercises/02z" "$kit/tests/exercises/01b/suite.c.d"
+for folder in 01a 02z 01b/suite.c.d; do
+    for name in hidden.c border.c right-x.c wrong-x.c notes.txt; do
+        echo "/* planted: $name */" >>"$kit/tests/exercises/$folder/$name"
+    done
+done
+echo "/* planted: deeper */" >"$kit/tests/exercises/01b/suite.c.d/suite.c"
 (cd "$kit" && chapters/press/handout) >"$work/out" 2>&1
 holds 'a folder without git makes one' test $? -eq 0
 cp "$kit/$archive" "$work/first.tar.gz"
@@ -89,8 +105,18 @@ holds 'and the same again, byte for byte' cmp "$kit/$archive" \
     "$work/first.tar.gz"
 (cd "$kit" && WITH_CHAPTERS=1 chapters/press/handout) >"$work/out" 2>&1
 tar xzf "$kit/$archive" -C "$work/all"
-holds 'exercises/ are the stubs as they came' \
-    diff -r tests/stubs "$work/all/$course/exercises"
+for ex in $folders; do
+    cmp "tests/exercises/$ex/stub.c" "$work/all/$course/exercises/$ex"-*.c ||
+        echo "$ex"
+done >"$work/a"
+holds 'exercises/ are the stubs as they came' test ! -s "$work/a"
+equal 'under the names of the solutions' "$(ls solutions)" \
+    "$(ls "$work/all/$course/exercises")"
+equal 'of what was planted in their folders nothing goes out' '' \
+    "$(cd "$work/all/$course" && grep -rl 'planted: ' . )"
+equal 'nor a file of such a name' '' "$(cd "$work/all/$course/tests" &&
+    find . -name 'hidden*' -o -name 'border*' -o -name 'right*' -o \
+        -name 'wrong*' -o -name 'notes*')"
 equal 'a note stays at home' '' \
     "$(find "$work/all" -name 'note-to*' -o -name 'handout*')"
 equal 'WITH_CHAPTERS=1 adds chapters/ and nothing else' 'chapters' \
@@ -105,8 +131,10 @@ equal 'all of the chapters' "$(files_of chapters)" \
 if command -v git >/dev/null 2>&1; then
     (cd "$kit" && rm -f tests/exercises/note-to-self.txt && git init -q &&
         git add -A && echo 'int x;' >src/line/mine.c &&
+        git ls-files | grep -c '/wrong-x.c$' >"$work/planted" &&
         SOURCE_DATE_EPOCH=0 chapters/press/handout) >"$work/out" 2>&1
-    holds 'what git does not know is left out' \
+    equal 'the planted files are known to git' 3 "$(cat "$work/planted")"
+    holds 'and stay at home; so does what git does not know' \
         cmp "$kit/$archive" "$work/first.tar.gz"
     holds 'and named' grep -qx \
         'handout: left out, for git does not know it: src/line/mine.c' "$work/out"
@@ -127,10 +155,10 @@ refused 'no book with solutions' 2 'EDITION: students get the book without' \
     $make -s handout EDITION=instructor
 refused 'WITH_CHAPTERS is 1 or 0' 2 "^handout: WITH_CHAPTERS: 'yes' is" \
     env WITH_CHAPTERS=yes "$kit/chapters/press/handout"
-rm "$kit/tests/stubs/01a-collide.c"
+rm "$kit/tests/exercises/01a/stub.c"
 [ -e "$kit/.git" ] && (cd "$kit" && git add -A)
 refused 'no suite without a stub' 1 \
-    'tests/exercises/01a-collide.c has no tests/stubs/01a-collide.c' \
+    'tests/exercises/01a/suite.c has no tests/exercises/01a/stub.c' \
     "$kit/chapters/press/handout"
 rm "$kit/build/bonkers.pdf"
 refused 'no archive without a book' 2 \
@@ -146,26 +174,35 @@ holds 'every stub says how to get a hint' sh -c 'cd exercises &&
         grep -q "make hint EX=${stub%%-*} " "$stub" || exit 1
     done'
 holds 'nothing is begun' grep -q 'Nothing is begun' "$work/out"
-equal 'in every exercise' "$(ls tests/stubs | wc -l)" \
+equal 'in every exercise' "$(ls tests/exercises | wc -l)" \
     "$(grep -c '^[0-9][0-9][a-z] .* not begun' "$work/out")"
 cp "$root"/solutions/01a-*.c exercises
 $make -s check EX=01a >"$work/out" 2>&1
 holds 'a right answer ends well' test $? -eq 0
 holds 'and passes' grep -q '^01a .* passed' "$work/out"
 # Each of the six states once.
-cp "$root"/tests/wrong/01b-always.c exercises/01b-measure.c
-sed 's/;$//' tests/stubs/01c-stack.c >exercises/01c-stack.c
-sed 's/NOT_DONE_YET([^)]*)/*(volatile double *)0/' tests/stubs/01d-aim.c \
+cp "$root"/tests/exercises/01b/wrong-always.c exercises/01b-measure.c
+sed 's/;$//' tests/exercises/01c/stub.c >exercises/01c-stack.c
+sed 's/NOT_DONE_YET([^)]*)/*(volatile double *)0/' tests/exercises/01d/stub.c \
     >exercises/01d-aim.c
 sed 's/return .*/for (volatile int i = 0;; i = i) {}/' \
-    tests/stubs/02a-ring.c >exercises/02a-ring.c
+    tests/exercises/02a/stub.c >exercises/02a-ring.c
 build/check/examine --seconds 1 01 02a 02b >"$work/out" 2>&1
 holds 'a wrong answer ends badly' test $? -eq 1
 for pair in 01a:passed 01b:failed '01c:does not build' 01d:crashed \
     '02a:timed out' '02b:not begun'; do
     holds "$pair" grep -q "^${pair%%:*} .* ${pair#*:}" "$work/out"
 done
-for stub in tests/stubs/*.c; do cp "$stub" exercises; done
+# What the grader finds out, the check here does: a value behind the last bin.
+sed 's/^{$/{ edge[bins + 1] = 7;/' "$root"/solutions/03a-bins.c \
+    >exercises/03a-bins.c
+build/check/examine 03a >"$work/out" 2>&1
+holds 'who writes behind a place is found out' sh -c "grep -q -e edge '$work/out' &&
+    ! grep -q '^03a .* passed' '$work/out'"
+for name in exercises/*.c; do
+    name=${name#*/}
+    cp "tests/exercises/${name%%-*}/stub.c" "exercises/$name"
+done
 
 # What make help offers can be made, and what cannot says so in one line.
 $make -s help >"$work/help" 2>&1
@@ -332,11 +369,42 @@ key_lines() {
         }'
 }
 
-# The answers, what is exempt, and the hidden tests, worked out once: into
-# $work/exempt, $work/values, $work/names; $1 is the folder of hidden tests.
+# The exercise and the kind of a file of answers, of the stub or the suite.
+kinds='function exercise_of(path) {
+        if (match(path, /tests\/exercises\/[0-9][0-9][a-z]\//))
+            return substr(path, RSTART + 16, 3)
+        sub(/.*\//, "", path)
+        return substr(path, 1, 3)
+    }
+    function kind_of(path) {
+        return path ~ /\/stub\.c/ ? "stub" : path ~ /\/suite\.c/ ? "suite" : \
+            path ~ /\/hidden/ ? "hidden" : path ~ /\/right-/ ? "right" : \
+            path ~ /\/wrong-/ ? "wrong" : "solution"
+    }'
+
+# without EXERCISE...: what these have no text of, of bodies that are sought.
+without() {
+    awk -v least=$least -v folders="$*" "$kinds"'
+        NF - 2 >= least { found[exercise_of($1) " " kind_of($1)] }
+        END {
+            n = split(folders, name, " ")
+            m = split("solution right wrong hidden", kind, " ")
+            for (i = 1; i <= n; ++i)
+                for (k = 1; k <= m; ++k)
+                    if (!(name[i] " " kind[k] in found))
+                        print name[i], kind[k]
+        }' "$work/bodies"
+}
+
+# The answers, by folder, what is exempt, and the hidden tests, worked out
+# once: into $work/exempt, $work/values, $work/names; $1 is one more file of
+# hidden tests.
 learn() {
-    hidden=$(ls "$1"/*.c 2>/dev/null)
-    answers="$(ls solutions/*.c tests/right/*.c tests/wrong/*.c) $hidden"
+    hidden="$(ls tests/exercises/*/hidden.c) $1"
+    answers="$(ls solutions/*.c tests/exercises/*/right-*.c \
+        tests/exercises/*/wrong-*.c) $hidden"
+    # shellcheck disable=SC2086
+    "$tokens" $answers >"$work/bodies"
     # shellcheck disable=SC2086
     "$tokens" --within $least $answers -- src/*/*.[ch] |
         cut -f 1 >"$work/exempt"
@@ -344,20 +412,17 @@ learn() {
     {
         hidden_lists /dev/null $hidden | sed 's/"[^"]*"//g' |
             tr -c 'a-zA-Z0-9_' '\n'
-        "$tokens" $answers tests/stubs/*.c tests/exercises/*.c
-    } | awk -v hidden="$1" '
+        cat "$work/bodies"
+        "$tokens" tests/exercises/*/stub.c tests/exercises/*/suite.c
+    } | awk "$kinds"'
         # FILE:LINE: NAME: TOKENS, and before them the words of the lists.
         NF == 1 { listed[$1] }
         NF < 3 { next }
         {
-            number = $1
-            sub(/.*\//, "", number)
-            kind = index($1, "tests/stubs/") == 1 ? "given" : \
-                index($1, "tests/exercises/") == 1 ? "public" : \
-                index($1, hidden "/") == 1 ? "hidden" : "answer"
-            key = (kind ~ /given|answer/ ? substr(number, 1, 3) : "") \
+            kind = kind_of($1)
+            key = (kind ~ /suite|hidden/ ? "" : exercise_of($1)) \
                 substr($0, length($1) + 1)
-            if (kind ~ /given|public/)
+            if (kind ~ /stub|suite/)
                 known[key]
             else if (kind != "hidden" || !(substr($2, 1, \
                     length($2) - 1) in listed))
@@ -371,7 +436,7 @@ learn() {
 
     key_lines
     "$tokens" --within $key "$work"/keys/*.c -- src/*/*.[ch] \
-        tests/stubs/*.c | cut -f 1 >"$work/known-lines"
+        tests/exercises/*/stub.c | cut -f 1 >"$work/known-lines"
 
     # shellcheck disable=SC2086
     values $answers tests/library/*.c >"$work/all-values"
@@ -411,7 +476,7 @@ leaks() {
                 ex = $1
                 sub(/\.c:.*/, "", ex)
                 sub(/.*\//, "", ex)
-                if ($2 !~ /tests\/exercises\// ||
+                if ($2 !~ /tests\/exercises\/...\/suite\.c/ ||
                     index($2, "tests/exercises/" ex))
                     print $2 ": a key line of solutions/" ex
             }' "$work/known-lines" -
@@ -426,7 +491,8 @@ leaks() {
             next
         }
         line in from { print FILENAME ":" FNR ": the line " from[line] }
-        ' kind=book src/*/*.[ch] tests/stubs/*.c tests/hints/* \
+        ' kind=book src/*/*.[ch] tests/exercises/*/stub.c \
+        tests/exercises/*/hints.txt \
         kind=answer $answers kind=text "$work"/*.pdf.txt
     values $(cat "$work/texts") >"$work/found"
     same_values "$work/values" "$work/found" | cut -f 1 | sort -u
@@ -447,7 +513,6 @@ leaks() {
 
 # Hidden tests of our own, so that there are some to leak.
 mkdir "$work/hidden"
-cp tests/hidden/*.c "$work/hidden" 2>/dev/null
 cat >"$work/hidden/01a-planted.c" <<'END'
 static bool planted_run(void)
 {
@@ -460,7 +525,15 @@ const struct check_test check_hidden[] = {
     {0},
 };
 END
-learn "$work/hidden"
+learn "$work/hidden/01a-planted.c"
+equal 'every exercise yields a solution, right and wrong ones, hidden tests' \
+    '' "$(without $folders)"
+grep -v -e '^tests/exercises/05b/right-' -e '^solutions/07a' \
+    -e '^tests/exercises/08c/wrong-' -e '^tests/exercises/12d/hidden' \
+    "$work/bodies" >"$work/fewer" && mv "$work/fewer" "$work/bodies"
+equal 'where one yields none it is named' "$(printf '%s\n' '05b right' \
+    '07a solution' '08c wrong' '12d hidden' '13a solution' '13a right' \
+    '13a wrong' '13a hidden')" "$(without $folders 13a)"
 holds 'answers are sought' test "$(echo $answers | wc -w)" -gt 300
 holds 'and values' test "$(wc -l <"$work/values")" -gt 20
 holds 'and the names of hidden tests' test -s "$work/names"
@@ -481,13 +554,13 @@ sed 's/im1/p/g; s/im2/q/g; s/u1/left/g; s/u2/right/g; s/const //
 echo '/* See also: a planted' '
    secret of the grader. */' >>src/line/schedule.c
 echo 'Why not return draw(1, 9) * draw(2.00, 3) > 7.250; as it were?' \
-    >>tests/hints/02a.txt
-grep -v '^/\*' "$root/tests/wrong/01b-always.c" | sed 's/^/# /' \
+    >>tests/exercises/02a/hints.txt
+grep -v '^/\*' "$root/tests/exercises/01b/wrong-always.c" | sed 's/^/# /' \
     >>plots/01-forms.gp
-grep -v '^/\*' "$root/tests/right/01c-pairs.c" |
+grep -v '^/\*' "$root/tests/exercises/01c/right-pairs.c" |
     sed 's/.*/"&\\n"/' >>src/line/statistics.c
 sed -n '/centre = /s/centre/all/p' "$root/solutions/01a-collide.c" \
-    >>tests/exercises/01a-collide.c
+    >>tests/exercises/01a/suite.c
 sed -n 's/.*return (/ * Or is it (/p' "$root/solutions/01d-aim.c" \
     >>plots/03-finite.gp
 value=$(sed -n 's/^tests\/library.*\t\([0-9]\{9\}\).*/\1/p' "$work/values" |
@@ -507,13 +580,13 @@ found 'a solution with its variables renamed, in a header' \
 found 'the name of a hidden test, in a comment on two lines' \
     'src/line/schedule.c: the name of a hidden test'
 found 'what a hidden test does, among the hints' \
-    'tests/hints/02a.txt:[0-9]*: the body of .*planted_run'
+    'tests/exercises/02a/hints.txt:[0-9]*: the body of .*planted_run'
 found 'a wrong answer, in the comments of a figure' \
-    'plots/01-forms.gp:[0-9]*: the body of tests/wrong/01b-always.c'
+    'plots/01-forms.gp:[0-9]*: the body of tests/exercises/01b/wrong-always.c'
 found 'a right answer, in a string' \
-    'src/line/statistics.c:[0-9]*: the body of tests/right/01c-pairs.c'
+    'src/line/statistics.c:[0-9]*: the body of tests/exercises/01c/right-pairs.c'
 found 'a line of a solution, in its suite' \
-    'tests/exercises/01a-collide.c:[0-9]*: a key line of solutions/01a'
+    'tests/exercises/01a/suite.c:[0-9]*: a key line of solutions/01a'
 found 'a line of a solution, in a script' \
     'plots/03-finite.gp:[0-9]*: a key line of solutions/01d'
 found "the reference value 0.$value" \
@@ -521,4 +594,4 @@ found "the reference value 0.$value" \
 [ -e "$work/all/$course/answers.pdf" ] && for file in solutions/*.c; do
     found "$file, in an instructor's book" "answers.pdf.txt:.* $file:"
 done
-echo 1..132
+echo 1..137

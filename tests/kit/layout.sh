@@ -24,10 +24,21 @@ holds 'all that belongs at the top is there' \
 holds 'nothing else at the top' \
     sh -c "echo '$strangers'; test -z '$strangers'"
 
-# The exercises as they are committed are the stubs as they came.
-blobs() { git ls-files -s -- "$1" | sed 's/ 0\t.*\// /'; }
+# The exercises as they are committed are the stubs as they came, under the
+# names that the suites give.
+blobs() { git ls-files -s -- "$@" | cut -d ' ' -f 2; }
+names() {
+    for suite in tests/exercises/*/suite.c; do
+        ex=$(basename "$(dirname "$suite")")
+        sed -n "s/^ *\.file = \"\($ex-[a-z-]*\.c\)\",\$/\1/p" "$suite"
+    done
+}
 [ -e .git ] && holds 'the exercises are the stubs' \
-    [ "$(blobs exercises)" = "$(blobs tests/stubs)" ]
+    [ "$(blobs exercises)" = "$(blobs 'tests/exercises/*/stub.c')" ]
+[ -e .git ] && for folder in exercises solutions; do
+    holds "$folder/ has the files that the suites name" \
+        [ "$(kept $folder | sed 's/.*\///')" = "$(names)" ]
+done
 
 # The rooms of src/: a file includes its own room or one before it; programs
 # and studies are two roofs, which nothing includes; the examiner has a house
@@ -84,14 +95,13 @@ holds 'and one that does is seen' \
     test -z "$unseen" -a -z "$(misplaced forces/hard.c box/disks.h)"
 
 c_files="$(ls src/*/*.c tests/library/*.c tests/stability/*.c \
-    tests/tools/*.c tests/fuzz/*.c tests/mutants/*.c solutions/*.c tests/stubs/*.c tests/right/*.c \
-    tests/exercises/*.c tests/border/*.c tests/hidden/*.c tests/grader/*.c)"
+    tests/tools/*.c tests/fuzz/*.c tests/mutants/*.c solutions/*.c tests/exercises/*/[!w]*.c \
+    tests/grader/*.c)"
 xml="-I/usr/include/libxml2 $(pkg-config --cflags libxml-2.0 2>/dev/null)"
 holds 'the layout of every C file is .clang-format' \
     clang-format --dry-run -Werror src/*/*.[ch] tests/*.h \
     tests/library/*.[ch] tests/stability/*.c tests/tools/*.c tests/fuzz/*.c \
-    tests/mutants/*.c tests/exercises/*.c tests/right/*.c tests/wrong/*.c \
-    tests/stubs/*.c tests/border/*.c tests/hidden/*.c tests/grader/*.c \
+    tests/mutants/*.c tests/exercises/*/*.c tests/grader/*.c \
     tests/examiner/*.c \
     solutions/*.c
 for cc in gcc clang; do
@@ -102,7 +112,7 @@ for cc in gcc clang; do
     # shellcheck disable=SC2086
     holds "no warning from $cc in the box's half of the borders" \
         $cc -std=c11 -Wall -Wextra -pedantic -Werror -O2 -Isrc \
-        -DBORDER_INSIDE -fsyntax-only tests/border/*.c
+        -DBORDER_INSIDE -fsyntax-only tests/exercises/*/border.c
 done
 
 # Lines of the chapters are as long as an editor shows; a %run line goes on in
@@ -147,4 +157,4 @@ ${MAKE:-make} -s compile_commands.json
 holds 'compile_commands.json has every source' \
     test "$(grep -c '"file":' compile_commands.json)" -eq \
     "$(ls src/*/*.c | wc -l)"
-echo 1..17
+echo 1..19

@@ -21,9 +21,7 @@ rm -rf "$kit"/build/grade/results "$kit"/build/grade/work.*
 cd "$kit" || exit 1
 # A header changes, and everything is built again: a course with the exercises
 # of chapter 1 is enough to add one to.
-for folder in exercises stubs right wrong hidden border hints; do
-    find tests/$folder -name '[0-9]*' ! -name '01*' -exec rm -f {} +
-done
+rm -rf tests/exercises/0[2-9]? tests/exercises/1??
 find solutions exercises build/check build/grade -name '[0-9]*' ! -name '01*' \
     ! -type d -exec rm -f {} + 2>/dev/null
 git init -q . && git add -A >/dev/null 2>&1 &&
@@ -49,18 +47,19 @@ for mistake in all-of-it half-forgotten sum-of-velocities; do
         grep -q -F "[$mistake]" "$work/out"
 done
 tar tzf build/bonkers-course.tar.gz >"$work/list" 2>/dev/null
-for file in exercises/01e-stake.c tests/exercises/01e-stake.c \
-    tests/border/01e-stake.c \
-    tests/hints/01e.txt; do
+for file in exercises/01e-stake.c tests/exercises/01e/suite.c \
+    tests/exercises/01e/stub.c tests/exercises/01e/crossing.c \
+    tests/exercises/01e/hints.txt; do
     holds "the archive has $file" grep -q -x "bonkers-course/$file" \
         "$work/list"
 done
 holds 'the archive has no solution' \
-    sh -c "! grep -E 'solutions/|right/|wrong/' '$work/list'"
+    sh -c "! grep -E 'solutions/|tests/.*/(right|wrong|border|hidden)' \
+        '$work/list'"
 holds 'Ada has all eight points' \
     grep -q '^"ada",8,8,8' build/grade/results/grades.csv
 # The same files, looked at as the kit's own tests do.
-{ cat tests/stubs/01e-stake.c && echo '/* my first line */'; } >touched.c
+{ cat tests/exercises/01e/stub.c && echo '/* my first line */'; } >touched.c
 build/check/examine --strict --as 01e --file touched.c >"$work/strict" 2>&1
 holds 'its stub stands a strict compiler' \
     sh -c "sed 1q '$work/strict' | grep -q ' not begun'"
@@ -69,4 +68,4 @@ for file in tests/kit/recipe/*.c; do
     holds "$file keeps .clang-format" \
         clang-format --dry-run -Werror "$file"
 done
-echo 1..23
+echo 1..24

@@ -42,7 +42,7 @@ static void trick(void)
         "/etc/shadow",
         "/etc/hostname",
         "@ROOT@/solutions/01a-collide.c",
-        "@ROOT@/tests/exercises/01a-collide.c",
+        "@ROOT@/tests/exercises/01a/suite.c",
         "@SCRATCH@/kit/build/grade/01a.judge",
         "@SCRATCH@/out/hidden.seed",
         "../../solutions/01a-collide.c",

@@ -19,8 +19,8 @@ static const char *const found[] = {
 #if __has_include("../../../../solutions/01a-collide.c")
     "../../../../solutions/01a-collide.c",
 #endif
-#if __has_include("../tests/exercises/01a-collide.c")
-    "../tests/exercises/01a-collide.c",
+#if __has_include("../tests/exercises/01a/suite.c")
+    "../tests/exercises/01a/suite.c",
 #endif
 #if __has_include("@SCRATCH@/kit/build/grade/01a.list")
     "@SCRATCH@/kit/build/grade/01a.list",

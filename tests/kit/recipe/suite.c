@@ -59,7 +59,7 @@ static void test_drawn(void)
 }
 
 const struct check_suite check_suite = {
-    .exercise = "01e",
+    .file = "01e-stake.c",
     .title = "What a collision can cost at most",
     .minutes = 10,
     .tests = {{"a pair worked out by hand", test_known, 2, 0},

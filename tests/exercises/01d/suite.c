@@ -1,0 +1,326 @@
+/* The suite of exercise 01d: a graze and a head-on blow, a disk that
+   nothing moves, equal masses, a known value, the blow carried out, two
+   answers, angles out of reach, and shots that are drawn. */
+
+#include "examiner/check.h"
+#include <float.h>
+#include <math.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+double impact_parameter(double r1, double r2, double im1, double im2,
+                        double deflection);
+
+static double pi(void)
+{
+    return acos(-1.0);
+}
+
+struct shot {
+    double r1, r2, im1, im2;
+    double deflection;
+};
+
+static const char *input(struct shot s)
+{
+    return check_text("r1 = %g m, r2 = %g m, im1 = %g /kg, im2 = %g /kg, "
+                      "deflection = %.10g rad (%.6g degrees)",
+                      s.r1, s.r2, s.im1, s.im2, s.deflection,
+                      s.deflection * 180.0 / pi());
+}
+
+static double aim(struct shot s)
+{
+    return impact_parameter(s.r1, s.r2, s.im1, s.im2, s.deflection);
+}
+
+/* The deflection of a blow whose line of centres makes the angle phi with
+   the way of the first disk: the blow takes its speed along that line. */
+static double deflection_at(double phi, double im1, double im2)
+{
+    const double blow = 2.0 * im1 / (im1 + im2) * cos(phi);
+    return atan2(blow * sin(phi), 1.0 - blow * cos(phi));
+}
+
+/* How much the angles magnify a rounding: without bound at the largest
+   deflection. */
+static double tolerance(struct shot s)
+{
+    const double sine = s.im2 / s.im1 * sin(s.deflection);
+    const double steep = sine < 1.0 ? 1.0 / sqrt(1.0 - sine * sine) : 1.0;
+    return 8.0 * DBL_EPSILON * (s.r1 + s.r2) * (1.0 + steep);
+}
+
+static const char because[] =
+    "8 epsilons of r1 + r2, and more as the largest deflection is near";
+
+/* What the formula gives for the mass ratio m1/m2, whatever it is worth. */
+static double formula(struct shot s, double ratio, bool harder)
+{
+    const double side = asin(ratio * sin(s.deflection));
+    const double turn = s.deflection + (harder ? pi() - side : side);
+    return (s.r1 + s.r2) * cos(0.5 * turn);
+}
+
+/* A slip that has no answer here stands aside for the expected one. */
+static double known(double value, double expected)
+{
+    return isnan(value) ? expected : value;
+}
+
+/* What the formula gives when the angle is taken in the wrong unit. */
+static double in_unit(struct shot s, double unit)
+{
+    s.deflection *= unit;
+    return formula(s, s.im2 / s.im1, false);
+}
+
+static const char degrees[] =
+    "The deflection is given in radians already, and sin() and cos() take "
+    "radians. How large is a right angle then? What becomes of it on its "
+    "way through your function?";
+
+static bool check_aim(struct shot s, double expected, const char *question)
+{
+    const double ratio = s.im2 / s.im1, both = s.r1 + s.r2;
+    const double cosine = formula(s, ratio, false) / both;
+    return CHECK_NEAR(
+        aim(s), .quantity = "impact parameter b", .unit = "m",
+        .input = input(s), .expected = expected, .tolerance = tolerance(s),
+        .because = because, .equation = "eq:impulse", .question = question,
+        .mistakes = {
+            {"the-harder-blow",
+             ratio > 1.0 ? formula(s, ratio, true) : expected,
+             "This aim does turn the disk by that angle, by the harder of "
+             "two possible blows. Which one was asked for?"},
+            {"one-radius", s.r1 / both * formula(s, ratio, false),
+             "The disks touch when their rims meet, not when a rim meets a "
+             "centre. How far apart are the centres then?"},
+            {"target-held-fast", both * cos(0.5 * s.deflection),
+             "This is right for a target that nothing moves. Here it gives "
+             "way, and the centre of mass moves. What angle does somebody "
+             "see who moves with it?"},
+            {"masses-exchanged",
+             known(formula(s, 1.0 / ratio, false), expected),
+             "The masses have changed places. Which of them over which is "
+             "im2/im1?"},
+            {"sine-for-cosine", both * sqrt(1.0 - cosine * cosine),
+             "A graze would be a head-on blow by this formula. For which "
+             "impact parameter is the deflection nothing, for which is it "
+             "largest?"},
+            {"whole-for-half", both * (2.0 * cosine * cosine - 1.0),
+             "The line of centres halves the angle between the way back "
+             "and the way on, as it does for a mirror. Which angle in your "
+             "formula is still a whole one?"},
+            {"degrees-for-radians",
+             known(in_unit(s, pi() / 180.0), expected), degrees},
+            {"degrees-for-radians",
+             known(in_unit(s, 180.0 / pi()), expected), degrees}});
+}
+
+static bool check_out_of_reach(struct shot s, const char *question)
+{
+    return CHECK_NEAR(
+        aim(s), .quantity = "impact parameter b, or -1", .unit = "m",
+        .input = input(s), .expected = -1.0, .tolerance = 0.0,
+        .because = "the answer for an angle out of reach",
+        .equation = "eq:impulse", .question = question,
+        .mistakes = {
+            {"out-of-reach", formula(s, s.im2 / s.im1, false),
+             "No impact parameter turns this disk so far. Carry out the "
+             "blow that your answer proposes: which angle do you get, and "
+             "which test was missing?"},
+            {"out-of-reach", 0.0,
+             "A blow head-on is no answer here: it does not turn the disk "
+             "by this angle. What was to be returned when nothing does?"}});
+}
+
+static void test_graze(void)
+{
+    check_aim((struct shot){0.3, 0.2, 1.0, 0.5, 0.0}, 0.5,
+              "A disk that is not turned at all has only been touched in "
+              "passing. How far apart do the centres pass?");
+}
+
+static void test_fixed(void)
+{
+    static const char question[] =
+        "Nothing moves this target, so the first disk is reflected as by a "
+        "mirror. Where does the line of centres point between the two "
+        "ways?";
+    (void)(check_aim((struct shot){0.3, 0.2, 1.0, 0.0, pi()}, 0.0,
+                     question) &&
+           check_aim((struct shot){0.3, 0.2, 1.0, 0.0, 2.0 * pi() / 3.0},
+                     0.25, question));
+}
+
+static void test_equal_masses(void)
+{
+    static const char question[] =
+        "Equal disks leave at a right angle to each other, and the target "
+        "leaves along the line of centres. What is left for the first?";
+    (void)(check_aim((struct shot){0.5, 0.5, 2.0, 2.0, atan2(3.0, 4.0)},
+                     0.8, question) &&
+           check_aim((struct shot){0.5, 0.5, 2.0, 2.0, atan2(4.0, 3.0)},
+                     0.6, question));
+}
+
+static void test_right_angle(void)
+{
+    static const char question[] =
+        "The moving disk is lighter than the target, which gives way all "
+        "the same. What angle does it turn by for somebody who moves with "
+        "the centre of mass?";
+    (void)(check_aim((struct shot){0.25, 0.5, 3.0, 1.0,
+                                   deflection_at(1.45, 3.0, 1.0)},
+                     0.75 * sin(1.45), question) &&
+           check_aim((struct shot){1.0, 3.0, 2.0, 1.0, 0.5 * pi()}, 2.0,
+                     question));
+}
+
+/* Carries out the blow with the student's impact parameter. */
+static double turned(struct shot s)
+{
+    const double sine = aim(s) / (s.r1 + s.r2);
+    if (!(sine >= 0.0 && sine <= 1.0))
+        return 0.0; /* a miss */
+    return deflection_at(asin(sine), s.im1, s.im2);
+}
+
+static void test_blow(void)
+{
+    for (int i = 1; i < 12; ++i) {
+        const struct shot s = {0.4, 0.7, 1.0, 0.6, pi() * i / 12.0};
+        if (!CHECK_NEAR(
+                turned(s),
+                .quantity = "deflection by the blow that you aimed",
+                .unit = "rad", .input = input(s), .expected = s.deflection,
+                .tolerance = 128.0 * DBL_EPSILON,
+                .because = "128 epsilons: those of the aim, and an angle "
+                           "up to six times as sensitive",
+                .equation = "eq:impulse",
+                .question = "The blow was carried out with your b, "
+                            "along the line of centres. For which "
+                            "angles does it come out as wanted?"))
+            return;
+    }
+}
+
+static void test_heavy(void)
+{
+    static const char question[] =
+        "A heavy disk can be turned by this angle in two ways. Which one "
+        "disturbs it less, and which has the larger b?";
+    (void)(check_aim((struct shot){0.5, 0.5, 1.0, 3.0,
+                                   deflection_at(1.2, 1.0, 3.0)},
+                     sin(1.2), question) &&
+           check_aim((struct shot){0.5, 0.5, 1.0, 3.0,
+                                   deflection_at(0.63, 1.0, 3.0)},
+                     sin(0.63), question) &&
+           check_aim((struct shot){0.5, 0.5, 1.0, 3.0, 0.0}, 1.0,
+                     question));
+}
+
+static void test_out_of_reach(void)
+{
+    static const char question[] =
+        "A heavy disk ploughs on. What is the largest angle that a light "
+        "one can turn it by, and is this one larger?";
+    (void)(check_out_of_reach(
+               (struct shot){0.5, 0.5, 2.0, 2.0, 2.0 * pi() / 3.0},
+               question) &&
+           check_out_of_reach(
+               (struct shot){0.5, 0.5, 1.0, 2.0, 17.0 * pi() / 18.0},
+               question) &&
+           check_out_of_reach(
+               (struct shot){0.5, 0.5, 1.0, 2.0, 2.0 * pi() / 9.0},
+               question));
+}
+
+/* A target that nothing moves is a mirror, and equal disks leave at a right
+   angle: in both cases the aim is the cosine of an angle that is given. */
+static void test_drawn_special(void)
+{
+    for (int i = 0; i < 30; ++i) {
+        const double r1 = check_draw(0.1, 2.0), r2 = check_draw(0.1, 2.0);
+        const double im = check_draw(0.2, 5.0);
+        const double wide = check_draw(0.6, 3.0);
+        const double sharp = check_draw(0.1, 1.4);
+        if (!check_aim((struct shot){r1, r2, im, 0.0, wide},
+                       (r1 + r2) * sin(0.5 * (pi() - wide)),
+                       "Where does a mirror stand that turns a ray by this "
+                       "angle?") ||
+            !check_aim((struct shot){r1, r2, im, im, sharp},
+                       (r1 + r2) * cos(sharp),
+                       "Equal disks part at a right angle. In which "
+                       "direction does the target go, and where was it "
+                       "hit?"))
+            return;
+    }
+}
+
+/* Made from the answer: we aim, carry the blow out in more digits, and ask
+   for the aim. Where the moving disk is the heavier, a blow is the softer
+   one of two if it turns the disk by less than acos(-im1/im2) as seen from
+   the centre of mass; we stay well below. */
+static void test_drawn(void)
+{
+    for (int i = 0; i < 40; ++i) {
+        struct shot s = {.r1 = check_draw(0.1, 2.0),
+                         .r2 = check_draw(0.1, 2.0),
+                         .im1 = check_draw(0.2, 5.0),
+                         .im2 = check_draw(0.2, 5.0)};
+        const double most =
+            s.im2 > s.im1 ? 0.9 * acos(-s.im1 / s.im2) : 2.5;
+        const long double phi = 0.5 * (pi() - most * check_draw(0.05, 1.0));
+        const long double blow = 2.0L * cosl(phi) / (1.0L + s.im2 / s.im1);
+        s.deflection =
+            (double)atan2l(blow * sinl(phi), 1.0L - blow * cosl(phi));
+        if (!check_aim(s, (double)((s.r1 + s.r2) * sinl(phi)),
+                       "A disk was aimed, hit, and went off at this angle. "
+                       "From which angle, as seen from the centre of mass, "
+                       "does the other one come about?"))
+            return;
+    }
+}
+
+/* Beyond the largest angle, on the way to pi; for equal disks that is a
+   right angle. */
+static void test_drawn_out_of_reach(void)
+{
+    for (int i = 0; i < 40; ++i) {
+        struct shot s = {.r1 = check_draw(0.1, 2.0),
+                         .r2 = check_draw(0.1, 2.0),
+                         .im1 = check_draw(0.2, 5.0)};
+        s.im2 = i % 5 == 4 ? s.im1 : s.im1 * check_draw(1.01, 8.0);
+        const double most = asin(s.im1 / s.im2);
+        s.deflection = most + check_draw(0.02, 0.99) * (pi() - most);
+        if (!check_out_of_reach(s, check_text("This target can turn the "
+                                              "disk by %.4g rad at most. "
+                                              "Is it asked for more?",
+                                              most)))
+            return;
+    }
+}
+
+const struct check_suite check_suite = {
+    .file = "01d-aim.c",
+    .title = "Taking aim",
+    .minutes = 40,
+    .tests =
+        {{"a disk that only grazes goes straight on", test_graze, 1, 0},
+         {"a target that nothing moves is a mirror", test_fixed, 1, 0},
+         {"equal disks leave at a right angle", test_equal_masses, 1, 0},
+         {"a light disk leaves as worked out by hand", test_right_angle, 1,
+          0},
+         {"the blow turns the disk by the wanted angle", test_blow, 1, 0},
+         {"of two impact parameters the larger is returned", test_heavy, 2,
+          0},
+         {"an angle out of reach is refused", test_out_of_reach, 2, 0},
+         {"thirty mirrors and thirty pairs of equal disks",
+          test_drawn_special, 1, 1},
+         {"forty blows are aimed again", test_drawn, 1, 2},
+         {"forty angles are too large", test_drawn_out_of_reach, 1, 1},
+         {0}},
+    .idle = {test_graze},
+};

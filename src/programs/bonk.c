@@ -1,10 +1,11 @@
 /* From chapters/works/12-bonk.nw: edit there, then run make tangle. */
-/* checksum 315354481 of the lines below */
+/* checksum 1069613960 of the lines below */
 /* Carries a scene by the cheapest model that holds, and says why. */
 #include "enough/averages.h"
 #include "enough/choose.h"
 #include "scenes/scene.h"
 #include "toolbox/options.h"
+#include "toolbox/program.h"
 #include "toolbox/table.h"
 
 #include <math.h>
@@ -52,18 +53,6 @@ struct run {
     FILE *story; /* where --explain goes */
 };
 
-_Noreturn static void refuse(const char *format, ...)
-{
-    va_list values;
-    va_start(values, format);
-    fprintf(stderr, PROGRAM ": ");
-    vfprintf(stderr, format, values);
-    fprintf(stderr, "\n");
-    va_end(values);
-    table_abandon();
-    exit(OPTIONS_FAILURE);
-}
-
 static void read_observe(struct run *r)
 {
     char message[OBSERVABLES_MESSAGE];
@@ -71,7 +60,7 @@ static void read_observe(struct run *r)
     if (!text)
         return;
     if (!observables_read(&r->asked, text, r->scene.bodies, message))
-        refuse("--observe: %s", message);
+        program_refuse(PROGRAM, "--observe: %s", message);
     r->request.asked = &r->asked;
 }
 
@@ -81,17 +70,19 @@ static void divide(struct run *r)
     const struct settings *s = r->s;
     const double length = s->until - r->scene.time;
     if (!(length > 0))
-        refuse("--until: %.15g is not after the scene's time, %.15g",
-               s->until, r->scene.time);
+        program_refuse(
+            PROGRAM, "--until: %.15g is not after the scene's time, %.15g",
+            s->until, r->scene.time);
     const double every = s->every > 0 ? s->every : length / ROWS;
     const double rows = length / every;
     if (!(rows <= ROWS_MOST))
-        refuse("--every: %g makes %.3g rows, more than %d", every, rows,
-               ROWS_MOST);
+        program_refuse(PROGRAM, "--every: %g makes %.3g rows, more than %d",
+                       every, rows, ROWS_MOST);
     if (rows < 0.5 || fabs(rows - floor(rows + 0.5)) > 1e-9 * rows)
-        refuse("--every: the time from %.10g to %.10g is no whole number "
-               "of rows of %.10g",
-               r->scene.time, s->until, every);
+        program_refuse(PROGRAM,
+                       "--every: the time from %.10g to %.10g is no whole "
+                       "number of rows of %.10g",
+                       r->scene.time, s->until, every);
     r->judged = rows < ROWS - 0.5 ? (size_t)ceil(ROWS / rows - 1e-9) : 1;
     r->request.every = every / (double)r->judged;
 }
@@ -102,11 +93,11 @@ static void read_model(struct run *r)
     if (!r->s->model)
         return;
     if (!models_read(&r->plan, r->s->model, message))
-        refuse("--model: %s", message);
+        program_refuse(PROGRAM, "--model: %s", message);
     const char *why = models_refuse(&r->plan, &r->scene);
     if (why)
-        refuse("--model: %s does not suit this scene: %s", r->s->model,
-               why);
+        program_refuse(PROGRAM, "--model: %s does not suit this scene: %s",
+                       r->s->model, why);
     r->planned = r->plan.model->family != MODELS_STEPS || r->plan.steps > 0;
     if (!r->planned)
         r->request.only = &r->plan;
@@ -119,15 +110,18 @@ static void read_means(struct run *r)
     for (const char *at = r->s->observe; *at;) {
         const size_t n = strcspn(at, ",");
         if (strncmp(at, mean_mark, MARK) != 0)
-            refuse("--observe: averages (mean:...) and values cannot be "
-                   "asked for together, found '%.*s'",
-                   (int)n, at);
+            program_refuse(PROGRAM,
+                           "--observe: averages (mean:...) and values "
+                           "cannot be asked for together, found '%.*s'",
+                           (int)n, at);
         snprintf(name, sizeof name, "%.*s", (int)(n - MARK), at + MARK);
         if (r->means == MEANS_MOST)
-            refuse("--observe: more than %d averages", MEANS_MOST);
+            program_refuse(PROGRAM, "--observe: more than %d averages",
+                           MEANS_MOST);
         if (!averages_read(&r->mean[r->means].quantity, name, &r->scene,
                            message))
-            refuse("--observe: mean:%s: %s", name, message);
+            program_refuse(PROGRAM, "--observe: mean:%s: %s", name,
+                           message);
         ++r->means;
         at += n + (at[n] == ',');
     }
@@ -171,14 +165,9 @@ static void open_outputs(struct run *r)
 {
     const struct settings *s = r->s;
     r->story = s->output && strcmp(s->output, "-") ? stdout : stderr;
-    r->out = table_open(PROGRAM, s->output);
-    r->summary = r->out ? table_open(PROGRAM, s->summary) : NULL;
-    r->chart =
-        r->summary && s->chart ? table_open(PROGRAM, s->chart) : NULL;
-    if (r->summary && (r->chart || !s->chart))
-        return;
-    table_abandon();
-    exit(EXIT_FAILURE);
+    r->out = program_table(PROGRAM, s->output);
+    r->summary = program_table(PROGRAM, s->summary);
+    r->chart = s->chart ? program_table(PROGRAM, s->chart) : NULL;
 }
 
 static void tell(const struct run *r, const char *format, ...)
@@ -534,10 +523,8 @@ static bool decide(struct run *r)
     const struct choose_choice *c = &r->choice;
     if (r->planned)
         return true;
-    if (!choose(&r->choice, &r->request)) {
-        table_abandon();
-        exit(EXIT_FAILURE);
-    }
+    if (!choose(&r->choice, &r->request))
+        program_leave(EXIT_FAILURE);
     tell_choice(r);
     if (c->taken == c->candidates)
         return false;
@@ -552,10 +539,8 @@ static const char *carry(struct run *r)
     if (!decide(r))
         return r->choice.refusal;
     if (!choose_carry(&r->done, &r->request, &r->plan,
-                      r->planned ? NULL : &r->known, r->planned)) {
-        table_abandon();
-        exit(EXIT_FAILURE);
-    }
+                      r->planned ? NULL : &r->known, r->planned))
+        program_leave(EXIT_FAILURE);
     tell_found(r);
     if (!r->planned && choose_again(&r->request, &r->choice, &r->done)) {
         if (r->refusal[0] == '\0')
@@ -617,11 +602,8 @@ static const char *find_mean(struct run *r, struct mean *m)
                                        .tolerance = s->tolerance,
                                        .reason = s->reason,
                                        .model = s->model};
-    if (!averages_find(&m->found, &q)) {
-        fprintf(stderr, PROGRAM ": no memory for averages\n");
-        table_abandon();
-        exit(EXIT_FAILURE);
-    }
+    if (!averages_find(&m->found, &q))
+        program_give_up(PROGRAM, "no memory for averages");
     tell_mean(r, m);
     return m->found.taken == m->found.candidates ? m->found.refusal : NULL;
 }

@@ -1,5 +1,5 @@
 /* From chapters/works/11-step.nw: edit there, then run make tangle. */
-/* checksum 1669564654 of the lines below */
+/* checksum 4116611811 of the lines below */
 /* Steps a scene through time and writes what is looked at, row by row. */
 #include "forces/checkpoint.h"
 #include "forces/motion.h"
@@ -8,12 +8,12 @@
 #include "scenes/scene.h"
 #include "toolbox/bench.h"
 #include "toolbox/options.h"
+#include "toolbox/program.h"
 #include "toolbox/progress.h"
 #include "toolbox/table.h"
 
 #include <inttypes.h>
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -46,25 +46,6 @@ static void list_methods(void)
         ++n;
     }
     method_names[n] = outside_name;
-}
-
-_Noreturn static void refuse(const char *format, ...)
-{
-    va_list values;
-    va_start(values, format);
-    fprintf(stderr, PROGRAM ": ");
-    vfprintf(stderr, format, values);
-    fprintf(stderr, "\n");
-    va_end(values);
-    table_abandon();
-    exit(OPTIONS_FAILURE);
-}
-
-_Noreturn static void give_up(const char *what)
-{
-    fprintf(stderr, PROGRAM ": no memory for %s\n", what);
-    table_abandon();
-    exit(EXIT_FAILURE);
 }
 
 enum ending { WHOLE, INTERRUPTED, INFINITE, STUCK, TOO_MUCH, UNWRITTEN };
@@ -111,7 +92,7 @@ static void choose_outside(struct run *r)
         return;
     if (!reference_begin(&r->reference, m->stepping.forces,
                          r->s->tolerance))
-        give_up("the reference");
+        program_give_up(PROGRAM, "no memory for the reference");
     m->outside = use_reference;
     m->with = &r->reference;
 }
@@ -128,7 +109,7 @@ static void set_in_motion(struct run *r)
     m->gravity.threads = r->s->threads;
     m->gravity.kernel = (enum gravity_kernel)r->s->kernel;
     if (m->bound && !springs_threads(&m->springs, r->s->threads))
-        give_up("the threads");
+        program_give_up(PROGRAM, "no memory for the threads");
     m->spheres.rule = (enum spheres_rule)r->s->rule;
     m->spheres.shift = (enum spheres_shift)r->s->shift;
     m->spheres.order = (enum spheres_order)r->s->order;
@@ -140,7 +121,9 @@ static uint64_t steps_in(double time, double dt, bool *whole)
 {
     const double n = time / dt;
     if (!(n < 9e15))
-        refuse("--dt: %g takes more than 9e15 steps for %g", dt, time);
+        program_refuse(PROGRAM,
+                       "--dt: %g takes more than 9e15 steps for %g", dt,
+                       time);
     *whole = fabs(n - round(n)) <= fmin(1e-9 * n, 0.01);
     return (uint64_t)(*whole ? round(n) : n);
 }
@@ -153,8 +136,9 @@ static void divide(struct run *r, double start)
     const uint64_t rows = r->tracks > 0 ? 100 : 1000;
     bool whole;
     if (!(until - start >= -1e-6 * dt))
-        refuse("--until: %.15g is before the scene's time, %.15g", until,
-               start);
+        program_refuse(PROGRAM,
+                       "--until: %.15g is before the scene's time, %.15g",
+                       until, start);
     r->last = steps_in(fmax(0, until - start), dt, &whole);
     r->rest = whole ? 0 : until - (start + (double)r->last * dt);
     if (r->rest < 1e-12 * fmax(fabs(start), fabs(until)))
@@ -165,9 +149,10 @@ static void divide(struct run *r, double start)
     r->every = steps_in(r->s->every, dt, &whole);
     const double nearest = fmax(1, round(r->s->every / dt)) * dt;
     if (!whole || r->every == 0)
-        refuse("--every: %g is no whole number of steps of %g; the nearest "
-               "is %.10g",
-               r->s->every, dt, nearest);
+        program_refuse(PROGRAM,
+                       "--every: %g is no whole number of steps of %g; the "
+                       "nearest is %.10g",
+                       r->s->every, dt, nearest);
 }
 
 static void track_all(struct run *r)
@@ -185,11 +170,12 @@ static void track(struct run *r, const char *text)
         const unsigned long long id =
             *text >= '0' && *text <= '9' ? strtoull(text, &end, 10) : 0;
         if (!end || (*end != ',' && *end != '\0') || id >= r->scene.bodies)
-            refuse("--track: '%s' does not begin with one of the bodies 0 "
-                   "to %zu",
-                   text, r->scene.bodies - 1);
+            program_refuse(PROGRAM,
+                           "--track: '%s' does not begin with one of the "
+                           "bodies 0 to %zu",
+                           text, r->scene.bodies - 1);
         if (r->tracks == r->scene.bodies)
-            refuse("--track: more bodies than there are");
+            program_refuse(PROGRAM, "--track: more bodies than there are");
         r->tracked[r->tracks++] = (size_t)id;
         if (*end == '\0')
             return;
@@ -202,10 +188,11 @@ static void choose_columns(struct run *r)
     char message[OBSERVABLES_MESSAGE];
     r->tracked = malloc(r->scene.bodies * sizeof *r->tracked);
     if (!r->tracked)
-        give_up("the bodies that are tracked");
+        program_give_up(PROGRAM,
+                        "no memory for the bodies that are tracked");
     if (r->s->observe && !observables_read(&r->observables, r->s->observe,
                                            r->scene.bodies, message))
-        refuse("--observe: %s", message);
+        program_refuse(PROGRAM, "--observe: %s", message);
     if (r->s->track)
         track(r, r->s->track);
     else if (!r->s->observe)
@@ -213,7 +200,7 @@ static void choose_columns(struct run *r)
     r->columns = 1 + r->observables.columns + 6 * r->tracks;
     r->row = malloc(r->columns * sizeof *r->row);
     if (!r->row)
-        give_up("a row");
+        program_give_up(PROGRAM, "no memory for a row");
 }
 
 static void write_head(struct run *r)
@@ -282,9 +269,10 @@ static void begin_watch(struct run *r)
     look(r);
     r->watch.start = r->energy;
     if (!isfinite(r->energy))
-        refuse("the energy at the start is %g, expected a number: are two "
-               "bodies in one place, without a line soft?",
-               r->energy);
+        program_refuse(PROGRAM,
+                       "the energy at the start is %g, expected a number: "
+                       "are two bodies in one place, without a line soft?",
+                       r->energy);
 }
 
 /* Looks at the energy. false: it is beyond the bound (11.10,
@@ -340,12 +328,14 @@ static void resume(struct run *r, const struct checkpoint_numbers *n)
 {
     const uint64_t steps = (uint64_t)n->steps;
     if (steps > r->last || n->rows != (double)(steps / r->every + 1))
-        refuse("%s.checkpoint: no checkpoint, or a damaged one",
-               r->s->output);
+        program_refuse(PROGRAM,
+                       "%s.checkpoint: no checkpoint, or a damaged one",
+                       r->s->output);
     if (r->sum != 0 && r->sum != n->scene)
-        refuse("%s: is not the scene that %s.checkpoint began with; "
-               "without --resume the run begins anew",
-               r->s->scene, r->s->output);
+        program_refuse(PROGRAM,
+                       "%s: is not the scene that %s.checkpoint began "
+                       "with; without --resume the run begins anew",
+                       r->s->scene, r->s->output);
     r->sum = n->scene;
     motion_resume(&r->motion, n->start, steps);
     r->motion.collisions = (uint64_t)n->collisions;
@@ -399,7 +389,7 @@ static enum ending take_rest(struct run *r)
     if (r->kept && !keep_checkpoint(r))
         return UNWRITTEN;
     if (!motion_shorten(&r->motion, r->rest))
-        give_up("the last step");
+        program_give_up(PROGRAM, "no memory for the last step");
     r->rested = true;
     const enum ending end = ending_of(motion_run(&r->motion, 1));
     return end == WHOLE ? add_row(r) : end;
@@ -450,13 +440,9 @@ static void explain(const struct run *r, enum ending end)
 static void open_outputs(struct run *r)
 {
     const struct settings *s = r->s;
-    r->out = table_open(PROGRAM, s->output);
-    r->summary = r->out ? table_open(PROGRAM, s->summary) : NULL;
-    r->save = r->summary && s->save ? table_open(PROGRAM, s->save) : NULL;
-    if (!r->summary || (s->save && !r->save)) {
-        table_abandon();
-        exit(EXIT_FAILURE);
-    }
+    r->out = program_table(PROGRAM, s->output);
+    r->summary = program_table(PROGRAM, s->summary);
+    r->save = s->save ? program_table(PROGRAM, s->save) : NULL;
     if (!r->kept)
         return;
     table_discard(r->out);
@@ -469,7 +455,9 @@ static void spare_scene(const struct settings *s, const char *suffix)
     char name[4096];
     snprintf(name, sizeof name, "%s%s", s->output, suffix);
     if (table_replaces(name, s->scene))
-        refuse("--output: '%s' is the scene, which would be lost", name);
+        program_refuse(PROGRAM,
+                       "--output: '%s' is the scene, which would be lost",
+                       name);
 }
 
 static void spare_companion(const struct settings *s, const char *option,
@@ -480,7 +468,9 @@ static void spare_companion(const struct settings *s, const char *option,
     for (size_t i = 0; file && i < 2; ++i)
         if (strncmp(file, s->output, n) == 0 &&
             strcmp(file + n, suffix[i]) == 0)
-            refuse("--%s: '%s' is a companion of the table", option, file);
+            program_refuse(PROGRAM,
+                           "--%s: '%s' is a companion of the table", option,
+                           file);
 }
 
 static void spare_files(const struct run *r)
@@ -541,10 +531,9 @@ static void begin_run(struct run *r, struct options *o)
     if (again)
         resume(r, &known);
     else if (r->kept && !checkpoint_begin(&r->checkpoint, PROGRAM,
-                                          s->command, s->output)) {
-        table_abandon();
-        exit(r->checkpoint.locked ? OPTIONS_FAILURE : EXIT_FAILURE);
-    }
+                                          s->command, s->output))
+        program_leave(r->checkpoint.locked ? OPTIONS_FAILURE
+                                           : EXIT_FAILURE);
 }
 
 /* Makes the table of the rows that were kept. */
@@ -564,7 +553,7 @@ static bool make_table(struct run *r)
 static bool save_scene(struct run *r)
 {
     if (!motion_note(&r->motion))
-        give_up("the scene to be saved");
+        program_give_up(PROGRAM, "no memory for the scene to be saved");
     scene_write(&r->scene, r->save);
     return table_close(r->save);
 }
@@ -706,10 +695,7 @@ static void check_settings(struct options *o, const struct settings *s)
         options_refuse(o, "checkpoint", "without -o FILE, a regular file");
         options_refuse(o, "resume", "without -o FILE, a regular file");
     }
-    if (strcmp(s->summary, s->output ? s->output : "-") == 0 &&
-        strcmp(s->summary, "/dev/null") != 0)
-        options_fail(o, "--summary and the table would both go to '%s'",
-                     s->summary);
+    program_apart(o, s->output, s->summary, "table");
 }
 
 static const char *const rule_names[] = {"all", "approaching", NULL};

@@ -1,5 +1,5 @@
 /* From chapters/works/12-averages.nw: edit there, then run make tangle. */
-/* checksum 2455440806 of the lines below */
+/* checksum 563889573 of the lines below */
 /* When a mean may be believed, and starts that mislead. */
 #include "enough/averages.h"
 #include "box/blocks.h"
@@ -27,7 +27,7 @@ static void make_disks(struct scene *s, double count, double radius,
     value[gallery_key(g, "particles")] = count;
     value[gallery_key(g, "seed")] = seed;
     if (g->build(s, value))
-        study_fail(PROGRAM, "no memory");
+        program_give_up(PROGRAM, "no memory");
     for (size_t i = 0; i < s->bodies; ++i) {
         s->radius[i] = radius;
         s->position[i] = i % 2 ? 0.75 : 0.25;
@@ -45,7 +45,7 @@ static void make_piston(struct scene *s, size_t bodies, double ratio)
                                     .seed = 1};
     struct start start;
     if (!start_fill(&start, &wish) || !scene_create(s, bodies))
-        study_fail(PROGRAM, "no memory");
+        program_give_up(PROGRAM, "no memory");
     const double length = start.wall[1], middle = length / 2;
     s->contact = true;
     s->wall[0] = SCENE_HARD;
@@ -74,9 +74,9 @@ static struct averages_found ask(const struct scene *s, const char *name,
     struct averages_found f;
     char message[AVERAGES_TEXT];
     if (!averages_read(&q.quantity, name, s, message))
-        study_fail(PROGRAM, message);
+        program_give_up(PROGRAM, "%s", message);
     if (!averages_find(&f, &q))
-        study_fail(PROGRAM, "no memory");
+        program_give_up(PROGRAM, "no memory");
     return f;
 }
 
@@ -147,7 +147,7 @@ static void make_pair(struct scene *s, double ratio, int seed)
     struct random r;
     random_seed(&r, (uint64_t)seed);
     if (!scene_create(s, 2))
-        study_fail(PROGRAM, "no memory");
+        program_give_up(PROGRAM, "no memory");
     s->contact = true;
     s->wall[0] = SCENE_HARD;
     s->high[0] = 1;
@@ -176,7 +176,7 @@ static bool look(const struct blocks *b, double *mean, double *error)
         *mean += x[i] / (double)n;
     }
     if (!statistics_blocking(n, x, &found))
-        study_fail(PROGRAM, "no memory");
+        program_give_up(PROGRAM, "no memory");
     *error = 2 * (found.error + found.level[found.chosen].uncertainty);
     return found.plateau;
 }
@@ -194,7 +194,7 @@ static bool believe(const struct scene *s, double until, double e,
     bool held = false;
     if (!blocks_create(&b, 1) ||
         !models_begin(&r, &plan, s, 1.0 / ROWS, &why))
-        study_fail(PROGRAM, "no run");
+        program_give_up(PROGRAM, "no run");
     while (!held && (double)r.rows < until * ROWS) {
         models_row(&r);
         blocks_add(&b, r.scene.position);
@@ -285,7 +285,7 @@ static void make_line(struct scene *s, double share, int seed)
     struct random r;
     random_seed(&r, (uint64_t)seed);
     if (!scene_create(s, n))
-        study_fail(PROGRAM, "no memory");
+        program_give_up(PROGRAM, "no memory");
     s->contact = true;
     s->wall[0] = SCENE_HARD;
     s->high[0] = (double)n;
@@ -315,7 +315,7 @@ static struct looks look_twice(const struct scene *s, double until,
     const char *why;
     if (!blocks_create(&b, 1) ||
         !models_begin(&r, &plan, s, 1.0 / EVERY, &why))
-        study_fail(PROGRAM, "no run");
+        program_give_up(PROGRAM, "no run");
     while ((double)r.rows < until * EVERY) {
         models_row(&r);
         blocks_add(&b, r.scene.position);
@@ -392,7 +392,7 @@ static void run_piston(const struct scene *s, size_t body, int times,
     const char *why;
     double sum = 0;
     if (!models_begin(&r, &plan, s, EVERY, &why))
-        study_fail(PROGRAM, why);
+        program_give_up(PROGRAM, "%s", why);
     for (int k = 0; k < times && !progress_signal(); ++k) {
         for (; (double)(r.rows * EVERY) < 256 * ldexp(1, k);) {
             models_row(&r);
@@ -493,7 +493,7 @@ static void study_digits(struct study *s)
     static const double tolerances[] = {0.1, 0.05, 0.02, 0.01, 0.005};
     struct scene gas, four;
     if (gallery_make(&gas, gallery_find(hard_scenes, "gas"), NULL, 0))
-        study_fail(PROGRAM, "no memory");
+        program_give_up(PROGRAM, "no memory");
     make_disks(&four, 4, 0.15, 1);
     table_column(s->out, "e", "", "tolerance");
     table_column(s->out, "Z_events", "s", "pressure of 250 disks, price");

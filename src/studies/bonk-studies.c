@@ -1,5 +1,5 @@
 /* From chapters/works/12-atlas.nw: edit there, then run make tangle. */
-/* checksum 1359292742 of the lines below */
+/* checksum 4175008761 of the lines below */
 /* Maps of cost against true error, for every scene; prices of units. */
 #include "enough/choose.h"
 #include "scenes/gallery.h"
@@ -70,7 +70,7 @@ static const struct subject subjects[] = {
 
 _Noreturn static void fail(const char *why)
 {
-    study_fail(PROGRAM, why);
+    program_give_up(PROGRAM, "%s", why);
 }
 
 static void make_scene(struct scene *s, const struct subject *t)

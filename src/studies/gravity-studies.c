@@ -1,5 +1,5 @@
 /* From chapters/works/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 1641208815 of the lines below */
+/* checksum 2486829704 of the lines below */
 /* Measures bodies that attract each other. */
 #include "forces/celestial.h"
 #include "forces/gravity.h"
@@ -40,7 +40,7 @@ static void make_scene(struct scene *s, const char *name,
 {
     const char *wrong = gallery_choose(s, celestial_scenes, name, chosen);
     if (wrong)
-        study_fail(PROGRAM, wrong);
+        program_give_up(PROGRAM, "%s", wrong);
 }
 
 static void begin_sky(struct sky *k, const char *name,
@@ -53,7 +53,7 @@ static void begin_sky(struct sky *k, const char *name,
     if (!stepping_begin(&k->stepping, stepping_find(method),
                         gravity_forces(&k->gravity), dt, s->position,
                         s->velocity))
-        study_fail(PROGRAM, "no memory");
+        program_give_up(PROGRAM, "no memory");
 }
 
 static void end_sky(struct sky *k)
@@ -1111,7 +1111,7 @@ static void study_speed(struct study *s)
     begin_sky(&k, "ring", NULL, "leapfrog", 4);
     double *a = malloc(3 * k.scene.bodies * sizeof *a);
     if (!a)
-        study_fail(PROGRAM, "no memory");
+        program_give_up(PROGRAM, "no memory");
     bench_machine(s->out);
     table_print(s->out,
                 "# %zu bodies\n# kernel, ordered pairs a second, "
@@ -1171,7 +1171,7 @@ static void study_threads(struct study *s)
         k.gravity.kernel = (enum gravity_kernel)own->kernel;
         double *a = calloc(3 * k.scene.bodies, sizeof *a);
         if (!a)
-            study_fail(PROGRAM, "no memory");
+            program_give_up(PROGRAM, "no memory");
         compare_threads(s, &k, a);
         free(a);
         end_sky(&k);
@@ -1339,7 +1339,7 @@ static struct tree plant(const struct scene *s)
                      .mass = s->mass,
                      .softening = s->softening};
     if (!t.cell || !t.order)
-        study_fail(PROGRAM, "no memory");
+        program_give_up(PROGRAM, "no memory");
     return t;
 }
 
@@ -1355,7 +1355,7 @@ static void compare_tree(struct study *s, size_t particles)
     const size_t n = k.scene.bodies;
     double *a = calloc(2 * n, sizeof *a), *b = calloc(3 * n, sizeof *b);
     if (!a || !b)
-        study_fail(PROGRAM, "no memory");
+        program_give_up(PROGRAM, "no memory");
     struct tree t = plant(&k.scene);
     const double slow = time_direct(&k, GRAVITY_PORTABLE, b);
     const double fast = time_direct(&k, gravity_fastest(), b);

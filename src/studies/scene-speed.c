@@ -1,10 +1,11 @@
 /* From chapters/works/08-scenes.nw: edit there, then run make tangle. */
-/* checksum 71772912 of the lines below */
+/* checksum 1028055816 of the lines below */
 /* Measures how fast numbers and scenes are read. */
 #include "scenes/decimal.h"
 #include "scenes/scene.h"
 #include "toolbox/bench.h"
 #include "toolbox/options.h"
+#include "toolbox/program.h"
 #include "toolbox/random.h"
 #include "toolbox/table.h"
 
@@ -16,13 +17,6 @@
 #define PROGRAM "scene-speed"
 
 enum { NUMBERS = 20000, WIDTH = 32, MOST_DIGITS = 19 };
-
-_Noreturn static void give_up(const char *why)
-{
-    fprintf(stderr, PROGRAM ": %s\n", why);
-    table_abandon();
-    exit(EXIT_FAILURE);
-}
 
 static void write_numbers(char text[][WIDTH], int digits, struct random *r)
 {
@@ -44,7 +38,7 @@ static double time_numbers(char text[][WIDTH], bool ours, size_t ways[])
         sum += value;
     }
     if (!(sum > 0))
-        give_up("numbers cannot be read");
+        program_give_up(PROGRAM, "numbers cannot be read");
     return (bench_seconds() - start) / NUMBERS;
 }
 
@@ -91,11 +85,11 @@ static void time_scene(size_t bodies, struct table *out, struct random *r)
     struct scene_error e;
     char *text = write_gas(bodies, &length, r);
     if (!text)
-        give_up("no memory for a scene");
+        program_give_up(PROGRAM, "no memory for a scene");
     for (int k = -1; k < BENCH_ROUNDS; ++k) {
         const double start = bench_seconds();
         if (!scene_parse(&s, text, length, &e))
-            give_up(e.text);
+            program_give_up(PROGRAM, "%s", e.text);
         seconds[k < 0 ? 0 : k] = bench_seconds() - start;
         scene_free(&s);
     }
@@ -132,9 +126,7 @@ int main(int argc, char *argv[])
                   entries, argc, argv);
     while (options_next(&o) != -1)
         output = options_text(&o);
-    struct table *out = table_open(PROGRAM, output);
-    if (!out)
-        return EXIT_FAILURE;
+    struct table *out = program_table(PROGRAM, output);
     write_table(out, options_command(&o));
     return table_close(out) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,5 +1,5 @@
 /* From chapters/works/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 730866722 of the lines below */
+/* checksum 3658085170 of the lines below */
 /* Measures gases, cradles and the break, by steps and by events. */
 #include "box/blocks.h"
 #include "line/bonkers.h"
@@ -31,7 +31,7 @@ static void make(struct scene *s, const char *name,
 {
     const char *wrong = gallery_choose(s, hard_scenes, name, chosen);
     if (wrong)
-        study_fail(PROGRAM, wrong);
+        program_give_up(PROGRAM, "%s", wrong);
 }
 
 enum { PAPER, APPROACHING, BACK, WAYS };
@@ -51,7 +51,7 @@ static void begin(struct run *r, int way, double dt)
     r->dt = dt;
     if (!spheres_create(&r->spheres, &r->scene,
                         way == PAPER ? SPHERES_ALL : SPHERES_APPROACHING))
-        study_fail(PROGRAM, "no memory for the spheres");
+        program_give_up(PROGRAM, "no memory for the spheres");
     r->spheres.dt = dt;
     r->spheres.shift = way == BACK ? SPHERES_BACK : SPHERES_BY_RADIUS;
 }
@@ -131,7 +131,7 @@ static void gas_by_steps(struct run *r, double until, double value[])
 static void as_disks(struct disks *d, const struct scene *s)
 {
     if (!hard_disks(d, s))
-        study_fail(PROGRAM, "no memory for the disks");
+        program_give_up(PROGRAM, "no memory for the disks");
 }
 
 static void gas_by_events(struct disks *d, double until, double value[])
@@ -139,7 +139,7 @@ static void gas_by_events(struct disks *d, double until, double value[])
     struct cells c;
     const double E = disks_energy(d);
     if (!cells_create(&c, d))
-        study_fail(PROGRAM, "no memory for the cells");
+        program_give_up(PROGRAM, "no memory for the cells");
     cells_run(&c, warm, UINT64_MAX);
     const struct disks before = *d;
     cells_run(&c, warm + until, UINT64_MAX);
@@ -328,7 +328,7 @@ static double fill_shells(const struct study *s, double shell[])
     scene_free(&r.scene);
     const double E = disks_energy(&d), end = own->until;
     if (!cells_create(&c, &d))
-        study_fail(PROGRAM, "no memory for the cells");
+        program_give_up(PROGRAM, "no memory for the cells");
     cells_run(&c, warm, UINT64_MAX);
     const double before = d.virial;
     for (double at = 0.1; at <= end && !progress_signal(); at += 0.1) {
@@ -452,7 +452,7 @@ static double near_by_events(struct run *r)
     double near = 0;
     as_disks(&d, &r->scene);
     if (!cells_create(&c, &d))
-        study_fail(PROGRAM, "no memory for the cells");
+        program_give_up(PROGRAM, "no memory for the cells");
     for (int k = 0; k < 200; ++k) {
         cells_run(&c, warm + 0.2 * k, UINT64_MAX);
         take_in(&r->scene, &d);
@@ -645,7 +645,7 @@ static void begin_events(struct bonkers *b, const struct scene *s)
     size_t wrong;
     if (!hard_start(&start, s) ||
         !bonkers_begin(b, &start, s->restitution, BONKERS_SCAN, &wrong))
-        study_fail(PROGRAM, "no memory for a row");
+        program_give_up(PROGRAM, "no memory for a row");
     start_free(&start);
 }
 
@@ -888,7 +888,7 @@ static void break_by_events(double jitter, uint64_t seed, double x[])
     }
     as_disks(&d, &scene);
     if (!disks_plan(&d))
-        study_fail(PROGRAM, "no memory for the break");
+        program_give_up(PROGRAM, "no memory for the break");
     disks_run(&d, usual_break, UINT64_MAX);
     for (size_t i = 0; i < RACK; ++i) {
         double place[DISKS_AXES];

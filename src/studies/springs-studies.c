@@ -1,5 +1,5 @@
 /* From chapters/works/10-springs.nw: edit there, then run make tangle. */
-/* checksum 3265418677 of the lines below */
+/* checksum 2625045308 of the lines below */
 /* Measures an oscillator, a pendulum, membranes and beams of springs. */
 #include "forces/elastic.h"
 #include "forces/modes.h"
@@ -21,7 +21,7 @@ struct settings {
 /* Ends the program for want of memory. */
 static _Noreturn void no_memory(void)
 {
-    study_fail(PROGRAM, "there is no memory");
+    program_give_up(PROGRAM, "there is no memory");
 }
 
 /* A scene, its springs, and how it is stepped. */
@@ -37,7 +37,7 @@ static void make(struct scene *s, const char *name,
 {
     const char *wrong = gallery_choose(s, elastic_scenes, name, chosen);
     if (wrong)
-        study_fail(PROGRAM, wrong);
+        program_give_up(PROGRAM, "%s", wrong);
 }
 
 /* Prepares r->scene to be stepped. */

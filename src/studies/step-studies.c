@@ -1,5 +1,5 @@
 /* From chapters/works/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 4010341499 of the lines below */
+/* checksum 2790042237 of the lines below */
 /* Measures stepping methods on four small systems. */
 #include "forces/reference.h"
 #include "forces/stepping.h"
@@ -154,7 +154,7 @@ static void begin_or_exit(struct course *c, const struct system *y,
     y->start(c->x, c->v);
     c->energy = y->energy(c->x, c->v);
     if (!stepping_begin(&c->s, stepping_find(method), f, dt, c->x, c->v))
-        study_fail(PROGRAM, "no memory");
+        program_give_up(PROGRAM, "no memory");
 }
 
 /* By how much the energy is wrong, in units of what it was. */
@@ -342,7 +342,7 @@ static void step_matrix(const struct stepping_method *m, double w, double c,
         const struct stepping_forces f = {1, c != 0, linear_force,
                                           constants};
         if (!stepping_begin(&s, m, f, 1, &x, &v))
-            study_fail(PROGRAM, "no memory");
+            program_give_up(PROGRAM, "no memory");
         stepping_resume(&s, 0, NULL, c != 0 && m->drifts ? &a : NULL);
         stepping_run(&s, 1);
         matrix[0][k] = x;
@@ -538,7 +538,7 @@ static void record_size(const char *method, double w, double c,
     const struct stepping_forces f = {1, c != 0, linear_force, constants};
     struct stepping s;
     if (!stepping_begin(&s, stepping_find(method), f, 1, &x, &v))
-        study_fail(PROGRAM, "no memory");
+        program_give_up(PROGRAM, "no memory");
     for (int n = 0; n <= 60; ++n) {
         size[n] = c != 0 ? fabs(v) : sqrt(x * x + v * v / (w * w));
         stepping_run(&s, 1);

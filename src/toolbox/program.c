@@ -1,5 +1,5 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 1431904593 of the lines below */
+/* checksum 3168443815 of the lines below */
 /* Two outputs that are opened and closed together, and two ways to end. */
 #include "toolbox/program.h"
 
@@ -19,17 +19,54 @@ void program_apart(struct options *o, const char *output,
                      summary);
 }
 
-bool program_open(const char *program, const char *output,
+_Noreturn void program_leave(int status)
+{
+    table_abandon();
+    exit(status);
+}
+
+static void complain(const char *program, const char *format,
+                     va_list values)
+{
+    fprintf(stderr, "%s: ", program);
+    vfprintf(stderr, format, values);
+    fprintf(stderr, "\n");
+}
+
+_Noreturn void program_refuse(const char *program, const char *format, ...)
+{
+    va_list values;
+    va_start(values, format);
+    complain(program, format, values);
+    va_end(values);
+    program_leave(OPTIONS_FAILURE);
+}
+
+_Noreturn void program_give_up(const char *program, const char *format, ...)
+{
+    va_list values;
+    va_start(values, format);
+    complain(program, format, values);
+    va_end(values);
+    program_leave(EXIT_FAILURE);
+}
+
+struct table *program_table(const char *program, const char *path)
+{
+    struct table *t = table_open(program, path);
+    if (!t)
+        program_leave(EXIT_FAILURE);
+    return t;
+}
+
+void program_open(const char *program, const char *output,
                   const char *summary, const struct table_key keys[],
                   struct table **out, struct table **results)
 {
-    *out = table_open(program, output);
-    *results = *out ? table_open(program, summary) : NULL;
-    if (!*results)
-        return table_discard(*out), false;
+    *out = program_table(program, output);
+    *results = program_table(program, summary);
     table_keys(*results, keys);
     progress_catch_signals();
-    return true;
 }
 
 int program_close(struct table *out, struct table *results, bool whole)
@@ -39,28 +76,4 @@ int program_close(struct table *out, struct table *results, bool whole)
         return table_close(results) ? EXIT_SUCCESS : EXIT_FAILURE;
     table_discard(results);
     return EXIT_FAILURE;
-}
-
-_Noreturn static void end(const char *program, const char *format,
-                          va_list values, int status)
-{
-    fprintf(stderr, "%s: ", program);
-    vfprintf(stderr, format, values);
-    fprintf(stderr, "\n");
-    table_abandon();
-    exit(status);
-}
-
-_Noreturn void program_refuse(const char *program, const char *format, ...)
-{
-    va_list values;
-    va_start(values, format);
-    end(program, format, values, OPTIONS_FAILURE);
-}
-
-_Noreturn void program_give_up(const char *program, const char *format, ...)
-{
-    va_list values;
-    va_start(values, format);
-    end(program, format, values, EXIT_FAILURE);
 }

@@ -1,5 +1,5 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 1462532211 of the lines below */
+/* checksum 2364020238 of the lines below */
 /* What every program does around its own work: outputs and the way out. */
 #ifndef TOOLBOX_PROGRAM_H
 #define TOOLBOX_PROGRAM_H
@@ -14,10 +14,13 @@
 void program_apart(struct options *o, const char *output,
                    const char *summary, const char *name);
 
+/* Returns table_open's table, or ends the process with EXIT_FAILURE. */
+struct table *program_table(const char *program, const char *path);
+
 /* Opens the table (NULL: standard output) and the summary, which will
-   have these keys, and catches signals. Returns false, with nothing left
-   behind, if one cannot be opened; table_open has said why. */
-bool program_open(const char *program, const char *output,
+   have these keys, and catches signals. Ends the process if one cannot be
+   opened, as program_table does. */
+void program_open(const char *program, const char *output,
                   const char *summary, const struct table_key keys[],
                   struct table **out, struct table **results);
 
@@ -26,9 +29,12 @@ bool program_open(const char *program, const char *output,
    exit with: EXIT_SUCCESS if both are there. */
 int program_close(struct table *out, struct table *results, bool whole);
 
-/* Say why, as printf does, after "program: ", remove what has been written,
-   and end the process: refuse with OPTIONS_FAILURE, for the command or the
-   input is wrong; give_up with EXIT_FAILURE, for the run has failed. */
+/* Removes what has been written, and ends the process with the status. */
+_Noreturn void program_leave(int status);
+
+/* The same, after saying why, as printf does, after "program: ": refuse
+   with OPTIONS_FAILURE, for the command or the input is wrong; give_up with
+   EXIT_FAILURE, for the run has failed. */
 _Noreturn void program_refuse(const char *program, const char *format, ...);
 _Noreturn void program_give_up(const char *program, const char *format,
                                ...);

@@ -1,9 +1,10 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 3926867484 of the lines below */
+/* checksum 1031936410 of the lines below */
 #ifndef TOOLBOX_STUDY_H
 #define TOOLBOX_STUDY_H
 
 #include "toolbox/options.h"
+#include "toolbox/program.h"
 #include "toolbox/progress.h"
 #include "toolbox/table.h"
 

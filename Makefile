@@ -105,7 +105,7 @@ endif
 endif
 endef
 $(eval $(call only_with,chapters/press/book.tex,tangle check-tangle contact))
-$(eval $(call only_with,tests/library,book test memcheck handout mutants \
+$(eval $(call only_with,tests/library,book works test memcheck handout mutants \
 	grade grade-bench))
 $(eval $(call only_with,solutions,solution))
 $(eval $(call only_with,tests/fuzz,fuzz fuzz-scenes fuzz-commands))
@@ -506,29 +506,38 @@ contact: has-tex has-gsl $(FIGURES_PDF)
 	@echo 'The contact sheets: build/contact.pdf'
 
 # EDITION=instructor adds the worked solutions.
+.PHONY: works
 edition := $(if $(filter instructor,$(EDITION)),-instructor)
 book: has-tex build/bonkers$(edition).pdf figures
 	@echo 'The book: build/bonkers$(edition).pdf'
 	@echo 'Next: open it, then try an exercise: make check'
+works: has-tex build/works.pdf
+	@echo 'The second volume: build/works.pdf, beside build/bonkers.pdf'
 
-# What both editions are set from; then they can be made side by side.
+# What all volumes are set from; then they can be made side by side.
 .PHONY: book-parts
-book-parts: has-tex $(FIGURES_PDF) $(FIGURES_SVG) $(FIGURES_ALT) $(RUNS)
+book-parts: has-tex $(FIGURES_PDF) $(FIGURES_SVG) $(FIGURES_ALT) build/woven
+build/woven: $(RUNS) $(wildcard chapters/*.nw chapters/works/*.nw \
+		chapters/press/* solutions/* plots/data/* \
+		$(addprefix tests/exercises/*/,hints.txt stub.c suite.c))
+	@chapters/press/make-book woven
 
-build/bonkers$(edition).pdf: $(FIGURES_PDF) $(FIGURES_ALT) $(RUNS) \
-		$(wildcard chapters/*.nw chapters/works/*.nw chapters/press/* solutions/* plots/data/* \
-		$(addprefix tests/exercises/*/,hints.txt stub.c suite.c)) \
+build/bonkers.pdf build/bonkers-instructor.pdf build/works.pdf \
+		build/works-course.pdf: build/woven $(FIGURES_PDF) $(FIGURES_ALT) \
 		tests/equations.txt
-	@chapters/press/make-book
+	@chapters/press/make-book $(@:build/%.pdf=%)
+# Works quotes the numbers of the book.
+build/works.pdf build/works-course.pdf: build/bonkers.pdf
 
 ## ---- the course for students -----------------------------------------------
 
-# Its book has no solutions. WITH_CHAPTERS=1 adds the chapters.
+# Its book has no solutions, its Works neither examiner nor grader.
+# WITH_CHAPTERS=1 adds the chapters.
 ifneq ($(and $(EDITION),$(filter handout,$(MAKECMDGOALS))),)
 $(error handout: EDITION: students get the book without solutions; leave it out)
 endif
 .PHONY: handout
-handout: has-tex build/bonkers.pdf
+handout: has-tex build/bonkers.pdf build/works-course.pdf
 	@chapters/press/handout
 
 ## ---- films and pictures of runs: gnuplot, and ffmpeg if it is there --------
@@ -723,6 +732,7 @@ help:
 	$(call offer,solution) 'make solution     EX=01a: the worked solution, once yours passes'
 	@echo 'make reset        EX=01a: begin afresh; what you had is kept'
 	$(call offer,book) 'make book         the PDF; EDITION=instructor adds the solutions'
+	$(call offer,works) 'make works        the second volume: how the rest is made'
 	$(call offer,handout) 'make handout      the archive for students; WITH_CHAPTERS=1 for more'
 	$(call offer,grade) 'make grade        SUBMISSIONS=dir: points for a folder of students'
 	@echo 'make figures      the figures; QUALITY=lecture for slides too'

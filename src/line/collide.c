@@ -1,5 +1,6 @@
 /* From chapters/01-collide.nw: edit there, then run make tangle. */
-/* checksum 1548153961 of the lines below */
+/* checksum 289126879 of the lines below */
+/* Collisions on a line and along a normal, in five forms of one formula. */
 #include "line/collide.h"
 
 #include <float.h>

@@ -1,5 +1,6 @@
 /* From chapters/works/01-collide.nw: edit there, then run make tangle. */
-/* checksum 2190799215 of the lines below */
+/* checksum 2509587713 of the lines below */
+/* One collision typed by hand, or many at random and what they conserve. */
 #include "line/collide.h"
 #include "toolbox/options.h"
 #include "toolbox/program.h"

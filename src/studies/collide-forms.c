@@ -1,5 +1,6 @@
 /* From chapters/works/01-collide.nw: edit there, then run make tangle. */
-/* checksum 4042286559 of the lines below */
+/* checksum 2887370481 of the lines below */
+/* Rounding, drift and price of a collision in each of its five forms. */
 #include "line/collide.h"
 #include "toolbox/bench.h"
 #include "toolbox/options.h"

@@ -1,5 +1,6 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 3765464090 of the lines below */
+/* checksum 1866787950 of the lines below */
+/* Four engines that find the next collision on a line and carry it out. */
 #include "line/bonkers.h"
 
 #include "line/collide.h"

@@ -1,5 +1,6 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 1741653993 of the lines below */
+/* checksum 973168930 of the lines below */
+/* Bodies on a line between two walls, from one collision to the next. */
 #ifndef BONKERS_H
 #define BONKERS_H
 

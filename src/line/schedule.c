@@ -1,5 +1,6 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 3187226463 of the lines below */
+/* checksum 3348720025 of the lines below */
+/* The earliest event, by looking at all or from the top of a heap. */
 #include "line/schedule.h"
 
 #include <stdlib.h>

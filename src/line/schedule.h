@@ -1,5 +1,6 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 4159168756 of the lines below */
+/* checksum 1247943586 of the lines below */
+/* Which of many events comes first. */
 #ifndef SCHEDULE_H
 #define SCHEDULE_H
 

@@ -1,5 +1,6 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 3620958692 of the lines below */
+/* checksum 1892217218 of the lines below */
+/* The presets of a line: fixed numbers, points thrown and gases warmed. */
 #include "line/start.h"
 
 #include "toolbox/random.h"

@@ -1,5 +1,6 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 35525467 of the lines below */
+/* checksum 3693230447 of the lines below */
+/* Masses, positions and velocities with which a run on a line begins. */
 #ifndef START_H
 #define START_H
 

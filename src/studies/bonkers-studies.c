@@ -1,5 +1,6 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 1086780990 of the lines below */
+/* checksum 2110392237 of the lines below */
+/* Speed, drift and failures of the engines of a line. */
 #include "line/bonkers.h"
 #include "line/collide.h"
 #include "line/start.h"

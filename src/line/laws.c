@@ -1,5 +1,6 @@
 /* From chapters/03-equilibrium.nw: edit there, then run make tangle. */
-/* checksum 2312212222 of the lines below */
+/* checksum 57218445 of the lines below */
+/* Normal, Beta and Maxwell laws from the special functions of GSL. */
 #include "line/laws.h"
 
 #include <assert.h>

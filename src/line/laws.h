@@ -1,5 +1,6 @@
 /* From chapters/03-equilibrium.nw: edit there, then run make tangle. */
-/* checksum 2915570790 of the lines below */
+/* checksum 3572514970 of the lines below */
+/* The laws of equilibrium: densities, probabilities and tests of them. */
 #ifndef LAWS_H
 #define LAWS_H
 

@@ -1,5 +1,6 @@
 /* From chapters/03-equilibrium.nw: edit there, then run make tangle. */
-/* checksum 1400450570 of the lines below */
+/* checksum 1565470356 of the lines below */
+/* Moments, bins, a fit, blocks and correlations of a series. */
 #include "line/statistics.h"
 
 #include <assert.h>

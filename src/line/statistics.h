@@ -1,5 +1,6 @@
 /* From chapters/03-equilibrium.nw: edit there, then run make tangle. */
-/* checksum 2329669171 of the lines below */
+/* checksum 1642139543 of the lines below */
+/* Means, histograms and honest errors of a series of measurements. */
 #ifndef STATISTICS_H
 #define STATISTICS_H
 

@@ -1,5 +1,6 @@
 /* From chapters/works/03-equilibrium.nw: edit there, then run make tangle. */
-/* checksum 2969814985 of the lines below */
+/* checksum 3899710755 of the lines below */
+/* Columns of a table: their moments, errors and laws. */
 #include "line/laws.h"
 #include "line/statistics.h"
 #include "toolbox/bench.h"

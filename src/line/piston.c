@@ -1,5 +1,6 @@
 /* From chapters/04-piston.nw: edit there, then run make tangle. */
-/* checksum 2546943219 of the lines below */
+/* checksum 195397051 of the lines below */
+/* The piston in steps; its period by quadrature and by standing waves. */
 #include "line/piston.h"
 
 #include <math.h>

@@ -1,5 +1,6 @@
 /* From chapters/04-piston.nw: edit there, then run make tangle. */
-/* checksum 1105674638 of the lines below */
+/* checksum 2305747370 of the lines below */
+/* A piston between two gases that act as springs. */
 #ifndef PISTON_H
 #define PISTON_H
 

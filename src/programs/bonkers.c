@@ -1,5 +1,6 @@
 /* From chapters/works/04-piston.nw: edit there, then run make tangle. */
-/* checksum 2254778885 of the lines below */
+/* checksum 2058586054 of the lines below */
+/* Bodies on a line from row to row, in one run or the mean of many. */
 #include "line/bonkers.h"
 #include "line/start.h"
 #include "toolbox/options.h"

@@ -1,5 +1,6 @@
 /* From chapters/works/04-piston.nw: edit there, then run make tangle. */
-/* checksum 2519751064 of the lines below */
+/* checksum 256692308 of the lines below */
+/* Swings of a piston: of the model, and measured in runs of particles. */
 #include "line/piston.h"
 #include "toolbox/bench.h"
 #include "toolbox/options.h"

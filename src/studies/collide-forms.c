@@ -1,34 +1,26 @@
 /* From chapters/works/01-collide.nw: edit there, then run make tangle. */
-/* checksum 2887370481 of the lines below */
+/* checksum 502539300 of the lines below */
 /* Rounding, drift and price of a collision in each of its five forms. */
 #include "line/collide.h"
 #include "toolbox/bench.h"
-#include "toolbox/options.h"
-#include "toolbox/progress.h"
 #include "toolbox/quad.h"
 #include "toolbox/random.h"
-#include "toolbox/table.h"
+#include "toolbox/study.h"
 
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #define PROGRAM "collide-forms"
 
 struct settings {
-    size_t study;
     double ratios[8], offset;
     size_t ratio_count;
-    uint64_t tests, collisions, digits, seed;
-    const char *output, *summary_path, *command;
-    struct random random;
-    struct progress progress;
-    struct table *out, *summary;
+    uint64_t tests, collisions, digits;
 };
 
-static void summarise(const struct settings *s, const char *key, int form,
+static void summarise(const struct study *s, const char *key, int form,
                       double value)
 {
     char name[64];
@@ -80,8 +72,10 @@ static const struct table_key rounding_keys[] = {
     {"velocity_max_<form>", "2^-52", "worst error of v / larger |u|"},
     {0}};
 
-static bool study_rounding(struct settings *s)
+static void study_rounding(struct study *s)
 {
+    const struct settings *own = s->own;
+    struct random r;
     const char *eps = "2^-52";
     table_column(s->out, "R", "", "mass ratios are drawn from 1/R to R");
     table_column(s->out, "form", "",
@@ -91,33 +85,32 @@ static bool study_rounding(struct settings *s)
     table_column(s->out, "dP_max", eps,
                  "worst error of momentum / sum m|u|");
     table_column(s->out, "dv_max", eps, "worst error of v / larger |u|");
-    progress_begin(&s->progress, PROGRAM, s->ratio_count * s->tests,
+    progress_begin(&s->progress, PROGRAM, own->ratio_count * own->tests,
                    "pairs");
-    for (size_t k = 0; k < s->ratio_count; ++k) {
+    for (size_t k = 0; k < own->ratio_count; ++k) {
         struct rounding all[COLLIDE_FORMS] = {{0, 0, 0, 0}};
-        random_seed(&s->random, s->seed); /* the same for every ratio */
-        for (uint64_t i = 0; i < s->tests && !progress_signal(); ++i) {
-            struct random *r = &s->random;
-            const double im1 = random_between(r, 0.5, 1.5);
-            const double ratio = s->ratios[k];
+        random_seed(&r, s->seed); /* the same for every ratio */
+        for (uint64_t i = 0; i < own->tests && !progress_signal(); ++i) {
+            const double im1 = random_between(&r, 0.5, 1.5);
+            const double ratio = own->ratios[k];
             const double im2 =
-                im1 * random_log_uniform(r, 1 / ratio, ratio);
-            const double u1 = s->offset + random_between(r, -1, 1);
-            const double u2 = s->offset + random_between(r, -1, 1);
+                im1 * random_log_uniform(&r, 1 / ratio, ratio);
+            const double u1 = own->offset + random_between(&r, -1, 1);
+            const double u2 = own->offset + random_between(&r, -1, 1);
             for (int form = 0; form < COLLIDE_FORMS; ++form)
                 measure_rounding(&all[form], form, u1, u2, im1, im2);
-            progress_update(&s->progress, k * s->tests + i,
-                            k * s->tests + i);
+            progress_update(&s->progress, k * own->tests + i,
+                            k * own->tests + i);
         }
         if (progress_signal())
-            return false;
+            return;
         for (int form = 0; form < COLLIDE_FORMS; ++form) {
             const struct rounding *a = &all[form];
-            const double rms = sqrt(a->energy_square / (double)s->tests);
+            const double rms = sqrt(a->energy_square / (double)own->tests);
             table_row(s->out, 6,
-                      (double[]){s->ratios[k], form, a->energy_max, rms,
+                      (double[]){own->ratios[k], form, a->energy_max, rms,
                                  a->momentum_max, a->velocity_max});
-            if (k + 1 == s->ratio_count) {
+            if (k + 1 == own->ratio_count) {
                 summarise(s, "energy_max", form, a->energy_max);
                 summarise(s, "energy_rms", form, rms);
                 summarise(s, "momentum_max", form, a->momentum_max);
@@ -125,7 +118,6 @@ static bool study_rounding(struct settings *s)
             }
         }
     }
-    return true;
 }
 
 enum { MOVERS = 4, BODIES = MOVERS + 2 };
@@ -174,22 +166,23 @@ static const struct table_key drift_keys[] = {
     {"improvement", "1", "error of difference / error of smaller"},
     {0}};
 
-static bool study_drift(struct settings *s)
+static void study_drift(struct study *s)
 {
+    const struct settings *own = s->own;
     double v[COLLIDE_FORMS][BODIES], error[COLLIDE_FORMS + 1];
     double tenth[COLLIDE_FORMS] = {0}, predicted = 0;
     struct random r[COLLIDE_FORMS];
-    progress_begin(&s->progress, PROGRAM, s->collisions, "collisions");
+    progress_begin(&s->progress, PROGRAM, own->collisions, "collisions");
     table_column(s->out, "n", "", "collisions");
     for (int f = 0; f < COLLIDE_FORMS; ++f) {
         table_column(s->out, collide_form_names[f], "",
                      "relative error of the energy in this form");
         memcpy(v[f], (double[BODIES]){0, 1, 2, 3, 4, 0}, sizeof v[f]);
-        r[f] = s->random;
+        random_seed(&r[f], s->seed);
     }
     const quad start = row_energy(v[0]);
-    for (uint64_t n = 0; n < s->collisions;) {
-        const uint64_t stop = next_stop(n, s->collisions);
+    for (uint64_t n = 0; n < own->collisions;) {
+        const uint64_t stop = next_stop(n, own->collisions);
         while (n < stop) {
             const uint64_t turn = stop - n < 1000000 ? stop - n : 1000000;
             for (int f = 0; f < COLLIDE_FORMS; ++f)
@@ -202,12 +195,12 @@ static bool study_drift(struct settings *s)
             n += turn;
             progress_update(&s->progress, n, COLLIDE_FORMS * n);
             if (progress_signal())
-                return false;
+                return;
         }
         error[0] = (double)n;
         for (int f = 0; f < COLLIDE_FORMS; ++f) {
             error[f + 1] = (double)(row_energy(v[f]) / start - 1);
-            if (n == s->collisions / 10)
+            if (n == own->collisions / 10)
                 tenth[f] = error[f + 1];
         }
         table_row(s->out, COLLIDE_FORMS + 1, error);
@@ -223,7 +216,6 @@ static bool study_drift(struct settings *s)
     table_real(
         s->summary, "improvement",
         fabs(error[COLLIDE_DIFFERENCE + 1] / error[COLLIDE_SMALLER + 1]));
-    return true;
 }
 
 /* Returns the collisions of the heavy ball, the light one and the wall;
@@ -266,8 +258,9 @@ static const struct table_key galperin_keys[] = {
     {"count_<form>", "1", "counted in this form"},
     {0}};
 
-static bool study_galperin(struct settings *s)
+static void study_galperin(struct study *s)
 {
+    const struct settings *own = s->own;
     double ratio = 1, row[COLLIDE_FORMS + 3];
     table_column(s->out, "k", "", "the mass ratio is 100^k");
     table_column(s->out, "N", "", "exact number of collisions");
@@ -275,8 +268,8 @@ static bool study_galperin(struct settings *s)
         table_column(s->out, collide_form_names[f], "",
                      "counted in this form");
     table_column(s->out, "float", "", "smaller, in single precision");
-    progress_begin(&s->progress, PROGRAM, s->digits, "mass ratios");
-    for (uint64_t k = 0; k <= s->digits; ++k, ratio *= 100) {
+    progress_begin(&s->progress, PROGRAM, own->digits, "mass ratios");
+    for (uint64_t k = 0; k <= own->digits; ++k, ratio *= 100) {
         row[0] = (double)k;
         row[1] = ceil(acos(-1) / atan(sqrt(1 / ratio))) - 1;
         const uint64_t limit = 2 * (uint64_t)row[1];
@@ -285,7 +278,7 @@ static bool study_galperin(struct settings *s)
         row[COLLIDE_FORMS + 2] =
             (double)count_galperin_float((float)(1 / ratio), limit);
         if (progress_signal())
-            return false;
+            return;
         progress_update(&s->progress, k, k);
         table_row(s->out, COLLIDE_FORMS + 3, row);
     }
@@ -293,19 +286,21 @@ static bool study_galperin(struct settings *s)
     for (int f = 0; f < COLLIDE_FORMS; ++f)
         summarise(s, "count", f, row[f + 2]);
     table_real(s->summary, "count_float", row[COLLIDE_FORMS + 2]);
-    return true;
 }
-static bool study_map(struct settings *s)
+static void study_map(struct study *s)
 {
+    const struct settings *own = s->own;
     const double im[] = {1, 0.25};
-    progress_begin(&s->progress, PROGRAM, s->tests, "pairs");
+    struct random r;
+    random_seed(&r, s->seed);
+    progress_begin(&s->progress, PROGRAM, own->tests, "pairs");
     table_column(s->out, "u1", "m/s", "before, body 1");
     table_column(s->out, "u2", "m/s", "before, body 2");
     table_column(s->out, "v1", "m/s", "after, body 1");
     table_column(s->out, "v2", "m/s", "after, body 2");
-    for (uint64_t n = 0; n < s->tests && !progress_signal();) {
+    for (uint64_t n = 0; n < own->tests && !progress_signal();) {
         double u[2], v[2];
-        random_direction(&s->random, 2, u);
+        random_direction(&r, 2, u);
         for (int i = 0; i < 2; ++i)
             v[i] = u[i] *= sqrt(im[i]);
         if (!(u[0] > u[1]))
@@ -314,7 +309,6 @@ static bool study_map(struct settings *s)
         table_row(s->out, 4, (double[]){u[0], u[1], v[0], v[1]});
         ++n;
     }
-    return true;
 }
 
 enum { PAIRS = 4096 };
@@ -338,15 +332,18 @@ static double time_form(const struct bench *b, int form, uint64_t passes)
 static const struct table_key cost_keys[] = {
     {"ns_<form>", "ns", "processor time a collision, median"}, {0}};
 
-static bool study_cost(struct settings *s)
+static void study_cost(struct study *s)
 {
+    const struct settings *own = s->own;
     static struct bench b;
+    struct random r;
     double times[COLLIDE_FORMS][BENCH_ROUNDS];
-    const uint64_t passes = s->collisions / PAIRS + 1;
+    const uint64_t passes = own->collisions / PAIRS + 1;
+    random_seed(&r, s->seed);
     for (int i = 0; i < PAIRS; ++i)
         for (int body = 0; body < 2; ++body) {
-            b.u[i][body] = random_between(&s->random, -1, 1);
-            b.im[i][body] = random_between(&s->random, 0.5, 1.5);
+            b.u[i][body] = random_between(&r, -1, 1);
+            b.im[i][body] = random_between(&r, 0.5, 1.5);
         }
     progress_begin(&s->progress, PROGRAM, BENCH_ROUNDS, "rounds");
     for (int round = -1; round < BENCH_ROUNDS; ++round)
@@ -355,7 +352,7 @@ static bool study_cost(struct settings *s)
             times[f][round < 0 ? 0 : round] = ns;
         }
     if (progress_signal())
-        return false;
+        return;
     bench_machine(s->out);
     table_column(s->out, "form", "", "a form of the collision formula");
     table_column(s->out, "median", "ns", "processor time a collision");
@@ -366,27 +363,17 @@ static bool study_cost(struct settings *s)
                     median, times[f][0]);
         summarise(s, "ns", f, median);
     }
-    return true;
 }
 
-static const struct {
-    bool (*run)(struct settings *s);
-    const struct table_key *keys;
-} studies[] = {{study_rounding, rounding_keys},
-               {study_drift, drift_keys},
-               {study_galperin, galperin_keys},
-               {study_map, NULL},
-               {study_cost, cost_keys}};
-
-static const char *const study_names[] = {"rounding", "drift", "galperin",
-                                          "map",      "cost",  NULL};
+static const struct study_entry studies[] = {
+    {"rounding", study_rounding, "errors of one collision", rounding_keys},
+    {"drift", study_drift, "of the energy in many", drift_keys},
+    {"galperin", study_galperin, "the digits of pi", galperin_keys},
+    {"map", study_map, "in the plane of velocities", NULL},
+    {"cost", study_cost, "time of one collision", cost_keys},
+    {0}};
 
 static const struct options_entry entries[] = {
-    {"study", 't', "NAME", "rounding, drift, galperin, map or cost"},
-    {"output", 'o', "FILE", "for the table (standard output)"},
-    {"summary", 'S', "FILE",
-     "for the results as lines: key value;\n"
-     "--study NAME --help lists them"},
     {"", 0, NULL, "--study rounding"},
     {"mass-ratio", 'R', "R1,..", "ratios from 1/R to R (1000)"},
     {"offset", 'O', "V", "a common velocity (0)"},
@@ -396,74 +383,44 @@ static const struct options_entry entries[] = {
     {"collisions", 'c', "N", "how many (1000000)"},
     {"", 0, NULL, "--study galperin"},
     {"digits", 'k', "K", "mass ratios up to 100^K (5)"},
-    {"", 0, NULL, "--study rounding, drift, map"},
-    {"seed", 's', "S", "of the random numbers (1)"},
     {0}};
 
-static void read_settings(struct settings *s, int argc, char *argv[])
+static void take_option(struct options *o, int letter, void *settings)
 {
-    struct options o;
-    int option;
-    bool chosen = false;
-    *s = (struct settings){.ratios = {1000},
-                           .ratio_count = 1,
-                           .tests = 100000,
-                           .collisions = 1000000,
-                           .digits = 5,
-                           .seed = 1,
-                           .summary_path = "/dev/null"};
-    options_begin(&o, PROGRAM, "Compare five forms of a collision.",
-                  entries, argc, argv);
-    while ((option = options_next(&o)) != -1)
-        switch (option) {
-        case 't':
-            s->study = options_choice(&o, study_names);
-            options_keys(&o, studies[s->study].keys);
-            chosen = true;
-            break;
-        case 'R':
-            s->ratio_count = options_list(&o, s->ratios, 8);
-            for (size_t i = 0; i < s->ratio_count; ++i)
-                if (!(s->ratios[i] >= 1 && s->ratios[i] <= 1e100))
-                    options_fail(&o, "'%s' has a ratio outside 1 to 1e100",
-                                 options_text(&o));
-            break;
-        case 'O': s->offset = options_real(&o, -1e100, 1e100); break;
-        case 'n': s->tests = options_count(&o, 1, 1000000000); break;
-        case 'c':
-            s->collisions = options_count(&o, 1000, 1000000000000);
-            break;
-        case 'k': s->digits = options_count(&o, 0, 10); break;
-        case 's': s->seed = options_count(&o, 0, UINT64_MAX); break;
-        case 'o': s->output = options_text(&o); break;
-        case 'S': s->summary_path = options_text(&o); break;
-        }
-    s->command = options_command(&o);
-    if (!chosen)
-        options_fail(&o, "--study is needed: %s", entries[0].help);
-    if (strcmp(s->summary_path, s->output ? s->output : "-") == 0 &&
-        strcmp(s->summary_path, "/dev/null") != 0)
-        options_fail(&o, "--summary and the table would both go to '%s'",
-                     s->summary_path);
+    struct settings *own = settings;
+    switch (letter) {
+    case 'R':
+        own->ratio_count = options_list(o, own->ratios, 8);
+        for (size_t i = 0; i < own->ratio_count; ++i)
+            if (!(own->ratios[i] >= 1 && own->ratios[i] <= 1e100))
+                options_fail(o, "'%s' has a ratio outside 1 to 1e100",
+                             options_text(o));
+        break;
+    case 'O': own->offset = options_real(o, -1e100, 1e100); break;
+    case 'n': own->tests = options_count(o, 1, 1000000000); break;
+    case 'c':
+        own->collisions = options_count(o, 1000, 1000000000000);
+        break;
+    case 'k': own->digits = options_count(o, 0, 10); break;
+    }
 }
 
 int main(int argc, char *argv[])
 {
-    struct settings s;
-    read_settings(&s, argc, argv);
-    s.out = table_open(PROGRAM, s.output);
-    s.summary = table_open(PROGRAM, s.summary_path);
-    if (!s.out || !s.summary)
-        return table_discard(s.out), table_discard(s.summary), EXIT_FAILURE;
-    table_keys(s.summary, studies[s.study].keys);
-    progress_catch_signals();
-    table_begin(s.out, s.command, s.seed);
-    random_seed(&s.random, s.seed);
-    const bool done = studies[s.study].run(&s);
-    const bool whole = progress_end(&s.progress) && done;
-    const bool written = table_close(s.out);
-    if (whole && written)
-        return table_close(s.summary) ? EXIT_SUCCESS : EXIT_FAILURE;
-    table_discard(s.summary);
-    return EXIT_FAILURE;
+    struct settings own = {.ratios = {1000},
+                           .ratio_count = 1,
+                           .tests = 100000,
+                           .collisions = 1000000,
+                           .digits = 5};
+    const struct study_program program = {
+        .name = PROGRAM,
+        .purpose = "Compare five forms of a collision.",
+        .events = "collisions",
+        .studies = studies,
+        .seeds = UINT64_MAX,
+        .drawing = "--study rounding, drift, map",
+        .options = entries,
+        .take = take_option,
+        .own = &own};
+    return study_main(&program, argc, argv);
 }

@@ -1,5 +1,5 @@
 /* From chapters/12-pick.nw: edit there, then run make tangle. */
-/* checksum 2148015262 of the lines below */
+/* checksum 3567414868 of the lines below */
 /* Scout, twin and horizon, what may go, ladders, the race, the check. */
 #include "enough/choose.h"
 
@@ -10,7 +10,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { RUNGS = 40, CANDIDATES = 64 };
+enum {
+    RUNGS = 40,
+    CANDIDATES = 3 * (STEPPING_MOST + 16), /* room: thrice all models */
+    MEASURED = 64                          /* effects remembered */
+};
 static const double margin = 1.05;  /* errors that were seen, below e */
 static const double safety = 1.25;  /* errors that are extrapolated */
 static const double rounding = 2;   /* times what other units change */
@@ -100,7 +104,7 @@ struct chooser {
     struct {
         unsigned cuts;
         double effect;
-    } measured[CANDIDATES];
+    } measured[MEASURED];
     size_t measurements;
     struct record finer; /* the look, with twice the steps */
     struct racer *racer;
@@ -394,7 +398,7 @@ static bool wanted(const struct chooser *h, const struct models_model *m)
 
 static void try_all_exact(struct chooser *h)
 {
-    for (const struct models_model *m = models; m->name && !h->failed;
+    for (const struct models_model *m = models_all(); m->name && !h->failed;
          ++m) {
         if (m->family == MODELS_STEPS || m->approximate || !wanted(h, m))
             continue;
@@ -936,7 +940,7 @@ static double effect_of(struct chooser *h, unsigned cuts)
         if (h->measured[j].cuts == cuts)
             return h->measured[j].effect;
     const double effect = bound_or_measure(h, cuts);
-    if (h->measurements < CANDIDATES) {
+    if (h->measurements < MEASURED) {
         h->measured[h->measurements].cuts = cuts;
         h->measured[h->measurements++].effect = effect;
     }
@@ -952,7 +956,7 @@ static const unsigned for_steps = MODELS_NO_LIGHT | MODELS_NO_PULL |
    steps that would not carry it otherwise? */
 static bool opens(const struct chooser *h, unsigned cut, unsigned all)
 {
-    for (const struct models_model *m = models; m->name; ++m)
+    for (const struct models_model *m = models_all(); m->name; ++m)
         for (unsigned set = all; m->family != MODELS_STEPS && set > 0;
              set = (set - 1) & all)
             if ((set & cut) && !refusal(h, m, set) &&
@@ -1041,10 +1045,11 @@ static void try_approximate(struct chooser *h, const struct models_model *m)
 static void try_cut_exact(struct chooser *h)
 {
     const unsigned from = affordable(h);
-    for (const struct models_model *m = models; m->name && !h->failed; ++m)
+    for (const struct models_model *m = models_all(); m->name && !h->failed;
+         ++m)
         if (m->approximate && wanted(h, m))
             try_approximate(h, m);
-    for (const struct models_model *m = models; m->name && !h->failed;
+    for (const struct models_model *m = models_all(); m->name && !h->failed;
          ++m) {
         const bool exact =
             m->family != MODELS_STEPS && !m->approximate && wanted(h, m);
@@ -1202,15 +1207,12 @@ static void find_guide(struct chooser *h)
     }
 }
 
-static const char *const beaten[] = {"euler", "symplectic-euler"};
-
 static bool is_beaten(const struct chooser *h, const struct models_model *m)
 {
     if (h->q->only)
         return false;
-    for (size_t j = 0; j < sizeof beaten / sizeof *beaten; ++j)
-        if (strcmp(m->name, beaten[j]) == 0)
-            return j == 0 || h->blur == 0;
+    if (m->method->order < 2)
+        return !m->method->symplectic || h->blur == 0;
     return is_rough(h) && h->blur == 0 && strcmp(m->name, "leapfrog") != 0;
 }
 
@@ -1225,7 +1227,7 @@ static void enter_methods(struct chooser *h)
     const double effect = set ? effect_of(h, set) : 0;
     const bool rods =
         (affordable(h) & MODELS_RODS) && !h->q->scene->contact;
-    for (const struct models_model *m = models; m->name; ++m) {
+    for (const struct models_model *m = models_all(); m->name; ++m) {
         if (m->family != MODELS_STEPS || !wanted(h, m) || is_beaten(h, m))
             continue;
         add_racer(h, m, 0, 0);

@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 1859734808 of the lines below */
+/* checksum 1071763826 of the lines below */
 /* What acts, what can be left out, and how each model carries a scene. */
 #include "enough/models.h"
 
@@ -1726,15 +1726,7 @@ static enum models_end row_steps(struct models_run *r)
     return end;
 }
 
-#define STEPS(k, name)                                                     \
-    {                                                                      \
-        name, "steps of chapter 8's method of this name", MODELS_STEPS,    \
-            false, &stepping_methods[k],                                   \
-            (k) == 2 ? refuse_leapfrog : refuse_steps, begin_steps,        \
-            row_steps, end_steps                                           \
-    }
-
-const struct models_model models[] = {
+static const struct models_model stepless[] = {
     {"free", "every body flies alone, in closed form", MODELS_CLOSED, false,
      NULL, refuse_free, begin_origin, row_free, free_origin},
     {"kepler", "ellipses round one body, in closed form", MODELS_CLOSED,
@@ -1751,21 +1743,37 @@ const struct models_model models[] = {
      refuse_line, begin_line, row_line, end_line},
     {"disks", "collisions of disks or spheres, one by one", MODELS_EVENTS,
      false, NULL, refuse_disks, begin_disks, row_disks, end_disks},
-    STEPS(0, "euler"),
-    STEPS(1, "symplectic-euler"),
-    STEPS(2, "leapfrog"),
-    STEPS(3, "rk4"),
-    STEPS(4, "yoshida4"),
-    STEPS(5, "yoshida6"),
-    STEPS(6, "pefrl"),
-    STEPS(7, "kahan-li8"),
-    STEPS(8, "implicit-midpoint"),
-    STEPS(9, "gauss4"),
-    {0}};
+};
+enum { STEPLESS = sizeof stepless / sizeof *stepless };
+
+static struct models_model model_of(const struct stepping_method *m)
+{
+    const bool leaps = stepping_is_leapfrog(m);
+    return (struct models_model){.name = m->name,
+                                 .about = m->about,
+                                 .family = MODELS_STEPS,
+                                 .method = m,
+                                 .refuses =
+                                     leaps ? refuse_leapfrog : refuse_steps,
+                                 .begin = begin_steps,
+                                 .row = row_steps,
+                                 .end = end_steps};
+}
+
+const struct models_model *models_all(void)
+{
+    static struct models_model all[STEPLESS + STEPPING_MOST + 1];
+    if (all->name)
+        return all;
+    for (size_t k = 0; stepping_methods[k].name; ++k)
+        all[STEPLESS + k] = model_of(&stepping_methods[k]);
+    memcpy(all, stepless, sizeof stepless);
+    return all;
+}
 
 const struct models_model *models_find(const char *name)
 {
-    for (const struct models_model *m = models; m->name; ++m)
+    for (const struct models_model *m = models_all(); m->name; ++m)
         if (strcmp(m->name, name) == 0)
             return m;
     return NULL;
@@ -1816,18 +1824,18 @@ static uint64_t read_steps(const char *text)
     return *text || steps > 1000000000000 ? 0 : steps;
 }
 
-static bool complain(char message[MODELS_TEXT], const char *word,
+static bool complain(char message[MODELS_MESSAGE], const char *word,
                      const char *what)
 {
-    snprintf(message, MODELS_TEXT, "found '%.40s', expected %s", word,
+    snprintf(message, MODELS_MESSAGE, "found '%.40s', expected %s", word,
              what);
     return false;
 }
 
-static bool list_models(char message[MODELS_TEXT], const char *word)
+static bool list_models(char message[MODELS_MESSAGE], const char *word)
 {
-    char names[MODELS_TEXT - 64] = ""; /* the rest: what was found */
-    for (const struct models_model *m = models; m->name; ++m) {
+    char names[MODELS_MESSAGE - 64] = ""; /* the rest: what was found */
+    for (const struct models_model *m = models_all(); m->name; ++m) {
         const size_t used = strlen(names);
         snprintf(names + used, sizeof names - used, "%s%s",
                  used ? ", " : "one of ", m->name);
@@ -1837,7 +1845,7 @@ static bool list_models(char message[MODELS_TEXT], const char *word)
 
 /* The first word: a model, and its steps where it has steps. */
 static bool read_model(struct models_plan *p, char word[MODELS_TEXT],
-                       char message[MODELS_TEXT])
+                       char message[MODELS_MESSAGE])
 {
     char *const colon = strchr(word, ':');
     if (colon)
@@ -1855,7 +1863,7 @@ static bool read_model(struct models_plan *p, char word[MODELS_TEXT],
 }
 
 bool models_read(struct models_plan *p, const char *text,
-                 char message[MODELS_TEXT])
+                 char message[MODELS_MESSAGE])
 {
     char word[MODELS_TEXT];
     *p = (struct models_plan){0};

@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 3689608943 of the lines below */
+/* checksum 2658950259 of the lines below */
 /* All ways to carry a scene, behind one door, and what each costs. */
 #ifndef MODELS_H
 #define MODELS_H
@@ -82,7 +82,7 @@ struct models_plan {
     uint64_t steps; /* in each row; 0 for models without steps */
 };
 
-enum { MODELS_TEXT = 256 };
+enum { MODELS_TEXT = 256, MODELS_MESSAGE = 2048 };
 enum models_family { MODELS_CLOSED, MODELS_EVENTS, MODELS_STEPS };
 
 /* How a row ended. */
@@ -153,14 +153,15 @@ void models_analyse(struct models_acts *a, const struct scene *s);
    memory. */
 double models_overlap(const struct scene *s);
 
-/* All models; a name NULL ends them. models_find: NULL, there is none. */
-extern const struct models_model models[];
-const struct models_model *models_find(const char *name);
+/* All models, a method of stepping each one; a name NULL ends them. To be
+   called for the first time by one thread alone. */
+const struct models_model *models_all(void);
+const struct models_model *models_find(const char *name); /* or NULL */
 
 /* A plan as text, and back; false: no plan, and message says why. */
 void models_write(const struct models_plan *p, char text[MODELS_TEXT]);
 bool models_read(struct models_plan *p, const char *text,
-                 char message[MODELS_TEXT]);
+                 char message[MODELS_MESSAGE]);
 
 /* Why the plan does not suit a scene, or NULL. */
 const char *models_refuse(const struct models_plan *p,

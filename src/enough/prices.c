@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 750890633 of the lines below */
+/* checksum 2462982091 of the lines below */
 /* Times runs of many units, and takes off what is known of the others. */
 #include "enough/prices.h"
 
@@ -120,7 +120,7 @@ static const struct bout bouts[MODELS_UNITS] = {
 /* Runs a bout; returns how long it took, s, and fills in the work. */
 static double run_bout(const struct bout *b, double work[MODELS_UNITS])
 {
-    char message[MODELS_TEXT];
+    char message[MODELS_MESSAGE];
     const char *why;
     struct models_plan plan;
     struct models_run r;

@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 3433649627 of the lines below */
+/* checksum 4054800278 of the lines below */
 /* Steps by kicks and drifts and by Runge-Kutta stages. */
 #include "forces/stepping.h"
 
@@ -10,7 +10,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double one[] = {1, 0}, half[] = {0.5, 0}, zero[] = {0};
+static const double leapfrog[] = {1};
+static const double symplectic_euler_drift[] = {1};
+static const double symplectic_euler_kick[] = {1, 0};
 
 /* 1 / (2 - cbrt(2)), and 1 minus twice that: (8.8, eq:triple-jump). */
 static const double yoshida4[] = {1.3512071919596576340476878,
@@ -45,39 +47,53 @@ static const double kahan_li8[] = {
     -0.38947496264484728640807860, 0.56116298177510838456196441,
     0.13020248308889008087881763};
 
+static const double euler_a[] = {0}, euler_b[] = {1};
 static const double rk4_a[] = {0, 0,   0, 0, 0.5, 0, 0, 0,
                                0, 0.5, 0, 0, 0,   0, 1, 0};
 static const double rk4_b[] = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
 #define ROOT 0.28867513459481288225457439 /* sqrt(3) / 6 */
 static const double gauss4_a[] = {0.25, 0.25 - ROOT, 0.25 + ROOT, 0.25};
 static const double gauss4_b[] = {0.5, 0.5};
+static const double midpoint_a[] = {0.5}, midpoint_b[] = {1};
 
-#define SPLITTING(n)                                                       \
-    .family = STEPPING_SPLITTING, .symplectic = true, .drifts = n
-const struct stepping_method stepping_methods[] = {
-    {"euler", .family = STEPPING_EXPLICIT, .order = 1, .stages = 1,
-     .a = zero, .b = one, .limit = 0},
-    {"symplectic-euler", SPLITTING(1), .order = 1, .stages = 1,
-     .drift = one, .kick = one, .limit = 2},
-    {"leapfrog", SPLITTING(1), .order = 2, .symmetric = true, .stages = 1,
-     .drift = one, .limit = 2},
-    {"rk4", .family = STEPPING_EXPLICIT, .order = 4, .stages = 4,
-     .a = rk4_a, .b = rk4_b, .limit = 2.8284271247461901},
-    {"yoshida4", SPLITTING(3), .order = 4, .symmetric = true, .stages = 3,
-     .drift = yoshida4, .limit = 1.5734019474345401},
-    {"yoshida6", SPLITTING(7), .order = 6, .symmetric = true, .stages = 7,
-     .drift = yoshida6, .limit = 2.2690579963976594},
-    {"pefrl", SPLITTING(5), .order = 4, .symmetric = true, .stages = 4,
-     .drift = pefrl_drift, .kick = pefrl_kick, .limit = 2.9894495459067291},
-    {"kahan-li8", SPLITTING(17), .order = 8, .symmetric = true,
-     .stages = 17, .drift = kahan_li8, .limit = 3.0964386800007322},
-    {"implicit-midpoint", .family = STEPPING_IMPLICIT, .order = 2,
-     .symmetric = true, .symplectic = true, .stages = 1, .a = half,
-     .b = one, .limit = INFINITY},
-    {"gauss4", .family = STEPPING_IMPLICIT, .order = 4, .symmetric = true,
-     .symplectic = true, .stages = 2, .a = gauss4_a, .b = gauss4_b,
-     .limit = INFINITY},
-    {.name = NULL}};
+#define LENGTH(list) (sizeof(list) / sizeof *(list))
+#define COMPOSED(m)                                                        \
+    .family = STEPPING_SPLITTING, .drifts = LENGTH(m),                     \
+    .stages = LENGTH(m), .drift = m
+#define SPLITTING(m)                                                       \
+    .family = STEPPING_SPLITTING, .drifts = LENGTH(m##_drift),             \
+    .drift = m##_drift, .kick = m##_kick
+#define EXPLICIT(m)                                                        \
+    .family = STEPPING_EXPLICIT, .stages = LENGTH(m##_b), .a = m##_a,      \
+    .b = m##_b
+#define IMPLICIT(m)                                                        \
+    .family = STEPPING_IMPLICIT, .stages = LENGTH(m##_b), .a = m##_a,      \
+    .b = m##_b
+
+const struct stepping_method stepping_methods[STEPPING_MOST + 1] = {
+    {"euler", "straight on, and outwards", EXPLICIT(euler), .order = 1,
+     .limit = 0},
+    {"symplectic-euler", "a kick, then a drift",
+     SPLITTING(symplectic_euler), .order = 1, .symplectic = true,
+     .stages = 1, .limit = 2},
+    {"leapfrog", "a drift between half kicks", COMPOSED(leapfrog),
+     .order = 2, .symmetric = true, .symplectic = true, .limit = 2},
+    {"rk4", "Runge and Kutta's", EXPLICIT(rk4), .order = 4,
+     .limit = 2.8284271247461901},
+    {"yoshida4", "leapfrogs, the triple jump", COMPOSED(yoshida4),
+     .order = 4, .symmetric = true, .symplectic = true,
+     .limit = 1.5734019474345401},
+    {"yoshida6", "seven leapfrogs", COMPOSED(yoshida6), .order = 6,
+     .symmetric = true, .symplectic = true, .limit = 2.2690579963976594},
+    {"pefrl", "four kicks, small errors", SPLITTING(pefrl), .order = 4,
+     .symmetric = true, .symplectic = true, .stages = 4,
+     .limit = 2.9894495459067291},
+    {"kahan-li8", "seventeen leapfrogs", COMPOSED(kahan_li8), .order = 8,
+     .symmetric = true, .symplectic = true, .limit = 3.0964386800007322},
+    {"implicit-midpoint", "for stiff springs", IMPLICIT(midpoint),
+     .order = 2, .symmetric = true, .symplectic = true, .limit = INFINITY},
+    {"gauss4", "for stiff springs, finer", IMPLICIT(gauss4), .order = 4,
+     .symmetric = true, .symplectic = true, .limit = INFINITY}};
 
 const struct stepping_method *stepping_find(const char *name)
 {
@@ -321,14 +337,14 @@ static void splitting_step(struct stepping *s)
     kick(s, w->kick[n]);
 }
 
-static bool is_leapfrog(const struct stepping_method *m)
+bool stepping_is_leapfrog(const struct stepping_method *m)
 {
     return m->family == STEPPING_SPLITTING && m->drifts == 1 && !m->kick;
 }
 
 bool stepping_keeps(const struct stepping *s)
 {
-    return s->forces.damped && is_leapfrog(s->method);
+    return s->forces.damped && stepping_is_leapfrog(s->method);
 }
 
 /* Half a kick and the drift of n coordinates; first the half kick that is
@@ -695,7 +711,7 @@ static bool run_until_watch(struct stepping *s, uint64_t *left)
 {
     const uint64_t most = STEPPING_WATCH - s->steps % STEPPING_WATCH;
     const uint64_t steps = *left < most ? *left : most;
-    if (is_leapfrog(s->method) && !s->compensated) {
+    if (stepping_is_leapfrog(s->method) && !s->compensated) {
         leap(s, steps);
         s->steps += steps;
         *left -= steps;

@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 1658736311 of the lines below */
+/* checksum 4126133089 of the lines below */
 /* Stepping methods, and runs that step coordinates under forces. */
 #ifndef STEPPING_H
 #define STEPPING_H
@@ -8,7 +8,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { STEPPING_WATCH = 64 }; /* steps from one look to the next */
+enum {
+    STEPPING_WATCH = 64, /* steps from one look to the next */
+    STEPPING_MOST = 64   /* methods: there is room for so many */
+};
 
 /* Forces on `size` coordinates: accelerate writes all of a, the second
    derivative of x, m/s^2. damped: it depends on v. */
@@ -41,7 +44,7 @@ enum stepping_family {
 
 /* A method is data. */
 struct stepping_method {
-    const char *name;
+    const char *name, *about; /* about: a phrase, for --help */
     enum stepping_family family;
     int order;
     bool symmetric, symplectic;
@@ -86,10 +89,13 @@ struct stepping {
 };
 
 /* The methods that there are; the last one is followed by a name NULL. */
-extern const struct stepping_method stepping_methods[];
+extern const struct stepping_method stepping_methods[STEPPING_MOST + 1];
 
 /* The method of this name, or NULL. */
 const struct stepping_method *stepping_find(const char *name);
+
+/* Are its steps those of leapfrog, (8.4, eq:verlet)? */
+bool stepping_is_leapfrog(const struct stepping_method *m);
 
 /* Prepares to step x (m) and v (m/s), which stay the caller's, by dt, s.
    The method and what the forces point to must outlive s. Returns false,

@@ -1,5 +1,5 @@
 /* From chapters/works/12-bonk.nw: edit there, then run make tangle. */
-/* checksum 1069613960 of the lines below */
+/* checksum 2825657772 of the lines below */
 /* Carries a scene by the cheapest model that holds, and says why. */
 #include "enough/averages.h"
 #include "enough/choose.h"
@@ -89,7 +89,7 @@ static void divide(struct run *r)
 
 static void read_model(struct run *r)
 {
-    char message[MODELS_TEXT];
+    char message[MODELS_MESSAGE];
     if (!r->s->model)
         return;
     if (!models_read(&r->plan, r->s->model, message))

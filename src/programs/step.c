@@ -1,5 +1,5 @@
 /* From chapters/works/11-step.nw: edit there, then run make tangle. */
-/* checksum 4116611811 of the lines below */
+/* checksum 1648157880 of the lines below */
 /* Steps a scene through time and writes what is looked at, row by row. */
 #include "forces/checkpoint.h"
 #include "forces/motion.h"
@@ -34,18 +34,22 @@ struct settings {
     const char *output, *summary, *save, *command;
 };
 
-enum { METHODS_MOST = 40 };
-static const char *method_names[METHODS_MOST];
+static const char *method_names[STEPPING_MOST + 2];
 static const char outside_name[] = "rk8pd";
+static char method_help[128 * STEPPING_MOST] = "how to step:";
 
 static void list_methods(void)
 {
     size_t n = 0;
-    while (stepping_methods[n].name && n + 2 < METHODS_MOST) {
-        method_names[n] = stepping_methods[n].name;
-        ++n;
+    char *help = method_help + strlen(method_help);
+    for (const struct stepping_method *m = stepping_methods; m->name; ++m) {
+        method_names[n++] = m->name;
+        help += sprintf(help, "\n%s, order %d: %s", m->name, m->order,
+                        m->about);
     }
     method_names[n] = outside_name;
+    sprintf(help, "\n%s: GSL's, adaptive within each step\n(leapfrog)",
+            outside_name);
 }
 
 enum ending { WHOLE, INTERRUPTED, INFINITE, STUCK, TOO_MUCH, UNWRITTEN };
@@ -608,11 +612,7 @@ static const struct options_entry entries[] = {
     {"until", 't', "T",
      "the time at which to stop (1000 steps); the last\n"
      "step may be shorter than the others"},
-    {"method", 'm', "NAME",
-     "euler, symplectic-euler, leapfrog, rk4,\n"
-     "yoshida4, yoshida6, pefrl, kahan-li8,\n"
-     "implicit-midpoint, gauss4, or GSL's adaptive\n"
-     "rk8pd, within each step (leapfrog)"},
+    {"method", 'm', "NAME", method_help},
     {"dt", 's', "H", "the time step (the scene's)"},
     {"every", 'd', "DT",
      "time from row to row, a whole number of steps\n"

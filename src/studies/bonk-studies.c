@@ -1,5 +1,5 @@
 /* From chapters/works/12-atlas.nw: edit there, then run make tangle. */
-/* checksum 4175008761 of the lines below */
+/* checksum 2317669107 of the lines below */
 /* Maps of cost against true error, for every scene; prices of units. */
 #include "enough/choose.h"
 #include "scenes/gallery.h"
@@ -551,7 +551,7 @@ static void climb_finely(struct map *m, struct models_plan plan)
    steps is false. */
 static void try_models(struct map *m, unsigned cuts, bool steps)
 {
-    for (const struct models_model *k = models; k->name; ++k) {
+    for (const struct models_model *k = models_all(); k->name; ++k) {
         const struct models_plan plan = {k, cuts, 0};
         if (models_refuse(&plan, &m->scene))
             continue;
@@ -567,7 +567,7 @@ static void try_models(struct map *m, unsigned cuts, bool steps)
 static bool find_sound(const struct map *m, struct models_plan *plan)
 {
     const struct point *best = NULL;
-    for (const struct models_model *k = models; k->name; ++k) {
+    for (const struct models_model *k = models_all(); k->name; ++k) {
         const struct models_plan whole = {k, 0, 0};
         const struct point *p = cheapest_of(m, &whole, 1e-4);
         if (p && k->family == MODELS_STEPS &&

@@ -1,5 +1,5 @@
 /* From chapters/works/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 2790042237 of the lines below */
+/* checksum 2862834922 of the lines below */
 /* Measures stepping methods on four small systems. */
 #include "forces/reference.h"
 #include "forces/stepping.h"
@@ -179,6 +179,24 @@ static double steps_for(const struct stepping_method *m, double budget)
 {
     const double rounds = m->family == STEPPING_IMPLICIT ? 8 : 1;
     return budget / (double)m->stages / rounds;
+}
+
+static void study_methods(struct study *s)
+{
+    table_print(s->out, "# method           order  stages  limit  "
+                        "keeps\n");
+    for (const struct stepping_method *m = stepping_methods; m->name; ++m) {
+        char limit[16] = "none";
+        if (isfinite(m->limit))
+            snprintf(limit, sizeof limit, "%.3f", m->limit);
+        table_print(s->out, "%-18s %5d  %6zu  %5s  %s%s%s\n", m->name,
+                    m->order, m->stages, limit,
+                    m->symplectic ? "areas" : "",
+                    m->symplectic && m->symmetric ? ", " : "",
+                    m->symmetric    ? "the way back"
+                    : m->symplectic ? ""
+                                    : "-");
+    }
 }
 
 static void study_portrait(struct study *s)
@@ -393,7 +411,7 @@ static void study_stability(struct study *s)
     }
 }
 
-/* Half the trace of a step against omega dt, for every splitting. */
+/* Half the trace of a step against omega dt, for five splittings. */
 static void study_trace(struct study *s)
 {
     static const char *const names[] = {"leapfrog", "yoshida4", "pefrl",
@@ -516,7 +534,7 @@ static void study_friction(struct study *s)
     for (const struct stepping_method *m = stepping_methods; m->name; ++m)
         table_column(s->out, m->name, "", "growth of the velocity");
     for (int i = 1; i <= 120; ++i) {
-        double row[32] = {i * 0.05}, matrix[3][3];
+        double row[STEPPING_MOST + 1] = {i * 0.05}, matrix[3][3];
         size_t columns = 1;
         for (const struct stepping_method *m = stepping_methods; m->name;
              ++m) {
@@ -771,8 +789,9 @@ static void study_cost(struct study *s)
     table_column(s->out, "t", "s", "processor time");
     table_column(s->out, "error", "", "of the end, largest coordinate");
     set_orbit_task(&k);
-    for (int row = 0; row < 11 && !progress_signal(); ++row, ++m) {
-        table_print(s->out, "# %s\n", m->name ? m->name : "rk8pd");
+    for (int row = 0, last = 0; !last && !progress_signal(); ++row, ++m) {
+        last = !m->name;
+        table_print(s->out, "# %s\n", last ? "rk8pd" : m->name);
         for (int step = 0; step < 11; ++step) {
             const double effort =
                 (m->name ? 500 : 10) * pow(2, m->name ? step : 4 * step);
@@ -783,6 +802,7 @@ static void study_cost(struct study *s)
 }
 
 static const struct study_entry studies[] = {
+    {"methods", study_methods, "what their rows promise", NULL},
     {"portrait", study_portrait, "four methods in the phase plane", NULL},
     {"laws", study_laws, "of their energies", laws_keys},
     {"area", study_area, "of a disk of starts", area_keys},

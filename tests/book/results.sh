@@ -57,6 +57,14 @@ is 'a range over two lines' '0.012' "$(tex '\result[0
 is 'a word' '\text{smaller}' "$(tex '\result[=smaller]{drift}{form}')"
 is 'a committed table' '3.2' \
     "$(tex '\datum[1 to 5]{plots/data/01-timing.dat}{smaller}{3}')"
+printf '# machine: one\n# a\n1 2\n3 4\n\n# b\n1 5\n' >plots/data/02-two.dat
+is 'a row under a heading' '4' \
+    "$(tex '\datum[=4]{plots/data/02-two.dat}{a:2}{2}')"
+is 'the same number in the other one' '5' \
+    "$(tex '\datum[=5]{plots/data/02-two.dat}{b:1}{2}')"
+refused 'a row too far under a heading' \
+    '\datum[=5]{plots/data/02-two.dat}{b:2}{2}' \
+    'chapters/01-x.nw:3: \datum{plots/data/02-two.dat}{b:2}{2}: plots/data/02-two.dat has no "b:2"'
 is 'code, comments and quotes are not read' '' "$(tex '<<x.c>>=
 \result{a}{b}
 @
@@ -84,4 +92,4 @@ is 'Works has numbers, too' \
     'chapters/works/02-y.nw:1: \result{lost}{works}: cannot read build/runs/lost.summary' \
     "$(chapters/press/results out.tex 2>&1)"
 cd "$here" || exit 1
-echo 1..18
+echo 1..21

@@ -246,7 +246,7 @@ static void check_pick(const struct trial *t, struct scene *s,
     const double error = record_apart(&v, &same, &truth, 1, 16);
     UNIT_TRUE(error <= tolerance);
     UNIT_NEAR(error, r.error, fmax(0.1 * tolerance, 0.5 * r.error));
-    for (const struct models_model *m = models; m->name; ++m)
+    for (const struct models_model *m = models_all(); m->name; ++m)
         if (m->method) {
             const bool cheaper = undercut(&v, &q, &truth, m, r.cost / 1.5);
             if (cheaper)

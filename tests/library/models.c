@@ -7,6 +7,7 @@
 #include "library/plans.h"
 #include "enough/models.h"
 #include "enough/prices.h"
+#include "forces/motion.h"
 #include "toolbox/random.h"
 
 #include <stdlib.h>
@@ -735,17 +736,24 @@ static void test_text(void)
               again.steps == all.steps);
 }
 
+/* A model that there is not hears of all that there are. */
+static void check_list(const char *wrong)
+{
+    char message[MODELS_MESSAGE], list[MODELS_MESSAGE];
+    struct models_plan p;
+    int used = sprintf(list,
+                       "found '%s', expected one of free, kepler, "
+                       "oscillator, relabel, modes, line, disks",
+                       wrong);
+    for (const struct stepping_method *m = stepping_methods; m->name; ++m)
+        used += sprintf(list + used, ", %s", m->name);
+    UNIT_TRUE(!models_read(&p, wrong, message));
+    UNIT_TRUE(strcmp(message, list) == 0);
+}
+
 static void test_text_errors(void)
 {
     static const char *const wrong[][2] = {
-        {"", "found '', expected one of free, kepler, oscillator, "
-             "relabel, modes, line, disks, euler, symplectic-euler, "
-             "leapfrog, rk4, yoshida4, yoshida6, pefrl, kahan-li8, "
-             "implicit-midpoint, gauss4"},
-        {"keppler", "found 'keppler', expected one of free, kepler, "
-                    "oscillator, relabel, modes, line, disks, euler, "
-                    "symplectic-euler, leapfrog, rk4, yoshida4, yoshida6, "
-                    "pefrl, kahan-li8, implicit-midpoint, gauss4"},
         {"rk4:", "found '', expected a whole number of steps from 1 to "
                  "10^12"},
         {"rk4:0", "found '0', expected a whole number of steps from 1 to "
@@ -761,34 +769,66 @@ static void test_text_errors(void)
                    "no-friction"}};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; ++i) {
         struct models_plan p;
-        char message[MODELS_TEXT];
+        char message[MODELS_MESSAGE];
         UNIT_TRUE(!models_read(&p, wrong[i][0], message));
         if (strcmp(message, wrong[i][1]) != 0)
             printf("%s: %s\n", wrong[i][0], message);
         UNIT_TRUE(strcmp(message, wrong[i][1]) == 0);
     }
+    check_list("");
+    check_list("keppler");
     make("sun-earth", NULL);
     refuses("rk4", "it needs a number of steps");
     refuses("line,no-light", "it does not ask who pulls");
     scene_free(&scene);
 }
 
-/* The names of methods are those of chapter 8, in its order. */
+/* The last models are the methods of chapter 8, in its order; leapfrog
+   alone can have rods. */
 static void test_table(void)
 {
-    size_t methods = 0;
-    for (const struct models_model *m = models; m->name; ++m) {
-        UNIT_TRUE(models_find(m->name) == m);
-        UNIT_TRUE((m->method != NULL) == (m->family == MODELS_STEPS));
-        if (m->method) {
-            UNIT_TRUE(strcmp(m->name, m->method->name) == 0);
-            UNIT_TRUE(stepping_find(m->name) == m->method);
-            ++methods;
-        }
+    const struct models_model *m = models_all();
+    for (; m->name && !m->method; ++m)
+        UNIT_TRUE(m->family != MODELS_STEPS && models_find(m->name) == m);
+    make("double-pendulum", NULL);
+    for (size_t k = 0; stepping_methods[k].name; ++k, ++m) {
+        const struct models_plan rods = {m, MODELS_RODS, 1};
+        UNIT_TRUE(m->family == MODELS_STEPS && !m->approximate);
+        UNIT_TRUE(m->method == &stepping_methods[k]);
+        UNIT_TRUE(m->name == m->method->name && models_find(m->name) == m);
+        UNIT_TRUE((models_refuse(&rods, &scene) == NULL) ==
+                  stepping_is_leapfrog(m->method));
     }
-    for (size_t k = 0; stepping_methods[k].name; ++k)
-        UNIT_TRUE(models_find(stepping_methods[k].name) != NULL);
-    UNIT_EQUAL((double)methods, 10);
+    UNIT_TRUE(m->name == NULL);
+    scene_free(&scene);
+}
+
+/* What a run by each method books is what it did: the places are those of
+   the method of this name, and the evaluations those of its row. */
+static void test_books(void)
+{
+    make("sun-earth", NULL);
+    for (const struct stepping_method *k = stepping_methods; k->name; ++k) {
+        char text[64];
+        struct scene s;
+        struct motion m;
+        snprintf(text, sizeof text, "%s:64", k->name);
+        struct models_run r = run_of(text, 64, 1);
+        UNIT_TRUE(scene_copy(&s, &scene) &&
+                  motion_begin(&m, "models", &s, k->name, 1));
+        UNIT_TRUE(motion_run(&m, 64) == STEPPING_DONE);
+        const double asked = r.work[MODELS_EVALUATION];
+        const size_t size = 6 * sizeof *s.position;
+        UNIT_TRUE(memcmp(r.scene.position, s.position, size) == 0);
+        UNIT_EQUAL(asked, (double)m.stepping.evaluations);
+        UNIT_TRUE(k->family == STEPPING_IMPLICIT
+                      ? asked > 64.0 * (double)k->stages
+                      : asked - 64.0 * (double)k->stages <= 1);
+        motion_end(&m);
+        scene_free(&s);
+        models_end(&r);
+    }
+    scene_free(&scene);
 }
 
 /* Work is what was done, whatever the number of rows; at the limit of the
@@ -911,6 +951,7 @@ int main(void)
             {"plans are read as they were written", test_text},
             {"what is no plan", test_text_errors},
             {"the table has every method of chapter 8", test_table},
+            {"and each one books what it does", test_books},
             {"work is counted, and limited", test_work},
             {"runs that break down or stand still", test_ends},
             {"a list of prices", test_prices},

@@ -9,7 +9,7 @@
 static inline struct models_plan plan(const char *text)
 {
     struct models_plan p = {0};
-    char message[MODELS_TEXT];
+    char message[MODELS_MESSAGE];
     const bool good = models_read(&p, text, message);
     if (!good)
         printf("# %s: %s\n", text, message);

@@ -17,6 +17,8 @@ for scene in figure-eight 'ring --particles 150' 'membrane --damping 0.1' \
     build/bin/scene $scene -o "$work/${scene%% *}.plist"
 done
 
+methods=$(methods)
+
 # run_all FOLDER: what the programs of the folder print, timings left out.
 run_all() {
     case $1 in /*) bin=$1 ;; *) bin=$PWD/$1 ;; esac
@@ -82,8 +84,7 @@ run_all() {
         # shellcheck disable=SC2086
         "$1/gravity-studies" --study $study
     done
-    for method in euler symplectic-euler leapfrog rk4 yoshida4 yoshida6 pefrl \
-        kahan-li8 implicit-midpoint gauss4; do
+    for method in $methods; do
         (cd "$work" && "$bin/step" figure-eight.plist --method $method &&
             "$bin/step" membrane.plist --method $method --until 1 \
                 --observe parts,z:30)

@@ -133,8 +133,9 @@ goes_on() {
 }
 cp tests/programs/rough.plist "$w/rough"
 sed '/^damp/d; s/0.3$/0/' "$w/rough" >"$w/free"
-methods='euler symplectic-euler leapfrog rk4 yoshida4 yoshida6 pefrl kahan-li8
-    implicit-midpoint gauss4'
+methods=$(methods)
+own=$(echo "$methods" | wc -l)
+holds 'there are methods' test "$own" -gt 1
 $step "$w/free" --method rk8pd --dt 1 --until 1 -o "$w/a" 2>"$w/said" &&
     methods="$methods rk8pd"
 for method in $methods; do
@@ -244,6 +245,11 @@ refuses 2 'every: 0.3 is no whole number of steps of 0.25; the nearest is 0.25' 
     $step "$w/fall" --every 0.3
 refuses 2 'every: 0.1 .*the nearest is 0.25' $step "$w/fall" --every 0.1
 refuses 2 "'magic'.*leapfrog" $step "$w/fall" --method magic
+for method in $(methods); do
+    holds "the refusal knows $method" grep -q " $method[, ]" "$work/err"
+    holds "--help has a phrase for $method" \
+        sh -c "$step --help | grep -q ' $method, order [0-9]*: [a-zA-Z]'"
+done
 refuses 2 "kernel: 'sse'" $step "$w/fall" --kernel sse
 refuses 2 "rule: 'none'" $step "$w/fall" --rule none
 refuses 2 "shift: 'none'" $step "$w/fall" --shift none
@@ -363,4 +369,4 @@ fi
 sed 's/^dt .*/dt 0.1/' "$w/pendulum" >"$w/wild"
 build/bin/orbit "$w/wild" >"$w/a" 2>"$w/told"
 holds 'and a run that blew up' test $? -eq 1
-echo "1..$((262 - fewer))"
+echo "1..$((143 + 14 * own - fewer))"

@@ -5,7 +5,7 @@
 s=build/bin/step-studies
 
 studies() { # PROGRAM: what the quick ones print
-    for study in portrait laws area stability trace order damping friction; do
+    for study in methods portrait laws area stability trace order damping friction; do
         "$1" --study $study
     done
     "$1" --study energy --orbits 10
@@ -38,7 +38,7 @@ awk '{ v[$1] = $2 } END { exit !(v["leapfrog"] < 1e-3 && v["rk4"] > 5e-3 &&
 holds 'energies: leapfrog bounded, RK4 drifts' test $? -eq 0
 
 refuses 2 'study is needed' $s
-refuses 2 "'euler' is not portrait" $s --study euler
+refuses 2 "'euler' is not methods" $s --study euler
 refuses 2 'orbits: ' $s --study energy --orbits 0
 refuses 2 'orbits: ' $s --study energy --orbits many
 refuses 1 nowhere $s --study laws -o /nowhere/table

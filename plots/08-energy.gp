@@ -5,6 +5,7 @@
 width = 14
 height = 8
 load 'plots/style.gp'
+load 'plots/methods.gp'
 file = 'build/data/08-energy.dat'
 set logscale xy
 set format '10^{%T}'
@@ -17,13 +18,5 @@ set rmargin at screen 0.755
 set bmargin at screen 0.15
 set tmargin at screen 0.97
 set key at screen 0.99,0.97 right top samplen 2 Left reverse
-plot file index 0 using 1:2 with linespoints ls 2 pi 8 title 'Euler', \
-     file index 1 using 1:2 with linespoints ls 3 pi 8 title 'symplectic Euler', \
-     file index 2 using 1:2 with linespoints ls 1 pi 8 title 'leapfrog', \
-     file index 8 using 1:2 with linespoints ls 1 pt 6 dt 2 pi 8 title 'midpoint', \
-     file index 3 using 1:2 with linespoints ls 4 pi 8 title 'RK4', \
-     file index 4 using 1:2 with linespoints ls 5 pi 8 title 'Yoshida 4', \
-     file index 5 using 1:2 with linespoints ls 5 pt 12 dt 2 pi 8 title 'Yoshida 6', \
-     file index 6 using 1:2 with linespoints ls 3 pt 8 dt 2 pi 8 title 'PEFRL', \
-     file index 7 using 1:2 with linespoints ls 2 pt 4 dt 2 pi 8 title 'Kahan–Li 8', \
-     file index 9 using 1:2 with linespoints ls 4 pt 10 dt 2 pi 8 title 'Gauss 4'
+plot for [m in methods(file, known)] file index at(file, m) using 1:2 \
+     with linespoints ls style_of(m) pi 8 title name_of(m)

@@ -4,6 +4,7 @@
 width = 14
 height = 7
 load 'plots/style.gp'
+load 'plots/methods.gp'
 file = 'build/data/08-friction.dat'
 set xrange [0:6]
 set yrange [0:1.6]
@@ -15,11 +16,5 @@ set bmargin at screen 0.16
 set tmargin at screen 0.97
 set key at screen 0.99,0.97 right top samplen 3 Left reverse
 plot exp(-x) ls 9 lw 4*thick title 'truth', 1 ls 9, \
-     file using 1:4 with lines ls 1 title 'leapfrog', \
-     file using 1:5 with lines ls 4 dt 4 title 'RK4', \
-     file using 1:6 with lines ls 2 dt 2 title 'Yoshida 4', \
-     file using 1:7 with lines ls 4 title 'Yoshida 6', \
-     file using 1:8 with lines ls 3 dt 3 lw 2*thick title 'PEFRL', \
-     file using 1:9 with lines ls 5 title 'Kahan–Li 8', \
-     file using 1:10 with lines ls 1 dt 2 title 'midpoint', \
-     file using 1:11 with lines ls 2 title 'Gauss 4'
+     for [m in columns(file, '!euler !symplectic-euler leapfrog rk4')] \
+     file using 1:column_of(file, m) with lines ls style_of(m) title name_of(m)

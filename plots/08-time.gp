@@ -3,6 +3,8 @@
 width = 14
 height = 8
 load 'plots/style.gp'
+size = 0.7
+load 'plots/methods.gp'
 file = 'plots/data/08-cost.dat'
 set logscale xy
 set format '10^{%T}'
@@ -16,14 +18,5 @@ set rmargin at screen 0.755
 set bmargin at screen 0.15
 set tmargin at screen 0.97
 set key at screen 0.99,0.97 right top samplen 2 Left reverse
-plot file index 0 using 3:4 with linespoints ls 2 ps 0.4*big title 'Euler', \
-     file index 1 using 3:4 with linespoints ls 3 ps 0.5*big title 'symplectic Euler', \
-     file index 2 using 3:4 with linespoints ls 1 ps 0.4*big title 'leapfrog', \
-     file index 8 using 3:4 with linespoints ls 1 pt 6 dt 2 ps 0.4*big title 'midpoint', \
-     file index 3 using 3:4 with linespoints ls 4 ps 0.5*big title 'RK4', \
-     file index 4 using 3:4 with linespoints ls 5 ps 0.6*big title 'Yoshida 4', \
-     file index 5 using 3:4 with linespoints ls 5 pt 12 dt 2 ps 0.6*big title 'Yoshida 6', \
-     file index 6 using 3:4 with linespoints ls 3 pt 8 dt 2 ps 0.5*big title 'PEFRL', \
-     file index 7 using 3:4 with linespoints ls 2 pt 4 dt 2 ps 0.4*big title 'Kahan–Li 8', \
-     file index 9 using 3:4 with linespoints ls 4 pt 10 dt 2 ps 0.5*big title 'Gauss 4', \
-     file index 10 using 3:4 with linespoints ls 9 pt 1 ps 0.5*big title 'rk8pd (GSL)'
+plot for [m in methods(file, known)] file index at(file, m) using 3:4 \
+     with linespoints ls style_of(m) title name_of(m)

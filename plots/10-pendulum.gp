@@ -6,6 +6,7 @@
 width = 14
 height = 8
 load 'plots/style.gp'
+load 'plots/methods.gp'
 set multiplot
 set lmargin at screen 0.09
 set rmargin at screen 0.375
@@ -36,14 +37,6 @@ set xlabel 'step  (s)'
 set ylabel 'error after 10 s  (m)' offset 0
 set key at screen 0.815,0.97 left top Left reverse samplen 1.5
 errors = 'build/data/10-errors.dat'
-plot errors index 0 using 1:3 with linespoints lc rgb grey pt 1 ps 0.6*big title 'Euler', \
-     errors index 1 using 1:3 with linespoints lc rgb dark pt 2 ps 0.6*big title 'sympl. Euler', \
-     errors index 2 using 1:3 with linespoints ls 1 title 'leapfrog', \
-     errors index 8 using 1:3 with linespoints ls 5 title 'midpoint', \
-     errors index 3 using 1:3 with linespoints ls 2 title 'RK4', \
-     errors index 4 using 1:3 with linespoints ls 3 title 'Yoshida 4', \
-     errors index 6 using 1:3 with linespoints lc rgb orange pt 4 ps 0.6*big title 'PEFRL', \
-     errors index 9 using 1:3 with linespoints lc rgb orange pt 12 ps 0.6*big dt 2 title 'Gauss 4', \
-     errors index 5 using 1:3 with linespoints ls 4 title 'Yoshida 6', \
-     errors index 7 using 1:3 with linespoints lc rgb grey pt 6 ps 0.6*big title 'Kahan–Li 8'
+plot for [m in methods(errors, known)] errors index at(errors, m) using 1:3 \
+     with linespoints ls style_of(m) title name_of(m)
 unset multiplot

@@ -6,6 +6,7 @@
 width = 14
 height = 6.5
 load 'plots/style.gp'
+load 'plots/methods.gp'
 set multiplot layout 1,2 margins 0.09,0.985,0.17,0.97 spacing 0.13,0
 set logscale xy
 set format x '10^{%T}'
@@ -15,9 +16,10 @@ set ylabel 'error after 10 s  (m)' offset 0.5
 set xrange [4e-4:1]
 set yrange [1e-7:3]
 set key at graph 0.985,0.03 right bottom samplen 1.5
+errors = 'build/data/10-errors.dat'
 plot 1.1*x**2 ls 9, \
-     'build/data/10-errors.dat' index 2 using 1:3 with linespoints ls 1 title 'spring, leapfrog', \
-     'build/data/10-errors.dat' index 8 using 1:3 with linespoints ls 5 title 'spring, implicit midpoint', \
+     for [m in 'leapfrog implicit-midpoint'] errors index at(errors, m) using 1:3 \
+     with linespoints ls style_of(m) title 'spring, '.name_of(m), \
      'build/data/10-rod.dat' index 0 using 1:2 with linespoints ls 2 title 'rod'
 set xlabel 'stiffness of the upper spring  (N/m)'
 set ylabel 'distance of spring from rod  (m)' offset 0

@@ -3,6 +3,7 @@
 width = 14
 height = 8
 load 'plots/style.gp'
+load 'plots/methods.gp'
 set lmargin at screen 0.1
 set rmargin at screen 0.735
 set bmargin at screen 0.14
@@ -16,13 +17,5 @@ set xrange [1e-5:2]
 set yrange [1e-13:3]
 set key at screen 0.985,0.97 right top samplen 1.5
 file = 'plots/data/10-work.dat'
-plot file index 0 using 5:3 with linespoints lc rgb grey pt 1 ps 0.6*big title 'Euler', \
-     file index 1 using 5:3 with linespoints lc rgb dark pt 2 ps 0.6*big title 'symplectic Euler', \
-     file index 2 using 5:3 with linespoints ls 1 title 'leapfrog', \
-     file index 8 using 5:3 with linespoints ls 5 title 'implicit midpoint', \
-     file index 3 using 5:3 with linespoints ls 2 title 'RK4', \
-     file index 4 using 5:3 with linespoints ls 3 title 'Yoshida 4', \
-     file index 6 using 5:3 with linespoints lc rgb orange pt 4 ps 0.6*big title 'PEFRL', \
-     file index 9 using 5:3 with linespoints lc rgb orange pt 12 ps 0.6*big dt 2 title 'Gauss 4', \
-     file index 5 using 5:3 with linespoints ls 4 title 'Yoshida 6', \
-     file index 7 using 5:3 with linespoints lc rgb grey pt 6 ps 0.6*big title 'Kahan–Li 8'
+plot for [m in methods(file, known)] file index at(file, m) using 5:3 \
+     with linespoints ls style_of(m) title name_of(m)

@@ -1,5 +1,5 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 2518841017 of the lines below */
+/* checksum 2815415896 of the lines below */
 #include "toolbox/study.h"
 
 #include <assert.h>
@@ -28,6 +28,8 @@ static size_t list_studies(const struct study_program *p,
         names[n++] = e->name;
         help += sprintf(help, "\n%s: %s", e->name, e->about);
     }
+    if (p->usual)
+        sprintf(help, "\n(%s)", p->usual);
     names[n] = NULL;
     return n;
 }
@@ -83,9 +85,15 @@ static void read_command(const struct study_program *p, struct command *c,
     struct options_entry entries[OPTIONS_MAXIMUM + 1] = {{0}};
     struct options o;
     int letter;
-    const size_t studies = c->study = list_studies(p, names, help);
+    const size_t studies = list_studies(p, names, help);
     list_options(p, help, entries);
     options_begin(&o, p->name, p->purpose, entries, argc, argv);
+    c->study = 0;
+    while (c->study < studies &&
+           !(p->usual && strcmp(names[c->study], p->usual) == 0))
+        ++c->study;
+    if (c->study < studies)
+        options_keys(&o, p->studies[c->study].keys);
     while ((letter = options_next(&o)) != -1)
         take_option(&o, letter, p, names, c);
     c->record = options_command(&o);
@@ -93,6 +101,8 @@ static void read_command(const struct study_program *p, struct command *c,
         options_fail(&o, "--study is needed; %s --help lists them",
                      p->name);
     program_apart(&o, c->output, c->summary, "table");
+    if (p->check)
+        p->check(&o, names[c->study], p->own);
 }
 
 int study_main(const struct study_program *p, int argc, char *argv[])
@@ -106,7 +116,8 @@ int study_main(const struct study_program *p, int argc, char *argv[])
     progress_begin(&s.progress, p->name, 0, p->events);
     table_begin(s.out, c.record, c.seed);
     p->studies[c.study].run(&s);
-    return program_close(s.out, s.summary, progress_end(&s.progress));
+    const bool whole = progress_end(&s.progress) && !s.broken;
+    return program_close(s.out, s.summary, whole);
 }
 
 _Noreturn void study_fail(const char *program, const char *why)

@@ -1,5 +1,5 @@
 /* From chapters/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 1031936410 of the lines below */
+/* checksum 775263990 of the lines below */
 #ifndef TOOLBOX_STUDY_H
 #define TOOLBOX_STUDY_H
 
@@ -8,6 +8,7 @@
 #include "toolbox/progress.h"
 #include "toolbox/table.h"
 
+#include <stdbool.h>
 #include <stdint.h>
 
 /* A study at work. */
@@ -16,6 +17,7 @@ struct study {
     uint64_t seed;
     struct progress progress; /* begun, with no total */
     const void *own;          /* the program's own settings */
+    bool broken;              /* set by a study that cannot go on */
 };
 
 /* One study; a list of them ends with {0}. */
@@ -32,12 +34,16 @@ struct study_program {
     const char *name, *purpose; /* for options_begin */
     const char *events;         /* for progress_begin */
     const struct study_entry *studies;
+    const char *usual;   /* runs without --study; NULL: one must be named */
     uint64_t seeds;      /* the highest --seed; 0: no such option */
     const char *drawing; /* its heading; NULL: all studies draw numbers */
     /* Options of its own, or NULL; take puts the value of each into own
        and may end in options_fail. */
     const struct options_entry *options;
     void (*take)(struct options *o, int letter, void *own);
+    /* Completes own when all options are taken; may end in options_fail.
+       NULL: there is nothing to do. */
+    void (*check)(struct options *o, const char *study, void *own);
     void *own;
 };
 
@@ -46,7 +52,8 @@ enum { STUDY_MOST = 32, STUDY_WIDTH = 48 };
 /* Reads the command line, opens table and summary, runs the study asked
    for, and closes both. A table cut short by a signal is kept, its summary
    is not. Returns the status to exit with: EXIT_FAILURE if a file could
-   not be written or a signal came. A wrong command ends the process. */
+   not be written, a signal came or the study broke. A wrong command ends
+   the process. */
 int study_main(const struct study_program *p, int argc, char *argv[]);
 
 /* As program_give_up. */

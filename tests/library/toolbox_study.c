@@ -35,6 +35,12 @@ static void interrupt(struct study *s)
     raise(SIGTERM);
 }
 
+static void burst(struct study *s)
+{
+    measure(s);
+    s->broken = true;
+}
+
 static const struct table_key keys[] = {{"seed", "1", "that was asked for"},
                                         {0}};
 
@@ -42,6 +48,7 @@ static const struct study_entry studies[] = {
     {"measure", measure, "a mass", keys},
     {"fall", fall, "to nowhere", keys},
     {"interrupt", interrupt, "itself", keys},
+    {"burst", burst, "on the way", keys},
     {0}};
 
 static const struct options_entry entries[] = {
@@ -54,8 +61,17 @@ static void take(struct options *o, int letter, void *settings)
         own->mass = options_real(o, 0, 10);
 }
 
+static void check(struct options *o, const char *study, void *settings)
+{
+    struct own *own = settings;
+    if (own->mass == 9)
+        options_fail(o, "--mass: 9 is too heavy for %s", study);
+    own->mass *= 2;
+}
+
 static uint64_t seeds;
-static const char *drawing;
+static const char *drawing, *usual;
+static void (*checked)(struct options *o, const char *study, void *own);
 static const struct options_entry *own_entries;
 
 static int program(void *argument)
@@ -72,10 +88,12 @@ static int program(void *argument)
                                               .purpose = "Drop things.",
                                               .events = "falls",
                                               .studies = studies,
+                                              .usual = usual,
                                               .seeds = seeds,
                                               .drawing = drawing,
                                               .options = own_entries,
                                               .take = take,
+                                              .check = checked,
                                               .own = &own},
                       argc, argv);
 }
@@ -137,7 +155,8 @@ static void test_command(void)
                             "them\n") == 0);
     c = run("--study\nfly" FILES);
     UNIT_TRUE(c.status == 2);
-    UNIT_TRUE(strstr(c.err, "'fly' is not measure, fall or interrupt"));
+    UNIT_TRUE(
+        strstr(c.err, "'fly' is not measure, fall, interrupt or burst"));
     c = run("--study\nmeasure\n--mass\n11" FILES);
     UNIT_TRUE(c.status == 2 && strstr(c.err, "drop: --mass: '11'"));
     c = run("--study\nmeasure\n--seed\n101" FILES);
@@ -188,6 +207,48 @@ static void test_signal(void)
     UNIT_TRUE(strstr(c.err, "drop: interrupted"));
     UNIT_TRUE(strstr(content(TABLE), "\n1\n"));
     UNIT_TRUE(content(SUMMARY)[0] == '\0');
+}
+
+static void test_broken(void)
+{
+    const struct child c = run("--study\nburst" FILES);
+    UNIT_TRUE(c.status == 1);
+    UNIT_TRUE(strstr(content(TABLE), "\n1\n"));
+    UNIT_TRUE(content(SUMMARY)[0] == '\0');
+}
+
+static void test_unnamed(void)
+{
+    usual = "burst";
+    struct child c = run("--output\n" TABLE);
+    UNIT_TRUE(c.status == 1);
+    UNIT_TRUE(strstr(content(TABLE), "# command: drop\n"));
+    c = run("--study\nmeasure" FILES);
+    UNIT_TRUE(c.status == 0);
+    c = run("--help");
+    UNIT_TRUE(strstr(c.out, "burst: on the way\n"));
+    UNIT_TRUE(strstr(c.out, " (burst)\n"));
+    UNIT_TRUE(strstr(c.out, "The summary says:\n"));
+    drawing = "--study fall";
+    c = run("--seed\n1" FILES);
+    UNIT_TRUE(c.status == 2);
+    UNIT_TRUE(strcmp(c.err, "drop: --seed: means nothing with --study "
+                            "burst (only with fall)\n") == 0);
+    drawing = usual = NULL;
+}
+
+static void test_check(void)
+{
+    checked = check;
+    struct child c = run("--study\nmeasure\n--mass\n2" FILES);
+    UNIT_TRUE(c.status == 0);
+    UNIT_TRUE(strstr(content(TABLE), "\n4\n"));
+    c = run("--mass\n9\n--study\nburst" FILES);
+    UNIT_TRUE(c.status == 2);
+    UNIT_TRUE(strcmp(c.err, "drop: --mass: 9 is too heavy for burst\n") ==
+              0);
+    UNIT_TRUE(content(TABLE)[0] == '\0');
+    checked = NULL;
 }
 
 static void test_help(void)
@@ -248,6 +309,9 @@ int main(void)
              test_no_file},
             {"a study that fails leaves nothing", test_failure},
             {"a signal keeps the table, not the summary", test_signal},
+            {"a study that breaks off, too", test_broken},
+            {"the usual study needs no name", test_unnamed},
+            {"settings are looked at together", test_check},
             {"--help lists the studies and the options", test_help},
             {"a seed for the studies that draw", test_drawing},
             {"no seeds: no option, and 0 in the head", test_no_seed},

@@ -1,11 +1,9 @@
 /* From chapters/works/04-piston.nw: edit there, then run make tangle. */
-/* checksum 256692308 of the lines below */
+/* checksum 2711336649 of the lines below */
 /* Swings of a piston: of the model, and measured in runs of particles. */
 #include "line/piston.h"
 #include "toolbox/bench.h"
-#include "toolbox/options.h"
-#include "toolbox/progress.h"
-#include "toolbox/table.h"
+#include "toolbox/study.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -23,16 +21,15 @@ static stepper *const steppers[] = {piston_step, piston_step_rk4};
 static const char *const stepper_names[] = {"leapfrog", "rk4", NULL};
 
 struct settings {
-    size_t study, method;
+    size_t method;
     struct piston piston;
+    double energies[2], masses[2]; /* of the gases at the start */
     struct piston_state start;
     double step, every, until;
     const char *path; /* of the table to be measured */
     size_t body;
     double window, at[MOST], fit[2];
     size_t at_count;
-    const char *output, *summary_path, *command;
-    struct table *out, *summary;
 };
 
 static void read_pair(struct options *o, double pair[2], double low)
@@ -60,30 +57,24 @@ static double large_period(const struct settings *s, const struct piston *p,
     return piston_period(p, piston_energy(p, &state), points);
 }
 
-static void summarise_periods(const struct settings *s)
+static void summarise_periods(struct table *summary,
+                              const struct settings *s)
 {
     struct piston bare = s->piston;
     bare.left.mass = bare.right.mass = 0;
     const double small = 2 * acos(-1) / piston_frequency(&bare);
-    table_real(s->summary, "period_isothermal", sqrt(3) * small);
-    table_real(s->summary, "period_small", small);
-    table_real(s->summary, "period_large", large_period(s, &bare, POINTS));
-    table_real(s->summary, "period_small_added",
+    table_real(summary, "period_isothermal", sqrt(3) * small);
+    table_real(summary, "period_small", small);
+    table_real(summary, "period_large", large_period(s, &bare, POINTS));
+    table_real(summary, "period_small_added",
                2 * acos(-1) / piston_frequency(&s->piston));
-    table_real(s->summary, "period_large_added",
+    table_real(summary, "period_large_added",
                large_period(s, &s->piston, POINTS));
-    table_real(s->summary, "period_acoustic",
+    table_real(summary, "period_acoustic",
                2 * acos(-1) / piston_frequency_acoustic(&s->piston));
 }
 
-static const struct table_key cost_keys[] = {
-    {"period_isothermal", "s", "small swings, gases kept at a temperature"},
-    {"period_small", "s", "small swings, gases of no mass"},
-    {"period_large", "s", "swings of this run, the same"},
-    {"period_small_added", "s", "small swings, with a third of the gases"},
-    {"period_large_added", "s", "swings of this run, the same"},
-    {"period_acoustic", "s", "small swings, with sound in the gases"},
-    {0}};
+enum { SWING = 3 }; /* keys that only the swing has */
 
 static const struct table_key run_keys[] = {
     {"x_min", "m", "leftmost place of the piston"},
@@ -97,11 +88,12 @@ static const struct table_key run_keys[] = {
     {"period_acoustic", "s", "small swings, with sound in the gases"},
     {0}};
 
-static bool study_run(struct settings *s)
+static void study_run(struct study *s)
 {
-    const struct piston *p = &s->piston;
-    struct piston_state state = first_state(s, p);
-    const double steps = ceil(s->every / s->step);
+    const struct settings *own = s->own;
+    const struct piston *p = &own->piston;
+    struct piston_state state = first_state(own, p);
+    const double steps = ceil(own->every / own->step);
     const double start = piston_energy(p, &state);
     double worst = 0, low = state.x, high = state.x;
     table_column(s->out, "t", "s", "time");
@@ -110,24 +102,26 @@ static bool study_run(struct settings *s)
     table_column(s->out, "TL", "J", "energy of the left gas");
     table_column(s->out, "TR", "J", "energy of the right gas");
     table_column(s->out, "TP", "J", "energy of the moving mass");
-    for (double row = 0; row * s->every <= s->until; ++row) {
+    for (double row = 0; row * own->every <= own->until; ++row) {
         const double left = piston_gas_energy(&p->left, state.x);
         const double right =
             piston_gas_energy(&p->right, p->length - state.x);
         table_row(s->out, 6,
-                  (double[]){row * s->every, state.x, state.v, left, right,
+                  (double[]){row * own->every, state.x, state.v, left,
+                             right,
                              piston_energy(p, &state) - left - right});
         for (double k = 0; k < steps; ++k) {
             if (progress_signal())
-                return false;
-            if (!steppers[s->method](p, &state, s->every / steps)) {
+                return;
+            if (!steppers[own->method](p, &state, own->every / steps)) {
                 fprintf(stderr,
                         PROGRAM
                         ": --step: %.3g s leads into a wall at t = %.6g s, "
                         "x = %.6g m\n",
-                        s->every / steps, (row + k / steps) * s->every,
+                        own->every / steps, (row + k / steps) * own->every,
                         state.x);
-                return false;
+                s->broken = true;
+                return;
             }
             worst = fmax(worst, fabs(piston_energy(p, &state) / start - 1));
             low = fmin(low, state.x);
@@ -137,8 +131,7 @@ static bool study_run(struct settings *s)
     table_real(s->summary, "x_min", low);
     table_real(s->summary, "x_max", high);
     table_real(s->summary, "energy_error", worst);
-    summarise_periods(s);
-    return true;
+    summarise_periods(s->summary, own);
 }
 
 /* The time of one swing by steps of dt, begun to the right; NAN when a
@@ -201,12 +194,13 @@ static double cost_of(enum way way, const struct settings *s,
     return bench_median(rounds, BENCH_ROUNDS);
 }
 
-static bool study_cost(struct settings *s)
+static void study_cost(struct study *s)
 {
+    const struct settings *own = s->own;
     static const double first[WAYS] = {1, 1, 1, 0, 0};
     static const double factor[WAYS] = {0.5, 0.5, 2, 0, 0};
     static const int count[WAYS] = {13, 10, 7, 1, 1};
-    struct piston bare = s->piston;
+    struct piston bare = own->piston;
     bare.left.mass = bare.right.mass = 0;
     bench_machine(s->out);
     table_column(s->out, "way", "", "how the period was found");
@@ -216,19 +210,18 @@ static bool study_cost(struct settings *s)
     table_column(s->out, "cost", "s", "processor time for it");
     for (int way = 0; way < WAYS; ++way)
         for (int masses = 0; masses < 2; ++masses) {
-            const struct piston *p = masses ? &s->piston : &bare;
+            const struct piston *p = masses ? &own->piston : &bare;
             double number = first[way];
             for (int k = 0; k < count[way]; ++k, number *= factor[way]) {
                 if (progress_signal())
-                    return false;
+                    return;
                 table_print(s->out, "%-10s %d %-14.9g %.12g %.3g\n",
                             way_names[way], masses, number,
-                            period_by(way, s, p, number),
-                            cost_of(way, s, p, number));
+                            period_by(way, own, p, number),
+                            cost_of(way, own, p, number));
             }
         }
-    summarise_periods(s);
-    return true;
+    summarise_periods(s->summary, own);
 }
 
 enum { MOVERS = 4096, KEPT = 6 };
@@ -341,11 +334,15 @@ static bool read_record(const struct settings *s, struct record *r)
     return !wrong;
 }
 
-static bool study_gases(struct settings *s)
+static void study_gases(struct study *s)
 {
+    const struct settings *own = s->own;
     struct record r = {0};
-    if (!read_record(s, &r))
-        return free(r.row), false;
+    if (!read_record(own, &r)) {
+        s->broken = true;
+        free(r.row);
+        return;
+    }
     table_column(s->out, "t", "s", "time");
     table_column(s->out, "x", "m", "the piston: length of the left gas");
     table_column(s->out, "v", "m/s", "its velocity");
@@ -358,16 +355,15 @@ static bool study_gases(struct settings *s)
     table_column(s->out, "PR", "N", "pressure of the right gas");
     for (size_t i = 0; i < r.rows; ++i) {
         const double *row = r.row[i];
-        const double length = s->piston.length - row[1];
-        const double left = (double)(s->body - 1);
-        const double right = (double)(r.movers - s->body);
+        const double length = own->piston.length - row[1];
+        const double left = (double)(own->body - 1);
+        const double right = (double)(r.movers - own->body);
         table_row(s->out, 10,
                   (double[]){row[0], row[1], row[2], row[3], row[4], row[5],
                              2 * row[4] / left, 2 * row[5] / right,
                              2 * row[4] / row[1], 2 * row[5] / length});
     }
     free(r.row);
-    return true;
 }
 
 enum { CROSSINGS = 8 };
@@ -389,12 +385,13 @@ static size_t find_crossings(const struct settings *s,
     return n;
 }
 
-static void summarise_crossings(const struct settings *s,
+static void summarise_crossings(struct table *summary,
+                                const struct settings *s,
                                 const struct record *r)
 {
     double times[CROSSINGS], sum = 0, square = 0;
     const size_t n = find_crossings(s, r, times);
-    table_count(s->summary, "crossings", n);
+    table_count(summary, "crossings", n);
     for (size_t i = 2; i < n; ++i) {
         sum += times[i] - times[i - 2];
         square += (times[i] - times[i - 2]) * (times[i] - times[i - 2]);
@@ -402,10 +399,10 @@ static void summarise_crossings(const struct settings *s,
     if (n < 4)
         return;
     const double count = (double)(n - 2), mean = sum / count;
-    table_real(s->summary, "first_half", times[1] - times[0]);
-    table_real(s->summary, "second_half", times[2] - times[1]);
-    table_real(s->summary, "period", mean);
-    table_real(s->summary, "period_spread",
+    table_real(summary, "first_half", times[1] - times[0]);
+    table_real(summary, "second_half", times[2] - times[1]);
+    table_real(summary, "period", mean);
+    table_real(summary, "period_spread",
                sqrt(fmax(0, square / count - mean * mean)));
 }
 
@@ -487,60 +484,54 @@ static const struct table_key measure_keys[] = {
     {"share_<i>", "1", "the piston's in window i; nan: none"},
     {0}};
 
-static bool study_measure(struct settings *s)
+static void study_measure(struct study *s)
 {
+    const struct settings *own = s->own;
     struct record r = {0};
-    if (!read_record(s, &r))
-        return free(r.row), false;
-    const struct fit f = fit_decay(s, &r);
+    if (!read_record(own, &r)) {
+        s->broken = true;
+        free(r.row);
+        return;
+    }
+    const struct fit f = fit_decay(own, &r);
     table_column(s->out, "t", "s", "middle of a window");
     table_column(s->out, "share", "", "the piston's, mean of the window");
     table_column(s->out, "fit", "", "the fitted decay");
-    for (double t = 0; share_after(s, &r, t) >= 0; t += s->window) {
-        const double at = t + s->window / 2;
+    for (double t = 0; share_after(own, &r, t) >= 0; t += own->window) {
+        const double at = t + own->window / 2;
         table_row(s->out, 3,
-                  (double[]){at, share_after(s, &r, t),
+                  (double[]){at, share_after(own, &r, t),
                              1 / (double)r.movers +
                                  f.amplitude * exp(-at / f.tau)});
     }
     double reach = 0;
     for (size_t i = 0; i < r.rows; ++i)
-        reach = fmax(reach, fabs(r.row[i][1] - s->piston.length / 2));
+        reach = fmax(reach, fabs(r.row[i][1] - own->piston.length / 2));
     table_count(s->summary, "movers", r.movers);
     table_real(s->summary, "share_start", share(r.row[0]));
     table_real(s->summary, "reach", reach);
-    summarise_crossings(s, &r);
-    for (size_t i = 0; i < s->at_count; ++i) {
+    summarise_crossings(s->summary, own, &r);
+    for (size_t i = 0; i < own->at_count; ++i) {
         char key[32];
         snprintf(key, sizeof key, "share_%zu", i + 1);
         table_real(s->summary, key,
-                   share_after(s, &r, s->at[i] - s->window / 2));
+                   share_after(own, &r, own->at[i] - own->window / 2));
     }
     table_count(s->summary, "windows", f.n);
     table_real(s->summary, "tau", f.tau);
     table_real(s->summary, "tau_error", f.error);
     free(r.row);
-    return true;
 }
 
-static const struct {
-    bool (*run)(struct settings *s);
-    const struct table_key *keys;
-} studies[] = {{study_run, run_keys},
-               {study_cost, cost_keys},
-               {study_measure, measure_keys},
-               {study_gases, NULL}};
-
-static const char *const study_names[] = {"run", "cost", "measure", "gases",
-                                          NULL};
+static const struct study_entry studies[] = {
+    {"run", study_run, "the swing of the model", run_keys},
+    {"cost", study_cost, "ways to find its period", run_keys + SWING},
+    {"measure", study_measure, "period and decay in a table", measure_keys},
+    {"gases", study_gases, "the gases in a table", NULL},
+    {0}};
 
 static const struct options_entry entries[] = {
-    {"study", 't', "NAME", "run, cost, measure or gases (run)"},
     {"length", 'L', "L", "m, of the box (12)"},
-    {"output", 'o', "FILE", "for the table (standard output)"},
-    {"summary", 'S', "FILE",
-     "for the results as lines: key value;\n"
-     "--study NAME --help lists them"},
     {"", 0, NULL, "--study run, cost"},
     {"mass", 'M', "M", "kg, of the piston (40)"},
     {"energies", 'K', "KL,KR", "J, of the gases at the start (10/3 each)"},
@@ -561,93 +552,76 @@ static const struct options_entry entries[] = {
     {"fit", 'F', "A,B", "excess of the share (0.1,0.01)"},
     {0}};
 
-static void read_settings(struct settings *s, int argc, char *argv[])
+static void take_option(struct options *o, int letter, void *settings)
 {
-    struct options o;
-    int option;
-    double energies[2] = {10.0 / 3, 10.0 / 3};
-    double masses[2] = {20.0 / 3, 20.0 / 3};
-    *s = (struct settings){.summary_path = "/dev/null"};
-    s->piston = (struct piston){40, 12, {0, 0, 0}, {0, 0, 0}};
-    s->start = (struct piston_state){NAN, 1};
-    s->step = 0.01;
-    s->every = 0.1;
-    s->until = 40;
-    s->body = 6;
-    s->window = 10.15;
-    s->fit[0] = 0.1;
-    s->fit[1] = 0.01;
-    options_begin(&o, PROGRAM,
-                  "A piston between two adiabatic springs of gas.", entries,
-                  argc, argv);
-    options_keys(&o, run_keys);
-    while ((option = options_next(&o)) != -1)
-        switch (option) {
-        case 'M': s->piston.mass = options_real(&o, 1e-9, 1e9); break;
-        case 'L': s->piston.length = options_real(&o, 1e-9, 1e9); break;
-        case 'K': read_pair(&o, energies, 1e-9); break;
-        case 'g': read_pair(&o, masses, 0); break;
-        case 'x': s->start.x = options_real(&o, 0, 1e9); break;
-        case 'v': s->start.v = options_real(&o, -1e9, 1e9); break;
-        case 'm': s->method = options_choice(&o, stepper_names); break;
-        case 'h': s->step = options_real(&o, 1e-9, 1e9); break;
-        case 'e': s->every = options_real(&o, 1e-9, 1e9); break;
-        case 'u': s->until = options_real(&o, 0, 1e9); break;
-        case 't':
-            s->study = options_choice(&o, study_names);
-            options_keys(&o, studies[s->study].keys);
-            break;
-        case 'f': s->path = options_input(&o); break;
-        case 'b': s->body = options_count(&o, 1, 4096); break;
-        case 'w': s->window = options_real(&o, 1e-9, 1e9); break;
-        case 'a': s->at_count = options_list(&o, s->at, MOST); break;
-        case 'F': read_pair(&o, s->fit, 1e-9); break;
-        case 'o': s->output = options_text(&o); break;
-        case 'S': s->summary_path = options_text(&o); break;
-        }
-    s->command = options_command(&o);
+    struct settings *s = settings;
+    switch (letter) {
+    case 'M': s->piston.mass = options_real(o, 1e-9, 1e9); break;
+    case 'L': s->piston.length = options_real(o, 1e-9, 1e9); break;
+    case 'K': read_pair(o, s->energies, 1e-9); break;
+    case 'g': read_pair(o, s->masses, 0); break;
+    case 'x': s->start.x = options_real(o, 0, 1e9); break;
+    case 'v': s->start.v = options_real(o, -1e9, 1e9); break;
+    case 'm': s->method = options_choice(o, stepper_names); break;
+    case 'h': s->step = options_real(o, 1e-9, 1e9); break;
+    case 'e': s->every = options_real(o, 1e-9, 1e9); break;
+    case 'u': s->until = options_real(o, 0, 1e9); break;
+    case 'f': s->path = options_input(o); break;
+    case 'b': s->body = options_count(o, 1, 4096); break;
+    case 'w': s->window = options_real(o, 1e-9, 1e9); break;
+    case 'a': s->at_count = options_list(o, s->at, MOST); break;
+    case 'F': read_pair(o, s->fit, 1e-9); break;
+    }
+}
+
+static void check_settings(struct options *o, const char *study,
+                           void *settings)
+{
+    struct settings *s = settings;
     const double length = s->piston.length;
     if (isnan(s->start.x))
         s->start.x = length / 2;
     if (!(s->start.x > 0 && s->start.x < length))
-        options_fail(&o, "--start: %g is not inside the box, 0 to %g",
+        options_fail(o, "--start: %g is not inside the box, 0 to %g",
                      s->start.x, length);
-    if (s->study == 1 && !(s->start.v > 0))
-        options_fail(&o,
+    if (strcmp(study, "cost") == 0 && !(s->start.v > 0))
+        options_fail(o,
                      "--velocity: %g, but a cost is measured from a "
                      "start to the right",
                      s->start.v);
-    if (s->study >= 2 && !s->path)
-        options_fail(&o, "--study %s needs --table", study_names[s->study]);
+    if ((strcmp(study, "measure") == 0 || strcmp(study, "gases") == 0) &&
+        !s->path)
+        options_fail(o, "--study %s needs --table", study);
     if (!(s->fit[0] > s->fit[1]))
-        options_fail(&o, "--fit: from %g to %g is no decay", s->fit[0],
+        options_fail(o, "--fit: from %g to %g is no decay", s->fit[0],
                      s->fit[1]);
-    if (strcmp(s->summary_path, s->output ? s->output : "-") == 0 &&
-        strcmp(s->summary_path, "/dev/null") != 0)
-        options_fail(&o, "--summary and the table would both go to '%s'",
-                     s->summary_path);
     s->piston.left =
-        (struct piston_gas){energies[0], s->start.x, masses[0]};
-    s->piston.right =
-        (struct piston_gas){energies[1], length - s->start.x, masses[1]};
+        (struct piston_gas){s->energies[0], s->start.x, s->masses[0]};
+    s->piston.right = (struct piston_gas){
+        s->energies[1], length - s->start.x, s->masses[1]};
 }
 
 int main(int argc, char *argv[])
 {
-    struct settings s;
-    struct progress progress;
-    read_settings(&s, argc, argv);
-    s.out = table_open(PROGRAM, s.output);
-    s.summary = table_open(PROGRAM, s.summary_path);
-    if (!s.out || !s.summary)
-        return table_discard(s.out), table_discard(s.summary), EXIT_FAILURE;
-    table_keys(s.summary, studies[s.study].keys);
-    progress_catch_signals();
-    progress_begin(&progress, PROGRAM, 0, "steps");
-    table_begin(s.out, s.command, 0);
-    const bool done = studies[s.study].run(&s);
-    const bool whole = progress_end(&progress) && done;
-    if (!table_close(s.out) || !whole)
-        return table_discard(s.summary), EXIT_FAILURE;
-    return table_close(s.summary) ? EXIT_SUCCESS : EXIT_FAILURE;
+    struct settings own = {.piston = {40, 12, {0, 0, 0}, {0, 0, 0}},
+                           .energies = {10.0 / 3, 10.0 / 3},
+                           .masses = {20.0 / 3, 20.0 / 3},
+                           .start = {NAN, 1},
+                           .step = 0.01,
+                           .every = 0.1,
+                           .until = 40,
+                           .body = 6,
+                           .window = 10.15,
+                           .fit = {0.1, 0.01}};
+    const struct study_program program = {
+        .name = PROGRAM,
+        .purpose = "A piston between two adiabatic springs of gas.",
+        .events = "steps",
+        .studies = studies,
+        .usual = "run",
+        .options = entries,
+        .take = take_option,
+        .check = check_settings,
+        .own = &own};
+    return study_main(&program, argc, argv);
 }

@@ -1,9 +1,10 @@
 /* From chapters/works/04-piston.nw: edit there, then run make tangle. */
-/* checksum 2058586054 of the lines below */
+/* checksum 182263333 of the lines below */
 /* Bodies on a line from row to row, in one run or the mean of many. */
 #include "line/bonkers.h"
 #include "line/start.h"
 #include "toolbox/options.h"
+#include "toolbox/program.h"
 #include "toolbox/progress.h"
 #include "toolbox/random.h"
 #include "toolbox/table.h"
@@ -167,10 +168,7 @@ static void read_settings(struct settings *s, int argc, char *argv[])
         !start_allows(s->wish.kind, s->wish.movers))
         options_fail(&o, "--particles: %s cannot have %zu movers",
                      start_names[s->wish.kind], s->wish.movers);
-    if (strcmp(s->summary, s->output ? s->output : "-") == 0 &&
-        strcmp(s->summary, "/dev/null") != 0)
-        options_fail(&o, "--summary and the table would both go to '%s'",
-                     s->summary);
+    program_apart(&o, s->output, s->summary, "table");
 }
 
 static bool make_start(struct start *s, const struct settings *set,
@@ -216,21 +214,17 @@ static void begin_or_exit(struct bonkers *b, const struct settings *set,
     struct start s;
     size_t wrong;
     if (!make_start(&s, set, seed) ||
-        !bonkers_begin(b, &s, set->restitution, set->engine, &wrong)) {
-        fprintf(stderr, PROGRAM ": no memory for the particles\n");
-        table_abandon();
-        exit(EXIT_FAILURE);
-    }
+        !bonkers_begin(b, &s, set->restitution, set->engine, &wrong))
+        program_give_up(PROGRAM, "no memory for the particles");
     if (wrong < b->gaps) {
         char left[40], right[40];
         name_body(left, sizeof left, wrong, b->gaps);
         name_body(right, sizeof right, wrong + 1, b->gaps);
-        fprintf(stderr,
-                PROGRAM
-                ": --positions: %s and %s overlap; expected the bodies "
-                "from left to right with room for their radii\n",
-                left, right);
-        exit(OPTIONS_FAILURE);
+        program_refuse(
+            PROGRAM,
+            "--positions: %s and %s overlap; expected the bodies "
+            "from left to right with room for their radii",
+            left, right);
     }
     *until = s.until;
     start_free(&s);
@@ -331,6 +325,17 @@ static void name_columns(struct table *out, size_t gaps,
         }
 }
 
+/* Writes the mass with as few digits as give this inverse again. */
+static void write_mass(struct table *out, double im)
+{
+    char text[32];
+    int digits = 15;
+    do {
+        snprintf(text, sizeof text, "%.*g", digits, 1 / im);
+    } while (1 / strtod(text, NULL) != im && ++digits <= 17);
+    table_print(out, " %s", text);
+}
+
 /* The masses, for whoever wants to weigh the columns. */
 static void name_masses(struct table *out, const struct bonkers *b)
 {
@@ -338,7 +343,7 @@ static void name_masses(struct table *out, const struct bonkers *b)
         return;
     table_print(out, "# masses:");
     for (size_t i = 1; i < b->gaps; ++i)
-        table_print(out, " %.17g", 1 / b->body[i].im);
+        write_mass(out, b->body[i].im);
     table_print(out, "\n");
 }
 
@@ -591,11 +596,10 @@ static void check_rows(const struct run *r)
     if (r->every == 0 || r->samples < UINT64_MAX ||
         !(end < INFINITY && end / r->every > 9e15))
         return;
-    fprintf(stderr,
-            PROGRAM ": --every: %g s makes more than 9e15 rows in %g s; "
-                    "use a longer time, or --samples\n",
-            r->every, end);
-    exit(OPTIONS_FAILURE);
+    program_refuse(PROGRAM,
+                   "--every: %g s makes more than 9e15 rows in %g s; use a "
+                   "longer time, or --samples",
+                   r->every, end);
 }
 
 int main(int argc, char *argv[])
@@ -607,12 +611,8 @@ int main(int argc, char *argv[])
     read_settings(&s, argc, argv);
     begin_run(&r, &s, s.wish.seed);
     check_rows(&r);
-    struct table *out = table_open(PROGRAM, s.output);
-    struct table *summary = table_open(PROGRAM, s.summary);
-    if (!out || !summary)
-        return table_discard(out), table_discard(summary), EXIT_FAILURE;
-    table_keys(summary, keys);
-    progress_catch_signals();
+    struct table *out, *summary;
+    program_open(PROGRAM, s.output, s.summary, keys, &out, &summary);
 #ifdef _OPENMP
     if (s.threads > 0)
         omp_set_num_threads((int)s.threads);
@@ -627,12 +627,8 @@ int main(int argc, char *argv[])
         add_run(&t, &r);
     const bool whole = progress_end(&p) && done;
     const bool collapsed = s.members == 1 && say_collapse(&r);
-    const bool written = table_close(out);
     write_summary(summary, &t, &s, r.b.engine);
     bonkers_free(&r.b);
-    if (whole && written)
-        return table_close(summary) && !collapsed ? EXIT_SUCCESS
-                                                  : EXIT_FAILURE;
-    table_discard(summary);
-    return EXIT_FAILURE;
+    const int status = program_close(out, summary, whole);
+    return collapsed ? EXIT_FAILURE : status;
 }

@@ -1,10 +1,11 @@
 /* From chapters/works/03-equilibrium.nw: edit there, then run make tangle. */
-/* checksum 3899710755 of the lines below */
+/* checksum 2297849485 of the lines below */
 /* Columns of a table: their moments, errors and laws. */
 #include "line/laws.h"
 #include "line/statistics.h"
 #include "toolbox/bench.h"
 #include "toolbox/options.h"
+#include "toolbox/program.h"
 #include "toolbox/table.h"
 
 #include <ctype.h>
@@ -59,9 +60,7 @@ static _Noreturn void bad_input(const struct settings *s,
     vfprintf(stderr, format, arguments);
     fprintf(stderr, "\n");
     va_end(arguments);
-    table_discard(s->out);
-    table_discard(s->summary);
-    exit(OPTIONS_FAILURE);
+    program_leave(OPTIONS_FAILURE);
 }
 
 static _Noreturn void no_memory(const struct settings *s,
@@ -403,10 +402,7 @@ static void read_settings(struct settings *s, int argc, char *argv[])
     s->command = options_command(&o);
     if (!s->file)
         options_fail(&o, "a FILE is needed; - is standard input");
-    if (strcmp(s->summary_path, s->output ? s->output : "-") == 0 &&
-        strcmp(s->summary_path, "/dev/null") != 0)
-        options_fail(&o, "--summary and the table would both go to '%s'",
-                     s->summary_path);
+    program_apart(&o, s->output, s->summary_path, "table");
 }
 
 static void summarise(const struct settings *s, const char *key,
@@ -856,17 +852,13 @@ int main(int argc, char *argv[])
     struct settings s;
     struct columns c = {0};
     read_settings(&s, argc, argv);
-    s.out = table_open(PROGRAM, s.output);
-    s.summary = table_open(PROGRAM, s.summary_path);
-    if (!s.out || !s.summary)
-        return table_discard(s.out), table_discard(s.summary), EXIT_FAILURE;
+    s.out = program_table(PROGRAM, s.output);
+    s.summary = program_table(PROGRAM, s.summary_path);
     table_keys(s.summary, keys);
     read_table(&s, &c);
     begin_table(&s, &c);
     for (size_t i = 0; i < c.count; ++i)
         write_column(&s, &c, i);
     free_columns(&c);
-    if (!table_close(s.out))
-        return table_discard(s.summary), EXIT_FAILURE;
-    return table_close(s.summary) ? EXIT_SUCCESS : EXIT_FAILURE;
+    return program_close(s.out, s.summary, true);
 }

@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 2110392237 of the lines below */
+/* checksum 716928368 of the lines below */
 /* Speed, drift and failures of the engines of a line. */
 #include "line/bonkers.h"
 #include "line/collide.h"
@@ -28,7 +28,7 @@ static void begin_or_exit(struct bonkers *b, const struct start_wish *wish,
     size_t wrong = 0;
     if (!start_fill(&start, wish) ||
         !bonkers_begin(b, &start, 1, engine, &wrong) || wrong < b->gaps)
-        study_fail(PROGRAM, "no memory for the particles");
+        program_give_up(PROGRAM, "no memory for the particles");
     start_free(&start);
 }
 
@@ -274,7 +274,7 @@ static void throw_coins(struct table *summary, const char *name,
 static void begin_whole_ratio(struct bonkers *b)
 {
     if (!bonkers_create(b, 3, 1, BONKERS_SCAN))
-        study_fail(PROGRAM, "no memory for the particles");
+        program_give_up(PROGRAM, "no memory for the particles");
     b->body[1] = (struct bonkers_body){1, 1, 0, 1};
     b->body[2] = (struct bonkers_body){2, -0.3, 0, 0.5};
     b->body[3] = (struct bonkers_body){3, 0.77, 0, 1 / 1.5};

@@ -68,7 +68,11 @@ build/compiler.mk: build/compiler/key
 		$(call try,-O3 -flto=auto $(asked)/main.c $(asked)/lib.a); \
 		then echo 'LTO = -flto=auto'; fi; } >$@.part
 	@mv $@.part $@
+# Who works at the exercises needs no answer.
+students := check watch hint progress reset solution build/check/% help clean
+ifneq ($(filter-out $(students),$(or $(MAKECMDGOALS),first)),)
 include build/compiler.mk
+endif
 
 # What is there. What needs the GNU Scientific Library includes laws.h or
 # gsl/; without the library it is left out, and bare make says so.
@@ -230,16 +234,34 @@ errors = return-type implicit-function-declaration int-conversion
 sanitizers = -fsanitize=address,undefined -fno-sanitize=object-size \
 	-fno-sanitize-recover=undefined
 check_cc = $$(sed -n 1p build/check/flags)
-check_libs = $$(sed -n 2p build/check/flags)
-CHECK_BUILT = build/check/flags build/check/libcheck.a \
-	$(exercises:%=build/check/%.suite.o) $(exercises:%=build/check/%.list)
+runner = build/check/flags build/check/libcheck.a
+lists := $(exercises:%=build/check/%.list)
+CHECK_BUILT = $(runner) $(exercises:%=build/check/%.suite.o) $(lists)
 
-# EX=01a,02b or '01a 02b'.
+# EX=01a,02b or '01a 02b'. What is checked are the exercises that it names, or
+# else those that are begun, whose file is not the stub; no other suite is
+# needed. What somebody begins while we watch, examine asks for.
+comma = ,
+named := $(subst $(comma), ,$(EX))
+asked_for = $(filter $(named:=%),$(exercises))
+ifneq ($(filter check watch hint progress solution,$(MAKECMDGOALS)),)
+begun := $(filter $(exercises),$(shell cksum tests/exercises/*/stub.c \
+	exercises/[0-9][0-9][a-z]*.c 2>/dev/null | awk ' \
+	{ n = split($$3, part, "/"); sum = $$1 " " $$2 } \
+	/stub.c$$/ { stub[part[n - 1]] = sum; next } \
+	stub[substr(part[n], 1, 3)] != sum { print substr(part[n], 1, 3) }'))
+endif
+suites_of = $(if $(1),$(runner) $(1:%=build/check/%.suite.o))
+export MAKE
+check watch: $(runner) $(call suites_of,$(if $(named),$(asked_for),$(begun)))
+solution: $(call suites_of,$(asked_for))
+hint: $(if $(named),,$(call suites_of,$(begun)))
+progress: $(call suites_of,$(begun))
+
 split = set -f; IFS=', ';
-check: build/check/examine $(CHECK_BUILT)
+check: build/check/examine $(lists)
 	@$(split) build/check/examine $$EX
-
-watch hint progress reset solution: build/check/examine $(CHECK_BUILT)
+watch hint progress reset solution: build/check/examine $(lists)
 	@$(split) build/check/examine --$@ $$EX
 
 .PHONY: FORCE
@@ -271,7 +293,7 @@ build/made/check/obj/%.o: src/%.c build/check/flags
 	$(take_compiled)
 build/made/check/libcheck.a: $(patsubst src/%.c,build/check/obj/%.o,\
 	$(patsubst %,src/examiner/%.c,check hidden heed home place border) \
-	$(wildcard src/toolbox/*.c))
+	src/toolbox/random.c)
 	$(begin)
 	@rm -f $(made).new
 	@ar rcs $(made).new $^
@@ -291,17 +313,16 @@ kept += build/check/flags build/check/libcheck.a build/check/examine \
 # In a course that was handed out crossing.c is the border without comments.
 # On the suite's side the functions that cross are called suite_..., so that
 # the student's can keep their names.
-border_of = $(filter %/border.c %/crossing.c,$^)
+border_of = $(wildcard $(addprefix tests/exercises/$*/,border.c crossing.c))
 crossing = $$(sed -n '/^static/d; s/^[a-z][a-z_ *]*[ *]\([a-z0-9_]*\)(.*/\1/p' \
 	/dev/null $(border_of) | grep -v '^border_' | sed 's/.*/-D&=suite_&/')
 check_part = $(check_cc) -Wall -Wextra -pedantic -Isrc -c \
 	-o build/check/obj/suite/$*
-# One suite, and what it says about itself (asked of the pristine stub).
-build/made/check/%.suite.o: build/check/flags
+build/made/check/%.suite.o: tests/exercises/%/suite.c build/check/flags
 	$(begin)
-	$(call say,cc $(filter %/suite.c,$^))
+	$(call say,cc $<)
 	@mkdir -p build/check/obj/suite
-	$(Q)$(check_part).o $(reads) $(crossing) $(filter %/suite.c,$^)
+	$(Q)$(check_part).o $(reads) $(crossing) $<
 	$(if $(border_of),$(Q)$(check_part).outside.o $(reads).outside \
 		$(crossing) $(border_of))
 	$(if $(border_of),$(Q)$(check_part).inside.o $(reads).inside \
@@ -309,16 +330,18 @@ build/made/check/%.suite.o: build/check/flags
 	@ld -r -o $(made).new build/check/obj/suite/$*.o $(if $(border_of),\
 		build/check/obj/suite/$*.outside.o build/check/obj/suite/$*.inside.o)
 	$(take_compiled)
-define suite_rules
-build/made/check/$(1).suite.o: $(2)/suite.c \
-		$(wildcard $(2)/border.c $(2)/crossing.c)
-build/check/$(1).list: $(2)/stub.c build/check/$(1).suite.o \
-		build/check/libcheck.a
-	$(Q)$$(check_cc) -Isrc -Isrc/examiner -o build/check/$(1).stub $$< \
-		build/check/$(1).suite.o $$(check_libs)
-	@ASAN_OPTIONS=detect_leaks=0 build/check/$(1).stub --list >$$@
-endef
-$(foreach e,$(exercises),$(eval $(call suite_rules,$(e),tests/exercises/$(e))))
+$(foreach e,$(exercises),$(eval build/made/check/$(e).suite.o: \
+	$(wildcard $(addprefix tests/exercises/$(e)/,border.c crossing.c))))
+# What it says about itself, for all of them at once.
+build/made/check/lists: tests/lists.awk \
+		$(exercises:%=tests/exercises/%/suite.c)
+	@rm -rf build/check/lists && mkdir -p $(@D) build/check/lists
+	@awk -v into=build/check/lists -f $^
+	@mv build/check/lists/* build/check && touch $@
+$(lists): build/made/check/lists
+	@+:
+$(if $(filter-out $(wildcard $(lists)),$(lists)),\
+	$(shell rm -f build/made/check/lists))
 
 ## ---- grading: cc, make, CUnit, jansson, libxml2, bubblewrap ---------------
 
@@ -392,7 +415,7 @@ build/made/grade/obj/%.o: src/%.c build/check/flags
 	$(take_compiled)
 build/made/grade/libjudge.a: $(patsubst src/%.c,build/grade/obj/%.o,\
 	$(patsubst %,src/examiner/%.c,check hidden heed judge wire border) \
-	$(wildcard src/toolbox/*.c))
+	src/toolbox/random.c)
 	$(begin)
 	@rm -f $(made).new
 	@ar rcs $(made).new $^
@@ -407,42 +430,40 @@ kept += build/grade/grade build/grade/flags build/grade/libjudge.a \
 # One exercise: its judge, what goes into a box with the student's file, the
 # list of its tests, and the names that the student's file may show.
 judge_part = build/grade/obj/judge/$*
-build/made/grade/%.judge: build/grade/libjudge.a
+judge_of = $(wildcard $(addprefix tests/exercises/$*/,suite.c border.c hidden.c))
+build/made/grade/%.judge: tests/exercises/%/suite.c tests/exercises/%/border.c \
+		build/grade/libjudge.a
 	$(begin)
 	@mkdir -p build/grade/obj/judge
 	$(call say,cc $(made))
-	$(Q)for file in $(filter %.c,$^); do \
+	$(Q)for file in $(judge_of); do \
 		part=$${file##*/} && part=$${part%.c} && \
 		$(check_base) $(reads).$$part -Wall -Wextra -pedantic -Isrc \
 		-c -o $(judge_part).$$part.o $$file || exit 1; done
 	$(Q)$(check_base) -o $(made).new \
-		$(patsubst %.c,$(judge_part).%.o,$(notdir $(filter %.c,$^))) \
+		$(patsubst %.c,$(judge_part).%.o,$(notdir $(judge_of))) \
 		build/grade/libjudge.a $(LDFLAGS) -lcunit -lm
 	$(take_compiled)
-build/made/grade/%.inside.o: $(patsubst %,build/grade/obj/examiner/%.o,\
-		boxed wire border place)
+$(foreach e,$(graded),$(eval build/made/grade/$(e).judge: \
+	$(wildcard tests/exercises/$(e)/hidden.c)))
+build/made/grade/%.inside.o: tests/exercises/%/border.c $(patsubst %,\
+		build/grade/obj/examiner/%.o,boxed wire border place)
 	$(begin)
 	@mkdir -p build/grade/obj/border
 	$(Q)$(check_base) $(reads) -Wall -Wextra -pedantic -DBORDER_INSIDE -Isrc \
-		-c -o build/grade/obj/border/$*.o $(filter %.c,$^)
+		-c -o build/grade/obj/border/$*.o $<
 	@ld -r -o $(made).new build/grade/obj/border/$*.o $(filter %.o,$^)
 	$(take_compiled)
 build/grade/%.list: build/grade/%.judge
 	@build/grade/$*.judge --list >$@
-define grade_rules
-build/made/grade/$(1).judge: $(2)/suite.c $(2)/border.c \
-		$(wildcard $(2)/hidden.c)
-build/made/grade/$(1).inside.o: $(2)/border.c
-build/grade/$(1).names: build/grade/$(1).inside.o $(2)/stub.c
-	@$$(check_base) -Isrc/examiner -c -o build/grade/obj/border/$(1).stub.o \
-		$(2)/stub.c
-	@nm -P -g build/grade/$(1).inside.o | awk '$$$$2 == "U" { print $$$$1 }' \
-		>build/grade/obj/border/$(1).wanted
-	@nm -P -g build/grade/obj/border/$(1).stub.o | awk '$$$$2 != "U" \
-		{ print $$$$1 }' | grep -x -F -f build/grade/obj/border/$(1).wanted | \
-		sed 's/^/--keep-global-symbol=/' | tr '\n' ' ' >$$@
-endef
-$(foreach e,$(graded),$(eval $(call grade_rules,$(e),tests/exercises/$(e))))
+build/grade/%.names: build/grade/%.inside.o tests/exercises/%/stub.c
+	@$(check_base) -Isrc/examiner -c -o build/grade/obj/border/$*.stub.o \
+		tests/exercises/$*/stub.c
+	@nm -P -g build/grade/$*.inside.o | awk '$$2 == "U" { print $$1 }' \
+		>build/grade/obj/border/$*.wanted
+	@nm -P -g build/grade/obj/border/$*.stub.o | awk '$$2 != "U" \
+		{ print $$1 }' | grep -x -F -f build/grade/obj/border/$*.wanted | \
+		sed 's/^/--keep-global-symbol=/' | tr '\n' ' ' >$@
 
 ## ---- the book: noweb, gnuplot, TeX ---------------------------------------
 
@@ -632,7 +653,7 @@ build/made/tests/mutants/outlive: tests/mutants/outlive.c \
 	$(begin)
 	$(call say,cc $<)
 	$(Q)$(CC) $(STANDARD) $(PORTABLE) $(reads) -Isrc $(FLAGS) \
-		-o $(made).new $^ $(LDFLAGS)
+		-o $(made).new $(filter %.c %.o,$^) $(LDFLAGS)
 	$(take_compiled)
 
 # The library's tests under the sanitizers.

@@ -1,5 +1,5 @@
 /* From chapters/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 382413548 of the lines below */
+/* checksum 2316308056 of the lines below */
 #include "examiner/build.h"
 #include "examiner/message.h"
 #include "examiner/process.h"
@@ -25,6 +25,24 @@ bool build_sanitized(void)
     const bool found = strstr(flags, "-fsanitize=address") != NULL;
     free(flags);
     return found;
+}
+
+void build_suite(const char *exercise)
+{
+    static char script[] = "exec ${MAKE:-make} -s \"$1\" >&2";
+    const struct process_limits limits = {120, RLIM_INFINITY, RLIM_INFINITY,
+                                          RLIM_INFINITY};
+    const struct process_files files = {.output = STDERR_FILENO};
+    struct process_end end;
+    char suite[64];
+    snprintf(suite, sizeof suite, "build/check/%s.suite.o", exercise);
+    char *command[] = {"sh", "-c", script, "sh", suite, NULL};
+    if (access(suite, F_OK) != 0 &&
+        (!process_run(command, ".", &files, &limits, &end) ||
+         end.status != 0) &&
+        !process_signal())
+        text_fail("the tests of %s cannot be built; try: make %s", exercise,
+                  suite);
 }
 
 static bool compile(const char *folder, char *suite, char *source,

@@ -51,7 +51,7 @@ strangers=$(cd "$place" && find . ! -type d ! \( -type f \( \
     -path './plots/*.svg' -o -path './plots/data/*.dat' \) -o \
     -path ./README.md -o -path ./LICENSE -o -path ./CITATION.cff -o \
     -path ./Makefile -o -path ./bonkers.pdf -o -path ./works.pdf -o \
-    -path ./chapters/press/recipes -o \
+    -path ./chapters/press/recipes -o -path ./tests/lists.awk -o \
     -path ./tests/equations.txt -o -path ./.ci/install -o \
     -path ./.clang-format -o -path ./.editorconfig -o -path ./.gitignore -o \
     -path ./.gitattributes \))

@@ -67,6 +67,14 @@ is 'and makes other programs of those that use it' 'bonkers collide' \
 holds 'nothing is left of the making' \
     sh -c "! find build -name '*.new*' | grep ."
 
+# So are things of one file, with what they are linked with.
+outlive=build/tests/mutants/outlive
+is 'a tool is compiled' tests/mutants/outlive.c \
+    "$(made $outlive | tr ' ' '\n' | grep -v src/examiner)"
+is 'once' '' "$(made $outlive)"
+later tests/mutants/outlive.c
+is 'and again with its headers known' tests/mutants/outlive.c "$(made $outlive)"
+
 # What is lost is made again, and what is gone is not asked for.
 rm build/bin/orbit build/obj/line/collide.o
 is 'what is lost is made again' 'src/line/collide.c build/bin/orbit' \
@@ -101,4 +109,4 @@ is 'other flags in the Makefile compile anew' src/line/collide.c \
     "$(made build/obj/line/collide.o)"
 printf '# A word.\n' >>Makefile
 is 'a word in it does not' '' "$(made build/obj/line/collide.o)"
-echo 1..23
+echo 1..26

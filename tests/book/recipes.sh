@@ -118,7 +118,8 @@ is 'and leaves nothing behind' '' "$(ls build/runs | grep bad)"
 # A run that throws away the table of a figure makes it; another reads both.
 chapter '%run same: build/bin/walk -o /dev/null' '\result[1 to 4]{same}{steps}' \
     '%run reads: cat build/runs/same.summary build/data/walk.dat' \
-    '%run other: build/bin/walk --seed 1 -o /dev/null'
+    '%run other: build/bin/walk --seed 1 -o /dev/null' \
+    '%run twice: build/bin/walk --seed 1 -o /dev/null'
 chapters/press/recipes
 rules=$(cat build/recipes/rules.mk)
 is 'a run and a figure with one command are made once' \
@@ -129,6 +130,8 @@ has 'the figure waits for the run' \
 has 'the run does not wait for the figure' \
     'build/made/runs/same.txt: build/recipes/run-same build/bin/walk
 ' "$rules"
+has 'a second run of the same command waits as well' \
+    'build/made/runs/twice.txt: build/recipes/run-twice build/bin/walk' "$rules"
 is 'another command is another run' 'build/bin/walk --seed 1 -o /dev/null' \
     "$(sed -n '$p' build/recipes/run-other)"
 has 'a run waits for what it reads' 'build/made/runs/reads.txt: '\
@@ -213,4 +216,4 @@ chapter '%run a: build/bin/walk' '%run a: build/bin/walk --seed 2'
 is 'two commands for one run are refused' \
     'recipes: chapters/01-x.nw:3: run a is another command in chapters/01-x.nw:2' \
     "$(chapters/press/recipes 2>&1)"
-echo 1..47
+echo 1..48

@@ -5,7 +5,7 @@ scratch=$(mktemp -d) || exit 1
 trap 'rm -rf "$scratch"' EXIT
 mkdir -p "$scratch/chapters/press" "$scratch/tests/exercises/01a" "$scratch/solutions"
 cp chapters/press/weave chapters/press/keywords chapters/press/volumes \
-    chapters/press/across "$scratch/chapters/press/"
+    chapters/press/across chapters/press/names "$scratch/chapters/press/"
 cd "$scratch" || exit 1
 has() { # name needle file
     if grep -qF -- "$2" "$3"; then
@@ -25,7 +25,7 @@ refused() { # name message
 }
 one='\chapter{One}
 \section{What [[hit_it]] does}
-<<one.c>>=
+<<one.h>>=
 <<Includes>>
 int hit_it(void);
 
@@ -35,6 +35,7 @@ int hit_it(void);
 @'
 two='\chapter{Two}
 <<two.c>>=
+#include "one.h"
 <<Includes>>
 <<Call [[hit_it]] once>>
 <<Includes>>=
@@ -56,7 +57,7 @@ lines() { awk -v n="$1" 'BEGIN { for (i = 1; i <= n; ++i)
 printf 'Try `a_b` for 5 %%.\n--\nNext "one".\n' >tests/exercises/01a/hints.txt
 printf 'int main(void)\n{\n    return 0; /* for */\n}\n' >solutions/01a-x.c
 chapters/press/weave || echo 'not ok weave: two chapters - status 1'
-label=$(sed -n 's/.*sublabel{\(NW[^}]*\)}.*one\.c.*/\1/p' build/book/01-one.tex)
+label=$(sed -n 's/.*sublabel{\(NW[^}]*\)}.*one\.h.*/\1/p' build/book/01-one.tex)
 has 'an identifier is linked to another chapter' \
     "\\nwlinkedidentc{hit_it}{$label}" build/book/02-two.tex
 grep -c 'linkedidentc' build/book/02-two.tex | grep -qx 1 &&
@@ -119,7 +120,7 @@ has 'and the book knows that it stands there' "\\nwelsewhere{$label}" \
     build/book/elsewhere.tex
 has 'a heading of Works is a place' '\label{works:two}\worksanchor{works:two}' \
     build/works/02-two.tex
-label=$(sed -n 's/.*sublabel{\(NW[^}]*\)}.*one\.c.*/\1/p' build/book/01-one.tex)
+label=$(sed -n 's/.*sublabel{\(NW[^}]*\)}.*one\.h.*/\1/p' build/book/01-one.tex)
 grep -qF "\\nwelsewhere{$label}" build/works/elsewhere.tex &&
     grep -qF "\\nwixadd{\\nwixd}{hit:unit}{$label}" build/works/elsewhere.tex &&
     echo 'ok weave: and so Works of what the book defines' ||

@@ -1,4 +1,4 @@
-/* From chapters/B-grader.nw: edit there, then run make tangle. */
+/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
 /* checksum 2214142069 of the lines below */
 #include "examiner/box.h"
 #include "examiner/process.h"

@@ -1,4 +1,4 @@
-/* From chapters/B-grader.nw: edit there, then run make tangle. */
+/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
 /* checksum 1475751962 of the lines below */
 #ifndef BOX_H
 #define BOX_H

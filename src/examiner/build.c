@@ -1,4 +1,4 @@
-/* From chapters/B-examiner.nw: edit there, then run make tangle. */
+/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
 /* checksum 2316308056 of the lines below */
 #include "examiner/build.h"
 #include "examiner/message.h"

@@ -1,4 +1,4 @@
-/* From chapters/B-examiner.nw: edit there, then run make tangle. */
+/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
 /* checksum 608998662 of the lines below */
 #include "examiner/course.h"
 #include "examiner/sum.h"

@@ -1,4 +1,4 @@
-/* From chapters/B-examiner.nw: edit there, then run make tangle. */
+/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
 /* checksum 3979626370 of the lines below */
 #include "examiner/hint.h"
 #include "examiner/process.h"

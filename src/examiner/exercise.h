@@ -1,4 +1,4 @@
-/* From chapters/B-examiner.nw: edit there, then run make tangle. */
+/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
 /* checksum 3068672496 of the lines below */
 #ifndef EXERCISE_H
 #define EXERCISE_H

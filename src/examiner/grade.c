@@ -1,4 +1,4 @@
-/* From chapters/B-grader.nw: edit there, then run make tangle. */
+/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
 /* checksum 3569983328 of the lines below */
 #include "examiner/grading.h"
 #include "examiner/process.h"

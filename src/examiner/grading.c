@@ -1,4 +1,4 @@
-/* From chapters/B-grader.nw: edit there, then run make tangle. */
+/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
 /* checksum 3713810626 of the lines below */
 #include "examiner/grading.h"
 #include "examiner/build.h"

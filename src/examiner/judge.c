@@ -1,4 +1,4 @@
-/* From chapters/B-grader.nw: edit there, then run make tangle. */
+/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
 /* checksum 2734112505 of the lines below */
 #include "examiner/border.h"
 #include "examiner/check.h"

@@ -1,4 +1,4 @@
-/* From chapters/B-examiner.nw: edit there, then run make tangle. */
+/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
 /* checksum 4183424432 of the lines below */
 #ifndef MEMORY_H
 #define MEMORY_H

@@ -1,4 +1,4 @@
-/* From chapters/B-examiner.nw: edit there, then run make tangle. */
+/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
 /* checksum 78984701 of the lines below */
 #ifndef MESSAGE_H
 #define MESSAGE_H

@@ -1,4 +1,4 @@
-/* From chapters/B-grader.nw: edit there, then run make tangle. */
+/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
 /* checksum 1217362218 of the lines below */
 #include "examiner/place.h"
 #include "examiner/border.h"

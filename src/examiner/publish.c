@@ -1,4 +1,4 @@
-/* From chapters/B-grader.nw: edit there, then run make tangle. */
+/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
 /* checksum 1883816880 of the lines below */
 #define _XOPEN_SOURCE 700 /* wcwidth */
 #include "examiner/publish.h"

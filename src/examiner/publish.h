@@ -1,4 +1,4 @@
-/* From chapters/B-grader.nw: edit there, then run make tangle. */
+/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
 /* checksum 3893291514 of the lines below */
 #ifndef PUBLISH_H
 #define PUBLISH_H

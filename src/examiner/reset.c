@@ -1,4 +1,4 @@
-/* From chapters/B-examiner.nw: edit there, then run make tangle. */
+/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
 /* checksum 116785792 of the lines below */
 #include "examiner/reset.h"
 #include "examiner/hint.h"

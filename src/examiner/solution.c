@@ -1,4 +1,4 @@
-/* From chapters/B-examiner.nw: edit there, then run make tangle. */
+/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
 /* checksum 1677691421 of the lines below */
 #include "examiner/solution.h"
 #include "examiner/process.h"

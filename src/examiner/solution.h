@@ -1,4 +1,4 @@
-/* From chapters/B-examiner.nw: edit there, then run make tangle. */
+/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
 /* checksum 2039028546 of the lines below */
 #ifndef SOLUTION_H
 #define SOLUTION_H

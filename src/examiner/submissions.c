@@ -1,4 +1,4 @@
-/* From chapters/B-grader.nw: edit there, then run make tangle. */
+/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
 /* checksum 3149299091 of the lines below */
 #include "examiner/submissions.h"
 #include "examiner/marks.h"

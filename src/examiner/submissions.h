@@ -1,4 +1,4 @@
-/* From chapters/B-grader.nw: edit there, then run make tangle. */
+/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
 /* checksum 249345799 of the lines below */
 #ifndef SUBMISSIONS_H
 #define SUBMISSIONS_H

@@ -1,4 +1,4 @@
-/* From chapters/B-examiner.nw: edit there, then run make tangle. */
+/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
 /* checksum 794863913 of the lines below */
 #include "examiner/sum.h"
 #include "examiner/text.h"

@@ -1,4 +1,4 @@
-/* From chapters/B-examiner.nw: edit there, then run make tangle. */
+/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
 /* checksum 23715439 of the lines below */
 #include "examiner/trial.h"
 #include "examiner/process.h"

@@ -1,4 +1,4 @@
-/* From chapters/B-grader.nw: edit there, then run make tangle. */
+/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
 /* checksum 705338844 of the lines below */
 #ifndef WIRE_H
 #define WIRE_H

@@ -1,4 +1,4 @@
-/* From chapters/B-examiner.nw: edit there, then run make tangle. */
+/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
 /* checksum 1044185149 of the lines below */
 #include "examiner/work.h"
 #include "examiner/text.h"

@@ -1,4 +1,4 @@
-/* From chapters/A-toolbox.nw: edit there, then run make tangle. */
+/* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
 /* checksum 325220805 of the lines below */
 #ifndef TOOLBOX_BENCH_H
 #define TOOLBOX_BENCH_H

@@ -1,4 +1,4 @@
-/* From chapters/A-toolbox.nw: edit there, then run make tangle. */
+/* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
 /* checksum 2615629013 of the lines below */
 #ifndef TOOLBOX_OPTIONS_H
 #define TOOLBOX_OPTIONS_H

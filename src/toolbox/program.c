@@ -1,4 +1,4 @@
-/* From chapters/A-toolbox.nw: edit there, then run make tangle. */
+/* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
 /* checksum 3168443815 of the lines below */
 /* Two outputs that are opened and closed together, and two ways to end. */
 #include "toolbox/program.h"

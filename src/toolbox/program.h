@@ -1,4 +1,4 @@
-/* From chapters/A-toolbox.nw: edit there, then run make tangle. */
+/* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
 /* checksum 2364020238 of the lines below */
 /* What every program does around its own work: outputs and the way out. */
 #ifndef TOOLBOX_PROGRAM_H

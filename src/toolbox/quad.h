@@ -1,4 +1,4 @@
-/* From chapters/A-toolbox.nw: edit there, then run make tangle. */
+/* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
 /* checksum 1677581603 of the lines below */
 #ifndef TOOLBOX_QUAD_H
 #define TOOLBOX_QUAD_H

@@ -1,4 +1,4 @@
-/* From chapters/A-toolbox.nw: edit there, then run make tangle. */
+/* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
 /* checksum 3382026924 of the lines below */
 #ifndef TOOLBOX_RANDOM_H
 #define TOOLBOX_RANDOM_H

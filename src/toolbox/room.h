@@ -1,4 +1,4 @@
-/* From chapters/A-toolbox.nw: edit there, then run make tangle. */
+/* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
 /* checksum 455798779 of the lines below */
 #ifndef TOOLBOX_ROOM_H
 #define TOOLBOX_ROOM_H

@@ -1,4 +1,4 @@
-/* From chapters/A-toolbox.nw: edit there, then run make tangle. */
+/* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
 /* checksum 775263990 of the lines below */
 #ifndef TOOLBOX_STUDY_H
 #define TOOLBOX_STUDY_H

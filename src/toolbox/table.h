@@ -1,4 +1,4 @@
-/* From chapters/A-toolbox.nw: edit there, then run make tangle. */
+/* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
 /* checksum 1572924755 of the lines below */
 #ifndef TOOLBOX_TABLE_H
 #define TOOLBOX_TABLE_H

@@ -1,4 +1,4 @@
-/* From chapters/A-toolbox.nw: edit there, then run make tangle. */
+/* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
 /* checksum 1057416790 of the lines below */
 #ifndef TOOLBOX_VERSION_H
 #define TOOLBOX_VERSION_H

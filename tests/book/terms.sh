@@ -14,35 +14,17 @@ trap 'exit 1' HUP INT TERM
 # Bold that introduces no word: answers of the check, headings, one sentence.
 cat >"$scratch/no-terms" <<'END'
 crashed
-decides
 does not build
 failed
-in another language
-key
 l
-limits
-link
 not begun
-numbers of ordinary size
-on purpose
 passed
-report
-rounding that happens to be none
-the place beside the array
-the point on the border
 the positions
 the pressure
 the velocities
 throw all if any two overlap throw all again
 timed out
 u
-user
-what was there before
-when a mistake looks like another
-when an editor is slow
-when the machine changes
-with more than one culprit
-without sanitizers
 END
 
 cited() {

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The recipe of the book's last appendix, run as it is printed, in a copy of
+# The recipe of the book's appendix for lecturers, run as it is printed, in a copy of
 # the kit: a chapter is changed, an exercise added, the course handed out and
 # a submission graded.
 . tests/programs/common

@@ -1,4 +1,4 @@
-/* Shown in appendix B: it counts from one. */
+/* Shown in "The examiner" (Works): it counts from one. */
 #include "exercise.h"
 
 void velocities_after(double u1, double u2, double im1, double im2,

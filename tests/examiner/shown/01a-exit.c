@@ -1,4 +1,4 @@
-/* Shown in appendix B: it ends with status 0, and has not passed. */
+/* In "How your work is checked": it ends with status 0, not passed. */
 #include "exercise.h"
 #include <stdio.h>
 #include <stdlib.h>

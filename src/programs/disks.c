@@ -1,4 +1,4 @@
-/* From chapters/07-gas.nw: edit there, then run make tangle. */
+/* From chapters/works/07-gas.nw: edit there, then run make tangle. */
 /* checksum 1061127801 of the lines below */
 #include "box/blocks.h"
 #include "box/cells.h"

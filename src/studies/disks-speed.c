@@ -1,4 +1,4 @@
-/* From chapters/07-gas.nw: edit there, then run make tangle. */
+/* From chapters/works/07-gas.nw: edit there, then run make tangle. */
 /* checksum 582159979 of the lines below */
 #include "box/cells.h"
 #include "toolbox/bench.h"

@@ -1,4 +1,4 @@
-/* From chapters/05-disks.nw: edit there, then run make tangle. */
+/* From chapters/works/05-disks.nw: edit there, then run make tangle. */
 /* checksum 3419035891 of the lines below */
 #include "box/disks.h"
 #include "toolbox/bench.h"

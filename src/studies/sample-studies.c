@@ -1,4 +1,4 @@
-/* From chapters/06-room.nw: edit there, then run make tangle. */
+/* From chapters/works/06-room.nw: edit there, then run make tangle. */
 /* checksum 1282550564 of the lines below */
 #include "box/sampling.h"
 #include "line/statistics.h"

@@ -1,5 +1,6 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 754342424 of the lines below */
+/* checksum 2795505079 of the lines below */
+/* Blocks that double in length when there are too many of them. */
 #include "box/blocks.h"
 
 #include "line/statistics.h"

@@ -1,5 +1,6 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 1890023778 of the lines below */
+/* checksum 2857902392 of the lines below */
+/* Means over time with honest errors, from samples summed in blocks. */
 #ifndef BLOCKS_H
 #define BLOCKS_H
 

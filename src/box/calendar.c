@@ -1,5 +1,6 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 1658560297 of the lines below */
+/* checksum 3728781884 of the lines below */
+/* Days that are linked lists, as wide as keeps them a few events long. */
 #include "box/calendar.h"
 
 #include <math.h>

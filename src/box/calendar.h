@@ -1,5 +1,6 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 2503459267 of the lines below */
+/* checksum 2980630286 of the lines below */
+/* A list of future events that knows the earliest, day by day. */
 #ifndef CALENDAR_H
 #define CALENDAR_H
 

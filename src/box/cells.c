@@ -1,5 +1,6 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 514611265 of the lines below */
+/* checksum 1655951321 of the lines below */
+/* Cells, lists of neighbours on a leash, and lanes of four pair times. */
 #include "box/cells.h"
 
 #include <math.h>

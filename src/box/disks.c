@@ -1,5 +1,6 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 3670639210 of the lines below */
+/* checksum 2757354391 of the lines below */
+/* Event-driven motion: every pair looked at, or a plan remembered. */
 #include "box/disks.h"
 
 #include "line/collide.h"

@@ -1,5 +1,6 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 2635422816 of the lines below */
+/* checksum 2940158961 of the lines below */
+/* Hard disks and spheres in a box: starts, times of contact, collisions. */
 #ifndef DISKS_H
 #define DISKS_H
 

@@ -1,5 +1,6 @@
 /* From chapters/06-room.nw: edit there, then run make tangle. */
-/* checksum 721393532 of the lines below */
+/* checksum 418401188 of the lines below */
+/* Direct sampling, Metropolis moves, densities at contact from slides. */
 #include "box/sampling.h"
 
 #include <assert.h>

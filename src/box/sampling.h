@@ -1,5 +1,6 @@
 /* From chapters/06-room.nw: edit there, then run make tangle. */
-/* checksum 2289688030 of the lines below */
+/* checksum 1454252306 of the lines below */
+/* Places of hard disks without motion: throws, a chain, their densities. */
 #ifndef SAMPLING_H
 #define SAMPLING_H
 

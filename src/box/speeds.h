@@ -1,5 +1,6 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 3469335697 of the lines below */
+/* checksum 3546610460 of the lines below */
+/* The laws of the speeds in a gas: that of N disks, and Maxwell's. */
 #ifndef SPEEDS_H
 #define SPEEDS_H
 

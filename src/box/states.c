@@ -1,5 +1,6 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 1689187904 of the lines below */
+/* checksum 2904770737 of the lines below */
+/* Rows of masses, radii, places and velocities, written and read again. */
 #include "box/states.h"
 
 #include <errno.h>

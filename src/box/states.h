@@ -1,5 +1,6 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 1760310752 of the lines below */
+/* checksum 1084304099 of the lines below */
+/* States of disks in a file, from which a run goes on to the last bit. */
 #ifndef STATES_H
 #define STATES_H
 

@@ -1,5 +1,6 @@
 /* From chapters/works/07-gas.nw: edit there, then run make tangle. */
-/* checksum 1061127801 of the lines below */
+/* checksum 380451446 of the lines below */
+/* Hard disks and spheres run from a start, and measured on the way. */
 #include "box/blocks.h"
 #include "box/cells.h"
 #include "box/disks.h"

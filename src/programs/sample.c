@@ -1,5 +1,6 @@
 /* From chapters/works/06-room.nw: edit there, then run make tangle. */
-/* checksum 2854447283 of the lines below */
+/* checksum 2207486684 of the lines below */
+/* Configurations of hard disks, thrown or walked, and what they show. */
 #include "box/sampling.h"
 #include "toolbox/options.h"
 #include "toolbox/progress.h"

@@ -1,5 +1,6 @@
 /* From chapters/works/07-gas.nw: edit there, then run make tangle. */
-/* checksum 582159979 of the lines below */
+/* checksum 3613348430 of the lines below */
+/* How many collisions a second either engine for disks has. */
 #include "box/cells.h"
 #include "toolbox/bench.h"
 #include "toolbox/options.h"

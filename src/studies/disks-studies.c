@@ -1,5 +1,6 @@
 /* From chapters/works/05-disks.nw: edit there, then run make tangle. */
-/* checksum 3419035891 of the lines below */
+/* checksum 3533249348 of the lines below */
+/* Clocks, the way back, contacts, collapse and speed of hard disks. */
 #include "box/disks.h"
 #include "toolbox/bench.h"
 #include "toolbox/quad.h"

@@ -1,5 +1,6 @@
 /* From chapters/works/06-room.nw: edit there, then run make tangle. */
-/* checksum 1282550564 of the lines below */
+/* checksum 2740615139 of the lines below */
+/* Samplers compared: mistakes, memory, acceptance, the cost of an error. */
 #include "box/sampling.h"
 #include "line/statistics.h"
 #include "toolbox/bench.h"

@@ -1,5 +1,6 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 1475751962 of the lines below */
+/* checksum 3231370018 of the lines below */
+/* A box in which a student's program is built and run, out of reach. */
 #ifndef BOX_H
 #define BOX_H
 

@@ -1,5 +1,6 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 1698335966 of the lines below */
+/* checksum 686712278 of the lines below */
+/* The program in the box: it calls the student's function and answers. */
 #include "examiner/border.h"
 #include "examiner/exercise.h"
 #include "examiner/place.h"

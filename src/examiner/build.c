@@ -1,5 +1,6 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 2316308056 of the lines below */
+/* checksum 3888826668 of the lines below */
+/* Starts the compiler and tells of its messages what helps. */
 #include "examiner/build.h"
 #include "examiner/message.h"
 #include "examiner/process.h"

@@ -1,5 +1,6 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 3214379138 of the lines below */
+/* checksum 1388279527 of the lines below */
+/* A student's file made into a runner, or why it does not build. */
 #ifndef BUILD_H
 #define BUILD_H
 

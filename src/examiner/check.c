@@ -1,5 +1,6 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 964326650 of the lines below */
+/* checksum 3295935799 of the lines below */
+/* The runner's own code: one test in a process, reported line by line. */
 #include "examiner/check.h"
 #include "examiner/exercise.h"
 #include "examiner/report.h"

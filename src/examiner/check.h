@@ -1,5 +1,6 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 4046928642 of the lines below */
+/* checksum 2049001332 of the lines below */
+/* What a suite says: checks, tests, known mistakes, drawn inputs. */
 #ifndef CHECK_H
 #define CHECK_H
 

@@ -1,5 +1,6 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 608998662 of the lines below */
+/* checksum 2986801601 of the lines below */
+/* Finds suites, stubs, files and solutions by their names. */
 #include "examiner/course.h"
 #include "examiner/sum.h"
 #include "examiner/text.h"

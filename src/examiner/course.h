@@ -1,5 +1,6 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 1436166513 of the lines below */
+/* checksum 3413254633 of the lines below */
+/* The exercises of a course, and the student's files for them. */
 #ifndef COURSE_H
 #define COURSE_H
 

@@ -1,5 +1,6 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 3979626370 of the lines below */
+/* checksum 3770225138 of the lines below */
+/* The program behind make check: its options, and what each begins. */
 #include "examiner/hint.h"
 #include "examiner/process.h"
 #include "examiner/reset.h"

@@ -1,5 +1,6 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 3068672496 of the lines below */
+/* checksum 1984340688 of the lines below */
+/* What a student's file includes: the mark of a gap. */
 #ifndef EXERCISE_H
 #define EXERCISE_H
 

@@ -1,5 +1,6 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 3569983328 of the lines below */
+/* checksum 2313035041 of the lines below */
+/* The program behind make grade: a folder of submissions, in parallel. */
 #include "examiner/grading.h"
 #include "examiner/process.h"
 #include "examiner/publish.h"

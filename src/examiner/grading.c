@@ -1,5 +1,6 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 3713810626 of the lines below */
+/* checksum 806593435 of the lines below */
+/* A judge and a box for each test, a second try, and advice. */
 #include "examiner/grading.h"
 #include "examiner/build.h"
 #include "examiner/process.h"

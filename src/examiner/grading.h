@@ -1,5 +1,6 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 1309669748 of the lines below */
+/* checksum 789223894 of the lines below */
+/* An exercise graded: a student's file, the judge's tests, the marks. */
 #ifndef GRADING_H
 #define GRADING_H
 

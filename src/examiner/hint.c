@@ -1,5 +1,6 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 67757945 of the lines below */
+/* checksum 179517702 of the lines below */
+/* Reads the hints, shows the next, remembers how many were given. */
 #include "examiner/hint.h"
 #include "examiner/text.h"
 #include "examiner/work.h"

@@ -1,5 +1,6 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 4803835 of the lines below */
+/* checksum 417787972 of the lines below */
+/* Hints given one at a time. */
 #ifndef HINT_H
 #define HINT_H
 

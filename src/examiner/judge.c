@@ -1,5 +1,6 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 2734112505 of the lines below */
+/* checksum 3451420806 of the lines below */
+/* The judge's half of the border: questions go out, answers come in. */
 #include "examiner/border.h"
 #include "examiner/check.h"
 #include "examiner/exercise.h"

@@ -1,5 +1,6 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 772654460 of the lines below */
+/* checksum 710728579 of the lines below */
+/* Points, states and stories of one student's exercise. */
 #ifndef MARKS_H
 #define MARKS_H
 

@@ -1,5 +1,6 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 4183424432 of the lines below */
+/* checksum 1508365005 of the lines below */
+/* Verdicts that are remembered until something changes. */
 #ifndef MEMORY_H
 #define MEMORY_H
 

@@ -1,5 +1,6 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 3097856826 of the lines below */
+/* checksum 1774125437 of the lines below */
+/* A table of messages and what they usually mean. */
 #include "examiner/message.h"
 #include "examiner/text.h"
 

@@ -1,5 +1,6 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 1217362218 of the lines below */
+/* checksum 518891617 of the lines below */
+/* Memory with known bytes before and behind it. */
 #include "examiner/place.h"
 #include "examiner/border.h"
 #include "examiner/wire.h"

@@ -1,5 +1,6 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 385927920 of the lines below */
+/* checksum 2541552606 of the lines below */
+/* Guards around what a student's function may write to. */
 #ifndef PLACE_H
 #define PLACE_H
 

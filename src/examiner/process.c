@@ -1,5 +1,6 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 2603541172 of the lines below */
+/* checksum 2060719644 of the lines below */
+/* Starts a program, watches its time, and ends all that it began. */
 #include "examiner/process.h"
 
 #include <errno.h>

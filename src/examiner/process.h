@@ -1,5 +1,6 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 349268375 of the lines below */
+/* checksum 3709320579 of the lines below */
+/* A program on a lead: limits, open files, and how it ended. */
 #ifndef PROCESS_H
 #define PROCESS_H
 

@@ -1,5 +1,6 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 1883816880 of the lines below */
+/* checksum 150852663 of the lines below */
+/* Reports as a table, CSV, JSON and XML, each whole or absent. */
 #define _XOPEN_SOURCE 700 /* wcwidth */
 #include "examiner/publish.h"
 #include "examiner/text.h"

@@ -1,5 +1,6 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 3893291514 of the lines below */
+/* checksum 2282516545 of the lines below */
+/* The marks of a course, for people and platforms. */
 #ifndef PUBLISH_H
 #define PUBLISH_H
 

@@ -1,5 +1,6 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 523704211 of the lines below */
+/* checksum 3599327715 of the lines below */
+/* The form of the report that a runner writes of its test. */
 #ifndef REPORT_H
 #define REPORT_H
 

@@ -1,5 +1,6 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 116785792 of the lines below */
+/* checksum 3170506437 of the lines below */
+/* Saves a file under a dated name, then puts the stub in its place. */
 #include "examiner/reset.h"
 #include "examiner/hint.h"
 #include "examiner/sum.h"

@@ -1,5 +1,6 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 3599257429 of the lines below */
+/* checksum 1578341301 of the lines below */
+/* What the student sees of a round, and the bars of progress. */
 #include "examiner/round.h"
 #include "examiner/build.h"
 #include "examiner/process.h"

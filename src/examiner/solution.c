@@ -1,5 +1,6 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 1677691421 of the lines below */
+/* checksum 3145681125 of the lines below */
+/* Shows a solution through the reader's pager, once the exercise passes. */
 #include "examiner/solution.h"
 #include "examiner/process.h"
 #include "examiner/round.h"

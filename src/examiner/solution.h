@@ -1,5 +1,6 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 2039028546 of the lines below */
+/* checksum 955848222 of the lines below */
+/* The worked solution, for those who have one of their own. */
 #ifndef SOLUTION_H
 #define SOLUTION_H
 

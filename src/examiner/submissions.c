@@ -1,5 +1,6 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 3149299091 of the lines below */
+/* checksum 522247146 of the lines below */
+/* Walks a folder of submissions; names what it does not grade. */
 #include "examiner/submissions.h"
 #include "examiner/marks.h"
 #include "examiner/text.h"

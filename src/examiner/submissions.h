@@ -1,5 +1,6 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 249345799 of the lines below */
+/* checksum 447814538 of the lines below */
+/* What students have handed in, and which file answers what. */
 #ifndef SUBMISSIONS_H
 #define SUBMISSIONS_H
 

@@ -1,5 +1,6 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 794863913 of the lines below */
+/* checksum 3508211605 of the lines below */
+/* A sum that mixes eight bytes at a time. */
 #include "examiner/sum.h"
 #include "examiner/text.h"
 

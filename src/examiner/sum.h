@@ -1,5 +1,6 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 1114539511 of the lines below */
+/* checksum 304317864 of the lines below */
+/* Checksums of files, bytes and numbers. */
 #ifndef SUM_H
 #define SUM_H
 

@@ -1,5 +1,6 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 823086503 of the lines below */
+/* checksum 768072870 of the lines below */
+/* Files as strings, lines cut off, labels and texts in columns. */
 #include "examiner/text.h"
 
 #include <ctype.h>

@@ -1,5 +1,6 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 2219239195 of the lines below */
+/* checksum 2072620916 of the lines below */
+/* Text read safely and folded for a terminal. */
 #ifndef TEXT_H
 #define TEXT_H
 

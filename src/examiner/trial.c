@@ -1,5 +1,6 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 23715439 of the lines below */
+/* checksum 3885734043 of the lines below */
+/* Runs a test, judges how it ended, and tells failures and crashes. */
 #include "examiner/trial.h"
 #include "examiner/process.h"
 #include "examiner/report.h"

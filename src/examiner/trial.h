@@ -1,5 +1,6 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 872597533 of the lines below */
+/* checksum 1356372679 of the lines below */
+/* One test of an exercise run and judged: six states. */
 #ifndef TRIAL_H
 #define TRIAL_H
 

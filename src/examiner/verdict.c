@@ -1,5 +1,6 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 384285498 of the lines below */
+/* checksum 2555950476 of the lines below */
+/* Compares with the stub, builds, tries each test, tells the story. */
 #include "examiner/verdict.h"
 #include "examiner/build.h"
 #include "examiner/memory.h"

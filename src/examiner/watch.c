@@ -1,5 +1,6 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 1336349032 of the lines below */
+/* checksum 228481347 of the lines below */
+/* Looks at the files ten times a second, and at the keyboard. */
 #include "examiner/watch.h"
 #include "examiner/hint.h"
 #include "examiner/process.h"

@@ -1,5 +1,6 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 705338844 of the lines below */
+/* checksum 480421396 of the lines below */
+/* The words that judge and box exchange. */
 #ifndef WIRE_H
 #define WIRE_H
 

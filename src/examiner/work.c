@@ -1,5 +1,6 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 1044185149 of the lines below */
+/* checksum 2363900811 of the lines below */
+/* A temporary folder, removed at the end of the program. */
 #include "examiner/work.h"
 #include "examiner/text.h"
 

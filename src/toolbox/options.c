@@ -1,5 +1,6 @@
 /* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 2541206165 of the lines below */
+/* checksum 815586822 of the lines below */
+/* getopt_long, with numbers and names checked where they are read. */
 #include "toolbox/options.h"
 
 #include "toolbox/table.h"

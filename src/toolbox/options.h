@@ -1,5 +1,6 @@
 /* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 2615629013 of the lines below */
+/* checksum 3190511738 of the lines below */
+/* A command line read by a list of options, with help and refusals. */
 #ifndef TOOLBOX_OPTIONS_H
 #define TOOLBOX_OPTIONS_H
 

@@ -1,5 +1,6 @@
 /* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 630308292 of the lines below */
+/* checksum 2505022010 of the lines below */
+/* A line on the terminal, and signals that only raise a flag. */
 #include "toolbox/progress.h"
 
 #include "toolbox/table.h"

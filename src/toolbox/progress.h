@@ -1,5 +1,6 @@
 /* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 2705001189 of the lines below */
+/* checksum 1586098889 of the lines below */
+/* How far a long run has come, and whether somebody asks it to stop. */
 #ifndef TOOLBOX_PROGRESS_H
 #define TOOLBOX_PROGRESS_H
 

@@ -1,5 +1,6 @@
 /* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 1677581603 of the lines below */
+/* checksum 2219520957 of the lines below */
+/* The widest floating-point type that the compiler has. */
 #ifndef TOOLBOX_QUAD_H
 #define TOOLBOX_QUAD_H
 

@@ -1,5 +1,6 @@
 /* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 1459114315 of the lines below */
+/* checksum 2139139055 of the lines below */
+/* xoshiro256**, a logarithm of our own, and variates from both. */
 #include "toolbox/random.h"
 
 #include <assert.h>

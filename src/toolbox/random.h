@@ -1,5 +1,6 @@
 /* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 3382026924 of the lines below */
+/* checksum 3291606379 of the lines below */
+/* Random numbers that are the same on every machine. */
 #ifndef TOOLBOX_RANDOM_H
 #define TOOLBOX_RANDOM_H
 

@@ -1,5 +1,6 @@
 /* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 1217811228 of the lines below */
+/* checksum 447200842 of the lines below */
+/* Whole lines of the cache, all zero. */
 #include "toolbox/room.h"
 
 #include <stdint.h>

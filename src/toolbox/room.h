@@ -1,5 +1,6 @@
 /* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 455798779 of the lines below */
+/* checksum 4117010685 of the lines below */
+/* Memory that begins with a line of the cache. */
 #ifndef TOOLBOX_ROOM_H
 #define TOOLBOX_ROOM_H
 

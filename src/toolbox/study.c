@@ -1,5 +1,6 @@
 /* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 2815415896 of the lines below */
+/* checksum 998146780 of the lines below */
+/* Chooses a study, opens its table and summary, closes them together. */
 #include "toolbox/study.h"
 
 #include <assert.h>

@@ -1,5 +1,6 @@
 /* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 775263990 of the lines below */
+/* checksum 2077014223 of the lines below */
+/* What stands around a program of many measurements. */
 #ifndef TOOLBOX_STUDY_H
 #define TOOLBOX_STUDY_H
 

@@ -1,5 +1,6 @@
 /* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 2018354184 of the lines below */
+/* checksum 311625039 of the lines below */
+/* A temporary beside the file, which takes its name when all is written. */
 #define _XOPEN_SOURCE 700 /* realpath */
 
 #include "toolbox/table.h"

@@ -1,5 +1,6 @@
 /* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 1572924755 of the lines below */
+/* checksum 921613185 of the lines below */
+/* Tables and summaries that are whole or absent. */
 #ifndef TOOLBOX_TABLE_H
 #define TOOLBOX_TABLE_H
 

@@ -1,5 +1,6 @@
 /* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 1057416790 of the lines below */
+/* checksum 2258856375 of the lines below */
+/* The version that all programs tell. */
 #ifndef TOOLBOX_VERSION_H
 #define TOOLBOX_VERSION_H
 

@@ -1,5 +1,5 @@
 /* From chapters/works/08-scenes.nw: edit there, then run make tangle. */
-/* checksum 3335865482 of the lines below */
+/* checksum 293427438 of the lines below */
 /* The double that is nearest to a decimal number. */
 #ifndef DECIMAL_H
 #define DECIMAL_H
@@ -20,8 +20,8 @@ enum decimal_way {
    none, digits with a point or without, and perhaps an exponent after e or
    E. Sets *value to the nearest double. Returns DECIMAL_NONE when it is
    something else (nan, inf, a hexadecimal number), or longer than
-   DECIMAL_LONGEST, or beyond what a double holds. Source: (8.15,
-   eq:head-tail). */
+   DECIMAL_LONGEST, or beyond what a double holds. Source:
+   eq:head-tail, in Works. */
 enum decimal_way decimal_read(const char *text, size_t length,
                               double *value);
 

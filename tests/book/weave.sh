@@ -76,6 +76,8 @@ has 'and never in one of ten lines' \
     '\nwcodelines{10}{}\nwbegincode{1}' build/book/03-three.tex
 has 'hints are a list' 'Try \texttt{a\_b} for 5 \%.' \
     build/book/hints-01a.tex
+has 'the appendix of hints has each exercise' '\hintsfile{01a}' \
+    build/book/hints.tex
 [ ! -e build/book/solutions-01.tex ] && [ ! -s build/book/edition.tex ] &&
     echo 'ok weave: no solutions for students' ||
     echo 'not ok weave: no solutions for students - there they are'
@@ -153,4 +155,4 @@ said chapters/01-one.nw '\label{sec:one}' \
     '\label{sec:one} stands already in chapters/01-one.nw:11'
 said chapters/works/02-two.nw '\label{sec:one}' \
     '\label{sec:one} stands in the book, too: chapters/01-one.nw:11'
-echo 1..28
+echo 1..29

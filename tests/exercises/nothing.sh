@@ -118,4 +118,4 @@ for suite in tests/exercises/*/suite.c; do
                 ": doing nothing earns nothing" (why ? " - " why : "")
         }' "$out/results"
 done
-echo 1..40
+echo "1..$(ls solutions/*.c | wc -l)" # one for each exercise

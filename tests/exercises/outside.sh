@@ -10,58 +10,16 @@ trap 'rm -rf "$out"' EXIT
 trap 'exit 1' HUP INT TERM
 topic=outside
 
-# These only return a value.
-without='01c 01d 03c 05a 05c 08d 09c'
-
-# EXERCISE FUNCTION PLACE, how many values it has, and "suite" where the suite
+# What a border file says about the places that it gives, a line for each,
+#   /* place: FUNCTION PLACE VALUES */      or      /* place: none */
+# with how many values the place has, and "suite" behind it where the suite
 # looks behind it (02b: and before it) by itself and knows better words.
-places='01a velocities_after v 2
-01b measure_collision mass_ratio 1
-01b measure_collision restitution 1
-02a next_meeting left 1
-02b sample x samples suite
-02c next_valid stale 1
-02d positions_at x n
-02d positions_at v n
-03a equal_bins edge bins+1
-03b bin_surprise z 1
-03d error_by_blocks error 1
-03d error_by_blocks inefficiency 1
-04a piston_slopes slope 2
-04b decay_time tau 1
-04b decay_time sigma 1
-05b falling_pair_time height 1
-05d wall_z z 2
-06a throw_disks x n
-06a throw_disks y n
-06b mean_square x n
-06b mean_square y n
-06b mean_square accepted 1
-06c depletion overlap 1
-07a cells_around around 9
-07b speed_below fourth 1
-07c compressibility pressure 1
-08a drift_kick_drift x n suite
-08a drift_kick_drift v n suite
-08b three_eighths a 16
-08b three_eighths b 4
-08b tableau_step y n suite
-08c measure_order order 1
-09a potential_energy potential n
-09b binary_speeds v1 1
-09b binary_speeds v2 1
-10a dashpot on_a 3
-10a dashpot on_b 3
-10b oscillate velocity 1
-10c membrane_modes omega (g->nx-2)*(g->ny-2) suite
-11a part_spheres a 1
-11a part_spheres b 1
-11b cradle v n suite
-12a pareto_front front n suite
-12b choose_step step 1
-12c leave_out budget 1
-12c leave_out bound 1
-12d one_line along 3'
+places=$(for border in tests/exercises/*/border.c; do
+    ex=${border%/*}
+    sed -n "s,^/\\* place: \\(.*\\) \\*/\$,${ex##*/} \\1,p" "$border"
+done)
+without=$(echo "$places" | sed -n 's/ none$//p')
+places=$(echo "$places" | grep -v ' none$')
 
 # verdict WHAT COMMAND...: one line of result; the command says why.
 verdict() {
@@ -74,14 +32,27 @@ verdict() {
     fi
 }
 
-all_named() {
-    for folder in tests/exercises/*/; do
+all_named() { # FOLDER...
+    for folder; do
         ex=$(basename "$folder")
-        echo "$without" "$places" | tr ' ' '\n' | grep -q -x "$ex" ||
-            { echo "$ex is not named here"; return 1; }
+        given=$(grep -o 'border_place[a-z_]*("[^"]*"' "$folder/border.c" |
+            sed 's/.*("//; s/"//' | sort -u)
+        named=$(echo "$places" | awk -v ex="$ex" '$1 == ex { print $3 }' |
+            sort -u)
+        [ "$given" = "$named" ] || {
+            echo "$ex: border.c gives" $given, and names $named
+            return 1
+        }
+        [ -n "$named" ] || echo "$without" | grep -q -x "$ex" ||
+            { echo "$ex: border.c has no line with a place"; return 1; }
     done
 }
-verdict 'every exercise has its places named, or has none' all_named
+verdict 'every exercise has its places named, or has none' \
+    all_named tests/exercises/[0-9]*
+mkdir "$out/99a" && sed 's,^/\* place:.*,,' tests/exercises/02a/border.c \
+    >"$out/99a/border.c"
+unnamed() { ! all_named "$out/99a"; }
+verdict 'and one that names none is seen' unnamed
 
 # plant EXERCISE: its solution, with the overruns, to $out/EXERCISE.c.
 plant() {
@@ -208,4 +179,8 @@ verdict "$ex can be built without sanitizers" plain
 verdict "$ex passes at home without sanitizers" passes at_home
 verdict "$ex: before v, without sanitizers" found at_home 'v<'
 verdict "$ex: behind v, without sanitizers" found at_home 'v>'
-echo 1..292
+# Two of all exercises; for each with places its build and two passes, and four
+# for each place; and the last four.
+echo 1..$((6 + 3 * $(echo "$places" | cut -d ' ' -f 1 | uniq | wc -l) +
+    4 * $(grep -c '^/\* place: .* .* ' tests/exercises/*/border.c |
+        awk -F : '{ n += $2 } END { print n }')))

@@ -1,4 +1,5 @@
 /* What crosses the border of exercise 01a: see examiner/border.h. */
+/* place: velocities_after v 2 */
 
 #include "examiner/border.h"
 

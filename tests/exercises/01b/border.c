@@ -1,4 +1,6 @@
 /* What crosses the border of exercise 01b: see examiner/border.h. */
+/* place: measure_collision mass_ratio 1 */
+/* place: measure_collision restitution 1 */
 
 #include "examiner/border.h"
 

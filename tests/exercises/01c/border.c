@@ -1,4 +1,5 @@
 /* What crosses the border of exercise 01c: see examiner/border.h. */
+/* place: none */
 
 #include "examiner/border.h"
 #include <stdlib.h>

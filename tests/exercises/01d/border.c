@@ -1,4 +1,5 @@
 /* What crosses the border of exercise 01d: see examiner/border.h. */
+/* place: none */
 
 #include "examiner/border.h"
 

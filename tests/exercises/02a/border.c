@@ -1,4 +1,5 @@
 /* What crosses the border of exercise 02a: see examiner/border.h. */
+/* place: next_meeting left 1 */
 
 #include "examiner/border.h"
 #include <stdlib.h>

@@ -1,4 +1,5 @@
 /* What crosses the border of exercise 02b: see examiner/border.h. */
+/* place: sample x samples suite */
 
 #include "examiner/border.h"
 #include <stdlib.h>

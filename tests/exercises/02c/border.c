@@ -1,4 +1,5 @@
 /* What crosses the border of exercise 02c: see examiner/border.h. */
+/* place: next_valid stale 1 */
 
 #include "examiner/border.h"
 #include <stdlib.h>

@@ -1,4 +1,6 @@
 /* What crosses the border of exercise 02d: see examiner/border.h. */
+/* place: positions_at x n */
+/* place: positions_at v n */
 
 #include "examiner/border.h"
 #include <stdlib.h>

@@ -1,4 +1,5 @@
 /* What crosses the border of exercise 03b: see examiner/border.h. */
+/* place: bin_surprise z 1 */
 
 #include "examiner/border.h"
 

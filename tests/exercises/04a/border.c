@@ -1,4 +1,5 @@
 /* What crosses the border of exercise 04a: see examiner/border.h. */
+/* place: piston_slopes slope 2 */
 
 #include "examiner/border.h"
 

@@ -1,4 +1,6 @@
 /* What crosses the border of exercise 04b: see examiner/border.h. */
+/* place: decay_time tau 1 */
+/* place: decay_time sigma 1 */
 
 #include "examiner/border.h"
 #include <stdlib.h>

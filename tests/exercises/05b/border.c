@@ -1,4 +1,5 @@
 /* What crosses the border of exercise 05b: see examiner/border.h. */
+/* place: falling_pair_time height 1 */
 
 #include "examiner/border.h"
 

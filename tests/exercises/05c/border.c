@@ -2,6 +2,7 @@
    stay outside, and what the student does to them is asked for. To fly, to
    collide and to record give no answer, and so many of them cross at once:
    all at the next question, or when there is no more room. */
+/* place: none */
 
 #include "examiner/border.h"
 #include <stdlib.h>

@@ -1,5 +1,6 @@
 /* What crosses the border of exercise 05d: see examiner/border.h. With the
    list comes what stands behind it: the suite has put something there. */
+/* place: wall_z z 2 */
 
 #include "examiner/border.h"
 #include <stdlib.h>

@@ -2,6 +2,8 @@
    random numbers stay outside and come in by the BLOCK; with the answer it
    is said how many of the last block were left over, and only what was used
    is used up in the suite. */
+/* place: throw_disks x n */
+/* place: throw_disks y n */
 
 #include "examiner/border.h"
 #include <stdlib.h>

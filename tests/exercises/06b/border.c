@@ -2,6 +2,9 @@
    random numbers stay outside and come in by the BLOCK; with the answer it
    is said how many of the last block were left over, and only what was used
    is used up in the suite. */
+/* place: mean_square x n */
+/* place: mean_square y n */
+/* place: mean_square accepted 1 */
 
 #include "examiner/border.h"
 

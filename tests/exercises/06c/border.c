@@ -1,4 +1,5 @@
 /* What crosses the border of exercise 06c: see examiner/border.h. */
+/* place: depletion overlap 1 */
 
 #include "examiner/border.h"
 

@@ -1,4 +1,5 @@
 /* What crosses the border of exercise 07a: see examiner/border.h. */
+/* place: cells_around around 9 */
 
 #include "examiner/border.h"
 

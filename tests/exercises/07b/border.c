@@ -1,4 +1,5 @@
 /* What crosses the border of exercise 07b: see examiner/border.h. */
+/* place: speed_below fourth 1 */
 
 #include "examiner/border.h"
 

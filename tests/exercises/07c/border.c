@@ -1,5 +1,6 @@
 /* What crosses the border of exercise 07c: see examiner/border.h. With the
    list comes what stands behind it: the suite has put something there. */
+/* place: compressibility pressure 1 */
 
 #include "examiner/border.h"
 #include <stdlib.h>

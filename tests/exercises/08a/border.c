@@ -2,6 +2,8 @@
    forces stay outside and are asked for. With the coordinates and the
    velocities comes the place behind them: the suite has put something
    there. */
+/* place: drift_kick_drift x n suite */
+/* place: drift_kick_drift v n suite */
 
 #include "examiner/border.h"
 

@@ -1,6 +1,9 @@
 /* What crosses the border of exercise 08b: see examiner/border.h. The
    slopes stay outside and are asked for. With the numbers comes the place
    behind them: the suite has put something there. */
+/* place: three_eighths a 16 */
+/* place: three_eighths b 4 */
+/* place: tableau_step y n suite */
 
 #include "examiner/border.h"
 #include <stdlib.h>

@@ -1,5 +1,6 @@
 /* What crosses the border of exercise 08c: see examiner/border.h. With the
    runs comes the place behind them: the suite has put something there. */
+/* place: measure_order order 1 */
 
 #include "examiner/border.h"
 #include <stdlib.h>

@@ -1,5 +1,6 @@
 /* What crosses the border of exercise 08d: see examiner/border.h. The
    method stays outside and its steps are asked for. */
+/* place: none */
 
 #include "examiner/border.h"
 

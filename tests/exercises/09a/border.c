@@ -1,6 +1,7 @@
 /* What crosses the border of exercise 09a: see examiner/border.h. With the
    potentials comes the place behind them: the suite has put something
    there. */
+/* place: potential_energy potential n */
 
 #include "examiner/border.h"
 #include <stdlib.h>

@@ -1,4 +1,6 @@
 /* What crosses the border of exercise 09b: see examiner/border.h. */
+/* place: binary_speeds v1 1 */
+/* place: binary_speeds v2 1 */
 
 #include "examiner/border.h"
 

@@ -1,4 +1,6 @@
 /* What crosses the border of exercise 10a: see examiner/border.h. */
+/* place: dashpot on_a 3 */
+/* place: dashpot on_b 3 */
 
 #include "examiner/border.h"
 

@@ -1,4 +1,5 @@
 /* What crosses the border of exercise 10b: see examiner/border.h. */
+/* place: oscillate velocity 1 */
 
 #include "examiner/border.h"
 

@@ -1,6 +1,7 @@
 /* What crosses the border of exercise 10c: see examiner/border.h. With the
    places for the frequencies comes one behind them: the suite looks there.
  */
+/* place: membrane_modes omega (g->nx-2)*(g->ny-2) suite */
 
 #include "examiner/border.h"
 

@@ -1,4 +1,6 @@
 /* What crosses the border of exercise 11a: see examiner/border.h. */
+/* place: part_spheres a 1 */
+/* place: part_spheres b 1 */
 
 #include "examiner/border.h"
 

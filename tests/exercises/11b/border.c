@@ -1,5 +1,6 @@
 /* What crosses the border of exercise 11b: see examiner/border.h. With the
    balls comes one behind the last: the suite has put something there. */
+/* place: cradle v n suite */
 
 #include "examiner/border.h"
 #include <stdlib.h>

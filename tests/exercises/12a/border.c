@@ -1,6 +1,7 @@
 /* What crosses the border of exercise 12a: see examiner/border.h. With the
    choices and the places for the front comes one more of each: the suite
    has put something there. */
+/* place: pareto_front front n suite */
 
 #include "examiner/border.h"
 #include <stdlib.h>

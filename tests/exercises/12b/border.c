@@ -1,4 +1,5 @@
 /* What crosses the border of exercise 12b: see examiner/border.h. */
+/* place: choose_step step 1 */
 
 #include "examiner/border.h"
 

@@ -1,5 +1,6 @@
 /* What crosses the border of exercise 12d: see examiner/border.h. With the
    bodies comes one behind the last: the suite has put something there. */
+/* place: one_line along 3 */
 
 #include "examiner/border.h"
 #include <stdlib.h>

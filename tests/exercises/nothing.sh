@@ -79,10 +79,10 @@ tried() {
     built=$((built + 1))
 }
 
-for suite in tests/exercises/*/suite.c; do
-    folder=${suite%/*}
-    ex=${folder##*/}
-    stub=$folder/stub.c
+[ $# -gt 0 ] || set -- $(ls solutions | cut -c 1-3)
+for ex; do
+    suite=tests/exercises/$ex/suite.c
+    stub=tests/exercises/$ex/stub.c
     : >"$out/results"
     built=0
     # shellcheck disable=SC2086
@@ -118,4 +118,4 @@ for suite in tests/exercises/*/suite.c; do
                 ": doing nothing earns nothing" (why ? " - " why : "")
         }' "$out/results"
 done
-echo "1..$(ls solutions/*.c | wc -l)" # one for each exercise
+echo 1..$# # one for each exercise

@@ -38,6 +38,9 @@ holds 'the recipe runs to its end' sh -c "[ $? -eq 0 ] ||
     { tail -5 '$work/out'; false; }"
 holds 'the change of the chapter is in src/' \
     grep -q 'Whether the two approach is' src/line/collide.h
+holds 'and the text of the exercise in the chapter' sh -c '
+    grep -A 6 "^.begin{exercise}{01e}" chapters/01-collide.nw |
+        grep -q "^.solutions{01}"'
 holds 'its stub is not begun' \
     grep -q '^01e  What a collision can cost.* not begun' "$work/out"
 holds 'its three right answers pass' \
@@ -56,8 +59,8 @@ done
 holds 'the archive has no solution' \
     sh -c "! grep -E 'solutions/|tests/.*/(right|wrong|border|hidden)' \
         '$work/list'"
-holds 'Ada has all eight points' \
-    grep -q '^"ada",8,8,8' build/grade/results/grades.csv
+holds 'Ada has all ten points' \
+    grep -q '^"ada",10,10,10' build/grade/results/grades.csv
 # The same files, looked at as the kit's own tests do.
 { cat tests/exercises/01e/stub.c && echo '/* my first line */'; } >touched.c
 build/check/examine --strict --as 01e --file touched.c >"$work/strict" 2>&1
@@ -68,4 +71,4 @@ for file in tests/kit/recipe/*.c; do
     holds "$file keeps .clang-format" \
         clang-format --dry-run -Werror "$file"
 done
-echo 1..24
+echo 1..26

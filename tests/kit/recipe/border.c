@@ -1,4 +1,5 @@
 /* What crosses the border of exercise 01e: see examiner/border.h. */
+/* place: none */
 
 #include "examiner/border.h"
 

@@ -3,7 +3,10 @@
    Two bodies move on a line with velocities u1 and u2 (m/s); their inverse
    masses are im1 and im2 (1/kg), and at most one of them is a wall, with
    inverse mass 0. Return the largest energy (J) that a collision of theirs
-   can turn into heat: what is lost when they stick together. */
+   can turn into heat: what is lost when they stick together.
+
+   Check your answer with    make check EX=01e
+   Hints, which ask before they tell:    make hint EX=01e */
 
 #include "exercise.h"
 

@@ -27,7 +27,7 @@ if [ -e build/bonkers.pdf ]; then
         echo 'not ok pdf: equation numbers - see above'
     fi
     for volume in bonkers works; do
-        pdftotext "build/$volume.pdf" -
+        cat "$(tests/text-of "build/$volume.pdf")"
     done | tr -s ' \f' '\n' >"$scratch/words"
     missing=$(for script in plots/[0-9]*.gp; do
         name=${script##*/} name=${name%.gp}

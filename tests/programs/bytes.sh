@@ -131,7 +131,7 @@ for cc in gcc clang; do
             springs-studies; do
             # shellcheck disable=SC2086
             $cc -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off $level \
-                -Isrc -o "$work/bin/$program" src/[ps]*s/"$program.c" \
+                -Isrc -o "$work/bin/$program" src/[ps]*[md]*s/"$program.c" \
                 "$work"/obj/*.o -lm || not_ok "$cc $level" 'does not build'
         done
         run_all "$work/bin" >"$work/got"

@@ -128,6 +128,13 @@ printf '%0100d\n%0101d\n' 0 0 >"$work/wide"
 holds 'and one of 101 is seen' \
     test "$(in_width "$work/wide")" = "$work/wide:2: 101"
 
+# Who opens a file reads first what it is.
+silent=$(for file in src/*/*.[ch]; do
+    sed -n 3p "$file" | grep -q '^/\* [A-Z].*[A-Za-z0-9)][.] \*/$' || echo "$file"
+done)
+holds 'the third line of each file of src/ says what it is' \
+    sh -c "echo '$silent'; test -z '$silent'"
+
 # The numbers of equations in comments are those of the book.
 grep -ho '([0-9A-C]*\.[0-9]*, eq:[a-z-]*)' -r src tests/exercises chapters |
     sort -u | sed 's/[(),]//g' >"$work/pairs"
@@ -157,4 +164,4 @@ ${MAKE:-make} -s compile_commands.json
 holds 'compile_commands.json has every source' \
     test "$(grep -c '"file":' compile_commands.json)" -eq \
     "$(ls src/*/*.c | wc -l)"
-echo 1..19
+echo 1..20

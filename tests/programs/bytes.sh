@@ -111,14 +111,19 @@ run_all() {
 run_all build/bin >"$work/expected"
 holds 'the programs run' test "$(wc -l <"$work/expected")" -gt 800
 # The two builds that are there: -O2, and -O3 for this machine, optimized
-# across files. Then other compilers and levels.
+# across files. Then the same two ends with the other compiler, and plain -O3
+# with this one: its loops without the instructions of this machine.
 ${MAKE:-make} -s native >/dev/null 2>&1
 run_all build/native/bin >"$work/got"
 holds 'the native build gives the same bytes' cmp "$work/expected" "$work/got"
 case $(${CC:-cc} --version) in *clang*) built=clang ;; *) built=gcc ;; esac
 for cc in gcc clang; do
     for level in '-O2' '-O3' '-O3 -march=native'; do
-        case $cc$level in "$built-O2" | "$built"*native) continue ;; esac
+        case $cc$level in
+        "$built-O2" | "$built"*native) continue ;;
+        "$built"*) ;;
+        *-O3) continue ;;
+        esac
         mkdir -p "$work/bin" "$work/obj"
         for file in $all; do
             # shellcheck disable=SC2086
@@ -140,4 +145,4 @@ for cc in gcc clang; do
         rm -r "$work/bin" "$work/obj"
     done
 done
-echo 1..6
+echo 1..5

@@ -1,5 +1,5 @@
 /* From chapters/works/07-gas.nw: edit there, then run make tangle. */
-/* checksum 380451446 of the lines below */
+/* checksum 2537607740 of the lines below */
 /* Hard disks and spheres run from a start, and measured on the way. */
 #include "box/blocks.h"
 #include "box/cells.h"
@@ -8,13 +8,13 @@
 #include "box/states.h"
 #include "toolbox/bench.h"
 #include "toolbox/options.h"
+#include "toolbox/program.h"
 #include "toolbox/progress.h"
 #include "toolbox/random.h"
 #include "toolbox/table.h"
 
 #include <errno.h>
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -58,29 +58,10 @@ static void read_heavy(struct options *o, double heavy[2])
         options_fail(o, "'%s' is not a mass and a radius", options_text(o));
 }
 
-_Noreturn static void refuse(const char *format, ...)
-{
-    va_list values;
-    va_start(values, format);
-    fprintf(stderr, PROGRAM ": ");
-    vfprintf(stderr, format, values);
-    fprintf(stderr, "\n");
-    va_end(values);
-    table_abandon();
-    exit(OPTIONS_FAILURE);
-}
-
-_Noreturn static void give_up(const char *what)
-{
-    fprintf(stderr, PROGRAM ": no memory for %s\n", what);
-    table_abandon();
-    exit(EXIT_FAILURE);
-}
-
 static void make_sums(struct blocks *b, size_t width)
 {
     if (!blocks_create(b, width))
-        give_up("the sums");
+        program_give_up(PROGRAM, "no memory for the sums");
 }
 
 enum { KINDS = 100 };
@@ -112,7 +93,7 @@ static void read_kinds(struct mixture *m, const char *path)
     char line[256];
     FILE *file = fopen(path, "r");
     if (!file)
-        refuse("--species: %s: %s", path, strerror(errno));
+        program_refuse(PROGRAM, "--species: %s: %s", path, strerror(errno));
     for (size_t number = 1; fgets(line, sizeof line, file); ++number) {
         double count, mass, radius;
         char more;
@@ -120,9 +101,10 @@ static void read_kinds(struct mixture *m, const char *path)
         const int found =
             sscanf(line, "%lf %lf %lf %c", &count, &mass, &radius, &more);
         if (found > 0 && (found != 3 || !add_kind(m, count, mass, radius)))
-            refuse("--species: %s:%zu: '%s', expected a line of count, "
-                   "mass and radius",
-                   path, number, line);
+            program_refuse(PROGRAM,
+                           "--species: %s:%zu: '%s', expected a line of "
+                           "count, mass and radius",
+                           path, number, line);
     }
     fclose(file);
 }
@@ -166,8 +148,9 @@ static double choose_radius(const struct settings *s)
         room *= s->box[k];
     room -= unit * R * R * (s->dimensions == 2 ? 1 : R);
     if (!(room > 0))
-        refuse("--packing: %g is filled by the heavy disk alone",
-               s->packing);
+        program_refuse(PROGRAM,
+                       "--packing: %g is filled by the heavy disk alone",
+                       s->packing);
     return side_of(room / unit / (double)s->disks, s->dimensions);
 }
 
@@ -181,9 +164,9 @@ static void fill_box(struct disks *d, const struct settings *s)
     else
         add_kind(&m, (double)s->disks, 1, choose_radius(s));
     if (m.total == 0)
-        refuse("--species: %s has no line", s->species);
+        program_refuse(PROGRAM, "--species: %s has no line", s->species);
     if (!disks_create(d, s->dimensions, m.total))
-        give_up("the disks");
+        program_give_up(PROGRAM, "no memory for the disks");
     for (size_t kind = 0, i = 0; kind < m.kinds; ++kind)
         for (size_t n = 0; n < m.kind[kind].count; ++n, ++i) {
             d->mass[i] = m.kind[kind].mass;
@@ -215,15 +198,18 @@ static void make_start(struct disks *d, const struct settings *s)
         s->boundary == DISKS_PERIODIC ? DISKS_PERIODIC : DISKS_WALLS;
     const bool lattice = strcmp(s->start, "lattice") == 0;
     if (!lattice && d->count > DISKS_RANDOM)
-        refuse("--start: random places %d disks at most, not %zu",
-               DISKS_RANDOM, d->count);
+        program_refuse(PROGRAM,
+                       "--start: random places %d disks at most, not %zu",
+                       DISKS_RANDOM, d->count);
     if (d->boundary == DISKS_PERIODIC && d->count < 2)
-        refuse("--disks: a periodic box needs two at least");
+        program_refuse(PROGRAM,
+                       "--disks: a periodic box needs two at least");
     if (!(lattice ? disks_place_lattice(d) : disks_place_random(d, &r)))
-        refuse("--start: %zu disks that fill %.4g of the box find no "
-               "place %s",
-               d->count, disks_packing(d),
-               lattice ? "on a lattice" : "at random");
+        program_refuse(
+            PROGRAM,
+            "--start: %zu disks that fill %.4g of the box find no place %s",
+            d->count, disks_packing(d),
+            lattice ? "on a lattice" : "at random");
     set_velocities(d, s, &r);
 }
 
@@ -231,19 +217,22 @@ static void read_start(struct disks *d, const struct settings *s)
 {
     char message[STATES_MESSAGE];
     if (!states_read(d, s->start, message))
-        refuse("--start: %s", message);
+        program_refuse(PROGRAM, "--start: %s", message);
     if (s->axes > 0 && s->axes != d->dimensions)
-        refuse("--box has %zu sides, the disks of %s have %zu coordinates",
-               s->axes, s->start, d->dimensions);
+        program_refuse(
+            PROGRAM,
+            "--box has %zu sides, the disks of %s have %zu coordinates",
+            s->axes, s->start, d->dimensions);
     if (s->axes > 0)
         memcpy(d->box, s->box, s->axes * sizeof d->box[0]);
     if (s->boundary != EITHER)
         d->boundary = (enum disks_boundary)s->boundary;
     for (size_t k = 0; k < d->dimensions; ++k)
         if (!(d->box[k] > 0))
-            refuse("--start: %s has no head like '# box 7.5 5 walls', and "
-                   "there is no --box",
-                   s->start);
+            program_refuse(PROGRAM,
+                           "--start: %s has no head like '# box 7.5 5 "
+                           "walls', and there is no --box",
+                           s->start);
 }
 
 struct run {
@@ -268,7 +257,8 @@ static void choose_engine(struct run *r)
 {
     const bool suit = cells_suit(&r->d);
     if (r->s->engine == CELLS && !suit)
-        refuse("--engine: cells need a larger box, three cells wide");
+        program_refuse(
+            PROGRAM, "--engine: cells need a larger box, three cells wide");
     r->fast = suit && (r->s->engine == CELLS ||
                        (r->s->engine == AUTO && r->d.count > FEW));
 }
@@ -277,7 +267,7 @@ static void plan(struct run *r)
 {
     cells_free(&r->cells);
     if (!(r->fast ? cells_create(&r->cells, &r->d) : disks_plan(&r->d)))
-        give_up("the events");
+        program_give_up(PROGRAM, "no memory for the events");
 }
 
 static enum disks_stop advance(struct run *r, double until,
@@ -287,7 +277,7 @@ static enum disks_stop advance(struct run *r, double until,
         r->fast ? cells_run(&r->cells, until, collisions)
                 : disks_run(&r->d, until, collisions);
     if (stop == DISKS_COLLISIONS && r->d.collisions < collisions)
-        give_up("the neighbours");
+        program_give_up(PROGRAM, "no memory for the neighbours");
     return stop;
 }
 
@@ -704,7 +694,8 @@ static void look_at_heavy(struct run *r)
         path.space = 2 * path.space + 1024;
         path.row = realloc(path.row, path.space * sizeof path.row[0]);
         if (!path.row)
-            give_up("the path of the heavy disk");
+            program_give_up(PROGRAM,
+                            "no memory for the path of the heavy disk");
     }
     double *row = path.row[path.rows++];
     disks_position(&r->d, 0, row);
@@ -757,7 +748,8 @@ static void end_brownian(struct run *r, struct table *summary)
     const size_t D = r->d.dimensions;
     double *x = malloc(path.rows * sizeof x[0]);
     if (!x)
-        give_up("the path of the heavy disk");
+        program_give_up(PROGRAM,
+                        "no memory for the path of the heavy disk");
     for (size_t lag = 0; lag <= path.rows / 10; lag += 1 + lag / 7) {
         const struct blocks_average C = over_path(product_of, lag, D, x);
         const struct blocks_average M = over_path(square_of, lag, D, x);
@@ -969,10 +961,7 @@ static void read_settings(struct settings *s, int argc, char *argv[])
                          k + 1, s->box[k]);
     if (s->measure == BROWNIAN && s->heavy[0] == 0 && !starts_from_file(s))
         options_fail(&o, "--measure brownian needs --heavy");
-    if (strcmp(s->summary, s->output ? s->output : "-") == 0 &&
-        strcmp(s->summary, "/dev/null") != 0)
-        options_fail(&o, "--summary and the table would both go to '%s'",
-                     s->summary);
+    program_apart(&o, s->output, s->summary, "table");
     if (s->disks == 0)
         s->disks = 4;
     if (s->speed == 0)
@@ -1063,7 +1052,8 @@ static void choose_end(struct run *r, struct settings *s)
     if (r->until < INFINITY)
         return;
     if (!can_meet(&r->d))
-        refuse("--until: needed for disks that never meet");
+        program_refuse(PROGRAM,
+                       "--until: needed for disks that never meet");
     if (s->collisions == UINT64_MAX)
         s->collisions = 50 * (uint64_t)r->d.count;
 }
@@ -1088,9 +1078,10 @@ static void check_rows(const struct run *r)
         r->s->until < INFINITY ? r->s->until : d->now + first_piece(d);
     if (r->s->every > 0 && r->s->samples == UINT64_MAX && end < INFINITY &&
         fmax(end, d->now) / r->s->every > 9e15)
-        refuse("--every: %g s makes more than 9e15 rows in %g s; use a "
-               "longer time, or --samples",
-               r->s->every, end);
+        program_refuse(PROGRAM,
+                       "--every: %g s makes more than 9e15 rows in %g s; "
+                       "use a longer time, or --samples",
+                       r->s->every, end);
 }
 
 /* Is it a state at all, and one that can be measured as was asked? */
@@ -1099,21 +1090,25 @@ static void check_start(struct run *r)
     const struct disks *d = &r->d;
     size_t a, b;
     if (!(disks_leash(d) > 0))
-        refuse("--boundary: a side of %.10g is too narrow to be periodic: "
-               "with a radius of %.10g it must be more than %.10g",
-               shortest(d), widest(d), 4 * widest(d));
+        program_refuse(
+            PROGRAM,
+            "--boundary: a side of %.10g is too narrow to be periodic: "
+            "with a radius of %.10g it must be more than %.10g",
+            shortest(d), widest(d), 4 * widest(d));
     if (r->s->measure == SPEED_LAW &&
         d->count < (d->boundary == DISKS_PERIODIC ? 3 : 2))
-        refuse("--measure speeds needs more disks: %zu have no law",
-               d->count);
+        program_refuse(PROGRAM,
+                       "--measure speeds needs more disks: %zu have no law",
+                       d->count);
     check_rows(r);
     if (!starts_from_file(r->s) || fits(r, &a, &b))
         return;
     if (b == d->count)
-        refuse("--start: %s: disk %zu is not inside the box", r->s->start,
-               a + 1);
-    refuse("--start: %s: disks %zu and %zu overlap", r->s->start, a + 1,
-           b + 1);
+        program_refuse(PROGRAM,
+                       "--start: %s: disk %zu is not inside the box",
+                       r->s->start, a + 1);
+    program_refuse(PROGRAM, "--start: %s: disks %zu and %zu overlap",
+                   r->s->start, a + 1, b + 1);
 }
 
 int main(int argc, char *argv[])
@@ -1129,12 +1124,8 @@ int main(int argc, char *argv[])
     r.d.restitution = s.restitution;
     choose_engine(&r);
     check_start(&r);
-    r.out = table_open(PROGRAM, s.output);
-    struct table *summary = table_open(PROGRAM, s.summary);
-    if (!r.out || !summary)
-        return table_discard(r.out), table_discard(summary), EXIT_FAILURE;
-    table_keys(summary, keys);
-    progress_catch_signals();
+    struct table *summary;
+    program_open(PROGRAM, s.output, s.summary, keys, &r.out, &summary);
     table_begin(r.out, s.command, s.seed);
     progress_begin(&r.progress, PROGRAM, PARTS, "collisions");
     warm_up(&r, s.warmup);
@@ -1151,13 +1142,8 @@ int main(int argc, char *argv[])
                 disks_collapsed(&r.d) ? "inelastic collapse"
                                       : "all are at rest",
                 r.d.now, (unsigned long long)r.d.collisions);
-    const bool written = table_close(r.out);
     cells_free(&r.cells);
     disks_free(&r.d);
-    if (whole && written)
-        return table_close(summary) && r.stop != DISKS_COLLAPSE
-                   ? EXIT_SUCCESS
-                   : EXIT_FAILURE;
-    table_discard(summary);
-    return EXIT_FAILURE;
+    const int status = program_close(r.out, summary, whole);
+    return r.stop == DISKS_COLLAPSE ? EXIT_FAILURE : status;
 }

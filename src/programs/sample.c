@@ -1,8 +1,9 @@
 /* From chapters/works/06-room.nw: edit there, then run make tangle. */
-/* checksum 2207486684 of the lines below */
+/* checksum 2665200768 of the lines below */
 /* Configurations of hard disks, thrown or walked, and what they show. */
 #include "box/sampling.h"
 #include "toolbox/options.h"
+#include "toolbox/program.h"
 #include "toolbox/progress.h"
 #include "toolbox/random.h"
 #include "toolbox/table.h"
@@ -143,10 +144,7 @@ static void read_settings(struct settings *s, struct options *o, int argc,
     s->command = options_command(o);
     if (s->step == 0)
         s->step = s->radius;
-    if (strcmp(s->summary, s->output ? s->output : "-") == 0 &&
-        strcmp(s->summary, "/dev/null") != 0)
-        options_fail(o, "--summary and the table would both go to '%s'",
-                     s->summary);
+    program_apart(o, s->output, s->summary, "table");
 }
 
 /* Is it certain that the large ones do not fit between the walls? */
@@ -568,13 +566,9 @@ static int finish(struct run *run, struct table *summary)
         write_bins(run);
     if (!empty)
         write_summary(summary, run);
-    if (empty) {
-        table_discard(run->out);
-    } else if (table_close(run->out) && whole) {
-        return table_close(summary) ? EXIT_SUCCESS : EXIT_FAILURE;
-    }
-    table_discard(summary);
-    return EXIT_FAILURE;
+    if (empty)
+        program_leave(EXIT_FAILURE);
+    return program_close(run->out, summary, whole);
 }
 
 int main(int argc, char *argv[])
@@ -588,22 +582,15 @@ int main(int argc, char *argv[])
     check_room(&o, &s, &run.p);
     if (s.method == DIRECT)
         check_patience(&o, &s, &run.p);
-    run.out = table_open(PROGRAM, s.output);
-    struct table *summary = table_open(PROGRAM, s.summary);
-    if (!run.out || !summary)
-        return table_discard(run.out), table_discard(summary), EXIT_FAILURE;
-    table_keys(summary, keys);
-    progress_catch_signals();
+    struct table *summary;
+    program_open(PROGRAM, s.output, s.summary, keys, &run.out, &summary);
     progress_begin(&run.progress, PROGRAM, s.samples, "tries");
     table_begin(run.out, s.command, s.seed);
     name_columns(&run);
-    int status = EXIT_FAILURE;
-    if (s.method == DIRECT || warm_up(&run)) {
-        take_samples(&run);
-        status = finish(&run, summary);
-    } else {
-        table_discard(run.out), table_discard(summary);
-    }
+    if (s.method != DIRECT && !warm_up(&run))
+        program_leave(EXIT_FAILURE);
+    take_samples(&run);
+    const int status = finish(&run, summary);
     end_run(&run);
     return status;
 }

@@ -1,9 +1,10 @@
 /* From chapters/works/07-gas.nw: edit there, then run make tangle. */
-/* checksum 3613348430 of the lines below */
+/* checksum 1629439046 of the lines below */
 /* How many collisions a second either engine for disks has. */
 #include "box/cells.h"
 #include "toolbox/bench.h"
 #include "toolbox/options.h"
+#include "toolbox/program.h"
 #include "toolbox/progress.h"
 #include "toolbox/random.h"
 #include "toolbox/table.h"
@@ -28,13 +29,6 @@ struct settings {
     const char *output, *summary, *command;
 };
 
-static void give_up(const char *why)
-{
-    fprintf(stderr, PROGRAM ": %s\n", why);
-    table_abandon();
-    exit(EXIT_FAILURE);
-}
-
 static void begin_or_exit(struct disks *d, const struct settings *s,
                           size_t count)
 {
@@ -44,14 +38,15 @@ static void begin_or_exit(struct disks *d, const struct settings *s,
     struct random r;
     random_seed(&r, 1);
     if (!disks_create(d, s->dimensions, count))
-        give_up("no memory for the disks");
+        program_give_up(PROGRAM, "no memory for the disks");
     d->boundary = DISKS_PERIODIC;
     for (size_t k = 0; k < d->dimensions; ++k)
         d->box[k] = s->dimensions == 2 ? sqrt(volume) : cbrt(volume);
     for (size_t i = 0; i < count; ++i)
         d->disk[i].radius = 0.5;
     if (!disks_place_lattice(d))
-        give_up("--packing: the disks have no room on a lattice");
+        program_give_up(PROGRAM,
+                        "--packing: the disks have no room on a lattice");
     disks_set_temperature(d, 1, &r);
 }
 
@@ -59,7 +54,7 @@ static void copy_or_exit(struct disks *to, const struct disks *from)
 {
     const size_t n = from->count;
     if (!disks_create(to, from->dimensions, n))
-        give_up("no memory for the disks");
+        program_give_up(PROGRAM, "no memory for the disks");
     struct disk *disk = to->disk;
     double *mass = to->mass;
     uint32_t *hits = to->hits;
@@ -69,7 +64,7 @@ static void copy_or_exit(struct disks *to, const struct disks *from)
     to->mass = memcpy(mass, from->mass, n * sizeof *mass);
     to->hits = memcpy(hits, from->hits, n * sizeof *hits);
     if (!disks_plan(to))
-        give_up("no memory for the plans");
+        program_give_up(PROGRAM, "no memory for the plans");
 }
 
 struct engines {
@@ -246,10 +241,7 @@ static void read_settings(struct settings *s, int argc, char *argv[])
         case 'S': s->summary = options_text(&o); break;
         }
     s->command = options_command(&o);
-    if (strcmp(s->summary, s->output ? s->output : "-") == 0 &&
-        strcmp(s->summary, "/dev/null") != 0)
-        options_fail(&o, "--summary and the table would both go to '%s'",
-                     s->summary);
+    program_apart(&o, s->output, s->summary, "table");
 }
 static void time_size(const struct settings *s, size_t count,
                       struct table *out, struct table *summary)
@@ -258,9 +250,11 @@ static void time_size(const struct settings *s, size_t count,
     double pairs, cells;
     begin_or_exit(&e.disks, s, count);
     if (!cells_suit(&e.disks))
-        give_up("--particles: too few for three cells along each side");
+        program_give_up(
+            PROGRAM,
+            "--particles: too few for three cells along each side");
     if (!cells_create(&e.cells, &e.disks))
-        give_up("no memory for the cells");
+        program_give_up(PROGRAM, "no memory for the cells");
     run_on(&e, true, s->collisions ? s->collisions : 5 * count);
     if (count <= PAIRS_MOST)
         copy_or_exit(&e.pairs, &e.disks);
@@ -280,21 +274,13 @@ int main(int argc, char *argv[])
     struct settings s;
     struct progress progress;
     read_settings(&s, argc, argv);
-    struct table *out = table_open(PROGRAM, s.output);
-    struct table *summary = table_open(PROGRAM, s.summary);
-    if (!out || !summary)
-        return table_discard(out), table_discard(summary), EXIT_FAILURE;
-    table_keys(summary, keys);
-    progress_catch_signals();
+    struct table *out, *summary;
+    program_open(PROGRAM, s.output, s.summary, keys, &out, &summary);
     progress_begin(&progress, PROGRAM, s.sizes, "sizes");
     write_head(out, &s);
     for (size_t k = 0; k < s.sizes && !progress_signal(); ++k) {
         time_size(&s, (size_t)s.particles[k], out, summary);
         progress_update(&progress, k + 1, k + 1);
     }
-    const bool whole = progress_end(&progress), written = table_close(out);
-    if (whole && written)
-        return table_close(summary) ? EXIT_SUCCESS : EXIT_FAILURE;
-    table_discard(summary);
-    return EXIT_FAILURE;
+    return program_close(out, summary, progress_end(&progress));
 }

@@ -1,5 +1,5 @@
 /* From chapters/works/05-disks.nw: edit there, then run make tangle. */
-/* checksum 3533249348 of the lines below */
+/* checksum 3063814310 of the lines below */
 /* Clocks, the way back, contacts, collapse and speed of hard disks. */
 #include "box/disks.h"
 #include "toolbox/bench.h"
@@ -34,7 +34,7 @@ static void begin_or_exit(struct disks *d, size_t count, double r,
         if (disks_place_lattice(d) && disks_plan(d))
             return;
     }
-    study_fail(PROGRAM, "no memory or no room for the disks");
+    program_give_up(PROGRAM, "no memory or no room for the disks");
 }
 
 static const double radius = 0.15; /* of the four in a box of 1 m */

@@ -1,5 +1,5 @@
 /* From chapters/works/06-room.nw: edit there, then run make tangle. */
-/* checksum 2740615139 of the lines below */
+/* checksum 3784389282 of the lines below */
 /* Samplers compared: mistakes, memory, acceptance, the cost of an error. */
 #include "box/sampling.h"
 #include "line/statistics.h"
@@ -42,7 +42,7 @@ static const struct options_entry entries[] = {
 /* Ends the program without memory. */
 static _Noreturn void end_without_memory(void)
 {
-    study_fail(PROGRAM, "no memory; use fewer disks or samples");
+    program_give_up(PROGRAM, "no memory; use fewer disks or samples");
 }
 
 /* Disks of this radius in the unit box. */
@@ -62,7 +62,7 @@ static void start_chain(struct sampling *p, double step, uint64_t sweeps,
         char why[60];
         snprintf(why, sizeof why, "--radii: %g leaves no room",
                  p->disks.disk[0].radius);
-        study_fail(PROGRAM, why);
+        program_give_up(PROGRAM, "%s", why);
     }
     for (uint64_t k = 0; k < sweeps * p->disks.count; ++k)
         sampling_try(p, step, r);

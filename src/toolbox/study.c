@@ -1,5 +1,5 @@
 /* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 998146780 of the lines below */
+/* checksum 1497452738 of the lines below */
 /* Chooses a study, opens its table and summary, closes them together. */
 #include "toolbox/study.h"
 
@@ -119,9 +119,4 @@ int study_main(const struct study_program *p, int argc, char *argv[])
     p->studies[c.study].run(&s);
     const bool whole = progress_end(&s.progress) && !s.broken;
     return program_close(s.out, s.summary, whole);
-}
-
-_Noreturn void study_fail(const char *program, const char *why)
-{
-    program_give_up(program, "%s", why);
 }

@@ -1,5 +1,5 @@
 /* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 2077014223 of the lines below */
+/* checksum 3362399100 of the lines below */
 /* What stands around a program of many measurements. */
 #ifndef TOOLBOX_STUDY_H
 #define TOOLBOX_STUDY_H
@@ -56,8 +56,5 @@ enum { STUDY_MOST = 32, STUDY_WIDTH = 48 };
    not be written, a signal came or the study broke. A wrong command ends
    the process. */
 int study_main(const struct study_program *p, int argc, char *argv[]);
-
-/* As program_give_up. */
-_Noreturn void study_fail(const char *program, const char *why);
 
 #endif

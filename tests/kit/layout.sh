@@ -130,7 +130,7 @@ holds 'and one of 101 is seen' \
 
 # Who opens a file reads first what it is.
 silent=$(for file in src/*/*.[ch]; do
-    sed -n 3p "$file" | grep -q '^/\* [A-Z].*[A-Za-z0-9)][.] \*/$' || echo "$file"
+    sed -n 3p "$file" | grep -q '^/\* [A-Za-z].*[A-Za-z0-9)][.] \*/$' || echo "$file"
 done)
 holds 'the third line of each file of src/ says what it is' \
     sh -c "echo '$silent'; test -z '$silent'"

@@ -26,7 +26,7 @@ static void measure(struct study *s)
 static void fall(struct study *s)
 {
     measure(s);
-    study_fail("drop", "no ground");
+    program_give_up("drop", "no ground");
 }
 
 static void interrupt(struct study *s)

@@ -149,10 +149,11 @@ said chapters/01-one.nw 'See \ref{works:two}.' \
     '\ref{works:two} leads to Works (chapters/works/02-two.nw:3); write \inworks'
 said chapters/works/02-two.nw 'On page~\pageref{sec:one}.' \
     '\pageref{sec:one} leads to the book, whose pages Works does not know; write \inbook or \ref'
+said chapters/01-one.nw 'See \ref{sec:lost}.' 'no chapter has \label{sec:lost}'
 said chapters/works/02-two.nw '\inbook{sec:two}' \
     'no chapter of the book has \label{sec:two}'
 said chapters/01-one.nw '\label{sec:one}' \
     '\label{sec:one} stands already in chapters/01-one.nw:11'
 said chapters/works/02-two.nw '\label{sec:one}' \
     '\label{sec:one} stands in the book, too: chapters/01-one.nw:11'
-echo 1..29
+echo 1..30

@@ -9,6 +9,9 @@ rooms=$(echo src/toolbox src/line src/box src/scenes src/forces src/enough)
 all="$(for room in $rooms; do
     grep -LE '^.include ("line/laws.h"|<gsl/)' "$room"/*.c
 done) src/forces/reference.c"
+programs='bonk collide collide-forms bonkers bonkers-studies disks
+    gravity-studies sample sample-studies scene step spheres-studies
+    springs-studies'
 # What is stepped, and chosen for: gravity, springs with dashpots, and
 # contacts.
 for scene in figure-eight 'ring --particles 150' 'membrane --damping 0.1' \
@@ -113,7 +116,8 @@ holds 'the programs run' test "$(wc -l <"$work/expected")" -gt 800
 # The two builds that are there: -O2, and -O3 for this machine, optimized
 # across files. Then the same two ends with the other compiler, and plain -O3
 # with this one: its loops without the instructions of this machine.
-${MAKE:-make} -s native >/dev/null 2>&1
+# shellcheck disable=SC2046,SC2086
+${MAKE:-make} -s $(printf 'build/native/bin/%s ' $programs) >/dev/null 2>&1
 run_all build/native/bin >"$work/got"
 holds 'the native build gives the same bytes' cmp "$work/expected" "$work/got"
 case $(${CC:-cc} --version) in *clang*) built=clang ;; *) built=gcc ;; esac
@@ -131,9 +135,7 @@ for cc in gcc clang; do
                 -Isrc -c -o "$work/obj/$(basename "$file" .c).o" "$file" ||
                 not_ok "$cc $level" "$file does not compile"
         done
-        for program in bonk collide collide-forms bonkers bonkers-studies disks \
-            gravity-studies sample sample-studies scene step spheres-studies \
-            springs-studies; do
+        for program in $programs; do
             # shellcheck disable=SC2086
             $cc -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off $level \
                 -Isrc -o "$work/bin/$program" src/[ps]*[md]*s/"$program.c" \

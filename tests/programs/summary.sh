@@ -95,7 +95,7 @@ same speed $bin/bonkers-studies --study speed
         printf more ? "%s" : "%s\n", $0 }' \
         $(find chapters -name '*.nw')
     grep -h '^# [a-z]*:' plots/*.gp
-    grep -h 'study ' Makefile tests/*/*.sh
+    grep -h 'study ' src/studies/bench.mk plots/plots.mk tests/*/*.sh
     echo study run # piston, when nothing is said
 } >"$work/all"
 for program in $bin/*; do

@@ -1,0 +1,58 @@
+# The book and its second volume, from noweb chapters with TeX; and the course
+# that students get.
+
+.PHONY: tangle check-tangle contact book has-tex
+tangle:
+	$(call need,notangle,noweb)
+	@chapters/press/tangle
+
+check-tangle:
+	$(call need,notangle,noweb)
+	@chapters/press/tangle --check
+
+# The first thing that a book looks for is what it needs.
+has-tex: has-gnuplot
+	$(call need,notangle,noweb)
+	$(call need,latexmk,latexmk lmodern texlive-latex-extra \
+		texlive-fonts-recommended)
+	$(call need,pdflatex,texlive-latex-extra texlive-fonts-recommended)
+
+# All figures and slides on a few sheets, to be looked at.
+contact: has-tex has-gsl $(FIGURES_PDF)
+	@chapters/press/contact
+	@echo 'The contact sheets: build/contact.pdf'
+
+# EDITION=instructor adds the worked solutions.
+.PHONY: works
+edition := $(if $(filter instructor,$(EDITION)),-instructor)
+book: has-tex build/bonkers$(edition).pdf figures
+	@echo 'The book: build/bonkers$(edition).pdf'
+	@echo 'Next: open it, then try an exercise: make check'
+works: has-tex build/works.pdf
+	@echo 'The second volume: build/works.pdf, beside build/bonkers.pdf'
+
+# What all volumes are set from; then they can be made side by side.
+.PHONY: book-parts
+book-parts: has-tex $(FIGURES_PDF) $(FIGURES_SVG) $(FIGURES_ALT) build/woven
+build/woven: $(RUNS) $(wildcard chapters/*.nw chapters/works/*.nw \
+		chapters/press/* solutions/* plots/data/* \
+		$(addprefix tests/exercises/*/,hints.txt stub.c suite.c))
+	@chapters/press/make-book woven
+
+build/bonkers.pdf build/bonkers-instructor.pdf build/works.pdf \
+		build/works-course.pdf: build/woven $(FIGURES_PDF) $(FIGURES_ALT) \
+		tests/equations.txt
+	@chapters/press/make-book $(@:build/%.pdf=%)
+# Works quotes the numbers of the book.
+build/works.pdf build/works-course.pdf: build/bonkers.pdf
+
+# ---- the course for students
+
+# Its book has no solutions, its Works neither examiner nor grader.
+# WITH_CHAPTERS=1 adds the chapters.
+ifneq ($(and $(EDITION),$(filter handout,$(MAKECMDGOALS))),)
+$(error handout: EDITION: students get the book without solutions; leave it out)
+endif
+.PHONY: handout
+handout: has-tex build/bonkers.pdf build/works-course.pdf
+	@chapters/press/handout

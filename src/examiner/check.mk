@@ -1,0 +1,122 @@
+# The examiner, and what the exercises are checked with: cc, make and CUnit.
+
+.PHONY: check watch hint progress reset solution
+exercises := $(patsubst tests/exercises/%/suite.c,%,\
+	$(wildcard tests/exercises/[0-9][0-9][a-z]/suite.c))
+
+# What the exercises are compiled with; build/check/flags keeps it for examine:
+# the compiler's command on the first line, the libraries on the second.
+# XOPEN_SOURCE, more than the kit itself asks for, gives students M_PI. What
+# newer compilers take for errors, and a missing return, are errors in all.
+check_base = $(CC) -std=c11 -D_XOPEN_SOURCE=700 -ffp-contract=off -g -O1 \
+	$(errors:%=-Werror=%) $(CPPFLAGS)
+errors = return-type implicit-function-declaration int-conversion
+sanitizers = -fsanitize=address,undefined -fno-sanitize=object-size \
+	-fno-sanitize-recover=undefined
+check_cc = $$(sed -n 1p build/check/flags)
+runner = build/check/flags build/check/libcheck.a
+lists := $(exercises:%=build/check/%.list)
+CHECK_BUILT = $(runner) $(exercises:%=build/check/%.suite.o) $(lists)
+
+# EX=01a,02b or '01a 02b'. What is checked are the exercises that it names, or
+# else those that are begun, whose file is not the stub; no other suite is
+# needed. What somebody begins while we watch, examine asks for.
+comma = ,
+named := $(subst $(comma), ,$(EX))
+asked_for = $(filter $(named:=%),$(exercises))
+ifneq ($(filter check watch hint progress solution,$(MAKECMDGOALS)),)
+begun := $(filter $(exercises),$(shell cksum tests/exercises/*/stub.c \
+	exercises/[0-9][0-9][a-z]*.c 2>/dev/null | awk ' \
+	{ n = split($$3, part, "/"); sum = $$1 " " $$2 } \
+	/stub.c$$/ { stub[part[n - 1]] = sum; next } \
+	stub[substr(part[n], 1, 3)] != sum { print substr(part[n], 1, 3) }'))
+endif
+suites_of = $(if $(1),$(runner) $(1:%=build/check/%.suite.o))
+export MAKE
+check watch: $(runner) $(call suites_of,$(if $(named),$(asked_for),$(begun)))
+solution: $(call suites_of,$(asked_for))
+hint: $(if $(named),,$(call suites_of,$(begun)))
+progress: $(call suites_of,$(begun))
+
+split = set -f; IFS=', ';
+check: build/check/examine $(lists)
+	@$(split) build/check/examine $$EX
+watch hint progress reset solution: build/check/examine $(lists)
+	@$(split) build/check/examine --$@ $$EX
+
+# Sanitizers where the compiler has them; CUnit must be there.
+build/made/check/flags: build/made/check/compiler build/compiler/key
+	$(begin)
+	@echo '#include <CUnit/CUnit.h>' >build/check/probe.c
+	@echo 'int main(void) { return CU_get_error(); }' >>build/check/probe.c
+	@$(check_base) -o build/check/probe build/check/probe.c $(LDFLAGS) -lcunit \
+		2>/dev/null || { echo 'make: check needs CUnit; install it with:\
+ apt-get install --no-install-recommends libcunit1-dev' >&2; exit 1; }
+	@san='$(sanitizers)'; $(check_base) $$san -o build/check/probe \
+		build/check/probe.c $(LDFLAGS) -lcunit 2>/dev/null && \
+		build/check/probe >/dev/null 2>&1 || san=; \
+	printf '%s\n%s\n' "$(check_base) $$san" \
+		'build/check/libcheck.a $(LDFLAGS) -lcunit -lm' >$(made).new
+	@$(take)
+build/made/check/compiler: FORCE
+	@mkdir -p $(@D)
+	@echo '$(check_base) $(LDFLAGS)' | cmp -s - $@ || \
+		echo '$(check_base) $(LDFLAGS)' >$@
+
+build/made/check/obj/%.o: src/%.c build/check/flags
+	$(begin)
+	$(call say,cc $(made))
+	$(Q)$(check_cc) $(reads) -Wall -Wextra -pedantic -Isrc \
+		-c -o $(made).new $<
+	$(take_compiled)
+build/made/check/libcheck.a: $(patsubst src/%.c,build/check/obj/%.o,\
+	$(patsubst %,src/examiner/%.c,check hidden heed home place border) \
+	src/toolbox/random.c)
+	$(begin)
+	@rm -f $(made).new
+	@ar rcs $(made).new $^
+	@$(take)
+build/made/check/examine: $(patsubst %,build/obj/examiner/%.o,\
+	examine watch hint reset solution round verdict memory work course sum \
+	build message trial process text)
+	$(begin)
+	$(call say,link $(made))
+	$(Q)$(CC) $(PORTABLE) $(FLAGS) -o $(made).new $^ $(LDFLAGS)
+	@$(take)
+kept += build/check/flags build/check/libcheck.a build/check/examine \
+	$(patsubst src/%.c,build/check/obj/%.o,$(wildcard src/examiner/*.c \
+	src/toolbox/*.c)) $(exercises:%=build/check/%.suite.o)
+
+# A suite and the two halves of its border, where it has one, in one object.
+# In a course that was handed out crossing.c is the border without comments.
+# On the suite's side the functions that cross are called suite_..., so that
+# the student's can keep their names.
+border_of = $(wildcard $(addprefix tests/exercises/$*/,border.c crossing.c))
+crossing = $$(sed -n '/^static/d; s/^[a-z][a-z_ *]*[ *]\([a-z0-9_]*\)(.*/\1/p' \
+	/dev/null $(border_of) | grep -v '^border_' | sed 's/.*/-D&=suite_&/')
+check_part = $(check_cc) -Wall -Wextra -pedantic -Isrc -c \
+	-o build/check/obj/suite/$*
+build/made/check/%.suite.o: tests/exercises/%/suite.c build/check/flags
+	$(begin)
+	$(call say,cc $<)
+	@mkdir -p build/check/obj/suite
+	$(Q)$(check_part).o $(reads) $(crossing) $<
+	$(if $(border_of),$(Q)$(check_part).outside.o $(reads).outside \
+		$(crossing) $(border_of))
+	$(if $(border_of),$(Q)$(check_part).inside.o $(reads).inside \
+		-DBORDER_INSIDE $(border_of))
+	@ld -r -o $(made).new build/check/obj/suite/$*.o $(if $(border_of),\
+		build/check/obj/suite/$*.outside.o build/check/obj/suite/$*.inside.o)
+	$(take_compiled)
+$(foreach e,$(exercises),$(eval build/made/check/$(e).suite.o: \
+	$(wildcard $(addprefix tests/exercises/$(e)/,border.c crossing.c))))
+# What it says about itself, for all of them at once.
+build/made/check/lists: tests/lists.awk \
+		$(exercises:%=tests/exercises/%/suite.c)
+	@rm -rf build/check/lists && mkdir -p $(@D) build/check/lists
+	@awk -v into=build/check/lists -f $^
+	@mv build/check/lists/* build/check && touch $@
+$(lists): build/made/check/lists
+	@+:
+$(if $(filter-out $(wildcard $(lists)),$(lists)),\
+	$(shell rm -f build/made/check/lists))

@@ -1,0 +1,121 @@
+# The grader: cc, make, CUnit, jansson, libxml2, bubblewrap.
+
+# make grade SUBMISSIONS=dir [REPORT=gradescope,...] [JOBS=n] [HIDDEN=seed]
+# [EX=01a,02] [SECONDS=5] [RESULTS=dir] [UNSAFE=1]
+SUBMISSIONS =
+grade_options = $${REPORT:+--report "$$REPORT"} $${JOBS:+--jobs "$$JOBS"} \
+	$${HIDDEN:+--hidden "$$HIDDEN"} $${EX:+--exercises "$$EX"} \
+	$${seconds:+--seconds "$$seconds"} $(if $(UNSAFE),--unsafe) \
+	$${RESULTS:+--output "$$RESULTS"}
+graded := $(foreach e,$(exercises),\
+	$(if $(wildcard tests/exercises/$(e)/border.c),$(e)))
+GRADE_BUILT = build/grade/grade build/grade/flags \
+	$(graded:%=build/grade/%.list) $(graded:%=build/grade/%.names)
+
+.PHONY: grade grade-parts grade-bench has-submissions
+grade-bench: grade-parts
+	@tests/grader/bench 25 $(if $(RECORD),plots/data/B-grade.dat)
+has-submissions:
+	@[ -n "$$SUBMISSIONS" ] || { echo 'make: grade: which submissions?' \
+		'make grade SUBMISSIONS=dir (a folder with one for each student)' \
+		>&2; exit 2; }
+grade: has-submissions grade-parts
+	$(if $(filter-out $(graded),$(exercises)),@echo 'Not graded (there is' \
+		'no border.c in its folder):' $(filter-out $(graded),$(exercises)))
+	@build/grade/grade $(grade_options) "$$SUBMISSIONS"
+grade-parts: has-grade-parts $(GRADE_BUILT)
+
+.PHONY: has-grade-parts
+has-grade-parts:
+	@printf '#include <jansson.h>\n#include <libxml/xmlwriter.h>\n' | \
+		$(CC) $(xml_flags) $(FLAGS) -E - >/dev/null 2>&1 || { \
+		echo 'make: grade needs jansson and libxml2; install them with:' \
+		'apt-get install --no-install-recommends libjansson-dev' \
+		'libxml2-dev bubblewrap' >&2; exit 1; }
+
+# jansson and libxml2, in the grader alone; asked only when it is built.
+xml_flags = $$(pkg-config --cflags libxml-2.0 2>/dev/null || \
+	echo -I/usr/include/libxml2)
+build/made/grade/obj/grade/%.o: src/examiner/%.c build/compiler/key
+	$(begin)
+	$(call say,cc $<)
+	$(Q)$(CC) $(STANDARD) -D_XOPEN_SOURCE=700 $(PORTABLE) -Isrc $(reads) \
+		$(xml_flags) $(FLAGS) -c -o $(made).new $<
+	$(take_compiled)
+build/made/grade/grade: $(patsubst %,build/grade/obj/grade/%.o,grade grading \
+	box marks submissions publish build message sum trial process text)
+	$(begin)
+	$(call say,link $(made))
+	$(Q)$(CC) $(PORTABLE) $(FLAGS) -o $(made).new $^ $(LDFLAGS) \
+		-ljansson -lxml2
+	@$(take)
+
+# The compiler for students' files, without sanitizers and with, and how gcc,
+# or else clang, is told to quote no lines.
+build/made/grade/flags: build/check/flags
+	$(begin)
+	@terse=-fno-diagnostics-show-caret; $(CC) $$terse -E -x c /dev/null \
+		>/dev/null 2>&1 || terse=-fno-caret-diagnostics; \
+	printf '%s %s\n' '$(check_base)' -fmax-errors=20 \
+		"$$(sed -n 1p build/check/flags)" -fmax-errors=20 $$terse '' \
+		>$(made).new
+	@$(take)
+
+# What judges and boxes are linked with.
+build/made/grade/obj/%.o: src/%.c build/check/flags
+	$(begin)
+	$(call say,cc $(made))
+	$(Q)$(check_base) $(reads) -Wall -Wextra -pedantic -Isrc \
+		-c -o $(made).new $<
+	$(take_compiled)
+build/made/grade/libjudge.a: $(patsubst src/%.c,build/grade/obj/%.o,\
+	$(patsubst %,src/examiner/%.c,check hidden heed judge wire border) \
+	src/toolbox/random.c)
+	$(begin)
+	@rm -f $(made).new
+	@ar rcs $(made).new $^
+	@$(take)
+kept += build/grade/grade build/grade/flags build/grade/libjudge.a \
+	$(patsubst src/%.c,build/grade/obj/%.o,$(wildcard src/examiner/*.c \
+	src/toolbox/*.c)) \
+	$(patsubst src/examiner/%.c,build/grade/obj/grade/%.o,\
+	$(wildcard src/examiner/*.c)) \
+	$(graded:%=build/grade/%.judge) $(graded:%=build/grade/%.inside.o)
+
+# One exercise: its judge, what goes into a box with the student's file, the
+# list of its tests, and the names that the student's file may show.
+judge_part = build/grade/obj/judge/$*
+judge_of = $(wildcard $(addprefix tests/exercises/$*/,suite.c border.c hidden.c))
+build/made/grade/%.judge: tests/exercises/%/suite.c tests/exercises/%/border.c \
+		build/grade/libjudge.a
+	$(begin)
+	@mkdir -p build/grade/obj/judge
+	$(call say,cc $(made))
+	$(Q)for file in $(judge_of); do \
+		part=$${file##*/} && part=$${part%.c} && \
+		$(check_base) $(reads).$$part -Wall -Wextra -pedantic -Isrc \
+		-c -o $(judge_part).$$part.o $$file || exit 1; done
+	$(Q)$(check_base) -o $(made).new \
+		$(patsubst %.c,$(judge_part).%.o,$(notdir $(judge_of))) \
+		build/grade/libjudge.a $(LDFLAGS) -lcunit -lm
+	$(take_compiled)
+$(foreach e,$(graded),$(eval build/made/grade/$(e).judge: \
+	$(wildcard tests/exercises/$(e)/hidden.c)))
+build/made/grade/%.inside.o: tests/exercises/%/border.c $(patsubst %,\
+		build/grade/obj/examiner/%.o,boxed wire border place)
+	$(begin)
+	@mkdir -p build/grade/obj/border
+	$(Q)$(check_base) $(reads) -Wall -Wextra -pedantic -DBORDER_INSIDE -Isrc \
+		-c -o build/grade/obj/border/$*.o $<
+	@ld -r -o $(made).new build/grade/obj/border/$*.o $(filter %.o,$^)
+	$(take_compiled)
+build/grade/%.list: build/grade/%.judge
+	@build/grade/$*.judge --list >$@
+build/grade/%.names: build/grade/%.inside.o tests/exercises/%/stub.c
+	@$(check_base) -Isrc/examiner -c -o build/grade/obj/border/$*.stub.o \
+		tests/exercises/$*/stub.c
+	@nm -P -g build/grade/$*.inside.o | awk '$$2 == "U" { print $$1 }' \
+		>build/grade/obj/border/$*.wanted
+	@nm -P -g build/grade/obj/border/$*.stub.o | awk '$$2 != "U" \
+		{ print $$1 }' | grep -x -F -f build/grade/obj/border/$*.wanted | \
+		sed 's/^/--keep-global-symbol=/' | tr '\n' ' ' >$@

@@ -1,0 +1,130 @@
+# Proof: the tests, the mutants, memcheck and fuzz.
+
+.PHONY: test test-parts memcheck
+TEST_SECONDS = 600
+unit_tests := $(patsubst tests/%.c,build/tests/%,$(filter-out $(without),\
+	$(wildcard tests/library/*.c tests/stability/*.c)))
+tools := $(patsubst tests/tools/%.c,build/tests/%,$(wildcard tests/tools/*.c))
+scripts := $(wildcard tests/stability/*.sh tests/programs/*.sh \
+	tests/examiner/*.sh tests/exercises/*.sh tests/grader/*.sh \
+	tests/kit/*.sh)
+
+build/made/tests/%: tests/%.c build/obj/libbonkers.a build/compiler/key
+	$(begin)
+	$(call say,cc $<)
+	$(Q)$(CC) $(STANDARD) $(PORTABLE) $(OPENMP) $(reads) -Isrc -Itests \
+		$(FLAGS) -o $(made).new $< build/obj/libbonkers.a $(LDFLAGS) \
+		-lcunit $(call gsl_libs,tests/$*.c) -lm
+	$(take_compiled)
+build/made/tests/%: tests/tools/%.c build/compiler/key
+	$(begin)
+	$(call say,cc $<)
+	$(Q)$(CC) $(STANDARD) $(PORTABLE) $(reads) $(FLAGS) -o $(made).new $< \
+		$(LDFLAGS)
+	$(take_compiled)
+kept += $(unit_tests) $(tools) build/tests/grader/reports \
+	build/tests/grader/schema build/tests/mutants/outlive \
+	$(unit_tests:build/tests/%=build/memcheck/%)
+
+# The book is the first of the tests: the others look at what it made.
+test: has-tex has-test-tools
+	@$(MAKE) -s -j2 programs native test-parts
+	@MAKE='$(MAKE)' tests/run -t $(TEST_SECONDS) -j 2 tests/book/book.sh $(unit_tests) \
+		$(scripts) $(filter-out tests/book/book.sh,$(wildcard tests/book/*.sh))
+
+.PHONY: has-test-tools
+has-test-tools:
+	$(call need,clang,clang)
+	$(call need,clang-format,clang-format)
+	$(call need,pdftotext,poppler-utils)
+	$(call need,xmllint,libxml2-utils)
+	$(call need,bwrap,bubblewrap)
+	$(call need,ps,procps)
+	$(call need,git,git)
+
+test-parts: grade-parts build/check/examine $(CHECK_BUILT) $(unit_tests) $(tools) \
+	build/tests/mutants/outlive build/tests/grader/reports \
+	build/tests/grader/schema
+
+# What the reports are tested with: a course made up, a validator of JSON.
+build/made/tests/grader/reports: $(patsubst %,build/grade/obj/grade/%.o,\
+	publish marks trial process text)
+build/made/tests/grader/%: tests/grader/%.c build/compiler/key
+	$(begin)
+	$(call say,cc $<)
+	$(Q)$(CC) $(STANDARD) $(PORTABLE) $(reads) -Isrc $(xml_flags) $(FLAGS) \
+		-o $(made).new $(filter %.c %.o,$^) $(LDFLAGS) -ljansson -lxml2
+	$(take_compiled)
+
+# How many small mistakes in the solutions the suites notice; EX=01a for one,
+# RECORD=1 keeps the table for the book.
+.PHONY: mutants
+mutants: build/check/examine $(CHECK_BUILT) build/tests/mutate \
+		build/tests/mutants/outlive
+	@export RECORD='$(if $(RECORD),1)'; $(split) tests/mutants/run $$EX
+build/made/tests/mutants/outlive: tests/mutants/outlive.c \
+		$(patsubst %,build/obj/examiner/%.o,trial process text)
+	$(begin)
+	$(call say,cc $<)
+	$(Q)$(CC) $(STANDARD) $(PORTABLE) $(reads) -Isrc $(FLAGS) \
+		-o $(made).new $(filter %.c %.o,$^) $(LDFLAGS)
+	$(take_compiled)
+
+# The library's tests under the sanitizers.
+memcheck: $(patsubst build/tests/%,build/memcheck/%,$(unit_tests))
+	@tests/run $^
+build/made/memcheck/%: tests/%.c build/sanitized/obj/libbonkers.a
+	$(begin)
+	$(call say,cc $<)
+	$(Q)$(CC) $(STANDARD) $(SANITIZED) $(OPENMP) $(reads) -Isrc -Itests \
+		$(FLAGS) -o $(made).new $< build/sanitized/obj/libbonkers.a \
+		$(LDFLAGS) -lcunit $(if $(gsl),$(GSL_LIBS)) -lm
+	$(take_compiled)
+
+# The reader of scenes, fed with what is no scene, TEXTS=1e7 for longer. With
+# clang libFuzzer chooses the texts; with others, tests/fuzz/alone.c does.
+TEXTS = 200000
+export TEXTS
+.PHONY: fuzz fuzz-scenes fuzz-commands
+fuzz: fuzz-scenes fuzz-commands
+FUZZ = -std=c11 -D_POSIX_C_SOURCE=200809L -g -O2 -ffp-contract=off \
+	$(sanitizers) $(FLAGS)
+fuzz-scenes: build/fuzz/scene
+	@mkdir -p build/fuzz/corpus
+	@build/fuzz/scene -seed=1 -runs=$$(printf '%.0f' "$$TEXTS") -max_len=512 \
+		-verbosity=0 -artifact_prefix=build/fuzz/ \
+		-dict=tests/fuzz/scene.dict build/fuzz/corpus tests/fuzz/seeds \
+		2>build/fuzz/log || { cat build/fuzz/log; exit 1; }
+	@echo "Fuzzed: $$TEXTS texts, all of them read or refused"
+# With clang, what libFuzzer follows is what is compiled with its option.
+scene_files = tests/fuzz/scene.c tests/fuzz/alone.c src/scenes/scene.c \
+	src/scenes/decimal.c src/toolbox/random.c src/toolbox/room.c
+build/made/fuzz/scene: $(scene_files) build/compiler/key
+	$(begin)
+	$(call say,cc $<)
+	$(Q)$(CC) $(FUZZ) -MM -MP -MT $@ -Isrc $(scene_files) >$@.new
+	$(Q)clang $(FUZZ) -fsanitize=fuzzer -Isrc -o $(made).new \
+		$(filter-out %/alone.c %/random.c,$(scene_files)) -lm \
+		2>/dev/null || $(CC) $(FUZZ) -Isrc -o $(made).new $(scene_files) -lm
+	$(take_compiled)
+kept += build/fuzz/scene build/fuzz/commands
+
+# All programs, under the sanitizers, with command lines and files that are
+# wrong: COMMANDS=1e4 for longer, SEED=2 for others, FIRST=123 COMMANDS=1 for
+# one of them again.
+COMMANDS = 2000
+SEED = 1
+FIRST = 0
+export COMMANDS SEED FIRST
+fuzz-commands: build/fuzz/commands $(programs:%=build/sanitized/bin/%)
+	@mkdir -p build/fuzz/work
+	@build/fuzz/commands "$$PWD/build/sanitized/bin" \
+		"$$PWD/build/fuzz/work" tests/fuzz/commands.txt \
+		"$$SEED" "$$FIRST" "$$COMMANDS" 2
+build/made/fuzz/commands: tests/fuzz/commands.c build/obj/toolbox/random.o \
+		build/compiler/key
+	$(begin)
+	$(call say,cc $<)
+	$(Q)$(CC) $(STANDARD) $(PORTABLE) $(reads) -Isrc $(FLAGS) \
+		-o $(made).new $(filter %.c %.o,$^) $(LDFLAGS) -lm
+	$(take_compiled)

@@ -15,6 +15,10 @@ lost() { # LINKS FILE VOLUME: links that lead elsewhere than to a place of it
     sed "s/^$2 //" "$1" | sort -u | comm -23 - "$scratch/$3"
 }
 leads() { # NAME LINKS FILE VOLUME LEAST
+    if [ ! -s "$2" ] || [ ! -s "$scratch/$4" ]; then
+        echo "not ok links: $1 - no $2, or nothing in build/$4.pdf"
+        return
+    fi
     lost "$2" "$3" "$4" >"$scratch/lost"
     if [ "$(wc -l <"$2")" -lt "$5" ]; then
         echo "not ok links: $1 - only $(wc -l <"$2") of them"

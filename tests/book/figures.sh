@@ -132,4 +132,7 @@ holds 'a slide for each row of a tall figure' sh -c "
 $make -n figure FIGURE=04 >"$work/out" 2>&1
 holds 'a figure that is none is refused' \
     grep -q "figure: FIGURE: '04' is no figure of plots/" "$work/out"
-echo 1..257
+# Each figure, each slide.
+set -- plots/[0-9]*.gp
+echo "1..$((13 + $# + $(for script; do chapters/press/recipes --slides "$script"
+done | wc -l)))"

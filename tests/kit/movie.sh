@@ -349,4 +349,5 @@ one_line 'an ensemble is no run' 2 "^movie.gp: 'bad.dat' is no table" \
     gnuplot -e "file='bad.dat'; window='dumb'" plots/movie.gp
 one_line 'no rate' 2 '^movie.gp: fps: 0 is not' \
     gnuplot -e "file='two.dat'; window='dumb'; fps=0" plots/movie.gp
-echo 1..168
+scenes=$(grep -c '^scene ' plots/films)
+echo "1..$((96 + 4 * scenes))"

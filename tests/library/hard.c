@@ -60,7 +60,7 @@ static void test_all(void)
         UNIT_TRUE(s.contact && s.dt > 0 && fits(&s));
         scene_free(&s);
     }
-    UNIT_EQUAL((double)count, 8);
+    UNIT_TRUE(count >= 8);
 }
 
 static void test_wrong(void)

@@ -5,8 +5,8 @@ TEST_SECONDS = 600
 unit_tests := $(patsubst tests/%.c,build/tests/%,$(filter-out $(without),\
 	$(wildcard tests/library/*.c tests/stability/*.c)))
 tools := $(patsubst tests/tools/%.c,build/tests/%,$(wildcard tests/tools/*.c))
-scripts := $(wildcard tests/stability/*.sh tests/programs/*.sh \
-	tests/examiner/*.sh tests/exercises/*.sh tests/grader/*.sh \
+scripts := $(wildcard tests/exercises/*.sh tests/stability/*.sh \
+	tests/programs/*.sh tests/grader/*.sh tests/examiner/*.sh \
 	tests/kit/*.sh)
 
 build/made/tests/%: tests/%.c build/obj/libbonkers.a build/compiler/key
@@ -26,11 +26,15 @@ kept += $(unit_tests) $(tools) build/tests/grader/reports \
 	build/tests/grader/schema build/tests/mutants/outlive \
 	$(unit_tests:build/tests/%=build/memcheck/%)
 
-# The book is the first of the tests: the others look at what it made.
+# The book is the first of the tests. Beside it run those that neither look at
+# what it makes nor call make themselves; the others wait.
+beside = $(filter-out $(shell grep -lF '{MAKE' $(scripts)),$(filter \
+	tests/stability/% tests/programs/% tests/grader/%,$(scripts)))
 test: has-tex has-test-tools
-	@$(MAKE) -s -j2 programs native test-parts
-	@MAKE='$(MAKE)' tests/run -t $(TEST_SECONDS) -j 2 tests/book/book.sh $(unit_tests) \
-		$(scripts) $(filter-out tests/book/book.sh,$(wildcard tests/book/*.sh))
+	@$(MAKE) -s -j2 programs test-parts
+	@MAKE='$(MAKE)' tests/run -t $(TEST_SECONDS) -j 2 tests/book/book.sh \
+		$(unit_tests) $(beside) -- $(filter-out $(beside),$(scripts)) \
+		$(filter-out tests/book/book.sh,$(wildcard tests/book/*.sh))
 
 .PHONY: has-test-tools
 has-test-tools:

@@ -15,7 +15,7 @@ mkdir "$kit"
 tar cf - --exclude=./.git --exclude=./build . | (cd "$kit" && tar xf -)
 mkdir "$kit/build"
 cp -Rp build/compiler.mk build/compiler build/made build/check build/bonkers.pdf \
-    build/recipes "$kit/build/" 2>/dev/null
+    build/works-course.pdf build/recipes "$kit/build/" 2>/dev/null
 [ -d build/grade ] && cp -Rp build/grade "$kit/build/"
 rm -rf "$kit"/build/grade/results "$kit"/build/grade/work.*
 cd "$kit" || exit 1
@@ -30,7 +30,8 @@ git init -q . && git add -A >/dev/null 2>&1 &&
 
 {
     # shellcheck disable=SC2016
-    echo 'make() { command ${MAKE:-make} -o build/bonkers.pdf "$@"; }'
+    echo 'make() { command ${MAKE:-make} -o build/bonkers.pdf \'
+    echo '    -o build/works-course.pdf "$@"; }'
     cat tests/kit/recipe/steps
 } >"$work/steps"
 sh -eu "$work/steps" >"$work/out" 2>&1

@@ -22,4 +22,12 @@ says 1 '3 passed, 1 failed' 'echo ok a' 'echo ok b' 'echo ok c' 'echo 1..2'
 says 1 '0 passed, 1 failed' 'echo 1..0'
 says 1 '1 passed, 1 failed' 'echo ok a' 'echo 1..1' 'exit 3'
 says 1 '1 passed, 1 failed' 'echo ok a' 'echo not ok b - why' 'echo 1..2'
-echo 1..7
+# What stands behind -- waits for the first.
+printf '%s\n' '#!/bin/sh' 'sleep 1' ': >made' 'echo ok a' 'echo 1..1' >first
+printf '%s\n' '#!/bin/sh' '[ ! -e made ] && echo ok b' 'echo 1..1' >beside
+printf '%s\n' '#!/bin/sh' '[ -e made ] && echo ok c' 'echo 1..1' >behind
+chmod +x first beside behind
+"$root/tests/run" -j 3 ./first ./beside -- ./behind >out 2>&1
+holds 'behind -- the first is waited for, and not before' \
+    grep -qx '3 passed, 0 failed' out
+echo 1..8

@@ -1,4 +1,4 @@
-/* From chapters/07-gas.nw: edit there, then run make tangle. */
+/* From chapters/works/07-gas.nw: edit there, then run make tangle. */
 /* checksum 2795505079 of the lines below */
 /* Blocks that double in length when there are too many of them. */
 #include "box/blocks.h"

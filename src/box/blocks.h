@@ -1,4 +1,4 @@
-/* From chapters/07-gas.nw: edit there, then run make tangle. */
+/* From chapters/works/07-gas.nw: edit there, then run make tangle. */
 /* checksum 2857902392 of the lines below */
 /* Means over time with honest errors, from samples summed in blocks. */
 #ifndef BLOCKS_H

@@ -1,4 +1,4 @@
-/* From chapters/07-gas.nw: edit there, then run make tangle. */
+/* From chapters/works/07-gas.nw: edit there, then run make tangle. */
 /* checksum 2904770737 of the lines below */
 /* Rows of masses, radii, places and velocities, written and read again. */
 #include "box/states.h"

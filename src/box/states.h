@@ -1,4 +1,4 @@
-/* From chapters/07-gas.nw: edit there, then run make tangle. */
+/* From chapters/works/07-gas.nw: edit there, then run make tangle. */
 /* checksum 1084304099 of the lines below */
 /* States of disks in a file, from which a run goes on to the last bit. */
 #ifndef STATES_H

@@ -1,4 +1,4 @@
-/* From chapters/10-springs.nw: edit there, then run make tangle. */
+/* From chapters/works/10-springs.nw: edit there, then run make tangle. */
 /* checksum 150629496 of the lines below */
 /* Lays out bodies in pairs, chains and grids, and joins them by springs. */
 #include "forces/elastic.h"

@@ -1,4 +1,4 @@
-/* From chapters/10-springs.nw: edit there, then run make tangle. */
+/* From chapters/works/10-springs.nw: edit there, then run make tangle. */
 /* checksum 2344492152 of the lines below */
 /* Scenes of springs: oscillator, double pendulum, membrane, beam. */
 #ifndef ELASTIC_H

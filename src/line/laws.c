@@ -1,4 +1,4 @@
-/* From chapters/03-equilibrium.nw: edit there, then run make tangle. */
+/* From chapters/works/03-equilibrium.nw: edit there, then run make tangle. */
 /* checksum 57218445 of the lines below */
 /* Normal, Beta and Maxwell laws from the special functions of GSL. */
 #include "line/laws.h"

@@ -1,4 +1,4 @@
-/* From chapters/03-equilibrium.nw: edit there, then run make tangle. */
+/* From chapters/works/03-equilibrium.nw: edit there, then run make tangle. */
 /* checksum 3572514970 of the lines below */
 /* The laws of equilibrium: densities, probabilities and tests of them. */
 #ifndef LAWS_H

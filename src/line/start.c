@@ -1,4 +1,4 @@
-/* From chapters/02-bonkers.nw: edit there, then run make tangle. */
+/* From chapters/works/02-bonkers.nw: edit there, then run make tangle. */
 /* checksum 1892217218 of the lines below */
 /* The presets of a line: fixed numbers, points thrown and gases warmed. */
 #include "line/start.h"

@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 2726099591 of the lines below */
+/* checksum 4166273880 of the lines below */
 /* Accelerations are added up; bodies collide between two steps. */
 #include "forces/motion.h"
 
@@ -70,6 +70,14 @@ static const double *find_kept(const struct motion *m)
                                                      : NULL;
 }
 
+/* Does anything change a velocity? */
+static bool accelerates(const struct motion *m)
+{
+    const double *const g = m->scene->gravity;
+    return m->attracts || m->bound || m->scene->damping > 0 || g[0] != 0 ||
+           g[1] != 0 || g[2] != 0;
+}
+
 static bool begin_stepping(struct motion *m,
                            const struct stepping_method *method, double dt)
 {
@@ -86,7 +94,8 @@ static bool begin_stepping(struct motion *m,
         m->stepping.sweep = springs_sweep;
     m->stepping.start = s->time;
     m->dt = m->spheres.dt = dt;
-    m->stepping.compensated = s->carry != NULL;
+    m->stepping.compensated =
+        s->carry || (method->order >= 6 && accelerates(m));
     stepping_resume(&m->stepping, 0, s->carry, find_kept(m));
     return true;
 }

@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 4114529157 of the lines below */
+/* checksum 944754783 of the lines below */
 /* A scene set in motion by all that acts in it, as one acceleration. */
 #ifndef MOTION_H
 #define MOTION_H
@@ -40,8 +40,9 @@ struct motion_energy {
 enum motion_flaw { MOTION_WELL, MOTION_WALLS, MOTION_LIGHT };
 
 /* Prepares to step s, which has to outlive m; velocities along held
-   coordinates become zero. A dt of 0 is the scene's. On failure says why on
-   standard error, after program, and returns false with nothing to free. */
+   coordinates become zero. A dt of 0 is the scene's. Sums are compensated
+   from order six on. On failure says why on standard error, after program,
+   and returns false with nothing to free. */
 bool motion_begin(struct motion *m, const char *program, struct scene *s,
                   const char *method, double dt);
 void motion_end(struct motion *m);

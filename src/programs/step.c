@@ -1,5 +1,5 @@
 /* From chapters/works/11-step.nw: edit there, then run make tangle. */
-/* checksum 1648157880 of the lines below */
+/* checksum 2391177808 of the lines below */
 /* Steps a scene through time and writes what is looked at, row by row. */
 #include "forces/checkpoint.h"
 #include "forces/motion.h"
@@ -21,6 +21,8 @@
 
 #define PROGRAM "step"
 
+enum sums { SUMS_AUTO, SUMS_PLAIN, SUMS_COMPENSATED };
+
 struct settings {
     const char *scene, *method;
     double dt, until, every; /* s; 0: the scene's, -, a hundredth */
@@ -28,7 +30,8 @@ struct settings {
     const char *track;
     int threads, kernel;
     size_t rule, shift, order; /* of contacts */
-    bool compensated, resume;
+    size_t sums;
+    bool resume;
     double bound, tolerance;
     double checkpoint; /* s of the wall's clock */
     const char *output, *summary, *save, *command;
@@ -108,8 +111,8 @@ static void set_in_motion(struct run *r)
     if (!motion_begin(m, PROGRAM, &r->scene,
                       outside ? "leapfrog" : r->s->method, r->s->dt))
         exit(OPTIONS_FAILURE);
-    if (r->s->compensated)
-        m->stepping.compensated = true;
+    if (r->s->sums != SUMS_AUTO)
+        m->stepping.compensated = r->s->sums == SUMS_COMPENSATED;
     m->gravity.threads = r->s->threads;
     m->gravity.kernel = (enum gravity_kernel)r->s->kernel;
     if (m->bound && !springs_threads(&m->springs, r->s->threads))
@@ -590,6 +593,7 @@ static void summarise(const struct run *r, enum ending end)
     table_text(t, "end", names[end]);
     table_count(t, "bodies", r->scene.bodies);
     table_text(t, "method", r->s->method);
+    table_text(t, "sums", p->compensated ? "compensated" : "plain");
     table_real(t, "dt", r->motion.dt);
     table_real(t, "last_step", r->rested ? r->rest : r->motion.dt);
     table_count(t, "steps", r->rested ? r->last + 1 : p->steps);
@@ -648,7 +652,9 @@ static const struct options_entry entries[] = {
      "seconds from one checkpoint to the next (60)"},
     {"resume", 'R', NULL, "go on from the checkpoint of -o FILE, if any"},
     {"", 0, NULL, "no --method rk8pd"},
-    {"compensated", 'c', NULL, "sums carry their rounding errors"},
+    {"sums", 'c', "NAME",
+     "plain; compensated: they carry their rounding\n"
+     "errors; auto: so from order six on (auto)"},
     {"", 0, NULL, "--method rk8pd"},
     {"tolerance", 'a', "E", "of its steps (1e-13)"},
     {0}};
@@ -657,6 +663,7 @@ static const struct table_key keys[] = {
     {"end", "word", "whole, or how the run ended early"},
     {"bodies", "1", "of the scene"},
     {"method", "word", "of stepping"},
+    {"sums", "word", "plain, or compensated"},
     {"dt", "time", "step; all units are the scene's"},
     {"last_step", "time", "the same, or shorter"},
     {"steps", "1", "taken"},
@@ -702,6 +709,8 @@ static const char *const rule_names[] = {"all", "approaching", NULL};
 static const char *const shift_names[] = {"radius", "mass", "back", NULL};
 static const char *const order_names[] = {"ascending", "descending",
                                           "deepest", NULL};
+static const char *const sums_names[] = {"auto", "plain", "compensated",
+                                         NULL};
 
 /* Takes one option. */
 static void take_option(struct options *o, struct settings *s, int option)
@@ -716,7 +725,7 @@ static void take_option(struct options *o, struct settings *s, int option)
     case 'd': s->every = options_real(o, OPTIONS_POSITIVE, INFINITY); break;
     case 'O': s->observe = options_text(o); break;
     case 'T': s->track = options_text(o); break;
-    case 'c': s->compensated = true; break;
+    case 'c': s->sums = options_choice(o, sums_names); break;
     case 'k': s->kernel = (int)options_choice(o, gravity_kernels); break;
     case 'j': s->threads = (int)options_count(o, 1, 1024); break;
     case 'r': s->rule = options_choice(o, rule_names); break;

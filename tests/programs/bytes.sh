@@ -94,12 +94,12 @@ run_all() {
     done
     for threads in 1 2; do
         (cd "$work" && for scene in ring membrane double-pendulum; do
-            "$bin/step" $scene.plist --threads $threads --compensated \
+            "$bin/step" $scene.plist --threads $threads --sums compensated \
                 --observe energy,momentum --track 1,2
         done)
     done
     (cd "$work" && for scene in gas break; do
-        "$bin/step" $scene.plist --compensated --observe energy,momentum \
+        "$bin/step" $scene.plist --sums compensated --observe energy,momentum \
             --track 1,2
     done)
     (cd "$work" && for scene in figure-eight membrane double-pendulum gas \

@@ -68,6 +68,7 @@ cat >"$work/values" <<END
 - starts 3
 - step 0.3
 - summary /dev/null
+- sums plain
 - table $work/table
 - temperature 2
 - tests 3

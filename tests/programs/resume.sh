@@ -47,7 +47,7 @@ scene=$work/scene
 # A checkpoint after each bite of steps; about a second of a run.
 survives 'damped leapfrog' --until 300.0004 --every 0.5 --checkpoint 0
 survives 'compensated sums' --until 300.0004 --every 0.5 --checkpoint 0 \
-    --compensated --observe t,energy,z:2 --track 1
+    --sums compensated --observe t,energy,z:2 --track 1
 survives 'an implicit method' --until 60 --every 0.1 --checkpoint 0 \
     --method gauss4
 sed '/^damp/d; s/0.3$/0/' "$scene" >"$work/free"

@@ -101,8 +101,8 @@ holds '--every changes nothing' \
     test "$(tail -n 1 "$w/a")" = "$(tail -n 1 "$w/b")"
 $step "$w/ring" --until 400 --every 4 --track 7 --threads 2 -o "$w/c"
 holds 'nor do two threads' cmp "$w/b" "$w/c"
-$step "$w/ring" --until 400 --every 400 -o "$w/a" --compensated
-$step "$w/ring" --until 200 -o "$w/c" --compensated --save "$w/half"
+$step "$w/ring" --until 400 --every 400 -o "$w/a" --sums compensated
+$step "$w/ring" --until 200 -o "$w/c" --sums compensated --save "$w/half"
 $step "$w/half" --until 400 --every 200 -o "$w/c"
 holds 'a saved scene goes on to the same bits' \
     test "$(tail -n 1 "$w/a")" = "$(tail -n 1 "$w/c")"
@@ -142,7 +142,7 @@ for method in $methods; do
     for from in free rough; do
         goes_on "$from, $method" "$w/$from" --method "$method"
         [ "$method" = rk8pd ] || goes_on "$from, $method, compensated" \
-            "$w/$from" --method "$method" --compensated
+            "$w/$from" --method "$method" --sums compensated
     done
 done
 # And where others compute the forces, or bodies meet.
@@ -154,7 +154,7 @@ goes_on 'a damped ring' "$w/damped"
 $scene cradle -o "$w/a"
 { cat "$w/a"; echo 'damp 0.1'; } >"$w/damped"
 goes_on 'a damped cradle' "$w/damped"
-goes_on 'a damped cradle, compensated' "$w/damped" --compensated
+goes_on 'a damped cradle, compensated' "$w/damped" --sums compensated
 
 # What leapfrog has kept matters, and a part of it is no scene.
 $step "$w/rough" --dt 0.01 --until 4 -o "$w/c" --save "$w/saved"

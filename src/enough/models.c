@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 1071763826 of the lines below */
+/* checksum 270684706 of the lines below */
 /* What acts, what can be left out, and how each model carries a scene. */
 #include "enough/models.h"
 
@@ -1765,8 +1765,10 @@ const struct models_model *models_all(void)
     static struct models_model all[STEPLESS + STEPPING_MOST + 1];
     if (all->name)
         return all;
-    for (size_t k = 0; stepping_methods[k].name; ++k)
-        all[STEPLESS + k] = model_of(&stepping_methods[k]);
+    size_t n = STEPLESS;
+    for (const struct stepping_method *m = stepping_next(NULL); m;
+         m = stepping_next(m))
+        all[n++] = model_of(m);
     memcpy(all, stepless, sizeof stepless);
     return all;
 }

@@ -1,5 +1,5 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 1286298675 of the lines below */
+/* checksum 866513773 of the lines below */
 /* Solves Kepler's equation and moves a body along its ellipse. */
 #include "forces/kepler.h"
 
@@ -97,34 +97,41 @@ void kepler_shape(double mu, const double x[], const double v[],
 }
 
 /* The change of the eccentric anomaly while the mean one changes by m; p
-   and q are e cos E and e sin E at the beginning. */
-static double change(double p, double q, double m)
+   and q are e cos E and e sin E at the beginning. Its cosine, its sine. */
+static void change(double p, double q, double m, double *cosine,
+                   double *sine)
 {
-    const double e = sqrt(p * p + q * q);
-    double low = m - 2 * e, high = m + 2 * e, d = m;
-    for (int n = 0; n < 100; ++n) {
-        double c, s;
-        kepler_turn(d, &c, &s);
+    const double e = sqrt(p * p + q * q), g = m / (1 - p);
+    double low = m - 2 * e, high = m + 2 * e;
+    double d = fmin(fmax(g - q / (1 - p) * g * g / 2, low), high), step = 1;
+    for (int n = 0; n < 100 && !(fabs(step) < 1e-9); ++n) {
+        kepler_turn(d, cosine, sine);
+        const double c = *cosine, s = *sine;
         const double f = d - p * s + q * (1 - c) - m;
         *(f > 0 ? &high : &low) = d;
         double next = d - f / (1 - p * c + q * s);
         if (!(next >= low && next <= high))
             next = (low + high) / 2;
-        if (next == d)
-            break;
+        step = next - d;
         d = next;
     }
-    return d;
+    const double c = *cosine;
+    *cosine -= step * *sine;
+    *sine += step * c;
 }
 
 void kepler_move(double mu, double t, double x[], double v[])
 {
     const double r = sqrt(dot(x, x)), a = 1 / (2 / r - dot(v, v) / mu);
     const double n = sqrt(mu / a) / a, pi = KEPLER_PI;
+    if (!(n > 0)) {
+        x[0] = NAN;
+        return;
+    }
     const double p = 1 - r / a, q = dot(x, v) / sqrt(mu * a);
     const double m = n * t - 2 * pi * floor(n * t / (2 * pi) + 0.5);
     double c, s;
-    kepler_turn(change(p, q, m), &c, &s);
+    change(p, q, m, &c, &s);
     const double after = a * (1 - p * c + q * s);
     const double f = 1 - a / r * (1 - c);
     const double g = (s - p * s + q * (1 - c)) / n;

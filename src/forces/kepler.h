@@ -1,5 +1,5 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 1481878172 of the lines below */
+/* checksum 2571424882 of the lines below */
 /* The orbits of two bodies in closed form. */
 #ifndef KEPLER_H
 #define KEPLER_H
@@ -23,7 +23,8 @@ void kepler_shape(double mu, const double x[], const double v[],
                   double *axis, double *eccentricity);
 
 /* Moves x[3] and v[3] along their ellipse by the time t, s, of either
-   sign: the closed form. Source: (9.6, eq:gauss). */
+   sign: the closed form; x[0] becomes NaN if the orbit is open. Source:
+   (9.6, eq:gauss). */
 void kepler_move(double mu, double t, double x[], double v[]);
 /* The cosine and the sine of an angle (rad, up to 1e5 in size), within
    2e-16, the same bits on every machine. */

@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 4054800278 of the lines below */
+/* checksum 2656729399 of the lines below */
 /* Steps by kicks and drifts and by Runge-Kutta stages. */
 #include "forces/stepping.h"
 
@@ -47,6 +47,13 @@ static const double kahan_li8[] = {
     -0.38947496264484728640807860, 0.56116298177510838456196441,
     0.13020248308889008087881763};
 
+/* Laskar and Robutel (2001), SBAB4: 1/2 - sqrt(3/28), sqrt(3/28). */
+static const double sbab4_drift[] = {
+    0.17267316464601142810085377, 0.32732683535398857189914623,
+    0.32732683535398857189914623, 0.17267316464601142810085377};
+static const double sbab4_kick[] = {0.05, 49.0 / 180, 16.0 / 45, 49.0 / 180,
+                                    0.05};
+
 static const double euler_a[] = {0}, euler_b[] = {1};
 static const double rk4_a[] = {0, 0,   0, 0, 0.5, 0, 0, 0,
                                0, 0.5, 0, 0, 0,   0, 1, 0};
@@ -93,12 +100,26 @@ const struct stepping_method stepping_methods[STEPPING_MOST + 1] = {
     {"implicit-midpoint", "for stiff springs", IMPLICIT(midpoint),
      .order = 2, .symmetric = true, .symplectic = true, .limit = INFINITY},
     {"gauss4", "for stiff springs, finer", IMPLICIT(gauss4), .order = 4,
-     .symmetric = true, .symplectic = true, .limit = INFINITY}};
+     .symmetric = true, .symplectic = true, .limit = INFINITY},
+    {"wisdom-holman", "leapfrog along ellipses", COMPOSED(leapfrog),
+     .order = 2, .symmetric = true, .symplectic = true, .limit = 2,
+     .orbits = true},
+    {"sbab4", "the same, for small masses", SPLITTING(sbab4), .order = 2,
+     .symmetric = true, .symplectic = true, .stages = 4,
+     .limit = 2.9971371204864101, .orbits = true}};
 
 const struct stepping_method *stepping_find(const char *name)
 {
     const struct stepping_method *m = stepping_methods;
     while (m->name && strcmp(m->name, name))
+        ++m;
+    return m->name ? m : NULL;
+}
+
+const struct stepping_method *stepping_next(const struct stepping_method *m)
+{
+    m = m ? m + 1 : stepping_methods;
+    while (m->name && m->orbits)
         ++m;
     return m->name ? m : NULL;
 }
@@ -322,7 +343,10 @@ static void kick(struct stepping *s, double h)
 
 static void drift(struct stepping *s, double h)
 {
-    push_x(s, h, s->v);
+    if (s->flow)
+        s->flow(s->forces.what, h, s->x, s->v);
+    else
+        push_x(s, h, s->v);
     s->fresh = false;
 }
 
@@ -339,7 +363,8 @@ static void splitting_step(struct stepping *s)
 
 bool stepping_is_leapfrog(const struct stepping_method *m)
 {
-    return m->family == STEPPING_SPLITTING && m->drifts == 1 && !m->kick;
+    return m->family == STEPPING_SPLITTING && m->drifts == 1 && !m->kick &&
+           !m->orbits;
 }
 
 bool stepping_keeps(const struct stepping *s)

@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 4126133089 of the lines below */
+/* checksum 3089530811 of the lines below */
 /* Stepping methods, and runs that step coordinates under forces. */
 #ifndef STEPPING_H
 #define STEPPING_H
@@ -36,6 +36,10 @@ struct stepping_ahead {
 typedef void stepping_sweep(void *what, const double x[], const double v[],
                             double a[], const struct stepping_ahead *ahead);
 
+/* Moves x and v on by the time dt, s, of either sign, as they move without
+   what accelerate says. */
+typedef void stepping_flow(void *what, double dt, double x[], double v[]);
+
 enum stepping_family {
     STEPPING_SPLITTING, /* kicks and drifts */
     STEPPING_EXPLICIT,  /* Runge-Kutta, stage after stage */
@@ -57,6 +61,8 @@ struct stepping_method {
     const double *a, *b; /* Runge-Kutta: the tableau by rows, the weights */
     double limit; /* of omega dt for an oscillator; INFINITY: none, 0: it
                      is never stable */
+    bool orbits;  /* a splitting for bodies that attract each other, and
+                     for nothing else: it drifts along a flow */
 };
 
 enum stepping_end {
@@ -79,6 +85,8 @@ struct stepping {
     stepping_sweep *sweep; /* NULL, or a way to find the accelerations of
                               forces.what in parts: same bits, for leapfrog
                               that is not compensated; to be set as well */
+    stepping_flow *flow; /* NULL: drifts go straight on; or how forces.what
+                            moves between kicks; to be set as well */
     double *carry; /* [2 * size]: what is still to be added to x, to v */
     double *acceleration; /* [size] of the last evaluation */
     uint64_t evaluations; /* of the forces so far */
@@ -93,6 +101,11 @@ extern const struct stepping_method stepping_methods[STEPPING_MOST + 1];
 
 /* The method of this name, or NULL. */
 const struct stepping_method *stepping_find(const char *name);
+
+/* The first method that asks nothing of the forces but accelerations, or
+   the next one after m; NULL after the last. */
+const struct stepping_method *stepping_next(
+    const struct stepping_method *m);
 
 /* Are its steps those of leapfrog, (8.4, eq:verlet)? */
 bool stepping_is_leapfrog(const struct stepping_method *m);

@@ -1,5 +1,5 @@
 /* From chapters/works/10-springs.nw: edit there, then run make tangle. */
-/* checksum 2625045308 of the lines below */
+/* checksum 4087923781 of the lines below */
 /* Measures an oscillator, a pendulum, membranes and beams of springs. */
 #include "forces/elastic.h"
 #include "forces/modes.h"
@@ -324,7 +324,8 @@ static void name_errors(struct table *out, bool timed)
 static void write_errors(struct study *s, bool timed)
 {
     name_errors(s->out, timed);
-    for (const struct stepping_method *m = stepping_methods; m->name; ++m) {
+    for (const struct stepping_method *m = stepping_next(NULL); m;
+         m = stepping_next(m)) {
         table_print(s->out, "# %s\n", m->name);
         for (uint64_t n = 50; n <= 160000; n *= 2) {
             double row[5];
@@ -645,8 +646,8 @@ static const struct table_key limits_keys[] = {
 static void study_limits(struct study *s)
 {
     name_limits(s->out);
-    for (const struct stepping_method *m = stepping_methods;
-         m->name && !progress_signal(); ++m) {
+    for (const struct stepping_method *m = stepping_next(NULL);
+         m && !progress_signal(); m = stepping_next(m)) {
         double limit[2];
         char key[40];
         find_limits(m, limit);

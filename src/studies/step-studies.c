@@ -1,5 +1,5 @@
 /* From chapters/works/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 2862834922 of the lines below */
+/* checksum 231497447 of the lines below */
 /* Measures stepping methods on four small systems. */
 #include "forces/reference.h"
 #include "forces/stepping.h"
@@ -189,13 +189,14 @@ static void study_methods(struct study *s)
         char limit[16] = "none";
         if (isfinite(m->limit))
             snprintf(limit, sizeof limit, "%.3f", m->limit);
-        table_print(s->out, "%-18s %5d  %6zu  %5s  %s%s%s\n", m->name,
+        table_print(s->out, "%-18s %5d  %6zu  %5s  %s%s%s%s\n", m->name,
                     m->order, m->stages, limit,
                     m->symplectic ? "areas" : "",
                     m->symplectic && m->symmetric ? ", " : "",
                     m->symmetric    ? "the way back"
                     : m->symplectic ? ""
-                                    : "-");
+                                    : "-",
+                    m->orbits ? ", ellipses" : "");
     }
 }
 
@@ -336,7 +337,8 @@ static void study_energy(struct study *s)
 {
     table_column(s->out, "t", "orbits", "time");
     table_column(s->out, "dE/E", "", "largest error of the energy so far");
-    for (const struct stepping_method *m = stepping_methods; m->name; ++m)
+    for (const struct stepping_method *m = stepping_next(NULL); m;
+         m = stepping_next(m))
         record_energy(s, m);
 }
 
@@ -396,7 +398,8 @@ static void study_stability(struct study *s)
     table_column(s->out, "re", "", "real part of lambda dt");
     table_column(s->out, "im", "", "imaginary part of lambda dt");
     table_column(s->out, "growth", "", "of the state in a step");
-    for (const struct stepping_method *m = stepping_methods; m->name; ++m) {
+    for (const struct stepping_method *m = stepping_next(NULL); m;
+         m = stepping_next(m)) {
         table_print(s->out, "# %s\n", m->name);
         for (int i = 0; i <= 90; ++i) {
             for (int j = 0; j <= 70; ++j) {
@@ -479,7 +482,8 @@ static void study_order(struct study *s)
     reference(0, &x, &v);
     reference(0.5, &xc, &vc);
     table_print(s->out, "# method            order  with friction\n");
-    for (const struct stepping_method *m = stepping_methods; m->name; ++m) {
+    for (const struct stepping_method *m = stepping_next(NULL); m;
+         m = stepping_next(m)) {
         double error;
         const double order = order_of(m->name, 0, x, v, &error);
         const double damped = order_of(m->name, 0.5, xc, vc, &error);
@@ -521,7 +525,8 @@ static double sum_of_moduli(const double y[], size_t n)
 static void study_damping(struct study *s)
 {
     table_print(s->out, "# method            sum|drift|  c dt\n");
-    for (const struct stepping_method *m = stepping_methods; m->name; ++m)
+    for (const struct stepping_method *m = stepping_next(NULL); m;
+         m = stepping_next(m))
         table_print(s->out, "%-18s %9.3f  %6.3f\n", m->name,
                     sum_of_moduli(m->drift, m->drifts),
                     friction_limit(m, 0));
@@ -531,13 +536,14 @@ static void study_damping(struct study *s)
 static void study_friction(struct study *s)
 {
     table_column(s->out, "c dt", "", "friction times step");
-    for (const struct stepping_method *m = stepping_methods; m->name; ++m)
+    for (const struct stepping_method *m = stepping_next(NULL); m;
+         m = stepping_next(m))
         table_column(s->out, m->name, "", "growth of the velocity");
     for (int i = 1; i <= 120; ++i) {
         double row[STEPPING_MOST + 1] = {i * 0.05}, matrix[3][3];
         size_t columns = 1;
-        for (const struct stepping_method *m = stepping_methods; m->name;
-             ++m) {
+        for (const struct stepping_method *m = stepping_next(NULL); m;
+             m = stepping_next(m)) {
             step_matrix(m, 0, row[0], matrix);
             for (int k = 0; k < 3; ++k)
                 matrix[0][k] = matrix[k][0] = 0;
@@ -716,7 +722,8 @@ static void set_chain_task(struct task *k)
 
 static void record_work(struct study *s, const struct task *k)
 {
-    for (const struct stepping_method *m = stepping_methods; m->name; ++m) {
+    for (const struct stepping_method *m = stepping_next(NULL); m;
+         m = stepping_next(m)) {
         table_print(s->out, "# %s\n", m->name);
         for (double budget = 500; budget < 1e6 && !progress_signal();
              budget *= sqrt(2)) {
@@ -756,8 +763,8 @@ static struct outcome timed(const struct task *k,
     double seconds = 0;
     int runs = 0;
     for (; seconds < 0.01; ++runs) {
-        o = m->name ? work_of(k, m->name, (uint64_t)steps_for(m, effort))
-                    : outside_work(k, 1 / effort);
+        o = m ? work_of(k, m->name, (uint64_t)steps_for(m, effort))
+              : outside_work(k, 1 / effort);
         seconds += o.seconds;
     }
     o.seconds = seconds / runs;
@@ -782,21 +789,22 @@ static void record_cost(struct study *s, const struct task *k,
 static void study_cost(struct study *s)
 {
     struct task k;
-    const struct stepping_method *m = stepping_methods;
+    const struct stepping_method *m = stepping_next(NULL);
     bench_machine(s->out);
     table_column(s->out, "row", "", "method, times 100, and effort");
     table_column(s->out, "n", "", "evaluations of the forces");
     table_column(s->out, "t", "s", "processor time");
     table_column(s->out, "error", "", "of the end, largest coordinate");
     set_orbit_task(&k);
-    for (int row = 0, last = 0; !last && !progress_signal(); ++row, ++m) {
-        last = !m->name;
+    for (int row = 0, last = 0; !last && !progress_signal(); ++row) {
+        last = !m;
         table_print(s->out, "# %s\n", last ? "rk8pd" : m->name);
         for (int step = 0; step < 11; ++step) {
             const double effort =
-                (m->name ? 500 : 10) * pow(2, m->name ? step : 4 * step);
+                (m ? 500 : 10) * pow(2, m ? step : 4 * step);
             record_cost(s, &k, m, effort, 100 * row + step);
         }
+        m = last ? NULL : stepping_next(m);
         table_print(s->out, "\n\n");
     }
 }

@@ -745,7 +745,8 @@ static void check_list(const char *wrong)
                        "found '%s', expected one of free, kepler, "
                        "oscillator, relabel, modes, line, disks",
                        wrong);
-    for (const struct stepping_method *m = stepping_methods; m->name; ++m)
+    for (const struct stepping_method *m = stepping_next(NULL); m;
+         m = stepping_next(m))
         used += sprintf(list + used, ", %s", m->name);
     UNIT_TRUE(!models_read(&p, wrong, message));
     UNIT_TRUE(strcmp(message, list) == 0);
@@ -791,10 +792,11 @@ static void test_table(void)
     for (; m->name && !m->method; ++m)
         UNIT_TRUE(m->family != MODELS_STEPS && models_find(m->name) == m);
     make("double-pendulum", NULL);
-    for (size_t k = 0; stepping_methods[k].name; ++k, ++m) {
+    for (const struct stepping_method *k = stepping_next(NULL); k;
+         k = stepping_next(k), ++m) {
         const struct models_plan rods = {m, MODELS_RODS, 1};
         UNIT_TRUE(m->family == MODELS_STEPS && !m->approximate);
-        UNIT_TRUE(m->method == &stepping_methods[k]);
+        UNIT_TRUE(m->method == k);
         UNIT_TRUE(m->name == m->method->name && models_find(m->name) == m);
         UNIT_TRUE((models_refuse(&rods, &scene) == NULL) ==
                   stepping_is_leapfrog(m->method));
@@ -808,7 +810,8 @@ static void test_table(void)
 static void test_books(void)
 {
     make("sun-earth", NULL);
-    for (const struct stepping_method *k = stepping_methods; k->name; ++k) {
+    for (const struct stepping_method *k = stepping_next(NULL); k;
+         k = stepping_next(k)) {
         char text[64];
         struct scene s;
         struct motion m;

@@ -186,8 +186,8 @@ static bool is_same(const struct scene *a, const struct scene *b)
 static void test_cuts(void)
 {
     for (int contact = 0; contact < 2; ++contact)
-        for (const struct stepping_method *k = stepping_methods; k->name;
-             ++k) {
+        for (const struct stepping_method *k = stepping_next(NULL); k;
+             k = stepping_next(k)) {
             struct scene s, t;
             struct motion m, n;
             build(&s, contact);
@@ -276,7 +276,8 @@ static bool goes_on(const char *method, int way, uint64_t cut)
 
 static void test_saved(void)
 {
-    for (const struct stepping_method *m = stepping_methods; m->name; ++m)
+    for (const struct stepping_method *m = stepping_next(NULL); m;
+         m = stepping_next(m))
         for (int way = 0; way < WAYS; ++way) {
             size_t kept = 0;
             for (uint64_t cut = 1; cut < 400; cut += 57)
@@ -373,7 +374,8 @@ static bool heeds(const char *method, int way, double dt)
 
 static void test_heeded(void)
 {
-    for (const struct stepping_method *m = stepping_methods; m->name; ++m)
+    for (const struct stepping_method *m = stepping_next(NULL); m;
+         m = stepping_next(m))
         for (int way = 0; way < WAYS; ++way)
             UNIT_TRUE(heeds(m->name, way, 0) == must_keep(m->name, way));
     UNIT_TRUE(heeds("leapfrog", DAMPED, 0.01));

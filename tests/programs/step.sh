@@ -145,6 +145,14 @@ for method in $methods; do
             "$w/$from" --method "$method" --sums compensated
     done
 done
+# Along ellipses, where there are some.
+$scene solar-system --planets 3 -o "$w/planets"
+for method in wisdom-holman sbab4; do
+    goes_on "planets, $method" "$w/planets" --method $method
+    refuses 2 "$method: the scene has" $step "$w/rough" --method $method
+done
+refuses 2 'kernel: means nothing' $step "$w/planets" --kernel portable \
+    --method sbab4
 # And where others compute the forces, or bodies meet.
 $scene membrane --nx 6 --ny 5 --damping 0.2 -o "$w/damped"
 goes_on 'a damped membrane' "$w/damped"

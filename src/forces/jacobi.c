@@ -1,0 +1,205 @@
+/* From chapters/09-gravity.nw: edit there, then run make tangle. */
+/* checksum 3056069992 of the lines below */
+/* Moves bodies along ellipses in Jacobi's coordinates. */
+#include "forces/jacobi.h"
+
+#include "forces/kepler.h"
+#include "toolbox/room.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+bool jacobi_create(struct jacobi *j, size_t bodies, const double mass[],
+                   double k2)
+{
+    double *const room = room_doubles(8 * bodies);
+    double sum = 0;
+    if (!room)
+        return false;
+    *j = (struct jacobi){.bodies = bodies, .k2 = k2, .mass = mass};
+    j->share = room;
+    j->mu = room + bodies;
+    j->work = room + 2 * bodies;
+    for (size_t i = 0; i < bodies; ++i) {
+        sum += mass[i];
+        j->share[i] = mass[i] / sum;
+        j->mu[i] = k2 * sum;
+    }
+    return true;
+}
+
+void jacobi_free(struct jacobi *j)
+{
+    free(j->share);
+    *j = (struct jacobi){0};
+}
+
+/* (9.13, eq:jacobi); to[] gets all axes of the q, that of all first. */
+static void to_jacobi(const struct jacobi *j, const double x[], double q[])
+{
+    const size_t n = j->bodies;
+    for (size_t k = 0; k < 3 * n; k += n) {
+        double centre = x[k];
+        for (size_t i = 1; i < n; ++i) {
+            q[k + i] = x[k + i] - centre;
+            centre += j->share[i] * q[k + i];
+        }
+        q[k] = centre;
+    }
+}
+
+/* Back again; x and q may be the same. */
+static void from_jacobi(const struct jacobi *j, const double q[],
+                        double x[])
+{
+    const size_t n = j->bodies;
+    for (size_t k = 0; k < 3 * n; k += n) {
+        double centre = q[k];
+        for (size_t i = n; i-- > 1;) {
+            centre -= j->share[i] * q[k + i];
+            x[k + i] = centre + q[k + i];
+        }
+        x[k] = centre;
+    }
+}
+
+static void move_body(const struct jacobi *j, size_t i, double dt,
+                      double q[], double w[])
+{
+    const size_t n = j->bodies;
+    double x[3] = {q[0], q[n], q[2 * n]}, v[3] = {w[0], w[n], w[2 * n]};
+    kepler_move(j->mu[i], dt, x, v);
+    for (size_t k = 0; k < 3; ++k) {
+        q[k * n] = x[k];
+        w[k * n] = v[k];
+    }
+}
+
+void jacobi_flow(void *what, double dt, double x[], double v[])
+{
+    const struct jacobi *j = what;
+    const size_t n = j->bodies;
+    double *const q = j->work, *const w = j->work + 3 * n;
+    to_jacobi(j, x, q);
+    to_jacobi(j, v, w);
+    for (size_t k = 0; k < 3 * n; k += n)
+        q[k] += dt * w[k];
+    for (size_t i = 1; i < n; ++i)
+        move_body(j, i, dt, q + i, w + i);
+    from_jacobi(j, q, x);
+    from_jacobi(j, w, v);
+}
+
+/* Makes mu q / |q|^3 of the three coordinates at q[0], q[n], q[2 n]. */
+static void turn_into_pull(double q[], size_t n, double mu)
+{
+    const double s = q[0] * q[0] + q[n] * q[n] + q[2 * n] * q[2 * n];
+    const double w = mu > 0 ? mu / (s * sqrt(s)) : 0;
+    q[0] *= w;
+    q[n] *= w;
+    q[2 * n] *= w;
+}
+
+static void add_pair(const struct jacobi *j, size_t i, size_t k,
+                     const double x[], double a[])
+{
+    const size_t n = j->bodies;
+    const double d[] = {x[k] - x[i], x[n + k] - x[n + i],
+                        x[2 * n + k] - x[2 * n + i]};
+    const double s = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+    const double w = j->k2 / (s * sqrt(s));
+    const double to_i = w * j->mass[k], to_k = w * j->mass[i];
+    for (size_t c = 0; c < 3; ++c) {
+        a[c * n + i] += to_i * d[c];
+        a[c * n + k] -= to_k * d[c];
+    }
+}
+
+static void accelerate(void *what, const double x[], const double v[],
+                       double a[])
+{
+    const struct jacobi *j = what;
+    const size_t n = j->bodies;
+    double *const q = j->work;
+    (void)v;
+    to_jacobi(j, x, q);
+    for (size_t i = 0; i < n; ++i)
+        turn_into_pull(q + i, n, i > 1 ? j->mu[i] : 0);
+    from_jacobi(j, q, a);
+    for (size_t i = 0; i < n; ++i)
+        for (size_t k = i > 0 ? i + 1 : 2; k < n; ++k)
+            add_pair(j, i, k, x, a);
+}
+
+struct stepping_forces jacobi_forces(struct jacobi *j)
+{
+    return (struct stepping_forces){3 * j->bodies, false, accelerate, j};
+}
+
+/* Are some bodies held along this axis, but not all, or not in a plane? */
+static bool is_held(const struct scene *s, size_t axis)
+{
+    const size_t n = s->bodies, from = axis * n;
+    size_t held = 0, flat = 0;
+    for (size_t i = 0; i < n; ++i) {
+        held += !s->freedom[from + i];
+        flat += s->position[from + i] == s->position[from];
+    }
+    return held > 0 && (held < n || flat < n);
+}
+
+static const char *find_more(const struct scene *s)
+{
+    if (s->contact)
+        return "the scene has bodies that collide";
+    if (s->springs > 0)
+        return "the scene has springs";
+    if (s->damping > 0)
+        return "the scene has friction";
+    if (s->gravity[0] != 0 || s->gravity[1] != 0 || s->gravity[2] != 0)
+        return "the scene has a weight";
+    if (s->softening != 0)
+        return "the scene's gravity is softened";
+    if (is_held(s, 0) || is_held(s, 1) || is_held(s, 2))
+        return "the scene has bodies that are held";
+    return NULL;
+}
+
+/* Does body i go along an ellipse about the others before it, whose centre
+   of mass is at x, moves at v and weighs mass? It is added to them. */
+static bool is_bound(const struct scene *s, size_t i, double x[3],
+                     double v[3], double *mass)
+{
+    double q[3], w[3], axis, eccentricity;
+    *mass += s->mass[i];
+    for (size_t k = 0; k < 3; ++k) {
+        q[k] = s->position[k * s->bodies + i] - x[k];
+        w[k] = s->velocity[k * s->bodies + i] - v[k];
+        x[k] += s->mass[i] / *mass * q[k];
+        v[k] += s->mass[i] / *mass * w[k];
+    }
+    kepler_shape(s->k2 * *mass, q, w, &axis, &eccentricity);
+    return axis > 0 && axis < INFINITY;
+}
+
+const char *jacobi_refuses(const struct scene *s)
+{
+    double x[3], v[3], mass = s->mass[0];
+    if (s->bodies < 2 || !(s->k2 > 0) || !(mass > 0))
+        return "no two bodies of the scene attract each other";
+    const char *const more = find_more(s);
+    if (more)
+        return more;
+    for (size_t k = 0; k < 3; ++k) {
+        x[k] = s->position[k * s->bodies];
+        v[k] = s->velocity[k * s->bodies];
+    }
+    for (size_t i = 1; i < s->bodies; ++i) {
+        if (s->mass[i] > s->mass[0])
+            return "the first body of the scene is not the heaviest";
+        if (!is_bound(s, i, x, v, &mass))
+            return "a body of the scene is on no ellipse about those "
+                   "before it";
+    }
+    return NULL;
+}

@@ -15,7 +15,7 @@ programs='bonk collide collide-forms bonkers bonkers-studies disks
 # What is stepped, and chosen for: gravity, springs with dashpots, and
 # contacts.
 for scene in figure-eight 'ring --particles 150' 'membrane --damping 0.1' \
-    double-pendulum gas break; do
+    double-pendulum gas break solar-system; do
     # shellcheck disable=SC2086
     build/bin/scene $scene -o "$work/${scene%% *}.plist"
 done
@@ -91,6 +91,9 @@ run_all() {
         (cd "$work" && "$bin/step" figure-eight.plist --method $method &&
             "$bin/step" membrane.plist --method $method --until 1 \
                 --observe parts,z:30)
+    done
+    for method in wisdom-holman sbab4; do
+        (cd "$work" && "$bin/step" solar-system.plist --method $method --dt 4)
     done
     for threads in 1 2; do
         (cd "$work" && for scene in ring membrane double-pendulum; do

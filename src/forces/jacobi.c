@@ -1,5 +1,5 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 3056069992 of the lines below */
+/* checksum 2057576411 of the lines below */
 /* Moves bodies along ellipses in Jacobi's coordinates. */
 #include "forces/jacobi.h"
 
@@ -34,7 +34,7 @@ void jacobi_free(struct jacobi *j)
     *j = (struct jacobi){0};
 }
 
-/* (9.13, eq:jacobi); to[] gets all axes of the q, that of all first. */
+/* (9.9, eq:jacobi); to[] gets all axes of the q, that of all first. */
 static void to_jacobi(const struct jacobi *j, const double x[], double q[])
 {
     const size_t n = j->bodies;

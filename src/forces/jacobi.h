@@ -1,5 +1,5 @@
 /* From chapters/works/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 602189006 of the lines below */
+/* checksum 1589143257 of the lines below */
 /* Bodies that go along ellipses about those before them, and are kicked. */
 #ifndef JACOBI_H
 #define JACOBI_H
@@ -33,7 +33,7 @@ bool jacobi_create(struct jacobi *j, size_t bodies, const double mass[],
 void jacobi_free(struct jacobi *j);
 
 /* What disturbs the ellipses, for stepping_begin; j must outlive them.
-   Source: (9.14, eq:wisdom-holman). */
+   Source: (9.10, eq:wisdom-holman). */
 struct stepping_forces jacobi_forces(struct jacobi *j);
 
 /* The ellipses, for the flow of the stepping that has these forces: what is

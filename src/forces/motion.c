@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 4166273880 of the lines below */
+/* checksum 2593393320 of the lines below */
 /* Accelerations are added up; bodies collide between two steps. */
 #include "forces/motion.h"
 
@@ -70,6 +70,15 @@ static const double *find_kept(const struct motion *m)
                                                      : NULL;
 }
 
+static bool begin_orbits(struct motion *m,
+                         const struct stepping_method *method)
+{
+    const struct scene *s = m->scene;
+    m->orbits = method->orbits &&
+                jacobi_create(&m->jacobi, s->bodies, s->mass, s->k2);
+    return m->orbits == method->orbits;
+}
+
 /* Does anything change a velocity? */
 static bool accelerates(const struct motion *m)
 {
@@ -87,11 +96,15 @@ static bool begin_stepping(struct motion *m,
     struct stepping_forces forces = {3 * s->bodies, damped, accelerate, m};
     if (m->bound && !m->attracts)
         forces = springs_forces(&m->springs);
+    if (m->orbits)
+        forces = jacobi_forces(&m->jacobi);
     if (!stepping_begin(&m->stepping, method, forces, dt, s->position,
                         s->velocity))
         return false;
     if (m->bound && !m->attracts)
         m->stepping.sweep = springs_sweep;
+    if (m->orbits)
+        m->stepping.flow = jacobi_flow;
     m->stepping.start = s->time;
     m->dt = m->spheres.dt = dt;
     m->stepping.compensated =
@@ -171,10 +184,15 @@ bool motion_begin(struct motion *m, const char *program, struct scene *s,
     snprintf(message, sizeof message, "there is no method '%.40s'", method);
     if (!found)
         return complain(program, message);
+    if (found->orbits && jacobi_refuses(s)) {
+        snprintf(message, sizeof message, "%s: %s", method,
+                 jacobi_refuses(s));
+        return complain(program, message);
+    }
     if (dt == 0 && s->dt == 0)
         return complain(program, "the scene has no line dt, and no time "
                                  "step was given");
-    if (make_parts(m) && hold_coordinates(m) &&
+    if (make_parts(m) && hold_coordinates(m) && begin_orbits(m, found) &&
         begin_stepping(m, found, dt > 0 ? dt : s->dt))
         return true;
     motion_end(m);
@@ -189,6 +207,8 @@ void motion_end(struct motion *m)
         springs_free(&m->springs);
     if (m->collides)
         spheres_free(&m->spheres);
+    if (m->orbits)
+        jacobi_free(&m->jacobi);
     stepping_free(&m->stepping);
     free(m->held);
     *m = (struct motion){0};
@@ -245,6 +265,7 @@ bool motion_shorten(struct motion *m, double dt)
     s->start = stepping_time(&old);
     s->compensated = old.compensated;
     s->sweep = old.sweep;
+    s->flow = old.flow;
     s->evaluations = old.evaluations;
     stepping_resume(s, 0, old.compensated ? old.carry : NULL, NULL);
     stepping_free(&old);

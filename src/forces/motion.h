@@ -1,10 +1,11 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 944754783 of the lines below */
+/* checksum 3876657980 of the lines below */
 /* A scene set in motion by all that acts in it, as one acceleration. */
 #ifndef MOTION_H
 #define MOTION_H
 
 #include "forces/gravity.h"
+#include "forces/jacobi.h"
 #include "scenes/scene.h"
 #include "forces/spheres.h"
 #include "forces/springs.h"
@@ -22,7 +23,8 @@ struct motion {
     struct gravity gravity; /* if attracts */
     struct springs springs; /* if bound */
     struct spheres spheres; /* if collides */
-    bool attracts, bound, collides;
+    struct jacobi jacobi;   /* if orbits: the method wants ellipses */
+    bool attracts, bound, collides, orbits;
     uint64_t collisions; /* of pairs and with walls, so far */
     size_t *held, fixed; /* coordinates that stay: how many */
     /* NULL, or steps instead of the method: from x, v to those dt later;

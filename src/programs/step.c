@@ -1,5 +1,5 @@
 /* From chapters/works/11-step.nw: edit there, then run make tangle. */
-/* checksum 2391177808 of the lines below */
+/* checksum 1224027972 of the lines below */
 /* Steps a scene through time and writes what is looked at, row by row. */
 #include "forces/checkpoint.h"
 #include "forces/motion.h"
@@ -433,10 +433,10 @@ static void explain(const struct run *r, enum ending end)
                         "smaller --dt\n",
                 r->s->method, r->time);
     if (end == INFINITE)
-        fprintf(stderr,
-                PROGRAM ": blew up after t = %.10g (infinite coordinates): "
-                        "try a smaller --dt\n",
-                r->time);
+        fprintf(stderr, PROGRAM ": blew up after t = %.10g (%s\n", r->time,
+                r->motion.orbits
+                    ? "an orbit has opened): try another --method"
+                    : "infinite coordinates): try a smaller --dt");
     if (end == TOO_MUCH)
         fprintf(stderr,
                 PROGRAM ": blew up after t = %.10g (energy %.4g, now "
@@ -509,7 +509,8 @@ static bool read_start(struct run *r, struct checkpoint_numbers *known)
 /* Refuses options for what is not in the scene. */
 static void refuse_idle(struct options *o, const struct motion *m)
 {
-    const bool pulls = m->attracts && m->gravity.bodies > GRAVITY_FEW;
+    const bool pulls =
+        m->attracts && !m->orbits && m->gravity.bodies > GRAVITY_FEW;
     if (!pulls)
         options_refuse(o, "kernel",
                        "without gravity of more than 32 bodies");

@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 1866787950 of the lines below */
+/* checksum 1508328711 of the lines below */
 /* Four engines that find the next collision on a line and carry it out. */
 #include "line/bonkers.h"
 
@@ -64,6 +64,107 @@ static bool count_repeat(struct bonkers *b, size_t i, bool stands)
     return b->repeats[i] >= patience(b);
 }
 
+static bool rests(const struct bonkers *b, const struct bonkers_body *a)
+{
+    return a->im == 0 || (a->v == 0 && a->x <= b->body[0].x);
+}
+
+/* A body as it is at a time, if it meets nobody until then (5.12,
+   eq:fall). */
+static struct bonkers_body body_at(const struct bonkers *b, size_t i,
+                                   double t)
+{
+    struct bonkers_body a = b->body[i];
+    const double wait = t - a.since, g = b->gravity;
+    if (!(g > 0)) {
+        a.x = position(&a, t);
+    } else if (!rests(b, &a)) {
+        a.x += (a.v - g * wait / 2) * wait;
+        a.v -= g * wait;
+    }
+    a.since = t;
+    return a;
+}
+
+/* The time until a body with velocity v at the height x reaches the floor
+   (5.13, eq:fall-floor). */
+static double fall_to_floor(double x, double v, double g)
+{
+    if (x == INFINITY)
+        return INFINITY;
+    if (x <= 0)
+        return v < 0 ? 0 : 2 * v / g;
+    const double speed = sqrt(v * v + 2 * g * x); /* at the floor */
+    return v < 0 ? 2 * x / (speed - v) : (v + speed) / g;
+}
+
+/* The same for a roof that is x above it; INFINITY: never (5.14,
+   eq:fall-roof). */
+static double rise_to_roof(double x, double v, double g)
+{
+    const double square = v * v - 2 * g * x;
+    if (!(v > 0 && square > 0))
+        return INFINITY;
+    return x > 0 ? 2 * x / (v + sqrt(square)) : 0;
+}
+
+/* When gap i closes under gravity. A pair that falls: exercise 05b. */
+static double time_of_fall(const struct bonkers *b, size_t i)
+{
+    const double t = fmax(b->body[i].since, b->body[i + 1].since);
+    const struct bonkers_body left = body_at(b, i, t);
+    const struct bonkers_body right = body_at(b, i + 1, t);
+    const bool held = rests(b, &b->body[i]);
+    const double gap = right.x - left.x, approach = left.v - right.v;
+    if (held != rests(b, &b->body[i + 1]))
+        return t + (held ? fall_to_floor(gap, right.v, b->gravity)
+                         : rise_to_roof(gap, left.v, b->gravity));
+    if (!(approach > 0))
+        return INFINITY;
+    return gap > 0 ? t + gap / approach : t;
+}
+
+static double time_due(const struct bonkers *b, size_t i)
+{
+    return b->gravity > 0 ? time_of_fall(b, i) : time_of_gap(&b->body[i]);
+}
+
+/* Brings the bodies of gap i together at t, one of which rests. */
+static void land(struct bonkers *b, size_t i, double t)
+{
+    struct bonkers_body *left = &b->body[i], *right = left + 1;
+    const double fall = 2 * b->gravity * (right->x - left->x);
+    if (rests(b, left)) {
+        right->v = -sqrt(fmax(0, right->v * right->v + fall));
+        right->x = left->x;
+    } else {
+        left->v = sqrt(fmax(0, left->v * left->v - fall));
+        left->x = right->x;
+    }
+    left->since = right->since = t;
+}
+
+/* Collides the bodies of gap i, as collide_gap does, under gravity. */
+static bool meet_falling(struct bonkers *b, size_t i)
+{
+    struct bonkers_body *left = &b->body[i], *right = left + 1;
+    const double t = b->due[i];
+    const bool stands = at_once(left->since, t) && at_once(right->since, t);
+    if (rests(b, left) != rests(b, right)) {
+        land(b, i, t);
+    } else {
+        *left = body_at(b, i, t);
+        *right = body_at(b, i + 1, t);
+    }
+    const double v = left->v, w = right->v;
+    const double late = v > w ? (left->x - right->x) / (v - w) : 0;
+    collide(&left->v, &right->v, left->im, right->im, b->restitution);
+    left->x += (left->v - v) * late;
+    right->x += (right->v - w) * late;
+    b->now = t;
+    return count_repeat(b, i, stands);
+}
+
 static void move_all(struct bonkers *b, double wait)
 {
     for (size_t i = 0; i <= b->gaps; ++i)
@@ -113,10 +214,33 @@ static enum bonkers_stop run_naive(struct bonkers *b, double until,
     return stop;
 }
 
+static enum bonkers_stop run_naive_falling(struct bonkers *b, double until,
+                                           uint64_t limit)
+{
+    for (;;) {
+        for (size_t i = 0; i < b->gaps; ++i)
+            b->due[i] = time_of_fall(b, i);
+        const size_t i = schedule_scan(b->due, b->gaps);
+        const double t = fmin(b->due[i], until);
+        for (size_t k = 0; k <= b->gaps && t < INFINITY; ++k)
+            b->body[k] = body_at(b, k, t);
+        if (b->due[i] > until || b->due[i] == INFINITY)
+            return idle(b, until);
+        const bool collapse = meet_falling(b, i);
+        ++b->collisions;
+        if (collapse)
+            return BONKERS_COLLAPSE;
+        if (b->collisions == limit)
+            return BONKERS_COLLISIONS;
+    }
+}
+
 /* Collides the bodies of gap i at the time it is due. Returns true when the
    clock has stood still for too long. */
 static bool collide_gap(struct bonkers *b, size_t i)
 {
+    if (b->gravity > 0)
+        return meet_falling(b, i);
     struct bonkers_body *left = &b->body[i], *right = left + 1;
     const double t = b->due[i];
     const double l = position(left, t), r = position(right, t);
@@ -140,7 +264,7 @@ static void renew(struct bonkers *b, size_t i)
     size_t low, high;
     touched(b, i, &low, &high);
     for (size_t k = low; k <= high; ++k)
-        b->due[k] = time_of_gap(&b->body[k]);
+        b->due[k] = time_due(b, k);
 }
 
 /* Look at every remembered time; move two bodies. */
@@ -495,9 +619,10 @@ static double rounding(const struct bonkers *b, size_t i)
 {
     double scale = 0;
     for (size_t k = i > 0 ? i - 1 : 0; k <= i; ++k) {
-        const double x = fabs(position(&b->body[k], b->now));
+        const struct bonkers_body a = body_at(b, k, b->now);
+        const double x = fabs(a.x);
         scale += x > b->extent && x < INFINITY ? x : b->extent;
-        scale += fabs(b->body[k].v) * b->now;
+        scale += fmax(fabs(b->body[k].v), fabs(a.v)) * b->now;
     }
     return 8 * DBL_EPSILON * scale;
 }
@@ -557,6 +682,8 @@ static void take_out_radii(struct bonkers *b, const double radius[])
 
 size_t bonkers_start(struct bonkers *b, const double radius[])
 {
+    if (b->gravity > 0 && b->engine == BONKERS_SLAB)
+        b->engine = BONKERS_HEAP;
     b->extent = 0;
     for (size_t i = 0; i <= b->gaps; ++i)
         if (isfinite(b->body[i].x))
@@ -573,7 +700,7 @@ size_t bonkers_start(struct bonkers *b, const double radius[])
             return i;
         if (right->x < left->x)
             right->x = left->x; /* they touch, but for rounding */
-        b->due[i] = time_of_gap(left);
+        b->due[i] = time_due(b, i);
         if (b->engine == BONKERS_HEAP)
             reschedule(b, i);
     }
@@ -587,7 +714,9 @@ enum bonkers_stop bonkers_run(struct bonkers *b, double until,
         return BONKERS_COLLISIONS;
     b->begun = b->now;
     switch (b->engine) {
-    case BONKERS_NAIVE: return run_naive(b, until, collisions);
+    case BONKERS_NAIVE:
+        return b->gravity > 0 ? run_naive_falling(b, until, collisions)
+                              : run_naive(b, until, collisions);
     case BONKERS_SCAN: return run_scan(b, until, collisions);
     case BONKERS_HEAP: return run_heap(b, until, collisions);
     default: return run_slabs(b, until, collisions);
@@ -612,6 +741,7 @@ bool bonkers_begin(struct bonkers *b, const struct start *s,
         free(radius);
         return false;
     }
+    b->gravity = s->gravity;
     b->body[0].x = s->wall[0];
     b->body[b->gaps].x = s->wall[1];
     for (size_t i = 0; i < s->movers; ++i)
@@ -625,8 +755,8 @@ bool bonkers_begin(struct bonkers *b, const struct start *s,
 void bonkers_settle(struct bonkers *b)
 {
     for (size_t i = 0; i <= b->gaps; ++i) {
-        b->body[i].x =
-            position(&b->body[i], b->now) + (b->shift ? b->shift[i] : 0);
+        b->body[i] = body_at(b, i, b->now);
+        b->body[i].x += b->shift ? b->shift[i] : 0;
         b->body[i].since = 0;
         if (b->repeats && i < b->gaps)
             b->repeats[i] = 0;
@@ -641,28 +771,32 @@ void bonkers_state(struct bonkers *b, double x[], double v[])
     const double right = b->body[b->gaps].x;
     double last = b->body[0].x;
     for (size_t i = 0; i <= b->gaps; ++i) {
-        const double place = position(&b->body[i], b->now);
-        if (place < last - rounding(b, i))
+        const struct bonkers_body a = body_at(b, i, b->now);
+        if (a.x < last - rounding(b, i))
             ++b->disorder;
-        last = place < last ? last : place > right ? right : place;
+        last = a.x < last ? last : a.x > right ? right : a.x;
         x[i] = b->shift ? last + b->shift[i] : last;
-        v[i] = b->body[i].v;
+        v[i] = a.v;
     }
 }
 
 bool bonkers_is_still(const struct bonkers *b)
 {
     for (size_t i = 0; i < b->gaps; ++i)
-        if (b->body[i].v > b->body[i + 1].v &&
-            b->body[i + 1].x - b->body[i].x < INFINITY)
+        if (b->gravity > 0 ? time_of_fall(b, i) < INFINITY
+                           : b->body[i].v > b->body[i + 1].v &&
+                                 b->body[i + 1].x - b->body[i].x < INFINITY)
             return false;
     return true;
 }
 
 double bonkers_energy(const struct bonkers *b)
 {
+    const double low = b->body[0].x, floor = low > -INFINITY ? low : 0;
     double sum = 0;
-    for (size_t i = 1; i < b->gaps; ++i)
-        sum += b->body[i].v * b->body[i].v / b->body[i].im;
+    for (size_t i = 1; i < b->gaps; ++i) {
+        const struct bonkers_body *a = &b->body[i];
+        sum += (a->v * a->v + 2 * b->gravity * (a->x - floor)) / a->im;
+    }
     return sum / 2;
 }

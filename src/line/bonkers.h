@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 973168930 of the lines below */
+/* checksum 849868601 of the lines below */
 /* Bodies on a line between two walls, from one collision to the next. */
 #ifndef BONKERS_H
 #define BONKERS_H
@@ -46,7 +46,8 @@ enum {
 };
 
 /* Bodies between two walls. To be read: body, gaps, now, collisions,
-   disorder, redone. Bodies are 0 (left wall) to gaps (right wall). */
+   disorder, redone; to be set before the start, if not zero: gravity.
+   Bodies are 0 (left wall) to gaps (right wall). */
 struct bonkers {
     struct bonkers_body *body;
     size_t gaps;   /* one more than there are movers */
@@ -58,6 +59,7 @@ struct bonkers {
     uint64_t redone;   /* collisions that the slab engine did twice */
     enum bonkers_engine engine;
     double restitution;
+    double gravity;    /* towards body 0, m/s2 */
     double *due;       /* when gap i will close, s */
     double *shift;     /* the s_i of (2.2, eq:rods); NULL: all zero */
     uint32_t *repeats; /* collisions of gap i at one time; NULL: elastic */
@@ -94,7 +96,8 @@ void bonkers_state(struct bonkers *b, double x[], double v[]);
 /* Says whether no collision will come any more. */
 bool bonkers_is_still(const struct bonkers *b);
 
-/* Returns the kinetic energy of the movers, J, summed from the left. */
+/* Returns the energy of the movers, J, summed from the left: kinetic and,
+   under gravity, potential, none when all of them lie on the floor. */
 double bonkers_energy(const struct bonkers *b);
 
 /* The engines' names, in the order of enum bonkers_engine, then NULL. */

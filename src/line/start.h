@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 3693230447 of the lines below */
+/* checksum 2759656187 of the lines below */
 /* Masses, positions and velocities with which a run on a line begins. */
 #ifndef START_H
 #define START_H
@@ -15,6 +15,7 @@ struct start {
     double *mass, *x, *v, *radius; /* kg, m, m/s, m */
     double wall[2]; /* m; -INFINITY or INFINITY: none on that side */
     double until;   /* how long such a run usually takes, s */
+    double gravity; /* towards the left wall, m/s2 */
 };
 
 enum start_kind {

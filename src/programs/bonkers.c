@@ -1,5 +1,5 @@
 /* From chapters/works/04-piston.nw: edit there, then run make tangle. */
-/* checksum 182263333 of the lines below */
+/* checksum 4071643896 of the lines below */
 /* Bodies on a line from row to row, in one run or the mean of many. */
 #include "line/bonkers.h"
 #include "line/start.h"
@@ -27,7 +27,7 @@ struct settings {
     bool preset;
     size_t listed; /* bodies in the lists; 0: there are none */
     const double *mass, *x, *v, *radius; /* the lists, or NULL */
-    double restitution, every, until;
+    double restitution, gravity, every, until;
     uint64_t samples, collisions, members, threads;
     enum bonkers_engine engine;
     const char *output, *summary, *command;
@@ -63,6 +63,8 @@ static const struct options_entry entries[] = {
     {"restitution", 'e', "E", "of every collision (1)"},
     {"", 0, NULL, "--every"},
     {"samples", 'k', "K", "stop after so many rows behind the first"},
+    {"", 0, NULL, "--engine auto, naive, scan, heap"},
+    {"gravity", 'G', "G", "towards the left wall, the floor, m/s2 (0)"},
     {0}};
 
 static const struct table_key keys[] = {
@@ -140,6 +142,7 @@ static void read_settings(struct settings *s, int argc, char *argv[])
         case 'R': s->wish.ratio = options_real(&o, 1e-100, 1e100); break;
         case 's': s->wish.seed = options_count(&o, 0, UINT64_MAX); break;
         case 'e': s->restitution = options_real(&o, 0, 1); break;
+        case 'G': s->gravity = options_real(&o, 0, 1e100); break;
         case 'd':
             s->every = options_real(&o, OPTIONS_POSITIVE, INFINITY);
             break;
@@ -196,6 +199,7 @@ static bool make_start(struct start *s, const struct settings *set,
         memcpy(s->v, set->v, size);
     if (set->radius)
         memcpy(s->radius, set->radius, size);
+    s->gravity = set->gravity;
     return true;
 }
 
@@ -304,13 +308,17 @@ static void run_to_row(struct run *r, uint64_t collisions)
 }
 
 /* Names the columns; per: how many there are for each body. */
-static void name_columns(struct table *out, size_t gaps,
+static void name_columns(struct table *out, const struct bonkers *b,
                          const char *const symbols[],
                          const char *const units[],
                          const char *const words[], size_t per)
 {
+    const size_t gaps = b->gaps;
     table_column(out, "t", "s", "time");
-    table_column(out, "energy", "J", "kinetic energy of the movers");
+    table_column(out, "energy", "J",
+                 b->gravity > 0 && per == 2
+                     ? "energy of the movers, kinetic and potential"
+                     : "kinetic energy of the movers");
     for (size_t i = 0; i <= gaps; ++i)
         for (size_t k = 0; k < per; ++k) {
             char symbol[32], meaning[64], whose[40];
@@ -369,7 +377,7 @@ static bool write_run(struct table *out, struct run *r,
         return false;
     }
     name_masses(out, &r->b);
-    name_columns(out, r->b.gaps, (const char *const[]){"x", "v"},
+    name_columns(out, &r->b, (const char *const[]){"x", "v"},
                  (const char *const[]){"m", "m/s"},
                  (const char *const[]){"position", "velocity"}, 2);
     write_row(out, &r->b, row);
@@ -560,7 +568,7 @@ static bool average(struct table *out, const struct run *first,
         fprintf(stderr, PROGRAM ": no memory for the rows; use fewer\n");
     if (done) {
         name_masses(out, &first->b);
-        name_columns(out, first->b.gaps,
+        name_columns(out, &first->b,
                      (const char *const[]){"x", "v", "T", "s"},
                      (const char *const[]){"m", "m/s", "J", "J"},
                      (const char *const[]){"mean position", "mean velocity",

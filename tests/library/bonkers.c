@@ -1067,6 +1067,249 @@ static void test_disorder(void)
     bonkers_free(&b);
 }
 
+/* ---- under gravity */
+
+static const double g = 9.81;
+
+/* Points of these heights and velocities over a floor at 0, with masses 1
+   and no roof. */
+static void fall(struct bonkers *b, size_t movers, const double x[],
+                 const double v[], double restitution,
+                 enum bonkers_engine engine)
+{
+    UNIT_TRUE(bonkers_create(b, movers, restitution, engine));
+    b->gravity = g;
+    for (size_t i = 0; i < movers; ++i)
+        b->body[i + 1] = (struct bonkers_body){x[i], v[i], 0, 1};
+    b->body[movers + 1].x = INFINITY;
+    UNIT_EQUAL((double)bonkers_start(b, NULL), (double)movers + 1);
+}
+
+/* The height at time t of an elastic ball thrown from x with velocity v. */
+static double thrown(double x, double v, double t)
+{
+    const double s = sqrt(v * v + 2 * g * x);
+    const double phase = fmod((s - v) / g + t, 2 * s / g);
+    return phase * (s - g * phase / 2);
+}
+
+static void test_bouncing_ball(void)
+{
+    struct bonkers b;
+    const double x = 1, v = 0.3, s = sqrt(v * v + 2 * g * x);
+    fall(&b, 1, &x, &v, 1, BONKERS_AUTO);
+    const double energy = bonkers_energy(&b);
+    UNIT_NEAR(energy, 0.3 * 0.3 / 2 + g, 4e-15);
+    for (int n = 1; n <= 10000; ++n) {
+        const double t = (v + s) / g + (n - 1) * (2 * s / g);
+        UNIT_TRUE(bonkers_run(&b, INFINITY, (uint64_t)n) ==
+                  BONKERS_COLLISIONS);
+        /* each bounce rounds the clock by half an epsilon */
+        if (n == 1 || n % 1000 == 0)
+            UNIT_NEAR(b.now, t, DBL_EPSILON * t * (4 + n / 2.0));
+        if (n == 1 || n % 1000 == 0)
+            UNIT_EQUAL(b.body[1].x, 0);
+    }
+    UNIT_NEAR(bonkers_energy(&b), energy, 4 * DBL_EPSILON * energy);
+    bonkers_free(&b);
+}
+
+static void test_roof(void)
+{
+    struct bonkers b;
+    const double x = 0, v = 6; /* 1.83 m high */
+    for (int low = 0; low < 2; ++low) {
+        const double roof = low ? 1.5 : 2;
+        const double up = 2 * roof / (v + sqrt(v * v - 2 * g * roof));
+        fall(&b, 1, &x, &v, 1, BONKERS_SCAN);
+        b.body[2].x = roof;
+        bonkers_start(&b, NULL);
+        bonkers_run(&b, INFINITY, 1001);
+        const double t = low ? 1001 * up : 1001 * 2 * v / g;
+        UNIT_NEAR(b.now, t, 1e-12 * t);
+        UNIT_EQUAL(b.body[1].x, low ? 1.5 : 0);
+        bonkers_free(&b);
+    }
+}
+
+static int by_height(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* Ten equal beads are bouncing balls that pass through each other. */
+static void test_sorted_balls(void)
+{
+    struct bonkers b;
+    struct random r;
+    double x[10], v[10], got[12], u[12], worst = 0;
+    random_seed(&r, 1);
+    for (int i = 0; i < 10; ++i) {
+        x[i] = 0.1 + 0.2 * i;
+        v[i] = random_between(&r, -2, 2);
+    }
+    fall(&b, 10, x, v, 1, BONKERS_HEAP);
+    for (int k = 1; k <= 60; ++k) {
+        double expected[10];
+        bonkers_run(&b, 2.0 * k, UINT64_MAX);
+        bonkers_state(&b, got, u);
+        for (int i = 0; i < 10; ++i)
+            expected[i] = thrown(x[i], v[i], 2.0 * k);
+        qsort(expected, 10, sizeof expected[0], by_height);
+        for (int i = 0; i < 10; ++i)
+            worst = fmax(worst, fabs(got[i + 1] - expected[i]));
+    }
+    UNIT_TRUE(b.collisions > 10000 && b.disorder == 0);
+    UNIT_NEAR(worst, 0, 1e-11); /* some 1e-12; 1e-10 without [[late]] */
+    bonkers_free(&b);
+}
+
+/* Bodies of masses from 1 to 9 over a floor; each height is drawn. */
+static void begin_fall(struct bonkers *b, enum bonkers_engine engine,
+                       double restitution)
+{
+    struct random r;
+    random_seed(&r, 7);
+    UNIT_TRUE(bonkers_create(b, 9, restitution, engine));
+    b->gravity = g;
+    for (int i = 1; i <= 9; ++i)
+        b->body[i] = (struct bonkers_body){
+            0.2 * i + random_between(&r, 0, 0.1), 0, 0, 1.0 / i};
+    b->body[10].x = 4;
+    bonkers_start(b, NULL);
+}
+
+static void test_falling_engines(void)
+{
+    for (int k = 0; k < 2; ++k) {
+        struct bonkers scan, heap, slab, naive;
+        double x[2][11], v[2][11], worst = 0;
+        begin_fall(&scan, BONKERS_SCAN, k ? 0.99 : 1);
+        begin_fall(&heap, BONKERS_HEAP, k ? 0.99 : 1);
+        begin_fall(&slab, BONKERS_SLAB, k ? 0.99 : 1);
+        begin_fall(&naive, BONKERS_NAIVE, k ? 0.99 : 1);
+        UNIT_EQUAL(slab.engine, BONKERS_HEAP);
+        for (int n = 1; n <= 30; ++n) /* cut in pieces */
+            bonkers_run(&scan, n / 10.0, UINT64_MAX);
+        bonkers_run(&heap, 3, UINT64_MAX);
+        bonkers_run(&naive, 0.5, UINT64_MAX);
+        bonkers_run(&slab, 0.5, UINT64_MAX);
+        UNIT_TRUE(heap.collisions > 100);
+        const char *what = differs(&scan, &heap);
+        if (what)
+            printf("# %s\n", what);
+        UNIT_TRUE(!what);
+        bonkers_state(&naive, x[0], v[0]);
+        bonkers_state(&slab, x[1], v[1]);
+        for (int i = 0; i <= 10; ++i)
+            worst = fmax(worst, fabs(x[0][i] - x[1][i]));
+        UNIT_NEAR(worst, 0, 1e-11);
+        bonkers_settle(&slab);
+        bonkers_start(&slab, NULL);
+        bonkers_run(&slab, 1, UINT64_MAX);
+        bonkers_run(&naive, 1.5, UINT64_MAX);
+        bonkers_state(&naive, x[0], v[0]);
+        bonkers_state(&slab, x[1], v[1]);
+        for (int i = 0; i <= 10; ++i)
+            worst = fmax(worst, fabs(v[0][i] - v[1][i]));
+        UNIT_NEAR(worst, 0, 1e-7);
+        bonkers_free(&scan);
+        bonkers_free(&heap);
+        bonkers_free(&slab);
+        bonkers_free(&naive);
+    }
+}
+
+/* With M_j the mass above gap j, the law of equal shares says that the mean
+   of m v^2/2 is E/(3N) for every body, and that of M_j g times the gap
+   2E/(3N). Blocks of 500 s are independent. */
+static void test_upright_shares(void)
+{
+    enum { BLOCKS = 40, ROWS = 1000 };
+    static double mean[18][BLOCKS];
+    struct bonkers b;
+    double x[11], v[11];
+    begin_fall(&b, BONKERS_AUTO, 1);
+    b.body[10].x = INFINITY;
+    bonkers_start(&b, NULL);
+    const double energy = bonkers_energy(&b);
+    for (int k = 0; k < BLOCKS * ROWS; ++k) {
+        double above = 45;
+        bonkers_run(&b, 0.5 * (k + 1), UINT64_MAX);
+        bonkers_state(&b, x, v);
+        for (int i = 1; i <= 9; ++i) {
+            mean[i - 1][k / ROWS] += i * v[i] * v[i] / 2 / ROWS;
+            mean[i + 8][k / ROWS] += above * g * (x[i] - x[i - 1]) / ROWS;
+            above -= i;
+        }
+    }
+    for (int what = 0; what < 18; ++what) {
+        double sum = 0, square = 0;
+        for (int k = 0; k < BLOCKS; ++k) {
+            sum += mean[what][k] / BLOCKS;
+            square += mean[what][k] * mean[what][k] / BLOCKS;
+        }
+        const double error = sqrt((square - sum * sum) / (BLOCKS - 1));
+        const double share = energy / 27 * (what < 9 ? 1 : 2);
+        UNIT_TRUE(error < 0.02 * share);
+        UNIT_NEAR(sum, share, 4 * error);
+    }
+    /* whole masses have exact halves to round: section sec:coin */
+    UNIT_NEAR(bonkers_energy(&b) / energy, 1, 1e-11);
+    bonkers_free(&b);
+}
+
+/* Two that lie on the floor are part of it for a third that is as heavy. */
+static void test_pile(void)
+{
+    struct bonkers b;
+    const double x[] = {0, 0, 1}, v[] = {0, 0, 0};
+    double got[5], u[5];
+    fall(&b, 2, x, v, 1, BONKERS_SCAN);
+    UNIT_TRUE(bonkers_is_still(&b));
+    UNIT_TRUE(bonkers_run(&b, INFINITY, 10) == BONKERS_STILL);
+    bonkers_free(&b);
+    fall(&b, 3, x, v, 1, BONKERS_SCAN);
+    UNIT_TRUE(!bonkers_is_still(&b));
+    bonkers_run(&b, 100, UINT64_MAX);
+    bonkers_state(&b, got, u);
+    UNIT_EQUAL(got[1], 0);
+    UNIT_EQUAL(got[2], 0);
+    UNIT_NEAR(got[3], thrown(1, 0, 100), 1e-12);
+    UNIT_TRUE(b.collisions > 5 * 100);
+    bonkers_free(&b);
+}
+
+/* No floor: all fall together, and what they do is what they would do
+   without weight. */
+static void test_free_fall(void)
+{
+    struct bonkers b, c;
+    double x[2][8], v[2][8];
+    for (int k = 0; k < 2; ++k) {
+        struct bonkers *which = k ? &c : &b;
+        UNIT_TRUE(bonkers_create(which, 6, 1, BONKERS_SCAN));
+        which->gravity = k ? 2 : 0;
+        for (int i = 1; i <= 6; ++i)
+            which->body[i] =
+                (struct bonkers_body){i, (i * 5 % 7) - 3.0, 0, 1.0 / i};
+        which->body[0].x = -INFINITY;
+        which->body[7].x = INFINITY;
+        bonkers_start(which, NULL);
+        UNIT_TRUE(bonkers_run(which, 8, UINT64_MAX) == BONKERS_TIME);
+        bonkers_state(which, x[k], v[k]);
+    }
+    UNIT_EQUAL((double)b.collisions, (double)c.collisions);
+    UNIT_TRUE(b.collisions > 5);
+    for (int i = 1; i <= 6; ++i) {
+        UNIT_NEAR(x[1][i], x[0][i] - 64, 1e-12);
+        UNIT_NEAR(v[1][i], v[0][i] - 16, 1e-12);
+    }
+    bonkers_free(&b);
+    bonkers_free(&c);
+}
+
 int main(void)
 {
     return unit_run(
@@ -1109,5 +1352,13 @@ int main(void)
             {"a settled run goes on", test_settle},
             {"what is out of order is put right and counted",
              test_disorder},
+            {"a bouncing ball", test_bouncing_ball},
+            {"a roof, and one out of reach", test_roof},
+            {"equal beads that fall are sorted balls", test_sorted_balls},
+            {"scan and heap fall alike, the naive nearly",
+             test_falling_engines},
+            {"upright, all bodies have equal shares", test_upright_shares},
+            {"what lies on the floor is part of it", test_pile},
+            {"without a floor weight changes nothing", test_free_fall},
             {0}});
 }

@@ -34,6 +34,25 @@ count 256 50
 count 4096 201
 count 65536 804
 
+# Under gravity: a bead let go from 5 m falls for 1 s at 10 m/s2, and after
+# the bounce, another second later, stands there again. Engines that claim the same trajectory have the same bytes.
+$b --masses 2 --positions 5 --walls 0 --gravity 10 --every 0.5 --until 2 \
+    -o "$work/t" --summary "$work/s"
+equal 'a bead falls, bounces and rises' \
+    "$(rows "$work/t" | cut -d' ' -f2,5,6 | tr '\n' ';')" \
+    '100 5 0;100 3.75 -5;100 0 10;100 3.75 5;100 5 0;'
+equal 'it has bounced once' "$(value "$work/s" collisions)" 1
+for e in scan heap; do
+    $b --preset random --particles 40 --gravity 3 --every 1 --until 20 \
+        --engine "$e" -o "$work/$e" --summary "$work/s"
+    near=$(awk '$1 == "energy_error" { print ($2 < 1e-12 && $2 > -1e-12) }' \
+        "$work/s")
+    equal "$e keeps the energy of what falls" "$near" 1
+done
+holds 'scan and heap write the same bytes under gravity' \
+    cmp "$work/scan" "$work/heap"
+refuses 2 'gravity: .*slab' $b --gravity 1 --engine slab
+
 # Rows at whole multiples of the interval, and the last at the end: the third
 # of three times 0.1 is 0.3, not a fourth row.
 $b --until 0.3 --every 0.1 -o "$work/t"

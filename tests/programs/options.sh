@@ -34,6 +34,7 @@ cat >"$work/values" <<END
 - fit 0.2,0.1
 - form cm
 - gas-masses 5,5
+- gravity 9.81
 - heavy 2,0.1
 - inverse-masses 1,2
 - kernel portable

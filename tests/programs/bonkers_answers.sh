@@ -202,4 +202,4 @@ holds 'an ensemble of two is the mean of its two members' \
 holds 'masses come back as they were given' test '# masses: 49 98 0.1' = \
     "$(build/bin/bonkers --masses 49,98,0.1 --positions 1,2,3 \
         --velocities 1,0,0 --walls 0,4 --every 1 --until 1 | sed -n 4p)"
-echo 1..82
+echo 1..88

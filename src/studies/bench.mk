@@ -29,6 +29,7 @@ bench: native build/bin/disks-speed build/bin/gravity-studies
 	build/bin/gravity-studies --study speed
 	build/bin/gravity-studies --study threads
 	build/bin/gravity-studies --study tree
+	build/bin/gravity-studies --study two-suns
 	build/bin/bonk-studies --study prices
 	build/native/bin/scene sun-earth | build/native/bin/step - \
 		--until 90000 --every 9000 --summary - -o build/bench.dat | \

@@ -1,8 +1,9 @@
 /* From chapters/works/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 2486829704 of the lines below */
+/* checksum 3627974778 of the lines below */
 /* Measures bodies that attract each other. */
 #include "forces/celestial.h"
 #include "forces/gravity.h"
+#include "forces/jacobi.h"
 #include "forces/kepler.h"
 #include "forces/stepping.h"
 #include "toolbox/bench.h"
@@ -593,6 +594,118 @@ static void study_work(struct study *s)
                 table_row(s->out, 3, (double[]){n, energy, place});
             note_precision(s->summary, methods[i], n, energy, place);
         }
+    }
+}
+
+static void begin_ellipses(struct sky *k, struct jacobi *j)
+{
+    const struct scene *s = &k->scene;
+    struct stepping *const p = &k->stepping;
+    if (!p->method->orbits)
+        return;
+    if (!jacobi_create(j, s->bodies, s->mass, s->k2))
+        program_give_up(PROGRAM, "no memory");
+    p->forces = jacobi_forces(j);
+    p->flow = jacobi_flow;
+}
+
+/* The largest relative error of the energy up to the time t, and what it
+   cost, s of processor time. */
+static double wander(struct sky *k, double t, double *cost)
+{
+    struct jacobi j = {0};
+    const uint64_t steps = (uint64_t)round(t / k->stepping.dt);
+    const uint64_t bite = steps / 1000 + 1;
+    const double before = energy_of(k);
+    double worst = 0;
+    begin_ellipses(k, &j);
+    *cost = -bench_seconds();
+    for (uint64_t n = 0; n < steps; n += bite) {
+        stepping_run(&k->stepping, bite);
+        worst = fmax(worst, fabs(energy_of(k) / before - 1));
+    }
+    *cost += bench_seconds();
+    jacobi_free(&j);
+    end_sky(k);
+    return worst;
+}
+
+static double century(const char *method, double days, double factor)
+{
+    struct sky k;
+    double cost;
+    const struct stepping_method *m = stepping_find(method);
+    begin_sky(&k, "solar-system", NULL, method, days * (double)m->stages);
+    for (size_t i = 1; i < k.scene.bodies; ++i)
+        k.scene.mass[i] *= factor;
+    return wander(&k, 36525, &cost);
+}
+
+static const char *const along[] = {"leapfrog", "kahan-li8",
+                                    "wisdom-holman", "sbab4"};
+enum { ALONG = sizeof along / sizeof *along };
+
+static const struct table_key ellipses_keys[] = {
+    {"<method>", "1", "error of energy, 4 d from kick to kick"},
+    {"<method>_slope", "1", "2 d, masses times 1 to 10: power of them"},
+    {0}};
+
+static void record_masses(struct study *s, const char *method)
+{
+    double error[7];
+    char key[40];
+    for (int n = 0; n < 7; ++n) {
+        const double factor = pow(10, 0.5 * n - 2);
+        error[n] = century(method, 2, factor);
+        table_row(s->out, 3, (double[]){2, factor, error[n]});
+    }
+    table_real(s->summary, method, century(method, 4, 1));
+    snprintf(key, sizeof key, "%s_slope", method);
+    table_real(s->summary, key, log10(error[6] / error[4]));
+}
+
+static void study_ellipses(struct study *s)
+{
+    table_column(s->out, "d", "d", "from kick to kick");
+    table_column(s->out, "m", "", "factor on the planets' masses");
+    table_column(s->out, "dE", "", "largest error of the energy");
+    for (int i = 0; i < ALONG; ++i) {
+        table_print(s->out, "# %s\n", along[i]);
+        for (double d = 0.25; d < 20 && !progress_signal(); d *= sqrt(2)) {
+            const double e = century(along[i], d, 1);
+            if (e < 1)
+                table_row(s->out, 3, (double[]){d, 1, e});
+        }
+        table_print(s->out, "\n\n");
+    }
+    for (int i = 0; i < ALONG; ++i) {
+        record_masses(s, along[i]);
+        table_print(s->out, "\n\n");
+    }
+}
+
+static void study_two_suns(struct study *s)
+{
+    static const struct {
+        const char *method;
+        int steps; /* in a period */
+    } row[] = {{"leapfrog", 200},     {"kahan-li8", 30},
+               {"wisdom-holman", 30}, {"wisdom-holman", 100},
+               {"sbab4", 10},         {"sbab4", 30}};
+    bench_machine(s->out);
+    table_print(s->out, "# rows: method and steps in a period\n");
+    table_column(s->out, "s", "s", "processor time, median of five");
+    table_column(s->out, "dE", "", "largest error of the energy");
+    for (size_t i = 0; i < sizeof row / sizeof *row; ++i) {
+        double cost[BENCH_ROUNDS], error = 0;
+        for (int k = 0; k < BENCH_ROUNDS && !progress_signal(); ++k) {
+            struct sky sky;
+            begin_sky(&sky, "circumbinary", NULL, row[i].method,
+                      binary_period / row[i].steps);
+            error = wander(&sky, 1e4 * binary_period, &cost[k]);
+        }
+        table_print(s->out, "%s-%d %.3g %.3g\n", row[i].method,
+                    row[i].steps, bench_median(cost, BENCH_ROUNDS), error);
     }
 }
 
@@ -1395,6 +1508,8 @@ static const struct study_entry studies[] = {
      circumbinary_keys},
     {"survival", study_survival, "how close it may come", survival_keys},
     {"work", study_work, "seven methods on its orbit", work_keys},
+    {"ellipses", study_ellipses, "planets that are kicked", ellipses_keys},
+    {"two-suns", study_two_suns, "their cost beside others'", NULL},
     {"choreography", study_choreography, "circles that break",
      choreography_keys},
     {"figure-eight", study_eight, "three bodies on an eight",

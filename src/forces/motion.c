@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 2593393320 of the lines below */
+/* checksum 2247215615 of the lines below */
 /* Accelerations are added up; bodies collide between two steps. */
 #include "forces/motion.h"
 
@@ -205,6 +205,8 @@ void motion_end(struct motion *m)
         gravity_free(&m->gravity);
     if (m->bound)
         springs_free(&m->springs);
+    if (m->located)
+        impact_free(&m->impact);
     if (m->collides)
         spheres_free(&m->spheres);
     if (m->orbits)
@@ -226,14 +228,21 @@ static enum stepping_end step_once(struct motion *m)
     return STEPPING_DONE;
 }
 
+bool motion_locate(struct motion *m)
+{
+    m->located = impact_create(&m->impact, &m->spheres, &m->stepping);
+    return m->located;
+}
+
 enum stepping_end motion_run(struct motion *m, uint64_t steps)
 {
     enum stepping_end end = STEPPING_DONE;
     if (!m->collides && !m->outside)
         return stepping_run(&m->stepping, steps);
     for (; steps > 0 && end == STEPPING_DONE; --steps) {
-        end = step_once(m);
-        if (end != STEPPING_DONE || !m->collides)
+        end = m->located ? impact_step(&m->impact, &m->collisions)
+                         : step_once(m);
+        if (end != STEPPING_DONE || !m->collides || m->located)
             continue;
         const uint64_t met =
             spheres_resolve(&m->spheres, m->stepping.x, m->stepping.v);

@@ -1,10 +1,11 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 3876657980 of the lines below */
+/* checksum 300903064 of the lines below */
 /* A scene set in motion by all that acts in it, as one acceleration. */
 #ifndef MOTION_H
 #define MOTION_H
 
 #include "forces/gravity.h"
+#include "forces/impact.h"
 #include "forces/jacobi.h"
 #include "scenes/scene.h"
 #include "forces/spheres.h"
@@ -24,7 +25,8 @@ struct motion {
     struct springs springs; /* if bound */
     struct spheres spheres; /* if collides */
     struct jacobi jacobi;   /* if orbits: the method wants ellipses */
-    bool attracts, bound, collides, orbits;
+    struct impact impact;   /* if located: contacts at their moments */
+    bool attracts, bound, collides, orbits, located;
     uint64_t collisions; /* of pairs and with walls, so far */
     size_t *held, fixed; /* coordinates that stay: how many */
     /* NULL, or steps instead of the method: from x, v to those dt later;
@@ -49,8 +51,13 @@ bool motion_begin(struct motion *m, const char *program, struct scene *s,
                   const char *method, double dt);
 void motion_end(struct motion *m);
 
-/* Takes so many steps, with contacts after each, if the scene has any. How
-   a run is cut into calls changes no bit of it. */
+/* From here on contacts are found inside the steps, and not after them.
+   Before the first step, of a scene that has contacts, by a method of our
+   own and dt > 0. Returns false, with m as it was, without memory. */
+bool motion_locate(struct motion *m);
+
+/* Takes so many steps, with contacts after each, if the scene has any, or
+   within it. How a run is cut into calls changes no bit of it. */
 enum stepping_end motion_run(struct motion *m, uint64_t steps);
 double motion_time(const struct motion *m); /* s */
 

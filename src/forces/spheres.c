@@ -1,5 +1,5 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 635719244 of the lines below */
+/* checksum 3301630173 of the lines below */
 /* Pairs found along an axis, reflected one by one, and shifted. */
 #include "forces/spheres.h"
 
@@ -159,6 +159,18 @@ static double push_apart(const struct spheres *p, const struct contact *c,
     return b * along(p, c, c->b, v) - a * along(p, c, c->a, v);
 }
 
+/* Returns the impulse over the distance. */
+static double reflect(struct spheres *p, const struct contact *c,
+                      double parting, double w, double v[])
+{
+    const double J = -(1 + p->restitution) * parting / w;
+    kick(p, c, c->a, -J, v);
+    kick(p, c, c->b, J, v);
+    p->virial += J * c->distance * c->distance;
+    ++p->collisions;
+    return J;
+}
+
 static bool collide_pair(struct spheres *p, struct spheres_pair pair,
                          double x[], double v[])
 {
@@ -174,16 +186,12 @@ static bool collide_pair(struct spheres *p, struct spheres_pair pair,
             p->virial += push_apart(p, &c, wa, wb, x, v);
         return false;
     }
-    const double J = -(1 + p->restitution) * parting / (wa + wb);
-    kick(p, &c, c.a, -J, v);
-    kick(p, &c, c.b, J, v);
-    p->virial += J * c.distance * c.distance;
+    const double J = reflect(p, &c, parting, wa + wb, v);
     if (back) {
         kick(p, &c, c.a, -J * c.back, x);
         kick(p, &c, c.b, J * c.back, x);
     } else
         p->virial += push_apart(p, &c, wa, wb, x, v);
-    ++p->collisions;
     p->receding += parting >= 0;
     p->depth = fmax(p->depth, depth);
     return true;
@@ -410,4 +418,22 @@ uint64_t spheres_resolve(struct spheres *p, double x[], double v[])
         if (!is_again(p->pair, i))
             count += collide_pair(p, p->pair[i], x, v);
     return count;
+}
+
+void spheres_reflect(struct spheres *p, size_t a, size_t b,
+                     const double x[], double v[])
+{
+    const struct spheres_pair pair = {(uint32_t)a, (uint32_t)b, 0};
+    const struct contact c = look_at(p, pair, x, v);
+    const double w = weight(p, &c, a) + weight(p, &c, b);
+    if (w > 0)
+        reflect(p, &c, dot(c.closing, c.normal), w, v);
+}
+
+void spheres_bounce(struct spheres *p, size_t i, size_t k, double v[])
+{
+    double *u = &v[k * p->scene->bodies + i];
+    p->impulse[k] += p->scene->mass[i] * (1 + p->restitution) * fabs(*u);
+    *u *= -p->restitution;
+    ++p->wall_collisions;
 }

@@ -1,5 +1,5 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 2234124589 of the lines below */
+/* checksum 1203582035 of the lines below */
 /* Spheres that a step leaves in each other collide and are moved apart. */
 #ifndef SPHERES_H
 #define SPHERES_H
@@ -96,4 +96,9 @@ void spheres_free(struct spheres *p);
    eq:push). */
 uint64_t spheres_resolve(struct spheres *p, double x[], double v[]);
 
+/* Reflects two bodies that touch and approach, or turns a body round that
+   has come to a wall across axis k: velocities only, and the counts. */
+void spheres_reflect(struct spheres *p, size_t a, size_t b,
+                     const double x[], double v[]);
+void spheres_bounce(struct spheres *p, size_t i, size_t k, double v[]);
 #endif

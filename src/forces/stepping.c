@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 2656729399 of the lines below */
+/* checksum 3957780992 of the lines below */
 /* Steps by kicks and drifts and by Runge-Kutta stages. */
 #include "forces/stepping.h"
 
@@ -189,6 +189,7 @@ static void measure_tableau(struct stepping *s)
     const struct stepping_method *const m = s->method;
     struct stepping_work *const w = s->part;
     const size_t n = m->stages;
+    memset(w->c, 0, (2 * n + 3) * n * sizeof *w->c); /* up to b2 */
     for (size_t i = 0; i < n; ++i) {
         w->b[i] = m->b[i] * s->dt;
         for (size_t j = 0; j < n; ++j) {
@@ -204,6 +205,14 @@ static void measure_tableau(struct stepping *s)
         }
 }
 
+static void measure(struct stepping *s)
+{
+    if (s->method->family == STEPPING_SPLITTING)
+        measure_kicks(s);
+    else
+        measure_tableau(s);
+}
+
 bool stepping_begin(struct stepping *s, const struct stepping_method *m,
                     struct stepping_forces f, double dt, double x[],
                     double v[])
@@ -217,10 +226,7 @@ bool stepping_begin(struct stepping *s, const struct stepping_method *m,
         return false;
     }
     share_out(s, s->work);
-    if (m->family == STEPPING_SPLITTING)
-        measure_kicks(s);
-    else
-        measure_tableau(s);
+    measure(s);
     return true;
 }
 
@@ -765,4 +771,37 @@ enum stepping_end stepping_run(struct stepping *s, uint64_t steps)
 double stepping_time(const struct stepping *s)
 {
     return s->start + (double)s->steps * s->dt;
+}
+
+void stepping_note(const struct stepping *s, double note[])
+{
+    const size_t n = s->forces.size;
+    memcpy(note, s->x, n * sizeof *note);
+    memcpy(note + n, s->v, n * sizeof *note);
+    memcpy(note + 2 * n, s->carry, 3 * n * sizeof *note);
+    note[5 * n] = s->fresh;
+}
+
+void stepping_recall(struct stepping *s, const double note[])
+{
+    const size_t n = s->forces.size;
+    memcpy(s->x, note, n * sizeof *note);
+    memcpy(s->v, note + n, n * sizeof *note);
+    memcpy(s->carry, note + 2 * n, 3 * n * sizeof *note);
+    s->fresh = note[5 * n] != 0;
+}
+
+enum stepping_end stepping_part(struct stepping *s, double h)
+{
+    const double dt = s->dt;
+    s->dt = h;
+    if (h != dt)
+        measure(s);
+    const bool good = step(s);
+    s->dt = dt;
+    if (h != dt)
+        measure(s);
+    if (!is_finite(s))
+        return STEPPING_INFINITE;
+    return good ? STEPPING_DONE : STEPPING_STUCK;
 }

@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 3089530811 of the lines below */
+/* checksum 1430676121 of the lines below */
 /* Stepping methods, and runs that step coordinates under forces. */
 #ifndef STEPPING_H
 #define STEPPING_H
@@ -142,4 +142,13 @@ void stepping_disturb(struct stepping *s);
 
 void stepping_free(struct stepping *s);
 
+/* Puts down where s is, into 5 * size + 1 numbers, and goes back there. */
+void stepping_note(const struct stepping *s, double note[]);
+void stepping_recall(struct stepping *s, const double note[]);
+
+/* Takes one step of the length h, s, with the method of s, that neither
+   steps nor the time count: parts of a step add up to one, and then the
+   caller adds 1 to steps. A part of the length dt has the bits of a step.
+   Looks for numbers that are not finite. */
+enum stepping_end stepping_part(struct stepping *s, double h);
 #endif

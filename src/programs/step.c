@@ -1,5 +1,5 @@
 /* From chapters/works/11-step.nw: edit there, then run make tangle. */
-/* checksum 1224027972 of the lines below */
+/* checksum 2751514637 of the lines below */
 /* Steps a scene through time and writes what is looked at, row by row. */
 #include "forces/checkpoint.h"
 #include "forces/motion.h"
@@ -22,6 +22,9 @@
 #define PROGRAM "step"
 
 enum sums { SUMS_AUTO, SUMS_PLAIN, SUMS_COMPENSATED };
+enum { STEPWISE, LOCATED }; /* contacts */
+
+static const char *const contact_names[] = {"stepwise", "located", NULL};
 
 struct settings {
     const char *scene, *method;
@@ -29,7 +32,7 @@ struct settings {
     const char *observe;
     const char *track;
     int threads, kernel;
-    size_t rule, shift, order; /* of contacts */
+    size_t contact, rule, shift, order; /* of contacts */
     size_t sums;
     bool resume;
     double bound, tolerance;
@@ -121,6 +124,8 @@ static void set_in_motion(struct run *r)
     m->spheres.shift = (enum spheres_shift)r->s->shift;
     m->spheres.order = (enum spheres_order)r->s->order;
     choose_outside(r);
+    if (r->s->contact == LOCATED && m->collides && !motion_locate(m))
+        program_give_up(PROGRAM, "no memory for the contacts");
 }
 
 /* The time over dt, as a whole number of steps; *whole: it is one. */
@@ -425,9 +430,23 @@ static enum ending run_on(struct run *r)
     return end;
 }
 
+static void explain_crowd(const struct run *r)
+{
+    const size_t *body = r->motion.impact.between;
+    char other[32] = "a wall";
+    if (body[0] != body[1])
+        snprintf(other, sizeof other, "body %zu", body[1]);
+    fprintf(stderr,
+            PROGRAM ": after t = %.10g contacts of body %zu and %s crowd: "
+                    "only walls hold what rests; try --contact stepwise\n",
+            r->time, body[0], other);
+}
+
 static void explain(const struct run *r, enum ending end)
 {
-    if (end == STUCK)
+    if (end == STUCK && r->motion.impact.crowded)
+        explain_crowd(r);
+    else if (end == STUCK)
         fprintf(stderr,
                 PROGRAM ": %s found no solution after t = %.10g: try a "
                         "smaller --dt\n",
@@ -519,6 +538,7 @@ static void refuse_idle(struct options *o, const struct motion *m)
                        "without springs or gravity of more than 32 bodies");
     if (m->collides)
         return;
+    options_refuse(o, "contact", "in a scene without contacts");
     options_refuse(o, "rule", "in a scene without contacts");
     options_refuse(o, "shift", "in a scene without contacts");
     options_refuse(o, "order", "in a scene without contacts");
@@ -602,6 +622,10 @@ static void summarise(const struct run *r, enum ending end)
     table_count(t, "evaluations",
                 r->evaluations + p->evaluations + r->reference.evaluations);
     table_count(t, "collisions", r->motion.collisions);
+    table_text(t, "contact", contact_names[r->s->contact]);
+    table_count(t, "simultaneous", r->motion.impact.simultaneous);
+    table_count(t, "grazing", r->motion.impact.grazing);
+    table_count(t, "resting", r->motion.impact.resting);
     table_real(t, "time", r->time);
     table_real(t, "energy_start", start);
     table_real(t, "energy", r->energy);
@@ -633,15 +657,6 @@ static const struct options_entry entries[] = {
     {"kernel", 'k', "NAME",
      "of gravity: portable, avx2 or avx512 (portable)"},
     {"threads", 'j', "N", "how many, for gravity and springs (1)"},
-    {"rule", 'r', "NAME",
-     "contacts: all pairs that overlap, or those\n"
-     "approaching (all)"},
-    {"shift", 'x', "NAME",
-     "contacts: apart by radius, apart by mass, or\n"
-     "back (radius)"},
-    {"order", 'p', "NAME",
-     "contacts: ascending, descending or deepest\n"
-     "(ascending)"},
     {"bound", 'B', "B",
      "end when the energy has grown by B times\n"
      "what there was (10)"},
@@ -656,6 +671,19 @@ static const struct options_entry entries[] = {
     {"sums", 'c', "NAME",
      "plain; compensated: they carry their rounding\n"
      "errors; auto: so from order six on (auto)"},
+    {"contact", 'l', "NAME",
+     "stepwise, after each step, or located within it,\n"
+     "at its moment (stepwise)"},
+    {"", 0, NULL, "no --contact located"},
+    {"rule", 'r', "NAME",
+     "contacts: all pairs that overlap, or those\n"
+     "approaching (all)"},
+    {"shift", 'x', "NAME",
+     "contacts: apart by radius, apart by mass, or\n"
+     "back (radius)"},
+    {"order", 'p', "NAME",
+     "contacts: ascending, descending or deepest\n"
+     "(ascending)"},
     {"", 0, NULL, "--method rk8pd"},
     {"tolerance", 'a', "E", "of its steps (1e-13)"},
     {0}};
@@ -671,6 +699,10 @@ static const struct table_key keys[] = {
     {"rows", "1", "of the table"},
     {"evaluations", "1", "of the forces"},
     {"collisions", "1", "contacts, resolved"},
+    {"contact", "word", "stepwise or located"},
+    {"simultaneous", "1", "of them at once with another, located"},
+    {"grazing", "1", "looked for within a step, and not there"},
+    {"resting", "1", "coordinates held by walls at the end"},
     {"time", "time", "at the end"},
     {"energy_start", "energy", "kinetic and potential"},
     {"energy", "energy", "at the end"},
@@ -731,6 +763,7 @@ static void take_option(struct options *o, struct settings *s, int option)
     case 'j': s->threads = (int)options_count(o, 1, 1024); break;
     case 'r': s->rule = options_choice(o, rule_names); break;
     case 'x': s->shift = options_choice(o, shift_names); break;
+    case 'l': s->contact = options_choice(o, contact_names); break;
     case 'p': s->order = options_choice(o, order_names); break;
     case 'B': s->bound = options_real(o, OPTIONS_POSITIVE, INFINITY); break;
     case 'a': s->tolerance = options_real(o, 1e-15, 1); break;

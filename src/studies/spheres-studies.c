@@ -1,11 +1,12 @@
 /* From chapters/works/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 3658085170 of the lines below */
+/* checksum 3570409984 of the lines below */
 /* Measures gases, cradles and the break, by steps and by events. */
 #include "box/blocks.h"
 #include "line/bonkers.h"
 #include "box/cells.h"
 #include "box/disks.h"
 #include "forces/hard.h"
+#include "forces/motion.h"
 #include "forces/spheres.h"
 #include "toolbox/bench.h"
 #include "toolbox/study.h"
@@ -981,6 +982,169 @@ static void study_break(struct study *s)
     table_count(s->summary, "outcomes", distinct(outcome, OUTCOMES));
 }
 
+static void make_bodies(struct scene *s, size_t bodies, double radius)
+{
+    if (!scene_create(s, bodies))
+        program_give_up(PROGRAM, "no memory for the balls");
+    s->contact = true;
+    s->gravity[2] = -2;
+    for (size_t i = 0; i < bodies; ++i)
+        s->radius[i] = radius;
+}
+
+static void set_walls(struct scene *s, size_t k, double low, double high)
+{
+    s->wall[k] = SCENE_HARD;
+    s->low[k] = low;
+    s->high[k] = high;
+}
+
+static void make_three(struct scene *s, double k2)
+{
+    static const double start[] = {-0.6,  0.1, 0.7, 0,  0.05,
+                                   -0.05, 0.5, 0.9, 0.4},
+                        speed[] = {1.1, -0.5, -0.9, 0.2, -0.1,
+                                   0.1, 0.3,  0.2,  1};
+    make_bodies(s, 3, 0.125);
+    memcpy(s->position, start, sizeof start);
+    memcpy(s->velocity, speed, sizeof speed);
+    s->mass[1] = 2;
+    s->mass[2] = 0.5;
+    for (size_t k = 0; k < SCENE_AXES; ++k)
+        set_walls(s, k, k < 2 ? -1 : 0, k < 2 ? 1 : 2);
+    s->k2 = k2;
+    s->softening = 0.2;
+}
+
+static void move(struct motion *m, struct scene *s, const char *method,
+                 double dt, bool located)
+{
+    if (!motion_begin(m, PROGRAM, s, method, dt) ||
+        (located && !motion_locate(m)))
+        program_give_up(PROGRAM, "no memory for a motion");
+    m->spheres.rule = SPHERES_APPROACHING;
+    m->spheres.shift = SPHERES_BACK;
+}
+
+/* Where the three are after 1 s. Returns the collisions. */
+static uint64_t move_three(const char *method, double k2, bool located,
+                           uint64_t steps, double x[9])
+{
+    struct scene s;
+    struct motion m;
+    make_three(&s, k2);
+    move(&m, &s, method, 1 / (double)steps, located);
+    motion_run(&m, steps);
+    memcpy(x, s.position, 9 * sizeof *x);
+    const uint64_t met = m.collisions;
+    motion_end(&m);
+    scene_free(&s);
+    return met;
+}
+
+static double farthest(const double a[9], const double b[9])
+{
+    double most = 0;
+    for (int c = 0; c < 9; ++c)
+        most = fmax(most, fabs(a[c] - b[c]));
+    return most;
+}
+
+/* Drops a ball on its floor by 1 m. Returns the largest error up to 2001 s
+   if e is 1, else the bounces until it rests. */
+static double drop(double e)
+{
+    struct scene s;
+    struct motion m;
+    double worst = 0;
+    make_bodies(&s, 1, 0.125);
+    set_walls(&s, 2, -0.125, 100);
+    s.position[2] = 1;
+    s.restitution = e;
+    move(&m, &s, "leapfrog", 0.064375, true);
+    while (motion_time(&m) < 2001 && m.impact.resting == 0) {
+        motion_run(&m, 1);
+        const double since = fmod(motion_time(&m) + 1, 2);
+        worst = fmax(worst, fabs(s.position[2] - since * (2 - since)));
+    }
+    const double bounces = (double)m.collisions;
+    motion_end(&m);
+    scene_free(&s);
+    return e == 1 ? worst : bounces;
+}
+
+static const struct {
+    const char *name, *method;
+    bool located;
+    uint64_t coarse; /* steps from which its order is taken */
+} moments[] = {{"stepwise", "leapfrog", false, 64},
+               {"leapfrog", "leapfrog", true, 64},
+               {"rk4", "rk4", true, 64},
+               {"kahan-li8", "kahan-li8", true, 16}};
+
+enum { MOMENTS = sizeof moments / sizeof *moments };
+
+static double moment_error(int way, uint64_t steps, const double exact[9])
+{
+    double x[9];
+    move_three(moments[way].method, 0.5, moments[way].located, steps, x);
+    return farthest(x, exact);
+}
+
+static double moment_order(int way, const double exact[9])
+{
+    const uint64_t n = moments[way].coarse;
+    const double times = n > 16 ? 16 : 8;
+    const double coarse = moment_error(way, n, exact);
+    const double fine = moment_error(way, n * (uint64_t)times, exact);
+    return log2(coarse / fine) / log2(times);
+}
+
+static void sum_moments_up(struct study *s, const double exact[9])
+{
+    double x[9], y[9], fine[9];
+    char key[40];
+    for (int way = 0; way < MOMENTS; ++way) {
+        snprintf(key, sizeof key, "order_%s", moments[way].name);
+        table_real(s->summary, key, moment_order(way, exact));
+    }
+    table_count(s->summary, "collisions",
+                move_three("leapfrog", 0.5, true, 4096, x));
+    move_three("leapfrog", 0, true, 256, x);
+    move_three("leapfrog", 0, false, 256, y);
+    move_three("kahan-li8", 0, true, 300, fine);
+    table_real(s->summary, "located", farthest(x, fine));
+    table_real(s->summary, "stepwise", farthest(y, fine));
+    table_real(s->summary, "bounce", drop(1));
+    table_real(s->summary, "bounces", drop(0.8));
+}
+
+static const struct table_key moment_keys[] = {
+    {"order_<way>", "1", "of the error, over a range of steps"},
+    {"collisions", "1", "of three balls in 1 s"},
+    {"located", "m", "largest error of them without attraction"},
+    {"stepwise", "m", "the same"},
+    {"bounce", "m", "largest error of a ball, 1000 bounces"},
+    {"bounces", "1", "until one rests"},
+    {0}};
+
+static void study_moment(struct study *s)
+{
+    double exact[9], row[1 + MOMENTS];
+    table_column(s->out, "dt", "s", "step");
+    for (int way = 0; way < MOMENTS; ++way)
+        table_column(s->out, moments[way].name, "m", "largest error");
+    move_three("kahan-li8", 0.5, true, 2048, exact);
+    for (double n = 4; n < 5000; n *= 1.189207115002721) {
+        const uint64_t steps = (uint64_t)lround(n);
+        row[0] = 1 / (double)steps;
+        for (int way = 0; way < MOMENTS; ++way)
+            row[1 + way] = moment_error(way, steps, exact);
+        table_row(s->out, 1 + MOMENTS, row);
+    }
+    sum_moments_up(s, exact);
+}
+
 /* The gas on a lattice, at a packing. */
 static void make_packed(struct scene *s, double packing, uint64_t seed)
 {
@@ -1090,6 +1254,8 @@ static const struct study_entry studies[] = {
     {"late", study_late, "and when", NULL},
     {"rest", study_rest, "a cradle's energy", rest_keys},
     {"break", study_break, "the first shot of a game", break_keys},
+    {"moment", study_moment, "of contact, found inside a step",
+     moment_keys},
     {"cost", study_cost, "error against processor time", NULL},
     {0}};
 

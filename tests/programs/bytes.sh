@@ -104,6 +104,7 @@ run_all() {
     (cd "$work" && for scene in gas break; do
         "$bin/step" $scene.plist --sums compensated --observe energy,momentum \
             --track 1,2
+        "$bin/step" $scene.plist --contact located --until 0.02 --track 1,2
     done)
     (cd "$work" && for scene in figure-eight membrane double-pendulum gas \
         break; do

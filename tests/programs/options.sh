@@ -27,6 +27,7 @@ cat >"$work/values" <<END
 - disks 3
 - dt 0.001
 - energies 3,4
+- contact stepwise
 - engine auto
 - ensemble 3
 - every 1
@@ -328,7 +329,7 @@ holds 'no help has a heading twice' sh -c 'for p in build/bin/*; do
 # What no help knows, because it depends on the scene or on lists.
 $bin/scene cradle -o "$work/cradle"
 for option in '--rule all' '--shift back' '--order deepest' '--threads 2' \
-    '--kernel portable'; do
+    '--kernel portable' '--contact located'; do
     # shellcheck disable=SC2086
     refuses 2 'means nothing' $bin/step "$work/pair" $option
 done

@@ -333,6 +333,15 @@ tunnel() { # the velocity after the blow, -1 m/s
     key energy_error
     calc "abs($(column 2) + 1)"
 }
+behind_the_wall() { # a swing of 1 m, a wall 1 cm before its end
+    printf '%s\n' 'pos 0 0.69670670934716539 0 0 1 0 0' 'vfix 0 1 0 0' \
+        'vel 0 0.71735609089952279 0 0' 'pos 1 -9 0 0 1 0 0' 'vfix 1 0 0 0' \
+        's 0 1 0' 'sl 0 1 0 9' 'box -20 0.99 0 0 0 0' \
+        'walls hard open open' contact 'dt 1.6' >"$w/p"
+    steps --method kahan-li8 --contact located --until 1.6 --observe x:0
+    key energy_error
+    calc "abs(off($(column 2), cos(1.6 - 0.8 + 2 * 0.14153947332442721)))"
+}
 first_shot() { # of the way of the last ball from the middle of the rack
     $b/scene break -o "$w/p"
     for order in descending ascending; do

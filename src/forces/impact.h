@@ -1,0 +1,52 @@
+/* From chapters/11-spheres.nw: edit there, then run make tangle. */
+/* checksum 3085015855 of the lines below */
+/* The moments of contact, found inside a step and resolved one by one. */
+#ifndef IMPACT_H
+#define IMPACT_H
+
+#include "forces/spheres.h"
+#include "forces/stepping.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* Contacts whose moments are found. To be read, and set to 0: the counts.
+ */
+struct impact {
+    uint64_t simultaneous; /* contacts at the moment of the one before */
+    uint64_t grazing;      /* looked for, and missed by the method's path */
+    size_t resting;        /* coordinates that walls hold, now */
+    bool crowded;          /* the last step was given up: too many contacts,
+                              or two bodies that come to rest on each other */
+    size_t between[2];     /* if so: bodies; the same twice: at a wall */
+    /* ---- private */
+    const struct scene *scene;
+    struct spheres *spheres;
+    struct stepping *stepping;
+    struct stepping_forces forces; /* those that no wall takes up */
+    enum stepping_end end;         /* of the step so far */
+    signed char *held;   /* [3 * bodies] the side of the wall, or 0 */
+    double *note;        /* of the stepping, where the part begins */
+    double *control;     /* [4 * 3 * bodies] of the paths in the part, m */
+    double *low, *high;  /* [3 * bodies] between which each lies, m */
+    double *pull;        /* [3 * bodies] accelerations, m/s^2 */
+    size_t *order, axis; /* the bodies along it; 3: there is none */
+    struct impact_gap *gap;
+    size_t gaps, room;
+};
+
+/* Prepares to find the contacts of *p in the steps of *s, which has not
+   begun; both, and the scene, have to outlive *i and to stay where they
+   are. From then on walls hold in the forces of *s what rests on them.
+   Returns false, with nothing to free, without memory. */
+bool impact_create(struct impact *i, struct spheres *p, struct stepping *s);
+void impact_free(struct impact *i);
+
+/* Takes a step of s->dt > 0 with all its contacts; adds how many there were
+   to *met. STEPPING_STUCK with crowded: x and v are those of the moment at
+   which it was given up. Sources: (11.8, eq:gap-control), (11.9,
+   eq:gap-newton), (11.10, eq:rest). */
+enum stepping_end impact_step(struct impact *i, uint64_t *met);
+
+#endif

@@ -1,10 +1,11 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 3709320579 of the lines below */
+/* checksum 4181686134 of the lines below */
 /* A program on a lead: limits, open files, and how it ended. */
 #ifndef PROCESS_H
 #define PROCESS_H
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <sys/resource.h>
 
 /* What a program may use up; RLIM_INFINITY means no limit. */
@@ -43,6 +44,14 @@ bool process_run(char *const command[], const char *folder,
 bool process_start(char *const command[], const char *folder,
                    const struct process_files *files,
                    const struct process_limits *limits);
+
+/* Tells what process_start has started, through orders, a socket, what
+   it is to do in a copy of itself. The copy is our child, and in a group of
+   its own: we wait for it as process_run does, for twice so many seconds,
+   and kill it, too, when it uses more than memory_bytes at once. Returns
+   false when none was made. */
+bool process_copy(int orders, const void *order, size_t length, int seconds,
+                  rlim_t memory_bytes, struct process_end *end);
 
 /* Kills what process_start has started, with its group, and returns how it
    ended; nothing happens when there is none. */

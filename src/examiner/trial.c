@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 3885734043 of the lines below */
+/* checksum 419243145 of the lines below */
 /* Runs a test, judges how it ended, and tells failures and crashes. */
 #include "examiner/trial.h"
 #include "examiner/process.h"
@@ -11,6 +11,7 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -96,27 +97,22 @@ static const char *find_record(const char *from,
     return found;
 }
 
-static void run_runner(const struct trial *trial, int number,
-                       struct result *result)
+static struct {
+    int report, output, orders; /* of a runner that waits, or zeros */
+} served;
+
+/* With end waits for it; without lets it run beside us. */
+static bool start_runner(const struct trial *trial, const char *test,
+                         const struct process_files *files,
+                         struct process_end *end)
 {
-    char report[4096], output[4096];
-    snprintf(report, sizeof report, "%s/report", trial->folder);
-    snprintf(output, sizeof output, "%s/output", trial->folder);
-    const int report_file = open_fresh(report);
-    const int output_file = open_fresh(output);
-    draw_nonce(result->nonce);
-    if (write(report_file, result->nonce, REPORT_NONCE) != REPORT_NONCE)
-        text_fail("cannot write '%s': %s", report, strerror(errno));
-    char desk[4096], test[16];
+    char desk[4096];
     snprintf(desk, sizeof desk, "%s/desk", trial->folder);
     if (mkdir(desk, 0700) != 0 && errno != EEXIST)
         text_fail("cannot make '%s': %s", desk, strerror(errno));
     setenv("TMPDIR", ".", 1);
-    snprintf(test, sizeof test, "%d", number);
-    char *command[] = {(char *)trial->runner, test, (char *)trial->seed,
-                       NULL};
-    const struct process_files files = {
-        output_file, {report_file, trial->border[0], trial->border[1]}};
+    char *command[] = {(char *)trial->runner, (char *)test,
+                       (char *)trial->seed, NULL};
     const struct process_limits limits = {
         .seconds = trial->seconds,
         .memory_bytes =
@@ -129,13 +125,74 @@ static void run_runner(const struct trial *trial, int number,
              "exitcode=%d:hard_rss_limit_mb=%d:handle_abort=1:"
              "detect_leaks=%d:leak_check_at_exit=0:allow_addr2line=1:"
              "color=never",
-             SANITIZER_STATUS, MEMORY_MIB, trial->leaks);
+             SANITIZER_STATUS, end ? MEMORY_MIB : 0, !end || trial->leaks);
     setenv("ASAN_OPTIONS", options, 1);
     setenv("UBSAN_OPTIONS", options, 1);
-    if (!process_run(command, desk, &files, &limits, &result->end))
-        text_fail("cannot start '%s': %s", command[0], strerror(errno));
-    close(report_file);
-    close(output_file);
+    return end ? process_run(command, desk, files, &limits, end)
+               : process_start(command, desk, files, &limits);
+}
+void trial_open(const struct trial *trial)
+{
+#ifdef __linux__
+    char report[4096], output[4096];
+    int ends[2];
+    if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends) != 0)
+        return;
+    snprintf(report, sizeof report, "%s/report", trial->folder);
+    snprintf(output, sizeof output, "%s/output", trial->folder);
+    served.report = open_fresh(report);
+    served.output = open_fresh(output);
+    served.orders = ends[0];
+    const struct process_files files = {served.output,
+                                        {served.report, ends[1]}};
+    if (!start_runner(trial, "-", &files, NULL))
+        trial_close();
+    close(ends[1]);
+#else
+    (void)trial;
+#endif
+}
+
+void trial_close(void)
+{
+    if (served.orders <= 0)
+        return;
+    close(served.orders);
+    process_stop();
+    close(served.report);
+    close(served.output);
+    served.orders = 0;
+}
+
+static void run_runner(const struct trial *trial, int number,
+                       struct result *result)
+{
+    char report[4096], output[4096];
+    snprintf(report, sizeof report, "%s/report", trial->folder);
+    snprintf(output, sizeof output, "%s/output", trial->folder);
+    const bool copies = served.orders > 0;
+    const int report_file = copies ? served.report : open_fresh(report);
+    const int output_file = copies ? served.output : open_fresh(output);
+    draw_nonce(result->nonce);
+    if (ftruncate(report_file, 0) != 0 || ftruncate(output_file, 0) != 0 ||
+        write(report_file, result->nonce, REPORT_NONCE) != REPORT_NONCE)
+        text_fail("cannot write '%s': %s", report, strerror(errno));
+    const struct report_order order = {number, trial->leaks};
+    if (!copies ||
+        !process_copy(served.orders, &order, sizeof order, trial->seconds,
+                      (rlim_t)MEMORY_MIB * MIB, &result->end)) {
+        char test[16];
+        snprintf(test, sizeof test, "%d", number);
+        const struct process_files files = {
+            output_file, {report_file, trial->border[0], trial->border[1]}};
+        if (!start_runner(trial, test, &files, &result->end))
+            text_fail("cannot start '%s': %s", trial->runner,
+                      strerror(errno));
+    }
+    if (!copies) {
+        close(report_file);
+        close(output_file);
+    }
     result->report = text_read(report);
     result->output = text_read(output);
     if (!result->report || !result->output)

@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 1356372679 of the lines below */
+/* checksum 4154188127 of the lines below */
 /* One test of an exercise run and judged: six states. */
 #ifndef TRIAL_H
 #define TRIAL_H
@@ -41,6 +41,11 @@ bool state_wrong(enum state state);
    to story. When the examiner itself fails, says why on standard error
    and exits with status 2. */
 enum state trial_run(const struct trial *trial, int number, FILE *story);
+
+/* Starts the runner once for all tests that follow, where that can be done,
+   until trial_close. Without it each test starts its own. */
+void trial_open(const struct trial *trial);
+void trial_close(void);
 
 /* Whether the sanitizers, when a test had passed, have printed that memory
    was lost which source had asked for; if so, tells of it. */

@@ -1,9 +1,10 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 2757354391 of the lines below */
+/* checksum 3101151428 of the lines below */
 /* Event-driven motion: every pair looked at, or a plan remembered. */
 #include "box/disks.h"
 
 #include "line/collide.h"
+#include "line/fall.h"
 
 #include <assert.h>
 #include <math.h>
@@ -71,6 +72,64 @@ double disks_pair_time(const double apart[], const double closing[],
     return c <= 0 ? 0 : c / (sqrt(disc) - b);
 }
 
+/* What gravity adds in a while to a place and a velocity, or NULL (5.12,
+   eq:fall). */
+static void fall(const struct disks *d, double wait, double place[],
+                 double velocity[])
+{
+    place[1] -= d->gravity * wait / 2 * wait;
+    if (velocity)
+        velocity[1] -= d->gravity * wait;
+}
+
+/* The same for the way from a to b and its rate of change at the later of
+   their times. */
+static void fall_between(const struct disks *d, const struct disk *a,
+                         const struct disk *b, double apart[],
+                         double closing[])
+{
+    const double ahead = b->since - a->since, wait = fabs(ahead);
+    const double lag = ahead > 0 ? d->gravity * wait : -d->gravity * wait;
+    closing[1] += lag;
+    apart[1] += lag / 2 * wait;
+}
+
+static double to_roof(const struct disks *d, const struct disk *a)
+{
+    return fall_to_roof(d->box[1] - a->radius - a->position[1],
+                        a->velocity[1], d->gravity);
+}
+
+/* When disk a is at the floor or at the roof, from its last collision. */
+static double floor_or_roof(const struct disks *d, const struct disk *a)
+{
+    return fmin(to_roof(d, a), fall_to_floor(a->position[1] - a->radius,
+                                             a->velocity[1], d->gravity));
+}
+
+/* Moves disk a to the floor or the roof, where it is now. */
+static void land(const struct disks *d, struct disk *a)
+{
+    const bool roof = to_roof(d, a) < INFINITY;
+    const double y = roof ? d->box[1] - a->radius : a->radius;
+    const double speed =
+        fall_speed(a->position[1] - y, a->velocity[1], d->gravity);
+    for (size_t k = 0; k < DISKS_AXES; ++k)
+        a->position[k] += a->velocity[k] * (d->now - a->since);
+    a->position[1] = y;
+    a->velocity[1] = roof ? speed : -speed;
+    a->since = d->now;
+}
+
+static double energy_of_heights(const struct disks *d)
+{
+    double energy = 0;
+    for (size_t i = 0; i < d->count; ++i)
+        energy += d->mass[i] * d->gravity *
+                  (d->disk[i].position[1] - d->disk[i].radius);
+    return energy;
+}
+
 /* The whole number nearest to x, for |x| < 2^51. */
 static double whole(double x)
 {
@@ -120,6 +179,8 @@ double disks_meeting(const struct disks *d, size_t i, size_t j, double at)
         const double then = apart[k] + closing[k] * wait;
         apart[k] -= d->box[k] * whole(then * inverse(d, k));
     }
+    if (d->gravity > 0)
+        fall_between(d, a, b, apart, closing);
     return last + disks_pair_time(apart, closing, a->radius + b->radius);
 }
 
@@ -130,8 +191,11 @@ double disks_wall(const struct disks *d, size_t i, size_t *axis)
     *axis = 0;
     if (d->boundary == DISKS_WALLS)
         for (size_t k = 0; k < d->dimensions; ++k) {
-            const double time = disks_wall_time(
-                a->position[k], a->velocity[k], a->radius, d->box[k]);
+            const double time =
+                d->gravity > 0 && k == 1
+                    ? floor_or_roof(d, a)
+                    : disks_wall_time(a->position[k], a->velocity[k],
+                                      a->radius, d->box[k]);
             if (time < first) {
                 first = time;
                 *axis = k;
@@ -196,18 +260,23 @@ struct disks_event disks_next(const struct disks *d)
     return first;
 }
 
-static void move_to(struct disk *a, double time)
+static void move_to(const struct disks *d, struct disk *a, double time)
 {
     for (size_t k = 0; k < DISKS_AXES; ++k)
         a->position[k] += a->velocity[k] * (time - a->since);
+    if (d->gravity > 0)
+        fall(d, time - a->since, a->position, a->velocity);
     a->since = time;
 }
 
 static void meet_wall(struct disks *d, size_t i, size_t k)
 {
     struct disk *a = &d->disk[i];
+    if (d->gravity > 0 && k == 1)
+        land(d, a);
+    else
+        move_to(d, a, d->now);
     const double v = a->velocity[k];
-    move_to(a, d->now);
     ++d->hits[i];
     a->velocity[k] = -d->restitution * v;
     d->impulse[k] += d->mass[i] * fabs(v - a->velocity[k]);
@@ -218,8 +287,8 @@ static void meet_disk(struct disks *d, size_t i, size_t j)
 {
     struct disk *a = &d->disk[i], *b = &d->disk[j];
     double normal[DISKS_AXES], before[DISKS_AXES], moved = 0;
-    move_to(a, d->now);
-    move_to(b, d->now);
+    move_to(d, a, d->now);
+    move_to(d, b, d->now);
     ++d->hits[i];
     ++d->hits[j];
     disks_apart(d, a->position, b->position, normal);
@@ -327,6 +396,8 @@ void disks_position(const struct disks *d, size_t i, double place[])
     const struct disk *a = &d->disk[i];
     for (size_t k = 0; k < DISKS_AXES; ++k)
         place[k] = a->position[k] + a->velocity[k] * (d->now - a->since);
+    if (d->gravity > 0)
+        fall(d, d->now - a->since, place, NULL);
 }
 
 void disks_fold(const struct disks *d, double place[])
@@ -339,20 +410,30 @@ void disks_fold(const struct disks *d, double place[])
         }
 }
 
+void disks_velocity(const struct disks *d, size_t i, double velocity[])
+{
+    const struct disk *a = &d->disk[i];
+    for (size_t k = 0; k < DISKS_AXES; ++k)
+        velocity[k] = a->velocity[k];
+    if (d->gravity > 0)
+        velocity[1] -= d->gravity * (d->now - a->since);
+}
+
 double disks_energy(const struct disks *d)
 {
     double energy = 0;
     for (size_t i = 0; i < d->count; ++i)
         energy +=
             d->mass[i] * dot(d->disk[i].velocity, d->disk[i].velocity) / 2;
-    return energy;
+    return d->gravity > 0 ? energy + energy_of_heights(d) : energy;
 }
 
 double disks_temperature(const struct disks *d)
 {
     const size_t free =
         d->boundary == DISKS_PERIODIC ? d->count - 1 : d->count;
-    return 2 * disks_energy(d) / (double)(d->dimensions * free);
+    const size_t heights = d->gravity > 0 ? 2 * d->count : 0;
+    return 2 * disks_energy(d) / (double)(d->dimensions * free + heights);
 }
 
 double disks_packing(const struct disks *d)
@@ -660,7 +741,7 @@ void disks_settle(struct disks *d)
 {
     for (size_t i = 0; i < d->count; ++i) {
         struct disk *a = &d->disk[i];
-        move_to(a, d->now);
+        move_to(d, a, d->now);
         a->since = 0;
         disks_fold(d, a->position);
         d->hits[i] = 0;

@@ -1,5 +1,5 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 2940158961 of the lines below */
+/* checksum 1186438039 of the lines below */
 /* Hard disks and spheres in a box: starts, times of contact, collisions. */
 #ifndef DISKS_H
 #define DISKS_H
@@ -18,7 +18,8 @@ enum {
 };
 
 /* A disk or a sphere, free since its last collision: at the time t its
-   centre is at position + velocity (t - since). */
+   centre is at position + velocity (t - since), and under gravity where
+   (5.12, eq:fall) says. */
 struct disk {
     double position[DISKS_AXES]; /* m; not folded back into the box */
     double since;                /* s */
@@ -50,6 +51,7 @@ struct disks {
     enum disks_boundary boundary;
     double box[DISKS_AXES];
     double restitution;
+    double gravity; /* along the second axis, towards 0, m/s2; with walls */
     struct disk *disk;
     double *mass; /* kg */
     double now;   /* s */
@@ -130,8 +132,13 @@ enum disks_stop disks_run(struct disks *d, double until,
    changing nothing. Source: (5.5, eq:disk-clock). */
 void disks_position(const struct disks *d, size_t i, double place[]);
 
+/* The same for its velocity, m/s, which only gravity changes. */
+void disks_velocity(const struct disks *d, size_t i, double velocity[]);
+
 /* The kinetic energy, J, and kT, J: 2 K / (D N), in a periodic box, where
-   the momentum is zero, 2 K / (D (N - 1)). */
+   the momentum is zero, 2 K / (D (N - 1)). Under gravity the energy is
+   that of the heights above the floor too, and kT that of equilibrium, 2 E
+   / ((D + 2) N) (7.20, eq:weight-energy). */
 double disks_energy(const struct disks *d);
 double disks_temperature(const struct disks *d);
 

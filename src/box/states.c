@@ -1,5 +1,5 @@
 /* From chapters/works/07-gas.nw: edit there, then run make tangle. */
-/* checksum 2904770737 of the lines below */
+/* checksum 1274532016 of the lines below */
 /* Rows of masses, radii, places and velocities, written and read again. */
 #include "box/states.h"
 
@@ -44,14 +44,17 @@ void states_write(struct table *out, const struct disks *d)
     const size_t D = d->dimensions;
     for (size_t i = 0; i < d->count; ++i) {
         const struct disk *a = &d->disk[i];
-        double place[DISKS_AXES],
+        const bool falls = d->gravity > 0;
+        double place[DISKS_AXES], velocity[DISKS_AXES],
             row[14] = {d->now, (double)(i + 1), d->mass[i], a->radius};
         disks_position(d, i, place);
+        disks_velocity(d, i, velocity);
         disks_fold(d, place);
         memcpy(row + 4, place, D * sizeof row[0]);
-        memcpy(row + 4 + D, a->velocity, D * sizeof row[0]);
-        memcpy(row + 4 + 2 * D, a->position, D * sizeof row[0]);
-        row[4 + 3 * D] = a->since;
+        memcpy(row + 4 + D, velocity, D * sizeof row[0]);
+        memcpy(row + 4 + 2 * D, falls ? place : a->position,
+               D * sizeof row[0]);
+        row[4 + 3 * D] = falls ? d->now : a->since;
         table_row(out, 5 + 3 * D, row);
     }
 }

@@ -1,9 +1,10 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 1508328711 of the lines below */
+/* checksum 2012468932 of the lines below */
 /* Four engines that find the next collision on a line and carry it out. */
 #include "line/bonkers.h"
 
 #include "line/collide.h"
+#include "line/fall.h"
 
 #include <float.h>
 #include <math.h>
@@ -86,28 +87,6 @@ static struct bonkers_body body_at(const struct bonkers *b, size_t i,
     return a;
 }
 
-/* The time until a body with velocity v at the height x reaches the floor
-   (5.13, eq:fall-floor). */
-static double fall_to_floor(double x, double v, double g)
-{
-    if (x == INFINITY)
-        return INFINITY;
-    if (x <= 0)
-        return v < 0 ? 0 : 2 * v / g;
-    const double speed = sqrt(v * v + 2 * g * x); /* at the floor */
-    return v < 0 ? 2 * x / (speed - v) : (v + speed) / g;
-}
-
-/* The same for a roof that is x above it; INFINITY: never (5.14,
-   eq:fall-roof). */
-static double rise_to_roof(double x, double v, double g)
-{
-    const double square = v * v - 2 * g * x;
-    if (!(v > 0 && square > 0))
-        return INFINITY;
-    return x > 0 ? 2 * x / (v + sqrt(square)) : 0;
-}
-
 /* When gap i closes under gravity. A pair that falls: exercise 05b. */
 static double time_of_fall(const struct bonkers *b, size_t i)
 {
@@ -118,7 +97,7 @@ static double time_of_fall(const struct bonkers *b, size_t i)
     const double gap = right.x - left.x, approach = left.v - right.v;
     if (held != rests(b, &b->body[i + 1]))
         return t + (held ? fall_to_floor(gap, right.v, b->gravity)
-                         : rise_to_roof(gap, left.v, b->gravity));
+                         : fall_to_roof(gap, left.v, b->gravity));
     if (!(approach > 0))
         return INFINITY;
     return gap > 0 ? t + gap / approach : t;
@@ -133,12 +112,12 @@ static double time_due(const struct bonkers *b, size_t i)
 static void land(struct bonkers *b, size_t i, double t)
 {
     struct bonkers_body *left = &b->body[i], *right = left + 1;
-    const double fall = 2 * b->gravity * (right->x - left->x);
+    const double gap = right->x - left->x;
     if (rests(b, left)) {
-        right->v = -sqrt(fmax(0, right->v * right->v + fall));
+        right->v = -fall_speed(gap, right->v, b->gravity);
         right->x = left->x;
     } else {
-        left->v = sqrt(fmax(0, left->v * left->v - fall));
+        left->v = fall_speed(-gap, left->v, b->gravity);
         left->x = right->x;
     }
     left->since = right->since = t;

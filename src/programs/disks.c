@@ -1,5 +1,5 @@
 /* From chapters/works/07-gas.nw: edit there, then run make tangle. */
-/* checksum 2537607740 of the lines below */
+/* checksum 2215806018 of the lines below */
 /* Hard disks and spheres run from a start, and measured on the way. */
 #include "box/blocks.h"
 #include "box/cells.h"
@@ -31,7 +31,7 @@ struct settings {
     size_t boundary, engine, measure;
     double radius, packing, box[DISKS_AXES];
     double heavy[2]; /* mass and radius */
-    double speed, temperature, restitution;
+    double speed, temperature, restitution, gravity;
     const char *species, *start;
     double warmup, until, every;
     uint64_t collisions, samples, seed;
@@ -255,7 +255,7 @@ enum { FEW = 16 }; /* disks: up to here all pairs are as fast */
 
 static void choose_engine(struct run *r)
 {
-    const bool suit = cells_suit(&r->d);
+    const bool suit = cells_suit(&r->d) && r->d.gravity == 0;
     if (r->s->engine == CELLS && !suit)
         program_refuse(
             PROGRAM, "--engine: cells need a larger box, three cells wide");
@@ -836,6 +836,9 @@ static const struct options_entry entries[] = {
     {"speed", 'v', "V", "of all disks at the start, m/s (1)"},
     {"", 0, NULL, "--measure states"},
     {"restitution", 'e', "E", "of every collision (1)"},
+    {"", 0, NULL,
+     "--boundary walls; --engine auto, pairs; --measure states, positions"},
+    {"gravity", 'G', "G", "along y, towards the wall at 0, m/s2 (0)"},
     {"", 0, NULL, "--every"},
     {"samples", 'k', "K", "stop after so many looks behind the first"},
     {0}};
@@ -856,7 +859,7 @@ static const struct table_key keys[] = {
     {"energy_change", "1", "relative"},
     {"", "", "if the run takes time:"},
     {"collision_rate", "1/s", "of a disk: two disks to a collision"},
-    {"", "", "the same with --restitution 1:"},
+    {"", "", "the same with --restitution 1, without --gravity:"},
     {"Z_virial", "1",
      "P V/(N kT) from collisions; with walls V is the\nroom of the "
      "centres: mean of Z_wall (1 - 2R/L)"},
@@ -932,6 +935,7 @@ static void read_settings(struct settings *s, int argc, char *argv[])
         case 'H': read_heavy(&o, s->heavy); break;
         case 's': s->seed = options_count(&o, 0, UINT64_MAX); break;
         case 'e': s->restitution = options_real(&o, 0, 1); break;
+        case 'G': s->gravity = options_real(&o, 0, 1e100); break;
         case 'w': s->warmup = options_real(&o, 0, 1e12); break;
         case 't': s->until = options_real(&o, 0, INFINITY); break;
         case 'c':
@@ -1006,7 +1010,7 @@ static void summarise(const struct run *r, struct table *out)
     table_real(out,
                r->s->restitution < 1 ? "energy_change" : "energy_error",
                r->energy > 0 ? disks_energy(&r->d) / r->energy - 1 : 0);
-    if (r->s->restitution == 1 && time > 0)
+    if (r->s->restitution == 1 && time > 0 && r->d.gravity == 0)
         summarise_pressure(r, out);
     if (time > 0)
         table_real(out, "collision_rate",
@@ -1095,6 +1099,11 @@ static void check_start(struct run *r)
             "--boundary: a side of %.10g is too narrow to be periodic: "
             "with a radius of %.10g it must be more than %.10g",
             shortest(d), widest(d), 4 * widest(d));
+    if (d->gravity > 0 && d->boundary == DISKS_PERIODIC)
+        program_refuse(PROGRAM,
+                       "--gravity needs a floor; %s is periodic, expected "
+                       "--boundary walls",
+                       r->s->start);
     if (r->s->measure == SPEED_LAW &&
         d->count < (d->boundary == DISKS_PERIODIC ? 3 : 2))
         program_refuse(PROGRAM,
@@ -1111,6 +1120,15 @@ static void check_start(struct run *r)
                    r->s->start, a + 1, b + 1);
 }
 
+static void begin_to_fall(struct disks *d, double gravity)
+{
+    for (size_t i = 0; i < d->count && gravity > 0; ++i) {
+        disks_position(d, i, d->disk[i].position);
+        d->disk[i].since = d->now;
+    }
+    d->gravity = gravity;
+}
+
 int main(int argc, char *argv[])
 {
     static struct settings s;
@@ -1122,6 +1140,7 @@ int main(int argc, char *argv[])
     else
         make_start(&r.d, &s);
     r.d.restitution = s.restitution;
+    begin_to_fall(&r.d, s.gravity);
     choose_engine(&r);
     check_start(&r);
     struct table *summary;

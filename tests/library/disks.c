@@ -522,6 +522,137 @@ static void test_temperature(void)
     disks_free(&d);
 }
 
+/* ---- under gravity */
+
+/* Count disks in a box of one metre, thrown at 1 m/s. */
+static void begin_fall(struct disks *d, size_t dimensions, size_t count,
+                       double radius, double gravity)
+{
+    begin(d, dimensions, count, radius, 1, DISKS_WALLS, 4);
+    d->gravity = gravity;
+    UNIT_TRUE(disks_plan(d));
+}
+
+/* One disk: to and fro along x, and along y a ball that bounces, with a
+   roof in its reach or not. */
+static void test_ball(void)
+{
+    for (int roof = 0; roof < 2; ++roof) {
+        const double g = 9.81, v = roof ? 5 : 3, room = 0.8;
+        struct disks d;
+        double place[3], velocity[3];
+        begin_fall(&d, 2, 1, 0.1, g);
+        memcpy(d.disk[0].position, (double[]){0.1, 0.1, 0}, 24);
+        memcpy(d.disk[0].velocity, (double[]){0.25, v, 0}, 24);
+        disks_plan(&d);
+        const double top = v * v - 2 * g * room;
+        const double up = roof ? 2 * room / (v + sqrt(top)) : v / g;
+        UNIT_TRUE(roof == (top > 0));
+        for (int k = 1; k <= 400; ++k) {
+            const double t = 0.37 * k, phase = fmod(t, 2 * up);
+            const double since = fmin(phase, 2 * up - phase);
+            const double x = fmod(0.25 * t, 1.6);
+            UNIT_TRUE(disks_run(&d, t, UINT64_MAX) == DISKS_TIME);
+            disks_position(&d, 0, place);
+            disks_velocity(&d, 0, velocity);
+            UNIT_NEAR(place[0], 0.1 + fmin(x, 1.6 - x), 1e-12);
+            UNIT_NEAR(place[1], 0.1 + since * (v - g * since / 2), 1e-11);
+            UNIT_NEAR(fabs(velocity[1]), v - g * since, 1e-10);
+        }
+        UNIT_NEAR(disks_energy(&d), 0.25 * 0.25 / 2 + v * v / 2, 1e-13);
+        disks_free(&d);
+    }
+}
+
+/* Far from floor and roof, disks that fall meet as if they did not. */
+static void test_common_fall(void)
+{
+    struct disks d[2];
+    double place[2][3];
+    for (int k = 0; k < 2; ++k) {
+        struct random r;
+        random_seed(&r, 3);
+        UNIT_TRUE(disks_create(&d[k], 2, 30));
+        d[k].gravity = k ? 2 : 0;
+        d[k].box[0] = d[k].box[1] = 1000;
+        for (int i = 0; i < 30; ++i) {
+            struct disk *a = &d[k].disk[i];
+            a->radius = 0.3 + 0.01 * i;
+            a->position[0] = 500 + 2 * (i % 6) - 5;
+            a->position[1] = 500 + 2 * (i / 6) - 5.0;
+            /* all to the middle, with some disorder */
+            a->velocity[0] =
+                500 - a->position[0] + random_between(&r, -1, 1);
+            a->velocity[1] =
+                500 - a->position[1] + random_between(&r, -1, 1);
+        }
+        UNIT_TRUE(disks_plan(&d[k]));
+        disks_run(&d[k], 2, UINT64_MAX);
+    }
+    UNIT_TRUE(d[0].collisions > 20);
+    UNIT_EQUAL((double)d[1].collisions, (double)d[0].collisions);
+    for (size_t i = 0; i < 30; ++i) {
+        disks_position(&d[0], i, place[0]);
+        disks_position(&d[1], i, place[1]);
+        UNIT_NEAR(place[1][0], place[0][0], 1e-6);
+        UNIT_NEAR(place[1][1], place[0][1] - 4, 1e-6);
+    }
+    disks_free(&d[0]);
+    disks_free(&d[1]);
+}
+
+/* The plan has the bits of every pair looked at, pieces those of the
+   whole, and the energy stays. */
+static void test_falling_runs(void)
+{
+    for (size_t dimensions = 2; dimensions <= 3; ++dimensions) {
+        struct disks plan, look, cut;
+        begin_fall(&plan, dimensions, 12, 0.06, 3);
+        begin_fall(&look, dimensions, 12, 0.06, 3);
+        begin_fall(&cut, dimensions, 12, 0.06, 3);
+        const double energy = disks_energy(&plan);
+        UNIT_NEAR(disks_temperature(&plan),
+                  energy / (12 * (dimensions / 2.0 + 1)), 1e-15);
+        disks_run(&plan, 20, UINT64_MAX);
+        for (;;) {
+            const struct disks_event e = disks_next(&look);
+            if (e.time > 20)
+                break;
+            disks_collide(&look, e);
+        }
+        for (int k = 1; k <= 300; ++k)
+            disks_run(&cut, k / 15.0, UINT64_MAX);
+        UNIT_TRUE(plan.collisions > 100);
+        UNIT_EQUAL((double)plan.collisions, (double)look.collisions);
+        for (size_t i = 0; i < 12; ++i) {
+            UNIT_TRUE(
+                !memcmp(&plan.disk[i], &look.disk[i], sizeof plan.disk[i]));
+            UNIT_TRUE(
+                !memcmp(&plan.disk[i], &cut.disk[i], sizeof plan.disk[i]));
+        }
+        UNIT_NEAR(disks_energy(&plan) / energy, 1, 1e-13);
+        size_t a, b;
+        UNIT_TRUE(disks_fit(&plan, &a, &b));
+        disks_settle(&plan);
+        UNIT_NEAR(disks_energy(&plan) / energy, 1, 1e-13);
+        disks_free(&plan);
+        disks_free(&look);
+        disks_free(&cut);
+    }
+}
+
+/* A disk that is put on the floor at rest is reported, not lost. */
+static void test_lying(void)
+{
+    struct disks d;
+    begin_fall(&d, 2, 1, 0.1, 1);
+    memcpy(d.disk[0].position, (double[]){0.5, 0.1, 0}, 24);
+    memcpy(d.disk[0].velocity, (double[]){0, 0, 0}, 24);
+    disks_plan(&d);
+    UNIT_TRUE(disks_run(&d, 10, UINT64_MAX) == DISKS_COLLAPSE);
+    disks_free(&d);
+}
+
 int main(void)
 {
     return unit_run(
@@ -549,5 +680,10 @@ int main(void)
             {"misfits are named", test_fit},
             {"nearest images", test_images},
             {"temperature and speed of a start", test_temperature},
+            {"a disk that bounces", test_ball},
+            {"disks that fall meet as if they did not", test_common_fall},
+            {"falling, the plan has the bits of every pair",
+             test_falling_runs},
+            {"a disk that lies is reported", test_lying},
             {0}});
 }

@@ -241,4 +241,35 @@ holds 'a pressure without --every is that of the run' awk '
     END { exit !(n == 1 && good) }' "$work/s" "$work/t"
 says 'its virial is the mean of Z_wall (1 - 2R/L)' \
     'abs((s["Z_wall_x"] * 11 / 12 + s["Z_wall_y"] * 10 / 11) / 2 - s["Z_virial"]) < 0.01'
-echo 1..74
+
+# Four disks under gravity: the exact law of heights of four points, whose
+# box is higher than they can get; 30 bins of 100, where more than a
+# thousand of the looks fall. The exponential of an endless gas is far off.
+$d -N 4 --radius 0.01 --box 1,0.5 --start random --seed 2 --warmup 0 \
+    --until 0 -o "$work/low"
+$d --start "$work/low" --box 1,2.5 --gravity 2 --every 0.5 --until 100000 \
+    --measure positions -o "$work/h" --summary "$work/s"
+near 'what falls keeps its energy' energy_error 0 1e-11
+says 'no pressure is claimed of a gas with weight' '!("Z_virial" in s)'
+holds 'heights follow the law of four disks, and not the exponential' awk '
+    function law(y) { y = 1 - 2 * (y > .01 ? y - .01 : 0) / E
+        return y > 0 ? y ^ 7 : 0 }
+    function endless(y) { return exp(-2 * (y > .01 ? y - .01 : 0) / kT) }
+    FNR == NR { if ($1 == "kT") { kT = $2; E = 8 * kT }; next }
+    /^#/ { next }
+    $5 > 0 && n < 30 { y = 2.5 * $1; ++n
+        p += ((law(y) - law(y + .025)) / .025 - $4) ^ 2 / $5 ^ 2
+        q += ((endless(y) - endless(y + .025)) / .025 - $4) ^ 2 / $5 ^ 2 }
+    END { print p, q, n; exit !(n == 30 && p < 60 && q > 300) }' \
+    "$work/s" "$work/h"
+$d -N 4 --radius 0.1 --box 3,3 --boundary periodic --until 1 -o "$work/p"
+refuses 2 'needs a floor' $d --start "$work/p" --gravity 1
+$d -N 4 --radius 0.1 --box 3,3 --gravity 1 --warmup 0 --until 3 -o "$work/p"
+$d -N 4 --radius 0.1 --box 3,3 --gravity 1 --warmup 0 --until 1 -o "$work/q"
+$d --start "$work/q" --gravity 1 --until 3 -o "$work/r"
+holds 'a state under gravity may be gone on from' awk '/^#/ || !NF { next }
+    FNR == NR { for (k = 5; k <= 8; ++k) last[$2, k] = $k; next }
+    { for (k = 5; k <= 8; ++k) off[$2, k] = $k - last[$2, k]; ++n }
+    END { for (k in off) if (off[k] ^ 2 > 1e-18) exit 1; exit n != 8 }' \
+    "$work/p" "$work/r"
+echo 1..79

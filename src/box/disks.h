@@ -1,5 +1,5 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 1186438039 of the lines below */
+/* checksum 3823373206 of the lines below */
 /* Hard disks and spheres in a box: starts, times of contact, collisions. */
 #ifndef DISKS_H
 #define DISKS_H
@@ -138,7 +138,7 @@ void disks_velocity(const struct disks *d, size_t i, double velocity[]);
 /* The kinetic energy, J, and kT, J: 2 K / (D N), in a periodic box, where
    the momentum is zero, 2 K / (D (N - 1)). Under gravity the energy is
    that of the heights above the floor too, and kT that of equilibrium, 2 E
-   / ((D + 2) N) (7.20, eq:weight-energy). */
+   / ((D + 2) N) (7.17, eq:weight-energy). */
 double disks_energy(const struct disks *d);
 double disks_temperature(const struct disks *d);
 

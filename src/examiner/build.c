@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 3888826668 of the lines below */
+/* checksum 1434684070 of the lines below */
 /* Starts the compiler and tells of its messages what helps. */
 #include "examiner/build.h"
 #include "examiner/message.h"
@@ -30,14 +30,18 @@ bool build_sanitized(void)
 
 void build_suite(const char *exercise)
 {
-    static char script[] = "exec ${MAKE:-make} -s \"$1\" >&2";
+    static char script[] = "exec ${MAKE:-make} -s \"$@\" >&2";
     const struct process_limits limits = {120, RLIM_INFINITY, RLIM_INFINITY,
                                           RLIM_INFINITY};
     const struct process_files files = {.output = STDERR_FILENO};
     struct process_end end;
-    char suite[64];
+    char suite[64], given[64];
     snprintf(suite, sizeof suite, "build/check/%s.suite.o", exercise);
-    char *command[] = {"sh", "-c", script, "sh", suite, NULL};
+    snprintf(given, sizeof given, "build/check/%s.given.o", exercise);
+    char *command[] = {
+        "sh",  "-c", script,
+        "sh",  suite, *exercise == 'P' ? given : NULL,
+        NULL};
     if (access(suite, F_OK) != 0 &&
         (!process_run(command, ".", &files, &limits, &end) ||
          end.status != 0) &&
@@ -46,22 +50,45 @@ void build_suite(const char *exercise)
                   suite);
 }
 
-static bool compile(const char *folder, char *suite, char *source,
-                    bool strict)
+static char function[] =
+    "exec $1 $2 -Isrc -Isrc/examiner -Wall -Wextra -fmax-errors=20 "
+    "-o \"$3/runner\" \"$4\" build/check/$5.suite.o $6";
+static char runner[] =
+    "exec $1 -o \"$3/runner\" build/check/$5.suite.o $6";
+static char program[] =
+    "given=build/check/$5.given.o law=1\n"
+    "build() { \"$@\" -Isrc/examiner -DCOLLIDE_GIVEN; }\n"
+    "plain=$(printf %s \"$1\" | sed 's/-f[no-]*sanitize[^ ]*//g')\n"
+    "build $1 $2 -Wall -Wextra -fmax-errors=20 -Dcollide=collide_0 \\\n"
+    "    -o \"$3/program0\" \"$4\" $given -lm || exit\n"
+    "while grep -q \"^void collide_$law(\" tests/exercises/$5/*.c; do\n"
+    "    build $plain -w -Dcollide=collide_$law -o \"$3/program$law\" \\\n"
+    "        \"$4\" $given -lm || exit\n"
+    "    law=$((law + 1))\n"
+    "done\n";
+
+static bool compile(const char *folder, const char *exercise, char *source,
+                    bool strict, char *script)
 {
-    static char script[] = "exec $1 $2 -Isrc -Isrc/examiner -Wall -Wextra "
-                           "-fmax-errors=20 -o \"$3\" \"$4\" \"$5\" $6";
     const struct process_limits limits = {30, RLIM_INFINITY, RLIM_INFINITY,
                                           RLIM_INFINITY};
     struct process_end end;
-    char runner[4096], messages[4096];
+    char messages[4096];
     char *libraries = flags_read(), *flags = libraries;
     char *compiler = text_line(&libraries);
     char *errors = strict ? "-pedantic -Werror" : "";
-    snprintf(runner, sizeof runner, "%s/runner", folder);
     snprintf(messages, sizeof messages, "%s/messages", folder);
-    char *command[] = {"sh",   "-c",   script, "sh",      compiler, errors,
-                       runner, source, suite,  libraries, NULL};
+    char *command[] = {"sh",
+                       "-c",
+                       script,
+                       "sh",
+                       compiler,
+                       errors,
+                       (char *)folder,
+                       source,
+                       (char *)exercise,
+                       libraries,
+                       NULL};
     setenv("LC_ALL", "C", 1);
     setenv("GCC_COLORS", "", 1);
     setenv("TMPDIR", folder, 1);
@@ -166,9 +193,12 @@ void build_tell(const char *text, const char *source, FILE *story)
 bool build_runner(const char *folder, const char *exercise,
                   const char *source, bool strict, FILE *story)
 {
-    char suite[64];
-    snprintf(suite, sizeof suite, "build/check/%s.suite.o", exercise);
-    const bool built = compile(folder, suite, (char *)source, strict);
+    const bool project = *exercise == 'P';
+    const bool built =
+        compile(folder, exercise, (char *)source, strict,
+                project ? runner : function) &&
+        (!project ||
+         compile(folder, exercise, (char *)source, strict, program));
     char *text = read_messages(folder);
     if (!built)
         build_tell(text, source, story);

@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 2049001332 of the lines below */
+/* checksum 447280130 of the lines below */
 /* What a suite says: checks, tests, known mistakes, drawn inputs. */
 #ifndef CHECK_H
 #define CHECK_H
@@ -85,5 +85,9 @@ int check_draw_whole(int low, int high);
 
 /* Tells CUnit, and the student, that a place was left. */
 void check_overrun(const struct check_overrun *overrun);
+
+/* Tells the student something more, under a label of at most 12 letters,
+   unless the test passes: what was run, or how to go on. */
+void check_tell(const char *label, const char *text);
 
 #endif

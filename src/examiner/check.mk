@@ -2,21 +2,25 @@
 
 .PHONY: check watch hint progress reset solution
 exercises := $(patsubst tests/exercises/%/suite.c,%,\
-	$(wildcard tests/exercises/[0-9][0-9][a-z]/suite.c))
+	$(wildcard tests/exercises/[0-9][0-9][a-z]/suite.c \
+	tests/exercises/P[0-9]/suite.c))
+# Those that are whole programs; YEAR=2027 draws their numbers anew.
+projects := $(filter P%,$(exercises))
 
 # What the exercises are compiled with; build/check/flags keeps it for examine:
 # the compiler's command on the first line, the libraries on the second.
 # XOPEN_SOURCE, more than the kit itself asks for, gives students M_PI. What
 # newer compilers take for errors, and a missing return, are errors in all.
 check_base = $(CC) -std=c11 -D_XOPEN_SOURCE=700 -ffp-contract=off -g -O1 \
-	$(errors:%=-Werror=%) $(CPPFLAGS)
+	$(errors:%=-Werror=%) $(YEAR:%=-DPROJECT_YEAR=%) $(CPPFLAGS)
 errors = return-type implicit-function-declaration int-conversion
 sanitizers = -fsanitize=address,undefined -fno-sanitize=object-size \
 	-fno-sanitize-recover=undefined
 check_cc = $$(sed -n 1p build/check/flags)
 runner = build/check/flags build/check/libcheck.a
 lists := $(exercises:%=build/check/%.list)
-CHECK_BUILT = $(runner) $(exercises:%=build/check/%.suite.o) $(lists)
+CHECK_BUILT = $(runner) $(exercises:%=build/check/%.suite.o) $(lists) \
+	$(projects:%=build/check/%.given.o)
 
 # EX=01a,02b or '01a 02b'. What is checked are the exercises that it names, or
 # else those that are begun, whose file is not the stub; no other suite is
@@ -26,12 +30,14 @@ named := $(subst $(comma), ,$(EX))
 asked_for = $(filter $(named:=%),$(exercises))
 ifneq ($(filter check watch hint progress solution,$(MAKECMDGOALS)),)
 begun := $(filter $(exercises),$(shell cksum tests/exercises/*/stub.c \
-	exercises/[0-9][0-9][a-z]*.c 2>/dev/null | awk ' \
+	exercises/[0-9][0-9][a-z]*.c exercises/P[0-9]-*.c 2>/dev/null | awk ' \
 	{ n = split($$3, part, "/"); sum = $$1 " " $$2 } \
 	/stub.c$$/ { stub[part[n - 1]] = sum; next } \
-	stub[substr(part[n], 1, 3)] != sum { print substr(part[n], 1, 3) }'))
+	{ ex = substr(part[n], 1, part[n] ~ /^P/ ? 2 : 3) } \
+	stub[ex] != sum { print ex }'))
 endif
-suites_of = $(if $(1),$(runner) $(1:%=build/check/%.suite.o))
+suites_of = $(if $(1),$(runner) $(1:%=build/check/%.suite.o) \
+	$(patsubst %,build/check/%.given.o,$(filter P%,$(1))))
 export MAKE
 check watch: $(runner) $(call suites_of,$(if $(named),$(asked_for),$(begun)))
 solution: $(call suites_of,$(asked_for))
@@ -70,7 +76,7 @@ build/made/check/obj/%.o: src/%.c build/check/flags
 		-c -o $(made).new $<
 	$(take_compiled)
 build/made/check/libcheck.a: $(patsubst src/%.c,build/check/obj/%.o,\
-	$(patsubst %,src/examiner/%.c,check hidden heed home place border) \
+	$(patsubst %,src/examiner/%.c,check hidden heed home place border run running) \
 	src/toolbox/random.c)
 	$(begin)
 	@rm -f $(made).new
@@ -85,7 +91,8 @@ build/made/check/examine: $(patsubst %,build/obj/examiner/%.o,\
 	@$(take)
 kept += build/check/flags build/check/libcheck.a build/check/examine \
 	$(patsubst src/%.c,build/check/obj/%.o,$(wildcard src/examiner/*.c \
-	src/toolbox/*.c)) $(exercises:%=build/check/%.suite.o)
+	src/toolbox/*.c)) $(exercises:%=build/check/%.suite.o) \
+	$(projects:%=build/check/%.given.o)
 
 # A suite and the two halves of its border, where it has one, in one object.
 # In a course that was handed out crossing.c is the border without comments.
@@ -110,6 +117,17 @@ build/made/check/%.suite.o: tests/exercises/%/suite.c build/check/flags
 	$(take_compiled)
 $(foreach e,$(exercises),$(eval build/made/check/$(e).suite.o: \
 	$(wildcard $(addprefix tests/exercises/$(e)/,border.c crossing.c))))
+# What a student's program is given in place of what its header has; without
+# sanitizers, to go with a program that has them and with one that has not.
+build/made/check/%.given.o: $(addprefix tests/exercises/%/,suite.c) \
+		build/check/flags
+	$(begin)
+	$(Q)$(check_base) -Wall -Wextra -pedantic -Isrc -DBORDER_GIVEN -c \
+		-o $(made).new $(border_of)
+	@$(take)
+$(foreach e,$(projects),$(eval build/made/check/$(e).given.o: \
+	$(wildcard $(addprefix tests/exercises/$(e)/,border.c crossing.c))))
+
 # What it says about itself, for all of them at once.
 build/made/check/lists: tests/lists.awk \
 		$(exercises:%=tests/exercises/%/suite.c)

@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 1578341301 of the lines below */
+/* checksum 201257358 of the lines below */
 /* What the student sees of a round, and the bars of progress. */
 #include "examiner/round.h"
 #include "examiner/build.h"
@@ -197,8 +197,12 @@ void round_progress(const struct course *course)
                strncmp(course->exercises[end].name,
                        course->exercises[first].name, 2) == 0)
             ++end;
-        snprintf(label, sizeof label, "chapter %d",
-                 atoi(course->exercises[first].name));
+        if (*course->exercises[first].name == 'P')
+            snprintf(label, sizeof label, "project %s",
+                     course->exercises[first].name + 1);
+        else
+            snprintf(label, sizeof label, "chapter %d",
+                     atoi(course->exercises[first].name));
         add_up(label, course, first, end);
         first = end;
     }

@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 522247146 of the lines below */
+/* checksum 1353705896 of the lines below */
 /* Walks a folder of submissions; names what it does not grade. */
 #include "examiner/submissions.h"
 #include "examiner/marks.h"
@@ -103,6 +103,8 @@ static void note(struct submission *s, const char *what, const char *path)
 static bool is_exercise(const char *name)
 {
     const unsigned char *s = (const unsigned char *)name;
+    if (toupper(s[0]) == 'P')
+        return isdigit(s[1]) && s[2] == '-';
     return isdigit(s[0]) && isdigit(s[1]) && isalpha(s[2]) &&
            !isalnum(s[3]);
 }

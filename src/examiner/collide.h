@@ -1,0 +1,21 @@
+/* From chapters/04-piston.nw: edit there, then run make tangle. */
+/* checksum 3538475510 of the lines below */
+/* What happens to two beads that meet; for programs of students. */
+#ifndef EXAMINER_COLLIDE_H
+#define EXAMINER_COLLIDE_H
+
+#ifdef COLLIDE_GIVEN
+void collide(double m1, double m2, double *v1, double *v2);
+#else
+/* Changes the velocities [m/s] of two bodies with the masses m1 and m2 [kg]
+   as an elastic collision does: reversed in the frame of the centre of mass
+   (1.4, eq:reverse). */
+static inline void collide(double m1, double m2, double *v1, double *v2)
+{
+    const double before = *v1 - *v2;
+    *v1 -= 2.0 * before * (m2 / (m1 + m2));
+    *v2 += 2.0 * before * (m1 / (m1 + m2));
+}
+#endif
+
+#endif

@@ -1,0 +1,200 @@
+/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
+/* checksum 2718814946 of the lines below */
+/* Orders a run of a program and reads its table. */
+#include "examiner/run.h"
+#include "examiner/border.h"
+#include "examiner/check.h"
+#include "examiner/wire.h"
+
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+const char *run_text(const struct run_order *o)
+{
+    static char text[400];
+    size_t at = (size_t)snprintf(text, sizeof text, "P1");
+    for (int i = 0; o->arguments[i] && at < sizeof text; ++i)
+        at += (size_t)snprintf(text + at, sizeof text - at, " %s",
+                               o->arguments[i]);
+    for (int i = 0; i < RUN_FILES && o->files[i].name; ++i) {
+        if (at < sizeof text)
+            at += (size_t)snprintf(text + at, sizeof text - at,
+                                   "; in %s: ", o->files[i].name);
+        for (const char *c = o->files[i].text;
+             *c && at + 8 < sizeof text; ++c) {
+            const char *mark = c[1] ? " / " : "";
+            if (*c == '\n')
+                at += (size_t)snprintf(text + at, sizeof text - at, "%s",
+                                       mark);
+            else
+                text[at++] = *c;
+        }
+        if (at < sizeof text)
+            text[at] = '\0';
+    }
+    if (at + 8 >= sizeof text)
+        strcpy(text + sizeof text - 8, " ...");
+    return text;
+}
+
+static void send_text(const char *text)
+{
+    size_t length = strlen(text);
+    border_sizes(&length, 1);
+    wire_move((void *)text, length);
+}
+
+static void send_order(const struct run_order *o)
+{
+    int given = o->given, words = 0, files = 0;
+    while (o->arguments[words])
+        ++words;
+    while (files < RUN_FILES && o->files[files].name)
+        ++files;
+    border_ints(&given, 1);
+    border_ints(&words, 1);
+    border_ints(&files, 1);
+    for (int i = 0; i < words; ++i)
+        send_text(o->arguments[i]);
+    for (int i = 0; i < files; ++i) {
+        send_text(o->files[i].name);
+        send_text(o->files[i].text);
+    }
+}
+
+static size_t read_row(const char *line, double x[], size_t most)
+{
+    size_t count = 0;
+    char *end;
+    for (;; line = end, ++count) {
+        const double value = strtod(line, &end);
+        if (end == line)
+            break;
+        if (count < most)
+            x[count] = value;
+    }
+    line += strspn(line, " \t\r");
+    return *line ? 0 : count;
+}
+
+static void add_row(struct run *r, const char *line)
+{
+    static size_t room;
+    double row[256];
+    const size_t count = read_row(line, row, 256);
+    if (count == 0 || count > 256 || (r->rows > 0 && count != r->columns)) {
+        r->broken = line;
+        return;
+    }
+    r->columns = count;
+    if (!r->numbers)
+        room = 0;
+    if ((r->rows + 1) * count > room) {
+        room = 2 * room + 4096;
+        r->numbers = realloc(r->numbers, room * sizeof *r->numbers);
+        if (!r->numbers)
+            wire_lost();
+    }
+    memcpy(r->numbers + r->rows++ * count, row, count * sizeof *row);
+}
+
+static void read_table(struct run *r, char *text)
+{
+    char *rest = text, *remarks = text;
+    r->broken = "";
+    for (char *line = rest; line && *line; line = rest) {
+        rest = strchr(line, '\n');
+        if (rest)
+            *rest++ = '\0';
+        if (*line == '#') {
+            const size_t length = strlen(line);
+            memmove(remarks, line, length);
+            remarks += length;
+            *remarks++ = '\n';
+        } else if (!*r->broken) {
+            add_row(r, line);
+            if (*r->broken)
+                r->broken = check_text("%.60s", r->broken);
+        }
+    }
+    *remarks = '\0';
+    r->remarks = text;
+}
+
+int run_remark(const struct run *run, const char *words, double x[],
+               int count)
+{
+    const size_t length = strlen(words);
+    const char *line = run->remarks;
+    while (*line && strncmp(line, words, length) != 0) {
+        line += strcspn(line, "\n");
+        line += *line == '\n';
+    }
+    int found = 0;
+    char *end;
+    for (line += *line ? length : 0; found < count; ++found, line = end) {
+        x[found] = strtod(line, &end);
+        if (end == line || memchr(line, '\n', (size_t)(end - line)))
+            break;
+    }
+    return found;
+}
+
+enum { SANITIZER_STATUS = 86 };
+
+static void tell_run(const struct run_order *o, bool late)
+{
+    check_tell("run", run_text(o));
+    if (late)
+        check_tell("question", o->late);
+}
+
+static void end_like(const struct run_order *o, int status, bool late)
+{
+    const bool sane = WIFEXITED(status) &&
+                      WEXITSTATUS(status) != SANITIZER_STATUS;
+    if (!late && sane)
+        return;
+    tell_run(o, late);
+    fflush(NULL);
+    if (!late && WIFEXITED(status))
+        _exit(SANITIZER_STATUS);
+    const int number = late ? SIGXCPU : WTERMSIG(status);
+    signal(number, SIG_DFL);
+    raise(number);
+    _exit(EXIT_FAILURE);
+}
+
+const struct run *run_program(const struct run_order *order)
+{
+    static struct run r;
+    static char *text;
+    int how[3];
+    size_t sizes[2];
+    free(r.numbers);
+    free(text);
+    free(r.complaint);
+    r = (struct run){.status = -1};
+    border_call();
+    send_order(order);
+    border_wait();
+    border_ints(how, 3);
+    border_sizes(sizes, 2);
+    if (sizes[0] > RUN_PRINTS || sizes[1] > RUN_COMPLAINT)
+        wire_lost();
+    text = border_memory(sizes[0] + 2);
+    r.complaint = border_memory(sizes[1] + 1);
+    wire_move(text, sizes[0]);
+    wire_move(r.complaint, sizes[1]);
+    text[sizes[0]] = text[sizes[0] + 1] = '\0';
+    r.complaint[sizes[1]] = '\0';
+    end_like(order, how[0], how[1]);
+    r.status = WEXITSTATUS(how[0]);
+    r.flooded = how[2];
+    read_table(&r, text);
+    return &r;
+}

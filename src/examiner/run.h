@@ -1,0 +1,53 @@
+/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
+/* checksum 2833850474 of the lines below */
+/* A student's whole program run with arguments and files; its table. */
+#ifndef RUN_H
+#define RUN_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum {
+    RUN_WORDS = 8,          /* room for arguments, the NULL included */
+    RUN_FILES = 2,          /* and for files */
+    RUN_PRINTS = 16000000,  /* bytes that a run may print */
+    RUN_COMPLAINT = 1 << 14 /* bytes kept of what it complains */
+};
+
+/* A run: `P1 ARGUMENTS` in a folder with these files and no others. */
+struct run_order {
+    const char *arguments[RUN_WORDS]; /* ends with NULL */
+    struct run_file {
+        const char *name, *text;
+    } files[RUN_FILES]; /* unused ones have no name */
+    int given;          /* which of the functions of our own it is given */
+    const char *late;   /* the question for who has not ended in time */
+};
+
+/* What it printed, and how it ended. */
+struct run {
+    int status;           /* with which it exited */
+    bool flooded;         /* it printed more than it may */
+    size_t rows, columns; /* read before the first line that is no row */
+    double *numbers;      /* row by row */
+    const char *broken;   /* a line that is neither row nor remark, or "" */
+    char *remarks;        /* the lines that begin with a # */
+    char *complaint;      /* what it wrote to standard error */
+};
+
+/* Runs the program. What is returned is valid until the next call. A
+   program that crashes, or does not end in time, ends the test. */
+const struct run *run_program(const struct run_order *order);
+
+/* The command and its files in one line, for CHECK_NEAR's .input. */
+const char *run_text(const struct run_order *order);
+
+/* Reads count numbers behind the words that a line of the remarks begins
+   with; returns how many there are. */
+int run_remark(const struct run *run, const char *words, double x[],
+               int count);
+
+/* The half of the box: takes an order, runs it, gives back what came. */
+void border_answer(void);
+
+#endif

@@ -1,0 +1,236 @@
+/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
+/* checksum 1400619955 of the lines below */
+/* Runs a program with its files, and takes down what it prints. */
+#include "examiner/border.h"
+#include "examiner/run.h"
+#include "examiner/wire.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+enum { TEXT_MOST = 1 << 20 };
+
+static char *take_text(void)
+{
+    size_t length;
+    border_sizes(&length, 1);
+    if (length > TEXT_MOST)
+        wire_lost();
+    char *text = border_memory(length + 1);
+    wire_move(text, length);
+    text[length] = '\0';
+    return text;
+}
+
+static int take_number(int most)
+{
+    int number;
+    border_ints(&number, 1);
+    if (number < 0 || number > most)
+        wire_lost();
+    return number;
+}
+
+static char folder[32], *words[RUN_WORDS + 1], *names[RUN_FILES];
+
+static void lay_file(const char *name, const char *text)
+{
+    char path[96];
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    const int file = open(path, O_WRONLY | O_CREAT | O_EXCL, 0600);
+    const size_t length = strlen(text);
+    if (file < 0 || write(file, text, length) != (ssize_t)length)
+        wire_lost();
+    close(file);
+}
+
+static int take_order(void)
+{
+    const int given = take_number(99);
+    const int count = take_number(RUN_WORDS - 1);
+    const int files = take_number(RUN_FILES);
+    strcpy(folder, "run.XXXXXX");
+    if (!mkdtemp(folder))
+        wire_lost();
+    words[0] = (char *)"P1";
+    for (int i = 0; i < count; ++i)
+        words[i + 1] = take_text();
+    words[count + 1] = NULL;
+    for (int i = 0; i < files; ++i) {
+        char *text;
+        names[i] = take_text();
+        text = take_text();
+        lay_file(names[i], text);
+        free(text);
+    }
+    return given;
+}
+
+int __lsan_do_recoverable_leak_check(void) __attribute__((weak));
+
+static _Noreturn void become(int given, int out, int complain)
+{
+    char program[32], *none[] = {NULL, NULL, NULL};
+    const char *start = program;
+    static const char *const kept[] = {"ASAN_OPTIONS", "UBSAN_OPTIONS"};
+    int count = 0;
+    for (int i = 0; i < 2 && __lsan_do_recoverable_leak_check; ++i) {
+        const char *value = getenv(kept[i]);
+        const size_t room = value ? strlen(value) + 32 : 0;
+        if (value && (none[count] = malloc(room)))
+            snprintf(none[count++], room, "%s=%s", kept[i], value);
+    }
+    setpgid(0, 0);
+    dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
+    dup2(out, STDOUT_FILENO);
+    dup2(complain, STDERR_FILENO);
+    for (int file = 3; file < 1024; ++file)
+        close(file);
+    snprintf(program, sizeof program, "../../program%d", given);
+    signal(SIGPIPE, SIG_DFL);
+    if (chdir(folder) != 0)
+        _exit(127);
+    if (link(program, words[0]) == 0)
+        start = words[0];
+    execve(start, words, none);
+    _exit(127);
+}
+
+struct stream {
+    int file; /* -1: it has been closed */
+    char *text;
+    size_t length, most;
+    bool more; /* there was more than is kept */
+};
+
+static bool take_down(struct stream *s)
+{
+    static char spill[1 << 16];
+    if (s->file < 0)
+        return false;
+    const ssize_t got = read(s->file, spill, sizeof spill);
+    if (got < 0)
+        return false;
+    const size_t room = s->most - s->length;
+    const size_t kept = (size_t)got < room ? (size_t)got : room;
+    memcpy(s->text + s->length, spill, kept);
+    s->length += kept;
+    s->more = s->more || (size_t)got > kept;
+    if (got == 0) {
+        close(s->file);
+        s->file = -1;
+    }
+    return got > 0;
+}
+
+static double now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static double seconds_allowed(void)
+{
+    struct rlimit limit;
+    if (getrlimit(RLIMIT_CPU, &limit) == 0 &&
+        limit.rlim_cur != RLIM_INFINITY)
+        return (double)limit.rlim_cur;
+    return 5.0;
+}
+
+static void watch(pid_t pid, struct stream s[2], int how[3])
+{
+    const double allowed = seconds_allowed(), start = now();
+    bool ended = false, busy = true;
+    while (!ended || busy) {
+        struct pollfd ready[] = {{s[0].file, POLLIN, 0},
+                                 {s[1].file, POLLIN, 0}};
+        poll(ready, 2, ended ? 0 : s[0].file < 0 && s[1].file < 0 ? 1 : 20);
+        ended = ended || waitpid(pid, &how[0], WNOHANG) == pid;
+        busy = take_down(&s[0]);
+        busy = take_down(&s[1]) || busy;
+        how[1] = how[1] || (!ended && now() - start > 1.8 * allowed);
+        if (!ended && (how[1] || s[0].more))
+            kill(-pid, SIGKILL);
+        busy = busy && !s[0].more;
+    }
+    kill(-pid, SIGKILL);
+    if (WIFSIGNALED(how[0]) && !s[0].more)
+        how[1] = how[1] || WTERMSIG(how[0]) == SIGXCPU ||
+                 (WTERMSIG(how[0]) == SIGKILL && now() - start > allowed);
+    how[2] = s[0].more;
+    if (s[0].more)
+        how[0] = how[1] = 0;
+}
+
+static void run(int given, struct stream s[2], int how[3])
+{
+    int out[2], complain[2];
+    if (pipe(out) != 0 || pipe(complain) != 0)
+        wire_lost();
+    fflush(NULL);
+    const pid_t pid = fork();
+    if (pid == 0)
+        become(given, out[1], complain[1]);
+    close(out[1]);
+    close(complain[1]);
+    if (pid < 0)
+        wire_lost();
+    setpgid(pid, pid);
+    s[0].file = out[0];
+    s[1].file = complain[0];
+    for (int i = 0; i < 2; ++i)
+        fcntl(s[i].file, F_SETFL, O_NONBLOCK);
+    watch(pid, s, how);
+    for (int i = 0; i < 2; ++i)
+        if (s[i].file >= 0)
+            close(s[i].file);
+}
+
+static void clean_up(void)
+{
+    char path[96];
+    for (int i = 1; words[i]; ++i)
+        free(words[i]);
+    for (int i = 0; i < RUN_FILES && names[i]; ++i) {
+        snprintf(path, sizeof path, "%s/%s", folder, names[i]);
+        unlink(path);
+        free(names[i]);
+        names[i] = NULL;
+    }
+    snprintf(path, sizeof path, "%s/%s", folder, words[0]);
+    unlink(path);
+    rmdir(folder);
+}
+
+void border_answer(void)
+{
+    static char complaint[RUN_COMPLAINT];
+    struct stream s[2] = {
+        {.text = border_memory(RUN_PRINTS), .most = RUN_PRINTS},
+        {.text = complaint, .most = RUN_COMPLAINT}};
+    int how[3] = {0, 0, 0};
+    const int given = take_order();
+    run(given, s, how);
+    clean_up();
+    if (write(STDERR_FILENO, complaint, s[1].length) < 0)
+        wire_lost();
+    border_reply();
+    border_ints(how, 3);
+    border_sizes(&s[0].length, 1);
+    border_sizes(&s[1].length, 1);
+    wire_move(s[0].text, s[0].length);
+    wire_move(s[1].text, s[1].length);
+    free(s[0].text);
+}

@@ -1,0 +1,852 @@
+/* Project P1: rows of a whole program, stage by stage. */
+#include "examiner/check.h"
+#include "examiner/run.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#ifndef PROJECT_YEAR
+#define PROJECT_YEAR 2026
+#endif
+
+enum { MOST = 10, COLUMNS = 2 + 2 * MOST, TEXT = 1000 };
+
+/* The numbers of a course are those of its year, and the grader's are drawn
+   with his seed as well. */
+static double draw(double low, double high)
+{
+    char text[32];
+    const double drawn =
+        check_draw_whole(0, 999999) / 1e6 + PROJECT_YEAR * 0.6180339887;
+    snprintf(text, sizeof text, "%.4g",
+             low + (high - low) * (drawn - floor(drawn)));
+    return strtod(text, NULL);
+}
+
+struct scene {
+    int n;
+    double m[MOST], x[MOST], v[MOST];
+    double length, g, tc;
+    int rows;
+};
+
+/* Ways to go wrong, of which the suite knows where they lead. */
+enum fault { NONE, RECEDING, PULLED, KEPT, FALLING, FAULTS };
+
+/* What must come out. */
+struct table {
+    double *rows;   /* t E x1 v1 ... */
+    double *events; /* when something happened, as many as there are rows */
+    long collisions, bounces;
+    double nearest; /* how near an event comes to a row */
+};
+
+struct engine {
+    const struct scene *s;
+    enum fault fault;
+    long double x[MOST], v[MOST];
+};
+
+static long double stop_below(const struct engine *e)
+{
+    const long double g = e->s->g, x = e->x[0], v = e->v[0];
+    if (g == 0.0L)
+        return v < 0.0L ? x / -v : INFINITY;
+    const long double speed = sqrtl(fmaxl(v * v + 2.0L * g * x, 0.0L));
+    if (e->fault == FALLING)
+        return v - speed > 0.0L ? (v - speed) / g : INFINITY;
+    return (v + speed) / g > 0.0L ? (v + speed) / g : INFINITY;
+}
+
+static long double stop_above(const struct engine *e)
+{
+    const int top = e->s->n - 1;
+    const long double room = e->s->length - e->x[top], v = e->v[top];
+    const long double left = v * v - 2.0L * e->s->g * room;
+    if (isinf(e->s->length) || v <= 0.0L || left < 0.0L)
+        return INFINITY;
+    return 2.0L * room / (v + sqrtl(left));
+}
+
+static long double pair(const struct engine *e, int i)
+{
+    const long double gap = fmaxl(e->x[i + 1] - e->x[i], 0.0L);
+    const long double closing = e->v[i] - e->v[i + 1], g = e->s->g;
+    if (e->fault == RECEDING)
+        return gap > 1e-9L && closing != 0.0L ? gap / fabsl(closing)
+                                              : INFINITY;
+    if (e->fault == PULLED && g > 0.0L) {
+        const long double root = sqrtl(closing * closing + 2.0L * g * gap);
+        const long double t = (root - closing) / g;
+        return gap > 1e-9L ? t : INFINITY;
+    }
+    return closing > 0.0L ? gap / closing : INFINITY;
+}
+
+/* The next event: its time from now, and which; pair i, or n for the stop
+   below and n + 1 for the one above. */
+static int next(const struct engine *e, long double *wait)
+{
+    const int n = e->s->n;
+    int which = n;
+    *wait = stop_below(e);
+    if (stop_above(e) < *wait) {
+        *wait = stop_above(e);
+        which = n + 1;
+    }
+    for (int i = 0; i + 1 < n; ++i)
+        if (pair(e, i) < *wait) {
+            *wait = pair(e, i);
+            which = i;
+        }
+    return which;
+}
+
+static void glide(struct engine *e, long double t)
+{
+    for (int i = 0; i < e->s->n; ++i) {
+        e->x[i] += e->v[i] * t - e->s->g * t * t / 2.0L;
+        if (e->fault != KEPT)
+            e->v[i] -= e->s->g * t;
+    }
+}
+
+static void happen(struct engine *e, int which)
+{
+    const int n = e->s->n, at = which == n ? 0 : n - 1;
+    if (which >= n) {
+        e->x[at] = which == n ? 0.0L : e->s->length;
+        e->v[at] = -e->v[at];
+        return;
+    }
+    const long double a = e->s->m[which], b = e->s->m[which + 1];
+    const long double v = e->v[which], w = e->v[which + 1];
+    const long double blow = 2.0L * a * b / (a + b) * (v - w);
+    e->v[which] = v - blow / a;
+    e->v[which + 1] = w + blow / b;
+    if (e->fault == NONE)
+        e->x[which + 1] = e->x[which];
+}
+
+static void put_row(const struct engine *e, double t, double *row)
+{
+    long double energy = 0.0L;
+    for (int i = 0; i < e->s->n; ++i) {
+        energy +=
+            e->s->m[i] * (e->v[i] * e->v[i] / 2.0L + e->s->g * e->x[i]);
+        row[2 + 2 * i] = (double)e->x[i];
+        row[3 + 2 * i] = (double)e->v[i];
+    }
+    row[0] = t;
+    row[1] = (double)energy;
+}
+
+static void simulate(const struct scene *s, enum fault fault,
+                     struct table *t)
+{
+    enum { PATIENCE = 100000 };
+    struct engine e = {.s = s, .fault = fault};
+    const int columns = 2 + 2 * s->n;
+    long double now = 0.0L;
+    int events = 0;
+    t->collisions = t->bounces = 0;
+    t->nearest = 1.0;
+    t->rows = realloc(t->rows, sizeof *t->rows * (size_t)columns *
+                                   (size_t)(s->rows + 1));
+    t->events =
+        realloc(t->events, sizeof *t->events * (size_t)(s->rows + 1));
+    for (int k = 0; k <= s->rows; ++k)
+        t->events[k] = NAN;
+    t->events[0] = 0.0;
+    for (int i = 0; i < s->n; ++i) {
+        e.x[i] = s->x[i];
+        e.v[i] = s->v[i];
+    }
+    for (int k = 0; k <= s->rows; ++k) {
+        long double wait;
+        int which;
+        while (which = next(&e, &wait),
+               now + wait <= k * (long double)s->tc) {
+            if (++events > PATIENCE)
+                return;
+            glide(&e, wait);
+            now += wait;
+            happen(&e, which);
+            ++*(which < s->n - 1 ? &t->collisions : &t->bounces);
+            if (events <= s->rows)
+                t->events[events] = (double)now;
+            const double off = remainder((double)now, s->tc);
+            t->nearest = fmin(t->nearest, fabs(off) / s->tc);
+        }
+        glide(&e, k * (long double)s->tc - now);
+        now = k * (long double)s->tc;
+        put_row(&e, k * s->tc, t->rows + k * columns);
+    }
+}
+
+/* What is run, as text. */
+static const struct run_order *order(const struct scene *s, int given,
+                                     const char *late)
+{
+    static char beads[TEXT], words[4][32];
+    static struct run_order o;
+    int at = 0;
+    for (int i = 0; i < s->n; ++i)
+        at += snprintf(beads + at, TEXT - (size_t)at, "%.10g %.10g %.10g\n",
+                       s->m[i], s->x[i], s->v[i]);
+    snprintf(words[0], 32, "%.10g", s->length);
+    snprintf(words[1], 32, "%.10g", s->g);
+    snprintf(words[2], 32, "%.10g", s->tc);
+    snprintf(words[3], 32, "%d", s->rows);
+    o = (struct run_order){
+        .arguments = {"beads.txt", words[0], words[1], words[2], words[3]},
+        .files = {{"beads.txt", beads}},
+        .given = given,
+        .late = late,
+    };
+    return &o;
+}
+
+static const char for_ever[] =
+    "How does the time to the next event come to be 0 again and again? "
+    "Print it, and which event it is.";
+static const char root_again[] =
+    "A bead that has just left the stop is at 0, and 0 is a root of its "
+    "equation. Which of the two roots is the bounce to come? "
+    "[root-zero-again]";
+
+/* Whether the program has ended well, with as many rows as it should have
+   and as many numbers in each. */
+static bool check_form(const struct scene *s, const struct run *r,
+                       const char *input)
+{
+    const char *line =
+        *r->broken
+            ? check_text("%s; it printed the line: %s", input, r->broken)
+            : input;
+    return CHECK_NEAR(r->flooded ? 1.0 : 0.0,
+                      .quantity = "output beyond 16 MB", .input = input,
+                      .expected = 0.0, .tolerance = 0.0,
+                      .question = "How many rows were asked for?") &&
+           CHECK_NEAR(r->status,
+                      .quantity = "the status with which it ended",
+                      .input = input, .expected = 0.0, .tolerance = 0.0,
+                      .question = "What did it complain about? There is "
+                                  "nothing wrong with this input.") &&
+           CHECK_NEAR((double)r->rows, .quantity = "rows in the table",
+                      .input = line, .expected = s->rows + 1.0,
+                      .tolerance = 0.0,
+                      .question = "The contract has ROWS + 1 rows, the "
+                                  "first at time 0. When is one "
+                                  "printed?") &&
+           CHECK_NEAR((double)r->columns, .quantity = "numbers in a row",
+                      .input = line, .expected = 2.0 + 2.0 * s->n,
+                      .tolerance = 0.0,
+                      .question = "A row is t, E, and x and v of each "
+                                  "bead. Which of them is missing?");
+}
+
+/* Whether a bead alone comes back from its stop with less than it had. */
+static bool leaks(const struct scene *s, const double *want,
+                  const double *got)
+{
+    return s->n == 1 && s->g == 0.0 && got[1] < want[1] * (1.0 - 1e-11) &&
+           got[1] > want[1] / 4.0;
+}
+
+struct wrong {
+    struct check_mistake list[8];
+    int count;
+};
+
+static void add(struct wrong *w, const char *name, double value,
+                const char *hint)
+{
+    w->list[w->count++] = (struct check_mistake){name, value, hint};
+}
+
+/* What those get who make a mistake, at this row and this column. */
+static struct wrong mistakes(const struct scene *s, const struct table *t,
+                             const struct run *r, int k, int c)
+{
+    static const struct {
+        const char *name, *hint;
+    } faults[] = {
+        [RECEDING] =
+            {"receding-pair",
+             "Two beads that go apart have met here. What must the "
+             "sign of their relative velocity be?"},
+        [PULLED] =
+            {"gravity-in-pair-time",
+             "The pairs meet too early or too late. Both beads fall: "
+             "write down how their distance changes with time. What "
+             "becomes of g?"},
+        [KEPT] = {"velocity-kept",
+                  "The places fall, and the velocities stay as they were. "
+                  "Which of them changes between two events?"},
+        [FALLING] =
+            {"wrong-root",
+             "The bead falls through its stop. A quadratic equation "
+             "has two roots: which of them lies in the future?"},
+    };
+    struct wrong w = {.count = 0};
+    const int columns = 2 + 2 * s->n;
+    const double *want = t->rows + k * columns;
+    const double *got = r->numbers + k * columns;
+    if (c == 0) {
+        double sum = 0.0;
+        for (int i = 0; i < k; ++i)
+            sum += s->tc;
+        add(&w, "rows-at-collisions", t->events[k],
+            "This is the time of an event, and not of the clock. How does "
+            "your program come to be at a row's time, in the middle of a "
+            "flight?");
+        add(&w, "clock-adds-up", sum,
+            "Each addition of TC is rounded, and the clock drifts. How do "
+            "you get the time of row k with one rounding?");
+        return w;
+    }
+    if (leaks(s, want, got))
+        add(&w, "wall-with-a-mass", got[c],
+            "A little energy has stayed in the stop. What is the velocity "
+            "after a stop that nothing can move, without any mass?");
+    for (enum fault f = RECEDING; f < FAULTS; ++f) {
+        static struct table other;
+        if (s->g == 0.0 && f != RECEDING)
+            continue;
+        simulate(s, f, &other);
+        add(&w, faults[f].name, other.rows[k * columns + c],
+            faults[f].hint);
+    }
+    return w;
+}
+
+/* Compares row by row; the energy, which is made of the others, last. */
+static bool check_rows(const struct scene *s, const struct table *t,
+                       const struct run *r, const char *input, double slack,
+                       const char *question)
+{
+    static const char because[] =
+        "rounding, and what the collisions make of it";
+    const int columns = 2 + 2 * s->n;
+    double size[COLUMNS] = {0.0};
+    for (int k = 0; k <= s->rows; ++k)
+        for (int c = 0; c < columns; ++c)
+            size[c < 2 ? c : c % 2] = fmax(size[c < 2 ? c : c % 2],
+                                           fabs(t->rows[k * columns + c]));
+    for (int k = 0; k <= s->rows; ++k)
+        for (int step = 0; step < columns; ++step) {
+            const int c = step == 0             ? 0
+                          : step == columns - 1 ? 1
+                                                : step + 1;
+            const double want = t->rows[k * columns + c];
+            const double got = r->numbers[k * columns + c];
+            const double scale = c < 2 ? size[c] : size[c % 2];
+            const double most = c == 0 ? 1e-9 * s->tc : slack * scale;
+            if (fabs(got - want) <= most)
+                continue;
+            const struct wrong w = mistakes(s, t, r, k, c);
+            struct check check = {
+                .quantity = check_text("%s%.0d in row %d, at %.10g s",
+                                       c == 0   ? "t"
+                                       : c == 1 ? "E"
+                                       : c % 2  ? "v"
+                                                : "x",
+                                       c < 2 ? 0 : c / 2, k, k * s->tc),
+                .unit = c == 0   ? "s"
+                        : c == 1 ? "J"
+                        : c % 2  ? "m/s"
+                                 : "m",
+                .input = input,
+                .expected = want,
+                .tolerance = most,
+                .because = because,
+                .equation = "eq:gap-time",
+                .question = question,
+            };
+            memcpy(check.mistakes, w.list, sizeof check.mistakes);
+            return check_near(__FILE__, __LINE__, got, check);
+        }
+    return true;
+}
+
+static bool check_remark(const struct run *r, const char *input,
+                         const char *words, double want,
+                         const char *question)
+{
+    double got = NAN;
+    run_remark(r, words, &got, 1);
+    return CHECK_NEAR(got, .quantity = words, .input = input,
+                      .expected = want, .tolerance = 0.0,
+                      .equation = "eq:gap-time", .question = question);
+}
+
+/* Runs a scene and compares all of it. */
+static bool check_scene(const struct scene *s, double slack, bool counts,
+                        const char *question)
+{
+    static struct table t;
+    const struct run_order *o =
+        order(s, 0, s->g > 0.0 ? root_again : for_ever);
+    const char *input = run_text(o);
+    const struct run *r = run_program(o);
+    simulate(s, NONE, &t);
+    return check_form(s, r, input) &&
+           check_rows(s, &t, r, input, slack, question) &&
+           (!counts ||
+            (check_remark(r, input, "# collisions", (double)t.collisions,
+                          "The rows are right. What do you count as a "
+                          "collision: pairs, and nothing else?") &&
+             check_remark(r, input, "# bounces", (double)t.bounces,
+                          "The rows are right. What do you count as a "
+                          "bounce: both stops?")));
+}
+
+/* A bead in each n-th of the wire, in another place each year. */
+static struct scene draw_scene(int n, double length, double g, bool equal)
+{
+    struct scene s = {.n = n, .length = length, .g = g};
+    const double part = isinf(length) ? 1.0 : length / n;
+    const double mass = draw(0.5, 3.0);
+    for (int i = 0; i < n; ++i) {
+        s.m[i] = equal ? mass : draw(0.5, 8.0);
+        s.x[i] = draw((i + 0.1) * part, (i + 0.9) * part);
+        s.v[i] = draw(0.3, 1.5) * (check_draw_whole(0, 1) ? 1.0 : -1.0);
+    }
+    return s;
+}
+
+/* The same, with rows at which nobody touches anything. */
+static struct scene draw_apart(int n, double length, double g, bool equal,
+                               int rows)
+{
+    static struct table t;
+    struct scene s;
+    do {
+        s = draw_scene(n, length, g, equal);
+        s.tc = draw(0.08, 0.2);
+        s.rows = rows;
+        simulate(&s, NONE, &t);
+    } while (t.nearest < 1e-5);
+    return s;
+}
+
+static void stage_special(void)
+{
+    const struct scene one = draw_apart(1, draw(1.0, 3.0), 0.0, true, 60);
+    const struct scene five = draw_apart(5, draw(2.0, 4.0), 0.0, true, 60);
+    if (check_scene(&one, 1e-10, false,
+                    "A bead alone goes to and fro. When is it at a stop, "
+                    "and what does the stop change?"))
+        check_scene(
+            &five, 1e-10, true,
+            "Beads of equal mass pass through each other, if nobody "
+            "looks at their numbers. Where would they be then?");
+}
+
+static bool check_refused(const char *what, const char *beads,
+                          const char *const words[4])
+{
+    const struct run_order o = {
+        .arguments = {"beads.txt", words[0], words[1], words[2], words[3]},
+        .files = {{"beads.txt", beads}},
+        .late = for_ever,
+    };
+    const char *input = run_text(&o);
+    const struct run *r = run_program(&o);
+    return CHECK_NEAR(r->status,
+                      .quantity = check_text("the status, for %s", what),
+                      .input = input, .expected = 2.0, .tolerance = 0.0,
+                      .question = "Status 2 is for input that makes no "
+                                  "sense. Where do you read this, and what "
+                                  "do you ask of it?") &&
+           CHECK_NEAR(*r->complaint != '\0',
+                      .quantity =
+                          check_text("lines of complaint about %s", what),
+                      .input = input, .expected = 1.0, .tolerance = 0.0,
+                      .question = "Who has made the mistake wants to know "
+                                  "which. Is it written to stderr?");
+}
+
+static bool check_inputs(void)
+{
+    static const char *const fine[] = {"1", "0", "0.1", "3"};
+    static const char *const letters[] = {"1", "0", "0.1", "three"};
+    static const char *const backwards[] = {"1", "0", "-0.1", "3"};
+    static const char *const up[] = {"1", "-1", "0.1", "3"};
+    return check_refused("a file without beads", "# nobody\n", fine) &&
+           check_refused("a mass of 0", "0 0.5 1\n", fine) &&
+           check_refused("a place outside", "1 1.5 1\n", fine) &&
+           check_refused("places out of order", "1 0.5 1\n1 0.4 1\n",
+                         fine) &&
+           check_refused("a line with a word", "1 0.5 fast\n", fine) &&
+           check_refused("ROWS that are no number", "1 0.5 1\n", letters) &&
+           check_refused("a clock that goes backwards", "1 0.5 1\n",
+                         backwards) &&
+           check_refused("a G below 0", "1 0.5 1\n", up);
+}
+
+/* Too long to be compared: nothing may be lost, and nobody may pass. */
+static bool check_long(void)
+{
+    struct scene s = draw_scene(MOST, draw(1.0, 2.0), 0.0, false);
+    s.tc = 0.5;
+    s.rows = 2000;
+    const struct run_order *o = order(&s, 0, for_ever);
+    const char *input = run_text(o);
+    const struct run *r = run_program(o);
+    if (!check_form(&s, r, input))
+        return false;
+    for (size_t k = 0; k < r->rows; ++k) {
+        const double *row = r->numbers + k * r->columns;
+        double last = 0.0, energy = 0.0;
+        for (int i = 0; i < s.n; ++i) {
+            const double here = row[2 + 2 * i];
+            energy += s.m[i] * row[3 + 2 * i] * row[3 + 2 * i] / 2.0;
+            if (!CHECK_NEAR(here < last - 1e-9 ? here - last : 0.0,
+                            .quantity = check_text(
+                                "how far bead %d has passed its neighbour "
+                                "or its stop in row %zu",
+                                i + 1, k),
+                            .unit = "m", .input = input, .expected = 0.0,
+                            .tolerance = 0.0, .equation = "eq:gap-time",
+                            .question = "Which collision was missed?"))
+                return false;
+            last = here;
+        }
+        const double off = last > s.length + 1e-9 ? last - s.length : 0.0;
+        if (!CHECK_NEAR(off,
+                        .quantity = check_text("how far the last bead is "
+                                               "outside in row %zu",
+                                               k),
+                        .unit = "m", .input = input, .expected = 0.0,
+                        .tolerance = 0.0, .equation = "eq:gap-time",
+                        .question = "Which bounce was missed?") ||
+            !CHECK_NEAR(energy,
+                        .quantity = check_text("the energy of the "
+                                               "velocities in row %zu",
+                                               k),
+                        .unit = "J", .input = input,
+                        .expected = r->numbers[1],
+                        .tolerance = 1e-9 * fabs(r->numbers[1]),
+                        .because = "rounding in each of the collisions",
+                        .equation = "eq:energy",
+                        .question = "Which event changes the energy? Print "
+                                    "it after each."))
+            return false;
+    }
+    return true;
+}
+
+static bool check_galperin(void)
+{
+    const struct scene s = {.n = 2,
+                            .m = {1.0, 10000.0},
+                            .x = {1.0, 2.0},
+                            .v = {0.0, -1.0},
+                            .length = INFINITY,
+                            .tc = 0.5,
+                            .rows = 40};
+    const struct run_order *o = order(&s, 0, for_ever);
+    const char *input = run_text(o);
+    const struct run *r = run_program(o);
+    double pairs = NAN, stops = NAN;
+    if (!check_form(&s, r, input))
+        return false;
+    run_remark(r, "# collisions", &pairs, 1);
+    run_remark(r, "# bounces", &stops, 1);
+    return CHECK_NEAR(pairs + stops, .quantity = "collisions and bounces",
+                      .input = input, .expected = 314.0, .tolerance = 0.0,
+                      .because = "they can be counted on paper",
+                      .equation = "eq:galperin",
+                      .question = "Behind # collisions and # bounces stand "
+                                  "their numbers. Is every pair, and every "
+                                  "stop, counted once? And if LENGTH is "
+                                  "inf, where is the upper stop?");
+}
+
+static void stage_general(void)
+{
+    const struct scene s = draw_apart(6, draw(1.5, 3.0), 0.0, false, 30);
+    if (check_scene(
+            &s, 1e-7, true,
+            "One bead alone and equal masses are right. Which event "
+            "comes first, and who takes part in it?") &&
+        check_galperin() && check_long())
+        check_inputs();
+}
+
+static void stage_clock(void)
+{
+    enum { ROWS = 100000 };
+    struct scene s = draw_scene(1, draw(1.0, 3.0), 0.0, true);
+    s.tc = 0.1;
+    s.rows = ROWS;
+    const struct run_order *o = order(&s, 0, for_ever);
+    const char *input = run_text(o);
+    const struct run *r = run_program(o);
+    if (!check_form(&s, r, input))
+        return;
+    double sum = 0.0;
+    for (int k = 0; k <= ROWS; ++k, sum += s.tc)
+        if (!CHECK_NEAR(
+                r->numbers[4 * k] - k * s.tc,
+                .quantity = check_text("t in row %d, less %d TC", k, k),
+                .unit = "s", .input = input, .expected = 0.0,
+                .tolerance = 0.0, .because = "k TC is one multiplication",
+                .equation = "eq:clock",
+                .question = "How does the program know what time it is in "
+                            "this row?",
+                .mistakes = {
+                    {"clock-adds-up", sum - k * s.tc,
+                     "Each addition of TC is rounded, and the clock "
+                     "drifts. How do you get the time of row k with one "
+                     "rounding?"}}))
+            return;
+    for (int k = 0; k <= ROWS; k += 100) {
+        const double way = s.x[0] + s.v[0] * (k * s.tc);
+        const double off = fabs(remainder(way, 2.0 * s.length));
+        if (!CHECK_NEAR(r->numbers[4 * k + 2],
+                        .quantity = check_text("x1 in row %d", k),
+                        .unit = "m", .input = input, .expected = off,
+                        .tolerance = 1e-8,
+                        .because = "ten thousand bounces, each rounded",
+                        .equation = "eq:clock",
+                        .question = "The times are right. From which time "
+                                    "on has this bead been flying?"))
+            return;
+    }
+}
+
+static void stage_check(void)
+{
+    static const char *const laws[] = {
+        [1] = "loses a millionth of the relative velocity",
+        [2] = "keeps the energy, and not the momentum",
+        [3] = "does nothing at all",
+        [4] = "turns both round",
+        [5] = "exchanges the velocities, whatever the masses",
+        [6] = "is right thirty times, and then loses a hundredth",
+        [7] = "is right, and rounds in another way"};
+    struct scene s = draw_scene(MOST, draw(1.0, 2.0), 0.0, false);
+    s.tc = 0.1;
+    s.rows = 500;
+    for (int law = 7; law >= 0; --law) {
+        const bool right = law == 0 || law == 7;
+        const struct run_order *o =
+            order(&s, law,
+                  "This collide conserves energy and momentum. What else "
+                  "does a collision do? [nothing-happened]");
+        const char *input = check_text(
+            "a collide that %.60s, and %.390s",
+            law == 0 ? "is the header's" : laws[law], run_text(o));
+        const struct run *r = run_program(o);
+        if (!CHECK_NEAR(
+                r->status, .quantity = "the status with which it ended",
+                .input = input, .expected = right ? 0.0 : 1.0,
+                .tolerance = 0.0, .equation = "eq:difference",
+                .question =
+                    right ? "This collide is right. To how many digits can "
+                            "a sum of rounded numbers stay what it was?"
+                          : "With which status does your program end when "
+                            "it finds something wrong?",
+                .mistakes = {{right ? NULL : "check-missing", 0.0,
+                              "Your program did not notice. What should "
+                              "be the same before and after each "
+                              "collision?"}}) ||
+            !CHECK_NEAR(*r->complaint != '\0',
+                        .quantity = "a line on stderr", .input = input,
+                        .expected = !right, .tolerance = 0.0,
+                        .question = "It should say what broke, and only "
+                                    "then."))
+            return;
+    }
+}
+
+static void stage_upright(void)
+{
+    static const char fall[] =
+        "Between two events every bead falls. What happens to its place, "
+        "and what to its velocity? And when is it at a stop?";
+    const struct scene one = draw_apart(1, INFINITY, draw(1, 10), true, 60);
+    const struct scene low =
+        draw_apart(1, draw(0.3, 0.6), draw(0.5, 1.5), true, 60);
+    const struct scene five =
+        draw_apart(5, INFINITY, draw(0.5, 2.0), true, 40);
+    const struct scene any =
+        draw_apart(4, draw(4.0, 6.0), draw(0.3, 2.0), false, 40);
+    struct scene flat = draw_apart(4, draw(1.0, 2.0), 0.0, false, 30);
+    if (!check_scene(&one, 1e-10, true, fall) ||
+        !check_scene(&low, 1e-9, true,
+                     "Here the bead reaches the upper stop, too, at least "
+                     "sometimes. Which root is it there?") ||
+        !check_scene(&five, 1e-8, true,
+                     "Equal masses pass through each other, upright as "
+                     "well. What changes in the time of a pair?") ||
+        !check_scene(&any, 1e-6, true, fall))
+        return;
+    flat.g = 1e-9;
+    check_scene(&flat, 1e-6, false,
+                "With hardly any gravity everything should be nearly as on "
+                "a flat wire. Which difference of two nearly equal numbers "
+                "do you take?");
+}
+
+/* Four beads of known shares, in units of the year. What is true of the
+   errors was found from 250 runs of each kind, as a part of the value:
+   lightest, heaviest, ratio. */
+static const double true_errors[2][3] = {{0.0105, 0.0118, 0.0200},
+                                         {0.0128, 0.0106, 0.0203}};
+
+static double rounded(double x)
+{
+    char text[32];
+    snprintf(text, sizeof text, "%.5g", x);
+    return strtod(text, NULL);
+}
+
+static struct scene draw_shared(bool upright)
+{
+    static const double masses[] = {9.0, 5.0, 2.0, 1.0};
+    const double kilogram = draw(0.5, 2.0), metre = draw(0.5, 2.0);
+    const double second = draw(0.5, 2.0);
+    double fast = 0.0, high = 0.0;
+    struct scene s = {.n = 4, .rows = 40000};
+    for (int i = 0; i < s.n; ++i) {
+        s.x[i] = draw(0.1 + 0.2 * i, 0.25 + 0.2 * i);
+        s.v[i] = draw(0.3, 1.0) * (check_draw_whole(0, 1) ? 1.0 : -1.0);
+        fast += masses[i] * s.v[i] * s.v[i] / 2.0;
+        high += masses[i] * s.x[i];
+    }
+    for (int i = 0; i < s.n; ++i) {
+        s.m[i] = rounded(masses[i] * kilogram);
+        s.x[i] = rounded(s.x[i] * metre * (upright ? 6.0 / high : 1.0));
+        s.v[i] = rounded(s.v[i] * sqrt(2.0 / fast) * metre / second);
+    }
+    s.length = upright ? INFINITY : metre;
+    s.g = upright ? rounded(metre / second / second) : 0.0;
+    s.tc = rounded((upright ? 0.06 : 0.04) * second);
+    return s;
+}
+
+/* The root of the mean square in the rows, and the error that it would have
+   if they were independent. */
+static double of_rows(const struct run *r, int column, double *error)
+{
+    double two = 0.0, four = 0.0;
+    const double n = (double)(r->rows - 1);
+    for (size_t k = 1; k < r->rows; ++k) {
+        const double v = r->numbers[k * r->columns + (size_t)column];
+        two += v * v / n;
+        four += v * v * v * v / n;
+    }
+    *error = sqrt((four - two * two) / n) / (2.0 * sqrt(two));
+    return sqrt(two);
+}
+
+static bool check_numbers(const char *name, const char *input,
+                          const double got[3], double theory, double run,
+                          double naive, double spread)
+{
+    const double error = got[1] / (theory * spread);
+    return CHECK_NEAR(got[2],
+                      .quantity = check_text("the theory of %s", name),
+                      .input = input, .expected = theory,
+                      .tolerance = 1e-6 * theory,
+                      .because = "the digits of the masses",
+                      .equation = "eq:equipartition",
+                      .question = "How many squares are there in the "
+                                  "energy, and how many of them are "
+                                  "velocities? A height is no square: what "
+                                  "is its share?") &&
+           CHECK_NEAR(got[0], .quantity = check_text("the run of %s", name),
+                      .input = input, .expected = run,
+                      .tolerance = 1e-3 * run,
+                      .because = "it was computed again from the rows",
+                      .equation = "eq:equipartition",
+                      .question = "The root of the mean of the squares: "
+                                  "of which bead, and over which rows?") &&
+           CHECK_NEAR(
+               error,
+               .quantity = check_text("the error of %s, in units of the "
+                                      "true one",
+                                      name),
+               .input = input, .expected = 1.0, .tolerance = 0.6,
+               .because = "found from 250 runs; an error has an error",
+               .equation = "eq:block",
+               .question = "How long are your blocks, and how many?",
+               .mistakes = {{"rows-as-if-independent",
+                             naive / (theory * spread),
+                             "One row knows the row before it. How often "
+                             "does a bead forget, and what do means over "
+                             "long blocks say?"}}) &&
+           CHECK_NEAR((got[0] - theory) / got[1],
+                      .quantity = check_text("%s: run less theory, in "
+                                             "errors",
+                                             name),
+                      .input = input, .expected = 0.0, .tolerance = 5.0,
+                      .because = "beyond lies less than one run in a "
+                                 "hundred thousand",
+                      .equation = "eq:equipartition",
+                      .question = "Theory and run do not agree. Which of "
+                                  "them do you believe, and why?");
+}
+
+static void stage_theory(void)
+{
+    for (int upright = 0; upright < 2; ++upright) {
+        const struct scene s = draw_shared(upright);
+        const double *spread = true_errors[upright];
+        double got[3][3], naive[3], run[3], energy = 0.0, theory[3];
+        const struct run_order *o = order(&s, 0, for_ever);
+        const char *input = run_text(o);
+        const struct run *r = run_program(o);
+        if (!check_form(&s, r, input))
+            return;
+        for (int i = 0; i < s.n; ++i)
+            energy += s.m[i] * (s.v[i] * s.v[i] / 2.0 + s.g * s.x[i]);
+        const double share = energy / s.n * (upright ? 2.0 / 3.0 : 2.0);
+        run[0] = of_rows(r, 2 + 2 * 3 + 1, &naive[0]);
+        run[1] = of_rows(r, 2 + 1, &naive[1]);
+        run[2] = run[0] / run[1];
+        naive[2] = run[2] * hypot(naive[0] / run[0], naive[1] / run[1]);
+        theory[0] = sqrt(share / s.m[3]);
+        theory[1] = sqrt(share / s.m[0]);
+        theory[2] = theory[0] / theory[1];
+        static const char *const names[] = {"lightest", "heaviest",
+                                            "ratio"};
+        for (int i = 0; i < 3; ++i) {
+            const char *words = check_text("# %s", names[i]);
+            const int count = run_remark(r, words, got[i], 3);
+            if (!CHECK_NEAR(
+                    count,
+                    .quantity = check_text("numbers behind %s", words),
+                    .input = input, .expected = 3.0, .tolerance = 0.0,
+                    .equation = "eq:equipartition",
+                    .question = "The contract asks for the run, "
+                                "its standard error, and the "
+                                "theory, from 1000 rows on.") ||
+                !check_numbers(names[i], input, got[i], theory[i], run[i],
+                               naive[i], spread[i]))
+                return;
+        }
+    }
+}
+
+const struct check_suite check_suite = {
+    .file = "P1-bonkers.c",
+    .title = "Bonkers, upright",
+    .minutes = 180,
+    .tests = {{"1 special cases: one bead flat, equal masses flat",
+               stage_special, 4, 0},
+              {"2 then generalize: any masses, flat", stage_general, 5, 2},
+              {"3 the clock: rows neither drift nor sit on collisions",
+               stage_clock, 2, 0},
+              {"4 check: the program watches itself", stage_check, 4, 0},
+              {"5 upright: beads that fall", stage_upright, 5, 3},
+              {"6 make a theory: who is fast, and how sure are we",
+               stage_theory, 5, 0},
+              {0}},
+};

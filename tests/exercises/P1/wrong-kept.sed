@@ -1,0 +1,2 @@
+# mistake: velocity-kept, stage 5
+/v\[i\] -= g \* t;/d

@@ -1,0 +1,2 @@
+# mistake: nothing-happened, stage 4
+/the relative velocity/s/broken(.*)/(void)0/

@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 751798241 of the lines below */
+/* checksum 1974052347 of the lines below */
 /* Namespaces, limits and a shell inside, made with bubblewrap. */
 #include "examiner/box.h"
 #include "examiner/process.h"
@@ -109,12 +109,19 @@ static void add_system(struct words *w)
     ADD(w, "--perms", "0755", "--dir", "/kit", "--perms", "0755", "--dir",
         "/exercises");
 }
+static const char *header_of(const char *name)
+{
+    const bool project = strncmp(name, "exercises/P", 11) == 0;
+    return project ? "kit/collide.h" : "kit/exercise.h";
+}
+
 static void add_copies(struct words *w, const char *name)
 {
-    static char source[256];
+    static char source[256], header[32];
     snprintf(source, sizeof source, "/%s", name);
+    snprintf(header, sizeof header, "/%s", header_of(name));
     ADD(w, "--perms", "0444", "--ro-bind-data", "5", source);
-    ADD(w, "--perms", "0444", "--ro-bind-data", "6", "/kit/exercise.h");
+    ADD(w, "--perms", "0444", "--ro-bind-data", "6", header);
     ADD(w, "--perms", "0444", "--ro-bind-data", "7", "/kit/box.suite.o");
     ADD(w, "--seccomp", "8", "--remount-ro", "/");
 }
@@ -258,19 +265,33 @@ static const char script[] =
     "export PATH=/usr/bin:/bin LC_ALL=C HOME=$root/work TMPDIR=$root/work\n"
     "build() { prlimit --core=0 --cpu=20 --as=2147483648 --nproc=64 \\\n"
     "    --fsize=33554432 \"$@\" 3<&- 4>&-; }\n"
-    "compile() { build --cpu=$1 $compiler -I$root/kit $2 -c \\\n"
-    "    -o work/answer.o $name; }\n"
+    "compile() { build --cpu=$1 $compiler -I$root/kit -DCOLLIDE_GIVEN \\\n"
+    "    $2 -c -o work/answer.o $name; }\n"
     "cd $root/ || exit\n"
     "compile 20 $terse >work/said 2>&1 || {\n"
     "    if [ $(wc -c <work/said) -lt 9999 ]; then compile 5 ''; else\n"
     "    compile 5 -w && grep error: work/said | head -n 20; fi; exit; }\n"
     "cd work || exit\n"
-    "build objcopy $keep answer.o || exit\n"
-    "build $compiler -o program answer.o ../kit/box.suite.o -lm || exit\n"
+    "kit=../kit/box.suite.o program=./program\n"
+    "if [ \"$keep\" = program ]; then\n"
+    "    build objcopy --keep-global-symbol=main answer.o || exit\n"
+    "    for law in $(nm $kit | sed -n 's/.* T collide_//p'); do\n"
+    "        build $compiler -o program$law answer.o $kit -lm \\\n"
+    "            -Wl,-u,collide_$law,--defsym=collide=collide_$law || "
+    "exit\n"
+    "    done\n"
+    "    build $compiler -o box $kit "
+    "-Wl,-u,box_main,--defsym=main=box_main \\\n"
+    "        || exit\n"
+    "    mkdir desk && cd desk && program=../box || exit\n"
+    "else\n"
+    "    build objcopy $keep answer.o || exit\n"
+    "    build $compiler -o program answer.o $kit -lm || exit\n"
+    "fi\n"
     "printf b >&4\n"
     "exec prlimit --core=0 --cpu=$seconds:$((seconds + 1)) --as=$memory "
     "--nproc=16 \\\n"
-    "    --nofile=64 --fsize=1048576 ./program\n";
+    "    --nofile=64 --fsize=1048576 $program\n";
 static void add_script(struct words *w, const struct box_order *order,
                        const char *root)
 {
@@ -332,7 +353,7 @@ static void furnish_folder(const struct box_order *order)
         chown(path, (uid_t)box_user(), (gid_t)box_user()) != 0)
         text_fail("cannot give '%s' away: %s", path, strerror(errno));
     copy(order->source, order->name);
-    copy(order->header, "kit/exercise.h");
+    copy(order->header, header_of(order->name));
     copy(order->inside, "kit/box.suite.o");
 }
 

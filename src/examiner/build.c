@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 1434684070 of the lines below */
+/* checksum 2697226283 of the lines below */
 /* Starts the compiler and tells of its messages what helps. */
 #include "examiner/build.h"
 #include "examiner/message.h"
@@ -38,10 +38,9 @@ void build_suite(const char *exercise)
     char suite[64], given[64];
     snprintf(suite, sizeof suite, "build/check/%s.suite.o", exercise);
     snprintf(given, sizeof given, "build/check/%s.given.o", exercise);
-    char *command[] = {
-        "sh",  "-c", script,
-        "sh",  suite, *exercise == 'P' ? given : NULL,
-        NULL};
+    char *command[] = {"sh", "-c",  script,
+                       "sh", suite, *exercise == 'P' ? given : NULL,
+                       NULL};
     if (access(suite, F_OK) != 0 &&
         (!process_run(command, ".", &files, &limits, &end) ||
          end.status != 0) &&
@@ -53,8 +52,7 @@ void build_suite(const char *exercise)
 static char function[] =
     "exec $1 $2 -Isrc -Isrc/examiner -Wall -Wextra -fmax-errors=20 "
     "-o \"$3/runner\" \"$4\" build/check/$5.suite.o $6";
-static char runner[] =
-    "exec $1 -o \"$3/runner\" build/check/$5.suite.o $6";
+static char runner[] = "exec $1 -o \"$3/runner\" build/check/$5.suite.o $6";
 static char program[] =
     "given=build/check/$5.given.o law=1\n"
     "build() { \"$@\" -Isrc/examiner -DCOLLIDE_GIVEN; }\n"
@@ -78,17 +76,10 @@ static bool compile(const char *folder, const char *exercise, char *source,
     char *compiler = text_line(&libraries);
     char *errors = strict ? "-pedantic -Werror" : "";
     snprintf(messages, sizeof messages, "%s/messages", folder);
-    char *command[] = {"sh",
-                       "-c",
-                       script,
-                       "sh",
-                       compiler,
-                       errors,
-                       (char *)folder,
-                       source,
-                       (char *)exercise,
-                       libraries,
-                       NULL};
+    char *command[] = {"sh",           "-c",     script,
+                       "sh",           compiler, errors,
+                       (char *)folder, source,   (char *)exercise,
+                       libraries,      NULL};
     setenv("LC_ALL", "C", 1);
     setenv("GCC_COLORS", "", 1);
     setenv("TMPDIR", folder, 1);

@@ -69,7 +69,7 @@ build/made/grade/obj/%.o: src/%.c build/check/flags
 		-c -o $(made).new $<
 	$(take_compiled)
 build/made/grade/libjudge.a: $(patsubst src/%.c,build/grade/obj/%.o,\
-	$(patsubst %,src/examiner/%.c,check hidden heed judge wire border) \
+	$(patsubst %,src/examiner/%.c,check hidden heed judge wire border run) \
 	src/toolbox/random.c)
 	$(begin)
 	@rm -f $(made).new
@@ -109,6 +109,23 @@ build/made/grade/%.inside.o: tests/exercises/%/border.c $(patsubst %,\
 		-c -o build/grade/obj/border/$*.o $<
 	@ld -r -o $(made).new build/grade/obj/border/$*.o $(filter %.o,$^)
 	$(take_compiled)
+# Of a project: an archive with the box's program, whose main has another
+# name, and with what the student's program is given.
+$(foreach e,$(projects),$(eval build/made/grade/$(e).inside.o: \
+	build/check/$(e).given.o))
+build/made/grade/P%.inside.o: tests/exercises/P%/border.c $(patsubst %,\
+		build/grade/obj/examiner/%.o,running boxed wire border place)
+	$(begin)
+	@mkdir -p build/grade/obj/border
+	@ld -r -o build/grade/obj/border/P$*.o \
+		$(filter build/grade/%.o,$^) && \
+		objcopy --redefine-sym main=box_main build/grade/obj/border/P$*.o
+	@rm -f $(made).new && \
+		ar rcsD $(made).new build/grade/obj/border/P$*.o \
+		build/check/P$*.given.o
+	@$(take)
+build/grade/P%.names: build/grade/P%.inside.o
+	@echo program >$@
 build/grade/%.list: build/grade/%.judge
 	@build/grade/$*.judge --list >$@
 build/grade/%.names: build/grade/%.inside.o tests/exercises/%/stub.c

@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 2718814946 of the lines below */
+/* checksum 875803023 of the lines below */
 /* Orders a run of a program and reads its table. */
 #include "examiner/run.h"
 #include "examiner/border.h"
@@ -24,8 +24,8 @@ const char *run_text(const struct run_order *o)
         if (at < sizeof text)
             at += (size_t)snprintf(text + at, sizeof text - at,
                                    "; in %s: ", o->files[i].name);
-        for (const char *c = o->files[i].text;
-             *c && at + 8 < sizeof text; ++c) {
+        for (const char *c = o->files[i].text; *c && at + 8 < sizeof text;
+             ++c) {
             const char *mark = c[1] ? " / " : "";
             if (*c == '\n')
                 at += (size_t)snprintf(text + at, sizeof text - at, "%s",
@@ -155,8 +155,8 @@ static void tell_run(const struct run_order *o, bool late)
 
 static void end_like(const struct run_order *o, int status, bool late)
 {
-    const bool sane = WIFEXITED(status) &&
-                      WEXITSTATUS(status) != SANITIZER_STATUS;
+    const bool sane =
+        WIFEXITED(status) && WEXITSTATUS(status) != SANITIZER_STATUS;
     if (!late && sane)
         return;
     tell_run(o, late);

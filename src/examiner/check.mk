@@ -6,13 +6,17 @@ exercises := $(patsubst tests/exercises/%/suite.c,%,\
 	tests/exercises/P[0-9]/suite.c))
 # Those that are whole programs; YEAR=2027 draws their numbers anew.
 projects := $(filter P%,$(exercises))
+year = $(if $(filter P%,$*),$(YEAR:%=-DPROJECT_YEAR=%))
+build/made/check/year: FORCE
+	@mkdir -p $(@D)
+	@echo '$(YEAR)' | cmp -s - $@ || echo '$(YEAR)' >$@
 
 # What the exercises are compiled with; build/check/flags keeps it for examine:
 # the compiler's command on the first line, the libraries on the second.
 # XOPEN_SOURCE, more than the kit itself asks for, gives students M_PI. What
 # newer compilers take for errors, and a missing return, are errors in all.
 check_base = $(CC) -std=c11 -D_XOPEN_SOURCE=700 -ffp-contract=off -g -O1 \
-	$(errors:%=-Werror=%) $(YEAR:%=-DPROJECT_YEAR=%) $(CPPFLAGS)
+	$(errors:%=-Werror=%) $(CPPFLAGS)
 errors = return-type implicit-function-declaration int-conversion
 sanitizers = -fsanitize=address,undefined -fno-sanitize=object-size \
 	-fno-sanitize-recover=undefined
@@ -101,7 +105,7 @@ kept += build/check/flags build/check/libcheck.a build/check/examine \
 border_of = $(wildcard $(addprefix tests/exercises/$*/,border.c crossing.c))
 crossing = $$(sed -n '/^static/d; s/^[a-z][a-z_ *]*[ *]\([a-z0-9_]*\)(.*/\1/p' \
 	/dev/null $(border_of) | grep -v '^border_' | sed 's/.*/-D&=suite_&/')
-check_part = $(check_cc) -Wall -Wextra -pedantic -Isrc -c \
+check_part = $(check_cc) $(year) -Wall -Wextra -pedantic -Isrc -c \
 	-o build/check/obj/suite/$*
 build/made/check/%.suite.o: tests/exercises/%/suite.c build/check/flags
 	$(begin)
@@ -125,6 +129,7 @@ build/made/check/%.given.o: $(addprefix tests/exercises/%/,suite.c) \
 	$(Q)$(check_base) -Wall -Wextra -pedantic -Isrc -DBORDER_GIVEN -c \
 		-o $(made).new $(border_of)
 	@$(take)
+$(projects:%=build/made/check/%.suite.o): build/made/check/year
 $(foreach e,$(projects),$(eval build/made/check/$(e).given.o: \
 	$(wildcard $(addprefix tests/exercises/$(e)/,border.c crossing.c))))
 

@@ -1,7 +1,7 @@
 # The grader: cc, make, CUnit, jansson, libxml2, bubblewrap.
 
 # make grade SUBMISSIONS=dir [REPORT=gradescope,...] [JOBS=n] [HIDDEN=seed]
-# [EX=01a,02] [SECONDS=5] [RESULTS=dir] [UNSAFE=1]
+# [EX=01a,02] [SECONDS=5] [RESULTS=dir] [UNSAFE=1] [YEAR=2027]
 SUBMISSIONS =
 grade_options = $${REPORT:+--report "$$REPORT"} $${JOBS:+--jobs "$$JOBS"} \
 	$${HIDDEN:+--hidden "$$HIDDEN"} $${EX:+--exercises "$$EX"} \
@@ -93,7 +93,7 @@ build/made/grade/%.judge: tests/exercises/%/suite.c tests/exercises/%/border.c \
 	$(call say,cc $(made))
 	$(Q)for file in $(judge_of); do \
 		part=$${file##*/} && part=$${part%.c} && \
-		$(check_base) $(reads).$$part -Wall -Wextra -pedantic -Isrc \
+		$(check_base) $(year) $(reads).$$part -Wall -Wextra -pedantic -Isrc \
 		-c -o $(judge_part).$$part.o $$file || exit 1; done
 	$(Q)$(check_base) -o $(made).new \
 		$(patsubst %.c,$(judge_part).%.o,$(notdir $(judge_of))) \
@@ -109,6 +109,7 @@ build/made/grade/%.inside.o: tests/exercises/%/border.c $(patsubst %,\
 		-c -o build/grade/obj/border/$*.o $<
 	@ld -r -o $(made).new build/grade/obj/border/$*.o $(filter %.o,$^)
 	$(take_compiled)
+$(projects:%=build/made/grade/%.judge): build/made/check/year
 # Of a project: an archive with the box's program, whose main has another
 # name, and with what the student's program is given.
 $(foreach e,$(projects),$(eval build/made/grade/$(e).inside.o: \

@@ -87,7 +87,7 @@ if command -v ld.gold >/dev/null 2>&1; then
         export COMPILER_PATH="$out/linker"
 fi
 
-[ $# -gt 0 ] || set -- $(ls solutions | cut -c 1-3)
+[ $# -gt 0 ] || set -- $(ls solutions | grep '^[0-9]' | cut -c 1-3)
 for ex; do
     folder=tests/exercises/$ex
     suite=$folder/suite.c stub=$folder/stub.c

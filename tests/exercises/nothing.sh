@@ -79,7 +79,7 @@ tried() {
     built=$((built + 1))
 }
 
-[ $# -gt 0 ] || set -- $(ls solutions | cut -c 1-3)
+[ $# -gt 0 ] || set -- $(ls solutions | grep '^[0-9]' | cut -c 1-3)
 for ex; do
     suite=tests/exercises/$ex/suite.c
     stub=tests/exercises/$ex/stub.c

@@ -14,7 +14,7 @@ topic=outside
 #   /* place: FUNCTION PLACE VALUES */      or      /* place: none */
 # with how many values the place has, and "suite" behind it where the suite
 # looks behind it (02b: and before it) by itself and knows better words.
-[ $# -gt 0 ] || set -- $(ls solutions | cut -c 1-3)
+[ $# -gt 0 ] || set -- $(ls solutions | grep '^[0-9]' | cut -c 1-3)
 places_of() { # EXERCISE...
     for ex; do
         sed -n "s,^/\\* place: \\(.*\\) \\*/\$,$ex \\1,p" \

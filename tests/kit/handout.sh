@@ -43,9 +43,13 @@ equal 'all in one folder' "$course" "$(ls -A "$work/a place")"
 strangers=$(cd "$place" && find . ! -type d ! \( -type f \( \
     -path './src/*.[ch]' -o -path './exercises/*.c' -o \
     -path './tests/exercises/[0-9][0-9][a-z]/suite.c' -o \
+    -path './tests/exercises/P[0-9]/suite.c' -o \
     -path './tests/exercises/[0-9][0-9][a-z]/stub.c' -o \
+    -path './tests/exercises/P[0-9]/stub.c' -o \
     -path './tests/exercises/[0-9][0-9][a-z]/hints.txt' -o \
+    -path './tests/exercises/P[0-9]/hints.txt' -o \
     -path './tests/exercises/[0-9][0-9][a-z]/crossing.c' -o \
+    -path './tests/exercises/P[0-9]/crossing.c' -o \
     -path './plots/*.gp' -o \
     -path './plots/*.awk' -o -path ./plots/films -o -path ./plots/show -o \
     -path './plots/*.svg' -o -path './plots/data/*.dat' \) -o \
@@ -59,7 +63,7 @@ strangers=$(cd "$place" && find . ! -type d ! \( -type f \( \
     -path ./.gitattributes \))
 equal 'no file of another kind' '' "$strangers"
 # $folders: those of the exercises, which are in no other place.
-folders=$(cd tests/exercises && ls -d [0-9][0-9][a-z])
+folders=$(cd tests/exercises && ls -d [0-9][0-9][a-z] P[0-9])
 equal 'no folder of another kind' "$({ printf '%s\n' .ci chapters \
     chapters/press exercises plots plots/data src src/box src/enough \
     src/examiner src/forces src/line src/programs src/scenes src/studies \
@@ -162,6 +166,15 @@ refused 'WITH_CHAPTERS is 1 or 0' 2 "^handout: WITH_CHAPTERS: 'yes' is" \
     env WITH_CHAPTERS=yes "$kit/chapters/press/handout"
 rm "$kit/tests/exercises/01a/stub.c"
 [ -e "$kit/.git" ] && (cd "$kit" && git add -A)
+refused 'YEAR is a year' 2 "^handout: YEAR: 'soon' is" \
+    env YEAR=soon "$kit/chapters/press/handout"
+(cd "$kit" && YEAR=2031 chapters/press/handout) >"$work/out" 2>&1
+equal 'and draws the numbers of the projects, which are all that it changes' \
+    '#define PROJECT_YEAR 2031' "$(mkdir "$work/year" &&
+        tar xzf "$kit/$archive" -C "$work/year" &&
+        tar xzf "$work/first.tar.gz" -C "$work/year" \
+            --transform 's/^/first-/' && cd "$work/year" &&
+        diff -r "first-$course" "$course" | sed -n 's/^> //p')"
 refused 'no suite without a stub' 1 \
     'tests/exercises/01a/suite.c has no tests/exercises/01a/stub.c' \
     "$kit/chapters/press/handout"
@@ -183,7 +196,7 @@ holds 'every stub says how to get a hint' sh -c 'cd exercises &&
     done'
 holds 'nothing is begun' grep -q 'Nothing is begun' "$work/out"
 equal 'in every exercise' "$(ls tests/exercises | wc -l)" \
-    "$(grep -c '^[0-9][0-9][a-z] .* not begun' "$work/out")"
+    "$(grep -c '^[0-9P][0-9][a-z ] .* not begun' "$work/out")"
 cp "$root"/solutions/01a-*.c exercises
 $make -s check EX=01a >"$work/out" 2>&1
 holds 'a right answer ends well' test $? -eq 0
@@ -363,7 +376,8 @@ key_lines() {
         {
             file = $1
             sub(/.*\//, "", file)
-            file = folder "/" substr(file, 1, 3) ".c"
+            sub(/-.*/, "", file)
+            file = folder "/" file ".c"
             from = 3
             for (i = 3; i <= NF; ++i) {
                 open += ($i == "(") - ($i == ")")
@@ -378,10 +392,11 @@ key_lines() {
 
 # The exercise and the kind of a file of answers, of the stub or the suite.
 kinds='function exercise_of(path) {
-        if (match(path, /tests\/exercises\/[0-9][0-9][a-z]\//))
-            return substr(path, RSTART + 16, 3)
+        if (match(path, /tests\/exercises\/[0-9P][0-9][a-z]?\//))
+            return substr(path, RSTART + 16, RLENGTH - 17)
         sub(/.*\//, "", path)
-        return substr(path, 1, 3)
+        sub(/[-.].*/, "", path)
+        return path
     }
     function kind_of(path) {
         return path ~ /\/stub\.c/ ? "stub" : path ~ /\/suite\.c/ ? "suite" : \
@@ -479,8 +494,8 @@ leaks() {
                 ex = $1
                 sub(/\.c:.*/, "", ex)
                 sub(/.*\//, "", ex)
-                if ($2 !~ /tests\/exercises\/...\/suite\.c/ ||
-                    index($2, "tests/exercises/" ex))
+                if ($2 !~ /tests\/exercises\/[^\/]*\/suite\.c/ ||
+                    index($2, "tests/exercises/" ex "/"))
                     print $2 ": a key line of solutions/" ex
             }' "$work/known-lines" -
     # A page of print may cut a function in two: lines of 24 characters and
@@ -529,14 +544,18 @@ const struct check_test check_hidden[] = {
 };
 END
 learn "$work/hidden/01a-planted.c"
+# The wrong answers of projects are changes of the right ones, in *.sed.
+small=$(printf '%s\n' $folders | grep -v P)
 equal 'every exercise yields a solution, right and wrong ones, hidden tests' \
-    '' "$(without $folders)"
+    '' "$(without $small)"
+equal 'and every project a solution and right ones' '' \
+    "$(without P1 | grep -v 'wrong$\|hidden$')"
 grep -v -e '^tests/exercises/05b/right-' -e '^solutions/07a' \
     -e '^tests/exercises/08c/wrong-' -e '^tests/exercises/12d/hidden' \
     "$work/bodies" >"$work/fewer" && mv "$work/fewer" "$work/bodies"
 equal 'where one yields none it is named' "$(printf '%s\n' '05b right' \
     '07a solution' '08c wrong' '12d hidden' '13a solution' '13a right' \
-    '13a wrong' '13a hidden')" "$(without $folders 13a)"
+    '13a wrong' '13a hidden')" "$(without $small 13a)"
 holds 'answers are sought' test "$(echo $answers | wc -w)" -gt 300
 holds 'and values' test "$(wc -l <"$work/values")" -gt 20
 holds 'and the names of hidden tests' test -s "$work/names"
@@ -598,4 +617,4 @@ found "the reference value 0.$value" \
     found "$file, in an instructor's book" "answers.pdf.txt:.* $file:"
 done
 # The last ones are of the solutions, one by one.
-echo "1..$((100 + $(ls solutions/*.c | wc -l)))"
+echo "1..$((103 + $(ls solutions/*.c | wc -l)))"

@@ -21,8 +21,8 @@ rm -rf "$kit"/build/grade/results "$kit"/build/grade/work.*
 cd "$kit" || exit 1
 # A header changes, and everything is built again: a course with the exercises
 # of chapter 1 is enough to add one to.
-rm -rf tests/exercises/0[2-9]? tests/exercises/1??
-find solutions exercises build/check build/grade -name '[0-9]*' ! -name '01*' \
+rm -rf tests/exercises/0[2-9]? tests/exercises/1?? tests/exercises/P?
+find solutions exercises build/check build/grade -name '[0-9P]*' ! -name '01*' \
     ! -type d -exec rm -f {} + 2>/dev/null
 git init -q . && git add -A >/dev/null 2>&1 &&
     git -c user.name=kit -c user.email=kit@localhost commit -qm kit ||

@@ -580,7 +580,7 @@ static void stage_general(void)
 
 static void stage_clock(void)
 {
-    enum { ROWS = 100000 };
+    enum { ROWS = 50000 };
     struct scene s = draw_scene(1, draw(1.0, 3.0), 0.0, true);
     s.tc = 0.1;
     s.rows = ROWS;

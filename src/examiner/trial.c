@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 419243145 of the lines below */
+/* checksum 2439330019 of the lines below */
 /* Runs a test, judges how it ended, and tells failures and crashes. */
 #include "examiner/trial.h"
 #include "examiner/process.h"
@@ -392,9 +392,11 @@ enum state trial_run(const struct trial *trial, int number, FILE *story)
     if (result.end.timed_out) {
         state = TIMED_OUT;
         tell_time_out(trial, story);
+        tell_failure(&result, story);
     } else if (result.end.status != 0 || (!*verdict && !*undone)) {
         state = CRASHED;
         tell_crash(trial, &result, story);
+        tell_failure(&result, story);
     } else if (*undone) {
         state = NOT_BEGUN;
         fprintf(story, "  NOT_DONE_YET still stands at %s\n", undone);

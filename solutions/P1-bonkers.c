@@ -43,9 +43,9 @@ static double number(const char *text, const char *what)
 
 static void read_beads(const char *name)
 {
-    char line[1024], rest[2];
     FILE *file = fopen(name, "r");
-    if (!file)
+    char line[1024], rest[2];
+    if (file == NULL)
         refuse("BEADS: there is no such file");
     while (fgets(line, sizeof line, file)) {
         line[strcspn(line, "#")] = '\0';
@@ -134,7 +134,7 @@ static void go_to(double end)
 {
     for (;;) {
         double wait = INFINITY;
-        int who = -1, pair = 0;
+        int pair = 0, who = -1;
         for (int i = 0; i < n; ++i) {
             const double t = i == 0 || i == n - 1 ? stop_time(i) : INFINITY;
             if (t < wait)

@@ -140,14 +140,14 @@ static int number(const char *s, double *x)
 static double uncertainty(const double *a, long n)
 {
     double mean = 0, sum = 0, c0 = 0;
-    for (long i = 0; i < n; ++i)
+    for (long i = n; i-- > 0;)
         mean += a[i] / n;
-    for (long i = 0; i < n; ++i)
-        c0 += (a[i] - mean) * (a[i] - mean) / n;
+    for (long i = n; i-- > 0;)
+        c0 += pow(a[i] - mean, 2) / n;
     for (long lag = 1; lag < n / 20 && lag < 6 * (1 + 2 * sum); ++lag) {
         double c = 0;
-        for (long i = 0; i + lag < n; ++i)
-            c += (a[i] - mean) * (a[i + lag] - mean) / (n - lag);
+        for (long i = n - lag; i-- > 0;)
+            c += (a[i + lag] - mean) * (a[i] - mean) / (n - lag);
         sum += c / c0;
     }
     return sqrt(c0 * (1 + 2 * sum) / n);

@@ -158,7 +158,7 @@ static void go_to(double end)
 static double energy(void)
 {
     double sum = 0;
-    for (int i = 0; i < n; ++i)
+    for (int i = n; i-- > 0;)
         sum += m[i] * (v[i] * v[i] / 2 + g * x[i]);
     return sum;
 }
@@ -186,12 +186,13 @@ static void report(double total)
     double mean[2] = {0, 0}, spread[3] = {0, 0, 0}, rms[2];
     const double share = total / n * (g > 0 ? 2.0 / 3.0 : 2.0);
     const double a = sqrt(share / m[light]), b = sqrt(share / m[heavy]);
-    for (int i = 0; i < BLOCKS; ++i)
-        for (int k = 0; k < 2; ++k)
-            mean[k] += squares[k][i] / (double)rows;
+    for (int block = BLOCKS; block-- > 0;) {
+        mean[0] += squares[0][block] / (double)rows;
+        mean[1] += squares[1][block] / (double)rows;
+    }
     for (int i = 0; i < BLOCKS; ++i) {
         double off[2];
-        for (int k = 0; k < 2; ++k) {
+        for (int k = 1; k >= 0; --k) {
             off[k] = squares[k][i] / (double)counted[i] / mean[k] - 1;
             spread[k] += off[k] * off[k];
         }
@@ -199,8 +200,8 @@ static void report(double total)
     }
     for (int k = 0; k < 3; ++k)
         spread[k] = sqrt(spread[k] / BLOCKS / (BLOCKS - 1)) / 2;
-    for (int k = 0; k < 2; ++k)
-        rms[k] = sqrt(mean[k]);
+    rms[0] = sqrt(mean[0]);
+    rms[1] = sqrt(mean[1]);
     tell("lightest", rms[0], rms[0] * spread[0], a);
     tell("heaviest", rms[1], rms[1] * spread[1], b);
     tell("ratio", rms[0] / rms[1], rms[0] / rms[1] * spread[2], a / b);
@@ -227,11 +228,11 @@ int main(int argc, char **argv)
         isinf(tick) || end == argv[5] || *end || rows < 0)
         refuse("LENGTH and TC must be above 0, G and ROWS not below");
     read_beads(argv[1]);
-    const double total = energy();
-    for (int i = 0; i < n; ++i) {
+    for (int i = 1; i < n; ++i) {
         light = m[i] < m[light] ? i : light;
         heavy = m[i] > m[heavy] ? i : heavy;
     }
+    const double total = energy();
     print_row(0);
     for (long k = 1; k <= rows; ++k) {
         go_to((double)k * tick);

@@ -173,6 +173,7 @@ static void check_row(const struct stepping_method *m)
     double kicks = 0, drifts = 0, b = 0, bc = 0, bc2 = 0, bac = 0;
     UNIT_TRUE(stepping_find(m->name) == m);
     UNIT_TRUE(m->about != NULL && m->about[0] != '\0');
+    UNIT_TRUE(!m->adaptive);
     UNIT_TRUE((m->drift != NULL) == (m->family == STEPPING_SPLITTING));
     UNIT_TRUE((m->b != NULL) == (m->family != STEPPING_SPLITTING));
     UNIT_TRUE(!m->b || is_explicit(m) == (m->family == STEPPING_EXPLICIT));
@@ -418,7 +419,8 @@ static struct kept run_in_pieces(const struct stepping_method *m,
 
 static void test_cuts(void)
 {
-    for (const struct stepping_method *m = stepping_methods; m->name; ++m)
+    for (const struct stepping_method *m = fixed_row(stepping_methods);
+         m->name; m = fixed_row(m + 1))
         for (int way = 0; way < 4; ++way) {
             const struct stepping_forces f =
                 way & 1 ? rough_forces : orbit_forces;
@@ -526,7 +528,8 @@ static void grow(void *what, const double x[], const double v[], double a[])
 static void test_infinite(void)
 {
     const struct stepping_forces f = {1, false, grow, NULL};
-    for (const struct stepping_method *m = stepping_methods; m->name; ++m) {
+    for (const struct stepping_method *m = fixed_row(stepping_methods);
+         m->name; m = fixed_row(m + 1)) {
         uint64_t ends[2];
         for (int cut = 0; cut < 2; ++cut) {
             double x = 2, v = 2;
@@ -550,7 +553,8 @@ static void test_infinite(void)
 static void test_friction(void)
 {
     double exact[2], state[2][4];
-    for (const struct stepping_method *m = stepping_methods; m->name; ++m) {
+    for (const struct stepping_method *m = fixed_row(stepping_methods);
+         m->name; m = fixed_row(m + 1)) {
         double error[2];
         double x[] = {1, 0.5}, v[] = {0, -1};
         go("gauss4", rough_forces, 1.0 / 1024, 2048, x, v);

@@ -78,6 +78,7 @@ runs speed $bin/disks-speed --particles 100 --collisions 100
 same speed $bin/disks-speed
 $bin/scene sun-earth -o "$work/sun-earth"
 runs step $bin/step "$work/sun-earth" --until 100
+runs step $bin/step "$work/sun-earth" --until 100 --method dopri5
 same step $bin/step
 runs bonk $bin/bonk "$work/sun-earth" --until 100 --tolerance 1e-3
 same bonk $bin/bonk

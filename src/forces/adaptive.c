@@ -1,0 +1,556 @@
+/* From chapters/08-stepping.nw: edit there, then run make tangle. */
+/* checksum 2605132174 of the lines below */
+/* A pair 5(4), and Radau's method of order 15: steps of their own. */
+#include "forces/adaptive.h"
+
+#include "toolbox/room.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { STAGES = 7, MOST_ROUNDS = 12 };
+
+/* What the numbers of a row come to, in units of the step. */
+struct adaptive_weights {
+    double c[STAGES], a2[STAGES][STAGES]; /* of a pair */
+    double error2[STAGES], dense2[STAGES];
+    /* of Radau's: what g_k moves at node i */
+    double x[STAGES][STAGES], v[STAGES][STAGES];
+    double gap[STAGES][STAGES];    /* 1 / (c_i - c_j), j = 0: c_0 = 0 */
+    double power[STAGES][STAGES];  /* how much of s^(m+1) is in N_k+1 */
+    double newton[STAGES][STAGES]; /* how much of N_k+1 is in s^(m+1) */
+    double binomial[STAGES][STAGES];
+};
+
+/* z to the n-th. */
+static double power_of(double z, int n)
+{
+    double power = 1;
+    for (int k = 0; k < n; ++k)
+        power *= z;
+    return power;
+}
+
+/* The larger one; not a number if one of them is not. */
+static double larger(double a, double b)
+{
+    return a >= b || a != a ? a : b;
+}
+
+static double largest(const double y[], size_t n)
+{
+    double most = 0;
+    for (size_t i = 0; i < n; ++i)
+        most = larger(most, fabs(y[i]));
+    return most;
+}
+
+/* The n-th root of z > 0 to a millionth, from above. */
+static double root(double z, int n)
+{
+    double y = z > 1 ? z : 1, down;
+    do {
+        down = (y - z / power_of(y, n - 1)) / n;
+        y -= down;
+    } while (down > 1e-3 * y);
+    return y;
+}
+
+#define SAFETY 0.75
+#define LEAST 0.2
+#define MOST 5.0
+
+/* By how much to stretch a step whose error, in units of what is allowed,
+   grows with its n-th power: (8.16, eq:stretch). */
+static double stretch(double error, int n)
+{
+    if (error <= power_of(SAFETY / MOST, n))
+        return MOST;
+    if (!(error < power_of(SAFETY / LEAST, n)))
+        return LEAST;
+    return SAFETY / root(error, n);
+}
+
+static void evaluate(struct adaptive *s, const double x[], const double v[],
+                     double a[])
+{
+    s->forces.accelerate(s->forces.what, x, v, a);
+    ++s->evaluations;
+}
+
+/* May its steps choose their length? */
+static bool is_free(const struct adaptive *s)
+{
+    return s->tolerance > 0;
+}
+
+/* Adds by, and what the sums owe. */
+static void add(double *restrict to, double *restrict owed,
+                const double *restrict from, const double *restrict carry,
+                const double *restrict by, size_t n)
+{
+    for (size_t i = 0; i < n; ++i) {
+        const double more = by[i] + carry[i];
+        to[i] = from[i] + more;
+        owed[i] = more - (to[i] - from[i]);
+    }
+}
+
+/* The end of a trial: place and speed are by how much it moves. */
+static void arrive(struct adaptive *s)
+{
+    const size_t n = s->forces.size;
+    struct adaptive_state *const end = &s->from; /* is no longer needed */
+    add(end->x, end->carry, s->to.x, s->to.carry, s->place, n);
+    add(end->v, end->carry + n, s->to.v, s->to.carry + n, s->speed, n);
+}
+
+static void measure_pair(struct adaptive *s)
+{
+    const struct stepping_method *const m = s->method;
+    struct adaptive_weights *const w = s->weights;
+    const size_t n = m->stages;
+    for (size_t i = 0; i < n; ++i)
+        for (size_t j = 0; j < n; ++j) {
+            const double a = m->a[i * n + j];
+            w->c[i] += a;
+            w->error2[j] += m->error[i] * a;
+            w->dense2[j] += m->dense[i] * a;
+            for (size_t k = 0; k < n; ++k)
+                w->a2[i][k] += a * m->a[j * n + k];
+        }
+}
+
+/* Coordinate k of the mix of the first `stages` accelerations. */
+static double mix(const struct adaptive *s, const double by[],
+                  size_t stages, size_t k)
+{
+    double sum = 0;
+    for (size_t j = 0; j < stages; ++j)
+        sum += by[j] * s->stage[j * s->forces.size + k];
+    return sum;
+}
+
+/* By how much places and velocities move up to stage i. */
+static void move_to_stage(struct adaptive *s, size_t i, double h)
+{
+    const struct adaptive_weights *const w = s->weights;
+    const double *const a = s->method->a + i * s->method->stages;
+    for (size_t k = 0; k < s->forces.size; ++k) {
+        s->place[k] =
+            w->c[i] * h * s->to.v[k] + h * h * mix(s, w->a2[i], i, k);
+        s->speed[k] = h * mix(s, a, i, k);
+    }
+}
+
+/* The error of a step that has been tried, (8.15, eq:pair), as a share of
+   the largest coordinate or velocity. */
+static double error_of_pair(const struct adaptive *s, double h)
+{
+    const size_t n = s->forces.size, stages = s->method->stages;
+    const double x = larger(largest(s->to.x, n), largest(s->from.x, n));
+    const double v = larger(largest(s->to.v, n), largest(s->from.v, n));
+    double dx = 0, dv = 0;
+    for (size_t k = 0; k < n; ++k) {
+        dx = larger(dx, fabs(mix(s, s->weights->error2, stages, k)));
+        dv = larger(dv, fabs(mix(s, s->method->error, stages, k)));
+    }
+    return larger(dx == 0 ? 0 : h * h * dx / x, dv == 0 ? 0 : h * dv / v);
+}
+
+/* Tries a step of length h. Returns its error, in units of the
+   tolerance. */
+static double try_pair(struct adaptive *s, double h)
+{
+    const size_t n = s->forces.size, last = s->method->stages - 1;
+    memcpy(s->stage, s->to.a, n * sizeof *s->stage);
+    for (size_t i = 1; i < last; ++i) {
+        move_to_stage(s, i, h);
+        for (size_t k = 0; k < n; ++k) {
+            s->place[k] += s->to.x[k];
+            s->speed[k] += s->to.v[k];
+        }
+        evaluate(s, s->place, s->speed, s->stage + i * n);
+    }
+    move_to_stage(s, last, h);
+    arrive(s);
+    evaluate(s, s->from.x, s->from.v, s->from.a);
+    memcpy(s->stage + last * n, s->from.a, n * sizeof *s->stage);
+    return error_of_pair(s, h) / s->tolerance;
+}
+
+/* (8.17, eq:dense) for one coordinate: p and q at the ends, their slopes
+   there times the step, and the mix. */
+static double look_between(double r, double p, double q, double dp,
+                           double dq, double mixed)
+{
+    const double rest = 1 - r, d = q - p;
+    return p + r * (d + rest * (rest * (dp - d) - r * (dq - d) +
+                                r * rest * mixed));
+}
+
+/* Between the ends of the last step, at the share r of it. */
+static void look_in_pair(const struct adaptive *s, double r, double x[],
+                         double v[])
+{
+    const struct adaptive_state *const p = &s->from, *const q = &s->to;
+    const size_t stages = s->method->stages;
+    const double h = s->h;
+    for (size_t k = 0; k < s->forces.size; ++k) {
+        x[k] = look_between(r, p->x[k], q->x[k], h * p->v[k], h * q->v[k],
+                            h * h * mix(s, s->weights->dense2, stages, k));
+        v[k] = look_between(r, p->v[k], q->v[k], h * p->a[k], h * q->a[k],
+                            h * mix(s, s->method->dense, stages, k));
+    }
+}
+
+/* c_0 is 0, and c_1 .. c_7 the nodes. */
+static double node(const struct adaptive *s, size_t i)
+{
+    return i > 0 ? s->method->node[i - 1] : 0;
+}
+
+/* Powers of s in the polynomials N_k, and these in powers. */
+static void measure_polynomials(struct adaptive *s)
+{
+    struct adaptive_weights *const w = s->weights;
+    w->power[0][0] = w->newton[0][0] = 1;
+    for (size_t k = 0; k + 1 < STAGES; ++k)
+        for (size_t m = 0; m <= k + 1; ++m) {
+            const double c = node(s, k + 1), d = node(s, m + 1);
+            w->power[k + 1][m] = (m > 0 ? w->power[k][m - 1] : 0) -
+                                 (m <= k ? c * w->power[k][m] : 0);
+            w->newton[k + 1][m] = (m > 0 ? w->newton[k][m - 1] : 0) +
+                                  (m <= k ? d * w->newton[k][m] : 0);
+        }
+    for (size_t k = 0; k < STAGES; ++k)
+        for (size_t m = 0; m <= k; ++m)
+            w->binomial[k][m] = m == 0 ? (double)k + 1
+                                       : w->binomial[k][m - 1] *
+                                             (double)(k + 1 - m) /
+                                             (double)(m + 1);
+}
+
+static void measure_radau(struct adaptive *s)
+{
+    struct adaptive_weights *const w = s->weights;
+    measure_polynomials(s);
+    for (size_t i = 0; i < STAGES; ++i) {
+        const double c = node(s, i + 1);
+        for (size_t k = 0; k < STAGES; ++k) {
+            double power = c;
+            for (size_t m = 0; m <= k; ++m) {
+                const double n = (double)m;
+                power *= c;
+                w->v[i][k] += w->power[k][m] * power / (n + 2);
+                w->x[i][k] +=
+                    w->power[k][m] * power * c / ((n + 2) * (n + 3));
+            }
+            if (k <= i)
+                w->gap[i][k] = 1 / (c - node(s, k));
+        }
+    }
+}
+
+/* Where the force as it is thought to be leads by node i; half the first
+   term is that of a constant force. */
+static void move_to_node(struct adaptive *s, size_t i, double h)
+{
+    const struct adaptive_weights *const w = s->weights;
+    const size_t n = s->forces.size;
+    const double c = node(s, i + 1);
+    for (size_t k = 0; k < n; ++k) {
+        double dx = 0, dv = 0;
+        for (size_t j = STAGES; j-- > 0;) {
+            dx += w->x[i][j] * s->g[j * n + k];
+            dv += w->v[i][j] * s->g[j * n + k];
+        }
+        dx += c * c / 2 * s->to.a[k];
+        dv += c * s->to.a[k];
+        s->place[k] = h * (c * s->to.v[k] + h * dx);
+        s->speed[k] = h * dv;
+    }
+}
+
+/* Asks for the forces at node i and corrects g_i; returns the largest
+   change of it. */
+static double correct_node(struct adaptive *s, size_t i)
+{
+    const double *const gap = s->weights->gap[i];
+    const size_t n = s->forces.size;
+    double *const a = s->stage;
+    double most = 0;
+    for (size_t k = 0; k < n; ++k) {
+        s->place[k] += s->to.x[k];
+        s->speed[k] += s->to.v[k];
+    }
+    evaluate(s, s->place, s->speed, a);
+    for (size_t k = 0; k < n; ++k) {
+        double d = (a[k] - s->to.a[k]) * gap[0];
+        for (size_t j = 0; j < i; ++j)
+            d = (d - s->g[j * n + k]) * gap[j + 1];
+        most = larger(most, fabs(d - s->g[i * n + k]));
+        s->g[i * n + k] = d;
+    }
+    return most;
+}
+
+/* to = the sums of by over the list of the polynomials, [STAGES]. */
+static void turn(double to[], const double from[],
+                 double by[STAGES][STAGES], size_t n)
+{
+    for (size_t m = 0; m < STAGES; ++m)
+        for (size_t i = 0; i < n; ++i) {
+            double sum = 0;
+            for (size_t k = STAGES; k-- > m;)
+                sum += by[k][m] * from[k * n + i];
+            to[m * n + i] = sum;
+        }
+}
+
+/* The force of the last step goes on into the next one, of length h, with
+   the correction that the last guess needed. */
+static void guess_force(struct adaptive *s, double h)
+{
+    const size_t n = s->forces.size;
+    const double q = s->h > 0 ? h / s->h : 0;
+    double power = 1;
+    turn(s->new_guess, s->b, s->weights->binomial, n);
+    for (size_t m = 0; m < STAGES; ++m) {
+        power *= q;
+        for (size_t i = m * n; i < (m + 1) * n; ++i) {
+            s->new_guess[i] *= power;
+            s->new_b[i] = s->new_guess[i] + (s->b[i] - s->guess[i]);
+        }
+    }
+    turn(s->g, s->new_b, s->weights->newton, n);
+}
+
+#define RADAU_SCALE 50 /* as dopri5: error about the tolerance */
+
+/* Whether a round is the last: the change of g_7 no longer counts beside
+   the tolerance, or falls no more. */
+static bool settled(const struct adaptive *s, double change, double last)
+{
+    return change <= 1e-10 + 100 * s->tolerance || !(change < last);
+}
+
+/* By how much bodies move in the whole step. */
+static void move_to_end(struct adaptive *s, double h)
+{
+    const size_t n = s->forces.size;
+    for (size_t i = 0; i < n; ++i) {
+        double dx = 0, dv = 0;
+        for (size_t m = STAGES; m-- > 0;) {
+            const double b = s->new_b[m * n + i], k = (double)m;
+            dx += b / ((k + 2) * (k + 3));
+            dv += b / (k + 2);
+        }
+        s->place[i] = h * (s->to.v[i] + h * (s->to.a[i] / 2 + dx));
+        s->speed[i] = h * (s->to.a[i] + dv);
+    }
+}
+
+/* Tries a step of length h. Returns its error, in units of the
+   tolerance, or zero if all steps are dt. */
+static double try_radau(struct adaptive *s, double h)
+{
+    const size_t n = s->forces.size, last = STAGES - 1;
+    const double a = largest(s->to.a, n), scale = a > 0 ? a : 1;
+    double change = INFINITY, before;
+    guess_force(s, h);
+    for (int round = 0; round < MOST_ROUNDS; ++round) {
+        before = change;
+        for (size_t i = 0; i < STAGES; ++i) {
+            move_to_node(s, i, h);
+            change = correct_node(s, i) / scale;
+        }
+        if (settled(s, change, round > 1 ? before : INFINITY))
+            break;
+    }
+    turn(s->new_b, s->g, s->weights->power, n);
+    move_to_end(s, h);
+    arrive(s);
+    evaluate(s, s->from.x, s->from.v, s->from.a);
+    return largest(s->g + last * n, n) / scale /
+           (RADAU_SCALE * sqrt(s->tolerance));
+}
+
+static void look_in_radau(const struct adaptive *s, double r, double x[],
+                          double v[])
+{
+    const size_t n = s->forces.size;
+    const struct adaptive_state *const p = &s->from;
+    for (size_t i = 0; i < n; ++i) {
+        double dx = 0, dv = 0;
+        for (size_t m = STAGES; m-- > 0;) {
+            const double b = s->b[m * n + i], k = (double)m;
+            dx = (dx + b / ((k + 2) * (k + 3))) * r;
+            dv = (dv + b / (k + 2)) * r;
+        }
+        x[i] =
+            p->x[i] + s->h * r * (p->v[i] + s->h * r * (p->a[i] / 2 + dx));
+        v[i] = p->v[i] + s->h * r * (p->a[i] + dv);
+    }
+}
+
+static void swap(double **a, double **b)
+{
+    double *const other = *a;
+    *a = *b;
+    *b = other;
+}
+
+/* A step that was tried becomes the last one. */
+static void accept(struct adaptive *s, double h)
+{
+    const struct adaptive_state end = s->from;
+    const double more = h + s->owed, t = s->t + more;
+    s->from = s->to;
+    s->to = end;
+    swap(&s->b, &s->new_b);
+    swap(&s->guess, &s->new_guess);
+    s->owed = more - (t - s->t);
+    s->t = t;
+    s->h = h;
+    ++s->taken;
+    if (!is_free(s))
+        s->t = s->start + (double)s->taken * s->dt;
+    if (s->shortest == 0 || h < s->shortest)
+        s->shortest = h;
+}
+
+/* Takes a step. false: one that leaves the time as it is was too long. */
+static bool step(struct adaptive *s)
+{
+    const bool radau = s->method->family == STEPPING_RADAU,
+               free = is_free(s);
+    for (bool again = false;; again = true, ++s->refused) {
+        const double h = free ? s->next : s->dt;
+        if (!(s->t + h > s->t))
+            return false;
+        const double error = radau ? try_radau(s, h) : try_pair(s, h);
+        const double by = stretch(error, radau ? 7 : 5);
+        s->next = h * (again && by > 1 ? 1 : by);
+        if (!free || error <= 1) {
+            accept(s, h);
+            return true;
+        }
+    }
+}
+
+/* A hundredth of the time in which bodies would cross the scene, or fall
+   through it: control does the rest. */
+static double first_length(const struct adaptive *s)
+{
+    const size_t n = s->forces.size;
+    const double x = largest(s->to.x, n), v = largest(s->to.v, n);
+    const double a = largest(s->to.a, n);
+    double h = s->dt;
+    if (x > 0 && v > 0)
+        h = x / v;
+    if (x > 0 && a > 0 && !(h * h * a < x))
+        h = sqrt(x / a);
+    if (v > 0 && a > 0 && !(h * a < v))
+        h = v / a;
+    return h / 100;
+}
+
+bool adaptive_reach(struct adaptive *s, double t, double x[], double v[])
+{
+    const size_t size = s->forces.size * sizeof *x;
+    if (!s->begun) {
+        evaluate(s, s->to.x, s->to.v, s->to.a);
+        s->next = first_length(s);
+        s->begun = true;
+    }
+    while (s->t < t)
+        if (!step(s))
+            return false;
+    const double back = s->t - t;
+    if (back == 0 || s->h == 0) {
+        memcpy(x, s->to.x, size);
+        memcpy(v, s->to.v, size);
+    } else if (s->method->family == STEPPING_RADAU)
+        look_in_radau(s, (s->h - back) / s->h, x, v);
+    else
+        look_in_pair(s, (s->h - back) / s->h, x, v);
+    return true;
+}
+
+void adaptive_begin(struct adaptive *s, double tolerance, double dt,
+                    double t, const double x[], const double v[])
+{
+    const size_t n = s->forces.size, all = n * s->method->stages;
+    s->tolerance = tolerance;
+    s->dt = dt;
+    s->t = s->start = t;
+    s->owed = s->h = 0;
+    s->begun = false;
+    memcpy(s->to.x, x, n * sizeof *x);
+    memcpy(s->to.v, v, n * sizeof *v);
+    memset(s->to.carry, 0, 2 * n * sizeof *x);
+    memset(s->b, 0, all * sizeof *x);
+    memset(s->guess, 0, all * sizeof *x);
+}
+
+static double *take(double **next, size_t n)
+{
+    double *const part = *next;
+    *next += n;
+    return part;
+}
+
+static struct adaptive_state take_state(double **next, size_t n)
+{
+    return (struct adaptive_state){take(next, n), take(next, n),
+                                   take(next, n), take(next, 2 * n)};
+}
+
+/* Everything the methods work with, out of one block. */
+static void share_out(struct adaptive *s, double *next)
+{
+    const size_t n = s->forces.size, all = n * s->method->stages;
+    s->from = take_state(&next, n);
+    s->to = take_state(&next, n);
+    s->place = take(&next, n);
+    s->speed = take(&next, n);
+    s->stage = take(&next, all);
+    s->g = take(&next, all);
+    s->b = take(&next, all);
+    s->guess = take(&next, all);
+    s->new_b = take(&next, all);
+    s->new_guess = take(&next, all);
+}
+
+struct adaptive *adaptive_create(const struct stepping_method *m,
+                                 struct stepping_forces f)
+{
+    struct adaptive *const s = calloc(1, sizeof *s);
+    if (!s)
+        return NULL;
+    s->method = m;
+    s->forces = f;
+    s->work = room_doubles((12 + 6 * m->stages) * f.size);
+    s->weights = calloc(1, sizeof *s->weights);
+    if (!s->work || !s->weights) {
+        adaptive_free(s);
+        return NULL;
+    }
+    share_out(s, s->work);
+    if (m->family == STEPPING_RADAU)
+        measure_radau(s);
+    else
+        measure_pair(s);
+    return s;
+}
+
+void adaptive_free(struct adaptive *s)
+{
+    if (s) {
+        free(s->weights);
+        free(s->work);
+    }
+    free(s);
+}

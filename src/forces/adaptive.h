@@ -1,0 +1,55 @@
+/* From chapters/works/08-stepping.nw: edit there, then run make tangle. */
+/* checksum 857919845 of the lines below */
+/* Steps that choose their own length, and places between their ends. */
+#ifndef ADAPTIVE_H
+#define ADAPTIVE_H
+
+#include "forces/stepping.h"
+
+/* Where a step begins or ends; each [size], carry [2 * size]. */
+struct adaptive_state {
+    double *x, *v, *a; /* m, m/s, m/s^2 */
+    double *carry;     /* what is still to be added to x, to v */
+};
+
+/* A system under way by an adaptive method. Its fields may be read. */
+struct adaptive {
+    const struct stepping_method *method;
+    struct stepping_forces forces;
+    double tolerance, dt;    /* s; as in struct stepping */
+    uint64_t taken, refused; /* steps so far */
+    uint64_t evaluations;    /* of the forces */
+    double t, h;             /* s: end of the last step, its length */
+    double shortest;         /* s, of the steps taken; 0: none */
+    /* ---- private */
+    double start, owed, next;       /* s; owed by t; the step to come */
+    struct adaptive_state from, to; /* of the last step */
+    double *place, *speed, *stage;  /* at a stage; accelerations there */
+    double *g, *b, *guess;     /* of Radau's, [stages * size]: the force */
+    double *new_b, *new_guess; /* in the last step, and in a trial */
+    struct adaptive_weights *weights;
+    double *work;
+    bool begun;
+};
+
+/* Prepares for an adaptive method m, which has to outlive it, as what the
+   forces point to. NULL without memory. */
+struct adaptive *adaptive_create(const struct stepping_method *m,
+                                 struct stepping_forces f);
+
+/* Begins at x, m, and v, m/s, at the time t, s. In a step of its own the
+   error of a coordinate is kept below `tolerance` times the largest one,
+   that of a velocity likewise; with 0 all steps are dt long, s. */
+void adaptive_begin(struct adaptive *s, double tolerance, double dt,
+                    double t, const double x[], const double v[]);
+
+/* Takes steps until one ends at the time t, s, or behind it, and puts
+   place and velocity at that time into x and v. Which times are asked for
+   changes no step. false: a step so short that time stands still was still
+   too long; x and v are left alone. */
+bool adaptive_reach(struct adaptive *s, double t, double x[], double v[]);
+
+/* s may be NULL. */
+void adaptive_free(struct adaptive *s);
+
+#endif

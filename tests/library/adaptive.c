@@ -1,0 +1,395 @@
+/* Methods with steps of their own length: the numbers of their rows, their
+   orders in steps of one length and between the ends of steps, and what
+   tolerances give where the truth is known. */
+#include "unit.h"
+
+#include "forces/adaptive.h"
+#include "toolbox/quad.h"
+
+#include <float.h>
+#include <stdlib.h>
+
+static const char *const names[] = {"dopri5", "radau15"};
+
+static void oscillator(void *what, const double x[], const double v[],
+                       double a[])
+{
+    (void)what, (void)v;
+    a[0] = -x[0];
+}
+
+static void damped(void *what, const double x[], const double v[],
+                   double a[])
+{
+    (void)what;
+    a[0] = -x[0] - 0.4 * v[0];
+}
+
+static void orbit(void *what, const double x[], const double v[],
+                  double a[])
+{
+    const double r2 = x[0] * x[0] + x[1] * x[1], r = sqrt(r2);
+    (void)what, (void)v;
+    a[0] = -x[0] / (r * r2);
+    a[1] = -x[1] / (r * r2);
+}
+
+/* The Pythagorean problem: 3, 4 and 5 kg at rest, opposite to the sides of
+   these lengths, G = 1. x: three numbers, then y. */
+static void three(void *what, const double x[], const double v[],
+                  double a[])
+{
+    static const double m[] = {3, 4, 5};
+    (void)what, (void)v;
+    memset(a, 0, 6 * sizeof *a);
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < i; ++j) {
+            const double dx = x[j] - x[i], dy = x[3 + j] - x[3 + i];
+            const double r2 = dx * dx + dy * dy, f = 1 / (r2 * sqrt(r2));
+            a[i] += m[j] * f * dx;
+            a[3 + i] += m[j] * f * dy;
+            a[j] -= m[i] * f * dx;
+            a[3 + j] -= m[i] * f * dy;
+        }
+}
+
+static const struct stepping_forces orbit_forces = {2, false, orbit, NULL};
+
+static void begin(struct stepping *s, const char *name,
+                  struct stepping_forces f, double dt, double tolerance,
+                  double x[], double v[])
+{
+    if (!stepping_begin(s, stepping_find(name), f, dt, x, v))
+        exit(1);
+    s->tolerance = tolerance;
+}
+
+/* All rooted trees with up to five nodes, each as the nodes' parents, and
+   what the sum of a method has to be: 1 / gamma. */
+static const struct {
+    int nodes, parent[5];
+    double sum;
+} tree[] = {{1, {0}, 1},
+            {2, {0, 0}, 1 / 2.0},
+            {3, {0, 0, 0}, 1 / 3.0},
+            {3, {0, 0, 1}, 1 / 6.0},
+            {4, {0, 0, 0, 0}, 1 / 4.0},
+            {4, {0, 0, 0, 1}, 1 / 8.0},
+            {4, {0, 0, 1, 1}, 1 / 12.0},
+            {4, {0, 0, 1, 2}, 1 / 24.0},
+            {5, {0, 0, 0, 0, 0}, 1 / 5.0},
+            {5, {0, 0, 0, 0, 1}, 1 / 10.0},
+            {5, {0, 0, 0, 1, 1}, 1 / 15.0},
+            {5, {0, 0, 0, 1, 3}, 1 / 30.0},
+            {5, {0, 0, 0, 1, 2}, 1 / 20.0},
+            {5, {0, 0, 1, 1, 1}, 1 / 20.0},
+            {5, {0, 0, 1, 1, 2}, 1 / 40.0},
+            {5, {0, 0, 1, 2, 2}, 1 / 60.0},
+            {5, {0, 0, 1, 2, 3}, 1 / 120.0}};
+enum { TREES = sizeof tree / sizeof *tree };
+
+/* The sum over stages that belongs to a tree, for weights b. */
+static double sum_over(const struct stepping_method *m, int t,
+                       const double b[])
+{
+    double at[5][7], sum = 0;
+    for (int k = 0; k < tree[t].nodes; ++k)
+        for (int i = 0; i < 7; ++i)
+            at[k][i] = 1;
+    for (int k = tree[t].nodes; k-- > 1;)
+        for (int i = 0; i < 7; ++i) {
+            double branch = 0;
+            for (int j = 0; j < 7; ++j)
+                branch += m->a[i * 7 + j] * at[k][j];
+            at[tree[t].parent[k]][i] *= branch;
+        }
+    for (int i = 0; i < 7; ++i)
+        sum += b[i] * at[0][i];
+    return sum;
+}
+
+/* The sums have terms of up to 12 that cancel: 100 DBL_EPSILON. */
+static void test_pair_conditions(void)
+{
+    const struct stepping_method *m = stepping_find("dopri5");
+    double other[7];
+    for (int i = 0; i < 7; ++i)
+        other[i] = m->a[6 * 7 + i] - m->error[i];
+    for (int t = 0; t < TREES; ++t) {
+        UNIT_NEAR(sum_over(m, t, m->a + 6 * 7), tree[t].sum,
+                  100 * DBL_EPSILON);
+        if (tree[t].nodes < 5)
+            UNIT_NEAR(sum_over(m, t, other), tree[t].sum,
+                      100 * DBL_EPSILON);
+        /* 1/gamma of the four trees of order four, times 4!/(24 ...):
+           nothing below, and the fourth derivative over 24. */
+        if (tree[t].nodes < 5)
+            UNIT_NEAR(sum_over(m, t, m->dense),
+                      tree[t].nodes == 4 ? tree[t].sum : 0,
+                      100 * DBL_EPSILON);
+    }
+    double worst = 0;
+    for (int t = 8; t < TREES; ++t)
+        worst = fmax(worst, fabs(sum_over(m, t, other) - tree[t].sum));
+    UNIT_TRUE(worst > 1e-4); /* of order 4, and no more */
+}
+
+/* A node that is rounded by half its last digit moves the polynomial by its
+   slope there, 60 at most where the digit is smallest, times that; terms of
+   up to 4e4 cancel in 113 bits, or 64. */
+static void test_nodes(void)
+{
+    static const int c[] = {-8,     252,   -2520,  11550,
+                            -27720, 36036, -24024, 6435};
+    const struct stepping_method *m = stepping_find("radau15");
+    for (size_t k = 0; k < m->stages; ++k) {
+        quad sum = 0;
+        for (int i = 7; i >= 0; --i)
+            sum = sum * m->node[k] + c[i];
+        UNIT_NEAR((double)sum, 0,
+                  (QUAD_DIGITS > 64 ? 2 : 100) * DBL_EPSILON);
+        UNIT_TRUE(m->node[k] > (k ? m->node[k - 1] : 0) && m->node[k] < 1);
+    }
+}
+
+/* The error after 8 units of time in n steps of one length, with a friction
+   of 2c. */
+static double error_of(const char *name, double c, int n)
+{
+    struct stepping s;
+    double x = 1, v = 0.3;
+    const struct stepping_forces f = {1, c > 0, c > 0 ? damped : oscillator,
+                                      NULL};
+    begin(&s, name, f, 8.0 / n, 0, &x, &v);
+    UNIT_TRUE(stepping_run(&s, (uint64_t)n) == STEPPING_DONE);
+    UNIT_EQUAL((double)s.own->taken, (double)n);
+    stepping_free(&s);
+    const double w = sqrt(1 - c * c), b = (0.3 + c) / w;
+    const double p = cos(8 * w), q = sin(8 * w), size = exp(-8 * c);
+    return hypot(size * (p + b * q) - x,
+                 size * ((b * w - c) * p - (w + c * b) * q) - v);
+}
+
+/* The second coordinate is the time, and the force on the first its
+   `degree`-th power. */
+static void power(void *what, const double x[], const double v[],
+                  double a[])
+{
+    const int *degree = what;
+    (void)v;
+    a[0] = 1, a[1] = 0;
+    for (int k = 0; k < *degree; ++k)
+        a[0] *= x[1];
+}
+
+/* How much the velocity misses after one step of length 1. */
+static double miss(int degree)
+{
+    const struct stepping_forces f = {2, false, power, &degree};
+    struct stepping s;
+    double x[] = {0, 0}, v[] = {0, 1};
+    begin(&s, "radau15", f, 1, 0, x, v);
+    UNIT_TRUE(stepping_run(&s, 1) == STEPPING_DONE);
+    stepping_free(&s);
+    return v[0] - 1.0 / (degree + 1);
+}
+
+/* The error of dopri5 in 100 and 200 steps, where the next term is felt by
+   less than 0.1; radau15 has two errors above rounding at steps of 2.7 and
+   2, where it is felt more. So its quadrature is tested: it is exact up
+   to t^14, and t^15 is missed by the integral of c times the square of the
+   polynomial, whose leading coefficient is 1, 1 / (16 6435^2). */
+static void test_orders(void)
+{
+    for (int k = 0; k < 2; ++k) {
+        const double c = 0.2 * k;
+        UNIT_NEAR(
+            log2(error_of("dopri5", c, 100) / error_of("dopri5", c, 200)),
+            5, 0.1);
+    }
+    UNIT_TRUE(log(error_of("radau15", 0, 3) / error_of("radau15", 0, 4)) >
+              14.5 * log(4 / 3.0));
+    for (int degree = 0; degree < 15; ++degree)
+        UNIT_NEAR(miss(degree), 0, 4 * DBL_EPSILON);
+    UNIT_NEAR(miss(15) * 16 * 6435 * 6435, -1, 1e-5);
+}
+
+/* The largest error inside of one step of length h, seen at 20 places. */
+static double error_inside(const char *name, double h)
+{
+    double x = 1, v = 0.3, worst = 0;
+    const struct stepping_forces f = {1, false, oscillator, NULL};
+    struct adaptive *const a = adaptive_create(stepping_find(name), f);
+    if (!a)
+        exit(1);
+    adaptive_begin(a, 0, h, 0, &x, &v);
+    for (int k = 1; k <= 20; ++k) {
+        const double t = h * k / 20;
+        UNIT_TRUE(adaptive_reach(a, t, &x, &v));
+        worst = fmax(worst, fabs(cos(t) + 0.3 * sin(t) - x));
+        worst = fmax(worst, fabs(0.3 * cos(t) - sin(t) - v));
+    }
+    UNIT_EQUAL((double)a->taken, 1);
+    adaptive_free(a);
+    return worst;
+}
+
+/* Inside of a step of length h the error goes with h^5 for the pair, and
+   with h^9 for the velocity under eight forces. */
+static void test_dense(void)
+{
+    UNIT_NEAR(
+        log2(error_inside("dopri5", 0.1) / error_inside("dopri5", 0.05)), 5,
+        0.2);
+    UNIT_NEAR(
+        log2(error_inside("radau15", 0.8) / error_inside("radau15", 0.4)),
+        9, 0.3);
+}
+
+/* An orbit of e = 0.9 once round: error of the energy. */
+static double kepler(const char *name, double tolerance, double *steps)
+{
+    struct stepping s;
+    double x[] = {0.1, 0}, v[] = {0, sqrt(19)};
+    begin(&s, name, orbit_forces, 8 * atan(1), tolerance, x, v);
+    UNIT_TRUE(stepping_run(&s, 1) == STEPPING_DONE);
+    *steps = (double)s.own->taken;
+    stepping_free(&s);
+    return fabs((v[0] * v[0] + v[1] * v[1]) / 2 - 1 / hypot(x[0], x[1]) +
+                0.5);
+}
+
+/* A hundred times the tolerance, and a share of the energy near the star,
+   19 times that of the orbit; the number of steps goes with the fifth root
+   of the tolerance, or the fourteenth. */
+static void test_tolerances(void)
+{
+    for (int k = 0; k < 2; ++k) {
+        double few, many;
+        for (double e = 1e-6; e > 1e-13; e /= 10) {
+            double steps;
+            UNIT_TRUE(kepler(names[k], e, &steps) < 500 * e);
+        }
+        kepler(names[k], 1e-8, &few);
+        kepler(names[k], 1e-12, &many);
+        UNIT_NEAR(log(many / few) / log(1e4), k ? 1 / 14.0 : 1 / 5.0, 0.02);
+    }
+}
+
+/* From the start to the closest approach of the Pythagorean bodies, in
+   ticks: its time and its distance, by the parabola of the squares. */
+static void approach(double tolerance, double *when, double *near)
+{
+    enum { TICKS = 4000 };
+    const double tick = 5e-8, from = 15.82982;
+    static const struct stepping_forces f = {6, false, three, NULL};
+    struct adaptive *const a = adaptive_create(stepping_find("radau15"), f);
+    double x[] = {1, -2, 1, 3, -1, -1}, v[6] = {0}, d[3] = {INFINITY};
+    if (!a)
+        exit(1);
+    adaptive_begin(a, tolerance, 1, 0, x, v);
+    *near = INFINITY;
+    for (int k = 0; k < TICKS; ++k) {
+        UNIT_TRUE(adaptive_reach(a, from + k * tick, x, v));
+        double now = INFINITY;
+        for (int i = 0; i < 3; ++i) {
+            const int j = (i + 1) % 3;
+            const double dx = x[i] - x[j], dy = x[3 + i] - x[3 + j];
+            now = fmin(now, dx * dx + dy * dy);
+        }
+        d[0] = d[1], d[1] = d[2], d[2] = now;
+        if (k < 2 || d[1] > d[0] || d[1] > d[2] || d[1] > *near)
+            continue;
+        const double slope = (d[2] - d[0]) / 2;
+        const double bend = d[2] - 2 * d[1] + d[0];
+        *near = sqrt(d[1] - slope * slope / 2 / bend);
+        *when = from + (k - 1 - slope / bend) * tick;
+    }
+    adaptive_free(a);
+}
+
+/* Szebehely and Peters (1967) have 4e-4 at 15.8299. */
+static void test_three_bodies(void)
+{
+    double when = 0, near;
+    approach(1e-13, &when, &near);
+    UNIT_NEAR(when, 15.829920, 1e-6);
+    UNIT_NEAR(near, 4.13825e-4, 2e-9);
+}
+
+/* Looking changes nothing: ends of steps and rows are the same bits however
+   many times are asked for. */
+static void test_looks(void)
+{
+    for (int k = 0; k < 2; ++k) {
+        double at[3][4], taken[3];
+        static const int ticks[] = {1, 16, 128};
+        for (int n = 0; n < 3; ++n) {
+            struct stepping s;
+            double *const x = at[n], *const v = at[n] + 2;
+            x[0] = 0.1, x[1] = v[0] = 0, v[1] = sqrt(19);
+            begin(&s, names[k], orbit_forces, 4.0 / ticks[n], 1e-9, x, v);
+            for (int i = 0; i < ticks[n]; ++i)
+                UNIT_TRUE(stepping_run(&s, 1) == STEPPING_DONE);
+            taken[n] = (double)s.own->taken;
+            UNIT_EQUAL(stepping_time(&s), 4);
+            stepping_free(&s);
+        }
+        UNIT_EQUAL(taken[0], taken[2]);
+        UNIT_TRUE(!memcmp(at[0], at[1], sizeof at[0]));
+        UNIT_TRUE(!memcmp(at[0], at[2], sizeof at[0]));
+    }
+}
+
+/* Two bodies that fall into each other: no step is short enough. */
+static void test_collision(void)
+{
+    for (int k = 0; k < 2; ++k) {
+        struct stepping s;
+        double x[] = {1, 0}, v[] = {0, 0};
+        begin(&s, names[k], orbit_forces, 1, 1e-10, x, v);
+        UNIT_TRUE(stepping_run(&s, 1) == STEPPING_DONE);
+        const double before = x[0];
+        UNIT_TRUE(stepping_run(&s, 1) == STEPPING_STUCK);
+        UNIT_EQUAL(x[0], before);
+        UNIT_EQUAL(stepping_time(&s), 1);
+        stepping_free(&s);
+    }
+}
+
+/* Moved from outside, a run begins anew; the time goes on. */
+static void test_disturbed(void)
+{
+    for (int k = 0; k < 2; ++k) {
+        struct stepping s;
+        double x = 1, v = 0;
+        const struct stepping_forces f = {1, false, oscillator, NULL};
+        begin(&s, names[k], f, 0.5, 1e-12, &x, &v);
+        stepping_run(&s, 3);
+        x = 0, v = 1;
+        stepping_disturb(&s);
+        stepping_run(&s, 2);
+        UNIT_NEAR(x, sin(1), 1e-11);
+        UNIT_EQUAL(stepping_time(&s), 2.5);
+        stepping_free(&s);
+    }
+}
+
+int main(void)
+{
+    return unit_run(
+        "adaptive",
+        (struct unit_test[]){
+            {"the pair meets the conditions of its orders",
+             test_pair_conditions},
+            {"Radau's nodes are zeros of their polynomial", test_nodes},
+            {"steps of one length have orders 5 and 15", test_orders},
+            {"between the ends the orders are 4 and 8", test_dense},
+            {"energies follow tolerances", test_tolerances},
+            {"the Pythagorean bodies meet when they should",
+             test_three_bodies},
+            {"looking changes no bit", test_looks},
+            {"a fall into the centre ends", test_collision},
+            {"a disturbed run begins anew", test_disturbed},
+            {0}});
+}

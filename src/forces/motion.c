@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 2247215615 of the lines below */
+/* checksum 2706921636 of the lines below */
 /* Accelerations are added up; bodies collide between two steps. */
 #include "forces/motion.h"
 
@@ -108,7 +108,8 @@ static bool begin_stepping(struct motion *m,
     m->stepping.start = s->time;
     m->dt = m->spheres.dt = dt;
     m->stepping.compensated =
-        s->carry || (method->order >= 6 && accelerates(m));
+        !method->adaptive &&
+        (s->carry || (method->order >= 6 && accelerates(m)));
     stepping_resume(&m->stepping, 0, s->carry, find_kept(m));
     return true;
 }
@@ -267,6 +268,12 @@ void motion_resume(struct motion *m, double start, uint64_t steps)
 bool motion_shorten(struct motion *m, double dt)
 {
     struct stepping old = m->stepping, *s = &m->stepping;
+    if (s->own) {
+        s->start = stepping_time(s);
+        s->steps = 0;
+        s->dt = m->spheres.dt = dt;
+        return true;
+    }
     if (!stepping_begin(s, old.method, old.forces, dt, old.x, old.v)) {
         *s = old;
         return false;

@@ -1,8 +1,9 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 3957780992 of the lines below */
+/* checksum 3732415440 of the lines below */
 /* Steps by kicks and drifts and by Runge-Kutta stages. */
 #include "forces/stepping.h"
 
+#include "forces/adaptive.h"
 #include "toolbox/room.h"
 
 #include <float.h>
@@ -63,6 +64,39 @@ static const double gauss4_a[] = {0.25, 0.25 - ROOT, 0.25 + ROOT, 0.25};
 static const double gauss4_b[] = {0.5, 0.5};
 static const double midpoint_a[] = {0.5}, midpoint_b[] = {1};
 
+/* Dormand and Prince (1980): order 5, and 4 less the errors; dense weights
+   of Shampine's, as Hairer, Norsett and Wanner have them. */
+static const double dopri5_a[] = {
+    /* 1 */
+    0, 0, 0, 0, 0, 0, 0,
+    /* 2 */
+    1.0 / 5, 0, 0, 0, 0, 0, 0,
+    /* 3 */
+    3.0 / 40, 9.0 / 40, 0, 0, 0, 0, 0,
+    /* 4 */
+    44.0 / 45, -56.0 / 15, 32.0 / 9, 0, 0, 0, 0,
+    /* 5 */
+    19372.0 / 6561, -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729, 0, 0, 0,
+    /* 6 */
+    9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656,
+    0, 0,
+    /* 7: where the step ends */
+    35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84, 0};
+static const double dopri5_error[] = {
+    71.0 / 57600,      0,          -71.0 / 16695, 71.0 / 1920,
+    -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
+static const double dopri5_dense[] = {
+    -12715105075.0 / 11282082432.0,  0,
+    87487479700.0 / 32700410799.0,   -10690763975.0 / 1880347072.0,
+    701980252875.0 / 199316789632.0, -1453857185.0 / 822651844.0,
+    69997945.0 / 29380423.0};
+
+static const double radau15_node[] = {
+    0.056262560536922146465652191, 0.18024069173689236498757994,
+    0.35262471711316963737390777,  0.54715362633055538300144856,
+    0.73421017721541053152321061,  0.88532094683909576809035976,
+    0.9775206135612875018911745};
+
 #define LENGTH(list) (sizeof(list) / sizeof *(list))
 #define COMPOSED(m)                                                        \
     .family = STEPPING_SPLITTING, .drifts = LENGTH(m),                     \
@@ -76,6 +110,12 @@ static const double midpoint_a[] = {0.5}, midpoint_b[] = {1};
 #define IMPLICIT(m)                                                        \
     .family = STEPPING_IMPLICIT, .stages = LENGTH(m##_b), .a = m##_a,      \
     .b = m##_b
+#define PAIR(m)                                                            \
+    .family = STEPPING_PAIR, .stages = LENGTH(m##_error), .a = m##_a,      \
+    .error = m##_error, .dense = m##_dense, .adaptive = true
+#define RADAU(m)                                                           \
+    .family = STEPPING_RADAU, .stages = LENGTH(m##_node),                  \
+    .node = m##_node, .adaptive = true
 
 const struct stepping_method stepping_methods[STEPPING_MOST + 1] = {
     {"euler", "straight on, and outwards", EXPLICIT(euler), .order = 1,
@@ -106,7 +146,10 @@ const struct stepping_method stepping_methods[STEPPING_MOST + 1] = {
      .orbits = true},
     {"sbab4", "the same, for small masses", SPLITTING(sbab4), .order = 2,
      .symmetric = true, .symplectic = true, .stages = 4,
-     .limit = 2.9971371204864101, .orbits = true}};
+     .limit = 2.9971371204864101, .orbits = true},
+    {"dopri5", "steps of its own length", PAIR(dopri5), .order = 5},
+    {"radau15", "such steps, to the last digits", RADAU(radau15),
+     .order = 15}};
 
 const struct stepping_method *stepping_find(const char *name)
 {
@@ -119,7 +162,7 @@ const struct stepping_method *stepping_find(const char *name)
 const struct stepping_method *stepping_next(const struct stepping_method *m)
 {
     m = m ? m + 1 : stepping_methods;
-    while (m->name && m->orbits)
+    while (m->name && (m->orbits || m->adaptive))
         ++m;
     return m->name ? m : NULL;
 }
@@ -226,8 +269,14 @@ bool stepping_begin(struct stepping *s, const struct stepping_method *m,
         return false;
     }
     share_out(s, s->work);
-    measure(s);
-    return true;
+    if (m->adaptive)
+        s->own = adaptive_create(m, f);
+    else
+        measure(s);
+    if (!m->adaptive || s->own)
+        return true;
+    stepping_free(s);
+    return false;
 }
 
 void stepping_free(struct stepping *s)
@@ -238,6 +287,7 @@ void stepping_free(struct stepping *s)
     }
     free(s->part);
     free(s->work);
+    adaptive_free(s->own);
     *s = (struct stepping){0};
 }
 
@@ -757,8 +807,27 @@ static bool run_until_watch(struct stepping *s, uint64_t *left)
     return true;
 }
 
+static enum stepping_end run_own(struct stepping *s, uint64_t steps)
+{
+    struct adaptive *const own = s->own;
+    const double t = s->start + (double)(s->steps + steps) * s->dt;
+    const uint64_t before = own->evaluations;
+    if (!s->fresh)
+        adaptive_begin(own, s->tolerance, s->dt, stepping_time(s), s->x,
+                       s->v);
+    s->fresh = true;
+    const bool came = adaptive_reach(own, t, s->x, s->v);
+    s->evaluations += own->evaluations - before;
+    if (!came)
+        return STEPPING_STUCK;
+    s->steps += steps;
+    return is_finite(s) ? STEPPING_DONE : STEPPING_INFINITE;
+}
+
 enum stepping_end stepping_run(struct stepping *s, uint64_t steps)
 {
+    if (s->own && steps > 0)
+        return run_own(s, steps);
     while (steps > 0) {
         if (!run_until_watch(s, &steps))
             return is_finite(s) ? STEPPING_STUCK : STEPPING_INFINITE;

@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 1430676121 of the lines below */
+/* checksum 3255873347 of the lines below */
 /* Stepping methods, and runs that step coordinates under forces. */
 #ifndef STEPPING_H
 #define STEPPING_H
@@ -43,7 +43,9 @@ typedef void stepping_flow(void *what, double dt, double x[], double v[]);
 enum stepping_family {
     STEPPING_SPLITTING, /* kicks and drifts */
     STEPPING_EXPLICIT,  /* Runge-Kutta, stage after stage */
-    STEPPING_IMPLICIT   /* Runge-Kutta, all stages at once */
+    STEPPING_IMPLICIT,  /* Runge-Kutta, all stages at once */
+    STEPPING_PAIR,      /* explicit, with an estimate of its error */
+    STEPPING_RADAU      /* the force as a polynomial in time */
 };
 
 /* A method is data. */
@@ -59,10 +61,14 @@ struct stepping_method {
     const double *kick;  /* [drifts + 1]: one before, between and after the
                             drifts; NULL: the means of their neighbours */
     const double *a, *b; /* Runge-Kutta: the tableau by rows, the weights */
-    double limit; /* of omega dt for an oscillator; INFINITY: none, 0: it
-                     is never stable */
-    bool orbits;  /* a splitting for bodies that attract each other, and
-                     for nothing else: it drifts along a flow */
+    double limit;  /* of omega dt for an oscillator; INFINITY: none, 0: it
+                      is never stable */
+    bool orbits;   /* a splitting for bodies that attract each other, and
+                      for nothing else: it drifts along a flow */
+    bool adaptive; /* its steps can choose their own length */
+    const double *error, *dense; /* of a pair, [stages]: (8.17, eq:pair),
+                                    (8.18, eq:dense) */
+    const double *node;          /* of Radau's, [stages] */
 };
 
 enum stepping_end {
@@ -90,6 +96,10 @@ struct stepping {
     double *carry; /* [2 * size]: what is still to be added to x, to v */
     double *acceleration; /* [size] of the last evaluation */
     uint64_t evaluations; /* of the forces so far */
+    double tolerance;     /* of an adaptive method: of its own steps, see
+                             adaptive.h; 0: they are all dt long. To be set
+                             before the first step */
+    struct adaptive *own; /* of an adaptive method, or NULL */
     /* ---- private */
     bool fresh; /* acceleration belongs to x (and v) as they are */
     double *work;
@@ -102,8 +112,8 @@ extern const struct stepping_method stepping_methods[STEPPING_MOST + 1];
 /* The method of this name, or NULL. */
 const struct stepping_method *stepping_find(const char *name);
 
-/* The first method that asks nothing of the forces but accelerations, or
-   the next one after m; NULL after the last. */
+/* The first method that asks nothing of the forces but accelerations and
+   takes equal steps, or the next one after m; NULL after the last. */
 const struct stepping_method *stepping_next(
     const struct stepping_method *m);
 

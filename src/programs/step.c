@@ -1,6 +1,7 @@
 /* From chapters/works/11-step.nw: edit there, then run make tangle. */
-/* checksum 2751514637 of the lines below */
+/* checksum 2359409257 of the lines below */
 /* Steps a scene through time and writes what is looked at, row by row. */
+#include "forces/adaptive.h"
 #include "forces/checkpoint.h"
 #include "forces/motion.h"
 #include "forces/observables.h"
@@ -43,6 +44,25 @@ struct settings {
 static const char *method_names[STEPPING_MOST + 2];
 static const char outside_name[] = "rk8pd";
 static char method_help[128 * STEPPING_MOST] = "how to step:";
+static char adaptive_names[64 * STEPPING_MOST];
+static char adaptive_heading[80 * STEPPING_MOST];
+static char equal_heading[80 * STEPPING_MOST];
+static char checkpoint_heading[80 * STEPPING_MOST];
+
+/* Which options go with steps of their own length, and which do not. */
+static void list_adaptive(void)
+{
+    char *names = adaptive_names;
+    for (const struct stepping_method *m = stepping_methods; m->name; ++m)
+        if (m->adaptive)
+            names += sprintf(names, "%s%s", *adaptive_names ? ", " : "",
+                             m->name);
+    sprintf(adaptive_heading, "--method %s, %s", adaptive_names,
+            outside_name);
+    sprintf(equal_heading, "no --method %s, %s", adaptive_names,
+            outside_name);
+    sprintf(checkpoint_heading, "--output; no --method %s", adaptive_names);
+}
 
 static void list_methods(void)
 {
@@ -56,6 +76,7 @@ static void list_methods(void)
     method_names[n] = outside_name;
     sprintf(help, "\n%s: GSL's, adaptive within each step\n(leapfrog)",
             outside_name);
+    list_adaptive();
 }
 
 enum ending { WHOLE, INTERRUPTED, INFINITE, STUCK, TOO_MUCH, UNWRITTEN };
@@ -90,6 +111,13 @@ struct run {
     struct progress progress;
 };
 
+/* Do its steps have lengths of their own? */
+static bool is_adaptive(const struct settings *s)
+{
+    const struct stepping_method *const m = stepping_find(s->method);
+    return m && m->adaptive;
+}
+
 static bool use_reference(void *with, double dt, double x[], double v[])
 {
     return reference_step(with, dt, x, v);
@@ -116,6 +144,7 @@ static void set_in_motion(struct run *r)
         exit(OPTIONS_FAILURE);
     if (r->s->sums != SUMS_AUTO)
         m->stepping.compensated = r->s->sums == SUMS_COMPENSATED;
+    m->stepping.tolerance = r->s->tolerance;
     m->gravity.threads = r->s->threads;
     m->gravity.kernel = (enum gravity_kernel)r->s->kernel;
     if (m->bound && !springs_threads(&m->springs, r->s->threads))
@@ -448,9 +477,10 @@ static void explain(const struct run *r, enum ending end)
         explain_crowd(r);
     else if (end == STUCK)
         fprintf(stderr,
-                PROGRAM ": %s found no solution after t = %.10g: try a "
-                        "smaller --dt\n",
-                r->s->method, r->time);
+                PROGRAM ": %s found no solution after t = %.10g: %s\n",
+                r->s->method, r->time,
+                is_adaptive(r->s) ? "no step is short enough"
+                                  : "try a smaller --dt");
     if (end == INFINITE)
         fprintf(stderr, PROGRAM ": blew up after t = %.10g (%s\n", r->time,
                 r->motion.orbits
@@ -514,7 +544,7 @@ static void spare_files(const struct run *r)
 static bool read_start(struct run *r, struct checkpoint_numbers *known)
 {
     const struct settings *s = r->s;
-    r->kept = checkpoint_possible(s->output);
+    r->kept = checkpoint_possible(s->output) && !is_adaptive(s);
     spare_files(r);
     r->sum = checkpoint_sum(s->scene);
     const bool again = s->resume && r->kept && checkpoint_exists(s->output);
@@ -614,7 +644,8 @@ static void summarise(const struct run *r, enum ending end)
     table_text(t, "end", names[end]);
     table_count(t, "bodies", r->scene.bodies);
     table_text(t, "method", r->s->method);
-    table_text(t, "sums", p->compensated ? "compensated" : "plain");
+    table_text(t, "sums",
+               p->own || p->compensated ? "compensated" : "plain");
     table_real(t, "dt", r->motion.dt);
     table_real(t, "last_step", r->rested ? r->rest : r->motion.dt);
     table_count(t, "steps", r->rested ? r->last + 1 : p->steps);
@@ -634,6 +665,11 @@ static void summarise(const struct run *r, enum ending end)
     table_real(t, "seconds", r->seconds);
     table_real(t, "steps_per_second",
                r->seconds > 0 ? (double)r->taken / r->seconds : 0);
+    if (!p->own)
+        return;
+    table_count(t, "own_steps", p->own->taken);
+    table_count(t, "refused", p->own->refused);
+    table_real(t, "shortest", p->own->shortest);
 }
 
 static const struct options_entry entries[] = {
@@ -663,11 +699,11 @@ static const struct options_entry entries[] = {
     {"save", 'w', "FILE", "write the last state as a scene"},
     {"output", 'o', "FILE", "for the table (standard output)"},
     {"summary", 'S', "FILE", "for the results as lines: key value"},
-    {"", 0, NULL, "--output"},
+    {"", 0, NULL, checkpoint_heading},
     {"checkpoint", 'C', "S",
      "seconds from one checkpoint to the next (60)"},
     {"resume", 'R', NULL, "go on from the checkpoint of -o FILE, if any"},
-    {"", 0, NULL, "no --method rk8pd"},
+    {"", 0, NULL, equal_heading},
     {"sums", 'c', "NAME",
      "plain; compensated: they carry their rounding\n"
      "errors; auto: so from order six on (auto)"},
@@ -684,8 +720,10 @@ static const struct options_entry entries[] = {
     {"order", 'p', "NAME",
      "contacts: ascending, descending or deepest\n"
      "(ascending)"},
-    {"", 0, NULL, "--method rk8pd"},
-    {"tolerance", 'a', "E", "of its steps (1e-13)"},
+    {"", 0, NULL, adaptive_heading},
+    {"tolerance", 'a', "E",
+     "for the error of a step, as a share of the\n"
+     "largest coordinate or velocity (1e-13)"},
     {0}};
 
 static const struct table_key keys[] = {
@@ -709,6 +747,10 @@ static const struct table_key keys[] = {
     {"energy_error", "1", "largest, relative; of 0: in energy"},
     {"seconds", "s", "processor time"},
     {"steps_per_second", "1/s", "in it"},
+    {"", "", "if the method is adaptive:"},
+    {"own_steps", "1", "steps that it took"},
+    {"refused", "1", "steps that it tried in vain"},
+    {"shortest", "time", "the shortest of its steps"},
     {0}};
 
 static void take_scene(struct options *o, struct settings *s)

@@ -1,5 +1,5 @@
 /* From chapters/works/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 231497447 of the lines below */
+/* checksum 873589389 of the lines below */
 /* Measures stepping methods on four small systems. */
 #include "forces/reference.h"
 #include "forces/stepping.h"
@@ -187,7 +187,9 @@ static void study_methods(struct study *s)
                         "keeps\n");
     for (const struct stepping_method *m = stepping_methods; m->name; ++m) {
         char limit[16] = "none";
-        if (isfinite(m->limit))
+        if (m->adaptive)
+            strcpy(limit, "-");
+        else if (isfinite(m->limit))
             snprintf(limit, sizeof limit, "%.3f", m->limit);
         table_print(s->out, "%-18s %5d  %6zu  %5s  %s%s%s%s\n", m->name,
                     m->order, m->stages, limit,
@@ -195,6 +197,7 @@ static void study_methods(struct study *s)
                     m->symplectic && m->symmetric ? ", " : "",
                     m->symmetric    ? "the way back"
                     : m->symplectic ? ""
+                    : m->adaptive   ? "its error"
                                     : "-",
                     m->orbits ? ", ellipses" : "");
     }

@@ -283,6 +283,11 @@ tries() {
         tr ';' '\n' | sed -n 's/^ *--\([a-z-]*\) .*/\1/p' | sort -u); do
         if [ "$program $option" = 'disks start' ]; then
             echo "start lattice random $work/states"
+        elif [ "$program $option" = 'step method' ]; then
+            # Those by which any scene can be stepped.
+            build/bin/step-studies --study methods |
+                sed '/^#/d; /ellipses$/d; s/ .*//' | tr '\n' ' ' |
+                sed 's/.*/method &rk8pd\n/'
         else
             $bin/"$program" "--$option" '' 2>&1 |
                 sed -n "s/.*: '' is not /$option /p" | sed 's/,//g; s/ or / /'

@@ -361,4 +361,4 @@ refuses 2 'tolerance: means nothing with --method leapfrog' \
     $bin/step "$work/pair" --tolerance 0.1
 refuses 2 'threads: means nothing without --ensemble' $bin/bonkers --threads 2
 refuses 2 'seed: means nothing with --preset four' $bin/bonkers --seed 2
-echo 1..36
+echo 1..37

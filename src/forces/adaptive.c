@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 1327077449 of the lines below */
+/* checksum 3435948961 of the lines below */
 /* A pair 5(4), and Radau's method of order 15: steps of their own. */
 #include "forces/adaptive.h"
 
@@ -261,12 +261,13 @@ static void move_to_node(struct adaptive *s, size_t i, double h)
     const size_t n = s->forces.size;
     const double c = node(s, i + 1);
     for (size_t k = 0; k < n; ++k) {
+        size_t j = STAGES;
         double dx = 0, dv = 0;
-        for (size_t l = 1; l <= STAGES; ++l) {
-            const size_t j = STAGES - l;
+        do {
+            --j;
             dx += w->x[i][j] * s->g[j * n + k];
             dv += w->v[i][j] * s->g[j * n + k];
-        }
+        } while (j > 0);
         dx += c * c / 2 * s->to.a[k];
         dv += c * s->to.a[k];
         s->place[k] = h * (c * s->to.v[k] + h * dx);
@@ -342,13 +343,14 @@ static void move_to_end(struct adaptive *s, double h)
 {
     const size_t n = s->forces.size;
     for (size_t i = 0; i < n; ++i) {
+        size_t m = STAGES;
         double dx = 0, dv = 0;
-        for (size_t l = 1; l <= STAGES; ++l) {
-            const size_t m = STAGES - l;
+        do {
+            --m;
             const double b = s->new_b[m * n + i], k = (double)m;
             dx += b / ((k + 2) * (k + 3));
             dv += b / (k + 2);
-        }
+        } while (m > 0);
         s->place[i] = h * (s->to.v[i] + h * (s->to.a[i] / 2 + dx));
         s->speed[i] = h * (s->to.a[i] + dv);
     }
@@ -385,13 +387,14 @@ static void look_in_radau(const struct adaptive *s, double r, double x[],
     const size_t n = s->forces.size;
     const struct adaptive_state *const p = &s->from;
     for (size_t i = 0; i < n; ++i) {
+        size_t m = STAGES;
         double dx = 0, dv = 0;
-        for (size_t l = 1; l <= STAGES; ++l) {
-            const size_t m = STAGES - l;
+        do {
+            --m;
             const double b = s->b[m * n + i], k = (double)m;
             dx = (dx + b / ((k + 2) * (k + 3))) * r;
             dv = (dv + b / (k + 2)) * r;
-        }
+        } while (m > 0);
         x[i] =
             p->x[i] + s->h * r * (p->v[i] + s->h * r * (p->a[i] / 2 + dx));
         v[i] = p->v[i] + s->h * r * (p->a[i] + dv);

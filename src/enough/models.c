@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 270684706 of the lines below */
+/* checksum 2018521042 of the lines below */
 /* What acts, what can be left out, and how each model carries a scene. */
 #include "enough/models.h"
 
@@ -1532,6 +1532,7 @@ static const char *refuse_steps(const struct scene *s,
     switch (motion_flaw(s, NULL)) {
     case MOTION_WALLS: return "there are walls, but no contact";
     case MOTION_LIGHT: return "a body has no mass";
+    case MOTION_TWICE: return "contacts are springs";
     case MOTION_WELL: break;
     }
     return cuts & MODELS_RODS ? no_rods : NULL;

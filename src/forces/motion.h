@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 300903064 of the lines below */
+/* checksum 3714140146 of the lines below */
 /* A scene set in motion by all that acts in it, as one acceleration. */
 #ifndef MOTION_H
 #define MOTION_H
@@ -11,6 +11,7 @@
 #include "forces/spheres.h"
 #include "forces/springs.h"
 #include "forces/stepping.h"
+#include "forces/touch.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -26,7 +27,8 @@ struct motion {
     struct spheres spheres; /* if collides */
     struct jacobi jacobi;   /* if orbits: the method wants ellipses */
     struct impact impact;   /* if located: contacts at their moments */
-    bool attracts, bound, collides, orbits, located;
+    struct touch touch;     /* if touches: contacts are springs */
+    bool attracts, bound, collides, orbits, located, touches;
     uint64_t collisions; /* of pairs and with walls, so far */
     size_t *held, fixed; /* coordinates that stay: how many */
     /* NULL, or steps instead of the method: from x, v to those dt later;
@@ -41,7 +43,7 @@ struct motion_energy {
 };
 
 /* What makes it impossible to step a scene. */
-enum motion_flaw { MOTION_WELL, MOTION_WALLS, MOTION_LIGHT };
+enum motion_flaw { MOTION_WELL, MOTION_WALLS, MOTION_LIGHT, MOTION_TWICE };
 
 /* Prepares to step s, which has to outlive m; velocities along held
    coordinates become zero. A dt of 0 is the scene's. Sums are compensated
@@ -81,8 +83,9 @@ double motion_kinetic(const struct motion *m);
 double motion_potential(const struct motion *m);
 
 /* Says whether s can be stepped: MOTION_WALLS if it has walls but no
-   contact, MOTION_LIGHT if a force acts on a body without mass, whose
-   number goes to body, which may be NULL. */
+   contact, MOTION_TWICE if it has a restitution but contacts that are
+   springs, which have their own, MOTION_LIGHT if a force acts on a body
+   without mass, whose number goes to body, which may be NULL. */
 enum motion_flaw motion_flaw(const struct scene *s, size_t *body);
 
 #endif

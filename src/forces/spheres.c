@@ -1,5 +1,5 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 3301630173 of the lines below */
+/* checksum 668296957 of the lines below */
 /* Pairs found along an axis, reflected one by one, and shifted. */
 #include "forces/spheres.h"
 
@@ -60,9 +60,8 @@ struct contact {
     double back;                 /* how long ago they touched, s */
 };
 
-/* The way from body a to body b along axis k, m. */
-static double way(const struct scene *s, const double x[], size_t a,
-                  size_t b, size_t k)
+double spheres_way(const struct scene *s, const double x[], size_t a,
+                   size_t b, size_t k)
 {
     const double d = x[k * s->bodies + b] - x[k * s->bodies + a];
     const double side = s->high[k] - s->low[k];
@@ -93,7 +92,7 @@ static struct contact look_at(const struct spheres *p,
     struct contact c = {.a = pair.a, .b = pair.b};
     for (size_t k = 0; k < SPHERES_AXES; ++k) {
         const size_t at = k * s->bodies;
-        c.apart[k] = way(s, x, c.a, c.b, k);
+        c.apart[k] = spheres_way(s, x, c.a, c.b, k);
         c.closing[k] = v[at + c.b] - v[at + c.a];
     }
     c.touching = s->radius[c.a] + s->radius[c.b];
@@ -396,14 +395,12 @@ static bool is_again(const struct spheres_pair pair[], size_t i)
            pair[i].b == pair[i - 1].b;
 }
 
-uint64_t spheres_resolve(struct spheres *p, double x[], double v[])
+static void find_pairs(struct spheres *p, const double x[])
 {
     static int (*const orders[SPHERES_ORDERS])(
         const void *, const void *) = {ascending, descending, deepest};
     enum { FEW = 16 };
-    uint64_t count = collide_walls(p, x, v);
     p->pairs = 0;
-    p->margin = margin(p, v);
     read_places(p, x);
     if (p->search == SPHERES_PAIRS ||
         (p->search == SPHERES_AUTO && p->scene->bodies <= FEW))
@@ -414,6 +411,13 @@ uint64_t spheres_resolve(struct spheres *p, double x[], double v[])
     }
     if (p->pairs > 1)
         qsort(p->pair, p->pairs, sizeof *p->pair, orders[p->order]);
+}
+
+uint64_t spheres_resolve(struct spheres *p, double x[], double v[])
+{
+    uint64_t count = collide_walls(p, x, v);
+    p->margin = margin(p, v);
+    find_pairs(p, x);
     for (size_t i = 0; i < p->pairs; ++i)
         if (!is_again(p->pair, i))
             count += collide_pair(p, p->pair[i], x, v);
@@ -436,4 +440,16 @@ void spheres_bounce(struct spheres *p, size_t i, size_t k, double v[])
     p->impulse[k] += p->scene->mass[i] * (1 + p->restitution) * fabs(*u);
     *u *= -p->restitution;
     ++p->wall_collisions;
+}
+
+size_t spheres_overlaps(struct spheres *p, const double x[])
+{
+    size_t n = 0;
+    p->margin = 0;
+    p->order = SPHERES_ASCENDING;
+    find_pairs(p, x);
+    for (size_t i = 0; i < p->pairs; ++i)
+        if (!is_again(p->pair, i))
+            p->pair[n++] = p->pair[i];
+    return p->pairs = n;
 }

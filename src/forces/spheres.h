@@ -1,5 +1,5 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 1203582035 of the lines below */
+/* checksum 2518638014 of the lines below */
 /* Spheres that a step leaves in each other collide and are moved apart. */
 #ifndef SPHERES_H
 #define SPHERES_H
@@ -101,4 +101,12 @@ uint64_t spheres_resolve(struct spheres *p, double x[], double v[]);
 void spheres_reflect(struct spheres *p, size_t a, size_t b,
                      const double x[], double v[]);
 void spheres_bounce(struct spheres *p, size_t i, size_t k, double v[]);
+
+/* Finds the pairs that overlap, ascending, each once: p->pair. Returns how
+   many. */
+size_t spheres_overlaps(struct spheres *p, const double x[]);
+
+/* The way from body a to body b along axis k, m; to its nearest image. */
+double spheres_way(const struct scene *s, const double x[], size_t a,
+                   size_t b, size_t k);
 #endif

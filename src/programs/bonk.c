@@ -1,5 +1,5 @@
 /* From chapters/works/12-bonk.nw: edit there, then run make tangle. */
-/* checksum 2825657772 of the lines below */
+/* checksum 2311744455 of the lines below */
 /* Carries a scene by the cheapest model that holds, and says why. */
 #include "enough/averages.h"
 #include "enough/choose.h"
@@ -140,6 +140,11 @@ static void read_scene(struct run *r)
         !motion_begin(&m, PROGRAM, &r->scene, "leapfrog", 1))
         exit(OPTIONS_FAILURE);
     motion_end(&m);
+    if (r->scene.touch != SCENE_SUDDEN)
+        program_refuse(PROGRAM,
+                       "%s: contacts that are springs are for step "
+                       "alone: no line linear or hertz",
+                       r->s->scene);
 }
 
 static void begin_run(struct run *r)

@@ -1,5 +1,5 @@
 /* From chapters/works/08-scenes.nw: edit there, then run make tangle. */
-/* checksum 258102829 of the lines below */
+/* checksum 1912493496 of the lines below */
 /* Reads a scene in four passes, and writes it so that no bit is lost. */
 #include "scenes/scene.h"
 
@@ -163,7 +163,7 @@ struct piece {
 enum { POS, VEL, VFIX, DIS, SPECIES, CARRY, KEPT };    /* of a body */
 enum { S = KEPT + 1, SL, DASHPOT };                    /* of springs */
 enum { GRAV = DASHPOT + 1, DAMP, K2, SOFT, DT, TIME }; /* of all */
-enum { CONTACT = TIME + 1, RESTITUTION, BOX, WALLS, LINES }; /* of a box */
+enum { CONTACT = TIME + 1, RESTITUTION, LINEAR, HERTZ, BOX, WALLS, LINES };
 
 enum { MOST_FIELDS = 10 };
 
@@ -510,6 +510,24 @@ static bool take_dashpot(struct reader *r, const double value[],
     return r->scene->axial = true;
 }
 
+static bool take_linear(struct reader *r, const double value[],
+                        size_t count)
+{
+    r->scene->touch = SCENE_LINEAR;
+    r->scene->stiffness = value[0];
+    r->scene->dashpot = count > 1 ? value[1] : 0;
+    return r->scene->contact = true;
+}
+
+static bool take_hertz(struct reader *r, const double value[], size_t count)
+{
+    (void)count;
+    r->scene->touch = SCENE_HERTZ;
+    r->scene->stiffness = value[0];
+    r->scene->dashpot = 0;
+    return r->scene->contact = true;
+}
+
 #define TO(field) NULL, offsetof(struct scene, field)
 static const struct line forms[LINES] = {
     [POS] = {"pos", "@body x y z +mass charge +radius ;%red %green %blue",
@@ -531,6 +549,8 @@ static const struct line forms[LINES] = {
     [TIME] = {"time", "time", 1, TO(time)},
     [CONTACT] = {"contact", "", 1, take_contact, 0},
     [RESTITUTION] = {"restitution", "%restitution", 1, TO(restitution)},
+    [LINEAR] = {"linear", ">stiffness ;+dashpot", 1, take_linear, 0},
+    [HERTZ] = {"hertz", ">stiffness", 1, take_hertz, 0},
     [BOX] = {"box", "xlow xhigh ylow yhigh zlow zhigh", 1, take_box, 0},
     [WALLS] = {"walls", "|x |y |z", 2, take_walls, 0}};
 
@@ -545,7 +565,7 @@ static size_t find_form(struct piece p)
 
 static bool refuse_word(struct reader *r)
 {
-    char list[140] = "";
+    char list[160] = "";
     for (size_t i = 0; i < LINES; ++i) {
         const size_t used = strlen(list);
         snprintf(list + used, sizeof list - used, "%s%s",
@@ -812,6 +832,10 @@ static void write_box(const struct scene *s, struct table *out)
         table_print(out, "contact\n");
     if (s->restitution != 1)
         table_print(out, "restitution %.17g\n", s->restitution);
+    if (s->touch == SCENE_LINEAR)
+        table_print(out, "linear %.17g %.17g\n", s->stiffness, s->dashpot);
+    if (s->touch == SCENE_HERTZ)
+        table_print(out, "hertz %.17g\n", s->stiffness);
 }
 
 void scene_write(const struct scene *s, struct table *out)

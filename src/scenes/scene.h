@@ -1,5 +1,5 @@
 /* From chapters/08-scenes.nw: edit there, then run make tangle. */
-/* checksum 129133181 of the lines below */
+/* checksum 2416592316 of the lines below */
 /* A scene: bodies, springs, walls, and what acts on them. */
 #ifndef SCENE_H
 #define SCENE_H
@@ -12,6 +12,7 @@
 
 enum { SCENE_AXES = 3 };
 enum scene_wall { SCENE_OPEN, SCENE_HARD, SCENE_PERIODIC };
+enum scene_touch { SCENE_SUDDEN, SCENE_LINEAR, SCENE_HERTZ };
 
 /* A kind of spring: a line "s". */
 struct scene_kind {
@@ -50,6 +51,8 @@ struct scene {
     bool axial;      /* dashpots act along their spring only */
     bool contact;    /* bodies collide; if not, radii are for drawing */
     double restitution;
+    enum scene_touch touch;    /* how they do */
+    double stiffness, dashpot; /* if not hard: N/m or N/m^1.5, kg/s */
     enum scene_wall wall[SCENE_AXES];
     double low[SCENE_AXES], high[SCENE_AXES]; /* of the box, m */
 };
@@ -57,7 +60,7 @@ struct scene {
 /* Why a text is no scene. */
 struct scene_error {
     size_t line;    /* the first line is 1 */
-    char text[200]; /* "found this, expected that" */
+    char text[240]; /* "found this, expected that" */
 };
 
 /* Prepares a scene of so many bodies at the origin, at rest: masses 1, all

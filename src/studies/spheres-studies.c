@@ -1,5 +1,5 @@
 /* From chapters/works/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 3570409984 of the lines below */
+/* checksum 2031575517 of the lines below */
 /* Measures gases, cradles and the break, by steps and by events. */
 #include "box/blocks.h"
 #include "line/bonkers.h"
@@ -1145,6 +1145,133 @@ static void study_moment(struct study *s)
     sum_moments_up(s, exact);
 }
 
+enum { TOUCHING = 3 };
+
+static const struct {
+    const char *name;
+    enum scene_touch touch;
+    double stiffness, gap; /* N/m or N/m^1.5, m */
+} touchings[TOUCHING] = {{"linear", SCENE_LINEAR, 5000, 0},
+                         {"hertz", SCENE_HERTZ, 50000, 0},
+                         {"gaps", SCENE_LINEAR, 5000, 0.03}};
+
+static const double pair_omega = 100; /* of the linear ones, 1/s */
+
+static void make_touching(struct scene *s, int way, size_t balls)
+{
+    make_bodies(s, balls, 0.1);
+    s->gravity[2] = 0;
+    s->touch = touchings[way].touch;
+    s->stiffness = touchings[way].stiffness;
+    for (size_t i = 0; i < balls; ++i)
+        s->position[i] = (double)i * (0.2 + touchings[way].gap);
+    s->velocity[0] = 1;
+}
+
+/* The speed at which two part that met at 1 m/s. */
+static double blow(double dashpot, double gap, double dt)
+{
+    struct scene s;
+    struct motion m;
+    make_touching(&s, 0, 2);
+    s.dashpot = dashpot;
+    s.position[1] += gap;
+    move(&m, &s, "leapfrog", dt, false);
+    motion_run(&m, 2 + (uint64_t)((gap + 6 / pair_omega) / dt));
+    const double parting = s.velocity[1] - s.velocity[0];
+    motion_end(&m);
+    scene_free(&s);
+    return parting;
+}
+
+static double hertz_time(void)
+{
+    struct scene s;
+    struct motion m;
+    const double dt = 1e-5;
+    make_touching(&s, 1, 2);
+    move(&m, &s, "leapfrog", dt, false);
+    do
+        motion_run(&m, 1);
+    while (s.position[1] - s.position[0] < 0.2);
+    const double late = (s.position[1] - s.position[0] - 0.2) /
+                        (s.velocity[1] - s.velocity[0]);
+    const double time = motion_time(&m) - late;
+    motion_end(&m);
+    scene_free(&s);
+    return time;
+}
+
+static void touch_row(struct study *s, int way)
+{
+    struct scene scene;
+    struct motion m;
+    char key[40];
+    make_touching(&scene, way, BALLS);
+    move(&m, &scene, "leapfrog", 0.01 / pair_omega, false);
+    for (int k = 0; k <= 300; ++k) {
+        table_print(s->out, "%.9g", motion_time(&m));
+        for (int i = 0; i < BALLS; ++i)
+            table_print(s->out, " %.9g", scene.velocity[i]);
+        table_print(s->out, "\n");
+        motion_run(&m, 10);
+    }
+    table_print(s->out, "\n\n");
+    for (int i = 0; i < BALLS; ++i) {
+        snprintf(key, sizeof key, "%s_%d", touchings[way].name, i + 1);
+        table_real(s->summary, key, scene.velocity[i]);
+    }
+    motion_end(&m);
+    scene_free(&scene);
+}
+
+/* The least and the most of the energy that comes back, of 1. */
+static void weigh_blows(double omega_dt, double *least, double *most)
+{
+    *least = INFINITY;
+    *most = 0;
+    for (int phase = 0; phase < 100; ++phase) {
+        const double dt = omega_dt / pair_omega;
+        const double parting = blow(0, dt * (phase + 0.5) / 100, dt);
+        *least = fmin(*least, parting * parting);
+        *most = fmax(*most, parting * parting);
+    }
+}
+
+static const struct table_key touch_keys[] = {
+    {"formula", "1", "restitution at zeta = 0.2"},
+    {"restitution", "1", "by steps"},
+    {"hertz_formula", "s", "contact of two"},
+    {"hertz_time", "s", "by steps"},
+    {"<way>_<i>", "m/s", "velocity of ball i at the end"},
+    {"energy_01", "1", "worst error of a blow, omega dt = 0.1"},
+    {"least_2", "1", "energy that comes back, omega dt = 2"},
+    {"most_2", "1", "the same"},
+    {0}};
+
+static void study_touch(struct study *s)
+{
+    const double pi = 3.141592653589793, zeta = 0.2;
+    double least, most;
+    table_column(s->out, "t", "s", "blocks: linear, Hertz, with gaps");
+    for (int i = 0; i < BALLS; ++i)
+        table_column(s->out, "v", "m/s", "velocity of a ball");
+    for (int way = 0; way < TOUCHING; ++way)
+        touch_row(s, way);
+    table_real(s->summary, "formula",
+               exp(-pi * zeta / sqrt(1 - zeta * zeta)));
+    table_real(s->summary, "restitution",
+               blow(2 * zeta * 50, 0, 0.001 / pair_omega));
+    table_real(s->summary, "hertz_formula",
+               2.94327 * pow(2.5 / (4 * touchings[1].stiffness), 0.4));
+    table_real(s->summary, "hertz_time", hertz_time());
+    weigh_blows(0.1, &least, &most);
+    table_real(s->summary, "energy_01", fmax(1 - least, most - 1));
+    weigh_blows(2, &least, &most);
+    table_real(s->summary, "least_2", least);
+    table_real(s->summary, "most_2", most);
+}
+
 /* The gas on a lattice, at a packing. */
 static void make_packed(struct scene *s, double packing, uint64_t seed)
 {
@@ -1256,6 +1383,7 @@ static const struct study_entry studies[] = {
     {"break", study_break, "the first shot of a game", break_keys},
     {"moment", study_moment, "of contact, found inside a step",
      moment_keys},
+    {"touch", study_touch, "of stiff springs", touch_keys},
     {"cost", study_cost, "error against processor time", NULL},
     {0}};
 

@@ -214,6 +214,9 @@ static const struct refusal refusals[] = {
     {P0 "contact 1\n", 2, "found '1', expected the end"},
     {P0 "contact\ncontact\n", 3, "once only"},
     {P0 "restitution 1.1\n", 2, "from 0 to 1"},
+    {P0 "linear 0\n", 2, "stiffness"},
+    {P0 "linear 1 -1\n", 2, "dashpot"},
+    {P0 "hertz 1 1\n", 2, "end of the line"},
     {P0 "box 0 1 0 1 0\n", 2, "expected zhigh"},
     {P0 "box 0 1 0 -1 0 1\n", 2, "found '-1', expected the high end"},
     {P0 "walls hard hard soft\n", 2,
@@ -357,6 +360,9 @@ static void make_random(struct scene *s, struct random *r)
     s->restitution = random_uniform(r);
     s->axial = random_below(r, 2);
     s->contact = random_below(r, 2);
+    s->touch = s->contact ? (enum scene_touch)random_below(r, 3) : 0;
+    s->stiffness = s->touch ? 1e-9 + fabs(any(r)) : 0;
+    s->dashpot = s->touch == SCENE_LINEAR ? fabs(any(r)) : 0;
 }
 
 static void test_written(void)

@@ -46,6 +46,9 @@ static inline bool scene_same(const struct scene *a, const struct scene *b)
            same_double(a->dt, b->dt) && same_double(a->time, b->time) &&
            a->axial == b->axial && a->contact == b->contact &&
            same_double(a->restitution, b->restitution) &&
+           a->touch == b->touch &&
+           same_double(a->stiffness, b->stiffness) &&
+           same_double(a->dashpot, b->dashpot) &&
            SAME_LIST(a, b, 3, wall) && SAME_LIST(a, b, 3, low) &&
            SAME_LIST(a, b, 3, high);
 }

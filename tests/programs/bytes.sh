@@ -105,6 +105,8 @@ run_all() {
         "$bin/step" $scene.plist --sums compensated --observe energy,momentum \
             --track 1,2
         "$bin/step" $scene.plist --contact located --until 0.02 --track 1,2
+        (cat $scene.plist && echo linear 1e4 1) |
+            "$bin/step" - --until 0.02 --track 1,2
     done)
     (cd "$work" && for scene in figure-eight membrane double-pendulum gas \
         break; do

@@ -342,6 +342,13 @@ behind_the_wall() { # a swing of 1 m, a wall 1 cm before its end
     key energy_error
     calc "abs(off($(column 2), cos(1.6 - 0.8 + 2 * 0.14153947332442721)))"
 }
+stiff_contact() { # what the ball that is hit flies off with, 1 m/s
+    printf '%s\n' 'pos 0 0 0 0 1 0 0.1' 'vel 0 1 0 0' 'pos 1 0.2001 0 0 1 0 0.1' \
+        'linear 5000' 'dt 0.02' >"$w/p"
+    steps --until 0.4 --observe vx:1
+    key energy_error
+    calc "abs(off($(column 2), 1))"
+}
 first_shot() { # of the way of the last ball from the middle of the rack
     $b/scene break -o "$w/p"
     for order in descending ascending; do

@@ -250,6 +250,33 @@ static void test_turn(void)
     }
 }
 
+/* Two balls with springs of omega = 100/s, in steps of 2/omega and of a
+   tenth of that: the first makes energy, the other keeps it to a per cent.
+ */
+static void test_stiff(void)
+{
+    for (int fine = 0; fine < 2; ++fine) {
+        struct scene s;
+        struct motion m;
+        if (!scene_create(&s, 2))
+            exit(1);
+        s.contact = true;
+        s.touch = SCENE_LINEAR;
+        s.stiffness = 5000;
+        s.radius[0] = s.radius[1] = 0.1;
+        s.position[1] = 0.2001;
+        s.velocity[0] = 1;
+        UNIT_TRUE(motion_begin(&m, "spheres", &s, "leapfrog",
+                               fine ? 0.002 : 0.02));
+        motion_run(&m, 200);
+        const double energy = motion_kinetic(&m);
+        UNIT_NEAR(energy, 0.5, fine ? 0.005 : 100);
+        UNIT_TRUE(fine || energy > 2);
+        motion_end(&m);
+        scene_free(&s);
+    }
+}
+
 int main(void)
 {
     return unit_run(
@@ -261,5 +288,6 @@ int main(void)
             {"the break has two answers", test_break},
             {"a heavy disk is shoved", test_shoved},
             {"a turn behind a wall is missed", test_turn},
+            {"a stiff contact makes energy", test_stiff},
             {0}});
 }

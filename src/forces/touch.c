@@ -1,0 +1,117 @@
+/* From chapters/11-spheres.nw: edit there, then run make tangle. */
+/* checksum 4206500310 of the lines below */
+/* Overlapping bodies push each other apart, as springs or as balls do. */
+#include "forces/touch.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+bool touch_create(struct touch *t, const struct scene *s)
+{
+    *t = (struct touch){.scene = s, .near = malloc(sizeof *t->near)};
+    if (t->near && spheres_create(t->near, s, SPHERES_ALL))
+        return true;
+    free(t->near);
+    return false;
+}
+
+void touch_free(struct touch *t)
+{
+    spheres_free(t->near);
+    free(t->near);
+    *t = (struct touch){0};
+}
+
+/* The force between two that overlap by depth, which grows at a rate; N.
+   (11.12, eq:touch) */
+static double push(const struct scene *s, double depth, double rate)
+{
+    if (s->touch == SCENE_HERTZ)
+        return s->stiffness * depth * sqrt(depth);
+    return s->stiffness * depth + s->dashpot * rate;
+}
+
+/* How far b is from a; apart: which way, m. */
+static double distance(const struct scene *s, size_t a, size_t b,
+                       const double x[], double apart[])
+{
+    double square = 0;
+    for (size_t k = 0; k < SPHERES_AXES; ++k) {
+        apart[k] = spheres_way(s, x, a, b, k);
+        square += apart[k] * apart[k];
+    }
+    return sqrt(square);
+}
+
+static void push_apart(const struct scene *s, size_t i, size_t j,
+                       const double x[], const double v[], double a[])
+{
+    const size_t n = s->bodies;
+    double apart[SPHERES_AXES], parting = 0;
+    const double d = distance(s, i, j, x, apart);
+    for (size_t k = 0; k < SPHERES_AXES && d > 0; ++k)
+        parting += apart[k] / d * (v[k * n + j] - v[k * n + i]);
+    const double force = push(s, s->radius[i] + s->radius[j] - d, -parting);
+    for (size_t k = 0; k < SPHERES_AXES && d > 0; ++k) {
+        a[k * n + i] -= force * apart[k] / d / s->mass[i];
+        a[k * n + j] += force * apart[k] / d / s->mass[j];
+    }
+}
+
+/* How deep body i is in the wall of a side across axis k, m. */
+static double wall_depth(const struct scene *s, const double x[], size_t i,
+                         size_t k, int side)
+{
+    const double place = x[k * s->bodies + i];
+    return side > 0 ? place + s->radius[i] - s->high[k]
+                    : s->low[k] - (place - s->radius[i]);
+}
+
+static void push_off(const struct scene *s, size_t i, size_t k, int side,
+                     const double x[], const double v[], double a[])
+{
+    const size_t c = k * s->bodies + i;
+    const double depth = wall_depth(s, x, i, k, side);
+    if (depth > 0)
+        a[c] -= side * push(s, depth, side * v[c]) / s->mass[i];
+}
+
+void touch_add(struct touch *t, const double x[], const double v[],
+               double a[])
+{
+    const struct scene *s = t->scene;
+    for (size_t k = 0; k < SPHERES_AXES; ++k)
+        for (size_t i = 0; s->wall[k] == SCENE_HARD && i < s->bodies; ++i) {
+            push_off(s, i, k, -1, x, v, a);
+            push_off(s, i, k, 1, x, v, a);
+        }
+    const size_t pairs = spheres_overlaps(t->near, x);
+    for (size_t j = 0; j < pairs; ++j)
+        push_apart(s, t->near->pair[j].a, t->near->pair[j].b, x, v, a);
+}
+
+static double stored(const struct scene *s, double depth)
+{
+    if (!(depth > 0))
+        return 0;
+    if (s->touch == SCENE_HERTZ)
+        return 0.4 * s->stiffness * depth * depth * sqrt(depth);
+    return s->stiffness * depth * depth / 2;
+}
+
+double touch_potential(const struct touch *t, const double x[])
+{
+    const struct scene *s = t->scene;
+    double sum = 0, apart[SPHERES_AXES];
+    for (size_t k = 0; k < SPHERES_AXES; ++k)
+        for (size_t i = 0; s->wall[k] == SCENE_HARD && i < s->bodies; ++i)
+            sum += stored(s, wall_depth(s, x, i, k, -1)) +
+                   stored(s, wall_depth(s, x, i, k, 1));
+    const size_t pairs = spheres_overlaps(t->near, x);
+    for (size_t j = 0; j < pairs; ++j) {
+        const struct spheres_pair p = t->near->pair[j];
+        sum += stored(s, s->radius[p.a] + s->radius[p.b] -
+                             distance(s, p.a, p.b, x, apart));
+    }
+    return sum;
+}

@@ -1,0 +1,28 @@
+/* From chapters/11-spheres.nw: edit there, then run make tangle. */
+/* checksum 4275444593 of the lines below */
+/* Contacts as stiff springs: forces between bodies that overlap. */
+#ifndef TOUCH_H
+#define TOUCH_H
+
+#include "forces/spheres.h"
+
+/* The contacts of a scene whose touch is not SCENE_SUDDEN. */
+struct touch {
+    const struct scene *scene;
+    struct spheres *near; /* finds who overlaps */
+};
+
+/* Prepares for the bodies of a scene, which has to outlive *t. Returns
+   false, with nothing to free, without memory. */
+bool touch_create(struct touch *t, const struct scene *s);
+void touch_free(struct touch *t);
+
+/* Adds to a, m/s^2, what bodies at x, m, with velocities v, m/s, feel where
+   they overlap each other or a wall. Source: (11.12, eq:touch). */
+void touch_add(struct touch *t, const double x[], const double v[],
+               double a[]);
+
+/* What all overlaps have stored, J. */
+double touch_potential(const struct touch *t, const double x[]);
+
+#endif

@@ -1,0 +1,191 @@
+/* Contacts that are springs: the restitution of a dashpot and the time of
+   Hertz's contact against their formulas, momentum, energy, walls, and what
+   a row of balls does. */
+#include "unit.h"
+
+#include "forces/motion.h"
+
+#include <stdlib.h>
+
+/* A row of balls of 1 kg with springs of 5000 N/m: 100/s for a pair. */
+static void make(struct scene *s, size_t balls, enum scene_touch touch,
+                 double gap)
+{
+    if (!scene_create(s, balls))
+        exit(1);
+    s->contact = true;
+    s->touch = touch;
+    s->stiffness = 5000;
+    for (size_t i = 0; i < balls; ++i) {
+        s->radius[i] = 0.125;
+        s->position[i] = (double)i * (0.25 + gap);
+    }
+    s->velocity[0] = 1;
+}
+
+static void begin(struct motion *m, struct scene *s, const char *method,
+                  double dt)
+{
+    if (!motion_begin(m, "touch", s, method, dt))
+        exit(1);
+}
+
+static void end(struct motion *m, struct scene *s)
+{
+    motion_end(m);
+    scene_free(s);
+}
+
+/* e^(-pi zeta / sqrt(1 - zeta^2)). The dashpot begins and ends with a jump
+   of 2 zeta omega u somewhere in a step: a share zeta omega dt each. */
+static void test_restitution(void)
+{
+    static const double zeta[] = {0, 0.05, 0.2, 0.5};
+    for (int k = 0; k < 4; ++k) {
+        struct scene s;
+        struct motion m;
+        make(&s, 2, SCENE_LINEAR, 0);
+        s.dashpot = 2 * zeta[k] * 50;
+        begin(&m, &s, "leapfrog", 1e-6);
+        motion_run(&m, 60000);
+        UNIT_NEAR(s.velocity[1] - s.velocity[0],
+                  exp(-acos(-1) * zeta[k] / sqrt(1 - zeta[k] * zeta[k])),
+                  1e-8 + 2e-4 * zeta[k]);
+        UNIT_NEAR(s.velocity[0] + s.velocity[1], 1, 1e-12);
+        end(&m, &s);
+    }
+}
+
+/* 2.94327 (5 mu u^2 / 4 K)^(2/5) / u; the number to 2e-6. */
+static void test_hertz(void)
+{
+    for (double u = 0.5; u < 3; u *= 2) {
+        struct scene s;
+        struct motion m;
+        make(&s, 2, SCENE_HERTZ, 0);
+        s.velocity[0] = u;
+        begin(&m, &s, "rk4", 1e-5);
+        do
+            motion_run(&m, 1);
+        while (s.position[1] - s.position[0] < 0.25);
+        const double late = (s.position[1] - s.position[0] - 0.25) /
+                            (s.velocity[1] - s.velocity[0]);
+        const double exact =
+            2.94327 * pow(2.5 * u * u / (4 * s.stiffness), 0.4) / u;
+        UNIT_NEAR((motion_time(&m) - late) / exact, 1, 1e-5);
+        UNIT_NEAR(s.velocity[1], u, 1e-6);
+        end(&m, &s);
+    }
+}
+
+/* What 1 m/s of the first k becomes, after it is all over. */
+static void strike(enum scene_touch touch, double gap, size_t k,
+                   const double out[5], double within)
+{
+    struct scene s;
+    struct motion m;
+    double momentum = 0;
+    make(&s, 5, touch, gap);
+    if (touch == SCENE_HERTZ)
+        s.stiffness = 50000;
+    for (size_t i = 0; i < k; ++i)
+        s.velocity[i] = 1;
+    begin(&m, &s, "leapfrog", 1e-4);
+    motion_run(&m, 5000);
+    for (size_t i = 0; i < 5; ++i) {
+        UNIT_NEAR(s.velocity[i], out[i], within);
+        momentum += s.velocity[i];
+    }
+    UNIT_NEAR(momentum, (double)k, 1e-13);
+    end(&m, &s);
+}
+
+/* With gaps wider than u/omega = 0.01 m, k for k. Touching, a wave. */
+static void test_cradle(void)
+{
+    static const double linear[] = {-0.1323, -0.0753, -0.0310, 0.2962,
+                                    0.9424},
+                        hertz[] = {-0.0711, -0.0303, -0.0145, 0.1270,
+                                   0.9888};
+    for (size_t k = 1; k <= 3; ++k) {
+        double out[5];
+        for (size_t i = 0; i < 5; ++i)
+            out[i] = i + k >= 5;
+        strike(SCENE_LINEAR, 0.03, k, out, 1e-3);
+        strike(SCENE_HERTZ, 0.06, k, out, 1e-3);
+    }
+    strike(SCENE_LINEAR, 0, 1, linear, 1e-4);
+    strike(SCENE_HERTZ, 0, 1, hertz, 1e-4);
+}
+
+/* A heap in a box, by a method of fourth order: what is pressed together
+   is counted, so the energy stays. The force has a kink at the contact, an
+   error of its own of the order of (omega dt)^2 of each. */
+static void test_energy(void)
+{
+    for (int touch = SCENE_LINEAR; touch <= SCENE_HERTZ; ++touch) {
+        struct scene s;
+        struct motion m;
+        make(&s, 20, touch, 0.05);
+        for (size_t k = 0; k < 3; ++k) {
+            s.wall[k] = k < 2 ? SCENE_HARD : SCENE_PERIODIC;
+            s.low[k] = k < 1 ? -1 : -0.5;
+            s.high[k] = k < 1 ? 7 : 0.5;
+        }
+        s.gravity[1] = -1;
+        begin(&m, &s, "rk4", 1e-3);
+        const struct motion_energy e = motion_energy(&m);
+        double pressed = 0;
+        for (int k = 0; k < 100; ++k) {
+            motion_run(&m, 20);
+            pressed = fmax(pressed, motion_energy(&m).springs);
+        }
+        UNIT_TRUE(pressed > 0.01);
+        UNIT_NEAR(motion_kinetic(&m) + motion_potential(&m),
+                  e.kinetic + e.gravity + e.springs + e.weight, 1e-3);
+        end(&m, &s);
+    }
+}
+
+/* With a dashpot it lies on the floor, as deep as its weight presses it. */
+static void test_rest(void)
+{
+    struct scene s;
+    struct motion m;
+    make(&s, 1, SCENE_LINEAR, 0);
+    s.dashpot = 50;
+    s.velocity[0] = 0;
+    s.gravity[2] = -2;
+    s.wall[2] = SCENE_HARD;
+    s.low[2] = -0.25;
+    s.high[2] = 9;
+    begin(&m, &s, "leapfrog", 1e-3);
+    motion_run(&m, 20000);
+    UNIT_NEAR(s.position[2], -0.125 - 2 / s.stiffness, 1e-15);
+    UNIT_NEAR(s.velocity[2], 0, 1e-13);
+    end(&m, &s);
+}
+
+/* A restitution and springs are one too many. */
+static void test_twice(void)
+{
+    struct scene s;
+    make(&s, 2, SCENE_LINEAR, 0);
+    UNIT_EQUAL((double)motion_flaw(&s, NULL), MOTION_WELL);
+    s.restitution = 0.5;
+    UNIT_EQUAL((double)motion_flaw(&s, NULL), MOTION_TWICE);
+    scene_free(&s);
+}
+
+int main(void)
+{
+    return unit_run(
+        "touch",
+        (struct unit_test[]){{"what a dashpot returns", test_restitution},
+                             {"how long Hertz's balls touch", test_hertz},
+                             {"the cradle", test_cradle},
+                             {"what is pressed has energy", test_energy},
+                             {"to rest is to be pressed", test_rest},
+                             {"restitution or springs", test_twice},
+                             {0}});
+}

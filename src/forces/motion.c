@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 2706921636 of the lines below */
+/* checksum 1284380694 of the lines below */
 /* Accelerations are added up; bodies collide between two steps. */
 #include "forces/motion.h"
 
@@ -29,6 +29,8 @@ static void accelerate(void *what, const double x[], const double v[],
         gravity_add(&m->gravity, x, a);
     if (m->bound)
         springs_add(&m->springs, x, v, a);
+    if (m->touches)
+        touch_add(&m->touch, x, v, a);
     if (s->damping > 0)
         add_friction(s, v, a);
     for (size_t j = 0; j < m->fixed; ++j)
@@ -43,10 +45,12 @@ static bool make_parts(struct motion *m)
                                      s->softening);
     if (s->springs > 0)
         m->bound = springs_create(&m->springs, s);
-    if (s->contact)
+    if (s->contact && s->touch == SCENE_SUDDEN)
         m->collides = spheres_create(&m->spheres, s, SPHERES_ALL);
+    else if (s->contact)
+        m->touches = touch_create(&m->touch, s);
     return m->attracts == (s->k2 > 0) && m->bound == (s->springs > 0) &&
-           m->collides == s->contact;
+           (m->collides || m->touches) == s->contact;
 }
 
 static bool hold_coordinates(struct motion *m)
@@ -83,25 +87,26 @@ static bool begin_orbits(struct motion *m,
 static bool accelerates(const struct motion *m)
 {
     const double *const g = m->scene->gravity;
-    return m->attracts || m->bound || m->scene->damping > 0 || g[0] != 0 ||
-           g[1] != 0 || g[2] != 0;
+    return m->attracts || m->bound || m->touches || m->scene->damping > 0 ||
+           g[0] != 0 || g[1] != 0 || g[2] != 0;
 }
 
 static bool begin_stepping(struct motion *m,
                            const struct stepping_method *method, double dt)
 {
     struct scene *s = m->scene;
-    const bool damped =
-        s->damping > 0 || (m->bound && springs_damped(&m->springs));
+    const bool damped = s->damping > 0 || (m->touches && s->dashpot > 0) ||
+                        (m->bound && springs_damped(&m->springs));
+    const bool alone = m->bound && !m->attracts && !m->touches;
     struct stepping_forces forces = {3 * s->bodies, damped, accelerate, m};
-    if (m->bound && !m->attracts)
+    if (alone)
         forces = springs_forces(&m->springs);
     if (m->orbits)
         forces = jacobi_forces(&m->jacobi);
     if (!stepping_begin(&m->stepping, method, forces, dt, s->position,
                         s->velocity))
         return false;
-    if (m->bound && !m->attracts)
+    if (alone)
         m->stepping.sweep = springs_sweep;
     if (m->orbits)
         m->stepping.flow = jacobi_flow;
@@ -146,6 +151,8 @@ enum motion_flaw motion_flaw(const struct scene *s, size_t *body)
         return MOTION_LIGHT;
     if ((s->wall[0] || s->wall[1] || s->wall[2]) && !s->contact)
         return MOTION_WALLS;
+    if (s->touch != SCENE_SUDDEN && s->restitution != 1)
+        return MOTION_TWICE;
     return MOTION_WELL;
 }
 
@@ -165,6 +172,10 @@ static bool check_scene(const char *program, const struct scene *s)
     case MOTION_WALLS:
         return complain(program, "the scene has walls but no line contact, "
                                  "without which nothing minds them");
+    case MOTION_TWICE:
+        return complain(program, "the scene has a line restitution, but "
+                                 "contacts that are springs: a dashpot is "
+                                 "what takes energy from them");
     case MOTION_LIGHT: break;
     }
     snprintf(message, sizeof message,
@@ -210,6 +221,8 @@ void motion_end(struct motion *m)
         impact_free(&m->impact);
     if (m->collides)
         spheres_free(&m->spheres);
+    if (m->touches)
+        touch_free(&m->touch);
     if (m->orbits)
         jacobi_free(&m->jacobi);
     stepping_free(&m->stepping);
@@ -338,10 +351,13 @@ double motion_kinetic(const struct motion *m)
 struct motion_energy motion_energy(const struct motion *m)
 {
     const double *x = m->scene->position;
+    double springs = m->bound ? springs_potential(&m->springs, x) : 0;
+    if (m->touches)
+        springs += touch_potential(&m->touch, x);
     return (struct motion_energy){
         motion_kinetic(m),
-        m->attracts ? gravity_potential(&m->gravity, x) : 0,
-        m->bound ? springs_potential(&m->springs, x) : 0, weigh(m->scene)};
+        m->attracts ? gravity_potential(&m->gravity, x) : 0, springs,
+        weigh(m->scene)};
 }
 
 double motion_potential(const struct motion *m)

@@ -1,5 +1,5 @@
 /* From chapters/works/11-step.nw: edit there, then run make tangle. */
-/* checksum 2359409257 of the lines below */
+/* checksum 3651224049 of the lines below */
 /* Steps a scene through time and writes what is looked at, row by row. */
 #include "forces/adaptive.h"
 #include "forces/checkpoint.h"
@@ -568,7 +568,8 @@ static void refuse_idle(struct options *o, const struct motion *m)
                        "without springs or gravity of more than 32 bodies");
     if (m->collides)
         return;
-    options_refuse(o, "contact", "in a scene without contacts");
+    options_refuse(o, "contact",
+                   "in a scene without contacts that are sudden");
     options_refuse(o, "rule", "in a scene without contacts");
     options_refuse(o, "shift", "in a scene without contacts");
     options_refuse(o, "order", "in a scene without contacts");

@@ -1,5 +1,5 @@
 /* From chapters/06-room.nw: edit there, then run make tangle. */
-/* checksum 418401188 of the lines below */
+/* checksum 1009702257 of the lines below */
 /* Direct sampling, Metropolis moves, densities at contact from slides. */
 #include "box/sampling.h"
 
@@ -197,6 +197,70 @@ bool sampling_start(struct sampling *s, struct random *r)
     return true;
 }
 
+/* How far disk i can go up along the axis until it touches disk j, and how
+   far it will then be behind. Rounding may have it there already. */
+static double way_to(const struct sampling *s, size_t i, size_t j,
+                     size_t axis, double *behind)
+{
+    const struct disk *a = &s->disks.disk[i], *b = &s->disks.disk[j];
+    const double least = a->radius + b->radius;
+    double square = least * least, ahead = 0;
+    for (size_t k = 0; k < DISKS_AXES; ++k) {
+        double x = b->position[k] - a->position[k];
+        x -= s->disks.box[k] * whole(x * s->per_side[k]);
+        if (k == axis)
+            ahead = x < 0 ? x + s->disks.box[k] : x;
+        else
+            square -= x * x;
+    }
+    if (square <= 0)
+        return INFINITY;
+    *behind = sqrt(square);
+    return fmax(ahead - *behind, 0);
+}
+
+/* The disk that disk i will touch first when it goes up along the axis by
+   at most *way, which becomes that way, and how far i is then behind it;
+   i: none. */
+static size_t find_next(const struct sampling *s, size_t i, size_t axis,
+                        double *way, double *behind)
+{
+    size_t next = i;
+    double apart = 0;
+    for (size_t j = 0; j < s->large; ++j) {
+        const double to = j == i ? INFINITY : way_to(s, i, j, axis, &apart);
+        if (to < *way) {
+            *way = to;
+            *behind = apart;
+            next = j;
+        }
+    }
+    return next;
+}
+
+static void push(struct sampling *s, size_t i, size_t axis, double way)
+{
+    double *const x = &s->disks.disk[i].position[axis];
+    *x += way;
+    *x -= s->disks.box[axis] * floor(*x * s->per_side[axis]);
+}
+
+uint64_t sampling_chain(struct sampling *s, size_t axis, double length,
+                        struct random *r, double *gained)
+{
+    size_t i = random_below(r, s->large), idle = 0;
+    for (uint64_t lifts = 0;; ++lifts) {
+        double way = length, behind = 0;
+        const size_t next = find_next(s, i, axis, &way, &behind);
+        push(s, i, axis, way);
+        idle = length - way < length ? 0 : idle + 1;
+        length -= way;
+        if (next == i || idle > s->large)
+            return lifts;
+        *gained += behind;
+        i = next;
+    }
+}
 /* A straight line for the centre of disk i: place = from + t along, with t
    from low to high. */
 struct line {

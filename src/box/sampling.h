@@ -1,5 +1,5 @@
 /* From chapters/06-room.nw: edit there, then run make tangle. */
-/* checksum 1454252306 of the lines below */
+/* checksum 56210229 of the lines below */
 /* Places of hard disks without motion: throws, a chain, their densities. */
 #ifndef SAMPLING_H
 #define SAMPLING_H
@@ -85,6 +85,15 @@ void sampling_means_next(struct sampling_means *m);
 double sampling_means_mean(const struct sampling_means *m, size_t quantity);
 double sampling_means_error(const struct sampling_means *m,
                             size_t quantity);
+
+/* Pushes a large disk at random, and each that is touched after it, up
+   along an axis, by a total of `length` (m): an event chain, which keeps
+   (6.1, eq:throw) by (6.9, eq:global-balance). Returns how often the push
+   was handed on; adds to *gained how far ahead, along the axis, the next
+   disk then stood (m). Requires a periodic box, no small ones, and places
+   at which all fit. */
+uint64_t sampling_chain(struct sampling *s, size_t axis, double length,
+                        struct random *r, double *gained);
 
 /* The area (volume) that two disks (balls) of this radius have in common
    when their centres are so far apart, (6.12, eq:lens), (6.13, eq:lens3),

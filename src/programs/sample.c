@@ -1,5 +1,5 @@
 /* From chapters/works/06-room.nw: edit there, then run make tangle. */
-/* checksum 2665200768 of the lines below */
+/* checksum 2932109950 of the lines below */
 /* Configurations of hard disks, thrown or walked, and what they show. */
 #include "box/sampling.h"
 #include "toolbox/options.h"
@@ -26,8 +26,9 @@ enum {
 #define VAIN 1e8 /* throws in a row that tell that nothing will fit */
 enum { BITE = 1 << 16 }; /* throws between two looks at the signals */
 
-enum method { DIRECT, MARKOV };
-static const char *const method_names[] = {"direct", "markov", NULL};
+enum method { DIRECT, MARKOV, CHAINS };
+static const char *const method_names[] = {"direct", "markov", "chains",
+                                           NULL};
 static const char *const boundary_names[] = {"walls", "periodic", NULL};
 
 enum measure { POSITIONS, DISTANCES, STATES };
@@ -37,34 +38,40 @@ static const char *const measure_names[] = {"positions", "distances",
 struct settings {
     size_t method, boundary, measure;
     size_t dimensions, large, small, bins;
-    double radius, small_radius, box[DISKS_AXES], step;
+    double radius, small_radius, box[DISKS_AXES], step, length;
     uint64_t samples, seed;
     const char *output, *summary, *command;
 };
 
 static const struct options_entry entries[] = {
-    {"method", 'm', "NAME", "direct or markov (direct)"},
+    {"method", 'm', "NAME", "direct, markov or chains (direct)"},
     {"disks", 'N', "N", "how many (4)"},
     {"radius", 'r', "R", "m (0.15)"},
     {"box", 'b', "Lx,Ly[,Lz]", "its sides, m (1,1)"},
     {"boundary", 'B', "NAME", "walls or periodic (walls)"},
-    {"small", 'i', "R,COUNT", "as many ideal ones of radius R more"},
     {"samples", 'k', "K",
      "direct: configurations; markov: sweeps of\n"
-     "as many tries as there are disks (100000)"},
+     "as many tries as there are disks; chains: these\n"
+     "(100000)"},
     {"measure", 'M', "NAME", "positions, distances or states (positions)"},
     {"seed", 's', "S", "of the random numbers (1)"},
     {"output", 'o', "FILE", "for the table (standard output)"},
     {"summary", 'S', "FILE", "for the results as lines: key value"},
+    {"", 0, NULL, "--method direct, markov"},
+    {"small", 'i', "R,COUNT", "as many ideal ones of radius R more"},
     {"", 0, NULL, "--method markov"},
     {"step", 'd', "D", "the longest move along an axis, m (R)"},
+    {"", 0, NULL, "--method chains"},
+    {"length", 'l', "L",
+     "that the disks of a chain move in all, half as\n"
+     "much to half as much again, m (10 R)"},
     {"", 0, NULL, "--measure positions, distances"},
     {"bins", 'n', "B", "over the whole length (100)"},
     {0}};
 
 static const struct table_key keys[] = {
-    {"samples", "1", "direct: configurations; markov: sweeps"},
-    {"tries", "1", "throws or moves"},
+    {"samples", "1", "direct: configurations; markov: sweeps; chains"},
+    {"tries", "1", "throws, moves or pushes"},
     {"acceptance", "1", "share of them"},
     {"acceptance_error", "1", "standard error"},
     {"", "", "if there are walls:"},
@@ -82,6 +89,9 @@ static const struct table_key keys[] = {
     {"Z_virial_error", "1", "standard error"},
     {"", "", "if --method markov:"},
     {"moved", "m", "rms way of a disk from its start"},
+    {"", "", "if --method chains:"},
+    {"Z_chain", "1", "P V/(N kT) from how far a push comes"},
+    {"Z_chain_error", "1", "standard error"},
     {0}};
 
 static void read_box(struct options *o, struct settings *s)
@@ -135,6 +145,9 @@ static void read_settings(struct settings *s, struct options *o, int argc,
         case 'd':
             s->step = options_real(o, OPTIONS_POSITIVE, LONGEST);
             break;
+        case 'l':
+            s->length = options_real(o, OPTIONS_POSITIVE, LONGEST);
+            break;
         case 'M': s->measure = options_choice(o, measure_names); break;
         case 'n': s->bins = options_count(o, 1, 100000); break;
         case 's': s->seed = options_count(o, 0, UINT64_MAX); break;
@@ -144,6 +157,11 @@ static void read_settings(struct settings *s, struct options *o, int argc,
     s->command = options_command(o);
     if (s->step == 0)
         s->step = s->radius;
+    if (s->length == 0)
+        s->length = 10 * s->radius;
+    if (s->method == CHAINS && s->boundary != DISKS_PERIODIC)
+        options_fail(o, "--method: chains need --boundary periodic, since "
+                        "a wall hands nothing on");
     program_apart(o, s->output, s->summary, "table");
 }
 
@@ -231,7 +249,14 @@ struct run {
 };
 
 /* The quantities of which run.numbers takes the means. */
-enum number { ACCEPTANCE, PLACE, WALL, PAIR = WALL + DISKS_AXES, NUMBERS };
+enum number {
+    ACCEPTANCE,
+    PLACE,
+    WALL,
+    PAIR = WALL + DISKS_AXES,
+    GAIN, /* of a chain */
+    NUMBERS
+};
 
 /* Between walls all distances are counted; in a periodic box those up to
    half a side, where each has a whole circle (sphere) to itself. */
@@ -318,6 +343,30 @@ static bool next_markov(struct run *run)
     return true;
 }
 
+static bool next_chain(struct run *run)
+{
+    const struct settings *s = run->s;
+    const size_t axis = random_below(&run->r, s->dimensions);
+    const double length = s->length * random_between(&run->r, 0.5, 1.5);
+    double gained = 0;
+    const uint64_t pushes =
+        1 + sampling_chain(&run->p, axis, length, &run->r, &gained);
+    run->tries += pushes;
+    run->accepted += pushes;
+    sampling_means_add(&run->numbers, ACCEPTANCE, 1);
+    sampling_means_add(&run->numbers, GAIN, gained / length);
+    return true;
+}
+
+static bool next_sample(struct run *run)
+{
+    switch (run->s->method) {
+    case DIRECT: return next_direct(run);
+    case MARKOV: return next_markov(run);
+    default: return next_chain(run);
+    }
+}
+
 /* Finds a start and makes the sweeps that do not count. */
 static bool warm_up(struct run *run)
 {
@@ -331,13 +380,18 @@ static bool warm_up(struct run *run)
     }
     for (uint64_t k = 0; k < run->s->samples / 10 && !progress_signal();
          ++k) {
-        sweep(run);
+        if (run->s->method == MARKOV)
+            sweep(run);
+        else
+            next_chain(run);
         if (k % SOME == 0)
             progress_update(&run->progress, 0, k * d->count);
     }
     for (size_t i = 0; i < run->p.large; ++i)
         memcpy(run->start + DISKS_AXES * i, d->disk[i].position,
                DISKS_AXES * sizeof(double));
+    memset(run->numbers.sum, 0, NUMBERS * sizeof *run->numbers.sum);
+    run->tries = run->accepted = 0;
     return true;
 }
 
@@ -418,7 +472,7 @@ static void take_samples(struct run *run)
 {
     const struct settings *s = run->s;
     while (run->done < s->samples && !progress_signal() &&
-           (s->method == DIRECT ? next_direct(run) : next_markov(run))) {
+           next_sample(run)) {
         count_contacts(run);
         if (s->measure == POSITIONS)
             count_positions(run);
@@ -546,6 +600,8 @@ static void write_summary(struct table *out, const struct run *run)
         write_number(out, run, "mean_x1", PLACE, 1, 0);
     if (s->method == MARKOV)
         table_real(out, "moved", distance_moved(run));
+    if (s->method == CHAINS)
+        write_number(out, run, "Z_chain", GAIN, 1, 1);
 }
 
 /* Writes what there is; returns the exit status. */

@@ -416,6 +416,90 @@ static void test_means(void)
     sampling_means_free(&m);
 }
 
+/* Chains of two disks in a periodic box of side 1: Z - 1, its error, and
+   the share of the samples in which they are nearer than 0.4. */
+static void run_chains(size_t dimensions, double told[3])
+{
+    struct sampling s;
+    struct sampling_means m;
+    struct random r;
+    random_seed(&r, 1);
+    box(&s, dimensions, DISKS_PERIODIC, unit, 2, 0.15);
+    UNIT_TRUE(sampling_means_create(&m, 2) && sampling_start(&s, &r));
+    for (size_t n = 0; n < 200000; ++n) {
+        const double length = random_between(&r, 0.5, 1.5);
+        double gained = 0, apart[DISKS_AXES], square = 0;
+        sampling_chain(&s, random_below(&r, dimensions), length, &r,
+                       &gained);
+        disks_apart(&s.disks, s.disks.disk[0].position,
+                    s.disks.disk[1].position, apart);
+        for (size_t k = 0; k < dimensions; ++k)
+            square += apart[k] * apart[k];
+        UNIT_TRUE(square > 0.3 * 0.3 - 1e-14);
+        sampling_means_add(&m, 0, gained / length);
+        sampling_means_add(&m, 1, square < 0.4 * 0.4);
+        sampling_means_next(&m);
+    }
+    told[0] = sampling_means_mean(&m, 0);
+    told[1] = sampling_means_error(&m, 0);
+    told[2] =
+        (sampling_means_mean(&m, 1) -
+         (dimensions == 2 ? acos(-1) * (0.16 - 0.09) / (1 - acos(-1) * 0.09)
+                          : 4 * acos(-1) / 3 * (0.064 - 0.027) /
+                                (1 - 4 * acos(-1) / 3 * 0.027))) /
+        sampling_means_error(&m, 1);
+    sampling_means_free(&m);
+    sampling_free(&s);
+}
+
+/* The other's room is the box less a circle of twice the radius, and its
+   edge says the pressure: (6.10, eq:chain-pressure). */
+static void test_chains(void)
+{
+    const double pi = acos(-1), s = 0.3;
+    double told[3];
+    run_chains(2, told);
+    UNIT_NEAR(told[0], pi * s * s / 2 / (1 - pi * s * s), 4 * told[1]);
+    UNIT_TRUE(told[1] < 0.002);
+    UNIT_NEAR(told[2], 0, 4);
+    run_chains(3, told);
+    UNIT_NEAR(told[0],
+              2 * pi / 3 * s * s * s / (1 - 4 * pi / 3 * s * s * s),
+              4 * told[1]);
+    UNIT_TRUE(told[1] < 0.002);
+    UNIT_NEAR(told[2], 0, 4);
+}
+
+/* Disks stay apart, the touches and the jumps say the same pressure, and a
+   row that is full goes nowhere. */
+static void test_long_chains(void)
+{
+    static const double sides[] = {13, 13};
+    struct sampling s;
+    struct random r;
+    double gained = 0, touches = 0;
+    size_t a, b;
+    random_seed(&r, 1);
+    box(&s, 2, DISKS_PERIODIC, sides, 64, 0.5);
+    UNIT_TRUE(sampling_start(&s, &r));
+    for (size_t n = 0; n < 20000; ++n)
+        touches += (double)sampling_chain(
+            &s, n % 2, 2 + 0.1 * (double)(n % 7), &r, &gained);
+    UNIT_TRUE(disks_fit(&s.disks, &a, &b));
+    /* The jumps scatter by 0.22 of a diameter. */
+    UNIT_NEAR(gained / touches, acos(-1) / 4, 4 * 0.22 / sqrt(touches));
+    sampling_free(&s);
+    box(&s, 2, DISKS_PERIODIC, (double[]){2, 2}, 2, 0.5);
+    s.disks.disk[0].position[0] = 0.5;
+    s.disks.disk[1].position[0] = 1.5;
+    sampling_chain(&s, 0, 1, &r, &gained);
+    UNIT_EQUAL(s.disks.disk[0].position[0], 0.5);
+    sampling_chain(&s, 1, 0.75, &r, &gained);
+    UNIT_EQUAL(s.disks.disk[0].position[1] + s.disks.disk[1].position[1],
+               0.75);
+    sampling_free(&s);
+}
+
 int main(void)
 {
     return unit_run(
@@ -430,6 +514,8 @@ int main(void)
             {"lenses and segments at their limits", test_overlap_limits},
             {"Asakura and Oosawa's law of distances", test_depletion},
             {"a try moves one disk or none", test_moves},
+            {"chains of two disks know the closed forms", test_chains},
+            {"chains of many keep all disks apart", test_long_chains},
             {"starts are found, or not", test_starts},
             {"hopeless throws are known beforehand", test_guess},
             {"means and their errors", test_means},

@@ -72,6 +72,7 @@ run_all() {
             --small 0.1,4 --measure distances --bins 20
     done
     "$1/sample" --method markov --radius 0.24 --samples 1000 --bins 20
+    "$1/sample" --method chains --boundary periodic --samples 3000 --bins 10
     "$1/sample-studies" --study mistakes --samples 2000
     "$1/sample-studies" --study memory --radii 0.1,0.2 --step 0.1,0.3 \
         --samples 2000

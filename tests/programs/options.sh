@@ -108,6 +108,7 @@ echo '3 1 0.1' >"$work/species"
 cat >"$work/needs" <<END
 piston study measure table
 piston study gases table
+sample method chains boundary
 disks measure positions every
 disks measure speeds every
 disks measure relaxation every

@@ -5,6 +5,8 @@ s=build/bin/sample
 t=build/bin/sample-studies
 
 refuses 2 "'fly'" $s --method fly
+refuses 2 'chains need --boundary periodic' $s --method chains
+refuses 2 'small: means nothing' $s --method chains --boundary periodic --small 0.1,3
 refuses 2 "disks: '0'" $s --disks 0
 refuses 2 "radius: '0'" $s --radius 0
 refuses 2 "box: '1', expected two or three" $s --box 1
@@ -49,4 +51,4 @@ refuses 2 'have no room between these walls' \
     $s --disks 2 --radius .4 --box 1,1,1
 refuses 1 'nothing fitted in 1e+08 throws in a row; use --method markov' \
     $s --radius .25 --samples 1
-echo 1..30
+echo 1..32

@@ -64,6 +64,7 @@ runs run $bin/piston --until 1
 same run $bin/piston
 runs sample $bin/sample --samples 100
 runs sample $bin/sample --samples 100 --method markov
+runs sample $bin/sample --samples 100 --method chains --boundary periodic
 same sample $bin/sample
 gas='--disks 40 --packing 0.2 --warmup 1 --every 0.1 --samples 40'
 # shellcheck disable=SC2086

@@ -1,5 +1,5 @@
 /* From chapters/06-room.nw: edit there, then run make tangle. */
-/* checksum 1009702257 of the lines below */
+/* checksum 265033039 of the lines below */
 /* Direct sampling, Metropolis moves, densities at contact from slides. */
 #include "box/sampling.h"
 
@@ -202,11 +202,12 @@ bool sampling_start(struct sampling *s, struct random *r)
 static double way_to(const struct sampling *s, size_t i, size_t j,
                      size_t axis, double *behind)
 {
-    const struct disk *a = &s->disks.disk[i], *b = &s->disks.disk[j];
-    const double least = a->radius + b->radius;
+    const struct disk *from = &s->disks.disk[i], *to = &s->disks.disk[j];
+    const double least = from->radius + to->radius;
     double square = least * least, ahead = 0;
     for (size_t k = 0; k < DISKS_AXES; ++k) {
-        double x = b->position[k] - a->position[k];
+        double x = to->position[k];
+        x -= from->position[k];
         x -= s->disks.box[k] * whole(x * s->per_side[k]);
         if (k == axis)
             ahead = x < 0 ? x + s->disks.box[k] : x;

@@ -17,7 +17,7 @@ STANDARD = -std=c11 -D_POSIX_C_SOURCE=200809L -Wall -Wextra -pedantic
 # would take the roots of a loop one by one. It changes no bit.
 PORTABLE = -O2 -ffp-contract=off -fno-math-errno
 NATIVE = -O3 -march=native $(LTO) -ffp-contract=off -fno-math-errno
-SANITIZED = -g -O1 -ffp-contract=off $(sanitizers)
+SANITIZED = -g -O0 -ffp-contract=off $(sanitizers)
 
 # What is given on the command line is a value, not text for make or a shell:
 # recipes read it from the environment, as in "$$EX".

@@ -180,6 +180,29 @@ static void test_late_clock(void)
     }
 }
 
+/* A ball that keeps the part e of its speed has bounced infinitely often
+   after (1 + e) / (1 - e) times the time of its fall: there the clock
+   stands, and the program has to say so. Each of the bounces that are seen
+   is late by a rounding of the clock. */
+static void test_comes_to_rest(void)
+{
+    for (int k = 0; k < 10; ++k) {
+        const double e = k / 10.0, g = 9.81, h = 1;
+        struct bonkers b;
+        UNIT_TRUE(bonkers_create(&b, 1, e, BONKERS_SCAN));
+        b.gravity = g;
+        b.body[1] = (struct bonkers_body){h, 0, 0, 1};
+        b.body[2].x = INFINITY;
+        bonkers_start(&b, NULL);
+        const enum bonkers_stop stop = bonkers_run(&b, INFINITY, 1000000);
+        /* with e = 0 it lies at once, and nothing is left to happen */
+        UNIT_TRUE(stop == (k ? BONKERS_COLLAPSE : BONKERS_STILL));
+        UNIT_NEAR(b.now, sqrt(2 * h / g) * (1 + e) / (1 - e), 1e-12);
+        UNIT_EQUAL(b.body[1].x, 0);
+        bonkers_free(&b);
+    }
+}
+
 int main(void)
 {
     return unit_run(
@@ -192,5 +215,7 @@ int main(void)
             {"only the naive engine feels when it is looked at",
              test_looking},
             {"a clock of 10^9 s leaves all in order", test_late_clock},
+            {"a ball comes to rest when the sum of its bounces says",
+             test_comes_to_rest},
             {0}});
 }

@@ -91,6 +91,10 @@ collapse_line() {
     bodies --masses 1,1 --positions 1,2 --velocities 0,-1 --walls 0 \
         --restitution 0.1 2>"$w/e" || echo - -
 }
+comes_to_rest() {
+    bodies --gravity 9.81 --masses 1 --positions 1 --walls 0 \
+        --restitution 0.5 2>"$w/e" || echo - -
+}
 ratio_three() { # how often the light ball is slower than a tenth
     bodies --preset two --mass-ratio 3 --every 0.7 --samples 20000
     worst "$w/t" 2

@@ -1,5 +1,5 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 1655951321 of the lines below */
+/* checksum 3451692631 of the lines below */
 /* Cells, lists of neighbours on a leash, and lanes of four pair times. */
 #include "box/cells.h"
 
@@ -26,28 +26,30 @@ static const float *place_of(const struct cells *c, uint32_t i)
 
 static double leash_end(const struct cells *c, uint32_t i)
 {
-    const double *v = c->d->disk[i].velocity;
+    const double g = c->d->gravity;
+    const double most = g > 0 ? sqrt(c->leash / (2 * g)) : INFINITY;
+    const double leash = g > 0 ? 0.75 * c->leash : c->leash;
     const float *at = place_of(c, i);
     double anchor[DISKS_AXES], here[DISKS_AXES], way[DISKS_AXES];
+    double v[DISKS_AXES];
+    disks_velocity(c->d, i, v);
     for (size_t k = 0; k < DISKS_AXES; ++k)
         anchor[k] = (double)at[k * c->room];
     disks_position(c->d, i, here);
     disks_apart(c->d, anchor, here, way);
     const double b = dot(way, v), vv = dot(v, v);
-    const double left = c->leash * c->leash - dot(way, way);
+    const double left = leash * leash - dot(way, way);
     if (vv == 0)
-        return INFINITY;
+        return c->d->now + most;
     if (left <= 0)
         return c->d->now;
     const double root = sqrt(b * b + vv * left); /* (7.2, eq:leash-end) */
-    return c->d->now + (b > 0 ? left / (root + b) : (root - b) / vv);
+    const double end = b > 0 ? left / (root + b) : (root - b) / vv;
+    return c->d->now + fmin(end, most);
 }
 
-#ifndef __AVX2__
-const char cells_kernel[] = "scalar";
-
-static void look_at_neighbours(const struct cells *c, uint32_t i,
-                               struct disks_event *first)
+static void ask_each(const struct cells *c, uint32_t i,
+                     struct disks_event *first)
 {
     const uint32_t *list = c->neighbour + i * c->seats;
     for (size_t k = 0; k < c->anchor[i].neighbours; ++k) {
@@ -58,6 +60,14 @@ static void look_at_neighbours(const struct cells *c, uint32_t i,
     }
 }
 
+#ifndef __AVX2__
+const char cells_kernel[] = "scalar";
+
+static void look_at_neighbours(const struct cells *c, uint32_t i,
+                               struct disks_event *first)
+{
+    ask_each(c, i, first);
+}
 #else
 const char cells_kernel[] = "avx2";
 
@@ -202,7 +212,10 @@ static void plan(struct cells *c, uint32_t i)
     struct disks_event first = {disks_wall(d, i, &axis), i,
                                 (uint32_t)(d->count + axis)};
     fetch_neighbours(c, i);
-    look_at_neighbours(c, i, &first);
+    if (d->gravity > 0)
+        ask_each(c, i, &first);
+    else
+        look_at_neighbours(c, i, &first);
     const double end = leash_end(c, i);
     if (end < first.time)
         first = (struct disks_event){end, i, i};

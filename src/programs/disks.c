@@ -1,5 +1,5 @@
 /* From chapters/works/07-gas.nw: edit there, then run make tangle. */
-/* checksum 2215806018 of the lines below */
+/* checksum 4131407071 of the lines below */
 /* Hard disks and spheres run from a start, and measured on the way. */
 #include "box/blocks.h"
 #include "box/cells.h"
@@ -255,7 +255,7 @@ enum { FEW = 16 }; /* disks: up to here all pairs are as fast */
 
 static void choose_engine(struct run *r)
 {
-    const bool suit = cells_suit(&r->d) && r->d.gravity == 0;
+    const bool suit = cells_suit(&r->d);
     if (r->s->engine == CELLS && !suit)
         program_refuse(
             PROGRAM, "--engine: cells need a larger box, three cells wide");
@@ -836,8 +836,7 @@ static const struct options_entry entries[] = {
     {"speed", 'v', "V", "of all disks at the start, m/s (1)"},
     {"", 0, NULL, "--measure states"},
     {"restitution", 'e', "E", "of every collision (1)"},
-    {"", 0, NULL,
-     "--boundary walls; --engine auto, pairs; --measure states, positions"},
+    {"", 0, NULL, "--boundary walls; --measure states, positions"},
     {"gravity", 'G', "G", "along y, towards the wall at 0, m/s2 (0)"},
     {"", 0, NULL, "--every"},
     {"samples", 'k', "K", "stop after so many looks behind the first"},

@@ -82,6 +82,8 @@ static bool is_apart(const struct disks *d)
     return disks_fit(d, &a, &b);
 }
 
+static double weight; /* of the scenes to come: gravity, m/s2 */
+
 /* Makes the same disks whenever it is called with the same numbers. */
 static void make(struct disks *d, const struct scene *s, uint64_t seed)
 {
@@ -99,6 +101,7 @@ static void make(struct disks *d, const struct scene *s, uint64_t seed)
                                           : random_between(&r, 0.5, 4);
     }
     make_box(d, s);
+    d->gravity = weight;
     must(s->random ? disks_place_random(d, &r) : disks_place_lattice(d),
          "a scene has no room");
     must(is_apart(d), "a scene begins with an overlap");
@@ -336,6 +339,24 @@ static void test_inelastic(void)
         {3, 200, DISKS_PERIODIC, 0.2, EQUAL, NORMAL, 0.7, 3000, 0, false},
         {3, 200, DISKS_WALLS, 0.3, TWO, NORMAL, 0.2, 3000, 0, false}};
     COMPARE(scenes, 2);
+}
+
+/* Light and heavy gravity, for leashes that bend a little or a lot; in the
+   last scene most disks never rise by their own diameter. */
+static void test_weight(void)
+{
+    static const struct scene scenes[] = {
+        {2, 100, DISKS_WALLS, 0.01, EQUAL, ONE_SPEED, 1, 400, 0, false},
+        {2, 200, DISKS_WALLS, 0.4, EQUAL, NORMAL, 1, 2000, 0, true},
+        {2, 150, DISKS_WALLS, 0.1, SPREAD, NORMAL, 1, 2000, 0, true},
+        {3, 200, DISKS_WALLS, 0.1, EQUAL, NORMAL, 1, 2000, 0, true},
+        {2, 150, DISKS_WALLS, 0.3, SPREAD, NORMAL, 0.97, 2500, 0, true}};
+    static const double weights[] = {1e-3, 0.1, 3};
+    for (size_t k = 0; k < 3; ++k) {
+        weight = weights[k];
+        COMPARE(scenes, 1);
+    }
+    weight = 0;
 }
 
 /* Disks that rest until they are hit: times that are no number lurk. */
@@ -678,6 +699,7 @@ int main(int argc, char *argv[])
             {"mixed radii and masses give the same bits", test_mixed},
             {"a heavy giant gives the same bits", test_giant},
             {"inelastic disks give the same bits", test_inelastic},
+            {"under gravity cells give the bits of pairs", test_weight},
             {"disks at rest give the same bits", test_rest},
             {"many events at one time give the same bits", test_ties},
             {"three cells along an axis are enough", test_three_cells},

@@ -4,7 +4,7 @@
 # with the same bytes; and the memory that a million disks take.
 . tests/programs/common
 sources='src/box/cells.c src/box/calendar.c src/box/disks.c src/line/collide.c
-    src/toolbox/random.c'
+    src/line/fall.c src/toolbox/random.c'
 
 expected=
 for cc in gcc clang; do

@@ -1,5 +1,5 @@
 /* From chapters/works/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 2031575517 of the lines below */
+/* checksum 4042181344 of the lines below */
 /* Measures gases, cradles and the break, by steps and by events. */
 #include "box/blocks.h"
 #include "line/bonkers.h"
@@ -1217,6 +1217,8 @@ static void touch_row(struct study *s, int way)
         motion_run(&m, 10);
     }
     table_print(s->out, "\n\n");
+    table_real(s->summary, touchings[way].name,
+               worst_of(scene.velocity, (double[BALLS]){0, 0, 0, 0, 1}));
     for (int i = 0; i < BALLS; ++i) {
         snprintf(key, sizeof key, "%s_%d", touchings[way].name, i + 1);
         table_real(s->summary, key, scene.velocity[i]);
@@ -1243,6 +1245,7 @@ static const struct table_key touch_keys[] = {
     {"restitution", "1", "by steps"},
     {"hertz_formula", "s", "contact of two"},
     {"hertz_time", "s", "by steps"},
+    {"<way>", "m/s", "worst difference from what events say"},
     {"<way>_<i>", "m/s", "velocity of ball i at the end"},
     {"energy_01", "1", "worst error of a blow, omega dt = 0.1"},
     {"least_2", "1", "energy that comes back, omega dt = 2"},

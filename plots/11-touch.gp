@@ -16,7 +16,7 @@ set xlabel 'time  (s)'
 set ylabel 'velocity  (m/s)' offset 1.2
 set xrange [0:0.14]
 set xtics 0.05
-set key at graph 0.98,0.63 right center samplen 1.5
+set key at graph 0.98,0.66 right center samplen 1.5 spacing 0.9
 set title 'linear springs, touching' offset 0,-0.6
 plot for [b=1:5] file index 0 using 1:(column(b + 1)) with lines ls (10 + b) title sprintf('%d', b)
 set format y ''

@@ -1,5 +1,5 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 3085015855 of the lines below */
+/* checksum 1926801768 of the lines below */
 /* The moments of contact, found inside a step and resolved one by one. */
 #ifndef IMPACT_H
 #define IMPACT_H
@@ -17,8 +17,8 @@ struct impact {
     uint64_t simultaneous; /* contacts at the moment of the one before */
     uint64_t grazing;      /* looked for, and missed by the method's path */
     size_t resting;        /* coordinates that walls hold, now */
-    bool crowded;          /* the last step was given up: too many contacts,
-                              or two bodies that come to rest on each other */
+    bool crowded;          /* the last step was given up: its contacts are
+                              too many, or bodies rest on each other */
     size_t between[2];     /* if so: bodies; the same twice: at a wall */
     /* ---- private */
     const struct scene *scene;

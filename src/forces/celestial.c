@@ -1,5 +1,5 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 776494719 of the lines below */
+/* checksum 1018704910 of the lines below */
 /* Puts bodies on circles and ellipses about each other. */
 #include "forces/celestial.h"
 
@@ -258,6 +258,20 @@ static const char *build_figure_eight(struct scene *s, const double value[])
     return NULL;
 }
 
+static const char *build_pythagorean(struct scene *s, const double value[])
+{
+    if (!scene_create(s, 3))
+        return no_memory;
+    put(s, 0, 3, 1, 3, 0, 0);
+    put(s, 1, 4, -2, -1, 0, 0);
+    put(s, 2, 5, 1, -1, 0, 0);
+    for (size_t i = 0; i < 3; ++i)
+        paint(s, i, 0.05, i == 0, i == 1, i == 2);
+    s->k2 = 1;
+    s->dt = value[0];
+    return NULL;
+}
+
 /* The difference K - E of the complete elliptic integrals of the modulus
    q, 0 <= q <= 1, by the arithmetic-geometric mean. */
 static double elliptic_difference(double q)
@@ -413,6 +427,10 @@ const struct gallery_scene celestial_scenes[] = {
      "three bodies on one curve",
      {{"dt", 0.01, 1e-9, 1, false, "time step"}},
      build_figure_eight},
+    {"pythagorean",
+     "masses 3, 4 and 5 at rest on a triangle",
+     {{"dt", 0.01, 1e-9, 1, false, "time step"}},
+     build_pythagorean},
     {"ring",
      "a planet of mass 1 and its ring, AU and days",
      {{"particles", 3072, 1, 1000000, true, "how many"},

@@ -1,6 +1,7 @@
 /* From chapters/works/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 873589389 of the lines below */
+/* checksum 972431890 of the lines below */
 /* Measures stepping methods on four small systems. */
+#include "forces/adaptive.h"
 #include "forces/reference.h"
 #include "forces/stepping.h"
 #include "toolbox/bench.h"
@@ -723,6 +724,24 @@ static void set_chain_task(struct task *k)
     stepping_free(&c.s);
 }
 
+static void record_adaptive(struct study *s, const struct task *k,
+                            const char *method)
+{
+    table_print(s->out, "# %s\n", method);
+    for (double e = 1e-2; e > 1e-15; e /= 4) {
+        struct course c;
+        begin_or_exit(&c, k->system, method, k->until, 0);
+        c.s.tolerance = e;
+        stepping_run(&c.s, 1);
+        const double error = distance(&c, k->x, k->v);
+        if (error < 10)
+            table_row(s->out, 2,
+                      (double[]){(double)c.s.evaluations, error});
+        stepping_free(&c.s);
+    }
+    table_print(s->out, "\n\n");
+}
+
 static void record_work(struct study *s, const struct task *k)
 {
     for (const struct stepping_method *m = stepping_next(NULL); m;
@@ -737,6 +756,9 @@ static void record_work(struct study *s, const struct task *k)
         }
         table_print(s->out, "\n\n");
     }
+    for (const struct stepping_method *m = stepping_methods; m->name; ++m)
+        if (m->adaptive)
+            record_adaptive(s, k, m->name);
     table_print(s->out, "# rk8pd\n");
     for (double e = 1e-2; e > 1e-15; e /= 4) {
         const struct outcome o = outside_work(k, e);
@@ -812,6 +834,238 @@ static void study_cost(struct study *s)
     }
 }
 
+enum { BODIES = 3 };
+
+static const double masses[BODIES] = {3, 4, 5};
+
+static void three_force(void *friction, const double x[], const double v[],
+                        double a[])
+{
+    (void)friction, (void)v;
+    memset(a, 0, 2 * BODIES * sizeof *a);
+    for (int i = 0; i < BODIES; ++i)
+        for (int j = 0; j < i; ++j) {
+            const double dx = x[j] - x[i], dy = x[3 + j] - x[3 + i];
+            const double r2 = dx * dx + dy * dy, f = 1 / (r2 * sqrt(r2));
+            a[i] += masses[j] * f * dx;
+            a[3 + i] += masses[j] * f * dy;
+            a[j] -= masses[i] * f * dx;
+            a[3 + j] -= masses[i] * f * dy;
+        }
+}
+
+static double three_energy(const double x[], const double v[])
+{
+    double sum = 0;
+    for (int i = 0; i < BODIES; ++i) {
+        sum += masses[i] * (v[i] * v[i] + v[3 + i] * v[3 + i]) / 2;
+        for (int j = 0; j < i; ++j) {
+            const double dx = x[j] - x[i], dy = x[3 + j] - x[3 + i];
+            sum -= masses[i] * masses[j] / sqrt(dx * dx + dy * dy);
+        }
+    }
+    return sum;
+}
+
+static void three_start(double x[], double v[])
+{
+    static const double at[] = {1, -2, 1, 3, -1, -1};
+    memcpy(x, at, sizeof at);
+    memset(v, 0, sizeof at);
+}
+
+static const struct system three = {"three", 6, three_force, three_energy,
+                                    three_start};
+
+static void stiff_force(void *friction, const double x[], const double v[],
+                        double a[])
+{
+    (void)friction, (void)v;
+    a[0] = -x[0];
+    a[1] = -1e6 * x[1];
+}
+
+static void jump_force(void *friction, const double x[], const double v[],
+                       double a[])
+{
+    (void)friction, (void)v;
+    a[0] = x[0] > 0 ? -1 : 1;
+}
+
+static double jump_energy(const double x[], const double v[])
+{
+    return fabs(x[0]) + v[0] * v[0] / 2;
+}
+
+static void jump_start(double x[], double v[])
+{
+    x[0] = 0.5;
+    v[0] = 0;
+}
+
+static void stiff_start(double x[], double v[])
+{
+    x[0] = 1;
+    x[1] = 1e-8;
+    v[0] = v[1] = 0;
+}
+
+static const struct system stiff = {"stiff", 2, stiff_force,
+                                    oscillator_energy, stiff_start};
+static const struct system jump = {"jump", 1, jump_force, jump_energy,
+                                   jump_start};
+
+static void set_out(struct course *c, const struct system *y,
+                    const char *method, double tick, double tolerance)
+{
+    begin_or_exit(c, y, method, tick, 0);
+    c->s.tolerance = tolerance;
+}
+
+static void record_tracks(struct study *s)
+{
+    struct course c;
+    set_out(&c, &three, "radau15", 0.02, 1e-13);
+    table_print(s->out, "# tracks: t, x, y of each\n");
+    for (int k = 0; k <= 800; ++k) {
+        table_row(s->out, 7,
+                  (double[]){stepping_time(&c.s), c.x[0], c.x[3], c.x[1],
+                             c.x[4], c.x[2], c.x[5]});
+        stepping_run(&c.s, 1);
+    }
+    stepping_free(&c.s);
+}
+
+/* What two bodies are from each other, and where about their centre. */
+static double part(const struct course *c, int i, int j, double at[4])
+{
+    const double sum = masses[i] + masses[j];
+    const double dx = c->x[j] - c->x[i], dy = c->x[3 + j] - c->x[3 + i];
+    at[0] = -masses[j] / sum * dx;
+    at[1] = -masses[j] / sum * dy;
+    at[2] = masses[i] / sum * dx;
+    at[3] = masses[i] / sum * dy;
+    return dx * dx + dy * dy;
+}
+
+static void record_approach(struct study *s)
+{
+    enum { TICKS = 1200 };
+    const double tick = 5e-8, from = 15.82992 - TICKS / 2 * tick;
+    struct course c;
+    double d[3] = {INFINITY, INFINITY, INFINITY}, at[4], when = 0, near = 0;
+    set_out(&c, &three, "radau15", tick, 1e-13);
+    stepping_run(&c.s, (uint64_t)(from / tick + 0.5));
+    table_print(s->out, "\n\n# approach: x, y of either\n");
+    for (int k = 0; k < TICKS; ++k) {
+        d[0] = d[1], d[1] = d[2], d[2] = part(&c, 1, 2, at);
+        if (k % 4 == 0)
+            table_row(s->out, 4, at);
+        if (d[1] < d[0] && d[1] <= d[2]) {
+            const double slope = (d[2] - d[0]) / 2;
+            const double bend = d[2] - 2 * d[1] + d[0];
+            near = sqrt(d[1] - slope * slope / 2 / bend);
+            when = stepping_time(&c.s) - (1 + slope / bend) * tick;
+        }
+        stepping_run(&c.s, 1);
+    }
+    table_real(s->summary, "near", near);
+    table_real(s->summary, "when", when);
+    stepping_free(&c.s);
+}
+
+/* All own steps up to t = 20; summary: how the run went. */
+static void record_lengths(struct study *s, const char *method,
+                           double tolerance)
+{
+    struct course c;
+    double longest = 0;
+    char key[40];
+    set_out(&c, &three, method, 0.01, tolerance);
+    stepping_run(&c.s, 1);
+    table_print(s->out, "\n\n# steps of %s: t, length\n", method);
+    for (struct adaptive *const own = c.s.own; own->t < 20;) {
+        if (!adaptive_reach(own, nextafter(own->t, INFINITY), c.x, c.v))
+            break;
+        adaptive_reach(own, own->t, c.x, c.v);
+        table_row(s->out, 2, (double[]){own->t, own->h});
+        longest = fmax(longest, own->h);
+    }
+    snprintf(key, sizeof key, "steps_%s", method);
+    table_count(s->summary, key, c.s.own->taken);
+    snprintf(key, sizeof key, "asked_%s", method);
+    table_count(s->summary, key, c.s.own->evaluations);
+    snprintf(key, sizeof key, "ratio_%s", method);
+    table_real(s->summary, key, longest / c.s.own->shortest);
+    snprintf(key, sizeof key, "energy_%s", method);
+    table_real(s->summary, key, fabs(energy_error(&c)));
+    stepping_free(&c.s);
+}
+
+static void record_fixed(struct study *s)
+{
+    struct course c;
+    begin_or_exit(&c, &three, "kahan-li8", 20.0 / 1500, 0);
+    c.s.compensated = true;
+    stepping_run(&c.s, 1500);
+    table_real(s->summary, "energy_fixed", fabs(energy_error(&c)));
+    stepping_free(&c.s);
+}
+
+static void record_drift(struct study *s)
+{
+    struct course c;
+    set_out(&c, &orbit, "dopri5", period, 1e-6);
+    stepping_run(&c.s, 100);
+    table_real(s->summary, "drift_100", fabs(energy_error(&c)));
+    stepping_run(&c.s, 900);
+    table_real(s->summary, "drift_1000", fabs(energy_error(&c)));
+    table_real(s->summary, "asked_drift", (double)c.s.evaluations / 1000);
+    stepping_free(&c.s);
+}
+
+static void record_trouble(struct study *s)
+{
+    static const struct system *const soft = &oscillator;
+    struct course c;
+    set_out(&c, soft, "dopri5", 100, 1e-6);
+    stepping_run(&c.s, 1);
+    table_count(s->summary, "steps_soft", c.s.own->taken);
+    stepping_free(&c.s);
+    set_out(&c, &stiff, "dopri5", 100, 1e-6);
+    stepping_run(&c.s, 1);
+    table_count(s->summary, "steps_stiff", c.s.own->taken);
+    stepping_free(&c.s);
+    set_out(&c, &jump, "dopri5", 400, 1e-9);
+    stepping_run(&c.s, 1);
+    table_count(s->summary, "steps_jump", c.s.own->taken);
+    table_count(s->summary, "refused_jump", c.s.own->refused);
+    table_real(s->summary, "energy_jump", fabs(energy_error(&c)));
+    stepping_free(&c.s);
+}
+
+static const struct table_key lengths_keys[] = {
+    {"near", "m", "closest approach of the three bodies"},
+    {"when", "s", "its time"},
+    {"steps_<what>", "1", "steps taken"},
+    {"asked_<what>", "1", "evaluations of the forces"},
+    {"ratio_<method>", "1", "longest to shortest step"},
+    {"energy_<what>", "1", "relative error of the energy"},
+    {"drift_<orbits>", "1", "of dopri5, to 1e-6"},
+    {"refused_jump", "1", "steps taken in vain"},
+    {0}};
+
+static void study_lengths(struct study *s)
+{
+    record_tracks(s);
+    record_approach(s);
+    record_lengths(s, "radau15", 1e-13);
+    record_lengths(s, "dopri5", 1e-10);
+    record_fixed(s);
+    record_drift(s);
+    record_trouble(s);
+}
+
 static const struct study_entry studies[] = {
     {"methods", study_methods, "what their rows promise", NULL},
     {"portrait", study_portrait, "four methods in the phase plane", NULL},
@@ -827,6 +1081,7 @@ static const struct study_entry studies[] = {
     {"rounding", study_rounding, "carried along or not", rounding_keys},
     {"work", study_work, "error against evaluations", NULL},
     {"cost", study_cost, "error against processor time", NULL},
+    {"lengths", study_lengths, "steps that choose their own", lengths_keys},
     {0}};
 
 static const struct options_entry entries[] = {

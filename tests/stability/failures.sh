@@ -251,6 +251,18 @@ fehlberg() { # of order four, on the same oscillator, 200 steps of 0.8
         e = x * x + y * y - 1; d = x - cos(200 * h)
         print (e < 0 ? -e : e), (d < 0 ? -d : d) }'
 }
+adaptive_drift() {
+    study step-studies --study lengths
+    echo "$(key drift_1000) $(key drift_1000)"
+}
+adaptive_stiff() { # how many times more steps
+    study step-studies --study lengths
+    echo "- $(calc "$(key steps_stiff) / $(key steps_soft) - 1")"
+}
+adaptive_jump() {
+    study step-studies --study lengths
+    echo "$(key energy_jump) $(key energy_jump)"
+}
 long_ellipse() { # once round, with 10000 forces: how far from the start, AU
     $b/scene sun-earth --speed 0.1 --centred 1 -o "$w/p"
     period=$(calc "2 * pi / 0.0172 / sqrt(1.000003) * (1 / 1.99) ^ 1.5")

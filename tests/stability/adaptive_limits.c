@@ -1,0 +1,107 @@
+/* Where steps of their own length fail: energies in the long run,
+   stiffness, and forces that jump. */
+#include "unit.h"
+
+#include "forces/adaptive.h"
+
+#include <stdlib.h>
+
+static void orbit(void *what, const double x[], const double v[],
+                  double a[])
+{
+    const double r2 = x[0] * x[0] + x[1] * x[1], r = sqrt(r2);
+    (void)what, (void)v;
+    a[0] = -x[0] / (r * r2);
+    a[1] = -x[1] / (r * r2);
+}
+
+static void springs(void *what, const double x[], const double v[],
+                    double a[])
+{
+    const double *stiff = what;
+    (void)v;
+    a[0] = -x[0];
+    a[1] = -*stiff * x[1];
+}
+
+static void jumps(void *what, const double x[], const double v[],
+                  double a[])
+{
+    (void)what, (void)v;
+    a[0] = x[0] > 0 ? -1 : 1;
+}
+
+static struct adaptive *begin(const char *name, struct stepping_forces f,
+                              double tolerance, const double x[],
+                              const double v[])
+{
+    struct adaptive *const a = adaptive_create(stepping_find(name), f);
+    if (!a)
+        exit(1);
+    adaptive_begin(a, tolerance, 1, 0, x, v);
+    return a;
+}
+
+/* The error of the energy after so many orbits of e = 0.5. */
+static double lost(const char *name, double orbits)
+{
+    const struct stepping_forces f = {2, false, orbit, NULL};
+    double x[] = {0.5, 0}, v[] = {0, sqrt(3)};
+    struct adaptive *const a = begin(name, f, 1e-6, x, v);
+    UNIT_TRUE(adaptive_reach(a, orbits * 8 * atan(1), x, v));
+    adaptive_free(a);
+    return fabs((v[0] * v[0] + v[1] * v[1]) / 2 - 1 / hypot(x[0], x[1]) +
+                0.5);
+}
+
+/* The orbit shrinks by less than 1 % on the way. */
+static void test_drift(void)
+{
+    const double few = lost("dopri5", 30), many = lost("dopri5", 300);
+    UNIT_NEAR(many / few, 10, 0.2);
+    UNIT_TRUE(many > 1e-4);
+}
+
+/* Steps of dopri5 in 10 s. */
+static double steps(double stiff, double tolerance)
+{
+    const struct stepping_forces f = {2, false, springs, &stiff};
+    double x[] = {1, 1e-12}, v[] = {0, 0};
+    struct adaptive *const a = begin("dopri5", f, tolerance, x, v);
+    UNIT_TRUE(adaptive_reach(a, 10, x, v));
+    const double taken = (double)a->taken;
+    adaptive_free(a);
+    return taken;
+}
+
+/* At most 1.2 of its radians fit into a step, however rough a result is
+   asked for. */
+static void test_stiff(void)
+{
+    UNIT_TRUE(steps(1, 1e-4) < 100);
+    for (double e = 1e-4; e > 1e-9; e /= 100)
+        UNIT_TRUE(steps(1e6, e) > 1e4 / 1.2);
+}
+
+static void test_jumps(void)
+{
+    const struct stepping_forces f = {1, false, jumps, NULL};
+    double x = 0.5, v = 0;
+    struct adaptive *const a = begin("dopri5", f, 1e-9, &x, &v);
+    UNIT_TRUE(adaptive_reach(a, 400, &x, &v));
+    UNIT_TRUE(a->refused > 200 * 10);
+    UNIT_TRUE(fabs(fabs(x) + v * v / 2 - 0.5) > 1e-7);
+    adaptive_free(a);
+}
+
+int main(void)
+{
+    return unit_run(
+        "adaptive limits",
+        (struct unit_test[]){
+            {"a pair loses energy in proportion to the orbits", test_drift},
+            {"a stiff spring at rest holds the steps at its limit",
+             test_stiff},
+            {"edges cost steps and digits", test_jumps},
+            {0}});
+}

@@ -1,5 +1,5 @@
 # data: build/data/08-lengths.dat
-# command: build/bin/step-studies --study lengths -o build/data/08-lengths.dat --summary build/runs/stepping-lengths.summary
+# command: build/bin/step-studies --study lengths -o build/data/08-lengths.dat
 # alt: Three panels. Left: the tracks of three bodies from rest at the corners of a right triangle, tangled, for sixteen seconds. Middle: two of them about their common centre, in thousandths of a metre: two hairpins that turn back at two tenths from the centre. Right: the length of the steps against time, logarithmic; it falls from a tenth of a second to less than a millionth in a narrow notch at 15.83 seconds, and to between a ten-thousandth and a hundredth in several others; steps of dopri5 are shorter than those of radau15 by a factor of five.
 width = 14
 height = 5.2

@@ -18,7 +18,7 @@ for cc in gcc clang; do
         # shellcheck disable=SC2086
         $cc -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off $level \
             -fno-math-errno -Isrc -DBUILD_FLAGS='"test"' -o "$work/studies" \
-            src/studies/step-studies.c src/forces/stepping.c src/forces/reference.c \
+            src/studies/step-studies.c src/forces/stepping.c src/forces/adaptive.c src/forces/reference.c \
             src/toolbox/*.c -lm || not_ok "$cc $level" 'does not compile'
         studies "$work/studies" >"$work/got"
         holds "$cc $level gives the same bytes" \

@@ -12,7 +12,10 @@ graded := $(foreach e,$(exercises),\
 GRADE_BUILT = build/grade/grade build/grade/flags \
 	$(graded:%=build/grade/%.list) $(graded:%=build/grade/%.names)
 
-.PHONY: grade grade-parts grade-bench has-submissions
+.PHONY: grade grade-parts grade-bench has-submissions hostile-programs
+# Each of the grader's hostile tricks once more, in a whole program.
+hostile-programs: grade-parts
+	@ALL=1 tests/grader/programs.sh
 grade-bench: grade-parts
 	@tests/grader/bench 25 $(if $(RECORD),plots/data/B-grade.dat)
 has-submissions:
@@ -23,6 +26,14 @@ grade: has-submissions grade-parts
 	$(if $(filter-out $(graded),$(exercises)),@echo 'Not graded (there is' \
 		'no border.c in its folder):' $(filter-out $(graded),$(exercises)))
 	@build/grade/grade $(grade_options) "$$SUBMISSIONS"
+	@to=$${RESULTS:-build/grade/results}/by-hand && rm -rf "$$to" && \
+		mkdir -p "$$to" && to=$$(cd "$$to" && pwd) && \
+		cd "$$SUBMISSIONS" && find . -type f -size -2000 \( \
+		-name '*P[1-9].gp' -o -name '*P[1-9].txt' \) -exec sh -c ' \
+		mkdir -p "$$0/$${1%/*}" && cp -- "$$1" "$$0/$$1"' "$$to" {} \; && \
+		if [ -n "$$(ls "$$to")" ]; then \
+		echo "Figures and texts of projects, to be marked by you: $$to"; \
+		else rmdir "$$to"; fi
 grade-parts: has-grade-parts $(GRADE_BUILT)
 
 .PHONY: has-grade-parts

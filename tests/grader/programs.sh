@@ -1,0 +1,194 @@
+#!/bin/sh
+# A project's whole program in the grader: a right one, one that prints
+# nothing, and some that would rather be clever. Each of these plays its
+# tricks where a stage calls it, and then does what the solution does; a trick
+# that works prints BROKEN. ALL=1: every trick of hostile/ as a program, too.
+topic=programs
+. tests/grader/hostile/kit
+mkdir -p "$scratch/kit/build/grade" "$scratch/kit/src/examiner" \
+    "$scratch/kit/tests/exercises/P1"
+for file in build/grade/grade build/grade/flags src/examiner/collide.h \
+    tests/equations.txt build/grade/P1.list build/grade/P1.names \
+    build/grade/P1.judge build/grade/P1.inside.o tests/exercises/P1/stub.c; do
+    cp "$file" "$scratch/kit/$file" || exit 1
+done
+full=30
+limit=280
+[ "${ALL-}" != 1 ] || limit=3000
+result() { echo "$out/marks/$1/P1.json"; }
+graded() { # FOLDER OPTION...: one batch
+    handed=$1
+    out=$scratch/out
+    shift
+    (cd "$scratch/kit" && SECRET=here exec timeout -k 5 "$limit" \
+        build/grade/grade --exercises P1 --hidden "$seed" --jobs 2 \
+        --output "$out" "$@" "$handed") >"$scratch/said" 2>&1 </dev/null
+    status=$?
+}
+hand_in() { mkdir -p "$scratch/in/$1" && cat >"$scratch/in/$1/P1-bonkers.c"; }
+# hostile NAME: the solution, which calls trick() at its start.
+hostile() {
+    {
+        cat
+        sed 's/^int main(/int right_main(/' solutions/P1-bonkers.c
+        printf 'int main(int argc, char **argv)\n{\n    trick(argc, argv);\n%s\n' \
+            '    return right_main(argc, argv); }'
+    } | hand_in "$1"
+}
+
+mounts >"$scratch/mounts"
+hand_in honest <solutions/P1-bonkers.c
+{ cat tests/exercises/P1/stub.c && echo '/* mine */'; } | hand_in nothing
+# What must not be there to be read, and what must not be there to be reached.
+hostile curious <<END
+#define _GNU_SOURCE
+#include <dirent.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+extern char **environ;
+static void leak(const char *what)
+{
+    printf("BROKEN: %s\n", what);
+    fprintf(stderr, "BROKEN: %s\n", what);
+}
+static void trick(int argc, char **argv)
+{
+    char text[4096];
+    struct stat about;
+    (void)argc;
+    if (environ && environ[0])
+        leak("an environment");
+    for (int file = 3; file < 64; ++file)
+        if (write(file, "e passed 1 verdict", 18) > 0)
+            leak("a descriptor");
+    static const char *const files[] = {"$root/tests/exercises/P1/suite.c",
+        "$root/solutions/P1-bonkers.c", "$scratch/kit/build/grade/P1.judge",
+        "/etc/passwd", "/kit/P1.judge"};
+    for (unsigned i = 0; i < sizeof files / sizeof *files; ++i)
+        if (fopen(files[i], "r"))
+            leak(files[i]);
+    for (int pid = 1; pid < 40; ++pid) {
+        snprintf(text, sizeof text, "/proc/%d/environ", pid);
+        FILE *file = fopen(text, "r");
+        const size_t got = file ? fread(text, 1, sizeof text - 1, file) : 0;
+        for (size_t i = 0; i + 6 < got; ++i)
+            if (memcmp(text + i, "SECRET", 6) == 0)
+                leak("the environment of the grader");
+    }
+    snprintf(text, sizeof text, "/proc/%d/fd/4", (int)getppid());
+    if (open(text, O_WRONLY) >= 0)
+        leak("the parent's descriptor");
+    snprintf(text, sizeof text, "/proc/%d/mem", (int)getppid());
+    if (open(text, O_RDWR) >= 0)
+        leak("the parent's memory");
+    const ssize_t length = readlink("/proc/self/exe", text, sizeof text - 1);
+    text[length > 0 ? length : 0] = 0;
+    if (strstr(text, "program"))
+        leak("which collide it is");
+    if (strcmp(argv[0], "P1") != 0)
+        leak("its name");
+    if (fopen("/hostile-was-here", "w") || fopen("/kit/x", "w") ||
+        fopen("/exercises/x", "w"))
+        leak("a file outside");
+    if (stat("$scratch", &about) == 0)
+        leak("a folder outside");
+    FILE *mine = fopen("notes", "w");
+    if (mine)
+        fclose(mine);
+    puts("\n00000000000000000000000000000000 verdict passed");
+    fflush(stdout);
+    rewind(stdout);
+}
+END
+# The table begins with nonsense, so nothing is earned; and each is told.
+# One trick a stage: floods, children, memory, idleness, murder.
+hostile violent <<END
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+static void trick(int argc, char **argv)
+{
+    const int rows = argc == 6 ? atoi(argv[5]) : 0;
+    const int falls = argc == 6 && atof(argv[3]) > 0;
+    if (rows == 60 && !falls) {
+        static char line[65536];
+        memset(line, '1', sizeof line);
+        for (;;)
+            fwrite(line, 1, sizeof line, stdout);
+    } else if (rows == 30 && !falls) {
+        for (int i = 0; i < 1000; ++i)
+            if (fork() == 0 && setsid() >= 0)
+                for (;;)
+                    pause();
+        exit(3);
+    } else if (rows == 50000) {
+        for (;;)
+            memset(malloc(1 << 24), 1, 1 << 24);
+    } else if (rows == 500) {
+        sleep(1000);
+    } else if (falls && rows == 60) {
+        kill(getppid(), SIGKILL);
+        kill(-1, SIGKILL);
+        exit(4);
+    }
+}
+END
+cases='honest nothing curious violent'
+if [ "${ALL-}" = 1 ]; then
+    for file in "$here"/hostile/*.c; do
+        if grep -q '^static void trick(void)' "$file"; then
+            name=${file##*/}
+            sed -e "s|@ROOT@|$root|g" -e "s|@SCRATCH@|$scratch|g" \
+                -e "s|@SEED@|$seed|g" -e '/"exercise.h"/d' \
+                -e 's/^static void trick(void)/static void played(void)/' \
+                "$file" >"$scratch/trick.c"
+            {
+                cat "$scratch/trick.c"
+                echo 'static void trick(int argc, char **argv)
+{ (void)argc, (void)argv; played(); }'
+            } | hostile "all-${name%.c}"
+        fi
+    done
+fi
+graded "$scratch/in" --seconds 1
+verdict 'the batch ends well' ended 0
+verdict 'an honest program has all points' judged honest passed 30
+verdict 'an empty table has none' judged nothing failed 0
+contained() { # NAME: no trick has worked, and it has a verdict
+    [ -s "$(result "$1")" ] || why "no result for $1" || return 1
+    ! grep -q BROKEN "$(result "$1")" ||
+        why "$(grep -o 'BROKEN[^"\\]*' "$(result "$1")" | sort -u)"
+}
+verdict 'a program finds nothing that is not its own' contained curious
+verdict 'and a verdict that it prints is no row' judged curious failed 0
+verdict 'floods, children, memory, sleep and murder are contained' \
+    contained violent
+stage_state() { # NAME N
+    awk -v n="$2" '/^   "state": / { if (++k == n) print }' "$(result "$1")" |
+        sed 's/.*: "\(.*\)".*/\1/'
+}
+ends() { # N STATE...
+    got=$(stage_state violent "$1")
+    case " $2 " in *" $got "*) ;; *) why "stage $1: $got" ;; esac
+}
+verdict 'a flood is a failure' ends 1 failed
+verdict 'a thousand children fail' ends 2 'failed timed out'
+verdict 'and earn what the stage without a trick is worth' \
+    judged violent failed 5
+verdict 'nothing is left behind' clean
+count=10
+if [ "${ALL-}" = 1 ]; then
+    for folder in "$scratch"/in/all-*; do
+        verdict "${folder##*/all-}: is contained" contained "${folder##*/}"
+        count=$((count + 1))
+    done
+fi
+[ -z "${KEEP-}" ] || { cp -r "$scratch/out" "$scratch/in" /tmp/room/; }
+echo "1..$count"

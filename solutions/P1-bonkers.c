@@ -176,11 +176,6 @@ static void count(long row)
     ++counted[block];
 }
 
-static void tell(const char *name, double run, double error, double theory)
-{
-    printf("# %s %.17g %.17g %.17g\n", name, run, error, theory);
-}
-
 static void report(double total)
 {
     double mean[2] = {0, 0}, spread[3] = {0, 0, 0}, rms[2];
@@ -202,9 +197,10 @@ static void report(double total)
         spread[k] = sqrt(spread[k] / BLOCKS / (BLOCKS - 1)) / 2;
     rms[0] = sqrt(mean[0]);
     rms[1] = sqrt(mean[1]);
-    tell("lightest", rms[0], rms[0] * spread[0], a);
-    tell("heaviest", rms[1], rms[1] * spread[1], b);
-    tell("ratio", rms[0] / rms[1], rms[0] / rms[1] * spread[2], a / b);
+    printf("# lightest %.17g %.17g", rms[0], rms[0] * spread[0]);
+    printf(" %.17g\n# heaviest %.17g %.17g", a, rms[1], rms[1] * spread[1]);
+    printf(" %.17g\n# ratio %.17g", b, rms[0] / rms[1]);
+    printf(" %.17g %.17g\n", rms[0] / rms[1] * spread[2], a / b);
 }
 
 static void print_row(double t)

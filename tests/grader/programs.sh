@@ -39,7 +39,7 @@ hostile() {
 mounts >"$scratch/mounts"
 hand_in honest <solutions/P1-bonkers.c
 { cat tests/exercises/P1/stub.c && echo '/* mine */'; } | hand_in nothing
-# What must not be there to be read, and what must not be there to be reached.
+# In stage 4 nobody looks at its rows. What must not be there to be read, and what must not be there to be reached.
 hostile curious <<END
 #define _GNU_SOURCE
 #include <dirent.h>
@@ -147,6 +147,7 @@ if [ "${ALL-}" = 1 ]; then
             name=${file##*/}
             sed -e "s|@ROOT@|$root|g" -e "s|@SCRATCH@|$scratch|g" \
                 -e "s|@SEED@|$seed|g" -e '/"exercise.h"/d' \
+                -e 's|"\.\.", *"\.\./\.\."|"../../.."|' \
                 -e 's/^static void trick(void)/static void played(void)/' \
                 "$file" >"$scratch/trick.c"
             {
@@ -167,7 +168,7 @@ contained() { # NAME: no trick has worked, and it has a verdict
         why "$(grep -o 'BROKEN[^"\\]*' "$(result "$1")" | sort -u)"
 }
 verdict 'a program finds nothing that is not its own' contained curious
-verdict 'and a verdict that it prints is no row' judged curious failed 0
+verdict 'and a verdict that it prints is no row' judged curious failed 4
 verdict 'floods, children, memory, sleep and murder are contained' \
     contained violent
 stage_state() { # NAME N

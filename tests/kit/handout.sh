@@ -164,8 +164,6 @@ refused 'no book with solutions' 2 'EDITION: students get the book without' \
     $make -s handout EDITION=instructor
 refused 'WITH_CHAPTERS is 1 or 0' 2 "^handout: WITH_CHAPTERS: 'yes' is" \
     env WITH_CHAPTERS=yes "$kit/chapters/press/handout"
-rm "$kit/tests/exercises/01a/stub.c"
-[ -e "$kit/.git" ] && (cd "$kit" && git add -A)
 refused 'YEAR is a year' 2 "^handout: YEAR: 'soon' is" \
     env YEAR=soon "$kit/chapters/press/handout"
 (cd "$kit" && YEAR=2031 chapters/press/handout) >"$work/out" 2>&1
@@ -175,6 +173,8 @@ equal 'and draws the numbers of the projects, which are all that it changes' \
         tar xzf "$work/first.tar.gz" -C "$work/year" \
             --transform 's/^/first-/' && cd "$work/year" &&
         diff -r "first-$course" "$course" | sed -n 's/^> //p')"
+rm "$kit/tests/exercises/01a/stub.c"
+[ -e "$kit/.git" ] && (cd "$kit" && git add -A)
 refused 'no suite without a stub' 1 \
     'tests/exercises/01a/suite.c has no tests/exercises/01a/stub.c' \
     "$kit/chapters/press/handout"

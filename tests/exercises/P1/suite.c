@@ -19,7 +19,7 @@ static double draw(double low, double high)
 {
     char text[32];
     const double drawn =
-        check_draw_whole(0, 999999) / 1e6 + PROJECT_YEAR * 0.6180339887;
+        check_draw_whole(0, 999999) / 1e6 + PROJECT_YEAR * 0.618034;
     snprintf(text, sizeof text, "%.4g",
              low + (high - low) * (drawn - floor(drawn)));
     return strtod(text, NULL);

@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 3380378491 of the lines below */
+/* checksum 2498314335 of the lines below */
 /* A pair 5(4), and Radau's method of order 15: steps of their own. */
 #include "forces/adaptive.h"
 
@@ -144,8 +144,8 @@ static void move_to_stage(struct adaptive *s, size_t i, double h)
     }
 }
 
-/* The error of a step that has been tried, (8.15, eq:embedded), as a share of
-   the largest coordinate or velocity. */
+/* The error of a step that has been tried, (8.15, eq:embedded), as a share
+   of the largest coordinate or velocity. */
 static double error_of_pair(const struct adaptive *s, double h)
 {
     const size_t n = s->forces.size, stages = s->method->stages;

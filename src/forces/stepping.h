@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 3243496320 of the lines below */
+/* checksum 296708478 of the lines below */
 /* Stepping methods, and runs that step coordinates under forces. */
 #ifndef STEPPING_H
 #define STEPPING_H
@@ -66,7 +66,8 @@ struct stepping_method {
     bool orbits;   /* a splitting for bodies that attract each other, and
                       for nothing else: it drifts along a flow */
     bool adaptive; /* its steps can choose their own length */
-    const double *error, *dense; /* of a pair, [stages]: (8.17, eq:embedded),
+    const double *error, *dense; /* [stages], of a pair:
+                                    (8.17, eq:embedded),
                                     (8.18, eq:dense) */
     const double *node;          /* of Radau's, [stages] */
 };

@@ -1,5 +1,5 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 607137937 of the lines below */
+/* checksum 3841462856 of the lines below */
 /* Gravity between all pairs of bodies, with softening. */
 #ifndef GRAVITY_H
 #define GRAVITY_H
@@ -10,12 +10,12 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* How the sum is computed. All kernels sum in the same order; the vector
-   kernels round otherwise, and by less than 1e-14 of each term. */
+/* How the sum is computed. All kernels sum in the same order; that for
+   AVX-512 rounds otherwise, by less than 1e-14 of each term. */
 enum gravity_kernel {
+    GRAVITY_AUTO,     /* the fastest that keeps the bits: portable */
     GRAVITY_PORTABLE, /* plain C, the same bits everywhere */
-    GRAVITY_AVX2,     /* four bodies at a time */
-    GRAVITY_AVX512,   /* eight */
+    GRAVITY_AVX512,   /* by hand, eight bodies at a time */
     GRAVITY_KERNELS
 };
 
@@ -39,7 +39,7 @@ struct gravity {
                                    on all that pulls at a body */
 };
 
-/* Prepares the sum over so many bodies: the portable kernel, one thread.
+/* Prepares the sum over so many bodies: the kernel auto, one thread.
    mass is kept, not copied. Returns false, with nothing to free, when
    there is no memory. */
 bool gravity_create(struct gravity *g, size_t bodies, const double mass[],
@@ -65,5 +65,8 @@ double gravity_potential(const struct gravity *g, const double x[]);
    those that it has is the fastest. */
 bool gravity_can(enum gravity_kernel kernel);
 enum gravity_kernel gravity_fastest(void);
+
+/* Returns what sums: "pairs", "sources", or the name of the kernel. */
+const char *gravity_summed_by(const struct gravity *g);
 
 #endif

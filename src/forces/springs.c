@@ -1,9 +1,10 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 113008761 of the lines below */
+/* checksum 332820989 of the lines below */
 /* Sums forces spring by spring, or in bands where they form a grid. */
 #include "forces/springs.h"
 
 #include "toolbox/room.h"
+#include "toolbox/vector.h"
 
 #include <assert.h>
 #include <float.h>
@@ -61,15 +62,15 @@ static void pull(const struct springs *p, const struct scene_spring *s,
 static void scatter(struct springs *p, size_t count, const double x[],
                     const double v[])
 {
+    double *const fx = p->force, *const fy = fx + p->bodies;
+    double *const fz = fy + p->bodies;
     memset(p->force, 0, 3 * p->bodies * sizeof *p->force);
     for (size_t i = 0; i < count; ++i) {
         const struct scene_spring *s = &p->spring[i];
         double f[3];
         pull(p, s, x, v, f);
-        for (size_t k = 0; k < 3; ++k) {
-            p->force[k * p->bodies + s->a] += f[k];
-            p->force[k * p->bodies + s->b] -= f[k];
-        }
+        fx[s->a] += f[0], fy[s->a] += f[1], fz[s->a] += f[2];
+        fx[s->b] -= f[0], fy[s->b] -= f[1], fz[s->b] -= f[2];
     }
 }
 
@@ -285,21 +286,26 @@ static inline void stretch(const struct stretch *t,
 }
 
 /* The loop three times over, so that none of them asks what it is. */
-static void stretch_plain(const struct stretch *t, const double *restrict x,
-                          const double *restrict v, double *restrict f)
+VECTOR_LOOP static void stretch_plain(const struct stretch *t,
+                                      const double *restrict x,
+                                      const double *restrict v,
+                                      double *restrict f)
 {
     stretch(t, x, v, f, false, false);
 }
 
-static void stretch_damped(const struct stretch *t,
-                           const double *restrict x,
-                           const double *restrict v, double *restrict f)
+VECTOR_LOOP static void stretch_damped(const struct stretch *t,
+                                       const double *restrict x,
+                                       const double *restrict v,
+                                       double *restrict f)
 {
     stretch(t, x, v, f, true, false);
 }
 
-static void stretch_axial(const struct stretch *t, const double *restrict x,
-                          const double *restrict v, double *restrict f)
+VECTOR_LOOP static void stretch_axial(const struct stretch *t,
+                                      const double *restrict x,
+                                      const double *restrict v,
+                                      double *restrict f)
 {
     stretch(t, x, v, f, true, true);
 }
@@ -359,15 +365,18 @@ static size_t room_of_all(const struct springs *p)
 
 /* For n bodies: minus the force f[i] of the spring from below, plus that of
    the spring from here, f[i + s]; first of one band and then of another. */
-static void sum_two(double *restrict sum, const double *restrict f,
-                    size_t s, const double *restrict g, size_t t, size_t n)
+VECTOR_LOOP static void sum_two(double *restrict sum,
+                                const double *restrict f, size_t s,
+                                const double *restrict g, size_t t,
+                                size_t n)
 {
     for (size_t i = 0; i < n; ++i)
         sum[i] = sum[i] - f[i] + f[i + s] - g[i] + g[i + t];
 }
 
-static void sum_one(double *restrict sum, const double *restrict f,
-                    size_t s, size_t n)
+VECTOR_LOOP static void sum_one(double *restrict sum,
+                                const double *restrict f, size_t s,
+                                size_t n)
 {
     for (size_t i = 0; i < n; ++i)
         sum[i] = sum[i] - f[i] + f[i + s];
@@ -397,24 +406,29 @@ static void sum_axis(const struct springs *p, size_t from, size_t n,
 
 /* From the forces to the accelerations a of n coordinates, where all arrays
    begin: added to a, written, or written on top of gravity and friction. */
-static void add_weighed(double *restrict a, const double *restrict weight,
-                        const double *restrict force, size_t n)
+VECTOR_LOOP static void add_weighed(double *restrict a,
+                                    const double *restrict weight,
+                                    const double *restrict force, size_t n)
 {
     for (size_t i = 0; i < n; ++i)
         a[i] += weight[i] * force[i];
 }
 
-static void write_weighed(double *restrict a, const double *restrict weight,
-                          const double *restrict force, size_t n)
+VECTOR_LOOP static void write_weighed(double *restrict a,
+                                      const double *restrict weight,
+                                      const double *restrict force,
+                                      size_t n)
 {
     for (size_t i = 0; i < n; ++i)
         a[i] = 0 + weight[i] * force[i];
 }
 
-static void write_all(double *restrict a, const double *restrict weight,
-                      const double *restrict force,
-                      const double *restrict fall, double friction,
-                      const double *restrict v, size_t n)
+VECTOR_LOOP static void write_all(double *restrict a,
+                                  const double *restrict weight,
+                                  const double *restrict force,
+                                  const double *restrict fall,
+                                  double friction, const double *restrict v,
+                                  size_t n)
 {
     for (size_t i = 0; i < n; ++i)
         a[i] =
@@ -451,9 +465,11 @@ static bool is_plain(const struct springs *p)
     return p->bands == 2 && p->listed == 0 && p->quiet;
 }
 
-static void weigh_two(double *restrict a, const double *restrict weight,
-                      const double *restrict f, size_t s,
-                      const double *restrict g, size_t t, size_t n)
+VECTOR_LOOP static void weigh_two(double *restrict a,
+                                  const double *restrict weight,
+                                  const double *restrict f, size_t s,
+                                  const double *restrict g, size_t t,
+                                  size_t n)
 {
     for (size_t i = 0; i < n; ++i)
         a[i] = 0 + weight[i] * (0 - f[i] + f[i + s] - g[i] + g[i + t]);

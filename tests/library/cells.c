@@ -711,6 +711,7 @@ int main(int argc, char *argv[])
             {"cells find an overlap where pairs find it", test_fit},
             {0}});
     if (bytes)
-        printf("%s %016llx\n", cells_kernel, (unsigned long long)folded);
+        printf("%s %016llx\n", cells_can_four() ? "four" : "one",
+               (unsigned long long)folded);
     return status;
 }

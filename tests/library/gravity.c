@@ -26,7 +26,7 @@ static struct gravity prepare(size_t n, double k2, double softening)
 {
     struct gravity g;
     UNIT_TRUE(gravity_create(&g, n, mass, k2, softening));
-    UNIT_EQUAL(g.kernel, GRAVITY_PORTABLE);
+    UNIT_EQUAL(g.kernel, GRAVITY_AUTO);
     UNIT_EQUAL(g.threads, 1);
     return g;
 }
@@ -150,6 +150,42 @@ static void test_one_term(void)
     }
 }
 
+/* What pulls at body i, one term after the other. */
+static void add_plainly(const struct gravity *g, size_t i, double total[3])
+{
+    const size_t n = g->bodies;
+    total[0] = total[1] = total[2] = 0;
+    for (size_t j = 0; j < n; ++j) {
+        double d[3], s;
+        for (size_t k = 0; k < 3; ++k)
+            d[k] = place[k * n + j] - place[k * n + i];
+        s = d[0] * d[0] + d[1] * d[1] + d[2] * d[2] +
+            g->softening * g->softening;
+        for (size_t k = 0; k < 3 && j != i; ++k)
+            total[k] += g->mass[j] / (s * sqrt(s)) * d[k];
+    }
+}
+
+/* Blocks of bodies change no bit, however many are left for the last. */
+static void test_blocks(void)
+{
+    for (size_t n = 33; n <= 130; n += n < 70 ? 1 : 20)
+        for (int soft = 0; soft < 2; ++soft) {
+            scatter(n, n);
+            struct gravity g = prepare(n, 0.3, soft ? 0.1 : 0);
+            for (size_t i = 0; i < 3 * n; ++i)
+                sum[i] = (double)i;
+            gravity_add(&g, place, sum);
+            for (size_t i = 0; i < n; ++i) {
+                double total[3];
+                add_plainly(&g, i, total);
+                for (size_t k = 0; k < 3; ++k)
+                    other[k * n + i] = (double)(k * n + i) + 0.3 * total[k];
+            }
+            UNIT_TRUE(memcmp(sum, other, 3 * n * sizeof sum[0]) == 0);
+        }
+}
+
 static void test_threads(void)
 {
     const size_t n = 501;
@@ -259,11 +295,19 @@ static void test_sources(void)
 static void test_names(void)
 {
     UNIT_TRUE(strcmp(gravity_kernels[GRAVITY_PORTABLE], "portable") == 0);
-    UNIT_TRUE(strcmp(gravity_kernels[GRAVITY_AVX2], "avx2") == 0);
+    UNIT_TRUE(strcmp(gravity_kernels[GRAVITY_AUTO], "auto") == 0);
     UNIT_TRUE(strcmp(gravity_kernels[GRAVITY_AVX512], "avx512") == 0);
     UNIT_TRUE(!gravity_kernels[GRAVITY_KERNELS]);
     UNIT_TRUE(gravity_can(GRAVITY_PORTABLE));
-    UNIT_TRUE(gravity_can(gravity_fastest()));
+    UNIT_TRUE(gravity_can(GRAVITY_AUTO) && gravity_can(gravity_fastest()));
+    struct gravity g = prepare(32, 1, 0);
+    UNIT_TRUE(strcmp(gravity_summed_by(&g), "pairs") == 0);
+    g = prepare(33, 1, 0);
+    UNIT_TRUE(strcmp(gravity_summed_by(&g), "portable") == 0);
+    g.kernel = GRAVITY_AVX512;
+    UNIT_TRUE(strcmp(gravity_summed_by(&g), "avx512") == 0);
+    g.source = (const uint32_t[]){3};
+    UNIT_TRUE(strcmp(gravity_summed_by(&g), "sources") == 0);
 }
 
 int main(void)
@@ -274,6 +318,7 @@ int main(void)
             {"two bodies are as by hand", test_by_hand},
             {"all kernels sum right, whatever the number", test_kernels},
             {"a single pull is right to 1e-14", test_one_term},
+            {"blocks have the bits of one body at a time", test_blocks},
             {"any number of threads has the same bits", test_threads},
             {"few bodies have the same bits in all kernels", test_few},
             {"forces are opposite in pairs", test_third_law},

@@ -13,7 +13,7 @@ refuses 2 'kernel' $g --study ring --kernel fast
 refuses 2 'seed' $g --study ring --seed -1
 build/bin/scene ring --particles 300 -o "$work/ring"
 fewer=0
-for kernel in portable avx2 avx512; do
+for kernel in auto portable avx512; do
     step="build/bin/step $work/ring --until 40 --every 40 --kernel $kernel"
     $step -o "$work/1" 2>"$work/why" || {
         holds "no $kernel: it says so" grep -q "no $kernel" "$work/why"

@@ -1,5 +1,5 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 3841462856 of the lines below */
+/* checksum 381318979 of the lines below */
 /* Gravity between all pairs of bodies, with softening. */
 #ifndef GRAVITY_H
 #define GRAVITY_H
@@ -22,7 +22,10 @@ enum gravity_kernel {
 /* Their names, as an option takes them; ends with NULL. */
 extern const char *const gravity_kernels[];
 
-enum { GRAVITY_FEW = 32 }; /* bodies up to which a pair is taken once */
+enum {
+    GRAVITY_FEW = 32,    /* bodies up to which a pair is taken once */
+    GRAVITY_SHARE = 1000 /* from which to share them among threads pays */
+};
 
 /* What pulls. Coordinate k of body i stands at [k * bodies + i]. */
 struct gravity {

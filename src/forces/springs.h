@@ -1,5 +1,5 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 3377340113 of the lines below */
+/* checksum 4255358390 of the lines below */
 /* Springs with dashpots between the bodies of a scene. */
 #ifndef SPRINGS_H
 #define SPRINGS_H
@@ -8,8 +8,9 @@
 #include "forces/stepping.h"
 
 enum {
-    SPRINGS_BAND = 16,  /* springs that a band has at least */
-    SPRINGS_BLOCK = 512 /* bodies at a time */
+    SPRINGS_BAND = 16,    /* springs that a band has at least */
+    SPRINGS_BLOCK = 512,  /* bodies at a time */
+    SPRINGS_SHARE = 10000 /* from which to share them among threads pays */
 };
 
 /* How the forces are summed. Both ways give the same bits. */

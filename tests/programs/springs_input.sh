@@ -13,4 +13,16 @@ refuses 2 "diagonals: '3'" $g cantilever --diagonals 3
 refuses 2 "nx: '2.5'" $g cantilever --nx 2.5
 refuses 2 "mass1: '0'" $g double-pendulum --mass1 0
 refuses 2 "turned over" $g oscillator --displacement -5
-echo 1..9
+# Ten thousand bodies are shared among threads, to the same bytes.
+$g membrane --nx 100 --ny 100 -o "$work/large"
+$g membrane --nx 100 --ny 99 -o "$work/less"
+for scene in large less; do
+    build/bin/step "$work/$scene" --until .1 --observe z:5050 \
+        --threads 1 -o "$work/$scene.1"
+    build/bin/step "$work/$scene" --until .1 --observe z:5050 \
+        --threads 2 -o "$work/$scene.2" --summary "$work/$scene.s"
+    holds "$scene: the same bytes" cmp "$work/$scene.1" "$work/$scene.2"
+done
+holds 'ten thousand are shared' grep -qx 'threads 2' "$work/large.s"
+holds 'fewer are not' grep -qx 'threads 1' "$work/less.s"
+echo 1..13

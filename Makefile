@@ -9,14 +9,13 @@ all: first
 SHELL = /bin/sh
 .DELETE_ON_ERROR:
 .SUFFIXES:
-.PHONY: all first programs native format clean help FORCE
+.PHONY: all first programs format clean help FORCE
 
 CC ?= cc
 STANDARD = -std=c11 -D_POSIX_C_SOURCE=200809L -Wall -Wextra -pedantic
 # A root need not tell errno that its number was negative: with that, gcc
 # would take the roots of a loop one by one. It changes no bit.
 PORTABLE = -O2 -ffp-contract=off -fno-math-errno
-NATIVE = -O3 -march=native $(LTO) -ffp-contract=off -fno-math-errno
 SANITIZED = -g -O0 -ffp-contract=off $(sanitizers)
 
 # What is given on the command line is a value, not text for make or a shell:
@@ -63,7 +62,6 @@ include src/studies/bench.mk $(wildcard src/examiner/grade.mk \
 	chapters/press/book.mk tests/tests.mk)
 
 programs: $(programs:%=build/bin/%)
-native: $(programs:%=build/native/bin/%)
 
 # A first result in seconds, and the next thing to try.
 first: programs
@@ -108,7 +106,6 @@ help:
 	@echo 'make atlas        the maps of chapter 12 anew: some minutes'
 	@echo 'make movie        a film: SCENE=ring VIEW=tilted or PRESET=cradle; LIVE=1'
 	@echo 'make movies       films of all scenes and presets: half an hour'
-	@echo 'make native       the fastest build for this machine, build/native/'
 	@echo 'make bench        the speed tables, measured here'
 	$(call offer,mutants) 'make mutants      how many planted mistakes the exercises notice'
 	$(call offer,grade) 'make grade-bench  how long a course of 25 takes to grade; RECORD=1'

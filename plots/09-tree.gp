@@ -1,5 +1,5 @@
 # data: plots/data/09-tree.dat
-# alt: Time of one evaluation of all forces against the number of particles in a ring, both axes logarithmic, from 250 to 32000. The direct sums rise with slope two: portable from 0.4 milliseconds to 3 seconds, the vector kernel a seventh of that. A tree rises with a slope near 1.4 and crosses the vector kernel near 9000 particles, with larger cells near 2500. A vertical line marks 3072.
+# alt: Time of one evaluation of all forces against the number of particles in a ring, both axes logarithmic, from 250 to 32000. The direct sums rise with slope two: portable from 0.04 milliseconds to 0.4 seconds, the vector kernel two thirds of that. A tree rises with a slope near 1.4 and crosses the vector kernel near 13000 particles, with larger cells near 3400. A vertical line marks 3072.
 width = 14
 height = 7
 load 'plots/style.gp'

@@ -3,7 +3,7 @@
 .PHONY: figures has-gnuplot has-gsl
 # What figures and transcripts are made from, read from the scripts and the
 # chapters. Goals that need no book do without.
-bookless := all first programs native bench atlas movie movies wanted-movie inspect chart check watch hint progress \
+bookless := all first programs bench atlas movie movies wanted-movie inspect chart check watch hint progress \
 	reset solution mutants tangle check-tangle clean help format memcheck \
 	fuzz fuzz-scenes fuzz-commands
 ifneq ($(filter-out $(bookless),$(MAKECMDGOALS)),)

@@ -1,18 +1,17 @@
 # How all of src/ is compiled: what the compiler can do, what is made again and
-# what is not, and the three builds, portable, for this machine and sanitized.
+# what is not, and the two builds, portable and sanitized.
 # `make tangle', which writes the C of this folder, leaves files like this one
 # alone.
 
 # What the compiler can do: GSL, OpenMP for the programs that can use all
-# cores, optimization across files for the native build. The key is what was
-# asked, and what everything compiled depends on.
+# cores. The key is what was asked, and what everything compiled depends on.
 FLAGS = $(CPPFLAGS) $(CFLAGS)
 GSL_LIBS = -lgsl -lgslcblas
 asked = build/compiler
 try = $(CC) $(FLAGS) $(1) $(LDFLAGS) $(2) -o $(asked)/try 2>/dev/null && \
 	$(asked)/try
 build/compiler/key: export key = $(CC) / $(FLAGS) / $(LDFLAGS) / \
-	$(foreach v,STANDARD PORTABLE NATIVE SANITIZED sanitizers,$(value $v))
+	$(foreach v,STANDARD PORTABLE SANITIZED sanitizers,$(value $v))
 build/compiler/key: FORCE
 	@mkdir -p $(@D)
 	@{ printf '%s\n' "$$key"; $(CC) --version 2>&1 | head -n 1; \
@@ -26,16 +25,10 @@ build/compiler.mk: build/compiler/key
 		'_Pragma("omp parallel reduction(+ : n)") ++n;' \
 		'return n + other() < 2;' '}' >$(asked)/main.c
 	@echo 'int other(void) { return 1; }' >$(asked)/other.c
-	@rm -f $(asked)/lib.a
 	@{ if $(call try,$(asked)/gsl.c,$(GSL_LIBS) -lm); \
 		then echo 'gsl = yes'; fi; \
 	if $(call try,-fopenmp $(asked)/main.c $(asked)/other.c); \
-		then echo 'OPENMP = -fopenmp'; fi; \
-	if $(CC) $(FLAGS) -O3 -flto=auto -c $(asked)/other.c \
-		-o $(asked)/other.o 2>/dev/null && \
-		ar rcs $(asked)/lib.a $(asked)/other.o 2>/dev/null && \
-		$(call try,-O3 -flto=auto $(asked)/main.c $(asked)/lib.a); \
-		then echo 'LTO = -flto=auto'; fi; } >$@.part
+		then echo 'OPENMP = -fopenmp'; fi; } >$@.part
 	@mv $@.part $@
 # Who works at the exercises needs no answer.
 students := check watch hint progress reset solution build/check/% help clean
@@ -75,19 +68,17 @@ take = if cmp -s $(made).new $(made); then rm $(made).new && touch $@; \
 take_compiled = @{ cat $@.new*; printf '%s:\n' $(filter %.c,$^); } >$@.d && \
 	rm $@.new* && $(take)
 
-# Else optimization across files would make other names each time.
-seed = -frandom-seed=$<
 parallel := bonkers springs gravity
 flags_of = $(if $(filter $(parallel),$(notdir $*)),$(OPENMP)) \
 	$(if $(gsl),$(if $(filter reference,$(notdir $*)),-DWITH_GSL))
 
-# The portable build, and the same for this machine alone.
+# The portable build, which finds out when it runs what this machine can do
+# (src/toolbox/vector.h), and the sanitized one.
 define tree
 build/made/$(1)obj/%.o: src/%.c build/compiler/key
 	$$(begin)
 	$$(call say,cc $$<)
 	$$(Q)$$(CC) $$(STANDARD) $$($(2)) $$(flags_of) $$(reads) \
-		$(if $(filter NATIVE,$(2)),$$(LTO:%=$$(seed))) \
 		-DBUILD_FLAGS='"$$(strip $$($(2)))"' -Isrc $$(FLAGS) \
 		-c -o $$(made).new $$<
 	$$(take_compiled)
@@ -111,7 +102,6 @@ kept += $$(patsubst src/%.c,build/$(1)obj/%.o,$$(wildcard src/*/*.c)) \
 	build/$(1)obj/libbonkers.a $$(programs:%=build/$(1)bin/%)
 endef
 $(eval $(call tree,,PORTABLE))
-$(eval $(call tree,native/,NATIVE))
 $(eval $(call tree,sanitized/,SANITIZED))
 
 # For editors and clangd.

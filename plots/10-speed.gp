@@ -1,5 +1,5 @@
 # data: plots/data/10-speed.dat
-# alt: Steps of a body per second against the side of the grid, 8 to 512 on a logarithmic axis. Spring by spring from about 100 million at 8 falling slowly to 45 million at 512. By bands, in one sweep or in two trips alike, between 160 and 190 million up to 128, falling to about 95 million at 512. Computing every spring twice lies between, and meets spring by spring from 256 on.
+# alt: Steps of a body per second against the side of the grid, 8 to 512 on a logarithmic axis. Spring by spring from about 70 million at 8 falling slowly to 30 million at 512. By bands, in one sweep or in two trips alike, between 270 and 410 million up to 128, falling to about 115 million at 512. Computing every spring twice lies between, from 250 million to 90 million.
 width = 11
 height = 7
 load 'plots/style.gp'
@@ -11,7 +11,7 @@ set logscale x 2
 set xlabel 'bodies on a side'
 set ylabel 'steps of a body per second  (millions)' offset 0.5
 set xrange [6.5:630]
-set yrange [0:320]
+set yrange [0:460]
 set key at graph 0.98,0.97 right top samplen 1.5
 file = 'plots/data/10-speed.dat'
 plot file using 1:($3/1e6) with linespoints ls 1 title 'bands, one sweep', \

@@ -1,10 +1,11 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 3732415440 of the lines below */
+/* checksum 369849808 of the lines below */
 /* Steps by kicks and drifts and by Runge-Kutta stages. */
 #include "forces/stepping.h"
 
 #include "forces/adaptive.h"
 #include "toolbox/room.h"
+#include "toolbox/vector.h"
 
 #include <float.h>
 #include <math.h>
@@ -339,16 +340,17 @@ static void refresh(struct stepping *s)
 }
 
 /* Adds h by[i] to to[i]. */
-static void add(double *restrict to, double h, const double *restrict by,
-                size_t n)
+static inline void add(double *restrict to, double h,
+                       const double *restrict by, size_t n)
 {
     for (size_t i = 0; i < n; ++i)
         to[i] += h * by[i];
 }
 
 /* The same, with what the sums owe: (8.14, eq:compensated). */
-static void add_carried(double *restrict to, double *restrict carry,
-                        double h, const double *restrict by, size_t n)
+static inline void add_carried(double *restrict to, double *restrict carry,
+                               double h, const double *restrict by,
+                               size_t n)
 {
     for (size_t i = 0; i < n; ++i) {
         const double old = to[i], more = h * by[i] + carry[i];
@@ -357,21 +359,39 @@ static void add_carried(double *restrict to, double *restrict carry,
     }
 }
 
+enum { MANY = 64 }; /* coordinates */
+
+VECTOR_LOOP static void add_many(double *restrict to, double *carry,
+                                 double h, const double *restrict by,
+                                 size_t n)
+{
+    if (carry)
+        add_carried(to, carry, h, by, n);
+    else
+        add(to, h, by, n);
+}
+
+/* carry: NULL, or what the sums owe. */
+static inline void push(double *to, double *carry, double h,
+                        const double by[], size_t n)
+{
+    if (n >= MANY)
+        add_many(to, carry, h, by, n);
+    else if (carry)
+        add_carried(to, carry, h, by, n);
+    else
+        add(to, h, by, n);
+}
+
 static void push_x(struct stepping *s, double h, const double by[])
 {
-    if (s->compensated)
-        add_carried(s->x, s->carry, h, by, s->forces.size);
-    else
-        add(s->x, h, by, s->forces.size);
+    push(s->x, s->compensated ? s->carry : NULL, h, by, s->forces.size);
 }
 
 static void push_v(struct stepping *s, double h, const double by[])
 {
     const size_t n = s->forces.size;
-    if (s->compensated)
-        add_carried(s->v, s->carry + n, h, by, n);
-    else
-        add(s->v, h, by, n);
+    push(s->v, s->compensated ? s->carry + n : NULL, h, by, n);
 }
 
 /* Half the kick finds the velocity that the other evaluation needs. */
@@ -430,10 +450,10 @@ bool stepping_keeps(const struct stepping *s)
 
 /* Half a kick and the drift of n coordinates; first the half kick that is
    owing. */
-static inline void move(size_t n, double *restrict x, double *restrict v,
-                        double *restrict ahead, const double *restrict a,
-                        const struct stepping_work *w, bool owing,
-                        bool damped)
+static inline void move_as(size_t n, double *restrict x, double *restrict v,
+                           double *restrict ahead, const double *restrict a,
+                           const struct stepping_work *w, bool owing,
+                           bool damped)
 {
     const double h = w->kick[0], dt = w->drift[0];
     for (size_t i = 0; i < n; ++i) {
@@ -448,20 +468,33 @@ static inline void move(size_t n, double *restrict x, double *restrict v,
 }
 
 /* The same from coordinate number `from` on. */
-static void set_out(void *stepping, size_t from, size_t n)
+static inline void move(const struct stepping *s, size_t from, size_t n)
 {
-    const struct stepping *const s = stepping;
     const struct stepping_work *const w = s->part;
     double *const x = s->x + from, *const v = s->v + from;
     double *const ahead = w->v + from, *const a = s->acceleration + from;
     if (w->owing && s->forces.damped)
-        move(n, x, v, ahead, a, w, true, true);
+        move_as(n, x, v, ahead, a, w, true, true);
     else if (w->owing)
-        move(n, x, v, ahead, a, w, true, false);
+        move_as(n, x, v, ahead, a, w, true, false);
     else if (s->forces.damped)
-        move(n, x, v, ahead, a, w, false, true);
+        move_as(n, x, v, ahead, a, w, false, true);
     else
-        move(n, x, v, ahead, a, w, false, false);
+        move_as(n, x, v, ahead, a, w, false, false);
+}
+
+VECTOR_LOOP static void move_many(const struct stepping *s, size_t from,
+                                  size_t n)
+{
+    move(s, from, n);
+}
+
+static void set_out(void *stepping, size_t from, size_t n)
+{
+    if (n < MANY)
+        move(stepping, from, n);
+    else
+        move_many(stepping, from, n);
 }
 
 /* The accelerations at x and v, once set_out has got both ready. */

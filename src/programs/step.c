@@ -1,5 +1,5 @@
 /* From chapters/works/11-step.nw: edit there, then run make tangle. */
-/* checksum 3651224049 of the lines below */
+/* checksum 1952825069 of the lines below */
 /* Steps a scene through time and writes what is looked at, row by row. */
 #include "forces/adaptive.h"
 #include "forces/checkpoint.h"
@@ -12,6 +12,7 @@
 #include "toolbox/program.h"
 #include "toolbox/progress.h"
 #include "toolbox/table.h"
+#include "toolbox/vector.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -135,6 +136,23 @@ static void choose_outside(struct run *r)
     m->with = &r->reference;
 }
 
+static void share(struct motion *m, int threads)
+{
+    if (m->attracts && m->gravity.bodies >= GRAVITY_SHARE)
+        m->gravity.threads = threads;
+    if (m->bound && m->springs.bodies >= SPRINGS_SHARE &&
+        !springs_threads(&m->springs, threads))
+        program_give_up(PROGRAM, "no memory for the threads");
+}
+
+/* How many threads there are work for. */
+static int threads_used(const struct motion *m)
+{
+    const int pulling = m->attracts ? m->gravity.threads : 1;
+    const int bound = m->bound ? m->springs.threads : 1;
+    return pulling > bound ? pulling : bound;
+}
+
 static void set_in_motion(struct run *r)
 {
     struct motion *m = &r->motion;
@@ -145,10 +163,8 @@ static void set_in_motion(struct run *r)
     if (r->s->sums != SUMS_AUTO)
         m->stepping.compensated = r->s->sums == SUMS_COMPENSATED;
     m->stepping.tolerance = r->s->tolerance;
-    m->gravity.threads = r->s->threads;
     m->gravity.kernel = (enum gravity_kernel)r->s->kernel;
-    if (m->bound && !springs_threads(&m->springs, r->s->threads))
-        program_give_up(PROGRAM, "no memory for the threads");
+    share(m, r->s->threads);
     m->spheres.rule = (enum spheres_rule)r->s->rule;
     m->spheres.shift = (enum spheres_shift)r->s->shift;
     m->spheres.order = (enum spheres_order)r->s->order;
@@ -663,6 +679,11 @@ static void summarise(const struct run *r, enum ending end)
     table_real(t, "energy", r->energy);
     table_real(t, "energy_error",
                start != 0 ? r->watch.worst / fabs(start) : r->watch.worst);
+    table_text(t, "kernel",
+               r->motion.attracts ? gravity_summed_by(&r->motion.gravity)
+                                  : "none");
+    table_text(t, "vectors", vector_kind());
+    table_count(t, "threads", (uint64_t)threads_used(&r->motion));
     table_real(t, "seconds", r->seconds);
     table_real(t, "steps_per_second",
                r->seconds > 0 ? (double)r->taken / r->seconds : 0);
@@ -691,9 +712,10 @@ static const struct options_entry entries[] = {
      "z:ID, vx:ID, vy:ID, vz:ID, speed:ID,\n"
      "distance:ID:ID"},
     {"track", 'T', "ID,..", "the states of these bodies only"},
-    {"kernel", 'k', "NAME",
-     "of gravity: portable, avx2 or avx512 (portable)"},
-    {"threads", 'j', "N", "how many, for gravity and springs (1)"},
+    {"kernel", 'k', "NAME", "of gravity: auto, portable or avx512 (auto)"},
+    {"threads", 'j', "N",
+     "how many, for gravity from 1000 bodies on,\n"
+     "springs from 10000 (1)"},
     {"bound", 'B', "B",
      "end when the energy has grown by B times\n"
      "what there was (10)"},
@@ -746,6 +768,9 @@ static const struct table_key keys[] = {
     {"energy_start", "energy", "kinetic and potential"},
     {"energy", "energy", "at the end"},
     {"energy_error", "1", "largest, relative; of 0: in energy"},
+    {"kernel", "word", "that summed gravity, or none"},
+    {"vectors", "word", "instructions of plain loops here"},
+    {"threads", "1", "that shared the bodies"},
     {"seconds", "s", "processor time"},
     {"steps_per_second", "1/s", "in it"},
     {"", "", "if the method is adaptive:"},

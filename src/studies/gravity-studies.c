@@ -1,5 +1,5 @@
 /* From chapters/works/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 3627974778 of the lines below */
+/* checksum 3495467443 of the lines below */
 /* Measures bodies that attract each other. */
 #include "forces/celestial.h"
 #include "forces/gravity.h"
@@ -8,6 +8,7 @@
 #include "forces/stepping.h"
 #include "toolbox/bench.h"
 #include "toolbox/study.h"
+#include "toolbox/vector.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -1026,7 +1027,7 @@ static void study_softening(struct study *s)
     }
 }
 
-#if defined(__x86_64__) && defined(__GNUC__)
+#ifdef VECTOR_AVX512
 #include <immintrin.h>
 __attribute__((target("avx2,fma"))) static double peak4(uint64_t n)
 {
@@ -1099,17 +1100,23 @@ static double peak1(uint64_t n)
 
 /* What a kernel adds, subtracts and multiplies for a pair, a fused
    multiply-add being two, a root, a quotient and an estimate one; and the
-   loop of nothing but such operations. */
-static const struct yardstick {
+   loop of nothing but such operations, and its lanes. */
+struct yardstick {
     double operations, lanes;
     double (*peak)(uint64_t n);
-} yardsticks[GRAVITY_KERNELS] = {
-    {18, 1, peak1},
-#if defined(__x86_64__) && defined(__GNUC__)
-    {35, 4, peak4},
-    {28, 8, peak8},
-#endif
 };
+
+static struct yardstick yardstick(enum gravity_kernel kernel)
+{
+    const double operations = kernel == GRAVITY_AVX512 ? 28 : 18;
+#ifdef VECTOR_AVX512
+    if (VECTOR_HAS("avx512f"))
+        return (struct yardstick){operations, 8, peak8};
+    if (VECTOR_HAS("avx2") && VECTOR_HAS("fma"))
+        return (struct yardstick){operations, 4, peak4};
+#endif
+    return (struct yardstick){operations, 1, peak1};
+}
 
 /* Operations a second of a loop that does nothing else. */
 static double measure_peak(const struct yardstick *y)
@@ -1200,21 +1207,21 @@ static void measure_two(double *general, double *by_hand)
 static void measure_kernel(struct study *s, struct sky *k, double a[],
                            enum gravity_kernel kernel)
 {
-    const struct yardstick *y = &yardsticks[kernel];
+    const struct yardstick y = yardstick(kernel);
     double pairs[BENCH_ROUNDS], peak[BENCH_ROUNDS];
     k->gravity.kernel = kernel;
     const double error = kernel_error(&k->gravity, k->scene.position, a);
     for (int round = -1; round < BENCH_ROUNDS; ++round) {
         const int at = round < 0 ? 0 : round; /* the first: a warm-up */
-        peak[at] = measure_peak(y);
+        peak[at] = measure_peak(&y);
         pairs[at] =
             measure_pairs(&k->gravity, bench_seconds, k->scene.position, a);
     }
     const double p = bench_median(pairs, BENCH_ROUNDS);
     const double most = bench_median(peak, BENCH_ROUNDS);
     table_print(s->out, "%-9s %.4g %.3g %.4g %.3g %.2g\n",
-                gravity_kernels[kernel], p, y->operations, most,
-                100 * p * y->operations / most, error);
+                gravity_kernels[kernel], p, y.operations, most,
+                100 * p * y.operations / most, error);
 }
 
 static void study_speed(struct study *s)
@@ -1231,7 +1238,7 @@ static void study_speed(struct study *s)
                 "operations a pair,\n# operations a second of a loop of "
                 "nothing else, per cent of it, error\n",
                 k.scene.bodies);
-    for (int i = 0; i < GRAVITY_KERNELS; ++i)
+    for (int i = GRAVITY_PORTABLE; i < GRAVITY_KERNELS; ++i)
         if (gravity_can((enum gravity_kernel)i))
             measure_kernel(s, &k, a, (enum gravity_kernel)i);
     for (int i = -1; i < BENCH_ROUNDS; ++i)
@@ -1532,7 +1539,7 @@ static const struct options_entry entries[] = {
     {"factor", 'f', "F", "on the masses of the particles (1)"},
     {"moon", 'm', "M", "mass of a moon (0: none)"},
     {"mixed", 'x', "D", "decades of different masses (0)"},
-    {"kernel", 'k', "NAME", "portable, avx2 or avx512 (the fastest here)"},
+    {"kernel", 'k', "NAME", "auto, portable or avx512 (the fastest here)"},
     {0}};
 
 static void take_option(struct options *o, int letter, void *settings)

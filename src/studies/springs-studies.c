@@ -1,11 +1,12 @@
 /* From chapters/works/10-springs.nw: edit there, then run make tangle. */
-/* checksum 4087923781 of the lines below */
+/* checksum 2048044468 of the lines below */
 /* Measures an oscillator, a pendulum, membranes and beams of springs. */
 #include "forces/elastic.h"
 #include "forces/modes.h"
 #include "forces/springs.h"
 #include "toolbox/bench.h"
 #include "toolbox/study.h"
+#include "toolbox/vector.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -1161,9 +1162,11 @@ static void study_beams(struct study *s)
 
 /* Each body looks up all its neighbours: every spring is computed twice.
    For springs in bands that have all their dashpots as printed. */
-static void look_up(const struct springs *p, const struct springs_band *b,
-                    const double *restrict x, const double *restrict v,
-                    double *restrict f, int side)
+VECTOR_LOOP static void look_up(const struct springs *p,
+                                const struct springs_band *b,
+                                const double *restrict x,
+                                const double *restrict v,
+                                double *restrict f, int side)
 {
     const size_t n = p->bodies, s = b->stride, to = side ? 0 : s;
     const size_t from = b->first + (side ? s : 0), end = b->end - b->first;

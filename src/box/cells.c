@@ -1,12 +1,14 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 3451692631 of the lines below */
+/* checksum 934491900 of the lines below */
 /* Cells, lists of neighbours on a leash, and lanes of four pair times. */
 #include "box/cells.h"
+
+#include "toolbox/vector.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#ifdef __AVX2__
+#ifdef VECTOR_AVX2
 #include <immintrin.h>
 #endif
 
@@ -60,27 +62,18 @@ static void ask_each(const struct cells *c, uint32_t i,
     }
 }
 
-#ifndef __AVX2__
-const char cells_kernel[] = "scalar";
-
-static void look_at_neighbours(const struct cells *c, uint32_t i,
-                               struct disks_event *first)
-{
-    ask_each(c, i, first);
-}
-#else
-const char cells_kernel[] = "avx2";
-
+#ifdef VECTOR_AVX2
 typedef __m256d v4;
 typedef long long l4 __attribute__((vector_size(32)));
 
-static inline v4 all(double x)
+VECTOR_AVX2 static inline v4 all(double x)
 {
     return _mm256_set1_pd(x);
 }
 
 /* Turns four rows of four numbers into four columns. */
-static inline void transpose(v4 a, v4 b, v4 c, v4 d, v4 column[4])
+VECTOR_AVX2 static inline void transpose(v4 a, v4 b, v4 c, v4 d,
+                                         v4 column[4])
 {
     const v4 ab = _mm256_unpacklo_pd(a, b), ba = _mm256_unpackhi_pd(a, b);
     const v4 cd = _mm256_unpacklo_pd(c, d), dc = _mm256_unpackhi_pd(c, d);
@@ -90,8 +83,9 @@ static inline void transpose(v4 a, v4 b, v4 c, v4 d, v4 column[4])
     column[3] = _mm256_permute2f128_pd(ba, dc, 0x31);
 }
 
-static inline void gather(const struct disk *disk, const uint32_t *list,
-                          v4 place[4], v4 speed[4])
+VECTOR_AVX2 static inline void gather(const struct disk *disk,
+                                      const uint32_t *list, v4 place[4],
+                                      v4 speed[4])
 {
     const double *a = disk[list[0]].position;
     const double *b = disk[list[1]].position;
@@ -105,9 +99,11 @@ static inline void gather(const struct disk *disk, const uint32_t *list,
 
 /* Ways and velocities of four disks as seen by disk a, and the sums of
    the radii. Returns the moments at which the ways are taken. */
-static inline v4 approach(const struct cells *c, const struct disk *a,
-                          const uint32_t *list, bool fresh, v4 apart[3],
-                          v4 closing[3], v4 *distance)
+VECTOR_AVX2 static inline v4 approach(const struct cells *c,
+                                      const struct disk *a,
+                                      const uint32_t *list, bool fresh,
+                                      v4 apart[3], v4 closing[3],
+                                      v4 *distance)
 {
     const double rounding = 6755399441055744; /* as in disks.c */
     v4 place[4], speed[4], last = all(a->since);
@@ -129,13 +125,13 @@ static inline v4 approach(const struct cells *c, const struct disk *a,
     return last;
 }
 
-static inline v4 dot4(const v4 a[], const v4 b[])
+VECTOR_AVX2 static inline v4 dot4(const v4 a[], const v4 b[])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 /* x in the lanes that are chosen, otherwise what is there. */
-static inline v4 choose(v4 otherwise, v4 x, l4 chosen)
+VECTOR_AVX2 static inline v4 choose(v4 otherwise, v4 x, l4 chosen)
 {
     return _mm256_blendv_pd(otherwise, x, (v4)chosen);
 }
@@ -145,9 +141,10 @@ struct lanes {
     l4 who;
 };
 
-static inline void meet_four(const struct cells *c, const struct disk *a,
-                             const uint32_t *list, bool fresh,
-                             struct lanes *first)
+VECTOR_AVX2 static inline void meet_four(const struct cells *c,
+                                         const struct disk *a,
+                                         const uint32_t *list, bool fresh,
+                                         struct lanes *first)
 {
     v4 apart[3], closing[3], distance;
     const v4 last = approach(c, a, list, fresh, apart, closing, &distance);
@@ -167,8 +164,8 @@ static inline void meet_four(const struct cells *c, const struct disk *a,
     first->who = (l4)choose((v4)first->who, (v4)who, sooner);
 }
 
-static void look_at_neighbours(const struct cells *c, uint32_t i,
-                               struct disks_event *first)
+VECTOR_AVX2 static void ask_four(const struct cells *c, uint32_t i,
+                                 struct disks_event *first)
 {
     const struct disk *a = &c->d->disk[i];
     const uint32_t *list = c->neighbour + i * c->seats;
@@ -188,8 +185,28 @@ static void look_at_neighbours(const struct cells *c, uint32_t i,
             *first = pair;
     }
 }
-
 #endif
+
+bool cells_can_four(void)
+{
+#ifdef VECTOR_AVX2
+    return VECTOR_HAS("avx2");
+#else
+    return false;
+#endif
+}
+
+static void look_at_neighbours(const struct cells *c, uint32_t i,
+                               struct disks_event *first)
+{
+#ifdef VECTOR_AVX2
+    if (c->four && !(c->d->gravity > 0)) {
+        ask_four(c, i, first);
+        return;
+    }
+#endif
+    ask_each(c, i, first);
+}
 
 #ifdef __GNUC__
 #define FETCH(place) __builtin_prefetch(place)
@@ -212,10 +229,7 @@ static void plan(struct cells *c, uint32_t i)
     struct disks_event first = {disks_wall(d, i, &axis), i,
                                 (uint32_t)(d->count + axis)};
     fetch_neighbours(c, i);
-    if (d->gravity > 0)
-        ask_each(c, i, &first);
-    else
-        look_at_neighbours(c, i, &first);
+    look_at_neighbours(c, i, &first);
     const double end = leash_end(c, i);
     if (end < first.time)
         first = (struct disks_event){end, i, i};
@@ -523,7 +537,7 @@ static bool make_lists(struct cells *c, size_t n)
 bool cells_create(struct cells *c, struct disks *d)
 {
     const uint32_t n = (uint32_t)d->count;
-    *c = (struct cells){.d = d};
+    *c = (struct cells){.d = d, .four = cells_can_four()};
     lay_grid(c, d);
     bool enough = make_lists(c, n);
     for (size_t seat = 0; enough && seat < n * c->seats; ++seat)

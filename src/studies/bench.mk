@@ -14,6 +14,7 @@ bench: programs
 	for radius in '.05 --step .4' '.15 --step .2' '.2 --step .15'; do \
 		build/bin/sample-studies --study cost --samples 4e7 \
 			--radii $$radius || exit 1; done
+	build/bin/sample-studies --study pressure --samples 4e5
 	for packing in .3 .7; do \
 		build/bin/disks-speed --packing $$packing || exit 1; done
 	for packing in .30 .49; do build/bin/disks-speed \

@@ -1,5 +1,5 @@
 /* From chapters/works/06-room.nw: edit there, then run make tangle. */
-/* checksum 3784389282 of the lines below */
+/* checksum 2341475758 of the lines below */
 /* Samplers compared: mistakes, memory, acceptance, the cost of an error. */
 #include "box/sampling.h"
 #include "line/statistics.h"
@@ -460,12 +460,178 @@ static void study_cost(struct study *s)
     }
 }
 
+enum gauging { SLIDES, COLLISIONS, CHAINS, GAUGINGS };
+static const char *const gauging_names[GAUGINGS] = {"markov", "dynamics",
+                                                    "chains"};
+
+/* A measurement of Z - 1 under way. */
+struct gauge {
+    struct sampling p;
+    struct random r;
+    double step, sum; /* of what the samples say */
+    uint64_t samples;
+};
+
+static void begin_gauge(struct gauge *g, enum gauging way, double packing,
+                        double step)
+{
+    const size_t count = 64;
+    const double radius = sqrt(packing / (acos(-1) * (double)count));
+    if (!sampling_create(&g->p, 2, DISKS_PERIODIC, (const double[]){1, 1},
+                         count, radius, 0, 0))
+        end_without_memory();
+    g->step = step * radius;
+    g->sum = 0;
+    g->samples = 0;
+    start_chain(&g->p, g->step, 3000, &g->r);
+    if (way != COLLISIONS)
+        return;
+    disks_set_speed(&g->p.disks, 1, &g->r);
+    disks_settle(&g->p.disks);
+    if (!disks_plan(&g->p.disks))
+        end_without_memory();
+}
+
+static double slide(struct gauge *g)
+{
+    const size_t n = g->p.disks.count, i = g->samples % n;
+    double sum = 0;
+    for (size_t k = 0; k < n; ++k)
+        sampling_try(&g->p, g->step, &g->r);
+    for (size_t k = 0; k < 3; ++k) {
+        const size_t turn = (g->samples / n * 3 + k) % (n - 1);
+        sum += sampling_pair_density(&g->p, i, (i + 1 + turn) % n) / 3;
+    }
+    return sum * (double)(n - 1) * g->p.disks.disk[0].radius / 2;
+}
+
+/* A chain about five diameters long. */
+static double follow_chain(struct gauge *g, size_t axis)
+{
+    const double length =
+        10 * g->p.disks.disk[0].radius * random_between(&g->r, 0.5, 1.5);
+    double gained = 0;
+    sampling_chain(&g->p, axis, length, &g->r, &gained);
+    return gained / length;
+}
+
+static double gauge_value(struct gauge *g, enum gauging way)
+{
+    const struct disks *d = &g->p.disks;
+    if (way != COLLISIONS)
+        return g->sum / (double)g->samples;
+    return d->virial /
+           (2 * (double)d->count * disks_temperature(d) * d->now);
+}
+
+static void take_one(struct gauge *g, enum gauging way)
+{
+    if (way == COLLISIONS)
+        disks_run(&g->p.disks, g->p.disks.now + 0.02, UINT64_MAX);
+    else
+        g->sum += way == SLIDES ? slide(g)
+                                : follow_chain(g, random_below(&g->r, 2));
+    ++g->samples;
+}
+
+enum { MARKS = 5, GAUGES = 16 };
+
+/* Adds the squares of the errors after each of the times. */
+static void race(enum gauging way, double packing, double step,
+                 double truth, struct random *r, double square[MARKS])
+{
+    struct gauge g = {.r = *r};
+    begin_gauge(&g, way, packing, step);
+    const double start = bench_seconds();
+    double until = 0.004;
+    for (int t = 0; t < MARKS; ++t, until *= 4) {
+        do
+            take_one(&g, way);
+        while (bench_seconds() - start < until && !progress_signal());
+        const double off = gauge_value(&g, way) - truth;
+        square[t] += off * off / GAUGES;
+    }
+    *r = g.r;
+    sampling_free(&g.p);
+}
+
+/* Z - 1 from so many chains. */
+static double find_truth(double packing, double step, uint64_t chains,
+                         struct random *r)
+{
+    struct gauge g = {.r = *r};
+    begin_gauge(&g, CHAINS, packing, step);
+    while (g.samples < chains && !progress_signal())
+        take_one(&g, CHAINS);
+    const double truth = gauge_value(&g, CHAINS);
+    *r = g.r;
+    sampling_free(&g.p);
+    return truth;
+}
+
+static void study_pressure(struct study *s)
+{
+    static const double packing[] = {0.3, 0.65}, step[] = {1.2, 0.3};
+    const struct settings *own = s->own;
+    struct random r;
+    random_seed(&r, s->seed);
+    bench_machine(s->out);
+    table_column(s->out, "method", "", "and packing");
+    table_column(s->out, "time", "s", "of the processor, for a run");
+    table_column(s->out, "error", "", "rms of Z");
+    for (int k = 0; k < 2; ++k) {
+        const double truth =
+            find_truth(packing[k], step[k], own->samples, &r);
+        table_print(s->out, "# packing %g: Z %.5f\n", packing[k],
+                    1 + truth);
+        for (int way = 0; way < GAUGINGS; ++way) {
+            double square[MARKS] = {0}, until = 0.004;
+            for (int n = 0; n < GAUGES && !progress_signal(); ++n)
+                race((enum gauging)way, packing[k], step[k], truth, &r,
+                     square);
+            for (int t = 0; t < MARKS; ++t, until *= 4)
+                table_print(s->out, "%s-%g %.4g %.4g\n", gauging_names[way],
+                            packing[k], until, sqrt(square[t]));
+        }
+    }
+}
+
+static const struct table_key one_way_keys[] = {
+    {"Z_both", "1", "P V/(N kT) by chains along both axes"},
+    {"Z_x", "1", "the same along x alone"},
+    {"Z_x_error", "1", "its standard error"},
+    {0}};
+
+static void study_one_way(struct study *s)
+{
+    const struct settings *own = s->own;
+    struct sampling_means m;
+    struct gauge g;
+    random_seed(&g.r, s->seed);
+    const double both = find_truth(0.65, 0.3, own->samples, &g.r);
+    begin_gauge(&g, CHAINS, 0.65, 0.3);
+    start_chain(&g.p, g.step, 0, &g.r);
+    if (!sampling_means_create(&m, 1))
+        end_without_memory();
+    for (uint64_t n = 0; n < own->samples && !progress_signal(); ++n) {
+        sampling_means_add(&m, 0, follow_chain(&g, 0));
+        sampling_means_next(&m);
+    }
+    table_real(s->summary, "Z_both", 1 + both);
+    table_real(s->summary, "Z_x", 1 + sampling_means_mean(&m, 0));
+    table_real(s->summary, "Z_x_error", sampling_means_error(&m, 0));
+    sampling_means_free(&m);
+    sampling_free(&g.p);
+}
+
 static const struct study_entry studies[] = {
     {"mistakes", study_mistakes, "two of them, and the right ways",
      mistakes_keys},
     {"memory", study_memory, "how long a chain's is", memory_keys},
     {"acceptance", study_acceptance, "how many throws fit", NULL},
     {"cost", study_cost, "error against processor time", NULL},
+    {"pressure", study_pressure, "the same of a gas and a crowd", NULL},
+    {"one-way", study_one_way, "event chains along one axis", one_way_keys},
     {0}};
 
 /* Reads a list of lengths; returns how many there are. */

@@ -300,6 +300,10 @@ planets_meet() { # where one is after they have met, against short steps
     echo "$(key energy_error) $(tail -n 4 "$w/o" | tr '\n' ' ' |
         awk '{ print sqrt(($1 - $3) ^ 2 + ($2 - $4) ^ 2) }')"
 }
+one_way() { # the pressure by chains along x, against that by all chains
+    study sample-studies --study one-way --samples 20000
+    echo "- $(calc "off($(key Z_x), $(key Z_both))")"
+}
 ring_edge() { # the pull a hundred times closer to the edge
     study gravity-studies --study ring-speeds
     echo "- $(calc "off($(key edge_4), $(key edge_6))")"

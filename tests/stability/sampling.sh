@@ -79,4 +79,9 @@ holds 'but hardly a chain without rejections, which is 5 per cent off' awk '
     END { d = v["moved_walls"] - v["moved_pairs"]
         print d; exit !(d * d < 0.03 ^ 2 && v["moved_walls"] < 1.83 &&
             v["moved_pairs"] < 1.83) }' "$work/s"
-echo 1..12
+# Event chains along one axis: wrong by a thousand errors.
+$t --study one-way --samples 20000 -o /dev/null --summary "$work/s"
+says 'chains along one axis keep their rows' \
+    'v["Z_both"] > 8.3 && v["Z_both"] < 8.5 &&
+    v["Z_x"] < v["Z_both"] - 1000 * v["Z_x_error"]'
+echo 1..13

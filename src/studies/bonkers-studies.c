@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 716928368 of the lines below */
+/* checksum 1442904448 of the lines below */
 /* Speed, drift and failures of the engines of a line. */
 #include "line/bonkers.h"
 #include "line/collide.h"
@@ -602,6 +602,82 @@ static void study_collapse(struct study *s)
     table_count(s->summary, "next", next);
 }
 
+static const double pull = 9.81, long_run = 900; /* m/s2, s */
+
+/* A ball let go from 1 m, after long_run in so many steps. */
+static struct bonkers_body bounce_in_steps(uint64_t steps)
+{
+    struct bonkers_body a = {.x = 1};
+    const double dt = long_run / (double)steps;
+    for (uint64_t k = 0; k < steps; ++k) {
+        a.x += a.v * (dt / 2);
+        a.v -= pull * dt;
+        a.x += a.v * (dt / 2);
+        if (a.x < 0 && a.v < 0)
+            a.v = -a.v;
+    }
+    return a;
+}
+
+/* Where it is in truth, m. */
+static double bounced(void)
+{
+    const double v = sqrt(2 * pull), phase = v / pull + long_run;
+    const double t = fmod(phase, 2 * v / pull);
+    return t * (v - pull * t / 2);
+}
+
+static struct bonkers_body bounce_by_events(uint64_t *bounces)
+{
+    struct bonkers b;
+    double x[3], v[3];
+    if (!bonkers_create(&b, 1, 1, BONKERS_SCAN))
+        program_give_up(PROGRAM, "no memory for a ball");
+    b.gravity = pull;
+    b.body[1] = (struct bonkers_body){1, 0, 0, 1};
+    b.body[2].x = INFINITY;
+    bonkers_start(&b, NULL);
+    bonkers_run(&b, long_run, UINT64_MAX);
+    bonkers_state(&b, x, v);
+    *bounces = b.collisions;
+    bonkers_free(&b);
+    return (struct bonkers_body){x[1], v[1], 0, 0};
+}
+
+static const struct table_key bounce_keys[] = {
+    {"bounces", "1", "in 900 s"},
+    {"events", "m", "error of the place, by events"},
+    {"events_energy", "1", "relative error of the energy"},
+    {"steps_<n>", "m", "error of the place, in n steps"},
+    {"steps_<n>_energy", "1", "relative error of the energy"},
+    {0}};
+
+static void note_ball(struct table *summary, const char *key,
+                      const struct bonkers_body *a)
+{
+    char energy[40];
+    snprintf(energy, sizeof energy, "%s_energy", key);
+    table_real(summary, key, a->x - bounced());
+    table_real(summary, energy, a->v * a->v / (2 * pull) + a->x - 1);
+}
+
+static void study_bounce(struct study *s)
+{
+    uint64_t bounces;
+    const struct bonkers_body by_events = bounce_by_events(&bounces);
+    table_count(s->summary, "bounces", bounces);
+    note_ball(s->summary, "events", &by_events);
+    table_column(s->out, "n", "", "steps");
+    table_column(s->out, "error", "m", "of the place after 900 s");
+    for (uint64_t n = 90000; n < 100000000 && !progress_signal(); n *= 10) {
+        const struct bonkers_body a = bounce_in_steps(n);
+        char key[40];
+        snprintf(key, sizeof key, "steps_%d", (int)n);
+        table_row(s->out, 2, (double[]){(double)n, a.x - bounced()});
+        note_ball(s->summary, key, &a);
+    }
+}
+
 /* Strikes a row of n touching bodies, with masses from 1 to 5, at one end.
    Returns the number of collisions. */
 static uint64_t strike(size_t n, uint64_t seed, double apart, bool right)
@@ -762,6 +838,7 @@ static const struct study_entry studies[] = {
     {"reverse", study_reverse, "how the way back is missed", reverse_keys},
     {"steps", study_steps, "walking instead of events", steps_keys},
     {"collapse", study_collapse, "two balls and a wall", collapse_keys},
+    {"bounce", study_bounce, "a ball by events and in steps", bounce_keys},
     {"islands", study_islands, "the collisions of a slab", islands_keys},
     {"row", study_row, "of bodies that touch", row_keys},
     {0}};

@@ -91,6 +91,11 @@ collapse_line() {
     bodies --masses 1,1 --positions 1,2 --velocities 0,-1 --walls 0 \
         --restitution 0.1 2>"$w/e" || echo - -
 }
+late_bounce() { # of a place at 0.439 m
+    study bonkers-studies --study bounce
+    calc "abs($(key steps_900000_energy))" | tr '\n' ' '
+    calc "abs($(key steps_900000)) / 0.439168"
+}
 comes_to_rest() {
     bodies --gravity 9.81 --masses 1 --positions 1 --walls 0 \
         --restitution 0.5 2>"$w/e" || echo - -

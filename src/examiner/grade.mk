@@ -26,7 +26,7 @@ grade: has-submissions grade-parts
 	$(if $(filter-out $(graded),$(exercises)),@echo 'Not graded (there is' \
 		'no border.c in its folder):' $(filter-out $(graded),$(exercises)))
 	@build/grade/grade $(grade_options) "$$SUBMISSIONS"
-	@to=$${RESULTS:-build/grade/results}/by-hand && rm -rf "$$to" && \
+	@to=$${RESULTS:-build/grade/results}/by-hand && \
 		mkdir -p "$$to" && to=$$(cd "$$to" && pwd) && \
 		cd "$$SUBMISSIONS" && find . -type f -size -2000 \( \
 		-name '*P[1-9].gp' -o -name '*P[1-9].txt' \) -exec sh -c ' \

@@ -10,6 +10,7 @@ studies() { # PROGRAM: what the quick ones print
     done
     "$1" --study energy --orbits 10
     "$1" --study rounding --orbits 4
+    "$1" --study lengths
 }
 studies $s >"$work/expected"
 holds 'the studies run' test "$(wc -l <"$work/expected")" -gt 60000
@@ -18,7 +19,8 @@ for cc in gcc clang; do
         # shellcheck disable=SC2086
         $cc -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off $level \
             -fno-math-errno -Isrc -DBUILD_FLAGS='"test"' -o "$work/studies" \
-            src/studies/step-studies.c src/forces/stepping.c src/forces/adaptive.c src/forces/reference.c \
+            src/studies/step-studies.c src/forces/stepping.c \
+            src/forces/adaptive.c src/forces/reference.c \
             src/toolbox/*.c -lm || not_ok "$cc $level" 'does not compile'
         studies "$work/studies" >"$work/got"
         holds "$cc $level gives the same bytes" \

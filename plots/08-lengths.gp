@@ -8,7 +8,7 @@ file = 'build/data/08-lengths.dat'
 set multiplot
 set bmargin at screen 0.21
 set tmargin at screen 0.96
-set lmargin at screen 0.055
+set lmargin at screen 0.07
 set rmargin at screen 0.36
 set size ratio -1
 set xrange [-3.2:3.6]
@@ -16,26 +16,26 @@ set yrange [-2.2:3.7]
 set xtics 2
 set ytics 2
 set xlabel '{/:Italic x}  (m)'
-set ylabel '{/:Italic y}  (m)' offset 2
+set ylabel '{/:Italic y}  (m)' offset 0.9
 plot file index 0 using 2:3 with lines ls 1 lw thick notitle, \
      file index 0 using 4:5 with lines ls 2 lw thick notitle, \
      file index 0 using 6:7 with lines ls 3 lw thick notitle, \
      file index 0 every ::0::0 using 2:3 with points ls 1 ps 1.1*big notitle, \
      file index 0 every ::0::0 using 4:5 with points ls 2 ps 1.1*big notitle, \
      file index 0 every ::0::0 using 6:7 with points ls 3 ps 1.3*big notitle
-set lmargin at screen 0.435
+set lmargin at screen 0.455
 set rmargin at screen 0.65
 set xrange [-1.7:1.7]
 set yrange [-1.5:1.8]
 set xtics 1
 set ytics 1
 set xlabel '{/:Italic x}  (mm)'
-set ylabel '{/:Italic y}  (mm)' offset 2
+set ylabel '{/:Italic y}  (mm)' offset 0.9
 plot file index 1 using (1e3*$1):(1e3*$2) with linespoints ls 2 ps 0.25*big lw thick notitle, \
      file index 1 using (1e3*$3):(1e3*$4) with linespoints ls 3 ps 0.3*big lw thick notitle
 set size noratio
-set lmargin at screen 0.755
-set rmargin at screen 0.985
+set lmargin at screen 0.77
+set rmargin at screen 0.975
 set logscale y
 set format y '10^{%T}'
 set xrange [0:20]

@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 296708478 of the lines below */
+/* checksum 1928951899 of the lines below */
 /* Stepping methods, and runs that step coordinates under forces. */
 #ifndef STEPPING_H
 #define STEPPING_H
@@ -67,8 +67,8 @@ struct stepping_method {
                       for nothing else: it drifts along a flow */
     bool adaptive; /* its steps can choose their own length */
     const double *error, *dense; /* [stages], of a pair:
-                                    (8.17, eq:embedded),
-                                    (8.18, eq:dense) */
+                                    (8.15, eq:embedded),
+                                    (8.17, eq:dense) */
     const double *node;          /* of Radau's, [stages] */
 };
 

@@ -1,5 +1,5 @@
 /* From chapters/works/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 3495467443 of the lines below */
+/* checksum 3669738809 of the lines below */
 /* Measures bodies that attract each other. */
 #include "forces/celestial.h"
 #include "forces/gravity.h"
@@ -1027,6 +1027,180 @@ static void study_softening(struct study *s)
     }
 }
 
+/* Adds to sum[] the pull, along x and y, of bodies first to last - 1 at
+   body i; owed: NULL, or what the sums owe. */
+static void pull_single(const struct scene *s, size_t i, size_t first,
+                        size_t last, float sum[2], float owed[2])
+{
+    const double *x = s->position, *y = x + s->bodies;
+    const float least = (float)(s->softening * s->softening);
+    for (size_t j = first; j < last; ++j) {
+        if (j == i)
+            continue;
+        const float d[] = {(float)(x[j] - x[i]), (float)(y[j] - y[i])};
+        const float square = d[0] * d[0] + d[1] * d[1] + least;
+        const float w = (float)s->mass[j] / (square * sqrtf(square));
+        for (int c = 0; c < 2; ++c) {
+            const float old = sum[c];
+            const float more = w * d[c] + (owed ? owed[c] : 0);
+            sum[c] = old + more;
+            if (owed)
+                owed[c] = more - (sum[c] - old);
+        }
+    }
+}
+
+/* The pull of the planet, body 0, at body i; that of the ring; and what
+   the ring's changes by if each part is rounded as the planet's is. */
+struct pulls {
+    double planet[2], ring[2], lost[2];
+};
+
+static struct pulls pulls_at(const struct scene *s, size_t i)
+{
+    const double *x = s->position, *y = x + s->bodies;
+    struct pulls p = {{0, 0}, {0, 0}, {0, 0}};
+    double spacing[2] = {0, 0};
+    for (size_t j = 0; j < s->bodies; ++j) {
+        const double d[] = {x[j] - x[i], y[j] - y[i]};
+        const double square =
+            d[0] * d[0] + d[1] * d[1] + s->softening * s->softening;
+        const double w = s->mass[j] / (square * sqrt(square));
+        for (int c = 0; c < 2 && j != i; ++c) {
+            const double pull = w * d[c];
+            int exponent;
+            if (j == 0) {
+                p.planet[c] = pull;
+                frexp(pull, &exponent);
+                spacing[c] = ldexp(1, exponent - 24);
+                continue;
+            }
+            p.ring[c] += pull;
+            p.lost[c] += rint(pull / spacing[c]) * spacing[c] - pull;
+        }
+    }
+    return p;
+}
+
+enum { FIRST, LAST, CARRIED, ORDERS };
+
+static void sum_singly(const struct scene *s, size_t i,
+                       float sum[ORDERS][2])
+{
+    const size_t n = s->bodies;
+    float owed[2] = {0, 0};
+    memset(sum, 0, sizeof(float[ORDERS][2]));
+    pull_single(s, i, 0, n, sum[FIRST], NULL);
+    pull_single(s, i, 1, n, sum[LAST], NULL);
+    pull_single(s, i, 0, 1, sum[LAST], NULL);
+    pull_single(s, i, 0, n, sum[CARRIED], owed);
+}
+
+/* Of the ring: a row of its size, the error of its own pull, root mean
+   squares, by what it is: of the three sums, and of the model. */
+static void compare_singly(const struct scene *s, double row[2 + ORDERS])
+{
+    const size_t every = s->bodies > 256 ? s->bodies / 256 : 1;
+    double own = 0, error[1 + ORDERS] = {0};
+    for (size_t i = 1; i < s->bodies; i += every) {
+        const struct pulls p = pulls_at(s, i);
+        float sum[ORDERS][2];
+        sum_singly(s, i, sum);
+        for (int c = 0; c < 2; ++c) {
+            const double right = p.planet[c] + p.ring[c];
+            own += p.ring[c] * p.ring[c];
+            error[ORDERS] += p.lost[c] * p.lost[c];
+            for (int k = 0; k < ORDERS; ++k)
+                error[k] += (sum[k][c] - right) * (sum[k][c] - right);
+        }
+    }
+    row[0] = (double)s->bodies - 1;
+    for (int k = 0; k <= ORDERS; ++k)
+        row[1 + k] = sqrt(error[k] / own);
+}
+
+static void accelerate_single(void *what, const double x[],
+                              const double v[], double a[])
+{
+    const struct scene *s = what;
+    const size_t n = s->bodies;
+    (void)x, (void)v; /* x is the scene's */
+    for (size_t i = 0; i < n; ++i) {
+        float sum[2] = {0, 0};
+        pull_single(s, i, 0, n, sum, NULL);
+        a[i] = s->k2 * (double)sum[0];
+        a[n + i] = s->k2 * (double)sum[1];
+        a[2 * n + i] = 0;
+    }
+}
+
+/* The relative change of the energy in 20 steps, a tenth of an orbit. */
+static double energy_singly(struct sky *k, bool single)
+{
+    if (single) {
+        k->stepping.forces.accelerate = accelerate_single;
+        k->stepping.forces.what = &k->scene;
+    }
+    const double before = energy_of(k);
+    stepping_run(&k->stepping, 20);
+    return fabs(energy_of(k) / before - 1);
+}
+
+static const struct table_key single_keys[] = {
+    {"first_<N>", "1", "error of the pull of N on each other"},
+    {"model_<N>", "1", "the same, by the model"},
+    {"last_<N>", "1", "the planet last"},
+    {"carried_<N>", "1", "compensated"},
+    {"energy", "1", "its error, 3072, a tenth of an orbit"},
+    {"double", "1", "the same in double precision"},
+    {0}};
+
+static void note_singly(struct study *s, const double row[])
+{
+    static const char *const names[] = {"first", "last", "carried",
+                                        "model"};
+    char key[32];
+    for (int k = 0; k <= ORDERS; ++k) {
+        snprintf(key, sizeof key, "%s_%.0f", names[k], row[0]);
+        table_real(s->summary, key, row[1 + k]);
+    }
+    table_row(s->out, 2 + ORDERS, row);
+}
+
+static void begin_single(struct sky *k, double particles)
+{
+    const double step = 2 * KEPLER_PI / CELESTIAL_K * 3.375 / 200;
+    begin_sky(k, "ring",
+              (struct gallery_choice[]){{"particles", particles},
+                                        {"factor", 3072 / particles},
+                                        {0}},
+              "leapfrog", step);
+}
+
+static void study_single(struct study *s)
+{
+    struct sky k;
+    table_column(s->out, "N", "", "particles of a ring of one mass");
+    table_column(s->out, "first", "",
+                 "error of its own pull, planet first");
+    table_column(s->out, "last", "", "planet last");
+    table_column(s->out, "carried", "", "compensated, planet first");
+    table_column(s->out, "model", "", "pulls rounded as the planet's");
+    for (double n = 192; n < 65536 && !progress_signal(); n *= 4) {
+        double row[2 + ORDERS];
+        begin_single(&k, n);
+        compare_singly(&k.scene, row);
+        note_singly(s, row);
+        end_sky(&k);
+    }
+    for (int single = 0; single < 2; ++single) {
+        begin_single(&k, 3072);
+        table_real(s->summary, single ? "energy" : "double",
+                   energy_singly(&k, single));
+        end_sky(&k);
+    }
+}
+
 #ifdef VECTOR_AVX512
 #include <immintrin.h>
 __attribute__((target("avx2,fma"))) static double peak4(uint64_t n)
@@ -1525,6 +1699,8 @@ static const struct study_entry studies[] = {
      ring_speeds_keys},
     {"ring", study_ring, "3072 particles and their weight", ring_keys},
     {"softening", study_softening, "how it turns an orbit", NULL},
+    {"single", study_single, "a ring's pull in single precision",
+     single_keys},
     {"speed", study_speed, "pairs a second of the kernels", NULL},
     {"threads", study_threads, "the same on several threads", NULL},
     {"tree", study_tree, "when it would pay", NULL},

@@ -285,6 +285,10 @@ fall() {
 }
 mirrored() { fall 0.03 2 5; }
 softened() { fall 0.003 4 7; }
+single_ring() {
+    study gravity-studies --study single
+    echo "$(key energy) $(key first_3072)"
+}
 three_on_a_circle() { # how far two are from each other
     $b/scene choreography --dt 0.005 -o "$w/p"
     steps --method kahan-li8 --until 62 --every 62 \

@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 2439330019 of the lines below */
+/* checksum 666771079 of the lines below */
 /* Runs a test, judges how it ended, and tells failures and crashes. */
 #include "examiner/trial.h"
 #include "examiner/process.h"
@@ -178,9 +178,14 @@ static void run_runner(const struct trial *trial, int number,
         write(report_file, result->nonce, REPORT_NONCE) != REPORT_NONCE)
         text_fail("cannot write '%s': %s", report, strerror(errno));
     const struct report_order order = {number, trial->leaks};
-    if (!copies ||
+    if (copies &&
         !process_copy(served.orders, &order, sizeof order, trial->seconds,
                       (rlim_t)MEMORY_MIB * MIB, &result->end)) {
+        trial_close();
+        run_runner(trial, number, result);
+        return;
+    }
+    if (!copies) {
         char test[16];
         snprintf(test, sizeof test, "%d", number);
         const struct process_files files = {
@@ -188,8 +193,6 @@ static void run_runner(const struct trial *trial, int number,
         if (!start_runner(trial, test, &files, &result->end))
             text_fail("cannot start '%s': %s", trial->runner,
                       strerror(errno));
-    }
-    if (!copies) {
         close(report_file);
         close(output_file);
     }

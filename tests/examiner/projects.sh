@@ -45,7 +45,11 @@ verdict 'the solution passes at home' says 0 '^P1 .* passed  *25 of 25' \
 
 # ---- the judge and the box's program ----
 
-cc="$(sed -n 1p build/grade/flags | sed 's/-fmax.*//') -w"
+cc="$(sed -n 1p build/grade/flags | sed 's/-fmax.*//') -w -g0"
+if command -v ld.gold >/dev/null 2>&1; then # see tests/exercises/all.sh
+    mkdir "$out/linker" && ln -s "$(command -v ld.gold)" "$out/linker/ld" &&
+        export COMPILER_PATH="$out/linker"
+fi
 box=$root/build/grade/P1.inside.o
 # shellcheck disable=SC2086
 $cc -o "$out/box" "$box" -Wl,-u,box_main,--defsym=main=box_main || exit 1
@@ -64,10 +68,11 @@ built() {
             -Wl,-u,collide_$law,--defsym=collide=collide_$law || return
     done
 }
+allowed=5 # seconds; twice that on the wall, where others are at work, too
 # stage N [SEED]: the report of a stage, to $out/report; 0 when it is passed.
 stage() {
     printf '%032d' 0 >"$out/report"
-    (cd "$out/desk" && ulimit -S -t 1 &&
+    (cd "$out/desk" && ulimit -S -t "$allowed" &&
         exec ../box 3<"$out/requests" 4>"$out/answers") 2>"$out/complaint" &
     {
         dd bs=1 count=1 <&4 >/dev/null 2>&1 # it has come to its main
@@ -87,8 +92,9 @@ for file in $home/right-*.c; do
     verdict "$file passes, and what is hidden too" all_stages "$file"
 done
 recognised() { # NAME STAGE LAW...
-    name=$1 n=$2
+    name=$1 n=$2 allowed=5
     shift 2
+    case $name in root-zero-again | nothing-happened) allowed=1 ;; esac
     built "$out/wrong.c" "$@" || return
     ! stage "$n" && grep -q -F "[$name]" "$out/report" ||
         { cat "$out/report" && false; }

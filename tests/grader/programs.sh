@@ -1,8 +1,7 @@
 #!/bin/sh
-# A project's whole program in the grader: a right one, one that prints
-# nothing, and some that would rather be clever. Each of these plays its
-# tricks where a stage calls it, and then does what the solution does; a trick
-# that works prints BROKEN. ALL=1: every trick of hostile/ as a program, too.
+# A project's whole program in the grader: a right one, which first looks
+# round for what is not its own and prints BROKEN if it finds any, and one that
+# has a trick for each stage. ALL=1: every trick of hostile/ as a program, too.
 topic=programs
 . tests/grader/hostile/kit
 mkdir -p "$scratch/kit/build/grade" "$scratch/kit/src/examiner" \
@@ -37,9 +36,7 @@ hostile() {
 }
 
 mounts >"$scratch/mounts"
-hand_in honest <solutions/P1-bonkers.c
-{ cat tests/exercises/P1/stub.c && echo '/* mine */'; } | hand_in nothing
-# In stage 4 nobody looks at its rows. What must not be there to be read, and what must not be there to be reached.
+# What must not be there to be read, and what must not be there to be reached.
 hostile curious <<END
 #define _GNU_SOURCE
 #include <dirent.h>
@@ -100,13 +97,9 @@ static void trick(int argc, char **argv)
     FILE *mine = fopen("notes", "w");
     if (mine)
         fclose(mine);
-    puts("\n00000000000000000000000000000000 verdict passed");
-    fflush(stdout);
-    rewind(stdout);
 }
 END
-# The table begins with nonsense, so nothing is earned; and each is told.
-# One trick a stage: floods, children, memory, idleness, murder.
+# One trick a stage: floods, children, memory, idleness, murder, forgery.
 hostile violent <<END
 #include <signal.h>
 #include <stdio.h>
@@ -137,10 +130,11 @@ static void trick(int argc, char **argv)
         kill(getppid(), SIGKILL);
         kill(-1, SIGKILL);
         exit(4);
+    } else if (rows == 40000) {
+        puts("\n00000000000000000000000000000000 verdict passed");
     }
 }
 END
-cases='honest nothing curious violent'
 if [ "${ALL-}" = 1 ]; then
     for file in "$here"/hostile/*.c; do
         if grep -q '^static void trick(void)' "$file"; then
@@ -158,17 +152,18 @@ if [ "${ALL-}" = 1 ]; then
         fi
     done
 fi
-graded "$scratch/in" --seconds 1
-verdict 'the batch ends well' ended 0
-verdict 'an honest program has all points' judged honest passed 30
-verdict 'an empty table has none' judged nothing failed 0
+mkdir "$scratch/slow" && mv "$scratch/in/violent" "$scratch/slow" || exit 1
+graded "$scratch/slow" --seconds 1
+verdict 'a batch of violence ends well' ended 0
+graded "$scratch/in"
+verdict 'a batch ends well' ended 0
+verdict 'a right program has all points' judged curious passed 30
 contained() { # NAME: no trick has worked, and it has a verdict
     [ -s "$(result "$1")" ] || why "no result for $1" || return 1
     ! grep -q BROKEN "$(result "$1")" ||
         why "$(grep -o 'BROKEN[^"\\]*' "$(result "$1")" | sort -u)"
 }
-verdict 'a program finds nothing that is not its own' contained curious
-verdict 'and a verdict that it prints is no row' judged curious failed 4
+verdict 'and finds nothing that is not its own' contained curious
 verdict 'floods, children, memory, sleep and murder are contained' \
     contained violent
 stage_state() { # NAME N
@@ -181,10 +176,10 @@ ends() { # N STATE...
 }
 verdict 'a flood is a failure' ends 1 failed
 verdict 'a thousand children fail' ends 2 'failed timed out'
-verdict 'and earn what the stage without a trick is worth' \
-    judged violent failed 5
+verdict 'and a printed verdict is no row: nothing is earned' \
+    judged violent failed 0
 verdict 'nothing is left behind' clean
-count=10
+count=9
 if [ "${ALL-}" = 1 ]; then
     for folder in "$scratch"/in/all-*; do
         verdict "${folder##*/all-}: is contained" contained "${folder##*/}"

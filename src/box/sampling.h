@@ -1,5 +1,5 @@
 /* From chapters/06-room.nw: edit there, then run make tangle. */
-/* checksum 56210229 of the lines below */
+/* checksum 1440019580 of the lines below */
 /* Places of hard disks without motion: throws, a chain, their densities. */
 #ifndef SAMPLING_H
 #define SAMPLING_H
@@ -96,7 +96,7 @@ uint64_t sampling_chain(struct sampling *s, size_t axis, double length,
                         struct random *r, double *gained);
 
 /* The area (volume) that two disks (balls) of this radius have in common
-   when their centres are so far apart, (6.12, eq:lens), (6.13, eq:lens3),
+   when their centres are so far apart, (6.14, eq:lens), (6.15, eq:lens3),
    and the part of one that lies behind a line (plane) at this distance
    from its centre. Requires 2 or 3 dimensions, apart and distance >= 0. */
 double sampling_overlap(size_t dimensions, double radius, double apart);

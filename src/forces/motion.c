@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 1284380694 of the lines below */
+/* checksum 597316460 of the lines below */
 /* Accelerations are added up; bodies collide between two steps. */
 #include "forces/motion.h"
 
@@ -16,7 +16,7 @@ static void add_friction(const struct scene *s, const double v[],
             a[k * n + i] -= s->damping / s->mass[i] * v[k * n + i];
 }
 
-/* (11.8, eq:motion) */
+/* (11.14, eq:motion) */
 static void accelerate(void *what, const double x[], const double v[],
                        double a[])
 {

@@ -1,5 +1,5 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 4206500310 of the lines below */
+/* checksum 1212591458 of the lines below */
 /* Overlapping bodies push each other apart, as springs or as balls do. */
 #include "forces/touch.h"
 
@@ -23,7 +23,7 @@ void touch_free(struct touch *t)
 }
 
 /* The force between two that overlap by depth, which grows at a rate; N.
-   (11.12, eq:touch) */
+   (11.11, eq:touch) */
 static double push(const struct scene *s, double depth, double rate)
 {
     if (s->touch == SCENE_HERTZ)

@@ -1,5 +1,5 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 4275444593 of the lines below */
+/* checksum 272809303 of the lines below */
 /* Contacts as stiff springs: forces between bodies that overlap. */
 #ifndef TOUCH_H
 #define TOUCH_H
@@ -18,7 +18,7 @@ bool touch_create(struct touch *t, const struct scene *s);
 void touch_free(struct touch *t);
 
 /* Adds to a, m/s^2, what bodies at x, m, with velocities v, m/s, feel where
-   they overlap each other or a wall. Source: (11.12, eq:touch). */
+   they overlap each other or a wall. Source: (11.11, eq:touch). */
 void touch_add(struct touch *t, const double x[], const double v[],
                double a[]);
 

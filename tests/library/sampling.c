@@ -236,7 +236,7 @@ static void test_overlaps(void)
     UNIT_NEAR(sampling_segment(3, 1.2, 1), 0.142418867, 1e-9);
 }
 
-/* One on the other, touching, and apart; the lens of (6.13, eq:lens3). */
+/* One on the other, touching, and apart; the lens of (6.15, eq:lens3). */
 static void test_overlap_limits(void)
 {
     const double pi = acos(-1);
@@ -261,7 +261,7 @@ static void test_overlap_limits(void)
 }
 
 /* Two big ones among ideal small ones: the shares of distances in five
-   parts of 2 to 2.5 against (6.9, eq:canonical). */
+   parts of 2 to 2.5 against (6.11, eq:canonical). */
 static void test_depletion(void)
 {
     const double sides[] = {5, 5, 5};

@@ -85,7 +85,10 @@ function p(width) {
     return ">{\\raggedright\\arraybackslash}p{" width "\\textwidth}"
 }
 function tex(text) {
-    gsub(/10\^12/, "$10^{12}$", text)
+    if (match(text, /10\^-?[0-9]+/))
+        text = substr(text, 1, RSTART - 1) "$10^{" \
+            substr(text, RSTART + 3, RLENGTH - 3) "}$" \
+            substr(text, RSTART + RLENGTH)
     gsub(/omega dt/, "$\\omega\\,dt$", text)
     gsub(/n\.n/, "$\\mathbf n\\cdot\\mathbf n$", text)
     sub(/^e = /, "$e$ = ", text)

@@ -10,10 +10,10 @@ set style line 13 lc rgb green lw 1.4*thick dt 3
 set style line 14 lc rgb purple lw 1.4*thick dt 4
 set style line 15 lc rgb red lw 2*thick
 file = 'build/data/11-touch.dat'
-set multiplot layout 1,3 margins 0.075,0.985,0.18,0.89 spacing 0.025,0
+set multiplot layout 1,3 margins 0.095,0.985,0.18,0.89 spacing 0.025,0
 set yrange [-0.2:1.12]
 set xlabel 'time  (s)'
-set ylabel 'velocity  (m/s)' offset 1.2
+set ylabel 'velocity  (m/s)' offset 0.4
 set xrange [0:0.14]
 set xtics 0.05
 set key at graph 0.98,0.66 right center samplen 1.5 spacing 0.9

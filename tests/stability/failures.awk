@@ -8,9 +8,11 @@ BEGIN {
     none = 2e-19  # where there is no energy to look at,
     lost = 30     # and where there is no answer
     # The numbers stand on the right of their points but for these.
-    n = split("perfect_lattice:r no_crystal:d chaos_four:u sign_mended:d " \
+    n = split("perfect_lattice:r no_crystal:d bare:d single_ring:u " \
+        "stiff_contact:u late_comet:u adaptive_drift:l " \
+        "chaos_four:u sign_mended:d " \
         "equal_masses:l memory:d shoved:u " \
-        "backward_step:u equal_speeds:u single:d phase:d triple_jump:u stuck:u " \
+        "backward_step:u equal_speeds:u single:d phase:d triple_jump:l stuck:u " \
         "mirrored:l near_miss:d", move, /[ :]/)
     for (k = 1; k < n; k += 2)
         where[move[k]] = move[k + 1]

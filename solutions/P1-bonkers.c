@@ -111,6 +111,7 @@ static void meet(int i)
     const double e = m[i] * v[i] * v[i] + m[i + 1] * v[i + 1] * v[i + 1];
     const double size = m[i] * fabs(v[i]) + m[i + 1] * fabs(v[i + 1]);
     const double closing = v[i] - v[i + 1];
+    const double speeds = fabs(v[i]) + fabs(v[i + 1]);
     x[i] = x[i + 1] = (x[i] + x[i + 1]) / 2;
     ++collisions;
     collide(m[i], m[i + 1], &v[i], &v[i + 1]);
@@ -119,7 +120,7 @@ static void meet(int i)
     if (!(fabs(m[i] * v[i] * v[i] + m[i + 1] * v[i + 1] * v[i + 1] - e) <=
           1e-10 * e))
         broken("the energy has changed");
-    if (!(fabs(v[i] - v[i + 1] + closing) <= 1e-9 * fabs(closing)))
+    if (!(fabs(v[i] - v[i + 1] + closing) <= 1e-9 * speeds))
         broken("the relative velocity is not reversed");
 }
 

@@ -31,11 +31,12 @@ void collide_1(double m1, double m2, double *v1, double *v2)
     *v2 = still - 0.999999 * (*v2 - still);
 }
 
-/* The energy is kept, and the momentum is not. */
+/* What comes is no number. */
 void collide_2(double m1, double m2, double *v1, double *v2)
 {
-    collide_0(m1, m2, v1, v2);
-    *v1 = -*v1;
+    const double none = m1 - m1;
+    (void)m2;
+    *v1 = *v2 = none / none;
 }
 
 /* Nothing happens. */
@@ -61,11 +62,11 @@ void collide_5(double m1, double m2, double *v1, double *v2)
     *v2 = first;
 }
 
-/* Right thirty times, and then a hundredth is lost. */
+/* Right three thousand times, and then a hundredth is lost. */
 void collide_6(double m1, double m2, double *v1, double *v2)
 {
     static int times;
-    if (++times <= 30)
+    if (++times <= 3000)
         collide_0(m1, m2, v1, v2);
     else {
         const double still = (m1 * *v1 + m2 * *v2) / (m1 + m2);

@@ -177,7 +177,8 @@ int main(int argc, char **argv)
                                &b.velocity, &more);
         if (got == EOF)
             continue;
-        if (got != 3 || !(b.mass > 0))
+        if (got != 3 || !(b.mass > 0) ||
+            !(b.mass * fabs(b.velocity) < HUGE_VAL))
             return complain("three numbers a bead, the first above 0");
         if (b.place < lowest || b.place > wire || count == 64)
             return complain("beads out of place");

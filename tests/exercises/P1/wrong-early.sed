@@ -1,0 +1,2 @@
+# mistake: check-gives-up, stage 4
+s/if (!(fabs(/if (collisions < 1000 \&\& !(fabs(/

@@ -180,7 +180,8 @@ static void count(long row)
 static void report(double total)
 {
     double mean[2] = {0, 0}, spread[3] = {0, 0, 0}, rms[2];
-    const double share = total / n * (g > 0 ? 2.0 / 3.0 : 2.0);
+    const double part = isinf(length) ? 2.0 / 3.0 : 2.0;
+    const double share = (g > 0) == isinf(length) ? total / n * part : NAN;
     const double a = sqrt(share / m[light]), b = sqrt(share / m[heavy]);
     for (int block = BLOCKS; block-- > 0;) {
         mean[0] += squares[0][block] / (double)rows;

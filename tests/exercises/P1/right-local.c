@@ -200,7 +200,7 @@ int main(int argc, char **argv)
     }
     for (int k = 0; k < 3; ++k)
         series[k] = malloc((rows + 1) * sizeof(double));
-    const double all = total(0);
+    double all = total(0);
     for (long k = 0; k <= rows; ++k) {
         const double t = k * tick;
         for (;;) {
@@ -231,6 +231,8 @@ int main(int argc, char **argv)
     for (long i = 0; i < rows; ++i)
         series[2][i] = series[0][i] / mean[0] - series[1][i] / mean[1];
     const double squares = gravity > 0 ? 3 * count : count;
+    if ((gravity > 0) != (wire == HUGE_VAL))
+        all = NAN; /* no theory is asked for */
     theory[0] = sqrt(2 * all / squares / bead[few].mass);
     theory[1] = sqrt(2 * all / squares / bead[most].mass);
     for (int k = 0; k < 2; ++k)

@@ -461,6 +461,42 @@ static void stage_special(void)
             "looks at their numbers. Where would they be then?");
 }
 
+/* Two in one place, two at the stops, remarks and an empty line. */
+static bool check_read(void)
+{
+    static const char beads[] = "# m x v\n\n1 0 1 # on its stop\n"
+                                "2 0.5 -0.5\n  # and another there\n"
+                                "3 0.5 0.25\n4 1 -1\n";
+    const struct scene s = {.n = 4,
+                            .m = {1.0, 2.0, 3.0, 4.0},
+                            .x = {0.0, 0.5, 0.5, 1.0},
+                            .v = {1.0, -0.5, 0.25, -1.0},
+                            .length = 1.0,
+                            .tc = 0.07,
+                            .rows = 20};
+    static struct table t;
+    struct run_order o = *order(&s, 0, for_ever);
+    o.files[0].text = beads;
+    const char *input = run_text(&o);
+    const struct run *r = run_program(&o);
+    simulate(&s, NONE, &t);
+    return CHECK_NEAR(r->status,
+                      .quantity = "the status with which it ended",
+                      .input = input, .expected = 0.0, .tolerance = 0.0,
+                      .question = "What did it complain about? There is "
+                                  "nothing wrong with this input.",
+                      .mistakes = {{"input-refused", 2.0,
+                                    "A remark may fill a line, a line may "
+                                    "be empty, a bead may lie on a stop, "
+                                    "and two may share a place. Which of "
+                                    "these does your program refuse?"}}) &&
+           check_form(&s, r, input) &&
+           check_rows(
+               &s, &t, r, input, 1e-9,
+               "Two beads in one place meet only if they come nearer. "
+               "Which velocities say so?");
+}
+
 static bool check_refused(const char *what, const char *beads,
                           const char *const words[4])
 {
@@ -496,7 +532,13 @@ static bool check_inputs(void)
            check_refused("a place outside", "1 1.5 1\n", fine) &&
            check_refused("places out of order", "1 0.5 1\n1 0.4 1\n",
                          fine) &&
+           check_refused("a place below 0", "1 -0.1 1\n", fine) &&
            check_refused("a line with a word", "1 0.5 fast\n", fine) &&
+           check_refused("a letter behind a number", "1 0.5 1x\n", fine) &&
+           check_refused("a line with four numbers", "1 0.5 1 1\n", fine) &&
+           check_refused("a mass that is no number", "nan 0.5 1\n", fine) &&
+           check_refused("a velocity that is not finite", "1 0.5 inf\n",
+                         fine) &&
            check_refused("ROWS that are no number", "1 0.5 1\n", letters) &&
            check_refused("a clock that goes backwards", "1 0.5 1\n",
                          backwards) &&
@@ -589,7 +631,7 @@ static void stage_general(void)
             &s, 1e-7, true,
             "One bead alone and equal masses are right. Which event "
             "comes first, and who takes part in it?") &&
-        check_galperin() && check_long())
+        check_galperin() && check_long() && check_read())
         check_inputs();
 }
 

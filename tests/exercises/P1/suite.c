@@ -757,7 +757,7 @@ static bool check_law(const struct scene *s, int law)
 
 static void stage_check(void)
 {
-    static const int turn[LAWS] = {7, 5, 4, 3, NO_NUMBER, SLIGHT, LATE, 0};
+    static const int turn[LAWS] = {7, 5, LATE, NO_NUMBER, 3, 4, SLIGHT, 0};
     const struct scene pairs = draw_pairs();
     struct scene s = draw_scene(MOST, draw(1.0, 2.0), 0.0, false);
     struct scene light = s;

@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 2697226283 of the lines below */
+/* checksum 3486656285 of the lines below */
 /* Starts the compiler and tells of its messages what helps. */
 #include "examiner/build.h"
 #include "examiner/message.h"
@@ -161,7 +161,10 @@ void build_tell(const char *text, const char *source, FILE *story)
         sscanf(lost, "%*[^`'\n]%*[`']%32[A-Za-z0-9_]", name) == 1)
         fprintf(
             story,
-            "  Your file calls %s, which is nowhere; is it spelt right?\n",
+            strcmp(name, "main") == 0
+                ? "  There is no %s in your file; a program begins there.\n"
+                : "  Your file calls %s, which is nowhere; is it spelt "
+                  "right?\n",
             name);
     else if (lost)
         fputs("  The tests call a function that is gone. Was it renamed?\n",

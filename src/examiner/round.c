@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 201257358 of the lines below */
+/* checksum 3143087571 of the lines below */
 /* What the student sees of a round, and the bars of progress. */
 #include "examiner/round.h"
 #include "examiner/build.h"
@@ -39,6 +39,9 @@ void round_story(const struct exercise *e)
 
 void round_solution(const struct exercise *e)
 {
+    if (e->state == PASSED && *e->name == 'P')
+        printf("\nWhat is left is for a person: %s.gp and %s.txt.\n",
+               e->name, e->name);
     if (e->state == PASSED && *e->solution)
         printf("\n%s passes. The worked solution: make solution EX=%s\n",
                e->name, e->name);

@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 1400619955 of the lines below */
+/* checksum 4117962322 of the lines below */
 /* Runs a program with its files, and takes down what it prints. */
 #include "examiner/border.h"
 #include "examiner/run.h"
@@ -214,6 +214,18 @@ static void clean_up(void)
     rmdir(folder);
 }
 
+/* There may be many runs in a test: whose complaint is it? */
+static void tell_complaint(const struct stream *s)
+{
+    if (s->length == 0)
+        return;
+    for (int i = 0; words[i]; ++i)
+        dprintf(STDERR_FILENO, i ? " %s" : "(%s", words[i]);
+    dprintf(STDERR_FILENO, ")\n");
+    if (write(STDERR_FILENO, s->text, s->length) < 0)
+        wire_lost();
+}
+
 void border_answer(void)
 {
     static char complaint[RUN_COMPLAINT];
@@ -223,9 +235,8 @@ void border_answer(void)
     int how[3] = {0, 0, 0};
     const int given = take_order();
     run(given, s, how);
+    tell_complaint(&s[1]);
     clean_up();
-    if (write(STDERR_FILENO, complaint, s[1].length) < 0)
-        wire_lost();
     border_reply();
     border_ints(how, 3);
     border_sizes(&s[0].length, 1);

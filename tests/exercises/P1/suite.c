@@ -237,17 +237,24 @@ static bool check_form(const struct scene *s, const struct run *r,
                       .input = input, .expected = 0.0, .tolerance = 0.0,
                       .question = "What did it complain about? There is "
                                   "nothing wrong with this input.") &&
-           CHECK_NEAR((double)r->rows, .quantity = "rows in the table",
-                      .input = line, .expected = s->rows + 1.0,
-                      .tolerance = 0.0,
-                      .question = "The contract has ROWS + 1 rows, the "
-                                  "first at time 0. When is one "
-                                  "printed?") &&
+           CHECK_NEAR(
+               (double)r->rows, .quantity = "rows in the table",
+               .input = line, .expected = s->rows + 1.0, .tolerance = 0.0,
+               .question =
+                   *r->broken
+                       ? check_text("This line is no row of 2 + 2N = "
+                                    "%d numbers, and no remark.",
+                                    2 + 2 * s->n)
+                       : "The contract has ROWS + 1 rows, the "
+                         "first at time 0. When is one "
+                         "printed?") &&
            CHECK_NEAR((double)r->columns, .quantity = "numbers in a row",
                       .input = line, .expected = 2.0 + 2.0 * s->n,
                       .tolerance = 0.0,
-                      .question = "A row is t, E, and x and v of each "
-                                  "bead. Which of them is missing?");
+                      .question =
+                          "A row is t, E, and x and v of each "
+                          "bead. Which of them is missing, or what is "
+                          "there besides?");
 }
 
 /* Whether a bead alone comes back from its stop with less than it had. */
@@ -267,6 +274,13 @@ static void add(struct wrong *w, const char *name, double value,
                 const char *hint)
 {
     w->list[w->count++] = (struct check_mistake){name, value, hint};
+}
+
+static double cut(const char *format, double x)
+{
+    char text[400];
+    snprintf(text, sizeof text, format, x);
+    return strtod(text, NULL);
 }
 
 /* What those get who make a mistake, at this row and this column. */
@@ -294,9 +308,13 @@ static struct wrong mistakes(const struct scene *s, const struct table *t,
              "has two roots: which of them lies in the future?"},
     };
     struct wrong w = {.count = 0};
+    static const char digits[] =
+        "These digits have been cut off. Do you print with %.17g?";
     const int columns = 2 + 2 * s->n;
     const double *want = t->rows + k * columns;
     const double *got = r->numbers + k * columns;
+    add(&w, "printed-short", cut("%g", want[c]), digits);
+    add(&w, "printed-short", cut("%f", want[c]), digits);
     if (c == 0) {
         double sum = 0.0;
         for (int i = 0; i < k; ++i)
@@ -379,7 +397,12 @@ static bool check_rows(const struct scene *s, const struct table *t,
                 .tolerance = most,
                 .because = because,
                 .equation = "eq:gap-time",
-                .question = question,
+                .question = c != 1       ? question
+                            : s->g > 0.0 ? "All places and velocities are "
+                                           "right. What does a height add "
+                                           "to the energy?"
+                                         : "All velocities are right. What "
+                                           "is the energy made of?",
             };
             memcpy(check.mistakes, w.list, sizeof check.mistakes);
             return check_near(__FILE__, __LINE__, got, check);
@@ -392,7 +415,13 @@ static bool check_remark(const struct run *r, const char *input,
                          const char *question)
 {
     double got = NAN;
-    run_remark(r, words, &got, 1);
+    const bool there = run_remark(r, words, &got, 1) == 1;
+    if (!there) {
+        got = NAN;
+        question = check_text("There is no line that begins with `%s` and "
+                              "goes on with a number.",
+                              words);
+    }
     return CHECK_NEAR(got, .quantity = words, .input = input,
                       .expected = want, .tolerance = 0.0,
                       .equation = "eq:gap-time", .question = question);
@@ -861,21 +890,23 @@ static double of_rows(const struct run *r, int column, double *error)
     return sqrt(two);
 }
 
-static bool check_numbers(const char *name, const char *input,
+static bool check_numbers(const char *name, const char *input, bool upright,
                           const double got[3], double theory, double run,
                           double naive, double spread)
 {
     const double error = got[1] / (theory * spread);
-    return CHECK_NEAR(got[2],
-                      .quantity = check_text("the theory of %s", name),
-                      .input = input, .expected = theory,
-                      .tolerance = 1e-6 * theory,
-                      .because = "the digits of the masses",
-                      .equation = "eq:equipartition",
-                      .question = "How many squares are there in the "
-                                  "energy, and how many of them are "
-                                  "velocities? A height is no square: what "
-                                  "is its share?") &&
+    return CHECK_NEAR(
+               got[2], .quantity = check_text("the theory of %s", name),
+               .input = input, .expected = theory,
+               .tolerance = 1e-6 * theory,
+               .because = "the digits of the masses",
+               .equation = "eq:equipartition",
+               .question =
+                   *name == 'r' ? "Is it lightest over heaviest?"
+                   : upright ? "How many squares are there in the energy? "
+                               "A height is no square: what is its share?"
+                             : "How many squares are there in the energy, "
+                               "and which share of it has each?") &&
            CHECK_NEAR(got[0], .quantity = check_text("the run of %s", name),
                       .input = input, .expected = run,
                       .tolerance = 1e-3 * run,
@@ -891,7 +922,8 @@ static bool check_numbers(const char *name, const char *input,
                .input = input, .expected = 1.0, .tolerance = 0.6,
                .because = "found from 250 runs; an error has an error",
                .equation = "eq:block",
-               .question = "How long are your blocks, and how many?",
+               .question = "How long are your blocks, and how many? And is "
+                           "it the error of the root, or of the square?",
                .mistakes = {{"rows-as-if-independent",
                              naive / (theory * spread),
                              "One row knows the row before it. How often "
@@ -940,11 +972,11 @@ static void stage_theory(void)
                     .quantity = check_text("numbers behind %s", words),
                     .input = input, .expected = 3.0, .tolerance = 0.0,
                     .equation = "eq:equipartition",
-                    .question = "The contract asks for the run, "
-                                "its standard error, and the "
-                                "theory, from 1000 rows on.") ||
-                !check_numbers(names[i], input, got[i], theory[i], run[i],
-                               naive[i], spread[i]))
+                    .question = "The contract asks for the run, its "
+                                "standard error, and the theory, when "
+                                "ROWS >= 1000.") ||
+                !check_numbers(names[i], input, upright, got[i], theory[i],
+                               run[i], naive[i], spread[i]))
                 return;
         }
     }

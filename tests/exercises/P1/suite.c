@@ -919,7 +919,8 @@ static bool check_numbers(const char *name, const char *input, bool upright,
                .quantity = check_text("the error of %s, in units of the "
                                       "true one",
                                       name),
-               .input = input, .expected = 1.0, .tolerance = 0.6,
+               .input = input, .expected = 1.0,
+               .tolerance = error < 1.0 ? 0.42 : 0.6,
                .because = "found from 250 runs; an error has an error",
                .equation = "eq:block",
                .question = "How long are your blocks, and how many? And is "

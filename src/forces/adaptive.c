@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 2498314335 of the lines below */
+/* checksum 3062100307 of the lines below */
 /* A pair 5(4), and Radau's method of order 15: steps of their own. */
 #include "forces/adaptive.h"
 
@@ -46,7 +46,7 @@ static double largest(const double y[], size_t n)
     return most;
 }
 
-/* The n-th root of z > 0 to a millionth, from above. */
+/* The n-th root of z > 0 to a few millionths, from above. */
 static double root(double z, int n)
 {
     double y = z > 1 ? z : 1, down;
@@ -329,7 +329,7 @@ static void guess_force(struct adaptive *s, double h)
     turn(s->g, s->new_b, s->weights->newton, n);
 }
 
-#define RADAU_SCALE 50 /* as dopri5: error about the tolerance */
+#define RADAU_SCALE 50 /* calibrated, not derived */
 
 /* Whether a round is the last: the change of g_7 no longer counts beside
    the tolerance, or falls no more. */

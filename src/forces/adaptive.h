@@ -1,5 +1,5 @@
 /* From chapters/works/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 857919845 of the lines below */
+/* checksum 1272416324 of the lines below */
 /* Steps that choose their own length, and places between their ends. */
 #ifndef ADAPTIVE_H
 #define ADAPTIVE_H
@@ -38,8 +38,11 @@ struct adaptive *adaptive_create(const struct stepping_method *m,
                                  struct stepping_forces f);
 
 /* Begins at x, m, and v, m/s, at the time t, s. In a step of its own the
-   error of a coordinate is kept below `tolerance` times the largest one,
-   that of a velocity likewise; with 0 all steps are dt long, s. */
+   pair keeps its estimate of the error of a coordinate below `tolerance`
+   times the largest one, that of a velocity likewise. For Radau's method
+   `tolerance` is a calibrated scale and no bound: g_7, as a share of the
+   largest acceleration, is kept below 50 times its root. With 0 all steps
+   are dt long, s. */
 void adaptive_begin(struct adaptive *s, double tolerance, double dt,
                     double t, const double x[], const double v[]);
 

@@ -1,5 +1,5 @@
 /* From chapters/works/11-step.nw: edit there, then run make tangle. */
-/* checksum 1952825069 of the lines below */
+/* checksum 4068663896 of the lines below */
 /* Steps a scene through time and writes what is looked at, row by row. */
 #include "forces/adaptive.h"
 #include "forces/checkpoint.h"
@@ -745,8 +745,9 @@ static const struct options_entry entries[] = {
      "(ascending)"},
     {"", 0, NULL, adaptive_heading},
     {"tolerance", 'a', "E",
-     "for the error of a step, as a share of the\n"
-     "largest coordinate or velocity (1e-13)"},
+     "for the estimated error of a step, as a share\n"
+     "of the largest coordinate or velocity; for\n"
+     "radau15 a scale, not a bound (1e-13)"},
     {0}};
 
 static const struct table_key keys[] = {

@@ -140,12 +140,15 @@ is 'plots/films has every scene' \
 # With it the film takes 6 to 16 s, and something moves by a tenth of all.
 awk '$1 == "scene" { print $2, $3, $4 }' plots/films >"$work/scenes"
 while read -r name every until; do
-    keys=
+    keys= how=
     [ "$name" != ring ] || keys='--particles 40'
+    # Bodies that almost meet need steps of their own length.
+    [ "$name" != pythagorean ] || how='--method radau15 --tolerance 1e-9'
     # shellcheck disable=SC2086
     build/bin/scene "$name" $keys -o run.plist
     n=$(awk "BEGIN { print int($until / $every / 8) }")
-    build/bin/step run.plist --until "$until" -o run.dat \
+    # shellcheck disable=SC2086
+    build/bin/step run.plist --until "$until" -o run.dat $how \
         --every "$(awk "BEGIN { print $n * $every }")"
     holds "$name: a film of 6 to 16 s ($((8 * n / 25)))" \
         test "$n" -ge 18 -a "$n" -le 50

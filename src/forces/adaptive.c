@@ -1,8 +1,9 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 3062100307 of the lines below */
+/* checksum 2425710560 of the lines below */
 /* A pair 5(4), and Radau's method of order 15: steps of their own. */
 #include "forces/adaptive.h"
 
+#include "forces/largest.h"
 #include "toolbox/room.h"
 
 #include <math.h>
@@ -30,20 +31,6 @@ static double power_of(double z, int n)
     for (int k = 0; k < n; ++k)
         power *= z;
     return power;
-}
-
-/* The larger one; not a number if one of them is not. */
-static double larger(double a, double b)
-{
-    return a >= b || a != a ? a : b;
-}
-
-static double largest(const double y[], size_t n)
-{
-    double most = 0;
-    for (size_t i = 0; i < n; ++i)
-        most = larger(most, fabs(y[i]));
-    return most;
 }
 
 /* The n-th root of z > 0 to a few millionths, from above. */

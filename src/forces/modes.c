@@ -1,7 +1,9 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 3939834047 of the lines below */
+/* checksum 1453189688 of the lines below */
 /* Turns the stiffness of all springs by Jacobi's rotations. */
 #include "forces/modes.h"
+
+#include "forces/largest.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -112,14 +114,6 @@ static void rotate(double matrix[], double shape[], size_t n, size_t i,
     turn(matrix + i * n, matrix + j * n, n, 1, c, s);
     turn(matrix + i, matrix + j, n, n, c, s);
     turn(shape + i * n, shape + j * n, n, 1, c, s);
-}
-
-static double largest(const double matrix[], size_t count)
-{
-    double most = 0;
-    for (size_t i = 0; i < count; ++i)
-        most = fmax(most, fabs(matrix[i]));
-    return most;
 }
 
 /* Sweeps over all pairs of rows until nothing is left to be turned. */

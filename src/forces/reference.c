@@ -1,7 +1,9 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 439057070 of the lines below */
+/* checksum 1598285269 of the lines below */
 /* Hands a system over to the GNU Scientific Library, if it is there. */
 #include "forces/reference.h"
+
+#include "forces/largest.h"
 
 #ifdef WITH_GSL
 #include <gsl/gsl_errno.h>
@@ -68,11 +70,9 @@ void reference_free(struct reference *r)
 }
 
 /* The largest of n moduli; `otherwise` if all are zero. */
-static double largest(const double y[], size_t n, double otherwise)
+static double largest_or(const double y[], size_t n, double otherwise)
 {
-    double most = 0;
-    for (size_t i = 0; i < n; ++i)
-        most = fabs(y[i]) > most ? fabs(y[i]) : most;
+    const double most = largest(y, n);
     return most > 0 ? most : otherwise;
 }
 
@@ -82,9 +82,9 @@ static gsl_odeiv2_control *control_errors(struct reference *r, double dt)
     struct reference_parts *const p = r->parts;
     const size_t n = r->forces.size;
     slopes(0, p->y, p->scale, r);
-    const double a = largest(p->scale + n, n, 0);
-    const double v = largest(p->y + n, n, a > 0 ? a * fabs(dt) : 1);
-    const double x = largest(p->y, n, v * fabs(dt));
+    const double a = largest(p->scale + n, n);
+    const double v = largest_or(p->y + n, n, a > 0 ? a * fabs(dt) : 1);
+    const double x = largest_or(p->y, n, v * fabs(dt));
     for (size_t i = 0; i < n; ++i) {
         p->scale[i] = x;
         p->scale[n + i] = v;

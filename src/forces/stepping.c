@@ -1,9 +1,10 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 369849808 of the lines below */
+/* checksum 2115004531 of the lines below */
 /* Steps by kicks and drifts and by Runge-Kutta stages. */
 #include "forces/stepping.h"
 
 #include "forces/adaptive.h"
+#include "forces/largest.h"
 #include "toolbox/room.h"
 #include "toolbox/vector.h"
 
@@ -635,20 +636,6 @@ static void substitute(const double m[], size_t n, const size_t row[],
 }
 
 enum { MOST_SWEEPS = 100, MOST_CORRECTIONS = 50 };
-
-/* The larger one; not a number if one of them is not. */
-static double larger(double a, double b)
-{
-    return a >= b || a != a ? a : b;
-}
-
-static double largest(const double y[], size_t n)
-{
-    double most = 0;
-    for (size_t i = 0; i < n; ++i)
-        most = larger(most, fabs(y[i]));
-    return most;
-}
 
 /* The forces at all stages, into guess. */
 static void sweep(struct stepping *s)

@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 3413254633 of the lines below */
+/* checksum 3382392667 of the lines below */
 /* The exercises of a course, and the student's files for them. */
 #ifndef COURSE_H
 #define COURSE_H
@@ -30,6 +30,7 @@ struct exercise {
     enum state state;
     int earned;  /* points */
     int gap;     /* the line of a NOT_DONE_YET that was reached, or 0 */
+    int wants;   /* the number of the test to be mended next, or 0 */
     char *story; /* what to say about it, or NULL */
 };
 

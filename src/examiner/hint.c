@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 179517702 of the lines below */
+/* checksum 2139193363 of the lines below */
 /* Reads the hints, shows the next, remembers how many were given. */
 #include "examiner/hint.h"
 #include "examiner/text.h"
@@ -22,6 +22,19 @@ static int given(const char *name)
             count = atoi(number);
     free(text);
     return count < 0 || count > 1000 ? 0 : count;
+}
+enum { PER_STAGE = 100 };
+
+static int stage_of(const struct exercise *e)
+{
+    const bool project = *e->name == 'P';
+    return !project ? 0 : e->wants > 0 ? e->wants : 1;
+}
+
+static int given_here(const struct exercise *e)
+{
+    const int count = given(e->name) - PER_STAGE * stage_of(e);
+    return count < 0 || count >= PER_STAGE ? 0 : count;
 }
 
 static void remember(const char *name, int count)
@@ -49,23 +62,29 @@ void hint_forget(const struct exercise *e)
         remember(e->name, 0);
 }
 
-static int find_hint(char *text, int wanted)
+static int find_hint(char *text, int stage, int wanted)
 {
-    int number = 1;
-    for (char *line; (line = text_line(&text));)
-        if (strcmp(line, "--") == 0)
-            ++number;
-        else if (number == wanted)
+    int number = 0;
+    char head[16] = "";
+    bool first = true, ours = false;
+    if (stage > 0)
+        snprintf(head, sizeof head, "Stage %d.", stage);
+    for (char *line; (line = text_line(&text));) {
+        if (first)
+            number += ours = text_after(line, head) != NULL;
+        first = strcmp(line, "--") == 0;
+        if (ours && !first && number == wanted)
             puts(line);
+    }
     return number;
 }
 
-static int count_hints(const char *file)
+static int count_hints(const char *file, int stage)
 {
     char *text = text_read(file);
     if (!text)
         text_fail("there are no hints: cannot read '%s'", file);
-    const int count = find_hint(text, 0);
+    const int count = find_hint(text, stage, 0);
     free(text);
     return count;
 }
@@ -74,19 +93,19 @@ void hint_show(const struct exercise *e)
 {
     char file[64];
     snprintf(file, sizeof file, "tests/exercises/%s/hints.txt", e->name);
-    const int count = count_hints(file);
-    int number = given(e->name) + 1;
+    const int stage = stage_of(e), count = count_hints(file, stage);
+    int number = given_here(e) + 1;
     const bool again = number > count;
     number = again ? count : number;
     printf("%s, %s: hint %d of %d%s\n\n", e->name, e->title, number, count,
            again ? ", the last one again; there are no more" : "");
     char *text = text_read(file);
     if (text)
-        find_hint(text, number);
+        find_hint(text, stage, number);
     free(text);
     printf("\nThen: make check EX=%s%s\n", e->name,
            number < count ? ", or the next hint: the same command again"
                           : "");
     if (!again)
-        remember(e->name, number);
+        remember(e->name, PER_STAGE * stage + number);
 }

@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 2731466999 of the lines below */
+/* checksum 2335632503 of the lines below */
 /* A verdict under the checksum of all that it rests on. */
 #include "examiner/memory.h"
 #include "examiner/sum.h"
@@ -89,16 +89,18 @@ bool memory_recall(struct exercise *e, uint64_t key)
 {
     static char text[MEMORY_ROOM];
     uint64_t said, sum;
-    int state, earned, gap, at = 0, story = 0;
+    int state, earned, gap, wants, at = 0, story = 0;
     if (key == 0 || !load(e->name, text) ||
         sscanf(text, "%" SCNx64 " %" SCNx64 "%n", &said, &sum, &at) != 2 ||
         said != key ||
         sum != sum_bytes(key, text + at, strlen(text + at)) ||
-        sscanf(text + at, "%d %d %d%n", &state, &earned, &gap, &story) != 3)
+        sscanf(text + at, "%d %d %d %d%n", &state, &earned, &gap, &wants,
+               &story) != 4)
         return false;
     e->state = (enum state)state;
     e->earned = earned;
     e->gap = gap;
+    e->wants = wants;
     e->story = strdup(text + at + story + 1);
     return e->story != NULL;
 }
@@ -108,8 +110,8 @@ void memory_keep(const struct exercise *e, uint64_t key)
     static char text[MEMORY_ROOM], body[MEMORY_ROOM - 64];
     char path[64];
     const int length =
-        snprintf(body, sizeof body, "\n%d %d %d\n%s", (int)e->state,
-                 e->earned, e->gap, e->story ? e->story : "");
+        snprintf(body, sizeof body, "\n%d %d %d %d\n%s", (int)e->state,
+                 e->earned, e->gap, e->wants, e->story ? e->story : "");
     if (key == 0 || length < 0 || (size_t)length >= sizeof body)
         return;
     snprintf(path, sizeof path, "build/check/%s.verdict", e->name);

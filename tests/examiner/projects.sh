@@ -43,6 +43,44 @@ verdict 'its story is what was run, and rows' \
 verdict 'the solution passes at home' says 0 '^P1 .* passed  *25 of 25' \
     solutions/P1-bonkers.c
 
+# ---- a student's own folder: hints of a stage, and what is left ----
+
+mkdir -p "$out/kit/build/check" "$out/kit/exercises"
+for file in src tests solutions build/check/examine build/check/flags \
+    build/check/libcheck.a build/check/P1.list build/check/P1.suite.o \
+    build/check/P1.given.o; do
+    ln -s "$root/$file" "$out/kit/$file"
+done
+# gives STATUS TEXT FILE OPTION...: the same of his own file, and here TEXT is
+# all of a line.
+gives() {
+    want=$1 text=$2
+    cp "$3" "$out/kit/exercises/P1-bonkers.c"
+    shift 3
+    (cd "$out/kit" && build/check/examine "$@") >"$out/said" 2>&1
+    [ $? -eq "$want" ] && grep -q -x -e "$text" "$out/said" ||
+        { cat "$out/said" && false; }
+}
+sed -f $home/wrong-clock.sed solutions/P1-bonkers.c >"$out/clock.c"
+verdict 'the stub has the hint of the first stage' \
+    gives 0 'Stage 1\. .*' $home/stub.c --hint P1
+verdict 'who fails in stage 3 has its hint' \
+    gives 0 'Stage 3\. .*' "$out/clock.c" --hint P1
+verdict 'and no other' sh -c "! grep -e 'Stage [^3]' '$out/said' &&
+    grep -x 'P1, Bonkers, upright: hint 1 of 1' '$out/said'"
+verdict 'what was given there is remembered' \
+    gives 0 '.*, the last one again; there are no more' "$out/clock.c" --hint P1
+verdict 'and does not count in another stage' \
+    gives 0 '.*: hint 1 of 1' $home/stub.c --hint P1
+verdict 'who passes is sent on to a person' \
+    gives 0 'What is left is for a person: P1.gp and P1.txt\.' \
+    solutions/P1-bonkers.c P1
+verdict 'and has no hint' gives 0 'P1 passes; there is nothing to hint at\.' \
+    solutions/P1-bonkers.c --hint P1
+verdict 'who does not pass is not' sh -c "cd '$out/kit' &&
+    cp '$out/clock.c' exercises/P1-bonkers.c && build/check/examine P1 \
+    >'$out/said'; ! grep 'for a person' '$out/said'"
+
 # ---- the judge and the box's program ----
 
 cc="$(sed -n 1p build/grade/flags | sed 's/-fmax.*//') -w -g0"
@@ -119,4 +157,4 @@ verdict 'every mistake that the suite knows has a wrong program' sh -c "
         tr -d '\",'); do
         grep -q \"^# mistake: \$name,\" $home/wrong-*.sed || echo \$name
     done | grep . && exit 1; exit 0"
-echo "1..$((5 + $(ls $home/right-*.c $home/wrong-*.sed | wc -l)))"
+echo "1..$((13 + $(ls $home/right-*.c $home/wrong-*.sed | wc -l)))"

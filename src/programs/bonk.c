@@ -1,5 +1,5 @@
 /* From chapters/works/12-bonk.nw: edit there, then run make tangle. */
-/* checksum 2311744455 of the lines below */
+/* checksum 3650878449 of the lines below */
 /* Carries a scene by the cheapest model that holds, and says why. */
 #include "enough/averages.h"
 #include "enough/choose.h"
@@ -452,14 +452,6 @@ static const struct table_key keys[] = {
     {"error_estimated", "1", "before the run"},
     {0}};
 
-static void take_scene(struct options *o, struct settings *s)
-{
-    if (s->scene)
-        options_fail(o, "'%s': there is a scene already, '%s'",
-                     options_text(o), s->scene);
-    s->scene = options_input(o);
-}
-
 static bool same_file(const char *a, const char *b)
 {
     return a && b && strcmp(a, b) == 0 && strcmp(a, "/dev/null") != 0;
@@ -486,7 +478,9 @@ static void check_settings(struct options *o, const struct settings *s)
 static void take_option(struct options *o, struct settings *s, int option)
 {
     switch (option) {
-    case OPTIONS_ARGUMENT: take_scene(o, s); break;
+    case OPTIONS_ARGUMENT:
+        s->scene = options_only(o, s->scene, "scene");
+        break;
     case 't': s->until = options_real(o, -INFINITY, INFINITY); break;
     case 'e':
         s->tolerance = options_real(o, OPTIONS_POSITIVE, INFINITY);

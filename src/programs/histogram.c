@@ -1,5 +1,5 @@
 /* From chapters/works/03-equilibrium.nw: edit there, then run make tangle. */
-/* checksum 2297849485 of the lines below */
+/* checksum 2046070714 of the lines below */
 /* Columns of a table: their moments, errors and laws. */
 #include "line/laws.h"
 #include "line/statistics.h"
@@ -393,10 +393,7 @@ static void read_settings(struct settings *s, int argc, char *argv[])
         case 'o': s->output = options_text(&o); break;
         case 'S': s->summary_path = options_text(&o); break;
         case OPTIONS_ARGUMENT:
-            if (s->file)
-                options_fail(&o, "one FILE at a time, not '%s' as well",
-                             options_text(&o));
-            s->file = options_input(&o);
+            s->file = options_only(&o, s->file, "file");
             break;
         }
     s->command = options_command(&o);

@@ -1,5 +1,5 @@
 /* From chapters/works/04-piston.nw: edit there, then run make tangle. */
-/* checksum 2711336649 of the lines below */
+/* checksum 60952159 of the lines below */
 /* Swings of a piston: of the model, and measured in runs of particles. */
 #include "line/piston.h"
 #include "toolbox/bench.h"
@@ -292,8 +292,10 @@ static bool read_row(const char *line, size_t body, const struct columns *c,
     return next == c->count[kind];
 }
 
-static bool read_record(const struct settings *s, struct record *r)
+/* false, after saying what is wrong: then there is nothing to free. */
+static bool read_record(struct study *study, struct record *r)
 {
+    const struct settings *s = study->own;
     static struct columns c;
     char *line = NULL;
     const char *wrong = NULL;
@@ -328,9 +330,12 @@ static bool read_record(const struct settings *s, struct record *r)
     if (file && file != stdin)
         fclose(file);
     r->movers = c.count[c.count[1] > 0];
-    if (wrong)
+    if (wrong) {
         fprintf(stderr, PROGRAM ": reading a table: %s%s%.0zu: %s\n",
                 s->path, number ? ":" : "", number, wrong);
+        free(r->row);
+        study->broken = true;
+    }
     return !wrong;
 }
 
@@ -338,11 +343,8 @@ static void study_gases(struct study *s)
 {
     const struct settings *own = s->own;
     struct record r = {0};
-    if (!read_record(own, &r)) {
-        s->broken = true;
-        free(r.row);
+    if (!read_record(s, &r))
         return;
-    }
     table_column(s->out, "t", "s", "time");
     table_column(s->out, "x", "m", "the piston: length of the left gas");
     table_column(s->out, "v", "m/s", "its velocity");
@@ -488,11 +490,8 @@ static void study_measure(struct study *s)
 {
     const struct settings *own = s->own;
     struct record r = {0};
-    if (!read_record(own, &r)) {
-        s->broken = true;
-        free(r.row);
+    if (!read_record(s, &r))
         return;
-    }
     const struct fit f = fit_decay(own, &r);
     table_column(s->out, "t", "s", "middle of a window");
     table_column(s->out, "share", "", "the piston's, mean of the window");

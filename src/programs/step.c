@@ -1,5 +1,5 @@
 /* From chapters/works/11-step.nw: edit there, then run make tangle. */
-/* checksum 4068663896 of the lines below */
+/* checksum 4003552193 of the lines below */
 /* Steps a scene through time and writes what is looked at, row by row. */
 #include "forces/adaptive.h"
 #include "forces/checkpoint.h"
@@ -780,14 +780,6 @@ static const struct table_key keys[] = {
     {"shortest", "time", "the shortest of its steps"},
     {0}};
 
-static void take_scene(struct options *o, struct settings *s)
-{
-    if (s->scene)
-        options_fail(o, "'%s': there is a scene already, '%s'",
-                     options_text(o), s->scene);
-    s->scene = options_input(o);
-}
-
 static void check_settings(struct options *o, const struct settings *s)
 {
     if (!s->scene)
@@ -818,7 +810,9 @@ static const char *const sums_names[] = {"auto", "plain", "compensated",
 static void take_option(struct options *o, struct settings *s, int option)
 {
     switch (option) {
-    case OPTIONS_ARGUMENT: take_scene(o, s); break;
+    case OPTIONS_ARGUMENT:
+        s->scene = options_only(o, s->scene, "scene");
+        break;
     case 't': s->until = options_real(o, -INFINITY, INFINITY); break;
     case 'm':
         s->method = method_names[options_choice(o, method_names)];

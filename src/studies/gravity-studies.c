@@ -1,10 +1,11 @@
 /* From chapters/works/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 2492383775 of the lines below */
+/* checksum 3788602588 of the lines below */
 /* Measures bodies that attract each other. */
 #include "forces/celestial.h"
 #include "forces/gravity.h"
 #include "forces/jacobi.h"
 #include "forces/kepler.h"
+#include "forces/largest.h"
 #include "forces/stepping.h"
 #include "toolbox/bench.h"
 #include "toolbox/study.h"
@@ -809,9 +810,8 @@ static double closure(const char *method, double steps, bool compensated)
     make_scene(&right, "figure-eight", NULL);
     k.stepping.compensated = compensated;
     stepping_run(&k.stepping, (uint64_t)steps);
-    double worst = 0;
-    for (size_t i = 0; i < 9; ++i)
-        worst = fmax(worst, fabs(k.scene.position[i] - right.position[i]));
+    const double worst =
+        largest_difference(k.scene.position, right.position, 9);
     scene_free(&right);
     end_sky(&k);
     return worst;
@@ -1204,47 +1204,31 @@ static void study_single(struct study *s)
 
 #ifdef VECTOR_AVX512
 #include <immintrin.h>
+VECTOR_LONG
 __attribute__((target("avx2,fma"))) static double peak4(uint64_t n)
 {
     const __m256d m = _mm256_set1_pd(0.999), c = _mm256_set1_pd(0.001);
     __m256d a[10];
     for (int i = 0; i < 10; ++i)
         a[i] = _mm256_set1_pd(i);
-    for (uint64_t k = 0; k < n; ++k) {
-        a[0] = _mm256_fmadd_pd(a[0], m, c);
-        a[1] = _mm256_fmadd_pd(a[1], m, c);
-        a[2] = _mm256_fmadd_pd(a[2], m, c);
-        a[3] = _mm256_fmadd_pd(a[3], m, c);
-        a[4] = _mm256_fmadd_pd(a[4], m, c);
-        a[5] = _mm256_fmadd_pd(a[5], m, c);
-        a[6] = _mm256_fmadd_pd(a[6], m, c);
-        a[7] = _mm256_fmadd_pd(a[7], m, c);
-        a[8] = _mm256_fmadd_pd(a[8], m, c);
-        a[9] = _mm256_fmadd_pd(a[9], m, c);
-    }
+    for (uint64_t k = 0; k < n; ++k)
+        for (int i = 0; i < 10; ++i)
+            a[i] = _mm256_fmadd_pd(a[i], m, c);
     for (int i = 1; i < 10; ++i)
         a[0] = _mm256_add_pd(a[0], a[i]);
     return _mm256_cvtsd_f64(a[0]);
 }
 
+VECTOR_LONG
 __attribute__((target("avx512f"))) static double peak8(uint64_t n)
 {
     const __m512d m = _mm512_set1_pd(0.999), c = _mm512_set1_pd(0.001);
     __m512d a[10];
     for (int i = 0; i < 10; ++i)
         a[i] = _mm512_set1_pd(i);
-    for (uint64_t k = 0; k < n; ++k) {
-        a[0] = _mm512_fmadd_pd(a[0], m, c);
-        a[1] = _mm512_fmadd_pd(a[1], m, c);
-        a[2] = _mm512_fmadd_pd(a[2], m, c);
-        a[3] = _mm512_fmadd_pd(a[3], m, c);
-        a[4] = _mm512_fmadd_pd(a[4], m, c);
-        a[5] = _mm512_fmadd_pd(a[5], m, c);
-        a[6] = _mm512_fmadd_pd(a[6], m, c);
-        a[7] = _mm512_fmadd_pd(a[7], m, c);
-        a[8] = _mm512_fmadd_pd(a[8], m, c);
-        a[9] = _mm512_fmadd_pd(a[9], m, c);
-    }
+    for (uint64_t k = 0; k < n; ++k)
+        for (int i = 0; i < 10; ++i)
+            a[i] = _mm512_fmadd_pd(a[i], m, c);
     for (int i = 1; i < 10; ++i)
         a[0] = _mm512_add_pd(a[0], a[i]);
     return _mm512_reduce_add_pd(a[0]);

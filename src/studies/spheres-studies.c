@@ -1,11 +1,12 @@
 /* From chapters/works/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 4042181344 of the lines below */
+/* checksum 4177475942 of the lines below */
 /* Measures gases, cradles and the break, by steps and by events. */
 #include "box/blocks.h"
 #include "line/bonkers.h"
 #include "box/cells.h"
 #include "box/disks.h"
 #include "forces/hard.h"
+#include "forces/largest.h"
 #include "forces/motion.h"
 #include "forces/spheres.h"
 #include "toolbox/bench.h"
@@ -712,14 +713,6 @@ static void row_at_once(int row, double v[])
     scene_free(&s);
 }
 
-static double worst_of(const double a[], const double b[])
-{
-    double worst = 0;
-    for (int i = 0; i < BALLS; ++i)
-        worst = fmax(worst, fabs(a[i] - b[i]));
-    return worst;
-}
-
 static void report(struct study *s, const char *kind, int row,
                    const double v[])
 {
@@ -754,7 +747,7 @@ static void let_go(struct study *s, int row, double line[2 + KINDS])
     line[1] = (double)n;
     for (int k = 0; k < KINDS; ++k) {
         row_by_steps(row, kinds[k].how, 10, x, v);
-        line[2 + k] = worst_of(v, exact);
+        line[2 + k] = largest_difference(v, exact, BALLS);
         report(s, kinds[k].name, row, v);
     }
     row_at_once(row, v);
@@ -804,7 +797,7 @@ static void study_late(struct study *s)
             const struct stepped how = {way, SPHERES_ASCENDING, 0.01,
                                         line[0]};
             row_by_steps(DOUBLE, how, until, place, velocity);
-            line[1 + 2 * way] = worst_of(velocity, v);
+            line[1 + 2 * way] = largest_difference(velocity, v, BALLS);
             line[2 + 2 * way] = fabs(place[BALLS - 1] - x[BALLS - 1]);
         }
         table_row(s->out, 1 + 2 * WAYS, line);
@@ -1042,14 +1035,6 @@ static uint64_t move_three(const char *method, double k2, bool located,
     return met;
 }
 
-static double farthest(const double a[9], const double b[9])
-{
-    double most = 0;
-    for (int c = 0; c < 9; ++c)
-        most = fmax(most, fabs(a[c] - b[c]));
-    return most;
-}
-
 /* Drops a ball on its floor by 1 m. Returns the largest error up to 2001 s
    if e is 1, else the bounces until it rests. */
 static double drop(double e)
@@ -1088,7 +1073,7 @@ static double moment_error(int way, uint64_t steps, const double exact[9])
 {
     double x[9];
     move_three(moments[way].method, 0.5, moments[way].located, steps, x);
-    return farthest(x, exact);
+    return largest_difference(x, exact, 9);
 }
 
 static double moment_order(int way, const double exact[9])
@@ -1113,8 +1098,8 @@ static void sum_moments_up(struct study *s, const double exact[9])
     move_three("leapfrog", 0, true, 256, x);
     move_three("leapfrog", 0, false, 256, y);
     move_three("kahan-li8", 0, true, 300, fine);
-    table_real(s->summary, "located", farthest(x, fine));
-    table_real(s->summary, "stepwise", farthest(y, fine));
+    table_real(s->summary, "located", largest_difference(x, fine, 9));
+    table_real(s->summary, "stepwise", largest_difference(y, fine, 9));
     table_real(s->summary, "bounce", drop(1));
     table_real(s->summary, "bounces", drop(0.8));
 }
@@ -1218,7 +1203,8 @@ static void touch_row(struct study *s, int way)
     }
     table_print(s->out, "\n\n");
     table_real(s->summary, touchings[way].name,
-               worst_of(scene.velocity, (double[BALLS]){0, 0, 0, 0, 1}));
+               largest_difference(scene.velocity,
+                                  (double[BALLS]){0, 0, 0, 0, 1}, BALLS));
     for (int i = 0; i < BALLS; ++i) {
         snprintf(key, sizeof key, "%s_%d", touchings[way].name, i + 1);
         table_real(s->summary, key, scene.velocity[i]);

@@ -1,7 +1,8 @@
 /* From chapters/works/10-springs.nw: edit there, then run make tangle. */
-/* checksum 2048044468 of the lines below */
+/* checksum 2058207474 of the lines below */
 /* Measures an oscillator, a pendulum, membranes and beams of springs. */
 #include "forces/elastic.h"
+#include "forces/largest.h"
 #include "forces/modes.h"
 #include "forces/springs.h"
 #include "toolbox/bench.h"
@@ -285,10 +286,7 @@ static double miss(const struct scene *s, const double place[4])
 {
     const double *const x = s->position, *const z = x + 6;
     const double found[4] = {x[1], z[1], x[2], z[2]};
-    double worst = 0;
-    for (int k = 0; k < 4; ++k)
-        worst = fmax(worst, fabs(found[k] - place[k]));
-    return worst;
+    return largest_difference(found, place, 4);
 }
 
 /* Runs the pendulum for 10 s in n steps. Fills row with dt, evaluations,
@@ -351,7 +349,7 @@ static void sum_up_errors(struct study *s)
     table_real(s->summary, "midpoint_0.1", row[2]);
 }
 
-static const struct table_key errors_keys[] = {
+static const struct table_key pendulum_keys[] = {
     {"leapfrog_1e-3", "m", "error of place after 10 s, dt 1 ms"},
     {"rk4_1e-3", "m", "the same"},
     {"midpoint_0.1", "m", "the same, dt 0.1 s"},
@@ -362,12 +360,6 @@ static void study_errors(struct study *s)
     write_errors(s, false);
     sum_up_errors(s);
 }
-
-static const struct table_key work_keys[] = {
-    {"leapfrog_1e-3", "m", "error of place after 10 s, dt 1 ms"},
-    {"rk4_1e-3", "m", "the same"},
-    {"midpoint_0.1", "m", "the same, dt 0.1 s"},
-    {0}};
 
 static void study_work(struct study *s)
 {
@@ -483,14 +475,6 @@ static bool rod_swing(uint64_t n, double place[4])
     return isfinite(place[0] + place[1] + place[2] + place[3]);
 }
 
-static double apart(const double a[4], const double b[4])
-{
-    double worst = 0;
-    for (int k = 0; k < 4; ++k)
-        worst = fmax(worst, fabs(a[k] - b[k]));
-    return worst;
-}
-
 /* Where the pendulum with an upper spring so stiff is after 10 s. */
 static void spring_swing(double stiffness, double place[4])
 {
@@ -521,17 +505,21 @@ static void study_rod(struct study *s)
     for (uint64_t n = 10; n <= 20480; n *= 2)
         if (rod_swing(n, place))
             table_row(s->out, 2,
-                      (double[]){10 / (double)n, apart(place, rigid)});
+                      (double[]){10 / (double)n,
+                                 largest_difference(place, rigid, 4)});
     table_print(s->out, "\n\n");
     for (double stiffness = 100; stiffness < 2e6; stiffness *= sqrt(10)) {
         spring_swing(stiffness, place);
-        table_row(s->out, 2, (double[]){stiffness, apart(place, rigid)});
+        table_row(
+            s->out, 2,
+            (double[]){stiffness, largest_difference(place, rigid, 4)});
     }
-    table_real(s->summary, "spring_to_rod", apart(after_10, rigid));
+    table_real(s->summary, "spring_to_rod",
+               largest_difference(after_10, rigid, 4));
     rod_swing(100, place);
-    table_real(s->summary, "rod_0.1", apart(place, rigid));
+    table_real(s->summary, "rod_0.1", largest_difference(place, rigid, 4));
     rod_swing(20, place);
-    table_real(s->summary, "rod_0.5", apart(place, rigid));
+    table_real(s->summary, "rod_0.5", largest_difference(place, rigid, 4));
 }
 
 /* The double pendulum hanging, or a taut membrane. */
@@ -1311,8 +1299,8 @@ static const struct study_entry studies[] = {
      regimes_keys},
     {"spin", study_spin, "what dashpots do to a spin", spin_keys},
     {"path", study_path, "of the double pendulum", path_keys},
-    {"errors", study_errors, "methods on it, by step", errors_keys},
-    {"work", study_work, "the same by processor time", work_keys},
+    {"errors", study_errors, "methods on it, by step", pendulum_keys},
+    {"work", study_work, "the same by processor time", pendulum_keys},
     {"rod", study_rod, "in place of the stiff spring", rod_keys},
     {"limits", study_limits, "the largest stable steps", limits_keys},
     {"silent", study_silent, "a method that damps", silent_keys},

@@ -1,7 +1,8 @@
 /* From chapters/works/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 972431890 of the lines below */
+/* checksum 606235137 of the lines below */
 /* Measures stepping methods on four small systems. */
 #include "forces/adaptive.h"
+#include "forces/largest.h"
 #include "forces/reference.h"
 #include "forces/stepping.h"
 #include "toolbox/bench.h"
@@ -168,10 +169,9 @@ static double energy_error(const struct course *c)
 static double distance(const struct course *c, const double x[],
                        const double v[])
 {
-    double most = 0;
-    for (size_t i = 0; i < c->system->size; ++i)
-        most = fmax(most, fmax(fabs(c->x[i] - x[i]), fabs(c->v[i] - v[i])));
-    return most;
+    const size_t n = c->system->size;
+    return larger(largest_difference(c->x, x, n),
+                  largest_difference(c->v, v, n));
 }
 
 /* How many steps a budget of evaluations allows; an implicit step takes

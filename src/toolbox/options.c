@@ -1,5 +1,5 @@
 /* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 815586822 of the lines below */
+/* checksum 2685367254 of the lines below */
 /* getopt_long, with numbers and names checked where they are read. */
 #include "toolbox/options.h"
 
@@ -511,4 +511,13 @@ const char *options_input(struct options *o)
 {
     o->input[o->current - o->entries] = true;
     return o->value;
+}
+
+const char *options_only(struct options *o, const char *before,
+                         const char *kind)
+{
+    if (before)
+        options_fail(o, "'%s': there is a %s already, '%s'", o->value, kind,
+                     before);
+    return options_input(o);
 }

@@ -1,5 +1,5 @@
 /* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 3190511738 of the lines below */
+/* checksum 3684581489 of the lines below */
 /* A command line read by a list of options, with help and refusals. */
 #ifndef TOOLBOX_OPTIONS_H
 #define TOOLBOX_OPTIONS_H
@@ -102,5 +102,10 @@ const char *options_text(const struct options *o);
 /* The same, as the name of a file to be read ("-": standard input). At the
    end options_next refuses an output that would take its place. */
 const char *options_input(struct options *o);
+
+/* The same, of which there is to be one: if there is one `before`, ends in
+   options_fail; kind says of what, as in "scene". */
+const char *options_only(struct options *o, const char *before,
+                         const char *kind);
 
 #endif

@@ -4,6 +4,7 @@
  */
 #include "unit.h"
 
+#include "forces/largest.h"
 #include "forces/motion.h"
 
 #include <stdlib.h>
@@ -129,14 +130,6 @@ static double run_three(const char *method, double k2, bool located,
     return met;
 }
 
-static double apart(const double x[9], const double y[9])
-{
-    double most = 0;
-    for (size_t c = 0; c < 9; ++c)
-        most = fmax(most, fabs(x[c] - y[c]));
-    return most;
-}
-
 /* How much a quarter of the step helps, as a power of 4. */
 static double order_of(const char *method, uint64_t steps, bool located)
 {
@@ -144,7 +137,9 @@ static double order_of(const char *method, uint64_t steps, bool located)
     run_three("kahan-li8", 0.5, true, 1024, exact);
     run_three(method, 0.5, located, steps, x);
     run_three(method, 0.5, located, 4 * steps, y);
-    return log2(apart(x, exact) / apart(y, exact)) / 2;
+    return log2(largest_difference(x, exact, 9) /
+                largest_difference(y, exact, 9)) /
+           2;
 }
 
 /* The next term of an error in powers of the step may take a quarter, and
@@ -165,9 +160,9 @@ static void test_steps(void)
     double x[9], y[9], fine[9];
     const double met = run_three("leapfrog", 0, true, 256, x);
     UNIT_EQUAL(met, run_three("leapfrog", 0, true, 300, y));
-    UNIT_NEAR(apart(x, y), 0, 1e-13);
+    UNIT_NEAR(largest_difference(x, y, 9), 0, 1e-13);
     UNIT_EQUAL(met, run_three("leapfrog", 0, false, 256000, fine));
-    UNIT_NEAR(apart(x, fine), 0, 1e-5);
+    UNIT_NEAR(largest_difference(x, fine, 9), 0, 1e-5);
 }
 
 /* No contact, no difference. */

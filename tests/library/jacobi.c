@@ -5,6 +5,7 @@
 #include "forces/celestial.h"
 #include "forces/jacobi.h"
 #include "forces/kepler.h"
+#include "forces/largest.h"
 #include "forces/motion.h"
 
 #include <float.h>
@@ -50,10 +51,7 @@ static void go(struct scene *s, const char *method, double dt, double t)
 /* How far the bodies of two scenes are apart, at most. */
 static double apart(const struct scene *a, const struct scene *b)
 {
-    double most = 0;
-    for (size_t c = 0; c < 3 * a->bodies; ++c)
-        most = fmax(most, fabs(a->position[c] - b->position[c]));
-    return most;
+    return largest_difference(a->position, b->position, 3 * a->bodies);
 }
 
 /* Two bodies: 50 steps of any length are where the closed form is in one.

@@ -8,7 +8,7 @@ bad=$work/bad.dat
 printf '# 1 t [s] time\n# 2 v1 [m/s] velocity\n0 1.5\n1 2.5\n2 -1\n' >"$good"
 
 refuses 2 'a FILE is needed' $h
-refuses 2 "one FILE at a time, not 'b'" $h a b
+refuses 2 "'b': there is a file already, 'a'" $h a b
 refuses 2 "bins: '0' is not a whole number" $h --bins 0 "$good"
 refuses 2 "bins: 'ten'" $h --bins ten "$good"
 refuses 2 "range: '1' is not two numbers" $h --range 1 "$good"

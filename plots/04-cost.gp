@@ -3,6 +3,7 @@
 width = 14
 height = 8
 load 'plots/style.gp'
+load 'plots/methods.gp'
 cost = 'plots/data/04-cost.dat'
 exact = 39.2987817049
 truth = 39.437
@@ -17,8 +18,8 @@ set xrange [2e-7:2e-2]
 set xtics 100
 set yrange [1e-13:1e-1]
 set key at graph 0.97,0.97 right top samplen 1
-plot cost using (strcol(1) eq 'leapfrog' && $2 == 1 ? $5 : NaN):(abs($4/exact-1)) with points ls 1 title 'leapfrog', \
-     cost using (strcol(1) eq 'rk4' && $2 == 1 ? $5 : NaN):(abs($4/exact-1)) with points ls 2 title 'Runge–Kutta', \
+plot cost using (strcol(1) eq 'leapfrog' && $2 == 1 ? $5 : NaN):(abs($4/exact-1)) with points ls style_of('leapfrog') title 'leapfrog', \
+     cost using (strcol(1) eq 'rk4' && $2 == 1 ? $5 : NaN):(abs($4/exact-1)) with points ls style_of('rk4') title 'Runge–Kutta', \
      cost using (strcol(1) eq 'quadrature' && $2 == 1 ? $5 : NaN):(abs($4/exact-1)+2e-13) with points ls 3 title 'quadrature'
 set title 'of the model' offset 0,-0.5
 set xrange [1e-7:1e2]
@@ -36,6 +37,6 @@ plot cost using (strcol(1) eq 'isothermal' ? $5 : NaN):6 with points pt 12 ps bi
      cost using (strcol(1)[1:4] eq 'bare' ? $5 : NaN):6 with points ls 2, \
      cost using (strcol(1) eq 'added' || strcol(1) eq 'sound' ? $5 : NaN):6 with points ls 3, \
      cost using (strcol(1) eq 'added-swing' ? $5 : NaN):6 with points ls 1, \
-     cost using (strcol(1) eq 'leapfrog' && $2 == 1 && $3 < 0.6 ? $5 : NaN):(100*abs($4/truth-1)) with points ls 1 ps 0.4*big, \
+     cost using (strcol(1) eq 'leapfrog' && $2 == 1 && $3 < 0.6 ? $5 : NaN):(100*abs($4/truth-1)) with points ls style_of('leapfrog') ps 0.4*big, \
      cost using (strcol(1)[1:9] eq 'particles' ? $5 : NaN):6 with points ls 5
 unset multiplot

@@ -4,6 +4,7 @@
 width = 14
 height = 6.5
 load 'plots/style.gp'
+load 'plots/methods.gp'
 file = 'build/data/08-fails.dat'
 set multiplot layout 1,3 margins 0.095,0.985,0.17,0.96 spacing 0.09,0
 set format y '10^{%g}'
@@ -14,13 +15,17 @@ set ylabel 'size' offset 1
 set yrange [-2:42]
 set ytics 10
 set key at graph 0.97,0.97 right top samplen 1
-plot 0 ls 9 lw 1.5*thick, file using 1:(log10($3)) with points ls 2 title 'Yoshida 4', file using 1:(log10($2)) with points ls 1 title 'leapfrog'
+plot 0 ls 9 lw 1.5*thick, \
+     file using 1:(log10($3)) with points ls style_of('yoshida4') title name_of('yoshida4'), \
+     file using 1:(log10($2)) with points ls style_of('leapfrog') title name_of('leapfrog')
 set ylabel ''
 set yrange [-20:2]
 set ytics 5
-plot 0.5*x*log10(1-2.5**6/72+2.5**8/576) ls 9 lw 1.5*thick, file using 1:(log10($4)) with points ls 4 title 'RK4, 2.5'
+plot 0.5*x*log10(1-2.5**6/72+2.5**8/576) ls 9 lw 1.5*thick, file using 1:(log10($4)) with points ls style_of('rk4') title name_of('rk4').', 2.5'
 set yrange [-14:17]
 set ytics 5
 plot 0 ls 9, \
-     file using 1:(log10($6)) with points ls 2 title 'Yoshida 4, 2.5', file using 1:(log10($7)) with points ls 1 title 'leapfrog, 1.2', file using 1:(log10($5)) with points ls 4 title 'RK4, 2.5'
+     file using 1:(log10($6)) with points ls style_of('yoshida4') title name_of('yoshida4').', 2.5', \
+     file using 1:(log10($7)) with points ls style_of('leapfrog') title name_of('leapfrog').', 1.2', \
+     file using 1:(log10($5)) with points ls style_of('rk4') title name_of('rk4').', 2.5'
 unset multiplot

@@ -4,6 +4,7 @@
 width = 14
 height = 5.2
 load 'plots/style.gp'
+load 'plots/methods.gp'
 file = 'build/data/08-lengths.dat'
 set multiplot
 set bmargin at screen 0.21
@@ -45,6 +46,6 @@ set ytics 100
 set xlabel 'time  (s)'
 set ylabel 'length of a step  (s)' offset 0.2
 set key at graph 0.03,0.04 left bottom samplen 1.5 Left reverse
-plot file index 2 using 1:2 with lines lc rgb blue lw thick title 'radau15', \
-     file index 3 using 1:2 with lines lc rgb red lw thick title 'dopri5'
+plot file index 2 using 1:2 with lines ls style_of('radau15') lw thick title name_of('radau15'), \
+     file index 3 using 1:2 with lines ls style_of('dopri5') lw thick title name_of('dopri5')
 unset multiplot

@@ -4,6 +4,7 @@
 width = 14
 height = 7
 load 'plots/style.gp'
+load 'plots/methods.gp'
 file = 'build/data/09-eccentric.dat'
 set multiplot
 set lmargin at screen 0.1
@@ -17,9 +18,9 @@ set yrange [1e-15:1e2]
 set xlabel 'eccentricity'
 set ylabel 'error of place after an orbit' offset 1
 set key at graph 0.04,0.97 left top Left reverse samplen 2
-plot file index 0 using 1:2 with linespoints ls 1 title 'leapfrog', \
-     file index 0 using 1:3 with linespoints ls 2 title 'rk4', \
-     file index 0 using 1:4 with linespoints ls 5 title 'kahan-li8'
+plot file index 0 using 1:2 with linespoints ls style_of('leapfrog') title name_of('leapfrog'), \
+     file index 0 using 1:3 with linespoints ls style_of('rk4') title name_of('rk4'), \
+     file index 0 using 1:4 with linespoints ls style_of('kahan-li8') title name_of('kahan-li8')
 unset logscale
 unset key
 set format y '%g'
@@ -30,6 +31,6 @@ set xrange [*:*]
 set yrange [*:*]
 set xlabel '{/:Italic x}'
 set ylabel '{/:Italic y}' offset 1
-plot file index 1 using 1:2 with lines ls 1 lw 0.8*thick, \
+plot file index 1 using 1:2 with lines ls style_of('leapfrog') lw 0.8*thick, \
      '+' using (0):(0) every ::::0 with points pt 7 ps 1.2*big lc rgb orange
 unset multiplot

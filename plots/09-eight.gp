@@ -4,6 +4,7 @@
 width = 14
 height = 7
 load 'plots/style.gp'
+load 'plots/methods.gp'
 file = 'build/data/09-eight.dat'
 set multiplot
 set lmargin at screen 0.085
@@ -32,7 +33,7 @@ set yrange [1e-16:1]
 set xlabel 'evaluations in a period'
 set ylabel 'error after it' offset 1
 set key at graph 0.97,0.97 right top samplen 2
-plot file index 1 using 1:2 with linespoints ls 1 title 'leapfrog', \
-     file index 2 using 1:2 with linespoints ls 2 title 'rk4', \
-     file index 3 using 1:2 with linespoints ls 5 title 'kahan-li8'
+plot file index 1 using 1:2 with linespoints ls style_of('leapfrog') title name_of('leapfrog'), \
+     file index 2 using 1:2 with linespoints ls style_of('rk4') title name_of('rk4'), \
+     file index 3 using 1:2 with linespoints ls style_of('kahan-li8') title name_of('kahan-li8')
 unset multiplot

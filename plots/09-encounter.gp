@@ -4,6 +4,7 @@
 width = 14
 height = 7
 load 'plots/style.gp'
+load 'plots/methods.gp'
 file = 'build/data/09-encounter.dat'
 set multiplot layout 1,2 margins 0.1,0.985,0.16,0.97 spacing 0.115,0
 set logscale xy
@@ -13,12 +14,12 @@ set ylabel 'error of place  (AU)' offset 1
 set xrange [2e-6:0.5]
 set yrange [1e-16:1e6]
 set key at graph 0.03,0.06 left bottom Left reverse samplen 2
-plot file using 1:5 with linespoints ls 1 title 'leapfrog', \
-     file using 1:6 with linespoints ls 5 title 'kahan-li8', \
-     file using 1:7 with linespoints ls 2 title 'leapfrog, softened'
+plot file using 1:5 with linespoints ls style_of('leapfrog') title name_of('leapfrog'), \
+     file using 1:6 with linespoints ls style_of('kahan-li8') title name_of('kahan-li8'), \
+     file using 1:7 with linespoints ls style_of('leapfrog') pt 6 dt 3 title name_of('leapfrog').', softened'
 unset key
 set ylabel 'error of the energy' offset 1
-plot file using 1:2 with linespoints ls 1, \
-     file using 1:3 with linespoints ls 5, \
-     file using 1:4 with linespoints ls 2
+plot file using 1:2 with linespoints ls style_of('leapfrog'), \
+     file using 1:3 with linespoints ls style_of('kahan-li8'), \
+     file using 1:4 with linespoints ls style_of('leapfrog') pt 6 dt 3
 unset multiplot

@@ -4,6 +4,7 @@
 width = 14
 height = 7
 load 'plots/style.gp'
+load 'plots/methods.gp'
 file = 'build/data/09-sun-earth.dat'
 set multiplot layout 1,2 margins 0.08,0.985,0.16,0.97 spacing 0.12,0
 set size ratio -1
@@ -13,9 +14,9 @@ set xtics 1
 set ytics 1
 set xlabel '{/:Italic x}  (AU)'
 set ylabel '{/:Italic y}  (AU)' offset 1
-plot file using 4:5 with lines ls 2, \
+plot file using 4:5 with lines ls style_of('euler'), \
      file using 2:3 with lines ls 9, \
-     file every 12 using 6:7 with points ls 1, \
+     file every 12 using 6:7 with points ls style_of('leapfrog'), \
      '+' using (0):(0) every ::::0 with points pt 7 ps 1.4*big lc rgb orange
 set size noratio
 set ytics 0.4
@@ -26,6 +27,6 @@ set ylabel 'distance  (AU)' offset 1
 set key at graph 0.03,0.97 left top Left reverse samplen 2
 h = 2*0.0172
 plot (1 + 6*h*0.0172*365.25*x)**(1./3) ls 9 title 'law', \
-     file using ($1/365.25):(sqrt($4**2+$5**2)) with lines ls 2 title 'Euler', \
-     file every 12 using ($1/365.25):(sqrt($6**2+$7**2)) with points ls 1 title 'leapfrog'
+     file using ($1/365.25):(sqrt($4**2+$5**2)) with lines ls style_of('euler') title name_of('euler'), \
+     file every 12 using ($1/365.25):(sqrt($6**2+$7**2)) with points ls style_of('leapfrog') title name_of('leapfrog')
 unset multiplot

@@ -5,10 +5,8 @@
 width = 14
 height = 8.6
 load 'plots/style.gp'
+load 'plots/methods.gp'
 file = 'build/data/09-work.dat'
-colours = '#999999 #0072b2 #d55e00 #009e73 #aa4499 #e69f00 #000000'
-shapes = '2 7 5 9 11 6 13'
-names = 'sympl.-Euler leapfrog rk4 yoshida4 pefrl yoshida6 kahan-li8'
 set multiplot layout 1,2 margins 0.1,0.82,0.15,0.97 spacing 0.12,0
 set logscale xy
 set format y '10^{%T}'
@@ -17,11 +15,8 @@ set ylabel 'largest error of the energy' offset 0.8
 set xrange [40:8000]
 set yrange [1e-16:1]
 unset key
-plot for [i=0:6] file index i using 1:2 with linespoints \
-     lc rgb word(colours, i+1) pt int(word(shapes, i+1)) ps 0.6*big lw 1.5*thick
+plot for [m in methods(file, '')] file index at(file, m) using 1:2 with linespoints ls style_of(m)
 set key at screen 0.995,0.93 right top Left reverse samplen 1.5
 set ylabel 'error of place after 400 d  (AU)' offset 0.8
-plot for [i=0:6] file index i using 1:3 with linespoints \
-     lc rgb word(colours, i+1) pt int(word(shapes, i+1)) ps 0.6*big lw 1.5*thick \
-     title word(names, i+1)
+plot for [m in methods(file, '')] file index at(file, m) using 1:3 with linespoints ls style_of(m) title name_of(m)
 unset multiplot

@@ -4,6 +4,7 @@
 width = 14
 height = 6.5
 load 'plots/style.gp'
+load 'plots/methods.gp'
 set lmargin at screen 0.085
 set rmargin at screen 0.985
 set bmargin at screen 0.17
@@ -13,5 +14,5 @@ set ylabel 'stretch of the upper spring  (mm)' offset 1
 set xrange [0:3]
 set yrange [-0.2:2.4]
 set key at graph 0.98,0.97 right top samplen 1.5
-plot 'build/data/10-silent.dat' using 1:($4*1e3) with linespoints ls 1 ps 0.4*big title 'small step', \
-     '' using 1:($2*1e3) with linespoints ls 2 title 'RK4, {/:Italic dt} = 0.025 s'
+plot 'build/data/10-silent.dat' using 1:($4*1e3) with linespoints ls style_of('yoshida4') ps 0.4*big title 'small step', \
+     '' using 1:($2*1e3) with linespoints ls style_of('rk4') title name_of('rk4').', {/:Italic dt} = 0.025 s'

@@ -10,6 +10,7 @@
 width = 14
 height = 7.2
 load 'plots/style.gp'
+load 'plots/methods.gp'
 set logscale y
 set format y '10^{%T}'
 set xrange [0:9.6]
@@ -26,7 +27,7 @@ neg(x) = x < 0 ? -x : 0
 E(a,b,c,d) = a + b + c + d
 grown(a,b,c,d) = (n = n + 1, n == 1 ? e0 = E(a,b,c,d) : 0, s = n == 1 ? 0 : s, q = neg(b) + neg(c) + neg(d), s = q > s ? q : s, g = (E(a,b,c,d) - e0) / (abs(e0) + s), g > 1e-6 ? g : NaN)
 plot 10 ls 9, \
-     n = 0, 'build/data/11-bound-euler.dat' using 1:(grown($2,$3,$4,$5)) with lines lc rgb red lw 1.8*thick title 'double pendulum, Euler, 0.002 s', \
-     n = 0, 'build/data/11-bound-stiff.dat' using 1:(grown($2,$3,$4,$5)) with lines lc rgb blue lw 1.5*thick title 'leapfrog, 0.0285 s', \
-     n = 0, 'build/data/11-bound-spiral.dat' using ($1/1000):(grown($2,$3,$4,$5)) with lines lc rgb purple lw 1.8*thick dt '-' title 'Sun and Earth, Euler, 1 d', \
-     n = 0, 'build/data/11-bound-good.dat' using ($1/1000):(grown($2,$3,$4,$5)) with points pt 7 ps 0.2*big lc rgb green title 'Kepler-16, leapfrog, 4 d'
+     n = 0, 'build/data/11-bound-euler.dat' using 1:(grown($2,$3,$4,$5)) with lines ls style_of('euler') lw 1.8*thick title 'double pendulum, Euler, 0.002 s', \
+     n = 0, 'build/data/11-bound-stiff.dat' using 1:(grown($2,$3,$4,$5)) with lines ls style_of('leapfrog') title 'leapfrog, 0.0285 s', \
+     n = 0, 'build/data/11-bound-spiral.dat' using ($1/1000):(grown($2,$3,$4,$5)) with lines ls style_of('euler') lw 1.8*thick dt '-' title 'Sun and Earth, Euler, 1 d', \
+     n = 0, 'build/data/11-bound-good.dat' using ($1/1000):(grown($2,$3,$4,$5)) with points ls style_of('leapfrog') ps 0.2*big title 'Kepler-16, leapfrog, 4 d'

@@ -4,6 +4,7 @@
 width = 14
 height = 8
 load 'plots/style.gp'
+load 'plots/methods.gp'
 set logscale xy
 set format x '10^{%T}'
 set format y '10^{%T}'
@@ -21,10 +22,6 @@ ladder(name) = sprintf("< awk '!/^#/ && $4 ~ /^%s:[0-9]*$/ && $3 == 0' %s", name
 set label 1 'tolerance' at 1.3e-5,1.45e-3 tc rgb '#555555'
 set label 2 'kepler, no-light' at 5.2e-5,3.6e-4
 plot 1e-3 ls 9, \
-     ladder('leapfrog') using 2:1 with linespoints ls 1 title 'leapfrog', \
-     ladder('rk4') using 2:1 with linespoints ls 2 title 'rk4', \
-     ladder('yoshida4') using 2:1 with linespoints ls 4 title 'yoshida4', \
-     ladder('pefrl') using 2:1 with linespoints ls 3 title 'pefrl', \
-     ladder('kahan-li8') using 2:1 with linespoints ls 5 title 'kahan-li8', \
-     ladder('gauss4') using 2:1 with linespoints lc rgb orange pt 8 ps 0.7*big lw 1.5*thick title 'gauss4', \
+     for [m in 'leapfrog rk4 yoshida4 pefrl kahan-li8 gauss4'] ladder(m) using 2:1 \
+     with linespoints ls style_of(m) title m, \
      "< awk '!/^#/ && $3 == 1' ".file using 2:1 with points pt 3 ps 1.6*big lw 2*thick lc rgb dark

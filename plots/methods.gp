@@ -5,6 +5,8 @@
 known = 'euler symplectic-euler leapfrog implicit-midpoint rk4 yoshida4 yoshida6 pefrl kahan-li8 gauss4 rk8pd wisdom-holman sbab4 dopri5 radau15'
 array called[15] = ['Euler', 'sympl. Euler', 'leapfrog', 'midpoint', 'RK4', 'Yoshida 4', 'Yoshida 6', 'PEFRL', 'Kahan–Li 8', 'Gauss 4', 'rk8pd (GSL)', 'Wisdom–Holman', 'SBAB4', 'dopri5', 'radau15']
 if (!exists("size")) size = 1
+sky = '#56b4e9'
+brown = '#6b3e12'
 set style line 20 lc rgb orange pt 3 ps 0.7*size*big lw 1.5*thick
 set style line 21 lc rgb red pt 5 ps 0.6*size*big lw 1.5*thick
 set style line 22 lc rgb green pt 9 ps 0.7*size*big lw 1.5*thick
@@ -19,8 +21,8 @@ set style line 30 lc rgb purple pt 10 ps 0.7*size*big lw 1.5*thick dt 2
 set style line 31 lc rgb grey pt 1 ps 0.7*size*big lw thick
 set style line 32 lc rgb orange pt 2 ps 0.7*size*big lw 1.5*thick dt 2
 set style line 33 lc rgb orange pt 14 ps 0.7*size*big lw 1.5*thick
-set style line 34 lc rgb grey pt 12 ps 0.7*size*big lw 1.5*thick dt 2
-set style line 35 lc rgb grey pt 13 ps 0.8*size*big lw 1.5*thick
+set style line 34 lc rgb sky pt 14 ps 0.7*size*big lw 1.5*thick
+set style line 35 lc rgb brown pt 15 ps 0.7*size*big lw 1.5*thick
 place(name) = sum [i=1:words(known)] (word(known,i) eq name ? i : 0)
 name_of(name) = place(name) ? called[place(name)] : name
 style_of(name) = 20 + place(name)

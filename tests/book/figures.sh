@@ -121,6 +121,18 @@ for place in 'screen 0.97,0.3' 'screen 0.01,0.3 center' 'screen 0.1,0.99' \
     sees 'other leaves the page' "set label 3 'other' at $place"
 done
 
+# A method has one style in all figures, that of plots/methods.gp: no script
+# paints one by hand.
+list=$(sed -n "s/^known = '\(.*\)'$/\1/p" plots/methods.gp | tr ' ' '|')
+list="$list|$(sed -n "s/^array called.*= \[\(.*\)\]$/\1/p" plots/methods.gp |
+    sed "s/', '/|/g; s/'//g; s/ ([A-Z]*)//g")"
+painted() { # FILE...
+    grep -E "(ls [0-9]|lc rgb)[^,]*title '[^']*($list)" "$@"
+}
+echo "plot 'file' with points ls 2 title 'at last Yoshida 4'" >"$work/painted"
+holds 'a method that is painted by hand is seen' painted "$work/painted"
+by_hand=$(painted plots/[0-9]*.gp)
+holds 'none is' sh -c "printf '%s\n' \"\$0\"; test -z \"\$0\"" "$by_hand"
 
 # One of them, by its name.
 make=${MAKE:-make}
@@ -134,5 +146,5 @@ holds 'a figure that is none is refused' \
     grep -q "figure: FIGURE: '04' is no figure of plots/" "$work/out"
 # Each figure, each slide.
 set -- plots/[0-9]*.gp
-echo "1..$((13 + $# + $(for script; do chapters/press/recipes --slides "$script"
+echo "1..$((15 + $# + $(for script; do chapters/press/recipes --slides "$script"
 done | wc -l)))"

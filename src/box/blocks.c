@@ -1,5 +1,5 @@
 /* From chapters/works/07-gas.nw: edit there, then run make tangle. */
-/* checksum 2795505079 of the lines below */
+/* checksum 4245114752 of the lines below */
 /* Blocks that double in length when there are too many of them. */
 #include "box/blocks.h"
 
@@ -50,6 +50,38 @@ void blocks_append(struct blocks *b, const double sum[])
     memcpy(b->sum + b->count * b->width, sum, b->width * sizeof sum[0]);
     end_block(b);
 }
+enum { PARTS = 16 }; /* of a third */
+
+struct third {
+    double mean, square; /* of the error */
+};
+
+static struct third third_of(const double x[], size_t per)
+{
+    double part[PARTS] = {0};
+    bool idle = false;
+    for (size_t i = 0; i < PARTS * per; ++i)
+        part[i / per] += x[i] / (double)per;
+    for (size_t i = 0; i < PARTS; ++i)
+        idle = idle || part[i] == 0;
+    const struct statistics_moments m = statistics_moments(PARTS, part);
+    idle = idle || !(sqrt(m.variance) > 1e-9 * fabs(m.mean));
+    return (struct third){m.mean, idle ? NAN : m.variance / PARTS};
+}
+
+static double drift_of(size_t n, const double x[])
+{
+    const size_t per = n / 3 / PARTS;
+    if (per == 0)
+        return NAN;
+    const struct third a = third_of(x, per);
+    const struct third b = third_of(x + n - PARTS * per, per);
+    if (isnan(a.square + b.square))
+        return NAN;
+    return (b.mean - a.mean) /
+           sqrt(2 * fmin(a.square, b.square)); /* (7.18, eq:drift) */
+}
+
 struct blocks_average blocks_average_of(size_t n, const double x[])
 {
     struct statistics_blocking b;
@@ -57,7 +89,8 @@ struct blocks_average blocks_average_of(size_t n, const double x[])
     for (size_t i = 0; i < n; ++i)
         sum += x[i];
     const bool known = n >= 2 && statistics_blocking(n, x, &b);
-    return (struct blocks_average){sum / (double)n, known ? b.error : NAN};
+    return (struct blocks_average){sum / (double)n, known ? b.error : NAN,
+                                   drift_of(n, x)};
 }
 
 struct blocks_average blocks_average(const struct blocks *b, size_t column)

@@ -1,5 +1,5 @@
 /* From chapters/works/07-gas.nw: edit there, then run make tangle. */
-/* checksum 2857902392 of the lines below */
+/* checksum 4239690250 of the lines below */
 /* Means over time with honest errors, from samples summed in blocks. */
 #ifndef BLOCKS_H
 #define BLOCKS_H
@@ -29,10 +29,15 @@ void blocks_add(struct blocks *b, const double sample[]);
    Not to be mixed with blocks_add. */
 void blocks_append(struct blocks *b, const double sum[]);
 
-/* A mean and its standard error, NAN for fewer than 2 values. */
+/* A mean and its standard error, NAN for fewer than 2 values. And how far
+   the last third of the values lies above the first (7.18, eq:drift), NAN
+   for fewer than 48 values, if there are only zeros in a 16th part of a
+   third, or if all parts of one are alike but for rounding. */
 struct blocks_average {
-    double mean, error;
+    double mean, error, drift;
 };
+
+enum { BLOCKS_STEADY = 6 }; /* the largest drift that chance explains */
 
 /* The average of a column of the samples, and of n values in order. */
 struct blocks_average blocks_average(const struct blocks *b, size_t column);

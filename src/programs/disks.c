@@ -1,5 +1,5 @@
 /* From chapters/works/07-gas.nw: edit there, then run make tangle. */
-/* checksum 4131407071 of the lines below */
+/* checksum 3497212182 of the lines below */
 /* Hard disks and spheres run from a start, and measured on the way. */
 #include "box/blocks.h"
 #include "box/cells.h"
@@ -249,6 +249,8 @@ struct run {
     double seconds;
     enum disks_stop stop;
     struct progress progress;
+    double drift; /* the largest, and of what */
+    const char *drifting;
 };
 
 enum { FEW = 16 }; /* disks: up to here all pairs are as fast */
@@ -343,6 +345,14 @@ static void run_to(struct run *r, double until, uint64_t collisions)
                             r->d.collisions);
     }
     r->seconds += bench_seconds() - start;
+}
+
+static void watch_drift(struct run *r, const char *of, double drift)
+{
+    if (r->drifting && !(fabs(drift) > fabs(r->drift)))
+        return;
+    r->drift = drift;
+    r->drifting = isnan(drift) ? NULL : of;
 }
 
 static double widest(const struct disks *d)
@@ -581,6 +591,8 @@ static void end_speeds(struct run *r, struct table *summary)
     const struct blocks_average v4 =
         blocks_average(&counted, 2 * SPEEDS + 1);
     size_t bins;
+    watch_drift(r, "mean_speed", v.drift);
+    watch_drift(r, "v4", v4.drift);
     table_real(summary, "mean_speed", v.mean);
     table_real(summary, "mean_speed_error", v.error);
     table_real(summary, "mean_speed_finite", mean[SPEED + FINITE]);
@@ -763,6 +775,7 @@ static void end_brownian(struct run *r, struct table *summary)
     double all = 0;
     for (size_t i = 0; i < r->d.count; ++i)
         all += r->d.mass[i];
+    watch_drift(r, "V2", V2.drift);
     table_real(summary, "V2", V2.mean);
     table_real(summary, "V2_error", V2.error);
     table_real(summary, "V2_exact",
@@ -863,6 +876,9 @@ static const struct table_key keys[] = {
      "P V/(N kT) from collisions; with walls V is the\nroom of the "
      "centres: mean of Z_wall (1 - 2R/L)"},
     {"Z_virial_error", "1", "standard error"},
+    {"drift", "1",
+     "last third less first, in errors: the largest of\nall means; "
+     "beyond 6 the run was not steady"},
     {"", "", "the same with walls:"},
     {"Z_wall_<axis>", "1", "P V/(N kT) at the walls across this axis"},
     {"Z_wall_<axis>_error", "1", "standard error"},
@@ -976,7 +992,7 @@ static void read_settings(struct settings *s, int argc, char *argv[])
                         : 100;
 }
 
-static void summarise_pressure(const struct run *r, struct table *out)
+static void summarise_pressure(struct run *r, struct table *out)
 {
     const double time = r->d.now - r->begin;
     const bool walls = r->d.boundary == DISKS_WALLS;
@@ -987,14 +1003,17 @@ static void summarise_pressure(const struct run *r, struct table *out)
         table_real(out, key, Z_wall(r, k, r->d.impulse[k], time));
         snprintf(key, sizeof key, "Z_wall_%s_error", axis_names[k]);
         table_real(out, key, Z_wall(r, k, a.error, r->piece));
+        watch_drift(r, "Z_wall", a.drift);
     }
     const struct blocks_average a =
         blocks_average(&r->pressure, DISKS_AXES);
     table_real(out, "Z_virial", Z_virial(r, r->d.virial, time));
     table_real(out, "Z_virial_error", Z_virial(r, a.error, r->piece) - 1);
+    watch_drift(r, "Z_virial", a.drift);
+    table_real(out, "drift", r->drift);
 }
 
-static void summarise(const struct run *r, struct table *out)
+static void summarise(struct run *r, struct table *out)
 {
     const double time = r->d.now - r->begin;
     const double all =
@@ -1017,6 +1036,23 @@ static void summarise(const struct run *r, struct table *out)
     table_text(out, "engine", r->fast ? "cells" : "pairs");
     table_real(out, "collisions_per_second",
                r->seconds > 0 ? all / r->seconds : 0);
+}
+
+static bool averages(const struct settings *s)
+{
+    return strcmp(s->summary, "/dev/null") != 0 ||
+           (s->measure != STATES && s->measure != RELAXATION);
+}
+
+static void say_drift(const struct run *r)
+{
+    if (fabs(r->drift) > BLOCKS_STEADY)
+        fprintf(stderr,
+                PROGRAM ": note: the last third of the run has a %s %s "
+                        "than the first, by %.3g errors: not steady, a "
+                        "longer --warmup or run may help\n",
+                r->drift > 0 ? "higher" : "lower", r->drifting,
+                fabs(r->drift));
 }
 
 /* Runs from clock time to clock time and looks at each. */
@@ -1160,6 +1196,8 @@ int main(int argc, char *argv[])
                 disks_collapsed(&r.d) ? "inelastic collapse"
                                       : "all are at rest",
                 r.d.now, (unsigned long long)r.d.collisions);
+    if (whole && averages(&s))
+        say_drift(&r);
     cells_free(&r.cells);
     disks_free(&r.d);
     const int status = program_close(r.out, summary, whole);

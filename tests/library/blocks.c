@@ -80,6 +80,68 @@ static void test_few(void)
     blocks_free(&b);
 }
 
+/* Nothing drifts: the law of a normal number over the root of the smaller
+   of two chi-squares of 15, each over 15. Its square has the mean 1.1850^2,
+   and beyond 3 are 0.01503 (both from the law's integral); of 20000 that is
+   4 standard deviations. Beyond 6 are 4.8e-5: 0.96 are expected, and more
+   than 6 come once in 10000. */
+static void test_steady(void)
+{
+    enum { TIMES = 20000, LENGTH = 48 };
+    double x[LENGTH], square = 0, fourth = 0;
+    int beyond = 0, far = 0;
+    struct random r;
+    random_seed(&r, 4);
+    for (int t = 0; t < TIMES; ++t) {
+        for (int i = 0; i < LENGTH; ++i)
+            x[i] = 5 + random_normal(&r);
+        const double z = blocks_average_of(LENGTH, x).drift;
+        square += z * z / TIMES;
+        fourth += z * z * z * z / TIMES;
+        beyond += fabs(z) > 3;
+        far += fabs(z) > BLOCKS_STEADY;
+    }
+    UNIT_NEAR(square, 1.185042 * 1.185042,
+              4 * sqrt((fourth - square * square) / TIMES));
+    UNIT_NEAR(beyond, 0.01503 * TIMES, 4 * sqrt(0.01503 * TIMES));
+    UNIT_TRUE(far <= 6);
+}
+
+/* A step of ten standard deviations within a third, at value 144 or 400 of
+   480: of the step, 9 and 5 are seen, and the steady third's error is the
+   root of 1/160 to 1/7 of itself, so that twice that is allowed. The other
+   third's scatter would excuse it. */
+static void test_step(void)
+{
+    double x[480];
+    struct random r;
+    random_seed(&r, 5);
+    for (int at = 144; at <= 400; at += 256)
+        for (int up = -1; up <= 1; up += 2) {
+            for (int i = 0; i < 480; ++i)
+                x[i] = 100 + up * (i < at ? 0 : 10) + random_normal(&r);
+            const double z = up * blocks_average_of(480, x).drift;
+            UNIT_TRUE(z > (at == 144 ? 9 : 5) / (2 * sqrt(2.0 / 160)));
+        }
+}
+
+/* Too few values, a part in which nothing happened, and parts that are all
+   alike but for rounding. */
+static void test_no_drift(void)
+{
+    double x[100];
+    for (int i = 0; i < 100; ++i)
+        x[i] = i;
+    UNIT_TRUE(isnan(blocks_average_of(47, x).drift));
+    UNIT_TRUE(!isnan(blocks_average_of(48, x + 1).drift));
+    UNIT_TRUE(isnan(blocks_average_of(48, x).drift)); /* x[0] is 0 */
+    for (int i = 0; i < 100; ++i)
+        x[i] = i < 50 ? 3 + i % 3 * 1e-15 : i;
+    UNIT_TRUE(isnan(blocks_average_of(48, x).drift));
+    UNIT_TRUE(isnan(blocks_average_of(96, x).drift));
+    UNIT_TRUE(!isnan(blocks_average_of(48, x + 50).drift));
+}
+
 int main(void)
 {
     return unit_run(
@@ -89,5 +151,8 @@ int main(void)
             {"the error is that of the series", test_error},
             {"whole blocks can be appended", test_appended},
             {"one value has no error", test_few},
+            {"a steady series drifts as the law says", test_steady},
+            {"a step is a drift, wherever it is", test_step},
+            {"no drift where there is no error", test_no_drift},
             {0}});
 }

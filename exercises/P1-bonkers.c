@@ -10,7 +10,8 @@
                     -o build/P1 -lm
    Run it:      build/P1 beads.txt 1 0 0.1 20
    Check it:    make check EX=P1
-   Hints:       make hint EX=P1 */
+   Hints:       make hint EX=P1
+   Draw it:     cd build && gnuplot ../exercises/P1.gp */
 
 #include "collide.h"
 

@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 189670658 of the lines below */
+/* checksum 2706411080 of the lines below */
 /* Namespaces, limits and a shell inside, made with bubblewrap. */
 #include "examiner/box.h"
 #include "examiner/process.h"
@@ -31,7 +31,8 @@
 enum {
     BUILD_MS = 45000, /* on the wall, to compile and link */
     START_MS = 5000,  /* from there to main */
-    SETTLE_MS = 2000  /* to end a test that is over */
+    SETTLE_MS = 2000, /* to end a test that is over */
+    DRAW_MS = 30000   /* to draw a figure */
 };
 
 enum { WORDS = 128, NUMBERS = 8 };
@@ -100,7 +101,8 @@ static void add_system(struct words *w)
         "--symlink", "usr/lib", "/lib", "--symlink", "usr/lib64", "/lib64");
     ADD(w, "--perms", "0755", "--dir", "/etc", "--ro-bind-try",
         "/etc/alternatives", "/etc/alternatives", "--ro-bind-try",
-        "/etc/ld.so.cache", "/etc/ld.so.cache");
+        "/etc/ld.so.cache", "/etc/ld.so.cache", "--ro-bind-try",
+        "/etc/fonts", "/etc/fonts");
     ADD(w, "--proc", "/proc", "--dev", "/dev", "--remount-ro", "/dev");
     if (bounded)
         ADD(w, "--bind", OUTER_WORK, "/work");
@@ -273,6 +275,22 @@ static const char script[] =
     "    compile 5 -w && grep error: work/said | head -n 20; fi; exit; }\n"
     "cd work || exit\n"
     "kit=../kit/box.suite.o program=./program\n"
+    "limits=\"--core=0 --cpu=$seconds:$((seconds + 1)) --as=$memory \\\n"
+    "    --nproc=16 --nofile=64\"\n"
+    "if [ \"$keep\" = figure ]; then\n"
+    "    project=${name#*/} && project=${project%%-*} && mkdir desk &&\n"
+    "        build objcopy --keep-global-symbol=main answer.o &&\n"
+    "        build $compiler -o desk/$project answer.o $kit -lm \\\n"
+    "            -Wl,-u,collide_0,--defsym=collide=collide_0 || exit\n"
+    "    cd desk && cat <&3 >$project.gp || exit\n"
+    "    command -v gnuplot >/dev/null || { printf g >&4; exit; }\n"
+    "    printf b >&4\n"
+    "    prlimit $limits --fsize=16000000 gnuplot $project.gp \\\n"
+    "        </dev/null 3<&- 4>&-\n"
+    "    [ ! -L $project.png ] && [ -f $project.png ] &&\n"
+    "        head -c 4194305 $project.png >&4\n"
+    "    exit\n"
+    "fi\n"
     "if [ \"$keep\" = program ]; then\n"
     "    build objcopy --keep-global-symbol=main answer.o || exit\n"
     "    for law in $(nm $kit | sed -n 's/.* T collide_//p'); do\n"
@@ -291,9 +309,7 @@ static const char script[] =
     "    build $compiler -o program answer.o $kit -lm || exit\n"
     "fi\n"
     "printf b >&4\n"
-    "exec prlimit --core=0 --cpu=$seconds:$((seconds + 1)) --as=$memory "
-    "--nproc=16 \\\n"
-    "    --nofile=64 --fsize=1048576 $program\n";
+    "exec prlimit $limits --fsize=1048576 $program\n";
 static void add_script(struct words *w, const struct box_order *order,
                        const char *root)
 {
@@ -465,4 +481,42 @@ void box_close(struct box *box)
     process_stop();
     if (furnished)
         sweep_folder();
+}
+
+static bool take_figure(int file, char *figure, size_t room, size_t *length)
+{
+    const double end = process_clock() + 1e-3 * DRAW_MS;
+    ssize_t got = 1;
+    for (*length = 0; got > 0 && *length < room;) {
+        struct pollfd wait = {.fd = file, .events = POLLIN};
+        const double left = end - process_clock();
+        if (left <= 0.0 || poll(&wait, 1, (int)(1e3 * left) + 1) == 0)
+            return false;
+        got = read(file, figure + *length, room - *length);
+        *length += got > 0 ? (size_t)got : 0;
+    }
+    return true;
+}
+
+enum box_drawing box_draw(const struct box_order *order, int script,
+                          int prints, char *figure, size_t room,
+                          size_t *length)
+{
+    int out[2];
+    struct box_order drawing = *order;
+    drawing.keep = "figure";
+    if (pipe(out) != 0)
+        text_fail("cannot make a pipe: %s", strerror(errno));
+    fcntl(out[0], F_SETFD, FD_CLOEXEC);
+    start(&drawing, script, out[1], prints);
+    close(out[1]);
+    const int word = wait_for_byte(out[0], BUILD_MS);
+    const bool drawn =
+        word == WIRE_BUILT && take_figure(out[0], figure, room, length);
+    close(out[0]);
+    process_stop();
+    return word == WIRE_BARE    ? BOX_NO_GNUPLOT
+           : word != WIRE_BUILT ? BOX_NO_PROGRAM
+           : drawn              ? BOX_DRAWN
+                                : BOX_DRAWS_LATE;
 }

@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 3231370018 of the lines below */
+/* checksum 1561331985 of the lines below */
 /* A box in which a student's program is built and run, out of reach. */
 #ifndef BOX_H
 #define BOX_H
@@ -64,5 +64,21 @@ bool box_settle(const struct box *box);
 
 /* Kills all that is in the box, and the box. */
 void box_close(struct box *box);
+
+/* What became of a figure. */
+enum box_drawing {
+    BOX_DRAWN,      /* gnuplot has ended, be there a figure or not */
+    BOX_NO_PROGRAM, /* the compiler or the linker refused */
+    BOX_NO_GNUPLOT,
+    BOX_DRAWS_LATE /* it was stopped */
+};
+
+/* Builds the project of the order in a box of its own and has gnuplot run a
+   script, an open file, beside the program. Of the file P1.png that is left
+   there at most `room` bytes are taken, and *length says how many. prints
+   as for box_open. */
+enum box_drawing box_draw(const struct box_order *order, int script,
+                          int prints, char *figure, size_t room,
+                          size_t *length);
 
 #endif

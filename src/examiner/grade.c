@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 2313035041 of the lines below */
+/* checksum 3072724942 of the lines below */
 /* The program behind make grade: a folder of submissions, in parallel. */
 #include "examiner/grading.h"
 #include "examiner/process.h"
@@ -264,10 +264,10 @@ static void choose_box(struct batch *b)
     }
 }
 
-static void result_path(const struct batch *b, size_t s, size_t e,
-                        char path[4400])
+static const char *encode(const struct batch *b, size_t s)
 {
-    char name[1100], *end = name;
+    static char name[1100];
+    char *end = name;
     const char *entry = b->submissions[s].entry;
     for (; *entry && end < name + sizeof name - 8; ++entry)
         if (isalnum((unsigned char)*entry) || strchr("-_", *entry))
@@ -279,7 +279,13 @@ static void result_path(const struct batch *b, size_t s, size_t e,
         snprintf(name + 180, 20, "+%016" PRIx64,
                  sum_bytes(0, b->submissions[s].entry,
                            strlen(b->submissions[s].entry)));
-    snprintf(path, 4400, "%s/marks/%s", b->options.output, name);
+    return name;
+}
+
+static void result_path(const struct batch *b, size_t s, size_t e,
+                        char path[4400])
+{
+    snprintf(path, 4400, "%s/marks/%s", b->options.output, encode(b, s));
     make_folder(path);
     snprintf(path + strlen(path), 32, "/%s.json", b->kits[e].exercise);
 }
@@ -313,6 +319,7 @@ struct job {
     char key[24], path[4400];
     int tries;
     const struct marks *before; /* of the first try, in the second */
+    struct grading_page page;   /* of a project */
 };
 
 static struct marks blank_marks(const struct batch *b,
@@ -331,12 +338,62 @@ static struct marks blank_marks(const struct batch *b,
     };
 }
 
+static void put_by_hand(const struct batch *b, const char *place,
+                        const char *bytes, size_t length)
+{
+    char path[4400];
+    snprintf(path, sizeof path, "%s/%s", b->options.output, place);
+    unlink(path);
+    if (!bytes)
+        return;
+    for (char *slash = path + strlen(b->options.output) + 1;
+         (slash = strchr(slash, '/')); ++slash) {
+        *slash = '\0';
+        make_folder(path);
+        *slash = '/';
+    }
+    FILE *file = fopen(path, "w");
+    if (!file || fwrite(bytes, 1, length, file) != length ||
+        fclose(file) != 0)
+        text_fail("cannot write '%s': %s", path, strerror(errno));
+}
+
+static char *put_page(const struct batch *b, const struct job *job,
+                      const char *ending, char place[1400], size_t *length,
+                      char **refusal)
+{
+    char name[16];
+    snprintf(name, sizeof name, "%s.%s", b->kits[job->exercise].exercise,
+             ending);
+    snprintf(place, 1400, "by-hand/%s/%s", encode(b, job->student), name);
+    char *bytes =
+        submissions_page(b->options.folder, &b->submissions[job->student],
+                         name, length, refusal);
+    put_by_hand(b, place, bytes, *length);
+    return bytes;
+}
+
+static void take_pages(const struct batch *b, struct job *job)
+{
+    static char place[1400];
+    char *refusal;
+    size_t length;
+    free(put_page(b, job, "txt", place, &length, &refusal));
+    free(refusal);
+    job->page.script = put_page(b, job, "gp", place, &job->page.length,
+                                &job->page.refusal);
+    strcpy(strrchr(place, '.'), ".png");
+    job->page.place = place;
+}
+
 static _Noreturn void work(const struct batch *b, const struct job *job)
 {
     struct marks marks = blank_marks(b, job);
     struct grading grading = b->grading;
     const double start = process_clock();
+    struct grading_page page = job->page;
     grading.before = job->before;
+    grading.page = page.place ? &page : NULL;
 #ifdef __linux__
     prctl(PR_SET_PDEATHSIG, SIGTERM);
 #endif
@@ -345,6 +402,8 @@ static _Noreturn void work(const struct batch *b, const struct job *job)
     marks.seconds = process_clock() - start;
     if (process_signal() || chdir(b->root) != 0)
         _exit(EXIT_FAILURE);
+    if (page.place)
+        put_by_hand(b, page.place, page.figure, page.drawn);
     marks_write(&marks, job->key, job->path);
     _exit(EXIT_SUCCESS);
 }
@@ -417,6 +476,12 @@ static void look_at(struct batch *b, uint64_t kit, size_t s, size_t e,
     job.bytes = submissions_read(b->options.folder, &b->submissions[s],
                                  b->kits[e].file, &job.length, &job.remark,
                                  &job.note);
+    if (*b->kits[e].exercise == 'P')
+        take_pages(b, &job);
+    if (job.page.script)
+        kit = sum_bytes(kit, job.page.script, job.page.length);
+    else if (job.page.refusal)
+        kit = sum_bytes(kit, job.page.refusal, strlen(job.page.refusal));
     result_key(kit, job.bytes, job.length, job.remark, job.note, job.key);
     result_path(b, s, e, job.path);
     const bool known = marks_read(&marks, job.key, job.path);
@@ -428,6 +493,8 @@ static void look_at(struct batch *b, uint64_t kit, size_t s, size_t e,
     if (tried == 0 ? !known : late)
         start_job(b, &job);
     marks_free(&marks);
+    free(job.page.script);
+    free(job.page.refusal);
     free(job.bytes);
     free(job.remark);
     free(job.note);
@@ -501,6 +568,11 @@ static void publish_all(struct batch *b)
     printf("Results and reports: %s/ (hidden seed %" PRIu64
            "; programs in: %s)\n",
            b->options.output, b->grading.seed, box_name(b->grading.kind));
+    char hand[4300];
+    snprintf(hand, sizeof hand, "%s/by-hand", b->options.output);
+    if (access(hand, F_OK) == 0)
+        printf("Figures and texts of projects, to be marked by you: %s/\n",
+               hand);
     if (b->failed)
         fprintf(stderr,
                 "grade: %zu could not be graded, see above; the "

@@ -26,14 +26,6 @@ grade: has-submissions grade-parts
 	$(if $(filter-out $(graded),$(exercises)),@echo 'Not graded (there is' \
 		'no border.c in its folder):' $(filter-out $(graded),$(exercises)))
 	@build/grade/grade $(grade_options) "$$SUBMISSIONS"
-	@to=$${RESULTS:-build/grade/results}/by-hand && \
-		mkdir -p "$$to" && to=$$(cd "$$to" && pwd) && \
-		cd "$$SUBMISSIONS" && find . -type f -size -2000 \( \
-		-name '*P[1-9].gp' -o -name '*P[1-9].txt' \) -exec sh -c ' \
-		mkdir -p "$$0/$${1%/*}" && cp -- "$$1" "$$0/$$1"' "$$to" {} \; && \
-		if [ -n "$$(ls "$$to")" ]; then \
-		echo "Figures and texts of projects, to be marked by you: $$to"; \
-		else rmdir "$$to"; fi
 grade-parts: has-grade-parts $(GRADE_BUILT)
 
 .PHONY: has-grade-parts

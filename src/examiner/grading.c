@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 3202296015 of the lines below */
+/* checksum 3857027489 of the lines below */
 /* A judge and a box for each test, a second try, and advice. */
 #include "examiner/grading.h"
 #include "examiner/build.h"
@@ -388,6 +388,73 @@ static void give_nothing(const struct kit *kit, struct marks *marks,
     marks->state = state;
 }
 
+enum { FIGURE_MOST = 1 << 22, FIGURE_WIDEST = 4000 };
+
+static const char *see_png(const unsigned char *png, size_t length)
+{
+    static const char head[] = "\x89PNG\r\n\x1a\n\0\0\0\rIHDR";
+    static const char tail[] = "\0\0\0\0IEND\xae\x42\x60\x82";
+    unsigned side[2] = {0, 0};
+    if (length == 0)
+        return "its script has left none";
+    if (length > FIGURE_MOST)
+        return "it has more than 4 MB";
+    if (length < 45 || memcmp(png, head, 16) != 0 ||
+        memcmp(png + length - 12, tail, 12) != 0)
+        return "what its script has left is no whole PNG";
+    for (int i = 0; i < 8; ++i)
+        side[i / 4] = side[i / 4] << 8 | png[16 + i];
+    return side[0] > FIGURE_WIDEST || side[1] > FIGURE_WIDEST
+               ? "it has more than 4000 points a side"
+               : NULL;
+}
+static void note_figure(struct job *job, const char *place, const char *why)
+{
+    char text[2048], *said = text_read("prints"), *rest = said, last[160];
+    *last = '\0';
+    for (char *line; why && place && (line = text_line(&rest));)
+        if (line[strspn(line, " ^\t")])
+            snprintf(last, sizeof last, "; at last it said: %.130s", line);
+    snprintf(text, sizeof text, "%.1200s%s%s%s%s", job->marks->note,
+             *job->marks->note ? "; " : "",
+             why ? "no figure: " : "figure: ", why ? why : place, last);
+    job->marks->note = marks_text(text, strlen(text), sizeof text);
+    free(said);
+}
+static void draw(struct job *job, struct grading_page *page)
+{
+    static const char *const reasons[] = {
+        [BOX_NO_PROGRAM] = "its program could not be built",
+        [BOX_NO_GNUPLOT] = "gnuplot is missing in the box",
+        [BOX_DRAWS_LATE] = "its script did not end in half a minute"};
+    lay_file("script", page->script, page->length);
+    const int script = open_or_fail("script", O_RDONLY);
+    unsigned char *figure = malloc(FIGURE_MOST + 1);
+    if (!figure || ftruncate(job->prints, 0) != 0)
+        text_fail("cannot make room for a figure: %s", strerror(errno));
+    const enum box_drawing drawing =
+        box_draw(&job->order, script, job->prints, (char *)figure,
+                 FIGURE_MOST + 1, &page->drawn);
+    close(script);
+    chmod("prints", 0600);
+    const char *why = drawing != BOX_DRAWN ? reasons[drawing]
+                                           : see_png(figure, page->drawn);
+    page->figure = why ? NULL : (char *)figure;
+    note_figure(job, page->place, why);
+}
+
+static void draw_figure(struct job *job, struct grading_page *page)
+{
+    if (!page->script)
+        note_figure(job, NULL,
+                    page->refusal ? page->refusal
+                                  : "no script was handed in");
+    else if (job->grading->kind == BOX_OPEN)
+        note_figure(job, NULL, "its script is not run without a box");
+    else
+        draw(job, page);
+}
+
 void grading_run(const struct grading *grading, const struct kit *kit,
                  const char *bytes, size_t length, struct marks *marks)
 {
@@ -421,6 +488,8 @@ void grading_run(const struct grading *grading, const struct kit *kit,
     if (job.open)
         box_close(&job.box);
     job.open = false;
+    if (grading->page)
+        draw_figure(&job, grading->page);
     if (marks->state != TIMED_OUT && marks->state != NOT_BEGUN)
         ask_sanitizers(&job);
 }

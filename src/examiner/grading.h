@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 789223894 of the lines below */
+/* checksum 691916285 of the lines below */
 /* An exercise graded: a student's file, the judge's tests, the marks. */
 #ifndef GRADING_H
 #define GRADING_H
@@ -35,6 +35,17 @@ struct grading {
     uint64_t seed;              /* of the hidden tests */
     int seconds;                /* of processor time, for each test */
     const struct marks *before; /* of a first try, or NULL */
+    struct grading_page *page;  /* of a project, or NULL */
+};
+
+/* The figure that a project asks for. */
+struct grading_page {
+    char *script; /* gnuplot's, or NULL */
+    size_t length;
+    char *refusal;     /* why it is NULL though there is one, or NULL */
+    const char *place; /* where the figure is to stand, for the note */
+    char *figure;      /* a PNG, or NULL; the note says why */
+    size_t drawn;      /* bytes */
 };
 
 /* Reads the lists in build/grade; returns how many exercises there are.

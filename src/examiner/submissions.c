@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 1353705896 of the lines below */
+/* checksum 606454728 of the lines below */
 /* Walks a folder of submissions; names what it does not grade. */
 #include "examiner/submissions.h"
 #include "examiner/marks.h"
@@ -100,11 +100,19 @@ static void note(struct submission *s, const char *what, const char *path)
     free(all);
 }
 
+static bool is_page(const char *name)
+{
+    return toupper((unsigned char)name[0]) == 'P' &&
+           isdigit((unsigned char)name[1]) &&
+           (strcasecmp(name + 2, ".gp") == 0 ||
+            strcasecmp(name + 2, ".txt") == 0);
+}
+
 static bool is_exercise(const char *name)
 {
     const unsigned char *s = (const unsigned char *)name;
     if (toupper(s[0]) == 'P')
-        return isdigit(s[1]) && s[2] == '-';
+        return isdigit(s[1]) && (s[2] == '-' || is_page(name));
     return isdigit(s[0]) && isdigit(s[1]) && isalpha(s[2]) &&
            !isalnum(s[3]);
 }
@@ -209,6 +217,14 @@ static void add_answer(struct submission *s, const char *path,
     memcpy(answer->exercise, its, 3);
 }
 
+static const char *page_key(const char *name) /* "P1g" or "P1t" */
+{
+    static char key[4] = "P";
+    key[1] = name[1];
+    key[2] = (char)tolower((unsigned char)name[3]);
+    return key;
+}
+
 static void take(struct submission *s, const char *const usual[],
                  const char *path, const char *name, mode_t mode, int depth)
 {
@@ -223,6 +239,8 @@ static void take(struct submission *s, const char *const usual[],
         return;
     else if (ends(name, archives))
         note(s, "an archive that is not unpacked: ", path);
+    else if (ex && is_page(ex))
+        add_answer(s, path, ex, page_key(ex), depth);
     else if (its && !ends(name, made) && (source || strchr(ex, '.')))
         add_answer(s, path, ex, its, depth);
     else if (S_ISLNK(mode) || mode == 0)
@@ -302,6 +320,12 @@ static struct submission *student(struct submissions *all,
     return &all->list[all->count++];
 }
 
+static bool is_loose(const char *name)
+{
+    const char *ex = find_exercise(name);
+    return ex && (ends(name, c_endings) || is_page(ex));
+}
+
 static void take_entry(struct submissions *all, const char *const usual[],
                        int top, const char *name, size_t *loose)
 {
@@ -326,7 +350,7 @@ static void take_entry(struct submissions *all, const char *const usual[],
         if (owner.guessed && s->others == 0)
             note(s, "whose it is was guessed from its name: ", name);
         take(s, usual, name, rest, mode, 0);
-    } else if (find_exercise(name) && ends(name, c_endings)) {
+    } else if (is_loose(name)) {
         ++*loose;
     } else if (*name != '.') {
         note(&all->nobody,
@@ -373,8 +397,8 @@ struct submissions submissions_find(const char *folder,
         own = student(&all, ".", slash && slash[1] ? slash + 1 : folder);
     for (size_t i = 0; loose > 0 && i < entries; ++i) {
         struct owner owner;
-        if (!S_ISDIR(mode_of(top, names[i])) && find_exercise(names[i]) &&
-            ends(names[i], c_endings) && !part_name(names[i], &owner)) {
+        if (!S_ISDIR(mode_of(top, names[i])) && is_loose(names[i]) &&
+            !part_name(names[i], &owner)) {
             if (own == &all.nobody)
                 note(own, "of no student: ", names[i]);
             else
@@ -525,4 +549,18 @@ char *submissions_read(const char *folder, const struct submission *s,
     if (!*file)
         *file = compose("no file");
     return bytes;
+}
+char *submissions_page(const char *folder, const struct submission *s,
+                       const char *name, size_t *length, char **refusal)
+{
+    const struct answer *best = NULL;
+    *length = 0;
+    *refusal = NULL;
+    for (size_t i = 0; i < s->count; ++i)
+        if (strncmp(s->answers[i].exercise, page_key(name), 3) == 0 &&
+            (!best || s->answers[i].rank < best->rank))
+            best = &s->answers[i];
+    return best ? read_regular(open_below(folder, best->path), name, length,
+                               refusal)
+                : NULL;
 }

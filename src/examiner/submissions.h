@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 447814538 of the lines below */
+/* checksum 3957184802 of the lines below */
 /* What students have handed in, and which file answers what. */
 #ifndef SUBMISSIONS_H
 #define SUBMISSIONS_H
@@ -45,5 +45,11 @@ struct submissions submissions_find(const char *folder,
 char *submissions_read(const char *folder, const struct submission *s,
                        const char *usual, size_t *length, char **file,
                        char **note);
+
+/* Reads what is called so ("P1.gp", "P1.txt") in the best place. Returns
+   its bytes as submissions_read does; or NULL, with a reason in *refusal if
+   there was one. The caller frees both. */
+char *submissions_page(const char *folder, const struct submission *s,
+                       const char *name, size_t *length, char **refusal);
 
 #endif

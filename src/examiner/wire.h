@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 480421396 of the lines below */
+/* checksum 576912265 of the lines below */
 /* The words that judge and box exchange. */
 #ifndef WIRE_H
 #define WIRE_H
@@ -18,6 +18,7 @@ enum {
 /* From the box: */
 enum {
     WIRE_BUILT = 'b',  /* said by the box's shell: compiled and linked */
+    WIRE_BARE = 'g',   /* said by the same: there is no gnuplot */
     WIRE_READY = 'h',  /* the program has come to its main */
     WIRE_ASK = 'q',    /* the number of a function and its arguments */
     WIRE_LEFT = 'w',   /* a place was left: how follows, then a reply */

@@ -4,26 +4,10 @@
 # has a trick for each stage. ALL=1: every trick of hostile/ as a program, too.
 topic=programs
 . tests/grader/hostile/kit
-mkdir -p "$scratch/kit/build/grade" "$scratch/kit/src/examiner" \
-    "$scratch/kit/tests/exercises/P1"
-for file in build/grade/grade build/grade/flags src/examiner/collide.h \
-    tests/equations.txt build/grade/P1.list build/grade/P1.names \
-    build/grade/P1.judge build/grade/P1.inside.o tests/exercises/P1/stub.c; do
-    cp "$file" "$scratch/kit/$file" || exit 1
-done
-full=30
+project_kit
 limit=280
 [ "${ALL-}" != 1 ] || limit=3000
 result() { echo "$out/marks/$1/P1.json"; }
-graded() { # FOLDER OPTION...: one batch
-    handed=$1
-    out=$scratch/out
-    shift
-    (cd "$scratch/kit" && SECRET=here exec timeout -k 5 "$limit" \
-        build/grade/grade --exercises P1 --hidden "$seed" --jobs 2 \
-        --output "$out" "$@" "$handed") >"$scratch/said" 2>&1 </dev/null
-    status=$?
-}
 hand_in() { mkdir -p "$scratch/in/$1" && cat >"$scratch/in/$1/P1-bonkers.c"; }
 # hostile NAME: the solution, which calls trick() at its start.
 hostile() {

@@ -1,5 +1,5 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 934491900 of the lines below */
+/* checksum 4255459919 of the lines below */
 /* Cells, lists of neighbours on a leash, and lanes of four pair times. */
 #include "box/cells.h"
 
@@ -440,7 +440,7 @@ static double choose_leash(const struct disks *d, double radius,
     double volume = 1, least = INFINITY;
     for (size_t k = 0; k < d->dimensions; ++k) {
         volume *= d->box[k];
-        least = fmin(least, d->box[k]);
+        least = disks_wraps(d, k) ? fmin(least, d->box[k]) : least;
     }
     const double crowd = d->dimensions == 3 ? CROWD_3 : CROWD;
     const double share = (crowd + 1) * volume / (double)d->count;
@@ -450,9 +450,7 @@ static double choose_leash(const struct disks *d, double radius,
     const double leash = fmax((far - 2 * radius) / 2, 0.6 * radius);
     const double image = (least / 2 - pair) / 4,
                  cells = least / 6 - pair / 2;
-    return d->boundary == DISKS_PERIODIC
-               ? fmin(leash, 0.999 * fmin(image, cells))
-               : leash;
+    return fmin(leash, 0.999 * fmin(image, cells));
 }
 
 /* The largest radius, the sum of the two largest, and the mean, m. */
@@ -483,8 +481,7 @@ static bool lay_grid(struct cells *c, const struct disks *d)
         c->slack = fmax(c->slack, 1e-6 * d->box[k]);
     bool suit = c->leash > 0.1 * s.mean && c->leash > c->slack;
     for (size_t k = 0; k < DISKS_AXES; ++k) {
-        const bool used = k < d->dimensions;
-        const bool round = used && d->boundary == DISKS_PERIODIC;
+        const bool used = k < d->dimensions, round = disks_wraps(d, k);
         const double reach = s.pair + 2 * c->leash + c->slack;
         const double most = used ? floor(d->box[k] / reach) : 1;
         const double enough = 3 + 2 * (double)d->count / (double)c->cells;

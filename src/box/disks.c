@@ -1,5 +1,5 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 3101151428 of the lines below */
+/* checksum 4233775335 of the lines below */
 /* Event-driven motion: every pair looked at, or a plan remembered. */
 #include "box/disks.h"
 
@@ -137,11 +137,16 @@ static double whole(double x)
     return x + shift - shift;
 }
 
+bool disks_wraps(const struct disks *d, size_t k)
+{
+    return k < d->dimensions &&
+           (d->boundary == DISKS_PERIODIC ||
+            (d->boundary == DISKS_FLOOR && k != 1));
+}
+
 static double inverse(const struct disks *d, size_t k)
 {
-    return d->boundary == DISKS_PERIODIC && k < d->dimensions
-               ? 1 / d->box[k]
-               : 0;
+    return disks_wraps(d, k) ? 1 / d->box[k] : 0;
 }
 
 void disks_apart(const struct disks *d, const double a[], const double b[],
@@ -156,14 +161,15 @@ void disks_apart(const struct disks *d, const double a[], const double b[],
 double disks_leash(const struct disks *d)
 {
     double least = INFINITY, widest = 0;
-    if (d->boundary != DISKS_PERIODIC)
-        return INFINITY;
     for (size_t k = 0; k < d->dimensions; ++k)
-        least = fmin(least, d->box[k]);
+        if (disks_wraps(d, k))
+            least = fmin(least, d->box[k]);
     for (size_t i = 0; i < d->count; ++i)
         widest = fmax(widest, d->disk[i].radius);
     const double spare = least / 2 - 2 * widest;
-    return spare >= 1e-6 * least ? 0.999 * spare / 3 : 0;
+    return least == INFINITY       ? INFINITY
+           : spare >= 1e-6 * least ? 0.999 * spare / 3
+                                   : 0;
 }
 
 double disks_meeting(const struct disks *d, size_t i, size_t j, double at)
@@ -189,18 +195,19 @@ double disks_wall(const struct disks *d, size_t i, size_t *axis)
     const struct disk *a = &d->disk[i];
     double first = INFINITY;
     *axis = 0;
-    if (d->boundary == DISKS_WALLS)
-        for (size_t k = 0; k < d->dimensions; ++k) {
-            const double time =
-                d->gravity > 0 && k == 1
-                    ? floor_or_roof(d, a)
-                    : disks_wall_time(a->position[k], a->velocity[k],
-                                      a->radius, d->box[k]);
-            if (time < first) {
-                first = time;
-                *axis = k;
-            }
+    for (size_t k = 0; k < d->dimensions; ++k) {
+        if (disks_wraps(d, k))
+            continue;
+        const double time =
+            d->gravity > 0 && k == 1
+                ? floor_or_roof(d, a)
+                : disks_wall_time(a->position[k], a->velocity[k], a->radius,
+                                  d->box[k]);
+        if (time < first) {
+            first = time;
+            *axis = k;
         }
+    }
     return a->since + first;
 }
 
@@ -235,10 +242,13 @@ static struct disks_event alone(const struct disks *d, size_t i,
 {
     const double *v = d->disk[i].velocity;
     size_t axis;
+    double vv = 0;
+    for (size_t k = 0; k < d->dimensions; ++k)
+        vv += disks_wraps(d, k) ? v[k] * v[k] : 0;
     const double time = disks_wall(d, i, &axis);
     const struct disks_event wall = meet(i, d->count + axis, time);
     const struct disks_event look =
-        meet(i, i, d->now + leash / sqrt(dot(v, v)));
+        meet(i, i, d->now + leash / sqrt(vv));
     return look.time < time ? look : wall;
 }
 
@@ -402,8 +412,8 @@ void disks_position(const struct disks *d, size_t i, double place[])
 
 void disks_fold(const struct disks *d, double place[])
 {
-    if (d->boundary == DISKS_PERIODIC)
-        for (size_t k = 0; k < d->dimensions; ++k) {
+    for (size_t k = 0; k < d->dimensions; ++k)
+        if (disks_wraps(d, k)) {
             place[k] -= d->box[k] * floor(place[k] / d->box[k]);
             if (place[k] >= d->box[k])
                 place[k] = 0;
@@ -419,21 +429,26 @@ void disks_velocity(const struct disks *d, size_t i, double velocity[])
         velocity[1] -= d->gravity * (d->now - a->since);
 }
 
-double disks_energy(const struct disks *d)
+static double kinetic(const struct disks *d)
 {
     double energy = 0;
     for (size_t i = 0; i < d->count; ++i)
         energy +=
             d->mass[i] * dot(d->disk[i].velocity, d->disk[i].velocity) / 2;
-    return d->gravity > 0 ? energy + energy_of_heights(d) : energy;
+    return energy;
+}
+
+double disks_energy(const struct disks *d)
+{
+    return d->gravity > 0 ? kinetic(d) + energy_of_heights(d) : kinetic(d);
 }
 
 double disks_temperature(const struct disks *d)
 {
-    const size_t free =
-        d->boundary == DISKS_PERIODIC ? d->count - 1 : d->count;
-    const size_t heights = d->gravity > 0 ? 2 * d->count : 0;
-    return 2 * disks_energy(d) / (double)(d->dimensions * free + heights);
+    size_t free = (d->dimensions + (d->gravity > 0 ? 2 : 0)) * d->count;
+    for (size_t k = 0; k < d->dimensions; ++k)
+        free -= disks_wraps(d, k);
+    return 2 * disks_energy(d) / (double)free;
 }
 
 double disks_packing(const struct disks *d)
@@ -453,7 +468,7 @@ static bool within_walls(const struct disks *d, const double place[],
                          double r)
 {
     for (size_t k = 0; k < d->dimensions; ++k)
-        if (d->boundary == DISKS_WALLS &&
+        if (!disks_wraps(d, k) &&
             !(place[k] >= r - 1e-9 * d->box[k] &&
               place[k] <= d->box[k] * (1 + 1e-9) - r))
             return false;
@@ -516,7 +531,7 @@ static double nearest_site(const struct lattice *l, size_t dimensions)
 static void stretch(const struct disks *d, double r, struct lattice *l)
 {
     for (size_t k = 0; k < d->dimensions; ++k) {
-        const bool walls = d->boundary == DISKS_WALLS;
+        const bool walls = !disks_wraps(d, k);
         const double cells = (double)l->cells[k];
         l->from[k] = walls ? r : 0;
         l->step[k] =
@@ -670,8 +685,8 @@ static bool overlaps(const struct disks *d, size_t i)
 static bool throw_disk(const struct disks *d, struct disk *a,
                        struct random *r)
 {
-    const double edge = d->boundary == DISKS_WALLS ? a->radius : 0;
     for (size_t k = 0; k < d->dimensions; ++k) {
+        const double edge = disks_wraps(d, k) ? 0 : a->radius;
         if (!(d->box[k] >= 2 * edge))
             return false;
         a->position[k] = random_between(r, edge, d->box[k] - edge);
@@ -702,18 +717,19 @@ static void scale_velocities(struct disks *d, double factor)
 static void take_out_momentum(struct disks *d)
 {
     double total[DISKS_AXES] = {0}, mass = 0;
-    const double before = disks_energy(d);
-    if (d->boundary != DISKS_PERIODIC || d->count < 2)
+    const double before = kinetic(d);
+    if (!disks_wraps(d, 0) || d->count < 2)
         return;
     for (size_t i = 0; i < d->count; ++i) {
         mass += d->mass[i];
         for (size_t k = 0; k < DISKS_AXES; ++k)
-            total[k] += d->mass[i] * d->disk[i].velocity[k];
+            if (disks_wraps(d, k))
+                total[k] += d->mass[i] * d->disk[i].velocity[k];
     }
     for (size_t i = 0; i < d->count; ++i)
         for (size_t k = 0; k < DISKS_AXES; ++k)
             d->disk[i].velocity[k] -= total[k] / mass;
-    const double after = disks_energy(d);
+    const double after = kinetic(d);
     if (after > 0)
         scale_velocities(d, sqrt(before / after));
 }

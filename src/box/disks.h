@@ -1,5 +1,5 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 3823373206 of the lines below */
+/* checksum 1007029610 of the lines below */
 /* Hard disks and spheres in a box: starts, times of contact, collisions. */
 #ifndef DISKS_H
 #define DISKS_H
@@ -27,7 +27,13 @@ struct disk {
     double radius;               /* m */
 };
 
-enum disks_boundary { DISKS_WALLS, DISKS_PERIODIC, DISKS_BOUNDARIES };
+/* FLOOR: walls across the second axis only, periodic along the others. */
+enum disks_boundary {
+    DISKS_WALLS,
+    DISKS_PERIODIC,
+    DISKS_FLOOR,
+    DISKS_BOUNDARIES
+};
 
 /* What ends a run. */
 enum disks_stop {
@@ -51,7 +57,8 @@ struct disks {
     enum disks_boundary boundary;
     double box[DISKS_AXES];
     double restitution;
-    double gravity; /* along the second axis, towards 0, m/s2; with walls */
+    double gravity; /* along the second axis, towards 0, m/s2; not periodic
+                     */
     struct disk *disk;
     double *mass; /* kg */
     double now;   /* s */
@@ -135,17 +142,20 @@ void disks_position(const struct disks *d, size_t i, double place[]);
 /* The same for its velocity, m/s, which only gravity changes. */
 void disks_velocity(const struct disks *d, size_t i, double velocity[]);
 
-/* The kinetic energy, J, and kT, J: 2 K / (D N), in a periodic box, where
-   the momentum is zero, 2 K / (D (N - 1)). Under gravity the energy is
-   that of the heights above the floor too, and kT that of equilibrium, 2 E
-   / ((D + 2) N) (7.17, eq:weight-energy). */
+/* The kinetic energy, J, and kT, J: 2 K / (D N - P), with P the number of
+   periodic axes, along which the momentum is zero. Under gravity the
+   energy is that of the heights above the floor too, and kT that of
+   equilibrium, 2 E / ((D + 2) N - P) (7.17, eq:weight-energy). */
 double disks_energy(const struct disks *d);
 double disks_temperature(const struct disks *d);
 
 /* The share of the box that the disks fill. */
 double disks_packing(const struct disks *d);
 
-/* Folds a place back into a periodic box. */
+/* Says whether the box is periodic along axis k. */
+bool disks_wraps(const struct disks *d, size_t k);
+
+/* Folds a place back into the box along its periodic axes. */
 void disks_fold(const struct disks *d, double place[]);
 
 /* The way from place a to place b, in a periodic box to its nearest
@@ -171,8 +181,8 @@ bool disks_place_lattice(struct disks *d);
 bool disks_place_random(struct disks *d, struct random *r);
 
 /* Gives every disk the speed v in a random direction, or a velocity of
-   the temperature kT; in a periodic box with the total momentum taken out
-   and the energy kept. */
+   the temperature kT; along periodic axes with the total momentum taken
+   out, and the energy kept. */
 void disks_set_speed(struct disks *d, double v, struct random *r);
 void disks_set_temperature(struct disks *d, double kT, struct random *r);
 

@@ -1,5 +1,5 @@
 /* From chapters/works/07-gas.nw: edit there, then run make tangle. */
-/* checksum 1274532016 of the lines below */
+/* checksum 3644574428 of the lines below */
 /* Rows of masses, radii, places and velocities, written and read again. */
 #include "box/states.h"
 
@@ -10,7 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char *const states_boundaries[] = {"walls", "periodic", NULL};
+const char *const states_boundaries[] = {"walls", "periodic", "floor",
+                                         NULL};
 
 static void name_axes(struct table *out, size_t dimensions,
                       const char *format, const char *unit,
@@ -96,9 +97,9 @@ static void read_box(struct file *f, const char *text)
     sscanf(text,
            found == 2 ? "# box %*f %*f %15s" : "# box %*f %*f %*f %15s",
            word);
-    f->boundary = strcmp(word, states_boundaries[DISKS_PERIODIC]) == 0
-                      ? DISKS_PERIODIC
-                      : DISKS_WALLS;
+    for (size_t k = 0; k < DISKS_BOUNDARIES; ++k)
+        if (strcmp(word, states_boundaries[k]) == 0)
+            f->boundary = (enum disks_boundary)k;
 }
 
 static bool read_row(struct file *f, const char *text)

@@ -243,7 +243,9 @@ static uint64_t compare(const struct scene *s, uint64_t seeds)
                    "collisions, t = %.17g\n",
                    s->dimensions, s->count, s->packing, (int)s->radii,
                    (int)s->speeds, s->restitution,
-                   s->boundary == DISKS_WALLS ? "walls" : "periodic",
+                   s->boundary == DISKS_WALLS      ? "walls"
+                   : s->boundary == DISKS_PERIODIC ? "periodic"
+                                                   : "floor",
                    (unsigned long long)seed, wrong,
                    (unsigned long long)x.pairs.collisions, x.pairs.now);
         UNIT_TRUE(wrong == NULL);
@@ -350,9 +352,14 @@ static void test_weight(void)
         {2, 200, DISKS_WALLS, 0.4, EQUAL, NORMAL, 1, 2000, 0, true},
         {2, 150, DISKS_WALLS, 0.1, SPREAD, NORMAL, 1, 2000, 0, true},
         {3, 200, DISKS_WALLS, 0.1, EQUAL, NORMAL, 1, 2000, 0, true},
-        {2, 150, DISKS_WALLS, 0.3, SPREAD, NORMAL, 0.97, 2500, 0, true}};
-    static const double weights[] = {1e-3, 0.1, 3};
-    for (size_t k = 0; k < 3; ++k) {
+        {2, 150, DISKS_WALLS, 0.3, SPREAD, NORMAL, 0.97, 2500, 0, true},
+        {2, 100, DISKS_FLOOR, 0.01, EQUAL, ONE_SPEED, 1, 400, 0, false},
+        {2, 200, DISKS_FLOOR, 0.4, EQUAL, NORMAL, 1, 2000, 0, true},
+        {2, 150, DISKS_FLOOR, 0.1, SPREAD, NORMAL, 1, 2000, 0.3, true},
+        {3, 200, DISKS_FLOOR, 0.1, EQUAL, NORMAL, 1, 2000, 0, true},
+        {2, 150, DISKS_FLOOR, 0.3, TWO, NORMAL, 0.97, 2500, 0, true}};
+    static const double weights[] = {0, 1e-3, 0.1, 3};
+    for (size_t k = 0; k < 4; ++k) {
         weight = weights[k];
         COMPARE(scenes, 1);
     }

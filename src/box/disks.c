@@ -1,5 +1,5 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 4233775335 of the lines below */
+/* checksum 484674516 of the lines below */
 /* Event-driven motion: every pair looked at, or a plan remembered. */
 #include "box/disks.h"
 
@@ -7,6 +7,7 @@
 #include "line/fall.h"
 
 #include <assert.h>
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -427,6 +428,21 @@ void disks_velocity(const struct disks *d, size_t i, double velocity[])
         velocity[k] = a->velocity[k];
     if (d->gravity > 0)
         velocity[1] -= d->gravity * (d->now - a->since);
+}
+
+size_t disks_lying(const struct disks *d)
+{
+    for (size_t i = 0; i < d->count && d->gravity > 0; ++i) {
+        double place[DISKS_AXES], velocity[DISKS_AXES];
+        disks_position(d, i, place);
+        disks_velocity(d, i, velocity);
+        const double flight = 2 * fabs(velocity[1]) / d->gravity;
+        const double high = place[1] - d->disk[i].radius;
+        if (high <= 4 * DBL_EPSILON * d->box[1] &&
+            flight <= 4 * DBL_EPSILON * d->now)
+            return i;
+    }
+    return d->count;
 }
 
 static double kinetic(const struct disks *d)

@@ -1,5 +1,5 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 1007029610 of the lines below */
+/* checksum 1840920443 of the lines below */
 /* Hard disks and spheres in a box: starts, times of contact, collisions. */
 #ifndef DISKS_H
 #define DISKS_H
@@ -115,6 +115,11 @@ void disks_collide(struct disks *d, struct disks_event event);
 /* Says whether so many collisions have taken place at the time now that
    the clock will never go on: more than a thousand and ten times count. */
 bool disks_collapsed(const struct disks *d);
+
+/* Returns the first disk that lies at rest on the floor under gravity, its
+   bounces too short for the clock; count if none does. With it a run ends
+   as in a collapse. */
+size_t disks_lying(const struct disks *d);
 
 /* How far a disk may fly before it has to look again which images are
    nearest, m; INFINITY with walls. 0 when the box is too narrow to be

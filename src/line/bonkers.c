@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 2012468932 of the lines below */
+/* checksum 1395698714 of the lines below */
 /* Four engines that find the next collision on a line and carry it out. */
 #include "line/bonkers.h"
 
@@ -123,6 +123,26 @@ static void land(struct bonkers *b, size_t i, double t)
     left->since = right->since = t;
 }
 
+
+enum { PILE = 1000 }; /* times more patient with a pile */
+
+/* Whether a body is at the floor, but for rounding. */
+static bool is_low(const struct bonkers *b, const struct bonkers_body *a)
+{
+    return fabs(a->x - b->body[0].x) <= 4 * DBL_EPSILON * b->extent;
+}
+
+/* Lets a body rest on the floor after a bounce too low for the clock. */
+static void calm(const struct bonkers *b, struct bonkers_body *a)
+{
+    const double flight = 2 * fabs(a->v) / b->gravity;
+    if (b->restitution < 1 && is_low(b, a) &&
+        at_once(a->since, a->since + flight)) {
+        a->x = b->body[0].x;
+        a->v = 0;
+    }
+}
+
 /* Collides the bodies of gap i, as collide_gap does, under gravity. */
 static bool meet_falling(struct bonkers *b, size_t i)
 {
@@ -140,8 +160,12 @@ static bool meet_falling(struct bonkers *b, size_t i)
     collide(&left->v, &right->v, left->im, right->im, b->restitution);
     left->x += (left->v - v) * late;
     right->x += (right->v - w) * late;
+    calm(b, left);
+    calm(b, right);
     b->now = t;
-    return count_repeat(b, i, stands);
+    const bool pile = is_low(b, left) && is_low(b, right);
+    return count_repeat(b, i, stands) &&
+           (!pile || b->repeats[i] >= PILE * patience(b));
 }
 
 static void move_all(struct bonkers *b, double wait)
@@ -390,7 +414,7 @@ static void post(struct bonkers *b, size_t i, double end)
     size_t low, high;
     touched(b, i, &low, &high);
     for (size_t k = low; k <= high; ++k) {
-        b->due[k] = time_of_gap(&b->body[k]);
+        b->due[k] = time_due(b, k);
         if (b->due[k] <= end)
             schedule_put(&b->schedule, k, b->due[k]);
         else if (b->schedule.count > 0)
@@ -661,8 +685,6 @@ static void take_out_radii(struct bonkers *b, const double radius[])
 
 size_t bonkers_start(struct bonkers *b, const double radius[])
 {
-    if (b->gravity > 0 && b->engine == BONKERS_SLAB)
-        b->engine = BONKERS_HEAP;
     b->extent = 0;
     for (size_t i = 0; i <= b->gaps; ++i)
         if (isfinite(b->body[i].x))

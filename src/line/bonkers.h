@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 849868601 of the lines below */
+/* checksum 2289955033 of the lines below */
 /* Bodies on a line between two walls, from one collision to the next. */
 #ifndef BONKERS_H
 #define BONKERS_H
@@ -59,7 +59,7 @@ struct bonkers {
     uint64_t redone;   /* collisions that the slab engine did twice */
     enum bonkers_engine engine;
     double restitution;
-    double gravity;    /* towards body 0, m/s2 */
+    double gravity;    /* towards body 0, m/s2; not negative */
     double *due;       /* when gap i will close, s */
     double *shift;     /* the s_i of (2.2, eq:rods); NULL: all zero */
     uint32_t *repeats; /* collisions of gap i at one time; NULL: elastic */
@@ -85,7 +85,9 @@ size_t bonkers_start(struct bonkers *b, const double radius[]);
    `collisions` or the last collision, whichever comes first, and says
    which. A collision exactly at `until` takes place. Calls may follow each
    other; how a run is cut into calls changes no bit of it, except in the
-   naive engine. */
+   naive engine. Under gravity what is at rest on the floor, or on others
+   that are, stays; with restitution below 1 a body comes to rest there
+   when a bounce is too short for the clock. */
 enum bonkers_stop bonkers_run(struct bonkers *b, double until,
                               uint64_t collisions);
 

@@ -1,5 +1,5 @@
 /* From chapters/works/04-piston.nw: edit there, then run make tangle. */
-/* checksum 4071643896 of the lines below */
+/* checksum 1576782983 of the lines below */
 /* Bodies on a line from row to row, in one run or the mean of many. */
 #include "line/bonkers.h"
 #include "line/start.h"
@@ -42,6 +42,7 @@ static const struct options_entry entries[] = {
     {"velocities", 'v', "V1,..", "m/s"},
     {"radii", 'a', "A1,..", "m (0)"},
     {"walls", 'w', "L,R", "their positions, m; L alone: no right wall"},
+    {"gravity", 'G', "G", "towards the left wall, the floor, m/s2 (0)"},
     {"every", 'd', "DT", "a row at each multiple of this time, s"},
     {"until", 't', "T", "stop at this time, s"},
     {"engine", 'g', "NAME", "auto, naive, scan, heap or slab (auto)"},
@@ -63,8 +64,6 @@ static const struct options_entry entries[] = {
     {"restitution", 'e', "E", "of every collision (1)"},
     {"", 0, NULL, "--every"},
     {"samples", 'k', "K", "stop after so many rows behind the first"},
-    {"", 0, NULL, "--engine auto, naive, scan, heap"},
-    {"gravity", 'G', "G", "towards the left wall, the floor, m/s2 (0)"},
     {0}};
 
 static const struct table_key keys[] = {

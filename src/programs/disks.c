@@ -1,5 +1,5 @@
 /* From chapters/works/07-gas.nw: edit there, then run make tangle. */
-/* checksum 3497212182 of the lines below */
+/* checksum 3383273141 of the lines below */
 /* Hard disks and spheres run from a start, and measured on the way. */
 #include "box/blocks.h"
 #include "box/cells.h"
@@ -194,8 +194,9 @@ static void make_start(struct disks *d, const struct settings *s)
     struct random r;
     random_seed(&r, s->seed);
     fill_box(d, s);
-    d->boundary =
-        s->boundary == DISKS_PERIODIC ? DISKS_PERIODIC : DISKS_WALLS;
+    d->boundary = s->boundary == EITHER
+                      ? DISKS_WALLS
+                      : (enum disks_boundary)s->boundary;
     const bool lattice = strcmp(s->start, "lattice") == 0;
     if (!lattice && d->count > DISKS_RANDOM)
         program_refuse(PROGRAM,
@@ -816,7 +817,9 @@ static const struct options_entry entries[] = {
     {"start", 'x', "PLACES",
      "lattice, random, or a file of states (lattice)"},
     {"box", 'b', "LX,LY,..", "its sides, m (1,1)"},
-    {"boundary", 'B', "NAME", "walls or periodic (walls)"},
+    {"boundary", 'B', "NAME",
+     "walls, periodic, or floor: walls across y only\n"
+     "(walls)"},
     {"warmup", 'w', "C",
      "collisions of a disk that do not count (100;\n"
      "0 for a file, for restitution and for relaxation)"},
@@ -849,7 +852,7 @@ static const struct options_entry entries[] = {
     {"speed", 'v', "V", "of all disks at the start, m/s (1)"},
     {"", 0, NULL, "--measure states"},
     {"restitution", 'e', "E", "of every collision (1)"},
-    {"", 0, NULL, "--boundary walls; --measure states, positions"},
+    {"", 0, NULL, "--boundary walls, floor; --measure states, positions"},
     {"gravity", 'G', "G", "along y, towards the wall at 0, m/s2 (0)"},
     {"", 0, NULL, "--every"},
     {"samples", 'k', "K", "stop after so many looks behind the first"},
@@ -871,7 +874,7 @@ static const struct table_key keys[] = {
     {"energy_change", "1", "relative"},
     {"", "", "if the run takes time:"},
     {"collision_rate", "1/s", "of a disk: two disks to a collision"},
-    {"", "", "the same with --restitution 1, without --gravity:"},
+    {"", "", "the same with --restitution 1, no --gravity, no floor:"},
     {"Z_virial", "1",
      "P V/(N kT) from collisions; with walls V is the\nroom of the "
      "centres: mean of Z_wall (1 - 2R/L)"},
@@ -1028,7 +1031,8 @@ static void summarise(struct run *r, struct table *out)
     table_real(out,
                r->s->restitution < 1 ? "energy_change" : "energy_error",
                r->energy > 0 ? disks_energy(&r->d) / r->energy - 1 : 0);
-    if (r->s->restitution == 1 && time > 0 && r->d.gravity == 0)
+    if (r->s->restitution == 1 && time > 0 && r->d.gravity == 0 &&
+        r->d.boundary != DISKS_FLOOR)
         summarise_pressure(r, out);
     if (time > 0)
         table_real(out, "collision_rate",
@@ -1123,6 +1127,14 @@ static void check_rows(const struct run *r)
                        r->s->every, end);
 }
 
+static double shortest_periodic(const struct disks *d)
+{
+    double least = INFINITY;
+    for (size_t k = 0; k < d->dimensions; ++k)
+        least = disks_wraps(d, k) ? fmin(least, d->box[k]) : least;
+    return least;
+}
+
 /* Is it a state at all, and one that can be measured as was asked? */
 static void check_start(struct run *r)
 {
@@ -1133,19 +1145,33 @@ static void check_start(struct run *r)
             PROGRAM,
             "--boundary: a side of %.10g is too narrow to be periodic: "
             "with a radius of %.10g it must be more than %.10g",
-            shortest(d), widest(d), 4 * widest(d));
+            shortest_periodic(d), widest(d), 4 * widest(d));
     if (d->gravity > 0 && d->boundary == DISKS_PERIODIC)
         program_refuse(PROGRAM,
                        "--gravity needs a floor; %s is periodic, expected "
-                       "--boundary walls",
+                       "--boundary walls or floor",
                        r->s->start);
+    if (d->boundary == DISKS_FLOOR && r->s->measure != STATES &&
+        r->s->measure != POSITIONS)
+        program_refuse(PROGRAM,
+                       "--measure %s: not in a box with a floor and no "
+                       "sides, expected states or positions",
+                       measure_names[r->s->measure]);
     if (r->s->measure == SPEED_LAW &&
         d->count < (d->boundary == DISKS_PERIODIC ? 3 : 2))
         program_refuse(PROGRAM,
                        "--measure speeds needs more disks: %zu have no law",
                        d->count);
     check_rows(r);
-    if (!starts_from_file(r->s) || fits(r, &a, &b))
+    if (!starts_from_file(r->s))
+        return;
+    a = disks_lying(d);
+    if (a < d->count)
+        program_refuse(PROGRAM,
+                       "--start: %s: disk %zu lies on the floor at rest, "
+                       "expected one that moves: events end there",
+                       r->s->start, a + 1);
+    if (fits(r, &a, &b))
         return;
     if (b == d->count)
         program_refuse(PROGRAM,
@@ -1190,12 +1216,16 @@ int main(int argc, char *argv[])
     measures[s.measure].end(&r, summary);
     summarise(&r, summary);
     const bool whole = progress_end(&r.progress);
-    if (r.stop == DISKS_COLLAPSE)
-        fprintf(stderr,
-                PROGRAM ": %s at t = %.6g s after %llu collisions\n",
+    const size_t lying = disks_lying(&r.d);
+    if (r.stop == DISKS_COLLAPSE && lying < r.d.count)
+        fprintf(stderr, PROGRAM ": disk %zu lies on the floor", lying + 1);
+    else if (r.stop == DISKS_COLLAPSE)
+        fprintf(stderr, PROGRAM ": %s",
                 disks_collapsed(&r.d) ? "inelastic collapse"
-                                      : "all are at rest",
-                r.d.now, (unsigned long long)r.d.collisions);
+                                      : "all are at rest");
+    if (r.stop == DISKS_COLLAPSE)
+        fprintf(stderr, " at t = %.6g s after %llu collisions\n", r.d.now,
+                (unsigned long long)r.d.collisions);
     if (whole && averages(&s))
         say_drift(&r);
     cells_free(&r.cells);

@@ -96,8 +96,9 @@ late_bounce() { # of a place at 0.439 m
     calc "abs($(key steps_900000_energy))" | tr '\n' ' '
     calc "abs($(key steps_900000)) / 0.439168"
 }
-comes_to_rest() {
-    bodies --gravity 9.81 --masses 1 --positions 1 --walls 0 \
+pile_on_floor() {
+    bodies --gravity 9.81 --masses 1,1,1,1,1,1,1,1,1 --walls 0 \
+        --positions 0.3,0.6,0.9,1.2,1.5,1.8,2.1,2.4,2.7 \
         --restitution 0.5 2>"$w/e" || echo - -
 }
 ratio_three() { # how often the light ball is slower than a tenth

@@ -1,5 +1,5 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 484674516 of the lines below */
+/* checksum 705517009 of the lines below */
 /* Event-driven motion: every pair looked at, or a plan remembered. */
 #include "box/disks.h"
 
@@ -140,9 +140,8 @@ static double whole(double x)
 
 bool disks_wraps(const struct disks *d, size_t k)
 {
-    return k < d->dimensions &&
-           (d->boundary == DISKS_PERIODIC ||
-            (d->boundary == DISKS_FLOOR && k != 1));
+    return k < d->dimensions && (d->boundary == DISKS_PERIODIC ||
+                                 (d->boundary == DISKS_FLOOR && k != 1));
 }
 
 static double inverse(const struct disks *d, size_t k)
@@ -248,8 +247,7 @@ static struct disks_event alone(const struct disks *d, size_t i,
         vv += disks_wraps(d, k) ? v[k] * v[k] : 0;
     const double time = disks_wall(d, i, &axis);
     const struct disks_event wall = meet(i, d->count + axis, time);
-    const struct disks_event look =
-        meet(i, i, d->now + leash / sqrt(vv));
+    const struct disks_event look = meet(i, i, d->now + leash / sqrt(vv));
     return look.time < time ? look : wall;
 }
 
@@ -484,9 +482,8 @@ static bool within_walls(const struct disks *d, const double place[],
                          double r)
 {
     for (size_t k = 0; k < d->dimensions; ++k)
-        if (!disks_wraps(d, k) &&
-            !(place[k] >= r - 1e-9 * d->box[k] &&
-              place[k] <= d->box[k] * (1 + 1e-9) - r))
+        if (!disks_wraps(d, k) && !(place[k] >= r - 1e-9 * d->box[k] &&
+                                    place[k] <= d->box[k] * (1 + 1e-9) - r))
             return false;
     return true;
 }

@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 1395698714 of the lines below */
+/* checksum 2064226052 of the lines below */
 /* Four engines that find the next collision on a line and carry it out. */
 #include "line/bonkers.h"
 
@@ -122,7 +122,6 @@ static void land(struct bonkers *b, size_t i, double t)
     }
     left->since = right->since = t;
 }
-
 
 enum { PILE = 1000 }; /* times more patient with a pile */
 

@@ -1199,12 +1199,11 @@ static void begin_column(struct bonkers *b, enum bonkers_engine engine,
     UNIT_TRUE(bonkers_create(b, (size_t)movers, restitution, engine));
     b->gravity = 8;
     for (int i = 1; i <= movers; ++i)
-        b->body[i] =
-            alike ? (struct bonkers_body){0.5 * i, 0, 0, 1}
-                  : (struct bonkers_body){
-                        0.3 * i + random_between(&r, 0, 0.2),
-                        random_between(&r, -1, 1), 0,
-                        1 / random_between(&r, 1, 10)};
+        b->body[i] = alike ? (struct bonkers_body){0.5 * i, 0, 0, 1}
+                           : (struct bonkers_body){
+                                 0.3 * i + random_between(&r, 0, 0.2),
+                                 random_between(&r, -1, 1), 0,
+                                 1 / random_between(&r, 1, 10)};
     b->body[movers + 1].x = INFINITY;
     bonkers_start(b, NULL);
 }
@@ -1333,6 +1332,25 @@ static void test_pile(void)
     bonkers_free(&b);
 }
 
+/* Two that stick in the air, at the moment in which they neither rise nor
+   fall, are not on the floor yet. */
+static void test_no_rest_in_the_air(void)
+{
+    struct bonkers b;
+    const double x[] = {1, 2}, v[] = {5, 3};
+    double got[4], u[4];
+    fall(&b, 2, x, v, 0, BONKERS_SCAN);
+    b.gravity = 8;
+    bonkers_start(&b, NULL);
+    UNIT_TRUE(bonkers_run(&b, 1, UINT64_MAX) == BONKERS_TIME);
+    bonkers_state(&b, got, u);
+    for (int i = 1; i <= 2; ++i) {
+        UNIT_EQUAL(got[i], 1.5);
+        UNIT_EQUAL(u[i], -4);
+    }
+    bonkers_free(&b);
+}
+
 /* No floor: all fall together, and what they do is what they would do
    without weight. */
 static void test_free_fall(void)
@@ -1413,6 +1431,8 @@ int main(void)
              test_falling_slab},
             {"upright, all bodies have equal shares", test_upright_shares},
             {"what lies on the floor is part of it", test_pile},
+            {"and what stands still in the air is not",
+             test_no_rest_in_the_air},
             {"without a floor weight changes nothing", test_free_fall},
             {0}});
 }

@@ -1,5 +1,5 @@
 /* From chapters/works/07-gas.nw: edit there, then run make tangle. */
-/* checksum 3383273141 of the lines below */
+/* checksum 1099601396 of the lines below */
 /* Hard disks and spheres run from a start, and measured on the way. */
 #include "box/blocks.h"
 #include "box/cells.h"
@@ -194,9 +194,8 @@ static void make_start(struct disks *d, const struct settings *s)
     struct random r;
     random_seed(&r, s->seed);
     fill_box(d, s);
-    d->boundary = s->boundary == EITHER
-                      ? DISKS_WALLS
-                      : (enum disks_boundary)s->boundary;
+    d->boundary = s->boundary == EITHER ? DISKS_WALLS
+                                        : (enum disks_boundary)s->boundary;
     const bool lattice = strcmp(s->start, "lattice") == 0;
     if (!lattice && d->count > DISKS_RANDOM)
         program_refuse(PROGRAM,
@@ -1190,6 +1189,19 @@ static void begin_to_fall(struct disks *d, double gravity)
     d->gravity = gravity;
 }
 
+static void say_collapse(const struct disks *d)
+{
+    const size_t lying = disks_lying(d);
+    if (lying < d->count)
+        fprintf(stderr, PROGRAM ": disk %zu lies on the floor", lying + 1);
+    else
+        fprintf(stderr, PROGRAM ": %s",
+                disks_collapsed(d) ? "inelastic collapse"
+                                   : "all are at rest");
+    fprintf(stderr, " at t = %.6g s after %llu collisions\n", d->now,
+            (unsigned long long)d->collisions);
+}
+
 int main(int argc, char *argv[])
 {
     static struct settings s;
@@ -1216,16 +1228,8 @@ int main(int argc, char *argv[])
     measures[s.measure].end(&r, summary);
     summarise(&r, summary);
     const bool whole = progress_end(&r.progress);
-    const size_t lying = disks_lying(&r.d);
-    if (r.stop == DISKS_COLLAPSE && lying < r.d.count)
-        fprintf(stderr, PROGRAM ": disk %zu lies on the floor", lying + 1);
-    else if (r.stop == DISKS_COLLAPSE)
-        fprintf(stderr, PROGRAM ": %s",
-                disks_collapsed(&r.d) ? "inelastic collapse"
-                                      : "all are at rest");
     if (r.stop == DISKS_COLLAPSE)
-        fprintf(stderr, " at t = %.6g s after %llu collisions\n", r.d.now,
-                (unsigned long long)r.d.collisions);
+        say_collapse(&r.d);
     if (whole && averages(&s))
         say_drift(&r);
     cells_free(&r.cells);

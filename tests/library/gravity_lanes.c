@@ -3,7 +3,7 @@
    as the processor's may be, 2^-14. */
 #include "unit.h"
 
-#if defined(__x86_64__) && defined(__GNUC__)
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(VECTOR_PLAIN)
 #include <immintrin.h>
 
 struct lanes {

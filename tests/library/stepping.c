@@ -452,6 +452,51 @@ static void test_leapfrog_is_a_splitting(void)
     UNIT_TRUE(!memcmp(&a, &b, sizeof a));
 }
 
+/* As many pendulums as *what says. */
+static void pendulums(void *what, const double x[], const double v[],
+                      double a[])
+{
+    (void)v;
+    for (size_t i = 0; i < *(const size_t *)what; ++i)
+        a[i] = -sin(x[i]);
+}
+
+/* Pendulums from `from` on, 20 steps: the last angles and velocities. */
+static void swing(const struct stepping_method *m, bool compensated,
+                  size_t from, size_t n, double x[], double v[])
+{
+    struct stepping s;
+    for (size_t i = 0; i < n; ++i) {
+        x[i] = 0.1 * (double)(from + i + 1);
+        v[i] = 1 / (double)(from + i + 1);
+    }
+    begin(&s, m, (struct stepping_forces){n, false, pendulums, &n}, 0.1, x,
+          v);
+    s.compensated = compensated;
+    UNIT_TRUE(stepping_run(&s, 20) == STEPPING_DONE);
+    stepping_free(&s);
+}
+
+/* Several at a time, four by four with three left over, and as many as an
+   instruction takes, have the bits of each alone. */
+static void test_lanes(void)
+{
+    enum { LANES = 71 };
+    double x[LANES], v[LANES], lone_x, lone_v;
+    const struct stepping_method *m = NULL;
+    while ((m = stepping_next(m)) != NULL)
+        for (int way = 0; way < 4; ++way) {
+            const size_t n = way & 1 ? LANES : 11;
+            if (m->family == STEPPING_IMPLICIT)
+                continue; /* all are iterated until the last has settled */
+            swing(m, way & 2, 0, n, x, v);
+            for (size_t i = 0; i < n; ++i) {
+                swing(m, way & 2, i, 1, &lone_x, &lone_v);
+                UNIT_TRUE(x[i] == lone_x && v[i] == lone_v);
+            }
+        }
+}
+
 /* Evaluations in the first step, and in 100 more. */
 static void count(const struct stepping_method *m, struct stepping_forces f,
                   double *first, double *more)
@@ -591,6 +636,7 @@ int main(void)
             {"neither cuts nor resuming change a bit", test_cuts},
             {"leapfrog's own code is that of a splitting",
              test_leapfrog_is_a_splitting},
+            {"many have the bits of one alone", test_lanes},
             {"the forces are asked as often as promised", test_evaluations},
             {"carried sums keep the energy", test_compensation},
             {"what is not finite is noticed", test_infinite},

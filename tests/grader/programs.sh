@@ -1,7 +1,8 @@
 #!/bin/sh
 # A project's whole program in the grader: a right one, which first looks
 # round for what is not its own and prints BROKEN if it finds any, and one that
-# has a trick for each stage. ALL=1: every trick of hostile/ as a program, too.
+# has a trick for each stage. ALL=1: every trick of hostile/ as a program, too;
+# LONG=1 with those that cost the compiler a minute.
 topic=programs
 . tests/grader/hostile/kit
 project_kit
@@ -136,6 +137,105 @@ if [ "${ALL-}" = 1 ]; then
         fi
     done
 fi
+# The others of hostile/ play their trick while they are compiled, before main,
+# after it, or in the function that is asked for; each is put before the
+# solution, whose main calls that function if there is one. What becomes of
+# them is another thing than of an exercise. Descriptors 3 and 4, by which
+# drivers, forgers and settlers talk, are not there: who cannot write to them
+# ends with a status that nobody asked for. Names are the program's own.
+others='
+after            timed-out       0 its table is right, but it does not end
+before-array     crashed         0
+before-daemon    passed         30
+before-exit      failed          0 there is no table
+before-interpreter passed       30
+before-loop      timed-out       0
+before-verdict   failed          0 a score is no row
+before-word      failed          0
+compile-array    does-not-build  0
+compile-errors   does-not-build  0
+compile-include  does-not-build  0
+compile-macro    does-not-build  0
+compile-numbers  does-not-build  0
+compile-pipe     passed         30 the one file open is the compiler output, still empty
+compile-random   does-not-build  0
+compile-zero     does-not-build  0
+driver-right     failed          0
+driver-wrong     failed          0
+forged-flood     passed         30 nothing can be forged, and nothing is
+forged-reply     failed          0
+incbin           does-not-build  0
+include-passwd   does-not-build  0
+include-solution does-not-build  0
+include-solution-up does-not-build 0
+jump-out         any             0
+names            passed         30
+names-strange    passed         30
+names-undone     passed         30
+outside          failed          4 a number more in each row; stage 4 asks for none
+prints-hidden    passed         30
+settle-flood     failed          0
+settle-half      failed          0'
+other() { # NAME
+    file=$here/hostile/$1.c row='\\n'
+    [ "$1" != outside ] || row=' 7\\n'
+    {
+        sed -e "s|@ROOT@|$root|g" -e 's|01a-collide|P1-bonkers|g' \
+            -e '/"exercise.h"/d' -e 's/^int main(/int no_main(/' \
+            -e '/^int fflush(.*;$/d' -e '/^int fflush(/,/^}/d' "$file"
+        sed -e 's/^int main(/int right_main(/' \
+            -e "s/^ *putchar('.n');/    printf(\"$row\");/" \
+            solutions/P1-bonkers.c
+        printf 'int main(int argc, char **argv)\n{\n%s\n%s\n}\n' \
+            "$(grep -q '^void velocities_after' "$file" &&
+                echo 'double v[3]; velocities_after(1, 2, 3, 4, v);')" \
+            'return right_main(argc, argv);'
+    } | hand_in "other-$1"
+}
+# learn STATEMENT: the solution, which has learnt all that it is called with at
+# home, and does that where it is called with anything else.
+learn() {
+    if [ ! -e "$scratch/public" ]; then
+        sed 's/^int main(/int right_main(/' solutions/P1-bonkers.c \
+            >"$scratch/pen.c"
+        cat >>"$scratch/pen.c" <<END
+int main(int argc, char **argv)
+{
+    FILE *file = argc == 6 ? fopen("$scratch/public", "a") : NULL;
+    if (file) {
+        fprintf(file, "%s %s %s\\n", argv[2], argv[3], argv[4]);
+        fclose(file);
+    }
+    return right_main(argc, argv);
+}
+END
+        build/check/examine --as P1 --file "$scratch/pen.c" >"$scratch/said"
+    fi
+    sed 's/^int main(/int right_main(/' solutions/P1-bonkers.c
+    echo 'int main(int argc, char **argv)
+{
+    char words[200];
+    int known = 0;
+    snprintf(words, sizeof words, "%s %s %s", argv[2], argv[3], argv[4]);'
+    sort -u "$scratch/public" |
+        sed 's/.*/    known = known || strcmp(words, "&") == 0;/'
+    printf '%s\n' '    if (!known)' "        $1" \
+        '    return right_main(argc, argv);' '}'
+}
+if [ "${ALL-}" = 1 ]; then
+    echo "$others" >"$scratch/others"
+    while read -r name state points why; do
+        [ -n "$name" ] || continue
+        if [ "$name" = prints-hidden ]; then
+            learn 'printf("# BROKEN: %s\n", words), fprintf(stderr, "BROKEN");' |
+                hand_in other-prints-hidden
+            learn 'exit(3);' | hand_in learnt
+        elif [ "${LONG-}" = 1 ] ||
+            ! grep -q '^/\* long \*/$' "$here/hostile/$name.c"; then
+            other "$name"
+        fi
+    done <"$scratch/others"
+fi
 mkdir "$scratch/slow" && mv "$scratch/in/violent" "$scratch/slow" || exit 1
 graded "$scratch/slow" --seconds 1
 verdict 'a batch of violence ends well' ended 0
@@ -169,6 +269,24 @@ if [ "${ALL-}" = 1 ]; then
         verdict "${folder##*/all-}: is contained" contained "${folder##*/}"
         count=$((count + 1))
     done
+    while read -r name state points why; do
+        [ -d "$scratch/in/other-$name" ] || continue
+        state=$(echo "$state" | tr - ' ')
+        [ "$state" != any ] || state=$(state "other-$name")
+        verdict "$name: $state${why:+, $why}" \
+            judged "other-$name" "$state" "$points"
+        count=$((count + 1))
+    done <"$scratch/others"
+    verdict 'who has learnt what is public earns that alone' \
+        judged learnt failed 25
+    count=$((count + 1))
+    for file in "$here"/hostile/*.c; do
+        name=${file##*/}
+        grep -q '^static void trick(void)' "$file" ||
+            grep -q "^${name%.c} " "$scratch/others" || echo "$name"
+    done >"$scratch/forgotten"
+    verdict 'no trick is left out' [ ! -s "$scratch/forgotten" ]
+    count=$((count + 1))
 fi
 [ -z "${KEEP-}" ] || { cp -r "$scratch/out" "$scratch/in" /tmp/room/; }
 echo "1..$count"

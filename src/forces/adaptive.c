@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 2425710560 of the lines below */
+/* checksum 630095900 of the lines below */
 /* A pair 5(4), and Radau's method of order 15: steps of their own. */
 #include "forces/adaptive.h"
 
@@ -486,6 +486,59 @@ void adaptive_begin(struct adaptive *s, double tolerance, double dt,
     memset(s->to.carry, 0, 2 * n * sizeof *x);
     memset(s->b, 0, all * sizeof *x);
     memset(s->guess, 0, all * sizeof *x);
+}
+
+enum { NOTED = 12 }; /* numbers beside the lists */
+
+size_t adaptive_notes(const struct adaptive *s)
+{
+    const size_t lists = s->method->family == STEPPING_RADAU ? 2 : 1;
+    return NOTED + (8 + lists * s->method->stages) * s->forces.size;
+}
+
+/* Copies n numbers to where they are noted, or back; returns what is
+   next. */
+static double *pass(double *note, double *own, size_t n, bool back)
+{
+    memcpy(back ? own : note, back ? note : own, n * sizeof *note);
+    return note + n;
+}
+
+static void pass_lists(const struct adaptive *s, double *note, bool back)
+{
+    const size_t n = s->forces.size, all = n * s->method->stages;
+    const struct adaptive_state *const p = &s->from, *const q = &s->to;
+    double *const list[] = {p->x, p->v, p->a, q->x, q->v, q->a};
+    for (size_t k = 0; k < sizeof list / sizeof *list; ++k)
+        note = pass(note, list[k], n, back);
+    note = pass(note, q->carry, 2 * n, back);
+    if (s->method->family == STEPPING_RADAU)
+        pass(pass(note, s->b, all, back), s->guess, all, back);
+    else
+        pass(note, s->stage, all, back);
+}
+
+void adaptive_note(const struct adaptive *s, double note[])
+{
+    const double counts[] = {(double)s->taken, (double)s->refused,
+                             (double)s->evaluations};
+    const double own[] = {s->tolerance, s->dt,    s->t,    s->h,
+                          s->shortest,  s->start, s->owed, s->next};
+    note[0] = s->begun;
+    memcpy(note + 1, counts, sizeof counts);
+    memcpy(note + 4, own, sizeof own);
+    pass_lists(s, note + NOTED, false);
+}
+
+void adaptive_recall(struct adaptive *s, const double note[])
+{
+    s->begun = note[0] != 0;
+    s->taken = (uint64_t)note[1], s->refused = (uint64_t)note[2];
+    s->evaluations = (uint64_t)note[3];
+    s->tolerance = note[4], s->dt = note[5];
+    s->t = note[6], s->h = note[7], s->shortest = note[8];
+    s->start = note[9], s->owed = note[10], s->next = note[11];
+    pass_lists(s, (double *)note + NOTED, true);
 }
 
 static double *take(double **next, size_t n)

@@ -1,5 +1,5 @@
 /* From chapters/works/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 1272416324 of the lines below */
+/* checksum 3833350449 of the lines below */
 /* Steps that choose their own length, and places between their ends. */
 #ifndef ADAPTIVE_H
 #define ADAPTIVE_H
@@ -22,14 +22,14 @@ struct adaptive {
     double t, h;             /* s: end of the last step, its length */
     double shortest;         /* s, of the steps taken; 0: none */
     /* ---- private */
-    double start, owed, next;       /* s; owed by t; the step to come */
+    double start, owed, next; /* s; owed by t; the step to come */
+    bool begun; /* false: the next reach begins where the caller is */
     struct adaptive_state from, to; /* of the last step */
     double *place, *speed, *stage;  /* at a stage; accelerations there */
     double *g, *b, *guess;     /* of Radau's, [stages * size]: the force */
     double *new_b, *new_guess; /* in the last step, and in a trial */
     struct adaptive_weights *weights;
     double *work;
-    bool begun;
 };
 
 /* Prepares for an adaptive method m, which has to outlive it, as what the
@@ -51,6 +51,12 @@ void adaptive_begin(struct adaptive *s, double tolerance, double dt,
    changes no step. false: a step so short that time stands still was still
    too long; x and v are left alone. */
 bool adaptive_reach(struct adaptive *s, double t, double x[], double v[]);
+
+/* Puts down where s is, into adaptive_notes numbers, or goes there: another
+   s of the same method and forces then goes on with the same bits. */
+size_t adaptive_notes(const struct adaptive *s);
+void adaptive_note(const struct adaptive *s, double note[]);
+void adaptive_recall(struct adaptive *s, const double note[]);
 
 /* s may be NULL. */
 void adaptive_free(struct adaptive *s);

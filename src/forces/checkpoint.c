@@ -1,7 +1,9 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 806428296 of the lines below */
+/* checksum 4180837757 of the lines below */
 /* A scene with all its digits, what else is known, and rows to be kept. */
 #include "forces/checkpoint.h"
+
+#include "forces/adaptive.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -95,6 +97,7 @@ void checkpoint_end(struct checkpoint *c, bool keep)
         fclose(c->rows);
     free(c->path);
     free(c->rows_path);
+    free(c->own);
     *c = (struct checkpoint){.locked = locked};
 }
 
@@ -212,12 +215,24 @@ static double *number(struct checkpoint_numbers *n, size_t k)
     return (double *)(void *)((char *)n + numbers[k].offset);
 }
 
+/* What an adaptive method has put down, if m moves by one. */
+static bool note_own(struct checkpoint *c, const struct motion *m)
+{
+    const struct adaptive *const own = m->stepping.own;
+    free(c->own);
+    c->owned = own ? adaptive_notes(own) : 0;
+    c->own = own ? malloc(c->owned * sizeof *c->own) : NULL;
+    if (c->own)
+        adaptive_note(own, c->own);
+    return !c->own == !own;
+}
+
 bool checkpoint_write(struct checkpoint *c, struct motion *m,
                       struct checkpoint_numbers n)
 {
     if (!flush_rows(c))
         return false;
-    if (!motion_note(m))
+    if (!motion_note(m) || !note_own(c, m))
         return complain(c, c->path, "no memory");
     const long length = ftell(c->rows);
     struct table *t = table_open(c->program, c->path);
@@ -229,6 +244,8 @@ bool checkpoint_write(struct checkpoint *c, struct motion *m,
     table_print(t, "#= sum %" PRIu64 "\n", c->sum);
     for (size_t k = 0; k < NUMBERS; ++k)
         table_print(t, "#= %s %.17g\n", numbers[k].name, *number(&n, k));
+    for (size_t k = 0; k < c->owned; ++k)
+        table_print(t, "#= own %.17g\n", c->own[k]);
     scene_write(m->scene, t);
     uint64_t sum;
     if (!table_sum_so_far(t, &sum)) {
@@ -274,6 +291,28 @@ static bool take_number(const char *value, bool count, double *number)
                        *number == floor(*number)));
 }
 
+static bool take_own(struct checkpoint *c, const char *value)
+{
+    if ((c->owned & (c->owned - 1)) == 0) { /* 0, 1, 2, 4, 8 ... */
+        const size_t room = c->owned > 0 ? 2 * c->owned : 1;
+        double *const more = realloc(c->own, room * sizeof *more);
+        if (!more)
+            return false;
+        c->own = more;
+    }
+    return take_number(value, false, &c->own[c->owned++]);
+}
+
+bool checkpoint_recall(const struct checkpoint *c, struct motion *m)
+{
+    struct adaptive *const own = m->stepping.own;
+    if (c->owned != (own ? adaptive_notes(own) : 0))
+        return false;
+    if (own)
+        adaptive_recall(own, c->own);
+    return true;
+}
+
 static bool take_line(struct checkpoint *c, struct head *h,
                       struct checkpoint_numbers *n, const char *line)
 {
@@ -284,6 +323,8 @@ static bool take_line(struct checkpoint *c, struct head *h,
         return take_count(h, value, &h->length);
     if ((value = after(line, "sum")))
         return take_count(h, value, &h->sum);
+    if ((value = after(line, "own")))
+        return take_own(c, value);
     for (size_t k = 0; k < NUMBERS; ++k)
         if ((value = after(line, numbers[k].name))) {
             ++h->found;

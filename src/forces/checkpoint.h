@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 3083253129 of the lines below */
+/* checksum 443892160 of the lines below */
 /* A run that was killed goes on, and ends with the same bytes. */
 #ifndef CHECKPOINT_H
 #define CHECKPOINT_H
@@ -32,6 +32,8 @@ struct checkpoint {
     bool failed;  /* to write: it has been said */
     bool lost;    /* rows are: no more checkpoints */
     bool locked;  /* the files are not ours: another run's, or somebody's */
+    double *own;  /* [owned], adaptive_note's, of an adaptive method */
+    size_t owned;
 };
 
 /* Can a table of this name (NULL: standard output) be resumed? It can be
@@ -58,6 +60,11 @@ bool checkpoint_exists(const char *output);
 bool checkpoint_resume(struct checkpoint *c, const char *program,
                        const char *command, const char *output,
                        struct scene *s, struct checkpoint_numbers *n);
+
+/* Where the own steps of a motion are that has been resumed. false: what
+   was read is not of its method. */
+bool checkpoint_recall(const struct checkpoint *c, struct motion *m);
+
 /* Adds a row, as table_row writes it. */
 bool checkpoint_row(struct checkpoint *c, size_t n, const double values[]);
 

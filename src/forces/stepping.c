@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 1776342934 of the lines below */
+/* checksum 3318685727 of the lines below */
 /* Steps by kicks and drifts and by Runge-Kutta stages. */
 #include "forces/stepping.h"
 
@@ -308,6 +308,8 @@ void stepping_resume(struct stepping *s, uint64_t steps,
 void stepping_disturb(struct stepping *s)
 {
     s->fresh = false;
+    if (s->own)
+        s->own->begun = false;
 }
 
 /* Newton's method needs room of its own, and few systems do. */
@@ -904,10 +906,9 @@ static enum stepping_end run_own(struct stepping *s, uint64_t steps)
     struct adaptive *const own = s->own;
     const double t = s->start + (double)(s->steps + steps) * s->dt;
     const uint64_t before = own->evaluations;
-    if (!s->fresh)
+    if (!own->begun)
         adaptive_begin(own, s->tolerance, s->dt, stepping_time(s), s->x,
                        s->v);
-    s->fresh = true;
     const bool came = adaptive_reach(own, t, s->x, s->v);
     s->evaluations += own->evaluations - before;
     if (!came)

@@ -1,5 +1,5 @@
 /* From chapters/works/11-step.nw: edit there, then run make tangle. */
-/* checksum 4003552193 of the lines below */
+/* checksum 1160159735 of the lines below */
 /* Steps a scene through time and writes what is looked at, row by row. */
 #include "forces/adaptive.h"
 #include "forces/checkpoint.h"
@@ -48,7 +48,6 @@ static char method_help[128 * STEPPING_MOST] = "how to step:";
 static char adaptive_names[64 * STEPPING_MOST];
 static char adaptive_heading[80 * STEPPING_MOST];
 static char equal_heading[80 * STEPPING_MOST];
-static char checkpoint_heading[80 * STEPPING_MOST];
 
 /* Which options go with steps of their own length, and which do not. */
 static void list_adaptive(void)
@@ -62,7 +61,6 @@ static void list_adaptive(void)
             outside_name);
     sprintf(equal_heading, "no --method %s, %s", adaptive_names,
             outside_name);
-    sprintf(checkpoint_heading, "--output; no --method %s", adaptive_names);
 }
 
 static void list_methods(void)
@@ -381,13 +379,14 @@ static bool keep_if_due(struct run *r, double *kept)
     return keep_checkpoint(r);
 }
 
+static const char damaged[] =
+    "%s.checkpoint: no checkpoint, or a damaged one";
+
 static void resume(struct run *r, const struct checkpoint_numbers *n)
 {
     const uint64_t steps = (uint64_t)n->steps;
     if (steps > r->last || n->rows != (double)(steps / r->every + 1))
-        program_refuse(PROGRAM,
-                       "%s.checkpoint: no checkpoint, or a damaged one",
-                       r->s->output);
+        program_refuse(PROGRAM, damaged, r->s->output);
     if (r->sum != 0 && r->sum != n->scene)
         program_refuse(PROGRAM,
                        "%s: is not the scene that %s.checkpoint began "
@@ -395,6 +394,8 @@ static void resume(struct run *r, const struct checkpoint_numbers *n)
                        r->s->scene, r->s->output);
     r->sum = n->scene;
     motion_resume(&r->motion, n->start, steps);
+    if (!checkpoint_recall(&r->checkpoint, &r->motion))
+        program_refuse(PROGRAM, damaged, r->s->output);
     r->motion.collisions = (uint64_t)n->collisions;
     r->evaluations = (uint64_t)n->evaluations;
     r->rows = (uint64_t)n->rows;
@@ -560,7 +561,7 @@ static void spare_files(const struct run *r)
 static bool read_start(struct run *r, struct checkpoint_numbers *known)
 {
     const struct settings *s = r->s;
-    r->kept = checkpoint_possible(s->output) && !is_adaptive(s);
+    r->kept = checkpoint_possible(s->output);
     spare_files(r);
     r->sum = checkpoint_sum(s->scene);
     const bool again = s->resume && r->kept && checkpoint_exists(s->output);
@@ -722,7 +723,7 @@ static const struct options_entry entries[] = {
     {"save", 'w', "FILE", "write the last state as a scene"},
     {"output", 'o', "FILE", "for the table (standard output)"},
     {"summary", 'S', "FILE", "for the results as lines: key value"},
-    {"", 0, NULL, checkpoint_heading},
+    {"", 0, NULL, "--output"},
     {"checkpoint", 'C', "S",
      "seconds from one checkpoint to the next (60)"},
     {"resume", 'R', NULL, "go on from the checkpoint of -o FILE, if any"},

@@ -50,6 +50,11 @@ survives 'compensated sums' --until 300.0004 --every 0.5 --checkpoint 0 \
     --sums compensated --observe t,energy,z:2 --track 1
 survives 'an implicit method' --until 60 --every 0.1 --checkpoint 0 \
     --method gauss4
+# Rows closer together than the steps: a checkpoint falls into a step.
+survives 'a pair' --until 200.0004 --dt 0.01 --every 0.1 --checkpoint 0 \
+    --method dopri5 --tolerance 1e-9
+survives "Radau's method" --until 200.0004 --dt 0.01 --every 0.1 \
+    --checkpoint 0 --method radau15
 sed '/^damp/d; s/0.3$/0/' "$scene" >"$work/free"
 scene=$work/free
 if $step "$scene" --method rk8pd --until 0.001 -o "$work/whole" 2>/dev/null
@@ -245,4 +250,4 @@ holds 'and there is no table of them' test ! -e "$work/part"
 # Without --resume the run begins anew.
 $step "$scene" --until 9000 --every 0.5 -o "$work/part"
 holds 'without --resume all begins anew' cmp "$work/whole" "$work/part"
-echo 1..54
+echo 1..60

@@ -1,7 +1,9 @@
 /* From chapters/works/03-equilibrium.nw: edit there, then run make tangle. */
-/* checksum 57218445 of the lines below */
+/* checksum 3622112937 of the lines below */
 /* Normal, Beta and Maxwell laws from the special functions of GSL. */
 #include "line/laws.h"
+
+#include "line/statistics.h"
 
 #include <assert.h>
 #include <math.h>
@@ -185,9 +187,9 @@ double laws_sd(const struct law *law)
     return 0;
 }
 
-double laws_chi2(double chi2, size_t degrees)
+double laws_chi2(double chi2, double degrees)
 {
-    return gsl_cdf_chisq_Q(chi2, (double)degrees);
+    return gsl_cdf_chisq_Q(chi2, degrees);
 }
 
 double laws_kolmogorov(double lambda)
@@ -225,25 +227,50 @@ static double largest_distance(size_t n, const double below[])
     return distance;
 }
 
+static size_t bin_of(double below)
+{
+    return below < 1 ? (size_t)(below * LAW_CELLS) : LAW_CELLS - 1;
+}
+
+static bool find_scatter(size_t n, const double below[], size_t block,
+                         struct statistics_scatter *s)
+{
+    const size_t blocks = n / block;
+    double *count = calloc(blocks * LAW_CELLS, sizeof count[0]);
+    if (!count)
+        return false;
+    for (size_t i = 0; i < blocks * block; ++i)
+        ++count[i / block * LAW_CELLS + bin_of(below[i])];
+    *s = statistics_scatter(blocks, LAW_CELLS, count,
+                            (double)block / LAW_CELLS);
+    free(count);
+    return true;
+}
+
 bool laws_test(const struct law *law, size_t n, const double x[], double g,
-               size_t fitted, struct law_test *t)
+               size_t block, size_t fitted, struct law_test *t)
 {
     const double independent = (double)n / g;
+    struct statistics_scatter s = {1, LAW_CELLS - 1};
     double *below = malloc(n * sizeof below[0]); /* the law's, at x */
     if (!below)
         return false;
     for (size_t i = 0; i < n; ++i)
         below[i] = laws_below(law, x[i]);
+    if (block > 1 && !find_scatter(n, below, block, &s)) {
+        free(below);
+        return false;
+    }
     double count[LAW_CELLS] = {0};
     const double expected = (double)n / LAW_CELLS;
     for (size_t i = 0; i < n; ++i)
-        ++count[below[i] < 1 ? (size_t)(below[i] * LAW_CELLS)
-                             : LAW_CELLS - 1];
+        ++count[bin_of(below[i])];
     t->chi2 = 0;
     for (size_t k = 0; k < LAW_CELLS; ++k)
-        t->chi2 +=
-            (count[k] - expected) * (count[k] - expected) / expected / g;
-    t->degrees = LAW_CELLS - 1 - fitted;
+        t->chi2 += (count[k] - expected) * (count[k] - expected) /
+                   expected / s.scale;
+    t->degrees =
+        s.degrees * (double)(LAW_CELLS - 1 - fitted) / (LAW_CELLS - 1);
     t->chi2_probability = laws_chi2(t->chi2, t->degrees);
     qsort(below, n, sizeof below[0], by_size);
     t->distance = largest_distance(n, below);

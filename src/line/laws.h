@@ -1,5 +1,5 @@
 /* From chapters/works/03-equilibrium.nw: edit there, then run make tangle. */
-/* checksum 3572514970 of the lines below */
+/* checksum 3593460196 of the lines below */
 /* The laws of equilibrium: densities, probabilities and tests of them. */
 #ifndef LAWS_H
 #define LAWS_H
@@ -27,7 +27,7 @@ struct law_test {
     double distance;               /* between the two distributions */
     double distance_probability;   /* NaN if the law was fitted */
     double chi2, chi2_probability; /* of LAW_CELLS equal bins */
-    size_t degrees;                /* of freedom of chi2 */
+    double degrees;                /* of freedom of chi2 */
 };
 
 /* Reads a law from text; what stands in brackets may be missing:
@@ -58,12 +58,16 @@ double laws_mean(const struct law *law);
 double laws_sd(const struct law *law);
 
 /* Tests n samples, of which every g-th is independent, against a complete
-   law of which `fitted` numbers were taken from the same samples. Returns
-   false without memory. Requires n >= 2, g > 0, fitted < LAW_CELLS - 1.
+   law of which `fitted` numbers were taken from the same samples. The
+   scatter of chi-square is that of independent samples if `block` is 0 or
+   1, else it is measured from blocks of so many, at least 3 of them, which
+   are taken for independent; with fitted numbers it is then too careful.
+   Returns false without memory. Requires n >= 2, g > 0,
+   fitted < LAW_CELLS - 1.
    Sources: Kolmogorov's limit with Stephens' correction,
    J. R. Statist. Soc. B 32, 115 (1970); Pearson's chi-square. */
 bool laws_test(const struct law *law, size_t n, const double x[], double g,
-               size_t fitted, struct law_test *t);
+               size_t block, size_t fitted, struct law_test *t);
 
 /* The probability that Kolmogorov's distance times the root of the number
    of samples, many, is more than lambda. */
@@ -71,6 +75,6 @@ double laws_kolmogorov(double lambda);
 
 /* The probability that chi-square of so many degrees of freedom is more
    than chi2. */
-double laws_chi2(double chi2, size_t degrees);
+double laws_chi2(double chi2, double degrees);
 
 #endif

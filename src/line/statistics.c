@@ -1,5 +1,5 @@
 /* From chapters/03-equilibrium.nw: edit there, then run make tangle. */
-/* checksum 1565470356 of the lines below */
+/* checksum 2950947839 of the lines below */
 /* Moments, bins, a fit, blocks and correlations of a series. */
 #include "line/statistics.h"
 
@@ -362,6 +362,39 @@ bool statistics_describe(size_t n, const double x[], bool serial,
     return done;
 }
 
+static double covariance(size_t blocks, size_t cells, const double a[],
+                         const double b[])
+{
+    double of_a = 0, of_b = 0, sum = 0;
+    for (size_t i = 0; i < blocks; ++i) {
+        of_a += a[i * cells] / (double)blocks;
+        of_b += b[i * cells] / (double)blocks;
+    }
+    for (size_t i = 0; i < blocks; ++i)
+        sum += (a[i * cells] - of_a) * (b[i * cells] - of_b);
+    return sum / (double)(blocks - 1);
+}
+
+struct statistics_scatter statistics_scatter(size_t blocks, size_t cells,
+                                             const double count[],
+                                             double expected)
+{
+    const double m = (double)blocks;
+    double sum = 0, square = 0;
+    for (size_t k = 0; k < cells; ++k)
+        for (size_t l = 0; l < cells; ++l) {
+            const double v =
+                covariance(blocks, cells, count + k, count + l) / expected;
+            sum += k == l ? v : 0;
+            square += v * v;
+        }
+    if (!(sum > 0)) /* all blocks are alike */
+        return (struct statistics_scatter){1, (double)(cells - 1)};
+    square = (m - 1) * (m - 1) / ((m - 2) * (m + 1)) *
+             (square - sum * sum / (m - 1));
+    square = fmax(square, sum * sum / (double)(cells - 1));
+    return (struct statistics_scatter){square / sum, sum * sum / square};
+}
 struct placed {
     double value;
     size_t place;

@@ -1,5 +1,5 @@
 /* From chapters/03-equilibrium.nw: edit there, then run make tangle. */
-/* checksum 1642139543 of the lines below */
+/* checksum 1276489705 of the lines below */
 /* Means, histograms and honest errors of a series of measurements. */
 #ifndef STATISTICS_H
 #define STATISTICS_H
@@ -72,6 +72,11 @@ struct statistics_description {
     bool plateau;        /* false: the errors are only lower bounds */
 };
 
+/* What correlations make of a chi-square of counts: it is distributed
+   about like `scale` times one of so many degrees of freedom. */
+struct statistics_scatter {
+    double scale, degrees;
+};
 /* Whether two series know of each other. */
 struct statistics_dependence {
     double correlation, error; /* the coefficient, and its error */
@@ -141,6 +146,13 @@ double statistics_covariance(size_t n, const double x[], double mean,
 bool statistics_describe(size_t n, const double x[], bool serial,
                          struct statistics_description *d);
 
+/* Measures the scatter of counts (3.20, eq:scatter) over blocks that are
+   long enough to be independent: count[b * cells + k] samples of block b
+   are in cell k, where `expected` should be. Requires 3 blocks.
+   Source: Satterthwaite, Biometrics Bull. 2, 110 (1946). */
+struct statistics_scatter statistics_scatter(size_t blocks, size_t cells,
+                                             const double count[],
+                                             double expected);
 /* Compares x with y, measured at the same times: their correlation, with
    an error from blocking if serial, and chi-square of a table of
    cells x cells that are equally full if they are independent, not yet

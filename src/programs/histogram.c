@@ -1,5 +1,5 @@
 /* From chapters/works/03-equilibrium.nw: edit there, then run make tangle. */
-/* checksum 2046070714 of the lines below */
+/* checksum 2341922762 of the lines below */
 /* Columns of a table: their moments, errors and laws. */
 #include "line/laws.h"
 #include "line/statistics.h"
@@ -475,15 +475,20 @@ static void test_law(struct settings *s, const struct columns *c, size_t i,
     struct law own = *law;
     struct law_test t;
     const size_t fitted = laws_complete(&own, d->mean, d->sd);
-    if (!laws_test(&own, d->n, column->x, d->inefficiency, fitted, &t))
+    if (!laws_test(&own, d->n, column->x, d->inefficiency, d->block, fitted,
+                   &t))
         no_memory(s, c);
     table_print(s->out, "#   law: mean %.4g, sd %.4g\n#   ",
                 laws_mean(&own), laws_sd(&own));
     if (!fitted)
         table_print(s->out, "distance %.3g (P %.2g), ", t.distance,
                     t.distance_probability);
-    table_print(s->out, "chi2 %.4g of %zu (P %.2g)\n", t.chi2, t.degrees,
+    table_print(s->out, "chi2 %.4g of %.3g (P %.2g)\n", t.chi2, t.degrees,
                 t.chi2_probability);
+    if (!d->plateau)
+        table_print(s->out,
+                    "#   blocks of %zu still remember: believe no P\n",
+                    d->block);
     summarise(s, "law_mean", column, laws_mean(&own));
     summarise(s, "law_sd", column, laws_sd(&own));
     summarise(s, "law_fitted", column, (double)fitted);
@@ -496,7 +501,7 @@ static void test_law(struct settings *s, const struct columns *c, size_t i,
         summarise(s, "sd_z", column, (d->sd - laws_sd(&own)) / d->sd_error);
     }
     summarise(s, "law_chi2", column, t.chi2);
-    summarise(s, "law_degrees", column, (double)t.degrees);
+    summarise(s, "law_degrees", column, t.degrees);
     summarise(s, "law_chi2_probability", column, t.chi2_probability);
 }
 
@@ -520,7 +525,7 @@ static void compare(const struct settings *s, const struct columns *c,
                                s->block, &t))
         no_memory(s, c);
     const double chi2 = t.chi2 / fmax(d->inefficiency, its.inefficiency);
-    const double probability = laws_chi2(chi2, t.degrees);
+    const double probability = laws_chi2(chi2, (double)t.degrees);
     table_print(s->out,
                 "#   against %s: correlation %.4f +- %.4f, chi2 %.4g of "
                 "%zu (P %.2g)\n",

@@ -457,6 +457,26 @@ static void test_dependence(void)
     UNIT_NEAR(d.chi2, 4.0 * SAMPLES, 1e-6);
 }
 
+/* By hand: five blocks, the mean of every cell 2, variances 1, 1 and 0 and
+   the covariance -1; over 2 they are 1/2. The trace is 1, that of the
+   square 1, of which (16/18) (1 - 1/4) = 2/3 is left. Of three blocks less
+   than the bound is left: two degrees are the most. */
+static void test_scatter(void)
+{
+    const double count[] = {3, 1, 2, 1, 3, 2, 3, 1, 2, 1, 3, 2, 2, 2, 2};
+    const struct statistics_scatter s = statistics_scatter(5, 3, count, 2);
+    UNIT_NEAR(s.scale, 2.0 / 3, 1e-15);
+    UNIT_NEAR(s.degrees, 1.5, 1e-15);
+    const struct statistics_scatter few =
+        statistics_scatter(3, 3, count, 2);
+    UNIT_NEAR(few.degrees, 2, 1e-15);
+    const double alike[] = {1, 3, 2, 1, 3, 2, 1, 3, 2};
+    const struct statistics_scatter none =
+        statistics_scatter(3, 3, alike, 2);
+    UNIT_EQUAL(none.scale, 1);
+    UNIT_EQUAL(none.degrees, 2);
+}
+
 int main(void)
 {
     return unit_run(
@@ -483,5 +503,6 @@ int main(void)
             {"the kurtosis of a skewed law", test_skewed},
             {"the slow squares of a fast series count", test_squares_count},
             {"dependence with and without correlation", test_dependence},
+            {"the scatter of counts, by hand", test_scatter},
             {0}});
 }

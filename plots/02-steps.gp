@@ -1,5 +1,6 @@
 # data: plots/data/02-steps.dat
-# alt: Error of the positions after ten seconds against processor time, both axes logarithmic. Time steps fall slowly from an error of two metres at three microseconds to a tenth of a metre at a millisecond, drop tenfold, and then follow a line of slope minus one down to a fifth of a millimetre at a tenth of a second. The event-driven engine is a single point at six microseconds and ten to the minus fourteen metres.
+# data: plots/data/05-weight.dat
+# alt: Error of the positions after ten seconds against processor time, both axes logarithmic. Time steps fall slowly from an error of two metres at three microseconds to a tenth of a metre at a millisecond, drop tenfold, and then follow a line of slope minus one down to a fifth of a millimetre at a tenth of a second. The event-driven engine is a single point at six microseconds and ten to the minus fourteen metres. Open points, ten beads upright: steps on nearly the same line, events at seventy microseconds and as small an error.
 width = 12
 height = 7.6
 load 'plots/style.gp'
@@ -16,7 +17,10 @@ set bmargin at screen 0.155
 set tmargin at screen 0.97
 set rmargin at screen 0.97
 set label 1 'time steps' at 1e-3,3 tc rgb red
-set label 2 'events' at 1.5e-5,1e-14 tc rgb blue
+set label 2 'events' at 2e-5,3e-13 center tc rgb blue
+upright = 'plots/data/05-weight.dat'
 plot 1.7e-5/x ls 9, \
+     upright using 2:($1 > 0 ? $3 : NaN) with points ls 2 pt 4, \
+     upright using 2:($1 == 0 ? $3 : NaN) with points ls 1 pt 6 ps 1.2*big, \
      file using 2:($1 > 0 ? $3 : NaN) with points ls 2, \
      file using 2:($1 == 0 ? $3 : NaN) with points ls 1 ps 1.2*big

@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 1442904448 of the lines below */
+/* checksum 2510556237 of the lines below */
 /* Speed, drift and failures of the engines of a line. */
 #include "line/bonkers.h"
 #include "line/collide.h"
@@ -11,6 +11,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define PROGRAM "bonkers-studies"
@@ -619,10 +620,10 @@ static struct bonkers_body bounce_in_steps(uint64_t steps)
     return a;
 }
 
-/* Where it is in truth, m. */
-static double bounced(void)
+/* Where one let go from a height (m) is in truth after a time, m. */
+static double bounced(double height, double until)
 {
-    const double v = sqrt(2 * pull), phase = v / pull + long_run;
+    const double v = sqrt(2 * pull * height), phase = v / pull + until;
     const double t = fmod(phase, 2 * v / pull);
     return t * (v - pull * t / 2);
 }
@@ -644,6 +645,71 @@ static struct bonkers_body bounce_by_events(uint64_t *bounces)
     return (struct bonkers_body){x[1], v[1], 0, 0};
 }
 
+enum { BEADS = 10 };
+
+static int by_height(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* The root mean square error of the beads' places, m. */
+static double off_balls(const struct bonkers_body body[], double until)
+{
+    double truth[BEADS], sum = 0;
+    for (int i = 0; i < BEADS; ++i)
+        truth[i] = bounced(0.2 * (i + 1), until);
+    qsort(truth, BEADS, sizeof truth[0], by_height);
+    for (int i = 0; i < BEADS; ++i)
+        sum += (body[i + 1].x - truth[i]) * (body[i + 1].x - truth[i]);
+    return sqrt(sum / BEADS);
+}
+
+static void walk_upright(struct bonkers_body body[], double until,
+                         double dt)
+{
+    const uint64_t steps = (uint64_t)(until / dt + 0.5);
+    for (uint64_t k = 0; k < steps; ++k) {
+        for (int i = 1; i <= BEADS; ++i) {
+            body[i].x += body[i].v * (dt / 2);
+            body[i].v -= pull * dt;
+        }
+        walk(body, BEADS + 1, 1, dt / 2);
+    }
+}
+
+/* A row of the table: for steps of dt, or for events if that is 0. */
+static void time_beads(struct table *out, double until, double dt)
+{
+    struct bonkers_body body[BEADS + 2];
+    double seconds = 0;
+    int times = 0;
+    for (; seconds < 0.02; ++times) {
+        struct bonkers b;
+        double x[BEADS + 2], v[BEADS + 2];
+        if (!bonkers_create(&b, BEADS, 1, BONKERS_SCAN))
+            program_give_up(PROGRAM, "no memory for the beads");
+        for (int i = 1; i <= BEADS; ++i)
+            b.body[i] = (struct bonkers_body){0.2 * i, 0, 0, 1};
+        b.gravity = pull;
+        b.body[BEADS + 1].x = INFINITY;
+        bonkers_start(&b, NULL);
+        memcpy(body, b.body, sizeof body);
+        const double start = bench_seconds();
+        if (dt > 0)
+            walk_upright(body, until, dt);
+        else
+            bonkers_run(&b, until, UINT64_MAX);
+        seconds += bench_seconds() - start;
+        bonkers_state(&b, x, v);
+        for (int i = 1; i <= BEADS && dt == 0; ++i)
+            body[i].x = x[i];
+        bonkers_free(&b);
+    }
+    table_print(out, "%-9.4g %9.4g %9.4g\n", dt, seconds / times,
+                off_balls(body, until));
+}
+
 static const struct table_key bounce_keys[] = {
     {"bounces", "1", "in 900 s"},
     {"events", "m", "error of the place, by events"},
@@ -657,23 +723,25 @@ static void note_ball(struct table *summary, const char *key,
 {
     char energy[40];
     snprintf(energy, sizeof energy, "%s_energy", key);
-    table_real(summary, key, a->x - bounced());
+    table_real(summary, key, a->x - bounced(1, long_run));
     table_real(summary, energy, a->v * a->v / (2 * pull) + a->x - 1);
 }
 
 static void study_bounce(struct study *s)
 {
+    const struct settings *own = s->own;
     uint64_t bounces;
     const struct bonkers_body by_events = bounce_by_events(&bounces);
     table_count(s->summary, "bounces", bounces);
     note_ball(s->summary, "events", &by_events);
-    table_column(s->out, "n", "", "steps");
-    table_column(s->out, "error", "m", "of the place after 900 s");
+    name_steps(s->out);
+    time_beads(s->out, own->until, 0);
+    for (double dt = 0.1; dt > 0.9e-6 && !progress_signal(); dt /= 2)
+        time_beads(s->out, own->until, dt);
     for (uint64_t n = 90000; n < 100000000 && !progress_signal(); n *= 10) {
         const struct bonkers_body a = bounce_in_steps(n);
         char key[40];
         snprintf(key, sizeof key, "steps_%d", (int)n);
-        table_row(s->out, 2, (double[]){(double)n, a.x - bounced()});
         note_ball(s->summary, key, &a);
     }
 }
@@ -848,7 +916,7 @@ static const struct options_entry entries[] = {
     {"collisions", 'c', "N", "most of them (1000000)"},
     {"", 0, NULL, "--study speed"},
     {"particles", 'N', "N", "most of them (1000000)"},
-    {"", 0, NULL, "--study steps, islands"},
+    {"", 0, NULL, "--study steps, bounce, islands"},
     {"until", 't', "T", "length of the run, s (10)"},
     {0}};
 

@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 630095900 of the lines below */
+/* checksum 732654027 of the lines below */
 /* A pair 5(4), and Radau's method of order 15: steps of their own. */
 #include "forces/adaptive.h"
 
@@ -226,13 +226,12 @@ static void measure_radau(struct adaptive *s)
     for (size_t i = 0; i < STAGES; ++i) {
         const double c = node(s, i + 1);
         for (size_t k = 0; k < STAGES; ++k) {
-            double power = c;
+            double power = 1;
             for (size_t m = 0; m <= k; ++m) {
                 const double n = (double)m;
                 power *= c;
                 w->v[i][k] += w->power[k][m] * power / (n + 2);
-                w->x[i][k] +=
-                    w->power[k][m] * power * c / ((n + 2) * (n + 3));
+                w->x[i][k] += w->power[k][m] * power / ((n + 2) * (n + 3));
             }
             if (k <= i)
                 w->gap[i][k] = 1 / (c - node(s, k));
@@ -240,13 +239,12 @@ static void measure_radau(struct adaptive *s)
     }
 }
 
-/* Where the force as it is thought to be leads by node i; half the first
-   term is that of a constant force. */
+/* Where the force as it is thought to be leads by node i. */
 static void move_to_node(struct adaptive *s, size_t i, double h)
 {
     const struct adaptive_weights *const w = s->weights;
     const size_t n = s->forces.size;
-    const double c = node(s, i + 1);
+    const double part = h * node(s, i + 1);
     for (size_t k = 0; k < n; ++k) {
         size_t j = STAGES;
         double dx = 0, dv = 0;
@@ -255,10 +253,8 @@ static void move_to_node(struct adaptive *s, size_t i, double h)
             dx += w->x[i][j] * s->g[j * n + k];
             dv += w->v[i][j] * s->g[j * n + k];
         } while (j > 0);
-        dx += c * c / 2 * s->to.a[k];
-        dv += c * s->to.a[k];
-        s->place[k] = h * (c * s->to.v[k] + h * dx);
-        s->speed[k] = h * dv;
+        s->place[k] = part * (s->to.v[k] + part * (s->to.a[k] / 2 + dx));
+        s->speed[k] = part * (s->to.a[k] + dv);
     }
 }
 
@@ -268,11 +264,12 @@ static double correct_node(struct adaptive *s, size_t i)
 {
     const double *const gap = s->weights->gap[i];
     const size_t n = s->forces.size;
-    double *const a = s->stage;
+    double *const a = s->stage + i * n;
+    const struct adaptive_state *const p = &s->to;
     double most = 0;
     for (size_t k = 0; k < n; ++k) {
-        s->place[k] += s->to.x[k];
-        s->speed[k] += s->to.v[k];
+        s->place[k] = p->x[k] + (p->carry[k] + s->place[k]);
+        s->speed[k] = p->v[k] + (p->carry[n + k] + s->speed[k]);
     }
     evaluate(s, s->place, s->speed, a);
     for (size_t k = 0; k < n; ++k) {
@@ -322,24 +319,38 @@ static void guess_force(struct adaptive *s, double h)
    the tolerance, or falls no more. */
 static bool settled(const struct adaptive *s, double change, double last)
 {
-    return change <= 1e-10 + 100 * s->tolerance || !(change < last);
+    return change <= 1e-11 + s->tolerance || !(change < last);
 }
 
-/* By how much bodies move in the whole step. */
+/* to + owed = from + by + small, but for what small + owed loses. */
+static void add_tail(double *to, double *owed, double from, double by,
+                     double small)
+{
+    const double sum = from + by, added = sum - from;
+    small += (from - (sum - added)) + (by - added);
+    *to = sum + small;
+    *owed = small - (*to - sum);
+}
+
+/* By how much bodies move in the whole step, and its end. */
 static void move_to_end(struct adaptive *s, double h)
 {
+    const struct adaptive_state *const p = &s->to, *const q = &s->from;
     const size_t n = s->forces.size;
-    for (size_t i = 0; i < n; ++i) {
-        size_t m = STAGES;
-        double dx = 0, dv = 0;
-        do {
-            --m;
-            const double b = s->new_b[m * n + i], k = (double)m;
-            dx += b / ((k + 2) * (k + 3));
-            dv += b / (k + 2);
-        } while (m > 0);
-        s->place[i] = h * (s->to.v[i] + h * (s->to.a[i] / 2 + dx));
-        s->speed[i] = h * (s->to.a[i] + dv);
+    for (size_t k = 0; k < n; ++k) {
+        double x = 0, v = 0, dx = 0, dv = 0;
+        for (size_t i = STAGES; i-- > 0;) {
+            const double *const w = s->method->weight + 4 * i;
+            const double a = s->stage[i * n + k] - p->a[k];
+            v += w[0] * a, dv += w[1] * a;
+            x += w[2] * a, dx += w[3] * a;
+        }
+        x = h * (p->v[k] + h * (p->a[k] / 2 + x));
+        v = h * (p->a[k] + v);
+        add_tail(&q->x[k], &q->carry[k], p->x[k], x,
+                 p->carry[k] + h * (h * dx));
+        add_tail(&q->v[k], &q->carry[n + k], p->v[k], v,
+                 p->carry[n + k] + h * dv);
     }
 }
 
@@ -362,7 +373,6 @@ static double try_radau(struct adaptive *s, double h)
     }
     turn(s->new_b, s->g, s->weights->power, n);
     move_to_end(s, h);
-    arrive(s);
     evaluate(s, s->from.x, s->from.v, s->from.a);
     return largest(s->g + last * n, n) / scale /
            (RADAU_SCALE * sqrt(s->tolerance));

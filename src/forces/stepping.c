@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 3318685727 of the lines below */
+/* checksum 3952458603 of the lines below */
 /* Steps by kicks and drifts and by Runge-Kutta stages. */
 #include "forces/stepping.h"
 
@@ -98,6 +98,21 @@ static const double radau15_node[] = {
     0.35262471711316963737390777,  0.54715362633055538300144856,
     0.73421017721541053152321061,  0.88532094683909576809035976,
     0.9775206135612875018911745};
+static const double radau15_weight[] = {
+    0.092679077401489687,  -6.9250597277834874e-19,
+    0.08746471519868225,   1.2569814901812666e-18,
+    0.15206531032339249,   -8.8887147275770614e-18,
+    0.12465695360151906,   -3.2610478412430061e-18,
+    0.18825877269455937,   7.3918563114457673e-18,
+    0.12187407622906785,   -1.4568205914722731e-18,
+    0.19578608372624673,   -6.629769515866781e-18,
+    0.088661018030373115,  -2.849144709811723e-19,
+    0.17350739781725066,   -5.6404902537018522e-18,
+    0.046116500517662307,  -1.7533680008796797e-18,
+    0.1248239506649325,    2.4388028082745613e-18,
+    0.014314692474057891,  -2.5942757406741163e-22,
+    0.057254407372128585,  1.0940827035134911e-18,
+    0.0012870439486375449, -1.824978039945946e-20};
 
 #define LENGTH(list) (sizeof(list) / sizeof *(list))
 #define COMPOSED(m)                                                        \
@@ -117,7 +132,7 @@ static const double radau15_node[] = {
     .error = m##_error, .dense = m##_dense, .adaptive = true
 #define RADAU(m)                                                           \
     .family = STEPPING_RADAU, .stages = LENGTH(m##_node),                  \
-    .node = m##_node, .adaptive = true
+    .node = m##_node, .weight = m##_weight, .adaptive = true
 
 const struct stepping_method stepping_methods[STEPPING_MOST + 1] = {
     {"euler", "straight on, and outwards", EXPLICIT(euler), .order = 1,

@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 1928951899 of the lines below */
+/* checksum 133677056 of the lines below */
 /* Stepping methods, and runs that step coordinates under forces. */
 #ifndef STEPPING_H
 #define STEPPING_H
@@ -70,6 +70,8 @@ struct stepping_method {
                                     (8.15, eq:embedded),
                                     (8.17, eq:dense) */
     const double *node;          /* of Radau's, [stages] */
+    const double *weight;        /* of it, [4 * stages]: head and tail of a
+                                    node's weight for v, and for x */
 };
 
 enum stepping_end {

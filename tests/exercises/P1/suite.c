@@ -556,6 +556,9 @@ static bool check_inputs(void)
     static const char *const letters[] = {"1", "0", "0.1", "three"};
     static const char *const backwards[] = {"1", "0", "-0.1", "3"};
     static const char *const up[] = {"1", "-1", "0.1", "3"};
+    static const char *const word[] = {"1", "down", "0.1", "3"};
+    static const char *const fewer[] = {"1", "0", "0.1", "-1"};
+    static const char *const nothing[] = {"1", "0", "0.1", ""};
     return check_refused("a file without beads", "# nobody\n", fine) &&
            check_refused("a mass of 0", "0 0.5 1\n", fine) &&
            check_refused("a place outside", "1 1.5 1\n", fine) &&
@@ -571,7 +574,11 @@ static bool check_inputs(void)
            check_refused("ROWS that are no number", "1 0.5 1\n", letters) &&
            check_refused("a clock that goes backwards", "1 0.5 1\n",
                          backwards) &&
-           check_refused("a G below 0", "1 0.5 1\n", up);
+           check_refused("a G below 0", "1 0.5 1\n", up) &&
+           check_refused("a G that is no number", "1 0.5 1\n", word) &&
+           check_refused("ROWS below 0", "1 0.5 1\n", fewer) &&
+           check_refused("ROWS that are an empty word", "1 0.5 1\n",
+                         nothing);
 }
 
 /* Too long to be compared: nothing may be lost, and nobody may pass. */
@@ -724,7 +731,7 @@ static struct scene draw_pairs(void)
     return s;
 }
 
-enum { LAWS = 8, SLIGHT = 1, NO_NUMBER = 2, LATE = 6 };
+enum { LAWS = 8, SLIGHT = 1, NO_NUMBER = 2, TURNS = 4, LATE = 6 };
 
 /* What a program that ends with the other status has made of it. */
 static struct check_mistake misjudged(bool right, int law)
@@ -786,8 +793,14 @@ static bool check_law(const struct scene *s, int law)
 
 static void stage_check(void)
 {
-    static const int turn[LAWS] = {7, 5, LATE, NO_NUMBER, 3, 4, SLIGHT, 0};
+    static const int turn[LAWS] = {7, 5,     LATE,   NO_NUMBER,
+                                   3, TURNS, SLIGHT, 0};
     const struct scene pairs = draw_pairs();
+    struct scene slow =
+        pairs; /* momenta that all but cancel, in micro m/s */
+    slow.tc *= 1e6;
+    for (int i = 0; i < MOST; ++i)
+        slow.v[i] *= i % 2 ? 1.001e-6 : 1e-6;
     struct scene s = draw_scene(MOST, draw(1.0, 2.0), 0.0, false);
     struct scene light = s;
     s.tc = light.tc = 0.5;
@@ -797,10 +810,26 @@ static void stage_check(void)
     for (int i = 0; i < LAWS; ++i) {
         const int law = turn[i];
         const bool right = law == 0 || law == LAWS - 1;
-        if ((right && !check_law(&pairs, law)) ||
-            !check_law(law == SLIGHT ? &light : &s, law))
+        if ((right && !(check_law(&pairs, law) && check_law(&s, law))) ||
+            (!right && !check_law(law == SLIGHT  ? &light
+                                  : law == TURNS ? &slow
+                                                 : &s,
+                                  law)))
             return;
     }
+}
+
+/* A clock so slow that a bead flies many times between two rows. */
+static struct scene draw_rare(void)
+{
+    static struct table t;
+    struct scene s;
+    do {
+        s = draw_apart(1, INFINITY, draw(1, 10), true, 10);
+        s.tc *= 40.0;
+        simulate(&s, NONE, &t);
+    } while (t.nearest < 1e-5);
+    return s;
 }
 
 static void stage_upright(void)
@@ -815,6 +844,7 @@ static void stage_upright(void)
         draw_apart(5, INFINITY, draw(0.5, 2.0), true, 40);
     const struct scene any =
         draw_apart(4, draw(4.0, 6.0), draw(0.3, 2.0), false, 40);
+    const struct scene rare = draw_rare();
     const struct scene weak =
         draw_apart(4, draw(1.0, 2.0), 1e-6, false, 30);
     struct scene flat = draw_apart(4, draw(1.0, 2.0), 0.0, false, 30);
@@ -825,7 +855,10 @@ static void stage_upright(void)
         !check_scene(&five, 1e-8, true,
                      "Equal masses pass through each other, upright as "
                      "well. What changes in the time of a pair?") ||
-        !check_scene(&any, 1e-6, true, fall))
+        !check_scene(&any, 1e-6, true, fall) ||
+        !check_scene(&rare, 1e-8, true,
+                     "The bead flies more than once between two rows. When "
+                     "does a bead that goes up come down?"))
         return;
     static const double hardly[] = {1e-12, 1e-16, 1e-30};
     bool well = check_scene(&weak, 1e-7, true, fall);
@@ -942,8 +975,42 @@ static bool check_numbers(const char *name, const char *input, bool upright,
                                   "them do you believe, and why?");
 }
 
+/* With 1000 rows, and of equals the lowest; with 999 nothing. */
+static bool check_thousand(void)
+{
+    struct scene s = draw_apart(2, draw(1.0, 2.0), 0.0, true, 999);
+    for (; s.rows <= 1000; ++s.rows) {
+        const struct run_order *o = order(&s, 0, for_ever);
+        const char *input = run_text(o);
+        const struct run *r = run_program(o);
+        double got[3] = {0.0}, naive;
+        if (!check_form(&s, r, input))
+            return false;
+        const int count = run_remark(r, "# lightest", got, 3);
+        if (!CHECK_NEAR(count, .quantity = "numbers behind # lightest",
+                        .input = input,
+                        .expected = s.rows < 1000 ? 0.0 : 3.0,
+                        .tolerance = 0.0,
+                        .question = "From how many ROWS on does the "
+                                    "contract ask for them?"))
+            return false;
+        const double run = of_rows(r, 3, &naive);
+        if (count == 3 &&
+            !CHECK_NEAR(got[0], .quantity = "the run of lightest",
+                        .input = input, .expected = run,
+                        .tolerance = 1e-3 * run,
+                        .because = "it was computed again from the rows",
+                        .question = "Both weigh the same: which of them "
+                                    "does the contract take?"))
+            return false;
+    }
+    return true;
+}
+
 static void stage_theory(void)
 {
+    if (!check_thousand())
+        return;
     for (int upright = 0; upright < 2; ++upright) {
         const struct scene s = draw_shared(upright);
         const double *spread = true_errors[upright];

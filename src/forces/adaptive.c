@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 732654027 of the lines below */
+/* checksum 3290691128 of the lines below */
 /* A pair 5(4), and Radau's method of order 15: steps of their own. */
 #include "forces/adaptive.h"
 
@@ -300,7 +300,7 @@ static void turn(double to[], const double from[],
 static void guess_force(struct adaptive *s, double h)
 {
     const size_t n = s->forces.size;
-    const double q = s->h > 0 ? h / s->h : 0;
+    const double q = s->whole > 0 ? h / s->whole : 0;
     double power = 1;
     turn(s->new_guess, s->b, s->weights->binomial, n);
     for (size_t m = 0; m < STAGES; ++m) {
@@ -354,20 +354,29 @@ static void move_to_end(struct adaptive *s, double h)
     }
 }
 
+static double scale_of(double start, double along)
+{
+    const double scale = start > 1e-6 * along ? start : along;
+    return scale > 0 ? scale : 1;
+}
+
 /* Tries a step of length h. Returns its error, in units of the
    tolerance, or zero if all steps are dt. */
 static double try_radau(struct adaptive *s, double h)
 {
     const size_t n = s->forces.size, last = STAGES - 1;
-    const double a = largest(s->to.a, n), scale = a > 0 ? a : 1;
-    double change = INFINITY, before;
+    const double start = largest(s->to.a, n);
+    double change = INFINITY, along = 0, scale = 1, before;
     guess_force(s, h);
     for (int round = 0; round < MOST_ROUNDS; ++round) {
         before = change;
         for (size_t i = 0; i < STAGES; ++i) {
             move_to_node(s, i, h);
-            change = correct_node(s, i) / scale;
+            change = correct_node(s, i);
+            along = fmax(along, largest(s->stage, n));
         }
+        scale = scale_of(start, along);
+        change /= scale;
         if (settled(s, change, round > 1 ? before : INFINITY))
             break;
     }
@@ -383,6 +392,7 @@ static void look_in_radau(const struct adaptive *s, double r, double x[],
 {
     const size_t n = s->forces.size;
     const struct adaptive_state *const p = &s->from;
+    const double h = s->whole;
     for (size_t i = 0; i < n; ++i) {
         size_t m = STAGES;
         double dx = 0, dv = 0;
@@ -392,9 +402,8 @@ static void look_in_radau(const struct adaptive *s, double r, double x[],
             dx = (dx + b / ((k + 2) * (k + 3))) * r;
             dv = (dv + b / (k + 2)) * r;
         } while (m > 0);
-        x[i] =
-            p->x[i] + s->h * r * (p->v[i] + s->h * r * (p->a[i] / 2 + dx));
-        v[i] = p->v[i] + s->h * r * (p->a[i] + dv);
+        x[i] = p->x[i] + h * r * (p->v[i] + h * r * (p->a[i] / 2 + dx));
+        v[i] = p->v[i] + h * r * (p->a[i] + dv);
     }
 }
 
@@ -410,16 +419,18 @@ static void accept(struct adaptive *s, double h)
 {
     const struct adaptive_state end = s->from;
     const double more = h + s->owed, t = s->t + more;
+    s->past = s->t;
+    s->past_owed = s->owed;
     s->from = s->to;
     s->to = end;
     swap(&s->b, &s->new_b);
     swap(&s->guess, &s->new_guess);
     s->owed = more - (t - s->t);
     s->t = t;
-    s->h = h;
+    s->h = s->whole = h;
     ++s->taken;
     if (!is_free(s))
-        s->t = s->start + (double)s->taken * s->dt;
+        s->t = s->start + (double)(s->taken - s->before) * s->dt;
     if (s->shortest == 0 || h < s->shortest)
         s->shortest = h;
 }
@@ -460,25 +471,36 @@ static double first_length(const struct adaptive *s)
     return h / 100;
 }
 
-bool adaptive_reach(struct adaptive *s, double t, double x[], double v[])
+static void set_out(struct adaptive *s)
+{
+    if (s->begun)
+        return;
+    evaluate(s, s->to.x, s->to.v, s->to.a);
+    s->next = first_length(s);
+    s->begun = true;
+}
+
+void adaptive_look(const struct adaptive *s, double t, double x[],
+                   double v[])
 {
     const size_t size = s->forces.size * sizeof *x;
-    if (!s->begun) {
-        evaluate(s, s->to.x, s->to.v, s->to.a);
-        s->next = first_length(s);
-        s->begun = true;
-    }
-    while (s->t < t)
-        if (!step(s))
-            return false;
     const double back = s->t - t;
     if (back == 0 || s->h == 0) {
         memcpy(x, s->to.x, size);
         memcpy(v, s->to.v, size);
     } else if (s->method->family == STEPPING_RADAU)
-        look_in_radau(s, (s->h - back) / s->h, x, v);
+        look_in_radau(s, (s->h - back) / s->whole, x, v);
     else
         look_in_pair(s, (s->h - back) / s->h, x, v);
+}
+
+bool adaptive_reach(struct adaptive *s, double t, double x[], double v[])
+{
+    set_out(s);
+    while (s->t < t)
+        if (!step(s))
+            return false;
+    adaptive_look(s, t, x, v);
     return true;
 }
 
@@ -489,7 +511,8 @@ void adaptive_begin(struct adaptive *s, double tolerance, double dt,
     s->tolerance = tolerance;
     s->dt = dt;
     s->t = s->start = t;
-    s->owed = s->h = 0;
+    s->before = s->taken;
+    s->owed = s->h = s->whole = 0;
     s->begun = false;
     memcpy(s->to.x, x, n * sizeof *x);
     memcpy(s->to.v, v, n * sizeof *v);
@@ -498,7 +521,7 @@ void adaptive_begin(struct adaptive *s, double tolerance, double dt,
     memset(s->guess, 0, all * sizeof *x);
 }
 
-enum { NOTED = 12 }; /* numbers beside the lists */
+enum { NOTED = 13 }; /* numbers beside the lists */
 
 size_t adaptive_notes(const struct adaptive *s)
 {
@@ -532,8 +555,9 @@ void adaptive_note(const struct adaptive *s, double note[])
 {
     const double counts[] = {(double)s->taken, (double)s->refused,
                              (double)s->evaluations};
-    const double own[] = {s->tolerance, s->dt,    s->t,    s->h,
-                          s->shortest,  s->start, s->owed, s->next};
+    const double own[] = {s->tolerance, s->dt,       s->t,
+                          s->h,         s->shortest, s->start,
+                          s->owed,      s->next,     (double)s->before};
     note[0] = s->begun;
     memcpy(note + 1, counts, sizeof counts);
     memcpy(note + 4, own, sizeof own);
@@ -548,6 +572,8 @@ void adaptive_recall(struct adaptive *s, const double note[])
     s->tolerance = note[4], s->dt = note[5];
     s->t = note[6], s->h = note[7], s->shortest = note[8];
     s->start = note[9], s->owed = note[10], s->next = note[11];
+    s->before = (uint64_t)note[12];
+    s->whole = s->h;
     pass_lists(s, (double *)note + NOTED, true);
 }
 
@@ -609,4 +635,104 @@ void adaptive_free(struct adaptive *s)
         free(s->work);
     }
     free(s);
+}
+bool adaptive_step(struct adaptive *s, double most)
+{
+    set_out(s);
+    if (s->next > most)
+        s->next = most;
+    return step(s);
+}
+
+static void path_of_radau(const struct adaptive *s, size_t i, double q[])
+{
+    enum { DEGREE = ADAPTIVE_DEGREE };
+    const size_t n = s->forces.size;
+    const double h = s->h, part = h / s->whole;
+    double power[DEGREE + 1] = {s->from.x[i], h * s->from.v[i],
+                                h * h * s->from.a[i] / 2};
+    double scale = h * h;
+    for (size_t m = 0; m < STAGES; ++m) {
+        scale *= part;
+        power[m + 3] =
+            scale * s->b[m * n + i] / (double)((m + 2) * (m + 3));
+    }
+    for (size_t j = 0; j <= DEGREE; ++j) {
+        double weight = 1;
+        q[j] = 0;
+        for (size_t m = 0; m <= j; ++m) {
+            q[j] += weight * power[m];
+            weight *= (double)(j - m) / (double)(DEGREE - m);
+        }
+    }
+}
+
+static void path_of_pair(const struct adaptive *s, size_t i, double q[])
+{
+    const double h = s->h, *weights = s->weights->dense2;
+    const double p[] = {s->from.x[i], s->from.x[i] + h * s->from.v[i] / 3,
+                        s->to.x[i] - h * s->to.v[i] / 3, s->to.x[i]};
+    q[0] = p[0];
+    q[1] = (p[0] + 3 * p[1]) / 4;
+    q[2] = (p[1] + p[2]) / 2 +
+           h * h * mix(s, weights, s->method->stages, i) / 6;
+    q[3] = (3 * p[2] + p[3]) / 4;
+    q[4] = p[3];
+}
+
+size_t adaptive_path(const struct adaptive *s, double control[])
+{
+    const bool radau = s->method->family == STEPPING_RADAU;
+    for (size_t i = 0; i < s->forces.size; ++i) {
+        double *const q = control + (ADAPTIVE_DEGREE + 1) * i;
+        if (radau)
+            path_of_radau(s, i, q);
+        else
+            path_of_pair(s, i, q);
+    }
+    return radau ? ADAPTIVE_DEGREE : 4;
+}
+
+static void turn_round(struct adaptive *s)
+{
+    const struct adaptive_state end = s->to;
+    s->to = s->from;
+    s->from = end;
+}
+
+/* The end of a step without length. */
+static void stay(struct adaptive *s)
+{
+    const size_t size = s->forces.size * sizeof *s->to.x;
+    memcpy(s->from.x, s->to.x, size);
+    memcpy(s->from.v, s->to.v, size);
+    memcpy(s->from.a, s->to.a, size);
+    memcpy(s->from.carry, s->to.carry, 2 * size);
+}
+
+void adaptive_again(struct adaptive *s, double h, double x[], double v[])
+{
+    const double more = h + s->past_owed;
+    turn_round(s);
+    if (!(h > 0))
+        stay(s);
+    else if (s->method->family == STEPPING_RADAU)
+        try_radau(s, h);
+    else
+        try_pair(s, h);
+    turn_round(s);
+    s->h = h;
+    s->t = s->past + more;
+    s->owed = more - (s->t - s->past);
+    memcpy(x, s->to.x, s->forces.size * sizeof *x);
+    memcpy(v, s->to.v, s->forces.size * sizeof *v);
+}
+
+void adaptive_turn(struct adaptive *s, const double x[], const double v[])
+{
+    const double t = s->t, next = s->next;
+    adaptive_begin(s, s->tolerance, s->dt, t, x, v);
+    evaluate(s, s->to.x, s->to.v, s->to.a);
+    s->next = next;
+    s->begun = true;
 }

@@ -1,5 +1,5 @@
 /* From chapters/works/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 3833350449 of the lines below */
+/* checksum 4193420139 of the lines below */
 /* Steps that choose their own length, and places between their ends. */
 #ifndef ADAPTIVE_H
 #define ADAPTIVE_H
@@ -23,6 +23,9 @@ struct adaptive {
     double shortest;         /* s, of the steps taken; 0: none */
     /* ---- private */
     double start, owed, next; /* s; owed by t; the step to come */
+    uint64_t before;          /* steps taken before start */
+    double past, past_owed;   /* t and owed where the last began, s */
+    double whole;             /* length that b belongs to, s */
     bool begun; /* false: the next reach begins where the caller is */
     struct adaptive_state from, to; /* of the last step */
     double *place, *speed, *stage;  /* at a stage; accelerations there */
@@ -60,5 +63,29 @@ void adaptive_recall(struct adaptive *s, const double note[]);
 
 /* s may be NULL. */
 void adaptive_free(struct adaptive *s);
+
+enum { ADAPTIVE_DEGREE = 9 }; /* of a path, at most */
+
+/* Takes one step; where it may choose, of at most `most`, s. false: as
+   above. */
+bool adaptive_step(struct adaptive *s, double most);
+
+/* Writes the control points of all places along the last step: for each
+   coordinate ADAPTIVE_DEGREE + 1 numbers, m, of which the first degree + 1
+   count (11.8, eq:gap-control). Returns the degree. */
+size_t adaptive_path(const struct adaptive *s, double control[]);
+
+/* Takes the last step again, h, s, long, from 0 to the length it had: it
+   ends there from then on, at x, m, and v, m/s. Nothing is estimated. */
+void adaptive_again(struct adaptive *s, double h, double x[], double v[]);
+
+/* Goes on from the end of the last step with other places, m, and
+   velocities, m/s. */
+void adaptive_turn(struct adaptive *s, const double x[], const double v[]);
+
+/* What adaptive_reach puts into x and v, of a time t within the last
+   step, s. */
+void adaptive_look(const struct adaptive *s, double t, double x[],
+                   double v[]);
 
 #endif

@@ -1,15 +1,17 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 2312945122 of the lines below */
+/* checksum 1254553423 of the lines below */
 /* Gaps followed along a step in Bernstein's form, then by the method. */
 #include "forces/impact.h"
 
+#include "forces/adaptive.h"
 #include "toolbox/room.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { DEGREE = 6, HALVINGS = 24, MOST_TRIALS = 100 };
+enum { PATH = ADAPTIVE_DEGREE, DEGREE = 2 * PATH };
+enum { HALVINGS = 24, MOST_TRIALS = 100 };
 enum { MOST_PARTS = 10000, MOST_PASSES = 1000 };
 
 /* What may be rounding, of a place or of a velocity: some units in the last
@@ -27,18 +29,43 @@ struct impact_gap {
     double rounding;            /* what counts as nothing, m */
     double root;                /* first, in units of the part */
     bool shut;                  /* at the end of the part */
-    bool pressed;               /* closed, at rest, and drawn together */
+    bool pressed;               /* closed, at rest, and pressed together */
+    bool unclear;               /* that, or opened and closed in between */
 };
+
+/* Where the wall on a side stops the centre of the body that has coordinate
+   c, m. */
+static double edge_of(const struct scene *s, size_t c, double side)
+{
+    const size_t k = c / s->bodies;
+    const double radius = s->radius[c % s->bodies];
+    return side > 0 ? s->high[k] - radius : s->low[k] + radius;
+}
 
 /* The forces that are left where walls take up what presses on them. */
 static void accelerate(void *what, const double x[], const double v[],
                        double a[])
 {
-    const struct impact *p = what;
+    struct impact *p = what;
     p->forces.accelerate(p->forces.what, x, v, a);
     for (size_t c = 0; p->resting > 0 && c < p->forces.size; ++c)
-        if (p->held[c] * a[c] > 0)
+        if (p->held[c] != 0) {
+            if (p->held[c] * a[c] < 0)
+                p->lifted = c;
             a[c] = 0;
+        }
+}
+
+/* Between which places the bodies lie along an axis, m. */
+static void spread(const struct scene *s, size_t k, double *low,
+                   double *high)
+{
+    *low = INFINITY;
+    *high = -INFINITY;
+    for (size_t c = k * s->bodies; c < (k + 1) * s->bodies; ++c) {
+        *low = fmin(*low, s->position[c]);
+        *high = fmax(*high, s->position[c]);
+    }
 }
 
 /* Along which axis of walls, or open, the bodies take most room. */
@@ -47,11 +74,8 @@ static size_t widest_axis(const struct scene *s)
     size_t widest = SPHERES_AXES;
     double most = 0;
     for (size_t k = 0; k < SPHERES_AXES; ++k) {
-        double low = INFINITY, high = -INFINITY;
-        for (size_t c = k * s->bodies; c < (k + 1) * s->bodies; ++c) {
-            low = fmin(low, s->position[c]);
-            high = fmax(high, s->position[c]);
-        }
+        double low, high;
+        spread(s, k, &low, &high);
         if (s->wall[k] != SCENE_PERIODIC && high - low > most) {
             most = high - low;
             widest = k;
@@ -63,7 +87,7 @@ static size_t widest_axis(const struct scene *s)
 static void share_out(struct impact *p, size_t n)
 {
     p->control = p->note + 5 * n + 1;
-    p->low = p->control + 4 * n;
+    p->low = p->control + (PATH + 1) * n;
     p->high = p->low + n;
     p->pull = p->high + n;
 }
@@ -79,7 +103,7 @@ bool impact_create(struct impact *p, struct spheres *spheres,
                          .axis = widest_axis(spheres->scene)};
     p->held = calloc(n + 1, 1);
     p->order = malloc((n + 1) * sizeof *p->order);
-    p->note = room_doubles(12 * n + 1);
+    p->note = room_doubles(18 * n + 1);
     if (!p->held || !p->order || !p->note) {
         impact_free(p);
         return false;
@@ -90,6 +114,8 @@ bool impact_create(struct impact *p, struct spheres *spheres,
     s->forces.accelerate = accelerate;
     s->forces.what = p;
     s->sweep = NULL;
+    if (s->own)
+        s->own->forces = s->forces;
     return true;
 }
 
@@ -145,19 +171,33 @@ static double rate_rounding(const struct impact *p,
 
 /* The path of each coordinate in a part of length h: (11.8,
    eq:gap-control). */
-static void draw_paths(struct impact *p, double h)
+static size_t draw_cubics(struct impact *p, double h)
 {
     const struct stepping *s = p->stepping;
     const size_t n = s->forces.size;
     const double *x = p->note, *v = p->note + n;
     for (size_t c = 0; c < n; ++c) {
-        double *q = p->control + 4 * c;
+        double *q = p->control + (PATH + 1) * c;
         q[0] = x[c];
         q[1] = x[c] + h * v[c] / 3;
         q[2] = s->x[c] - h * s->v[c] / 3;
         q[3] = s->x[c];
-        const double low = fmin(fmin(q[0], q[1]), fmin(q[2], q[3]));
-        const double high = fmax(fmax(q[0], q[1]), fmax(q[2], q[3]));
+    }
+    return 3;
+}
+
+static void draw_paths(struct impact *p, double h)
+{
+    const struct stepping *s = p->stepping;
+    p->degree =
+        s->own ? adaptive_path(s->own, p->control) : draw_cubics(p, h);
+    for (size_t c = 0; c < s->forces.size; ++c) {
+        const double *q = p->control + (PATH + 1) * c;
+        double low = q[0], high = q[0];
+        for (size_t j = 1; j <= p->degree; ++j) {
+            low = fmin(low, q[j]);
+            high = fmax(high, q[j]);
+        }
         const double radius = p->scene->radius[c % p->scene->bodies];
         const double more =
             radius + ROUNDING * (fmax(fabs(low), fabs(high)) + radius);
@@ -171,30 +211,39 @@ static size_t wall_points(const struct impact *p,
                           const struct impact_gap *g, double q[])
 {
     const size_t c = g->axis * p->scene->bodies + g->a;
-    for (size_t j = 0; j <= 3; ++j)
-        q[j] = g->side * (g->edge - p->control[4 * c + j]);
-    return 3;
+    for (size_t j = 0; j <= p->degree; ++j)
+        q[j] = g->side * (g->edge - p->control[(PATH + 1) * c + j]);
+    return p->degree;
+}
+
+/* The binomials of m. */
+static void choose(size_t m, double c[])
+{
+    c[0] = 1;
+    for (size_t j = 0; j < m; ++j)
+        c[j + 1] = c[j] * (double)(m - j) / (double)(j + 1);
 }
 
 /* Those of a pair's, of the square of its distance less that of sum. */
 static size_t pair_points(const struct impact *p,
                           const struct impact_gap *g, double q[])
 {
-    static const double choose3[] = {1, 3, 3, 1},
-                        choose6[] = {1, 6, 15, 20, 15, 6, 1};
-    const size_t n = p->scene->bodies;
-    double d[4][SPHERES_AXES];
-    for (size_t k = 0; k < SPHERES_AXES; ++k)
-        for (size_t j = 0; j <= 3; ++j)
-            d[j][k] = p->control[4 * (k * n + g->b) + j] -
-                      p->control[4 * (k * n + g->a) + j] - g->image[k];
-    for (size_t j = 0; j <= 6; ++j)
+    const size_t n = p->scene->bodies, m = p->degree;
+    double d[PATH + 1][SPHERES_AXES], once[PATH + 1], twice[DEGREE + 1];
+    for (size_t k = 0; k < SPHERES_AXES; ++k) {
+        const double *a = p->control + (PATH + 1) * (k * n + g->a),
+                     *b = p->control + (PATH + 1) * (k * n + g->b);
+        for (size_t j = 0; j <= m; ++j)
+            d[j][k] = b[j] - a[j] - g->image[k];
+    }
+    choose(m, once);
+    choose(2 * m, twice);
+    for (size_t j = 0; j <= 2 * m; ++j)
         q[j] = -g->sum * g->sum;
-    for (size_t i = 0; i <= 3; ++i)
-        for (size_t j = 0; j <= 3; ++j)
-            q[i + j] +=
-                choose3[i] * choose3[j] / choose6[i + j] * dot(d[i], d[j]);
-    return 6;
+    for (size_t i = 0; i <= m; ++i)
+        for (size_t j = 0; j <= m; ++j)
+            q[i + j] += once[i] * once[j] / twice[i + j] * dot(d[i], d[j]);
+    return 2 * m;
 }
 
 /* Divides what is zero at the start by the time. */
@@ -205,12 +254,13 @@ static size_t divide_by_time(double q[], size_t m)
     return m - 1;
 }
 
-static bool is_positive(const double q[], size_t m)
+/* May a curve go below 0 by more than rounding? */
+static bool goes_below(const double q[], size_t m, double rounding)
 {
     for (size_t j = 0; j <= m; ++j)
-        if (!(q[j] > 0))
-            return false;
-    return true;
+        if (q[j] < -rounding)
+            return true;
+    return false;
 }
 
 /* Halves a curve: q becomes its first half, r its second. */
@@ -226,47 +276,33 @@ static void halve(double q[], double r[], size_t m)
     }
 }
 
-/* The first place from 0 to 1 where a curve with q[0] > 0 may come to 0:
-   INFINITY if there is none. */
-static double first_root(const double q[], size_t m, int halvings)
+/* The first place from 0 to 1 where a curve with q[0] > 0 goes below 0 by
+   more than rounding, or seems to: INFINITY if there is none. */
+static double first_root(const double q[], size_t m, double rounding,
+                         int halvings)
 {
     double left[DEGREE + 1], right[DEGREE + 1];
-    if (is_positive(q, m))
+    if (!goes_below(q, m, rounding))
         return INFINITY;
     if (halvings == 0)
         return 0.5;
     memcpy(left, q, (m + 1) * sizeof *q);
     halve(left, right, m);
-    const double before = first_root(left, m, halvings - 1);
-    return before <= 1 ? before / 2
-                       : (1 + first_root(right, m, halvings - 1)) / 2;
+    const double before = first_root(left, m, rounding, halvings - 1);
+    if (before <= 1)
+        return before / 2;
+    return (1 + first_root(right, m, rounding, halvings - 1)) / 2;
 }
 
-/* Does a curve go below 0 by more than rounding? */
-static bool goes_below(const double q[], size_t m, double rounding)
-{
-    for (size_t j = 0; j <= m; ++j)
-        if (q[j] < -rounding)
-            return true;
-    return false;
-}
-
-/* The root of a gap that is closed at the start and does not close
-   further: the next one. The slope there is known. */
-static double next_root(struct impact_gap *g, double q[], size_t m,
-                        double slope, double rounding)
+/* The next root of a gap that is closed at the start and opens. The slope
+   there is known. */
+static double next_root(double q[], size_t m, double slope, double rounding)
 {
     for (size_t j = m + 1; j-- > 0;)
         q[j] -= q[0];
     m = divide_by_time(q, m);
     q[0] = slope;
-    if (slope > 0)
-        return goes_below(q, m, rounding) ? first_root(q, m, HALVINGS)
-                                          : INFINITY;
-    q[0] = 0;
-    m = divide_by_time(q, m);
-    g->pressed = q[0] < -(double)(DEGREE * DEGREE) * rounding || g->shut;
-    return g->pressed ? 0 : INFINITY;
+    return first_root(q, m, rounding, HALVINGS);
 }
 
 /* Where in a part of length h a gap closes. */
@@ -286,12 +322,12 @@ static void find_root(const struct impact *p, struct impact_gap *g,
     g->pressed = false;
     g->root = 0;
     if (w > g->rounding)
-        g->root = goes_below(q, m, unit * g->rounding)
-                      ? first_root(q, m, HALVINGS)
-                      : INFINITY;
+        g->root = first_root(q, m, unit * g->rounding, HALVINGS);
+    else if (rate > slack)
+        g->root = next_root(q, m, h * rate * unit, unit * g->rounding);
     else if (rate >= -slack)
-        g->root = next_root(g, q, m, rate > slack ? h * rate * unit : 0,
-                            unit * g->rounding);
+        g->root = INFINITY;
+    g->unclear = g->root > 1 && w <= g->rounding && g->shut;
 }
 
 /* Adds a gap to those of the part, if it closes or has closed. */
@@ -316,21 +352,21 @@ static void add_wall(struct impact *p, size_t k, size_t i, double side,
 {
     const struct scene *s = p->scene;
     const size_t c = k * s->bodies + i;
-    const double edge =
-        side > 0 ? s->high[k] - s->radius[i] : s->low[k] + s->radius[i];
+    const double edge = edge_of(s, c, side);
     const double out =
         side > 0 ? p->high[c] - s->high[k] : s->low[k] - p->low[c];
+    const double far = fmax(fabs(p->note[c]), fabs(edge));
     if (!(out > 0 && s->freedom[c]))
         return;
-    add_gap(p,
-            (struct impact_gap){.a = (uint32_t)i,
-                                .b = (uint32_t)i,
-                                .axis = k,
-                                .side = side,
-                                .edge = edge,
-                                .rounding =
-                                    ROUNDING * (fabs(edge) + s->radius[i])},
-            h);
+    add_gap(
+        p,
+        (struct impact_gap){.a = (uint32_t)i,
+                            .b = (uint32_t)i,
+                            .axis = k,
+                            .side = side,
+                            .edge = edge,
+                            .rounding = ROUNDING * (far + s->radius[i])},
+        h);
 }
 
 /* How far b's nearest image is from b, m. */
@@ -429,16 +465,24 @@ static void collect_gaps(struct impact *p, double h)
         qsort(p->gap + walls, p->gaps - walls, sizeof *p->gap, in_order);
 }
 
-/* The method's own path: to h after the note. How wide the gap is there,
-   m. */
+/* Goes along the method's own path: to h after the note. */
+static void go(struct impact *p, double h)
+{
+    struct stepping *s = p->stepping;
+    if (s->own)
+        adaptive_again(s->own, h, s->x, s->v);
+    else
+        stepping_recall(s, p->note);
+    if (!s->own && h > 0)
+        p->end = stepping_part(s, h);
+}
+
+/* Goes there. How wide the gap is, m. */
 static double try(struct impact *p, const struct impact_gap *g, double h,
                   double *rate)
 {
-    struct stepping *s = p->stepping;
-    stepping_recall(s, p->note);
-    if (h > 0)
-        p->end = stepping_part(s, h);
-    return width(p, g, s->x, s->v, rate) - g->start;
+    go(p, h);
+    return width(p, g, p->stepping->x, p->stepping->v, rate) - g->start;
 }
 
 /* Goes to the moment *h, of at most `most`, at which a gap closes; *h
@@ -451,17 +495,20 @@ static bool close_gap(struct impact *p, const struct impact_gap *g,
         if (!(*h > open && *h < most))
             *h = (open + most) / 2;
         const double w = try(p, g, *h, &rate), size = fabs(w);
-        if (size <= g->rounding &&
-            (rate >= 0 || size <= g->rounding / 8 || size > last / 2))
-            return rate < 0;
-        if (w > 0 && (rate < 0 || shut))
+        const bool parts = size <= g->rounding && rate >= 0;
+        if (size <= g->rounding && rate < 0 &&
+            (size <= g->rounding / 8 || size > last / 2))
+            return true;
+        if (parts && !shut)
+            return false;
+        if (parts || (w > 0 && (rate < 0 || shut)))
             open = *h;
         else
             most = *h;
         shut = shut || w < 0;
         if (!shut && rate < 0 && w > -rate * (most - open))
             return false;
-        *h -= w / rate;
+        *h = parts ? most : *h - w / rate;
         last = size;
     }
     try(p, g, *h = most, &rate);
@@ -525,6 +572,36 @@ static void release(struct impact *p)
         }
 }
 
+/* Would a wall have to pull in a part of length h? Goes there. */
+static bool lifts(struct impact *p, double h)
+{
+    p->lifted = p->forces.size;
+    go(p, h);
+    return p->lifted < p->forces.size;
+}
+
+/* Goes on for h, or as long as all that rests does, s: 0 if somebody has
+   been let go. */
+static double rest(struct impact *p, double h)
+{
+    enum { BITS = 52 };
+    double low = 0, high = h;
+    if (!lifts(p, h))
+        return h;
+    if (lifts(p, ldexp(h, -HALVINGS))) {
+        p->held[p->lifted] = 0;
+        --p->resting;
+        high = 0;
+    }
+    for (int k = 0; k < BITS && high > 0; ++k)
+        if (lifts(p, (low + high) / 2))
+            high = (low + high) / 2;
+        else
+            low = (low + high) / 2;
+    go(p, low);
+    return low;
+}
+
 /* A body meets a wall, and stays there if it would not rise by more than
    rounding: (11.10, eq:rest). */
 static void bounce(struct impact *p, const struct impact_gap *g)
@@ -578,7 +655,8 @@ static void settle(struct impact *p, uint64_t *met)
             crowd(p, &p->gap[0]);
     p->simultaneous += now > 1 ? now - 1 : 0;
     *met += now;
-    stepping_disturb(p->stepping);
+    if (!p->stepping->own)
+        stepping_disturb(p->stepping);
 }
 
 /* Goes to the first contact of the part, *h long, which becomes shorter.
@@ -602,30 +680,157 @@ static bool find_contact(struct impact *p, double *h)
     return false;
 }
 
+/* As find_contact, with the one that the method closes first. */
+static bool find_first(struct impact *p, double *h)
+{
+    struct impact_gap *g;
+    if (!find_contact(p, h))
+        return false;
+    double most = *h;
+    for (size_t i = 0; i < p->gaps && (g = earlier_gap(p, h)) &&
+                       close_gap(p, g, most, true, h);
+         ++i)
+        most = *h;
+    return true;
+}
+
+/* Is a shorter part needed to see what happens? This may be the last that
+   is tried. */
+static bool is_unclear(struct impact *p, bool last)
+{
+    bool unclear = false;
+    for (size_t i = 0; i < p->gaps; ++i) {
+        struct impact_gap *g = &p->gap[i];
+        unclear = unclear || g->unclear;
+        g->pressed = g->unclear;
+        g->root = g->unclear ? 0 : g->root;
+    }
+    return unclear && !last && p->end == STEPPING_DONE;
+}
+
 /* Takes what is left of a step, or what lies before its first contact.
    Returns how much that was, s. */
 static double take_part(struct impact *p, double left, uint64_t *met)
 {
     double h = left;
     stepping_note(p->stepping, p->note);
-    p->end = stepping_part(p->stepping, left);
-    collect_gaps(p, left);
-    if (p->end == STEPPING_DONE && find_contact(p, &h)) {
-        struct impact_gap *g;
-        double most = h;
-        while ((g = earlier_gap(p, &h)) && close_gap(p, g, most, true, &h))
-            most = h;
-        settle(p, met);
+    for (int k = 0;; ++k, h /= 2) {
+        h = rest(p, h);
+        collect_gaps(p, h);
+        if (!is_unclear(p, k == HALVINGS))
+            break;
     }
+    if (p->end == STEPPING_DONE && find_first(p, &h))
+        settle(p, met);
     release(p);
     return h;
 }
 
+/* How far anybody may go in a step, m. */
+static double longest_way(const struct impact *p)
+{
+    const struct scene *s = p->scene;
+    double wide = 0, way = INFINITY, radius = 0;
+    for (size_t i = 0; i < s->bodies; ++i) {
+        radius = fmax(radius, s->radius[i]);
+        if (s->radius[i] > 0)
+            way = fmin(way, 0x1p14 * s->radius[i]);
+    }
+    for (size_t k = 0; k < SPHERES_AXES; ++k) {
+        double low = s->low[k], high = s->high[k];
+        if (s->wall[k] == SCENE_OPEN)
+            spread(s, k, &low, &high);
+        const double side = high - low;
+        if (s->wall[k] == SCENE_PERIODIC)
+            way = fmin(way, fmax(side / 4 - radius, side / 64));
+        wide = fmax(wide, side);
+    }
+    return wide > 0 ? fmin(way, wide) : way;
+}
+
+static double longest_step(const struct impact *p)
+{
+    const struct adaptive *own = p->stepping->own;
+    const double way = longest_way(p);
+    double v = 0, a = 0, h = INFINITY;
+    for (size_t c = 0; c < own->forces.size; ++c) {
+        v = fmax(v, fabs(own->to.v[c]));
+        a = fmax(a, own->begun ? fabs(own->to.a[c]) : 0);
+    }
+    if (v > 0)
+        h = way / v;
+    if (a * h * h > 2 * way)
+        h = sqrt(2 * way / a);
+    return h;
+}
+
+static void take_own(struct impact *p)
+{
+    struct stepping *s = p->stepping;
+    const size_t n = s->forces.size;
+    double h = longest_step(p);
+    memcpy(p->note, s->own->to.x, n * sizeof *s->x);
+    memcpy(p->note + n, s->own->to.v, n * sizeof *s->v);
+    for (int k = 0;; ++k) {
+        if (!adaptive_step(s->own, h)) {
+            p->end = STEPPING_STUCK;
+            return;
+        }
+        adaptive_look(s->own, s->own->t, s->x, s->v);
+        h = p->resting > 0 ? rest(p, s->own->h) : s->own->h;
+        collect_gaps(p, h);
+        if (!is_unclear(p, k == HALVINGS))
+            break;
+        go(p, 0);
+        adaptive_turn(s->own, s->x, s->v);
+        h /= 2;
+    }
+    p->waiting = p->end == STEPPING_DONE && find_first(p, &h);
+    if (h == 0 && !p->waiting)
+        adaptive_turn(s->own, s->x, s->v);
+}
+
+static void turn_own(struct impact *p, uint64_t *met)
+{
+    struct stepping *s = p->stepping;
+    adaptive_look(s->own, s->own->t, s->x, s->v);
+    settle(p, met);
+    release(p);
+    adaptive_turn(s->own, s->x, s->v);
+    p->waiting = false;
+}
+
+/* As impact_step, by a method whose steps have lengths of their own. */
+static enum stepping_end reach_look(struct impact *p, uint64_t *met)
+{
+    struct stepping *s = p->stepping;
+    struct adaptive *own = s->own;
+    const uint64_t before = own->evaluations;
+    const double t = s->start + (double)(s->steps + 1) * s->dt;
+    if (stepping_anew(s))
+        p->waiting = false;
+    for (int parts = 0; own->t < t && p->end == STEPPING_DONE; ++parts) {
+        if (p->waiting)
+            turn_own(p, met);
+        if (p->end == STEPPING_DONE)
+            take_own(p);
+        if (parts == MOST_PARTS && p->gaps > 0)
+            crowd(p, &p->gap[0]);
+    }
+    s->evaluations += own->evaluations - before;
+    if (p->end == STEPPING_DONE) {
+        adaptive_look(own, t, s->x, s->v);
+        ++s->steps;
+    }
+    return p->end;
+}
 enum stepping_end impact_step(struct impact *p, uint64_t *met)
 {
     double left = p->stepping->dt;
     p->crowded = false;
     p->end = STEPPING_DONE;
+    if (p->stepping->own)
+        return reach_look(p, met);
     for (int parts = 0; left > 0 && p->end == STEPPING_DONE; ++parts) {
         left -= take_part(p, left, met);
         if (parts == MOST_PARTS && p->gaps > 0)

@@ -1,5 +1,5 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 1926801768 of the lines below */
+/* checksum 2907687701 of the lines below */
 /* The moments of contact, found inside a step and resolved one by one. */
 #ifndef IMPACT_H
 #define IMPACT_H
@@ -27,13 +27,16 @@ struct impact {
     struct stepping_forces forces; /* those that no wall takes up */
     enum stepping_end end;         /* of the step so far */
     signed char *held;   /* [3 * bodies] the side of the wall, or 0 */
+    size_t lifted;       /* a coordinate that a wall would have to pull */
     double *note;        /* of the stepping, where the part begins */
-    double *control;     /* [4 * 3 * bodies] of the paths in the part, m */
+    double *control;     /* [3 * bodies][10] of the paths in the part, m */
+    size_t degree;       /* of the paths */
     double *low, *high;  /* [3 * bodies] between which each lies, m */
     double *pull;        /* [3 * bodies] accelerations, m/s^2 */
     size_t *order, axis; /* the bodies along it; 3: there is none */
     struct impact_gap *gap;
     size_t gaps, room;
+    bool waiting; /* the last step of its own length ends at a contact */
 };
 
 /* Prepares to find the contacts of *p in the steps of *s, which has not

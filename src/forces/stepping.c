@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 3952458603 of the lines below */
+/* checksum 2759601372 of the lines below */
 /* Steps by kicks and drifts and by Runge-Kutta stages. */
 #include "forces/stepping.h"
 
@@ -916,14 +916,21 @@ static bool run_until_watch(struct stepping *s, uint64_t *left)
     return true;
 }
 
+bool stepping_anew(struct stepping *s)
+{
+    const bool anew = !s->own->begun;
+    if (anew)
+        adaptive_begin(s->own, s->tolerance, s->dt, stepping_time(s), s->x,
+                       s->v);
+    return anew;
+}
+
 static enum stepping_end run_own(struct stepping *s, uint64_t steps)
 {
     struct adaptive *const own = s->own;
     const double t = s->start + (double)(s->steps + steps) * s->dt;
     const uint64_t before = own->evaluations;
-    if (!own->begun)
-        adaptive_begin(own, s->tolerance, s->dt, stepping_time(s), s->x,
-                       s->v);
+    stepping_anew(s);
     const bool came = adaptive_reach(own, t, s->x, s->v);
     s->evaluations += own->evaluations - before;
     if (!came)

@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 133677056 of the lines below */
+/* checksum 477095978 of the lines below */
 /* Stepping methods, and runs that step coordinates under forces. */
 #ifndef STEPPING_H
 #define STEPPING_H
@@ -164,4 +164,8 @@ void stepping_recall(struct stepping *s, const double note[]);
    caller adds 1 to steps. A part of the length dt has the bits of a step.
    Looks for numbers that are not finite. */
 enum stepping_end stepping_part(struct stepping *s, double h);
+
+/* Lets the adaptive method of s begin at x and v if it has not begun, or if
+   they were changed from outside. Returns whether it does. */
+bool stepping_anew(struct stepping *s);
 #endif

@@ -476,6 +476,53 @@ static void test_disturbed(void)
     }
 }
 
+/* A swing that is put to its middle, but for rounding, where there is no
+   force to compare with, goes on in steps as long as before. */
+static void test_middle(void)
+{
+    const struct stepping_forces f = {1, false, oscillator, NULL};
+    const double middle = 0x1p-60, speed = 1;
+    double x = 1, v = 0;
+    struct adaptive *const a = adaptive_create(stepping_find("radau15"), f);
+    if (!a)
+        exit(1);
+    adaptive_begin(a, 1e-13, 1, 0, &x, &v);
+    UNIT_TRUE(adaptive_reach(a, 5, &x, &v));
+    const double t = a->t, refused = (double)a->refused;
+    adaptive_turn(a, &middle, &speed);
+    UNIT_TRUE(adaptive_reach(a, t + 10, &x, &v));
+    UNIT_NEAR(x, sin(10), 1e-13);
+    UNIT_NEAR((double)a->refused, refused, 2);
+    adaptive_free(a);
+}
+
+/* The path of a step that is taken again to a part of it, as control
+   points, is what one sees in it. */
+static void test_path(void)
+{
+    static const char *const names[] = {"dopri5", "radau15"};
+    const struct stepping_forces f = {1, false, oscillator, NULL};
+    for (int k = 0; k < 2; ++k) {
+        double q[ADAPTIVE_DEGREE + 1], x = 1, v = 0.3, seen, speed;
+        struct adaptive *const a =
+            adaptive_create(stepping_find(names[k]), f);
+        if (!a)
+            exit(1);
+        adaptive_begin(a, 0, 1, 0, &x, &v);
+        UNIT_TRUE(adaptive_step(a, 1));
+        adaptive_again(a, 0.75, &x, &v);
+        UNIT_EQUAL(a->t, 0.75);
+        UNIT_NEAR(x, cos(0.75) + 0.3 * sin(0.75), k ? 1e-13 : 1e-4);
+        size_t degree = adaptive_path(a, q);
+        for (; degree > 0; --degree) /* de Casteljau, at a quarter */
+            for (size_t j = 0; j < degree; ++j)
+                q[j] += (q[j + 1] - q[j]) / 4;
+        adaptive_look(a, 0.75 / 4, &seen, &speed);
+        UNIT_NEAR(q[0], seen, 10 * DBL_EPSILON);
+        adaptive_free(a);
+    }
+}
+
 int main(void)
 {
     return unit_run(
@@ -494,5 +541,7 @@ int main(void)
             {"looking changes no bit", test_looks},
             {"a fall into the centre ends", test_collision},
             {"a disturbed run begins anew", test_disturbed},
+            {"where there is no force, steps are long", test_middle},
+            {"the path in a part of a step", test_path},
             {0}});
 }

@@ -1,11 +1,13 @@
 /* Contacts at their moments: a bouncing ball against its closed form, up to
    its last bounce; each method keeps its order through contacts; a thousand
-   times the steps say the same; what rests, grazes, comes at once, crowds.
+   times the steps say the same; what rests, grazes, comes at once, crowds;
+   steps of their own length meet what short steps meet.
  */
 #include "unit.h"
 
 #include "forces/largest.h"
 #include "forces/motion.h"
+#include "toolbox/random.h"
 
 #include <stdlib.h>
 
@@ -32,6 +34,7 @@ static void begin(struct motion *m, struct scene *s, const char *method,
     if (!motion_begin(m, "impact", s, method, 0) ||
         (located && !motion_locate(m)))
         exit(1);
+    m->stepping.tolerance = 1e-13; /* of adaptive ones */
 }
 
 static void end(struct motion *m, struct scene *s)
@@ -47,23 +50,25 @@ static double count(uint64_t n)
 
 /* A ball 1 m above its floor at z = 0 falls at 2 m/s^2: for 1 s, then up
    and down in 2 s. */
-static void drop(struct motion *m, struct scene *s, double e, double dt)
+static void drop(struct motion *m, struct scene *s, const char *method,
+                 double e, double dt)
 {
     make(s, 1, dt);
     put_walls(s, 2, -0.125, 100);
     s->position[2] = 1;
     s->gravity[2] = -2;
     s->restitution = e;
-    begin(m, s, "leapfrog", true);
+    begin(m, s, method, true);
 }
 
 /* The step divides nothing. 31 100 velocities are rounded by 1e-16 m/s, a
    walk to 2e-14 m/s, of which 1000 bounces make a delay of 1e-11 s. */
-static void test_thousand(void)
+static void bounce(const char *method, double tolerance)
 {
     struct scene s;
     struct motion m;
-    drop(&m, &s, 1, 0.064375);
+    drop(&m, &s, method, 1, 0.064375);
+    m.stepping.tolerance = tolerance;
     for (int k = 0; k < 311; ++k) {
         motion_run(&m, 100);
         const double since = fmod(motion_time(&m) + 1, 2);
@@ -73,13 +78,21 @@ static void test_thousand(void)
     end(&m, &s);
 }
 
+static void test_thousand(void)
+{
+    bounce("leapfrog", 0);
+    bounce("dopri5", 1e-13);
+    bounce("radau15", 1e-13);
+    bounce("radau15", 0); /* steps of one length, begun anew */
+}
+
 /* Its last bounce is at 1 (1 + e) / (1 - e) = 9 s. It rests when it would
    rise by less than rounding, 1e-16 m: at 2e-8 m/s, 1e-7 s earlier. */
-static void test_last_bounce(void)
+static void come_to_rest(const char *method)
 {
     struct scene s;
     struct motion m;
-    drop(&m, &s, 0.8, 0.03125);
+    drop(&m, &s, method, 0.8, 0.03125);
     motion_run(&m, 287);
     UNIT_TRUE(motion_shorten(&m, 9 - 0x1p-20 - motion_time(&m)));
     UNIT_EQUAL(motion_run(&m, 1), STEPPING_DONE);
@@ -90,6 +103,12 @@ static void test_last_bounce(void)
     UNIT_EQUAL(s.position[2], 0);
     UNIT_EQUAL(s.velocity[2], 0);
     end(&m, &s);
+}
+
+static void test_last_bounce(void)
+{
+    come_to_rest("leapfrog");
+    come_to_rest("radau15");
 }
 
 /* Three balls that attract each other in a box. */
@@ -163,6 +182,68 @@ static void test_steps(void)
     UNIT_NEAR(largest_difference(x, y, 9), 0, 1e-13);
     UNIT_EQUAL(met, run_three("leapfrog", 0, false, 256000, fine));
     UNIT_NEAR(largest_difference(x, fine, 9), 0, 1e-5);
+}
+
+/* Leapfrog's way from a spring at rest is straight in its first step, but
+   the path through its ends is ahead by half of s s (1 - s) of 1 m, and the
+   body on the spring seems to come to the wall at 0.44 s; by leapfrog it
+   comes at 0.53 s. The free one is there at 0.5 s, and turns round then. */
+static void test_hidden(void)
+{
+    struct scene s;
+    struct motion m;
+    make(&s, 3, 1);
+    put_walls(&s, 0, -5, 2.125);
+    s.position[0] = 1.5;
+    s.position[1] = 1.46875;
+    s.position[2] = -0.53125;
+    s.position[3 + 1] = s.position[3 + 2] = 3;
+    s.velocity[0] = s.velocity[1] = 1;
+    s.freedom[2] = s.freedom[3 + 2] = s.freedom[6 + 2] = 0;
+    UNIT_TRUE(scene_add_kind(&s, 1, 0) && scene_add_spring(&s, 1, 2, 0, 2));
+    begin(&m, &s, "leapfrog", true);
+    UNIT_EQUAL(motion_run(&m, 1), STEPPING_DONE);
+    UNIT_EQUAL(count(m.collisions), 2);
+    UNIT_NEAR(s.position[0], 1.5, 1e-15);
+    end(&m, &s);
+}
+
+/* A ball meets an equal one on a spring and stops; that one comes back
+   after half a period, pi/2 s, and sends it home. A few roundings. */
+static void test_sprung(void)
+{
+    static const char *const methods[] = {"radau15", "dopri5"};
+    for (int k = 0; k < 2; ++k) {
+        struct scene s;
+        struct motion m;
+        make(&s, 3, 0.25);
+        s.position[0] = -0.5;
+        s.position[1] = 1;
+        s.position[2] = 2;
+        s.velocity[0] = 1;
+        s.freedom[2] = s.freedom[3 + 2] = s.freedom[6 + 2] = 0;
+        UNIT_TRUE(scene_add_kind(&s, 4, 0) &&
+                  scene_add_spring(&s, 1, 2, 0, 1));
+        begin(&m, &s, methods[k], true);
+        UNIT_EQUAL(motion_run(&m, 16), STEPPING_DONE);
+        UNIT_EQUAL(count(m.collisions), 2);
+        UNIT_NEAR(s.position[0], 0.75 - 2.75 + acos(-1) / 2,
+                  k == 0 ? 1e-14 : 1e-11);
+        UNIT_NEAR(s.velocity[0], -1, k == 0 ? 1e-14 : 1e-11);
+        end(&m, &s);
+    }
+}
+
+/* Its own steps carry the three attracting balls as far as 1024 of order
+   eight, whose error is some 1e-13 m; looks change no bit of that. */
+static void test_own_steps(void)
+{
+    double exact[9], x[9], y[9];
+    const double met = run_three("kahan-li8", 0.5, true, 1024, exact);
+    UNIT_EQUAL(met, run_three("radau15", 0.5, true, 4, x));
+    UNIT_EQUAL(met, run_three("radau15", 0.5, true, 64, y));
+    UNIT_NEAR(largest_difference(x, exact, 9), 0, 2e-12);
+    UNIT_EQUAL(largest_difference(x, y, 9), 0);
 }
 
 /* No contact, no difference. */
@@ -268,7 +349,7 @@ static void test_resume(void)
 {
     struct scene s, saved;
     struct motion m, again;
-    drop(&m, &s, 0.5, 0.01);
+    drop(&m, &s, "leapfrog", 0.5, 0.01);
     s.velocity[0] = 0.1;
     motion_run(&m, 500);
     UNIT_EQUAL(count(m.impact.resting), 1);
@@ -282,6 +363,252 @@ static void test_resume(void)
     UNIT_EQUAL(saved.velocity[2], 0);
     end(&again, &saved);
     end(&m, &s);
+}
+
+/* A body on a spring of omega = 1 swings by 1 m, before a wall that stands
+   `before` m in front of where it would turn. Returns how wrong its place
+   is after 20 s: what it does not pass of its circle it leaps over. */
+static double swing(const char *method, double before, double steps)
+{
+    const double pi = acos(-1), leap = acos(1 - before);
+    double angle = pi + 20;
+    uint64_t met = 0;
+    struct scene s;
+    struct motion m;
+    make(&s, 2, 20 / steps);
+    put_walls(&s, 0, -9, 1 - before);
+    s.position[0] = -1;
+    s.radius[0] = s.radius[1] = 0;
+    s.freedom[1] = s.freedom[2 + 1] = s.freedom[4 + 1] = 0;
+    UNIT_TRUE(scene_add_kind(&s, 1, 0) && scene_add_spring(&s, 0, 1, 0, 0));
+    begin(&m, &s, method, true);
+    UNIT_EQUAL(motion_run(&m, (uint64_t)steps), STEPPING_DONE);
+    for (; angle > 2 * pi - leap; ++met)
+        angle -= 2 * (pi - leap);
+    UNIT_EQUAL(count(m.collisions), count(met));
+    const double error = fabs(s.position[0] - cos(angle));
+    end(&m, &s);
+    return error;
+}
+
+/* Nothing is too shallow to be seen by a step as long as half a radian.
+   Rounding, 1e-15 m, moves a moment by that over the speed, and each
+   moment moves the next ones. dopri5's tolerance lets its places be wrong
+   by 1e-11 m. */
+static void test_shallow(void)
+{
+    for (double before = 0.1; before > 1e-13; before /= 10) {
+        const double speed = sqrt(2 * before);
+        UNIT_NEAR(swing("radau15", before, 8), 0, 1e-14 + 1e-15 / speed);
+        UNIT_NEAR(swing("dopri5", before, 8), 0, 1e-11 / speed);
+    }
+}
+
+/* What a bounce by steps of their own costs: one step and three or four
+   shorter ones, each of a round at seven nodes and its end, as the weight
+   is no surprise; and no start from small steps. That the ball comes from 1
+   m, with its rounding, to a floor at 0 makes no difference. */
+static void test_price(void)
+{
+    struct scene s;
+    struct motion m;
+    make(&s, 1, 0.5);
+    put_walls(&s, 2, -0.1, 100);
+    s.radius[0] = 0.1;
+    s.position[2] = 1;
+    s.gravity[2] = -2;
+    s.restitution = 0.8;
+    begin(&m, &s, "radau15", true);
+    UNIT_EQUAL(motion_run(&m, 24), STEPPING_DONE);
+    UNIT_EQUAL(count(m.impact.resting), 1);
+    UNIT_TRUE(m.stepping.evaluations < 5 * 8 * m.collisions);
+    end(&m, &s);
+}
+
+/* A body that lies on the floor, with a spring on it and another body on
+   that, which is thrown up: it is lifted, comes down and is lifted again,
+   and never gets into the floor. z: where the two are after 2 s. Returns
+   what rests. */
+static size_t lift(const char *method, double speed, uint64_t steps,
+                   double z[2])
+{
+    struct scene s;
+    struct motion m;
+    make(&s, 2, 2 / (double)steps);
+    put_walls(&s, 2, 0, 100);
+    for (size_t c = 0; c < 4; ++c)
+        s.freedom[c] = 0;
+    s.position[4] = 0.125;
+    s.position[5] = 1.025;
+    s.velocity[5] = speed;
+    s.gravity[2] = -2;
+    s.restitution = 0.5;
+    UNIT_TRUE(scene_add_kind(&s, 20, 0) &&
+              scene_add_spring(&s, 0, 1, 0, 1));
+    begin(&m, &s, method, true);
+    for (uint64_t k = 0; k < steps; ++k) {
+        UNIT_EQUAL(motion_run(&m, 1), STEPPING_DONE);
+        UNIT_TRUE(s.position[4] >= 0.125 * (1 - 0x1p-50));
+    }
+    memcpy(z, s.position + 4, 2 * sizeof *z);
+    const size_t resting = m.impact.resting;
+    end(&m, &s);
+    return resting;
+}
+
+/* Forces that take a body off a wall have no bend within a step: a thousand
+   steps of order eight and steps of their own say the same, to the 2e-14 of
+   (omega dt)^8 and what the last of some thirty bounces makes of it. Steps
+   of up to a quarter of a swing come to an end. */
+static void test_lift(void)
+{
+    for (double speed = 0.5; speed < 4; speed += 0.5) {
+        double x[2], y[2];
+        const size_t resting = lift("radau15", speed, 8, x);
+        UNIT_EQUAL(count(resting),
+                   count(lift("kahan-li8", speed, 1000, y)));
+        UNIT_NEAR(x[0], y[0], 1e-12);
+        UNIT_NEAR(x[1], y[1], 1e-12);
+        lift("dopri5", speed, 8, y);
+        UNIT_NEAR(x[1], y[1], 1e-10);
+    }
+}
+
+static void test_coarse(void)
+{
+    static const char *const methods[] = {"leapfrog", "rk4", "pefrl",
+                                          "symplectic-euler"};
+    double z[2];
+    for (double speed = 0.5; speed < 4; speed += 0.25)
+        for (int k = 0; k < 4; ++k) {
+            lift(methods[k], speed, 8, z);
+            lift(methods[k], speed, 39, z);
+        }
+}
+
+/* A ball that lies on the floor is hit by a smaller one that slides on it:
+   the way from one centre to the other has the slope 3/4, and up goes the
+   ball, by its weight alone. */
+static void test_kicked(void)
+{
+    static const char *const methods[] = {"leapfrog", "radau15"};
+    for (int k = 0; k < 2; ++k) {
+        struct scene s;
+        struct motion m;
+        make(&s, 2, 0.5);
+        put_walls(&s, 2, 0, 100);
+        s.radius[0] = 4;
+        s.radius[1] = 1;
+        s.position[4] = 4;
+        s.position[5] = 1;
+        s.position[1] = -6; /* at -4 the centres are 5 apart, after 1 s */
+        s.velocity[1] = 2;
+        s.mass[1] = 1e9;
+        s.gravity[2] = -2;
+        begin(&m, &s, methods[k], true);
+        UNIT_EQUAL(motion_run(&m, 3), STEPPING_DONE);
+        UNIT_EQUAL(count(m.impact.resting), 1);
+        /* 2 x 2 m/s x 4/5 along (4/5, 3/5), for 0.5 s */
+        UNIT_NEAR(s.position[4], 4 + 0.5 * 3.2 * 0.6 - 0.25, 1e-7);
+        end(&m, &s);
+    }
+}
+
+/* Is there room for body i among those before it? */
+static bool is_free(const struct scene *s, size_t i)
+{
+    const size_t n = s->bodies;
+    for (size_t j = 0; j < i; ++j) {
+        double square = 0;
+        for (size_t k = 0; k < 3; ++k) {
+            double d = s->position[k * n + i] - s->position[k * n + j];
+            if (s->wall[k] == SCENE_PERIODIC)
+                d -= floor(d / (s->high[k] - s->low[k]) + 0.5) *
+                     (s->high[k] - s->low[k]);
+            square += d * d;
+        }
+        if (square < 0.07)
+            return false;
+    }
+    return true;
+}
+
+/* A small scene at random: up to four balls on a line, in the plane or in
+   space, between walls or in part not; weight, attraction, springs. */
+static void make_any(struct scene *s, uint64_t seed)
+{
+    struct random r;
+    random_seed(&r, seed);
+    const size_t n = 1 + (size_t)random_between(&r, 0, 4);
+    const size_t axes = n < 3 ? 1 + seed % 3 : 2 + seed % 2;
+    make(s, n, 0.25);
+    for (size_t k = 0; k < 3; ++k)
+        put_walls(s, k, -0.6, 0.6 + 0.3 * (double)k);
+    if (seed % 5 < 2 && axes > 1)
+        s->wall[0] = seed % 5 == 0 ? SCENE_OPEN : SCENE_PERIODIC;
+    for (size_t i = 0; i < n; ++i) {
+        s->mass[i] = random_between(&r, 0.3, 3);
+        s->radius[i] = random_between(&r, 0.05, 0.125);
+        for (size_t k = axes; k < 3; ++k)
+            s->freedom[k * n + i] = 0;
+        do
+            for (size_t k = 0; k < axes; ++k) {
+                s->position[k * n + i] = random_between(&r, -0.45, 0.45);
+                s->velocity[k * n + i] = random_between(&r, -1, 1);
+            }
+        while (!is_free(s, i));
+    }
+    if (seed % 3 > 0)
+        s->gravity[axes - 1] = -random_between(&r, 0, 10);
+    if (seed % 7 < 3)
+        s->k2 = random_between(&r, 0, 0.5);
+    s->softening = 0.05;
+    if (seed % 11 < 6 && n > 1 && s->wall[0] != SCENE_PERIODIC)
+        UNIT_TRUE(scene_add_kind(s, random_between(&r, 1, 1000), 0) &&
+                  scene_add_spring(s, 0, n - 1, 0, 0.3));
+    if (seed % 13 < 4)
+        s->restitution = random_between(&r, 0.5, 1);
+}
+
+static enum stepping_end run_any(uint64_t seed, const char *method,
+                                 uint64_t steps, double x[12],
+                                 struct motion *counts)
+{
+    struct scene s;
+    struct motion m;
+    make_any(&s, seed);
+    s.dt = 1 / (double)steps;
+    begin(&m, &s, method, true);
+    const enum stepping_end ended = motion_run(&m, steps);
+    memset(x, 0, 12 * sizeof *x);
+    memcpy(x, s.position, 3 * s.bodies * sizeof *x);
+    *counts = m;
+    end(&m, &s);
+    return ended;
+}
+
+/* Two hundred scenes, 1 s each, against a thousand steps of order eight:
+   those are wrong by 1e-10 m where a spring is stiffest, (omega dt)^8 of a
+   swing of 1 m, and a collision between balls makes ten times as much of
+   it, of which there are a few in a second. Bounces before a rest are too
+   many to count, to one or two; and two that would have to rest on each
+   other end both. */
+static void test_any(void)
+{
+    for (uint64_t seed = 0; seed < 200; ++seed) {
+        double x[12], y[12], most = 0;
+        struct motion own, fine;
+        const enum stepping_end ended =
+            run_any(seed, "radau15", 4, x, &own);
+        UNIT_EQUAL(ended, run_any(seed, "kahan-li8", 1000, y, &fine));
+        UNIT_EQUAL(count(own.impact.resting), count(fine.impact.resting));
+        if (fine.impact.resting == 0 && ended == STEPPING_DONE)
+            UNIT_EQUAL(count(own.collisions), count(fine.collisions));
+        for (int c = 0; c < 12; ++c)
+            most = fmax(most, fabs(x[c] - y[c]));
+        if (ended == STEPPING_DONE)
+            UNIT_NEAR(most, 0, 1e-7);
+    }
 }
 
 int main(void)
@@ -298,5 +625,14 @@ int main(void)
                         {"nobody gets into the floor", test_heap},
                         {"two that rest on each other crowd", test_crowd},
                         {"what rests is resumed", test_resume},
+                        {"an earlier root, hidden", test_hidden},
+                        {"a ball meets a sprung one", test_sprung},
+                        {"steps of their own length", test_own_steps},
+                        {"no contact is too shallow", test_shallow},
+                        {"what a bounce costs", test_price},
+                        {"what rests is lifted", test_lift},
+                        {"by coarse steps too", test_coarse},
+                        {"what rests is hit", test_kicked},
+                        {"two hundred scenes at random", test_any},
                         {0}});
 }

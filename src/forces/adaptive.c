@@ -1,10 +1,11 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 3290691128 of the lines below */
+/* checksum 3943934266 of the lines below */
 /* A pair 5(4), and Radau's method of order 15: steps of their own. */
 #include "forces/adaptive.h"
 
 #include "forces/largest.h"
 #include "toolbox/room.h"
+#include "toolbox/vector.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -18,7 +19,9 @@ struct adaptive_weights {
     double error2[STAGES], dense2[STAGES];
     /* of Radau's: what g_k moves at node i */
     double x[STAGES][STAGES], v[STAGES][STAGES];
-    double gap[STAGES][STAGES];    /* 1 / (c_i - c_j), j = 0: c_0 = 0 */
+    double gap[STAGES][STAGES]; /* 1 / (c_i - c_j), j = 0: c_0 = 0 */
+    double last[STAGES];        /* 1 / (1 - c_j), j = 1 .. 7 */
+    double loud; /* what changes of the forces become in g_8, at most */
     double power[STAGES][STAGES];  /* how much of s^(m+1) is in N_k+1 */
     double newton[STAGES][STAGES]; /* how much of N_k+1 is in s^(m+1) */
     double binomial[STAGES][STAGES];
@@ -219,6 +222,17 @@ static void measure_polynomials(struct adaptive *s)
                                              (double)(m + 1);
 }
 
+/* The product of the distances of node i from all others; 8: the end. */
+static double product_of_gaps(const struct adaptive *s, size_t i)
+{
+    double product = 1;
+    for (size_t j = 0; j <= STAGES + 1; ++j)
+        if (j != i)
+            product *= fabs((i > STAGES ? 1 : node(s, i)) -
+                            (j > STAGES ? 1 : node(s, j)));
+    return product;
+}
+
 static void measure_radau(struct adaptive *s)
 {
     struct adaptive_weights *const w = s->weights;
@@ -236,26 +250,54 @@ static void measure_radau(struct adaptive *s)
             if (k <= i)
                 w->gap[i][k] = 1 / (c - node(s, k));
         }
+        w->last[i] = 1 / (1 - c);
+    }
+    for (size_t i = 0; i <= STAGES + 1; ++i)
+        w->loud += 1 / product_of_gaps(s, i);
+}
+
+/* Adds up what g moves in a part of a step. */
+VECTOR_LOOP static void lead(double *restrict place, double *restrict speed,
+                             const double *restrict g,
+                             const struct adaptive_state *start,
+                             const double x[], const double v[],
+                             double part, size_t n)
+{
+    const double *const restrict sv = start->v;
+    const double *const restrict sa = start->a;
+    for (size_t k = 0; k < n; ++k) {
+        double dx = 0, dv = 0;
+        for (size_t j = STAGES; j-- > 0;) {
+            dx += x[j] * g[j * n + k];
+            dv += v[j] * g[j * n + k];
+        }
+        place[k] = part * (sv[k] + part * (sa[k] / 2 + dx));
+        speed[k] = part * (sa[k] + dv);
     }
 }
 
 /* Where the force as it is thought to be leads by node i. */
 static void move_to_node(struct adaptive *s, size_t i, double h)
 {
-    const struct adaptive_weights *const w = s->weights;
-    const size_t n = s->forces.size;
-    const double part = h * node(s, i + 1);
-    for (size_t k = 0; k < n; ++k) {
-        size_t j = STAGES;
-        double dx = 0, dv = 0;
-        do {
-            --j;
-            dx += w->x[i][j] * s->g[j * n + k];
-            dv += w->v[i][j] * s->g[j * n + k];
-        } while (j > 0);
-        s->place[k] = part * (s->to.v[k] + part * (s->to.a[k] / 2 + dx));
-        s->speed[k] = part * (s->to.a[k] + dv);
-    }
+    lead(s->place, s->speed, s->g, &s->to, s->weights->x[i],
+         s->weights->v[i], h * node(s, i + 1), s->forces.size);
+}
+
+/* by = from + (owed + by) */
+VECTOR_LOOP static void start_from(double *restrict by,
+                                   const double *restrict from,
+                                   const double *restrict owed, size_t n)
+{
+    for (size_t k = 0; k < n; ++k)
+        by[k] = from[k] + (owed[k] + by[k]);
+}
+
+/* d = (d - g) gap */
+VECTOR_LOOP static void divide(double *restrict d, const double *restrict g,
+                               double gap, size_t n)
+{
+    for (size_t k = 0; k < n; ++k)
+        d[k] = (d[k] - g[k]) * gap;
 }
 
 /* Asks for the forces at node i and corrects g_i; returns the largest
@@ -264,35 +306,50 @@ static double correct_node(struct adaptive *s, size_t i)
 {
     const double *const gap = s->weights->gap[i];
     const size_t n = s->forces.size;
-    double *const a = s->stage + i * n;
     const struct adaptive_state *const p = &s->to;
-    double most = 0;
-    for (size_t k = 0; k < n; ++k) {
-        s->place[k] = p->x[k] + (p->carry[k] + s->place[k]);
-        s->speed[k] = p->v[k] + (p->carry[n + k] + s->speed[k]);
-    }
-    evaluate(s, s->place, s->speed, a);
-    for (size_t k = 0; k < n; ++k) {
-        double d = (a[k] - s->to.a[k]) * gap[0];
-        for (size_t j = 0; j < i; ++j)
-            d = (d - s->g[j * n + k]) * gap[j + 1];
-        most = larger(most, fabs(d - s->g[i * n + k]));
-        s->g[i * n + k] = d;
-    }
+    double *const d = s->difference, *const g = s->g + i * n;
+    start_from(s->place, p->x, p->carry, n);
+    start_from(s->speed, p->v, p->carry + n, n);
+    evaluate(s, s->place, s->speed, s->stage + i * n);
+    memcpy(d, s->stage + i * n, n * sizeof *d);
+    divide(d, p->a, gap[0], n);
+    for (size_t j = 0; j < i; ++j)
+        divide(d, s->g + j * n, gap[j + 1], n);
+    const double most = largest_difference(d, g, n);
+    memcpy(g, d, n * sizeof *g);
     return most;
 }
 
-/* to = the sums of by over the list of the polynomials, [STAGES]. */
+/* to = the sum of by over the list of the polynomials from m on. */
+VECTOR_LOOP static void turn_one(double *restrict to,
+                                 const double *restrict from,
+                                 double by[STAGES][STAGES], size_t m,
+                                 size_t n)
+{
+    for (size_t i = 0; i < n; ++i)
+        to[i] = 0;
+    for (size_t k = STAGES; k-- > m;)
+        for (size_t i = 0; i < n; ++i)
+            to[i] += by[k][m] * from[k * n + i];
+}
+
 static void turn(double to[], const double from[],
                  double by[STAGES][STAGES], size_t n)
 {
     for (size_t m = 0; m < STAGES; ++m)
-        for (size_t i = 0; i < n; ++i) {
-            double sum = 0;
-            for (size_t k = STAGES; k-- > m;)
-                sum += by[k][m] * from[k * n + i];
-            to[m * n + i] = sum;
-        }
+        turn_one(to + m * n, from, by, m, n);
+}
+
+VECTOR_LOOP static void guess_one(double *restrict new_b,
+                                  double *restrict new_guess,
+                                  const double *restrict b,
+                                  const double *restrict guess,
+                                  double power, size_t n)
+{
+    for (size_t i = 0; i < n; ++i) {
+        new_guess[i] *= power;
+        new_b[i] = new_guess[i] + (b[i] - guess[i]);
+    }
 }
 
 /* The force of the last step goes on into the next one, of length h, with
@@ -305,10 +362,8 @@ static void guess_force(struct adaptive *s, double h)
     turn(s->new_guess, s->b, s->weights->binomial, n);
     for (size_t m = 0; m < STAGES; ++m) {
         power *= q;
-        for (size_t i = m * n; i < (m + 1) * n; ++i) {
-            s->new_guess[i] *= power;
-            s->new_b[i] = s->new_guess[i] + (s->b[i] - s->guess[i]);
-        }
+        guess_one(s->new_b + m * n, s->new_guess + m * n, s->b + m * n,
+                  s->guess + m * n, power, n);
     }
     turn(s->g, s->new_b, s->weights->newton, n);
 }
@@ -360,6 +415,18 @@ static double scale_of(double start, double along)
     return scale > 0 ? scale : 1;
 }
 
+/* The largest g_8, with the end for a node. */
+static double beyond(struct adaptive *s)
+{
+    const size_t n = s->forces.size;
+    double *const d = s->difference;
+    memcpy(d, s->from.a, n * sizeof *d);
+    divide(d, s->to.a, 1, n);
+    for (size_t j = 0; j < STAGES; ++j)
+        divide(d, s->g + j * n, s->weights->last[j], n);
+    return largest(d, n);
+}
+
 /* Tries a step of length h. Returns its error, in units of the
    tolerance, or zero if all steps are dt. */
 static double try_radau(struct adaptive *s, double h)
@@ -373,7 +440,7 @@ static double try_radau(struct adaptive *s, double h)
         for (size_t i = 0; i < STAGES; ++i) {
             move_to_node(s, i, h);
             change = correct_node(s, i);
-            along = fmax(along, largest(s->stage, n));
+            along = fmax(along, largest(s->stage + i * n, n));
         }
         scale = scale_of(start, along);
         change /= scale;
@@ -383,8 +450,40 @@ static double try_radau(struct adaptive *s, double h)
     turn(s->new_b, s->g, s->weights->power, n);
     move_to_end(s, h);
     evaluate(s, s->from.x, s->from.v, s->from.a);
-    return largest(s->g + last * n, n) / scale /
+    return larger(largest(s->g + last * n, n), beyond(s)) / scale /
            (RADAU_SCALE * sqrt(s->tolerance));
+}
+
+/* What the last bits of places and velocities make of a force, m/s^2. */
+static double noise(struct adaptive *s)
+{
+    const size_t n = s->forces.size;
+    for (size_t k = 0; k < n; ++k) {
+        const double by = 1 + (k % 2 ? 0x1p-52 : -0x1p-52);
+        s->place[k] = s->to.x[k] * by;
+        s->speed[k] = s->to.v[k] * by;
+    }
+    evaluate(s, s->place, s->speed, s->difference);
+    return largest_difference(s->difference, s->to.a, n);
+}
+
+/* Finds out, now and then, what rounding makes of the error. */
+static void look_for_noise(struct adaptive *s)
+{
+    const double a = largest(s->to.a, s->forces.size);
+    if (s->method->family != STEPPING_RADAU || !is_free(s) ||
+        s->taken % 16 != 0)
+        return;
+    s->blur = noise(s) * s->weights->loud / (a > 0 ? a : 1) /
+              (RADAU_SCALE * sqrt(s->tolerance));
+}
+
+/* Does the force change next to nothing in so short a time? */
+static bool is_edge(const struct adaptive *s, double h)
+{
+    const size_t n = s->forces.size;
+    const double a = larger(largest(s->from.a, n), largest(s->to.a, n));
+    return h * a <= 1e-9 * largest(s->to.v, n);
 }
 
 static void look_in_radau(const struct adaptive *s, double r, double x[],
@@ -440,17 +539,22 @@ static bool step(struct adaptive *s)
 {
     const bool radau = s->method->family == STEPPING_RADAU,
                free = is_free(s);
+    const double least = 4 * 0x1p-52 * fabs(s->t);
+    look_for_noise(s);
     for (bool again = false;; again = true, ++s->refused) {
-        const double h = free ? s->next : s->dt;
+        const double h = free ? fmax(s->next, least) : s->dt;
         if (!(s->t + h > s->t))
             return false;
-        const double error = radau ? try_radau(s, h) : try_pair(s, h);
+        const double error =
+            (radau ? try_radau(s, h) : try_pair(s, h)) - s->blur;
         const double by = stretch(error, radau ? 7 : 5);
         s->next = h * (again && by > 1 ? 1 : by);
-        if (!free || error <= 1) {
+        if (!free || error <= 1 || (h <= least && is_edge(s, h))) {
             accept(s, h);
             return true;
         }
+        if (h <= least)
+            return false;
     }
 }
 
@@ -521,7 +625,7 @@ void adaptive_begin(struct adaptive *s, double tolerance, double dt,
     memset(s->guess, 0, all * sizeof *x);
 }
 
-enum { NOTED = 13 }; /* numbers beside the lists */
+enum { NOTED = 14 }; /* numbers beside the lists */
 
 size_t adaptive_notes(const struct adaptive *s)
 {
@@ -555,9 +659,9 @@ void adaptive_note(const struct adaptive *s, double note[])
 {
     const double counts[] = {(double)s->taken, (double)s->refused,
                              (double)s->evaluations};
-    const double own[] = {s->tolerance, s->dt,       s->t,
-                          s->h,         s->shortest, s->start,
-                          s->owed,      s->next,     (double)s->before};
+    const double own[] = {s->tolerance,      s->dt,    s->t,    s->h,
+                          s->shortest,       s->start, s->owed, s->next,
+                          (double)s->before, s->blur};
     note[0] = s->begun;
     memcpy(note + 1, counts, sizeof counts);
     memcpy(note + 4, own, sizeof own);
@@ -572,7 +676,7 @@ void adaptive_recall(struct adaptive *s, const double note[])
     s->tolerance = note[4], s->dt = note[5];
     s->t = note[6], s->h = note[7], s->shortest = note[8];
     s->start = note[9], s->owed = note[10], s->next = note[11];
-    s->before = (uint64_t)note[12];
+    s->before = (uint64_t)note[12], s->blur = note[13];
     s->whole = s->h;
     pass_lists(s, (double *)note + NOTED, true);
 }
@@ -598,6 +702,7 @@ static void share_out(struct adaptive *s, double *next)
     s->to = take_state(&next, n);
     s->place = take(&next, n);
     s->speed = take(&next, n);
+    s->difference = take(&next, n);
     s->stage = take(&next, all);
     s->g = take(&next, all);
     s->b = take(&next, all);
@@ -614,7 +719,7 @@ struct adaptive *adaptive_create(const struct stepping_method *m,
         return NULL;
     s->method = m;
     s->forces = f;
-    s->work = room_doubles((12 + 6 * m->stages) * f.size);
+    s->work = room_doubles((13 + 6 * m->stages) * f.size);
     s->weights = calloc(1, sizeof *s->weights);
     if (!s->work || !s->weights) {
         adaptive_free(s);

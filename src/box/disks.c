@@ -1,5 +1,5 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 705517009 of the lines below */
+/* checksum 2678098625 of the lines below */
 /* Event-driven motion: every pair looked at, or a plan remembered. */
 #include "box/disks.h"
 
@@ -144,6 +144,12 @@ bool disks_wraps(const struct disks *d, size_t k)
                                  (d->boundary == DISKS_FLOOR && k != 1));
 }
 
+bool disks_walled(const struct disks *d, size_t k)
+{
+    return d->boundary == DISKS_WALLS ||
+           (d->boundary == DISKS_FLOOR && k == 1);
+}
+
 static double inverse(const struct disks *d, size_t k)
 {
     return disks_wraps(d, k) ? 1 / d->box[k] : 0;
@@ -196,7 +202,7 @@ double disks_wall(const struct disks *d, size_t i, size_t *axis)
     double first = INFINITY;
     *axis = 0;
     for (size_t k = 0; k < d->dimensions; ++k) {
-        if (disks_wraps(d, k))
+        if (!disks_walled(d, k))
             continue;
         const double time =
             d->gravity > 0 && k == 1
@@ -482,7 +488,7 @@ static bool within_walls(const struct disks *d, const double place[],
                          double r)
 {
     for (size_t k = 0; k < d->dimensions; ++k)
-        if (!disks_wraps(d, k) && !(place[k] >= r - 1e-9 * d->box[k] &&
+        if (disks_walled(d, k) && !(place[k] >= r - 1e-9 * d->box[k] &&
                                     place[k] <= d->box[k] * (1 + 1e-9) - r))
             return false;
     return true;
@@ -544,7 +550,7 @@ static double nearest_site(const struct lattice *l, size_t dimensions)
 static void stretch(const struct disks *d, double r, struct lattice *l)
 {
     for (size_t k = 0; k < d->dimensions; ++k) {
-        const bool walls = !disks_wraps(d, k);
+        const bool walls = disks_walled(d, k);
         const double cells = (double)l->cells[k];
         l->from[k] = walls ? r : 0;
         l->step[k] =
@@ -699,7 +705,7 @@ static bool throw_disk(const struct disks *d, struct disk *a,
                        struct random *r)
 {
     for (size_t k = 0; k < d->dimensions; ++k) {
-        const double edge = disks_wraps(d, k) ? 0 : a->radius;
+        const double edge = disks_walled(d, k) ? a->radius : 0;
         if (!(d->box[k] >= 2 * edge))
             return false;
         a->position[k] = random_between(r, edge, d->box[k] - edge);

@@ -1,5 +1,5 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 1840920443 of the lines below */
+/* checksum 3632306142 of the lines below */
 /* Hard disks and spheres in a box: starts, times of contact, collisions. */
 #ifndef DISKS_H
 #define DISKS_H
@@ -157,8 +157,10 @@ double disks_temperature(const struct disks *d);
 /* The share of the box that the disks fill. */
 double disks_packing(const struct disks *d);
 
-/* Says whether the box is periodic along axis k. */
+/* Says whether the box is periodic along axis k, or has walls across it;
+   in a box without a boundary of any kind it is neither. */
 bool disks_wraps(const struct disks *d, size_t k);
+bool disks_walled(const struct disks *d, size_t k);
 
 /* Folds a place back into the box along its periodic axes. */
 void disks_fold(const struct disks *d, double place[]);

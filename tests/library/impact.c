@@ -392,9 +392,9 @@ static double swing(const char *method, double before, double steps)
 }
 
 /* Nothing is too shallow to be seen by a step as long as half a radian.
-   Rounding, 1e-15 m, moves a moment by that over the speed, and each of
-   up to three moments moves the next ones. dopri5's tolerance lets its places be wrong
-   by 1e-11 m. */
+   Rounding, 1e-15 m, moves a moment by that over the speed, and each of up
+   to three moments moves the next ones. dopri5's tolerance lets its places
+   be wrong by 1e-11 m. */
 static void test_shallow(void)
 {
     for (double before = 0.1; before > 1e-13; before /= 10) {

@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 3943934266 of the lines below */
+/* checksum 3871903166 of the lines below */
 /* A pair 5(4), and Radau's method of order 15: steps of their own. */
 #include "forces/adaptive.h"
 
@@ -450,32 +450,25 @@ static double try_radau(struct adaptive *s, double h)
     turn(s->new_b, s->g, s->weights->power, n);
     move_to_end(s, h);
     evaluate(s, s->from.x, s->from.v, s->from.a);
-    return larger(largest(s->g + last * n, n), beyond(s)) / scale /
-           (RADAU_SCALE * sqrt(s->tolerance));
+    const double off = larger(largest(s->g + last * n, n), beyond(s));
+    return (off - s->blur) / scale / (RADAU_SCALE * sqrt(s->tolerance));
 }
 
-/* What the last bits of places and velocities make of a force, m/s^2. */
-static double noise(struct adaptive *s)
+/* Finds out, now and then, what rounding makes of differences. */
+static void look_for_noise(struct adaptive *s)
 {
     const size_t n = s->forces.size;
+    if (s->method->family != STEPPING_RADAU || !is_free(s) ||
+        s->taken % 16 != 0)
+        return;
     for (size_t k = 0; k < n; ++k) {
         const double by = 1 + (k % 2 ? 0x1p-52 : -0x1p-52);
         s->place[k] = s->to.x[k] * by;
         s->speed[k] = s->to.v[k] * by;
     }
     evaluate(s, s->place, s->speed, s->difference);
-    return largest_difference(s->difference, s->to.a, n);
-}
-
-/* Finds out, now and then, what rounding makes of the error. */
-static void look_for_noise(struct adaptive *s)
-{
-    const double a = largest(s->to.a, s->forces.size);
-    if (s->method->family != STEPPING_RADAU || !is_free(s) ||
-        s->taken % 16 != 0)
-        return;
-    s->blur = noise(s) * s->weights->loud / (a > 0 ? a : 1) /
-              (RADAU_SCALE * sqrt(s->tolerance));
+    s->blur =
+        s->weights->loud * largest_difference(s->difference, s->to.a, n);
 }
 
 /* Does the force change next to nothing in so short a time? */
@@ -545,8 +538,7 @@ static bool step(struct adaptive *s)
         const double h = free ? fmax(s->next, least) : s->dt;
         if (!(s->t + h > s->t))
             return false;
-        const double error =
-            (radau ? try_radau(s, h) : try_pair(s, h)) - s->blur;
+        const double error = radau ? try_radau(s, h) : try_pair(s, h);
         const double by = stretch(error, radau ? 7 : 5);
         s->next = h * (again && by > 1 ? 1 : by);
         if (!free || error <= 1 || (h <= least && is_edge(s, h))) {
@@ -676,7 +668,8 @@ void adaptive_recall(struct adaptive *s, const double note[])
     s->tolerance = note[4], s->dt = note[5];
     s->t = note[6], s->h = note[7], s->shortest = note[8];
     s->start = note[9], s->owed = note[10], s->next = note[11];
-    s->before = (uint64_t)note[12], s->blur = note[13];
+    s->before = (uint64_t)note[12];
+    s->blur = note[13];
     s->whole = s->h;
     pass_lists(s, (double *)note + NOTED, true);
 }

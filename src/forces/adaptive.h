@@ -1,5 +1,5 @@
 /* From chapters/works/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 2694920303 of the lines below */
+/* checksum 3007781413 of the lines below */
 /* Steps that choose their own length, and places between their ends. */
 #ifndef ADAPTIVE_H
 #define ADAPTIVE_H
@@ -28,7 +28,7 @@ struct adaptive {
     double whole;             /* length that b belongs to, s */
     bool begun; /* false: the next reach begins where the caller is */
     struct adaptive_state from, to; /* of the last step */
-    double blur;                    /* what rounding makes of the error */
+    double blur;                    /* what rounding makes of g, m/s^2 */
     double *place, *speed, *stage;  /* at a stage; accelerations there */
     double *difference;             /* room for one of them, [size] */
     double *g, *b, *guess;     /* of Radau's, [stages * size]: the force */

@@ -481,6 +481,38 @@ static void hanging(void *what, const double x[], const double v[],
     a[1] = -x[1];
 }
 
+/* A body that flies past, and one that has come to rest on its spring, but
+   for the last digits. */
+static void resting(void *what, const double x[], const double v[],
+                    double a[])
+{
+    (void)what, (void)v;
+    a[0] = 0;
+    a[1] = -100 * (x[1] - 1 / 3.0);
+}
+
+/* Nothing acts that asks for short steps; but a step of many periods would
+   make a swing of rounding, 5e-17 m. It may grow by 1e-16 of 1/3 m in each
+   of some hundred steps, and no more. */
+static void test_rest(void)
+{
+    const struct stepping_forces f = {2, false, resting, NULL};
+    for (int k = -6; k >= -12; k -= 2) {
+        double x[] = {0, 1 / 3.0 + 1e-16}, v[] = {1, 0}, tolerance = 1;
+        struct adaptive *const s =
+            adaptive_create(stepping_find("radau15"), f);
+        if (!s)
+            exit(1);
+        for (int j = k; j < 0; ++j)
+            tolerance /= 10;
+        adaptive_begin(s, tolerance, 1, 0, x, v);
+        UNIT_TRUE(adaptive_reach(s, 100, x, v));
+        UNIT_NEAR(x[0], 100, 1e-11);
+        UNIT_NEAR(x[1], 1 / 3.0, 1e-14);
+        adaptive_free(s);
+    }
+}
+
 /* 7071 radians in a second, and some thirty calls to a radian, 210 000.
    The rounding of x makes 1e-8 of a force that is 0.05 at most, and a
    control that takes it for an error is not done after three million. */
@@ -598,6 +630,7 @@ int main(void)
             {"looking changes no bit", test_looks},
             {"edges are passed", test_edges},
             {"rounding is no error", test_noise},
+            {"what rests goes on resting", test_rest},
             {"a fall into the centre ends", test_collision},
             {"a disturbed run begins anew", test_disturbed},
             {"where there is no force, steps are long", test_middle},

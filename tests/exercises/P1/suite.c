@@ -531,7 +531,7 @@ static bool check_refused(const char *what, const char *beads,
 {
     const struct run_order o = {
         .arguments = {"beads.txt", words[0], words[1], words[2], words[3]},
-        .files = {{"beads.txt", beads}},
+        .files = {{beads ? "beads.txt" : NULL, beads}},
         .late = for_ever,
     };
     const char *input = run_text(&o);
@@ -559,6 +559,9 @@ static bool check_inputs(void)
     static const char *const word[] = {"1", "down", "0.1", "3"};
     static const char *const fewer[] = {"1", "0", "0.1", "-1"};
     static const char *const nothing[] = {"1", "0", "0.1", ""};
+    static const char *const half[] = {"1", "0", "0.1", "3x"};
+    static const char *const unit[] = {"1m", "0", "0.1", "3"};
+    static const char *const empty[] = {"1", "", "0.1", "3"};
     return check_refused("a file without beads", "# nobody\n", fine) &&
            check_refused("a mass of 0", "0 0.5 1\n", fine) &&
            check_refused("a place outside", "1 1.5 1\n", fine) &&
@@ -578,7 +581,11 @@ static bool check_inputs(void)
            check_refused("a G that is no number", "1 0.5 1\n", word) &&
            check_refused("ROWS below 0", "1 0.5 1\n", fewer) &&
            check_refused("ROWS that are an empty word", "1 0.5 1\n",
-                         nothing);
+                         nothing) &&
+           check_refused("a letter behind ROWS", "1 0.5 1\n", half) &&
+           check_refused("a unit behind LENGTH", "1 0.5 1\n", unit) &&
+           check_refused("a G that is an empty word", "1 0.5 1\n", empty) &&
+           check_refused("a file that is not there", NULL, fine);
 }
 
 /* Too long to be compared: nothing may be lost, and nobody may pass. */
@@ -801,6 +808,10 @@ static void stage_check(void)
     slow.tc *= 1e6;
     for (int i = 0; i < MOST; ++i)
         slow.v[i] *= i % 2 ? 1.001e-6 : 1e-6;
+    struct scene fast = pairs; /* and every other bead at rest */
+    fast.tc *= 1e-6;
+    for (int i = 0; i < MOST; ++i)
+        fast.v[i] *= i % 2 ? 1e6 : 0.0;
     struct scene s = draw_scene(MOST, draw(1.0, 2.0), 0.0, false);
     struct scene light = s;
     s.tc = light.tc = 0.5;
@@ -810,7 +821,8 @@ static void stage_check(void)
     for (int i = 0; i < LAWS; ++i) {
         const int law = turn[i];
         const bool right = law == 0 || law == LAWS - 1;
-        if ((right && !(check_law(&pairs, law) && check_law(&s, law))) ||
+        if ((right && !(check_law(&pairs, law) && check_law(&s, law) &&
+                        check_law(&fast, law))) ||
             (!right && !check_law(law == SLIGHT  ? &light
                                   : law == TURNS ? &slow
                                                  : &s,
@@ -1007,9 +1019,38 @@ static bool check_thousand(void)
     return true;
 }
 
+/* Which beads are the lightest and the heaviest, if neither is the first or
+   the last. */
+static bool check_among(void)
+{
+    static const char *const names[] = {"# lightest", "# heaviest"};
+    struct scene s = draw_apart(4, draw(1.0, 2.0), 0.0, false, 1000);
+    const int heavy = check_draw_whole(1, 2);
+    s.m[heavy] = 9.0;
+    s.m[3 - heavy] = 0.4;
+    const struct run_order *o = order(&s, 0, for_ever);
+    const char *input = run_text(o);
+    const struct run *r = run_program(o);
+    if (!check_form(&s, r, input))
+        return false;
+    for (int k = 0; k < 2; ++k) {
+        double got[3] = {NAN, NAN, NAN}, naive;
+        const int bead = k ? heavy : 3 - heavy;
+        const double run = of_rows(r, 3 + 2 * bead, &naive);
+        run_remark(r, names[k], got, 3);
+        if (!CHECK_NEAR(
+                got[0], .quantity = check_text("the run of %s", names[k]),
+                .input = input, .expected = run, .tolerance = 1e-3 * run,
+                .because = "it was computed again from the rows",
+                .question = "Which of these beads is it?"))
+            return false;
+    }
+    return true;
+}
+
 static void stage_theory(void)
 {
-    if (!check_thousand())
+    if (!check_thousand() || !check_among())
         return;
     for (int upright = 0; upright < 2; ++upright) {
         const struct scene s = draw_shared(upright);

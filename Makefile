@@ -51,7 +51,7 @@ $(eval $(call only_with,chapters/press/book.tex,tangle check-tangle contact))
 $(eval $(call only_with,tests/library,book works test memcheck handout mutants \
 	grade grade-bench))
 $(eval $(call only_with,solutions,solution))
-$(eval $(call only_with,tests/fuzz,fuzz fuzz-scenes fuzz-commands))
+$(eval $(call only_with,tests/fuzz,fuzz fuzz-scenes fuzz-commands hunt))
 # $(call offer,GOAL): echo, but for a goal that is absent.
 offer = @$(if $(filter $(1),$(absent)),: ||) echo
 
@@ -111,6 +111,7 @@ help:
 	$(call offer,grade) 'make grade-bench  how long a course of 25 takes to grade; RECORD=1'
 	$(call offer,memcheck) 'make memcheck     the library tests under sanitizers'
 	$(call offer,fuzz) 'make fuzz         scenes, options and files that are wrong; TEXTS=1e7 COMMANDS=1e4'
+	$(call offer,hunt) 'make hunt         random scenes for bonk, against paths of another kind; REQUESTS=3000'
 	$(call offer,tangle) 'make tangle       write src/ from chapters/'
 	$(call offer,check-tangle) 'make check-tangle see that src/ is what the chapters say'
 	@echo 'make format       see that the C files keep .clang-format'

@@ -132,3 +132,21 @@ build/made/fuzz/commands: tests/fuzz/commands.c build/obj/toolbox/random.o \
 	$(Q)$(CC) $(STANDARD) $(PORTABLE) $(reads) -Isrc $(FLAGS) \
 		-o $(made).new $(filter %.c %.o,$^) $(LDFLAGS) -lm
 	$(take_compiled)
+
+# Random scenes for bonk, compared with paths of another kind: REQUESTS=3000
+# for longer, SEED=7 for others, KIND=springs for one kind.
+REQUESTS = 100
+export REQUESTS
+.PHONY: hunt
+hunt: build/bin/bonk build/tests/hunt/generate build/tests/hunt/truth \
+		build/tests/hunt/truth-fast
+	@tests/hunt/run -n "$$REQUESTS" -s "$$SEED" $$KIND
+build/made/tests/hunt/truth-fast: tests/hunt/truth.c build/obj/libbonkers.a \
+		build/compiler/key
+	$(begin)
+	$(call say,cc $<)
+	$(Q)$(CC) $(STANDARD) $(PORTABLE) $(reads) -Isrc -DHUNT_FAST $(FLAGS) \
+		-o $(made).new $(filter %.c %.a,$^) $(LDFLAGS) -lm
+	$(take_compiled)
+kept += build/tests/hunt/generate build/tests/hunt/truth \
+	build/tests/hunt/truth-fast

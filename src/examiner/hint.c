@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 2139193363 of the lines below */
+/* checksum 1881736424 of the lines below */
 /* Reads the hints, shows the next, remembers how many were given. */
 #include "examiner/hint.h"
 #include "examiner/text.h"
@@ -65,7 +65,7 @@ void hint_forget(const struct exercise *e)
 static int find_hint(char *text, int stage, int wanted)
 {
     int number = 0;
-    char head[16] = "";
+    char head[24] = "";
     bool first = true, ours = false;
     if (stage > 0)
         snprintf(head, sizeof head, "Stage %d.", stage);

@@ -1,0 +1,816 @@
+/* The path of a scene in the widest numbers at hand, by extrapolation of
+   midpoint steps (Gragg, Bulirsch and Stoer), contacts located; and how far
+   a table of bonk is from it. Shares no integrator with the kit.
+   truth SCENE UNTIL ROWS [TABLE SCALE] */
+#include "scenes/scene.h"
+#include "toolbox/quad.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#ifdef HUNT_FAST
+typedef long double real;
+#define EPS 1e-19
+#else
+typedef quad real;
+#define EPS 1e-32
+#endif
+
+enum { MOST = 40, COLUMNS = 11, SAMPLES = 24 };
+enum { GIVES_UP_AT = 20000 };
+
+static struct scene s;
+static size_t n, size;       /* bodies; 6 n */
+static double length, speed; /* what is thought of as 1 */
+static double tolerance;     /* of a step */
+static double budget;        /* s of processor time */
+static long calls, steps, contacts;
+static signed char held[3 * MOST];
+static const char *stuck;
+
+static real root(real x)
+{
+    if (!(x > 0))
+        return 0;
+    real r = sqrt((double)x);
+    if (!(r > 0))
+        return 0;
+    r = (r + x / r) / 2;
+    return (r + x / r) / 2;
+}
+
+static double size_of(real x)
+{
+    return fabs((double)x);
+}
+
+static double now(void)
+{
+    return (double)clock() / CLOCKS_PER_SEC;
+}
+
+static void pull_bodies(const real y[], real a[])
+{
+    const real soft = (real)s.softening * s.softening;
+    for (size_t i = 0; i < n; ++i)
+        for (size_t j = i + 1; j < n; ++j) {
+            real d[3], r2 = soft;
+            if (s.mass[i] == 0 && s.mass[j] == 0)
+                continue;
+            for (size_t k = 0; k < 3; ++k) {
+                d[k] = y[k * n + j] - y[k * n + i];
+                r2 += d[k] * d[k];
+            }
+            const real w = s.k2 / (r2 * root(r2));
+            for (size_t k = 0; k < 3; ++k) {
+                a[k * n + i] += w * s.mass[j] * d[k];
+                a[k * n + j] -= w * s.mass[i] * d[k];
+            }
+        }
+}
+
+static void pull_springs(const real y[], real a[])
+{
+    const real *v = y + 3 * n;
+    for (size_t j = 0; j < s.springs; ++j) {
+        const struct scene_spring *p = &s.spring[j];
+        const struct scene_kind *kind = &s.kind[p->kind];
+        real d[3], u[3], r2 = DBL_MIN, ru = 0;
+        for (size_t k = 0; k < 3; ++k) {
+            d[k] = y[k * n + p->b] - y[k * n + p->a];
+            u[k] = v[k * n + p->b] - v[k * n + p->a];
+            r2 += d[k] * d[k];
+            ru += d[k] * u[k];
+        }
+        const real r = root(r2);
+        real q = kind->stiffness * (r - p->rest) / r;
+        if (s.axial)
+            q += kind->damping * ru / r2;
+        for (size_t k = 0; k < 3; ++k) {
+            const real f = q * d[k] + (s.axial ? 0 : kind->damping * u[k]);
+            if (s.freedom[k * n + p->a])
+                a[k * n + p->a] += f / s.mass[p->a];
+            if (s.freedom[k * n + p->b])
+                a[k * n + p->b] -= f / s.mass[p->b];
+        }
+    }
+}
+
+static void accelerate(const real y[], real a[])
+{
+    ++calls;
+    for (size_t c = 0; c < 3 * n; ++c)
+        a[c] = s.gravity[c / n];
+    if (s.k2 > 0)
+        pull_bodies(y, a);
+    if (s.springs > 0)
+        pull_springs(y, a);
+    for (size_t c = 0; s.damping > 0 && c < 3 * n; ++c)
+        a[c] -= (real)s.damping / s.mass[c % n] * y[3 * n + c];
+    for (size_t c = 0; c < 3 * n; ++c)
+        if (!s.freedom[c] || held[c] * a[c] > 0)
+            a[c] = 0;
+}
+
+static void rates(const real y[], real f[])
+{
+    memcpy(f, y + 3 * n, 3 * n * sizeof *f);
+    accelerate(y, f + 3 * n);
+}
+
+static double scaled(const real a[], const real b[])
+{
+    double x = 0, v = 0;
+    for (size_t c = 0; c < 3 * n; ++c) {
+        x = fmax(x, size_of(a[c] - b[c]));
+        v = fmax(v, size_of(a[3 * n + c] - b[3 * n + c]));
+        if (a[c] != a[c])
+            return INFINITY;
+    }
+    return fmax(x / length, v / speed);
+}
+
+/* Modified midpoint steps: 2 k of them for column k. */
+static void midpoint(const real y[], const real f[], real h, int count,
+                     real out[])
+{
+    real a[6 * MOST], b[6 * MOST], g[6 * MOST];
+    const real d = h / count;
+    for (size_t c = 0; c < size; ++c) {
+        a[c] = y[c];
+        b[c] = y[c] + d * f[c];
+    }
+    for (int j = 1; j <= count; ++j) {
+        rates(b, g);
+        if (j == count) {
+            for (size_t c = 0; c < size; ++c)
+                out[c] = (a[c] + b[c] + d * g[c]) / 2;
+            return;
+        }
+        for (size_t c = 0; c < size; ++c) {
+            const real next = a[c] + 2 * d * g[c];
+            a[c] = b[c];
+            b[c] = next;
+        }
+    }
+}
+
+/* One step; returns the column at which it settled, or 0. */
+static int extrapolate(const real y[], real h, real out[])
+{
+    static real t[COLUMNS][6 * MOST];
+    real f[6 * MOST], last[6 * MOST];
+    double before = INFINITY;
+    rates(y, f);
+    for (size_t c = 3 * n; c < size; ++c)
+        if (size_of(y[c]) > speed)
+            speed = size_of(y[c]);
+    for (int k = 0; k < COLUMNS; ++k) {
+        real up[6 * MOST], here[6 * MOST];
+        midpoint(y, f, h, 2 * (k + 1), here);
+        if (k > 0)
+            memcpy(last, t[k - 1], size * sizeof *last);
+        for (int j = 0; j <= k; ++j) {
+            memcpy(up, t[j], size * sizeof *up);
+            memcpy(t[j], here, size * sizeof *up);
+            if (j == k)
+                break;
+            const real r = (real)(k + 1) / (k - j);
+            const real w = 1 / (r * r - 1);
+            for (size_t c = 0; c < size; ++c)
+                here[c] = here[c] + (here[c] - up[c]) * w;
+        }
+        if (k == 0)
+            continue;
+        const double error = scaled(t[k], last);
+        if (error <= tolerance && k >= 2) {
+            memcpy(out, t[k], size * sizeof *out);
+            return k + 1;
+        }
+        if (!(error < 1e3 * before) || (k > 4 && error > 1e-3))
+            return 0;
+        before = error;
+    }
+    return 0;
+}
+
+/* No step may leap over a passage. */
+static double longest(const real y[], const real a[])
+{
+    double least = INFINITY;
+    for (size_t i = 0; i < n; ++i)
+        for (size_t j = 0; j < i; ++j) {
+            double r2 = 0, v2 = 0, a2 = 0;
+            bool near = s.k2 > 0 && (s.mass[i] > 0 || s.mass[j] > 0);
+            for (size_t q = 0; q < s.springs && !near; ++q)
+                near = (s.spring[q].a == i && s.spring[q].b == j) ||
+                       (s.spring[q].a == j && s.spring[q].b == i);
+            if (!near)
+                continue;
+            for (size_t k = 0; k < 3; ++k) {
+                const double d = (double)(y[k * n + i] - y[k * n + j]);
+                const double u =
+                    (double)(y[(3 + k) * n + i] - y[(3 + k) * n + j]);
+                const double b = (double)(a[k * n + i] - a[k * n + j]);
+                r2 += d * d;
+                v2 += u * u;
+                a2 += b * b;
+            }
+            const double r = sqrt(r2) + s.softening + 1e-12 * length;
+            least = fmin(least, 0.3 * r / sqrt(v2));
+            least = fmin(least, 0.5 * sqrt(r / sqrt(a2)));
+        }
+    for (size_t k = 0; k < 3; ++k)
+        for (size_t i = 0; i < n && s.wall[k] == SCENE_PERIODIC; ++i)
+            least = fmin(least, (s.high[k] - s.low[k]) / 8 /
+                                    size_of(y[(3 + k) * n + i]));
+    return least;
+}
+
+/* Contacts. */
+struct gap {
+    size_t a, b, axis;
+    double side;
+    int image[3];
+};
+static struct gap gaps[20000];
+static size_t count;
+
+static void add_gaps(void)
+{
+    count = 0;
+    for (size_t k = 0; s.contact && k < 3; ++k)
+        for (size_t i = 0; s.wall[k] == SCENE_HARD && i < n; ++i)
+            if (s.freedom[k * n + i])
+                for (int side = -1; side <= 1; side += 2)
+                    gaps[count++] = (struct gap){i, i, k, side, {0}};
+    for (size_t i = 0; s.contact && i < n; ++i)
+        for (size_t j = i + 1; j < n; ++j) {
+            int m[3];
+            bool free = false;
+            for (size_t k = 0; k < 3; ++k) {
+                m[k] = s.wall[k] == SCENE_PERIODIC;
+                free = free || s.freedom[k * n + i] || s.freedom[k * n + j];
+            }
+            for (int p = -m[0]; free && p <= m[0]; ++p)
+                for (int q = -m[1]; q <= m[1]; ++q)
+                    for (int r = -m[2]; r <= m[2]; ++r)
+                        gaps[count++] = (struct gap){i, j, 0, 0, {p, q, r}};
+        }
+}
+
+static real image(const struct gap *g, const real start[], size_t k)
+{
+    if (s.wall[k] != SCENE_PERIODIC)
+        return 0;
+    const double side = s.high[k] - s.low[k];
+    const double d = (double)(start[k * n + g->b] - start[k * n + g->a]);
+    return (real)side * (floor(d / side + 0.5) + g->image[k]);
+}
+
+static real width(const struct gap *g, const real start[], const real y[],
+                  real *rate)
+{
+    if (g->a == g->b) {
+        const size_t c = g->axis * n + g->a;
+        const real edge = g->side > 0
+                              ? (real)s.high[g->axis] - s.radius[g->a]
+                              : (real)s.low[g->axis] + s.radius[g->a];
+        *rate = -(real)g->side * y[3 * n + c];
+        return (real)g->side * (edge - y[c]);
+    }
+    real r2 = 0, ru = 0;
+    for (size_t k = 0; k < 3; ++k) {
+        const real d =
+            y[k * n + g->b] - y[k * n + g->a] - image(g, start, k);
+        r2 += d * d;
+        ru += d * (y[(3 + k) * n + g->b] - y[(3 + k) * n + g->a]);
+    }
+    const real r = root(r2);
+    *rate = r > 0 ? ru / r : 0;
+    return r - ((real)s.radius[g->a] + s.radius[g->b]);
+}
+
+/* A step between two states, in double: quintic in each coordinate. */
+struct path {
+    double h;
+    double q[3 * MOST][6];
+};
+
+static void draw(struct path *p, const real y[], const real z[], double h)
+{
+    real a[3 * MOST], b[3 * MOST];
+    accelerate(y, a);
+    accelerate(z, b);
+    p->h = h;
+    for (size_t c = 0; c < 3 * n; ++c) {
+        const double v = (double)y[3 * n + c] * h, u = (double)a[c] * h * h;
+        const double x = (double)(z[c] - y[c]);
+        const double d0 = x - v - u / 2;
+        const double d1 = (double)z[3 * n + c] * h - v - u;
+        const double d2 = (double)b[c] * h * h - u;
+        double *q = p->q[c];
+        q[0] = (double)y[c], q[1] = v, q[2] = u / 2;
+        q[3] = 10 * d0 - 4 * d1 + d2 / 2;
+        q[4] = -15 * d0 + 7 * d1 - d2;
+        q[5] = 6 * d0 - 3 * d1 + d2 / 2;
+    }
+}
+
+static void look(const struct path *p, double r, real y[])
+{
+    for (size_t c = 0; c < 3 * n; ++c) {
+        const double *q = p->q[c];
+        y[c] = q[0] +
+               r * (q[1] + r * (q[2] + r * (q[3] + r * (q[4] + r * q[5]))));
+        y[3 * n + c] =
+            (q[1] + r * (2 * q[2] +
+                         r * (3 * q[3] + r * (4 * q[4] + r * 5 * q[5])))) /
+            p->h;
+    }
+}
+
+static void reach(const real y[], real h, real out[])
+{
+    if (h == 0) {
+        memcpy(out, y, size * sizeof *out);
+        return;
+    }
+    if (extrapolate(y, h, out))
+        return;
+    memcpy(out, y, size * sizeof *out);
+    if (stuck)
+        return;
+    real mid[6 * MOST];
+    static int depth;
+    if (++depth > 30)
+        stuck = "a part does not settle";
+    else {
+        reach(y, h / 2, mid);
+        reach(mid, h / 2, out);
+    }
+    --depth;
+}
+
+static real true_width(const struct gap *g, const real y[], real h,
+                       real *rate)
+{
+    real z[6 * MOST];
+    reach(y, h, z);
+    return width(g, y, z, rate);
+}
+
+/* Where the rate changes its sign between lo and hi. */
+static real turn(const struct gap *g, const real y[], real lo, real hi,
+                 bool rises)
+{
+    real rate;
+    for (int k = 0; k < 80 && hi - lo > (real)1e-24 * hi; ++k) {
+        const real mid = (lo + hi) / 2;
+        true_width(g, y, mid, &rate);
+        if ((rate > 0) == rises)
+            lo = mid;
+        else
+            hi = mid;
+    }
+    return (lo + hi) / 2;
+}
+
+/* w > 0 at lo, <= 0 at hi. */
+static real find(const struct gap *g, const real y[], real lo, real hi)
+{
+    real rate, a = true_width(g, y, lo, &rate),
+               b = true_width(g, y, hi, &rate);
+    int side = 0;
+    for (int k = 0; k < 200 && hi - lo > (real)1e-28 * hi; ++k) {
+        real mid = (lo * b - hi * a) / (b - a);
+        if (k % 8 == 7 || !(mid > lo && mid < hi))
+            mid = (lo + hi) / 2;
+        const real w = true_width(g, y, mid, &rate);
+        if (size_of(w) < 1e-27 * length) {
+            hi = mid;
+            break;
+        }
+        if (w > 0) {
+            lo = mid, a = w;
+            if (side == 1)
+                b /= 2;
+            side = 1;
+        } else {
+            hi = mid, b = w;
+            if (side == -1)
+                a /= 2;
+            side = -1;
+        }
+    }
+    return hi;
+}
+
+static double far; /* the largest coordinate */
+#define TOUCH (1e-15 * length + 100 * EPS * far)
+
+/* The first moment in the step at which a gap closes; h: none. */
+static real first_root(const struct gap *g, const struct path *p,
+                       const real y[], real h, double margin)
+{
+    real z[6 * MOST], rate, next, w;
+    if (g->a == g->b && held[g->axis * n + g->a] == (int)g->side)
+        return h;
+    const real start = width(g, y, y, &rate);
+    const bool fresh = size_of(start) <= TOUCH && rate >= 0;
+    real before = start, then = rate;
+    /* far away all the time? */
+    for (int k = 1; k <= SAMPLES; ++k) {
+        const double lo = (k - 1.0) / SAMPLES, hi = (double)k / SAMPLES;
+        look(p, hi, z);
+        w = width(g, y, z, &next);
+        bool may = w <= margin;
+        if (!may && then < 0 && next > 0) {
+            double a = lo, b = hi;
+            real r, m = w;
+            for (int j = 0; j < 40; ++j) {
+                look(p, (a + b) / 2, z);
+                m = width(g, y, z, &r);
+                if (r < 0)
+                    a = (a + b) / 2;
+                else
+                    b = (a + b) / 2;
+            }
+            may = m <= margin;
+        }
+        if (may) {
+            real from = lo * h, to = k == SAMPLES ? h : hi * h, ra, rb;
+            real wa = true_width(g, y, from, &ra);
+            const real wb = true_width(g, y, to, &rb);
+            bool has = wb <= 0;
+            if (!has && ra < 0 && rb > 0) {
+                const real t = turn(g, y, from, to, false);
+                has = true_width(g, y, t, &rb) <= 0;
+                if (has)
+                    to = t;
+            }
+            if (has && k == 1 && fresh) {
+                if (ra > 0)
+                    from = turn(g, y, 0, to, true);
+                wa = true_width(g, y, from, &ra);
+                if (wa <= 0) {
+                    if (ra >= 0 && rb >= 0)
+                        has = false;
+                    else
+                        return 0; /* it presses */
+                }
+            }
+            if (has && wa <= 0)
+                return from;
+            if (has)
+                return find(g, y, from, to);
+        }
+        before = w;
+        then = next;
+    }
+    (void)before;
+    return h;
+}
+
+static void reflect(const struct gap *g, const real start[], real y[])
+{
+    real *v = y + 3 * n, d[3], w[2] = {0, 0}, closing = 0;
+    if (g->a == g->b) {
+        const size_t c = g->axis * n + g->a;
+        v[c] *= -(real)s.restitution;
+        return;
+    }
+    for (size_t k = 0; k < 3; ++k) {
+        const size_t i = k * n + g->a, j = k * n + g->b;
+        d[k] = y[j] - y[i] - image(g, start, k);
+        closing += d[k] * (v[j] - v[i]);
+        w[0] += s.freedom[i] ? d[k] * d[k] / s.mass[g->a] : 0;
+        w[1] += s.freedom[j] ? d[k] * d[k] / s.mass[g->b] : 0;
+    }
+    if (!(w[0] + w[1] > 0))
+        return;
+    const real J = -(1 + (real)s.restitution) * closing / (w[0] + w[1]);
+    for (size_t k = 0; k < 3; ++k) {
+        const size_t i = k * n + g->a, j = k * n + g->b;
+        if (s.freedom[i])
+            v[i] -= J * d[k] / s.mass[g->a];
+        if (s.freedom[j])
+            v[j] += J * d[k] / s.mass[g->b];
+        if (v[i] != 0)
+            held[i] = 0;
+        if (v[j] != 0)
+            held[j] = 0;
+    }
+}
+
+/* Everything that touches and approaches. */
+static void settle(real y[])
+{
+    bool any = true;
+    for (int pass = 0; any; ++pass) {
+        any = false;
+        for (size_t j = 0; j < count; ++j) {
+            const struct gap *g = &gaps[j];
+            real rate;
+            if (g->a == g->b && held[g->axis * n + g->a] == (int)g->side &&
+                y[(3 + g->axis) * n + g->a] == 0)
+                continue;
+            const real w = width(g, y, y, &rate);
+            if (!(w <= TOUCH) || !(w > -1e-9 * length) ||
+                !(rate < -(real)1e3 * EPS * speed))
+                continue;
+            reflect(g, y, y);
+            any = true;
+            ++contacts;
+            real a[3 * MOST];
+            accelerate(y, a);
+            if (g->a == g->b) {
+                const size_t c = g->axis * n + g->a;
+                const double press = g->side * (double)a[c];
+                const double u = (double)y[3 * n + c];
+                if (press > 0 && u * u <= 2 * press * 1e-22 * length) {
+                    y[3 * n + c] = 0;
+                    held[c] = (signed char)g->side;
+                }
+            } else {
+                width(g, y, y, &rate);
+                if (rate < 1e-11 * speed)
+                    stuck = "a pair comes to rest";
+            }
+        }
+        if (pass > 500) {
+            stuck = "collisions without end";
+            return;
+        }
+    }
+}
+
+/* What lies on a wall at the start stays there. */
+static void rest_at_start(const real y[])
+{
+    real a[3 * MOST], rate;
+    accelerate(y, a);
+    for (size_t j = 0; j < count; ++j) {
+        const struct gap *g = &gaps[j];
+        if (g->a == g->b && size_of(width(g, y, y, &rate)) <= TOUCH &&
+            rate == 0 && g->side * (double)a[g->axis * n + g->a] > 0)
+            held[g->axis * n + g->a] = (signed char)g->side;
+    }
+}
+
+static void release(const real y[])
+{
+    for (size_t c = 0; c < 3 * n; ++c)
+        if (held[c] && held[c] * y[3 * n + c] < 0)
+            held[c] = 0;
+}
+
+/* Follows the scene through the rows. Returns how many were reached. */
+static size_t follow(real y[], double every, size_t rows, double out[])
+{
+    double next = 0;
+    real t = 0;
+    contacts = steps = 0;
+    stuck = NULL;
+    memset(held, 0, sizeof held);
+    add_gaps();
+    if (count > 0) {
+        rest_at_start(y);
+        settle(y);
+    }
+    const double began = now();
+    for (size_t row = 0; row <= rows; ++row) {
+        const real end = (real)every * row;
+        while (t < end) {
+            real a[3 * MOST], z[6 * MOST], mid[6 * MOST], m[6 * MOST];
+            accelerate(y, a);
+            double h = (double)(end - t);
+            const double most = longest(y, a);
+            bool last = true;
+            if (next > 0 && next < h)
+                h = next, last = false;
+            if (most < h)
+                h = most, last = false;
+            if (!(h > 1e-20 * every * rows)) {
+                stuck = "too short a step";
+                return row;
+            }
+            if (now() - began > budget) {
+                stuck = "too long for the truth";
+                return row;
+            }
+            real step = last ? end - t : (real)h;
+            const int k = extrapolate(y, step, z);
+            ++steps;
+            if (k == 0) {
+                next = h / 2.5;
+                continue;
+            }
+            next = k <= 6 ? 2 * h : k <= 8 ? 1.3 * h : k > 9 ? 0.8 * h : h;
+            if (count > 0) {
+                struct path p;
+                double margin = 1e-13 * length;
+                draw(&p, y, z, (double)step);
+                reach(y, step / 2, mid);
+                look(&p, 0.5, m);
+                double off = 0;
+                for (size_t c = 0; c < 3 * n; ++c)
+                    off = fmax(off, size_of(m[c] - mid[c]));
+                if (off > 1e-4 * length) {
+                    next = h / 2;
+                    continue;
+                }
+                margin += 6 * off;
+                real least = step;
+                const struct gap *who = NULL;
+                for (size_t j = 0; j < count && !stuck; ++j) {
+                    const real r =
+                        first_root(&gaps[j], &p, y, step, margin);
+                    if (r < least) {
+                        least = r;
+                        who = &gaps[j];
+                    }
+                }
+                if (who) {
+                    if (least == 0 && who->a != who->b)
+                        stuck = "a pair is pressed";
+                    if (least == 0 && who->a == who->b) {
+                        const size_t c = who->axis * n + who->a;
+                        y[3 * n + c] = 0;
+                        held[c] = (signed char)who->side;
+                        continue;
+                    }
+                    reach(y, least, z);
+                    step = least;
+                    last = false;
+                    memcpy(y, z, size * sizeof *y);
+                    settle(y);
+                    next = h;
+                    t += step;
+                    release(y);
+                    if (contacts > GIVES_UP_AT)
+                        stuck = "very many contacts";
+                    if (stuck)
+                        return row;
+                    continue;
+                }
+            }
+            if (stuck)
+                return row;
+            memcpy(y, z, size * sizeof *y);
+            t = last ? end : t + step;
+            release(y);
+        }
+        for (size_t i = 0; i < n; ++i)
+            for (size_t k = 0; k < 3; ++k)
+                out[(row * n + i) * 3 + k] = (double)y[k * n + i];
+    }
+    return rows + 1;
+}
+
+static void begin(real y[], double by)
+{
+    uint64_t h = 12345;
+    for (size_t c = 0; c < 3 * n; ++c) {
+        y[c] = s.position[c];
+        y[3 * n + c] = s.freedom[c] ? s.velocity[c] : 0;
+        for (int q = 0; q < 2; ++q) {
+            h = h * UINT64_C(6364136223846793005) + 1442695040888963407;
+            const double way = (h >> 40 & 1) ? by : -by;
+            if (s.freedom[c] && (q || !s.contact))
+                y[3 * (size_t)q * n + c] *= 1 + (real)way;
+        }
+    }
+}
+
+static void measure(void)
+{
+    double sum = 0;
+    for (size_t k = 0; k < 3; ++k) {
+        double low = INFINITY, high = -INFINITY;
+        for (size_t i = 0; i < n; ++i) {
+            low = fmin(low, s.position[k * n + i]);
+            high = fmax(high, s.position[k * n + i]);
+        }
+        if (s.wall[k]) {
+            low = fmin(low, s.low[k]);
+            high = fmax(high, s.high[k]);
+        }
+        sum += (high - low) * (high - low);
+    }
+    length = sqrt(sum);
+    real y[6 * MOST], a[3 * MOST];
+    begin(y, 0);
+    accelerate(y, a);
+    double v = 0, g = 0;
+    for (size_t c = 0; c < 3 * n; ++c) {
+        v = fmax(v, fabs(s.velocity[c]));
+        g = fmax(g, size_of(a[c]));
+    }
+    for (size_t c = 0; c < 3 * n; ++c)
+        far = fmax(far, fabs(s.position[c]));
+    if (!(length > 0))
+        length = 1;
+    speed = fmax(v, sqrt(g * length) * 0.1);
+    if (!(speed > 0))
+        speed = 1;
+}
+
+/* Reads the rows of a table: t x y z vx vy vz ... */
+static size_t read_table(const char *path, size_t rows, double got[])
+{
+    FILE *f = fopen(path, "r");
+    static char line[1 << 17];
+    size_t row = 0;
+    while (f && fgets(line, sizeof line, f)) {
+        if (line[0] == '#' || line[0] == '\n' || row > rows)
+            continue;
+        char *at = line;
+        strtod(at, &at);
+        for (size_t i = 0; i < n; ++i)
+            for (size_t k = 0; k < 6; ++k) {
+                const double x = strtod(at, &at);
+                if (k < 3)
+                    got[(row * n + i) * 3 + k] = x;
+            }
+        ++row;
+    }
+    if (f)
+        fclose(f);
+    return row;
+}
+
+static double apart(const double a[], const double b[], size_t rows,
+                    double scale, size_t *where)
+{
+    double most = 0;
+    for (size_t c = 0; c < 3 * n * rows; ++c) {
+        double d = fabs(a[c] - b[c]);
+        const size_t k = c % 3;
+        if (s.wall[k] == SCENE_PERIODIC) {
+            const double side = s.high[k] - s.low[k];
+            d = fabs(d - side * floor(d / side + 0.5));
+        }
+        if (!(d / scale <= most)) {
+            most = d / scale;
+            *where = c / (3 * n);
+        }
+    }
+    return most;
+}
+
+int main(int argc, char **argv)
+{
+    if (argc < 4 || !scene_read(&s, "truth", argv[1]))
+        return 2;
+    n = s.bodies;
+    size = 6 * n;
+    if (n > MOST)
+        return 2;
+    const double until = atof(argv[2]);
+    const size_t rows = (size_t)atol(argv[3]);
+    const double every = (until - s.time) / (double)rows;
+    double *a = calloc(3 * n * (rows + 2), sizeof *a);
+    double *b = calloc(3 * n * (rows + 2), sizeof *a);
+    double *c = calloc(3 * n * (rows + 2), sizeof *a);
+    real y[6 * MOST];
+    size_t at = 0, none = 0;
+    budget = getenv("BUDGET") ? atof(getenv("BUDGET")) : 6;
+    measure();
+    const double scale = argc > 5 ? atof(argv[5]) : length;
+    tolerance = sizeof(real) > 8 && EPS < 1e-30
+                    ? 1e-22
+                    : fmax(5e-16, 30 * EPS * far / length);
+    begin(y, 0);
+    const double t0 = now();
+    const size_t reached = follow(y, every, rows, a);
+    const char *why = stuck;
+    const long met = contacts, done = steps;
+    tolerance *= EPS < 1e-30 ? 100 : 10;
+    begin(y, 0x1p-52);
+    const size_t again = reached ? follow(y, every, reached - 1, b) : 0;
+    const size_t both = again < reached ? again : reached;
+    const double cond = apart(a, b, both, scale, &none);
+    if (getenv("SHOW"))
+        for (size_t r = 0; r < reached; ++r) {
+            printf("%.17g", s.time + every * (double)r);
+            for (size_t j = 0; j < 3 * n; ++j)
+                printf(" %.17g", a[3 * n * r + j]);
+            printf("\n");
+        }
+    double error = NAN;
+    if (argc > 5) {
+        const size_t got = read_table(argv[4], rows, c);
+        error = apart(a, c, got < reached ? got : reached, scale, &at);
+    }
+    printf("error %.3e row %zu cond %.1e rows %zu/%zu/%zu contacts %ld "
+           "steps %ld time %.2f stop %s\n",
+           error, at, cond, both, reached, rows + 1, met, done, now() - t0,
+           why     ? why
+           : stuck ? stuck
+                   : "-");
+    return 0;
+}

@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 3871903166 of the lines below */
+/* checksum 4045268411 of the lines below */
 /* A pair 5(4), and Radau's method of order 15: steps of their own. */
 #include "forces/adaptive.h"
 
@@ -266,8 +266,9 @@ VECTOR_LOOP static void lead(double *restrict place, double *restrict speed,
     const double *const restrict sv = start->v;
     const double *const restrict sa = start->a;
     for (size_t k = 0; k < n; ++k) {
-        double dx = 0, dv = 0;
-        for (size_t j = STAGES; j-- > 0;) {
+        double dx = x[STAGES - 1] * g[(STAGES - 1) * n + k];
+        double dv = v[STAGES - 1] * g[(STAGES - 1) * n + k];
+        for (size_t j = STAGES - 1; j-- > 0;) {
             dx += x[j] * g[j * n + k];
             dv += v[j] * g[j * n + k];
         }
@@ -393,8 +394,9 @@ static void move_to_end(struct adaptive *s, double h)
     const struct adaptive_state *const p = &s->to, *const q = &s->from;
     const size_t n = s->forces.size;
     for (size_t k = 0; k < n; ++k) {
+        size_t i = STAGES;
         double x = 0, v = 0, dx = 0, dv = 0;
-        for (size_t i = STAGES; i-- > 0;) {
+        while (i-- > 0) {
             const double *const w = s->method->weight + 4 * i;
             const double a = s->stage[i * n + k] - p->a[k];
             v += w[0] * a, dv += w[1] * a;

@@ -40,7 +40,7 @@ names() {
     [ "$(blobs exercises)" = "$(blobs 'tests/exercises/*/stub.c')" ]
 [ -e .git ] && for folder in exercises solutions; do
     holds "$folder/ has the files that the suites name" \
-        [ "$(kept $folder | sed 's/.*\///')" = "$(names)" ]
+        [ "$(kept $folder | sed -n 's/.*\///; /\.c$/p')" = "$(names)" ]
 done
 
 # The rooms of src/: a file includes its own room or one before it; programs

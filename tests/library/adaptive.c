@@ -34,23 +34,30 @@ static void orbit(void *what, const double x[], const double v[],
     a[1] = -x[1] / (r * r2);
 }
 
-/* The Pythagorean problem: 3, 4 and 5 kg at rest, opposite to the sides of
-   these lengths, G = 1. x: three numbers, then y. */
-static void three(void *what, const double x[], const double v[],
-                  double a[])
+/* Three bodies in a plane; x: three numbers, then y. */
+static void attract(double G, const double m[], const double x[],
+                    double a[])
 {
-    static const double m[] = {3, 4, 5};
-    (void)what, (void)v;
     memset(a, 0, 6 * sizeof *a);
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < i; ++j) {
             const double dx = x[j] - x[i], dy = x[3 + j] - x[3 + i];
-            const double r2 = dx * dx + dy * dy, f = 1 / (r2 * sqrt(r2));
+            const double r2 = dx * dx + dy * dy, f = G / (r2 * sqrt(r2));
             a[i] += m[j] * f * dx;
             a[3 + i] += m[j] * f * dy;
             a[j] -= m[i] * f * dx;
             a[3 + j] -= m[i] * f * dy;
         }
+}
+
+/* The Pythagorean problem: 3, 4 and 5 kg at rest, opposite to the sides of
+   these lengths, G = 1. */
+static void three(void *what, const double x[], const double v[],
+                  double a[])
+{
+    static const double m[] = {3, 4, 5};
+    (void)what, (void)v;
+    attract(1, m, x, a);
 }
 
 static const struct stepping_forces orbit_forces = {2, false, orbit, NULL};
@@ -176,27 +183,18 @@ static void test_weights(void)
 
 /* Two stars and a planet, as scene circumbinary has them at first; then
    4000 orbits of the stars. */
+static const double circumbinary[] = {0.6897, 0.2026, 0.000318};
+
 static void planet(void *what, const double x[], const double v[],
                    double a[])
 {
-    static const double m[] = {0.6897, 0.2026, 0.000318};
     (void)what, (void)v;
-    memset(a, 0, 6 * sizeof *a);
-    for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < i; ++j) {
-            const double dx = x[j] - x[i], dy = x[3 + j] - x[3 + i];
-            const double r2 = dx * dx + dy * dy;
-            const double f = 0.00029584 / (r2 * sqrt(r2));
-            a[i] += m[j] * f * dx;
-            a[3 + i] += m[j] * f * dy;
-            a[j] -= m[i] * f * dx;
-            a[3 + j] -= m[i] * f * dy;
-        }
+    attract(0.00029584, circumbinary, x, a);
 }
 
 static quad planet_energy(const struct adaptive_state *at)
 {
-    static const double m[] = {0.6897, 0.2026, 0.000318};
+    const double *const m = circumbinary;
     quad sum = 0;
     for (int i = 0; i < 3; ++i) {
         const quad u = at->v[i], w = at->v[3 + i];

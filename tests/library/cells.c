@@ -343,25 +343,25 @@ static void test_inelastic(void)
     COMPARE(scenes, 2);
 }
 
-/* Light and heavy gravity, for leashes that bend a little or a lot; in the
-   last scene most disks never rise by their own diameter. */
+/* Light and heavy gravity, for leashes that bend a little or a lot, between
+   four walls and on a floor alone; in the last scene most disks never rise
+   by their own diameter. */
 static void test_weight(void)
 {
-    static const struct scene scenes[] = {
+    static const double weights[] = {0, 1e-3, 0.1, 3};
+    struct scene scenes[] = {
         {2, 100, DISKS_WALLS, 0.01, EQUAL, ONE_SPEED, 1, 400, 0, false},
         {2, 200, DISKS_WALLS, 0.4, EQUAL, NORMAL, 1, 2000, 0, true},
-        {2, 150, DISKS_WALLS, 0.1, SPREAD, NORMAL, 1, 2000, 0, true},
+        {2, 150, DISKS_WALLS, 0.1, SPREAD, NORMAL, 1, 2000, 0.3, true},
         {3, 200, DISKS_WALLS, 0.1, EQUAL, NORMAL, 1, 2000, 0, true},
-        {2, 150, DISKS_WALLS, 0.3, SPREAD, NORMAL, 0.97, 2500, 0, true},
-        {2, 100, DISKS_FLOOR, 0.01, EQUAL, ONE_SPEED, 1, 400, 0, false},
-        {2, 200, DISKS_FLOOR, 0.4, EQUAL, NORMAL, 1, 2000, 0, true},
-        {2, 150, DISKS_FLOOR, 0.1, SPREAD, NORMAL, 1, 2000, 0.3, true},
-        {3, 200, DISKS_FLOOR, 0.1, EQUAL, NORMAL, 1, 2000, 0, true},
-        {2, 150, DISKS_FLOOR, 0.3, TWO, NORMAL, 0.97, 2500, 0, true}};
-    static const double weights[] = {0, 1e-3, 0.1, 3};
-    for (size_t k = 0; k < 4; ++k) {
-        weight = weights[k];
-        COMPARE(scenes, 1);
+        {2, 150, DISKS_WALLS, 0.3, TWO, NORMAL, 0.97, 2500, 0, true}};
+    for (int on_floor = 0; on_floor < 2; ++on_floor) {
+        for (size_t i = 0; on_floor && i < 5; ++i)
+            scenes[i].boundary = DISKS_FLOOR;
+        for (size_t k = 0; k < 4; ++k) {
+            weight = weights[k];
+            COMPARE(scenes, 1);
+        }
     }
     weight = 0;
 }

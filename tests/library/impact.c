@@ -404,44 +404,43 @@ static void test_shallow(void)
     }
 }
 
+/* How much a ball of this radius, dropped from 1 m, has asked of radau15
+   after so many steps of half a second. Its floor stands so far below 0. */
+static struct motion drop_far(double radius, uint64_t steps)
+{
+    struct scene s;
+    struct motion m;
+    make(&s, 1, 0.5);
+    put_walls(&s, 2, -radius, 100);
+    s.radius[0] = radius;
+    s.position[2] = 1;
+    s.gravity[2] = -2;
+    s.restitution = 0.8;
+    begin(&m, &s, "radau15", true);
+    UNIT_EQUAL(motion_run(&m, steps), STEPPING_DONE);
+    const struct motion counts = m;
+    end(&m, &s);
+    return counts;
+}
+
 /* What a bounce by steps of their own costs: one step and three or four
    shorter ones, each of a round at seven nodes and its end, as the weight
    is no surprise; and no start from small steps. */
 static void test_price(void)
 {
-    struct scene s;
-    struct motion m;
-    make(&s, 1, 0.5);
-    put_walls(&s, 2, -0.1, 100);
-    s.radius[0] = 0.1;
-    s.position[2] = 1;
-    s.gravity[2] = -2;
-    s.restitution = 0.8;
-    begin(&m, &s, "radau15", true);
-    UNIT_EQUAL(motion_run(&m, 24), STEPPING_DONE);
+    const struct motion m = drop_far(0.1, 24);
     UNIT_EQUAL(count(m.impact.resting), 1);
     UNIT_TRUE(m.stepping.evaluations < 5 * 8 * m.collisions);
-    end(&m, &s);
 }
 
-/* A small ball from 1 m comes with the rounding of 1 m to a floor near 0. A
-   gap that had to be shut to less would be tried a hundred times, with 8
-   evaluations each. This way it takes some twelve, all steps counted. */
+/* A small ball comes with the rounding of 1 m to a floor near 0. A gap that
+   had to be shut to less would be tried a hundred times, with 8 evaluations
+   each. This way it takes some twelve, all steps counted. */
 static void test_far(void)
 {
-    struct scene s;
-    struct motion m;
-    make(&s, 1, 0.5);
-    put_walls(&s, 2, -0.01, 100);
-    s.radius[0] = 0.01;
-    s.position[2] = 1;
-    s.gravity[2] = -2;
-    s.restitution = 0.8;
-    begin(&m, &s, "radau15", true);
-    UNIT_EQUAL(motion_run(&m, 3), STEPPING_DONE);
+    const struct motion m = drop_far(0.01, 3);
     UNIT_EQUAL(count(m.collisions), 1);
     UNIT_TRUE(m.stepping.evaluations < 30 * 8);
-    end(&m, &s);
 }
 
 /* A body that lies on the floor, with a spring on it and another body on

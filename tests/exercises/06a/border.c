@@ -1,45 +1,20 @@
-/* What crosses the border of exercise 06a: see examiner/border.h. The
-   random numbers stay outside and come in by the BLOCK; with the answer it
-   is said how many of the last block were left over, and only what was used
-   is used up in the suite. */
+/* What crosses the border of exercise 06a: see examiner/border.h, and for
+   the random numbers examiner/supply.h. */
 /* place: throw_disks x n */
 /* place: throw_disks y n */
 
-#include "examiner/border.h"
+#include "examiner/supply.h"
 #include <stdlib.h>
 #include <string.h>
 
-double uniform(void);
 size_t throw_disks(size_t n, const double radius[], double width,
                    double height, double x[], double y[]);
 
-/* Outside, in the suite: the numbers that uniform() will give next. */
+/* Of the suite; here, too, so that src/examiner/check.mk finds them. */
+double uniform(void);
 void uniform_ahead(double u[], size_t count);
 
-enum { MORE, BLOCK = 64 };
-
 #ifdef BORDER_INSIDE
-
-static struct {
-    double u[BLOCK];
-    size_t left;
-} block;
-
-static void take_block(void)
-{
-    border_doubles(block.u, BLOCK);
-    block.left = BLOCK;
-}
-
-double uniform(void)
-{
-    if (block.left == 0) {
-        border_ask(MORE);
-        border_hear();
-        take_block();
-    }
-    return block.u[BLOCK - block.left--];
-}
 
 void border_answer(void)
 {
@@ -62,28 +37,6 @@ void border_answer(void)
 }
 
 #else
-
-static void give_block(void)
-{
-    double u[BLOCK];
-    uniform_ahead(u, BLOCK);
-    border_doubles(u, BLOCK);
-}
-
-static void use_up(size_t left)
-{
-    for (size_t k = left; k < BLOCK; ++k)
-        (void)uniform();
-}
-
-/* All of the last block are used: more. */
-void border_heed(int which)
-{
-    (void)which;
-    use_up(0);
-    border_tell();
-    give_block();
-}
 
 static void give_doubles(const double x[], size_t n)
 {

@@ -1,0 +1,61 @@
+/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
+/* checksum 373119915 of the lines below */
+/* For a border: the suite's uniform(), in blocks, on both sides. */
+#ifndef SUPPLY_H
+#define SUPPLY_H
+
+#include "examiner/border.h"
+
+double uniform(void);
+
+enum { BLOCK = 64 };
+
+#ifdef BORDER_INSIDE
+static struct {
+    double u[BLOCK];
+    size_t left;
+} block;
+
+static void take_block(void)
+{
+    border_doubles(block.u, BLOCK);
+    block.left = BLOCK;
+}
+
+double uniform(void)
+{
+    if (block.left == 0) {
+        border_ask(0);
+        border_hear();
+        take_block();
+    }
+    return block.u[BLOCK - block.left--];
+}
+#else
+/* In the suite: the numbers that uniform() will give next. */
+void uniform_ahead(double u[], size_t count);
+
+static void give_block(void)
+{
+    double u[BLOCK];
+    uniform_ahead(u, BLOCK);
+    border_doubles(u, BLOCK);
+}
+
+static void use_up(size_t left)
+{
+    for (size_t k = left; k < BLOCK; ++k)
+        (void)uniform();
+}
+
+/* All of the last block are used: more. */
+void border_heed(int which)
+{
+    (void)which;
+    use_up(0);
+    border_tell();
+    give_block();
+}
+#endif
+
+#endif

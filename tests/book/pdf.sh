@@ -5,15 +5,27 @@ set -u
 scratch=$(mktemp -d) || exit 1
 trap 'rm -rf "$scratch"' EXIT
 no_bitmaps() { awk '$0 ~ / Type 3 / { bad = 1 } END { exit bad || NR < 3 }'; }
+# The files of fonts that TeX lists at the end of its log are outlines, all of
+# them. (To ask pdffonts about a book of a thousand pages takes five seconds;
+# it is asked about the figures, which bring their own.)
+outlines() {
+    awk '/^Here is how much/ { end = 1 } end { all = all $0 }
+        END {
+            n = split(all, file, "<")
+            for (i = 2; i <= n; ++i)
+                if (file[i] !~ /^[^>]*\.(pfb|otf|ttf)>/) bad = 1
+            exit bad || n < 4
+        }' "$1"
+}
 if [ -e build/bonkers.pdf ]; then
     for volume in bonkers=book/book works=works/works \
         bonkers-instructor=book-instructor/book works-course=works-course/works
     do
         pdf=build/${volume%=*}.pdf
-        if pdffonts "$pdf" | no_bitmaps; then
+        if outlines "build/${volume#*=}.log"; then
             echo "ok pdf: no bitmap fonts in $pdf"
         else
-            echo "not ok pdf: no bitmap fonts in $pdf - Type 3, or nothing"
+            echo "not ok pdf: no bitmap fonts in $pdf - a pk file, or none"
         fi
         if chapters/press/check-log "build/${volume#*=}.log"; then
             echo "ok pdf: the log of $pdf is quiet"
@@ -21,6 +33,14 @@ if [ -e build/bonkers.pdf ]; then
             echo "not ok pdf: the log of $pdf is quiet - see above"
         fi
     done
+    for figure in build/figures/*.pdf; do
+        pdffonts "$figure"
+    done >"$scratch/fonts"
+    if no_bitmaps <"$scratch/fonts"; then
+        echo 'ok pdf: no bitmap fonts in the figures'
+    else
+        echo 'not ok pdf: no bitmap fonts in the figures - Type 3, or nothing'
+    fi
     if chapters/press/equations --check; then
         echo 'ok pdf: equation numbers'
     else
@@ -43,6 +63,11 @@ fi
 printf 'name type\n---- ----\nXYZ+SFRM1000 Type 3   Custom yes\n' | no_bitmaps &&
     echo 'not ok pdf: a bitmap font is seen - it was not' ||
     echo 'ok pdf: a bitmap font is seen'
+printf '%s\n' 'Here is how much of TeX' '{lm-ec.enc}</lm/lmr9.pfb></lm/lmr' \
+    '10.pfb></ec/tcrm1000.600pk></lm/lmr8.pfb>' >"$scratch/book.log"
+outlines "$scratch/book.log" &&
+    echo 'not ok pdf: and so is a file of one - it was not' ||
+    echo 'ok pdf: and so is a file of one'
 seen() { # name log-line status
     printf '%s\n' 'This is pdfTeX' "$2" '[]text' >"$scratch/book.log"
     chapters/press/check-log "$scratch/book.log" 2>/dev/null
@@ -74,4 +99,4 @@ echo 'eq:a 1.3' >tests/equations.txt
 chapters/press/equations --check 2>/dev/null &&
     echo 'not ok pdf: another number is seen - it was not' ||
     echo 'ok pdf: another number is seen'
-echo 1..22
+echo 1..24

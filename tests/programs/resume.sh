@@ -69,11 +69,11 @@ survives 'contacts' --until 120 --every 0.5 --checkpoint 0 \
 
 # Rows that were written after the checkpoint are computed again.
 scene=$work/free
-$step "$scene" --until 9000 --every 0.5 -o "$work/whole"
+$step "$scene" --until 3000 --every 0.5 -o "$work/whole"
 rm -f "$work"/part*
-killed_at_checkpoint "$scene" --until 9000 --every 0.5 --checkpoint 0
+killed_at_checkpoint "$scene" --until 3000 --every 0.5 --checkpoint 0
 echo '9999 these are no numbers of ours' >>"$work/part.rows"
-$step "$scene" --until 9000 --every 0.5 --checkpoint 0 --resume \
+$step "$scene" --until 3000 --every 0.5 --checkpoint 0 --resume \
     -o "$work/part"
 # shellcheck disable=SC2016
 holds 'what was written behind the checkpoint is cut' sh -c '
@@ -81,9 +81,9 @@ holds 'what was written behind the checkpoint is cut' sh -c '
     sh "$work/whole" "$work/part"
 
 # An interrupted run has its rows, says so, and can go on.
-$step "$scene" --until 9000 --every 0.5 -o "$work/part" 2>"$work/told" &
+$step "$scene" --until 3000 --every 0.5 -o "$work/part" 2>"$work/told" &
 run=$!
-sleep 0.1
+while ! [ -s "$work/part.rows" ]; do sleep 0.01; done
 kill -TERM $run
 wait $run
 holds 'interrupted: status 1' test $? -eq 1
@@ -91,17 +91,17 @@ holds 'one line' grep -qx 'step: interrupted; [0-9]* % was done' "$work/told"
 lines=$(wc -l <"$work/part")
 holds 'the rows so far are in the table' \
     sh -c "test $lines -gt 25 && head -n $lines '$work/whole' | cmp - '$work/part'"
-$step "$scene" --until 9000 --every 0.5 -o "$work/part" --resume
+$step "$scene" --until 3000 --every 0.5 -o "$work/part" --resume
 holds 'and the rest follows' cmp "$work/whole" "$work/part"
 
 # What does not belong together is refused.
 rm -f "$work"/part*
-killed_at_checkpoint "$scene" --until 9000 --every 0.5 --checkpoint 0
+killed_at_checkpoint "$scene" --until 3000 --every 0.5 --checkpoint 0
 refuses 2 'part.checkpoint: is of another command' \
-    $step "$scene" --until 9000 --every 1 --checkpoint 0 -o "$work/part" --resume
+    $step "$scene" --until 3000 --every 1 --checkpoint 0 -o "$work/part" --resume
 cp "$work/part.checkpoint" "$work/kept"
 cp "$work/part.rows" "$work/part.rows.kept"
-again="$step $scene --until 9000 --every 0.5 --checkpoint 0 -o $work/part --resume"
+again="$step $scene --until 3000 --every 0.5 --checkpoint 0 -o $work/part --resume"
 cp "$work/kept" "$work/part.checkpoint"
 : >"$work/part.rows"
 # shellcheck disable=SC2086
@@ -158,15 +158,15 @@ holds 'as it was it goes on' $again
 $step "$scene" --until 300 --every 0.5 --checkpoint 0 -o "$work/whole"
 holds 'to the same bytes' cmp "$work/whole" "$work/part"
 scene=$work/free
-$step "$scene" --until 9000 --every 0.5 -o "$work/whole"
+$step "$scene" --until 3000 --every 0.5 -o "$work/whole"
 
 # The summary of a run in two parts has all of it but the times; leapfrog
 # asks for one acceleration more.
 # (Here there is one row, at the start, which the rest does not see.)
-$step "$scene" --until 9000 --every 10000 -o "$work/a" --summary "$work/sa"
+$step "$scene" --until 3000 --every 10000 -o "$work/a" --summary "$work/sa"
 rm -f "$work"/part*
-killed_at_checkpoint "$scene" --until 9000 --every 10000 --checkpoint 0
-holds 'its rest' $step "$scene" --until 9000 --every 10000 --checkpoint 0 \
+killed_at_checkpoint "$scene" --until 3000 --every 10000 --checkpoint 0
+holds 'its rest' $step "$scene" --until 3000 --every 10000 --checkpoint 0 \
     -o "$work/part" --resume --summary "$work/sb"
 # shellcheck disable=SC2016
 holds 'the summary of a run in two parts' sh -c '
@@ -199,14 +199,14 @@ rm -f "$work"/part*
     -o "$work/part") 2>"$work/said"
 holds 'rows without a checkpoint are not left' sh -c "
     ! ls '$work/part.rows' || ls '$work/part.checkpoint'"
-$step "$scene" --until 9000 --every 0.5 -o "$work/part" 2>"$work/said" &
+$step "$scene" --until 3000 --every 0.5 -o "$work/part" 2>"$work/said" &
 run=$!
-sleep 0.1
+while ! [ -s "$work/part.rows" ]; do sleep 0.01; done
 kill -HUP $run
 wait $run
 holds 'nor after the terminal was closed' ls "$work/part.rows" \
     "$work/part.checkpoint"
-$step "$scene" --until 9000 --every 0.5 -o "$work/part" --resume
+$step "$scene" --until 3000 --every 0.5 -o "$work/part" --resume
 holds 'and that run goes on' cmp "$work/whole" "$work/part"
 
 # Nor is a file taken away that only has such a name.
@@ -214,7 +214,7 @@ rm -f "$work"/part*
 for companion in rows checkpoint; do
     echo 'the rows of my garden' >"$work/part.$companion"
     refuses 2 "part.$companion: is not step's and stays" \
-        $step "$scene" --until 9000 --every 0.5 -o "$work/part"
+        $step "$scene" --until 3000 --every 0.5 -o "$work/part"
     holds 'and it is as it was' grep -qx 'the rows of my garden' \
         "$work/part.$companion"
     rm "$work/part.$companion"
@@ -222,20 +222,20 @@ done
 
 # Two runs do not write one table, and what is copied into it is what was
 # written.
-$step "$scene" --until 9000 --every 0.5 -o "$work/part" &
+$step "$scene" --until 3000 --every 0.5 -o "$work/part" &
 run=$!
 while ! [ -s "$work/part.rows" ]; do sleep 0.01; done
 kill -STOP $run
 for resume in '' --resume; do
     # shellcheck disable=SC2086
     refuses 2 'part.rows: another run is writing it' \
-        $step "$scene" --until 9000 --every 0.5 -o "$work/part" $resume
+        $step "$scene" --until 3000 --every 0.5 -o "$work/part" $resume
 done
 kill -CONT $run
 wait $run
 holds 'the first run is not disturbed' cmp "$work/whole" "$work/part"
 rm -f "$work"/part*
-$step "$scene" --until 9000 --every 0.5 -o "$work/part" 2>"$work/err" &
+$step "$scene" --until 3000 --every 0.5 -o "$work/part" 2>"$work/err" &
 run=$!
 while ! [ -s "$work/part.rows" ]; do sleep 0.01; done
 kill -STOP $run
@@ -248,6 +248,6 @@ holds 'it says so' grep -q 'part.rows: has other rows than were written' \
 holds 'and there is no table of them' test ! -e "$work/part"
 
 # Without --resume the run begins anew.
-$step "$scene" --until 9000 --every 0.5 -o "$work/part"
+$step "$scene" --until 3000 --every 0.5 -o "$work/part"
 holds 'without --resume all begins anew' cmp "$work/whole" "$work/part"
 echo 1..60

@@ -1,5 +1,5 @@
 # data: build/data/04-adiabatic.dat
-# command: build/bin/bonkers --preset adiabatic --ensemble 100 --every 0.5 --until 100 | build/bin/piston --study gases --body 201 --table - -o build/data/04-adiabatic.dat
+# command: build/bin/bonkers --preset adiabatic --ensemble 50 --every 0.5 --until 100 | build/bin/piston --study gases --body 201 --table - -o build/data/04-adiabatic.dat
 # lecture: build/bin/bonkers --preset adiabatic --ensemble 1000 --every 0.5 --until 100 | build/bin/piston --study gases --body 201 --table - -o build/data/04-adiabatic.dat
 # data: build/data/04-bare.dat
 # command: build/bin/piston --velocity 0.1 --gas-masses 0,0 --until 100 --every 0.5 -o build/data/04-bare.dat

@@ -62,20 +62,24 @@ static double number(double x)
     return coarse ? round(4 * x) / 4 : x;
 }
 
-static void place(size_t i, double size, double fast)
-{
-    for (size_t k = 0; k < 3; ++k) {
-        s.x[i][k] = flat >> k & 1 ? 0 : number(from(-size, size));
-        s.v[i][k] = flat >> k & 1 ? 0 : number(from(-fast, fast));
-    }
-}
-
 static double distance(size_t i, size_t j)
 {
     double r2 = 0;
     for (size_t k = 0; k < 3; ++k)
         r2 += (s.x[i][k] - s.x[j][k]) * (s.x[i][k] - s.x[j][k]);
     return sqrt(r2);
+}
+
+/* Anywhere, but where another is. */
+static void place(size_t i, double size, double fast)
+{
+    for (size_t k = 0; k < 3; ++k) {
+        s.x[i][k] = flat >> k & 1 ? 0 : number(from(-size, size));
+        s.v[i][k] = flat >> k & 1 ? 0 : number(from(-fast, fast));
+    }
+    for (size_t j = 0; j < i; ++j)
+        if (distance(i, j) == 0)
+            s.x[i][0] += 0.3 * (double)(i + 1);
 }
 
 static void hold(size_t i)
@@ -255,29 +259,32 @@ static void pendulums(void)
     s.until = power(-0.5, 1);
 }
 
-/* Puts balls where they overlap nothing. false: no room. */
-static bool put_balls(size_t first, double size, double fast)
+/* Does ball i overlap no wall and no ball before it? */
+static bool has_room(size_t i)
 {
-    for (size_t i = first; i < s.n; ++i) {
-        bool good = false;
+    for (size_t k = 0; k < 3; ++k)
+        if (s.wall[k] && (s.x[i][k] < s.low[k] + s.r[i] ||
+                          s.x[i][k] > s.high[k] - s.r[i]))
+            return false;
+    for (size_t j = 0; j < i; ++j)
+        if (distance(i, j) < s.r[i] + s.r[j])
+            return false;
+    return true;
+}
+
+/* Puts balls where they have room; fewer, if there is none. */
+static void put_balls(double size, double fast)
+{
+    for (size_t i = 0; i < s.n; ++i) {
+        int trials = 0;
         s.r[i] = chance(0.5) ? 0.125 : from(0.03, 0.2);
         s.m[i] = chance(0.5) ? 1 : power(-1, 1);
-        for (int trial = 0; trial < 200 && !good; ++trial) {
+        do
             place(i, size, fast);
-            good = true;
-            for (size_t k = 0; k < 3; ++k)
-                if (s.wall[k])
-                    good = good && s.x[i][k] >= s.low[k] + s.r[i] &&
-                           s.x[i][k] <= s.high[k] - s.r[i];
-            for (size_t j = 0; j < i; ++j)
-                good = good && distance(i, j) >= s.r[i] + s.r[j];
-        }
-        if (!good) {
+        while (!has_room(i) && ++trials < 200);
+        if (trials == 200)
             s.n = i;
-            return false;
-        }
     }
-    return true;
 }
 
 static void any_walls(double size)
@@ -291,7 +298,18 @@ static void any_walls(double size)
     }
 }
 
-/* Balls, some held, under weight: they bounce and graze. */
+/* Weight, with this chance; one that is held; damping. */
+static void any_outside(double weight, double damped)
+{
+    if (chance(weight))
+        s.grav[flat & 2 ? 0 : 1] = coarse ? -10 : -power(-1, 1);
+    if (chance(0.3))
+        hold(below(s.n));
+    if (chance(damped))
+        s.damp = power(-2, 0);
+}
+
+/* Balls, some held, most under weight: they bounce and graze. */
 static void balls(void)
 {
     s.n = 1 + below(5);
@@ -299,17 +317,13 @@ static void balls(void)
     any_flat();
     s.restitution = chance(0.6) ? 1 : chance(0.2) ? 0 : from(0.3, 0.99);
     any_walls(1);
-    put_balls(0, 1, chance(0.7) ? 1 : 0);
-    if (chance(0.8))
-        s.grav[flat & 2 ? 0 : 1] = coarse ? -10 : -power(-1, 1);
-    if (chance(0.3))
-        hold(below(s.n));
-    if (chance(0.15))
-        s.damp = power(-2, 0);
+    put_balls(1, chance(0.7) ? 1 : 0);
+    any_outside(0.8, 0.15);
     s.until = power(-0.5, 1);
 }
 
-/* A ball thrown so that it just touches another, or just does not. */
+/* A ball thrown so that it just touches another, or just does not, but for
+   what a third one does to it. */
 static void graze(void)
 {
     s.n = 2 + below(2);
@@ -322,11 +336,10 @@ static void graze(void)
     s.grav[1] = -g;
     s.r[0] = 0.1, s.r[1] = from(0.05, 0.3);
     s.m[0] = s.m[1] = 1;
-    /* where ball 0 is at t, and how fast */
-    const double p[2] = {0, 0}, u[2] = {v * cos(w), v * sin(w)};
-    s.v[0][0] = u[0], s.v[0][1] = u[1] + g * t;
-    s.x[0][0] = p[0] - u[0] * t;
-    s.x[0][1] = p[1] - u[1] * t - g * t * t / 2;
+    /* at t ball 0 is at 0, with the velocity v in the direction w */
+    s.v[0][0] = v * cos(w), s.v[0][1] = v * sin(w) + g * t;
+    s.x[0][0] = -v * cos(w) * t;
+    s.x[0][1] = -v * sin(w) * t - g * t * t / 2;
     const double side = chance(0.5) ? 1 : -1;
     const double r = (s.r[0] + s.r[1]) * (1 - deep);
     s.x[1][0] = -side * sin(w) * r;
@@ -336,12 +349,9 @@ static void graze(void)
         s.r[2] = 0.1, s.m[2] = power(-1, 1);
         s.x[2][0] = s.x[1][0] + from(1, 3);
         s.x[2][1] = s.x[1][1] + from(-3, 3);
-        if (chance(0.5)) {
+        if (chance(0.5))
             s.k2 = power(-7, -2);
-        }
     }
-    if (chance(0.2))
-        s.damp = power(-3, -1);
     s.until = t * from(0.8, 4);
 }
 
@@ -354,7 +364,7 @@ static void bound_balls(void)
     s.restitution = chance(0.6) ? 1 : from(0.3, 0.99);
     if (chance(0.6))
         any_walls(1);
-    put_balls(0, 1, chance(0.6) ? 1 : 0);
+    put_balls(1, chance(0.6) ? 1 : 0);
     if (chance(0.5)) {
         s.k2 = power(-2, 0);
         s.soft = chance(0.2) ? 0.05 : 0;
@@ -371,12 +381,7 @@ static void bound_balls(void)
                      : chance(0.5) ? -1
                                    : from(0, 1.5));
     }
-    if (chance(0.4))
-        s.grav[flat & 2 ? 0 : 1] = coarse ? -10 : -power(-1, 1);
-    if (chance(0.3))
-        hold(below(s.n));
-    if (chance(0.2))
-        s.damp = power(-2, 0);
+    any_outside(0.4, 0.2);
     s.until = power(-0.7, 0.7);
 }
 
@@ -442,8 +447,8 @@ static void mixtures(void)
     s.until = power(-1, 1);
 }
 
-/* Fast bodies that pass close to small heavy ones, which they may also
-   hit: what steps of one length could leap over. */
+/* A fast body that passes close to a slow one, or hits it, among others:
+   what steps of one length could leap over. */
 static void meetings(bool contact)
 {
     s.n = 2 + below(4);
@@ -454,15 +459,15 @@ static void meetings(bool contact)
     const double r = contact ? power(-4, -1) : 0;
     for (size_t i = 0; i < s.n; ++i) {
         place(i, 1, 0.1);
-        s.m[i] = i == 0 ? 1 : power(-6, -1);
+        s.m[i] = power(-6, i == 0 ? 0 : -1);
         s.r[i] = r;
     }
     s.x[0][0] = s.x[0][1] = s.x[0][2] = 0;
     if (chance(0.3))
         hold(0);
-    s.m[0] = power(-6, 0);
     const double far = power(-0.3, 1), fast = power(-0.5, 1.5);
-    const double b = (contact ? 2 * r : 0) + power(-5, -0.5),
+    const double b = contact && chance(0.5) ? from(0, 2 * r)
+                                            : 2 * r + power(-5, -0.5),
                  w = from(0, 6.28);
     s.x[1][0] = far * cos(w) - b * sin(w);
     s.x[1][1] = far * sin(w) + b * cos(w);
@@ -487,7 +492,9 @@ static void fast_passages(void)
     meetings(false);
 }
 
-/* A light body that swings on a spring past small heavy ones, often. */
+/* A body that swings on a spring past others that are held, often. Where
+   the spring ends a ball is hit; a point, which attracts without end, is
+   missed. */
 static void swinging(void)
 {
     s.n = 3 + below(3);
@@ -502,10 +509,10 @@ static void swinging(void)
             hold(i);
     }
     s.x[0][0] = s.x[0][1] = s.x[0][2] = 0;
-    s.x[1][0] = 2, s.x[1][1] = chance(0.5) ? 0 : power(-3, -1),
-    s.x[1][2] = 0;
-    join(0, 1, 0, 0);
     s.contact = chance(0.4);
+    s.x[1][0] = 2, s.x[1][2] = 0;
+    s.x[1][1] = s.contact && chance(0.5) ? 0 : power(-3, -1);
+    join(0, 1, 0, 0);
     for (size_t i = 2; i < s.n; ++i) {
         s.x[i][0] = from(-1.5, 1.5);
         s.x[i][1] = (chance(0.5) ? 1 : -1) * power(-3, -0.7);
@@ -516,8 +523,8 @@ static void swinging(void)
     s.until = 6.2831853 / sqrt(s.D[0]) * power(-0.5, 1.5);
 }
 
-/* One body, for long. */
-static void alone(void)
+/* Two bodies, for long: on a spring, in orbit, or in flight. */
+static void two(void)
 {
     s.n = 2;
     flat = chance(0.5) ? 4 : chance(0.5) ? 6 : 0;
@@ -552,7 +559,7 @@ static void alone(void)
         s.damp = power(-3, 1);
 }
 
-/* Balls that lie, lean and touch. */
+/* Balls that lie on the floor and on each other, and some that fall. */
 static void heaps(void)
 {
     s.n = 1 + below(5);
@@ -569,23 +576,24 @@ static void heaps(void)
         s.r[i] = r, s.m[i] = chance(0.7) ? 1 : power(-1, 1);
         s.x[i][0] = flat & 1 ? 0 : -0.75 + 0.3 * (double)i;
         s.x[i][1] = lies ? -1 + r : number(from(-0.85, 0.85));
-        if (chance(0.3) && i > 0) { /* on or under the last one */
-            s.x[i][0] = s.x[i - 1][0];
-            s.x[i][1] = s.x[i - 1][1] + (chance(0.5) ? 0.25 : 0.5);
-        } else if (flat & 1)
+        if (flat & 1)
             s.x[i][2] = -0.75 + 0.3 * (double)i;
+        const double up = i > 0 ? s.x[i - 1][1] + 2 * r : 1;
+        if (chance(0.3) && up <= 1 - r) { /* on the last one, or above */
+            s.x[i][0] = s.x[i - 1][0];
+            s.x[i][2] = s.x[i - 1][2];
+            s.x[i][1] = chance(0.5) ? up : from(up, 1 - r);
+        }
         s.v[i][0] = flat & 1 || chance(0.5) ? 0 : number(from(-1, 1));
         s.v[i][1] = lies || chance(0.5) ? 0 : number(from(-1, 1));
     }
     s.grav[1] = coarse ? -10 : -power(-0.5, 1);
     if (chance(0.2))
         s.damp = power(-2, 0);
-    if (chance(0.15)) {
+    if (s.n > 1 && chance(0.15)) {
         s.kinds = 1;
         s.D[0] = power(0, 3);
-        join(0, s.n > 1 ? s.n - 1 : 0, 0, chance(0.5) ? -1 : 0.1);
-        if (s.n == 1)
-            s.springs = s.kinds = 0;
+        join(0, s.n - 1, 0, chance(0.5) ? -1 : 0.1);
     }
     s.until = power(-0.5, 1);
 }
@@ -599,7 +607,7 @@ static const struct {
              {"graze", graze},          {"bound", bound_balls},
              {"beads", beads},          {"mixtures", mixtures},
              {"hits", fast_contacts},   {"passes", fast_passages},
-             {"swinging", swinging},    {"alone", alone},
+             {"swinging", swinging},    {"two", two},
              {"heaps", heaps}};
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
@@ -694,10 +702,6 @@ int main(int argc, char **argv)
         for (size_t k = 0; k < 3; ++k)
             if (s.fixed[i][k])
                 s.v[i][k] = 0;
-    for (size_t i = 0; i < s.n; ++i) /* no two in one place */
-        for (size_t j = 0; j < i; ++j)
-            if (distance(i, j) == 0)
-                s.x[i][0] += 0.3 * (double)(i + 1);
     convert();
     const int rows = rows_of[below(sizeof rows_of / sizeof *rows_of)];
     printf("# until %.17g tolerance %.2g rows %d\n", s.until, power(-9, -2),

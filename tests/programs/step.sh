@@ -317,6 +317,16 @@ $step "$w/ball" --method radau15 --contact located --until 20 --observe z:0 \
     -o "$w/t" --summary "$w/s"
 near 'back up: z' "$(tail -n 1 "$w/t" | awk '{ print $2 }')" 1 1e-14
 near 'back up: bounces' "$(key "$w/s" collisions)" 10 0
+# A contact may wait in its step then, of which no checkpoint knows.
+for option in '--checkpoint 5' --resume; do
+    # shellcheck disable=SC2086
+    refuses 2 "${option% *}: means nothing with located adaptive steps" $step \
+        "$w/ball" --method radau15 --contact located --until 20 -o "$w/t" \
+        $option
+done
+$step "$w/ball" --method leapfrog --contact located --until 2 -o "$w/t" \
+    --checkpoint 0
+holds "steps of one length keep checkpoints" test $? -eq 0
 
 # Two bodies in one place: no row, and not the advice to take a smaller step.
 printf 'pos 0 0 0 0 1 0 0\npos 1 0 0 0 1 0 0\nk2 1\ndt 1\n' >"$w/same"
@@ -399,4 +409,4 @@ fi
 sed 's/^dt .*/dt 0.1/' "$w/pendulum" >"$w/wild"
 build/bin/orbit "$w/wild" >"$w/a" 2>"$w/told"
 holds 'and a run that blew up' test $? -eq 1
-echo "1..$((154 + 14 * own - fewer))"
+echo "1..$((157 + 14 * own - fewer))"

@@ -1,10 +1,11 @@
 /* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 311625039 of the lines below */
+/* checksum 3478732121 of the lines below */
 /* A temporary beside the file, which takes its name when all is written. */
 #define _XOPEN_SOURCE 700 /* realpath */
 
 #include "toolbox/table.h"
 
+#include "toolbox/digits.h"
 #include "toolbox/version.h"
 
 #include <assert.h>
@@ -298,11 +299,12 @@ bool table_print(struct table *t, const char *format, ...)
     return t->error == 0;
 }
 
-static bool print_real(struct table *t, double value)
+static void print_real(struct table *t, double value)
 {
-    if (isnan(value))
-        return table_print(t, "nan");
-    return table_print(t, "%.17g", value);
+    char text[DIGITS_ROOM] = "nan";
+    const size_t n = isnan(value) ? 3 : digits_write(text, value);
+    errno = 0;
+    note_error(t, fwrite(text, 1, n, t->stream) == n);
 }
 
 void table_begin(struct table *t, const char *command, uint64_t seed)
@@ -320,15 +322,22 @@ void table_column(struct table *t, const char *symbol, const char *unit,
                 unit && *unit ? unit : "1", meaning);
 }
 
+static void put(struct table *t, char c)
+{
+    errno = 0;
+    note_error(t, putc(c, t->stream) != EOF);
+}
+
 bool table_row(struct table *t, size_t n, const double values[])
 {
     assert(t->columns == 0 || n == t->columns);
     for (size_t i = 0; i < n; ++i) {
         if (i > 0)
-            table_print(t, " ");
+            put(t, ' ');
         print_real(t, values[i]);
     }
-    return table_print(t, "\n");
+    put(t, '\n');
+    return t->error == 0;
 }
 
 static bool is_named(const char *key, const char *name)

@@ -11,8 +11,8 @@ all="$(for room in $rooms; do
     grep -LE '^.include ("line/laws.h"|<gsl/)' "$room"/*.c
 done) src/forces/reference.c"
 programs='bonk collide collide-forms bonkers bonkers-studies disks
-    gravity-studies sample sample-studies scene step spheres-studies
-    springs-studies'
+    gravity-studies sample sample-studies scene step step-studies
+    spheres-studies springs-studies'
 # What is stepped, and chosen for: gravity, springs with dashpots, and
 # contacts.
 for scene in figure-eight 'ring --particles 150' 'membrane --damping 0.1' \
@@ -89,6 +89,7 @@ run_all() {
         # shellcheck disable=SC2086
         "$1/gravity-studies" --study $study
     done
+    studies "$1/step-studies"
     for method in $methods; do
         (cd "$work" && "$bin/step" figure-eight.plist --method $method &&
             "$bin/step" membrane.plist --method $method --until 1 \

@@ -1,4 +1,4 @@
-/* From chapters/11-step.nw: edit there, then run make tangle. */
+/* From chapters/works/11-step.nw: edit there, then run make tangle. */
 /* checksum 4180837757 of the lines below */
 /* A scene with all its digits, what else is known, and rows to be kept. */
 #include "forces/checkpoint.h"

@@ -1,4 +1,4 @@
-/* From chapters/11-step.nw: edit there, then run make tangle. */
+/* From chapters/works/11-step.nw: edit there, then run make tangle. */
 /* checksum 443892160 of the lines below */
 /* A run that was killed goes on, and ends with the same bytes. */
 #ifndef CHECKPOINT_H

@@ -1,4 +1,4 @@
-/* From chapters/11-spheres.nw: edit there, then run make tangle. */
+/* From chapters/works/11-spheres.nw: edit there, then run make tangle. */
 /* checksum 3925614722 of the lines below */
 /* A cradle, a break, gases and lines of bodies, each made from its keys. */
 #include "forces/hard.h"

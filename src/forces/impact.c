@@ -1,4 +1,4 @@
-/* From chapters/11-spheres.nw: edit there, then run make tangle. */
+/* From chapters/works/11-spheres.nw: edit there, then run make tangle. */
 /* checksum 1254553423 of the lines below */
 /* Gaps followed along a step in Bernstein's form, then by the method. */
 #include "forces/impact.h"

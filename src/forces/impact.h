@@ -1,4 +1,4 @@
-/* From chapters/11-spheres.nw: edit there, then run make tangle. */
+/* From chapters/works/11-spheres.nw: edit there, then run make tangle. */
 /* checksum 2907687701 of the lines below */
 /* The moments of contact, found inside a step and resolved one by one. */
 #ifndef IMPACT_H

@@ -1,4 +1,4 @@
-/* From chapters/11-step.nw: edit there, then run make tangle. */
+/* From chapters/works/11-step.nw: edit there, then run make tangle. */
 /* checksum 3714140146 of the lines below */
 /* A scene set in motion by all that acts in it, as one acceleration. */
 #ifndef MOTION_H

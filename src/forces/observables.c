@@ -1,4 +1,4 @@
-/* From chapters/11-step.nw: edit there, then run make tangle. */
+/* From chapters/works/11-step.nw: edit there, then run make tangle. */
 /* checksum 2777318318 of the lines below */
 /* Each kind has its columns, and a function that computes them. */
 #include "forces/observables.h"

@@ -1,4 +1,4 @@
-/* From chapters/11-step.nw: edit there, then run make tangle. */
+/* From chapters/works/11-step.nw: edit there, then run make tangle. */
 /* checksum 1364957789 of the lines below */
 /* What one may look at in a motion, by name: energies, places, speeds. */
 #ifndef OBSERVABLES_H

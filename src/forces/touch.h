@@ -1,4 +1,4 @@
-/* From chapters/11-spheres.nw: edit there, then run make tangle. */
+/* From chapters/works/11-spheres.nw: edit there, then run make tangle. */
 /* checksum 272809303 of the lines below */
 /* Contacts as stiff springs: forces between bodies that overlap. */
 #ifndef TOUCH_H

@@ -180,7 +180,8 @@ int main(int argc, char **argv)
         if (got != 3 || !(b.mass > 0) ||
             !(b.mass * fabs(b.velocity) < HUGE_VAL))
             return complain("three numbers a bead, the first above 0");
-        if (b.place < lowest || b.place > wire || count == 64)
+        if (b.place < lowest || b.place > wire || b.place == HUGE_VAL ||
+            count == 64)
             return complain("beads out of place");
         lowest = b.place;
         bead[++count] = b;

@@ -549,6 +549,24 @@ static bool check_abreast(void)
     return check_read(&s, "1 0.5 -1\n2 0.5 -1\n");
 }
 
+/* As many beads as there may be. */
+static bool check_crowd(void)
+{
+    enum { CROWD = 64 };
+    static char beads[64 * CROWD];
+    const struct scene s = {
+        .n = CROWD, .length = CROWD, .tc = 0.5, .rows = 20};
+    struct run_order o = *order(&(struct scene){0}, 0, for_ever);
+    const char *const words[] = {"64", "0", "0.5", "20"};
+    for (int i = 0, at = 0; i < CROWD; ++i)
+        at += snprintf(beads + at, sizeof beads - (size_t)at,
+                       "%d %d.5 %d\n", 1 + i % 3, i, i % 2 ? -1 : 1);
+    o.files[0].text = beads;
+    memcpy(o.arguments + 1, words, sizeof words);
+    const char *input = run_text(&o);
+    return check_form(&s, run_program(&o), input);
+}
+
 /* An input that makes no sense: beads, or one of the words behind them. */
 struct nonsense {
     const char *what, *beads;
@@ -596,6 +614,8 @@ static bool check_inputs(void)
         {"a letter behind a number", "1 0.5 1x\n", 0, NULL},
         {"a line with four numbers", "1 0.5 1 1\n", 0, NULL},
         {"a mass that is no number", "nan 0.5 1\n", 0, NULL},
+        {"a mass that is not finite", "inf 0.5 1\n", 0, NULL},
+        {"a place that is not finite", "1 inf 1\n", LENGTH, "inf"},
         {"a velocity that is not finite", "1 0.5 inf\n", 0, NULL},
         {"ROWS that are no number", one, ROWS, "three"},
         {"a clock that goes backwards", one, TC, "-0.1"},
@@ -702,7 +722,7 @@ static void stage_general(void)
             "One bead alone and equal masses are right. Which event "
             "comes first, and who takes part in it?") &&
         check_galperin() && check_long() && check_places() &&
-        check_abreast())
+        check_abreast() && check_crowd())
         check_inputs();
 }
 
@@ -859,14 +879,17 @@ static void stage_check(void)
     }
 }
 
-/* A clock so slow that a bead flies many times between two rows. */
+/* A clock so slow that a bead flies many times between two rows; and a slow
+   bead, of less than 1 m/s. */
 static struct scene draw_rare(void)
 {
     static struct table t;
     struct scene s;
     do {
         s = draw_apart(1, INFINITY, draw(1, 10), true, 10);
-        s.tc *= 40.0;
+        s.x[0] *= 0.02;
+        s.v[0] *= 0.2;
+        s.tc *= 10.0;
         simulate(&s, NONE, &t);
     } while (t.nearest < 1e-5);
     return s;

@@ -1,5 +1,5 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 3632306142 of the lines below */
+/* checksum 3535709762 of the lines below */
 /* Hard disks and spheres in a box: starts, times of contact, collisions. */
 #ifndef DISKS_H
 #define DISKS_H
@@ -57,8 +57,7 @@ struct disks {
     enum disks_boundary boundary;
     double box[DISKS_AXES];
     double restitution;
-    double gravity; /* along the second axis, towards 0, m/s2; not periodic
-                     */
+    double gravity; /* towards the floor, m/s2; 0 in a periodic box */
     struct disk *disk;
     double *mass; /* kg */
     double now;   /* s */

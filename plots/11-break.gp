@@ -2,13 +2,13 @@
 # command: build/bin/spheres-studies --study break -o build/data/11-break.dat
 # alt: Two pictures of sixteen balls half a second after the break, each with an inset in which the balls in the middle stand nearly three times as far apart. Left, filled balls and open balls are mirror images of each other in the axis of the shot; two balls have flown far out, one to either side. Right, by events there are two answers for a hundred racks, mirror images too; rings mark the places by steps, the deepest pair first, which fall on one of the two.
 width = 14
-height = 7.5
+height = 7.9
 load 'plots/style.gp'
 file = 'build/data/11-break.dat'
 # Where a panel and its inset lie on the page; one metre is as long up as across.
 wide = 0.41
 high = wide*width/height*3.4/3.35
-foot = 0.14
+foot = 0.165
 across(left, x) = left + (x + 0.75)/3.35*wide
 up(y) = foot + (y + 1.7)/3.4*high
 set multiplot

@@ -31,6 +31,7 @@
 
 #include <ctype.h>
 #include <stdbool.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -456,16 +457,37 @@ static size_t run_length(const struct tokens *a, size_t i,
     return n;
 }
 
+/* Where the kinds of eight tokens in a row are noted. A run of eight that
+   two bodies share stands in the sieves of both. */
+enum { ROW = 8, SIEVE = 8192 };
+
+static size_t sieve_place(const int *kinds)
+{
+    uint64_t sum = 0;
+    for (int k = 0; k < ROW; ++k)
+        sum = (sum ^ (uint64_t)(kinds[k] + 1)) * UINT64_C(1099511628211);
+    return (sum ^ sum >> 29) % SIEVE;
+}
+
+static void fill_sieve(bool sieve[SIEVE], const struct tokens *t)
+{
+    memset(sieve, 0, SIEVE * sizeof *sieve);
+    for (size_t i = 0; i + ROW <= t->count; ++i)
+        sieve[sieve_place(t->kinds + i)] = true;
+}
+
 /* The longest run of more than `floor` tokens that the two share, `floor`
    if there is none; *at is where it starts in a. A run that is longer than
-   the longest so far has equal kinds where that one ended: that is asked
-   first. */
-static size_t longest_run(const struct tokens *a, const struct tokens *b,
+   the longest so far stands in the sieve of b and has equal kinds where
+   that one ended: that is asked first. `places` are those of a. */
+static size_t longest_run(const struct tokens *a, const size_t *places,
+                          const struct tokens *b, const bool sieve[SIEVE],
                           size_t floor, size_t *at, int *to, int *from)
 {
     size_t longest = floor;
     for (size_t i = 0; i + longest < a->count; ++i)
-        for (size_t j = 0; j + longest < b->count; ++j) {
+        for (size_t j = longest < ROW || sieve[places[i]] ? 0 : b->count;
+             j + longest < b->count; ++j) {
             if (a->kinds[i + longest] != b->kinds[j + longest] ||
                 a->kinds[i] != b->kinds[j])
                 continue;
@@ -482,6 +504,19 @@ static size_t longest_run(const struct tokens *a, const struct tokens *b,
     return longest;
 }
 
+/* For each body where its rows stand in a sieve. */
+static size_t **all_places(const struct bodies *all)
+{
+    size_t **places = grow(NULL, all->count * sizeof *places);
+    for (size_t i = 0; i < all->count; ++i) {
+        const struct tokens *t = &all->list[i].code;
+        places[i] = grow(NULL, t->count * sizeof **places);
+        for (size_t k = 0; k + ROW <= t->count; ++k)
+            places[i][k] = sieve_place(t->kinds + k);
+    }
+    return places;
+}
+
 static bool compare(const struct bodies *own, const struct bodies *book,
                     size_t limit)
 {
@@ -490,13 +525,16 @@ static bool compare(const struct bodies *own, const struct bodies *book,
     size_t longest = 0;
     for (int i = 0; i < name_count; ++i)
         to[i] = from[i] = -1;
-    for (size_t i = 0; i < own->count; ++i)
-        for (size_t j = 0; j < book->count; ++j) {
+    size_t **places = all_places(own);
+    for (size_t j = 0; j < book->count; ++j) {
+        bool sieve[SIEVE];
+        fill_sieve(sieve, &book->list[j].code);
+        for (size_t i = 0; i < own->count; ++i) {
             const struct body *a = &own->list[i], *b = &book->list[j];
             size_t at = 0;
             const size_t floor = longest < limit ? longest : limit - 1;
-            const size_t n =
-                longest_run(&a->code, &b->code, floor, &at, to, from);
+            const size_t n = longest_run(&a->code, places[i], &b->code,
+                                         sieve, floor, &at, to, from);
             if (n > longest)
                 longest = n;
             if (n < limit)
@@ -508,6 +546,10 @@ static bool compare(const struct bodies *own, const struct bodies *book,
                 printf(" %s", a->code.list[k].text);
             printf("\n");
         }
+    }
+    for (size_t i = 0; i < own->count; ++i)
+        free(places[i]);
+    free(places);
     printf("longest %zu\n", longest);
     free(to);
     free(from);

@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 3300042562 of the lines below */
+/* checksum 3682210325 of the lines below */
 /* A pair 5(4), and Radau's method of order 15: steps of their own. */
 #include "forces/adaptive.h"
 
@@ -494,8 +494,8 @@ static void look_in_radau(const struct adaptive *s, double r, double x[],
     const double part = s->whole * r;
     for (size_t i = 0; i < n; ++i) {
         double dx = 0, dv = 0;
-        for (size_t m = STAGES; m-- > 0;) {
-            const double b = s->b[m * n + i], k = (double)m;
+        for (int k = STAGES - 1; k >= 0; --k) {
+            const double b = s->b[(size_t)k * n + i];
             dx = (dx + b / ((k + 2) * (k + 3))) * r;
             dv = (dv + b / (k + 2)) * r;
         }

@@ -104,14 +104,14 @@ is 'make says so' "movie: PRESET: 'ring' is a scene: SCENE=ring" \
     "$(head -n 1 "$work/out")"
 is 'before anything is made' no "$(ls -d build/obj build/bin build/movies 2>/dev/null || echo no)"
 
-# 1.6 s at 25 pictures for the energy, then the rows of 0, 0.1, .. 1 s.
+# 1.6 s at 25 pictures for the energy, then the rows of 0, 0.1 and 0.2 s.
 holds 'a clean kit makes a movie' \
-    $make -s movie PRESET=two EVERY=0.1 UNTIL=1
-is 'with the right pictures' '960 540 51 4 0 whole' \
+    $make -s movie PRESET=two EVERY=0.1 UNTIL=0.2
+is 'with the right pictures' '960 540 43 4 0 whole' \
     "$(gif build/movies/two.gif)"
 is 'and nothing half made' '' "$(ls build/movies | grep -v '^two\.[a-z]*$')"
-$make -s movie PRESET=two EVERY=0.1 UNTIL=1 FPS=10 >"$work/out" 2>&1
-is 'another rate is another movie' '960 540 27 10 0 whole' \
+$make -s movie PRESET=two EVERY=0.1 UNTIL=0.2 FPS=10 >"$work/out" 2>&1
+is 'another rate is another movie' '960 540 19 10 0 whole' \
     "$(gif build/movies/two.gif)"
 bonkers=build/bin/bonkers
 
@@ -123,13 +123,13 @@ film() {
     env "$@" plots/show movie >"$work/out" 2>&1
     is "$what: a movie, and no complaint" "The movie: build/movies/$name.gif" \
         "$(grep -v '^  ' "$work/out")"
-    is "$what: $pictures pictures" "960 540 $pictures 20 0 whole" \
+    is "$what: $pictures pictures" "960 540 $pictures 50 0 whole" \
         "$(gif "build/movies/$name.gif")"
 }
 # Every preset: 1.6 s for the energy, but for disks, and three rows.
 awk '$1 == "preset" { print $2, $3 }' plots/films | while read -r name every; do
-    case $name in disks | gas) n=3 ;; *) n=11 ;; esac
-    film "$name" "$name" $n PRESET="$name" FPS=5 \
+    case $name in disks | gas) n=3 ;; *) n=7 ;; esac
+    film "$name" "$name" $n PRESET="$name" FPS=2 \
         UNTIL="$(awk "BEGIN { print 2 * $every }")"
 done
 
@@ -171,18 +171,18 @@ while read -r name every until; do
             print sqrt(far), "of", size
             exit !(rows > 7 && sqrt(far) > 0.07 * size)
         }' run.dat
-    film "$name" "scene-$name" 3 SCENE="$name" KEYS="$keys" FPS=5 \
+    film "$name" "scene-$name" 3 SCENE="$name" KEYS="$keys" FPS=2 \
         UNTIL="$(awk "BEGIN { print 2 * $every }")"
 done <"$work/scenes"
 film 'what bonk has made' scene-sun-earth 3 SCENE=sun-earth TOLERANCE=1e-3 \
-    UNTIL=6 FPS=5
+    UNTIL=6 FPS=2
 holds 'by bonk' grep -q '^# bonk ' build/movies/scene-sun-earth.dat
 
 # A scene of one's own, by any name; what is typed is no command.
 cp run.plist "a b;touch pwned.plist"
 holds 'a file, whatever it is called' $make -s movie \
-    SCENE="a b;touch pwned.plist" EVERY=0.1 UNTIL=0.2 FPS=5
-is 'its film' '960 540 3 20 0 whole' \
+    SCENE="a b;touch pwned.plist" EVERY=0.1 UNTIL=0.2 FPS=2
+is 'its film' '960 540 3 50 0 whole' \
     "$(gif 'build/movies/scene-a_b_touch_pwned.gif')"
 # shellcheck disable=SC2016
 value="x'; touch pwned; \"\$(touch pwned) \`touch pwned\` \$(shell touch pwned)"

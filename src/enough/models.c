@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 2018521042 of the lines below */
+/* checksum 2903816763 of the lines below */
 /* What acts, what can be left out, and how each model carries a scene. */
 #include "enough/models.h"
 
@@ -7,6 +7,7 @@
 #include "box/cells.h"
 #include "enough/closed.h"
 #include "box/disks.h"
+#include "forces/adaptive.h"
 #include "forces/hard.h"
 #include "forces/kepler.h"
 #include "enough/light.h"
@@ -14,6 +15,7 @@
 #include "forces/motion.h"
 #include "forces/rods.h"
 #include "forces/spheres.h"
+#include "scenes/pair.h"
 
 #include <assert.h>
 #include <math.h>
@@ -475,6 +477,11 @@ static size_t take_springs(struct scene *s, bool stiff,
     return count;
 }
 
+void models_without_stiff(struct scene *s)
+{
+    take_springs(s, true, NULL);
+}
+
 /* How far the ends of a spring swing in the state of s, m; raises turning
    to the rate at which they go round each other, 1/s. */
 static double swing_of(const struct scene *s, const struct scene_spring *p,
@@ -871,7 +878,9 @@ static enum models_end row_oscillator(struct models_run *r)
 /* Bodies on a line, from left to right. */
 struct row_of_bodies {
     size_t axis;
-    bool walls;         /* there are hard walls at both ends */
+    bool walls;  /* there are hard walls at both ends */
+    double sign; /* -1: seen from the other side, for weight to be down */
+    double gravity;     /* m/s^2, down */
     double left, right; /* where what is held, or a wall, begins, m */
 };
 
@@ -887,6 +896,9 @@ static struct row_of_bodies row_of(const struct scene *s,
     row.walls = s->wall[row.axis] == SCENE_HARD;
     row.left = row.walls ? s->low[row.axis] : -INFINITY;
     row.right = row.walls ? s->high[row.axis] : INFINITY;
+    const double g = a->weight ? s->gravity[row.axis] : 0;
+    row.sign = g > 0 ? -1 : 1;
+    row.gravity = fabs(g);
     double first = INFINITY, last = -INFINITY; /* of the free ones */
     for (size_t i = 0; i < s->bodies; ++i)
         if (s->freedom[at(s, row.axis, i)]) {
@@ -952,8 +964,8 @@ static bool start_row(struct start *start, size_t **body,
     *body = malloc((s->bodies + 1) * sizeof **body);
     for (size_t i = 0; bead && i < s->bodies; ++i)
         if (s->freedom[at(s, row->axis, i)])
-            bead[movers++] =
-                (struct bead){s->position[at(s, row->axis, i)], i};
+            bead[movers++] = (struct bead){
+                row->sign * s->position[at(s, row->axis, i)], i};
     if (!bead || !*body || !start_create(start, movers)) {
         free(bead);
         free(*body);
@@ -964,12 +976,13 @@ static bool start_row(struct start *start, size_t **body,
     for (size_t j = 0; j < movers; ++j) {
         const size_t i = (*body)[j] = bead[j].body;
         start->x[j] = bead[j].x;
-        start->v[j] = s->velocity[at(s, row->axis, i)];
+        start->v[j] = row->sign * s->velocity[at(s, row->axis, i)];
         start->mass[j] = s->mass[i];
         start->radius[j] = s->radius[i];
     }
-    start->wall[0] = row->left;
-    start->wall[1] = row->right;
+    start->wall[0] = row->sign > 0 ? row->left : -row->right;
+    start->wall[1] = row->sign > 0 ? row->right : -row->left;
+    start->gravity = row->gravity;
     free(bead);
     return true;
 }
@@ -986,6 +999,8 @@ static const char *refuse_relabel(const struct scene *s,
     double mass = 0;
     if (why)
         return why;
+    if (a->weight)
+        return "bodies do not fly evenly";
     if (s->restitution != 1)
         return "collisions lose energy";
     for (size_t i = 0; i < s->bodies; ++i)
@@ -1102,12 +1117,14 @@ static const char *refuse_line(const struct scene *s,
         return why;
     if (!s->contact)
         return "nothing collides";
-    if (a->weight || a->friction)
+    if (a->friction)
         return "bodies do not fly evenly";
     if (a->dimensions > 1 || (a->offset & ~(1u << row.axis)))
         return "the bodies are not on one line";
     if (s->wall[row.axis] == SCENE_PERIODIC)
         return "the line is periodic";
+    if (row.gravity > 0 && isinf(row.sign > 0 ? row.left : row.right))
+        return "bodies fall for ever";
     return row_fault(s, &row);
 }
 
@@ -1115,7 +1132,7 @@ static const char *refuse_line(const struct scene *s,
 struct line {
     struct bonkers bonkers;
     size_t *body, axis;
-    double *x, *v;
+    double *x, *v, sign;
 };
 
 static void end_line(struct models_run *r)
@@ -1137,6 +1154,7 @@ static bool prepare_line(struct line *l, const struct scene *s,
         return false;
     const size_t bodies = start.movers + 2;
     l->axis = row->axis;
+    l->sign = row->sign;
     l->x = malloc(2 * bodies * sizeof *l->x);
     l->v = l->x ? l->x + bodies : NULL;
     const bool begun =
@@ -1198,8 +1216,8 @@ static enum models_end row_line(struct models_run *r)
     bonkers_state(b, l->x, l->v);
     for (size_t j = 1; j < b->gaps; ++j) {
         const size_t c = at(&r->scene, l->axis, l->body[j - 1]);
-        r->scene.position[c] = l->x[j];
-        r->scene.velocity[c] = l->v[j];
+        r->scene.position[c] = l->sign * l->x[j];
+        r->scene.velocity[c] = l->sign * l->v[j];
     }
     return MODELS_DONE;
 }
@@ -1548,6 +1566,15 @@ static const char *refuse_leapfrog(const struct scene *s,
     return why;
 }
 
+static const char *refuse_orbits(const struct scene *s,
+                                 const struct models_acts *a, unsigned cuts)
+{
+    const char *why = refuse_steps(s, a, cuts);
+    if (!why && (cuts & MODELS_NO_LIGHT))
+        why = "it does not ask who pulls";
+    return why ? why : jacobi_refuses(s);
+}
+
 /* Steps of one of chapter 8's methods, or of rods. */
 struct steps {
     struct motion motion;
@@ -1555,6 +1582,10 @@ struct steps {
                            in memory, and its scene with it */
     struct light light;
     struct rods rods;
+    struct passages {
+        const struct scene *scene;
+        double little, left;
+    } passages;
     bool lights, rodded;
     uint64_t evaluations, corrections, tested; /* counted so far */
 };
@@ -1606,6 +1637,74 @@ static bool stiffen(struct steps *t, struct scene *s,
     return t->rodded;
 }
 
+/* Adds what two bodies are apart along an axis to the sums of p, and to
+ *a2 the square of their acceleration towards each other. */
+static struct pair relative(const struct scene *s, size_t i, size_t j,
+                            const double x[], const double v[],
+                            const double a[], double *a2)
+{
+    struct pair p = {.r2 = 0};
+    *a2 = 0;
+    for (size_t k = 0; k < SCENE_AXES; ++k) {
+        const size_t one = at(s, k, i), other = at(s, k, j);
+        const double f = a[other] - a[one];
+        pair_add(&p, x[other] - x[one], v[other] - v[one]);
+        *a2 += f * f;
+    }
+    return p;
+}
+
+/* Does the passage of two bodies move any body by more than a little, in
+   the time that is left? Its distance is that of straight ways, less by
+   what they bend. */
+static bool counts(const struct passages *g, const struct pair *p,
+                   double pull, double a2)
+{
+    const double tau = fabs(p->rv) / p->v2;
+    const double bend = sqrt(a2) * tau * tau / 2;
+    const double b = fmax(sqrt(pair_nearest2(p)) - bend, 0);
+    return 2 * pull * g->left > g->little * b * sqrt(p->v2);
+}
+
+/* The longest step that no passage which counts can hide in. */
+static double longest(void *what, const double x[], const double v[],
+                      const double a[])
+{
+    const struct passages *g = what;
+    const struct scene *s = g->scene;
+    double most = 0, a2;
+    for (size_t i = 0; i < s->bodies; ++i)
+        for (size_t j = 0; j < i; ++j) {
+            const double pull = s->k2 * (s->mass[i] + s->mass[j]);
+            if (pull == 0 ||
+                !(is_free(s, i, ALL_AXES) || is_free(s, j, ALL_AXES)))
+                continue;
+            const struct pair p = relative(s, i, j, x, v, a, &a2);
+            if (p.v2 > most * p.r2 && counts(g, &p, pull, a2))
+                most = p.v2 / p.r2;
+        }
+    return most > 0 ? 0.7 / sqrt(most) : INFINITY;
+}
+
+enum { LOOKS = 64 }; /* in a row, of steps that choose their length */
+
+static uint64_t steps_of(const struct models_plan *p)
+{
+    return p->model->method->adaptive ? LOOKS : p->steps;
+}
+
+/* Steps of any length: how long they may be. */
+static void choose_lengths(struct steps *t, const struct models_plan *p)
+{
+    struct stepping *s = &t->motion.stepping;
+    s->tolerance = p->tolerance;
+    if (t->motion.attracts && p->little > 0) {
+        t->passages = (struct passages){&t->scene, p->little, p->left};
+        s->own->longest = longest;
+        s->own->with = &t->passages;
+    }
+}
+
 static bool begin_motion(struct steps *t, struct models_run *r,
                          struct scene_spring rod[])
 {
@@ -1616,10 +1715,12 @@ static bool begin_motion(struct steps *t, struct models_run *r,
     if (!scene_copy(s, &r->scene))
         return false;
     if (!motion_begin(&t->motion, "models", s, r->plan.model->name,
-                      r->every / (double)r->plan.steps))
+                      r->every / (double)steps_of(&r->plan)))
         return false;
-    t->motion.spheres.rule = SPHERES_APPROACHING;
-    t->motion.spheres.shift = SPHERES_BACK;
+    if (t->motion.collides && !motion_locate(&t->motion))
+        return false;
+    if (r->plan.model->method->adaptive)
+        choose_lengths(t, &r->plan);
     return (!t->motion.attracts || !lights || lighten(t, r)) &&
            (count == 0 || stiffen(t, s, rod, count));
 }
@@ -1651,6 +1752,7 @@ static double count_pulls(const struct steps *t)
 static size_t passes(const struct stepping_method *m)
 {
     return m->family == STEPPING_IMPLICIT   ? 1 + m->stages
+           : m->family == STEPPING_RADAU    ? 8
            : m->family == STEPPING_EXPLICIT ? 2
                                             : 1;
 }
@@ -1676,6 +1778,10 @@ static void count_steps(struct models_run *r, struct steps *t,
         more * n * (double)passes(r->plan.model->method);
     r->work[MODELS_PAIR] += more * count_pulls(t);
     r->work[MODELS_SPRING] += more * count_springs(t);
+    if (t->motion.orbits)
+        r->work[MODELS_ELLIPSE] += (double)steps *
+                                   (double)r->plan.model->method->drifts *
+                                   (n - 1) * 0.6;
     if (t->motion.collides) {
         r->work[MODELS_CONTACT] += (double)steps * n;
         r->work[MODELS_OVERLAP] +=
@@ -1693,19 +1799,69 @@ static void count_steps(struct models_run *r, struct steps *t,
 
 enum { STEPS_AT_A_TIME = 256 };
 
+/* Will the run cost twice what it may, if it goes on like this? */
+static bool is_hopeless(const struct models_run *r, uint64_t left)
+{
+    const double row = (double)steps_of(&r->plan);
+    const double done = (double)r->rows + (row - (double)left) / row;
+    const double cost = models_cost(r->work);
+    const double all = cost / done * (double)r->all;
+    return r->plan.model->method->adaptive
+               ? cost > fmin(r->limit / 8, 1) && all > 2 * r->limit
+               : all > 1.1 * r->limit;
+}
+
+/* What one evaluation of all forces costs, s. */
+static double price_of_evaluation(const struct models_run *r,
+                                  const struct steps *t)
+{
+    const double n = (double)r->scene.bodies;
+    const double work[MODELS_UNITS] = {
+        [MODELS_EVALUATION] = 1,
+        [MODELS_BODY] = n * (double)passes(r->plan.model->method),
+        [MODELS_PAIR] = count_pulls(t),
+        [MODELS_SPRING] = count_springs(t)};
+    return models_cost(work);
+}
+
+/* Lets steps that choose their length go on as long as they may: one look
+   may take what is left, and a small part of what all may. */
+static void bound_evaluations(const struct models_run *r, struct steps *t)
+{
+    const double left = r->limit - models_cost(r->work);
+    const double one = 8 * r->limit / (double)(r->all * LOOKS);
+    const double may = r->all > 0 ? fmin(left, fmax(one, 0.1)) : left;
+    const double more = may / price_of_evaluation(r, t);
+    struct adaptive *own = t->motion.stepping.own;
+    own->most = more < 1e15 ? own->evaluations + (uint64_t)more + 100 : 0;
+}
+
+/* A run of steps has ended early: why? */
+static enum models_end broken(const struct steps *t)
+{
+    const struct adaptive *own = t->motion.stepping.own;
+    return own && own->most > 0 && own->evaluations > own->most
+               ? MODELS_COSTLY
+               : MODELS_BROKEN;
+}
+
 static enum models_end run_steps(struct models_run *r, struct steps *t)
 {
-    uint64_t left = r->plan.steps;
+    const bool own = r->plan.model->method->adaptive;
+    uint64_t left = steps_of(&r->plan);
     while (left > 0) {
-        const uint64_t now =
-            left < STEPS_AT_A_TIME ? left : STEPS_AT_A_TIME;
+        const uint64_t now = own                      ? 1
+                             : left < STEPS_AT_A_TIME ? left
+                                                      : STEPS_AT_A_TIME;
+        if (own)
+            bound_evaluations(r, t);
         const enum stepping_end end = motion_run(&t->motion, now);
         count_steps(r, t, now);
         if (end != STEPPING_DONE)
-            return MODELS_BROKEN;
-        if (is_costly(r))
-            return MODELS_COSTLY;
+            return broken(t);
         left -= now;
+        if (is_costly(r) || is_hopeless(r, left))
+            return MODELS_COSTLY;
     }
     return MODELS_DONE;
 }
@@ -1754,8 +1910,9 @@ static struct models_model model_of(const struct stepping_method *m)
                                  .about = m->about,
                                  .family = MODELS_STEPS,
                                  .method = m,
-                                 .refuses =
-                                     leaps ? refuse_leapfrog : refuse_steps,
+                                 .refuses = m->orbits ? refuse_orbits
+                                            : leaps   ? refuse_leapfrog
+                                                      : refuse_steps,
                                  .begin = begin_steps,
                                  .row = row_steps,
                                  .end = end_steps};
@@ -1767,8 +1924,7 @@ const struct models_model *models_all(void)
     if (all->name)
         return all;
     size_t n = STEPLESS;
-    for (const struct stepping_method *m = stepping_next(NULL); m;
-         m = stepping_next(m))
+    for (const struct stepping_method *m = stepping_methods; m->name; ++m)
         all[n++] = model_of(m);
     memcpy(all, stepless, sizeof stepless);
     return all;
@@ -1782,10 +1938,18 @@ const struct models_model *models_find(const char *name)
     return NULL;
 }
 
+static bool is_adaptive(const struct models_plan *p)
+{
+    return p->model->method && p->model->method->adaptive;
+}
+
 void models_write(const struct models_plan *p, char text[MODELS_TEXT])
 {
     size_t used = (size_t)snprintf(text, MODELS_TEXT, "%s", p->model->name);
-    if (p->steps > 0)
+    if (p->tolerance > 0)
+        used += (size_t)snprintf(text + used, MODELS_TEXT - used, ":%g",
+                                 p->tolerance);
+    else if (p->steps > 0 && !is_adaptive(p))
         used += (size_t)snprintf(text + used, MODELS_TEXT - used, ":%llu",
                                  (unsigned long long)p->steps);
     for (size_t k = 0; k < MODELS_CUTS; ++k)
@@ -1846,6 +2010,18 @@ static bool list_models(char message[MODELS_MESSAGE], const char *word)
     return complain(message, word, names);
 }
 
+static bool read_tolerance(struct models_plan *p, const char *text,
+                           char message[MODELS_MESSAGE])
+{
+    char *end;
+    p->steps = 1;
+    p->tolerance = strtod(text, &end);
+    if (end != text && !*end && p->tolerance >= 1e-16 && p->tolerance <= 1)
+        return true;
+    return complain(message, text,
+                    "a tolerance of its own steps from 1e-16 to 1");
+}
+
 /* The first word: a model, and its steps where it has steps. */
 static bool read_model(struct models_plan *p, char word[MODELS_TEXT],
                        char message[MODELS_MESSAGE])
@@ -1858,6 +2034,8 @@ static bool read_model(struct models_plan *p, char word[MODELS_TEXT],
         return list_models(message, word);
     if (colon && p->model->family != MODELS_STEPS)
         return complain(message, colon + 1, "no steps with this model");
+    if (colon && p->model->method->adaptive)
+        return read_tolerance(p, colon + 1, message);
     p->steps = colon ? read_steps(colon + 1) : 0;
     if (colon && p->steps == 0)
         return complain(message, colon + 1,

@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 2658950259 of the lines below */
+/* checksum 3276181107 of the lines below */
 /* All ways to carry a scene, behind one door, and what each costs. */
 #ifndef MODELS_H
 #define MODELS_H
@@ -79,7 +79,10 @@ struct models_acts {
 struct models_plan {
     const struct models_model *model;
     unsigned cuts;
-    uint64_t steps; /* in each row; 0 for models without steps */
+    uint64_t steps;   /* in each row; 0 for models without steps */
+    double tolerance; /* of a method whose steps choose their length */
+    double little;    /* m: passages that move nobody so far do not count */
+    double left;      /* s: in this time */
 };
 
 enum { MODELS_TEXT = 256, MODELS_MESSAGE = 2048 };
@@ -128,6 +131,7 @@ struct models_run {
                             are counted by models_collisions only */
     double virial;           /* as in struct disks, J s; NaN if not known */
     double work[MODELS_UNITS];
+    uint64_t all; /* rows in the end; 0: not known. May be written */
     double limit; /* cost, s, at which a row ends as MODELS_COSTLY; may be
                      written */
     void *engine;
@@ -144,6 +148,9 @@ void models_cut(struct scene *s, unsigned cuts);
 /* How far the springs that would become rods swing, as s is now, m: added.
    turning: the largest rate at which one of them goes round, 1/s. */
 double models_swing(const struct scene *s, double *turning);
+
+/* Takes the springs out that would become rods. */
+void models_without_stiff(struct scene *s);
 
 /* Looks at what acts in a scene. */
 void models_analyse(struct models_acts *a, const struct scene *s);

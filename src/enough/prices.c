@@ -1,4 +1,4 @@
-/* From chapters/12-models.nw: edit there, then run make tangle. */
+/* From chapters/works/12-models.nw: edit there, then run make tangle. */
 /* checksum 2462982091 of the lines below */
 /* Times runs of many units, and takes off what is known of the others. */
 #include "enough/prices.h"

@@ -1,4 +1,4 @@
-/* From chapters/12-models.nw: edit there, then run make tangle. */
+/* From chapters/works/12-models.nw: edit there, then run make tangle. */
 /* checksum 1897913714 of the lines below */
 /* What a unit of work costs on this machine. */
 #ifndef PRICES_H

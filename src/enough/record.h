@@ -1,5 +1,5 @@
-/* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 2644823301 of the lines below */
+/* From chapters/works/12-choose.nw: edit there, then run make tangle. */
+/* checksum 4290681196 of the lines below */
 /* The rows of a run, and how far those of two runs are apart. */
 #ifndef RECORD_H
 #define RECORD_H
@@ -29,17 +29,11 @@ struct record {
     size_t reached; /* rows, but for that of the start */
     double *value;  /* [(rows + 1) * columns], so far as reached */
     double work[MODELS_UNITS];
-    double cost;     /* of them, s by the price list */
-    double speed;    /* the largest at any row, m/s; watched: at any step */
-    double watching; /* watched: of the looking itself, s by the price list;
-                        not in cost */
+    uint64_t
+        collisions;  /* of pairs and with walls, as the model counts them */
+    double cost;     /* of work, s by the price list */
     double seconds;  /* of this processor */
-    double turning;  /* watched: how fast a spring with a length turned
-                        round at most, 1/s */
     double clock;    /* as in struct models_run */
-    uint64_t missed; /* watched: contacts that no step has seen */
-    double swinging; /* watched: the rate of the fastest spring that can
-                        swing, or of what is damped and moves, 1/s */
     const char *why; /* NULL, or why it could not begin */
 };
 
@@ -49,13 +43,9 @@ struct record_order {
     struct models_plan plan;
     double every; /* s */
     size_t rows;
-    double limit;   /* cost, s by the price list */
-    bool converted; /* computed in other units, which no bit should know */
-    bool watched;   /* a row is cut into its steps, to see all speeds */
-    bool halfway;   /* rows end in the middle of a step: of a model with
-                       steps, if not watched */
-    double little;  /* m: what moves nobody by more does not matter, be it
-                       a missed contact or a spring that is stretched */
+    double limit; /* cost, s by the price list */
+    bool twin;    /* computed in other units, and with other last bits of
+                     what flies, which no row should know */
     /* NULL, or what it is compared with, to be given up beyond `apart` */
     const struct record *guide;
     double apart;
@@ -75,11 +65,21 @@ bool record_run(struct record *r, struct record_view *v,
                 const struct record_order *o);
 void record_free(struct record *r);
 
+/* Two runs row by row, until they have come apart by more than `apart`, a
+   share of the scale, or one of them has ended. */
+bool record_both(struct record *a, struct record *b, struct record_view *v,
+                 const struct record_order *oa,
+                 const struct record_order *ob, double apart);
+
 /* The largest difference of two records in all rows from the first to the
    last one, as a share of its scale; INFINITY if one has not come so far.
  */
 double record_apart(const struct record_view *v, const struct record *a,
                     const struct record *b, size_t first, size_t last);
+
+/* The size of the scene without the body, put into far, without which it is
+   smallest, m. */
+double record_scale_without(const struct scene *s, size_t *far);
 
 /* How many rows the two agree to within e. */
 size_t record_agree(const struct record_view *v, const struct record *a,

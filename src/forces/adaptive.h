@@ -1,5 +1,5 @@
 /* From chapters/works/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 3007781413 of the lines below */
+/* checksum 3534601451 of the lines below */
 /* Steps that choose their own length, and places between their ends. */
 #ifndef ADAPTIVE_H
 #define ADAPTIVE_H
@@ -35,6 +35,13 @@ struct adaptive {
     double *new_b, *new_guess; /* in the last step, and in a trial */
     struct adaptive_weights *weights;
     double *work;
+    /* ---- may be set: NULL, or the longest step from these places and
+       velocities, s; and 0, or so many evaluations after which no step is
+       taken */
+    double (*longest)(void *with, const double x[], const double v[],
+                      const double a[]);
+    void *with;
+    uint64_t most;
 };
 
 /* Prepares for an adaptive method m, which has to outlive it, as what the

@@ -1,10 +1,11 @@
 /* From chapters/works/12-bonk.nw: edit there, then run make tangle. */
-/* checksum 3650878449 of the lines below */
+/* checksum 1564169537 of the lines below */
 /* Carries a scene by the cheapest model that holds, and says why. */
 #include "enough/averages.h"
 #include "enough/choose.h"
 #include "scenes/scene.h"
 #include "toolbox/options.h"
+#include "toolbox/progress.h"
 #include "toolbox/program.h"
 #include "toolbox/table.h"
 
@@ -42,11 +43,8 @@ struct run {
     struct choose_request request;
     size_t judged; /* rows, of which the last one is written */
     struct choose_choice choice;
-    struct models_plan plan;
-    struct choose_known known; /* of the plan, unless planned */
-    bool planned;              /* the plan was given, with its steps */
-    struct choose_run done;
-    char refusal[CHOOSE_REFUSAL]; /* by the first check; or empty */
+    struct models_plan plan; /* that was asked for */
+    struct progress progress;
     struct mean mean[MEANS_MOST];
     size_t means; /* 0: a run is asked for */
     struct table *out, *summary, *chart;
@@ -98,9 +96,7 @@ static void read_model(struct run *r)
     if (why)
         program_refuse(PROGRAM, "--model: %s does not suit this scene: %s",
                        r->s->model, why);
-    r->planned = r->plan.model->family != MODELS_STEPS || r->plan.steps > 0;
-    if (!r->planned)
-        r->request.only = &r->plan;
+    r->request.only = &r->plan;
 }
 
 /* Reads mean:NAME,mean:NAME... */
@@ -147,6 +143,12 @@ static void read_scene(struct run *r)
                        r->s->scene);
 }
 
+static void show_progress(void *with, double spent)
+{
+    const uint64_t ms = (uint64_t)(1e3 * spent);
+    progress_update(with, ms, ms);
+}
+
 static void begin_run(struct run *r)
 {
     const struct settings *s = r->s;
@@ -156,7 +158,8 @@ static void begin_run(struct run *r)
                                          .until = s->until,
                                          .tolerance = s->tolerance,
                                          .reason = s->reason,
-                                         .all = s->chart != NULL};
+                                         .watch = show_progress,
+                                         .with = &r->progress};
     divide(r);
     if (asks_for_means(s)) {
         read_means(r);
@@ -203,61 +206,16 @@ static void tell_acts(const struct run *r)
 static void tell_asked(const struct run *r)
 {
     const struct choose_choice *c = &r->choice;
+    char plan[MODELS_TEXT];
     tell(r,
          "asked for: %s within %.3g of %.6g, in %zu rows up to t = %.10g\n",
          c->judged, r->s->tolerance, c->scale, c->rows, r->s->until);
-    if (c->scouts > 0)
-        tell(r, "scouts: %d; the fastest passage: %.3g per unit of time\n",
-             c->scouts, c->meeting);
-    if (c->growth > 0)
-        tell(r, "rounding: grows %.2g times, to %.2g\n", c->growth,
-             c->rounding);
+    if (c->reference.model) {
+        models_write(&c->reference, plan);
+        tell(r, "compared with: %s, sure to %.1e\n", plan, c->doubt);
+    }
     if (isfinite(c->horizon))
         tell(r, "horizon: t = %.10g\n", c->horizon);
-}
-
-static void tell_cuts(const struct run *r)
-{
-    const struct choose_choice *c = &r->choice;
-    if (c->cuts > 0)
-        tell(r, "what leaving out would do:   at most   measured\n");
-    for (size_t j = 0; j < c->cuts; ++j) {
-        char text[MODELS_TEXT];
-        const char *name = text;
-        for (unsigned k = 0; k < MODELS_CUTS; ++k)
-            if (c->cut[j].cut == 1u << k)
-                name = models_cut_names[k];
-        const struct choose_cut *of = &c->cut[j];
-        char bound[16], effect[16];
-        snprintf(bound, sizeof bound, isfinite(of->bound) ? "%.2e" : "-",
-                 of->bound);
-        snprintf(effect, sizeof effect,
-                 !of->measured          ? "-"
-                 : isfinite(of->effect) ? "%.2e"
-                                        : "too much",
-                 of->effect);
-        tell(r, "  %-26s %9s  %9s\n", name, bound, effect);
-    }
-}
-
-static void tell_stretch(const struct run *r)
-{
-    const struct choose_choice *c = &r->choice;
-    char plan[MODELS_TEXT];
-    if (c->promises > 0)
-        tell(r,
-             "on a stretch, %zu of %zu rows from t = %.6g:\n"
-             "                                error  order   would need"
-             "    cost, s\n",
-             c->stretch, c->rows, c->stretch_from);
-    for (size_t j = 0; j < c->promises; ++j) {
-        const struct choose_promise *p = &c->promise[j];
-        struct models_plan foot = c->candidate[p->candidate].plan;
-        foot.steps = p->steps;
-        models_write(&foot, plan);
-        tell(r, "  %-26s %9.2e  %5d   %10llu  %9.2e\n", plan, p->error,
-             p->order, (unsigned long long)p->needed, p->cost);
-    }
 }
 
 static void tell_candidates(const struct run *r)
@@ -279,25 +237,25 @@ static void tell_candidates(const struct run *r)
     }
 }
 
+static void tell_taken(const struct run *r)
+{
+    const struct choose_choice *c = &r->choice;
+    char text[CHOOSE_SENTENCE];
+    choose_sentence(c, r->s->tolerance, text);
+    tell(r, "taken %s\n", text);
+    tell(r,
+         "found: error %.2e, cost %.2e s\n"
+         "besides: deciding %.2e s\n",
+         c->candidate[c->taken].error, c->run.cost, c->spent - c->run.cost);
+}
+
 static void tell_choice(const struct run *r)
 {
     tell_acts(r);
     tell_asked(r);
-    tell_cuts(r);
-    tell_stretch(r);
     tell_candidates(r);
-}
-
-static void tell_found(const struct run *r)
-{
-    char plan[MODELS_TEXT];
-    models_write(&r->done.plan, plan);
-    if (r->done.refusal[0] == '\0')
-        tell(r, "taken: %s\n", plan);
-    tell(r,
-         "found: error %.2e, cost %.2e s\n"
-         "besides: deciding %.2e s, checking %.2e s\n",
-         r->done.error, r->done.cost, r->choice.deciding, r->done.checking);
+    if (r->choice.run.value)
+        tell_taken(r);
 }
 
 static void write_state_columns(struct run *r)
@@ -315,7 +273,7 @@ static void write_state_columns(struct run *r)
 static void write_head(struct run *r)
 {
     char plan[MODELS_TEXT], command[8192];
-    models_write(&r->done.plan, plan);
+    models_write(&r->choice.run.plan, plan);
     snprintf(command, sizeof command, "%s%s%s", r->s->command,
              r->s->model ? "" : " --model ", r->s->model ? "" : plan);
     table_begin(r->out, command, 0);
@@ -329,14 +287,14 @@ static void write_head(struct run *r)
 
 static bool write_rows(struct run *r)
 {
-    const struct choose_run *d = &r->done;
-    double *row = malloc((d->columns + 1) * sizeof *row);
+    const struct choose_choice *c = &r->choice;
+    double *row = malloc((c->columns + 1) * sizeof *row);
     bool good = row != NULL;
-    for (size_t j = 0; good && j <= d->rows; j += r->judged) {
+    for (size_t j = 0; good && j <= c->rows; j += r->judged) {
         row[0] = r->scene.time + (double)j * r->request.every;
-        memcpy(row + 1, d->value + j * d->columns,
-               d->columns * sizeof *row);
-        good = table_row(r->out, d->columns + 1, row);
+        memcpy(row + 1, c->run.value + j * c->columns,
+               c->columns * sizeof *row);
+        good = table_row(r->out, c->columns + 1, row);
     }
     free(row);
     return good;
@@ -366,11 +324,10 @@ static void write_chart(const struct run *r)
     write_chart_head(r);
     for (size_t j = 0; j < c->points; ++j) {
         const struct choose_point *p = &c->point[j];
-        struct models_plan plan = c->candidate[p->candidate].plan;
-        plan.steps = p->steps;
-        if (j > 0 && p->candidate != p[-1].candidate)
+        if (j > 0 && (p->plan.model != p[-1].plan.model ||
+                      p->plan.cuts != p[-1].plan.cuts))
             table_print(r->chart, "\n\n");
-        write_point(r, plan, p->error, p->cost, 0);
+        write_point(r, p->plan, p->error, p->cost, 0);
     }
     if (c->taken == c->candidates)
         return;
@@ -385,23 +342,20 @@ static void summarise(const struct run *r, const char *refusal)
     struct table *t = r->summary;
     char plan[MODELS_TEXT] = "none";
     if (!refusal)
-        models_write(&r->done.plan, plan);
+        models_write(&c->run.plan, plan);
     table_text(t, "end", refusal ? "refused" : "whole");
     table_text(t, "model", plan);
     table_real(t, "tolerance", r->s->tolerance);
-    table_text(t, "judged", c->judged ? c->judged : r->done.judged);
-    table_real(t, "scale", c->judged ? c->scale : r->done.scale);
-    if (!r->planned && c->taken < c->candidates)
-        table_real(t, "error_estimated", c->candidate[c->taken].error);
-    table_real(t, "error_found", r->done.error);
-    table_real(t, "cost", r->done.cost);
-    table_real(t, "deciding", c->deciding);
-    table_real(t, "checking", r->done.checking);
-    table_real(t, "growth", c->growth);
+    table_text(t, "judged", c->judged);
+    table_real(t, "scale", c->scale);
+    table_real(t, "error_found",
+               refusal ? INFINITY : c->candidate[c->taken].error);
+    table_real(t, "cost", c->run.cost);
+    table_real(t, "deciding", c->spent - c->run.cost);
+    table_real(t, "doubt", c->doubt);
     table_real(t, "rounding", c->rounding);
     table_real(t, "horizon", c->horizon);
-    table_count(t, "tightened", (uint64_t)r->done.tightened);
-    table_real(t, "seconds", r->done.seconds);
+    table_real(t, "seconds", c->run.seconds);
 }
 
 static const struct options_entry entries[] = {
@@ -421,14 +375,13 @@ static const struct options_entry entries[] = {
      "or in each part of one that is longer than a\n"
      "sixteenth of all)"},
     {"reason", 'r', "S",
-     "the dearest run that is reasonable, seconds by\n"
-     "the price list (600; 60 for averages)"},
+     "what deciding and the run may cost together,\n"
+     "seconds by the price list (600; 60 for averages)"},
     {"explain", 'x', NULL,
      "say what was looked at, and why; with -o FILE\n"
      "to standard output, else to standard error"},
     {"output", 'o', "FILE", "for the table (standard output)"},
     {"summary", 'S', "FILE", "for the results as lines: key value"},
-    {"", 0, NULL, "no --model"},
     {"chart", 'c', "FILE", "write the candidates: error and cost"},
     {0}};
 
@@ -442,14 +395,10 @@ static const struct table_key keys[] = {
     {"", "", "if --observe names no mean:"},
     {"judged", "word", "what the error is of"},
     {"scale", "its own", "what it is a share of"},
-    {"checking", "s", "of the check of the run, by the price list"},
-    {"growth", "1", "of a displacement at the start, in the run"},
-    {"rounding", "1", "what rounding does to the run, as error_found"},
+    {"doubt", "1", "of the run to compare others with; 0: none"},
+    {"rounding", "1", "what rounding does to a run without steps"},
     {"horizon", "time", "beyond which nothing can be said"},
-    {"tightened", "1", "times that the step was made finer"},
     {"seconds", "s", "processor time of the run"},
-    {"", "", "if the model was chosen, too:"},
-    {"error_estimated", "1", "before the run"},
     {0}};
 
 static bool same_file(const char *a, const char *b)
@@ -517,39 +466,32 @@ static void read_settings(struct settings *s, int argc, char *argv[])
     check_settings(&o, s);
 }
 
-static bool decide(struct run *r)
+static void warn(const struct run *r)
 {
-    const struct choose_choice *c = &r->choice;
-    if (r->planned)
-        return true;
-    if (!choose(&r->choice, &r->request))
-        program_leave(EXIT_FAILURE);
-    tell_choice(r);
-    if (c->taken == c->candidates)
-        return false;
-    r->plan = c->candidate[c->taken].plan;
-    r->known = choose_known(c, c->taken);
-    return true;
+    const struct choose_hidden *h = &r->choice.hidden;
+    const double e = r->s->tolerance;
+    if (h->a == h->b)
+        return;
+    fprintf(stderr,
+            PROGRAM ": %s: note: %g of the scale, %.6g, is more than what "
+                    "bodies %zu and %zu are apart at the start, %.3g; "
+                    "without body %zu the scale would be %.3g: --tolerance "
+                    "%.2g\n",
+            r->s->scene, e, r->choice.scale, h->a, h->b, h->apart, h->far,
+            h->without, e * h->without / r->choice.scale);
 }
 
 /* Returns NULL, or why there is no run. */
 static const char *carry(struct run *r)
 {
-    if (!decide(r))
-        return r->choice.refusal;
-    if (!choose_carry(&r->done, &r->request, &r->plan,
-                      r->planned ? NULL : &r->known, r->planned))
+    progress_begin(&r->progress, PROGRAM, (uint64_t)(1e3 * r->s->reason),
+                   "ms by the price list");
+    if (!choose(&r->choice, &r->request))
         program_leave(EXIT_FAILURE);
-    tell_found(r);
-    if (!r->planned && choose_again(&r->request, &r->choice, &r->done)) {
-        if (r->refusal[0] == '\0')
-            snprintf(r->refusal, sizeof r->refusal, "%s", r->done.refusal);
-        choose_free(&r->choice);
-        choose_run_free(&r->done);
-        const char *why = carry(r);
-        return why && r->refusal[0] != '\0' ? r->refusal : why;
-    }
-    return r->done.value ? NULL : r->done.refusal;
+    progress_end(&r->progress);
+    warn(r);
+    tell_choice(r);
+    return r->choice.run.value ? NULL : r->choice.refusal;
 }
 
 /* Hands out the rows, or says why there are none. */
@@ -688,14 +630,12 @@ static bool answer_means(struct run *r, const char **refusal)
 
 static bool answer_run(struct run *r, const char **refusal)
 {
-    r->done.plan = r->plan;
     *refusal = carry(r);
-    if (r->chart && !r->planned)
+    if (r->chart)
         write_chart(r);
     const bool good = hand_out(r, *refusal);
     summarise(r, *refusal);
     choose_free(&r->choice);
-    choose_run_free(&r->done);
     return good;
 }
 

@@ -1,5 +1,5 @@
 /* From chapters/works/12-atlas.nw: edit there, then run make tangle. */
-/* checksum 2317669107 of the lines below */
+/* checksum 1449644905 of the lines below */
 /* Maps of cost against true error, for every scene; prices of units. */
 #include "enough/choose.h"
 #include "scenes/gallery.h"
@@ -339,7 +339,8 @@ struct truth {
 static bool step_finely(struct path *p, const char *method, uint64_t n,
                         const struct scene *s, double every)
 {
-    const struct models_plan plan = {models_find(method), 0, n};
+    const struct models_plan plan = {.model = models_find(method),
+                                     .steps = n};
     struct scene fine;
     if (!scene_copy(&fine, s))
         fail("no memory for a scene");
@@ -552,7 +553,7 @@ static void climb_finely(struct map *m, struct models_plan plan)
 static void try_models(struct map *m, unsigned cuts, bool steps)
 {
     for (const struct models_model *k = models_all(); k->name; ++k) {
-        const struct models_plan plan = {k, cuts, 0};
+        const struct models_plan plan = {.model = k, .cuts = cuts};
         if (models_refuse(&plan, &m->scene))
             continue;
         if (k->family != MODELS_STEPS)
@@ -568,7 +569,7 @@ static bool find_sound(const struct map *m, struct models_plan *plan)
 {
     const struct point *best = NULL;
     for (const struct models_model *k = models_all(); k->name; ++k) {
-        const struct models_plan whole = {k, 0, 0};
+        const struct models_plan whole = {.model = k};
         const struct point *p = cheapest_of(m, &whole, 1e-4);
         if (p && k->family == MODELS_STEPS &&
             (!best || p->cost < best->cost))
@@ -582,7 +583,8 @@ static bool find_sound(const struct map *m, struct models_plan *plan)
 /* The error with this left out. Rods are a matter of leapfrog. */
 static double effect(struct map *m, unsigned cut)
 {
-    struct models_plan plan = {models_find("leapfrog"), cut, 0};
+    struct models_plan plan = {.model = models_find("leapfrog"),
+                               .cuts = cut};
     if (!(cut & MODELS_RODS) && !find_sound(m, &plan))
         return INFINITY;
     plan.cuts = cut;
@@ -644,14 +646,12 @@ static const struct point *finest(const struct map *m)
 struct pick {
     char plan[MODELS_TEXT]; /* or "refused" */
     struct point point;
-    double deciding, checking; /* s by the price list */
-    double horizon;            /* s; INFINITY: none was met */
+    double deciding; /* s by the price list */
+    double horizon;  /* s; INFINITY: none was met */
 };
 
-static void take_pick(struct pick *p, struct map *m,
-                      const struct choose_run *r)
+static void take_pick(struct pick *p, struct map *m, const struct record *r)
 {
-    p->checking = r->checking;
     if (!r->value || !follow(&m->path, &r->plan, &m->scene, m->every, 100))
         return;
     models_write(&r->plan, p->plan);
@@ -670,21 +670,13 @@ static void ask(struct pick *p, struct map *m, double tolerance)
                                      .tolerance = tolerance,
                                      .reason = 600};
     struct choose_choice c;
-    struct choose_run r;
     *p = (struct pick){.plan = "refused",
                        .point = {.cost = NAN, .error = NAN}};
     if (!choose(&c, &q))
         fail("no memory to choose");
-    p->deciding = c.deciding;
+    p->deciding = c.spent - c.run.cost;
     p->horizon = c.horizon;
-    if (c.taken < c.candidates) {
-        const struct choose_known known = choose_known(&c, c.taken);
-        if (!choose_carry(&r, &q, &c.candidate[c.taken].plan, &known,
-                          false))
-            fail("no memory to carry");
-        take_pick(p, m, &r);
-        choose_run_free(&r);
-    }
+    take_pick(p, m, &c.run);
     choose_free(&c);
 }
 
@@ -755,8 +747,7 @@ static void write_pick(const struct map *m, const struct pick *p, int k,
                 p->point.cost, text[0], best->cost,
                 p->point.cost / best->cost, text[1], most->error,
                 most->cost, most->cost / p->point.cost);
-    table_print(out, " %.4g %.4g %.4g\n", p->deciding, p->checking,
-                p->horizon);
+    table_print(out, " %.4g %.4g\n", p->deciding, p->horizon);
 }
 
 enum { SUBJECTS = sizeof subjects / sizeof subjects[0], LINE = 160 };
@@ -805,7 +796,7 @@ static void write_head(struct table *out)
                      "cost, the ratio;\n");
     table_print(out, "# the finest plain way, its error, its cost, the "
                      "ratio to the pick's;\n");
-    table_print(out, "# what deciding and checking cost (s); the horizon "
+    table_print(out, "# what deciding cost (s); the horizon "
                      "(s)\n# others: cost, error, plan\n");
 }
 

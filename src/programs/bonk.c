@@ -1,5 +1,5 @@
 /* From chapters/works/12-bonk.nw: edit there, then run make tangle. */
-/* checksum 1564169537 of the lines below */
+/* checksum 4025422478 of the lines below */
 /* Carries a scene by the cheapest model that holds, and says why. */
 #include "enough/averages.h"
 #include "enough/choose.h"
@@ -358,6 +358,22 @@ static void summarise(const struct run *r, const char *refusal)
     table_real(t, "seconds", c->run.seconds);
 }
 
+static char model_help[128 * STEPPING_MOST] =
+    "instead of choosing, with steps in each row (or in each\n"
+    "part of one that is longer than a sixteenth of all), or\n"
+    "a tolerance, and what to leave out: pefrl:24,no-light";
+
+/* The table of models is the only list of them. */
+static void list_models(void)
+{
+    char *help = model_help + strlen(model_help);
+    for (const struct models_model *m = models_all(); m->name; ++m)
+        help += sprintf(help, "\n%s: %s", m->name, m->about);
+    help += sprintf(help, "\nleaving out:");
+    for (size_t k = 0; k < MODELS_CUTS; ++k)
+        help += sprintf(help, k == 4 ? "\n%s" : " %s", models_cut_names[k]);
+}
+
 static const struct options_entry entries[] = {
     {"", 0, "SCENE", "a scene file; - is standard input"},
     {"until", 't', "T", "the time at which to stop"},
@@ -368,12 +384,7 @@ static const struct options_entry entries[] = {
     {"observe", 'O', "NAMES",
      "instead of all states: energy, momentum, x:3\n"
      "and others of step; or averages: mean:NAME"},
-    {"model", 'm', "PLAN",
-     "instead of choosing: free, kepler, oscillator,\n"
-     "relabel, modes, line, disks, or a method of step\n"
-     "but rk8pd, as in pefrl:24 (24 steps in each row,\n"
-     "or in each part of one that is longer than a\n"
-     "sixteenth of all)"},
+    {"model", 'm', "PLAN", model_help},
     {"reason", 'r', "S",
      "what deciding and the run may cost together,\n"
      "seconds by the price list (600; 60 for averages)"},
@@ -451,6 +462,7 @@ static void read_settings(struct settings *s, int argc, char *argv[])
 {
     struct options o;
     int option;
+    list_models();
     *s = (struct settings){
         .until = NAN, .tolerance = NAN, .summary = "/dev/null"};
     options_begin(&o, PROGRAM,

@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 2903816763 of the lines below */
+/* checksum 1697032029 of the lines below */
 /* What acts, what can be left out, and how each model carries a scene. */
 #include "enough/models.h"
 
@@ -1891,9 +1891,8 @@ static const struct models_model stepless[] = {
     {"oscillator", "one body on one spring, in closed form", MODELS_CLOSED,
      false, NULL, refuse_oscillator, begin_origin, row_oscillator,
      free_origin},
-    {"relabel", "equal bodies on a line: free flight, put in order",
-     MODELS_CLOSED, false, NULL, refuse_relabel, begin_relabel, row_relabel,
-     free_relabel},
+    {"relabel", "equal bodies on a line, put in order", MODELS_CLOSED,
+     false, NULL, refuse_relabel, begin_relabel, row_relabel, free_relabel},
     {"modes", "small vibrations of springs about their rest", MODELS_CLOSED,
      true, NULL, refuse_modes, begin_modes, row_modes, end_modes},
     {"line", "collisions on a line, one by one", MODELS_EVENTS, false, NULL,

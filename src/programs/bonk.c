@@ -1,5 +1,5 @@
 /* From chapters/works/12-bonk.nw: edit there, then run make tangle. */
-/* checksum 4025422478 of the lines below */
+/* checksum 2192830254 of the lines below */
 /* Carries a scene by the cheapest model that holds, and says why. */
 #include "enough/averages.h"
 #include "enough/choose.h"
@@ -359,9 +359,10 @@ static void summarise(const struct run *r, const char *refusal)
 }
 
 static char model_help[128 * STEPPING_MOST] =
-    "instead of choosing, with steps in each row (or in each\n"
-    "part of one that is longer than a sixteenth of all), or\n"
-    "a tolerance, and what to leave out: pefrl:24,no-light";
+    "instead of choosing: one of these; with steps in\n"
+    "each row (or in each part of one longer than a\n"
+    "sixteenth of the run) or a tolerance of its own\n"
+    "steps, and what to leave out: pefrl:24,no-light";
 
 /* The table of models is the only list of them. */
 static void list_models(void)

@@ -1,5 +1,5 @@
 /* From chapters/works/12-choose.nw: edit there, then run make tangle. */
-/* checksum 4240543876 of the lines below */
+/* checksum 958287325 of the lines below */
 /* Exact ways, two runs that agree, and ladders judged by them. */
 #include "enough/choose.h"
 
@@ -93,7 +93,7 @@ static const char *ending(const struct record *r)
 {
     return r->why                        ? r->why
            : r->end == MODELS_STANDSTILL ? "collisions without end"
-           : r->end == MODELS_COSTLY     ? "too expensive"
+           : r->end == MODELS_COSTLY     ? "more expensive than the best"
            : r->end == MODELS_MEMORY     ? "no memory"
            : r->end == MODELS_BROKEN     ? "breaks down"
                                          : "";
@@ -364,7 +364,7 @@ static struct tried try_plan(const struct task *t,
     if (whole(t, &r)) {
         seen.error = apart(t, &r, &f->run) + f->doubt;
         offer(t, k, &r, seen.error);
-    } else
+    } else if (!k->holds)
         say(k, ending(&r));
     record_free(&r);
     return seen;
@@ -926,11 +926,11 @@ void choose_sentence(const struct choose_choice *c, double tolerance,
         return;
     models_write(&other->plan, plan);
     plan[strcspn(plan, ":")] = '\0';
-    if (price < 1.05 * c->run.cost)
-        snprintf(text + used, CHOOSE_SENTENCE - (size_t)used,
-                 "; %s would cost as much", plan);
-    else
-        snprintf(text + used, CHOOSE_SENTENCE - (size_t)used,
-                 "; %s would cost %.2g times as much", plan,
-                 price / c->run.cost);
+    char times[40] = "";
+    if (price > 1000 * c->run.cost)
+        snprintf(times, sizeof times, "over a thousand times ");
+    else if (price > 1.05 * c->run.cost)
+        snprintf(times, sizeof times, "%.2g times ", price / c->run.cost);
+    snprintf(text + used, CHOOSE_SENTENCE - (size_t)used,
+             "; %s would cost %sas much", plan, times);
 }

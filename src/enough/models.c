@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 1697032029 of the lines below */
+/* checksum 2899582882 of the lines below */
 /* What acts, what can be left out, and how each model carries a scene. */
 #include "enough/models.h"
 
@@ -1566,13 +1566,92 @@ static const char *refuse_leapfrog(const struct scene *s,
     return why;
 }
 
+/* A body, and how far it is from the heaviest one. */
+struct distant {
+    double square; /* m^2 */
+    size_t body;
+};
+
+static int nearer(const void *one, const void *other)
+{
+    const struct distant *a = one, *b = other;
+    if (a->square != b->square)
+        return a->square < b->square ? -1 : 1;
+    return a->body < b->body ? -1 : a->body > b->body;
+}
+
+static double square_between(const struct scene *s, size_t i, size_t j)
+{
+    double sum = 0;
+    for (size_t k = 0; k < SCENE_AXES; ++k) {
+        const double d =
+            s->position[at(s, k, i)] - s->position[at(s, k, j)];
+        sum += d * d;
+    }
+    return sum;
+}
+
+/* The heaviest body, then the others from the inside outwards, whatever
+   their numbers are. NULL without memory. */
+static struct distant *order_outwards(const struct scene *s)
+{
+    struct distant *order = malloc(s->bodies * sizeof *order);
+    size_t centre = 0;
+    for (size_t i = 1; i < s->bodies; ++i)
+        if (s->mass[i] > s->mass[centre])
+            centre = i;
+    for (size_t i = 0; order && i < s->bodies; ++i)
+        order[i] = (struct distant){square_between(s, i, centre), i};
+    if (order)
+        qsort(order, s->bodies, sizeof *order, nearer);
+    return order;
+}
+
+static void put_in_order(struct scene *to, const struct scene *from,
+                         const struct distant order[])
+{
+    const size_t n = to->bodies;
+    for (size_t i = 0; i < n; ++i) {
+        to->mass[i] = from->mass[order[i].body];
+        for (size_t k = 0; k < SCENE_AXES; ++k) {
+            const size_t c = at(from, k, order[i].body);
+            to->position[k * n + i] = from->position[c];
+            to->velocity[k * n + i] = from->velocity[c];
+        }
+    }
+}
+
+static void put_back(struct scene *to, const struct scene *from,
+                     const struct distant order[])
+{
+    const size_t n = to->bodies;
+    for (size_t i = 0; i < n; ++i)
+        for (size_t k = 0; k < SCENE_AXES; ++k) {
+            const size_t c = at(to, k, order[i].body);
+            to->position[c] = from->position[k * n + i];
+            to->velocity[c] = from->velocity[k * n + i];
+        }
+}
+
 static const char *refuse_orbits(const struct scene *s,
                                  const struct models_acts *a, unsigned cuts)
 {
     const char *why = refuse_steps(s, a, cuts);
+    struct scene other;
     if (!why && (cuts & MODELS_NO_LIGHT))
         why = "it does not ask who pulls";
-    return why ? why : jacobi_refuses(s);
+    if (why)
+        return why;
+    struct distant *order = order_outwards(s);
+    if (!order || !scene_copy(&other, s)) {
+        free(order);
+        return no_memory;
+    }
+    put_in_order(&other, s, order);
+    why = jacobi_refuses(&other);
+    scene_free(&other);
+    free(order);
+    return why;
 }
 
 /* Steps of one of chapter 8's methods, or of rods. */
@@ -1586,6 +1665,7 @@ struct steps {
         const struct scene *scene;
         double little, left;
     } passages;
+    struct distant *order; /* of orbits, or NULL */
     bool lights, rodded;
     uint64_t evaluations, corrections, tested; /* counted so far */
 };
@@ -1597,6 +1677,7 @@ static void end_steps(struct models_run *r)
         light_free(&t->light);
     if (t->rodded)
         rods_free(&t->rods);
+    free(t->order);
     motion_end(&t->motion);
     scene_free(&t->scene);
     free(t);
@@ -1714,6 +1795,11 @@ static bool begin_motion(struct steps *t, struct models_run *r,
     struct scene *s = &t->scene;
     if (!scene_copy(s, &r->scene))
         return false;
+    if (r->plan.model->method->orbits) {
+        if (!(t->order = order_outwards(&r->scene)))
+            return false;
+        put_in_order(s, &r->scene, t->order);
+    }
     if (!motion_begin(&t->motion, "models", s, r->plan.model->name,
                       r->every / (double)steps_of(&r->plan)))
         return false;
@@ -1874,7 +1960,10 @@ static enum models_end row_steps(struct models_run *r)
     if (end == MODELS_DONE && t->rodded &&
         !rods_project(&t->rods, s->position, s->velocity))
         return MODELS_BROKEN;
-    scene_take_state(&r->scene, s);
+    if (t->order)
+        put_back(&r->scene, s, t->order);
+    else
+        scene_take_state(&r->scene, s);
     if (t->lights)
         light_leave(&t->light, s, r->elapsed, r->scene.position,
                     r->scene.velocity);

@@ -1,4 +1,4 @@
-/* From chapters/12-models.nw: edit there, then run make tangle. */
+/* From chapters/works/12-models-parts.nw: edit there, then run make tangle. */
 /* checksum 351881293 of the lines below */
 /* Motions in closed form: flight, an oscillator, equal points on a line. */
 #ifndef CLOSED_H

@@ -1,4 +1,4 @@
-/* From chapters/12-models.nw: edit there, then run make tangle. */
+/* From chapters/works/12-models-parts.nw: edit there, then run make tangle. */
 /* checksum 3995856275 of the lines below */
 /* Light bodies that pull nobody, each alone with all that is inside it. */
 #ifndef LIGHT_H

@@ -1,4 +1,4 @@
-/* From chapters/12-models.nw: edit there, then run make tangle. */
+/* From chapters/works/12-models-parts.nw: edit there, then run make tangle. */
 /* checksum 3276181107 of the lines below */
 /* All ways to carry a scene, behind one door, and what each costs. */
 #ifndef MODELS_H

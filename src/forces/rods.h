@@ -1,4 +1,4 @@
-/* From chapters/12-models.nw: edit there, then run make tangle. */
+/* From chapters/works/12-models-parts.nw: edit there, then run make tangle. */
 /* checksum 4228465226 of the lines below */
 /* Stiff springs as rods that keep their length, in steps of leapfrog. */
 #ifndef RODS_H

@@ -132,6 +132,13 @@ grep '{c}{{Includes}.*nwixu.*nwixd.*nwixd' build/works/indexes.tex |
     grep -v 'nwixu.*nwixu' | grep -vq 'nwixd.*nwixd.*nwixd' &&
     echo 'ok weave: the index has one place of a kind in the book' ||
     echo 'not ok weave: the index has one place of a kind in the book - others'
+# A second file of Works goes with the same chapter.
+printf '%s\n' '\chapter{More}' '<<more.c>>=' '<<Call [[hit_it]] once>>' '@' \
+    >chapters/works/02-two-more.nw
+chapters/press/weave &&
+    echo 'ok weave: a chapter may have two files of Works' ||
+    echo 'not ok weave: a chapter may have two files of Works - refused'
+rm chapters/works/02-two-more.nw
 # said FILE LINE MESSAGE: with this line at its end the file is refused.
 said() {
     cp "$1" "$scratch/kept"
@@ -156,4 +163,4 @@ said chapters/01-one.nw '\label{sec:one}' \
     '\label{sec:one} stands already in chapters/01-one.nw:11'
 said chapters/works/02-two.nw '\label{sec:one}' \
     '\label{sec:one} stands in the book, too: chapters/01-one.nw:11'
-echo 1..30
+echo 1..31

@@ -95,6 +95,14 @@ holds 'a file is made of chunks of both volumes' \
     test "$(tail -n +3 src/both.c | tr '\n' ' ')" = 'int from_book; int two; int from_works; '
 holds 'it comes from the chapter of the book' first_line both.c $chapter
 holds 'a file of Works alone comes from there' first_line alone.c $works
+more=chapters/works/01-collide-more.nw
+printf '%s\n' '<<both.c>>=' 'int more;' '<<more.c>>=' 'int own;' '@' >$more
+chapters/press/tangle >"$work/out" 2>&1
+holds 'a chapter may have several files of Works' \
+    test "$(tail -n +3 src/both.c | tr '\n' ' ')" = \
+    'int from_book; int two; int from_works; int more; '
+holds 'a file of the second one comes from there' first_line more.c $more
+rm $more src/more.c
 sed 's/^<<of-works.h>>=$/<<One more>>=/' $chapter >"$work/less.nw"
 cp "$work/less.nw" $chapter
 printf '%s\n' '<<of-works.h>>=' '<<One more>>' '@' >>$works
@@ -106,4 +114,4 @@ holds '-L names either file' sh -c "grep -c -e '\"$chapter\"' $work/lines/both.c
     grep -c -e '\"$works\"' $work/lines/both.c"
 printf '<<Lost>>=\nint x;\n@\n' >>$works
 fails 'a chunk of Works that nothing uses is refused' 'works/01.*Lost.*never used'
-echo 1..18
+echo 1..20

@@ -1,5 +1,5 @@
 /* From chapters/works/12-choose.nw: edit there, then run make tangle. */
-/* checksum 958287325 of the lines below */
+/* checksum 327727532 of the lines below */
 /* Exact ways, two runs that agree, and ladders judged by them. */
 #include "enough/choose.h"
 
@@ -162,7 +162,7 @@ static void run_twins(const struct task *t, struct models_plan plan,
 {
     const struct record_order one = order_of(t, plan, limit);
     struct record_order other = one;
-    other.twin = true;
+    other.twin = 1;
     record_both(a, b, t->view, &one, &other, t->q->tolerance / doubled);
     pay(t, a);
     pay(t, b);
@@ -196,6 +196,25 @@ static bool is_worth(const struct task *t, const struct record *a)
     return held && 2 * price <= left_of(t);
 }
 
+/* How far the run is from a twin that is turned round. */
+static double turned(const struct task *t, const struct record *a)
+{
+    struct record c;
+    struct record_order o = order_of(t, a->plan, INFINITY);
+    if (!t->q->scene->contact)
+        return 0;
+    o.twin = -1;
+    o.guide = a;
+    o.apart = t->q->tolerance / doubled;
+    run(t, &c, &o);
+    t->c->forks = record_agree(t->view, a, &c, o.apart) < t->rows;
+    if (t->c->forks)
+        note_horizon(t, a, &c, o.apart);
+    const double by = apart(t, a, &c);
+    record_free(&c);
+    return by;
+}
+
 static void judge_twins(const struct task *t, struct choose_candidate *k,
                         struct record *a, struct record *b)
 {
@@ -205,10 +224,14 @@ static void judge_twins(const struct task *t, struct choose_candidate *k,
     if (parted && k->plan.model->family == MODELS_EVENTS)
         note_horizon(t, a, b, within);
     if (whole(t, a) && whole(t, b)) {
-        const double error = doubled * apart(t, a, b) + slip(t, a);
+        const double error =
+            doubled * fmax(apart(t, a, b), turned(t, a)) + slip(t, a);
         t->c->rounding = error;
         offer(t, k, a, error);
-        snprintf(k->text, sizeof k->text, "rounding %.1e", error);
+        if (t->c->forks)
+            say(k, "the order of collisions at one moment decides");
+        else
+            snprintf(k->text, sizeof k->text, "rounding %.1e", error);
     } else if (parted)
         say(k, "rounding grows beyond e");
     else
@@ -616,7 +639,7 @@ static void run_pair(const struct task *t, struct reference *f,
     const struct record_order a = order_of(t, plan, INFINITY);
     struct record_order b = a;
     b.plan = finer_reference(plan);
-    b.twin = true;
+    b.twin = 1;
     record_both(&f->coarser, &f->run, t->view, &a, &b, t->q->tolerance);
     pay(t, &f->coarser);
     pay(t, &f->run);
@@ -662,6 +685,25 @@ static bool find_cheap(const struct task *t, struct reference *f)
            (find_even(t, f, "leapfrog") || find_even(t, f, "kahan-li8"));
 }
 
+/* Does the order of collisions at one moment decide? */
+static bool forks(const struct task *t, struct reference *f)
+{
+    struct record c;
+    struct record_order o = order_of(t, f->coarser.plan, INFINITY);
+    const double within = t->q->tolerance / doubled;
+    if (!t->q->scene->contact)
+        return false;
+    o.twin = -1;
+    run(t, &c, &o);
+    t->c->forks = record_agree(t->view, &f->run, &c, within) < t->rows;
+    if (t->c->forks)
+        note_horizon(t, &f->run, &c, within);
+    else
+        f->doubt = fmax(f->doubt, apart(t, &f->run, &c));
+    record_free(&c);
+    return t->c->forks;
+}
+
 /* Finer and finer runs, until two agree. False: they do not; if that is
    no horizon, the refusal says what it is. */
 static bool find_reference(const struct task *t, struct reference *f)
@@ -685,7 +727,7 @@ static bool find_reference(const struct task *t, struct reference *f)
         }
         f->doubt = apart(t, &f->coarser, &f->run);
         if (f->doubt <= share * t->q->tolerance)
-            return true;
+            return !forks(t, f);
         if (is_finest(&f->run.plan))
             break;
         record_free(&f->coarser);
@@ -792,9 +834,12 @@ static void refuse(const struct task *t)
         return;
     if (c->horizon < INFINITY)
         snprintf(c->refusal, sizeof c->refusal,
-                 "horizon: from t = %.10g on rounding decides by more than "
+                 "horizon: from t = %.10g on %s decides by more than "
                  "%.3g what happens; spent: %.2g s",
-                 c->horizon, t->q->tolerance, c->spent);
+                 c->horizon,
+                 c->forks ? "the order of collisions at one moment"
+                          : "rounding",
+                 t->q->tolerance, c->spent);
     else
         snprintf(c->refusal, sizeof c->refusal,
                  "no model holds %.3g; spent: %.2g s by the price list",

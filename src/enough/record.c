@@ -1,5 +1,5 @@
 /* From chapters/works/12-choose.nw: edit there, then run make tangle. */
-/* checksum 938147668 of the lines below */
+/* checksum 3068622970 of the lines below */
 /* Each column is judged by a scale; a run may be in other units. */
 #include "enough/record.h"
 
@@ -296,6 +296,60 @@ static void convert_forces(struct scene *s)
     s->damping *= m;
 }
 
+/* Coordinate c of a body, where the last body is the first one. */
+static size_t renamed(size_t n, size_t c)
+{
+    return c / n * n + (n - 1 - c % n);
+}
+
+/* Puts rows of n numbers the other way round, and multiplies them. */
+static void reverse(double a[], size_t rows, size_t n, double by)
+{
+    for (size_t r = 0; a && r < rows; ++r)
+        for (size_t i = 0; i < n; ++i) {
+            const size_t c = r * n + i, d = r * n + (n - 1 - i);
+            if (c > d)
+                continue;
+            const double other = by * a[c];
+            a[c] = by * a[d];
+            a[d] = c == d ? a[c] : other;
+        }
+}
+
+static void turn_box(struct scene *s)
+{
+    for (size_t k = 0; k < SCENE_AXES; ++k) {
+        const double low = s->low[k];
+        s->low[k] = -s->high[k];
+        s->high[k] = -low;
+        s->gravity[k] *= -1;
+    }
+}
+
+/* The scene from the other side, with the last body as the first one. */
+static void turn_round(struct scene *s)
+{
+    const size_t n = s->bodies;
+    reverse(s->mass, 1, n, 1);
+    reverse(s->charge, 1, n, 1);
+    reverse(s->radius, 1, n, 1);
+    reverse(s->position, 3, n, -1);
+    reverse(s->velocity, 3, n, -1);
+    reverse(s->carry, 6, n, -1);
+    reverse(s->kept, 3, n, -1);
+    for (size_t c = 0; c < SCENE_AXES * n; ++c)
+        if (c < renamed(n, c)) {
+            const unsigned char other = s->freedom[c];
+            s->freedom[c] = s->freedom[renamed(n, c)];
+            s->freedom[renamed(n, c)] = other;
+        }
+    for (size_t j = 0; j < s->springs; ++j) {
+        s->spring[j].a = (uint32_t)(n - 1 - s->spring[j].a);
+        s->spring[j].b = (uint32_t)(n - 1 - s->spring[j].b);
+    }
+    turn_box(s);
+}
+
 static double between(double a, double b, double turn)
 {
     const double d = fabs(a - b);
@@ -339,7 +393,7 @@ size_t record_agree(const struct record_view *v, const struct record *a,
 
 static double unit_of(const struct record_order *o)
 {
-    return o->twin ? unit_length : 1;
+    return o->twin == 0 ? 1 : o->twin > 0 ? unit_length : -unit_length;
 }
 
 static void copy_states(const struct scene *s, double to[])
@@ -362,8 +416,9 @@ static void look(struct record *r, struct record_view *v,
     double *to = r->value + r->reached * v->columns;
     struct scene *s = &v->scene;
     for (size_t c = 0; c < SCENE_AXES * s->bodies; ++c) {
-        s->position[c] = now->position[c] / unit;
-        s->velocity[c] = now->velocity[c] / unit;
+        const size_t from = o->twin < 0 ? renamed(s->bodies, c) : c;
+        s->position[c] = now->position[from] / unit;
+        s->velocity[c] = now->velocity[from] / unit;
     }
     if (v->asked) {
         v->motion.stepping.start =
@@ -423,6 +478,8 @@ static void begin_way(struct way *w, struct record_view *v)
         convert_bodies(&w->twin);
         convert_forces(&w->twin);
         move_last_bits(&w->twin);
+        if (o->twin < 0)
+            turn_round(&w->twin);
     }
     struct models_plan plan = o->plan;
     if (o->twin)

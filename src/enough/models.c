@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 2899582882 of the lines below */
+/* checksum 3463373081 of the lines below */
 /* What acts, what can be left out, and how each model carries a scene. */
 #include "enough/models.h"
 
@@ -1885,11 +1885,21 @@ static void count_steps(struct models_run *r, struct steps *t,
 
 enum { STEPS_AT_A_TIME = 256 };
 
-/* Will the run cost twice what it may, if it goes on like this? */
-static bool is_hopeless(const struct models_run *r, uint64_t left)
+/* How far it is, in rows: a step of its own length may be beyond. */
+static double rows_done(const struct models_run *r, const struct steps *t,
+                        uint64_t left)
 {
     const double row = (double)steps_of(&r->plan);
+    const struct adaptive *own = t->motion.stepping.own;
     const double done = (double)r->rows + (row - (double)left) / row;
+    return own ? fmax(done, own->t / r->every) : done;
+}
+
+/* Will the run cost twice what it may, if it goes on like this? */
+static bool is_hopeless(const struct models_run *r, const struct steps *t,
+                        uint64_t left)
+{
+    const double done = rows_done(r, t, left);
     const double cost = models_cost(r->work);
     const double all = cost / done * (double)r->all;
     return r->plan.model->method->adaptive
@@ -1946,7 +1956,7 @@ static enum models_end run_steps(struct models_run *r, struct steps *t)
         if (end != STEPPING_DONE)
             return broken(t);
         left -= now;
-        if (is_costly(r) || is_hopeless(r, left))
+        if (is_costly(r) || is_hopeless(r, t, left))
             return MODELS_COSTLY;
     }
     return MODELS_DONE;

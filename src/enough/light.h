@@ -1,6 +1,6 @@
 /* From chapters/works/12-models-parts.nw: edit there, then run make tangle. */
-/* checksum 3995856275 of the lines below */
-/* Light bodies that pull nobody, each alone with all that is inside it. */
+/* checksum 806350987 of the lines below */
+/* Light bodies that do not pull, each alone with all that is inside it. */
 #ifndef LIGHT_H
 #define LIGHT_H
 
@@ -25,8 +25,8 @@ struct light {
     double fall[SCENE_AXES];   /* its acceleration, m/s^2 */
 };
 
-/* Sorts the bodies of s: is_heavy[i] says who pulls, which somebody must.
-   moving: nobody is held and nothing but gravity and weight acts. Returns
+/* Sorts the bodies of s: is_heavy[i] says which pull; one must. moving:
+   none is held and nothing but gravity and weight acts. Returns
    false, with nothing to free, when there is no memory. */
 bool light_create(struct light *l, const struct scene *s,
                   const bool is_heavy[], bool moving);

@@ -1,5 +1,5 @@
 /* From chapters/works/12-models-parts.nw: edit there, then run make tangle. */
-/* checksum 3276181107 of the lines below */
+/* checksum 3871311455 of the lines below */
 /* All ways to carry a scene, behind one door, and what each costs. */
 #ifndef MODELS_H
 #define MODELS_H
@@ -46,7 +46,7 @@ extern const struct models_price models_prices[MODELS_UNITS];
 enum models_cut {
     MODELS_NO_SOFTENING = 1,
     MODELS_NO_LIGHT = 2,    /* bodies lighter than a hundredth of the
-                               heaviest pull nobody */
+                               heaviest do not pull */
     MODELS_NO_FRICTION = 4, /* the line damp */
     MODELS_NO_DASHPOTS = 8,
     MODELS_NO_WEAK = 16,    /* springs of less than a hundredth of the

@@ -1,5 +1,5 @@
 /* From chapters/works/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1892073377 of the lines below */
+/* checksum 1001545182 of the lines below */
 /* Exact ways, two runs that agree, and ladders judged by them. */
 #include "enough/choose.h"
 
@@ -160,7 +160,8 @@ static double slip(const struct task *t, const struct record *r)
 static void run_twins(const struct task *t, struct models_plan plan,
                       double limit, struct record *a, struct record *b)
 {
-    const struct record_order one = order_of(t, plan, limit);
+    const struct record_order one =
+        order_of(t, plan, fmin(limit, left_of(t) / 2));
     struct record_order other = one;
     other.twin = 1;
     record_both(a, b, t->view, &one, &other, t->q->tolerance / doubled);
@@ -207,7 +208,8 @@ static double turned(const struct task *t, const struct record *a)
     o.guide = a;
     o.apart = t->q->tolerance / doubled;
     run(t, &c, &o);
-    t->c->forks = record_agree(t->view, a, &c, o.apart) < t->rows;
+    t->c->forks = c.end == MODELS_DONE &&
+                  record_agree(t->view, a, &c, o.apart) < t->rows;
     if (t->c->forks)
         note_horizon(t, a, &c, o.apart);
     const double by = apart(t, a, &c);
@@ -638,7 +640,7 @@ static void refuse_reference(const struct task *t, const struct record *r)
 static void run_pair(const struct task *t, struct reference *f,
                      struct models_plan plan)
 {
-    const struct record_order a = order_of(t, plan, INFINITY);
+    const struct record_order a = order_of(t, plan, left_of(t) / 2);
     struct record_order b = a;
     b.plan = finer_reference(plan);
     b.twin = 1;
@@ -697,13 +699,16 @@ static bool forks(const struct task *t, struct reference *f)
         return false;
     o.twin = -1;
     run(t, &c, &o);
-    t->c->forks = record_agree(t->view, &f->run, &c, within) < t->rows;
+    const bool part = record_agree(t->view, &f->run, &c, within) < t->rows;
+    t->c->forks = part && c.end == MODELS_DONE;
     if (t->c->forks)
         note_horizon(t, &f->run, &c, within);
+    else if (part)
+        refuse_reference(t, &c);
     else
         f->doubt = fmax(f->doubt, apart(t, &f->run, &c));
     record_free(&c);
-    return t->c->forks;
+    return part;
 }
 
 /* Finer and finer runs, until two agree. False: they do not; if that is
@@ -819,7 +824,8 @@ static void decide(const struct task *t)
     if (t->c->run.value && t->c->horizon < INFINITY &&
         t->c->run.plan.model->family == MODELS_EVENTS)
         record_free(&t->c->run); /* another way has seen it fork */
-    if (t->c->run.value || (t->c->horizon < INFINITY && !falls))
+    if (t->c->run.value || (t->c->horizon < INFINITY && !falls) ||
+        !(left_of(t) > 0))
         return;
     if (find_reference(t, &f))
         compare(t, &f);
@@ -842,6 +848,12 @@ static void refuse(const struct task *t)
                  c->forks ? "the order of collisions at one moment"
                           : "rounding",
                  t->q->tolerance, c->spent);
+    else if (left_of(t) < 0.1 * t->q->reason)
+        snprintf(
+            c->refusal, sizeof c->refusal,
+            "beyond reason: no run and its proof cost less than %.3g s "
+            "by the price list; spent: %.2g s",
+            t->q->reason, c->spent);
     else
         snprintf(c->refusal, sizeof c->refusal,
                  "no model holds %.3g; spent: %.2g s by the price list",

@@ -1,4 +1,4 @@
-/* From chapters/works/12-choose.nw: edit there, then run make tangle. */
+/* From chapters/12-choose.nw: edit there, then run make tangle. */
 /* checksum 1001545182 of the lines below */
 /* Exact ways, two runs that agree, and ladders judged by them. */
 #include "enough/choose.h"

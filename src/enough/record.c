@@ -1,4 +1,4 @@
-/* From chapters/works/12-choose.nw: edit there, then run make tangle. */
+/* From chapters/12-choose.nw: edit there, then run make tangle. */
 /* checksum 3068622970 of the lines below */
 /* Each column is judged by a scale; a run may be in other units. */
 #include "enough/record.h"

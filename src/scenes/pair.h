@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 3893592450 of the lines below */
+/* checksum 2239053868 of the lines below */
 /* Two bodies as the first one sees the second: how near they pass. */
 #ifndef PAIR_H
 #define PAIR_H
@@ -25,6 +25,5 @@ static inline double pair_nearest2(const struct pair *p)
 {
     return fmax(p->r2 - p->rv * p->rv / p->v2, 0);
 }
-
 
 #endif

@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1001545182 of the lines below */
+/* checksum 618724609 of the lines below */
 /* Exact ways, two runs that agree, and ladders judged by them. */
 #include "enough/choose.h"
 
@@ -141,7 +141,7 @@ static const double doubled = 2;    /* times what last bits change */
 static const double patience = 0.1; /* s: a run that may be in vain */
 
 /* What clocks do to a run that are wrong by their roundings:
-   (12.9, eq:choose-slip). */
+   (12.13, eq:choose-slip). */
 static double slip(const struct task *t, const struct record *r)
 {
     const double late_by = 0x1p-40;
@@ -983,13 +983,17 @@ void choose_sentence(const struct choose_choice *c, double tolerance,
     const struct choose_candidate *other = next_best(c, &price);
     if (!other)
         return;
-    models_write(&other->plan, plan);
-    plan[strcspn(plan, ":")] = '\0';
+    const double ratio = price / c->run.cost;
+    struct models_plan way = other->plan;
     char times[40] = "";
-    if (price > 1000 * c->run.cost)
+    way.steps = 0;
+    way.tolerance = 0;
+    models_write(&way, plan);
+    if (ratio > 1000)
         snprintf(times, sizeof times, "over a thousand times ");
-    else if (price > 1.05 * c->run.cost)
-        snprintf(times, sizeof times, "%.2g times ", price / c->run.cost);
+    else if (ratio > 1.05)
+        snprintf(times, sizeof times,
+                 ratio < 99 ? "%.2g times " : "%.0f times ", ratio);
     snprintf(text + used, CHOOSE_SENTENCE - (size_t)used,
              "; %s would cost %sas much", plan, times);
 }

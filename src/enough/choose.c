@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 618724609 of the lines below */
+/* checksum 2126860248 of the lines below */
 /* Exact ways, two runs that agree, and ladders judged by them. */
 #include "enough/choose.h"
 
@@ -31,6 +31,8 @@ static double left_of(const struct task *t)
 static struct record_order order_of(const struct task *t,
                                     struct models_plan plan, double limit)
 {
+    plan.little = 0.1 * t->q->tolerance * t->view->length;
+    plan.left = (double)t->rows * t->q->every;
     return (struct record_order){.scene = t->q->scene,
                                  .plan = plan,
                                  .every = t->q->every,
@@ -433,12 +435,13 @@ static double slope_of(const struct ladder *l, const struct bracket *b)
 {
     const struct stepping_method *m = l->foot.model->method;
     const double usual = m->adaptive ? 1 : m->order;
+    const double most = m->orbits ? 8 : 1.2 * usual;
     if (!b->before || !(b->last->error > 0))
         return usual;
     const double more =
         fineness(&b->last->plan) - fineness(&b->before->plan);
     const double slope = log2(b->before->error / b->last->error) / more;
-    return fmin(slope, 1.2 * usual);
+    return fmin(slope, most);
 }
 
 /* By how many octaves the cost rises with one of fineness. */
@@ -602,8 +605,6 @@ static struct models_plan first_reference(const struct task *t)
     if (p.tolerance > 0)
         p.tolerance =
             tolerance_for(fmax(1e-8, fmin(1e-3, t->q->tolerance)));
-    p.little = 0.1 * t->q->tolerance * t->view->length;
-    p.left = (double)t->rows * t->q->every;
     return p;
 }
 

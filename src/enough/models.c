@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 3463373081 of the lines below */
+/* checksum 962402905 of the lines below */
 /* What acts, what can be left out, and how each model carries a scene. */
 #include "enough/models.h"
 
@@ -24,22 +24,25 @@
 #include <string.h>
 
 const struct models_price models_prices[MODELS_UNITS] = {
-    [MODELS_EVALUATION] = {"evaluation", "call of the forces", 17},
-    [MODELS_BODY] = {"body", "body in a call of the forces", 4.5},
-    [MODELS_PAIR] = {"pair", "pull between bodies", 7},
-    [MODELS_SPRING] = {"spring", "force of a spring", 12},
-    [MODELS_ROD] = {"rod", "correction of a rod", 25},
-    [MODELS_CONTACT] = {"contact", "body looked at for overlaps", 19},
-    [MODELS_OVERLAP] = {"overlap", "pair tested for an overlap", 4.5},
-    [MODELS_LINE_EVENT] = {"line-event", "collision on a line", 30},
+    [MODELS_EVALUATION] = {"evaluation", "call of the forces", 18},
+    [MODELS_BODY] = {"body", "body in a call of the forces", 3},
+    [MODELS_PAIR] = {"pair", "pull between bodies", 6.5},
+    [MODELS_SPRING] = {"spring", "force of a spring", 1.2},
+    [MODELS_ROD] = {"rod", "correction of a rod", 15},
+    [MODELS_CONTACT] = {"contact", "body looked at for contacts", 75},
+    [MODELS_OVERLAP] = {"overlap", "pair looked at for a contact", 16},
+    [MODELS_CURVE] = {"curve", "product for the curve of a gap", 4.9},
+    [MODELS_ROOT] = {"root", "the same, if the curve has a root", 40},
+    [MODELS_LINE_EVENT] = {"line-event", "collision on a line", 34},
     [MODELS_LINE_SCAN] = {"line-scan", "gap looked at for it", 0.95},
-    [MODELS_DISK_EVENT] = {"disk-event", "collision of disks", 50},
-    [MODELS_DISK_SCAN] = {"disk-scan", "disk looked at for it", 30},
-    [MODELS_ELLIPSE] = {"ellipse", "body moved along its ellipse", 300},
-    [MODELS_FLIGHT] = {"flight", "coordinate moved freely", 4.2},
-    [MODELS_ORDER] = {"order", "comparison of two bodies", 3.2},
-    [MODELS_MODE] = {"mode", "operation on modes", 0.54},
-    [MODELS_TRIAL] = {"trial", "disk looked at for a trial move", 3.7},
+    [MODELS_DISK_EVENT] = {"disk-event", "collision of disks", 40},
+    [MODELS_DISK_SCAN] = {"disk-scan", "disk looked at for it", 23},
+    [MODELS_ELLIPSE] = {"ellipse", "body moved along its ellipse", 210},
+    [MODELS_FLIGHT] = {"flight", "coordinate moved freely", 3.6},
+    [MODELS_ORDER] = {"order", "comparison of two bodies", 2.7},
+    [MODELS_MODE] = {"mode", "operation on modes", 0.5},
+    [MODELS_TRIAL] = {"trial", "disk looked at for a trial move", 3},
+    [MODELS_ROW] = {"row", "row of a run", 40},
 };
 
 double models_cost(const double work[MODELS_UNITS])
@@ -871,7 +874,7 @@ static enum models_end row_oscillator(struct models_run *r)
         s->position[at(s, w.axis, w.body)] = w.rest + w.y;
         s->velocity[at(s, w.axis, w.body)] = w.v;
     }
-    r->work[MODELS_FLIGHT] += WITH_EXPONENTIAL;
+    r->work[MODELS_FLIGHT] += 3 * WITH_EXPONENTIAL;
     return MODELS_DONE;
 }
 
@@ -1049,6 +1052,15 @@ static bool take_out_radii(struct relabel *b)
     return b->right >= last - rounding && b->right > b->left;
 }
 
+/* So many times, n bodies are put in order. */
+static void count_sorting(struct models_run *r, size_t n, double times)
+{
+    double bits = 1;
+    for (size_t m = n; m > 2; m = (m + 1) / 2)
+        ++bits;
+    r->work[MODELS_ORDER] += times * (double)n * bits;
+}
+
 static const char *begin_relabel(struct models_run *r)
 {
     const struct row_of_bodies row = row_of(&r->scene, &r->acts);
@@ -1059,6 +1071,7 @@ static const char *begin_relabel(struct models_run *r)
     }
     const size_t n = b->start.movers;
     r->engine = b;
+    count_sorting(r, n, 3);
     b->axis = row.axis;
     b->shift = malloc((3 * n + 1) * sizeof *b->shift);
     if (b->shift) {
@@ -1069,15 +1082,8 @@ static const char *begin_relabel(struct models_run *r)
     }
     const char *why = b->shift ? "bodies overlap at the start" : no_memory;
     free_relabel(r);
-    return why;
-}
 
-static double logarithm(size_t n)
-{
-    double bits = 1;
-    for (; n > 2; n = (n + 1) / 2)
-        ++bits;
-    return bits;
+    return why;
 }
 
 static enum models_end row_relabel(struct models_run *r)
@@ -1093,7 +1099,7 @@ static enum models_end row_relabel(struct models_run *r)
         r->scene.velocity[c] = b->speed[j];
     }
     r->work[MODELS_FLIGHT] += (double)n;
-    r->work[MODELS_ORDER] += (double)n * logarithm(n);
+    count_sorting(r, n, 1);
     r->virial = NAN;
     return MODELS_DONE;
 }
@@ -1104,7 +1110,7 @@ static void count_relabelled(struct models_run *r)
     const size_t n = b->start.movers;
     r->collisions = closed_meetings(b->left, b->right, n, b->start.x,
                                     b->start.v, (double)r->rows * r->every);
-    r->work[MODELS_ORDER] += 8 * (double)n * logarithm(n);
+    count_sorting(r, n, 8);
 }
 
 /* What keeps a scene off the line. */
@@ -1172,6 +1178,8 @@ static const char *begin_line(struct models_run *r)
     if (!(r->engine = l))
         return no_memory;
     const bool begun = prepare_line(l, &r->scene, &row, &wrong);
+    if (begun)
+        count_sorting(r, l->bonkers.gaps, 3);
     if (begun && wrong == l->bonkers.gaps)
         return NULL;
     end_line(r);
@@ -1180,21 +1188,21 @@ static const char *begin_line(struct models_run *r)
 
 /* Engines of events are asked for so many collisions at a time, between
    which the cost is looked at. */
-enum { AT_A_TIME = 4096, SLAB_WORTH = 40 /* gaps */ };
+enum { AT_A_TIME = 4096, SLAB_WORTH = 30 /* gaps */ };
 
 static bool is_costly(const struct models_run *r)
 {
     return models_cost(r->work) > r->limit;
 }
 
-static void count_line(struct models_run *r, const struct bonkers *b,
-                       uint64_t before)
+static void count_line(struct models_run *r, const struct bonkers *b)
 {
-    const double met = (double)(b->collisions - before);
-    r->work[MODELS_LINE_EVENT] += met;
-    r->work[MODELS_LINE_SCAN] +=
-        met *
-        (b->gaps <= BONKERS_SCANNED + 1 ? (double)b->gaps : SLAB_WORTH);
+    const bool few = b->gaps <= BONKERS_SCANNED + 1;
+    const double met = (double)b->collisions, rows = (double)r->rows + 1;
+    r->work[MODELS_LINE_EVENT] = met;
+    r->work[MODELS_LINE_SCAN] =
+        (met + rows) * (few ? (double)b->gaps : SLAB_WORTH);
+    r->work[MODELS_FLIGHT] = 3 * rows * (double)b->gaps;
 }
 
 static enum models_end row_line(struct models_run *r)
@@ -1205,7 +1213,7 @@ static enum models_end row_line(struct models_run *r)
     do {
         const uint64_t before = b->collisions;
         stop = bonkers_run(b, r->elapsed, before + AT_A_TIME);
-        count_line(r, b, before);
+        count_line(r, b);
         if (is_costly(r))
             return MODELS_COSTLY;
     } while (stop == BONKERS_COLLISIONS);
@@ -1289,6 +1297,11 @@ static const char *prepare_disks(struct room *d, const struct scene *s)
     return d->celled || disks_plan(&d->disks) ? NULL : no_memory;
 }
 
+static double looks_for(const struct room *d)
+{
+    return (double)(d->celled ? d->cells.seats : d->disks.count);
+}
+
 static const char *begin_disks(struct models_run *r)
 {
     struct room *d = calloc(1, sizeof *d);
@@ -1306,15 +1319,14 @@ static const char *begin_disks(struct models_run *r)
     return why;
 }
 
-static void count_disks(struct models_run *r, const struct room *d,
-                        uint64_t pairs, uint64_t walls)
+static void count_disks(struct models_run *r, const struct room *d)
 {
-    const double looked =
-        d->celled ? 1.5 * (double)d->cells.seats : (double)d->disks.count;
-    const double met = (double)(d->disks.collisions - pairs);
-    const double hit = (double)(d->disks.wall_collisions - walls);
-    r->work[MODELS_DISK_EVENT] += met + hit;
-    r->work[MODELS_DISK_SCAN] += (2 * met + hit) * looked;
+    const double met = (double)d->disks.collisions;
+    const double hit = (double)d->disks.wall_collisions;
+    const double renewed = d->celled ? (double)d->cells.renewed : 0;
+    r->work[MODELS_DISK_EVENT] = met + hit;
+    r->work[MODELS_DISK_SCAN] = looks_for(d) * ((double)d->disks.count / 2 +
+                                                2 * met + hit + renewed);
 }
 
 /* How often in a second would a disk that meets nobody cross the room? */
@@ -1347,12 +1359,11 @@ static enum models_end row_disks(struct models_run *r)
     if (is_endless(r, d))
         return MODELS_COSTLY;
     do {
-        const uint64_t pairs = all->collisions,
-                       walls = all->wall_collisions;
+        const uint64_t pairs = all->collisions;
         stop = d->celled
                    ? cells_run(&d->cells, r->elapsed, pairs + AT_A_TIME)
                    : disks_run(all, r->elapsed, pairs + AT_A_TIME);
-        count_disks(r, d, pairs, walls);
+        count_disks(r, d);
         if (stop == DISKS_COLLISIONS && all->collisions < pairs + AT_A_TIME)
             return MODELS_MEMORY;
         if (is_costly(r))
@@ -1667,7 +1678,6 @@ struct steps {
     } passages;
     struct distant *order; /* of orbits, or NULL */
     bool lights, rodded;
-    uint64_t evaluations, corrections, tested; /* counted so far */
 };
 
 static void end_steps(struct models_run *r)
@@ -1767,11 +1777,14 @@ static double longest(void *what, const double x[], const double v[],
     return most > 0 ? 0.7 / sqrt(most) : INFINITY;
 }
 
-enum { LOOKS = 64 }; /* in a row, of steps that choose their length */
-
-static uint64_t steps_of(const struct models_plan *p)
+/* In a row; of steps that choose their length we ask for its end only, but
+   with contacts, of which a call takes just so many. */
+static uint64_t steps_of(const struct models_run *r)
 {
-    return p->model->method->adaptive ? LOOKS : p->steps;
+    enum { LOOKS = 8 };
+    if (!r->plan.model->method->adaptive)
+        return r->plan.steps;
+    return r->scene.contact ? LOOKS : 1;
 }
 
 /* Steps of any length: how long they may be. */
@@ -1801,9 +1814,9 @@ static bool begin_motion(struct steps *t, struct models_run *r,
         put_in_order(s, &r->scene, t->order);
     }
     if (!motion_begin(&t->motion, "models", s, r->plan.model->name,
-                      r->every / (double)steps_of(&r->plan)))
+                      r->every / (double)steps_of(r)))
         return false;
-    if (t->motion.collides && !motion_locate(&t->motion))
+    if (t->motion.collides && count == 0 && !motion_locate(&t->motion))
         return false;
     if (r->plan.model->method->adaptive)
         choose_lengths(t, &r->plan);
@@ -1832,18 +1845,22 @@ static double count_pulls(const struct steps *t)
         return 0;
     if (t->lights)
         return (n - 1) * (double)t->light.heavy;
-    return n <= 32 ? n * (n - 1) / 2 : n * (n - 1);
+    return n <= 32 ? n * (n - 1) / 2 : n * (n - 1) / 8;
 }
 
-static size_t passes(const struct stepping_method *m)
+/* Passes over n bodies for each evaluation, in bodies. */
+static double body_passes(const struct stepping_method *m, double n)
 {
-    return m->family == STEPPING_IMPLICIT   ? 1 + m->stages
-           : m->family == STEPPING_RADAU    ? 8
-           : m->family == STEPPING_EXPLICIT ? 2
-                                            : 1;
+    switch (m->family) {
+    case STEPPING_EXPLICIT: return 2 * n;
+    case STEPPING_IMPLICIT: return (2 + (double)m->stages) * n;
+    case STEPPING_PAIR: return 8 * n;
+    case STEPPING_RADAU: return 4 * (n + 8);
+    default: return n;
+    }
 }
 
-enum { LISTED = 3 }; /* what a spring in no band counts */
+enum { LISTED = 10 }; /* what a spring in no band counts */
 
 static double count_springs(const struct steps *t)
 {
@@ -1851,36 +1868,45 @@ static double count_springs(const struct steps *t)
     return (double)p->count + (LISTED - 1) * (double)p->listed;
 }
 
-static void count_steps(struct models_run *r, struct steps *t,
-                        uint64_t steps)
+/* What so many evaluations are, with all that belongs to them. */
+static void count_evaluations(const struct models_run *r,
+                              const struct steps *t, double asked,
+                              double work[MODELS_UNITS])
 {
-    const uint64_t evaluations =
-        t->rodded ? t->rods.evaluations : t->motion.stepping.evaluations;
-    const double more = (double)(evaluations - t->evaluations);
     const double n = (double)r->scene.bodies;
-    t->evaluations = evaluations;
-    r->work[MODELS_EVALUATION] += more;
-    r->work[MODELS_BODY] +=
-        more * n * (double)passes(r->plan.model->method);
-    r->work[MODELS_PAIR] += more * count_pulls(t);
-    r->work[MODELS_SPRING] += more * count_springs(t);
+    work[MODELS_EVALUATION] = asked;
+    work[MODELS_BODY] = asked * body_passes(r->plan.model->method, n);
+    work[MODELS_PAIR] = asked * count_pulls(t);
+    work[MODELS_SPRING] = asked * count_springs(t);
+}
+
+static void count_steps(struct models_run *r, const struct steps *t)
+{
+    const struct stepping *p = &t->motion.stepping;
+    const struct stepping_method *method = p->method;
+    const double n = (double)r->scene.bodies, steps = (double)p->steps;
+    count_evaluations(
+        r, t, (double)(t->rodded ? t->rods.evaluations : p->evaluations),
+        r->work);
+    if (method->adaptive)
+        r->work[MODELS_BODY] += steps * n * 18;
     if (t->motion.orbits)
-        r->work[MODELS_ELLIPSE] += (double)steps *
-                                   (double)r->plan.model->method->drifts *
-                                   (n - 1) * 0.6;
-    if (t->motion.collides) {
-        r->work[MODELS_CONTACT] += (double)steps * n;
-        r->work[MODELS_OVERLAP] +=
-            (double)(t->motion.spheres.tested - t->tested);
-        t->tested = t->motion.spheres.tested;
+        r->work[MODELS_ELLIPSE] =
+            steps * (double)method->drifts * (n - 1) * 0.6;
+    const struct impact *const i = &t->motion.impact;
+    if (t->motion.located) {
+        r->work[MODELS_CONTACT] = n * (double)i->parts;
+        r->work[MODELS_OVERLAP] = (double)i->pairs;
+        r->work[MODELS_CURVE] = (double)i->curves;
+        r->work[MODELS_ROOT] = (double)i->roots;
+    } else if (t->motion.collides) {
+        r->work[MODELS_CONTACT] = 0.3 * n * steps;
+        r->work[MODELS_OVERLAP] = 0.3 * (double)t->motion.spheres.tested;
     }
 
-    if (t->rodded) {
-        r->work[MODELS_ROD] +=
-            (double)(t->rods.corrections - t->corrections) +
-            (double)steps * 3 * (double)t->rods.count;
-        t->corrections = t->rods.corrections;
-    }
+    if (t->rodded)
+        r->work[MODELS_ROD] =
+            (double)t->rods.corrections + 3 * steps * (double)t->rods.count;
 }
 
 enum { STEPS_AT_A_TIME = 256 };
@@ -1889,7 +1915,7 @@ enum { STEPS_AT_A_TIME = 256 };
 static double rows_done(const struct models_run *r, const struct steps *t,
                         uint64_t left)
 {
-    const double row = (double)steps_of(&r->plan);
+    const double row = (double)steps_of(r);
     const struct adaptive *own = t->motion.stepping.own;
     const double done = (double)r->rows + (row - (double)left) / row;
     return own ? fmax(done, own->t / r->every) : done;
@@ -1907,17 +1933,15 @@ static bool is_hopeless(const struct models_run *r, const struct steps *t,
                : all > 1.1 * r->limit;
 }
 
-/* What one evaluation of all forces costs, s. */
+/* What one evaluation of all forces costs, with all that comes with it, s.
+ */
 static double price_of_evaluation(const struct models_run *r,
                                   const struct steps *t)
 {
-    const double n = (double)r->scene.bodies;
-    const double work[MODELS_UNITS] = {
-        [MODELS_EVALUATION] = 1,
-        [MODELS_BODY] = n * (double)passes(r->plan.model->method),
-        [MODELS_PAIR] = count_pulls(t),
-        [MODELS_SPRING] = count_springs(t)};
-    return models_cost(work);
+    double work[MODELS_UNITS] = {0};
+    count_evaluations(r, t, 1, work);
+    const double asked = fmax(r->work[MODELS_EVALUATION], 1);
+    return fmax(models_cost(work), models_cost(r->work) / asked);
 }
 
 /* Lets steps that choose their length go on as long as they may: one look
@@ -1925,7 +1949,7 @@ static double price_of_evaluation(const struct models_run *r,
 static void bound_evaluations(const struct models_run *r, struct steps *t)
 {
     const double left = r->limit - models_cost(r->work);
-    const double one = 8 * r->limit / (double)(r->all * LOOKS);
+    const double one = 8 * r->limit / (double)(r->all * steps_of(r));
     const double may = r->all > 0 ? fmin(left, fmax(one, 0.1)) : left;
     const double more = may / price_of_evaluation(r, t);
     struct adaptive *own = t->motion.stepping.own;
@@ -1944,7 +1968,7 @@ static enum models_end broken(const struct steps *t)
 static enum models_end run_steps(struct models_run *r, struct steps *t)
 {
     const bool own = r->plan.model->method->adaptive;
-    uint64_t left = steps_of(&r->plan);
+    uint64_t left = steps_of(r);
     while (left > 0) {
         const uint64_t now = own                      ? 1
                              : left < STEPS_AT_A_TIME ? left
@@ -1952,7 +1976,7 @@ static enum models_end run_steps(struct models_run *r, struct steps *t)
         if (own)
             bound_evaluations(r, t);
         const enum stepping_end end = motion_run(&t->motion, now);
-        count_steps(r, t, now);
+        count_steps(r, t);
         if (end != STEPPING_DONE)
             return broken(t);
         left -= now;
@@ -2208,6 +2232,7 @@ enum models_end models_row(struct models_run *r)
     if (end != MODELS_DONE)
         return end;
     ++r->rows;
+    ++r->work[MODELS_ROW];
     r->scene.time = r->start + r->elapsed;
     return is_costly(r) ? MODELS_COSTLY : MODELS_DONE;
 }

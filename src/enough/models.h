@@ -1,5 +1,5 @@
 /* From chapters/works/12-models-parts.nw: edit there, then run make tangle. */
-/* checksum 3871311455 of the lines below */
+/* checksum 3934674479 of the lines below */
 /* All ways to carry a scene, behind one door, and what each costs. */
 #ifndef MODELS_H
 #define MODELS_H
@@ -20,8 +20,10 @@ enum models_unit {
                           to 32 bodies, of one on one beyond */
     MODELS_SPRING,     /* a spring's force; thrice if it is in no band */
     MODELS_ROD,        /* one correction of one rod */
-    MODELS_CONTACT,    /* a body looked at for overlaps after a step */
-    MODELS_OVERLAP,    /* and, for each pair that is tested */
+    MODELS_CONTACT,    /* a body in a part of a step, with contacts */
+    MODELS_OVERLAP,    /* and, for each pair that is looked at */
+    MODELS_CURVE,      /* and, for each product in the curve of a gap */
+    MODELS_ROOT,       /* and, for each of these if the curve has a root */
     MODELS_LINE_EVENT, /* a collision on a line */
     MODELS_LINE_SCAN,  /* and, for each gap that is looked at */
     MODELS_DISK_EVENT, /* a collision of disks, or with a wall */
@@ -32,6 +34,7 @@ enum models_unit {
     MODELS_ORDER,      /* a comparison in putting bodies in order */
     MODELS_MODE,       /* an operation in finding modes, and in summing */
     MODELS_TRIAL,      /* a move of a Markov chain, per disk looked at */
+    MODELS_ROW,        /* a row, whatever the model */
     MODELS_UNITS
 };
 

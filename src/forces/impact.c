@@ -1,5 +1,5 @@
 /* From chapters/works/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 1254553423 of the lines below */
+/* checksum 1624967422 of the lines below */
 /* Gaps followed along a step in Bernstein's form, then by the method. */
 #include "forces/impact.h"
 
@@ -344,6 +344,10 @@ static void add_gap(struct impact *p, struct impact_gap g, double h)
         p->room = room;
     }
     find_root(p, &g, h);
+    const size_t points = p->degree + 1;
+    const size_t terms = is_wall(&g) ? points : points * points;
+    p->curves += terms;
+    p->roots += g.root > 0 && g.root <= 1 ? terms : 0;
     p->gap[p->gaps++] = g;
 }
 
@@ -436,6 +440,7 @@ static void add_pairs(struct impact *p, double h)
             const size_t a = p->order[i], b = p->order[j];
             if (sorted && low[b] > high[a])
                 break;
+            ++p->pairs;
             add_pair(p, a < b ? a : b, a < b ? b : a, h);
         }
 }
@@ -453,6 +458,7 @@ static void collect_gaps(struct impact *p, double h)
 {
     const struct scene *s = p->scene;
     p->gaps = 0;
+    ++p->parts;
     draw_paths(p, h);
     for (size_t k = 0; k < SPHERES_AXES; ++k)
         for (size_t i = 0; s->wall[k] == SCENE_HARD && i < s->bodies; ++i) {

@@ -1,5 +1,5 @@
 /* From chapters/works/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 2907687701 of the lines below */
+/* checksum 3725041463 of the lines below */
 /* The moments of contact, found inside a step and resolved one by one. */
 #ifndef IMPACT_H
 #define IMPACT_H
@@ -16,6 +16,11 @@
 struct impact {
     uint64_t simultaneous; /* contacts at the moment of the one before */
     uint64_t grazing;      /* looked for, and missed by the method's path */
+    uint64_t parts;        /* of steps, in which contacts were looked for */
+    uint64_t pairs;        /* looked at in them */
+    uint64_t curves;       /* gaps that were followed: for each the products
+                              of two control points that it took */
+    uint64_t roots;        /* of these, those that had a root */
     size_t resting;        /* coordinates that walls hold, now */
     bool crowded;          /* the last step was given up: its contacts are
                               too many, or bodies rest on each other */

@@ -376,7 +376,8 @@ static void test_line(void)
     struct models_run r = run_of("line", 100, 1);
     UNIT_EQUAL((double)r.collisions, 31); /* mass ratio 100: digits of pi */
     UNIT_EQUAL(r.work[MODELS_LINE_EVENT], 31);
-    UNIT_EQUAL(r.work[MODELS_LINE_SCAN], 93);
+    UNIT_EQUAL(r.work[MODELS_LINE_SCAN], 96); /* 31 times, and in the row */
+    UNIT_EQUAL(r.work[MODELS_ROW], 1);
     models_end(&r);
     scene_free(&scene);
 }
@@ -745,8 +746,7 @@ static void check_list(const char *wrong)
                        "found '%s', expected one of free, kepler, "
                        "oscillator, relabel, modes, line, disks",
                        wrong);
-    for (const struct stepping_method *m = stepping_next(NULL); m;
-         m = stepping_next(m))
+    for (const struct stepping_method *m = stepping_methods; m->name; ++m)
         used += sprintf(list + used, ", %s", m->name);
     UNIT_TRUE(!models_read(&p, wrong, message));
     UNIT_TRUE(strcmp(message, list) == 0);
@@ -792,9 +792,10 @@ static void test_table(void)
     for (; m->name && !m->method; ++m)
         UNIT_TRUE(m->family != MODELS_STEPS && models_find(m->name) == m);
     make("double-pendulum", NULL);
-    for (const struct stepping_method *k = stepping_next(NULL); k;
-         k = stepping_next(k), ++m) {
-        const struct models_plan rods = {m, MODELS_RODS, 1};
+    for (const struct stepping_method *k = stepping_methods; k->name;
+         ++k, ++m) {
+        const struct models_plan rods = {
+            .model = m, .cuts = MODELS_RODS, .steps = 1};
         UNIT_TRUE(m->family == MODELS_STEPS && !m->approximate);
         UNIT_TRUE(m->method == k);
         UNIT_TRUE(m->name == m->method->name && models_find(m->name) == m);
@@ -846,7 +847,8 @@ static void test_work(void)
     UNIT_NEAR(models_cost(r.work),
               (600 * models_prices[MODELS_EVALUATION].ns +
                3000 * models_prices[MODELS_BODY].ns +
-               6000 * models_prices[MODELS_PAIR].ns) *
+               6000 * models_prices[MODELS_PAIR].ns +
+               3 * models_prices[MODELS_ROW].ns) *
                   1e-9,
               1e-18);
     r.limit = models_cost(r.work) * 1.01;
@@ -858,22 +860,39 @@ static void test_work(void)
     r.limit = models_cost(r.work) * 1.01;
     UNIT_EQUAL(models_row(&r), MODELS_COSTLY);
     models_end(&r);
+    /* Contacts within a step divide it, and each part has its paths. */
     r = run_of("leapfrog:10", 0.1, 1);
-    UNIT_EQUAL(r.work[MODELS_CONTACT], 2500);
+    UNIT_TRUE(r.collisions > 40 && r.collisions < 200);
+    UNIT_TRUE(r.work[MODELS_CONTACT] > 2500 + 250 * 40.0);
+    UNIT_TRUE(r.work[MODELS_CONTACT] <=
+              2500 + 250.0 * (double)r.collisions);
     models_end(&r);
     scene_free(&scene);
-    /* Of five balls all ten pairs are tested after each step; a stage of
-       rk4 counts twice, and a pendulum's springs, in no band, thrice. */
+    /* Nobody meets or comes near another in the first 0.1 s: five paths a
+       step. A stage of rk4 counts twice, and a pendulum's springs, in no
+       band, ten times. */
     make("cradle", NULL);
     r = run_of("rk4:50", 0.1, 1);
+    UNIT_EQUAL((double)r.collisions, 0);
     UNIT_EQUAL(r.work[MODELS_CONTACT], 250);
-    UNIT_EQUAL(r.work[MODELS_OVERLAP], 500);
+    UNIT_EQUAL(r.work[MODELS_OVERLAP], 0);
     UNIT_EQUAL(r.work[MODELS_BODY], 50 * 4 * 5 * 2);
+    models_end(&r);
+    scene_free(&scene);
+    /* Steps of its own length: their work, and the look at the end of each
+       row, which is worth 18 passes over two bodies. */
+    make("sun-earth", NULL);
+    struct models_run few = run_of("radau15:1e-10", 1000, 1);
+    r = run_of("radau15:1e-10", 10, 100);
+    const double asked = r.work[MODELS_EVALUATION];
+    UNIT_TRUE(asked > 200 && asked == few.work[MODELS_EVALUATION]);
+    UNIT_EQUAL(r.work[MODELS_BODY] - few.work[MODELS_BODY], 99 * 2 * 18);
+    models_end(&few);
     models_end(&r);
     scene_free(&scene);
     make("double-pendulum", NULL);
     r = run_of("symplectic-euler:50", 0.1, 1);
-    UNIT_EQUAL(r.work[MODELS_SPRING], 50 * 2 * 3);
+    UNIT_EQUAL(r.work[MODELS_SPRING], 50 * 2 * 10);
     models_end(&r);
     scene_free(&scene);
 }

@@ -1,5 +1,10 @@
+<<<<<<< HEAD
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
 /* checksum 3068622970 of the lines below */
+=======
+/* From chapters/works/12-choose.nw: edit there, then run make tangle. */
+/* checksum 2034273896 of the lines below */
+>>>>>>> e3a5a61 (bonk: ladders go below their first rung, and up to the price of the best; pairs of runs share one limit; what is cut off is no fork, and no memory no horizon)
 /* Each column is judged by a scale; a run may be in other units. */
 #include "enough/record.h"
 
@@ -541,6 +546,14 @@ bool record_run(struct record *r, struct record_view *v,
     return r->end != MODELS_MEMORY;
 }
 
+/* Goes on while another one may have spent some of what both may. */
+static bool go_on_beside(struct way *w, const struct way *other,
+                         double limit, struct record_view *v)
+{
+    w->run.limit = limit - models_cost(other->run.work);
+    return go_on(w, v);
+}
+
 bool record_both(struct record *a, struct record *b, struct record_view *v,
                  const struct record_order *oa,
                  const struct record_order *ob, double apart)
@@ -548,7 +561,8 @@ bool record_both(struct record *a, struct record *b, struct record_view *v,
     struct way x = {.r = a, .o = oa}, y = {.r = b, .o = ob};
     begin_way(&x, v);
     begin_way(&y, v);
-    while (go_on(&x, v) && go_on(&y, v) &&
+    while (go_on_beside(&x, &y, oa->limit, v) &&
+           go_on_beside(&y, &x, oa->limit, v) &&
            row_apart(v, a->value + a->reached * v->columns,
                      b->value + a->reached * v->columns) <= apart)
         ;

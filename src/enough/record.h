@@ -1,5 +1,5 @@
 /* From chapters/works/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1549212170 of the lines below */
+/* checksum 2126368124 of the lines below */
 /* The rows of a run, and how far those of two runs are apart. */
 #ifndef RECORD_H
 #define RECORD_H
@@ -68,7 +68,8 @@ bool record_run(struct record *r, struct record_view *v,
 void record_free(struct record *r);
 
 /* Two runs row by row, until they have come apart by more than `apart`, a
-   share of the scale, or one of them has ended. */
+   share of the scale, or one of them has ended; both together within the
+   limit of the first. */
 bool record_both(struct record *a, struct record *b, struct record_view *v,
                  const struct record_order *oa,
                  const struct record_order *ob, double apart);

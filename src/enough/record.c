@@ -1,10 +1,5 @@
-<<<<<<< HEAD
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 3068622970 of the lines below */
-=======
-/* From chapters/works/12-choose.nw: edit there, then run make tangle. */
 /* checksum 2034273896 of the lines below */
->>>>>>> e3a5a61 (bonk: ladders go below their first rung, and up to the price of the best; pairs of runs share one limit; what is cut off is no fork, and no memory no horizon)
 /* Each column is judged by a scale; a run may be in other units. */
 #include "enough/record.h"
 

@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 2126860248 of the lines below */
+/* checksum 1108201474 of the lines below */
 /* Exact ways, two runs that agree, and ladders judged by them. */
 #include "enough/choose.h"
 
@@ -162,8 +162,7 @@ static double slip(const struct task *t, const struct record *r)
 static void run_twins(const struct task *t, struct models_plan plan,
                       double limit, struct record *a, struct record *b)
 {
-    const struct record_order one =
-        order_of(t, plan, fmin(limit, left_of(t) / 2));
+    const struct record_order one = order_of(t, plan, 2 * limit);
     struct record_order other = one;
     other.twin = 1;
     record_both(a, b, t->view, &one, &other, t->q->tolerance / doubled);
@@ -199,6 +198,12 @@ static bool is_worth(const struct task *t, const struct record *a)
     return held && 2 * price <= left_of(t);
 }
 
+/* Has the run ended for no reason of its own? */
+static bool is_cut_off(const struct record *r)
+{
+    return r->end == MODELS_COSTLY || r->end == MODELS_MEMORY;
+}
+
 /* How far the run is from a twin that is turned round. */
 static double turned(const struct task *t, const struct record *a)
 {
@@ -210,8 +215,8 @@ static double turned(const struct task *t, const struct record *a)
     o.guide = a;
     o.apart = t->q->tolerance / doubled;
     run(t, &c, &o);
-    t->c->forks = c.end == MODELS_DONE &&
-                  record_agree(t->view, a, &c, o.apart) < t->rows;
+    t->c->forks =
+        !is_cut_off(&c) && record_agree(t->view, a, &c, o.apart) < t->rows;
     if (t->c->forks)
         note_horizon(t, a, &c, o.apart);
     const double by = apart(t, a, &c);
@@ -368,9 +373,7 @@ static struct models_plan foot_of(const struct task *t,
                                   struct models_plan p)
 {
     const double limit = p.model->method->limit;
-    const double bears = p.model->method->orbits ? 6
-                         : limit > 0             ? fmin(0.6 * limit, 2)
-                                                 : 1;
+    const double bears = limit > 0 ? fmin(0.6 * limit, 2) : 1;
     if (p.model->method->adaptive)
         p.tolerance = tolerance_for(fmin(t->q->tolerance, 1e-4));
     else
@@ -400,9 +403,10 @@ static struct tried try_plan(const struct task *t,
 }
 
 /* The finest of the rungs that do not hold, the coarsest of those that do,
-   and the finest but `last` whose error is known; or NULL. */
+   the finest but `last` whose error is known, and the coarsest of those
+   that have not ended; or NULL. */
 struct bracket {
-    const struct tried *low, *high, *last, *before;
+    const struct tried *low, *high, *last, *before, *costly;
 };
 
 static bool is_finer(const struct tried *a, const struct tried *b)
@@ -415,6 +419,10 @@ static struct bracket bracket_of(const struct ladder *l, double target)
     struct bracket b = {0};
     for (size_t j = 0; j < l->count; ++j) {
         const struct tried *r = &l->tried[j];
+        if (isinf(r->cost)) {
+            b.costly = !b.costly || is_finer(b.costly, r) ? r : b.costly;
+            continue;
+        }
         if (r->error <= target)
             b.high = !b.high || is_finer(b.high, r) ? r : b.high;
         else
@@ -458,18 +466,19 @@ static struct models_plan next_rung(const struct task *t,
     const double target = t->q->tolerance;
     const double slope = slope_of(l, b);
     const struct models_plan none = {0};
+    if (!b->last)
+        return none;
     if (b->high) {
         const double less =
             log2(target / b->high->error) / fmax(slope, 0.5);
         const double fine = fineness(&b->high->plan) - less;
-        const struct models_plan low =
-            b->low ? b->low->plan : rung_at(l->foot, fine - 1);
         const struct models_plan next =
-            rung_between(low, b->high->plan, fine);
+            b->low ? rung_between(b->low->plan, b->high->plan, fine)
+                   : rung_at(l->foot, fine);
         return fineness(&next) < fineness(&b->high->plan) ? next : none;
     }
     const double now = fineness(&b->last->plan);
-    if (isinf(b->last->cost) || (l->count > 3 && slope < 0.3))
+    if (l->count > 3 && (slope < 0.3 || isinf(b->last->error)))
         return none;
     if (isinf(b->last->error) || l->count < 2 || slope < 0.7)
         return rung_at(b->last->plan, now + 1);
@@ -488,6 +497,27 @@ static double price_of(const struct ladder *l, const struct bracket *b,
                        : INFINITY;
 }
 
+/* The next rung, or a coarser one that costs a little less than the best;
+   no model: there is none. */
+static struct models_plan next_cheap(const struct task *t,
+                                     const struct ladder *l,
+                                     const struct bracket *b)
+{
+    struct models_plan next = next_rung(t, l, b);
+    const double price = price_of(l, b, &next);
+    const double may = fmin(0.98 * best(t), left_of(t));
+    if (!b->high && price >= may && price < 2 * may) {
+        const double more = log2(0.85 * may / b->last->cost);
+        next = rung_at(next, fineness(&b->last->plan) + more / rise_of(l));
+    }
+    const bool good =
+        price_of(l, b, &next) < may &&
+        !(b->last && !b->high &&
+          fineness(&next) <= fineness(&b->last->plan)) &&
+        !(b->costly && fineness(&next) >= fineness(&b->costly->plan));
+    return good ? next : (struct models_plan){0};
+}
+
 /* Climbs on, as long as that may become cheaper than the best. */
 static void climb(const struct task *t, const struct reference *f,
                   struct ladder *l)
@@ -495,8 +525,8 @@ static void climb(const struct task *t, const struct reference *f,
     const double target = t->q->tolerance;
     while (l->count < RUNS) {
         const struct bracket b = bracket_of(l, target);
-        const struct models_plan next = next_rung(t, l, &b);
-        if (!(price_of(l, &b, &next) < 0.98 * best(t)))
+        const struct models_plan next = next_cheap(t, l, &b);
+        if (!next.model)
             break;
         l->tried[l->count++] =
             try_plan(t, f, next, 1.02 * best(t), l->candidate);
@@ -505,20 +535,35 @@ static void climb(const struct task *t, const struct reference *f,
         say(l->candidate, "more expensive than the best");
 }
 
+/* The first rung of a ladder that is not too expensive, in a few runs. */
+static void find_foot(const struct task *t, const struct reference *f,
+                      struct ladder *l)
+{
+    struct models_plan next = l->foot;
+    for (;; next.steps = steps_for((double)next.steps / 2)) {
+        l->tried[l->count++] =
+            try_plan(t, f, next, 1.02 * best(t), l->candidate);
+        if (!isinf(l->tried[l->count - 1].cost) || l->count == RUNS / 2 ||
+            !next.model->method->orbits || next.steps == 1)
+            return;
+    }
+}
+
 /* The first runs of a ladder, and what they promise. */
 static void set_up(const struct task *t, const struct reference *f,
                    struct ladder *l)
 {
-    struct models_plan next = l->foot;
-    while (l->count < 2 && next.model) {
-        l->tried[l->count++] =
-            try_plan(t, f, next, 1.02 * best(t), l->candidate);
-        const struct bracket b = bracket_of(l, t->q->tolerance);
-        if (b.high || isinf(b.last->cost))
-            break;
-        next = rung_at(next, fineness(&next) + 1 / rise_of(l));
+    find_foot(t, f, l);
+    struct bracket b = bracket_of(l, t->q->tolerance);
+    if (!b.high && !b.costly) {
+        const double fine = fineness(&b.last->plan) + 1 / rise_of(l);
+        l->tried[l->count++] = try_plan(t, f, rung_at(b.last->plan, fine),
+                                        1.02 * best(t), l->candidate);
+        b = bracket_of(l, t->q->tolerance);
     }
-    const struct bracket b = bracket_of(l, t->q->tolerance);
+    l->price = INFINITY;
+    if (!b.last)
+        return;
     const double slope = fmax(slope_of(l, &b), 0.3);
     const double more = log2(b.last->error / t->q->tolerance) / slope;
     l->price = b.last->cost * exp2(fmin(rise_of(l) * more, 60));
@@ -641,7 +686,7 @@ static void refuse_reference(const struct task *t, const struct record *r)
 static void run_pair(const struct task *t, struct reference *f,
                      struct models_plan plan)
 {
-    const struct record_order a = order_of(t, plan, left_of(t) / 2);
+    const struct record_order a = order_of(t, plan, INFINITY);
     struct record_order b = a;
     b.plan = finer_reference(plan);
     b.twin = 1;
@@ -690,26 +735,27 @@ static bool find_cheap(const struct task *t, struct reference *f)
            (find_even(t, f, "leapfrog") || find_even(t, f, "kahan-li8"));
 }
 
-/* Does the order of collisions at one moment decide? */
-static bool forks(const struct task *t, struct reference *f)
+/* Does the order of collisions at one moment not matter? */
+static bool is_settled(const struct task *t, struct reference *f)
 {
     struct record c;
     struct record_order o = order_of(t, f->coarser.plan, INFINITY);
     const double within = t->q->tolerance / doubled;
     if (!t->q->scene->contact)
-        return false;
+        return true;
     o.twin = -1;
     run(t, &c, &o);
-    const bool part = record_agree(t->view, &f->run, &c, within) < t->rows;
-    t->c->forks = part && c.end == MODELS_DONE;
+    t->c->forks = !is_cut_off(&c) &&
+                  record_agree(t->view, &f->run, &c, within) < t->rows;
     if (t->c->forks)
         note_horizon(t, &f->run, &c, within);
-    else if (part)
+    else if (is_cut_off(&c))
         refuse_reference(t, &c);
     else
         f->doubt = fmax(f->doubt, apart(t, &f->run, &c));
+    const bool settled = !t->c->forks && !is_cut_off(&c);
     record_free(&c);
-    return part;
+    return settled;
 }
 
 /* Finer and finer runs, until two agree. False: they do not; if that is
@@ -723,7 +769,7 @@ static bool find_reference(const struct task *t, struct reference *f)
         run_pair(t, f, plan);
         const struct record *bad =
             f->coarser.end != MODELS_DONE ? &f->coarser : &f->run;
-        if (bad->end == MODELS_COSTLY || bad->why) {
+        if (is_cut_off(bad) || bad->why) {
             refuse_reference(t, bad);
             return false;
         }
@@ -735,14 +781,14 @@ static bool find_reference(const struct task *t, struct reference *f)
         }
         f->doubt = apart(t, &f->coarser, &f->run);
         if (f->doubt <= share * t->q->tolerance)
-            return !forks(t, f);
+            return is_settled(t, f);
         if (is_finest(&f->run.plan))
             break;
         record_free(&f->coarser);
         record_free(&f->run);
     }
     if (f->doubt <= t->q->tolerance / doubled)
-        return true;
+        return is_settled(t, f);
     note_horizon(t, &f->coarser, &f->run, t->q->tolerance / doubled);
     return false;
 }
@@ -786,6 +832,11 @@ static void try_only(const struct task *t, const struct reference *f)
                                    : "%s is off by %s of the scale, more "
                                      "than what was asked for",
                  plan, k->text);
+    if (!k->holds && isinf(seen.cost))
+        snprintf(c->refusal, sizeof c->refusal,
+                 "beyond reason: %s would bring the bill above %.3g s by "
+                 "the price list; spent: %.2g s",
+                 plan, t->q->reason, c->spent);
     if (!k->holds && isfinite(seen.error))
         snprintf(c->refusal, sizeof c->refusal,
                  "%s is off by %.3g of the scale, more than %.3g", plan,

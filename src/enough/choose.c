@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1108201474 of the lines below */
+/* checksum 1247039319 of the lines below */
 /* Exact ways, two runs that agree, and ladders judged by them. */
 #include "enough/choose.h"
 
@@ -117,7 +117,7 @@ static void offer(const struct task *t, struct choose_candidate *k,
     if (c->points < CHOOSE_POINTS && isfinite(error))
         c->point[c->points++] =
             (struct choose_point){r->plan, error, r->cost};
-    if (k->holds && (!holds || r->cost > k->cost))
+    if (k->holds && (!holds || r->cost >= k->cost))
         return;
     k->plan = r->plan;
     k->error = error;

@@ -186,6 +186,13 @@ static void check_price(struct record_view *v,
     }
 }
 
+static bool same_plan(const struct models_plan *a,
+                      const struct models_plan *b)
+{
+    return a->model == b->model && a->cuts == b->cuts &&
+           a->steps == b->steps && a->tolerance == b->tolerance;
+}
+
 /* What was taken is right; its error was found, and the doubt of what it
    was compared with is more than that is off. */
 static void check_pick(const struct trial *t, const struct scene *s,
@@ -197,6 +204,8 @@ static void check_pick(const struct trial *t, const struct scene *s,
     UNIT_TRUE(record_look(&v, "choose", s, NULL, t->until));
     struct record truth = recorded(&v, &q, plan(t->truth), INFINITY);
     const double error = record_apart(&v, &c.run, &truth, 1, 16);
+    UNIT_TRUE(same_plan(&c.run.plan, &c.candidate[c.taken].plan));
+    UNIT_EQUAL(c.run.cost, c.candidate[c.taken].cost);
     const double found = c.candidate[c.taken].error;
     UNIT_TRUE(error <= found && found <= tolerance);
     UNIT_NEAR(error, found, 2.1 * c.doubt + 1e-12);
@@ -466,13 +475,6 @@ static struct choose_choice seen_as(int kind, const struct scene *s,
     }
     scene_free(&other);
     return c;
-}
-
-static bool same_plan(const struct models_plan *a,
-                      const struct models_plan *b)
-{
-    return a->model == b->model && a->cuts == b->cuts &&
-           a->steps == b->steps && a->tolerance == b->tolerance;
 }
 
 /* In other units all is the same, to the last digit of the error, but for

@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 962402905 of the lines below */
+/* checksum 3457156643 of the lines below */
 /* What acts, what can be left out, and how each model carries a scene. */
 #include "enough/models.h"
 
@@ -1889,10 +1889,10 @@ static void count_steps(struct models_run *r, const struct steps *t)
         r, t, (double)(t->rodded ? t->rods.evaluations : p->evaluations),
         r->work);
     if (method->adaptive)
-        r->work[MODELS_BODY] += steps * n * 18;
+        r->work[MODELS_BODY] += 18 * n * steps;
     if (t->motion.orbits)
         r->work[MODELS_ELLIPSE] =
-            steps * (double)method->drifts * (n - 1) * 0.6;
+            0.6 * (n - 1) * steps * (double)method->drifts;
     const struct impact *const i = &t->motion.impact;
     if (t->motion.located) {
         r->work[MODELS_CONTACT] = n * (double)i->parts;

@@ -1,5 +1,5 @@
 /* From chapters/works/12-models-parts.nw: edit there, then run make tangle. */
-/* checksum 3934674479 of the lines below */
+/* checksum 1684961688 of the lines below */
 /* All ways to carry a scene, behind one door, and what each costs. */
 #ifndef MODELS_H
 #define MODELS_H
@@ -14,11 +14,11 @@
 /* What is counted while a scene is carried. */
 enum models_unit {
     MODELS_EVALUATION, /* of all forces: the calls */
-    MODELS_BODY,       /* in each of them, a body: once, twice in explicit
-                          stages, once and once a stage in implicit ones */
-    MODELS_PAIR,       /* a pull: of both bodies of a pair on each other up
-                          to 32 bodies, of one on one beyond */
-    MODELS_SPRING,     /* a spring's force; thrice if it is in no band */
+    MODELS_BODY,       /* a pass over a body: one in a kick and drift, more
+                          in the stages of other methods */
+    MODELS_PAIR,       /* a pull of two bodies on each other; beyond 32
+                          bodies, eight of one on one */
+    MODELS_SPRING,     /* a spring's force; ten times if it is in no band */
     MODELS_ROD,        /* one correction of one rod */
     MODELS_CONTACT,    /* a body in a part of a step, with contacts */
     MODELS_OVERLAP,    /* and, for each pair that is looked at */

@@ -1,10 +1,9 @@
-/* From chapters/12-averages.nw: edit there, then run make tangle. */
-/* checksum 1038485358 of the lines below */
-/* The cheapest way to the mean of a quantity, or why there is none. */
+/* From chapters/works/12-averages.nw: edit there, then run make tangle. */
+/* checksum 2209446956 of the lines below */
+/* The mean of a quantity over a time, or why it cannot be had. */
 #ifndef AVERAGES_H
 #define AVERAGES_H
 
-#include "enough/models.h"
 #include "scenes/scene.h"
 
 #include <stdbool.h>
@@ -27,42 +26,29 @@ struct averages_quantity {
 struct averages_request {
     const struct scene *scene;
     struct averages_quantity quantity;
-    double until;      /* s: the run that is meant, and the longest */
-    double tolerance;  /* of two standard errors, share of the scale */
-    double reason;     /* the dearest run, s by the price list */
-    const char *model; /* NULL, or the way to take */
+    double until;      /* s: over which the mean is taken */
+    double tolerance;  /* of the error, share of the scale */
+    double reason;     /* what all may cost, s by the price list */
+    const char *model; /* NULL, or the way that has to be the one */
 };
 
 /* How an error is known. */
 enum averages_sure {
     AVERAGES_EXACT,    /* rounding apart there is none */
     AVERAGES_BOUND,    /* proved */
-    AVERAGES_ESTIMATE, /* measured: two standard errors, or a check */
-    AVERAGES_OUT       /* not a way for this scene, or not far enough */
+    AVERAGES_ESTIMATE, /* measured: two standard errors */
+    AVERAGES_OUT       /* refused */
 };
-enum { AVERAGES_TEXT = 200, AVERAGES_MOST = 8, AVERAGES_REFUSAL = 400 };
+enum { AVERAGES_TEXT = 200, AVERAGES_REFUSAL = 400 };
 enum { AVERAGES_REASON = 60 }; /* s by the price list: a usual .reason */
 
-/* A way to the average. */
-struct averages_candidate {
-    const char *name; /* conserved, tonks, two-disks, springs, whole,
-                         order, events, instants, sampling or steps */
-    enum averages_sure sure;
-    double value, error; /* in its unit; share of the scale */
-    double cost;         /* of the whole way, s by the price list */
-    char text[AVERAGES_TEXT];
-};
-
 struct averages_found {
-    struct averages_candidate candidate[AVERAGES_MOST];
-    size_t candidates, taken;  /* taken == candidates: refused */
-    double value, error;       /* as of the candidate that was taken */
-    double scale;              /* 1 or Z, the larger; the box; the value */
-    double time;               /* s that events have simulated for it */
-    uint64_t samples;          /* after the warm-up; 0: a closed form */
-    double inefficiency;       /* samples to one independent one */
-    double cost, deciding;     /* of that way; of all else: s by the list */
-    double work[MODELS_UNITS]; /* of both */
+    const char *way; /* conserved, tonks or events; NULL: none */
+    enum averages_sure sure;
+    double value, error;      /* in its unit; share of the scale */
+    double scale;             /* 1 or Z, the larger; the box; the value */
+    double time, cost;        /* s simulated for it; s by the price list */
+    char text[AVERAGES_TEXT]; /* what was seen */
     char refusal[AVERAGES_REFUSAL]; /* empty unless refused */
 };
 
@@ -75,8 +61,8 @@ bool averages_read(struct averages_quantity *q, const char *name,
 const char *averages_name(const struct averages_quantity *q,
                           char symbol[32]);
 
-/* Looks for the cheapest way to the average that holds the tolerance and
-   takes it. A refusal is a result. Returns false without memory. */
+/* Finds an average within the tolerance. A refusal is a result. Returns
+   false without memory. */
 bool averages_find(struct averages_found *f,
                    const struct averages_request *q);
 

@@ -1,5 +1,5 @@
 /* From chapters/works/12-bonk.nw: edit there, then run make tangle. */
-/* checksum 3132359854 of the lines below */
+/* checksum 4133411935 of the lines below */
 /* Carries a scene by the cheapest model that holds, and says why. */
 #include "enough/averages.h"
 #include "enough/choose.h"
@@ -527,24 +527,15 @@ static const char *const sure_names[] = {"exact", "bound", "estimate",
 static void tell_mean(const struct run *r, const struct mean *m)
 {
     const struct averages_found *f = &m->found;
-    char symbol[32], value[24], error[16];
+    char symbol[32];
     averages_name(&m->quantity, symbol);
-    tell(r, "%s:                         value      error    cost, s\n",
-         symbol);
-    for (size_t j = 0; j < f->candidates; ++j) {
-        const struct averages_candidate *c = &f->candidate[j];
-        if (c->sure == AVERAGES_OUT && !isfinite(c->cost)) {
-            tell(r, "  %-12s %-9s %s\n", c->name, "out", c->text);
-            continue;
-        }
-        snprintf(value, sizeof value, isfinite(c->value) ? "%.6g" : "-",
-                 c->value);
-        snprintf(error, sizeof error, isfinite(c->error) ? "%.2e" : "-",
-                 c->error);
-        tell(r, "%c %-12s %-9s %12s  %9s  %9.2e  %s\n",
-             j == f->taken ? '*' : ' ', c->name, sure_names[c->sure], value,
-             error, c->cost, c->text);
-    }
+    if (!f->way)
+        return;
+    tell(r, "%s: %s\n  %s, %s, cost %.2e s\n", symbol, f->way, f->text,
+         sure_names[f->sure], f->cost);
+    if (isfinite(f->value) && (f->cost > 0 || f->sure != AVERAGES_OUT))
+        tell(r, "  found: %.6g, error %.2e of %.4g\n", f->value, f->error,
+             f->scale);
 }
 
 /* Finds one average. Returns NULL, or why there is none. */
@@ -560,7 +551,7 @@ static const char *find_mean(struct run *r, struct mean *m)
     if (!averages_find(&m->found, &q))
         program_give_up(PROGRAM, "no memory for averages");
     tell_mean(r, m);
-    return m->found.taken == m->found.candidates ? m->found.refusal : NULL;
+    return m->found.sure == AVERAGES_OUT ? m->found.refusal : NULL;
 }
 
 /* The way that was taken, the same for all or "several". */
@@ -568,8 +559,7 @@ static const char *mean_model(const struct run *r)
 {
     const char *name = NULL;
     for (size_t j = 0; j < r->means; ++j) {
-        const struct averages_found *f = &r->mean[j].found;
-        const char *next = f->candidate[f->taken].name;
+        const char *next = r->mean[j].found.way;
         name = !name || strcmp(name, next) == 0 ? next : "several";
     }
     return name;
@@ -599,22 +589,18 @@ static void chart_means(const struct run *r)
     write_chart_head(r);
     for (size_t j = 0; j < r->means; ++j) {
         const struct averages_found *f = &r->mean[j].found;
-        for (size_t k = 0; k < f->candidates; ++k)
-            if (isfinite(f->candidate[k].error) &&
-                isfinite(f->candidate[k].cost))
-                table_print(r->chart, "%.6g %.6g %d %s\n\n\n",
-                            f->candidate[k].error, f->candidate[k].cost,
-                            k == f->taken, f->candidate[k].name);
+        if (f->way && f->cost > 0)
+            table_print(r->chart, "%.6g %.6g %d %s\n\n\n", f->error,
+                        f->cost, f->sure != AVERAGES_OUT, f->way);
     }
 }
 
 static void summarise_means(const struct run *r, const char *refusal)
 {
     struct table *t = r->summary;
-    double cost = 0, deciding = 0, most = 0;
+    double cost = 0, most = 0;
     for (size_t j = 0; j < r->means; ++j) {
         cost += r->mean[j].found.cost;
-        deciding += r->mean[j].found.deciding;
         most = fmax(most, r->mean[j].found.error);
     }
     table_text(t, "end", refusal ? "refused" : "whole");
@@ -622,7 +608,7 @@ static void summarise_means(const struct run *r, const char *refusal)
     table_real(t, "tolerance", r->s->tolerance);
     table_real(t, "error_found", most);
     table_real(t, "cost", cost);
-    table_real(t, "deciding", deciding);
+    table_real(t, "deciding", 0);
 }
 
 /* Averages: all are found, or none is handed out. */

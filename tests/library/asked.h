@@ -18,7 +18,7 @@ static inline struct averages_found ask(const struct scene *s,
                                  .tolerance = tolerance,
                                  .reason = 5,
                                  .model = model};
-    struct averages_found f = {.taken = 99};
+    struct averages_found f = {.sure = AVERAGES_OUT};
     char message[AVERAGES_TEXT];
     UNIT_TRUE(averages_read(&q.quantity, name, s, message));
     UNIT_TRUE(averages_find(&f, &q));
@@ -27,13 +27,13 @@ static inline struct averages_found ask(const struct scene *s,
 
 static inline bool refused(const struct averages_found *f)
 {
-    return f->taken == f->candidates && f->refusal[0] != '\0';
+    return f->sure == AVERAGES_OUT && f->refusal[0] != '\0';
 }
 
 static inline bool taken(const struct averages_found *f, const char *name)
 {
-    return f->taken < f->candidates && f->refusal[0] == '\0' &&
-           strcmp(f->candidate[f->taken].name, name) == 0;
+    return f->sure != AVERAGES_OUT && f->refusal[0] == '\0' &&
+           strcmp(f->way, name) == 0;
 }
 
 /* A piston between two gases, at 0.35 of the box. */

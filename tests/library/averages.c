@@ -2,8 +2,9 @@
    the stop at the tolerance, and refusals. */
 #include "unit.h"
 
-#include "scenes/gallery.h"
+#include "enough/models.h"
 #include "library/asked.h"
+#include "scenes/gallery.h"
 #include "toolbox/random.h"
 
 #include <stdlib.h>
@@ -127,7 +128,7 @@ static void test_tonks(void)
         const struct averages_found f =
             ask(&s, "pressure", T, 1.01 * bound, NULL);
         UNIT_TRUE(taken(&f, "tonks"));
-        UNIT_EQUAL(f.candidate[f.taken].sure, AVERAGES_BOUND);
+        UNIT_EQUAL(f.sure, AVERAGES_BOUND);
         UNIT_NEAR(f.value, room / free, 1e-13);
         UNIT_NEAR(f.error, bound, 1e-13 * bound);
         const double force = fly(&s, T) / (2 * T);
@@ -139,27 +140,22 @@ static void test_tonks(void)
     }
 }
 
-/* Two disks: 1.24017, as chapter 6 has it; and the middle of the box. But
-   only when there is time to forget the start. */
+/* Two disks: 1.24017 in the end, as chapter 6 has it, and the middle of the
+   box. But a mean over a short time is not known so well, whatever the law
+   says, and none is given. */
 static void test_two_disks(void)
 {
     struct scene s;
     make(&s, "four-disks", "particles", 2);
-    struct averages_found f = ask(&s, "pressure", 1e5, 1e-6, NULL);
-    UNIT_TRUE(taken(&f, "two-disks"));
-    UNIT_NEAR(f.value, 1.24017, 5e-6);        /* as printed there */
-    UNIT_TRUE(f.cost == 0 && f.deciding > 0); /* events bear it out */
-    f = ask(&s, "pressure", 10, 1e-6, NULL);
-    UNIT_TRUE(refused(&f));
-    f = ask(&s, "y:1", 10, 1e-6, NULL);
-    UNIT_TRUE(refused(&f));
-    f = ask(&s, "y:1", 1e5, 1e-6, NULL);
-    UNIT_TRUE(taken(&f, "two-disks"));
-    UNIT_EQUAL(f.value, 0.5);
-    s.mass[1] = 2; /* proved for equal masses only */
-    f = ask(&s, "pressure", 1e6, 0.02, NULL);
-    UNIT_TRUE(!taken(&f, "two-disks"));
-    UNIT_NEAR(f.value, 1.24017, 2 * f.error * f.scale);
+    struct averages_found f = ask(&s, "pressure", 1e6, 0.004, NULL);
+    UNIT_TRUE(taken(&f, "events") && f.error <= 0.004);
+    UNIT_NEAR(f.value, 1.2401672, 1.5 * f.error * f.scale);
+    UNIT_TRUE(refused((f = ask(&s, "pressure", 1e4, 1e-4, NULL), &f)));
+    UNIT_TRUE(refused((f = ask(&s, "pressure", 10, 1e-3, NULL), &f)));
+    UNIT_TRUE(refused((f = ask(&s, "y:1", 10, 1e-3, NULL), &f)));
+    f = ask(&s, "y:1", 1e5, 0.02, NULL);
+    UNIT_TRUE(taken(&f, "events"));
+    UNIT_NEAR(f.value, 0.5, 1.5 * f.error);
     scene_free(&s);
 }
 
@@ -169,37 +165,34 @@ static void test_four_disks(void)
 {
     struct scene s;
     make(&s, "four-disks", NULL, 0);
-    static const char *const ways[] = {NULL, "events", "sampling"};
-    for (int k = 0; k < 3; ++k) {
-        const struct averages_found f =
-            ask(&s, "pressure", 1e6, 0.01, ways[k]);
-        UNIT_TRUE(!refused(&f));
-        UNIT_TRUE(f.error <= 0.01 && f.error > 0.001);
-        UNIT_NEAR(f.value, 1.88926, 2 * f.error * f.value);
-        UNIT_TRUE(f.samples >= 192 && f.inefficiency > 0);
-    }
-    struct averages_found f = ask(&s, "x:2", 1e6, 0.02, "events");
-    UNIT_NEAR(f.value, 0.5, 2 * f.error);
-    f = ask(&s, "y:1", 1e6, 0.02, "sampling");
+    struct averages_found f = ask(&s, "pressure", 1e6, 0.01, "events");
+    UNIT_TRUE(taken(&f, "events") && f.error <= 0.01 && f.error > 0.001);
+    UNIT_NEAR(f.value, 1.88926, 2 * f.error * f.value);
+    UNIT_TRUE(f.time > 100 && f.time < 1e5);
+    f = ask(&s, "x:2", 1e6, 0.02, NULL);
+    UNIT_TRUE(taken(&f, "events"));
     UNIT_NEAR(f.value, 0.5, 2 * f.error);
     scene_free(&s);
 }
 
-/* In a periodic box the centre of mass makes no pressure, by events as by a
-   chain, which knows of no velocities: the two agree. */
+/* In a periodic box the centre of mass makes no pressure: 0.7 m/s more for
+   all make no difference. The pressure of these two is that of the second
+   virial coefficient to within a few per cent: (N - 1)/N of 2 pi r^2 N / V
+   and higher terms. */
 static void test_periodic(void)
 {
     struct scene s;
-    make(&s, "four-disks", NULL, 0);
+    make(&s, "four-disks", "radius", 0.05);
     s.wall[0] = s.wall[1] = SCENE_PERIODIC;
+    const struct averages_found a =
+        ask(&s, "pressure", 1e5, 0.005, "events");
     for (size_t i = 0; i < 4; ++i)
         s.velocity[i] += 0.7;
-    const struct averages_found a =
-        ask(&s, "pressure", 1e6, 0.005, "events");
     const struct averages_found b =
-        ask(&s, "pressure", 1e6, 0.01, "sampling");
+        ask(&s, "pressure", 1e5, 0.005, "events");
     UNIT_TRUE(!refused(&a) && !refused(&b));
     UNIT_NEAR(a.value, b.value, 1.5 * (a.error + b.error) * a.value);
+    UNIT_NEAR(a.value, 1 + 3.14159265 * 0.0025 * 2 * 3, 0.02);
     scene_free(&s);
 }
 
@@ -227,26 +220,26 @@ static void test_same_bits(void)
     const struct averages_found b = ask(&s, "x:0", 1e5, 0.03, NULL);
     UNIT_EQUAL(a.value, b.value);
     UNIT_EQUAL(a.error, b.error);
-    UNIT_EQUAL((double)a.taken, (double)b.taken);
-    UNIT_EQUAL(a.cost + a.deciding, b.cost + b.deciding);
+    UNIT_EQUAL(a.time, b.time);
+    UNIT_EQUAL(a.cost, b.cost);
     scene_free(&s);
 }
 
-/* The law of places is taken when events bear it out: k/(n+1) of the free
-   length, and the radii. */
+/* Places on a line come to k/(n+1) of the free length, and the radii; but
+   how near a mean over a time is to that, the run has to say. */
 static void test_order(void)
 {
     struct scene s;
     make_rods(&s, 6, 2, 10);
     const double free = 10 - 2 * (0.05 + 0.1 + 0.15) * 2;
-    const struct averages_found f = ask(&s, "x:2", 1e6, 1e-4, NULL);
-    UNIT_TRUE(taken(&f, "order"));
-    UNIT_NEAR(f.value, 1 + 2 * (0.05 + 0.1) + 0.15 + free * 3 / 7, 1e-12);
-    const struct averages_found known = ask(&s, "x:2", 1e6, 0.02, NULL);
-    UNIT_TRUE(taken(&known, "events")); /* it does not need the law */
-    const struct averages_found law = ask(&s, "x:2", 1e6, 0.02, "order");
-    UNIT_TRUE(taken(&law, "order"));
-    UNIT_EQUAL(law.value, f.value);
+    const double law = 1 + 2 * (0.05 + 0.1) + 0.15 + free * 3 / 7;
+    struct averages_found f = ask(&s, "x:2", 1e6, 0.01, NULL);
+    UNIT_TRUE(taken(&f, "events") && f.error <= 0.01);
+    UNIT_NEAR(f.value, law, f.error * f.scale);
+    f = ask(&s, "x:2", 1e4, 1e-4, NULL);
+    UNIT_TRUE(refused(&f));
+    f = ask(&s, "x:2", 1e6, 0.01, "order");
+    UNIT_TRUE(refused(&f) && strstr(f.refusal, "'order' is no way"));
     scene_free(&s);
 }
 
@@ -263,43 +256,23 @@ static void test_squeezed(void)
     scene_free(&s);
 }
 
-/* Springs instead of forty bodies: the mean of the same 256 s by events
-   , within the error that springs give. */
-static void test_springs(void)
-{
-    struct scene s;
-    make_piston(&s, 41, 600);
-    const struct averages_found f = ask(&s, "x:20", 256, 0.01, NULL);
-    UNIT_TRUE(taken(&f, "springs"));
-    const struct models_plan plan = {.model = models_find("line")};
-    struct models_run r;
-    const char *why;
-    double sum = 0;
-    UNIT_TRUE(models_begin(&r, &plan, &s, 1, &why));
-    for (int k = 0; k < 256; ++k) {
-        models_row(&r);
-        sum += r.scene.position[20];
-    }
-    models_end(&r);
-    UNIT_NEAR(f.value, sum / 256, f.error * 12);
-    UNIT_TRUE(f.error * 12 < 0.12);
-    scene_free(&s);
-}
-
 /* Radii move the places, and nothing else. */
 static void test_radii(void)
 {
     struct scene s;
-    make_piston(&s, 41, 600);
-    const struct averages_found points = ask(&s, "x:20", 256, 0.01, NULL);
-    for (size_t i = 0; i < 41; ++i) {
+    make_rods(&s, 6, 2, 10);
+    for (size_t i = 0; i < 6; ++i)
+        s.radius[i] = 0;
+    const struct averages_found points = ask(&s, "x:2", 1e6, 0.02, NULL);
+    for (size_t i = 0; i < 6; ++i) {
         s.radius[i] = 0.25; /* a power of two: sums are exact */
         s.position[i] += 0.25 * (double)(2 * i + 1);
     }
-    s.high[0] += 0.5 * 41;
-    const struct averages_found rods = ask(&s, "x:20", 256, 0.01, NULL);
-    UNIT_TRUE(taken(&rods, "springs"));
-    UNIT_NEAR(rods.value, points.value + 0.25 * 41, 1e-9);
+    s.high[0] += 0.5 * 6;
+    const struct averages_found rods = ask(&s, "x:2", 1e6, 0.02, NULL);
+    UNIT_TRUE(taken(&points, "events") && taken(&rods, "events"));
+    UNIT_NEAR(rods.value, points.value + 0.25 * 5,
+              points.error * points.scale + rods.error * rods.scale);
     scene_free(&s);
 }
 
@@ -365,8 +338,7 @@ static void test_refusals(void)
     s.wall[0] = s.wall[1] = SCENE_PERIODIC;
     UNIT_TRUE(says(&s, "x:0", "periodic"));
     s.wall[0] = s.wall[1] = SCENE_HARD;
-    const struct averages_found f = ask(&s, "x:0", 10, 0.01, "events");
-    UNIT_TRUE(refused(&f) && strstr(f.refusal, "does not settle"));
+    UNIT_TRUE(says(&s, "x:0", "does not settle"));
     for (size_t i = 0; i < 8; ++i)
         s.velocity[i] = 0;
     UNIT_TRUE(says(&s, "pressure", "othing moves") ||
@@ -377,44 +349,42 @@ static void test_refusals(void)
     scene_free(&s);
 }
 
-/* Too short a time: how much longer it would take is said. */
+/* Too short a time: which would be long enough is said. */
 static void test_short(void)
 {
     struct scene s;
     make(&s, "four-disks", NULL, 0);
     const struct averages_found f =
         ask(&s, "pressure", 1000, 1e-3, "events");
-    UNIT_TRUE(refused(&f) && strstr(f.refusal, "times as long"));
+    UNIT_TRUE(refused(&f) && strstr(f.refusal, "need not"));
     scene_free(&s);
 }
 
-/* What is much too dear is refused for little work, by all of the ways:
-   for a second by the price list, of a minute that is reasonable. */
+/* What is much too expensive is refused for little work: for a second by
+   the price list, of a minute that is reasonable. */
 static void test_dear(void)
 {
     static const struct {
-        const char *scene, *name, *model;
+        const char *scene, *name;
         double tolerance;
-    } asked[] = {{"gas", "pressure", NULL, 1e-5},
-                 {"gas", "pressure", "sampling", 1e-5},
-                 {"gas", "x:5", NULL, 0.005},
-                 {"gas", "x:5", "sampling", 0.005},
-                 {"four-disks", "x:0", NULL, 1e-5},
-                 {"four-disks", "pressure", "events", 1e-6}};
+    } asked[] = {{"gas", "pressure", 1e-5},
+                 {"gas", "x:5", 0.005},
+                 {"four-disks", "x:0", 1e-5},
+                 {"four-disks", "pressure", 1e-6}};
     for (size_t k = 0; k < sizeof asked / sizeof asked[0]; ++k) {
         struct scene s;
         make(&s, asked[k].scene, NULL, 0);
         struct averages_request q = {.scene = &s,
                                      .until = 1e9,
                                      .tolerance = asked[k].tolerance,
-                                     .reason = AVERAGES_REASON,
-                                     .model = asked[k].model};
+                                     .reason = AVERAGES_REASON};
         struct averages_found f;
         char message[AVERAGES_TEXT];
         UNIT_TRUE(averages_read(&q.quantity, asked[k].name, &s, message));
         UNIT_TRUE(averages_find(&f, &q));
-        UNIT_TRUE(refused(&f) && strstr(f.refusal, "price list"));
-        UNIT_TRUE(f.cost + f.deciding < 1);
+        UNIT_TRUE(refused(&f) && (strstr(f.refusal, "price list") ||
+                                  strstr(f.refusal, "need not")));
+        UNIT_TRUE(f.cost < 1);
         scene_free(&s);
     }
 }
@@ -438,34 +408,8 @@ static void test_locked(void)
 {
     struct scene s = locked();
     const struct averages_found f = ask(&s, "x:0", 1e9, 0.1, NULL);
-    UNIT_TRUE(refused(&f) && strstr(f.refusal, "just alike"));
-    UNIT_TRUE(f.cost + f.deciding < 0.5); /* of 5 */
-    scene_free(&s);
-}
-
-/* What the price is foreseen from: of bodies that are locked in, two left
-   and two right of the middle by d, the means scatter by s = 2 d / sqrt(3).
-   Places that fill a room of 0.56 evenly scatter by 0.56 / sqrt(12), and 90
-   such samples are wanted: 90 (s / that)^2 times what has been spent. (A
-   twentieth of it went into getting ready.) */
-static void test_foreseen(void)
-{
-    struct scene s = locked();
-    const struct averages_request q = {.scene = &s,
-                                       .quantity = {AVERAGES_PLACE, 0, 0},
-                                       .until = 1e9,
-                                       .tolerance = 0.4,
-                                       .reason = 0.01,
-                                       .model = "events"};
-    struct averages_found f;
-    UNIT_TRUE(averages_find(&f, &q));
-    UNIT_TRUE(refused(&f));
-    UNIT_TRUE(strcmp(f.candidate[0].name, "events") == 0);
-    const double d = f.candidate[0].value - 0.5;
-    const double scatter = 4 * d * d / 3, whole = 0.56 * 0.56 / 12;
-    UNIT_NEAR(f.candidate[0].cost / (f.cost + f.deciding) /
-                  (90 * scatter / whole),
-              0.95, 0.1);
+    UNIT_TRUE(refused(&f) && strstr(f.refusal, "far from where"));
+    UNIT_TRUE(f.cost < 0.5); /* of 5 */
     scene_free(&s);
 }
 
@@ -484,8 +428,99 @@ static void test_offer(void)
     UNIT_TRUE(q.tolerance > 1e-5 && q.tolerance < 0.1);
     UNIT_TRUE(averages_find(&f, &q));
     UNIT_TRUE(!refused(&f) && f.error <= q.tolerance);
-    UNIT_TRUE(f.cost + f.deciding < 0.3);
+    UNIT_TRUE(f.cost < 0.3);
     scene_free(&s);
+}
+
+/* The mean over all of a time, from nearly this start. */
+static double mean_of_run(const struct scene *start, double T, bool place)
+{
+    const struct models_plan plan = {
+        .model = models_find(start->freedom[start->bodies] > 0 ? "disks"
+                                                               : "line")};
+    struct models_run r;
+    struct scene s;
+    const char *why;
+    double sum = 0, energy = 0;
+    const int rows = 20000;
+    if (!scene_copy(&s, start))
+        exit(1);
+    for (size_t c = 0; c < 2 * s.bodies; ++c) {
+        s.velocity[c] *= 1 + 1e-12 * (double)(c + 1);
+        energy += s.mass[c % s.bodies] * s.velocity[c] * s.velocity[c] / 2;
+    }
+    if (!models_begin(&r, &plan, &s, T / rows, &why))
+        exit(1);
+    for (int k = 0; k < rows && models_row(&r) == MODELS_DONE; ++k)
+        sum += r.scene.position[0];
+    const double Z = 1 + r.virial / (2 * energy * T);
+    models_end(&r);
+    scene_free(&s);
+    return place ? sum / rows : Z;
+}
+
+/* Disks of one mass or of many, or a line, thrown. */
+static void throw_scene(struct scene *s, size_t n, bool line, uint64_t seed)
+{
+    struct random r;
+    random_seed(&r, seed);
+    if (!scene_create(s, n))
+        exit(1);
+    s->contact = true;
+    s->wall[0] = SCENE_HARD;
+    s->wall[1] = line ? SCENE_OPEN : SCENE_HARD;
+    s->high[0] = s->high[1] = 1;
+    for (size_t i = 0; i < n; ++i) {
+        s->mass[i] =
+            line ? random_between(&r, 0.4, 1.6) : 1 + (double)(n % 4);
+        s->radius[i] = line ? 0 : 0.3 / (double)n;
+        s->position[i] = line ? ((double)i + 0.5) / (double)n
+                              : 0.25 + 0.5 * (double)(i % 2);
+        s->position[n + i] = line ? 0 : 0.25 + 0.5 * (double)(i / 2);
+        s->velocity[i] = random_between(&r, -1, 1);
+        s->velocity[n + i] = line ? 0 : random_between(&r, -1, 1);
+        s->freedom[n + i] = !line;
+        s->freedom[2 * n + i] = 0;
+    }
+}
+
+/* Means over a time against runs of all that time, of many starts: not
+   more than one in twenty is further off than its error, and on average a
+   quarter of the square of the error at most. */
+static void test_honest(void)
+{
+    static const struct {
+        const char *name;
+        size_t bodies;
+        bool line;
+        double until, tolerance;
+    } asked[] = {{"pressure", 2, false, 1e3, 0.05},
+                 {"pressure", 2, false, 2e4, 0.02},
+                 {"pressure", 4, false, 3e3, 0.02},
+                 {"x:0", 4, false, 1e4, 0.04},
+                 {"x:0", 6, true, 1e4, 0.02}};
+    double given = 0, beyond = 0, squares = 0;
+    for (size_t k = 0; k < sizeof asked / sizeof asked[0]; ++k)
+        for (uint64_t seed = 1; seed <= 40; ++seed) {
+            struct scene s;
+            throw_scene(&s, asked[k].bodies, asked[k].line, seed);
+            const struct averages_found f =
+                ask(&s, asked[k].name, asked[k].until, asked[k].tolerance,
+                    NULL);
+            const double mean =
+                mean_of_run(&s, asked[k].until, asked[k].name[0] == 'x');
+            const double off = fabs(f.value - mean) / f.scale;
+            scene_free(&s);
+            if (refused(&f))
+                continue;
+            UNIT_TRUE(f.error <= asked[k].tolerance);
+            given += 1;
+            beyond += off > f.error;
+            squares += off * off / (f.error * f.error);
+        }
+    UNIT_TRUE(given >= 120);
+    UNIT_TRUE(beyond <= 0.05 * given);
+    UNIT_TRUE(squares <= 0.25 * given);
 }
 
 int main(void)
@@ -495,25 +530,27 @@ int main(void)
         (struct unit_test[]){
             {"what is conserved is its mean", test_conserved},
             {"every run shows Tonks's law to within its bound", test_tonks},
-            {"two disks have a law, if they are equal", test_two_disks},
-            {"four disks have the pressure of the reference, by any way",
+            {"two disks are near their law if there is time",
+             test_two_disks},
+            {"four disks have the pressure of the reference",
              test_four_disks},
-            {"in a periodic box events and chain agree", test_periodic},
+            {"in a periodic box the centre makes no pressure",
+             test_periodic},
             {"no more is simulated than the tolerance needs", test_stop},
             {"the same question has the same bits", test_same_bits},
-            {"the law of places is taken when it is borne out", test_order},
+            {"places on a line come to their law, with an error",
+             test_order},
             {"a squeezed start does not count", test_squeezed},
-            {"springs have the piston's mean place", test_springs},
             {"radii move the places only", test_radii},
             {"a gas let out of a corner has its own pressure", test_burst},
             {"names are read, and others refused", test_read},
             {"scenes without an average are refused", test_refusals},
             {"too short a time is refused with a better one", test_short},
-            {"what is much too dear is refused at little cost", test_dear},
+            {"what is much too expensive is refused at little cost",
+             test_dear},
             {"disks that are locked in are refused at little cost",
              test_locked},
-            {"a price is foreseen from how far places scatter",
-             test_foreseen},
             {"the tolerance that is offered can be had", test_offer},
+            {"errors hold nineteen times out of twenty", test_honest},
             {0}});
 }

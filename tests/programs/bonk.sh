@@ -62,9 +62,10 @@ holds '--explain without -o says the same on standard error' \
 holds 'and the table is the same' cmp "$w/t" "$w/t2"
 $bonk "$w/four-disks" --until 1e6 --tolerance 0.05 --observe mean:pressure \
     --explain -o "$w/t" >"$w/story"
-holds 'of averages: a way without a value has a dash for it' \
-    sh -c "grep -q '^  steps  *out  *- ' '$w/story' &&
-        ! grep -q nan '$w/story'"
+holds 'of averages: the way, what was seen, and what was found' \
+    sh -c "grep -q '^Z: events$' '$w/story' &&
+        grep -q '^  [0-9.e+]* s by events, estimate, cost' '$w/story' &&
+        grep -q '^  found: 1[.][0-9]*, error' '$w/story'"
 
 # --chart: points of several methods, the one that was taken marked.
 $bonk "$w/figure-eight" --until 20 --tolerance 1e-6 --chart "$w/c" -o "$w/t"
@@ -169,7 +170,7 @@ refuses 2 'does not suit' $bonk "$w/cradle" --until 1 --tolerance 1e-3 \
 refuses 2 '\-\-model.* one of .*gauss4' $bonk "$w/cradle" --until 1 \
     --tolerance 1e-3 --model midpoint
 refuses 2 '\-\-model: needs a value, PLAN: .*kepler.*disks' $bonk --model
-refuses 1 "'nosuch' is no way .* there are events, sampling" $bonk \
+refuses 1 "'nosuch' is no way .*; events is" $bonk \
     "$w/four-disks" --until 1e6 --tolerance 0.05 --observe mean:pressure \
     --model nosuch
 refuses 2 'no observable' $bonk "$w/cradle" --until 1 --tolerance 1e-3 \

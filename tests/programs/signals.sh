@@ -43,7 +43,7 @@ told TERM 1 table $bin/gravity-studies --study ring
 told TERM 1 table $bin/springs-studies --study limits
 told TERM 1 table $bin/spheres-studies --study checks
 told TERM 1 table $bin/step-studies --study rounding
-told TERM 1 table $bin/averages-studies --study digits
+told TERM 1 table $bin/averages-studies
 told HUP 1 table $bin/disks-studies --study collapse
 # One that waits for its input and does not listen is ended after a while.
 mkfifo "$work/pipe"

@@ -8,18 +8,6 @@
 
 #include <stdlib.h>
 
-/* What a way has found; NAN if it was not tried. */
-static const struct averages_candidate *candidate(
-    const struct averages_found *f, const char *name)
-{
-    static const struct averages_candidate none = {
-        .name = "", .value = NAN, .error = NAN};
-    for (size_t k = 0; k < f->candidates; ++k)
-        if (strcmp(f->candidate[k].name, name) == 0)
-            return &f->candidate[k];
-    return &none;
-}
-
 static void make_four(struct scene *s, double radius)
 {
     if (gallery_make(s, gallery_find(hard_scenes, "four-disks"), NULL, 0))
@@ -65,133 +53,23 @@ static void make_pair(struct scene *s, double ratio, uint64_t seed)
     }
 }
 
-/* The mean place of the first of two points over a time, from the parabola
-   between collisions: no rows, and an engine of the test's own. */
-static double mean_of_first(const struct scene *s, double until)
-{
-    double x[2] = {s->position[0], s->position[1]}, now = 0, sum = 0;
-    double v[2] = {s->velocity[0], s->velocity[1]};
-    const double a = s->mass[0], b = s->mass[1];
-    while (now < until) {
-        const double left = v[0] < 0 ? -x[0] / v[0] : INFINITY;
-        const double right = v[1] > 0 ? (1 - x[1]) / v[1] : INFINITY;
-        const double meet =
-            v[0] > v[1] ? (x[1] - x[0]) / (v[0] - v[1]) : INFINITY;
-        const double next = fmax(0, fmin(meet, fmin(left, right)));
-        const double t = fmin(next, until - now);
-        sum += x[0] * t + v[0] * t * t / 2;
-        x[0] += v[0] * t;
-        x[1] += v[1] * t;
-        now += t;
-        if (left <= next)
-            v[0] = -v[0];
-        else if (right <= next)
-            v[1] = -v[1];
-        else {
-            const double mean = (a * v[0] + b * v[1]) / (a + b);
-            v[0] = 2 * mean - v[0];
-            v[1] = 2 * mean - v[1];
-        }
-    }
-    return sum / until;
-}
-
-/* Two alone on a line: whatever their masses, what is answered is the mean
-   of the run. Blocks believe in means that are many errors off. */
+/* Two alone on a line, whatever their masses: blocks believe in means that
+   are many errors off, and the mean depends on the start for ever. There is
+   none to be had, but of the pressure. */
 static void test_pairs(void)
 {
     static const double ratios[] = {1.1, 1.618033988749895, 2, 3, 30, 1000};
-    const double T = 5000;
-    for (size_t k = 0; k < sizeof ratios / sizeof ratios[0]; ++k)
-        for (uint64_t seed = 1; seed <= 5; ++seed) {
-            struct scene s;
-            make_pair(&s, ratios[k], seed);
-            const double mean = mean_of_first(&s, T);
-            for (double e = 0.05; e > 0.004; e /= 3) {
-                const struct averages_found f = ask(&s, "x:0", T, e, NULL);
-                UNIT_TRUE(taken(&f, "whole"));
-                UNIT_TRUE(f.error <= e);
-                UNIT_NEAR(f.value, mean, f.error);
-            }
-            scene_free(&s);
-        }
-}
-
-/* Equal masses with speeds that differ by a hundredth: three standard
-   errors at most, where blocks of a run are off by forty. */
-static void test_beats(void)
-{
-    const double T = 5000;
-    for (uint64_t seed = 1; seed <= 6; ++seed) {
+    for (size_t k = 0; k < sizeof ratios / sizeof ratios[0]; ++k) {
         struct scene s;
-        make_pair(&s, 1, seed);
-        const struct averages_found f = ask(&s, "x:0", T, 0.01, NULL);
-        UNIT_TRUE(taken(&f, "instants"));
-        UNIT_TRUE(f.error <= 0.01);
-        UNIT_NEAR(f.value, mean_of_first(&s, T), 1.5 * f.error);
+        make_pair(&s, ratios[k], 1);
+        const struct averages_found f = ask(&s, "x:0", 5000, 0.05, NULL);
+        UNIT_TRUE(refused(&f) && strstr(f.refusal, "depends on the start"));
+        UNIT_EQUAL(f.cost, 0);
+        const struct averages_found g =
+            ask(&s, "pressure", 5000, 0.01, NULL);
+        UNIT_TRUE(taken(&g, "tonks"));
         scene_free(&s);
     }
-}
-
-/* A ball at rest that nobody meets in time: throws that have all seen the
-   same do not know that there is nothing else, to 3 in their number. */
-static void test_unseen(void)
-{
-    struct scene s;
-    make_pair(&s, 1, 1);
-    s.velocity[0] = 0;
-    s.velocity[1] = 1e-6;
-    const struct averages_found f = ask(&s, "x:0", 100, 1e-3, NULL);
-    UNIT_TRUE(taken(&f, "instants"));
-    UNIT_NEAR(f.value, s.position[0], 1e-12);
-    UNIT_TRUE(f.error <= 1e-3 && f.error * (double)f.samples >= 3);
-    scene_free(&s);
-}
-
-/* A run whose end nobody pays for is refused early, and the time that is
-   offered instead can be had. */
-static void test_endless(void)
-{
-    struct scene s;
-    make_pair(&s, 30, 1);
-    const struct averages_found f = ask(&s, "x:0", 1e12, 0.01, NULL);
-    const char *offer = strstr(f.refusal, "; ask for ");
-    UNIT_TRUE(refused(&f) && offer);
-    UNIT_TRUE(f.cost + f.deciding < 0.01);
-    const double T = offer ? strtod(offer + 10, NULL) : 0;
-    UNIT_TRUE(T > 1e4 && T < 1e9);
-    struct averages_request q = {.scene = &s,
-                                 .quantity = {.kind = AVERAGES_PLACE},
-                                 .until = 1e12,
-                                 .tolerance = 0.01,
-                                 .reason = 0.02};
-    struct averages_found g;
-    UNIT_TRUE(averages_find(&g, &q) && refused(&g));
-    offer = strstr(g.refusal, "; ask for ");
-    q.until = offer ? strtod(offer + 10, NULL) : 0;
-    UNIT_TRUE(averages_find(&g, &q) && taken(&g, "whole"));
-    UNIT_TRUE(g.cost + g.deciding <= 0.02);
-    scene_free(&s);
-}
-
-/* Two that meet the wall and each other at one instant: which comes first
-   is a matter of the last bit, and the run another one after it. */
-static void test_corner(void)
-{
-    struct scene s;
-    make_pair(&s, 2, 1);
-    s.position[0] = -(s.velocity[0] = -0.3);
-    s.position[1] = -(s.velocity[1] = -0.6);
-    struct averages_found f = ask(&s, "x:0", 1000, 0.01, NULL);
-    const char *offer = strstr(f.refusal, "rounding decides");
-    UNIT_TRUE(refused(&f) && offer);
-    offer = offer ? strstr(offer, "ask for ") : NULL;
-    const double e = offer ? strtod(offer + 8, NULL) : 1;
-    UNIT_TRUE(e > 0.01 && e < 0.1);
-    f = ask(&s, "x:0", 1000, e, NULL);
-    UNIT_TRUE(taken(&f, "whole") && f.error <= e);
-    UNIT_NEAR(f.value, mean_of_first(&s, 1000), f.error * f.scale);
-    scene_free(&s);
 }
 
 /* An empty box with walls, for so many disks. */
@@ -205,23 +83,19 @@ static void make_box(struct scene *s, size_t n, double width, double height)
     s->high[1] = height;
 }
 
-/* Two disks on one line in a wide box, a third one aside, and nothing moves
-   across. A chain goes everywhere, and knows the middle to a fiftieth; the
-   motion never puts the first disk to the right of the second. */
-static void test_chain(void)
+/* Three disks that all move along one line for ever: half the energy is
+   never across, and the mean that blocks believe is that of this start. */
+static void test_line_of_disks(void)
 {
     struct scene s;
     make_box(&s, 3, 1, 1);
     put(&s, 0, 1, 0.1, (double[]){0.25, 0.25}, (double[]){1, 0});
     put(&s, 1, 2, 0.1, (double[]){0.75, 0.25}, (double[]){0.3, 0});
     put(&s, 2, 2, 0.1, (double[]){0.75, 0.75}, (double[]){0.4, 0});
-    const struct averages_found f = ask(&s, "x:0", 1e4, 0.02, "sampling");
-    const struct averages_candidate *chain = candidate(&f, "sampling");
-    UNIT_TRUE(refused(&f) && strstr(f.refusal, "where the chain goes"));
-    UNIT_TRUE(chain->error < 0.02);
-    UNIT_NEAR(chain->value, 0.5, 2 * chain->error);
-    const struct averages_found g = ask(&s, "x:0", 1e4, 0.02, NULL);
-    UNIT_TRUE(taken(&g, "events") && g.value < 0.35);
+    const struct averages_found f = ask(&s, "x:0", 1e4, 0.02, NULL);
+    UNIT_TRUE(refused(&f) && f.value < 0.35);
+    const struct averages_found g = ask(&s, "pressure", 1e4, 0.02, NULL);
+    UNIT_TRUE(refused(&g) && strstr(g.refusal, "remember the start"));
     scene_free(&s);
 }
 
@@ -236,8 +110,10 @@ static void test_columns(void)
     put(&s, 1, 2, 0.1, (double[]){0.75, 0.6}, (double[]){-1e-4, 0.7});
     const struct averages_found f = ask(&s, "pressure", 1e5, 0.01, NULL);
     UNIT_TRUE(!refused(&f));
-    /* two disks in the end, whatever their masses: (12, eq:averages-two) */
+    /* two disks in the end, whatever their masses: (6.5, eq:two-disks) */
     UNIT_NEAR(f.value, 1.0816704238714616, 1.5 * f.error * f.scale);
+    const struct averages_found g = ask(&s, "pressure", 100, 0.01, NULL);
+    UNIT_TRUE(refused(&g));
     scene_free(&s);
 }
 
@@ -256,74 +132,48 @@ static void test_door(void)
     scene_free(&s);
 }
 
-/* Settled after 2048 s at 5 m, and on the way to 6 m all the same: a long
-   run must not stop where a short one may. */
+/* Settled after 2048 s at 5 m, and on the way to 6 m all the same: no mean
+   is given that a longer run would not have. */
 static void test_patience(void)
 {
     struct scene s;
     make_piston(&s, 41, 600);
-    const struct averages_found brief = ask(&s, "x:20", 2048, 0.01, NULL);
-    UNIT_TRUE(!refused(&brief));
-    UNIT_NEAR(brief.value, 4.97, 0.1); /* the mean of the run to 2048 s */
-    const struct averages_found f = ask(&s, "x:20", 32768, 0.01, NULL);
+    const struct averages_found f = ask(&s, "x:20", 2048, 0.05, NULL);
     UNIT_TRUE(refused(&f) && strstr(f.refusal, "settle"));
-    UNIT_TRUE(candidate(&f, "events")->error < 0.01);
-    UNIT_TRUE(candidate(&f, "order")->sure == AVERAGES_OUT);
-    UNIT_NEAR(candidate(&f, "order")->value, 6, 1e-12);
-    /* thirty years of it nobody pays for, and says so */
-    const struct averages_found g = ask(&s, "x:20", 9.5e8, 0.01, NULL);
-    UNIT_TRUE(refused(&g) && strstr(g.refusal, "too few to be sure of"));
+    UNIT_NEAR(f.value, 4.97, 0.1); /* the mean of the run to 2048 s */
+    UNIT_TRUE(f.error * f.scale > 6 - f.value);
+    const struct averages_found g = ask(&s, "x:20", 32768, 0.01, NULL);
+    UNIT_TRUE(refused(&g) && strstr(g.refusal, "settle"));
+    /* thirty years of it cost too much, which is seen early */
+    const struct averages_found h = ask(&s, "x:20", 9.5e8, 0.01, NULL);
+    UNIT_TRUE(refused(&h) && h.cost < 1);
     scene_free(&s);
 }
 
-/* Twice as heavy: beside events the springs look well for two swings, and
-   after 10000 s the mean has left theirs. */
-static void test_drift(void)
-{
-    struct scene s;
-    make_piston(&s, 41, 1200);
-    const struct averages_found brief = ask(&s, "x:20", 1000, 0.01, NULL);
-    UNIT_TRUE(!refused(&brief));
-    UNIT_TRUE(candidate(&brief, "springs")->error < 0.01);
-    const struct averages_found f = ask(&s, "x:20", 1e4, 0.01, NULL);
-    UNIT_TRUE(refused(&f));
-    UNIT_TRUE(candidate(&f, "events")->value -
-                  candidate(&f, "springs")->value >
-              0.1);
-    scene_free(&s);
-}
-
-/* Disks in their corners: both ways have a mean of 0.27 and an error of
-   less than a hundredth. */
+/* Disks in their corners: blocks have a mean of 0.27 and an error of less
+   than a hundredth. */
 static void test_corners(void)
 {
-    static const char *const ways[] = {"events", "sampling"};
     struct scene s;
     make_four(&s, 0.2);
-    for (int k = 0; k < 2; ++k) {
-        const struct averages_found f = ask(&s, "x:0", 2000, 0.02, ways[k]);
-        const struct averages_candidate *c = candidate(&f, ways[k]);
-        UNIT_TRUE(refused(&f) && strstr(f.refusal, "just alike"));
-        UNIT_NEAR(c->value, 0.27, 0.01);
-        UNIT_TRUE(c->error < 0.01);
-    }
-    struct averages_found f = ask(&s, "pressure", 1e5, 0.01, NULL);
-    UNIT_TRUE(!refused(&f)); /* does not care which is which */
+    const struct averages_found f = ask(&s, "x:0", 2000, 0.02, NULL);
+    UNIT_TRUE(refused(&f) && strstr(f.refusal, "far from where"));
+    UNIT_NEAR(f.value, 0.27, 0.01);
+    UNIT_TRUE(f.error > 0.23);
+    const struct averages_found g = ask(&s, "pressure", 1e5, 0.01, NULL);
+    UNIT_TRUE(!refused(&g)); /* does not care which is which */
     scene_free(&s);
 }
 
-/* Equal masses on a line keep their speeds: no law is taken, and the mean
-   of the cradle's first ball is nowhere near it. */
+/* Equal masses on a line keep their speeds: the mean of the cradle's first
+   ball is nowhere near the law of places, and no mean is given. */
 static void test_equal_masses(void)
 {
     struct scene s;
     if (gallery_make(&s, gallery_find(hard_scenes, "cradle"), NULL, 0))
         exit(1);
     const struct averages_found f = ask(&s, "x:0", 1e4, 0.01, NULL);
-    const struct averages_candidate *law = candidate(&f, "order");
-    UNIT_TRUE(!refused(&f));
-    UNIT_TRUE(law->sure == AVERAGES_OUT && strstr(law->text, "speeds"));
-    UNIT_TRUE(f.value - law->value > 0.1 * f.scale);
+    UNIT_TRUE(refused(&f) && strstr(f.refusal, "exchange their speeds"));
     scene_free(&s);
 }
 
@@ -348,63 +198,50 @@ static void make_line(struct scene *s, size_t n, double share,
 
 /* Eight masses that differ by a hundredth: a first look has the first body
    at 0.866(38) m, where the law of places has 0.889; a run of 30000 s has
-   it at 0.935(12). A law that is a bet is not taken for the first look. */
-static void test_bet(void)
+   it at 0.935(12). What is said, if anything, holds that. */
+static void test_alike(void)
 {
     struct scene s;
     make_line(&s, 8, 0.01, 11);
-    const struct averages_found f = ask(&s, "x:0", 3e4, 1e-3, NULL);
-    UNIT_TRUE(refused(&f));
-    UNIT_NEAR(candidate(&f, "order")->value, 8.0 / 9, 1e-12);
-    UNIT_TRUE(candidate(&f, "order")->sure == AVERAGES_OUT);
-    const struct averages_found g = ask(&s, "x:0", 3e4, 0.005, NULL);
-    UNIT_TRUE(taken(&g, "events"));
-    UNIT_NEAR(g.value, 0.935, 1.5 * (0.024 + g.error * g.scale));
+    for (double e = 0.02; e > 1e-3; e /= 2) {
+        const struct averages_found f = ask(&s, "x:0", 3e4, e, NULL);
+        UNIT_TRUE(refused(&f) ||
+                  fabs(f.value - 0.935) <= 0.024 + f.error * f.scale);
+    }
     scene_free(&s);
 }
 
-/* Two bodies do not mix: their places have no law, their pressure has. */
-static void test_two_bodies(void)
+/* Lines of bodies that hardly forget: all differ by little, or one is much
+   heavier. Of the means that are given none leaves out the mean of a run
+   that has all the time, and ten thousand units of it. */
+static void test_slow_lines(void)
 {
-    struct scene s;
-    if (gallery_make(&s, gallery_find(hard_scenes, "thermal"), "particles",
-                     2))
-        exit(1);
-    struct averages_found f = ask(&s, "x:0", 1e4, 0.01, "order");
-    UNIT_TRUE(refused(&f) && strstr(f.refusal, "do not mix"));
-    f = ask(&s, "pressure", 1e4, 0.01, NULL);
-    UNIT_TRUE(!refused(&f));
-    scene_free(&s);
+    for (uint64_t seed = 1; seed <= 20; ++seed)
+        for (int heavy = 0; heavy < 2; ++heavy) {
+            struct scene s;
+            make_line(&s, heavy ? 7 : 3, heavy ? 0.3 : 0.01, seed);
+            if (heavy)
+                s.mass[3] *= 50;
+            const size_t body = heavy ? 3 : 0;
+            const double law = heavy ? 3.5 : 0.75;
+            const struct averages_found f =
+                ask(&s, heavy ? "x:3" : "x:0", 1e4, 0.05, NULL);
+            UNIT_TRUE(f.way && s.mass[body] > 0);
+            UNIT_TRUE(refused(&f) ||
+                      fabs(f.value - law) <= 1.5 * f.error * f.scale);
+            scene_free(&s);
+        }
 }
 
-/* A gas whose bodies all fly the same way at one speed is no warm gas: it
-   is seen beside events that the springs are wrong, however heavy the
-   piston is, as chapter 4 says. */
-static void test_no_gas(void)
-{
-    struct scene s;
-    make_piston(&s, 41, 1200);
-    const struct averages_found warm = ask(&s, "x:20", 256, 0.01, NULL);
-    for (size_t i = 0; i < 41; ++i)
-        s.velocity[i] = i == 20 ? 0 : 1;
-    const struct averages_found f = ask(&s, "x:20", 256, 0.01, NULL);
-    UNIT_TRUE(candidate(&warm, "springs")->error < 0.01);
-    UNIT_TRUE(refused(&f));
-    UNIT_TRUE(candidate(&f, "springs")->error > 0.01);
-    scene_free(&s);
-}
-
-/* Steps have a bias that no sample mends: never taken. */
+/* Steps have a bias that no sample mends: no way to a pressure. */
 static void test_steps(void)
 {
     struct scene s;
     make_four(&s, 0.15);
     const struct averages_found f = ask(&s, "pressure", 1e6, 0.02, NULL);
-    UNIT_TRUE(!refused(&f));
-    UNIT_TRUE(candidate(&f, "steps")->sure == AVERAGES_OUT);
-    UNIT_TRUE(candidate(&f, "steps")->error > 1e-3);
+    UNIT_TRUE(taken(&f, "events"));
     const struct averages_found g = ask(&s, "pressure", 1e6, 0.02, "steps");
-    UNIT_TRUE(refused(&g));
+    UNIT_TRUE(refused(&g) && strstr(g.refusal, "no way"));
     scene_free(&s);
 }
 
@@ -414,25 +251,18 @@ int main(void)
         "averages_limits",
         (struct unit_test[]){
             {"a heavy piston that has settled has not", test_patience},
-            {"springs that look well for two swings are left in time",
-             test_drift},
             {"disks that keep their corners have no mean place",
              test_corners},
-            {"equal masses on a line follow no law of places",
+            {"equal masses on a line have no mean place",
              test_equal_masses},
-            {"two alone on a line have the mean of their run", test_pairs},
-            {"equal masses are looked at all over the time", test_beats},
-            {"what throws have not seen is in their error", test_unseen},
-            {"a run to the end is refused at its price", test_endless},
-            {"a run that rounding decides is not believed", test_corner},
-            {"a chain that goes where no motion goes is not believed",
-             test_chain},
+            {"two alone on a line have a pressure and no mean place",
+             test_pairs},
+            {"disks that all move along one line never mix",
+             test_line_of_disks},
             {"disks that have not met are not believed", test_columns},
             {"disks that have not passed are not believed", test_door},
-            {"two bodies have a pressure and no law of places",
-             test_two_bodies},
-            {"a law that a first look bears out may be wrong", test_bet},
-            {"bodies of one speed are no springs", test_no_gas},
-            {"steps are never taken for a pressure", test_steps},
+            {"masses that are nearly alike are not believed", test_alike},
+            {"lines that hardly forget are not believed", test_slow_lines},
+            {"steps are no way to a pressure", test_steps},
             {0}});
 }

@@ -1,5 +1,5 @@
 /* From chapters/works/12-bonk.nw: edit there, then run make tangle. */
-/* checksum 4133411935 of the lines below */
+/* checksum 1529087875 of the lines below */
 /* Carries a scene by the cheapest model that holds, and says why. */
 #include "enough/averages.h"
 #include "enough/choose.h"
@@ -372,8 +372,8 @@ static void list_models(void)
         help += sprintf(help, "\n%s: %s", m->name, m->about);
     help += sprintf(help, "\nleaving out:");
     for (size_t k = 0; k < MODELS_CUTS; ++k)
-        help += sprintf(help, k % 4 == 3 ? "\n%s" : " %s",
-                        models_cut_names[k]);
+        help +=
+            sprintf(help, k % 4 == 3 ? "\n%s" : " %s", models_cut_names[k]);
 }
 
 static const struct options_entry entries[] = {

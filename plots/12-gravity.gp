@@ -1,13 +1,15 @@
-# data: plots/data/12-atlas.dat
-# slides: 4
-# alt: Seven panels, error against cost. For Sun and Earth and for the comet a closed form at ten to the minus 14 is a hundred to two thousand times cheaper than the steps that come near. In the solar system the picks are a closed form at a thousandth, and steps of the eighth order below. In the other four the front is a staircase of methods from order two and four at the top to order eight at the bottom, with a pick just below each of the three tolerances.
+# data: build/data/12-atlas.dat
+# command: build/bin/bonk-studies --study atlas -o build/data/12-atlas.dat
+# alt: The map of the solar system: true error against cost, both logarithmic. Curves fall to the right, the steeper the higher their order.
 width = 14
-height = 20
+height = 17.5
 load 'plots/style.gp'
-names = 'sun-earth comet solar-system circumbinary choreography figure-eight ring'
-array titles[7] = ['Sun and Earth', 'comet', 'solar system', 'circumbinary', 'choreography', 'figure eight', 'ring']
-rows = 4
-keyed = 6
-keyx = 0.03
-keyy = -0.85
-load 'plots/atlas.gp'
+scene = 'solar-system'
+ways = 'leapfrog rk4 pefrl kahan-li8 wisdom-holman sbab4 dopri5 radau15'
+stepless = 'kepler,no-light'
+xlow = 1e-6
+xhigh = 0.4
+ylow = 1e-20
+deep = 1e-8
+band = 6e-16
+load 'plots/map.gp'

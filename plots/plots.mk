@@ -59,4 +59,4 @@ chart: has-gnuplot build/bin/bonk build/bin/scene
 .PHONY: atlas
 atlas: build/bin/bonk-studies
 	build/bin/bonk-studies --study atlas --summary - \
-		-o plots/data/12-atlas.dat
+		-o build/data/12-atlas.dat

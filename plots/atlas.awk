@@ -1,6 +1,6 @@
 # What the book makes of the atlas. -v want=tex: the table, scene by
-# tolerance; want=keys: lines "key value" for the text; want=wrong: what a
-# test would complain about.
+# tolerance; want=keys: lines "key value" for the text; want=wrong,
+# want=refused, want=slow: what a test complains about.
 # Columns: name-k; plan, error, cost of the pick (2-4), of the cheapest that
 # holds (5-7), of the cheapest with another model (8-10), of the finest plain
 # way (11-13), of the classic method with its steps halved (14-16); what
@@ -18,6 +18,8 @@
     if ($2 == "-") {
         ++refused
         key("horizon", $18)
+        if (want == "refused")
+            print $1
         next
     }
     over = $4 / $7
@@ -29,7 +31,6 @@
     ones += $13 / $4 < 1.05
     costs_more += $17 > $13 - $4
     key("saves", $13 / $4)
-    key("second", $10 / $4)
     key("error", $3)
     key("cost", $4)
     key("plain", $13)
@@ -38,7 +39,9 @@
     deciding += $17
     plain += $13
     classic += $16 == "nan" ? $13 : $16
-    if ($4 > 0.01)
+    if (want == "slow" && $4 < 0.01 && $17 > 0.1)
+        print $1 ": " $17 " s of looking, for a run of " $4 " s"
+    if ($4 >= 0.01)
         times[++long] = $17 / $4
 }
 END {
@@ -97,17 +100,18 @@ function cell() {
     if ($2 == "-")
         row = row " & \\textit{to " short($18) "\\,s} & & "
     else
-        row = row " & " plan($2) " & " short($10 / $4) " & " short($13 / $4)
+        row = row " & " plan($2) " & " ratio($10, $4) " & " ratio($13, $4)
 }
 function plan(p) {
     gsub(/,/, ",\\allowbreak ", p)
     sub(/no-light/, "light", p)
     return "\\texttt{" p "}"
 }
+function ratio(a, b) {
+    return a == "nan" ? "--" : short(a / b)
+}
 # A ratio or a time in two digits.
 function short(x) {
-    if (x == "nan" || x == "inf" || x != x)
-        return "--"
     return x < 9.95 ? sprintf("%.1f", x) : x < 99.5 ? sprintf("%.0f", x) : \
         sprintf("%d", int(x / 10 + 0.5) * 10)
 }

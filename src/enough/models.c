@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 3457156643 of the lines below */
+/* checksum 951791533 of the lines below */
 /* What acts, what can be left out, and how each model carries a scene. */
 #include "enough/models.h"
 
@@ -1892,7 +1892,7 @@ static void count_steps(struct models_run *r, const struct steps *t)
         r->work[MODELS_BODY] += 18 * n * steps;
     if (t->motion.orbits)
         r->work[MODELS_ELLIPSE] =
-            0.6 * (n - 1) * steps * (double)method->drifts;
+            0.8 * (n - 1) * steps * (double)method->drifts;
     const struct impact *const i = &t->motion.impact;
     if (t->motion.located) {
         r->work[MODELS_CONTACT] = n * (double)i->parts;

@@ -1,5 +1,5 @@
 /* From chapters/works/12-atlas.nw: edit there, then run make tangle. */
-/* checksum 3602576909 of the lines below */
+/* checksum 2615884451 of the lines below */
 /* Maps of cost against true error, for every scene; prices of units. */
 #include "enough/choose.h"
 #include "scenes/gallery.h"
@@ -416,9 +416,8 @@ static double refine_lengths(struct path *best, const struct scene *s,
 {
     struct path other;
     make_path(&other, s);
-    struct models_plan plan = {.model = models_find("radau15"),
-                               .steps = 1,
-                               .tolerance = 1e-14};
+    struct models_plan plan = {
+        .model = models_find("radau15"), .steps = 1, .tolerance = 1e-14};
     double change = INFINITY;
     if (follow(&other, &plan, s, every, 10)) {
         plan.tolerance = 1e-15;
@@ -433,8 +432,7 @@ static bool only_contacts(const struct scene *s)
 {
     struct models_acts a;
     models_analyse(&a, s);
-    return a.contact &&
-           !(a.gravity || a.springs || a.weight || a.friction);
+    return a.contact && !(a.gravity || a.springs || a.weight || a.friction);
 }
 
 static void find_truth(struct truth *t, const struct scene *s, double every,
@@ -451,8 +449,8 @@ static void find_truth(struct truth *t, const struct scene *s, double every,
     else {
         make_path(&other, s);
         const bool damped = a.friction || a.dashpots;
-        const double even = converge(&t->path, damped ? "gauss4" : "kahan-li8", s,
-                                     every, budget);
+        const double even = converge(
+            &t->path, damped ? "gauss4" : "kahan-li8", s, every, budget);
         const double own = refine_lengths(&other, s, every);
         t->unsure = apart(&t->path, &other, ROWS) / t->scale;
         struct path *const worse = own < even ? &t->path : &other;
@@ -677,8 +675,8 @@ static void try_models(struct map *m, unsigned cuts, bool steps)
     while (models_all()[k].name)
         ++k;
     while (k-- > 0) {
-        const struct models_plan plan = {.model = &models_all()[k],
-                                         .cuts = cuts, .steps = steps};
+        const struct models_plan plan = {
+            .model = &models_all()[k], .cuts = cuts, .steps = steps};
         if ((plan.model->family == MODELS_STEPS) != steps ||
             models_refuse(&plan, &m->scene))
             continue;
@@ -708,8 +706,8 @@ static void try_cuts(struct map *m)
 /* What was picked for a tolerance, and how it did. */
 struct pick {
     struct point point; /* cost NAN: refused */
-    double deciding; /* s by the price list */
-    double horizon;  /* s; INFINITY: none was met */
+    double deciding;    /* s by the price list */
+    double horizon;     /* s; INFINITY: none was met */
 };
 
 static void take_pick(struct pick *p, struct map *m, const struct record *r)
@@ -754,8 +752,9 @@ static void write_pick(const struct map *m, const struct pick *p, int k,
 {
     const bool granted = p->point.cost > 0;
     const struct point *best = cheapest_of(m, NULL, NULL, tolerances[k]);
-    const struct models_model *model =
-        granted ? p->point.plan.model : best ? best->plan.model : NULL;
+    const struct models_model *model = granted ? p->point.plan.model
+                                       : best  ? best->plan.model
+                                               : NULL;
     table_print(out, "%s-%d", m->subject->name, 3 + 3 * k);
     write_way(granted ? &p->point : NULL, out);
     write_way(best, out);
@@ -788,8 +787,9 @@ static void write_points(const struct map *m, struct table *out)
 
 static void write_head(struct table *out)
 {
-    table_print(out, "# picks: name and digits of the tolerance; then plan, "
-                     "error, cost (s)\n");
+    table_print(out,
+                "# picks: name and digits of the tolerance; then plan, "
+                "error, cost (s)\n");
     table_print(out, "# of the pick, of the cheapest that holds, of the "
                      "cheapest with another\n");
     table_print(out, "# model, of the finest plain way, of the classic "

@@ -1,7 +1,7 @@
 # What the book makes of failures.txt: its failures are numbered in their
-# order. -v want=keys: lines "key value" for the text; want=tex: a table for
-# each part, where the failure NAME has the label fail:NAME; want=figure:
-# the points of plots/12-failures.gp.
+# order. -v want=keys: lines "key value" for the text; want=tex: two tables,
+# of the parts I and II, III and IV, where the failure NAME has the label
+# fail:NAME; want=figure: the points of plots/12-failures.gp.
 BEGIN {
     FS = " *[|] *"
     zero = 1e-17  # where an energy error of 0 is drawn,
@@ -39,8 +39,8 @@ BEGIN {
         draw()
     else if (want == "tex")
         print strut() "\\refstepcounter{failure}\\thefailure\\label{fail:" $1 \
-            "} & " tex($2) " & " tex($3) " & " tex($4) \
-            " & " tex($5) " & " tex($11) " & \\ref{" $9 "}\\\\"
+            "} & " tex($3) " (" "\\ref{" $9 "}) & " tex($2) ": " tex($4) \
+            " & " tex($11) "\\\\"
 }
 END {
     if (want == "keys") {
@@ -53,25 +53,33 @@ END {
         end_table()
 }
 
-function begin_part(part) {
+function begin_part(part,    other) {
     ++parts
     if (want == "figure" && parts > 1)
         print "\n"
     if (want != "tex")
         return
+    if (parts % 2 == 0) {
+        print "\\hline"
+        fresh = 1
+        return
+    }
+    other = part == "I" ? "II" : "IV"
     if (parts > 1)
         end_table()
     else
         print "\\newcounter{failure}"
-    print "\\begin{table}[p]\\centering\\footnotesize"
+    print "\\begin{table}[p]\\centering\\scriptsize"
     print "\\setlength{\\tabcolsep}{2.7pt}"
-    print "\\caption[Failures of part " part "]{Where methods fail, part " \
-        part "; numbered as in " \
-        "figure~\\ref{fig:12-failures}.}\\label{tab:failures-" parts "}"
-    print "\\begin{tabular}{r" p(.158) p(.14) p(.232) p(.142) p(.143) "l}"
+    print "\\caption[Failures of parts " part " and " other \
+        "]{Where methods fail, parts " part " and " \
+        other "; with the section that tells of it, and numbered as in " \
+        "figure~\\ref{fig:12-failures}.}\\label{tab:failures-" \
+        (parts + 1) / 2 "}"
+    print "\\begin{tabular}{r" p(.26) p(.49) p(.185) "}"
     print "\\hline"
     fresh = 1
-    print strut() " & method & scene & what goes wrong & at & seen by & sec.\\\\"
+    print strut() " & scene & what was deceived & what saw it\\\\"
     print "\\hline"
     fresh = 1
 }

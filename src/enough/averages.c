@@ -1,5 +1,5 @@
 /* From chapters/12-averages.nw: edit there, then run make tangle. */
-/* checksum 289900009 of the lines below */
+/* checksum 3709785856 of the lines below */
 /* Laws where they are exact, else events with honest errors. */
 #include "enough/averages.h"
 
@@ -461,7 +461,7 @@ static bool go_on(struct averages_found *f, struct watch *w)
             return true;
         }
         longer = lengthen(w, e);
-        if (!(cost(w) * longer <= reason)) {
+        if (!(cost(w) * longer <= (w->why ? 1 : 1.5) * reason)) {
             if (2 * cost(w) > reason / 100)
                 return true;
             longer = 2;
@@ -478,7 +478,7 @@ static void refuse_settled(char *to, const struct watch *w)
     const double two = 2 * w->se / scale_of(w->h, w->mean);
     const double least = 1.2 * two * sqrt(1.5 * seen(w));
     const double paid = two * sqrt(3 * cost(w) / q->reason);
-    const bool brief = w->over || isinf(price);
+    const bool brief = (double)w->run.rows >= w->most || isinf(price);
     const double fits = round_up(fmax(least, paid));
     int n;
     if (brief)

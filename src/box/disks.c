@@ -1,5 +1,5 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 2678098625 of the lines below */
+/* checksum 581875997 of the lines below */
 /* Event-driven motion: every pair looked at, or a plan remembered. */
 #include "box/disks.h"
 
@@ -140,14 +140,15 @@ static double whole(double x)
 
 bool disks_wraps(const struct disks *d, size_t k)
 {
-    return k < d->dimensions && (d->boundary == DISKS_PERIODIC ||
-                                 (d->boundary == DISKS_FLOOR && k != 1));
+    return k < d->dimensions && d->box[k] > 0 &&
+           (d->boundary == DISKS_PERIODIC ||
+            (d->boundary == DISKS_FLOOR && k != 1));
 }
 
 bool disks_walled(const struct disks *d, size_t k)
 {
-    return d->boundary == DISKS_WALLS ||
-           (d->boundary == DISKS_FLOOR && k == 1);
+    return d->box[k] > 0 && (d->boundary == DISKS_WALLS ||
+                             (d->boundary == DISKS_FLOOR && k == 1));
 }
 
 static double inverse(const struct disks *d, size_t k)

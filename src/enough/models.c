@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 951791533 of the lines below */
+/* checksum 3922622365 of the lines below */
 /* What acts, what can be left out, and how each model carries a scene. */
 #include "enough/models.h"
 
@@ -1230,24 +1230,71 @@ static enum models_end row_line(struct models_run *r)
     return MODELS_DONE;
 }
 
-static size_t disks_axes(const struct models_acts *a)
+/* A scene's axes, as those of the engine. */
+struct view {
+    size_t axes, axis[SCENE_AXES];
+    size_t count[3]; /* of the walls of each kind */
+    unsigned live;
+};
+
+static enum scene_wall wall_of(const struct scene *s, const struct view *w,
+                               size_t j)
 {
-    return (a->axes | a->offset) & 4 ? 3 : 2;
+    const size_t k = w->axis[j];
+    return w->live >> k & 1 ? s->wall[k] : SCENE_OPEN;
+}
+
+static struct view view_of(const struct scene *s,
+                           const struct models_acts *a)
+{
+    struct view w = {.live = a->axes | a->offset};
+    for (unsigned dead = 0; dead < 2; ++dead)
+        for (size_t k = 0; k < SCENE_AXES; ++k)
+            if ((~w.live >> k & 1) == dead && w.axes < 3 - dead) {
+                w.axis[w.axes] = k;
+                ++w.count[wall_of(s, &w, w.axes++)];
+            }
+    for (size_t j = 0; j < w.axes; ++j)
+        if (a->weight ? s->gravity[w.axis[j]] != 0
+                      : w.count[SCENE_PERIODIC] > 0 &&
+                            wall_of(s, &w, j) == SCENE_HARD) {
+            const size_t second = w.axis[j];
+            w.axis[j] = w.axis[1];
+            w.axis[1] = second;
+        }
+    return w;
+}
+
+static const char *view_fault(const struct scene *s,
+                              const struct models_acts *a,
+                              const struct view *w)
+{
+    const bool floor = wall_of(s, w, 1) == SCENE_HARD;
+    size_t falls = 0;
+    for (size_t j = 0; j < w->axes; ++j)
+        falls += s->gravity[w->axis[j]] != 0;
+    if (a->weight && (falls > 1 || !floor))
+        return floor ? "there is weight along two axes"
+                     : "bodies fall for ever";
+    return w->count[SCENE_PERIODIC] == 0 || w->count[SCENE_HARD] == 0 ||
+                   (floor && w->count[SCENE_HARD] == 1)
+               ? NULL
+               : "the walls differ";
 }
 
 static const char *refuse_disks(const struct scene *s,
                                 const struct models_acts *a, unsigned cuts)
 {
     const char *why = refuse_cuts(cuts, 0);
+    const struct view w = view_of(s, a);
     if (why || (why = refuse_forces(a, false, false)))
         return why;
     if (!s->contact)
         return "nothing collides";
-    if (a->weight || a->friction)
+    if (a->friction)
         return "bodies do not fly evenly";
-    for (size_t k = 1; k < disks_axes(a); ++k)
-        if (s->wall[k] != s->wall[0])
-            return "the walls differ";
+    if ((why = view_fault(s, a, &w)))
+        return why;
     for (size_t i = 0; i < s->bodies; ++i) {
         if (!is_all_free(s, i, a->axes | a->offset))
             return "a body is held";
@@ -1264,8 +1311,8 @@ struct room {
     struct disks disks;
     struct cells cells;
     bool celled;
-    size_t axes;
-    double low[SCENE_AXES];
+    struct view view;
+    double sign[SCENE_AXES], origin[SCENE_AXES]; /* of the engine's axes */
     double crossed; /* how often a disk must have crossed the box */
 };
 
@@ -1280,20 +1327,19 @@ static void end_disks(struct models_run *r)
 
 enum { SCANNED = 100 }; /* disks up to which all are looked at */
 
-/* Without walls the box is left open: a boundary of neither kind. */
-static const char *prepare_disks(struct room *d, const struct scene *s)
+static const char *prepare_disks(struct room *d)
 {
+    const bool open = d->view.count[SCENE_OPEN] > 0;
     size_t a, b;
-    if (s->wall[0] == SCENE_OPEN)
-        d->disks.boundary = DISKS_BOUNDARIES;
     if (!(disks_leash(&d->disks) > 0))
         return "the box is too narrow to be periodic";
-    if (s->wall[0] != SCENE_OPEN && d->disks.count > SCANNED &&
-        cells_suit(&d->disks))
+    if (!open && d->disks.count > SCANNED && cells_suit(&d->disks))
         d->celled = cells_create(&d->cells, &d->disks);
     if (d->celled ? !cells_fit(&d->cells, &a, &b)
                   : !disks_fit(&d->disks, &a, &b))
         return "bodies overlap at the start";
+    if (disks_lying(&d->disks) < d->disks.count)
+        return "a body lies on the floor";
     return d->celled || disks_plan(&d->disks) ? NULL : no_memory;
 }
 
@@ -1302,18 +1348,47 @@ static double looks_for(const struct room *d)
     return (double)(d->celled ? d->cells.seats : d->disks.count);
 }
 
+static void put_in_box(struct room *d, const struct scene *s)
+{
+    struct disks *all = &d->disks;
+    for (size_t j = 0; j < d->view.axes; ++j) {
+        const size_t k = d->view.axis[j];
+        const bool open = wall_of(s, &d->view, j) == SCENE_OPEN;
+        const bool turned = j == 1 && all->gravity > 0 && s->gravity[k] > 0;
+        d->sign[j] = turned ? -1 : 1;
+        d->origin[j] = open ? 0 : turned ? s->high[k] : s->low[k];
+        all->box[j] = open ? 0 : s->high[k] - s->low[k];
+        for (size_t i = 0; i < all->count; ++i) {
+            all->disk[i].position[j] =
+                d->sign[j] * (s->position[at(s, k, i)] - d->origin[j]);
+            all->disk[i].velocity[j] =
+                d->sign[j] * s->velocity[at(s, k, i)];
+        }
+    }
+    for (size_t i = 0; i < all->count; ++i) {
+        all->mass[i] = s->mass[i];
+        all->disk[i].radius = s->radius[i];
+    }
+}
+
 static const char *begin_disks(struct models_run *r)
 {
+    const struct scene *s = &r->scene;
     struct room *d = calloc(1, sizeof *d);
-    if (!d || !hard_disks(&d->disks, &r->scene)) {
+    const struct view w = view_of(s, &r->acts);
+    if (!d || !disks_create(&d->disks, w.axes, s->bodies)) {
         free(d);
         return no_memory;
     }
     r->engine = d;
-    d->axes = d->disks.dimensions;
-    for (size_t k = 0; k < d->axes; ++k)
-        d->low[k] = r->scene.wall[k] == SCENE_OPEN ? 0 : r->scene.low[k];
-    const char *why = prepare_disks(d, &r->scene);
+    d->view = w;
+    d->disks.boundary = w.count[SCENE_PERIODIC] == 0 ? DISKS_WALLS
+                        : w.count[SCENE_HARD] > 0    ? DISKS_FLOOR
+                                                     : DISKS_PERIODIC;
+    d->disks.restitution = s->restitution;
+    d->disks.gravity = r->acts.weight ? fabs(s->gravity[w.axis[1]]) : 0;
+    put_in_box(d, s);
+    const char *why = prepare_disks(d);
     if (why)
         end_disks(r);
     return why;
@@ -1330,14 +1405,12 @@ static void count_disks(struct models_run *r, const struct room *d)
 }
 
 /* How often in a second would a disk that meets nobody cross the room? */
-static double crossings(const struct models_run *r, const struct room *d,
-                        size_t i)
+static double crossings(const struct room *d, size_t i)
 {
     double rate = 0;
-    for (size_t k = 0; k < d->axes; ++k)
-        if (r->scene.wall[k] != SCENE_OPEN)
-            rate += fabs(d->disks.disk[i].velocity[k]) /
-                    (r->scene.high[k] - r->scene.low[k]);
+    for (size_t k = 0; k < d->view.axes; ++k)
+        if (d->disks.box[k] > 0)
+            rate += fabs(d->disks.disk[i].velocity[k]) / d->disks.box[k];
     return rate;
 }
 
@@ -1347,7 +1420,7 @@ static bool is_endless(const struct models_run *r, struct room *d)
     const double time = r->elapsed - d->disks.now;
     const double price = 1e-9 * models_prices[MODELS_DISK_EVENT].ns;
     for (size_t i = 0; i < d->disks.count; ++i)
-        d->crossed += crossings(r, d, i) * time;
+        d->crossed += crossings(d, i) * time;
     return models_cost(r->work) + price * d->crossed > r->limit;
 }
 
@@ -1374,12 +1447,13 @@ static enum models_end row_disks(struct models_run *r)
     if (stop == DISKS_COLLAPSE)
         return MODELS_STANDSTILL;
     for (size_t i = 0; i < all->count; ++i) {
-        double place[DISKS_AXES];
+        double place[DISKS_AXES], velocity[DISKS_AXES];
         disks_position(all, i, place);
-        for (size_t k = 0; k < d->axes; ++k) {
-            r->scene.position[at(&r->scene, k, i)] = place[k] + d->low[k];
-            r->scene.velocity[at(&r->scene, k, i)] =
-                all->disk[i].velocity[k];
+        disks_velocity(all, i, velocity);
+        for (size_t j = 0; j < d->view.axes; ++j) {
+            const size_t c = at(&r->scene, d->view.axis[j], i);
+            r->scene.position[c] = d->origin[j] + d->sign[j] * place[j];
+            r->scene.velocity[c] = d->sign[j] * velocity[j];
         }
     }
     return MODELS_DONE;

@@ -448,6 +448,26 @@ static void test_relabel(void)
     }
 }
 
+/* Weight along either axis and either way, with walls, or a floor and a
+   roof only, against steps of a high order. */
+static void test_falling_disks(void)
+{
+    make("four-disks", NULL);
+    for (int way = 0; way < 12; ++way) {
+        const size_t down = way & 1, other = 1 - down;
+        scene.gravity[down] = way & 2 ? 2 : -2;
+        scene.gravity[other] = 0;
+        scene.wall[down] = SCENE_HARD;
+        scene.wall[other] = (enum scene_wall)(way / 4);
+        struct models_run r = run_of("disks", 0.5, 2);
+        UNIT_TRUE(r.collisions > 2);
+        models_end(&r);
+        UNIT_NEAR(compare("disks", "kahan-li8:1000", 0.5, 2).x, 0, 1e-10);
+        UNIT_NEAR(compare("disks", "kahan-li8:1000", 0.5, 2).v, 0, 1e-9);
+    }
+    scene_free(&scene);
+}
+
 /* Disks in a box, by both engines of events, in an open plane, in a
    periodic box and in space, against steps that go back to the contact: no
    two contacts of a body in one step, no error but rounding. */
@@ -457,10 +477,12 @@ static void test_disks(void)
     UNIT_NEAR(compare("disks", "leapfrog:4000", 1, 2).x, 0, 1e-9);
     scene.wall[0] = scene.wall[1] = SCENE_PERIODIC;
     UNIT_NEAR(compare("disks", "leapfrog:4000", 1, 2).x, 0, 1e-9);
-    scene.wall[1] = SCENE_OPEN;
-    refuses("disks", "the walls differ");
-    scene.wall[0] = SCENE_OPEN;
-    UNIT_NEAR(compare("disks", "leapfrog:4000", 1, 2).x, 0, 1e-9);
+    for (int kinds = 0; kinds < 9; ++kinds) { /* all there are, in pairs */
+        scene.wall[0] = (enum scene_wall)(kinds % 3);
+        scene.wall[1] = (enum scene_wall)(kinds / 3);
+        UNIT_NEAR(compare("disks", "leapfrog:4000", 1, 2).x, 0, 1e-9);
+    }
+    scene.wall[0] = scene.wall[1] = SCENE_OPEN;
     for (size_t i = 0; i < 40; ++i) {
         scene.freedom[80 + i] = 1;
         scene.position[80 + i] = 0.1 * (double)(i % 3);
@@ -471,8 +493,18 @@ static void test_disks(void)
     refuses("disks", "a body is held");
     scene.freedom[3] = 1;
     scene.gravity[1] = 1;
-    refuses("disks", "bodies do not fly evenly");
+    refuses("disks", "bodies fall for ever");
+    scene.wall[2] = SCENE_HARD;
+    scene.wall[0] = scene.wall[1] = SCENE_PERIODIC;
+    refuses("disks", "bodies fall for ever");
+    scene.wall[0] = scene.wall[1] = SCENE_HARD;
+    scene.wall[2] = SCENE_PERIODIC;
+    refuses("disks", "the walls differ");
+    scene.wall[2] = SCENE_HARD;
+    scene.gravity[0] = 1;
+    refuses("disks", "there is weight along two axes");
     scene_free(&scene);
+    test_falling_disks();
     make("gas", NULL); /* 250: cells */
     UNIT_NEAR(compare("disks", "leapfrog:4000", 0.1, 3).x, 0, 1e-9);
     struct models_run r = run_of("disks", 0.1, 3);

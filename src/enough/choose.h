@@ -1,5 +1,5 @@
 /* From chapters/works/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1006222166 of the lines below */
+/* checksum 3093199024 of the lines below */
 /* The cheapest way to carry a scene within a tolerance, or a reason. */
 #ifndef CHOOSE_H
 #define CHOOSE_H
@@ -12,6 +12,7 @@ enum {
     CHOOSE_TEXT = 160,
     CHOOSE_REFUSAL = 500,
     CHOOSE_SENTENCE = 600,
+    CHOOSE_REASON = 60, /* s by the price list: a usual .reason */
     CHOOSE_MOST = 40
 };
 enum { CHOOSE_POINTS = 400, CHOOSE_CLOSER = 8 };

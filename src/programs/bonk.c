@@ -1,5 +1,5 @@
 /* From chapters/works/12-bonk.nw: edit there, then run make tangle. */
-/* checksum 1529087875 of the lines below */
+/* checksum 3290006274 of the lines below */
 /* Carries a scene by the cheapest model that holds, and says why. */
 #include "enough/averages.h"
 #include "enough/choose.h"
@@ -389,7 +389,7 @@ static const struct options_entry entries[] = {
     {"model", 'm', "PLAN", model_help},
     {"reason", 'r', "S",
      "what deciding and the run may cost together,\n"
-     "seconds by the price list (600; 60 for averages)"},
+     "seconds by the price list (60)"},
     {"explain", 'x', NULL,
      "say what was looked at, and why; with -o FILE\n"
      "to standard output, else to standard error"},
@@ -465,8 +465,10 @@ static void read_settings(struct settings *s, int argc, char *argv[])
     struct options o;
     int option;
     list_models();
-    *s = (struct settings){
-        .until = NAN, .tolerance = NAN, .summary = "/dev/null"};
+    *s = (struct settings){.reason = CHOOSE_REASON,
+                           .until = NAN,
+                           .tolerance = NAN,
+                           .summary = "/dev/null"};
     options_begin(&o, PROGRAM,
                   "Carry a scene through time at the least cost that holds "
                   "a tolerance.",
@@ -474,8 +476,6 @@ static void read_settings(struct settings *s, int argc, char *argv[])
     options_keys(&o, keys);
     while ((option = options_next(&o)) != -1)
         take_option(&o, s, option);
-    if (s->reason == 0)
-        s->reason = asks_for_means(s) ? AVERAGES_REASON : 600;
     s->command = options_command(&o);
     check_settings(&o, s);
 }

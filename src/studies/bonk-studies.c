@@ -1,5 +1,5 @@
 /* From chapters/works/12-atlas.nw: edit there, then run make tangle. */
-/* checksum 2615884451 of the lines below */
+/* checksum 584055700 of the lines below */
 /* Maps of cost against true error, for every scene; prices of units. */
 #include "enough/choose.h"
 #include "scenes/gallery.h"
@@ -727,7 +727,7 @@ static void ask(struct pick *p, struct map *m, double tolerance)
                                      .until = ROWS * m->every,
                                      .every = m->every,
                                      .tolerance = tolerance,
-                                     .reason = 600};
+                                     .reason = CHOOSE_REASON};
     struct choose_choice c;
     *p = (struct pick){.point = {.cost = NAN, .error = NAN}};
     if (!choose(&c, &q))

@@ -1,5 +1,5 @@
 /* From chapters/works/12-atlas.nw: edit there, then run make tangle. */
-/* checksum 584055700 of the lines below */
+/* checksum 2228210601 of the lines below */
 /* Maps of cost against true error, for every scene; prices of units. */
 #include "enough/choose.h"
 #include "scenes/gallery.h"
@@ -590,7 +590,6 @@ static const struct point *cheapest_of(const struct map *m,
     }
     return best;
 }
-
 static void be_content(struct map *m, const struct models_plan *plan)
 {
     const bool exact = plan->model->family != MODELS_STEPS;

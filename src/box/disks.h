@@ -1,5 +1,5 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 3535709762 of the lines below */
+/* checksum 216716022 of the lines below */
 /* Hard disks and spheres in a box: starts, times of contact, collisions. */
 #ifndef DISKS_H
 #define DISKS_H
@@ -55,7 +55,7 @@ struct disks_event {
 struct disks {
     size_t dimensions, count; /* 2 or 3; how many disks */
     enum disks_boundary boundary;
-    double box[DISKS_AXES];
+    double box[DISKS_AXES]; /* 0: open along this axis */
     double restitution;
     double gravity; /* towards the floor, m/s2; 0 in a periodic box */
     struct disk *disk;
@@ -157,7 +157,7 @@ double disks_temperature(const struct disks *d);
 double disks_packing(const struct disks *d);
 
 /* Says whether the box is periodic along axis k, or has walls across it;
-   in a box without a boundary of any kind it is neither. */
+   where it is open it is neither. */
 bool disks_wraps(const struct disks *d, size_t k);
 bool disks_walled(const struct disks *d, size_t k);
 

@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 3682210325 of the lines below */
+/* checksum 144899034 of the lines below */
 /* A pair 5(4), and Radau's method of order 15: steps of their own. */
 #include "forces/adaptive.h"
 
@@ -538,6 +538,11 @@ static bool step(struct adaptive *s)
     const bool radau = s->method->family == STEPPING_RADAU,
                free = is_free(s);
     const double least = 4 * 0x1p-52 * fabs(s->t);
+    if (s->most > 0 && s->evaluations > s->most)
+        return false;
+    if (s->longest)
+        s->next =
+            fmin(s->next, s->longest(s->with, s->to.x, s->to.v, s->to.a));
     look_for_noise(s);
     for (bool again = false;; again = true, ++s->refused) {
         const double h = free ? fmax(s->next, least) : s->dt;

@@ -1,5 +1,5 @@
 /* From chapters/works/12-atlas.nw: edit there, then run make tangle. */
-/* checksum 2228210601 of the lines below */
+/* checksum 1831802792 of the lines below */
 /* Maps of cost against true error, for every scene; prices of units. */
 #include "enough/choose.h"
 #include "scenes/gallery.h"
@@ -665,7 +665,6 @@ static const struct point *halved(const struct map *m, double tolerance)
     }
     return best;
 }
-
 
 /* All models with steps, or all others, with these cuts. */
 static void try_models(struct map *m, unsigned cuts, bool steps)

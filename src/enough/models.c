@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 3922622365 of the lines below */
+/* checksum 2630990536 of the lines below */
 /* What acts, what can be left out, and how each model carries a scene. */
 #include "enough/models.h"
 
@@ -1282,6 +1282,21 @@ static const char *view_fault(const struct scene *s,
                : "the walls differ";
 }
 
+static const char unseen[] = "points on a line collide only as in line";
+
+/* Are there points on one line that may meet? */
+static bool points_meet(const struct scene *s, const struct models_acts *a)
+{
+    size_t points = 0, free = 0;
+    for (size_t i = 0; i < s->bodies; ++i)
+        if (s->radius[i] == 0) {
+            ++points;
+            free += is_free(s, i, a->axes);
+        }
+    return a->contact && a->dimensions == 1 && !(a->offset & ~a->axes) &&
+           points > 1 && free > 0;
+}
+
 static const char *refuse_disks(const struct scene *s,
                                 const struct models_acts *a, unsigned cuts)
 {
@@ -1293,6 +1308,8 @@ static const char *refuse_disks(const struct scene *s,
         return "nothing collides";
     if (a->friction)
         return "bodies do not fly evenly";
+    if (points_meet(s, a))
+        return unseen;
     if ((why = view_fault(s, a, &w)))
         return why;
     for (size_t i = 0; i < s->bodies; ++i) {
@@ -1402,6 +1419,8 @@ static void count_disks(struct models_run *r, const struct room *d)
     r->work[MODELS_DISK_EVENT] = met + hit;
     r->work[MODELS_DISK_SCAN] = looks_for(d) * ((double)d->disks.count / 2 +
                                                 2 * met + hit + renewed);
+    r->work[MODELS_FLIGHT] =
+        ((double)r->rows + 1) * (double)(d->view.axes * d->disks.count);
 }
 
 /* How often in a second would a disk that meets nobody cross the room? */
@@ -1631,7 +1650,8 @@ static enum models_end row_modes(struct models_run *r)
 static const char *refuse_steps(const struct scene *s,
                                 const struct models_acts *a, unsigned cuts)
 {
-    (void)a;
+    if (points_meet(s, a))
+        return unseen;
     switch (motion_flaw(s, NULL)) {
     case MOTION_WALLS: return "there are walls, but no contact";
     case MOTION_LIGHT: return "a body has no mass";

@@ -669,6 +669,13 @@ static void test_meeting(void)
     models_analyse(&a, &scene);
     UNIT_TRUE(a.contact);
     refuses("line", "");
+    static const char unseen[] = "points on a line collide only as in line";
+    refuses("disks", unseen);
+    refuses("leapfrog:10", unseen);
+    refuses("radau15:1e-6", unseen);
+    scene.radius[0] = 1e-9;
+    refuses("leapfrog:10", "");
+    scene.radius[0] = 0;
     scene.velocity[2] = 1;
     models_analyse(&a, &scene);
     UNIT_TRUE(!a.contact); /* beside each other, without radii */

@@ -29,12 +29,15 @@ check() {
 model() { holds "$1 takes $2" grep -q "^model $2" "$w/summary"; }
 never() { holds "$1 does not take $2" sh -c "! grep -q '^model.*$2' $w/summary"; }
 
-# steps SCENE UNTIL METHOD NUMBER: the other run, so many steps in each row.
+# steps SCENE UNTIL METHOD NUMBER [CONTACT]: the other run, so many steps in
+# each row.
 steps() {
+    more=${5:+--contact $5}
     every=$(awk -v t="$2" 'BEGIN { printf "%.17g", t / 16 }')
     dt=$(awk -v d="$every" -v n="$4" 'BEGIN { printf "%.17g", d / n }')
+    # shellcheck disable=SC2086
     $step "$here/$1.plist" --until "$2" --method "$3" --dt "$dt" \
-        --every "$every" -o "$w/reference"
+        --every "$every" $more -o "$w/reference"
 }
 
 # A comet after nine tenths of the run, at a fifteenth of the distance.
@@ -55,7 +58,7 @@ never resonant no-light
 holds 'resonant: nobody notices it in two turns' $bonk \
     "$here/resonant.plist" --until 12.5 --tolerance 1e-3 \
     --model kepler,no-light -o "$w/t"
-refuses 1 'leaves out what matters' $bonk "$here/resonant.plist" \
+refuses 1 'kepler,no-light is off by' $bonk "$here/resonant.plist" \
     --until 200 --tolerance 1e-3 --model kepler,no-light -o "$w/t2"
 holds 'resonant: nothing is left in its place' test ! -e "$w/t2"
 
@@ -82,8 +85,8 @@ $bonk "$w/plane" --until 200 --tolerance 1e-9 --model disks -o "$w/reference"
 check but-for-one 200 1e-9 "$w/reference"
 never but-for-one relabel
 
-# Nearly a line: it may be taken for one as long as 1e-9 has not grown to
-# the tolerance, and not longer. The other run has its zero in the corner of
+# Nearly a line: nobody may take it for one when 1e-9 has grown to the
+# tolerance. The other run has its zero in the corner of
 # its box, where a place of 1e-9 is rounded as 9 is: after twenty seconds
 # that has grown to 3e-7, which it says itself.
 sed 's/^walls.*/walls hard hard open/; s/^box.*/box 0 3 -9 9 0 0/' \
@@ -93,26 +96,30 @@ for t in 5 20; do
         -o "$w/reference$t"
 done
 check nearly-line 5 1e-6 "$w/reference5"
-model nearly-line 'line,no-across'
+never nearly-line no-across
 check nearly-line 20 1e-5 "$w/reference20"
 never nearly-line no-across
 
-# After a hundred turns a scout is late by more than the distance at which
-# they meet. To follow that meeting in even steps is beyond reason, and that
-# is said, with its price, before anybody has tried.
-refuses 1 'beyond reason' $bonk "$here/far-meeting.plist" --until 640 \
-    --tolerance 1e-3 -o "$w/far"
-holds 'far-meeting: nothing is left in its place' test ! -e "$w/far"
-refuses 1 'to check it is beyond reason: .* s by the price list' $bonk "$here/far-meeting.plist" \
+# After a hundred turns two bodies meet at a millionth, where steps are to be
+# short; rows say nothing of it, least of all if there is one only. Truth: the
+# comet by 34 digits. Even steps by hand are off, and that is said.
+for every in 40 640; do
+    holds "far-meeting, row by row of $every" $bonk \
+        "$here/far-meeting.plist" --until 640 --every $every \
+        --tolerance 1e-3 --observe x:2,y:2 -o "$w/picked"
+    holds 'far-meeting: the comet' awk -v x=1.1963289936 -v y=0.473502370025 \
+        '!/^#/ { a = $2 - x; b = $3 - y }
+        END { exit !(NR > 0 && a * a < 3.6e-6 && b * b < 3.6e-6) }' "$w/picked"
+    rm -f "$w/picked"
+done
+refuses 1 'off by' $bonk "$here/far-meeting.plist" \
     --until 640 --tolerance 1e-3 --model pefrl:20480 --reason 60 -o "$w/far"
+holds 'far-meeting: nothing is left in its place' test ! -e "$w/far"
 
-# What a grain does is nothing, until the star multiplies it: two scouts
-# pass it over, two more do not.
+# What a grain does is nothing, until the star multiplies it.
 steps weak-first 6 kahan-li8 100000
 check weak-first 6 1e-3 "$w/reference"
 never weak-first no-light
-holds 'weak-first: scouts go again' sh -c "$bonk $here/weak-first.plist \
-    --until 6 --tolerance 1e-3 --explain -o $w/t | grep -q '^scouts: 4'"
 
 # Rows at which the body is at rest: the ball is met in between.
 $step "$here/small-ball.plist" --until 6.2831853071795862 \
@@ -123,15 +130,23 @@ one_row() {
         6.2831853071795862 --every 6.2831853071795862 --tolerance 1e-2 \
         -o "$w/picked" --summary "$w/summary" "$@"
 }
-one_row
-error=$(apart "$w/picked" "$w/once" "$(key "$w/summary" scale)")
-holds "small-ball: error $error" awk -v error="$error" \
-    'BEGIN { exit !(error ~ /[0-9]/ && error <= 1e-2) }'
-refuses 1 'off by' $bonk "$here/small-ball.plist" --until \
-    6.2831853071795862 --every 6.2831853071795862 --tolerance 1e-2 \
-    --model leapfrog:15 -o "$w/t3"
+for plan in '' '--model leapfrog:15'; do
+    # shellcheck disable=SC2086
+    one_row $plan
+    error=$(apart "$w/picked" "$w/once" "$(key "$w/summary" scale)")
+    holds "small-ball $plan: error $error" awk -v error="$error" \
+        'BEGIN { exit !(error ~ /[0-9]/ && error <= 1e-2) }'
+    rm -f "$w/picked"
+done
+# The same with points, which are met as well.
 sed '/^pos/s/ 0.001$/ 0/' "$here/small-ball.plist" >"$w/points"
-refuses 1 'no model' $bonk "$w/points" --until 6 --tolerance 1e-2 -o "$w/t4"
+holds 'points' $bonk "$w/points" --until 6 --tolerance 1e-2 \
+    -o "$w/picked" --summary "$w/summary"
+$step "$w/points" --until 6 --every 0.375 --dt 0.0001875 --method pefrl \
+    --contact located -o "$w/reference"
+error=$(apart "$w/picked" "$w/reference" "$(key "$w/summary" scale)")
+holds "points: error $error" awk -v error="$error" \
+    'BEGIN { exit !(error ~ /[0-9]/ && error <= 1e-2) }'
 
 # Twelve steps, twice and four times as many agree to a millionth where the
 # spring turns round, and are all wrong by six per cent. What is right is
@@ -157,10 +172,11 @@ done
 # fortieth of it; a grain without mass passes another at a millionth of what
 # its way bends; springs stiffer than any step are stretched; and a ball that
 # bounces once does so in the second half of a step, or in the first.
-steps grazing 3.3 leapfrog 62500
+steps grazing 3.3 leapfrog 250 located
 check grazing 3.3 1e-3 "$w/reference"
-refuses 1 'beyond reason' $bonk "$here/bent-way.plist" --until 3.2 \
-    --tolerance 1e-3 -o "$w/t6"
+$step "$here/bent-way.plist" --until 3.2 --every 0.2 --dt 0.01 \
+    --method dopri5 --tolerance 1e-12 -o "$w/reference"
+check bent-way 3.2 1e-3 "$w/reference"
 refuses 1 'beyond reason' $bonk "$here/stiff-stretched.plist" --until 160 \
     --tolerance 1e-2 -o "$w/t7"
 refuses 1 'beyond reason' $bonk "$here/stiff-stretched.plist" --until 160 \
@@ -249,7 +265,7 @@ holds 'long-swing: its place' awk '!/^#/ { d = $2 - 0.45275091099883398 }
 
 # A period that is a difference: 1e-7 was granted with 1.5e-8 found, and wrong
 # by 4.1e-7. Truth: the place by 34 digits, of two bodies of 1 and 0.0189.
-refuses 1 'beyond reason' $bonk "$here/wound-clock.plist" --until 115236 \
+refuses 1 'rounding decides' $bonk "$here/wound-clock.plist" --until 115236 \
     --tolerance 1e-7 --reason 5 -o "$w/t10"
 holds 'wound-clock' $bonk "$here/wound-clock.plist" --until 115236 \
     --every 115236 --tolerance 1e-5 --observe x:1,y:1 -o "$w/picked" \
@@ -260,15 +276,15 @@ holds 'wound-clock: its place' awk -v found="$(key "$w/summary" error_found)" \
         y = ($3 - 15793.789279719716147) / 0.0185704 }
     END { exit !(x * x < found * found && y * y < found * found) }' "$w/picked"
 
-# Forces that might jump, and do not, or by next to nothing. And modes that
-# rounding has found, and in other units has not: another model goes.
+# Forces that might jump, and do not, or by next to nothing. And
+# modes of a turn that nothing holds, which are known to rounding.
 steps never-meet 1.9 rk4 4000
 check never-meet 1.9 2e-6 "$w/reference"
 steps weak-kink 5.9 rk4 8191
 check weak-kink 5.9 3e-5 "$w/reference" 5
 steps neutral-turn 288 kahan-li8 200
 check neutral-turn 288 1.6e-3 "$w/reference"
-never neutral-turn modes
+model neutral-turn modes
 
 # A heavy body remembers for longer than blocks can see: 0.6556 was given,
 # with two errors of 0.0097, where the mean of the whole run is 0.6226.
@@ -284,6 +300,11 @@ $step "$here/whole-turns.plist" --until $t --every $t --method kahan-li8 \
 error=$(apart "$w/picked" "$w/reference" "$(key "$w/summary" scale)")
 holds "whole-turns: error $error" awk -v error="$error" \
     'BEGIN { exit !(error ~ /[0-9]/ && error <= 1e-2) }'
-refuses 1 'beyond reason' $bonk "$here/far-meeting.plist" --until 640 \
-    --every 640 --tolerance 1e-3 -o "$w/far"
-echo 1..118
+
+# A ball that bounces under friction, every time lower; and two points that
+# pass each other so near that a disk would have been hit.
+steps bounces 2.374372754265058 kahan-li8 1000 located
+check bounces 2.374372754265058 1e-3 "$w/reference"
+steps passing-points 0.8 leapfrog 8
+check passing-points 0.8 1e-3 "$w/reference"
+echo 1..126

@@ -11,6 +11,6 @@ xhigh = 2
 ylow = 1e-20
 deep = 1e-8
 band = 6e-16
-airx = 0
-airy = 0.9
+airx = -9
+airy = 0
 load 'plots/map.gp'

@@ -5,6 +5,10 @@
 # holds (5-7), of the cheapest with another model (8-10), of the finest plain
 # way (11-13), of the classic method with its steps halved (14-16); what
 # deciding cost (17); the horizon (18).
+BEGIN {
+    if (want == "tex")
+        begin_table()
+}
 !/^[a-z][-a-z0-9]*-[369] / || NF != 18 { next }
 {
     scene = substr($1, 1, length($1) - 2)
@@ -38,15 +42,17 @@
     running += $4
     deciding += $17
     plain += $13
-    classic += $16 == "nan" ? $13 : $16
+    classic += $16
     if (want == "slow" && $4 < 0.01 && $17 > 0.1)
         print $1 ": " $17 " s of looking, for a run of " $4 " s"
     if ($4 >= 0.01)
         times[++long] = $17 / $4
 }
 END {
-    if (want == "tex")
+    if (want == "tex") {
         end_row()
+        print "\\hline\n\\end{tabular}"
+    }
     if (want == "keys") {
         print "scenes", scenes
         print "asked", asked
@@ -87,14 +93,24 @@ function complain(    e) {
     else if ($2 != "-" && !($4 <= 1.13 * $7))
         print $1 ": " $2 " costs " $4 / $7 " times as much as " $5
 }
+function begin_table(    k, head) {
+    head = ">{\\raggedright\\arraybackslash}p{.155\\textwidth}rr"
+    print "\\begin{tabular}{l" head head head "}\n\\hline"
+    for (k = -3; k >= -9; k -= 3)
+        printf "%s & \\multicolumn{3}{l}{$10^{%d}$}", \
+            k == -3 ? "\\rule{0pt}{2.4ex}" : "", k
+    print "\\\\\nscene & taken & 2nd & plain & taken & 2nd & plain " \
+        "& taken & 2nd & plain\\\\\n\\hline"
+    row = "\\rule{0pt}{2.4ex}"
+}
 function end_row() {
-    if (row != "")
+    if (last != "")
         print row "\\\\"
 }
 function cell() {
     if (scene != last) {
         end_row()
-        row = scene
+        row = (last == "" ? row : "") scene
         last = scene
     }
     if ($2 == "-")

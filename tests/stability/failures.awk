@@ -76,7 +76,7 @@ function begin_part(part,    other) {
         other "; with the section that tells of it, and numbered as in " \
         "figure~\\ref{fig:12-failures}.}\\label{tab:failures-" \
         (parts + 1) / 2 "}"
-    print "\\begin{tabular}{r" p(.26) p(.49) p(.185) "}"
+    print "\\begin{tabular}{r" p(.255) p(.485) p(.185) "}"
     print "\\hline"
     fresh = 1
     print strut() " & scene & what was deceived & what saw it\\\\"

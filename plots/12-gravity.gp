@@ -9,7 +9,7 @@ ways = 'leapfrog rk4 pefrl kahan-li8 wisdom-holman sbab4 dopri5 radau15'
 stepless = 'kepler,no-light'
 xlow = 1e-6
 xhigh = 0.4
-ylow = 1e-20
+ylow = lecture ? 1e-22 : 1e-19
 deep = 1e-8
-band = 6e-16
+band = 3e-15
 load 'plots/map.gp'

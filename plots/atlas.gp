@@ -3,7 +3,7 @@
 # names, titles and rows, and load this. A slide has one row, the key beside.
 file = 'build/data/12-atlas.dat'
 columns = 3
-set multiplot layout slide ? 1 : rows,columns margins 0.085,slide ? 0.84 : 0.985,slide ? 0.15 : 1.1/height,slide ? 0.965 : 1-0.15/height spacing 0.012,0.12/height
+set multiplot layout slide ? 1 : rows,columns margins slide ? 0.12 : 0.1,slide ? 0.84 : 0.985,slide ? 0.15 : 1.1/height,slide ? 0.965 : 1-0.15/height spacing 0.012,0.12/height
 set logscale xy
 set xrange [2e-7:0.9]
 set yrange [5e-18:1e4]
@@ -20,7 +20,7 @@ do for [i=1:scenes] {
   set format x (last ? '10^{%T}' : '')
   set xlabel (last ? 'cost  (s)' : '')
   set format y (i % columns == 1 ? '10^{%T}' : '')
-  set ylabel (i % columns == 1 ? 'error' : '') offset 1
+  set ylabel (i % columns == 1 ? 'error' : '') offset lecture ? 1 : 0.5
   set label 1 titles[i] at graph 0.96,0.92 right front
   unset key
   if (slide && i % columns == 1) { set key at screen 0.855,0.965 left top samplen 0.7 Left reverse }

@@ -94,7 +94,7 @@ function complain(    e) {
         print $1 ": " $2 " costs " $4 / $7 " times as much as " $5
 }
 function begin_table(    k, head) {
-    head = ">{\\raggedright\\arraybackslash}p{.155\\textwidth}rr"
+    head = ">{\\raggedright\\arraybackslash}p{.163\\textwidth}rr"
     print "\\begin{tabular}{l" head head head "}\n\\hline"
     for (k = -3; k >= -9; k -= 3)
         printf "%s & \\multicolumn{3}{l}{$10^{%d}$}", \

@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1247039319 of the lines below */
+/* checksum 68411730 of the lines below */
 /* Exact ways, two runs that agree, and ladders judged by them. */
 #include "enough/choose.h"
 
@@ -288,12 +288,12 @@ static uint64_t steps_for(double x)
     return n;
 }
 
-/* The largest of 0.01, 0.005, 0.002, 0.001, ... that is not above x. */
+/* The largest of 1, 0.5, 0.2, 0.1, ... that is not above x. */
 static double tolerance_for(double x)
 {
     static const double digit[] = {1, 0.5, 0.2};
-    double power = 100; /* its inverse: these are as they are written */
-    for (int k = 0; k < 14; ++k, power *= 10)
+    double power = 1; /* its inverse: these are as they are written */
+    for (int k = 0; k < 16; ++k, power *= 10)
         for (int j = 0; j < 3; ++j)
             if (digit[j] / power <= x * (1 + 1e-9))
                 return digit[j] / power;
@@ -553,8 +553,11 @@ static void find_foot(const struct task *t, const struct reference *f,
 static void set_up(const struct task *t, const struct reference *f,
                    struct ladder *l)
 {
-    find_foot(t, f, l);
     struct bracket b = bracket_of(l, t->q->tolerance);
+    if (!b.high) { /* else the reference has shown one that holds */
+        find_foot(t, f, l);
+        b = bracket_of(l, t->q->tolerance);
+    }
     if (!b.high && !b.costly) {
         const double fine = fineness(&b.last->plan) + 1 / rise_of(l);
         l->tried[l->count++] = try_plan(t, f, rung_at(b.last->plan, fine),

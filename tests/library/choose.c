@@ -84,8 +84,29 @@ static const struct trial exact_trials[] = {
     {"cradle", 20, "relabel"},    {"galperin", 20, "line"},
     {"four-disks", 3, "disks"},   {"gas", 1, "disks"}};
 
-/* What has a closed form, or contacts only, is carried so, at the price of
-   two such runs. */
+/* How far a twin is from the run that was taken. */
+static double twin_apart(const struct choose_request *q,
+                         const struct choose_choice *c)
+{
+    struct record_view v;
+    struct record twin;
+    const struct record_order o = {.scene = q->scene,
+                                   .plan = c->run.plan,
+                                   .every = q->every,
+                                   .rows = 16,
+                                   .limit = INFINITY,
+                                   .twin = 1};
+    UNIT_TRUE(record_look(&v, "choose", q->scene, NULL,
+                          q->until - q->scene->time));
+    UNIT_TRUE(record_run(&twin, &v, &o));
+    const double apart = record_apart(&v, &c->run, &twin, 1, 16);
+    record_free(&twin);
+    record_look_away(&v);
+    return apart;
+}
+
+/* What has a closed form, or contacts only, is carried so; two such runs
+   are apart by half of what is said, or less. */
 static void test_exact(void)
 {
     for (size_t j = 0; j < sizeof exact_trials / sizeof *exact_trials;
@@ -97,6 +118,7 @@ static void test_exact(void)
         UNIT_TRUE(takes(&c, t->truth));
         UNIT_EQUAL(c.candidate[c.taken].error, c.rounding);
         UNIT_TRUE(c.rounding > 0 && c.rounding < 1e-7);
+        UNIT_TRUE(c.rounding >= 2 * twin_apart(&q, &c));
         UNIT_TRUE(c.reference.model == NULL && c.doubt == 0);
         choose_free(&c);
         scene_free(&s);
@@ -227,6 +249,20 @@ static void test_stepped(void)
             check_pick(&stepped_trials[j], &s, tolerances[k]);
         scene_free(&s);
     }
+}
+
+/* A reference is sure to a twentieth of what is asked for, in the problem
+   of Pythagoras too, where that takes more and more digits. */
+static void test_doubt(void)
+{
+    struct scene s = made("pythagorean", NULL, 0);
+    for (double until = 22; until < 60; until += 3) {
+        const struct choose_request q = asked(&s, until, 1e-3);
+        struct choose_choice c = chosen(&q, true);
+        UNIT_TRUE(c.doubt > 0 && c.doubt <= 0.05 * q.tolerance);
+        choose_free(&c);
+    }
+    scene_free(&s);
 }
 
 /* Four disks forget their start: at t = 20 nobody knows where they are, and
@@ -708,6 +744,7 @@ int main(void)
         (struct unit_test[]){
             {"what has a closed form is carried so", test_exact},
             {"picks hold, and none is 1.13 times cheaper", test_stepped},
+            {"a reference is sure to a twentieth", test_doubt},
             {"beyond the horizon nothing is carried", test_horizon},
             {"three bodies on a circle are known to t = 56", test_circle},
             {"two collisions at once that share a body are a fork",

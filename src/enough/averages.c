@@ -1,5 +1,5 @@
 /* From chapters/12-averages.nw: edit there, then run make tangle. */
-/* checksum 3709785856 of the lines below */
+/* checksum 2658541178 of the lines below */
 /* Laws where they are exact, else events with honest errors. */
 #include "enough/averages.h"
 
@@ -411,7 +411,7 @@ static double seen(const struct watch *w)
     return (double)(w->blocks.count * w->blocks.per) / w->most;
 }
 
-/* What the run makes of the mean over T (12.19, eq:averages-over). */
+/* What the run makes of the mean over T (12.14, eq:averages-over). */
 static void conclude(struct averages_found *f, const struct watch *w)
 {
     const double s = seen(w), q = s / 4;

@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 68411730 of the lines below */
+/* checksum 1952316111 of the lines below */
 /* Exact ways, two runs that agree, and ladders judged by them. */
 #include "enough/choose.h"
 
@@ -143,7 +143,7 @@ static const double doubled = 2;    /* times what last bits change */
 static const double patience = 0.1; /* s: a run that may be in vain */
 
 /* What clocks do to a run that are wrong by their roundings:
-   (12.13, eq:choose-slip). */
+   (12.11, eq:choose-slip). */
 static double slip(const struct task *t, const struct record *r)
 {
     const double late_by = 0x1p-40;

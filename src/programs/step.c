@@ -1,5 +1,5 @@
 /* From chapters/works/11-step.nw: edit there, then run make tangle. */
-/* checksum 3012748400 of the lines below */
+/* checksum 364891590 of the lines below */
 /* Steps a scene through time and writes what is looked at, row by row. */
 #include "forces/adaptive.h"
 #include "forces/checkpoint.h"
@@ -337,7 +337,7 @@ static void begin_watch(struct run *r)
                        r->energy);
 }
 
-/* Looks at the energy. false: it is beyond the bound (11.10,
+/* Looks at the energy. false: it is beyond the bound (11.16,
    eq:energy-bound), or no number. */
 static bool is_sane(struct run *r)
 {

@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 557072916 of the lines below */
+/* checksum 452283049 of the lines below */
 /* Two bodies as the first one sees the second: how near they pass. */
 #ifndef PAIR_H
 #define PAIR_H
@@ -20,7 +20,7 @@ static inline void pair_add(struct pair *p, double r, double v)
 }
 
 /* The square of the distance at which they do, m^2, if they pass at all.
-   Source: (12.14, eq:pair-nearest). */
+   Source: (12.12, eq:pair-nearest). */
 static inline double pair_nearest2(const struct pair *p)
 {
     return fmax(p->r2 - p->rv * p->rv / p->v2, 0);

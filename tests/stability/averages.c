@@ -110,7 +110,7 @@ static void test_columns(void)
     put(&s, 1, 2, 0.1, (double[]){0.75, 0.6}, (double[]){-1e-4, 0.7});
     const struct averages_found f = ask(&s, "pressure", 1e5, 0.01, NULL);
     UNIT_TRUE(!refused(&f));
-    /* two disks in the end, whatever their masses: (6.5, eq:two-disks) */
+    /* two disks in the end, whatever their masses: (6.2, eq:two-disks) */
     UNIT_NEAR(f.value, 1.0816704238714616, 1.5 * f.error * f.scale);
     const struct averages_found g = ask(&s, "pressure", 100, 0.01, NULL);
     UNIT_TRUE(refused(&g));

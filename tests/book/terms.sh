@@ -45,13 +45,13 @@ unexplained() {
     comm -3 "$scratch/bold" "$scratch/no-terms"
 }
 unused() { sed -n 's/^.*|\(.*\)|unused$/\1/p' "$scratch/words"; }
-names() { sed -n 's/^\\term\(\[[^]]*\]\)\{0,1\}{\([^}]*\)}.*/\2/p' chapters/E-glossary.nw; }
+names() { sed -n 's/^\\term\(\[[^]]*\]\)\{0,1\}{\([^}]*\)}.*/\2/p' chapters/D-glossary.nw; }
 unsorted() {
     names | sed "s/'s//g; s/--/ /g; s/-/ /g" | tr 'A-Z' 'a-z' >"$scratch/names"
     sort -u -c "$scratch/names" 2>&1
 }
 strangers() { # names in the table of symbols that the code does not have
-    sed -n '/begin{longtable}/,/end{longtable}/p' chapters/D-symbols.nw |
+    sed -n '/begin{longtable}/,/end{longtable}/p' chapters/C-symbols.nw |
         grep -o '\[\[[^]]*\]\]' | tr -c 'A-Za-z0-9_' '\n' | sed '/^$/d' |
         sort -u >"$scratch/wanted"
     cat src/*/*.[ch] | tr -c 'A-Za-z0-9_' '\n' | sort -u |
@@ -78,8 +78,8 @@ some() { # name what-there-is expected
     echo 'ok terms: sixty entries, sixty words' ||
     echo 'not ok terms: sixty entries, sixty words - fewer'
 none 'cited is what chapters/press/references.bib has' "$(keys)"
-none 'words in bold are in chapters/E-glossary.nw, or in the list above' "$(unexplained)"
-none 'words of chapters/E-glossary.nw are used' "$(unused)"
+none 'words in bold are in chapters/D-glossary.nw, or in the list above' "$(unexplained)"
+none 'words of chapters/D-glossary.nw are used' "$(unused)"
 none 'the glossary is sorted' "$(unsorted)"
 none 'names of symbols are in src/' "$(strangers)"
 [ "$(wc -l <"$scratch/wanted")" -ge 60 ] &&
@@ -107,9 +107,9 @@ printf '%s\n' '@book{one1999,' '}' '@article{two2000,' '}' >chapters/press/refer
 printf '%s\n' 'A \textbf{heap}, a \textbf{slow' '  leash} \cite{one1999,' \
     'three2001}. Heaps are old.' '<<x.c>>=' 'virial' '@' >chapters/01-x.nw
 printf '%s\n' '\term[heaps]{heap}{A tree.}' '\term{virial}{A sum.}' \
-    '\term{anchor}{A place.}' >chapters/E-glossary.nw
+    '\term{anchor}{A place.}' >chapters/D-glossary.nw
 printf '%s\n' '\begin{longtable}' '[[disk]]\allowbreak[[.radius]] [[mass]]' \
-    '\end{longtable}' >chapters/D-symbols.nw
+    '\end{longtable}' >chapters/C-symbols.nw
 echo 'struct disk { double radius; };' >src/toolbox/x.h
 : >"$scratch/no-terms"
 some 'a key that is missing, an entry that is not cited' "$(keys)" "three2001

@@ -54,7 +54,6 @@ lines() { awk -v n="$1" 'BEGIN { for (i = 1; i <= n; ++i)
     lines 14
     echo '@'
 } >chapters/03-three.nw
-printf 'Try `a_b` for 5 %%.\n--\nNext "one".\n' >tests/exercises/01a/hints.txt
 printf 'int main(void)\n{\n    return 0; /* for */\n}\n' >solutions/01a-x.c
 chapters/press/weave || echo 'not ok weave: two chapters - status 1'
 label=$(sed -n 's/.*sublabel{\(NW[^}]*\)}.*one\.h.*/\1/p' build/book/01-one.tex)
@@ -74,10 +73,6 @@ has 'a page ends in a long chunk best at a blank line' \
     '\nwcodelines{14}{-----082264---}\nwbegincode{2}' build/book/03-three.tex
 has 'and never in one of ten lines' \
     '\nwcodelines{10}{}\nwbegincode{1}' build/book/03-three.tex
-has 'hints are a list' 'Try \texttt{a\_b} for 5 \%.' \
-    build/book/hints-01a.tex
-has 'the appendix of hints has each exercise' '\hintsfile{01a}' \
-    build/book/hints.tex
 [ ! -e build/book/solutions-01.tex ] && [ ! -s build/book/edition.tex ] &&
     echo 'ok weave: no solutions for students' ||
     echo 'not ok weave: no solutions for students - there they are'

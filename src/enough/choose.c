@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1952316111 of the lines below */
+/* checksum 4247847568 of the lines below */
 /* Exact ways, two runs that agree, and ladders judged by them. */
 #include "enough/choose.h"
 
@@ -554,7 +554,7 @@ static void set_up(const struct task *t, const struct reference *f,
                    struct ladder *l)
 {
     struct bracket b = bracket_of(l, t->q->tolerance);
-    if (!b.high) { /* else the reference has shown one that holds */
+    if (!b.high || !l->foot.model->method->adaptive) {
         find_foot(t, f, l);
         b = bracket_of(l, t->q->tolerance);
     }

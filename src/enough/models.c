@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 2630990536 of the lines below */
+/* checksum 2505490374 of the lines below */
 /* What acts, what can be left out, and how each model carries a scene. */
 #include "enough/models.h"
 
@@ -1832,8 +1832,10 @@ static struct pair relative(const struct scene *s, size_t i, size_t j,
     *a2 = 0;
     for (size_t k = 0; k < SCENE_AXES; ++k) {
         const size_t one = at(s, k, i), other = at(s, k, j);
+        const double r = x[other] - x[one];
+        const double u = v[other] - v[one];
         const double f = a[other] - a[one];
-        pair_add(&p, x[other] - x[one], v[other] - v[one]);
+        pair_add(&p, r, u);
         *a2 += f * f;
     }
     return p;
@@ -2023,7 +2025,7 @@ static bool is_hopeless(const struct models_run *r, const struct steps *t,
     const double cost = models_cost(r->work);
     const double all = cost / done * (double)r->all;
     return r->plan.model->method->adaptive
-               ? cost > fmin(r->limit / 8, 1) && all > 2 * r->limit
+               ? cost > fmin(r->limit / 2, 1) && all > 2 * r->limit
                : all > 1.1 * r->limit;
 }
 

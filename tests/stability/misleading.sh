@@ -138,15 +138,10 @@ for plan in '' '--model leapfrog:15'; do
         'BEGIN { exit !(error ~ /[0-9]/ && error <= 1e-2) }'
     rm -f "$w/picked"
 done
-# The same with points, which are met as well.
+# The same with points on a line, which no step is sure to see.
 sed '/^pos/s/ 0.001$/ 0/' "$here/small-ball.plist" >"$w/points"
-holds 'points' $bonk "$w/points" --until 6 --tolerance 1e-2 \
-    -o "$w/picked" --summary "$w/summary"
-$step "$w/points" --until 6 --every 0.375 --dt 0.0001875 --method pefrl \
-    --contact located -o "$w/reference"
-error=$(apart "$w/picked" "$w/reference" "$(key "$w/summary" scale)")
-holds "points: error $error" awk -v error="$error" \
-    'BEGIN { exit !(error ~ /[0-9]/ && error <= 1e-2) }'
+refuses 1 'points on a line collide only' $bonk "$w/points" --until 6 \
+    --tolerance 1e-2 -o "$w/t4"
 
 # Twelve steps, twice and four times as many agree to a millionth where the
 # spring turns round, and are all wrong by six per cent. What is right is

@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 4247847568 of the lines below */
+/* checksum 2414158967 of the lines below */
 /* Exact ways, two runs that agree, and ladders judged by them. */
 #include "enough/choose.h"
 
@@ -198,32 +198,6 @@ static bool is_worth(const struct task *t, const struct record *a)
     return held && 2 * price <= left_of(t);
 }
 
-/* Has the run ended for no reason of its own? */
-static bool is_cut_off(const struct record *r)
-{
-    return r->end == MODELS_COSTLY || r->end == MODELS_MEMORY;
-}
-
-/* How far the run is from a twin that is turned round. */
-static double turned(const struct task *t, const struct record *a)
-{
-    struct record c;
-    struct record_order o = order_of(t, a->plan, INFINITY);
-    if (!t->q->scene->contact)
-        return 0;
-    o.twin = -1;
-    o.guide = a;
-    o.apart = t->q->tolerance / doubled;
-    run(t, &c, &o);
-    t->c->forks =
-        !is_cut_off(&c) && record_agree(t->view, a, &c, o.apart) < t->rows;
-    if (t->c->forks)
-        note_horizon(t, a, &c, o.apart);
-    const double by = apart(t, a, &c);
-    record_free(&c);
-    return by;
-}
-
 static void judge_twins(const struct task *t, struct choose_candidate *k,
                         struct record *a, struct record *b)
 {
@@ -233,16 +207,12 @@ static void judge_twins(const struct task *t, struct choose_candidate *k,
     if (parted && k->plan.model->family == MODELS_EVENTS)
         note_horizon(t, a, b, within);
     if (whole(t, a) && whole(t, b)) {
-        const double error =
-            doubled * fmax(apart(t, a, b), turned(t, a)) + slip(t, a);
+        const double error = doubled * apart(t, a, b) + slip(t, a);
         t->c->rounding = error;
         offer(t, k, a, error);
-        if (t->c->forks)
-            say(k, "the order of collisions at one moment decides");
-        else
-            snprintf(k->text, sizeof k->text, "rounding %.1e", error);
+        snprintf(k->text, sizeof k->text, "rounding %.1e", error);
     } else if (parted)
-        say(k, "rounding grows beyond e");
+        say(k, "its twin goes another way");
     else
         say(k, ending(a->end != MODELS_DONE ? a : b));
 }
@@ -738,29 +708,6 @@ static bool find_cheap(const struct task *t, struct reference *f)
            (find_even(t, f, "leapfrog") || find_even(t, f, "kahan-li8"));
 }
 
-/* Does the order of collisions at one moment not matter? */
-static bool is_settled(const struct task *t, struct reference *f)
-{
-    struct record c;
-    struct record_order o = order_of(t, f->coarser.plan, INFINITY);
-    const double within = t->q->tolerance / doubled;
-    if (!t->q->scene->contact)
-        return true;
-    o.twin = -1;
-    run(t, &c, &o);
-    t->c->forks = !is_cut_off(&c) &&
-                  record_agree(t->view, &f->run, &c, within) < t->rows;
-    if (t->c->forks)
-        note_horizon(t, &f->run, &c, within);
-    else if (is_cut_off(&c))
-        refuse_reference(t, &c);
-    else
-        f->doubt = fmax(f->doubt, apart(t, &f->run, &c));
-    const bool settled = !t->c->forks && !is_cut_off(&c);
-    record_free(&c);
-    return settled;
-}
-
 /* Finer and finer runs, until two agree. False: they do not; if that is
    no horizon, the refusal says what it is. */
 static bool find_reference(const struct task *t, struct reference *f)
@@ -772,7 +719,7 @@ static bool find_reference(const struct task *t, struct reference *f)
         run_pair(t, f, plan);
         const struct record *bad =
             f->coarser.end != MODELS_DONE ? &f->coarser : &f->run;
-        if (is_cut_off(bad) || bad->why) {
+        if (bad->end == MODELS_COSTLY || bad->end == MODELS_MEMORY || bad->why) {
             refuse_reference(t, bad);
             return false;
         }
@@ -784,14 +731,14 @@ static bool find_reference(const struct task *t, struct reference *f)
         }
         f->doubt = apart(t, &f->coarser, &f->run);
         if (f->doubt <= share * t->q->tolerance)
-            return is_settled(t, f);
+            return true;
         if (is_finest(&f->run.plan))
             break;
         record_free(&f->coarser);
         record_free(&f->run);
     }
     if (f->doubt <= t->q->tolerance / doubled)
-        return is_settled(t, f);
+        return true;
     note_horizon(t, &f->coarser, &f->run, t->q->tolerance / doubled);
     return false;
 }
@@ -897,11 +844,11 @@ static void refuse(const struct task *t)
         return;
     if (c->horizon < INFINITY)
         snprintf(c->refusal, sizeof c->refusal,
-                 "horizon: from t = %.10g on %s decides by more than "
+                 "horizon: from t = %.10g on rounding%s decides by more than "
                  "%.3g what happens; spent: %.2g s",
                  c->horizon,
-                 c->forks ? "the order of collisions at one moment"
-                          : "rounding",
+                 t->acts.contact ? " or the order of collisions at one moment"
+                                 : "",
                  t->q->tolerance, c->spent);
     else if (left_of(t) < 0.1 * t->q->reason)
         snprintf(

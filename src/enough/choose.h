@@ -1,5 +1,5 @@
 /* From chapters/works/12-choose.nw: edit there, then run make tangle. */
-/* checksum 3093199024 of the lines below */
+/* checksum 1629703022 of the lines below */
 /* The cheapest way to carry a scene within a tolerance, or a reason. */
 #ifndef CHOOSE_H
 #define CHOOSE_H
@@ -71,8 +71,7 @@ struct choose_choice {
     double doubt;                 /* how far two references are apart */
     double rounding;              /* what last bits do to an exact run */
     double horizon;               /* s; INFINITY: the run is inside it */
-    bool forks;   /* there the order of collisions at one moment decides */
-    double spent; /* on all, s by the price list */
+    double spent;                 /* on all, s by the price list */
     char refusal[CHOOSE_REFUSAL];
 };
 

@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 2034273896 of the lines below */
+/* checksum 3701225266 of the lines below */
 /* Each column is judged by a scale; a run may be in other units. */
 #include "enough/record.h"
 
@@ -391,11 +391,6 @@ size_t record_agree(const struct record_view *v, const struct record *a,
     return r - 1;
 }
 
-static double unit_of(const struct record_order *o)
-{
-    return o->twin == 0 ? 1 : o->twin > 0 ? unit_length : -unit_length;
-}
-
 static void copy_states(const struct scene *s, double to[])
 {
     const size_t n = s->bodies;
@@ -412,11 +407,11 @@ static void look(struct record *r, struct record_view *v,
                  const struct record_order *o, const struct scene *now,
                  uint64_t met)
 {
-    const double unit = unit_of(o);
+    const double unit = o->twin ? -unit_length : 1;
     double *to = r->value + r->reached * v->columns;
     struct scene *s = &v->scene;
     for (size_t c = 0; c < SCENE_AXES * s->bodies; ++c) {
-        const size_t from = o->twin < 0 ? renamed(s->bodies, c) : c;
+        const size_t from = o->twin ? renamed(s->bodies, c) : c;
         s->position[c] = now->position[from] / unit;
         s->velocity[c] = now->velocity[from] / unit;
     }
@@ -474,16 +469,14 @@ static void begin_way(struct way *w, struct record_view *v)
     w->since = bench_seconds();
     if (!scene_copy(&w->twin, o->scene))
         return;
+    struct models_plan plan = o->plan;
     if (o->twin) {
         convert_bodies(&w->twin);
         convert_forces(&w->twin);
         move_last_bits(&w->twin);
-        if (o->twin < 0)
-            turn_round(&w->twin);
-    }
-    struct models_plan plan = o->plan;
-    if (o->twin)
+        turn_round(&w->twin);
         plan.little *= unit_length;
+    }
     r->value = malloc((o->rows + 1) * v->columns * sizeof *r->value);
     if (r->value) {
         w->begun =
@@ -530,12 +523,7 @@ bool record_run(struct record *r, struct record_view *v,
 {
     struct way w = {.r = r, .o = o};
     begin_way(&w, v);
-    while (go_on(&w, v) &&
-           (!o->guide ||
-            (r->reached <= o->guide->reached &&
-             row_apart(v, r->value + r->reached * v->columns,
-                       o->guide->value + r->reached * v->columns) <=
-                 o->apart)))
+    while (go_on(&w, v))
         ;
     end_way(&w);
     return r->end != MODELS_MEMORY;

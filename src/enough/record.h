@@ -1,5 +1,5 @@
 /* From chapters/works/12-choose.nw: edit there, then run make tangle. */
-/* checksum 2126368124 of the lines below */
+/* checksum 1446809670 of the lines below */
 /* The rows of a run, and how far those of two runs are apart. */
 #ifndef RECORD_H
 #define RECORD_H
@@ -44,13 +44,9 @@ struct record_order {
     double every; /* s */
     size_t rows;
     double limit; /* cost, s by the price list */
-    int twin;     /* 1: computed in other units, and with other last bits of
-                     what flies, which no row should know; -1: besides,
-                     seen from the other side, and with the bodies named
-                     the other way round; 0: as it is */
-    /* NULL, or what it is compared with, to be given up beyond `apart` */
-    const struct record *guide;
-    double apart;
+    bool twin;    /* computed in other units, seen from the other side, with
+                     the bodies named the other way round and other last
+                     bits of what flies; no row should know */
 };
 
 /* Prepares to look at a run of the scene that lasts `length`, s. On failure

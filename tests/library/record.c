@@ -148,13 +148,12 @@ static void test_twins(void)
             record_look(&v, "record", &s, names[k] ? &asked : NULL, 2));
         struct record_order o = order(&s, "leapfrog:64", 2, 16);
         struct record a = recorded(&v, &o);
-        for (o.twin = -1; o.twin <= 1; o.twin += 2) {
-            struct record b = recorded(&v, &o);
-            const double off = record_apart(&v, &a, &b, 0, 16);
-            UNIT_TRUE(off > 0 && off < 1e-10);
-            UNIT_EQUAL(b.cost, a.cost);
-            record_free(&b);
-        }
+        o.twin = true;
+        struct record b = recorded(&v, &o);
+        const double off = record_apart(&v, &a, &b, 0, 16);
+        UNIT_TRUE(off > 0 && off < 1e-10);
+        UNIT_EQUAL(b.cost, a.cost);
+        record_free(&b);
         record_free(&a);
         record_look_away(&v);
     }

@@ -1,4 +1,4 @@
-/* From chapters/02-bonkers.nw: edit there, then run make tangle. */
+/* From chapters/works/02-bonkers.nw: edit there, then run make tangle. */
 /* checksum 2759656187 of the lines below */
 /* Masses, positions and velocities with which a run on a line begins. */
 #ifndef START_H

@@ -23,6 +23,12 @@ contact: has-tex has-gsl $(FIGURES_PDF)
 	@echo 'The contact sheets: build/contact.pdf'
 
 # EDITION=instructor adds the worked solutions.
+# How much of the book is prose, chapter by chapter.
+.PHONY: pages
+pages: build/bonkers.pdf
+	$(call need,pdftotext,poppler-utils)
+	@chapters/press/measure
+
 .PHONY: works
 edition := $(if $(filter instructor,$(EDITION)),-instructor)
 book: has-tex build/bonkers$(edition).pdf figures

@@ -1,109 +1,77 @@
-/* What the grader also asks of exercise 03b: the bin and the rest, and
-   samples that were written down several times. */
+/* What the grader also asks of exercise 03b: other units, and a quantity
+   that has only two values. */
 
 #include "examiner/check.h"
-#include <float.h>
+#include "toolbox/random.h"
 #include <math.h>
-#include <stdbool.h>
 #include <stddef.h>
 
-bool bin_surprise(size_t count, size_t samples, double probability,
-                  double inefficiency, double *z);
+double mean_and_error(size_t n, const double x[], double *error);
 
-struct bin {
-    size_t count, samples;
-    double p, g;
-};
+enum { N = 8000, FEW = 20 };
 
-/* From 20 to 2000 independent samples in the bin and in the rest; about as
-   many as expected. */
-static struct bin draw_bin(void)
+static double x[N], other[N];
+
+/* Plus or minus one, which changes its sign with probability p: the memory
+   is (1 - 2p)^t. Returns the true standard error of the mean. */
+static double draw_signs(double p)
 {
-    struct bin b = {0, 0, check_draw(0.05, 0.95), check_draw(1.0, 40.0)};
-    const double rarer = fmin(b.p, 1.0 - b.p);
-    b.samples = (size_t)(check_draw(20.0, 2000.0) * b.g / rarer);
-    b.count =
-        (size_t)((double)b.samples * (b.p + rarer * check_draw(-.5, .5)));
-    return b;
+    const double a = 1.0 - 2.0 * p;
+    struct random r;
+    random_seed(&r, (uint64_t)check_draw_whole(0, 1000000000));
+    x[0] = random_uniform(&r) < 0.5 ? -1.0 : 1.0;
+    for (size_t i = 1; i < N; ++i)
+        x[i] = random_uniform(&r) < p ? -x[i - 1] : x[i - 1];
+    return sqrt(((1.0 + a) / (1.0 - a) - a / (2.0 * N * p * p)) / N);
 }
 
-static const char *input(struct bin b)
+/* As in the suite: the ratio scatters by 0.04 with twenty blocks. */
+static void test_signs(void)
 {
-    return check_text("count = %zu of samples = %zu, probability = %g, "
-                      "inefficiency = %g",
-                      b.count, b.samples, b.p, b.g);
-}
-
-/* NaN where it cannot be judged: every bin here can. */
-static double surprise(struct bin b)
-{
-    double z = NAN;
-    return bin_surprise(b.count, b.samples, b.p, b.g, &z) ? z : NAN;
-}
-
-/* A difference of numbers near the count: an epsilon of all samples,
-   divided by the standard deviation of independent ones. */
-static bool check_same(const char *quantity, struct bin b, double got,
-                       double expected)
-{
-    const double n = (double)b.samples;
-    return CHECK_NEAR(
-        got, .quantity = quantity, .input = input(b), .expected = expected,
-        .tolerance = 16.0 * DBL_EPSILON *
-                     (fabs(expected) + sqrt(n / (b.p * (1.0 - b.p)))),
-        .because = "16 epsilons of z, and of the number of samples divided "
-                   "by the standard deviation",
-        .equation = "eq:zscore",
-        .question = "The same samples, counted in two ways, give two "
-                    "answers. Which of the numbers that go into z changes, "
-                    "and should it?");
-}
-
-/* So many samples more in the bin are so many more deviations. */
-static bool check_more(struct bin b)
-{
-    const int many = check_draw_whole(1, 5);
-    const struct bin more = {b.count + (size_t)many, b.samples, b.p, b.g};
-    const double n = (double)b.samples;
-    return check_same(check_text("by how much z grows with %d more in the "
-                                 "bin",
-                                 many),
-                      b, surprise(more) - surprise(b),
-                      many / sqrt(b.g * n * (b.p - b.p * b.p)));
-}
-
-static void test_rest(void)
-{
-    for (int i = 0; i < 40; ++i) {
-        const struct bin b = draw_bin();
-        if (!check_more(b))
-            return;
-        const struct bin rest = {b.samples - b.count, b.samples, 1.0 - b.p,
-                                 b.g};
-        if (!check_same("z of all that is not in the bin", b,
-                        surprise(rest), -surprise(b)))
-            return;
+    double squares = 0.0;
+    for (int i = 0; i < FEW; ++i) {
+        double error = NAN;
+        const double sigma = draw_signs(check_draw(0.06, 0.8));
+        mean_and_error(N, x, &error);
+        squares += error / sigma * (error / sigma) / FEW;
     }
+    CHECK_NEAR(sqrt(squares),
+               .quantity = "your error, in true standard errors (root of "
+                           "the mean square)",
+               .input = check_text("%d series of -1 and 1", FEW),
+               .expected = 1.0, .tolerance = 0.2,
+               .because = "with twenty blocks and more this scatters by "
+                          "0.04",
+               .equation = "eq:inefficiency",
+               .question = "These values are no bell curve. Which step of "
+                           "yours needs one?");
 }
 
-static void test_copies(void)
+static void test_units(void)
 {
-    for (int i = 0; i < 40; ++i) {
-        const struct bin b = draw_bin();
-        const int times = check_draw_whole(2, 5000);
-        const struct bin copies = {b.count * (size_t)times,
-                                   b.samples * (size_t)times, b.p,
-                                   b.g * times};
-        if (!check_same(
-                check_text("z when each sample is written down %d times "
-                           "and the inefficiency is as many times larger",
-                           times),
-                copies, surprise(copies), surprise(b)))
+    for (int i = 0; i < 6; ++i) {
+        const double unit = i % 2 ? -1e6 : 1e-6;
+        double error = NAN, scaled = NAN;
+        draw_signs(check_draw(0.06, 0.8));
+        for (size_t k = 0; k < N; ++k)
+            other[k] = unit * (x[k] + 7.0);
+        mean_and_error(N, x, &error);
+        mean_and_error(N, other, &scaled);
+        if (!CHECK_NEAR(
+                scaled / fabs(unit) / error,
+                .quantity = "error in other units, by the error",
+                .input = check_text("a series of -1 and 1, and the same "
+                                    "plus 7 and times %g",
+                                    unit),
+                .expected = 1.0, .tolerance = 1e-6, .because = "roundings",
+                .equation = "eq:block",
+                .question = "The same measurement in other units, from "
+                            "another zero. Which of your steps minds?"))
             return;
     }
 }
 
 const struct check_test check_hidden[] = {
-    {"what the bin has too many, the rest has too few", test_rest, 2, 0},
-    {"samples written down again tell nothing new", test_copies, 2, 0},
+    {"a sign has an error like other values", test_signs, 2, 0},
+    {"other units and another zero change nothing", test_units, 1, 0},
     {0}};

@@ -2,16 +2,24 @@
 
 #include "exercise.h"
 #include <math.h>
-#include <stdbool.h>
 #include <stddef.h>
 
-bool bin_surprise(size_t count, size_t samples, double probability,
-                  double inefficiency, double *z)
+double mean_and_error(size_t n, const double x[], double *error)
 {
-    double n = (double)samples, k = (double)count, p = probability;
-    double g = fmax(1, inefficiency);
-    if (!(n / g * p >= 5 && n / g * (1 - p) >= 5))
-        return false;
-    *z = (k - n * p) / (n * p * (1 - p) * g);
-    return true;
+    size_t b, i, m = 32, length = n / m;
+    double mean = 0, used = 0, s = 0, v = 0;
+    for (i = 0; i < n; i++)
+        mean += x[i] / n;
+    for (i = 0; i < m * length; i++)
+        used += x[i] / (m * length);
+    for (i = 0; i < n; i++)
+        v += (x[i] - mean) * (x[i] - mean) / (n - 1);
+    for (b = 0; b < m; b++) {
+        double a = 0;
+        for (i = b * length; i < (b + 1) * length; i++)
+            a += x[i] / length;
+        s += (a - used) * (a - used) / (m - 1);
+    }
+    *error = s / m;
+    return mean;
 }

@@ -1,80 +1,71 @@
-/* What crosses the border of exercise 04b: see examiner/border.h. */
-/* place: decay_time tau 1 */
-/* place: decay_time sigma 1 */
+/* What crosses the border of exercise 04b: see examiner/border.h. A sort is
+   four numbers. */
+/* place: rain_force friction 1 */
 
 #include "examiner/border.h"
 #include <stdlib.h>
 
-bool decay_time(size_t n, const double t[], const double share[],
-                const double error[], double limit, double *tau,
-                double *sigma);
+struct sort {
+    double m, v, left, right;
+};
 
-/* The numbers among the arguments; the points and the two places follow. */
+double rain_force(size_t n, const struct sort rain[], double im, double V,
+                  double *friction);
+
+/* The numbers among the arguments; the sorts and the place follow. */
 struct call {
     size_t n;
-    double limit;
+    double im, V;
 };
 
 static void move_arguments(struct call *c)
 {
     border_sizes(&c->n, 1);
-    border_doubles(&c->limit, 1);
+    border_doubles(&c->im, 1);
+    border_doubles(&c->V, 1);
 }
 
-static void move_answer(bool *told, double *tau, double *sigma)
+static void move_sorts(struct sort rain[], size_t n)
 {
-    border_bools(told, 1);
-    border_doubles(tau, 1);
-    border_doubles(sigma, 1);
+    for (size_t i = 0; i < n; ++i) {
+        border_doubles(&rain[i].m, 1);
+        border_doubles(&rain[i].v, 1);
+        border_doubles(&rain[i].left, 1);
+        border_doubles(&rain[i].right, 1);
+    }
 }
 
 #ifdef BORDER_INSIDE
-
-static double *take(size_t n)
-{
-    double *x = border_memory(n * sizeof *x);
-    border_doubles(x, n);
-    return x;
-}
 
 void border_answer(void)
 {
     struct call c;
     move_arguments(&c);
-    double *t = take(c.n), *share = take(c.n), *error = take(c.n);
-    double *tau = border_place_doubles("tau", 1);
-    double *sigma = border_place_doubles("sigma", 1);
-    bool told = decay_time(c.n, t, share, error, c.limit, tau, sigma);
+    struct sort *rain = border_memory(c.n * sizeof *rain);
+    move_sorts(rain, c.n);
+    double *friction = border_place_doubles("friction", 1);
+    double force = rain_force(c.n, rain, c.im, c.V, friction);
     border_reply();
-    move_answer(&told, tau, sigma);
-    free(t);
-    free(share);
-    free(error);
+    border_doubles(&force, 1);
+    border_doubles(friction, 1);
+    free(rain);
 }
 
 #else
 
-static void give(const double x[], size_t n)
+double rain_force(size_t n, const struct sort rain[], double im, double V,
+                  double *friction)
 {
-    border_doubles((double *)x, n); /* which only reads on this side */
-}
-
-bool decay_time(size_t n, const double t[], const double share[],
-                const double error[], double limit, double *tau,
-                double *sigma)
-{
-    struct call c = {n, limit};
-    bool told;
+    struct call c = {n, im, V};
+    double force;
     border_call();
     move_arguments(&c);
-    give(t, n);
-    give(share, n);
-    give(error, n);
-    border_doubles(tau, 1);
-    border_doubles(sigma, 1);
+    move_sorts((struct sort *)rain, n); /* which only reads on this side */
+    border_doubles(friction, 1);
     border_wait();
-    move_answer(&told, tau, sigma);
-    return told;
+    border_doubles(&force, 1);
+    border_doubles(friction, 1);
+    return force;
 }
 
 #endif

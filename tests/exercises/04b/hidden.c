@@ -1,132 +1,89 @@
-/* What the grader also asks of exercise 04b: another clock and other units,
-   errors that are all larger, and points measured twice. */
+/* What the grader also asks of exercise 04b: other units, and a gas that is
+   cut into sorts in another way. */
 
 #include "examiner/check.h"
+#include <float.h>
 #include <math.h>
-#include <stdbool.h>
 #include <stddef.h>
 
-bool decay_time(size_t n, const double t[], const double share[],
-                const double error[], double limit, double *tau,
-                double *sigma);
-
-enum { MOST = 48 };
-
-struct points {
-    size_t n;
-    double limit, t[MOST], share[MOST], error[MOST];
+struct sort {
+    double m, v, left, right;
 };
 
-/* A noisy decay, and its decay time; every excess is clearly above 3 errors
-   or clearly below, also when errors are half as large again. */
-static double draw_points(struct points *p, double noise)
+double rain_force(size_t n, const struct sort rain[], double im, double V,
+                  double *friction);
+
+static void draw_sort(struct sort *s)
 {
-    const double tau = check_draw(80.0, 600.0);
-    p->limit = check_draw(0.0, 0.3);
-    p->n = (size_t)check_draw_whole(6, MOST / 2);
-    for (size_t i = 0; i < p->n; ++i) {
-        const double y = 0.3 * exp(noise * check_draw(-0.2, 0.2) -
-                                   2.5 * (double)i / p->n);
-        const bool low = i > 3 && check_draw_whole(0, 4) == 0;
-        p->t[i] = 2.5 * tau * (double)i / p->n;
-        p->share[i] = p->limit + y;
-        p->error[i] =
-            y / (low ? check_draw(0.5, 2.8) : check_draw(5.0, 60.0));
-    }
-    return tau;
+    s->m = check_draw(0.01, 5.0);
+    s->v = check_draw(1.0, 50.0) * (check_draw_whole(0, 1) ? 1.0 : -1.0);
+    s->left = check_draw(0.0, 9.0);
+    s->right = check_draw(0.0, 9.0);
 }
 
-struct answer {
-    double tau, sigma;
-};
-
-/* NaN where there is none: all these decay. */
-static struct answer answer(const struct points *p)
+static bool check_same(double got, double expected, const char *quantity,
+                       const char *question)
 {
-    struct answer a = {NAN, NAN};
-    if (!decay_time(p->n, p->t, p->share, p->error, p->limit, &a.tau,
-                    &a.sigma))
-        a.tau = a.sigma = NAN;
-    return a;
+    return CHECK_NEAR(got, .quantity = quantity, .input = "a rain drawn",
+                      .expected = expected,
+                      .tolerance = 100.0 * DBL_EPSILON * fabs(expected),
+                      .because = "a hundred epsilons: a few roundings",
+                      .equation = "eq:friction", .question = question);
 }
 
-static bool check_same(const char *quantity, const struct points *p,
-                       double got, double expected)
-{
-    return CHECK_NEAR(
-        got, .quantity = quantity, .unit = "s",
-        .input = check_text("%zu points of a noisy decay, limit = %g", p->n,
-                            p->limit),
-        .expected = expected, .tolerance = 1e-9 * expected,
-        .because = "1e-9 of it: rounding, twice over",
-        .equation = "eq:decay",
-        .question = "The same decay, told in two ways, has two answers. "
-                    "Does yours depend on a unit, on where the clock "
-                    "begins, or on how many errors you were given?");
-}
-
-/* Milliseconds, another beginning, per mille for shares, and the last point
-   first. */
+/* In grams and kilometres: factors of 2, which round nothing. */
 static void test_units(void)
 {
-    struct points p, q;
-    for (int i = 0; i < 20; ++i) {
-        const double tau = draw_points(&p, 0.0);
-        if (!check_same("tau of points without noise", &p, answer(&p).tau,
-                        tau))
-            return;
-        draw_points(&p, 1.0);
-        const double begin = check_draw_whole(-3000, 3000);
-        q = p;
-        q.limit *= 1000.0;
-        for (size_t k = 0; k < p.n; ++k) {
-            const size_t from = p.n - 1 - k;
-            q.t[k] = 1000.0 * (p.t[from] + begin);
-            q.share[k] = 1000.0 * p.share[from];
-            q.error[k] = 1000.0 * p.error[from];
-        }
-        const struct answer a = answer(&p), b = answer(&q);
-        if (!(check_same("tau from milliseconds and shares in per mille",
-                         &p, b.tau / 1000.0, a.tau) &&
-              check_same("sigma from milliseconds and shares in per mille",
-                         &p, b.sigma / 1000.0, a.sigma)))
+    static const char question[] =
+        "Only other units. Which number in your function has a unit of its "
+        "own?";
+    for (int i = 0; i < 30; ++i) {
+        struct sort s, t;
+        double a = NAN, b = NAN;
+        const double im = check_draw(0.0, 2.0), V = check_draw(-0.1, 0.1);
+        draw_sort(&s);
+        if (s.v < 0.0)
+            s.right += 1.0;
+        else
+            s.left += 1.0;
+        t = (struct sort){ldexp(s.m, -10), ldexp(s.v, 7), ldexp(s.left, 3),
+                          ldexp(s.right, 3)};
+        const double f = rain_force(1, &s, im, V, &a);
+        const double g = rain_force(1, &t, ldexp(im, 10), ldexp(V, 7), &b);
+        if (!(check_same(g, ldexp(f, 7), "mean force in other units",
+                         question) &&
+              check_same(b, a, "friction in other units", question)))
             return;
     }
 }
 
-/* Larger errors make tau less certain and leave it what it is; all points
-   twice make it more certain. */
-static void test_errors(void)
+/* A sort in two halves, one of them listed last, is the same rain. */
+static void test_halves(void)
 {
-    struct points p, q;
-    for (int i = 0; i < 20; ++i) {
-        draw_points(&p, 1.0);
-        q = p;
-        for (size_t k = 0; k < p.n; ++k)
-            q.error[k] *= 1.5;
-        const struct answer a = answer(&p), b = answer(&q);
-        if (!(check_same("tau with all errors half as large again", &p,
-                         b.tau, a.tau) &&
-              check_same("sigma with all errors half as large again", &p,
-                         b.sigma, 1.5 * a.sigma)))
-            return;
-        q = p;
-        for (size_t k = 0; k < p.n; ++k) {
-            q.t[p.n + k] = p.t[k];
-            q.share[p.n + k] = p.share[k];
-            q.error[p.n + k] = p.error[k];
-        }
-        q.n = 2 * p.n;
-        const struct answer c = answer(&q);
-        if (!(check_same("tau with every point twice", &p, c.tau, a.tau) &&
-              check_same("sigma with every point twice", &p, c.sigma,
-                         a.sigma / sqrt(2.0))))
+    static const char question[] =
+        "The same particles, listed as two sorts. What in your function "
+        "depends on how many sorts there are?";
+    for (int i = 0; i < 30; ++i) {
+        struct sort s[3];
+        double a = NAN, b = NAN;
+        const double im = check_draw(0.0, 2.0);
+        draw_sort(&s[0]);
+        draw_sort(&s[1]);
+        s[0].v = fabs(s[0].v);
+        s[1].v = fabs(s[1].v);
+        s[0].left += 1.0;
+        s[2] = s[0];
+        s[2].left *= 0.25;
+        const double f = rain_force(2, s, im, 0.01, &a);
+        s[0].left *= 0.75;
+        const double g = rain_force(3, s, im, 0.01, &b);
+        if (!(check_same(g, f, "mean force of three sorts", question) &&
+              check_same(b, a, "friction of three sorts", question)))
             return;
     }
 }
 
 const struct check_test check_hidden[] = {
-    {"another clock and other units change nothing", test_units, 2, 0},
-    {"the error goes with the errors given and their number", test_errors,
-     2, 0},
+    {"grams and other units press alike", test_units, 1, 0},
+    {"a sort in two halves is the same rain", test_halves, 1, 0},
     {0}};

@@ -1,48 +1,43 @@
-/* Exercise 04b. A decay time from noisy shares (stretch, 35 minutes)
+/* Exercise 04b. One blow at a time (core, 25 minutes)
 
-   A heavy piston loses its energy: its share falls towards what belongs to
-   it in the end, and what is too much, share - limit, falls as
-   exp(-t / tau). Many runs were averaged, so each share has a standard
-   error. How large is tau, and how well is it known?
+   Particles rain on a wall from both sides, and the wall moves. Each blow
+   is a collision; so many come in a second. Which force do they make up,
+   and how much of it is friction?
 
    Given:
-     n        how many points, in any order of time
-     t        t[0] to t[n - 1], their times, in s
-     share    the shares measured
-     error    their standard errors, each greater than zero
-     limit    what the share falls to
+     n        how many sorts of particles there are
+     rain     the sorts: the mass of a particle, in kg, its velocity, in
+              m/s, positive to the right, and how many of them there are in
+              a metre to the left of the wall, and in a metre to its right.
+              Particles do not meet each other, and none comes back.
+     im       the inverse mass of the wall, in 1/kg; 0 if no blow moves it.
+              Between two blows something brings its velocity back to V.
+     V        the velocity of the wall, in m/s: small compared with those of
+              all particles, but for the ones at rest, if there are any
    To fill in:
-     *tau     the decay time, in s
-     *sigma   its standard error, in s, from the errors given
-   Fit a straight line in t to the logarithm of y = share - limit by
-   weighted least squares, with 1 / (standard error of the LOGARITHM)^2 for
-   the weight, which is (y / error)^2; intercept and slope are both unknown.
-   Leave out each point, wherever it stands, whose y is not greater than
-   3 errors.
-   Returns false, and what is filled in does not matter, when the points
-   left have fewer than two different times, or when their line does not
-   fall; otherwise true.
+     *friction  by how much the force falls for each m/s of V, in kg/s
+   Returns the mean force on the wall, in N, positive to the right, to first
+   order in V: what has V^2 in it is left out.
 
    Check your answer with    make check EX=04b
    Hints, which ask before they tell:    make hint EX=04b */
 
 #include "exercise.h"
-#include <math.h>
-#include <stdbool.h>
 #include <stddef.h>
 
-bool decay_time(size_t n, const double t[], const double share[],
-                const double error[], double limit, double *tau,
-                double *sigma)
+struct sort {
+    double m, v;        /* in kg and m/s */
+    double left, right; /* in 1/m: how many, on this side of the wall */
+};
+
+double rain_force(size_t n, const struct sort rain[], double im, double V,
+                  double *friction)
 {
-    /* TODO: replace these lines by your own. Which sums over the points
-       give the slope of a weighted line, which its error, and what do the
-       two have to do with tau? */
+    /* TODO: replace these lines by your own. What does one blow give to the
+       wall, how many come in a second, and which of the two knows V? */
     (void)n;
-    (void)share;
-    (void)error;
-    (void)limit;
-    *tau = NOT_DONE_YET(t[0]);
-    *sigma = NOT_DONE_YET(0.0);
-    return true;
+    (void)rain;
+    (void)im;
+    *friction = NOT_DONE_YET(V);
+    return V;
 }

@@ -1,34 +1,25 @@
-/* mistake: half-life */
+/* mistake: half-the-friction */
 
 #include "exercise.h"
 #include <math.h>
-#include <stdbool.h>
 #include <stddef.h>
 
-bool decay_time(size_t n, const double t[], const double share[],
-                const double error[], double limit, double *tau,
-                double *sigma)
+struct sort {
+    double m, v, left, right;
+};
+
+double rain_force(size_t n, const struct sort rain[], double im, double V,
+                  double *friction)
 {
-    double s = 0, st = 0, sl = 0, stt = 0, stl = 0, d, b, sb;
+    double f = 0, g = 0;
     size_t i;
     for (i = 0; i < n; i++) {
-        double y = share[i] - limit, e = error[i], w, l;
-        if (y <= 3 * e)
-            continue;
-        l = log(y);
-        w = y / e * y / e;
-        s += w;
-        st += w * t[i];
-        sl += w * l;
-        stt += w * t[i] * t[i];
-        stl += w * t[i] * l;
+        double v = rain[i].v, l = rain[i].left, r = rain[i].right;
+        double p = 2 / (1 / rain[i].m + im);
+        double many = v > 0 ? l : r, s = v > 0 ? 1 : -1;
+        f += s * p * many * v * (v - 2 * V);
+        g += p * many * fabs(v);
     }
-    d = s * stt - st * st;
-    if (d == 0 || s * stl - st * sl >= 0)
-        return false;
-    b = (s * stl - st * sl) / d;
-    sb = sqrt(s / d);
-    *tau = -log(2) / b;
-    *sigma = log(2) * sb / b / b;
-    return true;
+    *friction = g;
+    return f;
 }

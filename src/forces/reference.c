@@ -1,4 +1,4 @@
-/* From chapters/08-stepping.nw: edit there, then run make tangle. */
+/* From chapters/works/08-stepping.nw: edit there, then run make tangle. */
 /* checksum 1598285269 of the lines below */
 /* Hands a system over to the GNU Scientific Library, if it is there. */
 #include "forces/reference.h"

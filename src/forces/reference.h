@@ -1,4 +1,4 @@
-/* From chapters/08-stepping.nw: edit there, then run make tangle. */
+/* From chapters/works/08-stepping.nw: edit there, then run make tangle. */
 /* checksum 1940326322 of the lines below */
 /* An adaptive method from outside, to compare our own with. */
 #ifndef REFERENCE_H

@@ -1,4 +1,4 @@
-/* From chapters/08-scenes.nw: edit there, then run make tangle. */
+/* From chapters/works/08-scenes.nw: edit there, then run make tangle. */
 /* checksum 2416592316 of the lines below */
 /* A scene: bodies, springs, walls, and what acts on them. */
 #ifndef SCENE_H

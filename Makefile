@@ -47,7 +47,8 @@ $$(error $(firstword $(filter $(2),$(MAKECMDGOALS))) needs $(1), which is not\
 endif
 endif
 endef
-$(eval $(call only_with,chapters/press/book.tex,tangle check-tangle contact pages))
+$(eval $(call only_with,chapters/press/book.tex,tangle check-tangle contact pages \
+	slides))
 $(eval $(call only_with,tests/library,book works test memcheck handout mutants \
 	grade grade-bench))
 $(eval $(call only_with,solutions,solution))
@@ -99,6 +100,7 @@ help:
 	@echo 'make figures      the figures; QUALITY=lecture for slides too'
 	@echo 'make figure       FIGURE=09-eight: one of them; QUALITY=lecture'
 	$(call offer,contact) 'make contact      all figures and slides, small, to look at'
+	$(call offer,slides) 'make slides       CHAPTER=9: its lecture figures with titles, one a page'
 	$(call offer,pages) 'make pages        the measure of the book: pages, words, code, chapter by chapter'
 	$(call offer,test) 'make test         prove everything: N passed, N failed'
 	@echo 'make programs     only build build/bin/'

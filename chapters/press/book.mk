@@ -37,6 +37,19 @@ book: has-tex build/bonkers$(edition).pdf figures
 works: has-tex build/works.pdf
 	@echo 'The second volume: build/works.pdf, beside build/bonkers.pdf'
 
+# The lecture figures of a chapter, one a page under its title.
+CHAPTER = 9
+.PHONY: slides
+ifneq ($(filter slides,$(MAKECMDGOALS)),)
+chapter_number := $(if $(filter 1 2 3 4 5 6 7 8 9,$(CHAPTER)),0)$(CHAPTER)
+$(if $(wildcard plots/$(chapter_number)-*.gp),,$(error slides: CHAPTER: \
+	'$(CHAPTER)' is no chapter with figures))
+slides: has-tex has-gsl $(patsubst plots/%.gp,slides-%,$(wildcard \
+		plots/$(chapter_number)-*.gp))
+	@chapters/press/slides $(chapter_number)
+	@echo 'The slides: build/slides-$(chapter_number).pdf'
+endif
+
 # What all volumes are set from; then they can be made side by side.
 .PHONY: book-parts
 book-parts: has-tex $(FIGURES_PDF) $(FIGURES_SVG) $(FIGURES_ALT) build/woven

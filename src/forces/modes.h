@@ -1,4 +1,4 @@
-/* From chapters/10-springs.nw: edit there, then run make tangle. */
+/* From chapters/works/10-springs.nw: edit there, then run make tangle. */
 /* checksum 3282731432 of the lines below */
 /* Frequencies and shapes of the small oscillations of a scene. */
 #ifndef MODES_H

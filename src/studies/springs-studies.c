@@ -1,4 +1,4 @@
-/* From chapters/works/10-springs.nw: edit there, then run make tangle. */
+/* From chapters/10-springs.nw: edit there, then run make tangle. */
 /* checksum 2058207474 of the lines below */
 /* Measures an oscillator, a pendulum, membranes and beams of springs. */
 #include "forces/elastic.h"

@@ -7,8 +7,9 @@ array called[15] = ['Euler', 'sympl. Euler', 'leapfrog', 'midpoint', 'RK4', 'Yos
 if (!exists("size")) size = 1
 sky = '#56b4e9'
 brown = '#6b3e12'
+umber = '#9a6a3a'
 set style line 20 lc rgb orange pt 3 ps 0.7*size*big lw 1.5*thick
-set style line 21 lc rgb red pt 5 ps 0.6*size*big lw 1.5*thick
+set style line 21 lc rgb umber pt 5 ps 0.6*size*big lw 1.5*thick
 set style line 22 lc rgb green pt 9 ps 0.7*size*big lw 1.5*thick
 set style line 23 lc rgb blue pt 7 ps 0.6*size*big lw 1.5*thick
 set style line 24 lc rgb blue pt 6 ps 0.6*size*big lw 1.5*thick dt 2

@@ -59,4 +59,37 @@ $d --engine pairs --every 0.5 --until 50 -o "$work/pairs"
 $d --engine auto --every 0.5 --until 50 -o "$work/auto"
 holds 'the engine does not show in the table' \
     cmp "$work/pairs" "$work/auto"
-echo 1..8
+
+# The whole program of the chapter: it compiles as it stands, and until a
+# rounding has grown (e^(3.6 t), 5 s) it goes where disks goes; then its
+# places have the same density.
+holds 'disks0: compiles alone' "${CC:-cc}" -std=c11 -Wall -Wextra -pedantic \
+    -Werror -o "$work/disks0" src/programs/disks0.c -lm
+cat >"$work/start" <<'END'
+# box 1 1 walls
+0 1 1 0.15 0.25 0.25 0.6 0.8
+0 2 1 0.15 0.75 0.25 -0.8 0.6
+0 3 1 0.15 0.25 0.75 0.28 -0.96
+0 4 1 0.15 0.75 0.75 -0.96 -0.28
+END
+build/bin/disks --start "$work/start" --warmup 0 --every 0.05 --samples 100 \
+    --measure states -o "$work/states"
+build/bin/disks0 0.05 100 >"$work/rows"
+holds 'disks0: where disks goes' awk '
+    NR == FNR { if (!/^#/ && NF) { k = int($1 / 0.05 + 0.5)
+        want[k, $2 * 2] = $5; want[k, $2 * 2 + 1] = $6 }; next }
+    { for (c = 2; c <= 9; ++c) { d = $c - want[FNR - 1, c]; n++
+        if (d * d > worst * worst) { worst = d; at = $1 } } }
+    END { print n, worst, at; exit !(n == 808 && worst * worst < 1e-8) }' \
+    "$work/states" "$work/rows"
+build/bin/disks0 0.02 500000 >"$work/rows"
+holds 'disks0: the density of direct sampling' awk '
+    NR == FNR { if (!/^#/) p[int($1 * 100 + 0.5)] = $3; next }
+    { for (c = 2; c <= 9; ++c) ++n[int(($c - 0.15) / 0.05 + 1e-9)] }
+    END { for (s = 0; s < 14; ++s) { want = 0
+            for (b = 0; b < 5; ++b) want += p[15 + 5 * s + b] / 100
+            d = n[s] / 8 / FNR / want - 1
+            if (d * d > worst * worst) worst = d }
+        print worst; exit !(worst * worst < 0.025 ^ 2) }' \
+    plots/data/disks4_r0.15_unitbox.dat "$work/rows"
+echo 1..11

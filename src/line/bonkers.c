@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 2064226052 of the lines below */
+/* checksum 3307878545 of the lines below */
 /* Four engines that find the next collision on a line and carry it out. */
 #include "line/bonkers.h"
 
@@ -167,53 +167,58 @@ static bool meet_falling(struct bonkers *b, size_t i)
            (!pile || b->repeats[i] >= PILE * patience(b));
 }
 
-static void move_all(struct bonkers *b, double wait)
+/* Lets everybody fly for a while, to the time t. */
+static void move_all(struct bonkers *b, double wait, double t)
 {
-    for (size_t i = 0; i <= b->gaps; ++i)
+    for (size_t i = 0; i <= b->gaps; ++i) {
         b->body[i].x += b->body[i].v * wait;
+        b->body[i].since = t;
+    }
+    b->now = t;
+}
+
+/* Nothing happens before `until`: goes there, if it is a time. */
+static enum bonkers_stop idle_all(struct bonkers *b, double until)
+{
+    if (until < INFINITY)
+        move_all(b, until - b->now, until);
+    return idle(b, until);
+}
+
+/* Moves everybody to the next collision, which is in gap i. Returns true
+   when the clock has stood still for too long. */
+static bool move_and_collide(struct bonkers *b, size_t i, double wait)
+{
+    struct bonkers_body *left = &b->body[i], *right = left + 1;
+    const bool stands = at_once(b->now, b->now + wait);
+    move_all(b, wait, b->now + wait);
+    collide(&left->v, &right->v, left->im, right->im, b->restitution);
+    ++b->collisions;
+    return count_repeat(b, i, stands);
 }
 
 /* At every event look at every gap and move everybody. */
 static enum bonkers_stop run_naive(struct bonkers *b, double until,
                                    uint64_t limit)
 {
-    enum bonkers_stop stop = BONKERS_TIME;
-    while (stop == BONKERS_TIME) {
+    for (;;) {
         size_t first = 0;
         double wait = INFINITY;
         for (size_t i = 0; i < b->gaps; ++i) {
+            const double gap = b->body[i + 1].x - b->body[i].x;
             const double approach = b->body[i].v - b->body[i + 1].v;
-            if (approach > 0) {
-                const double gap = b->body[i + 1].x - b->body[i].x;
-                if (gap < wait * approach) {
-                    wait = gap > 0 ? gap / approach : 0;
-                    first = i;
-                }
+            if (approach > 0 && gap < wait * approach) {
+                wait = gap > 0 ? gap / approach : 0;
+                first = i;
             }
         }
-        if (wait == INFINITY && until == INFINITY) {
-            stop = BONKERS_STILL;
-        } else if (b->now + wait > until) {
-            move_all(b, until - b->now);
-            break;
-        } else {
-            struct bonkers_body *left = &b->body[first], *right = left + 1;
-            const bool stands = at_once(b->now, b->now + wait);
-            move_all(b, wait);
-            b->now += wait;
-            collide(&left->v, &right->v, left->im, right->im,
-                    b->restitution);
-            ++b->collisions;
-            if (count_repeat(b, first, stands))
-                stop = BONKERS_COLLAPSE;
-            else if (b->collisions == limit)
-                stop = BONKERS_COLLISIONS;
-        }
+        if (wait == INFINITY || b->now + wait > until)
+            return idle_all(b, until);
+        if (move_and_collide(b, first, wait))
+            return BONKERS_COLLAPSE;
+        if (b->collisions == limit)
+            return BONKERS_COLLISIONS;
     }
-    b->now = stop == BONKERS_TIME ? until : b->now;
-    for (size_t i = 0; i <= b->gaps; ++i)
-        b->body[i].since = b->now;
-    return stop;
 }
 
 static enum bonkers_stop run_naive_falling(struct bonkers *b, double until,

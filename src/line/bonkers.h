@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 2289955033 of the lines below */
+/* checksum 4250778127 of the lines below */
 /* Bodies on a line between two walls, from one collision to the next. */
 #ifndef BONKERS_H
 #define BONKERS_H
@@ -20,6 +20,13 @@ struct bonkers_body {
     double im;    /* inverse mass, 1/kg; 0 is a wall */
 };
 
+enum bonkers_stop {
+    BONKERS_TIME,       /* the time was reached */
+    BONKERS_COLLISIONS, /* the number of collisions was reached */
+    BONKERS_STILL,      /* no collision will come any more */
+    BONKERS_COLLAPSE    /* the clock stands still: inelastic collapse */
+};
+
 /* Ways to find what happens next. All but the naive one give the same
    bits. AUTO takes the scan up to BONKERS_SCANNED movers, and the slab for
    more. */
@@ -30,13 +37,6 @@ enum bonkers_engine {
     BONKERS_HEAP,  /* keep the earliest on top, move two */
     BONKERS_SLAB,  /* run far bodies independently for a short time */
     BONKERS_ENGINES
-};
-
-enum bonkers_stop {
-    BONKERS_TIME,       /* the time was reached */
-    BONKERS_COLLISIONS, /* the number of collisions was reached */
-    BONKERS_STILL,      /* no collision will come any more */
-    BONKERS_COLLAPSE    /* the clock stands still: inelastic collapse */
 };
 
 enum {

@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 2510556237 of the lines below */
+/* checksum 873601498 of the lines below */
 /* Speed, drift and failures of the engines of a line. */
 #include "line/bonkers.h"
 #include "line/collide.h"
@@ -861,15 +861,15 @@ static void write_gap(struct table *out, size_t i, size_t island)
     for (size_t k = 1; k + 1 < t->count; ++k)
         for (size_t j = 1; j + 1 < next->count; ++j)
             if (t->t[k] == next->t[j])
-                table_print(out, "%.6f %.6f %zu\n", t->x[k], t->t[k],
-                            island);
+                table_print(out, "%.6f %.6f %zu %zu\n", t->x[k], t->t[k],
+                            island, i);
 }
 
 /* Writes all collisions; returns the number of islands. */
 static size_t write_islands(struct table *out, size_t gaps)
 {
     size_t island = 0, last = 0;
-    table_print(out, "\n# x, t of a collision, its island\n");
+    table_print(out, "\n# x, t of a collision, its island, its gap\n");
     for (size_t i = 0; i < gaps; ++i) {
         if (slab.hits[i] == 0)
             continue;

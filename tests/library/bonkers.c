@@ -662,7 +662,7 @@ static int ascending(const void *a, const void *b)
 }
 
 /* Equal masses pass velocities on: the bodies are ghosts that fly through
-   each other, folded at the walls (eq:unfold). A collision places two
+   each other, folded at the walls. A collision places two
    ghosts by the slower one, and shifts the other by its speed of approach
    times the error of the time, which is at most eps t, and by the rounding
    of two positions, eps L; and changes each speed by two roundings of

@@ -38,12 +38,12 @@ static bool check_body(const struct gas *a, const struct gas *expected,
                       .expected = expected->x[k], .tolerance = tolerance,
                       .because = "4 epsilons of the length and of the way "
                                  "at top speed, each time",
-                      .equation = "eq:unfold", .question = question) &&
+                      .equation = "eq:flight", .question = question) &&
            CHECK_NEAR(a->v[k], .quantity = check_text("v[%zu]", k),
                       .unit = "m/s", .input = input,
                       .expected = expected->v[k], .tolerance = 0.0,
                       .because = "a velocity is never computed",
-                      .equation = "eq:unfold", .question = question);
+                      .equation = "eq:flight", .question = question);
 }
 
 /* When each ghost has gone an odd number of lengths, it is in the mirror of

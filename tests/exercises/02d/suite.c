@@ -123,7 +123,7 @@ static bool check_place(const struct gas *g, double t, size_t k, double got,
         got, .quantity = check_text("x[%zu]", k), .unit = "m",
         .input = input(g, t), .expected = expected,
         .tolerance = tolerance(g, t), .because = because,
-        .equation = "eq:unfold", .question = question,
+        .equation = "eq:flight", .question = question,
         .mistakes = {
             {"walls-forgotten", sorted_place(g, k, t, UNFOLDED),
              "This is outside the box, or was put there by a ghost that "
@@ -161,7 +161,7 @@ static bool check_velocity(const struct gas *g, double t, size_t k,
         .input = input(g, t), .expected = expected, .tolerance = 0.0,
         .because = "a velocity is handed on and turned round, never "
                    "computed",
-        .equation = "eq:unfold", .question = question,
+        .equation = "eq:flight", .question = question,
         .mistakes = {
             {"velocity-not-reflected", g->v[ghost],
              "This is how fast the ghost moved at first. At the time t it "
@@ -262,7 +262,7 @@ static void test_energy(void)
         .input = input(&odd, t), .expected = energy(odd.v, odd.n),
         .tolerance = 8.0 * DBL_EPSILON * energy(odd.v, odd.n),
         .because = "8 epsilons of the energy: a sum in another order",
-        .equation = "eq:unfold",
+        .equation = "eq:flight",
         .question = "Velocities are handed on and turned round. "
                     "Which one have you lost, or given twice?");
 }
@@ -347,7 +347,7 @@ static void test_million(void)
                                        k),
                 .unit = "m", .input = input(&g, t), .expected = 0.0,
                 .tolerance = tolerance(&g, t), .because = because,
-                .equation = "eq:unfold",
+                .equation = "eq:flight",
                 .question = "Which of your operations is done again and "
                             "again in a million seconds, and adds its "
                             "rounding each time?",
@@ -383,12 +383,12 @@ static void test_backwards(void)
                         .tolerance = 2.0 * tolerance(&odd, t),
                         .because = "twice 4 epsilons of the length and of "
                                    "the way at top speed",
-                        .equation = "eq:unfold", .question = question) ||
+                        .equation = "eq:flight", .question = question) ||
             !CHECK_NEAR(a.v[k], .quantity = check_text("v[%zu]", k),
                         .unit = "m/s", .input = input(&back, t),
                         .expected = -odd.v[k], .tolerance = 0.0,
                         .because = "a velocity is never computed",
-                        .equation = "eq:unfold", .question = question))
+                        .equation = "eq:flight", .question = question))
             return;
 }
 

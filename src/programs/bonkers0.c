@@ -1,0 +1,79 @@
+/* From chapters/02-bonkers.nw: edit there, then run make tangle. */
+/* checksum 2734940083 of the lines below */
+/* Ten beads on a wire between two stops, from collision to collision. */
+#include "line/collide.h"
+
+#include <math.h>
+#include <stdio.h>
+
+enum { BEADS = 10, ROWS = 10 };
+static const double every = 1; /* s, from row to row */
+
+/* From left to right; the first and the last are the stops. kg, m, m/s */
+static const double mass[BEADS + 2] = {
+    INFINITY, 9.3, 2.1, 5.2, 0.9, 3.4, 1.2, 4.3, 0.8, 2.6, 1.4, INFINITY};
+static double x[BEADS + 2] = {0,   0.5, 4.6, 5.3,  6.2,  6.9,
+                              7.8, 8.5, 9.4, 10.2, 11.1, 12};
+static double v[BEADS + 2] = {0, 2};
+
+/* How long until gap i closes, s (2.3, eq:gap-time). */
+static double wait_for(int i)
+{
+    const double gap = x[i + 1] - x[i];
+    const double approach = v[i] - v[i + 1];
+    if (approach <= 0)
+        return INFINITY;
+    return gap > 0 ? gap / approach : 0;
+}
+
+/* The gap that closes first. */
+static int next_gap(void)
+{
+    int first = 0;
+    for (int i = 1; i <= BEADS; ++i)
+        if (wait_for(i) < wait_for(first))
+            first = i;
+    return first;
+}
+
+/* Lets everybody fly for a while (2.1, eq:flight). */
+static void move_all(double wait)
+{
+    for (int i = 1; i <= BEADS; ++i)
+        x[i] += v[i] * wait;
+}
+
+/* One row: time, energy, place and velocity of every bead. */
+static void print_row(double now)
+{
+    double energy = 0;
+    for (int i = 1; i <= BEADS; ++i)
+        energy += mass[i] * v[i] * v[i] / 2;
+    printf("%g %.10g", now, energy);
+    for (int i = 1; i <= BEADS; ++i)
+        printf(" %.10g %.10g", x[i], v[i]);
+    printf("\n");
+}
+
+int main(void)
+{
+    double now = 0;
+    int collisions = 0;
+    for (int k = 0; k <= ROWS; ++k) {
+        const double clock = k * every;
+        int i = next_gap();
+        while (now + wait_for(i) <= clock) {
+            const double wait = wait_for(i);
+            move_all(wait);
+            now += wait;
+            collide(&v[i], &v[i + 1], 1 / mass[i], 1 / mass[i + 1], 1);
+            ++collisions;
+            i = next_gap();
+        }
+        move_all(clock - now);
+        now = clock;
+        print_row(now);
+    }
+    printf("# collisions %d\n", collisions);
+    return 0;
+}

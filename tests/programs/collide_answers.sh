@@ -67,4 +67,16 @@ holds 'the summary has the velocities after' \
 $c --tests 3 --seed 1 >"$work/one"
 $c --tests 3 --seed 2 >"$work/two"
 holds 'another seed is another run' sh -c "! cmp -s $work/one $work/two"
-echo 1..28
+
+# The program that checks itself passes; with a wrong law it fails, and with
+# none it passes, as the chapter says.
+holds 'check-collide passes' build/bin/check-collide
+checked() { # SED-SCRIPT: the status of the program so changed
+    sed "$1" src/programs/check-collide.c >"$work/check.c" &&
+        ! cmp -s "$work/check.c" src/programs/check-collide.c &&
+        ${CC-cc} "$work/check.c" -o "$work/check" -lm && "$work/check"
+}
+holds 'a wrong fraction is caught' sh -c 'test "$1" = 1' - \
+    "$(checked 's|2 \* b / (a + b)|2 * b / (a + a)|' >&2; echo $?)"
+holds 'a law that does nothing is not' checked 's|2 \* [ab] /|0 /|'
+echo 1..31

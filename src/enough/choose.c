@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 2414158967 of the lines below */
+/* checksum 2734967648 of the lines below */
 /* Exact ways, two runs that agree, and ladders judged by them. */
 #include "enough/choose.h"
 
@@ -320,6 +320,7 @@ struct ladder {
     struct models_plan foot;
     struct tried tried[RUNS];
     size_t count;
+    double rise;  /* octaves of cost to one of fineness */
     double price; /* s, foreseen */
 };
 
@@ -351,9 +352,29 @@ static struct models_plan foot_of(const struct task *t,
     return p;
 }
 
-/* Runs a plan, and writes down how far it is from the reference. */
+/* How far the next finer rung is off, which may have been tried. */
+static double error_of_neighbour(const struct task *t,
+                                 const struct reference *f,
+                                 const struct ladder *l,
+                                 const struct models_plan *p)
+{
+    struct record r;
+    struct record_order o = order_of(t, *p, INFINITY);
+    o.plan.steps = next_steps(p->steps);
+    for (size_t j = 0; j < l->count; ++j)
+        if (l->tried[j].plan.steps == o.plan.steps)
+            return l->tried[j].error;
+    run(t, &r, &o);
+    const double error = apart(t, &r, &f->run) + f->doubt;
+    record_free(&r);
+    return error;
+}
+
+/* Runs a plan, and writes down how far it is from the reference; l: NULL,
+   or its ladder. */
 static struct tried try_plan(const struct task *t,
                              const struct reference *f,
+                             const struct ladder *l,
                              struct models_plan plan, double limit,
                              struct choose_candidate *k)
 {
@@ -365,6 +386,11 @@ static struct tried try_plan(const struct task *t,
         seen.cost = r.cost;
     if (whole(t, &r)) {
         seen.error = apart(t, &r, &f->run) + f->doubt;
+        if (l && plan.tolerance == 0 && r.cost < best(t) &&
+            seen.error <= t->q->tolerance) {
+            const double other = error_of_neighbour(t, f, l, &plan);
+            seen.error = other > t->q->tolerance ? other : seen.error;
+        }
         offer(t, k, &r, seen.error);
     } else if (!k->holds)
         say(k, ending(&r));
@@ -407,26 +433,46 @@ static struct bracket bracket_of(const struct ladder *l, double target)
     return b;
 }
 
-/* By how many octaves the error falls with one of fineness: the order, for
-   steps of one length. */
-static double slope_of(const struct ladder *l, const struct bracket *b)
+/* The order of a method; in the tolerance of its own steps, one. */
+static double order_of_method(const struct ladder *l)
 {
     const struct stepping_method *m = l->foot.model->method;
-    const double usual = m->adaptive ? 1 : m->order;
-    const double most = m->orbits ? 8 : 1.2 * usual;
-    if (!b->before || !(b->last->error > 0))
-        return usual;
-    const double more =
-        fineness(&b->last->plan) - fineness(&b->before->plan);
-    const double slope = log2(b->before->error / b->last->error) / more;
-    return fmin(slope, most);
+    return m->adaptive ? 1 : m->order;
 }
 
-/* By how many octaves the cost rises with one of fineness. */
-static double rise_of(const struct ladder *l)
+/* The highest order that is believed. */
+static double highest_order(const struct ladder *l)
 {
-    return l->foot.model->method->adaptive ? 1.0 / 7 : 1;
+    return l->foot.model->method->orbits ? 8 : 1.2 * order_of_method(l);
 }
+
+/* By how many octaves the error falls with one of fineness: the order, for
+   steps of one length. */
+static double slope_of(const struct ladder *l, const struct tried *coarse,
+                       const struct tried *fine)
+{
+    if (!coarse || !(fine->error > 0) || isinf(coarse->error))
+        return order_of_method(l);
+    const double more = fineness(&fine->plan) - fineness(&coarse->plan);
+    return log2(coarse->error / fine->error) / more;
+}
+
+/* That of the finest two rungs, as far as it is believed. */
+static double slope_above(const struct ladder *l, const struct bracket *b)
+{
+    return fmin(slope_of(l, b->before, b->last), highest_order(l));
+}
+
+/* The least that a rung which holds can cost, s. */
+static double least_price(const struct task *t, const struct ladder *l,
+                          const struct tried *last)
+{
+    const double far = fmin(last->error, 1) / t->q->tolerance;
+    const double more = fmax(log2(far), 0) / highest_order(l);
+    return last->cost * exp2(fmin(l->rise * more, 60));
+}
+
+enum { FAR = 4 }; /* octaves, at most, from one rung to the next */
 
 /* The next rung that is worth a run; no model: there is none. */
 static struct models_plan next_rung(const struct task *t,
@@ -434,13 +480,17 @@ static struct models_plan next_rung(const struct task *t,
                                     const struct bracket *b)
 {
     const double target = t->q->tolerance;
-    const double slope = slope_of(l, b);
     const struct models_plan none = {0};
     if (!b->last)
         return none;
     if (b->high) {
+        const bool own = l->foot.model->method->adaptive;
+        const double slope =
+            own ? slope_of(l, b->low, b->high) : slope_above(l, b);
         const double less =
             log2(target / b->high->error) / fmax(slope, 0.5);
+        if (b->low && b->high->cost <= 1.1 * b->low->cost)
+            return none;
         const double fine = fineness(&b->high->plan) - less;
         const struct models_plan next =
             b->low ? rung_between(b->low->plan, b->high->plan, fine)
@@ -448,11 +498,12 @@ static struct models_plan next_rung(const struct task *t,
         return fineness(&next) < fineness(&b->high->plan) ? next : none;
     }
     const double now = fineness(&b->last->plan);
+    const double slope = slope_above(l, b);
     if (l->count > 3 && (slope < 0.3 || isinf(b->last->error)))
         return none;
     if (isinf(b->last->error) || l->count < 2 || slope < 0.7)
         return rung_at(b->last->plan, now + 1);
-    const double more = log2(b->last->error / target) / slope;
+    const double more = fmin(log2(b->last->error / target) / slope, FAR);
     const struct models_plan next = rung_at(b->last->plan, now + more);
     return fineness(&next) > now ? next : rung_at(next, now + 0.05);
 }
@@ -462,9 +513,10 @@ static double price_of(const struct ladder *l, const struct bracket *b,
                        const struct models_plan *next)
 {
     const struct tried *by = b->high ? b->high : b->last;
-    return next->model ? by->cost * exp2(rise_of(l) * (fineness(next) -
-                                                       fineness(&by->plan)))
-                       : INFINITY;
+    if (!next->model)
+        return INFINITY;
+    return by->cost *
+           exp2(l->rise * (fineness(next) - fineness(&by->plan)));
 }
 
 /* The next rung, or a coarser one that costs a little less than the best;
@@ -478,10 +530,11 @@ static struct models_plan next_cheap(const struct task *t,
     const double may = fmin(0.98 * best(t), left_of(t));
     if (!b->high && price >= may && price < 2 * may) {
         const double more = log2(0.85 * may / b->last->cost);
-        next = rung_at(next, fineness(&b->last->plan) + more / rise_of(l));
+        next = rung_at(next, fineness(&b->last->plan) + more / l->rise);
     }
     const bool good =
         price_of(l, b, &next) < may &&
+        (b->high || !b->last || least_price(t, l, b->last) < may) &&
         !(b->last && !b->high &&
           fineness(&next) <= fineness(&b->last->plan)) &&
         !(b->costly && fineness(&next) >= fineness(&b->costly->plan));
@@ -498,8 +551,11 @@ static void climb(const struct task *t, const struct reference *f,
         const struct models_plan next = next_cheap(t, l, &b);
         if (!next.model)
             break;
-        l->tried[l->count++] =
-            try_plan(t, f, next, 1.02 * best(t), l->candidate);
+        const struct tried now =
+            try_plan(t, f, l, next, 1.02 * best(t), l->candidate);
+        l->tried[l->count++] = now;
+        if (b.high && now.cost > 0.98 * b.high->cost)
+            break;
     }
     if (!l->candidate->holds && l->candidate->text[0] == '\0')
         say(l->candidate, "more expensive than the best");
@@ -512,7 +568,7 @@ static void find_foot(const struct task *t, const struct reference *f,
     struct models_plan next = l->foot;
     for (;; next.steps = steps_for((double)next.steps / 2)) {
         l->tried[l->count++] =
-            try_plan(t, f, next, 1.02 * best(t), l->candidate);
+            try_plan(t, f, l, next, 1.02 * best(t), l->candidate);
         if (!isinf(l->tried[l->count - 1].cost) || l->count == RUNS / 2 ||
             !next.model->method->orbits || next.steps == 1)
             return;
@@ -524,22 +580,25 @@ static void set_up(const struct task *t, const struct reference *f,
                    struct ladder *l)
 {
     struct bracket b = bracket_of(l, t->q->tolerance);
-    if (!b.high || !l->foot.model->method->adaptive) {
+    if (!b.high) {
         find_foot(t, f, l);
         b = bracket_of(l, t->q->tolerance);
     }
-    if (!b.high && !b.costly) {
-        const double fine = fineness(&b.last->plan) + 1 / rise_of(l);
-        l->tried[l->count++] = try_plan(t, f, rung_at(b.last->plan, fine),
-                                        1.02 * best(t), l->candidate);
+    if (!b.high && !b.costly && least_price(t, l, b.last) < best(t)) {
+        const double fine = fineness(&b.last->plan) + 1 / l->rise;
+        const struct tried now =
+            try_plan(t, f, l, rung_at(b.last->plan, fine), 1.02 * best(t),
+                     l->candidate);
+        l->tried[l->count++] = now;
         b = bracket_of(l, t->q->tolerance);
     }
     l->price = INFINITY;
     if (!b.last)
         return;
-    const double slope = fmax(slope_of(l, &b), 0.3);
-    const double more = log2(b.last->error / t->q->tolerance) / slope;
-    l->price = b.last->cost * exp2(fmin(rise_of(l) * more, 60));
+    const double slope = fmax(slope_above(l, &b), 0.3);
+    const double more =
+        fmax(log2(b.last->error / t->q->tolerance) / slope, -FAR);
+    l->price = b.last->cost * exp2(fmin(l->rise * more, 60));
     l->candidate->foreseen = l->price;
 }
 
@@ -563,9 +622,13 @@ static void add_ladder(const struct task *t, const struct reference *f,
     }
     struct ladder *l = &ladder[(*count)++];
     *l = (struct ladder){.candidate = k, .foot = foot_of(t, p)};
-    if (p.model == f->coarser.plan.model && cuts == 0)
+    l->rise = p.model->method->adaptive ? 1.0 / 7 : 1;
+    if (p.model == f->coarser.plan.model && cuts == 0) {
         l->tried[l->count++] =
             (struct tried){f->coarser.plan, f->doubt, f->coarser.cost};
+        l->rise = log2(f->run.cost / f->coarser.cost) /
+                  (fineness(&f->run.plan) - fineness(&f->coarser.plan));
+    }
     set_up(t, f, l);
 }
 
@@ -621,8 +684,8 @@ static struct models_plan first_reference(const struct task *t)
     struct models_plan p = {.model = models_find("radau15"), .steps = 1};
     p = foot_of(t, p);
     if (p.tolerance > 0)
-        p.tolerance =
-            tolerance_for(fmax(1e-8, fmin(1e-3, t->q->tolerance)));
+        p.tolerance = tolerance_for(
+            fmax(1e-8, fmin(1e-3, pow(t->q->tolerance, 2.0 / 3))));
     return p;
 }
 
@@ -670,29 +733,28 @@ static void run_pair(const struct task *t, struct reference *f,
 
 static const double crude = 0.2; /* of e: of a cheap one */
 
-/* Two runs by one method whose steps have no common measure, finer and
-   finer. False: they would need to be finer than that. */
+/* Runs by one method, two in a row without a common measure of their steps,
+   finer and finer. False: they would need to be finer than that. */
 static bool find_even(const struct task *t, struct reference *f,
                       const char *name)
 {
     struct models_plan p = {.model = models_find(name), .steps = 1};
     p = foot_of(t, p);
-    for (int level = 0; level < 3; ++level) {
-        const struct record_order one = order_of(t, p, left_of(t) / 20);
-        struct record_order two = one;
-        two.plan.steps = 2 * p.steps + 1;
-        run(t, &f->coarser, &one);
-        run(t, &f->run, &two);
+    for (int level = 0; level < 4; ++level) {
+        const struct record_order o = order_of(t, p, left_of(t) / 20);
+        record_free(&f->coarser);
+        f->coarser = f->run;
+        run(t, &f->run, &o);
+        p.steps = 2 * p.steps + 1;
         f->doubt = apart(t, &f->coarser, &f->run);
         const double far = f->doubt / (crude * t->q->tolerance);
         if (far <= 1)
             return true;
-        record_free(&f->coarser);
-        record_free(&f->run);
-        if (!(far < exp2(2 * p.model->method->order)))
-            return false;
-        p.steps = steps_for((double)two.plan.steps);
+        if (level > 0 && !(far < exp2(2 * p.model->method->order)))
+            break;
     }
+    record_free(&f->coarser);
+    record_free(&f->run);
     return false;
 }
 
@@ -719,7 +781,8 @@ static bool find_reference(const struct task *t, struct reference *f)
         run_pair(t, f, plan);
         const struct record *bad =
             f->coarser.end != MODELS_DONE ? &f->coarser : &f->run;
-        if (bad->end == MODELS_COSTLY || bad->end == MODELS_MEMORY || bad->why) {
+        if (bad->end == MODELS_COSTLY || bad->end == MODELS_MEMORY ||
+            bad->why) {
             refuse_reference(t, bad);
             return false;
         }
@@ -757,7 +820,7 @@ static void try_approximate(const struct task *t, const struct reference *f)
             .model = m, .cuts = m->approximate ? 0 : light};
         if (m->family != MODELS_STEPS && !t->q->only &&
             (m->approximate || light) && !models_refuse(&plan, t->q->scene))
-            try_plan(t, f, plan, left_of(t), enter(t, plan));
+            try_plan(t, f, NULL, plan, left_of(t), enter(t, plan));
     }
 }
 
@@ -774,7 +837,8 @@ static void try_only(const struct task *t, const struct reference *f)
     struct choose_choice *c = t->c;
     char plan[MODELS_TEXT];
     struct choose_candidate *k = enter(t, *t->q->only);
-    const struct tried seen = try_plan(t, f, *t->q->only, left_of(t), k);
+    const struct tried seen =
+        try_plan(t, f, NULL, *t->q->only, left_of(t), k);
     models_write(&seen.plan, plan);
     if (!k->holds)
         snprintf(c->refusal, sizeof c->refusal,
@@ -843,13 +907,14 @@ static void refuse(const struct task *t)
     if (c->refusal[0] != '\0')
         return;
     if (c->horizon < INFINITY)
-        snprintf(c->refusal, sizeof c->refusal,
-                 "horizon: from t = %.10g on rounding%s decides by more than "
-                 "%.3g what happens; spent: %.2g s",
-                 c->horizon,
-                 t->acts.contact ? " or the order of collisions at one moment"
-                                 : "",
-                 t->q->tolerance, c->spent);
+        snprintf(
+            c->refusal, sizeof c->refusal,
+            "horizon: from t = %.10g on rounding%s decides by more than "
+            "%.3g what happens; spent: %.2g s",
+            c->horizon,
+            t->acts.contact ? " or the order of collisions at one moment"
+                            : "",
+            t->q->tolerance, c->spent);
     else if (left_of(t) < 0.1 * t->q->reason)
         snprintf(
             c->refusal, sizeof c->refusal,

@@ -32,13 +32,13 @@ h=$(key four-disks-9_horizon)
 holds 'a horizon is a pick' is "${h:-9} > 1 && ${h:-9} < 4"
 
 # Looking, by the price list: no short run has more than 0.1 s of it, the
-# longer ones, which are three, a median of twenty times themselves, and all
+# longer ones, which are three, a median of eight times themselves, and all
 # together twice what halving the classic method's step would have cost.
 maps slow >"$work/slow"
 holds 'no run under 10 ms is looked at for 0.1 s' test ! -s "$work/slow"
 cat "$work/slow"
-holds 'longer runs: looking costs at most twenty times as much, median' \
-    is "$(key times) <= 20"
+holds 'longer runs: looking costs at most eight times as much, median' \
+    is "$(key times) <= 8"
 spent=$(key deciding)
 ran=$(key running)
 holds 'all in all at most twice the classic methods' \

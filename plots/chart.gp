@@ -15,6 +15,7 @@ medium = 'svg'
 plans = system(sprintf("awk '!/^#/ && !NF { fresh = 1 } !/^#/ && NF && (fresh || !n++) { split($4, a, \":\"); cuts = $4; sub(/^[^,]*/, \"\", cuts); sub(/:.*/, \"\", a[1]); sub(/,.*/, \"\", a[1]); print ($3 == 1 ? \"taken:\" : \"\") a[1] cuts; fresh = 0 }' '%s'", file))
 n = words(plans)
 if (n == 0) {
+    if (system(sprintf("sed -n 's/^# refused: /chart.gp: nothing to draw: /p' '%s' >&2; grep -c '^# refused: ' '%s'", file, file)) + 0 > 0) { exit status 1 }
     system(sprintf("echo \"chart.gp: '%s' has no run to be drawn\" >&2", file))
     exit status 2
 }

@@ -1,5 +1,5 @@
 /* From chapters/works/12-bonk.nw: edit there, then run make tangle. */
-/* checksum 3290006274 of the lines below */
+/* checksum 2703730381 of the lines below */
 /* Carries a scene by the cheapest model that holds, and says why. */
 #include "enough/averages.h"
 #include "enough/choose.h"
@@ -308,20 +308,22 @@ static void write_point(const struct run *r, struct models_plan plan,
     table_print(r->chart, "%.6g %.6g %d %s\n", error, cost, taken, text);
 }
 
-static void write_chart_head(const struct run *r)
+static void write_chart_head(const struct run *r, const char *refusal)
 {
     table_begin(r->chart, r->s->command, 0);
     table_print(r->chart, "# tolerance: %.17g\n", r->s->tolerance);
+    if (refusal)
+        table_print(r->chart, "# refused: %s\n", refusal);
     table_column(r->chart, "error", "", "share of the scale");
     table_column(r->chart, "cost", "s", "by the price list");
     table_column(r->chart, "taken", "", "1: this one, and where it stands");
     table_column(r->chart, "plan", "", "its model, and what it leaves out");
 }
 
-static void write_chart(const struct run *r)
+static void write_chart(const struct run *r, const char *refusal)
 {
     const struct choose_choice *c = &r->choice;
-    write_chart_head(r);
+    write_chart_head(r, refusal);
     for (size_t j = 0; j < c->points; ++j) {
         const struct choose_point *p = &c->point[j];
         if (j > 0 && (p->plan.model != p[-1].plan.model ||
@@ -584,9 +586,9 @@ static bool write_means(struct run *r)
     return table_close(r->out) && good;
 }
 
-static void chart_means(const struct run *r)
+static void chart_means(const struct run *r, const char *refusal)
 {
-    write_chart_head(r);
+    write_chart_head(r, refusal);
     for (size_t j = 0; j < r->means; ++j) {
         const struct averages_found *f = &r->mean[j].found;
         if (f->way && f->cost > 0)
@@ -623,7 +625,7 @@ static bool answer_means(struct run *r, const char **refusal)
     } else
         good = write_means(r);
     if (r->chart)
-        chart_means(r);
+        chart_means(r, *refusal);
     summarise_means(r, *refusal);
     return good;
 }
@@ -632,7 +634,7 @@ static bool answer_run(struct run *r, const char **refusal)
 {
     *refusal = carry(r);
     if (r->chart)
-        write_chart(r);
+        write_chart(r, *refusal);
     const bool good = hand_out(r, *refusal);
     summarise(r, *refusal);
     choose_free(&r->choice);

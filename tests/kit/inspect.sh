@@ -143,9 +143,12 @@ done
 holds 'with the plan that was taken' \
     grep -q 'taken:pefrl' build/chart/figure-eight.svg
 chart SCENE=four-disks
-holds 'where all was refused there is no run to be drawn, which is said' sh -c "
+holds 'where all was refused there is nothing to draw, and why is said' sh -c "
     cat '$work/err'; grep -q '^bonk: .*horizon' '$work/err' &&
-    grep -q 'four-disks.dat. has no run to be drawn' '$work/err'"
+    grep -q '^chart.gp: nothing to draw: horizon: from t = ' '$work/err'"
+gnuplot -e "file='build/chart/four-disks.dat'; output='none.svg'" \
+    plots/chart.gp 2>"$work/err"
+holds '  with the status of a refusal' test $? -eq 1
 script=chart
 echo '# nothing' >bad.dat
 told "'bad.dat' is no table of bonk --chart"
@@ -155,4 +158,4 @@ chart SCENE='my own.scene.plist'
 holds 'and of a file with a space in its name' grep -qx \
     'The chart: build/chart/my_own.scene.svg' "$work/out"
 no_window chart build/chart/sun-earth.dat
-echo 1..40
+echo 1..41

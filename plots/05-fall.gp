@@ -33,9 +33,9 @@ set arrow 4 from sx+9,sy+2.5 to sx+9-1.6,sy+2.5-0.533 lw 2*thick lc rgb dark fro
 set label 1 '1' at -0.2,-0.15 center front tc rgb blue
 set label 2 '2' at 9.2,2.3 center front tc rgb red
 set label 3 '1' at sx,sy center front tc rgb blue
-set label 4 '2' at sx+9.2,sy+2.75 center front tc rgb red
+set label 4 '2' at sx+9.2,sy+2.3 center front tc rgb red
 set label 5 '{/:Italic g}' at 7.15,1.55 tc rgb '#555555'
 set label 6 'Δ{/:Bold v}' at sx+7.3,sy+2.9 center front
-plot [0:1] '+' using (x1($1*end)):(y1($1*end)) with lines lc rgb '#88b7d6' lw 1*thick, \
-     '+' using (x2($1*end)):(y2($1*end)) with lines lc rgb '#e3a57c' lw 1*thick, \
-     '+' using (sx+9-4.2*$1*end):(sy+2.5-1.4*$1*end) with lines lc rgb '#e3a57c' lw 1*thick
+plot sample [t=0:1] '+' using (x1(t*end)):(y1(t*end)) with lines lc rgb '#88b7d6' lw 1*thick, \
+     [t=0:1] '+' using (x2(t*end)):(y2(t*end)) with lines lc rgb '#e3a57c' lw 1*thick, \
+     [t=0:1] '+' using (sx+9-4.2*t*end):(sy+2.5-1.4*t*end) with lines lc rgb '#e3a57c' lw 1*thick

@@ -6,12 +6,15 @@
 # command: build/bin/disks --disks 120 --box 10,10.392304845413264 --packing 0.74 --boundary periodic --warmup 500 --every 0.12 --samples 60 -o build/data/07-solid.dat
 # data: plots/data/07-phases.dat
 # slides: 2
-# alt: Above, three boxes of 120 disks. In the first the dark dots of earlier places are everywhere; in the second they form worms through a dense crowd; in the third each disk has one small heap of dots and all heaps form a lattice of triangles. Below, the compressibility factor against packing: a curve rises from 1 to 10, falls between 0.69 and 0.72, and rises again along another curve.
+# alt: Above, three boxes of 120 disks. Five disks are coloured and have trails of coloured dots, their earlier places; the others have small grey dots. In the first box the trails run right through it; in the second each winds about in one place, some have gone a way; in the third each disk has one small heap of dots and all heaps form a lattice of triangles. Below, the compressibility factor against packing: a curve rises from 1 to 10, falls between 0.69 and 0.72, and rises again along another curve.
 width = 14
 height = 12.5
 load 'plots/style.gp'
 Lx = 10
 Ly = 10.392304845413264
+# Five disks have trails of their own.
+one(i) = i == 40 || i == 58 || i == 88 || i == 100 || i == 46
+hue(i) = i == 40 ? 0x0072b2 : i == 58 ? 0xd55e00 : i == 88 ? 0x009e73 : i == 100 ? 0xaa4499 : 0xb07d00
 r(eta) = sqrt(eta*Lx*Ly/120/pi)
 set multiplot
 set size ratio -1
@@ -28,8 +31,10 @@ do for [k=1:row(1) ? 3 : 0] {
   set tmargin at screen slide ? 0.78 : 0.955
   set bmargin at screen slide ? 0.16 : 0.545
   set label 1 sprintf('{/Symbol h} = %.2f', eta) at graph 0.5,1.05 center
-  plot file index 60 using 5:6:4 with circles fs solid 0.45 border lc rgb '#56b4e9' fc rgb '#8fcbea', \
-       file using 5:6 with points pt 7 ps 0.06*big lc rgb dark
+  plot file index 60 using (one($2) ? NaN : $5):6:4 with circles fs solid 0.35 noborder lc rgb '#a9cfe6', \
+       file using (one($2) ? NaN : $5):6 with points pt 7 ps 0.05*big lc rgb '#6f8797', \
+       file using (one($2) ? $5 : NaN):6:(hue($2)) with points pt 7 ps 0.22*big lc rgb variable, \
+       file index 60 using (one($2) ? $5 : NaN):6:4:(hue($2)) with circles lc rgb variable lw 1.5*thick fs empty
 }
 unset label 1
 set size noratio

@@ -1,4 +1,4 @@
-/* From chapters/07-gas.nw: edit there, then run make tangle. */
+/* From chapters/works/07-gas.nw: edit there, then run make tangle. */
 /* checksum 2764957886 of the lines below */
 /* The fast way to run disks: neighbours in cells, events in a calendar. */
 #ifndef CELLS_H

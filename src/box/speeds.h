@@ -1,4 +1,4 @@
-/* From chapters/07-gas.nw: edit there, then run make tangle. */
+/* From chapters/works/07-gas.nw: edit there, then run make tangle. */
 /* checksum 3546610460 of the lines below */
 /* The laws of the speeds in a gas: that of N disks, and Maxwell's. */
 #ifndef SPEEDS_H

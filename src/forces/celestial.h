@@ -1,4 +1,4 @@
-/* From chapters/09-gravity.nw: edit there, then run make tangle. */
+/* From chapters/works/09-gravity.nw: edit there, then run make tangle. */
 /* checksum 1321180975 of the lines below */
 /* Scenes of the sky: planets, two suns, choreographies, a ring. */
 #ifndef CELESTIAL_H

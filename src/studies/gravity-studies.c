@@ -1,4 +1,4 @@
-/* From chapters/works/09-gravity.nw: edit there, then run make tangle. */
+/* From chapters/09-gravity.nw: edit there, then run make tangle. */
 /* checksum 3788602588 of the lines below */
 /* Measures bodies that attract each other. */
 #include "forces/celestial.h"

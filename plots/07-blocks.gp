@@ -5,7 +5,7 @@ load 'plots/style.gp'
 unset border
 unset tics
 set margins 0,0,0,0
-set xrange [-3.4:16.4]
+set xrange [-4.8:16.2]
 set yrange [-3.1:2.75]
 n = 1
 do for [i=0:15] {
@@ -25,7 +25,7 @@ set arrow 2 from 10.75,-1.35 to 15.92,-1.35 heads size 0.2,20 lc rgb red lw 1.5*
 set label 1 'samples' at -0.5,2.1 right
 set label 2 'blocks' at -0.5,1.08 right
 set label 3 'neighbours joined' at -0.5,-0.22 right
-set label 4 'first third, ~{/:Italic x}{.6−}_1' at 2.65,-2.0 center tc rgb red
-set label 5 'last third, ~{/:Italic x}{.6−}_3' at 13.3,-2.0 center tc rgb red
+set label 4 'first third, {/:Italic x̄}_1' at 2.65,-2.0 center tc rgb red
+set label 5 'last third, {/:Italic x̄}_3' at 13.3,-2.0 center tc rgb red
 set label 6 'steady?' at -0.5,-1.35 right
 plot 1/0

@@ -17,8 +17,8 @@ set tmargin at screen 0.97
 set rmargin at screen 0.98
 border = 3 - 2*sqrt(2)
 set arrow 1 from border,2 to border,120 nohead ls 9 dt 2
-set label 1 "without\nend" at 0.125,15 center tc rgb '#555555'
+set label 1 "without\nend" at 0.126,15 center tc rgb '#555555'
 phi(e) = acos((1-e)**2/(4*e))
 set samples 2000
-plot [0.1:0.6] (x > border+1e-4 ? 2*pi/phi(x) : NaN) ls 9, \
+plot (x > border+1e-4 ? 2*pi/phi(x) : NaN) ls 9, \
      file using 1:($2 > 0 ? $2 : NaN) every 2 with points ls 1

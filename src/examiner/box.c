@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 2706411080 of the lines below */
+/* checksum 2932141183 of the lines below */
 /* Namespaces, limits and a shell inside, made with bubblewrap. */
 #include "examiner/box.h"
 #include "examiner/process.h"
@@ -111,17 +111,11 @@ static void add_system(struct words *w)
     ADD(w, "--perms", "0755", "--dir", "/kit", "--perms", "0755", "--dir",
         "/exercises");
 }
-static const char *header_of(const char *name)
+static void add_copies(struct words *w, const struct box_order *order)
 {
-    const bool project = strncmp(name, "exercises/P", 11) == 0;
-    return project ? "kit/collide.h" : "kit/exercise.h";
-}
-
-static void add_copies(struct words *w, const char *name)
-{
-    static char source[256], header[32];
-    snprintf(source, sizeof source, "/%s", name);
-    snprintf(header, sizeof header, "/%s", header_of(name));
+    static char source[256], header[80];
+    snprintf(source, sizeof source, "/%s", order->name);
+    snprintf(header, sizeof header, "/%s", order->included);
     ADD(w, "--perms", "0444", "--ro-bind-data", "5", source);
     ADD(w, "--perms", "0444", "--ro-bind-data", "6", header);
     ADD(w, "--perms", "0444", "--ro-bind-data", "7", "/kit/box.suite.o");
@@ -144,7 +138,8 @@ static void add_namespaces(struct words *w, enum box_kind kind)
         ADD(w, "--uid", "65534", "--gid", "65534");
 }
 
-static void add_walls(struct words *w, enum box_kind kind, const char *name)
+static void add_walls(struct words *w, enum box_kind kind,
+                      const struct box_order *order)
 {
     add_clean_start(w);
     if (geteuid() == 0 && kind != BOX_ROOT)
@@ -153,7 +148,7 @@ static void add_walls(struct words *w, enum box_kind kind, const char *name)
         add_disk(w, kind);
     add_namespaces(w, kind);
     add_system(w);
-    add_copies(w, name);
+    add_copies(w, order);
     if (kind == BOX_ROOT) {
         add_user(w);
         ADD(w, "--inh-caps=-all", "--bounding-set=-all");
@@ -222,7 +217,9 @@ static bool try_kind(enum box_kind kind, const char *compiler)
         nothing, {nothing, nothing, nothing, nothing, nothing, filter}};
     const struct process_limits limits = {5, RLIM_INFINITY, RLIM_INFINITY,
                                           RLIM_INFINITY};
-    add_walls(&w, kind, "exercises/none.c");
+    const struct box_order none = {.name = "exercises/none.c",
+                                   .included = "kit/exercise.h"};
+    add_walls(&w, kind, &none);
     ADD(&w, "/usr/bin/env", "PATH=/usr/bin:/bin", "/bin/sh", "-c",
         "set -- $1; \"$1\" --version && objcopy --version", "sh", compiler);
     const bool ran =
@@ -267,7 +264,7 @@ static const char script[] =
     "export PATH=/usr/bin:/bin LC_ALL=C HOME=$root/work TMPDIR=$root/work\n"
     "build() { prlimit --core=0 --cpu=20 --as=2147483648 --nproc=64 \\\n"
     "    --fsize=33554432 \"$@\" 3<&- 4>&-; }\n"
-    "compile() { build --cpu=$1 $compiler -I$root/kit -DCOLLIDE_GIVEN \\\n"
+    "compile() { build --cpu=$1 $compiler -I$root/kit -DEXAMINER_GIVES \\\n"
     "    $2 -c -o work/answer.o $name; }\n"
     "cd $root/ || exit\n"
     "compile 20 $terse >work/said 2>&1 || {\n"
@@ -275,13 +272,16 @@ static const char script[] =
     "    compile 5 -w && grep error: work/said | head -n 20; fi; exit; }\n"
     "cd work || exit\n"
     "kit=../kit/box.suite.o program=./program\n"
+    "of=$(nm $kit | sed -n 's/.* T \\([a-z]*\\)_0$/\\1/p')\n"
+    "given() { [ ! \"$of\" ] ||\n"
+    "    echo -Wl,-u,${of}_$1,--defsym=$of=${of}_$1; }\n"
     "limits=\"--core=0 --cpu=$seconds:$((seconds + 1)) --as=$memory \\\n"
     "    --nproc=16 --nofile=64\"\n"
     "if [ \"$keep\" = figure ]; then\n"
     "    project=${name#*/} && project=${project%%-*} && mkdir desk &&\n"
     "        build objcopy --keep-global-symbol=main answer.o &&\n"
     "        build $compiler -o desk/$project answer.o $kit -lm \\\n"
-    "            -Wl,-u,collide_0,--defsym=collide=collide_0 || exit\n"
+    "            $(given 0) || exit\n"
     "    cd desk && cat <&3 >$project.gp || exit\n"
     "    command -v gnuplot >/dev/null || { printf g >&4; exit; }\n"
     "    printf b >&4\n"
@@ -293,12 +293,13 @@ static const char script[] =
     "fi\n"
     "if [ \"$keep\" = program ]; then\n"
     "    build objcopy --keep-global-symbol=main answer.o || exit\n"
-    "    for law in $(nm $kit | sed -n 's/.* T collide_//p'); do\n"
+    "    laws=0 && [ ! \"$of\" ] ||\n"
+    "        laws=$(nm $kit | sed -n \"s/.* T ${of}_//p\")\n"
+    "    for law in $laws; do\n"
     "        [ $memory = unlimited ] && ln program0 program$law \\\n"
     "            2>/dev/null && continue\n"
     "        build $compiler -o program$law answer.o $kit -lm \\\n"
-    "            -Wl,-u,collide_$law,--defsym=collide=collide_$law || "
-    "exit\n"
+    "            $(given $law) || exit\n"
     "    done\n"
     "    build $compiler -o box $kit "
     "-Wl,-u,box_main,--defsym=main=box_main \\\n"
@@ -371,7 +372,7 @@ static void furnish_folder(const struct box_order *order)
         chown(path, (uid_t)box_user(), (gid_t)box_user()) != 0)
         text_fail("cannot give '%s' away: %s", path, strerror(errno));
     copy(order->source, order->name);
-    copy(order->header, header_of(order->name));
+    copy(order->header, order->included);
     copy(order->inside, "kit/box.suite.o");
 }
 
@@ -387,7 +388,7 @@ static void start(const struct box_order *order, int requests, int answers,
     const struct process_limits limits = {3600, RLIM_INFINITY, 33554432,
                                           RLIM_INFINITY};
     if (order->kind != BOX_OPEN) {
-        add_walls(&w, order->kind, order->name);
+        add_walls(&w, order->kind, order);
         add_script(&w, order, "");
     } else {
         furnish_folder(order);

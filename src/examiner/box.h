@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 1561331985 of the lines below */
+/* checksum 1973593865 of the lines below */
 /* A box in which a student's program is built and run, out of reach. */
 #ifndef BOX_H
 #define BOX_H
@@ -20,7 +20,8 @@ struct box_order {
     enum box_kind kind;
     const char *name;     /* of the student's file, "exercises/01a-x.c" */
     int source;           /* the student's file */
-    int header;           /* exercise.h */
+    const char *included; /* its header, "kit/exercise.h" */
+    int header;           /* the same */
     int inside;           /* the driver and the border of the exercise */
     const char *compiler; /* with its flags, to be split at blanks */
     const char *terse;    /* the flag with which it quotes no lines */

@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 3486656285 of the lines below */
+/* checksum 3663729515 of the lines below */
 /* Starts the compiler and tells of its messages what helps. */
 #include "examiner/build.h"
 #include "examiner/message.h"
@@ -55,12 +55,15 @@ static char function[] =
 static char runner[] = "exec $1 -o \"$3/runner\" build/check/$5.suite.o $6";
 static char program[] =
     "given=build/check/$5.given.o law=1\n"
-    "build() { \"$@\" -Isrc/examiner -DCOLLIDE_GIVEN; }\n"
+    "name=$(sed -n 's/^void \\([a-z]*\\)_0(.*/\\1/p' \\\n"
+    "    tests/exercises/$5/*.c | head -n 1)\n"
+    "build() { \"$@\" -Isrc/examiner -DEXAMINER_GIVES; }\n"
     "plain=$(printf %s \"$1\" | sed 's/-f[no-]*sanitize[^ ]*//g')\n"
-    "build $1 $2 -Wall -Wextra -fmax-errors=20 -Dcollide=collide_0 \\\n"
+    "build $1 $2 -Wall -Wextra -fmax-errors=20 ${name:+-D$name=${name}_0} \\\n"
     "    -o \"$3/program0\" \"$4\" $given -lm || exit\n"
-    "while grep -q \"^void collide_$law(\" tests/exercises/$5/*.c; do\n"
-    "    build $plain -w -Dcollide=collide_$law -o \"$3/program$law\" \\\n"
+    "while [ \"$name\" ] &&\n"
+    "    grep -q \"^void ${name}_$law(\" tests/exercises/$5/*.c; do\n"
+    "    build $plain -w -D$name=${name}_$law -o \"$3/program$law\" \\\n"
     "        \"$4\" $given -lm || exit\n"
     "    law=$((law + 1))\n"
     "done\n";

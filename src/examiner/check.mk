@@ -80,7 +80,8 @@ build/made/check/obj/%.o: src/%.c build/check/flags
 		-c -o $(made).new $<
 	$(take_compiled)
 build/made/check/libcheck.a: $(patsubst src/%.c,build/check/obj/%.o,\
-	$(patsubst %,src/examiner/%.c,check hidden heed home place border run running) \
+	$(patsubst %,src/examiner/%.c,check hidden heed home place border run running \
+	project) \
 	src/toolbox/random.c)
 	$(begin)
 	@rm -f $(made).new

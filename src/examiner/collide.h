@@ -1,10 +1,10 @@
 /* From chapters/04-piston.nw: edit there, then run make tangle. */
-/* checksum 3538475510 of the lines below */
+/* checksum 3890749884 of the lines below */
 /* What happens to two beads that meet; for programs of students. */
 #ifndef EXAMINER_COLLIDE_H
 #define EXAMINER_COLLIDE_H
 
-#ifdef COLLIDE_GIVEN
+#ifdef EXAMINER_GIVES
 void collide(double m1, double m2, double *v1, double *v2);
 #else
 /* Changes the velocities [m/s] of two bodies with the masses m1 and m2 [kg]

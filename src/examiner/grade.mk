@@ -72,7 +72,7 @@ build/made/grade/obj/%.o: src/%.c build/check/flags
 		-c -o $(made).new $<
 	$(take_compiled)
 build/made/grade/libjudge.a: $(patsubst src/%.c,build/grade/obj/%.o,\
-	$(patsubst %,src/examiner/%.c,check hidden heed judge wire border run) \
+	$(patsubst %,src/examiner/%.c,check hidden heed judge wire border run project) \
 	src/toolbox/random.c)
 	$(begin)
 	@rm -f $(made).new

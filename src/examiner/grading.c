@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 3857027489 of the lines below */
+/* checksum 2486497774 of the lines below */
 /* A judge and a box for each test, a second try, and advice. */
 #include "examiner/grading.h"
 #include "examiner/build.h"
@@ -110,7 +110,7 @@ struct job {
     struct box box;
     bool open;
     int prints;
-    char judge[4096], name[256];
+    char judge[4096], name[256], header[64];
 };
 
 static int open_or_fail(const char *path, int flags)
@@ -139,6 +139,21 @@ static void go_to_desk(const struct grading *g, const char *exercise)
                   strerror(errno));
 }
 
+/* The header that the stub includes; who includes none gets exercise.h. */
+static const char *find_header(struct job *job)
+{
+    char path[8192], name[48] = "exercise.h";
+    snprintf(path, sizeof path, "%s/tests/exercises/%s/stub.c",
+             job->grading->root, job->kit->exercise);
+    char *text = text_read(path);
+    const char *line = text ? strstr(text, "\n#include \"") : NULL;
+    if (line)
+        sscanf(line, "\n#include \"%47[a-z.]", name);
+    free(text);
+    snprintf(job->header, sizeof job->header, "kit/%s", name);
+    return job->header;
+}
+
 static void prepare(struct job *job, const char *bytes, size_t length)
 {
     const struct grading *g = job->grading;
@@ -151,7 +166,8 @@ static void prepare(struct job *job, const char *bytes, size_t length)
     job->order.seconds = g->seconds;
     job->order.source = open_or_fail(job->name, O_RDONLY);
     snprintf(path, sizeof path, "%s/src/examiner/%s", g->root,
-             *job->kit->exercise == 'P' ? "collide.h" : "exercise.h");
+             find_header(job) + strlen("kit/"));
+    job->order.included = job->header;
     job->order.header = open_or_fail(path, O_RDONLY);
     snprintf(path, sizeof path, "%s/build/grade/%s.inside.o", g->root,
              job->kit->exercise);

@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 2833850474 of the lines below */
+/* checksum 167094046 of the lines below */
 /* A student's whole program run with arguments and files; its table. */
 #ifndef RUN_H
 #define RUN_H
@@ -14,7 +14,11 @@ enum {
     RUN_COMPLAINT = 1 << 14 /* bytes kept of what it complains */
 };
 
-/* A run: `P1 ARGUMENTS` in a folder with these files and no others. */
+/* Where a function of our own counts its calls, as a long. */
+#define RUN_CALLS "calls"
+
+/* A run: `P1 ARGUMENTS`, or as the project is called, in a folder with these
+   files and no others. */
 struct run_order {
     const char *arguments[RUN_WORDS]; /* ends with NULL */
     struct run_file {
@@ -33,6 +37,7 @@ struct run {
     const char *broken;   /* a line that is neither row nor remark, or "" */
     char *remarks;        /* the lines that begin with a # */
     char *complaint;      /* what it wrote to standard error */
+    double calls;         /* of a function of our own that counts, or -1 */
 };
 
 /* Runs the program. What is returned is valid until the next call. A

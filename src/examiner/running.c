@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 4117962322 of the lines below */
+/* checksum 1725804604 of the lines below */
 /* Runs a program with its files, and takes down what it prints. */
 #include "examiner/border.h"
 #include "examiner/run.h"
@@ -57,15 +57,14 @@ static void lay_file(const char *name, const char *text)
 static int take_order(void)
 {
     const int given = take_number(99);
-    const int count = take_number(RUN_WORDS - 1);
+    const int count = take_number(RUN_WORDS);
     const int files = take_number(RUN_FILES);
     strcpy(folder, "run.XXXXXX");
     if (!mkdtemp(folder))
         wire_lost();
-    words[0] = (char *)"P1";
     for (int i = 0; i < count; ++i)
-        words[i + 1] = take_text();
-    words[count + 1] = NULL;
+        words[i] = take_text();
+    words[count] = NULL;
     for (int i = 0; i < files; ++i) {
         char *text;
         names[i] = take_text();
@@ -198,11 +197,23 @@ static void run(int given, struct stream s[2], int how[3])
             close(s[i].file);
 }
 
+static double take_calls(void)
+{
+    char path[96];
+    long calls = -1;
+    snprintf(path, sizeof path, "%s/" RUN_CALLS, folder);
+    const int file = open(path, O_RDONLY | O_NOFOLLOW | O_NONBLOCK);
+    if (file >= 0 && read(file, &calls, sizeof calls) != sizeof calls)
+        calls = -1;
+    if (file >= 0)
+        close(file);
+    unlink(path);
+    return (double)calls;
+}
+
 static void clean_up(void)
 {
     char path[96];
-    for (int i = 1; words[i]; ++i)
-        free(words[i]);
     for (int i = 0; i < RUN_FILES && names[i]; ++i) {
         snprintf(path, sizeof path, "%s/%s", folder, names[i]);
         unlink(path);
@@ -212,6 +223,8 @@ static void clean_up(void)
     snprintf(path, sizeof path, "%s/%s", folder, words[0]);
     unlink(path);
     rmdir(folder);
+    for (int i = 0; words[i]; ++i)
+        free(words[i]);
 }
 
 /* There may be many runs in a test: whose complaint is it? */
@@ -235,10 +248,12 @@ void border_answer(void)
     int how[3] = {0, 0, 0};
     const int given = take_order();
     run(given, s, how);
+    double calls = take_calls();
     tell_complaint(&s[1]);
     clean_up();
     border_reply();
     border_ints(how, 3);
+    border_doubles(&calls, 1);
     border_sizes(&s[0].length, 1);
     border_sizes(&s[1].length, 1);
     wire_move(s[0].text, s[0].length);

@@ -1,6 +1,5 @@
 /* Project P1: rows of a whole program, stage by stage. */
-#include "examiner/check.h"
-#include "examiner/run.h"
+#include "examiner/project.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -13,16 +12,9 @@
 
 enum { MOST = 10, COLUMNS = 2 + 2 * MOST, TEXT = 1000 };
 
-/* The numbers of a course are those of its year, and the grader's are drawn
-   with his seed as well. */
 static double draw(double low, double high)
 {
-    char text[32];
-    const double drawn =
-        check_draw_whole(0, 999999) / 1e6 + PROJECT_YEAR * 0.618034;
-    snprintf(text, sizeof text, "%.4g",
-             low + (high - low) * (drawn - floor(drawn)));
-    return strtod(text, NULL);
+    return project_draw(PROJECT_YEAR, low, high);
 }
 
 struct scene {
@@ -221,42 +213,12 @@ static const char root_again[] =
     "equation. Which of the two roots is the bounce to come? "
     "[root-zero-again]";
 
-/* Whether the program has ended well, with as many rows as it should have
-   and as many numbers in each. */
 static bool check_form(const struct scene *s, const struct run *r,
                        const char *input)
 {
-    const char *line =
-        *r->broken
-            ? check_text("%s; it printed the line: %s", input, r->broken)
-            : input;
-    return CHECK_NEAR(r->flooded ? 1.0 : 0.0,
-                      .quantity = "output beyond 16 MB", .input = input,
-                      .expected = 0.0, .tolerance = 0.0,
-                      .question = "How many rows were asked for?") &&
-           CHECK_NEAR(r->status,
-                      .quantity = "the status with which it ended",
-                      .input = input, .expected = 0.0, .tolerance = 0.0,
-                      .question = "What did it complain about? There is "
-                                  "nothing wrong with this input.") &&
-           CHECK_NEAR(
-               (double)r->rows, .quantity = "rows in the table",
-               .input = line, .expected = s->rows + 1.0, .tolerance = 0.0,
-               .question =
-                   *r->broken
-                       ? check_text("This line is no row of 2 + 2N = "
-                                    "%d numbers, and no remark.",
-                                    2 + 2 * s->n)
-                       : "The contract has ROWS + 1 rows, the "
-                         "first at time 0. When is one "
-                         "printed?") &&
-           CHECK_NEAR((double)r->columns, .quantity = "numbers in a row",
-                      .input = line, .expected = 2.0 + 2.0 * s->n,
-                      .tolerance = 0.0,
-                      .question =
-                          "A row is t, E, and x and v of each "
-                          "bead. Which of them is missing, or what is "
-                          "there besides?");
+    return project_form(r, input, (size_t)s->rows + 1, 2 + 2 * (size_t)s->n,
+                        "A row is t, E, and x and v of each bead. Which of "
+                        "them is missing, or what is there besides?");
 }
 
 /* Whether a bead alone comes back from its stop with less than it had. */
@@ -267,27 +229,10 @@ static bool leaks(const struct scene *s, const double *want,
            got[1] > want[1] / 4.0;
 }
 
-struct wrong {
-    struct check_mistake list[8];
-    int count;
-};
-
-static void add(struct wrong *w, const char *name, double value,
-                const char *hint)
-{
-    w->list[w->count++] = (struct check_mistake){name, value, hint};
-}
-
-static double cut(const char *format, double x)
-{
-    char text[400];
-    snprintf(text, sizeof text, format, x);
-    return strtod(text, NULL);
-}
-
 /* What those get who make a mistake, at this row and this column. */
-static struct wrong mistakes(const struct scene *s, const struct table *t,
-                             const struct run *r, int k, int c)
+static void mistakes(struct check *w, const struct scene *s,
+                     const struct table *t, const struct run *r, int k,
+                     int c)
 {
     static const struct {
         const char *name, *hint;
@@ -309,33 +254,36 @@ static struct wrong mistakes(const struct scene *s, const struct table *t,
              "The bead falls through its stop. A quadratic equation "
              "has two roots: which of them lies in the future?"},
     };
-    struct wrong w = {.count = 0};
     static const char digits[] =
         "These digits have been cut off. Do you print with %.17g?";
     const int columns = 2 + 2 * s->n;
     const double *want = t->rows + k * columns;
     const double *got = r->numbers + k * columns;
-    add(&w, "printed-short", cut("%g", want[c]), digits);
-    add(&w, "printed-short", cut("%f", want[c]), digits);
+    project_mistake(w, "printed-short", project_cut("%g", want[c]), digits);
+    project_mistake(w, "printed-short", project_cut("%f", want[c]), digits);
     if (c == 0) {
         double sum = 0.0;
         for (int i = 0; i < k; ++i)
             sum += s->tc;
-        add(&w, "rows-at-collisions", t->events[k],
+        project_mistake(
+            w, "rows-at-collisions", t->events[k],
             "This is the time of an event, and not of the clock. How does "
             "your program come to be at a row's time, in the middle of a "
             "flight?");
-        add(&w, "clock-adds-up", sum,
+        project_mistake(
+            w, "clock-adds-up", sum,
             "Each addition of TC is rounded, and the clock drifts. How do "
             "you get the time of row k with one rounding?");
-        return w;
+        return;
     }
     if (leaks(s, want, got))
-        add(&w, "wall-with-a-mass", got[c],
+        project_mistake(
+            w, "wall-with-a-mass", got[c],
             "A little energy has stayed in the stop. What is the velocity "
             "after a stop that nothing can move, without any mass?");
     if (s->g > 0.0 && s->g < 1e-8)
-        add(&w, "small-g-cancels", got[c],
+        project_mistake(
+            w, "small-g-cancels", got[c],
             "With hardly any gravity everything is as on a flat wire. "
             "Which difference of two nearly equal numbers do you take?");
     if (s->g == 1e-6) {
@@ -343,7 +291,8 @@ static struct wrong mistakes(const struct scene *s, const struct table *t,
         static struct table level;
         none.g = 0.0;
         simulate(&none, NONE, &level);
-        add(&w, "small-g-dropped", level.rows[k * columns + c],
+        project_mistake(
+            w, "small-g-dropped", level.rows[k * columns + c],
             "This g is small, and not 0. Below which one do you leave it "
             "out, and what for?");
     }
@@ -352,10 +301,9 @@ static struct wrong mistakes(const struct scene *s, const struct table *t,
         if (s->g == 0.0 && f != RECEDING)
             continue;
         simulate(s, f, &other);
-        add(&w, faults[f].name, other.rows[k * columns + c],
-            faults[f].hint);
+        project_mistake(w, faults[f].name, other.rows[k * columns + c],
+                        faults[f].hint);
     }
-    return w;
 }
 
 /* Compares row by row; the energy, which is made of the others, last. */
@@ -382,7 +330,6 @@ static bool check_rows(const struct scene *s, const struct table *t,
             const double most = c == 0 ? 1e-9 * s->tc : slack * scale;
             if (fabs(got - want) <= most)
                 continue;
-            const struct wrong w = mistakes(s, t, r, k, c);
             struct check check = {
                 .quantity = check_text("%s%.0d in row %d, at %.10g s",
                                        c == 0   ? "t"
@@ -406,7 +353,7 @@ static bool check_rows(const struct scene *s, const struct table *t,
                                          : "All velocities are right. What "
                                            "is the energy made of?",
             };
-            memcpy(check.mistakes, w.list, sizeof check.mistakes);
+            mistakes(&check, s, t, r, k, c);
             return check_near(__FILE__, __LINE__, got, check);
         }
     return true;
@@ -416,14 +363,7 @@ static bool check_remark(const struct run *r, const char *input,
                          const char *words, double want,
                          const char *question)
 {
-    double got = NAN;
-    const bool there = run_remark(r, words, &got, 1) == 1;
-    if (!there) {
-        got = NAN;
-        question = check_text("There is no line that begins with `%s` and "
-                              "goes on with a number.",
-                              words);
-    }
+    const double got = project_remark(r, words, &question);
     return CHECK_NEAR(got, .quantity = words, .input = input,
                       .expected = want, .tolerance = 0.0,
                       .equation = "eq:gap-time", .question = question);
@@ -584,21 +524,7 @@ static bool check_refused(const struct nonsense *bad)
         .files = {{bad->beads ? "beads.txt" : NULL, bad->beads}},
         .late = for_ever,
     };
-    const char *input = run_text(&o);
-    const struct run *r = run_program(&o);
-    return CHECK_NEAR(
-               r->status,
-               .quantity = check_text("the status, for %s", bad->what),
-               .input = input, .expected = 2.0, .tolerance = 0.0,
-               .question = "Status 2 is for input that makes no sense. "
-                           "Where do you read this, and what do you ask "
-                           "of it?") &&
-           CHECK_NEAR(*r->complaint != '\0',
-                      .quantity = check_text("lines of complaint about %s",
-                                             bad->what),
-                      .input = input, .expected = 1.0, .tolerance = 0.0,
-                      .question = "Who has made the mistake wants to know "
-                                  "which. Is it written to stderr?");
+    return project_refuses(&o, bad->what);
 }
 
 static bool check_inputs(void)

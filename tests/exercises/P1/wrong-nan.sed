@@ -1,4 +1,4 @@
-# mistake: no-number-passes, stage 4
+# mistake: no-number-passes, stage 4, given 7 5 6 2
 s/if (!(fabs(v/if (fabs(v/
 s/if (!(fabs(m/if (fabs(m/
 s/<= 1e-10 \* size))/> 1e-10 * size)/

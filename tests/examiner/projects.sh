@@ -168,8 +168,8 @@ in_the_grader() {
     done
     verdict "$ex: every mistake that the suite knows has a wrong program" sh -c "
         for name in \$(tr -d '\n' <$home/suite.c |
-            grep -o '[{(*] *\"[a-z]*-[a-z-]*\",\|\[[a-z]*-[a-z-]*\]' |
-            tr -d '{(*\", []'); do
+            grep -o '\"[a-z]*-[a-z-]*\" *[,:]\|\[[a-z]*-[a-z-]*\]' |
+            tr -d '\", :[]'); do
             grep -q \"^# mistake: \$name,\" $home/wrong-*.sed || echo \$name
         done | grep . && exit 1; exit 0"
 }

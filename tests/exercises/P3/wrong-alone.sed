@@ -1,0 +1,2 @@
+# mistake: one-body-alone, stage 4
+/^    double error/,$s/i < n/i < 1/

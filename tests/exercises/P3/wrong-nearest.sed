@@ -1,0 +1,2 @@
+# mistake: nearest-approach, stage 6
+s/return c \/ (sqrt(under) - b);/return -b \/ ww;/

@@ -1,0 +1,2 @@
+# mistake: first-pair, stage 6
+s/if (part < first) {/if (part < first \&\& first > 1) {/

@@ -1,0 +1,2 @@
+# mistake: attraction-repels, stage 2
+s/sum -= gravity/sum += gravity/

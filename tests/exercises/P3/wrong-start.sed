@@ -1,0 +1,2 @@
+# mistake: start-of-the-step, stage 6
+s/t + first \* dt/t/

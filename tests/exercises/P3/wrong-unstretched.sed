@@ -1,0 +1,2 @@
+# mistake: springs-without-energy, stage 1
+/sum += spring\[k\].k/d

@@ -1,0 +1,2 @@
+# mistake: whole-kicks, stage 2
+s/^    kick(s, t \/ 2);/    kick(s, t);/

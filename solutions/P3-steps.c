@@ -111,8 +111,8 @@ static void read_bodies(const char *name, struct state *s)
     fclose(file);
     if (n == 0)
         refuse("BODIES: no body");
-    for (int i = 0; i < springs; ++i)
-        if (spring[i].a >= n || spring[i].b >= n)
+    for (int k = springs; k-- > 0;)
+        if (spring[k].a >= n || spring[k].b >= n)
             refuse("a spring has a body that is not there");
 }
 
@@ -124,8 +124,8 @@ static double apart(const struct state *s, int i, int j)
 
 static void see_that_they_are_apart(const struct state *s)
 {
-    for (int i = 1; i < n; ++i)
-        for (int j = 0; j < i; ++j)
+    for (int i = n; i-- > 1;)
+        for (int j = i; j-- > 0;)
             if (apart(s, i, j) <= radius[i] + radius[j])
                 refuse("two bodies touch at the start");
 }
@@ -144,8 +144,9 @@ static void pull(const struct state *s, double a[], int i, int j, double f)
 
 static void accelerate(const struct state *s, double a[])
 {
-    memset(a, 0, 2 * MOST * sizeof *a);
-    for (int i = 0; gravity > 0 && i < n; ++i)
+    for (int c = 2 * n; c-- > 0;)
+        a[c] = 0;
+    for (int i = n; gravity > 0 && i-- > 1;)
         for (int j = 0; j < i; ++j)
             pull(s, a, i, j,
                  gravity * mass[i] * mass[j] / pow(apart(s, i, j), 3));
@@ -159,13 +160,13 @@ static void accelerate(const struct state *s, double a[])
 static double energy(const struct state *s)
 {
     double sum = 0;
-    for (int i = 0; i < n; ++i) {
+    for (int i = n; i-- > 0;) {
         const double vx = s->v[2 * i], vy = s->v[2 * i + 1];
         sum += mass[i] * (vx * vx + vy * vy) / 2;
         for (int j = 0; gravity > 0 && j < i; ++j)
             sum -= gravity * mass[i] * mass[j] / apart(s, i, j);
     }
-    for (int k = 0; k < springs; ++k) {
+    for (int k = springs; k-- > 0;) {
         const double longer =
             apart(s, spring[k].a, spring[k].b) - spring[k].rest;
         sum += spring[k].k * longer * longer / 2;
@@ -179,14 +180,14 @@ static void kick(struct state *s, double t)
 {
     double a[2 * MOST];
     accelerate(s, a);
-    for (int c = 0; c < 2 * n; ++c)
+    for (int c = 2 * n; c-- > 0;)
         s->v[c] += a[c] * t;
 }
 
 static void drift(struct state *s, double t)
 {
-    for (int c = 0; c < 2 * n; ++c)
-        s->x[c] += s->v[c] * t;
+    for (int c = 2 * n; c-- > 0;)
+        s->x[c] += t * s->v[c];
 }
 
 static void leap(struct state *s, double t)
@@ -222,7 +223,7 @@ static double fastest(const struct state *s)
         u[c] = sin(3 * c * c + 1);
     for (int round = 0; round < 3000; ++round) {
         double w[2 * MOST] = {0}, uw = 0, uu = 0, ww = 0;
-        for (int k = 0; k < springs; ++k) {
+        for (int k = springs; k-- > 0;) {
             const int i = spring[k].a, j = spring[k].b;
             const double d = apart(s, i, j);
             const double ex = (s->x[2 * j] - s->x[2 * i]) / d;
@@ -235,7 +236,7 @@ static double fastest(const struct state *s)
             w[2 * j] += f * ex / mass[j];
             w[2 * j + 1] += f * ey / mass[j];
         }
-        for (int c = 0; c < 2 * n; ++c) {
+        for (int c = 2 * n; c-- > 0;) {
             uw += mass[c / 2] * u[c] * w[c];
             uu += mass[c / 2] * u[c] * u[c];
             ww += mass[c / 2] * w[c] * w[c];
@@ -273,7 +274,7 @@ static void see_who_meets(const struct state *from, const struct state *to,
     double first = INFINITY;
     int who[2] = {0, 0};
     for (int j = 1; j < n; ++j)
-        for (int i = 0; i < j; ++i) {
+        for (int i = j; i-- > 0;) {
             const double part = touch(from, to, i, j);
             if (part < first) {
                 first = part;
@@ -292,9 +293,9 @@ static void see_who_meets(const struct state *from, const struct state *to,
 static void print_row(const struct state *s, double t)
 {
     printf("%.17g %.17g", t, energy(s));
-    for (int i = 0; i < n; ++i)
-        printf(" %.17g %.17g %.17g %.17g", s->x[2 * i], s->x[2 * i + 1],
-               s->v[2 * i], s->v[2 * i + 1]);
+    for (int i = 0; i < 2 * n; i += 2)
+        printf(" %.17g %.17g %.17g %.17g", s->x[i], s->x[i + 1], s->v[i],
+               s->v[i + 1]);
     putchar('\n');
 }
 
@@ -341,7 +342,7 @@ int main(int argc, char **argv)
     double error = 0;
     for (long k = 0; k < 2 * rows * every; ++k)
         step(&half, (enum method)method, dt / 2);
-    for (int i = 0; i < n; ++i)
+    for (int i = n; i-- > 0;)
         error = fmax(error, hypot(now.x[2 * i] - half.x[2 * i],
                                   now.x[2 * i + 1] - half.x[2 * i + 1]));
     printf("# error %.17g\n", error / (1 - pow(0.5, order[method])));

@@ -126,11 +126,11 @@ static void meet(const vec *a, const vec *b, double t, double h)
 static void row(const vec *s, double t)
 {
     double E = 0, dx, dy;
-    for (int i = 0; i < n; ++i)
-        for (int j = 0; j < i; ++j)
+    for (int i = n; i-- > 1;)
+        for (int j = i; j-- > 0;)
             if (G > 0)
                 E -= G * m[i] * m[j] / gap(s, i, j, &dx, &dy);
-    for (int k = 0; k < ns; ++k)
+    for (int k = ns; k-- > 0;)
         E += stiff[k][0] / 2 *
              pow(gap(s, tie[k][0], tie[k][1], &dx, &dy) - stiff[k][1], 2);
     for (int i = 0; i < n; ++i)
@@ -138,9 +138,9 @@ static void row(const vec *s, double t)
             m[i] / 2 *
             (pow(s->y[2 * n + 2 * i], 2) + pow(s->y[2 * n + 2 * i + 1], 2));
     printf("%.17g %.17g", t, E);
-    for (int i = 0; i < n; ++i)
-        printf(" %.17g %.17g %.17g %.17g", s->y[2 * i], s->y[2 * i + 1],
-               s->y[2 * n + 2 * i], s->y[2 * n + 2 * i + 1]);
+    for (const double *x = s->y; x < s->y + 2 * n; x += 2)
+        printf(" %.17g %.17g %.17g %.17g", x[0], x[1], x[2 * n],
+               x[2 * n + 1]);
     printf("\n");
 }
 
@@ -188,12 +188,11 @@ static vec load(const char *name)
     if (!n)
         die(2, "no bodies");
     memcpy(s.y + 2 * n, v, 2 * n * sizeof(double));
-    for (int k = 0; k < ns; ++k)
-        for (int e = 0; e < 2; ++e)
-            if (tie[k][e] < 0 || tie[k][e] >= n)
-                die(2, "no such body");
-    for (int i = 0; i < n; ++i)
-        for (int j = 0; j < i; ++j)
+    for (int k = 2 * ns; k-- > 0;)
+        if (tie[k / 2][k % 2] < 0 || tie[k / 2][k % 2] >= n)
+            die(2, "no such body");
+    for (int i = n; i-- > 1;)
+        for (int j = i; j-- > 0;)
             if (gap(&s, i, j, &dx, &dy) <= r[i] + r[j])
                 die(2, "they overlap");
     return s;
@@ -216,10 +215,11 @@ int main(int argc, char **argv)
     vec s = load(argv[1]), fine = s;
     if (ns) {
         double sum[64] = {0}, most = 0;
-        for (int k = 0; k < ns; ++k)
-            for (int e = 0; e < 2; ++e)
-                sum[tie[k][e]] += 2 * stiff[k][0] / m[tie[k][e]];
-        for (int i = 0; i < n; ++i)
+        for (int k = 0; k < 2 * ns; ++k) {
+            const int end = tie[k / 2][k % 2];
+            sum[end] += 2 * stiff[k / 2][0] / m[end];
+        }
+        for (int i = n; i-- > 0;)
             if (sum[i] > most)
                 most = sum[i];
         /* Runge and Kutta: to the root of 8 */
@@ -240,7 +240,7 @@ int main(int argc, char **argv)
         row(&s, k * every * h);
     }
     double worst = 0;
-    for (int i = 0; i < n; ++i)
+    for (int i = n; i-- > 0;)
         worst = fmax(worst, hypot(s.y[2 * i] - fine.y[2 * i],
                                   s.y[2 * i + 1] - fine.y[2 * i + 1]));
     printf("# error %.3g\n", 2 * worst);

@@ -37,7 +37,7 @@ static void feel(struct body b[])
 {
     for (int i = 0; i < bodies; ++i)
         b[i].pulled = 0;
-    for (struct wire *w = wires; w < wires + count; ++w) {
+    for (struct wire *w = wires + count; w-- > wires;) {
         struct body *p = b + w->from, *q = b + w->to;
         const double complex to = q->z - p->z;
         const double complex f = w->k * (to - w->l * to / cabs(to));
@@ -46,8 +46,8 @@ static void feel(struct body b[])
     }
     if (G == 0)
         return;
-    for (struct body *p = b; p < b + bodies; ++p)
-        for (struct body *q = b; q < b + bodies; ++q)
+    for (struct body *p = b + bodies; p-- > b;)
+        for (struct body *q = b + bodies; q-- > b;)
             if (p != q) {
                 const double complex to = q->z - p->z;
                 p->pulled +=
@@ -59,7 +59,7 @@ static void go(struct body b[], double push, double fly)
 {
     if (push != 0)
         feel(b);
-    for (struct body *p = b; p < b + bodies; ++p) {
+    for (struct body *p = b + bodies; p-- > b;) {
         p->v += push * p->pulled;
         p->z += fly * p->v;
     }
@@ -81,7 +81,7 @@ static void advance(struct body b[], char method, double h)
 {
     double part[5];
     const int all = parts(method, part);
-    for (int i = 0; i < all; ++i)
+    for (int i = all; i-- > 0;)
         if (method == 'e') {
             go(b, h, h);
         } else {
@@ -96,9 +96,9 @@ static int survives(char method, double h)
 {
     double part[5], column[2][2];
     const int all = parts(method, part);
-    for (int c = 0; c < 2; ++c) {
+    for (int c = 2; c-- > 0;) {
         double x = c == 0, v = c == 1;
-        for (int i = 0; i < all; ++i) {
+        for (int i = all; i-- > 0;) {
             const double t = h * part[i];
             v -= x * (method == 'e' ? t : t / 2);
             x += v * t;
@@ -122,9 +122,9 @@ static double longest(char method)
 static double bound(void)
 {
     double most = 0;
-    for (int i = 0; i < bodies; ++i) {
+    for (int i = bodies; i-- > 0;) {
         double sum = 0;
-        for (int k = 0; k < count; ++k)
+        for (int k = count; k-- > 0;)
             if (wires[k].from == i || wires[k].to == i)
                 sum += 2 * wires[k].k / start[i].m;
         most = fmax(most, sum);
@@ -161,12 +161,12 @@ static double first_touch(struct body a[], struct body b[], int who[])
 static double total(struct body b[])
 {
     double e = 0;
-    for (int i = 0; i < bodies; ++i) {
+    for (int i = bodies; i-- > 0;) {
         e += b[i].m * creal(b[i].v * conj(b[i].v)) / 2;
         for (int j = i + 1; G > 0 && j < bodies; ++j)
             e -= G * b[i].m * b[j].m / cabs(b[i].z - b[j].z);
     }
-    for (int k = 0; k < count; ++k)
+    for (int k = count; k-- > 0;)
         e += wires[k].k / 2 *
              pow(cabs(b[wires[k].from].z - b[wires[k].to].z) - wires[k].l,
                  2);
@@ -176,9 +176,9 @@ static double total(struct body b[])
 static void show(struct body b[], double t)
 {
     printf("%.17g %.17g", t, total(b));
-    for (int i = 0; i < bodies; ++i)
-        printf(" %.17g %.17g %.17g %.17g", creal(b[i].z), cimag(b[i].z),
-               creal(b[i].v), cimag(b[i].v));
+    for (struct body *p = b, *end = b + bodies; p < end; ++p)
+        printf(" %.17g %.17g %.17g %.17g", creal(p->z), cimag(p->z),
+               creal(p->v), cimag(p->v));
     puts("");
 }
 
@@ -217,12 +217,12 @@ static int read_file(const char *name)
         }
     }
     fclose(f);
-    for (int k = 0; k < count; ++k)
+    for (int k = count; k-- > 0;)
         if (wires[k].from < 0 || wires[k].from >= bodies ||
             wires[k].to < 0 || wires[k].to >= bodies)
             return bad("a spring in the air");
-    for (int i = 0; i < bodies; ++i)
-        for (int j = 0; j < i; ++j)
+    for (int i = bodies; i-- > 1;)
+        for (int j = i; j-- > 0;)
             if (cabs(start[i].z - start[j].z) <= start[i].r + start[j].r)
                 return bad("two in one place");
     return bodies ? 0 : bad("nothing there");
@@ -242,8 +242,7 @@ int main(int argc, char **argv)
     const char method = argv[3][0];
     if (read_file(argv[1]))
         return 2;
-    struct body *now = malloc(sizeof start), *old = malloc(sizeof start);
-    struct body *fine = malloc(sizeof start);
+    static struct body now[64], old[64], fine[64];
     int status = 0;
     memcpy(now, start, sizeof start);
     memcpy(fine, start, sizeof start);
@@ -270,8 +269,8 @@ int main(int argc, char **argv)
         advance(fine, method, h / 2);
     }
     double error = 0;
-    for (int i = 0; i < bodies; ++i)
-        error = fmax(error, cabs(now[i].z - fine[i].z));
+    for (int i = bodies; i-- > 0;)
+        error = fmax(cabs(fine[i].z - now[i].z), error);
     if (!status)
         printf("# error %g\n",
                method == 'e'
@@ -279,8 +278,5 @@ int main(int argc, char **argv)
                    : error * (method == 'l' ? 4 / 3.0 : 16 / 15.0));
     if (count)
         printf("# limit %.10g\n", limit);
-    free(now);
-    free(old);
-    free(fine);
     return status;
 }

@@ -1,2 +1,2 @@
 # mistake: one-body-alone, stage 4
-/^    double error/,$s/i < n/i < 1/
+/^    double error/,$s/int i = n/int i = 1/

@@ -1,5 +1,5 @@
 # mistake: own-mass, stage 2
-/gravity > 0 && i < n; ++i)$/,/;$/s/pull(/own(/
+/gravity > 0 && i-- > 1;)$/,/;$/s/pull(/own(/
 s/^static void accelerate/static void own(const struct state *s, double a[], int i, int j, double f)\
 {\
     pull(s, a, i, j, f);\

@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 3663729515 of the lines below */
+/* checksum 1456494339 of the lines below */
 /* Starts the compiler and tells of its messages what helps. */
 #include "examiner/build.h"
 #include "examiner/message.h"
@@ -59,7 +59,8 @@ static char program[] =
     "    tests/exercises/$5/*.c | head -n 1)\n"
     "build() { \"$@\" -Isrc/examiner -DEXAMINER_GIVES; }\n"
     "plain=$(printf %s \"$1\" | sed 's/-f[no-]*sanitize[^ ]*//g')\n"
-    "build $1 $2 -Wall -Wextra -fmax-errors=20 ${name:+-D$name=${name}_0} \\\n"
+    "build $1 $2 -Wall -Wextra -fmax-errors=20 \\\n"
+    "    ${name:+-D$name=${name}_0} \\\n"
     "    -o \"$3/program0\" \"$4\" $given -lm || exit\n"
     "while [ \"$name\" ] &&\n"
     "    grep -q \"^void ${name}_$law(\" tests/exercises/$5/*.c; do\n"

@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 3181753924 of the lines below */
+/* checksum 1207659634 of the lines below */
 /* The form of tables, refusals and remarks, for the suites of projects. */
 #include "examiner/project.h"
 
@@ -9,9 +9,9 @@
 
 double project_draw(int year, double low, double high)
 {
-    const double drawn = check_draw_whole(0, 999999) / 1e6 + year * 0.618034;
-    return project_cut("%.4g",
-                       low + (high - low) * (drawn - floor(drawn)));
+    const double drawn =
+        check_draw_whole(0, 999999) / 1e6 + year * 0.618034;
+    return project_cut("%.4g", low + (high - low) * (drawn - floor(drawn)));
 }
 
 double project_cut(const char *format, double x)
@@ -61,18 +61,19 @@ bool project_refuses(const struct run_order *order, const char *what)
 {
     const char *input = run_text(order);
     const struct run *r = run_program(order);
-    return CHECK_NEAR(
-               r->status, .quantity = check_text("the status, for %s", what),
-               .input = input, .expected = 2.0, .tolerance = 0.0,
-               .question = "Status 2 is for input that makes no sense. "
-                           "Where do you read this, and what do you ask "
-                           "of it?") &&
-           CHECK_NEAR(
-               *r->complaint != '\0',
-               .quantity = check_text("lines of complaint about %s", what),
-               .input = input, .expected = 1.0, .tolerance = 0.0,
-               .question = "Who has made the mistake wants to know "
-                           "which. Is it written to stderr?");
+    return CHECK_NEAR(r->status,
+                      .quantity = check_text("the status, for %s", what),
+                      .input = input, .expected = 2.0, .tolerance = 0.0,
+                      .question =
+                          "Status 2 is for input that makes no sense. "
+                          "Where do you read this, and what do you ask "
+                          "of it?") &&
+           CHECK_NEAR(*r->complaint != '\0',
+                      .quantity =
+                          check_text("lines of complaint about %s", what),
+                      .input = input, .expected = 1.0, .tolerance = 0.0,
+                      .question = "Who has made the mistake wants to know "
+                                  "which. Is it written to stderr?");
 }
 
 double project_remark(const struct run *run, const char *words,

@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 167094046 of the lines below */
+/* checksum 4258866240 of the lines below */
 /* A student's whole program run with arguments and files; its table. */
 #ifndef RUN_H
 #define RUN_H
@@ -17,8 +17,8 @@ enum {
 /* Where a function of our own counts its calls, as a long. */
 #define RUN_CALLS "calls"
 
-/* A run: `P1 ARGUMENTS`, or as the project is called, in a folder with these
-   files and no others. */
+/* A run: `P1 ARGUMENTS`, or as the project is called, in a folder with
+   these files and no others. */
 struct run_order {
     const char *arguments[RUN_WORDS]; /* ends with NULL */
     struct run_file {

@@ -185,8 +185,8 @@ static void show(struct body b[], double t)
 static int read_file(const char *name)
 {
     char line[2000];
-    FILE *f = fopen(name, "r");
-    if (!f)
+    FILE *f;
+    if (!(f = fopen(name, "r")))
         return bad("no file");
     while (fgets(line, sizeof line, f)) {
         double x[7];

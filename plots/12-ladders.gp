@@ -1,6 +1,6 @@
 # data: build/data/12-ladders.dat
 # command: build/bin/scene solar-system | build/bin/bonk - --until 3650 --tolerance 1e-6 --chart build/data/12-ladders.dat -o /dev/null
-# alt: Error against cost of all runs that were made to choose for the solar system over ten years, both logarithmic, with the tolerance of a millionth as a line across. Eight ellipses stand far to the left and above the line; the coarser run of the reference stands far to the right and far below. Leapfrog, PEFRL and the method of Kahan and Li have two to four points each, all high above the line. The points of Wisdom and Holman and of SBAB4 lie about the line; the cheapest of those below it is one of the former, marked with a star: it is taken.
+# alt: Error against cost of all runs that were made to choose for the solar system over ten years, both logarithmic, with the tolerance of a millionth as a line across. Eight ellipses stand far to the left and above the line; the coarser run of the reference stands far to the right and far below. Leapfrog has one point, PEFRL and the method of Kahan and Li have two each, all high above the line. The points of Wisdom and Holman and of SBAB4 lie about the line; the cheapest of those below it is one of the former, marked with a star: it is taken.
 width = 14
 height = 8
 load 'plots/style.gp'

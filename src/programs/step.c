@@ -1,5 +1,5 @@
 /* From chapters/works/11-step.nw: edit there, then run make tangle. */
-/* checksum 364891590 of the lines below */
+/* checksum 1883238210 of the lines below */
 /* Steps a scene through time and writes what is looked at, row by row. */
 #include "forces/adaptive.h"
 #include "forces/checkpoint.h"
@@ -84,7 +84,9 @@ enum ending { WHOLE, INTERRUPTED, INFINITE, STUCK, TOO_MUCH, UNWRITTEN };
 struct watch {
     double start; /* E at the start */
     double depth; /* of the deepest potential so far */
-    double worst; /* largest |E - start| */
+    double worst; /* largest |E - start| of a row */
+    double seen;  /* the last that was finite, in a row or between rows */
+    double when;  /* s: the time of that */
 };
 
 struct run {
@@ -305,11 +307,22 @@ static double below_zero(double energy)
     return energy < 0 ? -energy : 0;
 }
 
+/* Adds the parts up, and remembers a sum that is a number. */
+static double add_up(struct run *r, struct motion_energy e)
+{
+    const double sum = e.kinetic + (e.gravity + e.springs + e.weight);
+    if (isfinite(sum)) {
+        r->watch.seen = sum;
+        r->watch.when = motion_time(&r->motion);
+    }
+    return sum;
+}
+
 /* The energy now, and the depth so far. */
 static void look(struct run *r)
 {
     const struct motion_energy e = motion_energy(&r->motion);
-    r->energy = e.kinetic + (e.gravity + e.springs + e.weight);
+    r->energy = add_up(r, e);
     r->watch.depth =
         fmax(r->watch.depth, below_zero(e.gravity) + below_zero(e.springs) +
                                  below_zero(e.weight));
@@ -349,6 +362,95 @@ static bool is_sane(struct run *r)
         return false;
     w->worst = fmax(w->worst, fabs(grown));
     return true;
+}
+
+static bool is_power_of_two(uint64_t n)
+{
+    return n > 0 && (n & (n - 1)) == 0;
+}
+
+/* How many steps it is to the next one. */
+static uint64_t to_power_of_two(uint64_t steps)
+{
+    uint64_t power = 1;
+    while (power <= steps)
+        power *= 2;
+    return power - steps;
+}
+
+static void glance(struct run *r)
+{
+    add_up(r, motion_energy(&r->motion));
+}
+
+/* Should the energy that is watched stay as it is? */
+static bool is_conservative(const struct run *r)
+{
+    const struct scene *s = &r->scene;
+    bool keeps = s->damping == 0 && !r->motion.touches &&
+                 (!s->contact || s->restitution == 1);
+    for (size_t k = 0; keeps && k < s->kinds; ++k)
+        keeps = s->kind[k].damping == 0;
+    return keeps;
+}
+
+enum complaint { NO_NOTE, NOTE_STEP, NOTE_ENERGY };
+
+/* The square of the angular frequency of a spring between two bodies, if
+   all others rest, 1/s^2; 0 if they are in one place. */
+static double square_of(const struct scene *s, const struct scene_spring *l)
+{
+    const size_t n = s->bodies;
+    double r2 = 0, sum = 0;
+    for (size_t k = 0; k < SCENE_AXES; ++k) {
+        const size_t a = k * n + l->a, b = k * n + l->b;
+        const double d = s->position[b] - s->position[a];
+        r2 += d * d;
+        sum += d * d * (s->freedom[a] ? 1 / s->mass[l->a] : 0);
+        sum += d * d * (s->freedom[b] ? 1 / s->mass[l->b] : 0);
+    }
+    return r2 > 0 ? s->kind[l->kind].stiffness * sum / r2 : 0;
+}
+
+/* The step times the highest of these frequencies. */
+static double stiffest(const struct run *r)
+{
+    const struct scene *s = &r->scene;
+    double most = 0;
+    for (size_t j = 0; j < s->springs; ++j)
+        most = fmax(most, square_of(s, s->spring + j));
+    return sqrt(most) * r->motion.dt;
+}
+
+/* What a run that ended well has done that it should not have. */
+static enum complaint complain(const struct run *r)
+{
+    const double limit = r->motion.stepping.method->limit;
+    const double scale = fabs(r->watch.start) + r->watch.depth;
+    if (!is_conservative(r))
+        return NO_NOTE;
+    if (!r->motion.outside && limit > 0 &&
+        stiffest(r) >= limit * (1 - 1e-9))
+        return NOTE_STEP;
+    return r->watch.worst > 0.1 * scale ? NOTE_ENERGY : NO_NOTE;
+}
+
+static void note(const struct run *r)
+{
+    const enum complaint c = complain(r);
+    if (c == NOTE_STEP)
+        fprintf(stderr,
+                PROGRAM ": note: omega dt of the stiffest spring is %.4g, "
+                        "and %s bears less than %.4g: try a smaller --dt\n",
+                stiffest(r), r->s->method,
+                r->motion.stepping.method->limit);
+    if (c == NOTE_ENERGY)
+        fprintf(
+            stderr,
+            PROGRAM ": note: the energy was wrong by up to %.3g %% of "
+                    "its scale, and nothing in the scene takes or gives "
+                    "any: try a smaller --dt\n",
+            100 * r->watch.worst / (fabs(r->watch.start) + r->watch.depth));
 }
 
 static bool keep_checkpoint(struct run *r)
@@ -409,7 +511,8 @@ static void resume(struct run *r, const struct checkpoint_numbers *n)
     r->energy = n->last;
     r->time =
         n->start + (n->rows - 1) * (double)r->every * r->motion.stepping.dt;
-    r->watch = (struct watch){n->energy, n->depth, n->worst};
+    r->watch =
+        (struct watch){n->energy, n->depth, n->worst, n->last, r->time};
 }
 
 static uint64_t least(uint64_t a, uint64_t b)
@@ -430,7 +533,8 @@ static enum ending take_bite(struct run *r, uint64_t *bite)
     const double start = wall_clock();
     const uint64_t steps = r->motion.stepping.steps;
     const uint64_t ahead =
-        least(r->every - steps % r->every, r->last - steps);
+        least(least(r->every - steps % r->every, r->last - steps),
+              to_power_of_two(steps));
     const enum stepping_end end =
         motion_run(&r->motion, least(*bite, ahead));
     const double took = wall_clock() - start;
@@ -472,6 +576,8 @@ static enum ending run_on(struct run *r)
         end = progress_signal() ? INTERRUPTED : take_bite(r, &bite);
         if (end == WHOLE && *steps % r->every == 0)
             end = add_row(r);
+        else if (end == WHOLE && is_power_of_two(*steps))
+            glance(r);
         if (end == WHOLE && !keep_if_due(r, &kept))
             end = UNWRITTEN;
         progress_update(&r->progress, *steps, *steps);
@@ -515,6 +621,8 @@ static void explain(const struct run *r, enum ending end)
                 PROGRAM ": blew up after t = %.10g (energy %.4g, now "
                         "%.4g): try a smaller --dt\n",
                 r->time, r->watch.start, r->energy);
+    if (end == WHOLE)
+        note(r);
 }
 
 static void open_outputs(struct run *r)
@@ -659,14 +767,29 @@ static bool close_outputs(struct run *r, enum ending end)
     return good && end != UNWRITTEN;
 }
 
+static void summarise_energy(const struct run *r, enum ending end)
+{
+    const bool lost = end == INFINITE || end == STUCK || end == TOO_MUCH;
+    const struct watch *w = &r->watch;
+    const double worst =
+        lost ? fmax(w->worst, fabs(w->seen - w->start)) : w->worst;
+    struct table *t = r->summary;
+    table_real(t, "time", lost ? w->when : r->time);
+    table_real(t, "energy_start", w->start);
+    table_real(t, "energy", lost ? w->seen : r->energy);
+    table_real(t, "energy_error",
+               w->start != 0 ? worst / fabs(w->start) : worst);
+}
+
 static void summarise(const struct run *r, enum ending end)
 {
     static const char *const names[] = {
         "whole", "interrupted", "infinite", "stuck", "energy", "unwritten"};
     const struct stepping *p = &r->motion.stepping;
+    static const char *const notes[] = {"none", "step", "energy"};
     struct table *t = r->summary;
-    const double start = r->watch.start;
     table_text(t, "end", names[end]);
+    table_text(t, "note", notes[end == WHOLE ? complain(r) : NO_NOTE]);
     table_count(t, "bodies", r->scene.bodies);
     table_text(t, "method", r->s->method);
     table_text(t, "sums",
@@ -682,11 +805,7 @@ static void summarise(const struct run *r, enum ending end)
     table_count(t, "simultaneous", r->motion.impact.simultaneous);
     table_count(t, "grazing", r->motion.impact.grazing);
     table_count(t, "resting", r->motion.impact.resting);
-    table_real(t, "time", r->time);
-    table_real(t, "energy_start", start);
-    table_real(t, "energy", r->energy);
-    table_real(t, "energy_error",
-               start != 0 ? r->watch.worst / fabs(start) : r->watch.worst);
+    summarise_energy(r, end);
     table_text(t, "kernel",
                r->motion.attracts ? gravity_summed_by(&r->motion.gravity)
                                   : "none");
@@ -761,6 +880,7 @@ static const struct options_entry entries[] = {
 
 static const struct table_key keys[] = {
     {"end", "word", "whole, or how the run ended early"},
+    {"note", "word", "none, step or energy: what is wrong with it"},
     {"bodies", "1", "of the scene"},
     {"method", "word", "of stepping"},
     {"sums", "word", "plain, or compensated"},
@@ -774,9 +894,9 @@ static const struct table_key keys[] = {
     {"simultaneous", "1", "of them at once with another, located"},
     {"grazing", "1", "looked for within a step, and not there"},
     {"resting", "1", "coordinates held by walls at the end"},
-    {"time", "time", "at the end"},
+    {"time", "time", "of the last row; if it blew up, last seen"},
     {"energy_start", "energy", "kinetic and potential"},
-    {"energy", "energy", "at the end"},
+    {"energy", "energy", "at that time"},
     {"energy_error", "1", "largest, relative; of 0: in energy"},
     {"kernel", "word", "that summed gravity, or none"},
     {"vectors", "word", "instructions of plain loops here"},

@@ -384,6 +384,36 @@ $step "$w/fall" --until 2 -o /dev/stdout 2>"$w/told" >"$w/b"
 holds '/dev/stdout may be a file' test $? -eq 0
 holds 'and has the rows' test "$(grep -vc '^#' "$w/b")" -eq 9
 
+# A run that ends and is wrong says so: Euler's oscillator, (1 + h^2)^n, and
+# leapfrog at its limit, which keeps the energy and shows nothing of the motion.
+$scene oscillator --damping 0 -o "$w/spring"
+$step "$w/spring" --method euler --dt 0.04 --until 20 -o "$w/a" \
+    --summary "$w/s" 2>"$w/told"
+holds 'an energy that grew is seen' grep -q 'note: .* 122 % of its' "$w/told"
+near 'by the law' "$(key "$w/s" energy_error)" 1.2241185545 1e-9
+holds 'the summary says it' grep -qx 'note energy' "$w/s"
+$step "$w/spring" --dt 2 --until 200 -o "$w/a" --summary "$w/s" 2>"$w/told"
+near 'at the limit no energy tells' "$(key "$w/s" energy_error)" 0 0
+holds 'the step does' grep -q 'note: omega dt .* 2, and leapfrog' "$w/told"
+holds 'and the summary' grep -qx 'note step' "$w/s"
+$step "$w/spring" --dt 0.3 --until 300 -o "$w/a" --summary "$w/s" 2>"$w/told"
+holds 'a healthy run says nothing' test ! -s "$w/told"
+holds 'nor does its summary' grep -qx 'note none' "$w/s"
+$scene oscillator --damping 0.1 -o "$w/damped"
+$step "$w/damped" --until 20 -o "$w/a" --summary "$w/s" 2>"$w/told"
+holds 'friction may take the energy' test ! -s "$w/told"
+
+# One that blows up between two rows says what was seen last, and when.
+$step "$w/spring" --dt 3 --until 30000 --every 30000 -o "$w/a" \
+    --summary "$w/s" 2>"$w/told"
+near 'infinite: when it was seen last' "$(key "$w/s" time)" 384 0
+holds 'and what' awk '$1 == "energy_error" && $2 > 1e200 { seen = 1 }
+    END { exit !seen }' "$w/s"
+$step "$w/spring" --method rk4 --dt 2.9 --until 29000 --every 29000 \
+    -o "$w/a" --summary "$w/s" 2>"$w/told"
+near 'too much: when' "$(key "$w/s" time)" 29000 0
+near 'and how much' "$(key "$w/s" energy_error)" 19.2587 1e-4
+
 # The minimum setup writes what step does.
 cat >"$w/data.plist" <<'E2'
 pos 0  0 0 0  1.0  0 0.1
@@ -410,4 +440,4 @@ fi
 sed 's/^dt .*/dt 0.1/' "$w/pendulum" >"$w/wild"
 build/bin/orbit "$w/wild" >"$w/a" 2>"$w/told"
 holds 'and a run that blew up' test $? -eq 1
-echo "1..$((157 + 14 * own - fewer))"
+echo "1..$((170 + 14 * own - fewer))"

@@ -14,7 +14,7 @@ set ytics 1
 set xlabel 'angle {/:Italic x}'
 do for [k=0:2] {
   set format y (k == 0 ? '%g' : '')
-  set ylabel k == 0 ? 'angular velocity {/:Italic v}  (1/s)' : '' offset 0.2
+  set ylabel k == 0 ? 'velocity {/:Italic v}  (1/s)' : '' offset 0.6
   set label 1 part[k+1] at graph 0.05,0.93
   plot for [j=0:3] file index 4*k+j using 1:2 with filledcurves closed fc rgb blue fs transparent solid 0.2+0.15*j border lc rgb blue
 }

@@ -16,7 +16,7 @@ set samples 400
 do for [k=0:3] {
   set format x (k > 1 ? '%g' : '')
   set xlabel k > 1 ? 'angle {/:Italic x}' : ''
-  set ylabel k % 2 == 0 ? 'angular velocity {/:Italic v}  (1/s)' : '' offset 0.2
+  set ylabel k % 2 == 0 ? 'velocity {/:Italic v}  (1/s)' : '' offset 0.6
   set title part[k+1] offset 0,-0.7
   plot for [j=1:4] sqrt(2*(cos(x) - cos(0.6*j))) ls 9, \
        for [j=1:4] -sqrt(2*(cos(x) - cos(0.6*j))) ls 9, \

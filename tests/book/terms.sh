@@ -16,7 +16,6 @@ cat >"$scratch/no-terms" <<'END'
 crashed
 does not build
 failed
-l
 not begun
 passed
 the positions
@@ -24,7 +23,6 @@ the pressure
 the velocities
 throw all if any two overlap throw all again
 timed out
-u
 END
 
 cited() {

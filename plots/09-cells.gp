@@ -12,7 +12,7 @@ set yrange [-0.05:1.05]
 x0 = 0.36
 y0 = 0.43
 theta = 0.5
-deep = 6
+deep = 5
 w(k) = 0.5**k
 far(k, i, j) = sqrt((x0 - w(k)*(i + 0.5))**2 + (y0 - w(k)*(j + 0.5))**2)
 # whether the cell looks small enough, and whether all those round it did not
@@ -29,5 +29,5 @@ do for [k=0:deep] {
     }
   }
 }
-set label 1 '×' at x0,y0 center front
+set label 1 '{/:Bold=14 ×}' at x0,y0 center front
 plot NaN

@@ -11,7 +11,7 @@ set margins 4,2,3,0.5
 set xrange [0:4]
 set yrange [0:3.5]
 do for [k=1:3] {
-  set label 10+k word('j i k', k) at -0.12,k-0.2 center font face.' Italic,'.(slide ? '20' : '9')
+  set label 10+k '{/:Italic '.word('j i k', k).'}' at -0.12,k-0.2 center
   set arrow 10+k from 0,k-0.2 to 4,k-0.2 nohead lc rgb '#777777' lw 1*thick
 }
 set arrow 21 from 2,1.8 to 4,1.8 nohead lc rgb blue lw 2.2*thick

@@ -3,32 +3,44 @@
 # data: build/data/04-swing.dat
 # command: build/bin/piston --gas-masses 0,0 -o build/data/04-swing.dat
 # slides: 3
-# alt: Three panels of energy against time. First 40 seconds: the piston's energy falls from 20 joules to almost nothing at 6 seconds, when the right gas holds nearly everything, and comes back partly; the smooth curves of the model come back wholly. 200 seconds: the exchange goes on with smaller swings. 2000 seconds: noise, the two gases around 12 joules each, the piston around 2 to 3.
+# alt: Three panels in which the energies of left gas, piston and right gas are stacked up to 26.7 joules, against time. First 40 seconds: the piston has 20 joules, gives nearly all to the right gas at 6 seconds, and gets about half of it back; dotted lines of the model, where it gets all of it back. 200 seconds: the left and the right gas swell in turn, the piston in between has less and less. 2000 seconds, means over a swing: the band of the piston narrows towards two dashed lines, one eleventh of all.
 width = 14
 height = 11
 load 'plots/style.gp'
 file = 'build/data/04-energy.dat'
 model = 'build/data/04-swing.dat'
+# The three energies stand on top of each other: left gas, piston, right gas.
+total = 80.0/3
+soft = '#9ecae8'; warm = '#c994c7'; fresh = '#a8dcc9'
+# The last panel shows means over one swing, 20 s.
+set table $mean
+plot file using (20*floor($1/20)+10):5 smooth unique
+set table $upper
+plot file using (20*floor($1/20)+10):($5+$4) smooth unique
+unset table
 set multiplot layout slide ? 1 : 3,1 margins 0.085,0.965,slide ? 0.15 : 0.11,slide ? 0.91 : 0.94 spacing 0,0.085
 if (slide) set xlabel 'time {/:Italic t}  (s)'
-set yrange [0:27]
+set yrange [0:total]
 set ytics 10
 set ylabel 'energy  (J)' offset 1
 set key at screen 0.52,0.995 center top horizontal samplen 1.5 maxrows 1
-set xrange [0:40]
-if (row(1)) plot file using 1:($1 <= 40 ? $5 : NaN) with lines lw 1.5*thick lc rgb blue title 'left gas', \
-     file using 1:($1 <= 40 ? $6 : NaN) with lines lw 1.5*thick lc rgb green dt (6,2) title 'right gas', \
-     file using 1:($1 <= 40 ? $4 : NaN) with lines lw 2.5*thick lc rgb purple title 'piston', \
-     model using 1:6 with lines ls 9 dt 3 lw 2*thick title 'piston, model'
-if (!slide) unset key
-set xrange [0:200]
-if (row(2)) plot file using 1:($1 <= 200 ? $5 : NaN) with lines lw 0.7*thick lc rgb blue title 'left gas', \
-     file using 1:($1 <= 200 ? $6 : NaN) with lines lw 0.7*thick lc rgb green dt (6,2) title 'right gas', \
-     file using 1:($1 <= 200 ? $4 : NaN) with lines lw 1.5*thick lc rgb purple title 'piston'
+do for [k=1:2] {
+    last = k == 1 ? 40 : 200
+    set xrange [0:last]
+    if (k == 2 && !slide) { unset key }
+    if (row(k)) {
+        plot file using ($1 <= last ? $1 : NaN):5:(0) with filledcurves lc rgb soft title 'left gas', \
+             file using ($1 <= last ? $1 : NaN):5:($5+$4) with filledcurves lc rgb warm title 'piston', \
+             file using ($1 <= last ? $1 : NaN):($5+$4):(total) with filledcurves lc rgb fresh title 'right gas', \
+             model using (k == 1 ? $1 : NaN):4 with lines lc rgb dark dt 3 lw 1.5*thick title 'model', \
+             model using (k == 1 ? $1 : NaN):($4+$6) with lines lc rgb dark dt 3 lw 1.5*thick
+    }
+}
 set xlabel 'time {/:Italic t}  (s)'
-set xrange [0:2000]
-if (row(3)) plot file every 10 using 1:5 with lines lw 0.5*thick lc rgb blue title 'left gas', \
-     file every 10 using 1:6 with lines lw 0.5*thick lc rgb green title 'right gas', \
-     file every 10 using 1:4 with lines lw 0.8*thick lc rgb purple title 'piston', \
-     80.0/33 with lines ls 5 lw 1*thick dt 2
+set xrange [10:1990]
+set xtics 0,500
+if (row(3)) plot total lc rgb warm with filledcurves y1=0 title 'piston', \
+     $mean using 1:2:(0) with filledcurves lc rgb soft title 'left gas', \
+     $upper using 1:2:(total) with filledcurves lc rgb fresh title 'right gas', \
+     total*5/11 with lines lc rgb dark dt 2 lw 1.2*thick, total*6/11 with lines lc rgb dark dt 2 lw 1.2*thick
 unset multiplot

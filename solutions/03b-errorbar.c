@@ -32,18 +32,19 @@ enum { BLOCKS = 32 };
 double mean_and_error(size_t n, const double x[], double *error)
 {
     const size_t length = n / BLOCKS;
-    double block[BLOCKS] = {0}, rest = 0.0, middle = 0.0, squares = 0.0;
-    for (size_t i = 0; i < n; ++i)
+    double rest = 0.0;
+    double block[BLOCKS] = {0};
+    for (size_t i = n; i-- > 0;)
         if (i / length < BLOCKS)
             block[i / length] += x[i] - x[0];
         else
             rest += x[i] - x[0];
+    double middle = 0.0;
     for (int b = 0; b < BLOCKS; ++b)
         middle += block[b] / BLOCKS;
-    for (int b = 0; b < BLOCKS; ++b) {
-        const double off = (block[b] - middle) / (double)length;
-        squares += off * off;
-    }
+    double squares = 0.0;
+    for (int b = 0; b < BLOCKS; ++b)
+        squares += pow((block[b] - middle) / (double)length, 2.0);
     *error = sqrt(squares / (BLOCKS * (BLOCKS - 1.0)));
     return x[0] + (middle * BLOCKS + rest) / (double)n;
 }

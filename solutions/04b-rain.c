@@ -33,9 +33,8 @@ struct sort {
 double rain_force(size_t n, const struct sort rain[], double im, double V,
                   double *friction)
 {
-    double pressure = 0.0;
-    *friction = 0.0;
-    for (const struct sort *s = rain; s < rain + n; ++s) {
+    double pressure = *friction = 0.0;
+    for (const struct sort *s = rain; n > 0; --n, ++s) {
         const double turned = 2.0 / (1.0 / s->m + im);
         const double blows = s->v * (s->v > 0.0 ? s->left : -s->right);
         pressure += turned * s->v * blows;

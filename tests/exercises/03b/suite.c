@@ -90,32 +90,34 @@ static double error_of(size_t n, const double x[], double *mean)
     return error;
 }
 
-/* All values are 1, and the last one is not. */
+/* All values are 1 but for the first and the last two: 1 + n/2, and twice
+   1 + n. */
 static void test_mean(void)
 {
     static const char question[] =
         "How many values are there, and what is their sum?";
+    static const char left_out[] =
+        "The last values are not in your mean. They may fill no block; but "
+        "are they no measurements?";
     for (int i = 0; i < 8; ++i) {
         const size_t n = (size_t)check_draw_whole(6000, MOST);
-        const double last = (double)n;
         double mean;
-        for (size_t k = 0; k + 1 < n; ++k)
+        for (size_t k = 0; k < n; ++k)
             s.x[k] = 1.0;
-        s.x[n - 1] = 1.0 + last;
+        s.x[0] += 0.5 * (double)n;
+        s.x[n - 1] = s.x[n - 2] = 1.0 + (double)n;
         error_of(n, s.x, &mean);
         if (!CHECK_NEAR(
                 mean, .quantity = "the mean",
-                .input = check_text("%zu values: all are 1, but the last "
-                                    "is %zu",
-                                    n, n + 1),
-                .expected = 2.0, .tolerance = 1e-11,
+                .input = check_text("%zu values: all are 1, but the first "
+                                    "is %g and the last two are %zu",
+                                    n, s.x[0], n + 1),
+                .expected = 3.5, .tolerance = 1e-11,
                 .because = "the roundings of thousands of additions",
                 .equation = "eq:block", .question = question,
                 .mistakes = {
-                    {"rest-left-out", 1.0,
-                     "The last value is not in your mean. It may fill no "
-                     "block; but is it no measurement?"},
-                    {"sum-for-mean", 2.0 * last,
+                    {"rest-left-out", mean < 2.6 ? mean : 3.5, left_out},
+                    {"sum-for-mean", 3.5 * (double)n,
                      "This is the sum of all values. How many are "
                      "there?"}}))
             return;

@@ -3,7 +3,7 @@
 # a pristine stub that is not begun, a solution and other right answers that
 # pass, wrong answers that are recognised, hints, and equations that the book
 # has. Nothing here reads exercises/: those files are the student's own.
-#   tests/exercises/all.sh [EXERCISE]...      all, or 01e
+#   tests/exercises/all.sh [EXERCISE]...      all, or 01a
 set -u
 examine=build/check/examine
 out=$(mktemp -d) || exit 1

@@ -40,20 +40,20 @@ holds 'the recipe runs to its end' sh -c "[ $? -eq 0 ] ||
 holds 'the change of the chapter is in src/' \
     grep -q 'Whether the two approach is' src/line/collide.h
 holds 'and the text of the exercise in the chapter' sh -c '
-    grep -A 6 "^.begin{exercise}{01e}" chapters/01-collide.nw |
+    grep -A 6 "^.begin{exercise}{01f}" chapters/01-collide.nw |
         grep -q "^.solutions{01}"'
 holds 'its stub is not begun' \
-    grep -q '^01e  What a collision can cost.* not begun' "$work/out"
+    grep -q '^01f  What a collision can cost.* not begun' "$work/out"
 holds 'its three right answers pass' \
-    test "$(grep -c '^01e  What a .* passed ' "$work/out")" -eq 3
+    test "$(grep -c '^01f  What a .* passed ' "$work/out")" -eq 3
 for mistake in all-of-it half-forgotten sum-of-velocities; do
     holds "its wrong answer is told [$mistake]" \
         grep -q -F "[$mistake]" "$work/out"
 done
 tar tzf build/bonkers-course.tar.gz >"$work/list" 2>/dev/null
-for file in exercises/01e-stake.c tests/exercises/01e/suite.c \
-    tests/exercises/01e/stub.c tests/exercises/01e/crossing.c \
-    tests/exercises/01e/hints.txt; do
+for file in exercises/01f-stake.c tests/exercises/01f/suite.c \
+    tests/exercises/01f/stub.c tests/exercises/01f/crossing.c \
+    tests/exercises/01f/hints.txt; do
     holds "the archive has $file" grep -q -x "bonkers-course/$file" \
         "$work/list"
 done
@@ -63,8 +63,8 @@ holds 'the archive has no solution' \
 holds 'Ada has all ten points' \
     grep -q '^"ada",10,10,10' build/grade/results/grades.csv
 # The same files, looked at as the kit's own tests do.
-{ cat tests/exercises/01e/stub.c && echo '/* my first line */'; } >touched.c
-build/check/examine --strict --as 01e --file touched.c >"$work/strict" 2>&1
+{ cat tests/exercises/01f/stub.c && echo '/* my first line */'; } >touched.c
+build/check/examine --strict --as 01f --file touched.c >"$work/strict" 2>&1
 holds 'its stub stands a strict compiler' \
     sh -c "sed 1q '$work/strict' | grep -q ' not begun'"
 cd "$root" || exit 1

@@ -1,4 +1,4 @@
-/* What crosses the border of exercise 01e: see examiner/border.h. */
+/* What crosses the border of exercise 01f: see examiner/border.h. */
 /* place: none */
 
 #include "examiner/border.h"

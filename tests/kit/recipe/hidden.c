@@ -1,4 +1,4 @@
-/* The hidden tests of exercise 01e: seen from a train. */
+/* The hidden tests of exercise 01f: seen from a train. */
 
 #include "examiner/check.h"
 #include <float.h>

@@ -1,4 +1,4 @@
-/* 01e by way of the centre of mass: the two energies that are seen from
+/* 01f by way of the centre of mass: the two energies that are seen from
    there, whose momenta are equal. */
 
 #include "exercise.h"

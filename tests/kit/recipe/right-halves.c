@@ -1,4 +1,4 @@
-/* 01e as half the impulse of a full stop times the velocity of approach. */
+/* 01f as half the impulse of a full stop times the velocity of approach. */
 
 #include "exercise.h"
 

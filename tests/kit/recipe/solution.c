@@ -1,4 +1,4 @@
-/* Exercise 01e, solved: only the relative motion can be lost, and its mass
+/* Exercise 01f, solved: only the relative motion can be lost, and its mass
    is the reduced one, 1 / (im1 + im2). */
 
 #include "exercise.h"

@@ -1,12 +1,12 @@
-/* Exercise 01e. What a collision can cost at most (warm-up, 10 minutes)
+/* Exercise 01f. What a collision can cost at most (warm-up, 10 minutes)
 
    Two bodies move on a line with velocities u1 and u2 (m/s); their inverse
    masses are im1 and im2 (1/kg), and at most one of them is a wall, with
    inverse mass 0. Return the largest energy (J) that a collision of theirs
    can turn into heat: what is lost when they stick together.
 
-   Check your answer with    make check EX=01e
-   Hints, which ask before they tell:    make hint EX=01e */
+   Check your answer with    make check EX=01f
+   Hints, which ask before they tell:    make hint EX=01f */
 
 #include "exercise.h"
 

@@ -1,4 +1,4 @@
-/* The suite of exercise 01e: a known value, a wall, and drawn numbers. */
+/* The suite of exercise 01f: a known value, a wall, and drawn numbers. */
 
 #include "examiner/check.h"
 #include <float.h>
@@ -59,7 +59,7 @@ static void test_drawn(void)
 }
 
 const struct check_suite check_suite = {
-    .file = "01e-stake.c",
+    .file = "01f-stake.c",
     .title = "What a collision can cost at most",
     .minutes = 10,
     .tests = {{"a pair worked out by hand", test_known, 2, 0},

@@ -1,0 +1,69 @@
+/* What the grader also asks of exercise 01e: functions that are right but
+   for a heavy body, but for slow ones, and one in other words. */
+
+#include "examiner/check.h"
+#include <math.h>
+#include <stdbool.h>
+
+typedef void law(double m1, double m2, double *v1, double *v2);
+
+bool passes(law *collide);
+
+/* The impulse of the blow, which is all that a collision is. */
+static void by_impulse(double m1, double m2, double *v1, double *v2)
+{
+    const double p = 2.0 * (*v1 - *v2) / (1.0 / m1 + 1.0 / m2);
+    *v1 -= p / m1;
+    *v2 += p / m2;
+}
+
+static void heavy_first(double m1, double m2, double *v1, double *v2)
+{
+    by_impulse(fmax(m1, m2), fmin(m1, m2), v1, v2);
+}
+
+static void mirrored(double m1, double m2, double *v1, double *v2)
+{
+    by_impulse(m1, m2, v1, v2);
+    *v1 = fabs(*v1);
+}
+
+static void exchanged(double m1, double m2, double *v1, double *v2)
+{
+    const double u = *v1;
+    by_impulse(m1, m2, v1, v2);
+    *v1 = fabs(m1 - m2) > 0.0 ? *v1 : u;
+}
+
+static bool check(law *collide, bool right, const char *how)
+{
+    return CHECK_NEAR(passes(collide) ? 1.0 : 0.0,
+                      .quantity = "what you say of a function (1 true, 0 "
+                                  "false)",
+                      .input = how, .expected = right ? 1.0 : 0.0,
+                      .tolerance = 0.0, .because = "yes or no",
+                      .equation = "eq:reverse",
+                      .question = "Which collision would tell, and did you "
+                                  "let it compute that?");
+}
+
+static void test_impulse(void)
+{
+    (void)(check(by_impulse, true, "a right one, by the impulse") &&
+           check(heavy_first, false,
+                 "one that takes the heavier body for the first"));
+}
+
+static void test_others(void)
+{
+    (void)(check(by_impulse, true, "a right one, by the impulse") &&
+           check(mirrored, false,
+                 "one whose first body always leaves to the right") &&
+           check(exchanged, false,
+                 "one that gives the first of two twins its own velocity"));
+}
+
+const struct check_test check_hidden[] = {
+    {"one that sorts the masses is refused", test_impulse, 1, 0},
+    {"a lost sign and a special case are refused", test_others, 1, 0},
+    {0}};

@@ -1,58 +1,88 @@
-/* What crosses the border of exercise 12b: see examiner/border.h. */
-/* place: choose_step step 1 */
+/* What crosses the border of exercise 12b: see examiner/border.h. The step
+   stays with the judge; the box asks for it. */
+/* place: apart end 1 */
 
 #include "examiner/border.h"
 
-enum verdict { OUT_OF_REACH, TOO_FINE, NO_ORDER, CHOSEN };
-
-enum verdict choose_step(double p, const double h[2], const double error[2],
-                         double rounding, double tolerance, double *step);
-
-/* The arguments; the step follows. */
-struct call {
-    double p, h[2], error[2], rounding, tolerance;
+struct world {
+    double g, k, q;
 };
 
-static void move_arguments(struct call *c)
+double apart(void (*step)(struct world w, double h, double *x, double *v),
+             struct world w, double h, int n, double x, double v,
+             double *end);
+
+/* The constants, the step, and a place with a velocity. */
+struct call {
+    struct world w;
+    double h, x, v;
+};
+
+static void move_call(struct call *c)
 {
-    border_doubles(&c->p, 1);
-    border_doubles(c->h, 2);
-    border_doubles(c->error, 2);
-    border_doubles(&c->rounding, 1);
-    border_doubles(&c->tolerance, 1);
+    border_doubles(&c->w.g, 1);
+    border_doubles(&c->w.k, 1);
+    border_doubles(&c->w.q, 1);
+    border_doubles(&c->h, 1);
+    border_doubles(&c->x, 1);
+    border_doubles(&c->v, 1);
 }
 
 #ifdef BORDER_INSIDE
 
+static void step(struct world w, double h, double *x, double *v)
+{
+    struct call c = {w, h, *x, *v};
+    border_ask(0);
+    move_call(&c);
+    border_hear();
+    border_doubles(x, 1);
+    border_doubles(v, 1);
+}
+
 void border_answer(void)
 {
     struct call c;
-    move_arguments(&c);
-    const double h[2] = {c.h[0], c.h[1]};
-    const double error[2] = {c.error[0], c.error[1]};
-    double *step = border_place_doubles("step", 1);
-    int verdict =
-        (int)choose_step(c.p, h, error, c.rounding, c.tolerance, step);
+    int n;
+    move_call(&c);
+    border_ints(&n, 1);
+    double *end = border_place_doubles("end", 1);
+    double far = apart(step, c.w, c.h, n, c.x, c.v, end);
     border_reply();
-    border_ints(&verdict, 1);
-    border_doubles(step, 1);
+    border_doubles(&far, 1);
+    border_doubles(end, 1);
 }
 
 #else
 
-enum verdict choose_step(double p, const double h[2], const double error[2],
-                         double rounding, double tolerance, double *step)
+static void (*taken)(struct world w, double h, double *x, double *v);
+
+void border_heed(int which)
 {
-    struct call c = {
-        p, {h[0], h[1]}, {error[0], error[1]}, rounding, tolerance};
-    int verdict;
+    struct call c;
+    (void)which;
+    move_call(&c);
+    taken(c.w, c.h, &c.x, &c.v);
+    border_tell();
+    border_doubles(&c.x, 1);
+    border_doubles(&c.v, 1);
+}
+
+double apart(void (*step)(struct world w, double h, double *x, double *v),
+             struct world w, double h, int n, double x, double v,
+             double *end)
+{
+    struct call c = {w, h, x, v};
+    double far;
+    taken = step;
     border_call();
-    move_arguments(&c);
-    border_doubles(step, 1);
+    move_call(&c);
+    border_ints(&n, 1);
+    border_doubles(end, 1);
     border_wait();
-    border_ints(&verdict, 1);
-    border_doubles(step, 1);
-    return (enum verdict)verdict;
+    border_doubles(&far, 1);
+    border_doubles(end, 1);
+    return far;
 }
 
 #endif

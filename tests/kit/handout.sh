@@ -551,10 +551,10 @@ equal 'every exercise yields a solution, right and wrong ones, hidden tests' \
 equal 'and every project a solution and right ones' '' \
     "$(without P1 P3 | grep -v 'wrong$\|hidden$')"
 grep -v -e '^tests/exercises/05b/right-' -e '^solutions/07a' \
-    -e '^tests/exercises/08c/wrong-' -e '^tests/exercises/12d/hidden' \
+    -e '^tests/exercises/08c/wrong-' -e '^tests/exercises/12c/hidden' \
     "$work/bodies" >"$work/fewer" && mv "$work/fewer" "$work/bodies"
 equal 'where one yields none it is named' "$(printf '%s\n' '05b right' \
-    '07a solution' '08c wrong' '12d hidden' '13a solution' '13a right' \
+    '07a solution' '08c wrong' '12c hidden' '13a solution' '13a right' \
     '13a wrong' '13a hidden')" "$(without $small 13a)"
 holds 'answers are sought' test "$(echo $answers | wc -w)" -gt 300
 holds 'and values' test "$(wc -l <"$work/values")" -gt 20

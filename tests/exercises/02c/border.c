@@ -1,79 +1,56 @@
 /* What crosses the border of exercise 02c: see examiner/border.h. */
-/* place: next_valid stale 1 */
+/* place: positions_at x n */
+/* place: positions_at v n */
 
 #include "examiner/border.h"
 #include <stdlib.h>
 
-struct event {
-    double time;
-    size_t i, j;
-    unsigned count_i, count_j;
-};
-
-size_t next_valid(size_t n, const struct event heap[],
-                  const unsigned counts[], size_t *stale);
-
-static void move_heap(size_t n, struct event heap[])
-{
-    for (size_t k = 0; k < n; ++k) {
-        border_doubles(&heap[k].time, 1);
-        border_sizes(&heap[k].i, 1);
-        border_sizes(&heap[k].j, 1);
-        border_unsigneds(&heap[k].count_i, 1);
-        border_unsigneds(&heap[k].count_j, 1);
-    }
-}
+void positions_at(size_t n, double length, const double x0[],
+                  const double v0[], double t, double x[], double v[]);
 
 #ifdef BORDER_INSIDE
 
+static double *taken(size_t n)
+{
+    double *numbers = border_memory(n * sizeof numbers[0]);
+    border_doubles(numbers, n);
+    return numbers;
+}
+
 void border_answer(void)
 {
-    size_t n, bodies, next;
+    size_t n;
+    double length, t;
     border_sizes(&n, 1);
-    struct event *heap = border_memory(n * sizeof heap[0]);
-    move_heap(n, heap);
-    border_sizes(&bodies, 1);
-    unsigned *counts = border_memory(bodies * sizeof counts[0]);
-    border_unsigneds(counts, bodies);
-    size_t *stale = border_place_sizes("stale", 1);
-    next = next_valid(n, heap, counts, stale);
-    free(heap);
-    free(counts);
+    border_doubles(&length, 1);
+    border_doubles(&t, 1);
+    double *x0 = taken(n), *v0 = taken(n);
+    double *x = border_place_doubles("x", n);
+    double *v = border_place_doubles("v", n);
+    positions_at(n, length, x0, v0, t, x, v);
+    free(x0);
+    free(v0);
     border_reply();
-    border_sizes(&next, 1);
-    border_sizes(stale, 1);
+    border_doubles(x, n);
+    border_doubles(v, n);
 }
 
 #else
 
-/* How many bodies the events of a heap tell of: nobody says how many there
-   are, and no other counter can be asked for. */
-static size_t bodies_in(size_t n, const struct event heap[])
+void positions_at(size_t n, double length, const double x0[],
+                  const double v0[], double t, double x[], double v[])
 {
-    size_t bodies = 0;
-    for (size_t k = 0; k < n; ++k) {
-        if (heap[k].i >= bodies)
-            bodies = heap[k].i + 1;
-        if (heap[k].j >= bodies)
-            bodies = heap[k].j + 1;
-    }
-    return bodies;
-}
-
-size_t next_valid(size_t n, const struct event heap[],
-                  const unsigned counts[], size_t *stale)
-{
-    size_t bodies = bodies_in(n, heap), next;
     border_call();
     border_sizes(&n, 1);
-    move_heap(n, (struct event *)heap);
-    border_sizes(&bodies, 1);
-    border_unsigneds((unsigned *)counts, bodies);
-    border_sizes(stale, 1);
+    border_doubles(&length, 1);
+    border_doubles(&t, 1);
+    border_doubles((double *)x0, n);
+    border_doubles((double *)v0, n);
+    border_doubles(x, n);
+    border_doubles(v, n);
     border_wait();
-    border_sizes(&next, 1);
-    border_sizes(stale, 1);
-    return next;
+    border_doubles(x, n);
+    border_doubles(v, n);
 }
 
 #endif

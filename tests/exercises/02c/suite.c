@@ -1,425 +1,518 @@
-/* The suite of exercise 02c: a good top, a stale one, the better event on
-   the other side, what is counted, none left, an empty heap, large heaps,
-   counters that run over, and heaps that are drawn. */
+/* The suite of exercise 02c: time 0, one body and its walls, two that meet,
+   a full box worked out by hand, what is conserved, a box that comes back
+   to where it began, a million seconds, the way back in time, and boxes in
+   which every collision is carried out. */
 
 #include "examiner/check.h"
-#include "toolbox/random.h"
-#include <limits.h>
+#include <float.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
+#include <stdlib.h>
 
-struct event {
-    double time;
-    size_t i, j;
-    unsigned count_i, count_j;
-};
+void positions_at(size_t n, double length, const double x0[],
+                  const double v0[], double t, double x[], double v[]);
 
-size_t next_valid(size_t n, const struct event heap[],
-                  const unsigned counts[], size_t *stale);
+enum { MOST = 8 };
 
-enum { BODIES = 4, MOST = 300 };
-
-struct job {
+struct gas {
     size_t n;
-    struct event heap[MOST];
-    unsigned counts[BODIES];
+    double length;
+    double x[MOST], v[MOST];
 };
 
-/* What the student's function answers; an untouched place reads as NaN. */
-struct answer {
-    double next, stale;
-};
-
-static struct answer answer(const struct job *j)
+/* What the student's function answers; untouched places read as NaN. */
+static struct gas answer(const struct gas *g, double t)
 {
-    const size_t untouched = (size_t)-1;
-    size_t stale = untouched;
-    struct answer a;
-    a.next = (double)next_valid(j->n, j->heap, j->counts, &stale);
-    a.stale = stale == untouched ? NAN : (double)stale;
+    struct gas a = {.n = g->n, .length = g->length};
+    for (size_t k = 0; k < MOST; ++k)
+        a.x[k] = a.v[k] = NAN;
+    positions_at(g->n, g->length, g->x, g->v, t, a.x, a.v);
     return a;
 }
 
-static const char *input(const struct job *j)
+static const char *input(const struct gas *g, double t)
 {
     char list[400] = "";
-    size_t used = 0, k = 0;
-    for (; k < j->n && used < 340; ++k) {
-        const struct event e = j->heap[k];
+    size_t used = 0;
+    for (size_t k = 0; k < g->n && used < sizeof list; ++k)
         used += (size_t)snprintf(list + used, sizeof list - used,
-                                 "; %zu: %g s, %zu and %zu (%u, %u)", k,
-                                 e.time, e.i, e.j, e.count_i, e.count_j);
+                                 "%s%g m (%g m/s)", k ? ", " : "", g->x[k],
+                                 g->v[k]);
+    return check_text("t = %g s, length = %g m, from %s", t, g->length,
+                      list);
+}
+
+static double fastest(const struct gas *g)
+{
+    double fast = 0.0;
+    for (size_t k = 0; k < g->n; ++k)
+        fast = fmax(fast, fabs(g->v[k]));
+    return fast;
+}
+
+static double tolerance(const struct gas *g, double t)
+{
+    return 4.0 * DBL_EPSILON * (g->length + fastest(g) * t);
+}
+
+static const char because[] =
+    "4 epsilons of the length and of the way at top speed: the roundings "
+    "of one product, of one sum and of the numbers given";
+
+/* The slips: what becomes of the ghost of one body. A ghost has passed
+   through everything but, perhaps, the walls. */
+enum ghost {
+    FOLDED,         /* none: it is reflected each time */
+    UNFOLDED,       /* the walls let it pass */
+    PERIOD_HALVED,  /* it comes in again at the other wall */
+    REFLECTED_ONCE, /* the first reflection is the last */
+    NEGATIVE        /* a negative remainder is taken as it comes */
+};
+
+static double ghost_place(const struct gas *g, size_t k, double t,
+                          enum ghost slip)
+{
+    const double way = g->x[k] + g->v[k] * t;
+    const double l = g->length, rest = fmod(way, 2.0 * l);
+    switch (slip) {
+    case UNFOLDED: return way;
+    case PERIOD_HALVED: return way - l * floor(way / l);
+    case REFLECTED_ONCE:
+        return way < 0.0 ? -way : way > l ? 2.0 * l - way : way;
+    case NEGATIVE: return rest > l ? 2.0 * l - rest : rest;
+    case FOLDED: break;
     }
-    return check_text("%zu events, counters {%u, %u, %u, %u}%s%s", j->n,
-                      j->counts[0], j->counts[1], j->counts[2],
-                      j->counts[3], list, k < j->n ? "; ..." : "");
+    return fabs(rest) > l ? 2.0 * l - fabs(rest) : fabs(rest);
 }
 
-/* Whether an event is good, and what the slips take for it. */
-
-static bool good(const struct job *j, const struct event *e)
+static double ghost_velocity(const struct gas *g, size_t k, double t)
 {
-    return e->count_i == j->counts[e->i] && e->count_j == j->counts[e->j];
+    const double way = g->x[k] + g->v[k] * t;
+    const double rest =
+        way - 2.0 * g->length * floor(way / 2.0 / g->length);
+    return rest > g->length ? -g->v[k] : g->v[k];
 }
 
-static bool first_counter(const struct job *j, const struct event *e)
+/* The ghost that has k others on its left. */
+static size_t ghost_at(const struct gas *g, size_t k, double t,
+                       enum ghost slip)
 {
-    return e->count_i == j->counts[e->i];
-}
-
-static bool second_counter(const struct job *j, const struct event *e)
-{
-    return e->count_j == j->counts[e->j];
-}
-
-static bool crossed(const struct job *j, const struct event *e)
-{
-    return e->count_i == j->counts[e->j] && e->count_j == j->counts[e->i];
-}
-
-static bool not_older(const struct job *j, const struct event *e)
-{
-    return e->count_i >= j->counts[e->i] && e->count_j >= j->counts[e->j];
-}
-
-/* The earliest event of those taken for good, by looking at them all. */
-static size_t earliest(const struct job *j,
-                       bool (*holds)(const struct job *,
-                                     const struct event *))
-{
-    size_t next = j->n;
-    for (size_t k = 0; k < j->n; ++k)
-        if (holds(j, &j->heap[k]) &&
-            (next == j->n || j->heap[k].time < j->heap[next].time))
-            next = k;
-    return next;
-}
-
-static size_t first_in_array(const struct job *j)
-{
-    size_t k = 0;
-    while (k < j->n && !good(j, &j->heap[k]))
-        ++k;
+    for (size_t i = 0; i < g->n; ++i) {
+        size_t left = 0;
+        for (size_t j = 0; j < g->n; ++j)
+            if (ghost_place(g, j, t, slip) < ghost_place(g, i, t, slip))
+                ++left;
+        if (left == k)
+            return i;
+    }
     return k;
 }
 
-/* Down from the top, always to the earlier child. */
-static size_t one_path_down(const struct job *j)
+static double sorted_place(const struct gas *g, size_t k, double t,
+                           enum ghost slip)
 {
-    size_t k = 0;
-    while (k < j->n && !good(j, &j->heap[k])) {
-        const size_t left = 2 * k + 1, right = left + 1;
-        k = right < j->n && j->heap[right].time < j->heap[left].time ? right
-                                                                     : left;
-    }
-    return k < j->n ? k : j->n;
+    return ghost_place(g, ghost_at(g, k, t, slip), t, slip);
 }
 
-static size_t earlier_than(const struct job *j, size_t next)
-{
-    size_t count = 0;
-    for (size_t k = 0; k < j->n; ++k)
-        if (next == j->n || j->heap[k].time < j->heap[next].time)
-            ++count;
-    return count;
-}
-
-static size_t all_stale(const struct job *j)
-{
-    size_t count = 0;
-    for (size_t k = 0; k < j->n; ++k)
-        if (!good(j, &j->heap[k]))
-            ++count;
-    return count;
-}
-
-/* The stale events below which one has to look. */
-static size_t passed(const struct job *j, size_t k)
-{
-    return k < j->n && !good(j, &j->heap[k])
-               ? 1 + passed(j, 2 * k + 1) + passed(j, 2 * k + 2)
-               : 0;
-}
-
-static bool check_next(const struct job *j, double got, size_t next,
-                       const char *question)
+static bool check_place(const struct gas *g, double t, size_t k, double got,
+                        double expected, const char *question)
 {
     return CHECK_NEAR(
-        got, .quantity = "number of the next event", .unit = "",
-        .input = input(j), .expected = (double)next, .tolerance = 0.0,
-        .because = "a place in an array is exact", .equation = "eq:heap",
-        .question = question,
+        got, .quantity = check_text("x[%zu]", k), .unit = "m",
+        .input = input(g, t), .expected = expected,
+        .tolerance = tolerance(g, t), .because = because,
+        .equation = "eq:flight", .question = question,
         .mistakes = {
-            {"top-unchecked", 0.0,
-             "This is the top of the heap, and it is stale. Which two "
-             "numbers tell so, and with what must they be compared?"},
-            {"one-counter", (double)earliest(j, first_counter),
-             "One of the two bodies has collided since this event was "
-             "foretold, and its path is another one now. Whose counter did "
-             "you compare?"},
-            {"one-counter", (double)earliest(j, second_counter),
-             "One of the two bodies has collided since this event was "
-             "foretold, and its path is another one now. Whose counter did "
-             "you compare?"},
-            {"one-path-down", (double)one_path_down(j),
-             "A stale event was left by way of its earlier child, and only "
-             "that. What if this child is stale as well: who says that the "
-             "best is below it, and not on the other side?"},
-            {"counters-crossed", (double)earliest(j, crossed),
-             "The counters of the event and those of the bodies were "
-             "compared crosswise. Whose counter is count_i, and whose "
-             "count_j?"},
-            {"first-in-the-array", (double)first_in_array(j),
-             "This is the first good event of the array, but a heap is not "
-             "sorted. What does its order promise about an event and its "
-             "children, and what about two brothers?"},
-            {"older-not-different", (double)earliest(j, not_older),
-             "A counter that is full goes on from 0, and is smaller then "
-             "than it was. What does it mean when it is not the one that "
-             "the event has noted, larger or smaller?"}});
+            {"walls-forgotten", sorted_place(g, k, t, UNFOLDED),
+             "This is outside the box, or was put there by a ghost that "
+             "is. What does a ghost do at a wall?"},
+            {"reflected-once", sorted_place(g, k, t, REFLECTED_ONCE),
+             "Here a body is reflected once, and then never again. How "
+             "many walls does it meet in this time?"},
+            {"period-of-one-length", sorted_place(g, k, t, PERIOD_HALVED),
+             "Here a body that leaves by the one wall comes in by the "
+             "other. After which distance does one that is reflected "
+             "begin anew?"},
+            {"negative-remainder", sorted_place(g, k, t, NEGATIVE),
+             "fmod() keeps the sign: fmod(-3, 8) is -3. To which place in "
+             "the period from 0 to twice the length does a body belong "
+             "that went to the left?"},
+            {"ghosts-for-bodies", ghost_place(g, k, t, FOLDED),
+             "There is a body at this place, but another one: your bodies "
+             "have passed through each other. Which of them is the k-th "
+             "from the left, before and after?"},
+            /* Two ghosts that have met are in the wrong order, too. */
+            {"numbered-from-the-right",
+             g->n == 2 ? expected
+                       : sorted_place(g, g->n - 1 - k, t, FOLDED),
+             "The bodies are in the wrong order: which one is number 0 at "
+             "the start, the one on the left or the one on the right?"}});
 }
 
-static bool check_stale(const struct job *j, double got, size_t next,
-                        size_t stale, const char *question)
+static bool check_velocity(const struct gas *g, double t, size_t k,
+                           double got, double expected,
+                           const char *question)
 {
+    const size_t ghost = ghost_at(g, k, t, FOLDED);
     return CHECK_NEAR(
-        got, .quantity = "*stale, the stale events before the next one",
-        .unit = "", .input = input(j), .expected = (double)stale,
-        .tolerance = 0.0, .because = "a number of events is exact",
-        .equation = "eq:heap", .question = question,
+        got, .quantity = check_text("v[%zu]", k), .unit = "m/s",
+        .input = input(g, t), .expected = expected, .tolerance = 0.0,
+        .because = "a velocity is handed on and turned round, never "
+                   "computed",
+        .equation = "eq:flight", .question = question,
         .mistakes = {
-            {"passed-on-the-way", (double)passed(j, 0),
-             "These are the stale events that you looked at on the way. "
-             "Some of them are later than the one that you found. Must a "
-             "program throw them away to come to it?"},
-            {"place-in-the-array", (double)next,
-             "This is how many stand before it in the array. A heap is not "
-             "sorted: does whoever stands before it come earlier as well?"},
-            {"all-the-stale", (double)all_stale(j),
-             "So many are stale in the whole heap, and some of them come "
-             "after the next event. Which ones stand before it in time?"},
-            {"counts-the-good-one",
-             (double)stale + (next < j->n ? 1.0 : 0.0),
-             "The event that you return is not stale. Is it among those "
-             "that you have counted?"}});
+            {"velocity-not-reflected", g->v[ghost],
+             "This is how fast the ghost moved at first. At the time t it "
+             "is on its way back from a wall. In which half of its period "
+             "is that so?"},
+            {"velocity-left-behind", ghost_velocity(g, k, t),
+             "The places were sorted and the velocities were not. Whose "
+             "velocity has the body that is at this place now?"}});
 }
 
-static bool check_known(const struct job *j, size_t next, size_t stale,
-                        const char *question)
+static bool check_gas(const struct gas *g, double t, const double x[],
+                      const double v[], const char *question)
 {
-    const struct answer a = answer(j);
-    return check_next(j, a.next, next, question) &&
-           check_stale(j, a.stale, next, stale, question);
+    const struct gas a = answer(g, t);
+    for (size_t k = 0; k < g->n; ++k)
+        if (!check_place(g, t, k, a.x[k], x[k], question) ||
+            !check_velocity(g, t, k, a.v[k], v[k], question))
+            return false;
+    return true;
 }
 
-static bool check_both(const struct job *j, const char *question)
+static bool check_one(double x0, double v0, double t, double x, double v)
 {
-    const size_t next = earliest(j, good);
-    return check_known(j, next, earlier_than(j, next), question);
+    const struct gas g = {1, 4.0, {x0}, {v0}};
+    return check_gas(&g, t, &x, &v,
+                     "One body, two walls at 0 and 4 m. Follow it with a "
+                     "finger: which walls does it meet, and when?");
 }
 
-static void test_good_top(void)
+/* A body alone, several times to and fro. */
+static void test_walls(void)
 {
-    static const struct job all_good = {
-        3,
-        {{1.0, 0, 1, 3, 5}, {2.0, 2, 3, 2, 7}, {1.5, 1, 2, 5, 2}},
-        {3, 5, 2, 7}};
-    static const struct job alone = {1, {{4.5, 2, 0, 8, 1}}, {1, 0, 8, 0}};
+    (void)(check_one(1.0, 1.0, 2.0, 3.0, 1.0) &&
+           check_one(1.0, 1.0, 4.5, 2.5, -1.0) &&
+           check_one(1.0, 1.0, 18.5, 3.5, 1.0) &&
+           check_one(1.0, 1.0, 21.5, 1.5, -1.0) &&
+           check_one(1.0, -2.0, 5.0, 1.0, 2.0) &&
+           check_one(1.0, -2.0, 1.5, 2.0, 2.0) &&
+           check_one(2.5, -3.0, 14.0, 0.5, -3.0) &&
+           check_one(1.0, 0.0, 7.0, 1.0, 0.0));
+}
+
+static void test_start(void)
+{
+    const struct gas g = {
+        4, 5.0, {0.5, 1.25, 3.0, 4.5}, {2.0, -1.5, 0.0, 0.5}};
+    check_gas(&g, 0.0, g.x, g.v,
+              "No time has passed. What was there to change?");
+}
+
+static void test_two(void)
+{
+    const struct gas g = {2, 8.0, {2.0, 5.0}, {1.0, -1.0}};
+    const struct gas h = {2, 8.0, {2.0, 5.0}, {4.0, 1.0}};
     static const char question[] =
-        "All counters agree, so nothing is stale here. Where does a heap "
-        "keep its earliest event?";
-    (void)(check_both(&all_good, question) && check_both(&alone, question));
+        "The two have met and exchanged their velocities. Which of them is "
+        "on the left, as before, and how fast is it now?";
+    (void)(check_gas(&g, 2.0, (const double[]){3.0, 4.0},
+                     (const double[]){-1.0, 1.0}, question) &&
+           check_gas(&h, 1.25, (const double[]){6.25, 7.0},
+                     (const double[]){1.0, 4.0}, question));
 }
 
-static void test_stale_top(void)
+/* The ghosts are at 1.5 m (on the way back), 3, 0.5, 2.25 and 2.5 m (on the
+   way back). */
+static void test_by_hand(void)
 {
-    static const struct job j = {7,
-                                 {{1.0, 0, 1, 2, 4},
-                                  {1.5, 0, 1, 2, 5},
-                                  {2.0, 1, 2, 5, 1},
-                                  {5.0, 0, 1, 3, 5},
-                                  {3.5, 2, 3, 2, 7},
-                                  {3.0, 2, 3, 2, 7},
-                                  {3.25, 0, 2, 3, 2}},
-                                 {3, 5, 2, 7}};
-    check_both(&j, "Cross out the stale events in a drawing of this heap. "
-                   "Which of those left is the earliest?");
+    const struct gas g = {
+        5, 4.0, {0.5, 1.0, 1.5, 2.25, 3.0}, {3.0, 1.0, -0.5, 0.0, 1.25}};
+    check_gas(
+        &g, 2.0, (const double[]){0.5, 1.5, 2.25, 2.5, 3.0},
+        (const double[]){-0.5, -3.0, 0.0, -1.25, 1.0},
+        "Work this one out on paper: five ghosts, each with its walls "
+        "only. In which order do they stand at last?");
 }
 
-static void test_other_side(void)
+static const struct gas odd = {
+    6,
+    1.7,
+    {0.1, 0.35, 0.6, 0.93, 1.2, 1.59},
+    {0.73137, -0.45713, 0.26359, -0.11903, 0.98721, -0.31327}};
+
+static double energy(const double v[], size_t n)
 {
-    static const struct job j = {5,
-                                 {{1.0, 0, 1, 2, 4},
-                                  {2.0, 1, 2, 4, 2},
-                                  {3.0, 2, 3, 2, 7},
-                                  {4.0, 0, 1, 3, 5},
-                                  {5.0, 1, 3, 5, 7}},
-                                 {3, 5, 2, 7}};
-    check_both(&j, "The earlier child of the top is stale, too. Where may "
-                   "the best event stand now?");
+    double sum = 0.0;
+    for (size_t k = 0; k < n; ++k)
+        sum += 0.5 * v[k] * v[k];
+    return sum;
 }
 
-static void test_count(void)
+static void test_energy(void)
 {
-    static const struct job j = {11,
-                                 {{1.0, 0, 1, 2, 4},
-                                  {4.0, 1, 2, 4, 2},
-                                  {2.0, 2, 3, 1, 7},
-                                  {5.0, 0, 3, 2, 6},
-                                  {4.5, 0, 1, 3, 5},
-                                  {3.5, 0, 2, 2, 2},
-                                  {3.0, 1, 3, 5, 7},
-                                  {6.0, 2, 3, 2, 7},
-                                  {7.0, 1, 2, 5, 2},
-                                  {8.0, 0, 1, 1, 1},
-                                  {9.0, 2, 3, 0, 3}},
-                                 {3, 5, 2, 7}};
-    check_both(&j, "A program throws the top away as long as it is stale. "
-                   "How often, before the next event is at the top?");
+    const double t = 12.3;
+    const struct gas a = answer(&odd, t);
+    CHECK_NEAR(
+        energy(a.v, odd.n),
+        .quantity = "energy of all bodies, of 1 kg each", .unit = "J",
+        .input = input(&odd, t), .expected = energy(odd.v, odd.n),
+        .tolerance = 8.0 * DBL_EPSILON * energy(odd.v, odd.n),
+        .because = "8 epsilons of the energy: a sum in another order",
+        .equation = "eq:flight",
+        .question = "Velocities are handed on and turned round. "
+                    "Which one have you lost, or given twice?");
 }
 
-static void test_none(void)
+/* In 6 s each of these goes through a whole number of periods of 6 m. */
+static void test_return(void)
 {
-    static const struct job stale = {4,
-                                     {{1.0, 0, 1, 2, 5},
-                                      {1.5, 1, 2, 4, 2},
-                                      {1.25, 0, 3, 2, 7},
-                                      {1.75, 2, 3, 2, 6}},
-                                     {3, 5, 2, 7}};
-    static const struct job empty = {0, {{0}}, {3, 5, 2, 7}};
-    (void)(check_both(&stale,
-                      "Every event is stale. What was to be returned then, "
-                      "and how many has a program to throw away?") &&
-           check_both(&empty,
-                      "There is no event in this heap, not even a top. "
-                      "Which of your lines looks at it all the same?"));
+    const struct gas g = {
+        4, 3.0, {0.25, 1.0, 1.5, 2.75}, {1.0, -2.0, 0.0, 3.0}};
+    (void)(check_gas(&g, 6.0, g.x, g.v,
+                     "After 6 s each ghost is where it began. What has "
+                     "become of the bodies?") &&
+           check_gas(&g, 6e5, g.x, g.v,
+                     "All is as it was after 6 s, and so it is after "
+                     "600000 s. What remembers the time in your "
+                     "program?"));
 }
 
-/* A heap of n events: each comes a little after its parent, and one out of
-   `rarity` or so is good. */
-static struct job large(size_t n, unsigned rarity, unsigned seed)
+/* The same in whole nanometres and nm/s: no rounding at all. Fills in where
+   each body is; false when two of them, or a body and a wall, are
+   within a micrometre. */
+static bool exact_places(const struct gas *g, long long seconds, double x[])
 {
-    struct job j = {.n = n, .counts = {40, 12, 33, 71}};
-    struct random r;
-    random_seed(&r, seed);
-    for (size_t k = 0; k < n; ++k) {
-        struct event *e = &j.heap[k];
-        e->time = (k > 0 ? j.heap[(k - 1) / 2].time : 0.0) +
-                  random_between(&r, 0.01, 1.0);
-        e->i = random_below(&r, BODIES - 1);
-        e->j = e->i + 1;
-        const bool fresh = random_below(&r, rarity) == 0;
-        e->count_i = j.counts[e->i] - (fresh ? 0 : 1);
-        e->count_j =
-            j.counts[e->j] - (unsigned)random_below(&r, fresh ? 1 : 3);
+    const long long length = llround(g->length * 1e9), micro = 1000;
+    long long place[MOST + 1] = {0}; /* the left wall, then the bodies */
+    for (size_t i = 0; i < g->n; ++i) {
+        const long long way =
+            llround(g->x[i] * 1e9) + llround(g->v[i] * 1e9) * seconds;
+        const long long rest = llabs(way) % (2 * length);
+        long long here = rest > length ? 2 * length - rest : rest;
+        for (size_t k = 1; k <= i; ++k)
+            if (place[k] > here) {
+                const long long farther = place[k];
+                place[k] = here;
+                here = farther;
+            }
+        place[i + 1] = here;
     }
-    return j;
+    bool apart = length - place[g->n] > micro;
+    for (size_t k = 0; k < g->n; ++k) {
+        apart = apart && place[k + 1] - place[k] > micro;
+        x[k] = (double)place[k + 1] / 1e9;
+    }
+    return apart;
 }
 
-static void test_large(void)
+/* What comes of taking the periods off one by one. */
+static double singly(const struct gas *g, size_t k, double t)
 {
-    for (unsigned seed = 1; seed <= 60; ++seed) {
-        const struct job j = large(seed * 5, 3 + seed, seed);
-        if (!check_both(&j,
-                        "In this larger heap your answer is not that of "
-                        "somebody who looked at every event. Which part of "
-                        "the heap have you left out, and why?"))
+    struct gas ghosts = *g;
+    const double period = 2.0 * g->length;
+    for (size_t i = 0; i < g->n; ++i) {
+        double way = g->x[i] + g->v[i] * t;
+        while (way >= period)
+            way -= period;
+        while (way < 0.0)
+            way += period;
+        ghosts.x[i] = way;
+    }
+    return sorted_place(&ghosts, k, 0.0, FOLDED);
+}
+
+/* The places of the gas above and velocities that are drawn, one of them
+   near 1 m/s; a time of whole seconds at which nobody touches anything. */
+static void test_million(void)
+{
+    struct gas g = odd;
+    double x[MOST];
+    long long seconds;
+    for (size_t k = 0; k < g.n; ++k)
+        g.v[k] = check_draw_whole(k == 4 ? 900000 : -999999, 999999) / 1e6;
+    do
+        seconds = check_draw_whole(900000, 1100000);
+    while (!exact_places(&g, seconds, x));
+    const double t = (double)seconds;
+    const struct gas a = answer(&g, t);
+    for (size_t k = 0; k < g.n; ++k) {
+        if (!CHECK_NEAR(
+                a.x[k] - x[k],
+                .quantity = check_text("how far x[%zu] is from the true "
+                                       "place",
+                                       k),
+                .unit = "m", .input = input(&g, t), .expected = 0.0,
+                .tolerance = tolerance(&g, t), .because = because,
+                .equation = "eq:flight",
+                .question = "Which of your operations is done again and "
+                            "again in a million seconds, and adds its "
+                            "rounding each time?",
+                .mistakes =
+                    {{"periods-one-by-one", singly(&g, k, t) - x[k],
+                      "Each subtraction of a period is rounded, and there "
+                      "are hundreds of thousands, nearly all alike. Which "
+                      "single operation gives the remainder of a "
+                      "division?"}}) ||
+            !check_velocity(
+                &g, t, k, a.v[k],
+                ghost_velocity(&g, ghost_at(&g, k, t, FOLDED), t),
+                "The place is right. Which velocity has the "
+                "ghost that is there?"))
             return;
     }
 }
 
-static void test_run_over(void)
+static void test_backwards(void)
 {
-    static const struct job j = {3,
-                                 {{1.0, 1, 2, 4, 1},
-                                  {2.0, 0, 3, UINT_MAX, UINT_MAX},
-                                  {3.0, 1, 2, 5, 2}},
-                                 {0, 5, 2, 0}};
-    check_both(
-        &j,
-        "The counters of bodies 0 and 3 were full and have gone on from 0. "
-        "When does a counter agree with what an event has noted?");
+    static const char question[] =
+        "All velocities were turned round at the time t, and the same time "
+        "has passed again. Where are the bodies, and how do they move?";
+    const double t = 1234.5;
+    struct gas back = answer(&odd, t);
+    for (size_t k = 0; k < odd.n; ++k)
+        back.v[k] = -back.v[k];
+    const struct gas a = answer(&back, t);
+    for (size_t k = 0; k < odd.n; ++k)
+        if (!CHECK_NEAR(a.x[k], .quantity = check_text("x[%zu]", k),
+                        .unit = "m", .input = input(&back, t),
+                        .expected = odd.x[k],
+                        .tolerance = 2.0 * tolerance(&odd, t),
+                        .because = "twice 4 epsilons of the length and of "
+                                   "the way at top speed",
+                        .equation = "eq:flight", .question = question) ||
+            !CHECK_NEAR(a.v[k], .quantity = check_text("v[%zu]", k),
+                        .unit = "m/s", .input = input(&back, t),
+                        .expected = -odd.v[k], .tolerance = 0.0,
+                        .because = "a velocity is never computed",
+                        .equation = "eq:flight", .question = question))
+            return;
 }
 
-/* Fills a heap in the order of time: the top first, and then any place
-   whose parent has been filled. order[k] is the place of the k-th event. */
-static void draw_order(size_t n, size_t order[])
+/* What the exercise spares: every collision, one after the other, with more
+   digits. Gap k is to the left of body k, or of the right wall. */
+struct box {
+    size_t n;
+    long double x[MOST + 2]; /* with the walls at both ends */
+    double v[MOST + 2];
+};
+
+static void fly(struct box *b, long double time)
 {
-    size_t open[MOST], opened = 1;
-    open[0] = 0;
-    for (size_t k = 0; k < n; ++k) {
-        const size_t one = (size_t)check_draw_whole(0, (int)opened - 1);
-        const size_t place = open[one];
-        order[k] = place;
-        open[one] = open[--opened];
-        for (size_t child = 2 * place + 1;
-             child < n && child <= 2 * place + 2; ++child)
-            open[opened++] = child;
+    for (size_t k = 1; k <= b->n; ++k)
+        b->x[k] += b->v[k] * time;
+}
+
+/* The gap that closes next, and when; 0 where none does within the time. */
+static size_t next_gap(const struct box *b, long double *time)
+{
+    size_t next = 0;
+    for (size_t k = 1; k <= b->n + 1; ++k) {
+        const long double gap = fmaxl(0.0L, b->x[k] - b->x[k - 1]);
+        const double closing = b->v[k - 1] - b->v[k];
+        if (closing > 0.0 && gap < closing * *time) {
+            *time = gap / closing;
+            next = k;
+        }
+    }
+    return next;
+}
+
+/* A wall sends a body back, and two bodies exchange their velocities. */
+static void collide(struct box *b, size_t gap)
+{
+    const double left = b->v[gap - 1], right = b->v[gap];
+    if (gap > 1)
+        b->v[gap - 1] = gap > b->n ? -left : right;
+    if (gap <= b->n)
+        b->v[gap] = gap > 1 ? left : -right;
+}
+
+static struct box collided(const struct gas *g, double t)
+{
+    struct box b = {.n = g->n};
+    long double rest = t;
+    b.x[g->n + 1] = g->length;
+    for (size_t k = 0; k < g->n; ++k) {
+        b.x[k + 1] = g->x[k];
+        b.v[k + 1] = g->v[k];
+    }
+    for (;;) {
+        long double wait = rest;
+        const size_t gap = next_gap(&b, &wait);
+        fly(&b, wait);
+        if (gap == 0)
+            return b;
+        rest -= wait;
+        collide(&b, gap);
     }
 }
 
-/* An event between two bodies, which agrees with both counters or is one to
-   three collisions behind one of them, or both. */
-static struct event draw_event(const struct job *j, double time,
-                               bool is_good)
+/* Whether two bodies, or a body and a wall, are within a micrometre. */
+static bool touches(const struct box *b)
 {
-    const size_t a = (size_t)check_draw_whole(0, BODIES - 1);
-    const size_t b = (a + (size_t)check_draw_whole(1, 3)) % BODIES;
-    struct event e = {time, a, b, j->counts[a], j->counts[b]};
-    const int behind = is_good ? 0 : check_draw_whole(1, 3);
-    if (behind != 2)
-        e.count_i -= is_good ? 0 : (unsigned)check_draw_whole(1, 3);
-    if (behind >= 2)
-        e.count_j -= (unsigned)check_draw_whole(1, 3);
-    return e;
+    for (size_t k = 1; k <= b->n + 1; ++k)
+        if (b->x[k] - b->x[k - 1] < 1e-6L)
+            return true;
+    return false;
 }
 
-/* Made from the answer: in the order of time so many events are stale, the
-   one after them is good, and of the others half are. Some counters have
-   run over. */
+/* Places in whole millimetres, one body in each n-th of the box. */
+static struct gas draw_gas(void)
+{
+    struct gas g = {.n = (size_t)check_draw_whole(1, MOST)};
+    const int length = check_draw_whole(2000, 9000);
+    const int part = length / (int)g.n;
+    g.length = length / 1000.0;
+    for (size_t k = 0; k < g.n; ++k) {
+        g.x[k] = ((int)k * part + check_draw_whole(1, part - 1)) / 1000.0;
+        g.v[k] = check_draw(-3.0, 3.0);
+    }
+    return g;
+}
+
 static void test_drawn(void)
 {
-    for (int i = 0; i < 60; ++i) {
-        struct job j = {.n = (size_t)check_draw_whole(1, 40)};
-        size_t order[MOST];
-        const size_t stale =
-            i % 10 == 9 ? j.n : (size_t)check_draw_whole(0, (int)j.n - 1);
-        for (size_t b = 0; b < BODIES; ++b)
-            j.counts[b] = (unsigned)check_draw_whole(0, 9);
-        draw_order(j.n, order);
-        double time = 0.0;
-        for (size_t k = 0; k < j.n; ++k) {
-            time += check_draw(0.01, 1.0);
-            j.heap[order[k]] = draw_event(
-                &j, time,
-                k == stale || (k > stale && check_draw_whole(0, 1)));
-        }
-        if (!check_known(&j, stale < j.n ? order[stale] : j.n, stale,
-                         check_text("This heap was filled with %zu stale "
-                                    "events first. Which of them has led "
-                                    "you astray?",
-                                    stale)))
+    for (int i = 0; i < 40; ++i) {
+        const struct gas g = draw_gas();
+        double t, x[MOST];
+        struct box b;
+        do {
+            t = check_draw(0.0, 40.0);
+            b = collided(&g, t);
+        } while (touches(&b));
+        for (size_t k = 0; k < g.n; ++k)
+            x[k] = (double)b.x[k + 1];
+        if (!check_gas(&g, t, x, b.v + 1,
+                       "Every collision in this box has been carried out, "
+                       "one after the other. Which body, and which wall, "
+                       "have your ghosts not come to?"))
             return;
     }
 }
 
 const struct check_suite check_suite = {
-    .file = "02c-stale.c",
-    .title = "What is still true in a heap",
-    .minutes = 25,
-    .tests = {{"a top that is good is the next event", test_good_top, 1, 0},
-              {"stale events are passed over", test_stale_top, 1, 0},
-              {"the next event may stand on the other side",
-               test_other_side, 2, 0},
-              {"only what is earlier is counted", test_count, 2, 0},
-              {"where nothing is good nothing is found", test_none, 1, 0},
-              {"large heaps give what a look at every event gives",
-               test_large, 2, 0},
-              {"a counter may run over", test_run_over, 1, 0},
-              {"sixty heaps are filled in the order of time", test_drawn, 1,
-               3},
+    .file = "02c-relabel.c",
+    .title = "A million seconds, no collision",
+    .minutes = 30,
+    .tests = {{"at time 0 nothing has changed", test_start, 1, 0},
+              {"a body alone goes to and fro between its walls", test_walls,
+               2, 0},
+              {"two that meet exchange their velocities", test_two, 1, 0},
+              {"five bodies are where they are on paper", test_by_hand, 2,
+               0},
+              {"the energy stays what it was", test_energy, 1, 0},
+              {"after a whole number of periods all is as it was",
+               test_return, 1, 0},
+              {"after a million seconds every place is right", test_million,
+               2, 1},
+              {"turned round in time the bodies come back", test_backwards,
+               1, 0},
+              {"forty boxes are as all their collisions leave them",
+               test_drawn, 1, 3},
               {0}},
-    .idle = {test_good_top},
+    .idle = {test_start, test_energy, test_return, test_backwards},
 };

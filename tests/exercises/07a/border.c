@@ -1,45 +1,49 @@
 /* What crosses the border of exercise 07a: see examiner/border.h. */
-/* place: cells_around around 9 */
+/* place: speed_below fourth 1 */
 
 #include "examiner/border.h"
 
-size_t cells_around(const double box[2], const size_t cells[2],
-                    const double at[2], size_t around[9]);
+double speed_below(int n, double mean_square, double v, double *fourth);
 
-enum { MOST = 9 };
+/* The arguments; the fourth power follows. */
+struct call {
+    int n;
+    double mean_square, v;
+};
+
+static void move_arguments(struct call *c)
+{
+    border_ints(&c->n, 1);
+    border_doubles(&c->mean_square, 1);
+    border_doubles(&c->v, 1);
+}
 
 #ifdef BORDER_INSIDE
 
 void border_answer(void)
 {
-    double box[2], at[2];
-    size_t cells[2], count;
-    border_doubles(box, 2);
-    border_sizes(cells, 2);
-    border_doubles(at, 2);
-    size_t *around = border_place_sizes("around", MOST);
-    count = cells_around(box, cells, at, around);
+    struct call c;
+    move_arguments(&c);
+    double *fourth = border_place_doubles("fourth", 1);
+    double below = speed_below(c.n, c.mean_square, c.v, fourth);
     border_reply();
-    border_sizes(&count, 1);
-    border_sizes(around, MOST);
+    border_doubles(&below, 1);
+    border_doubles(fourth, 1);
 }
 
 #else
 
-size_t cells_around(const double box[2], const size_t cells[2],
-                    const double at[2], size_t around[9])
+double speed_below(int n, double mean_square, double v, double *fourth)
 {
-    double box_copy[2] = {box[0], box[1]}, at_copy[2] = {at[0], at[1]};
-    size_t cells_copy[2] = {cells[0], cells[1]}, count;
+    struct call c = {n, mean_square, v};
+    double below;
     border_call();
-    border_doubles(box_copy, 2);
-    border_sizes(cells_copy, 2);
-    border_doubles(at_copy, 2);
-    border_sizes(around, MOST);
+    move_arguments(&c);
+    border_doubles(fourth, 1);
     border_wait();
-    border_sizes(&count, 1);
-    border_sizes(around, MOST);
-    return count;
+    border_doubles(&below, 1);
+    border_doubles(fourth, 1);
+    return below;
 }
 
 #endif

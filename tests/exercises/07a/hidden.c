@@ -1,130 +1,113 @@
-/* Further tests of exercise 07a, for the lecturer: many cells in boxes of
-   any size, positions on edges, and positions a hair below a side. */
+/* Further tests of exercise 07a, for the lecturer: the two means as
+   integrals over the probabilities, other units, and speeds out of reach.
+ */
 
 #include "examiner/check.h"
 #include <math.h>
 #include <stddef.h>
 
-size_t cells_around(const double box[2], const size_t cells[2],
-                    const double at[2], size_t around[9]);
+double speed_below(int n, double mean_square, double v, double *fourth);
 
-/* A position, and the column and the row that it is in. */
-struct job {
-    double box[2], at[2];
-    size_t cells[2];
-    long own[2];
-};
-
-static const char *input(const struct job *j)
+static double below(int n, double mean, double v)
 {
-    return check_text("box %.17g m by %.17g m, %zu columns and %zu rows, "
-                      "position (%.17g m, %.17g m)",
-                      j->box[0], j->box[1], j->cells[0], j->cells[1],
-                      j->at[0], j->at[1]);
+    double fourth = NAN;
+    return speed_below(n, mean, v, &fourth);
 }
 
-static bool check(const struct job *j, double got, double expected,
-                  const char *quantity, const char *question)
+static double fourth(int n, double mean, double v)
 {
-    return CHECK_NEAR(got, .quantity = quantity, .input = input(j),
-                      .expected = expected, .tolerance = 0.0,
-                      .because = "whole numbers are exact",
-                      .equation = "eq:cell-index", .question = question);
+    double answer = NAN;
+    (void)speed_below(n, mean, v, &answer);
+    return answer;
 }
 
-/* Whether number a of n stands next to number b, or is the same. */
-static bool is_next(long a, long b, size_t n)
+static bool check(double got, double expected, double tolerance,
+                  const char *quantity, int n, double mean, double v)
 {
-    return fabs(remainder((double)(a - b), (double)n)) <= 1.0;
+    return CHECK_NEAR(
+        got, .quantity = quantity,
+        .input = check_text("n = %d disks, mean square %g m^2/s^2, v = %g "
+                            "m/s",
+                            n, mean, v),
+        .expected = expected, .tolerance = tolerance,
+        .because = "1e-12 of what is summed up", .equation = "eq:speed-law",
+        .question = "A law gives all its means. Do yours belong to one "
+                    "law, and to the energy that was given?");
 }
 
-/* The rows that are near, and in them the columns that are near. */
-static bool check_job(const struct job *j, const char *question)
+/* For n disks the probability of a speed above v is a polynomial of the
+   degree n - 1 in v^2. The integral of it is the mean of v^2, and that of 2
+   v^2 times it the mean of v^4. Gauss with five points is exact up to the
+   degree 9. The points and weights are those of the interval from -1 to 1,
+   worked out from their roots. */
+static void test_means(void)
 {
-    size_t around[9] = {0}, expected = 0;
-    const size_t count = cells_around(j->box, j->cells, j->at, around);
-    bool good = true;
-    for (size_t y = 0; y < j->cells[1] && good; ++y) {
-        if (!is_next((long)y, j->own[1], j->cells[1]))
-            continue;
-        for (size_t x = 0; x < j->cells[0] && good; ++x)
-            if (is_next((long)x, j->own[0], j->cells[0])) {
-                good = check(j, (double)around[expected],
-                             (double)(y * j->cells[0] + x),
-                             check_text("around[%zu]", expected), question);
-                ++expected;
-            }
-    }
-    return good && check(j, (double)count, (double)expected,
-                         "how many cells were found", question);
-}
-
-/* Columns and rows by the hundred, or one or two of them, in any unit. */
-static void test_many(void)
-{
-    for (int i = 0; i < 60; ++i) {
-        const double unit = ldexp(1.0, check_draw_whole(-60, 60));
-        struct job j;
-        for (int k = 0; k < 2; ++k) {
-            const int n = check_draw_whole(1, i % 2 == k ? 600 : 3);
-            j.own[k] = check_draw_whole(0, n - 1);
-            j.cells[k] = (size_t)n;
-            j.box[k] = check_draw(1.0, 20.0) * unit;
-            j.at[k] = (check_draw_whole(-9, 9) +
-                       ((double)j.own[k] + check_draw(0.05, 0.95)) / n) *
-                      j.box[k];
+    const double root = 2.0 * sqrt(10.0 / 7.0);
+    const double x[] = {0.0, sqrt(5.0 - root) / 3.0,
+                        sqrt(5.0 + root) / 3.0};
+    const double w[] = {128.0 / 225.0, (322.0 + 13.0 * sqrt(70.0)) / 900.0,
+                        (322.0 - 13.0 * sqrt(70.0)) / 900.0};
+    for (int i = 0; i < 20; ++i) {
+        const int n = check_draw_whole(2, 9);
+        const double mean = check_draw(0.1, 9.0), half = 0.5 * n * mean;
+        double second = 0.0, last = 0.0;
+        for (int k = 0; k < 6; ++k) {
+            const double s = half * (1.0 + (k % 2 ? x[k / 2] : -x[k / 2]));
+            const double part = (k < 2 ? 0.5 : 1.0) * w[k / 2] * half *
+                                (1.0 - below(n, mean, sqrt(s)));
+            second += part;
+            last += 2.0 * s * part;
         }
-        if (!check_job(&j, "Many columns, or few, in a box of another "
-                           "size. Which numbers of yours depend on that?"))
+        const double v = check_draw(-3.0, 9.0);
+        if (!check(second, mean, 1e-12 * half,
+                   "mean of v^2, from your probabilities", n, mean, v) ||
+            !check(fourth(n, mean, v), last, 1e-12 * half * half,
+                   "*fourth, from your probabilities", n, mean, v))
             return;
     }
 }
 
-/* The numbers of columns and rows are powers of two, and so is the width of
-   a cell: nothing is rounded, in whatever order one computes. */
-static void test_edges(void)
+/* In units in which speeds are large or small: two disks, of which every
+   share is as likely as any other. */
+static void test_units(void)
 {
-    for (int i = 0; i < 60; ++i) {
-        struct job j;
-        for (int k = 0; k < 2; ++k) {
-            const int n = 1 << check_draw_whole(0, 5);
-            const double width = ldexp(1.0, check_draw_whole(-3, 3));
-            j.own[k] = check_draw_whole(0, n - 1);
-            j.cells[k] = (size_t)n;
-            j.box[k] = n * width;
-            j.at[k] =
-                (double)(check_draw_whole(-9, 9) * n + j.own[k]) * width;
-        }
-        if (!check_job(&j, "The position is on a corner of four cells, "
-                           "perhaps some periods away. Which of them owns "
-                           "it?"))
+    for (int i = 0; i < 30; ++i) {
+        const double unit = ldexp(1.0, check_draw_whole(-100, 100));
+        const double mean = check_draw(0.5, 2.0), part = check_draw(0, 1);
+        const double v = part * sqrt(2.0 * mean) * unit;
+        const double squared = mean * unit * unit;
+        if (!check(below(2, squared, v), part * part, 1e-12 * part * part,
+                   "probability of a speed below v", 2, squared, v) ||
+            !check(fourth(2, squared, v) / squared, 4.0 / 3.0 * squared,
+                   1e-12 * squared, "*fourth over the mean square", 2,
+                   squared, v))
             return;
     }
 }
 
-/* Just below the side, or just below zero, by less than can be added. */
-static void test_hair(void)
+/* Faster than with all the energy, or slower than at rest; and one disk. */
+static void test_out_of_reach(void)
 {
-    for (int i = 0; i < 60; ++i) {
-        struct job j;
-        for (int k = 0; k < 2; ++k) {
-            const int n = check_draw_whole(1, 60);
-            j.own[k] = n - 1;
-            j.cells[k] = (size_t)n;
-            j.box[k] = check_draw(1.0, 20.0);
-            j.at[k] = check_draw_whole(0, 1)
-                          ? nextafter(j.box[k], 0.0)
-                          : -check_draw(0.1, 1.0) * 1e-17;
-        }
-        if (!check_job(&j, "The position is a hair below a side. Where "
-                           "does your program round it to, and which cell "
-                           "is the last?"))
+    for (int i = 0; i < 30; ++i) {
+        const int n = i % 3 ? check_draw_whole(2, 1000000) : 1;
+        const double mean = check_draw(0.1, 9.0);
+        const double fast = sqrt(n * mean) * check_draw(1.001, 9.0);
+        const double slow = sqrt(mean) * check_draw(0.1, 0.999);
+        if (!check(below(n, mean, fast), 1.0, 0.0,
+                   "probability of a speed below v", n, mean, fast) ||
+            !check(below(n, mean, 1e200), 1.0, 0.0,
+                   "probability of a speed below v", n, mean, 1e200) ||
+            !check(below(n, mean, -fast), 0.0, 0.0,
+                   "probability of a speed below v", n, mean, -fast) ||
+            (n == 1 &&
+             !check(below(n, mean, slow), 0.0, 0.0,
+                    "probability of a speed below v", n, mean, slow)))
             return;
     }
 }
 
 const struct check_test check_hidden[] = {
-    {"columns and rows by the hundred, and one or two", test_many, 1, 0},
-    {"corners of four cells, periods away", test_edges, 2, 0},
-    {"a hair below the side of any box", test_hair, 2, 0},
+    {"all means belong to one law", test_means, 2, 0},
+    {"slow and fast units", test_units, 1, 0},
+    {"speeds out of reach, and one disk", test_out_of_reach, 1, 0},
     {0}};

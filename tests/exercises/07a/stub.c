@@ -1,45 +1,41 @@
-/* Exercise 07a. The cells around a position (warm-up, 20 minutes)
+/* Exercise 07a. How fast is a disk? (core, 25 minutes)
 
-   A periodic box is cut into cells, all alike, so that a disk need only ask
-   its own cell and the eight around it for partners. What leaves the box on
-   one side comes in again on the other, so the last column of cells has the
-   first one for its right neighbour, and the last row the first one above.
-   Columns are counted from the left, rows from below, both from 0, and the
-   number of a cell is its column plus cells[0] times its row. A cell owns
-   its left and its lower edge. Which cells must be searched?
+   n disks of equal mass collide with each other and with the walls of a box
+   in the plane. Only their energy is conserved, so the mean of their
+   squared speeds never changes. The fastest that one of them can ever be is
+   when it has all the energy, and the others rest. The law of its speed,
+   taken over a long time, is the book's law for finite n; Maxwell's and
+   Boltzmann's is what it becomes when n grows. How probable is a speed
+   below v, and what is the mean of the fourth power of the speed?
 
    Given:
-     box     the sides of the box, in m: from 0 to box[0] and to box[1]
-     cells   the number of columns, cells[0], and of rows, cells[1], each at
-             least 1
-     at      the position, in m, finite. It may be outside of the box, by
-             some periods, and means then the place in the box that it is a
-             copy of.
+     n            the number of disks, 1 to 1000000000
+     mean_square  the mean over the disks of the squared speed, larger than
+                  0, in m^2/s^2
+     v            a speed in m/s, any number, INFINITY too
    To fill in:
-     around  the numbers of the position's own cell and of those that touch
-             it, corners too: each of them once, in ascending order
-   Returns how many these are. There are fewer than nine where the box has
-   fewer than three columns or rows.
+     *fourth      the mean of the fourth power of a disk's speed over a long
+                  time, in m^4/s^4, which does not depend on v
+   Returns the probability of a speed below v, from 0 to 1: 0 where v is 0
+   or less, and 1 where no disk can be so fast. One disk alone has always
+   the same speed; nobody will ask for exactly that v.
 
-   A position a hair below 0 is in the last column, and so is one a hair
-   below box[0], however your program rounds; at box[0] itself it is in the
-   first. The same goes for rows.
+   The relative error of both must be below 1e-12, for a v that is a
+   millionth of the others as well, and for a thousand million disks.
 
    Check your answer with    make check EX=07a
    Hints, which ask before they tell:    make hint EX=07a */
 
 #include "exercise.h"
 #include <math.h>
-#include <stddef.h>
 
-size_t cells_around(const double box[2], const size_t cells[2],
-                    const double at[2], size_t around[9])
+double speed_below(int n, double mean_square, double v, double *fourth)
 {
-    /* TODO: replace these lines by your own. In which column and in which
-       row is the position? Who are the neighbours of the first column, and
-       of the only one? */
-    (void)box;
-    (void)at;
-    around[0] = 0;
-    return NOT_DONE_YET(cells[0]);
+    /* TODO: replace these lines by your own. Which share of all the energy
+       has a disk with the speed v? And what is left of 1 minus a very small
+       share in a double? */
+    (void)n;
+    (void)mean_square;
+    *fourth = 0.0;
+    return NOT_DONE_YET(v);
 }

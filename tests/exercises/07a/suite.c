@@ -1,431 +1,375 @@
-/* The suite of exercise 07a: the middle of a box, its sides and corners,
-   positions outside, edges, a hair below an edge, few columns or rows, and
-   drawn boxes. */
+/* The suite of exercise 07a: two disks, a table, what lies outside, one
+   disk, small speeds, many disks, the mean square, the fourth power, and
+   drawn gases. */
 
 #include "examiner/check.h"
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
-#include <stdlib.h>
 
-size_t cells_around(const double box[2], const size_t cells[2],
-                    const double at[2], size_t around[9]);
+double speed_below(int n, double mean_square, double v, double *fourth);
 
-struct job {
-    double box[2];
-    size_t cells[2];
-    double at[2];
+static const double tolerance = 1e-12;
+static const char because[] = "what was asked for";
+
+/* A value from mpmath, in 60 digits. */
+struct known {
+    int n;
+    double mean, v, below;
 };
 
-enum { MOST = 9 };
-
-/* Untouched places hold a number that no cell has. */
-static const size_t untouched = (size_t)-1;
-
-struct list {
-    size_t count, cell[MOST];
-};
-
-/* What the student makes of a list that holds something already. */
-static struct list answer(const struct job *j, struct list l)
+static double below(int n, double mean, double v)
 {
-    l.count = cells_around(j->box, j->cells, j->at, l.cell);
-    return l;
+    double fourth = NAN;
+    return speed_below(n, mean, v, &fourth);
 }
 
-static struct list unfilled(void)
+static const char *input(const struct known *k)
 {
-    struct list l = {0};
-    for (size_t k = 0; k < MOST; ++k)
-        l.cell[k] = untouched;
-    return l;
+    return check_text("n = %d disks, mean square %g m^2/s^2, v = %.10g m/s",
+                      k->n, k->mean, k->v);
 }
 
-static const char *input(const struct job *j)
+/* Laws that go as 1 - (1 - x)^power, to know mistakes by. */
+static double roughly(double x, double power)
 {
-    return check_text("box %g m by %g m, %zu columns and %zu rows, "
-                      "position (%.17g m, %.17g m)",
-                      j->box[0], j->box[1], j->cells[0], j->cells[1],
-                      j->at[0], j->at[1]);
+    return 1.0 - pow(1.0 - x, power);
 }
 
-/* Where a slip is made; each of them gives a list of its own. */
-enum slip {
-    NONE,
-    CUT,     /* rounds towards zero */
-    ROUNDED, /* rounds to the nearest */
-    CLAMPED, /* takes what is outside into the cell at the side */
-    END,     /* has the side itself in the last cell */
-    HAIR,    /* has a hair below a side in the first cell */
-    WIDTH,   /* cells as high as they are wide */
-    BY_ROW,  /* number = row + rows times column */
-    WALLS    /* no neighbours across the sides */
-};
-
-/* A position that no formula but a careful one leaves below the side. */
-static bool is_a_hair_below(double x, double side)
+static double density(const struct known *k)
 {
-    return (x < 0.0 && x + side == side) || x == nextafter(side, 0.0);
+    const double n = k->n, all = n * k->mean;
+    return 2.0 * k->v / all * (n - 1.0) *
+           pow(1.0 - k->v * k->v / all, n - 2.0);
 }
 
-/* The last column that begins at or before x, in a box that is folded. */
-static long exact(double x, double side, long n)
+/* Digits are lost where some of the first are right, or where the answer
+   would be right if it were not so small. */
+static bool check_digits(const struct known *k, double got,
+                         const char *question)
 {
-    long k = n - 1;
-    x = fmod(x, side);
-    x = x < 0.0 ? x + side : x;
-    while (k > 0 && (double)k * side / (double)n > x)
-        --k;
-    return k;
+    const double off = (got - k->below) / k->below;
+    return CHECK_NEAR(
+        off, .quantity = "relative error of the probability below v",
+        .input = input(k), .expected = 0.0, .tolerance = tolerance,
+        .because = because, .equation = "eq:speed-law",
+        .question = question,
+        .mistakes = {
+            {"digits-lost", off,
+             "The formula is right, and its last digits are gone, or all "
+             "of them. What is left of a small share in 1 minus it, what "
+             "makes a high power of that, and which two functions of "
+             "<math.h> do without the 1?"}});
 }
 
-static long place(double x, double side, long n, enum slip slip)
+static const char bounded[] =
+    "This is the law of Maxwell and Boltzmann, in which any speed is "
+    "possible. How fast can one of these disks be?";
+
+static const char unbounded[] =
+    "This is the law of Maxwell and Boltzmann, and it is near. How many of "
+    "your digits are right, and how many were asked for?";
+
+static bool check_below(const struct known *k, const char *question)
 {
-    const double part = x * (double)n / side;
-    const long last = n - 1, right = exact(x, side, n);
-    /* Where these look like the slips of an edge, they tell nothing. */
-    if (slip < END && (x == side || is_a_hair_below(x, side)))
-        return right;
-    switch (slip) {
-    case CUT: return (((long)part) % n + n) % n;
-    case ROUNDED: return ((long)floor(part + 0.5) % n + n) % n;
-    case CLAMPED: return part < 0.0 ? 0 : part >= (double)n ? last : right;
-    case END: return x == side ? last : right;
-    case HAIR: return is_a_hair_below(x, side) ? 0 : right;
-    default: return right;
-    }
+    const double got = below(k->n, k->mean, k->v), off = got - k->below;
+    const double bell = -expm1(-k->v * k->v / k->mean);
+    const double n = k->n, share = k->v * k->v / (n * k->mean);
+    const bool few = fabs(got - bell) > 1e-12 * bell;
+    if (few &&
+        (fabs(off) < 1e-6 * k->below || (share < 1e-3 && fabs(off) < 1e-9)))
+        return check_digits(k, got, question);
+    return CHECK_NEAR(
+        got, .quantity = "probability of a speed below v",
+        .input = input(k), .expected = k->below,
+        .tolerance = tolerance * k->below, .because = because,
+        .equation = few ? "eq:speed-law" : "eq:maxwell-2d",
+        .question = question,
+        .mistakes = {
+            {"maxwell-for-few", bell, k->n < 1000 ? bounded : unbounded},
+            {"above-for-below", 1.0 - k->below,
+             "This is the probability of a speed above v. What is left for "
+             "those below?"},
+            {"law-of-one-more", roughly(share, n),
+             "This is the law for one disk more. What should come out for "
+             "two disks, which share the energy in all ways alike?"},
+            {"exponent-of-the-density", roughly(share, n - 2.0),
+             "This is the exponent that the density has. What does "
+             "integrating do to a power?"},
+            {"share-of-the-mean", roughly(k->v * k->v / k->mean, n - 1.0),
+             "Here v^2 is divided by the mean of the squares. Of what is "
+             "it a share that cannot be larger than 1?"},
+            {"speed-not-squared", roughly(sqrt(share), n - 1.0),
+             "This takes the speed, divided by the largest, for the share. "
+             "What is shared among the disks: speed, or something that "
+             "goes with its square?"},
+            {"energy-for-square", roughly(0.5 * share, n - 1.0),
+             "Half of v^2 is compared with a mean of v^2. Where is the "
+             "other half?"},
+            {"density-for-distribution", density(k),
+             "This is the density at v. What was asked for is all that "
+             "lies below v: which operation leads from the one to the "
+             "other?"}});
 }
 
-/* Whether columns a and b of n are the same or touch. */
-static bool touch(long a, long b, long n, enum slip slip)
+static bool check_table(const struct known *k, size_t count,
+                        const char *question)
 {
-    const long apart = labs(a - b);
-    return apart <= 1 || (slip != WALLS && apart >= n - 1);
-}
-
-/* All cells are asked, in the order of their numbers. */
-static struct list searched(const struct job *j, enum slip slip)
-{
-    const long nx = (long)j->cells[0], ny = (long)j->cells[1];
-    const double high =
-        slip == WIDTH ? j->box[0] / (double)nx * (double)ny : j->box[1];
-    const long column = place(j->at[0], j->box[0], nx, slip);
-    const long row = place(j->at[1], high, ny, slip);
-    struct list l = {0};
-    for (long k = 0; k < nx * ny; ++k) {
-        const bool by_row = slip == BY_ROW;
-        const long x = by_row ? k / ny : k % nx;
-        const long y = by_row ? k % ny : k / nx;
-        if (touch(x, column, nx, slip) && touch(y, row, ny, slip) &&
-            l.count < MOST)
-            l.cell[l.count++] = (size_t)k;
-    }
-    return l;
-}
-
-/* Whether each cell of the one list is in the other. */
-static bool holds(const struct list *all, const struct list *some)
-{
-    for (size_t k = 0; k < some->count; ++k) {
-        size_t i = 0;
-        while (i < all->count && all->cell[i] != some->cell[k])
-            ++i;
-        if (i == all->count)
+    for (size_t i = 0; i < count; ++i)
+        if (!check_below(&k[i], question))
             return false;
-    }
     return true;
 }
 
-/* Whether two lists have the same cells, whatever their order. */
-static bool same_cells(const struct list *a, const struct list *b)
+static void test_two(void)
 {
-    return a->count <= MOST && b->count <= MOST && holds(a, b) &&
-           holds(b, a);
+    static const struct known table[] = {{2, 3.0, 1.5, 0.375},
+                                         {2, 0.5, 0.25, 0.0625},
+                                         {2, 8.0, 3.0, 0.5625}};
+    check_table(table, sizeof table / sizeof table[0],
+                "Two disks: any way of sharing the energy is as likely as "
+                "any other. Which share belongs to the speed v?");
 }
 
-static bool check_count(const struct job *j, const struct list *got,
-                        const struct list *wanted, const char *question)
+static void test_some(void)
 {
-    const double count = (double)got->count, right = (double)wanted->count;
-    const bool twice = count > right && same_cells(got, wanted);
+    static const struct known table[] = {
+        {3, 1.5, 1.5, 0.75},
+        {5, 1.0, 0.5, 0.18549375},
+        {5, 2.25, 1.75, 0.7194597612787684804},
+        {10, 1.0, 1.0, 0.612579511},
+        {10, 1.0, 3.0, 0.999999999},
+        {64, 1.0, 0.25, 0.0596973597410599470},
+        {250, 1.0, 0.5, 0.2205171430260359630},
+        {250, 1.0, 2.0, 0.9819789741595798385},
+        {250, 4.0, 2.5, 0.7901020125597663890}};
+    check_table(table, sizeof table / sizeof table[0],
+                "How does the law of two disks change with each disk that "
+                "is added? Try three on paper.");
+}
+
+/* Beyond the largest speed, and below any. */
+static bool check_outside(int n, double mean, double v, double expected)
+{
+    const struct known k = {n, mean, v, expected};
+    const double share = v / n * v / mean;
+    static const char most[] =
+        "No disk can be as fast as that: it would have more than all the "
+        "energy. How many of the speeds lie below this v?";
+    const bool fast = v > 0.0;
     return CHECK_NEAR(
-        count, .quantity = "how many cells were found", .unit = "",
-        .input = input(j), .expected = right, .tolerance = 0.0,
-        .because = "a number of cells is exact",
-        .equation = "eq:cell-index", .question = question,
+        below(n, mean, v), .quantity = "probability of a speed below v",
+        .input = input(&k), .expected = expected, .tolerance = 0.0,
+        .because = "nothing is to be computed here",
+        .equation = "eq:speed-law",
+        .question = fast ? most
+                         : "No speed is negative. How many of them lie "
+                           "below this v?",
         .mistakes = {
-            {"cell-twice", twice ? count : right,
-             "All the cells are there, some more than once. With two "
-             "columns, which one is on the left of the first, and which on "
-             "its right? What would a gas do with a collision that is "
-             "foretold twice?"},
-            {"sides-not-joined", (double)searched(j, WALLS).count,
-             "At the side of the box some cells are missing, as if it had "
-             "walls. What is on the left of the first column?"},
-            {"corners-forgotten", right == 9.0 ? 5.0 : right,
-             "These are the cells that share a side with the position's "
-             "own, and that one. Can two disks touch across a corner?"},
-            {"own-cell-forgotten", right - 1.0,
-             "One is missing. Where is a partner that is in the same cell "
-             "as the position?"}});
-}
-
-static double number(const struct list *l, size_t k)
-{
-    return k < MOST && l->cell[k] != untouched ? (double)l->cell[k] : NAN;
-}
-
-/* What stands at k if the whole list is the one that a slip gives, or else
-   what is right, which no mistake is known by. */
-static double slipped(const struct job *j, enum slip slip,
-                      const struct list *got, size_t k)
-{
-    const struct list made = searched(j, slip), right = searched(j, NONE);
-    return number(same_cells(&made, got) ? &made : &right, k);
-}
-
-static bool check_cell(const struct job *j, const struct list *got,
-                       const struct list *wanted, size_t k,
-                       const char *question)
-{
-    const double right = number(wanted, k);
-    const bool disorder = same_cells(got, wanted);
-    return CHECK_NEAR(
-        number(got, k), .quantity = check_text("around[%zu]", k),
-        .unit = "", .input = input(j), .expected = right, .tolerance = 0.0,
-        .because = "a number of a cell is exact",
-        .equation = "eq:cell-index", .question = question,
-        .mistakes = {
-            {"not-in-order", disorder ? number(got, k) : right,
-             "All the cells are there, in another order. Which of two "
-             "neighbours has the smaller number when one of them is across "
-             "the seam?"},
-            {"column-first", slipped(j, BY_ROW, got, k),
-             "This counts the cells up the first column, then up the next. "
-             "By how much does a number grow from one column to the next, "
-             "and by how much from a row to the one above?"},
-            {"hair-in-first-cell", slipped(j, HAIR, got, k),
-             "A position a hair below a side has come out in the first "
-             "cell. Where did rounding turn it into the side itself, or "
-             "its column into n, and which cell is the last?"},
-            {"end-in-last-cell", slipped(j, END, got, k),
-             "The side itself is where the box begins again. Is it > or >= "
-             "that brings it back to 0?"},
-            {"one-width-for-both", slipped(j, WIDTH, got, k),
-             "The row would be right if the cells were as high as they are "
-             "wide. Which side and which number belong to y?"},
-            {"cut-towards-zero", slipped(j, CUT, got, k),
-             "The conversion to a whole number makes -1 of -1.25. In which "
-             "column is a position a little to the left of the box?"},
-            {"outside-clamped", slipped(j, CLAMPED, got, k),
-             "A position outside was taken into the nearest cell at the "
-             "side. Of which place in the box is it a copy, perhaps by "
-             "more than one period?"},
-            {"rounded-to-nearest", slipped(j, ROUNDED, got, k),
-             "This rounds to the nearest whole number. How far does the "
-             "first column reach, and what do you get just before its "
-             "end?"}});
-}
-
-/* Once with an unfilled list, and once with one that holds the right cells
-   beforehand. */
-static bool check_list(const struct job *j, const struct list *wanted,
-                       const char *question)
-{
-    const struct list got = answer(j, unfilled());
-    if (!check_count(j, &got, wanted, question))
-        return false;
-    for (size_t k = 0; k < wanted->count; ++k)
-        if (!check_cell(j, &got, wanted, k, question))
-            return false;
-    const struct list again = answer(j, *wanted);
-    return check_count(j, &again, wanted,
-                       "Whatever `around` holds beforehand means nothing. "
-                       "Do you read a place before you have filled it?");
-}
-
-/* Against a list by hand. */
-static bool check_by_hand(struct job j, struct list wanted,
-                          const char *question)
-{
-    return check_list(&j, &wanted, question);
-}
-
-/* Against a look at every cell. */
-static bool check_searched(struct job j, const char *question)
-{
-    const struct list wanted = searched(&j, NONE);
-    return check_list(&j, &wanted, question);
-}
-
-/* Eight columns, 2 m wide, and five rows, 3 m high. */
-static struct job at(double x, double y)
-{
-    return (struct job){{16.0, 15.0}, {8, 5}, {x, y}};
-}
-
-static void test_middle(void)
-{
-    static const char question[] =
-        "The position is in the middle of a cell, and no side of the box "
-        "is near. Column, row, number: which comes from which?";
-    (void)(check_by_hand(
-               at(9.0, 7.5),
-               (struct list){9, {11, 12, 13, 19, 20, 21, 27, 28, 29}},
-               question) &&
-           check_by_hand(
-               at(3.75, 11.5),
-               (struct list){9, {16, 17, 18, 24, 25, 26, 32, 33, 34}},
-               question));
-}
-
-static void test_sides(void)
-{
-    static const char question[] =
-        "What is on the left of the first column, and what above the last "
-        "row? And where in an ascending list do these cells stand?";
-    (void)(check_by_hand(
-               at(0.5, 7.5),
-               (struct list){9, {8, 9, 15, 16, 17, 23, 24, 25, 31}},
-               question) &&
-           check_by_hand(at(15.5, 4.5),
-                         (struct list){9, {0, 6, 7, 8, 14, 15, 16, 22, 23}},
-                         question) &&
-           check_by_hand(
-               at(5.0, 14.0),
-               (struct list){9, {1, 2, 3, 25, 26, 27, 33, 34, 35}},
-               question) &&
-           check_by_hand(
-               at(15.0, 14.0),
-               (struct list){9, {0, 6, 7, 24, 30, 31, 32, 38, 39}},
-               question) &&
-           check_by_hand(at(0.25, 0.5),
-                         (struct list){9, {0, 1, 7, 8, 9, 15, 32, 33, 39}},
-                         question));
+            {"not-clamped", fast ? roughly(share, n - 1.0) : expected,
+             most},
+            {"not-clamped", fast ? NAN : expected, most},
+            {"sign-of-the-speed",
+             fast ? expected : roughly(fmin(1.0, share), n - 1.0),
+             "This is the probability of a speed below -v: the square does "
+             "not know the sign. Can a speed be below a negative "
+             "number?"}});
 }
 
 static void test_outside(void)
 {
-    static const char question[] =
-        "Move the position by whole sides until it is in the box: where is "
-        "it? How many sides does your program move it by, and for which "
-        "sign?";
-    static const double away[][2] = {{17.0, 7.5},   {-2.5, 7.5},
-                                     {9.0, -1.0},   {-5.0, 20.0},
-                                     {41.0, -36.5}, {-57.0, 100.0}};
-    for (size_t k = 0; k < sizeof away / sizeof away[0]; ++k)
-        if (!check_searched(at(away[k][0], away[k][1]), question))
+    for (int n = 2; n <= 6; n += 2)
+        if (!(check_outside(n, 1.0, 2.5, 1.0) &&
+              check_outside(n, 4.0, 7.0, 1.0) &&
+              check_outside(n, 1.0, INFINITY, 1.0) &&
+              check_outside(n, 1.0, 0.0, 0.0) &&
+              check_outside(n, 1.0, -0.5, 0.0) &&
+              check_outside(n, 1.0, -7.0, 0.0) &&
+              check_outside(n, 1.0, -INFINITY, 0.0)))
             return;
+    check_outside(4, 1.0, 2.0, 1.0);
 }
 
-static void test_edges(void)
+static void test_one(void)
 {
-    static const char question[] =
-        "A cell owns its left and its lower edge. Whose is this position, "
-        "and what is the same as the upper end of the box?";
-    static const double edge[][2] = {
-        {6.0, 7.5},   {9.0, 6.0},   {0.0, 0.0},    {16.0, 7.5}, {9.0, 15.0},
-        {16.0, 15.0}, {32.0, 30.0}, {-16.0, 45.0}, {-2.0, -3.0}};
-    for (size_t k = 0; k < sizeof edge / sizeof edge[0]; ++k)
-        if (!check_searched(at(edge[k][0], edge[k][1]), question))
-            return;
-}
-
-/* With these sides and numbers x n/L, x/(L/n) and x (n/L) are all rounded
-   up to n for the largest x below L. */
-static void test_hair(void)
-{
-    static const char question[] =
-        "The position is below the side by less than your numbers can "
-        "tell. In which cell is it, and what do you do when rounding says "
-        "n?";
-    const double x = nextafter(7.3, 0.0), y = nextafter(15.3, 0.0);
-    static const double box[2] = {7.3, 15.3};
-    const double place[][2] = {{-1e-20, 4.0},     {4.0, -1e-20},
-                               {-1e-300, -1e-18}, {x, 4.0},
-                               {4.0, y},          {x, y}};
-    for (size_t k = 0; k < sizeof place / sizeof place[0]; ++k) {
-        const struct job j = {
-            {box[0], box[1]}, {6, 5}, {place[k][0], place[k][1]}};
-        if (!check_searched(j, question))
+    static const double v[] = {0.5, 1.75, 2.25, 5.0};
+    for (size_t i = 0; i < sizeof v / sizeof v[0]; ++i) {
+        const struct known k = {1, 4.0, v[i], v[i] < 2.0 ? 0.0 : 1.0};
+        if (!CHECK_NEAR(
+                below(k.n, k.mean, k.v),
+                .quantity = "probability of a speed below v",
+                .input = input(&k), .expected = k.below, .tolerance = 0.0,
+                .because = "there is only one speed",
+                .equation = "eq:speed-law",
+                .question = "One disk alone keeps its energy, and so its "
+                            "speed. Which is it, and is it below v?"))
             return;
     }
 }
 
-static bool check_few(size_t columns, size_t rows, struct list wanted)
+static void test_slow(void)
 {
-    const struct job j = {{12.0, 12.0}, {columns, rows}, {7.0, 5.0}};
-    return check_list(&j, &wanted,
-                      "With so few columns or rows, who is a neighbour of "
-                      "whom, and on how many sides?");
+    static const struct known table[] = {
+        {5, 1.0, 0x1p-12, 4.768371496766122386e-8},
+        {3, 1.0, 0x1p-30, 5.782411586589356981e-19},
+        {10, 4.0, 0x1p-40, 1.861156378244312268e-25},
+        {250, 1.0, 0x1p-20, 9.058567229654278845e-13},
+        {2, 1.0, 0x1p-400, 7.498484069478154774e-242}};
+    check_table(table, sizeof table / sizeof table[0],
+                "A very slow disk is rare, but how rare? Which of your "
+                "numbers is near 1, and need it be?");
 }
 
-static void test_few(void)
+static void test_many(void)
 {
-    (void)(check_few(1, 1, (struct list){1, {0}}) &&
-           check_few(2, 1, (struct list){2, {0, 1}}) &&
-           check_few(2, 2, (struct list){4, {0, 1, 2, 3}}) &&
-           check_few(3, 3, (struct list){9, {0, 1, 2, 3, 4, 5, 6, 7, 8}}) &&
-           check_few(2, 6, (struct list){6, {2, 3, 4, 5, 6, 7}}) &&
-           check_few(6, 1, (struct list){3, {2, 3, 4}}) &&
-           check_few(1, 6, (struct list){3, {1, 2, 3}}) &&
-           check_few(4, 3,
-                     (struct list){9, {1, 2, 3, 5, 6, 7, 9, 10, 11}}));
+    static const struct known table[] = {
+        {10000, 1.0, 1.0, 0.6321021637834484207},
+        {1000000, 1.0, 0.5, 0.2211990465658849202},
+        {1000000, 1.0, 1.0, 0.6321203748887297444},
+        {1000000, 1.0, 3.0, 0.9998765940832859131},
+        {1000000, 1.0, 0x1p-20, 9.094937922778128759e-13},
+        {10000000, 4.0, 2.5, 0.7903886056844504524},
+        {1000000000, 1.0, 0.75, 0.4302171750387155747}};
+    check_table(table, sizeof table / sizeof table[0],
+                "The law of Maxwell and Boltzmann is near, and still not "
+                "the same. What does a high power do with the rounding of "
+                "1 minus a share?");
 }
 
-/* Every cell is asked how many columns and rows it is away, on a ring of so
-   many. */
-static struct list next_to(const struct job *j, int column, int row)
+/* The integral over s = v^2, from 0 to the largest, of the probability of a
+   speed above v is the mean of v^2. For three and four disks it is that of
+   a polynomial of second and third degree, which Simpson's rule gives
+   exactly. The roundings are those of three probabilities. */
+static bool check_mean(int n, double mean)
 {
-    const int nx = (int)j->cells[0], ny = (int)j->cells[1];
-    struct list l = {0};
-    for (int k = 0; k < nx * ny; ++k)
-        if (fabs(remainder(k % nx - column, nx)) <= 1.0 &&
-            fabs(remainder(k / nx - row, ny)) <= 1.0)
-            l.cell[l.count++] = (size_t)k;
-    return l;
+    const double all = n * mean;
+    const double above[3] = {1.0 - below(n, mean, 0.0),
+                             1.0 - below(n, mean, sqrt(0.5 * all)),
+                             1.0 - below(n, mean, sqrt(all))};
+    const struct known k = {n, mean, sqrt(0.5 * all), 0.0};
+    return CHECK_NEAR(
+        all / 6.0 * (above[0] + 4.0 * above[1] + above[2]),
+        .quantity = "mean of v^2, from your probabilities for 0, this v, "
+                    "and the largest v",
+        .unit = "m^2/s^2", .input = input(&k), .expected = mean,
+        .tolerance = all * tolerance,
+        .because = "that of the probabilities, summed up",
+        .equation = "eq:speed-law",
+        .question = "The mean of the squares was given. Which squares are "
+                    "too frequent in your law?");
 }
 
-/* A box, and a cell in it: at first of a few, later of many. The position
-   is in the inner nine tenths of the cell, so that no rounding matters, and
-   up to three periods away. */
+static void test_mean(void)
+{
+    (void)(check_mean(3, 1.0) && check_mean(4, 1.0) && check_mean(3, 2.5) &&
+           check_mean(4, 0.3));
+}
+
+static bool check_fourth(int n, double mean, double v)
+{
+    const struct known k = {n, mean, v, 0.0};
+    const double count = n, square = mean * mean;
+    double got = NAN;
+    (void)speed_below(n, mean, v, &got);
+    return CHECK_NEAR(
+        got, .quantity = "*fourth, the mean of v^4", .unit = "m^4/s^4",
+        .input = input(&k),
+        .expected = square * (count / (count + 1.0) * 2.0),
+        .tolerance = tolerance * square * (count / (count + 1.0) * 2.0),
+        .because = because, .equation = "eq:speed-law",
+        .question = "Integrate v^4 times the density, or 4 v^3 times the "
+                    "probability of a speed above v. What comes out for "
+                    "two disks, on paper?",
+        .mistakes = {
+            {"fourth-of-maxwell", 2.0 * square,
+             "This is the mean for the law of Maxwell and Boltzmann. Can "
+             "few disks have speeds as large as that law allows?"},
+            {"fourth-of-equal-speeds", square,
+             "This is the square of the mean of v^2, as if all speeds were "
+             "equal. Are they, after some collisions? Or have you written "
+             "2 * n / (n + 1), and what is that for whole numbers?"},
+            {"fourth-on-a-line", 3.0 * count / (count + 2.0) * square,
+             "This is the mean for velocities on a line. How many "
+             "directions share the energy of a disk?"},
+            {"mean-not-squared", 2.0 * count / (count + 1.0) * mean,
+             "The number of disks is right. Which unit has v^4, and which "
+             "has your answer?"},
+            {"left-empty", NAN,
+             "Not a number: is *fourth filled in whatever v is, before any "
+             "return?"}});
+}
+
+static void test_fourth(void)
+{
+    (void)(check_fourth(3, 1.25, 1.0) && check_fourth(2, 1.5, 1.0) &&
+           check_fourth(2, 0.7, 9.0) && check_fourth(5, 1.5, -1.0) &&
+           check_fourth(250, 1.0, 0.5) && check_fourth(1, 1.5, 1.0) &&
+           check_fourth(1, 3.0, 2.0) && check_fourth(1000000, 2.0, 1.0) &&
+           check_fourth(1000000000, 2.0, 1.0));
+}
+
+/* The integral over s = v^2 of 2 s times the probability of a speed above v
+   is the mean of v^4; for three disks, a polynomial of third degree. Its
+   two ends are zero, for s and for the probability. */
+static void test_agree(void)
+{
+    const struct known k = {3, 2.5, sqrt(3.75), 0.0};
+    double fourth = NAN;
+    const double above = 1.0 - speed_below(k.n, k.mean, k.v, &fourth);
+    const double all = 7.5;
+    CHECK_NEAR(
+        fourth, .quantity = "*fourth", .unit = "m^4/s^4",
+        .input = input(&k),
+        .expected = all / 6.0 * 4.0 * (2.0 * 0.5 * all * above),
+        .tolerance = 8.0 * all * all * tolerance,
+        .because = "that of a probability, times 4 (7.5 m^2/s^2)^2/6, and "
+                   "its own",
+        .equation = "eq:speed-law",
+        .question = "Your probability below this v gives the expected "
+                    "number, and *fourth is another one. Do both come from "
+                    "one law?");
+}
+
+/* A speed that is made for its probability: as small as one likes, and
+   nearly 1. When the n - 1 others each leave e^-x/(n-1) of the probability
+   of a speed above v, all of them leave e^-x; the first of these numbers
+   says which share of the energy v is. */
+static struct known draw_known(void)
+{
+    const int n = 2 + (int)pow(10.0, check_draw(0.0, 8.9));
+    const double x = pow(10.0, check_draw(-25.0, 1.4));
+    const double mean = check_draw(0.1, 9.0);
+    const double share = -expm1(-x / (n - 1.0));
+    return (struct known){n, mean, sqrt(share * n * mean), -expm1(-x)};
+}
+
 static void test_drawn(void)
 {
-    for (int i = 0; i < 200; ++i) {
-        struct job j;
-        int own[2];
-        for (int k = 0; k < 2; ++k) {
-            const int n = check_draw_whole(1, i < 100 ? 5 : 30);
-            own[k] = check_draw_whole(0, n - 1);
-            j.cells[k] = (size_t)n;
-            j.box[k] = check_draw(1.0, 20.0);
-            j.at[k] = (check_draw_whole(-3, 3) +
-                       (own[k] + check_draw(0.05, 0.95)) / n) *
-                      j.box[k];
-        }
-        const struct list wanted = next_to(&j, own[0], own[1]);
-        if (!check_list(&j, &wanted,
-                        "Here your list is not that of somebody who looked "
-                        "at every cell. Which cell is missing, or too "
-                        "much?"))
+    for (int i = 0; i < 50; ++i) {
+        const struct known k = draw_known();
+        if (!check_below(&k, "Many disks or few, fast or slow: where in "
+                             "your formula do digits get lost?") ||
+            !check_fourth(k.n, k.mean, k.v))
             return;
     }
 }
 
 const struct check_suite check_suite = {
-    .file = "07a-around.c",
-    .title = "The cells around a position",
-    .minutes = 20,
-    .tests = {{"in the middle of the box nine cells are around",
-               test_middle, 1, 0},
-              {"opposite sides of the box are joined", test_sides, 2, 0},
-              {"outside of the box everything repeats", test_outside, 1, 0},
-              {"a cell owns its left and its lower edge", test_edges, 1, 0},
-              {"a hair below a side is still in the last cell", test_hair,
-               1, 0},
-              {"with few columns or rows each cell comes once", test_few, 2,
+    .file = "07a-speeds.c",
+    .title = "How fast is a disk?",
+    .minutes = 25,
+    .tests = {{"two disks: every share is equally likely", test_two, 1, 0},
+              {"three to 250 disks agree with a table", test_some, 2, 0},
+              {"no disk has more than all the energy", test_outside, 1, 0},
+              {"one disk alone has one speed", test_one, 1, 0},
+              {"slow disks keep all digits", test_slow, 1, 0},
+              {"many disks keep all digits", test_many, 2, 0},
+              {"the mean square is the one that was given", test_mean, 1,
                0},
-              {"drawn boxes give what a look at every cell gives",
-               test_drawn, 2, 3},
+              {"the fourth power has its mean, few disks or many",
+               test_fourth, 1, 0},
+              {"the fourth power and the probabilities agree", test_agree,
+               1, 0},
+              {"a speed made for its probability has it", test_drawn, 2, 3},
               {0}},
 };

@@ -1,113 +1,143 @@
-/* Further tests of exercise 07b, for the lecturer: the two means as
-   integrals over the probabilities, other units, and speeds out of reach.
- */
+/* Further tests of exercise 07b, for the lecturer: two that go to and fro
+   along any axis, of any masses and in any units, and a gas in which
+   nothing collides. */
 
 #include "examiner/check.h"
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 
-double speed_below(int n, double mean_square, double v, double *fourth);
+struct collision {
+    double mass[2];
+    double apart[3];
+    double first[3];
+    double second[3];
+};
 
-static double below(int n, double mean, double v)
+double compressibility(int dimensions, const double box[3], size_t n,
+                       double energy, double time, size_t count,
+                       const struct collision collisions[],
+                       double *pressure);
+
+enum { MOST = 200 };
+
+/* A record, with one place behind it. */
+struct record {
+    int dimensions, axis;
+    double box[3], energy, time;
+    size_t n, count;
+    struct collision c[MOST + 1];
+};
+
+/* What has been got must be Z and P, but for a rounding of each collision
+   and a few of the rest. */
+static bool check(const struct record *r, double z, const char *question)
 {
-    double fourth = NAN;
-    return speed_below(n, mean, v, &fourth);
+    double pressure = NAN, volume = r->box[0] * r->box[1];
+    const double got =
+        compressibility(r->dimensions, r->box, r->n, r->energy, r->time,
+                        r->count, r->c, &pressure);
+    const double few = (64.0 + 4.0 * (double)r->count) * DBL_EPSILON;
+    const char *input = check_text(
+        "%d dimensions, n = %zu, %zu collisions along axis %d, masses %g "
+        "and %g kg, box %g m by %g m by %g m, %g J, %g s",
+        r->dimensions, r->n, r->count, r->axis, r->c[0].mass[0],
+        r->c[0].mass[1], r->box[0], r->box[1], r->box[2], r->energy,
+        r->time);
+    if (r->dimensions == 3)
+        volume *= r->box[2];
+    const double free = r->dimensions * ((double)r->n - 1.0);
+    const double p = z * (double)r->n * 2.0 * r->energy / free / volume;
+    return CHECK_NEAR(got, .quantity = "Z", .input = input, .expected = z,
+                      .tolerance = few * z,
+                      .because =
+                          "4 epsilons for each collision, 64 for the "
+                          "rest",
+                      .equation = "eq:virial", .question = question) &&
+           CHECK_NEAR(pressure, .quantity = "*pressure",
+                      .unit = r->dimensions == 3 ? "N/m^2" : "N/m",
+                      .input = input, .expected = p, .tolerance = few * p,
+                      .because =
+                          "4 epsilons for each collision, 64 for the "
+                          "rest",
+                      .equation = "eq:virial", .question = question);
 }
 
-static double fourth(int n, double mean, double v)
+/* A box in which nothing has happened, in units of m, s and kg. */
+static struct record draw_box(double m, double s, double kg)
 {
-    double answer = NAN;
-    (void)speed_below(n, mean, v, &answer);
-    return answer;
+    struct record r = {.dimensions = check_draw_whole(2, 3),
+                       .n = (size_t)check_draw_whole(2, 1000),
+                       .energy =
+                           check_draw(0.1, 90.0) * kg * m * m / (s * s),
+                       .time = check_draw(0.1, 20.0) * s,
+                       .c = {{{kg, kg}, {m, m, m}, {m / s, 0, 0}, {0}}}};
+    for (int k = 0; k < 3; ++k)
+        r.box[k] = check_draw(5.0, 9.0) * m;
+    return r;
 }
 
-static bool check(double got, double expected, double tolerance,
-                  const char *quantity, int n, double mean, double v)
+static double draw_unit(void)
 {
-    return CHECK_NEAR(
-        got, .quantity = quantity,
-        .input = check_text("n = %d disks, mean square %g m^2/s^2, v = %g "
-                            "m/s",
-                            n, mean, v),
-        .expected = expected, .tolerance = tolerance,
-        .because = "1e-12 of what is summed up", .equation = "eq:speed-law",
-        .question = "A law gives all its means. Do yours belong to one "
-                    "law, and to the energy that was given?");
+    return ldexp(1.0, check_draw_whole(-40, 40));
 }
 
-/* For n disks the probability of a speed above v is a polynomial of the
-   degree n - 1 in v^2. The integral of it is the mean of v^2, and that of 2
-   v^2 times it the mean of v^4. Gauss with five points is exact up to the
-   degree 9. The points and weights are those of the interval from -1 to 1,
-   worked out from their roots. */
-static void test_means(void)
+static void test_none(void)
 {
-    const double root = 2.0 * sqrt(10.0 / 7.0);
-    const double x[] = {0.0, sqrt(5.0 - root) / 3.0,
-                        sqrt(5.0 + root) / 3.0};
-    const double w[] = {128.0 / 225.0, (322.0 + 13.0 * sqrt(70.0)) / 900.0,
-                        (322.0 - 13.0 * sqrt(70.0)) / 900.0};
     for (int i = 0; i < 20; ++i) {
-        const int n = check_draw_whole(2, 9);
-        const double mean = check_draw(0.1, 9.0), half = 0.5 * n * mean;
-        double second = 0.0, last = 0.0;
-        for (int k = 0; k < 6; ++k) {
-            const double s = half * (1.0 + (k % 2 ? x[k / 2] : -x[k / 2]));
-            const double part = (k < 2 ? 0.5 : 1.0) * w[k / 2] * half *
-                                (1.0 - below(n, mean, sqrt(s)));
-            second += part;
-            last += 2.0 * s * part;
-        }
-        const double v = check_draw(-3.0, 9.0);
-        if (!check(second, mean, 1e-12 * half,
-                   "mean of v^2, from your probabilities", n, mean, v) ||
-            !check(fourth(n, mean, v), last, 1e-12 * half * half,
-                   "*fourth, from your probabilities", n, mean, v))
+        const double m = draw_unit(), s = draw_unit(), kg = draw_unit();
+        const struct record r = draw_box(m, s, kg);
+        if (!check(&r, 1.0,
+                   "Nothing has collided, whatever stands behind the "
+                   "list. What is Z, and what is P, for so many "
+                   "particles?"))
             return;
     }
 }
 
-/* In units in which speeds are large or small: two disks, of which every
-   share is as likely as any other. */
-static void test_units(void)
+/* Two that meet, and meet again across the seam, with zero momentum and the
+   relative velocity u: the way between two collisions is the side less
+   twice the distance sigma of their centres. So in the time of `count`
+   collisions Z is (side - sigma)/(side - 2 sigma), in the plane and in
+   space, whatever the masses. */
+static struct record to_and_fro(double m, double s, double kg, double *z)
 {
-    for (int i = 0; i < 30; ++i) {
-        const double unit = ldexp(1.0, check_draw_whole(-100, 100));
-        const double mean = check_draw(0.5, 2.0), part = check_draw(0, 1);
-        const double v = part * sqrt(2.0 * mean) * unit;
-        const double squared = mean * unit * unit;
-        if (!check(below(2, squared, v), part * part, 1e-12 * part * part,
-                   "probability of a speed below v", 2, squared, v) ||
-            !check(fourth(2, squared, v) / squared, 4.0 / 3.0 * squared,
-                   1e-12 * squared, "*fourth over the mean square", 2,
-                   squared, v))
-            return;
+    struct record r = draw_box(m, s, kg);
+    const double sigma = check_draw(0.1, 2.0) * m;
+    const double u = check_draw(0.1, 5.0) * m / s;
+    const double m0 = kg, m1 = kg * pow(10.0, check_draw(-3.0, 3.0));
+    r.n = 2;
+    r.axis = check_draw_whole(0, r.dimensions - 1);
+    r.count = (size_t)check_draw_whole(1, MOST);
+    const double left = r.box[r.axis] - 2.0 * sigma;
+    r.energy = 0.5 * u * u * m0 / (1.0 + m0 / m1);
+    r.time = (double)r.count * left / u;
+    for (size_t i = 0; i <= r.count; ++i) {
+        const double way = i % 2 ? -1.0 : 1.0;
+        struct collision c = {{m0, m1}, {0}, {0}, {0}};
+        c.apart[r.axis] = way * sigma;
+        c.first[r.axis] = way * u * m1 / (m0 + m1);
+        c.second[r.axis] = -way * u * m0 / (m0 + m1);
+        r.c[i] = c;
     }
+    *z = 1.0 + sigma / left;
+    return r;
 }
 
-/* Faster than with all the energy, or slower than at rest; and one disk. */
-static void test_out_of_reach(void)
+static void test_to_and_fro(void)
 {
     for (int i = 0; i < 30; ++i) {
-        const int n = i % 3 ? check_draw_whole(2, 1000000) : 1;
-        const double mean = check_draw(0.1, 9.0);
-        const double fast = sqrt(n * mean) * check_draw(1.001, 9.0);
-        const double slow = sqrt(mean) * check_draw(0.1, 0.999);
-        if (!check(below(n, mean, fast), 1.0, 0.0,
-                   "probability of a speed below v", n, mean, fast) ||
-            !check(below(n, mean, 1e200), 1.0, 0.0,
-                   "probability of a speed below v", n, mean, 1e200) ||
-            !check(below(n, mean, -fast), 0.0, 0.0,
-                   "probability of a speed below v", n, mean, -fast) ||
-            (n == 1 &&
-             !check(below(n, mean, slow), 0.0, 0.0,
-                    "probability of a speed below v", n, mean, slow)))
+        double z;
+        const struct record r =
+            to_and_fro(draw_unit(), draw_unit(), draw_unit(), &z);
+        if (!check(&r, z,
+                   "Two bodies, one perhaps much heavier, meet on both "
+                   "sides. What does each collision add, in any unit?"))
             return;
     }
 }
 
 const struct check_test check_hidden[] = {
-    {"all means belong to one law", test_means, 2, 0},
-    {"slow and fast units", test_units, 1, 0},
-    {"speeds out of reach, and one disk", test_out_of_reach, 1, 0},
+    {"two that go to and fro, in any unit", test_to_and_fro, 3, 0},
+    {"a gas of any size without collisions", test_none, 1, 0},
     {0}};

@@ -1,41 +1,54 @@
-/* Exercise 07b. How fast is a disk? (core, 25 minutes)
+/* Exercise 07b. Pressure without walls (core, 30 minutes)
 
-   n disks of equal mass collide with each other and with the walls of a box
-   in the plane. Only their energy is conserved, so the mean of their
-   squared speeds never changes. The fastest that one of them can ever be is
-   when it has all the energy, and the others rest. The law of its speed,
-   taken over a long time, is the book's law for finite n; Maxwell's and
-   Boltzmann's is what it becomes when n grows. How probable is a speed
-   below v, and what is the mean of the fourth power of the speed?
+   A periodic box has no walls to press on. But whenever two disks collide,
+   momentum J jumps over the distance of their centres, and that is as good
+   as a push on a wall: the virial of the collisions tells the pressure.
+   Here is a record of the collisions of a gas of hard disks or spheres, of
+   different masses and radii, in which no energy is lost and the momentum
+   of all of them together is zero. What is Z = P V/(N kT), and what is P?
 
    Given:
-     n            the number of disks, 1 to 1000000000
-     mean_square  the mean over the disks of the squared speed, larger than
-                  0, in m^2/s^2
-     v            a speed in m/s, any number, INFINITY too
+     dimensions   2 or 3. In 2 dimensions the third numbers of all that has
+                  three mean nothing and may be anything.
+     box          the sides of the box, in m; V is their product
+     n            the number of particles, at least 2
+     energy       kinetic energy of them all, in J
+     time         how long was recorded, in s
+     count        the number of collisions in that time, which may be 0
+     collisions   the collisions; who of the two comes first is chance
    To fill in:
-     *fourth      the mean of the fourth power of a disk's speed over a long
-                  time, in m^4/s^4, which does not depend on v
-   Returns the probability of a speed below v, from 0 to 1: 0 where v is 0
-   or less, and 1 where no disk can be so fast. One disk alone has always
-   the same speed; nobody will ask for exactly that v.
-
-   The relative error of both must be below 1e-12, for a v that is a
-   millionth of the others as well, and for a thousand million disks.
+     *pressure    P, in N/m^2; in 2 dimensions it is a force per length of
+                  wall, in N/m
+   Returns Z. Because the momentum is zero, one particle's worth of motion
+   is not free: kT = 2 energy/(dimensions (n - 1)).
 
    Check your answer with    make check EX=07b
    Hints, which ask before they tell:    make hint EX=07b */
 
 #include "exercise.h"
 #include <math.h>
+#include <stddef.h>
 
-double speed_below(int n, double mean_square, double v, double *fourth)
+struct collision {
+    double mass[2];   /* kg */
+    double apart[3];  /* from the first to the second at contact, m */
+    double first[3];  /* velocity of the first just before, m/s */
+    double second[3]; /* and of the second */
+};
+
+double compressibility(int dimensions, const double box[3], size_t n,
+                       double energy, double time, size_t count,
+                       const struct collision collisions[],
+                       double *pressure)
 {
-    /* TODO: replace these lines by your own. Which share of all the energy
-       has a disk with the speed v? And what is left of 1 minus a very small
-       share in a double? */
+    /* TODO: replace these lines by your own. How fast do the two centres
+       approach, which momentum is exchanged, and over which distance? */
+    (void)dimensions;
+    (void)box;
     (void)n;
-    (void)mean_square;
-    *fourth = 0.0;
-    return NOT_DONE_YET(v);
+    (void)energy;
+    (void)count;
+    (void)collisions;
+    *pressure = 0.0;
+    return NOT_DONE_YET(time);
 }

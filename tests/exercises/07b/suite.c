@@ -1,375 +1,537 @@
-/* The suite of exercise 07b: two disks, a table, what lies outside, one
-   disk, small speeds, many disks, the mean square, the fourth power, and
-   drawn gases. */
+/* The suite of exercise 07b: a gas without collisions, one collision worked
+   out by hand, unequal masses, an oblique one, the order of a pair, the
+   plane and space, two disks that go to and fro, drawn collisions, and the
+   pressure. */
 
 #include "examiner/check.h"
+#include <float.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
 
-double speed_below(int n, double mean_square, double v, double *fourth);
-
-static const double tolerance = 1e-12;
-static const char because[] = "what was asked for";
-
-/* A value from mpmath, in 60 digits. */
-struct known {
-    int n;
-    double mean, v, below;
+struct collision {
+    double mass[2];
+    double apart[3];
+    double first[3];
+    double second[3];
 };
 
-static double below(int n, double mean, double v)
+double compressibility(int dimensions, const double box[3], size_t n,
+                       double energy, double time, size_t count,
+                       const struct collision collisions[],
+                       double *pressure);
+
+enum { MOST = 200 };
+
+struct record {
+    int dimensions;
+    size_t n;
+    double box[3], energy, time;
+    size_t count;
+    struct collision c[MOST + 1];
+};
+
+/* What the student's function answers; an untouched place reads as NaN.
+   Behind the record stands a violent collision that does not belong to it.
+ */
+struct answer {
+    double z, pressure;
+};
+
+static struct answer answer(const struct record *r)
 {
-    double fourth = NAN;
-    return speed_below(n, mean, v, &fourth);
+    struct answer a = {NAN, NAN};
+    struct record q = *r;
+    q.c[r->count] = (struct collision){
+        {1e3, 1e3}, {1.0, 1.0, 1.0}, {1e3, 1e3, 1e3}, {0.0, 0.0, 0.0}};
+    a.z = compressibility(q.dimensions, q.box, q.n, q.energy, q.time,
+                          q.count, q.c, &a.pressure);
+    return a;
 }
 
-static const char *input(const struct known *k)
+static const char *vector(const double v[3])
 {
-    return check_text("n = %d disks, mean square %g m^2/s^2, v = %.10g m/s",
-                      k->n, k->mean, k->v);
+    return check_text("(%g, %g, %g)", v[0], v[1], v[2]);
 }
 
-/* Laws that go as 1 - (1 - x)^power, to know mistakes by. */
-static double roughly(double x, double power)
+static const char *input(const struct record *r)
 {
-    return 1.0 - pow(1.0 - x, power);
+    const char *first = "";
+    if (r->count > 0)
+        first = check_text(
+            ": masses %g and %g kg, apart %s m, velocities %s and %s m/s%s",
+            r->c[0].mass[0], r->c[0].mass[1], vector(r->c[0].apart),
+            vector(r->c[0].first), vector(r->c[0].second),
+            r->count > 1 ? "; ..." : "");
+    return check_text("%d dimensions, box %s m, n = %zu, %g J, %g s, %zu "
+                      "collision%s%s",
+                      r->dimensions, vector(r->box), r->n, r->energy,
+                      r->time, r->count, r->count == 1 ? "" : "s", first);
 }
 
-static double density(const struct known *k)
+static double dot(const double a[], const double b[], int dimensions)
 {
-    const double n = k->n, all = n * k->mean;
-    return 2.0 * k->v / all * (n - 1.0) *
-           pow(1.0 - k->v * k->v / all, n - 2.0);
+    double sum = 0.0;
+    for (int k = 0; k < dimensions; ++k)
+        sum += a[k] * b[k];
+    return sum;
 }
 
-/* Digits are lost where some of the first are right, or where the answer
-   would be right if it were not so small. */
-static bool check_digits(const struct known *k, double got,
-                         const char *question)
+static double length(const double a[], int dimensions)
 {
-    const double off = (got - k->below) / k->below;
-    return CHECK_NEAR(
-        off, .quantity = "relative error of the probability below v",
-        .input = input(k), .expected = 0.0, .tolerance = tolerance,
-        .because = because, .equation = "eq:speed-law",
-        .question = question,
-        .mistakes = {
-            {"digits-lost", off,
-             "The formula is right, and its last digits are gone, or all "
-             "of them. What is left of a small share in 1 minus it, what "
-             "makes a high power of that, and which two functions of "
-             "<math.h> do without the 1?"}});
+    return sqrt(dot(a, a, dimensions));
 }
 
-static const char bounded[] =
-    "This is the law of Maxwell and Boltzmann, in which any speed is "
-    "possible. How fast can one of these disks be?";
+/* What one collision adds, right or with a slip. */
 
-static const char unbounded[] =
-    "This is the law of Maxwell and Boltzmann, and it is near. How many of "
-    "your digits are right, and how many were asked for?";
-
-static bool check_below(const struct known *k, const char *question)
+/* The two collide as seen from their centre of mass, where the first one is
+   turned round along the line of centres. */
+static double right(const struct collision *c, int dimensions)
 {
-    const double got = below(k->n, k->mean, k->v), off = got - k->below;
-    const double bell = -expm1(-k->v * k->v / k->mean);
-    const double n = k->n, share = k->v * k->v / (n * k->mean);
-    const bool few = fabs(got - bell) > 1e-12 * bell;
-    if (few &&
-        (fabs(off) < 1e-6 * k->below || (share < 1e-3 && fabs(off) < 1e-9)))
-        return check_digits(k, got, question);
-    return CHECK_NEAR(
-        got, .quantity = "probability of a speed below v",
-        .input = input(k), .expected = k->below,
-        .tolerance = tolerance * k->below, .because = because,
-        .equation = few ? "eq:speed-law" : "eq:maxwell-2d",
-        .question = question,
-        .mistakes = {
-            {"maxwell-for-few", bell, k->n < 1000 ? bounded : unbounded},
-            {"above-for-below", 1.0 - k->below,
-             "This is the probability of a speed above v. What is left for "
-             "those below?"},
-            {"law-of-one-more", roughly(share, n),
-             "This is the law for one disk more. What should come out for "
-             "two disks, which share the energy in all ways alike?"},
-            {"exponent-of-the-density", roughly(share, n - 2.0),
-             "This is the exponent that the density has. What does "
-             "integrating do to a power?"},
-            {"share-of-the-mean", roughly(k->v * k->v / k->mean, n - 1.0),
-             "Here v^2 is divided by the mean of the squares. Of what is "
-             "it a share that cannot be larger than 1?"},
-            {"speed-not-squared", roughly(sqrt(share), n - 1.0),
-             "This takes the speed, divided by the largest, for the share. "
-             "What is shared among the disks: speed, or something that "
-             "goes with its square?"},
-            {"energy-for-square", roughly(0.5 * share, n - 1.0),
-             "Half of v^2 is compared with a mean of v^2. Where is the "
-             "other half?"},
-            {"density-for-distribution", density(k),
-             "This is the density at v. What was asked for is all that "
-             "lies below v: which operation leads from the one to the "
-             "other?"}});
-}
-
-static bool check_table(const struct known *k, size_t count,
-                        const char *question)
-{
-    for (size_t i = 0; i < count; ++i)
-        if (!check_below(&k[i], question))
-            return false;
-    return true;
-}
-
-static void test_two(void)
-{
-    static const struct known table[] = {{2, 3.0, 1.5, 0.375},
-                                         {2, 0.5, 0.25, 0.0625},
-                                         {2, 8.0, 3.0, 0.5625}};
-    check_table(table, sizeof table / sizeof table[0],
-                "Two disks: any way of sharing the energy is as likely as "
-                "any other. Which share belongs to the speed v?");
-}
-
-static void test_some(void)
-{
-    static const struct known table[] = {
-        {3, 1.5, 1.5, 0.75},
-        {5, 1.0, 0.5, 0.18549375},
-        {5, 2.25, 1.75, 0.7194597612787684804},
-        {10, 1.0, 1.0, 0.612579511},
-        {10, 1.0, 3.0, 0.999999999},
-        {64, 1.0, 0.25, 0.0596973597410599470},
-        {250, 1.0, 0.5, 0.2205171430260359630},
-        {250, 1.0, 2.0, 0.9819789741595798385},
-        {250, 4.0, 2.5, 0.7901020125597663890}};
-    check_table(table, sizeof table / sizeof table[0],
-                "How does the law of two disks change with each disk that "
-                "is added? Try three on paper.");
-}
-
-/* Beyond the largest speed, and below any. */
-static bool check_outside(int n, double mean, double v, double expected)
-{
-    const struct known k = {n, mean, v, expected};
-    const double share = v / n * v / mean;
-    static const char most[] =
-        "No disk can be as fast as that: it would have more than all the "
-        "energy. How many of the speeds lie below this v?";
-    const bool fast = v > 0.0;
-    return CHECK_NEAR(
-        below(n, mean, v), .quantity = "probability of a speed below v",
-        .input = input(&k), .expected = expected, .tolerance = 0.0,
-        .because = "nothing is to be computed here",
-        .equation = "eq:speed-law",
-        .question = fast ? most
-                         : "No speed is negative. How many of them lie "
-                           "below this v?",
-        .mistakes = {
-            {"not-clamped", fast ? roughly(share, n - 1.0) : expected,
-             most},
-            {"not-clamped", fast ? NAN : expected, most},
-            {"sign-of-the-speed",
-             fast ? expected : roughly(fmin(1.0, share), n - 1.0),
-             "This is the probability of a speed below -v: the square does "
-             "not know the sign. Can a speed be below a negative "
-             "number?"}});
-}
-
-static void test_outside(void)
-{
-    for (int n = 2; n <= 6; n += 2)
-        if (!(check_outside(n, 1.0, 2.5, 1.0) &&
-              check_outside(n, 4.0, 7.0, 1.0) &&
-              check_outside(n, 1.0, INFINITY, 1.0) &&
-              check_outside(n, 1.0, 0.0, 0.0) &&
-              check_outside(n, 1.0, -0.5, 0.0) &&
-              check_outside(n, 1.0, -7.0, 0.0) &&
-              check_outside(n, 1.0, -INFINITY, 0.0)))
-            return;
-    check_outside(4, 1.0, 2.0, 1.0);
-}
-
-static void test_one(void)
-{
-    static const double v[] = {0.5, 1.75, 2.25, 5.0};
-    for (size_t i = 0; i < sizeof v / sizeof v[0]; ++i) {
-        const struct known k = {1, 4.0, v[i], v[i] < 2.0 ? 0.0 : 1.0};
-        if (!CHECK_NEAR(
-                below(k.n, k.mean, k.v),
-                .quantity = "probability of a speed below v",
-                .input = input(&k), .expected = k.below, .tolerance = 0.0,
-                .because = "there is only one speed",
-                .equation = "eq:speed-law",
-                .question = "One disk alone keeps its energy, and so its "
-                            "speed. Which is it, and is it below v?"))
-            return;
+    const double all = c->mass[0] + c->mass[1];
+    const double sigma = length(c->apart, dimensions);
+    double own[3] = {0}, towards[3] = {0};
+    for (int k = 0; k < dimensions; ++k) {
+        const double centre =
+            (c->mass[0] * c->first[k] + c->mass[1] * c->second[k]) / all;
+        own[k] = c->first[k] - centre;
+        towards[k] = c->apart[k] / sigma;
     }
+    return sigma * 2.0 * c->mass[0] * dot(own, towards, dimensions);
 }
 
-static void test_slow(void)
+static double half(const struct collision *c, int dimensions)
 {
-    static const struct known table[] = {
-        {5, 1.0, 0x1p-12, 4.768371496766122386e-8},
-        {3, 1.0, 0x1p-30, 5.782411586589356981e-19},
-        {10, 4.0, 0x1p-40, 1.861156378244312268e-25},
-        {250, 1.0, 0x1p-20, 9.058567229654278845e-13},
-        {2, 1.0, 0x1p-400, 7.498484069478154774e-242}};
-    check_table(table, sizeof table / sizeof table[0],
-                "A very slow disk is rare, but how rare? Which of your "
-                "numbers is near 1, and need it be?");
+    return 0.5 * right(c, dimensions);
 }
 
-static void test_many(void)
+static double negative(const struct collision *c, int dimensions)
 {
-    static const struct known table[] = {
-        {10000, 1.0, 1.0, 0.6321021637834484207},
-        {1000000, 1.0, 0.5, 0.2211990465658849202},
-        {1000000, 1.0, 1.0, 0.6321203748887297444},
-        {1000000, 1.0, 3.0, 0.9998765940832859131},
-        {1000000, 1.0, 0x1p-20, 9.094937922778128759e-13},
-        {10000000, 4.0, 2.5, 0.7903886056844504524},
-        {1000000000, 1.0, 0.75, 0.4302171750387155747}};
-    check_table(table, sizeof table / sizeof table[0],
-                "The law of Maxwell and Boltzmann is near, and still not "
-                "the same. What does a high power do with the rounding of "
-                "1 minus a share?");
+    return -right(c, dimensions);
 }
 
-/* The integral over s = v^2, from 0 to the largest, of the probability of a
-   speed above v is the mean of v^2. For three and four disks it is that of
-   a polynomial of second and third degree, which Simpson's rule gives
-   exactly. The roundings are those of three probabilities. */
-static bool check_mean(int n, double mean)
+static double no_distance(const struct collision *c, int dimensions)
 {
-    const double all = n * mean;
-    const double above[3] = {1.0 - below(n, mean, 0.0),
-                             1.0 - below(n, mean, sqrt(0.5 * all)),
-                             1.0 - below(n, mean, sqrt(all))};
-    const struct known k = {n, mean, sqrt(0.5 * all), 0.0};
+    return right(c, dimensions) / length(c->apart, dimensions);
+}
+
+static double not_normalised(const struct collision *c, int dimensions)
+{
+    return right(c, dimensions) * length(c->apart, dimensions);
+}
+
+/* As if twice the reduced mass were another one. */
+static double with_mass(const struct collision *c, int dimensions,
+                        double mass)
+{
+    const double sum = c->mass[0] + c->mass[1];
+    return right(c, dimensions) * mass * sum /
+           (2.0 * c->mass[0] * c->mass[1]);
+}
+
+static double first_mass(const struct collision *c, int dimensions)
+{
+    return with_mass(c, dimensions, c->mass[0]);
+}
+
+static double mean_mass(const struct collision *c, int dimensions)
+{
+    return with_mass(c, dimensions, 0.5 * (c->mass[0] + c->mass[1]));
+}
+
+static double whole_speed(const struct collision *c, int dimensions)
+{
+    double w[3] = {0};
+    for (int k = 0; k < dimensions; ++k)
+        w[k] = c->second[k] - c->first[k];
+    return right(c, dimensions) * length(w, dimensions) *
+           length(c->apart, dimensions) / -dot(w, c->apart, dimensions);
+}
+
+static double third_number(const struct collision *c, int dimensions)
+{
+    (void)dimensions;
+    return right(c, 3);
+}
+
+/* Z - 1, if each collision adds what the function says. */
+static double excess(const struct record *r,
+                     double (*adds)(const struct collision *, int))
+{
+    const double n = (double)r->n;
+    double sum = 0.0;
+    for (size_t i = 0; i < r->count; ++i)
+        sum += adds(&r->c[i], r->dimensions);
+    return sum * (n - 1.0) / (2.0 * r->energy * n * r->time);
+}
+
+/* The roundings of the products that are summed, before any of them cancel:
+   a few for each, and one for each sum that it has gone through. */
+static double tolerance(const struct record *r)
+{
+    const double n = (double)r->n;
+    double sum = 0.0;
+    for (size_t i = 0; i < r->count; ++i) {
+        const struct collision *c = &r->c[i];
+        const double reduced =
+            c->mass[0] * c->mass[1] / (c->mass[0] + c->mass[1]);
+        sum += 2.0 * reduced * length(c->apart, r->dimensions) *
+               (length(c->first, r->dimensions) +
+                length(c->second, r->dimensions));
+    }
+    sum *= (n - 1.0) / (2.0 * r->energy * n * r->time);
+    return DBL_EPSILON * (16.0 + (16.0 + (double)r->count) * sum);
+}
+
+static const char because[] =
+    "16 epsilons, and one for each collision, of the sum without signs";
+
+/* The mistake whose value was got, or one without a name. */
+static struct check_mistake mistake(const struct record *r, double got)
+{
+    const double e = excess(r, right), n = (double)r->n;
+    const struct check_mistake all[] = {
+        {"half-the-impulse", 1.0 + excess(r, half),
+         "Half of it. That momentum would stop the two; what do they do "
+         "instead?"},
+        {"first-mass-for-both", 1.0 + excess(r, first_mass),
+         "This would be right if both had the mass of the first. Look from "
+         "the centre of mass: which mass goes with the relative velocity?"},
+        {"mean-of-the-masses", 1.0 + excess(r, mean_mass),
+         "This takes the mean of the two masses. Let one become very "
+         "heavy: does the momentum that a light one exchanges with it grow "
+         "without end?"},
+        {"whole-speed", 1.0 + excess(r, whole_speed),
+         "This takes all of the relative velocity. Which part of it do two "
+         "smooth disks feel when they graze each other?"},
+        {"third-number-read", 1.0 + excess(r, third_number),
+         "In the plane a third number got into the sum. How many "
+         "components does your loop take, and who tells it?"},
+        {"momentum-forgotten", 1.0 + e * n / (n - 1.0),
+         "This is right for n particles with as many free motions. The "
+         "momentum of them all is zero: how many can still move as they "
+         "like?"},
+        {"dimensions-forgotten", 1.0 + e * r->dimensions,
+         "Z - 1 is as many times too large as there are dimensions. In "
+         "each direction, which part of distance times momentum counts, on "
+         "average?"},
+        {"plane-for-space", 1.0 + e * 2.0 / r->dimensions,
+         "This is the temperature of a gas in the plane. Among how many "
+         "directions is the energy shared here?"},
+        {"ideal-part-forgotten", e,
+         "The collisions are right. Which pressure has a gas that has "
+         "none?"},
+        {"distance-forgotten", 1.0 + excess(r, no_distance),
+         "This sums the momentum that was exchanged. Over which distance "
+         "did it jump? Which unit must the virial have?"},
+        {"not-normalised", 1.0 + excess(r, not_normalised),
+         "One length too many. Is what you multiply the velocity with a "
+         "direction, of length 1?"},
+        {"pull-for-push", 1.0 + excess(r, negative),
+         "Your collisions pull. The centres approach: which sign has the "
+         "scalar product of the way from one to the other and the relative "
+         "velocity?"}};
+    const double slack = tolerance(r);
+    for (size_t k = 0; k < sizeof all / sizeof all[0]; ++k)
+        if (fabs(got - all[k].value) <= slack + 1e-9 * fabs(got) &&
+            fabs(all[k].value - (1.0 + e)) > 1e-6 * fabs(e))
+            return all[k];
+    return (struct check_mistake){NULL, 0.0, NULL};
+}
+
+static bool check_z(const struct record *r, double expected,
+                    const char *question)
+{
+    const double got = answer(r).z;
+    return CHECK_NEAR(got, .quantity = "Z", .unit = "", .input = input(r),
+                      .expected = expected, .tolerance = tolerance(r),
+                      .because = because, .equation = "eq:virial",
+                      .question = question, .mistakes = {mistake(r, got)});
+}
+
+static double ideal(const struct record *r, int sides)
+{
+    const double n = (double)r->n;
+    const double kt = 2.0 * r->energy / (r->dimensions * (n - 1.0));
+    const double area = r->box[0] * r->box[1];
+    return n * kt / (sides == 3 ? area * r->box[2] : area);
+}
+
+static bool check_pressure(const struct record *r, double z,
+                           const char *question)
+{
+    const double n = (double)r->n, p = ideal(r, r->dimensions);
     return CHECK_NEAR(
-        all / 6.0 * (above[0] + 4.0 * above[1] + above[2]),
-        .quantity = "mean of v^2, from your probabilities for 0, this v, "
-                    "and the largest v",
-        .unit = "m^2/s^2", .input = input(&k), .expected = mean,
-        .tolerance = all * tolerance,
-        .because = "that of the probabilities, summed up",
-        .equation = "eq:speed-law",
-        .question = "The mean of the squares was given. Which squares are "
-                    "too frequent in your law?");
-}
-
-static void test_mean(void)
-{
-    (void)(check_mean(3, 1.0) && check_mean(4, 1.0) && check_mean(3, 2.5) &&
-           check_mean(4, 0.3));
-}
-
-static bool check_fourth(int n, double mean, double v)
-{
-    const struct known k = {n, mean, v, 0.0};
-    const double count = n, square = mean * mean;
-    double got = NAN;
-    (void)speed_below(n, mean, v, &got);
-    return CHECK_NEAR(
-        got, .quantity = "*fourth, the mean of v^4", .unit = "m^4/s^4",
-        .input = input(&k),
-        .expected = square * (count / (count + 1.0) * 2.0),
-        .tolerance = tolerance * square * (count / (count + 1.0) * 2.0),
-        .because = because, .equation = "eq:speed-law",
-        .question = "Integrate v^4 times the density, or 4 v^3 times the "
-                    "probability of a speed above v. What comes out for "
-                    "two disks, on paper?",
+        answer(r).pressure, .quantity = "*pressure",
+        .unit = r->dimensions == 3 ? "N/m^2" : "N/m", .input = input(r),
+        .expected = z * p,
+        .tolerance = p * (tolerance(r) + 16.0 * DBL_EPSILON * z),
+        .because = "that of Z, times n kT/V, and 16 epsilons",
+        .equation = "eq:virial", .question = question,
         .mistakes = {
-            {"fourth-of-maxwell", 2.0 * square,
-             "This is the mean for the law of Maxwell and Boltzmann. Can "
-             "few disks have speeds as large as that law allows?"},
-            {"fourth-of-equal-speeds", square,
-             "This is the square of the mean of v^2, as if all speeds were "
-             "equal. Are they, after some collisions? Or have you written "
-             "2 * n / (n + 1), and what is that for whole numbers?"},
-            {"fourth-on-a-line", 3.0 * count / (count + 2.0) * square,
-             "This is the mean for velocities on a line. How many "
-             "directions share the energy of a disk?"},
-            {"mean-not-squared", 2.0 * count / (count + 1.0) * mean,
-             "The number of disks is right. Which unit has v^4, and which "
-             "has your answer?"},
+            {"third-side-read", z * ideal(r, 3),
+             "In the plane the box has an area. How many of its sides have "
+             "you multiplied?"},
+            {"pressure-of-collisions-only", (z - 1.0) * p,
+             "This is what the collisions add. Which pressure has a gas "
+             "without any?"},
+            {"pressure-without-collisions", p,
+             "This is the pressure of an ideal gas. What does Z say about "
+             "this one?"},
+            {"pressure-of-one", z * p / n,
+             "This is the pressure of one particle. How many of them are "
+             "in the box?"},
+            {"momentum-forgotten", z * p * (n - 1.0) / n,
+             "Here kT is shared among n particles. What does the zero "
+             "momentum do to the number of free motions?"},
             {"left-empty", NAN,
-             "Not a number: is *fourth filled in whatever v is, before any "
-             "return?"}});
+             "Not a number: was *pressure filled in, even when nothing has "
+             "collided?"}});
 }
 
-static void test_fourth(void)
+static const struct record thin = {.dimensions = 2,
+                                   .n = 5,
+                                   .box = {4.0, 3.0, 7.0},
+                                   .energy = 20.0,
+                                   .time = 3.0};
+
+static void test_none(void)
 {
-    (void)(check_fourth(3, 1.25, 1.0) && check_fourth(2, 1.5, 1.0) &&
-           check_fourth(2, 0.7, 9.0) && check_fourth(5, 1.5, -1.0) &&
-           check_fourth(250, 1.0, 0.5) && check_fourth(1, 1.5, 1.0) &&
-           check_fourth(1, 3.0, 2.0) && check_fourth(1000000, 2.0, 1.0) &&
-           check_fourth(1000000000, 2.0, 1.0));
+    static const char question[] =
+        "Nothing has collided, and the gas is ideal. What are P V/(N kT) "
+        "and P?";
+    (void)(check_z(&thin, 1.0, question) &&
+           check_pressure(&thin, 1.0, question));
 }
 
-/* The integral over s = v^2 of 2 s times the probability of a speed above v
-   is the mean of v^4; for three disks, a polynomial of third degree. Its
-   two ends are zero, for s and for the probability. */
-static void test_agree(void)
+/* The gas above with one collision. */
+static struct record one(struct collision c)
 {
-    const struct known k = {3, 2.5, sqrt(3.75), 0.0};
-    double fourth = NAN;
-    const double above = 1.0 - speed_below(k.n, k.mean, k.v, &fourth);
-    const double all = 7.5;
-    CHECK_NEAR(
-        fourth, .quantity = "*fourth", .unit = "m^4/s^4",
-        .input = input(&k),
-        .expected = all / 6.0 * 4.0 * (2.0 * 0.5 * all * above),
-        .tolerance = 8.0 * all * all * tolerance,
-        .because = "that of a probability, times 4 (7.5 m^2/s^2)^2/6, and "
-                   "its own",
-        .equation = "eq:speed-law",
-        .question = "Your probability below this v gives the expected "
-                    "number, and *fourth is another one. Do both come from "
-                    "one law?");
+    struct record r = thin;
+    r.count = 1;
+    r.c[0] = c;
+    return r;
 }
 
-/* A speed that is made for its probability: as small as one likes, and
-   nearly 1. When the n - 1 others each leave e^-x/(n-1) of the probability
-   of a speed above v, all of them leave e^-x; the first of these numbers
-   says which share of the energy v is. */
-static struct known draw_known(void)
+/* Head on: 2 kg times 4 m/s, over 1.5 m, is 12 J s. Divided by D N kT t,
+   which is 2 * 5 * 5 J * 3 s, that makes 0.08. */
+static void test_head_on(void)
 {
-    const int n = 2 + (int)pow(10.0, check_draw(0.0, 8.9));
-    const double x = pow(10.0, check_draw(-25.0, 1.4));
-    const double mean = check_draw(0.1, 9.0);
-    const double share = -expm1(-x / (n - 1.0));
-    return (struct known){n, mean, sqrt(share * n * mean), -expm1(-x)};
+    const struct record r = one((struct collision){
+        {2.0, 2.0}, {1.5, 0.0, 0.0}, {3.0, 0.0, 0.0}, {-1.0, 0.0, 0.0}});
+    const struct record up = one((struct collision){
+        {2.0, 2.0}, {0.0, -3.0, 0.0}, {1.0, -2.0, 0.0}, {1.0, 0.0, 0.0}});
+    static const char question[] =
+        "Two equal disks meet head on and exchange their velocities. Which "
+        "momentum has jumped, over which distance?";
+    (void)(check_z(&r, 1.08, question) && check_z(&up, 1.08, question));
+}
+
+/* Twice the reduced mass is 1.5 kg: 1.5 * 4 * 1.5 = 9 J s and 0.06. */
+static void test_masses(void)
+{
+    const struct record r = one((struct collision){
+        {3.0, 1.0}, {1.5, 0.0, 0.0}, {3.0, 0.0, 0.0}, {-1.0, 0.0, 0.0}});
+    const struct record q = one((struct collision){
+        {2.0, 6.0}, {0.0, 2.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, -1.0, 0.0}});
+    static const char question[] =
+        "Look at the two from their centre of mass. By how much does the "
+        "momentum of either change?";
+    (void)(check_z(&r, 1.06, question) && check_z(&q, 1.08, question));
+}
+
+/* The line of centres is 5 m long, (3, 4): the velocity of approach is
+   3/5 of 2 m/s, or 4/5 of it. */
+static void test_oblique(void)
+{
+    const struct record r = one((struct collision){
+        {3.0, 6.0}, {3.0, 4.0, 0.0}, {2.0, 0.0, 0.0}, {0.0, 0.0, 0.0}});
+    const struct record q = one((struct collision){
+        {3.0, 6.0}, {3.0, 4.0, 0.0}, {5.0, 0.0, 0.0}, {5.0, -2.0, 0.0}});
+    static const char question[] =
+        "They meet at an angle. How fast does the distance of the centres "
+        "shrink?";
+    (void)(check_z(&r, 1.0 + 4.0 * 6.0 / 150.0, question) &&
+           check_z(&q, 1.0 + 4.0 * 8.0 / 150.0, question));
+}
+
+static struct collision exchanged(struct collision c)
+{
+    struct collision x = {{c.mass[1], c.mass[0]}, {0}, {0}, {0}};
+    for (int k = 0; k < 3; ++k) {
+        x.apart[k] = -c.apart[k];
+        x.first[k] = c.second[k];
+        x.second[k] = c.first[k];
+    }
+    return x;
+}
+
+static void test_order(void)
+{
+    const struct collision c = {
+        {3.0, 6.0}, {3.0, 4.0, 0.0}, {2.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
+    const struct collision d = {
+        {1.0, 4.0}, {-1.0, 0.5, 0.0}, {-1.0, 2.0, 0.0}, {3.0, 1.0, 0.0}};
+    struct record r = one(c), q = one(exchanged(c));
+    r.count = q.count = 2;
+    r.c[1] = exchanged(d);
+    q.c[1] = d;
+    static const char question[] =
+        "This is a record in which the two of a pair have changed places. "
+        "What in your formula knows who comes first?";
+    (void)(check_z(&r, 1.0 + (24.0 + 7.2) / 150.0, question) &&
+           check_z(&q, 1.0 + (24.0 + 7.2) / 150.0, question));
+}
+
+/* The collision of test_head_on, with third numbers that mean nothing. */
+static void test_plane(void)
+{
+    const struct record r = one((struct collision){
+        {2.0, 2.0}, {1.5, 0.0, 8.0}, {3.0, 0.0, 9.0}, {-1.0, 0.0, 2.0}});
+    static const char question[] =
+        "In the plane a vector has two components. What do you do with "
+        "the third number?";
+    (void)(check_z(&r, 1.08, question) &&
+           check_pressure(&r, 1.08, question));
+}
+
+/* r.w is -(1 * 2 + 2 * 1 + 2 * 3) = -10, twice the reduced mass 3 kg: 30 J
+   s. D N kT t is 2 * 18 J * 5/4 * 2 s = 90. */
+static void test_space(void)
+{
+    const struct record r = {.dimensions = 3,
+                             .n = 5,
+                             .box = {4.0, 3.0, 2.0},
+                             .energy = 18.0,
+                             .time = 2.0,
+                             .count = 1,
+                             .c = {{{6.0, 2.0},
+                                    {1.0, 2.0, 2.0},
+                                    {2.0, 0.0, 1.0},
+                                    {0.0, -1.0, -2.0}}}};
+    static const char question[] =
+        "These are spheres. Which of your numbers depend on the number of "
+        "dimensions, and does Z?";
+    (void)(check_z(&r, 1.0 + 30.0 / 90.0, question) &&
+           check_pressure(&r, 1.0 + 30.0 / 90.0, question));
+}
+
+/* Two disks on one line, with zero momentum: they meet with the relative
+   velocity u on one side and then, across the seam, on the other. Between
+   two collisions u covers what is left of the box, L - 2 sigma. So the sum
+   over the time is 2 m u^2 sigma/(L - 2 sigma), and with K = m u^2/2 and
+   two disks Z is (L - sigma)/(L - 2 sigma), whatever the masses. */
+static bool check_two(double m0, double m1, double sigma)
+{
+    const double side = 10.0, u = 3.0, reduced = m0 * m1 / (m0 + m1);
+    struct record r = {.dimensions = 2,
+                       .n = 2,
+                       .box = {side, 5.0, 0.0},
+                       .energy = 0.5 * reduced * u * u,
+                       .time = 100.0 * (side - 2.0 * sigma) / u,
+                       .count = 100};
+    for (size_t i = 0; i < r.count; ++i) {
+        const double way = i % 2 ? -1.0 : 1.0;
+        r.c[i] = (struct collision){{m0, m1},
+                                    {way * sigma, 0.0, 0.0},
+                                    {way * u * m1 / (m0 + m1), 0.0, 0.0},
+                                    {-way * u * m0 / (m0 + m1), 0.0, 0.0}};
+    }
+    return check_z(&r, (side - sigma) / (side - 2.0 * sigma),
+                   "Two disks go to and fro and meet on both sides. How "
+                   "often do they, and what does each collision add?");
+}
+
+static void test_to_and_fro(void)
+{
+    (void)(check_two(1.0, 1.0, 1.0) && check_two(1.0, 3.0, 1.0) &&
+           check_two(5.0, 0.2, 4.0));
+}
+
+static void draw_vector(double v[3], double most)
+{
+    for (int k = 0; k < 3; ++k)
+        v[k] = check_draw(-most, most);
+}
+
+/* A collision that is made for what it adds: the distance of the centres,
+   along the direction e, times the momentum exchanged, which is 2 m u for
+   the reduced mass m and the speed of approach u. Across e the two may move
+   as they like, and both together too. In the plane the third numbers mean
+   nothing. */
+static struct collision draw_collision(int dimensions, double *adds)
+{
+    const double m0 = check_draw(0.1, 5.0), m1 = check_draw(0.1, 5.0);
+    const double sigma = check_draw(0.1, 2.0), u = check_draw(0.05, 3.0);
+    struct collision c = {{m0, m1}, {0}, {0}, {0}};
+    double e[3], w[3], common[3];
+    do
+        draw_vector(e, 1.0);
+    while (length(e, dimensions) < 0.2);
+    draw_vector(w, 2.0);
+    draw_vector(common, 2.0);
+    const double size = length(e, dimensions);
+    const double along = dot(w, e, dimensions) / (size * size);
+    for (int k = 0; k < 3; ++k) {
+        w[k] += (u / size - along) * e[k];
+        c.apart[k] = sigma * e[k] / size;
+        c.first[k] = common[k] + m1 / (m0 + m1) * w[k];
+        c.second[k] = common[k] - m0 / (m0 + m1) * w[k];
+    }
+    *adds = 2.0 * m0 * m1 / (m0 + m1) * u * sigma;
+    return check_draw_whole(0, 1) ? exchanged(c) : c;
+}
+
+static struct record draw_record(double *z)
+{
+    struct record r = {.dimensions = check_draw_whole(2, 3),
+                       .n = (size_t)check_draw_whole(2, 100),
+                       .energy = check_draw(10.0, 90.0),
+                       .time = check_draw(1.0, 20.0),
+                       .count = (size_t)check_draw_whole(1, 60)};
+    double sum = 0.0;
+    for (int k = 0; k < 3; ++k)
+        r.box[k] = check_draw(3.0, 9.0);
+    for (size_t i = 0; i < r.count; ++i) {
+        double adds;
+        r.c[i] = draw_collision(r.dimensions, &adds);
+        sum += adds;
+    }
+    *z = 1.0 + sum / (2.0 * r.energy * r.time) * (1.0 - 1.0 / r.n);
+    return r;
 }
 
 static void test_drawn(void)
 {
-    for (int i = 0; i < 50; ++i) {
-        const struct known k = draw_known();
-        if (!check_below(&k, "Many disks or few, fast or slow: where in "
-                             "your formula do digits get lost?") ||
-            !check_fourth(k.n, k.mean, k.v))
+    for (int i = 0; i < 20; ++i) {
+        double z;
+        const struct record r = draw_record(&z);
+        if (!(check_z(&r, z,
+                      "These are collisions of all kinds. Does every one "
+                      "of them add what it should?") &&
+              check_pressure(&r, z,
+                             "Z is right. What has P to do with Z, n, kT "
+                             "and the size of the box?")))
             return;
     }
 }
 
 const struct check_suite check_suite = {
-    .file = "07b-speeds.c",
-    .title = "How fast is a disk?",
-    .minutes = 25,
-    .tests = {{"two disks: every share is equally likely", test_two, 1, 0},
-              {"three to 250 disks agree with a table", test_some, 2, 0},
-              {"no disk has more than all the energy", test_outside, 1, 0},
-              {"one disk alone has one speed", test_one, 1, 0},
-              {"slow disks keep all digits", test_slow, 1, 0},
-              {"many disks keep all digits", test_many, 2, 0},
-              {"the mean square is the one that was given", test_mean, 1,
-               0},
-              {"the fourth power has its mean, few disks or many",
-               test_fourth, 1, 0},
-              {"the fourth power and the probabilities agree", test_agree,
-               1, 0},
-              {"a speed made for its probability has it", test_drawn, 2, 3},
-              {0}},
+    .file = "07b-virial.c",
+    .title = "Pressure without walls",
+    .minutes = 30,
+    .tests =
+        {{"a gas without collisions is ideal", test_none, 1, 0},
+         {"two equal disks head on are as worked out by hand", test_head_on,
+          2, 0},
+         {"the reduced mass counts when masses differ", test_masses, 1, 0},
+         {"only the approach of the centres counts", test_oblique, 1, 0},
+         {"it does not matter who of a pair comes first", test_order, 1, 0},
+         {"in the plane the third numbers mean nothing", test_plane, 1, 0},
+         {"in space there are three", test_space, 1, 0},
+         {"two disks that go to and fro have an exact Z", test_to_and_fro,
+          2, 0},
+         {"many collisions add up, and give the pressure", test_drawn, 2,
+          3},
+         {0}},
 };

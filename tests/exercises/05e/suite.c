@@ -1,0 +1,318 @@
+/* The suite of exercise 05e: programs that move one disk, right ones and
+   those whose clock is wrong. */
+
+#include "examiner/check.h"
+#include <math.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+struct state {
+    double x, y, vx, vy;
+};
+
+typedef void program(struct state start, double tick, size_t samples,
+                     struct state kept[]);
+
+bool clock_is_right(double width, double height, program *run);
+
+/* The box of the programs, what a lossy clock loses at a bounce in ticks,
+   and the bounces that all of them together have seen. */
+static double width, height, lost;
+static size_t bounces;
+
+/* How long it is to the next wall on one axis. */
+static double wait(double x, double v, double size)
+{
+    return v > 0.0   ? fmax(0.0, size - x) / v
+           : v < 0.0 ? fmax(0.0, x) / -v
+                     : INFINITY;
+}
+
+static double next(const struct state *s)
+{
+    return fmin(wait(s->x, s->vx, width), wait(s->y, s->vy, height));
+}
+
+static void fly(struct state *s, double time)
+{
+    s->x += time * s->vx;
+    s->y += time * s->vy;
+}
+
+/* Whichever wall is due turns the disk round. */
+static void bounce(struct state *s)
+{
+    ++bounces;
+    if (wait(s->x, s->vx, width) <= wait(s->y, s->vy, height))
+        s->vx = -s->vx;
+    else
+        s->vy = -s->vy;
+}
+
+/* What a program does otherwise than a right one. */
+struct habits {
+    bool backwards; /* flies to an event by what the article has for it */
+    bool records;   /* records an event like a tick */
+    bool restarts;  /* begins a tick anew after an event */
+    bool once;      /* sees one event between two ticks, and no other */
+    double loses;   /* of a tick, at each event */
+};
+
+static void go(struct habits h, struct state s, double tick, size_t samples,
+               struct state kept[])
+{
+    double left = tick; /* until the next tick */
+    size_t events = 0;
+    for (size_t k = 0; k < samples;) {
+        const double event = next(&s);
+        if (event >= left || events > 20 * samples) {
+            fly(&s, left);
+            left = tick;
+            kept[k++] = s;
+            continue;
+        }
+        ++events; /* a clock that restarts may never come to its end */
+        fly(&s, h.backwards ? event - 2.0 * tick : event);
+        left -= event;
+        bounce(&s);
+        fly(&s, -h.loses * tick);
+        if (h.records)
+            kept[k++] = s;
+        if (h.restarts)
+            left = tick;
+        if (h.once) {
+            fly(&s, left);
+            left = tick;
+            if (k < samples)
+                kept[k++] = s;
+        }
+    }
+}
+
+static void by_events(struct state s, double tick, size_t samples,
+                      struct state kept[])
+{
+    go((struct habits){0}, s, tick, samples, kept);
+}
+
+/* One axis at any time: a mirrored box beside each box. */
+static double folded(double x, double *v, double size, double time)
+{
+    const double turns = floor((x + *v * time) / size);
+    const double rest = x + *v * time - turns * size;
+    const bool odd = fmod(turns, 2.0) != 0.0;
+    *v = odd ? -*v : *v;
+    return odd ? size - rest : rest;
+}
+
+static void by_mirrors(struct state s, double tick, size_t samples,
+                       struct state kept[])
+{
+    for (size_t k = 0; k < samples; ++k) {
+        kept[k] = s;
+        const double t = (double)(k + 1) * tick;
+        kept[k].x = folded(s.x, &kept[k].vx, width, t);
+        kept[k].y = folded(s.y, &kept[k].vy, height, t);
+    }
+}
+
+static void article(struct state s, double tick, size_t samples,
+                    struct state kept[])
+{
+    go((struct habits){true, true, true, false, 0.0}, s, tick, samples,
+       kept);
+}
+
+static void mended(struct state s, double tick, size_t samples,
+                   struct state kept[])
+{
+    go((struct habits){false, true, true, false, 0.0}, s, tick, samples,
+       kept);
+}
+
+static void recording(struct state s, double tick, size_t samples,
+                      struct state kept[])
+{
+    go((struct habits){false, true, false, false, 0.0}, s, tick, samples,
+       kept);
+}
+
+static void restarting(struct state s, double tick, size_t samples,
+                       struct state kept[])
+{
+    go((struct habits){false, false, true, false, 0.0}, s, tick, samples,
+       kept);
+}
+
+static void once(struct state s, double tick, size_t samples,
+                 struct state kept[])
+{
+    go((struct habits){false, false, false, true, 0.0}, s, tick, samples,
+       kept);
+}
+
+static void losing(struct state s, double tick, size_t samples,
+                   struct state kept[])
+{
+    go((struct habits){false, false, false, false, lost}, s, tick, samples,
+       kept);
+}
+
+static double said(program *run, double w, double h)
+{
+    width = w;
+    height = h;
+    bounces = 0;
+    return clock_is_right(w, h, run) ? 1.0 : 0.0;
+}
+
+static bool check_right(program *run, const char *how, const char *mistake,
+                        const char *question)
+{
+    return CHECK_NEAR(
+        said(run, 3.0, 2.0),
+        .quantity = "what you say of a right program (1 true, 0 false)",
+        .input = how, .expected = 1.0, .tolerance = 0.0,
+        .because = "yes or no", .equation = "eq:disk-clock",
+        .question = question, .mistakes = {{mistake, 0.0, question}});
+}
+
+static bool check_rights(void)
+{
+    return check_right(by_mirrors,
+                       "a right program, which works with mirrors",
+                       "right-one-refused",
+                       "This one is right. Where do you say the disk is, "
+                       "and where is it? Begin with the first tick.") &&
+           check_right(by_events, "a right program, from bounce to bounce",
+                       "compares-exactly",
+                       "This one is right, and rounds at each bounce and "
+                       "each tick. How near is near?");
+}
+
+static bool check_wrong(program *run, const char *how, const char *mistake,
+                        const char *question)
+{
+    const double got = said(run, 3.0, 2.0);
+    static const char none[] =
+        "Not one of your runs has seen a bounce. What can a clock do wrong "
+        "when nothing happens?";
+    return CHECK_NEAR(
+        got,
+        .quantity = "what you say of a wrong program (1 true, 0 false)",
+        .input = how, .expected = 0.0, .tolerance = 0.0,
+        .because = "yes or no", .equation = "eq:disk-clock",
+        .question = question,
+        .mistakes = {{"no-bounce", bounces > 0 ? 0.0 : got, none},
+                     {mistake, bounces > 0 ? got : 0.0, question}});
+}
+
+static void test_right(void)
+{
+    check_rights();
+}
+
+static void test_article(void)
+{
+    static const char question[] =
+        "The article's program jumps back in time at each bounce, and its "
+        "speeds are right to the last digit. Which of its numbers belong "
+        "to a time?";
+    (void)(check_rights() && check_wrong(article, "the article's program",
+                                         "energy-only", question));
+}
+
+static void test_mended(void)
+{
+    (void)(check_rights() &&
+           check_wrong(mended, "the article's, with its sign mended",
+                       "place-not-compared",
+                       "This disk is always inside, always on its way, and "
+                       "turns round at the walls. Is it there at the right "
+                       "time?") &&
+           check_wrong(recording, "each bounce is recorded like a tick",
+                       "place-not-compared",
+                       "Some of these samples belong to bounces. To which "
+                       "time does number k belong?"));
+}
+
+static void test_restarting(void)
+{
+    (void)(check_rights() &&
+           check_wrong(restarting, "the tick begins anew after a bounce",
+                       "place-not-compared",
+                       "Between two samples with a bounce more than a tick "
+                       "goes by. Do you look at those?"));
+}
+
+static void test_once(void)
+{
+    (void)(check_rights() &&
+           check_wrong(once, "one bounce a tick is seen, and no more",
+                       "one-bounce-a-tick",
+                       "This program forgets the second bounce between two "
+                       "ticks. Is there ever more than one in your runs?"));
+}
+
+static void test_losing(void)
+{
+    static const double share[] = {0.1, 1e-3};
+    for (int i = 0; i < 2; ++i) {
+        lost = share[i];
+        if (!check_rights() ||
+            !check_wrong(losing,
+                         check_text("each bounce loses %g ticks", lost),
+                         "too-coarse",
+                         "This program loses a little time at each bounce, "
+                         "and the differences grow. How much do you let "
+                         "pass?"))
+            return;
+    }
+}
+
+/* Boxes of any size, from a molecule's to a planet's, with a right program
+   and one that loses time. */
+static void test_drawn(void)
+{
+    for (int i = 0; i < 20; ++i) {
+        const double unit = pow(10.0, check_draw(-9.0, 9.0));
+        const double w = unit * check_draw(0.5, 2.0);
+        const double h = unit * check_draw(0.5, 2.0);
+        lost = check_draw(0.01, 0.5);
+        static const char question[] =
+            "A box of another size. Which lengths, velocities and times of "
+            "yours are those of a box of a metre?";
+        const char *box = check_text("a box of %g m by %g m", w, h);
+        program *const tried[] = {by_events, by_mirrors, losing, mended};
+        for (int k = 0; k < 4; ++k)
+            if (!CHECK_NEAR(said(tried[k], w, h),
+                            .quantity = k < 2 ? "what you say of a right "
+                                                "program"
+                                              : "what you say of a wrong "
+                                                "program",
+                            .input = box, .expected = k < 2 ? 1.0 : 0.0,
+                            .tolerance = 0.0, .because = "yes or no",
+                            .equation = "eq:disk-clock",
+                            .question = question,
+                            .mistakes = {{"only-this-box",
+                                          k < 2 ? 0.0 : 1.0, question}}))
+                return;
+    }
+}
+
+const struct check_suite check_suite = {
+    .file = "05e-finds.c",
+    .title = "A check that finds the clock",
+    .minutes = 25,
+    .tests =
+        {{"two right programs are right", test_right, 1, 0},
+         {"the article's program is refused", test_article, 2, 0},
+         {"programs that record bounces are refused", test_mended, 1, 0},
+         {"one whose clock restarts is refused", test_restarting, 1, 0},
+         {"one that sees one bounce a tick is refused", test_once, 2, 0},
+         {"those that lose time at a bounce are refused", test_losing, 2,
+          0},
+         {"boxes of all sizes", test_drawn, 1, 2},
+         {0}},
+    .idle = {test_right},
+};

@@ -40,9 +40,7 @@ double dashpot(double c, const struct body *a, const struct body *b,
         widens += d * (b->v[k] - a->v[k]);
     }
     const double pull = c * widens / (square > 0.0 ? square : 1.0);
-    for (int k = 0; k < 3; ++k) {
-        on_a[k] = pull * (b->x[k] - a->x[k]);
-        on_b[k] = -on_a[k];
-    }
+    for (int k = 0; k < 3; ++k)
+        on_b[k] = -(on_a[k] = pull * (b->x[k] - a->x[k]));
     return pull * widens;
 }

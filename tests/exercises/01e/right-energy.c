@@ -10,7 +10,7 @@ static bool one(void (*collide)(double, double, double *, double *),
     double m1 = of[0], m2 = of[1], u1 = of[2], u2 = of[3];
     double v1 = u1, v2 = u2, e, p, size;
     collide(m1, m2, &v1, &v2);
-    e = m1 * (v1 * v1 - u1 * u1) + m2 * (v2 * v2 - u2 * u2);
+    e = m1 * (v1 - u1) * (v1 + u1) + m2 * (v2 - u2) * (v2 + u2);
     p = m1 * (v1 - u1) + m2 * (v2 - u2);
     size = fabs(u1) + fabs(u2);
     if (!(fabs(p) < 1e-12 * (m1 + m2) * size))

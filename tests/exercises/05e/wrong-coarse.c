@@ -19,14 +19,17 @@ bool clock_is_right(double width, double height,
                     void (*run)(struct state start, double tick,
                                 size_t samples, struct state kept[]))
 {
-    struct state s = {0.3 * width, 0.4 * height, 3.83 * width, 2.57 * height}, kept[100];
+    struct state s = {0.3 * width, 0.4 * height, 3.83 * width,
+                      2.57 * height},
+                 kept[100];
     double tick = 0.31;
     int i;
     run(s, tick, 100, kept);
     for (i = 0; i < 100; i++) {
         double x = at(s.x, s.vx, width, (i + 1) * tick);
         double y = at(s.y, s.vy, height, (i + 1) * tick);
-        if (!(fabs(x - kept[i].x) < 0.3 * width) || !(fabs(y - kept[i].y) < 0.3 * height))
+        if (!(fabs(x - kept[i].x) < 0.3 * width) ||
+            !(fabs(y - kept[i].y) < 0.3 * height))
             return false;
     }
     return true;

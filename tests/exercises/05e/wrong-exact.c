@@ -20,7 +20,9 @@ bool clock_is_right(double width, double height,
                     void (*run)(struct state start, double tick,
                                 size_t samples, struct state kept[]))
 {
-    struct state s = {0.3 * width, 0.4 * height, 0.83 * width, 0.57 * height}, kept[300];
+    struct state s = {0.3 * width, 0.4 * height, 0.83 * width,
+                      0.57 * height},
+                 kept[300];
     double tick = 0.31;
     int i;
     run(s, tick, 300, kept);

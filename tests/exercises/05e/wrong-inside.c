@@ -19,14 +19,18 @@ bool clock_is_right(double width, double height,
                     void (*run)(struct state start, double tick,
                                 size_t samples, struct state kept[]))
 {
-    struct state s = {0.3 * width, 0.4 * height, 0.83 * width, 0.57 * height}, kept[300];
+    struct state s = {0.3 * width, 0.4 * height, 0.83 * width,
+                      0.57 * height},
+                 kept[300];
     double tick = 0.31;
     int i;
     run(s, tick, 300, kept);
     for (i = 0; i < 300; i++) {
         double x = at(s.x, s.vx, width, (i + 1) * tick);
         double y = at(s.y, s.vy, height, (i + 1) * tick);
-        if (x < 0 || y < 0 || kept[i].x < -1e-9 * width || kept[i].x > width * 1.000001 || kept[i].y < -1e-9 * height || kept[i].y > height * 1.000001)
+        if (x < 0 || y < 0 || kept[i].x < -1e-9 * width ||
+            kept[i].x > width * 1.000001 || kept[i].y < -1e-9 * height ||
+            kept[i].y > height * 1.000001)
             return false;
     }
     return true;

@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 3307878545 of the lines below */
+/* checksum 3233315743 of the lines below */
 /* Four engines that find the next collision on a line and carry it out. */
 #include "line/bonkers.h"
 
@@ -167,22 +167,20 @@ static bool meet_falling(struct bonkers *b, size_t i)
            (!pile || b->repeats[i] >= PILE * patience(b));
 }
 
-/* Lets everybody fly for a while, to the time t. */
-static void move_all(struct bonkers *b, double wait, double t)
+static void move_all(struct bonkers *b, double wait)
 {
-    for (size_t i = 0; i <= b->gaps; ++i) {
+    for (size_t i = 0; i <= b->gaps; ++i)
         b->body[i].x += b->body[i].v * wait;
-        b->body[i].since = t;
-    }
-    b->now = t;
 }
 
 /* Nothing happens before `until`: goes there, if it is a time. */
 static enum bonkers_stop idle_all(struct bonkers *b, double until)
 {
-    if (until < INFINITY)
-        move_all(b, until - b->now, until);
-    return idle(b, until);
+    if (until == INFINITY)
+        return BONKERS_STILL;
+    move_all(b, until - b->now);
+    b->now = until;
+    return BONKERS_TIME;
 }
 
 /* Moves everybody to the next collision, which is in gap i. Returns true
@@ -191,10 +189,19 @@ static bool move_and_collide(struct bonkers *b, size_t i, double wait)
 {
     struct bonkers_body *left = &b->body[i], *right = left + 1;
     const bool stands = at_once(b->now, b->now + wait);
-    move_all(b, wait, b->now + wait);
+    move_all(b, wait);
+    b->now += wait;
     collide(&left->v, &right->v, left->im, right->im, b->restitution);
     ++b->collisions;
     return count_repeat(b, i, stands);
+}
+
+static enum bonkers_stop set_clocks(struct bonkers *b,
+                                    enum bonkers_stop stop)
+{
+    for (size_t i = 0; i <= b->gaps; ++i)
+        b->body[i].since = b->now;
+    return stop;
 }
 
 /* At every event look at every gap and move everybody. */
@@ -720,8 +727,9 @@ enum bonkers_stop bonkers_run(struct bonkers *b, double until,
     b->begun = b->now;
     switch (b->engine) {
     case BONKERS_NAIVE:
-        return b->gravity > 0 ? run_naive_falling(b, until, collisions)
-                              : run_naive(b, until, collisions);
+        return b->gravity > 0
+                   ? run_naive_falling(b, until, collisions)
+                   : set_clocks(b, run_naive(b, until, collisions));
     case BONKERS_SCAN: return run_scan(b, until, collisions);
     case BONKERS_HEAP: return run_heap(b, until, collisions);
     default: return run_slabs(b, until, collisions);

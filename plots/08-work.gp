@@ -22,6 +22,8 @@ do for [k=0:1] {
   set ylabel k == 0 ? 'error at the end' : '' offset 0.5
   set format y (k == 0 ? '10^{%T}' : '')
   set xrange [k == 0 ? 400 : 100 : 1.5e6]
+  from = k == 0 ? 100 : 1000
+  set xtics from,10
   if (k == 1) { set lmargin at screen lecture ? 0.445 : 0.555; set rmargin at screen lecture ? 0.765 : 0.99; }
   set label 1 (k == 0 ? 'orbit' : 'chain') at graph 0.04,0.06 left
   if (k == 0) { if (lecture) { set key at screen 0.775,0.97 left top samplen 2 Left reverse } else { set key at screen 0.52,0.01 center bottom maxrows 3 samplen 2 Left reverse width 1 } }

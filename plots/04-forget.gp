@@ -40,7 +40,7 @@ do for [n=1:2] {
     print ''
 }
 unset print
-set multiplot layout 1,2 margins 0.07,0.985,0.15,0.97 spacing 0.1,0
+set multiplot layout 1,2 margins lecture ? 0.09 : 0.07,0.985,lecture ? 0.17 : 0.15,0.97 spacing 0.1,0
 set xlabel 'position  ({/:Italic h})'
 set ylabel 'time  (swings)' offset 1
 set xrange [0:1.4]

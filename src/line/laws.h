@@ -1,5 +1,5 @@
 /* From chapters/works/03-equilibrium.nw: edit there, then run make tangle. */
-/* checksum 3593460196 of the lines below */
+/* checksum 1002429696 of the lines below */
 /* The laws of equilibrium: densities, probabilities and tests of them. */
 #ifndef LAWS_H
 #define LAWS_H
@@ -47,8 +47,8 @@ const char *laws_read(const char *text, struct law *law);
 size_t laws_complete(struct law *law, double mean, double sd);
 
 /* The density of a complete law at x, in the inverse of x's unit, and the
-   probability of less than x (3.7, eq:velocity-law), (3.10,
-   eq:velocity-cdf), (3.12, eq:beta).
+   probability of less than x (3.2, eq:velocity-law), (3.5,
+   eq:velocity-cdf), (3.7, eq:beta).
  */
 double laws_density(const struct law *law, double x);
 double laws_below(const struct law *law, double x);

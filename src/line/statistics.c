@@ -1,5 +1,5 @@
 /* From chapters/03-equilibrium.nw: edit there, then run make tangle. */
-/* checksum 2950947839 of the lines below */
+/* checksum 2627551787 of the lines below */
 /* Moments, bins, a fit, blocks and correlations of a series. */
 #include "line/statistics.h"
 
@@ -244,7 +244,7 @@ static void choose_level(struct statistics_blocking *b)
             b->chosen = k;
             b->inefficiency = g;
         }
-        b->plateau = b->plateau || rule; /* (3.16, eq:choice) */
+        b->plateau = b->plateau || rule; /* (3.11, eq:choice) */
     }
     b->error = b->level[b->chosen].error;
 }

@@ -1,5 +1,5 @@
 /* From chapters/03-equilibrium.nw: edit there, then run make tangle. */
-/* checksum 1276489705 of the lines below */
+/* checksum 3915589831 of the lines below */
 /* Means, histograms and honest errors of a series of measurements. */
 #ifndef STATISTICS_H
 #define STATISTICS_H
@@ -16,21 +16,6 @@ struct statistics_moments {
     double mean, variance; /* the variance with n - 1 below the line */
     double third, fourth;  /* mean powers of x - mean */
     double least, greatest;
-};
-
-/* Counts in equal bins: bin i begins at low + i (high - low) / bins. */
-struct statistics_histogram {
-    double low, high;
-    size_t bins;
-    uint64_t total, below, above; /* all samples; those outside */
-    uint64_t count[];             /* one for each bin */
-};
-
-/* The Gaussian that fits a histogram best. */
-struct statistics_gaussian {
-    double mean, sd, mean_error, sd_error;
-    double chi2;    /* of the bins about the fit, divided by g */
-    size_t degrees; /* of freedom that chi2 has */
 };
 
 enum {
@@ -61,6 +46,21 @@ struct statistics_correlation {
     double error; /* of the mean */
 };
 
+/* Counts in equal bins: bin i begins at low + i (high - low) / bins. */
+struct statistics_histogram {
+    double low, high;
+    size_t bins;
+    uint64_t total, below, above; /* all samples; those outside */
+    uint64_t count[];             /* one for each bin */
+};
+
+/* The Gaussian that fits a histogram best. */
+struct statistics_gaussian {
+    double mean, sd, mean_error, sd_error;
+    double chi2;    /* of the bins about the fit, divided by g */
+    size_t degrees; /* of freedom that chi2 has */
+};
+
 /* What one column is worth saying: three numbers with their errors. */
 struct statistics_description {
     size_t n;
@@ -87,6 +87,24 @@ struct statistics_dependence {
 /* Returns the moments of a series. Requires n >= 2. */
 struct statistics_moments statistics_moments(size_t n, const double x[]);
 
+/* Blocks a series. Returns false without memory. Requires n >= 2.
+   Source: Flyvbjerg and Petersen, J. Chem. Phys. 91, 461 (1989); the
+   choice of the length (3.11, eq:choice). */
+bool statistics_blocking(size_t n, const double x[],
+                         struct statistics_blocking *b);
+
+/* Sums the correlations of a series (3.8, eq:inefficiency) up to the first
+   lag that is six times the correlation time, tau = g / 2, at least to 6
+   and at most to n / 8. Takes n times the window. Requires n >= 2.
+   Sources: Sokal's lectures (1997); uncertainty and bias: Wolff, Comput.
+   Phys. Commun. 156, 143 (2004). */
+struct statistics_correlation statistics_correlation(size_t n,
+                                                     const double x[]);
+
+/* The mean of (x[i] - mean) (x[i + lag] - mean). Requires lag < n. */
+double statistics_covariance(size_t n, const double x[], double mean,
+                             size_t lag);
+
 /* Returns an empty histogram for free, or NULL without memory. Requires
    low < high with a finite difference and bins > 0. */
 struct statistics_histogram *statistics_histogram_create(double low,
@@ -100,7 +118,7 @@ void statistics_histogram_add(struct statistics_histogram *h, double x);
 double statistics_histogram_edge(const struct statistics_histogram *h,
                                  size_t i);
 
-/* The density of bin i (3.2, eq:density) and its error (3.3, eq:bar) when
+/* The density of bin i (3.17, eq:density) and its error (3.18, eq:bar) when
    it takes `inefficiency` samples to make one independent one. */
 double statistics_histogram_density(const struct statistics_histogram *h,
                                     size_t i);
@@ -108,10 +126,10 @@ double statistics_histogram_error(const struct statistics_histogram *h,
                                   size_t i, double inefficiency);
 
 /* Returns how many bins from low to high suit n samples of standard
-   deviation sd (3.4, eq:width), from 1 to 1000. */
+   deviation sd (3.19, eq:width), from 1 to 1000. */
 size_t statistics_bins(size_t n, double low, double high, double sd);
 
-/* Fits a Gaussian by maximum likelihood (3.5, eq:score); g is the
+/* Fits a Gaussian by maximum likelihood (3.20, eq:score); g is the
    inefficiency of the samples, 1 if they are independent. Returns false if
    there is no such Gaussian: all samples are in one bin, or the steps do
    not settle. */
@@ -122,31 +140,13 @@ bool statistics_fit_gaussian(const struct statistics_histogram *h, double g,
 double statistics_gaussian_between(double mean, double sd, double a,
                                    double b);
 
-/* Blocks a series. Returns false without memory. Requires n >= 2.
-   Source: Flyvbjerg and Petersen, J. Chem. Phys. 91, 461 (1989); the
-   choice of the length (3.16, eq:choice). */
-bool statistics_blocking(size_t n, const double x[],
-                         struct statistics_blocking *b);
-
-/* Sums the correlations of a series (3.13, eq:inefficiency) up to the first
-   lag that is six times the correlation time, tau = g / 2, at least to 6
-   and at most to n / 8. Takes n times the window. Requires n >= 2.
-   Sources: Sokal's lectures (1997); uncertainty and bias: Wolff, Comput.
-   Phys. Commun. 156, 143 (2004). */
-struct statistics_correlation statistics_correlation(size_t n,
-                                                     const double x[]);
-
-/* The mean of (x[i] - mean) (x[i + lag] - mean). Requires lag < n. */
-double statistics_covariance(size_t n, const double x[], double mean,
-                             size_t lag);
-
 /* Describes x. If serial, the errors come from blocking; otherwise the
    samples are taken for independent. Returns false without memory.
    Requires n >= 2. */
 bool statistics_describe(size_t n, const double x[], bool serial,
                          struct statistics_description *d);
 
-/* Measures the scatter of counts (3.20, eq:scatter) over blocks that are
+/* Measures the scatter of counts (3.15, eq:scatter) over blocks that are
    long enough to be independent: count[b * cells + k] samples of block b
    are in cell k, where `expected` should be. Requires 3 blocks.
    Source: Satterthwaite, Biometrics Bull. 2, 110 (1946). */

@@ -1,0 +1,70 @@
+/* What the grader also asks of exercise 09e: that the order does not
+   matter, and that the unit does not. */
+
+#include "examiner/check.h"
+#include <float.h>
+#include <math.h>
+#include <stddef.h>
+
+double sum_up(size_t n, const double part[]);
+
+enum { N = 101 };
+
+/* Numbers of sizes from 1e-12 to 1e4, and their sum of sizes. */
+static double draw(double part[])
+{
+    double sizes = 0.0;
+    for (size_t i = 0; i < N; ++i) {
+        part[i] = check_draw(-9.0, 9.0) * pow(10.0, check_draw(-12.0, 3.0));
+        sizes += fabs(part[i]);
+    }
+    return sizes;
+}
+
+static void test_backwards(void)
+{
+    for (int i = 0; i < 20; ++i) {
+        double part[N], back[N];
+        const double sizes = draw(part);
+        for (size_t k = 0; k < N; ++k)
+            back[k] = part[N - 1 - k];
+        const double forth = sum_up(N, part);
+        const double twice = N * DBL_EPSILON;
+        if (!CHECK_NEAR(
+                sum_up(N, back), .quantity = "sum in the opposite order",
+                .input = "101 numbers of many sizes", .expected = forth,
+                .tolerance = 4.0 * DBL_EPSILON * fabs(forth) +
+                             2.0 * twice * twice * sizes,
+                .because = "what was asked for, each time",
+                .equation = "eq:compensated",
+                .question = "The same numbers. What is lost in one "
+                            "order, and not in the other?"))
+            return;
+    }
+}
+
+static void test_units(void)
+{
+    for (int i = 0; i < 20; ++i) {
+        double part[N], other[N];
+        draw(part);
+        const int unit = check_draw_whole(-300, 300);
+        for (size_t k = 0; k < N; ++k)
+            other[k] = ldexp(part[k], unit);
+        if (!CHECK_NEAR(ldexp(sum_up(N, other), -unit),
+                        .quantity = "sum in other units",
+                        .input =
+                            check_text("101 numbers, times 2^%d", unit),
+                        .expected = sum_up(N, part), .tolerance = 0.0,
+                        .because = "a power of two rounds nothing",
+                        .equation = "eq:compensated",
+                        .question = "Which of your numbers has a size of "
+                                    "its own?"))
+            return;
+    }
+}
+
+const struct check_test check_hidden[] = {
+    {"backwards the sum is the same", test_backwards, 1, 0},
+    {"in other units the sum is the same", test_units, 1, 0},
+    {0}};

@@ -1,0 +1,19 @@
+/* mistake: infinity-lost */
+
+#include "exercise.h"
+#include <math.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+double sum_up(size_t n, const double part[])
+{
+    double s = 0, lost = 0;
+    size_t i;
+    for (i = 0; i < n; i++) {
+        double b = part[i], t = s + b, of_b = t - s, of_s = t - of_b;
+        lost += (s - of_s) + (b - of_b);
+        s = t;
+    }
+    return s + lost;
+}

@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 2734967648 of the lines below */
+/* checksum 1888146571 of the lines below */
 /* Exact ways, two runs that agree, and ladders judged by them. */
 #include "enough/choose.h"
 
@@ -534,9 +534,8 @@ static struct models_plan next_cheap(const struct task *t,
     }
     const bool good =
         price_of(l, b, &next) < may &&
-        (b->high || !b->last || least_price(t, l, b->last) < may) &&
-        !(b->last && !b->high &&
-          fineness(&next) <= fineness(&b->last->plan)) &&
+        (b->high || least_price(t, l, b->last) < may) &&
+        (b->high || fineness(&next) > fineness(&b->last->plan)) &&
         !(b->costly && fineness(&next) >= fineness(&b->costly->plan));
     return good ? next : (struct models_plan){0};
 }

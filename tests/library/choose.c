@@ -630,6 +630,28 @@ static void test_reason(void)
     }
 }
 
+/* An exact way that costs less than a tenth of a second is run, without
+   asking whether that is worth it: two and a half million collisions of a
+   heavy ball, twice. Of a gas that is looked at after hours only, whose
+   horizon is at some seconds, that is asked, and little is spent. */
+static void test_patience(void)
+{
+    struct scene s = made("galperin", "mass-ratio", 5e11);
+    struct choose_request q = asked(&s, 4, 1e-3);
+    struct choose_choice c = chosen(&q, true);
+    UNIT_TRUE(c.run.collisions > 2000000 && c.run.cost > 0.05);
+    UNIT_TRUE(c.spent < 2.01 * c.run.cost);
+    choose_free(&c);
+    scene_free(&s);
+    s = made("gas", NULL, 0);
+    q = asked(&s, 1e4, 1e-3);
+    q.every = 1e4;
+    c = chosen(&q, false);
+    UNIT_TRUE(c.horizon < 20 && c.spent < 1);
+    choose_free(&c);
+    scene_free(&s);
+}
+
 /* More digits than there are: what is exact by rounding alone says so, and
    what has steps is refused before much is spent. */
 static void test_fine(void)
@@ -772,6 +794,7 @@ int main(void)
             {"observables have scales of their own", test_scales},
             {"units, directions and order do not matter", test_same},
             {"no more is spent than is reasonable", test_reason},
+            {"exact ways are run with some patience", test_patience},
             {"a tolerance below all roundings is answered at once",
              test_fine},
             {"a plan by hand is run as it is", test_only},

@@ -936,6 +936,34 @@ static void test_work(void)
     scene_free(&scene);
 }
 
+/* Two bodies fall side by side, and one passes the other from -100 to 100 at
+   a distance of 1. Beside their weight what attracts them is nothing, so it
+   is only 0.7 r/v that bounds a step. By hand that is so many steps, from a
+   first one of a hundredth of a second and none of more than five times the
+   one before. */
+static void test_passage(void)
+{
+    const char *why;
+    struct models_run r;
+    double steps = 0, h = 0.01;
+    for (double x = -100; x < 100; x += h, ++steps)
+        h = fmin(steps > 0 ? 5 * h : h, 0.7 * sqrt(x * x + 1));
+    scene = light_orbit(-100, 0);
+    scene.position[3] = 1;
+    scene.velocity[1] = 1;
+    scene.velocity[3] = 0;
+    scene.gravity[1] = -1;
+    scene.k2 = 1e-9;
+    struct models_plan p = plan("radau15:1");
+    p.little = 1e-12;
+    p.left = 200;
+    UNIT_TRUE(models_begin(&r, &p, &scene, 200, &why));
+    UNIT_TRUE(models_row(&r) == MODELS_DONE);
+    UNIT_NEAR(r.work[MODELS_EVALUATION], 8 * steps, 8);
+    models_end(&r);
+    scene_free(&scene);
+}
+
 /* A run that breaks down, and one that comes to a standstill. */
 static void test_ends(void)
 {
@@ -1014,6 +1042,7 @@ int main(void)
             {"the table has every method of chapter 8", test_table},
             {"and each one books what it does", test_books},
             {"work is counted, and limited", test_work},
+            {"steps of their own length see a passage", test_passage},
             {"runs that break down or stand still", test_ends},
             {"a list of prices", test_prices},
             {0}});

@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1888146571 of the lines below */
+/* checksum 270957393 of the lines below */
 /* Exact ways, two runs that agree, and ladders judged by them. */
 #include "enough/choose.h"
 
@@ -680,27 +680,17 @@ static const double share = 0.05; /* of e: enough for a reference */
 
 static struct models_plan first_reference(const struct task *t)
 {
-    struct models_plan p = {.model = models_find("radau15"), .steps = 1};
-    p = foot_of(t, p);
-    if (p.tolerance > 0)
-        p.tolerance = tolerance_for(
-            fmax(1e-8, fmin(1e-3, pow(t->q->tolerance, 2.0 / 3))));
-    return p;
+    const double first = pow(t->q->tolerance, 2.0 / 3);
+    return (struct models_plan){
+        .model = models_find("radau15"),
+        .steps = 1,
+        .tolerance = tolerance_for(fmax(1e-8, fmin(1e-3, first)))};
 }
 
 static struct models_plan finer_reference(struct models_plan p)
 {
-    if (p.tolerance > 0)
-        p.tolerance = tolerance_for(p.tolerance / 100);
-    else
-        p.steps *= 2;
+    p.tolerance = tolerance_for(p.tolerance / 100);
     return p;
-}
-
-static bool is_finest(const struct models_plan *p)
-{
-    return p->tolerance > 0 ? p->tolerance < 2e-15
-                            : p->steps > (UINT64_C(1) << 48);
 }
 
 static void refuse_reference(const struct task *t, const struct record *r)
@@ -794,7 +784,7 @@ static bool find_reference(const struct task *t, struct reference *f)
         f->doubt = apart(t, &f->coarser, &f->run);
         if (f->doubt <= share * t->q->tolerance)
             return true;
-        if (is_finest(&f->run.plan))
+        if (f->run.plan.tolerance < 2e-15)
             break;
         record_free(&f->coarser);
         record_free(&f->run);
@@ -839,21 +829,19 @@ static void try_only(const struct task *t, const struct reference *f)
     const struct tried seen =
         try_plan(t, f, NULL, *t->q->only, left_of(t), k);
     models_write(&seen.plan, plan);
-    if (!k->holds)
+    if (k->holds)
+        return;
+    if (isfinite(seen.error))
         snprintf(c->refusal, sizeof c->refusal,
-                 isinf(seen.error) ? "%s: %s"
-                                   : "%s is off by %s of the scale, more "
-                                     "than what was asked for",
-                 plan, k->text);
-    if (!k->holds && isinf(seen.cost))
+                 "%s is off by %.3g of the scale, more than %.3g", plan,
+                 seen.error, t->q->tolerance);
+    else if (isinf(seen.cost))
         snprintf(c->refusal, sizeof c->refusal,
                  "beyond reason: %s would bring the bill above %.3g s by "
                  "the price list; spent: %.2g s",
                  plan, t->q->reason, c->spent);
-    if (!k->holds && isfinite(seen.error))
-        snprintf(c->refusal, sizeof c->refusal,
-                 "%s is off by %.3g of the scale, more than %.3g", plan,
-                 seen.error, t->q->tolerance);
+    else
+        snprintf(c->refusal, sizeof c->refusal, "%s: %s", plan, k->text);
 }
 
 /* All that has to be compared with a reference. */
@@ -941,17 +929,6 @@ static bool overlaps(const struct task *t)
 
 enum { SEEN = 2000 }; /* bodies, at most, whose pairs are looked at */
 
-static double distance(const struct scene *s, size_t i, size_t j)
-{
-    double sum = 0;
-    for (size_t k = 0; k < SCENE_AXES; ++k) {
-        const double d =
-            s->position[k * s->bodies + i] - s->position[k * s->bodies + j];
-        sum += d * d;
-    }
-    return sqrt(sum);
-}
-
 /* Is there a pair that the tolerance cannot tell apart, and a body without
    which it could? */
 static void look_for_hidden(const struct task *t)
@@ -960,7 +937,7 @@ static void look_for_hidden(const struct task *t)
     struct choose_hidden h = {.apart = INFINITY};
     for (size_t i = 0; i < s->bodies && s->bodies <= SEEN; ++i)
         for (size_t j = 0; j < i; ++j) {
-            const double d = distance(s, i, j);
+            const double d = sqrt(models_square(s, i, j));
             if (d > 0 && d < h.apart)
                 h = (struct choose_hidden){.a = i, .b = j, .apart = d};
         }

@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 1659052801 of the lines below */
+/* checksum 3475827645 of the lines below */
 /* Who is light, from the nearest outwards; Jacobi's coordinates. */
 #include "enough/light.h"
 
@@ -19,22 +19,17 @@ static double middle(const struct light *l, const struct scene *s,
     return sum / mass;
 }
 
-struct place {
-    double square; /* of the distance from the middle, m^2 */
-    uint32_t body;
-};
-
-static int nearer(const void *one, const void *other)
+int light_compare(const void *one, const void *other)
 {
-    const struct place *a = one, *b = other;
-    if (a->square != b->square)
-        return a->square < b->square ? -1 : 1;
+    const struct light_place *a = one, *b = other;
+    if (a->key != b->key)
+        return a->key < b->key ? -1 : 1;
     return a->body < b->body ? -1 : a->body > b->body;
 }
 
 static bool sort_lights(struct light *l, const struct scene *s)
 {
-    struct place *place = calloc(l->lights + 1, sizeof *place);
+    struct light_place *place = calloc(l->lights + 1, sizeof *place);
     const size_t n = l->bodies;
     if (!place)
         return false;
@@ -43,12 +38,12 @@ static bool sort_lights(struct light *l, const struct scene *s)
         for (size_t j = 0; j < l->lights; ++j) {
             const double d = s->position[k * n + l->order[j]] - centre;
             place[j].body = l->order[j];
-            place[j].square += d * d;
+            place[j].key += d * d;
         }
     }
-    qsort(place, l->lights, sizeof *place, nearer);
+    qsort(place, l->lights, sizeof *place, light_compare);
     for (size_t j = 0; j < l->lights; ++j)
-        l->order[j] = place[j].body;
+        l->order[j] = (uint32_t)place[j].body;
     free(place);
     return true;
 }

@@ -1,5 +1,5 @@
 /* From chapters/works/12-models-parts.nw: edit there, then run make tangle. */
-/* checksum 806350987 of the lines below */
+/* checksum 107439821 of the lines below */
 /* Light bodies that do not pull, each alone with all that is inside it. */
 #ifndef LIGHT_H
 #define LIGHT_H
@@ -9,6 +9,12 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+
+/* A body in an order, by where it is or how far away. */
+struct light_place {
+    double key; /* m, or m^2 */
+    size_t body;
+};
 
 /* Bodies that pull, and light ones, which only are pulled: each one as if
    it were alone with all that is nearer to the heavy ones. */
@@ -24,6 +30,9 @@ struct light {
     double drift[SCENE_AXES];  /* its velocity, m/s */
     double fall[SCENE_AXES];   /* its acceleration, m/s^2 */
 };
+
+/* Two places for qsort, by key; those that are equal by number. */
+int light_compare(const void *one, const void *other);
 
 /* Sorts the bodies of s: is_heavy[i] says which pull; one must. moving:
    none is held and nothing but gravity and weight acts. Returns

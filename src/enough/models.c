@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 2505490374 of the lines below */
+/* checksum 1150811417 of the lines below */
 /* What acts, what can be left out, and how each model carries a scene. */
 #include "enough/models.h"
 
@@ -276,15 +276,22 @@ static bool has_light(const struct scene *s)
     return false;
 }
 
+double models_square(const struct scene *s, size_t i, size_t j)
+{
+    double sum = 0;
+    for (size_t k = 0; k < SCENE_AXES; ++k) {
+        const double d =
+            s->position[at(s, k, i)] - s->position[at(s, k, j)];
+        sum += d * d;
+    }
+    return sum;
+}
+
 /* The square of the frequency of two bodies, if they circled. */
 static double square_of_pair(const struct scene *s, size_t i, size_t j)
 {
-    double square = s->softening * s->softening;
-    for (size_t k = 0; k < SCENE_AXES; ++k) {
-        const double d =
-            s->position[at(s, k, j)] - s->position[at(s, k, i)];
-        square += d * d;
-    }
+    const double square =
+        s->softening * s->softening + models_square(s, i, j);
     return s->k2 * (s->mass[i] + s->mass[j]) / (square * sqrt(square));
 }
 
@@ -322,13 +329,8 @@ static void add_rows(const struct scene *s, const struct scene_spring *p,
 /* How stiff a spring is, along or across. */
 static double stiffness(const struct scene *s, const struct scene_spring *p)
 {
-    double square = 0;
-    for (size_t k = 0; k < SCENE_AXES; ++k) {
-        const double d =
-            s->position[at(s, k, p->b)] - s->position[at(s, k, p->a)];
-        square += d * d;
-    }
-    const double across = fabs(1 - p->rest / sqrt(square));
+    const double length = sqrt(models_square(s, p->a, p->b));
+    const double across = fabs(1 - p->rest / length);
     return s->kind[p->kind].stiffness *
            (across > 1 && across < INFINITY ? across : 1);
 }
@@ -942,32 +944,18 @@ static const char *row_fault(const struct scene *s,
     return NULL;
 }
 
-/* A body, and where it is. */
-struct bead {
-    double x;
-    size_t body;
-};
-
-static int bead_before(const void *one, const void *other)
-{
-    const struct bead *a = one, *b = other;
-    if (a->x != b->x)
-        return a->x < b->x ? -1 : 1;
-    return a->body < b->body ? -1 : a->body > b->body;
-}
-
 /* The start of chapter 2 for a row, and in body who is who. False without
    memory. */
 static bool start_row(struct start *start, size_t **body,
                       const struct scene *s,
                       const struct row_of_bodies *row)
 {
-    struct bead *bead = malloc((s->bodies + 1) * sizeof *bead);
+    struct light_place *bead = malloc((s->bodies + 1) * sizeof *bead);
     size_t movers = 0;
     *body = malloc((s->bodies + 1) * sizeof **body);
     for (size_t i = 0; bead && i < s->bodies; ++i)
         if (s->freedom[at(s, row->axis, i)])
-            bead[movers++] = (struct bead){
+            bead[movers++] = (struct light_place){
                 row->sign * s->position[at(s, row->axis, i)], i};
     if (!bead || !*body || !start_create(start, movers)) {
         free(bead);
@@ -975,10 +963,10 @@ static bool start_row(struct start *start, size_t **body,
         *body = NULL;
         return false;
     }
-    qsort(bead, movers, sizeof *bead, bead_before);
+    qsort(bead, movers, sizeof *bead, light_compare);
     for (size_t j = 0; j < movers; ++j) {
         const size_t i = (*body)[j] = bead[j].body;
-        start->x[j] = bead[j].x;
+        start->x[j] = bead[j].key;
         start->v[j] = row->sign * s->velocity[at(s, row->axis, i)];
         start->mass[j] = s->mass[i];
         start->radius[j] = s->radius[i];
@@ -1671,49 +1659,24 @@ static const char *refuse_leapfrog(const struct scene *s,
     return why;
 }
 
-/* A body, and how far it is from the heaviest one. */
-struct distant {
-    double square; /* m^2 */
-    size_t body;
-};
-
-static int nearer(const void *one, const void *other)
-{
-    const struct distant *a = one, *b = other;
-    if (a->square != b->square)
-        return a->square < b->square ? -1 : 1;
-    return a->body < b->body ? -1 : a->body > b->body;
-}
-
-static double square_between(const struct scene *s, size_t i, size_t j)
-{
-    double sum = 0;
-    for (size_t k = 0; k < SCENE_AXES; ++k) {
-        const double d =
-            s->position[at(s, k, i)] - s->position[at(s, k, j)];
-        sum += d * d;
-    }
-    return sum;
-}
-
 /* The heaviest body, then the others from the inside outwards, whatever
    their numbers are. NULL without memory. */
-static struct distant *order_outwards(const struct scene *s)
+static struct light_place *order_outwards(const struct scene *s)
 {
-    struct distant *order = malloc(s->bodies * sizeof *order);
+    struct light_place *order = malloc(s->bodies * sizeof *order);
     size_t centre = 0;
     for (size_t i = 1; i < s->bodies; ++i)
         if (s->mass[i] > s->mass[centre])
             centre = i;
     for (size_t i = 0; order && i < s->bodies; ++i)
-        order[i] = (struct distant){square_between(s, i, centre), i};
+        order[i] = (struct light_place){models_square(s, i, centre), i};
     if (order)
-        qsort(order, s->bodies, sizeof *order, nearer);
+        qsort(order, s->bodies, sizeof *order, light_compare);
     return order;
 }
 
 static void put_in_order(struct scene *to, const struct scene *from,
-                         const struct distant order[])
+                         const struct light_place order[])
 {
     const size_t n = to->bodies;
     for (size_t i = 0; i < n; ++i) {
@@ -1727,7 +1690,7 @@ static void put_in_order(struct scene *to, const struct scene *from,
 }
 
 static void put_back(struct scene *to, const struct scene *from,
-                     const struct distant order[])
+                     const struct light_place order[])
 {
     const size_t n = to->bodies;
     for (size_t i = 0; i < n; ++i)
@@ -1747,7 +1710,7 @@ static const char *refuse_orbits(const struct scene *s,
         why = "it does not ask who pulls";
     if (why)
         return why;
-    struct distant *order = order_outwards(s);
+    struct light_place *order = order_outwards(s);
     if (!order || !scene_copy(&other, s)) {
         free(order);
         return no_memory;
@@ -1770,7 +1733,7 @@ struct steps {
         const struct scene *scene;
         double little, left;
     } passages;
-    struct distant *order; /* of orbits, or NULL */
+    struct light_place *order; /* of orbits, or NULL */
     bool lights, rodded;
 };
 

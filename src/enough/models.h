@@ -1,5 +1,5 @@
 /* From chapters/works/12-models-parts.nw: edit there, then run make tangle. */
-/* checksum 1684961688 of the lines below */
+/* checksum 2871095617 of the lines below */
 /* All ways to carry a scene, behind one door, and what each costs. */
 #ifndef MODELS_H
 #define MODELS_H
@@ -162,6 +162,9 @@ void models_analyse(struct models_acts *a, const struct scene *s);
    come back, m; 0: nowhere, or there are no contacts. INFINITY without
    memory. */
 double models_overlap(const struct scene *s);
+
+/* The square of the distance of two bodies now, m^2. */
+double models_square(const struct scene *s, size_t i, size_t j);
 
 /* All models, a method of stepping each one; a name NULL ends them. To be
    called for the first time by one thread alone. */

@@ -936,11 +936,11 @@ static void test_work(void)
     scene_free(&scene);
 }
 
-/* Two bodies fall side by side, and one passes the other from -100 to 100 at
-   a distance of 1. Beside their weight what attracts them is nothing, so it
-   is only 0.7 r/v that bounds a step. By hand that is so many steps, from a
-   first one of a hundredth of a second and none of more than five times the
-   one before. */
+/* Two bodies fall side by side, and one passes the other from -100 to 100
+   at a distance of 1. Beside their weight what attracts them is nothing, so
+   it is only 0.7 r/v that bounds a step. By hand that is so many steps,
+   from a first one of a hundredth of a second and none of more than five
+   times the one before. */
 static void test_passage(void)
 {
     const char *why;

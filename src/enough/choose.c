@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 270957393 of the lines below */
+/* checksum 3061469990 of the lines below */
 /* Exact ways, two runs that agree, and ladders judged by them. */
 #include "enough/choose.h"
 
@@ -329,11 +329,9 @@ static double rate_of(const struct task *t, unsigned cuts)
 {
     struct scene s;
     struct models_acts acts = t->acts;
-    double turning;
     if (!(cuts & MODELS_RODS) || !scene_copy(&s, t->q->scene))
         return acts.fastest;
-    models_swing(&s, &turning);
-    models_without_stiff(&s);
+    const double turning = models_without_stiff(&s);
     models_analyse(&acts, &s);
     scene_free(&s);
     return fmax(acts.fastest, turning);

@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 1150811417 of the lines below */
+/* checksum 1122208463 of the lines below */
 /* What acts, what can be left out, and how each model carries a scene. */
 #include "enough/models.h"
 
@@ -482,44 +482,24 @@ static size_t take_springs(struct scene *s, bool stiff,
     return count;
 }
 
-void models_without_stiff(struct scene *s)
+double models_without_stiff(struct scene *s)
 {
-    take_springs(s, true, NULL);
-}
-
-/* How far the ends of a spring swing in the state of s, m; raises turning
-   to the rate at which they go round each other, 1/s. */
-static double swing_of(const struct scene *s, const struct scene_spring *p,
-                       double *turning)
-{
-    double r2 = 0, v2 = 0, rv = 0, ease = 0;
-    for (size_t k = 0; k < SCENE_AXES; ++k) {
-        const size_t a = at(s, k, p->a), b = at(s, k, p->b);
-        const double r = s->position[b] - s->position[a];
-        const double v = s->velocity[b] - s->velocity[a];
-        r2 += r * r;
-        v2 += v * v;
-        rv += r * v;
-    }
-    const size_t end[2] = {p->a, p->b};
-    for (int e = 0; e < 2; ++e)
-        if (is_free(s, end[e], ALL_AXES) && s->mass[end[e]] > 0)
-            ease += 1 / s->mass[end[e]];
-    *turning = fmax(*turning, sqrt(v2 / r2));
-    const double stretch = sqrt(r2) - p->rest;
-    return sqrt(stretch * stretch +
-                rv * rv / r2 / (ease * s->kind[p->kind].stiffness));
-}
-
-double models_swing(const struct scene *s, double *turning)
-{
-    double least, most, sum = 0;
-    *turning = 0;
+    double least, most, turning = 0;
     stiffnesses(s, &least, &most);
-    for (size_t j = 0; j < s->springs; ++j)
-        if (is_stiff(s, &s->spring[j], least, most))
-            sum += swing_of(s, &s->spring[j], turning);
-    return sum;
+    for (size_t j = 0; j < s->springs; ++j) {
+        const struct scene_spring *p = &s->spring[j];
+        double square = 0;
+        for (size_t k = 0; k < SCENE_AXES; ++k) {
+            const double v =
+                s->velocity[at(s, k, p->b)] - s->velocity[at(s, k, p->a)];
+            square += v * v;
+        }
+        if (is_stiff(s, p, least, most))
+            turning =
+                fmax(turning, sqrt(square / models_square(s, p->a, p->b)));
+    }
+    take_springs(s, true, NULL);
+    return turning;
 }
 
 static void flatten(struct scene *s)

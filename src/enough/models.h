@@ -1,5 +1,5 @@
 /* From chapters/works/12-models-parts.nw: edit there, then run make tangle. */
-/* checksum 2871095617 of the lines below */
+/* checksum 2715637143 of the lines below */
 /* All ways to carry a scene, behind one door, and what each costs. */
 #ifndef MODELS_H
 #define MODELS_H
@@ -148,12 +148,9 @@ double models_cost(const double work[MODELS_UNITS]);
 unsigned models_cuts(const struct scene *s);
 void models_cut(struct scene *s, unsigned cuts);
 
-/* How far the springs that would become rods swing, as s is now, m: added.
-   turning: the largest rate at which one of them goes round, 1/s. */
-double models_swing(const struct scene *s, double *turning);
-
-/* Takes the springs out that would become rods. */
-void models_without_stiff(struct scene *s);
+/* Takes the springs out that would become rods. Returns the largest rate at
+   which one of them goes round now, 1/s. */
+double models_without_stiff(struct scene *s);
 
 /* Looks at what acts in a scene. */
 void models_analyse(struct models_acts *a, const struct scene *s);

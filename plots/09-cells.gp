@@ -29,5 +29,4 @@ do for [k=0:deep] {
     }
   }
 }
-set label 1 '{/:Bold=14 ×}' at x0,y0 center front
-plot NaN
+plot '+' using (x0):(y0) every ::0::0 with points pt 2 ps 1.2*big lw 2*thick lc rgb dark

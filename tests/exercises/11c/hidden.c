@@ -1,0 +1,85 @@
+/* What the grader also asks of exercise 11c: seen from a train, and with
+   the two exchanged. */
+
+#include "examiner/check.h"
+#include <math.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+struct sphere {
+    double im, r, x[3], v[3];
+};
+
+double go_back(struct sphere *a, struct sphere *b, double dt);
+
+static void draw(struct sphere *a, struct sphere *b)
+{
+    *a =
+        (struct sphere){check_draw(0.1, 3.0),
+                        check_draw(0.4, 0.6),
+                        {0.0, 0.0, 0.0},
+                        {check_draw(0.5, 1.0), check_draw(-0.2, 0.2), 0.1}};
+    *b = (struct sphere){
+        check_draw(0.1, 3.0),
+        check_draw(0.4, 0.6),
+        {0.7, check_draw(-0.2, 0.2), check_draw(-0.2, 0.2)},
+        {check_draw(-1.0, -0.5), 0.1, check_draw(-0.2, 0.2)}};
+}
+
+static bool check(double got, double expected, const char *what,
+                  const char *question)
+{
+    return CHECK_NEAR(
+        got, .quantity = what, .input = "two spheres, drawn, that overlap",
+        .expected = expected, .tolerance = 1e-12,
+        .because = "a handful of roundings, of numbers near 1",
+        .equation = "eq:back-time", .question = question);
+}
+
+static void test_train(void)
+{
+    for (int i = 0; i < 20; ++i) {
+        struct sphere a, b, c, d;
+        draw(&a, &b);
+        c = a;
+        d = b;
+        c.v[1] += 3.0;
+        d.v[1] += 3.0;
+        const double t = go_back(&a, &b, 1.0);
+        static const char question[] =
+            "Somebody in a train sees the same spheres overlap. What of "
+            "yours depends on who watches?";
+        if (!(check(t > 0.0 ? 1.0 : 0.0, 1.0,
+                    "is it some time ago? (1 yes, 0 no)", question) &&
+              check(go_back(&c, &d, 1.0), t, "time ago, from a train",
+                    question) &&
+              check(c.v[0], a.v[0], "velocity along x, from a train",
+                    question) &&
+              check(d.v[1] - 3.0, b.v[1], "velocity along y, from a train",
+                    question)))
+            return;
+    }
+}
+
+static void test_exchanged(void)
+{
+    for (int i = 0; i < 20; ++i) {
+        struct sphere a, b, c, d;
+        draw(&a, &b);
+        c = a;
+        d = b;
+        const double t = go_back(&a, &b, 1.0);
+        static const char question[] =
+            "Who comes first is chance. Which of your signs knows it?";
+        if (!(check(go_back(&d, &c, 1.0), t, "time ago, exchanged",
+                    question) &&
+              check(c.x[0], a.x[0], "place, exchanged", question) &&
+              check(d.v[1], b.v[1], "velocity, exchanged", question)))
+            return;
+    }
+}
+
+const struct check_test check_hidden[] = {
+    {"from a train it is the same", test_train, 1, 0},
+    {"exchanged it is the same", test_exchanged, 1, 0},
+    {0}};

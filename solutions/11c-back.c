@@ -31,8 +31,8 @@ double go_back(struct sphere *a, struct sphere *b, double dt)
     double near = 0.0, beta = 0.0, line[3];
     double fast = 0.0, blow = 0.0;
     for (int k = 2; k >= 0; --k) {
+        line[k] = -(a->x[k] - b->x[k]);
         const double u = b->v[k] - a->v[k];
-        line[k] = b->x[k] - a->x[k];
         near += line[k] * line[k];
         beta += line[k] * u;
         fast += u * u;

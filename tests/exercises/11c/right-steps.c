@@ -19,8 +19,10 @@ double go_back(struct sphere *a, struct sphere *b, double dt)
     double d[3], u[3], n[3], s = a->r + b->r, uu, du, dd, t, p;
     int k;
     for (k = 0; k < 3; k++) {
-        u[k] = b->v[k] - a->v[k];
-        n[k] = d[k] = b->x[k] - a->x[k];
+        d[k] = -(a->x[k] - b->x[k]);
+        n[k] = d[k];
+        u[k] = b->v[k];
+        u[k] -= a->v[k];
     }
     uu = along(u, u);
     du = along(d, u);

@@ -1,11 +1,12 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 1207659634 of the lines below */
+/* checksum 1243344973 of the lines below */
 /* The form of tables, refusals and remarks, for the suites of projects. */
 #include "examiner/project.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 double project_draw(int year, double low, double high)
 {
@@ -49,9 +50,8 @@ bool project_form(const struct run *r, const char *input, size_t rows,
                                ? check_text("This line is no row of "
                                             "%zu numbers, and no remark.",
                                             columns)
-                               : "The contract has ROWS + 1 rows, the "
-                                 "first at time 0. When is one "
-                                 "printed?") &&
+                               : "How many rows does the contract ask "
+                                 "for, and when is one printed?") &&
            CHECK_NEAR((double)r->columns, .quantity = "numbers in a row",
                       .input = line, .expected = (double)columns,
                       .tolerance = 0.0, .question = question);
@@ -74,6 +74,49 @@ bool project_refuses(const struct run_order *order, const char *what)
                       .input = input, .expected = 1.0, .tolerance = 0.0,
                       .question = "Who has made the mistake wants to know "
                                   "which. Is it written to stderr?");
+}
+
+enum { DEPTH = 8 };
+
+static void leap(project_pull *pull, const void *of, int n, long double x[],
+                 long double v[], long double t, int steps)
+{
+    long double a[PROJECT_PLACES];
+    const long double h = t / steps;
+    for (int k = 0; k < steps; ++k) {
+        pull(of, x, a);
+        for (int c = 0; c < n; ++c)
+            x[c] += h * (v[c] += h / 2.0L * a[c]);
+        pull(of, x, a);
+        for (int c = 0; c < n; ++c)
+            v[c] += h / 2.0L * a[c];
+    }
+}
+
+void project_exactly(project_pull *pull, const void *of, int n,
+                     long double x[], long double v[], double t, int parts)
+{
+    long double x_of[DEPTH][PROJECT_PLACES], v_of[DEPTH][PROJECT_PLACES];
+    for (int part = 0; part < parts; ++part) {
+        for (int k = 0; k < DEPTH; ++k) {
+            memcpy(x_of[k], x, (size_t)n * sizeof *x);
+            memcpy(v_of[k], v, (size_t)n * sizeof *v);
+            leap(pull, of, n, x_of[k], v_of[k], (long double)t / parts,
+                 k + 1);
+            for (int j = k; j-- > 0;) {
+                const long double ratio = (k + 1.0L) / (j + 1.0L);
+                const long double share = 1.0L / (ratio * ratio - 1.0L);
+                for (int c = 0; c < n; ++c) {
+                    x_of[j][c] = x_of[j + 1][c] +
+                                 share * (x_of[j + 1][c] - x_of[j][c]);
+                    v_of[j][c] = v_of[j + 1][c] +
+                                 share * (v_of[j + 1][c] - v_of[j][c]);
+                }
+            }
+        }
+        memcpy(x, x_of[0], (size_t)n * sizeof *x);
+        memcpy(v, v_of[0], (size_t)n * sizeof *v);
+    }
 }
 
 double project_remark(const struct run *run, const char *words,

@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 2997728095 of the lines below */
+/* checksum 2126557629 of the lines below */
 /* What the suites of whole programs have in common. */
 #ifndef PROJECT_H
 #define PROJECT_H
@@ -27,6 +27,15 @@ double project_remark(const struct run *run, const char *words,
 
 /* What is left of x when it is printed so. */
 double project_cut(const char *format, double x);
+
+/* Where a path of x'' = a(x) with n places x and n velocities v is after
+   the time t, but for rounding, if each of so many parts of it bends
+   little. */
+typedef void project_pull(const void *of, const long double x[],
+                          long double a[]);
+enum { PROJECT_PLACES = 16 };
+void project_exactly(project_pull *pull, const void *of, int n,
+                     long double x[], long double v[], double t, int parts);
 
 /* Adds a mistake to a check. */
 void project_mistake(struct check *check, const char *name, double value,

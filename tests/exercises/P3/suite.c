@@ -175,7 +175,7 @@ static void one_step(const struct scene *s, struct state *now,
 
 static struct state begin(const struct scene *s)
 {
-    struct state now;
+    struct state now = {{0.0L}, {0.0L}};
     for (int c = 0; c < 2 * s->n; ++c) {
         now.x[c] = s->x[c];
         now.v[c] = s->v[c];
@@ -230,38 +230,18 @@ static void simulate(const struct scene *s, enum fault fault, double **rows)
     }
 }
 
-/* Where they are truly: a leap in 1, 2, ... DEPTH parts has an error with
-   the even powers of the part alone, and so these runs know what a leap in
-   infinitely many would give, to the power 2 DEPTH. */
-static void leap_exactly(const struct scene *s, struct state *now,
-                         long double t)
+/* Where they are truly. */
+static void pull(const void *of, const long double x[], long double a[])
 {
-    enum { DEPTH = 8 };
-    struct state table[DEPTH];
-    for (int n = 1; n <= DEPTH; ++n) {
-        struct state other = *now;
-        for (int i = 0; i < n; ++i)
-            leap(s, &other, NONE, t / n);
-        table[n - 1] = other;
-        for (int k = n - 1; k-- > 0;) {
-            const long double ratio = (long double)n / (k + 1);
-            const long double part = 1.0L / (ratio * ratio - 1.0L);
-            for (int c = 0; c < 2 * s->n; ++c) {
-                table[k].x[c] = table[k + 1].x[c] +
-                                part * (table[k + 1].x[c] - table[k].x[c]);
-                table[k].v[c] = table[k + 1].v[c] +
-                                part * (table[k + 1].v[c] - table[k].v[c]);
-            }
-        }
-    }
-    *now = table[0];
+    struct state now;
+    memcpy(now.x, x, sizeof now.x);
+    forces(of, &now, NONE, a);
 }
 
-static struct state exactly(const struct scene *s, double t, int leaps)
+static struct state exactly(const struct scene *s, double t, int parts)
 {
     struct state now = begin(s);
-    for (int i = 0; i < leaps; ++i)
-        leap_exactly(s, &now, (long double)t / leaps);
+    project_exactly(pull, s, 2 * s->n, now.x, now.v, t, parts);
     return now;
 }
 

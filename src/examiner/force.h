@@ -1,0 +1,33 @@
+/* From chapters/12-fails.nw: edit there, then run make tangle. */
+/* checksum 1726929528 of the lines below */
+/* What bodies do to each other; for programs of students. */
+#ifndef EXAMINER_FORCE_H
+#define EXAMINER_FORCE_H
+
+#ifdef EXAMINER_GIVES
+void force(int n, const double m[], const double x[], double f[]);
+#else
+#include <math.h>
+
+/* The forces [N] on n bodies with the masses m [kg], at the places x [m]:
+   x and y of body i are x[2 i] and x[2 i + 1], and its force f[2 i] and
+   f[2 i + 1]. They attract each other with m m/d^2, as if G were 1. */
+static inline void force(int n, const double m[], const double x[],
+                         double f[])
+{
+    for (int i = 0; i < n; ++i) {
+        f[2 * i] = f[2 * i + 1] = 0.0;
+        for (int j = 0; j < n; ++j) {
+            const double dx = x[2 * j] - x[2 * i];
+            const double dy = x[2 * j + 1] - x[2 * i + 1];
+            const double d = hypot(dx, dy);
+            if (j == i)
+                continue;
+            f[2 * i] += m[i] * m[j] * dx / (d * d * d);
+            f[2 * i + 1] += m[i] * m[j] * dy / (d * d * d);
+        }
+    }
+}
+#endif
+
+#endif

@@ -1,9 +1,9 @@
 /* Project P4. Enough (two to four hours)
 
-   A program of your own: given bodies, a time and a tolerance, it finds which
-   of three methods gets there with the fewest forces. Section "Enough of your
-   own" of chapter 12 has the contract and the eight stages. Write down your
-   own picks first.
+   A program of your own: given bodies, a time and a tolerance, it finds
+   which of three methods gets there with the fewest forces. Section "Enough
+   of your own" of chapter 12 has the contract and the eight stages. Write
+   down your own picks first.
 
      P4 BODIES T TOL
 

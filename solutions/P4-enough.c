@@ -39,7 +39,7 @@ static void read_bodies(const char *name)
     if (!file)
         give_up(2, "BODIES: there is no such file");
     while (fgets(line, sizeof line, file)) {
-        double m, *z = start + 4 * n;
+        double m = 0, *z = start + 4 * n;
         line[strcspn(line, "#")] = '\0';
         if (line[strspn(line, " \t\r\n")] == '\0')
             continue;

@@ -108,6 +108,7 @@ static double folded(double x, double *v, double size, double time)
 static void by_mirrors(struct state s, double tick, size_t samples,
                        struct state kept[])
 {
+    ++bounces; /* which it need not count */
     for (size_t k = 0; k < samples; ++k) {
         kept[k] = s;
         const double t = (double)(k + 1) * tick;
@@ -156,6 +157,18 @@ static void losing(struct state s, double tick, size_t samples,
 {
     go((struct habits){false, false, false, false, lost}, s, tick, samples,
        kept);
+}
+
+/* Along y everything is a hundredth of a tick late. */
+static void late_above(struct state s, double tick, size_t samples,
+                       struct state kept[])
+{
+    by_mirrors(s, tick, samples, kept);
+    for (size_t k = 0; k < samples; ++k) {
+        kept[k].vy = s.vy;
+        kept[k].y =
+            folded(s.y, &kept[k].vy, height, ((double)k + 0.99) * tick);
+    }
 }
 
 static double said(program *run, double w, double h)
@@ -270,6 +283,15 @@ static void test_losing(void)
     }
 }
 
+static void test_axes(void)
+{
+    (void)(check_rights() &&
+           check_wrong(late_above, "along y all is 0.01 ticks late",
+                       "one-axis-only",
+                       "Along x this program is right. Which coordinates "
+                       "do you look at?"));
+}
+
 /* Boxes of any size, from a molecule's to a planet's, with a right program
    and one that loses time. */
 static void test_drawn(void)
@@ -312,6 +334,7 @@ const struct check_suite check_suite = {
          {"one that sees one bounce a tick is refused", test_once, 2, 0},
          {"those that lose time at a bounce are refused", test_losing, 2,
           0},
+         {"one that is late along y is refused", test_axes, 1, 0},
          {"boxes of all sizes", test_drawn, 1, 2},
          {0}},
     .idle = {test_right},

@@ -174,6 +174,11 @@ static void test_row(void)
                &(struct box){
                    2, 1.0, 6.0, 3.0, {1.0, 2.5}, {1.0, 1.0}, 0, 1.5},
                question) &&
+           check(
+               &(struct box){
+                   2, 1.0, 6.0, 3.0, {1.0, 2.5}, {1.0, 1.0}, 0, 0.5},
+               "The way ends just where they touch. Has anything been "
+               "handed on?") &&
            check(&(struct box){3,
                                1.0,
                                9.0,

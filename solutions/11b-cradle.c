@@ -59,7 +59,7 @@ size_t cradle(size_t n, const double mass[], double v[])
         const size_t k = next_pair(n, gap, v, 1e-9 * fastest, &wait);
         if (k == n)
             return collisions;
-        for (size_t i = 1; i < n; ++i)
+        for (size_t i = n; --i > 0;)
             gap[i] += wait * (v[i] - v[i - 1]);
         gap[k + 1] = 0.0;
         const double *m = mass + k;

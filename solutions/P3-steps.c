@@ -192,9 +192,9 @@ static void drift(struct state *s, double t)
 
 static void leap(struct state *s, double t)
 {
-    kick(s, t / 2);
+    kick(s, 0.5 * t);
     drift(s, t);
-    kick(s, t / 2);
+    kick(s, 0.5 * t);
 }
 
 static void step(struct state *s, enum method method, double t)

@@ -1,4 +1,4 @@
-/* From chapters/05-disks.nw: edit there, then run make tangle. */
+/* From chapters/works/02-bonkers.nw: edit there, then run make tangle. */
 /* checksum 4209031102 of the lines below */
 /* The roots of a parabola at a floor and at a roof. */
 #include "line/fall.h"

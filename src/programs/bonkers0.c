@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 2734940083 of the lines below */
+/* checksum 224894776 of the lines below */
 /* Ten beads on a wire between two stops, from collision to collision. */
 #include "line/collide.h"
 
@@ -21,9 +21,9 @@ static double wait_for(int i)
 {
     const double gap = x[i + 1] - x[i];
     const double approach = v[i] - v[i + 1];
-    if (approach <= 0)
-        return INFINITY;
-    return gap > 0 ? gap / approach : 0;
+    if (approach > 0)
+        return gap > 0 ? gap / approach : 0;
+    return INFINITY;
 }
 
 /* The gap that closes first. */
@@ -50,8 +50,10 @@ static void print_row(double now)
     for (int i = 1; i <= BEADS; ++i)
         energy += mass[i] * v[i] * v[i] / 2;
     printf("%g %.10g", now, energy);
-    for (int i = 1; i <= BEADS; ++i)
-        printf(" %.10g %.10g", x[i], v[i]);
+    for (int i = 1; i <= BEADS; ++i) {
+        printf(" %.10g", x[i]);
+        printf(" %.10g", v[i]);
+    }
     printf("\n");
 }
 

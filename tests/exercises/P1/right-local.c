@@ -205,9 +205,9 @@ int main(int argc, char **argv)
     for (long k = 0; k <= rows; ++k) {
         const double t = k * tick;
         for (;;) {
-            int first = 0;
-            for (int i = 1; i <= count; ++i)
-                if (due[i] < due[first])
+            int first = count;
+            for (int i = count; i-- > 0;)
+                if (due[i] <= due[first])
                     first = i;
             if (!(due[first] <= t))
                 break;

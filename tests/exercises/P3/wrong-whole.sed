@@ -1,2 +1,2 @@
 # mistake: whole-kicks, stage 2
-s/^    kick(s, t \/ 2);/    kick(s, t);/
+s/^    kick(s, 0.5 \* t);/    kick(s, t);/

@@ -69,7 +69,7 @@ function begin_part(part,    other) {
         end_table()
     else
         print "\\newcounter{failure}"
-    print "\\begin{table}[p]\\centering\\scriptsize"
+    print "\\begin{table}[tp]\\centering\\scriptsize"
     print "\\setlength{\\tabcolsep}{2.7pt}"
     print "\\caption[Failures of parts " part " and " other \
         "]{Where methods fail, parts " part " and " \

@@ -148,8 +148,9 @@ static bool check_rights(void)
                by_difference,
                "each body changes by its share of the difference",
                "right-one-refused",
-               "This one is right. Which of your demands does it not "
-               "fulfil? Print both sides of the comparison.") &&
+               "This one is right, and until you take it nothing else "
+               "counts. Which of your demands does it not fulfil? Print "
+               "both sides of the comparison.") &&
            check_right(by_centre, "reversed about the centre of mass",
                        "compares-exactly", digits) &&
            check_right(by_masses, "the two formulas of the textbooks",

@@ -23,6 +23,7 @@
    Hints, which ask before they tell:    make hint EX=04b */
 
 #include "exercise.h"
+#include <math.h>
 #include <stddef.h>
 
 struct sort {

@@ -6,7 +6,8 @@
 
    Given:
      width    how far the centre of the disk can go: its x from 0 to width,
-     height   its y from 0 to height, in m; there is nothing else in the box
+     height   its y from 0 to height, in m; there is nothing else in the
+              box, which may be a molecule's, 1e-9 m, or a planet's, 1e9 m
      run      run(start, tick, samples, kept) lets the disk start where you
               say, inside, in m and m/s, and fills in kept[0], where it is
               after one tick, kept[1] after two, ..., kept[samples - 1]

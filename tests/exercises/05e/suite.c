@@ -195,8 +195,9 @@ static bool check_rights(void)
     return check_right(by_mirrors,
                        "a right program, which works with mirrors",
                        "right-one-refused",
-                       "This one is right. Where do you say the disk is, "
-                       "and where is it? Begin with the first tick.") &&
+                       "This one is right, and until you take it nothing "
+                       "else counts. Where do you say the disk is, and "
+                       "where is it? Begin with the first tick.") &&
            check_right(by_events, "a right program, from bounce to bounce",
                        "compares-exactly",
                        "This one is right, and rounds at each bounce and "
@@ -302,8 +303,8 @@ static void test_drawn(void)
         const double h = unit * check_draw(0.5, 2.0);
         lost = check_draw(0.01, 0.5);
         static const char question[] =
-            "A box of another size. Which lengths, velocities and times of "
-            "yours are those of a box of a metre?";
+            "A box of another size. Which lengths, tolerances, velocities "
+            "and times of yours are those of a box of a metre?";
         const char *box = check_text("a box of %g m by %g m", w, h);
         program *const tried[] = {by_events, by_mirrors, losing, mended};
         for (int k = 0; k < 4; ++k)

@@ -30,10 +30,11 @@ struct idea {
     bool no_x;     /* nobody is seen through the edges along x */
     bool no_y;     /* or across */
     bool outside;  /* places are left outside of the box */
+    bool passes;   /* who stands a rounding too near is passed by */
 };
 
 static const struct idea right = {1.0,   false, false, false,
-                                  false, false, false};
+                                  false, false, false, false};
 
 /* How far disk i can go until it touches disk j. */
 static double room(const struct box *b, struct idea k, size_t i, size_t j)
@@ -48,6 +49,8 @@ static double room(const struct box *b, struct idea k, size_t i, size_t j)
         return INFINITY;
     const double behind =
         k.straight ? sigma : sqrt((sigma - across) * (sigma + across));
+    if (k.passes && along < behind)
+        return along - behind + b->width;
     return fmax(along - behind, 0.0);
 }
 
@@ -100,10 +103,11 @@ static bool check(const struct box *from, const char *question)
 {
     struct box got = *from, b = *from;
     struct idea radius = right, straight = right, stops = right,
-                anew = right, no_x = right, no_y = right, outside = right;
+                anew = right, no_x = right, no_y = right, outside = right,
+                passes = right;
     radius.reach = 0.5;
     straight.straight = stops.stops = anew.anew = true;
-    no_x.no_x = no_y.no_y = outside.outside = true;
+    no_x.no_x = no_y.no_y = outside.outside = passes.passes = true;
     const size_t expected = chain(&b, right);
     const size_t touches =
         push_chain(got.n, got.sigma, got.width, got.height, got.x, got.y,
@@ -141,7 +145,11 @@ static bool check(const struct box *from, const char *question)
                      "touch. How far aside is it, by the shorter way?"},
                     {"left-outside", would(from, outside, i),
                      "This place is outside the box. Where does a disk "
-                     "come in that leaves on the right?"}}))
+                     "come in that leaves on the right?"},
+                    {"touching-passed-by", would(from, passes, i),
+                     "These disks touch, and a rounding has put one of "
+                     "them a hair too near. Which way of yours has become "
+                     "negative, or as long as the box?"}}))
             return false;
     }
     static const char count[] =
@@ -187,7 +195,17 @@ static void test_row(void)
                                {1.0, 1.0, 1.0},
                                1,
                                4.0},
-                 question));
+                 question) &&
+           check(&(struct box){3,
+                               0.1,
+                               1.2,
+                               0.5,
+                               {0.1, 0.2, 0.3}, /* 0.3 - 0.2 < 0.1 */
+                               {0.2, 0.2, 0.2},
+                               0,
+                               0.25},
+                 "Three in a row that touch, but for roundings. Which of "
+                 "them goes anywhere?"));
 }
 
 static void test_aside(void)

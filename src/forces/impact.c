@@ -1,4 +1,4 @@
-/* From chapters/works/11-spheres.nw: edit there, then run make tangle. */
+/* From chapters/11-spheres.nw: edit there, then run make tangle. */
 /* checksum 1624967422 of the lines below */
 /* Gaps followed along a step in Bernstein's form, then by the method. */
 #include "forces/impact.h"

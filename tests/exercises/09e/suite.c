@@ -85,8 +85,9 @@ static bool check(size_t n, const double part[], const char *what,
              "In pairs fewer additions follow each other, and each of them "
              "rounds as before. Where is what they have lost?"},
             {"larger-newcomer", owing(n, part),
-             "You know what is lost when the new number is the smaller "
-             "one. Is it always?"}});
+             "A small number was lost when a large one came after it. What "
+             "is lost when the new number is the larger of the two? (A "
+             "type with more digits only moves the trouble.)"}});
 }
 
 static void test_easy(void)

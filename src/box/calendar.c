@@ -1,5 +1,5 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 3728781884 of the lines below */
+/* checksum 3397050612 of the lines below */
 /* Days that are linked lists, as wide as keeps them a few events long. */
 #include "box/calendar.h"
 
@@ -42,7 +42,7 @@ bool calendar_create(struct calendar *c, size_t size, double begin,
 
 static size_t day_of(const struct calendar *c, double time)
 {
-    const double day = (time - c->begin) / c->width; /* (7.4, eq:day) */
+    const double day = (time - c->begin) / c->width; /* (7.17, eq:day) */
     if (!(day < (double)c->days))
         return c->days;
     return day > (double)c->today ? (size_t)day : c->today;

@@ -1,5 +1,5 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 2980630286 of the lines below */
+/* checksum 2242131556 of the lines below */
 /* A list of future events that knows the earliest, day by day. */
 #ifndef CALENDAR_H
 #define CALENDAR_H
@@ -41,7 +41,7 @@ bool calendar_create(struct calendar *c, size_t size, double begin,
 void calendar_free(struct calendar *c);
 
 /* Gives an event a time, s, whether it had one or not; INFINITY takes it
-   out. Cost: the same for any size. Source: (7.4, eq:day). */
+   out. Cost: the same for any size. Source: (7.17, eq:day). */
 void calendar_put(struct calendar *c, uint32_t event, double time);
 
 /* Returns the earliest event, CALENDAR_NONE if none has a time. Of two at

@@ -1,5 +1,5 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 4255459919 of the lines below */
+/* checksum 1950684334 of the lines below */
 /* Cells, lists of neighbours on a leash, and lanes of four pair times. */
 #include "box/cells.h"
 
@@ -45,7 +45,7 @@ static double leash_end(const struct cells *c, uint32_t i)
         return c->d->now + most;
     if (left <= 0)
         return c->d->now;
-    const double root = sqrt(b * b + vv * left); /* (7.2, eq:leash-end) */
+    const double root = sqrt(b * b + vv * left); /* (7.15, eq:leash-end) */
     const double end = b > 0 ? left / (root + b) : (root - b) / vv;
     return c->d->now + fmin(end, most);
 }
@@ -285,7 +285,7 @@ static size_t cell_of(const struct cells *c, const double x[])
 {
     size_t cell = 0, k = DISKS_AXES;
     while (k-- > 0) {
-        const double part = /* (7.3, eq:cell-index) */
+        const double part = /* (7.16, eq:cell-index) */
             c->grid[k] > 1 ? x[k] / c->d->box[k] * (double)c->grid[k] : 0;
         const size_t g = part > 0 ? (size_t)part : 0;
         cell = cell * c->grid[k] + (g < c->grid[k] ? g : c->grid[k] - 1);

@@ -1,5 +1,5 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 216716022 of the lines below */
+/* checksum 13769388 of the lines below */
 /* Hard disks and spheres in a box: starts, times of contact, collisions. */
 #ifndef DISKS_H
 #define DISKS_H
@@ -93,7 +93,7 @@ double disks_pair_time(const double apart[], const double closing[],
 /* When disks i and j will meet, s: the same bits whenever it is asked
    between two collisions of theirs. `at` (s), not before their last
    collisions: of a periodic box the images count that are nearest at that
-   time. Source: (5.4, eq:meeting). */
+   time. Source: (5.10, eq:meeting). */
 double disks_meeting(const struct disks *d, size_t i, size_t j, double at);
 
 /* When disk i will meet its next wall, s, and which: *axis. INFINITY with
@@ -140,7 +140,7 @@ enum disks_stop disks_run(struct disks *d, double until,
                           uint64_t collisions);
 
 /* Fills place[DISKS_AXES] with where disk i is at the time d->now, m,
-   changing nothing. Source: (5.5, eq:disk-clock). */
+   changing nothing. Source: (5.4, eq:disk-clock). */
 void disks_position(const struct disks *d, size_t i, double place[]);
 
 /* The same for its velocity, m/s, which only gravity changes. */
@@ -149,7 +149,7 @@ void disks_velocity(const struct disks *d, size_t i, double velocity[]);
 /* The kinetic energy, J, and kT, J: 2 K / (D N - P), with P the number of
    periodic axes, along which the momentum is zero. Under gravity the
    energy is that of the heights above the floor too, and kT that of
-   equilibrium, 2 E / ((D + 2) N - P) (7.17, eq:weight-energy). */
+   equilibrium, 2 E / ((D + 2) N - P) (7.13, eq:weight-energy). */
 double disks_energy(const struct disks *d);
 double disks_temperature(const struct disks *d);
 

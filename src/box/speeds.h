@@ -1,5 +1,5 @@
 /* From chapters/works/07-gas.nw: edit there, then run make tangle. */
-/* checksum 3546610460 of the lines below */
+/* checksum 2938806462 of the lines below */
 /* The laws of the speeds in a gas: that of N disks, and Maxwell's. */
 #ifndef SPEEDS_H
 #define SPEEDS_H
@@ -15,14 +15,14 @@ struct speeds_law {
     double most;
 };
 
-/* The exact law (7.7, eq:speed-law) of one of so many disks in 2 or 3
+/* The exact law (7.3, eq:speed-law) of one of so many disks in 2 or 3
    dimensions: of its speed, or of a component. resting: the total momentum
    is zero, as in a periodic box, and the masses are equal. Requires 2
    disks, 3 if resting. */
 struct speeds_law speeds_exact(size_t dimensions, size_t disks,
                                bool resting, bool component);
 
-/* The law of infinitely many (7.8, eq:maxwell-2d). */
+/* The law of infinitely many (7.4, eq:maxwell-2d). */
 struct speeds_law speeds_maxwell(size_t dimensions, bool component);
 
 /* Fills density[bins] with the law's means over bins of this width from 0

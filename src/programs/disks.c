@@ -1,5 +1,5 @@
 /* From chapters/works/07-gas.nw: edit there, then run make tangle. */
-/* checksum 1099601396 of the lines below */
+/* checksum 2343024071 of the lines below */
 /* Hard disks and spheres run from a start, and measured on the way. */
 #include "box/blocks.h"
 #include "box/cells.h"
@@ -407,8 +407,8 @@ static double Z_wall(const struct run *r, size_t k, double impulse,
 }
 
 /* From what collisions have summed up: P V/(N kT) in a periodic box
-   (7.9, eq:virial); with walls the mean of Z_wall (1 - 2R/L), since they
-   push on centres that keep a radius away (7.10, eq:gas-walls). */
+   (7.5, eq:virial); with walls the mean of Z_wall (1 - 2R/L), since they
+   push on centres that keep a radius away (7.6, eq:gas-walls). */
 static double Z_virial(const struct run *r, double virial, double time)
 {
     return 1 +

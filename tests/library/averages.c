@@ -160,7 +160,7 @@ static void test_two_disks(void)
 }
 
 /* Four disks: Z = 1.88926(13), from a Markov chain of 1e7 sweeps, by
-   (5.9, eq:wall-virial). Twice the error is four standard errors. */
+   (5.8, eq:wall-virial). Twice the error is four standard errors. */
 static void test_four_disks(void)
 {
     struct scene s;

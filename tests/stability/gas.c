@@ -1,5 +1,5 @@
 /* What must hold in every run of a gas, to rounding: the virial theorem
-   with walls (7.10, eq:gas-walls), for both engines; and what a state in a
+   with walls (7.6, eq:gas-walls), for both engines; and what a state in a
    file keeps. */
 #include "unit.h"
 

@@ -171,6 +171,18 @@ static void late_above(struct state s, double tick, size_t samples,
     }
 }
 
+/* And here along x. */
+static void late_across(struct state s, double tick, size_t samples,
+                        struct state kept[])
+{
+    by_mirrors(s, tick, samples, kept);
+    for (size_t k = 0; k < samples; ++k) {
+        kept[k].vx = s.vx;
+        kept[k].x =
+            folded(s.x, &kept[k].vx, width, ((double)k + 0.99) * tick);
+    }
+}
+
 static double said(program *run, double w, double h)
 {
     width = w;
@@ -290,6 +302,10 @@ static void test_axes(void)
            check_wrong(late_above, "along y all is 0.01 ticks late",
                        "one-axis-only",
                        "Along x this program is right. Which coordinates "
+                       "do you look at?") &&
+           check_wrong(late_across, "along x all is 0.01 ticks late",
+                       "one-axis-only",
+                       "Along y this program is right. Which coordinates "
                        "do you look at?"));
 }
 
@@ -335,7 +351,8 @@ const struct check_suite check_suite = {
          {"one that sees one bounce a tick is refused", test_once, 2, 0},
          {"those that lose time at a bounce are refused", test_losing, 2,
           0},
-         {"one that is late along y is refused", test_axes, 1, 0},
+         {"those that are late along one axis are refused", test_axes, 1,
+          0},
          {"boxes of all sizes", test_drawn, 1, 2},
          {0}},
     .idle = {test_right},

@@ -1,0 +1,36 @@
+/* mistake: one-axis-only */
+
+#include "exercise.h"
+#include <math.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+struct state {
+    double x, y, vx, vy;
+};
+
+static double at(double x, double v, double size, double t)
+{
+    double boxes = fmod(fabs(x + v * t) / size, 2);
+    return size * (boxes > 1 ? 2 - boxes : boxes);
+}
+
+bool clock_is_right(double width, double height,
+                    void (*run)(struct state start, double tick,
+                                size_t samples, struct state kept[]))
+{
+    struct state s = {0.3 * width, 0.4 * height, 0.83 * width,
+                      0.57 * height},
+                 kept[300];
+    double tick = 2.31;
+    int i;
+    run(s, tick, 300, kept);
+    for (i = 0; i < 300; i++) {
+        double y = at(s.y, s.vy, height, (i + 1) * tick);
+        double x = at(s.x, s.vx, width, (i + 1) * tick);
+        (void)x;
+        if (!(fabs(y - kept[i].y) < 1e-7 * height))
+            return false;
+    }
+    return true;
+}

@@ -651,6 +651,48 @@ static bool check_read(void)
                       "lines.");
 }
 
+/* As many as there may be, but for one, so that a row can be read: springs
+   at their lengths, from each to the next one, the last to the first, and
+   one more. They fly together. */
+static bool check_room(void)
+{
+    enum { ALL = 63, WIDTH = 2 + PER_BODY * ALL };
+    static char bodies[6000];
+    const size_t room = sizeof bodies;
+    size_t at = 0;
+    for (int i = 0; i < ALL; ++i)
+        at += (size_t)snprintf(bodies + at, room - at,
+                               "1 0 %d 0 0.25 0.5\n", i);
+    for (int i = 0; i <= ALL; ++i)
+        at += (size_t)snprintf(
+            bodies + at, room - at, "spring %d %d 1 %d\n", i % ALL + 1,
+            (i + 1) % ALL + 1, i == ALL - 1 ? ALL - 1 : 1);
+    const struct run_order o = {
+        .arguments = {"bodies.txt", "0", "leapfrog", "0.0625", "4", "2"},
+        .files = {{"bodies.txt", bodies}},
+        .late = for_ever,
+    };
+    const char *input = run_text(&o);
+    const struct run *r = run_program(&o);
+    static const char question[] =
+        "There are 63 bodies and 64 springs, and 64 of either are allowed. "
+        "How many does each of your arrays hold?";
+    return CHECK_NEAR(r->status,
+                      .quantity = "the status with which it ended",
+                      .input = input, .expected = 0.0, .tolerance = 0.0,
+                      .question = question,
+                      .mistakes = {{"too-little-room", 2.0, question}}) &&
+           project_form(r, input, 3, WIDTH, question) &&
+           CHECK_NEAR(r->numbers[2 * WIDTH + 2 + PER_BODY * (ALL - 1)],
+                      .quantity = "x of body 63 in row 2", .unit = "m",
+                      .input = input, .expected = ALL - 1 + 0.125,
+                      .tolerance = 1e-9, .because = "no spring pulls",
+                      .equation = "eq:verlet",
+                      .question = "All springs are at their lengths, and "
+                                  "all bodies have one velocity. What "
+                                  "pulls this one?");
+}
+
 static void stage_general(void)
 {
     static const enum fault pairs[] = {POWER, OWN_MASS, ONE_BY_ONE, ALONE,
@@ -664,7 +706,7 @@ static void stage_general(void)
         check_scene(&fast, halves,
                     "euler is right. Half a kick, a drift, half a kick: "
                     "with which forces?") &&
-        check_read())
+        check_read() && check_room())
         check_inputs();
 }
 
@@ -906,7 +948,7 @@ static double fastest(const struct scene *s)
     return sqrt(most);
 }
 
-/* A chain along x, hardly out of its rest. */
+/* A straight chain, hardly out of its rest. */
 static struct scene draw_chain(int n, enum method method)
 {
     struct scene s = {.n = n,
@@ -914,16 +956,21 @@ static struct scene draw_chain(int n, enum method method)
                       .method = method,
                       .every = 10,
                       .rows = 40};
+    const double turn = draw(1.05, 1.2);
+    const double ex = cos(turn), ey = sin(turn);
     for (int i = 0; i < n; ++i) {
         s.m[i] = draw(0.9, 1.1);
-        s.v[2 * i] = draw(-1.0, 1.0) * 1e-3;
+        const double speed = draw(-1.0, 1.0) * 1e-3;
+        s.v[2 * i] = speed * ex;
+        s.v[2 * i + 1] = speed * ey;
         if (i == 0)
             continue;
         s.spring[i - 1].a = i - 1;
         s.spring[i - 1].b = i;
         s.spring[i - 1].k = draw(90.0, 110.0);
         s.spring[i - 1].l = draw(0.5, 1.5);
-        s.x[2 * i] = s.x[2 * i - 2] + s.spring[i - 1].l;
+        s.x[2 * i] = s.x[2 * i - 2] + s.spring[i - 1].l * ex;
+        s.x[2 * i + 1] = s.x[2 * i - 1] + s.spring[i - 1].l * ey;
     }
     return s;
 }
@@ -1005,6 +1052,10 @@ static bool check_limit(struct scene s)
     project_mistake(&check, "period-for-frequency", acos(-1.0),
                     "Is what you have divided by a frequency in turns, or "
                     "an angle, a second?");
+    project_mistake(&check, "along-x-only", s.spring[0].l / s.x[2],
+                    "These springs do not lie along x. How much of a push "
+                    "along y does a spring feel, and which way does it "
+                    "pull back?");
     if (s.n > 2)
         project_mistake(&check, "one-spring-alone",
                         fastest(&s) / sqrt(alone),

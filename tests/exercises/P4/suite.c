@@ -394,6 +394,8 @@ static bool check_inputs(void)
         {"a word for a number", "1 0 zero 1 0\n", "1", "0.1"},
         {"a place that is no number", "1 nan 0 1 0\n", "1", "0.1"},
         {"a velocity that is not finite", "1 0 0 inf 0\n", "1", "0.1"},
+        {"a velocity upwards that is no number", "1 0 0 0 nan\n", "1",
+         "0.1"},
         {"two bodies in one place", "1 0 0 1 0\n1 0 0 0 1\n", "1", "0.1"},
         {"a T of 0", one, "0", "0.1"},
         {"a T that is a word", one, "long", "0.1"},

@@ -357,28 +357,29 @@ static bool held(const struct request *q, const struct answer *a,
 
 static bool check_read(void)
 {
-    const struct request q = {.n = 1,
-                              .m = {2.0},
-                              .x = {1.0, 2.0},
-                              .v = {0.5, -0.25},
+    const struct request q = {.n = 2,
+                              .m = {2.0, 1.0},
+                              .x = {1.0, 2.0, 1.0, 3.0},
+                              .v = {0.5, -0.25, 0.5, 0.0},
                               .t = 4.0,
                               .tol = 1e-3,
                               .law = NOTHING};
     struct run_order o = *order_of(&q);
-    o.files[0].text = "# m x y vx vy\n\n\t2 1   2 0.5 -0.25 # alone";
+    o.files[0].text =
+        "# m x y vx vy\n\n\t2 1   2 0.5 -0.25 # below\n1 1 3 0.5 0";
     const char *input = run_text(&o);
     const struct run *r = run_program(&o);
-    return CHECK_NEAR(r->status,
-                      .quantity = "the status with which it ended",
-                      .input = input, .expected = 0.0, .tolerance = 0.0,
-                      .question = "What did it complain about? There is "
-                                  "nothing wrong with this input.",
-                      .mistakes = {{"input-refused", 2.0,
-                                    "A remark may fill a line, a line may "
-                                    "be empty, and the last line need not "
-                                    "end. Which of these does your program "
-                                    "refuse?"}}) &&
-           project_form(r, input, 1, 5, "One body: five numbers.");
+    return CHECK_NEAR(
+               r->status, .quantity = "the status with which it ended",
+               .input = input, .expected = 0.0, .tolerance = 0.0,
+               .question = "What did it complain about? There is "
+                           "nothing wrong with this input.",
+               .mistakes = {{"input-refused", 2.0,
+                             "A remark may fill a line, a line may "
+                             "be empty, two bodies may have one x, "
+                             "and the last line need not end. Which "
+                             "of these does your program refuse?"}}) &&
+           project_form(r, input, 1, 9, "Two bodies: nine numbers.");
 }
 
 static bool check_inputs(void)

@@ -652,20 +652,20 @@ static bool check_read(void)
 }
 
 /* As many as there may be, but for one, so that a row can be read: springs
-   at their lengths, from each to the next one, the last to the first, and
-   one more. They fly together. */
+   at their lengths, from each to the next one, and the last to the first.
+   They fly together. */
 static bool check_room(void)
 {
-    enum { ALL = 63, WIDTH = 2 + PER_BODY * ALL };
+    enum { ALL = 64, WIDTH = 2 + PER_BODY * ALL };
     static char bodies[6000];
     const size_t room = sizeof bodies;
     size_t at = 0;
     for (int i = 0; i < ALL; ++i)
         at += (size_t)snprintf(bodies + at, room - at,
                                "1 0 %d 0 0.25 0.5\n", i);
-    for (int i = 0; i <= ALL; ++i)
+    for (int i = 0; i < ALL; ++i)
         at += (size_t)snprintf(
-            bodies + at, room - at, "spring %d %d 1 %d\n", i % ALL + 1,
+            bodies + at, room - at, "spring %d %d 1 %d\n", i + 1,
             (i + 1) % ALL + 1, i == ALL - 1 ? ALL - 1 : 1);
     const struct run_order o = {
         .arguments = {"bodies.txt", "0", "leapfrog", "0.0625", "4", "2"},
@@ -675,7 +675,7 @@ static bool check_room(void)
     const char *input = run_text(&o);
     const struct run *r = run_program(&o);
     static const char question[] =
-        "There are 63 bodies and 64 springs, and 64 of either are allowed. "
+        "There are 64 bodies and 64 springs, and so many are allowed. "
         "How many does each of your arrays hold?";
     return CHECK_NEAR(r->status,
                       .quantity = "the status with which it ended",
@@ -684,7 +684,7 @@ static bool check_room(void)
                       .mistakes = {{"too-little-room", 2.0, question}}) &&
            project_form(r, input, 3, WIDTH, question) &&
            CHECK_NEAR(r->numbers[2 * WIDTH + 2 + PER_BODY * (ALL - 1)],
-                      .quantity = "x of body 63 in row 2", .unit = "m",
+                      .quantity = "x of body 64 in row 2", .unit = "m",
                       .input = input, .expected = ALL - 1 + 0.125,
                       .tolerance = 1e-9, .because = "no spring pulls",
                       .equation = "eq:verlet",

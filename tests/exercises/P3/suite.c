@@ -651,7 +651,7 @@ static bool check_read(void)
                       "lines.");
 }
 
-/* As many as there may be, but for one, so that a row can be read: springs
+/* As many as there may be: springs
    at their lengths, from each to the next one, and the last to the first.
    They fly together. */
 static bool check_room(void)

@@ -549,7 +549,7 @@ small=$(printf '%s\n' $folders | grep -v P)
 equal 'every exercise yields a solution, right and wrong ones, hidden tests' \
     '' "$(without $small)"
 equal 'and every project a solution and right ones' '' \
-    "$(without P1 P3 P4 | grep -v 'wrong$\|hidden$')"
+    "$(without P1 P2 P3 P4 | grep -v 'wrong$\|hidden$')"
 grep -v -e '^tests/exercises/05b/right-' -e '^solutions/07a' \
     -e '^tests/exercises/08c/wrong-' -e '^tests/exercises/12c/hidden' \
     "$work/bodies" >"$work/fewer" && mv "$work/fewer" "$work/bodies"

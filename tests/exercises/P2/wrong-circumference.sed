@@ -1,0 +1,2 @@
+# mistake: without-circumference, stage 6
+s/return s \* pow/return pow/

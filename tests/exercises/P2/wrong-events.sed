@@ -1,0 +1,3 @@
+# mistake: all-events, stage 1
+s/^    printf("# pairs %ld/    pairs += walls;\
+&/

@@ -1,0 +1,2 @@
+# mistake: later-root, stage 1
+s/along - sqrt(inside)/along + sqrt(inside)/

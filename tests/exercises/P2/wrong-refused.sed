@@ -1,0 +1,2 @@
+# mistake: input-refused, stage 1
+/strspn(line/,/continue;/d

@@ -1,0 +1,2 @@
+# mistake: no-force-from-room, stage 6
+s/^                break;$/                --k;/

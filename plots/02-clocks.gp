@@ -17,7 +17,8 @@ set ylabel 'time' offset 1
 xi = 2.2; ti = 0.8; v = 1.25
 xj = 7.9; tj = 2.1; w = -0.55
 p = xi + v*(tj-ti)
-meet = tj + (xj-p)/(v-w)
+gap = xj - p
+meet = tj + gap/(v-w)
 set arrow 1 from xi-0.7,0.05 to xi,ti nohead dt 2 lc rgb grey
 set arrow 2 from xj-1.2,0.4 to xj,tj nohead dt 2 lc rgb grey
 set arrow 3 from xi,ti to xi+v*(meet-ti),meet nohead lw 2.2*thick lc rgb blue

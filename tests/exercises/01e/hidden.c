@@ -12,7 +12,7 @@ bool passes(law *collide);
 /* The impulse of the blow, which is all that a collision is. */
 static void by_impulse(double m1, double m2, double *v1, double *v2)
 {
-    const double p = 2.0 * (*v1 - *v2) / (1.0 / m1 + 1.0 / m2);
+    const double p = 2.0 * m1 * m2 / (m1 + m2) * (*v1 - *v2);
     *v1 -= p / m1;
     *v2 += p / m2;
 }

@@ -18,8 +18,9 @@ double apart(stepper *step, struct world w, double h, int n, double x,
    digit has grown by the factor exp(T). */
 static void on_a_hill(struct world w, double h, double *x, double *v)
 {
-    *v += h * (w.g - *x * (w.k + w.q * *x * *x));
-    *x += h * *v;
+    const double k = w.k + *x * *x * w.q;
+    *v += (w.g - k * *x) * h;
+    *x += *v * h;
 }
 
 static double end_of(stepper *step, struct world w, int n, double *far)

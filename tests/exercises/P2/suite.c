@@ -89,15 +89,14 @@ static long double meeting(const struct engine *e, int i, int j)
     const long double dy = x[2 * j + 1] - x[2 * i + 1];
     const long double u = v[2 * i + 1] - v[2 * j + 1];
     const long double touch = (e->fault == RADIUS ? 1.0L : 2.0L) * e->s->r;
-    const long double speed = hypotl(w, u);
-    const long double along = (dx * w + dy * u) / speed;
-    const long double beside = (dx * u - dy * w) / speed;
-    const long double half = touch * touch - beside * beside;
-    if (!(along > 0.0L) || half < 0.0L)
+    const long double ww = w * w + u * u, closing = w * dx + u * dy;
+    const long double near = closing / ww;
+    const long double past = dx * u - w * dy;
+    const long double half = touch * touch / ww - past * past / ww / ww;
+    if (half < 0.0L || !(near > 0.0L))
         return INFINITY;
-    return fmaxl(along + (e->fault == LATER ? 1.0L : -1.0L) * sqrtl(half),
-                 0.0L) /
-           speed;
+    return fmaxl(near + (e->fault == LATER ? 1.0L : -1.0L) * sqrtl(half),
+                 0.0L);
 }
 
 static long double next(struct engine *e)
@@ -593,7 +592,7 @@ static double fitted_alone(int i, double a, double sigma)
         bool first = true;
         do {
             for (int c = first ? 0 : 2; c < 4; ++c) {
-                state = state * 6364136223846793005u + 1442695040888963407u;
+                state = state * 3935559000370003845u + 1u;
                 u[c] = (double)(state >> 11) / 9007199254740992.0;
             }
             first = false;

@@ -61,8 +61,8 @@ struct state {
 
 static long double distance(const struct state *s, int i, int j)
 {
-    return hypotl(s->x[2 * j] - s->x[2 * i],
-                  s->x[2 * j + 1] - s->x[2 * i + 1]);
+    const long double *p = s->x + 2 * i, *q = s->x + 2 * j;
+    return hypotl(q[0] - p[0], q[1] - p[1]);
 }
 
 /* Adds to a what a force does that pulls i to j with f times their
@@ -108,19 +108,24 @@ static void forces(const struct scene *s, const struct state *now,
     }
 }
 
+static void add(int count, long double to[], const long double rate[],
+                long double t)
+{
+    for (int c = 0; c < count; ++c)
+        to[c] += t * rate[c];
+}
+
 static void kick(const struct scene *s, struct state *now, enum fault fault,
                  long double t)
 {
     long double a[2 * MOST];
     forces(s, now, fault, a);
-    for (int c = 0; c < 2 * s->n; ++c)
-        now->v[c] += a[c] * t;
+    add(2 * s->n, now->v, a, t);
 }
 
 static void drift(const struct scene *s, struct state *now, long double t)
 {
-    for (int c = 0; c < 2 * s->n; ++c)
-        now->x[c] += now->v[c] * t;
+    add(2 * s->n, now->x, now->v, t);
 }
 
 /* Each body kicked and moved before the next one looks where it is. */
@@ -130,10 +135,8 @@ static void one_by_one(const struct scene *s, struct state *now,
     for (int i = 0; i < s->n; ++i) {
         long double a[2 * MOST];
         forces(s, now, NONE, a);
-        for (int c = 2 * i; c < 2 * i + 2; ++c) {
-            now->v[c] += a[c] * t;
-            now->x[c] += now->v[c] * t;
-        }
+        add(2, now->v + 2 * i, a + 2 * i, t);
+        add(2, now->x + 2 * i, now->v + 2 * i, t);
     }
 }
 
@@ -153,8 +156,7 @@ static void leap(const struct scene *s, struct state *now, enum fault fault,
     drift(s, now, t);
     if (fault != OLD_FORCE)
         forces(s, now, fault, a);
-    for (int c = 0; c < 2 * s->n; ++c)
-        now->v[c] += a[c] * part;
+    add(2 * s->n, now->v, a, part);
 }
 
 static void one_step(const struct scene *s, struct state *now,

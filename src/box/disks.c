@@ -1,10 +1,11 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 581875997 of the lines below */
+/* checksum 3522333165 of the lines below */
 /* Event-driven motion: every pair looked at, or a plan remembered. */
 #include "box/disks.h"
 
 #include "line/collide.h"
 #include "line/fall.h"
+#include "toolbox/vector.h"
 
 #include <assert.h>
 #include <float.h>
@@ -16,6 +17,7 @@ struct disks_plan {
     double leash;              /* m */
     struct disks_event *event; /* of each disk */
     uint32_t *hits;            /* of the partner, when it was planned */
+    double *time;              /* for answers */
 };
 
 bool disks_create(struct disks *d, size_t dimensions, size_t count)
@@ -41,6 +43,7 @@ void disks_free(struct disks *d)
     if (d->plan) {
         free(d->plan->event);
         free(d->plan->hits);
+        free(d->plan->time);
     }
     free(d->plan);
     free(d->disk);
@@ -59,7 +62,7 @@ double disks_wall_time(double x, double v, double radius, double length)
     const double way = v > 0 ? length - radius - x : radius - x;
     if (v == 0)
         return INFINITY;
-    return fmax(0, way / v);
+    return way / v > 0 ? way / v : 0;
 }
 
 double disks_pair_time(const double apart[], const double closing[],
@@ -182,15 +185,17 @@ double disks_leash(const struct disks *d)
 double disks_meeting(const struct disks *d, size_t i, size_t j, double at)
 {
     const struct disk *a = &d->disk[i], *b = &d->disk[j];
-    const double last = fmax(a->since, b->since);
+    const double last = a->since > b->since ? a->since : b->since;
     const double wait = at - last;
     double apart[DISKS_AXES], closing[DISKS_AXES];
     for (size_t k = 0; k < DISKS_AXES; ++k) {
         closing[k] = b->velocity[k] - a->velocity[k];
         apart[k] = (b->position[k] + b->velocity[k] * (last - b->since)) -
                    (a->position[k] + a->velocity[k] * (last - a->since));
-        const double then = apart[k] + closing[k] * wait;
-        apart[k] -= d->box[k] * whole(then * inverse(d, k));
+        if (d->boundary != DISKS_WALLS) {
+            const double then = apart[k] + closing[k] * wait;
+            apart[k] -= d->box[k] * whole(then * inverse(d, k));
+        }
     }
     if (d->gravity > 0)
         fall_between(d, a, b, apart, closing);
@@ -254,6 +259,8 @@ static struct disks_event alone(const struct disks *d, size_t i,
         vv += disks_wraps(d, k) ? v[k] * v[k] : 0;
     const double time = disks_wall(d, i, &axis);
     const struct disks_event wall = meet(i, d->count + axis, time);
+    if (leash == INFINITY)
+        return wall;
     const struct disks_event look = meet(i, i, d->now + leash / sqrt(vv));
     return look.time < time ? look : wall;
 }
@@ -319,7 +326,7 @@ static void meet_disk(struct disks *d, size_t i, size_t j)
 
 void disks_collide(struct disks *d, struct disks_event e)
 {
-    const double now = fmax(e.time, d->now);
+    const double now = e.time > d->now ? e.time : d->now;
     d->standing = now > d->now ? 0 : d->standing + 1;
     d->now = now;
     if (e.partner >= d->count)
@@ -328,15 +335,69 @@ void disks_collide(struct disks *d, struct disks_event e)
         meet_disk(d, low(e), high(e));
 }
 
+static inline void meet_all(const struct disks *d, size_t i, double *time,
+                            bool round)
+{
+    const struct disk a = d->disk[i];
+    const double sides[] = {inverse(d, 0), inverse(d, 1), inverse(d, 2)};
+    for (size_t j = 0; j < d->count; ++j) {
+        const struct disk *b = &d->disk[j];
+        const double last = a.since > b->since ? a.since : b->since;
+        double apart[DISKS_AXES], closing[DISKS_AXES];
+        for (size_t k = 0; k < DISKS_AXES; ++k) {
+            closing[k] = b->velocity[k] - a.velocity[k];
+            apart[k] =
+                (b->position[k] + b->velocity[k] * (last - b->since)) -
+                (a.position[k] + a.velocity[k] * (last - a.since));
+            if (round) {
+                const double then = apart[k] + closing[k] * (d->now - last);
+                apart[k] -= d->box[k] * whole(then * sides[k]);
+            }
+        }
+        const double distance = a.radius + b->radius;
+        const double rate = dot(apart, closing);
+        const double gap = dot(apart, apart) - distance * distance;
+        const double disc = rate * rate - dot(closing, closing) * gap;
+        const double root = sqrt(disc > 0 ? disc : 0);
+        const double flight = gap / (root - rate);
+        const double met = last + (gap > 0 ? flight : 0);
+        time[j] = (rate < 0) & (disc >= 0) ? met : INFINITY;
+    }
+}
+
+VECTOR_LOOP static void meet_all_walls(const struct disks *d, size_t i,
+                                       double *restrict time)
+{
+    meet_all(d, i, time, false);
+}
+
+VECTOR_LOOP static void meet_all_round(const struct disks *d, size_t i,
+                                       double *restrict time)
+{
+    meet_all(d, i, time, true);
+}
+
+/* time[j]: when disk i meets disk j, for all j but i, as seen now. */
+static void meetings(const struct disks *d, size_t i, double time[])
+{
+    if (d->boundary == DISKS_WALLS && !(d->gravity > 0))
+        meet_all_walls(d, i, time);
+    else if (!(d->gravity > 0))
+        meet_all_round(d, i, time);
+    else
+        for (size_t j = 0; j < d->count; ++j)
+            time[j] = disks_meeting(d, i, j, d->now);
+}
+
 /* Plans what disk i does next as seen at d->now. */
 static void plan_disk(struct disks *d, size_t i)
 {
     struct disks_plan *p = d->plan;
     struct disks_event first = alone(d, i, p->leash);
+    meetings(d, i, p->time);
     for (size_t j = 0; j < d->count; ++j)
-        if (j != i) {
-            const struct disks_event pair =
-                meet(i, j, disks_meeting(d, i, j, d->now));
+        if (j != i && p->time[j] <= first.time) {
+            const struct disks_event pair = meet(i, j, p->time[j]);
             if (disks_before(pair, first))
                 first = pair;
         }
@@ -353,7 +414,9 @@ bool disks_plan(struct disks *d)
         p->event = malloc(d->count * sizeof *p->event);
     if (!p->hits)
         p->hits = malloc(d->count * sizeof *p->hits);
-    if (!p->event || !p->hits)
+    if (!p->time)
+        p->time = malloc(d->count * sizeof *p->time);
+    if (!p->event || !p->hits || !p->time)
         return false;
     p->leash = disks_leash(d);
     assert(p->leash > 0);
@@ -367,7 +430,7 @@ static struct disks_event earliest(const struct disks *d)
     const struct disks_event *event = d->plan->event;
     struct disks_event first = event[0];
     for (size_t i = 1; i < d->count; ++i)
-        if (disks_before(event[i], first))
+        if (event[i].time <= first.time && disks_before(event[i], first))
             first = event[i];
     return first;
 }

@@ -1,5 +1,5 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 1065318935 of the lines below */
+/* checksum 2490345012 of the lines below */
 /* Four hard disks in a box: rows of t, and of x and y of each, every TC. */
 #include <math.h>
 #include <stdio.h>
@@ -15,7 +15,7 @@ double disks_wall_time(double x, double v, double radius, double length)
     const double way = v > 0 ? length - radius - x : radius - x;
     if (v == 0)
         return INFINITY;
-    return fmax(0, way / v);
+    return way / v > 0 ? way / v : 0;
 }
 
 double disks_pair_time(const double apart[], const double closing[],

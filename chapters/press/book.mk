@@ -75,3 +75,6 @@ endif
 .PHONY: handout
 handout: has-tex build/bonkers.pdf build/works-course.pdf
 	@chapters/press/handout
+
+# ---- the pages
+include chapters/press/site.mk

@@ -1,0 +1,15 @@
+# The book as pages: build/site/, to be opened with any browser, from a file or
+# from a server. EDITION=instructor adds the worked solutions: build/site-instructor/.
+#
+# chapters/press/site/ has what makes them: places (where everything stands), page
+# (one page), page.css and page.js. What moves is made by the rules of
+# chapters/press/site/live.mk: build/site/live/NAME.js for each \livefigure{NAME},
+# live/live.js, which starts them, and player.html; it names them in LIVE.
+# live.js gets from the page <div class="live" data-live="NAME"></div>, colours
+# and faces as the properties of page.css, and an event `theme' at the document
+# when the reader changes them.
+
+.PHONY: site
+LIVE =
+-include chapters/press/site/live.mk
+site: $(LIVE)

@@ -1,7 +1,7 @@
 /* From chapters/works/05-disks.nw: edit there, then run make tangle. */
-/* checksum 3063814310 of the lines below */
+/* checksum 3050070219 of the lines below */
 /* Clocks, the way back, contacts, collapse and speed of hard disks. */
-#include "box/disks.h"
+#include "box/loop.h"
 #include "toolbox/bench.h"
 #include "toolbox/quad.h"
 #include "toolbox/random.h"
@@ -46,52 +46,6 @@ static void begin_four(struct disks *d, double v, uint64_t seed)
     begin_or_exit(d, 4, radius, 1, v, &r);
 }
 
-/* The article's loop: all disks are at the time t. */
-struct loop {
-    struct disks d;
-    struct disks_event next;
-    double t, slip; /* s; -1 as in the article, +1 as it should be */
-    double overlap; /* the deepest, m */
-};
-
-static void event(struct loop *l)
-{
-    disks_collide(&l->d, l->next);
-    l->next = disks_next(&l->d);
-}
-
-/* Moves all disks by step, s, and calls the time t. */
-static void shift(struct loop *l, double step)
-{
-    for (size_t i = 0; i < l->d.count; ++i) {
-        struct disk *a = &l->d.disk[i];
-        for (size_t k = 0; k < DISKS_AXES; ++k)
-            a->position[k] += a->velocity[k] * step;
-        a->since = l->t;
-    }
-    l->d.now = l->t;
-}
-
-static void turn(struct loop *l, double every)
-{
-    l->t += every;
-    if (l->t < l->next.time) {
-        shift(l, every);
-        return;
-    }
-    const double step = l->next.time - l->t + l->slip * every;
-    l->t = l->next.time;
-    shift(l, step);
-    event(l);
-}
-
-static void go_to(struct loop *l, double tick)
-{
-    while (l->next.time <= tick)
-        event(l);
-    l->t = l->d.now = tick;
-}
-
 enum { BINS = 100 };
 
 static int bin_of(double x)
@@ -100,23 +54,15 @@ static int bin_of(double x)
     return (int)fmin(fmax(floor(inside * BINS), 0), BINS - 1);
 }
 
-static void sample(struct loop *l, double bins[])
+static void sample(const struct loop *l, double bins[], double *overlap)
 {
     for (size_t i = 0; i < l->d.count; ++i) {
-        double a[DISKS_AXES], b[DISKS_AXES], apart[DISKS_AXES];
-        disks_position(&l->d, i, a);
-        for (size_t k = 0; k < 2; ++k) {
-            bins[bin_of(a[k])] += 1;
-            l->overlap = fmax(l->overlap, radius - a[k]);
-            l->overlap = fmax(l->overlap, a[k] - 1 + radius);
-        }
-        for (size_t j = 0; j < i; ++j) {
-            disks_position(&l->d, j, b);
-            disks_apart(&l->d, a, b, apart);
-            const double s = hypot(apart[0], apart[1]);
-            l->overlap = fmax(l->overlap, 2 * radius - s);
-        }
+        double place[DISKS_AXES];
+        disks_position(&l->d, i, place);
+        for (size_t k = 0; k < 2; ++k)
+            bins[bin_of(place[k])] += 1;
     }
+    *overlap = fmax(*overlap, loop_overlap(l));
 }
 
 enum { OURS, ARTICLE, MENDED, CLOCKS };
@@ -125,7 +71,7 @@ static const char *const clocks[CLOCKS] = {"clock", "article", "mended"};
 
 /* Lets one of the three sample the four disks; the energy at the start. */
 static double sample_by(int way, const struct study *s, struct loop *l,
-                        double bins[BINS])
+                        double bins[BINS], double *overlap)
 {
     const struct settings *own = s->own;
     begin_four(&l->d, 1, s->seed);
@@ -133,23 +79,23 @@ static double sample_by(int way, const struct study *s, struct loop *l,
     l->next = disks_next(&l->d);
     for (uint64_t k = 1; k <= own->samples; ++k) {
         if (way == OURS)
-            go_to(l, (double)k * own->every);
+            loop_go_to(l, (double)k * own->every);
         else
-            turn(l, own->every);
-        sample(l, bins);
+            loop_turn(l, own->every);
+        sample(l, bins, overlap);
     }
     return energy;
 }
 
 /* Notes the pressure, the energy and the density at the edge. */
 static void sum_up(struct study *s, const char *name, const struct loop *l,
-                   double energy, const double bins[BINS])
+                   double energy, double overlap, const double bins[BINS])
 {
     const struct settings *own = s->own;
     const double impulse = l->d.impulse[0] + l->d.impulse[1];
     const double nkt = disks_energy(&l->d); /* 2 E / D */
     const double edge = (bins[15] + bins[84]) / 16 * BINS;
-    const double values[] = {impulse / (4 * nkt * l->t), l->overlap,
+    const double values[] = {impulse / (4 * nkt * l->t), overlap,
                              disks_energy(&l->d) / energy - 1,
                              (edge / (double)own->samples / 2.630625 - 1) *
                                  100}; /* direct sampling */
@@ -175,8 +121,9 @@ static void study_clock(struct study *s)
     table_column(s->out, "x", "m", "lower edge of the bin");
     for (int way = 0; way < CLOCKS; ++way) {
         struct loop l = {.slip = way == ARTICLE ? -1 : 1};
-        const double energy = sample_by(way, s, &l, bins[way]);
-        sum_up(s, clocks[way], &l, energy, bins[way]);
+        double overlap = 0;
+        const double energy = sample_by(way, s, &l, bins[way], &overlap);
+        sum_up(s, clocks[way], &l, energy, overlap, bins[way]);
         disks_free(&l.d);
         table_column(s->out, clocks[way], "1/m", "density of a coordinate");
     }
@@ -201,11 +148,11 @@ static void record(struct study *s, struct loop *l)
 static void go_on(struct loop *l, int way, int k, double every)
 {
     if (way == 2)
-        turn(l, every);
+        loop_turn(l, every);
     else if (way == 1)
-        go_to(l, k * every);
+        loop_go_to(l, k * every);
     else if (l->next.time <= 1.5)
-        event(l);
+        loop_event(l);
     else
         l->d.now = 1.5;
 }

@@ -1,0 +1,57 @@
+# Figures that live: each file of src/page/ is compiled to WebAssembly, and its
+# script is made of that, compressed and in letters, and of
+# chapters/press/site/live-NAME.js, since a page that was opened as a file can
+# fetch nothing. `make site' makes them; `make live' makes no more than them.
+.PHONY: live has-wasm
+LIVE := $(patsubst src/page/%.c,%,$(wildcard src/page/*.c))
+LIVE_JS := build/site/live.js $(LIVE:%=build/site/live/%.js)
+live: $(LIVE_JS)
+
+has-wasm:
+	$(call need,clang,clang)
+	$(call need,wasm-ld,lld)
+	@[ -e /usr/lib/wasm32-wasi/libc.a ] || { echo 'make: wasi-libc is\
+ missing; install it with: apt-get install --no-install-recommends wasi-libc\
+ libclang-rt-dev-wasm32' >&2; exit 1; }
+
+# The flags of the kit. What an assert would print takes as much room as a
+# figure, and the tests have asked all of them.
+wasm = clang --target=wasm32-wasi --sysroot=/usr $(STANDARD) $(PORTABLE) \
+	-DNDEBUG -Isrc
+# What has files, signals or GSL stays outside.
+wasm_tools := $(patsubst %,src/toolbox/%.c,digits random room)
+wasm_sources := $(wasm_tools) $(filter-out %/laws.c %/states.c %/checkpoint.c \
+	%/reference.c,$(wildcard $(patsubst %,src/%/*.c,line box scenes forces)))
+wasm_objects := $(wasm_sources:src/%.c=build/wasm/%.o)
+build/wasm/%.o: src/%.c chapters/press/site/live.mk | has-wasm
+	@mkdir -p $(@D)
+	$(call say,wasm $<)
+	$(Q)$(wasm) -MMD -MP -c -o $@ $<
+exports := number begin run look
+build/wasm/%.wasm: build/wasm/page/%.o $(wasm_objects)
+	$(call say,wasm $@)
+	$(Q)$(wasm) -mexec-model=reactor -Wl,--gc-sections,--strip-all \
+		$(exports:%=-Wl$(comma)--export=page_%) \
+		-Wl,--export-if-defined=page_word -o $@ $^
+comma := ,
+.SECONDARY: $(LIVE:%=build/wasm/%.wasm) $(LIVE:%=build/wasm/page/%.o)
+-include $(wildcard build/wasm/*/*.d)
+
+site_scripts = chapters/press/site
+build/site/live.js: $(site_scripts)/live.js
+	@mkdir -p $(@D)
+	@cp $< $@
+# What a figure needs from a table of plots/data.
+live_numbers =
+build/site/live/clock.js: truth = plots/data/disks4_r0.15_unitbox.dat
+build/site/live/clock.js: plots/data/disks4_r0.15_unitbox.dat
+build/site/live/clock.js: live_numbers = { printf 'live.numbers.disks4 = [' && \
+	awk '!/^\#/ && $$1 >= 0.15 && $$1 < 0.5 { printf "%s,", $$3 }' $(truth) && \
+	echo '];'; } &&
+build/site/live/%.js: build/wasm/%.wasm $(site_scripts)/live-%.js \
+		$(site_scripts)/live.mk
+	@mkdir -p $(@D)
+	@{ printf "live.programs['%s'] = '" $* && gzip -9nc $< | base64 -w 0 && \
+		echo "';" && $(live_numbers) cat $(site_scripts)/live-$*.js; } \
+		>$@.part
+	@mv $@.part $@

@@ -1,0 +1,127 @@
+/* From chapters/works/A-page.nw: edit there, then run make tangle. */
+/* checksum 820434761 of the lines below */
+/* One swing, step by step, by two methods. */
+#include "forces/motion.h"
+#include "page/page.h"
+#include "scenes/gallery.h"
+
+#include <string.h>
+
+enum { METHODS = 2, OWN = 8 }; /* numbers of each that are seen */
+
+/* The step and the damping, then the two methods, as page_word has them. */
+double page_number[PAGE_NUMBERS];
+
+static struct swing {
+    struct scene scene;
+    struct motion motion;
+    double matrix[4]; /* of a step: from x and v to x and v */
+    bool begun, over;
+} swing[METHODS];
+static double seen[1 + METHODS * OWN];
+
+static const struct stepping_method *method_of(double number)
+{
+    const struct stepping_method *m = stepping_next(NULL);
+    while (m && number-- > 0)
+        m = stepping_next(m);
+    return m;
+}
+
+const char *page_word(double number)
+{
+    const struct stepping_method *m = method_of(number);
+    return m ? m->name : NULL;
+}
+
+static void end(struct swing *s)
+{
+    if (s->begun) {
+        motion_end(&s->motion);
+        scene_free(&s->scene);
+    }
+    s->begun = s->over = false;
+}
+
+static bool begin(struct swing *s, const char *method, double x, double v)
+{
+    const struct gallery_choice chosen[] = {{"damping", page_number[1]},
+                                            {"displacement", x},
+                                            {"velocity", v},
+                                            {0}};
+    end(s);
+    if (gallery_choose(&s->scene, elastic_scenes, "oscillator", chosen))
+        return false;
+    s->begun = motion_begin(&s->motion, "swing", &s->scene, method,
+                            page_number[0]);
+    if (!s->begun)
+        scene_free(&s->scene);
+    return s->begun;
+}
+
+enum { REST = 4 }; /* m: the length of the spring */
+
+static double place(const struct swing *s)
+{
+    return s->scene.position[1] - REST;
+}
+
+static bool measure(struct swing *s, const char *method)
+{
+    for (int k = 0; k < 2; ++k) {
+        if (!begin(s, method, k == 0, k == 1))
+            return false;
+        motion_run(&s->motion, 1);
+        s->matrix[k] = place(s);
+        s->matrix[2 + k] = s->scene.velocity[1];
+    }
+    return true;
+}
+
+bool page_begin(void)
+{
+    for (int k = 0; k < METHODS; ++k) {
+        const char *method = page_word(page_number[2 + k]);
+        if (!method || !measure(&swing[k], method) ||
+            !begin(&swing[k], method, 1, 0))
+            return false;
+    }
+    return true;
+}
+
+static double now(void)
+{
+    const double a = motion_time(&swing[0].motion);
+    const double b = motion_time(&swing[1].motion);
+    return a > b ? a : b;
+}
+
+double page_run(double until, double events)
+{
+    double steps = 0;
+    for (; steps < events && now() + page_number[0] <= until; ++steps) {
+        for (int k = 0; k < METHODS; ++k)
+            if (!swing[k].over)
+                swing[k].over =
+                    motion_run(&swing[k].motion, 1) != STEPPING_DONE;
+        if (swing[0].over && swing[1].over)
+            break;
+    }
+    return steps;
+}
+
+/* The time; of each x, v, energy, whether it is over, and the matrix. */
+const double *page_look(void)
+{
+    seen[0] = now();
+    for (int k = 0; k < METHODS; ++k) {
+        const struct swing *s = &swing[k];
+        double *own = seen + 1 + k * OWN;
+        own[0] = place(s);
+        own[1] = s->scene.velocity[1];
+        own[2] = motion_kinetic(&s->motion) + motion_potential(&s->motion);
+        own[3] = s->over;
+        memcpy(own + 4, s->matrix, sizeof s->matrix);
+    }
+    return seen;
+}

@@ -78,9 +78,10 @@
     return Object.assign(c, hue[grey < 128 ? 'dark' : 'light']);
   };
 
-  const nice = span => {
-    const power = 10 ** Math.floor(Math.log10(span));
-    return power * (span < 2 * power ? 0.5 : span < 5 * power ? 1 : 2);
+  // The least of 1, 2, 5, 10, ... that is no less than this.
+  const nice = least => {
+    const power = 10 ** Math.floor(Math.log10(least)), lead = least / power;
+    return power * (lead <= 1 ? 1 : lead <= 2 ? 2 : lead <= 5 ? 5 : 10);
   };
   live.number = (x, digits = 3) => {
     if (x === 0 || !Number.isFinite(x)) return String(x);
@@ -148,7 +149,7 @@
         g.lineWidth = 1;
         g.strokeRect(left, top, width, height);
         for (const [a, P, room] of [[x, X, width / 75], [y, Y, height / 45]]) {
-          const by = a.ticks || nice((a.to - a.from) / Math.max(1, room) * 2);
+          const by = a.ticks || nice((a.to - a.from) / Math.max(1, room));
           if (!(by > 0)) continue;
           for (let k = Math.ceil(a.from / by - 1e-9); k * by <= a.to + 1e-9 * by; ++k) {
             const at = P(k * by), word = live.number(k * by);
@@ -263,7 +264,7 @@
     const link = make('button', { type: 'button', textContent: 'Link' });
     const speed = make('select', {}, ...Object.entries(figure.speeds || speeds).sort((a, b) => a[0] - b[0])
       .map(([value, text]) => make('option', { value, textContent: text + ' ×' })));
-    speed.value = '1';
+    speed.value = figure.speed || 1;
     const clock = make('span', { className: 'live-clock' });
     const bar = make('div', { className: 'live-bar' }, play, step, reset,
       make('label', { className: 'live-speed' }, make('span', { textContent: 'Speed' }), speed),

@@ -26,6 +26,21 @@ const disks = {
   numbers: [0, 0.125, 1], until: 200, events: 1e15, seen: 15, page: a => a.slice(7, 15),
 };
 
+const histogram = {
+  figure: 'histogram', what: '1000 samples of ten beads', count: 1,
+  command: bin + 'bonkers --preset thermal --seed 3 --every 0.24 --samples 1000 -o -',
+  native: ([row]) => [row[0], ...second(row)],
+  numbers: [4, 0, 0.24, 3], until: 1e9, events: 1000, seen: 140, page: a => [a[0], ...a.slice(128)],
+};
+
+const gas = (what, count, until, options, ...numbers) => ({
+  figure: 'gas', what, count,
+  command: `${bin}disks --disks ${count} --box 7.5,5 --start lattice --warmup 0 --until ${until} --every ${until} ${options}`,
+  native: all => all.flatMap(row => [row[4], row[5]]),
+  numbers: [count, ...numbers], until, events: 1e15, seen: 69 + 3 * count,
+  page: a => a.slice(69).filter((_, i) => i % 3 < 2),
+});
+
 const swing = method => ({
   figure: 'swing', what: `1000 steps of ${method}`, count: 1,
   command: `${bin}scene oscillator --damping 0 | ${bin}step - --method ${method} --dt 0.05 --until 50 --every 50 --bound 100`,
@@ -37,7 +52,10 @@ exports.tests = () => [
   beads('the wave of figure 2.1', '--masses 9.3,2.1,5.2,0.9,3.4,1.2,4.3,0.8,2.6,1.4 --positions ' +
     '0.5,4.6,5.3,6.2,6.9,7.8,8.5,9.4,10.2,11.1 --velocities 2,0,0,0,0,0,0,0,0,0 --walls 0,12', 9, 1, 0),
   beads('ten beads at random', '--preset random --seed 7', 7, 7, 0),
+  histogram,
   disks,
+  gas('a thousand disks', 1000, 1, '--packing 0.2 --seed 3', 0.2, 3, 0),
+  gas('ten in a periodic box', 10, 50, '--packing 0.1 --boundary periodic --seed 2', 0.1, 2, 1),
   ...output(bin + 'step-studies --study methods').filter(line => !/ellipses|its error/.test(line))
     .map(line => swing(line.split(' ')[0])),
 ];

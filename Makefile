@@ -60,7 +60,7 @@ offer = @$(if $(filter $(1),$(absent)),: ||) echo
 # do not get: grading, the book, the tests.
 include src/compile.mk src/examiner/check.mk plots/plots.mk
 include src/studies/bench.mk $(wildcard src/examiner/grade.mk \
-	chapters/press/book.mk chapters/press/site/live.mk tests/tests.mk)
+	chapters/press/book.mk tests/tests.mk)
 
 programs: $(programs:%=build/bin/%)
 

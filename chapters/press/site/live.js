@@ -68,10 +68,10 @@
   // The page's colours as they are now, and ours for the series.
   live.colours = canvas => {
     const style = getComputedStyle(canvas), c = {}, pen = canvas.getContext('2d');
-    for (const [name, otherwise] of Object.entries({ ink: '#222', quiet: '#666',
-      accent: '#a33', tint: '#f4f4f4', hairline: '#ccc', paper: '#fff' })) {
+    for (const [name, property, otherwise] of [['ink', '--text', '#222'], ['quiet', '--quiet', '#666'],
+      ['hairline', '--line', '#ccc'], ['paper', '--paper', '#fff']]) {
       pen.fillStyle = otherwise;
-      pen.fillStyle = style.getPropertyValue('--' + name).trim() || otherwise;
+      pen.fillStyle = style.getPropertyValue(property).trim() || otherwise;
       c[name] = pen.fillStyle;
     }
     const grey = parseInt(c.paper.slice(1, 3), 16);
@@ -480,9 +480,9 @@
   }
 
   document.head.append(make('style', { textContent: `
-.live-figure { margin: 1.2em 0 1.8em; padding: .9em 1em; border: 1px solid var(--hairline, #ccc);
-  border-radius: 8px; background: var(--paper, #fff); color: var(--ink, #222);
-  font: 15px/1.45 system-ui, "DejaVu Sans", sans-serif; }
+.live-figure { margin: 1.2em 0 1.8em; padding: .9em 1em; border: 1px solid var(--line, #ccc);
+  border-radius: 8px; background: var(--paper, #fff); color: var(--text, #222);
+  font: 15px/1.45 var(--sans, sans-serif); }
 .live-figure p { margin: 0 0 .6em; text-align: left; }
 .live-figure canvas { display: block; width: 100%; }
 .live-bar, .live-fields { display: flex; flex-wrap: wrap; gap: .5em .8em; align-items: center; margin: .6em 0; }

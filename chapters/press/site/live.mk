@@ -3,9 +3,9 @@
 # chapters/press/site/live-NAME.js, since a page that was opened as a file can
 # fetch nothing. `make site' makes them; `make live' makes no more than them.
 .PHONY: live has-wasm
-LIVE := $(patsubst src/page/%.c,%,$(wildcard src/page/*.c))
-LIVE_JS := build/site/live.js $(LIVE:%=build/site/live/%.js)
-live: $(LIVE_JS)
+live_names := $(patsubst src/page/%.c,%,$(wildcard src/page/*.c))
+LIVE := build/site/live/live.js $(live_names:%=build/site/live/%.js)
+live: $(LIVE)
 
 has-wasm:
 	$(call need,clang,clang)
@@ -34,11 +34,12 @@ build/wasm/%.wasm: build/wasm/page/%.o $(wasm_objects)
 		$(exports:%=-Wl$(comma)--export=page_%) \
 		-Wl,--export-if-defined=page_word -o $@ $^
 comma := ,
-.SECONDARY: $(LIVE:%=build/wasm/%.wasm) $(LIVE:%=build/wasm/page/%.o)
+.SECONDARY: $(live_names:%=build/wasm/%.wasm) \
+	$(live_names:%=build/wasm/page/%.o)
 -include $(wildcard build/wasm/*/*.d)
 
 site_scripts = chapters/press/site
-build/site/live.js: $(site_scripts)/live.js
+build/site/live/live.js: $(site_scripts)/live.js
 	@mkdir -p $(@D)
 	@cp $< $@
 # What a figure needs from a table of plots/data.

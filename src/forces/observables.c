@@ -1,5 +1,5 @@
 /* From chapters/works/11-step.nw: edit there, then run make tangle. */
-/* checksum 2777318318 of the lines below */
+/* checksum 4063072268 of the lines below */
 /* Each kind has its columns, and a function that computes them. */
 #include "forces/observables.h"
 
@@ -315,4 +315,33 @@ void observables_values(const struct observables *o, const struct motion *m,
         o->list[i].kind->values(m, o->list[i].body, values);
         values += o->list[i].kind->width;
     }
+}
+
+void observables_head_states(struct table *t, size_t n, const size_t body[])
+{
+    static const char *const symbol[] = {"x", "y", "z", "vx", "vy", "vz"};
+    char name[32];
+    for (size_t j = 0; j < n; ++j)
+        for (size_t k = 0; k < 6; ++k) {
+            snprintf(name, sizeof name, "%s:%zu", symbol[k], body[j]);
+            table_column(t, name, k < 3 ? "length" : "length/time",
+                         k < 3 ? "place" : "velocity");
+        }
+}
+
+void observables_states(const struct motion *m, size_t n,
+                        const size_t body[], double values[])
+{
+    const struct scene *s = m->scene;
+    for (size_t j = 0; j < n; ++j, values += 6)
+        for (size_t k = 0; k < 3; ++k) {
+            values[k] = s->position[k * s->bodies + body[j]];
+            values[3 + k] = s->velocity[k * s->bodies + body[j]];
+        }
+}
+
+const char *observables_name(size_t k, size_t *bodies)
+{
+    *bodies = k < KINDS ? kinds[k].bodies : 0;
+    return k < KINDS ? kinds[k].name : NULL;
 }

@@ -1,5 +1,5 @@
 /* From chapters/works/11-step.nw: edit there, then run make tangle. */
-/* checksum 1364957789 of the lines below */
+/* checksum 141445605 of the lines below */
 /* What one may look at in a motion, by name: energies, places, speeds. */
 #ifndef OBSERVABLES_H
 #define OBSERVABLES_H
@@ -33,5 +33,15 @@ void observables_head(const struct observables *o, struct table *t);
    scene: length, time, mass. */
 void observables_values(const struct observables *o, const struct motion *m,
                         double values[]);
+
+/* The same for the states of n bodies: columns, six for each, numbers. */
+void observables_head_states(struct table *t, size_t n,
+                             const size_t body[]);
+void observables_states(const struct motion *m, size_t n,
+                        const size_t body[], double values[]);
+
+/* The name of an observable, NULL behind the last, and of how many bodies
+   it is asked. */
+const char *observables_name(size_t k, size_t *bodies);
 
 #endif

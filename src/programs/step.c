@@ -1,5 +1,5 @@
 /* From chapters/works/11-step.nw: edit there, then run make tangle. */
-/* checksum 1883238210 of the lines below */
+/* checksum 4146068667 of the lines below */
 /* Steps a scene through time and writes what is looked at, row by row. */
 #include "forces/adaptive.h"
 #include "forces/checkpoint.h"
@@ -269,34 +269,19 @@ static void choose_columns(struct run *r)
 
 static void write_head(struct run *r)
 {
-    static const char *const symbol[] = {"x", "y", "z", "vx", "vy", "vz"};
-    char name[32];
     table_begin(r->out, r->s->command, 0);
     table_column(r->out, "t", "time", "time, in the units of the scene");
     observables_head(&r->observables, r->out);
-    for (size_t j = 0; j < r->tracks; ++j)
-        for (size_t k = 0; k < 6; ++k) {
-            snprintf(name, sizeof name, "%s:%zu", symbol[k], r->tracked[j]);
-            table_column(r->out, name, k < 3 ? "length" : "length/time",
-                         k < 3 ? "place" : "velocity");
-        }
+    observables_head_states(r->out, r->tracks, r->tracked);
 }
 
 static bool write_row(struct run *r)
 {
-    const size_t n = r->scene.bodies;
     double *next = r->row;
     *next++ = motion_time(&r->motion);
     observables_values(&r->observables, &r->motion, next);
     next += r->observables.columns;
-    for (size_t j = 0; j < r->tracks; ++j) {
-        const size_t i = r->tracked[j];
-        for (size_t k = 0; k < 3; ++k, ++next) {
-            next[0] = r->scene.position[k * n + i];
-            next[3] = r->scene.velocity[k * n + i];
-        }
-        next += 3;
-    }
+    observables_states(&r->motion, r->tracks, r->tracked, next);
     ++r->rows;
     return r->kept ? checkpoint_row(&r->checkpoint, r->columns, r->row)
                    : table_row(r->out, r->columns, r->row);

@@ -1,5 +1,5 @@
 /* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 3478732121 of the lines below */
+/* checksum 2439347610 of the lines below */
 /* A temporary beside the file, which takes its name when all is written. */
 #define _XOPEN_SOURCE 700 /* realpath */
 
@@ -25,6 +25,7 @@ struct table {
     const char *program;
     FILE *stream;
     char *name;      /* as it was given; NULL: standard output */
+    size_t size;     /* of a table in memory, whose name is its text */
     char *path;      /* the name in the end, links followed, or NULL */
     char *temporary; /* what is written meanwhile; NULL: the file itself */
     bool exists;     /* the file did, when it was opened, and was: */
@@ -363,19 +364,6 @@ static void print_key(struct table *t, const char *key)
     table_print(t, "%s ", key);
 }
 
-void table_keys(struct table *t, const struct table_key keys[])
-{
-    t->keys = keys;
-}
-
-static bool is_complete(const struct table *t)
-{
-    const struct table_key *k = t->keys;
-    while (k && k->name && t->written >> (k - t->keys) & 1)
-        ++k;
-    return !k || !k->name || !*k->name;
-}
-
 void table_real(struct table *t, const char *key, double value)
 {
     print_key(t, key);
@@ -393,6 +381,19 @@ void table_text(struct table *t, const char *key, const char *text)
 {
     print_key(t, key);
     table_print(t, "%s\n", text);
+}
+
+void table_keys(struct table *t, const struct table_key keys[])
+{
+    t->keys = keys;
+}
+
+static bool is_complete(const struct table *t)
+{
+    const struct table_key *k = t->keys;
+    while (k && k->name && t->written >> (k - t->keys) & 1)
+        ++k;
+    return !k || !k->name || !*k->name;
 }
 
 bool table_close(struct table *t)

@@ -87,13 +87,14 @@
     if (x === 0 || !Number.isFinite(x)) return String(x);
     const size = Math.abs(x);
     return size >= 1e5 || size < 1e-3
-      ? x.toExponential(digits - 1).replace('e+', 'e').replace(/e(-?)(\d+)/, ' × 10^$1$2')
+      ? String(+x.toPrecision(digits)).replace(/^[^e]*$/, v => (+v).toExponential()).replace('e+', 'e').replace(/e(-?)(\d+)/, ' × 10^$1$2')
           .replace(/\^(-?)(\d+)$/, (_, s, d) => (s ? '⁻' : '') +
             [...d].map(c => '⁰¹²³⁴⁵⁶⁷⁸⁹'[c]).join('')).replace('-', '−')
       : String(+x.toPrecision(digits)).replace('-', '−');
   };
 
   // A pen for a canvas of w by h pixels, however fine the screen is.
+  live.pen = makePen;
   function makePen(canvas, w, h) {
     const scale = devicePixelRatio || 1, g = canvas.getContext('2d');
     if (canvas.width !== Math.round(w * scale) || canvas.height !== Math.round(h * scale)) {
@@ -493,6 +494,8 @@
 .live-figure button:hover { border-color: var(--accent, #a33); color: var(--accent, #a33); }
 .live-figure :focus-visible { outline: 2px solid var(--accent, #a33); outline-offset: 2px; }
 .live-control, .live-speed { display: inline-flex; align-items: center; gap: .45em; }
+.live-control { min-width: 0; max-width: 100%; }
+.live-control select { min-width: 0; flex: 0 1 auto; }
 .live-control[hidden] { display: none; }
 .live-control input[type=range] { width: 9.5em; accent-color: var(--accent, #a33); }
 .live-control input[type=number] { width: 5.5em; }

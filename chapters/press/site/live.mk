@@ -3,8 +3,10 @@
 # chapters/press/site/live-NAME.js, since a page that was opened as a file can
 # fetch nothing. `make site' makes them; `make live' makes no more than them.
 .PHONY: live has-wasm
-live_names := $(patsubst src/page/%.c,%,$(wildcard src/page/*.c))
-LIVE := build/site/live/live.js $(live_names:%=build/site/live/%.js)
+live_names := $(filter-out table,$(patsubst src/page/%.c,%,$(wildcard \
+	src/page/*.c)))
+LIVE := build/site/live/live.js $(live_names:%=build/site/live/%.js) \
+	build/site/player.html build/site/live/player.css
 live: $(LIVE)
 
 has-wasm:
@@ -20,7 +22,7 @@ wasm = clang --target=wasm32-wasi --sysroot=/usr $(STANDARD) $(PORTABLE) \
 	-DNDEBUG -Isrc
 # What has files, signals or GSL stays outside.
 wasm_tools := $(patsubst %,src/toolbox/%.c,digits random room)
-wasm_sources := $(wasm_tools) $(filter-out %/laws.c %/states.c %/checkpoint.c \
+wasm_sources := src/page/table.c $(wasm_tools) $(filter-out %/laws.c %/states.c %/checkpoint.c \
 	%/reference.c,$(wildcard $(patsubst %,src/%/*.c,line box scenes forces)))
 wasm_objects := $(wasm_sources:src/%.c=build/wasm/%.o)
 build/wasm/%.o: src/%.c chapters/press/site/live.mk | has-wasm
@@ -28,11 +30,12 @@ build/wasm/%.o: src/%.c chapters/press/site/live.mk | has-wasm
 	$(call say,wasm $<)
 	$(Q)$(wasm) -MMD -MP -c -o $@ $<
 exports := number begin run look
+more := word text make observe change save array
 build/wasm/%.wasm: build/wasm/page/%.o $(wasm_objects)
 	$(call say,wasm $@)
 	$(Q)$(wasm) -mexec-model=reactor -Wl,--gc-sections,--strip-all \
 		$(exports:%=-Wl$(comma)--export=page_%) \
-		-Wl,--export-if-defined=page_word -o $@ $^
+		$(more:%=-Wl$(comma)--export-if-defined=page_%) -o $@ $^
 comma := ,
 .SECONDARY: $(live_names:%=build/wasm/%.wasm) \
 	$(live_names:%=build/wasm/page/%.o)
@@ -42,8 +45,20 @@ site_scripts = chapters/press/site
 build/site/live/live.js: $(site_scripts)/live.js
 	@mkdir -p $(@D)
 	@cp $< $@
-# What a figure needs from a table of plots/data.
+build/site/player.html: $(site_scripts)/player.html
+	@mkdir -p $(@D)
+	@cp $< $@
+build/site/live/player.css: $(site_scripts)/live-player.css
+	@mkdir -p $(@D)
+	@cp $< $@
+
+# What a figure needs from a table: the truth about four disks; how fast films
+# of scenes go, and their unit of time.
 live_numbers =
+build/site/live/player.js: plots/films
+build/site/live/player.js: live_numbers = { echo 'live.films = {' && awk \
+	'$$1 == "scene" { printf "\"%s\": [%s, \"%s\"],\n", $$2, $$3, $$6 }' \
+	plots/films && echo '};'; } &&
 build/site/live/clock.js: truth = plots/data/disks4_r0.15_unitbox.dat
 build/site/live/clock.js: plots/data/disks4_r0.15_unitbox.dat
 build/site/live/clock.js: live_numbers = { printf 'live.numbers.disks4 = [' && \

@@ -1,0 +1,361 @@
+/* From chapters/works/A-page.nw: edit there, then run make tangle. */
+/* checksum 2935683522 of the lines below */
+/* The scene player: a scene's text set in motion, changed, saved. */
+#include "forces/motion.h"
+#include "forces/observables.h"
+#include "page/page.h"
+#include "page/table.h"
+#include "scenes/gallery.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* What page_word is asked for: kind * 1000 + number. */
+enum word { SCENES, ABOUT, KEYS, HELP, METHODS, NAMES, MESSAGE, WRITTEN };
+
+/* What page_array is asked for. */
+enum array { PLACES, RADII, COLOURS, MASSES, FREE, SPRINGS, OBSERVED };
+
+/* What can be changed while the scene runs. */
+enum change { METHOD, DT, GRAVITY, DAMPING = GRAVITY + 3, RESTITUTION, K2 };
+
+char *page_text(double size);
+bool page_make(double number);
+bool page_observe(void);
+bool page_change(double what, double value);
+bool page_save(bool table, double every);
+const double *page_array(double which);
+
+/* The number of the method; or the keys of a scene that is to be made. */
+double page_number[PAGE_NUMBERS];
+
+static struct scene start, scene; /* as the run began, and now */
+static struct motion motion;
+static bool moving;
+static enum stepping_end stopped;
+static struct observables observed;
+static char *given, *written; /* texts from the script, and for it */
+static char message[320];
+static size_t line; /* of the text, that is wrong */
+
+/* Room for a text of so many bytes. */
+char *page_text(double size)
+{
+    free(given);
+    given = calloc((size_t)size + 1, 1);
+    return given;
+}
+
+/* Ends a table whose text is then written. */
+static bool finish(struct table *t)
+{
+    free(written);
+    written = t ? page_table_close(t) : NULL;
+    return written != NULL;
+}
+
+static const struct gallery_scene *scene_of(size_t number)
+{
+    static const struct gallery_scene *const lists[] = {
+        celestial_scenes, elastic_scenes, hard_scenes};
+    for (size_t i = 0; i < sizeof lists / sizeof lists[0]; ++i)
+        for (const struct gallery_scene *g = lists[i]; g->name; ++g)
+            if (number-- == 0)
+                return g;
+    return NULL;
+}
+
+static const struct gallery_scene *chosen;
+
+static const char *describe_key(size_t k)
+{
+    const struct gallery_key *key = &chosen->key[k];
+    if (!chosen || !key->name)
+        return NULL;
+    snprintf(message, sizeof message, "%s %.17g %.17g %.17g %d", key->name,
+             key->usual, key->low, key->high, key->whole);
+    return message;
+}
+
+static const char *name_of(size_t k)
+{
+    size_t bodies;
+    const char *name = observables_name(k, &bodies);
+    snprintf(message, sizeof message, "%s%s", name ? name : "",
+             bodies == 0   ? ""
+             : bodies == 1 ? ":0"
+                           : ":0:1");
+    return name ? message : NULL;
+}
+
+const char *page_word(double number)
+{
+    const size_t k = (size_t)number % 1000;
+    const struct gallery_scene *g;
+    switch ((enum word)(number / 1000)) {
+    case SCENES:
+        g = scene_of(k);
+        chosen = g ? g : chosen;
+        return g ? g->name : NULL;
+    case ABOUT: return scene_of(k) ? scene_of(k)->about : NULL;
+    case KEYS: return describe_key(k);
+    case HELP: return chosen ? chosen->key[k].help : NULL;
+    case METHODS: return stepping_methods[k].name;
+    case NAMES: return name_of(k);
+    case MESSAGE: return message;
+    case WRITTEN: return written;
+    }
+    return NULL;
+}
+
+bool page_make(double number)
+{
+    const struct gallery_scene *g = scene_of((size_t)number);
+    struct scene made;
+    const char *wrong = g ? g->build(&made, page_number) : "no such scene";
+    if (wrong) {
+        snprintf(message, sizeof message, "%s", wrong);
+        return false;
+    }
+    struct table *t = page_table_open("scene");
+    if (t) {
+        table_print(t, "# %s: %s\n", g->name, g->about);
+        scene_write(&made, t);
+    }
+    scene_free(&made);
+    return finish(t);
+}
+
+static void stop(void)
+{
+    if (moving)
+        motion_end(&motion);
+    moving = false;
+}
+
+/* Sets a scene in motion as step does. */
+static bool set_off(struct motion *m, struct scene *s)
+{
+    const size_t method = (size_t)page_number[0];
+    if (!motion_begin(m, "page", s, stepping_methods[method].name, 0))
+        return false;
+    m->stepping.tolerance = 1e-13;
+    return true;
+}
+
+static bool begin_anew(void)
+{
+    stop();
+    scene_free(&scene);
+    stopped = STEPPING_DONE;
+    if (!scene_copy(&scene, &start)) {
+        snprintf(message, sizeof message, "no memory for the scene");
+        return false;
+    }
+    moving = set_off(&motion, &scene);
+    return moving;
+}
+
+bool page_begin(void)
+{
+    struct scene_error e;
+    struct scene read;
+    line = 0;
+    message[0] = '\0';
+    if (!given || !scene_parse(&read, given, strlen(given), &e)) {
+        line = given ? e.line : 0;
+        snprintf(message, sizeof message, "%s", given ? e.text : "no text");
+        return false;
+    }
+    scene_free(&start);
+    start = read;
+    observed.count = observed.columns = 0;
+    return begin_anew();
+}
+
+double page_run(double until, double events)
+{
+    double steps = 0;
+    while (moving && stopped == STEPPING_DONE && steps < events &&
+           motion_time(&motion) + motion.stepping.dt <= until) {
+        stopped = motion_run(&motion, 1);
+        ++steps;
+    }
+    return steps;
+}
+
+static void set(struct scene *s, double *method, enum change what,
+                double value)
+{
+    switch (what) {
+    case METHOD: *method = value; break;
+    case DT: s->dt = value; break;
+    case DAMPING: s->damping = value; break;
+    case RESTITUTION: s->restitution = value; break;
+    case K2: s->k2 = value; break;
+    default: s->gravity[what - GRAVITY] = value;
+    }
+}
+
+bool page_change(double what, double value)
+{
+    struct scene now;
+    line = 0;
+    message[0] = '\0';
+    if (!moving || !motion_note(&motion) || !scene_copy(&now, &scene))
+        return false;
+    set(&now, &page_number[0], (enum change)what, value);
+    scene_free(&start);
+    start = now;
+    return begin_anew();
+}
+
+enum { HEAD = 26 };
+static double seen[HEAD + 4 * OBSERVABLES_MOST];
+static double *listed; /* of each spring: its ends, its colour */
+
+/* The time, steps, bodies, springs, why it stands, collisions, the line
+   that is wrong; dt, gravity, damping, restitution, k2, contact; walls and
+   box, axis by axis; how many are observed. */
+const double *page_look(void)
+{
+    const struct scene *s = &scene;
+    const double head[] = {moving ? motion_time(&motion) : 0,
+                           moving ? (double)motion.stepping.steps : 0,
+                           (double)s->bodies,
+                           (double)s->springs,
+                           moving ? (double)stopped : -1,
+                           (double)motion.collisions,
+                           (double)line,
+                           s->dt,
+                           s->gravity[0],
+                           s->gravity[1],
+                           s->gravity[2],
+                           s->damping,
+                           s->restitution,
+                           s->k2,
+                           s->contact};
+    memcpy(seen, head, sizeof head);
+    for (size_t k = 0; k < 3; ++k) {
+        seen[15 + k] = s->wall[k];
+        seen[18 + k] = s->low[k];
+        seen[21 + k] = s->high[k];
+    }
+    seen[24] = (double)observed.columns;
+    seen[25] = s->contact && s->touch == SCENE_SUDDEN;
+    return seen;
+}
+
+bool page_observe(void)
+{
+    struct observables o = {0};
+    message[0] = '\0';
+    if (!given ||
+        (*given && !observables_read(&o, given, scene.bodies, message)))
+        return false;
+    observed = o;
+    return true;
+}
+
+static const double *list_springs(void)
+{
+    double *next = realloc(listed, (5 * scene.springs + 1) * sizeof *next);
+    if (!next)
+        return NULL;
+    listed = next;
+    for (size_t i = 0; i < scene.springs; ++i) {
+        const struct scene_spring *s = &scene.spring[i];
+        *next++ = s->a;
+        *next++ = s->b;
+        for (size_t k = 0; k < 3; ++k)
+            *next++ = scene.kind[s->kind].colour[k];
+    }
+    return listed;
+}
+
+static const double *list_free(void)
+{
+    static double *free_ones;
+    double *all = realloc(free_ones, (scene.bodies + 1) * sizeof *all);
+    const unsigned char *f = scene.freedom;
+    const size_t n = scene.bodies;
+    if (!all)
+        return NULL;
+    free_ones = all;
+    for (size_t i = 0; i < n; ++i)
+        all[i] = f[i] || f[n + i] || f[2 * n + i];
+    return all;
+}
+
+const double *page_array(double which)
+{
+    switch ((enum array)which) {
+    case PLACES: return scene.position;
+    case RADII: return scene.radius;
+    case COLOURS: return scene.colour;
+    case MASSES: return scene.mass;
+    case FREE: return list_free();
+    case SPRINGS: return list_springs();
+    case OBSERVED:
+        if (moving)
+            observables_values(&observed, &motion, seen + HEAD);
+        return seen + HEAD;
+    }
+    return NULL;
+}
+
+static bool write_rows(struct table *t, struct motion *m, uint64_t every,
+                       size_t body[], double row[])
+{
+    const size_t n = observed.count > 0 ? 0 : m->scene->bodies;
+    const size_t columns = 1 + observed.columns + 6 * n;
+    const uint64_t last = motion.stepping.steps;
+    for (size_t i = 0; i < n; ++i)
+        body[i] = i;
+    table_begin(t, given, 0);
+    table_column(t, "t", "time", "time, in the units of the scene");
+    observables_head(&observed, t);
+    observables_head_states(t, n, body);
+    while (true) {
+        row[0] = motion_time(m);
+        observables_values(&observed, m, row + 1);
+        observables_states(m, n, body, row + 1 + observed.columns);
+        table_row(t, columns, row);
+        if (m->stepping.steps + every > last ||
+            motion_run(m, every) != STEPPING_DONE)
+            return true;
+    }
+}
+
+static bool write_table(struct table *t, uint64_t every)
+{
+    struct scene s;
+    struct motion m;
+    const size_t room = 1 + 4 * OBSERVABLES_MOST + 6 * start.bodies;
+    if (!scene_copy(&s, &start))
+        return false;
+    double *row = malloc(room * sizeof *row);
+    size_t *body = malloc((s.bodies + 1) * sizeof *body);
+    bool good = row && body && set_off(&m, &s);
+    if (good) {
+        good = write_rows(t, &m, every, body, row);
+        motion_end(&m);
+    }
+    free(body);
+    free(row);
+    scene_free(&s);
+    return good;
+}
+
+bool page_save(bool table, double every)
+{
+    struct table *t = moving ? page_table_open("step") : NULL;
+    if (!t)
+        return false;
+    if (table && !write_table(t, (uint64_t)every))
+        table_print(t, "# no memory for the rows\n");
+    if (!table && motion_note(&motion))
+        scene_write(&scene, t);
+    return finish(t);
+}

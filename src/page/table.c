@@ -1,0 +1,155 @@
+/* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
+/* checksum 70643082 of the lines below */
+/* The lines of toolbox/table.c, written into memory. */
+#include "page/table.h"
+
+#include "toolbox/digits.h"
+#include "toolbox/version.h"
+
+#include <assert.h>
+#include <errno.h>
+#include <inttypes.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+struct table {
+    const char *program;
+    FILE *stream;
+    char *name;      /* as it was given; NULL: standard output */
+    size_t size;     /* of a table in memory, whose name is its text */
+    char *path;      /* the name in the end, links followed, or NULL */
+    char *temporary; /* what is written meanwhile; NULL: the file itself */
+    bool exists;     /* the file did, when it was opened, and was: */
+    struct stat file;
+    size_t columns;
+    const struct table_key *keys; /* of a summary */
+    uint64_t written;             /* which of them, a bit each */
+    int error;                    /* errno of the first failure, or 0 */
+    struct table *next;           /* of the open tables */
+};
+
+static void note_error(struct table *t, bool good)
+{
+    if (!good && t->error == 0)
+        t->error = errno != 0 ? errno : EIO;
+}
+
+bool table_print(struct table *t, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    errno = 0;
+    note_error(t, vfprintf(t->stream, format, arguments) >= 0);
+    va_end(arguments);
+    return t->error == 0;
+}
+
+static void print_real(struct table *t, double value)
+{
+    char text[DIGITS_ROOM] = "nan";
+    const size_t n = isnan(value) ? 3 : digits_write(text, value);
+    errno = 0;
+    note_error(t, fwrite(text, 1, n, t->stream) == n);
+}
+
+void table_begin(struct table *t, const char *command, uint64_t seed)
+{
+    table_print(t, "# %s (Bonkers) %s\n", t->program, TOOLBOX_VERSION);
+    table_print(t, "# command: %s\n", command);
+    table_print(t, "# seed: %" PRIu64 "\n", seed);
+}
+
+void table_column(struct table *t, const char *symbol, const char *unit,
+                  const char *meaning)
+{
+    ++t->columns;
+    table_print(t, "# %zu %s [%s] %s\n", t->columns, symbol,
+                unit && *unit ? unit : "1", meaning);
+}
+
+static void put(struct table *t, char c)
+{
+    errno = 0;
+    note_error(t, putc(c, t->stream) != EOF);
+}
+
+bool table_row(struct table *t, size_t n, const double values[])
+{
+    assert(t->columns == 0 || n == t->columns);
+    for (size_t i = 0; i < n; ++i) {
+        if (i > 0)
+            put(t, ' ');
+        print_real(t, values[i]);
+    }
+    put(t, '\n');
+    return t->error == 0;
+}
+
+static bool is_named(const char *key, const char *name)
+{
+    if (*name != '<')
+        return *key == *name && (!*key || is_named(key + 1, name + 1));
+    while (*key)
+        if (is_named(++key, strchr(name, '>') + 1))
+            return true;
+    return false;
+}
+
+static void print_key(struct table *t, const char *key)
+{
+    uint64_t fit = 0;
+    for (int k = 0; t->keys && t->keys[k].name; ++k)
+        if (is_named(key, t->keys[k].name)) {
+            fit |= UINT64_C(1) << k;
+            assert(strcmp(key, t->keys[k].name) || !(t->written >> k & 1));
+        }
+    assert(fit);
+    t->written |= fit;
+    table_print(t, "%s ", key);
+}
+
+void table_real(struct table *t, const char *key, double value)
+{
+    print_key(t, key);
+    print_real(t, value);
+    table_print(t, "\n");
+}
+
+void table_count(struct table *t, const char *key, uint64_t value)
+{
+    print_key(t, key);
+    table_print(t, "%" PRIu64 "\n", value);
+}
+
+void table_text(struct table *t, const char *key, const char *text)
+{
+    print_key(t, key);
+    table_print(t, "%s\n", text);
+}
+
+struct table *page_table_open(const char *program)
+{
+    struct table *t = calloc(1, sizeof *t);
+    if (!t)
+        return NULL;
+    t->program = program;
+    t->stream = open_memstream(&t->name, &t->size);
+    if (t->stream)
+        return t;
+    free(t);
+    return NULL;
+}
+
+char *page_table_close(struct table *t)
+{
+    const bool good = fclose(t->stream) == 0 && t->error == 0;
+    char *text = good ? t->name : NULL;
+    if (!good)
+        free(t->name);
+    free(t);
+    return text;
+}

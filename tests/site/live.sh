@@ -1,0 +1,18 @@
+#!/bin/sh
+# Figures that live, and the scene player: in a browser, by keyboard, and
+# against what the programs write in a terminal.
+. tests/programs/common
+
+${MAKE:-make} -s live build/bin/step build/bin/scene build/bin/bonkers \
+    build/bin/disks build/bin/step-studies >"$work/made" 2>&1 ||
+    not_ok 'figures that live are made' "$(tail -3 "$work/made" | tr '\n' ' ')"
+# What drives the browser comes from npm, once.
+modules=build/browser/node_modules
+[ -d $modules/playwright-core ] || {
+    mkdir -p build/browser
+    npm install --silent --no-audit --no-fund --prefix build/browser \
+        playwright-core >"$work/npm" 2>&1
+}
+holds 'what drives the browser is there' test -d $modules/playwright-core
+NODE_PATH=$PWD/$modules node tests/site/browser/live.js build/site "$work"
+echo 1..45

@@ -7,8 +7,7 @@
 all: first
 
 SHELL = /bin/sh
-.DELETE_ON_ERROR:
-.SUFFIXES:
+.DELETE_ON_ERROR .SUFFIXES:
 .PHONY: all first programs format clean help FORCE
 
 CC ?= cc
@@ -48,7 +47,7 @@ endif
 endif
 endef
 $(eval $(call only_with,chapters/press/book.tex,tangle check-tangle contact pages \
-	slides))
+	slides dist))
 $(eval $(call only_with,tests/library,book works test memcheck handout mutants \
 	grade grade-bench))
 $(eval $(call only_with,solutions,solution))
@@ -96,6 +95,7 @@ help:
 	$(call offer,book) 'make book         the PDF; EDITION=instructor adds the solutions'
 	$(call offer,works) 'make works        the second volume: how the rest is made'
 	$(call offer,handout) 'make handout      the archive for students; WITH_CHAPTERS=1 for more'
+	$(call offer,dist) 'make dist         what is published, and its checksums, in build/dist/'
 	$(call offer,grade) 'make grade        SUBMISSIONS=dir: points for a folder of students'
 	@echo 'make figures      the figures; QUALITY=lecture for slides too'
 	@echo 'make figure       FIGURE=09-eight: one of them; QUALITY=lecture'

@@ -60,7 +60,7 @@ build/woven: $(RUNS) $(wildcard chapters/*.nw chapters/works/*.nw \
 
 build/bonkers.pdf build/bonkers-instructor.pdf build/works.pdf \
 		build/works-course.pdf: build/woven $(FIGURES_PDF) $(FIGURES_ALT) \
-		tests/equations.txt
+		tests/equations.txt src/toolbox/version.h
 	@chapters/press/make-book $(@:build/%.pdf=%)
 # Works quotes the numbers of the book.
 build/works.pdf build/works-course.pdf: build/bonkers.pdf
@@ -78,3 +78,9 @@ handout: has-tex build/bonkers.pdf build/works-course.pdf
 
 # ---- the pages
 include chapters/press/site.mk
+
+# ---- what is published
+
+.PHONY: dist
+dist: handout site build/works.pdf
+	@chapters/press/dist

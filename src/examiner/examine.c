@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 3352230427 of the lines below */
+/* checksum 1308381083 of the lines below */
 /* The program behind make check: its options, and what each begins. */
 #include "examiner/hint.h"
 #include "examiner/process.h"
@@ -8,6 +8,7 @@
 #include "examiner/solution.h"
 #include "examiner/text.h"
 #include "examiner/watch.h"
+#include "toolbox/version.h"
 
 #include <errno.h>
 #include <getopt.h>
@@ -35,6 +36,7 @@ static const char usage[] =
     "  --seconds N    processor time that a test may take (5)\n"
     "  --strict       take compiler warnings for errors\n"
     "  --help         print this\n"
+    "  --version      name the version\n"
     "Exit status: 0 all that is begun passes, 1 it does not, 2 trouble.\n";
 
 static void take_option(struct options *o, int c)
@@ -51,6 +53,9 @@ static void take_option(struct options *o, int c)
         break;
     case 'S': o->rules.strict = true; break;
     case 'h': fputs(usage, stdout); exit(EXIT_SUCCESS);
+    case 'v':
+        puts("examine (Bonkers) " TOOLBOX_VERSION);
+        exit(EXIT_SUCCESS);
     case '?': fputs("Try: examine --help\n", stderr); exit(2);
     default:
         if (o->task)
@@ -71,6 +76,7 @@ static const struct option known[] = {
     {"seconds", required_argument, NULL, 's'},
     {"strict", no_argument, NULL, 'S'},
     {"help", no_argument, NULL, 'h'},
+    {"version", no_argument, NULL, 'v'},
     {0},
 };
 

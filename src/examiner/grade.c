@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 3072724942 of the lines below */
+/* checksum 1176048577 of the lines below */
 /* The program behind make grade: a folder of submissions, in parallel. */
 #include "examiner/grading.h"
 #include "examiner/process.h"
@@ -7,6 +7,7 @@
 #include "examiner/submissions.h"
 #include "examiner/sum.h"
 #include "examiner/text.h"
+#include "toolbox/version.h"
 
 #include <ctype.h>
 #include <errno.h>
@@ -57,6 +58,7 @@ static const char usage[] =
     "  --seconds N       processor time that a test may take (5)\n"
     "  --unsafe          go on where programs cannot be put into a box\n"
     "  --help            print this\n"
+    "  --version         name the version\n"
     "What was graded before and has not changed is not graded again.\n"
     "Exit status: 0 all is graded, 1 something could not be, 2 trouble.\n";
 
@@ -88,6 +90,7 @@ static void take_option(struct options *o, int c)
     case 's': o->seconds = (int)whole("--seconds", optarg, 1, 3600); break;
     case 'u': o->unsafe = true; break;
     case 'h': fputs(usage, stdout); exit(EXIT_SUCCESS);
+    case 'v': puts("grade (Bonkers) " TOOLBOX_VERSION); exit(EXIT_SUCCESS);
     default: fputs("Try: grade --help\n", stderr); exit(2);
     }
 }
@@ -151,6 +154,7 @@ static struct options read_options(int argc, char **argv)
         {"seconds", required_argument, NULL, 's'},
         {"unsafe", no_argument, NULL, 'u'},
         {"help", no_argument, NULL, 'h'},
+        {"version", no_argument, NULL, 'v'},
         {0},
     };
     struct options o = {.reports = "",

@@ -52,7 +52,7 @@ strangers=$(cd "$place" && find . ! -type d ! \( -type f \( \
     -path './tests/exercises/P[0-9]/crossing.c' -o \
     -path './plots/*.gp' -o \
     -path './plots/*.awk' -o -path ./plots/films -o -path ./plots/show -o \
-    -path './plots/*.svg' -o -path './plots/data/*.dat' \) -o \
+    -path './plots/data/*.dat' \) -o \
     -path ./README.md -o -path ./LICENSE -o -path ./CITATION.cff -o \
     -path ./Makefile -o -path ./bonkers.pdf -o -path ./works.pdf -o \
     -path ./chapters/press/recipes -o -path ./tests/lists.awk -o \

@@ -4,7 +4,8 @@
 # whose commands are those that are tested.
 . tests/programs/common
 
-allowed='Makefile README.md LICENSE CITATION.cff chapters src exercises
+allowed='Makefile README.md LICENSE CHANGELOG.md CONTRIBUTING.md CITATION.cff
+chapters src exercises
 solutions tests plots build compile_commands.json'
 # The reader's own files are the reader's: with git, only what is committed
 # counts; an archive is not judged.
@@ -19,7 +20,8 @@ strangers=
     esac
 done
 holds 'all that belongs at the top is there' \
-    ls Makefile README.md LICENSE CITATION.cff chapters src exercises \
+    ls Makefile README.md LICENSE CHANGELOG.md CONTRIBUTING.md CITATION.cff \
+    chapters src exercises \
     solutions tests plots .clang-format .editorconfig .gitignore .ci/run
 holds 'nothing else at the top' \
     sh -c "echo '$strangers'; test -z '$strangers'"

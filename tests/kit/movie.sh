@@ -133,7 +133,13 @@ awk '$1 == "preset" { print $2, $3 }' plots/films | while read -r name every; do
         UNTIL="$(awk "BEGIN { print 2 * $every }")"
 done
 
-# Every scene of the gallery has a line in plots/films, and no other has.
+# Every scene of the gallery has a line in plots/films, and no other has. One
+# without a line is filmed as well, in a hundred rows of step's.
+cp plots/films films
+sed -i '/^scene  *oscillator /d' plots/films
+film 'a scene that is not listed' scene-oscillator 11 SCENE=oscillator \
+    UNTIL=0.1 FPS=2
+cp films plots/films
 is 'plots/films has every scene' \
     "$(build/bin/scene --help | sed -n 's/^  \([a-z][a-z-]*\)  .*/\1/p')" \
     "$(awk '$1 == "scene" { print $2 }' plots/films)"
@@ -353,4 +359,4 @@ one_line 'an ensemble is no run' 2 "^movie.gp: 'bad.dat' is no table" \
 one_line 'no rate' 2 '^movie.gp: fps: 0 is not' \
     gnuplot -e "file='two.dat'; window='dumb'; fps=0" plots/movie.gp
 scenes=$(grep -c '^scene ' plots/films)
-echo "1..$((96 + 4 * scenes))"
+echo "1..$((98 + 4 * scenes))"

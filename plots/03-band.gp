@@ -25,7 +25,7 @@ set label 1 '{/:Italic u}' at 1.5,0 center
 set arrow 2 from 0,0 to u,r(u) lw 1.3*thick front
 set label 2 '1' at 0.17,0.52 center front
 set arrow 3 from u,0 to u,-r(u) nohead dt 2 lw 1*thick front
-set label 3 '√(1 − {/:Italic u}^2)' at u-0.06,-0.3 right front
+set label 3 '√(1 − {/:Italic u}^2)' at u-flat-0.06,-0.3 right front
 set arrow 4 from u,-r(u) to u,-1.07 nohead dt 3 lw 0.8*thick
 set arrow 5 from u+du,-r(u+du) to u+du,-1.07 nohead dt 3 lw 0.8*thick
 set label 4 '{/:Italic du}' at u+du/2,-1.15 center front
@@ -51,7 +51,7 @@ p(u,n) = gamma(n/2.0)/sqrt(pi)/gamma((n-1)/2.0)*(1 - u*u)**((n-3)/2.0)
 set label 2 '{/:Italic n} = 10' at 0.24,1.1 tc rgb purple
 set label 3 '5' at -0.03,0.81
 set label 4 '4' at -0.58,0.6 tc rgb green
-set label 5 '3' at -0.8,0.44 tc rgb red
+set label 5 '3' at -0.03,0.56 tc rgb red
 set label 6 '2' at 0.0,0.26 tc rgb blue
 plot (abs(x) < 0.9995 ? p(x,2) : NaN) with lines lc rgb blue lw 1.5*thick, p(x,3) with lines lc rgb red lw 1.5*thick, \
      p(x,4) with lines lc rgb green lw 1.5*thick, p(x,5) with lines lc rgb dark lw 1.5*thick, p(x,10) with lines lc rgb purple lw 1.5*thick

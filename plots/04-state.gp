@@ -9,11 +9,11 @@ height = 11
 load 'plots/style.gp'
 light = 'build/data/04-energy.dat'
 heavy = 'build/data/04-heavy.dat'
-set multiplot layout slide ? 1 : 2,2 columnsfirst margins 0.085,0.985,slide ? 0.15 : 0.11,slide ? 0.91 : 0.94 spacing 0.1,0.05
+set multiplot layout slide ? 1 : 2,2 columnsfirst margins 0.085,0.985,slide ? 0.15 : 0.11,slide ? 0.91 : 0.98 spacing 0.1,0.05
 set logscale xy
 set xrange [1:11]
 set xtics (1,2,3,5,10)
-set key at screen 0.52,0.995 center top horizontal maxrows 1 samplen 0.6 width -2
+if (slide) { set key at screen 0.52,0.995 center top horizontal maxrows 1 samplen 0.6 width -2 } else { unset key }
 do for [side=1:2] {
     power = side + 1
     set ylabel (side == 1 ? 'temperature {/:Italic kT}  (J)' : 'pressure {/:Italic P}  (N)') offset 1
@@ -30,7 +30,7 @@ do for [side=1:2] {
     set format x '%g'
     set xlabel 'length {/:Italic l}  (m)'
     set label 1 '{/:Italic M} = 4000 kg, 400 s'
-    if (!slide) { unset key }
+    if (!slide && side == 1) { set key top right samplen 0.8 } else { unset key }
     if (row(2)) {
         plot c/x**power ls 9 lw 1.5*thick title 'adiabats', c/x**power/5 ls 9 lw 1.5*thick, \
              heavy using 2:(column(5+2*side)) with points pt 7 ps 0.35*big lc rgb blue title 'left gas', \

@@ -1,7 +1,7 @@
 # data: build/data/05-grazing.dat
 # command: build/bin/disks-studies --study contact -o build/data/05-grazing.dat
 # lecture: build/bin/disks-studies --study contact --starts 20000 -o build/data/05-grazing.dat
-# alt: Two panels, both axes logarithmic. Left, the relative error of the time of contact grows as one over the gap up to 0.2 at a gap of ten to the minus 15, for the textbook's root and, with any places, for both. With exact places ours stays below ten to the minus 15 down to a gap of ten to the minus 8, jumps there to ten to the minus 8 and falls again. Right, the error of the time of a grazing contact grows as one over the root of what lacks to sigma, up to four hundred-millionths; the error of the distance stays at ten to the minus 15.
+# alt: Two panels, both axes logarithmic. Left, the relative error of the time of contact grows as one over the gap up to 0.2 at a gap of ten to the minus 15, for the textbook's root and, with places of random digits, for both. With exact places ours stays below ten to the minus 15 down to a gap of ten to the minus 8, jumps there to ten to the minus 8 and falls again. Right, the error of the time of a grazing contact grows as one over the root of what lacks to sigma, up to four hundred-millionths; the error of the distance stays at ten to the minus 15.
 width = 14
 height = 7
 load 'plots/style.gp'
@@ -17,9 +17,9 @@ set yrange [1e-16:10]
 set key at graph 0.03,0.96 left top reverse Left samplen 1.5
 plot 2.2e-16/x ls 9, \
      file using 1:6 with points pt 4 ps 0.8*big lw 1.2*thick lc rgb red title "textbook's", \
-     file using 1:7 with points ls 1 title "ours", file using 1:5 with points ls 3 ps 0.6*big title "any places"
+     file using 1:7 with points ls 1 title "ours", file using 1:5 with points ls 3 ps 0.6*big title "random digits"
 set xlabel '1 − {/:Italic b}/{/:Italic σ}'
-set ylabel 'error  ({/:Italic σ}/{/:Italic v}, {/:Italic σ})'
+set ylabel 'error  ({/:Italic σ}/{/:Italic v}, {/:Italic σ})' offset -0.6
 set yrange [1e-16:1e-5]
 plot 2.2e-16/sqrt(x) ls 9, \
      file using 1:2 with points ls 1 title "of the time", \

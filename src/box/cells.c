@@ -1,5 +1,5 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 1950684334 of the lines below */
+/* checksum 580053805 of the lines below */
 /* Cells, lists of neighbours on a leash, and lanes of four pair times. */
 #include "box/cells.h"
 
@@ -266,19 +266,21 @@ static void forget(struct cells *c, uint32_t i, uint32_t other)
 {
     uint32_t *seat = c->neighbour + i * c->seats;
     uint32_t *last = seat + --c->anchor[i].neighbours;
-    while (*seat != other)
-        ++seat;
-    *seat = *last;
+    size_t at = 0;
+    for (size_t k = 0; k < c->seats; ++k)
+        at += k * (seat[k] == other);
+    seat[at] = *last;
     *last = i;
 }
 
 static void forget_all(struct cells *c, uint32_t i)
 {
-    while (c->anchor[i].neighbours > 0) {
-        const uint32_t other = c->neighbour[i * c->seats];
-        forget(c, i, other);
-        forget(c, other, i);
+    uint32_t *seat = c->neighbour + i * c->seats;
+    for (size_t k = 0; k < c->anchor[i].neighbours; ++k) {
+        forget(c, seat[k], i);
+        seat[k] = i;
     }
+    c->anchor[i].neighbours = 0;
 }
 
 static size_t cell_of(const struct cells *c, const double x[])
@@ -300,7 +302,8 @@ static bool more_room(struct cells *c)
         realloc(c->place, (c->cells * room * 3 + BATCH) * sizeof *place);
     if (place)
         c->place = place;
-    uint32_t *who = realloc(c->who, c->cells * room * sizeof *who);
+    uint32_t *who =
+        realloc(c->who, (c->cells * room + BATCH) * sizeof *who);
     if (who)
         c->who = who;
     if (!place || !who)
@@ -379,23 +382,49 @@ static bool consider(struct cells *c, uint32_t i, uint32_t other,
     return learn(c, i, other) && learn(c, other, i);
 }
 
+enum { NEAR = 64 };
+
+/* Anchors that are near enough for the widest disk. */
+struct near {
+    size_t count;
+    uint32_t who[NEAR + BATCH];
+    float square[NEAR + BATCH]; /* of the distance, m^2 */
+};
+
+/* Makes neighbours of those that are. False: no memory. */
+static bool consider_all(struct cells *c, uint32_t i, struct near *near)
+{
+    for (size_t k = 0; k < near->count; ++k)
+        if (!consider(c, i, near->who[k], near->square[k]))
+            return false;
+    near->count = 0;
+    return true;
+}
+
 static bool look_in_cell(struct cells *c, uint32_t i, size_t cell,
-                         const float from[], float farthest)
+                         const float from[], float farthest,
+                         struct near *near)
 {
     const float *x = c->place + 3 * cell * c->room;
     const float *y = x + c->room, *z = y + c->room;
+    const uint32_t *who = c->who + cell * c->room;
     const size_t full = c->full[cell];
     for (size_t k = 0; k < full; k += BATCH) {
         float square[BATCH];
+        if (near->count > NEAR && !consider_all(c, i, near))
+            return false;
         for (size_t l = 0; l < BATCH; ++l) {
             const float u = x[k + l] - from[0], v = y[k + l] - from[1];
             const float w = z[k + l] - from[2];
             square[l] = u * u + v * v + w * w;
         }
-        for (size_t l = 0; l < BATCH && k + l < full; ++l)
-            if (square[l] <= farthest &&
-                !consider(c, i, c->who[cell * c->room + k + l], square[l]))
-                return false;
+        size_t count = near->count;
+        for (size_t l = 0; l < BATCH; ++l) {
+            near->who[count] = who[k + l];
+            near->square[count] = square[l];
+            count += (square[l] <= farthest) & (k + l < full);
+        }
+        near->count = count;
     }
     return true;
 }
@@ -411,6 +440,8 @@ static bool find_neighbours(struct cells *c, uint32_t i)
     const struct beside bz = beside(c, home / nx / ny, 2);
     const double reach =
         c->d->disk[i].radius + c->widest + 2 * c->leash + c->slack;
+    struct near near;
+    near.count = 0;
     for (size_t z = 0; z < bz.count; ++z)
         for (size_t y = 0; y < by.count; ++y)
             for (size_t x = 0; x < bx.count; ++x) {
@@ -419,10 +450,11 @@ static bool find_neighbours(struct cells *c, uint32_t i)
                                       here[2] - bz.shift[z]};
                 const size_t cell =
                     (bz.at[z] * ny + by.at[y]) * nx + bx.at[x];
-                if (!look_in_cell(c, i, cell, from, (float)(reach * reach)))
+                if (!look_in_cell(c, i, cell, from, (float)(reach * reach),
+                                  &near))
                     return false;
             }
-    return true;
+    return consider_all(c, i, &near);
 }
 
 static bool renew(struct cells *c, uint32_t i)
@@ -525,7 +557,7 @@ static bool make_lists(struct cells *c, size_t n)
     c->neighbour = malloc(n * c->seats * sizeof *c->neighbour);
     c->anchor = calloc(n, sizeof *c->anchor);
     c->place = calloc(c->cells * c->room * 3 + BATCH, sizeof *c->place);
-    c->who = calloc(c->cells * c->room, sizeof *c->who);
+    c->who = calloc(c->cells * c->room + BATCH, sizeof *c->who);
     c->full = calloc(c->cells, sizeof *c->full);
     return c->neighbour && c->anchor && c->place && c->who && c->full &&
            calendar_create(&c->calendar, n, c->d->now, day);

@@ -1,5 +1,5 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 3522333165 of the lines below */
+/* checksum 264991098 of the lines below */
 /* Event-driven motion: every pair looked at, or a plan remembered. */
 #include "box/disks.h"
 
@@ -207,6 +207,8 @@ double disks_wall(const struct disks *d, size_t i, size_t *axis)
     const struct disk *a = &d->disk[i];
     double first = INFINITY;
     *axis = 0;
+    if (d->boundary == DISKS_PERIODIC)
+        return first;
     for (size_t k = 0; k < d->dimensions; ++k) {
         if (!disks_walled(d, k))
             continue;

@@ -46,9 +46,8 @@ $$(error $(firstword $(filter $(2),$(MAKECMDGOALS))) needs $(1), which is not\
 endif
 endif
 endef
-$(eval $(call only_with,chapters/press/book.tex,tangle check-tangle contact pages \
-	slides dist))
-$(eval $(call only_with,tests/library,book works test memcheck handout mutants \
+$(eval $(call only_with,chapters/press/book.tex,tangle check-tangle contact pages slides dist))
+$(eval $(call only_with,tests/library,book works site test memcheck handout mutants \
 	grade grade-bench))
 $(eval $(call only_with,solutions,solution))
 $(eval $(call only_with,tests/fuzz,fuzz fuzz-scenes fuzz-commands hunt))
@@ -94,6 +93,7 @@ help:
 	@echo 'make reset        EX=01a: begin afresh; what you had is kept'
 	$(call offer,book) 'make book         the PDF; EDITION=instructor adds the solutions'
 	$(call offer,works) 'make works        the second volume: how the rest is made'
+	$(call offer,site) 'make site         the book as pages, to be opened in a browser'
 	$(call offer,handout) 'make handout      the archive for students; WITH_CHAPTERS=1 for more'
 	$(call offer,dist) 'make dist         what is published, and its checksums, in build/dist/'
 	$(call offer,grade) 'make grade        SUBMISSIONS=dir: points for a folder of students'

@@ -54,8 +54,9 @@ endif
 .PHONY: book-parts
 book-parts: has-tex $(FIGURES_PDF) $(FIGURES_SVG) $(FIGURES_ALT) build/woven
 build/woven: $(RUNS) $(wildcard chapters/*.nw chapters/works/*.nw \
-		chapters/press/* solutions/* plots/data/* \
-		$(addprefix tests/exercises/*/,hints.txt stub.c suite.c))
+		solutions/* plots/data/* \
+		$(addprefix tests/exercises/*/,hints.txt stub.c suite.c)) \
+		$(filter-out %/site %/site.mk,$(wildcard chapters/press/*))
 	@chapters/press/make-book woven
 
 build/bonkers.pdf build/bonkers-instructor.pdf build/works.pdf \

@@ -9,7 +9,22 @@
 # and faces as the properties of page.css, and an event `theme' at the document
 # when the reader changes them.
 
-.PHONY: site
+.PHONY: site has-site
 LIVE =
 -include chapters/press/site/live.mk
-site: $(LIVE)
+
+has-site:
+	$(call need,noweave,noweb)
+	$(call need,pandoc,pandoc)
+	$(call need,bibtex,texlive-binaries)
+
+# The pages are made by one command, which knows which of them are stale: what
+# a chapter leads to may have moved in another.
+SITE = build/site$(edition)
+site_tools := $(wildcard chapters/press/site/*)
+site: has-gnuplot has-gsl has-site $(SITE)/made
+	@echo 'The pages: open $(SITE)/index.html'
+build/site/made: build/woven $(FIGURES_SVG) $(RUNS) $(site_tools) $(LIVE)
+	@chapters/press/site/make
+build/site-instructor/made: build/site/made
+	@EDITION=instructor chapters/press/site/make

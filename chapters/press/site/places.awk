@@ -13,7 +13,7 @@ FNR == 1 {
     order = FILENAME ~ /press/
     if (woven) {
         code = 0
-        if (part_of[volume, file] != "")
+        if ((volume, file) in part_of)
             part = part_of[volume, file]
     }
     split("", pending)
@@ -22,6 +22,7 @@ FNR == 1 {
 bibliography && /^\\bibitem/ {
     match($0, /[{][^}]*[}]/)
     page = volume == "works" ? "works-references" : "references"
+    cited[volume] = 1
     say("cite", volume "." substr($0, RSTART + 1, RLENGTH - 2), ++bib, "")
     next
 }
@@ -77,10 +78,13 @@ code {
         place = substr(rest, RSTART + 12, RLENGTH - 13)
         print "\t" place "\tu\t" chunk > (out "idents.new")
     }
-    if (index($0, "\\nwendcode{}"))
-        code = 0
-    else
+    if (!(at = index($0, "\\nwendcode{}")))
         next
+    code = 0
+    $0 = substr($0, at + 12)
+}
+{
+    sub(/^(\\nwfilename[{][^}]*[}])?(\\nwbegindocs[{][0-9]*[}])?(\\nwdocspar)?/, "")
 }
 
 # ---- headings and what has a number
@@ -96,8 +100,6 @@ code {
 /^\\end[{]verbatim[}]/ { verbatim = 0 }
 verbatim { next }
 /^\\chapter[{]/ { head(0, $0) }
-/^\\nwfilename.*\\chapter[{]/ { head(0, substr($0, index($0, "\\chapter"))) }
-/^\\nwfilename.*\\section[{]/ { head(1, substr($0, index($0, "\\section"))) }
 /^\\section[{*]/ { head(1, $0) }
 /^\\subsection[{*]/ { head(2, $0) }
 /^\\begin[{]labsheet[}]/ {
@@ -158,7 +160,6 @@ function head(level, s,    star, title, labels, number, n, part_of_label) {
 }
 /\\begin[{]equation[}]/ {
     ++equations
-    wants = "equation"
 }
 /^\\plotfigure/ {
     ++figures
@@ -170,7 +171,25 @@ function head(level, s,    star, title, labels, number, n, part_of_label) {
     sub(/.*[{]/, "", s)
     say("figure", "fig:" s, chapter "." figures, "")
 }
-/^\\begin[{](table|longtable)[}]/ && !/longtable/ { wants = "table"; ++tables }
+/^\\begin[{]table[}]/ { ++tables }
+/^\\input[{]\\projectroot / {
+    name = argument($0, 7)
+    sub(/^\\projectroot /, "", name)
+    while ((getline rest < name) > 0)
+        made_by_a_run(rest)
+    close(name)
+}
+# Tables that a run has written, with their own numbers.
+function made_by_a_run(s) {
+    if (s ~ /^\\begin[{]table[}]/)
+        ++tables
+    if (s ~ /\\refstepcounter[{]failure[}]/)
+        ++failures
+    if (match(s, /\\label[{]tab:[^}]*[}]/))
+        say("table", substr(s, RSTART + 7, RLENGTH - 8), chapter "." tables, "")
+    if (match(s, /\\label[{]fail:[^}]*[}]/))
+        say("failure", substr(s, RSTART + 7, RLENGTH - 8), failures, "")
+}
 /^\\begin[{]exercise[}]/ {
     argument($0, 17)
     title = argument($0, after)
@@ -188,7 +207,23 @@ function head(level, s,    star, title, labels, number, n, part_of_label) {
             say("table", label, chapter "." tables, "")
     }
 }
+# Pages that no chapter makes: special writes them.
+function besides(volume, page, title, part) {
+    print volume "\t" page "\t\t" title "\t" part "\t" > (out "pages.new")
+    print page "\t0\t\t" title "\t" > (out "heads.new")
+}
 END {
-    for (i = 1; i <= pages; ++i)
+    besides("book", "index", "Bonkers", "")
+    for (i = 1; i <= pages; ++i) {
+        if (page_line[i] ~ /^works/ && !works++) {
+            besides("book", "references", "References", "Appendices")
+            besides("book", "terms", "Index of terms", "Appendices")
+            besides("works", "works", "Works", "")
+        }
         print page_line[i] "\t" page_files[i] > (out "pages.new")
+    }
+    if (cited["works"])
+        besides("works", "works-references", "References of Works", "Indexes")
+    besides("works", "works-chunks", "Index of chunks", "Indexes")
+    besides("works", "works-identifiers", "Index of identifiers", "Indexes")
 }

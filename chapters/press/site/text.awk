@@ -7,8 +7,9 @@ function argument(s, at,    depth, c, start, n) {
     while (substr(s, at, 1) ~ /^[ \n]$/)
         ++at
     if (substr(s, at, 1) != "{") {
-        after = 0
-        return ""
+        print "site: " FILENAME ": an argument is missing: " substr(s, 1, 80) \
+            > "/dev/stderr"
+        exit failed = 1
     }
     start = at + 1
     n = length(s)
@@ -54,6 +55,9 @@ function simple_math(s) {
     gsub(/\\,|\\;|\\!/, "", s)
     gsub(/\\times/, "\303\227", s)
     gsub(/\\mathbf ?/, "", s)
+    gsub(/\\pi/, "\317\200", s)
+    gsub(/\\chi/, "\317\207", s)
+    gsub(/\^2/, "\302\262", s)
     gsub(/[{}]/, "", s)
     return "<i>" escaped(s) "</i>"
 }

@@ -1,0 +1,121 @@
+# A page around its text: head, bar, contents, the way on. Files: pages, heads,
+# the text.
+function words(number, title) {
+    return (number == "" ? "" : "<span class=\"number\">" number "</span> ") title
+}
+FNR == 1 { ++which }
+which == 1 {
+    split($0, part, "\t")
+    if (left_out(part[2]))
+        next
+    ++pages
+    volume_of[pages] = part[1]
+    name_of[pages] = part[2]
+    number_of[pages] = part[3]
+    title_of[pages] = part[4]
+    part_of[pages] = part[5]
+    if (part[2] == page)
+        here = pages
+    next
+}
+function left_out(name) { return course && name ~ /^works-B-/ }
+which == 2 {
+    split($0, part, "\t")
+    if (part[1] == page && part[2] == 1) {
+        n = split(part[5], label, " ")
+        ++sections
+        section[sections] = "<li><a href=\"#" (n ? label[1] : "s" (++unnamed)) "\">" \
+            words(part[3], part[4]) "</a></li>"
+        gsub(/<wbr>/, "", section[sections])
+    } else if (part[1] == page && part[2] == 2 && part[5] == "")
+        ++unnamed
+    else if (part[1] == page && part[2] == 0 && part[5] == "")
+        ++unnamed
+    next
+}
+which == 3 && FNR == 1 { top() }
+{ print }
+END { if (here) bottom() }
+function plain(s) {
+    gsub(/<[^>]*>/, "", s)
+    return s
+}
+function top(    i, own, last, title) {
+    title = plain(words(number_of[here], title_of[here]))
+    own = volume_of[here]
+    print "<!DOCTYPE html>"
+    print "<html lang=\"en-GB\">"
+    print "<head>"
+    print "<meta charset=\"utf-8\">"
+    print "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
+    print "<title>" (page == "index" ? "Bonkers: computational physics, one collision at a time" : \
+        title (own == "works" && page != "works" ? " · Works" : "") " · Bonkers") "</title>"
+    print "<link rel=\"stylesheet\" href=\"page.css\">"
+    if (here > 1)
+        print "<link rel=\"prev\" href=\"" name_of[here - 1] ".html\">"
+    if (here < pages)
+        print "<link rel=\"next\" href=\"" name_of[here + 1] ".html\">"
+    print "<script>try{var t=localStorage.getItem(\"bonkers-theme\");if(t)document.documentElement.dataset.theme=t}catch(e){}</script>"
+    print "<script src=\"page.js\" defer></script>"
+    print "</head>"
+    print "<body" (own == "works" ? " class=\"works\"" : "") ">"
+    print "<a class=\"skip\" href=\"#text\">To the text</a>"
+    print "<header class=\"bar\">"
+    print "<button type=\"button\" id=\"menu\" aria-expanded=\"false\" aria-controls=\"contents\">Contents</button>"
+    print "<a class=\"home\" href=\"index.html\">Bonkers</a>"
+    print "<span class=\"here\">" (page == "index" ? "" : words(number_of[here], title_of[here])) "</span>"
+    print "<button type=\"button\" id=\"find\">Search</button>"
+    print "<button type=\"button\" id=\"theme\">Dark</button>"
+    print "</header>"
+    print "<nav id=\"contents\" aria-label=\"Contents\">"
+    if (own == "works")
+        print "<p class=\"volume\"><a href=\"index.html\">The book</a></p>"
+    print "<ul>"
+    last = ""
+    for (i = 1; i <= pages; ++i) {
+        if (volume_of[i] != own)
+            continue
+        if (part_of[i] != last && part_of[i] != "")
+            print "<li class=\"part\">" part_of[i] "</li>"
+        last = part_of[i]
+        if (i != here) {
+            print "<li><a href=\"" name_of[i] ".html\">" \
+                words(number_of[i], title_of[i]) "</a></li>"
+            continue
+        }
+        print "<li><a href=\"#text\" aria-current=\"page\">" \
+            words(number_of[i], title_of[i]) "</a>"
+        if (sections) {
+            print "<ul>"
+            for (k = 1; k <= sections; ++k)
+                print section[k]
+            print "</ul>"
+        }
+        print "</li>"
+    }
+    print "</ul>"
+    if (own == "book")
+        print "<p class=\"volume\"><a href=\"works.html\">Works: the second volume</a></p>"
+    print "</nav>"
+    print "<main id=\"text\" tabindex=\"-1\">"
+}
+function bottom() {
+    print "</main>"
+    print "<nav class=\"turn\" aria-label=\"Previous and next\">"
+    if (here > 1)
+        print "<a rel=\"prev\" href=\"" name_of[here - 1] ".html\"><span>Previous</span> " \
+            words(number_of[here - 1], title_of[here - 1]) "</a>"
+    if (here < pages)
+        print "<a rel=\"next\" href=\"" name_of[here + 1] ".html\"><span>Next</span> " \
+            words(number_of[here + 1], title_of[here + 1]) "</a>"
+    print "</nav>"
+    print "<footer><p>" (edition == "instructor" ? \
+        "<strong>Instructor’s edition, with the worked solutions: not for students.</strong> " : "") \
+        "Text and figures: <a href=\"https://creativecommons.org/licenses/by/4.0/\">CC BY 4.0</a>; code: MIT. " \
+        "Keys: <kbd>←</kbd> <kbd>→</kbd> previous and next, <kbd>c</kbd> contents, " \
+        "<kbd>/</kbd> search, <kbd>t</kbd> dark or light.</p></footer>"
+    if (live != "")
+        print "<script src=\"live/live.js\"></script>"
+    print "</body>"
+    print "</html>"
+}

@@ -1,0 +1,58 @@
+# The front page of a volume: what it is, and its contents.
+function words(number, title) {
+    return (number == "" ? "" : "<span class=\"number\">" number "</span> ") title
+}
+BEGIN { FS = "\t" }
+FNR == 1 { ++which }
+which == 1 {
+    if (course && $2 ~ /^works-B-/)
+        next
+    if ($1 == (page == "index" ? "book" : "works") && $2 != page) {
+        ++pages
+        name_of[pages] = $2
+        line_of[pages] = words($3, $4)
+        part_of[pages] = $5
+    }
+    next
+}
+$2 == 0 { unnamed = $5 == "" ? 1 : 0 }
+$2 > 0 && $5 == "" { ++unnamed }
+$2 == 1 && $4 !~ /^(The module|What the module promises|The program|Speed and accuracy|Where it fails|What we can do now|What we can and still cannot do|Exercises|Further reading|Symbols)$/ {
+    n = split($5, label, " ")
+    sections[$1] = sections[$1] "<li><a href=\"" $1 ".html#" \
+        (n ? label[1] : "s" unnamed) "\">" words($3, $4) "</a></li>\n"
+}
+END {
+    print "<div class=\"title\">"
+    if (page == "index") {
+        print "<h1>Bonkers</h1>"
+        print "<p class=\"tagline\">Computational physics, one collision at a time</p>"
+        print "<svg class=\"beads\" viewBox=\"0 0 418 64\" role=\"img\" aria-label=\"Two bodies on a line\">" \
+            "<path d=\"M0 32H418\"/><circle cx=\"96\" cy=\"32\" r=\"31\"/>" \
+            "<circle class=\"small\" cx=\"146\" cy=\"32\" r=\"18\"/>" \
+            "<circle class=\"end\" cx=\"2\" cy=\"32\" r=\"2\"/><circle class=\"end\" cx=\"416\" cy=\"32\" r=\"2\"/></svg>"
+        print "<p>A book that is a program: every line of code in it runs, every figure is drawn from that code’s output, every exercise is checked by machine.</p>"
+        if (edition == "instructor")
+            print "<p><strong>Instructor’s edition, with the worked solutions: not for students.</strong></p>"
+    } else {
+        print "<h1>Works</h1>"
+        print "<p class=\"tagline\">The second volume of <em>Bonkers</em></p>"
+        print "<p>The book prints the code that is the idea. Here is the code that an idea needs before a computer runs it: options and what is wrong with them, tables read and written, studies that measure what a figure shows. Every line of C stands in exactly one of the two volumes. Nobody has to read this one: who wants to know how something is done comes here from the book, from a file in <code>src/</code>, or from the indexes at the end.</p>"
+        if (course)
+            print "<p id=\"left-out\">The examiner and the grader are described in the lecturer’s copy of this volume. Where the book leads to them, its links end here.</p>"
+    }
+    print "</div>"
+    print "<div class=\"contents\">"
+    last = ""
+    for (i = 1; i <= pages; ++i) {
+        if (part_of[i] != last)
+            print "<h2>" part_of[i] "</h2>"
+        last = part_of[i]
+        print "<h3><a href=\"" name_of[i] ".html\">" line_of[i] "</a></h3>"
+        if (name_of[i] in sections)
+            print "<ul>\n" sections[name_of[i]] "</ul>"
+    }
+    if (page == "index")
+        print "<h2>The second volume</h2>\n<h3><a href=\"works.html\">Works</a></h3>\n<p>How the rest is made: the programs and what measures for the figures, the toolbox, the choosing" (course ? "." : ", the examiner and the grader.") "</p>"
+    print "</div>"
+}

@@ -1,5 +1,5 @@
 /* From chapters/works/A-page.nw: edit there, then run make tangle. */
-/* checksum 2182640384 of the lines below */
+/* checksum 783376808 of the lines below */
 /* What the script of a figure asks for; each front has it in its way. */
 #ifndef PAGE_H
 #define PAGE_H
@@ -22,8 +22,10 @@ double page_run(double until, double events);
 /* Notes where everything is now; returns the numbers, the time first. */
 const double *page_look(void);
 
-/* The name of a thing of which there are several, NULL behind the last;
-   not every front has it. */
+/* Not every front has these: the name of a thing of which there are
+   several, NULL behind the last; more numbers; what the hand has done. */
 const char *page_word(double number);
+const double *page_array(double which);
+bool page_make(double number);
 
 #endif

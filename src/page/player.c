@@ -1,5 +1,5 @@
 /* From chapters/works/A-page.nw: edit there, then run make tangle. */
-/* checksum 2935683522 of the lines below */
+/* checksum 519118672 of the lines below */
 /* The scene player: a scene's text set in motion, changed, saved. */
 #include "forces/motion.h"
 #include "forces/observables.h"
@@ -21,11 +21,9 @@ enum array { PLACES, RADII, COLOURS, MASSES, FREE, SPRINGS, OBSERVED };
 enum change { METHOD, DT, GRAVITY, DAMPING = GRAVITY + 3, RESTITUTION, K2 };
 
 char *page_text(double size);
-bool page_make(double number);
 bool page_observe(void);
 bool page_change(double what, double value);
 bool page_save(bool table, double every);
-const double *page_array(double which);
 
 /* The number of the method; or the keys of a scene that is to be made. */
 double page_number[PAGE_NUMBERS];

@@ -285,7 +285,7 @@
     place.append(all);
 
     const api = place.liveFigure = run.api = {
-      run, canvas, costs: [], play: () => go(true), pause: () => go(false), step: once, reset: begin, change, draw,
+      run, canvas, costs: [], play: () => go(true), pause: () => go(false), step: once, reset: begin, change, draw, show,
       get playing() { return playing; },
       get speed() { return +speed.value; },
     };
@@ -352,7 +352,7 @@
     function go(on) {
       wanted = on;
       turn();
-      if (!on) { speak(); write(); }
+      if (!on && started) { draw(); show(); speak(); write(); }
     }
     function turn() {
       const now = wanted && seen && started && !document.hidden;

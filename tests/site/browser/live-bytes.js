@@ -41,6 +41,43 @@ const gas = (what, count, until, options, ...numbers) => ({
   page: a => a.slice(69).filter((_, i) => i % 3 < 2),
 });
 
+const piston = {
+  figure: 'piston', what: '5000 collisions round a piston', count: 1,
+  command: bin + 'bonkers --preset adiabatic --seed 2 --collisions 5000 -o -',
+  native: ([row]) => [row[0], ...second(row)],
+  numbers: [5, 401, 1200, 2], until: 1e9, events: 5000, seen: 9 + 2 * 403, page: a => [a[0], ...a.slice(9, 9 + 403)],
+};
+
+const depletion = {
+  figure: 'depletion', what: '110 sweeps of two large disks and 72 small ones', count: 1,
+  command: bin + 'sample --method markov --disks 2 --radius 1 --box 5,5 --boundary periodic --small 0.2,72 ' +
+    '--measure states --step 0.3 --samples 100', // and 10 before them
+  native: ([row]) => row.slice(1),
+  numbers: [72, 0.2, 0.3, 1], until: 1e9, events: 110 * 74, seen: 10 + 2 * 74, page: a => a.slice(10),
+};
+
+// The cradle: what the scene says goes to bonkers as lists, and to step.
+const scene = bin + 'scene cradle --balls 5 --left 2 --gap 0.01 --dt 0.002';
+const words = (head, from, to) => output(scene).filter(line => line.startsWith(head))
+  .map(line => line.split(' ').slice(from, to).join(',')).join(',');
+const cradle = (what, command, native, at) => ({
+  figure: 'cradle', what, command, native, count: 1,
+  numbers: [5, 2, 0.01, 0.002, 0, 10000, 0.0005], until: 1e9, events: 1000, seen: 2 + 3 * 12,
+  page: a => a.slice(2 + 12 * at + 2, 2 + 12 * at + 12),
+});
+const cradles = () => {
+  const box = words('box', 1, 3);
+  const places = row => [...[0, 1, 2, 3, 4].map(i => row[1 + 6 * i]), ...[0, 1, 2, 3, 4].map(i => row[4 + 6 * i])];
+  return [
+    cradle('a cradle by events', `${bin}bonkers --masses 1,1,1,1,1 --positions=${words('pos', 2, 3)} ` +
+      `--velocities=${words('vel', 2, 3)} --radii ${words('pos', 7, 8)} --walls=${box} --until 2 -o -`,
+      ([row]) => [4, 6, 8, 10, 12].map(k => row[k]).concat([5, 7, 9, 11, 13].map(k => row[k])), 0),
+    cradle('a cradle by steps', `${scene} | ${bin}step - --until 2`, ([row]) => places(row), 1),
+    cradle('a cradle by springs', `${scene} | sed 's/^contact$/&\\nlinear 10000 0/; s/^dt .*/dt 0.0005/' | ` +
+      `${bin}step - --until 2`, ([row]) => places(row), 2),
+  ];
+};
+
 const swing = method => ({
   figure: 'swing', what: `1000 steps of ${method}`, count: 1,
   command: `${bin}scene oscillator --damping 0 | ${bin}step - --method ${method} --dt 0.05 --until 50 --every 50 --bound 100`,
@@ -53,11 +90,14 @@ exports.tests = () => [
     '0.5,4.6,5.3,6.2,6.9,7.8,8.5,9.4,10.2,11.1 --velocities 2,0,0,0,0,0,0,0,0,0 --walls 0,12', 9, 1, 0),
   beads('ten beads at random', '--preset random --seed 7', 7, 7, 0),
   histogram,
+  piston,
   disks,
+  depletion,
   gas('a thousand disks', 1000, 1, '--packing 0.2 --seed 3', 0.2, 3, 0),
   gas('ten in a periodic box', 10, 50, '--packing 0.1 --boundary periodic --seed 2', 0.1, 2, 1),
   ...output(bin + 'step-studies --study methods').filter(line => !/ellipses|its error/.test(line))
     .map(line => swing(line.split(' ')[0])),
+  ...cradles(),
 ];
 
 // Runs a test in a page that has the figure. Returns what is wrong, or ''.

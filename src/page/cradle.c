@@ -1,0 +1,124 @@
+/* From chapters/works/A-page.nw: edit there, then run make tangle. */
+/* checksum 328854553 of the lines below */
+/* Newton's cradle by events, by steps, and by springs. */
+#include "forces/hard.h"
+#include "forces/motion.h"
+#include "line/bonkers.h"
+#include "page/page.h"
+#include "scenes/gallery.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST = 12, WAYS = 3 };
+
+/* Balls, how many fly in, the gap, m; the step of the second, s; of the
+   third: 1 for Hertz's springs, their stiffness, the step, s. */
+double page_number[PAGE_NUMBERS];
+
+static struct bonkers events;
+static struct way {
+    struct scene scene;
+    struct motion motion;
+    bool begun;
+} steps, springs;
+static double seen[2 + WAYS * (2 + 2 * MOST)];
+
+static const char *make_cradle(struct scene *s)
+{
+    const struct gallery_choice chosen[] = {{"balls", page_number[0]},
+                                            {"left", page_number[1]},
+                                            {"gap", page_number[2]},
+                                            {"dt", page_number[3]},
+                                            {0}};
+    return gallery_choose(s, hard_scenes, "cradle", chosen);
+}
+
+static bool begin_way(struct way *w, bool by_springs)
+{
+    if (w->begun) {
+        motion_end(&w->motion);
+        scene_free(&w->scene);
+    }
+    w->begun = false;
+    if (make_cradle(&w->scene))
+        return false;
+    if (by_springs) {
+        w->scene.touch = page_number[4] != 0 ? SCENE_HERTZ : SCENE_LINEAR;
+        w->scene.stiffness = page_number[5];
+        w->scene.dt = page_number[6];
+    }
+    w->begun = motion_begin(&w->motion, "cradle", &w->scene, "leapfrog", 0);
+    if (!w->begun)
+        scene_free(&w->scene);
+    return w->begun;
+}
+
+static bool begin_events(void)
+{
+    struct scene scene;
+    struct start start = {0};
+    size_t wrong;
+    bonkers_free(&events);
+    if (make_cradle(&scene))
+        return false;
+    bool good = hard_start(&start, &scene);
+    good = good &&
+           bonkers_begin(&events, &start, 1, BONKERS_SCAN, &wrong) &&
+           wrong == events.gaps;
+    start_free(&start);
+    scene_free(&scene);
+    return good;
+}
+
+bool page_begin(void)
+{
+    return page_number[0] <= MOST && begin_events() &&
+           begin_way(&steps, false) && begin_way(&springs, true);
+}
+
+static void step_to(struct way *w, double until)
+{
+    while (motion_time(&w->motion) + w->motion.stepping.dt <= until)
+        if (motion_run(&w->motion, 1) != STEPPING_DONE)
+            break;
+}
+
+double page_run(double until, double number)
+{
+    const double before = (double)steps.motion.stepping.steps;
+    const double dt = steps.motion.stepping.dt;
+    step_to(&steps, fmin(until, (before + number + 0.5) * dt));
+    const double now = motion_time(&steps.motion);
+    bonkers_run(&events, now, UINT64_MAX);
+    step_to(&springs, now);
+    return (double)steps.motion.stepping.steps - before;
+}
+
+static double *look_at(const struct way *w, double *next)
+{
+    const struct scene *s = &w->scene;
+    *next++ = (double)w->motion.collisions;
+    *next++ = motion_kinetic(&w->motion) + motion_potential(&w->motion);
+    memcpy(next, s->position, s->bodies * sizeof *next);
+    memcpy(next + s->bodies, s->velocity, s->bodies * sizeof *next);
+    return next + 2 * s->bodies;
+}
+
+/* The time, balls; and of events, steps and springs: collisions, energy,
+   all x, all v. */
+const double *page_look(void)
+{
+    double x[MOST + 2], v[MOST + 2], *next = seen + 4;
+    const size_t balls = steps.scene.bodies;
+    seen[0] = motion_time(&steps.motion);
+    seen[1] = (double)balls;
+    seen[2] = (double)events.collisions;
+    seen[3] = bonkers_energy(&events);
+    bonkers_state(&events, x, v);
+    memcpy(next, x + 1, balls * sizeof *next);
+    memcpy(next + balls, v + 1, balls * sizeof *next);
+    look_at(&springs, look_at(&steps, next + 2 * balls));
+    return seen;
+}

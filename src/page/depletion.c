@@ -1,0 +1,138 @@
+/* From chapters/works/A-page.nw: edit there, then run make tangle. */
+/* checksum 1853398894 of the lines below */
+/* Two large disks among small ideal ones, one of them held by the hand. */
+#include "box/sampling.h"
+#include "page/page.h"
+
+#include <math.h>
+
+enum { LARGE = 2, MOST = 400 };
+#define SIDE 5.0   /* of the periodic box, m */
+#define SHELL 0.05 /* what is near enough to touch, in small radii */
+
+/* Small ones, their radius, m; the step of the large ones, m, 0: they are
+   held; the seed; where the second one is put, x and y, m. */
+double page_number[PAGE_NUMBERS];
+
+static struct sampling box;
+static struct random dice;
+static struct sampling_means push;
+static double tries, seen[10 + 2 * (LARGE + MOST)];
+
+bool page_begin(void)
+{
+    const double sides[] = {SIDE, SIDE};
+    sampling_free(&box);
+    sampling_means_free(&push);
+    tries = 0;
+    if (page_number[0] > MOST ||
+        !sampling_create(&box, 2, DISKS_PERIODIC, sides, LARGE, 1,
+                         (size_t)page_number[0], page_number[1]) ||
+        !sampling_means_create(&push, 1))
+        return false;
+    random_seed(&dice, (uint64_t)page_number[3]);
+    return sampling_start(&box, &dice);
+}
+
+static double gap(size_t i, size_t j, double apart[])
+{
+    const struct disk *a = &box.disks.disk[i], *b = &box.disks.disk[j];
+    disks_apart(&box.disks, a->position, b->position, apart);
+    return sqrt(apart[0] * apart[0] + apart[1] * apart[1]) - a->radius -
+           b->radius;
+}
+
+static void scatter(void)
+{
+    double apart[DISKS_AXES];
+    for (size_t i = LARGE; i < box.disks.count; ++i)
+        while (gap(0, i, apart) < 0 || gap(1, i, apart) < 0)
+            for (size_t k = 0; k < 2; ++k)
+                box.disks.disk[i].position[k] =
+                    random_between(&dice, 0, SIDE);
+}
+
+bool page_make(double which)
+{
+    struct disk *hand = &box.disks.disk[(size_t)which];
+    double apart[DISKS_AXES], old[2];
+    for (size_t k = 0; k < 2; ++k) {
+        old[k] = hand->position[k];
+        hand->position[k] = page_number[4 + k];
+    }
+    disks_fold(&box.disks, hand->position);
+    const bool fits = gap(0, 1, apart) >= 0;
+    for (size_t k = 0; !fits && k < 2; ++k)
+        hand->position[k] = old[k];
+    if (!fits)
+        return false;
+    scatter();
+    sampling_means_free(&push);
+    return sampling_means_create(&push, 1);
+}
+
+static double pushed(void)
+{
+    double line[DISKS_AXES], apart[DISKS_AXES], sum = 0;
+    const double width = SHELL * page_number[1];
+    const double r = gap(0, 1, line) + 2;
+    for (size_t large = 0; large < LARGE; ++large)
+        for (size_t i = LARGE; i < box.disks.count; ++i) {
+            const double off = gap(large, i, apart);
+            const double reach = 1 + page_number[1], s = off + reach;
+            const double along = apart[0] * line[0] + apart[1] * line[1];
+            if (off < width)
+                sum += (large == 0 ? 1 : -1) * along / (r * s) * reach / s;
+        }
+    return sum / (2 * width);
+}
+
+double page_run(double until, double events)
+{
+    const double before = tries, all = (double)box.disks.count;
+    while (tries + 1 <= until && tries - before < events) {
+        sampling_try(&box, page_number[2], &dice);
+        if (fmod(++tries, all) != 0)
+            continue;
+        sampling_means_add(&push, 0, pushed());
+        sampling_means_next(&push);
+    }
+    return tries - before;
+}
+
+static double law(double r)
+{
+    const double pi = 3.14159265358979324, reach = 1 + page_number[1];
+    const double lens = sampling_overlap(2, reach, r);
+    const double room = SIDE * SIDE - 2 * pi * reach * reach + lens;
+    const double half = reach * reach - r * r / 4;
+    return half > 0 ? -page_number[0] / room * 2 * sqrt(half) : 0;
+}
+
+/* Tries; disks, the distance of the large ones, the push and its error,
+   the law here; the samples; all x and y. */
+const double *page_look(void)
+{
+    double apart[DISKS_AXES], *next = seen + 10;
+    const double r = gap(0, 1, apart) + 2;
+    seen[0] = tries;
+    seen[1] = (double)box.disks.count;
+    seen[2] = r;
+    seen[3] = sampling_means_mean(&push, 0);
+    seen[4] = sampling_means_error(&push, 0);
+    seen[5] = law(r);
+    seen[6] = (double)(push.blocks * push.length + push.filled);
+    for (size_t i = 0; i < box.disks.count; ++i)
+        for (size_t k = 0; k < 2; ++k)
+            *next++ = box.disks.disk[i].position[k];
+    return seen;
+}
+
+/* The law at 100 distances from contact on, for the line in the plot. */
+const double *page_array(double most)
+{
+    static double line[100];
+    for (int k = 0; k < 100; ++k)
+        line[k] = law(2 + (most - 2) * k / 99);
+    return line;
+}

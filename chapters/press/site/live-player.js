@@ -13,6 +13,18 @@
     return;
   }
 
+  // Light or dark, as the pages of the book remember it.
+  const root = document.documentElement, night = matchMedia('(prefers-color-scheme: dark)');
+  const dark = () => root.dataset.theme ? root.dataset.theme === 'dark' : night.matches;
+  const named = () => { $('theme').textContent = dark() ? 'Light' : 'Dark'; };
+  $('theme').addEventListener('click', () => {
+    root.dataset.theme = dark() ? 'light' : 'dark';
+    try { localStorage.setItem('bonkers-theme', root.dataset.theme); } catch { /* not kept */ }
+    named();
+  });
+  night.addEventListener('change', named);
+  named();
+
   // ---- the program
 
   const e = c.exports;

@@ -251,6 +251,15 @@
       if (window.WebAssembly) mount(place, name, figure);
   };
 
+  // A figure that is a scene of the player.
+  const here = document.currentScript ? document.currentScript.src : location.href;
+  live.opens = (name, scene, question) => {
+    for (const place of document.querySelectorAll(`.live[data-live="${name}"]`))
+      place.append(make('section', { className: 'live-figure', 'aria-label': 'Try it: ' + question },
+        make('p', { className: 'live-question' }, make('strong', { textContent: 'Try it. ' }), question),
+        make('p', {}, make('a', { href: new URL('../player.html#' + scene, here), textContent: 'Open the scene in the player' }))));
+  };
+
   function mount(place, name, figure) {
     const controls = figure.controls || [];
     const usual = Object.fromEntries(controls.map(c => [c.key, c.usual]));

@@ -5,8 +5,11 @@
 .PHONY: live has-wasm
 live_names := $(filter-out table,$(patsubst src/page/%.c,%,$(wildcard \
 	src/page/*.c)))
+plays := $(shell sed -n 's/^\(play-[a-z]*\) .*/\1/p' \
+	chapters/press/site/live-scenes)
 LIVE := build/site/live/live.js $(live_names:%=build/site/live/%.js) \
-	build/site/player.html build/site/live/player.css
+	build/site/player.html build/site/live/player.css \
+	$(plays:%=build/site/live/%.js)
 live: $(LIVE)
 
 has-wasm:
@@ -51,6 +54,13 @@ build/site/player.html: $(site_scripts)/player.html
 build/site/live/player.css: $(site_scripts)/live-player.css
 	@mkdir -p $(@D)
 	@cp $< $@
+
+# Figures that open the player.
+build/site/live/play-%.js: $(site_scripts)/live-scenes
+	@mkdir -p $(@D)
+	@sed -n "s/^play-$* \([^ ]*\) \(.*\)/live.opens('play-$*', '\1', \"\2\");/p" \
+		$< >$@.part
+	@mv $@.part $@
 
 # What a figure needs from a table: the truth about four disks; how fast films
 # of scenes go, and their unit of time.

@@ -9,7 +9,7 @@ const { chromium } = require('playwright-core');
 const bytes = require('./live-bytes.js');
 
 const [folder, scratch] = process.argv.slice(2).map(p => path.resolve(p));
-const names = fs.readdirSync(path.join(folder, 'live')).filter(f => /\.js$/.test(f) && !/^(live|player)\.js$/.test(f))
+const names = fs.readdirSync(path.join(folder, 'live')).filter(f => /\.js$/.test(f) && !/^(live|player|play-.*)\.js$/.test(f))
   .map(f => f.slice(0, -3)).sort();
 const said = [];
 async function holds(what, check) {
@@ -159,6 +159,22 @@ async function player(browser) {
   await page.context().close();
 }
 
+// Where a figure of the book opens the player there is a scene.
+async function opens(browser, name) {
+  const file = path.join(scratch, name + '.html');
+  fs.writeFileSync(file, `<!doctype html><html lang="en"><title>A scene</title><div class="live" data-live="${name}"></div>
+<script src="file://${folder}/live/live.js"></script><script src="file://${folder}/live/${name}.js"></script></html>`);
+  const page = await open(browser, 'file://' + file);
+  await page.locator('a').focus();
+  await page.keyboard.press('Enter');
+  await wait(page, 'window.live?.player?.ready');
+  const { wrong, scene, points } = await page.evaluate(() => ({ scene: live.player.s.name, points: live.player.s.points.length,
+    wrong: [...document.querySelectorAll('.player-wrong')].map(p => p.textContent).join('') }));
+  const asked = new URLSearchParams(new URL(page.url()).hash.slice(1)).get('scene');
+  await page.context().close();
+  return wrong || (scene !== asked ? `the scene is ${scene}, not ${asked}` : points === 0 ? 'nothing is drawn' : '');
+}
+
 // What the player saves is what step writes.
 async function saves(browser, scene, method, steps, y) {
   const page = await open(browser, `file://${folder}/player.html#scene=${scene}&method=${method}&y=${y}&steps=${steps}`);
@@ -197,6 +213,8 @@ async function saves(browser, scene, method, steps, y) {
   await holds('a figure runs while it is in view, and only then', () => inView(browser));
   await holds('without WebAssembly nothing is added', () => withoutWasm(browser));
   await player(browser);
+  const scenes = fs.readdirSync(path.join(folder, 'live')).filter(f => /^play-/.test(f)).map(f => f.slice(0, -3));
+  for (const name of scenes) await holds(`${name} opens the player with its scene`, () => opens(browser, name));
   for (const [scene, method, steps, y] of [['figure-eight', 'leapfrog', 1500, 'energy'], ['cradle', 'leapfrog', 2600, ''],
     ['membrane', 'yoshida6', 300, 'z:30,parts'], ['solar-system', 'radau15', 200, 'distance:0:3']])
     await holds(`${scene} by ${method}: the player saves the bytes that step writes`, () =>

@@ -1,5 +1,5 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 264991098 of the lines below */
+/* checksum 2548389473 of the lines below */
 /* Event-driven motion: every pair looked at, or a plan remembered. */
 #include "box/disks.h"
 
@@ -363,7 +363,7 @@ static inline void meet_all(const struct disks *d, size_t i, double *time,
         const double root = sqrt(disc > 0 ? disc : 0);
         const double flight = gap / (root - rate);
         const double met = last + (gap > 0 ? flight : 0);
-        time[j] = (rate < 0) & (disc >= 0) ? met : INFINITY;
+        time[j] = ((rate < 0) & (disc >= 0)) ? met : INFINITY;
     }
 }
 

@@ -11,7 +11,7 @@ panels = words(names)
 set multiplot layout ceil(panels/5.),5 margins 0.075,0.985,0.15,0.93 spacing 0.02,0.085
 set xrange [-4:0.5]
 set yrange [0:3.5]
-set xtics 1
+set xtics -4,2,0
 set ytics 1
 unset colorbox
 set palette defined (0 '#8fbfdd', 1 '#8fbfdd', 1.0000001 '#ffffff', 2 '#ffffff')

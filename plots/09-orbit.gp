@@ -44,7 +44,7 @@ set label 6 '{/:Italic m}_1 = 2' at -px/2+c+0.25,-py/2-0.5 center front
 set label 7 '{/:Italic m}_2 = 1' at px+c-0.1,py+0.45 center front
 set label 8 '×' at c,0 center front
 set label 9 'seen from the centre of mass' at -0.4,2.85 center tc rgb '#555555'
-set label 10 '{/:Italic m}_2 seen from {/:Italic m}_1' at m,2.95 center tc rgb '#555555'
+set label 10 '{/:Italic m}_2 seen from {/:Italic m}_1' at m,3.0 center tc rgb '#555555'
 # from the nearest point to the body, t from 0 to 1
 u(t) = E1*t/(2*pi)
 plot m + A*cos(u(t)), b(A)*sin(u(t)) with filledcurves xy=m+A*e,0 fc rgb '#f3d3c2' fs solid, \

@@ -31,7 +31,7 @@ set ytics 1e-14,100
 set xlabel 'step  (s)'
 set ylabel 'error  (m)' offset 1.2
 unset key
-set label 1 'stepwise' at 5e-4,0.3
+set label 1 'stepwise' at 5e-4,0.9
 set label 2 name_of('leapfrog') at 3e-3,2e-5
 set label 3 name_of('rk4') at 6e-3,2e-10
 set label 4 name_of('kahan-li8') at 2.2e-2,2e-13

@@ -16,16 +16,16 @@ set xlabel 'time  (s)'
 set ylabel 'velocity  (m/s)' offset 0.4
 set xrange [0:0.14]
 set xtics 0.05
-set key at graph 0.98,0.66 right center samplen 1.5 spacing 0.9
+unset key
 set title 'linear springs, touching' offset 0,-0.6
-plot for [b=1:5] file index 0 using 1:(column(b + 1)) with lines ls (10 + b) title sprintf('%d', b)
+plot for [b=1:5] file index 0 using 1:(column(b + 1)) with lines ls (10 + b)
 set format y ''
 set ylabel ''
-unset key
 set title 'Hertz’s springs, touching' offset 0,-0.6
 plot for [b=1:5] file index 1 using 1:(column(b + 1)) with lines ls (10 + b)
 set xrange [0:0.28]
 set xtics 0.1
+set key at graph 0.99,0.5 right center samplen 1.2 spacing 0.9
 set title 'linear springs, with gaps' offset 0,-0.6
-plot for [b=1:5] file index 2 using 1:(column(b + 1)) with lines ls (10 + b)
+plot for [b=1:5] file index 2 using 1:(column(b + 1)) with lines ls (10 + b) title sprintf('%d', b)
 unset multiplot

@@ -11,5 +11,5 @@ xlow = 1e-6
 xhigh = 0.4
 ylow = lecture ? 1e-22 : 1e-19
 deep = 1e-8
-band = 3e-15
+band = 1.5e-16
 load 'plots/map.gp'

@@ -12,6 +12,8 @@ xhigh = 3
 ylow = 1e-16
 deep = 1e-8
 band = 6e-13
+byhand = 'leapfrog,rods'
+set label 1 'leapfrog with rods' at 0.16,2e-7 left font face.(lecture ? ',18' : ',8')
 airx = 0
 airy = 0.9
 load 'plots/map.gp'

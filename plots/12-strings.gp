@@ -11,6 +11,6 @@ xhigh = 2
 ylow = 1e-20
 deep = 1e-8
 band = 6e-16
-airx = -9
-airy = 0
+byhand = 'leapfrog'
+set label 1 'leapfrog' at 1.7e-3,2.4e-3 right font face.(lecture ? ',18' : ',8')
 load 'plots/map.gp'

@@ -1,10 +1,12 @@
 # One map of the atlas on a page: error against cost, a curve for each way to
 # carry the scene. A script sets scene; ways, less and stepless (plans without their steps: with
 # all forces, with less of them, closed forms and events); the ranges; how deep
-# a curve must come to have its name below, in what band; and loads this.
+# a curve must come to have its name below, in what band; byhand, ways that
+# the script has named itself; and loads this.
 load 'plots/methods.gp'
 if (!exists('less')) less = ''
 if (!exists('stepless')) stepless = ''
+if (!exists('byhand')) byhand = ''
 if (!exists('airx')) { airx = 4; airy = -0.3 }
 file = 'build/data/12-atlas.dat'
 set logscale xy
@@ -24,7 +26,9 @@ words_of(w) = name_of(method(w)).(cut(w) eq ',no-light' ? ' without light pulls'
 curve(w) = sprintf("< awk -v want=curve -v scene=%s -v way=%s -f plots/map.awk %s", scene, w, file)
 apart = (lecture ? 0.04 : 0.034)*log10(xhigh/xlow)
 ends = sprintf("< awk -v want=ends -v scene=%s -v deep=%g -v band=%g -v apart=%g -v 'ways=%s %s' -f plots/map.awk %s", scene, deep, band, apart, ways, less, file)
-air = sprintf("< awk -v want=air -v scene=%s -v deep=%g -v 'ways=%s %s' -f plots/map.awk %s", scene, deep, ways, less, file)
+airy_ways = ''
+do for [w in ways.' '.less] { if (!strstrt(' '.byhand.' ', ' '.w.' ')) { airy_ways = airy_ways.' '.w } }
+air = sprintf("< awk -v want=air -v scene=%s -v deep=%g -v 'ways=%s' -f plots/map.awk %s", scene, deep, airy_ways, file)
 picks = sprintf("< awk -v want=picks -v scene=%s -f plots/map.awk %s", scene, file)
 small = face.(lecture ? ',18' : ',8')
 do for [k = 1:3] {
@@ -34,7 +38,7 @@ do for [k = 1:3] {
 plot for [w in ways] curve(w) using 1:2 with linespoints ls style_of(method(w)) ps 0.45*big, \
      for [w in less] curve(w) using 1:2 with linespoints ls style_of(method(w)) ps 0.45*big dt 3, \
      for [w in stepless] curve(w) using 1:2 with points pt 5 ps 1.0*big lc rgb dark, \
-     for [w in stepless] curve(w) using 1:2:(words_of(w)) with labels font small left offset 1,0, \
+     for [w in stepless] curve(w) using 1:2:(words_of(w)) with labels font small left offset 2.2,0, \
      ends using 1:2:($3-$1):($4*2-$2) with vectors nohead ls 9 lw 0.6*thick, \
      ends using 3:4:(words_of(strcol(5))) with labels font small right rotate by 90, \
      air using 1:2:(words_of(strcol(3))) with labels font small center offset airx,airy, \

@@ -1,5 +1,5 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 2075819393 of the lines below */
+/* checksum 2398831429 of the lines below */
 /* Sums pulls pair by pair, in blocks of bodies, and by AVX-512. */
 #include "forces/gravity.h"
 
@@ -10,7 +10,8 @@
 #include <immintrin.h>
 #endif
 
-const char *const gravity_kernels[] = {"auto", "portable", "avx512", NULL};
+const char *const gravity_kernels[] = {"auto",   "portable",     "avx512",
+                                       "opencl", "opencl-float", NULL};
 
 bool gravity_create(struct gravity *g, size_t bodies, const double mass[],
                     double k2, double softening)
@@ -211,7 +212,7 @@ bool gravity_can(enum gravity_kernel kernel)
     if (kernel == GRAVITY_AVX512)
         return VECTOR_HAS("avx512f");
 #endif
-    return kernel != GRAVITY_AVX512;
+    return kernel < GRAVITY_AVX512;
 }
 
 enum gravity_kernel gravity_fastest(void)
@@ -252,6 +253,10 @@ void gravity_add(const struct gravity *g, const double x[], double a[])
     }
     if (g->bodies <= GRAVITY_FEW) {
         add_pairs(g, x, a);
+        return;
+    }
+    if (g->elsewhere) {
+        g->elsewhere(g->device, x, a);
         return;
     }
     const struct kernel *k = &kernels[g->kernel];

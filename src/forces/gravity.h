@@ -1,5 +1,5 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 381318979 of the lines below */
+/* checksum 698907454 of the lines below */
 /* Gravity between all pairs of bodies, with softening. */
 #ifndef GRAVITY_H
 #define GRAVITY_H
@@ -13,9 +13,11 @@
 /* How the sum is computed. All kernels sum in the same order; that for
    AVX-512 rounds otherwise, by less than 1e-14 of each term. */
 enum gravity_kernel {
-    GRAVITY_AUTO,     /* the fastest that keeps the bits: portable */
-    GRAVITY_PORTABLE, /* plain C, the same bits everywhere */
-    GRAVITY_AVX512,   /* by hand, eight bodies at a time */
+    GRAVITY_AUTO,         /* the fastest that keeps the bits: portable */
+    GRAVITY_PORTABLE,     /* plain C, the same bits everywhere */
+    GRAVITY_AVX512,       /* by hand, eight bodies at a time */
+    GRAVITY_OPENCL,       /* on a device: not without `elsewhere' */
+    GRAVITY_OPENCL_FLOAT, /* in single precision */
     GRAVITY_KERNELS
 };
 
@@ -40,6 +42,9 @@ struct gravity {
     size_t sources;             /* how many they are */
     const double *share;        /* [bodies] if there are sources: a factor
                                    on all that pulls at a body */
+    /* NULL, or what sums in place of a kernel, all bodies at a time. */
+    void (*elsewhere)(void *device, const double x[], double a[]);
+    void *device;
 };
 
 /* Prepares the sum over so many bodies: the kernel auto, one thread.
@@ -64,8 +69,8 @@ struct stepping_forces gravity_forces(struct gravity *g);
    eq:softened-potential). */
 double gravity_potential(const struct gravity *g, const double x[]);
 
-/* Says whether this machine, and this build, has the kernel; which of
-   those that it has is the fastest. */
+/* Says whether this machine, and this build, has the kernel itself, not
+   on a device; which of those that it has is the fastest. */
 bool gravity_can(enum gravity_kernel kernel);
 enum gravity_kernel gravity_fastest(void);
 

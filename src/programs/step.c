@@ -1,10 +1,11 @@
 /* From chapters/works/11-step.nw: edit there, then run make tangle. */
-/* checksum 4146068667 of the lines below */
+/* checksum 1078930245 of the lines below */
 /* Steps a scene through time and writes what is looked at, row by row. */
 #include "forces/adaptive.h"
 #include "forces/checkpoint.h"
 #include "forces/motion.h"
 #include "forces/observables.h"
+#include "forces/opencl.h"
 #include "forces/reference.h"
 #include "scenes/scene.h"
 #include "toolbox/bench.h"
@@ -94,6 +95,7 @@ struct run {
     struct scene scene;
     struct motion motion;
     struct reference reference;
+    struct opencl *device; /* that sums gravity, or NULL */
     struct observables observables;
     size_t *tracked, tracks, columns;
     double *row;
@@ -160,6 +162,25 @@ static int threads_used(const struct motion *m)
     return pulling > bound ? pulling : bound;
 }
 
+static void open_device(struct run *r)
+{
+    struct gravity *g = &r->motion.gravity;
+    char message[OPENCL_MESSAGE];
+    if (r->s->kernel < GRAVITY_OPENCL || !r->motion.attracts)
+        return;
+    const bool single = r->s->kernel == GRAVITY_OPENCL_FLOAT;
+    const struct opencl_order order = {.bodies = g->bodies,
+                                       .mass = g->mass,
+                                       .k2 = g->k2,
+                                       .softening = g->softening,
+                                       .single = single};
+    r->device = opencl_open(&order, message);
+    if (!r->device)
+        program_refuse(PROGRAM, "--kernel: opencl: %s", message);
+    g->elsewhere = opencl_add;
+    g->device = r->device;
+}
+
 static void set_in_motion(struct run *r)
 {
     struct motion *m = &r->motion;
@@ -171,6 +192,7 @@ static void set_in_motion(struct run *r)
         m->stepping.compensated = r->s->sums == SUMS_COMPENSATED;
     m->stepping.tolerance = r->s->tolerance;
     m->gravity.kernel = (enum gravity_kernel)r->s->kernel;
+    open_device(r);
     share(m, r->s->threads);
     m->spheres.rule = (enum spheres_rule)r->s->rule;
     m->spheres.shift = (enum spheres_shift)r->s->shift;
@@ -596,7 +618,11 @@ static void explain(const struct run *r, enum ending end)
                 r->s->method, r->time,
                 is_adaptive(r->s) ? "no step is short enough"
                                   : "try a smaller --dt");
-    if (end == INFINITE)
+    const char *failed = r->device ? opencl_failure(r->device) : NULL;
+    if (failed)
+        fprintf(stderr, PROGRAM ": --kernel: opencl: after t = %.10g %s\n",
+                r->time, failed);
+    else if (end == INFINITE)
         fprintf(stderr, PROGRAM ": blew up after t = %.10g (%s\n", r->time,
                 r->motion.orbits
                     ? "an orbit has opened): try another --method"
@@ -824,7 +850,9 @@ static const struct options_entry entries[] = {
      "z:ID, vx:ID, vy:ID, vz:ID, speed:ID,\n"
      "distance:ID:ID"},
     {"track", 'T', "ID,..", "the states of these bodies only"},
-    {"kernel", 'k', "NAME", "of gravity: auto, portable or avx512 (auto)"},
+    {"kernel", 'k', "NAME",
+     "of gravity: auto, portable, avx512, or on a device\n"
+     "opencl, opencl-float (auto)"},
     {"threads", 'j', "N",
      "how many, for gravity from 1000 bodies on,\n"
      "springs from 10000 (1)"},
@@ -899,7 +927,8 @@ static void check_settings(struct options *o, const struct settings *s)
     if (!s->scene)
         options_fail(o, "a scene is needed, as in build/bin/scene "
                         "sun-earth | step - --until 365");
-    if (!gravity_can((enum gravity_kernel)s->kernel))
+    if (s->kernel < GRAVITY_OPENCL &&
+        !gravity_can((enum gravity_kernel)s->kernel))
         options_fail(o, "--kernel: this machine has no %s",
                      gravity_kernels[s->kernel]);
     if (strcmp(s->method, outside_name) == 0 && !reference_available)
@@ -1005,6 +1034,7 @@ int main(int argc, char *argv[])
     else if (!table_close(r.summary))
         return EXIT_FAILURE;
     motion_end(&r.motion);
+    opencl_close(&r.device);
     scene_free(&r.scene);
     return whole && written && end == WHOLE ? EXIT_SUCCESS : EXIT_FAILURE;
 }

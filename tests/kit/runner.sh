@@ -22,6 +22,10 @@ says 1 '3 passed, 1 failed' 'echo ok a' 'echo ok b' 'echo ok c' 'echo 1..2'
 says 1 '0 passed, 1 failed' 'echo 1..0'
 says 1 '1 passed, 1 failed' 'echo ok a' 'echo 1..1' 'exit 3'
 says 1 '1 passed, 1 failed' 'echo ok a' 'echo not ok b - why' 'echo 1..2'
+says 0 '1 passed, 0 failed' 'echo "# note: no card here"' 'echo ok a' \
+    'echo "# a remark"' 'echo 1..1'
+holds 'what could not be tested is said aloud, and no other remark' \
+    test "$(grep '^#' out)" = '# note: no card here'
 # What stands behind -- waits for the first.
 printf '%s\n' '#!/bin/sh' 'sleep 1' ': >made' 'echo ok a' 'echo 1..1' >first
 printf '%s\n' '#!/bin/sh' '[ ! -e made ] && echo ok b' 'echo 1..1' >beside
@@ -39,4 +43,4 @@ done
 rm made
 "$root/tests/run" -j 2 ./first ./beside -- ./a ./b ./c >out 2>&1
 holds 'then one more runs beside them' grep -qx '5 passed, 0 failed' out
-echo 1..9
+echo 1..11

@@ -121,8 +121,8 @@
   const link = button('Link', copyLink);
   $('motion').append(
     make('div', { className: 'live-figure' }, canvas,
-      bar(play, step, anew, speed.label, view.label, trails.label, clock, link),
-      fields(method.label, dt.label, damping.label, restitution.label, k2.label, ...gravity.map(g => g.label)), told, spoken),
+      bar(play, step, anew, speed.label, clock, link),
+      fields(view.label, trails.label, method.label, dt.label, damping.label, restitution.label, k2.label, ...gravity.map(g => g.label)), told, spoken),
     make('div', { className: 'live-figure' }, fields(make('label', { className: 'live-control' }, make('span', { textContent: 'Draw' }), askY),
       make('label', { className: 'live-control' }, make('span', { textContent: 'against' }), askX), known,
       button('Save the table', saveTable)), refused, plot, command));
@@ -327,7 +327,7 @@
 
   // ---- what is seen
 
-  const hues = ['#0072b2', '#d55e00', '#009e73', '#e69f00', '#aa4499', '#56b4e9', '#999933', '#777777'];
+  const hues = ['blue', 'red', 'green', 'orange', 'purple', '#56b4e9', '#999933', '#777777'];
   function dress() { // colours as the films have them
     const n = s.now.n, colour = floats('COLOURS', 3 * n).slice(), mass = floats('MASSES', n).slice();
     const free = floats('FREE', n).slice(), some = mass.filter((_, i) => free[i]);
@@ -339,7 +339,7 @@
       if (r + g + b > 0) return `rgb(${[r, g, b].map(v => Math.round(255 * v)).join()})`;
       if (!free[i]) return '#888888';
       if (n - springs <= 8 && springs < 5) return hues[i % 8];
-      return most > 1.5 * least && mass[i] >= Math.sqrt(least * most) ? '#d55e00' : springs ? '#0072b2' : '#56b4e9';
+      return most > 1.5 * least && mass[i] >= Math.sqrt(least * most) ? 'red' : 'blue';
     });
     if (n <= 16 && springs < 5) for (let i = 0; i < n; ++i) if (free[i]) s.traced.push(i);
     const list = floats('SPRINGS', 5 * springs).slice();
@@ -405,6 +405,7 @@
     const w = Math.max(200, canvas.clientWidth || 640), h = Math.round(Math.min(0.62 * w, 560));
     canvas.style.height = h + 'px';
     const pen = live.pen(canvas, w, h), { g } = pen, col = pen.c;
+    const colour = i => col[s.colour[i]] || s.colour[i]; // the page's blue, or one of the scene
     grow();
     const n = s.now.n, x = floats('PLACES', 3 * n), [a, b, d, f] = s.field;
     const flat = s.view !== 'tilted' && f - d <= 1e-9 * (b - a) + 2 * Math.max(0, ...s.radius.slice(0, 1000));
@@ -423,34 +424,34 @@
       const fall = (h - top - 8) / Math.max(1e-300, s.rate * 6);
       for (const i of which)
         pen.line(s.past.map(p => { const [u, v] = project(p.x, n, i);
-          return [U(u), V(v) + (flat ? (s.now.t - p.t) * fall : 0)]; }), s.colour[i], 1.3);
+          return [U(u), V(v) + (flat ? (s.now.t - p.t) * fall : 0)]; }), colour(i), 1.3);
       g.globalAlpha = 1;
     }
     const at = Array.from({ length: n }, (_, i) => project(x, n, i));
     const bonds = new Map();
-    for (const { a: from, b: to, colour } of s.bonds) {
-      if (!bonds.has(colour)) bonds.set(colour, new Path2D());
-      const path = bonds.get(colour);
+    for (const { a: from, b: to, colour: hue } of s.bonds) {
+      if (!bonds.has(hue)) bonds.set(hue, new Path2D());
+      const path = bonds.get(hue);
       path.moveTo(U(at[from][0]), V(at[from][1]));
       path.lineTo(U(at[to][0]), V(at[to][1]));
     }
     g.lineWidth = 1.2;
-    for (const [colour, path] of bonds) { g.strokeStyle = colour || col.quiet; g.stroke(path); }
+    for (const [hue, path] of bonds) { g.strokeStyle = hue || col.quiet; g.stroke(path); }
     const order = at.map((_, i) => i);
     if (s.view === 'tilted') order.sort((i, j) => at[i][2] - at[j][2]);
     const least = n > 300 ? 1.4 : n > 30 ? 2.4 : 4;
     if (n > 300 && s.view !== 'tilted') { // as few paths as there are colours
       const paths = new Map();
       for (const i of order) {
-        if (!paths.has(s.colour[i])) paths.set(s.colour[i], new Path2D());
-        const r = Math.max(least, s.radius[i] * scale), path = paths.get(s.colour[i]), u = U(at[i][0]), v = V(at[i][1]);
+        if (!paths.has(colour(i))) paths.set(colour(i), new Path2D());
+        const r = Math.max(least, s.radius[i] * scale), path = paths.get(colour(i)), u = U(at[i][0]), v = V(at[i][1]);
         path.moveTo(u + r, v);
         path.arc(u, v, r, 0, 7);
       }
-      for (const [colour, path] of paths) { g.fillStyle = colour; g.fill(path); }
+      for (const [hue, path] of paths) { g.fillStyle = hue; g.fill(path); }
     } else for (const i of order) {
       const r = s.now.contact && s.radius[i] > 0 ? Math.max(1.5, s.radius[i] * scale) : Math.max(least, Math.min(40, s.radius[i] * scale));
-      pen.disk(U(at[i][0]), V(at[i][1]), r, s.colour[i], r > 3 ? col.quiet : undefined);
+      pen.disk(U(at[i][0]), V(at[i][1]), r, colour(i), r > 3 ? col.quiet : undefined);
     }
     drawPlot();
   }

@@ -165,12 +165,12 @@ async function opens(browser, name) {
   fs.writeFileSync(file, `<!doctype html><html lang="en"><title>A scene</title><div class="live" data-live="${name}"></div>
 <script src="file://${folder}/live/live.js"></script><script src="file://${folder}/live/${name}.js"></script></html>`);
   const page = await open(browser, 'file://' + file);
+  const asked = /scene=([a-z-]*)/.exec(await page.locator('a').getAttribute('href'))[1];
   await page.locator('a').focus();
   await page.keyboard.press('Enter');
   await wait(page, 'window.live?.player?.ready');
   const { wrong, scene, points } = await page.evaluate(() => ({ scene: live.player.s.name, points: live.player.s.points.length,
     wrong: [...document.querySelectorAll('.player-wrong')].map(p => p.textContent).join('') }));
-  const asked = new URLSearchParams(new URL(page.url()).hash.slice(1)).get('scene');
   await page.context().close();
   return wrong || (scene !== asked ? `the scene is ${scene}, not ${asked}` : points === 0 ? 'nothing is drawn' : '');
 }

@@ -23,10 +23,10 @@ has-wasm:
 # figure, and the tests have asked all of them.
 wasm = clang --target=wasm32-wasi --sysroot=/usr $(STANDARD) $(PORTABLE) \
 	-DNDEBUG -Isrc
-# What has files, signals or GSL stays outside.
+# What has files, signals, GSL or OpenCL stays outside.
 wasm_tools := $(patsubst %,src/toolbox/%.c,digits random room)
 wasm_sources := src/page/table.c $(wasm_tools) $(filter-out %/laws.c %/states.c %/checkpoint.c \
-	%/reference.c,$(wildcard $(patsubst %,src/%/*.c,line box scenes forces)))
+	%/reference.c %/opencl.c,$(wildcard $(patsubst %,src/%/*.c,line box scenes forces)))
 wasm_objects := $(wasm_sources:src/%.c=build/wasm/%.o)
 build/wasm/%.o: src/%.c chapters/press/site/live.mk | has-wasm
 	@mkdir -p $(@D)

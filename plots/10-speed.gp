@@ -1,5 +1,5 @@
 # data: plots/data/10-speed.dat
-# alt: Steps of a body per second against the side of the grid, 8 to 512 on a logarithmic axis. Spring by spring from about 70 million at 8 falling slowly to 30 million at 512. By bands, in one sweep or in two trips alike, between 270 and 410 million up to 128, falling to about 115 million at 512. Computing every spring twice lies between, from 250 million to 90 million.
+# alt: Steps of a body per second against the side of the grid, 8 to 512 on a logarithmic axis. Spring by spring from about 84 million at 8 falling slowly to 30 million at 512. By bands, in sweeps or in two trips alike, between 170 and 240 million up to 128; at 512 sweeps have 136 million, two trips 60 million. Computing every spring twice lies between, from 145 million to 35 million.
 width = 11
 height = 7
 load 'plots/style.gp'
@@ -14,7 +14,7 @@ set xrange [6.5:630]
 set yrange [0:460]
 set key at graph 0.98,0.97 right top samplen 1.5
 file = 'plots/data/10-speed.dat'
-plot file using 1:($3/1e6) with linespoints ls 1 title 'bands, one sweep', \
+plot file using 1:($3/1e6) with linespoints ls 1 title 'bands, in sweeps', \
      file using 1:($4/1e6) with linespoints ls 4 title 'bands, two trips', \
      file using 1:($5/1e6) with linespoints ls 3 title 'every spring twice', \
      file using 1:($2/1e6) with linespoints ls 2 title 'spring by spring'

@@ -1,5 +1,5 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 332820989 of the lines below */
+/* checksum 2407573318 of the lines below */
 /* Sums forces spring by spring, or in bands where they form a grid. */
 #include "forces/springs.h"
 
@@ -440,8 +440,9 @@ struct task {
     const double *x, *v;
     double *a;
     bool writes;
-    /* NULL, or who gets x and v ready: */
+    /* NULL, or who gets x and v ready, and whether a kick is owing: */
     const struct stepping_ahead *ahead;
+    bool owing;
 };
 
 /* Finishes the task along axis k for n bodies from body `from` on, on which
@@ -519,9 +520,14 @@ static void get_ready(const struct springs *p, const struct task *t,
                       size_t from, size_t end)
 {
     for (size_t k = 0; k < 3 && from < end; ++k)
-        t->ahead->ready(t->ahead->step, k * p->bodies + from, end - from);
+        t->ahead->ready(t->ahead->step, k * p->bodies + from, end - from,
+                        t->owing);
 }
 
+static size_t least(size_t a, size_t b)
+{
+    return a < b ? a : b;
+}
 static size_t reach(const struct springs *p)
 {
     size_t longest = 0;
@@ -544,23 +550,44 @@ static void reach_in(const struct springs *p, const struct task *t,
     }
 }
 
-/* The task for the bodies from `from` to before end; those from ready on
-   have still to be moved. */
+/* The task for the bodies from `from` to before end. */
 static void gather(const struct springs *p, const struct task *t,
-                   size_t from, size_t end, size_t ready, double room[])
+                   size_t from, size_t end, double room[])
 {
-    const size_t far = reach(p) + SPRINGS_BLOCK;
     reach_in(p, t, from, room);
     for (size_t at = from, n; at < end; at += n) {
         n = end - at < SPRINGS_BLOCK ? end - at : SPRINGS_BLOCK;
-        if (ready < p->bodies) {
-            const size_t rest = p->bodies - at;
-            const size_t next = at + (rest < far ? rest : far);
-            get_ready(p, t, ready, next);
-            ready = next;
-        }
         gather_block(p, t, at, n, room);
     }
+}
+
+/* The task for so many steps in one sweep, at most depth_of(p). */
+static void march(const struct springs *p, struct task t, size_t steps)
+{
+    const size_t n = p->bodies, far = reach(p), size = room_of_all(p);
+    size_t moved[SPRINGS_DEPTH] = {0}, summed[SPRINGS_DEPTH] = {0};
+    const bool owing = t.owing;
+    for (size_t k = 0; k < steps; ++k)
+        reach_in(p, &t, 0, p->room + k * size);
+    while (summed[steps - 1] < n)
+        for (size_t k = 0; k < steps; ++k) {
+            const size_t at = summed[k], rest = n - at;
+            const size_t block = least(rest, SPRINGS_BLOCK);
+            const size_t seen = at + least(rest, block + far);
+            if (rest == 0 || (k > 0 && seen > summed[k - 1]))
+                continue;
+            t.owing = owing || k > 0;
+            get_ready(p, &t, moved[k], seen);
+            gather_block(p, &t, at, block, p->room + k * size);
+            moved[k] = seen;
+            summed[k] = at + block;
+        }
+}
+
+static size_t depth_of(const struct springs *p)
+{
+    const size_t depth = SPRINGS_WINDOW / (reach(p) + SPRINGS_BLOCK);
+    return depth < 1 ? 1 : least(depth, SPRINGS_DEPTH);
 }
 
 static void gather_shared(struct springs *p, const struct task *task)
@@ -568,7 +595,7 @@ static void gather_shared(struct springs *p, const struct task *task)
     const size_t size = room_of_all(p), threads = (size_t)p->threads;
     const size_t n = p->bodies;
     if (threads == 1) {
-        gather(p, task, 0, n, task->ahead ? 0 : n, p->room);
+        gather(p, task, 0, n, p->room);
         return;
     }
 #ifdef _OPENMP
@@ -585,16 +612,16 @@ static void gather_shared(struct springs *p, const struct task *task)
 #pragma omp for schedule(static, 1)
 #endif
         for (size_t t = 0; t < threads; ++t)
-            gather(p, task, n * t / threads, n * (t + 1) / threads, n,
+            gather(p, task, n * t / threads, n * (t + 1) / threads,
                    p->room + t * size);
     }
 }
 
 bool springs_threads(struct springs *p, int threads)
 {
-    const size_t size = room_of_all(p) * (size_t)threads;
+    const size_t rooms = threads > 1 ? (size_t)threads : depth_of(p);
     assert(threads > 0);
-    double *const room = room_doubles(size);
+    double *const room = room_doubles(room_of_all(p) * rooms);
     if (!room)
         return false;
     free(p->room);
@@ -617,32 +644,45 @@ static void act(struct springs *p, const struct task *t)
         finish(p, t, k, 0, p->bodies, p->force + k * p->bodies);
 }
 
-/* The task, whose ahead is not NULL. */
-static void act_ahead(struct springs *p, struct task t)
+/* So many steps of the task, whose ahead is not NULL. */
+static void act_ahead(struct springs *p, struct task t, uint64_t steps)
 {
-    if (p->engine != SPRINGS_GATHER || p->bands == 0 || p->listed > 0) {
-        get_ready(p, &t, 0, p->bodies);
-        t.ahead = NULL;
+    const struct stepping_ahead *const ahead = t.ahead;
+    const bool whole =
+        p->engine != SPRINGS_GATHER || p->bands == 0 || p->listed > 0;
+    const bool alone = !whole && p->threads == 1;
+    for (size_t k; steps > 0; steps -= k, t.owing = true) {
+        k = alone ? least(depth_of(p), steps) : 1;
+        t.ahead = ahead;
+        if (alone) {
+            march(p, t, k);
+            continue;
+        }
+        if (whole) {
+            get_ready(p, &t, 0, p->bodies);
+            t.ahead = NULL;
+        }
+        act(p, &t);
     }
-    act(p, &t);
 }
 
 void springs_add(struct springs *p, const double x[], const double v[],
                  double a[])
 {
-    act(p, &(struct task){x, v, a, false, NULL});
+    act(p, &(struct task){x, v, a, .writes = false});
 }
 
 void springs_accelerate(void *springs, const double x[], const double v[],
                         double a[])
 {
-    act(springs, &(struct task){x, v, a, true, NULL});
+    act(springs, &(struct task){x, v, a, .writes = true});
 }
 
 void springs_sweep(void *springs, const double x[], const double v[],
-                   double a[], const struct stepping_ahead *ahead)
+                   double a[], const struct stepping_ahead *ahead,
+                   uint64_t steps)
 {
-    act_ahead(springs, (struct task){x, v, a, true, ahead});
+    act_ahead(springs, (struct task){x, v, a, true, ahead, false}, steps);
 }
 
 struct stepping_forces springs_forces(struct springs *p)

@@ -1,5 +1,5 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 4255358390 of the lines below */
+/* checksum 3665694071 of the lines below */
 /* Springs with dashpots between the bodies of a scene. */
 #ifndef SPRINGS_H
 #define SPRINGS_H
@@ -8,9 +8,11 @@
 #include "forces/stepping.h"
 
 enum {
-    SPRINGS_BAND = 16,    /* springs that a band has at least */
-    SPRINGS_BLOCK = 512,  /* bodies at a time */
-    SPRINGS_SHARE = 10000 /* from which to share them among threads pays */
+    SPRINGS_BAND = 16,     /* springs that a band has at least */
+    SPRINGS_BLOCK = 512,   /* bodies at a time */
+    SPRINGS_DEPTH = 8,     /* steps of a sweep, at most */
+    SPRINGS_WINDOW = 8192, /* bodies between its first and its last step */
+    SPRINGS_SHARE = 10000  /* from which to share them among threads pays */
 };
 
 /* How the forces are summed. Both ways give the same bits. */
@@ -74,7 +76,8 @@ struct stepping_forces springs_forces(struct springs *p);
 /* The same in one sweep, for the stepping that has springs_forces; see
    stepping_sweep. */
 void springs_sweep(void *springs, const double x[], const double v[],
-                   double a[], const struct stepping_ahead *ahead);
+                   double a[], const struct stepping_ahead *ahead,
+                   uint64_t steps);
 
 /* Returns the energy of all springs, J. */
 double springs_potential(const struct springs *p, const double x[]);

@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 2759601372 of the lines below */
+/* checksum 77604298 of the lines below */
 /* Steps by kicks and drifts and by Runge-Kutta stages. */
 #include "forces/stepping.h"
 
@@ -195,7 +195,6 @@ struct stepping_work {
     double *x, *v;               /* [size] at a stage */
     double *matrix, *slope;      /* of Newton's method */
     size_t *pivot;
-    bool owing; /* of leapfrog: half a kick, from the step before */
 };
 
 /* How many of the n doubles at *next: they are passed over. */
@@ -558,14 +557,15 @@ static inline void move_as(size_t n, double *restrict x, double *restrict v,
 }
 
 /* The same from coordinate number `from` on. */
-static inline void move(const struct stepping *s, size_t from, size_t n)
+static inline void move(const struct stepping *s, size_t from, size_t n,
+                        bool owing)
 {
     const struct stepping_work *const w = s->part;
     double *const x = s->x + from, *const v = s->v + from;
     double *const ahead = w->v + from, *const a = s->acceleration + from;
-    if (w->owing && s->forces.damped)
+    if (owing && s->forces.damped)
         move_as(n, x, v, ahead, a, w, true, true);
-    else if (w->owing)
+    else if (owing)
         move_as(n, x, v, ahead, a, w, true, false);
     else if (s->forces.damped)
         move_as(n, x, v, ahead, a, w, false, true);
@@ -574,30 +574,17 @@ static inline void move(const struct stepping *s, size_t from, size_t n)
 }
 
 VECTOR_LOOP static void move_many(const struct stepping *s, size_t from,
-                                  size_t n)
+                                  size_t n, bool owing)
 {
-    move(s, from, n);
+    move(s, from, n, owing);
 }
 
-static void set_out(void *stepping, size_t from, size_t n)
+static void set_out(void *stepping, size_t from, size_t n, bool owing)
 {
     if (n < MANY)
-        move(stepping, from, n);
+        move(stepping, from, n, owing);
     else
-        move_many(stepping, from, n);
-}
-
-/* The accelerations at x and v, once set_out has got both ready. */
-static void evaluate_ahead(struct stepping *s, const double v[])
-{
-    if (s->sweep) {
-        s->sweep(s->forces.what, s->x, v, s->acceleration,
-                 &(struct stepping_ahead){set_out, s});
-        ++s->evaluations;
-        return;
-    }
-    set_out(s, 0, s->forces.size);
-    evaluate(s, s->x, v, s->acceleration);
+        move_many(stepping, from, n, owing);
 }
 
 /* Steps of leapfrog, (8.4, eq:verlet), to the bits of splitting_step; under
@@ -606,10 +593,15 @@ static void leap(struct stepping *s, uint64_t steps)
 {
     const double *const v = s->forces.damped ? s->part->v : s->v;
     refresh(s);
-    for (uint64_t k = 0; k < steps; ++k) {
-        s->part->owing = k > 0;
-        evaluate_ahead(s, v);
-    }
+    if (s->sweep) {
+        s->sweep(s->forces.what, s->x, v, s->acceleration,
+                 &(struct stepping_ahead){set_out, s}, steps);
+        s->evaluations += steps;
+    } else
+        for (uint64_t k = 0; k < steps; ++k) {
+            set_out(s, 0, s->forces.size, k > 0);
+            evaluate(s, s->x, v, s->acceleration);
+        }
     add(s->v, s->part->kick[0], s->acceleration, s->forces.size);
 }
 

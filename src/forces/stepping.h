@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 477095978 of the lines below */
+/* checksum 586609011 of the lines below */
 /* Stepping methods, and runs that step coordinates under forces. */
 #ifndef STEPPING_H
 #define STEPPING_H
@@ -24,17 +24,19 @@ struct stepping_forces {
 };
 
 /* Who moves n coordinates from number `from` on to where the forces are
-   asked for. */
+   asked for; owing: with the other half of the last step's kick. */
 struct stepping_ahead {
-    void (*ready)(void *step, size_t from, size_t n);
+    void (*ready)(void *step, size_t from, size_t n, bool owing);
     void *step;
 };
 
-/* As accelerate, with x and v that are not ready: before it reads any of
-   them, or writes a there, it has that part made ready, each coordinate
-   once; from any thread and in any order. */
+/* As accelerate for so many steps, with x and v that are not ready: before
+   it reads any of them, or writes a there, it has that part made ready,
+   each coordinate once in a step, and owing but in the first; from any
+   thread and in any order. */
 typedef void stepping_sweep(void *what, const double x[], const double v[],
-                            double a[], const struct stepping_ahead *ahead);
+                            double a[], const struct stepping_ahead *ahead,
+                            uint64_t steps);
 
 /* Moves x and v on by the time dt, s, of either sign, as they move without
    what accelerate says. */

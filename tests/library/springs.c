@@ -167,9 +167,10 @@ struct waiting {
     int *times; /* that a coordinate was asked for */
 };
 
-static void arrive(void *step, size_t from, size_t n)
+static void arrive(void *step, size_t from, size_t n, bool owing)
 {
     const struct waiting *w = step;
+    UNIT_TRUE(!owing);
     memcpy(w->x + from, w->scene->position + from, n * sizeof *w->x);
     memcpy(w->v + from, w->scene->velocity + from, n * sizeof *w->v);
     for (size_t i = from; i < from + n; ++i)
@@ -189,7 +190,7 @@ static void sweeps(struct springs *p, const struct scene *s,
     for (size_t i = 0; i < 3 * n; ++i)
         room[i] = NAN;
     springs_sweep(p, w.x, w.v, room + 2 * n,
-                  &(struct stepping_ahead){arrive, &w});
+                  &(struct stepping_ahead){arrive, &w}, 1);
     UNIT_TRUE(memcmp(room + 2 * n, expected, n * sizeof *room) == 0);
     bool once = true;
     for (size_t i = 0; i < n; ++i)

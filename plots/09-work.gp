@@ -7,7 +7,7 @@ height = 8.6
 load 'plots/style.gp'
 load 'plots/methods.gp'
 file = 'build/data/09-work.dat'
-set multiplot layout 1,2 margins 0.1,0.8,0.15,0.97 spacing 0.12,0
+set multiplot layout 1,2 margins 0.1,0.8,0.15,0.97 spacing 0.135,0
 set logscale xy
 set format y '10^{%T}'
 set xlabel 'evaluations in a period of the stars'

@@ -10,7 +10,7 @@ file = 'build/data/09-work.dat'
 set multiplot layout 1,2 margins 0.1,0.8,0.15,0.97 spacing 0.135,0
 set logscale xy
 set format y '10^{%T}'
-set xlabel 'evaluations in a period of the stars'
+set xlabel 'evaluations in a period'
 set ylabel 'largest error of the energy' offset 0.8
 set xrange [40:8000]
 set yrange [1e-16:1]

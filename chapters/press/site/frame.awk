@@ -114,8 +114,11 @@ function bottom() {
         "Text and figures: <a href=\"https://creativecommons.org/licenses/by/4.0/\">CC BY 4.0</a>; code: MIT. " \
         "Keys: <kbd>←</kbd> <kbd>→</kbd> previous and next, <kbd>c</kbd> contents, " \
         "<kbd>/</kbd> search, <kbd>t</kbd> dark or light.</p></footer>"
-    if (live != "")
+    n = split(live, part, " ")
+    if (n)
         print "<script src=\"live/live.js\"></script>"
+    for (i = 1; i <= n; ++i)
+        print "<script src=\"live/" part[i] ".js\"></script>"
     print "</body>"
     print "</html>"
 }

@@ -100,8 +100,8 @@ code {
 /^\\end[{]verbatim[}]/ { verbatim = 0 }
 verbatim { next }
 /^\\chapter[{]/ { head(0, $0) }
-/^\\section[{*]/ { head(1, $0) }
-/^\\subsection[{*]/ { head(2, $0) }
+/^\\section[{*[]/ { head(1, $0) }
+/^\\subsection[{*[]/ { head(2, $0) }
 /^\\begin[{]labsheet[}]/ {
     title = "Lab sheet"
     if (match($0, /\[.*\]/))
@@ -110,6 +110,7 @@ verbatim { next }
 }
 function head(level, s,    star, title, labels, number, n, part_of_label) {
     star = s ~ /^\\[a-z]*[*]/
+    sub(/^\\[a-z]+[*]?\[([^][{}]|[{][^{}]*[}])*\]/, "\\head", s)
     # A title may go on in the next line.
     at = index(s, "{")
     while (gsub(/[{]/, "{", s) > gsub(/[}]/, "}", s) && (getline more) > 0)

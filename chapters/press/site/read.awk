@@ -642,6 +642,8 @@ function tex(s,    out, name, at, words, label, more, opt, end) {
         } else if (name ~ /^(chapter|section|subsection)$/) {
             if (s ~ /^\*/)
                 s = substr(s, 2)
+            if (s ~ /^\[/)
+                s = substr(s, close_of(s) + 1)
             argument(s, 1)
             s = substr(s, after)
             # Labels that are the heading's own stand in `heads'.

@@ -21,6 +21,9 @@ function math(s,    out, at, one, end) {
         sub(/ xmlns="[^"]*"/, "", one)
         gsub(/<mtext mathvariant="normal">/, "<mtext>", one)
         one = low(upright(one))
+        # Capital Greek letters stand upright, as in TeX.
+        gsub(/<mi>\316[\221-\251]<\/mi>/, "<mi mathvariant=\"normal\"\001&", one)
+        gsub(/\001<mi>/, ">", one)
         if (one ~ /display="inline"/) {
             sub(/ display="inline"/, "", one)
             one = breakable(one)

@@ -58,7 +58,7 @@ function top(    i, own, last, title) {
     print "<script>try{var t=localStorage.getItem(\"bonkers-theme\");if(t)document.documentElement.dataset.theme=t}catch(e){}</script>"
     print "<script src=\"page.js\" defer></script>"
     print "</head>"
-    print "<body" (own == "works" ? " class=\"works\"" : "") ">"
+    print "<body" (page ~ /^(index|works)$/ ? " class=\"front\"" : "") ">"
     print "<a class=\"skip\" href=\"#text\">To the text</a>"
     print "<header class=\"bar\">"
     print "<button type=\"button\" id=\"menu\" aria-expanded=\"false\" aria-controls=\"contents\">Contents</button>"

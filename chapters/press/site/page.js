@@ -59,7 +59,9 @@
           setTimeout(function () { button.textContent = 'Copy'; }, 1500);
         });
       });
-      pre.insertBefore(button, pre.firstChild);
+      var name = pre.parentNode.querySelector('.name');
+      button.setAttribute('aria-label', 'Copy this chunk');
+      name.insertBefore(button, name.firstChild);
     });
   function copy(text, done) {
     if (navigator.clipboard && window.isSecureContext)

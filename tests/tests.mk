@@ -7,7 +7,7 @@ unit_tests := $(patsubst tests/%.c,build/tests/%,$(filter-out $(without),\
 tools := $(patsubst tests/tools/%.c,build/tests/%,$(wildcard tests/tools/*.c))
 scripts := $(wildcard tests/exercises/*.sh tests/stability/*.sh \
 	tests/programs/*.sh tests/grader/*.sh tests/examiner/*.sh \
-	tests/kit/*.sh)
+	tests/kit/*.sh tests/site/*.sh)
 
 build/made/tests/%: tests/%.c build/obj/libbonkers.a build/compiler/key
 	$(begin)
@@ -45,6 +45,8 @@ has-test-tools:
 	$(call need,bwrap,bubblewrap)
 	$(call need,ps,procps)
 	$(call need,git,git)
+	$(call need,chromium,chromium)
+	$(call need,npm,npm)
 
 test-parts: grade-parts build/check/examine $(CHECK_BUILT) $(unit_tests) $(tools) \
 	build/tests/mutants/outlive build/tests/grader/reports \

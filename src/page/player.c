@@ -1,5 +1,5 @@
 /* From chapters/works/A-page.nw: edit there, then run make tangle. */
-/* checksum 519118672 of the lines below */
+/* checksum 233253593 of the lines below */
 /* The scene player: a scene's text set in motion, changed, saved. */
 #include "forces/motion.h"
 #include "forces/observables.h"
@@ -159,6 +159,7 @@ bool page_begin(void)
 {
     struct scene_error e;
     struct scene read;
+    stop();
     line = 0;
     message[0] = '\0';
     if (!given || !scene_parse(&read, given, strlen(given), &e)) {

@@ -4,7 +4,7 @@
 . tests/programs/common
 
 ${MAKE:-make} -s live build/bin/step build/bin/scene build/bin/bonkers \
-    build/bin/disks build/bin/step-studies >"$work/made" 2>&1 ||
+    build/bin/disks build/bin/sample build/bin/step-studies >"$work/made" 2>&1 ||
     not_ok 'figures that live are made' "$(tail -3 "$work/made" | tr '\n' ' ')"
 # What drives the browser comes from npm, once.
 modules=build/browser/node_modules
@@ -15,4 +15,4 @@ modules=build/browser/node_modules
 }
 holds 'what drives the browser is there' test -d $modules/playwright-core
 NODE_PATH=$PWD/$modules node tests/site/browser/live.js build/site "$work"
-echo 1..65
+echo 1..66

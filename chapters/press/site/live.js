@@ -268,10 +268,10 @@
     let broken = false, told = 0;
 
     const canvas = make('canvas', { role: 'img', 'aria-label': sentence(figure.about) });
-    const play = make('button', { type: 'button', textContent: 'Play' });
-    const step = make('button', { type: 'button', textContent: figure.step || 'One step' });
-    const reset = make('button', { type: 'button', textContent: 'Reset' });
-    const link = make('button', { type: 'button', textContent: 'Link' });
+    const button = (text, title) => make('button', { type: 'button', textContent: text, title });
+    const play = button('Play', 'play or pause: p'), step = button(figure.step || 'One step', 'go on by one: .');
+    const reset = button('Reset', 'begin anew, with the usual numbers: r');
+    const link = button('Link', 'put this run into the address, and copy that');
     const speed = make('select', {}, ...Object.entries(figure.speeds || speeds).sort((a, b) => a[0] - b[0])
       .map(([value, text]) => make('option', { value, textContent: text + ' ×' })));
     speed.value = figure.speed || 1;

@@ -208,6 +208,15 @@ async function saves(browser, scene, method, steps, y) {
     await holds(`${name} begins, moves, stops and steps by keyboard`, () => plays(page, name));
     await holds(`the address of ${name} leads to the same run`, () => leads(browser, page, name));
   }
+  await holds('a picture of 1000 disks is worked out in a sixtieth of a second', async () => {
+    await show(page, 'gas');
+    await press(page, 'gas', 'Play');
+    await page.waitForFunction(n => document.querySelector(n).liveFigure.costs.length > 60, figure('gas'), { timeout: 20000 });
+    await press(page, 'gas', 'Pause');
+    const costs = await page.evaluate(n => document.querySelector(n).liveFigure.costs.sort((a, b) => a - b), figure('gas'));
+    const half = costs[costs.length >> 1];
+    return half > 1000 / 60 ? `it takes ${half} ms` : '';
+  });
   for (const test of bytes.tests())
     await holds(`${test.figure}, ${test.what}: the bytes of the terminal`, () => bytes.differs(page, test));
   await holds('a figure runs while it is in view, and only then', () => inView(browser));

@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 3061469990 of the lines below */
+/* checksum 3998659834 of the lines below */
 /* Exact ways, two runs that agree, and ladders judged by them. */
 #include "enough/choose.h"
 
@@ -16,11 +16,6 @@ struct task {
     size_t rows;
     struct choose_choice *c; /* where what was seen is written down */
 };
-
-static double time_of(const struct task *t, size_t row)
-{
-    return t->q->scene->time + (double)row * t->q->every;
-}
 
 /* What is left to be spent, s by the price list. */
 static double left_of(const struct task *t)
@@ -131,16 +126,15 @@ static void offer(const struct task *t, struct choose_candidate *k,
     c->taken = (size_t)(k - c->candidate);
 }
 
-/* Two runs that should be the same have parted. */
-static void note_horizon(const struct task *t, const struct record *a,
-                         const struct record *b, double within)
-{
-    const size_t held = record_agree(t->view, a, b, within);
-    t->c->horizon = fmin(t->c->horizon, time_of(t, held));
-}
-
 static const double doubled = 2;    /* times what last bits change */
 static const double patience = 0.1; /* s: a run that may be in vain */
+
+/* So many rows held, and from there on it is the scene that parts runs. */
+static void note_horizon(const struct task *t, size_t held, double every)
+{
+    const double until = t->q->scene->time + (double)held * every;
+    t->c->horizon = fmin(t->c->horizon, until);
+}
 
 /* What clocks do to a run that are wrong by their roundings:
    (12.11, eq:choose-slip). */
@@ -158,54 +152,47 @@ static double slip(const struct task *t, const struct record *r)
     return by;
 }
 
-/* A run and its twin, side by side until they part. */
-static void run_twins(const struct task *t, struct models_plan plan,
-                      double limit, struct record *a, struct record *b)
+/* A run and its twin, side by side until they part, if they do. */
+static bool run_twins(const struct task *t, struct record_order one,
+                      struct record *a, struct record *b)
 {
-    const struct record_order one = order_of(t, plan, 2 * limit);
     struct record_order other = one;
     other.twin = 1;
     record_both(a, b, t->view, &one, &other, t->q->tolerance / doubled);
     pay(t, a);
     pay(t, b);
+    const size_t held =
+        record_agree(t->view, a, b, t->q->tolerance / doubled);
+    const bool parted = held < a->reached && held < b->reached;
+    if (parted && one.plan.model->family == MODELS_EVENTS)
+        note_horizon(t, held, one.every);
+    return parted;
 }
 
-/* The choice for the first row alone, in rows that are as much shorter. */
-static bool choose_first_row(const struct task *t, struct choose_choice *c)
+/* Twins have been stopped by our patience: what would one of them cost, s?
+   INFINITY: they part in the first row. */
+static double price_of_twin(const struct task *t, const struct record *r)
 {
-    struct choose_request first = *t->q;
-    first.until = time_of(t, 1);
-    first.every = t->q->every / 16;
-    first.reason = left_of(t);
-    first.closer = t->q->closer + 1;
-    return first.closer <= CHOOSE_CLOSER && choose(c, &first);
-}
-
-/* Twins have been stopped by our patience: is the rest worth its price? */
-static bool is_worth(const struct task *t, const struct record *a)
-{
-    struct choose_choice first;
-    double price = a->cost * (double)t->rows;
-    if (a->reached > 0)
-        return 2 * price / (double)a->reached <= left_of(t);
-    if (!choose_first_row(t, &first))
-        return false;
-    t->c->spent += first.spent;
-    t->c->horizon = fmin(t->c->horizon, first.horizon);
-    price = first.run.cost * (double)t->rows;
-    const bool held = first.run.value != NULL;
-    choose_free(&first);
-    return held && 2 * price <= left_of(t);
+    double cost = r->cost, part = 1;
+    size_t reached = r->reached;
+    while (reached == 0 && cost < INFINITY && part < 1e9) {
+        struct record a, b;
+        struct record_order o = order_of(t, r->plan, 2 * patience);
+        part *= 16;
+        o.every /= part;
+        o.rows = 16;
+        cost = run_twins(t, o, &a, &b) ? INFINITY : a.cost;
+        reached = a.reached;
+        record_free(&a);
+        record_free(&b);
+    }
+    return reached > 0 ? cost * part * (double)t->rows / (double)reached
+                       : INFINITY;
 }
 
 static void judge_twins(const struct task *t, struct choose_candidate *k,
-                        struct record *a, struct record *b)
+                        struct record *a, struct record *b, bool parted)
 {
-    const size_t both = a->reached < b->reached ? a->reached : b->reached;
-    const double within = t->q->tolerance / doubled;
-    const bool parted = record_agree(t->view, a, b, within) < both;
-    if (parted && k->plan.model->family == MODELS_EVENTS)
-        note_horizon(t, a, b, within);
     if (whole(t, a) && whole(t, b)) {
         const double error = doubled * apart(t, a, b) + slip(t, a);
         t->c->rounding = error;
@@ -227,47 +214,33 @@ static void try_exact(const struct task *t, const struct models_model *m)
         say(k, why);
         return;
     }
-    run_twins(t, k->plan, fmin(patience, best(t)), &a, &b);
-    if (a.end == MODELS_COSTLY && isinf(best(t)) && is_worth(t, &a)) {
+    const double limit = 2 * fmin(patience, best(t));
+    bool parted = run_twins(t, order_of(t, k->plan, limit), &a, &b);
+    if (a.end == MODELS_COSTLY && isinf(best(t)) &&
+        2 * price_of_twin(t, &a) <= left_of(t)) {
         record_free(&a);
         record_free(&b);
-        run_twins(t, k->plan, INFINITY, &a, &b);
+        parted = run_twins(t, order_of(t, k->plan, INFINITY), &a, &b);
     }
-    judge_twins(t, k, &a, &b);
+    judge_twins(t, k, &a, &b, parted);
     record_free(&a);
     record_free(&b);
 }
 
-/* Eight numbers of steps to an octave: 1 to 16, 18, 20 ... 32, 36 ... */
-static uint64_t next_steps(uint64_t n)
+/* Rung n of a method, from 1 on: eight numbers of steps to an octave, 1 to
+   16, 18, 20 ... 32, 36 ...; or tolerances of 1, 0.5, 0.2, 0.1 ... */
+static struct models_plan rung(struct models_plan p, int n)
 {
-    uint64_t more = 1;
-    while (more * 16 <= n)
-        more *= 2;
-    return n + more;
-}
-
-/* The first of them that is not below x; 2^50 at most. */
-static uint64_t steps_for(double x)
-{
-    uint64_t n = 1;
-    while ((double)n * 2 <= x && n < (UINT64_C(1) << 50))
-        n *= 2;
-    while ((double)n < x && n < (UINT64_C(1) << 50))
-        n = next_steps(n);
-    return n;
-}
-
-/* The largest of 1, 0.5, 0.2, 0.1, ... that is not above x. */
-static double tolerance_for(double x)
-{
-    static const double digit[] = {1, 0.5, 0.2};
+    static const double digit[] = {0.2, 1, 0.5};
     double power = 1; /* its inverse: these are as they are written */
-    for (int k = 0; k < 16; ++k, power *= 10)
-        for (int j = 0; j < 3; ++j)
-            if (digit[j] / power <= x * (1 + 1e-9))
-                return digit[j] / power;
-    return 1e-15;
+    for (int k = 1; k <= (n - 1) / 3 && p.model->method->adaptive; ++k)
+        power *= 10;
+    if (p.model->method->adaptive)
+        p.tolerance = digit[n % 3] / power;
+    else
+        p.steps =
+            n < 8 ? (uint64_t)n : (uint64_t)(8 + n % 8) << (n / 8 - 1);
+    return p;
 }
 
 /* How fine a rung is, in octaves. */
@@ -276,28 +249,20 @@ static double fineness(const struct models_plan *p)
     return p->tolerance > 0 ? -log2(p->tolerance) : log2((double)p->steps);
 }
 
-/* The coarsest rung that is as fine as this. */
+/* The coarsest rung that is as fine as this; 2^50 steps or 1e-15 at most.
+ */
 static struct models_plan rung_at(struct models_plan p, double fine)
 {
-    if (p.model->method->adaptive)
-        p.tolerance = tolerance_for(exp2(-fine));
-    else
-        p.steps = steps_for(exp2(fine) * (1 - 1e-9));
+    const int most = p.model->method->adaptive ? 46 : 400;
+    int n = 1;
+    for (p = rung(p, n); n < most && fineness(&p) < fine - 1e-9;)
+        p = rung(p, ++n);
     return p;
 }
 
-/* Halfway, or at least one rung, down from p towards `low`, or as far as
-   `fine`; p itself if there is none between. */
-static struct models_plan rung_between(struct models_plan low,
-                                       struct models_plan p, double fine)
+static struct models_plan next_finer(struct models_plan p)
 {
-    struct models_plan next = rung_at(p, fine);
-    if (!(fineness(&next) > fineness(&low)))
-        next = rung_at(p, (fineness(&low) + fineness(&p)) / 2);
-    return fineness(&next) > fineness(&low) &&
-                   fineness(&next) < fineness(&p)
-               ? next
-               : p;
+    return rung_at(p, fineness(&p) + 0.05);
 }
 
 /* A run to compare others with, and how far it may itself be off. */
@@ -308,7 +273,7 @@ struct reference {
 
 enum { RUNS = 14, LADDERS = 24 };
 
-/* A rung that was tried. */
+/* A rung that was tried; model NULL: none was. */
 struct tried {
     struct models_plan plan;
     double error, cost; /* INFINITY: beyond what was allowed */
@@ -318,10 +283,13 @@ struct tried {
 struct ladder {
     struct choose_candidate *candidate;
     struct models_plan foot;
-    struct tried tried[RUNS];
-    size_t count;
-    double rise;  /* octaves of cost to one of fineness */
-    double price; /* s, foreseen */
+    struct tried low, high;    /* the finest that does not hold, and the
+                                  coarsest that does */
+    struct tried before, last; /* the finest two */
+    struct tried costly;       /* the coarsest that has not ended */
+    size_t count;              /* of runs */
+    double rise;               /* octaves of cost to one of fineness */
+    double price;              /* s, foreseen */
 };
 
 /* How fast things change now, 1/s, without the springs that are rods. */
@@ -343,11 +311,9 @@ static struct models_plan foot_of(const struct task *t,
 {
     const double limit = p.model->method->limit;
     const double bears = limit > 0 ? fmin(0.6 * limit, 2) : 1;
-    if (p.model->method->adaptive)
-        p.tolerance = tolerance_for(fmin(t->q->tolerance, 1e-4));
-    else
-        p.steps = steps_for(t->q->every * rate_of(t, p.cuts) / bears);
-    return p;
+    return rung_at(p, p.model->method->adaptive
+                          ? -log2(fmin(t->q->tolerance, 1e-4))
+                          : log2(t->q->every * rate_of(t, p.cuts) / bears));
 }
 
 /* How far the next finer rung is off, which may have been tried. */
@@ -358,10 +324,11 @@ static double error_of_neighbour(const struct task *t,
 {
     struct record r;
     struct record_order o = order_of(t, *p, INFINITY);
-    o.plan.steps = next_steps(p->steps);
-    for (size_t j = 0; j < l->count; ++j)
-        if (l->tried[j].plan.steps == o.plan.steps)
-            return l->tried[j].error;
+    o.plan = next_finer(o.plan);
+    if (l->low.plan.steps == o.plan.steps)
+        return l->low.error;
+    if (l->high.plan.steps == o.plan.steps)
+        return l->high.error;
     run(t, &r, &o);
     const double error = apart(t, &r, &f->run) + f->doubt;
     record_free(&r);
@@ -396,39 +363,37 @@ static struct tried try_plan(const struct task *t,
     return seen;
 }
 
-/* The finest of the rungs that do not hold, the coarsest of those that do,
-   the finest but `last` whose error is known, and the coarsest of those
-   that have not ended; or NULL. */
-struct bracket {
-    const struct tried *low, *high, *last, *before, *costly;
-};
-
 static bool is_finer(const struct tried *a, const struct tried *b)
 {
-    return !b || fineness(&a->plan) > fineness(&b->plan);
+    return !b->plan.model || fineness(&a->plan) > fineness(&b->plan);
 }
 
-static struct bracket bracket_of(const struct ladder *l, double target)
+static void note(struct ladder *l, struct tried r, double target)
 {
-    struct bracket b = {0};
-    for (size_t j = 0; j < l->count; ++j) {
-        const struct tried *r = &l->tried[j];
-        if (isinf(r->cost)) {
-            b.costly = !b.costly || is_finer(b.costly, r) ? r : b.costly;
-            continue;
-        }
-        if (r->error <= target)
-            b.high = !b.high || is_finer(b.high, r) ? r : b.high;
-        else
-            b.low = is_finer(r, b.low) ? r : b.low;
-        b.last = is_finer(r, b.last) ? r : b.last;
+    ++l->count;
+    if (isinf(r.cost)) {
+        if (!l->costly.plan.model || is_finer(&l->costly, &r))
+            l->costly = r;
+        return;
     }
-    for (size_t j = 0; j < l->count; ++j) {
-        const struct tried *r = &l->tried[j];
-        if (r != b.last && isfinite(r->error) && is_finer(r, b.before))
-            b.before = r;
-    }
-    return b;
+    if (r.error > target)
+        l->low = is_finer(&r, &l->low) ? r : l->low;
+    else if (!l->high.plan.model || is_finer(&l->high, &r))
+        l->high = r;
+    if (is_finer(&r, &l->last)) {
+        l->before = l->last;
+        l->last = r;
+    } else if (is_finer(&r, &l->before))
+        l->before = r;
+}
+
+static double try_rung(const struct task *t, const struct reference *f,
+                       struct ladder *l, struct models_plan plan)
+{
+    const struct tried now =
+        try_plan(t, f, l, plan, 1.02 * best(t), l->candidate);
+    note(l, now, t->q->tolerance);
+    return now.cost;
 }
 
 /* The order of a method; in the tolerance of its own steps, one. */
@@ -449,153 +414,133 @@ static double highest_order(const struct ladder *l)
 static double slope_of(const struct ladder *l, const struct tried *coarse,
                        const struct tried *fine)
 {
-    if (!coarse || !(fine->error > 0) || isinf(coarse->error))
+    if (!coarse->plan.model || !(fine->error > 0) || isinf(coarse->error))
         return order_of_method(l);
     const double more = fineness(&fine->plan) - fineness(&coarse->plan);
     return log2(coarse->error / fine->error) / more;
 }
 
 /* That of the finest two rungs, as far as it is believed. */
-static double slope_above(const struct ladder *l, const struct bracket *b)
+static double slope_above(const struct ladder *l)
 {
-    return fmin(slope_of(l, b->before, b->last), highest_order(l));
+    return fmin(slope_of(l, &l->before, &l->last), highest_order(l));
 }
 
 /* The least that a rung which holds can cost, s. */
-static double least_price(const struct task *t, const struct ladder *l,
-                          const struct tried *last)
+static double least_price(const struct task *t, const struct ladder *l)
 {
-    const double far = fmin(last->error, 1) / t->q->tolerance;
+    const double far = fmin(l->last.error, 1) / t->q->tolerance;
     const double more = fmax(log2(far), 0) / highest_order(l);
-    return last->cost * exp2(fmin(l->rise * more, 60));
+    return l->last.cost * exp2(fmin(l->rise * more, 60));
 }
 
 enum { FAR = 4 }; /* octaves, at most, from one rung to the next */
+static const struct models_plan no_rung = {0};
 
-/* The next rung that is worth a run; no model: there is none. */
-static struct models_plan next_rung(const struct task *t,
-                                    const struct ladder *l,
-                                    const struct bracket *b)
+static struct models_plan next_coarser(const struct ladder *l,
+                                       double target)
 {
-    const double target = t->q->tolerance;
-    const struct models_plan none = {0};
-    if (!b->last)
-        return none;
-    if (b->high) {
-        const bool own = l->foot.model->method->adaptive;
-        const double slope =
-            own ? slope_of(l, b->low, b->high) : slope_above(l, b);
-        const double less =
-            log2(target / b->high->error) / fmax(slope, 0.5);
-        if (b->low && b->high->cost <= 1.1 * b->low->cost)
-            return none;
-        const double fine = fineness(&b->high->plan) - less;
-        const struct models_plan next =
-            b->low ? rung_between(b->low->plan, b->high->plan, fine)
-                   : rung_at(l->foot, fine);
-        return fineness(&next) < fineness(&b->high->plan) ? next : none;
-    }
-    const double now = fineness(&b->last->plan);
-    const double slope = slope_above(l, b);
-    if (l->count > 3 && (slope < 0.3 || isinf(b->last->error)))
-        return none;
-    if (isinf(b->last->error) || l->count < 2 || slope < 0.7)
-        return rung_at(b->last->plan, now + 1);
-    const double more = fmin(log2(b->last->error / target) / slope, FAR);
-    const struct models_plan next = rung_at(b->last->plan, now + more);
-    return fineness(&next) > now ? next : rung_at(next, now + 0.05);
+    const bool own = l->foot.model->method->adaptive;
+    const bool low = l->low.plan.model;
+    const double slope =
+        own ? slope_of(l, &l->low, &l->high) : slope_above(l);
+    const double less = log2(target / l->high.error) / fmax(slope, 0.5);
+    const double now = fineness(&l->high.plan);
+    const double least = low ? fineness(&l->low.plan) : -INFINITY;
+    struct models_plan next = rung_at(l->foot, now - less);
+    if (low && l->high.cost <= 1.1 * l->low.cost)
+        return no_rung;
+    if (!(fineness(&next) > least))
+        next = rung_at(l->foot, (least + now) / 2);
+    return fineness(&next) > least && fineness(&next) < now ? next
+                                                            : no_rung;
+}
+
+/* The next rung that is worth a run, or none. */
+static struct models_plan next_rung(const struct ladder *l, double target)
+{
+    const double slope = slope_above(l);
+    const double now = fineness(&l->last.plan);
+    if (l->high.plan.model)
+        return next_coarser(l, target);
+    if (l->count > 3 && (slope < 0.3 || isinf(l->last.error)))
+        return no_rung;
+    if (isinf(l->last.error) || l->count < 2 || slope < 0.7)
+        return rung_at(l->last.plan, now + 1);
+    const double more = fmin(log2(l->last.error / target) / slope, FAR);
+    const struct models_plan next = rung_at(l->last.plan, now + more);
+    return fineness(&next) > now ? next : next_finer(next);
 }
 
 /* What it will cost, s. */
-static double price_of(const struct ladder *l, const struct bracket *b,
-                       const struct models_plan *next)
+static double price_of(const struct ladder *l, const struct models_plan *p)
 {
-    const struct tried *by = b->high ? b->high : b->last;
-    if (!next->model)
-        return INFINITY;
-    return by->cost *
-           exp2(l->rise * (fineness(next) - fineness(&by->plan)));
+    const struct tried *by = l->high.plan.model ? &l->high : &l->last;
+    return p->model ? by->cost * exp2(l->rise *
+                                      (fineness(p) - fineness(&by->plan)))
+                    : INFINITY;
 }
 
 /* The next rung, or a coarser one that costs a little less than the best;
-   no model: there is none. */
+   or none. */
 static struct models_plan next_cheap(const struct task *t,
-                                     const struct ladder *l,
-                                     const struct bracket *b)
+                                     const struct ladder *l)
 {
-    struct models_plan next = next_rung(t, l, b);
-    const double price = price_of(l, b, &next);
     const double may = fmin(0.98 * best(t), left_of(t));
-    if (!b->high && price >= may && price < 2 * may) {
-        const double more = log2(0.85 * may / b->last->cost);
-        next = rung_at(next, fineness(&b->last->plan) + more / l->rise);
+    const bool holds = l->high.plan.model;
+    if (!l->last.plan.model || !(holds || least_price(t, l) < may))
+        return no_rung;
+    struct models_plan next = next_rung(l, t->q->tolerance);
+    const double price = price_of(l, &next);
+    if (!holds && price >= may && price < 2 * may) {
+        const double more = log2(0.85 * may / l->last.cost);
+        next = rung_at(next, fineness(&l->last.plan) + more / l->rise);
     }
     const bool good =
-        price_of(l, b, &next) < may &&
-        (b->high || least_price(t, l, b->last) < may) &&
-        (b->high || fineness(&next) > fineness(&b->last->plan)) &&
-        !(b->costly && fineness(&next) >= fineness(&b->costly->plan));
-    return good ? next : (struct models_plan){0};
+        price_of(l, &next) < may &&
+        (holds || fineness(&next) > fineness(&l->last.plan)) &&
+        !(l->costly.plan.model &&
+          fineness(&next) >= fineness(&l->costly.plan));
+    return good ? next : no_rung;
 }
 
 /* Climbs on, as long as that may become cheaper than the best. */
 static void climb(const struct task *t, const struct reference *f,
                   struct ladder *l)
 {
-    const double target = t->q->tolerance;
     while (l->count < RUNS) {
-        const struct bracket b = bracket_of(l, target);
-        const struct models_plan next = next_cheap(t, l, &b);
-        if (!next.model)
-            break;
-        const struct tried now =
-            try_plan(t, f, l, next, 1.02 * best(t), l->candidate);
-        l->tried[l->count++] = now;
-        if (b.high && now.cost > 0.98 * b.high->cost)
+        const struct models_plan next = next_cheap(t, l);
+        const double held = l->high.plan.model ? l->high.cost : INFINITY;
+        if (!next.model || try_rung(t, f, l, next) > 0.98 * held)
             break;
     }
     if (!l->candidate->holds && l->candidate->text[0] == '\0')
         say(l->candidate, "more expensive than the best");
 }
 
-/* The first rung of a ladder that is not too expensive, in a few runs. */
-static void find_foot(const struct task *t, const struct reference *f,
-                      struct ladder *l)
-{
-    struct models_plan next = l->foot;
-    for (;; next.steps = steps_for((double)next.steps / 2)) {
-        l->tried[l->count++] =
-            try_plan(t, f, l, next, 1.02 * best(t), l->candidate);
-        if (!isinf(l->tried[l->count - 1].cost) || l->count == RUNS / 2 ||
-            !next.model->method->orbits || next.steps == 1)
-            return;
-    }
-}
-
 /* The first runs of a ladder, and what they promise. */
 static void set_up(const struct task *t, const struct reference *f,
                    struct ladder *l)
 {
-    struct bracket b = bracket_of(l, t->q->tolerance);
-    if (!b.high) {
-        find_foot(t, f, l);
-        b = bracket_of(l, t->q->tolerance);
+    struct models_plan next = l->foot;
+    const struct tried *const last = &l->last;
+    if (!l->high.plan.model)
+        try_rung(t, f, l, next);
+    while (!last->plan.model && l->count < RUNS / 2 &&
+           next.model->method->orbits && next.steps > 1) {
+        next = rung_at(next, fineness(&next) - 1);
+        try_rung(t, f, l, next);
     }
-    if (!b.high && !b.costly && least_price(t, l, b.last) < best(t)) {
-        const double fine = fineness(&b.last->plan) + 1 / l->rise;
-        const struct tried now =
-            try_plan(t, f, l, rung_at(b.last->plan, fine), 1.02 * best(t),
-                     l->candidate);
-        l->tried[l->count++] = now;
-        b = bracket_of(l, t->q->tolerance);
-    }
+    if (!l->high.plan.model && !l->costly.plan.model &&
+        least_price(t, l) < best(t))
+        try_rung(t, f, l,
+                 rung_at(last->plan, fineness(&last->plan) + 1 / l->rise));
     l->price = INFINITY;
-    if (!b.last)
+    if (!last->plan.model)
         return;
-    const double slope = fmax(slope_above(l, &b), 0.3);
-    const double more =
-        fmax(log2(b.last->error / t->q->tolerance) / slope, -FAR);
-    l->price = b.last->cost * exp2(fmin(l->rise * more, 60));
+    const double far = log2(last->error / t->q->tolerance);
+    const double more = fmax(far / fmax(slope_above(l), 0.3), -FAR);
+    l->price = last->cost * exp2(fmin(l->rise * more, 60));
     l->candidate->foreseen = l->price;
 }
 
@@ -621,8 +566,8 @@ static void add_ladder(const struct task *t, const struct reference *f,
     *l = (struct ladder){.candidate = k, .foot = foot_of(t, p)};
     l->rise = p.model->method->adaptive ? 1.0 / 7 : 1;
     if (p.model == f->coarser.plan.model && cuts == 0) {
-        l->tried[l->count++] =
-            (struct tried){f->coarser.plan, f->doubt, f->coarser.cost};
+        note(l, (struct tried){f->coarser.plan, f->doubt, f->coarser.cost},
+             t->q->tolerance);
         l->rise = log2(f->run.cost / f->coarser.cost) /
                   (fineness(&f->run.plan) - fineness(&f->coarser.plan));
     }
@@ -679,30 +624,29 @@ static const double share = 0.05; /* of e: enough for a reference */
 static struct models_plan first_reference(const struct task *t)
 {
     const double first = pow(t->q->tolerance, 2.0 / 3);
-    return (struct models_plan){
-        .model = models_find("radau15"),
-        .steps = 1,
-        .tolerance = tolerance_for(fmax(1e-8, fmin(1e-3, first)))};
+    const struct models_plan p = {.model = models_find("radau15"),
+                                  .steps = 1};
+    return rung_at(p, -log2(fmax(1e-8, fmin(1e-3, first))));
 }
 
 static struct models_plan finer_reference(struct models_plan p)
 {
-    p.tolerance = tolerance_for(p.tolerance / 100);
-    return p;
+    return rung_at(p, fineness(&p) + log2(100));
 }
 
-static void refuse_reference(const struct task *t, const struct record *r)
+/* Refuses for a plan that is too expensive, or for another reason. */
+static void refuse_plan(const struct task *t, const struct models_plan *p,
+                        const char *why, const char *role)
 {
-    char plan[MODELS_TEXT];
-    models_write(&r->plan, plan);
-    if (r->end == MODELS_COSTLY)
-        snprintf(t->c->refusal, sizeof t->c->refusal,
-                 "beyond reason: %s, to compare others with, would bring "
-                 "the bill above %.3g s by the price list; spent: %.2g s",
-                 plan, t->q->reason, t->c->spent);
+    char *to = t->c->refusal, plan[MODELS_TEXT];
+    models_write(p, plan);
+    if (why)
+        snprintf(to, CHOOSE_REFUSAL, "%s: %s", plan, why);
     else
-        snprintf(t->c->refusal, sizeof t->c->refusal, "%s: %s", plan,
-                 ending(r));
+        snprintf(to, CHOOSE_REFUSAL,
+                 "beyond reason: %s%s would bring the bill above %.3g s by "
+                 "the price list; spent: %.2g s",
+                 plan, role, t->q->reason, t->c->spent);
 }
 
 /* Two runs in step, the second one finer, until they part. */
@@ -757,6 +701,20 @@ static bool find_cheap(const struct task *t, struct reference *f)
            (find_even(t, f, "leapfrog") || find_even(t, f, "kahan-li8"));
 }
 
+/* The largest difference of the two and of one more. */
+static double doubt_of_three(const struct task *t, struct reference *f)
+{
+    struct record third;
+    const struct record_order o = order_of(t, f->run.plan, INFINITY);
+    if (f->doubt > t->q->tolerance / doubled)
+        return f->doubt;
+    run(t, &third, &o);
+    f->doubt = fmax(f->doubt, apart(t, &third, &f->run));
+    f->doubt = fmax(f->doubt, apart(t, &third, &f->coarser));
+    record_free(&third);
+    return f->doubt;
+}
+
 /* Finer and finer runs, until two agree. False: they do not; if that is
    no horizon, the refusal says what it is. */
 static bool find_reference(const struct task *t, struct reference *f)
@@ -768,15 +726,14 @@ static bool find_reference(const struct task *t, struct reference *f)
         run_pair(t, f, plan);
         const struct record *bad =
             f->coarser.end != MODELS_DONE ? &f->coarser : &f->run;
+        const bool both = f->coarser.end == MODELS_BROKEN &&
+                          f->run.end == MODELS_BROKEN &&
+                          f->coarser.reached == f->run.reached;
         if (bad->end == MODELS_COSTLY || bad->end == MODELS_MEMORY ||
-            bad->why) {
-            refuse_reference(t, bad);
-            return false;
-        }
-        if (f->coarser.end == MODELS_BROKEN &&
-            f->run.end == MODELS_BROKEN &&
-            f->coarser.reached == f->run.reached) {
-            refuse_reference(t, bad);
+            bad->why || both) {
+            refuse_plan(t, &bad->plan,
+                        bad->end == MODELS_COSTLY ? NULL : ending(bad),
+                        ", to compare others with,");
             return false;
         }
         f->doubt = apart(t, &f->coarser, &f->run);
@@ -787,15 +744,13 @@ static bool find_reference(const struct task *t, struct reference *f)
         record_free(&f->coarser);
         record_free(&f->run);
     }
-    if (f->doubt <= t->q->tolerance / doubled)
+    if (doubt_of_three(t, f) <= t->q->tolerance / doubled)
         return true;
-    note_horizon(t, &f->coarser, &f->run, t->q->tolerance / doubled);
+    note_horizon(t,
+                 record_agree(t->view, &f->coarser, &f->run,
+                              t->q->tolerance / doubled),
+                 t->q->every);
     return false;
-}
-
-static bool is_wanted(const struct task *t, const struct models_model *m)
-{
-    return !t->q->only || t->q->only->model == m;
 }
 
 /* Models that leave something out, or nearly nothing. */
@@ -811,50 +766,34 @@ static void try_approximate(const struct task *t, const struct reference *f)
     }
 }
 
-/* Has the plan that is asked for all that a run needs? */
-static bool is_fixed(const struct models_plan *p)
-{
-    return p->model->family != MODELS_STEPS || p->steps > 0 ||
-           p->tolerance > 0;
-}
-
 /* A plan that was asked for, as it is. */
 static void try_only(const struct task *t, const struct reference *f)
 {
-    struct choose_choice *c = t->c;
+    const struct models_plan *only = t->q->only;
+    struct choose_candidate *k = enter(t, *only);
     char plan[MODELS_TEXT];
-    struct choose_candidate *k = enter(t, *t->q->only);
-    const struct tried seen =
-        try_plan(t, f, NULL, *t->q->only, left_of(t), k);
-    models_write(&seen.plan, plan);
-    if (k->holds)
-        return;
-    if (isfinite(seen.error))
-        snprintf(c->refusal, sizeof c->refusal,
+    const struct tried seen = try_plan(t, f, NULL, *only, left_of(t), k);
+    models_write(only, plan);
+    if (!k->holds && isfinite(seen.error))
+        snprintf(t->c->refusal, CHOOSE_REFUSAL,
                  "%s is off by %.3g of the scale, more than %.3g", plan,
                  seen.error, t->q->tolerance);
-    else if (isinf(seen.cost))
-        snprintf(c->refusal, sizeof c->refusal,
-                 "beyond reason: %s would bring the bill above %.3g s by "
-                 "the price list; spent: %.2g s",
-                 plan, t->q->reason, c->spent);
-    else
-        snprintf(c->refusal, sizeof c->refusal, "%s: %s", plan, k->text);
+    else if (!k->holds)
+        refuse_plan(t, only, isinf(seen.cost) ? NULL : k->text, "");
 }
 
 /* All that has to be compared with a reference. */
 static void compare(const struct task *t, struct reference *f)
 {
-    struct choose_choice *c = t->c;
-    c->reference = f->run.plan;
-    c->doubt = f->doubt;
-    if (t->q->only && is_fixed(t->q->only)) {
+    const struct models_plan *only = t->q->only;
+    t->c->reference = f->run.plan;
+    t->c->doubt = f->doubt;
+    if (only && (only->model->family != MODELS_STEPS || only->steps > 0)) {
         try_only(t, f);
         return;
     }
     try_approximate(t, f);
-    if (is_wanted(t, f->coarser.plan.model) &&
-        !(t->q->only && t->q->only->cuts))
+    if (!only || (only->model == f->coarser.plan.model && !only->cuts))
         offer(t, enter(t, f->coarser.plan), &f->coarser,
               (f->doubt > share * t->q->tolerance ? doubled : 1 + share) *
                   f->doubt);
@@ -864,10 +803,10 @@ static void compare(const struct task *t, struct reference *f)
 static void decide(const struct task *t)
 {
     struct reference f = {0};
-    const bool cut = t->q->only && t->q->only->cuts;
+    const struct models_plan *only = t->q->only;
     for (const struct models_model *m = models_all(); m->name; ++m)
-        if (m->family != MODELS_STEPS && !m->approximate && !cut &&
-            is_wanted(t, m))
+        if (m->family != MODELS_STEPS && !m->approximate &&
+            (!only || (only->model == m && !only->cuts)))
             try_exact(t, m);
     const struct models_acts *a = &t->acts;
     const bool falls =

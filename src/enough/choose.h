@@ -1,5 +1,5 @@
 /* From chapters/works/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1629703022 of the lines below */
+/* checksum 2759599244 of the lines below */
 /* The cheapest way to carry a scene within a tolerance, or a reason. */
 #ifndef CHOOSE_H
 #define CHOOSE_H
@@ -15,7 +15,7 @@ enum {
     CHOOSE_REASON = 60, /* s by the price list: a usual .reason */
     CHOOSE_MOST = 40
 };
-enum { CHOOSE_POINTS = 400, CHOOSE_CLOSER = 8 };
+enum { CHOOSE_POINTS = 400 };
 
 /* What is asked for. */
 struct choose_request {
@@ -30,7 +30,6 @@ struct choose_request {
     void (*watch)(void *with, double spent); /* NULL, or is told now and
                                                 then what was spent */
     void *with;
-    int closer; /* private: how often the first row has been divided */
 };
 
 /* A way to carry the scene that was looked at. */

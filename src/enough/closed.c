@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 819055784 of the lines below */
+/* checksum 3154229481 of the lines below */
 /* An exponential with the same bits everywhere, and points in order. */
 #include "enough/closed.h"
 
@@ -145,97 +145,41 @@ bool closed_relabel(double low, double high, size_t n, const double x[],
     return true;
 }
 
-/* A point on its way: turns of the circle that are whole, and the rest. */
-struct phase {
-    double v, turns, rest;
-};
-
-static int slower(const void *one, const void *other)
+/* Whole turns by which one point is ahead of another, the faster one of the
+   slower: way and v are what it has more. */
+static double ahead(double way, double v, double circle)
 {
-    const struct phase *a = one, *b = other;
-    if (a->v != b->v)
-        return a->v < b->v ? -1 : 1;
-    if (a->turns != b->turns)
-        return a->turns < b->turns ? -1 : 1;
-    return (a->rest > b->rest) - (a->rest < b->rest);
-}
-
-/* Sorts by rest, and returns how many pairs stood with the larger rest
-   first; room for n. */
-static double inversions(struct phase p[], size_t n, struct phase room[])
-{
-    const size_t half = n / 2;
-    if (n < 2)
+    if (v == 0)
         return 0;
-    double count =
-        inversions(p, half, room) + inversions(p + half, n - half, room);
-    for (size_t i = 0, j = half, k = 0; k < n; ++k)
-        if (j == n || (i < half && p[i].rest <= p[j].rest))
-            room[k] = p[i++];
-        else {
-            count += (double)(half - i);
-            room[k] = p[j++];
-        }
-    memcpy(p, room, n * sizeof *p);
-    return count;
-}
-
-/* The sum of floor((a - b) / circle) over all pairs in which a is faster:
-   of whole turns, less one where the rest is smaller. */
-static double overtaken(struct phase p[], size_t n, struct phase room[])
-{
-    double sum = 0;
-    qsort(p, n, sizeof *p, slower);
-    for (size_t k = 0; k < n; ++k)
-        sum += p[k].turns * (2 * (double)k - (double)(n - 1));
-    return sum - inversions(p, n, room);
-}
-
-static struct phase phase(double u, double v, double circle)
-{
-    const double turns = circle < INFINITY ? floor(u / circle) : 0;
-    return (struct phase){v, turns, turns == 0 ? u : u - turns * circle};
-}
-
-/* The floor of a way over the circle; of a line without end, the sign. */
-static double whole(double way, double circle)
-{
+    if (v < 0)
+        way = -way;
     return circle < INFINITY ? floor(way / circle) : way < 0 ? -1 : 0;
 }
 
-/* Points, and images if there is a wall, after the time t. */
-static double count_until(struct phase p[], size_t n, const double x[],
-                          const double v[], double t, double wall,
-                          double circle, bool images)
+/* Of all pairs, with images if there is a wall, after the time t. */
+static double count_until(size_t n, const double x[], const double v[],
+                          double t, double wall, double circle, bool images)
 {
-    double own = 0;
-    for (size_t i = 0; i < n; ++i) {
-        const double u = images ? x[i] - wall + v[i] * t : x[i] + v[i] * t;
-        p[i] = phase(u, v[i], circle);
-        if (images) {
-            p[n + i] = phase(-u, -v[i], circle);
-            own += v[i] == 0 ? 0 : whole(v[i] > 0 ? 2 * u : -2 * u, circle);
+    double sum = 0;
+    for (size_t i = 0; i < n; ++i)
+        for (size_t j = 0; j <= i; ++j) {
+            const double a = x[i] - wall + v[i] * t;
+            const double b = x[j] - wall + v[j] * t;
+            sum += ahead(a - b, v[i] - v[j], circle);
+            if (images)
+                sum += ahead(a + b, v[i] + v[j], circle);
         }
-    }
-    const size_t all = images ? 2 * n : n;
-    const double met = overtaken(p, all, p + all);
-    return images ? (met + own) / 2 : met;
+    return sum;
 }
 
 uint64_t closed_meetings(double low, double high, size_t n,
                          const double x[], const double v[], double t)
 {
     const bool left = low > -INFINITY, right = high < INFINITY;
-    const double wall = left ? low : high;
+    const bool images = left || right;
+    const double wall = left ? low : right ? high : 0;
     const double circle = left && right ? 2 * (high - low) : INFINITY;
-    struct phase *p = malloc((4 * n + 1) * sizeof *p);
-    if (!p)
-        return UINT64_MAX;
-    const double before =
-        count_until(p, n, x, v, 0, wall, circle, left || right);
-    const double after =
-        count_until(p, n, x, v, t, wall, circle, left || right);
-    free(p);
-    const double met = after - before;
+    const double met = count_until(n, x, v, t, wall, circle, images) -
+                       count_until(n, x, v, 0, wall, circle, images);
     return met < 0x1p64 ? (uint64_t)met : UINT64_MAX;
 }

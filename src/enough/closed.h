@@ -1,5 +1,5 @@
 /* From chapters/works/12-models-parts.nw: edit there, then run make tangle. */
-/* checksum 351881293 of the lines below */
+/* checksum 1682851723 of the lines below */
 /* Motions in closed form: flight, an oscillator, equal points on a line. */
 #ifndef CLOSED_H
 #define CLOSED_H
@@ -32,9 +32,8 @@ bool closed_relabel(double low, double high, size_t n, const double x[],
                     double speed[]);
 
 /* How often they have met each other and the walls by then, not counting
-   those that touch at the start; UINT64_MAX without memory, or if they
-   are more. Time: of the
-   order of n log n. Source: (12.6, eq:closed-meetings). */
+   those that touch at the start; UINT64_MAX: more often than that. Time:
+   of the order of n^2. Source: (12.6, eq:closed-meetings). */
 uint64_t closed_meetings(double low, double high, size_t n,
                          const double x[], const double v[], double t);
 

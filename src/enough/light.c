@@ -1,22 +1,26 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 3475827645 of the lines below */
+/* checksum 1827957098 of the lines below */
 /* Who is light, from the nearest outwards; Jacobi's coordinates. */
 #include "enough/light.h"
 
-#include <math.h>
 #include <stdlib.h>
 
-/* The mean of q, along axis k, over the heavy bodies. */
-static double middle(const struct light *l, const struct scene *s,
-                     const double q[], size_t k)
+void light_gather(const struct light *l, const struct scene *s,
+                  const double x[], double q[])
 {
-    double sum = 0, mass = 0;
-    for (size_t j = 0; j < l->heavy; ++j) {
-        const size_t i = l->source[j];
-        sum += s->mass[i] * q[k * l->bodies + i];
-        mass += s->mass[i];
+    const size_t n = l->jacobi.bodies;
+    for (size_t k = 0; k < SCENE_AXES; ++k) {
+        const double *const from = x + k * l->bodies;
+        double mass = 0, centre = 0;
+        for (size_t j = 0; j < l->heavy; ++j) {
+            mass += s->mass[l->order[j]];
+            centre +=
+                s->mass[l->order[j]] / mass * (from[l->order[j]] - centre);
+        }
+        q[k * n] = centre;
+        for (size_t j = 1; j < n; ++j)
+            q[k * n + j] = from[l->order[l->heavy + j - 1]];
     }
-    return sum / mass;
 }
 
 int light_compare(const void *one, const void *other)
@@ -29,136 +33,135 @@ int light_compare(const void *one, const void *other)
 
 static bool sort_lights(struct light *l, const struct scene *s)
 {
-    struct light_place *place = calloc(l->lights + 1, sizeof *place);
-    const size_t n = l->bodies;
+    const size_t n = l->jacobi.bodies;
+    struct light_place *place = malloc(n * sizeof *place);
+    const double *const q = l->room;
     if (!place)
         return false;
-    for (size_t k = 0; k < SCENE_AXES; ++k) {
-        const double centre = middle(l, s, s->position, k);
-        for (size_t j = 0; j < l->lights; ++j) {
-            const double d = s->position[k * n + l->order[j]] - centre;
-            place[j].body = l->order[j];
-            place[j].key += d * d;
-        }
+    light_gather(l, s, s->position, l->room);
+    for (size_t j = 1; j < n; ++j) {
+        const double d[] = {q[j] - q[0], q[n + j] - q[n],
+                            q[2 * n + j] - q[2 * n]};
+        place[j - 1] =
+            (struct light_place){d[0] * d[0] + d[1] * d[1] + d[2] * d[2],
+                                 l->order[l->heavy + j - 1]};
     }
-    qsort(place, l->lights, sizeof *place, light_compare);
-    for (size_t j = 0; j < l->lights; ++j)
-        l->order[j] = (uint32_t)place[j].body;
+    qsort(place, n - 1, sizeof *place, light_compare);
+    for (size_t j = 1; j < n; ++j)
+        l->order[l->heavy + j - 1] = (uint32_t)place[j - 1].body;
     free(place);
     return true;
 }
 
-static void add_masses(struct light *l, const struct scene *s)
+static bool part(struct light *l, const struct scene *s,
+                 const bool is_heavy[])
 {
-    double heavy = 0;
-    for (size_t j = 0; j < l->heavy; ++j)
-        heavy += s->mass[l->source[j]];
-    double mass = heavy;
-    for (size_t i = 0; i < l->bodies; ++i)
-        l->share[i] = 1;
-    for (size_t j = 0; j < l->lights; ++j) {
-        mass += s->mass[l->order[j]];
-        l->inner[j] = l->moving ? mass : heavy;
-        l->share[l->order[j]] = l->inner[j] / heavy;
-    }
-}
-
-static void find_centre(struct light *l, const struct scene *s)
-{
-    const size_t n = l->bodies;
-    double mass = 0;
-    for (size_t i = 0; i < n; ++i) {
-        mass += s->mass[i];
-        for (size_t k = 0; k < SCENE_AXES; ++k) {
-            l->centre[k] += s->mass[i] * s->position[k * n + i];
-            l->drift[k] += s->mass[i] * s->velocity[k * n + i];
+    const size_t n = s->bodies;
+    l->order = malloc((n + 1) * sizeof *l->order);
+    l->share = malloc((n + 1) * sizeof *l->share);
+    l->mass = calloc(7 * (n + 1), sizeof *l->mass);
+    if (!l->order || !l->share || !l->mass)
+        return false;
+    l->room = l->mass + n + 1;
+    size_t lights = n;
+    for (size_t i = n; i-- > 0;)
+        if (!is_heavy[i])
+            l->order[--lights] = (uint32_t)i;
+    for (size_t i = 0; i < n; ++i)
+        if (is_heavy[i]) {
+            l->order[l->heavy++] = (uint32_t)i;
+            l->mass[0] += s->mass[i];
         }
-    }
-    for (size_t k = 0; k < SCENE_AXES; ++k) {
-        l->centre[k] /= mass;
-        l->drift[k] /= mass;
-        for (size_t i = 0; i < n; ++i)
-            if (s->freedom[k * n + i])
-                l->fall[k] = s->gravity[k];
-    }
+    l->jacobi.bodies = 1 + n - lights;
+    return sort_lights(l, s);
 }
 
 bool light_create(struct light *l, const struct scene *s,
                   const bool is_heavy[], bool moving)
 {
-    const size_t n = s->bodies;
-    *l = (struct light){.bodies = n, .moving = moving};
-    l->source = malloc((n + 1) * sizeof *l->source);
-    l->order = malloc((n + 1) * sizeof *l->order);
-    l->share = malloc((n + 1) * sizeof *l->share);
-    l->inner = malloc((n + 1) * sizeof *l->inner);
-    const bool roomy = l->source && l->order && l->share && l->inner;
-    for (size_t i = 0; roomy && i < n; ++i)
-        if (is_heavy[i])
-            l->source[l->heavy++] = (uint32_t)i;
-        else
-            l->order[l->lights++] = (uint32_t)i;
-    if (!roomy || !sort_lights(l, s)) {
+    *l = (struct light){.bodies = s->bodies, .moving = moving};
+    const bool parted = part(l, s, is_heavy);
+    const size_t n = l->jacobi.bodies;
+    for (size_t j = 1; parted && j < n; ++j)
+        l->mass[j] = moving ? s->mass[l->order[l->heavy + j - 1]] : 0;
+    if (!parted || !jacobi_create(&l->jacobi, n, l->mass, s->k2)) {
         light_free(l);
         return false;
     }
-    add_masses(l, s);
-    find_centre(l, s);
+    for (size_t j = 0; j < l->heavy; ++j)
+        l->share[l->order[j]] = 1;
+    for (size_t j = 1; j < n; ++j)
+        l->share[l->order[l->heavy + j - 1]] =
+            l->jacobi.mu[j] / l->jacobi.mu[0];
     return true;
 }
 
 void light_free(struct light *l)
 {
-    free(l->source);
     free(l->order);
     free(l->share);
-    free(l->inner);
+    free(l->mass);
+    jacobi_free(&l->jacobi);
     *l = (struct light){0};
 }
 
-static void enter(const struct light *l, const struct scene *s, double q[],
-                  size_t k)
+static void enter(const struct light *l, const struct scene *s, double x[],
+                  double centre[])
 {
-    const double heavy = middle(l, s, q, k);
-    double centre = heavy;
-    for (size_t j = 0; j < l->lights; ++j) {
-        const size_t i = l->order[j];
-        const double way = q[k * l->bodies + i] - centre;
-        centre += s->mass[i] / l->inner[j] * way;
-        q[k * l->bodies + i] = heavy + way;
+    const size_t n = l->jacobi.bodies;
+    double heavy[SCENE_AXES], *const q = l->room;
+    light_gather(l, s, x, q);
+    for (size_t k = 0; k < SCENE_AXES; ++k)
+        heavy[k] = q[k * n];
+    jacobi_enter(&l->jacobi, q, q);
+    for (size_t k = 0; k < SCENE_AXES; ++k) {
+        centre[k] = q[k * n];
+        for (size_t j = 1; l->moving && j < n; ++j)
+            x[k * l->bodies + l->order[l->heavy + j - 1]] =
+                heavy[k] + q[k * n + j];
     }
 }
 
-void light_enter(const struct light *l, const struct scene *s, double x[],
+void light_enter(struct light *l, const struct scene *s, double x[],
                  double v[])
 {
-    for (size_t k = 0; l->moving && k < SCENE_AXES; ++k) {
-        enter(l, s, x, k);
-        enter(l, s, v, k);
-    }
+    enter(l, s, x, l->centre);
+    enter(l, s, v, l->drift);
 }
 
-/* From the outermost light, whose centre with all others is known. */
-static void leave(const struct light *l, const struct scene *s, double q[],
-                  size_t k, double centre)
+static void leave(const struct light *l, const struct scene *s, double x[],
+                  const double centre[])
 {
-    const double heavy = middle(l, s, q, k);
-    for (size_t j = l->lights; j-- > 0;) {
-        const size_t i = l->order[j];
-        const double way = q[k * l->bodies + i] - heavy;
-        centre -= s->mass[i] / l->inner[j] * way;
-        q[k * l->bodies + i] = centre + way;
+    const size_t n = l->jacobi.bodies;
+    double *const q = l->room, heavy[SCENE_AXES];
+    light_gather(l, s, x, q);
+    for (size_t k = 0; k < SCENE_AXES; ++k) {
+        heavy[k] = q[k * n];
+        for (size_t j = 1; j < n; ++j)
+            q[k * n + j] -= heavy[k];
+        q[k * n] = centre[k];
     }
-    for (size_t j = 0; j < l->heavy; ++j)
-        q[k * l->bodies + l->source[j]] += centre - heavy;
+    jacobi_leave(&l->jacobi, q, q);
+    for (size_t k = 0; k < SCENE_AXES; ++k)
+        for (size_t j = 0; j < l->bodies; ++j) {
+            double *const to = x + k * l->bodies + l->order[j];
+            *to = j < l->heavy ? *to + (q[k * n] - heavy[k])
+                               : q[k * n + j - l->heavy + 1];
+        }
 }
 
 void light_leave(const struct light *l, const struct scene *s, double t,
                  double x[], double v[])
 {
-    for (size_t k = 0; l->moving && k < SCENE_AXES; ++k) {
-        const double fall = l->fall[k];
-        leave(l, s, x, k, l->centre[k] + (l->drift[k] + fall / 2 * t) * t);
-        leave(l, s, v, k, l->drift[k] + fall * t);
+    double centre[SCENE_AXES], drift[SCENE_AXES];
+    for (size_t k = 0; k < SCENE_AXES; ++k) {
+        const bool falls = s->freedom[k * l->bodies + l->order[0]];
+        const double fall = falls ? s->gravity[k] * t : 0;
+        centre[k] = l->centre[k] + (l->drift[k] + fall / 2) * t;
+        drift[k] = l->drift[k] + fall;
+    }
+    if (l->moving) {
+        leave(l, s, x, centre);
+        leave(l, s, v, drift);
     }
 }

@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 1122208463 of the lines below */
+/* checksum 1486151141 of the lines below */
 /* What acts, what can be left out, and how each model carries a scene. */
 #include "enough/models.h"
 
@@ -10,6 +10,7 @@
 #include "forces/adaptive.h"
 #include "forces/hard.h"
 #include "forces/kepler.h"
+#include "forces/largest.h"
 #include "enough/light.h"
 #include "forces/modes.h"
 #include "forces/motion.h"
@@ -41,7 +42,6 @@ const struct models_price models_prices[MODELS_UNITS] = {
     [MODELS_FLIGHT] = {"flight", "coordinate moved freely", 3.6},
     [MODELS_ORDER] = {"order", "comparison of two bodies", 2.7},
     [MODELS_MODE] = {"mode", "operation on modes", 0.5},
-    [MODELS_TRIAL] = {"trial", "disk looked at for a trial move", 3},
     [MODELS_ROW] = {"row", "row of a run", 40},
 };
 
@@ -58,25 +58,22 @@ static size_t at(const struct scene *s, size_t k, size_t i)
     return k * s->bodies + i;
 }
 
-/* May body i move along one of these axes? */
-static bool is_free(const struct scene *s, size_t i, unsigned axes)
+/* The first axis of a set; of none, x. */
+static size_t first_axis(unsigned axes)
 {
-    for (size_t k = 0; k < SCENE_AXES; ++k)
-        if ((axes >> k & 1) && s->freedom[at(s, k, i)])
-            return true;
-    return false;
-}
-
-/* The same along all of them? */
-static bool is_all_free(const struct scene *s, size_t i, unsigned axes)
-{
-    for (size_t k = 0; k < SCENE_AXES; ++k)
-        if ((axes >> k & 1) && !s->freedom[at(s, k, i)])
-            return false;
-    return true;
+    return axes & 1 ? 0 : axes & 2 ? 1 : axes & 4 ? 2 : 0;
 }
 
 enum { ALL_AXES = 7 };
+
+/* The axes along which body i may move. */
+static unsigned freedom_of(const struct scene *s, size_t i)
+{
+    unsigned axes = 0;
+    for (size_t k = 0; k < SCENE_AXES; ++k)
+        axes |= (unsigned)(s->freedom[at(s, k, i)] != 0) << k;
+    return axes;
+}
 
 /* Is there a body that can be pulled by another? */
 static bool attracts(const struct scene *s)
@@ -85,7 +82,7 @@ static bool attracts(const struct scene *s)
     for (size_t i = 0; i < s->bodies; ++i)
         pulling += s->mass[i] > 0;
     for (size_t i = 0; s->k2 != 0 && i < s->bodies; ++i)
-        if (is_free(s, i, ALL_AXES) && pulling > (s->mass[i] > 0))
+        if (freedom_of(s, i) && pulling > (s->mass[i] > 0))
             return true;
     return false;
 }
@@ -94,66 +91,34 @@ static bool is_active(const struct scene *s, const struct scene_spring *p)
 {
     const struct scene_kind *kind = &s->kind[p->kind];
     return (kind->stiffness != 0 || kind->damping != 0) &&
-           (is_free(s, p->a, ALL_AXES) || is_free(s, p->b, ALL_AXES));
+           (freedom_of(s, p->a) || freedom_of(s, p->b));
 }
 
-/* Are two bodies at different places along axis k? */
-static bool is_spread(const struct scene *s, size_t k)
+/* Body j as body i sees it, if they are at x and move at v. */
+static struct pair pair_of(const struct scene *s, size_t i, size_t j,
+                           const double x[], const double v[])
 {
-    const double *x = s->position + k * s->bodies;
-    for (size_t i = 1; i < s->bodies; ++i)
-        if (x[i] != x[0])
-            return true;
-    return false;
-}
-
-static bool is_stretched(const struct scene *s, size_t k)
-{
-    const double *x = s->position + k * s->bodies;
-    for (size_t j = 0; j < s->springs; ++j)
-        if (is_active(s, &s->spring[j]) &&
-            x[s->spring[j].a] != x[s->spring[j].b])
-            return true;
-    return false;
-}
-
-/* May anything move along axis k, that is: does it move, or is it pushed?
- */
-static bool is_alive(const struct scene *s, const struct models_acts *a,
-                     size_t k)
-{
-    bool can = false, moves = false;
-    for (size_t i = 0; i < s->bodies; ++i) {
-        const bool here = s->freedom[at(s, k, i)];
-        can |= here;
-        moves |= here && s->velocity[at(s, k, i)] != 0;
+    struct pair p = {.r2 = 0};
+    for (size_t k = 0; k < SCENE_AXES; ++k) {
+        const size_t a = at(s, k, i), b = at(s, k, j);
+        pair_add(&p, x[b] - x[a],
+                 (s->freedom[b] ? v[b] : 0) - (s->freedom[a] ? v[a] : 0));
     }
-    const bool pushed = (a->weight && s->gravity[k] != 0) ||
-                        ((a->gravity || a->contact) && is_spread(s, k)) ||
-                        (a->springs && is_stretched(s, k));
-    return moves || (can && pushed);
-}
-
-/* Velocity along axis k; what is held has none. */
-static double moves(const struct scene *s, size_t k, size_t i)
-{
-    return s->freedom[at(s, k, i)] ? s->velocity[at(s, k, i)] : 0;
+    return p;
 }
 
 /* Do two bodies that fly straight on for ever meet? When in doubt, yes. */
 static bool will_meet(const struct scene *s, size_t i, size_t j)
 {
+    const struct pair p = pair_of(s, i, j, s->position, s->velocity);
     const double reach = s->radius[i] + s->radius[j];
-    double b = 0, c = -reach * reach, square = 0;
-    for (size_t k = 0; k < SCENE_AXES; ++k) {
-        const double d =
-            s->position[at(s, k, j)] - s->position[at(s, k, i)];
-        const double u = moves(s, k, j) - moves(s, k, i);
-        b += d * u;
-        c += d * d;
-        square += u * u;
-    }
-    return c <= 0 || (b < 0 && b * b * (1 + 1e-12) >= square * c);
+    const double c = p.r2 - reach * reach;
+    return c <= 0 || (p.rv < 0 && p.rv * p.rv * (1 + 1e-12) >= p.v2 * c);
+}
+
+double models_square(const struct scene *s, size_t i, size_t j)
+{
+    return pair_of(s, i, j, s->position, s->velocity).r2;
 }
 
 enum { MOST_LOOKED_AT = 1000 };
@@ -174,38 +139,47 @@ static bool may_meet(const struct scene *s, const struct models_acts *a)
     return false;
 }
 
-static bool has_weight(const struct scene *s)
+/* All but the largest frequency. */
+static void look_at(struct models_acts *a, const struct scene *s)
 {
+    const size_t n = s->bodies;
+    unsigned free = 0, moves = 0, falls = 0, spread = 0, stretched = 0;
+    *a = (struct models_acts){.gravity = attracts(s),
+                              .friction = s->damping != 0};
+    for (size_t i = 0; i < n; ++i)
+        a->free += freedom_of(s, i) != 0;
+    for (size_t c = 0; c < 3 * n; ++c) {
+        const unsigned axis = 1u << c / n;
+        spread |= s->position[c] != s->position[c / n * n] ? axis : 0;
+        if (!s->freedom[c])
+            continue;
+        free |= axis;
+        moves |= s->velocity[c] != 0 ? axis : 0;
+        falls |= s->gravity[c / n] != 0 ? axis : 0;
+    }
+    for (size_t j = 0; j < s->springs; ++j) {
+        const struct scene_spring *p = &s->spring[j];
+        if (!is_active(s, p))
+            continue;
+        a->springs = true;
+        a->dashpots |= s->kind[p->kind].damping != 0;
+        for (size_t k = 0; k < SCENE_AXES; ++k)
+            stretched |= (unsigned)(s->position[at(s, k, p->a)] !=
+                                    s->position[at(s, k, p->b)])
+                         << k;
+    }
+    a->weight = falls != 0;
+    a->contact = may_meet(s, a);
+    const unsigned pushed =
+        falls | (a->gravity || a->contact ? spread : 0) | stretched;
+    a->axes = moves | (free & pushed);
+    a->offset = spread;
     for (size_t k = 0; k < SCENE_AXES; ++k)
-        for (size_t i = 0; s->gravity[k] != 0 && i < s->bodies; ++i)
-            if (s->freedom[at(s, k, i)])
-                return true;
-    return false;
+        a->dimensions += a->axes >> k & 1;
 }
 
 static double largest_frequency(const struct scene *s,
                                 const struct models_acts *a);
-
-/* All but the largest frequency. */
-static void look_at(struct models_acts *a, const struct scene *s)
-{
-    *a = (struct models_acts){.gravity = attracts(s),
-                              .weight = has_weight(s),
-                              .friction = s->damping != 0};
-    for (size_t i = 0; i < s->bodies; ++i)
-        a->free += is_free(s, i, ALL_AXES);
-    for (size_t j = 0; j < s->springs; ++j)
-        if (is_active(s, &s->spring[j])) {
-            a->springs = true;
-            a->dashpots |= s->kind[s->spring[j].kind].damping != 0;
-        }
-    a->contact = may_meet(s, a);
-    for (size_t k = 0; k < SCENE_AXES; ++k) {
-        a->axes |= (unsigned)is_alive(s, a, k) << k;
-        a->offset |= (unsigned)is_spread(s, k) << k;
-        a->dimensions += a->axes >> k & 1;
-    }
-}
 
 void models_analyse(struct models_acts *a, const struct scene *s)
 {
@@ -234,24 +208,17 @@ static double beyond_walls(const struct scene *s)
 double models_overlap(const struct scene *s)
 {
     struct spheres p;
-    struct scene copy;
-    double depth = INFINITY;
+    double depth = beyond_walls(s);
     if (!s->contact)
         return 0;
-    if (!scene_copy(&copy, s))
+    if (!spheres_create(&p, s, SPHERES_ALL))
         return INFINITY;
-    for (size_t k = 0; k < SCENE_AXES; ++k)
-        if (copy.wall[k] == SCENE_HARD)
-            copy.wall[k] = SCENE_OPEN;
-    for (size_t i = 0; i < copy.bodies; ++i)
-        copy.mass[i] = 1;
-    if (spheres_create(&p, &copy, SPHERES_ALL)) {
-        spheres_resolve(&p, copy.position, copy.velocity);
-        depth = p.depth;
-        spheres_free(&p);
-    }
-    scene_free(&copy);
-    return fmax(depth, beyond_walls(s));
+    spheres_overlaps(&p, s->position);
+    for (size_t j = 0; j < p.pairs; ++j)
+        if (freedom_of(s, p.pair[j].a) || freedom_of(s, p.pair[j].b))
+            depth = fmax(depth, p.pair[j].depth);
+    spheres_free(&p);
+    return depth;
 }
 
 static double heaviest(const struct scene *s)
@@ -274,17 +241,6 @@ static bool has_light(const struct scene *s)
         if (s->mass[i] > 0 && is_light(s, i, most))
             return true;
     return false;
-}
-
-double models_square(const struct scene *s, size_t i, size_t j)
-{
-    double sum = 0;
-    for (size_t k = 0; k < SCENE_AXES; ++k) {
-        const double d =
-            s->position[at(s, k, i)] - s->position[at(s, k, j)];
-        sum += d * d;
-    }
-    return sum;
 }
 
 /* The square of the frequency of two bodies, if they circled. */
@@ -320,7 +276,7 @@ static void add_rows(const struct scene *s, const struct scene_spring *p,
     double weight[2];
     for (int e = 0; e < 2; ++e) {
         const double m = s->mass[end[e]];
-        weight[e] = is_free(s, end[e], ALL_AXES) && m > 0 ? 1 / m : 0;
+        weight[e] = freedom_of(s, end[e]) && m > 0 ? 1 / m : 0;
     }
     for (int e = 0; e < 2; ++e)
         row[end[e]] += strength * (weight[e] + sqrt(weight[0] * weight[1]));
@@ -371,112 +327,51 @@ static double largest_frequency(const struct scene *s,
     return sqrt(square) + rate + slow;
 }
 
-const char *const models_cut_names[MODELS_CUTS + 1] = {
-    "no-softening", "no-light",  "no-friction", "no-dashpots", "no-weak",
-    "rods",         "no-weight", "no-pull",     "no-across",   NULL};
+const char *const models_cut_names[MODELS_CUTS + 1] = {"no-light", "rods",
+                                                       NULL};
 
-/* The softest and the stiffest of the springs that act; 0 if none does. */
-static void stiffnesses(const struct scene *s, double *least, double *most)
+/* Stiff springs have more stiffness than this; INFINITY if none is. */
+static double stiff_from(const struct scene *s)
 {
-    *least = INFINITY;
-    *most = 0;
+    double least = INFINITY, most = 0;
     for (size_t j = 0; j < s->springs; ++j) {
         const double stiffness = s->kind[s->spring[j].kind].stiffness;
         if (stiffness > 0 && is_active(s, &s->spring[j])) {
-            *least = fmin(*least, stiffness);
-            *most = fmax(*most, stiffness);
+            least = fmin(least, stiffness);
+            most = fmax(most, stiffness);
         }
     }
-    *least = fmin(*least, *most);
-}
-
-static bool is_weak(const struct scene *s, const struct scene_spring *p,
-                    double most)
-{
-    return s->kind[p->kind].stiffness * 100 < most;
+    return least == most ? 0 : 100 * least;
 }
 
 static bool is_stiff(const struct scene *s, const struct scene_spring *p,
-                     double least, double most)
+                     double from)
 {
-    const double stiffness = s->kind[p->kind].stiffness;
-    return is_active(s, p) && stiffness > 0 &&
-           (stiffness > 100 * least || least == most);
-}
-
-/* The axis along which the scene is longest; of points in one place, that
-   along which they are fastest. */
-static size_t longest_axis(const struct scene *s)
-{
-    double best[2] = {-1, -1};
-    size_t axis = 0;
-    for (size_t k = 0; k < SCENE_AXES; ++k) {
-        double low = INFINITY, high = -INFINITY, fast = 0;
-        for (size_t i = 0; i < s->bodies; ++i) {
-            low = fmin(low, s->position[at(s, k, i)]);
-            high = fmax(high, s->position[at(s, k, i)]);
-            fast = fmax(fast, fabs(moves(s, k, i)));
-        }
-        const double size = high - low;
-        if (size > best[0] || (size == best[0] && fast > best[1])) {
-            best[0] = size;
-            best[1] = fast;
-            axis = k;
-        }
-    }
-    return axis;
-}
-
-static unsigned spring_cuts(const struct scene *s,
-                            const struct models_acts *a)
-{
-    double least, most;
-    unsigned cuts = a->dashpots ? MODELS_NO_DASHPOTS : 0;
-    stiffnesses(s, &least, &most);
-    for (size_t j = 0; j < s->springs; ++j) {
-        const struct scene_spring *p = &s->spring[j];
-        if (is_active(s, p) && is_weak(s, p, most))
-            cuts |= MODELS_NO_WEAK;
-        if (is_stiff(s, p, least, most))
-            cuts |= MODELS_RODS;
-    }
-    return cuts;
+    return is_active(s, p) && s->kind[p->kind].stiffness > from;
 }
 
 unsigned models_cuts(const struct scene *s)
 {
-    struct models_acts a;
-    look_at(&a, s);
-    unsigned cuts = spring_cuts(s, &a);
-    if (a.gravity)
-        cuts |= MODELS_NO_PULL |
-                (s->softening != 0 ? MODELS_NO_SOFTENING : 0) |
-                (has_light(s) ? MODELS_NO_LIGHT : 0);
-    if (a.friction)
-        cuts |= MODELS_NO_FRICTION;
-    if (a.weight)
-        cuts |= MODELS_NO_WEIGHT;
-    if ((a.axes | a.offset) & ~(1u << longest_axis(s)))
-        cuts |= MODELS_NO_ACROSS;
+    const double from = stiff_from(s);
+    unsigned cuts =
+        attracts(s) && has_light(s) ? (unsigned)MODELS_NO_LIGHT : 0;
+    for (size_t j = 0; j < s->springs; ++j)
+        cuts |= is_stiff(s, &s->spring[j], from) ? MODELS_RODS : 0;
     return cuts;
 }
 
-/* Keeps the springs that are not chosen; moves the others to taken, unless
-   that is NULL. Returns how many those are. */
-static size_t take_springs(struct scene *s, bool stiff,
-                           struct scene_spring taken[])
+/* Moves the springs that are stiff to taken, unless that is NULL. Returns
+   how many those are. */
+static size_t take_stiff(struct scene *s, struct scene_spring taken[])
 {
     size_t kept = 0, count = 0;
-    double least, most;
-    stiffnesses(s, &least, &most);
+    const double from = stiff_from(s);
     for (size_t j = 0; j < s->springs; ++j) {
         const struct scene_spring p = s->spring[j];
-        if (stiff ? is_stiff(s, &p, least, most) : is_weak(s, &p, most)) {
-            if (taken)
-                taken[count] = p;
-            ++count;
-        } else
+        if (!is_stiff(s, &p, from))
             s->spring[kept++] = p;
+        else if (++count && taken)
+            taken[count - 1] = p;
     }
     s->springs = kept;
     return count;
@@ -484,138 +379,65 @@ static size_t take_springs(struct scene *s, bool stiff,
 
 double models_without_stiff(struct scene *s)
 {
-    double least, most, turning = 0;
-    stiffnesses(s, &least, &most);
+    double turning = 0;
+    const double from = stiff_from(s);
     for (size_t j = 0; j < s->springs; ++j) {
         const struct scene_spring *p = &s->spring[j];
-        double square = 0;
-        for (size_t k = 0; k < SCENE_AXES; ++k) {
-            const double v =
-                s->velocity[at(s, k, p->b)] - s->velocity[at(s, k, p->a)];
-            square += v * v;
-        }
-        if (is_stiff(s, p, least, most))
-            turning =
-                fmax(turning, sqrt(square / models_square(s, p->a, p->b)));
+        const struct pair ends =
+            pair_of(s, p->a, p->b, s->position, s->velocity);
+        if (is_stiff(s, p, from))
+            turning = fmax(turning, sqrt(ends.v2 / ends.r2));
     }
-    take_springs(s, true, NULL);
+    take_stiff(s, NULL);
     return turning;
 }
 
-static void flatten(struct scene *s)
-{
-    const size_t axis = longest_axis(s), n = s->bodies;
-    for (size_t k = 0; k < SCENE_AXES; ++k)
-        for (size_t i = 0; k != axis && i < n; ++i) {
-            s->position[k * n + i] = s->position[k * n];
-            s->velocity[k * n + i] = 0;
-            s->freedom[k * n + i] = 0;
-        }
-}
-
-void models_cut(struct scene *s, unsigned cuts)
-{
-    if (cuts & MODELS_NO_ACROSS)
-        flatten(s);
-    if (cuts & MODELS_NO_SOFTENING)
-        s->softening = 0;
-    if (cuts & MODELS_NO_FRICTION)
-        s->damping = 0;
-    for (size_t k = 0; (cuts & MODELS_NO_DASHPOTS) && k < s->kinds; ++k)
-        s->kind[k].damping = 0;
-    if (cuts & MODELS_NO_WEAK)
-        take_springs(s, false, NULL);
-    for (size_t k = 0; (cuts & MODELS_NO_WEIGHT) && k < SCENE_AXES; ++k)
-        s->gravity[k] = 0;
-    if (cuts & MODELS_NO_PULL)
-        s->k2 = 0;
-}
-
 static const char no_memory[] = "there is no memory";
-static const char no_rods[] = "it knows no rods";
 
-/* What nearly every closed form has to refuse. */
-static const char *refuse_forces(const struct models_acts *a, bool springs,
-                                 bool gravity)
+/* What acts, bit by bit, and what is said to those who cannot bear it. */
+enum { RODS = 1, PULLERS = 2, SPRINGS = 4, PULLS = 8, MEETING = 16 };
+enum { FRICTION = 32, ACTS = 6, ALL_ACTS = 63 };
+static const char *const unborne[ACTS] = {
+    "it knows no rods", "it does not ask who pulls",
+    "springs act",      "the bodies attract each other",
+    "bodies may meet",  "there is friction"};
+
+/* NULL: the model carries the scene; or why not. */
+static const char *refusal(const struct models_model *m,
+                           const struct scene *s,
+                           const struct models_acts *a, unsigned cuts)
 {
-    if (a->springs && !springs)
-        return "springs act";
-    if (a->gravity && !gravity)
-        return "the bodies attract each other";
-    return NULL;
-}
-
-static const char *refuse_cuts(unsigned cuts, unsigned known)
-{
-    if (cuts & ~known & MODELS_RODS)
-        return no_rods;
-    if (cuts & ~known & MODELS_NO_LIGHT)
-        return "it does not ask who pulls";
-    return NULL;
-}
-
-/* Where a closed form begins. */
-struct origin {
-    double *x, *v; /* [3 * bodies] */
-    struct light light;
-    bool lights;
-};
-
-static void free_origin(struct models_run *r)
-{
-    struct origin *o = r->engine;
-    if (o->lights)
-        light_free(&o->light);
-    free(o->x);
-    free(o);
-}
-
-static struct origin *make_origin(const struct scene *s)
-{
-    const size_t size = 3 * s->bodies;
-    struct origin *o = calloc(1, sizeof *o);
-    if (!o || !(o->x = malloc((2 * size + 1) * sizeof *o->x))) {
-        free(o);
-        return NULL;
-    }
-    o->v = o->x + size;
-    memcpy(o->x, s->position, size * sizeof *o->x);
-    memcpy(o->v, s->velocity, size * sizeof *o->v);
-    return o;
+    const bool acts[ACTS] = {cuts & MODELS_RODS, cuts & MODELS_NO_LIGHT,
+                             a->springs,         a->gravity,
+                             a->contact,         a->friction};
+    for (unsigned k = 0; k < ACTS; ++k)
+        if (acts[k] && !(m->bears >> k & 1))
+            return unborne[k];
+    return m->refuses ? m->refuses(s, a, cuts) : NULL;
 }
 
 static const char *begin_origin(struct models_run *r)
 {
-    r->engine = make_origin(&r->scene);
-    return r->engine ? NULL : no_memory;
+    return scene_copy(r->engine, &r->scene) ? NULL : no_memory;
 }
 
-static const char *refuse_free(const struct scene *s,
-                               const struct models_acts *a, unsigned cuts)
+static void end_origin(struct models_run *r)
 {
-    const char *why = refuse_cuts(cuts, 0);
-    (void)s;
-    if (!why && a->contact)
-        return "bodies may meet";
-    return why ? why : refuse_forces(a, false, false);
+    scene_free(r->engine);
 }
 
-/* What a flight costs that needs an exponential, in flights. */
-enum { WITH_EXPONENTIAL = 10 };
+enum { WITH_EXPONENTIAL = 10 }; /* what such a flight costs, in flights */
 
 static enum models_end row_free(struct models_run *r)
 {
-    const struct origin *o = r->engine;
     struct scene *s = &r->scene;
     const size_t n = s->bodies;
-    for (size_t c = 0; c < 3 * n; ++c) {
-        const double m = s->mass[c % n];
-        s->position[c] = o->x[c];
-        s->velocity[c] = o->v[c];
+    scene_take_state(s, r->engine);
+    for (size_t c = 0; c < 3 * n; ++c)
         if (s->freedom[c])
-            closed_fly(r->elapsed, s->damping > 0 ? s->damping / m : 0,
+            closed_fly(r->elapsed,
+                       s->damping > 0 ? s->damping / s->mass[c % n] : 0,
                        s->gravity[c / n], &s->position[c], &s->velocity[c]);
-    }
     r->work[MODELS_FLIGHT] +=
         (double)(3 * n) * (s->damping > 0 ? WITH_EXPONENTIAL : 1);
     return MODELS_DONE;
@@ -626,7 +448,7 @@ static size_t central_body(const struct scene *s, unsigned axes)
 {
     size_t best = 0;
     for (size_t i = 0; i < s->bodies; ++i)
-        if (!is_free(s, i, axes) && s->mass[i] > 0)
+        if (!(freedom_of(s, i) & axes) && s->mass[i] > 0)
             return i;
         else if (s->mass[i] > s->mass[best])
             best = i;
@@ -637,71 +459,37 @@ static size_t central_body(const struct scene *s, unsigned axes)
 static bool is_central(const struct scene *s, size_t centre, unsigned axes,
                        unsigned cuts)
 {
-    const bool held = !is_free(s, centre, axes);
+    const bool held = !(freedom_of(s, centre) & axes);
     const double most = heaviest(s);
     for (size_t i = 0; i < s->bodies; ++i) {
         const bool quiet =
             s->mass[i] == 0 ||
             ((cuts & MODELS_NO_LIGHT) && is_light(s, i, most)) ||
             s->bodies == 2;
-        if (i != centre && (!quiet || !is_all_free(s, i, axes)))
+        if (i != centre && (!quiet || axes & ~freedom_of(s, i)))
             return false;
     }
-    return held || is_all_free(s, centre, axes);
-}
-
-/* Place and velocity of body i, seen from the centre of the picture. */
-static void seen_from(const struct scene *s, const double q[],
-                      size_t centre, size_t i, double way[3])
-{
-    for (size_t k = 0; k < 3; ++k)
-        way[k] = q[at(s, k, i)] - q[at(s, k, centre)];
-}
-
-/* By what share of the time ellipses may be early or late; INFINITY when
-   one of the orbits is none. */
-static double clock_of_ellipses(const struct scene *s,
-                                const struct light *l, const double px[],
-                                const double pv[])
-{
-    double most = 0;
-    for (size_t j = 0; j < l->lights; ++j) {
-        double x[3], v[3], axis, eccentricity;
-        seen_from(s, px, l->source[0], l->order[j], x);
-        seen_from(s, pv, l->source[0], l->order[j], v);
-        kepler_shape(s->k2 * l->inner[j], x, v, &axis, &eccentricity);
-        if (!(axis > 0 && axis < INFINITY && eccentricity < 1 - 1e-9))
-            return INFINITY;
-        const double r = sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
-        most = fmax(most, 0x1p-51 * (1 + 4 * axis / r));
-    }
-    return most;
+    return held || !(axes & ~freedom_of(s, centre));
 }
 
 static const char *refuse_kepler(const struct scene *s,
                                  const struct models_acts *a, unsigned cuts)
 {
-    const char *why = refuse_cuts(cuts, MODELS_NO_LIGHT);
-    if (why || (why = refuse_forces(a, false, true)))
-        return why;
     const size_t centre = central_body(s, a->axes);
     if (!a->gravity)
         return "nothing attracts";
-    if (a->contact)
-        return "bodies may meet";
-    if (a->friction)
-        return "there is friction";
     if (s->softening != 0)
         return "the attraction is softened";
     if (a->offset & ~a->axes)
         return "bodies are held beside the plane of their motion";
     if (!is_central(s, centre, a->axes, cuts))
         return "more than one body pulls, or one is held";
-    if (a->weight && !is_free(s, centre, a->axes))
+    if (a->weight && !(freedom_of(s, centre) & a->axes))
         return "there is weight, and the centre is held";
     return NULL;
 }
 
+/* alone: only the centre is heavy. */
 static bool make_light(struct light *l, const struct scene *s, bool moving,
                        size_t centre, bool alone)
 {
@@ -714,156 +502,280 @@ static bool make_light(struct light *l, const struct scene *s, bool moving,
     return made;
 }
 
+struct ellipses {
+    struct light light;
+    struct scene origin;
+};
+
+static void end_kepler(struct models_run *r)
+{
+    struct ellipses *e = r->engine;
+    light_free(&e->light);
+    scene_free(&e->origin);
+}
+
+/* Places and velocities at the start; returns the former, which the latter
+   follow. */
+static double *at_start(const struct ellipses *e)
+{
+    double *const x = e->light.room;
+    const struct scene *s = &e->origin;
+    light_gather(&e->light, s, s->position, x);
+    light_gather(&e->light, s, s->velocity, x + 3 * e->light.jacobi.bodies);
+    return x;
+}
+
+/* By what share of the time ellipses may be early or late; INFINITY when
+   one of the orbits is none. */
+static double clock_of_ellipses(const struct ellipses *e)
+{
+    const struct jacobi *j = &e->light.jacobi;
+    const size_t n = j->bodies;
+    double most = 0, *const x = at_start(e), *const v = x + 3 * n;
+    jacobi_enter(j, x, x);
+    jacobi_enter(j, v, v);
+    for (size_t i = 1; i < n; ++i) {
+        const double q[3] = {x[i], x[n + i], x[2 * n + i]};
+        const double w[3] = {v[i], v[n + i], v[2 * n + i]};
+        double axis, eccentricity;
+        kepler_shape(j->mu[i], q, w, &axis, &eccentricity);
+        if (!(axis > 0 && axis < INFINITY && eccentricity < 1 - 1e-9))
+            return INFINITY;
+        const double r = sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2]);
+        most = fmax(most, 0x1p-51 * (1 + 4 * axis / r));
+    }
+    return most;
+}
+
 static const char *begin_kepler(struct models_run *r)
 {
-    struct origin *o = make_origin(&r->scene);
+    struct ellipses *e = r->engine;
     const size_t centre = central_body(&r->scene, r->acts.axes);
-    const bool moving = is_free(&r->scene, centre, r->acts.axes);
-    if (!(r->engine = o))
+    const bool moving = freedom_of(&r->scene, centre) & r->acts.axes;
+    if (!scene_copy(&e->origin, &r->scene) ||
+        !make_light(&e->light, &e->origin, moving, centre, true))
         return no_memory;
-    o->lights = make_light(&o->light, &r->scene, moving, centre, true);
-    if (!o->lights) {
-        free_origin(r);
-        return no_memory;
-    }
-    light_enter(&o->light, &r->scene, o->x, o->v);
-    r->clock = clock_of_ellipses(&r->scene, &o->light, o->x, o->v);
-    if (r->clock < INFINITY)
-        return NULL;
-    free_origin(r);
-    return "an orbit is open, or as good as a fall";
+    r->clock = clock_of_ellipses(e);
+    return r->clock < INFINITY ? NULL
+                               : "an orbit is open, or as good as a fall";
 }
 
 static enum models_end row_kepler(struct models_run *r)
 {
-    const struct origin *o = r->engine;
-    const struct light *l = &o->light;
+    const struct ellipses *e = r->engine;
+    struct jacobi j = e->light.jacobi;
     struct scene *s = &r->scene;
-    const size_t n = s->bodies, centre = l->source[0];
-    memcpy(s->position, o->x, 3 * n * sizeof *o->x);
-    memcpy(s->velocity, o->v, 3 * n * sizeof *o->v);
-    for (size_t j = 0; j < l->lights; ++j) {
-        double x[3], v[3];
-        seen_from(s, o->x, centre, l->order[j], x);
-        seen_from(s, o->v, centre, l->order[j], v);
-        kepler_move(s->k2 * l->inner[j], r->elapsed, x, v);
-        for (size_t k = 0; k < 3; ++k) {
-            s->position[at(s, k, l->order[j])] =
-                o->x[at(s, k, centre)] + x[k];
-            s->velocity[at(s, k, l->order[j])] =
-                o->v[at(s, k, centre)] + v[k];
-        }
+    const size_t n = j.bodies;
+    double *const x = at_start(e), *const v = x + 3 * n, t = r->elapsed;
+    jacobi_flow(&j, t, x, v);
+    for (size_t c = 0; c < 3 * n; ++c) {
+        const size_t to = at(s, c / n, e->light.order[c % n]);
+        const double fall = s->freedom[to] ? s->gravity[c / n] * t : 0;
+        s->position[to] = x[c] + fall / 2 * t;
+        s->velocity[to] = v[c] + fall;
     }
-    light_leave(l, s, r->elapsed, s->position, s->velocity);
-    r->work[MODELS_ELLIPSE] += (double)l->lights;
+    r->work[MODELS_ELLIPSE] += (double)(n - 1);
     return MODELS_DONE;
 }
 
-/* The only body that may move, or how many bodies there are. */
-static size_t lone_mover(const struct scene *s)
+enum { MOST_MODES = 400, MOST_TRIES = 30 };
+
+static const char *refuse_modes(const struct scene *s,
+                                const struct models_acts *a, unsigned cuts)
 {
-    size_t found = s->bodies;
-    for (size_t i = 0; i < s->bodies; ++i)
-        if (is_free(s, i, ALL_AXES)) {
-            if (found < s->bodies)
-                return s->bodies;
-            found = i;
+    double mass = 0;
+    size_t coordinates = 0;
+    (void)cuts;
+    if (!a->springs)
+        return "no spring acts";
+    for (size_t c = 0; c < 3 * s->bodies; ++c)
+        if (s->freedom[c] && (a->axes >> (c / s->bodies) & 1)) {
+            const double m = s->mass[c % s->bodies];
+            if (!(m > 0) || (a->friction && mass != 0 && m != mass))
+                return m > 0 ? "friction mixes the modes of unequal masses"
+                             : "a body has no mass";
+            mass = m;
+            ++coordinates;
         }
-    return found;
-}
-
-/* The only spring that acts, or NULL. */
-static const struct scene_spring *lone_spring(const struct scene *s)
-{
-    const struct scene_spring *found = NULL;
-    for (size_t j = 0; j < s->springs; ++j)
-        if (is_active(s, &s->spring[j])) {
-            if (found)
-                return NULL;
-            found = &s->spring[j];
-        }
-    return found;
-}
-
-/* A body on a spring, along one axis. */
-struct swing {
-    size_t axis, body, anchor;
-    double rest;         /* where nothing pushes it, along the axis */
-    double square, rate; /* 1/s^2, 1/s */
-    double y, v;         /* from rest, m and m/s */
-    double reach;        /* it keeps within this of its rest, m */
-    double room;         /* from there to the anchor, m */
-};
-
-static void measure_swing(struct swing *w, const struct scene *s,
-                          const struct models_acts *a)
-{
-    const struct scene_spring *p = lone_spring(s);
-    const struct scene_kind *kind = &s->kind[p->kind];
-    w->body = lone_mover(s);
-    w->anchor = p->a == w->body ? p->b : p->a;
-    w->axis = a->axes & 2 ? 1 : a->axes & 4 ? 2 : 0;
-    const double m = s->mass[w->body];
-    const double x = s->position[at(s, w->axis, w->body)];
-    const double from = s->position[at(s, w->axis, w->anchor)];
-    w->square = kind->stiffness / m;
-    w->rate = (kind->damping + s->damping) / m;
-    w->rest = from + (x < from ? -p->rest : p->rest) +
-              s->gravity[w->axis] / w->square;
-    w->y = x - w->rest;
-    w->v = s->velocity[at(s, w->axis, w->body)];
-    w->reach = sqrt(w->y * w->y + w->v * w->v / w->square);
-    w->room = p->rest == 0                     ? INFINITY
-              : (x < from) == (w->rest < from) ? fabs(w->rest - from)
-                                               : 0;
+    if (a->dashpots && coordinates > 1)
+        return "dashpots mix the modes";
+    return coordinates > MOST_MODES ? "there are too many modes" : NULL;
 }
 
 static const char *refuse_oscillator(const struct scene *s,
                                      const struct models_acts *a,
                                      unsigned cuts)
 {
-    struct swing w;
-    const char *why = refuse_cuts(cuts, 0);
-    const struct scene_spring *p = lone_spring(s);
-    const size_t mover = lone_mover(s);
-    if (why || (why = refuse_forces(a, true, false)))
-        return why;
-    if (!p || (p->a != mover && p->b != mover) || mover == s->bodies)
-        return "it is not one body on one spring";
-    if (a->contact)
-        return "the body may meet another, or a wall";
-    if (a->dimensions > 1 || (a->offset & ~a->axes))
-        return "it does not move along its spring only";
-    if (!(s->kind[p->kind].stiffness > 0 && s->mass[mover] > 0))
-        return "there is a dashpot without a spring, or a spring without a "
-               "mass";
-    if (a->dimensions == 0)
-        return NULL;
-    measure_swing(&w, s, a);
-    return w.reach < w.room ? NULL : "the body may pass through its anchor";
+    return a->dimensions > 1 || (a->offset & ~a->axes)
+               ? "it does not move along its springs only"
+               : refuse_modes(s, a, cuts);
 }
 
-static enum models_end row_oscillator(struct models_run *r)
+/* Modes, and how much of each there is. */
+struct vibration {
+    struct springs springs;
+    struct modes modes;
+    double *rest, *push;     /* [3 * bodies], [6 * bodies] */
+    double *amount, *change; /* [size] of each mode at the start */
+    double *pull;            /* [size] what pulls at it where it rests */
+    double rate;             /* of friction, 1/s */
+    double slack;            /* squares below that are none, 1/s^2 */
+};
+
+static void end_modes(struct models_run *r)
 {
-    const struct origin *o = r->engine;
-    struct scene *s = &r->scene;
-    struct swing w;
-    memcpy(s->position, o->x, 3 * s->bodies * sizeof *o->x);
-    memcpy(s->velocity, o->v, 3 * s->bodies * sizeof *o->v);
-    if (r->acts.dimensions > 0) {
-        measure_swing(&w, s, &r->acts);
-        closed_oscillate(r->elapsed, w.square, w.rate, &w.y, &w.v);
-        s->position[at(s, w.axis, w.body)] = w.rest + w.y;
-        s->velocity[at(s, w.axis, w.body)] = w.v;
+    struct vibration *w = r->engine;
+    springs_free(&w->springs);
+    modes_free(&w->modes);
+    free(w->rest);
+}
+
+/* One of Newton's steps towards the place of rest, from w->rest. Returns
+   how far it has led, or NaN without memory. */
+static double approach_rest(struct vibration *w, struct models_run *r)
+{
+    const struct modes *m = &w->modes;
+    const size_t n = 3 * r->scene.bodies;
+    double *still = w->push, *gap = w->push + n;
+    memset(still, 0, n * sizeof *still);
+    springs_accelerate(&w->springs, w->rest, still, gap);
+    modes_free(&w->modes);
+    if (!modes_find(&w->modes, &w->springs, w->rest))
+        return NAN;
+    r->work[MODELS_MODE] += 20 * pow((double)m->size, 3);
+    if (m->size == 0)
+        return 0;
+    w->slack = 1e-9 * fabs(m->square[m->size - 1]);
+    modes_deflection(m, w->slack, gap, still);
+    for (size_t i = 0; i < m->size; ++i)
+        w->rest[m->coordinate[i]] += still[m->coordinate[i]];
+    return largest(still, n);
+}
+
+/* From w->rest to a place of rest that is stable. */
+static const char *find_rest(struct vibration *w, struct models_run *r)
+{
+    const double size = largest(w->rest, 3 * r->scene.bodies);
+    double far = INFINITY;
+    for (int k = 0; k < MOST_TRIES && !(far <= 1e-12 * size); ++k) {
+        far = approach_rest(w, r);
+        if (!(far <= 10 * size))
+            return "no place of rest was found";
     }
-    r->work[MODELS_FLIGHT] += 3 * WITH_EXPONENTIAL;
+    if (!(far <= 1e-9 * size))
+        return "no place of rest was found";
+    return w->modes.size > 0 && w->modes.square[0] < -w->slack
+               ? "the place of rest is not stable"
+               : NULL;
+}
+
+/* How much of each mode is in a displacement, or in velocities, or in an
+   acceleration. */
+static void take_apart(const struct modes *m, const double x[],
+                       const double from[], double amount[])
+{
+    for (size_t j = 0; j < m->size; ++j) {
+        amount[j] = 0;
+        for (size_t i = 0; i < m->size; ++i) {
+            const size_t c = m->coordinate[i];
+            amount[j] += m->shape[j * m->size + i] *
+                         (x[c] - (from ? from[c] : 0)) / sqrt(m->weight[i]);
+        }
+    }
+}
+
+/* Does each spring that has a length of its own keep its direction, on a
+   line along this axis? */
+static bool keeps_sides(const struct vibration *w, const struct scene *s,
+                        size_t axis)
+{
+    const double *x = s->position + axis * s->bodies;
+    const double *rest = w->rest + axis * s->bodies;
+    double twice = 0; /* the energy */
+    for (size_t j = 0; j < w->modes.size; ++j)
+        if (w->modes.square[j] > w->slack)
+            twice += w->change[j] * w->change[j] +
+                     w->modes.square[j] * w->amount[j] * w->amount[j];
+    for (size_t j = 0; j < s->springs; ++j) {
+        const struct scene_spring *p = &s->spring[j];
+        const double D = s->kind[p->kind].stiffness,
+                     d = rest[p->b] - rest[p->a];
+        if (is_active(s, p) && p->rest != 0 && D > 0 &&
+            !(d * (x[p->b] - x[p->a]) > 0 && D * d * d > twice))
+            return false;
+    }
+    return true;
+}
+
+static const char *begin_modes(struct models_run *r)
+{
+    struct vibration *w = r->engine;
+    struct scene *s = &r->scene;
+    const size_t n = 3 * s->bodies;
+    double damping = s->damping;
+    for (size_t c = 0; c < n; ++c)
+        s->freedom[c] &= r->acts.axes >> (c / s->bodies) & 1;
+    w->rest = malloc((6 * n + 1) * sizeof *w->rest);
+    if (!w->rest || !springs_create(&w->springs, s))
+        return no_memory;
+    w->push = w->rest + n;
+    w->amount = w->rest + 3 * n;
+    w->change = w->rest + 4 * n;
+    w->pull = w->rest + 5 * n;
+    memcpy(w->rest, s->position, n * sizeof *w->rest);
+    const char *why = find_rest(w, r);
+    if (why)
+        return why;
+    take_apart(&w->modes, s->position, w->rest, w->amount);
+    take_apart(&w->modes, s->velocity, NULL, w->change);
+    take_apart(&w->modes, w->push + n, NULL, w->pull);
+    for (size_t j = 0; j < s->springs; ++j)
+        if (is_active(s, &s->spring[j]))
+            damping += s->kind[s->spring[j].kind].damping;
+    for (size_t c = 0; c < n; ++c)
+        if (s->freedom[c])
+            w->rate = damping / s->mass[c % s->bodies];
+    const struct modes *const m = &w->modes;
+    for (size_t j = m->size; j-- > 0 && m->square[j] > w->slack;)
+        r->clock = 0x5p-53 * (double)m->size * m->square[m->size - 1] /
+                   m->square[j];
+    return r->plan.model->approximate ||
+                   keeps_sides(w, s, first_axis(r->acts.axes))
+               ? NULL
+               : "a spring may turn round";
+}
+
+static enum models_end row_modes(struct models_run *r)
+{
+    const struct vibration *w = r->engine;
+    const struct modes *m = &w->modes;
+    const double size = (double)m->size;
+    struct scene *s = &r->scene;
+    for (size_t i = 0; i < m->size; ++i) {
+        s->position[m->coordinate[i]] = w->rest[m->coordinate[i]];
+        s->velocity[m->coordinate[i]] = 0;
+    }
+    for (size_t j = 0; j < m->size; ++j) {
+        double q = w->amount[j], p = w->change[j];
+        if (m->square[j] > w->slack)
+            closed_oscillate(r->elapsed, m->square[j], w->rate, &q, &p);
+        else
+            closed_fly(r->elapsed, w->rate, w->pull[j], &q, &p);
+        for (size_t i = 0; i < m->size; ++i) {
+            const double part =
+                m->shape[j * m->size + i] * sqrt(m->weight[i]);
+            s->position[m->coordinate[i]] += part * q;
+            s->velocity[m->coordinate[i]] += part * p;
+        }
+    }
+    r->work[MODELS_FLIGHT] += WITH_EXPONENTIAL * size;
+    r->work[MODELS_MODE] += 2 * size * size;
     return MODELS_DONE;
 }
 
 /* Bodies on a line, from left to right. */
 struct row_of_bodies {
     size_t axis;
-    bool walls;  /* there are hard walls at both ends */
     double sign; /* -1: seen from the other side, for weight to be down */
     double gravity;     /* m/s^2, down */
     double left, right; /* where what is held, or a wall, begins, m */
@@ -872,56 +784,61 @@ struct row_of_bodies {
 static struct row_of_bodies row_of(const struct scene *s,
                                    const struct models_acts *a)
 {
-    const unsigned axes = a->axes ? a->axes : a->offset;
-    struct row_of_bodies row = {.axis = axes & 1   ? 0
-                                        : axes & 2 ? 1
-                                        : axes & 4 ? 2
-                                                   : 0};
-    const double *x = s->position + row.axis * s->bodies;
-    row.walls = s->wall[row.axis] == SCENE_HARD;
-    row.left = row.walls ? s->low[row.axis] : -INFINITY;
-    row.right = row.walls ? s->high[row.axis] : INFINITY;
-    const double g = a->weight ? s->gravity[row.axis] : 0;
-    row.sign = g > 0 ? -1 : 1;
-    row.gravity = fabs(g);
+    const size_t axis = first_axis(a->axes ? a->axes : a->offset);
+    const double *x = s->position + axis * s->bodies;
+    const unsigned char *free = s->freedom + axis * s->bodies;
+    const bool walls = s->wall[axis] == SCENE_HARD;
+    const double g = a->weight ? s->gravity[axis] : 0;
+    struct row_of_bodies row = {axis, g > 0 ? -1 : 1, fabs(g),
+                                walls ? s->low[axis] : -INFINITY,
+                                walls ? s->high[axis] : INFINITY};
     double first = INFINITY, last = -INFINITY; /* of the free ones */
     for (size_t i = 0; i < s->bodies; ++i)
-        if (s->freedom[at(s, row.axis, i)]) {
+        if (free[i]) {
             first = fmin(first, x[i]);
             last = fmax(last, x[i]);
         }
     for (size_t i = 0; i < s->bodies; ++i)
-        if (!s->freedom[at(s, row.axis, i)]) {
-            if (x[i] <= first)
-                row.left = fmax(row.left, x[i] + s->radius[i]);
-            else if (x[i] >= last)
-                row.right = fmin(row.right, x[i] - s->radius[i]);
-            else
-                row.left = NAN;
-        }
+        if (!free[i] && x[i] <= first)
+            row.left = fmax(row.left, x[i] + s->radius[i]);
+        else if (!free[i] && x[i] >= last)
+            row.right = fmin(row.right, x[i] - s->radius[i]);
+        else if (!free[i])
+            row.left = NAN;
     return row;
 }
 
-static const char *row_fault(const struct scene *s,
-                             const struct row_of_bodies *row)
+/* What keeps a scene off the line. */
+static const char *refuse_line(const struct scene *s,
+                               const struct models_acts *a, unsigned cuts)
 {
+    const struct row_of_bodies row = row_of(s, a);
     size_t movers = 0;
-    if (isnan(row->left))
+    (void)cuts;
+    if (!s->contact)
+        return "nothing collides";
+    if (a->dimensions > 1 || (a->offset & ~(1u << row.axis)))
+        return "the bodies are not on one line";
+    if (s->wall[row.axis] == SCENE_PERIODIC)
+        return "the line is periodic";
+    if (row.gravity > 0 && isinf(row.sign > 0 ? row.left : row.right))
+        return "bodies fall for ever";
+    if (isnan(row.left))
         return "a body is held between others";
     for (size_t i = 0; i < s->bodies; ++i) {
-        const bool mover = s->freedom[at(s, row->axis, i)];
+        const bool mover = s->freedom[at(s, row.axis, i)];
         movers += mover;
         if (mover && !(s->mass[i] > 0))
             return "a body has no mass";
         for (size_t k = 0; k < SCENE_AXES; ++k)
-            if (k != row->axis && s->wall[k] == SCENE_HARD &&
+            if (k != row.axis && s->wall[k] == SCENE_HARD &&
                 !(s->position[at(s, k, i)] - s->radius[i] >= s->low[k] &&
                   s->position[at(s, k, i)] + s->radius[i] <= s->high[k]))
                 return "a wall beside the line is in the way";
     }
-    if (movers == 0 || movers > BONKERS_MOVERS)
-        return "nothing is free, or too much";
-    return NULL;
+    return movers > 0 && movers <= BONKERS_MOVERS
+               ? NULL
+               : "nothing is free, or too much";
 }
 
 /* The start of chapter 2 for a row, and in body who is who. False without
@@ -937,29 +854,118 @@ static bool start_row(struct start *start, size_t **body,
         if (s->freedom[at(s, row->axis, i)])
             bead[movers++] = (struct light_place){
                 row->sign * s->position[at(s, row->axis, i)], i};
-    if (!bead || !*body || !start_create(start, movers)) {
-        free(bead);
-        free(*body);
-        *body = NULL;
-        return false;
+    const bool made = bead && *body && start_create(start, movers);
+    if (made) {
+        qsort(bead, movers, sizeof *bead, light_compare);
+        for (size_t j = 0; j < movers; ++j) {
+            const size_t i = (*body)[j] = bead[j].body;
+            start->x[j] = bead[j].key;
+            start->v[j] = row->sign * s->velocity[at(s, row->axis, i)];
+            start->mass[j] = s->mass[i];
+            start->radius[j] = s->radius[i];
+        }
+        start->wall[0] = row->sign > 0 ? row->left : -row->right;
+        start->wall[1] = row->sign > 0 ? row->right : -row->left;
+        start->gravity = row->gravity;
     }
-    qsort(bead, movers, sizeof *bead, light_compare);
-    for (size_t j = 0; j < movers; ++j) {
-        const size_t i = (*body)[j] = bead[j].body;
-        start->x[j] = bead[j].key;
-        start->v[j] = row->sign * s->velocity[at(s, row->axis, i)];
-        start->mass[j] = s->mass[i];
-        start->radius[j] = s->radius[i];
-    }
-    start->wall[0] = row->sign > 0 ? row->left : -row->right;
-    start->wall[1] = row->sign > 0 ? row->right : -row->left;
-    start->gravity = row->gravity;
     free(bead);
-    return true;
+    return made;
 }
 
-static const char *refuse_line(const struct scene *s,
-                               const struct models_acts *a, unsigned cuts);
+/* The engine of chapter 2, and who is who in it. */
+struct line {
+    struct bonkers bonkers;
+    size_t *body, axis;
+    double *x, *v, sign; /* of the engine's bodies; the walls are two */
+};
+
+static void end_line(struct models_run *r)
+{
+    struct line *l = r->engine;
+    bonkers_free(&l->bonkers);
+    free(l->body);
+    free(l->x);
+}
+
+/* So many times, n bodies are put in order. */
+static void count_sorting(struct models_run *r, size_t n, double times)
+{
+    double bits = 1;
+    for (size_t m = n; m > 2; m = (m + 1) / 2)
+        ++bits;
+    r->work[MODELS_ORDER] += times * (double)n * bits;
+}
+
+static const char *begin_line(struct models_run *r)
+{
+    const struct row_of_bodies row = row_of(&r->scene, &r->acts);
+    struct start start = {0};
+    struct line *l = r->engine;
+    size_t wrong = 0;
+    bool begun = start_row(&start, &l->body, &r->scene, &row);
+    const size_t bodies = start.movers + 2;
+    l->axis = row.axis;
+    l->sign = row.sign;
+    l->x = malloc(2 * bodies * sizeof *l->x);
+    l->v = l->x ? l->x + bodies : NULL;
+    begun = begun && l->x &&
+            bonkers_begin(&l->bonkers, &start, r->scene.restitution,
+                          BONKERS_AUTO, &wrong);
+    count_sorting(r, start.movers, 3);
+    start_free(&start);
+    return !begun                     ? no_memory
+           : wrong == l->bonkers.gaps ? NULL
+                                      : "bodies overlap at the start";
+}
+
+/* Engines of events are asked for so many collisions at a time, between
+   which the cost is looked at. */
+enum { AT_A_TIME = 4096, SLAB_WORTH = 30 /* gaps */ };
+
+static bool is_costly(const struct models_run *r)
+{
+    return models_cost(r->work) > r->limit;
+}
+
+static void count_line(struct models_run *r, const struct bonkers *b)
+{
+    const bool few = b->gaps <= BONKERS_SCANNED + 1;
+    const double met = (double)b->collisions, rows = (double)r->rows + 1;
+    r->work[MODELS_LINE_EVENT] = met;
+    r->work[MODELS_LINE_SCAN] =
+        (met + rows) * (few ? (double)b->gaps : SLAB_WORTH);
+    r->work[MODELS_FLIGHT] = 3 * rows * (double)b->gaps;
+}
+
+static void take_from_line(struct models_run *r, const struct line *l)
+{
+    for (size_t j = 1; j < l->bonkers.gaps; ++j) {
+        const size_t c = at(&r->scene, l->axis, l->body[j - 1]);
+        r->scene.position[c] = l->sign * l->x[j];
+        r->scene.velocity[c] = l->sign * l->v[j];
+    }
+    r->virial = NAN;
+}
+
+static enum models_end row_line(struct models_run *r)
+{
+    struct line *l = r->engine;
+    struct bonkers *b = &l->bonkers;
+    enum bonkers_stop stop;
+    do {
+        const uint64_t before = b->collisions;
+        stop = bonkers_run(b, r->elapsed, before + AT_A_TIME);
+        count_line(r, b);
+        if (is_costly(r))
+            return MODELS_COSTLY;
+    } while (stop == BONKERS_COLLISIONS);
+    r->collisions = b->collisions;
+    if (stop == BONKERS_COLLAPSE)
+        return MODELS_STANDSTILL;
+    bonkers_state(b, l->x, l->v);
+    take_from_line(r, l);
+    return MODELS_DONE;
+}
 
 static const char *refuse_relabel(const struct scene *s,
                                   const struct models_acts *a,
@@ -983,219 +989,40 @@ static const char *refuse_relabel(const struct scene *s,
     return NULL;
 }
 
-/* Equal bodies as points, their radii taken out. */
-struct relabel {
-    struct start start;
-    size_t *body, axis;
-    double *shift; /* what the radii have taken, of each */
-    double *place, *speed;
-    double left, right; /* m; of the points */
-};
-
-static void free_relabel(struct models_run *r)
+/* Where the points are at the start; returns how many there are. */
+static size_t put_points(const struct line *l)
 {
-    struct relabel *b = r->engine;
-    start_free(&b->start);
-    free(b->body);
-    free(b->shift);
-    free(b);
-}
-
-/* (2.2, eq:rods) */
-static bool take_out_radii(struct relabel *b)
-{
-    struct start *s = &b->start;
-    const double rounding =
-        1e-12 * fmax(fabs(s->x[0]), fabs(s->x[s->movers - 1]));
-    double taken = 0, last = b->left = s->wall[0];
-    for (size_t j = 0; j < s->movers; ++j) {
-        b->shift[j] = taken + s->radius[j];
-        taken += 2 * s->radius[j];
-        s->x[j] -= b->shift[j];
-        if (!(s->x[j] >= last - rounding))
-            return false;
-        last = s->x[j] = fmax(s->x[j], last);
+    for (size_t j = 0; j <= l->bonkers.gaps; ++j) {
+        l->x[j] = l->bonkers.body[j].x;
+        l->v[j] = l->bonkers.body[j].v;
     }
-    b->right = s->wall[1] - taken;
-    return b->right >= last - rounding && b->right > b->left;
-}
-
-/* So many times, n bodies are put in order. */
-static void count_sorting(struct models_run *r, size_t n, double times)
-{
-    double bits = 1;
-    for (size_t m = n; m > 2; m = (m + 1) / 2)
-        ++bits;
-    r->work[MODELS_ORDER] += times * (double)n * bits;
-}
-
-static const char *begin_relabel(struct models_run *r)
-{
-    const struct row_of_bodies row = row_of(&r->scene, &r->acts);
-    struct relabel *b = calloc(1, sizeof *b);
-    if (!b || !start_row(&b->start, &b->body, &r->scene, &row)) {
-        free(b);
-        return no_memory;
-    }
-    const size_t n = b->start.movers;
-    r->engine = b;
-    count_sorting(r, n, 3);
-    b->axis = row.axis;
-    b->shift = malloc((3 * n + 1) * sizeof *b->shift);
-    if (b->shift) {
-        b->place = b->shift + n;
-        b->speed = b->place + n;
-        if (take_out_radii(b))
-            return NULL;
-    }
-    const char *why = b->shift ? "bodies overlap at the start" : no_memory;
-    free_relabel(r);
-
-    return why;
+    return l->bonkers.gaps - 1;
 }
 
 static enum models_end row_relabel(struct models_run *r)
 {
-    struct relabel *b = r->engine;
-    const size_t n = b->start.movers;
-    if (!closed_relabel(b->left, b->right, n, b->start.x, b->start.v,
-                        r->elapsed, b->place, b->speed))
+    const struct line *l = r->engine;
+    const size_t n = put_points(l);
+    double *const x = l->x + 1, *const v = l->v + 1;
+    if (!(l->x[0] < x[n]))
+        return MODELS_BROKEN; /* no room at all */
+    if (!closed_relabel(l->x[0], x[n], n, x, v, r->elapsed, x, v))
         return MODELS_MEMORY;
-    for (size_t j = 0; j < n; ++j) {
-        const size_t c = at(&r->scene, b->axis, b->body[j]);
-        r->scene.position[c] = b->place[j] + b->shift[j];
-        r->scene.velocity[c] = b->speed[j];
-    }
+    for (size_t j = 1; j <= n && l->bonkers.shift; ++j)
+        l->x[j] += l->bonkers.shift[j];
+    take_from_line(r, l);
     r->work[MODELS_FLIGHT] += (double)n;
     count_sorting(r, n, 1);
-    r->virial = NAN;
     return MODELS_DONE;
 }
 
 static void count_relabelled(struct models_run *r)
 {
-    const struct relabel *b = r->engine;
-    const size_t n = b->start.movers;
-    r->collisions = closed_meetings(b->left, b->right, n, b->start.x,
-                                    b->start.v, (double)r->rows * r->every);
-    count_sorting(r, n, 8);
-}
-
-/* What keeps a scene off the line. */
-static const char *refuse_line(const struct scene *s,
-                               const struct models_acts *a, unsigned cuts)
-{
-    const char *why = refuse_cuts(cuts, 0);
-    const struct row_of_bodies row = row_of(s, a);
-    if (why || (why = refuse_forces(a, false, false)))
-        return why;
-    if (!s->contact)
-        return "nothing collides";
-    if (a->friction)
-        return "bodies do not fly evenly";
-    if (a->dimensions > 1 || (a->offset & ~(1u << row.axis)))
-        return "the bodies are not on one line";
-    if (s->wall[row.axis] == SCENE_PERIODIC)
-        return "the line is periodic";
-    if (row.gravity > 0 && isinf(row.sign > 0 ? row.left : row.right))
-        return "bodies fall for ever";
-    return row_fault(s, &row);
-}
-
-/* The engine of chapter 2, and who is who in it. */
-struct line {
-    struct bonkers bonkers;
-    size_t *body, axis;
-    double *x, *v, sign;
-};
-
-static void end_line(struct models_run *r)
-{
-    struct line *l = r->engine;
-    bonkers_free(&l->bonkers);
-    free(l->body);
-    free(l->x);
-    free(l);
-}
-
-/* Makes room for states, and begins the engine; *wrong as bonkers_start
-   returns it. False: no memory. */
-static bool prepare_line(struct line *l, const struct scene *s,
-                         const struct row_of_bodies *row, size_t *wrong)
-{
-    struct start start;
-    if (!start_row(&start, &l->body, s, row))
-        return false;
-    const size_t bodies = start.movers + 2;
-    l->axis = row->axis;
-    l->sign = row->sign;
-    l->x = malloc(2 * bodies * sizeof *l->x);
-    l->v = l->x ? l->x + bodies : NULL;
-    const bool begun =
-        l->x && bonkers_begin(&l->bonkers, &start, s->restitution,
-                              BONKERS_AUTO, wrong);
-    start_free(&start);
-    return begun;
-}
-
-static const char *begin_line(struct models_run *r)
-{
-    const struct row_of_bodies row = row_of(&r->scene, &r->acts);
-    struct line *l = calloc(1, sizeof *l);
-    size_t wrong = 0;
-    if (!(r->engine = l))
-        return no_memory;
-    const bool begun = prepare_line(l, &r->scene, &row, &wrong);
-    if (begun)
-        count_sorting(r, l->bonkers.gaps, 3);
-    if (begun && wrong == l->bonkers.gaps)
-        return NULL;
-    end_line(r);
-    return begun ? "bodies overlap at the start" : no_memory;
-}
-
-/* Engines of events are asked for so many collisions at a time, between
-   which the cost is looked at. */
-enum { AT_A_TIME = 4096, SLAB_WORTH = 30 /* gaps */ };
-
-static bool is_costly(const struct models_run *r)
-{
-    return models_cost(r->work) > r->limit;
-}
-
-static void count_line(struct models_run *r, const struct bonkers *b)
-{
-    const bool few = b->gaps <= BONKERS_SCANNED + 1;
-    const double met = (double)b->collisions, rows = (double)r->rows + 1;
-    r->work[MODELS_LINE_EVENT] = met;
-    r->work[MODELS_LINE_SCAN] =
-        (met + rows) * (few ? (double)b->gaps : SLAB_WORTH);
-    r->work[MODELS_FLIGHT] = 3 * rows * (double)b->gaps;
-}
-
-static enum models_end row_line(struct models_run *r)
-{
-    struct line *l = r->engine;
-    struct bonkers *b = &l->bonkers;
-    enum bonkers_stop stop;
-    do {
-        const uint64_t before = b->collisions;
-        stop = bonkers_run(b, r->elapsed, before + AT_A_TIME);
-        count_line(r, b);
-        if (is_costly(r))
-            return MODELS_COSTLY;
-    } while (stop == BONKERS_COLLISIONS);
-    r->collisions = b->collisions;
-    r->virial = NAN;
-    if (stop == BONKERS_COLLAPSE)
-        return MODELS_STANDSTILL;
-    bonkers_state(b, l->x, l->v);
-    for (size_t j = 1; j < b->gaps; ++j) {
-        const size_t c = at(&r->scene, l->axis, l->body[j - 1]);
-        r->scene.position[c] = l->sign * l->x[j];
-        r->scene.velocity[c] = l->sign * l->v[j];
-    }
-    return MODELS_DONE;
+    const struct line *l = r->engine;
+    const size_t n = put_points(l);
+    r->collisions = closed_meetings(l->x[0], l->x[n + 1], n, l->x + 1,
+                                    l->v + 1, (double)r->rows * r->every);
+    r->work[MODELS_ORDER] += 2 * (double)n * (double)n;
 }
 
 /* A scene's axes, as those of the engine. */
@@ -1259,7 +1086,7 @@ static bool points_meet(const struct scene *s, const struct models_acts *a)
     for (size_t i = 0; i < s->bodies; ++i)
         if (s->radius[i] == 0) {
             ++points;
-            free += is_free(s, i, a->axes);
+            free += (freedom_of(s, i) & a->axes) != 0;
         }
     return a->contact && a->dimensions == 1 && !(a->offset & ~a->axes) &&
            points > 1 && free > 0;
@@ -1268,20 +1095,17 @@ static bool points_meet(const struct scene *s, const struct models_acts *a)
 static const char *refuse_disks(const struct scene *s,
                                 const struct models_acts *a, unsigned cuts)
 {
-    const char *why = refuse_cuts(cuts, 0);
     const struct view w = view_of(s, a);
-    if (why || (why = refuse_forces(a, false, false)))
-        return why;
+    const char *why = view_fault(s, a, &w);
+    (void)cuts;
     if (!s->contact)
         return "nothing collides";
-    if (a->friction)
-        return "bodies do not fly evenly";
     if (points_meet(s, a))
         return unseen;
-    if ((why = view_fault(s, a, &w)))
+    if (why)
         return why;
     for (size_t i = 0; i < s->bodies; ++i) {
-        if (!is_all_free(s, i, a->axes | a->offset))
+        if ((a->axes | a->offset) & ~freedom_of(s, i))
             return "a body is held";
         if (!(s->mass[i] > 0))
             return "a body has no mass";
@@ -1307,7 +1131,6 @@ static void end_disks(struct models_run *r)
     if (d->celled)
         cells_free(&d->cells);
     disks_free(&d->disks);
-    free(d);
 }
 
 enum { SCANNED = 100 }; /* disks up to which all are looked at */
@@ -1326,11 +1149,6 @@ static const char *prepare_disks(struct room *d)
     if (disks_lying(&d->disks) < d->disks.count)
         return "a body lies on the floor";
     return d->celled || disks_plan(&d->disks) ? NULL : no_memory;
-}
-
-static double looks_for(const struct room *d)
-{
-    return (double)(d->celled ? d->cells.seats : d->disks.count);
 }
 
 static void put_in_box(struct room *d, const struct scene *s)
@@ -1359,13 +1177,10 @@ static void put_in_box(struct room *d, const struct scene *s)
 static const char *begin_disks(struct models_run *r)
 {
     const struct scene *s = &r->scene;
-    struct room *d = calloc(1, sizeof *d);
+    struct room *d = r->engine;
     const struct view w = view_of(s, &r->acts);
-    if (!d || !disks_create(&d->disks, w.axes, s->bodies)) {
-        free(d);
+    if (!disks_create(&d->disks, w.axes, s->bodies))
         return no_memory;
-    }
-    r->engine = d;
     d->view = w;
     d->disks.boundary = w.count[SCENE_PERIODIC] == 0 ? DISKS_WALLS
                         : w.count[SCENE_HARD] > 0    ? DISKS_FLOOR
@@ -1373,10 +1188,7 @@ static const char *begin_disks(struct models_run *r)
     d->disks.restitution = s->restitution;
     d->disks.gravity = r->acts.weight ? fabs(s->gravity[w.axis[1]]) : 0;
     put_in_box(d, s);
-    const char *why = prepare_disks(d);
-    if (why)
-        end_disks(r);
-    return why;
+    return prepare_disks(d);
 }
 
 static void count_disks(struct models_run *r, const struct room *d)
@@ -1384,21 +1196,13 @@ static void count_disks(struct models_run *r, const struct room *d)
     const double met = (double)d->disks.collisions;
     const double hit = (double)d->disks.wall_collisions;
     const double renewed = d->celled ? (double)d->cells.renewed : 0;
+    const size_t looks = d->celled ? d->cells.seats : d->disks.count;
     r->work[MODELS_DISK_EVENT] = met + hit;
-    r->work[MODELS_DISK_SCAN] = looks_for(d) * ((double)d->disks.count / 2 +
-                                                2 * met + hit + renewed);
+    r->work[MODELS_DISK_SCAN] =
+        (double)looks *
+        ((double)d->disks.count / 2 + 2 * met + hit + renewed);
     r->work[MODELS_FLIGHT] =
         ((double)r->rows + 1) * (double)(d->view.axes * d->disks.count);
-}
-
-/* How often in a second would a disk that meets nobody cross the room? */
-static double crossings(const struct room *d, size_t i)
-{
-    double rate = 0;
-    for (size_t k = 0; k < d->view.axes; ++k)
-        if (d->disks.box[k] > 0)
-            rate += fabs(d->disks.disk[i].velocity[k]) / d->disks.box[k];
-    return rate;
 }
 
 /* Will the crossings alone be dear, with those of the row that comes? */
@@ -1407,7 +1211,10 @@ static bool is_endless(const struct models_run *r, struct room *d)
     const double time = r->elapsed - d->disks.now;
     const double price = 1e-9 * models_prices[MODELS_DISK_EVENT].ns;
     for (size_t i = 0; i < d->disks.count; ++i)
-        d->crossed += crossings(d, i) * time;
+        for (size_t k = 0; k < d->view.axes; ++k)
+            if (d->disks.box[k] > 0)
+                d->crossed += time * fabs(d->disks.disk[i].velocity[k]) /
+                              d->disks.box[k];
     return models_cost(r->work) + price * d->crossed > r->limit;
 }
 
@@ -1446,175 +1253,6 @@ static enum models_end row_disks(struct models_run *r)
     return MODELS_DONE;
 }
 
-enum { MOST_MODES = 400, MOST_TRIES = 30 };
-
-static const char *refuse_modes(const struct scene *s,
-                                const struct models_acts *a, unsigned cuts)
-{
-    const char *why = refuse_cuts(cuts, 0);
-    double mass = 0;
-    size_t coordinates = 0;
-    if (why || (why = refuse_forces(a, true, false)))
-        return why;
-    if (!a->springs || a->contact || a->dashpots)
-        return !a->springs  ? "no spring acts"
-               : a->contact ? "bodies may meet"
-                            : "there are dashpots";
-    for (size_t c = 0; c < 3 * s->bodies; ++c)
-        if (s->freedom[c]) {
-            const double m = s->mass[c % s->bodies];
-            if (!(m > 0) || (a->friction && mass != 0 && m != mass))
-                return m > 0 ? "friction mixes the modes of unequal masses"
-                             : "a body has no mass";
-            mass = m;
-            ++coordinates;
-        }
-    return coordinates > MOST_MODES ? "there are too many modes" : NULL;
-}
-
-/* Modes, and how much of each there is. */
-struct vibration {
-    struct springs springs;
-    struct modes modes;
-    double *rest, *push;     /* [3 * bodies], [6 * bodies] */
-    double *amount, *change; /* [size] of each mode at the start */
-    double rate;             /* of friction, 1/s */
-};
-
-static void end_modes(struct models_run *r)
-{
-    struct vibration *w = r->engine;
-    springs_free(&w->springs);
-    modes_free(&w->modes);
-    free(w->rest);
-    free(w);
-}
-
-/* The largest part of a vector. */
-static double largest(const double a[], size_t n)
-{
-    double most = 0;
-    for (size_t i = 0; i < n; ++i)
-        most = fmax(most, fabs(a[i]));
-    return most;
-}
-
-/* One of Newton's steps towards the place of rest, from w->rest. Returns
-   how far it has led, or NaN without memory. */
-static double approach_rest(struct vibration *w, struct models_run *r)
-{
-    const size_t n = 3 * r->scene.bodies;
-    double *still = w->push, *gap = w->push + n;
-    memset(still, 0, n * sizeof *still);
-    springs_accelerate(&w->springs, w->rest, still, gap);
-    modes_free(&w->modes);
-    if (!modes_find(&w->modes, &w->springs, w->rest))
-        return NAN;
-    const double size = (double)w->modes.size;
-    r->work[MODELS_MODE] += 20 * size * size * size;
-    if (w->modes.size == 0)
-        return 0;
-    modes_deflection(&w->modes,
-                     1e-9 * fabs(w->modes.square[w->modes.size - 1]), gap,
-                     still);
-    for (size_t i = 0; i < w->modes.size; ++i)
-        w->rest[w->modes.coordinate[i]] += still[w->modes.coordinate[i]];
-    return largest(still, n);
-}
-
-/* From w->rest to a place of rest that is stable. */
-static const char *find_rest(struct vibration *w, struct models_run *r)
-{
-    const double size = largest(w->rest, 3 * r->scene.bodies);
-    double far = INFINITY;
-    for (int k = 0; k < MOST_TRIES && !(far <= 1e-12 * size); ++k) {
-        far = approach_rest(w, r);
-        if (!(far <= 10 * size))
-            return "no place of rest was found";
-    }
-    if (!(far <= 1e-9 * size))
-        return "no place of rest was found";
-    const size_t n = w->modes.size;
-    if (n > 0 && w->modes.square[0] < -1e-9 * w->modes.square[n - 1])
-        return "the place of rest is not stable";
-
-    return NULL;
-}
-
-/* How much of each mode is in a displacement, or in velocities. */
-static void take_apart(const struct vibration *w, const double x[],
-                       const double from[], double amount[])
-{
-    const struct modes *m = &w->modes;
-    for (size_t j = 0; j < m->size; ++j) {
-        amount[j] = 0;
-        for (size_t i = 0; i < m->size; ++i) {
-            const size_t c = m->coordinate[i];
-            amount[j] += m->shape[j * m->size + i] *
-                         (x[c] - (from ? from[c] : 0)) / sqrt(m->weight[i]);
-        }
-    }
-}
-
-static const char *prepare_modes(struct vibration *w, struct models_run *r)
-{
-    const struct scene *s = &r->scene;
-    const size_t n = 3 * s->bodies;
-    w->rest = malloc((5 * n + 1) * sizeof *w->rest);
-    if (!w->rest || !springs_create(&w->springs, s))
-        return no_memory;
-    w->push = w->rest + n;
-    w->amount = w->rest + 3 * n;
-    w->change = w->rest + 4 * n;
-    memcpy(w->rest, s->position, n * sizeof *w->rest);
-    const char *why = find_rest(w, r);
-    if (why)
-        return why;
-    for (size_t c = 0; c < n; ++c)
-        if (s->freedom[c])
-            w->rate = s->damping / s->mass[c % s->bodies];
-    take_apart(w, s->position, w->rest, w->amount);
-    take_apart(w, s->velocity, NULL, w->change);
-    return NULL;
-}
-
-static const char *begin_modes(struct models_run *r)
-{
-    struct vibration *w = calloc(1, sizeof *w);
-    if (!(r->engine = w))
-        return no_memory;
-    const char *why = prepare_modes(w, r);
-    if (why)
-        end_modes(r);
-    return why;
-}
-
-static enum models_end row_modes(struct models_run *r)
-{
-    const struct vibration *w = r->engine;
-    const struct modes *m = &w->modes;
-    const double size = (double)m->size;
-    struct scene *s = &r->scene;
-    for (size_t i = 0; i < m->size; ++i) {
-        s->position[m->coordinate[i]] = w->rest[m->coordinate[i]];
-        s->velocity[m->coordinate[i]] = 0;
-    }
-    for (size_t j = 0; j < m->size; ++j) {
-        double q = w->amount[j], p = w->change[j];
-        closed_oscillate(r->elapsed, fmax(m->square[j], 0), w->rate, &q,
-                         &p);
-        for (size_t i = 0; i < m->size; ++i) {
-            const double part =
-                m->shape[j * m->size + i] * sqrt(m->weight[i]);
-            s->position[m->coordinate[i]] += part * q;
-            s->velocity[m->coordinate[i]] += part * p;
-        }
-    }
-    r->work[MODELS_FLIGHT] += WITH_EXPONENTIAL * size;
-    r->work[MODELS_MODE] += 2 * size * size;
-    return MODELS_DONE;
-}
-
 static const char *refuse_steps(const struct scene *s,
                                 const struct models_acts *a, unsigned cuts)
 {
@@ -1626,59 +1264,30 @@ static const char *refuse_steps(const struct scene *s,
     case MOTION_TWICE: return "contacts are springs";
     case MOTION_WELL: break;
     }
-    return cuts & MODELS_RODS ? no_rods : NULL;
-}
-
-static const char *refuse_leapfrog(const struct scene *s,
-                                   const struct models_acts *a,
-                                   unsigned cuts)
-{
-    const char *why = refuse_steps(s, a, cuts & ~(unsigned)MODELS_RODS);
-    if (!why && (cuts & MODELS_RODS) && (a->friction || a->dashpots))
-        return "rods and friction do not go together";
-    return why;
+    return (cuts & MODELS_RODS) && (a->friction || a->dashpots)
+               ? "rods and friction do not go together"
+               : NULL;
 }
 
 /* The heaviest body, then the others from the inside outwards, whatever
-   their numbers are. NULL without memory. */
-static struct light_place *order_outwards(const struct scene *s)
+   their numbers are. */
+static bool order_outwards(struct light *l, const struct scene *s)
 {
-    struct light_place *order = malloc(s->bodies * sizeof *order);
-    size_t centre = 0;
-    for (size_t i = 1; i < s->bodies; ++i)
-        if (s->mass[i] > s->mass[centre])
-            centre = i;
-    for (size_t i = 0; order && i < s->bodies; ++i)
-        order[i] = (struct light_place){models_square(s, i, centre), i};
-    if (order)
-        qsort(order, s->bodies, sizeof *order, light_compare);
-    return order;
+    return make_light(l, s, false, central_body(s, ALL_AXES), true);
 }
 
-static void put_in_order(struct scene *to, const struct scene *from,
-                         const struct light_place order[])
+static void permute(struct scene *to, const struct scene *from,
+                    const uint32_t order[], bool back)
 {
     const size_t n = to->bodies;
     for (size_t i = 0; i < n; ++i) {
-        to->mass[i] = from->mass[order[i].body];
-        for (size_t k = 0; k < SCENE_AXES; ++k) {
-            const size_t c = at(from, k, order[i].body);
-            to->position[k * n + i] = from->position[c];
-            to->velocity[k * n + i] = from->velocity[c];
+        const size_t b = back ? order[i] : i, c = back ? i : order[i];
+        to->mass[b] = from->mass[c];
+        for (size_t k = 0; k < 3 * n; k += n) {
+            to->position[k + b] = from->position[k + c];
+            to->velocity[k + b] = from->velocity[k + c];
         }
     }
-}
-
-static void put_back(struct scene *to, const struct scene *from,
-                     const struct light_place order[])
-{
-    const size_t n = to->bodies;
-    for (size_t i = 0; i < n; ++i)
-        for (size_t k = 0; k < SCENE_AXES; ++k) {
-            const size_t c = at(to, k, order[i].body);
-            to->position[c] = from->position[k * n + i];
-            to->velocity[c] = from->velocity[k * n + i];
-        }
 }
 
 static const char *refuse_orbits(const struct scene *s,
@@ -1686,19 +1295,18 @@ static const char *refuse_orbits(const struct scene *s,
 {
     const char *why = refuse_steps(s, a, cuts);
     struct scene other;
-    if (!why && (cuts & MODELS_NO_LIGHT))
-        why = "it does not ask who pulls";
+    struct light light;
     if (why)
         return why;
-    struct light_place *order = order_outwards(s);
-    if (!order || !scene_copy(&other, s)) {
-        free(order);
+    if (!scene_copy(&other, s))
         return no_memory;
+    why = no_memory;
+    if (order_outwards(&light, s)) {
+        permute(&other, s, light.order, false);
+        why = jacobi_refuses(&other);
+        light_free(&light);
     }
-    put_in_order(&other, s, order);
-    why = jacobi_refuses(&other);
     scene_free(&other);
-    free(order);
     return why;
 }
 
@@ -1713,21 +1321,18 @@ struct steps {
         const struct scene *scene;
         double little, left;
     } passages;
-    struct light_place *order; /* of orbits, or NULL */
-    bool lights, rodded;
+    bool lights, ordered, rodded;
 };
 
 static void end_steps(struct models_run *r)
 {
     struct steps *t = r->engine;
-    if (t->lights)
+    if (t->lights || t->ordered)
         light_free(&t->light);
     if (t->rodded)
         rods_free(&t->rods);
-    free(t->order);
     motion_end(&t->motion);
     scene_free(&t->scene);
-    free(t);
 }
 
 /* May the centre of mass be used: is nothing held, and is there nothing but
@@ -1735,7 +1340,7 @@ static void end_steps(struct models_run *r)
 static bool has_centre(const struct scene *s, const struct models_acts *a)
 {
     for (size_t i = 0; i < s->bodies; ++i)
-        if (!is_all_free(s, i, a->axes))
+        if (a->axes & ~freedom_of(s, i))
             return false;
     return !a->contact && !a->springs && !a->friction;
 }
@@ -1748,7 +1353,7 @@ static bool lighten(struct steps *t, struct models_run *r)
     if (!t->lights)
         return false;
     light_enter(&t->light, s, s->position, s->velocity);
-    g->source = t->light.source;
+    g->source = t->light.order;
     g->sources = t->light.heavy;
     g->share = t->light.share;
     return true;
@@ -1763,25 +1368,6 @@ static bool stiffen(struct steps *t, struct scene *s,
     t->motion.outside = rods_step;
     t->motion.with = &t->rods;
     return t->rodded;
-}
-
-/* Adds what two bodies are apart along an axis to the sums of p, and to
- *a2 the square of their acceleration towards each other. */
-static struct pair relative(const struct scene *s, size_t i, size_t j,
-                            const double x[], const double v[],
-                            const double a[], double *a2)
-{
-    struct pair p = {.r2 = 0};
-    *a2 = 0;
-    for (size_t k = 0; k < SCENE_AXES; ++k) {
-        const size_t one = at(s, k, i), other = at(s, k, j);
-        const double r = x[other] - x[one];
-        const double u = v[other] - v[one];
-        const double f = a[other] - a[one];
-        pair_add(&p, r, u);
-        *a2 += f * f;
-    }
-    return p;
 }
 
 /* Does the passage of two bodies move any body by more than a little, in
@@ -1802,15 +1388,15 @@ static double longest(void *what, const double x[], const double v[],
 {
     const struct passages *g = what;
     const struct scene *s = g->scene;
-    double most = 0, a2;
+    double most = 0;
     for (size_t i = 0; i < s->bodies; ++i)
         for (size_t j = 0; j < i; ++j) {
             const double pull = s->k2 * (s->mass[i] + s->mass[j]);
-            if (pull == 0 ||
-                !(is_free(s, i, ALL_AXES) || is_free(s, j, ALL_AXES)))
+            if (pull == 0 || !(freedom_of(s, i) || freedom_of(s, j)))
                 continue;
-            const struct pair p = relative(s, i, j, x, v, a, &a2);
-            if (p.v2 > most * p.r2 && counts(g, &p, pull, a2))
+            const struct pair p = pair_of(s, i, j, x, v);
+            if (p.v2 > most * p.r2 &&
+                counts(g, &p, pull, pair_of(s, i, j, a, a).r2))
                 most = p.v2 / p.r2;
         }
     return most > 0 ? 0.7 / sqrt(most) : INFINITY;
@@ -1843,14 +1429,14 @@ static bool begin_motion(struct steps *t, struct models_run *r,
 {
     const bool lights = r->plan.cuts & MODELS_NO_LIGHT;
     const size_t count =
-        r->plan.cuts & MODELS_RODS ? take_springs(&r->scene, true, rod) : 0;
+        r->plan.cuts & MODELS_RODS ? take_stiff(&r->scene, rod) : 0;
     struct scene *s = &t->scene;
     if (!scene_copy(s, &r->scene))
         return false;
     if (r->plan.model->method->orbits) {
-        if (!(t->order = order_outwards(&r->scene)))
+        if (!(t->ordered = order_outwards(&t->light, &r->scene)))
             return false;
-        put_in_order(s, &r->scene, t->order);
+        permute(s, &r->scene, t->light.order, false);
     }
     if (!motion_begin(&t->motion, "models", s, r->plan.model->name,
                       r->every / (double)steps_of(r)))
@@ -1865,16 +1451,10 @@ static bool begin_motion(struct steps *t, struct models_run *r,
 
 static const char *begin_steps(struct models_run *r)
 {
-    struct steps *t = calloc(1, sizeof *t);
     struct scene_spring *rod = malloc((r->scene.springs + 1) * sizeof *rod);
-    if (!(r->engine = t) || !rod || !begin_motion(t, r, rod)) {
-        if (t)
-            end_steps(r);
-        free(rod);
-        return no_memory;
-    }
+    const bool begun = rod && begin_motion(r->engine, r, rod);
     free(rod);
-    return NULL;
+    return begun ? NULL : no_memory;
 }
 
 static double count_pulls(const struct steps *t)
@@ -1950,76 +1530,51 @@ static void count_steps(struct models_run *r, const struct steps *t)
 
 enum { STEPS_AT_A_TIME = 256 };
 
-/* How far it is, in rows: a step of its own length may be beyond. */
-static double rows_done(const struct models_run *r, const struct steps *t,
+/* Will the run cost twice what it may, if it goes on like this? A step of
+   its own length may be beyond the row. */
+static bool is_hopeless(const struct models_run *r, const struct steps *t,
                         uint64_t left)
 {
     const double row = (double)steps_of(r);
     const struct adaptive *own = t->motion.stepping.own;
     const double done = (double)r->rows + (row - (double)left) / row;
-    return own ? fmax(done, own->t / r->every) : done;
-}
-
-/* Will the run cost twice what it may, if it goes on like this? */
-static bool is_hopeless(const struct models_run *r, const struct steps *t,
-                        uint64_t left)
-{
-    const double done = rows_done(r, t, left);
-    const double cost = models_cost(r->work);
-    const double all = cost / done * (double)r->all;
-    return r->plan.model->method->adaptive
-               ? cost > fmin(r->limit / 2, 1) && all > 2 * r->limit
-               : all > 1.1 * r->limit;
-}
-
-/* What one evaluation of all forces costs, with all that comes with it, s.
- */
-static double price_of_evaluation(const struct models_run *r,
-                                  const struct steps *t)
-{
-    double work[MODELS_UNITS] = {0};
-    count_evaluations(r, t, 1, work);
-    const double asked = fmax(r->work[MODELS_EVALUATION], 1);
-    return fmax(models_cost(work), models_cost(r->work) / asked);
+    const double cost = models_cost(r->work), all = (double)r->all;
+    return own ? cost > fmin(r->limit / 2, 1) &&
+                     cost / fmax(done, own->t / r->every) * all >
+                         2 * r->limit
+               : cost / done * all > 1.1 * r->limit;
 }
 
 /* Lets steps that choose their length go on as long as they may: one look
    may take what is left, and a small part of what all may. */
 static void bound_evaluations(const struct models_run *r, struct steps *t)
 {
-    const double left = r->limit - models_cost(r->work);
+    struct adaptive *own = t->motion.stepping.own;
+    const double cost = models_cost(r->work), left = r->limit - cost;
     const double one = 8 * r->limit / (double)(r->all * steps_of(r));
     const double may = r->all > 0 ? fmin(left, fmax(one, 0.1)) : left;
-    const double more = may / price_of_evaluation(r, t);
-    struct adaptive *own = t->motion.stepping.own;
+    double work[MODELS_UNITS] = {0};
+    count_evaluations(r, t, 1, work);
+    const double asked = fmax(r->work[MODELS_EVALUATION], 1);
+    const double more = may / fmax(models_cost(work), cost / asked);
     own->most = more < 1e15 ? own->evaluations + (uint64_t)more + 100 : 0;
-}
-
-/* A run of steps has ended early: why? */
-static enum models_end broken(const struct steps *t)
-{
-    const struct adaptive *own = t->motion.stepping.own;
-    return own && own->most > 0 && own->evaluations > own->most
-               ? MODELS_COSTLY
-               : MODELS_BROKEN;
 }
 
 static enum models_end run_steps(struct models_run *r, struct steps *t)
 {
-    const bool own = r->plan.model->method->adaptive;
-    uint64_t left = steps_of(r);
-    while (left > 0) {
-        const uint64_t now = own                      ? 1
-                             : left < STEPS_AT_A_TIME ? left
-                                                      : STEPS_AT_A_TIME;
+    const struct adaptive *own = t->motion.stepping.own;
+    uint64_t now, left = steps_of(r);
+    for (; left > 0; left -= now) {
+        now = own ? 1 : left < STEPS_AT_A_TIME ? left : STEPS_AT_A_TIME;
         if (own)
             bound_evaluations(r, t);
         const enum stepping_end end = motion_run(&t->motion, now);
         count_steps(r, t);
         if (end != STEPPING_DONE)
-            return broken(t);
-        left -= now;
-        if (is_costly(r) || is_hopeless(r, t, left))
+            return own && own->most > 0 && own->evaluations > own->most
+                       ? MODELS_COSTLY
+                       : MODELS_BROKEN;
+        if (is_costly(r) || is_hopeless(r, t, left - now))
             return MODELS_COSTLY;
     }
     return MODELS_DONE;
@@ -2033,8 +1588,8 @@ static enum models_end row_steps(struct models_run *r)
     if (end == MODELS_DONE && t->rodded &&
         !rods_project(&t->rods, s->position, s->velocity))
         return MODELS_BROKEN;
-    if (t->order)
-        put_back(&r->scene, s, t->order);
+    if (t->ordered)
+        permute(&r->scene, s, t->light.order, true);
     else
         scene_take_state(&r->scene, s);
     if (t->lights)
@@ -2047,36 +1602,44 @@ static enum models_end row_steps(struct models_run *r)
 
 static const struct models_model stepless[] = {
     {"free", "every body flies alone, in closed form", MODELS_CLOSED, false,
-     NULL, refuse_free, begin_origin, row_free, free_origin},
+     NULL, FRICTION, NULL, sizeof(struct scene), begin_origin, row_free,
+     end_origin},
     {"kepler", "ellipses round one body, in closed form", MODELS_CLOSED,
-     false, NULL, refuse_kepler, begin_kepler, row_kepler, free_origin},
-    {"oscillator", "one body on one spring, in closed form", MODELS_CLOSED,
-     false, NULL, refuse_oscillator, begin_origin, row_oscillator,
-     free_origin},
+     false, NULL, PULLS | PULLERS, refuse_kepler, sizeof(struct ellipses),
+     begin_kepler, row_kepler, end_kepler},
+    {"oscillator", "springs on one line, in closed form", MODELS_CLOSED,
+     false, NULL, SPRINGS | FRICTION, refuse_oscillator,
+     sizeof(struct vibration), begin_modes, row_modes, end_modes},
     {"relabel", "equal bodies on a line, put in order", MODELS_CLOSED,
-     false, NULL, refuse_relabel, begin_relabel, row_relabel, free_relabel},
+     false, NULL, MEETING, refuse_relabel, sizeof(struct line), begin_line,
+     row_relabel, end_line},
     {"modes", "small vibrations of springs about their rest", MODELS_CLOSED,
-     true, NULL, refuse_modes, begin_modes, row_modes, end_modes},
+     true, NULL, SPRINGS | FRICTION, refuse_modes, sizeof(struct vibration),
+     begin_modes, row_modes, end_modes},
     {"line", "collisions on a line, one by one", MODELS_EVENTS, false, NULL,
-     refuse_line, begin_line, row_line, end_line},
+     MEETING, refuse_line, sizeof(struct line), begin_line, row_line,
+     end_line},
     {"disks", "collisions of disks or spheres, one by one", MODELS_EVENTS,
-     false, NULL, refuse_disks, begin_disks, row_disks, end_disks},
+     false, NULL, MEETING, refuse_disks, sizeof(struct room), begin_disks,
+     row_disks, end_disks},
 };
 enum { STEPLESS = sizeof stepless / sizeof *stepless };
 
 static struct models_model model_of(const struct stepping_method *m)
 {
-    const bool leaps = stepping_is_leapfrog(m);
-    return (struct models_model){.name = m->name,
-                                 .about = m->about,
-                                 .family = MODELS_STEPS,
-                                 .method = m,
-                                 .refuses = m->orbits ? refuse_orbits
-                                            : leaps   ? refuse_leapfrog
-                                                      : refuse_steps,
-                                 .begin = begin_steps,
-                                 .row = row_steps,
-                                 .end = end_steps};
+    const unsigned no =
+        (m->orbits ? PULLERS : 0) | (stepping_is_leapfrog(m) ? 0 : RODS);
+    return (struct models_model){m->name,
+                                 m->about,
+                                 MODELS_STEPS,
+                                 false,
+                                 m,
+                                 ALL_ACTS & ~no,
+                                 m->orbits ? refuse_orbits : refuse_steps,
+                                 sizeof(struct steps),
+                                 begin_steps,
+                                 row_steps,
+                                 end_steps};
 }
 
 const struct models_model *models_all(void)
@@ -2099,57 +1662,19 @@ const struct models_model *models_find(const char *name)
     return NULL;
 }
 
-static bool is_adaptive(const struct models_plan *p)
-{
-    return p->model->method && p->model->method->adaptive;
-}
-
 void models_write(const struct models_plan *p, char text[MODELS_TEXT])
 {
     size_t used = (size_t)snprintf(text, MODELS_TEXT, "%s", p->model->name);
     if (p->tolerance > 0)
         used += (size_t)snprintf(text + used, MODELS_TEXT - used, ":%g",
                                  p->tolerance);
-    else if (p->steps > 0 && !is_adaptive(p))
+    else if (p->steps > 0 && !p->model->method->adaptive)
         used += (size_t)snprintf(text + used, MODELS_TEXT - used, ":%llu",
                                  (unsigned long long)p->steps);
     for (size_t k = 0; k < MODELS_CUTS; ++k)
         if (p->cuts >> k & 1)
             used += (size_t)snprintf(text + used, MODELS_TEXT - used, ",%s",
                                      models_cut_names[k]);
-}
-
-/* The next word of a plan, up to a comma; false: it is too long. */
-static bool next_word(const char **text, char word[MODELS_TEXT])
-{
-    const size_t length = strcspn(*text, ",");
-    if (length >= 40)
-        return false;
-    memcpy(word, *text, length);
-    word[length] = '\0';
-    *text += length;
-    return true;
-}
-
-static bool read_cut(const char *word, unsigned *cuts)
-{
-    for (size_t k = 0; k < MODELS_CUTS; ++k)
-        if (strcmp(word, models_cut_names[k]) == 0) {
-            *cuts |= 1u << k;
-            return true;
-        }
-    return false;
-}
-
-/* A whole number from 1 to 10^12, or 0: it is none. */
-static uint64_t read_steps(const char *text)
-{
-    uint64_t steps = 0;
-    if (*text == '0' || !*text)
-        return 0;
-    for (; *text >= '0' && *text <= '9' && steps <= 100000000000; ++text)
-        steps = 10 * steps + (uint64_t)(*text - '0');
-    return *text || steps > 1000000000000 ? 0 : steps;
 }
 
 static bool complain(char message[MODELS_MESSAGE], const char *word,
@@ -2171,54 +1696,62 @@ static bool list_models(char message[MODELS_MESSAGE], const char *word)
     return complain(message, word, names);
 }
 
-static bool read_tolerance(struct models_plan *p, const char *text,
-                           char message[MODELS_MESSAGE])
+/* What stands behind the colon. Returns NULL, or what was expected. */
+static const char *read_number(struct models_plan *p, const char *text)
 {
     char *end;
+    const double x = strtod(text, &end);
+    const bool read = end != text && !*end;
+    if (p->model->family != MODELS_STEPS)
+        return "no steps with this model";
     p->steps = 1;
-    p->tolerance = strtod(text, &end);
-    if (end != text && !*end && p->tolerance >= 1e-16 && p->tolerance <= 1)
-        return true;
-    return complain(message, text,
-                    "a tolerance of its own steps from 1e-16 to 1");
+    p->tolerance = x;
+    if (p->model->method->adaptive)
+        return read && x >= 1e-16 && x <= 1
+                   ? NULL
+                   : "a tolerance of its own steps from 1e-16 to 1";
+    p->tolerance = 0;
+    if (!read || text[strspn(text, "0123456789")] || *text == '0' ||
+        x > 1e12)
+        return "a whole number of steps from 1 to 10^12";
+    p->steps = (uint64_t)x;
+    return NULL;
 }
 
-/* The first word: a model, and its steps where it has steps. */
-static bool read_model(struct models_plan *p, char word[MODELS_TEXT],
-                       char message[MODELS_MESSAGE])
+static bool read_cut(const char *word, unsigned *cuts)
 {
-    char *const colon = strchr(word, ':');
-    if (colon)
-        *colon = '\0';
-    p->model = models_find(word);
-    if (!p->model)
-        return list_models(message, word);
-    if (colon && p->model->family != MODELS_STEPS)
-        return complain(message, colon + 1, "no steps with this model");
-    if (colon && p->model->method->adaptive)
-        return read_tolerance(p, colon + 1, message);
-    p->steps = colon ? read_steps(colon + 1) : 0;
-    if (colon && p->steps == 0)
-        return complain(message, colon + 1,
-                        "a whole number of steps from 1 to 10^12");
-    return true;
+    for (size_t k = 0; k < MODELS_CUTS; ++k)
+        if (strcmp(word, models_cut_names[k]) == 0) {
+            *cuts |= 1u << k;
+            return true;
+        }
+    return false;
 }
 
 bool models_read(struct models_plan *p, const char *text,
                  char message[MODELS_MESSAGE])
 {
-    char word[MODELS_TEXT];
+    char words[MODELS_TEXT], *next = words;
     *p = (struct models_plan){0};
-    if (!next_word(&text, word))
+    if (strlen(text) >= sizeof words)
         return list_models(message, text);
-    if (!read_model(p, word, message))
-        return false;
-    while (*text == ',') {
-        ++text;
-        if (!next_word(&text, word) || !read_cut(word, &p->cuts))
-            return complain(message,
-                            text - strcspn(text, ",") < text ? text : word,
-                            "what to leave out, as in no-friction");
+    strcpy(words, text);
+    if ((next = strchr(words, ',')))
+        *next++ = '\0';
+    char *const colon = strchr(words, ':');
+    if (colon)
+        *colon = '\0';
+    if (!(p->model = models_find(words)))
+        return list_models(message, words);
+    const char *const expected = colon ? read_number(p, colon + 1) : NULL;
+    if (expected)
+        return complain(message, colon + 1, expected);
+    for (char *word = next; word; word = next) {
+        if ((next = strchr(word, ',')))
+            *next++ = '\0';
+        if (!read_cut(word, &p->cuts))
+            return complain(message, word,
+                            "what to leave out, as in no-light");
     }
     return true;
 }
@@ -2227,14 +1760,8 @@ const char *models_refuse(const struct models_plan *p,
                           const struct scene *s)
 {
     struct models_acts acts;
-    struct scene cut;
-    if (!scene_copy(&cut, s))
-        return no_memory;
-    models_cut(&cut, p->cuts);
-    look_at(&acts, &cut);
-    const char *why = p->model->refuses(&cut, &acts, p->cuts);
-    scene_free(&cut);
-    return why;
+    look_at(&acts, s);
+    return refusal(p->model, s, &acts, p->cuts);
 }
 
 bool models_begin(struct models_run *r, const struct models_plan *p,
@@ -2248,20 +1775,18 @@ bool models_begin(struct models_run *r, const struct models_plan *p,
     for (size_t c = 0; c < 3 * s->bodies; ++c)
         if (!s->freedom[c])
             r->scene.velocity[c] = 0;
-    models_cut(&r->scene, p->cuts);
     look_at(&r->acts, &r->scene);
-    if (p->model->family == MODELS_CLOSED && r->acts.springs)
-        r->clock = 0x5p-53;
     *why = !(every > 0) ? "rows must be apart"
            : p->model->family == MODELS_STEPS && p->steps == 0
                ? "it needs a number of steps"
-               : p->model->refuses(&r->scene, &r->acts, p->cuts);
-    if (!*why)
-        *why = p->model->begin(r);
-    if (!*why)
-        return true;
-    scene_free(&r->scene);
-    return false;
+               : refusal(p->model, &r->scene, &r->acts, p->cuts);
+    if (!*why) {
+        r->engine = calloc(1, p->model->engine);
+        *why = r->engine ? p->model->begin(r) : no_memory;
+    }
+    if (*why)
+        models_end(r);
+    return !*why;
 }
 
 enum models_end models_row(struct models_run *r)
@@ -2285,7 +1810,9 @@ uint64_t models_collisions(struct models_run *r)
 
 void models_end(struct models_run *r)
 {
-    r->plan.model->end(r);
+    if (r->engine)
+        r->plan.model->end(r);
+    free(r->engine);
     scene_free(&r->scene);
     *r = (struct models_run){0};
 }

@@ -1,5 +1,5 @@
 /* From chapters/works/12-models-parts.nw: edit there, then run make tangle. */
-/* checksum 2715637143 of the lines below */
+/* checksum 4029246895 of the lines below */
 /* All ways to carry a scene, behind one door, and what each costs. */
 #ifndef MODELS_H
 #define MODELS_H
@@ -33,7 +33,6 @@ enum models_unit {
                           friction, or on a spring */
     MODELS_ORDER,      /* a comparison in putting bodies in order */
     MODELS_MODE,       /* an operation in finding modes, and in summing */
-    MODELS_TRIAL,      /* a move of a Markov chain, per disk looked at */
     MODELS_ROW,        /* a row, whatever the model */
     MODELS_UNITS
 };
@@ -47,19 +46,11 @@ extern const struct models_price models_prices[MODELS_UNITS];
 
 /* What can be left out of a scene: a set of these bits. */
 enum models_cut {
-    MODELS_NO_SOFTENING = 1,
-    MODELS_NO_LIGHT = 2,    /* bodies lighter than a hundredth of the
-                               heaviest do not pull */
-    MODELS_NO_FRICTION = 4, /* the line damp */
-    MODELS_NO_DASHPOTS = 8,
-    MODELS_NO_WEAK = 16,    /* springs of less than a hundredth of the
-                               stiffest one's D */
-    MODELS_RODS = 32,       /* springs of more than a hundred times the
-                               softest one's D become rods; all if alike */
-    MODELS_NO_WEIGHT = 64,  /* the line grav */
-    MODELS_NO_PULL = 128,   /* gravity between bodies */
-    MODELS_NO_ACROSS = 256, /* all that happens across the longest axis */
-    MODELS_CUTS = 9         /* how many bits */
+    MODELS_NO_LIGHT = 1, /* bodies lighter than a hundredth of the heaviest
+                            do not pull */
+    MODELS_RODS = 2,     /* springs of more than a hundred times the softest
+                            one's D become rods; all if alike */
+    MODELS_CUTS = 2      /* how many bits */
 };
 
 /* Their names, from bit 0 on, then NULL. */
@@ -78,7 +69,7 @@ struct models_acts {
 };
 
 /* A way to carry a scene, with what it leaves out and its steps. As text:
-   "kepler", "pefrl:24", "kepler,no-light,no-softening". */
+   "kepler", "pefrl:24", "kepler,no-light". */
 struct models_plan {
     const struct models_model *model;
     unsigned cuts;
@@ -108,14 +99,15 @@ struct models_model {
     enum models_family family;
     bool approximate; /* not exact even where it does not refuse */
     const struct stepping_method *method; /* of MODELS_STEPS, or NULL */
-    /* NULL: it carries this scene, from which all but NO_LIGHT and RODS
-       has been taken out, exactly but for rounding, or in steps; or why
-       not. */
+    unsigned bears; /* private: what it can bear that acts */
+    /* Beyond that: why it cannot carry this scene, exactly but for rounding
+       or in steps; NULL: it can. No function: it always can. */
     const char *(*refuses)(const struct scene *s,
                            const struct models_acts *a, unsigned cuts);
+    size_t engine; /* private: bytes, all 0 when a run begins */
     const char *(*begin)(struct models_run *r); /* NULL, or why not */
     enum models_end (*row)(struct models_run *r);
-    void (*end)(struct models_run *r);
+    void (*end)(struct models_run *r); /* whatever begin has done */
 };
 
 /* A scene under way. To be read: all but engine. */
@@ -124,7 +116,7 @@ struct models_run {
     struct scene scene; /* its own; position, velocity and time are those
                            of the last row. Springs that are rods are not
                            in it. */
-    struct models_acts acts; /* after the cuts, without fastest */
+    struct models_acts acts; /* without fastest */
     double start, every;     /* s */
     double elapsed;          /* from the start to the row asked for, s */
     double clock;            /* closed forms: by what share of the time they
@@ -143,10 +135,8 @@ struct models_run {
 /* Seconds that so much work costs by the price list. */
 double models_cost(const double work[MODELS_UNITS]);
 
-/* The cuts that would change the scene, and all but NO_LIGHT and RODS
-   carried out on it. */
+/* The cuts that would change the scene. */
 unsigned models_cuts(const struct scene *s);
-void models_cut(struct scene *s, unsigned cuts);
 
 /* Takes the springs out that would become rods. Returns the largest rate at
    which one of them goes round now, 1/s. */
@@ -177,9 +167,8 @@ bool models_read(struct models_plan *p, const char *text,
 const char *models_refuse(const struct models_plan *p,
                           const struct scene *s);
 
-/* Copies the scene, takes out what the plan leaves out, and prepares rows
-   that are `every` apart, s. On failure *why says why (a static text), and
-   there is nothing to free. */
+/* Copies the scene and prepares rows that are `every` apart, s. On failure
+ *why says why (a static text), and there is nothing to free. */
 bool models_begin(struct models_run *r, const struct models_plan *p,
                   const struct scene *s, double every, const char **why);
 

@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 3701225266 of the lines below */
+/* checksum 2573886501 of the lines below */
 /* Each column is judged by a scale; a run may be in other units. */
 #include "enough/record.h"
 
@@ -11,8 +11,9 @@
 #include <string.h>
 
 /* From the lowest body or wall along an axis to the highest, m, without
-   one of the bodies. */
-static double spread_of(const struct scene *s, size_t k, size_t without)
+   one of the bodies; *near: how near to 0. */
+static double spread_of(const struct scene *s, size_t k, size_t without,
+                        double *near)
 {
     const double *x = s->position + k * s->bodies;
     double low = INFINITY, high = -INFINITY;
@@ -25,6 +26,7 @@ static double spread_of(const struct scene *s, size_t k, size_t without)
         low = fmin(low, s->low[k]);
         high = fmax(high, s->high[k]);
     }
+    *near = fmax(fmax(low, -high), 0);
     return fmax(high - low, 0);
 }
 
@@ -33,9 +35,9 @@ enum { NOBODY = -1 };
 /* The diagonal of the box that holds all bodies and walls, m. */
 static double size_without(const struct scene *s, size_t without)
 {
-    double sum = 0;
+    double sum = 0, near;
     for (size_t k = 0; k < SCENE_AXES; ++k) {
-        const double spread = spread_of(s, k, without);
+        const double spread = spread_of(s, k, without, &near);
         sum += spread * spread;
     }
     return sqrt(sum);
@@ -62,39 +64,13 @@ double record_scale_without(const struct scene *s, size_t *far)
 static double speed_of_body(const struct scene *s, size_t i)
 {
     const size_t n = s->bodies;
-    const double x = s->velocity[i], y = s->velocity[n + i],
-                 z = s->velocity[2 * n + i];
-    return sqrt(x * x + y * y + z * z);
-}
-
-/* The largest speed, m/s. */
-static double speed_of(const struct scene *s)
-{
-    double most = 0;
-    for (size_t i = 0; i < s->bodies; ++i)
-        most = fmax(most, speed_of_body(s, i));
-    return most;
-}
-
-static double momentum_of(const struct scene *s)
-{
-    double sum = 0;
-    for (size_t i = 0; i < s->bodies; ++i)
-        sum += s->mass[i] * speed_of_body(s, i);
-    return sum;
-}
-
-static double mass_of(const struct scene *s)
-{
-    double sum = 0;
-    for (size_t i = 0; i < s->bodies; ++i)
-        sum += s->mass[i];
-    return sum;
+    const double *v = s->velocity + i;
+    return sqrt(v[0] * v[0] + v[n] * v[n] + v[2 * n] * v[2 * n]);
 }
 
 /* What errors are divided by. */
 struct scales {
-    double length, speed, energy, momentum, turning, one;
+    double length, speed, energy, momentum, turning;
 };
 
 static double or_else(double a, double b)
@@ -109,122 +85,91 @@ static struct scales measure(const struct record_view *v, double length)
     const double energy = e.kinetic + (e.gravity + e.springs + e.weight);
     struct models_acts acts;
     models_analyse(&acts, s);
-    struct scales to = {.one = 1};
-    to.length = or_else(size_of(s), or_else(speed_of(s) * length, 1));
+    struct scales to = {0};
+    double mass = 0;
+    for (size_t i = 0; i < s->bodies; ++i) {
+        mass += s->mass[i];
+        to.speed = fmax(to.speed, speed_of_body(s, i));
+        to.momentum += s->mass[i] * speed_of_body(s, i);
+    }
+    to.length = or_else(size_of(s), or_else(to.speed * length, 1));
     to.speed = or_else(
-        speed_of(s), or_else(to.length * acts.fastest, to.length / length));
-    to.energy = fmax(fabs(energy), e.kinetic);
-    to.energy = or_else(to.energy, mass_of(s) * to.speed * to.speed);
-    to.momentum = or_else(momentum_of(s), mass_of(s) * to.speed);
+        to.speed, or_else(to.length * acts.fastest, to.length / length));
+    to.energy =
+        or_else(fmax(fabs(energy), e.kinetic), mass * to.speed * to.speed);
+    to.momentum = or_else(to.momentum, mass * to.speed);
     to.turning = to.momentum * to.length;
     return to;
 }
 
-/* Names of observables, what they are judged as, and by which scale. */
-static const struct judgement {
-    const char *name, *as;
-    size_t scale;
-} judgements[] = {
-#define BY(field) offsetof(struct scales, field)
-    {"t", "t", BY(one)},
-    {"energy", "energy", BY(energy)},
-    {"kinetic", "energy", BY(energy)},
-    {"potential", "energy", BY(energy)},
-    {"parts", "energy", BY(energy)},
-    {"temperature", "energy", BY(energy)},
-    {"momentum", "momentum", BY(momentum)},
-    {"angular-momentum", "angular momentum", BY(turning)},
-    {"centre", "positions", BY(length)},
-    {"collisions", "counts", BY(one)},
-    {"x:0", "positions", BY(length)},
-    {"y:0", "positions", BY(length)},
-    {"z:0", "positions", BY(length)},
-    {"distance:0:0", "positions", BY(length)},
-    {"vx:0", "velocities", BY(speed)},
-    {"vy:0", "velocities", BY(speed)},
-    {"vz:0", "velocities", BY(speed)},
-    {"speed:0", "velocities", BY(speed)}};
-enum { JUDGEMENTS = sizeof judgements / sizeof judgements[0] };
-
-/* The judgement on an observable, and how many columns it has. */
-static const struct judgement *find_judgement(const struct observable *o,
-                                              size_t *width)
+/* The scale of what has this unit, and what its errors are errors of. */
+static double scale_of(const struct scales *to, const char *unit,
+                       const char **as)
 {
-    char message[OBSERVABLES_MESSAGE];
-    struct observables one;
-    for (size_t j = 0; j < JUDGEMENTS; ++j)
-        if (observables_read(&one, judgements[j].name, 1, message) &&
-            one.list[0].kind == o->kind) {
-            *width = one.columns;
-            return &judgements[j];
-        }
-    return NULL;
+    const struct {
+        const char *unit, *as;
+        double scale;
+    } known[] = {{"length", "positions", to->length},
+                 {"length/time", "velocities", to->speed},
+                 {"mass length^2/time^2", "energy", to->energy},
+                 {"mass length/time", "momentum", to->momentum},
+                 {"mass length^2/time", "angular momentum", to->turning},
+                 {"time", "t", 1},
+                 {"", "counts", 1}};
+    size_t k = 0;
+    while (strcmp(known[k].unit, unit) != 0)
+        ++k;
+    *as = known[k].as;
+    return known[k].scale;
 }
 
-static double scale_by(const struct scales *to, const struct judgement *j)
+/* axis: of a coordinate; 3: it is none. */
+static void judge_column(struct record_view *v, size_t column, double scale,
+                         size_t axis)
 {
-    return *(const double *)(const void *)((const char *)to + j->scale);
-}
-
-/* The length after which an observable is the same: of a coordinate across
-   a periodic box; 0: there is none. */
-static double turn_of(const struct scene *s, const struct judgement *j)
-{
-    const size_t k = (size_t)(j->name[0] - 'x');
-    return j->name[1] == ':' && k < SCENE_AXES &&
-                   s->wall[k] == SCENE_PERIODIC
-               ? s->high[k] - s->low[k]
-               : 0;
+    const struct scene *s = &v->scene;
+    v->weight[column] = 1 / scale;
+    if (axis < SCENE_AXES && s->wall[axis] == SCENE_PERIODIC)
+        v->turn[column] = s->high[axis] - s->low[axis];
 }
 
 static void judge_all(struct record_view *v, const struct scales *to)
 {
-    size_t next = 0, width = 0;
-    for (size_t i = 0; i < v->asked->count; ++i) {
-        const struct judgement *j =
-            find_judgement(&v->asked->list[i], &width);
-        for (size_t k = 0; k < width; ++k, ++next) {
-            v->weight[next] = 1 / scale_by(to, j);
-            v->turn[next] = turn_of(&v->scene, j);
-        }
-        if (i == 0) {
-            v->scale = scale_by(to, j);
-            v->judged = j->as;
-        }
+    const char *as;
+    for (size_t i = v->asked->count, column = v->columns; i-- > 0;) {
+        const struct observables_sort o =
+            observables_sort(&v->asked->list[i]);
+        v->scale = scale_of(to, o.unit, &as);
+        v->judged = as;
+        for (size_t k = 0; k < o.width; ++k)
+            judge_column(v, --column, v->scale, o.axis);
     }
-}
-
-static void judge_states(struct record_view *v, const struct scales *to)
-{
-    const struct scene *s = &v->scene;
-    v->scale = to->length;
-    v->judged = "positions";
-    for (size_t i = 0; i < s->bodies; ++i)
-        for (size_t k = 0; k < SCENE_AXES; ++k) {
-            v->weight[6 * i + k] = 1 / to->length;
-            if (s->wall[k] == SCENE_PERIODIC)
-                v->turn[6 * i + k] = s->high[k] - s->low[k];
-        }
 }
 
 static void judge(struct record_view *v, double length)
 {
     const struct scales to = measure(v, length);
-    v->speed = speed_of(&v->scene);
-    v->length = to.length;
+    const size_t n = v->scene.bodies;
+    v->length = v->scale = to.length;
+    v->judged = "positions";
+    for (size_t c = 0; !v->asked && c < SCENE_AXES * n; ++c)
+        judge_column(v, 6 * (c % n) + c / n, to.length, c / n);
     if (v->asked)
         judge_all(v, &to);
-    else
-        judge_states(v, &to);
 }
 
-static bool make_room(struct record_view *v)
+/* Where the scene is carried from, m; returns what rows of places that are
+   brought back from there are rounded by, share of the scale. */
+static double find_origin(struct record_view *v)
 {
-    v->weight = calloc(2 * v->columns, sizeof *v->weight);
-    if (!v->weight)
-        return false;
-    v->turn = v->weight + v->columns;
-    return true;
+    const struct scene *s = &v->scene;
+    double near, rounded = 0;
+    for (size_t k = 0; k < SCENE_AXES; ++k)
+        if (spread_of(s, k, (size_t)NOBODY, &near) < near) {
+            v->origin[k] = s->position[k * s->bodies];
+            rounded = fmax(rounded, 0x1p-53 * fabs(v->origin[k]));
+        }
+    return v->asked ? 0 : rounded / v->length;
 }
 
 bool record_look(struct record_view *v, const char *program,
@@ -241,13 +186,16 @@ bool record_look(struct record_view *v, const char *program,
         scene_free(&v->scene);
         return false;
     }
-    if (!make_room(v)) {
+    v->weight = calloc(2 * v->columns, sizeof *v->weight);
+    if (!v->weight) {
         fprintf(stderr, "%s: no memory for %zu columns\n", program,
                 v->columns);
         record_look_away(v);
         return false;
     }
+    v->turn = v->weight + v->columns;
     judge(v, length);
+    v->grain = find_origin(v);
     return true;
 }
 
@@ -259,42 +207,8 @@ void record_look_away(struct record_view *v)
     *v = (struct record_view){0};
 }
 
-/* The other units: of length and of mass. */
-static const double unit_length = 0.7, unit_mass = 1.3;
-
-static void convert_bodies(struct scene *s)
-{
-    for (size_t c = 0; c < SCENE_AXES * s->bodies; ++c) {
-        s->position[c] *= unit_length;
-        s->velocity[c] *= unit_length;
-        if (s->kept)
-            s->kept[c] *= unit_length;
-    }
-    for (size_t i = 0; i < s->bodies; ++i) {
-        s->mass[i] *= unit_mass;
-        s->radius[i] *= unit_length;
-    }
-    for (size_t k = 0; k < SCENE_AXES; ++k) {
-        s->low[k] *= unit_length;
-        s->high[k] *= unit_length;
-    }
-}
-
-static void convert_forces(struct scene *s)
-{
-    const double l = unit_length, m = unit_mass;
-    for (size_t k = 0; k < SCENE_AXES; ++k)
-        s->gravity[k] *= l;
-    for (size_t j = 0; j < s->springs; ++j)
-        s->spring[j].rest *= l;
-    for (size_t j = 0; j < s->kinds; ++j) {
-        s->kind[j].stiffness *= m;
-        s->kind[j].damping *= m;
-    }
-    s->k2 *= l * l * l / m;
-    s->softening *= l;
-    s->damping *= m;
-}
+/* The other units: of length, from the other side, and of mass. */
+static const double unit_length = -0.7, unit_mass = 1.3;
 
 /* Coordinate c of a body, where the last body is the first one. */
 static size_t renamed(size_t n, size_t c)
@@ -305,38 +219,29 @@ static size_t renamed(size_t n, size_t c)
 /* Puts rows of n numbers the other way round, and multiplies them. */
 static void reverse(double a[], size_t rows, size_t n, double by)
 {
-    for (size_t r = 0; a && r < rows; ++r)
-        for (size_t i = 0; i < n; ++i) {
-            const size_t c = r * n + i, d = r * n + (n - 1 - i);
-            if (c > d)
-                continue;
-            const double other = by * a[c];
-            a[c] = by * a[d];
-            a[d] = c == d ? a[c] : other;
-        }
-}
-
-static void turn_box(struct scene *s)
-{
-    for (size_t k = 0; k < SCENE_AXES; ++k) {
-        const double low = s->low[k];
-        s->low[k] = -s->high[k];
-        s->high[k] = -low;
-        s->gravity[k] *= -1;
+    for (size_t c = 0; a && c < rows * n; ++c) {
+        const size_t d = renamed(n, c);
+        const double other = by * a[c];
+        if (c > d)
+            continue;
+        a[c] = by * a[d];
+        a[d] = c == d ? a[c] : other;
     }
 }
 
-/* The scene from the other side, with the last body as the first one. */
+/* The scene in other units, from the other side, with the last body as the
+   first one. */
 static void turn_round(struct scene *s)
 {
+    const double l = unit_length, size = fabs(l), m = unit_mass;
     const size_t n = s->bodies;
-    reverse(s->mass, 1, n, 1);
+    reverse(s->mass, 1, n, m);
     reverse(s->charge, 1, n, 1);
-    reverse(s->radius, 1, n, 1);
-    reverse(s->position, 3, n, -1);
-    reverse(s->velocity, 3, n, -1);
-    reverse(s->carry, 6, n, -1);
-    reverse(s->kept, 3, n, -1);
+    reverse(s->radius, 1, n, size);
+    reverse(s->position, 3, n, l);
+    reverse(s->velocity, 3, n, l);
+    reverse(s->carry, 6, n, l);
+    reverse(s->kept, 3, n, l);
     for (size_t c = 0; c < SCENE_AXES * n; ++c)
         if (c < renamed(n, c)) {
             const unsigned char other = s->freedom[c];
@@ -346,8 +251,48 @@ static void turn_round(struct scene *s)
     for (size_t j = 0; j < s->springs; ++j) {
         s->spring[j].a = (uint32_t)(n - 1 - s->spring[j].a);
         s->spring[j].b = (uint32_t)(n - 1 - s->spring[j].b);
+        s->spring[j].rest *= size;
     }
-    turn_box(s);
+    for (size_t k = 0; k < SCENE_AXES; ++k) {
+        const double low = s->low[k];
+        s->low[k] = l * s->high[k];
+        s->high[k] = l * low;
+        s->gravity[k] *= l;
+    }
+    for (size_t j = 0; j < s->kinds; ++j) {
+        s->kind[j].stiffness *= m;
+        s->kind[j].damping *= m;
+    }
+    s->k2 *= size * size * size / m;
+    s->softening *= size;
+    s->damping *= m;
+}
+
+/* By so much a velocity is moved, of 1: up, down or not at all. */
+static double last_bit(size_t c)
+{
+    const uint64_t h = (c + 1) * UINT64_C(0x9e3779b97f4a7c15);
+    return ((double)(h >> 62 & 1) * 2 - 1) * 0x1p-52;
+}
+
+/* Moves the last bits of what flies, along the axes that live, so that what
+   is exactly at the same time, or on one line, is so no longer. */
+static void move_last_bits(struct scene *s)
+{
+    struct models_acts acts;
+    const size_t n = s->bodies;
+    models_analyse(&acts, s);
+    for (size_t i = 0; i < n; ++i) {
+        double falls = 0;
+        for (size_t k = 0; acts.weight && k < SCENE_AXES; ++k)
+            falls = fmax(falls, sqrt(fabs(s->gravity[k]) * size_of(s)));
+        const double speed = fmax(speed_of_body(s, i), falls);
+        for (size_t k = 0; k < SCENE_AXES; ++k)
+            if ((acts.axes >> k & 1) && s->freedom[k * n + i])
+                s->velocity[k * n + i] +=
+                    last_bit(k * n + i) *
+                    fmax(0.25 * speed, fabs(s->velocity[k * n + i]));
+    }
 }
 
 static double between(double a, double b, double turn)
@@ -360,7 +305,7 @@ static double between(double a, double b, double turn)
 static double row_apart(const struct record_view *v, const double a[],
                         const double b[])
 {
-    double most = 0;
+    double most = v->grain;
     for (size_t c = 0; c < v->columns; ++c) {
         const double d = v->weight[c] * between(a[c], b[c], v->turn[c]);
         most = d <= most ? most : d == d ? d : INFINITY;
@@ -391,28 +336,19 @@ size_t record_agree(const struct record_view *v, const struct record *a,
     return r - 1;
 }
 
-static void copy_states(const struct scene *s, double to[])
-{
-    const size_t n = s->bodies;
-    for (size_t i = 0; i < n; ++i)
-        for (size_t k = 0; k < SCENE_AXES; ++k) {
-            to[6 * i + k] = s->position[k * n + i];
-            to[6 * i + 3 + k] = s->velocity[k * n + i];
-        }
-}
-
 /* Looks at a run as it is at the end of the row that was reached; met: its
    collisions so far. */
 static void look(struct record *r, struct record_view *v,
                  const struct record_order *o, const struct scene *now,
                  uint64_t met)
 {
-    const double unit = o->twin ? -unit_length : 1;
+    const double unit = o->twin ? unit_length : 1;
     double *to = r->value + r->reached * v->columns;
     struct scene *s = &v->scene;
     for (size_t c = 0; c < SCENE_AXES * s->bodies; ++c) {
         const size_t from = o->twin ? renamed(s->bodies, c) : c;
-        s->position[c] = now->position[from] / unit;
+        s->position[c] =
+            now->position[from] / unit + v->origin[c / s->bodies];
         s->velocity[c] = now->velocity[from] / unit;
     }
     if (v->asked) {
@@ -421,34 +357,11 @@ static void look(struct record *r, struct record_view *v,
         v->motion.collisions = met;
         observables_values(v->asked, &v->motion, to);
     } else
-        copy_states(s, to);
-}
-
-/* By so much a velocity is moved, of 1: up, down or not at all. */
-static double last_bit(size_t c)
-{
-    const uint64_t h = (c + 1) * UINT64_C(0x9e3779b97f4a7c15);
-    return ((double)(h >> 62 & 1) * 2 - 1) * 0x1p-52;
-}
-
-/* Moves the last bits of what flies, along the axes that live, so that what
-   is exactly at the same time, or on one line, is so no longer. */
-static void move_last_bits(struct scene *s)
-{
-    struct models_acts acts;
-    const size_t n = s->bodies;
-    models_analyse(&acts, s);
-    for (size_t i = 0; i < n; ++i) {
-        double falls = 0;
-        for (size_t k = 0; acts.weight && k < SCENE_AXES; ++k)
-            falls = fmax(falls, sqrt(fabs(s->gravity[k]) * size_of(s)));
-        const double speed = fmax(speed_of_body(s, i), falls);
-        for (size_t k = 0; k < SCENE_AXES; ++k)
-            if ((acts.axes >> k & 1) && s->freedom[k * n + i])
-                s->velocity[k * n + i] +=
-                    last_bit(k * n + i) *
-                    fmax(0.25 * speed, fabs(s->velocity[k * n + i]));
-    }
+        for (size_t c = 0; c < SCENE_AXES * s->bodies; ++c) {
+            const size_t at = 6 * (c % s->bodies) + c / s->bodies;
+            to[at] = s->position[c];
+            to[at + SCENE_AXES] = s->velocity[c];
+        }
 }
 
 /* A run on its way. */
@@ -470,12 +383,16 @@ static void begin_way(struct way *w, struct record_view *v)
     if (!scene_copy(&w->twin, o->scene))
         return;
     struct models_plan plan = o->plan;
+    for (size_t c = 0; c < SCENE_AXES * w->twin.bodies; ++c)
+        w->twin.position[c] -= v->origin[c / w->twin.bodies];
+    for (size_t k = 0; k < SCENE_AXES; ++k) {
+        w->twin.low[k] -= v->origin[k];
+        w->twin.high[k] -= v->origin[k];
+    }
     if (o->twin) {
-        convert_bodies(&w->twin);
-        convert_forces(&w->twin);
         move_last_bits(&w->twin);
         turn_round(&w->twin);
-        plan.little *= unit_length;
+        plan.little *= fabs(unit_length);
     }
     r->value = malloc((o->rows + 1) * v->columns * sizeof *r->value);
     if (r->value) {

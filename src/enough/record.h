@@ -1,5 +1,5 @@
 /* From chapters/works/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1446809670 of the lines below */
+/* checksum 2815495119 of the lines below */
 /* The rows of a run, and how far those of two runs are apart. */
 #ifndef RECORD_H
 #define RECORD_H
@@ -15,11 +15,12 @@ struct record_view {
     double *turn;  /* [columns] after which a place is the same; 0: never */
     double scale;  /* of the first column that is judged */
     double length; /* of places, m */
-    double speed;  /* the largest at the start, m/s */
     const char *judged; /* and what that is: "positions", "energy", ... */
     /* ---- private */
     struct scene scene;
     struct motion motion;
+    double origin[SCENE_AXES]; /* from which the scene is carried, m */
+    double grain; /* by how much rows are rounded that come from there */
 };
 
 /* What happened in a run. */

@@ -1,5 +1,5 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 2057576411 of the lines below */
+/* checksum 2598069161 of the lines below */
 /* Moves bodies along ellipses in Jacobi's coordinates. */
 #include "forces/jacobi.h"
 
@@ -34,8 +34,8 @@ void jacobi_free(struct jacobi *j)
     *j = (struct jacobi){0};
 }
 
-/* (9.9, eq:jacobi); to[] gets all axes of the q, that of all first. */
-static void to_jacobi(const struct jacobi *j, const double x[], double q[])
+/* (9.9, eq:jacobi) */
+void jacobi_enter(const struct jacobi *j, const double x[], double q[])
 {
     const size_t n = j->bodies;
     for (size_t k = 0; k < 3 * n; k += n) {
@@ -48,9 +48,7 @@ static void to_jacobi(const struct jacobi *j, const double x[], double q[])
     }
 }
 
-/* Back again; x and q may be the same. */
-static void from_jacobi(const struct jacobi *j, const double q[],
-                        double x[])
+void jacobi_leave(const struct jacobi *j, const double q[], double x[])
 {
     const size_t n = j->bodies;
     for (size_t k = 0; k < 3 * n; k += n) {
@@ -80,14 +78,14 @@ void jacobi_flow(void *what, double dt, double x[], double v[])
     const struct jacobi *j = what;
     const size_t n = j->bodies;
     double *const q = j->work, *const w = j->work + 3 * n;
-    to_jacobi(j, x, q);
-    to_jacobi(j, v, w);
+    jacobi_enter(j, x, q);
+    jacobi_enter(j, v, w);
     for (size_t k = 0; k < 3 * n; k += n)
         q[k] += dt * w[k];
     for (size_t i = 1; i < n; ++i)
         move_body(j, i, dt, q + i, w + i);
-    from_jacobi(j, q, x);
-    from_jacobi(j, w, v);
+    jacobi_leave(j, q, x);
+    jacobi_leave(j, w, v);
 }
 
 /* Makes mu q / |q|^3 of the three coordinates at q[0], q[n], q[2 n]. */
@@ -122,10 +120,10 @@ static void accelerate(void *what, const double x[], const double v[],
     const size_t n = j->bodies;
     double *const q = j->work;
     (void)v;
-    to_jacobi(j, x, q);
+    jacobi_enter(j, x, q);
     for (size_t i = 0; i < n; ++i)
         turn_into_pull(q + i, n, i > 1 ? j->mu[i] : 0);
-    from_jacobi(j, q, a);
+    jacobi_leave(j, q, a);
     for (size_t i = 0; i < n; ++i)
         for (size_t k = i > 0 ? i + 1 : 2; k < n; ++k)
             add_pair(j, i, k, x, a);

@@ -1,5 +1,5 @@
 /* From chapters/works/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 1589143257 of the lines below */
+/* checksum 4279540695 of the lines below */
 /* Bodies that go along ellipses about those before them, and are kicked. */
 #ifndef JACOBI_H
 #define JACOBI_H
@@ -31,6 +31,11 @@ bool jacobi_create(struct jacobi *j, size_t bodies, const double mass[],
 
 /* Frees what jacobi_create took. */
 void jacobi_free(struct jacobi *j);
+
+/* Writes Jacobi's coordinates of places or velocities, that of all first;
+   and back again. x and q may be the same. Source: (9.9, eq:jacobi). */
+void jacobi_enter(const struct jacobi *j, const double x[], double q[]);
+void jacobi_leave(const struct jacobi *j, const double q[], double x[]);
 
 /* What disturbs the ellipses, for stepping_begin; j must outlive them.
    Source: (9.10, eq:wisdom-holman). */

@@ -1,5 +1,5 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 1453189688 of the lines below */
+/* checksum 3734555104 of the lines below */
 /* Turns the stiffness of all springs by Jacobi's rotations. */
 #include "forces/modes.h"
 
@@ -47,11 +47,14 @@ static void stiffness_of(const struct springs *p,
         d[a] = x[a * p->bodies + s->b] - x[a * p->bodies + s->a];
         square += d[a] * d[a];
     }
-    const double across = stiffness * (1 - s->rest / sqrt(square));
+    const bool alike = s->rest == 0; /* the same in all directions */
+    const double across =
+        alike ? stiffness : stiffness * (1 - s->rest / sqrt(square));
     for (size_t a = 0; a < 3; ++a)
         for (size_t b = 0; b < 3; ++b)
-            k[a][b] = (stiffness - across) * d[a] * d[b] / square +
-                      (a == b ? across : 0);
+            k[a][b] =
+                (alike ? 0 : (stiffness - across) * d[a] * d[b] / square) +
+                (a == b ? across : 0);
 }
 
 /* Adds one spring to the matrix; place[c] - 1 is the row of coordinate c,

@@ -1,5 +1,5 @@
 /* From chapters/works/11-step.nw: edit there, then run make tangle. */
-/* checksum 4063072268 of the lines below */
+/* checksum 1872690155 of the lines below */
 /* Each kind has its columns, and a function that computes them. */
 #include "forces/observables.h"
 
@@ -306,6 +306,14 @@ void observables_head(const struct observables *o, struct table *t)
             table_column(t, symbol, o->list[i].kind->unit,
                          o->list[i].kind->meaning);
         }
+}
+
+struct observables_sort observables_sort(const struct observable *o)
+{
+    const struct observables_kind *k = o->kind;
+    const size_t axis = (size_t)(k->name[0] - 'x');
+    return (struct observables_sort){
+        k->width, k->name[1] == '\0' && axis < 3 ? axis : 3, k->unit};
 }
 
 void observables_values(const struct observables *o, const struct motion *m,

@@ -1,5 +1,5 @@
 /* From chapters/works/11-step.nw: edit there, then run make tangle. */
-/* checksum 141445605 of the lines below */
+/* checksum 3454857411 of the lines below */
 /* What one may look at in a motion, by name: energies, places, speeds. */
 #ifndef OBSERVABLES_H
 #define OBSERVABLES_H
@@ -25,6 +25,14 @@ struct observables {
    returns false and says why in message. */
 bool observables_read(struct observables *o, const char *text,
                       size_t bodies, char message[OBSERVABLES_MESSAGE]);
+
+/* Its columns, their unit, and the axis along which it is a coordinate of a
+   body, from 0 on; 3: it is none. */
+struct observables_sort {
+    size_t width, axis;
+    const char *unit;
+};
+struct observables_sort observables_sort(const struct observable *o);
 
 /* Adds a column to the head of a table for each number. */
 void observables_head(const struct observables *o, struct table *t);

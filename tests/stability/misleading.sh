@@ -172,8 +172,18 @@ check grazing 3.3 1e-3 "$w/reference"
 $step "$here/bent-way.plist" --until 3.2 --every 0.2 --dt 0.01 \
     --method dopri5 --tolerance 1e-12 -o "$w/reference"
 check bent-way 3.2 1e-3 "$w/reference"
-refuses 1 'beyond reason' $bonk "$here/stiff-stretched.plist" --until 160 \
-    --tolerance 1e-2 -o "$w/t7"
+# What no step can follow two modes can, with squares (3 +- sqrt 5)/2 of D/m.
+holds 'stiff-stretched' $bonk "$here/stiff-stretched.plist" --until 160 \
+    --tolerance 1e-2 -o "$w/picked" --summary "$w/summary"
+model stiff-stretched oscillator
+holds 'stiff-stretched: its places' awk '!/^#/ { x = y = 0
+        for (r = -1; r < 2; r += 2) {
+            l = (3 + r * sqrt(5)) / 2
+            q = (1 + (2 - l) * 2.5) / (1 + (2 - l)^2) * cos(1e7 * sqrt(l) * $1)
+            x += q; y += (2 - l) * q
+        }
+        d = ($8 - x)^2 + ($14 - y)^2; most = d > most ? d : most; ++rows }
+    END { exit !(rows == 17 && most < 1e-10) }' "$w/picked"
 refuses 1 'beyond reason' $bonk "$here/stiff-stretched.plist" --until 160 \
     --tolerance 1e-2 --model gauss4:1 -o "$w/t7"
 for t in 0.61 0.68 0.733 0.912; do
@@ -302,4 +312,24 @@ steps bounces 2.374372754265058 kahan-li8 1000 located
 check bounces 2.374372754265058 1e-3 "$w/reference"
 steps passing-points 0.8 leapfrog 8
 check passing-points 0.8 1e-3 "$w/reference"
-echo 1..125
+
+# Whether it grazes, places so far away are too coarse to say: 1.6e-11 was
+# found, wrong by 2.9e-6. The other run has the held ball at the origin, which
+# changes no distance.
+far=4408.0983678277962 t=1.0099892090330702
+moved() { awk -v far="$1" -v columns="$2" 'BEGIN { n = split(columns, c) }
+    !/^#/ && ($1 == "pos" || $1 + 0 == $1) { for (i = 1; i <= n; ++i)
+        $c[i] = sprintf("%.17g", $c[i] + far) }
+    { print }'; }
+moved -$far 3 <"$here/far-graze.plist" >"$w/near"
+$step "$w/near" --until $t --every 0.063124325564566888 --method kahan-li8 \
+    --dt 0.00063124325564566888 --contact located -o "$w/near-rows"
+moved $far '2 8' <"$w/near-rows" >"$w/reference"
+check far-graze $t 4.8e-9 "$w/reference"
+
+# Two of the finest runs there are agreed by chance: 2.1e-5 was found, wrong by
+# 4.3e-5. A third one says that it is rounding that decides.
+refuses 1 'rounding' $bonk "$here/alike-by-chance.plist" \
+    --until 6.0576892286630963 --every 0.030288446143315482 \
+    --tolerance 3.4e-5 -o "$w/t12"
+echo 1..130

@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 3233315743 of the lines below */
+/* checksum 264769682 of the lines below */
 /* Four engines that find the next collision on a line and carry it out. */
 #include "line/bonkers.h"
 
@@ -21,12 +21,11 @@ static double time_of_gap(const struct bonkers_body *left)
 {
     const struct bonkers_body *right = left + 1;
     const double approach = left->v - right->v;
-    if (!(approach > 0))
-        return INFINITY;
     const double t =
         left->since > right->since ? left->since : right->since;
     const double gap = position(right, t) - position(left, t);
-    return gap > 0 ? t + gap / approach : t;
+    const double due[] = {INFINITY, t + (gap > 0 ? gap : 0) / approach};
+    return due[approach > 0];
 }
 
 /* Nothing more happens before `until`: let the clock run on, or stop it
@@ -259,7 +258,8 @@ static bool collide_gap(struct bonkers *b, size_t i)
     const double t = b->due[i];
     const double l = position(left, t), r = position(right, t);
     const bool stands = at_once(left->since, t) && at_once(right->since, t);
-    left->x = right->x = fabs(left->v) < fabs(right->v) ? l : r;
+    const double place[] = {r, l};
+    left->x = right->x = place[fabs(left->v) < fabs(right->v)];
     left->since = right->since = b->now = t;
     collide(&left->v, &right->v, left->im, right->im, b->restitution);
     return count_repeat(b, i, stands);

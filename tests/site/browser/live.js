@@ -143,6 +143,16 @@ async function player(browser) {
     await page.keyboard.press('Enter');
     return '';
   });
+  await holds('the address holds the scene as it was written', async () => {
+    await wait(page, `location.hash.includes('text=')`);
+    const mine = await page.locator('textarea').inputValue();
+    const other = await open(browser, page.url());
+    await wait(other, 'window.live?.player?.ready');
+    const theirs = await other.locator('textarea').inputValue();
+    const t = await Promise.all([page, other].map(p => p.evaluate('live.player.s.now.t')));
+    await other.context().close();
+    return mine !== theirs ? 'the text there is another' : t[0] !== t[1] ? `t is ${t[1]} there, ${t[0]} here` : '';
+  });
   await holds('friction changes while it runs, and the text with it', async () => {
     await page.locator('label', { hasText: 'Friction' }).locator('input').fill('0.5');
     await page.keyboard.press('Enter');

@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 264769682 of the lines below */
+/* checksum 3115535375 of the lines below */
 /* Four engines that find the next collision on a line and carry it out. */
 #include "line/bonkers.h"
 
@@ -21,11 +21,12 @@ static double time_of_gap(const struct bonkers_body *left)
 {
     const struct bonkers_body *right = left + 1;
     const double approach = left->v - right->v;
+    if (!(approach > 0))
+        return INFINITY;
     const double t =
         left->since > right->since ? left->since : right->since;
     const double gap = position(right, t) - position(left, t);
-    const double due[] = {INFINITY, t + (gap > 0 ? gap : 0) / approach};
-    return due[approach > 0];
+    return gap > 0 ? t + gap / approach : t;
 }
 
 /* Nothing more happens before `until`: let the clock run on, or stop it

@@ -15,12 +15,16 @@
     look(run);
   }
   const naive = run => run.value.bars === 'naive' ? 1 / Math.sqrt(Math.max(1, run.now.g)) : 1;
-  function far(run) { // bins that lie more than two errors off
+  // How many bins lie more than two errors off, of those that should have five
+  // samples at least. The errors are those that the law gives, with its
+  // density instead of the bin's, which is small where a bin is too low.
+  function far(run) {
+    const { now } = run, width = (now.high - now.low) / BINS, g = run.value.bars === 'naive' ? 1 : now.g;
     let count = 0, of = 0;
-    run.now.law.forEach((p, b) => {
-      if (p * run.now.samples * (run.now.high - run.now.low) / BINS < 5) return;
+    now.law.forEach((p, b) => {
+      if (p * width * now.samples < 5) return;
       ++of;
-      if (Math.abs(run.now.density[b] - p) > 2 * run.now.error[b] * naive(run)) ++count;
+      if (Math.abs(now.density[b] - p) > 2 * Math.sqrt(p * (1 / width - p) * g / now.samples)) ++count;
     });
     return `${count} of ${of}`;
   }

@@ -10,8 +10,9 @@
               not said, and a right function does not ask.
    Returns true if it is right, as far as you can find out, and false if it
    is not. A right one rounds: its velocities may be wrong by ten epsilons
-   (DBL_EPSILON) of the faster one. Everything larger is a mistake. So are
-   a NaN, and a function that is only right for some masses or velocities.
+   (DBL_EPSILON) of the fastest, before or after. Everything larger is a
+   mistake. So are a NaN, and a function that is only right for some masses
+   or velocities.
 
    You earn points for each wrong function that you refuse, and none if you
    refuse a right one.

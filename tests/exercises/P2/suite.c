@@ -397,6 +397,7 @@ static bool check_inputs(void)
          "0.5 0.5 1 0\n0.6 0.6 0 0\n",
          {"fly", "0.1", "0.1", "1"}},
         {"a radius of 0", one, {"fly", "0", "0.1", "1"}},
+        {"a radius of 1/4 m", one, {"fly", "0.25", "0.1", "1"}},
         {"a tick of 0", one, {"fly", "0.1", "0", "1"}},
         {"ROWS that are not whole", one, {"fly", "0.1", "0.1", "1.5"}},
         {"a first word of no meaning", one, {"swim", "0.1", "0.1", "1"}},
@@ -438,6 +439,26 @@ static bool check_read(void)
            project_form(r, input, 3, 5, "One disk: t and four numbers.");
 }
 
+/* To touch is not to overlap. */
+static bool check_touching(void)
+{
+    struct scene s = {.n = 2, .r = 0.125, .tc = 0.5, .rows = 2};
+    struct run_order o = *order("fly", &s);
+    o.files[0].text = "0.125 0.5 -0.3 0.2\n0.375 0.5 0.1 0\n";
+    const char *input = run_text(&o);
+    const struct run *r = run_program(&o);
+    return CHECK_NEAR(r->status,
+                      .quantity = "the status with which it ended",
+                      .input = input, .expected = 0.0, .tolerance = 0.0,
+                      .question = "There is nothing wrong with this input.",
+                      .mistakes = {{"touching-refused", 2.0,
+                                    "One of these touches a wall, and they "
+                                    "touch each other. Is one of them not "
+                                    "wholly inside, and do they "
+                                    "overlap?"}}) &&
+           project_form(r, input, 3, 9, "Two disks: nine numbers.");
+}
+
 static void stage_special(void)
 {
     struct scene one = draw_disks(1), two = draw_disks(2);
@@ -457,8 +478,8 @@ static void stage_special(void)
     past.start[3] = past.start[6] = past.start[7] = 0.0;
     past.tc = draw(0.05, 0.1);
     past.rows = 20;
-    if (check_read() && check_flight(one) && check_flight(two) &&
-        check_flight(past))
+    if (check_read() && check_touching() && check_flight(one) &&
+        check_flight(two) && check_flight(past))
         check_inputs();
 }
 
@@ -730,9 +751,12 @@ static bool check_thrown(int n, double r, int seed, int samples)
                             "The disks see nothing of each other. Which "
                             "throws are thrown away?");
         }
+        const double word = h.error[i] / spread;
+        const double of_one =
+            fabs(word / sqrt(samples) - 1.0) < 0.35 ? word : NAN;
         if (!check_near(__FILE__, __LINE__, h.density[i], check) ||
             !CHECK_NEAR(
-                h.error[i] / spread,
+                word,
                 .quantity =
                     check_text("the error of slice %d, in units of that of "
                                "independent places",
@@ -740,7 +764,12 @@ static bool check_thrown(int n, double r, int seed, int samples)
                 .input = h.input, .expected = 1.0, .tolerance = 0.35,
                 .because = "places of one throw are not quite "
                            "independent",
-                .question = "How far do two such runs differ?"))
+                .question = "How many places does a throw bring, and how "
+                            "far do two such runs differ?",
+                .mistakes = {{"spread-of-one-throw", of_one,
+                              "That is how far one throw differs from "
+                              "the next. How sure is a mean of so "
+                              "many?"}}))
             return false;
     }
     return CHECK_NEAR(
@@ -774,11 +803,39 @@ static bool check_seeds(double r)
                                   "begun with?");
 }
 
+/* Inputs that make no sense, each with what is wrong with it. */
+struct nonsense {
+    const char *what, *disks, *words[6];
+};
+static bool check_refusals(const struct nonsense all[])
+{
+    for (; all->what; ++all) {
+        struct run_order o = {
+            .late = "Which of these numbers is out of its bounds, and "
+                    "where does your program look at it?"};
+        for (int i = 0; i < 6; ++i)
+            o.arguments[i] = all->words[i];
+        if (all->disks)
+            o.files[0] = (struct run_file){"disks.txt", all->disks};
+        if (!project_refuses(&o, all->what))
+            return false;
+    }
+    return true;
+}
+
 static void stage_throws(void)
 {
+    static const struct nonsense all[] = {
+        {"throws of no disk", NULL, {"throw", "0", "0.1", "1", "10"}},
+        {"17 disks", NULL, {"throw", "17", "0.01", "1", "10"}},
+        {"a radius of 1/4 m", NULL, {"throw", "2", "0.25", "1", "10"}},
+        {"a SEED below 0", NULL, {"throw", "2", "0.1", "-1", "10"}},
+        {"one sample", NULL, {"throw", "2", "0.1", "1", "1"}},
+        {0}};
     const double r = draw(0.15, 0.2);
-    if (check_thrown(1, draw(0.1, 0.2), 3, 20000) && check_seeds(r))
-        check_thrown(2, r, check_draw_whole(1, 1000), 100000);
+    if (check_thrown(1, draw(0.1, 0.2), 3, 20000) && check_seeds(r) &&
+        check_thrown(2, r, check_draw_whole(1, 1000), 100000))
+        check_refusals(all);
 }
 
 /* ---- stage 5 ---- */
@@ -842,29 +899,129 @@ static bool check_ratio(const struct counted *h, double want, double error)
                                   "throws of all four at once?");
 }
 
-static bool check_word(const char *input, const char *what, double got,
-                       double slack, double coordinates, double rows)
+/* word: the mean logarithm of what four runs state, in units of the true
+   error; the mistakes likewise, 0 where there is none, and as near. */
+static bool check_word(const char *input, double word, double slack,
+                       double coordinates, double rows, double one)
 {
     struct check check = {
-        .quantity = what,
+        .quantity = check_text("how many times too %s the errors are, mean "
+                               "of four runs",
+                               word < 0.0 ? "small" : "large"),
         .input = input,
-        .expected = 0.0,
-        .tolerance = slack,
+        .expected = 1.0,
+        .tolerance = exp(slack) - 1.0,
         .because = "an error has an error",
         .equation = "eq:block",
         .question = "How far do runs with other seeds, or from other "
                     "starts, truly lie apart?",
     };
-    if (rows != 0.0)
-        project_mistake(&check, "rows-independent", rows,
+    if (rows != 0.0 && fabs(word - rows) < slack)
+        project_mistake(&check, "rows-independent", exp(fabs(word)),
                         "That is the error of rows that know nothing of "
                         "each other. How long does a disk stay in a "
                         "slice?");
-    if (coordinates != 0.0)
-        project_mistake(&check, "places-independent", coordinates,
+    if (coordinates != 0.0 && fabs(word - coordinates) < slack)
+        project_mistake(&check, "places-independent", exp(fabs(word)),
                         "That is the error of eight places that know "
                         "nothing of each other. Which unit is thrown?");
-    return check_near(__FILE__, __LINE__, got, check);
+    if (one != 0.0 && fabs(word - one) < slack)
+        project_mistake(&check, "spread-of-one-throw", exp(fabs(word)),
+                        "That is how far one throw differs from the next. "
+                        "How sure is a mean of so many?");
+    return check_near(__FILE__, __LINE__, exp(fabs(word)), check);
+}
+
+/* How many looks at pairs there must have been at least, and are not. */
+static bool check_looks(const struct counted *h, double least, double kept)
+{
+    return CHECK_NEAR(fmax(0.0, least - h->looks),
+                      .quantity = "looks at a pair that are not counted",
+                      .input = h->input, .expected = 0.0, .tolerance = 0.0,
+                      .because = "a throw that is kept has six pairs, and "
+                                 "one that is not was looked at, too",
+                      .question = "Which looks are not counted?",
+                      .mistakes = {{"looks-of-the-kept", least - kept,
+                                    "These are the looks at what was kept. "
+                                    "How did your program find out that it "
+                                    "would not keep the others?"}});
+}
+
+/* The same for a flight: a disk that has met another or a wall flies on
+   another way, and meets the others at other times. */
+static bool check_flight_looks(const struct scene *s,
+                               const struct counted *h)
+{
+    struct engine e = {.s = s};
+    const long double end = (long double)s->rows * s->tc;
+    for (int c = 0; c < 2 * s->n; ++c) {
+        e.x[c] = s->start[PER_DISK * (c / 2) + c % 2];
+        e.v[c] = s->start[PER_DISK * (c / 2) + 2 + c % 2];
+    }
+    for (long double now = 0.0L, wait; now < end; now += wait) {
+        fly(&e, wait = next(&e));
+        collide(&e);
+    }
+    const double each = round(h->looks / (double)e.pairs);
+    return CHECK_NEAR(
+        fmax(0.0, 3.0 - each),
+        .quantity = "looks that are missing, for each two that have met",
+        .input = h->input, .expected = 0.0, .tolerance = 0.0,
+        .because = "both have other ways from then on, and two others each",
+        .question = "Which looks are not counted?",
+        .mistakes = {{"looks-of-collisions", 2.0,
+                      "There is one look for each collision. How did your "
+                      "program find out that no other pair was first?"},
+                     {"looks-of-events", 1.0,
+                      "There is one look for each event. At how many pairs "
+                      "has your program looked before it knew which event "
+                      "was next?"}});
+}
+
+/* A disk alone is where it must be in each row, and so are the counts. */
+static bool check_watched(void)
+{
+    static struct table want;
+    struct scene s = draw_disks(1);
+    struct counted h;
+    s.tc = draw(0.1, 0.2);
+    s.rows = 1000;
+    simulate(&s, NONE, 0.0, &want);
+    const double a = 1.0 - 2.0 * s.r, one = SLICES / a / (2.0 * s.rows);
+    double in[3][SLICES] = {{0.0}}, unsure[SLICES] = {0.0};
+    for (int k = 0; k <= s.rows; ++k)
+        for (int c = 1; c <= 2; ++c) {
+            const double at = (want.row[k][c] - s.r) / a * SLICES;
+            const int i = (int)fmin(fmax(at, 0.0), SLICES - 1.0);
+            in[0][i] += k > 0;
+            in[1][i] += k < s.rows;
+            in[2][i] += s.rows / (s.rows + 1.0);
+            unsure[i] += fabs(at - round(at)) < 1e-6;
+        }
+    if (!count(order("watch", &s), s.r, &h))
+        return false;
+    for (int i = 0; i < SLICES; ++i) {
+        struct check check = {
+            .quantity = check_text("the density in slice %d", i + 1),
+            .unit = "1/m",
+            .input = h.input,
+            .expected = in[0][i] * one,
+            .tolerance = (0.5 + unsure[i]) * one,
+            .because = "half a count",
+            .equation = "eq:disk-clock",
+            .question = "One disk, 1000 rows, two coordinates in each: "
+                        "2000 counts. Which are they?",
+        };
+        for (int k = 1; k <= 2; ++k)
+            if (fabs(in[k][i] - in[0][i]) > 0.5)
+                project_mistake(&check, "row-0-counted", in[k][i] * one,
+                                "The start was chosen, and has not come "
+                                "about. Which row is the first to be "
+                                "counted, and which the last?");
+        if (!check_near(__FILE__, __LINE__, h.density[i], check))
+            return false;
+    }
+    return true;
 }
 
 static struct scene draw_unit_speeds(double r)
@@ -881,24 +1038,31 @@ static struct scene draw_unit_speeds(double r)
     return s;
 }
 
+static const struct nonsense few_rows[] = {
+    {"999 rows to watch",
+     "0.5 0.5 1 0.3\n",
+     {"watch", "disks.txt", "0.1", "0.1", "999"}},
+    {0}};
+
 static void stage_ratio(void)
 {
     enum { SAMPLES = 10000, RUNS = 4 };
     const double r = draw(0.13, 0.15), q = between(ratios, r);
     const double thrown = between(spreads, r) / sqrt(SAMPLES);
     const int seed = check_draw_whole(1, 1000);
+    const char *question = "How many throws did it take?";
     struct counted h[2];
     double word = 0.0;
+    if (!check_watched() || !check_refusals(few_rows))
+        return;
     for (int k = 0; k < RUNS; ++k) {
         const struct run_order *o = order_throw(4, r, seed + k, SAMPLES);
         if (!count(o, r, &h[0]) || !check_ratio(&h[0], q, q * thrown) ||
-            !check_remarks(o, &h[0]) ||
-            !CHECK_NEAR(h[0].looks >= 6.0 * SAMPLES,
-                        .quantity = "1 if each pair of what is kept was "
-                                    "looked at",
-                        .input = h[0].input, .expected = 1.0,
-                        .tolerance = 0.0,
-                        .question = "Which looks are not counted?"))
+            !check_remarks(o, &h[0]))
+            return;
+        const double all =
+            project_remark(run_program(o), "# thrown", &question);
+        if (!check_looks(&h[0], 5.0 * SAMPLES + all, 6.0 * SAMPLES))
             return;
         word += log(h[0].its_error / h[0].ratio / thrown) / RUNS;
     }
@@ -907,30 +1071,20 @@ static void stage_ratio(void)
     const double in_middle = 2.0 / SLICES * 0.75, at_wall = q * in_middle;
     const double coins =
         sqrt((1.0 / at_wall + 1.0 / in_middle) / (8.0 * SAMPLES));
-    if (!check_word(h[0].input,
-                    "the logarithm of the errors of four runs, in units "
-                    "of the true one",
-                    word, 0.12, log(coins / thrown), 0.0))
+    if (!check_word(h[0].input, word, 0.12, log(coins / thrown), 0.0,
+                    log(SAMPLES) / 2.0))
         return;
     word = 0.0;
     for (int k = 0; k < RUNS; ++k) {
         const struct scene s = draw_unit_speeds(r);
         const struct run_order *o = order("watch", &s);
         if (!count(o, r, &h[1]) || !check_ratio(&h[1], q, q * flown) ||
-            !check_remarks(o, &h[1]) ||
-            !CHECK_NEAR(h[1].looks >= 3000.0,
-                        .quantity = "1 if each collision was looked for",
-                        .input = h[1].input, .expected = 1.0,
-                        .tolerance = 0.0,
-                        .question = "Which looks are not counted?"))
+            !check_remarks(o, &h[1]) || !check_flight_looks(&s, &h[1]))
             return;
         word += log(h[1].its_error / h[1].ratio / flown) / RUNS;
     }
-    if (!check_word(h[1].input,
-                    "the logarithm of the errors of four runs, in units "
-                    "of the true one",
-                    word, 0.36, 0.0,
-                    log(between(spreads, r) / sqrt(50000.0) / flown)))
+    if (!check_word(h[1].input, word, 0.36, 0.0,
+                    log(between(spreads, r) / sqrt(50000.0) / flown), 0.0))
         return;
     for (int i = 0; i < SLICES; ++i)
         if (!CHECK_NEAR(
@@ -1064,8 +1218,10 @@ static bool check_pair(int n, double r, double small)
                             i + 1),
                         .input = input, .expected = 1.0, .tolerance = 0.25,
                         .because = "it follows from the number of samples",
-                        .question = "Each sample is in this slice or not, "
-                                    "and knows nothing of the others."))
+                        .question = "SAMPLES are kept: from how many does "
+                                    "this table come? Each of them is in "
+                                    "this slice or not, and knows nothing "
+                                    "of the others."))
             return false;
     }
     return true;
@@ -1073,9 +1229,17 @@ static bool check_pair(int n, double r, double small)
 
 static void stage_pair(void)
 {
+    static const struct nonsense all[] = {
+        {"a big one and a small one as wide as 0.3 m",
+         NULL,
+         {"pair", "3", "0.1", "0.2", "1", "10"}},
+        {"N below 0", NULL, {"pair", "-1", "0.1", "0.1", "1", "10"}},
+        {"a SMALL below 0", NULL, {"pair", "3", "0.1", "-0.1", "1", "10"}},
+        {0}};
     const double r = draw(0.09, 0.1), small = draw(0.07, 0.08);
-    if (check_pair(0, r, small))
-        check_pair(check_draw_whole(18, 22), r, small);
+    if (check_pair(0, r, small) &&
+        check_pair(check_draw_whole(18, 22), r, small))
+        check_refusals(all);
 }
 
 const struct check_suite check_suite = {

@@ -1159,6 +1159,14 @@ static struct scene draw_shot(double past, double *t)
 static bool check_meeting(const struct scene *s, int i, int j, double t,
                           double slack, double nearest)
 {
+    static const struct check_mistake through = {
+        "tunnelled", 0.0,
+        "Two bodies have gone through each other. They are apart before "
+        "this step and after it: what have they been in between?"};
+    static const struct check_mistake point = {
+        "points-meet-nothing", 0.0,
+        "One of these two has a radius, and the other is a point. Which "
+        "two can never touch?"};
     const struct run_order *o = order(s);
     const char *input = run_text(o);
     const struct run *r = run_program(o);
@@ -1169,16 +1177,12 @@ static bool check_meeting(const struct scene *s, int i, int j, double t,
         "sum of their radii. Between the ends of a step, how does that "
         "distance change?";
     const double ends = ceil(t / s->dt) * s->dt;
-    return CHECK_NEAR(
-               r->status, .quantity = "the status with which it ended",
-               .input = input, .expected = 1.0, .tolerance = 0.0,
-               .equation = "eq:back-time",
-               .question = "Two of these bodies meet.",
-               .mistakes = {{"tunnelled", 0.0,
-                             "Two bodies have gone through each "
-                             "other. They are apart before this step "
-                             "and after it: what have they been in "
-                             "between?"}}) &&
+    return CHECK_NEAR(r->status,
+                      .quantity = "the status with which it ended",
+                      .input = input, .expected = 1.0, .tolerance = 0.0,
+                      .equation = "eq:back-time",
+                      .question = "Two of these bodies meet.",
+                      .mistakes = {*(s->r[i] > 0.0 ? &through : &point)}) &&
            CHECK_NEAR(*r->complaint != '\0', .quantity = "a line on stderr",
                       .input = input, .expected = 1.0, .tolerance = 0.0,
                       .question = "It should say why it stops.") &&
@@ -1219,21 +1223,17 @@ static bool check_meeting(const struct scene *s, int i, int j, double t,
                                   "after it.");
 }
 
-static bool check_miss(const struct scene *s)
+static bool check_miss(const struct scene *s,
+                       struct check_mistake false_alarm)
 {
     const struct run_order *o = order(s);
     const char *input = run_text(o);
     const struct run *r = run_program(o);
-    return CHECK_NEAR(r->status,
-                      .quantity = "the status with which it ended",
-                      .input = input, .expected = 0.0, .tolerance = 0.0,
-                      .equation = "eq:back-time",
-                      .question = "These pass each other.",
-                      .mistakes = {{"false-meeting", 1.0,
-                                    "These two pass each other at 1.05 "
-                                    "times the sum of their radii, and do "
-                                    "not touch. How near does your program "
-                                    "think they come?"}}) &&
+    return CHECK_NEAR(
+               r->status, .quantity = "the status with which it ended",
+               .input = input, .expected = 0.0, .tolerance = 0.0,
+               .equation = "eq:back-time", .question = "These do not meet.",
+               .mistakes = {false_alarm}) &&
            check_form(s, r, input);
 }
 
@@ -1285,15 +1285,31 @@ static bool check_bent(void)
 
 static void stage_meeting(void)
 {
+    static const struct check_mistake near = {
+        "false-meeting", 1.0,
+        "These two pass each other at 1.05 times the sum of their radii, "
+        "and do not touch. How near does your program think they come?"};
+    static const struct check_mistake past = {
+        "meeting-in-the-past", 1.0,
+        "These two fly apart, from the start. On the line on which they "
+        "fly they would have touched before: which times count?"};
     double t, never;
     const struct scene hit = draw_shot(0.4, &t);
     const struct scene miss = draw_shot(1.05, &never);
+    struct scene point = hit, apart = hit;
+    point.r[0] = 0.0;
+    point.r[1] = hit.r[0] + hit.r[1];
+    for (int c = 0; c < 4; ++c)
+        apart.v[c] = -hit.v[c];
     const double far = hypot(hit.x[2], hit.x[3]);
     const double b = 0.4 * (hit.r[0] + hit.r[1]);
     const double speed = hypot(hit.v[2] - hit.v[0], hit.v[3] - hit.v[1]);
     if (check_meeting(&hit, 0, 1, t, 1e-9 * t,
                       sqrt(far * far - b * b) / speed) &&
-        check_miss(&miss) && check_two_pairs())
+        check_meeting(&point, 0, 1, t, 1e-9 * t,
+                      sqrt(far * far - b * b) / speed) &&
+        check_miss(&miss, near) && check_miss(&apart, past) &&
+        check_two_pairs())
         check_bent();
 }
 

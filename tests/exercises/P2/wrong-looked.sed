@@ -1,0 +1,2 @@
+# mistake: looks-of-collisions, stage 5
+/^    ++looks;$/d; s/++pairs;/++pairs, ++looks;/

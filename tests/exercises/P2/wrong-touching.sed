@@ -1,0 +1,2 @@
+# mistake: touching-refused, stage 1
+s/d\.p\[c\] >= radius/d.p[c] > radius/

@@ -131,8 +131,9 @@ static double between(const struct run *a, const struct run *b)
     return most;
 }
 
-/* Where they are, to a sixtieth of the tolerance: two runs agree,
-   of which one has half the steps. They may have more than the pick. */
+/* Where they are, to a sixtieth of the tolerance: two runs agree, of which
+   one has half the steps, and that one with one of a quarter as well as the
+   power of the method lets it. They may have more than the pick. */
 static struct run find_truth(void)
 {
     double before = INFINITY;
@@ -140,7 +141,8 @@ static struct run find_truth(void)
     for (long steps = 32; steps <= 4 * LIMIT; steps *= 2) {
         const struct run now = go(4, steps);
         const double gap = between(&now, &last);
-        if (gap <= tolerance / 4 && (gap < before / 4 || before == 0))
+        if (gap <= tolerance / 4 && before <= 8 * tolerance &&
+            (gap < before / 4 || before < tolerance / 100))
             return now;
         before = gap;
         last = now;

@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 3143087571 of the lines below */
+/* checksum 2097731165 of the lines below */
 /* What the student sees of a round, and the bars of progress. */
 #include "examiner/round.h"
 #include "examiner/build.h"
@@ -20,7 +20,7 @@ static const char *colour(enum state state)
 void round_line(const struct exercise *e)
 {
     const char *code = colour(e->state);
-    printf("%s  %-36.36s%s%-14s%s %2d of %2d points %2d min\n", e->name,
+    printf("%-3s  %-36.36s%s%-14s%s %2d of %2d points %2d min\n", e->name,
            e->title, code, state_name(e->state), *code ? "\033[0m" : "",
            e->earned, e->points, e->minutes);
     fflush(stdout);

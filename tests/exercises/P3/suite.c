@@ -823,8 +823,14 @@ static bool check_order(struct scene s, int steps, const char *what)
 
 static void stage_order(void)
 {
-    const struct scene planet = draw_planet(), eight = draw_eight();
-    if (check_order(eight, 200, "an eight"))
+    const struct scene planet = draw_planet();
+    struct scene eight = draw_eight();
+    /* Where the eight closes the errors of Runge-Kutta methods of order 4
+       cancel in part, and with 200 and 400 steps they fall with powers of
+       4.47 to 4.78. At six tenths these are 4.07 to 4.27, and 4.00 for
+       splittings. */
+    eight.dt *= 0.6;
+    if (check_order(eight, 200, "six tenths of an eight"))
         check_order(planet, 200, "a planet once round its sun");
 }
 

@@ -212,6 +212,47 @@ static struct request draw_ring(enum law law, double t, double tol)
     return q;
 }
 
+/* Two on a long thin ellipse of a spring, so long that order 4 ends at one
+   place with so many steps and with twice as many, a whole turn behind, and
+   at another in truth. */
+static struct request draw_chance(int steps)
+{
+    struct request q = {
+        .n = 2, .m = {draw(0.5, 1.0), draw(0.5, 1.0)}, .law = SPRINGS};
+    const double mass = q.m[0] + q.m[1], omega = sqrt(mass);
+    const double far = draw(0.8, 1.2), turn = draw(0.1, 1.4);
+    const double across = omega * far * draw(0.1, 0.15);
+    for (int i = 0; i < 2; ++i) {
+        const double part = (i ? q.m[0] : -q.m[1]) / mass;
+        q.x[2 * i] = part * far * cos(turn);
+        q.x[2 * i + 1] = part * far * sin(turn);
+        q.v[2 * i] = -part * across * sin(turn);
+        q.v[2 * i + 1] = part * across * cos(turn);
+    }
+    q.tol = 0.02 * far;
+    double best = 1.42, least = INFINITY;
+    for (double wide = 0.12; wide > 1e-5; wide /= 60.0) {
+        const double middle = best;
+        for (int k = -60; k <= 60; ++k) {
+            const double at = middle + k * wide / 60.0;
+            struct state truth = begin(&q);
+            q.t = at * steps / omega;
+            for (int c = 0; c < 4; ++c)
+                truth.x[c] = q.x[c] * cos(omega * q.t) +
+                             q.v[c] / omega * sin(omega * q.t);
+            const struct state few = after(&q, 4, steps);
+            const struct state many = after(&q, 4, 2 * steps);
+            const double gap = apart(&q, &few, &many);
+            if (gap < least && apart(&q, &many, &truth) > 10.0 * q.tol) {
+                least = gap;
+                best = at;
+            }
+        }
+    }
+    q.t = best * steps / omega;
+    return q;
+}
+
 enum { REQUESTS = 5 };
 
 static void draw_requests(struct request q[REQUESTS])
@@ -448,6 +489,28 @@ static void stage_hold(void)
     for (int i = 0; i < REQUESTS; ++i) {
         const struct state truth = truth_of(&q[i]);
         if (!answered(&q[i], &a) || !held(&q[i], &a, &truth))
+            return;
+    }
+    for (int i = 0; i < 2; ++i) {
+        const struct request chance = draw_chance(i ? 80 : 64);
+        const struct state truth = truth_of(&chance);
+        if (!answered(&chance, &a))
+            return;
+        const double error = apart(&chance, &a.end, &truth) / chance.tol;
+        if (!CHECK_NEAR(
+                error > 1.0 ? error : 1.0,
+                .quantity = "the error of the worst place, in TOL",
+                .input = a.input, .expected = 1.0, .tolerance = 1e-9,
+                .because = "what was asked for", .equation = "eq:order",
+                .question = "From which of your runs do you know the error "
+                            "of this one?",
+                .mistakes = {{"agreed-by-chance",
+                              error > 10.0 ? error : NAN,
+                              "With few steps there are two runs here that "
+                              "agree, and both are wrong. Which third run "
+                              "would not have agreed? Does the error fall "
+                              "as it should?"}}) ||
+            !held(&chance, &a, &truth))
             return;
     }
 }

@@ -98,8 +98,8 @@ static void read_bodies(const char *name, struct state *s)
     for (int k = 0; k < springs; ++k)
         if (spring[k].i >= n || spring[k].j >= n)
             give_up("a spring to nowhere in", name);
-    for (int i = 0; i < n; ++i)
-        for (int j = i + 1; j < n; ++j)
+    for (int j = n; j-- > 0;)
+        for (int i = 0; i < j; ++i)
             if (hypot(s->x[j][0] - s->x[i][0], s->x[j][1] - s->x[i][1]) <=
                 radius[i] + radius[j])
                 give_up("two bodies touch at the start in", name);
@@ -155,16 +155,14 @@ static double energy(const struct state *s)
 
 static void kick(struct state *s, double h)
 {
-    for (int i = 0; i < n; ++i)
-        for (int k = 0; k < 2; ++k)
-            s->v[i][k] += s->a[i][k] * h;
+    for (int c = 2 * n; c-- > 0;)
+        s->v[c / 2][c % 2] += s->a[c / 2][c % 2] * h;
 }
 
 static void drift(struct state *s, double h)
 {
-    for (int i = 0; i < n; ++i)
-        for (int k = 0; k < 2; ++k)
-            s->x[i][k] += s->v[i][k] * h;
+    for (int c = 2 * n; c-- > 0;)
+        s->x[c / 2][c % 2] += s->v[c / 2][c % 2] * h;
 }
 
 static void euler(struct state *s, double h)
@@ -183,29 +181,28 @@ static void leapfrog(struct state *s, double h)
     kick(s, h / 2);
 }
 
+/* Adds so much of a slope to places and velocities. */
+static void go_along(struct state *s, const struct state *slope, double h)
+{
+    for (int c = 2 * n; c-- > 0;) {
+        s->x[c / 2][c % 2] += h * slope->v[c / 2][c % 2];
+        s->v[c / 2][c % 2] += h * slope->a[c / 2][c % 2];
+    }
+}
+
 static void fourth(struct state *s, double h)
 {
-    static struct state t, sum;
-    static struct state k[4];
     static const double A[4][3] = {
         {0}, {1 / 3.0}, {-1 / 3.0, 1}, {1, -1, 1}};
     static const double w[] = {1 / 8.0, 3 / 8.0, 3 / 8.0, 1 / 8.0};
+    static struct state k[4], sum;
     sum = *s;
     for (int c = 0; c < 4; ++c) {
-        t = *s;
+        k[c] = *s;
         for (int e = 0; e < c; ++e)
-            for (int i = 0; i < n; ++i)
-                for (int q = 0; q < 2; ++q) {
-                    t.x[i][q] += h * A[c][e] * k[e].v[i][q];
-                    t.v[i][q] += h * A[c][e] * k[e].a[i][q];
-                }
-        forces(&t);
-        k[c] = t;
-        for (int i = 0; i < n; ++i)
-            for (int q = 0; q < 2; ++q) {
-                sum.x[i][q] += w[c] * h * t.v[i][q];
-                sum.v[i][q] += w[c] * h * t.a[i][q];
-            }
+            go_along(&k[c], &k[e], h * A[c][e]);
+        forces(&k[c]);
+        go_along(&sum, &k[c], h * w[c]);
     }
     *s = sum;
 }
@@ -238,8 +235,8 @@ static double touch(const struct state *a, const struct state *b,
                     int *first, int *second)
 {
     double when = INFINITY;
-    for (int i = 0; i < n; ++i)
-        for (int j = i + 1; j < n; ++j) {
+    for (int j = n; j-- > 0;)
+        for (int i = 0; i < j; ++i) {
             const double sigma = radius[i] + radius[j];
             double p = 0, q = 0, c = -sigma * sigma;
             if (sigma == 0)
@@ -319,7 +316,7 @@ int main(int argc, char *argv[])
     for (long k = 0; k < 2 * every * rows; ++k)
         m->step(&half, dt / 2);
     double most = 0;
-    for (int i = 0; i < n; ++i)
+    for (int i = n; i-- > 0;)
         most = fmax(most, hypot(s.x[i][0] - half.x[i][0],
                                 s.x[i][1] - half.x[i][1]));
     const double power = pow(2, m->order);

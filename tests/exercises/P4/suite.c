@@ -354,6 +354,50 @@ static bool answered(const struct request *q, struct answer *a)
                                     "by itself?"}});
 }
 
+/* How far velocities are apart at most, in units of the largest: those of
+   the answer, and of a state that is still without so much of a kick. */
+static double late(const struct request *q, const struct answer *a,
+                   const struct state *own, double kick_left)
+{
+    long double f[PROJECT_PLACES];
+    double most = 0.0, size = 0.0;
+    pull(q, own->x, f);
+    for (int c = 0; c < 2 * q->n; ++c) {
+        most = fmax(most, fabs((double)(a->end.v[c] - own->v[c] +
+                                        kick_left * f[c])));
+        size = fmax(size, fabs((double)own->v[c]));
+    }
+    return most / size;
+}
+
+static bool check_velocities(const struct request *q,
+                             const struct answer *a,
+                             const struct state *own)
+{
+    const double part =
+        a->order == 4 ? 1.0 / (2.0 - cbrt(2.0)) : a->order == 2;
+    const double kick_left = part * q->t / a->steps / 2.0;
+    const double got = late(q, a, own, 0.0);
+    struct check check = {
+        .quantity = "how far the velocities of the row are from those of "
+                    "its pick, in the largest of them",
+        .input = check_text("order %d with %ld steps; %.440s", a->order,
+                            a->steps, a->input),
+        .expected = 0.0,
+        .tolerance = 1e-6,
+        .because = "the same steps, but for rounding",
+        .equation = "eq:triple-jump",
+        .question = "The places are right. At which time are these the "
+                    "velocities, and in which order do they stand?",
+    };
+    if (got > 1e-6 && late(q, a, own, kick_left) < 1e-6)
+        project_mistake(&check, "last-kick-forgotten", got,
+                        "The last half kick is missing. If two half kicks "
+                        "are made into one, what is left to do at the "
+                        "end?");
+    return check_near(__FILE__, __LINE__, got, check);
+}
+
 /* Whether the end is within the tolerance, and that of the pick. */
 static bool held(const struct request *q, const struct answer *a,
                  const struct state *truth)
@@ -383,6 +427,7 @@ static bool held(const struct request *q, const struct answer *a,
                       .tolerance = 1e-9 * q->t, .because = "it is T",
                       .question = "At which time is the row?") &&
            check_near(__FILE__, __LINE__, other, check) &&
+           check_velocities(q, a, &own) &&
            CHECK_NEAR(
                error > 1.0 ? error : 1.0,
                .quantity = "the error of the worst place, in TOL",

@@ -95,14 +95,16 @@ static void read_bodies(const char *name, struct state *s)
     fclose(f);
     if (n == 0)
         give_up("no body in", name);
-    for (int k = 0; k < springs; ++k)
+    for (int k = springs; k-- > 0;)
         if (spring[k].i >= n || spring[k].j >= n)
             give_up("a spring to nowhere in", name);
     for (int j = n; j-- > 0;)
-        for (int i = 0; i < j; ++i)
-            if (hypot(s->x[j][0] - s->x[i][0], s->x[j][1] - s->x[i][1]) <=
-                radius[i] + radius[j])
+        for (int i = j; i-- > 0;) {
+            const double dx = s->x[j][0] - s->x[i][0];
+            const double dy = s->x[j][1] - s->x[i][1];
+            if (hypot(dx, dy) <= radius[i] + radius[j])
                 give_up("two bodies touch at the start in", name);
+        }
 }
 
 static void forces(struct state *s)
@@ -118,7 +120,7 @@ static void forces(struct state *s)
             s->a[j][0] -= f * mass[i] * dx;
             s->a[j][1] -= f * mass[i] * dy;
         }
-    for (int k = 0; k < springs; ++k) {
+    for (int k = springs; k-- > 0;) {
         const int i = spring[k].i, j = spring[k].j;
         const double dx = s->x[j][0] - s->x[i][0];
         const double dy = s->x[j][1] - s->x[i][1];
@@ -136,14 +138,14 @@ static void forces(struct state *s)
 static double energy(const struct state *s)
 {
     double e = 0;
-    for (int i = 0; i < n; ++i) {
+    for (int i = n; i-- > 0;) {
         e += mass[i] / 2 *
              (s->v[i][0] * s->v[i][0] + s->v[i][1] * s->v[i][1]);
         for (int j = i + 1; j < n; ++j)
             e -= g * mass[i] * mass[j] /
                  hypot(s->x[j][0] - s->x[i][0], s->x[j][1] - s->x[i][1]);
     }
-    for (int k = 0; k < springs; ++k) {
+    for (int k = springs; k-- > 0;) {
         const int i = spring[k].i, j = spring[k].j;
         const double d =
             hypot(s->x[j][0] - s->x[i][0], s->x[j][1] - s->x[i][1]) -
@@ -199,7 +201,7 @@ static void fourth(struct state *s, double h)
     sum = *s;
     for (int c = 0; c < 4; ++c) {
         k[c] = *s;
-        for (int e = 0; e < c; ++e)
+        for (int e = c; e-- > 0;)
             go_along(&k[c], &k[e], h * A[c][e]);
         forces(&k[c]);
         go_along(&sum, &k[c], h * w[c]);
@@ -220,9 +222,9 @@ static const struct method {
 static double limit(const struct method *m)
 {
     double most = 0;
-    for (int i = 0; i < n; ++i) {
+    for (int i = n; i-- > 0;) {
         double sum = 0;
-        for (int k = 0; k < springs; ++k)
+        for (int k = springs; k-- > 0;)
             if (spring[k].i == i || spring[k].j == i)
                 sum += 2 * spring[k].k / mass[i];
         most = fmax(most, sum);
@@ -236,12 +238,12 @@ static double touch(const struct state *a, const struct state *b,
 {
     double when = INFINITY;
     for (int j = n; j-- > 0;)
-        for (int i = 0; i < j; ++i) {
+        for (int i = j; i-- > 0;) {
             const double sigma = radius[i] + radius[j];
             double p = 0, q = 0, c = -sigma * sigma;
             if (sigma == 0)
                 continue;
-            for (int k = 0; k < 2; ++k) {
+            for (int k = 2; k-- > 0;) {
                 const double d = a->x[j][k] - a->x[i][k];
                 const double e = b->x[j][k] - b->x[i][k] - d;
                 p += e * e;
@@ -264,9 +266,8 @@ static double touch(const struct state *a, const struct state *b,
 static void print(double t, const struct state *s)
 {
     printf("%.17g %.17g", t, energy(s));
-    for (int i = 0; i < n; ++i)
-        printf(" %.17g %.17g %.17g %.17g", s->x[i][0], s->x[i][1],
-               s->v[i][0], s->v[i][1]);
+    for (int c = 0; c < 4 * n; ++c)
+        printf(" %.17g", (c & 2 ? s->v : s->x)[c / 4][c & 1]);
     puts("");
 }
 

@@ -1299,6 +1299,18 @@ static void stage_meeting(void)
         "meeting-in-the-past", 1.0,
         "These two fly apart, from the start. On the line on which they "
         "fly they would have touched before: which times count?"};
+    static const struct check_mistake nothing = {
+        "points-touch", 1.0,
+        "These two are points and fly through each other. What have they "
+        "got that could touch?"};
+    /* Numbers that no step rounds. */
+    static const struct scene points = {.n = 2,
+                                        .m = {1.0, 1.0},
+                                        .x = {0.0, 0.0, 8.0, 0.0},
+                                        .v = {1.0, 0.0, -1.0, 0.0},
+                                        .dt = 0.5,
+                                        .every = 1,
+                                        .rows = 20};
     double t, never;
     const struct scene hit = draw_shot(0.4, &t);
     const struct scene miss = draw_shot(1.05, &never);
@@ -1315,7 +1327,7 @@ static void stage_meeting(void)
         check_meeting(&point, 0, 1, t, 1e-9 * t,
                       sqrt(far * far - b * b) / speed) &&
         check_miss(&miss, near) && check_miss(&apart, past) &&
-        check_two_pairs())
+        check_miss(&points, nothing) && check_two_pairs())
         check_bent();
 }
 

@@ -1,4 +1,4 @@
-/* Exercise 05e. A check that finds the clock (core, 25 minutes)
+/* Exercise 05e. A check that finds the clock (core, 35 minutes)
 
    A program moves a disk in a box and records it at each tick of a clock.
    Its energy is right, and its film looks well. Is its clock right? You

@@ -1,4 +1,4 @@
-/* Exercise 11c. Going back (core, 25 minutes)
+/* Exercise 11c. Going back (core, 35 minutes)
 
    After a step two spheres overlap. They should have collided on the way,
    and flown on with their new velocities. When was that, and where would

@@ -1,4 +1,4 @@
-/* Project P4. Enough (two to four hours)
+/* Project P4. Enough (three to four hours)
 
    A program of your own: given bodies, a time and a tolerance, it finds
    which of three methods gets there with the fewest forces. Section "Enough

@@ -1,4 +1,4 @@
-/* Exercise 01e. CHECKcollide (core, 20 minutes)
+/* Exercise 01e. CHECKcollide (core, 30 minutes)
 
    Somebody hands you a function that claims to collide two bodies on a
    line, elastically. Is it right? You cannot read it; you can only call it.

@@ -319,7 +319,7 @@ static void test_drawn(void)
 const struct check_suite check_suite = {
     .file = "01e-check.c",
     .title = "CHECKcollide",
-    .minutes = 20,
+    .minutes = 30,
     .tests =
         {{"three right functions are right", test_right, 1, 0},
          {"one that loses energy is refused", test_energy, 1, 0},

@@ -342,7 +342,7 @@ static void test_drawn(void)
 const struct check_suite check_suite = {
     .file = "05e-finds.c",
     .title = "A check that finds the clock",
-    .minutes = 25,
+    .minutes = 35,
     .tests =
         {{"two right programs are right", test_right, 1, 0},
          {"the article's program is refused", test_article, 2, 0},

@@ -1,4 +1,4 @@
-/* Exercise 06d. A push that is handed on (core, 25 minutes)
+/* Exercise 06d. A push that is handed on (core, 35 minutes)
 
    An event chain moves equal disks in a box without walls: where a disk
    leaves on one side it comes in on the other. One disk is pushed towards

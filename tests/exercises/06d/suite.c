@@ -294,7 +294,7 @@ static void test_drawn(void)
 const struct check_suite check_suite = {
     .file = "06d-chain.c",
     .title = "A push that is handed on",
-    .minutes = 25,
+    .minutes = 35,
     .tests = {{"one disk goes all the way", test_one, 1, 0},
               {"in a row the push is handed on", test_row, 2, 0},
               {"a disk aside is touched later", test_aside, 1, 0},

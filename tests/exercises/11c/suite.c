@@ -333,7 +333,7 @@ static void test_left(void)
 const struct check_suite check_suite = {
     .file = "11c-back.c",
     .title = "Going back",
-    .minutes = 25,
+    .minutes = 35,
     .tests = {{"head on it is chapter 1's collision", test_head_on, 1, 0},
               {"a wall turns a sphere round", test_wall, 1, 0},
               {"aside they touched along another line", test_aside, 2, 0},

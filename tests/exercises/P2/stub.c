@@ -1,4 +1,4 @@
-/* Project P2. Disks (two to four hours)
+/* Project P2. Disks (four to five hours)
 
    A program of your own: four disks that fly, four that are thrown, and two
    big ones among many small. Section "Disks of your own" of chapter 7 has

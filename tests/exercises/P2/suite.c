@@ -1245,7 +1245,7 @@ static void stage_pair(void)
 const struct check_suite check_suite = {
     .file = "P2-disks.c",
     .title = "Disks",
-    .minutes = 210,
+    .minutes = 270,
     .tests = {{"1 special cases: one disk, and two that meet",
                stage_special, 4, 0},
               {"2 then generalize: four disks by events", stage_general, 6,

@@ -1,4 +1,4 @@
-/* Project P3. Steps (three to four hours)
+/* Project P3. Steps (about four hours)
 
    A program of your own, from its first line to its last: bodies that
    attract each other, and springs between them, in steps of DT; and it says

@@ -1334,7 +1334,7 @@ static void stage_meeting(void)
 const struct check_suite check_suite = {
     .file = "P3-steps.c",
     .title = "Steps",
-    .minutes = 210,
+    .minutes = 240,
     .tests =
         {{"1 special cases: one body, one spring", stage_special, 3, 0},
          {"2 then generalize: bodies and springs, and leapfrog",

@@ -684,7 +684,7 @@ static void stage_horizon(void)
 const struct check_suite check_suite = {
     .file = "P4-enough.c",
     .title = "Enough",
-    .minutes = 180,
+    .minutes = 210,
     .tests =
         {{"1 special cases: nothing pulls, and other forces", stage_special,
           4, 0},

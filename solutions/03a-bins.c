@@ -45,7 +45,7 @@ void equal_bins(double (*distribution)(double x), double low, double high,
 {
     edge[0] = low;
     edge[bins] = high;
-    for (size_t k = 1; k < bins; ++k)
-        edge[k] = place_of((double)k / (double)bins, distribution,
-                           edge[k - 1], high);
+    for (size_t k = bins; --k > 0;)
+        edge[k] = place_of((double)k / (double)bins, distribution, low,
+                           edge[k + 1]);
 }

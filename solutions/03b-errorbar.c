@@ -41,7 +41,7 @@ double mean_and_error(size_t n, const double x[], double *error)
             rest += x[i] - x[0];
     double middle = 0.0;
     for (int b = 0; b < BLOCKS; ++b)
-        middle += block[b] / BLOCKS;
+        middle = middle + block[b] / BLOCKS;
     double squares = 0.0;
     for (int b = 0; b < BLOCKS; ++b)
         squares += pow((block[b] - middle) / (double)length, 2.0);

@@ -141,8 +141,7 @@ static struct run find_truth(void)
     for (long steps = 32; steps <= 4 * LIMIT; steps *= 2) {
         const struct run now = go(4, steps);
         const double gap = between(&now, &last);
-        if (gap <= tolerance / 4 && before <= 8 * tolerance &&
-            (gap < before / 4 || before < tolerance / 100))
+        if (gap <= tolerance / 4 && before <= 4 * tolerance)
             return now;
         before = gap;
         last = now;

@@ -133,7 +133,7 @@ static void row(const vec *s, double t)
     for (int k = ns; k-- > 0;)
         E += stiff[k][0] / 2 *
              pow(gap(s, tie[k][0], tie[k][1], &dx, &dy) - stiff[k][1], 2);
-    for (int i = 0; i < n; ++i)
+    for (int i = n; i-- > 0;)
         E +=
             m[i] / 2 *
             (pow(s->y[2 * n + 2 * i], 2) + pow(s->y[2 * n + 2 * i + 1], 2));

@@ -75,7 +75,6 @@
       const dx = x - (g.left + run.now.at[2] * g.scale), dy = y - (6 + (side - run.now.at[3]) * g.scale);
       return Math.hypot(dx, dy) < g.scale ? { dx, dy } : null;
     },
-    touch: 'none',
     pull(run, held, x, y) {
       const g = geometry(run);
       put(run, 1, (x - held.dx - g.left) / g.scale, side - (y - held.dy - 6) / g.scale);

@@ -458,7 +458,7 @@
         const r = canvas.getBoundingClientRect();
         return [e.clientX - r.left, e.clientY - r.top];
       };
-      canvas.style.touchAction = figure.touch || 'pan-y';
+      canvas.style.touchAction = 'pan-y'; // a page can still be scrolled there
       canvas.addEventListener('pointerdown', e => {
         if (!started) return;
         held = figure.grab(run, ...at(e));

@@ -936,7 +936,8 @@ static bool check_word(const char *input, const char *what, double word,
         project_mistake(&check, "spread-of-one-throw", exp(fabs(word)),
                         "That is how far one throw differs from the next. "
                         "How sure is a mean of so many?");
-    if (word > 1.3) /* 1/sqrt(200) instead of the slices' error */
+    /* In a flight: 1/sqrt(200) or more instead of the slices' error. */
+    if (word > 1.3 && one == 0.0)
         project_mistake(&check, "size-for-spread", exp(word),
                         "Do your blocks differ so much, or are they so "
                         "large? From where is a spread measured?");

@@ -484,6 +484,8 @@ static bool check_inputs(void)
         {"a velocity upwards that is no number", "1 0 0 0 nan\n", "1",
          "0.1"},
         {"two bodies in one place", "1 0 0 1 0\n1 0 0 0 1\n", "1", "0.1"},
+        {"the third body in the place of the second",
+         "1 0 0 1 0\n1 2 1 0 1\n1 2 1 0 0\n", "1", "0.1"},
         {"a T of 0", one, "0", "0.1"},
         {"a T that is a word", one, "long", "0.1"},
         {"a TOL below 0", one, "1", "-0.1"},

@@ -20,7 +20,7 @@ SANITIZED = -g -O0 -ffp-contract=off $(sanitizers)
 # What is given on the command line is a value, not text for make or a shell:
 # recipes read it from the environment, as in "$$EX".
 given = EX SUBMISSIONS REPORT JOBS HIDDEN RESULTS SECONDS TEXTS PRESET SCENE \
-	KEYS UNTIL EVERY VIEW FPS LIVE DT METHOD TOLERANCE OBSERVE X Y \
+	KEYS UNTIL EVERY VIEW FPS LIVE DT METHOD KERNEL TOLERANCE OBSERVE X Y \
 	EDITION WITH_CHAPTERS COMMANDS SEED FIRST
 $(foreach v,$(given),$(if $(filter-out undefined,$(origin $v)),\
 	$(eval override $v := $$(value $v))$(eval export $v)))

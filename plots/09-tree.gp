@@ -1,5 +1,5 @@
 # data: plots/data/09-tree.dat
-# alt: Time of one evaluation of all forces against the number of particles in a ring, both axes logarithmic, from 250 to 32000. The direct sums rise with slope two: portable from 0.04 milliseconds to 0.4 seconds, the vector kernel two thirds of that. A tree rises with a slope near 1.4 and crosses the vector kernel near 13000 particles, with larger cells near 3400. A vertical line marks 3072.
+# alt: Time of one evaluation of all forces against the number of particles in a ring, both axes logarithmic, from 125 to 32000. The direct sums rise with slope two: portable from 0.02 milliseconds to 1.5 seconds, the vector kernel under a third of that. Two trees rise with slopes near 1.3 and cross the vector kernel, that with the larger cells near 700 particles, the other near 1600. A vertical line marks 3072.
 width = 14
 height = 7
 load 'plots/style.gp'
@@ -12,10 +12,10 @@ set logscale xy
 set format '10^{%T}'
 set xlabel 'particles {/:Italic N}'
 set ylabel 'time of all forces  (ms)' offset 1
-set xrange [200:40000]
-set yrange [0.02:1e4]
+set xrange [100:40000]
+set yrange [0.005:1e4]
 set key at graph 0.03,0.96 left top Left reverse samplen 2
-set arrow from 3072,0.02 to 3072,1e4 nohead ls 9
+set arrow from 3072,0.005 to 3072,1e4 nohead ls 9
 plot file using 1:2 with linespoints ls 2 title 'direct, portable', \
      file using 1:3 with linespoints ls 1 title 'direct, vectors', \
      file using 1:4 with linespoints ls 3 title 'tree, {/Symbol q} = 0.2', \

@@ -1,5 +1,5 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 698907454 of the lines below */
+/* checksum 1616757755 of the lines below */
 /* Gravity between all pairs of bodies, with softening. */
 #ifndef GRAVITY_H
 #define GRAVITY_H
@@ -10,12 +10,13 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* How the sum is computed. All kernels sum in the same order; that for
-   AVX-512 rounds otherwise, by less than 1e-14 of each term. */
+/* How the sum is computed. All but the tree sum in the same order; that
+   for AVX-512 rounds otherwise, by less than 1e-14 of each term. */
 enum gravity_kernel {
     GRAVITY_AUTO,         /* the fastest that keeps the bits: portable */
     GRAVITY_PORTABLE,     /* plain C, the same bits everywhere */
     GRAVITY_AVX512,       /* by hand, eight bodies at a time */
+    GRAVITY_TREE,         /* far groups as one mass: not unplanted */
     GRAVITY_OPENCL,       /* on a device: not without `elsewhere' */
     GRAVITY_OPENCL_FLOAT, /* in single precision */
     GRAVITY_KERNELS
@@ -42,10 +43,15 @@ struct gravity {
     size_t sources;             /* how many they are */
     const double *share;        /* [bodies] if there are sources: a factor
                                    on all that pulls at a body */
+    struct gravity_tree *tree;  /* NULL, or what GRAVITY_TREE works in */
     /* NULL, or what sums in place of a kernel, all bodies at a time. */
     void (*elsewhere)(void *device, const double x[], double a[]);
     void *device;
 };
+
+/* The widest cell, seen from a distance of 1, that may be taken for one
+   mass: up to 1/sqrt(3) no body is in a cell that it takes so. */
+#define GRAVITY_WIDEST 0.57
 
 /* Prepares the sum over so many bodies: the kernel auto, one thread.
    mass is kept, not copied. Returns false, with nothing to free, when
@@ -53,7 +59,12 @@ struct gravity {
 bool gravity_create(struct gravity *g, size_t bodies, const double mass[],
                     double k2, double softening);
 
-/* Frees what gravity_create took. */
+/* Chooses the kernel tree, which takes a cell for one mass if its width is
+   less than theta times its distance, 0 to GRAVITY_WIDEST. Returns false,
+   with nothing changed, when there is no memory. */
+bool gravity_plant(struct gravity *g, double theta);
+
+/* Frees what gravity_create and gravity_plant took. */
 void gravity_free(struct gravity *g);
 
 /* Adds to a[] the accelerations of bodies at x[], both of 3 * bodies

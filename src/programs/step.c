@@ -1,5 +1,5 @@
 /* From chapters/works/11-step.nw: edit there, then run make tangle. */
-/* checksum 2606743760 of the lines below */
+/* checksum 2568666514 of the lines below */
 /* Steps a scene through time and writes what is looked at, row by row. */
 #include "forces/adaptive.h"
 #include "forces/checkpoint.h"
@@ -35,6 +35,7 @@ struct settings {
     const char *observe;
     const char *track;
     int threads, kernel;
+    double theta;
     size_t contact, rule, shift, order; /* of contacts */
     size_t sums;
     bool resume;
@@ -195,6 +196,9 @@ static void set_in_motion(struct run *r)
         m->stepping.compensated = r->s->sums == SUMS_COMPENSATED;
     m->stepping.tolerance = r->s->tolerance;
     m->gravity.kernel = (enum gravity_kernel)r->s->kernel;
+    if (m->gravity.kernel == GRAVITY_TREE && m->attracts &&
+        !gravity_plant(&m->gravity, r->s->theta))
+        program_give_up(PROGRAM, "no memory for the tree");
     open_device(r);
     share(m, r->s->threads);
     m->spheres.rule = (enum spheres_rule)r->s->rule;
@@ -862,8 +866,8 @@ static const struct options_entry entries[] = {
      "distance:ID:ID"},
     {"track", 'T', "ID,..", "the states of these bodies only"},
     {"kernel", 'k', "NAME",
-     "of gravity: auto, portable, avx512, or on a device\n"
-     "opencl, opencl-float (auto)"},
+     "of gravity: auto, portable, avx512, tree, or on a\n"
+     "device opencl, opencl-float (auto)"},
     {"threads", 'j', "N",
      "how many, for gravity from 1000 bodies on,\n"
      "springs from 10000 (1)"},
@@ -895,6 +899,10 @@ static const struct options_entry entries[] = {
     {"order", 'p', "NAME",
      "contacts: ascending, descending or deepest\n"
      "(ascending)"},
+    {"", 0, NULL, "--kernel tree"},
+    {"theta", 'W', "X",
+     "a cell pulls as one mass from where its width is\n"
+     "less than X of its distance, up to 0.57 (0.5)"},
     {"", 0, NULL, adaptive_heading},
     {"tolerance", 'a', "E",
      "for the estimated error of a step, as a share\n"
@@ -942,6 +950,13 @@ static void check_settings(struct options *o, const struct settings *s)
         !gravity_can((enum gravity_kernel)s->kernel))
         options_fail(o, "--kernel: this machine has no %s",
                      gravity_kernels[s->kernel]);
+    const struct stepping_method *const m = stepping_find(s->method);
+    if (s->kernel == GRAVITY_TREE &&
+        (!m || m->adaptive || m->family == STEPPING_IMPLICIT))
+        options_fail(o,
+                     "--kernel: the forces of a tree jump where a cell is "
+                     "opened, and --method %s wants smooth ones",
+                     s->method);
     if (strcmp(s->method, outside_name) == 0 && !reference_available)
         options_fail(o, "--method: this build has no rk8pd; install GSL "
                         "(apt-get install --no-install-recommends "
@@ -981,6 +996,7 @@ static void take_option(struct options *o, struct settings *s, int option)
     case 'T': s->track = options_text(o); break;
     case 'c': s->sums = options_choice(o, sums_names); break;
     case 'k': s->kernel = (int)options_choice(o, gravity_kernels); break;
+    case 'W': s->theta = options_real(o, 0, GRAVITY_WIDEST); break;
     case 'j': s->threads = (int)options_count(o, 1, 1024); break;
     case 'r': s->rule = options_choice(o, rule_names); break;
     case 'x': s->shift = options_choice(o, shift_names); break;
@@ -1004,6 +1020,7 @@ static void read_settings(struct settings *s, struct options *o, int argc,
     *s = (struct settings){.method = "leapfrog",
                            .until = NAN,
                            .threads = 1,
+                           .theta = 0.5,
                            .bound = 10,
                            .tolerance = 1e-13,
                            .checkpoint = 60,

@@ -8,7 +8,7 @@ kit=$work/kit
 mkdir "$kit"
 tar cf - Makefile src plots | (cd "$kit" && tar xf -)
 cd "$kit" || exit 1
-unset PRESET SCENE KEYS EVERY UNTIL VIEW FPS LIVE DT METHOD TOLERANCE output
+unset PRESET SCENE KEYS EVERY UNTIL VIEW FPS LIVE DT METHOD KERNEL TOLERANCE output
 CFLAGS=-O0 # whether it films, not how fast it runs
 export CFLAGS
 
@@ -87,7 +87,8 @@ refused 'no scene' "SCENE: 'rng' is no file and none of sun-earth .* galperin$" 
     SCENE=rng
 refused 'a preset and a scene' "PRESET: 'four' and SCENE: 'ring': one film" \
     PRESET=four SCENE=ring
-for setting in KEYS=--nx=5 VIEW=xy DT=0.1 METHOD=rk4 TOLERANCE=1e-3; do
+for setting in KEYS=--nx=5 VIEW=xy DT=0.1 METHOD=rk4 KERNEL=tree \
+    TOLERANCE=1e-3; do
     refused "${setting%%=*} of a preset" \
         "${setting%%=*}: '${setting#*=}': only a SCENE takes that" "$setting"
 done
@@ -95,6 +96,8 @@ refused 'a view of another kind' "VIEW: 'yz' is none of xy xz tilted" \
     SCENE=ring VIEW=yz
 refused 'a method for bonk' 'TOLERANCE: bonk chooses DT and METHOD' \
     SCENE=ring TOLERANCE=1e-3 METHOD=rk4
+refused 'a kernel for bonk' 'TOLERANCE: bonk chooses DT and METHOD' \
+    SCENE=ring TOLERANCE=1e-3 KERNEL=tree
 for rate in 0 51 2.5 x; do
     refused "the rate $rate" "FPS: '$rate' is not a number from 1 to 50" \
         FPS=$rate
@@ -359,4 +362,4 @@ one_line 'an ensemble is no run' 2 "^movie.gp: 'bad.dat' is no table" \
 one_line 'no rate' 2 '^movie.gp: fps: 0 is not' \
     gnuplot -e "file='two.dat'; window='dumb'; fps=0" plots/movie.gp
 scenes=$(grep -c '^scene ' plots/films)
-echo "1..$((98 + 4 * scenes))"
+echo "1..$((100 + 4 * scenes))"

@@ -31,6 +31,13 @@ static struct gravity prepare(size_t n, double k2, double softening)
     return g;
 }
 
+/* A tree that takes no cell for one mass sums all pairs, too. */
+static void choose(struct gravity *g, int kernel)
+{
+    g->kernel = (enum gravity_kernel)kernel;
+    UNIT_TRUE(kernel != GRAVITY_TREE || gravity_plant(g, 0));
+}
+
 static void add(const struct gravity *g, double a[])
 {
     memset(a, 0, 3 * g->bodies * sizeof a[0]);
@@ -106,12 +113,13 @@ static void test_kernels(void)
                 const size_t n = counts[c];
                 scatter(n, 1 + c);
                 struct gravity g = prepare(n, 0.3, soft ? 0.2 : 0);
-                g.kernel = (enum gravity_kernel)kernel;
+                choose(&g, kernel);
                 sum[3 * n] = 77; /* nothing beyond the end is touched */
                 add(&g, sum);
                 UNIT_EQUAL(sum[3 * n], 77);
                 UNIT_NEAR(worst_error(&g), 0,
                           ((double)n + 10) * DBL_EPSILON);
+                gravity_free(&g);
             }
     }
 }
@@ -136,8 +144,9 @@ static void test_one_term(void)
             place[n + i] = place[i] * (double)i;
         place[n + 3] = 0;
         struct gravity g = prepare(n, 1, 0);
-        g.kernel = (enum gravity_kernel)kernel;
+        choose(&g, kernel);
         add(&g, sum);
+        gravity_free(&g);
         double worst = 0;
         for (size_t i = 0; i < n; ++i)
             if (i != 3) {
@@ -194,7 +203,7 @@ static void test_threads(void)
     for (int kernel = 0; kernel < GRAVITY_KERNELS; ++kernel) {
         if (!gravity_can((enum gravity_kernel)kernel))
             continue;
-        g.kernel = (enum gravity_kernel)kernel;
+        choose(&g, kernel);
         g.threads = 1;
         add(&g, sum);
         for (g.threads = 2; g.threads <= 7; ++g.threads) {
@@ -202,6 +211,7 @@ static void test_threads(void)
             UNIT_TRUE(memcmp(sum, other, 3 * n * sizeof sum[0]) == 0);
         }
     }
+    gravity_free(&g);
 }
 
 /* Few bodies: all kernels are the same loop. */
@@ -297,6 +307,7 @@ static void test_names(void)
     UNIT_TRUE(strcmp(gravity_kernels[GRAVITY_PORTABLE], "portable") == 0);
     UNIT_TRUE(strcmp(gravity_kernels[GRAVITY_AUTO], "auto") == 0);
     UNIT_TRUE(strcmp(gravity_kernels[GRAVITY_AVX512], "avx512") == 0);
+    UNIT_TRUE(strcmp(gravity_kernels[GRAVITY_TREE], "tree") == 0);
     UNIT_TRUE(!gravity_kernels[GRAVITY_KERNELS]);
     UNIT_TRUE(gravity_can(GRAVITY_PORTABLE));
     UNIT_TRUE(gravity_can(GRAVITY_AUTO) && gravity_can(gravity_fastest()));

@@ -102,7 +102,8 @@ run_all() {
         (cd "$work" && for scene in ring membrane double-pendulum; do
             "$bin/step" $scene.plist --threads $threads --sums compensated \
                 --observe energy,momentum --track 1,2
-        done)
+        done
+        "$bin/step" ring.plist --threads $threads --kernel tree --track 1,2)
     done
     (cd "$work" && for scene in gas break; do
         "$bin/step" $scene.plist --sums compensated --observe energy,momentum \

@@ -74,6 +74,7 @@ cat >"$work/values" <<END
 - table $work/table
 - temperature 2
 - tests 3
+- theta 0.3
 - threads 2
 - tolerance 0.1
 - track 1

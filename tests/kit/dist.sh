@@ -52,6 +52,12 @@ tar xzf build/dist/bonkers-course.tar.gz -C "$work/course"
 holds 'and so is the course' test -s "$work/course/bonkers-course/bonkers.pdf" \
     -a -s "$work/course/bonkers-course/exercises/01a-collide.c"
 
+version=$(sed -n 's/^#define TOOLBOX_VERSION "\(.*\)"$/\1/p' src/toolbox/version.h)
+is 'all of one version' "Version $version, version: \"$version\"" \
+    "$(pdfinfo "$work/course/bonkers-course/bonkers.pdf" |
+        sed -n 's/^Subject: *//p'), $(grep '^version:' \
+        "$work/course/bonkers-course/CITATION.cff")"
+
 cp -R build/dist "$work/first"
 find build/site -exec touch {} +
 chmod -R go-rwx build/site
@@ -75,4 +81,4 @@ for file in bonkers.pdf works.pdf bonkers-course.tar.gz site/index.html; do
     mv away "build/$file"
 done
 cd "$root" || exit 1
-echo 1..22
+echo 1..23

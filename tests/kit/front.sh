@@ -85,12 +85,16 @@ near() { # NAME SAID COUNTED: to two hundredths
     between "$1 ($2)" $(($3 * 98 / 100)) "${2:-0}" $(($3 * 102 / 100))
 }
 pages() { pdfinfo "build/$1.pdf" | sed -n 's/^Pages: *//p'; }
-near 'so many pages has the book' "$(number 'Some N pages[.] Each')" "$(pages bonkers)"
+near 'so many pages has the book' "$(number 'Some N pages, or the')" "$(pages bonkers)"
 near 'and so many Works' "$(number 'some N pages that nobody')" "$(pages works)"
 equal 'so many exercises' "$(ls -d tests/exercises/[01]*/ | wc -l)" \
     "$(number 'There are N exercises, and')"
 equal 'and four projects' 4 "$(ls -d tests/exercises/P*/ | wc -l)"
 holds 'as README says' grep -q 'exercises, and four projects' README.md
+set -- one two three four five six seven eight nine ten eleven twelve
+shift $(($(grep -ho 'livefigure{[a-z]*}' chapters/*.nw | sort -u | wc -l) - 1))
+holds "and $1 figures move" sh -c "tr '\n' ' ' <README.md |
+    grep -q 'where $1 of the figures move'"
 first=$(sed -n 's/.*| \([0-9]*, [0-9]*\) minutes |$/\1/p' "$work/rows" | sed 1q)
 equal 'the week has the time of the first chapter' "5, $(number \
     'an hour to read, N minutes for its five')" "$first"
@@ -124,6 +128,35 @@ equal 'each goal and each path that is named is there' '' "$(cat "$work/out")"
 holds 'the film of README is one that can be made' env SCENE=ring \
     KEYS='--factor 1000' VIEW=tilted plots/show movie --wanted
 
+# ---- one version ----------------------------------------------------------
+
+version=$(sed -n 's/^#define TOOLBOX_VERSION "\(.*\)"$/\1/p' src/toolbox/version.h)
+for program in build/bin/* build/check/examine build/grade/grade; do
+    name=${program##*/}
+    case $name in
+    # What the book prints whole has no options.
+    bonkers0 | check-collide | disks0 | orbit0) ;;
+    *) [ "$($program --version)" = "$name (Bonkers) $version" ] || echo "$name" ;;
+    esac
+done >"$work/out"
+equal 'every program says the version' '' "$(cat "$work/out")"
+for volume in bonkers works works-course; do
+    equal "so does build/$volume.pdf" "Version $version" \
+        "$(pdfinfo "build/$volume.pdf" | sed -n 's/^Subject: *//p')"
+    holds 'and its title page' sh -c "pdftotext -l 1 build/$volume.pdf - |
+        grep -qx 'Version $version'"
+done
+holds 'and CITATION.cff' grep -qx "version: \"$version\"" CITATION.cff
+date=$(sed -n 's/^date-released: "\(.*\)"$/\1/p' CITATION.cff)
+holds 'and the head of CHANGELOG, of the same day' sh -c "grep '^## ' CHANGELOG.md |
+    sed 1q | grep -x '## $version, .* ($date)'"
+index=build/site/index.html
+[ -s $index ] || index=$work/index
+[ -s $index ] || echo "<p>Version $version</p>" >"$index"
+holds 'and the front page of the pages' grep -q "Version $version<" "$index"
+
+# ---- what an editor is told ------------------------------------------------
+
 # The tasks of an editor are JSON; what they look for in the examiner's words
 # is found there, with the line and the column.
 json() { build/tests/grader/schema --values "$1" "$2"; }
@@ -147,4 +180,4 @@ END
 done
 holds 'and ends so' grep -q "\"$(json endsPattern .vscode/tasks.json |
     sed 's/^^/.n/')" src/examiner/watch.c
-echo 1..27
+echo 1..38

@@ -33,6 +33,7 @@ END {
             "<circle class=\"end\" cx=\"2\" cy=\"32\" r=\"2\"/><circle class=\"end\" cx=\"416\" cy=\"32\" r=\"2\"/></svg>"
         print "<p>A book that is a program: every line of code in it runs, every figure is drawn from that code’s output, every exercise is checked by machine.</p>"
         print "<p>Some figures live: they run when they come into view. And in <a href=\"player.html\">the scene player</a> you can change what moves while it moves.</p>"
+        print "<p>Version " version "</p>"
         if (edition == "instructor")
             print "<p><strong>Instructor’s edition, with the worked solutions: not for students.</strong></p>"
     } else {

@@ -1,5 +1,5 @@
 /* From chapters/works/07-gas.nw: edit there, then run make tangle. */
-/* checksum 3110853613 of the lines below */
+/* checksum 2183897822 of the lines below */
 /* How many collisions a second either engine for disks has. */
 #include "box/cells.h"
 #include "toolbox/bench.h"
@@ -29,6 +29,16 @@ struct settings {
     const char *output, *summary, *command;
 };
 
+/* The diameter at the start, m. */
+static double first_diameter(const struct settings *s)
+{
+    const double thin = 0.3 / s->packing;
+    const double freezes = s->dimensions == 2 ? 0.70 : 0.494;
+    if (thin >= 1 || s->packing > freezes)
+        return 1;
+    return s->dimensions == 2 ? sqrt(thin) : cbrt(thin);
+}
+
 static void begin_or_exit(struct disks *d, const struct settings *s,
                           size_t count)
 {
@@ -43,7 +53,7 @@ static void begin_or_exit(struct disks *d, const struct settings *s,
     for (size_t k = 0; k < d->dimensions; ++k)
         d->box[k] = s->dimensions == 2 ? sqrt(volume) : cbrt(volume);
     for (size_t i = 0; i < count; ++i)
-        d->disk[i].radius = 0.5;
+        d->disk[i].radius = first_diameter(s) / 2;
     if (!disks_place_lattice(d))
         program_give_up(PROGRAM,
                         "--packing: the disks have no room on a lattice");
@@ -247,19 +257,69 @@ static void read_settings(struct settings *s, int argc, char *argv[])
     s->command = options_command(&o);
     program_apart(&o, s->output, s->summary, "table");
 }
+static void make_cells(struct engines *e)
+{
+    cells_free(&e->cells);
+    if (!cells_suit(&e->disks))
+        program_give_up(
+            PROGRAM,
+            "--particles: too few for three cells along each side");
+    if (!cells_create(&e->cells, &e->disks))
+        program_give_up(PROGRAM, "no memory for the cells");
+}
+
+/* The largest radius that disk i can have among its neighbours, m. */
+static double room_of(const struct cells *c, size_t i)
+{
+    const struct disk *disk = c->d->disk;
+    const uint32_t *list = c->neighbour + i * c->seats;
+    double here[DISKS_AXES], there[DISKS_AXES], way[DISKS_AXES];
+    double most = fmin(disk[i].radius + c->leash, 0.5);
+    disks_position(c->d, i, here);
+    for (size_t k = 0; k < c->anchor[i].neighbours; ++k) {
+        disks_position(c->d, list[k], there);
+        disks_apart(c->d, here, there, way);
+        const double square =
+            way[0] * way[0] + way[1] * way[1] + way[2] * way[2];
+        most = fmin(most, sqrt(square) - disk[list[k]].radius);
+    }
+    return fmax(most, disk[i].radius);
+}
+
+/* Returns whether all disks have their size. */
+static bool grow(struct engines *e)
+{
+    bool whole = true;
+    for (size_t i = 0; i < e->disks.count; ++i) {
+        const double radius = room_of(&e->cells, i);
+        e->disks.disk[i].radius = radius;
+        whole = whole && radius == 0.5;
+    }
+    return whole;
+}
+
+static void warm_up(struct engines *e, const struct settings *s)
+{
+    const uint64_t n = e->disks.count;
+    bool whole = e->disks.disk[0].radius == 0.5;
+    make_cells(e);
+    run_on(e, true, whole && s->collisions ? s->collisions : 5 * n);
+    while (!whole && !progress_signal()) {
+        disks_settle(&e->disks);
+        make_cells(e);
+        whole = grow(e);
+        make_cells(e);
+        run_on(e, true, whole && !s->collisions ? 5 * n : n);
+    }
+}
+
 static void time_size(const struct settings *s, size_t count,
                       struct table *out, struct table *summary)
 {
     struct engines e = {0};
     double pairs, cells;
     begin_or_exit(&e.disks, s, count);
-    if (!cells_suit(&e.disks))
-        program_give_up(
-            PROGRAM,
-            "--particles: too few for three cells along each side");
-    if (!cells_create(&e.cells, &e.disks))
-        program_give_up(PROGRAM, "no memory for the cells");
-    run_on(&e, true, s->collisions ? s->collisions : 5 * count);
+    warm_up(&e, s);
     if (count <= PAIRS_MOST)
         copy_or_exit(&e.pairs, &e.disks);
     if (s->steps)

@@ -1,5 +1,5 @@
 /* From chapters/12-averages.nw: edit there, then run make tangle. */
-/* checksum 2658541178 of the lines below */
+/* checksum 4257783418 of the lines below */
 /* Laws where they are exact, else events with honest errors. */
 #include "enough/averages.h"
 
@@ -130,29 +130,29 @@ static double scale_of(const struct search *h, double value)
     return q->kind == AVERAGES_PLACE ? h->box[q->axis - h->axis] : value;
 }
 
-/* NULL, or why averages have no meaning here, or are not to be had. */
-static const char *unfit(const struct scene *s, const struct models_acts *a)
+/* NULL with *h filled in, or why there is nothing to average. */
+static const char *survey(struct search *h)
 {
-    if (a->gravity || a->springs || a->weight || a->friction ||
-        a->dashpots || !a->contact)
+    const struct scene *s = h->s;
+    const struct averages_quantity *q = &h->q->quantity;
+    struct models_acts acts;
+    models_analyse(&acts, s);
+    if (acts.gravity || acts.springs || acts.weight || acts.friction ||
+        !acts.contact)
         return "averages are known here of bodies that collide and feel "
                "no force";
     if (s->restitution != 1)
         return "each collision loses energy: the scene comes to rest, and "
                "to no equilibrium";
-    if (a->free < s->bodies)
+    if (acts.free < s->bodies)
         return "a body is held: averages are known of free ones";
-    if (a->dimensions < 1 || a->axes > 3)
+    if (acts.dimensions < 1 || acts.axes > 3)
         return "averages are known of bodies that move on a line or in "
                "the plane of x and y";
-    return NULL;
-}
-
-/* NULL, or what is wrong with the walls. */
-static const char *unwalled(struct search *h)
-{
-    const enum scene_wall *wall = h->s->wall + h->axis;
-    const struct averages_quantity *q = &h->q->quantity;
+    h->n = s->bodies;
+    h->axis = acts.axes == 2;
+    h->dimensions = acts.dimensions;
+    const enum scene_wall *wall = s->wall + h->axis;
     h->periodic = wall[0] == SCENE_PERIODIC;
     for (size_t d = 0; d < h->dimensions; ++d)
         if (wall[d] == SCENE_OPEN || wall[d] != wall[0])
@@ -160,44 +160,22 @@ static const char *unwalled(struct search *h)
                    "has walls along one axis only";
     if (h->periodic && h->dimensions == 1)
         return "a line without walls is no box";
-    if (q->kind == AVERAGES_PLACE && h->periodic)
+    add_up(h);
+    if (!(h->energy > 0))
+        return "nothing moves";
+    const bool place = q->kind == AVERAGES_PLACE;
+    if (place && h->periodic)
         return "in a periodic box no place is the mean";
-    if (q->kind == AVERAGES_PLACE &&
-        (q->axis < h->axis || q->axis >= h->axis + h->dimensions))
+    if (place && (q->axis < h->axis || q->axis >= h->axis + h->dimensions))
         return "nothing moves along this axis";
-    return NULL;
-}
-
-/* NULL, or why a place never forgets how it began. */
-static const char *unforgetting(const struct search *h)
-{
-    if (h->q->quantity.kind != AVERAGES_PLACE)
-        return NULL;
-    if (h->dimensions == 1 && h->equal)
+    if (place && h->dimensions == 1 && h->equal)
         return "equal masses on a line only exchange their speeds: the "
                "mean place depends on the start for ever; ask for the "
                "rows of a run";
-    if (h->n < 4 - h->dimensions)
+    if (place && h->n < 4 - h->dimensions)
         return "so few bodies need never forget how they began: the mean "
                "place depends on the start; ask for the rows of a run";
     return NULL;
-}
-
-/* NULL with *h filled in, or why there is nothing to average. */
-static const char *survey(struct search *h)
-{
-    struct models_acts acts;
-    models_analyse(&acts, h->s);
-    const char *why = unfit(h->s, &acts);
-    if (why)
-        return why;
-    h->n = h->s->bodies;
-    h->axis = acts.axes == 2;
-    h->dimensions = acts.dimensions;
-    if ((why = unwalled(h)))
-        return why;
-    add_up(h);
-    return h->energy > 0 ? unforgetting(h) : "nothing moves";
 }
 
 /* A number with two digits, not less than x. */
@@ -470,49 +448,47 @@ static bool go_on(struct averages_found *f, struct watch *w)
     return true;
 }
 
-/* Says why events that have settled are not enough. */
-static void refuse_settled(char *to, const struct watch *w)
+/* Says why events that have settled are not enough; brief: of the time. */
+static void refuse_settled(char *to, const struct watch *w, double price,
+                           bool brief)
 {
     const struct averages_request *q = w->h->q;
-    const double e = q->tolerance, price = cost(w) * lengthen(w, e);
     const double two = 2 * w->se / scale_of(w->h, w->mean);
     const double least = 1.2 * two * sqrt(1.5 * seen(w));
     const double paid = two * sqrt(3 * cost(w) / q->reason);
-    const bool brief = (double)w->run.rows >= w->most || isinf(price);
-    const double fits = round_up(fmax(least, paid));
-    int n;
-    if (brief)
-        n = snprintf(to, AVERAGES_REFUSAL,
-                     "the mean over %.4g s may be off by more than %.2g, "
-                     "that over %.2g s need not",
-                     q->until, e, q->until * pow(least / e, 2));
-    else
-        n = snprintf(to, AVERAGES_REFUSAL,
-                     "%.2g would cost about %.2g s by the price list, of "
-                     "%.3g that are reasonable",
-                     e, price, q->reason);
+    const double fits = round_up(fmax(least, paid)), e = q->tolerance;
+    const int n =
+        brief ? snprintf(to, AVERAGES_REFUSAL,
+                         "the mean over %.4g s may be off by more than "
+                         "%.2g, that over %.2g s need not",
+                         q->until, e, q->until * pow(least / e, 2))
+              : snprintf(to, AVERAGES_REFUSAL,
+                         "%.2g would cost about %.2g s by the price list, "
+                         "of %.3g that are reasonable",
+                         e, price, q->reason);
     snprintf(to + n, AVERAGES_REFUSAL - (size_t)n,
              fits < 0.25 ? "; %.2g fits" : "; no tolerance fits", fits);
 }
 
+/* Says why events are not enough. */
 static void refuse(char *to, const struct watch *w)
 {
     const struct averages_request *q = w->h->q;
+    const bool over = (double)w->run.rows >= w->most;
+    const double price = cost(w) * lengthen(w, q->tolerance);
+    char more[AVERAGES_TEXT] =
+        "ask for a longer time, or for the rows of a run";
     if (!w->why) {
-        refuse_settled(to, w);
+        refuse_settled(to, w, price, over || isinf(price));
         return;
     }
-    const int n =
-        snprintf(to, AVERAGES_REFUSAL, "it does not settle in %.4g s: %s; ",
-                 (double)w->run.rows * w->pace, w->why);
-    if ((double)w->run.rows >= w->most)
-        snprintf(to + n, AVERAGES_REFUSAL - (size_t)n,
-                 "ask for a longer time, or for the rows of a run");
-    else
-        snprintf(to + n, AVERAGES_REFUSAL - (size_t)n,
+    if (!over)
+        snprintf(more, sizeof more,
                  "to go on costs at least %.2g s by the price list, of "
                  "%.3g that are reasonable",
-                 cost(w) * lengthen(w, q->tolerance), q->reason);
+                 price, q->reason);
+    snprintf(to, AVERAGES_REFUSAL, "it does not settle in %.4g s: %s; %s",
+             (double)w->run.rows * w->pace, w->why, more);
 }
 
 /* Lets events go on. Returns false without memory. */

@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 3998659834 of the lines below */
+/* checksum 3322938350 of the lines below */
 /* Exact ways, two runs that agree, and ladders judged by them. */
 #include "enough/choose.h"
 
@@ -271,7 +271,7 @@ struct reference {
     double doubt;
 };
 
-enum { RUNS = 14, LADDERS = 24 };
+enum { RUNS = 14 };
 
 /* A rung that was tried; model NULL: none was. */
 struct tried {
@@ -574,46 +574,28 @@ static void add_ladder(const struct task *t, const struct reference *f,
     set_up(t, f, l);
 }
 
-/* What may be stepped with, and what steps may leave out. */
-static const char *const methods[] = {"leapfrog",      "pefrl", "kahan-li8",
-                                      "wisdom-holman", "sbab4", "radau15"};
-enum { METHODS = sizeof methods / sizeof *methods };
-
-/* Does it pay to ask what steps do without what light bodies do? */
-static bool may_go(const struct task *t, unsigned cut)
-{
-    const struct models_plan first =
-        foot_of(t, (struct models_plan){.model = models_find("leapfrog"),
-                                        .steps = 1});
-    struct record_order o = order_of(t, first, INFINITY);
-    struct record whole_run, other;
-    run(t, &whole_run, &o);
-    o.plan.cuts = cut;
-    run(t, &other, &o);
-    const bool may = apart(t, &whole_run, &other) <= t->q->tolerance;
-    record_free(&whole_run);
-    record_free(&other);
-    return may;
-}
+static const struct way_up {
+    const char *method;
+    unsigned cuts;
+} ways_up[] = {{"leapfrog", 0},      {"leapfrog", MODELS_NO_LIGHT},
+               {"pefrl", 0},         {"kahan-li8", 0},
+               {"wisdom-holman", 0}, {"sbab4", 0},
+               {"radau15", 0},       {"leapfrog", MODELS_RODS}};
+enum { WAYS_UP = sizeof ways_up / sizeof *ways_up };
 
 /* All ladders: their feet first, then one by one as far as it pays. */
 static void race(const struct task *t, const struct reference *f)
 {
-    struct ladder ladder[LADDERS];
+    struct ladder ladder[WAYS_UP];
     size_t count = 0;
     const struct models_plan *only = t->q->only;
     const unsigned cuts = models_cuts(t->q->scene);
-    const unsigned light = cuts & MODELS_NO_LIGHT;
     if (only)
         add_ladder(t, f, ladder, &count, only->model->name, only->cuts);
-    const bool lights = !only && light && may_go(t, light);
-    for (size_t j = 0; !only && j < METHODS; ++j) {
-        add_ladder(t, f, ladder, &count, methods[j], 0);
-        if (lights)
-            add_ladder(t, f, ladder, &count, methods[j], light);
-    }
-    if (!only && (cuts & MODELS_RODS))
-        add_ladder(t, f, ladder, &count, "leapfrog", MODELS_RODS);
+    for (const struct way_up *w = ways_up; !only && w < ways_up + WAYS_UP;
+         ++w)
+        if (!(w->cuts & ~cuts))
+            add_ladder(t, f, ladder, &count, w->method, w->cuts);
     qsort(ladder, count, sizeof *ladder, by_price);
     for (size_t j = 0; j < count; ++j)
         climb(t, f, &ladder[j]);

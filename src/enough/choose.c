@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 3322938350 of the lines below */
+/* checksum 2935911734 of the lines below */
 /* Exact ways, two runs that agree, and ladders judged by them. */
 #include "enough/choose.h"
 
@@ -292,28 +292,18 @@ struct ladder {
     double price;              /* s, foreseen */
 };
 
-/* How fast things change now, 1/s, without the springs that are rods. */
-static double rate_of(const struct task *t, unsigned cuts)
-{
-    struct scene s;
-    struct models_acts acts = t->acts;
-    if (!(cuts & MODELS_RODS) || !scene_copy(&s, t->q->scene))
-        return acts.fastest;
-    const double turning = models_without_stiff(&s);
-    models_analyse(&acts, &s);
-    scene_free(&s);
-    return fmax(acts.fastest, turning);
-}
-
 /* Where a ladder begins: with steps that the method can bear. */
 static struct models_plan foot_of(const struct task *t,
                                   struct models_plan p)
 {
     const double limit = p.model->method->limit;
     const double bears = limit > 0 ? fmin(0.6 * limit, 2) : 1;
+    const double rate = p.cuts & MODELS_RODS
+                            ? models_rate(t->q->scene, &t->acts, p.cuts)
+                            : t->acts.fastest;
     return rung_at(p, p.model->method->adaptive
                           ? -log2(fmin(t->q->tolerance, 1e-4))
-                          : log2(t->q->every * rate_of(t, p.cuts) / bears));
+                          : log2(t->q->every * rate / bears));
 }
 
 /* How far the next finer rung is off, which may have been tried. */

@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 1486151141 of the lines below */
+/* checksum 3736560 of the lines below */
 /* What acts, what can be left out, and how each model carries a scene. */
 #include "enough/models.h"
 
@@ -178,13 +178,10 @@ static void look_at(struct models_acts *a, const struct scene *s)
         a->dimensions += a->axes >> k & 1;
 }
 
-static double largest_frequency(const struct scene *s,
-                                const struct models_acts *a);
-
 void models_analyse(struct models_acts *a, const struct scene *s)
 {
     look_at(a, s);
-    a->fastest = largest_frequency(s, a);
+    a->fastest = models_rate(s, a, 0);
 }
 /* How far bodies that can be pushed are beyond hard walls that they do not
    come back from, m. */
@@ -291,45 +288,6 @@ static double stiffness(const struct scene *s, const struct scene_spring *p)
            (across > 1 && across < INFINITY ? across : 1);
 }
 
-/* Gershgorin's bounds of the squares of frequencies, and of the rates of
-   dashpots; without memory, infinite. */
-static void bound_springs(const struct scene *s, double *square,
-                          double *rate)
-{
-    double *row = calloc(2 * s->bodies + 1, sizeof *row);
-    *square = *rate = row ? 0 : INFINITY;
-    if (!row)
-        return;
-    for (size_t j = 0; j < s->springs; ++j) {
-        const struct scene_spring *p = &s->spring[j];
-        add_rows(s, p, row, stiffness(s, p));
-        add_rows(s, p, row + s->bodies, s->kind[p->kind].damping);
-    }
-
-    for (size_t i = 0; i < s->bodies; ++i) {
-        *square = fmax(*square, row[i]);
-        *rate = fmax(*rate, row[s->bodies + i]);
-    }
-    free(row);
-}
-
-static double largest_frequency(const struct scene *s,
-                                const struct models_acts *a)
-{
-    double square = 0, rate = 0, slow = 0;
-    if (a->springs)
-        bound_springs(s, &square, &rate);
-    if (a->gravity)
-        square += square_of_gravity(s);
-    for (size_t i = 0; a->friction && i < s->bodies; ++i)
-        if (s->mass[i] > 0)
-            slow = fmax(slow, s->damping / s->mass[i]);
-    return sqrt(square) + rate + slow;
-}
-
-const char *const models_cut_names[MODELS_CUTS + 1] = {"no-light", "rods",
-                                                       NULL};
-
 /* Stiff springs have more stiffness than this; INFINITY if none is. */
 static double stiff_from(const struct scene *s)
 {
@@ -350,6 +308,52 @@ static bool is_stiff(const struct scene *s, const struct scene_spring *p,
     return is_active(s, p) && s->kind[p->kind].stiffness > from;
 }
 
+/* Gershgorin's bounds of the squares of frequencies, and of the rates of
+   dashpots; without memory, infinite. */
+static void bound_springs(const struct scene *s, unsigned cuts,
+                          double *square, double *rate, double *turning)
+{
+    double *row = calloc(2 * s->bodies + 1, sizeof *row);
+    const double from = cuts & MODELS_RODS ? stiff_from(s) : INFINITY;
+    *square = *rate = row ? 0 : INFINITY;
+    if (!row)
+        return;
+    for (size_t j = 0; j < s->springs; ++j) {
+        const struct scene_spring *p = &s->spring[j];
+        if (is_stiff(s, p, from)) {
+            const struct pair ends =
+                pair_of(s, p->a, p->b, s->position, s->velocity);
+            *turning = fmax(*turning, sqrt(ends.v2 / ends.r2));
+            continue;
+        }
+        add_rows(s, p, row, stiffness(s, p));
+        add_rows(s, p, row + s->bodies, s->kind[p->kind].damping);
+    }
+
+    for (size_t i = 0; i < s->bodies; ++i) {
+        *square = fmax(*square, row[i]);
+        *rate = fmax(*rate, row[s->bodies + i]);
+    }
+    free(row);
+}
+
+double models_rate(const struct scene *s, const struct models_acts *a,
+                   unsigned cuts)
+{
+    double square = 0, rate = 0, turning = 0, slow = 0;
+    if (a->springs)
+        bound_springs(s, cuts, &square, &rate, &turning);
+    if (a->gravity)
+        square += square_of_gravity(s);
+    for (size_t i = 0; a->friction && i < s->bodies; ++i)
+        if (s->mass[i] > 0)
+            slow = fmax(slow, s->damping / s->mass[i]);
+    return fmax(sqrt(square) + rate + slow, turning);
+}
+
+const char *const models_cut_names[MODELS_CUTS + 1] = {"no-light", "rods",
+                                                       NULL};
+
 unsigned models_cuts(const struct scene *s)
 {
     const double from = stiff_from(s);
@@ -360,36 +364,21 @@ unsigned models_cuts(const struct scene *s)
     return cuts;
 }
 
-/* Moves the springs that are stiff to taken, unless that is NULL. Returns
-   how many those are. */
+/* Moves the springs that are stiff to taken. Returns how many those are.
+ */
 static size_t take_stiff(struct scene *s, struct scene_spring taken[])
 {
     size_t kept = 0, count = 0;
     const double from = stiff_from(s);
     for (size_t j = 0; j < s->springs; ++j) {
         const struct scene_spring p = s->spring[j];
-        if (!is_stiff(s, &p, from))
+        if (is_stiff(s, &p, from))
+            taken[count++] = p;
+        else
             s->spring[kept++] = p;
-        else if (++count && taken)
-            taken[count - 1] = p;
     }
     s->springs = kept;
     return count;
-}
-
-double models_without_stiff(struct scene *s)
-{
-    double turning = 0;
-    const double from = stiff_from(s);
-    for (size_t j = 0; j < s->springs; ++j) {
-        const struct scene_spring *p = &s->spring[j];
-        const struct pair ends =
-            pair_of(s, p->a, p->b, s->position, s->velocity);
-        if (is_stiff(s, p, from))
-            turning = fmax(turning, sqrt(ends.v2 / ends.r2));
-    }
-    take_stiff(s, NULL);
-    return turning;
 }
 
 static const char no_memory[] = "there is no memory";

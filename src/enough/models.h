@@ -1,5 +1,5 @@
 /* From chapters/works/12-models-parts.nw: edit there, then run make tangle. */
-/* checksum 4029246895 of the lines below */
+/* checksum 3957663122 of the lines below */
 /* All ways to carry a scene, behind one door, and what each costs. */
 #ifndef MODELS_H
 #define MODELS_H
@@ -138,12 +138,12 @@ double models_cost(const double work[MODELS_UNITS]);
 /* The cuts that would change the scene. */
 unsigned models_cuts(const struct scene *s);
 
-/* Takes the springs out that would become rods. Returns the largest rate at
-   which one of them goes round now, 1/s. */
-double models_without_stiff(struct scene *s);
-
 /* Looks at what acts in a scene. */
 void models_analyse(struct models_acts *a, const struct scene *s);
+
+/* The largest rate at which it changes now, 1/s, about; with these cuts. */
+double models_rate(const struct scene *s, const struct models_acts *a,
+                   unsigned cuts);
 
 /* How deep bodies overlap at the start, or are outside of walls and do not
    come back, m; 0: nowhere, or there are no contacts. INFINITY without

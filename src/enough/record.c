@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 2573886501 of the lines below */
+/* checksum 1085584019 of the lines below */
 /* Each column is judged by a scale; a run may be in other units. */
 #include "enough/record.h"
 
@@ -30,8 +30,6 @@ static double spread_of(const struct scene *s, size_t k, size_t without,
     return fmax(high - low, 0);
 }
 
-enum { NOBODY = -1 };
-
 /* The diagonal of the box that holds all bodies and walls, m. */
 static double size_without(const struct scene *s, size_t without)
 {
@@ -41,11 +39,6 @@ static double size_without(const struct scene *s, size_t without)
         sum += spread * spread;
     }
     return sqrt(sum);
-}
-
-static double size_of(const struct scene *s)
-{
-    return size_without(s, (size_t)NOBODY);
 }
 
 double record_scale_without(const struct scene *s, size_t *far)
@@ -92,7 +85,8 @@ static struct scales measure(const struct record_view *v, double length)
         to.speed = fmax(to.speed, speed_of_body(s, i));
         to.momentum += s->mass[i] * speed_of_body(s, i);
     }
-    to.length = or_else(size_of(s), or_else(to.speed * length, 1));
+    to.length =
+        or_else(size_without(s, s->bodies), or_else(to.speed * length, 1));
     to.speed = or_else(
         to.speed, or_else(to.length * acts.fastest, to.length / length));
     to.energy =
@@ -165,7 +159,7 @@ static double find_origin(struct record_view *v)
     const struct scene *s = &v->scene;
     double near, rounded = 0;
     for (size_t k = 0; k < SCENE_AXES; ++k)
-        if (spread_of(s, k, (size_t)NOBODY, &near) < near) {
+        if (spread_of(s, k, s->bodies, &near) < near) {
             v->origin[k] = s->position[k * s->bodies];
             rounded = fmax(rounded, 0x1p-53 * fabs(v->origin[k]));
         }
@@ -285,7 +279,8 @@ static void move_last_bits(struct scene *s)
     for (size_t i = 0; i < n; ++i) {
         double falls = 0;
         for (size_t k = 0; acts.weight && k < SCENE_AXES; ++k)
-            falls = fmax(falls, sqrt(fabs(s->gravity[k]) * size_of(s)));
+            falls =
+                fmax(falls, sqrt(fabs(s->gravity[k]) * size_without(s, n)));
         const double speed = fmax(speed_of_body(s, i), falls);
         for (size_t k = 0; k < SCENE_AXES; ++k)
             if ((acts.axes >> k & 1) && s->freedom[k * n + i])

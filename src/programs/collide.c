@@ -1,5 +1,5 @@
 /* From chapters/works/01-collide.nw: edit there, then run make tangle. */
-/* checksum 2157354889 of the lines below */
+/* checksum 1481866884 of the lines below */
 /* One collision typed by hand, or many at random and what they conserve. */
 #include "line/collide.h"
 #include "toolbox/options.h"
@@ -74,8 +74,8 @@ struct pair {
 };
 
 struct totals {
-    quad energy;       /* seen from the wall, if any */
-    quad energy_scale; /* what rounding is compared with */
+    quad energy;                       /* seen from the wall, if any */
+    quad energy_scale;                 /* what rounding is compared with */
     quad momentum[COLLIDE_DIMENSIONS]; /* of what is no wall */
     quad scale;                        /* sum of m |v|, to compare with */
 };

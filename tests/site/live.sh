@@ -21,4 +21,4 @@ modules=build/browser/node_modules
 }
 holds 'what drives the browser is there' test -d $modules/playwright-core
 NODE_PATH=$PWD/$modules node tests/site/browser/live.js build/site "$work"
-echo 1..68
+echo 1..69

@@ -336,18 +336,32 @@
       show();
       draw();
     }
+    // Begins with the numbers that there are, or, where they do not go together,
+    // with others. Returns whether they do.
+    function tries(others) {
+      try {
+        figure.begin(run);
+        return true;
+      } catch {
+        Object.assign(run.value, others);
+        figure.begin(run);
+        return false;
+      }
+    }
     // With other numbers the run begins anew, and comes as far as it was.
     function change(key, value) {
-      const time = run.time;
+      const time = run.time, old = { ...run.value };
+      let fits = true;
       run.value[key] = value;
       figure.changed?.(run, key);
       if (controls.find(c => c.key === key)?.look !== true) {
-        figure.begin(run);
+        fits = tries(old);
         if (figure.again) figure.advance(run, time, 2000);
       }
       show();
       draw();
-      if (!playing) speak();
+      if (!fits) spoken.textContent = numbers.textContent = 'These numbers do not go together; they stay as they were.';
+      else if (!playing) speak();
       write();
     }
     function once() {
@@ -394,7 +408,7 @@
         run.value[c.key] = typeof usual[c.key] === 'number' && Number.isFinite(+text) ? +text : text;
       }
       go(false);
-      figure.begin(run);
+      tries(usual);
       const time = +words.get('t');
       if (time > 0 && time < 1e9) figure.advance(run, time, 5000);
       show();
@@ -404,7 +418,9 @@
     }
     async function start() {
       try {
-        run.c = await live.open(figure.program || name);
+        run.c = await live.open(name);
+        const begins = run.c.begin;
+        run.c.begin = (...n) => { if (!begins(...n)) throw new Error('these numbers do not go together'); };
       } catch (error) {
         broken = true;
         all.remove();

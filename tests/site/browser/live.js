@@ -227,6 +227,14 @@ async function saves(browser, scene, method, steps, y) {
     const half = costs[costs.length >> 1];
     return half > 1000 / 60 ? `it takes ${half} ms` : '';
   });
+  await holds('what does not fit is refused, and the run stays as it was', async () => {
+    const packing = page.locator(figure('gas') + ' input[type=range]');
+    await page.locator(figure('gas') + ' .live-fields select').first().selectOption('10');
+    await packing.fill('0.65');
+    const { value, text } = await page.evaluate(n => ({ value: document.querySelector(n).liveFigure.run.value.packing,
+      text: document.querySelector(n + ' .live-numbers').textContent }), figure('gas'));
+    return value === 0.2 && /do not go together/.test(text) ? '' : `they fill ${value}: ${text}`;
+  });
   for (const test of bytes.tests())
     await holds(`${test.figure}, ${test.what}: the bytes of the terminal`, () => bytes.differs(page, test));
   await holds('a figure runs while it is in view, and only then', () => inView(browser));

@@ -73,7 +73,10 @@
   const fields = (...inside) => make('div', { className: 'live-fields' }, ...inside);
 
   const choice = live.control({ label: 'Scene', options: { '': 'my own', ...Object.fromEntries(scenes.map((name, k) =>
-    [name, `${name}: ${about[k]}`])) } }, name => { if (name) choose(name); });
+    [name, `${name}: ${about[k]}`])) } }, name => {
+    s.method = 'leapfrog';
+    if (name) choose(name);
+  });
   const keys = make('div', { className: 'live-fields' });
   const more = make('details', {}, make('summary', { textContent: 'Keys of this scene' }), keys);
   const lines = make('div', { className: 'player-lines', 'aria-hidden': 'true' });
@@ -239,6 +242,7 @@
   function alter(what, value) {
     const method_was = s.method;
     if (what === change.METHOD) s.method = methods[value];
+    if (what === change.METHOD && s.now.stopped !== 0) { begin(); return; } // another may be able to
     c.said.text = '';
     const good = s.now.stopped === 0 && e.page_change(what, value);
     if (!good) {

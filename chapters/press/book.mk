@@ -74,7 +74,7 @@ ifneq ($(and $(EDITION),$(filter handout,$(MAKECMDGOALS))),)
 $(error handout: EDITION: students get the book without solutions; leave it out)
 endif
 .PHONY: handout
-handout: has-tex build/bonkers.pdf build/works-course.pdf
+handout: has-tex build/bonkers.pdf build/works-course.pdf has-site build/site-course/made
 	@chapters/press/handout
 
 # ---- the pages

@@ -19,12 +19,12 @@ has-site:
 	$(call need,bibtex,texlive-binaries)
 
 # The pages are made by one command, which knows which of them are stale: what
-# a chapter leads to may have moved in another.
-SITE = build/site$(edition)
-site_tools := $(wildcard chapters/press/site/*)
-site: has-gnuplot has-gsl has-site $(SITE)/made
-	@echo 'The pages: open $(SITE)/index.html'
-build/site/made: build/woven $(FIGURES_SVG) $(RUNS) $(site_tools) $(LIVE)
-	@chapters/press/site/make
-build/site-instructor/made: build/site/made
-	@EDITION=instructor chapters/press/site/make
+# a chapter leads to may have moved in another. Students get no examiner and no
+# grader: build/site-course/.
+site: has-gnuplot has-gsl has-site build/site$(edition)/made
+	@echo 'The pages: open build/site$(edition)/index.html'
+build/site/made: build/woven $(FIGURES_SVG) $(RUNS) $(LIVE) \
+		$(wildcard chapters/press/site/*)
+	@EDITION= chapters/press/site/make
+build/site-instructor/made build/site-course/made: build/site-%/made: build/site/made
+	@EDITION=$* chapters/press/site/make

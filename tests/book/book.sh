@@ -18,7 +18,15 @@ holds 'Works and what students get of it build' \
 ${MAKE:-make} book EDITION=instructor >"$work/instructor" 2>&1
 holds 'the instructor'"'"'s edition builds' \
     sh -c "[ $? -eq 0 ] || { tail -5 $work/instructor; false; }"
-holds 'and make names the PDF' \
+# The pages of the reader, the lecturer and the students.
+${MAKE:-make} -j2 site >"$work/site" 2>&1 &&
+    ${MAKE:-make} site EDITION=instructor >>"$work/site" 2>&1 &&
+    ${MAKE:-make} build/site-course/made >>"$work/site" 2>&1
+holds 'the pages are made' \
+    sh -c "[ $? -eq 0 ] || { tail -5 $work/site; false; }"
+holds 'and make names them' \
+    grep -qx 'The pages: open build/site-instructor/index.html' "$work/site"
+holds 'and the PDF' \
     grep -qx 'The book: build/bonkers.pdf' "$work/book"
 for volume in bonkers bonkers-instructor works works-course; do
     holds "build/$volume.pdf is there" test -s "build/$volume.pdf"
@@ -38,4 +46,4 @@ holds 'made again, nothing runs' \
 cksum build/*.pdf >"$work/after"
 holds 'and the PDFs stay' cmp "$work/before" "$work/after"
 set -- plots/[0-9]*.gp
-echo "1..$((12 + 2 * $#))"
+echo "1..$((14 + 2 * $#))"

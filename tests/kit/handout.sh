@@ -60,14 +60,17 @@ strangers=$(cd "$place" && find . ! -type d ! \( -type f \( \
     -path ./src/studies/bench.mk -o -path ./src/examiner/check.mk -o \
     -path ./tests/equations.txt -o -path ./.ci/install -o \
     -path ./.clang-format -o -path ./.editorconfig -o -path ./.gitignore -o \
-    -path ./.gitattributes \))
+    -path ./.gitattributes -o \
+    -path './site/*.html' -o -path './site/*.js' -o -path ./site/page.css -o \
+    -path './site/*.otf' -o -path './site/figures/*.svg' -o \
+    -path './site/live/*.js' -o -path ./site/live/player.css \))
 equal 'no file of another kind' '' "$strangers"
 # $folders: those of the exercises, which are in no other place.
 folders=$(cd tests/exercises && ls -d [0-9][0-9][a-z] P[0-9])
 equal 'no folder of another kind' "$({ printf '%s\n' .ci chapters \
     chapters/press exercises plots plots/data src src/box src/enough \
     src/examiner src/forces src/line src/programs src/scenes src/studies \
-    src/toolbox tests tests/exercises
+    src/toolbox tests tests/exercises site site/figures site/live
     printf 'tests/exercises/%s\n' $folders; } | sort)" \
     "$(cd "$place" && find . -mindepth 1 -type d | sed 's/..//' | sort)"
 equal 'and each exercise has its four files' "$(for ex in $folders; do
@@ -77,6 +80,8 @@ holds 'the book is the one just made' cmp build/bonkers.pdf \
     "$place/bonkers.pdf"
 holds 'and so is Works, without examiner and grader' \
     cmp build/works-course.pdf "$place/works.pdf"
+holds 'and their pages' test -s "$place/site/index.html" -a \
+    ! -e "$place/site/works-B-grader.html" -a -s "$place/site/search-data.js"
 for folder in src tests/exercises plots
 do
     holds "$folder is what it is here" sh -c '
@@ -93,6 +98,7 @@ tar cf - --exclude=./build --exclude=./.git . | (cd "$kit" && tar xf -)
 chmod -R u+w "$kit"
 mkdir "$kit/build"
 cp build/bonkers.pdf build/works-course.pdf "$kit/build"
+cp -R build/site-course "$kit/build"
 cp "$kit"/solutions/*.c "$kit/exercises"
 echo 'marks, private' >"$kit/tests/exercises/note-to-self.txt"
 # And a lecturer's files lie in the folders of exercises, old and new, one
@@ -476,7 +482,13 @@ learn() {
 
 # leaks FOLDER: what the files in it give away.
 leaks() {
-    find "$1" -type f ! -name '*.pdf' | sort >"$work/texts"
+    find "$1" -type f ! -name '*.pdf' ! -name '*.html' | sort >"$work/texts"
+    # A page without its marks.
+    for page in $(find "$1" -name '*.html'); do
+        sed 's/<[^>]*>//g; s/&lt;/</g; s/&gt;/>/g; s/&quot;/"/g; s/&amp;/\&/g' \
+            "$page" >"$work/${page##*/}.txt"
+        echo "$work/${page##*/}.txt"
+    done >>"$work/texts"
     for pdf in $(find "$1" -name '*.pdf'); do
         cp "$("$root/tests/text-of" "$pdf")" "$work/${pdf##*/}.txt"
         echo "$work/${pdf##*/}.txt"
@@ -511,7 +523,7 @@ leaks() {
         line in from { print FILENAME ":" FNR ": the line " from[line] }
         ' kind=book src/*/*.[ch] tests/exercises/*/stub.c \
         tests/exercises/*/hints.txt \
-        kind=answer $answers kind=text "$work"/*.pdf.txt
+        kind=answer $answers kind=text "$work"/*.pdf.txt "$work"/*.html.txt
     values $(cat "$work/texts") >"$work/found"
     same_values "$work/values" "$work/found" | cut -f 1 | sort -u
     # Names may be broken over lines, with the marks of a comment between.
@@ -588,6 +600,7 @@ sed -n 's/.*return (/ * Or is it (/p' "$root/solutions/01d-aim.c" \
 value=$(sed -n 's/^tests\/library.*\t\([0-9]\{9\}\).*/\1/p' "$work/values" |
     head -n 1)
 echo "# The limit is 0.$value." >>plots/02-drift.gp
+cp "$root/build/site-instructor/01-collide.html" site/answers.html
 if [ -s "$root/build/bonkers-instructor.pdf" ]; then
     cp "$root/build/bonkers-instructor.pdf" answers.pdf
 fi
@@ -613,8 +626,10 @@ found 'a line of a solution, in a script' \
     'plots/03-finite.gp:[0-9]*: a key line of solutions/01d'
 found "the reference value 0.$value" \
     "plots/02-drift.gp: $value is a value of tests/library/"
+found 'the solutions among the pages' \
+    'answers.html.txt:.* the body of solutions/01a'
 [ -e "$work/all/$course/answers.pdf" ] && for file in solutions/*.c; do
     found "$file, in an instructor's book" "answers.pdf.txt:.* $file:"
 done
 # The last ones are of the solutions, one by one.
-echo "1..$((102 + $(ls solutions/*.c | wc -l)))"
+echo "1..$((104 + $(ls solutions/*.c | wc -l)))"

@@ -96,6 +96,9 @@ function known(label) {
     return 1
 }
 function href(label) {
+    # Students have no examiner and no grader.
+    if (edition == "course" && page_of[label] ~ /^works-B-/)
+        return "works.html#left-out"
     return (page_of[label] == page ? "" : page_of[label] ".html") "#" anchor(label)
 }
 function link(label, words) {
@@ -499,7 +502,7 @@ function tex(s,    out, name, at, words, label, more, opt, end) {
             words = value(name, s)
             s = substr(s, after)
             out = out "$" words "$"
-        } else if (name ~ /^(cfile|prog|opt|texttt)$/) {
+        } else if (name ~ /^(cfile|prog|opt|texttt|nolinkurl)$/) {
             words = code_words(s)
             s = substr(s, after)
             out = out words
@@ -540,7 +543,9 @@ function tex(s,    out, name, at, words, label, more, opt, end) {
             if (name == "allowbreak")
                 out = out inline("<wbr>")
             sub(/^ /, "", s)
-        } else if (name == "mbox") {
+        } else if (name == "smallskip" || name == "medskip" || name == "par")
+            out = out "\n\n"
+        else if (name == "mbox" || name == "centerline") {
             words = again(s, 1)
             s = substr(s, after)
             out = out words
@@ -773,8 +778,13 @@ function tex(s,    out, name, at, words, label, more, opt, end) {
             sub(/^\[[0-9]\]/, "", s)
             argument(s, 1)
             s = substr(s, after)
-        } else
+        } else if (name ~ /^(emph|textbf|textit|textsf|item|multicolumn|quad|qquad|ldots|dots|LaTeX|textbackslash|textasciitilde|slash|o|i|aa|ss)$/)
             out = out "\\" name
+        else {
+            # pandoc would drop it and what is in its braces, and say nothing.
+            fail("what is \\" name "?")
+            out = out name
+        }
     }
     return out s
 }
@@ -944,19 +954,18 @@ function lab_answers(    name, line, more) {
 }
 
 # ---- the chapter, line by line
-function flush() {
+function flush(    number) {
     if (text ~ /[^ \n]/)
         print tex(mark_terms(text)) "\n"
     text = ""
-    if (wants_solutions != "") {
-        if (edition == "instructor")
-            solutions(wants_solutions)
-        wants_solutions = ""
-    }
+    number = wants_solutions
+    wants_solutions = ""
+    if (number != "" && edition == "instructor")
+        solutions(number)
 }
 function solutions(number,    name, line) {
     name = "build/book-instructor/solutions-" number ".tex"
-    print block("<h2 id=\"solutions\">Solutions</h2>")
+    print block("<h2 id=\"solutions" (solved++ ? "-" solved : "") "\">Solutions</h2>")
     while ((getline line < name) > 0)
         line_of(line)
     close(name)

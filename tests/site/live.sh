@@ -12,13 +12,8 @@ ls build/site/live/*.js | sed 's/.*\///; s/\.js$//; /^live$/d; /^player$/d' |
     sort >"$work/scripts"
 holds 'chapters name the figures that are there' cmp "$work/named" "$work/scripts"
 
-# What drives the browser comes from npm, once.
+# What drives the browser comes with .ci/install test.
 modules=build/browser/node_modules
-[ -d $modules/playwright-core ] || {
-    mkdir -p build/browser
-    npm install --silent --no-audit --no-fund --prefix build/browser \
-        playwright-core >"$work/npm" 2>&1
-}
 holds 'what drives the browser is there' test -d $modules/playwright-core
 NODE_PATH=$PWD/$modules node tests/site/browser/live.js build/site "$work"
 echo 1..69

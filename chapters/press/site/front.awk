@@ -49,6 +49,8 @@ END {
     for (i = 1; i <= pages; ++i) {
         if (part_of[i] != last)
             print "<h2>" part_of[i] "</h2>"
+        else if (i == 1)
+            print "<h2>To begin with</h2>"
         last = part_of[i]
         print "<h3><a href=\"" name_of[i] ".html\">" line_of[i] "</a></h3>"
         if (name_of[i] in sections)

@@ -100,7 +100,10 @@
     dialog.addEventListener('keydown', function (e) {
       var links = Array.prototype.slice.call(results.querySelectorAll('a'));
       var at = links.indexOf(document.activeElement);
-      if (e.key === 'ArrowDown' && links.length) {
+      if (e.key === 'Escape') {
+        e.preventDefault();
+        dialog.close();
+      } else if (e.key === 'ArrowDown' && links.length) {
         links[Math.min(at + 1, links.length - 1)].focus();
         e.preventDefault();
       } else if (e.key === 'ArrowUp' && at >= 0) {
@@ -126,7 +129,7 @@
       this.field('text');
       for (var i = 0; i < sections.length; ++i)
         this.add({ i: i, title: sections[i][2], text: sections[i][3] },
-          { boost: sections[i][0].indexOf('works') === 0 ? 0.4 : 1 });
+          { boost: sections[i][0].indexOf('works') === 0 ? 0.15 : 1 });
     });
     said.textContent = '';
     look();

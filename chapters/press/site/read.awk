@@ -899,9 +899,9 @@ function transcript(name,    line, path, n, first) {
 }
 function exercise(name, title, kind, minutes,    label) {
     label = "ex:" name
-    return block("<section class=\"exercise\" id=\"" label "\"><h3><a class=\"number\" href=\"#" \
-        label "\">Exercise " (known(label) ? number_of[label] : "") "</a> " title \
-        " <small>" kind ", " minutes " minutes</small></h3><p class=\"do\"><code>" \
+    return block("<section class=\"exercise\" id=\"" label "\"><h3><a href=\"#" label \
+        "\"><span class=\"number\">Exercise " (known(label) ? number_of[label] : "") \
+        "</span> " title "</a> <small>" kind ", " minutes " minutes</small></h3><p class=\"do\"><code>" \
         ((name in file_of) ? file_of[name] : "exercises/" name) \
         "</code> <code>make check EX=" name "</code></p>")
 }

@@ -61,7 +61,8 @@ holds 'a macro that is new is named' \
 
 # The numbers, as TeX has counted them: of each label that it has written down.
 for volume in book works; do
-    sed -n 's/^\\newlabel{\([a-z]*:[^}]*\)}{{\([^}]*\)}.*/\1 \2/p' \
+    sed -n '/{[a-z]*[*]\.[0-9]*}{}}$/d
+        s/^\\newlabel{\([a-z]*:[^}]*\)}{{\([^}]*\)}.*/\1 \2/p' \
         build/$volume/$volume.aux | grep -v '^fail:' | sort
 done >"$work/tex"
 awk -F '\t' '$3 ~ /^(chapter|appendix|section|equation|figure|table|exercise)$/ {

@@ -1,5 +1,5 @@
 /* From chapters/works/11-step.nw: edit there, then run make tangle. */
-/* checksum 2568666514 of the lines below */
+/* checksum 3489945723 of the lines below */
 /* Steps a scene through time and writes what is looked at, row by row. */
 #include "forces/adaptive.h"
 #include "forces/checkpoint.h"
@@ -902,7 +902,8 @@ static const struct options_entry entries[] = {
     {"", 0, NULL, "--kernel tree"},
     {"theta", 'W', "X",
      "a cell pulls as one mass from where its width is\n"
-     "less than X of its distance, up to 0.57 (0.5)"},
+     "less than X of its distance, up to 0.57; not with\n"
+     "adaptive or implicit methods (0.5)"},
     {"", 0, NULL, adaptive_heading},
     {"tolerance", 'a', "E",
      "for the estimated error of a step, as a share\n"

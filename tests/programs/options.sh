@@ -300,6 +300,10 @@ tries() {
     mv "$work/other" "$work/choices"
     awk -v program="$program" -f "$work/cases.awk" "$work/values" \
         "$work/needs" "$work/choices" "$work/help" >"$work/cases"
+    # A tree is refused where forces must be smooth: step.sh has these.
+    sed -i '/--kernel tree/{
+        /--method \(dopri5\|radau15\|rk8pd\|gauss4\|implicit-midpoint\)/d
+    }' "$work/cases"
     wrong=0
     while read -r expected line; do
         # shellcheck disable=SC2086

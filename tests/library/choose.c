@@ -274,20 +274,18 @@ static void test_luck(void)
 }
 
 /* A reference is sure to a twentieth of what is asked for, in the problem
-   of Pythagoras too, where that takes more and more digits; and not surer
-   than need be. */
+   of Pythagoras too, where that takes more and more digits; and no finer
+   than need be: for the shortest time the first one will do. */
 static void test_doubt(void)
 {
-    double most = 0;
     struct scene s = made("pythagorean", NULL, 0);
     for (double until = 22; until < 60; until += 3) {
         const struct choose_request q = asked(&s, until, 1e-3);
         struct choose_choice c = chosen(&q, true);
         UNIT_TRUE(c.doubt > 0 && c.doubt <= 0.05 * q.tolerance);
-        most = fmax(most, c.doubt / q.tolerance);
+        UNIT_TRUE(until > 22 || c.reference.tolerance > 5e-6);
         choose_free(&c);
     }
-    UNIT_TRUE(most > 0.002);
     scene_free(&s);
 }
 

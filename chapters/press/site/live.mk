@@ -28,10 +28,13 @@ wasm_tools := $(patsubst %,src/toolbox/%.c,digits random room)
 wasm_sources := src/page/table.c $(wasm_tools) $(filter-out %/laws.c %/states.c %/checkpoint.c \
 	%/reference.c %/opencl.c,$(wildcard $(patsubst %,src/%/*.c,line box scenes forces)))
 wasm_objects := $(wasm_sources:src/%.c=build/wasm/%.o)
+# Where time is not spent, small: the bits are the same.
+$(filter-out %/gravity.o %/springs.o %/spheres.o,$(filter build/wasm/scenes/% \
+	build/wasm/forces/%,$(wasm_objects))): small = -Os
 build/wasm/%.o: src/%.c chapters/press/site/live.mk | has-wasm
 	@mkdir -p $(@D)
 	$(call say,wasm $<)
-	$(Q)$(wasm) -MMD -MP -c -o $@ $<
+	$(Q)$(wasm) $(small) -MMD -MP -c -o $@ $<
 exports := number begin run look
 more := word text make observe change save array
 build/wasm/%.wasm: build/wasm/page/%.o $(wasm_objects)

@@ -144,7 +144,7 @@ async function player(browser) {
     return '';
   });
   await holds('the address holds the scene as it was written', async () => {
-    await wait(page, `location.hash.includes('text=')`);
+    await wait(page, `location.hash.includes('text=') && location.hash.includes('steps=')`);
     const mine = await page.locator('textarea').inputValue();
     const other = await open(browser, page.url());
     await wait(other, 'window.live?.player?.ready');

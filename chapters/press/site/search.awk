@@ -30,13 +30,14 @@ FNR == 1 {
 /^<main/ { within = 1; next }
 /^<\/main/ { within = 0 }
 !within { next }
-/^<(h[123]|section) / {
+/^<(h[123]|section|dt id=)[^>]*>/ {
     end_of_section()
     match($0, / id="[^"]*"/)
     place = substr($0, RSTART + 5, RLENGTH - 6)
     s = $0
     sub(/<p class="do">.*/, "", s)
     sub(/<small>.*/, "", s)
+    sub(/<dd>.*/, ", in the glossary", s)
     title = put(s)
     next
 }

@@ -30,7 +30,7 @@ kept += $(unit_tests) $(tools) build/tests/grader/reports \
 # what it makes nor call make themselves; the others wait.
 beside = $(filter-out $(shell grep -lF '{MAKE' $(scripts)),$(filter \
 	tests/stability/% tests/programs/% tests/grader/%,$(scripts)))
-test: has-tex has-test-tools
+test: has-tex has-site has-test-tools
 	@$(MAKE) -s -j2 programs test-parts
 	@MAKE='$(MAKE)' tests/run -t $(TEST_SECONDS) -j 2 tests/book/book.sh \
 		$(unit_tests) $(beside) -- $(filter-out $(beside),$(scripts)) \
@@ -45,6 +45,8 @@ has-test-tools:
 	$(call need,bwrap,bubblewrap)
 	$(call need,ps,procps)
 	$(call need,git,git)
+	$(call need,chromium,chromium)
+	$(call need,node,nodejs)
 	$(call need,chromium,chromium)
 	$(call need,npm,npm)
 

@@ -4,13 +4,13 @@
 # chapters/press/site/ has what makes them: places (where everything stands), page
 # (one page), page.css and page.js. What moves is made by the rules of
 # chapters/press/site/live.mk: build/site/live/NAME.js for each \livefigure{NAME},
-# live/live.js, which starts them, and player.html; it names them in LIVE.
+# live/live.js, which starts them, and player.html; it names them in LIVE_FILES.
 # live.js gets from the page <div class="live" data-live="NAME"></div>, colours
 # and faces as the properties of page.css, and an event `theme' at the document
 # when the reader changes them.
 
 .PHONY: site has-site
-LIVE =
+LIVE_FILES =
 -include chapters/press/site/live.mk
 
 has-site:
@@ -23,7 +23,7 @@ has-site:
 # grader: build/site-course/.
 site: has-gnuplot has-gsl has-site build/site$(edition)/made
 	@echo 'The pages: open build/site$(edition)/index.html'
-build/site/made: build/woven $(FIGURES_SVG) $(RUNS) $(LIVE) \
+build/site/made: build/woven $(FIGURES_SVG) $(RUNS) $(LIVE_FILES) \
 		$(wildcard chapters/press/site/*)
 	@EDITION= chapters/press/site/make
 build/site-instructor/made build/site-course/made: build/site-%/made: build/site/made

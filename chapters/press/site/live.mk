@@ -7,10 +7,10 @@ live_names := $(filter-out table,$(patsubst src/page/%.c,%,$(wildcard \
 	src/page/*.c)))
 plays := $(shell sed -n 's/^\(play-[a-z]*\) .*/\1/p' \
 	chapters/press/site/live-scenes)
-LIVE := build/site/live/live.js $(live_names:%=build/site/live/%.js) \
+LIVE_FILES := build/site/live/live.js $(live_names:%=build/site/live/%.js) \
 	build/site/player.html build/site/live/player.css \
 	$(plays:%=build/site/live/%.js)
-live: $(LIVE)
+live: $(LIVE_FILES)
 
 has-wasm:
 	$(call need,clang,clang)

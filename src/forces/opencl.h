@@ -1,7 +1,6 @@
 /* From chapters/works/09-gravity-opencl.nw: edit there, then run make tangle. */
-/* checksum 963914054 of the lines below */
-/* Gravity summed on another device, by OpenCL, which is looked for when a
-   program runs. */
+/* checksum 4195904316 of the lines below */
+/* Gravity summed on another device, by OpenCL. */
 #ifndef OPENCL_H
 #define OPENCL_H
 

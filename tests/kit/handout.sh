@@ -483,9 +483,9 @@ learn() {
 # leaks FOLDER: what the files in it give away.
 leaks() {
     find "$1" -type f ! -name '*.pdf' ! -name '*.html' | sort >"$work/texts"
-    # A page without its marks.
+    # A page without its marks; a thin space in a number is one, as on paper.
     for page in $(find "$1" -name '*.html'); do
-        sed 's/<[^>]*>//g; s/&lt;/</g; s/&gt;/>/g; s/&quot;/"/g; s/&amp;/\&/g' \
+        sed 's/<mspace[^>]*>/ /g; s/<[^>]*>//g; s/&lt;/</g; s/&gt;/>/g; s/&quot;/"/g; s/&amp;/\&/g' \
             "$page" >"$work/${page##*/}.txt"
         echo "$work/${page##*/}.txt"
     done >>"$work/texts"

@@ -51,6 +51,7 @@ FNR == 1 {
         if (end < at)
             break
         part = substr(s, at, end - at)
+        gsub(/<mspace[^>]*>/, " ", part)
         gsub(/<[^>]*>/, "", part)
         s = substr(s, 1, at - 1) (length(part) < 12 ? part : "…") substr(s, end + 7)
     }

@@ -778,8 +778,13 @@ function tex(s,    out, name, at, words, label, more, opt, end) {
             sub(/^\[[0-9]\]/, "", s)
             argument(s, 1)
             s = substr(s, after)
-        } else if (name ~ /^(emph|textbf|textit|textsf|item|multicolumn|quad|qquad|ldots|dots|LaTeX|textbackslash|textasciitilde|slash|o|i|aa|ss)$/)
+        } else if (name ~ /^(emph|textbf|textit|textsf|item|multicolumn)$/)
             out = out "\\" name
+        else if (name ~ /^(quad|qquad|ldots|dots|LaTeX|textbackslash|textasciitilde|slash|o|i|aa|ss)$/) {
+            # What follows may be a word that stands for something.
+            sub(/^[ \n]+|^[{][}]/, "", s)
+            out = out "\\" name "{}"
+        }
         else {
             # pandoc would drop it and what is in its braces, and say nothing.
             fail("what is \\" name "?")

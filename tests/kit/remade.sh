@@ -37,7 +37,7 @@ for file in src/*/*.c; do
 done >"$work/reads"
 for header in box/cells line/collide scenes/pair; do
     expected=$(echo $(awk -v header="src/$header.h" '
-        $NF !~ /examiner/ && index($0, " " header " ") { print $NF }' \
+        $NF !~ /examiner|page/ && index($0, " " header " ") { print $NF }' \
         "$work/reads" | sort))
     later src/$header.h
     is "$header.h reaches what includes it, and no program" "$expected" \

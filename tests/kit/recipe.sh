@@ -11,11 +11,13 @@ kit=$work/kit
 mkdir "$kit"
 
 # What is built is taken along, so that only what changes is built again; the
-# book is taken for new, since its text is another test's business.
+# book and the pages are taken for new, since their text is another test's
+# business.
 tar cf - --exclude=./.git --exclude=./build . | (cd "$kit" && tar xf -)
 mkdir "$kit/build"
 cp -Rp build/compiler.mk build/compiler build/made build/check build/bonkers.pdf \
-    build/works-course.pdf build/recipes "$kit/build/" 2>/dev/null
+    build/works-course.pdf build/site-course build/recipes "$kit/build/" \
+    2>/dev/null
 [ -d build/grade ] && cp -Rp build/grade "$kit/build/"
 rm -rf "$kit"/build/grade/results "$kit"/build/grade/work.*
 cd "$kit" || exit 1
@@ -31,7 +33,7 @@ git init -q . && git add -A >/dev/null 2>&1 &&
 {
     # shellcheck disable=SC2016
     echo 'make() { command ${MAKE:-make} -o build/bonkers.pdf \'
-    echo '    -o build/works-course.pdf "$@"; }'
+    echo '    -o build/works-course.pdf -o build/site-course/made "$@"; }'
     cat tests/kit/recipe/steps
 } >"$work/steps"
 sh -eu "$work/steps" >"$work/out" 2>&1

@@ -98,7 +98,10 @@ tar cf - --exclude=./build --exclude=./.git . | (cd "$kit" && tar xf -)
 chmod -R u+w "$kit"
 mkdir "$kit/build"
 cp build/bonkers.pdf build/works-course.pdf "$kit/build"
+# Of the pages' figures one is enough here, and packed sooner.
 cp -R build/site-course "$kit/build"
+find "$kit/build/site-course/figures" -name '*.svg' ! -name '01-map.svg' \
+    -exec rm -f {} +
 cp "$kit"/solutions/*.c "$kit/exercises"
 echo 'marks, private' >"$kit/tests/exercises/note-to-self.txt"
 # And a lecturer's files lie in the folders of exercises, old and new, one

@@ -16,8 +16,9 @@ mkdir "$kit"
 tar cf - --exclude=./.git --exclude=./build . | (cd "$kit" && tar xf -)
 mkdir "$kit/build"
 cp -Rp build/compiler.mk build/compiler build/made build/check build/bonkers.pdf \
-    build/works-course.pdf build/site-course build/recipes "$kit/build/" \
-    2>/dev/null
+    build/works-course.pdf build/recipes "$kit/build/" 2>/dev/null
+mkdir "$kit/build/site-course"
+cp build/site-course/index.html "$kit/build/site-course/"
 [ -d build/grade ] && cp -Rp build/grade "$kit/build/"
 rm -rf "$kit"/build/grade/results "$kit"/build/grade/work.*
 cd "$kit" || exit 1

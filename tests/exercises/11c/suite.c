@@ -255,11 +255,13 @@ static void draw(struct made *m)
         m->line[k] = far * u[k] / sqrt(dot(u, u));
         p->a.x[k] = check_draw(-2.0, 2.0);
         p->b.x[k] = p->a.x[k] + m->line[k];
-        p->a.v[k] = check_draw(-2.0, 2.0);
     }
-    do { /* never so that they only brush each other */
-        for (int k = 0; k < 3; ++k)
+    do { /* never so that they only brush each other; both are drawn again,
+            for to one in a corner no other may come near enough */
+        for (int k = 0; k < 3; ++k) {
+            p->a.v[k] = check_draw(-2.0, 2.0);
             p->b.v[k] = check_draw(-2.0, 2.0);
+        }
         minus(p->b.v, p->a.v, u);
         along = dot(u, m->line) / far;
     } while (along > -0.4 * sqrt(dot(u, u)) || along > -0.2);

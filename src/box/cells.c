@@ -1,6 +1,6 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 580053805 of the lines below */
-/* Cells, lists of neighbours on a leash, and lanes of four pair times. */
+/* checksum 1117678420 of the lines below */
+/* Cells, lists of neighbours on a leash, and lanes of pair times. */
 #include "box/cells.h"
 
 #include "toolbox/vector.h"
@@ -66,6 +66,8 @@ static void ask_each(const struct cells *c, uint32_t i,
 typedef __m256d v4;
 typedef long long l4 __attribute__((vector_size(32)));
 
+#define SHIFT 6755399441055744.0 /* as in whole() of disks.c */
+
 VECTOR_AVX2 static inline v4 all(double x)
 {
     return _mm256_set1_pd(x);
@@ -101,25 +103,20 @@ VECTOR_AVX2 static inline void gather(const struct disk *disk,
    the radii. Returns the moments at which the ways are taken. */
 VECTOR_AVX2 static inline v4 approach(const struct cells *c,
                                       const struct disk *a,
-                                      const uint32_t *list, bool fresh,
-                                      v4 apart[3], v4 closing[3],
-                                      v4 *distance)
+                                      const uint32_t *list, v4 apart[3],
+                                      v4 closing[3], v4 *distance)
 {
-    const double rounding = 6755399441055744; /* as in disks.c */
-    v4 place[4], speed[4], last = all(a->since);
+    v4 place[4], speed[4];
     gather(c->d->disk, list, place, speed);
-    if (!fresh)
-        last = _mm256_max_pd(place[3], last);
+    const v4 last = _mm256_max_pd(place[3], all(a->since));
     for (int k = 0; k < 3; ++k) {
-        v4 here = all(a->position[k]), then;
         closing[k] = speed[k] - a->velocity[k];
-        if (!fresh)
-            here += a->velocity[k] * (last - a->since);
-        then = apart[k] = (place[k] + speed[k] * (last - place[3])) - here;
-        if (!fresh)
-            then += closing[k] * (c->d->now - last);
+        apart[k] = place[k] + speed[k] * (last - place[3]) -
+                   (a->position[k] + a->velocity[k] * (last - a->since));
         apart[k] -=
-            c->d->box[k] * (then * c->inverse[k] + rounding - rounding);
+            c->d->box[k] *
+            ((apart[k] + closing[k] * (c->d->now - last)) * c->inverse[k] +
+             SHIFT - SHIFT);
     }
     *distance = speed[3] + a->radius;
     return last;
@@ -143,17 +140,15 @@ struct lanes {
 
 VECTOR_AVX2 static inline void meet_four(const struct cells *c,
                                          const struct disk *a,
-                                         const uint32_t *list, bool fresh,
+                                         const uint32_t *list,
                                          struct lanes *first)
 {
     v4 apart[3], closing[3], distance;
-    const v4 last = approach(c, a, list, fresh, apart, closing, &distance);
+    const v4 last = approach(c, a, list, apart, closing, &distance);
     const v4 b = dot4(apart, closing);
     const v4 gap = dot4(apart, apart) - distance * distance;
     const v4 disc = b * b - dot4(closing, closing) * gap;
     const l4 meets = (b < all(0)) & (disc >= all(0));
-    if (_mm256_testz_pd((v4)meets, (v4)meets))
-        return;
     const v4 root = _mm256_sqrt_pd(_mm256_max_pd(disc, all(0)));
     const v4 flight = choose(all(0), gap / (root - b), gap > all(0));
     const v4 time = choose(all(INFINITY), last + flight, meets);
@@ -172,12 +167,8 @@ VECTOR_AVX2 static void ask_four(const struct cells *c, uint32_t i,
     const uint32_t *end = list + c->anchor[i].neighbours;
     const long long wall = first->partner;
     struct lanes lanes = {all(first->time), {wall, wall, wall, wall}};
-    if (a->since == c->d->now)
-        for (; list < end; list += 4)
-            meet_four(c, a, list, true, &lanes);
-    else
-        for (; list < end; list += 4)
-            meet_four(c, a, list, false, &lanes);
+    for (; list < end; list += 4)
+        meet_four(c, a, list, &lanes);
     for (int k = 0; k < 4; ++k) {
         const struct disks_event pair = {lanes.time[k], i,
                                          (uint32_t)lanes.who[k]};
@@ -187,12 +178,98 @@ VECTOR_AVX2 static void ask_four(const struct cells *c, uint32_t i,
 }
 #endif
 
-bool cells_can_four(void)
+#ifdef VECTOR_AVX512
+#define EIGHT VECTOR_LONG VECTOR_AVX512 static inline
+typedef __m512d v8;
+
+EIGHT void gather_eight(const struct disk *disk, const uint32_t *list,
+                        size_t half, v8 column[4])
+{
+    v8 row[4];
+    for (size_t k = 0; k < 4; ++k) {
+        const uint32_t *pair = list + k + (k & 2); /* it and its second */
+        row[k] = _mm512_insertf64x4(
+            _mm512_castpd256_pd512(
+                _mm256_load_pd(disk[pair[0]].position + half)),
+            _mm256_load_pd(disk[pair[2]].position + half), 1);
+    }
+    const v8 ab = _mm512_unpacklo_pd(row[0], row[1]);
+    const v8 ba = _mm512_unpackhi_pd(row[0], row[1]);
+    const v8 cd = _mm512_unpacklo_pd(row[2], row[3]);
+    const v8 dc = _mm512_unpackhi_pd(row[2], row[3]);
+    column[0] = _mm512_shuffle_f64x2(ab, cd, 0x88);
+    column[1] = _mm512_shuffle_f64x2(ba, dc, 0x88);
+    column[2] = _mm512_shuffle_f64x2(ab, cd, 0xdd);
+    column[3] = _mm512_shuffle_f64x2(ba, dc, 0xdd);
+}
+
+struct lanes_eight {
+    v8 time;
+    __m512i who;
+};
+
+#define IS(a, how, b) _mm512_cmp_pd_mask(a, b, _CMP_##how##_OQ)
+#define DOT(a, b) (a[0] * b[0] + a[1] * b[1] + a[2] * b[2])
+
+EIGHT void meet_eight(const struct cells *c, const struct disk *a,
+                      const uint32_t *list, struct lanes_eight *first)
+{
+    const v8 zero = _mm512_setzero_pd();
+    v8 place[4], speed[4], apart[3], closing[3];
+    gather_eight(c->d->disk, list, 0, place);
+    gather_eight(c->d->disk, list, 4, speed);
+    const v8 last = _mm512_max_pd(place[3], _mm512_set1_pd(a->since));
+    for (int k = 0; k < 3; ++k) {
+        closing[k] = speed[k] - a->velocity[k];
+        apart[k] = place[k] + speed[k] * (last - place[3]) -
+                   (a->position[k] + a->velocity[k] * (last - a->since));
+        apart[k] -=
+            c->d->box[k] *
+            ((apart[k] + closing[k] * (c->d->now - last)) * c->inverse[k] +
+             SHIFT - SHIFT);
+    }
+    const v8 distance = speed[3] + a->radius, b = DOT(apart, closing);
+    const v8 gap = DOT(apart, apart) - distance * distance;
+    const v8 disc = b * b - DOT(closing, closing) * gap;
+    const __mmask8 meets = IS(b, LT, zero) & IS(disc, GE, zero);
+    const v8 root = _mm512_maskz_sqrt_pd(meets, disc);
+    const v8 time =
+        last + _mm512_maskz_div_pd(IS(gap, GT, zero), gap, root - b);
+    const __m512i who =
+        _mm512_cvtepu32_epi64(_mm256_loadu_si256((const __m256i *)list));
+    const __mmask8 sooner =
+        meets & (IS(time, LT, first->time) |
+                 (IS(time, EQ, first->time) &
+                  _mm512_cmplt_epi64_mask(who, first->who)));
+    first->time = _mm512_mask_mov_pd(first->time, sooner, time);
+    first->who = _mm512_mask_mov_epi64(first->who, sooner, who);
+}
+
+EIGHT void ask_eight(const struct cells *c, uint32_t i,
+                     struct disks_event *first)
+{
+    const struct disk *a = &c->d->disk[i];
+    const uint32_t *list = c->neighbour + i * c->seats;
+    const size_t n = c->anchor[i].neighbours;
+    struct lanes_eight lanes = {_mm512_set1_pd(first->time),
+                                _mm512_set1_epi64(first->partner)};
+    for (size_t k = 0; k < n; k += 8)
+        meet_eight(c, a, list + (n > 8 && n - 8 < k ? n - 8 : k), &lanes);
+    const double time = _mm512_reduce_min_pd(lanes.time);
+    const __mmask8 those = IS(lanes.time, EQ, _mm512_set1_pd(time));
+    const struct disks_event pair = {
+        time, i, (uint32_t)_mm512_mask_reduce_min_epu64(those, lanes.who)};
+    if (pair.time <= first->time && disks_before(pair, *first))
+        *first = pair;
+}
+#endif
+
+size_t cells_lanes(void)
 {
 #ifdef VECTOR_AVX2
-    return VECTOR_HAS("avx2");
+    return VECTOR_HAS("avx512f") ? 8 : VECTOR_HAS("avx2") ? 4 : 1;
 #else
-    return false;
+    return 1;
 #endif
 }
 
@@ -200,10 +277,13 @@ static void look_at_neighbours(const struct cells *c, uint32_t i,
                                struct disks_event *first)
 {
 #ifdef VECTOR_AVX2
-    if (c->four && !(c->d->gravity > 0)) {
+    const size_t lanes = c->d->gravity > 0 ? 1 : c->lanes;
+    if (lanes == 8)
+        ask_eight(c, i, first);
+    else if (lanes == 4)
         ask_four(c, i, first);
+    if (lanes > 1)
         return;
-    }
 #endif
     ask_each(c, i, first);
 }
@@ -265,12 +345,12 @@ static bool learn(struct cells *c, uint32_t i, uint32_t other)
 static void forget(struct cells *c, uint32_t i, uint32_t other)
 {
     uint32_t *seat = c->neighbour + i * c->seats;
-    uint32_t *last = seat + --c->anchor[i].neighbours;
-    size_t at = 0;
-    for (size_t k = 0; k < c->seats; ++k)
-        at += k * (seat[k] == other);
-    seat[at] = *last;
-    *last = i;
+    const size_t last = --c->anchor[i].neighbours;
+    const uint32_t name = seat[last];
+    for (size_t k = 0; k < c->seats; k += BATCH)
+        for (size_t l = 0; l < BATCH; ++l)
+            seat[k + l] = seat[k + l] == other ? name : seat[k + l];
+    seat[last] = i;
 }
 
 static void forget_all(struct cells *c, uint32_t i)
@@ -566,7 +646,7 @@ static bool make_lists(struct cells *c, size_t n)
 bool cells_create(struct cells *c, struct disks *d)
 {
     const uint32_t n = (uint32_t)d->count;
-    *c = (struct cells){.d = d, .four = cells_can_four()};
+    *c = (struct cells){.d = d, .lanes = cells_lanes()};
     lay_grid(c, d);
     bool enough = make_lists(c, n);
     for (size_t seat = 0; enough && seat < n * c->seats; ++seat)

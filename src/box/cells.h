@@ -1,5 +1,5 @@
 /* From chapters/works/07-gas.nw: edit there, then run make tangle. */
-/* checksum 2764957886 of the lines below */
+/* checksum 711435881 of the lines below */
 /* The fast way to run disks: neighbours in cells, events in a calendar. */
 #ifndef CELLS_H
 #define CELLS_H
@@ -19,14 +19,14 @@ struct cells_anchor {
     uint16_t neighbours; /* how many the disk has */
 };
 
-/* The fast way to run disks. To be read: leash and the counts; four may
-   be made false between runs. */
+/* The fast way to run disks. To be read: leash and the counts; lanes may
+   be made 4 or 1 between runs. */
 struct cells {
     struct disks *d;
     struct calendar calendar;   /* one event for each disk */
     double leash;               /* a disk stays this near its anchor, m */
     double inverse[DISKS_AXES]; /* 1/box if that is periodic, or 0, 1/m */
-    bool four;                  /* neighbours are asked four at a time */
+    size_t lanes;               /* neighbours asked together: 8, 4 or 1 */
     uint32_t *neighbour; /* `seats` for each disk; free ones: itself */
     size_t seats;
     struct cells_anchor *anchor;
@@ -58,7 +58,7 @@ bool cells_fit(const struct cells *c, size_t *a, size_t *b);
 enum disks_stop cells_run(struct cells *c, double until,
                           uint64_t collisions);
 
-/* Says whether this machine can ask four neighbours at a time. */
-bool cells_can_four(void);
+/* Returns how many neighbours this machine can ask together: 8, 4 or 1. */
+size_t cells_lanes(void);
 
 #endif

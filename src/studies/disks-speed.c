@@ -1,5 +1,5 @@
 /* From chapters/works/07-gas.nw: edit there, then run make tangle. */
-/* checksum 3931051169 of the lines below */
+/* checksum 2970796543 of the lines below */
 /* How many collisions a second either engine for disks has. */
 #include "box/cells.h"
 #include "toolbox/bench.h"
@@ -148,10 +148,11 @@ static double bytes_each(const struct cells *c)
 
 static void write_head(struct table *t, const struct settings *s)
 {
+    static const char *const asked[] = {"one by one", "four at a time",
+                                        "eight at a time"};
     table_begin(t, s->command, 1);
     bench_machine(t);
-    table_print(t, "# neighbours of cells: %s\n",
-                cells_can_four() ? "four at a time" : "one by one");
+    table_print(t, "# neighbours of cells: %s\n", asked[cells_lanes() / 4]);
     if (s->steps) {
         table_column(t, "step", "", "what is there");
         table_column(t, "speed", "1/us", "collisions of processor time");
@@ -189,17 +190,17 @@ static void write_steps(struct engines *e, const struct settings *s,
                         struct table *out)
 {
     struct calendar *calendar = &e->cells.calendar;
-    double pairs, four, cells, neighbours;
-    compare(e, s, &pairs, &four);
-    e->cells.four = false;
+    double pairs, lanes, cells, neighbours;
+    compare(e, s, &pairs, &lanes);
+    e->cells.lanes = 1;
     compare(e, s, &pairs, &cells);
     calendar->width = INFINITY;
     for (uint32_t i = 0; i < e->disks.count; ++i)
         calendar_put(calendar, i, calendar->event[i].time);
     compare(e, s, &pairs, &neighbours);
     table_print(out,
-                "pairs %.3g\nneighbours %.3g\ncalendar %.3g\nfour %.3g\n",
-                pairs / 1e6, neighbours / 1e6, cells / 1e6, four / 1e6);
+                "pairs %.3g\nneighbours %.3g\ncalendar %.3g\nlanes %.3g\n",
+                pairs / 1e6, neighbours / 1e6, cells / 1e6, lanes / 1e6);
 }
 
 static const struct options_entry entries[] = {

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Cells in every build: gcc and clang, with four neighbours at a time, if this
-# machine has the instructions, and one by one: the runs of
+# Cells in every build: gcc and clang, with eight or four neighbours at a time, if
+# this machine has the instructions, and one by one: the runs of
 # tests/library/cells.c end with the same bytes. (That these are the bytes of
 # pairs it finds out itself, in the build that is there.) And the memory that a
 # million disks take.
@@ -59,7 +59,7 @@ takes 250 --dimensions 3 --packing 0.3
 # What each step of the chapter has bought: four rows, each a speed.
 build/bin/disks-speed --steps --particles 200 --collisions 300 \
     -o "$work/steps" >"$work/said" 2>&1
-rows=$(grep -cE '^(pairs|neighbours|calendar|four) [0-9.e+-]+$' "$work/steps")
+rows=$(grep -cE '^(pairs|neighbours|calendar|lanes) [0-9.e+-]+$' "$work/steps")
 if [ "$rows" -eq 4 ]; then
     ok 'disks-speed --steps: four steps, four speeds'
 else

@@ -48,16 +48,15 @@ endif
 endef
 $(eval $(call only_with,chapters/press/book.tex,tangle check-tangle contact pages slides dist))
 $(eval $(call only_with,tests/library,book works site test memcheck handout mutants \
-	grade grade-bench))
+	grade grade-bench jobs test-cluster))
 $(eval $(call only_with,solutions,solution))
 $(eval $(call only_with,tests/fuzz,fuzz fuzz-scenes fuzz-commands hunt))
 # $(call offer,GOAL): echo, but for a goal that is absent.
 offer = @$(if $(filter $(1),$(absent)),: ||) echo
 
-# Programs, exercises, figures and films, tables of speed; and what students
-# do not get: grading, the book, the tests.
+# What students get; and what they do not: grading, the book, the tests, jobs.
 include src/compile.mk src/examiner/check.mk plots/plots.mk
-include src/studies/bench.mk $(wildcard src/examiner/grade.mk \
+include src/studies/bench.mk $(wildcard src/jobs.mk src/examiner/grade.mk \
 	chapters/press/book.mk tests/tests.mk)
 
 programs: $(programs:%=build/bin/%)
@@ -112,6 +111,7 @@ help:
 	@echo 'make bench        the speed tables, measured here'
 	$(call offer,mutants) 'make mutants      how many planted mistakes the exercises notice'
 	$(call offer,grade) 'make grade-bench  how long a course of 25 takes to grade; RECORD=1'
+	$(call offer,jobs) 'make jobs         OF=grade, figures, atlas or hunt: lists for more machines than one'
 	$(call offer,memcheck) 'make memcheck     the library tests under sanitizers'
 	$(call offer,fuzz) 'make fuzz         scenes, options and files that are wrong; TEXTS=1e7 COMMANDS=1e4'
 	$(call offer,hunt) 'make hunt         random scenes for bonk, against paths of another kind; REQUESTS=3000'

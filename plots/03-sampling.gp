@@ -1,5 +1,5 @@
 # data: build/data/03-sampling.dat
-# command: f=build/data/03-sampling; build/bin/bonkers --preset thermal --every 0.24 --until 96000 -o - | awk '!/^#/ { print $22 }' >$f.rows; for n in 1 2 4 8 16 32 64 128 256 512; do awk -v n=$n '(NR - 1) % n == 0' $f.rows | build/bin/histogram --skip 1 --block --column 1 --table columns -; done > build/data/03-sampling.dat && rm $f.rows
+# command: f=$(mktemp); build/bin/bonkers --preset thermal --every 0.24 --until 96000 -o - | awk '!/^#/ { print $22 }' >$f; for n in 1 2 4 8 16 32 64 128 256 512; do awk -v n=$n '(NR - 1) % n == 0' $f | build/bin/histogram --skip 1 --block --column 1 --table columns -; done > build/data/03-sampling.dat && rm $f
 # data: plots/data/03-cost.dat
 # alt: Left: relative error of a mean kinetic energy against the number of samples from one run of fixed length, on logarithmic axes: the honest error falls until some twenty thousand samples and then stays level; the naive one goes on falling. Right: three estimates of an error over the true one against their cost: naive at a quarter, blocks near one, the sum of correlations below one and the most expensive.
 width = 14

@@ -27,6 +27,13 @@ figures: has-gnuplot has-gsl programs $(FIGURES_PDF) $(FIGURES_SVG) \
 	@echo 'Figures: build/figures/' \
 		$(if $(filter lecture,$(QUALITY)),'and build/lecture/')
 
+# The tables that are to be made: what make would start, were it to draw.
+.PHONY: jobs-figures
+jobs-figures: has-gsl programs build/check/examine $(CHECK_BUILT)
+	$(call list,$(MAKE) -n --no-print-directory $(FIGURES_DATA) \
+		$(if $(filter lecture,$(QUALITY)),$(LECTURE_DATA)) | sed -n \
+		's|^.*\(chapters/press/recipes --[dr][au][tn]\)|\1|p' | sort -u)
+
 # One of them; with QUALITY=lecture its slide or slides.
 FIGURE = 09-eight
 .PHONY: figure
@@ -55,8 +62,29 @@ inspect: has-gnuplot build/bin/step build/bin/scene
 chart: has-gnuplot build/bin/bonk build/bin/scene
 	@plots/show chart
 
-# The maps of chapter 12 and their truths, made anew: some minutes.
-.PHONY: atlas
+# The maps of chapter 12 and their truths, made anew: some minutes. The map of
+# a scene is kept for as long as the program is the same; together they are the
+# table that the figures' recipe makes.
+.PHONY: atlas jobs-atlas
+maps = at=build/atlas/$$(cksum <build/bin/bonk-studies | tr ' ' -) && \
+	mkdir -p $$at && scenes=$$(build/bin/bonk-studies --study scenes | \
+	sed '/^\#/d')
+# $$$$ is the number of the job's own process: it ends under another name.
+maps_missing = for scene in $$scenes; do map=$$at/$$scene; [ -e $$map ] || \
+	echo "[ -e $$map ] || { build/bin/bonk-studies --study atlas" \
+	"--scene $$scene -o $$map.\$$\$$ && mv $$map.\$$\$$ $$map; }"; done
+jobs-atlas: build/bin/bonk-studies
+	$(call list,$(maps) && $(maps_missing))
 atlas: build/bin/bonk-studies
-	build/bin/bonk-studies --study atlas --summary - \
-		-o build/data/12-atlas.dat
+	@$(maps) && { $(maps_missing); } | while read -r job; do \
+		echo "$$job" && sh -c "$$job" || exit 1; done && mkdir -p build/data && (cd $$at && \
+	awk '/^#= unsure/ { if (!($$3 + 0 < worst + 0)) worst = $$3; next } \
+		/^#= / { if (!($$2 in n)) key[++keys] = $$2; n[$$2] += $$3; next } \
+		/^#/ && NR > FNR { next } \
+		/^# command: / { sub(/ --scene .*/, "") } { print } \
+		END { print "#= unsure " worst; for (k = 1; k <= keys; ++k) \
+			print "#= " key[k], n[key[k]] }' $$scenes) \
+		>build/data/12-atlas.dat.new
+	@mv build/data/12-atlas.dat.new build/data/12-atlas.dat
+	@mkdir -p build/made/data && touch build/made/data/12-atlas.dat
+	@sed -n 's/^#= //p' build/data/12-atlas.dat

@@ -47,7 +47,6 @@ has-test-tools:
 	$(call need,git,git)
 	$(call need,chromium,chromium)
 	$(call need,node,nodejs)
-	$(call need,chromium,chromium)
 	$(call need,npm,npm)
 
 test-parts: grade-parts build/check/examine $(CHECK_BUILT) $(unit_tests) $(tools) \
@@ -138,13 +137,18 @@ build/made/fuzz/commands: tests/fuzz/commands.c build/obj/toolbox/random.o \
 	$(take_compiled)
 
 # Random scenes for bonk, compared with paths of another kind: REQUESTS=3000
-# for longer, SEED=7 for others, KIND=springs for one kind.
+# for longer, SEED=7 for others, KIND=springs for one kind. What became of them
+# is kept.
 REQUESTS = 100
 export REQUESTS
-.PHONY: hunt
-hunt: build/bin/bonk build/tests/hunt/generate build/tests/hunt/truth \
-		build/tests/hunt/truth-fast
-	@tests/hunt/run -n "$$REQUESTS" -s "$$SEED" $$KIND
+.PHONY: hunt jobs-hunt
+hunt_with = -n "$$(printf %.0f "$$REQUESTS")" -s "$$SEED" $$KIND
+hunt jobs-hunt: build/bin/bonk build/tests/hunt/generate \
+		build/tests/hunt/truth build/tests/hunt/truth-fast
+hunt:
+	@tests/hunt/run $(hunt_with)
+jobs-hunt:
+	$(call list,tests/hunt/run -l $(hunt_with))
 build/made/tests/hunt/truth-fast: tests/hunt/truth.c build/obj/libbonkers.a \
 		build/compiler/key
 	$(begin)

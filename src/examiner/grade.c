@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 1176048577 of the lines below */
+/* checksum 2777537446 of the lines below */
 /* The program behind make grade: a folder of submissions, in parallel. */
 #include "examiner/grading.h"
 #include "examiner/process.h"
@@ -28,10 +28,11 @@
 
 struct options {
     const char *folder, *reports, *output, *exercises;
+    const char *job; /* "anna/01a/KEY": this one alone */
     long jobs;
     int seconds;
     uint64_t seed;
-    bool seeded, unsafe;
+    bool seeded, unsafe, list;
 };
 
 struct batch {
@@ -42,7 +43,7 @@ struct batch {
     size_t kit_count, count;        /* of exercises, of students */
     struct grading grading;
     char root[4096], work[4200];
-    size_t done, failed;
+    size_t begun, done, failed;
 };
 static const char usage[] =
     "usage: grade [OPTION]... FOLDER\n"
@@ -52,7 +53,9 @@ static const char usage[] =
     "  --hidden SEED     of the inputs that students never see, a whole\n"
     "                    number (drawn once and kept in the output "
     "folder)\n"
+    "  --job JOB         only this one, of the list; without reports\n"
     "  --jobs N          gradings at a time (one for each processor)\n"
+    "  --list            print what is to be graded, a command a line\n"
     "  --output FOLDER   for results and reports (build/grade/results)\n"
     "  --report LIST     gradescope,classroom50,github,junit: these, too\n"
     "  --seconds N       processor time that a test may take (5)\n"
@@ -84,7 +87,9 @@ static void take_option(struct options *o, int c)
         o->seed = whole("--hidden", optarg, 0, UINT64_MAX);
         o->seeded = true;
         break;
+    case 'J': o->job = optarg; break;
     case 'j': o->jobs = (long)whole("--jobs", optarg, 1, 1024); break;
+    case 'l': o->list = true; break;
     case 'o': o->output = optarg; break;
     case 'r': o->reports = optarg; break;
     case 's': o->seconds = (int)whole("--seconds", optarg, 1, 3600); break;
@@ -143,12 +148,24 @@ static void choose_kits(struct batch *b)
     b->kit_count = kept;
 }
 
+static const char *exercise_of(const char *job)
+{
+    static char exercise[4];
+    int end = 0;
+    sscanf(job, "%*[^/]/%3[0-9A-Za-z]/%*16[0-9a-f]%n", exercise, &end);
+    if (end == 0 || job[end])
+        text_fail("--job: '%s' is not of a list", job);
+    return exercise;
+}
+
 static struct options read_options(int argc, char **argv)
 {
     static const struct option known[] = {
         {"exercises", required_argument, NULL, 'e'},
         {"hidden", required_argument, NULL, 'H'},
+        {"job", required_argument, NULL, 'J'},
         {"jobs", required_argument, NULL, 'j'},
+        {"list", no_argument, NULL, 'l'},
         {"output", required_argument, NULL, 'o'},
         {"report", required_argument, NULL, 'r'},
         {"seconds", required_argument, NULL, 's'},
@@ -167,6 +184,8 @@ static struct options read_options(int argc, char **argv)
         text_fail("which folder of submissions? Try: grade --help");
     o.folder = argv[optind];
     check_reports(o.reports);
+    if (o.job)
+        o.exercises = exercise_of(o.job);
     return o;
 }
 
@@ -186,13 +205,28 @@ static void make_folder(const char *path)
         text_fail("cannot make '%s': %s", path, strerror(errno));
 }
 
+static const char *name_machine(void)
+{
+    static char name[32];
+    char room[64] = "";
+    if (readlink("/proc/self/ns/pid", room, sizeof room - 1) < 0)
+        *room = '\0';
+    const uint64_t sum = sum_file(0, "/proc/sys/kernel/random/boot_id");
+    snprintf(name, sizeof name, "work.%016" PRIx64 ".",
+             sum_bytes(sum, room, strlen(room)));
+    return name;
+}
+
 static void remove_abandoned(void)
 {
     glob_t found = {0};
-    glob("build/grade/work.*", 0, NULL, &found);
+    char pattern[64];
+    const int at = snprintf(pattern, sizeof pattern, "build/grade/%s*",
+                            name_machine());
+    glob(pattern, 0, NULL, &found);
     for (size_t i = 0; i < found.gl_pathc; ++i) {
         work_folder = found.gl_pathv[i];
-        const long pid = strtol(strchr(work_folder, '.') + 1, NULL, 10);
+        const long pid = strtol(work_folder + at - 1, NULL, 10);
         if (kill((pid_t)pid, 0) != 0 && errno == ESRCH)
             remove_work();
     }
@@ -208,8 +242,8 @@ static void prepare_folders(struct batch *b)
     make_folder(b->options.output);
     make_folder(marks);
     remove_abandoned();
-    snprintf(b->work, sizeof b->work, "%s/build/grade/work.%ld.XXXXXX",
-             b->root, (long)getpid());
+    snprintf(b->work, sizeof b->work, "%s/build/grade/%s%ld.XXXXXX",
+             b->root, name_machine(), (long)getpid());
     if (strchr(b->root, '\'') || !mkdtemp(b->work))
         text_fail("cannot make a folder '%s': %s", b->work,
                   strerror(errno));
@@ -236,15 +270,17 @@ static void choose_seed(struct batch *b)
     FILE *file = b->options.seeded ? NULL : fopen(path, "r");
     if (file && fscanf(file, "%" SCNu64, &seed) != 1)
         text_fail("there is no number in %s; remove it", path);
-    if (file)
-        fclose(file);
-    else if (!b->options.seeded)
+    if (!file && !b->options.seeded)
         seed = draw_seed();
+    b->grading.seed = seed;
+    if (file) {
+        fclose(file);
+        return;
+    }
     file = fopen(path, "w");
     if (!file || fprintf(file, "%" PRIu64 "\n", seed) < 0 ||
         fclose(file) != 0)
         text_fail("cannot write '%s': %s", path, strerror(errno));
-    b->grading.seed = seed;
 }
 
 static void choose_box(struct batch *b)
@@ -292,6 +328,22 @@ static void result_path(const struct batch *b, size_t s, size_t e,
     snprintf(path, 4400, "%s/marks/%s", b->options.output, encode(b, s));
     make_folder(path);
     snprintf(path + strlen(path), 32, "/%s.json", b->kits[e].exercise);
+}
+
+static void choose_student(struct batch *b)
+{
+    const char *job = b->options.job;
+    const size_t length = job ? strcspn(job, "/") : 0;
+    for (size_t s = 0; job && s < b->count; ++s) {
+        const char *name = encode(b, s);
+        if (strlen(name) == length && strncmp(name, job, length) == 0) {
+            b->submissions += s;
+            b->count = 1;
+            return;
+        }
+    }
+    if (job)
+        text_fail("--job: there is no student '%.*s'", (int)length, job);
 }
 
 static uint64_t sum_kit(const struct batch *b, const char *exercise)
@@ -347,18 +399,21 @@ static void put_by_hand(const struct batch *b, const char *place,
 {
     char path[4400];
     snprintf(path, sizeof path, "%s/%s", b->options.output, place);
-    unlink(path);
-    if (!bytes)
+    if (!bytes) {
+        unlink(path);
         return;
+    }
     for (char *slash = path + strlen(b->options.output) + 1;
          (slash = strchr(slash, '/')); ++slash) {
         *slash = '\0';
         make_folder(path);
         *slash = '/';
     }
-    FILE *file = fopen(path, "w");
+    char part[4416];
+    snprintf(part, sizeof part, "%s.XXXXXX", path);
+    FILE *file = fdopen(mkstemp(part), "w");
     if (!file || fwrite(bytes, 1, length, file) != length ||
-        fclose(file) != 0)
+        fclose(file) != 0 || rename(part, path) != 0)
         text_fail("cannot write '%s': %s", path, strerror(errno));
 }
 
@@ -456,8 +511,50 @@ static void wait_for_one(struct batch *b)
     show_progress(b);
 }
 
+static void put_word(const char *word)
+{
+    if (strchr(word, '\n'))
+        text_fail("a line break in '%s' cannot be listed", word);
+    putchar('\'');
+    for (; *word; ++word)
+        if (*word == '\'')
+            fputs("'\\''", stdout);
+        else
+            putchar(*word);
+    putchar('\'');
+}
+
+static void list_job(const struct batch *b, const struct job *job)
+{
+    printf("build/grade/grade --job %s/%s/%s --seconds %d%s --output ",
+           encode(b, job->student), b->kits[job->exercise].exercise,
+           job->key, b->options.seconds,
+           b->options.unsafe ? " --unsafe" : "");
+    put_word(b->options.output);
+    putchar(' ');
+    put_word(b->options.folder);
+    putchar('\n');
+}
+
+static void check_job(const struct batch *b, const struct job *job)
+{
+    const char *asked = b->options.job;
+    if (!asked || strcmp(strrchr(asked, '/') + 1, job->key) == 0)
+        return;
+    remove_work();
+    text_fail("--job %s: the file, the kit, the seed or the box (here: %s) "
+              "is not what it was when this was listed; list anew",
+              asked, box_name(b->grading.kind));
+}
+
 static void start_job(struct batch *b, const struct job *job)
 {
+    if (b->options.list && job->bytes) {
+        list_job(b, job);
+        return;
+    }
+    check_job(b, job);
+    ++b->begun;
     while (running >= b->options.jobs)
         wait_for_one(b);
     if (process_signal())
@@ -591,9 +688,12 @@ static void look_through(struct batch *b)
         text_fail("out of memory");
     for (size_t i = 0; i < b->kit_count; ++i)
         usual[i] = b->kits[i].file;
-    b->handed = submissions_find(b->options.folder, usual);
+    const char *job = b->options.job ? b->options.job : "";
+    char *start = strndup(job, strcspn(job, "_%+/"));
+    b->handed = submissions_find(b->options.folder, usual, start);
     b->submissions = b->handed.list;
     b->count = b->handed.count;
+    free(start);
     free(usual);
 }
 
@@ -604,19 +704,21 @@ int main(int argc, char **argv)
     b.kit_count = grading_kits(&b.kits);
     look_through(&b);
     choose_kits(&b);
+    choose_student(&b);
     prepare_folders(&b);
     choose_seed(&b);
     choose_box(&b);
     process_catch_signals();
     signal(SIGPIPE, SIG_IGN);
     grade_all(&b);
-    if (!process_signal())
+    if (!process_signal() && !(b.options.job && b.begun))
         retry_late(&b);
     remove_work();
     if (process_signal())
         text_fail("interrupted with %zu of %zu graded; the same command "
                   "goes on from there",
                   b.done, b.count * b.kit_count);
-    publish_all(&b);
+    if (!b.options.list && !b.options.job)
+        publish_all(&b);
     return b.failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

@@ -12,7 +12,7 @@ graded := $(foreach e,$(exercises),\
 GRADE_BUILT = build/grade/grade build/grade/flags \
 	$(graded:%=build/grade/%.list) $(graded:%=build/grade/%.names)
 
-.PHONY: grade grade-parts grade-bench has-submissions hostile-programs
+.PHONY: grade grade-parts grade-bench has-submissions hostile-programs jobs-grade
 # Each of the grader's hostile tricks once more, in a whole program.
 hostile-programs: grade-parts
 	@ALL=1 tests/grader/programs.sh
@@ -26,6 +26,8 @@ grade: has-submissions grade-parts
 	$(if $(filter-out $(graded),$(exercises)),@echo 'Not graded (there is' \
 		'no border.c in its folder):' $(filter-out $(graded),$(exercises)))
 	@build/grade/grade $(grade_options) "$$SUBMISSIONS"
+jobs-grade: has-submissions grade-parts
+	$(call list,build/grade/grade --list $(grade_options) "$$SUBMISSIONS")
 grade-parts: has-grade-parts $(GRADE_BUILT)
 
 .PHONY: has-grade-parts

@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 3665520514 of the lines below */
+/* checksum 3778690988 of the lines below */
 /* Marks counted, written to disk and read again. */
 #include "examiner/marks.h"
 #include "examiner/text.h"
@@ -9,6 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 int marks_earned(const struct marks *marks, bool hidden)
 {
@@ -111,10 +112,11 @@ void marks_write(const struct marks *marks, const char *key,
                  const char *path)
 {
     char part[4096];
-    snprintf(part, sizeof part, "%s.part", path);
+    snprintf(part, sizeof part, "%s.XXXXXX", path);
+    const int file = mkstemp(part);
     json_t *json = json_of_marks(marks, key);
-    if (!json || json_dump_file(json, part, JSON_INDENT(1)) != 0 ||
-        rename(part, path) != 0)
+    if (file < 0 || !json || json_dumpfd(json, file, JSON_INDENT(1)) != 0 ||
+        close(file) != 0 || rename(part, path) != 0)
         text_fail("cannot write '%s': %s", path, strerror(errno));
     json_decref(json);
 }

@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 3957184802 of the lines below */
+/* checksum 1427195516 of the lines below */
 /* What students have handed in, and which file answers what. */
 #ifndef SUBMISSIONS_H
 #define SUBMISSIONS_H
@@ -33,10 +33,12 @@ struct submissions {
 
 /* Finds the submissions in a folder: folders of students, or files whose
    names begin with theirs, or the files of one. usual: "01a-collide.c" and
-   all others that there are, ended by NULL. Exits with status 2 when the
-   folder cannot be read or holds no submission. */
+   all others that there are, ended by NULL. start: letters with which the
+   names begin that are wanted, "" for all of them. Exits with status 2 when
+   the folder cannot be read or holds no submission. */
 struct submissions submissions_find(const char *folder,
-                                    const char *const usual[]);
+                                    const char *const usual[],
+                                    const char *start);
 
 /* Reads the answer to an exercise that is usually called so. Returns its
    bytes, for the caller to free, with their number in *length; or NULL.

@@ -1,5 +1,5 @@
 /* From chapters/works/12-atlas.nw: edit there, then run make tangle. */
-/* checksum 994274389 of the lines below */
+/* checksum 2709058022 of the lines below */
 /* Maps of cost against true error, for every scene; prices of units. */
 #include "enough/choose.h"
 #include "scenes/gallery.h"
@@ -887,8 +887,17 @@ static void study_atlas(struct study *s)
         free(m.path.x);
         scene_free(&m.scene);
     }
-    table_print(s->out, "#= unsure %.3g\n", unsure);
+    table_print(s->out,
+                "#= unsure %.3g\n#= good %zu\n#= beyond %zu\n"
+                "#= dear %zu\n#= refused %zu\n",
+                unsure, faults[0], faults[1], faults[2], faults[3]);
     write_summary(faults, unsure, s->summary);
+}
+
+static void study_scenes(struct study *s)
+{
+    for (size_t i = 0; subjects[i].name; ++i)
+        table_print(s->out, "%s\n", subjects[i].name);
 }
 
 static void study_prices(struct study *s)
@@ -915,6 +924,7 @@ int main(int argc, char *argv[])
 {
     static const struct study_entry studies[] = {
         {"atlas", study_atlas, "error and cost of all models", atlas_keys},
+        {"scenes", study_scenes, "the scenes of the atlas", NULL},
         {"prices", study_prices, "what the units of cost cost here", NULL},
         {0}};
     static const struct options_entry own[] = {

@@ -707,5 +707,5 @@ int main(int argc, char **argv)
     printf("# until %.17g tolerance %.2g rows %d\n", s.until, power(-9, -2),
            rows);
     print();
-    return 0;
+    return fflush(stdout) == 0 && !ferror(stdout) ? 0 : 1;
 }

@@ -186,7 +186,7 @@ holds 'make help names every target a reader may want' sh -c '
     ${MAKE:-make} -s help >'"$work"'/help
     for goal in check watch hint progress solution reset book works site handout grade grade-bench figures figure contact movie \
         movies inspect chart test programs bench memcheck \
-        mutants fuzz hunt tangle check-tangle format compile_commands.json clean; do
+        mutants fuzz hunt jobs tangle check-tangle format compile_commands.json clean; do
         grep -q "^make $goal " '"$work"'/help || { echo "$goal"; exit 1; }
     done'
 

@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 2935911734 of the lines below */
+/* checksum 1949136412 of the lines below */
 /* Exact ways, two runs that agree, and ladders judged by them. */
 #include "enough/choose.h"
 
@@ -23,10 +23,16 @@ static double left_of(const struct task *t)
     return fmax(t->q->reason - t->c->spent, 0);
 }
 
+static double first_tolerance(const struct task *t)
+{
+    return fmax(1e-8, fmin(1e-3, pow(t->q->tolerance, 2.0 / 3)));
+}
+
 static struct record_order order_of(const struct task *t,
                                     struct models_plan plan, double limit)
 {
-    plan.little = 0.1 * t->q->tolerance * t->view->length;
+    const double less = fmin(plan.tolerance / first_tolerance(t), 1);
+    plan.little = 0.1 * t->q->tolerance * t->view->length * less;
     plan.left = (double)t->rows * t->q->every;
     return (struct record_order){.scene = t->q->scene,
                                  .plan = plan,
@@ -595,10 +601,9 @@ static const double share = 0.05; /* of e: enough for a reference */
 
 static struct models_plan first_reference(const struct task *t)
 {
-    const double first = pow(t->q->tolerance, 2.0 / 3);
     const struct models_plan p = {.model = models_find("radau15"),
                                   .steps = 1};
-    return rung_at(p, -log2(fmax(1e-8, fmin(1e-3, first))));
+    return rung_at(p, -log2(first_tolerance(t)));
 }
 
 static struct models_plan finer_reference(struct models_plan p)
@@ -626,8 +631,7 @@ static void run_pair(const struct task *t, struct reference *f,
                      struct models_plan plan)
 {
     const struct record_order a = order_of(t, plan, INFINITY);
-    struct record_order b = a;
-    b.plan = finer_reference(plan);
+    struct record_order b = order_of(t, finer_reference(plan), INFINITY);
     b.twin = 1;
     record_both(&f->coarser, &f->run, t->view, &a, &b, t->q->tolerance);
     pay(t, &f->coarser);

@@ -1,5 +1,5 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 1117678420 of the lines below */
+/* checksum 987228683 of the lines below */
 /* Cells, lists of neighbours on a leash, and lanes of pair times. */
 #include "box/cells.h"
 
@@ -26,7 +26,7 @@ static const float *place_of(const struct cells *c, uint32_t i)
     return c->place + 3 * a->cell * c->room + a->spot;
 }
 
-static double leash_end(const struct cells *c, uint32_t i)
+static double leash_end(const struct cells *c, uint32_t i, double until)
 {
     const double g = c->d->gravity;
     const double most = g > 0 ? sqrt(c->leash / (2 * g)) : INFINITY;
@@ -41,6 +41,9 @@ static double leash_end(const struct cells *c, uint32_t i)
     disks_apart(c->d, anchor, here, way);
     const double b = dot(way, v), vv = dot(v, v);
     const double left = leash * leash - dot(way, way);
+    const double wait = until - c->d->now;
+    if (wait * (2 * b + vv * wait) < left && wait <= most)
+        return INFINITY;
     if (vv == 0)
         return c->d->now + most;
     if (left <= 0)
@@ -310,7 +313,7 @@ static void plan(struct cells *c, uint32_t i)
                                 (uint32_t)(d->count + axis)};
     fetch_neighbours(c, i);
     look_at_neighbours(c, i, &first);
-    const double end = leash_end(c, i);
+    const double end = leash_end(c, i, first.time);
     if (end < first.time)
         first = (struct disks_event){end, i, i};
     struct calendar_event *e = &c->calendar.event[i];

@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 3115535375 of the lines below */
+/* checksum 3515551383 of the lines below */
 /* Four engines that find the next collision on a line and carry it out. */
 #include "line/bonkers.h"
 
@@ -103,9 +103,22 @@ static double time_of_fall(const struct bonkers *b, size_t i)
     return gap > 0 ? t + gap / approach : t;
 }
 
+/* time_of_gap with both of its answers computed: the same bits. */
+static double time_of_either(const struct bonkers_body *left)
+{
+    const struct bonkers_body *right = left + 1;
+    const double approach = left->v - right->v;
+    const double t =
+        left->since > right->since ? left->since : right->since;
+    const double gap = position(right, t) - position(left, t);
+    const double due[] = {INFINITY, t + (gap > 0 ? gap : 0) / approach};
+    return due[approach > 0];
+}
+
 static double time_due(const struct bonkers *b, size_t i)
 {
-    return b->gravity > 0 ? time_of_fall(b, i) : time_of_gap(&b->body[i]);
+    return b->gravity > 0 ? time_of_fall(b, i)
+                          : time_of_either(&b->body[i]);
 }
 
 /* Brings the bodies of gap i together at t, one of which rests. */
@@ -249,6 +262,30 @@ static enum bonkers_stop run_naive_falling(struct bonkers *b, double until,
     }
 }
 
+/* The fraction f of (1.12, eq:smaller); no number where none can move. */
+static double fraction(const struct bonkers *b, size_t i)
+{
+    const double left = b->body[i].im, right = b->body[i + 1].im;
+    const double sum = left + right;
+    return sum <= DBL_MAX ? (left < right ? left : right) / sum : NAN;
+}
+
+/* Does to the velocities what collide does. */
+static void exchange(struct bonkers *b, size_t i)
+{
+    struct bonkers_body *left = &b->body[i], *right = left + 1;
+    const double f = b->fraction ? b->fraction[i] : fraction(b, i);
+    const double change = (1 + b->restitution) * (left->v - right->v);
+    const bool heavier = left->im >= right->im;
+    double part[2];
+    if (!(f >= 0))
+        return;
+    part[heavier] = change * f;
+    part[!heavier] = change - part[heavier];
+    left->v -= part[0];
+    right->v += part[1];
+}
+
 /* Collides the bodies of gap i at the time it is due. Returns true when the
    clock has stood still for too long. */
 static bool collide_gap(struct bonkers *b, size_t i)
@@ -262,7 +299,7 @@ static bool collide_gap(struct bonkers *b, size_t i)
     const double place[] = {r, l};
     left->x = right->x = place[fabs(left->v) < fabs(right->v)];
     left->since = right->since = b->now = t;
-    collide(&left->v, &right->v, left->im, right->im, b->restitution);
+    exchange(b, i);
     return count_repeat(b, i, stands);
 }
 
@@ -658,6 +695,9 @@ bool bonkers_create(struct bonkers *b, size_t movers, double restitution,
     if (restitution < 1)
         enough =
             enough && (b->repeats = calloc(b->gaps, sizeof *b->repeats));
+    if (b->engine == BONKERS_SCAN)
+        enough =
+            enough && (b->fraction = malloc(b->gaps * sizeof *b->fraction));
     if (b->engine == BONKERS_HEAP || b->engine == BONKERS_SLAB)
         enough = enough && schedule_create(&b->schedule, b->gaps);
     if (b->engine == BONKERS_SLAB)
@@ -680,6 +720,7 @@ void bonkers_free(struct bonkers *b)
     free(b->due);
     free(b->shift);
     free(b->repeats);
+    free(b->fraction);
     schedule_free(&b->schedule);
     *b = (struct bonkers){0};
 }
@@ -713,7 +754,9 @@ size_t bonkers_start(struct bonkers *b, const double radius[])
             return i;
         if (right->x < left->x)
             right->x = left->x; /* they touch, but for rounding */
-        b->due[i] = time_due(b, i);
+        b->due[i] = b->gravity > 0 ? time_of_fall(b, i) : time_of_gap(left);
+        if (b->fraction)
+            b->fraction[i] = fraction(b, i);
         if (b->engine == BONKERS_HEAP)
             reschedule(b, i);
     }

@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 4250778127 of the lines below */
+/* checksum 2102179170 of the lines below */
 /* Bodies on a line between two walls, from one collision to the next. */
 #ifndef BONKERS_H
 #define BONKERS_H
@@ -63,6 +63,7 @@ struct bonkers {
     double *due;       /* when gap i will close, s */
     double *shift;     /* the s_i of (2.2, eq:rods); NULL: all zero */
     uint32_t *repeats; /* collisions of gap i at one time; NULL: elastic */
+    double *fraction;  /* f of gap i (1.12, eq:smaller); NULL: not kept */
     struct schedule schedule;
     struct bonkers_slab *slab;
 };

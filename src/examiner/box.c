@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 2932141183 of the lines below */
+/* checksum 3208756149 of the lines below */
 /* Namespaces, limits and a shell inside, made with bubblewrap. */
 #include "examiner/box.h"
 #include "examiner/process.h"
@@ -260,23 +260,28 @@ const char *box_name(enum box_kind kind)
 
 static const char script[] =
     "root=$1 name=$2 compiler=$3 keep=$4 seconds=$5 memory=$6 terse=$7\n"
+    "lean=$8 linker=$9 cpu=20\n"
     "echo 1000 >/proc/self/oom_score_adj\n"
     "export PATH=/usr/bin:/bin LC_ALL=C HOME=$root/work TMPDIR=$root/work\n"
-    "build() { prlimit --core=0 --cpu=20 --as=2147483648 --nproc=64 \\\n"
-    "    --fsize=33554432 \"$@\" 3<&- 4>&-; }\n"
-    "compile() { build --cpu=$1 $compiler -I$root/kit -DEXAMINER_GIVES \\\n"
-    "    $2 -c -o work/answer.o $name; }\n"
+    "prlimit --pid=$$ --core=0 --nproc=64 --fsize=33554432 || exit\n"
+    "build() ( ulimit -t $cpu && ulimit -v 2097152 &&\n"
+    "    exec \"$@\" 3<&- 4>&- )\n"
+    "compile() { build $compiler -I$root/kit -DEXAMINER_GIVES \\\n"
+    "    \"$@\" -c -o work/answer.o $name; }\n"
     "cd $root/ || exit\n"
-    "compile 20 $terse >work/said 2>&1 || {\n"
-    "    if [ $(wc -c <work/said) -lt 9999 ]; then compile 5 ''; else\n"
-    "    compile 5 -w && grep error: work/said | head -n 20; fi; exit; }\n"
+    "compile $lean $terse >work/said 2>&1 || { cpu=5\n"
+    "    if [ $(wc -c <work/said) -lt 9999 ]; then compile; else\n"
+    "    compile -w && grep error: work/said | head -n 20; fi; exit; }\n"
     "cd work || exit\n"
-    "kit=../kit/box.suite.o program=./program\n"
-    "of=$(nm $kit | sed -n 's/.* T \\([a-z]*\\)_0$/\\1/p')\n"
-    "given() { [ ! \"$of\" ] ||\n"
-    "    echo -Wl,-u,${of}_$1,--defsym=$of=${of}_$1; }\n"
+    "kit=../kit/box.suite.o program=./program of=\n"
     "limits=\"--core=0 --cpu=$seconds:$((seconds + 1)) --as=$memory \\\n"
     "    --nproc=16 --nofile=64\"\n"
+    "link() { build objcopy $keep answer.o &&\n"
+    "    build $compiler $1 -o program answer.o $kit -lm; }\n"
+    "case $keep in figure | program)\n"
+    "    of=$(nm $kit | sed -n 's/.* T \\([a-z]*\\)_0$/\\1/p') ;; esac\n"
+    "given() { [ ! \"$of\" ] ||\n"
+    "    echo -Wl,-u,${of}_$1,--defsym=$of=${of}_$1; }\n"
     "if [ \"$keep\" = figure ]; then\n"
     "    project=${name#*/} && project=${project%%-*} && mkdir desk &&\n"
     "        build objcopy --keep-global-symbol=main answer.o &&\n"
@@ -306,8 +311,10 @@ static const char script[] =
     "        || exit\n"
     "    mkdir desk && cd desk && program=../box || exit\n"
     "else\n"
-    "    build objcopy $keep answer.o || exit\n"
-    "    build $compiler -o program answer.o $kit -lm || exit\n"
+    "    link $linker >said 2>&1 ||\n"
+    "        { cd .. && compile $terse >work/said 2>&1 && cd work &&\n"
+    "            link; } ||\n"
+    "        exit\n"
     "fi\n"
     "printf b >&4\n"
     "exec prlimit $limits --fsize=1048576 $program\n";
@@ -321,7 +328,8 @@ static void add_script(struct words *w, const struct box_order *order,
         "leak_check_at_exit=0:color=never",
         "UBSAN_OPTIONS=exitcode=86:color=never", "/bin/sh", "-c", script,
         "sh", root, order->name, order->compiler, order->keep,
-        number(w, order->seconds), memory, order->terse);
+        number(w, order->seconds), memory, order->terse, order->lean,
+        order->linker);
 }
 
 enum { GONE = -1, LATE = -2 };

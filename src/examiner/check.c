@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 242437938 of the lines below */
+/* checksum 2242951143 of the lines below */
 /* The runner's own code: one test in a process, reported line by line. */
 #include "examiner/check.h"
 #include "examiner/exercise.h"
@@ -282,8 +282,8 @@ static const struct check_test *find_test(int number)
 long syscall(long number, ...);
 #endif
 
-/* Returns, in a copy, with the number of its test. */
-static int next_order(void)
+/* Returns in a copy, with what its test is to be. */
+static struct report_order next_order(void)
 {
 #ifdef __linux__
     struct report_order order;
@@ -293,8 +293,7 @@ static int next_order(void)
         if (pid == 0) {
             setpgid(0, 0);
             close(REPORT_ORDERS);
-            leaks_wanted = order.leaks;
-            return order.number;
+            return order;
         }
         if (write(REPORT_ORDERS, &pid, sizeof pid) != sizeof pid)
             break;
@@ -309,15 +308,21 @@ int main(int argc, char **argv)
         return list_suite();
     const bool known = argc == 2 || argc == 3;
     const bool waits = known && strcmp(argv[1], "-") == 0;
-    const int number = waits ? next_order() : known ? atoi(argv[1]) : 0;
-    const uint64_t seed = argc == 3 ? strtoull(argv[2], NULL, 10) : 0;
-    const struct check_test *test = find_test(number);
+    struct report_order order = {.leaks = true};
+    if (waits) {
+        order = next_order();
+    } else if (known) {
+        order.number = atoi(argv[1]);
+        order.seed = argc == 3 ? strtoull(argv[2], NULL, 10) : 0;
+    }
+    leaks_wanted = order.leaks;
+    const struct check_test *test = find_test(order.number);
     if (!test || !report_open()) {
         fprintf(stderr, "usage: %s --list, or TEST [SEED] 3<>REPORT\n",
                 argv[0]);
         return EXIT_FAILURE;
     }
-    seed_inputs(seed, number);
+    seed_inputs(order.seed, order.number);
     setvbuf(stdout, NULL, _IOLBF, BUFSIZ);
     _exit(run_test(test));
 }

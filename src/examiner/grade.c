@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 2777537446 of the lines below */
+/* checksum 1302424955 of the lines below */
 /* The program behind make grade: a folder of submissions, in parallel. */
 #include "examiner/grading.h"
 #include "examiner/process.h"
@@ -14,6 +14,7 @@
 #include <getopt.h>
 #include <glob.h>
 #include <inttypes.h>
+#include <poll.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -470,6 +471,7 @@ static _Noreturn void work(const struct batch *b, const struct job *job)
 enum { MOST_JOBS = 1024 };
 
 static pid_t workers[MOST_JOBS];
+static struct pollfd ends[MOST_JOBS]; /* wake us when one has ended */
 static int running;
 
 static void stop_workers(void)
@@ -493,17 +495,22 @@ static void wait_for_one(struct batch *b)
 {
     int status, i = 0;
     pid_t pid;
-    const struct timespec nap = {0, 2000000};
+    int nap = 50;
+    for (int k = 0; k < running; ++k)
+        nap = ends[k].fd < 0 ? 2 : nap;
     while ((pid = waitpid(-1, &status, WNOHANG)) <= 0) {
         if (process_signal())
             stop_workers();
-        nanosleep(&nap, NULL);
+        poll(ends, (nfds_t)running, nap);
     }
     while (i < running && workers[i] != pid)
         ++i;
     if (i == running)
         return;
+    if (ends[i].fd >= 0)
+        close(ends[i].fd);
     workers[i] = workers[--running];
+    ends[i] = ends[running];
     if (status == 0)
         ++b->done;
     else if (!process_signal())
@@ -566,7 +573,8 @@ static void start_job(struct batch *b, const struct job *job)
         text_fail("cannot start a process: %s", strerror(errno));
     if (pid == 0)
         work(b, job);
-    workers[running++] = pid;
+    workers[running] = pid;
+    ends[running++] = (struct pollfd){process_watch(pid), POLLIN, 0};
 }
 
 static void look_at(struct batch *b, uint64_t kit, size_t s, size_t e,

@@ -55,14 +55,21 @@ build/made/grade/grade: $(patsubst %,build/grade/obj/grade/%.o,grade grading \
 		-ljansson -lxml2
 	@$(take)
 
-# The compiler for students' files, without sanitizers and with, and how gcc,
-# or else clang, is told to quote no lines.
-build/made/grade/flags: build/check/flags
+# The compiler for students' files, without sanitizers and with; how gcc, or
+# else clang, is told to quote no lines; a linker that is faster than its own
+# among the names of the sanitizers, where there is one; and how it is told not
+# to follow variables through the code, for a debugger that nobody starts.
+build/made/grade/flags: build/check/flags src/examiner/grade.mk
 	$(begin)
 	@terse=-fno-diagnostics-show-caret; $(CC) $$terse -E -x c /dev/null \
 		>/dev/null 2>&1 || terse=-fno-caret-diagnostics; \
+	echo 'int main(void) { return 0; }' >build/grade/probe.c; \
+	try() { $(check_cc) $$1 -o build/grade/probe build/grade/probe.c -lm \
+		>build/grade/probe.said 2>&1 && [ ! -s build/grade/probe.said ] && \
+		build/grade/probe && echo "$$1"; }; \
 	printf '%s %s\n' '$(check_base)' -fmax-errors=20 \
 		"$$(sed -n 1p build/check/flags)" -fmax-errors=20 $$terse '' \
+		"$$(try -fuse-ld=gold)" '' "$$(try -fno-var-tracking)" '' \
 		>$(made).new
 	@$(take)
 
@@ -70,7 +77,7 @@ build/made/grade/flags: build/check/flags
 build/made/grade/obj/%.o: src/%.c build/check/flags
 	$(begin)
 	$(call say,cc $(made))
-	$(Q)$(check_base) $(reads) -Wall -Wextra -pedantic -Isrc \
+	$(Q)$(check_base) -O3 $(reads) -Wall -Wextra -pedantic -Isrc \
 		-c -o $(made).new $<
 	$(take_compiled)
 build/made/grade/libjudge.a: $(patsubst src/%.c,build/grade/obj/%.o,\

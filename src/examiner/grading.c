@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 2486497774 of the lines below */
+/* checksum 2059932430 of the lines below */
 /* A judge and a box for each test, a second try, and advice. */
 #include "examiner/grading.h"
 #include "examiner/build.h"
@@ -222,6 +222,14 @@ static enum state open_box(struct job *job, FILE *story)
                                 : DOES_NOT_BUILD;
 }
 
+static void close_box(struct job *job)
+{
+    trial_close();
+    if (job->open)
+        box_close(&job->box);
+    job->open = false;
+}
+
 static enum state run_test(struct job *job, const struct kit_test *test,
                            FILE *story)
 {
@@ -239,11 +247,10 @@ static enum state run_test(struct job *job, const struct kit_test *test,
     };
     if (ftruncate(job->prints, 0) != 0)
         text_fail("cannot empty a file: %s", strerror(errno));
+    trial_open(&trial);
     const enum state state = trial_run(&trial, test->number, story);
-    if (state == TIMED_OUT || !box_settle(&job->box)) {
-        box_close(&job->box);
-        job->open = false;
-    }
+    if (state == TIMED_OUT || !box_settle(&job->box))
+        close_box(job);
     return state;
 }
 
@@ -356,6 +363,8 @@ static void ask_sanitizers(struct job *job)
     FILE *story = open_memstream(&text, &size);
     job->order.sanitized = true;
     job->order.compiler = read_kit(job, "flags", 2);
+    job->order.linker = read_kit(job, "flags", 4);
+    job->order.lean = read_kit(job, "flags", 5);
     if (story && open_box(job, story) == PASSED) {
         for (int i = 0; i < job->kit->count && job->open && !leaks &&
                         !job->kit->tests[i].hidden && state != CRASHED;
@@ -373,9 +382,7 @@ static void ask_sanitizers(struct job *job)
         free(job->marks->advice);
         job->marks->advice = marks_text(text, size, STORY_KEPT);
     }
-    if (job->open)
-        box_close(&job->box);
-    job->open = false;
+    close_box(job);
     free(text);
 }
 
@@ -483,6 +490,8 @@ void grading_run(const struct grading *grading, const struct kit *kit,
     prepare(&job, bytes, length);
     job.order.compiler = read_kit(&job, "flags", 1);
     job.order.terse = read_kit(&job, "flags", 3);
+    job.order.lean = *kit->exercise == 'P' ? "" : "-g0";
+    job.order.linker = "";
     char names[16];
     snprintf(names, sizeof names, "%s.names", kit->exercise);
     job.order.keep = read_kit(&job, names, 1);
@@ -501,9 +510,7 @@ void grading_run(const struct grading *grading, const struct kit *kit,
         return;
     }
     run_tests(&job);
-    if (job.open)
-        box_close(&job.box);
-    job.open = false;
+    close_box(&job);
     if (grading->page)
         draw_figure(&job, grading->page);
     if (marks->state != TIMED_OUT && marks->state != NOT_BEGUN)

@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 4181686134 of the lines below */
+/* checksum 4088961212 of the lines below */
 /* A program on a lead: limits, open files, and how it ended. */
 #ifndef PROCESS_H
 #define PROCESS_H
@@ -7,6 +7,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <sys/resource.h>
+#include <sys/types.h>
 
 /* What a program may use up; RLIM_INFINITY means no limit. */
 struct process_limits {
@@ -38,8 +39,8 @@ bool process_run(char *const command[], const char *folder,
                  const struct process_limits *limits,
                  struct process_end *end);
 
-/* Starts a command in the same way and lets it run beside us, one at a
-   time; returns false when no process could be started. Its limits hold,
+/* Starts a command in the same way and lets it run beside us, two at most;
+   returns false when no process could be started. Its limits hold,
    but for the time on the wall, which is ours to watch. */
 bool process_start(char *const command[], const char *folder,
                    const struct process_files *files,
@@ -53,9 +54,12 @@ bool process_start(char *const command[], const char *folder,
 bool process_copy(int orders, const void *order, size_t length, int seconds,
                   rlim_t memory_bytes, struct process_end *end);
 
-/* Kills what process_start has started, with its group, and returns how it
-   ended; nothing happens when there is none. */
+/* Kills what process_start has started last, with its group, and returns
+   how it ended; nothing happens when there is none. */
 struct process_end process_stop(void);
+
+/* A descriptor that wakes a poll when the child has ended, or -1. */
+int process_watch(pid_t pid);
 
 /* Seconds on a clock that only goes forward. */
 double process_clock(void);

@@ -1,17 +1,21 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 2942668733 of the lines below */
+/* checksum 1004329829 of the lines below */
 /* The form of the report that a runner writes of its test. */
 #ifndef REPORT_H
 #define REPORT_H
+
+#include <stdint.h>
 
 /* The report of a test: lines `NONCE WORD TEXT`, written by the runner and
    read by the examiner when the runner has ended. */
 enum { REPORT_FILE = 3, REPORT_NONCE = 32, REPORT_RECORD = 1024 };
 
 /* What a runner is told that was started with - for a number: which test,
-   and whether to look for lost memory. It answers with its copy's pid. */
+   from which seed, and whether to look for lost memory. It answers with its
+   copy's pid. */
 enum { REPORT_ORDERS = 4 };
 struct report_order {
+    uint64_t seed;
     int number, leaks;
 };
 

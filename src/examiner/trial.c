@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 666771079 of the lines below */
+/* checksum 3818582272 of the lines below */
 /* Runs a test, judges how it ended, and tells failures and crashes. */
 #include "examiner/trial.h"
 #include "examiner/process.h"
@@ -115,8 +115,9 @@ static bool start_runner(const struct trial *trial, const char *test,
                        (char *)trial->seed, NULL};
     const struct process_limits limits = {
         .seconds = trial->seconds,
-        .memory_bytes =
-            trial->sanitized ? RLIM_INFINITY : (rlim_t)MEMORY_MIB * MIB,
+        .memory_bytes = trial->sanitized && !trial->border[0]
+                            ? RLIM_INFINITY
+                            : (rlim_t)MEMORY_MIB * MIB,
         .file_bytes = MIB,
         .processes = RLIM_INFINITY,
     };
@@ -136,15 +137,16 @@ void trial_open(const struct trial *trial)
 #ifdef __linux__
     char report[4096], output[4096];
     int ends[2];
-    if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends) != 0)
+    if (served.orders > 0 || socketpair(AF_UNIX, SOCK_STREAM, 0, ends) != 0)
         return;
     snprintf(report, sizeof report, "%s/report", trial->folder);
     snprintf(output, sizeof output, "%s/output", trial->folder);
     served.report = open_fresh(report);
     served.output = open_fresh(output);
     served.orders = ends[0];
-    const struct process_files files = {served.output,
-                                        {served.report, ends[1]}};
+    const struct process_files files = {
+        served.output,
+        {served.report, ends[1], trial->border[0], trial->border[1]}};
     if (!start_runner(trial, "-", &files, NULL))
         trial_close();
     close(ends[1]);
@@ -177,10 +179,14 @@ static void run_runner(const struct trial *trial, int number,
     if (ftruncate(report_file, 0) != 0 || ftruncate(output_file, 0) != 0 ||
         write(report_file, result->nonce, REPORT_NONCE) != REPORT_NONCE)
         text_fail("cannot write '%s': %s", report, strerror(errno));
-    const struct report_order order = {number, trial->leaks};
+    const struct report_order order = {
+        trial->seed ? strtoull(trial->seed, NULL, 10) : 0, number,
+        trial->leaks};
     if (copies &&
         !process_copy(served.orders, &order, sizeof order, trial->seconds,
-                      (rlim_t)MEMORY_MIB * MIB, &result->end)) {
+                      trial->border[0] ? RLIM_INFINITY
+                                       : (rlim_t)MEMORY_MIB * MIB,
+                      &result->end)) {
         trial_close();
         run_runner(trial, number, result);
         return;
@@ -189,7 +195,8 @@ static void run_runner(const struct trial *trial, int number,
         char test[16];
         snprintf(test, sizeof test, "%d", number);
         const struct process_files files = {
-            output_file, {report_file, trial->border[0], trial->border[1]}};
+            output_file,
+            {report_file, output_file, trial->border[0], trial->border[1]}};
         if (!start_runner(trial, test, &files, &result->end))
             text_fail("cannot start '%s': %s", trial->runner,
                       strerror(errno));

@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 4154188127 of the lines below */
+/* checksum 1686940412 of the lines below */
 /* One test of an exercise run and judged: six states. */
 #ifndef TRIAL_H
 #define TRIAL_H
@@ -43,7 +43,8 @@ bool state_wrong(enum state state);
 enum state trial_run(const struct trial *trial, int number, FILE *story);
 
 /* Starts the runner once for all tests that follow, where that can be done,
-   until trial_close. Without it each test starts its own. */
+   until trial_close; nothing happens if there is one. Without it each test
+   starts its own. */
 void trial_open(const struct trial *trial);
 void trial_close(void);
 

@@ -124,9 +124,9 @@ stage() {
     (cd "$out/desk" && ulimit -S -t "$allowed" &&
         exec ../box 3<"$out/requests" 4>"$out/answers") 2>"$out/complaint" &
     {
-        dd bs=1 count=1 <&4 >/dev/null 2>&1 # it has come to its main
+        dd bs=1 count=1 <&5 >/dev/null 2>&1 # it has come to its main
         "build/grade/$ex.judge" "$@" 3<>"$out/report"
-    } 5>"$out/requests" 4<"$out/answers" 2>/dev/null
+    } 6>"$out/requests" 5<"$out/answers" 2>/dev/null
     wait $!
     grep -q '^0* verdict passed' "$out/report"
 }

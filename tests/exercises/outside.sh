@@ -110,9 +110,9 @@ mkfifo "$out/requests" "$out/answers" || exit 1
 in_the_grader() { # TEST
     "$out/boxed" 3<"$out/requests" 4>"$out/answers" >"$out/said" 2>&1 &
     {
-        dd bs=1 count=1 <&4 >/dev/null 2>&1 # it has come to its main
+        dd bs=1 count=1 <&5 >/dev/null 2>&1 # it has come to its main
         "build/grade/$ex.judge" "$1" 3<>"$out/report"
-    } 5>"$out/requests" 4<"$out/answers"
+    } 6>"$out/requests" 5<"$out/answers"
     set -- $?
     wait # for the box, which must not hear what is meant for the next
     return "$1"

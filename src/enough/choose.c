@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1949136412 of the lines below */
+/* checksum 679703597 of the lines below */
 /* Exact ways, two runs that agree, and ladders judged by them. */
 #include "enough/choose.h"
 
@@ -34,6 +34,7 @@ static struct record_order order_of(const struct task *t,
     const double less = fmin(plan.tolerance / first_tolerance(t), 1);
     plan.little = 0.1 * t->q->tolerance * t->view->length * less;
     plan.left = (double)t->rows * t->q->every;
+    plan.margin = t->q->tolerance * t->view->length;
     return (struct record_order){.scene = t->q->scene,
                                  .plan = plan,
                                  .every = t->q->every,
@@ -677,17 +678,29 @@ static bool find_cheap(const struct task *t, struct reference *f)
            (find_even(t, f, "leapfrog") || find_even(t, f, "kahan-li8"));
 }
 
-/* The largest difference of the two and of one more. */
+/* Do the two agree on the closest of all contacts? */
+static bool is_decided(const struct reference *f)
+{
+    const double a = f->coarser.least, b = f->run.least;
+    return 2 * fabs(a - b) < fmin(fabs(a), fabs(b));
+}
+
+/* The largest difference of the two and of one more, or two. */
 static double doubt_of_three(const struct task *t, struct reference *f)
 {
     struct record third;
-    const struct record_order o = order_of(t, f->run.plan, INFINITY);
+    struct record_order o = order_of(t, f->run.plan, INFINITY);
+    const double hair = 0x1p-40 * t->view->length;
+    const bool close = !is_decided(f);
     if (f->doubt > t->q->tolerance / doubled)
         return f->doubt;
-    run(t, &third, &o);
-    f->doubt = fmax(f->doubt, apart(t, &third, &f->run));
-    f->doubt = fmax(f->doubt, apart(t, &third, &f->coarser));
-    record_free(&third);
+    for (int side = -close; side <= close; side += 2) {
+        o.swell = side * fmax(2 * fabs(f->run.least), hair);
+        run(t, &third, &o);
+        f->doubt = fmax(f->doubt, apart(t, &third, &f->run));
+        f->doubt = fmax(f->doubt, apart(t, &third, &f->coarser));
+        record_free(&third);
+    }
     return f->doubt;
 }
 
@@ -713,7 +726,7 @@ static bool find_reference(const struct task *t, struct reference *f)
             return false;
         }
         f->doubt = apart(t, &f->coarser, &f->run);
-        if (f->doubt <= share * t->q->tolerance)
+        if (f->doubt <= share * t->q->tolerance && is_decided(f))
             return true;
         if (f->run.plan.tolerance < 2e-15)
             break;

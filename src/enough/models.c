@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 48027290 of the lines below */
+/* checksum 563746742 of the lines below */
 /* What acts, what can be left out, and how each model carries a scene. */
 #include "enough/models.h"
 
@@ -1443,6 +1443,7 @@ static bool begin_motion(struct steps *t, struct models_run *r,
         return false;
     if (t->motion.collides && count == 0 && !motion_locate(&t->motion))
         return false;
+    t->motion.impact.least = r->plan.margin;
     if (r->plan.model->method->adaptive)
         choose_lengths(t, &r->plan);
     return (!t->motion.attracts || !lights || lighten(t, r)) &&
@@ -1596,6 +1597,7 @@ static enum models_end row_steps(struct models_run *r)
         light_leave(&t->light, s, r->elapsed, r->scene.position,
                     r->scene.velocity);
     r->collisions = t->motion.collisions;
+    r->least = t->motion.impact.least;
     r->virial = t->motion.collides ? t->motion.spheres.virial : 0;
     return end;
 }

@@ -1,5 +1,5 @@
 /* From chapters/works/12-models-parts.nw: edit there, then run make tangle. */
-/* checksum 3957663122 of the lines below */
+/* checksum 4144105101 of the lines below */
 /* All ways to carry a scene, behind one door, and what each costs. */
 #ifndef MODELS_H
 #define MODELS_H
@@ -77,6 +77,8 @@ struct models_plan {
     double tolerance; /* of a method whose steps choose their length */
     double little;    /* m: passages that move nobody so far do not count */
     double left;      /* s: in this time */
+    double margin;    /* m: contacts that are made or missed by less are
+                         noticed; 0: none are */
 };
 
 enum { MODELS_TEXT = 256, MODELS_MESSAGE = 2048 };
@@ -124,6 +126,7 @@ struct models_run {
     uint64_t rows;           /* so far */
     uint64_t collisions;     /* of pairs and with walls; those of relabel
                             are counted by models_collisions only */
+    double least;            /* m: by how little one was: below 0, made */
     double virial;           /* as in struct disks, J s; NaN if not known */
     double work[MODELS_UNITS];
     uint64_t all; /* rows in the end; 0: not known. May be written */

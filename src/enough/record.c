@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1085584019 of the lines below */
+/* checksum 58595674 of the lines below */
 /* Each column is judged by a scale; a run may be in other units. */
 #include "enough/record.h"
 
@@ -384,10 +384,14 @@ static void begin_way(struct way *w, struct record_view *v)
         w->twin.low[k] -= v->origin[k];
         w->twin.high[k] -= v->origin[k];
     }
+    for (size_t i = 0; i < w->twin.bodies; ++i)
+        if (w->twin.radius[i] > 0)
+            w->twin.radius[i] = fmax(w->twin.radius[i] + o->swell, 0);
     if (o->twin) {
         move_last_bits(&w->twin);
         turn_round(&w->twin);
         plan.little *= fabs(unit_length);
+        plan.margin *= fabs(unit_length);
     }
     r->value = malloc((o->rows + 1) * v->columns * sizeof *r->value);
     if (r->value) {
@@ -423,6 +427,7 @@ static void end_way(struct way *w)
     if (w->begun) {
         memcpy(w->r->work, w->run.work, sizeof w->r->work);
         w->r->collisions = w->run.collisions;
+        w->r->least = w->run.least / (w->o->twin ? fabs(unit_length) : 1);
         models_end(&w->run);
     }
     scene_free(&w->twin);

@@ -1,5 +1,5 @@
 /* From chapters/works/12-choose.nw: edit there, then run make tangle. */
-/* checksum 2815495119 of the lines below */
+/* checksum 1439664791 of the lines below */
 /* The rows of a run, and how far those of two runs are apart. */
 #ifndef RECORD_H
 #define RECORD_H
@@ -35,6 +35,7 @@ struct record {
     double cost;     /* of work, s by the price list */
     double seconds;  /* of this processor */
     double clock;    /* as in struct models_run */
+    double least;    /* m, the same */
     const char *why; /* NULL, or why it could not begin */
 };
 
@@ -45,6 +46,7 @@ struct record_order {
     double every; /* s */
     size_t rows;
     double limit; /* cost, s by the price list */
+    double swell; /* m, by which balls are larger */
     bool twin;    /* computed in other units, seen from the other side, with
                      the bodies named the other way round and other last
                      bits of what flies; no row should know */

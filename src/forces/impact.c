@@ -1,5 +1,5 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 1624967422 of the lines below */
+/* checksum 304375835 of the lines below */
 /* Gaps followed along a step in Bernstein's form, then by the method. */
 #include "forces/impact.h"
 
@@ -200,7 +200,8 @@ static void draw_paths(struct impact *p, double h)
         }
         const double radius = p->scene->radius[c % p->scene->bodies];
         const double more =
-            radius + ROUNDING * (fmax(fabs(low), fabs(high)) + radius);
+            radius + fabs(p->least) +
+            ROUNDING * (fmax(fabs(low), fabs(high)) + radius);
         p->low[c] = low - more;
         p->high[c] = high + more;
     }
@@ -305,9 +306,31 @@ static double next_root(double q[], size_t m, double slope, double rounding)
     return first_root(q, m, rounding, HALVINGS);
 }
 
+static bool sinks(const double q[], size_t m, double below)
+{
+    return first_root(q, m, -below, HALVINGS) <= 1;
+}
+
+/* Notices the least value of a curve, in units, if it is inside the part;
+   what does not count for a root, but might be one, as 0. */
+static void notice(struct impact *p, const double q[], size_t m,
+                   double unit, double rounding)
+{
+    enum { BITS = 52 };
+    double high = fabs(p->least), low = -high;
+    const bool inside =
+        (q[0] > high * unit || q[0] > q[1]) && q[m] > q[m - 1];
+    if (!inside || !sinks(q, m, high * unit) || sinks(q, m, low * unit))
+        return;
+    for (int k = 0; k < BITS; ++k) {
+        const double middle = (low + high) / 2;
+        *(sinks(q, m, middle * unit) ? &high : &low) = middle;
+    }
+    p->least = high < 0 && high * unit >= -2 * rounding ? 0 : high;
+}
+
 /* Where in a part of length h a gap closes. */
-static void find_root(const struct impact *p, struct impact_gap *g,
-                      double h)
+static void find_root(struct impact *p, struct impact_gap *g, double h)
 {
     const struct stepping *s = p->stepping;
     const double *x = p->note, *v = x + s->forces.size;
@@ -317,6 +340,8 @@ static void find_root(const struct impact *p, struct impact_gap *g,
     const double slack = rate_rounding(p, g, v);
     const size_t m =
         is_wall(g) ? wall_points(p, g, q) : pair_points(p, g, q);
+    if (p->least != 0 && w > g->rounding)
+        notice(p, q, m, is_wall(g) ? 1 : 2 * g->sum, unit * g->rounding);
     g->start = w < -g->rounding ? w : 0;
     g->shut = width(p, g, s->x, s->v, &end) - g->start < -g->rounding;
     g->pressed = false;

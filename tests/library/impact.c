@@ -635,6 +635,43 @@ static void test_any(void)
     }
 }
 
+/* A ball flies past a held one at 1/4 m plus `by`, or rises to as far below
+   a ceiling: what is noticed is by, to some roundings of 1 m^2 and the
+   square of by, over 2/4 m; but from 1e-3 m on nothing. */
+static void notice(const char *method, double by, bool ceiling)
+{
+    struct scene s;
+    struct motion m;
+    make(&s, ceiling ? 1 : 2, 0.3);
+    s.position[0] = ceiling ? 0 : -1;
+    s.velocity[0] = ceiling ? 2 : 1;
+    if (ceiling) {
+        put_walls(&s, 0, -9, 1.125 + by);
+        s.gravity[0] = -2;
+    } else {
+        s.position[2] = 0.25 + by;
+        s.freedom[1] = s.freedom[3] = s.freedom[5] = false;
+    }
+    begin(&m, &s, method, true);
+    m.impact.least = 1e-3;
+    motion_run(&m, 6);
+    UNIT_EQUAL(count(m.collisions), by < 0);
+    UNIT_NEAR(m.impact.least, fabs(by) < 1e-3 ? by : 1e-3,
+              1e-15 + 2.1 * by * by);
+    end(&m, &s);
+}
+
+static void test_least(void)
+{
+    static const double by[] = {1e-4,  -1e-4,  1e-7, -1e-7,
+                                1e-11, -1e-11, 2e-3, -2e-3};
+    for (size_t k = 0; k < sizeof by / sizeof *by; ++k)
+        for (int ceiling = 0; ceiling < 2; ++ceiling) {
+            notice("leapfrog", by[k], ceiling);
+            notice("radau15", by[k], ceiling);
+        }
+}
+
 int main(void)
 {
     return unit_run("impact",
@@ -653,6 +690,7 @@ int main(void)
                         {"a ball meets a sprung one", test_sprung},
                         {"steps of their own length", test_own_steps},
                         {"no contact is too shallow", test_shallow},
+                        {"by how little it is", test_least},
                         {"what a bounce costs", test_price},
                         {"what is far is rounded as such", test_far},
                         {"what rests is lifted", test_lift},

@@ -140,6 +140,11 @@ holds "leapt-over: error $error" awk -v error="$error" \
     'BEGIN { exit !(error ~ /[0-9]/ && error <= 6.7e-3) }'
 rm -f "$w/picked"
 
+# By rounding a ball misses another that it overlaps by 2.4e-15: 1.4e-6 was
+# found, wrong by 5.4e-6. No run can say.
+refuses 1 'rounding' $bonk "$here/by-a-hair.plist" \
+    --until 2.319346000313404 --tolerance 5.3e-6 -o "$w/t13"
+
 # Rows at which the body is at rest: the ball is met in between.
 $step "$here/small-ball.plist" --until 6.2831853071795862 \
     --dt 6.2831853071795862e-6 --method leapfrog \
@@ -351,4 +356,4 @@ check far-graze $t 4.8e-9 "$w/reference"
 refuses 1 'rounding' $bonk "$here/alike-by-chance.plist" \
     --until 6.0576892286630963 --every 0.030288446143315482 \
     --tolerance 3.4e-5 -o "$w/t12"
-echo 1..134
+echo 1..135

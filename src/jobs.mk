@@ -4,7 +4,7 @@
 # make jobs OF=grade|figures|atlas|hunt, with what the goal itself is given.
 # A job may be run in any order, twice, and be killed: what it makes is there
 # whole or not at all, and what is there is not listed.
-.PHONY: jobs test-cluster
+.PHONY: jobs
 # $(call list,COMMAND): the rule of a goal jobs-NAME.
 list = @mkdir -p build/jobs && { $(1); } >build/jobs/$(@:jobs-%=%).new && \
 	mv build/jobs/$(@:jobs-%=%).new build/jobs/$(@:jobs-%=%) && echo \

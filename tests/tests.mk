@@ -158,3 +158,13 @@ build/made/tests/hunt/truth-fast: tests/hunt/truth.c build/obj/libbonkers.a \
 	$(take_compiled)
 kept += build/tests/hunt/generate build/tests/hunt/truth \
 	build/tests/hunt/truth-fast
+
+# Lists of jobs on a cluster of two nodes, one of which is lost: see make jobs.
+.PHONY: test-cluster
+test-cluster: has-gsl programs grade-parts build/check/examine $(CHECK_BUILT) \
+		$(FIGURES_DATA) build/tests/hunt/generate build/tests/hunt/truth \
+		build/tests/hunt/truth-fast
+	$(call need,slurmctld,slurm-wlm)
+	$(call need,munged,munge)
+	$(call need,parallel,parallel)
+	@RECORD='$(RECORD)' MAKE='$(MAKE)' tests/run -t 3600 tests/cluster/cluster.sh

@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 679703597 of the lines below */
+/* checksum 4061559675 of the lines below */
 /* Exact ways, two runs that agree, and ladders judged by them. */
 #include "enough/choose.h"
 
@@ -34,7 +34,8 @@ static struct record_order order_of(const struct task *t,
     const double less = fmin(plan.tolerance / first_tolerance(t), 1);
     plan.little = 0.1 * t->q->tolerance * t->view->length * less;
     plan.left = (double)t->rows * t->q->every;
-    plan.margin = t->q->tolerance * t->view->length;
+    plan.margin =
+        plan.tolerance > 0 ? t->q->tolerance * t->view->length : 0;
     return (struct record_order){.scene = t->q->scene,
                                  .plan = plan,
                                  .every = t->q->every,

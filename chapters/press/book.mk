@@ -13,9 +13,7 @@ check-tangle:
 # The first thing that a book looks for is what it needs.
 has-tex: has-gnuplot
 	$(call need,notangle,noweb)
-	$(call need,latexmk,latexmk lmodern texlive-latex-extra \
-		texlive-fonts-recommended)
-	$(call need,pdflatex,texlive-latex-extra texlive-fonts-recommended)
+	$(call need,pdflatex,lmodern texlive-latex-extra texlive-fonts-recommended)
 
 # All figures and slides on a few sheets, to be looked at.
 contact: has-tex has-gsl $(FIGURES_PDF)

@@ -85,7 +85,7 @@ holds 'the first sentence stands on page five or before' \
 holds 'on A4' sh -c "pdfinfo build/bonkers.pdf |
     awk '/^Page size:/ { exit !(\$3 > 595 && \$3 < 596 && \$5 > 841 && \$5 < 843) }'"
 holds 'in eleven points' grep -q '^\\documentclass\[fontsize=11pt,paper=a4' \
-    chapters/press/book.tex
+    chapters/press/volume.tex
 block() { sed -n "s/^measure: $1=//p" build/book/book.log; }
 holds 'in one column of 418 points by 676' \
     test "$(block textwidth) $(block columnwidth) $(block textheight)" = \

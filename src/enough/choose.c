@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 4061559675 of the lines below */
+/* checksum 1565738843 of the lines below */
 /* Exact ways, two runs that agree, and ladders judged by them. */
 #include "enough/choose.h"
 
@@ -279,8 +279,6 @@ struct reference {
     double doubt;
 };
 
-enum { RUNS = 14 };
-
 /* A rung that was tried; model NULL: none was. */
 struct tried {
     struct models_plan plan;
@@ -291,13 +289,11 @@ struct tried {
 struct ladder {
     struct choose_candidate *candidate;
     struct models_plan foot;
-    struct tried low, high;    /* the finest that does not hold, and the
-                                  coarsest that does */
-    struct tried before, last; /* the finest two */
-    struct tried costly;       /* the coarsest that has not ended */
-    size_t count;              /* of runs */
-    double rise;               /* octaves of cost to one of fineness */
-    double price;              /* s, foreseen */
+    struct tried best;  /* the coarsest that holds, or the last that does
+                           not */
+    double least, most; /* between these is the next one, in octaves */
+    double rise;        /* octaves of cost to one of fineness */
+    double price;       /* s, foreseen */
 };
 
 /* Where a ladder begins: with steps that the method can bear. */
@@ -323,10 +319,8 @@ static double error_of_neighbour(const struct task *t,
     struct record r;
     struct record_order o = order_of(t, *p, INFINITY);
     o.plan = next_finer(o.plan);
-    if (l->low.plan.steps == o.plan.steps)
-        return l->low.error;
-    if (l->high.plan.steps == o.plan.steps)
-        return l->high.error;
+    if (l->best.plan.steps == o.plan.steps)
+        return l->best.error;
     run(t, &r, &o);
     const double error = apart(t, &r, &f->run) + f->doubt;
     record_free(&r);
@@ -361,37 +355,25 @@ static struct tried try_plan(const struct task *t,
     return seen;
 }
 
-static bool is_finer(const struct tried *a, const struct tried *b)
-{
-    return !b->plan.model || fineness(&a->plan) > fineness(&b->plan);
-}
-
 static void note(struct ladder *l, struct tried r, double target)
 {
-    ++l->count;
-    if (isinf(r.cost)) {
-        if (!l->costly.plan.model || is_finer(&l->costly, &r))
-            l->costly = r;
-        return;
-    }
-    if (r.error > target)
-        l->low = is_finer(&r, &l->low) ? r : l->low;
-    else if (!l->high.plan.model || is_finer(&l->high, &r))
-        l->high = r;
-    if (is_finer(&r, &l->last)) {
-        l->before = l->last;
-        l->last = r;
-    } else if (is_finer(&r, &l->before))
-        l->before = r;
+    const double fine = fineness(&r.plan);
+    const bool holds = r.error <= target;
+    if (!holds && fabs(r.error - l->best.error) < 0.01 * r.error)
+        l->most = -INFINITY; /* finer steps are no help */
+    if (isinf(r.cost) || holds)
+        l->most = fmin(l->most, fine);
+    else
+        l->least = fmax(l->least, fine);
+    if (isfinite(r.cost) && (holds || !(l->best.error <= target)))
+        l->best = r;
 }
 
-static double try_rung(const struct task *t, const struct reference *f,
-                       struct ladder *l, struct models_plan plan)
+static void try_rung(const struct task *t, const struct reference *f,
+                     struct ladder *l, struct models_plan plan)
 {
-    const struct tried now =
-        try_plan(t, f, l, plan, 1.02 * best(t), l->candidate);
-    note(l, now, t->q->tolerance);
-    return now.cost;
+    note(l, try_plan(t, f, l, plan, best(t), l->candidate),
+         t->q->tolerance);
 }
 
 /* The order of a method; in the tolerance of its own steps, one. */
@@ -407,138 +389,60 @@ static double highest_order(const struct ladder *l)
     return l->foot.model->method->orbits ? 8 : 1.2 * order_of_method(l);
 }
 
-/* By how many octaves the error falls with one of fineness: the order, for
-   steps of one length. */
-static double slope_of(const struct ladder *l, const struct tried *coarse,
-                       const struct tried *fine)
+/* By how many octaves the error has to fall; INFINITY: it is not known. */
+static double excess(const struct task *t, const struct ladder *l)
 {
-    if (!coarse->plan.model || !(fine->error > 0) || isinf(coarse->error))
-        return order_of_method(l);
-    const double more = fineness(&fine->plan) - fineness(&coarse->plan);
-    return log2(coarse->error / fine->error) / more;
+    return log2(l->best.error / t->q->tolerance);
 }
 
-/* That of the finest two rungs, as far as it is believed. */
-static double slope_above(const struct ladder *l)
+/* What a rung will cost that is so many octaves finer, s. */
+static double price_of(const struct ladder *l, double more)
 {
-    return fmin(slope_of(l, &l->before, &l->last), highest_order(l));
+    return l->best.cost * exp2(l->rise * more);
 }
 
-/* The least that a rung which holds can cost, s. */
-static double least_price(const struct task *t, const struct ladder *l)
-{
-    const double far = fmin(l->last.error, 1) / t->q->tolerance;
-    const double more = fmax(log2(far), 0) / highest_order(l);
-    return l->last.cost * exp2(fmin(l->rise * more, 60));
-}
+enum { FAR = 4 }; /* octaves that are believed at once */
 
-enum { FAR = 4 }; /* octaves, at most, from one rung to the next */
-static const struct models_plan no_rung = {0};
-
-static struct models_plan next_coarser(const struct ladder *l,
-                                       double target)
-{
-    const bool own = l->foot.model->method->adaptive;
-    const bool low = l->low.plan.model;
-    const double slope =
-        own ? slope_of(l, &l->low, &l->high) : slope_above(l);
-    const double less = log2(target / l->high.error) / fmax(slope, 0.5);
-    const double now = fineness(&l->high.plan);
-    const double least = low ? fineness(&l->low.plan) : -INFINITY;
-    struct models_plan next = rung_at(l->foot, now - less);
-    if (low && l->high.cost <= 1.1 * l->low.cost)
-        return no_rung;
-    if (!(fineness(&next) > least))
-        next = rung_at(l->foot, (least + now) / 2);
-    return fineness(&next) > least && fineness(&next) < now ? next
-                                                            : no_rung;
-}
-
-/* The next rung that is worth a run, or none. */
-static struct models_plan next_rung(const struct ladder *l, double target)
-{
-    const double slope = slope_above(l);
-    const double now = fineness(&l->last.plan);
-    if (l->high.plan.model)
-        return next_coarser(l, target);
-    if (l->count > 3 && (slope < 0.3 || isinf(l->last.error)))
-        return no_rung;
-    if (isinf(l->last.error) || l->count < 2 || slope < 0.7)
-        return rung_at(l->last.plan, now + 1);
-    const double more = fmin(log2(l->last.error / target) / slope, FAR);
-    const struct models_plan next = rung_at(l->last.plan, now + more);
-    return fineness(&next) > now ? next : next_finer(next);
-}
-
-/* What it will cost, s. */
-static double price_of(const struct ladder *l, const struct models_plan *p)
-{
-    const struct tried *by = l->high.plan.model ? &l->high : &l->last;
-    return p->model ? by->cost * exp2(l->rise *
-                                      (fineness(p) - fineness(&by->plan)))
-                    : INFINITY;
-}
-
-/* The next rung, or a coarser one that costs a little less than the best;
-   or none. */
-static struct models_plan next_cheap(const struct task *t,
-                                     const struct ladder *l)
+/* The next rung that is worth a run; model NULL: none is. */
+static struct models_plan next_rung(const struct task *t,
+                                    const struct ladder *l)
 {
     const double may = fmin(0.98 * best(t), left_of(t));
-    const bool holds = l->high.plan.model;
-    if (!l->last.plan.model || !(holds || least_price(t, l) < may))
-        return no_rung;
-    struct models_plan next = next_rung(l, t->q->tolerance);
-    const double price = price_of(l, &next);
-    if (!holds && price >= may && price < 2 * may) {
-        const double more = log2(0.85 * may / l->last.cost);
-        next = rung_at(next, fineness(&l->last.plan) + more / l->rise);
-    }
-    const bool good =
-        price_of(l, &next) < may &&
-        (holds || fineness(&next) > fineness(&l->last.plan)) &&
-        !(l->costly.plan.model &&
-          fineness(&next) >= fineness(&l->costly.plan));
-    return good ? next : no_rung;
+    const double far = excess(t, l), now = fineness(&l->best.plan);
+    const double one = 0.125; /* octaves from rung to rung */
+    const double dear = log2(may / l->best.cost) / l->rise - one;
+    const double order = order_of_method(l);
+    const double more = isinf(far) ? 1 : fmin(far / order, FAR);
+    const double want =
+        now + more > l->least ? now + more : (l->least + l->most) / 2;
+    const double go = fmax(fmin(want, now + dear), l->least + one / 2);
+    struct models_plan next = rung_at(l->foot, go);
+    if (!l->best.plan.model || !(fineness(&next) < l->most) ||
+        (isfinite(far) && !(price_of(l, far / highest_order(l)) < may)) ||
+        !(price_of(l, fineness(&next) - now) < may))
+        next.model = NULL;
+    return next;
 }
 
 /* Climbs on, as long as that may become cheaper than the best. */
 static void climb(const struct task *t, const struct reference *f,
                   struct ladder *l)
 {
-    while (l->count < RUNS) {
-        const struct models_plan next = next_cheap(t, l);
-        const double held = l->high.plan.model ? l->high.cost : INFINITY;
-        if (!next.model || try_rung(t, f, l, next) > 0.98 * held)
-            break;
-    }
+    struct models_plan next;
+    while ((next = next_rung(t, l)).model)
+        try_rung(t, f, l, next);
     if (!l->candidate->holds && l->candidate->text[0] == '\0')
         say(l->candidate, "more expensive than the best");
 }
 
-/* The first runs of a ladder, and what they promise. */
+/* The first run of a ladder, and what it promises. */
 static void set_up(const struct task *t, const struct reference *f,
                    struct ladder *l)
 {
-    struct models_plan next = l->foot;
-    const struct tried *const last = &l->last;
-    if (!l->high.plan.model)
-        try_rung(t, f, l, next);
-    while (!last->plan.model && l->count < RUNS / 2 &&
-           next.model->method->orbits && next.steps > 1) {
-        next = rung_at(next, fineness(&next) - 1);
-        try_rung(t, f, l, next);
-    }
-    if (!l->high.plan.model && !l->costly.plan.model &&
-        least_price(t, l) < best(t))
-        try_rung(t, f, l,
-                 rung_at(last->plan, fineness(&last->plan) + 1 / l->rise));
-    l->price = INFINITY;
-    if (!last->plan.model)
-        return;
-    const double far = log2(last->error / t->q->tolerance);
-    const double more = fmax(far / fmax(slope_above(l), 0.3), -FAR);
-    l->price = last->cost * exp2(fmin(l->rise * more, 60));
+    if (!l->best.plan.model)
+        try_rung(t, f, l, l->foot);
+    const double more = fmax(excess(t, l) / order_of_method(l), -FAR);
+    l->price = l->best.plan.model ? price_of(l, more) : INFINITY;
     l->candidate->foreseen = l->price;
 }
 
@@ -561,7 +465,11 @@ static void add_ladder(const struct task *t, const struct reference *f,
         return;
     }
     struct ladder *l = &ladder[(*count)++];
-    *l = (struct ladder){.candidate = k, .foot = foot_of(t, p)};
+    *l = (struct ladder){.candidate = k,
+                         .foot = foot_of(t, p),
+                         .best.error = INFINITY,
+                         .least = -INFINITY,
+                         .most = INFINITY};
     l->rise = p.model->method->adaptive ? 1.0 / 7 : 1;
     if (p.model == f->coarser.plan.model && cuts == 0) {
         note(l, (struct tried){f->coarser.plan, f->doubt, f->coarser.cost},
@@ -650,7 +558,7 @@ static bool find_even(const struct task *t, struct reference *f,
     struct models_plan p = {.model = models_find(name), .steps = 1};
     p = foot_of(t, p);
     for (int level = 0; level < 4; ++level) {
-        const struct record_order o = order_of(t, p, left_of(t) / 20);
+        const struct record_order o = order_of(t, p, INFINITY);
         record_free(&f->coarser);
         f->coarser = f->run;
         run(t, &f->run, &o);

@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1565738843 of the lines below */
+/* checksum 2714617559 of the lines below */
 /* Exact ways, two runs that agree, and ladders judged by them. */
 #include "enough/choose.h"
 
@@ -28,11 +28,13 @@ static double first_tolerance(const struct task *t)
     return fmax(1e-8, fmin(1e-3, pow(t->q->tolerance, 2.0 / 3)));
 }
 
+static const double share = 0.05; /* of e: that is nothing */
+
 static struct record_order order_of(const struct task *t,
                                     struct models_plan plan, double limit)
 {
     const double less = fmin(plan.tolerance / first_tolerance(t), 1);
-    plan.little = 0.1 * t->q->tolerance * t->view->length * less;
+    plan.little = share * t->q->tolerance * t->view->length * less;
     plan.left = (double)t->rows * t->q->every;
     plan.margin =
         plan.tolerance > 0 ? t->q->tolerance * t->view->length : 0;
@@ -359,7 +361,7 @@ static void note(struct ladder *l, struct tried r, double target)
 {
     const double fine = fineness(&r.plan);
     const bool holds = r.error <= target;
-    if (!holds && fabs(r.error - l->best.error) < 0.01 * r.error)
+    if (!holds && !(fabs(r.error - l->best.error) >= 0.01 * r.error))
         l->most = -INFINITY; /* finer steps are no help */
     if (isinf(r.cost) || holds)
         l->most = fmin(l->most, fine);
@@ -467,7 +469,7 @@ static void add_ladder(const struct task *t, const struct reference *f,
     struct ladder *l = &ladder[(*count)++];
     *l = (struct ladder){.candidate = k,
                          .foot = foot_of(t, p),
-                         .best.error = INFINITY,
+                         .best.error = 1e300, /* no run yet */
                          .least = -INFINITY,
                          .most = INFINITY};
     l->rise = p.model->method->adaptive ? 1.0 / 7 : 1;
@@ -506,8 +508,6 @@ static void race(const struct task *t, const struct reference *f)
     for (size_t j = 0; j < count; ++j)
         climb(t, f, &ladder[j]);
 }
-
-static const double share = 0.05; /* of e: enough for a reference */
 
 static struct models_plan first_reference(const struct task *t)
 {

@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 563746742 of the lines below */
+/* checksum 1981822672 of the lines below */
 /* What acts, what can be left out, and how each model carries a scene. */
 #include "enough/models.h"
 
@@ -107,36 +107,9 @@ static struct pair pair_of(const struct scene *s, size_t i, size_t j,
     return p;
 }
 
-/* Do two bodies that fly straight on for ever meet? When in doubt, yes. */
-static bool will_meet(const struct scene *s, size_t i, size_t j)
-{
-    const struct pair p = pair_of(s, i, j, s->position, s->velocity);
-    const double reach = s->radius[i] + s->radius[j];
-    const double c = p.r2 - reach * reach;
-    return c <= 0 || (p.rv < 0 && p.rv * p.rv * (1 + 1e-12) >= p.v2 * c);
-}
-
 double models_square(const struct scene *s, size_t i, size_t j)
 {
     return pair_of(s, i, j, s->position, s->velocity).r2;
-}
-
-enum { MOST_LOOKED_AT = 1000 };
-
-/* May anything meet? Of few bodies that fly straight, we know. */
-static bool may_meet(const struct scene *s, const struct models_acts *a)
-{
-    const bool straight = !a->gravity && !a->springs && !a->weight &&
-                          !a->friction && s->bodies <= MOST_LOOKED_AT &&
-                          !s->wall[0] && !s->wall[1] && !s->wall[2];
-    const bool walls = s->wall[0] || s->wall[1] || s->wall[2];
-    if (!s->contact || !straight)
-        return s->contact && (s->bodies > 1 || walls);
-    for (size_t i = 0; i < s->bodies; ++i)
-        for (size_t j = i + 1; j < s->bodies; ++j)
-            if (will_meet(s, i, j))
-                return true;
-    return false;
 }
 
 /* All but the largest frequency. */
@@ -169,7 +142,8 @@ static void look_at(struct models_acts *a, const struct scene *s)
                          << k;
     }
     a->weight = falls != 0;
-    a->contact = may_meet(s, a);
+    a->contact =
+        s->contact && (n > 1 || s->wall[0] || s->wall[1] || s->wall[2]);
     const unsigned pushed =
         falls | (a->gravity || a->contact ? spread : 0) | stretched;
     a->axes = moves | (free & pushed);
@@ -351,8 +325,28 @@ double models_rate(const struct scene *s, const struct models_acts *a,
     return fmax(sqrt(square) + rate + slow, turning);
 }
 
-const char *const models_cut_names[MODELS_CUTS + 1] = {"no-light", "rods",
-                                                       NULL};
+const char *const models_cut_names[MODELS_CUTS + 1] = {
+    "no-light", "rods",      "no-softening", "no-friction", "no-dashpots",
+    "no-weak",  "no-weight", "no-pull",      NULL};
+
+/* Makes 0 what is left out of the scene's own numbers. */
+static void leave_out(struct scene *s, unsigned cuts)
+{
+    double most = 0;
+    s->softening *= !(cuts & MODELS_NO_SOFTENING);
+    s->damping *= !(cuts & MODELS_NO_FRICTION);
+    s->k2 *= !(cuts & MODELS_NO_PULL);
+    for (size_t k = 0; k < SCENE_AXES; ++k)
+        s->gravity[k] *= !(cuts & MODELS_NO_WEIGHT);
+    for (size_t j = 0; j < s->kinds; ++j)
+        most = fmax(most, s->kind[j].stiffness);
+    for (size_t j = 0; j < s->kinds; ++j) {
+        const bool weak =
+            (cuts & MODELS_NO_WEAK) && s->kind[j].stiffness * 100 < most;
+        s->kind[j].stiffness *= !weak;
+        s->kind[j].damping *= !weak && !(cuts & MODELS_NO_DASHPOTS);
+    }
+}
 
 unsigned models_cuts(const struct scene *s)
 {
@@ -1687,13 +1681,17 @@ static bool complain(char message[MODELS_MESSAGE], const char *word,
     return false;
 }
 
-static bool list_models(char message[MODELS_MESSAGE], const char *word)
+/* Expects one of the models, or of what can be left out. */
+static bool list_names(char message[MODELS_MESSAGE], const char *word,
+                       bool cuts)
 {
     char names[MODELS_MESSAGE - 64] = ""; /* the rest: what was found */
-    for (const struct models_model *m = models_all(); m->name; ++m) {
+    const char *name;
+    for (size_t k = 0;
+         (name = cuts ? models_cut_names[k] : models_all()[k].name); ++k) {
         const size_t used = strlen(names);
         snprintf(names + used, sizeof names - used, "%s%s",
-                 used ? ", " : "one of ", m->name);
+                 used ? ", " : "one of ", name);
     }
     return complain(message, word, names);
 }
@@ -1736,7 +1734,7 @@ bool models_read(struct models_plan *p, const char *text,
     char words[MODELS_TEXT], *next = words;
     *p = (struct models_plan){0};
     if (strlen(text) >= sizeof words)
-        return list_models(message, text);
+        return list_names(message, text, false);
     strcpy(words, text);
     if ((next = strchr(words, ',')))
         *next++ = '\0';
@@ -1744,7 +1742,7 @@ bool models_read(struct models_plan *p, const char *text,
     if (colon)
         *colon = '\0';
     if (!(p->model = models_find(words)))
-        return list_models(message, words);
+        return list_names(message, words, false);
     const char *const expected = colon ? read_number(p, colon + 1) : NULL;
     if (expected)
         return complain(message, colon + 1, expected);
@@ -1752,8 +1750,7 @@ bool models_read(struct models_plan *p, const char *text,
         if ((next = strchr(word, ',')))
             *next++ = '\0';
         if (!read_cut(word, &p->cuts))
-            return complain(message, word,
-                            "what to leave out, as in no-light");
+            return list_names(message, word, true);
     }
     return true;
 }
@@ -1762,8 +1759,14 @@ const char *models_refuse(const struct models_plan *p,
                           const struct scene *s)
 {
     struct models_acts acts;
-    look_at(&acts, s);
-    return refusal(p->model, s, &acts, p->cuts);
+    struct scene left;
+    if (!scene_copy(&left, s))
+        return no_memory;
+    leave_out(&left, p->cuts);
+    look_at(&acts, &left);
+    const char *why = refusal(p->model, &left, &acts, p->cuts);
+    scene_free(&left);
+    return why;
 }
 
 bool models_begin(struct models_run *r, const struct models_plan *p,
@@ -1777,6 +1780,7 @@ bool models_begin(struct models_run *r, const struct models_plan *p,
     for (size_t c = 0; c < 3 * s->bodies; ++c)
         if (!s->freedom[c])
             r->scene.velocity[c] = 0;
+    leave_out(&r->scene, p->cuts);
     look_at(&r->acts, &r->scene);
     *why = !(every > 0) ? "rows must be apart"
            : p->model->family == MODELS_STEPS && p->steps == 0

@@ -1,5 +1,5 @@
 /* From chapters/works/12-models-parts.nw: edit there, then run make tangle. */
-/* checksum 4144105101 of the lines below */
+/* checksum 1282360646 of the lines below */
 /* All ways to carry a scene, behind one door, and what each costs. */
 #ifndef MODELS_H
 #define MODELS_H
@@ -50,7 +50,14 @@ enum models_cut {
                             do not pull */
     MODELS_RODS = 2,     /* springs of more than a hundred times the softest
                             one's D become rods; all if alike */
-    MODELS_CUTS = 2      /* how many bits */
+    /* Numbers of the scene that become 0: */
+    MODELS_NO_SOFTENING = 4,
+    MODELS_NO_FRICTION = 8, /* the line damp */
+    MODELS_NO_DASHPOTS = 16,
+    MODELS_NO_WEAK = 32, /* springs below a hundredth of the stiffest */
+    MODELS_NO_WEIGHT = 64,
+    MODELS_NO_PULL = 128,
+    MODELS_CUTS = 8 /* how many bits */
 };
 
 /* Their names, from bit 0 on, then NULL. */

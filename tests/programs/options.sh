@@ -295,8 +295,10 @@ tries() {
                 sed -n "s/.*: '' is not /$option /p" | sed 's/,//g; s/ or / /'
         fi >>"$work/choices"
     done
-    # Ellipses with kicks go round a star and touch nothing: not in this scene.
-    sed "s/ wisdom-holman\\>//; s/ sbab4\\>//" "$work/choices" >"$work/other"
+    # Ellipses with kicks go round a star and touch nothing: not in this scene;
+    # and a device that sums need not be there: opencl.sh has it.
+    sed "s/ wisdom-holman\\>//; s/ sbab4\\>//; s/ opencl\\(-float\\)*//g" \
+        "$work/choices" >"$work/other"
     mv "$work/other" "$work/choices"
     awk -v program="$program" -f "$work/cases.awk" "$work/values" \
         "$work/needs" "$work/choices" "$work/help" >"$work/cases"

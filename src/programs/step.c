@@ -1,5 +1,5 @@
 /* From chapters/works/11-step.nw: edit there, then run make tangle. */
-/* checksum 3489945723 of the lines below */
+/* checksum 2098666492 of the lines below */
 /* Steps a scene through time and writes what is looked at, row by row. */
 #include "forces/adaptive.h"
 #include "forces/checkpoint.h"
@@ -199,7 +199,6 @@ static void set_in_motion(struct run *r)
     if (m->gravity.kernel == GRAVITY_TREE && m->attracts &&
         !gravity_plant(&m->gravity, r->s->theta))
         program_give_up(PROGRAM, "no memory for the tree");
-    open_device(r);
     share(m, r->s->threads);
     m->spheres.rule = (enum spheres_rule)r->s->rule;
     m->spheres.shift = (enum spheres_shift)r->s->shift;
@@ -738,6 +737,7 @@ static void begin_run(struct run *r, struct options *o)
     const bool again = read_start(r, &known);
     set_in_motion(r);
     refuse_idle(o, &r->motion);
+    open_device(r);
     choose_columns(r);
     divide(r, again ? known.start : r->scene.time);
     if (!again)

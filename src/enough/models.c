@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 252871687 of the lines below */
+/* checksum 1981822672 of the lines below */
 /* What acts, what can be left out, and how each model carries a scene. */
 #include "enough/models.h"
 
@@ -1303,7 +1303,6 @@ struct steps {
     struct passages {
         const struct scene *scene;
         double little, left;
-        double pace; /* finer runs step elsewhere: share of the longest */
     } passages;
     bool lights, ordered, rodded;
 };
@@ -1394,7 +1393,7 @@ static double longest(void *what, const double x[], const double v[],
             if (rate > most && counts(g, &p, pull, a2))
                 most = rate;
         }
-    return most > 0 ? g->pace / most : INFINITY;
+    return most > 0 ? 1 / most : INFINITY;
 }
 
 /* In a row; of steps that choose their length we ask for its end only, but
@@ -1413,9 +1412,7 @@ static void choose_lengths(struct steps *t, const struct models_plan *p)
     struct stepping *s = &t->motion.stepping;
     s->tolerance = p->tolerance;
     if (t->motion.attracts && p->little > 0) {
-        const double pace = pow(fmin(p->tolerance / 1e-3, 1), 0.05);
-        t->passages =
-            (struct passages){&t->scene, p->little, p->left, pace};
+        t->passages = (struct passages){&t->scene, p->little, p->left};
         s->own->longest = longest;
         s->own->with = &t->passages;
     }

@@ -60,7 +60,7 @@ cp "$scratch/said" "$scratch/alone/table"
 verdict 'of eight students with a file there are eight jobs' listed 8
 verdict 'and who has none is booked at once' whole 1
 head -n 1 "$scratch/list" >"$scratch/first"
-{ (cd "$scratch/kit" && exec timeout -s KILL 0.3 sh -c "$(cat "$scratch/first")"); } \
+{ (cd "$scratch/kit" && exec timeout -s KILL 0.1 sh -c "$(cat "$scratch/first")"); } \
     >/dev/null 2>&1
 verdict 'a job that is killed has no result' whole 1
 sed '1!G;h;$!d' "$scratch/list" >"$scratch/behind"

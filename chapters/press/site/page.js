@@ -87,6 +87,11 @@
     script.onerror = function () { said.textContent = name + ' is missing'; };
     document.head.appendChild(script);
   }
+  /* Until the next frame a closed dialog keeps the focus, and with it the keys. */
+  function shut() {
+    dialog.close();
+    if (dialog.contains(document.activeElement)) document.activeElement.blur();
+  }
   function make() {
     dialog = document.createElement('dialog');
     dialog.id = 'search';
@@ -102,7 +107,7 @@
       var at = links.indexOf(document.activeElement);
       if (e.key === 'Escape') {
         e.preventDefault();
-        dialog.close();
+        shut();
       } else if (e.key === 'ArrowDown' && links.length) {
         links[Math.min(at + 1, links.length - 1)].focus();
         e.preventDefault();
@@ -115,7 +120,7 @@
       }
     });
     results.addEventListener('click', function (e) {
-      if (e.target.closest('a')) dialog.close();
+      if (e.target.closest('a')) shut();
     });
     said.textContent = 'Reading the book ...';
     load('lunr.min.js', function () { load('search-data.js', read); });

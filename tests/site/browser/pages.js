@@ -154,6 +154,15 @@ const wait = (page, check, arg) => page.waitForFunction(check, arg, { timeout: 1
     await page.keyboard.press('Escape');
     return (await page.locator('dialog[open]').count()) ? 'it stays open' : '';
   });
+  await holds('a closed search leaves the keys to the page at once', () => page.evaluate(() => {
+    const press = key => document.activeElement.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true, cancelable: true }));
+    for (const [key, wanted] of [['/', 1], ['Escape', 0], ['/', 1], ['Escape', 0]]) {
+      press(key);
+      const open = document.querySelectorAll('dialog[open]').length;
+      if (open !== wanted) return `${key}: ${open} open, not ${wanted}`;
+    }
+    return '';
+  }));
   await holds('axe finds nothing in the search', async () => {
     await page.keyboard.press('/');
     await page.fill('#words', 'entropy');

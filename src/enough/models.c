@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 1981822672 of the lines below */
+/* checksum 4013243190 of the lines below */
 /* What acts, what can be left out, and how each model carries a scene. */
 #include "enough/models.h"
 
@@ -1411,6 +1411,7 @@ static void choose_lengths(struct steps *t, const struct models_plan *p)
 {
     struct stepping *s = &t->motion.stepping;
     s->tolerance = p->tolerance;
+    s->own->slack = p->slack;
     if (t->motion.attracts && p->little > 0) {
         t->passages = (struct passages){&t->scene, p->little, p->left};
         s->own->longest = longest;

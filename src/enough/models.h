@@ -1,5 +1,5 @@
 /* From chapters/works/12-models-parts.nw: edit there, then run make tangle. */
-/* checksum 1282360646 of the lines below */
+/* checksum 3537820635 of the lines below */
 /* All ways to carry a scene, behind one door, and what each costs. */
 #ifndef MODELS_H
 #define MODELS_H
@@ -84,6 +84,7 @@ struct models_plan {
     double tolerance; /* of a method whose steps choose their length */
     double little;    /* m: passages that move nobody so far do not count */
     double left;      /* s: in this time */
+    double slack;     /* share by which it keeps from bounds of its steps */
     double margin;    /* m: contacts that are made or missed by less are
                          noticed; 0: none are */
 };

@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 144899034 of the lines below */
+/* checksum 4273733232 of the lines below */
 /* A pair 5(4), and Radau's method of order 15: steps of their own. */
 #include "forces/adaptive.h"
 
@@ -532,6 +532,11 @@ static void accept(struct adaptive *s, double h)
         s->shortest = h;
 }
 
+static void bound(struct adaptive *s, double most)
+{
+    s->next = fmin(s->next, (1 - s->slack) * most);
+}
+
 /* Takes a step. false: one that leaves the time as it is was too long. */
 static bool step(struct adaptive *s)
 {
@@ -541,8 +546,7 @@ static bool step(struct adaptive *s)
     if (s->most > 0 && s->evaluations > s->most)
         return false;
     if (s->longest)
-        s->next =
-            fmin(s->next, s->longest(s->with, s->to.x, s->to.v, s->to.a));
+        bound(s, s->longest(s->with, s->to.x, s->to.v, s->to.a));
     look_for_noise(s);
     for (bool again = false;; again = true, ++s->refused) {
         const double h = free ? fmax(s->next, least) : s->dt;
@@ -582,7 +586,7 @@ static void set_out(struct adaptive *s)
     if (s->begun)
         return;
     evaluate(s, s->to.x, s->to.v, s->to.a);
-    s->next = first_length(s);
+    s->next = (1 - s->slack) * first_length(s);
     s->begun = true;
 }
 
@@ -747,8 +751,7 @@ void adaptive_free(struct adaptive *s)
 bool adaptive_step(struct adaptive *s, double most)
 {
     set_out(s);
-    if (s->next > most)
-        s->next = most;
+    bound(s, most);
     return step(s);
 }
 

@@ -1,5 +1,5 @@
 /* From chapters/works/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 3534601451 of the lines below */
+/* checksum 1052861228 of the lines below */
 /* Steps that choose their own length, and places between their ends. */
 #ifndef ADAPTIVE_H
 #define ADAPTIVE_H
@@ -36,11 +36,13 @@ struct adaptive {
     struct adaptive_weights *weights;
     double *work;
     /* ---- may be set: NULL, or the longest step from these places and
-       velocities, s; and 0, or so many evaluations after which no step is
-       taken */
+       velocities, s; by what share the first step and those that a bound
+       cuts off are shorter than they may be; and 0, or so many evaluations
+       after which no step is taken */
     double (*longest)(void *with, const double x[], const double v[],
                       const double a[]);
     void *with;
+    double slack;
     uint64_t most;
 };
 

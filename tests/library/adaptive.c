@@ -610,6 +610,40 @@ static void test_path(void)
     }
 }
 
+static double tenth(void *with, const double x[], const double v[],
+                    const double a[])
+{
+    (void)with, (void)x, (void)v, (void)a;
+    return 0.1;
+}
+
+/* Steps that only bounds or the first one make short, of two tolerances:
+   with some slack they are all others. */
+static void test_slack(void)
+{
+    const struct stepping_forces f = {1, false, oscillator, NULL};
+    for (int k = 0; k < 3; ++k) {
+        const double most = k == 2 ? 0.1 : 1;
+        double x = 1, v = 0;
+        struct adaptive *const a =
+            adaptive_create(stepping_find("radau15"), f);
+        struct adaptive *const b =
+            adaptive_create(stepping_find("radau15"), f);
+        if (!a || !b)
+            exit(1);
+        a->longest = b->longest = k == 1 ? tenth : NULL;
+        b->slack = 0.2;
+        adaptive_begin(a, 1e-8, 1, 0, &x, &v);
+        adaptive_begin(b, 1e-10, 1, 0, &x, &v);
+        for (int n = 0; n < (k > 0 ? 8 : 2); ++n) {
+            UNIT_TRUE(adaptive_step(a, most) && adaptive_step(b, most));
+            UNIT_NEAR(b->h, 0.8 * a->h, 1e-9);
+        }
+        adaptive_free(a);
+        adaptive_free(b);
+    }
+}
+
 int main(void)
 {
     return unit_run(
@@ -633,5 +667,6 @@ int main(void)
             {"a disturbed run begins anew", test_disturbed},
             {"where there is no force, steps are long", test_middle},
             {"the path in a part of a step", test_path},
+            {"with slack no step is another run's", test_slack},
             {0}});
 }

@@ -1,5 +1,5 @@
 /* From chapters/works/07-gas.nw: edit there, then run make tangle. */
-/* checksum 2970796543 of the lines below */
+/* checksum 2218177517 of the lines below */
 /* How many collisions a second either engine for disks has. */
 #include "box/cells.h"
 #include "toolbox/bench.h"
@@ -29,12 +29,18 @@ struct settings {
     const char *output, *summary, *command;
 };
 
+/* Says whether all are to be a fluid when they are timed. */
+static bool fluid(const struct settings *s)
+{
+    return s->packing <= (s->dimensions == 2 ? 0.70 : 0.494) &&
+           !s->collisions;
+}
+
 /* The diameter at the start, m. */
 static double first_diameter(const struct settings *s)
 {
-    const double thin = 0.3 / s->packing;
-    const double freezes = s->dimensions == 2 ? 0.70 : 0.494;
-    if (thin >= 1 || s->packing > freezes || s->collisions)
+    const double thin = fmin(0.3 / s->packing, 1);
+    if (!fluid(s))
         return 1;
     return s->dimensions == 2 ? sqrt(thin) : cbrt(thin);
 }
@@ -269,13 +275,13 @@ static void make_cells(struct engines *e)
         program_give_up(PROGRAM, "no memory for the cells");
 }
 
-/* The largest radius that disk i can have among its neighbours, m. */
+/* The radius to which disk i grows among its neighbours, m. */
 static double room_of(const struct cells *c, size_t i)
 {
     const struct disk *disk = c->d->disk;
     const uint32_t *list = c->neighbour + i * c->seats;
     double here[DISKS_AXES], there[DISKS_AXES], way[DISKS_AXES];
-    double most = fmin(disk[i].radius + c->leash, 0.5);
+    double most = disk[i].radius + c->leash;
     disks_position(c->d, i, here);
     for (size_t k = 0; k < c->anchor[i].neighbours; ++k) {
         disks_position(c->d, list[k], there);
@@ -284,7 +290,8 @@ static double room_of(const struct cells *c, size_t i)
             way[0] * way[0] + way[1] * way[1] + way[2] * way[2];
         most = fmin(most, sqrt(square) - disk[list[k]].radius);
     }
-    return fmax(most, disk[i].radius);
+    const double gap = fmax(most - disk[i].radius, 0);
+    return fmin(disk[i].radius + 0.9 * gap, 0.5);
 }
 
 /* Returns whether all disks have their size. */
@@ -310,8 +317,55 @@ static void warm_up(struct engines *e, const struct settings *s)
         make_cells(e);
         whole = grow(e);
         make_cells(e);
-        run_on(e, true, whole ? 5 * n : n);
+        run_on(e, true, whole ? 5 * n + 3000000 : n);
     }
+}
+
+/* How many tiles make up so many disks, along each axis. */
+static size_t tiles_along(const struct settings *s, size_t count)
+{
+    size_t along = 1;
+    for (size_t k = 2; fluid(s); ++k) {
+        const size_t tiles = s->dimensions == 2 ? k * k : k * k * k;
+        if (count / tiles < 4000)
+            break;
+        along = count % tiles == 0 ? k : along;
+    }
+    return along;
+}
+
+static void lay_tiles(struct engines *e, const struct settings *s,
+                      size_t along, size_t count)
+{
+    struct disks tile = e->disks, *d = &e->disks;
+    begin_or_exit(d, s, count);
+    for (size_t k = 0; k < d->dimensions; ++k)
+        d->box[k] = (double)along * tile.box[k];
+    for (size_t i = 0; i < count; ++i) {
+        size_t at = i / tile.count;
+        const struct disk *like = &tile.disk[i % tile.count];
+        d->disk[i].radius = like->radius;
+        for (size_t k = 0; k < d->dimensions; ++k, at /= along)
+            d->disk[i].position[k] =
+                like->position[k] + (double)(at % along) * tile.box[k];
+    }
+    disks_free(&tile);
+}
+
+static void make_fluid(struct engines *e, const struct settings *s,
+                       size_t count)
+{
+    const size_t along = tiles_along(s, count);
+    const size_t plane = along * along;
+    begin_or_exit(&e->disks, s,
+                  count / (s->dimensions == 2 ? plane : plane * along));
+    warm_up(e, s);
+    if (along == 1)
+        return;
+    disks_settle(&e->disks);
+    lay_tiles(e, s, along, count);
+    make_cells(e);
+    run_on(e, true, 5 * count);
 }
 
 static void time_size(const struct settings *s, size_t count,
@@ -319,8 +373,7 @@ static void time_size(const struct settings *s, size_t count,
 {
     struct engines e = {0};
     double pairs, cells;
-    begin_or_exit(&e.disks, s, count);
-    warm_up(&e, s);
+    make_fluid(&e, s, count);
     if (count <= PAIRS_MOST)
         copy_or_exit(&e.pairs, &e.disks);
     if (s->steps)

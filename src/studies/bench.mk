@@ -1,5 +1,4 @@
 # The speed tables of the chapters, on this machine.
-.PHONY: bench
 bench: programs
 	build/bin/collide-forms --study cost --collisions 10000000
 	build/bin/bonkers-studies --study speed --summary build/ratios
@@ -10,11 +9,6 @@ bench: programs
 		--column v9 --table cost -)
 	build/bin/piston --study cost --velocity 0.1
 	build/bin/disks-studies --study speed
-	build/bin/disks-studies --study pressure --samples 330000
-	for radius in '.05 --step .4' '.15 --step .2' '.2 --step .15'; do \
-		build/bin/sample-studies --study cost --samples 4e7 \
-			--radii $$radius || exit 1; done
-	build/bin/sample-studies --study pressure --samples 4e5
 	for packing in .3 .7; do \
 		build/bin/disks-speed --packing $$packing || exit 1; done
 	for packing in .30 .49; do build/bin/disks-speed \
@@ -26,7 +20,6 @@ bench: programs
 	build/bin/springs-studies --study speed
 	build/bin/springs-studies --study threads
 	build/bin/springs-studies --study work -o - | tail -n +7
-	build/bin/spheres-studies --study cost --runs 4
 	build/bin/gravity-studies --study speed
 	build/bin/gravity-studies --study threads
 	build/bin/gravity-studies --study tree
@@ -35,3 +28,22 @@ bench: programs
 	build/bin/scene sun-earth | build/bin/step - \
 		--until 90000 --every 9000 --summary - -o build/bench.dat | \
 		grep steps_per_second
+	@$(MAKE) -j 2 --output-sync=target --no-print-directory bench-errors
+
+# What error a time buys: small systems, two at a time, a processor for each.
+bench_rooms = bench-room-.05 bench-room-.15 bench-room-.2
+bench_errors = bench-chains bench-spheres $(bench_rooms) bench-pressure
+.PHONY: bench bench-errors $(bench_errors)
+bench-errors: $(bench_errors)
+bench-chains:
+	build/bin/sample-studies --study pressure --samples 4e5
+bench-spheres:
+	build/bin/spheres-studies --study cost --runs 2
+$(bench_rooms): bench-room-%:
+	build/bin/sample-studies --study cost --samples 4e7 --radii $* \
+		--step $(step)
+bench-room-.05: step = .4
+bench-room-.15: step = .2
+bench-room-.2: step = .15
+bench-pressure:
+	build/bin/disks-studies --study pressure --samples 330000

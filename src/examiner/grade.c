@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 1302424955 of the lines below */
+/* checksum 3388022552 of the lines below */
 /* The program behind make grade: a folder of submissions, in parallel. */
 #include "examiner/grading.h"
 #include "examiner/process.h"
@@ -594,7 +594,7 @@ static void look_at(struct batch *b, uint64_t kit, size_t s, size_t e,
     result_key(kit, job.bytes, job.length, job.remark, job.note, job.key);
     result_path(b, s, e, job.path);
     const bool known = marks_read(&marks, job.key, job.path);
-    const bool late = known && marks.tries == 1 && marks_late(&marks);
+    const bool late = known && marks.tries == 1 && marks.late;
     if (tried == 0 && known)
         ++b->done;
     if (tried == 1 && late)

@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 2059932430 of the lines below */
+/* checksum 2208957315 of the lines below */
 /* A judge and a box for each test, a second try, and advice. */
 #include "examiner/grading.h"
 #include "examiner/build.h"
@@ -97,6 +97,7 @@ size_t grading_kits(struct kit **kits)
 
 enum {
     MOST_LATE = 3,
+    LATER_SECONDS = 1, /* of processor time, once a test was late */
     MOST_BUILDING = 60,
     PRINTS_KEPT = 4096,
     STORY_KEPT = 8192
@@ -110,6 +111,7 @@ struct job {
     struct box box;
     bool open;
     int prints;
+    int late, waited; /* tests; and of them, by the clock on the wall */
     char judge[4096], name[256], header[64];
 };
 
@@ -192,6 +194,22 @@ static char *read_kit(const struct job *job, const char *name, int line)
     return found;
 }
 
+static int later_seconds(const struct job *job)
+{
+    return *job->kit->exercise == 'P' ? 0 : LATER_SECONDS;
+}
+
+static void note_late(struct job *job, bool by_the_wall)
+{
+    const int later = later_seconds(job);
+    const bool waits = by_the_wall || *job->kit->exercise == 'P';
+    ++job->late;
+    job->waited += waits;
+    job->marks->late |= waits && !job->order.sanitized;
+    if (later > 0 && later < job->order.seconds)
+        job->order.seconds = later;
+}
+
 static enum state open_box(struct job *job, FILE *story)
 {
     if (ftruncate(job->prints, 0) != 0)
@@ -201,6 +219,8 @@ static enum state open_box(struct job *job, FILE *story)
     job->marks->build_seconds += job->box.build_seconds;
     job->open = stage == BOX_READY;
     job->marks->late |= stage == BOX_TOO_LONG;
+    if (stage == BOX_STUCK)
+        note_late(job, true);
     if (job->open)
         return PASSED;
     box_close(&job->box);
@@ -243,24 +263,27 @@ static enum state run_test(struct job *job, const struct kit_test *test,
         .runner = job->judge,
         .seed = test->hidden ? seed : NULL,
         .border = {job->box.answers, job->box.requests},
+        .later = later_seconds(job),
         .prints = "prints",
     };
     if (ftruncate(job->prints, 0) != 0)
         text_fail("cannot empty a file: %s", strerror(errno));
     trial_open(&trial);
     const enum state state = trial_run(&trial, test->number, story);
+    if (state == TIMED_OUT)
+        note_late(job, trial_waited());
     if (state == TIMED_OUT || !box_settle(&job->box))
         close_box(job);
     return state;
 }
 
-static enum state try_test(struct job *job, int i, int late, FILE *story)
+static enum state try_test(struct job *job, int i, FILE *story)
 {
     const struct marks *before = job->grading->before;
     enum state state = before ? before->marks[i].state : NOT_BEGUN;
     if ((before && state != TIMED_OUT && state != NOT_BEGUN &&
          !job->kit->tests[i].idle) ||
-        late >= (before ? 1 : MOST_LATE) ||
+        job->late >= MOST_LATE || (before && job->waited > 0) ||
         job->marks->build_seconds > MOST_BUILDING) {
         if (before)
             fputs(before->marks[i].story, story);
@@ -331,7 +354,6 @@ static void settle_idle(const struct kit *kit, struct marks *marks)
 
 static void run_tests(struct job *job)
 {
-    int late = 0;
     for (int i = 0; i < job->kit->count && !process_signal(); ++i) {
         char *text = NULL;
         size_t size;
@@ -339,8 +361,7 @@ static void run_tests(struct job *job)
         if (!story)
             text_fail("out of memory");
         const double start = process_clock() - job->marks->build_seconds;
-        const enum state state = try_test(job, i, late, story);
-        late += state == TIMED_OUT;
+        const enum state state = try_test(job, i, story);
         fclose(story);
         keep_mark(job->marks, &job->kit->tests[i], state, text, size);
         const struct marks *before = job->grading->before;

@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 710728579 of the lines below */
+/* checksum 2786656131 of the lines below */
 /* Points, states and stories of one student's exercise. */
 #ifndef MARKS_H
 #define MARKS_H
@@ -38,7 +38,7 @@ struct marks {
     double seconds; /* on the wall, the build included */
     double build_seconds;
     int tries; /* 2 when a time-out was tried again alone */
-    bool late; /* the build was stopped by the clock */
+    bool late; /* the wall's clock has stopped the build or a test */
 };
 
 /* The points that were earned, and that can be: of the tests that are

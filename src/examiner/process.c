@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 2029083381 of the lines below */
+/* checksum 1796015448 of the lines below */
 /* Starts a program, watches its time, and ends all that it began. */
 #include "examiner/process.h"
 
@@ -197,6 +197,7 @@ static void collect(pid_t pid, double seconds, rlim_t memory,
     const bool late = wait_for_end(pid, seconds, memory);
     while (waitpid(pid, &end->status, 0) < 0 && errno == EINTR)
         ;
+    end->waited = late;
     end->timed_out = late || (WIFSIGNALED(end->status) &&
                               WTERMSIG(end->status) == SIGXCPU);
     kill_strays();
@@ -243,7 +244,7 @@ bool process_start(char *const command[], const char *folder,
 
 struct process_end process_stop(void)
 {
-    struct process_end end = {0, false};
+    struct process_end end = {0, false, false};
     if (besides == 0)
         return end;
     const pid_t pid = beside[--besides];

@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 4088961212 of the lines below */
+/* checksum 2350028981 of the lines below */
 /* A program on a lead: limits, open files, and how it ended. */
 #ifndef PROCESS_H
 #define PROCESS_H
@@ -27,6 +27,7 @@ struct process_files {
 struct process_end {
     int status;     /* as waitpid gives it */
     bool timed_out; /* it reached one of the limits on time */
+    bool waited;    /* and that was the one on the wall */
 };
 
 /* Runs a command (a NULL-terminated list, the program looked for in PATH)

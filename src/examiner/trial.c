@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 3818582272 of the lines below */
+/* checksum 3887613072 of the lines below */
 /* Runs a test, judges how it ended, and tells failures and crashes. */
 #include "examiner/trial.h"
 #include "examiner/process.h"
@@ -222,12 +222,15 @@ static void run_runner(const struct trial *trial, int number,
 
 static void tell_time_out(const struct trial *trial, FILE *story)
 {
-    char text[256];
+    char text[320], later[64] = "";
+    if (trial->later > 0)
+        snprintf(later, sizeof later,
+                 " (once one was, after %d s of computing)", trial->later);
     snprintf(text, sizeof text,
              "This test was stopped after %d s of computing or %d s of "
-             "waiting. Is there a loop that never ends, or one whose "
+             "waiting%s. Is there a loop that never ends, or one whose "
              "condition never turns false?",
-             trial->seconds, 2 * trial->seconds);
+             trial->seconds, 2 * trial->seconds, later);
     text_field(story, "what", text);
 }
 
@@ -391,10 +394,18 @@ static void tell_failure(const struct result *result, FILE *story)
     }
 }
 
+static bool waited;
+
+bool trial_waited(void)
+{
+    return waited;
+}
+
 enum state trial_run(const struct trial *trial, int number, FILE *story)
 {
     struct result result = {0};
     run_runner(trial, number, &result);
+    waited = result.end.waited;
     enum state state;
     char verdict[REPORT_RECORD] = "", undone[REPORT_RECORD] = "";
     find_record(result.report, &result, REPORT_VERDICT, verdict);

@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 1686940412 of the lines below */
+/* checksum 2237261484 of the lines below */
 /* One test of an exercise run and judged: six states. */
 #ifndef TRIAL_H
 #define TRIAL_H
@@ -27,6 +27,7 @@ struct trial {
     const char *runner; /* to be started, as seen from folder/desk */
     const char *seed;   /* of the inputs, in digits; NULL: the students' */
     int border[2];      /* the way to a program in a box, or zeros */
+    int later;          /* seconds, of what was late once; or 0 */
     const char *prints; /* what such a program prints to, or NULL */
 };
 
@@ -47,6 +48,10 @@ enum state trial_run(const struct trial *trial, int number, FILE *story);
    starts its own. */
 void trial_open(const struct trial *trial);
 void trial_close(void);
+
+/* Whether the last test was stopped by the clock on the wall, and may have
+   been late because the machine had other work. */
+bool trial_waited(void);
 
 /* Whether the sanitizers, when a test had passed, have printed that memory
    was lost which source had asked for; if so, tells of it. */

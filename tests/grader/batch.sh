@@ -248,7 +248,24 @@ again() { # NAME TRIES
 second=$(awk '/^test/ && ++n == 2 { print $2 }' build/grade/01a.list)
 verdict 'a loop costs the points of its test alone' \
     judged one 'timed out' $((full - second))
-verdict 'it was tried twice' again one 2
+# Unless the clock on the wall was first, because this machine is busy: a loop
+# of ours has less than three quarters of a processor, too.
+busy() {
+    from=$(date +%s.%N)
+    sh -c 'i=0; while [ $i -lt 2000000 ]; do i=$((i + 1)); done; times' |
+        awk -v from="$from" 'NR == 1 { gsub(/m/, " "); gsub(/s/, "")
+            "date +%s.%N" | getline now
+            exit !(60 * ($1 + $3) + $2 + $4 < 0.75 * (now - from)) }'
+}
+once() {
+    for try in 1 2 3; do
+        again one 1 && return
+        rm "$(result one)"
+        grade "$scratch/late" "$scratch/out" --jobs 1
+    done
+    busy && echo '# note: too busy here to tell a loop by the time it computes'
+}
+verdict 'by the time of a processor, which needs no second try' once
 verdict 'a crash costs the points of its test alone' \
     judged crash crashed $((full - second))
 verdict 'it was tried once' again crash 1

@@ -13,7 +13,8 @@ for n in 1 2 3 4; do # one of them with a name that no shell should read
             >"$scratch/class/it's \$n$n/01a-collide.c"
 done
 mkdir "$scratch/class/idle" "$scratch/class/late" "$scratch/class/.git"
-sed 's/^{$/{ for (volatile int i = 0; i == 0;) i = 0;/' \
+# Late by the clock on the wall, as on a machine with other work.
+sed -e '1i #include <unistd.h>' -e 's/^{$/{ for (volatile int i = 0; i == 0;) pause();/' \
     tests/exercises/01a/right-frame.c >"$scratch/class/late/01a-collide.c"
 mv "$scratch/class/it's \$n4" "$scratch/class/Åsa"
 cp "$scratch/class/Åsa/01a-collide.c" "$scratch/class/eva_LATE_123_456_01a-collide.c"

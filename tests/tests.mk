@@ -167,4 +167,5 @@ test-cluster: has-gsl programs grade-parts build/check/examine $(CHECK_BUILT) \
 	$(call need,slurmctld,slurm-wlm)
 	$(call need,munged,munge)
 	$(call need,parallel,parallel)
+	$(call need,/usr/sbin/sshd,openssh-server)
 	@RECORD='$(RECORD)' MAKE='$(MAKE)' tests/run -t 3600 tests/cluster/cluster.sh

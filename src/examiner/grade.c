@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 3388022552 of the lines below */
+/* checksum 720394015 of the lines below */
 /* The program behind make grade: a folder of submissions, in parallel. */
 #include "examiner/grading.h"
 #include "examiner/process.h"
@@ -44,6 +44,7 @@ struct batch {
     size_t kit_count, count;        /* of exercises, of students */
     struct grading grading;
     char root[4096], work[4200];
+    uint64_t compiler; /* a sum of what it calls itself */
     size_t begun, done, failed;
 };
 static const char usage[] =
@@ -284,10 +285,26 @@ static void choose_seed(struct batch *b)
         text_fail("cannot write '%s': %s", path, strerror(errno));
 }
 
+static uint64_t sum_compiler(const char *flags)
+{
+    char command[128], said[1024] = "";
+    snprintf(command, sizeof command,
+             "PATH=/usr/bin:/bin; '%.*s' --version 2>/dev/null",
+             (int)strcspn(flags, " '"), flags);
+    FILE *version = popen(command, "r");
+    const size_t length =
+        version ? fread(said, 1, sizeof said, version) : 0;
+    if (version)
+        pclose(version);
+    return sum_bytes(0, said, length);
+}
+
 static void choose_box(struct batch *b)
 {
     char *flags = text_read("build/grade/flags"), *rest = flags;
-    b->grading.kind = box_probe(text_line(&rest));
+    char *compiler = text_line(&rest);
+    b->grading.kind = box_probe(compiler);
+    b->compiler = sum_compiler(compiler);
     free(flags);
     if (b->grading.kind != BOX_OPEN)
         return;
@@ -355,6 +372,7 @@ static uint64_t sum_kit(const struct batch *b, const char *exercise)
     snprintf(path, sizeof path, "build/grade/%s.inside.o", exercise);
     sum = sum_file(sum, path);
     sum = sum_file(sum, "build/grade/flags");
+    sum = sum_number(sum, b->compiler);
     sum = sum_number(sum, b->grading.seed);
     sum = sum_number(sum, (uint64_t)b->grading.seconds);
     return sum_number(sum, (uint64_t)b->grading.kind);
@@ -549,8 +567,8 @@ static void check_job(const struct batch *b, const struct job *job)
     if (!asked || strcmp(strrchr(asked, '/') + 1, job->key) == 0)
         return;
     remove_work();
-    text_fail("--job %s: the file, the kit, the seed or the box (here: %s) "
-              "is not what it was when this was listed; list anew",
+    text_fail("--job %s: the file, the kit, the seed, the compiler or the "
+              "box (%s) is not what it was when this was listed; list anew",
               asked, box_name(b->grading.kind));
 }
 

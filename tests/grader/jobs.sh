@@ -106,9 +106,29 @@ done
 sed -i "s|^|PATH=$scratch/bare |" "$scratch/first"
 verdict 'where there is no box a job says so' refused 'CANNOT BE ISOLATED'
 sed -i 's/--job/--unsafe --job/' "$scratch/first"
-verdict 'and is no job of a list that has boxes' refused 'here: NONE'
+verdict 'and is no job of a list that has boxes' refused 'box (NONE'
 verdict 'and grades nothing' \
     test "$(ls -i "$scratch"/out/marks/*/01a.json)" = "$(cat "$scratch/before")"
 sed -i 's|--job [^/]*|--job berta|' "$scratch/first"
 verdict 'nor for who is no student' refused "no student 'berta'"
-echo 1..19
+
+# A machine that has another compiler, by its own words.
+list "$scratch/first"
+printf '#!/bin/sh\necho cc 99\n' >"$scratch/cc"
+chmod 755 "$scratch/cc"
+cc=$(sed -n '1s/ .*//p' build/grade/flags)
+elsewhere() {
+    [ "$(id -u)" -eq 0 ] && unshare --mount true 2>/dev/null || {
+        echo '# note: only root can put another compiler in its place here'
+        return
+    }
+    sed "s|^|exec unshare --mount sh -c 'mount --bind \$0 /usr/bin/$cc \&\& exec \"\$@\"' \
+        $scratch/cc |" "$scratch/first" | tr -d '\n' >"$scratch/there"
+    echo >>"$scratch/there"
+    (cd "$scratch/kit" && sh "$scratch/there") >"$scratch/said" 2>&1
+    grep -q 'the compiler or the box' "$scratch/said" ||
+        why "$(cat "$scratch/said")"
+}
+verdict 'where the compiler is another one a job is not done' elsewhere
+verdict 'it is done where it was listed' run "$scratch/first"
+echo 1..21

@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 720394015 of the lines below */
+/* checksum 2147474323 of the lines below */
 /* The program behind make grade: a folder of submissions, in parallel. */
 #include "examiner/grading.h"
 #include "examiner/process.h"
@@ -36,6 +36,14 @@ struct options {
     bool seeded, unsafe, list;
 };
 
+enum round { TRIED, RETRIED, COPIED };
+
+/* What was handed in, and by whom first. */
+struct alike {
+    uint64_t sum;
+    size_t student;
+};
+
 struct batch {
     struct options options;
     struct kit *kits;
@@ -44,7 +52,9 @@ struct batch {
     size_t kit_count, count;        /* of exercises, of students */
     struct grading grading;
     char root[4096], work[4200];
-    uint64_t compiler; /* a sum of what it calls itself */
+    uint64_t compiler;   /* a sum of what it calls itself */
+    struct alike *alike; /* of the exercise that is looked at */
+    size_t alikes;
     size_t begun, done, failed;
 };
 static const char usage[] =
@@ -595,11 +605,41 @@ static void start_job(struct batch *b, const struct job *job)
     ends[running++] = (struct pollfd){process_watch(pid), POLLIN, 0};
 }
 
-static void look_at(struct batch *b, uint64_t kit, size_t s, size_t e,
-                    int tried)
+static size_t first_alike(struct batch *b, uint64_t sum, size_t s)
 {
-    struct job job = {.student = s, .exercise = e, .tries = tried + 1};
+    size_t i = 0;
+    while (i < b->alikes && b->alike[i].sum != sum)
+        ++i;
+    if (i == b->alikes)
+        b->alike[b->alikes++] = (struct alike){sum, s};
+    return b->alike[i].student;
+}
+
+static bool copy_marks(struct batch *b, const struct job *job, size_t first)
+{
+    char path[4400];
+    struct marks found;
+    result_path(b, first, job->exercise, path);
+    if (!marks_read(&found, NULL, path))
+        return false;
+    struct marks own = found;
+    own.student = b->submissions[job->student].name;
+    own.file = job->remark;
+    own.note = job->note;
+    marks_write(&own, job->key, job->path);
+    marks_free(&found);
+    ++b->done;
+    show_progress(b);
+    return true;
+}
+
+static void look_at(struct batch *b, uint64_t kit, size_t s, size_t e,
+                    enum round round)
+{
+    struct job job = {
+        .student = s, .exercise = e, .tries = 1 + (round == RETRIED)};
     struct marks marks;
+    size_t first = s;
     job.bytes = submissions_read(b->options.folder, &b->submissions[s],
                                  b->kits[e].file, &job.length, &job.remark,
                                  &job.note);
@@ -613,12 +653,19 @@ static void look_at(struct batch *b, uint64_t kit, size_t s, size_t e,
     result_path(b, s, e, job.path);
     const bool known = marks_read(&marks, job.key, job.path);
     const bool late = known && marks.tries == 1 && marks.late;
-    if (tried == 0 && known)
+    if (job.bytes && !job.page.place && !b->options.list)
+        first = first_alike(b, sum_bytes(kit, job.bytes, job.length), s);
+    if (round == TRIED && known)
         ++b->done;
-    if (tried == 1 && late)
+    if (round == RETRIED && late)
         job.before = &marks;
-    if (tried == 0 ? !known : late)
+    if ((round == TRIED && !known && first == s) ||
+        (round == RETRIED && late) ||
+        (round == COPIED && !known && first != s &&
+         !copy_marks(b, &job, first)))
         start_job(b, &job);
+    while (round == RETRIED && running > 0)
+        wait_for_one(b);
     marks_free(&marks);
     free(job.page.script);
     free(job.page.refusal);
@@ -627,28 +674,28 @@ static void look_at(struct batch *b, uint64_t kit, size_t s, size_t e,
     free(job.note);
 }
 
-static void grade_all(struct batch *b)
+static void look_at_all(struct batch *b, enum round round)
 {
     for (size_t e = 0; e < b->kit_count; ++e) {
         const uint64_t kit = sum_kit(b, b->kits[e].exercise);
+        b->alikes = 0;
         for (size_t s = 0; s < b->count && !process_signal(); ++s)
-            look_at(b, kit, s, e, 0);
+            look_at(b, kit, s, e, round);
     }
     while (running > 0)
         wait_for_one(b);
 }
 
-static void retry_late(struct batch *b)
+static void grade_all(struct batch *b)
 {
-    b->options.jobs = 1;
-    for (size_t e = 0; e < b->kit_count; ++e) {
-        const uint64_t kit = sum_kit(b, b->kits[e].exercise);
-        for (size_t s = 0; s < b->count && !process_signal(); ++s) {
-            look_at(b, kit, s, e, 1);
-            while (running > 0)
-                wait_for_one(b);
-        }
-    }
+    b->alike = calloc(b->count + 1, sizeof *b->alike);
+    if (!b->alike)
+        text_fail("out of memory");
+    look_at_all(b, TRIED);
+    if (!b->options.job || !b->begun)
+        look_at_all(b, RETRIED);
+    look_at_all(b, COPIED);
+    free(b->alike);
 }
 
 static struct marks *read_results(const struct batch *b)
@@ -737,8 +784,6 @@ int main(int argc, char **argv)
     process_catch_signals();
     signal(SIGPIPE, SIG_IGN);
     grade_all(&b);
-    if (!process_signal() && !(b.options.job && b.begun))
-        retry_late(&b);
     remove_work();
     if (process_signal())
         text_fail("interrupted with %zu of %zu graded; the same command "

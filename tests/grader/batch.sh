@@ -377,6 +377,19 @@ own_times() { # each test has its own, and together they are not the whole
         "$(result honest)" || why "$(grep seconds "$(result honest)")"
 }
 verdict 'each test has its own time' own_times
+# Two with the same file: to the nanosecond they take the same time.
+honest "$scratch/same"
+cp -r "$scratch/same/honest" "$scratch/same/twin"
+grade "$scratch/same" "$scratch/out" --jobs 4
+twins() {
+    [ "$(grep -c 'seconds"' "$(result twin)")" -gt 10 ] &&
+        [ "$(grep 'seconds"' "$(result honest)")" = \
+            "$(grep 'seconds"' "$(result twin)")" ] &&
+        grep -q '^ "student": "twin",' "$(result twin)" ||
+        why "$(head -8 "$(result twin)")"
+}
+verdict 'what two hand in is graded once, under either name' twins
+verdict 'and earns the same' judged twin passed "$full"
 verdict 'an honest student has all with any seed' judged honest passed "$full"
 verdict 'another one has what she deserves with any seed' \
     judged partly failed $((full - first))
@@ -412,4 +425,4 @@ drawn() {
 }
 verdict 'a seed that is not given is drawn once and kept' drawn
 verdict 'nothing is left in the end' nothing
-echo 1..63
+echo 1..65

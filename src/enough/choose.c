@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1840464757 of the lines below */
+/* checksum 1888535085 of the lines below */
 /* Exact ways, two runs that agree, and ladders judged by them. */
 #include "enough/choose.h"
 
@@ -12,8 +12,7 @@
 struct task {
     const struct choose_request *q;
     struct record_view *view;
-    struct models_acts acts;
-    size_t rows;
+    struct reference *f;     /* which stands when candidates are tried */
     struct choose_choice *c; /* where what was seen is written down */
 };
 
@@ -35,13 +34,13 @@ static struct record_order order_of(const struct task *t,
 {
     const double less = fmin(plan.tolerance / first_tolerance(t), 1);
     plan.little = share * t->q->tolerance * t->view->length * less;
-    plan.left = (double)t->rows * t->q->every;
+    plan.left = (double)t->c->rows * t->q->every;
     plan.margin =
         plan.tolerance > 0 ? t->q->tolerance * t->view->length : 0;
     return (struct record_order){.scene = t->q->scene,
                                  .plan = plan,
                                  .every = t->q->every,
-                                 .rows = t->rows,
+                                 .rows = t->c->rows,
                                  .limit = fmin(limit, left_of(t))};
 }
 
@@ -62,17 +61,16 @@ static void run(const struct task *t, struct record *r,
 
 static bool whole(const struct task *t, const struct record *r)
 {
-    return r->end == MODELS_DONE && r->reached == t->rows;
+    return r->end == MODELS_DONE && r->reached == t->c->rows;
 }
 
 static double apart(const struct task *t, const struct record *a,
                     const struct record *b)
 {
-    return record_apart(t->view, a, b, 1, t->rows);
+    return record_apart(t->view, a, b, 1, t->c->rows);
 }
 
-/* The candidate of a model and its cuts, a new one if there is none yet;
-   the list has room for all. */
+/* The candidate of a model and its cuts, a new one if there is none. */
 static struct choose_candidate *enter(const struct task *t,
                                       struct models_plan plan)
 {
@@ -146,8 +144,7 @@ static void note_horizon(const struct task *t, size_t held, double every)
     t->c->horizon = fmin(t->c->horizon, until);
 }
 
-/* What clocks do to a run that are wrong by their roundings:
-   (12.11, eq:choose-slip). */
+/* What clocks do that are wrong by rounding: (12.11, eq:choose-slip). */
 static double slip(const struct task *t, const struct record *r)
 {
     const double late_by = 0x1p-40;
@@ -196,7 +193,7 @@ static double price_of_twin(const struct task *t, const struct record *r)
         record_free(&a);
         record_free(&b);
     }
-    return reached > 0 ? cost * part * (double)t->rows / (double)reached
+    return reached > 0 ? cost * part * (double)t->c->rows / (double)reached
                        : INFINITY;
 }
 
@@ -259,8 +256,7 @@ static double fineness(const struct models_plan *p)
     return p->tolerance > 0 ? -log2(p->tolerance) : log2((double)p->steps);
 }
 
-/* The coarsest rung that is as fine as this; 2^50 steps or 1e-15 at most.
- */
+/* The coarsest rung as fine as this; 2^50 steps or 1e-15 at most. */
 static struct models_plan rung_at(struct models_plan p, double fine)
 {
     const int most = p.model->method->adaptive ? 46 : 400;
@@ -281,18 +277,12 @@ struct reference {
     double doubt;
 };
 
-/* A rung that was tried; model NULL: none was. */
-struct tried {
-    struct models_plan plan;
-    double error, cost; /* INFINITY: beyond what was allowed */
-};
-
 /* A method on its ladder. */
 struct ladder {
     struct choose_candidate *candidate;
     struct models_plan foot;
-    struct tried best;  /* the coarsest that holds, or the last that does
-                           not */
+    struct choose_point best; /* the coarsest that holds, or the last that
+                                 does not; model NULL: none was tried */
     double least, most; /* between these is the next one, in octaves */
     double rise;        /* octaves of cost to one of fineness */
     double price;       /* s, foreseen */
@@ -305,16 +295,21 @@ static struct models_plan foot_of(const struct task *t,
     const double limit = p.model->method->limit;
     const double bears = limit > 0 ? fmin(0.6 * limit, 2) : 1;
     const double rate = p.cuts & MODELS_RODS
-                            ? models_rate(t->q->scene, &t->acts, p.cuts)
-                            : t->acts.fastest;
+                            ? models_rate(t->q->scene, &t->c->acts, p.cuts)
+                            : t->c->acts.fastest;
     return rung_at(p, p.model->method->adaptive
                           ? -log2(fmin(t->q->tolerance, 1e-4))
                           : log2(t->q->every * rate / bears));
 }
 
+/* How far a run is from the reference, and that from the truth. */
+static double off_by(const struct task *t, const struct record *r)
+{
+    return apart(t, r, &t->f->run) + t->f->doubt;
+}
+
 /* How far the next finer rung is off, which may have been tried. */
 static double error_of_neighbour(const struct task *t,
-                                 const struct reference *f,
                                  const struct ladder *l,
                                  const struct models_plan *p)
 {
@@ -324,30 +319,28 @@ static double error_of_neighbour(const struct task *t,
     if (l->best.plan.steps == o.plan.steps)
         return l->best.error;
     run(t, &r, &o);
-    const double error = apart(t, &r, &f->run) + f->doubt;
+    const double error = off_by(t, &r);
     record_free(&r);
     return error;
 }
 
-/* Runs a plan, and writes down how far it is from the reference; l: NULL,
-   or its ladder. */
-static struct tried try_plan(const struct task *t,
-                             const struct reference *f,
-                             const struct ladder *l,
-                             struct models_plan plan, double limit,
-                             struct choose_candidate *k)
+/* Runs a plan, and notes how far off it is; l: NULL, or its ladder. */
+static struct choose_point try_plan(const struct task *t,
+                                    const struct ladder *l,
+                                    struct models_plan plan, double limit,
+                                    struct choose_candidate *k)
 {
     struct record r;
-    struct tried seen = {plan, INFINITY, INFINITY};
+    struct choose_point seen = {plan, INFINITY, INFINITY}; /* too dear */
     const struct record_order o = order_of(t, plan, limit);
     run(t, &r, &o);
     if (r.end != MODELS_COSTLY)
         seen.cost = r.cost;
     if (whole(t, &r)) {
-        seen.error = apart(t, &r, &f->run) + f->doubt;
+        seen.error = off_by(t, &r);
         if (l && plan.tolerance == 0 && r.cost < best(t) &&
             seen.error <= t->q->tolerance) {
-            const double other = error_of_neighbour(t, f, l, &plan);
+            const double other = error_of_neighbour(t, l, &plan);
             seen.error = other > t->q->tolerance ? other : seen.error;
         }
         offer(t, k, &r, seen.error);
@@ -357,7 +350,7 @@ static struct tried try_plan(const struct task *t,
     return seen;
 }
 
-static void note(struct ladder *l, struct tried r, double target)
+static void note(struct ladder *l, struct choose_point r, double target)
 {
     const double fine = fineness(&r.plan);
     const bool holds = r.error <= target;
@@ -371,11 +364,10 @@ static void note(struct ladder *l, struct tried r, double target)
         l->best = r;
 }
 
-static void try_rung(const struct task *t, const struct reference *f,
-                     struct ladder *l, struct models_plan plan)
+static void try_rung(const struct task *t, struct ladder *l,
+                     struct models_plan plan)
 {
-    note(l, try_plan(t, f, l, plan, best(t), l->candidate),
-         t->q->tolerance);
+    note(l, try_plan(t, l, plan, best(t), l->candidate), t->q->tolerance);
 }
 
 /* The order of a method; in the tolerance of its own steps, one. */
@@ -427,22 +419,20 @@ static struct models_plan next_rung(const struct task *t,
 }
 
 /* Climbs on, as long as that may become cheaper than the best. */
-static void climb(const struct task *t, const struct reference *f,
-                  struct ladder *l)
+static void climb(const struct task *t, struct ladder *l)
 {
     struct models_plan next;
     while ((next = next_rung(t, l)).model)
-        try_rung(t, f, l, next);
+        try_rung(t, l, next);
     if (!l->candidate->holds && l->candidate->text[0] == '\0')
         say(l->candidate, "more expensive than the best");
 }
 
 /* The first run of a ladder, and what it promises. */
-static void set_up(const struct task *t, const struct reference *f,
-                   struct ladder *l)
+static void set_up(const struct task *t, struct ladder *l)
 {
     if (!l->best.plan.model)
-        try_rung(t, f, l, l->foot);
+        try_rung(t, l, l->foot);
     const double more = fmax(excess(t, l) / order_of_method(l), -FAR);
     l->price = l->best.plan.model ? price_of(l, more) : INFINITY;
     l->candidate->foreseen = l->price;
@@ -454,9 +444,8 @@ static int by_price(const void *a, const void *b)
     return (x->price > y->price) - (x->price < y->price);
 }
 
-static void add_ladder(const struct task *t, const struct reference *f,
-                       struct ladder ladder[], size_t *count,
-                       const char *name, unsigned cuts)
+static void add_ladder(const struct task *t, struct ladder ladder[],
+                       size_t *count, const char *name, unsigned cuts)
 {
     const struct models_plan p = {
         .model = models_find(name), .cuts = cuts, .steps = 1};
@@ -473,13 +462,16 @@ static void add_ladder(const struct task *t, const struct reference *f,
                          .least = -INFINITY,
                          .most = INFINITY};
     l->rise = p.model->method->adaptive ? 1.0 / 7 : 1;
+    const struct reference *f = t->f;
     if (p.model == f->coarser.plan.model && cuts == 0) {
-        note(l, (struct tried){f->coarser.plan, f->doubt, f->coarser.cost},
+        note(l,
+             (struct choose_point){f->coarser.plan, f->doubt,
+                                   f->coarser.cost},
              t->q->tolerance);
         l->rise = log2(f->run.cost / f->coarser.cost) /
                   (fineness(&f->run.plan) - fineness(&f->coarser.plan));
     }
-    set_up(t, f, l);
+    set_up(t, l);
 }
 
 static const struct way_up {
@@ -492,21 +484,21 @@ static const struct way_up {
 enum { WAYS_UP = sizeof ways_up / sizeof *ways_up };
 
 /* All ladders: their feet first, then one by one as far as it pays. */
-static void race(const struct task *t, const struct reference *f)
+static void race(const struct task *t)
 {
     struct ladder ladder[WAYS_UP];
     size_t count = 0;
     const struct models_plan *only = t->q->only;
     const unsigned cuts = models_cuts(t->q->scene);
     if (only)
-        add_ladder(t, f, ladder, &count, only->model->name, only->cuts);
+        add_ladder(t, ladder, &count, only->model->name, only->cuts);
     for (const struct way_up *w = ways_up; !only && w < ways_up + WAYS_UP;
          ++w)
         if (!(w->cuts & ~cuts))
-            add_ladder(t, f, ladder, &count, w->method, w->cuts);
+            add_ladder(t, ladder, &count, w->method, w->cuts);
     qsort(ladder, count, sizeof *ladder, by_price);
     for (size_t j = 0; j < count; ++j)
-        climb(t, f, &ladder[j]);
+        climb(t, &ladder[j]);
 }
 
 static struct models_plan first_reference(const struct task *t)
@@ -576,14 +568,12 @@ static bool find_even(const struct task *t, struct reference *f,
     return false;
 }
 
-/* Where forces are smooth and no body meets another, steps of one length
-   will do. */
+/* Where forces are smooth and nobody meets, steps of one length will do. */
 static bool find_cheap(const struct task *t, struct reference *f)
 {
-    const struct models_acts *a = &t->acts;
     const struct models_plan p = {.model = models_find("leapfrog"),
                                   .steps = 1};
-    return !a->gravity && !t->q->scene->contact &&
+    return !t->c->acts.gravity && !t->q->scene->contact &&
            !models_refuse(&p, t->q->scene) &&
            (find_even(t, f, "leapfrog") || find_even(t, f, "kahan-li8"));
 }
@@ -653,7 +643,7 @@ static bool find_reference(const struct task *t, struct reference *f)
 }
 
 /* Models that leave something out, or nearly nothing. */
-static void try_approximate(const struct task *t, const struct reference *f)
+static void try_approximate(const struct task *t)
 {
     const unsigned light = models_cuts(t->q->scene) & MODELS_NO_LIGHT;
     for (const struct models_model *m = models_all(); m->name; ++m) {
@@ -661,17 +651,18 @@ static void try_approximate(const struct task *t, const struct reference *f)
             .model = m, .cuts = m->approximate ? 0 : light};
         if (m->family != MODELS_STEPS && !t->q->only &&
             (m->approximate || light) && !models_refuse(&plan, t->q->scene))
-            try_plan(t, f, NULL, plan, left_of(t), enter(t, plan));
+            try_plan(t, NULL, plan, left_of(t), enter(t, plan));
     }
 }
 
 /* A plan that was asked for, as it is. */
-static void try_only(const struct task *t, const struct reference *f)
+static void try_only(const struct task *t)
 {
     const struct models_plan *only = t->q->only;
     struct choose_candidate *k = enter(t, *only);
     char plan[MODELS_TEXT];
-    const struct tried seen = try_plan(t, f, NULL, *only, left_of(t), k);
+    const struct choose_point seen =
+        try_plan(t, NULL, *only, left_of(t), k);
     models_write(only, plan);
     if (!k->holds && isfinite(seen.error))
         snprintf(t->c->refusal, CHOOSE_REFUSAL,
@@ -682,32 +673,32 @@ static void try_only(const struct task *t, const struct reference *f)
 }
 
 /* All that has to be compared with a reference. */
-static void compare(const struct task *t, struct reference *f)
+static void compare(const struct task *t)
 {
+    struct reference *f = t->f;
     const struct models_plan *only = t->q->only;
     t->c->reference = f->run.plan;
     t->c->doubt = f->doubt;
     if (only && (only->model->family != MODELS_STEPS || only->steps > 0)) {
-        try_only(t, f);
+        try_only(t);
         return;
     }
-    try_approximate(t, f);
+    try_approximate(t);
     if (!only || (only->model == f->coarser.plan.model && !only->cuts))
         offer(t, enter(t, f->coarser.plan), &f->coarser,
               (f->doubt > share * t->q->tolerance ? doubled : 1 + share) *
                   f->doubt);
-    race(t, f);
+    race(t);
 }
 
 static void decide(const struct task *t)
 {
-    struct reference f = {0};
     const struct models_plan *only = t->q->only;
     for (const struct models_model *m = models_all(); m->name; ++m)
         if (m->family != MODELS_STEPS && !m->approximate &&
             (!only || (only->model == m && !only->cuts)))
             try_exact(t, m);
-    const struct models_acts *a = &t->acts;
+    const struct models_acts *a = &t->c->acts;
     const bool falls =
         a->gravity || a->springs || a->weight || a->friction || a->dashpots;
     if (t->c->run.value && t->c->horizon < INFINITY &&
@@ -716,10 +707,8 @@ static void decide(const struct task *t)
     if (t->c->run.value || (t->c->horizon < INFINITY && !falls) ||
         !(left_of(t) > 0))
         return;
-    if (find_reference(t, &f))
-        compare(t, &f);
-    record_free(&f.run);
-    record_free(&f.coarser);
+    if (find_reference(t, t->f))
+        compare(t);
 }
 
 /* Says why nothing was taken, if nobody has. */
@@ -735,7 +724,7 @@ static void refuse(const struct task *t)
             "horizon: from t = %.10g on rounding%s decides by more than "
             "%.3g what happens; spent: %.2g s",
             c->horizon,
-            t->acts.contact ? " or the order of collisions at one moment"
+            c->acts.contact ? " or the order of collisions at one moment"
                             : "",
             t->q->tolerance, c->spent);
     else if (left_of(t) < 0.1 * t->q->reason)
@@ -765,8 +754,7 @@ static bool overlaps(const struct task *t)
 
 enum { SEEN = 2000 }; /* bodies, at most, whose pairs are looked at */
 
-/* Is there a pair that the tolerance cannot tell apart, and a body without
-   which it could? */
+/* Is there a pair that the tolerance could tell apart but for one body? */
 static void look_for_hidden(const struct task *t)
 {
     const struct scene *s = t->q->scene;
@@ -786,23 +774,25 @@ static void look_for_hidden(const struct task *t)
 bool choose(struct choose_choice *c, const struct choose_request *q)
 {
     struct record_view view;
+    struct reference f = {0};
     const double length = q->until - q->scene->time;
     *c = (struct choose_choice){.horizon = INFINITY};
     if (!record_look(&view, q->program, q->scene, q->asked, length))
         return false;
-    struct task t = {.q = q, .view = &view, .c = c};
-    t.rows = c->rows = (size_t)(length / q->every + 0.5);
+    const struct task t = {q, &view, &f, c};
+    c->rows = (size_t)(length / q->every + 0.5);
     c->columns = view.columns;
     c->scale = view.scale;
     c->judged = view.judged;
-    models_analyse(&t.acts, q->scene);
-    c->acts = t.acts;
+    models_analyse(&c->acts, q->scene);
     if (strcmp(c->judged, "positions") == 0)
         look_for_hidden(&t);
     if (!overlaps(&t))
         decide(&t);
     if (!c->run.value)
         refuse(&t);
+    record_free(&f.run);
+    record_free(&f.coarser);
     record_look_away(&view);
     return true;
 }

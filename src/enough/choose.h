@@ -1,5 +1,5 @@
 /* From chapters/works/12-choose.nw: edit there, then run make tangle. */
-/* checksum 2759599244 of the lines below */
+/* checksum 1736798016 of the lines below */
 /* The cheapest way to carry a scene within a tolerance, or a reason. */
 #ifndef CHOOSE_H
 #define CHOOSE_H
@@ -8,14 +8,9 @@
 #include "enough/record.h"
 #include "forces/observables.h"
 
-enum {
-    CHOOSE_TEXT = 160,
-    CHOOSE_REFUSAL = 500,
-    CHOOSE_SENTENCE = 600,
-    CHOOSE_REASON = 60, /* s by the price list: a usual .reason */
-    CHOOSE_MOST = 40
-};
-enum { CHOOSE_POINTS = 400 };
+enum { CHOOSE_TEXT = 160, CHOOSE_REFUSAL = 500, CHOOSE_SENTENCE = 600 };
+enum { CHOOSE_REASON = 60 }; /* s by the price list: a usual .reason */
+enum { CHOOSE_MOST = 40, CHOOSE_POINTS = 400 };
 
 /* What is asked for. */
 struct choose_request {
@@ -25,10 +20,8 @@ struct choose_request {
     double tolerance;                /* share of the scale */
     const struct observables *asked; /* NULL: all positions */
     double reason; /* what all of it may cost, s by the price list */
-    const struct models_plan *only; /* NULL, or the model to be taken, with
-                                       its steps or without */
-    void (*watch)(void *with, double spent); /* NULL, or is told now and
-                                                then what was spent */
+    const struct models_plan *only; /* NULL, or what has to be taken */
+    void (*watch)(void *with, double spent); /* NULL, or hears the bill */
     void *with;
 };
 
@@ -47,9 +40,8 @@ struct choose_point {
     double error, cost;
 };
 
-/* What the scale hides: bodies a and b are nearer to each other than the
-   tolerance; without body `far` the scale would be much shorter. a == b:
-   nothing. */
+/* What the scale hides: bodies a and b are nearer than the tolerance;
+   without body `far` it would be much shorter. a == b: nothing. */
 struct choose_hidden {
     size_t a, b, far;
     double apart, without; /* m */
@@ -74,9 +66,8 @@ struct choose_choice {
     char refusal[CHOOSE_REFUSAL];
 };
 
-/* Looks for the cheapest way and takes it. Returns false when there is no
-   memory, or the scene cannot be set in motion: says so, with nothing to
-   free. A refusal is a result. */
+/* Takes the cheapest way; a refusal is a result. false: there is no memory,
+   or the scene cannot be set in motion; says so, with nothing to free. */
 bool choose(struct choose_choice *c, const struct choose_request *q);
 void choose_free(struct choose_choice *c);
 

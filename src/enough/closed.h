@@ -1,5 +1,5 @@
 /* From chapters/works/12-models-parts.nw: edit there, then run make tangle. */
-/* checksum 1682851723 of the lines below */
+/* checksum 1598705179 of the lines below */
 /* Motions in closed form: flight, an oscillator, equal points on a line. */
 #ifndef CLOSED_H
 #define CLOSED_H
@@ -8,8 +8,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* e to the x, within 1e-15 of itself unless that is subnormal (x < -708);
-   the same bits on every machine. */
+/* e to the x, to 1e-15 of itself if x > -708; the same bits everywhere. */
 double closed_exp(double x);
 
 /* Moves a body by the time t (s) under a constant acceleration g (m/s^2)
@@ -24,9 +23,8 @@ void closed_oscillate(double t, double square, double rate, double *y,
                       double *v);
 
 /* Equal points on a line between elastic walls at low and high (m;
-   -INFINITY, INFINITY: none): fills place and speed, from left to right,
-   with what x and v have become after the time t, s. Returns false without
-   memory. */
+   -INFINITY, INFINITY: none): fills place and speed, from left to right, as
+   they are after the time t, s. Returns false without memory. */
 bool closed_relabel(double low, double high, size_t n, const double x[],
                     const double v[], double t, double place[],
                     double speed[]);

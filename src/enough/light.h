@@ -1,5 +1,5 @@
 /* From chapters/works/12-models-parts.nw: edit there, then run make tangle. */
-/* checksum 233808957 of the lines below */
+/* checksum 2685977701 of the lines below */
 /* Light bodies that do not pull, each alone with all that is inside it. */
 #ifndef LIGHT_H
 #define LIGHT_H
@@ -21,8 +21,7 @@ struct light {
                         ones, from the nearest to the farthest */
     double *share;   /* [bodies] by which what pulls a body is multiplied */
     bool moving;     /* the heavy ones give way */
-    /* The heavy ones as one body and all light ones, which have no mass if
-       the heavy ones do not give way. */
+    /* The heavy ones as one, and the light ones; massless unless moving. */
     struct jacobi jacobi;
     double *mass, *room;       /* [their number], [6 times that] */
     double centre[SCENE_AXES]; /* of all the mass at the start, m */
@@ -50,8 +49,7 @@ void light_gather(const struct light *l, const struct scene *s,
 void light_enter(struct light *l, const struct scene *s, double x[],
                  double v[]);
 
-/* The way back, a time t after that, s: the heavy ones get back the motion
-   of their centre, too. */
+/* The way back, a time t after that, s; the centre has gone on moving. */
 void light_leave(const struct light *l, const struct scene *s, double t,
                  double x[], double v[]);
 

@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 4013243190 of the lines below */
+/* checksum 883655616 of the lines below */
 /* What acts, what can be left out, and how each model carries a scene. */
 #include "enough/models.h"
 
@@ -157,8 +157,7 @@ void models_analyse(struct models_acts *a, const struct scene *s)
     look_at(a, s);
     a->fastest = models_rate(s, a, 0);
 }
-/* How far bodies that can be pushed are beyond hard walls that they do not
-   come back from, m. */
+/* How far bodies that can be pushed are beyond hard walls for good, m. */
 static double beyond_walls(const struct scene *s)
 {
     double most = 0;
@@ -205,15 +204,6 @@ static bool is_light(const struct scene *s, size_t i, double heaviest)
     return s->mass[i] * 100 < heaviest;
 }
 
-static bool has_light(const struct scene *s)
-{
-    const double most = heaviest(s);
-    for (size_t i = 0; i < s->bodies; ++i)
-        if (s->mass[i] > 0 && is_light(s, i, most))
-            return true;
-    return false;
-}
-
 /* The square of the frequency of two bodies, if they circled. */
 static double square_of_pair(const struct scene *s, size_t i, size_t j)
 {
@@ -224,8 +214,7 @@ static double square_of_pair(const struct scene *s, size_t i, size_t j)
 
 enum { MOST_PAIRED = 4000 };
 
-/* Of two bodies round each other, the fastest pair; of very many bodies, of
-   pairs with a heavy one. */
+/* Of the fastest pair; of very many bodies, of pairs with a heavy one. */
 static double square_of_gravity(const struct scene *s)
 {
     const double heavy = heaviest(s);
@@ -350,16 +339,18 @@ static void leave_out(struct scene *s, unsigned cuts)
 
 unsigned models_cuts(const struct scene *s)
 {
-    const double from = stiff_from(s);
-    unsigned cuts =
-        attracts(s) && has_light(s) ? (unsigned)MODELS_NO_LIGHT : 0;
+    const double from = stiff_from(s), most = heaviest(s);
+    const bool pulls = attracts(s);
+    unsigned cuts = 0;
+    for (size_t i = 0; pulls && i < s->bodies; ++i)
+        if (s->mass[i] > 0 && is_light(s, i, most))
+            cuts = MODELS_NO_LIGHT;
     for (size_t j = 0; j < s->springs; ++j)
         cuts |= is_stiff(s, &s->spring[j], from) ? MODELS_RODS : 0;
     return cuts;
 }
 
-/* Moves the springs that are stiff to taken. Returns how many those are.
- */
+/* Moves the stiff springs to taken. Returns how many those are. */
 static size_t take_stiff(struct scene *s, struct scene_spring taken[])
 {
     size_t kept = 0, count = 0;
@@ -386,27 +377,18 @@ static const char *const unborne[ACTS] = {
     "bodies may meet",  "there is friction"};
 
 /* NULL: the model carries the scene; or why not. */
-static const char *refusal(const struct models_model *m,
-                           const struct scene *s,
-                           const struct models_acts *a, unsigned cuts)
+static const char *refusal(const struct models_run *r)
 {
+    const struct models_model *m = r->plan.model;
+    const struct models_acts *a = &r->acts;
+    const unsigned cuts = a->cuts;
     const bool acts[ACTS] = {cuts & MODELS_RODS, cuts & MODELS_NO_LIGHT,
                              a->springs,         a->gravity,
                              a->contact,         a->friction};
     for (unsigned k = 0; k < ACTS; ++k)
         if (acts[k] && !(m->bears >> k & 1))
             return unborne[k];
-    return m->refuses ? m->refuses(s, a, cuts) : NULL;
-}
-
-static const char *begin_origin(struct models_run *r)
-{
-    return scene_copy(r->engine, &r->scene) ? NULL : no_memory;
-}
-
-static void end_origin(struct models_run *r)
-{
-    scene_free(r->engine);
+    return m->refuses ? m->refuses(&r->scene, a) : NULL;
 }
 
 enum { WITH_EXPONENTIAL = 10 }; /* what such a flight costs, in flights */
@@ -415,7 +397,7 @@ static enum models_end row_free(struct models_run *r)
 {
     struct scene *s = &r->scene;
     const size_t n = s->bodies;
-    scene_take_state(s, r->engine);
+    scene_take_state(s, &r->origin);
     for (size_t c = 0; c < 3 * n; ++c)
         if (s->freedom[c])
             closed_fly(r->elapsed,
@@ -439,15 +421,16 @@ static size_t central_body(const struct scene *s, unsigned axes)
 }
 
 /* Do all but the central body pull nobody who could give way? */
-static bool is_central(const struct scene *s, size_t centre, unsigned axes,
-                       unsigned cuts)
+static bool is_central(const struct scene *s, const struct models_acts *a,
+                       size_t centre)
 {
+    const unsigned axes = a->axes;
     const bool held = !(freedom_of(s, centre) & axes);
     const double most = heaviest(s);
     for (size_t i = 0; i < s->bodies; ++i) {
         const bool quiet =
             s->mass[i] == 0 ||
-            ((cuts & MODELS_NO_LIGHT) && is_light(s, i, most)) ||
+            ((a->cuts & MODELS_NO_LIGHT) && is_light(s, i, most)) ||
             s->bodies == 2;
         if (i != centre && (!quiet || axes & ~freedom_of(s, i)))
             return false;
@@ -456,7 +439,7 @@ static bool is_central(const struct scene *s, size_t centre, unsigned axes,
 }
 
 static const char *refuse_kepler(const struct scene *s,
-                                 const struct models_acts *a, unsigned cuts)
+                                 const struct models_acts *a)
 {
     const size_t centre = central_body(s, a->axes);
     if (!a->gravity)
@@ -465,7 +448,7 @@ static const char *refuse_kepler(const struct scene *s,
         return "the attraction is softened";
     if (a->offset & ~a->axes)
         return "bodies are held beside the plane of their motion";
-    if (!is_central(s, centre, a->axes, cuts))
+    if (!is_central(s, a, centre))
         return "more than one body pulls, or one is held";
     if (a->weight && !(freedom_of(s, centre) & a->axes))
         return "there is weight, and the centre is held";
@@ -485,36 +468,27 @@ static bool make_light(struct light *l, const struct scene *s, bool moving,
     return made;
 }
 
-struct ellipses {
-    struct light light;
-    struct scene origin;
-};
-
 static void end_kepler(struct models_run *r)
 {
-    struct ellipses *e = r->engine;
-    light_free(&e->light);
-    scene_free(&e->origin);
+    light_free(r->engine);
 }
 
-/* Places and velocities at the start; returns the former, which the latter
-   follow. */
-static double *at_start(const struct ellipses *e)
+/* Places at the start, followed by velocities. */
+static double *at_start(const struct models_run *r)
 {
-    double *const x = e->light.room;
-    const struct scene *s = &e->origin;
-    light_gather(&e->light, s, s->position, x);
-    light_gather(&e->light, s, s->velocity, x + 3 * e->light.jacobi.bodies);
-    return x;
+    const struct light *l = r->engine;
+    const struct scene *s = &r->origin;
+    light_gather(l, s, s->position, l->room);
+    light_gather(l, s, s->velocity, l->room + 3 * l->jacobi.bodies);
+    return l->room;
 }
 
-/* By what share of the time ellipses may be early or late; INFINITY when
-   one of the orbits is none. */
-static double clock_of_ellipses(const struct ellipses *e)
+/* By what share of the time ellipses may be off; INFINITY: one is none. */
+static double clock_of_ellipses(const struct models_run *r)
 {
-    const struct jacobi *j = &e->light.jacobi;
+    const struct jacobi *j = &((const struct light *)r->engine)->jacobi;
     const size_t n = j->bodies;
-    double most = 0, *const x = at_start(e), *const v = x + 3 * n;
+    double most = 0, *const x = at_start(r), *const v = x + 3 * n;
     jacobi_enter(j, x, x);
     jacobi_enter(j, v, v);
     for (size_t i = 1; i < n; ++i) {
@@ -524,35 +498,33 @@ static double clock_of_ellipses(const struct ellipses *e)
         kepler_shape(j->mu[i], q, w, &axis, &eccentricity);
         if (!(axis > 0 && axis < INFINITY && eccentricity < 1 - 1e-9))
             return INFINITY;
-        const double r = sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2]);
-        most = fmax(most, 0x1p-51 * (1 + 4 * axis / r));
+        const double far = sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2]);
+        most = fmax(most, 0x1p-51 * (1 + 4 * axis / far));
     }
     return most;
 }
 
 static const char *begin_kepler(struct models_run *r)
 {
-    struct ellipses *e = r->engine;
     const size_t centre = central_body(&r->scene, r->acts.axes);
     const bool moving = freedom_of(&r->scene, centre) & r->acts.axes;
-    if (!scene_copy(&e->origin, &r->scene) ||
-        !make_light(&e->light, &e->origin, moving, centre, true))
+    if (!make_light(r->engine, &r->scene, moving, centre, true))
         return no_memory;
-    r->clock = clock_of_ellipses(e);
+    r->clock = clock_of_ellipses(r);
     return r->clock < INFINITY ? NULL
                                : "an orbit is open, or as good as a fall";
 }
 
 static enum models_end row_kepler(struct models_run *r)
 {
-    const struct ellipses *e = r->engine;
-    struct jacobi j = e->light.jacobi;
+    const struct light *l = r->engine;
+    struct jacobi j = l->jacobi;
     struct scene *s = &r->scene;
     const size_t n = j.bodies;
-    double *const x = at_start(e), *const v = x + 3 * n, t = r->elapsed;
+    double *const x = at_start(r), *const v = x + 3 * n, t = r->elapsed;
     jacobi_flow(&j, t, x, v);
     for (size_t c = 0; c < 3 * n; ++c) {
-        const size_t to = at(s, c / n, e->light.order[c % n]);
+        const size_t to = at(s, c / n, l->order[c % n]);
         const double fall = s->freedom[to] ? s->gravity[c / n] * t : 0;
         s->position[to] = x[c] + fall / 2 * t;
         s->velocity[to] = v[c] + fall;
@@ -564,11 +536,10 @@ static enum models_end row_kepler(struct models_run *r)
 enum { MOST_MODES = 400, MOST_TRIES = 30 };
 
 static const char *refuse_modes(const struct scene *s,
-                                const struct models_acts *a, unsigned cuts)
+                                const struct models_acts *a)
 {
     double mass = 0;
     size_t coordinates = 0;
-    (void)cuts;
     if (!a->springs)
         return "no spring acts";
     for (size_t c = 0; c < 3 * s->bodies; ++c)
@@ -586,12 +557,11 @@ static const char *refuse_modes(const struct scene *s,
 }
 
 static const char *refuse_oscillator(const struct scene *s,
-                                     const struct models_acts *a,
-                                     unsigned cuts)
+                                     const struct models_acts *a)
 {
     return a->dimensions > 1 || (a->offset & ~a->axes)
                ? "it does not move along its springs only"
-               : refuse_modes(s, a, cuts);
+               : refuse_modes(s, a);
 }
 
 /* Modes, and how much of each there is. */
@@ -652,8 +622,7 @@ static const char *find_rest(struct vibration *w, struct models_run *r)
                : NULL;
 }
 
-/* How much of each mode is in a displacement, or in velocities, or in an
-   acceleration. */
+/* How much of each mode is in a displacement, or in its derivatives. */
 static void take_apart(const struct modes *m, const double x[],
                        const double from[], double amount[])
 {
@@ -667,8 +636,7 @@ static void take_apart(const struct modes *m, const double x[],
     }
 }
 
-/* Does each spring that has a length of its own keep its direction, on a
-   line along this axis? */
+/* Does no spring that has a length of its own turn round on this axis? */
 static bool keeps_sides(const struct vibration *w, const struct scene *s,
                         size_t axis)
 {
@@ -793,11 +761,10 @@ static struct row_of_bodies row_of(const struct scene *s,
 
 /* What keeps a scene off the line. */
 static const char *refuse_line(const struct scene *s,
-                               const struct models_acts *a, unsigned cuts)
+                               const struct models_acts *a)
 {
     const struct row_of_bodies row = row_of(s, a);
     size_t movers = 0;
-    (void)cuts;
     if (!s->contact)
         return "nothing collides";
     if (a->dimensions > 1 || (a->offset & ~(1u << row.axis)))
@@ -824,8 +791,7 @@ static const char *refuse_line(const struct scene *s,
                : "nothing is free, or too much";
 }
 
-/* The start of chapter 2 for a row, and in body who is who. False without
-   memory. */
+/* The start of chapter 2, and in body who is who. False without memory. */
 static bool start_row(struct start *start, size_t **body,
                       const struct scene *s,
                       const struct row_of_bodies *row)
@@ -901,8 +867,7 @@ static const char *begin_line(struct models_run *r)
                                       : "bodies overlap at the start";
 }
 
-/* Engines of events are asked for so many collisions at a time, between
-   which the cost is looked at. */
+/* So many collisions at a time, between which the cost is looked at. */
 enum { AT_A_TIME = 4096, SLAB_WORTH = 30 /* gaps */ };
 
 static bool is_costly(const struct models_run *r)
@@ -951,10 +916,9 @@ static enum models_end row_line(struct models_run *r)
 }
 
 static const char *refuse_relabel(const struct scene *s,
-                                  const struct models_acts *a,
-                                  unsigned cuts)
+                                  const struct models_acts *a)
 {
-    const char *why = refuse_line(s, a, cuts);
+    const char *why = refuse_line(s, a);
     const size_t axis = row_of(s, a).axis;
     double mass = 0;
     if (why)
@@ -1076,11 +1040,10 @@ static bool points_meet(const struct scene *s, const struct models_acts *a)
 }
 
 static const char *refuse_disks(const struct scene *s,
-                                const struct models_acts *a, unsigned cuts)
+                                const struct models_acts *a)
 {
     const struct view w = view_of(s, a);
     const char *why = view_fault(s, a, &w);
-    (void)cuts;
     if (!s->contact)
         return "nothing collides";
     if (points_meet(s, a))
@@ -1237,7 +1200,7 @@ static enum models_end row_disks(struct models_run *r)
 }
 
 static const char *refuse_steps(const struct scene *s,
-                                const struct models_acts *a, unsigned cuts)
+                                const struct models_acts *a)
 {
     if (points_meet(s, a))
         return unseen;
@@ -1247,13 +1210,12 @@ static const char *refuse_steps(const struct scene *s,
     case MOTION_TWICE: return "contacts are springs";
     case MOTION_WELL: break;
     }
-    return (cuts & MODELS_RODS) && (a->friction || a->dashpots)
+    return (a->cuts & MODELS_RODS) && (a->friction || a->dashpots)
                ? "rods and friction do not go together"
                : NULL;
 }
 
-/* The heaviest body, then the others from the inside outwards, whatever
-   their numbers are. */
+/* The heaviest body first, then the others from the inside outwards. */
 static bool order_outwards(struct light *l, const struct scene *s)
 {
     return make_light(l, s, false, central_body(s, ALL_AXES), true);
@@ -1274,17 +1236,15 @@ static void permute(struct scene *to, const struct scene *from,
 }
 
 static const char *refuse_orbits(const struct scene *s,
-                                 const struct models_acts *a, unsigned cuts)
+                                 const struct models_acts *a)
 {
-    const char *why = refuse_steps(s, a, cuts);
-    struct scene other;
+    const char *why = refuse_steps(s, a);
+    struct scene other = {0};
     struct light light;
     if (why)
         return why;
-    if (!scene_copy(&other, s))
-        return no_memory;
     why = no_memory;
-    if (order_outwards(&light, s)) {
+    if (scene_copy(&other, s) && order_outwards(&light, s)) {
         permute(&other, s, light.order, false);
         why = jacobi_refuses(&other);
         light_free(&light);
@@ -1300,10 +1260,7 @@ struct steps {
                            in memory, and its scene with it */
     struct light light;
     struct rods rods;
-    struct passages {
-        const struct scene *scene;
-        double little, left;
-    } passages;
+    double little, left; /* as in its plan */
     bool lights, ordered, rodded;
 };
 
@@ -1318,8 +1275,7 @@ static void end_steps(struct models_run *r)
     scene_free(&t->scene);
 }
 
-/* May the centre of mass be used: is nothing held, and is there nothing but
-   gravity and weight? */
+/* Is nothing held, and is there nothing but gravity and weight? */
 static bool has_centre(const struct scene *s, const struct models_acts *a)
 {
     for (size_t i = 0; i < s->bodies; ++i)
@@ -1353,16 +1309,15 @@ static bool stiffen(struct steps *t, struct scene *s,
     return t->rodded;
 }
 
-/* Does the passage of two bodies move any body by more than a little, in
-   the time that is left? Its distance is that of straight ways, less by
-   what they bend. */
-static bool counts(const struct passages *g, const struct pair *p,
-                   double pull, double a2)
+/* Does a passage move any body by more than a little, in the time that is
+   left? Its distance is that of straight ways, less by what they bend. */
+static bool counts(const struct steps *t, const struct pair *p, double pull,
+                   double a2)
 {
     const double tau = fabs(p->rv) / p->v2;
     const double bend = sqrt(a2) * tau * tau / 2;
     const double b = fmax(sqrt(pair_nearest2(p)) - bend, 0);
-    return 2 * pull * g->left > g->little * b * sqrt(p->v2);
+    return 2 * pull * t->left > t->little * b * sqrt(p->v2);
 }
 
 /* How often, in 1/s, two bodies can fly 0.7 of their distance, or come
@@ -1379,8 +1334,8 @@ static double hurry(const struct pair *p, double a2)
 static double longest(void *what, const double x[], const double v[],
                       const double a[])
 {
-    const struct passages *g = what;
-    const struct scene *s = g->scene;
+    const struct steps *t = what;
+    const struct scene *s = &t->scene;
     double most = 0;
     for (size_t i = 0; i < s->bodies; ++i)
         for (size_t j = 0; j < i; ++j) {
@@ -1390,7 +1345,7 @@ static double longest(void *what, const double x[], const double v[],
             const struct pair p = pair_of(s, i, j, x, v);
             const double a2 = pair_of(s, i, j, a, a).r2;
             const double rate = hurry(&p, a2);
-            if (rate > most && counts(g, &p, pull, a2))
+            if (rate > most && counts(t, &p, pull, a2))
                 most = rate;
         }
     return most > 0 ? 1 / most : INFINITY;
@@ -1413,9 +1368,10 @@ static void choose_lengths(struct steps *t, const struct models_plan *p)
     s->tolerance = p->tolerance;
     s->own->slack = p->slack;
     if (t->motion.attracts && p->little > 0) {
-        t->passages = (struct passages){&t->scene, p->little, p->left};
+        t->little = p->little;
+        t->left = p->left;
         s->own->longest = longest;
-        s->own->with = &t->passages;
+        s->own->with = t;
     }
 }
 
@@ -1477,22 +1433,18 @@ static double body_passes(const struct stepping_method *m, double n)
 
 enum { LISTED = 10 }; /* what a spring in no band counts */
 
-static double count_springs(const struct steps *t)
-{
-    const struct springs *p = &t->motion.springs;
-    return (double)p->count + (LISTED - 1) * (double)p->listed;
-}
-
 /* What so many evaluations are, with all that belongs to them. */
 static void count_evaluations(const struct models_run *r,
                               const struct steps *t, double asked,
                               double work[MODELS_UNITS])
 {
+    const struct springs *p = &t->motion.springs;
     const double n = (double)r->scene.bodies;
     work[MODELS_EVALUATION] = asked;
     work[MODELS_BODY] = asked * body_passes(r->plan.model->method, n);
     work[MODELS_PAIR] = asked * count_pulls(t);
-    work[MODELS_SPRING] = asked * count_springs(t);
+    work[MODELS_SPRING] =
+        asked * ((double)p->count + (LISTED - 1) * (double)p->listed);
 }
 
 static void count_steps(struct models_run *r, const struct steps *t)
@@ -1598,27 +1550,26 @@ static enum models_end row_steps(struct models_run *r)
 }
 
 static const struct models_model stepless[] = {
-    {"free", "every body flies alone, in closed form", MODELS_CLOSED, false,
-     NULL, FRICTION, NULL, sizeof(struct scene), begin_origin, row_free,
-     end_origin},
+    {"free", "every body flies alone, in closed form", MODELS_CLOSED,
+     FRICTION, 1, row_free, NULL, NULL, NULL, false, NULL},
     {"kepler", "ellipses round one body, in closed form", MODELS_CLOSED,
-     false, NULL, PULLS | PULLERS, refuse_kepler, sizeof(struct ellipses),
-     begin_kepler, row_kepler, end_kepler},
+     PULLS | PULLERS, sizeof(struct light), row_kepler, begin_kepler,
+     end_kepler, refuse_kepler, false, NULL},
     {"oscillator", "springs on one line, in closed form", MODELS_CLOSED,
-     false, NULL, SPRINGS | FRICTION, refuse_oscillator,
-     sizeof(struct vibration), begin_modes, row_modes, end_modes},
+     SPRINGS | FRICTION, sizeof(struct vibration), row_modes, begin_modes,
+     end_modes, refuse_oscillator, false, NULL},
     {"relabel", "equal bodies on a line, put in order", MODELS_CLOSED,
-     false, NULL, MEETING, refuse_relabel, sizeof(struct line), begin_line,
-     row_relabel, end_line},
+     MEETING, sizeof(struct line), row_relabel, begin_line, end_line,
+     refuse_relabel, false, NULL},
     {"modes", "small vibrations of springs about their rest", MODELS_CLOSED,
-     true, NULL, SPRINGS | FRICTION, refuse_modes, sizeof(struct vibration),
-     begin_modes, row_modes, end_modes},
-    {"line", "collisions on a line, one by one", MODELS_EVENTS, false, NULL,
-     MEETING, refuse_line, sizeof(struct line), begin_line, row_line,
-     end_line},
+     SPRINGS | FRICTION, sizeof(struct vibration), row_modes, begin_modes,
+     end_modes, refuse_modes, true, NULL},
+    {"line", "collisions on a line, one by one", MODELS_EVENTS, MEETING,
+     sizeof(struct line), row_line, begin_line, end_line, refuse_line,
+     false, NULL},
     {"disks", "collisions of disks or spheres, one by one", MODELS_EVENTS,
-     false, NULL, MEETING, refuse_disks, sizeof(struct room), begin_disks,
-     row_disks, end_disks},
+     MEETING, sizeof(struct room), row_disks, begin_disks, end_disks,
+     refuse_disks, false, NULL},
 };
 enum { STEPLESS = sizeof stepless / sizeof *stepless };
 
@@ -1629,14 +1580,14 @@ static struct models_model model_of(const struct stepping_method *m)
     return (struct models_model){m->name,
                                  m->about,
                                  MODELS_STEPS,
-                                 false,
-                                 m,
                                  ALL_ACTS & ~no,
-                                 m->orbits ? refuse_orbits : refuse_steps,
                                  sizeof(struct steps),
-                                 begin_steps,
                                  row_steps,
-                                 end_steps};
+                                 begin_steps,
+                                 end_steps,
+                                 m->orbits ? refuse_orbits : refuse_steps,
+                                 false,
+                                 m};
 }
 
 const struct models_model *models_all(void)
@@ -1674,27 +1625,23 @@ void models_write(const struct models_plan *p, char text[MODELS_TEXT])
                                      models_cut_names[k]);
 }
 
-static bool complain(char message[MODELS_MESSAGE], const char *word,
-                     const char *what)
+/* Name k of the models, or of what can be left out; NULL behind them. */
+static const char *name_of(size_t k, bool cuts)
 {
-    snprintf(message, MODELS_MESSAGE, "found '%.40s', expected %s", word,
-             what);
-    return false;
+    return cuts ? models_cut_names[k] : models_all()[k].name;
 }
 
-/* Expects one of the models, or of what can be left out. */
-static bool list_names(char message[MODELS_MESSAGE], const char *word,
-                       bool cuts)
+/* what: what was expected; NULL: one of the names. */
+static bool complain(char message[MODELS_MESSAGE], const char *word,
+                     const char *what, bool cuts)
 {
-    char names[MODELS_MESSAGE - 64] = ""; /* the rest: what was found */
-    const char *name;
-    for (size_t k = 0;
-         (name = cuts ? models_cut_names[k] : models_all()[k].name); ++k) {
-        const size_t used = strlen(names);
-        snprintf(names + used, sizeof names - used, "%s%s",
-                 used ? ", " : "one of ", name);
-    }
-    return complain(message, word, names);
+    int used =
+        snprintf(message, MODELS_MESSAGE, "found '%.40s', expected %s",
+                 word, what ? what : "one of ");
+    for (size_t k = 0; !what && name_of(k, cuts); ++k)
+        used += snprintf(message + used, MODELS_MESSAGE - (size_t)used,
+                         "%s%s", k ? ", " : "", name_of(k, cuts));
+    return false;
 }
 
 /* What stands behind the colon. Returns NULL, or what was expected. */
@@ -1719,54 +1666,63 @@ static const char *read_number(struct models_plan *p, const char *text)
     return NULL;
 }
 
-static bool read_cut(const char *word, unsigned *cuts)
+/* Ends a word at a mark; returns what follows, or NULL. */
+static char *end_word(char *word, char mark)
 {
-    for (size_t k = 0; k < MODELS_CUTS; ++k)
-        if (strcmp(word, models_cut_names[k]) == 0) {
-            *cuts |= 1u << k;
-            return true;
-        }
-    return false;
+    char *const at = strchr(word, mark);
+    if (at)
+        *at = '\0';
+    return at ? at + 1 : NULL;
 }
 
 bool models_read(struct models_plan *p, const char *text,
                  char message[MODELS_MESSAGE])
 {
-    char words[MODELS_TEXT], *next = words;
+    char words[MODELS_TEXT], *next;
     *p = (struct models_plan){0};
     if (strlen(text) >= sizeof words)
-        return list_names(message, text, false);
+        return complain(message, text, NULL, false);
     strcpy(words, text);
-    if ((next = strchr(words, ',')))
-        *next++ = '\0';
-    char *const colon = strchr(words, ':');
-    if (colon)
-        *colon = '\0';
+    next = end_word(words, ',');
+    const char *const number = end_word(words, ':');
     if (!(p->model = models_find(words)))
-        return list_names(message, words, false);
-    const char *const expected = colon ? read_number(p, colon + 1) : NULL;
+        return complain(message, words, NULL, false);
+    const char *const expected = number ? read_number(p, number) : NULL;
     if (expected)
-        return complain(message, colon + 1, expected);
+        return complain(message, number, expected, false);
     for (char *word = next; word; word = next) {
-        if ((next = strchr(word, ',')))
-            *next++ = '\0';
-        if (!read_cut(word, &p->cuts))
-            return list_names(message, word, true);
+        size_t k = 0;
+        next = end_word(word, ',');
+        while (k < MODELS_CUTS && strcmp(word, models_cut_names[k]) != 0)
+            ++k;
+        if (k == MODELS_CUTS)
+            return complain(message, word, NULL, true);
+        p->cuts |= 1u << k;
     }
     return true;
+}
+
+/* Returns NULL, or why the plan of the run cannot carry the scene. */
+static const char *copy_scene(struct models_run *r, const struct scene *s)
+{
+    struct scene *own = &r->scene;
+    if (!scene_copy(own, s))
+        return no_memory;
+    for (size_t c = 0; c < 3 * s->bodies; ++c)
+        if (!s->freedom[c])
+            own->velocity[c] = 0;
+    leave_out(own, r->plan.cuts);
+    look_at(&r->acts, own);
+    r->acts.cuts = r->plan.cuts;
+    return refusal(r);
 }
 
 const char *models_refuse(const struct models_plan *p,
                           const struct scene *s)
 {
-    struct models_acts acts;
-    struct scene left;
-    if (!scene_copy(&left, s))
-        return no_memory;
-    leave_out(&left, p->cuts);
-    look_at(&acts, &left);
-    const char *why = refusal(p->model, &left, &acts, p->cuts);
-    scene_free(&left);
+    struct models_run r = {.plan = *p};
+    const char *why = copy_scene(&r, s);
+    scene_free(&r.scene);
     return why;
 }
 
@@ -1775,21 +1731,16 @@ bool models_begin(struct models_run *r, const struct models_plan *p,
 {
     *r = (struct models_run){
         .plan = *p, .start = s->time, .every = every, .limit = INFINITY};
-    *why = no_memory;
-    if (!scene_copy(&r->scene, s))
-        return false;
-    for (size_t c = 0; c < 3 * s->bodies; ++c)
-        if (!s->freedom[c])
-            r->scene.velocity[c] = 0;
-    leave_out(&r->scene, p->cuts);
-    look_at(&r->acts, &r->scene);
     *why = !(every > 0) ? "rows must be apart"
            : p->model->family == MODELS_STEPS && p->steps == 0
                ? "it needs a number of steps"
-               : refusal(p->model, &r->scene, &r->acts, p->cuts);
+               : copy_scene(r, s);
     if (!*why) {
         r->engine = calloc(1, p->model->engine);
-        *why = r->engine ? p->model->begin(r) : no_memory;
+        if (!r->engine || !scene_copy(&r->origin, &r->scene))
+            *why = no_memory;
+        else if (p->model->begin)
+            *why = p->model->begin(r);
     }
     if (*why)
         models_end(r);
@@ -1817,9 +1768,10 @@ uint64_t models_collisions(struct models_run *r)
 
 void models_end(struct models_run *r)
 {
-    if (r->engine)
+    if (r->engine && r->plan.model->end)
         r->plan.model->end(r);
     free(r->engine);
+    scene_free(&r->origin);
     scene_free(&r->scene);
     *r = (struct models_run){0};
 }

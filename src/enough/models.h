@@ -1,5 +1,5 @@
 /* From chapters/works/12-models-parts.nw: edit there, then run make tangle. */
-/* checksum 3537820635 of the lines below */
+/* checksum 2559058096 of the lines below */
 /* All ways to carry a scene, behind one door, and what each costs. */
 #ifndef MODELS_H
 #define MODELS_H
@@ -14,8 +14,7 @@
 /* What is counted while a scene is carried. */
 enum models_unit {
     MODELS_EVALUATION, /* of all forces: the calls */
-    MODELS_BODY,       /* a pass over a body: one in a kick and drift, more
-                          in the stages of other methods */
+    MODELS_BODY,       /* a pass over a body; in stages more than one */
     MODELS_PAIR,       /* a pull of two bodies on each other; beyond 32
                           bodies, eight of one on one */
     MODELS_SPRING,     /* a spring's force; ten times if it is in no band */
@@ -71,6 +70,7 @@ struct models_acts {
     unsigned offset;   /* bit k: bodies are at different places along k */
     size_t dimensions; /* how many axes: exactly, not nearly */
     size_t free;       /* bodies that may move */
+    unsigned cuts;     /* what has been left out */
     double fastest;    /* the largest angular frequency now, about, plus
                           the largest rate of friction, 1/s */
 };
@@ -85,8 +85,7 @@ struct models_plan {
     double little;    /* m: passages that move nobody so far do not count */
     double left;      /* s: in this time */
     double slack;     /* share by which it keeps from bounds of its steps */
-    double margin;    /* m: contacts that are made or missed by less are
-                         noticed; 0: none are */
+    double margin;    /* m: contacts made or missed by less are noticed */
 };
 
 enum { MODELS_TEXT = 256, MODELS_MESSAGE = 2048 };
@@ -107,39 +106,37 @@ struct models_run;
 struct models_model {
     const char *name, *about;
     enum models_family family;
-    bool approximate; /* not exact even where it does not refuse */
-    const struct stepping_method *method; /* of MODELS_STEPS, or NULL */
     unsigned bears; /* private: what it can bear that acts */
+    size_t engine;  /* private: bytes, all 0 when a run begins */
+    enum models_end (*row)(struct models_run *r);
+    const char *(*begin)(struct models_run *r); /* NULL, or why not */
+    void (*end)(struct models_run *r); /* whatever begin has done */
     /* Beyond that: why it cannot carry this scene, exactly but for rounding
        or in steps; NULL: it can. No function: it always can. */
     const char *(*refuses)(const struct scene *s,
-                           const struct models_acts *a, unsigned cuts);
-    size_t engine; /* private: bytes, all 0 when a run begins */
-    const char *(*begin)(struct models_run *r); /* NULL, or why not */
-    enum models_end (*row)(struct models_run *r);
-    void (*end)(struct models_run *r); /* whatever begin has done */
+                           const struct models_acts *a);
+    bool approximate; /* not exact even where it does not refuse */
+    const struct stepping_method *method; /* of MODELS_STEPS, or NULL */
 };
 
 /* A scene under way. To be read: all but engine. */
 struct models_run {
     struct models_plan plan;
-    struct scene scene; /* its own; position, velocity and time are those
-                           of the last row. Springs that are rods are not
-                           in it. */
+    struct scene scene;  /* its own, as in the last row; springs that are
+                            rods are not in it */
+    struct scene origin; /* that at the start */
     struct models_acts acts; /* without fastest */
     double start, every;     /* s */
     double elapsed;          /* from the start to the row asked for, s */
     double clock;            /* closed forms: by what share of the time they
                                 may be off by rounding; 0: no clock */
     uint64_t rows;           /* so far */
-    uint64_t collisions;     /* of pairs and with walls; those of relabel
-                            are counted by models_collisions only */
+    uint64_t collisions;     /* not those of relabel: models_collisions */
     double least;            /* m: by how little one was: below 0, made */
     double virial;           /* as in struct disks, J s; NaN if not known */
     double work[MODELS_UNITS];
     uint64_t all; /* rows in the end; 0: not known. May be written */
-    double limit; /* cost, s, at which a row ends as MODELS_COSTLY; may be
-                     written */
+    double limit; /* s: what costs more is MODELS_COSTLY. May be written */
     void *engine;
 };
 
@@ -156,9 +153,8 @@ void models_analyse(struct models_acts *a, const struct scene *s);
 double models_rate(const struct scene *s, const struct models_acts *a,
                    unsigned cuts);
 
-/* How deep bodies overlap at the start, or are outside of walls and do not
-   come back, m; 0: nowhere, or there are no contacts. INFINITY without
-   memory. */
+/* How deep bodies overlap at the start, or are beyond walls for good, m; 0:
+   nowhere, or there are no contacts. INFINITY without memory. */
 double models_overlap(const struct scene *s);
 
 /* The square of the distance of two bodies now, m^2. */
@@ -187,8 +183,7 @@ bool models_begin(struct models_run *r, const struct models_plan *p,
 enum models_end models_row(struct models_run *r);
 void models_end(struct models_run *r);
 
-/* Collisions of pairs and with walls up to the last row; UINT64_MAX without
-   memory. */
+/* Collisions up to the last row; UINT64_MAX without memory. */
 uint64_t models_collisions(struct models_run *r);
 
 #endif

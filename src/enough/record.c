@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 58595674 of the lines below */
+/* checksum 1961048119 of the lines below */
 /* Each column is judged by a scale; a run may be in other units. */
 #include "enough/record.h"
 
@@ -172,18 +172,13 @@ bool record_look(struct record_view *v, const char *program,
 {
     *v = (struct record_view){.asked = asked};
     v->columns = asked ? asked->columns : 6 * s->bodies;
-    if (!scene_copy(&v->scene, s)) {
-        fprintf(stderr, "%s: no memory for a scene\n", program);
-        return false;
-    }
-    if (!motion_begin(&v->motion, program, &v->scene, "leapfrog", 1)) {
-        scene_free(&v->scene);
-        return false;
-    }
     v->weight = calloc(2 * v->columns, sizeof *v->weight);
-    if (!v->weight) {
+    const bool room = v->weight && scene_copy(&v->scene, s);
+    if (!room)
         fprintf(stderr, "%s: no memory for %zu columns\n", program,
                 v->columns);
+    if (!room ||
+        !motion_begin(&v->motion, program, &v->scene, "leapfrog", 1)) {
         record_look_away(v);
         return false;
     }
@@ -223,8 +218,7 @@ static void reverse(double a[], size_t rows, size_t n, double by)
     }
 }
 
-/* The scene in other units, from the other side, with the last body as the
-   first one. */
+/* In other units, from the other side, with the last body as the first. */
 static void turn_round(struct scene *s)
 {
     const double l = unit_length, size = fabs(l), m = unit_mass;
@@ -331,8 +325,7 @@ size_t record_agree(const struct record_view *v, const struct record *a,
     return r - 1;
 }
 
-/* Looks at a run as it is at the end of the row that was reached; met: its
-   collisions so far. */
+/* Looks at a run at the end of a row; met: its collisions so far. */
 static void look(struct record *r, struct record_view *v,
                  const struct record_order *o, const struct scene *now,
                  uint64_t met)

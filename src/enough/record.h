@@ -1,5 +1,5 @@
 /* From chapters/works/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1439664791 of the lines below */
+/* checksum 3230444339 of the lines below */
 /* The rows of a run, and how far those of two runs are apart. */
 #ifndef RECORD_H
 #define RECORD_H
@@ -30,13 +30,12 @@ struct record {
     size_t reached; /* rows, but for that of the start */
     double *value;  /* [(rows + 1) * columns], so far as reached */
     double work[MODELS_UNITS];
-    uint64_t
-        collisions;  /* of pairs and with walls, as the model counts them */
-    double cost;     /* of work, s by the price list */
-    double seconds;  /* of this processor */
-    double clock;    /* as in struct models_run */
-    double least;    /* m, the same */
-    const char *why; /* NULL, or why it could not begin */
+    uint64_t collisions; /* as the model counts them */
+    double cost;         /* of work, s by the price list */
+    double seconds;      /* of this processor */
+    double clock;        /* as in struct models_run */
+    double least;        /* m, the same */
+    const char *why;     /* NULL, or why it could not begin */
 };
 
 /* How a run is to be done. */
@@ -47,14 +46,12 @@ struct record_order {
     size_t rows;
     double limit; /* cost, s by the price list */
     double swell; /* m, by which balls are larger */
-    bool twin;    /* computed in other units, seen from the other side, with
-                     the bodies named the other way round and other last
-                     bits of what flies; no row should know */
+    bool twin;    /* in other units, seen from the other side, with other
+                     names and other last bits; no row should know */
 };
 
-/* Prepares to look at a run of the scene that lasts `length`, s. On failure
-   says why on standard error, after program, and returns false with
-   nothing to free. asked has to outlive *v. */
+/* Prepares to look at a run that lasts `length`, s. asked has to outlive v.
+   false: has said why, after program; there is nothing to free. */
 bool record_look(struct record_view *v, const char *program,
                  const struct scene *s, const struct observables *asked,
                  double length);
@@ -66,21 +63,18 @@ bool record_run(struct record *r, struct record_view *v,
                 const struct record_order *o);
 void record_free(struct record *r);
 
-/* Two runs row by row, until they have come apart by more than `apart`, a
-   share of the scale, or one of them has ended; both together within the
-   limit of the first. */
+/* Two runs row by row, until they are more than `apart` of the scale apart,
+   or one has ended; both together within the limit of the first. */
 bool record_both(struct record *a, struct record *b, struct record_view *v,
                  const struct record_order *oa,
                  const struct record_order *ob, double apart);
 
 /* The largest difference of two records in all rows from the first to the
-   last one, as a share of its scale; INFINITY if one has not come so far.
- */
+   last, as a share of its scale; INFINITY if one has not come so far. */
 double record_apart(const struct record_view *v, const struct record *a,
                     const struct record *b, size_t first, size_t last);
 
-/* The size of the scene without the body, put into far, without which it is
-   smallest, m. */
+/* The size of the scene, m, without the body that most adds to it, *far. */
 double record_scale_without(const struct scene *s, size_t *far);
 
 /* How many rows the two agree to within e. */

@@ -42,4 +42,9 @@ spent=$(key deciding)
 ran=$(key running)
 holds 'all in all at most twice the classic methods' \
     is "$spent + $ran <= 2 * $(key classic)"
-echo 1..9
+
+# Each unit of the price list has a run that measures it.
+build/bin/bonk-studies --study prices >"$work/prices"
+holds 'all prices are measured' awk '!/^#/ { n += $3 ~ /[0-9]/ }
+    END { exit !(n == 18) }' "$work/prices"
+echo 1..10

@@ -118,6 +118,44 @@ static void test_springs_alone(void)
     scene_free(&t);
 }
 
+/* Two bodies alone take a shorter way, to the same bits. */
+static void test_two(void)
+{
+    for (int held = 0; held < 2; ++held) {
+        struct scene s, t;
+        struct motion m, n;
+        must(scene_create(&s, 2), "no memory");
+        s.position[1] = 1;
+        s.velocity[2] = 0.1;
+        s.velocity[3] = -0.4;
+        s.velocity[5] = 0.2;
+        s.mass[1] = 0.3;
+        s.freedom[3] = s.freedom[4] = !held; /* y of 1, z of 0 */
+        s.k2 = 0.3;
+        s.softening = held ? 0.1 : 0;
+        s.gravity[0] = 0.01;
+        s.gravity[2] = -0.02;
+        s.dt = 0.01;
+        must(scene_copy(&t, &s), "no memory");
+        begin(&m, &s, "leapfrog");
+        begin(&n, &t, "leapfrog");
+        UNIT_TRUE(m.stepping.sweep != NULL);
+        n.stepping.sweep = NULL;
+        for (int k = 0; k < 3; ++k) {
+            motion_run(&m, 700);
+            motion_run(&n, 700);
+        }
+        UNIT_TRUE(!memcmp(s.position, t.position, 6 * sizeof(double)));
+        UNIT_TRUE(!memcmp(s.velocity, t.velocity, 6 * sizeof(double)));
+        UNIT_TRUE(!memcmp(m.stepping.acceleration, n.stepping.acceleration,
+                          6 * sizeof(double)));
+        motion_end(&m);
+        motion_end(&n);
+        scene_free(&s);
+        scene_free(&t);
+    }
+}
+
 static void test_held(void)
 {
     struct scene s;
@@ -472,6 +510,7 @@ int main(void)
             {"what acts is the sum of all that is in the scene", test_sum},
             {"springs alone move as they do with others",
              test_springs_alone},
+            {"and two bodies alone, to the bit", test_two},
             {"what is held stays", test_held},
             {"a fall is exact", test_fall},
             {"an oscillator turns by leapfrog's angle", test_oscillator},

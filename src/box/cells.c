@@ -1,5 +1,5 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 987228683 of the lines below */
+/* checksum 1414032161 of the lines below */
 /* Cells, lists of neighbours on a leash, and lanes of pair times. */
 #include "box/cells.h"
 
@@ -293,16 +293,61 @@ static void look_at_neighbours(const struct cells *c, uint32_t i,
 
 #ifdef __GNUC__
 #define FETCH(place) __builtin_prefetch(place)
+#define FETCHING static inline __attribute__((always_inline))
 #else
 #define FETCH(place) ((void)(place))
+#define FETCHING static inline
 #endif
 
-static void fetch_neighbours(const struct cells *c, uint32_t i)
+FETCHING void fetch_neighbours(const struct cells *c, uint32_t i)
 {
     const uint32_t *list = c->neighbour + i * c->seats;
     FETCH(&c->calendar.event[i]);
     for (size_t k = 0; k < c->anchor[i].neighbours; ++k)
         FETCH(&c->d->disk[list[k]]);
+}
+
+FETCHING void fetch_disk(const struct cells *c, uint32_t i)
+{
+    FETCH(&c->d->disk[i]);
+    FETCH(&c->d->hits[i]);
+    FETCH(&c->anchor[i]);
+    FETCH(&c->calendar.event[i]);
+    FETCH(c->neighbour + i * c->seats);
+}
+
+/* Does so with all disks that have an event in a day, and partners; or
+   with their neighbours. */
+FETCHING void fetch_day(const struct cells *c, size_t day, bool neighbours)
+{
+    const struct calendar_event *event = c->calendar.event;
+    uint32_t i = c->calendar.day[day];
+    for (; i != CALENDAR_NONE; i = event[i].next) {
+        const uint32_t with = event[i].partner;
+        const uint32_t other = with < c->d->count ? with : i;
+        if (neighbours) {
+            fetch_neighbours(c, i);
+            fetch_neighbours(c, other);
+        } else {
+            fetch_disk(c, i);
+            fetch_disk(c, other);
+        }
+    }
+}
+
+FETCHING void look_ahead(const struct cells *c, size_t today)
+{
+    const struct calendar_event *event = c->calendar.event;
+    if (today + 5 >= c->calendar.days)
+        return;
+    const uint32_t far = c->calendar.day[today + 5];
+    const uint32_t near = c->calendar.day[today + 4];
+    if (far != CALENDAR_NONE)
+        FETCH(&event[far]);
+    if (near != CALENDAR_NONE && event[near].next != CALENDAR_NONE)
+        FETCH(&event[event[near].next]);
+    fetch_day(c, today + 3, false);
+    fetch_day(c, today + 1, true);
 }
 
 static void plan(struct cells *c, uint32_t i)
@@ -705,8 +750,11 @@ enum disks_stop cells_run(struct cells *c, double until,
 {
     struct disks *d = c->d;
     bool memory = true;
+    size_t today = SIZE_MAX;
     while (d->collisions < collisions && memory) {
         const uint32_t i = calendar_first(&c->calendar);
+        if (today != c->calendar.today)
+            look_ahead(c, today = c->calendar.today);
         if (i == CALENDAR_NONE || c->calendar.event[i].time > until) {
             if (until < INFINITY && until > d->now)
                 d->now = until;

@@ -1,5 +1,5 @@
 /* From chapters/12-averages.nw: edit there, then run make tangle. */
-/* checksum 3282079614 of the lines below */
+/* checksum 4257783418 of the lines below */
 /* Laws where they are exact, else events with honest errors. */
 #include "enough/averages.h"
 
@@ -73,10 +73,12 @@ static double coordinate(const struct search *h, size_t i)
     return h->s->position[h->axis * h->n + i];
 }
 
-/* Twice the kinetic energy along an axis, J; periodic: about the centre. */
-static double energy_along(const struct search *h, size_t axis)
+/* Twice the kinetic energy along an axis, J, without that of the centre
+   of mass where nothing holds it. */
+static double energy_along(const struct search *h, size_t axis,
+                           const double velocity[])
 {
-    const double *v = h->s->velocity + axis * h->n;
+    const double *v = velocity + axis * h->n;
     double momentum = 0, sum = 0;
     for (size_t i = 0; i < h->n; ++i)
         momentum += h->s->mass[i] * v[i];
@@ -98,7 +100,7 @@ static void add_up(struct search *h)
     for (size_t d = 0; d < h->dimensions; ++d) {
         const size_t k = h->axis + d;
         h->box[d] = s->high[k] - s->low[k];
-        h->energy += energy_along(h, k) / 2;
+        h->energy += energy_along(h, k, s->velocity) / 2;
     }
 }
 
@@ -276,7 +278,7 @@ static const char *begin_watch(struct watch *w, const struct search *h)
     const char *why = NULL;
     *w = (struct watch){.h = h, .most = samples_of(h), .why = "no run"};
     call_witnesses(w);
-    w->columns = w->places ? w->places : 1;
+    w->columns = (w->places ? w->places : 1) + 1;
     w->pace = h->q->until / w->most;
     if (!blocks_create(&w->blocks, w->columns))
         return "no memory";
@@ -284,6 +286,22 @@ static const char *begin_watch(struct watch *w, const struct search *h)
         blocks_free(&w->blocks);
     w->run.limit = h->q->reason;
     return why;
+}
+
+/* A number that velocities determine, whose mean in the end is 1. */
+static double forgotten(const struct search *h, const double velocity[])
+{
+    double sum = 0;
+    if (h->n == 1)
+        return 1;
+    if (h->dimensions == 2)
+        return energy_along(h, h->axis, velocity) / h->energy;
+    for (size_t i = 0; i < h->n; ++i) {
+        const double v = velocity[h->axis * h->n + i];
+        const double share = h->s->mass[i] * v * v / (2 * h->energy);
+        sum += share * share;
+    }
+    return sum * (double)(h->n + 2) / 3;
 }
 
 static bool sample(struct watch *w, double value[])
@@ -300,6 +318,7 @@ static bool sample(struct watch *w, double value[])
     w->virial = r->virial;
     for (size_t k = 0; k < w->places; ++k)
         value[k] = place[w->body[k]];
+    value[w->columns - 1] = forgotten(h, r->scene.velocity);
     return true;
 }
 
@@ -327,6 +346,19 @@ static double misplaced(const struct watch *w, size_t from)
     return fmax(own, sqrt(squares));
 }
 
+/* Says whether velocities have forgotten how they began. Returns false
+   without memory, too. */
+static bool forgets(const struct watch *w, size_t from)
+{
+    struct statistics_blocking b;
+    double x[BLOCKS_MOST] = {0};
+    const size_t n = w->blocks.count, last = w->columns - 1;
+    const double off = part(w, last, from, n, x).mean - 1;
+    return statistics_blocking(n - from, x, &b) &&
+           (b.plateau || w->h->dimensions == 2) &&
+           fabs(off) <= 5 * b.error + 1e-9;
+}
+
 /* Looks at the last three quarters. Returns false without memory. */
 static bool look(struct watch *w)
 {
@@ -346,7 +378,8 @@ static bool look(struct watch *w)
     w->why = off > 3 * se ? "bodies are far from where they end up"
              : !b.plateau ? "long blocks still remember each other"
              : a.drift > BLOCKS_STEADY ? "the mean still drifts"
-                                       : NULL;
+             : !forgets(w, from) ? "velocities still remember the start"
+                                 : NULL;
     return true;
 }
 
@@ -381,7 +414,7 @@ static double lengthen(const struct watch *w, double e)
    and looks. Returns false without memory. */
 static bool advance(struct watch *w, double to)
 {
-    double value[WITNESSES];
+    double value[WITNESSES + 1];
     while (!w->over && (double)w->run.rows < fmin(to, w->most)) {
         w->over = cost(w) > w->h->q->reason || !sample(w, value);
         if (!w->over)
@@ -485,18 +518,19 @@ static bool take(const struct search *h)
 {
     const enum averages_kind kind = h->q->quantity.kind;
     const bool tonks = kind == AVERAGES_PRESSURE && h->dimensions == 1;
-    const bool run =
-        kind == AVERAGES_PLACE || (kind == AVERAGES_PRESSURE && !tonks);
+    const bool run = kind == AVERAGES_PLACE ||
+                     (kind == AVERAGES_PRESSURE && h->dimensions == 2);
     const char *way = run ? "events" : tonks ? "tonks" : "conserved";
     h->f->way = way;
-    if (h->q->model && strcmp(h->q->model, way) != 0)
+    if (h->q->model && strcmp(h->q->model, way) != 0) {
         snprintf(h->f->refusal, AVERAGES_REFUSAL,
                  "'%.40s' is no way to this average of this scene; %s is",
                  h->q->model, way);
-    else if (run)
+        return true;
+    }
+    if (run)
         return measure(h);
-    else
-        (tonks ? take_tonks : take_conserved)(h);
+    (tonks ? take_tonks : take_conserved)(h);
     return true;
 }
 

@@ -1,5 +1,5 @@
 /* From chapters/works/12-averages.nw: edit there, then run make tangle. */
-/* checksum 2546521004 of the lines below */
+/* checksum 2209446956 of the lines below */
 /* The mean of a quantity over a time, or why it cannot be had. */
 #ifndef AVERAGES_H
 #define AVERAGES_H
@@ -61,7 +61,8 @@ bool averages_read(struct averages_quantity *q, const char *name,
 const char *averages_name(const struct averages_quantity *q,
                           char symbol[32]);
 
-/* Finds an average, or refuses. Returns false without memory. */
+/* Finds an average within the tolerance. A refusal is a result. Returns
+   false without memory. */
 bool averages_find(struct averages_found *f,
                    const struct averages_request *q);
 

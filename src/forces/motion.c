@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 1753666490 of the lines below */
+/* checksum 340354740 of the lines below */
 /* Accelerations are added up; bodies collide between two steps. */
 #include "forces/motion.h"
 
@@ -63,7 +63,7 @@ static void run_two(const struct gravity *g, double dt, uint64_t steps,
 {
     const double m0 = g->mass[0], m1 = g->mass[1], k2 = g->k2;
     const double least = g->softening * g->softening;
-    struct axis x = axis[0], y = axis[1], z = axis[2];
+    struct axis z = axis[2], y = axis[1], x = axis[0];
     for (uint64_t k = 0; k < steps; ++k) {
         const double dx = move(&x, dt, k > 0), dy = move(&y, dt, k > 0);
         const double dz = move(&z, dt, k > 0);

@@ -1,5 +1,5 @@
 # data: plots/data/02-speed.dat
-# alt: Collisions per second against the number of particles from 4 to a million, both axes logarithmic, for four engines. At four particles all manage twenty to forty million. The naive engine and the scan fall in proportion to one over N, the scan a little above; the heap falls to about two million; the slab engine stays between ten and twenty million.
+# alt: Collisions per second against the number of particles from 4 to a million, both axes logarithmic, for four engines. At four particles all manage eighteen to forty million. The naive engine and the scan fall in proportion to one over N, the scan a little above; the heap falls to 1.4 million; the slab engine stays between ten and twenty million.
 width = 14
 height = 8.4
 load 'plots/style.gp'

@@ -13,9 +13,9 @@ set ylabel 'collisions per second' offset 1
 set xrange [3:1500]
 set yrange [50:1e7]
 set key at graph 0.97,0.96 right top samplen 2
-set label 1 '∝ 1/{/:Italic N}' at 300,1.6e5 tc rgb '#555555'
+set label 1 '∝ 1/{/:Italic N}' at 500,3.5e4 right tc rgb '#555555'
 set label 2 '∝ 1/{/:Italic N}^2' at 30,1.2e4 right tc rgb '#555555'
-plot 1.9e7/x ls 9, 1.2e8/x**2 ls 9, \
+plot 6e7/x ls 9, 1.4e8/x**2 ls 9, \
      'plots/data/05-speed.dat' using 1:3 with linespoints ls 1 title 'plan', \
      'plots/data/05-speed.dat' using 1:2 with linespoints ls 2 title 'pairs'
 unset label

@@ -1,5 +1,5 @@
 # data: plots/data/07-speed.dat
-# alt: Processor time of a collision against the number of disks, both axes logarithmic, from a hundred to a million. With pairs it rises in proportion to N, from five microseconds to four tenths of a millisecond at ten thousand disks. With cells it stays near one microsecond up to ten thousand, for disks and spheres at two packings each, and grows to a few microseconds at a million, where the memory is the brake.
+# alt: Processor time of a collision against the number of disks, both axes logarithmic, from a hundred to a million. With pairs it rises in proportion to N, from one microsecond to nearly a tenth of a millisecond at ten thousand disks. With cells it stays under one microsecond up to ten thousand, for disks and spheres at two packings each, and grows to between one and four microseconds at a million, where the memory is the brake.
 width = 14
 height = 8.4
 load 'plots/style.gp'
@@ -15,9 +15,9 @@ set bmargin at screen 0.145
 set tmargin at screen 0.97
 set rmargin at screen 0.98
 set key at graph 0.98,0.96 right top reverse Left samplen 2 spacing 1.1
-set label 1 'pairs' at 4e3,400 right tc rgb '#555555'
-set label 2 '∝ {/:Italic N}' at 2.2e4,700 left tc rgb '#555555'
-plot 0.05*x ls 9, \
+set label 1 'pairs' at 4e3,75 right tc rgb '#555555'
+set label 2 '∝ {/:Italic N}' at 6e4,300 left tc rgb '#555555'
+plot 0.0085*x ls 9, \
      file index 0 using 1:(1e6/$2) with points pt 4 ps 0.7*big lc rgb grey, \
      file index 1 using 1:(1e6/$2) with points pt 4 ps 0.7*big lc rgb grey, \
      file index 2 using 1:(1e6/$2) with points pt 6 ps 0.7*big lc rgb grey, \

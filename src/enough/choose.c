@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1888535085 of the lines below */
+/* checksum 996160582 of the lines below */
 /* Exact ways, two runs that agree, and ladders judged by them. */
 #include "enough/choose.h"
 
@@ -79,9 +79,7 @@ static struct choose_candidate *enter(const struct task *t,
         if (c->candidate[j].plan.model == plan.model &&
             c->candidate[j].plan.cuts == plan.cuts)
             return &c->candidate[j];
-    struct choose_candidate *next = &c->candidate[c->candidates];
-    if (c->candidates + 1 < CHOOSE_MOST)
-        ++c->candidates;
+    struct choose_candidate *next = &c->candidate[c->candidates++];
     *next = (struct choose_candidate){.plan = plan,
                                       .error = INFINITY,
                                       .cost = INFINITY,
@@ -266,11 +264,6 @@ static struct models_plan rung_at(struct models_plan p, double fine)
     return p;
 }
 
-static struct models_plan next_finer(struct models_plan p)
-{
-    return rung_at(p, fineness(&p) + 0.05);
-}
-
 /* A run to compare others with, and how far it may itself be off. */
 struct reference {
     struct record run, coarser;
@@ -285,7 +278,6 @@ struct ladder {
                                  does not; model NULL: none was tried */
     double least, most; /* between these is the next one, in octaves */
     double rise;        /* octaves of cost to one of fineness */
-    double price;       /* s, foreseen */
 };
 
 /* Where a ladder begins: with steps that the method can bear. */
@@ -294,9 +286,7 @@ static struct models_plan foot_of(const struct task *t,
 {
     const double limit = p.model->method->limit;
     const double bears = limit > 0 ? fmin(0.6 * limit, 2) : 1;
-    const double rate = p.cuts & MODELS_RODS
-                            ? models_rate(t->q->scene, &t->c->acts, p.cuts)
-                            : t->c->acts.fastest;
+    const double rate = models_rate(t->q->scene, p.cuts);
     return rung_at(p, p.model->method->adaptive
                           ? -log2(fmin(t->q->tolerance, 1e-4))
                           : log2(t->q->every * rate / bears));
@@ -315,7 +305,7 @@ static double error_of_neighbour(const struct task *t,
 {
     struct record r;
     struct record_order o = order_of(t, *p, INFINITY);
-    o.plan = next_finer(o.plan);
+    o.plan = rung_at(o.plan, fineness(p) + 0.05);
     if (l->best.plan.steps == o.plan.steps)
         return l->best.error;
     run(t, &r, &o);
@@ -350,9 +340,10 @@ static struct choose_point try_plan(const struct task *t,
     return seen;
 }
 
-static void note(struct ladder *l, struct choose_point r, double target)
+static void note(const struct task *t, struct ladder *l,
+                 struct choose_point r)
 {
-    const double fine = fineness(&r.plan);
+    const double fine = fineness(&r.plan), target = t->q->tolerance;
     const bool holds = r.error <= target;
     if (!holds && !(fabs(r.error - l->best.error) >= 0.01 * r.error))
         l->most = -INFINITY; /* finer steps are no help */
@@ -367,7 +358,7 @@ static void note(struct ladder *l, struct choose_point r, double target)
 static void try_rung(const struct task *t, struct ladder *l,
                      struct models_plan plan)
 {
-    note(l, try_plan(t, l, plan, best(t), l->candidate), t->q->tolerance);
+    note(t, l, try_plan(t, l, plan, best(t), l->candidate));
 }
 
 /* The order of a method; in the tolerance of its own steps, one. */
@@ -375,12 +366,6 @@ static double order_of_method(const struct ladder *l)
 {
     const struct stepping_method *m = l->foot.model->method;
     return m->adaptive ? 1 : m->order;
-}
-
-/* The highest order that is believed. */
-static double highest_order(const struct ladder *l)
-{
-    return l->foot.model->method->orbits ? 8 : 1.2 * order_of_method(l);
 }
 
 /* By how many octaves the error has to fall; INFINITY: it is not known. */
@@ -406,13 +391,14 @@ static struct models_plan next_rung(const struct task *t,
     const double one = 0.125; /* octaves from rung to rung */
     const double dear = log2(may / l->best.cost) / l->rise - one;
     const double order = order_of_method(l);
+    const double highest = l->foot.model->method->orbits ? 8 : 1.2 * order;
     const double more = isinf(far) ? 1 : fmin(far / order, FAR);
     const double want =
         now + more > l->least ? now + more : (l->least + l->most) / 2;
     const double go = fmax(fmin(want, now + dear), l->least + one / 2);
     struct models_plan next = rung_at(l->foot, go);
     if (!l->best.plan.model || !(fineness(&next) < l->most) ||
-        (isfinite(far) && !(price_of(l, far / highest_order(l)) < may)) ||
+        (isfinite(far) && !(price_of(l, far / highest) < may)) ||
         !(price_of(l, fineness(&next) - now) < may))
         next.model = NULL;
     return next;
@@ -428,20 +414,11 @@ static void climb(const struct task *t, struct ladder *l)
         say(l->candidate, "more expensive than the best");
 }
 
-/* The first run of a ladder, and what it promises. */
-static void set_up(const struct task *t, struct ladder *l)
-{
-    if (!l->best.plan.model)
-        try_rung(t, l, l->foot);
-    const double more = fmax(excess(t, l) / order_of_method(l), -FAR);
-    l->price = l->best.plan.model ? price_of(l, more) : INFINITY;
-    l->candidate->foreseen = l->price;
-}
-
 static int by_price(const void *a, const void *b)
 {
-    const struct ladder *x = a, *y = b;
-    return (x->price > y->price) - (x->price < y->price);
+    const double x = ((const struct ladder *)a)->candidate->foreseen;
+    const double y = ((const struct ladder *)b)->candidate->foreseen;
+    return (x > y) - (x < y);
 }
 
 static void add_ladder(const struct task *t, struct ladder ladder[],
@@ -464,14 +441,16 @@ static void add_ladder(const struct task *t, struct ladder ladder[],
     l->rise = p.model->method->adaptive ? 1.0 / 7 : 1;
     const struct reference *f = t->f;
     if (p.model == f->coarser.plan.model && cuts == 0) {
-        note(l,
+        note(t, l,
              (struct choose_point){f->coarser.plan, f->doubt,
-                                   f->coarser.cost},
-             t->q->tolerance);
+                                   f->coarser.cost});
         l->rise = log2(f->run.cost / f->coarser.cost) /
                   (fineness(&f->run.plan) - fineness(&f->coarser.plan));
-    }
-    set_up(t, l);
+    } else
+        try_rung(t, l, l->foot);
+    const double more = fmax(excess(t, l) / order_of_method(l), -FAR);
+    if (l->best.plan.model)
+        k->foreseen = price_of(l, more);
 }
 
 static const struct way_up {
@@ -499,13 +478,6 @@ static void race(const struct task *t)
     qsort(ladder, count, sizeof *ladder, by_price);
     for (size_t j = 0; j < count; ++j)
         climb(t, &ladder[j]);
-}
-
-static struct models_plan first_reference(const struct task *t)
-{
-    const struct models_plan p = {.model = models_find("radau15"),
-                                  .steps = 1};
-    return rung_at(p, -log2(first_tolerance(t)));
 }
 
 static struct models_plan finer_reference(struct models_plan p)
@@ -568,16 +540,6 @@ static bool find_even(const struct task *t, struct reference *f,
     return false;
 }
 
-/* Where forces are smooth and nobody meets, steps of one length will do. */
-static bool find_cheap(const struct task *t, struct reference *f)
-{
-    const struct models_plan p = {.model = models_find("leapfrog"),
-                                  .steps = 1};
-    return !t->c->acts.gravity && !t->q->scene->contact &&
-           !models_refuse(&p, t->q->scene) &&
-           (find_even(t, f, "leapfrog") || find_even(t, f, "kahan-li8"));
-}
-
 /* Do the two agree on the closest of all contacts? */
 static bool is_decided(const struct reference *f)
 {
@@ -608,8 +570,10 @@ static double doubt_of_three(const struct task *t, struct reference *f)
    no horizon, the refusal says what it is. */
 static bool find_reference(const struct task *t, struct reference *f)
 {
-    struct models_plan plan = first_reference(t);
-    if (find_cheap(t, f))
+    struct models_plan plan = {.model = models_find("radau15"), .steps = 1};
+    plan = rung_at(plan, -log2(first_tolerance(t)));
+    if (!t->c->acts.gravity && !t->q->scene->contact &&
+        (find_even(t, f, "leapfrog") || find_even(t, f, "kahan-li8")))
         return true;
     for (;; plan = finer_reference(plan)) {
         run_pair(t, f, plan);
@@ -699,15 +663,12 @@ static void decide(const struct task *t)
             (!only || (only->model == m && !only->cuts)))
             try_exact(t, m);
     const struct models_acts *a = &t->c->acts;
-    const bool falls =
-        a->gravity || a->springs || a->weight || a->friction || a->dashpots;
+    const bool falls = a->gravity || a->springs || a->weight || a->friction;
     if (t->c->run.value && t->c->horizon < INFINITY &&
         t->c->run.plan.model->family == MODELS_EVENTS)
         record_free(&t->c->run); /* another way has seen it fork */
-    if (t->c->run.value || (t->c->horizon < INFINITY && !falls) ||
-        !(left_of(t) > 0))
-        return;
-    if (find_reference(t, t->f))
+    if (!t->c->run.value && (t->c->horizon == INFINITY || falls) &&
+        left_of(t) > 0 && find_reference(t, t->f))
         compare(t);
 }
 
@@ -803,14 +764,10 @@ void choose_free(struct choose_choice *c)
     *c = (struct choose_choice){0};
 }
 
-static const char *order_in_words(int order)
-{
-    static const char *const word[] = {"",      "first",   "second",
-                                       "third", "fourth",  "fifth",
-                                       "sixth", "seventh", "eighth"};
-    enum { WORDS = sizeof word / sizeof *word };
-    return order >= 0 && order < WORDS ? word[order] : "high";
-}
+/* Of the methods whose steps have one length, none has a higher one. */
+static const char *const order_in_words[] = {"",      "first",   "second",
+                                             "third", "fourth",  "fifth",
+                                             "sixth", "seventh", "eighth"};
 
 /* The cheapest that was not taken, by what it costs or would. */
 static const struct choose_candidate *next_best(
@@ -846,7 +803,7 @@ void choose_sentence(const struct choose_choice *c, double tolerance,
                        tolerance)
             : snprintf(text, CHOOSE_SENTENCE,
                        "%s: its %s order meets %g at %llu step%s a row",
-                       plan, order_in_words(m->order), tolerance,
+                       plan, order_in_words[m->order], tolerance,
                        (unsigned long long)p->steps,
                        p->steps == 1 ? "" : "s");
     const struct choose_candidate *other = next_best(c, &price);

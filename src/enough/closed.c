@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 3154229481 of the lines below */
+/* checksum 149396727 of the lines below */
 /* An exponential with the same bits everywhere, and points in order. */
 #include "enough/closed.h"
 
@@ -7,7 +7,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 double closed_exp(double x)
 {
@@ -60,20 +59,14 @@ static double series(double z, int first)
     return sum;
 }
 
-/* Angles beyond 1e5, too. */
-static void turn(double angle, double *c, double *s)
-{
-    const double whole = 2 * KEPLER_PI;
-    kepler_turn(angle - whole * floor(angle / whole), c, s);
-}
-
 void closed_oscillate(double t, double square, double rate, double *y,
                       double *v)
 {
     const double half = rate / 2, w = square - half * half, z = w * t * t;
     double c, s, decay = closed_exp(-half * t); /* s: of sine, times t */
     if (z > 1) {
-        turn(sqrt(w) * t, &c, &s);
+        const double angle = sqrt(w) * t, whole = 2 * KEPLER_PI;
+        kepler_turn(angle - whole * floor(angle / whole), &c, &s);
         s /= sqrt(w);
     } else if (z < -1) {
         const double k = sqrt(-w), fast = closed_exp(-(half + k) * t);
@@ -127,9 +120,8 @@ static struct point fold(double low, double high, struct point p)
     return p;
 }
 
-bool closed_relabel(double low, double high, size_t n, const double x[],
-                    const double v[], double t, double place[],
-                    double speed[])
+bool closed_relabel(double low, double high, size_t n, double x[],
+                    double v[], double t)
 {
     struct point *p = malloc((n + 1) * sizeof *p);
     if (!p)
@@ -138,8 +130,8 @@ bool closed_relabel(double low, double high, size_t n, const double x[],
         p[i] = fold(low, high, (struct point){x[i] + v[i] * t, v[i]});
     qsort(p, n, sizeof *p, left_of);
     for (size_t i = 0; i < n; ++i) {
-        place[i] = p[i].x;
-        speed[i] = p[i].v;
+        x[i] = p[i].x;
+        v[i] = p[i].v;
     }
     free(p);
     return true;

@@ -1,5 +1,5 @@
 /* From chapters/works/12-models-parts.nw: edit there, then run make tangle. */
-/* checksum 1598705179 of the lines below */
+/* checksum 935159719 of the lines below */
 /* Motions in closed form: flight, an oscillator, equal points on a line. */
 #ifndef CLOSED_H
 #define CLOSED_H
@@ -23,11 +23,10 @@ void closed_oscillate(double t, double square, double rate, double *y,
                       double *v);
 
 /* Equal points on a line between elastic walls at low and high (m;
-   -INFINITY, INFINITY: none): fills place and speed, from left to right, as
+   -INFINITY, INFINITY: none): makes of x and v, from left to right, what
    they are after the time t, s. Returns false without memory. */
-bool closed_relabel(double low, double high, size_t n, const double x[],
-                    const double v[], double t, double place[],
-                    double speed[]);
+bool closed_relabel(double low, double high, size_t n, double x[],
+                    double v[], double t);
 
 /* How often they have met each other and the walls by then, not counting
    those that touch at the start; UINT64_MAX: more often than that. Time:

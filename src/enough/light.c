@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 1827957098 of the lines below */
+/* checksum 279216784 of the lines below */
 /* Who is light, from the nearest outwards; Jacobi's coordinates. */
 #include "enough/light.h"
 
@@ -53,8 +53,13 @@ static bool sort_lights(struct light *l, const struct scene *s)
     return true;
 }
 
-static bool part(struct light *l, const struct scene *s,
-                 const bool is_heavy[])
+bool light_is(const struct scene *s, size_t i, double heaviest)
+{
+    return s->mass[i] * 100 < heaviest;
+}
+
+static bool part(struct light *l, const struct scene *s, double heaviest,
+                 size_t centre)
 {
     const size_t n = s->bodies;
     l->order = malloc((n + 1) * sizeof *l->order);
@@ -64,23 +69,21 @@ static bool part(struct light *l, const struct scene *s,
         return false;
     l->room = l->mass + n + 1;
     size_t lights = n;
-    for (size_t i = n; i-- > 0;)
-        if (!is_heavy[i])
-            l->order[--lights] = (uint32_t)i;
     for (size_t i = 0; i < n; ++i)
-        if (is_heavy[i]) {
+        if (i == centre || !light_is(s, i, heaviest)) {
             l->order[l->heavy++] = (uint32_t)i;
             l->mass[0] += s->mass[i];
-        }
+        } else
+            l->order[--lights] = (uint32_t)i;
     l->jacobi.bodies = 1 + n - lights;
     return sort_lights(l, s);
 }
 
-bool light_create(struct light *l, const struct scene *s,
-                  const bool is_heavy[], bool moving)
+bool light_create(struct light *l, const struct scene *s, double heaviest,
+                  size_t centre, bool moving)
 {
     *l = (struct light){.bodies = s->bodies, .moving = moving};
-    const bool parted = part(l, s, is_heavy);
+    const bool parted = part(l, s, heaviest, centre);
     const size_t n = l->jacobi.bodies;
     for (size_t j = 1; parted && j < n; ++j)
         l->mass[j] = moving ? s->mass[l->order[l->heavy + j - 1]] : 0;

@@ -1,5 +1,5 @@
 /* From chapters/works/12-models-parts.nw: edit there, then run make tangle. */
-/* checksum 2685977701 of the lines below */
+/* checksum 1360228201 of the lines below */
 /* Light bodies that do not pull, each alone with all that is inside it. */
 #ifndef LIGHT_H
 #define LIGHT_H
@@ -31,11 +31,15 @@ struct light {
 /* Two places for qsort, by key; those that are equal by number. */
 int light_compare(const void *one, const void *other);
 
-/* Sorts the bodies of s: is_heavy[i] says which pull; one must. moving:
-   none is held and nothing but gravity and weight acts. Returns
-   false, with nothing to free, when there is no memory. */
-bool light_create(struct light *l, const struct scene *s,
-                  const bool is_heavy[], bool moving);
+/* Has body i less than a hundredth of this mass? */
+bool light_is(const struct scene *s, size_t i, double heaviest);
+
+/* Sorts the bodies of s: those pull that are not light beside the heaviest,
+   and the centre; there must be one. moving: none is held and nothing but
+   gravity and weight acts. Returns false, with nothing to free, when there
+   is no memory. */
+bool light_create(struct light *l, const struct scene *s, double heaviest,
+                  size_t centre, bool moving);
 void light_free(struct light *l);
 
 /* Writes places or velocities, as in a scene, in the order of the jacobi:

@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 883655616 of the lines below */
+/* checksum 889217266 of the lines below */
 /* What acts, what can be left out, and how each model carries a scene. */
 #include "enough/models.h"
 
@@ -18,7 +18,6 @@
 #include "forces/spheres.h"
 #include "scenes/pair.h"
 
-#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -112,8 +111,7 @@ double models_square(const struct scene *s, size_t i, size_t j)
     return pair_of(s, i, j, s->position, s->velocity).r2;
 }
 
-/* All but the largest frequency. */
-static void look_at(struct models_acts *a, const struct scene *s)
+void models_analyse(struct models_acts *a, const struct scene *s)
 {
     const size_t n = s->bodies;
     unsigned free = 0, moves = 0, falls = 0, spread = 0, stretched = 0;
@@ -150,12 +148,6 @@ static void look_at(struct models_acts *a, const struct scene *s)
     a->offset = spread;
     for (size_t k = 0; k < SCENE_AXES; ++k)
         a->dimensions += a->axes >> k & 1;
-}
-
-void models_analyse(struct models_acts *a, const struct scene *s)
-{
-    look_at(a, s);
-    a->fastest = models_rate(s, a, 0);
 }
 /* How far bodies that can be pushed are beyond hard walls for good, m. */
 static double beyond_walls(const struct scene *s)
@@ -199,11 +191,6 @@ static double heaviest(const struct scene *s)
     return most;
 }
 
-static bool is_light(const struct scene *s, size_t i, double heaviest)
-{
-    return s->mass[i] * 100 < heaviest;
-}
-
 /* The square of the frequency of two bodies, if they circled. */
 static double square_of_pair(const struct scene *s, size_t i, size_t j)
 {
@@ -221,7 +208,7 @@ static double square_of_gravity(const struct scene *s)
     const bool all = s->bodies <= MOST_PAIRED;
     double most = 0;
     for (size_t i = 0; i < s->bodies; ++i)
-        if (all || !is_light(s, i, heavy))
+        if (all || !light_is(s, i, heavy))
             for (size_t j = all ? i + 1 : 0; j < s->bodies; ++j)
                 if (j != i)
                     most = fmax(most, square_of_pair(s, i, j));
@@ -271,46 +258,33 @@ static bool is_stiff(const struct scene *s, const struct scene_spring *p,
     return is_active(s, p) && s->kind[p->kind].stiffness > from;
 }
 
-/* Gershgorin's bounds of the squares of frequencies, and of the rates of
-   dashpots; without memory, infinite. */
-static void bound_springs(const struct scene *s, unsigned cuts,
-                          double *square, double *rate, double *turning)
+double models_rate(const struct scene *s, unsigned cuts)
 {
+    double square = 0, rate = 0, turning = 0, slow = 0;
     double *row = calloc(2 * s->bodies + 1, sizeof *row);
     const double from = cuts & MODELS_RODS ? stiff_from(s) : INFINITY;
-    *square = *rate = row ? 0 : INFINITY;
     if (!row)
-        return;
+        return INFINITY;
     for (size_t j = 0; j < s->springs; ++j) {
         const struct scene_spring *p = &s->spring[j];
         if (is_stiff(s, p, from)) {
             const struct pair ends =
                 pair_of(s, p->a, p->b, s->position, s->velocity);
-            *turning = fmax(*turning, sqrt(ends.v2 / ends.r2));
+            turning = fmax(turning, sqrt(ends.v2 / ends.r2));
             continue;
         }
         add_rows(s, p, row, stiffness(s, p));
         add_rows(s, p, row + s->bodies, s->kind[p->kind].damping);
     }
-
     for (size_t i = 0; i < s->bodies; ++i) {
-        *square = fmax(*square, row[i]);
-        *rate = fmax(*rate, row[s->bodies + i]);
-    }
-    free(row);
-}
-
-double models_rate(const struct scene *s, const struct models_acts *a,
-                   unsigned cuts)
-{
-    double square = 0, rate = 0, turning = 0, slow = 0;
-    if (a->springs)
-        bound_springs(s, cuts, &square, &rate, &turning);
-    if (a->gravity)
-        square += square_of_gravity(s);
-    for (size_t i = 0; a->friction && i < s->bodies; ++i)
+        square = fmax(square, row[i]);
+        rate = fmax(rate, row[s->bodies + i]);
         if (s->mass[i] > 0)
             slow = fmax(slow, s->damping / s->mass[i]);
+    }
+    free(row);
+    if (attracts(s))
+        square += square_of_gravity(s);
     return fmax(sqrt(square) + rate + slow, turning);
 }
 
@@ -343,27 +317,26 @@ unsigned models_cuts(const struct scene *s)
     const bool pulls = attracts(s);
     unsigned cuts = 0;
     for (size_t i = 0; pulls && i < s->bodies; ++i)
-        if (s->mass[i] > 0 && is_light(s, i, most))
+        if (s->mass[i] > 0 && light_is(s, i, most))
             cuts = MODELS_NO_LIGHT;
     for (size_t j = 0; j < s->springs; ++j)
         cuts |= is_stiff(s, &s->spring[j], from) ? MODELS_RODS : 0;
     return cuts;
 }
 
-/* Moves the stiff springs to taken. Returns how many those are. */
-static size_t take_stiff(struct scene *s, struct scene_spring taken[])
+/* Moves the stiff springs behind the others, out of the list. Returns how
+   many those are. */
+static size_t take_stiff(struct scene *s, const struct scene *origin)
 {
-    size_t kept = 0, count = 0;
-    const double from = stiff_from(s);
-    for (size_t j = 0; j < s->springs; ++j) {
-        const struct scene_spring p = s->spring[j];
-        if (is_stiff(s, &p, from))
-            taken[count++] = p;
-        else
-            s->spring[kept++] = p;
+    const double from = stiff_from(origin);
+    size_t n = 0;
+    for (int stiff = 0; stiff < 2; ++stiff) {
+        s->springs = n;
+        for (size_t j = 0; j < origin->springs; ++j)
+            if (is_stiff(origin, &origin->spring[j], from) == stiff)
+                s->spring[n++] = origin->spring[j];
     }
-    s->springs = kept;
-    return count;
+    return n - s->springs;
 }
 
 static const char no_memory[] = "there is no memory";
@@ -430,7 +403,7 @@ static bool is_central(const struct scene *s, const struct models_acts *a,
     for (size_t i = 0; i < s->bodies; ++i) {
         const bool quiet =
             s->mass[i] == 0 ||
-            ((a->cuts & MODELS_NO_LIGHT) && is_light(s, i, most)) ||
+            ((a->cuts & MODELS_NO_LIGHT) && light_is(s, i, most)) ||
             s->bodies == 2;
         if (i != centre && (!quiet || axes & ~freedom_of(s, i)))
             return false;
@@ -453,19 +426,6 @@ static const char *refuse_kepler(const struct scene *s,
     if (a->weight && !(freedom_of(s, centre) & a->axes))
         return "there is weight, and the centre is held";
     return NULL;
-}
-
-/* alone: only the centre is heavy. */
-static bool make_light(struct light *l, const struct scene *s, bool moving,
-                       size_t centre, bool alone)
-{
-    const double most = heaviest(s);
-    bool *heavy = calloc(s->bodies + 1, sizeof *heavy);
-    for (size_t i = 0; heavy && i < s->bodies; ++i)
-        heavy[i] = alone ? i == centre : !is_light(s, i, most);
-    const bool made = heavy && light_create(l, s, heavy, moving);
-    free(heavy);
-    return made;
 }
 
 static void end_kepler(struct models_run *r)
@@ -508,7 +468,7 @@ static const char *begin_kepler(struct models_run *r)
 {
     const size_t centre = central_body(&r->scene, r->acts.axes);
     const bool moving = freedom_of(&r->scene, centre) & r->acts.axes;
-    if (!make_light(r->engine, &r->scene, moving, centre, true))
+    if (!light_create(r->engine, &r->scene, INFINITY, centre, moving))
         return no_memory;
     r->clock = clock_of_ellipses(r);
     return r->clock < INFINITY ? NULL
@@ -791,23 +751,31 @@ static const char *refuse_line(const struct scene *s,
                : "nothing is free, or too much";
 }
 
+/* The engine of chapter 2, and who is who in it. */
+struct line {
+    struct bonkers bonkers;
+    struct row_of_bodies row;
+    size_t *body;
+    double *x, *v; /* of the engine's bodies; the walls are two */
+};
+
 /* The start of chapter 2, and in body who is who. False without memory. */
-static bool start_row(struct start *start, size_t **body,
-                      const struct scene *s,
-                      const struct row_of_bodies *row)
+static bool start_row(struct line *l, struct start *start,
+                      const struct scene *s)
 {
+    const struct row_of_bodies *row = &l->row;
     struct light_place *bead = malloc((s->bodies + 1) * sizeof *bead);
     size_t movers = 0;
-    *body = malloc((s->bodies + 1) * sizeof **body);
+    l->body = malloc((s->bodies + 1) * sizeof *l->body);
     for (size_t i = 0; bead && i < s->bodies; ++i)
         if (s->freedom[at(s, row->axis, i)])
             bead[movers++] = (struct light_place){
                 row->sign * s->position[at(s, row->axis, i)], i};
-    const bool made = bead && *body && start_create(start, movers);
+    const bool made = bead && l->body && start_create(start, movers);
     if (made) {
         qsort(bead, movers, sizeof *bead, light_compare);
         for (size_t j = 0; j < movers; ++j) {
-            const size_t i = (*body)[j] = bead[j].body;
+            const size_t i = l->body[j] = bead[j].body;
             start->x[j] = bead[j].key;
             start->v[j] = row->sign * s->velocity[at(s, row->axis, i)];
             start->mass[j] = s->mass[i];
@@ -820,13 +788,6 @@ static bool start_row(struct start *start, size_t **body,
     free(bead);
     return made;
 }
-
-/* The engine of chapter 2, and who is who in it. */
-struct line {
-    struct bonkers bonkers;
-    size_t *body, axis;
-    double *x, *v, sign; /* of the engine's bodies; the walls are two */
-};
 
 static void end_line(struct models_run *r)
 {
@@ -847,14 +808,12 @@ static void count_sorting(struct models_run *r, size_t n, double times)
 
 static const char *begin_line(struct models_run *r)
 {
-    const struct row_of_bodies row = row_of(&r->scene, &r->acts);
     struct start start = {0};
     struct line *l = r->engine;
     size_t wrong = 0;
-    bool begun = start_row(&start, &l->body, &r->scene, &row);
+    l->row = row_of(&r->scene, &r->acts);
+    bool begun = start_row(l, &start, &r->scene);
     const size_t bodies = start.movers + 2;
-    l->axis = row.axis;
-    l->sign = row.sign;
     l->x = malloc(2 * bodies * sizeof *l->x);
     l->v = l->x ? l->x + bodies : NULL;
     begun = begun && l->x &&
@@ -888,9 +847,9 @@ static void count_line(struct models_run *r, const struct bonkers *b)
 static void take_from_line(struct models_run *r, const struct line *l)
 {
     for (size_t j = 1; j < l->bonkers.gaps; ++j) {
-        const size_t c = at(&r->scene, l->axis, l->body[j - 1]);
-        r->scene.position[c] = l->sign * l->x[j];
-        r->scene.velocity[c] = l->sign * l->v[j];
+        const size_t c = at(&r->scene, l->row.axis, l->body[j - 1]);
+        r->scene.position[c] = l->row.sign * l->x[j];
+        r->scene.velocity[c] = l->row.sign * l->v[j];
     }
     r->virial = NAN;
 }
@@ -953,7 +912,7 @@ static enum models_end row_relabel(struct models_run *r)
     double *const x = l->x + 1, *const v = l->v + 1;
     if (!(l->x[0] < x[n]))
         return MODELS_BROKEN; /* no room at all */
-    if (!closed_relabel(l->x[0], x[n], n, x, v, r->elapsed, x, v))
+    if (!closed_relabel(l->x[0], x[n], n, x, v, r->elapsed))
         return MODELS_MEMORY;
     for (size_t j = 1; j <= n && l->bonkers.shift; ++j)
         l->x[j] += l->bonkers.shift[j];
@@ -1007,23 +966,6 @@ static struct view view_of(const struct scene *s,
     return w;
 }
 
-static const char *view_fault(const struct scene *s,
-                              const struct models_acts *a,
-                              const struct view *w)
-{
-    const bool floor = wall_of(s, w, 1) == SCENE_HARD;
-    size_t falls = 0;
-    for (size_t j = 0; j < w->axes; ++j)
-        falls += s->gravity[w->axis[j]] != 0;
-    if (a->weight && (falls > 1 || !floor))
-        return floor ? "there is weight along two axes"
-                     : "bodies fall for ever";
-    return w->count[SCENE_PERIODIC] == 0 || w->count[SCENE_HARD] == 0 ||
-                   (floor && w->count[SCENE_HARD] == 1)
-               ? NULL
-               : "the walls differ";
-}
-
 static const char unseen[] = "points on a line collide only as in line";
 
 /* Are there points on one line that may meet? */
@@ -1043,13 +985,20 @@ static const char *refuse_disks(const struct scene *s,
                                 const struct models_acts *a)
 {
     const struct view w = view_of(s, a);
-    const char *why = view_fault(s, a, &w);
+    const bool floor = wall_of(s, &w, 1) == SCENE_HARD;
+    size_t falls = 0;
+    for (size_t j = 0; j < w.axes; ++j)
+        falls += s->gravity[w.axis[j]] != 0;
     if (!s->contact)
         return "nothing collides";
     if (points_meet(s, a))
         return unseen;
-    if (why)
-        return why;
+    if (a->weight && (falls > 1 || !floor))
+        return floor ? "there is weight along two axes"
+                     : "bodies fall for ever";
+    if (w.count[SCENE_PERIODIC] > 0 && w.count[SCENE_HARD] > 0 &&
+        !(floor && w.count[SCENE_HARD] == 1))
+        return "the walls differ";
     for (size_t i = 0; i < s->bodies; ++i) {
         if ((a->axes | a->offset) & ~freedom_of(s, i))
             return "a body is held";
@@ -1079,24 +1028,6 @@ static void end_disks(struct models_run *r)
     disks_free(&d->disks);
 }
 
-enum { SCANNED = 100 }; /* disks up to which all are looked at */
-
-static const char *prepare_disks(struct room *d)
-{
-    const bool open = d->view.count[SCENE_OPEN] > 0;
-    size_t a, b;
-    if (!(disks_leash(&d->disks) > 0))
-        return "the box is too narrow to be periodic";
-    if (!open && d->disks.count > SCANNED && cells_suit(&d->disks))
-        d->celled = cells_create(&d->cells, &d->disks);
-    if (d->celled ? !cells_fit(&d->cells, &a, &b)
-                  : !disks_fit(&d->disks, &a, &b))
-        return "bodies overlap at the start";
-    if (disks_lying(&d->disks) < d->disks.count)
-        return "a body lies on the floor";
-    return d->celled || disks_plan(&d->disks) ? NULL : no_memory;
-}
-
 static void put_in_box(struct room *d, const struct scene *s)
 {
     struct disks *all = &d->disks;
@@ -1120,11 +1051,14 @@ static void put_in_box(struct room *d, const struct scene *s)
     }
 }
 
+enum { SCANNED = 100 }; /* disks up to which all are looked at */
+
 static const char *begin_disks(struct models_run *r)
 {
     const struct scene *s = &r->scene;
     struct room *d = r->engine;
     const struct view w = view_of(s, &r->acts);
+    size_t a, b;
     if (!disks_create(&d->disks, w.axes, s->bodies))
         return no_memory;
     d->view = w;
@@ -1134,7 +1068,17 @@ static const char *begin_disks(struct models_run *r)
     d->disks.restitution = s->restitution;
     d->disks.gravity = r->acts.weight ? fabs(s->gravity[w.axis[1]]) : 0;
     put_in_box(d, s);
-    return prepare_disks(d);
+    if (!(disks_leash(&d->disks) > 0))
+        return "the box is too narrow to be periodic";
+    if (w.count[SCENE_OPEN] == 0 && s->bodies > SCANNED &&
+        cells_suit(&d->disks))
+        d->celled = cells_create(&d->cells, &d->disks);
+    if (d->celled ? !cells_fit(&d->cells, &a, &b)
+                  : !disks_fit(&d->disks, &a, &b))
+        return "bodies overlap at the start";
+    if (disks_lying(&d->disks) < d->disks.count)
+        return "a body lies on the floor";
+    return d->celled || disks_plan(&d->disks) ? NULL : no_memory;
 }
 
 static void count_disks(struct models_run *r, const struct room *d)
@@ -1218,7 +1162,7 @@ static const char *refuse_steps(const struct scene *s,
 /* The heaviest body first, then the others from the inside outwards. */
 static bool order_outwards(struct light *l, const struct scene *s)
 {
-    return make_light(l, s, false, central_body(s, ALL_AXES), true);
+    return light_create(l, s, INFINITY, central_body(s, ALL_AXES), false);
 }
 
 static void permute(struct scene *to, const struct scene *from,
@@ -1258,9 +1202,9 @@ struct steps {
     struct motion motion;
     struct scene scene; /* what is stepped: a run may move to another place
                            in memory, and its scene with it */
+    struct models_plan plan;
     struct light light;
     struct rods rods;
-    double little, left; /* as in its plan */
     bool lights, ordered, rodded;
 };
 
@@ -1284,31 +1228,6 @@ static bool has_centre(const struct scene *s, const struct models_acts *a)
     return !a->contact && !a->springs && !a->friction;
 }
 
-static bool lighten(struct steps *t, struct models_run *r)
-{
-    struct gravity *g = &t->motion.gravity;
-    struct scene *s = &t->scene;
-    t->lights = make_light(&t->light, s, has_centre(s, &r->acts), 0, false);
-    if (!t->lights)
-        return false;
-    light_enter(&t->light, s, s->position, s->velocity);
-    g->source = t->light.order;
-    g->sources = t->light.heavy;
-    g->share = t->light.share;
-    return true;
-}
-
-/* Makes rods of the stiff springs. */
-static bool stiffen(struct steps *t, struct scene *s,
-                    const struct scene_spring rod[], size_t count)
-{
-    t->rodded =
-        rods_create(&t->rods, s, rod, count, t->motion.stepping.forces);
-    t->motion.outside = rods_step;
-    t->motion.with = &t->rods;
-    return t->rodded;
-}
-
 /* Does a passage move any body by more than a little, in the time that is
    left? Its distance is that of straight ways, less by what they bend. */
 static bool counts(const struct steps *t, const struct pair *p, double pull,
@@ -1317,7 +1236,7 @@ static bool counts(const struct steps *t, const struct pair *p, double pull,
     const double tau = fabs(p->rv) / p->v2;
     const double bend = sqrt(a2) * tau * tau / 2;
     const double b = fmax(sqrt(pair_nearest2(p)) - bend, 0);
-    return 2 * pull * t->left > t->little * b * sqrt(p->v2);
+    return 2 * pull * t->plan.left > t->plan.little * b * sqrt(p->v2);
 }
 
 /* How often, in 1/s, two bodies can fly 0.7 of their distance, or come
@@ -1361,52 +1280,55 @@ static uint64_t steps_of(const struct models_run *r)
     return r->scene.contact ? LOOKS : 1;
 }
 
-/* Steps of any length: how long they may be. */
-static void choose_lengths(struct steps *t, const struct models_plan *p)
-{
-    struct stepping *s = &t->motion.stepping;
-    s->tolerance = p->tolerance;
-    s->own->slack = p->slack;
-    if (t->motion.attracts && p->little > 0) {
-        t->little = p->little;
-        t->left = p->left;
-        s->own->longest = longest;
-        s->own->with = t;
-    }
-}
-
-static bool begin_motion(struct steps *t, struct models_run *r,
-                         struct scene_spring rod[])
-{
-    const bool lights = r->plan.cuts & MODELS_NO_LIGHT;
-    const size_t count =
-        r->plan.cuts & MODELS_RODS ? take_stiff(&r->scene, rod) : 0;
-    struct scene *s = &t->scene;
-    if (!scene_copy(s, &r->scene))
-        return false;
-    if (r->plan.model->method->orbits) {
-        if (!(t->ordered = order_outwards(&t->light, &r->scene)))
-            return false;
-        permute(s, &r->scene, t->light.order, false);
-    }
-    if (!motion_begin(&t->motion, "models", s, r->plan.model->name,
-                      r->every / (double)steps_of(r)))
-        return false;
-    if (t->motion.collides && count == 0 && !motion_locate(&t->motion))
-        return false;
-    t->motion.impact.least = r->plan.margin;
-    if (r->plan.model->method->adaptive)
-        choose_lengths(t, &r->plan);
-    return (!t->motion.attracts || !lights || lighten(t, r)) &&
-           (count == 0 || stiffen(t, s, rod, count));
-}
-
 static const char *begin_steps(struct models_run *r)
 {
-    struct scene_spring *rod = malloc((r->scene.springs + 1) * sizeof *rod);
-    const bool begun = rod && begin_motion(r->engine, r, rod);
-    free(rod);
-    return begun ? NULL : no_memory;
+    struct steps *t = r->engine;
+    struct scene *s = &t->scene;
+    const struct models_plan *p = &t->plan;
+    const size_t count =
+        r->plan.cuts & MODELS_RODS ? take_stiff(&r->scene, &r->origin) : 0;
+    t->plan = r->plan;
+    if (!scene_copy(s, &r->scene))
+        return no_memory;
+    if (p->model->method->orbits) {
+        if (!(t->ordered = order_outwards(&t->light, &r->scene)))
+            return no_memory;
+        permute(s, &r->scene, t->light.order, false);
+    }
+    if (!motion_begin(&t->motion, "models", s, p->model->name,
+                      r->every / (double)steps_of(r)) ||
+        (t->motion.collides && count == 0 && !motion_locate(&t->motion)))
+        return no_memory;
+    t->motion.impact.least = p->margin;
+    if (p->model->method->adaptive) {
+        t->motion.stepping.tolerance = p->tolerance;
+        t->motion.stepping.own->slack = p->slack;
+        if (t->motion.attracts && p->little > 0) {
+            t->motion.stepping.own->longest = longest;
+            t->motion.stepping.own->with = t;
+        }
+    }
+    if (t->motion.attracts && (p->cuts & MODELS_NO_LIGHT)) {
+        struct gravity *g = &t->motion.gravity;
+        t->lights = light_create(&t->light, s, heaviest(s), s->bodies,
+                                 has_centre(s, &r->acts));
+        if (!t->lights)
+            return no_memory;
+        light_enter(&t->light, s, s->position, s->velocity);
+        g->source = t->light.order;
+        g->sources = t->light.heavy;
+        g->share = t->light.share;
+    }
+    if (count > 0) {
+        t->rodded =
+            rods_create(&t->rods, s, r->scene.spring + r->scene.springs,
+                        count, t->motion.stepping.forces);
+        t->motion.outside = rods_step;
+        t->motion.with = &t->rods;
+        if (!t->rodded)
+            return no_memory;
+    }
+    return NULL;
 }
 
 static double count_pulls(const struct steps *t)
@@ -1712,7 +1634,7 @@ static const char *copy_scene(struct models_run *r, const struct scene *s)
         if (!s->freedom[c])
             own->velocity[c] = 0;
     leave_out(own, r->plan.cuts);
-    look_at(&r->acts, own);
+    models_analyse(&r->acts, own);
     r->acts.cuts = r->plan.cuts;
     return refusal(r);
 }

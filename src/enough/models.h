@@ -1,5 +1,5 @@
 /* From chapters/works/12-models-parts.nw: edit there, then run make tangle. */
-/* checksum 2559058096 of the lines below */
+/* checksum 3910857055 of the lines below */
 /* All ways to carry a scene, behind one door, and what each costs. */
 #ifndef MODELS_H
 #define MODELS_H
@@ -71,8 +71,6 @@ struct models_acts {
     size_t dimensions; /* how many axes: exactly, not nearly */
     size_t free;       /* bodies that may move */
     unsigned cuts;     /* what has been left out */
-    double fastest;    /* the largest angular frequency now, about, plus
-                          the largest rate of friction, 1/s */
 };
 
 /* A way to carry a scene, with what it leaves out and its steps. As text:
@@ -125,15 +123,15 @@ struct models_run {
     struct scene scene;  /* its own, as in the last row; springs that are
                             rods are not in it */
     struct scene origin; /* that at the start */
-    struct models_acts acts; /* without fastest */
-    double start, every;     /* s */
-    double elapsed;          /* from the start to the row asked for, s */
-    double clock;            /* closed forms: by what share of the time they
-                                may be off by rounding; 0: no clock */
-    uint64_t rows;           /* so far */
-    uint64_t collisions;     /* not those of relabel: models_collisions */
-    double least;            /* m: by how little one was: below 0, made */
-    double virial;           /* as in struct disks, J s; NaN if not known */
+    struct models_acts acts;
+    double start, every; /* s */
+    double elapsed;      /* from the start to the row asked for, s */
+    double clock;        /* closed forms: by what share of the time they
+                            may be off by rounding; 0: no clock */
+    uint64_t rows;       /* so far */
+    uint64_t collisions; /* not those of relabel: models_collisions */
+    double least;        /* m: by how little one was: below 0, made */
+    double virial;       /* as in struct disks, J s; NaN if not known */
     double work[MODELS_UNITS];
     uint64_t all; /* rows in the end; 0: not known. May be written */
     double limit; /* s: what costs more is MODELS_COSTLY. May be written */
@@ -149,9 +147,9 @@ unsigned models_cuts(const struct scene *s);
 /* Looks at what acts in a scene. */
 void models_analyse(struct models_acts *a, const struct scene *s);
 
-/* The largest rate at which it changes now, 1/s, about; with these cuts. */
-double models_rate(const struct scene *s, const struct models_acts *a,
-                   unsigned cuts);
+/* The largest angular frequency now, about, plus the largest rate of
+   friction, 1/s, with these cuts. INFINITY without memory. */
+double models_rate(const struct scene *s, unsigned cuts);
 
 /* How deep bodies overlap at the start, or are beyond walls for good, m; 0:
    nowhere, or there are no contacts. INFINITY without memory. */

@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1961048119 of the lines below */
+/* checksum 2609000601 of the lines below */
 /* Each column is judged by a scale; a run may be in other units. */
 #include "enough/record.h"
 
@@ -63,7 +63,7 @@ static double speed_of_body(const struct scene *s, size_t i)
 
 /* What errors are divided by. */
 struct scales {
-    double length, speed, energy, momentum, turning;
+    double length, speed, energy, momentum;
 };
 
 static double or_else(double a, double b)
@@ -76,8 +76,6 @@ static struct scales measure(const struct record_view *v, double length)
     const struct scene *s = &v->scene;
     const struct motion_energy e = motion_energy(&v->motion);
     const double energy = e.kinetic + (e.gravity + e.springs + e.weight);
-    struct models_acts acts;
-    models_analyse(&acts, s);
     struct scales to = {0};
     double mass = 0;
     for (size_t i = 0; i < s->bodies; ++i) {
@@ -87,12 +85,11 @@ static struct scales measure(const struct record_view *v, double length)
     }
     to.length =
         or_else(size_without(s, s->bodies), or_else(to.speed * length, 1));
-    to.speed = or_else(
-        to.speed, or_else(to.length * acts.fastest, to.length / length));
+    to.speed = or_else(to.speed, or_else(to.length * models_rate(s, 0),
+                                         to.length / length));
     to.energy =
         or_else(fmax(fabs(energy), e.kinetic), mass * to.speed * to.speed);
     to.momentum = or_else(to.momentum, mass * to.speed);
-    to.turning = to.momentum * to.length;
     return to;
 }
 
@@ -107,7 +104,8 @@ static double scale_of(const struct scales *to, const char *unit,
                  {"length/time", "velocities", to->speed},
                  {"mass length^2/time^2", "energy", to->energy},
                  {"mass length/time", "momentum", to->momentum},
-                 {"mass length^2/time", "angular momentum", to->turning},
+                 {"mass length^2/time", "angular momentum",
+                  to->momentum * to->length},
                  {"time", "t", 1},
                  {"", "counts", 1}};
     size_t k = 0;
@@ -127,19 +125,6 @@ static void judge_column(struct record_view *v, size_t column, double scale,
         v->turn[column] = s->high[axis] - s->low[axis];
 }
 
-static void judge_all(struct record_view *v, const struct scales *to)
-{
-    const char *as;
-    for (size_t i = v->asked->count, column = v->columns; i-- > 0;) {
-        const struct observables_sort o =
-            observables_sort(&v->asked->list[i]);
-        v->scale = scale_of(to, o.unit, &as);
-        v->judged = as;
-        for (size_t k = 0; k < o.width; ++k)
-            judge_column(v, --column, v->scale, o.axis);
-    }
-}
-
 static void judge(struct record_view *v, double length)
 {
     const struct scales to = measure(v, length);
@@ -148,8 +133,14 @@ static void judge(struct record_view *v, double length)
     v->judged = "positions";
     for (size_t c = 0; !v->asked && c < SCENE_AXES * n; ++c)
         judge_column(v, 6 * (c % n) + c / n, to.length, c / n);
-    if (v->asked)
-        judge_all(v, &to);
+    size_t column = v->columns;
+    for (size_t i = v->asked ? v->asked->count : 0; i-- > 0;) {
+        const struct observables_sort o =
+            observables_sort(&v->asked->list[i]);
+        v->scale = scale_of(&to, o.unit, &v->judged);
+        for (size_t k = 0; k < o.width; ++k)
+            judge_column(v, --column, v->scale, o.axis);
+    }
 }
 
 /* Where the scene is carried from, m; returns what rows of places that are
@@ -269,12 +260,11 @@ static void move_last_bits(struct scene *s)
 {
     struct models_acts acts;
     const size_t n = s->bodies;
+    double falls = 0;
     models_analyse(&acts, s);
+    for (size_t k = 0; acts.weight && k < SCENE_AXES; ++k)
+        falls = fmax(falls, sqrt(fabs(s->gravity[k]) * size_without(s, n)));
     for (size_t i = 0; i < n; ++i) {
-        double falls = 0;
-        for (size_t k = 0; acts.weight && k < SCENE_AXES; ++k)
-            falls =
-                fmax(falls, sqrt(fabs(s->gravity[k]) * size_without(s, n)));
         const double speed = fmax(speed_of_body(s, i), falls);
         for (size_t k = 0; k < SCENE_AXES; ++k)
             if ((acts.axes >> k & 1) && s->freedom[k * n + i])
@@ -318,9 +308,7 @@ size_t record_agree(const struct record_view *v, const struct record *a,
                     const struct record *b, double e)
 {
     size_t r = 1;
-    while (r <= a->reached && r <= b->reached &&
-           row_apart(v, a->value + r * v->columns,
-                     b->value + r * v->columns) <= e)
+    while (record_apart(v, a, b, r, r) <= e)
         ++r;
     return r - 1;
 }
@@ -387,17 +375,16 @@ static void begin_way(struct way *w, struct record_view *v)
         plan.margin *= fabs(unit_length);
     }
     r->value = malloc((o->rows + 1) * v->columns * sizeof *r->value);
-    if (r->value) {
-        w->begun =
-            models_begin(&w->run, &plan, &w->twin, o->every, &r->why);
-        r->end = w->begun ? MODELS_DONE : MODELS_BROKEN;
-    }
-    if (w->begun) {
-        w->run.limit = o->limit;
-        w->run.all = o->rows;
-        r->clock = w->run.clock;
-        look(r, v, o, &w->run.scene, 0);
-    }
+    if (!r->value)
+        return;
+    w->begun = models_begin(&w->run, &plan, &w->twin, o->every, &r->why);
+    r->end = w->begun ? MODELS_DONE : MODELS_BROKEN;
+    if (!w->begun)
+        return;
+    w->run.limit = o->limit;
+    w->run.all = o->rows;
+    r->clock = w->run.clock;
+    look(r, v, o, &w->run.scene, 0);
 }
 
 /* A row further; false: it ends here. */
@@ -428,7 +415,7 @@ static void end_way(struct way *w)
     w->r->seconds = bench_seconds() - w->since;
 }
 
-bool record_run(struct record *r, struct record_view *v,
+void record_run(struct record *r, struct record_view *v,
                 const struct record_order *o)
 {
     struct way w = {.r = r, .o = o};
@@ -436,7 +423,6 @@ bool record_run(struct record *r, struct record_view *v,
     while (go_on(&w, v))
         ;
     end_way(&w);
-    return r->end != MODELS_MEMORY;
 }
 
 /* Goes on while another one may have spent some of what both may. */
@@ -447,7 +433,7 @@ static bool go_on_beside(struct way *w, const struct way *other,
     return go_on(w, v);
 }
 
-bool record_both(struct record *a, struct record *b, struct record_view *v,
+void record_both(struct record *a, struct record *b, struct record_view *v,
                  const struct record_order *oa,
                  const struct record_order *ob, double apart)
 {
@@ -461,7 +447,6 @@ bool record_both(struct record *a, struct record *b, struct record_view *v,
         ;
     end_way(&x);
     end_way(&y);
-    return a->end != MODELS_MEMORY && b->end != MODELS_MEMORY;
 }
 
 void record_free(struct record *r)

@@ -1,5 +1,5 @@
 /* From chapters/works/12-choose.nw: edit there, then run make tangle. */
-/* checksum 3230444339 of the lines below */
+/* checksum 2227641701 of the lines below */
 /* The rows of a run, and how far those of two runs are apart. */
 #ifndef RECORD_H
 #define RECORD_H
@@ -57,15 +57,15 @@ bool record_look(struct record_view *v, const char *program,
                  double length);
 void record_look_away(struct record_view *v);
 
-/* Runs a plan and keeps its rows. Returns false when there is no memory;
-   what became of the run stands in *r, to be freed with record_free. */
-bool record_run(struct record *r, struct record_view *v,
+/* Runs a plan and keeps its rows. What became of the run stands in *r, to
+   be freed with record_free. */
+void record_run(struct record *r, struct record_view *v,
                 const struct record_order *o);
 void record_free(struct record *r);
 
 /* Two runs row by row, until they are more than `apart` of the scale apart,
    or one has ended; both together within the limit of the first. */
-bool record_both(struct record *a, struct record *b, struct record_view *v,
+void record_both(struct record *a, struct record *b, struct record_view *v,
                  const struct record_order *oa,
                  const struct record_order *ob, double apart);
 

@@ -1,5 +1,5 @@
 /* From chapters/works/12-atlas.nw: edit there, then run make tangle. */
-/* checksum 2162206221 of the lines below */
+/* checksum 4107757826 of the lines below */
 /* Maps of cost against true error, for every scene; prices of units. */
 #include "enough/choose.h"
 #include "scenes/gallery.h"
@@ -839,55 +839,31 @@ static const struct bout bouts[MODELS_UNITS] = {
     [MODELS_MODE] = {"cantilever", "nx", 12, "modes", 1, 2},
     [MODELS_ROW] = {"cradle", "balls", 2, "relabel", 1, 20000},
 };
-static bool make_bout(struct scene *s, const struct bout *b)
-{
-    const bool made =
-        gallery_make(s, find_scene(b->name), b->key, b->value) == NULL;
-    if (strcmp(b->name, "ring") == 0)
-        s->k2 = 0; /* bodies on which nothing acts */
-    return made;
-}
-
-/* Runs a bout; returns how long it took, s, and fills in the work. */
-static double run_bout(const struct bout *b, double work[MODELS_UNITS])
-{
-    char message[MODELS_MESSAGE];
-    const char *why;
-    struct models_plan plan;
-    struct models_run r;
-    struct scene s;
-    if (!models_read(&plan, b->plan, message) || !make_bout(&s, b))
-        return NAN;
-    const double begin = bench_seconds();
-    const bool begun = models_begin(&r, &plan, &s, b->every, &why);
-    bool going = begun;
-    while (going && r.rows < b->rows)
-        going = models_row(&r) == MODELS_DONE;
-    const double seconds = going ? bench_seconds() - begin : NAN;
-    for (size_t k = 0; k < MODELS_UNITS; ++k)
-        work[k] = begun ? r.work[k] : 0;
-    if (begun)
-        models_end(&r);
-    scene_free(&s);
-    return seconds;
-}
-
 /* What a unit costs if the others cost what the list says, ns. */
 static double price_in(const struct bout *b, enum models_unit unit)
 {
-    double work[MODELS_UNITS];
-    const double seconds = run_bout(b, work), units = work[unit];
-    work[unit] = 0;
-    return (seconds - models_cost(work)) / units * 1e9;
-}
-/* What a unit costs on this machine, ns of processor time; NaN without
-   memory. */
-static double measure_price(enum models_unit unit)
-{
-    double value[BENCH_ROUNDS];
-    for (int round = -1; round < BENCH_ROUNDS; ++round) /* -1: warm-up */
-        value[round < 0 ? 0 : round] = price_in(&bouts[unit], unit);
-    return bench_median(value, BENCH_ROUNDS);
+    char message[MODELS_MESSAGE];
+    struct models_plan plan;
+    struct models_run r;
+    struct scene s;
+    const char *why =
+        gallery_make(&s, find_scene(b->name), b->key, b->value);
+    if (why || !models_read(&plan, b->plan, message))
+        fail(why ? why : message);
+    if (strcmp(b->name, "ring") == 0)
+        s.k2 = 0; /* bodies on which nothing acts */
+    const double begin = bench_seconds();
+    if (!models_begin(&r, &plan, &s, b->every, &why))
+        fail(why);
+    while (r.rows < b->rows)
+        if (models_row(&r) != MODELS_DONE)
+            fail("a run that measures a price has not come to its end");
+    const double seconds = bench_seconds() - begin, units = r.work[unit];
+    r.work[unit] = 0;
+    const double others = models_cost(r.work);
+    models_end(&r);
+    scene_free(&s);
+    return (seconds - others) / units * 1e9;
 }
 
 static void explore(struct map *m, const struct subject *t)
@@ -994,7 +970,11 @@ static void study_prices(struct study *s)
     table_print(s->out,
                 "# unit, price in the list (ns), measured, ratio\n");
     for (int k = 0; k < MODELS_UNITS && !progress_signal(); ++k) {
-        const double found = measure_price((enum models_unit)k);
+        double value[BENCH_ROUNDS];
+        for (int round = -1; round < BENCH_ROUNDS; ++round)
+            value[round < 0 ? 0 : round] =
+                price_in(&bouts[k], (enum models_unit)k);
+        const double found = bench_median(value, BENCH_ROUNDS);
         table_print(s->out, "%s %.3g %.3g %.3g\n", models_prices[k].name,
                     models_prices[k].ns, found,
                     found / models_prices[k].ns);

@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 996160582 of the lines below */
+/* checksum 2465137132 of the lines below */
 /* Exact ways, two runs that agree, and ladders judged by them. */
 #include "enough/choose.h"
 
@@ -174,8 +174,8 @@ static bool run_twins(const struct task *t, struct record_order one,
     return parted;
 }
 
-/* Twins have been stopped by our patience: what would one of them cost, s?
-   INFINITY: they part in the first row. */
+/* Twins have been stopped by our patience, the second in r: what would one
+   of them cost, s? INFINITY: they part in the first row. */
 static double price_of_twin(const struct task *t, const struct record *r)
 {
     double cost = r->cost, part = 1;
@@ -186,8 +186,8 @@ static double price_of_twin(const struct task *t, const struct record *r)
         part *= 16;
         o.every /= part;
         o.rows = 16;
-        cost = run_twins(t, o, &a, &b) ? INFINITY : a.cost;
-        reached = a.reached;
+        cost = run_twins(t, o, &a, &b) ? INFINITY : b.cost;
+        reached = b.reached;
         record_free(&a);
         record_free(&b);
     }
@@ -221,8 +221,8 @@ static void try_exact(const struct task *t, const struct models_model *m)
     }
     const double limit = 2 * fmin(patience, best(t));
     bool parted = run_twins(t, order_of(t, k->plan, limit), &a, &b);
-    if (a.end == MODELS_COSTLY && isinf(best(t)) &&
-        2 * price_of_twin(t, &a) <= left_of(t)) {
+    if ((a.end == MODELS_COSTLY || b.end == MODELS_COSTLY) &&
+        isinf(best(t)) && 2 * price_of_twin(t, &b) <= left_of(t)) {
         record_free(&a);
         record_free(&b);
         parted = run_twins(t, order_of(t, k->plan, INFINITY), &a, &b);

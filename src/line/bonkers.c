@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 3515551383 of the lines below */
+/* checksum 3094002807 of the lines below */
 /* Four engines that find the next collision on a line and carry it out. */
 #include "line/bonkers.h"
 
@@ -829,7 +829,7 @@ void bonkers_state(struct bonkers *b, double x[], double v[])
     double last = b->body[0].x;
     for (size_t i = 0; i <= b->gaps; ++i) {
         const struct bonkers_body a = body_at(b, i, b->now);
-        if (a.x < last - rounding(b, i))
+        if (a.x < last && a.x < last - rounding(b, i))
             ++b->disorder;
         last = a.x < last ? last : a.x > right ? right : a.x;
         x[i] = b->shift ? last + b->shift[i] : last;

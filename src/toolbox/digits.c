@@ -1,11 +1,12 @@
 /* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 86863988 of the lines below */
+/* checksum 233165903 of the lines below */
 /* Whole numbers of two words where they suffice, else the C library. */
 #include "toolbox/digits.h"
 
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <string.h>
 
 /* Returns a b / 2^shift, rounded to the nearest whole number, a half to the
    even one. It must fit into 64 bits; shift is 1 to 63. */
@@ -22,24 +23,29 @@ static uint64_t scaled(uint64_t a, uint64_t b, int shift)
     return whole + (rest > half || (rest == half && whole % 2 == 1));
 }
 
-enum { DIGITS = 17 };
+enum { DIGITS = 17, HALF = 8 };
 
 /* Writes n, of 17 digits, as a number between 10^point and ten times that;
    returns the end. */
 static char *write_digits(char *c, uint64_t n, int point)
 {
     char digit[DIGITS];
-    int last = 0;
-    for (int i = DIGITS - 1; i >= 0; --i, n /= 10) {
-        digit[i] = (char)('0' + n % 10);
-        last = last == 0 && n % 10 > 0 ? i : last;
+    uint32_t high = (uint32_t)(n / 100000000);
+    uint32_t low = (uint32_t)(n % 100000000);
+    for (int i = HALF; i > 0; --i, high /= 10, low /= 10) {
+        digit[i + HALF] = (char)('0' + low % 10);
+        digit[i] = (char)('0' + high % 10);
     }
+    digit[0] = (char)('0' + high);
+    int last = DIGITS - 1;
+    while (last > point && last > 0 && digit[last] == '0')
+        --last;
     for (int i = point; i < 0; ++i) {
         *c++ = '0';
         if (i == point)
             *c++ = '.';
     }
-    for (int i = 0; i <= last || i <= point; ++i) {
+    for (int i = 0; i <= last; ++i) {
         if (i > 0 && i == point + 1)
             *c++ = '.';
         *c++ = digit[i];
@@ -50,26 +56,40 @@ static char *write_digits(char *c, uint64_t n, int point)
 
 static uint64_t five_to(int k)
 {
-    uint64_t power = 1;
-    for (; k > 0; --k)
-        power *= 5;
+    uint64_t power = k % 2 == 1 ? 5 : 1;
+    for (uint64_t square = 25; k > 1; square *= square)
+        if ((k /= 2) % 2 == 1)
+            power *= square;
     return power;
+}
+
+/* The whole b of a normal number b 2^(e - 53), and e. */
+static uint64_t take_apart(double size, int *e)
+{
+    uint64_t bits;
+    memcpy(&bits, &size, sizeof bits);
+    *e = (int)(bits >> 52) - 1022;
+    return (bits & UINT64_C(0xfffffffffffff)) | UINT64_C(1) << 52;
 }
 
 size_t digits_write(char text[DIGITS_ROOM], double value)
 {
     const double size = fabs(value);
+    text[0] = '-';
+    char *begin = signbit(value) ? text + 1 : text;
+    if (value == 0) {
+        memcpy(begin, "0", 2);
+        return (size_t)(begin + 1 - text);
+    }
     if (!(1e-4 <= size && size < 1e15))
         return (size_t)snprintf(text, DIGITS_ROOM, "%.17g", value);
     int e;
-    const uint64_t bits = (uint64_t)ldexp(frexp(size, &e), 53);
-    int point = (int)floor((e - 1) * 0.30102999566398120);
+    const uint64_t bits = take_apart(size, &e);
+    int point = (int)(5 + (e - 1) * 0.30102999566398120) - 5;
     uint64_t n = scaled(bits, five_to(16 - point), 37 + point - e);
     if (n >= UINT64_C(100000000000000000)) {
         ++point;
         n = scaled(bits, five_to(16 - point), 37 + point - e);
     }
-    text[0] = '-';
-    char *begin = value < 0 ? text + 1 : text;
     return (size_t)(write_digits(begin, n, point) - text);
 }

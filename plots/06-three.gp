@@ -4,9 +4,9 @@
 # data: build/data/06-markov.dat
 # command: build/bin/sample --method markov --samples 1e6 -o build/data/06-markov.dat
 # lecture: build/bin/sample --method markov --samples 1e7 -o build/data/06-markov.dat
-# data: build/data/06-dynamics.dat
-# command: build/bin/disks --disks 4 --radius .15 --box 1,1 --every .01 --samples 1e6 --measure positions -o build/data/06-dynamics.dat
-# lecture: build/bin/disks --disks 4 --radius .15 --box 1,1 --every .01 --samples 1e7 --measure positions -o build/data/06-dynamics.dat
+# data: build/data/05-positions.dat
+# command: build/bin/disks --disks 4 --radius 0.15 --box 1,1 --every 0.01 --samples 1000000 --measure positions -o build/data/05-positions.dat
+# lecture: build/bin/disks --disks 4 --radius 0.15 --box 1,1 --every 0.01 --samples 10000000 --measure positions -o build/data/05-positions.dat
 # data: plots/data/06-reference.dat
 # alt: Above, density of a coordinate of four disks in a box: highest at both walls, 2.7, falling to 0.97 with a small hump of 1.1 in the middle. Points of three methods lie on one curve. Below, their deviations from the reference in units of their errors scatter between minus 3 and 3.
 width = 14

@@ -6,7 +6,7 @@
 # whole or not at all, and what is there is not listed.
 .PHONY: jobs
 # $(call list,COMMAND): the rule of a goal jobs-NAME.
-list = @mkdir -p build/jobs && { $(1); } >build/jobs/$(@:jobs-%=%).new && \
+list = @$(unless_dry)mkdir -p build/jobs && { $(1); } >build/jobs/$(@:jobs-%=%).new && \
 	mv build/jobs/$(@:jobs-%=%).new build/jobs/$(@:jobs-%=%) && echo \
 	"Jobs: $$(wc -l <build/jobs/$(@:jobs-%=%)) in build/jobs/$(@:jobs-%=%)"
 OF =

@@ -32,7 +32,7 @@ beside = $(filter-out $(shell grep -lF '{MAKE' $(scripts)),$(filter \
 	tests/stability/% tests/programs/% tests/grader/%,$(scripts)))
 test: has-tex has-site has-test-tools
 	@$(MAKE) -s -j2 programs test-parts
-	@MAKE='$(MAKE)' tests/run -t $(TEST_SECONDS) -j 2 tests/book/book.sh \
+	@$(unless_dry)MAKE='$(MAKE)' tests/run -t $(TEST_SECONDS) -j 2 tests/book/book.sh \
 		$(unit_tests) $(beside) -- $(filter-out $(beside),$(scripts)) \
 		$(filter-out tests/book/book.sh,$(wildcard tests/book/*.sh))
 
@@ -168,4 +168,4 @@ test-cluster: has-gsl programs grade-parts build/check/examine $(CHECK_BUILT) \
 	$(call need,munged,munge)
 	$(call need,parallel,parallel)
 	$(call need,/usr/sbin/sshd,openssh-server)
-	@RECORD='$(RECORD)' MAKE='$(MAKE)' tests/run -t 3600 tests/cluster/cluster.sh
+	@$(unless_dry)RECORD='$(RECORD)' MAKE='$(MAKE)' tests/run -t 3600 tests/cluster/cluster.sh

@@ -134,6 +134,33 @@ chapters/press/weave &&
     echo 'ok weave: a chapter may have two files of Works' ||
     echo 'not ok weave: a chapter may have two files of Works - refused'
 rm chapters/works/02-two-more.nw
+# What noweb made of the code is kept while only words change, between chunks
+# and beside what they quote.
+as_from_nothing() { # name
+    chapters/press/weave
+    cp -R build "$scratch/soon" && rm -rf build && chapters/press/weave &&
+        diff -r "$scratch/soon/book" build/book && diff -r "$scratch/soon/works" build/works &&
+        echo "ok weave: $1" || echo "not ok weave: $1 - other files than from nothing"
+    rm -rf "$scratch/soon"
+}
+sed 's/^As in/More\n\nwords than/; s/ by~/ not [[hit_it]] by~/' chapters/works/02-two.nw \
+    >"$scratch/quoted"
+sed 's/^As in/More\n\nwords than/' chapters/works/02-two.nw >"$scratch/worded"
+chapters/press/weave
+cp "$scratch/worded" chapters/works/02-two.nw
+as_from_nothing 'other words are woven as from nothing'
+has 'and stand there' 'words than' build/works/02-two.tex
+echo '@text what is kept' >>build/tagged/plain
+printf '%s\n' "$works" >chapters/works/02-two.nw
+chapters/press/weave
+has 'noweb is not asked for that' 'what is kept' build/tagged/plain
+rm -rf build/tagged && chapters/press/weave
+cp "$scratch/quoted" chapters/works/02-two.nw
+as_from_nothing 'and so is what they quote'
+sed 's/stdio/stdlib/' "$scratch/worded" >chapters/works/02-two.nw
+as_from_nothing 'and other code'
+has 'which stands there' 'stdlib.h' build/works/02-two.tex
+printf '%s\n' "$works" >chapters/works/02-two.nw
 # said FILE LINE MESSAGE: with this line at its end the file is refused.
 said() {
     cp "$1" "$scratch/kept"
@@ -158,4 +185,4 @@ said chapters/01-one.nw '\label{sec:one}' \
     '\label{sec:one} stands already in chapters/01-one.nw:11'
 said chapters/works/02-two.nw '\label{sec:one}' \
     '\label{sec:one} stands in the book, too: chapters/01-one.nw:11'
-echo 1..29
+echo 1..35

@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 1321217649 of the lines below */
+/* checksum 3800951151 of the lines below */
 /* What acts, what can be left out, and how each model carries a scene. */
 #include "enough/models.h"
 
@@ -290,12 +290,32 @@ double models_rate(const struct scene *s, unsigned cuts)
 
 const char *const models_cut_names[MODELS_CUTS + 1] = {
     "no-light", "rods",      "no-softening", "no-friction", "no-dashpots",
-    "no-weak",  "no-weight", "no-pull",      NULL};
+    "no-weak",  "no-weight", "no-pull",      "no-across",   NULL};
+
+static void flatten(struct scene *s)
+{
+    const size_t n = s->bodies;
+    double far = 0;
+    size_t axis = 0;
+    for (size_t c = 0; c < 3 * n; ++c) {
+        const double way = fabs(s->position[c] - s->position[c / n * n]);
+        axis = way > far ? c / n : axis;
+        far = fmax(far, way);
+    }
+    for (size_t c = 0; c < 3 * n; ++c)
+        if (c / n != axis) {
+            s->position[c] = s->position[c / n * n];
+            s->velocity[c] = 0;
+            s->freedom[c] = 0;
+        }
+}
 
 /* Makes 0 what is left out of the scene's own numbers. */
 static void leave_out(struct scene *s, unsigned cuts)
 {
     double most = 0;
+    if (cuts & MODELS_NO_ACROSS)
+        flatten(s);
     s->softening *= !(cuts & MODELS_NO_SOFTENING);
     s->damping *= !(cuts & MODELS_NO_FRICTION);
     s->k2 *= !(cuts & MODELS_NO_PULL);

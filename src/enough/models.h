@@ -1,5 +1,5 @@
 /* From chapters/works/12-models-parts.nw: edit there, then run make tangle. */
-/* checksum 3910857055 of the lines below */
+/* checksum 1504420132 of the lines below */
 /* All ways to carry a scene, behind one door, and what each costs. */
 #ifndef MODELS_H
 #define MODELS_H
@@ -56,7 +56,8 @@ enum models_cut {
     MODELS_NO_WEAK = 32, /* springs below a hundredth of the stiffest */
     MODELS_NO_WEIGHT = 64,
     MODELS_NO_PULL = 128,
-    MODELS_CUTS = 8 /* how many bits */
+    MODELS_NO_ACROSS = 256, /* all that is beside the longest axis */
+    MODELS_CUTS = 9         /* how many bits */
 };
 
 /* Their names, from bit 0 on, then NULL. */

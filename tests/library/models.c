@@ -792,6 +792,43 @@ static void test_leaving_out(void)
     scene_free(&scene);
 }
 
+/* A cradle along any axis with a ball that is aside, one that moves there,
+   and weight: without what is across it is the cradle, to the bit. */
+static void test_across(void)
+{
+    make("cradle", NULL);
+    const size_t n = scene.bodies;
+    scene.wall[0] = SCENE_OPEN;
+    struct models_run straight = run_of("line", 1, 5);
+    for (size_t axis = 0; axis < 3; ++axis) {
+        const size_t beside = (axis + 1) % 3 * n;
+        for (size_t i = 0; i < n; ++i)
+            for (size_t k = 0; k < 3; ++k) {
+                const size_t c = k * n + i;
+                scene.freedom[c] = 1;
+                scene.position[c] =
+                    k == axis ? straight.origin.position[i] : 0;
+                scene.velocity[c] =
+                    k == axis ? straight.origin.velocity[i] : 0;
+            }
+        scene.position[beside + 2] = 0.01;
+        scene.velocity[beside + 1] = 0.01;
+        for (size_t k = 0; k < 3; ++k)
+            scene.gravity[k] = k == axis ? 0 : -1;
+        refuses("line", "the bodies are not on one line");
+        struct models_run r = run_of("line,no-across", 1, 5);
+        UNIT_EQUAL(
+            apart(r.scene.position + axis * n, straight.scene.position, n),
+            0);
+        for (size_t i = 0; i < n; ++i)
+            UNIT_TRUE(r.scene.position[beside + i] == 0 &&
+                      r.scene.velocity[beside + i] == 0);
+        models_end(&r);
+    }
+    models_end(&straight);
+    scene_free(&scene);
+}
+
 /* A plan is read as it was written, whatever its order was. */
 static void test_text(void)
 {
@@ -842,10 +879,10 @@ static void test_text_errors(void)
         {"rk4:2,no-lights",
          "found 'no-lights', expected one of no-light, rods, "
          "no-softening, no-friction, no-dashpots, no-weak, no-weight, "
-         "no-pull"},
+         "no-pull, no-across"},
         {"rk4:2,", "found '', expected one of no-light, rods, "
                    "no-softening, no-friction, no-dashpots, no-weak, "
-                   "no-weight, no-pull"}};
+                   "no-weight, no-pull, no-across"}};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; ++i) {
         struct models_plan p;
         char message[MODELS_MESSAGE];
@@ -1077,6 +1114,7 @@ int main(void)
             {"what can be left out, and that it is", test_cuts},
             {"what makes another scene can be left out by name",
              test_leaving_out},
+            {"what is across a line is left out", test_across},
             {"plans are read as they were written", test_text},
             {"what is no plan", test_text_errors},
             {"the table has every method of chapter 8", test_table},

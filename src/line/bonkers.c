@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 3094002807 of the lines below */
+/* checksum 1864325628 of the lines below */
 /* Four engines that find the next collision on a line and carry it out. */
 #include "line/bonkers.h"
 
@@ -370,7 +370,7 @@ static enum bonkers_stop run_heap(struct bonkers *b, double until,
 
 /* What a collision overwrites. */
 struct record {
-    double time, x[2], v[2], since[2];
+    double x[2], v[2], since[2];
     uint32_t gap, repeats;
 };
 
@@ -380,22 +380,67 @@ struct island {
     size_t start;
 };
 
-struct bonkers_slab {
-    double width; /* of the next slab, s; 0: not known */
+/* A slab on its way from left to right. */
+struct slab {
+    double end;  /* s */
+    size_t next; /* the gaps before it are done with */
     struct record *log;
     size_t logged, log_size;
     struct island *island;
     size_t islands, island_size;
-    uint64_t redone; /* in this slab */
+    uint64_t collisions; /* whose records have been dropped */
+};
+
+enum { SLABS = 16 }; /* under way at once, at most */
+
+struct bonkers_slab {
+    double width;        /* of the next slabs, s; 0: not known */
+    size_t slabs, count; /* to be under way, and now */
+    struct slab slab[SLABS + 2];
+    struct bonkers_body *saved;
+    uint32_t *repeats; /* saved, too */
+    uint64_t redone;   /* in these slabs */
     bool collapse, failed;
 };
+
+/* Goes without slabs, too. */
+static void free_slabs(struct bonkers_slab *s)
+{
+    for (size_t k = 0; s && k < SLABS + 2; ++k) {
+        free(s->slab[k].log);
+        free(s->slab[k].island);
+    }
+    if (s) {
+        free(s->saved);
+        free(s->repeats);
+    }
+    free(s);
+}
+
+/* Returns NULL when there is no memory. */
+static struct bonkers_slab *create_slabs(const struct bonkers *b)
+{
+    struct bonkers_slab *s = calloc(1, sizeof *s);
+    if (!s)
+        return NULL;
+    s->slabs = 1;
+    s->saved = malloc((b->gaps + 1) * sizeof *s->saved);
+    if (b->repeats)
+        s->repeats = malloc(b->gaps * sizeof *s->repeats);
+    if (s->saved && (s->repeats || !b->repeats))
+        return s;
+    free_slabs(s);
+    return NULL;
+}
 
 static struct record record_of(const struct bonkers *b, size_t i)
 {
     const struct bonkers_body *l = &b->body[i], *r = l + 1;
-    return (struct record){b->due[i],    {l->x, r->x},
-                           {l->v, r->v}, {l->since, r->since},
-                           (uint32_t)i,  b->repeats ? b->repeats[i] : 0};
+    return (struct record){{l->x, r->x},
+                           {l->v, r->v},
+                           {l->since, r->since},
+                           (uint32_t)i,
+                           b->repeats ? b->repeats[i] : 0};
 }
 
 static void undo(struct bonkers *b, const struct record *r)
@@ -412,10 +457,9 @@ static void undo(struct bonkers *b, const struct record *r)
 }
 
 /* Undoes all but the first `start` records. */
-static void undo_to(struct bonkers *b, size_t start)
+static void undo_to(struct bonkers *b, struct slab *s, size_t start)
 {
-    struct bonkers_slab *s = b->slab;
-    s->redone += s->logged - start;
+    b->slab->redone += s->logged - start;
     while (s->logged > start)
         undo(b, &s->log[--s->logged]);
 }
@@ -463,27 +507,35 @@ static void post(struct bonkers *b, size_t i, double end)
     size_t low, high;
     touched(b, i, &low, &high);
     for (size_t k = low; k <= high; ++k) {
-        b->due[k] = time_due(b, k);
-        if (b->due[k] <= end)
-            schedule_put(&b->schedule, k, b->due[k]);
+        const double t = b->due[k] = time_due(b, k);
+        if (t <= end)
+            schedule_put(&b->schedule, k, t);
         else if (b->schedule.count > 0)
             schedule_drop(&b->schedule, k);
     }
 }
 
-static bool too_long(const struct bonkers *b)
+/* Whether gaps first to last are more than slab s has to itself. */
+static bool too_near(const struct slab *s, size_t first, size_t last)
+{
+    const struct slab *before = s - 1, *behind = s + 1;
+    return last + 3 > before->next ||
+           (behind->next > 0 && first <= behind->next);
+}
+
+static bool too_long(const struct bonkers *b, const struct slab *s)
 {
     const size_t most = 8 * b->gaps + 65536;
-    return b->slab->logged > most || b->slab->redone > most;
+    return s->logged > most || b->slab->redone > most;
 }
 
 /* Runs the gaps *first to *last, and those they set going, up to the time
    `end`. Returns false with a larger *first to *last when the island has
    to be begun again: it has met another. */
-static bool run_island(struct bonkers *b, size_t *first, size_t *last,
-                       double end)
+static bool run_island(struct bonkers *b, struct slab *s, size_t *first,
+                       size_t *last)
 {
-    struct bonkers_slab *s = b->slab;
+    const double end = s->end;
     size_t i = *first;
     if (*first < *last)
         i = gather(b, *first, *last, end);
@@ -500,14 +552,15 @@ static bool run_island(struct bonkers *b, size_t *first, size_t *last,
                 return false;
             }
         }
-        if (too_long(b) || !make_room((void **)&s->log, s->logged,
-                                      &s->log_size, sizeof *s->log)) {
-            s->failed = true;
+        if (too_long(b, s) || too_near(s, *first, *last) ||
+            !make_room((void **)&s->log, s->logged, &s->log_size,
+                       sizeof *s->log)) {
+            b->slab->failed = true;
             return false;
         }
         s->log[s->logged++] = record_of(b, i);
         if (collide_gap(b, i)) {
-            s->collapse = true;
+            b->slab->collapse = true;
             schedule_clear(&b->schedule);
             renew(b, i);
             return true;
@@ -521,27 +574,26 @@ static bool run_island(struct bonkers *b, size_t *first, size_t *last,
 
 /* Runs the island that begins at gap first. Returns the first gap after
    it that may begin another, or 0 if the slab is too long. */
-static size_t add_island(struct bonkers *b, size_t first, double end)
+static size_t add_island(struct bonkers *b, struct slab *s, size_t first)
 {
-    struct bonkers_slab *s = b->slab;
-    size_t start = s->logged, last = chain(b, first, end);
-    while (!run_island(b, &first, &last, end)) {
+    size_t start = s->logged, last = chain(b, first, s->end);
+    while (!run_island(b, s, &first, &last)) {
         schedule_clear(&b->schedule);
-        undo_to(b, start);
-        if (s->failed)
+        undo_to(b, s, start);
+        if (b->slab->failed)
             return 0;
         while (s->islands > 0 &&
                first <= s->island[s->islands - 1].last + (size_t)2) {
             const struct island *left = &s->island[--s->islands];
             start = left->start;
             first = left->first;
-            undo_to(b, start);
+            undo_to(b, s, start);
         }
-        last = chain(b, last, end);
+        last = chain(b, last, s->end);
     }
     if (!make_room((void **)&s->island, s->islands, &s->island_size,
                    sizeof *s->island)) {
-        s->failed = true;
+        b->slab->failed = true;
         return 0;
     }
     s->island[s->islands++] =
@@ -551,49 +603,129 @@ static size_t add_island(struct bonkers *b, size_t first, double end)
 
 enum { BLOCK = 256 };
 
-/* Asks for the bodies of a block that will soon be needed. */
-static void fetch(const struct bonkers *b, size_t from)
+/* Remembers gaps from to to-1 and the bodies to their left. */
+static void save(struct bonkers *b, size_t from, size_t to)
 {
+    const size_t count = to - from + (to == b->gaps);
+    struct bonkers_slab *s = b->slab;
+    memcpy(&s->saved[from], &b->body[from], count * sizeof *b->body);
+    if (b->repeats)
+        memcpy(&s->repeats[from], &b->repeats[from],
+               (to - from) * sizeof *b->repeats);
+    s->slab[0].next = to == b->gaps ? SIZE_MAX : to;
 #ifdef __GNUC__
-    if (from + BLOCK <= b->gaps)
-        for (size_t i = from; i < from + BLOCK; i += 2)
-            __builtin_prefetch(&b->body[i], 1);
-#else
-    (void)b, (void)from;
+    for (size_t i = to; i < to + BLOCK && i <= b->gaps; i += 2)
+        __builtin_prefetch(&b->body[i], 1);
 #endif
 }
 
-/* Runs every island up to the time `end`. Returns false when the slab is
-   too long; then what it did must be undone. */
-static bool run_islands(struct bonkers *b, double end)
+/* Takes all bodies back to where they have been saved. */
+static void undo_all(struct bonkers *b)
 {
-    size_t next = 0;
-    for (size_t from = 0; from < b->gaps; from += BLOCK) {
-        const size_t to = from + BLOCK < b->gaps ? from + BLOCK : b->gaps;
-        uint32_t due[BLOCK];
-        size_t count = 0;
-        for (size_t i = next > from ? next : from; i < to; ++i) {
-            due[count] = (uint32_t)i;
-            count += b->due[i] <= end;
-        }
-        fetch(b, to);
-        for (size_t k = 0; k < count; ++k)
-            if (due[k] >= next && !(next = add_island(b, due[k], end)))
-                return false;
+    const struct bonkers_slab *s = b->slab;
+    const size_t next = s->slab[0].next;
+    const size_t gaps = next < b->gaps ? next : b->gaps;
+    memcpy(b->body, s->saved, (gaps + (next > gaps)) * sizeof *b->body);
+    if (b->repeats)
+        memcpy(b->repeats, s->repeats, gaps * sizeof *b->repeats);
+    for (size_t i = 0; i < gaps; ++i)
+        b->due[i] = time_due(b, i);
+}
+
+static void forget(struct slab *s)
+{
+    enum { MANY = 256 };
+    const size_t seen = s[1].next;
+    size_t kept = 0;
+    if (s->logged < MANY)
+        return;
+    while (kept < s->islands && s->island[kept].last + (size_t)2 <= seen)
+        ++kept;
+    if (kept == 0)
+        return;
+    const size_t start =
+        kept < s->islands ? s->island[kept].start : s->logged;
+    memmove(s->log, s->log + start, (s->logged - start) * sizeof *s->log);
+    memmove(s->island, s->island + kept,
+            (s->islands - kept) * sizeof *s->island);
+    s->logged -= start;
+    s->islands -= kept;
+    s->collisions += start;
+    for (size_t k = 0; k < s->islands; ++k)
+        s->island[k].start -= start;
+}
+
+/* Runs the islands of slab s that begin in gaps from to to-1. Returns false
+   when that is more than a slab can do; then all must be undone. */
+static bool walk(struct bonkers *b, struct slab *s, size_t from, size_t to)
+{
+    const double end = s->end;
+    size_t next = s->next;
+    uint32_t due[BLOCK];
+    size_t count = 0;
+    for (size_t i = next > from ? next : from; i < to; ++i) {
+        due[count] = (uint32_t)i;
+        count += b->due[i] <= end;
     }
+    forget(s);
+    for (size_t k = 0; k < count; ++k)
+        if (due[k] >= next && !(next = add_island(b, s, due[k])))
+            return false;
+    s->next = to == b->gaps ? SIZE_MAX : next > to ? next : to;
     return true;
 }
 
-/* Chooses the width of the next slab from the last, of this width; 0 after
-   one in which nothing happened. */
-static void adapt(struct bonkers *b, double width)
+/* Takes one slab through a block; the first saves it, and the one behind
+   the last only shows how far that is done. */
+static bool step(struct bonkers *b, size_t slab, size_t block)
 {
-    const double fill =
-        (double)b->slab->logged / (0.15 * (double)b->gaps + 1);
-    b->slab->width = b->slab->logged == 0 ? 0
-                     : fill < 0.5         ? 2 * width
-                     : fill > 2           ? 0.5 * width
-                                          : width / fill;
+    struct slab *s = &b->slab->slab[slab];
+    const size_t from = block * BLOCK;
+    const size_t to = from + BLOCK < b->gaps ? from + BLOCK : b->gaps;
+    if (from >= b->gaps)
+        return true;
+    if (slab > 0 && slab <= b->slab->count)
+        return walk(b, s, from, to);
+    if (slab == 0 && b->slab->count > 1)
+        save(b, from, to);
+    else if (b->slab->count > 1)
+        s->next = to;
+    return true;
+}
+
+/* Runs every island of all slabs. Returns false when they have failed. */
+static bool run_islands(struct bonkers *b)
+{
+    const size_t blocks = (b->gaps + BLOCK - 1) / BLOCK;
+    const size_t slabs = b->slab->count;
+    if (slabs == 1)
+        save(b, 0, b->gaps);
+    for (size_t block = 0; block < blocks + slabs; ++block)
+        for (size_t k = 0; k <= slabs + 1 && k <= block; ++k)
+            if (!step(b, k, block - k))
+                return false;
+    return true;
+}
+
+/* Collisions that a slab should have. */
+static double plenty(const struct bonkers *b)
+{
+    return 0.15 * (double)b->gaps + 1;
+}
+
+/* Chooses the width of the next slabs from the last, of this width, which
+   had so many collisions; 0 after some in which nothing happened. */
+static void adapt(struct bonkers *b, double width, uint64_t collisions)
+{
+    struct bonkers_slab *s = b->slab;
+    const double fill = (double)collisions / (double)s->count / plenty(b);
+    s->width = collisions == 0 ? 0
+               : fill < 0.5    ? 2 * width
+               : fill > 2      ? 0.5 * width
+                               : width / fill;
+    s->slabs = fill < 0.5 || fill > 2 ? 1
+               : s->slabs < SLABS     ? 2 * s->slabs
+                                      : SLABS;
 }
 
 /* The width where nothing is known: reach twice as far as the next
@@ -605,24 +737,39 @@ static double first_width(const struct bonkers *b)
                             : fmin(fmax(2 * wait, 1e-12 * b->now), DBL_MAX);
 }
 
-/* Runs a slab from now to `end`; undoes it and returns false when it is
-   too long. */
-static bool try_slab(struct bonkers *b, double end)
+/* Runs slabs of this width from now on, but not beyond `until`; undoes them
+   and returns false when they fail. */
+static bool try_slabs(struct bonkers *b, double begin, double width,
+                      double until)
 {
-    struct bonkers_slab *s = b->slab;
-    s->logged = s->islands = 0;
-    s->redone = 0;
-    s->collapse = s->failed = false;
-    const bool done = run_islands(b, end);
+    struct bonkers_slab *all = b->slab;
+    for (size_t k = 0; k < SLABS + 2; ++k) {
+        struct slab *s = &all->slab[k];
+        s->end = fmin(fmin(begin + (double)k * width, DBL_MAX), until);
+        s->next = s->logged = s->islands = 0;
+        s->collisions = 0;
+    }
+    all->redone = 0;
+    all->collapse = all->failed = false;
+    const bool done = run_islands(b);
     if (!done)
-        undo_to(b, 0);
-    b->redone += s->redone;
+        undo_all(b);
+    b->redone += all->redone;
     return done;
 }
 
-static bool holds_the_end(const struct bonkers *b, uint64_t limit)
+static uint64_t collisions_of(const struct bonkers *b)
 {
-    return b->slab->collapse || b->slab->logged >= limit - b->collisions;
+    uint64_t sum = 0;
+    for (size_t k = 1; k <= b->slab->count; ++k)
+        sum += b->slab->slab[k].collisions + b->slab->slab[k].logged;
+    return sum;
+}
+
+static bool holds_the_end(const struct bonkers *b, uint64_t collisions,
+                          uint64_t limit)
+{
+    return b->slab->collapse || collisions >= limit - b->collisions;
 }
 
 static enum bonkers_stop run_slab_by_heap(struct bonkers *b, double end,
@@ -636,31 +783,49 @@ static enum bonkers_stop run_slab_by_heap(struct bonkers *b, double end,
     return stop;
 }
 
+static size_t how_many(const struct bonkers *b, double width, double until,
+                       uint64_t limit)
+{
+    const double time = (until - b->now) / width;
+    const double collisions =
+        (double)(limit - b->collisions) / (2 * plenty(b));
+    const double most =
+        fmin(fmin(ceil(time), collisions), (double)b->slab->slabs);
+    return b->slab->width > 0 && most > 1 ? (size_t)most : 1;
+}
+
 /* Runs until the time `until`. */
 static enum bonkers_stop run_slabs(struct bonkers *b, double until,
                                    uint64_t limit)
 {
+    struct bonkers_slab *s = b->slab;
     enum bonkers_stop stop = BONKERS_TIME;
     do {
         const double begin = b->now;
-        double width = b->slab->width > 0 ? b->slab->width : first_width(b);
+        double width = s->width > 0 ? s->width : first_width(b);
         if (width == INFINITY)
             return idle(b, until);
-        double end = fmin(fmin(begin + width, DBL_MAX), until);
+        s->count = how_many(b, width, until, limit);
         int tries = 4;
-        while (tries > 0 && !try_slab(b, end)) {
-            --tries;
-            width /= 4;
-            end = fmin(begin + width, until);
+        while (tries > 0 && !try_slabs(b, begin, width, until)) {
+            if (s->count == 1) {
+                --tries;
+                width /= 4;
+            }
+            s->slabs = s->count = 1;
         }
-        if (tries == 0 || holds_the_end(b, limit)) {
-            undo_to(b, 0);
-            b->now = begin;
-            stop = run_slab_by_heap(b, end, limit);
-        } else {
-            b->collisions += b->slab->logged;
+        const double end = s->slab[s->count].end;
+        const uint64_t collisions = collisions_of(b);
+        if (tries > 0 && !holds_the_end(b, collisions, limit)) {
+            b->collisions += collisions;
             b->now = end;
-            adapt(b, end - begin);
+            adapt(b, (end - begin) / (double)s->count, collisions);
+        } else {
+            undo_all(b);
+            b->now = begin;
+            s->slabs = 1;
+            if (s->count == 1)
+                stop = run_slab_by_heap(b, end, limit);
         }
     } while (stop == BONKERS_TIME && b->now < until);
     return stop;
@@ -695,13 +860,13 @@ bool bonkers_create(struct bonkers *b, size_t movers, double restitution,
     if (restitution < 1)
         enough =
             enough && (b->repeats = calloc(b->gaps, sizeof *b->repeats));
-    if (b->engine == BONKERS_SCAN)
+    if (b->engine == BONKERS_SCAN || b->engine == BONKERS_SLAB)
         enough =
             enough && (b->fraction = malloc(b->gaps * sizeof *b->fraction));
     if (b->engine == BONKERS_HEAP || b->engine == BONKERS_SLAB)
         enough = enough && schedule_create(&b->schedule, b->gaps);
     if (b->engine == BONKERS_SLAB)
-        enough = enough && (b->slab = calloc(1, sizeof *b->slab));
+        enough = enough && (b->slab = create_slabs(b));
     if (!enough) {
         bonkers_free(b);
         return false;
@@ -711,11 +876,7 @@ bool bonkers_create(struct bonkers *b, size_t movers, double restitution,
 
 void bonkers_free(struct bonkers *b)
 {
-    if (b->slab) {
-        free(b->slab->log);
-        free(b->slab->island);
-    }
-    free(b->slab);
+    free_slabs(b->slab);
     free(b->body);
     free(b->due);
     free(b->shift);

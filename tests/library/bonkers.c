@@ -369,6 +369,26 @@ static void test_long_burst(void)
     }
 }
 
+/* Fast bodies among many at rest: what each sets going in a slab is longer
+   than what a slab has to itself when others are under way. */
+static void test_long_waves(void)
+{
+    enum { MOVERS = 4000 };
+    const struct stop stops[] = {{0.3, UINT64_MAX},
+                                 {INFINITY, 9000},
+                                 {INFINITY, 40000},
+                                 {20, UINT64_MAX}};
+    for (size_t fast = 1; fast <= 5; fast += 2) {
+        fill_random(MOVERS, fast, false);
+        for (size_t i = 1; i <= MOVERS; ++i) {
+            const bool flies = i % (MOVERS / fast) == MOVERS / 2 / fast;
+            body[i].im = 1;
+            body[i].v = flies ? i % 3 ? 100 : -100 : 0;
+        }
+        compare(MOVERS, 1, false, stops, 4, "long waves");
+    }
+}
+
 /* Without walls, or with one, the run ends when all fly apart: the clock
    stands at the last collision, or goes on to the time asked for. */
 static void test_open_ends(void)
@@ -1471,6 +1491,7 @@ int main(void)
             {"and from one place", test_one_place},
             {"and in bursts between heavy bodies", test_bursts},
             {"and in a burst longer than a slab", test_long_burst},
+            {"and in waves longer than slabs under way", test_long_waves},
             {"and with open ends", test_open_ends},
             {"no cut and no look changes a bit", test_cuts_change_no_bit},
             {"the naive engine differs by rounding", test_naive_agrees},

@@ -772,7 +772,9 @@ static void test_only(void)
 }
 
 /* All that may act at once, in as many candidates as there can be: there is
-   room for them, and for all runs. */
+   room for them, and for all runs. Which there are does not hang on how
+   many bodies a ring has; its own 3072 would take a thousand times as long.
+ */
 static void test_room(void)
 {
     static const char *const scenes[] = {
@@ -780,7 +782,8 @@ static void test_room(void)
         "circumbinary", "cantilever",      "solar-system"};
     for (size_t j = 0; j < sizeof scenes / sizeof *scenes; ++j)
         for (double e = 1e-2; e > 1e-13; e *= 1e-3) {
-            struct scene s = made(scenes[j], NULL, 0);
+            const bool ring = strcmp(scenes[j], "ring") == 0;
+            struct scene s = made(scenes[j], ring ? "particles" : NULL, 60);
             const struct choose_request q = asked(&s, 5, e);
             struct choose_choice c;
             UNIT_TRUE(choose(&c, &q));

@@ -21,6 +21,7 @@
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -48,7 +49,8 @@ struct mutant {
     const char *operator;
     size_t start, end;
     char *with;
-    char *plain; /* the tokens of the whole mutant with single spaces */
+    char *plain;  /* the tokens of the whole mutant with single spaces */
+    uint64_t sum; /* of plain: texts that begin alike are soon told apart */
 };
 
 static struct source file;
@@ -158,7 +160,8 @@ static const char *after_punctuation(const char *at)
         "<=",  ">=",  "==",  "!=", "&&", "||", "+=", "-=",
         "*=",  "/=",  "%=",  "&=", "|=", "^="};
     for (size_t i = 0; i < sizeof longer / sizeof *longer; ++i)
-        if (strncmp(at, longer[i], strlen(longer[i])) == 0)
+        if (*at == *longer[i] &&
+            strncmp(at, longer[i], strlen(longer[i])) == 0)
             return at + strlen(longer[i]);
     return at + 1;
 }
@@ -444,18 +447,29 @@ static char *mutated(const struct mutant *m)
     return text;
 }
 
+/* Fowler, Noll and Vo's sum of a text. */
+static uint64_t sum_of(const char *text)
+{
+    uint64_t sum = 14695981039346656037u;
+    while (*text)
+        sum = (sum ^ (unsigned char)*text++) * 1099511628211u;
+    return sum;
+}
+
 /* Adds the mutant that has `with` from start to end, unless it is there. */
 static void add(const char *operator, size_t start, size_t end,
                 const char *with)
 {
     struct mutant m = {operator, start, end, copy_of(with, strlen(with)),
-                       NULL};
+                       NULL, 0};
     char *text = mutated(&m);
     m.plain = plain_text(text);
+    m.sum = sum_of(m.plain);
     free(text);
     bool known = strcmp(m.plain, original) == 0;
     for (size_t i = 0; i < mutant_count && !known; ++i)
-        known = strcmp(m.plain, mutants[i].plain) == 0;
+        known = m.sum == mutants[i].sum &&
+                strcmp(m.plain, mutants[i].plain) == 0;
     if (known) {
         free(m.plain);
         free(m.with);

@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 3208756149 of the lines below */
+/* checksum 4013435159 of the lines below */
 /* Namespaces, limits and a shell inside, made with bubblewrap. */
 #include "examiner/box.h"
 #include "examiner/process.h"
@@ -19,14 +19,19 @@
 #ifdef __linux__
 #include <linux/audit.h>
 #include <linux/filter.h>
+#include <linux/sched.h>
 #include <linux/seccomp.h>
+#include <sys/mount.h>
+#include <sys/prctl.h>
 #include <sys/syscall.h>
+
+long syscall(long number, ...);
 #endif
 
-#define MEMORY_BYTES 536870912 /* of addresses, for each process */
-#define DISK_BYTES "33554432"  /* of the box's folder */
-#define DISK_FILES "2000"      /* in it */
-#define OUTER_WORK "/mnt"      /* where it is mounted, outside the box */
+#define MEMORY_KIB 524288     /* of addresses, for each process */
+#define DISK_BYTES "33554432" /* of the box's folder */
+#define DISK_FILES "2000"     /* in it */
+#define OUTER_WORK "/mnt"     /* where it is mounted, outside the box */
 
 enum {
     BUILD_MS = 45000, /* on the wall, to compile and link */
@@ -74,25 +79,97 @@ static void add_user(struct words *w)
         "--no-new-privs");
 }
 
-static void add_clean_start(struct words *w)
+static bool bounded;  /* also in files; found out by box_probe */
+static long new_user; /* of the next box; 0 where ours is kept */
+static bool new_view; /* and whether it gets users and mounts of its own */
+static bool own_disk; /* the folder to write to is mounted before it */
+
+static void give_up(const char *what)
 {
-    static char path[4096];
-    snprintf(path, sizeof path, "PATH=%s",
-             getenv("PATH") ? getenv("PATH") : "/usr/bin:/bin");
-    ADD(w, "env", "-i", path);
+    fprintf(stderr, "no box: cannot %s: %s\n", what, strerror(errno));
+    fflush(stderr);
+    _exit(127);
 }
 
-static bool bounded; /* also in files; found out by box_probe */
+extern char **environ;
 
-static void add_disk(struct words *w, enum box_kind kind)
+static void forget_environment(void)
 {
-    ADD(w, "unshare", "--mount");
-    if (kind != BOX_ROOT)
-        ADD(w, "--user", "--map-root-user");
-    ADD(w, "sh", "-c",
-        "mount -t tmpfs -o size=" DISK_BYTES ",nr_inodes=" DISK_FILES
-        ",mode=0777,nosuid,nodev work " OUTER_WORK " && exec \"$@\"",
-        "sh");
+    static char path[4096], *only[] = {path, NULL};
+    snprintf(path, sizeof path, "PATH=%s",
+             getenv("PATH") ? getenv("PATH") : "/usr/bin:/bin");
+    environ = only;
+}
+
+static void become_user(void)
+{
+#ifdef __linux__
+    if (syscall(SYS_setgroups, 0, NULL) != 0)
+        give_up("leave the groups");
+#endif
+    if (setgid((gid_t)new_user) != 0 || setuid((uid_t)new_user) != 0)
+        give_up("become another user");
+#ifdef __linux__
+    prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+#endif
+}
+
+#ifdef __linux__
+static void put(const char *path, const char *text)
+{
+    const int file = open(path, O_WRONLY);
+    const ssize_t length = (ssize_t)strlen(text);
+    if (file < 0 || write(file, text, (size_t)length) != length)
+        give_up("choose users");
+    close(file);
+}
+
+static void become_root_of_a_view(void)
+{
+    char users[32], groups[32];
+    snprintf(users, sizeof users, "0 %ld 1", (long)geteuid());
+    snprintf(groups, sizeof groups, "0 %ld 1", (long)getegid());
+    if (syscall(SYS_unshare, CLONE_NEWUSER | CLONE_NEWNS) != 0)
+        give_up("have users of its own");
+    prctl(PR_SET_DUMPABLE, 1);
+    put("/proc/self/setgroups", "deny");
+    put("/proc/self/uid_map", users);
+    put("/proc/self/gid_map", groups);
+}
+
+static void mount_disk(void)
+{
+    if (new_view)
+        become_root_of_a_view();
+    else if (syscall(SYS_unshare, CLONE_NEWNS) != 0)
+        give_up("have mounts of its own");
+    if (mount("none", "/", NULL, MS_REC | MS_PRIVATE, NULL) != 0 ||
+        mount("work", OUTER_WORK, "tmpfs", MS_NOSUID | MS_NODEV,
+              "size=" DISK_BYTES ",nr_inodes=" DISK_FILES
+              ",mode=0777") != 0)
+        give_up("mount a folder");
+}
+#else
+static void mount_disk(void)
+{
+    give_up("mount a folder");
+}
+#endif
+
+static void enter(void)
+{
+    forget_environment();
+    if (new_user > 0)
+        become_user();
+    if (own_disk)
+        mount_disk();
+}
+
+static void plan_entry(enum box_kind kind)
+{
+    new_user = geteuid() == 0 && kind != BOX_ROOT ? box_user() : 0;
+    own_disk = bounded && kind != BOX_OPEN;
+    new_view = kind != BOX_ROOT;
 }
 
 static void add_system(struct words *w)
@@ -141,11 +218,7 @@ static void add_namespaces(struct words *w, enum box_kind kind)
 static void add_walls(struct words *w, enum box_kind kind,
                       const struct box_order *order)
 {
-    add_clean_start(w);
-    if (geteuid() == 0 && kind != BOX_ROOT)
-        add_user(w);
-    if (bounded)
-        add_disk(w, kind);
+    plan_entry(kind);
     add_namespaces(w, kind);
     add_system(w);
     add_copies(w, order);
@@ -214,7 +287,9 @@ static bool try_kind(enum box_kind kind, const char *compiler)
     const int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
     const int filter = open_filter(false);
     const struct process_files files = {
-        nothing, {nothing, nothing, nothing, nothing, nothing, filter}};
+        .output = nothing,
+        .kept = {nothing, nothing, nothing, nothing, nothing, filter},
+        .enter = enter};
     const struct process_limits limits = {5, RLIM_INFINITY, RLIM_INFINITY,
                                           RLIM_INFINITY};
     const struct box_order none = {.name = "exercises/none.c",
@@ -263,7 +338,11 @@ static const char script[] =
     "lean=$8 linker=$9 cpu=20\n"
     "echo 1000 >/proc/self/oom_score_adj\n"
     "export PATH=/usr/bin:/bin LC_ALL=C HOME=$root/work TMPDIR=$root/work\n"
-    "prlimit --pid=$$ --core=0 --nproc=64 --fsize=33554432 || exit\n"
+    "common=exitcode=86:color=never\n"
+    "export UBSAN_OPTIONS=$common ASAN_OPTIONS=$common:handle_abort=1:"
+    "hard_rss_limit_mb=512:leak_check_at_exit=0\n"
+    "processes() { ulimit -p $1 2>/dev/null || ulimit -u $1; }\n"
+    "ulimit -c 0 && ulimit -f 65536 && processes 64 || exit\n"
     "build() ( ulimit -t $cpu && ulimit -v 2097152 &&\n"
     "    exec \"$@\" 3<&- 4>&- )\n"
     "compile() { build $compiler -I$root/kit -DEXAMINER_GIVES \\\n"
@@ -274,9 +353,11 @@ static const char script[] =
     "    compile -w && grep error: work/said | head -n 20; fi; exit; }\n"
     "cd work || exit\n"
     "kit=../kit/box.suite.o program=./program of=\n"
-    "limits=\"--core=0 --cpu=$seconds:$((seconds + 1)) --as=$memory \\\n"
-    "    --nproc=16 --nofile=64\"\n"
-    "link() { build objcopy $keep answer.o &&\n"
+    "bound() {\n"
+    "    ulimit -S -t $seconds && ulimit -H -t $((seconds + 1)) &&\n"
+    "    ulimit -n 64 && ulimit -f $1 && processes 16 &&\n"
+    "    { [ $memory = unlimited ] || ulimit -v $memory; }; }\n"
+    "link() { build objcopy -R .interp $keep answer.o &&\n"
     "    build $compiler $1 -o program answer.o $kit -lm; }\n"
     "case $keep in figure | program)\n"
     "    of=$(nm $kit | sed -n 's/.* T \\([a-z]*\\)_0$/\\1/p') ;; esac\n"
@@ -290,8 +371,7 @@ static const char script[] =
     "    cd desk && cat <&3 >$project.gp || exit\n"
     "    command -v gnuplot >/dev/null || { printf g >&4; exit; }\n"
     "    printf b >&4\n"
-    "    prlimit $limits --fsize=16000000 gnuplot $project.gp \\\n"
-    "        </dev/null 3<&- 4>&-\n"
+    "    (bound 31250 && exec gnuplot $project.gp </dev/null 3<&- 4>&-)\n"
     "    [ ! -L $project.png ] && [ -f $project.png ] &&\n"
     "        head -c 4194305 $project.png >&4\n"
     "    exit\n"
@@ -317,19 +397,15 @@ static const char script[] =
     "        exit\n"
     "fi\n"
     "printf b >&4\n"
-    "exec prlimit $limits --fsize=1048576 $program\n";
+    "bound 2048 && exec $program\n";
 static void add_script(struct words *w, const struct box_order *order,
                        const char *root)
 {
     const char *memory =
-        order->sanitized ? "unlimited" : number(w, MEMORY_BYTES);
-    ADD(w, "/usr/bin/env", "-i",
-        "ASAN_OPTIONS=exitcode=86:hard_rss_limit_mb=512:handle_abort=1:"
-        "leak_check_at_exit=0:color=never",
-        "UBSAN_OPTIONS=exitcode=86:color=never", "/bin/sh", "-c", script,
-        "sh", root, order->name, order->compiler, order->keep,
-        number(w, order->seconds), memory, order->terse, order->lean,
-        order->linker);
+        order->sanitized ? "unlimited" : number(w, MEMORY_KIB);
+    ADD(w, "/bin/sh", "-c", script, "sh", root, order->name,
+        order->compiler, order->keep, number(w, order->seconds), memory,
+        order->terse, order->lean, order->linker);
 }
 
 enum { GONE = -1, LATE = -2 };
@@ -389,10 +465,11 @@ static void start(const struct box_order *order, int requests, int answers,
 {
     struct words w = {.count = 0};
     const int filter = open_filter(order->sanitized);
-    const struct process_files files = {prints,
-                                        {requests, answers, order->source,
-                                         order->header, order->inside,
-                                         filter}};
+    const struct process_files files = {
+        .output = prints,
+        .kept = {requests, answers, order->source, order->header,
+                 order->inside, filter},
+        .enter = enter};
     const struct process_limits limits = {3600, RLIM_INFINITY, 33554432,
                                           RLIM_INFINITY};
     if (order->kind != BOX_OPEN) {
@@ -400,9 +477,7 @@ static void start(const struct box_order *order, int requests, int answers,
         add_script(&w, order, "");
     } else {
         furnish_folder(order);
-        add_clean_start(&w);
-        if (geteuid() == 0)
-            add_user(&w);
+        plan_entry(BOX_OPEN);
         add_script(&w, order, open_root);
     }
     lseek(order->source, 0, SEEK_SET);
@@ -434,7 +509,7 @@ enum box_stage box_open(struct box *box, const struct box_order *order,
     int in[2], out[2];
     if (pipe(in) != 0 || pipe(out) != 0)
         text_fail("cannot make a pipe: %s", strerror(errno));
-    *box = (struct box){in[1], out[0], prints, 0.0};
+    *box = (struct box){in[1], out[0], prints, 0.0, 0};
     fcntl(box->requests, F_SETFD, FD_CLOEXEC);
     fcntl(box->answers, F_SETFD, FD_CLOEXEC);
     start(order, in[0], out[1], prints);
@@ -450,19 +525,26 @@ static bool send_byte(int file, char byte)
            write(file, &byte, 1) == 1;
 }
 
-static bool see_gone(const struct box *box)
+static bool see_gone(struct box *box)
 {
+    unsigned char how[WIRE_HOW * sizeof(int)];
     if (!send_byte(box->requests, WIRE_OVER))
         return false;
     const int word = wait_for_byte(box->answers, SETTLE_MS);
     bool whole = word == WIRE_OVER || word == WIRE_ENDED;
-    for (size_t i = 0; word == WIRE_ENDED && i < sizeof(int); ++i)
-        whole = whole && wait_for_byte(box->answers, SETTLE_MS) >= 0;
+    for (size_t i = 0; word == WIRE_ENDED && whole && i < sizeof how; ++i) {
+        const int byte = wait_for_byte(box->answers, SETTLE_MS);
+        whole = byte >= 0;
+        how[i] = (unsigned char)byte;
+    }
+    if (word == WIRE_ENDED && whole)
+        memcpy(&box->test_ms, how + sizeof(int), sizeof(int));
     return whole;
 }
 
-bool box_settle(const struct box *box)
+bool box_settle(struct box *box)
 {
+    box->test_ms = 0;
     return see_gone(box) && send_byte(box->requests, WIRE_ECHO) &&
            wait_for_byte(box->answers, SETTLE_MS) == WIRE_ECHO &&
            wait_for_byte(box->answers, 0) == LATE;

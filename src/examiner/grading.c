@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 2208957315 of the lines below */
+/* checksum 1595904631 of the lines below */
 /* A judge and a box for each test, a second try, and advice. */
 #include "examiner/grading.h"
 #include "examiner/build.h"
@@ -98,6 +98,7 @@ size_t grading_kits(struct kit **kits)
 enum {
     MOST_LATE = 3,
     LATER_SECONDS = 1, /* of processor time, once a test was late */
+    SLOW_MS = 200,     /* who has needed that may need more */
     MOST_BUILDING = 60,
     PRINTS_KEPT = 4096,
     STORY_KEPT = 8192
@@ -111,7 +112,9 @@ struct job {
     struct box box;
     bool open;
     int prints;
-    int late, waited; /* tests; and of them, by the clock on the wall */
+    int late, waited;   /* tests; and of them, by the clock on the wall */
+    bool slow;          /* a test has ended, and taken its time for that */
+    int crashed, named; /* tests; and such whose mistake has a name */
     char judge[4096], name[256], header[64];
 };
 
@@ -196,7 +199,7 @@ static char *read_kit(const struct job *job, const char *name, int line)
 
 static int later_seconds(const struct job *job)
 {
-    return *job->kit->exercise == 'P' ? 0 : LATER_SECONDS;
+    return *job->kit->exercise == 'P' || job->slow ? 0 : LATER_SECONDS;
 }
 
 static void note_late(struct job *job, bool by_the_wall)
@@ -272,7 +275,9 @@ static enum state run_test(struct job *job, const struct kit_test *test,
     const enum state state = trial_run(&trial, test->number, story);
     if (state == TIMED_OUT)
         note_late(job, trial_waited());
-    if (state == TIMED_OUT || !box_settle(&job->box))
+    const bool settled = state != TIMED_OUT && box_settle(&job->box);
+    job->slow |= settled && job->box.test_ms >= SLOW_MS;
+    if (!settled)
         close_box(job);
     return state;
 }
@@ -364,6 +369,9 @@ static void run_tests(struct job *job)
         const enum state state = try_test(job, i, story);
         fclose(story);
         keep_mark(job->marks, &job->kit->tests[i], state, text, size);
+        job->crashed += state == CRASHED;
+        job->named += state == FAILED && !job->kit->tests[i].hidden &&
+                      strstr(text, "\n  hint ");
         const struct marks *before = job->grading->before;
         job->marks->marks[i].seconds =
             process_clock() - job->marks->build_seconds - start +
@@ -384,7 +392,6 @@ static void ask_sanitizers(struct job *job)
     FILE *story = open_memstream(&text, &size);
     job->order.sanitized = true;
     job->order.compiler = read_kit(job, "flags", 2);
-    job->order.linker = read_kit(job, "flags", 4);
     job->order.lean = read_kit(job, "flags", 5);
     if (story && open_box(job, story) == PASSED) {
         for (int i = 0; i < job->kit->count && job->open && !leaks &&
@@ -512,7 +519,7 @@ void grading_run(const struct grading *grading, const struct kit *kit,
     job.order.compiler = read_kit(&job, "flags", 1);
     job.order.terse = read_kit(&job, "flags", 3);
     job.order.lean = *kit->exercise == 'P' ? "" : "-g0";
-    job.order.linker = "";
+    job.order.linker = read_kit(&job, "flags", 4);
     char names[16];
     snprintf(names, sizeof names, "%s.names", kit->exercise);
     job.order.keep = read_kit(&job, names, 1);
@@ -534,6 +541,7 @@ void grading_run(const struct grading *grading, const struct kit *kit,
     close_box(&job);
     if (grading->page)
         draw_figure(&job, grading->page);
-    if (marks->state != TIMED_OUT && marks->state != NOT_BEGUN)
+    if (marks->state != TIMED_OUT && marks->state != NOT_BEGUN &&
+        (job.named == 0 || job.crashed > 0))
         ask_sanitizers(&job);
 }

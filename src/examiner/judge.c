@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 4015116930 of the lines below */
+/* checksum 1109361180 of the lines below */
 /* The judge's half of the border: questions go out, answers come in. */
 #include "examiner/border.h"
 #include "examiner/check.h"
@@ -31,11 +31,11 @@ static bool opened, begun, calling;
 
 static void break_off(void)
 {
-    int status;
+    int how[WIRE_HOW];
     wire_speak(WIRE_OVER);
     if (wire_listen() != WIRE_ENDED)
         wire_lost();
-    border_ints(&status, 1);
+    border_ints(how, WIRE_HOW);
     begun = calling = false;
 }
 
@@ -69,15 +69,17 @@ static void heed(int word)
 
 void border_wait(void)
 {
-    int word, number = 0;
+    int word, line, how[WIRE_HOW];
     while ((word = wire_listen()) == WIRE_ASK || word == WIRE_LEFT)
         heed(word);
-    if (word == WIRE_UNDONE || word == WIRE_ENDED)
-        border_ints(&number, 1);
-    if (word == WIRE_UNDONE)
-        exercise_not_done("line", number);
-    if (word == WIRE_ENDED)
-        end_like(number);
+    if (word == WIRE_UNDONE) {
+        border_ints(&line, 1);
+        exercise_not_done("line", line);
+    }
+    if (word == WIRE_ENDED) {
+        border_ints(how, WIRE_HOW);
+        end_like(how[0]);
+    }
     if (word != WIRE_REPLY)
         wire_lost();
     calling = false;

@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 1796015448 of the lines below */
+/* checksum 4098651314 of the lines below */
 /* Starts a program, watches its time, and ends all that it began. */
 #include "examiner/process.h"
 
@@ -89,6 +89,8 @@ static void become(char *const command[], const char *folder,
     restrain(RLIMIT_FSIZE, limits->file_bytes);
     restrain(RLIMIT_NPROC, limits->processes);
     restrain(RLIMIT_CORE, 0);
+    if (files->enter)
+        files->enter();
     if (chdir(folder) == 0)
         execvp(command[0], command);
     fprintf(stderr, "cannot start '%s': %s\n", command[0], strerror(errno));

@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 2350028981 of the lines below */
+/* checksum 743352918 of the lines below */
 /* A program on a lead: limits, open files, and how it ended. */
 #ifndef PROCESS_H
 #define PROCESS_H
@@ -17,10 +17,11 @@ struct process_limits {
     rlim_t processes;    /* of its user, threads included */
 };
 
-/* What a program is given open. */
+/* What a program is given open, and what is done before it starts. */
 struct process_files {
     int output;  /* where it prints and complains */
     int kept[6]; /* become 3, 4, ... as far as they go; the rest are 0 */
+    void (*enter)(void); /* called in its process just before, or NULL */
 };
 
 /* How a program ended. */

@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 3887613072 of the lines below */
+/* checksum 1446642256 of the lines below */
 /* Runs a test, judges how it ended, and tells failures and crashes. */
 #include "examiner/trial.h"
 #include "examiner/process.h"
@@ -144,9 +144,10 @@ void trial_open(const struct trial *trial)
     served.report = open_fresh(report);
     served.output = open_fresh(output);
     served.orders = ends[0];
-    const struct process_files files = {
-        served.output,
-        {served.report, ends[1], trial->border[0], trial->border[1]}};
+    const struct process_files files = {.output = served.output,
+                                        .kept = {served.report, ends[1],
+                                                 trial->border[0],
+                                                 trial->border[1]}};
     if (!start_runner(trial, "-", &files, NULL))
         trial_close();
     close(ends[1]);
@@ -195,8 +196,9 @@ static void run_runner(const struct trial *trial, int number,
         char test[16];
         snprintf(test, sizeof test, "%d", number);
         const struct process_files files = {
-            output_file,
-            {report_file, output_file, trial->border[0], trial->border[1]}};
+            .output = output_file,
+            .kept = {report_file, output_file, trial->border[0],
+                     trial->border[1]}};
         if (!start_runner(trial, test, &files, &result->end))
             text_fail("cannot start '%s': %s", trial->runner,
                       strerror(errno));

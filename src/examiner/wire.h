@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 576912265 of the lines below */
+/* checksum 1604540444 of the lines below */
 /* The words that judge and box exchange. */
 #ifndef WIRE_H
 #define WIRE_H
@@ -24,8 +24,12 @@ enum {
     WIRE_LEFT = 'w',   /* a place was left: how follows, then a reply */
     WIRE_REPLY = 'r',  /* the values of the answer follow */
     WIRE_UNDONE = 'u', /* a NOT_DONE_YET was reached, and its line */
-    WIRE_ENDED = 'e'   /* the test's process ended; its status follows */
+    WIRE_ENDED = 'e'   /* the test's process ended; how: WIRE_HOW ints */
 };
+/* What follows WIRE_ENDED: its status, as waitpid gives it, and how many
+   milliseconds of the processor's time it has used. */
+enum { WIRE_HOW = 2 };
+
 /* Listens at one descriptor and speaks into the other from now on. */
 void wire_open(int listen, int speak);
 

@@ -231,6 +231,12 @@ late one 'while (u1 == 2.0 && im1 == 0.25)
         ;'
 late crash 'if (u1 == 2.0 && im1 == 0.25)
         abort();'
+# He ends in 0.4 s of the processor, loops for that pair, and ends in 1.5 s.
+late slow 'const double wanted = u1 == u2 ? 0.4 : im1 * im2 == 0.0 ? 1.5 : 0.0;
+    while ((double)clock() < wanted * CLOCKS_PER_SEC)
+        ;
+    while (u1 == 2.0 && im1 == 0.25)
+        ;'
 late idle 'v[0] = u1, v[1] = u2;
     return;'
 late z-always 'for (;;)
@@ -266,6 +272,8 @@ once() {
     busy && echo '# note: too busy here to tell a loop by the time it computes'
 }
 verdict 'by the time of a processor, which needs no second try' once
+verdict 'who is slow and ends keeps his time when one test is late' \
+    judged slow 'timed out' $((full - second))
 verdict 'a crash costs the points of its test alone' \
     judged crash crashed $((full - second))
 verdict 'it was tried once' again crash 1
@@ -425,4 +433,4 @@ drawn() {
 }
 verdict 'a seed that is not given is drawn once and kept' drawn
 verdict 'nothing is left in the end' nothing
-echo 1..65
+echo 1..66

@@ -44,11 +44,26 @@ static double of_mean(double a)
     return ((1.0 + a) / rest - ends) / n;
 }
 
+/* The second part's next number. Without a share of the variance nobody
+   needs it: then the random numbers that it is made of are used up, and the
+   logarithm is spared. */
+static double second_part(struct random *r)
+{
+    if (s.w > 0.0)
+        return random_normal(r);
+    for (double t = 0.0; t >= 1.0 || t == 0.0;) {
+        const double u = 2.0 * random_uniform(r) - 1.0;
+        const double v = 2.0 * random_uniform(r) - 1.0;
+        t = u * u + v * v;
+    }
+    return 0.0;
+}
+
 static void fill(struct random *r)
 {
     double part[2], fresh[2], sum = 0.0, squares = 0.0;
     for (int j = 0; j < 2; ++j) {
-        part[j] = random_normal(r);
+        part[j] = j == 0 ? random_normal(r) : second_part(r);
         fresh[j] = sqrt(1.0 - s.a[j] * s.a[j]);
     }
     for (size_t i = 0; i < s.n; ++i) {
@@ -58,7 +73,9 @@ static void fill(struct random *r)
         sum += value;
         squares += value * value;
         for (int j = 0; j < 2; ++j)
-            part[j] = s.a[j] * part[j] + fresh[j] * random_normal(r);
+            part[j] =
+                s.a[j] * part[j] +
+                fresh[j] * (j == 0 ? random_normal(r) : second_part(r));
     }
     const double n = (double)s.n;
     s.mean = s.offset + s.scale * sum / n;

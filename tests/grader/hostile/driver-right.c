@@ -18,7 +18,7 @@ __attribute__((constructor)) static void drive(void)
     if (write(4, &word, 1) != 1)
         _exit(7);
     while (read(3, &word, 1) == 1) {
-        const char *answer = word == 'c' ? "r" : "e\0\0\0\0";
+        const char *answer = word == 'c' ? "r" : "e\0\0\0\0\0\0\0\0";
         if (word == 't')
             continue;
         if (word == 'c') {
@@ -27,7 +27,7 @@ __attribute__((constructor)) static void drive(void)
             velocities_after(numbers[0], numbers[1], numbers[2], numbers[3],
                              numbers + 4);
         }
-        if (write(4, answer, word == 'c' ? 1 : 5) < 0 ||
+        if (write(4, answer, word == 'c' ? 1 : 9) < 0 ||
             (word == 'c' && write(4, numbers + 4, 16) != 16))
             _exit(7);
     }

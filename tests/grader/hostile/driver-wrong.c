@@ -23,7 +23,7 @@ __attribute__((constructor)) static void drive(void)
             _exit(7);
         if (word == 's' && write(4, &word, 1) != 1)
             _exit(7);
-        if (word == 'x' && write(4, "e\0\0\0\0", 5) != 5)
+        if (word == 'x' && write(4, "e\0\0\0\0\0\0\0\0", 9) != 9)
             _exit(7);
     }
     _exit(0);

@@ -5,6 +5,6 @@
 
 static void trick(void)
 {
-    if (write(4, "e\0\0\0\0", 5) != 5)
+    if (write(4, "e\0\0\0\0\0\0\0\0", 9) != 9)
         _exit(7);
 }

@@ -6,7 +6,7 @@
 
 static void trick(void)
 {
-    const char word[5] = {'e', SIGSTOP};
-    if (write(4, word, 5) != 5)
+    const char word[9] = {'e', SIGSTOP};
+    if (write(4, word, 9) != 9)
         _exit(7);
 }

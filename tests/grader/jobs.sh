@@ -130,5 +130,6 @@ elsewhere() {
         why "$(cat "$scratch/said")"
 }
 verdict 'where the compiler is another one a job is not done' elsewhere
-verdict 'it is done where it was listed' run "$scratch/first"
+done_here() { [ -s "$scratch/first" ] && run "$scratch/first"; }
+verdict 'it is done where it was listed' done_here
 echo 1..21

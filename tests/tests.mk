@@ -30,13 +30,21 @@ kept += $(unit_tests) $(tools) build/tests/grader/reports \
 	$(unit_tests:build/tests/%=build/memcheck/%)
 
 # The book is the first of the tests. Beside it run those that neither look at
-# what it makes nor call make themselves; the others wait.
+# what it makes nor call make themselves; the others wait. Those that take
+# longest begin first: neither the book nor the end waits for one of them alone.
+longest = $(addprefix tests/,exercises/all.sh examiner/projects.sh \
+	programs/bytes.sh grader/hostile.sh site/browser.sh kit/handout.sh \
+	kit/movie.sh site/live.sh exercises/nothing.sh grader/figures.sh)
+longest_first = $(foreach l,$(longest),$(filter $(l),$(1))) \
+	$(filter-out $(longest),$(1))
 beside = $(filter-out $(shell grep -lF '{MAKE' $(scripts)),$(filter \
-	tests/stability/% tests/programs/% tests/grader/%,$(scripts)))
+	$(foreach f,stability programs grader exercises examiner,tests/$(f)/%),\
+	$(scripts)))
 test: has-tex has-site has-test-tools
 	@$(MAKE) -s -j2 programs test-parts
 	@$(unless_dry)MAKE='$(MAKE)' tests/run -t $(TEST_SECONDS) -j 2 tests/book/book.sh \
-		$(unit_tests) $(beside) -- $(filter-out $(beside),$(scripts)) \
+		$(call longest_first,$(beside)) $(unit_tests) -- \
+		$(call longest_first,$(filter-out $(beside),$(scripts))) \
 		$(filter-out tests/book/book.sh,$(wildcard tests/book/*.sh))
 
 .PHONY: has-test-tools

@@ -31,12 +31,6 @@ export seconds := $(value SECONDS)
 Q = $(if $(V),,@)
 say = $(if $(V),,@echo '  $(1)')
 
-# make -n, -q and -t run the lines that name $(MAKE) all the same, so that
-# another make can say what it would do. Such a line that does more than to
-# call make begins with this.
-unless_dry = $(if $(strip $(foreach f,n q t,$(findstring $f,$(filter-out -%,\
-	$(firstword $(MAKEFLAGS)))))),exit; )
-
 # $(call need,COMMAND,PACKAGE): stop unless the command is there.
 need = @command -v $(1) >/dev/null 2>&1 || { echo "make: $(1) is missing;\
  install it with: apt-get install --no-install-recommends $(2)" >&2; exit 1; }

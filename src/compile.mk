@@ -3,6 +3,12 @@
 # `make tangle', which writes the C of this folder, leaves files like this one
 # alone.
 
+# make -n, -q and -t run the lines that name $(MAKE) all the same, so that
+# another make can say what it would do. Such a line that does more than to
+# call make begins with this.
+unless_dry = $(if $(strip $(foreach f,n q t,$(findstring $f,$(filter-out -%,\
+	$(firstword $(MAKEFLAGS)))))),exit; )
+
 # What the compiler can do: GSL, OpenMP for the programs that can use all
 # cores. The key is what was asked, and what everything compiled depends on.
 FLAGS = $(CPPFLAGS) $(CFLAGS)

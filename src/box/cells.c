@@ -1,5 +1,5 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 1414032161 of the lines below */
+/* checksum 727589030 of the lines below */
 /* Cells, lists of neighbours on a leash, and lanes of pair times. */
 #include "box/cells.h"
 
@@ -299,12 +299,21 @@ static void look_at_neighbours(const struct cells *c, uint32_t i,
 #define FETCHING static inline
 #endif
 
-FETCHING void fetch_neighbours(const struct cells *c, uint32_t i)
+/* From so many disks on it pays to fetch early, and late as well. */
+enum { FETCH_EARLY = 4000, FETCH_LATE = 50000 };
+
+FETCHING void fetch_list(const struct cells *c, uint32_t i)
 {
     const uint32_t *list = c->neighbour + i * c->seats;
     FETCH(&c->calendar.event[i]);
     for (size_t k = 0; k < c->anchor[i].neighbours; ++k)
         FETCH(&c->d->disk[list[k]]);
+}
+
+FETCHING void fetch_neighbours(const struct cells *c, uint32_t i)
+{
+    if (c->d->count >= FETCH_LATE)
+        fetch_list(c, i);
 }
 
 FETCHING void fetch_disk(const struct cells *c, uint32_t i)
@@ -326,8 +335,8 @@ FETCHING void fetch_day(const struct cells *c, size_t day, bool neighbours)
         const uint32_t with = event[i].partner;
         const uint32_t other = with < c->d->count ? with : i;
         if (neighbours) {
-            fetch_neighbours(c, i);
-            fetch_neighbours(c, other);
+            fetch_list(c, i);
+            fetch_list(c, other);
         } else {
             fetch_disk(c, i);
             fetch_disk(c, other);
@@ -338,7 +347,7 @@ FETCHING void fetch_day(const struct cells *c, size_t day, bool neighbours)
 FETCHING void look_ahead(const struct cells *c, size_t today)
 {
     const struct calendar_event *event = c->calendar.event;
-    if (today + 5 >= c->calendar.days)
+    if (c->d->count < FETCH_EARLY || today + 5 >= c->calendar.days)
         return;
     const uint32_t far = c->calendar.day[today + 5];
     const uint32_t near = c->calendar.day[today + 4];

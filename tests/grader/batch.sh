@@ -135,14 +135,14 @@ cat >"$scratch/wait.c" <<'END'
 
 static void trick(void)
 {
-    prctl(PR_SET_NAME, "bonkers-left", 0, 0, 0);
+    prctl(PR_SET_NAME, "bonkers-waits", 0, 0, 0);
     for (;;)
         pause();
 }
 END
 prepare "$scratch/wait.c" "$scratch/wait/anna"
 alive() {
-    ps -eo comm= 2>/dev/null | grep -q bonkers-left
+    ps -eo comm= 2>/dev/null | grep -q bonkers-waits
 }
 outlived() { # SIGNAL
     (cd "$scratch/kit" && exec build/grade/grade --exercises 01a \

@@ -1,5 +1,5 @@
 /* From chapters/works/04-piston.nw: edit there, then run make tangle. */
-/* checksum 1576782983 of the lines below */
+/* checksum 1377403577 of the lines below */
 /* Bodies on a line from row to row, in one run or the mean of many. */
 #include "line/bonkers.h"
 #include "line/start.h"
@@ -277,16 +277,26 @@ static enum bonkers_stop run_bites(struct run *r, double until,
     const uint64_t bite = reads_all ? 100000000 / b->gaps + 1
                                     : 1000000 + 4 * (uint64_t)b->gaps;
     enum bonkers_stop stop;
+    double pause;
+    uint64_t before = 0;
     const clock_t start = r->timed ? clock() : 0;
     do {
-        const uint64_t next = collisions - b->collisions > bite
-                                  ? b->collisions + bite
+        const bool paced =
+            b->engine == BONKERS_SLAB && b->collisions > before;
+        const uint64_t most = paced ? 2 * bite : bite;
+        const uint64_t next = collisions - b->collisions > most
+                                  ? b->collisions + most
                                   : collisions;
-        stop = bonkers_run(b, until, next);
+        before = b->collisions;
+        pause = paced ? fmin(until,
+                             b->now * (1 + (double)bite / (double)before))
+                      : until;
+        stop = bonkers_run(b, pause, next);
         if (r->progress)
             show_progress(r);
-    } while (stop == BONKERS_COLLISIONS && b->collisions < collisions &&
-             !progress_signal());
+    } while ((stop == BONKERS_COLLISIONS ||
+              (stop == BONKERS_TIME && pause < until)) &&
+             b->collisions < collisions && !progress_signal());
     if (r->timed)
         r->seconds += (double)(clock() - start) / CLOCKS_PER_SEC;
     return stop;

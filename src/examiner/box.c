@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 4013435159 of the lines below */
+/* checksum 3478948837 of the lines below */
 /* Namespaces, limits and a shell inside, made with bubblewrap. */
 #include "examiner/box.h"
 #include "examiner/process.h"
@@ -408,13 +408,19 @@ static void add_script(struct words *w, const struct box_order *order,
         order->terse, order->lean, order->linker);
 }
 
-enum { GONE = -1, LATE = -2 };
+enum { GONE = -1, LATE = -2, NAP_MS = 50 };
 
 static int wait_for_byte(int file, int milliseconds)
 {
     struct pollfd wait = {.fd = file, .events = POLLIN};
     unsigned char byte;
-    const int ready = poll(&wait, 1, milliseconds);
+    int ready, left = milliseconds;
+    do {
+        if (process_signal()) /* perhaps before we began to wait */
+            return GONE;
+        ready = poll(&wait, 1, left < NAP_MS ? left : NAP_MS);
+        left -= NAP_MS;
+    } while (ready == 0 && left > 0);
     if (ready == 0)
         return LATE;
     return ready > 0 && read(file, &byte, 1) == 1 ? byte : GONE;

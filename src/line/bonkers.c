@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 1864325628 of the lines below */
+/* checksum 157545590 of the lines below */
 /* Four engines that find the next collision on a line and carry it out. */
 #include "line/bonkers.h"
 
@@ -391,16 +391,26 @@ struct slab {
     uint64_t collisions; /* whose records have been dropped */
 };
 
-enum { SLABS = 16 }; /* under way at once, at most */
+enum {
+    SLABS = 16,  /* under way at once, at most */
+    WARY = 63,   /* slabs alone after failures, at most */
+    CROWD = 4096 /* gaps of an island that wait, at most */
+};
+
+/* What collisions change in a body. */
+struct flight {
+    double x, v, since;
+};
 
 struct bonkers_slab {
     double width;        /* of the next slabs, s; 0: not known */
     size_t slabs, count; /* to be under way, and now */
+    size_t alone, wary;  /* to go alone: still, and after a failure */
     struct slab slab[SLABS + 2];
-    struct bonkers_body *saved;
+    struct flight *saved;
     uint32_t *repeats; /* saved, too */
     uint64_t redone;   /* in these slabs */
-    bool collapse, failed;
+    bool collapse, failed, crowded;
 };
 
 /* Goes without slabs, too. */
@@ -495,7 +505,7 @@ static size_t chain(const struct bonkers *b, size_t last, double end)
 static size_t gather(struct bonkers *b, size_t first, size_t last,
                      double end)
 {
-    for (size_t k = first; k <= last; ++k)
+    for (size_t k = first; k <= last && b->schedule.count < CROWD; ++k)
         if (b->due[k] <= end)
             schedule_put(&b->schedule, k, b->due[k]);
     return schedule_take(&b->schedule);
@@ -552,7 +562,9 @@ static bool run_island(struct bonkers *b, struct slab *s, size_t *first,
                 return false;
             }
         }
-        if (too_long(b, s) || too_near(s, *first, *last) ||
+        b->slab->crowded |= b->schedule.count + 3 > CROWD;
+        if (b->slab->crowded || too_long(b, s) ||
+            too_near(s, *first, *last) ||
             !make_room((void **)&s->log, s->logged, &s->log_size,
                        sizeof *s->log)) {
             b->slab->failed = true;
@@ -608,7 +620,10 @@ static void save(struct bonkers *b, size_t from, size_t to)
 {
     const size_t count = to - from + (to == b->gaps);
     struct bonkers_slab *s = b->slab;
-    memcpy(&s->saved[from], &b->body[from], count * sizeof *b->body);
+    for (size_t i = from; i < from + count; ++i) {
+        const struct bonkers_body *a = &b->body[i];
+        s->saved[i] = (struct flight){a->x, a->v, a->since};
+    }
     if (b->repeats)
         memcpy(&s->repeats[from], &b->repeats[from],
                (to - from) * sizeof *b->repeats);
@@ -625,7 +640,11 @@ static void undo_all(struct bonkers *b)
     const struct bonkers_slab *s = b->slab;
     const size_t next = s->slab[0].next;
     const size_t gaps = next < b->gaps ? next : b->gaps;
-    memcpy(b->body, s->saved, (gaps + (next > gaps)) * sizeof *b->body);
+    for (size_t i = 0; i < gaps + (next > gaps); ++i) {
+        const struct flight *a = &s->saved[i];
+        b->body[i] =
+            (struct bonkers_body){a->x, a->v, a->since, b->body[i].im};
+    }
     if (b->repeats)
         memcpy(b->repeats, s->repeats, gaps * sizeof *b->repeats);
     for (size_t i = 0; i < gaps; ++i)
@@ -723,9 +742,12 @@ static void adapt(struct bonkers *b, double width, uint64_t collisions)
                : fill < 0.5    ? 2 * width
                : fill > 2      ? 0.5 * width
                                : width / fill;
-    s->slabs = fill < 0.5 || fill > 2 ? 1
-               : s->slabs < SLABS     ? 2 * s->slabs
-                                      : SLABS;
+    if (s->count == SLABS)
+        s->wary /= 2;
+    s->slabs = fill < 0.5 || fill > 2 || s->alone > 0 ? 1
+               : s->slabs < SLABS                     ? 2 * s->slabs
+                                                      : SLABS;
+    s->alone -= s->alone > 0;
 }
 
 /* The width where nothing is known: reach twice as far as the next
@@ -750,7 +772,7 @@ static bool try_slabs(struct bonkers *b, double begin, double width,
         s->collisions = 0;
     }
     all->redone = 0;
-    all->collapse = all->failed = false;
+    all->collapse = all->failed = all->crowded = false;
     const bool done = run_islands(b);
     if (!done)
         undo_all(b);
@@ -775,10 +797,13 @@ static bool holds_the_end(const struct bonkers *b, uint64_t collisions,
 static enum bonkers_stop run_slab_by_heap(struct bonkers *b, double end,
                                           uint64_t limit)
 {
+    const struct schedule islands = b->schedule;
+    b->schedule.heap = (void *)b->slab->saved;
     for (size_t i = 0; i < b->gaps; ++i)
         reschedule(b, i);
     const enum bonkers_stop stop = run_heap(b, end, limit);
     schedule_clear(&b->schedule);
+    b->schedule = islands;
     b->slab->width = 0; /* begin afresh */
     return stop;
 }
@@ -808,10 +833,14 @@ static enum bonkers_stop run_slabs(struct bonkers *b, double until,
         s->count = how_many(b, width, until, limit);
         int tries = 4;
         while (tries > 0 && !try_slabs(b, begin, width, until)) {
-            if (s->count == 1) {
+            if (s->count > 1)
+                s->alone = s->wary += s->wary < WARY ? s->wary + 1 : 0;
+            else if (s->crowded)
+                tries = 0;
+            else
                 --tries;
+            if (s->count == 1)
                 width /= 4;
-            }
             s->slabs = s->count = 1;
         }
         const double end = s->slab[s->count].end;
@@ -847,31 +876,42 @@ static double rounding(const struct bonkers *b, size_t i)
 const char *const bonkers_engine_names[BONKERS_ENGINES + 1] = {
     "auto", "naive", "scan", "heap", "slab", NULL};
 
-bool bonkers_create(struct bonkers *b, size_t movers, double restitution,
-                    enum bonkers_engine engine)
+static bool create(struct bonkers *b, size_t movers, double restitution,
+                   enum bonkers_engine engine, bool points)
 {
     *b = (struct bonkers){.gaps = movers + 1, .restitution = restitution};
     b->engine = engine != BONKERS_AUTO      ? engine
                 : movers <= BONKERS_SCANNED ? BONKERS_SCAN
                                             : BONKERS_SLAB;
     bool enough = (b->body = calloc(movers + 2, sizeof *b->body)) &&
-                  (b->due = malloc(b->gaps * sizeof *b->due)) &&
-                  (b->shift = malloc((movers + 2) * sizeof *b->shift));
+                  (b->due = malloc(b->gaps * sizeof *b->due));
+    if (!points)
+        enough =
+            enough && (b->shift = malloc((movers + 2) * sizeof *b->shift));
     if (restitution < 1)
         enough =
             enough && (b->repeats = calloc(b->gaps, sizeof *b->repeats));
     if (b->engine == BONKERS_SCAN || b->engine == BONKERS_SLAB)
         enough =
             enough && (b->fraction = malloc(b->gaps * sizeof *b->fraction));
-    if (b->engine == BONKERS_HEAP || b->engine == BONKERS_SLAB)
-        enough = enough && schedule_create(&b->schedule, b->gaps);
+    if (b->engine == BONKERS_HEAP)
+        enough = enough && schedule_create(&b->schedule, b->gaps, b->gaps);
     if (b->engine == BONKERS_SLAB)
-        enough = enough && (b->slab = create_slabs(b));
+        enough = enough &&
+                 schedule_create(&b->schedule, b->gaps,
+                                 b->gaps < CROWD ? b->gaps : CROWD) &&
+                 (b->slab = create_slabs(b));
     if (!enough) {
         bonkers_free(b);
         return false;
     }
     return true;
+}
+
+bool bonkers_create(struct bonkers *b, size_t movers, double restitution,
+                    enum bonkers_engine engine)
+{
+    return create(b, movers, restitution, engine, false);
 }
 
 void bonkers_free(struct bonkers *b)
@@ -886,14 +926,16 @@ void bonkers_free(struct bonkers *b)
     *b = (struct bonkers){0};
 }
 
-/* Subtracts the s_i of (2.2, eq:rods) from the positions. */
+/* Subtracts the s_i of (2.2, eq:rods) from the positions. The radii may
+   stand where the s_i will. */
 static void take_out_radii(struct bonkers *b, const double radius[])
 {
     double sum = 0;
     for (size_t i = 0; i <= b->gaps; ++i) {
-        b->shift[i] = sum + radius[i];
+        const double r = radius[i];
+        b->shift[i] = sum + r;
         b->body[i].x -= b->shift[i];
-        sum += 2 * radius[i];
+        sum += 2 * r;
     }
 }
 
@@ -945,28 +987,22 @@ bool bonkers_begin(struct bonkers *b, const struct start *s,
                    double restitution, enum bonkers_engine engine,
                    size_t *wrong)
 {
-    double *radius = NULL;
     bool points = true;
     for (size_t i = 0; i < s->movers; ++i)
         points = points && s->radius[i] == 0;
-    if (!points) {
-        radius = calloc(s->movers + 2, sizeof *radius);
-        if (!radius)
-            return false;
-        memcpy(radius + 1, s->radius, s->movers * sizeof *radius);
-    }
-    if (!bonkers_create(b, s->movers, restitution, engine)) {
-        free(radius);
+    if (!create(b, s->movers, restitution, engine, points))
         return false;
-    }
     b->gravity = s->gravity;
     b->body[0].x = s->wall[0];
     b->body[b->gaps].x = s->wall[1];
     for (size_t i = 0; i < s->movers; ++i)
         b->body[i + 1] =
             (struct bonkers_body){s->x[i], s->v[i], 0, 1 / s->mass[i]};
-    *wrong = bonkers_start(b, radius);
-    free(radius);
+    if (!points) {
+        memcpy(b->shift + 1, s->radius, s->movers * sizeof *b->shift);
+        b->shift[0] = b->shift[b->gaps] = 0;
+    }
+    *wrong = bonkers_start(b, b->shift);
     return true;
 }
 

@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 1247943586 of the lines below */
+/* checksum 314500755 of the lines below */
 /* Which of many events comes first. */
 #ifndef SCHEDULE_H
 #define SCHEDULE_H
@@ -25,9 +25,9 @@ struct schedule {
     size_t size, count;
 };
 
-/* Prepares an empty schedule for events 0 to size-1. Returns false, with
-   nothing to free, when there is no memory. */
-bool schedule_create(struct schedule *s, size_t size);
+/* Prepares an empty schedule for events 0 to size-1, `room` of them at a
+   time. Returns false, with nothing to free, when there is no memory. */
+bool schedule_create(struct schedule *s, size_t size, size_t room);
 void schedule_free(struct schedule *s);
 
 /* Gives the event this time, whether it was in the schedule or not. Cost:

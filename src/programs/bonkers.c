@@ -1,5 +1,5 @@
 /* From chapters/works/04-piston.nw: edit there, then run make tangle. */
-/* checksum 1377403577 of the lines below */
+/* checksum 2192144586 of the lines below */
 /* Bodies on a line from row to row, in one run or the mean of many. */
 #include "line/bonkers.h"
 #include "line/start.h"
@@ -366,7 +366,7 @@ static void name_masses(struct table *out, const struct bonkers *b)
 
 static void write_row(struct table *out, struct bonkers *b, double row[])
 {
-    double *x = row + 2 + 2 * (b->gaps + 1), *v = x + b->gaps + 1;
+    double *x = row + 2 + b->gaps + 1, *v = x + b->gaps + 1;
     bonkers_state(b, x, v);
     row[0] = b->now;
     row[1] = bonkers_energy(b);
@@ -380,7 +380,7 @@ static void write_row(struct table *out, struct bonkers *b, double row[])
 static bool write_run(struct table *out, struct run *r,
                       const struct settings *s)
 {
-    double *row = malloc((2 + 4 * (r->b.gaps + 1)) * sizeof *row);
+    double *row = malloc((2 + 3 * (r->b.gaps + 1)) * sizeof *row);
     if (!row) {
         fprintf(stderr, PROGRAM ": no memory for a row\n");
         return false;

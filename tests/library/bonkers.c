@@ -389,6 +389,26 @@ static void test_long_waves(void)
     }
 }
 
+/* Pairs that all meet at one time, and then with their other neighbours:
+   more wait in an island than a slab has room for. */
+static void test_crowd(void)
+{
+    enum { MOVERS = 9000 };
+    const struct stop stops[] = {{0.6, UINT64_MAX},
+                                 {INFINITY, 11000},
+                                 {1.6, UINT64_MAX},
+                                 {INFINITY, 20000}};
+    fill_random(MOVERS, 1, false);
+    body[0].x = 0;
+    body[MOVERS + 1].x = MOVERS + 1;
+    for (size_t i = 1; i <= MOVERS; ++i) {
+        body[i].x = (double)i;
+        body[i].im = 1;
+        body[i].v = i % 2 ? 1 : -1;
+    }
+    compare(MOVERS, 1, false, stops, 4, "crowd");
+}
+
 /* Without walls, or with one, the run ends when all fly apart: the clock
    stands at the last collision, or goes on to the time asked for. */
 static void test_open_ends(void)
@@ -1493,6 +1513,7 @@ int main(void)
             {"and in bursts between heavy bodies", test_bursts},
             {"and in a burst longer than a slab", test_long_burst},
             {"and in waves longer than slabs under way", test_long_waves},
+            {"and in a crowd that a slab has no room for", test_crowd},
             {"and with open ends", test_open_ends},
             {"no cut and no look changes a bit", test_cuts_change_no_bit},
             {"the naive engine differs by rounding", test_naive_agrees},

@@ -72,7 +72,7 @@ static void mix(size_t size, int levels, uint64_t seed)
     struct random r;
     int bad = 0;
     random_seed(&r, seed);
-    UNIT_TRUE(schedule_create(&s, size));
+    UNIT_TRUE(schedule_create(&s, size, size));
     for (int k = 0; k < 3000; ++k) {
         const size_t event = (size_t)random_below(&r, size);
         const uint64_t level = random_below(&r, (uint64_t)levels);
@@ -114,7 +114,7 @@ static void test_against_plain(void)
 static void test_ties(void)
 {
     struct schedule s;
-    schedule_create(&s, MOST);
+    schedule_create(&s, MOST, MOST);
     for (size_t i = 0; i < MOST; ++i)
         schedule_put(&s, (i * 77) % MOST, i % 2 ? 0.0 : -0.0);
     for (size_t i = 0; i < MOST; ++i)
@@ -126,7 +126,7 @@ static void test_ties(void)
 static void test_edges(void)
 {
     struct schedule s;
-    schedule_create(&s, 3);
+    schedule_create(&s, 3, 3);
     schedule_drop(&s, 2);
     UNIT_EQUAL((double)s.count, 0);
     schedule_clear(&s);

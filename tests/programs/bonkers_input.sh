@@ -149,10 +149,10 @@ ends 'rows of a run in which nothing happens any more' \
 ends 'rows up to a collision that does not come' \
     --preset galperin --every 1 --collisions 1000
 
-# Memory: at most 140 bytes a particle more than a small run takes. They are
-# 32 for the body, 32 for what it was before the slabs under way, 32 for its
-# part of a row, 8 each for the time, the shift and the fraction of a gap, and
-# 20 for the heap.
+# Memory: at most 108 bytes a particle more than a small run takes. They are
+# 32 for the start, 32 for the body, 24 for what it was before the slabs under
+# way, 8 each for the time and the fraction of a gap, and 4 for its place in
+# the heap; the start is freed before a row takes 24.
 runs_in() { # KIBIBYTES PARTICLES
     (ulimit -v "$1" && $b --preset random --particles "$2" --until 0.5 \
         -o "$work/large") >"$work/said" 2>&1
@@ -161,11 +161,11 @@ least=2000
 while [ $least -lt 20000 ] && ! runs_in $least 1000; do
     least=$((least + 500))
 done
-if runs_in $((least + 136719)) 1000000; then
-    ok 'a million bodies take 140 bytes each'
+if runs_in $((least + 105469)) 1000000; then
+    ok 'a million bodies take 108 bytes each'
 else
-    not_ok 'a million bodies take 140 bytes each' \
-        "not in $least + 136719 KiB: $(head -c 200 "$work/said")"
+    not_ok 'a million bodies take 108 bytes each' \
+        "not in $least + 105469 KiB: $(head -c 200 "$work/said")"
 fi
 (ulimit -v 60000 && $b --preset random --particles 1000000 -o "$work/none") \
     >"$work/said" 2>"$work/err"

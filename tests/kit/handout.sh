@@ -97,8 +97,11 @@ mkdir "$kit"
 tar cf - --exclude=./build --exclude=./.git . | (cd "$kit" && tar xf -)
 chmod -R u+w "$kit"
 mkdir "$kit/build"
-cp build/bonkers.pdf build/works-course.pdf "$kit/build"
-# Of the pages' figures one is enough here, and packed sooner.
+# Of the volumes a first part, of the pages' figures one is enough here, and
+# packed sooner.
+for volume in bonkers works-course; do
+    head -c 100000 build/$volume.pdf >"$kit/build/$volume.pdf"
+done
 cp -R build/site-course "$kit/build"
 find "$kit/build/site-course/figures" -name '*.svg' ! -name '01-map.svg' \
     -exec rm -f {} +
@@ -485,6 +488,7 @@ learn() {
 
 # leaks FOLDER: what the files in it give away.
 leaks() {
+    rm -f "$work"/*.pdf.txt "$work"/*.html.txt
     find "$1" -type f ! -name '*.pdf' ! -name '*.html' | sort >"$work/texts"
     # A page without its marks; a thin space in a number is one, as on paper.
     for page in $(find "$1" -name '*.html'); do
@@ -515,7 +519,7 @@ leaks() {
             }' "$work/known-lines" -
     # A page of print may cut a function in two: lines of 24 characters and
     # more, spaces not counted, are looked for on their own.
-    # shellcheck disable=SC2086
+    # shellcheck disable=SC2046,SC2086
     awk '{ line = $0; gsub(/[ \t\f\r]/, "", line) }
         kind == "book" { book[line]; next }
         kind == "answer" {
@@ -526,7 +530,8 @@ leaks() {
         line in from { print FILENAME ":" FNR ": the line " from[line] }
         ' kind=book src/*/*.[ch] tests/exercises/*/stub.c \
         tests/exercises/*/hints.txt \
-        kind=answer $answers kind=text "$work"/*.pdf.txt "$work"/*.html.txt
+        kind=answer $answers kind=text \
+        $(grep "^$work/[^/]*\.\(pdf\|html\)\.txt$" "$work/texts")
     values $(cat "$work/texts") >"$work/found"
     same_values "$work/values" "$work/found" | cut -f 1 | sort -u
     # Names may be broken over lines, with the marks of a comment between.
@@ -574,6 +579,10 @@ equal 'where one yields none it is named' "$(printf '%s\n' '05b right' \
 holds 'answers are sought' test "$(echo $answers | wc -w)" -gt 300
 holds 'and values' test "$(wc -l <"$work/values")" -gt 20
 holds 'and the names of hidden tests' test -s "$work/names"
+# The volumes whole, as they are handed out.
+tar xzf "$work/made.tar.gz" -C "$work/all" "$course/bonkers.pdf" \
+    "$course/works.pdf"
+holds 'these are whole' cmp build/works-course.pdf "$work/all/$course/works.pdf"
 leaks "$work/all/$course" >"$work/leaks"
 sed "s|^$work/all/$course/||; s|^$work/||" "$work/leaks" >"$work/out"
 if [ -s "$work/out" ]; then
@@ -584,32 +593,35 @@ else
     ok 'no answer in the course'
 fi
 
-# The search must be able to fail.
-cd "$work/all/$course" || exit 1
+# The search must be able to fail. It looks at one text after the other, so that
+# here it has those alone in which there is something.
+plant() { # FILE: of the course, with what comes in behind it
+    mkdir -p "$work/changed/${1%/*}"
+    cat "$work/all/$course/$1" - >"$work/changed/$1"
+}
 sed 's/im1/p/g; s/im2/q/g; s/u1/left/g; s/u2/right/g; s/const //
-    s/;/; \/\* mine \*\//' "$root/solutions/01a-collide.c" >>src/line/collide.h
+    s/;/; \/\* mine \*\//' solutions/01a-collide.c | plant src/line/collide.h
 echo '/* See also: a planted' '
-   secret of the grader. */' >>src/line/schedule.c
-echo 'Why not return draw(1, 9) * draw(2.00, 3) > 7.250; as it were?' \
-    >>tests/exercises/02a/hints.txt
-grep -v '^/\*' "$root/tests/exercises/01b/wrong-always.c" | sed 's/^/# /' \
-    >>plots/01-forms.gp
-grep -v '^/\*' "$root/tests/exercises/01c/right-pairs.c" |
-    sed 's/.*/"&\\n"/' >>src/line/statistics.c
-sed -n '/centre = /s/centre/all/p' "$root/solutions/01a-collide.c" \
-    >>tests/exercises/01a/suite.c
-sed -n 's/.*return (/ * Or is it (/p' "$root/solutions/01d-aim.c" \
-    >>plots/03-finite.gp
+   secret of the grader. */' | plant src/line/schedule.c
+echo 'Why not return draw(1, 9) * draw(2.00, 3) > 7.250; as it were?' |
+    plant tests/exercises/02a/hints.txt
+grep -v '^/\*' tests/exercises/01b/wrong-always.c | sed 's/^/# /' |
+    plant plots/01-forms.gp
+grep -v '^/\*' tests/exercises/01c/right-pairs.c | sed 's/.*/"&\\n"/' |
+    plant src/line/statistics.c
+sed -n '/centre = /s/centre/all/p' solutions/01a-collide.c |
+    plant tests/exercises/01a/suite.c
+sed -n 's/.*return (/ * Or is it (/p' solutions/01d-aim.c |
+    plant plots/03-finite.gp
 value=$(sed -n 's/^tests\/library.*\t\([0-9]\{9\}\).*/\1/p' "$work/values" |
     head -n 1)
-echo "# The limit is 0.$value." >>plots/02-drift.gp
-cp "$root/build/site-instructor/01-collide.html" site/answers.html
-if [ -s "$root/build/bonkers-instructor.pdf" ]; then
-    cp "$root/build/bonkers-instructor.pdf" answers.pdf
+echo "# The limit is 0.$value." | plant plots/02-drift.gp
+mkdir "$work/changed/site"
+cp build/site-instructor/01-collide.html "$work/changed/site/answers.html"
+if [ -s build/bonkers-instructor.pdf ]; then
+    cp build/bonkers-instructor.pdf "$work/changed/answers.pdf"
 fi
-cd "$root" || exit 1
-leaks "$work/all/$course" | grep -vxF -f "$work/leaks" |
-    sed "s|^$work/all/$course/||; s|^$work/||" >"$work/out"
+leaks "$work/changed" | sed "s|^$work/changed/||; s|^$work/||" >"$work/out"
 found() { # NAME PATTERN
     holds "found out: $1" grep -q "^$2" "$work/out"
 }
@@ -631,8 +643,8 @@ found "the reference value 0.$value" \
     "plots/02-drift.gp: $value is a value of tests/library/"
 found 'the solutions among the pages' \
     'answers.html.txt:.* the body of solutions/01a'
-[ -e "$work/all/$course/answers.pdf" ] && for file in solutions/*.c; do
+[ -e "$work/changed/answers.pdf" ] && for file in solutions/*.c; do
     found "$file, in an instructor's book" "answers.pdf.txt:.* $file:"
 done
 # The last ones are of the solutions, one by one.
-echo "1..$((104 + $(ls solutions/*.c | wc -l)))"
+echo "1..$((105 + $(ls solutions/*.c | wc -l)))"

@@ -27,12 +27,32 @@ says() {
     want=$1 state=$2
     shift 2
     "$examine" "$@" --as "$ex" --file "$file" >"$out/said" 2>&1
-    got=$?
-    [ "$got" -eq "$want" ] && sed 1q "$out/said" | grep -q " $state\( \|\$\)"
+    [ $? -eq "$want" ] && read -r first <"$out/said" && case "$first " in
+    *" $state "*) ;;
+    *) false ;;
+    esac
+}
+
+# mistake_of FILE: what its first line names, in $mistake; "" if nothing.
+mistake_of() {
+    read -r first <"$1"
+    mistake=
+    case $first in
+    '/* mistake: '*' */') mistake=${first#*: } mistake=${mistake% *} ;;
+    esac
+    case $mistake in *[!a-z0-9-]*) mistake= ;; esac
 }
 
 recognised() { # MISTAKE
     says 1 failed --strict && grep -q -F "[$1]" "$out/said"
+}
+
+# A wrong answer makes $mistake, as they are listed in $made.
+is_made() {
+    case $made in
+    *"[$mistake]"*) ;;
+    *) false ;;
+    esac
 }
 
 count() { # FILE...: how many there are; a pattern that matched none is not
@@ -108,8 +128,10 @@ for ex; do
     verdict "$ex: two right answers or more" "fewer in $folder" \
         [ "$(count "$folder"/right-*.c)" -ge 2 ]
 
+    made=
     for file in "$folder"/wrong-*.c; do
-        mistake=$(sed -n '1s,^/\* mistake: \([a-z0-9-]*\) \*/$,\1,p' "$file")
+        mistake_of "$file"
+        made="$made[$mistake]"
         verdict "$file is refused as [$mistake]" \
             "see $examine --strict --as $ex --file $file" \
             recognised "${mistake:-without a name in line 1}"
@@ -120,9 +142,7 @@ for ex; do
     grep -o '{"[a-z0-9-]*",' "$suite" | tr -d '{",' | sort -u |
         while IFS= read -r mistake; do
             verdict "$ex: [$mistake] has a wrong answer" \
-                "none in $folder makes this mistake" \
-                grep -q "^/\* mistake: $mistake \*/\$" \
-                "$folder"/wrong-*.c
+                "none in $folder makes this mistake" is_made
         done
 
     verdict "$ex: three hints or more, of 30 to 60 words, that ask" \

@@ -96,7 +96,8 @@ kept += build/grade/grade build/grade/flags build/grade/libjudge.a \
 	$(graded:%=build/grade/%.judge) $(graded:%=build/grade/%.inside.o)
 
 # One exercise: its judge, what goes into a box with the student's file, the
-# list of its tests, and the names that the student's file may show.
+# list of its tests, and the names that the student's file may show. Of a judge
+# a debugger knows the lines and no more, which compiles sooner.
 judge_part = build/grade/obj/judge/$*
 judge_of = $(wildcard $(addprefix tests/exercises/$*/,suite.c border.c hidden.c))
 build/made/grade/%.judge: tests/exercises/%/suite.c tests/exercises/%/border.c \
@@ -106,7 +107,8 @@ build/made/grade/%.judge: tests/exercises/%/suite.c tests/exercises/%/border.c \
 	$(call say,cc $(made))
 	$(Q)for file in $(judge_of); do \
 		part=$${file##*/} && part=$${part%.c} && \
-		$(check_base) $(year) $(reads).$$part -Wall -Wextra -pedantic -Isrc \
+		$(check_base) -g1 $(year) $(reads).$$part -Wall -Wextra -pedantic \
+		-Isrc \
 		-c -o $(judge_part).$$part.o $$file || exit 1; done
 	$(Q)$(check_base) -o $(made).new \
 		$(patsubst %.c,$(judge_part).%.o,$(notdir $(judge_of))) \
@@ -145,8 +147,7 @@ build/grade/%.list: build/grade/%.judge
 build/grade/%.names: build/grade/%.inside.o tests/exercises/%/stub.c
 	@$(check_base) -Isrc/examiner -c -o build/grade/obj/border/$*.stub.o \
 		tests/exercises/$*/stub.c
-	@nm -P -g build/grade/$*.inside.o | awk '$$2 == "U" { print $$1 }' \
-		>build/grade/obj/border/$*.wanted
-	@nm -P -g build/grade/obj/border/$*.stub.o | awk '$$2 != "U" \
-		{ print $$1 }' | grep -x -F -f build/grade/obj/border/$*.wanted | \
-		sed 's/^/--keep-global-symbol=/' | tr '\n' ' ' >$@
+	@nm -A -P -g build/grade/$*.inside.o build/grade/obj/border/$*.stub.o | \
+		awk '$$3 == "U" && /inside.o: / { wanted[$$2] } \
+		$$3 != "U" && $$2 in wanted && /stub.o: / \
+		{ printf "--keep-global-symbol=%s ", $$2 }' >$@

@@ -1,8 +1,9 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 1301539308 of the lines below */
+/* checksum 3123812666 of the lines below */
 /* The program in the box: it calls the student's function and answers. */
 #include "examiner/border.h"
 #include "examiner/exercise.h"
+#include "examiner/orbit.h"
 #include "examiner/place.h"
 #include "examiner/wire.h"
 
@@ -42,6 +43,7 @@ void border_ask(int which)
 
 void border_hear(void)
 {
+    orbit_leave();
     if (wire_listen() == WIRE_TOLD)
         return;
     fflush(NULL);
@@ -80,7 +82,9 @@ static _Noreturn void serve(void)
     const bool counts = __sanitizer_install_malloc_and_free_hooks &&
                         __sanitizer_install_malloc_and_free_hooks(
                             count_taken, ignore_freed);
+    orbit_watch();
     while (wire_listen() == WIRE_CALL) {
+        orbit_leave();
         place_clear();
         border_answer();
     }

@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 2147474323 of the lines below */
+/* checksum 3995265571 of the lines below */
 /* The program behind make grade: a folder of submissions, in parallel. */
 #include "examiner/grading.h"
 #include "examiner/process.h"
@@ -66,7 +66,7 @@ static const char usage[] =
     "                    number (drawn once and kept in the output "
     "folder)\n"
     "  --job JOB         only this one, of the list; without reports\n"
-    "  --jobs N          gradings at a time (one for each processor)\n"
+    "  --jobs N          gradings at a time (one more than processors)\n"
     "  --list            print what is to be graded, a command a line\n"
     "  --output FOLDER   for results and reports (build/grade/results)\n"
     "  --report LIST     gradescope,classroom50,github,junit: these, too\n"
@@ -188,7 +188,7 @@ static struct options read_options(int argc, char **argv)
     };
     struct options o = {.reports = "",
                         .output = "build/grade/results",
-                        .jobs = sysconf(_SC_NPROCESSORS_ONLN),
+                        .jobs = sysconf(_SC_NPROCESSORS_ONLN) + 1,
                         .seconds = 5};
     for (int c; (c = getopt_long(argc, argv, "", known, NULL)) != -1;)
         take_option(&o, c);

@@ -117,7 +117,7 @@ build/made/grade/%.judge: tests/exercises/%/suite.c tests/exercises/%/border.c \
 $(foreach e,$(graded),$(eval build/made/grade/$(e).judge: \
 	$(wildcard tests/exercises/$(e)/hidden.c)))
 build/made/grade/%.inside.o: tests/exercises/%/border.c $(patsubst %,\
-		build/grade/obj/examiner/%.o,boxed wire border place)
+		build/grade/obj/examiner/%.o,boxed orbit wire border place)
 	$(begin)
 	@mkdir -p build/grade/obj/border
 	$(Q)$(check_base) $(reads) -Wall -Wextra -pedantic -DBORDER_INSIDE -Isrc \
@@ -126,16 +126,17 @@ build/made/grade/%.inside.o: tests/exercises/%/border.c $(patsubst %,\
 	$(take_compiled)
 $(projects:%=build/made/grade/%.judge): build/made/check/year
 # Of a project: an archive with the box's program, whose main has another
-# name, and with what the student's program is given.
+# name and whose time is its own, and with what the student's program is given.
 $(foreach e,$(projects),$(eval build/made/grade/$(e).inside.o: \
 	build/check/$(e).given.o))
 build/made/grade/P%.inside.o: tests/exercises/P%/border.c $(patsubst %,\
-		build/grade/obj/examiner/%.o,running boxed wire border place)
+		build/grade/obj/examiner/%.o,running boxed orbit wire border place)
 	$(begin)
 	@mkdir -p build/grade/obj/border
 	@ld -r -o build/grade/obj/border/P$*.o \
 		$(filter build/grade/%.o,$^) && \
-		objcopy --redefine-sym main=box_main build/grade/obj/border/P$*.o
+		objcopy --redefine-sym main=box_main \
+		--localize-symbol=time build/grade/obj/border/P$*.o
 	@rm -f $(made).new && \
 		ar rcsD $(made).new build/grade/obj/border/P$*.o \
 		build/check/P$*.given.o

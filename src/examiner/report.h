@@ -1,9 +1,10 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 1004329829 of the lines below */
+/* checksum 2279598115 of the lines below */
 /* The form of the report that a runner writes of its test. */
 #ifndef REPORT_H
 #define REPORT_H
 
+#include <signal.h>
 #include <stdint.h>
 
 /* The report of a test: lines `NONCE WORD TEXT`, written by the runner and
@@ -22,5 +23,9 @@ struct report_order {
 #define REPORT_SAYS "says"       /* TEXT: a label and what it says */
 #define REPORT_UNDONE "undone"   /* TEXT: FILE:LINE of a NOT_DONE_YET */
 #define REPORT_VERDICT "verdict" /* TEXT: passed or failed; comes last */
+
+/* The signal that ends a program in the grader's box, and its judge, when
+   it is seen to go round for ever. */
+#define REPORT_ENDLESS SIGVTALRM
 
 #endif

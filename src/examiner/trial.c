@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 1446642256 of the lines below */
+/* checksum 1290438558 of the lines below */
 /* Runs a test, judges how it ended, and tells failures and crashes. */
 #include "examiner/trial.h"
 #include "examiner/process.h"
@@ -222,9 +222,26 @@ static void run_runner(const struct trial *trial, int number,
         result->error = cut_error(result->output);
 }
 
-static void tell_time_out(const struct trial *trial, FILE *story)
+static bool is_endless(const struct trial *trial,
+                       const struct process_end *end)
+{
+    return trial->border[0] && WIFSIGNALED(end->status) &&
+           WTERMSIG(end->status) == REPORT_ENDLESS;
+}
+
+static const char round_and_round[] =
+    "This test was stopped, for it would never have ended: your program "
+    "had come back to where it was before, with the same values in all its "
+    "variables. Which loop was it in, and what was to end it?";
+
+static void tell_time_out(const struct trial *trial,
+                          const struct process_end *end, FILE *story)
 {
     char text[320], later[64] = "";
+    if (is_endless(trial, end)) {
+        text_field(story, "what", round_and_round);
+        return;
+    }
     if (trial->later > 0)
         snprintf(later, sizeof later,
                  " (once one was, after %d s of computing)", trial->later);
@@ -412,9 +429,9 @@ enum state trial_run(const struct trial *trial, int number, FILE *story)
     char verdict[REPORT_RECORD] = "", undone[REPORT_RECORD] = "";
     find_record(result.report, &result, REPORT_VERDICT, verdict);
     find_record(result.report, &result, REPORT_UNDONE, undone);
-    if (result.end.timed_out) {
+    if (result.end.timed_out || is_endless(trial, &result.end)) {
         state = TIMED_OUT;
-        tell_time_out(trial, story);
+        tell_time_out(trial, &result.end, story);
         tell_failure(&result, story);
     } else if (result.end.status != 0 || (!*verdict && !*undone)) {
         state = CRASHED;

@@ -1,0 +1,204 @@
+/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
+/* checksum 1037732687 of the lines below */
+/* The states that a program has been in, one number for each. */
+#include "examiner/orbit.h"
+#include "examiner/report.h"
+
+static volatile unsigned long left;
+
+void orbit_leave(void)
+{
+    ++left;
+}
+
+#if defined __linux__ && defined __x86_64__
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/time.h>
+#include <time.h>
+#include <ucontext.h>
+#include <unistd.h>
+
+enum {
+    FIRST_MS = 200, /* of the processor, before anybody looks */
+    NEXT_MS = 10,   /* from look to look */
+    STATES = 1024,
+    MEMORY_MOST = 1 << 23 /* bytes of a state */
+};
+
+static struct {
+    unsigned char stack[1 << 16];
+    char maps[1 << 14];
+    uint64_t sum, states[STATES];
+    size_t count, bytes;
+} desk;
+
+int __lsan_do_recoverable_leak_check(void) __attribute__((weak));
+
+static void look_again(int milliseconds)
+{
+    const struct itimerval timer = {.it_value = {0, 1000 * milliseconds}};
+    setitimer(ITIMER_PROF, &timer, NULL);
+}
+
+static void add(const void *from, size_t bytes)
+{
+    const unsigned char *p = from;
+    for (; bytes >= sizeof(uint64_t); bytes -= sizeof(uint64_t)) {
+        uint64_t word;
+        memcpy(&word, p, sizeof word);
+        desk.sum = (desk.sum ^ word) * 0x9e3779b97f4a7c15u;
+        desk.sum ^= desk.sum >> 32;
+        p += sizeof word;
+    }
+}
+
+static const char *read_address(const char *text, uintptr_t *address)
+{
+    static const char digits[] = "0123456789abcdef";
+    const char *digit;
+    for (*address = 0; *text && (digit = strchr(digits, *text)); ++text)
+        *address = *address << 4 | (uintptr_t)(digit - digits);
+    return *text ? text + 1 : text;
+}
+
+static void add_range(uintptr_t start, uintptr_t end)
+{
+    if (start < end)
+        add((const void *)start, end - start);
+}
+
+/* All but the desk, of which a part may lie in it. */
+static bool add_piece(const char *line)
+{
+    const uintptr_t from = (uintptr_t)&desk, to = from + sizeof desk;
+    uintptr_t start, end;
+    line = read_address(read_address(line, &start), &end);
+    if (line[1] != 'w')
+        return true;
+    desk.bytes += end - start;
+    if (line[0] != 'r' || line[3] != 'p' || desk.bytes > MEMORY_MOST)
+        return false;
+    add_range(start, end < from ? end : from);
+    add_range(start > to ? start : to, end);
+    return true;
+}
+
+static bool add_memory(void)
+{
+    const int file = open("/proc/self/maps", O_RDONLY | O_CLOEXEC);
+    size_t length = 0;
+    ssize_t got = file < 0 ? -1 : 1;
+    while (got > 0 && length < sizeof desk.maps - 1) {
+        got = read(file, desk.maps + length, sizeof desk.maps - 1 - length);
+        length += got > 0 ? (size_t)got : 0;
+    }
+    if (file >= 0)
+        close(file);
+    desk.maps[length] = '\0';
+    bool whole = got == 0 && length > 0;
+    for (const char *line = desk.maps; whole && *line;) {
+        whole = add_piece(line);
+        line = strchr(line, '\n');
+        line = line ? line + 1 : "";
+    }
+    return whole;
+}
+
+static void add_registers(const ucontext_t *context)
+{
+    enum { WORDS = 23, OLD = 464, LIST = 512, NEW = 576 };
+    enum { MARK = 0x46505853 };
+    struct {
+        uint64_t words[WORDS];
+        const unsigned char *floating;
+    } now;
+    struct {
+        uint32_t mark, all;
+        uint64_t may;
+        uint32_t bytes;
+    } more;
+    uint64_t list;
+    memcpy(&now, &context->uc_mcontext, sizeof now);
+    add(now.words, sizeof now.words);
+    if (!now.floating)
+        return;
+    add(now.floating, OLD);
+    memcpy(&more, now.floating + OLD, sizeof more);
+    memcpy(&list, now.floating + LIST, sizeof list);
+    if (more.mark == MARK && more.bytes > NEW && list > 3)
+        add(now.floating + NEW, more.bytes - NEW);
+}
+
+static long milliseconds_of(struct timeval t)
+{
+    return 1000 * (long)t.tv_sec + (long)t.tv_usec / 1000;
+}
+
+static bool is_alone(void)
+{
+    enum { ONE_THREAD = 3 }; /* links of a folder with one folder in it */
+    struct rusage used;
+    struct stat tasks;
+    getrusage(RUSAGE_SELF, &used);
+    return stat("/proc/self/task", &tasks) == 0 &&
+           tasks.st_nlink == ONE_THREAD &&
+           milliseconds_of(used.ru_stime) <
+               milliseconds_of(used.ru_utime) / 4;
+}
+
+/* In place of the library's. */
+time_t time(time_t *when)
+{
+    struct timespec now = {0, 0};
+    clock_gettime(CLOCK_REALTIME, &now);
+    orbit_leave();
+    if (when)
+        *when = now.tv_sec;
+    return now.tv_sec;
+}
+
+static void look(int number, siginfo_t *about, void *context)
+{
+    const int error = errno;
+    (void)number, (void)about;
+    if (desk.count == STATES || !is_alone())
+        return;
+    desk.sum = desk.bytes = 0;
+    const bool whole = add_memory();
+    errno = error;
+    if (!whole)
+        return;
+    add_registers(context);
+    for (size_t i = 0; i < desk.count; ++i)
+        if (desk.states[i] == desk.sum) {
+            signal(REPORT_ENDLESS, SIG_DFL);
+            raise(REPORT_ENDLESS);
+        }
+    desk.states[desk.count++] = desk.sum;
+    look_again(NEXT_MS);
+}
+
+void orbit_watch(void)
+{
+    const stack_t stack = {.ss_sp = desk.stack,
+                           .ss_size = sizeof desk.stack};
+    const struct sigaction act = {.sa_sigaction = look,
+                                  .sa_flags =
+                                      SA_SIGINFO | SA_ONSTACK | SA_RESTART};
+    if (!__lsan_do_recoverable_leak_check &&
+        sigaltstack(&stack, NULL) == 0 &&
+        sigaction(SIGPROF, &act, NULL) == 0)
+        look_again(FIRST_MS);
+}
+#else
+void orbit_watch(void)
+{
+}
+#endif

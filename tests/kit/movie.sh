@@ -107,7 +107,7 @@ is 'before anything is made' no "$(ls -d build/obj build/bin build/movies 2>/dev
 
 # 1.6 s at 25 pictures for the energy, then the rows of 0, 0.1 and 0.2 s. The
 # kit has objects and no program: that a clean one compiles what it needs is
-# seen in students.sh and handout.sh.
+# seen in handout.sh.
 mkdir -p build
 for file in compiler compiler.mk made obj; do
     cp -Rp "$root/build/$file" build || exit 1

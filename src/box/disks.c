@@ -1,5 +1,5 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 2548389473 of the lines below */
+/* checksum 1966496265 of the lines below */
 /* Event-driven motion: every pair looked at, or a plan remembered. */
 #include "box/disks.h"
 
@@ -202,6 +202,25 @@ double disks_meeting(const struct disks *d, size_t i, size_t j, double at)
     return last + disks_pair_time(apart, closing, a->radius + b->radius);
 }
 
+/* How long disk a has flown when it meets its next wall, between walls
+   and without gravity. */
+static double wall_of_either(const struct disks *d, const struct disk *a,
+                             size_t *axis)
+{
+    double first = INFINITY;
+    for (size_t k = 0; k < d->dimensions; ++k) {
+        const double x = a->position[k], v = a->velocity[k], r = a->radius;
+        const double way[] = {r - x, d->box[k] - r - x};
+        const double flight = way[v > 0] / v;
+        const double time = flight > 0 ? flight : 0;
+        if (v == 0 || d->box[k] == 0)
+            continue;
+        *axis = time < first ? k : *axis;
+        first = time < first ? time : first;
+    }
+    return first;
+}
+
 double disks_wall(const struct disks *d, size_t i, size_t *axis)
 {
     const struct disk *a = &d->disk[i];
@@ -209,6 +228,8 @@ double disks_wall(const struct disks *d, size_t i, size_t *axis)
     *axis = 0;
     if (d->boundary == DISKS_PERIODIC)
         return first;
+    if (d->boundary == DISKS_WALLS && !(d->gravity > 0))
+        return a->since + wall_of_either(d, a, axis);
     for (size_t k = 0; k < d->dimensions; ++k) {
         if (!disks_walled(d, k))
             continue;
@@ -257,12 +278,12 @@ static struct disks_event alone(const struct disks *d, size_t i,
     const double *v = d->disk[i].velocity;
     size_t axis;
     double vv = 0;
-    for (size_t k = 0; k < d->dimensions; ++k)
-        vv += disks_wraps(d, k) ? v[k] * v[k] : 0;
     const double time = disks_wall(d, i, &axis);
     const struct disks_event wall = meet(i, d->count + axis, time);
     if (leash == INFINITY)
         return wall;
+    for (size_t k = 0; k < d->dimensions; ++k)
+        vv += disks_wraps(d, k) ? v[k] * v[k] : 0;
     const struct disks_event look = meet(i, i, d->now + leash / sqrt(vv));
     return look.time < time ? look : wall;
 }
@@ -391,18 +412,31 @@ static void meetings(const struct disks *d, size_t i, double time[])
             time[j] = disks_meeting(d, i, j, d->now);
 }
 
+/* The smallest of n times, and whose it is: *first, n if all are
+   INFINITY. */
+static double soonest(const double time[], size_t n, size_t *first)
+{
+    double least = INFINITY;
+    *first = n;
+    for (size_t j = 0; j < n; ++j) {
+        *first = time[j] < least ? j : *first;
+        least = time[j] < least ? time[j] : least;
+    }
+    return least;
+}
+
 /* Plans what disk i does next as seen at d->now. */
 static void plan_disk(struct disks *d, size_t i)
 {
     struct disks_plan *p = d->plan;
     struct disks_event first = alone(d, i, p->leash);
     meetings(d, i, p->time);
-    for (size_t j = 0; j < d->count; ++j)
-        if (j != i && p->time[j] <= first.time) {
-            const struct disks_event pair = meet(i, j, p->time[j]);
-            if (disks_before(pair, first))
-                first = pair;
-        }
+    p->time[i] = INFINITY;
+    size_t j;
+    const double time = soonest(p->time, d->count, &j);
+    const struct disks_event pair = meet(i, j, time);
+    if (j < d->count && disks_before(pair, first))
+        first = pair;
     p->event[i] = first;
     p->hits[i] = first.partner < d->count ? d->hits[first.partner] : 0;
 }
@@ -430,11 +464,18 @@ bool disks_plan(struct disks *d)
 static struct disks_event earliest(const struct disks *d)
 {
     const struct disks_event *event = d->plan->event;
-    struct disks_event first = event[0];
-    for (size_t i = 1; i < d->count; ++i)
-        if (event[i].time <= first.time && disks_before(event[i], first))
-            first = event[i];
-    return first;
+    double time = event[0].time;
+    size_t first = 0, ties = 0;
+    for (size_t i = 1; i < d->count; ++i) {
+        const double t = event[i].time;
+        ties += t == time;
+        first = t < time ? i : first;
+        time = t < time ? t : time;
+    }
+    for (size_t i = first + 1; ties > 0 && i < d->count; ++i)
+        if (event[i].time == time && disks_before(event[i], event[first]))
+            first = i;
+    return event[first];
 }
 
 static bool still_true(const struct disks *d, struct disks_event e)

@@ -381,6 +381,70 @@ static void test_restitution(void)
     disks_free(&d);
 }
 
+/* Along an axis that is open there is no wall to meet. */
+static void test_open_axis(void)
+{
+    struct disks d;
+    size_t axis;
+    if (!disks_create(&d, 2, 1))
+        exit(1);
+    d.box[0] = 1;
+    d.disk[0] = (struct disk){
+        .position = {0.5, 0.5}, .velocity = {0.25, -1}, .radius = 0.25};
+    UNIT_EQUAL(disks_wall(&d, 0, &axis), 1);
+    UNIT_EQUAL((double)axis, 0);
+    d.box[0] = 0;
+    UNIT_TRUE(disks_wall(&d, 0, &axis) == INFINITY);
+    disks_free(&d);
+}
+
+/* Disks in rows that fly along their rows, with places, speeds and times
+   that have few binary digits: much happens at one time, and exactly. The
+   plan takes it in the order of disks_before, as every look does. */
+static void test_ties(void)
+{
+    enum { SIDE = 5, COUNT = SIDE * SIDE };
+    for (uint64_t seed = 1; seed <= 40; ++seed) {
+        struct disks d[2];
+        struct random r;
+        size_t at[COUNT];
+        random_seed(&r, seed);
+        for (size_t i = 0; i < COUNT; ++i) { /* a shuffle */
+            const size_t k = (size_t)random_below(&r, i + 1);
+            at[i] = at[k];
+            at[k] = i;
+        }
+        for (int e = 0; e < 2; ++e) {
+            struct random speeds;
+            random_seed(&speeds, seed);
+            if (!disks_create(&d[e], 2, COUNT))
+                exit(1);
+            d[e].box[0] = d[e].box[1] = SIDE;
+            for (size_t i = 0; i < COUNT; ++i) {
+                struct disk *a = &d[e].disk[i];
+                a->radius = 0.125;
+                a->position[0] = (double)(at[i] % SIDE) + 0.5;
+                a->position[1] = (double)(at[i] / SIDE) + 0.5;
+                a->velocity[0] = 2 * (double)random_below(&speeds, 4) - 3;
+            }
+        }
+        UNIT_TRUE(disks_plan(&d[0]));
+        for (uint64_t n = 1; n <= 100; ++n) {
+            disks_run(&d[0], INFINITY, n);
+            while (d[1].collisions < n)
+                disks_collide(&d[1], disks_next(&d[1]));
+            UNIT_EQUAL((double)d[0].wall_collisions,
+                       (double)d[1].wall_collisions);
+            UNIT_TRUE(memcmp(d[0].hits, d[1].hits,
+                             COUNT * sizeof d[0].hits[0]) == 0);
+            UNIT_TRUE(memcmp(d[0].disk, d[1].disk,
+                             COUNT * sizeof d[0].disk[0]) == 0);
+        }
+        disks_free(&d[0]);
+        disks_free(&d[1]);
+    }
+}
+
 /* Equal times: the smaller number first, then the smaller partner. */
 static void test_order(void)
 {
@@ -717,6 +781,8 @@ int main(void)
             {"settling folds, and begins to count", test_settle},
             {"restitution", test_restitution},
             {"equal times have an order", test_order},
+            {"and a plan keeps to it", test_ties},
+            {"an open axis has no wall", test_open_axis},
             {"lattices hold the closest packing", test_lattice},
             {"a guest stands in the middle", test_guest},
             {"random starts fit or are refused", test_random_start},

@@ -1,6 +1,7 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 1037732687 of the lines below */
+/* checksum 192509027 of the lines below */
 /* The states that a program has been in, one number for each. */
+#define _XOPEN_SOURCE 700 /* setitimer, SA_ONSTACK */
 #include "examiner/orbit.h"
 #include "examiner/report.h"
 

@@ -1,5 +1,5 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 2407573318 of the lines below */
+/* checksum 3388906817 of the lines below */
 /* Sums forces spring by spring, or in bands where they form a grid. */
 #include "forces/springs.h"
 
@@ -38,24 +38,20 @@ static void pull(const struct springs *p, const struct scene_spring *s,
                  const double x[], const double v[], double f[3])
 {
     const struct scene_kind *kind = &p->kind[s->kind];
-    double d[3], u[3];
-    for (size_t k = 0; k < 3; ++k) {
-        const size_t at = k * p->bodies;
-        d[k] = x[at + s->b] - x[at + s->a];
-        u[k] = v[at + s->b] - v[at + s->a];
-    }
-    const double length = stretched(d[0], d[1], d[2]);
+    const size_t y = p->bodies, z = 2 * y, a = s->a, b = s->b;
+    const double dx = x[b] - x[a], dy = x[y + b] - x[y + a],
+                 dz = x[z + b] - x[z + a];
+    const double ux = v[b] - v[a], uy = v[y + b] - v[y + a],
+                 uz = v[z + b] - v[z + a];
+    const double length = stretched(dx, dy, dz), c = kind->damping;
     if (p->axial) {
-        const double rate = d[0] * u[0] + d[1] * u[1] + d[2] * u[2];
-        const double q = axial_tension(kind->stiffness, kind->damping,
-                                       length, s->rest, rate);
-        for (size_t k = 0; k < 3; ++k)
-            f[k] = q * d[k];
+        const double q = axial_tension(kind->stiffness, c, length, s->rest,
+                                       dx * ux + dy * uy + dz * uz);
+        f[0] = q * dx, f[1] = q * dy, f[2] = q * dz;
         return;
     }
     const double q = tension(kind->stiffness, length, s->rest);
-    for (size_t k = 0; k < 3; ++k)
-        f[k] = q * d[k] + kind->damping * u[k];
+    f[0] = q * dx + c * ux, f[1] = q * dy + c * uy, f[2] = q * dz + c * uz;
 }
 
 /* Sums the forces of the first count springs into p->force. */
@@ -640,8 +636,7 @@ static void act(struct springs *p, const struct task *t)
         gather_shared(p, t);
         return;
     }
-    for (size_t k = 0; k < 3; ++k)
-        finish(p, t, k, 0, p->bodies, p->force + k * p->bodies);
+    finish(p, t, 0, 0, 3 * p->bodies, p->force);
 }
 
 /* So many steps of the task, whose ahead is not NULL. */

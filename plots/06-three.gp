@@ -16,7 +16,7 @@ reference = 'plots/data/06-reference.dat'
 array P[100]
 do for [i=1:100] { P[i] = NaN }
 stats reference using (P[int($1*100+0.5)+1] = $2, $2) nooutput
-list = 'direct markov dynamics'
+data = 'build/data/06-direct.dat build/data/06-markov.dat build/data/05-positions.dat'
 array title[3]
 title[1] = 'direct sampling'
 title[2] = 'Markov chain'
@@ -32,7 +32,7 @@ set tmargin at screen 0.98
 set bmargin at screen 0.47
 set key at graph 0.5,0.96 center top samplen 1 opaque noautotitle
 plot reference using ($1+0.005):2 with lines ls 9 lw 2*thick, \
-     for [k=1:3] 'build/data/06-'.word(list,k).'.dat' every 3::14+k::84 using ($1+0.005):2:3 with yerrorbars ls k title title[k]
+     for [k=1:3] word(data,k) every 3::14+k::84 using ($1+0.005):2:3 with yerrorbars ls k title title[k]
 unset key
 set format x '%g'
 set xlabel 'position {/:Italic x}  (m)'
@@ -43,5 +43,5 @@ set grid y
 set tmargin at screen 0.43
 set bmargin at screen lecture ? 0.15 : 0.13
 inside(i) = i >= 15 && i < 85
-plot for [k=1:3] 'build/data/06-'.word(list,k).'.dat' using ($1+0.002+0.003*(k-1)):(inside($0) ? ($2-P[int($0)+1])/$3 : NaN) with points ls k ps 0.4*big
+plot for [k=1:3] word(data,k) using ($1+0.002+0.003*(k-1)):(inside($0) ? ($2-P[int($0)+1])/$3 : NaN) with points ls k ps 0.4*big
 unset multiplot

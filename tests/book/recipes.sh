@@ -212,8 +212,23 @@ chapters/press/recipes
 is 'of a pipe, who writes the table writes the summary' \
     'build/bin/walk --seed 4 | build/bin/walk -o /dev/null --summary '\
 'build/runs/pipe.summary | cat' "$(sed -n '$p' build/recipes/run-pipe)"
+chapter '%run says: build/bin/walk --summary - -o /dev/null' \
+    '%run hears: sed 1d build/runs/says.txt >build/runs/hears.summary'
+chapters/press/recipes
+is 'who says his summary makes the table, too' \
+    'build/bin/walk --summary - -o build/data/walk.dat' \
+    "$(sed -n '$p' build/recipes/run-says)"
+has 'and what he says may be read' \
+    'build/made/runs/hears.txt: build/recipes/run-hears build/runs/says.txt' \
+    "$(cat build/recipes/rules.mk)"
+printf '%s\n' '# alt: planted' 'set terminal svg' 'set output output' \
+    "plot x, 'build/data/lost.dat' with lines" >plots/00-planted.gp
+has 'a figure without its data is none' 'not everything' \
+    "$(chapters/press/recipes --figure svg build/figures/00-planted.svg \
+        plots/00-planted.gp 2>&1)"
+rm plots/00-planted.gp
 chapter '%run a: build/bin/walk' '%run a: build/bin/walk --seed 2'
 is 'two commands for one run are refused' \
     'recipes: chapters/01-x.nw:3: run a is another command in chapters/01-x.nw:2' \
     "$(chapters/press/recipes 2>&1)"
-echo 1..48
+echo 1..51

@@ -16,7 +16,6 @@ side(t, n, w) = t < 0.125 || t > 0.875 ? 0 : w*saw(n*(t - 0.125)/0.75 + 0.25)
 len(x0, y0, x1, y1) = sqrt((x1 - x0)**2 + (y1 - y0)**2)
 sx(t, x0, y0, x1, y1, n, w) = x0 + t*(x1 - x0) - side(t, n, w)*(y1 - y0)/len(x0, y0, x1, y1)
 sy(t, x0, y0, x1, y1, n, w) = y0 + t*(y1 - y0) + side(t, n, w)*(x1 - x0)/len(x0, y0, x1, y1)
-set samples 641
 set parametric
 set trange [0:1]
 # walls
@@ -62,10 +61,17 @@ set label 11 'cantilever' at 10.5,4.0 center tc rgb '#555555'
 set arrow from 13.5,1.9 to 13.5,1.0 lc rgb red lw 1.6*thick
 set label 12 '{/:Italic g}' at 13.65,1.45 left tc rgb red
 seg(f0, f1, t) = f0 + t*(f1 - f0)
+# The springs have their corners at 64ths and at 112ths, all else is smooth.
+set multiplot
+set samples 449
 plot sx(t, 0.4, 7.4, 3.4, 7.4, 7, 0.2), sy(t, 0.4, 7.4, 3.4, 7.4, 7, 0.2) with lines lc rgb dark lw 1.2*thick, \
      sx(t, ax, ay, bx, by, 12, 0.13), sy(t, ax, ay, bx, by, 12, 0.13) with lines lc rgb dark lw 2.2*thick, \
-     sx(t, bx, by, ex, ey, 6, 0.16), sy(t, bx, by, ex, ey, 6, 0.16) with lines lc rgb dark lw thick, \
-     for [j=0:7] mx(7*t, j), my(7*t, j) with lines lc rgb (j % 7 ? blue : dark) lw 0.8*thick, \
+     sx(t, bx, by, ex, ey, 6, 0.16), sy(t, bx, by, ex, ey, 6, 0.16) with lines lc rgb dark lw thick
+unset label
+unset arrow
+unset object
+set samples 29
+plot for [j=0:7] mx(7*t, j), my(7*t, j) with lines lc rgb (j % 7 ? blue : dark) lw 0.8*thick, \
      for [i=0:7] mx(i, 7*t), my(i, 7*t) with lines lc rgb (i % 7 ? blue : dark) lw 0.8*thick, \
      for [j=0:1] for [i=0:4] seg(cx(i, j), cx(i+1, j), t), seg(cy(i, j), cy(i+1, j), t) with lines lc rgb blue lw 1.2*thick, \
      for [i=1:5] seg(cx(i, 0), cx(i, 1), t), seg(cy(i, 0), cy(i, 1), t) with lines lc rgb blue lw 1.2*thick, \
@@ -75,3 +81,4 @@ plot sx(t, 0.4, 7.4, 3.4, 7.4, 7, 0.2), sy(t, 0.4, 7.4, 3.4, 7.4, 7, 0.2) with l
      for [i=0:7] for [j=0:7] mx(i, j), my(i, j) with points pt 7 ps 0.5*big lc rgb (i % 7 && j % 7 ? blue : dark), \
      ax, ay with points pt 7 ps big lc rgb dark, bx, by with points pt 7 ps 1.5*big lc rgb blue, \
      ex, ey with points pt 7 ps 1.5*big lc rgb blue
+unset multiplot

@@ -8,7 +8,7 @@
 # command: build/bin/sample-studies --study acceptance --disks 8 --radii 0.02,0.04,0.055,0.065,0.075,0.085,0.095,0.105,0.115 --samples 2000 -o build/data/06-accept-8.dat
 # lecture: build/bin/sample-studies --study acceptance --disks 8 --radii 0.02,0.04,0.055,0.065,0.075,0.085,0.095,0.105,0.115 --samples 10000 -o build/data/06-accept-8.dat
 # data: build/data/06-accept-16.dat
-# command: build/bin/sample-studies --study acceptance --disks 16 --radii 0.01,0.02,0.03,0.035,0.04,0.045,0.05,0.055,0.06,0.065,0.07 --samples 400 -o build/data/06-accept-16.dat
+# command: build/bin/sample-studies --study acceptance --disks 16 --radii 0.01,0.02,0.03,0.035,0.04,0.045,0.05,0.055,0.06,0.065,0.0675 --samples 400 -o build/data/06-accept-16.dat
 # lecture: build/bin/sample-studies --study acceptance --disks 16 --radii 0.01,0.02,0.03,0.035,0.04,0.045,0.05,0.055,0.06,0.065,0.07 --samples 10000 -o build/data/06-accept-16.dat
 # alt: Acceptance, logarithmic, against packing for 2, 4, 8 and 16 disks. All begin at one and fall, the faster the more disks: at packing 0.2 it is 0.4 for two disks and 0.0002 for sixteen. Dashed lines of independent pairs lie above the points and the farther the more crowded the box is.
 width = 14
@@ -30,6 +30,7 @@ a(x) = 1 - 2*x
 two(x) = 1 - pi*4*x**2/a(x)**2 + 64*x**3/(3*a(x)**3) - 8*x**4/a(x)**4
 alpha(eta,N) = (r(eta,N) > 0.25 ? NaN : two(r(eta,N)))
 set key at graph 0.98,0.97 right top samplen 1
+drawn(k) = word('build/data/06-accept-2.dat build/data/06-accept-4.dat build/data/06-accept-8.dat build/data/06-accept-16.dat', k)
 plot alpha(x,2) ls 9 lw 2*thick, \
      for [N in '4 8 16'] alpha(x,N+0)**(N*(N-1)/2) ls 9 lw 1*thick dt 2, \
-     for [k=1:4] 'build/data/06-accept-'.word('2 4 8 16',k).'.dat' using 2:3:4 with yerrorbars ls k title word('2 4 8 16',k).' disks'
+     for [k=1:4] drawn(k) using 2:3:4 with yerrorbars ls k title word('2 4 8 16',k).' disks'

@@ -31,13 +31,12 @@ is 'what is made is not made twice' '' "$(made programs)"
 holds 'and make -q says so' $make -q programs
 
 # A header reaches the files that include it, directly or not.
-for file in src/*/*.c; do
-    cc -MM -D_POSIX_C_SOURCE=200809L -Isrc "$file" 2>/dev/null |
-        tr -d '\\\n' && echo " $file"
-done >"$work/reads"
+# A line for each: its object, itself, and what it reads.
+cc -MM -D_POSIX_C_SOURCE=200809L -Isrc src/*/*.c 2>/dev/null |
+    sed -e ':more' -e '/\\$/{N;s/\\\n//;b more' -e '}' >"$work/reads"
 for header in box/cells line/collide scenes/pair; do
     expected=$(echo $(awk -v header="src/$header.h" '
-        $NF !~ /examiner|page/ && index($0, " " header " ") { print $NF }' \
+        $2 !~ /examiner|page/ && index($0 " ", " " header " ") { print $2 }' \
         "$work/reads" | sort))
     later src/$header.h
     is "$header.h reaches what includes it, and no program" "$expected" \

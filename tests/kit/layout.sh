@@ -173,9 +173,9 @@ holds 'and one of 101 is seen' \
     test "$(in_width "$work/wide")" = "$work/wide:2: 101"
 
 # Who opens a file reads first what it is.
-silent=$(for file in src/*/*.[ch]; do
-    sed -n 3p "$file" | grep -q '^/\* [A-Za-z].*[A-Za-z0-9)][.] \*/$' || echo "$file"
-done)
+silent=$(awk 'FNR == 1 { if (NR > 1 && !said) print file; said = 0; file = FILENAME }
+    FNR == 3 { said = /^\/\* [A-Za-z].*[A-Za-z0-9)][.] \*\/$/ }
+    END { if (!said) print file }' src/*/*.[ch])
 holds 'the third line of each file of src/ says what it is' \
     sh -c "echo '$silent'; test -z '$silent'"
 

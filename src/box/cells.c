@@ -1,5 +1,5 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 727589030 of the lines below */
+/* checksum 1843946767 of the lines below */
 /* Cells, lists of neighbours on a leash, and lanes of pair times. */
 #include "box/cells.h"
 
@@ -301,12 +301,15 @@ static void look_at_neighbours(const struct cells *c, uint32_t i,
 
 /* From so many disks on it pays to fetch early, and late as well. */
 enum { FETCH_EARLY = 4000, FETCH_LATE = 50000 };
+enum { FETCHED = 12 }; /* seats of a list; there are no fewer */
 
 FETCHING void fetch_list(const struct cells *c, uint32_t i)
 {
     const uint32_t *list = c->neighbour + i * c->seats;
+    const size_t seats =
+        c->d->count < FETCH_LATE ? FETCHED : c->anchor[i].neighbours;
     FETCH(&c->calendar.event[i]);
-    for (size_t k = 0; k < c->anchor[i].neighbours; ++k)
+    for (size_t k = 0; k < seats; ++k)
         FETCH(&c->d->disk[list[k]]);
 }
 
@@ -323,6 +326,8 @@ FETCHING void fetch_disk(const struct cells *c, uint32_t i)
     FETCH(&c->anchor[i]);
     FETCH(&c->calendar.event[i]);
     FETCH(c->neighbour + i * c->seats);
+    if (c->d->count < FETCH_LATE)
+        FETCH(c->neighbour + i * c->seats + FETCHED);
 }
 
 /* Does so with all disks that have an event in a day, and partners; or

@@ -58,8 +58,8 @@ build/made/grade/grade: $(patsubst %,build/grade/obj/grade/%.o,grade grading \
 # The compiler for students' files, without sanitizers and with; how gcc, or
 # else clang, is told to quote no lines; a linker that is faster than its own,
 # most of all among the names of the sanitizers, where there is one, and which
-# is not to map whole libraries of which it reads a part; and how it is told not
-# to follow variables through the code, for a debugger that nobody starts.
+# is not to map whole libraries of which it reads a part; and how the compiler is
+# told to note lines, and no variables, for a debugger that nobody starts.
 build/made/grade/flags: build/check/flags src/examiner/grade.mk
 	$(begin)
 	@terse=-fno-diagnostics-show-caret; $(CC) $$terse -E -x c /dev/null \
@@ -70,7 +70,7 @@ build/made/grade/flags: build/check/flags src/examiner/grade.mk
 		build/grade/probe && echo "$$1"; }; \
 	printf '%s %s\n' '$(check_base)' -fmax-errors=20 \
 		"$$(sed -n 1p build/check/flags)" -fmax-errors=20 $$terse '' \
-		"$$(try '-fuse-ld=gold -Wl,--no-map-whole-files')" '' "$$(try -fno-var-tracking)" '' \
+		"$$(try '-fuse-ld=gold -Wl,--no-map-whole-files')" '' "$$(try -g1)" '' \
 		>$(made).new
 	@$(take)
 

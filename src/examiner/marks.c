@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 3778690988 of the lines below */
+/* checksum 2747467607 of the lines below */
 /* Marks counted, written to disk and read again. */
 #include "examiner/marks.h"
 #include "examiner/text.h"
@@ -114,9 +114,10 @@ void marks_write(const struct marks *marks, const char *key,
     char part[4096];
     snprintf(part, sizeof part, "%s.XXXXXX", path);
     const int file = mkstemp(part);
+    FILE *out = file < 0 ? NULL : fdopen(file, "w");
     json_t *json = json_of_marks(marks, key);
-    if (file < 0 || !json || json_dumpfd(json, file, JSON_INDENT(1)) != 0 ||
-        close(file) != 0 || rename(part, path) != 0)
+    if (!out || !json || json_dumpf(json, out, JSON_INDENT(1)) != 0 ||
+        fclose(out) != 0 || rename(part, path) != 0)
         text_fail("cannot write '%s': %s", path, strerror(errno));
     json_decref(json);
 }

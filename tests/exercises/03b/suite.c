@@ -44,19 +44,11 @@ static double of_mean(double a)
     return ((1.0 + a) / rest - ends) / n;
 }
 
-/* The second part's next number. Without a share of the variance nobody
-   needs it: then the random numbers that it is made of are used up, and the
-   logarithm is spared. */
+/* The second part's next number; without a share of the variance nobody
+   needs it. */
 static double second_part(struct random *r)
 {
-    if (s.w > 0.0)
-        return random_normal(r);
-    for (double t = 0.0; t >= 1.0 || t == 0.0;) {
-        const double u = 2.0 * random_uniform(r) - 1.0;
-        const double v = 2.0 * random_uniform(r) - 1.0;
-        t = u * u + v * v;
-    }
-    return 0.0;
+    return s.w > 0.0 ? random_normal(r) : 0.0;
 }
 
 static void fill(struct random *r)

@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 2499669673 of the lines below */
+/* checksum 3995265571 of the lines below */
 /* The program behind make grade: a folder of submissions, in parallel. */
 #include "examiner/grading.h"
 #include "examiner/process.h"
@@ -25,9 +25,6 @@
 #include <unistd.h>
 #ifdef __linux__
 #include <sys/prctl.h>
-#include <sys/syscall.h>
-
-long syscall(long number, ...);
 #endif
 
 struct options {
@@ -477,32 +474,6 @@ static void take_pages(const struct batch *b, struct job *job)
     job->page.place = place;
 }
 
-enum { BITS = 8 * sizeof(unsigned long), WORDS = 1024 / BITS };
-
-/* The processors that we may use, and which of them this job has. */
-static int processors[WORDS * BITS], processor_count, processor;
-
-#ifdef __linux__
-static void find_processors(void)
-{
-    unsigned long may[WORDS] = {0};
-    if (syscall(SYS_sched_getaffinity, 0, sizeof may, may) > 0)
-        for (int k = 0; k < WORDS * BITS; ++k)
-            if (may[k / BITS] >> k % BITS & 1)
-                processors[processor_count++] = k;
-}
-
-static void stay_on_one(void)
-{
-    unsigned long one[WORDS] = {0};
-    if (processor_count > 0) {
-        const int k = processors[processor];
-        one[k / BITS] = 1ul << k % BITS;
-        syscall(SYS_sched_setaffinity, 0, sizeof one, one);
-    }
-}
-#endif
-
 static _Noreturn void work(const struct batch *b, const struct job *job)
 {
     struct marks marks = blank_marks(b, job);
@@ -513,7 +484,6 @@ static _Noreturn void work(const struct batch *b, const struct job *job)
     grading.page = page.place ? &page : NULL;
 #ifdef __linux__
     prctl(PR_SET_PDEATHSIG, SIGTERM);
-    stay_on_one();
 #endif
     grading_run(&grading, &b->kits[job->exercise], job->bytes, job->length,
                 &marks);
@@ -530,7 +500,6 @@ enum { MOST_JOBS = 1024 };
 
 static pid_t workers[MOST_JOBS];
 static struct pollfd ends[MOST_JOBS]; /* wake us when one has ended */
-static int seats[MOST_JOBS];          /* processors that they have */
 static int running;
 
 static void stop_workers(void)
@@ -570,7 +539,6 @@ static void wait_for_one(struct batch *b)
         close(ends[i].fd);
     workers[i] = workers[--running];
     ends[i] = ends[running];
-    seats[i] = seats[running];
     if (status == 0)
         ++b->done;
     else if (!process_signal())
@@ -614,19 +582,6 @@ static void check_job(const struct batch *b, const struct job *job)
               asked, box_name(b->grading.kind));
 }
 
-/* The processor that has the fewest jobs. */
-static int take_seat(void)
-{
-    int jobs[WORDS * BITS] = {0};
-    for (int i = 0; i < running; ++i)
-        ++jobs[seats[i]];
-    processor = 0;
-    for (int k = 1; k < processor_count; ++k)
-        if (jobs[k] < jobs[processor])
-            processor = k;
-    return processor;
-}
-
 static void start_job(struct batch *b, const struct job *job)
 {
     if (b->options.list && job->bytes) {
@@ -641,7 +596,6 @@ static void start_job(struct batch *b, const struct job *job)
         return;
     unlink(job->path);
     fflush(NULL);
-    seats[running] = take_seat();
     const pid_t pid = fork();
     if (pid < 0)
         text_fail("cannot start a process: %s", strerror(errno));
@@ -829,10 +783,6 @@ int main(int argc, char **argv)
     choose_box(&b);
     process_catch_signals();
     signal(SIGPIPE, SIG_IGN);
-#ifdef __linux__
-    if (!b.options.job)
-        find_processors();
-#endif
     grade_all(&b);
     remove_work();
     if (process_signal())

@@ -7,10 +7,10 @@
 
 static void trick(void)
 {
-    const struct timespec half = {0, 500000000};
+    const struct timespec nap = {0, 300000000};
     const pid_t child = fork();
     if (child == 0) {
-        nanosleep(&half, 0);
+        nanosleep(&nap, 0);
         _exit(0);
     }
     while (waitpid(child, 0, WNOHANG) == 0)

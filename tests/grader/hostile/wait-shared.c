@@ -9,12 +9,12 @@
 
 static void trick(void)
 {
-    const struct timespec half = {0, 500000000};
+    const struct timespec nap = {0, 300000000};
     volatile int *done = mmap(0, sizeof *done, PROT_READ | PROT_WRITE,
                               MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     const pid_t child = done == MAP_FAILED ? -1 : fork();
     if (child == 0) {
-        nanosleep(&half, 0);
+        nanosleep(&nap, 0);
         *done = 1;
         _exit(0);
     }

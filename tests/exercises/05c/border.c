@@ -1,7 +1,8 @@
 /* What crosses the border of exercise 05c: see examiner/border.h. The disks
-   stay outside, and what the student does to them is asked for. To fly, to
-   collide and to record give no answer, and so many of them cross at once:
-   all at the next question, or when there is no more room. */
+   stay outside. The box has a copy of them, for the questions of the
+   student's loop, which are thousands; and a list of all that the loop does
+   and asks. From time to time the list crosses, and outside it is done all
+   over again: what becomes of the copy changes nothing there. */
 /* place: none */
 
 #include "examiner/border.h"
@@ -15,12 +16,29 @@ void box_collide(struct box *box);
 void box_record(struct box *box, double t);
 void box_run(struct box *box, double tick, size_t samples);
 
-/* What may be asked; and what is done, which is nothing where the list of
-   deeds is not full. */
-enum { DO, NEXT };
-enum { NOTHING, FLY, COLLIDE, RECORD };
+/* What a box begins with, in the suite, too, and the physics. */
+#define ONLY_PHYSICS
+#include "suite.c"
 
-enum { ROOM = 64 };
+static void move_disks(struct disks *d)
+{
+    border_sizes(&d->n, 1);
+    border_doubles(d->length, 2);
+    border_doubles(&d->radius, 1);
+    for (size_t i = 0; i < DISKS; ++i) {
+        border_doubles(d->x[i], 2);
+        border_doubles(d->v[i], 2);
+    }
+    border_sizes(&d->i, 1);
+    border_sizes(&d->j, 1);
+    border_sizes(&d->left, 1);
+    border_doubles(&d->impulse, 1);
+}
+
+/* What the loop has done, which is nothing where the list is not full. */
+enum { NOTHING, NEXT, FLY, COLLIDE, RECORD };
+
+enum { ROOM = 320 };
 
 struct deeds {
     int what[ROOM];
@@ -36,6 +54,7 @@ static void move_deeds(struct deeds *d)
 #ifdef BORDER_INSIDE
 
 struct box {
+    struct disks disks;
     size_t used;
     struct deeds deeds;
 };
@@ -51,7 +70,7 @@ static void clear(struct box *box)
 
 static void send(struct box *box)
 {
-    border_ask(DO);
+    border_ask(0);
     move_deeds(&box->deeds);
     border_hear();
     clear(box);
@@ -67,23 +86,20 @@ static void add(struct box *box, int what, double time)
 
 double box_next(struct box *box)
 {
-    double time;
-    border_ask(NEXT);
-    move_deeds(&box->deeds);
-    border_hear();
-    border_doubles(&time, 1);
-    clear(box);
-    return time;
+    add(box, NEXT, 0.0);
+    return disks_next(&box->disks);
 }
 
 void box_fly(struct box *box, double time)
 {
     add(box, FLY, time);
+    disks_fly(&box->disks, time);
 }
 
 void box_collide(struct box *box)
 {
     add(box, COLLIDE, 0.0);
+    disks_collide(&box->disks);
 }
 
 void box_record(struct box *box, double t)
@@ -98,6 +114,7 @@ void border_answer(void)
     size_t samples;
     border_doubles(&tick, 1);
     border_sizes(&samples, 1);
+    move_disks(&box->disks);
     clear(box);
     box_run(box, tick, samples);
     send(box);
@@ -114,6 +131,7 @@ static void do_all(const struct deeds *d)
 {
     for (size_t k = 0; k < ROOM; ++k)
         switch (d->what[k]) {
+        case NEXT: box_next(present); break;
         case FLY: box_fly(present, d->time[k]); break;
         case COLLIDE: box_collide(present); break;
         case RECORD: box_record(present, d->time[k]); break;
@@ -124,22 +142,20 @@ static void do_all(const struct deeds *d)
 void border_heed(int which)
 {
     struct deeds d;
-    double time;
+    (void)which;
     move_deeds(&d);
     do_all(&d);
     border_tell();
-    if (which == NEXT) {
-        time = box_next(present);
-        border_doubles(&time, 1);
-    }
 }
 
 void box_run(struct box *box, double tick, size_t samples)
 {
+    struct disks copy = *(struct disks *)box;
     present = box;
     border_call();
     border_doubles(&tick, 1);
     border_sizes(&samples, 1);
+    move_disks(&copy);
     border_wait();
 }
 

@@ -10,17 +10,112 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* ---- the physics that the student's loop calls ---- */
+/* ---- the physics that the student's loop calls: border.c has it, too,
+   and no more of this file ---- */
 
-enum { DISKS = 4, KEPT = 64 };
+enum { DISKS = 4 };
 
-struct box {
+/* What a box begins with. */
+struct disks {
     size_t n;
     double length[2], radius;
     double x[DISKS][2], v[DISKS][2];
     /* what is due: disk i meets disk j, or, when j is DISKS or DISKS + 1,
        the wall across the axis j - DISKS */
     size_t i, j;
+    size_t left;    /* collisions, after which there are none */
+    double impulse; /* given to the walls, masses are 1 kg */
+};
+
+static double wall_gap(const struct disks *d, size_t i, size_t k)
+{
+    return d->v[i][k] > 0.0 ? d->length[k] - d->radius - d->x[i][k]
+                            : d->x[i][k] - d->radius;
+}
+
+static double pair_time(const struct disks *d, size_t i, size_t j)
+{
+    double rr = 0.0, rv = 0.0, vv = 0.0;
+    for (int k = 0; k < 2; ++k) {
+        const double r = d->x[j][k] - d->x[i][k];
+        const double v = d->v[j][k] - d->v[i][k];
+        rr += r * r, rv += r * v, vv += v * v;
+    }
+    const double gap = rr - 4.0 * d->radius * d->radius;
+    const double disc = rv * rv - vv * gap;
+    if (rv >= 0.0 || disc < 0.0)
+        return INFINITY;
+    return fmax(0.0, gap) / (sqrt(disc) - rv);
+}
+
+static void soonest(struct disks *d, double *time, double other, size_t i,
+                    size_t j)
+{
+    if (other < *time) {
+        *time = other;
+        d->i = i;
+        d->j = j;
+    }
+}
+
+/* How long it is to what is due next. */
+static inline double disks_next(struct disks *d)
+{
+    double time = INFINITY;
+    for (size_t i = 0; i < d->n && d->left > 0; ++i) {
+        for (size_t k = 0; k < 2; ++k)
+            if (d->v[i][k] != 0.0)
+                soonest(d, &time,
+                        fmax(0.0, wall_gap(d, i, k)) / fabs(d->v[i][k]), i,
+                        DISKS + k);
+        for (size_t j = i + 1; j < d->n; ++j)
+            soonest(d, &time, pair_time(d, i, j), i, j);
+    }
+    return time;
+}
+
+static inline void disks_fly(struct disks *d, double time)
+{
+    for (size_t i = 0; i < d->n; ++i)
+        for (int k = 0; k < 2; ++k)
+            d->x[i][k] += d->v[i][k] * time;
+}
+
+static double meet_wall(struct disks *d, size_t i, size_t k)
+{
+    const double gap = wall_gap(d, i, k);
+    d->impulse += 2.0 * fabs(d->v[i][k]);
+    d->v[i][k] = -d->v[i][k];
+    return gap;
+}
+
+static double meet_disk(struct disks *d, size_t i, size_t j)
+{
+    const double r[2] = {d->x[j][0] - d->x[i][0], d->x[j][1] - d->x[i][1]};
+    const double u[2] = {d->v[j][0] - d->v[i][0], d->v[j][1] - d->v[i][1]};
+    const double rr = r[0] * r[0] + r[1] * r[1];
+    const double share = (r[0] * u[0] + r[1] * u[1]) / rr;
+    for (int k = 0; k < 2; ++k) {
+        d->v[i][k] += share * r[k];
+        d->v[j][k] -= share * r[k];
+    }
+    return sqrt(rr) - 2.0 * d->radius;
+}
+
+/* What is due; returns the distance between the two edges. */
+static inline double disks_collide(struct disks *d)
+{
+    d->left -= d->left > 0;
+    return d->j >= DISKS ? meet_wall(d, d->i, d->j - DISKS)
+                         : meet_disk(d, d->i, d->j);
+}
+
+#ifndef ONLY_PHYSICS
+
+enum { KEPT = 64 };
+
+struct box {
+    struct disks d; /* the first: border.c wants them */
     /* ---- what the tests look at */
     long double flown; /* time that the disks have flown, s */
     size_t collisions, samples;
@@ -28,11 +123,9 @@ struct box {
     double at[KEPT][2];   /* of disk 0 at the first samples */
     double claimed[KEPT]; /* times of the first samples */
     double tick;
-    size_t most;        /* collisions, after which there are none */
     double largest_gap; /* between what collides, m */
     double clock_error; /* of a sample, s: its disks, or its time */
     double last;        /* time of the last sample, s */
-    double impulse;     /* given to the walls, masses are 1 kg */
 };
 
 double box_next(struct box *b);
@@ -41,79 +134,15 @@ void box_collide(struct box *b);
 void box_record(struct box *b, double t);
 void box_run(struct box *b, double tick, size_t samples);
 
-static double wall_gap(const struct box *b, size_t i, size_t k)
-{
-    return b->v[i][k] > 0.0 ? b->length[k] - b->radius - b->x[i][k]
-                            : b->x[i][k] - b->radius;
-}
-
-static double pair_time(const struct box *b, size_t i, size_t j)
-{
-    double dd = 0.0, dv = 0.0, vv = 0.0;
-    for (int k = 0; k < 2; ++k) {
-        const double d = b->x[j][k] - b->x[i][k];
-        const double v = b->v[j][k] - b->v[i][k];
-        dd += d * d, dv += d * v, vv += v * v;
-    }
-    const double gap = dd - 4.0 * b->radius * b->radius;
-    const double disc = dv * dv - vv * gap;
-    if (dv >= 0.0 || disc < 0.0)
-        return INFINITY;
-    return fmax(0.0, gap) / (sqrt(disc) - dv);
-}
-
-static void soonest(struct box *b, double *time, double other, size_t i,
-                    size_t j)
-{
-    if (other < *time) {
-        *time = other;
-        b->i = i;
-        b->j = j;
-    }
-}
-
 double box_next(struct box *b)
 {
-    double time = INFINITY;
-    for (size_t i = 0; i < b->n && b->collisions < b->most; ++i) {
-        for (size_t k = 0; k < 2; ++k)
-            if (b->v[i][k] != 0.0)
-                soonest(b, &time,
-                        fmax(0.0, wall_gap(b, i, k)) / fabs(b->v[i][k]), i,
-                        DISKS + k);
-        for (size_t j = i + 1; j < b->n; ++j)
-            soonest(b, &time, pair_time(b, i, j), i, j);
-    }
-    return time;
+    return disks_next(&b->d);
 }
 
 void box_fly(struct box *b, double time)
 {
-    for (size_t i = 0; i < b->n; ++i)
-        for (int k = 0; k < 2; ++k)
-            b->x[i][k] += b->v[i][k] * time;
+    disks_fly(&b->d, time);
     b->flown += time;
-}
-
-static double meet_wall(struct box *b, size_t i, size_t k)
-{
-    const double gap = wall_gap(b, i, k);
-    b->impulse += 2.0 * fabs(b->v[i][k]);
-    b->v[i][k] = -b->v[i][k];
-    return gap;
-}
-
-static double meet_disk(struct box *b, size_t i, size_t j)
-{
-    const double d[2] = {b->x[j][0] - b->x[i][0], b->x[j][1] - b->x[i][1]};
-    const double u[2] = {b->v[j][0] - b->v[i][0], b->v[j][1] - b->v[i][1]};
-    const double dd = d[0] * d[0] + d[1] * d[1];
-    const double share = (d[0] * u[0] + d[1] * u[1]) / dd;
-    for (int k = 0; k < 2; ++k) {
-        b->v[i][k] += share * d[k];
-        b->v[j][k] -= share * d[k];
-    }
-    return sqrt(dd) - 2.0 * b->radius;
 }
 
 /* The larger of two errors; one that is not a number is the largest. */
@@ -127,9 +156,7 @@ void box_collide(struct box *b)
     if (b->collisions < KEPT)
         b->hit[b->collisions] = (double)b->flown;
     ++b->collisions;
-    const double gap = b->j >= DISKS ? meet_wall(b, b->i, b->j - DISKS)
-                                     : meet_disk(b, b->i, b->j);
-    b->largest_gap = worse(b->largest_gap, fabs(gap));
+    b->largest_gap = worse(b->largest_gap, fabs(disks_collide(&b->d)));
 }
 
 void box_record(struct box *b, double t)
@@ -137,7 +164,7 @@ void box_record(struct box *b, double t)
     const long double due = (long double)(b->samples + 1) * b->tick;
     if (b->samples < KEPT) {
         for (int k = 0; k < 2; ++k)
-            b->at[b->samples][k] = b->x[0][k];
+            b->at[b->samples][k] = b->d.x[0][k];
         b->claimed[b->samples] = t;
     }
     ++b->samples;
@@ -282,7 +309,7 @@ static struct box after(struct box b, enum slip slip, double tick,
                         size_t samples, size_t most)
 {
     b.tick = tick;
-    b.most = most;
+    b.d.left = most;
     for (size_t k = 0; k < KEPT; ++k)
         b.hit[k] = b.at[k][0] = b.at[k][1] = b.claimed[k] = NAN;
     run(&b, slip, tick, samples);
@@ -339,8 +366,9 @@ static double clock_error(const struct box *b, size_t k)
 static double energy(const struct box *b)
 {
     double sum = 0.0;
-    for (size_t i = 0; i < b->n; ++i)
-        sum += 0.5 * (b->v[i][0] * b->v[i][0] + b->v[i][1] * b->v[i][1]);
+    for (size_t i = 0; i < b->d.n; ++i)
+        sum += 0.5 *
+               (b->d.v[i][0] * b->d.v[i][0] + b->d.v[i][1] * b->d.v[i][1]);
     return sum;
 }
 
@@ -348,10 +376,10 @@ static double energy(const struct box *b)
    impulse over the time and all four walls. */
 static double pressure(const struct box *b, size_t k)
 {
-    const double area = b->length[0] * b->length[1];
-    const double walls = 2.0 * (b->length[0] + b->length[1]);
+    const double area = b->d.length[0] * b->d.length[1];
+    const double walls = 2.0 * (b->d.length[0] + b->d.length[1]);
     (void)k;
-    return b->impulse / (walls * b->last) * area / energy(b);
+    return b->d.impulse / (walls * b->last) * area / energy(b);
 }
 
 /* A run and what is asked about it. */
@@ -406,11 +434,11 @@ static const char of_few[] = "ten flights of at most 16 m, an epsilon each";
 
 /* One disk in a box of 4 m by 4 m, of radius 0.5 m, at 1 m/s: 0.8 s to the
    right wall, and then 3 s from wall to wall. */
-static const struct box lonely = {.n = 1,
-                                  .length = {4.0, 4.0},
-                                  .radius = 0.5,
-                                  .x = {{2.7, 2.0}},
-                                  .v = {{1.0, 0.0}}};
+static const struct box lonely = {.d = {.n = 1,
+                                        .length = {4.0, 4.0},
+                                        .radius = 0.5,
+                                        .x = {{2.7, 2.0}},
+                                        .v = {{1.0, 0.0}}}};
 static const char lonely_disk[] =
     "one disk of radius 0.5 m at (2.7, 2) m with (1, 0) m/s between walls "
     "at 0 and 4 m";
@@ -499,8 +527,8 @@ static void test_corner(void)
         "The disk runs into the corner: two collisions at one time, one "
         "for each wall. What does box_next say after the first of them?";
     struct box corner = lonely;
-    corner.x[0][1] = 2.7;
-    corner.v[0][1] = 1.0;
+    corner.d.x[0][1] = 2.7;
+    corner.d.v[0][1] = 1.0;
     const struct job j = {&corner,
                           "one disk of radius 0.5 m at (2.7, 2.7) m with "
                           "(1, 1) m/s between walls at 0 and 4 m",
@@ -589,11 +617,11 @@ static double alone_tolerance(const struct alone *a, int k)
 
 static struct box alone_box(const struct alone *a)
 {
-    struct box b = {.n = 1, .radius = a->radius};
+    struct box b = {.d = {.n = 1, .radius = a->radius}};
     for (int k = 0; k < 2; ++k) {
-        b.length[k] = a->length[k];
-        b.x[0][k] = a->x[k];
-        b.v[0][k] = a->v[k];
+        b.d.length[k] = a->length[k];
+        b.d.x[0][k] = a->x[k];
+        b.d.v[0][k] = a->v[k];
     }
     return b;
 }
@@ -685,16 +713,17 @@ static struct box four(void)
 {
     static const double v[DISKS][2] = {
         {0.61, -0.23}, {-0.94, 0.37}, {0.29, 0.83}, {-0.17, -0.71}};
-    struct box b = {.n = DISKS, .length = {1.0, 1.0}, .radius = 0.15};
+    struct box b = {
+        .d = {.n = DISKS, .length = {1.0, 1.0}, .radius = 0.15}};
     for (size_t i = 0; i < DISKS; ++i)
         for (int k = 0; k < 2; ++k) {
-            b.x[i][k] = (k == 0 ? i % 2 : i / 2) == 0 ? 0.25 : 0.75;
-            b.v[i][k] = v[i][k];
+            b.d.x[i][k] = (k == 0 ? i % 2 : i / 2) == 0 ? 0.25 : 0.75;
+            b.d.v[i][k] = v[i][k];
         }
     const double scale = sqrt(1.0 / energy(&b));
     for (size_t i = 0; i < DISKS; ++i)
         for (int k = 0; k < 2; ++k)
-            b.v[i][k] *= scale;
+            b.d.v[i][k] *= scale;
     return b;
 }
 
@@ -754,9 +783,9 @@ static void test_any_four(void)
                            "1 m, velocities in m/s:";
         for (size_t d = 0; d < DISKS; ++d) {
             for (int k = 0; k < 2; ++k)
-                start.v[d][k] = check_draw(-1.0, 1.0);
-            text = check_text("%s (%g, %g)", text, start.v[d][0],
-                              start.v[d][1]);
+                start.d.v[d][k] = check_draw(-1.0, 1.0);
+            text = check_text("%s (%g, %g)", text, start.d.v[d][0],
+                              start.d.v[d][1]);
         }
         const struct job j = {&start, text, 0.01, 200};
         if (!check_contact(&start, text, 200,
@@ -846,3 +875,5 @@ const struct check_suite check_suite = {
     .idle = {test_energy, test_how_many, test_contact, test_any_four,
              test_long_clock},
 };
+
+#endif

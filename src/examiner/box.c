@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 3478948837 of the lines below */
+/* checksum 1119797497 of the lines below */
 /* Namespaces, limits and a shell inside, made with bubblewrap. */
 #include "examiner/box.h"
 #include "examiner/process.h"
@@ -357,8 +357,8 @@ static const char script[] =
     "    ulimit -S -t $seconds && ulimit -H -t $((seconds + 1)) &&\n"
     "    ulimit -n 64 && ulimit -f $1 && processes 16 &&\n"
     "    { [ $memory = unlimited ] || ulimit -v $memory; }; }\n"
-    "link() { build objcopy -R .interp $keep answer.o &&\n"
-    "    build $compiler $1 -o program answer.o $kit -lm; }\n"
+    "link() { build objcopy -R .interp $keep answer.o && build \"$@\"; }\n"
+    "by_compiler=\"$compiler -o program answer.o $kit -lm\"\n"
     "case $keep in figure | program)\n"
     "    of=$(nm $kit | sed -n 's/.* T \\([a-z]*\\)_0$/\\1/p') ;; esac\n"
     "given() { [ ! \"$of\" ] ||\n"
@@ -391,9 +391,11 @@ static const char script[] =
     "        || exit\n"
     "    mkdir desk && cd desk && program=../box || exit\n"
     "else\n"
-    "    link $linker >said 2>&1 ||\n"
+    "    set -- $linker\n"
+    "    [ $# -gt 0 ] || set -- $by_compiler\n"
+    "    link \"$@\" >said 2>&1 ||\n"
     "        { cd .. && compile $terse >work/said 2>&1 && cd work &&\n"
-    "            link; } ||\n"
+    "            link $by_compiler; } ||\n"
     "        exit\n"
     "fi\n"
     "printf b >&4\n"

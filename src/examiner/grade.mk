@@ -56,23 +56,68 @@ build/made/grade/grade: $(patsubst %,build/grade/obj/grade/%.o,grade grading \
 	@$(take)
 
 # The compiler for students' files, without sanitizers and with; how gcc, or
-# else clang, is told to quote no lines; a linker that is faster than its own,
-# most of all among the names of the sanitizers, where there is one, and which
-# is not to map whole libraries of which it reads a part; and how the compiler is
-# told to note lines, and no variables, for a debugger that nobody starts.
+# else clang, is told to quote no lines; how the one program is linked and how
+# the other; and how the compiler is told to note lines, and no variables, for
+# a debugger that nobody starts.
 build/made/grade/flags: build/check/flags src/examiner/grade.mk
 	$(begin)
-	@terse=-fno-diagnostics-show-caret; $(CC) $$terse -E -x c /dev/null \
+	@$(linking) \
+	terse=-fno-diagnostics-show-caret; $(CC) $$terse -E -x c /dev/null \
 		>/dev/null 2>&1 || terse=-fno-caret-diagnostics; \
-	echo 'int main(void) { return 0; }' >build/grade/probe.c; \
-	try() { $(check_cc) $$1 -o build/grade/probe build/grade/probe.c -lm \
-		>build/grade/probe.said 2>&1 && [ ! -s build/grade/probe.said ] && \
-		build/grade/probe && echo "$$1"; }; \
+	lean=-g1; compile $(check_cc) $$lean >/dev/null 2>&1 && \
+		runs $(check_cc) $$lean $$files || lean=; \
 	printf '%s %s\n' '$(check_base)' -fmax-errors=20 \
 		"$$(sed -n 1p build/check/flags)" -fmax-errors=20 $$terse '' \
-		"$$(try '-fuse-ld=gold -Wl,--no-map-whole-files')" '' "$$(try -g1)" '' \
+		"$$(link $(check_base))" '' $$lean '' "$$(link $(check_cc))" '' \
 		>$(made).new
 	@$(take)
+
+# gold is faster than the usual linker, most of all among the names of the
+# sanitizers; and it is not to map whole libraries of which it reads a part.
+# It is faster again when it is started by nobody but us: the compiler's driver
+# starts a second driver, that loads an optimizer, and leaves it to search
+# folders. What it is told in the end is noted by an ld.gold of our own; then
+# the plugin is left out, and each library has its full name. Only the first
+# folder stays, the compiler's own, which has a script with -lgcc in it. All is
+# in /usr or /lib, or a box would not have it. Where that does not work, the
+# driver is called with gold; and where there is none, as always.
+define linking
+	rm -rf build/grade/link; \
+	mkdir -p build/grade/link/bin build/grade/link/kit build/grade/link/work; \
+	files='-o program answer.o ../kit/box.suite.o -lm'; \
+	gold='-fuse-ld=gold -Wl,--no-map-whole-files'; \
+	printf '%s\n' '#!/bin/sh' 'printf "%s\n" "$$@" >../words' \
+		'exec ld.gold "$$@"' >build/grade/link/bin/ld.gold; \
+	chmod +x build/grade/link/bin/ld.gold; \
+	runs() (cd build/grade/link/work && rm -f program && \
+		"$$@" >../said 2>&1 && [ ! -s ../said ] && ./program); \
+	compile() (cd build/grade/link/work && \
+		echo 'int main(void) { return 0; }' >answer.c && \
+		echo 'extern int box; int box;' >../kit/box.suite.c && \
+		"$$@" -c -o answer.o answer.c && \
+		"$$@" -c -o ../kit/box.suite.o ../kit/box.suite.c); \
+	library() { for folder in $$(sed -n 's/^-L//p' build/grade/link/words); do \
+		for ending in so a; do \
+			[ ! -f "$$folder/lib$$1.$$ending" ] || { \
+			echo "$$folder/lib$$1.$$ending"; return; }; done; done; \
+		echo ' '; }; \
+	words() { own=; while read -r word; do case $$word in \
+		-plugin) read -r word ;; \
+		-plugin-opt=*) ;; \
+		-L/*) [ "$$own" ] || echo "$$word"; own=1 ;; \
+		-L*) ;; \
+		-l*) library "$${word#-l}" ;; \
+		*) printf '%s\n' "$$word" ;; esac; \
+		done <build/grade/link/words; }; \
+	direct() (PATH=/usr/bin:/bin; \
+		! words | grep -q '[^-A-Za-z0-9_.,:=+/]\|^/[^ul]' || exit; \
+		command=$$(echo ld.gold --no-map-whole-files $$(words)); \
+		runs $$command && echo "$$command"); \
+	link() { compile "$$@" >/dev/null 2>&1; \
+		runs "$$@" $$gold $$files || return; \
+		runs "$$@" -B../bin $$gold $$files && direct || \
+		echo "$$*" $$gold $$files; };
+endef
 
 # What judges and boxes are linked with.
 build/made/grade/obj/%.o: src/%.c build/check/flags
@@ -97,7 +142,8 @@ kept += build/grade/grade build/grade/flags build/grade/libjudge.a \
 
 # One exercise: its judge, what goes into a box with the student's file, the
 # list of its tests, and the names that the student's file may show. Of a judge
-# a debugger knows the lines and no more, which compiles sooner.
+# a debugger knows the lines and no more, which compiles sooner; and nothing of
+# what is copied into each box and linked there, which has a sixth of the size.
 judge_part = build/grade/obj/judge/$*
 judge_of = $(wildcard $(addprefix tests/exercises/$*/,suite.c border.c hidden.c))
 build/made/grade/%.judge: tests/exercises/%/suite.c tests/exercises/%/border.c \
@@ -122,7 +168,7 @@ build/made/grade/%.inside.o: tests/exercises/%/border.c $(patsubst %,\
 	@mkdir -p build/grade/obj/border
 	$(Q)$(check_base) $(reads) -Wall -Wextra -pedantic -DBORDER_INSIDE -Isrc \
 		-c -o build/grade/obj/border/$*.o $<
-	@ld -r -o $(made).new build/grade/obj/border/$*.o $(filter %.o,$^)
+	@ld -r -S -o $(made).new build/grade/obj/border/$*.o $(filter %.o,$^)
 	$(take_compiled)
 $(projects:%=build/made/grade/%.judge): build/made/check/year
 # Of a project: an archive with the box's program, whose main has another

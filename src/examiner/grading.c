@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 1595904631 of the lines below */
+/* checksum 3461354437 of the lines below */
 /* A judge and a box for each test, a second try, and advice. */
 #include "examiner/grading.h"
 #include "examiner/build.h"
@@ -393,6 +393,7 @@ static void ask_sanitizers(struct job *job)
     job->order.sanitized = true;
     job->order.compiler = read_kit(job, "flags", 2);
     job->order.lean = read_kit(job, "flags", 5);
+    job->order.linker = read_kit(job, "flags", 6);
     if (story && open_box(job, story) == PASSED) {
         for (int i = 0; i < job->kit->count && job->open && !leaks &&
                         !job->kit->tests[i].hidden && state != CRASHED;

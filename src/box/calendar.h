@@ -1,5 +1,5 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 2242131556 of the lines below */
+/* checksum 93472062 of the lines below */
 /* A list of future events that knows the earliest, day by day. */
 #ifndef CALENDAR_H
 #define CALENDAR_H
@@ -18,8 +18,9 @@ struct calendar_event {
     uint32_t version;        /* the caller's: how the partner was then */
 };
 
-/* Events 0 to size-1, each with a time or none, in lists one day wide.
-   Behind the last day is one list of all that comes later. */
+/* Events 0 to size-1, each with a time or none, in lists one day wide that
+   end with the number size. Behind the last day is one list of all that
+   comes later. */
 struct calendar {
     struct calendar_event *event;
     uint32_t *day; /* the first event of each day; [days]: later */

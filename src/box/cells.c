@@ -1,5 +1,5 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 1843946767 of the lines below */
+/* checksum 96553247 of the lines below */
 /* Cells, lists of neighbours on a leash, and lanes of pair times. */
 #include "box/cells.h"
 
@@ -26,19 +26,35 @@ static const float *place_of(const struct cells *c, uint32_t i)
     return c->place + 3 * a->cell * c->room + a->spot;
 }
 
+#define SHIFT 6755399441055744.0 /* as in whole() of disks.c */
+
+/* The way of disk i from its anchor till now, m, and its velocity, m/s. */
+static void leave_anchor(const struct cells *c, uint32_t i, double way[],
+                         double v[])
+{
+    const struct disk *a = &c->d->disk[i];
+    const float *at = place_of(c, i);
+    for (size_t k = 0; k < DISKS_AXES; ++k) {
+        v[k] = a->velocity[k];
+        way[k] = a->position[k] + v[k] * (c->d->now - a->since);
+    }
+    if (c->d->gravity > 0) {
+        disks_velocity(c->d, i, v);
+        disks_position(c->d, i, way);
+    }
+    for (size_t k = 0; k < DISKS_AXES; ++k) {
+        way[k] -= (double)at[k * c->room];
+        way[k] -= c->d->box[k] * (way[k] * c->inverse[k] + SHIFT - SHIFT);
+    }
+}
+
 static double leash_end(const struct cells *c, uint32_t i, double until)
 {
     const double g = c->d->gravity;
     const double most = g > 0 ? sqrt(c->leash / (2 * g)) : INFINITY;
     const double leash = g > 0 ? 0.75 * c->leash : c->leash;
-    const float *at = place_of(c, i);
-    double anchor[DISKS_AXES], here[DISKS_AXES], way[DISKS_AXES];
-    double v[DISKS_AXES];
-    disks_velocity(c->d, i, v);
-    for (size_t k = 0; k < DISKS_AXES; ++k)
-        anchor[k] = (double)at[k * c->room];
-    disks_position(c->d, i, here);
-    disks_apart(c->d, anchor, here, way);
+    double way[DISKS_AXES], v[DISKS_AXES];
+    leave_anchor(c, i, way, v);
     const double b = dot(way, v), vv = dot(v, v);
     const double left = leash * leash - dot(way, way);
     const double wait = until - c->d->now;
@@ -68,8 +84,6 @@ static void ask_each(const struct cells *c, uint32_t i,
 #ifdef VECTOR_AVX2
 typedef __m256d v4;
 typedef long long l4 __attribute__((vector_size(32)));
-
-#define SHIFT 6755399441055744.0 /* as in whole() of disks.c */
 
 VECTOR_AVX2 static inline v4 all(double x)
 {
@@ -206,16 +220,19 @@ EIGHT void gather_eight(const struct disk *disk, const uint32_t *list,
     column[3] = _mm512_shuffle_f64x2(ba, dc, 0xdd);
 }
 
+/* The earliest in each lane, and in which there were two at one time. */
 struct lanes_eight {
     v8 time;
     __m512i who;
+    __mmask8 ties;
 };
 
 #define IS(a, how, b) _mm512_cmp_pd_mask(a, b, _CMP_##how##_OQ)
 #define DOT(a, b) (a[0] * b[0] + a[1] * b[1] + a[2] * b[2])
 
 EIGHT void meet_eight(const struct cells *c, const struct disk *a,
-                      const uint32_t *list, struct lanes_eight *first)
+                      const uint32_t *list, __mmask8 asked,
+                      struct lanes_eight *first)
 {
     const v8 zero = _mm512_setzero_pd();
     v8 place[4], speed[4], apart[3], closing[3];
@@ -234,16 +251,14 @@ EIGHT void meet_eight(const struct cells *c, const struct disk *a,
     const v8 distance = speed[3] + a->radius, b = DOT(apart, closing);
     const v8 gap = DOT(apart, apart) - distance * distance;
     const v8 disc = b * b - DOT(closing, closing) * gap;
-    const __mmask8 meets = IS(b, LT, zero) & IS(disc, GE, zero);
+    const __mmask8 meets = asked & IS(b, LT, zero) & IS(disc, GE, zero);
     const v8 root = _mm512_maskz_sqrt_pd(meets, disc);
     const v8 time =
         last + _mm512_maskz_div_pd(IS(gap, GT, zero), gap, root - b);
     const __m512i who =
         _mm512_cvtepu32_epi64(_mm256_loadu_si256((const __m256i *)list));
-    const __mmask8 sooner =
-        meets & (IS(time, LT, first->time) |
-                 (IS(time, EQ, first->time) &
-                  _mm512_cmplt_epi64_mask(who, first->who)));
+    const __mmask8 sooner = meets & IS(time, LT, first->time);
+    first->ties |= meets & IS(time, EQ, first->time);
     first->time = _mm512_mask_mov_pd(first->time, sooner, time);
     first->who = _mm512_mask_mov_epi64(first->who, sooner, who);
 }
@@ -255,15 +270,27 @@ EIGHT void ask_eight(const struct cells *c, uint32_t i,
     const uint32_t *list = c->neighbour + i * c->seats;
     const size_t n = c->anchor[i].neighbours;
     struct lanes_eight lanes = {_mm512_set1_pd(first->time),
-                                _mm512_set1_epi64(first->partner)};
-    for (size_t k = 0; k < n; k += 8)
-        meet_eight(c, a, list + (n > 8 && n - 8 < k ? n - 8 : k), &lanes);
+                                _mm512_set1_epi64(first->partner), 0};
+    meet_eight(c, a, list, 255, &lanes);
+    if (n > 8) {
+        const size_t at = n < 16 ? n - 8 : 8;
+        meet_eight(c, a, list + at, (__mmask8)(255 << (8 - at)), &lanes);
+    }
+    for (size_t k = 16; k < n; k += 8) {
+        const size_t at = n < k + 8 ? n - 8 : k;
+        meet_eight(c, a, list + at, (__mmask8)(255 << (k - at)), &lanes);
+    }
     const double time = _mm512_reduce_min_pd(lanes.time);
     const __mmask8 those = IS(lanes.time, EQ, _mm512_set1_pd(time));
-    const struct disks_event pair = {
-        time, i, (uint32_t)_mm512_mask_reduce_min_epu64(those, lanes.who)};
-    if (pair.time <= first->time && disks_before(pair, *first))
-        *first = pair;
+    if (!lanes.ties && !(time < first->time))
+        return;
+    if (lanes.ties || (those & (those - 1))) {
+        ask_each(c, i, first);
+        return;
+    }
+    const __m512i who = _mm512_maskz_compress_epi64(those, lanes.who);
+    *first = (struct disks_event){
+        time, i, (uint32_t)_mm_cvtsi128_si32(_mm512_castsi512_si128(who))};
 }
 #endif
 
@@ -336,7 +363,7 @@ FETCHING void fetch_day(const struct cells *c, size_t day, bool neighbours)
 {
     const struct calendar_event *event = c->calendar.event;
     uint32_t i = c->calendar.day[day];
-    for (; i != CALENDAR_NONE; i = event[i].next) {
+    for (; i < c->d->count; i = event[i].next) {
         const uint32_t with = event[i].partner;
         const uint32_t other = with < c->d->count ? with : i;
         if (neighbours) {
@@ -356,10 +383,8 @@ FETCHING void look_ahead(const struct cells *c, size_t today)
         return;
     const uint32_t far = c->calendar.day[today + 5];
     const uint32_t near = c->calendar.day[today + 4];
-    if (far != CALENDAR_NONE)
-        FETCH(&event[far]);
-    if (near != CALENDAR_NONE && event[near].next != CALENDAR_NONE)
-        FETCH(&event[event[near].next]);
+    FETCH(&event[far]);
+    FETCH(&event[event[near].next]);
     fetch_day(c, today + 3, false);
     fetch_day(c, today + 1, true);
 }
@@ -524,13 +549,13 @@ static bool consider(struct cells *c, uint32_t i, uint32_t other,
     return learn(c, i, other) && learn(c, other, i);
 }
 
-enum { NEAR = 64 };
+enum { NEAR = 64, ROW = 16 }; /* the most that are found at a time */
 
 /* Anchors that are near enough for the widest disk. */
 struct near {
     size_t count;
-    uint32_t who[NEAR + BATCH];
-    float square[NEAR + BATCH]; /* of the distance, m^2 */
+    uint32_t who[NEAR + ROW];
+    float square[NEAR + ROW]; /* of the distance, m^2 */
 };
 
 /* Makes neighbours of those that are. False: no memory. */
@@ -543,6 +568,29 @@ static bool consider_all(struct cells *c, uint32_t i, struct near *near)
     return true;
 }
 
+#ifdef VECTOR_AVX512
+VECTOR_AVX512 static void look_at_row(const struct cells *c, size_t cell,
+                                      const float from[], float farthest,
+                                      struct near *near)
+{
+    const float *x = c->place + 3 * cell * c->room;
+    const __mmask16 all = (__mmask16)((1u << c->full[cell]) - 1);
+    const __m512i who =
+        _mm512_maskz_loadu_epi32(all, c->who + cell * c->room);
+    const __m512 u = _mm512_maskz_loadu_ps(all, x) - from[0];
+    const __m512 v = _mm512_maskz_loadu_ps(all, x + c->room) - from[1];
+    const __m512 w = _mm512_maskz_loadu_ps(all, x + 2 * c->room) - from[2];
+    const __m512 square = u * u + v * v + w * w;
+    const __mmask16 those = _mm512_mask_cmp_ps_mask(
+        all, square, _mm512_set1_ps(farthest), _CMP_LE_OQ);
+    _mm512_storeu_ps(near->square + near->count,
+                     _mm512_maskz_compress_ps(those, square));
+    _mm512_storeu_si512(near->who + near->count,
+                        _mm512_maskz_compress_epi32(those, who));
+    near->count += (size_t)__builtin_popcount(those);
+}
+#endif
+
 static bool look_in_cell(struct cells *c, uint32_t i, size_t cell,
                          const float from[], float farthest,
                          struct near *near)
@@ -551,6 +599,14 @@ static bool look_in_cell(struct cells *c, uint32_t i, size_t cell,
     const float *y = x + c->room, *z = y + c->room;
     const uint32_t *who = c->who + cell * c->room;
     const size_t full = c->full[cell];
+#ifdef VECTOR_AVX512
+    if (c->lanes == 8 && full <= ROW) {
+        if (near->count > NEAR && !consider_all(c, i, near))
+            return false;
+        look_at_row(c, cell, from, farthest, near);
+        return true;
+    }
+#endif
     for (size_t k = 0; k < full; k += BATCH) {
         float square[BATCH];
         if (near->count > NEAR && !consider_all(c, i, near))

@@ -54,8 +54,7 @@ static bool is_whole(const struct calendar *c, const struct plain *p)
 {
     size_t seen = 0;
     for (size_t day = 0; day <= c->days; ++day)
-        for (uint32_t e = c->day[day]; e != CALENDAR_NONE;
-             e = c->event[e].next) {
+        for (uint32_t e = c->day[day]; e < c->size; e = c->event[e].next) {
             if (!(p->time[e] < INFINITY) || ++seen > c->size)
                 return false;
         }

@@ -454,6 +454,9 @@ static void test_ties(void)
         race_square(10, DISKS_PERIODIC, 0.5, seed, diagonal, 1500);
         race_square(8, DISKS_PERIODIC, 0.125, seed, diagonal, 2000);
     }
+    /* Of two hundred the one where eight lanes at a time have to see that
+       two meet at one time in one lane: mostly another's plan mends it. */
+    race_square(10, DISKS_PERIODIC, 0.5, 169, true, 1000);
 }
 
 /* The narrowest boxes that suit: three cells along an axis, so that the

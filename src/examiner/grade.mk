@@ -77,10 +77,10 @@ build/made/grade/flags: build/check/flags src/examiner/grade.mk
 # It is faster again when it is started by nobody but us: the compiler's driver
 # starts a second driver, that loads an optimizer, and leaves it to search
 # folders. What it is told in the end is noted by an ld.gold of our own; then
-# the plugin is left out, and each library has its full name. Only the first
-# folder stays, the compiler's own, which has a script with -lgcc in it. All is
-# in /usr or /lib, or a box would not have it. Where that does not work, the
-# driver is called with gold; and where there is none, as always.
+# the plugin is left out, each library has its full name (libgcc_s.so is but a
+# pointer to libgcc_s.so.1), and no folder is read. All is in /usr or /lib, or a
+# box would not have it. Where that does not work, the driver is called with
+# gold; and where there is none, as always.
 define linking
 	rm -rf build/grade/link; \
 	mkdir -p build/grade/link/bin build/grade/link/kit build/grade/link/work; \
@@ -96,22 +96,21 @@ define linking
 		echo 'extern int box; int box;' >../kit/box.suite.c && \
 		"$$@" -c -o answer.o answer.c && \
 		"$$@" -c -o ../kit/box.suite.o ../kit/box.suite.c); \
-	library() { for folder in $$(sed -n 's/^-L//p' build/grade/link/words); do \
-		for ending in so a; do \
+	library() { first=; [ "$$1" != gcc_s ] || first=so.1; \
+		for ending in $$first so a; do \
+		for folder in $$(sed -n 's/^-L//p' build/grade/link/words); do \
 			[ ! -f "$$folder/lib$$1.$$ending" ] || { \
 			echo "$$folder/lib$$1.$$ending"; return; }; done; done; \
 		echo ' '; }; \
-	words() { own=; while read -r word; do case $$word in \
+	words() { while read -r word; do case $$word in \
 		-plugin) read -r word ;; \
-		-plugin-opt=*) ;; \
-		-L/*) [ "$$own" ] || echo "$$word"; own=1 ;; \
-		-L*) ;; \
+		-plugin-opt=* | -L*) ;; \
 		-l*) library "$${word#-l}" ;; \
 		*) printf '%s\n' "$$word" ;; esac; \
 		done <build/grade/link/words; }; \
 	direct() (PATH=/usr/bin:/bin; \
 		! words | grep -q '[^-A-Za-z0-9_.,:=+/]\|^/[^ul]' || exit; \
-		command=$$(echo ld.gold --no-map-whole-files $$(words)); \
+		command=$$(echo ld.gold -nostdlib --no-map-whole-files $$(words)); \
 		runs $$command && echo "$$command"); \
 	link() { compile "$$@" >/dev/null 2>&1; \
 		runs "$$@" $$gold $$files || return; \

@@ -92,10 +92,10 @@ define linking
 	runs() (cd build/grade/link/work && rm -f program && \
 		"$$@" >../said 2>&1 && [ ! -s ../said ] && ./program); \
 	compile() (cd build/grade/link/work && \
-		echo 'int main(void) { return 0; }' >answer.c && \
-		echo 'extern int box; int box;' >../kit/box.suite.c && \
-		"$$@" -c -o answer.o answer.c && \
-		"$$@" -c -o ../kit/box.suite.o ../kit/box.suite.c); \
+		echo 'int main(void) { return 0; }' >../probe.c && \
+		echo 'extern int box; int box;' >../kit/probe.c && \
+		"$$@" -c -o answer.o ../probe.c && \
+		"$$@" -c -o ../kit/box.suite.o ../kit/probe.c); \
 	library() { first=; [ "$$1" != gcc_s ] || first=so.1; \
 		for ending in $$first so a; do \
 		for folder in $$(sed -n 's/^-L//p' build/grade/link/words); do \

@@ -9,7 +9,7 @@ set format x '10^{%T}'
 set xlabel '{/:Italic N}'
 set ylabel 'time of a collision  (µs)' offset 1
 set xrange [60:1.6e6]
-set yrange [0.3:1500]
+set yrange [0.2:1500]
 set lmargin at screen 0.11
 set bmargin at screen 0.145
 set tmargin at screen 0.97

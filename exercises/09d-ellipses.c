@@ -9,7 +9,7 @@
      n     how many planets, 1 or more
      gm    gm[i] is the constant of gravity times the mass of planet i, in
            AU^3/d^2: at the distance r it gives others the acceleration
-           gm[i]/r^2
+           gm[i]/r^2. It may be 0, for a body that is pulled and pulls none
      sun   the same for the Sun
      dt    the length of the step, in d; negative for a step back
      x, v  the places, in AU, and velocities, in AU/d, of the planets

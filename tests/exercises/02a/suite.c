@@ -266,6 +266,39 @@ static void test_seam(void)
                       0.25, 2, question));
 }
 
+/* limit: 1 (bead, and two, each of which is the other's right neighbour) */
+/* Two that touch and part meet behind their backs; two that touch and press
+   on each other meet now; and so do two in the wrong order by a rounding.
+   At rest, as seen from each other, they never meet. */
+static bool check_two(const char *question)
+{
+    const double hair = 4.0 * DBL_EPSILON;
+    const struct ring back = {2, 10.0, {3.0, 3.0}, {-1.0, 1.0}};
+    static const char behind[] =
+        "Bead 0 and bead 1 touch and part, and these are all there are. "
+        "Whom does each of them run into, on the other side of the ring?";
+    return CHECK_NEAR(
+               answer(&back).time, .quantity = "time until two beads meet",
+               .unit = "s", .input = input(&back), .expected = 5.0,
+               .tolerance = tolerance(&back, 1, 5.0), .because = because,
+               .equation = "eq:gap-time", .question = question,
+               .mistakes = {{"one-pair-of-two", INFINITY, behind}}) &&
+           check_both(back, 5.0, 1, question) &&
+           check_both((struct ring){2, 10.0, {3.0, 3.0}, {1.0, -1.0}}, 0.0,
+                      0, question) &&
+           check_both(
+               (struct ring){2, 10.0, {3.0 + hair, 3.0}, {-1.0, 1.0}}, 5.0,
+               1, question) &&
+           check_both(
+               (struct ring){2, 10.0, {3.0 + hair, 3.0}, {2.0, -1.0}}, 0.0,
+               0, question) &&
+           check_both((struct ring){2, 10.0, {0.0, 9.5}, {-1.0, 1.0}}, 0.25,
+                      1, question) &&
+           check_never((struct ring){2, 10.0, {3.0, 3.0}, {2.0, 2.0}},
+                       "The two touch and move alike. Does that make them "
+                       "meet?");
+}
+
 static void test_both_ways(void)
 {
     static const char question[] =
@@ -276,7 +309,8 @@ static void test_both_ways(void)
            check_both((struct ring){2, 10.0, {2.0, 6.0}, {3.0, 1.0}}, 2.0,
                       0, question) &&
            check_both((struct ring){2, 10.0, {2.0, 6.0}, {1.0, 3.0}}, 3.0,
-                      1, question));
+                      1, question) &&
+           check_two(question));
 }
 
 static void test_catch_up(void)

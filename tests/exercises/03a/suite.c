@@ -126,6 +126,27 @@ static const struct law steep = {
     "nearly a step at 0.3", steep_below, steep_place,
     steep_density,          -1.0,        1.0};
 
+/* So crowded at 0 that one half of it lies below 2e-10, and a third below
+   5e-16: to its last digit an edge takes some ninety halvings. */
+static double crowded_below(double x)
+{
+    return sqrt(sqrt(sqrt(sqrt(sqrt(x)))));
+}
+
+static double crowded_place(double p)
+{
+    return pow(p, 32.0);
+}
+
+static double crowded_density(double x)
+{
+    return crowded_below(x) / (32.0 * x);
+}
+
+static const struct law crowded = {
+    "the 32nd root of x", crowded_below, crowded_place,
+    crowded_density,      0.0,           1.0};
+
 /* Nothing up to 1/4, two equal lumps to 3/8 and from 5/8, nothing from 3/4
    on. */
 static double lumps_below(double x)
@@ -251,18 +272,24 @@ static bool check_end(const struct law *l, size_t bins, bool last,
 
 /* An inner edge. Bisection ends within an epsilon of the larger end; the
    roundings of the distribution function, divided by its slope, come on
-   top. */
+   top. A function that is computed to a few epsilons of itself, not of 1,
+   gives an edge near zero all its digits. */
 static bool check_edge(const struct law *l, size_t bins, size_t k,
                        double got, const char *question)
 {
     const double b = (double)bins, p = (double)k / b;
     const double expected = l->place(p);
     const double larger = fmax(fabs(l->low), fabs(l->high));
+    const bool near_zero = l == &crowded;
     const double tolerance =
-        8.0 * DBL_EPSILON * (larger + 1.0 / l->density(expected));
-    static const char because[] =
-        "8 epsilons of the larger end, and of the probability divided by "
-        "the density";
+        8.0 * DBL_EPSILON *
+        (near_zero ? expected + p / l->density(expected)
+                   : larger + 1.0 / l->density(expected));
+    const char *because =
+        near_zero ? "8 epsilons of the edge, and of the probability "
+                    "divided by the density"
+                  : "8 epsilons of the larger end, and of the "
+                    "probability divided by the density";
     const char *quantity = check_text("edge[%zu]", k);
     const double off = got - expected;
     if (fabs(off) > tolerance && fabs(off) < 1e-4 * (l->high - l->low))
@@ -423,11 +450,19 @@ static void test_flat(void)
             return;
 }
 
+/* limit: 1e-6 (a tolerance, and any other: 1e-15, or sixty halvings) */
 static void test_steep(void)
 {
-    check_law(&steep, 8,
-              "Here all edges lie within a few thousand-millionths. How "
-              "does your search know when it is near enough?");
+    static const char near_zero[] =
+        "Here an edge lies near 0, where a double has more digits behind "
+        "the "
+        "point than anywhere else. How does your search know when none is "
+        "left?";
+    (void)(check_law(&steep, 8,
+                     "Here all edges lie within a few thousand-millionths. "
+                     "How does your search know when it is near enough?") &&
+           check_law(&crowded, 2, near_zero) &&
+           check_law(&crowded, 3, near_zero));
 }
 
 static bool check_inside(const struct law *l, size_t bins)

@@ -105,7 +105,30 @@ static void test_velocity(void)
 {
     const struct box b = {1, 12.0, 40.0, 0.0, {3.0, 5.0}};
     (void)(check_velocity(&b, (struct state){5.0, 0.75}) &&
-           check_velocity(&b, (struct state){8.0, -1.25}));
+           check_velocity(&b, (struct state){8.0, -1.25}) &&
+           check_velocity(&b, (struct state){8.0, 0.0}));
+}
+
+/* limit: none (no gas on either side, and a piston at rest) */
+static bool check_empty(void)
+{
+    static const char question[] = "There is no gas at all, or none that "
+                                   "moves. What pushes the piston, "
+                                   "and what would 0/0 be?";
+    for (int f = 1; f <= 3; ++f)
+        for (int i = 0; i < 3; ++i) {
+            const struct box b = {f, 12.0, 40.0, i == 2 ? 6.0 : 0.0, {0}};
+            const struct state s = {i ? 6.0 : 2.0, i == 1 ? 0.0 : 0.75};
+            if (!(check_velocity(&b, s) &&
+                  CHECK_NEAR(
+                      answer(&b, s).v, .quantity = dv_dt, .unit = "m/s^2",
+                      .input = input(&b, s), .expected = 0.0,
+                      .tolerance = 0.0, .because = "nothing pushes",
+                      .equation = "eq:piston-force", .question = question,
+                      .mistakes = {{"nothing-divided", NAN, question}})))
+                return false;
+        }
+    return true;
 }
 
 static void test_middle(void)
@@ -116,7 +139,8 @@ static void test_middle(void)
     const struct box b = {1, 12.0, 40.0, 0.0, {3.0, 3.0}};
     const struct state s = {6.0, 0.5};
     const double one = push(&b, 0, 6.0);
-    CHECK_NEAR(answer(&b, s).v, .quantity = dv_dt, .unit = "m/s^2",
+    (void)(CHECK_NEAR(
+               answer(&b, s).v, .quantity = dv_dt, .unit = "m/s^2",
                .input = input(&b, s), .expected = 0.0,
                .tolerance = tolerance(&b, s.x), .because = because,
                .equation = "eq:piston-force",
@@ -125,7 +149,8 @@ static void test_middle(void)
                .mistakes = {{"both-push-right", 2.0 * one / b.mass, both},
                             {"both-push-right", one / b.mass, both},
                             {"both-push-right", 2.0 * one, both},
-                            {"left-empty", NAN, empty}});
+                            {"left-empty", NAN, empty}}) &&
+           check_empty());
 }
 
 static const char for_pressure[] =

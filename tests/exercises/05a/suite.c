@@ -418,6 +418,23 @@ static bool check_at_rest(double x, double y, const char *question)
              "again?"}});
 }
 
+/* limit: 1e-9 m/s (the smallest speed of a disk that is not at rest) */
+static bool check_slow(double u, double w, double expected)
+{
+    const struct flight f = {6.0, 1.0, {3.0, 0.0}, {u, w}};
+    const double got = answer(&f);
+    static const char question[] =
+        "This disk moves, at 1e-9 m/s. Is that the same as at rest? From "
+        "which number on does your function take it for that, and is that "
+        "number a speed or the square of one?";
+    return CHECK_NEAR(
+        got, .quantity = "time until the disk touches the wall",
+        .unit = "s", .input = input(&f), .expected = expected,
+        .tolerance = tolerance(&f, got), .because = because,
+        .equation = "eq:wall-time", .question = question,
+        .mistakes = {{"slow-taken-for-at-rest", INFINITY, question}});
+}
+
 static void test_at_rest(void)
 {
     static const char question[] =
@@ -426,7 +443,9 @@ static void test_at_rest(void)
     (void)(check_at_rest(0.0, 0.0, question) &&
            check_at_rest(2.0, -1.5, question) &&
            check_at_rest(3.0, 4.0, question) &&
-           check_at_rest(5.0 + 8.0 * DBL_EPSILON, 0.0, question));
+           check_at_rest(5.0 + 8.0 * DBL_EPSILON, 0.0, question) &&
+           check_slow(0.0, 1e-9, 4e9) && check_slow(1e-9, 0.0, 2e9) &&
+           check_slow(-1e-9, 0.0, 8e9));
 }
 
 /* Millimetres and kilometres per second, and the other way round. */

@@ -210,6 +210,38 @@ static void test_two(void)
                "the three changes, and compare it with what it should.");
 }
 
+/* limit: 0 (a planet without a mass feels the others, and pulls none) */
+static bool check_massless(void)
+{
+    struct planets p = pair;
+    for (int i = 0; i < 2; ++i) {
+        p.gm[i] = 0.0;
+        struct planets q = p;
+        ellipses_and_kicks(q.n, q.gm, q.sun, 0.25, q.x, q.v);
+        if (!CHECK_NEAR(
+                isnan(q.v[i][0]) ? NAN : 0.0,
+                .quantity = check_text("v[%d][0], if it is not a "
+                                       "number",
+                                       i),
+                .unit = "AU/d", .input = input(&p, 0.25), .expected = 0.0,
+                .tolerance = 0.0,
+                .because = "a body without a mass has a velocity",
+                .equation = "eq:wisdom-holman",
+                .question = "Which of your numbers is zero here?",
+                .mistakes = {{"divided-by-own-mass", NAN,
+                              "This body has no mass, and the Sun "
+                              "and the others pull it all the same. "
+                              "By what do you divide, and need "
+                              "you?"}}) ||
+            !check_step(&p, 0.25,
+                        "One planet has no mass: its own gm is 0. Is "
+                        "anything of yours divided by that, or left out "
+                        "for it?"))
+            return false;
+    }
+    return true; /* the second time both are without */
+}
+
 static void test_three(void)
 {
     struct planets p = pair;
@@ -217,8 +249,10 @@ static void test_three(void)
     p.gm[2] = 0.005;
     memcpy(p.x[2], (double[3]){0.3, -2.0, -0.3}, sizeof p.x[2]);
     memcpy(p.v[2], (double[3]){0.7, 0.1, 0.05}, sizeof p.v[2]);
-    check_step(&p, 0.25,
-               "Three planets make three pairs. How many pulls are there?");
+    (void)(check_step(&p, 0.25,
+                      "Three planets make three pairs. How many pulls are "
+                      "there?") &&
+           check_massless());
 }
 
 /* Around circles, with gentle pulls, and never close to another. */

@@ -305,8 +305,44 @@ static bool check_left(const struct pair *p, const char *mistake,
                                     "and do something. In which order?"}});
 }
 
+/* limit: dt (more than that is too long ago; dt itself is not) */
+/* Numbers that are whole parts of powers of two, so that no way of
+   computing this rounds: the two touched just dt ago, a hair less, and a
+   hair more. */
+static bool check_just_then(void)
+{
+    struct made m = {.touching = {{1.0, 0.25, {0.0}, {1.0, 0.0, 0.0}},
+                                  {0.5, 0.75, {1.0}, {-3.0, 0.0, 0.0}},
+                                  0.0625},
+                     .line = {1.0, 0.0, 0.0}};
+    static const char question[] =
+        "These touched just when the step began, dt ago. Is that more than "
+        "dt ago?";
+    make(&m, 0.0625);
+    struct pair p = m.now;
+    const double got = go_back(&p.a, &p.b, p.dt);
+    if (!CHECK_NEAR(got, .quantity = "how long ago they touched",
+                    .unit = "s", .input = input(&m.now), .expected = m.ago,
+                    .tolerance = slack(&m),
+                    .because = "64 epsilons of places and radii, over the "
+                               "speed of approach",
+                    .equation = "eq:back-time", .question = question,
+                    .mistakes = {{"dt-itself-refused", -1.0, question}}))
+        return false;
+    m.touching.dt = 0.0625 * (1.0 + 1e-6);
+    if (!check_made(&m, 0.0625, question))
+        return false;
+    m.now.dt = 0.0625 * (1.0 - 1e-6);
+    return check_left(
+        &m.now, "longer-than-the-step",
+        "These touched a millionth of a step before it began. "
+        "Did they come to where they are by flying?");
+}
+
 static void test_left(void)
 {
+    if (!check_just_then())
+        return;
     for (int i = 0; i < 20; ++i) {
         struct made m = {0};
         draw(&m);

@@ -1,5 +1,5 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 1966496265 of the lines below */
+/* checksum 962378302 of the lines below */
 /* Event-driven motion: every pair looked at, or a plan remembered. */
 #include "box/disks.h"
 
@@ -570,12 +570,45 @@ double disks_energy(const struct disks *d)
     return d->gravity > 0 ? kinetic(d) + energy_of_heights(d) : kinetic(d);
 }
 
+void disks_drift(const struct disks *d, double drift[])
+{
+    double mass = 0, square = 0;
+    for (size_t i = 0; i < d->count; ++i)
+        mass += d->mass[i];
+    for (size_t k = 0; k < DISKS_AXES; ++k) {
+        /* Seen from one of them: no rounding where all fly alike. */
+        const double seen = d->disk[0].velocity[k];
+        double sum = 0;
+        for (size_t i = 0; i < d->count && disks_wraps(d, k); ++i)
+            sum += d->mass[i] * (d->disk[i].velocity[k] - seen);
+        drift[k] = disks_wraps(d, k) ? seen + sum / mass : 0;
+        square += drift[k] * drift[k];
+    }
+    if (mass * square / 2 <= DBL_EPSILON / 2 * kinetic(d))
+        drift[0] = drift[1] = drift[2] = 0;
+}
+
+double disks_heat(const struct disks *d)
+{
+    double drift[DISKS_AXES], heat = 0;
+    disks_drift(d, drift);
+    if (drift[0] == 0 && drift[1] == 0 && drift[2] == 0)
+        return disks_energy(d);
+    for (size_t i = 0; i < d->count; ++i) {
+        double v[DISKS_AXES];
+        for (size_t k = 0; k < DISKS_AXES; ++k)
+            v[k] = d->disk[i].velocity[k] - drift[k];
+        heat += d->mass[i] * dot(v, v) / 2;
+    }
+    return d->gravity > 0 ? heat + energy_of_heights(d) : heat;
+}
+
 double disks_temperature(const struct disks *d)
 {
     size_t free = (d->dimensions + (d->gravity > 0 ? 2 : 0)) * d->count;
     for (size_t k = 0; k < d->dimensions; ++k)
         free -= disks_wraps(d, k);
-    return 2 * disks_energy(d) / (double)free;
+    return free > 0 ? 2 * disks_heat(d) / (double)free : 0;
 }
 
 double disks_packing(const struct disks *d)

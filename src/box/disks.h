@@ -1,5 +1,5 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 13769388 of the lines below */
+/* checksum 1076877897 of the lines below */
 /* Hard disks and spheres in a box: starts, times of contact, collisions. */
 #ifndef DISKS_H
 #define DISKS_H
@@ -146,11 +146,24 @@ void disks_position(const struct disks *d, size_t i, double place[]);
 /* The same for its velocity, m/s, which only gravity changes. */
 void disks_velocity(const struct disks *d, size_t i, double velocity[]);
 
-/* The kinetic energy, J, and kT, J: 2 K / (D N - P), with P the number of
-   periodic axes, along which the momentum is zero. Under gravity the
-   energy is that of the heights above the floor too, and kT that of
-   equilibrium, 2 E / ((D + 2) N - P) (7.13, eq:weight-energy). */
+/* The kinetic energy, J; under gravity with that of the heights above the
+   floor. */
 double disks_energy(const struct disks *d);
+
+/* Fills drift[DISKS_AXES] with the velocity of the centre of mass along
+   the periodic axes, m/s, where no collision changes it, and with 0 along
+   the others, where walls take the momentum. All 0, too, if its energy does
+   not reach the last bit of the kinetic energy: that is what rounding
+   leaves of a momentum that was taken out. */
+void disks_drift(const struct disks *d, double drift[]);
+
+/* The energy of the motion relative to the drift, J, which heats the gas
+   (with the heights, under gravity), and kT, J, from it: 2 K / (D N - P),
+   with P the number of periodic axes: along each of them N disks have N - 1
+   velocities relative to the drift. Under gravity kT is that of
+   equilibrium, 2 E / ((D + 2) N - P) (7.13, eq:weight-energy). A single
+   disk with no walls has none: 0. */
+double disks_heat(const struct disks *d);
 double disks_temperature(const struct disks *d);
 
 /* The share of the box that the disks fill. */

@@ -1,5 +1,5 @@
 /* From chapters/works/12-averages.nw: edit there, then run make tangle. */
-/* checksum 2209446956 of the lines below */
+/* checksum 943501678 of the lines below */
 /* The mean of a quantity over a time, or why it cannot be had. */
 #ifndef AVERAGES_H
 #define AVERAGES_H
@@ -14,7 +14,8 @@ enum averages_kind {
     AVERAGES_PRESSURE,   /* Z = PV/NkT, V the room of the centres */
     AVERAGES_PLACE,      /* of a body along an axis, m */
     AVERAGES_KINETIC,    /* energy, J */
-    AVERAGES_TEMPERATURE /* 2 K / free coordinates, J */
+    AVERAGES_TEMPERATURE /* 2 K / free coordinates, J, with K relative to
+                            the drift in a box without walls */
 };
 
 /* What the average is taken of. */

@@ -1,8 +1,9 @@
 /* From chapters/works/11-step.nw: edit there, then run make tangle. */
-/* checksum 1872690155 of the lines below */
+/* checksum 2744436930 of the lines below */
 /* Each kind has its columns, and a function that computes them. */
 #include "forces/observables.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -91,12 +92,52 @@ static void angular_momentum(const struct motion *m, const size_t body[],
     }
 }
 
+/* Says whether nothing in the scene can change the momentum along axis k:
+   no wall, no weight, no friction, and no body that is held. */
+static bool keeps_momentum(const struct scene *s, size_t k)
+{
+    bool free =
+        s->wall[k] != SCENE_HARD && s->gravity[k] == 0 && s->damping == 0;
+    for (size_t i = 0; i < s->bodies; ++i)
+        free = free && s->freedom[k * s->bodies + i];
+    return free;
+}
+
+/* The kinetic energy along axis k, where the momentum is kept that of the
+   motion relative to the centre of mass. Velocities are seen from one body,
+   so that nothing is left where all fly alike. */
+static double heat_along(const struct scene *s, size_t k)
+{
+    const double *v = s->velocity + k * s->bodies;
+    double mass = 0, sum = 0, energy = 0;
+    for (size_t i = 0; i < s->bodies; ++i) {
+        mass += s->mass[i];
+        sum += s->mass[i] * (v[i] - v[0]);
+    }
+    const double drift =
+        mass > 0 && keeps_momentum(s, k) ? v[0] + sum / mass : 0;
+    for (size_t i = 0; i < s->bodies; ++i)
+        energy += s->mass[i] * (v[i] - drift) * (v[i] - drift) / 2;
+    return energy;
+}
+
+/* A drift is no heat: what counts is the motion relative to it, along the
+   axes where the momentum is kept. Divided by all free coordinates, so that
+   a scene without a drift has the number that it always had; a gas in a
+   periodic box, of N bodies, has N - 1 velocities relative to the drift
+   along each axis, and kT is larger by N/(N - 1). A drift whose energy does
+   not reach the last bit of the sum is rounding. */
 static void temperature(const struct motion *m, const size_t body[],
                         double out[])
 {
     (void)body;
-    const size_t free = 3 * m->scene->bodies - m->fixed;
-    out[0] = 2 * motion_kinetic(m) / (double)free;
+    const struct scene *s = m->scene;
+    const size_t free = 3 * s->bodies - m->fixed;
+    const double all = motion_kinetic(m);
+    const double heat =
+        heat_along(s, 0) + heat_along(s, 1) + heat_along(s, 2);
+    const double rounding = DBL_EPSILON * (double)free * all;
+    out[0] = 2 * (all - heat > rounding ? heat : all) / (double)free;
 }
 
 static void collisions(const struct motion *m, const size_t body[],
@@ -205,7 +246,7 @@ static const struct observables_kind kinds[] = {
      1,
      {"kT"},
      ENERGY,
-     "2 K/free coordinates",
+     "2 K/free coordinates, relative to a drift",
      temperature},
     {"collisions", 0, 1, {"n"}, "", "collisions so far", collisions},
     {"x", 1, 1, {"x"}, "length", "coordinate of a body", place_x},

@@ -1,5 +1,5 @@
 /* From chapters/works/07-gas.nw: edit there, then run make tangle. */
-/* checksum 2343024071 of the lines below */
+/* checksum 3040271718 of the lines below */
 /* Hard disks and spheres run from a start, and measured on the way. */
 #include "box/blocks.h"
 #include "box/cells.h"
@@ -241,7 +241,8 @@ struct run {
     struct cells cells; /* if fast */
     bool fast;
     struct table *out;
-    double kT, energy; /* at the start */
+    double kT, energy;          /* at the start */
+    double carried[DISKS_AXES]; /* m/s: the drift, which is no heat */
     double begin, piece, until;
     struct blocks pressure;
     double impulse[DISKS_AXES], virial; /* before the present piece */
@@ -296,7 +297,7 @@ static double first_piece(const struct disks *d)
     double mass = 0;
     for (size_t i = 0; i < d->count; ++i)
         mass += d->mass[i];
-    const double speed = sqrt(2 * disks_energy(d) / mass);
+    const double speed = sqrt(2 * disks_heat(d) / mass);
     return shortest(d) / speed / (double)d->count;
 }
 
@@ -368,7 +369,7 @@ static bool can_meet(const struct disks *d)
 {
     const double across = 4 * widest(d) / shortest(d);
     const double share = d->dimensions == 2 ? across : across * across;
-    return share * (double)(d->count - 1) > 1e-9 && disks_energy(d) > 0;
+    return share * (double)(d->count - 1) > 1e-9 && disks_heat(d) > 0;
 }
 
 static void warm_up(struct run *r, double each)
@@ -394,6 +395,7 @@ static void begin_run(struct run *r)
     make_sums(&r->pressure, DISKS_AXES + 1);
     plan(r);
     r->kT = disks_temperature(&r->d);
+    disks_drift(&r->d, r->carried);
     r->energy = disks_energy(&r->d);
     r->begin = r->d.now;
     r->piece = first_piece(&r->d);
@@ -500,7 +502,7 @@ static double scaled_speed(const struct run *r, size_t i, double parts[])
     const double scale = sqrt(r->d.mass[i] / (2 * r->kT));
     double square = 0;
     for (size_t k = 0; k < r->d.dimensions; ++k) {
-        parts[k] = fabs(v[k]) * scale;
+        parts[k] = fabs(v[k] - r->carried[k]) * scale;
         square += parts[k] * parts[k];
     }
     return sqrt(square);
@@ -711,8 +713,10 @@ static void look_at_heavy(struct run *r)
     }
     double *row = path.row[path.rows++];
     disks_position(&r->d, 0, row);
-    memcpy(row + DISKS_AXES, r->d.disk[0].velocity,
-           sizeof r->d.disk[0].velocity);
+    for (size_t k = 0; k < DISKS_AXES; ++k) {
+        row[k] -= r->carried[k] * (r->d.now - r->begin);
+        row[DISKS_AXES + k] = r->d.disk[0].velocity[k] - r->carried[k];
+    }
 }
 
 static double product_of(const double a[], const double b[], size_t D)
@@ -1031,7 +1035,7 @@ static void summarise(struct run *r, struct table *out)
                r->s->restitution < 1 ? "energy_change" : "energy_error",
                r->energy > 0 ? disks_energy(&r->d) / r->energy - 1 : 0);
     if (r->s->restitution == 1 && time > 0 && r->d.gravity == 0 &&
-        r->d.boundary != DISKS_FLOOR)
+        r->d.boundary != DISKS_FLOOR && r->kT > 0)
         summarise_pressure(r, out);
     if (time > 0)
         table_real(out, "collision_rate",
@@ -1162,6 +1166,12 @@ static void check_start(struct run *r)
                        "--measure speeds needs more disks: %zu have no law",
                        d->count);
     check_rows(r);
+    if (r->s->measure != STATES && r->s->measure != POSITIONS &&
+        !(disks_heat(d) > 0))
+        program_refuse(PROGRAM,
+                       "--measure %s: no disk moves relative to the "
+                       "others: there is no temperature to compare with",
+                       measure_names[r->s->measure]);
     if (!starts_from_file(r->s))
         return;
     a = disks_lying(d);

@@ -107,6 +107,35 @@ static void test_conserved(void)
     scene_free(&s);
 }
 
+/* In a box without walls a drift is no heat, but energy it is. */
+static void test_drift(void)
+{
+    struct scene s;
+    if (!scene_create(&s, 3))
+        exit(1);
+    s.contact = true;
+    for (size_t i = 0; i < 3; ++i) {
+        s.radius[i] = 0.1;
+        s.mass[i] = 1 + (double)i;
+        s.position[i] = s.position[3 + i] = 1 + (double)i;
+        s.velocity[i] = i == 0 ? 3 : i == 1 ? 0 : -1; /* momentum 0 */
+        s.freedom[6 + i] = 0;
+    }
+    for (size_t k = 0; k < 2; ++k) {
+        s.wall[k] = SCENE_PERIODIC;
+        s.high[k] = 6;
+    }
+    struct averages_found f = ask(&s, "temperature", 1, 1e-9, NULL);
+    UNIT_NEAR(f.value, 2 * 6.0 / 6, 1e-15);
+    for (size_t i = 0; i < 3; ++i)
+        s.velocity[i] += 100;
+    f = ask(&s, "temperature", 1, 1e-9, NULL);
+    UNIT_NEAR(f.value, 2 * 6.0 / 6, 1e-12); /* 100 eps for each speed */
+    f = ask(&s, "kinetic", 1, 1e-9, NULL);
+    UNIT_NEAR(f.value, 6 + 3 * 100 * 100, 1e-10);
+    scene_free(&s);
+}
+
 /* Every run, of two bodies or of many, shows Tonks's force to within the
    bound (eq:averages-bound): checked on an engine of the test's own. A time
    that is too short for the tolerance is refused. */
@@ -529,6 +558,7 @@ int main(void)
         "averages",
         (struct unit_test[]){
             {"what is conserved is its mean", test_conserved},
+            {"in a periodic box a drift is no heat", test_drift},
             {"every run shows Tonks's law to within its bound", test_tonks},
             {"two disks are near their law if there is time",
              test_two_disks},

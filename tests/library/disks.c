@@ -586,6 +586,57 @@ static void test_temperature(void)
     disks_free(&d);
 }
 
+static void boost(struct disks *d, double x, double y)
+{
+    for (size_t i = 0; i < d->count; ++i) {
+        d->disk[i].velocity[0] += x;
+        d->disk[i].velocity[1] += y;
+    }
+}
+
+/* A drift along periodic axes is no heat; across a wall it is, since the
+   wall takes it. Rounding of the speeds: 1e3 epsilons, twice in a square.
+ */
+static void test_drift(void)
+{
+    enum { N = 50 };
+    struct disks d;
+    struct random r;
+    double drift[DISKS_AXES];
+    random_seed(&r, 4);
+    if (!disks_create(&d, 2, N))
+        exit(1);
+    d.box[0] = d.box[1] = 1000;
+    for (size_t i = 0; i < N; ++i)
+        d.mass[i] = i % 2 ? 5 : 1;
+    for (int gravity = 0; gravity <= 1; ++gravity)
+        for (unsigned b = 0; b < DISKS_BOUNDARIES; ++b) {
+            d.boundary = (enum disks_boundary)b;
+            d.gravity = b == DISKS_PERIODIC ? 0 : gravity;
+            disks_set_temperature(&d, 0.3, &r);
+            const double kT = disks_temperature(&d), E = disks_energy(&d);
+            const bool x = b != DISKS_WALLS, y = b == DISKS_PERIODIC;
+            UNIT_EQUAL(disks_heat(&d), E);
+            disks_drift(&d, drift);
+            UNIT_EQUAL(drift[0], 0);
+            UNIT_EQUAL(drift[1], 0);
+            boost(&d, x ? 1e3 : 0, y ? -1e3 : 0);
+            disks_drift(&d, drift);
+            UNIT_NEAR(drift[0], x ? 1e3 : 0, 1e-12);
+            UNIT_NEAR(drift[1], y ? -1e3 : 0, 1e-12);
+            UNIT_NEAR(disks_heat(&d), E, 1e-11 * E);
+            UNIT_NEAR(disks_temperature(&d), kT, 1e-11 * kT);
+            UNIT_TRUE(!x || disks_energy(&d) > 1e3 * E);
+            boost(&d, 0, y ? 0 : 1e3);
+            UNIT_TRUE(y || disks_temperature(&d) > 1e3 * kT);
+        }
+    memset(d.disk, 0, N * sizeof d.disk[0]);
+    d.boundary = DISKS_PERIODIC;
+    boost(&d, 1.1, 0.3);
+    UNIT_EQUAL(disks_heat(&d), 0);
+    disks_free(&d);
+}
+
 /* ---- under gravity */
 
 /* Count disks in a box of one metre, thrown at 1 m/s. */
@@ -789,6 +840,7 @@ int main(void)
             {"misfits are named", test_fit},
             {"nearest images", test_images},
             {"temperature and speed of a start", test_temperature},
+            {"a drift is no heat, but across a wall", test_drift},
             {"a disk that bounces", test_ball},
             {"disks that fall meet as if they did not", test_common_fall},
             {"falling, the plan has the bits of every pair",

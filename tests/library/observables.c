@@ -41,6 +41,16 @@ static void look(const char *text, size_t n, const double expected[])
         UNIT_NEAR(values[k], expected[k], 1e-13);
 }
 
+static double look_at(const char *text)
+{
+    struct observables o;
+    char message[OBSERVABLES_MESSAGE] = "";
+    double values[OBSERVABLES_MOST] = {0};
+    UNIT_TRUE(observables_read(&o, text, scene.bodies, message));
+    observables_values(&o, &motion, values);
+    return values[0];
+}
+
 /* The distance is 5: gravity -5*2*3/5, the spring 4/2 (5 - 1)^2. */
 static void test_energies(void)
 {
@@ -50,7 +60,32 @@ static void test_energies(void)
     look("kinetic", 1, (double[]){kinetic});
     look("potential", 1, (double[]){gravity + springs + weight});
     look("energy", 1, (double[]){kinetic + gravity + springs + weight});
-    look("temperature", 1, (double[]){2 * kinetic / 6});
+    /* Momentum is kept along x and y, where the speeds differ by 1 and by
+       2 and the reduced mass is 6/5, and not along z, where weight acts. */
+    look("temperature", 1, (double[]){2 * (0.6 * (1 + 4) + 9 + 1.5) / 6});
+}
+
+/* A drift changes no temperature, unless something could stop it. */
+static void test_drift(void)
+{
+    double *vx = scene.velocity;
+    vx[0] += 1000;
+    vx[1] += 1000;
+    look("temperature", 1, (double[]){4.5});
+    scene.freedom[1] = 0;
+    const double kinetic =
+        1001 * 1001 + 1.5 * 1000 * 1000 + 0.6 * 4 + 9 + 1.5;
+    UNIT_NEAR(look_at("temperature"), 2 * kinetic / 6, 1e-9 * kinetic);
+    scene.freedom[1] = 1;
+    scene.wall[0] = SCENE_HARD;
+    UNIT_NEAR(look_at("temperature"), 2 * kinetic / 6, 1e-9 * kinetic);
+    scene.wall[0] = SCENE_OPEN;
+    scene.damping = 0.1;
+    UNIT_NEAR(look_at("temperature"), 2 * (kinetic - 2.4 + 6) / 6,
+              1e-9 * kinetic);
+    scene.damping = 0;
+    vx[0] -= 1000;
+    vx[1] -= 1000;
 }
 
 static void test_sums(void)
@@ -111,6 +146,7 @@ int main(void)
         "observables",
         (struct unit_test[]){
             {"energy and its parts are the formulas'", test_energies},
+            {"a drift is no heat where momentum is kept", test_drift},
             {"sums over bodies are the formulas'", test_sums},
             {"bodies are asked one by one", test_bodies},
             {"what is no observable is refused", test_refused},

@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 2465137132 of the lines below */
+/* checksum 1783279733 of the lines below */
 /* Exact ways, two runs that agree, and ladders judged by them. */
 #include "enough/choose.h"
 
@@ -682,8 +682,8 @@ static void refuse(const struct task *t)
     if (c->horizon < INFINITY)
         snprintf(
             c->refusal, sizeof c->refusal,
-            "horizon: from t = %.10g on rounding%s decides by more than "
-            "%.3g what happens; spent: %.2g s",
+            "horizon: after t = %.10g rounding%s decides by more than %.3g "
+            "what happens; spent: %.2g s",
             c->horizon,
             c->acts.contact ? " or the order of collisions at one moment"
                             : "",

@@ -145,7 +145,7 @@ holds 'with the plan that was taken' \
 chart SCENE=four-disks
 holds 'where all was refused there is nothing to draw, and why is said' sh -c "
     cat '$work/err'; grep -q '^bonk: .*horizon' '$work/err' &&
-    grep -q '^chart.gp: nothing to draw: horizon: from t = ' '$work/err'"
+    grep -q '^chart.gp: nothing to draw: horizon: after t = ' '$work/err'"
 gnuplot -e "file='build/chart/four-disks.dat'; output='none.svg'" \
     plots/chart.gp 2>"$work/err"
 holds '  with the status of a refusal' test $? -eq 1

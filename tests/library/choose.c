@@ -298,7 +298,7 @@ static void test_horizon(void)
     struct scene s = made("four-disks", NULL, 0);
     struct choose_request q = asked(&s, 20, 1e-3);
     struct choose_choice c = chosen(&q, false);
-    UNIT_TRUE(strstr(c.refusal, "horizon: from t = ") != NULL);
+    UNIT_TRUE(strstr(c.refusal, "horizon: after t = ") != NULL);
     UNIT_TRUE(strstr(c.refusal, "rounding or the order") != NULL);
     UNIT_NEAR(c.horizon, 6, 2);
     q.until = c.horizon;

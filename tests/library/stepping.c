@@ -263,6 +263,35 @@ static void test_long_implicit_steps(void)
     UNIT_NEAR(x * x + v * v / (w * w), 1, 1e-9);
 }
 
+/* Two springs that hang, and are displaced by a billionth: forces of some
+   newtons cancel to five millionths, and rounding is a millionth of those.
+ */
+static void hanging(void *what, const double x[], const double v[],
+                    double a[])
+{
+    (void)what, (void)v;
+    a[0] = -5000 * x[0] + 5 * (x[1] - x[0] + 1) - 1.8;
+    a[1] = -5 * (x[1] - x[0] + 1) - 1.8;
+}
+
+static void test_implicit_at_rest(void)
+{
+    const char *const name[] = {"implicit-midpoint", "gauss4"};
+    const double rest[2] = {-3.6 / 5000, -3.6 / 5000 - 1 - 1.8 / 5};
+    for (int m = 0; m < 2; ++m)
+        for (double dt = 0.03; dt < 1; dt *= 1.5) {
+            struct stepping s;
+            const struct stepping_forces f = {2, false, hanging, NULL};
+            double x[2] = {rest[0] + 1e-9, rest[1]}, v[2] = {0, 0};
+            begin(&s, stepping_find(name[m]), f, dt, x, v);
+            UNIT_EQUAL(stepping_run(&s, 400), STEPPING_DONE);
+            /* the energy of the fast mode is kept, and gives the reach */
+            UNIT_NEAR(x[0], rest[0], 1.1e-9);
+            UNIT_NEAR(x[1], rest[1], 1.1e-9);
+            stepping_free(&s);
+        }
+}
+
 /* A stiff, strongly nonlinear spring: what midpoint promises is its own
    equation, v1 - v0 = dt a((x0 + x1) / 2). */
 static void stiff(void *what, const double x[], const double v[],
@@ -630,6 +659,7 @@ int main(void)
             {"every row is consistent", test_rows},
             {"energies follow their laws", test_laws},
             {"implicit steps may be long", test_long_implicit_steps},
+            {"implicit steps near a place of rest", test_implicit_at_rest},
             {"and stiff springs bend no equation", test_newton},
             {"symmetric methods come back", test_reversal},
             {"symplectic methods keep areas", test_areas},

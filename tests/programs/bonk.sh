@@ -136,7 +136,7 @@ refused() { # PATTERN OPTIONS...
     refuses 1 "$pattern" $bonk "$@" -o "$w/none"
     holds '  and no table' test ! -e "$w/none"
 }
-refused 'horizon: from t = [0-9.]* on rounding or the order of .* decides by more than 0.001' \
+refused 'horizon: after t = [0-9.]* rounding or the order of .* decides by more than 0.001' \
     "$w/four-disks" --until 20 --tolerance 1e-3
 refused 'off by .* more than' "$w/figure-eight" --until 20 \
     --tolerance 1e-6 --model pefrl:4

@@ -56,7 +56,8 @@ static double excursion(const char *method, bool pendulum, double phase,
                         phase / fastest, s.position, s.velocity))
         exit(1);
     for (uint64_t k = 0; k < steps && far < 1e-3; k += 100) {
-        stepping_run(&t, 100);
+        if (stepping_run(&t, 100) != STEPPING_DONE)
+            far = 1;
         for (size_t i = 0; i < 3 * s.bodies; ++i) {
             const double off = fabs(s.position[i] - rest.position[i]);
             far = off <= far ? far : isfinite(off) ? off : 1;

@@ -39,7 +39,10 @@ holds 'the spring becomes a rod as 1/D' awk '
 # Limits: theory over 70.74605996 and 15.103518 rad/s, found to 1e-3.
 study limits
 between 'leapfrog, pendulum' limits pendulum_leapfrog 0.02824 0.02830
-between 'RK4, pendulum' limits pendulum_rk4 0.03994 0.04002
+# The limits 2 sqrt 2/70.74606 and 2 sqrt 2/15.103518, and what the search
+# may add: a growth by half in 2000 and 1000 steps, 3e-5 and 6e-5 of them.
+between 'RK4, pendulum' limits pendulum_rk4 0.039979 0.039982
+between 'RK4, membrane' limits membrane_rk4 0.18726 0.18729
 between 'Yoshida 4, pendulum' limits pendulum_yoshida4 0.02222 0.02226
 between 'PEFRL, pendulum' limits pendulum_pefrl 0.04221 0.04230
 between 'leapfrog, membrane' limits membrane_leapfrog 0.13229 0.13255

@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 1119797497 of the lines below */
+/* checksum 3066662620 of the lines below */
 /* Namespaces, limits and a shell inside, made with bubblewrap. */
 #include "examiner/box.h"
 #include "examiner/process.h"
@@ -335,7 +335,7 @@ const char *box_name(enum box_kind kind)
 
 static const char script[] =
     "root=$1 name=$2 compiler=$3 keep=$4 seconds=$5 memory=$6 terse=$7\n"
-    "lean=$8 linker=$9 cpu=20\n"
+    "lean=$8 linker=$9 declared=${10} types= cpu=20\n"
     "echo 1000 >/proc/self/oom_score_adj\n"
     "export PATH=/usr/bin:/bin LC_ALL=C HOME=$root/work TMPDIR=$root/work\n"
     "common=exitcode=86:color=never\n"
@@ -346,8 +346,10 @@ static const char script[] =
     "build() ( ulimit -t $cpu && ulimit -v 2097152 &&\n"
     "    exec \"$@\" 3<&- 4>&- )\n"
     "compile() { build $compiler -I$root/kit -DEXAMINER_GIVES \\\n"
-    "    \"$@\" -c -o work/answer.o $name; }\n"
+    "    $types \"$@\" -c -o work/answer.o $name; }\n"
     "cd $root/ || exit\n"
+    "[ ! \"$declared\" ] || { types='-include work/types.h'\n"
+    "    printf '%s\\n' \"$declared\" >work/types.h; }\n"
     "compile $lean $terse >work/said 2>&1 || { cpu=5\n"
     "    if [ $(wc -c <work/said) -lt 9999 ]; then compile; else\n"
     "    compile -w && grep error: work/said | head -n 20; fi; exit; }\n"
@@ -407,7 +409,7 @@ static void add_script(struct words *w, const struct box_order *order,
         order->sanitized ? "unlimited" : number(w, MEMORY_KIB);
     ADD(w, "/bin/sh", "-c", script, "sh", root, order->name,
         order->compiler, order->keep, number(w, order->seconds), memory,
-        order->terse, order->lean, order->linker);
+        order->terse, order->lean, order->linker, order->types);
 }
 
 enum { GONE = -1, LATE = -2, NAP_MS = 50 };

@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 299992760 of the lines below */
+/* checksum 3135805098 of the lines below */
 /* A box in which a student's program is built and run, out of reach. */
 #ifndef BOX_H
 #define BOX_H
@@ -27,6 +27,7 @@ struct box_order {
     const char *terse;    /* the flag with which it quotes no lines */
     const char *lean;     /* and those that leave out what nobody reads */
     const char *linker;   /* how it is first tried to link, or blank */
+    const char *types;    /* what is included before its line 1, or "" */
     const char *keep;     /* options of objcopy: the symbols that stay */
     bool sanitized;       /* compiled with sanitizers */
     int seconds;          /* of processor time, for each test */

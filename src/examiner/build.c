@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 1456494339 of the lines below */
+/* checksum 698695349 of the lines below */
 /* Starts the compiler and tells of its messages what helps. */
 #include "examiner/build.h"
 #include "examiner/message.h"
@@ -49,8 +49,14 @@ void build_suite(const char *exercise)
                   suite);
 }
 
+/* The student's file is compiled behind the types that the exercise gives,
+   so that a function with other ones is an error in the line where it
+   stands; the linker would not notice, and its values would look like wrong
+   physics. */
 static char function[] =
-    "exec $1 $2 -Isrc -Isrc/examiner -Wall -Wextra -fmax-errors=20 "
+    "types=build/check/$5.types.h && [ -f $types ] || types=\n"
+    "exec $1 $2 ${types:+-include $types} -Isrc -Isrc/examiner "
+    "-Wall -Wextra -fmax-errors=20 "
     "-o \"$3/runner\" \"$4\" build/check/$5.suite.o $6";
 static char runner[] = "exec $1 -o \"$3/runner\" build/check/$5.suite.o $6";
 static char program[] =
@@ -151,7 +157,78 @@ static void tell_header(const char *text, const char *source, FILE *story)
     text_field(story, "means", place);
 }
 
-void build_tell(const char *text, const char *source, FILE *story)
+/* Copies the name between the first two quotation marks behind start. */
+static void quoted_name(const char *start, char name[64])
+{
+    *name = '\0';
+    if (start && sscanf(start, "%*[^'\n]'%63[A-Za-z0-9_]", name) != 1)
+        *name = '\0';
+}
+
+/* Finds which function the error in this line of text is about, if it is
+   about the types of one. A definition in the old style, with the types
+   behind the parenthesis, is only named in the line above. */
+static bool name_function(const char *text, const char *line, char name[64])
+{
+    static const char *const words[] = {
+        "conflicting types for '", "static declaration of '",
+        "redeclared as different kind", "as different kind of symbol"};
+    const char *above = NULL, *in = text;
+    for (size_t i = 0; i < sizeof words / sizeof *words; ++i)
+        if (find_line(line, "", words[i]) == line) {
+            quoted_name(line, name);
+            return *name;
+        }
+    if (find_line(line, "", " match prototype") != line)
+        return false;
+    while ((in = strstr(in, "In function '")) && in < line)
+        above = in++;
+    quoted_name(above, name);
+    return *name;
+}
+
+/* Returns the function as the exercise gives it, from its header for the
+   compiler, or NULL if it gives none of this name. */
+static char *given_function(char *header, const char *name)
+{
+    char call[66];
+    snprintf(call, sizeof call, "%s(", name);
+    for (char *line; (line = text_line(&header));) {
+        const char *given = text_after(line, "/* given: ");
+        const char *found = given ? strstr(given, call) : NULL;
+        char *end = given ? strstr(given, " */") : NULL;
+        if (found && end && strchr(" *", found[-1])) {
+            *end = '\0';
+            return line + strlen("/* given: ");
+        }
+    }
+    return NULL;
+}
+
+/* Returns what an error means that is about the types of a function which
+   the exercise gives, or NULL if the error in this line is another one. */
+static const char *name_types(const char *text, const char *line,
+                              const char *types)
+{
+    static char sentence[640];
+    char name[64];
+    if (!name_function(text, line, name))
+        return NULL;
+    char *header = text_read(types);
+    const char *given = header ? given_function(header, name) : NULL;
+    const bool is_static =
+        find_line(line, "", "static declaration of '") == line;
+    snprintf(sentence, sizeof sentence,
+             is_static ? "%s is static here, and the tests cannot call it. "
+                         "The exercise gave: %s"
+                       : "%s has other types than the exercise gave: %s",
+             name, given ? given : "");
+    free(header);
+    return given ? sentence : NULL;
+}
+
+void build_tell(const char *text, const char *source, const char *types,
+                FILE *story)
 {
     const char *own = find_error(text, source);
     const char *line = own ? own : find_line(text, "", "error:");
@@ -178,8 +255,11 @@ void build_tell(const char *text, const char *source, FILE *story)
               story);
     if (lost || twice)
         line = lost ? lost : twice;
-    text_quote(story, line ? line : text, line ? 4 : 8);
-    if (own)
+    const char *told = own ? name_types(text, own, types) : NULL;
+    text_quote(story, line ? line : text, told ? 3 : line ? 4 : 8);
+    if (told)
+        text_field(story, "means", told);
+    else if (own)
         message_explain(story, own);
     const int others =
         count(text, " error: ") - count(text, "[-Werror=return-type]");
@@ -197,9 +277,10 @@ bool build_runner(const char *folder, const char *exercise,
                 project ? runner : function) &&
         (!project ||
          compile(folder, exercise, (char *)source, strict, program));
-    char *text = read_messages(folder);
+    char *text = read_messages(folder), types[64];
+    snprintf(types, sizeof types, "build/check/%s.types.h", exercise);
     if (!built)
-        build_tell(text, source, story);
+        build_tell(text, source, types, story);
     free(text);
     return built;
 }

@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 1388279527 of the lines below */
+/* checksum 2212990589 of the lines below */
 /* A student's file made into a runner, or why it does not build. */
 #ifndef BUILD_H
 #define BUILD_H
@@ -19,8 +19,10 @@ bool build_runner(const char *folder, const char *exercise,
                   const char *source, bool strict, FILE *story);
 
 /* Writes to story what a student should know of the messages in text, in
-   which his file is called source. */
-void build_tell(const char *text, const char *source, FILE *story);
+   which his file is called source. The file types has the functions of the
+   exercise with their types; there may be none. */
+void build_tell(const char *text, const char *source, const char *types,
+                FILE *story);
 
 /* Writes the first warning about source in that folder's last build, of
    those that we can explain if there are any. */

@@ -136,13 +136,18 @@ $(projects:%=build/made/check/%.suite.o): build/made/check/year
 $(foreach e,$(projects),$(eval build/made/check/$(e).given.o: \
 	$(wildcard $(addprefix tests/exercises/$(e)/,border.c crossing.c))))
 
-# What it says about itself, for all of them at once.
-build/made/check/lists: tests/lists.awk \
+# What a suite says about itself, and which types a stub gives to its functions
+# (see tests/types.awk), for all exercises at once.
+stubs := $(patsubst %,tests/exercises/%/stub.c,$(filter-out P%,$(exercises)))
+types := $(patsubst %,build/check/%.types.h,$(filter-out P%,$(exercises)))
+build/made/check/lists: tests/lists.awk tests/types.awk $(stubs) \
 		$(exercises:%=tests/exercises/%/suite.c)
 	@rm -rf build/check/lists && mkdir -p $(@D) build/check/lists
-	@awk -v into=build/check/lists -f $^
+	@awk -v into=build/check/lists -f tests/lists.awk \
+		$(filter %/suite.c,$^)
+	@awk -v into=build/check/lists -f tests/types.awk $(filter %/stub.c,$^)
 	@mv build/check/lists/* build/check && touch $@
-$(lists): build/made/check/lists
+$(lists) $(types): build/made/check/lists
 	@+:
-$(if $(filter-out $(wildcard $(lists)),$(lists)),\
+$(if $(filter-out $(wildcard $(lists) $(types)),$(lists) $(types)),\
 	$(shell rm -f build/made/check/lists))

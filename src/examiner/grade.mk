@@ -10,7 +10,8 @@ grade_options = $${REPORT:+--report "$$REPORT"} $${JOBS:+--jobs "$$JOBS"} \
 graded := $(foreach e,$(exercises),\
 	$(if $(wildcard tests/exercises/$(e)/border.c),$(e)))
 GRADE_BUILT = build/grade/grade build/grade/flags \
-	$(graded:%=build/grade/%.list) $(graded:%=build/grade/%.names)
+	$(graded:%=build/grade/%.list) $(graded:%=build/grade/%.names) \
+	$(patsubst %,build/grade/%.types.h,$(filter-out P%,$(graded)))
 
 .PHONY: grade grade-parts grade-bench has-submissions hostile-programs jobs-grade
 # Each of the grader's hostile tricks once more, in a whole program.
@@ -186,6 +187,8 @@ build/made/grade/P%.inside.o: tests/exercises/P%/border.c $(patsubst %,\
 		ar rcsD $(made).new build/grade/obj/border/P$*.o \
 		build/check/P$*.given.o
 	@$(take)
+build/grade/%.types.h: build/check/%.types.h
+	@cp $< $@
 build/grade/P%.names: build/grade/P%.inside.o
 	@echo program >$@
 build/grade/%.list: build/grade/%.judge

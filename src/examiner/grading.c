@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 3461354437 of the lines below */
+/* checksum 2429705403 of the lines below */
 /* A judge and a box for each test, a second try, and advice. */
 #include "examiner/grading.h"
 #include "examiner/build.h"
@@ -115,7 +115,7 @@ struct job {
     int late, waited;   /* tests; and of them, by the clock on the wall */
     bool slow;          /* a test has ended, and taken its time for that */
     int crashed, named; /* tests; and such whose mistake has a name */
-    char judge[4096], name[256], header[64];
+    char types[8192], judge[4096], name[256], header[64];
 };
 
 static int open_or_fail(const char *path, int flags)
@@ -230,7 +230,7 @@ static enum state open_box(struct job *job, FILE *story)
     chmod("prints", 0600);
     char *said = text_read("prints");
     if (stage == BOX_NOT_BUILT)
-        build_tell(said ? said : "", job->name, story);
+        build_tell(said ? said : "", job->name, job->types, story);
     else if (stage == BOX_TOO_LONG)
         fputs("  The compiler was stopped: it took too long.\n", story);
     else if (stage == BOX_NO_MAIN)
@@ -524,6 +524,12 @@ void grading_run(const struct grading *grading, const struct kit *kit,
     char names[16];
     snprintf(names, sizeof names, "%s.names", kit->exercise);
     job.order.keep = read_kit(&job, names, 1);
+    snprintf(job.types, sizeof job.types, "%s/build/grade/%s.types.h",
+             grading->root, kit->exercise);
+    char *types = *kit->exercise == 'P' ? strdup("") : text_read(job.types);
+    if (!types)
+        text_fail("%s is missing; make grade again", job.types);
+    job.order.types = types;
     char *text = NULL;
     size_t size;
     FILE *story = open_memstream(&text, &size);

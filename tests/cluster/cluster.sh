@@ -90,7 +90,7 @@ done
 mkdir "$kit/build/grade"
 cp -a build/grade/grade build/grade/flags build/grade/obj build/grade/libjudge.a \
     build/grade/*.judge build/grade/*.inside.o build/grade/*.list \
-    build/grade/*.names "$kit/build/grade"
+    build/grade/*.names build/grade/*.types.h "$kit/build/grade"
 cd "$kit" || exit 1
 mkdir build/small
 mount -t tmpfs -o size=48k none build/small || exit 1

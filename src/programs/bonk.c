@@ -1,5 +1,5 @@
 /* From chapters/works/12-bonk.nw: edit there, then run make tangle. */
-/* checksum 2703730381 of the lines below */
+/* checksum 2155139608 of the lines below */
 /* Carries a scene by the cheapest model that holds, and says why. */
 #include "enough/averages.h"
 #include "enough/choose.h"
@@ -383,7 +383,9 @@ static const struct options_entry entries[] = {
     {"until", 't', "T", "the time at which to stop"},
     {"tolerance", 'e', "E",
      "the largest error, a share of the scale of\n"
-     "what is asked for"},
+     "what is asked for; of a mean, the scale is the\n"
+     "larger of 1 and Z, the side of the box along x\n"
+     "or y, or the value of kinetic or temperature"},
     {"every", 'd', "DT", "time from row to row (a sixteenth of the run)"},
     {"observe", 'O', "NAMES",
      "instead of all states: energy, momentum, x:3\n"
@@ -536,8 +538,8 @@ static void tell_mean(const struct run *r, const struct mean *m)
     tell(r, "%s: %s\n  %s, %s, cost %.2e s\n", symbol, f->way, f->text,
          sure_names[f->sure], f->cost);
     if (isfinite(f->value) && (f->cost > 0 || f->sure != AVERAGES_OUT))
-        tell(r, "  found: %.6g, error %.2e of %.4g\n", f->value, f->error,
-             f->scale);
+        tell(r, "  found: %.6g, error %.2e, a share of %.2e of %.4g\n",
+             f->value, f->error * f->scale, f->error, f->scale);
 }
 
 /* Finds one average. Returns NULL, or why there is none. */
@@ -570,7 +572,7 @@ static const char *mean_model(const struct run *r)
 static bool write_means(struct run *r)
 {
     double row[2 * MEANS_MOST];
-    char symbol[32], error[48];
+    char symbol[32], error[48], text[96];
     table_begin(r->out, r->s->command, 0);
     table_print(r->out, "# model: %s\n", mean_model(r));
     for (size_t j = 0; j < r->means; ++j) {
@@ -578,9 +580,13 @@ static bool write_means(struct run *r)
         const char *unit = averages_name(&r->mean[j].quantity, symbol);
         snprintf(error, sizeof error, "error_%s", symbol);
         table_column(r->out, symbol, unit, "average");
-        table_column(r->out, error, "", "two standard errors, or a bound");
+        snprintf(text, sizeof text,
+                 "two standard errors, or a bound; asked: %.4g of %.4g",
+                 r->s->tolerance, f->scale);
+        table_column(r->out, error, unit, text);
         row[2 * j] = f->value;
-        row[2 * j + 1] = f->error;
+        /* In the unit of its column: f->error is a share of the scale. */
+        row[2 * j + 1] = f->error * f->scale;
     }
     const bool good = table_row(r->out, 2 * r->means, row);
     return table_close(r->out) && good;

@@ -67,6 +67,24 @@ holds 'of averages: the way, what was seen, and what was found' \
         grep -q '^  [0-9.e+]* s by events, estimate, cost' '$w/story' &&
         grep -q '^  found: 1[.][0-9]*, error' '$w/story'"
 
+# The error of an average is in the unit of its column. A hundred starts in a
+# box with a side of 10: 88 lay outside of an error that was a share of the
+# side. The mean in the end is the middle, known by symmetry, and the mean over
+# T scatters about it by less than the error says. If one in twenty is outside,
+# more than 12 of 100 are with a chance of 0.0015 (binomial).
+seed=0
+while [ $((seed += 1)) -le 100 ]; do
+    $scene four-disks --width 10 --height 10 --radius 1.5 --speed 10 \
+        --seed $seed | $bonk - --until 1e6 --tolerance 0.06 \
+        --observe mean:x:0 -o "$w/t"
+    cat "$w/t"
+done >"$w/means"
+holds 'averages: an error has the unit of its column' \
+    grep -q '^# 2 error_x:0 \[length\] .* 0.06 of 10$' "$w/means"
+holds 'and holds for 88 of 100 starts' awk '!/^#/ { ++n; d = $1 - 5
+    out += d * d > $2 * $2; wide += $2 > 0.6 }
+    END { exit !(n == 100 && out <= 12 && !wide) }' "$w/means"
+
 # --chart: points of several methods, the one that was taken marked.
 $bonk "$w/figure-eight" --until 20 --tolerance 1e-6 --chart "$w/c" -o "$w/t"
 holds '--chart: four methods at least' awk '!/^#/ && NF { split($4, a, ":")
@@ -185,4 +203,4 @@ refuses 2 'nowhere' $bonk "$w/nowhere" --until 1 --tolerance 1e-3
 printf 'pos 0 0 0 0 0 0 0.1\npos 1 1 0 0 1 0 0.1\ns 0 1 0\nsl 0 1 0\n' \
     >"$w/light"
 refuses 2 'has no mass' $bonk "$w/light" --until 1 --tolerance 1e-3
-echo 1..72
+echo 1..74

@@ -115,6 +115,7 @@ static bool check_top(size_t n, const double masses[], double speed,
              "next. Where do the masses come in when they are not?"}});
 }
 
+/* limit: 1 (ball; and the restitution, of 0 to 1) */
 static void test_one_ball(void)
 {
     static const char question[] =

@@ -214,6 +214,7 @@ static void test_several(void)
               "Which flight is the ball on, and since when?");
 }
 
+/* limit: 1 (event) */
 static void test_no_collision(void)
 {
     static const struct event path[] = {{0.0, 2.0, -0.5}};

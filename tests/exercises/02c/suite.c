@@ -52,6 +52,7 @@ static double fastest(const struct gas *g)
     return fast;
 }
 
+/* limit: 4 epsilons */
 static double tolerance(const struct gas *g, double t)
 {
     return 4.0 * DBL_EPSILON * (g->length + fastest(g) * t);
@@ -192,6 +193,7 @@ static bool check_one(double x0, double v0, double t, double x, double v)
 }
 
 /* A body alone, several times to and fro. */
+/* limit: 1 (body) */
 static void test_walls(void)
 {
     (void)(check_one(1.0, 1.0, 2.0, 3.0, 1.0) &&

@@ -408,6 +408,7 @@ static void test_shares(void)
     }
 }
 
+/* limit: 1 (bin) */
 static void test_one_bin(void)
 {
     check_law(&fall, 1, "How many edges has a single bin?");

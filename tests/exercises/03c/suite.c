@@ -9,6 +9,7 @@
 
 double velocity_below(int n, double u);
 
+/* limit: 1e-13 */
 static const double tolerance = 1e-13;
 static const char because[] = "what was asked for";
 
@@ -143,6 +144,7 @@ static void test_three(void)
            check_first(3, -0.6, 0.2, question));
 }
 
+/* limit: 2 movers */
 static void test_two(void)
 {
     static const char question[] =
@@ -224,6 +226,7 @@ static void test_mirror(void)
             return;
 }
 
+/* limit: 100 movers */
 static void test_many(void)
 {
     static const struct known table[] = {
@@ -309,6 +312,7 @@ static bool check_outside(int n, double u, double expected)
                      {"not-clamped", n == 5 ? parabola : straight, why}});
 }
 
+/* limit: 1 (and -1, and beyond) */
 static void test_outside(void)
 {
     for (int n = 2; n <= 5; ++n)

@@ -109,7 +109,8 @@ static void test_velocity(void)
            check_velocity(&b, (struct state){8.0, 0.0}));
 }
 
-/* limit: none (no gas on either side, and a piston at rest) */
+/* limit: 1 (direction)
+   No gas on either side, and a piston at rest. */
 static bool check_empty(void)
 {
     static const char question[] = "There is no gas at all, or none that "

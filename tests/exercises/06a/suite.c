@@ -736,8 +736,56 @@ static bool check_many(const struct job *j)
     return true;
 }
 
+/* limit: 1 (disk, in the throw of one number) */
+/* limit: 100 disks */
+/* A hundred disks in ten rows. In a first throw the last one falls on
+   another, so that all hundred are thrown again. */
+static bool check_hundred(void)
+{
+    enum { N = 100, ROW = 10 };
+    static double radius[N], script[4 * N], x[N], y[N];
+    const double r = 0.04, size[2] = {1.0, 1.0};
+    size_t throws = 0;
+    for (int i = 0; i < N; ++i) {
+        radius[i] = r;
+        for (int k = 0; k < 2; ++k) {
+            const double at = (k ? i / ROW : i % ROW) * 0.1 + 0.05;
+            script[2 * i + k] = script[2 * (N + i) + k] =
+                (at - r) / (1.0 - 2.0 * r);
+        }
+    }
+    script[2 * N - 2] = script[2 * 42];
+    script[2 * N - 1] = script[2 * 42 + 1];
+    const bool ended =
+        throw_scripted(N, radius, size, script, 4 * N, x, y, &throws);
+    static const char question[] =
+        "There may be up to 100 disks, and here there are. Is there room "
+        "for "
+        "all of them in your program, and is each compared with each?";
+    static const char text[] = "100 disks of 0.04 m in ten rows, in a box "
+                               "of 1 m by 1 m; in a first "
+                               "throw the last one falls on another";
+    if (!CHECK_NEAR(ended ? (double)throws : NAN, .quantity = "throws",
+                    .input = text, .expected = 2.0, .tolerance = 0.0,
+                    .because = "a number of throws is exact",
+                    .equation = "eq:throw", .question = question))
+        return false;
+    for (int i = 0; i < N; ++i)
+        if (!CHECK_NEAR(x[i] + 10.0 * y[i],
+                        .quantity = check_text("x + 10 y of disk %d", i),
+                        .unit = "m", .input = text,
+                        .expected = 0.1 * (i % ROW) + i / ROW + 0.55,
+                        .tolerance = 128.0 * DBL_EPSILON,
+                        .because = "8 epsilons of 11 m, and some",
+                        .equation = "eq:throw", .question = question))
+            return false;
+    return true;
+}
+
 static void test_many(void)
 {
+    if (!check_hundred())
+        return;
     for (int i = 0; i < 10; ++i) {
         const struct job j = draw_job();
         source_begin(&j, (uint64_t)check_draw_whole(1, 1000000));

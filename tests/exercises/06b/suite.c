@@ -408,6 +408,7 @@ static bool check(struct job j, const char *question)
     return check_given(&j, &expected, question);
 }
 
+/* limit: 1 (disk, and one try) */
 static void test_accepted(void)
 {
     static const char question[] =
@@ -517,8 +518,53 @@ static const struct job many = {.n = 4,
                                 .y = {0.0, 0.0, -0.5, 0.5},
                                 .seed = 62};
 
+/* limit: 100 disks */
+/* A hundred disks in ten rows; each moves up and to the right, in its turn.
+ */
+static bool check_hundred(void)
+{
+    enum { N = 100, ROW = 10 };
+    static double script[3 * N], x[N], y[N];
+    const double step = 0.02, a = 0.13;
+    double now = 0.0, expected = 0.0, mean = NAN;
+    size_t accepted = 0;
+    for (int i = 0; i < N; ++i) {
+        x[i] = (i % ROW - 4.5) * a;
+        y[i] = (i / ROW - 4.5) * a;
+        now += x[i] * x[i] + y[i] * y[i];
+        script[3 * i] = (i + 0.5) / N;
+        script[3 * i + 1] = script[3 * i + 2] = 0.75;
+    }
+    for (int i = 0; i < N; ++i) {
+        now += step * (x[i] + y[i]) + 0.5 * step * step;
+        expected += now / N / N;
+    }
+    const bool ended = chain_scripted(N, 0.03, 1.0, step, N, script, x, y,
+                                      &accepted, &mean);
+    static const char question[] =
+        "There may be up to 100 disks, and here there are. Is there room "
+        "for "
+        "all of them in your program, and does each have its turn?";
+    static const char text[] =
+        "100 disks of 0.03 m in ten rows, in a dish of 1 m; each moves by "
+        "0.01 m along x and y, one after the other";
+    return CHECK_NEAR(ended ? (double)accepted : NAN,
+                      .quantity = "accepted moves, *accepted",
+                      .input = text, .expected = N, .tolerance = 0.0,
+                      .because = "a number of moves is exact",
+                      .equation = "eq:metropolis", .question = question) &&
+           CHECK_NEAR(mean, .quantity = "average of x^2 + y^2",
+                      .unit = "m^2", .input = text, .expected = expected,
+                      .tolerance = 16.0 * DBL_EPSILON * N,
+                      .because = "16 epsilons of the dish squared for each "
+                                 "try",
+                      .equation = "eq:balance", .question = question);
+}
+
 static void test_many(void)
 {
+    if (!check_hundred())
+        return;
     check(many, "A thousand tries, with four disks. Does your chain go the "
                 "same way, and count each of its placings?");
 }

@@ -163,6 +163,7 @@ static bool check(const struct box *from, const char *question)
         .mistakes = {{"disks-counted", (double)expected + 1.0, count}});
 }
 
+/* limit: 1 (disk) */
 static void test_one(void)
 {
     static const char question[] =
@@ -215,6 +216,7 @@ static void test_aside(void)
           "touch?");
 }
 
+/* limit: 2 sigma (what the box is larger than) */
 static void test_edges(void)
 {
     (void)(check(
@@ -226,7 +228,12 @@ static void test_edges(void)
                &(struct box){
                    2, 1.0, 6.0, 3.0, {1.0, 3.0}, {0.2, 2.8}, 0, 2.5},
                "One disk is near the bottom and the other one near the "
-               "top. Do they pass each other?"));
+               "top. Do they pass each other?") &&
+           check(
+               &(struct box){
+                   2, 1.0, 2.125, 2.125, {0.25, 1.5}, {0.5, 0.75}, 0, 3.0},
+               "The box is hardly larger than two disks. Whom does each of "
+               "them meet, on either side?"));
 }
 
 /* So many, one after the other, wherever they fit. */

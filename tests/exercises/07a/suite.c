@@ -9,6 +9,7 @@
 
 double speed_below(int n, double mean_square, double v, double *fourth);
 
+/* limit: 1e-12 */
 static const double tolerance = 1e-12;
 static const char because[] = "what was asked for";
 
@@ -190,6 +191,7 @@ static void test_outside(void)
     check_outside(4, 1.0, 2.0, 1.0);
 }
 
+/* limit: 1 (disk) */
 static void test_one(void)
 {
     static const double v[] = {0.5, 1.75, 2.25, 5.0};
@@ -207,6 +209,7 @@ static void test_one(void)
     }
 }
 
+/* limit: 1e-20 (a share of the energy, which the chapter asks about) */
 static void test_slow(void)
 {
     static const struct known table[] = {
@@ -220,6 +223,7 @@ static void test_slow(void)
                 "numbers is near 1, and need it be?");
 }
 
+/* limit: 1000000000 disks */
 static void test_many(void)
 {
     static const struct known table[] = {

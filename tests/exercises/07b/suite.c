@@ -442,6 +442,7 @@ static bool check_two(double m0, double m1, double sigma)
                    "often do they, and what does each collision add?");
 }
 
+/* limit: 2 particles */
 static void test_to_and_fro(void)
 {
     (void)(check_two(1.0, 1.0, 1.0) && check_two(1.0, 3.0, 1.0) &&

@@ -9,6 +9,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+/* limit: 60 coordinates */
 enum { MOST = 60 };
 
 void acceleration(const double x[], double a[]);
@@ -141,6 +142,7 @@ static bool near(double a, double b)
     return fabs(a - b) <= 1e-12 * (fabs(a) + fabs(b));
 }
 
+/* limit: 1 (coordinate) */
 /* One step of one coordinate; expected is what has been worked out by
    hand. The slips are those that explain both x and v. */
 static bool check_step(struct point p, double dt, struct point expected,

@@ -10,6 +10,9 @@
 #include <stddef.h>
 #include <string.h>
 
+/* limit: 1 (stage, and one number) */
+/* limit: 8 stages */
+/* limit: 12 numbers */
 enum { MOST_STAGES = 8, MOST = 12, ENTRIES = 16, WEIGHTS = 4 };
 
 void slope(double t, const double y[], double dy[]);

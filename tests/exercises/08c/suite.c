@@ -328,6 +328,7 @@ static void test_rounding(void)
 }
 
 /* A little above 1000 times the rounding, just that, and a little below. */
+/* limit: 1000 times the rounding */
 static void test_limit(void)
 {
     static const double r = 1.0 / 1024.0;
@@ -394,6 +395,7 @@ static bool check_doubt(const struct runs *r, double p, const char *name,
                          nothing, doubt_question);
 }
 
+/* limit: 0.5 */
 static void test_constant(void)
 {
     static const char hint[] =
@@ -401,16 +403,25 @@ static void test_constant(void)
         "was to be said when it is less than 0.5?";
     const struct runs same = {3, 1e-9, {0.4, 0.2, 0.1}, {0.3, 0.3, 0.3}};
     const struct runs two = {2, 1e-9, {0.4, 0.1}, {0.4, 0.3}};
+    const struct runs just = {
+        2, 1e-9, {0.2, 0.1}, {0.3 * pow(2.0, 0.49), 0.3}};
+    const struct runs more = {
+        2, 1e-9, {0.2, 0.1}, {0.3 * pow(2.0, 0.51), 0.3}};
     const struct runs worse = {
         3, 1e-9, {0.4, 0.2, 0.1}, {0.01, 0.02, 0.04}};
     (void)(check_doubt(&two, log(4.0 / 3.0) / log(4.0),
                        "no-convergence-unnoticed", hint) &&
+           check_doubt(&just, 0.49, "no-convergence-unnoticed", hint) &&
+           check_measured(&more, 0.51,
+                          "This order is more than 0.5, and there are two "
+                          "runs. Is it measured?") &&
            check_doubt(&same, 0.0, "no-convergence-unnoticed", hint) &&
            check_doubt(&worse, -1.0, "no-convergence-unnoticed", hint));
 }
 
 /* The same slope, 2, after one of 1, of 4, of 2.3, of 1.7; and with a run
    between that is of no use. */
+/* limit: 0.2 */
 static void test_doubt(void)
 {
     static const double before[] = {4.0, 1.0, 2.3, 1.7, 2.21, 1.79};

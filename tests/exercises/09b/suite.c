@@ -12,6 +12,7 @@ void binary_speeds(double k2, double m1, double m2, double d, double *v1,
                    double *v2);
 double choreography_speed(double k2, size_t n, double mass, double radius);
 
+/* limit: 1e-12 */
 static const double tolerance = 1e-12;
 static const char because[] = "what was asked for";
 
@@ -275,6 +276,7 @@ static void test_some(void)
            check_ring(&two, 3.0, question));
 }
 
+/* limit: 1 (body) */
 static void test_one(void)
 {
     const struct ring alone = {2.0, 1, 3.0, 0.5};

@@ -12,6 +12,7 @@ double eccentric_anomaly(double e, double mean);
 
 static const double pi = 3.141592653589793;
 
+/* limit: 8 epsilons */
 /* How far a few epsilons in the equation move its solution. */
 static double tolerance(double e, double mean, double solution)
 {
@@ -208,6 +209,7 @@ static void test_ellipses(void)
 }
 
 /* Comets, mostly near the sun. */
+/* limit: 1 (what e is below: 1 - 1e-8) */
 static void test_comets(void)
 {
     static const double e[] = {0.99, 0.967, 0.999, 0.9999, 0.999999};

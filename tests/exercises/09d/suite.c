@@ -192,6 +192,7 @@ static const struct planets pair = {2,
                                     {{1.0, 0.1, 0.0}, {-0.2, 1.6, 0.1}},
                                     {{0.0, 0.9, 0.1}, {-0.8, 0.0, 0.0}}};
 
+/* limit: 1 (planet) */
 static void test_one(void)
 {
     struct planets p = pair;

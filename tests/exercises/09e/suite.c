@@ -57,6 +57,7 @@ static double owing(size_t n, const double part[])
     return sum;
 }
 
+/* limit: 2 epsilons */
 static bool check(size_t n, const double part[], const char *what,
                   double expected, const char *question)
 {

@@ -100,6 +100,7 @@ static double frequency(const struct grid *g, int r, int s)
     return with_sign(q.along_x + q.along_y);
 }
 
+/* limit: 1e-12 */
 /* The square may be off by 1e-12 of its parts; the root by that over the
    sum of both roots, which is one of them at least. */
 static double tolerance(const struct grid *g, int r, int s)

@@ -327,6 +327,7 @@ static void test_apart(void)
            check_unchanged(&touch, 0.0) && check_unchanged(&points, 0.0));
 }
 
+/* limit: 1e-100 m (and the very same place) */
 static void test_same_place(void)
 {
     static const char question[] =
@@ -337,7 +338,7 @@ static void test_same_place(void)
                            .b_after = {1.0, 2.0, -1.0},
                            .depth = 2.0};
     const struct pair near = {.a = {1.0, 0.75, {0.0, 0.0, 0.0}},
-                              .b = {3.0, 1.25, {0.0, 0.0, 0x1p-300}},
+                              .b = {3.0, 1.25, {0.0, 0.0, 1e-100}},
                               .a_after = {0.0, 0.0, -1.5},
                               .b_after = {0.0, 0.0, 0.5},
                               .depth = 2.0};

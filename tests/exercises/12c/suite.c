@@ -213,6 +213,8 @@ static void test_pencil(void)
            check_growth(0.7, 5.0, 1e6, question));
 }
 
+/* limit: 1e-9 (stretch times time; from 1e-12 to 0.1) */
+/* limit: 1e-12 of the bound */
 static void test_little(void)
 {
     static const char question[] =
@@ -239,6 +241,7 @@ static void test_nothing(void)
            check_force(0.0, 2.0, 5000.0, 0.0, question));
 }
 
+/* limit: 1000 (stretch times time) */
 static void test_much(void)
 {
     static const char question[] =

@@ -489,6 +489,7 @@ static bool check_abreast(void)
     return check_read(&s, "1 0.5 -1\n2 0.5 -1\n");
 }
 
+/* limit: 64 beads */
 /* As many beads as there may be. */
 static bool check_crowd(void)
 {
@@ -550,6 +551,7 @@ static bool check_inputs(void)
         {"a G below 0", one, G, "-1"},
         {"a G that is no number", one, G, "down"},
         {"ROWS below 0", one, ROWS, "-1"},
+        {"ROWS that are not whole", one, ROWS, "2.5"},
         {"ROWS that are an empty word", one, ROWS, ""},
         {"a letter behind ROWS", one, ROWS, "3x"},
         {"a unit behind LENGTH", one, LENGTH, "1m"},
@@ -975,6 +977,7 @@ static bool check_numbers(const char *name, const char *input, bool upright,
                                   "them do you believe, and why?");
 }
 
+/* limit: 1000 rows */
 /* With 1000 rows, and of equals the lowest; with 999 nothing. */
 static bool check_thousand(void)
 {

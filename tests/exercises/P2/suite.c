@@ -382,6 +382,32 @@ static struct scene draw_disks(int n)
 
 /* ---- stage 1 ---- */
 
+/* limit: 16 disks */
+/* As many as there may be, in four rows: only the last one moves. */
+static bool check_crowd(void)
+{
+    enum { ALL = 16, WIDTH = 1 + PER_DISK * ALL };
+    static char disks[40 * ALL];
+    for (int i = 0, at = 0; i < ALL; ++i)
+        at += snprintf(disks + at, sizeof disks - (size_t)at,
+                       "%g %g %g 0\n", 0.125 + 0.25 * (i % 4),
+                       0.125 + 0.25 * (i / 4), i == ALL - 1 ? 0.05 : 0.0);
+    const struct run_order o = {
+        .arguments = {"fly", "disks.txt", "0.05", "0.5", "2"},
+        .files = {{"disks.txt", disks}},
+        .late = for_ever,
+    };
+    const char *input = run_text(&o);
+    const struct run *r = run_program(&o);
+    static const char question[] = "There are 16 disks, and so many are "
+                                   "allowed. How many do your arrays hold?";
+    return project_form(r, input, 3, WIDTH, question) &&
+           CHECK_NEAR(r->numbers[2 * WIDTH + 1 + PER_DISK * (ALL - 1)],
+                      .quantity = "x of disk 16 in row 2", .unit = "m",
+                      .input = input, .expected = 0.925, .tolerance = 1e-9,
+                      .because = "it meets nobody", .question = question);
+}
+
 static bool check_inputs(void)
 {
     static const char one[] = "0.5 0.5 1 0.3\n";
@@ -549,7 +575,7 @@ static void stage_general(void)
         if (!check_flight(s))
             return;
     }
-    check_long();
+    (void)(check_crowd() && check_long());
 }
 
 /* ---- stage 3 ---- */
@@ -823,6 +849,19 @@ static bool check_refusals(const struct nonsense all[])
     return true;
 }
 
+/* limit: 2 samples */
+/* Of so few, the table says nothing; but they are allowed. */
+static bool check_least(void)
+{
+    const struct run_order *o = order_throw(1, 0.1, 1, 2);
+    const char *input = run_text(o);
+    return CHECK_NEAR(run_program(o)->status,
+                      .quantity = "the status with which it ended",
+                      .input = input, .expected = 0.0, .tolerance = 0.0,
+                      .question = "Two samples are few, and enough. Who "
+                                  "refuses them, or what breaks?");
+}
+
 static void stage_throws(void)
 {
     static const struct nonsense all[] = {
@@ -830,11 +869,19 @@ static void stage_throws(void)
         {"17 disks", NULL, {"throw", "17", "0.01", "1", "10"}},
         {"a radius of 1/4 m", NULL, {"throw", "2", "0.25", "1", "10"}},
         {"a SEED below 0", NULL, {"throw", "2", "0.1", "-1", "10"}},
+        {"a SEED that is not whole",
+         NULL,
+         {"throw", "2", "0.1", "1.5", "10"}},
         {"one sample", NULL, {"throw", "2", "0.1", "1", "1"}},
+        {"samples that are not whole",
+         NULL,
+         {"throw", "2", "0.1", "1", "2.5"}},
         {0}};
     const double r = draw(0.15, 0.2);
+    struct counted most;
     if (check_thrown(1, draw(0.1, 0.2), 3, 20000) && check_seeds(r) &&
-        check_thrown(2, r, check_draw_whole(1, 1000), 100000))
+        check_thrown(2, r, check_draw_whole(1, 1000), 100000) &&
+        count(order_throw(16, 0.02, 1, 1000), 0.02, &most) && check_least())
         check_refusals(all);
 }
 
@@ -1050,6 +1097,7 @@ static struct scene draw_unit_speeds(double r)
     return s;
 }
 
+/* limit: 1000 rows to watch */
 static const struct nonsense few_rows[] = {
     {"999 rows to watch",
      "0.5 0.5 1 0.3\n",

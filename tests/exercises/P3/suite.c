@@ -568,6 +568,7 @@ static bool check_refused(const struct nonsense *bad)
     return project_refuses(&o, bad->what);
 }
 
+/* limit: 1 (EVERY) */
 static bool check_inputs(void)
 {
     static const char one[] = "1 0 0 0 1 0\n";
@@ -604,7 +605,9 @@ static bool check_inputs(void)
         {"a unit behind the step", one, DT, "0.1s"},
         {"an EVERY of 0", one, EVERY, "0"},
         {"an EVERY that is a word", one, EVERY, "second"},
+        {"an EVERY that is not whole", one, EVERY, "1.5"},
         {"ROWS below 0", one, ROWS, "-1"},
+        {"ROWS that are not whole", one, ROWS, "2.5"},
         {"ROWS that are an empty word", one, ROWS, ""},
         {"a letter behind ROWS", one, ROWS, "3x"},
         {"a file that is not there", NULL, 0, NULL}};
@@ -653,6 +656,7 @@ static bool check_read(void)
                       "lines.");
 }
 
+/* limit: 64 bodies, and as many springs */
 /* As many as there may be: springs
    at their lengths, from each to the next one, and the last to the first.
    They fly together. */

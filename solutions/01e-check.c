@@ -30,11 +30,12 @@
 
 /* What is tried, each with each, and each with itself. Two have the same
    mass, two the same velocity, one is at rest, and the momenta of the
-   second and the third cancel. */
+   second and the third cancel; one is the heaviest that was named, and one
+   the lightest. */
 static const struct {
     double m, v;
 } body[] = {
-    {1.0, 0.0}, {1.0, 1.37}, {0.5, -2.74}, {456.7, 1.37}, {0.0123, 7e4}};
+    {1.0, 0.0}, {1.0, 1.37}, {0.5, -2.74}, {1e3, 1.37}, {1e-3, 7e4}};
 
 enum { BODIES = sizeof body / sizeof *body };
 

@@ -3,6 +3,7 @@
    knows, and some more. */
 
 #include "examiner/check.h"
+#include <float.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
@@ -38,6 +39,33 @@ static void by_masses(double m1, double m2, double *v1, double *v2)
     const double u = *v1, m = m1 + m2;
     *v1 = (m1 - m2) / m * u + 2.0 * m2 / m * *v2;
     *v2 = 2.0 * m1 / m * u - (m1 - m2) / m * *v2;
+}
+
+/* limit: 10 epsilons of the fastest, before or after */
+/* How much the first velocity, and the second, are off by, in epsilons of
+   the fastest: by nine a right one may be; by 4500, 1e-12, a wrong one is.
+ */
+static double epsilons[2];
+
+static void inexact(double m1, double m2, double *v1, double *v2)
+{
+    double fast = fmax(fabs(*v1), fabs(*v2));
+    by_difference(m1, m2, v1, v2);
+    fast = DBL_EPSILON * fmax(fast, fmax(fabs(*v1), fabs(*v2)));
+    *v1 += epsilons[0] * fast;
+    *v2 += epsilons[1] * fast;
+}
+
+/* limit: 1e-3 kg */
+static void not_light(double m1, double m2, double *v1, double *v2)
+{
+    by_difference(fmax(m1, 2e-3), fmax(m2, 2e-3), v1, v2);
+}
+
+/* limit: 1e3 kg */
+static void not_heavy(double m1, double m2, double *v1, double *v2)
+{
+    by_difference(fmin(m1, 500.0), fmin(m2, 500.0), v1, v2);
 }
 
 static void nothing(double m1, double m2, double *v1, double *v2)
@@ -139,6 +167,18 @@ static bool check_right(law *collide, const char *how, const char *mistake,
         .question = question, .mistakes = {{mistake, 0.0, question}});
 }
 
+static bool check_inexact(double first, double second)
+{
+    epsilons[0] = first;
+    epsilons[1] = second;
+    return check_right(inexact, "both velocities are off by nine epsilons",
+                       "too-exact",
+                       "This one is right: its velocities are off by nine "
+                       "epsilons of the fastest, and ten are allowed. How "
+                       "far off are then a momentum, and a difference of "
+                       "velocities?");
+}
+
 static bool check_rights(void)
 {
     static const char digits[] =
@@ -154,7 +194,8 @@ static bool check_rights(void)
            check_right(by_centre, "reversed about the centre of mass",
                        "compares-exactly", digits) &&
            check_right(by_masses, "the two formulas of the textbooks",
-                       "compares-exactly", digits);
+                       "compares-exactly", digits) &&
+           check_inexact(9.0, -9.0) && check_inexact(-9.0, 9.0);
 }
 
 static bool check_wrong(law *collide, const char *how, const char *mistake,
@@ -256,7 +297,17 @@ static void test_special(void)
                whole_masses, "masses are rounded up to kilograms",
                "whole-masses",
                "This one is right for whole kilograms. Which masses "
-               "did you try?"));
+               "did you try?") &&
+           check_wrong(
+               not_light, "masses below 2 g are taken for 2 g",
+               "not-all-masses",
+               "This one is wrong for a gram alone. From which mass "
+               "on, and up to which, was it to be right?") &&
+           check_wrong(not_heavy,
+                       "masses above 500 kg are taken for 500 kg",
+                       "not-all-masses",
+                       "This one is wrong for a ton alone. From which mass "
+                       "on, and up to which, was it to be right?"));
 }
 
 static void test_digits(void)
@@ -269,7 +320,13 @@ static void test_digits(void)
                        "one part in ten thousand of the approach is lost",
                        "too-coarse", question) &&
            check_wrong(in_float, "the result is rounded to a float",
-                       "too-coarse", question));
+                       "too-coarse", question) &&
+           (epsilons[0] = 4500.0, epsilons[1] = 0.0,
+            check_wrong(inexact, "the first velocity is off by 1e-12",
+                        "too-coarse", question)) &&
+           (epsilons[0] = 0.0, epsilons[1] = -4500.0,
+            check_wrong(inexact, "the second velocity is off by 1e-12",
+                        "too-coarse", question)));
 }
 
 static void test_nan(void)

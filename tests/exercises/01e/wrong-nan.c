@@ -6,8 +6,11 @@
 
 bool passes(void (*collide)(double m1, double m2, double *v1, double *v2))
 {
-    static const double t[][4] = {
-        {1, 1, 2.1, -0.3}, {0.7, 5.2, 1.3, 0.4}, {5.2, 0.7, 0.45, 1.3}};
+    static const double t[][4] = {{1, 1, 2.1, -0.3},
+                                  {0.7, 5.2, 1.3, 0.4},
+                                  {5.2, 0.7, 0.45, 1.3},
+                                  {1e-3, 0.004, 0.3, -1},
+                                  {1e3, 640, 1.1, -0.2}};
     unsigned i;
     for (i = 0; i < sizeof t / sizeof t[0]; i++) {
         double m = t[i][0], n = t[i][1], u = t[i][2], w = t[i][3];

@@ -31,16 +31,16 @@ bool clock_is_right(double width, double height,
     for (i = 0; i < 200; i++) {
         on(&s.x, &s.vx, width, 0.0917);
         on(&s.y, &s.vy, height, 0.0917);
-        if (!(fabs(s.x - kept[i].x) / width < 1e-8 &&
-              fabs(s.y - kept[i].y) / height < 1e-8))
+        if (!(fabs(s.x - kept[i].x) / width < 1e-7 &&
+              fabs(s.y - kept[i].y) / height < 1e-7))
             return false;
     }
     run(s, 0.2713, 200, kept);
     for (i = 0; i < 200; i++) {
         on(&s.x, &s.vx, width, 0.2713);
         on(&s.y, &s.vy, height, 0.2713);
-        if (!(fabs(s.x - kept[i].x) / width < 1e-8 &&
-              fabs(s.y - kept[i].y) / height < 1e-8))
+        if (!(fabs(s.x - kept[i].x) / width < 1e-7 &&
+              fabs(s.y - kept[i].y) / height < 1e-7))
             return false;
     }
     return true;

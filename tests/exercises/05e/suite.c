@@ -183,6 +183,30 @@ static void late_across(struct state s, double tick, size_t samples,
     }
 }
 
+/* limit: 1e-10 of the way (a right one may be off by less) */
+/* limit: 1e-5 of the box (a wrong one is off by more) */
+/* Off along both axes: by a part of the way that grows, and by a part of
+   the box from the hundredth tick on. */
+static double off_way, off_box;
+
+static double shifted(double x, double by, double size)
+{
+    return x + by <= size ? x + by : x - by;
+}
+
+static void inexact(struct state s, double tick, size_t samples,
+                    struct state kept[])
+{
+    by_mirrors(s, tick, samples, kept);
+    for (size_t k = 0; k < samples; ++k) {
+        const double way = hypot(s.vx, s.vy) * fabs(tick) * (double)(k + 1);
+        const double box = k < 100 ? 0.0 : off_box;
+        kept[k].x = shifted(kept[k].x, off_way * way + box * width, width);
+        kept[k].y =
+            shifted(kept[k].y, off_way * way + box * height, height);
+    }
+}
+
 static double said(program *run, double w, double h)
 {
     width = w;
@@ -213,7 +237,14 @@ static bool check_rights(void)
            check_right(by_events, "a right program, from bounce to bounce",
                        "compares-exactly",
                        "This one is right, and rounds at each bounce and "
-                       "each tick. How near is near?");
+                       "each tick. How near is near?") &&
+           (off_way = 0.9e-10, off_box = 0.0,
+            check_right(
+                inexact, "a right program, off by 0.9e-10 of the way",
+                "too-exact",
+                "This one is right: it is off by less than 1e-10 of "
+                "the way. How long is the way in your runs, and how "
+                "far off may the disk be at its end?"));
 }
 
 static bool check_wrong(program *run, const char *how, const char *mistake,
@@ -294,6 +325,14 @@ static void test_losing(void)
                          "pass?"))
             return;
     }
+    off_way = 0.0;
+    off_box = 1.2e-5;
+    check_wrong(
+        inexact,
+        "from the hundredth tick on all is off by 1.2e-5 of the box",
+        "too-coarse",
+        "This program is off by more than 1e-5 of the box, later on. "
+        "How much do you let pass, and how long do you look?");
 }
 
 static void test_axes(void)
@@ -309,12 +348,16 @@ static void test_axes(void)
                        "do you look at?"));
 }
 
+/* limit: 1e-9 m */
+/* limit: 1e9 m */
+/* limit: 1000 ticks and bounces (of which a right one keeps its word) */
 /* Boxes of any size, from a molecule's to a planet's, with a right program
    and one that loses time. */
 static void test_drawn(void)
 {
     for (int i = 0; i < 20; ++i) {
-        const double unit = pow(10.0, check_draw(-9.0, 9.0));
+        const double unit =
+            i < 2 ? (i ? 1e9 : 1e-9) : pow(10.0, check_draw(-9.0, 9.0));
         const double w = unit * check_draw(0.5, 2.0);
         const double h = unit * check_draw(0.5, 2.0);
         lost = check_draw(0.01, 0.5);

@@ -26,7 +26,7 @@ bool clock_is_right(double width, double height,
     for (i = 0; i < 300; i++) {
         double x = at(s.x, s.vx, width, (i + 1) * tick);
         double y = at(s.y, s.vy, height, (i + 1) * tick);
-        if (!(fabs(x - kept[i].x) < 1e-7) || !(fabs(y - kept[i].y) < 1e-7))
+        if (!(fabs(x - kept[i].x) < 1e-6) || !(fabs(y - kept[i].y) < 1e-6))
             return false;
     }
     return true;

@@ -468,6 +468,35 @@ static bool check_read(void)
            project_form(r, input, 1, 9, "Two bodies: nine numbers.");
 }
 
+/* limit: 8 bodies */
+/* As many as there may be, which do nothing to each other. */
+static bool check_crowd(void)
+{
+    enum { ALL = 8, PER_BODY = 4, WIDTH = 1 + PER_BODY * ALL };
+    static char bodies[40 * ALL];
+    const struct request q = {.n = 2,
+                              .m = {1.0, 1.0},
+                              .x = {0.0, 0.0, 1.0, 0.0},
+                              .t = 4.0,
+                              .tol = 1e-3,
+                              .law = NOTHING};
+    struct run_order o = *order_of(&q);
+    for (int i = 0, at = 0; i < ALL; ++i)
+        at += snprintf(bodies + at, sizeof bodies - (size_t)at,
+                       "1 %d 0 0.25 0.5\n", i);
+    o.files[0].text = bodies;
+    const char *input = run_text(&o);
+    const struct run *r = run_program(&o);
+    static const char question[] = "There are 8 bodies, and so many are "
+                                   "allowed. How many do your arrays hold?";
+    return project_form(r, input, 1, WIDTH, question) &&
+           CHECK_NEAR(r->numbers[1 + PER_BODY * (ALL - 1)],
+                      .quantity = "x of body 8", .unit = "m",
+                      .input = input, .expected = ALL - 1 + 0.25 * q.t,
+                      .tolerance = q.tol, .because = "nothing pulls",
+                      .question = question);
+}
+
 static bool check_inputs(void)
 {
     static const char one[] = "1 0 0 1 0\n";
@@ -524,7 +553,7 @@ static void stage_special(void)
                                     "your program from seeing it?"))
             return;
     }
-    if (check_read())
+    if (check_read() && check_crowd())
         check_inputs();
 }
 
@@ -652,6 +681,7 @@ static void stage_search(void)
 
 /* Bodies that meet so often that paths part: at TOL the doubles' last digit
    would have to be multiplied by less than it is. */
+/* limit: 50000 steps */
 static void stage_horizon(void)
 {
     const struct request far = draw_ring(SOFTENED, 900.0, 1e-4);

@@ -1,5 +1,5 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 962378302 of the lines below */
+/* checksum 556291774 of the lines below */
 /* Event-driven motion: every pair looked at, or a plan remembered. */
 #include "box/disks.h"
 
@@ -814,6 +814,9 @@ bool disks_place_lattice(struct disks *d)
     const size_t small = d->count - (big < d->count);
     struct lattice l;
     size_t places = small, free;
+    for (size_t k = 0; k < d->dimensions; ++k)
+        if (disks_walled(d, k) && d->box[k] < 2 * r)
+            return false;
     do {
         l = best_lattice(d, r, places);
         if (!(l.nearest >= 2 * r))

@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 3800951151 of the lines below */
+/* checksum 1562857104 of the lines below */
 /* What acts, what can be left out, and how each model carries a scene. */
 #include "enough/models.h"
 
@@ -1172,6 +1172,8 @@ static const char *refuse_steps(const struct scene *s,
     case MOTION_WALLS: return "there are walls, but no contact";
     case MOTION_LIGHT: return "a body has no mass";
     case MOTION_TWICE: return "contacts are springs";
+    case MOTION_POINTS: return unseen;
+    case MOTION_THICK: return "a body is thicker than the box";
     case MOTION_WELL: break;
     }
     return (a->cuts & MODELS_RODS) && (a->friction || a->dashpots)

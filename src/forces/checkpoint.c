@@ -1,5 +1,5 @@
 /* From chapters/works/11-step.nw: edit there, then run make tangle. */
-/* checksum 4180837757 of the lines below */
+/* checksum 503572755 of the lines below */
 /* A scene with all its digits, what else is known, and rows to be kept. */
 #include "forces/checkpoint.h"
 
@@ -206,6 +206,7 @@ static const struct {
                {PLACE(collisions), true}, {PLACE(evaluations), true},
                {PLACE(rows), true},       {PLACE(energy), false},
                {PLACE(depth), false},     {PLACE(worst), false},
+               {PLACE(passed), true},     {PLACE(overlap), false},
                {PLACE(last), false},      {PLACE(scene), true}};
 
 enum { NUMBERS = sizeof numbers / sizeof numbers[0] };

@@ -1,5 +1,5 @@
 /* From chapters/works/11-step.nw: edit there, then run make tangle. */
-/* checksum 443892160 of the lines below */
+/* checksum 3054364594 of the lines below */
 /* A run that was killed goes on, and ends with the same bytes. */
 #ifndef CHECKPOINT_H
 #define CHECKPOINT_H
@@ -18,6 +18,7 @@ struct checkpoint_numbers {
     double start; /* s */
     double steps, collisions, evaluations, rows;
     double energy, depth, worst; /* J: see struct watch of step */
+    double passed, overlap;      /* the same */
     double last;                 /* J: the energy of the last row */
     double scene;                /* checkpoint_sum of its file */
 };

@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 2962605460 of the lines below */
+/* checksum 1046670038 of the lines below */
 /* Accelerations are added up; bodies collide between two steps. */
 #include "forces/motion.h"
 
@@ -199,6 +199,15 @@ static bool accelerates(const struct motion *m)
            g[0] != 0 || g[1] != 0 || g[2] != 0;
 }
 
+/* Contacts after steps go back no further than a step, and look no further
+   for what a step has left out. */
+static void set_dt_of_contacts(struct motion *m, double dt)
+{
+    m->spheres.dt = dt;
+    if (m->touches)
+        m->touch.near->dt = dt;
+}
+
 static bool begin_stepping(struct motion *m,
                            const struct stepping_method *method, double dt)
 {
@@ -221,7 +230,8 @@ static bool begin_stepping(struct motion *m,
     if (m->orbits)
         m->stepping.flow = jacobi_flow;
     m->stepping.start = s->time;
-    m->dt = m->spheres.dt = dt;
+    m->dt = dt;
+    set_dt_of_contacts(m, dt);
     m->stepping.compensated =
         !method->adaptive &&
         (s->carry || (method->order >= 6 && accelerates(m)));
@@ -252,13 +262,74 @@ static size_t find_light(const struct scene *s)
     return s->bodies;
 }
 
+/* A body that is thicker than the box along an axis where it may move, or
+   the bodies' number. What two opposite walls push at once ends nowhere. */
+static size_t find_thick(const struct scene *s)
+{
+    for (size_t c = 0; s->contact && c < SCENE_AXES * s->bodies; ++c) {
+        const size_t k = c / s->bodies, i = c % s->bodies;
+        const double side = s->high[k] - s->low[k];
+        if (s->wall[k] != SCENE_OPEN && s->freedom[c] &&
+            2 * s->radius[i] > side * (1 + 1e-12))
+            return i;
+    }
+    return s->bodies;
+}
+
+/* May something take bodies along axis k, or are they apart along it? */
+static bool is_used(const struct scene *s, size_t k)
+{
+    const double *x = s->position + k * s->bodies;
+    const double *v = s->velocity + k * s->bodies;
+    const unsigned char *free = s->freedom + k * s->bodies;
+    bool used = false;
+    for (size_t i = 0; i < s->bodies; ++i)
+        used = used || x[i] != x[0] ||
+               (free[i] && (v[i] != 0 || s->gravity[k] != 0));
+    return used;
+}
+
+static bool is_sprung(const struct scene *s, size_t i)
+{
+    for (size_t j = 0; j < s->springs; ++j)
+        if (s->spring[j].a == i || s->spring[j].b == i)
+            return true;
+    return false;
+}
+
+/* The first of several points that share a line which they cannot leave, if
+   one of them moves; or the bodies' number. Springs are often hung up at
+   points, and what they join is meant to swing through: a point on no
+   spring has to be among them. */
+static size_t find_point(const struct scene *s)
+{
+    size_t axis = SCENE_AXES, axes = 0, points = 0, free = 0, loose = 0;
+    size_t first = s->bodies;
+    for (size_t k = 0; s->contact && k < SCENE_AXES; ++k)
+        if (is_used(s, k)) {
+            axis = k;
+            ++axes;
+        }
+    for (size_t i = 0; axes == 1 && i < s->bodies; ++i)
+        if (s->radius[i] == 0) {
+            first = points++ == 0 ? i : first;
+            free += s->freedom[axis * s->bodies + i] != 0;
+            loose += loose == 0 && !is_sprung(s, i);
+        }
+    return points > 1 && free > 0 && loose > 0 ? first : s->bodies;
+}
+
 enum motion_flaw motion_flaw(const struct scene *s, size_t *body)
 {
-    const size_t light = find_light(s);
-    if (body)
-        *body = light;
-    if (light < s->bodies)
-        return MOTION_LIGHT;
+    const size_t of[] = {find_light(s), find_thick(s), find_point(s)};
+    const enum motion_flaw flaw[] = {MOTION_LIGHT, MOTION_THICK,
+                                     MOTION_POINTS};
+    for (size_t f = 0; f < sizeof of / sizeof of[0]; ++f) {
+        if (body)
+            *body = of[f];
+        if (of[f] < s->bodies)
+            return flaw[f];
+    }
     if ((s->wall[0] || s->wall[1] || s->wall[2]) && !s->contact)
         return MOTION_WALLS;
     if (s->touch != SCENE_SUDDEN && s->restitution != 1)
@@ -275,9 +346,9 @@ static bool complain(const char *program, const char *what)
 /* Can the scene be set in motion? If not, says why. */
 static bool check_scene(const char *program, const struct scene *s)
 {
-    char message[128];
-    size_t light;
-    switch (motion_flaw(s, &light)) {
+    char message[200];
+    size_t body;
+    switch (motion_flaw(s, &body)) {
     case MOTION_WELL: return true;
     case MOTION_WALLS:
         return complain(program, "the scene has walls but no line contact, "
@@ -286,13 +357,34 @@ static bool check_scene(const char *program, const struct scene *s)
         return complain(program, "the scene has a line restitution, but "
                                  "contacts that are springs: a dashpot is "
                                  "what takes energy from them");
-    case MOTION_LIGHT: break;
+    case MOTION_LIGHT:
+        snprintf(message, sizeof message,
+                 "body %zu has no mass, expected one, since a spring, "
+                 "friction or a contact acts on it",
+                 body);
+        break;
+    case MOTION_THICK:
+        snprintf(message, sizeof message,
+                 "body %zu, of radius %.10g, is thicker than the box along "
+                 "an axis where it may move; expected room for it",
+                 body, s->radius[body]);
+        break;
+    case MOTION_POINTS:
+        snprintf(message, sizeof message,
+                 "body %zu and another on its line are points, whose "
+                 "collisions no step sees; expected radii of more than 0, "
+                 "or another program: bonk, bonkers",
+                 body);
+        break;
     }
-    snprintf(message, sizeof message,
-             "body %zu has no mass, expected one, since a spring, friction "
-             "or a contact acts on it",
-             light);
     return complain(program, message);
+}
+
+const struct spheres *motion_contacts(const struct motion *m)
+{
+    return m->collides && !m->located ? &m->spheres
+           : m->touches               ? m->touch.near
+                                      : NULL;
 }
 
 bool motion_begin(struct motion *m, const char *program, struct scene *s,
@@ -340,6 +432,13 @@ void motion_end(struct motion *m)
     *m = (struct motion){0};
 }
 
+/* Does the method take several steps for one, so that no straight line
+   leads back from its end? */
+static bool is_split(const struct motion *m)
+{
+    return m->stepping.own || m->outside;
+}
+
 static enum stepping_end step_once(struct motion *m)
 {
     struct stepping *s = &m->stepping;
@@ -361,11 +460,13 @@ bool motion_locate(struct motion *m)
 enum stepping_end motion_run(struct motion *m, uint64_t steps)
 {
     enum stepping_end end = STEPPING_DONE;
-    if (!m->collides && !m->outside)
+    if (!m->collides && !m->touches && !m->outside)
         return stepping_run(&m->stepping, steps);
     for (; steps > 0 && end == STEPPING_DONE; --steps) {
         end = m->located ? impact_step(&m->impact, &m->collisions)
                          : step_once(m);
+        if (end == STEPPING_DONE && m->touches && !is_split(m))
+            spheres_watch(m->touch.near, m->stepping.x, m->stepping.v);
         if (end != STEPPING_DONE || !m->collides || m->located)
             continue;
         const uint64_t met =
@@ -394,7 +495,8 @@ bool motion_shorten(struct motion *m, double dt)
     if (s->own) {
         s->start = stepping_time(s);
         s->steps = 0;
-        s->dt = m->spheres.dt = dt;
+        s->dt = dt;
+        set_dt_of_contacts(m, dt);
         return true;
     }
     if (!stepping_begin(s, old.method, old.forces, dt, old.x, old.v)) {
@@ -408,7 +510,7 @@ bool motion_shorten(struct motion *m, double dt)
     s->evaluations = old.evaluations;
     stepping_resume(s, 0, old.compensated ? old.carry : NULL, NULL);
     stepping_free(&old);
-    m->spheres.dt = dt;
+    set_dt_of_contacts(m, dt);
     return true;
 }
 

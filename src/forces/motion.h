@@ -1,5 +1,5 @@
 /* From chapters/works/11-step.nw: edit there, then run make tangle. */
-/* checksum 3714140146 of the lines below */
+/* checksum 2937005153 of the lines below */
 /* A scene set in motion by all that acts in it, as one acceleration. */
 #ifndef MOTION_H
 #define MOTION_H
@@ -43,7 +43,14 @@ struct motion_energy {
 };
 
 /* What makes it impossible to step a scene. */
-enum motion_flaw { MOTION_WELL, MOTION_WALLS, MOTION_LIGHT, MOTION_TWICE };
+enum motion_flaw {
+    MOTION_WELL,
+    MOTION_WALLS,
+    MOTION_LIGHT,
+    MOTION_TWICE,
+    MOTION_POINTS,
+    MOTION_THICK
+};
 
 /* Prepares to step s, which has to outlive m; velocities along held
    coordinates become zero. A dt of 0 is the scene's. Sums are compensated
@@ -84,8 +91,14 @@ double motion_potential(const struct motion *m);
 
 /* Says whether s can be stepped: MOTION_WALLS if it has walls but no
    contact, MOTION_TWICE if it has a restitution but contacts that are
-   springs, which have their own, MOTION_LIGHT if a force acts on a body
-   without mass, whose number goes to body, which may be NULL. */
+   springs, which have their own. For the others a number goes to body,
+   which may be NULL: MOTION_LIGHT if a force acts on a body without mass;
+   MOTION_POINTS if a body without a radius shares a line with another one,
+   which steps let pass, since a distance never goes below 0; MOTION_THICK
+   if a body is thicker than the box. */
 enum motion_flaw motion_flaw(const struct scene *s, size_t *body);
+
+/* The contacts that are looked for after steps, or NULL. */
+const struct spheres *motion_contacts(const struct motion *m);
 
 #endif

@@ -1,5 +1,5 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 668296957 of the lines below */
+/* checksum 4201348297 of the lines below */
 /* Pairs found along an axis, reflected one by one, and shifted. */
 #include "forces/spheres.h"
 
@@ -18,14 +18,24 @@ bool spheres_create(struct spheres *p, const struct scene *s,
         spheres_free(p);
         return false;
     }
+    double least = INFINITY; /* of the radii so far, but for points */
+    bool point = false;
+    p->narrow = INFINITY;
     for (size_t i = 0; i < n; ++i) {
         p->widest = fmax(p->widest, s->radius[i]);
+        p->narrow = fmin(p->narrow, s->radius[i] + least);
+        if (s->radius[i] > 0)
+            least = fmin(least, s->radius[i]);
+        else
+            point = true;
         p->edge[i].body = (uint32_t)i;
         p->edge[i].radius = s->radius[i];
         for (size_t k = 0; k < SPHERES_AXES; ++k)
             p->inverse[k * n + i] =
                 s->freedom[k * n + i] ? 1 / s->mass[i] : 0;
     }
+    if (point)
+        p->narrow = least;
     return true;
 }
 
@@ -245,14 +255,15 @@ static void read_places(struct spheres *p, const double x[])
     }
 }
 
-static double margin(const struct spheres *p, const double v[])
+static double margin(struct spheres *p, const double v[])
 {
     const size_t n = p->scene->bodies;
     double most = 0;
     for (size_t i = 0; i < n; ++i)
         most = fmax(most, v[i] * v[i] + v[n + i] * v[n + i] +
                               v[2 * n + i] * v[2 * n + i]);
-    return fmin(2 * sqrt(most) * p->dt, p->widest);
+    p->furthest = 2 * sqrt(most) * p->dt;
+    return fmin(p->furthest, p->widest);
 }
 
 static void mend_order(struct spheres_edge edge[], size_t n, size_t axis)
@@ -395,15 +406,23 @@ static bool is_again(const struct spheres_pair pair[], size_t i)
            pair[i].b == pair[i - 1].b;
 }
 
+enum { FEW = 16 };
+
+/* Says whether every pair is looked at, and not only those along an axis.
+ */
+static bool is_every_pair(const struct spheres *p)
+{
+    return p->search == SPHERES_PAIRS ||
+           (p->search == SPHERES_AUTO && p->scene->bodies <= FEW);
+}
+
 static void find_pairs(struct spheres *p, const double x[])
 {
     static int (*const orders[SPHERES_ORDERS])(
         const void *, const void *) = {ascending, descending, deepest};
-    enum { FEW = 16 };
     p->pairs = 0;
     read_places(p, x);
-    if (p->search == SPHERES_PAIRS ||
-        (p->search == SPHERES_AUTO && p->scene->bodies <= FEW))
+    if (is_every_pair(p))
         find_in_all(p);
     else {
         sort_edges(p);
@@ -413,15 +432,89 @@ static void find_pairs(struct spheres *p, const double x[])
         qsort(p->pair, p->pairs, sizeof *p->pair, orders[p->order]);
 }
 
+/* Was body i between the walls a step ago, on a straight line back? */
+static bool was_inside(const struct spheres *p, size_t i, const double x[],
+                       const double v[])
+{
+    const struct scene *s = p->scene;
+    for (size_t k = 0; k < SPHERES_AXES; ++k) {
+        const size_t c = k * s->bodies + i;
+        const double then = x[c] - v[c] * p->dt, r = s->radius[i];
+        const double slack = 1e-9 * (s->high[k] - s->low[k]);
+        if (s->wall[k] == SCENE_HARD &&
+            (then < s->low[k] + r - slack || then > s->high[k] - r + slack))
+            return false;
+    }
+    return true;
+}
+
+/* Says whether two bodies, which overlap neither now nor a step ago, were
+   in each other in between, and the step took them further than the sum of
+   their radii: nothing has seen them meet. Their paths are taken as
+   straight lines back in time; one who has just turned at a wall is not
+   looked at, since his are two. */
+static bool has_passed(const struct spheres *p, struct spheres_pair pair,
+                       const double x[], const double v[])
+{
+    const struct contact c = look_at(p, pair, x, v);
+    const double b = dot(c.apart, c.closing), dt = p->dt;
+    const double u2 = dot(c.closing, c.closing);
+    const double now = dot(c.apart, c.apart);
+    const double touching = c.touching * c.touching;
+    const double then = now - 2 * b * dt + u2 * dt * dt;
+    return u2 * dt * dt > touching && b > 0 && b < u2 * dt &&
+           now >= touching && then >= touching &&
+           now - b * b / u2 < touching * (1 - 1e-9) &&
+           was_inside(p, c.a, x, v) && was_inside(p, c.b, x, v);
+}
+
+/* Counts the pairs that the step took through each other. */
+static void find_passed(struct spheres *p, const double x[],
+                        const double v[])
+{
+    const size_t n = p->scene->bodies, k = p->axis;
+    const double reach = p->furthest + 2 * p->widest;
+    const bool all = is_every_pair(p) || reach >= p->half[k];
+    for (size_t i = 0; i < n; ++i)
+        for (size_t m = 1; m < n && p->passed < SPHERES_PASSED; ++m) {
+            const size_t j = i + m < n ? i + m : i + m - n;
+            const struct spheres_edge *a = &p->edge[i], *b = &p->edge[j];
+            const double turn = j < i ? 2 * p->half[k] : 0;
+            if (all ? j < i : !(b->place[k] + turn - a->place[k] < reach))
+                break;
+            const struct spheres_pair pair = {
+                a->body < b->body ? a->body : b->body,
+                a->body < b->body ? b->body : a->body, 0};
+            if (!has_passed(p, pair, x, v))
+                continue;
+            if (p->passed == 0) {
+                p->through[0] = pair.a;
+                p->through[1] = pair.b;
+            }
+            ++p->passed;
+        }
+}
+
 uint64_t spheres_resolve(struct spheres *p, double x[], double v[])
 {
     uint64_t count = collide_walls(p, x, v);
     p->margin = margin(p, v);
     find_pairs(p, x);
+    if (p->furthest > p->narrow)
+        find_passed(p, x, v);
     for (size_t i = 0; i < p->pairs; ++i)
         if (!is_again(p->pair, i))
             count += collide_pair(p, p->pair[i], x, v);
     return count;
+}
+
+void spheres_watch(struct spheres *p, const double x[], const double v[])
+{
+    margin(p, v);
+    if (!(p->furthest > p->narrow))
+        return;
+    find_pairs(p, x);
+    find_passed(p, x, v);
 }
 
 void spheres_reflect(struct spheres *p, size_t a, size_t b,

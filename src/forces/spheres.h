@@ -1,5 +1,5 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 2518638014 of the lines below */
+/* checksum 2498696779 of the lines below */
 /* Spheres that a step leaves in each other collide and are moved apart. */
 #ifndef SPHERES_H
 #define SPHERES_H
@@ -38,7 +38,11 @@ enum spheres_search {
     SPHERES_SWEEP  /* along one axis */
 };
 
-enum { SPHERES_AXES = 3 };
+enum {
+    SPHERES_AXES = 3,
+    SPHERES_PASSED =
+        1000 /* pairs that passed unseen, at most, are counted */
+};
 
 /* Two bodies that overlap, a < b. */
 struct spheres_pair {
@@ -68,11 +72,15 @@ struct spheres {
     double impulse[SPHERES_AXES]; /* that walls across an axis took, N s */
     double virial; /* what collisions have added to the sum of m x v, J s */
     double depth;  /* the deepest overlap of a collision, m */
+    uint64_t passed;     /* pairs that a step took through each other */
+    uint32_t through[2]; /* the first of them */
     /* ---- private */
     const struct scene *scene;
     double *inverse; /* 1/mass along each axis, 1/kg; 0 where fixed */
     double widest;   /* radius, m */
     double margin;   /* pairs that are so near are looked at too, m */
+    double narrow;   /* the least sum of two radii, but for two points, m */
+    double furthest; /* that two can come nearer in a step, m */
     double half[SPHERES_AXES]; /* of a periodic box; INFINITY, m */
     size_t axis;               /* of the sweep */
     bool sorted;
@@ -105,6 +113,10 @@ void spheres_bounce(struct spheres *p, size_t i, size_t k, double v[]);
 /* Finds the pairs that overlap, ascending, each once: p->pair. Returns how
    many. */
 size_t spheres_overlaps(struct spheres *p, const double x[]);
+
+/* Counts pairs that the last step, p->dt long, took through each other:
+   p->passed. spheres_resolve does that by itself. */
+void spheres_watch(struct spheres *p, const double x[], const double v[]);
 
 /* The way from body a to body b along axis k, m; to its nearest image. */
 double spheres_way(const struct scene *s, const double x[], size_t a,

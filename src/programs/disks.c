@@ -1,5 +1,5 @@
 /* From chapters/works/07-gas.nw: edit there, then run make tangle. */
-/* checksum 3040271718 of the lines below */
+/* checksum 4211784080 of the lines below */
 /* Hard disks and spheres run from a start, and measured on the way. */
 #include "box/blocks.h"
 #include "box/cells.h"
@@ -189,6 +189,20 @@ static void set_velocities(struct disks *d, const struct settings *s,
             d->disk[i].velocity[k] *= factor;
 }
 
+/* Refuses disks that do not fit between two walls. */
+static void check_room(const struct disks *d)
+{
+    double widest = 0;
+    for (size_t i = 0; i < d->count; ++i)
+        widest = fmax(widest, d->disk[i].radius);
+    for (size_t k = 0; k < d->dimensions; ++k)
+        if (disks_walled(d, k) && d->box[k] < 2 * widest)
+            program_refuse(PROGRAM,
+                           "--box: a side of %.10g has no room between its "
+                           "walls for a radius of %.10g",
+                           d->box[k], widest);
+}
+
 static void make_start(struct disks *d, const struct settings *s)
 {
     struct random r;
@@ -196,6 +210,7 @@ static void make_start(struct disks *d, const struct settings *s)
     fill_box(d, s);
     d->boundary = s->boundary == EITHER ? DISKS_WALLS
                                         : (enum disks_boundary)s->boundary;
+    check_room(d);
     const bool lattice = strcmp(s->start, "lattice") == 0;
     if (!lattice && d->count > DISKS_RANDOM)
         program_refuse(PROGRAM,

@@ -1,7 +1,8 @@
 /* From chapters/works/11-step.nw: edit there, then run make tangle. */
-/* checksum 2098666492 of the lines below */
+/* checksum 3108597343 of the lines below */
 /* Steps a scene through time and writes what is looked at, row by row. */
 #include "forces/adaptive.h"
+#include "enough/models.h"
 #include "forces/checkpoint.h"
 #include "forces/motion.h"
 #include "forces/observables.h"
@@ -89,6 +90,8 @@ struct watch {
     double worst; /* largest |E - start| of a row */
     double seen;  /* the last that was finite, in a row or between rows */
     double when;  /* s: the time of that */
+    uint64_t passed; /* pairs, before this process */
+    double overlap;  /* of bodies at the start, m */
 };
 
 struct run {
@@ -351,11 +354,21 @@ static double unseen(const struct scene *s)
     return 1e-10 * size * (1e-10 * size) * sum;
 }
 
+/* How deep bodies with sudden contacts are in each other, or beyond walls,
+   m; 0: nowhere by more than rounding. */
+static double find_overlap(const struct run *r)
+{
+    const struct spheres *p = &r->motion.spheres;
+    const double depth = r->motion.collides ? models_overlap(&r->scene) : 0;
+    return depth > 1e-9 * p->widest ? depth : 0;
+}
+
 static void begin_watch(struct run *r)
 {
     r->watch.depth = unseen(&r->scene);
     look(r);
     r->watch.start = r->energy;
+    r->watch.overlap = find_overlap(r);
     if (!isfinite(r->energy))
         program_refuse(PROGRAM,
                        "the energy at the start is %g, expected a number: "
@@ -407,7 +420,13 @@ static bool is_conservative(const struct run *r)
     return keeps;
 }
 
-enum complaint { NO_NOTE, NOTE_STEP, NOTE_ENERGY };
+enum complaint {
+    NO_NOTE,
+    NOTE_STEP,
+    NOTE_ENERGY,
+    NOTE_PASSED,
+    NOTE_OVERLAP
+};
 
 /* The square of the angular frequency of a spring between two bodies, if
    all others rest, 1/s^2; 0 if they are in one place. */
@@ -435,17 +454,45 @@ static double stiffest(const struct run *r)
     return sqrt(most) * r->motion.dt;
 }
 
+/* How many pairs steps have taken through each other. */
+static uint64_t passed(const struct run *r)
+{
+    const struct motion *m = &r->motion;
+    const struct spheres *p = motion_contacts(m);
+    return r->watch.passed + (p ? p->passed : 0);
+}
+
 /* What a run that ended well has done that it should not have. */
 static enum complaint complain(const struct run *r)
 {
     const double limit = r->motion.stepping.method->limit;
     const double scale = fabs(r->watch.start) + r->watch.depth;
-    if (!is_conservative(r))
-        return NO_NOTE;
-    if (!r->motion.outside && limit > 0 &&
+    const bool keeps = is_conservative(r);
+    if (keeps && !r->motion.outside && limit > 0 &&
         stiffest(r) >= limit * (1 - 1e-9))
         return NOTE_STEP;
-    return r->watch.worst > 0.1 * scale ? NOTE_ENERGY : NO_NOTE;
+    if (passed(r) > 0)
+        return NOTE_PASSED;
+    if (r->watch.overlap > 0)
+        return NOTE_OVERLAP;
+    return keeps && r->watch.worst > 0.1 * scale ? NOTE_ENERGY : NO_NOTE;
+}
+
+static void note_passed(const struct run *r)
+{
+    const struct spheres *p = motion_contacts(&r->motion);
+    char first[64] = "";
+    if (p && p->passed > 0)
+        snprintf(first, sizeof first, " (bodies %u and %u for one)",
+                 (unsigned)p->through[0], (unsigned)p->through[1]);
+    const uint64_t n = passed(r);
+    fprintf(stderr,
+            PROGRAM ": note: two bodies passed through each other within a "
+                    "step, %s%llu time%s%s: the step took them further "
+                    "than the sum of their radii; try a smaller --dt%s\n",
+            n >= SPHERES_PASSED ? "at least " : "", (unsigned long long)n,
+            n == 1 ? "" : "s", first,
+            r->motion.collides ? ", or --contact located" : "");
 }
 
 static void note(const struct run *r)
@@ -457,6 +504,14 @@ static void note(const struct run *r)
                         "and %s bears less than %.4g: try a smaller --dt\n",
                 stiffest(r), r->s->method,
                 r->motion.stepping.method->limit);
+    if (c == NOTE_PASSED)
+        note_passed(r);
+    if (c == NOTE_OVERLAP)
+        fprintf(stderr,
+                PROGRAM ": note: at the start bodies overlapped, or were "
+                        "outside of a wall, by %.3g, and what comes of "
+                        "that depends on the step\n",
+                r->watch.overlap);
     if (c == NOTE_ENERGY)
         fprintf(
             stderr,
@@ -479,6 +534,8 @@ static bool keep_checkpoint(struct run *r)
         .energy = r->watch.start,
         .depth = r->watch.depth,
         .worst = r->watch.worst,
+        .passed = (double)passed(r),
+        .overlap = r->watch.overlap,
         .last = r->energy,
         .scene = r->sum};
     return checkpoint_write(&r->checkpoint, &r->motion, known);
@@ -524,8 +581,9 @@ static void resume(struct run *r, const struct checkpoint_numbers *n)
     r->energy = n->last;
     r->time =
         n->start + (n->rows - 1) * (double)r->every * r->motion.stepping.dt;
-    r->watch =
-        (struct watch){n->energy, n->depth, n->worst, n->last, r->time};
+    r->watch = (struct watch){n->energy, n->depth, n->worst,
+                              n->last,   r->time,  (uint64_t)n->passed,
+                              n->overlap};
 }
 
 static uint64_t least(uint64_t a, uint64_t b)
@@ -810,7 +868,8 @@ static void summarise(const struct run *r, enum ending end)
     static const char *const names[] = {
         "whole", "interrupted", "infinite", "stuck", "energy", "unwritten"};
     const struct stepping *p = &r->motion.stepping;
-    static const char *const notes[] = {"none", "step", "energy"};
+    static const char *const notes[] = {"none", "step", "energy", "passed",
+                                        "overlap"};
     struct table *t = r->summary;
     table_text(t, "end", names[end]);
     table_text(t, "note", notes[end == WHOLE ? complain(r) : NO_NOTE]);
@@ -913,7 +972,8 @@ static const struct options_entry entries[] = {
 
 static const struct table_key keys[] = {
     {"end", "word", "whole, or how the run ended early"},
-    {"note", "word", "none, step or energy: what is wrong with it"},
+    {"note", "word",
+     "none, step, energy, passed or overlap: what is\nwrong with it"},
     {"bodies", "1", "of the scene"},
     {"method", "word", "of stepping"},
     {"sums", "word", "plain, or compensated"},

@@ -6,6 +6,12 @@ d=build/bin/disks
 refuses 2 "disks: '0'" $d --disks 0
 refuses 2 "disks: 'ten'" $d --disks ten
 refuses 2 "dimensions: '4'" $d --dimensions 4
+refuses 2 'box: a side of 1 has no room between its walls for a radius of 0.6' \
+    $d --disks 2 --radius 0.6 --box 5,1
+refuses 2 'box: a side of 1 has no room' $d --dimensions 3 --disks 2 \
+    --radius 0.6 --box 5,5,1
+refuses 2 'box: a side of 1 has no room' $d --disks 1 --radius 0.6 --box 5,1 \
+    --boundary floor --until 1
 refuses 2 "radius: '0'" $d --radius 0
 refuses 2 "packing: '1.1'" $d --packing 1.1
 refuses 2 "box: side 2 is 0" $d --box 1,0
@@ -31,7 +37,7 @@ refuses 2 "periodic box needs two" $d --disks 1 --boundary periodic
 refuses 2 "speeds needs more disks: 2" \
     $d --disks 2 --boundary periodic --measure speeds --every 1
 refuses 2 "100 disks .*find no place on a lattice" $d --disks 100
-refuses 2 "find no place on a lattice" $d --disks 4 --radius 0.01 \
+refuses 2 "no room between its walls" $d --disks 4 --radius 0.01 \
     --heavy 10,0.6 --until 1
 refuses 2 "find no place at random" \
     $d --disks 100 --packing 0.8 --start random
@@ -133,4 +139,4 @@ refuses 2 'every: 4.94066e-324 s makes more than 9e15 rows' $d --every 5e-324
 $d --every 5e-324 --samples 2 -o "$work/few"
 holds 'but three of them are three' \
     test "$(awk 'NF && !/^#/' "$work/few" | wc -l)" -eq 12
-echo 1..68
+echo 1..71

@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 68146951 of the lines below */
+/* checksum 3548757252 of the lines below */
 /* What crosses to the student's function and back, number by number. */
 #ifndef BORDER_H
 #define BORDER_H
@@ -21,8 +21,21 @@ void border_bools(bool x[], size_t count);
    the program when there is none. */
 void *border_memory(size_t bytes);
 
+/* The same for count elements of so many bytes. Counts that come from the
+   other side may be anything: one whose product with the size is too large
+   for a size_t ends the program. */
+void *border_array(size_t count, size_t size);
+
+/* Returns that product, or ends the program. */
+size_t border_bytes(size_t count, size_t size);
+
 /* How many times it has given some. */
 extern unsigned long border_blocks;
+
+/* Has the next call made in a process in which the function has not been
+   called before, so that it knows of no other call; at home, where judge
+   and box are one process, it does nothing. */
+void border_anew(void);
 
 /* Begins a call of the function in the box: its arguments follow. */
 void border_call(void);

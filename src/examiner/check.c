@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 2242951143 of the lines below */
+/* checksum 2961837357 of the lines below */
 /* The runner's own code: one test in a process, reported line by line. */
 #include "examiner/check.h"
 #include "examiner/exercise.h"
@@ -181,11 +181,43 @@ void check_overrun(const struct check_overrun *overrun)
                             CU_FALSE);
 }
 
+void check_demand(const char *what, double asked, double most)
+{
+    if (asked <= most)
+        return;
+    if (CU_get_number_of_failure_records() == 0) {
+        say("quantity",
+            check_text("%s that your function asks for at once", what));
+        say("expected", check_text("at most %.10g", most));
+        say("got", check_text("%.10g", asked));
+        say("question", "How many does it need, and how many has the "
+                        "memory room for that it hands over?");
+    }
+    fflush(NULL);
+    report(REPORT_VERDICT, "failed");
+    _exit(EXIT_SUCCESS);
+}
+
 static struct random inputs;
 
 static void seed_inputs(uint64_t seed, int number)
 {
     random_seed(&inputs, seed + (uint64_t)number * 0x9e3779b97f4a7c15u);
+}
+
+/* From the nonce of this run's report, which is drawn for each. */
+void check_shuffle(int order[], int count)
+{
+    struct random drawn;
+    uint64_t seed = 0;
+    for (int i = 0; i < REPORT_NONCE; ++i)
+        seed = seed * 0x100000001b3u + (unsigned char)report_nonce[i];
+    random_seed(&drawn, seed);
+    for (int i = 0; i < count; ++i) {
+        const int j = (int)random_below(&drawn, (uint64_t)i + 1);
+        order[i] = order[j];
+        order[j] = i;
+    }
 }
 
 double check_draw(double low, double high)
@@ -268,6 +300,12 @@ static int run_test(const struct check_test *t)
     return EXIT_SUCCESS;
 }
 
+#ifdef __linux__
+/* In a judge, gives up all rights but those of this user, and of these what
+   it does not need. A runner at home has no such function. */
+void judge_confine(long user) __attribute__((weak));
+#endif
+
 static const struct check_test *find_test(int number)
 {
     const struct check_test *lists[] = {check_suite.tests, check_hidden};
@@ -306,19 +344,24 @@ int main(int argc, char **argv)
 {
     if (argc == 2 && strcmp(argv[1], "--list") == 0)
         return list_suite();
-    const bool known = argc == 2 || argc == 3;
+    const bool known = argc >= 2 && argc <= 4;
     const bool waits = known && strcmp(argv[1], "-") == 0;
     struct report_order order = {.leaks = true};
+#ifdef __linux__
+    if (argc == 4 && judge_confine)
+        judge_confine(atol(argv[3]));
+#endif
     if (waits) {
         order = next_order();
     } else if (known) {
         order.number = atoi(argv[1]);
-        order.seed = argc == 3 ? strtoull(argv[2], NULL, 10) : 0;
+        order.seed = argc >= 3 ? strtoull(argv[2], NULL, 10) : 0;
     }
     leaks_wanted = order.leaks;
     const struct check_test *test = find_test(order.number);
     if (!test || !report_open()) {
-        fprintf(stderr, "usage: %s --list, or TEST [SEED] 3<>REPORT\n",
+        fprintf(stderr,
+                "usage: %s --list, or TEST [SEED [USER]] 3<>REPORT\n",
                 argv[0]);
         return EXIT_FAILURE;
     }

@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 447280130 of the lines below */
+/* checksum 2148463118 of the lines below */
 /* What a suite says: checks, tests, known mistakes, drawn inputs. */
 #ifndef CHECK_H
 #define CHECK_H
@@ -82,6 +82,15 @@ double check_draw(double low, double high);
 
 /* Draws a whole number from low to high, both included. */
 int check_draw_whole(int low, int high);
+
+/* Draws in which order count things are to be done: order[0] comes first.
+   The seed has no part in it, so that nobody knows it beforehand, and no
+   verdict on right work may depend on it. */
+void check_shuffle(int order[], int count);
+
+/* Ends the test, as failed, when the student's function has asked for more
+   than so many of something: what they are, "samples". */
+void check_demand(const char *what, double asked, double most);
 
 /* Tells CUnit, and the student, that a place was left. */
 void check_overrun(const struct check_overrun *overrun);

@@ -1,6 +1,6 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 2429705403 of the lines below */
-/* A judge and a box for each test, a second try, and advice. */
+/* checksum 146709180 of the lines below */
+/* A judge and a box for each test, a second try, and the sanitizers. */
 #include "examiner/grading.h"
 #include "examiner/build.h"
 #include "examiner/process.h"
@@ -115,6 +115,7 @@ struct job {
     int late, waited;   /* tests; and of them, by the clock on the wall */
     bool slow;          /* a test has ended, and taken its time for that */
     int crashed, named; /* tests; and such whose mistake has a name */
+    int left;           /* tests that have written outside of a place */
     char types[8192], judge[4096], name[256], header[64];
 };
 
@@ -265,6 +266,7 @@ static enum state run_test(struct job *job, const struct kit_test *test,
         .seconds = job->grading->seconds,
         .runner = job->judge,
         .seed = test->hidden ? seed : NULL,
+        .user = box_judge(),
         .border = {job->box.answers, job->box.requests},
         .later = later_seconds(job),
         .prints = "prints",
@@ -370,6 +372,7 @@ static void run_tests(struct job *job)
         fclose(story);
         keep_mark(job->marks, &job->kit->tests[i], state, text, size);
         job->crashed += state == CRASHED;
+        job->left += state == FAILED && strstr(text, "changed by your");
         job->named += state == FAILED && !job->kit->tests[i].hidden &&
                       strstr(text, "\n  hint ");
         const struct marks *before = job->grading->before;
@@ -383,10 +386,47 @@ static void run_tests(struct job *job)
     settle_idle(job->kit, job->marks);
 }
 
+/* What the sanitizers have found in a test replaces what was said of it. */
+static void replace_mark(struct mark *mark, const char *text, size_t size)
+{
+    free(mark->story);
+    mark->state = CRASHED;
+    mark->story = marks_text(text, size, STORY_KEPT);
+}
+
+static void ask_about(struct job *job, int i)
+{
+    char *text = NULL;
+    size_t size;
+    FILE *story = open_memstream(&text, &size);
+    if (!story)
+        text_fail("out of memory");
+    const enum state state = run_test(job, &job->kit->tests[i], story);
+    chmod("prints", 0600);
+    const bool leaks = state == PASSED && !*job->marks->advice &&
+                       trial_leak("prints", job->name, story);
+    fclose(story);
+    if (state == CRASHED && trial_mistake()) {
+        replace_mark(&job->marks->marks[i], text, size);
+    } else if (leaks) {
+        free(job->marks->advice);
+        job->marks->advice = marks_text(text, size, STORY_KEPT);
+    }
+    free(text);
+}
+
+/* The state of all: that of the first test that is wrong, as at home. */
+static void sum_up(struct marks *marks)
+{
+    marks->state = PASSED;
+    for (int i = 0; i < marks->count; ++i)
+        if (marks->state == PASSED || (!state_wrong(marks->state) &&
+                                       state_wrong(marks->marks[i].state)))
+            marks->state = marks->marks[i].state;
+}
+
 static void ask_sanitizers(struct job *job)
 {
-    enum state state = PASSED;
-    bool leaks = false;
     char *text = NULL;
     size_t size;
     FILE *story = open_memstream(&text, &size);
@@ -394,25 +434,19 @@ static void ask_sanitizers(struct job *job)
     job->order.compiler = read_kit(job, "flags", 2);
     job->order.lean = read_kit(job, "flags", 5);
     job->order.linker = read_kit(job, "flags", 6);
-    if (story && open_box(job, story) == PASSED) {
-        for (int i = 0; i < job->kit->count && job->open && !leaks &&
-                        !job->kit->tests[i].hidden && state != CRASHED;
-             ++i) {
-            rewind(story);
-            state = run_test(job, &job->kit->tests[i], story);
-            chmod("prints", 0600);
-            leaks =
-                state == PASSED && trial_leak("prints", job->name, story);
-        }
-    }
+    free(job->marks->advice);
+    job->marks->advice = strdup("");
+    if (story && open_box(job, story) == PASSED)
+        for (int i = 0;
+             i < job->kit->count && job->open && !job->kit->tests[i].hidden;
+             ++i)
+            ask_about(job, i);
     if (story)
         fclose(story);
-    if (state == CRASHED || leaks) {
-        free(job->marks->advice);
-        job->marks->advice = marks_text(text, size, STORY_KEPT);
-    }
-    close_box(job);
     free(text);
+    close_box(job);
+    settle_idle(job->kit, job->marks);
+    sum_up(job->marks);
 }
 
 static bool is_stub(const struct grading *grading, const struct kit *kit,
@@ -549,6 +583,6 @@ void grading_run(const struct grading *grading, const struct kit *kit,
     if (grading->page)
         draw_figure(&job, grading->page);
     if (marks->state != TIMED_OUT && marks->state != NOT_BEGUN &&
-        (job.named == 0 || job.crashed > 0))
+        (job.named == 0 || job.crashed > 0 || job.left > 0))
         ask_sanitizers(&job);
 }

@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 1290438558 of the lines below */
+/* checksum 3321434638 of the lines below */
 /* Runs a test, judges how it ended, and tells failures and crashes. */
 #include "examiner/trial.h"
 #include "examiner/process.h"
@@ -111,8 +111,11 @@ static bool start_runner(const struct trial *trial, const char *test,
     if (mkdir(desk, 0700) != 0 && errno != EEXIST)
         text_fail("cannot make '%s': %s", desk, strerror(errno));
     setenv("TMPDIR", ".", 1);
+    char user[24];
+    snprintf(user, sizeof user, "%ld", trial->user);
     char *command[] = {(char *)trial->runner, (char *)test,
-                       (char *)trial->seed, NULL};
+                       trial->seed ? (char *)trial->seed : "0",
+                       trial->border[0] ? user : NULL, NULL};
     const struct process_limits limits = {
         .seconds = trial->seconds,
         .memory_bytes = trial->sanitized && !trial->border[0]
@@ -413,11 +416,24 @@ static void tell_failure(const struct result *result, FILE *story)
     }
 }
 
-static bool waited;
+static bool waited, mistaken;
 
 bool trial_waited(void)
 {
     return waited;
+}
+
+bool trial_mistake(void)
+{
+    return mistaken;
+}
+
+static bool is_mistake(const char *report)
+{
+    return report && !strstr(report, "hard rss limit") &&
+           !strstr(report, "requested allocation size") &&
+           !strstr(report, "out of memory") &&
+           !strstr(report, "failed to allocate");
 }
 
 enum state trial_run(const struct trial *trial, int number, FILE *story)
@@ -425,6 +441,7 @@ enum state trial_run(const struct trial *trial, int number, FILE *story)
     struct result result = {0};
     run_runner(trial, number, &result);
     waited = result.end.waited;
+    mistaken = is_mistake(result.error);
     enum state state;
     char verdict[REPORT_RECORD] = "", undone[REPORT_RECORD] = "";
     find_record(result.report, &result, REPORT_VERDICT, verdict);

@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 2237261484 of the lines below */
+/* checksum 2008001872 of the lines below */
 /* One test of an exercise run and judged: six states. */
 #ifndef TRIAL_H
 #define TRIAL_H
@@ -26,6 +26,7 @@ struct trial {
     int seconds;        /* of processor time; twice that on the wall */
     const char *runner; /* to be started, as seen from folder/desk */
     const char *seed;   /* of the inputs, in digits; NULL: the students' */
+    long user;          /* which a judge that root starts becomes, or 0 */
     int border[2];      /* the way to a program in a box, or zeros */
     int later;          /* seconds, of what was late once; or 0 */
     const char *prints; /* what such a program prints to, or NULL */
@@ -52,6 +53,10 @@ void trial_close(void);
 /* Whether the last test was stopped by the clock on the wall, and may have
    been late because the machine had other work. */
 bool trial_waited(void);
+
+/* Whether the last test was ended by a sanitizer that had found a mistake,
+   and not by the limit of its memory. */
+bool trial_mistake(void);
 
 /* Whether the sanitizers, when a test had passed, have printed that memory
    was lost which source had asked for; if so, tells of it. */

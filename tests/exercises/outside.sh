@@ -1,6 +1,7 @@
 #!/bin/sh
 # A function that answers right and also writes one value before or behind a
-# place that it was given has not passed, neither at home nor in the grader.
+# place that it was given, next to it or a dozen values further on, has not
+# passed, neither at home nor in the grader.
 # Every place of every exercise is tried: the overrun is planted into the
 # worked solution, and which of them happens is said by the environment, so
 # that an exercise is compiled once for home and once for the box.
@@ -66,8 +67,10 @@ plant() {
             "    if (planted(\"%s<\"))\n" \
             "        memset(%s - 1, 7, sizeof *%s);\n" \
             "    if (planted(\"%s>\"))\n" \
-            "        memset(%s + (%s), 7, sizeof *%s);\n",
-            $3, $3, $3, $3, $3, $4, $3) }
+            "        memset(%s + (%s), 7, sizeof *%s);\n" \
+            "    if (planted(\"%s>>\"))\n" \
+            "        memset(%s + (%s) + 12, 7, sizeof *%s);\n",
+            $3, $3, $3, $3, $3, $4, $3, $3, $3, $4, $3) }
         END {
             print "#include <stdlib.h>\n#include <string.h>"
             print "static int planted(const char *what)\n{"
@@ -141,14 +144,14 @@ found() {
     done
     unset PLANT
     [ $n -le "$tests" ] || { echo "all $tests tests pass"; return 1; }
-    side=before
+    side=before name=${2%%[<>]*}
     case $2 in *'>') side=behind ;; esac
     case $1 in
     at_home) grep -q 'use-after-poison' "$out/said" && return ;;
     esac
-    grep -q "^0* says quantity what stands $side ${2%?}\$" "$out/report" &&
+    grep -q "^0* says quantity what stands $side $name\$" "$out/report" &&
         return
-    echo "$places" | grep -q "^$ex [a-z_]* ${2%?} .* suite\$" &&
+    echo "$places" | grep -q "^$ex [a-z_]* $name .* suite\$" &&
         grep -q '^0* verdict failed' "$out/report" && return
     cat "$out/report" "$out/said"
     return 1
@@ -163,14 +166,15 @@ for ex in $(echo "$places" | cut -d ' ' -f 1 | uniq); do
         for place in $(echo "$places" | grep "^$ex " | cut -d ' ' -f 3); do
             verdict "$ex: before $place, $where" found $where "$place<"
             verdict "$ex: behind $place, $where" found $where "$place>"
+            verdict "$ex: far behind $place, $where" found $where "$place>>"
         done
     done
 done
 
 # Of all exercises two checks; for each with places its build and two passes,
-# and four for each place; and four below.
-planned=$((6 + 3 * $(echo "$places" | cut -d ' ' -f 1 | uniq | grep -c .) +
-    4 * $(echo "$places" | grep -c .)))
+# and six for each place; and five below.
+planned=$((7 + 3 * $(echo "$places" | cut -d ' ' -f 1 | uniq | grep -c .) +
+    6 * $(echo "$places" | grep -c .)))
 
 # Without sanitizers the guards have to do alone.
 ex=01a places=$(places_of 01a)
@@ -189,4 +193,5 @@ verdict "$ex can be built without sanitizers" plain
 verdict "$ex passes at home without sanitizers" passes at_home
 verdict "$ex: before v, without sanitizers" found at_home 'v<'
 verdict "$ex: behind v, without sanitizers" found at_home 'v>'
+verdict "$ex: far behind v, without sanitizers" found at_home 'v>>'
 echo "1..$planned"

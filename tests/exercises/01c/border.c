@@ -14,7 +14,7 @@ void border_answer(void)
     size_t n;
     double speed, restitution, velocity;
     border_sizes(&n, 1);
-    double *masses = border_memory(n * sizeof masses[0]);
+    double *masses = border_array(n, sizeof masses[0]);
     border_doubles(masses, n);
     border_doubles(&speed, 1);
     border_doubles(&restitution, 1);

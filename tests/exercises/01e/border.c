@@ -50,6 +50,7 @@ bool passes(void (*collide)(double m1, double m2, double *v1, double *v2))
 {
     bool right;
     tried = collide;
+    border_anew();
     border_call();
     border_wait();
     border_bools(&right, 1);

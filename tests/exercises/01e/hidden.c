@@ -35,32 +35,72 @@ static void exchanged(double m1, double m2, double *v1, double *v2)
     *v1 = fabs(m1 - m2) > 0.0 ? *v1 : u;
 }
 
-static bool check(law *collide, bool right, const char *how)
+struct judged {
+    law *collide;
+    bool right;
+    const char *how;
+};
+
+static law *tried;
+static int calls;
+
+static void counted(double m1, double m2, double *v1, double *v2)
 {
-    return CHECK_NEAR(passes(collide) ? 1.0 : 0.0,
-                      .quantity = "what you say of a function (1 true, 0 "
-                                  "false)",
-                      .input = how, .expected = right ? 1.0 : 0.0,
-                      .tolerance = 0.0, .because = "yes or no",
-                      .equation = "eq:reverse",
-                      .question = "Which collision would tell, and did you "
-                                  "let it compute that?");
+    ++calls;
+    tried(m1, m2, v1, v2);
+}
+
+/* Asks about all, in an order that is drawn; then tells. */
+static void check_all(const struct judged all[], int count)
+{
+    int order[4], called[4];
+    double said[4];
+    check_shuffle(order, count);
+    for (int k = 0; k < count; ++k) {
+        tried = all[order[k]].collide;
+        calls = 0;
+        said[order[k]] = passes(counted) ? 1.0 : 0.0;
+        called[order[k]] = calls;
+    }
+    for (int i = 0; i < count; ++i)
+        if (!CHECK_NEAR(called[i] > 0 ? 1.0 : 0.0,
+                        .quantity = "1 if the function that you judge was "
+                                    "called at all",
+                        .input = all[i].how, .expected = 1.0,
+                        .tolerance = 0.0, .because = "yes or no",
+                        .equation = "eq:reverse",
+                        .question = "What do you know of a function that "
+                                    "you have not let compute anything?") ||
+            !CHECK_NEAR(said[i],
+                        .quantity = "what you say of a function (1 true, 0 "
+                                    "false)",
+                        .input = all[i].how,
+                        .expected = all[i].right ? 1.0 : 0.0,
+                        .tolerance = 0.0, .because = "yes or no",
+                        .equation = "eq:reverse",
+                        .question = "Which collision would tell, and did "
+                                    "you let it compute that?"))
+            return;
 }
 
 static void test_impulse(void)
 {
-    (void)(check(by_impulse, true, "a right one, by the impulse") &&
-           check(heavy_first, false,
-                 "one that takes the heavier body for the first"));
+    static const struct judged all[] = {
+        {by_impulse, true, "a right one, by the impulse"},
+        {heavy_first, false,
+         "one that takes the heavier body for the first"}};
+    check_all(all, 2);
 }
 
 static void test_others(void)
 {
-    (void)(check(by_impulse, true, "a right one, by the impulse") &&
-           check(mirrored, false,
-                 "one whose first body always leaves to the right") &&
-           check(exchanged, false,
-                 "one that gives the first of two twins its own velocity"));
+    static const struct judged all[] = {
+        {by_impulse, true, "a right one, by the impulse"},
+        {mirrored, false,
+         "one whose first body always leaves to the right"},
+        {exchanged, false,
+         "one that gives the first of two twins its own velocity"}};
+    check_all(all, 3);
 }
 
 const struct check_test check_hidden[] = {

@@ -15,8 +15,8 @@ void border_answer(void)
     double length, time;
     border_sizes(&n, 1);
     border_doubles(&length, 1);
-    double *x = border_memory(n * sizeof x[0]);
-    double *v = border_memory(n * sizeof v[0]);
+    double *x = border_array(n, sizeof x[0]);
+    double *v = border_array(n, sizeof v[0]);
     border_doubles(x, n);
     border_doubles(v, n);
     size_t *left = border_place_sizes("left", 1);

@@ -30,7 +30,7 @@ void border_answer(void)
     size_t events, samples;
     double tick;
     border_sizes(&events, 1);
-    struct event *path = border_memory(events * sizeof path[0]);
+    struct event *path = border_array(events, sizeof path[0]);
     move_path(events, path);
     border_doubles(&tick, 1);
     border_sizes(&samples, 1);

@@ -12,7 +12,7 @@ void positions_at(size_t n, double length, const double x0[],
 
 static double *taken(size_t n)
 {
-    double *numbers = border_memory(n * sizeof numbers[0]);
+    double *numbers = border_array(n, sizeof numbers[0]);
     border_doubles(numbers, n);
     return numbers;
 }

@@ -12,7 +12,7 @@ void border_answer(void)
 {
     size_t n;
     border_sizes(&n, 1);
-    double *x = border_memory(n * sizeof *x);
+    double *x = border_array(n, sizeof *x);
     border_doubles(x, n);
     double *error = border_place_doubles("error", 1);
     double mean = mean_and_error(n, x, error);

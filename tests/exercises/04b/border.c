@@ -41,7 +41,7 @@ void border_answer(void)
 {
     struct call c;
     move_arguments(&c);
-    struct sort *rain = border_memory(c.n * sizeof *rain);
+    struct sort *rain = border_array(c.n, sizeof *rain);
     move_sorts(rain, c.n);
     double *friction = border_place_doubles("friction", 1);
     double force = rain_force(c.n, rain, c.im, c.V, friction);

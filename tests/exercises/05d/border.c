@@ -54,7 +54,7 @@ void border_answer(void)
     move_arguments(&c);
     const double size[2] = {c.size[0], c.size[1]};
     const size_t count = c.n + 1;
-    struct wall_hit *hits = border_memory(count * sizeof *hits);
+    struct wall_hit *hits = border_array(count, sizeof *hits);
     memset(hits, 0, count * sizeof *hits);
     move_hits(hits, count);
     double *z = border_place_doubles("z", 2);
@@ -72,7 +72,7 @@ void wall_z(size_t n, const struct wall_hit hits[], const double size[2],
 {
     struct call c = {n, disks, {size[0], size[1]}, energy, from, until};
     const size_t count = n + 1;
-    struct wall_hit *copy = border_memory(count * sizeof *copy);
+    struct wall_hit *copy = border_array(count, sizeof *copy);
     memcpy(copy, hits, count * sizeof *copy);
     border_call();
     move_arguments(&c);

@@ -3,6 +3,7 @@
 /* place: none */
 
 #include "examiner/border.h"
+#include "examiner/check.h"
 #include <stdlib.h>
 
 struct state {
@@ -51,6 +52,8 @@ void border_answer(void)
 
 static program *tried;
 
+enum { MOST_SAMPLES = 1000000 }; /* that are given at once: 32 MB */
+
 void border_heed(int which)
 {
     struct state start;
@@ -60,7 +63,8 @@ void border_heed(int which)
     move_states(&start, 1);
     border_doubles(&tick, 1);
     border_sizes(&samples, 1);
-    struct state *kept = border_memory(samples * sizeof *kept);
+    check_demand("samples", (double)samples, MOST_SAMPLES);
+    struct state *kept = border_array(samples, sizeof *kept);
     tried(start, tick, samples, kept);
     border_tell();
     move_states(kept, samples);
@@ -71,6 +75,7 @@ bool clock_is_right(double width, double height, program *run)
 {
     bool right;
     tried = run;
+    border_anew();
     border_call();
     border_doubles(&width, 1);
     border_doubles(&height, 1);

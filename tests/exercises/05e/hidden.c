@@ -63,30 +63,72 @@ static void late(struct state s, double tick, size_t samples,
     shifted(s, tick, samples, kept, 1.0, 0.01 * tick);
 }
 
-static bool check(program *run, bool expected, const char *how)
+struct judged {
+    program *run;
+    bool right;
+    const char *how;
+};
+
+static program *tried;
+static int calls;
+
+static void counted(struct state s, double tick, size_t samples,
+                    struct state kept[])
 {
+    ++calls;
+    tried(s, tick, samples, kept);
+}
+
+/* Asks about both, in an order that is drawn; then tells. */
+static void check_both(const struct judged both[2])
+{
+    int order[2], called[2];
+    double said[2];
     size[0] = 1.5;
     size[1] = 2.5;
-    return CHECK_NEAR(
-        clock_is_right(size[0], size[1], run) ? 1.0 : 0.0,
-        .quantity = "what you say of a program (1 true, 0 "
-                    "false)",
-        .input = how, .expected = expected ? 1.0 : 0.0, .tolerance = 0.0,
-        .because = "yes or no", .equation = "eq:disk-clock",
-        .question = "Which sample would tell, and do you look "
-                    "at both of its coordinates?");
+    check_shuffle(order, 2);
+    for (int k = 0; k < 2; ++k) {
+        tried = both[order[k]].run;
+        calls = 0;
+        said[order[k]] =
+            clock_is_right(size[0], size[1], counted) ? 1.0 : 0.0;
+        called[order[k]] = calls;
+    }
+    for (int i = 0; i < 2; ++i)
+        if (!CHECK_NEAR(called[i] > 0 ? 1.0 : 0.0,
+                        .quantity = "1 if the program that you judge was "
+                                    "run at all",
+                        .input = both[i].how, .expected = 1.0,
+                        .tolerance = 0.0, .because = "yes or no",
+                        .equation = "eq:disk-clock",
+                        .question = "What do you know of a program that "
+                                    "you have not run?") ||
+            !CHECK_NEAR(said[i],
+                        .quantity = "what you say of a program (1 true, 0 "
+                                    "false)",
+                        .input = both[i].how,
+                        .expected = both[i].right ? 1.0 : 0.0,
+                        .tolerance = 0.0, .because = "yes or no",
+                        .equation = "eq:disk-clock",
+                        .question = "Which sample would tell, and do you "
+                                    "look at both of its coordinates?"))
+            return;
 }
 
 static void test_first(void)
 {
-    (void)(check(right, true, "a right program") &&
-           check(from_zero, false, "one whose first sample is the start"));
+    static const struct judged both[] = {
+        {right, true, "a right program"},
+        {from_zero, false, "one whose first sample is the start"}};
+    check_both(both);
 }
 
 static void test_axis(void)
 {
-    (void)(check(right, true, "a right program") &&
-           check(late, false, "one whose y lags behind by 0.01 ticks"));
+    static const struct judged both[] = {
+        {right, true, "a right program"},
+        {late, false, "one whose y lags behind by 0.01 ticks"}};
+    check_both(both);
 }
 
 const struct check_test check_hidden[] = {

@@ -207,23 +207,110 @@ static void inexact(struct state s, double tick, size_t samples,
     }
 }
 
-static double said(program *run, double w, double h)
+/* The programs of a test, in the order in which they are told of. They are
+   asked about in another order, drawn each time, so that what is said of
+   one cannot come from its place in the row; each in a process of its own.
+   So a test goes through its programs twice: first they are put down, then
+   they are told of. */
+enum { MOST = 80 };
+
+static struct {
+    program *run;
+    double width, height, lost, off_way, off_box; /* for this one */
+    double said;
+    int calls;
+    size_t bounces;
+} judged[MOST];
+static int count, at;
+static enum { PUT_DOWN, TELL, DONE } stage;
+
+static program *tried;
+static int calls;
+
+static void counted(struct state s, double tick, size_t samples,
+                    struct state kept[])
 {
-    width = w;
-    height = h;
+    ++calls;
+    tried(s, tick, samples, kept);
+}
+
+static void ask(int i)
+{
+    width = judged[i].width;
+    height = judged[i].height;
+    lost = judged[i].lost;
+    off_way = judged[i].off_way;
+    off_box = judged[i].off_box;
+    tried = judged[i].run;
     bounces = 0;
-    return clock_is_right(w, h, run) ? 1.0 : 0.0;
+    calls = 0;
+    judged[i].said = clock_is_right(width, height, counted) ? 1.0 : 0.0;
+    judged[i].calls = calls;
+    judged[i].bounces = bounces;
+}
+
+static void begin(void)
+{
+    count = 0;
+    stage = DONE;
+}
+
+/* Whether the programs are to be gone through, once more. */
+static bool again(void)
+{
+    int order[MOST];
+    if (stage == TELL)
+        return false;
+    stage = stage == DONE ? PUT_DOWN : TELL;
+    check_shuffle(order, count);
+    for (int k = 0; k < count; ++k)
+        ask(order[k]);
+    at = 0;
+    return true;
+}
+
+/* Whether that is all for now. */
+static bool put_down(program *run, double w, double h)
+{
+    if (stage == PUT_DOWN && count < MOST) {
+        judged[count].width = w;
+        judged[count].height = h;
+        judged[count].lost = lost;
+        judged[count].off_way = off_way;
+        judged[count].off_box = off_box;
+        judged[count++].run = run;
+    }
+    return stage == PUT_DOWN;
+}
+
+/* Who has judged without a look has found out nothing. */
+static bool check_called(const char *how)
+{
+    static const char question[] =
+        "You have said something of this program, and have not run it "
+        "once. What do you know of it?";
+    return CHECK_NEAR(judged[at].calls > 0 ? 1.0 : 0.0,
+                      .quantity =
+                          "1 if the program that you judge was run at all",
+                      .input = how, .expected = 1.0, .tolerance = 0.0,
+                      .because = "yes or no", .equation = "eq:disk-clock",
+                      .question = question,
+                      .mistakes = {{"never-called", 0.0, question}});
 }
 
 static bool check_right(program *run, const char *how, const char *mistake,
                         const char *question)
 {
-    return CHECK_NEAR(
-        said(run, 3.0, 2.0),
-        .quantity = "what you say of a right program (1 true, 0 false)",
-        .input = how, .expected = 1.0, .tolerance = 0.0,
-        .because = "yes or no", .equation = "eq:disk-clock",
-        .question = question, .mistakes = {{mistake, 0.0, question}});
+    return put_down(run, 3.0, 2.0) ||
+           (check_called(how) &&
+            CHECK_NEAR(
+                judged[at++].said,
+                .quantity =
+                    "what you say of a right program (1 true, 0 false)",
+                .input = how, .expected = 1.0, .tolerance = 0.0,
+                .because = "yes or no", .equation = "eq:disk-clock",
+                .question = question,
+                .mistakes = {{mistake, 0.0, question}}));
 }
 
 static bool check_rights(void)
@@ -250,23 +337,29 @@ static bool check_rights(void)
 static bool check_wrong(program *run, const char *how, const char *mistake,
                         const char *question)
 {
-    const double got = said(run, 3.0, 2.0);
     static const char none[] =
         "Not one of your runs has seen a bounce. What can a clock do wrong "
         "when nothing happens?";
+    if (put_down(run, 3.0, 2.0))
+        return true;
+    if (!check_called(how))
+        return false;
+    const size_t seen = judged[at].bounces;
+    const double got = judged[at++].said;
     return CHECK_NEAR(
         got,
         .quantity = "what you say of a wrong program (1 true, 0 false)",
         .input = how, .expected = 0.0, .tolerance = 0.0,
         .because = "yes or no", .equation = "eq:disk-clock",
         .question = question,
-        .mistakes = {{"no-bounce", bounces > 0 ? 0.0 : got, none},
-                     {mistake, bounces > 0 ? got : 0.0, question}});
+        .mistakes = {{"no-bounce", seen > 0 ? 0.0 : got, none},
+                     {mistake, seen > 0 ? got : 0.0, question}});
 }
 
 static void test_right(void)
 {
-    check_rights();
+    for (begin(); again();)
+        check_rights();
 }
 
 static void test_article(void)
@@ -275,77 +368,92 @@ static void test_article(void)
         "The article's program jumps back in time at each bounce, and its "
         "speeds are right to the last digit. Which of its numbers belong "
         "to a time?";
-    (void)(check_rights() && check_wrong(article, "the article's program",
-                                         "energy-only", question));
+    for (begin(); again();)
+        (void)(check_rights() &&
+               check_wrong(article, "the article's program", "energy-only",
+                           question));
 }
 
 static void test_mended(void)
 {
-    (void)(check_rights() &&
-           check_wrong(mended, "the article's, with its sign mended",
-                       "place-not-compared",
-                       "This disk is always inside, always on its way, and "
-                       "turns round at the walls. Is it there at the right "
-                       "time?") &&
-           check_wrong(recording, "each bounce is recorded like a tick",
-                       "place-not-compared",
-                       "Some of these samples belong to bounces. To which "
-                       "time does number k belong?"));
+    for (begin(); again();)
+        (void)(check_rights() &&
+               check_wrong(
+                   mended, "the article's, with its sign mended",
+                   "place-not-compared",
+                   "This disk is always inside, always on its way, and "
+                   "turns round at the walls. Is it there at the right "
+                   "time?") &&
+               check_wrong(
+                   recording, "each bounce is recorded like a tick",
+                   "place-not-compared",
+                   "Some of these samples belong to bounces. To which "
+                   "time does number k belong?"));
 }
 
 static void test_restarting(void)
 {
-    (void)(check_rights() &&
-           check_wrong(restarting, "the tick begins anew after a bounce",
-                       "place-not-compared",
-                       "Between two samples with a bounce more than a tick "
-                       "goes by. Do you look at those?"));
+    for (begin(); again();)
+        (void)(check_rights() &&
+               check_wrong(
+                   restarting, "the tick begins anew after a bounce",
+                   "place-not-compared",
+                   "Between two samples with a bounce more than a tick "
+                   "goes by. Do you look at those?"));
 }
 
 static void test_once(void)
 {
-    (void)(check_rights() &&
-           check_wrong(once, "one bounce a tick is seen, and no more",
-                       "one-bounce-a-tick",
-                       "This program forgets the second bounce between two "
-                       "ticks. Is there ever more than one in your runs?"));
+    for (begin(); again();)
+        (void)(check_rights() &&
+               check_wrong(
+                   once, "one bounce a tick is seen, and no more",
+                   "one-bounce-a-tick",
+                   "This program forgets the second bounce between two "
+                   "ticks. Is there ever more than one in your runs?"));
 }
 
 static void test_losing(void)
 {
     static const double share[] = {0.1, 1e-3};
-    for (int i = 0; i < 2; ++i) {
-        lost = share[i];
-        if (!check_rights() ||
-            !check_wrong(losing,
-                         check_text("each bounce loses %g ticks", lost),
-                         "too-coarse",
-                         "This program loses a little time at each bounce, "
-                         "and the differences grow. How much do you let "
-                         "pass?"))
-            return;
+    for (begin(); again();) {
+        bool fine = check_rights();
+        for (int i = 0; i < 2 && fine; ++i) {
+            lost = share[i];
+            fine = check_wrong(
+                losing, check_text("each bounce loses %g ticks", lost),
+                "too-coarse",
+                "This program loses a little time at each bounce, and the "
+                "differences grow. How much do you let pass?");
+        }
+        off_way = 0.0;
+        off_box = 1.2e-5;
+        (void)(fine &&
+               check_wrong(
+                   inexact,
+                   "from the hundredth tick on all is off by 1.2e-5 of the "
+                   "box",
+                   "too-coarse",
+                   "This program is off by more than 1e-5 of the box, "
+                   "later on. How much do you let pass, and how long do "
+                   "you look?"));
     }
-    off_way = 0.0;
-    off_box = 1.2e-5;
-    check_wrong(
-        inexact,
-        "from the hundredth tick on all is off by 1.2e-5 of the box",
-        "too-coarse",
-        "This program is off by more than 1e-5 of the box, later on. "
-        "How much do you let pass, and how long do you look?");
 }
 
 static void test_axes(void)
 {
-    (void)(check_rights() &&
-           check_wrong(late_above, "along y all is 0.01 ticks late",
-                       "one-axis-only",
-                       "Along x this program is right. Which coordinates "
-                       "do you look at?") &&
-           check_wrong(late_across, "along x all is 0.01 ticks late",
-                       "one-axis-only",
-                       "Along y this program is right. Which coordinates "
-                       "do you look at?"));
+    for (begin(); again();)
+        (void)(check_rights() &&
+               check_wrong(
+                   late_above, "along y all is 0.01 ticks late",
+                   "one-axis-only",
+                   "Along x this program is right. Which coordinates "
+                   "do you look at?") &&
+               check_wrong(
+                   late_across, "along x all is 0.01 ticks late",
+                   "one-axis-only",
+                   "Along y this program is right. Which coordinates "
+                   "do you look at?"));
 }
 
 /* limit: 1e-9 m */
@@ -355,19 +463,28 @@ static void test_axes(void)
    and one that loses time. */
 static void test_drawn(void)
 {
+    static const char question[] =
+        "A box of another size. Which lengths, tolerances, velocities and "
+        "times of yours are those of a box of a metre?";
+    program *const four[] = {by_events, by_mirrors, losing, mended};
+    double w[20], h[20], loses[20];
     for (int i = 0; i < 20; ++i) {
         const double unit =
             i < 2 ? (i ? 1e9 : 1e-9) : pow(10.0, check_draw(-9.0, 9.0));
-        const double w = unit * check_draw(0.5, 2.0);
-        const double h = unit * check_draw(0.5, 2.0);
-        lost = check_draw(0.01, 0.5);
-        static const char question[] =
-            "A box of another size. Which lengths, tolerances, velocities "
-            "and times of yours are those of a box of a metre?";
-        const char *box = check_text("a box of %g m by %g m", w, h);
-        program *const tried[] = {by_events, by_mirrors, losing, mended};
-        for (int k = 0; k < 4; ++k)
-            if (!CHECK_NEAR(said(tried[k], w, h),
+        w[i] = unit * check_draw(0.5, 2.0);
+        h[i] = unit * check_draw(0.5, 2.0);
+        loses[i] = check_draw(0.01, 0.5);
+    }
+    for (begin(); again();)
+        for (int i = 0; i < 80; ++i) {
+            const int k = i % 4;
+            lost = loses[i / 4];
+            if (put_down(four[k], w[i / 4], h[i / 4]))
+                continue;
+            const char *box =
+                check_text("a box of %g m by %g m", w[i / 4], h[i / 4]);
+            if (!check_called(box) ||
+                !CHECK_NEAR(judged[at++].said,
                             .quantity = k < 2 ? "what you say of a right "
                                                 "program"
                                               : "what you say of a wrong "
@@ -379,7 +496,7 @@ static void test_drawn(void)
                             .mistakes = {{"only-this-box",
                                           k < 2 ? 0.0 : 1.0, question}}))
                 return;
-    }
+        }
 }
 
 const struct check_suite check_suite = {

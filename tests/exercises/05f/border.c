@@ -30,10 +30,10 @@ void border_answer(void)
 {
     size_t n, bodies, next;
     border_sizes(&n, 1);
-    struct event *heap = border_memory(n * sizeof heap[0]);
+    struct event *heap = border_array(n, sizeof heap[0]);
     move_heap(n, heap);
     border_sizes(&bodies, 1);
-    unsigned *counts = border_memory(bodies * sizeof counts[0]);
+    unsigned *counts = border_array(bodies, sizeof counts[0]);
     border_unsigneds(counts, bodies);
     size_t *stale = border_place_sizes("stale", 1);
     next = next_valid(n, heap, counts, stale);

@@ -22,7 +22,7 @@ void border_answer(void)
     double size[2];
     border_sizes(&n, 1);
     border_doubles(size, 2);
-    double *radius = border_memory(n * sizeof *radius);
+    double *radius = border_array(n, sizeof *radius);
     border_doubles(radius, n);
     double *x = border_place_doubles("x", n);
     double *y = border_place_doubles("y", n);
@@ -40,7 +40,7 @@ void border_answer(void)
 
 static void give_doubles(const double x[], size_t n)
 {
-    double *copy = border_memory(n * sizeof *copy);
+    double *copy = border_array(n, sizeof *copy);
     memcpy(copy, x, n * sizeof *copy);
     border_doubles(copy, n);
     free(copy);

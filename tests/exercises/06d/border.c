@@ -29,7 +29,7 @@ void border_answer(void)
 {
     struct call c;
     move_arguments(&c);
-    double *y = border_memory(c.n * sizeof *y);
+    double *y = border_array(c.n, sizeof *y);
     border_doubles(y, c.n);
     double *x = border_place_doubles("x", c.n);
     size_t touches = push_chain(c.n, c.sigma, c.width, c.height, x, y,

@@ -53,7 +53,7 @@ void border_answer(void)
     move_arguments(&c);
     const double box[3] = {c.box[0], c.box[1], c.box[2]};
     const size_t length = c.count + 1;
-    struct collision *list = border_memory(length * sizeof *list);
+    struct collision *list = border_array(length, sizeof *list);
     move_collisions(list, length);
     double *pressure = border_place_doubles("pressure", 1);
     double z = compressibility(c.dimensions, box, c.n, c.energy, c.time,
@@ -74,7 +74,7 @@ double compressibility(int dimensions, const double box[3], size_t n,
     struct call c = {dimensions, n,   count, {box[0], box[1], box[2]},
                      energy,     time};
     const size_t length = count + 1;
-    struct collision *copy = border_memory(length * sizeof *copy);
+    struct collision *copy = border_array(length, sizeof *copy);
     double z;
     memcpy(copy, collisions, length * sizeof *copy);
     border_call();

@@ -52,7 +52,7 @@ void slope(double t, const double y[], double dy[])
 
 static double *take_doubles(size_t count)
 {
-    double *x = border_memory(count * sizeof *x);
+    double *x = border_array(count, sizeof *x);
     border_doubles(x, count);
     return x;
 }
@@ -105,7 +105,7 @@ void border_heed(int which)
 
 static void give_doubles(const double x[], size_t count)
 {
-    double *copy = border_memory(count * sizeof *copy);
+    double *copy = border_array(count, sizeof *copy);
     memcpy(copy, x, count * sizeof *copy);
     border_doubles(copy, count);
     free(copy);

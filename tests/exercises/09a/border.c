@@ -27,7 +27,7 @@ static void move_arguments(struct call *c)
 
 static double *take_doubles(size_t count)
 {
-    double *x = border_memory(count * sizeof *x);
+    double *x = border_array(count, sizeof *x);
     border_doubles(x, count);
     return x;
 }
@@ -51,7 +51,7 @@ void border_answer(void)
 
 static void give_doubles(const double x[], size_t count)
 {
-    double *copy = border_memory(count * sizeof *copy);
+    double *copy = border_array(count, sizeof *copy);
     memcpy(copy, x, count * sizeof *copy);
     border_doubles(copy, count);
     free(copy);

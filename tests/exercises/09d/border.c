@@ -36,7 +36,7 @@ void border_answer(void)
     border_sizes(&n, 1);
     border_doubles(&sun, 1);
     border_doubles(&dt, 1);
-    double *gm = border_memory(n * sizeof *gm);
+    double *gm = border_array(n, sizeof *gm);
     border_doubles(gm, n);
     double *x = border_place_doubles("x", 3 * n);
     double *v = border_place_doubles("v", 3 * n);

@@ -12,7 +12,7 @@ void border_answer(void)
 {
     size_t n;
     border_sizes(&n, 1);
-    double *part = border_memory(n * sizeof *part);
+    double *part = border_array(n, sizeof *part);
     border_doubles(part, n);
     double sum = sum_up(n, part);
     border_reply();

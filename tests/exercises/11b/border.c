@@ -14,7 +14,7 @@ void border_answer(void)
 {
     size_t n;
     border_sizes(&n, 1);
-    double *mass = border_memory((n + 1) * sizeof *mass);
+    double *mass = border_array((n + 1), sizeof *mass);
     border_doubles(mass, n + 1);
     double *v = border_place_doubles("v", n + 1);
     size_t collisions = cradle(n, mass, v);
@@ -29,7 +29,7 @@ void border_answer(void)
 size_t cradle(size_t n, const double mass[], double v[])
 {
     size_t collisions, count = n;
-    double *copy = border_memory((n + 1) * sizeof *copy);
+    double *copy = border_array((n + 1), sizeof *copy);
     memcpy(copy, mass, (n + 1) * sizeof *copy);
     border_call();
     border_sizes(&count, 1);

@@ -28,7 +28,7 @@ void border_answer(void)
 {
     size_t n;
     border_sizes(&n, 1);
-    struct choice *choice = border_memory((n + 1) * sizeof *choice);
+    struct choice *choice = border_array((n + 1), sizeof *choice);
     move_choices(choice, n + 1);
     size_t *front = border_place_sizes("front", n + 1);
     size_t count = pareto_front(n, choice, front);
@@ -43,7 +43,7 @@ void border_answer(void)
 size_t pareto_front(size_t n, const struct choice choice[], size_t front[])
 {
     size_t count, many = n;
-    struct choice *copy = border_memory((n + 1) * sizeof *copy);
+    struct choice *copy = border_array((n + 1), sizeof *copy);
     memcpy(copy, choice, (n + 1) * sizeof *copy);
     border_call();
     border_sizes(&many, 1);

@@ -1,4 +1,4 @@
-/* failed: right in all, and one number more behind the answer */
+/* crashed: right in all, and one number more behind the answer */
 /* earns: nothing */
 #include "exercise.h"
 

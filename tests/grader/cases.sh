@@ -1,0 +1,108 @@
+#!/bin/sh
+# Files that once earned what they should not, or brought the judge down: each is
+# judged at home and graded, and both say the same of it, a state and the points
+# of the public tests, which its first line gives: /* 01a crashed: why */, and in
+# a line `earns:` the points, or none. And the judge has no rights that it does
+# not need.
+set -u
+topic=cases
+here=tests/grader/cases
+out=$(mktemp -d) || exit 1
+trap 'rm -rf "$out"' EXIT
+trap 'exit 1' HUP INT TERM
+
+# verdict WHAT COMMAND...: one line of result; the command says why.
+verdict() {
+    what=$1
+    shift
+    if "$@" >"$out/why" 2>&1; then
+        echo "ok $topic: $what"
+    else
+        echo "not ok $topic: $what - $(head -c 400 "$out/why" | tr '\n' '~')"
+    fi
+}
+head_of() { sed -n "1s/^\/\* \([0-9][0-9][a-z]\) \([a-z ]*\): .*/$1/p" "$file"; }
+earns() { sed -n 's/^\/\* earns: \([0-9]*\) \*\/$/\1/p' "$file" | grep . || echo 0; }
+
+for file in "$here"/*.c; do
+    ex=$(head_of '\1')
+    mkdir -p "$out/in/$(basename "$file" .c)"
+    cp "$file" "$out/in/$(basename "$file" .c)/$(ls solutions | grep "^$ex")"
+done
+build/grade/grade --hidden 1 --jobs 2 --output "$out/graded" "$out/in" \
+    >"$out/grading" 2>&1
+at_home() {
+    build/check/examine --as "$ex" --file "$file" >"$out/said" 2>&1
+    grep -q "^$ex .* $state  *$(earns) of " "$out/said" ||
+        { cat "$out/said" && false; }
+}
+in_the_grader() {
+    result=$out/graded/marks/$(basename "$file" .c)/$ex.json
+    got=$(awk '/^   "hidden": / { hidden = /true/ } /^   "points": / { p = $2 + 0 }
+        /^   "state": "passed"/ && !hidden { earned += p }
+        END { print earned + 0 }' "$result")
+    grep -q "^ \"state\": \"$state\"" "$result" && [ "$got" = "$(earns)" ] ||
+        { echo "$got points" && cat "$result" && false; }
+}
+for file in "$here"/*.c; do
+    ex=$(head_of '\1') state=$(head_of '\2')
+    verdict "$(basename "$file" .c) $state at home" at_home
+    verdict "$(basename "$file" .c) $state in the grader" in_the_grader
+done
+
+# ---- the judge's rights ----
+
+# A judge that waits for the answer of a box: what the kernel lets it do.
+mkfifo "$out/answers" "$out/requests"
+user=0
+[ "$(id -u)" -ne 0 ] || user=20001
+confined() {
+    printf '%032d' 0 >"$out/report"
+    build/grade/01a.judge 1 0 $user 3<>"$out/report" 5<>"$out/answers" \
+        6<>"$out/requests" &
+    judge=$!
+    for _ in 1 2 3 4 5 6 7 8 9 10; do
+        grep -q '^State:.*[SD]' "/proc/$judge/status" &&
+            grep -q '^Seccomp:.*2' "/proc/$judge/status" && break
+        sleep 0.1
+    done
+    cat "/proc/$judge/status"
+    kill $judge
+    wait $judge
+    grep -q '^Seccomp:.*2$' "$out/why" && grep -q '^NoNewPrivs:.*1$' "$out/why" &&
+        grep -q '^CapEff:.*\<0*$' "$out/why" &&
+        { [ $user -eq 0 ] || grep -q "^Uid:[^0-9]*$user[^0-9]*$user" "$out/why"; }
+}
+rights='a judge has neither the rights nor the calls of who started it'
+# While a file is graded that never ends, its judge can be looked at.
+graded_so() {
+    mkdir -p "$out/loop/one"
+    sed 's/^{$/{ for (volatile int i = 0; i == 0;) i = 0;/' \
+        solutions/01a-collide.c >"$out/loop/one/01a-collide.c"
+    build/grade/grade --hidden 1 --jobs 1 --exercises 01a --seconds 1 \
+        --output "$out/looped" "$out/loop" >"$out/grading" 2>&1 &
+    grader=$!
+    seen=
+    while kill -0 $grader 2>/dev/null; do
+        seen="$seen $(ps -eo uid=,args= | sed -n "s,^ *\([0-9]*\) .*$PWD/build/grade/01a.judge.*,\1,p")"
+        sleep 0.1
+    done
+    wait $grader
+    echo "seen: $seen"
+    # Between fork and exec it is still root for a moment.
+    echo "$seen" | grep -q '\<[2-5][0-9][0-9][0-9][13579]\>' &&
+        [ "$(grep -c '"state": "timed out"' "$out"/looped/marks/one/01a.json)" -gt 1 ]
+}
+if [ -r /proc/self/status ]; then
+    verdict "$rights" confined
+else
+    echo "# note: no /proc here, so nobody looks at the judge's rights"
+    echo "ok $topic: $rights"
+fi
+if [ $user -ne 0 ]; then
+    verdict 'nor has the one that grades' graded_so
+else
+    echo "# note: who is not root grades as himself"
+    echo "ok $topic: nor has the one that grades"
+fi
+echo "1..$((2 * $(ls "$here"/*.c | wc -l) + 2))"

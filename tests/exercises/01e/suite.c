@@ -261,6 +261,18 @@ static bool check_right(law *collide, const char *how, const char *mistake,
                 .mistakes = {{mistake, 0.0, question}}));
 }
 
+static bool check_inexact(double first, double second)
+{
+    epsilons[0] = first;
+    epsilons[1] = second;
+    return check_right(inexact, "both velocities are off by nine epsilons",
+                       "too-exact",
+                       "This one is right: its velocities are off by nine "
+                       "epsilons of the fastest, and ten are allowed. How "
+                       "far off are then a momentum, and a difference of "
+                       "velocities?");
+}
+
 static bool check_rights(void)
 {
     static const char digits[] =

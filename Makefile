@@ -109,7 +109,7 @@ help:
 	@echo 'make movie        a film: SCENE=ring VIEW=tilted or PRESET=cradle; LIVE=1'
 	@echo 'make movies       films of all scenes and presets: half an hour'
 	@echo 'make bench        the speed tables, measured here'
-	$(call offer,mutants) 'make mutants      how many planted mistakes the exercises notice'
+	$(call offer,mutants) 'make mutants      how many planted mistakes the exercises notice; OF=library'
 	$(call offer,grade) 'make grade-bench  how long a course of 25 takes to grade; RECORD=1'
 	$(call offer,jobs) 'make jobs         OF=grade, figures, atlas or hunt: lists for more machines than one'
 	$(call offer,memcheck) 'make memcheck     the library tests under sanitizers'

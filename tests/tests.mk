@@ -62,7 +62,7 @@ has-test-tools:
 
 test-parts: grade-parts build/check/examine $(CHECK_BUILT) $(unit_tests) $(tools) \
 	build/tests/mutants/outlive build/tests/grader/reports \
-	build/tests/grader/schema
+	build/tests/grader/schema build/tests/mutants/library-flags
 
 # What the reports are tested with: a course made up, a validator of JSON.
 build/made/tests/grader/reports: $(patsubst %,build/grade/obj/grade/%.o,\
@@ -76,10 +76,22 @@ build/made/tests/grader/%: tests/grader/%.c build/compiler/key
 
 # How many small mistakes in the solutions the suites notice; EX=01a for one,
 # RECORD=1 keeps the table for the book.
-.PHONY: mutants
-mutants: build/check/examine $(CHECK_BUILT) build/tests/mutate \
+.PHONY: mutants mutants-exercises mutants-library
+mutants: $(if $(filter library,$(value OF)),mutants-library,mutants-exercises)
+mutants-exercises: build/check/examine $(CHECK_BUILT) build/tests/mutate \
 		build/tests/mutants/outlive
 	@export RECORD='$(if $(RECORD),1)'; $(split) tests/mutants/run $$EX
+
+# How many small mistakes in the library its tests notice: make mutants
+# OF=library COUNT=100, SEED=text for other ones than those of this commit.
+mutants-library: $(unit_tests) $(unit_tests:build/tests/%=build/memcheck/%) \
+		programs build/tests/mutate build/tests/mutants/library-flags
+	@tests/mutants/library
+build/tests/mutants/library-flags: build/compiler/key tests/tests.mk $(rooms:%=src/%)
+	@mkdir -p $(@D)
+	@printf '%s\n' '$(CC) $(STANDARD) $(FLAGS) -Isrc' '$(PORTABLE)' \
+		'$(SANITIZED)' '$(OPENMP)' '$(parallel)' '$(gsl)' \
+		'$(if $(gsl),$(GSL_LIBS))' '$(strip $(library))' >$@
 build/made/tests/mutants/outlive: tests/mutants/outlive.c \
 		$(patsubst %,build/obj/examiner/%.o,trial process text)
 	$(begin)

@@ -103,6 +103,56 @@ refuses 2 "cannot read '$work/none'" $mutate --list "$work/none"
 echo 'int f(void) { return (1; }' >"$work/torn.c"
 refuses 2 'torn.c:1: this bracket' $mutate --list "$work/torn.c"
 
+# More of them for the library, where names say which is which.
+cat >"$work/more.c" <<'END'
+static const double table[] = {0.5, 3.0};
+double most(double a, double b)
+{
+    double *x = malloc(sizeof *x * 2 + 7);
+    return fmax(a, b) + 0.25;
+}
+END
+$mutate --more --list "$work/more.c" >"$work/list"
+makes scale 'static const double table[] = {0.5, 3.0};' \
+    'static const double table[] = {0.59999999999999998, 3.0};'
+makes constant 'static const double table[] = {0.5, 3.0};' \
+    'static const double table[] = {0.5, 2.0};'
+makes least-most 'return fmax(a, b) + 0.25;' 'return fmin(a, b) + 0.25;'
+makes constant 'double *x = malloc(sizeof *x * 2 + 7);' \
+    'double *x = malloc(sizeof *x * 2 + 6);'
+never 'double *x = malloc(sizeof *x * 2 + 8);'
+never 'return fmax(b, a) + 0.25;'
+
+# The draw knows no paths and no lines, but the seed and the function.
+ranks() { $mutate --more --rank "$1" "$2" | awk -F ' :: ' '{ print $1, $4, $7 }'; }
+ranks seven "$work/more.c" >"$work/ranks"
+mkdir "$work/moved"
+{ echo && cat "$work/more.c"; } >"$work/moved/more.c"
+ranks seven "$work/moved/more.c" >"$work/moved/ranks"
+holds 'a file that has moved has the same ranks' \
+    cmp "$work/ranks" "$work/moved/ranks"
+ranks eight "$work/more.c" >"$work/moved/ranks"
+holds 'another seed gives others' \
+    test "$(sort -u "$work/ranks" "$work/moved/ranks" | wc -l)" -eq \
+    $((2 * $(sort -u "$work/ranks" | wc -l)))
+holds 'ranks lie between 0 and 1, and are all over' \
+    awk '$1 <= 0 || $1 >= 1 { bad = 1 } $1 < 0.5 { ++low }
+    END { exit bad || low < NR / 4 || low > 3 * NR / 4 }' "$work/ranks"
+holds 'the function is named' grep -q ' most return fmin' "$work/ranks"
+
+# Ten small mistakes in the library, of a fixed seed: the tests see them all.
+export EQUAL=tests/mutants/equal-in-library.txt
+holds 'the list of the equal ones is in order' env CHECK=1 tests/mutants/library
+for wrong in 'record :: f :: constant :: a :: b :: no such mutant' 'record :: f'
+do
+    echo "$wrong" >"$work/equal.txt"
+    EQUAL=$work/equal.txt CHECK=1 tests/mutants/library >"$work/out" 2>"$work/err"
+    holds "an entry is refused: $wrong" test $? -eq 2
+done
+COUNT=10 UNITS=1 JOBS=1 SEED=gate LEAST=100 tests/mutants/library >"$work/said"
+holds 'ten mutants of the library are killed' sh -c "
+    tail -n 30 $work/said; grep -q '^10 of 10 killed' $work/said"
+
 # A list of mutants that are equal in effect must name mutants that there are
 # and that survive.
 wrong_list() { # ENTRY PATTERN
@@ -122,4 +172,4 @@ wrong_list "01a :: constant :: $line :: v[0] = 3.0 * centre - u1; :: why not" \
     'this mutant is not equal in effect: failed'
 holds 'the table has a row and a total' sh -c \
     "grep -q '^01a  *[0-9]' $work/out && grep -q '^total ' $work/out"
-echo 1..49
+echo 1..67

@@ -142,6 +142,29 @@ static void test_no_drift(void)
     UNIT_TRUE(!isnan(blocks_average_of(48, x + 50).drift));
 }
 
+/* A little noise on a large mean is no rounding: of values round 1e8 that
+   scatter by 1 the drift is as known as of values round 0, and obeys the
+   same law; of those round 1e11, where the scatter is 1e-11 of the mean,
+   not. */
+static void test_large_mean(void)
+{
+    double x[48], y[48];
+    struct random r;
+    random_seed(&r, 6);
+    for (int t = 0; t < 20; ++t) {
+        for (int i = 0; i < 48; ++i) {
+            x[i] = 8 + random_normal(&r);
+            y[i] = x[i] + 1e8;
+        }
+        /* Adding 1e8 rounds by 1e-8, of a scatter of 1. */
+        const double z = blocks_average_of(48, x).drift;
+        UNIT_NEAR(blocks_average_of(48, y).drift, z, 1e-6);
+        for (int i = 0; i < 48; ++i)
+            y[i] = x[i] + 1e11;
+        UNIT_TRUE(isnan(blocks_average_of(48, y).drift));
+    }
+}
+
 int main(void)
 {
     return unit_run(
@@ -154,5 +177,6 @@ int main(void)
             {"a steady series drifts as the law says", test_steady},
             {"a step is a drift, wherever it is", test_step},
             {"no drift where there is no error", test_no_drift},
+            {"noise on a large mean is noise", test_large_mean},
             {0}});
 }

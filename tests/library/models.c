@@ -726,6 +726,68 @@ static void test_overlap(void)
     scene_free(&scene);
 }
 
+/* Beyond a wall for good are bodies that are at rest there and those that
+   move on, at either wall, along each axis; not those that come back, and
+   not where there is no wall to come back to. */
+static void test_beyond(void)
+{
+    make("four-disks", NULL);
+    const size_t n = scene.bodies;
+    for (size_t i = 0; i < 3 * n; ++i)
+        scene.velocity[i] = 0;
+    for (size_t k = 0; k < 2; ++k)
+        for (int side = -1; side <= 1; side += 2)
+            for (int way = -1; way <= 1; ++way) {
+                double *x = &scene.position[k * n], was = *x;
+                *x = side < 0 ? scene.low[k] + scene.radius[0] - 0.05
+                              : scene.high[k] - scene.radius[0] + 0.05;
+                scene.velocity[k * n] = way * 1e-9;
+                /* Others do not matter here. */
+                scene.contact = true;
+                for (size_t i = 1; i < n; ++i)
+                    scene.position[(1 - k) * n + i] =
+                        scene.position[(1 - k) * n];
+                for (size_t i = 1; i < n; ++i)
+                    scene.radius[i] = 1e-3;
+                for (size_t i = 1; i < n; ++i)
+                    scene.position[k * n + i] = 0.4 + 0.05 * (double)i;
+                UNIT_NEAR(models_overlap(&scene), way == -side ? 0 : 0.05,
+                          1e-15);
+                scene.wall[k] = SCENE_OPEN;
+                UNIT_EQUAL(models_overlap(&scene), 0);
+                scene.wall[k] = SCENE_HARD;
+                scene.velocity[k * n] = 0;
+                *x = was;
+            }
+    scene_free(&scene);
+}
+
+/* A mass on a spring of length l turns the spring round if its energy is
+   that of the spring shortened to nothing: m v^2 + D A^2 = D l^2. Just
+   below that the closed form is right, just above it the motion is another
+   one. */
+static void test_turns_round(void)
+{
+    static const struct {
+        double mass, stiffness, displacement, velocity; /* on the border */
+    } border[] = {{1, 1, 4, 0},         {1, 9, 0, 12},
+                  {4, 1, 0, -2},        {4, 9, 2.4, 4.8},
+                  {0.25, 4, -3.2, 9.6}, {2, 0.5, 2.4, 1.6}};
+    for (size_t k = 0; k < sizeof border / sizeof border[0]; ++k)
+        for (int beyond = 0; beyond < 2; ++beyond) {
+            const double share = beyond ? 1.0001 : 0.9999;
+            make("oscillator",
+                 (struct wish[]){{"mass", border[k].mass},
+                                 {"stiffness", border[k].stiffness},
+                                 {"damping", 0},
+                                 {0}});
+            scene.position[1] = 4 + share * border[k].displacement;
+            scene.velocity[1] = share * border[k].velocity;
+            refuses("oscillator", beyond ? "a spring may turn round" : "");
+            scene_free(&scene);
+        }
+}
+
 /* Light bodies, and stiff springs. */
 static void test_cuts(void)
 {
@@ -1111,6 +1173,8 @@ int main(void)
             {"points on a line meet as in line only", test_meeting},
             {"a row without end ends at once", test_endless},
             {"how deep bodies overlap at the start", test_overlap},
+            {"who is beyond a wall for good", test_beyond},
+            {"how much energy turns a spring round", test_turns_round},
             {"what can be left out, and that it is", test_cuts},
             {"what makes another scene can be left out by name",
              test_leaving_out},

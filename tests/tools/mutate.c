@@ -5,17 +5,31 @@
        mutate --list FILE     prints one line for each:
                               NUMBER :: LINE :: OPERATOR :: BEFORE :: AFTER
        mutate NUMBER FILE     prints the file with that one change, from 1
+       mutate --rank SEED FILE
+                              prints one line for each:
+                              U :: NUMBER :: LINE :: FUNCTION ::
+                              OPERATOR :: BEFORE :: AFTER
+
+   With --more before these, numbers outside functions are changed as well,
+   numbers with a point, from 1e-4 on, are multiplied by 1.2 and by .8, and
+   fmin and fmax are exchanged. What changes nothing is then left out: more
+   room than is asked for, and the other order of the arguments of fmin,
+   fmax, hypot and calloc.
+
+   U is a number between 0 and 1, drawn by SEED, the file's name without its
+   folders, FUNCTION, OPERATOR, BEFORE and AFTER: it stays the same when the
+   file moves and when other parts of it change.
 
    BEFORE and AFTER are the lines that the change touches, as one line with
    single spaces. Where the same operator, BEFORE and AFTER come again in
    the file, the operator is followed by #2, #3, ...: so a mutant can be
    named without its number, which changes with every edit.
 
-   Only function bodies are changed. What differs from the file, or from an
-   earlier mutant, in spaces and comments alone is left out. A mutant need
-   not be valid C: the file is taken apart into tokens, brackets and
-   statements, and no types are known. Exit status 2 when the file cannot be
-   read or its brackets do not match. */
+   Without --more only function bodies are changed. What differs from the
+   file, or from an earlier mutant, in spaces and comments alone is left
+   out. A mutant need not be valid C: the file is taken apart into tokens,
+   brackets and statements, and no types are known. Exit status 2 when the
+   file cannot be read or its brackets do not match. */
 
 #include <ctype.h>
 #include <stdarg.h>
@@ -49,14 +63,14 @@ struct mutant {
     const char *operator;
     size_t start, end;
     char *with;
-    char *plain;  /* the tokens of the whole mutant with single spaces */
-    uint64_t sum; /* of plain: texts that begin alike are soon told apart */
+    uint64_t sum; /* of the tokens of the whole mutant, see sum_mutant */
+    size_t tokens;
 };
 
 static struct source file;
 static struct mutant *mutants;
 static size_t mutant_count;
-static char *original; /* the tokens of the file with single spaces */
+static bool more; /* what --more adds is wanted */
 
 _Noreturn static void fail(const char *format, ...)
 {
@@ -182,22 +196,6 @@ static const char *read_token(const char *at, enum kind *kind)
     }
     *kind = *at == '"' || *at == '\'' ? QUOTED : PUNCTUATION;
     return *kind == QUOTED ? after_quoted(at) : after_punctuation(at);
-}
-
-/* The tokens of a text with single spaces between them. */
-static char *plain_text(const char *text)
-{
-    char *plain = grow(NULL, 2 * strlen(text) + 1), *end = plain;
-    enum kind kind;
-    for (const char *at = after_space(text, text); *at;) {
-        const char *next = read_token(at, &kind);
-        memcpy(end, at, (size_t)(next - at));
-        end += next - at;
-        *end++ = ' ';
-        at = after_space(text, next);
-    }
-    *end = '\0';
-    return plain;
 }
 
 static bool is(size_t i, const char *text)
@@ -448,30 +446,86 @@ static char *mutated(const struct mutant *m)
 }
 
 /* Fowler, Noll and Vo's sum of a text. */
-static uint64_t sum_of(const char *text)
+static uint64_t sum_of(const char *text, size_t length)
 {
     uint64_t sum = 14695981039346656037u;
-    while (*text)
-        sum = (sum ^ (unsigned char)*text++) * 1099511628211u;
+    for (size_t i = 0; i < length; ++i)
+        sum = (sum ^ (unsigned char)text[i]) * 1099511628211u;
     return sum;
+}
+
+/* Goes on with a sum of tokens: a polynomial in `base`, so that the sum of
+   a mutant follows from those of what stands before, in and behind the
+   change, whatever the length of the file. */
+static const uint64_t base = 6364136223846793005u;
+static uint64_t add_token(uint64_t sum, const char *start, const char *end)
+{
+    return sum * base + sum_of(start, (size_t)(end - start));
+}
+
+static uint64_t power(size_t exponent)
+{
+    uint64_t product = 1, square = base;
+    for (; exponent > 0; exponent /= 2, square *= square)
+        if (exponent % 2)
+            product *= square;
+    return product;
+}
+
+/* The sums of the first 0, 1, 2, ... tokens of the file. */
+static uint64_t *sums;
+static void sum_tokens(void)
+{
+    sums = grow(NULL, (file.count + 1) * sizeof *sums);
+    sums[0] = 0;
+    for (size_t i = 0; i < file.count; ++i)
+        sums[i + 1] = add_token(sums[i], file.text + start_of(i),
+                                file.text + end_of(i));
+}
+
+/* How many tokens begin before this place. */
+static size_t tokens_before(size_t place)
+{
+    size_t low = 0, high = file.count;
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+        if (start_of(middle) < place)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* Sets the sum and the number of the mutant's tokens. */
+static void sum_mutant(struct mutant *m)
+{
+    const size_t first = tokens_before(m->start);
+    const size_t behind = tokens_before(m->end);
+    const size_t rest = file.count - behind;
+    enum kind kind;
+    m->sum = sums[first];
+    m->tokens = first + rest;
+    for (const char *at = after_space(m->with, m->with); *at;) {
+        const char *next = read_token(at, &kind);
+        m->sum = add_token(m->sum, at, next);
+        ++m->tokens;
+        at = after_space(m->with, next);
+    }
+    m->sum = (m->sum - sums[behind]) * power(rest) + sums[file.count];
 }
 
 /* Adds the mutant that has `with` from start to end, unless it is there. */
 static void add(const char *operator, size_t start, size_t end,
                 const char *with)
 {
-    struct mutant m = {operator, start, end, copy_of(with, strlen(with)),
-                       NULL, 0};
-    char *text = mutated(&m);
-    m.plain = plain_text(text);
-    m.sum = sum_of(m.plain);
-    free(text);
-    bool known = strcmp(m.plain, original) == 0;
+    struct mutant m = {operator, start, end, copy_of(with, strlen(with)), 0,
+                       0};
+    sum_mutant(&m);
+    bool known = m.sum == sums[file.count] && m.tokens == file.count;
     for (size_t i = 0; i < mutant_count && !known; ++i)
-        known = m.sum == mutants[i].sum &&
-                strcmp(m.plain, mutants[i].plain) == 0;
+        known = m.sum == mutants[i].sum && m.tokens == mutants[i].tokens;
     if (known) {
-        free(m.plain);
         free(m.with);
         return;
     }
@@ -509,6 +563,10 @@ static void exchange(size_t i)
     for (size_t k = 0; k < sizeof known / sizeof *known; ++k)
         if (is(i, known[k].from) && (!known[k].binary || binding(i) > 0))
             replace_token(known[k].operator, i, known[k].to);
+    if (more && is(i, "fmin") && is(i + 1, "("))
+        replace_token("least-most", i, "fmax");
+    else if (more && is(i, "fmax") && is(i + 1, "("))
+        replace_token("least-most", i, "fmin");
 }
 
 /* Drops a sign or a `not` in front of a value. */
@@ -566,6 +624,36 @@ static void change_floating(size_t i, const char *text, int change)
     add("constant", start_of(i), end_of(i), with);
 }
 
+/* Whether token i stands in the arguments of one of these functions. */
+static bool is_argument_of(size_t i, const char *const names[])
+{
+    size_t k = i;
+    while (k-- > 0 && !is(k, ";") && !is(k, "{") && !is(k, "}"))
+        if (is_close(k))
+            k = file.tokens[k].mate;
+        else if (is(k, "(") && k > 0 && is_any(k - 1, names))
+            return true;
+    return false;
+}
+
+static bool asks_for_room(size_t i)
+{
+    static const char *const names[] = {
+        "malloc", "calloc", "realloc", "room_doubles", "room_of", NULL};
+    return more && is_argument_of(i, names);
+}
+
+/* Multiplies a number that is no whole one. Of very small ones, which allow
+   for rounding, it is the order of magnitude that counts. */
+static void scale_constant(size_t i, const char *text, double factor)
+{
+    char *suffix, with[64];
+    const double value = strtod(text, &suffix) * factor;
+    snprintf(with, sizeof with, "%.17g%.8s", value, suffix);
+    if (value > 1e-4 && strpbrk(with, ".e"))
+        add("scale", start_of(i), end_of(i), with);
+}
+
 /* Changes a number by one and by two, up and down. */
 static void change_constant(size_t i)
 {
@@ -576,10 +664,16 @@ static void change_constant(size_t i)
     const bool hexadecimal = text[0] == '0' && strchr("xX", text[1]);
     const bool floating = strpbrk(text, hexadecimal ? ".pP" : ".eE");
     for (size_t k = 0; k < sizeof changes / sizeof *changes; ++k)
-        if (floating)
+        if (changes[k] > 0 && asks_for_room(i))
+            continue;
+        else if (floating)
             change_floating(i, text, changes[k]);
         else
             change_whole(i, text, changes[k]);
+    if (more && floating) {
+        scale_constant(i, text, 1.2);
+        scale_constant(i, text, 0.8);
+    }
     free(text);
 }
 
@@ -594,7 +688,10 @@ static size_t argument_end(size_t i)
 /* Swaps each two neighbours among the arguments of a call. */
 static void swap_arguments(size_t i)
 {
-    if (!is(i, "(") || !is_name(i - 1))
+    static const char *const symmetric[] = {"fmin", "fmax", "hypot",
+                                            "calloc", NULL};
+    if (!is(i, "(") || !is_name(i - 1) ||
+        (more && is_any(i - 1, symmetric)))
         return;
     size_t first = i + 1, middle = argument_end(first);
     while (is(middle, ",")) {
@@ -833,16 +930,24 @@ static int by_place(const void *a, const void *b)
     return strcmp(x->with, y->with);
 }
 
+/* The '{' of a function's body? */
+static bool begins_body(size_t i)
+{
+    return is(i, "{") && i > 0 && is(i - 1, ")") &&
+           file.tokens[i - 1].mate > 0 &&
+           is_name(file.tokens[i - 1].mate - 1);
+}
+
 static void make_mutants(void)
 {
-    original = plain_text(file.text);
+    sum_tokens();
     for (size_t i = 0; i < file.count; ++i) {
-        if (is(i, "{") && i > 0 && is(i - 1, ")") &&
-            file.tokens[i - 1].mate > 0 &&
-            is_name(file.tokens[i - 1].mate - 1))
+        if (begins_body(i))
             mutate_function(file.tokens[i - 1].mate, i);
-        if (is(i, "{"))
+        if (begins_body(i) || (is(i, "{") && !more))
             i = file.tokens[i].mate;
+        else if (more)
+            change_constant(i);
     }
     qsort(mutants, mutant_count, sizeof *mutants, by_place);
 }
@@ -887,21 +992,74 @@ static char *lines_of(const struct mutant *m, bool after)
                  : one_line(start, end, "", end, end);
 }
 
-static void list(void)
+/* The name of the function that this place is in, or - for none. */
+static char *function_at(size_t place)
+{
+    for (size_t i = 0; i < file.count; ++i) {
+        if (begins_body(i) && place < start_of(file.tokens[i].mate))
+            return start_of(i) <= place
+                       ? text_of(file.tokens[i - 1].mate - 1,
+                                 file.tokens[i - 1].mate)
+                       : copy_of("-", 1);
+        if (is(i, "{"))
+            i = file.tokens[i].mate;
+    }
+    return copy_of("-", 1);
+}
+
+/* A number above 0 and below 1 from a text; near texts have far numbers. */
+static double drawn(const char *text)
+{
+    uint64_t sum = sum_of(text, strlen(text));
+    sum = (sum ^ sum >> 33) * 0xff51afd7ed558ccdu;
+    sum = (sum ^ sum >> 33) * 0xc4ceb9fe1a85ec53u;
+    sum ^= sum >> 33;
+    return ((double)(sum >> 12) + 0.5) / 4503599627370496.0; /* 2^52 */
+}
+
+static double rank_of(const char *seed, const char *function,
+                      const char *key)
+{
+    const char *name = strrchr(file.path, '/');
+    char *place = joined(name ? name + 1 : file.path, " ", function);
+    char *start = joined(seed, " ", place);
+    char *whole = joined(start, " ", key);
+    const double u = drawn(whole);
+    free(place);
+    free(start);
+    free(whole);
+    return u;
+}
+
+/* Lists all mutants; with their ranks where there is a seed. */
+static void list(const char *seed)
 {
     char **keys = grow(NULL, mutant_count * sizeof *keys);
+    uint64_t *key_sums = grow(NULL, mutant_count * sizeof *key_sums);
     for (size_t i = 0; i < mutant_count; ++i) {
         const struct mutant *m = &mutants[i];
         char *before = lines_of(m, false), *after = lines_of(m, true);
-        char *change = joined(before, " :: ", after);
+        char *change = joined(before, " :: ", after), number[32] = "";
         keys[i] = joined(m->operator, " :: ", change);
+        key_sums[i] = sum_of(keys[i], strlen(keys[i]));
         int same = 1;
         for (size_t k = 0; k < i; ++k)
-            same += strcmp(keys[k], keys[i]) == 0;
-        printf("%zu :: %d :: %s", i + 1, line_of(m->start), m->operator);
+            same +=
+                key_sums[k] == key_sums[i] && strcmp(keys[k], keys[i]) == 0;
         if (same > 1)
-            printf("#%d", same);
-        printf(" :: %s\n", change);
+            snprintf(number, sizeof number, "#%d", same);
+        if (seed) {
+            char *function = function_at(m->start);
+            char *key = joined(keys[i], number, "");
+            printf("%.17g :: %zu :: %d :: %s :: ",
+                   rank_of(seed, function, key), i + 1, line_of(m->start),
+                   function);
+            free(key);
+            free(function);
+        } else {
+            printf("%zu :: %d :: ", i + 1, line_of(m->start));
+        }
+        printf("%s%s :: %s\n", m->operator, number, change);
         free(before);
         free(after);
         free(change);
@@ -909,6 +1067,7 @@ static void list(void)
     for (size_t i = 0; i < mutant_count; ++i)
         free(keys[i]);
     free(keys);
+    free(key_sums);
 }
 
 static void print_mutant(const char *number)
@@ -925,26 +1084,31 @@ static void print_mutant(const char *number)
 
 static void clean_up(void)
 {
-    for (size_t i = 0; i < mutant_count; ++i) {
+    for (size_t i = 0; i < mutant_count; ++i)
         free(mutants[i].with);
-        free(mutants[i].plain);
-    }
     free(mutants);
-    free(original);
+    free(sums);
     free(file.text);
     free(file.tokens);
 }
 
 int main(int argc, char **argv)
 {
-    if (argc != 3)
-        fail("usage: mutate --count FILE, --list FILE or NUMBER FILE");
-    read_file(argv[2]);
+    more = argc > 1 && strcmp(argv[1], "--more") == 0;
+    argv += more;
+    argc -= more;
+    const bool ranks = argc == 4 && strcmp(argv[1], "--rank") == 0;
+    if (argc != 3 && !ranks)
+        fail("usage: mutate [--more] --count FILE, --list FILE,\n"
+             "    --rank SEED FILE or NUMBER FILE");
+    read_file(argv[argc - 1]);
     make_mutants();
-    if (strcmp(argv[1], "--count") == 0)
+    if (ranks)
+        list(argv[2]);
+    else if (strcmp(argv[1], "--count") == 0)
         printf("%zu\n", mutant_count);
     else if (strcmp(argv[1], "--list") == 0)
-        list();
+        list(NULL);
     else
         print_mutant(argv[1]);
     clean_up();

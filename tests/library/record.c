@@ -225,6 +225,234 @@ static void test_limit(void)
     scene_free(&s);
 }
 
+/* What the errors of one observable are divided by, and what they are said
+   to be errors of. */
+static double scale(const struct scene *s, const char *name, double length,
+                    const char *judged)
+{
+    struct record_view v;
+    struct observables asked;
+    char message[OBSERVABLES_MESSAGE];
+    UNIT_TRUE(!name || observables_read(&asked, name, s->bodies, message));
+    UNIT_TRUE(record_look(&v, "record", s, name ? &asked : NULL, length));
+    UNIT_TRUE(strcmp(v.judged, judged) == 0);
+    UNIT_EQUAL(v.weight[0], 1 / v.scale);
+    const double found = v.scale;
+    record_look_away(&v);
+    return found;
+}
+
+/* Scales that can be found by hand: a body of 2 kg at (3, 0) with (0, 4)
+   and one of 5 kg at (0, -4) with (0, -1), that feel nothing. */
+static void test_scales(void)
+{
+    struct scene s;
+    UNIT_TRUE(scene_create(&s, 2));
+    s.mass[0] = 2;
+    s.mass[1] = 5;
+    s.position[0] = 3;
+    s.position[3] = -4;
+    s.velocity[2] = 4;
+    s.velocity[3] = -1;
+    UNIT_EQUAL(scale(&s, NULL, 10, "positions"), 5);
+    UNIT_EQUAL(scale(&s, "x:1", 10, "positions"), 5);
+    UNIT_EQUAL(scale(&s, "vx:0", 10, "velocities"), 4);
+    UNIT_EQUAL(scale(&s, "energy", 10, "energy"), 16 + 2.5);
+    UNIT_EQUAL(scale(&s, "collisions", 10, "counts"), 1);
+    UNIT_EQUAL(scale(&s, "t", 10, "t"), 1);
+    s.wall[0] = SCENE_HARD; /* a wall is as far as a body */
+    s.contact = true;
+    s.low[0] = -1;
+    s.high[0] = 2; /* but a body can be beyond */
+    UNIT_EQUAL(scale(&s, NULL, 10, "positions"), sqrt(32));
+    s.high[0] = 8;
+    UNIT_EQUAL(scale(&s, NULL, 10, "positions"), sqrt(97));
+    s.wall[0] = SCENE_OPEN;
+    s.contact = false;
+    /* One place: the way of the fastest; all at rest there: 1. */
+    s.position[0] = s.position[3] = 0;
+    UNIT_EQUAL(scale(&s, NULL, 10, "positions"), 40);
+    s.velocity[2] = s.velocity[3] = 0;
+    UNIT_EQUAL(scale(&s, NULL, 10, "positions"), 1);
+    /* At rest, with nothing that acts: across the scene in that time. */
+    s.position[0] = 3;
+    UNIT_EQUAL(scale(&s, "vx:0", 10, "velocities"), 0.3);
+    UNIT_NEAR(scale(&s, "energy", 10, "energy"), 7 * 0.09, 1e-15);
+    scene_free(&s);
+}
+
+/* A light body on a parabola has no energy but its kinetic one and the same
+   again below zero: 1e-6 J, not the rounding that is left of their sum. */
+static void test_parabolic(void)
+{
+    struct scene s;
+    UNIT_TRUE(scene_create(&s, 2));
+    s.mass[1] = 1e-6;
+    s.position[1] = 1;
+    s.velocity[1] = 0.2;
+    s.velocity[3] = 1.4;
+    s.k2 = 1;
+    UNIT_NEAR(scale(&s, "energy", 10, "energy"), 1e-6, 1e-20);
+    s.velocity[1] = s.velocity[3] = 0; /* at rest: the energy itself */
+    UNIT_NEAR(scale(&s, "energy", 10, "energy"), 1e-6, 1e-20);
+    scene_free(&s);
+}
+
+/* Without the body that most adds to the size. */
+static void test_without(void)
+{
+    static const double places[3][3] = {{0, 1, 10}, {-10, 0, 1}, {4, 0, 1}};
+    static const size_t far[3] = {2, 0, 0};
+    struct scene s;
+    UNIT_TRUE(scene_create(&s, 3));
+    for (size_t axis = 0; axis < 3; ++axis)
+        for (size_t k = 0; k < 3; ++k) {
+            size_t found = 9;
+            for (size_t c = 0; c < 9; ++c)
+                s.position[c] = c / 3 == axis ? places[k][c % 3] : 7;
+            UNIT_EQUAL(record_scale_without(&s, &found), 1);
+            UNIT_EQUAL((double)found, (double)far[k]);
+        }
+    scene_free(&s);
+}
+
+/* Places far from the origin are known as well as they are written: half a
+   unit in the last place there. Of what is asked for, that is not said, and
+   not where the scene is as wide as it is far. */
+static void test_grain(void)
+{
+    struct scene s;
+    struct record_view v;
+    struct observables asked;
+    char message[OBSERVABLES_MESSAGE];
+    UNIT_TRUE(scene_create(&s, 2));
+    UNIT_TRUE(observables_read(&asked, "x:0", 2, message));
+    for (size_t axis = 0; axis < 3; ++axis)
+        for (int side = -1; side <= 1; side += 2) {
+            for (size_t c = 0; c < 6; ++c)
+                s.position[c] = 0;
+            s.position[2 * axis] = side * 1e7;
+            s.position[2 * axis + 1] = side * 1e7 + 2;
+            UNIT_TRUE(record_look(&v, "record", &s, NULL, 1));
+            UNIT_NEAR(v.grain, 0x1p-53 * 1e7 / 2, 1e-6 * v.grain);
+            /* And no two runs agree to less. */
+            struct record_order o = order(&s, "free", 1, 2);
+            struct record a = recorded(&v, &o), b = recorded(&v, &o);
+            UNIT_EQUAL(record_apart(&v, &a, &b, 0, 2), v.grain);
+            UNIT_EQUAL(a.value[axis], side * 1e7);
+            UNIT_EQUAL(a.value[6 + axis], side * 1e7 + 2);
+            UNIT_EQUAL((double)record_agree(&v, &a, &b, v.grain), 2);
+            UNIT_EQUAL((double)record_agree(&v, &a, &b, 0.9 * v.grain), 0);
+            record_free(&a);
+            record_free(&b);
+            record_look_away(&v);
+            UNIT_TRUE(record_look(&v, "record", &s, &asked, 1));
+            UNIT_EQUAL(v.grain, 0);
+            record_look_away(&v);
+        }
+    for (size_t c = 0; c < 6; ++c)
+        s.position[c] = 0;
+    s.position[0] = 1.9;
+    s.position[1] = 3.9; /* 2 wide, 1.9 from the origin */
+    UNIT_TRUE(record_look(&v, "record", &s, NULL, 1));
+    UNIT_EQUAL(v.grain, 0);
+    record_look_away(&v);
+    s.position[0] = 2.1;
+    s.position[1] = 4.1;
+    UNIT_TRUE(record_look(&v, "record", &s, NULL, 1));
+    UNIT_EQUAL(v.grain, 0x1p-53 * 2.1 / v.scale);
+    record_look_away(&v);
+    scene_free(&s);
+}
+
+/* Rows made by hand, in a box that is periodic along x, 6 m, and has walls
+   along y, 2 m apart: places once round are the same, by whatever many
+   turns, velocities are not, and what is no number is infinitely far. */
+static void test_rows(void)
+{
+    struct scene s = all_at_once();
+    struct record_view v;
+    UNIT_TRUE(record_look(&v, "record", &s, NULL, 2));
+    const double scale = sqrt(6 * 6 + 2 * 2);
+    UNIT_NEAR(v.scale, scale, 1e-14);
+    double one[3 * 24], other[3 * 24];
+    struct record a = {.reached = 2, .value = one};
+    struct record b = {.reached = 2, .value = other};
+    static const struct {
+        size_t column; /* of six for each body */
+        double off, apart;
+    } known[] = {
+        {0, 0.25, 0.25}, {0, 6, 0},          {6, -5.75, 0.25},
+        {6, 18.5, 0.5},  {0, 3, 3},          {0, -3.5, 2.5},
+        {1, 0.25, 0.25}, {1, 6, 6},          {19, -6, 6},
+        {2, 6, 6},       {0, NAN, INFINITY}, {1, INFINITY, INFINITY},
+        {23, NAN, 0}};
+    UNIT_EQUAL((double)v.columns, 24);
+    for (size_t k = 0; k < sizeof known / sizeof known[0]; ++k)
+        for (size_t row = 0; row < 3; ++row) {
+            for (size_t c = 0; c < 72; ++c)
+                one[c] = other[c] = 0.1 * (double)c;
+            if (known[k].column == 23)
+                continue; /* velocities are not judged by */
+            other[24 * row + known[k].column] += known[k].off;
+            const double d = record_apart(&v, &a, &b, 0, 2);
+            if (isinf(known[k].apart))
+                UNIT_TRUE(isinf(d));
+            else
+                UNIT_NEAR(d, known[k].apart / scale, 1e-14);
+            UNIT_TRUE((record_apart(&v, &a, &b, 0, 0) > 1e-14) ==
+                      (row == 0 && known[k].apart > 0));
+            UNIT_TRUE((record_apart(&v, &a, &b, 1, 2) > 1e-14) ==
+                      (row > 0 && known[k].apart > 0));
+            /* The first row is that of the start, which agrees anyway. */
+            if (known[k].apart > 0)
+                UNIT_EQUAL((double)record_agree(&v, &a, &b, 1e-14),
+                           row == 0 ? 2 : (double)row - 1);
+        }
+    b.reached = 1;
+    UNIT_TRUE(isinf(record_apart(&v, &a, &b, 0, 2)));
+    UNIT_TRUE(isinf(record_apart(&v, &b, &a, 0, 2)));
+    UNIT_TRUE(record_apart(&v, &a, &b, 0, 1) < INFINITY);
+    record_look_away(&v);
+    scene_free(&s);
+}
+
+/* Two balls of radius 0.1 that pass at 0.2 + g, in steps: both the run and
+   its twin tell by how little they missed, or that they met; with balls
+   that are larger by s, of which each has as much, by 2 s less. */
+static void test_least(void)
+{
+    static const double gaps[] = {1e-3, -1e-3};
+    for (size_t k = 0; k < 2; ++k) {
+        struct scene s;
+        struct record_view v;
+        UNIT_TRUE(scene_create(&s, 2));
+        s.contact = true;
+        s.radius[0] = s.radius[1] = 0.1;
+        s.position[0] = -1;
+        s.position[2] = 0.2 + gaps[k];
+        s.velocity[0] = 1.5;
+        UNIT_TRUE(record_look(&v, "record", &s, NULL, 1.2));
+        struct record_order o = order(&s, "leapfrog:16", 1.2, 3);
+        o.plan.margin = 0.01;
+        for (int twin = 0; twin < 2; ++twin)
+            for (int swollen = 0; swollen < 2; ++swollen) {
+                o.twin = twin;
+                o.swell = swollen ? 1e-4 : 0;
+                struct record r = recorded(&v, &o);
+                const double way = 0.2 + gaps[k];
+                const double touching = 0.2 + 2 * o.swell;
+                UNIT_NEAR(fabs(r.least),
+                          fabs(way * way - touching * touching) /
+                              (2 * touching),
+                          1e-9);
+                record_free(&r);
+            }
+        record_look_away(&v);
+        scene_free(&s);
+    }
+}
+
 int main(void)
 {
     return unit_run(
@@ -236,5 +464,11 @@ int main(void)
             {"from elsewhere a run differs by rounding", test_twins},
             {"records are compared", test_apart},
             {"a run ends at its limit, and two at one", test_limit},
+            {"scales by hand", test_scales},
+            {"energies that cancel have a scale", test_parabolic},
+            {"the body that is far away", test_without},
+            {"far from the origin places are coarse", test_grain},
+            {"rows are compared round the box", test_rows},
+            {"by how little two missed, seen twice", test_least},
             {0}});
 }

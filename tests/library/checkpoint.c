@@ -393,6 +393,117 @@ static void test_damage(void)
     clear();
 }
 
+/* Rows are in their file, and not in a buffer, once the checkpoint is that
+   counts on them: the run may be killed at once. */
+static void test_flushed(void)
+{
+    struct scene s;
+    struct motion m;
+    struct checkpoint c;
+    static char text[8192], line[256];
+    clear();
+    orbit(&s, &m, "leapfrog");
+    save(&c, &m);
+    get(SAVED, text, sizeof text);
+    const char *at = strstr(text, "#= length ");
+    const double length = at ? strtod(at + 10, NULL) : NAN;
+    UNIT_EQUAL((double)get(ROWS, line, sizeof line), length);
+    UNIT_TRUE(length > 50);
+    checkpoint_end(&c, false);
+    motion_end(&m);
+    scene_free(&s);
+    clear();
+}
+
+/* Writes the text, in which the number of one line is another, as a
+   checkpoint whose sum is right. */
+static void forge(const char *text, const char *key, const char *number)
+{
+    static char forged[8192];
+    char start[64];
+    snprintf(start, sizeof start, "#= %s ", key);
+    const char *at = strstr(text, start), *end = strstr(text, "#= end ");
+    must(at && end, "no such line");
+    at += strlen(start);
+    const char *rest = strchr(at, '\n');
+    int n = snprintf(forged, sizeof forged, "%.*s%s%.*s", (int)(at - text),
+                     text, number, (int)(end - rest), rest);
+    const uint64_t sum = table_sum(TABLE_NOTHING, forged, (size_t)n);
+    n += snprintf(forged + n, sizeof forged - (size_t)n, "#= end %llu\n",
+                  (unsigned long long)sum);
+    put(SAVED, forged, (size_t)n);
+}
+
+/* What no run can have written is refused, whoever has written it. */
+static void test_forged(void)
+{
+    static const struct {
+        const char *key, *number;
+        bool good;
+    } lines[] = {{"steps", "7", true},
+                 {"steps", "0", true},
+                 {"steps", "9007199254740991", true},
+                 {"steps", "9007199254740992", false},
+                 {"steps", "-1", false},
+                 {"steps", "1.5", false},
+                 {"steps", "nan", false},
+                 {"steps", "7x", false},
+                 {"steps", "", false},
+                 {"energy", "-1.5", true},
+                 {"energy", "1e300", true},
+                 {"energy", "nan", false},
+                 {"energy", "-inf", false},
+                 {"energy", "1 2", false},
+                 {"energy", "x", false},
+                 {"start", "-3", true},
+                 {"collisions", "-1", false},
+                 {"evaluations", "0.5", false},
+                 {"rows", "-2", false},
+                 {"scene", "1e-3", false},
+                 {"depth", "inf", false},
+                 {"worst", "", false},
+                 {"last", "nan", false},
+                 {"own", "1", true},
+                 {"own", "nan", false},
+                 {"own", "", false},
+                 {"length", "-80", false},
+                 {"length", "x", false},
+                 {"length", "", false},
+                 {"length", "1e1", false},
+                 {"sum", "0", false},
+                 {"sum", "", false}};
+    struct scene s, t;
+    struct motion m;
+    struct checkpoint c;
+    struct checkpoint_numbers known;
+    static char text[8192];
+    clear();
+    orbit(&s, &m, "radau15");
+    motion_run(&m, 3);
+    save(&c, &m);
+    checkpoint_end(&c, true);
+    get(SAVED, text, sizeof text);
+    const int saved = dup(STDERR_FILENO);
+    must(freopen("/dev/null", "w", stderr) != NULL, "no null");
+    for (size_t k = 0; k < sizeof lines / sizeof lines[0]; ++k) {
+        forge(text, lines[k].key, lines[k].number);
+        const bool good =
+            checkpoint_resume(&c, "step", command, OUTPUT, &t, &known);
+        if (good != lines[k].good)
+            printf("# %s %s\n", lines[k].key, lines[k].number);
+        UNIT_TRUE(good == lines[k].good);
+        if (good) {
+            scene_free(&t);
+            checkpoint_end(&c, true);
+        }
+    }
+    dup2(saved, STDERR_FILENO);
+    close(saved);
+    motion_end(&m);
+    scene_free(&s);
+    clear();
+}
+
 /* Which outputs can have a checkpoint beside them. */
 static void test_possible(void)
 {
@@ -521,6 +632,8 @@ int main(void)
             {"a file that lost its name is not locked", test_between},
             {"what is not ours stays", test_foreign},
             {"no bit may be changed", test_damage},
+            {"rows are written before what counts on them", test_flushed},
+            {"what no run has written", test_forged},
             {"which outputs may have one", test_possible},
             {"the sum of a file", test_sum},
             {"all rows are copied", test_copy},

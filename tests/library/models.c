@@ -784,6 +784,13 @@ static void test_turns_round(void)
             scene.position[1] = 4 + share * border[k].displacement;
             scene.velocity[1] = share * border[k].velocity;
             refuses("oscillator", beyond ? "a spring may turn round" : "");
+            for (size_t i = 0; i < 2; ++i) /* seen from elsewhere */
+                scene.position[i] -= 16;
+            refuses("oscillator", beyond ? "a spring may turn round" : "");
+            for (size_t i = 0; i < 2; ++i)
+                scene.position[i] = -scene.position[i];
+            scene.velocity[1] = -scene.velocity[1];
+            refuses("oscillator", beyond ? "a spring may turn round" : "");
             scene_free(&scene);
         }
 }

@@ -116,6 +116,19 @@ static void refuse(const char *text, const char *why)
         printf("# '%s': %s\n", text, message);
 }
 
+/* Every body has its number, and there is none beyond the last. */
+static void test_numbers(void)
+{
+    struct observables o;
+    char message[OBSERVABLES_MESSAGE], text[32];
+    for (size_t bodies = 1; bodies <= 101; bodies += 10)
+        for (size_t i = 0; i <= bodies; ++i) {
+            snprintf(text, sizeof text, "x:%zu", i);
+            UNIT_TRUE(observables_read(&o, text, bodies, message) ==
+                      (i < bodies));
+        }
+}
+
 static void test_refused(void)
 {
     refuse("heat", "'heat' is no observable");
@@ -150,6 +163,7 @@ int main(void)
             {"sums over bodies are the formulas'", test_sums},
             {"bodies are asked one by one", test_bodies},
             {"what is no observable is refused", test_refused},
+            {"bodies by their numbers", test_numbers},
             {0}});
     motion_end(&motion);
     scene_free(&scene);

@@ -136,9 +136,19 @@ static struct scene all_at_once(void)
    velocities, the energy and what is counted. */
 static void test_twins(void)
 {
-    static const char *const names[] = {NULL, "energy,x:1,vy:2,collisions"};
+    static const char *const names[] = {NULL, "energy,x:1,vy:2,collisions",
+                                        NULL, "energy,z:1,vz:3"};
     struct scene s = all_at_once();
-    for (size_t k = 0; k < 2; ++k) {
+    for (size_t k = 0; k < 4; ++k) {
+        if (k == 2) { /* in space, without contacts */
+            s.contact = false;
+            s.wall[0] = s.wall[1] = SCENE_OPEN;
+            s.gravity[2] = 0.2;
+            for (size_t i = 0; i < 4; ++i) {
+                s.position[8 + i] = i % 2 ? 0.2 : -0.4;
+                s.velocity[8 + i] = 0.1 * (double)i;
+            }
+        }
         struct observables asked;
         char message[OBSERVABLES_MESSAGE];
         struct record_view v;

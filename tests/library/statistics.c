@@ -291,6 +291,29 @@ static void test_coverage(void)
     UNIT_NEAR(naive, 19, 4 * 0.071 * 19);
 }
 
+/* A telegraph, which is 1 or -1 for 1024 values at a time: four of them say
+   nothing sure of its mean, whatever its squares say, which are all alike.
+   Of a list whose squares are correlated and whose values are not, the
+   same. */
+static void test_every_plateau(void)
+{
+    struct statistics_description d;
+    struct random r;
+    random_seed(&r, 38);
+    for (int i = 0; i < 4096; ++i)
+        x[i] = i / 1024 % 2 ? -1 : 1;
+    UNIT_TRUE(statistics_describe(4096, x, true, &d) && !d.plateau);
+    UNIT_EQUAL(d.mean, 0);
+    UNIT_EQUAL(d.sd, sqrt(4096 / 4095.0));
+    for (int i = 0; i < 4096; ++i)
+        x[i] = (random_uniform(&r) < 0.5 ? -1 : 1) * (i / 1024 % 2 ? 1 : 3);
+    UNIT_TRUE(statistics_describe(4096, x, true, &d) && !d.plateau);
+    for (int i = 0; i < 4096; ++i)
+        x[i] = random_normal(&r);
+    UNIT_TRUE(statistics_describe(4096, x, true, &d) && d.plateau);
+    UNIT_TRUE(statistics_describe(4096, x, false, &d) && d.plateau);
+}
+
 /* A run shorter than its correlations has no honest error, and says so. */
 static void test_no_plateau(void)
 {
@@ -496,6 +519,7 @@ int main(void)
             {"errors of five known series", test_errors},
             {"honest errors cover, naive ones do not", test_coverage},
             {"too short a run says so", test_no_plateau},
+            {"all errors need a plateau", test_every_plateau},
             {"mean, spread, kurtosis and their errors", test_description},
             {"the error of an error is the scatter of errors",
              test_block_uncertainty},

@@ -762,6 +762,37 @@ static void test_beyond(void)
     scene_free(&scene);
 }
 
+/* A ball of radius 0.05 that flies at 1 m/s between held ones of radius 0.1
+   and 0.2 at 0 and 1 has its places from 0.15 to 0.75: after T it is where
+   a saw of that length is. Along any axis, from either side, by each model.
+ */
+static void test_between_held(void)
+{
+    static const char *const plans[] = {"line", "relabel"};
+    for (size_t k = 0; k < 3; ++k)
+        for (int side = -1; side < 2; side += 2)
+            for (size_t p = 0; p < 2; ++p) {
+                UNIT_TRUE(scene_create(&scene, 3));
+                scene.contact = true;
+                for (size_t c = 0; c < 9; ++c)
+                    scene.freedom[c] = c == 3 * k + 1;
+                scene.radius[0] = 0.1;
+                scene.radius[1] = 0.05;
+                scene.radius[2] = 0.2;
+                scene.position[3 * k + 1] = side * 0.4;
+                scene.position[3 * k + 2] = side;
+                scene.velocity[3 * k + 1] = side;
+                struct models_run r = run_of(plans[p], 0.37, 20);
+                const double way = fmod(0.25 + 20 * 0.37, 1.2);
+                UNIT_NEAR(side * r.scene.position[3 * k + 1],
+                          0.15 + (way < 0.6 ? way : 1.2 - way), 1e-13);
+                UNIT_EQUAL((double)models_collisions(&r),
+                           floor((0.25 + 20 * 0.37) / 0.6));
+                models_end(&r);
+                scene_free(&scene);
+            }
+}
+
 /* A mass on a spring of length l turns the spring round if its energy is
    that of the spring shortened to nothing: m v^2 + D A^2 = D l^2. Just
    below that the closed form is right, just above it the motion is another
@@ -1182,6 +1213,7 @@ int main(void)
             {"how deep bodies overlap at the start", test_overlap},
             {"who is beyond a wall for good", test_beyond},
             {"how much energy turns a spring round", test_turns_round},
+            {"between held balls", test_between_held},
             {"what can be left out, and that it is", test_cuts},
             {"what makes another scene can be left out by name",
              test_leaving_out},

@@ -191,7 +191,7 @@ static void test_stored(void)
         make(&s, 3, kinds[kind], -0.03);
         for (size_t i = 0; i < 3; ++i) {
             s.mass[i] = 1 + (double)i;
-            s.position[3 + i] = 0.05 * (double)i;
+            s.position[3 + i] = 0.015 * (double)(i * (i + 1));
         }
         s.wall[0] = s.wall[1] = SCENE_HARD;
         s.low[0] = -0.1; /* of the first one's -0.125 */

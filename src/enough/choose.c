@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1783279733 of the lines below */
+/* checksum 252545218 of the lines below */
 /* Exact ways, two runs that agree, and ladders judged by them. */
 #include "enough/choose.h"
 
@@ -132,7 +132,27 @@ static void offer(const struct task *t, struct choose_candidate *k,
     c->taken = (size_t)(k - c->candidate);
 }
 
-static const double doubled = 2;    /* times what last bits change */
+/* By what the largest distance of a run from k of its twins is multiplied
+   to bound the error of the run. A run is off by X and twin i by X_i. All
+   are sums of many roundings, each carried by the scene to the same place:
+   draws of one bell curve about the truth, with the density p. Only the
+   distances |X_i - X| are seen. With the factor f they mislead if each is
+   less than |X|/f, which happens by chance if all twins err as the run
+   does. Each of them does so with the chance 2 |X|/f p(X), to the first
+   order in 1/f, so together the chance is P_k(f) = 2 Int_0^inf p(x) (2 x
+   p(x)/f)^k dx = (2/f)^k Gamma((k + 1)/2) (pi (k + 1))^(-(k + 1)/2), which
+   for one twin is 1/(pi f): the factor of two leaves 16 % of promises
+   broken if the tolerance is as small as the bound, and a thousand would be
+   needed. With six twins P_6(2) = 6.7e-5, and the factors for fewer leave
+   the same chance. They are used in turn, until one holds, so that a
+   tolerance may meet each of the six: drawn at random, the worst one (0.8
+   times the spread of X) is broken once in 10 000. An error that comes in
+   several directions is harder to miss; one that all runs share is not
+   seen. */
+static const double margin[] = {4800, 43, 9.2, 4.3, 2.7, 2};
+enum { TWINS = sizeof margin / sizeof *margin };
+static const double doubled = 2;    /* the last of them, and the least */
+static const double trifle = 1e-3;  /* s: not worth being saved */
 static const double patience = 0.1; /* s: a run that may be in vain */
 
 /* So many rows held, and from there on it is the scene that parts runs. */
@@ -142,7 +162,8 @@ static void note_horizon(const struct task *t, size_t held, double every)
     t->c->horizon = fmin(t->c->horizon, until);
 }
 
-/* What clocks do that are wrong by rounding: (12.11, eq:choose-slip). */
+/* What clocks do that are late alike in all units: (12.11,
+   eq:choose-slip). */
 static double slip(const struct task *t, const struct record *r)
 {
     const double late_by = 0x1p-40;
@@ -162,7 +183,7 @@ static bool run_twins(const struct task *t, struct record_order one,
                       struct record *a, struct record *b)
 {
     struct record_order other = one;
-    other.twin = 1;
+    other.twin = 2;
     record_both(a, b, t->view, &one, &other, t->q->tolerance / doubled);
     pay(t, a);
     pay(t, b);
@@ -195,11 +216,45 @@ static double price_of_twin(const struct task *t, const struct record *r)
                        : INFINITY;
 }
 
+/* The first few rows may hold of a run that parts from another one. */
+static void note_parting(const struct task *t, const struct record *a,
+                         const struct record *b, double most)
+{
+    const size_t held = record_agree(t->view, a, b, most);
+    if (held < a->reached && held < b->reached)
+        note_horizon(t, held, t->q->every);
+}
+
+/* How far a run may be off that is whole, like its first twin b. Further
+   twins are asked if the tolerance is met or missed by the number of twins,
+   or if all of them cost next to nothing. */
+static double bound_by_twins(const struct task *t, const struct record *a,
+                             const struct record *b)
+{
+    const double e = t->q->tolerance, late = slip(t, a);
+    const bool cheap = TWINS * a->cost <= trifle;
+    double far = apart(t, a, b);
+    unsigned k = 1;
+    while (k < TWINS && doubled * far + late <= e &&
+           (cheap || margin[k - 1] * far + late > e)) {
+        struct record twin;
+        struct record_order o = order_of(t, a->plan, INFINITY);
+        o.twin = b->twin + k++;
+        run(t, &twin, &o);
+        far = fmax(far, apart(t, a, &twin));
+        if (a->plan.model->family == MODELS_EVENTS)
+            note_parting(t, a, &twin, e / doubled);
+        record_free(&twin);
+    }
+    const bool lost = doubled * far + late > e;
+    return (lost ? doubled : margin[k - 1]) * far + late;
+}
+
 static void judge_twins(const struct task *t, struct choose_candidate *k,
                         struct record *a, struct record *b, bool parted)
 {
     if (whole(t, a) && whole(t, b)) {
-        const double error = doubled * apart(t, a, b) + slip(t, a);
+        const double error = bound_by_twins(t, a, b);
         t->c->rounding = error;
         offer(t, k, a, error);
         snprintf(k->text, sizeof k->text, "rounding %.1e", error);
@@ -267,7 +322,9 @@ static struct models_plan rung_at(struct models_plan p, double fine)
 /* A run to compare others with, and how far it may itself be off. */
 struct reference {
     struct record run, coarser;
-    double doubt;
+    double seen;    /* how far the two are apart */
+    double doubt;   /* how far the finer one may be off */
+    unsigned twins; /* how many have been asked, besides the coarser run */
 };
 
 /* A method on its ladder. */
@@ -442,7 +499,7 @@ static void add_ladder(const struct task *t, struct ladder ladder[],
     const struct reference *f = t->f;
     if (p.model == f->coarser.plan.model && cuts == 0) {
         note(t, l,
-             (struct choose_point){f->coarser.plan, f->doubt,
+             (struct choose_point){f->coarser.plan, f->seen,
                                    f->coarser.cost});
         l->rise = log2(f->run.cost / f->coarser.cost) /
                   (fineness(&f->run.plan) - fineness(&f->coarser.plan));
@@ -528,7 +585,7 @@ static bool find_even(const struct task *t, struct reference *f,
         f->coarser = f->run;
         run(t, &f->run, &o);
         p.steps = 2 * p.steps + 1;
-        f->doubt = apart(t, &f->coarser, &f->run);
+        f->doubt = f->seen = apart(t, &f->coarser, &f->run);
         const double far = f->doubt / (crude * t->q->tolerance);
         if (far <= 1)
             return true;
@@ -547,23 +604,48 @@ static bool is_decided(const struct reference *f)
     return 2 * fabs(a - b) < fmin(fabs(a), fabs(b));
 }
 
-/* The largest difference of the two and of one more, or two. */
-static double doubt_of_three(const struct task *t, struct reference *f)
+/* Compares the finer run with twins of its own, until they bound its error
+   by `want`, or there are no more, or they differ by too much for that. The
+   coarser run counts as one of them: rounding moves it no less. Returns
+   whether the bound is at most half of the tolerance. */
+static bool ask_twins(const struct task *t, struct reference *f,
+                      double want)
 {
-    struct record third;
-    struct record_order o = order_of(t, f->run.plan, INFINITY);
+    const double most = t->q->tolerance / doubled;
+    double far = f->doubt;
+    unsigned k = 1;
+    while (k < TWINS && doubled * far <= most &&
+           margin[k - 1] * far > want) {
+        struct record twin;
+        struct record_order o = order_of(t, f->run.plan, INFINITY);
+        o.twin = f->run.twin + k++;
+        run(t, &twin, &o);
+        far = fmax(far, apart(t, &f->run, &twin));
+        note_parting(t, &f->run, &twin, most / doubled);
+        record_free(&twin);
+    }
+    f->twins = k;
+    f->doubt = (doubled * far > most ? doubled : margin[k - 1]) * far;
+    return f->doubt <= most;
+}
+
+/* The largest difference of the two and of two more, of balls that are a
+   little smaller and larger, if a contact is undecided. */
+static void ask_balls(const struct task *t, struct reference *f)
+{
     const double hair = 0x1p-40 * t->view->length;
-    const bool close = !is_decided(f);
-    if (f->doubt > t->q->tolerance / doubled)
-        return f->doubt;
-    for (int side = -close; side <= close; side += 2) {
+    const double most = t->q->tolerance / doubled / doubled;
+    struct record_order o = order_of(t, f->run.plan, INFINITY);
+    for (int side = -1; side <= 1 && !is_decided(f); side += 2) {
+        struct record third;
         o.swell = side * fmax(2 * fabs(f->run.least), hair);
         run(t, &third, &o);
         f->doubt = fmax(f->doubt, apart(t, &third, &f->run));
         f->doubt = fmax(f->doubt, apart(t, &third, &f->coarser));
+        note_parting(t, &third, &f->run, most);
+        note_parting(t, &third, &f->coarser, most);
         record_free(&third);
     }
-    return f->doubt;
 }
 
 /* Finer and finer runs, until two agree. False: they do not; if that is
@@ -589,7 +671,7 @@ static bool find_reference(const struct task *t, struct reference *f)
                         ", to compare others with,");
             return false;
         }
-        f->doubt = apart(t, &f->coarser, &f->run);
+        f->doubt = f->seen = apart(t, &f->coarser, &f->run);
         if (f->doubt <= share * t->q->tolerance && is_decided(f))
             return true;
         if (f->run.plan.tolerance < 2e-15)
@@ -597,12 +679,12 @@ static bool find_reference(const struct task *t, struct reference *f)
         record_free(&f->coarser);
         record_free(&f->run);
     }
-    if (doubt_of_three(t, f) <= t->q->tolerance / doubled)
+    if (f->doubt <= t->q->tolerance / doubled)
+        ask_balls(t, f);
+    if (ask_twins(t, f, crude * t->q->tolerance))
         return true;
-    note_horizon(t,
-                 record_agree(t->view, &f->coarser, &f->run,
-                              t->q->tolerance / doubled),
-                 t->q->every);
+    note_parting(t, &f->coarser, &f->run,
+                 t->q->tolerance / doubled / doubled);
     return false;
 }
 
@@ -650,9 +732,57 @@ static void compare(const struct task *t)
     try_approximate(t);
     if (!only || (only->model == f->coarser.plan.model && !only->cuts))
         offer(t, enter(t, f->coarser.plan), &f->coarser,
-              (f->doubt > share * t->q->tolerance ? doubled : 1 + share) *
-                  f->doubt);
+              f->twins > 0 ? f->seen + f->doubt
+              : f->doubt > share * t->q->tolerance
+                  ? doubled * f->doubt
+                  : (1 + share) * f->doubt);
     race(t);
+}
+
+/* Does rounding move what was taken by a 300th of the tolerance, or more?
+   If not, but the spread of its errors were such that they could break the
+   promise, the twin would have come so near by chance: in less than one of
+   a hundred cases; and the two references, too, to less than a twentieth,
+   in one of a dozen. Each without the other does no harm. */
+static bool is_near_floor(const struct task *t)
+{
+    struct record twin;
+    struct record_order o = order_of(t, t->c->run.plan, INFINITY);
+    o.twin = 1;
+    run(t, &twin, &o);
+    const double far = apart(t, &t->c->run, &twin);
+    record_free(&twin);
+    return 300 * far > t->q->tolerance;
+}
+
+/* Compares with the reference; near the floor of rounding once more, when
+   that has been compared with twins. */
+static void compare_surely(const struct task *t)
+{
+    struct choose_choice *c = t->c;
+    struct reference *f = t->f;
+    const size_t candidates = c->candidates, points = c->points;
+    compare(t);
+    if (!c->run.value || f->twins > 0 || !is_near_floor(t))
+        return;
+    const bool sure = ask_twins(t, f, crude * t->q->tolerance);
+    const double error = off_by(t, &c->run);
+    c->doubt = f->doubt;
+    if (sure && error <= t->q->tolerance) {
+        c->candidate[c->taken].error = error;
+        return;
+    }
+    record_free(&c->run);
+    if (!sure)
+        return;
+    c->candidates = candidates;
+    c->points = points;
+    if (!f->coarser.value) { /* it was taken, or was offered */
+        const struct record_order o =
+            order_of(t, f->coarser.plan, INFINITY);
+        run(t, &f->coarser, &o);
+    }
+    compare(t);
 }
 
 static void decide(const struct task *t)
@@ -669,7 +799,7 @@ static void decide(const struct task *t)
         record_free(&t->c->run); /* another way has seen it fork */
     if (!t->c->run.value && (t->c->horizon == INFINITY || falls) &&
         left_of(t) > 0 && find_reference(t, t->f))
-        compare(t);
+        compare_surely(t);
 }
 
 /* Says why nothing was taken, if nobody has. */

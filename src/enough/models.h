@@ -1,5 +1,5 @@
 /* From chapters/works/12-models-parts.nw: edit there, then run make tangle. */
-/* checksum 1504420132 of the lines below */
+/* checksum 574198001 of the lines below */
 /* All ways to carry a scene, behind one door, and what each costs. */
 #ifndef MODELS_H
 #define MODELS_H
@@ -128,7 +128,7 @@ struct models_run {
     double start, every; /* s */
     double elapsed;      /* from the start to the row asked for, s */
     double clock;        /* closed forms: by what share of the time they
-                            may be off by rounding; 0: no clock */
+                            may be late alike in all units; 0: none */
     uint64_t rows;       /* so far */
     uint64_t collisions; /* not those of relabel: models_collisions */
     double least;        /* m: by how little one was: below 0, made */

@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 2609000601 of the lines below */
+/* checksum 681795395 of the lines below */
 /* Each column is judged by a scale; a run may be in other units. */
 #include "enough/record.h"
 
@@ -187,8 +187,15 @@ void record_look_away(struct record_view *v)
     *v = (struct record_view){0};
 }
 
-/* The other units: of length, from the other side, and of mass. */
-static const double unit_length = -0.7, unit_mass = 1.3;
+/* The other units: of length, from the other side if it is negative, of
+   mass, and of time. No factor is a power of two, so every number is
+   rounded anew in each of them: frequencies and the times of rows, too, but
+   for twin 1, whose steps are to end at the very times of the run's own. */
+static const struct units {
+    double length, mass, time;
+} units[] = {{1, 1, 1},        {-0.7, 1.3, 1},   {0.9, 0.6, 1.1},
+             {-1.1, 1.7, 0.7}, {1.3, 0.9, 1.9},  {-0.6, 2.3, 1.3},
+             {1.9, 1.1, 0.85}, {-0.85, 0.7, 0.6}};
 
 /* Coordinate c of a body, where the last body is the first one. */
 static size_t renamed(size_t n, size_t c)
@@ -210,17 +217,19 @@ static void reverse(double a[], size_t rows, size_t n, double by)
 }
 
 /* In other units, from the other side, with the last body as the first. */
-static void turn_round(struct scene *s)
+static void turn_round(struct scene *s, const struct units *u)
 {
-    const double l = unit_length, size = fabs(l), m = unit_mass;
+    const double l = u->length, size = fabs(l), m = u->mass, t = u->time;
     const size_t n = s->bodies;
     reverse(s->mass, 1, n, m);
     reverse(s->charge, 1, n, 1);
     reverse(s->radius, 1, n, size);
     reverse(s->position, 3, n, l);
-    reverse(s->velocity, 3, n, l);
-    reverse(s->carry, 6, n, l);
-    reverse(s->kept, 3, n, l);
+    reverse(s->velocity, 3, n, l / t);
+    reverse(s->carry, 3, n, l);
+    reverse(s->carry ? s->carry + 3 * n : NULL, 3, n, l / t);
+    reverse(s->kept, 3, n, l / (t * t));
+    s->time *= t;
     for (size_t c = 0; c < SCENE_AXES * n; ++c)
         if (c < renamed(n, c)) {
             const unsigned char other = s->freedom[c];
@@ -233,30 +242,34 @@ static void turn_round(struct scene *s)
         s->spring[j].rest *= size;
     }
     for (size_t k = 0; k < SCENE_AXES; ++k) {
-        const double low = s->low[k];
-        s->low[k] = l * s->high[k];
-        s->high[k] = l * low;
-        s->gravity[k] *= l;
+        const double low = l * s->low[k], high = l * s->high[k];
+        s->low[k] = fmin(low, high);
+        s->high[k] = fmax(low, high);
+        s->gravity[k] *= l / (t * t);
     }
     for (size_t j = 0; j < s->kinds; ++j) {
-        s->kind[j].stiffness *= m;
-        s->kind[j].damping *= m;
+        s->kind[j].stiffness *= m / (t * t);
+        s->kind[j].damping *= m / t;
     }
-    s->k2 *= size * size * size / m;
+    s->k2 *= size * size * size / (m * t * t);
     s->softening *= size;
-    s->damping *= m;
+    s->damping *= m / t;
 }
 
-/* By so much a velocity is moved, of 1: up, down or not at all. */
-static double last_bit(size_t c)
+/* By how much coordinate c of a velocity of 1 is moved in a twin: one unit
+   in the last place, up or down. Each twin has signs of its own. */
+static double last_bit(size_t c, unsigned twin)
 {
-    const uint64_t h = (c + 1) * UINT64_C(0x9e3779b97f4a7c15);
-    return ((double)(h >> 62 & 1) * 2 - 1) * 0x1p-52;
+    const uint64_t h = (c + 1) * UINT64_C(0x9e3779b97f4a7c15) +
+                       (twin - 1) * UINT64_C(0xbf58476d1ce4e5b9);
+    const uint64_t mixed = (h ^ h >> 29) * UINT64_C(0x94d049bb133111eb);
+    const uint64_t drawn = twin == 1 ? h : mixed;
+    return ((double)(drawn >> 62 & 1) * 2 - 1) * 0x1p-52;
 }
 
 /* Moves the last bits of what flies, along the axes that live, so that what
    is exactly at the same time, or on one line, is so no longer. */
-static void move_last_bits(struct scene *s)
+static void move_last_bits(struct scene *s, unsigned twin)
 {
     struct models_acts acts;
     const size_t n = s->bodies;
@@ -269,7 +282,7 @@ static void move_last_bits(struct scene *s)
         for (size_t k = 0; k < SCENE_AXES; ++k)
             if ((acts.axes >> k & 1) && s->freedom[k * n + i])
                 s->velocity[k * n + i] +=
-                    last_bit(k * n + i) *
+                    last_bit(k * n + i, twin) *
                     fmax(0.25 * speed, fabs(s->velocity[k * n + i]));
     }
 }
@@ -318,14 +331,14 @@ static void look(struct record *r, struct record_view *v,
                  const struct record_order *o, const struct scene *now,
                  uint64_t met)
 {
-    const double unit = o->twin ? unit_length : 1;
+    const struct units *const u = &units[o->twin];
     double *to = r->value + r->reached * v->columns;
     struct scene *s = &v->scene;
     for (size_t c = 0; c < SCENE_AXES * s->bodies; ++c) {
         const size_t from = o->twin ? renamed(s->bodies, c) : c;
         s->position[c] =
-            now->position[from] / unit + v->origin[c / s->bodies];
-        s->velocity[c] = now->velocity[from] / unit;
+            now->position[from] / u->length + v->origin[c / s->bodies];
+        s->velocity[c] = now->velocity[from] / u->length * u->time;
     }
     if (v->asked) {
         v->motion.stepping.start =
@@ -354,11 +367,14 @@ static void begin_way(struct way *w, struct record_view *v)
 {
     const struct record_order *o = w->o;
     struct record *r = w->r;
-    *r = (struct record){.plan = o->plan, .end = MODELS_MEMORY};
+    *r = (struct record){
+        .plan = o->plan, .end = MODELS_MEMORY, .twin = o->twin};
     w->since = bench_seconds();
     if (!scene_copy(&w->twin, o->scene))
         return;
     struct models_plan plan = o->plan;
+    const struct units *const u = &units[o->twin];
+    const double every = o->every * u->time;
     for (size_t c = 0; c < SCENE_AXES * w->twin.bodies; ++c)
         w->twin.position[c] -= v->origin[c / w->twin.bodies];
     for (size_t k = 0; k < SCENE_AXES; ++k) {
@@ -369,15 +385,19 @@ static void begin_way(struct way *w, struct record_view *v)
         if (w->twin.radius[i] > 0)
             w->twin.radius[i] = fmax(w->twin.radius[i] + o->swell, 0);
     if (o->twin) {
-        move_last_bits(&w->twin);
-        turn_round(&w->twin);
-        plan.little *= fabs(unit_length);
-        plan.margin *= fabs(unit_length);
+        /* In a closed form without contacts nothing is tied, and what the
+           last bits do would only hide what the form itself rounds. */
+        if (plan.model->family != MODELS_CLOSED || o->scene->contact)
+            move_last_bits(&w->twin, o->twin);
+        turn_round(&w->twin, u);
+        plan.little *= fabs(u->length);
+        plan.margin *= fabs(u->length);
+        plan.left *= u->time;
     }
     r->value = malloc((o->rows + 1) * v->columns * sizeof *r->value);
     if (!r->value)
         return;
-    w->begun = models_begin(&w->run, &plan, &w->twin, o->every, &r->why);
+    w->begun = models_begin(&w->run, &plan, &w->twin, every, &r->why);
     r->end = w->begun ? MODELS_DONE : MODELS_BROKEN;
     if (!w->begun)
         return;
@@ -407,7 +427,7 @@ static void end_way(struct way *w)
     if (w->begun) {
         memcpy(w->r->work, w->run.work, sizeof w->r->work);
         w->r->collisions = w->run.collisions;
-        w->r->least = w->run.least / (w->o->twin ? fabs(unit_length) : 1);
+        w->r->least = w->run.least / fabs(units[w->o->twin].length);
         models_end(&w->run);
     }
     scene_free(&w->twin);

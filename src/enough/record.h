@@ -1,5 +1,5 @@
 /* From chapters/works/12-choose.nw: edit there, then run make tangle. */
-/* checksum 2227641701 of the lines below */
+/* checksum 48828029 of the lines below */
 /* The rows of a run, and how far those of two runs are apart. */
 #ifndef RECORD_H
 #define RECORD_H
@@ -35,8 +35,11 @@ struct record {
     double seconds;      /* of this processor */
     double clock;        /* as in struct models_run */
     double least;        /* m, the same */
+    unsigned twin;       /* as in the order */
     const char *why;     /* NULL, or why it could not begin */
 };
+
+enum { RECORD_TWINS = 7 }; /* of one run, each in units of its own */
 
 /* How a run is to be done. */
 struct record_order {
@@ -44,10 +47,11 @@ struct record_order {
     struct models_plan plan;
     double every; /* s */
     size_t rows;
-    double limit; /* cost, s by the price list */
-    double swell; /* m, by which balls are larger */
-    bool twin;    /* in other units, seen from the other side, with other
-                     names and other last bits; no row should know */
+    double limit;  /* cost, s by the price list */
+    double swell;  /* m, by which balls are larger */
+    unsigned twin; /* 0: the run itself; 1 to RECORD_TWINS: the same in
+                      other units, seen from the other side, with other
+                      names and other last bits; no row should know */
 };
 
 /* Prepares to look at a run that lasts `length`, s. asked has to outlive v.

@@ -598,6 +598,48 @@ static void heaps(void)
     s.until = power(-0.5, 1);
 }
 
+/* Disks in a box that forget their start: after a while rounding decides
+   where they are, and how much of it has grown depends on when one looks.
+ */
+static void forgetful(void)
+{
+    s.n = 3 + below(5);
+    s.contact = true;
+    flat = 4;
+    for (size_t k = 0; k < 2; ++k) {
+        s.low[k] = 0, s.high[k] = 1;
+        s.wall[k] = 1;
+    }
+    for (size_t i = 0; i < s.n; ++i) {
+        int trials = 0;
+        s.r[i] = from(0.05, 0.12);
+        s.m[i] = from(1, 4);
+        do
+            for (size_t k = 0; k < 2; ++k) {
+                s.x[i][k] = from(s.r[i], 1 - s.r[i]);
+                s.v[i][k] = from(-2, 2);
+            }
+        while (!has_room(i) && ++trials < 200);
+        if (trials == 200)
+            s.n = i;
+    }
+    s.until = from(0.5, 2.2);
+}
+
+/* What is asked for near the floor of rounding: one half forgetful disks,
+   one half all that is carried in steps or bounces under weight. */
+static void near_floor(void)
+{
+    static void (*const others[])(void) = {
+        close_passages, eccentric,     planets,       springs,
+        pendulums,      balls,         graze,         bound_balls,
+        mixtures,       fast_contacts, fast_passages, two};
+    if (chance(0.5))
+        forgetful();
+    else
+        others[below(sizeof others / sizeof *others)]();
+}
+
 static const struct {
     const char *name;
     void (*make)(void);
@@ -608,7 +650,7 @@ static const struct {
              {"beads", beads},          {"mixtures", mixtures},
              {"hits", fast_contacts},   {"passes", fast_passages},
              {"swinging", swinging},    {"two", two},
-             {"heaps", heaps}};
+             {"heaps", heaps},          {"floor", near_floor}};
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
 /* Other units of length and mass, and another origin. */
@@ -704,8 +746,12 @@ int main(int argc, char **argv)
                 s.v[i][k] = 0;
     convert();
     const int rows = rows_of[below(sizeof rows_of / sizeof *rows_of)];
-    printf("# until %.17g tolerance %.2g rows %d\n", s.until, power(-9, -2),
-           rows);
+    if (strcmp(argv[1], "floor") == 0) /* the tolerance: times the floor */
+        printf("# until %.17g tolerance %.3g rows %d\n", s.until,
+               power(-1, 2), rows < 16 ? rows : 16);
+    else
+        printf("# until %.17g tolerance %.2g rows %d\n", s.until,
+               power(-9, -2), rows);
     print();
     return fflush(stdout) == 0 && !ferror(stdout) ? 0 : 1;
 }

@@ -133,7 +133,8 @@ static struct scene all_at_once(void)
 
 /* In other units, and seen from the other side with the last body as the
    first, a run is the same but for rounding, and for some of it; places,
-   velocities, the energy and what is counted. */
+   velocities, the energy and what is counted. What it costs is the same,
+   but for a root more or less that rounding makes it look for. */
 static void test_twins(void)
 {
     static const char *const names[] = {NULL, "energy,x:1,vy:2,collisions",
@@ -158,12 +159,15 @@ static void test_twins(void)
             record_look(&v, "record", &s, names[k] ? &asked : NULL, 2));
         struct record_order o = order(&s, "leapfrog:64", 2, 16);
         struct record a = recorded(&v, &o);
-        o.twin = true;
-        struct record b = recorded(&v, &o);
-        const double off = record_apart(&v, &a, &b, 0, 16);
-        UNIT_TRUE(off > 0 && off < 1e-10);
-        UNIT_EQUAL(b.cost, a.cost);
-        record_free(&b);
+        for (o.twin = 1; o.twin <= RECORD_TWINS; ++o.twin) {
+            struct record b = recorded(&v, &o);
+            const double off = record_apart(&v, &a, &b, 0, 16);
+            UNIT_TRUE(off > 0 && off < 1e-10);
+            if (!(off > 0 && off < 1e-10))
+                printf("# twin %u: %g\n", o.twin, off);
+            UNIT_NEAR(b.cost, a.cost, o.twin == 1 ? 0 : 1e-3 * a.cost);
+            record_free(&b);
+        }
         record_free(&a);
         record_look_away(&v);
     }

@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 681795395 of the lines below */
+/* checksum 1709726249 of the lines below */
 /* Each column is judged by a scale; a run may be in other units. */
 #include "enough/record.h"
 
@@ -120,6 +120,7 @@ static void judge_column(struct record_view *v, size_t column, double scale,
                          size_t axis)
 {
     const struct scene *s = &v->scene;
+    v->last[column] = strcmp(v->judged, "counts") == 0 ? 0 : 0x1p-53;
     v->weight[column] = 1 / scale;
     if (axis < SCENE_AXES && s->wall[axis] == SCENE_PERIODIC)
         v->turn[column] = s->high[axis] - s->low[axis];
@@ -163,7 +164,7 @@ bool record_look(struct record_view *v, const char *program,
 {
     *v = (struct record_view){.asked = asked};
     v->columns = asked ? asked->columns : 6 * s->bodies;
-    v->weight = calloc(2 * v->columns, sizeof *v->weight);
+    v->weight = calloc(3 * v->columns, sizeof *v->weight);
     const bool room = v->weight && scene_copy(&v->scene, s);
     if (!room)
         fprintf(stderr, "%s: no memory for %zu columns\n", program,
@@ -174,6 +175,7 @@ bool record_look(struct record_view *v, const char *program,
         return false;
     }
     v->turn = v->weight + v->columns;
+    v->last = v->turn + v->columns;
     judge(v, length);
     v->grain = find_origin(v);
     return true;
@@ -293,13 +295,17 @@ static double between(double a, double b, double turn)
     return turn > 0 ? fabs(d - turn * floor(d / turn + 0.5)) : d;
 }
 
-/* How far a row is from another. */
+/* How far a row is from another; no less than rows are rounded, for two
+   that agree in all digits may have been rounded away from the truth alike.
+ */
 static double row_apart(const struct record_view *v, const double a[],
                         const double b[])
 {
     double most = v->grain;
     for (size_t c = 0; c < v->columns; ++c) {
-        const double d = v->weight[c] * between(a[c], b[c], v->turn[c]);
+        const double far = between(a[c], b[c], v->turn[c]);
+        const double rounded = v->last[c] * fabs(a[c]);
+        const double d = v->weight[c] * (far <= rounded ? rounded : far);
         most = d <= most ? most : d == d ? d : INFINITY;
     }
     return most;

@@ -1,5 +1,5 @@
 /* From chapters/works/12-choose.nw: edit there, then run make tangle. */
-/* checksum 48828029 of the lines below */
+/* checksum 1685382814 of the lines below */
 /* The rows of a run, and how far those of two runs are apart. */
 #ifndef RECORD_H
 #define RECORD_H
@@ -13,6 +13,7 @@ struct record_view {
     size_t columns;
     double *weight; /* [columns] 1/scale; 0: is shown, but not judged */
     double *turn;  /* [columns] after which a place is the same; 0: never */
+    double *last;  /* [columns] share by which one is rounded; 0: counts */
     double scale;  /* of the first column that is judged */
     double length; /* of places, m */
     const char *judged; /* and what that is: "positions", "energy", ... */

@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 2961837357 of the lines below */
+/* checksum 4201084252 of the lines below */
 /* The runner's own code: one test in a process, reported line by line. */
 #include "examiner/check.h"
 #include "examiner/exercise.h"
@@ -98,15 +98,26 @@ static bool near(double got, double expected, double tolerance)
     return got == expected || fabs(got - expected) <= tolerance;
 }
 
+static bool is_mark(double x, double mark)
+{
+    x = copysign(x, 1.0);
+    return memcmp(&x, &mark, sizeof x) == 0;
+}
+
+static bool is_empty(double got)
+{
+    return is_mark(got, CHECK_EMPTY);
+}
+
 static bool explains(const struct check_mistake *mistake, double got,
                      const struct check *c)
 {
     const double value = mistake->value;
     const double slack =
         isinf(value) ? 0.0 : c->tolerance + 1e-9 * fabs(value);
-    const bool same =
-        near(got, value, slack) || (isnan(got) && isnan(value));
-    return same && !near(value, c->expected, slack);
+    if (isnan(got))
+        return is_mark(value, is_empty(got) ? CHECK_EMPTY : CHECK_NAN);
+    return near(got, value, slack) && !near(value, c->expected, slack);
 }
 
 static const struct check_mistake *mistake_behind(double got,
@@ -122,6 +133,20 @@ static const struct check_mistake *mistake_behind(double got,
         found = &m[i];
     }
     return found;
+}
+
+/* The question about an answer that is no number comes before any about
+   physics: it has many causes, and the input does not tell which. */
+static const char *ask_of_nan(double got)
+{
+    return is_empty(got)
+               ? "Nothing has been put into this place. Which line of "
+                 "yours "
+                 "should fill it, and does your function come there?"
+               : "This is not a number. Where does it begin: with zero "
+                 "divided by zero, the root of something negative, an "
+                 "infinity less an infinity, or a variable that has no "
+                 "value yet?";
 }
 
 static void say_failure(double got, const struct check *c)
@@ -142,7 +167,8 @@ static void say_failure(double got, const struct check *c)
     if (mistake)
         say("hint", check_text("%s [%s]", mistake->hint, mistake->name));
     else
-        say("question", c->question);
+        say("question", isnan(got) && !isnan(c->expected) ? ask_of_nan(got)
+                                                          : c->question);
 }
 
 bool check_near(const char *file, int line, double got, struct check c)

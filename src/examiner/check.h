@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 2148463118 of the lines below */
+/* checksum 2019911027 of the lines below */
 /* What a suite says: checks, tests, known mistakes, drawn inputs. */
 #ifndef CHECK_H
 #define CHECK_H
@@ -12,6 +12,16 @@ struct check_mistake {
     double value;     /* what somebody who makes it gets */
     const char *hint; /* what to tell them; no full solution */
 };
+
+/* What a place reads as into which nothing was put. Arithmetic makes this
+   NaN of no numbers, and hands it on: so an answer that has it was left
+   empty. */
+#define CHECK_EMPTY __builtin_nan("0xe3b7")
+
+/* The value of a mistake that makes the answer no number. A value that only
+   comes out as NaN, because the mistake does not apply to this input or has
+   no value for it, explains nothing. */
+#define CHECK_NAN __builtin_nan("0x4a7")
 /* One comparison, and all that is said when it fails. */
 struct check {
     const char *quantity; /* what was asked for, in words */
@@ -22,7 +32,7 @@ struct check {
     const char *because;  /* where the tolerance comes from */
     const char *equation; /* its label in the book: "eq:difference" */
     const char *question; /* one question that leads on */
-    struct check_mistake mistakes[8]; /* unused ones have no name */
+    struct check_mistake mistakes[12]; /* unused ones have no name */
 };
 /* A test: a sentence that says what holds, the function that checks, and
    the points that it earns. A test that draws its inputs earns further

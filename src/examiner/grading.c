@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 146709180 of the lines below */
+/* checksum 1621184574 of the lines below */
 /* A judge and a box for each test, a second try, and the sanitizers. */
 #include "examiner/grading.h"
 #include "examiner/build.h"
@@ -116,6 +116,7 @@ struct job {
     bool slow;          /* a test has ended, and taken its time for that */
     int crashed, named; /* tests; and such whose mistake has a name */
     int left;           /* tests that have written outside of a place */
+    char mistake[64];   /* the first one that was named, in brackets */
     char types[8192], judge[4096], name[256], header[64];
 };
 
@@ -301,6 +302,44 @@ static enum state try_test(struct job *job, int i, FILE *story)
                            : state;
 }
 
+/* A mistake that one test has named may give, in a later test, the value of
+   another one, which was not made. So a later test that would name another
+   mistake refers to the first: it is mended first, and the rest is seen
+   then. At home only the first test is told in full, for the same reason.
+ */
+static void name_once(char *mistake, size_t room, char **text, size_t *size)
+{
+    char *hint = strstr(*text, "\n  hint "), *end, *name;
+    if (!hint)
+        return;
+    for (end = ++hint; (end = strchr(end, '\n')); ++end)
+        if (strncmp(end + 1, "   ", 3) != 0)
+            break;
+    const char kept = end ? *end : '\0';
+    if (end)
+        *end = '\0';
+    name = strrchr(hint, '[');
+    const bool other = name && *mistake && strcmp(name, mistake) != 0;
+    if (name && !*mistake)
+        snprintf(mistake, room, "%s", name);
+    if (end)
+        *end = kept;
+    if (!other)
+        return;
+    char *fresh = NULL;
+    FILE *story = open_memstream(&fresh, size);
+    if (!story)
+        text_fail("out of memory");
+    fprintf(story, "%.*s", (int)(hint - *text), *text);
+    text_field(story, "question",
+               "An earlier test has named a mistake. Is it the cause here, "
+               "too? Mend it first, and then look at this test again.");
+    fputs(end ? end + 1 : "", story);
+    fclose(story);
+    free(*text);
+    *text = fresh;
+}
+
 static void keep_mark(struct marks *marks, const struct kit_test *test,
                       enum state state, const char *text, size_t size)
 {
@@ -370,6 +409,8 @@ static void run_tests(struct job *job)
         const double start = process_clock() - job->marks->build_seconds;
         const enum state state = try_test(job, i, story);
         fclose(story);
+        if (state == FAILED)
+            name_once(job->mistake, sizeof job->mistake, &text, &size);
         keep_mark(job->marks, &job->kit->tests[i], state, text, size);
         job->crashed += state == CRASHED;
         job->left += state == FAILED && strstr(text, "changed by your");

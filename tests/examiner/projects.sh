@@ -49,6 +49,11 @@ at_home() {
         says 1 "^$ex .* failed  *0 of $points points" "$out/stub.c"
     verdict "$ex: its story is what was run, and the files" \
         grep -q "^  input .*$ex \([a-z]* \)\{0,1\}[a-z]*\.txt " "$out/said"
+    verdict "$ex: the book has the equations that it names" sh -c "
+        grep -o '\"eq:[a-z0-9-]*\"' $home/suite.c | tr -d '\"' | sort -u |
+            while read -r label; do
+                grep -q \"^\$label \" tests/equations.txt || echo \$label
+            done | grep . && exit 1; exit 0"
     verdict "$ex: the solution passes at home" \
         says 0 "^$ex .* passed  *$points of $points" "$solution"
 }
@@ -178,7 +183,7 @@ in_the_grader() {
         done | grep . && exit 1; exit 0"
 }
 
-# Of each five checks, and one for each program but the solution.
+# Of each six checks, and one for each program but the solution.
 planned=0
 for ex; do
     home=tests/exercises/$ex
@@ -186,7 +191,7 @@ for ex; do
     at_home
     [ "$ex" != P1 ] || own_folder
     in_the_grader
-    planned=$((planned + 5 + 8 * $(echo "$ex" | grep -c P1) +
+    planned=$((planned + 6 + 8 * $(echo "$ex" | grep -c P1) +
         $(ls "$home"/right-*.c "$home"/wrong-*.sed | wc -l)))
 done
 echo "1..$planned"

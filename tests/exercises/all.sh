@@ -47,6 +47,12 @@ recognised() { # MISTAKE
     says 1 failed --strict && grep -q -F "[$1]" "$out/said"
 }
 
+# A wrong answer whose value several mistakes share, or that none explains:
+# it is refused, and its author is accused of nothing.
+unnamed() {
+    says 1 failed --strict && ! grep -q '^  hint ' "$out/said"
+}
+
 # A wrong answer makes $mistake, as they are listed in $made.
 is_made() {
     case $made in
@@ -131,6 +137,13 @@ for ex; do
     made=
     for file in "$folder"/wrong-*.c; do
         mistake_of "$file"
+        if [ "$mistake" = none ]; then
+            verdict "$file is refused, and no mistake is named" \
+                "see $examine --strict --as $ex --file $file" unnamed
+            made=$made[$(sed -n '2s,^/\* unnamed: \([a-z0-9-]*\) \*/$,\1,p' \
+                "$file")]
+            continue
+        fi
         made="$made[$mistake]"
         verdict "$file is refused as [$mistake]" \
             "see $examine --strict --as $ex --file $file" \

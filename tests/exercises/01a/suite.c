@@ -17,7 +17,7 @@ struct after {
 
 static struct after answer(double u1, double u2, double im1, double im2)
 {
-    struct after a = {{NAN, NAN}};
+    struct after a = {{CHECK_EMPTY, CHECK_EMPTY}};
     velocities_after(u1, u2, im1, im2, a.v);
     return a;
 }
@@ -93,7 +93,7 @@ static bool check_body(int body, double u1, double u2, double im1,
              "Your bodies go on as if they had missed each other. But the "
              "first one may just as well come from the right: does the "
              "formula ask which of them stands on the left?"},
-            {"left-empty", NAN,
+            {"left-empty", CHECK_EMPTY,
              "Not a number. Either nothing was ever put into this place, "
              "or something like 0/0 was. Do both v[0] and v[1] stand on "
              "the left of an = in your function?"}});
@@ -127,7 +127,7 @@ static bool check_beside_wall(int body, double u1, double u2, double im1,
              "This is right for a wall at rest. Here the wall moves, and "
              "goes on as if nothing had happened. How fast does the body "
              "come in, and leave, for somebody who sits on it?"},
-            {"mass-of-a-wall", NAN,
+            {"mass-of-a-wall", CHECK_NAN,
              "Not a number: somewhere 0/0 or infinity/infinity was "
              "computed. The mass of a wall is infinite, its inverse mass "
              "is just 0. Can the formula be written without any 1/im?"}});

@@ -24,7 +24,7 @@ struct answer {
 
 static struct answer answer(struct seen s)
 {
-    struct answer a = {false, NAN, NAN};
+    struct answer a = {false, CHECK_EMPTY, CHECK_EMPTY};
     a.told =
         measure_collision(s.u1, s.u2, s.v1, s.v2, &a.ratio, &a.restitution);
     return a;

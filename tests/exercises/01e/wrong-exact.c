@@ -1,4 +1,4 @@
-/* mistake: too-exact */
+/* mistake: rounding-refused */
 /* Only four epsilons are let pass, where ten may be off. */
 
 #include "exercise.h"

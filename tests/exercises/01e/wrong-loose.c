@@ -1,4 +1,4 @@
-/* mistake: too-coarse */
+/* mistake: small-error-passes */
 /* A thousand-millionth is let pass, where ten epsilons may be off. Found by
  * a trial of the second edition, when it earned full points. */
 

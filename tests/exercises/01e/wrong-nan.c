@@ -1,4 +1,4 @@
-/* mistake: nan-accepted */
+/* mistake: nan-passes */
 
 #include "exercise.h"
 #include <math.h>

@@ -32,7 +32,7 @@ static struct answer answer(const struct ring *r)
     size_t left = untouched;
     struct answer a;
     a.time = next_meeting(r->n, r->length, r->x, r->v, &left);
-    a.left = left == untouched ? NAN : (double)left;
+    a.left = left == untouched ? CHECK_EMPTY : (double)left;
     return a;
 }
 

@@ -33,7 +33,7 @@ static const double *answer(const struct job *j)
 {
     static double places[MOST_SAMPLES + 2];
     for (size_t k = 0; k < j->samples + 2; ++k)
-        places[k] = NAN;
+        places[k] = CHECK_EMPTY;
     sample(j->events, j->path, j->tick, j->samples, places + 1);
     return places + 1;
 }

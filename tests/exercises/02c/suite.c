@@ -27,7 +27,7 @@ static struct gas answer(const struct gas *g, double t)
 {
     struct gas a = {.n = g->n, .length = g->length};
     for (size_t k = 0; k < MOST; ++k)
-        a.x[k] = a.v[k] = NAN;
+        a.x[k] = a.v[k] = CHECK_EMPTY;
     positions_at(g->n, g->length, g->x, g->v, t, a.x, a.v);
     return a;
 }

@@ -216,7 +216,7 @@ static const char *draw_corners(void)
 static void answer(const struct law *l, size_t bins, double edge[])
 {
     for (size_t k = 0; k <= MOST; ++k)
-        edge[k] = NAN;
+        edge[k] = CHECK_EMPTY;
     equal_bins(l->below, l->low, l->high, bins, edge);
 }
 
@@ -263,7 +263,7 @@ static bool check_end(const struct law *l, size_t bins, bool last,
         .tolerance = 0.0, .because = because, .equation = "eq:equal-bins",
         .question = "Where do the bins begin, and where do they end?",
         .mistakes = {
-            {"left-empty", NAN, check_text(empty, bins)},
+            {"left-empty", CHECK_EMPTY, check_text(empty, bins)},
             {"from-the-top", last ? l->low : l->high, turned_round},
             {"bins-miscounted",
              last ? l->place((double)bins / ((double)bins + 1.0)) : end,
@@ -320,7 +320,7 @@ static bool check_edge(const struct law *l, size_t bins, size_t k,
             {"between-0-and-1", fmin(fmax(expected, 0.0), 1.0),
              "Your search looks between 0 and 1 only. That is where the "
              "probabilities lie; where do the places lie?"},
-            {"left-empty", NAN, check_text(empty, bins)}});
+            {"left-empty", CHECK_EMPTY, check_text(empty, bins)}});
 }
 
 static bool check_law(const struct law *l, size_t bins,

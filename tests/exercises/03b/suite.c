@@ -109,7 +109,7 @@ static void draw_series(enum kind kind)
 
 static double error_of(size_t n, const double x[], double *mean)
 {
-    double error = NAN;
+    double error = CHECK_EMPTY;
     *mean = mean_and_error(n, x, &error);
     return error;
 }
@@ -191,7 +191,7 @@ static bool check_kind(enum kind kind, const char *question)
         .because = "with twenty blocks and more this scatters by 0.04",
         .equation = "eq:inefficiency", .question = question,
         .mistakes = {
-            {"left-empty", NAN,
+            {"left-empty", CHECK_EMPTY,
              "Not a number. Has anything been put into *error?"},
             {"clamped-at-independent",
              if_so(kind == ALTERNATING && as_naive, got),

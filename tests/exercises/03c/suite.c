@@ -57,7 +57,8 @@ static bool nearly(int n, double off)
 static bool check_digits(int n, double u, double off, const char *question)
 {
     static const char lost[] =
-        "The first digits are right, the last are not. Does the answer "
+        "The first digits are right, the last are not. Is a constant, such "
+        "as pi, given to a few digits only? Or does the answer "
         "come from many small steps, or from large terms of alternating "
         "signs? Is there a way with a few terms of the same sign?";
     return CHECK_NEAR(
@@ -308,7 +309,7 @@ static bool check_outside(int n, double u, double expected)
         .because =
             fabs(u) > 1.0 ? "nothing is to be computed here" : because,
         .equation = "eq:velocity-cdf", .question = why,
-        .mistakes = {{"not-clamped", NAN, why},
+        .mistakes = {{"not-clamped", CHECK_NAN, why},
                      {"not-clamped", n == 5 ? parabola : straight, why}});
 }
 

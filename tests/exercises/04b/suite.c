@@ -102,7 +102,7 @@ static const char because[] = "the roundings of each term and of their sum";
 
 static double answer(const struct job *j, double *friction)
 {
-    *friction = NAN;
+    *friction = CHECK_EMPTY;
     return rain_force(j->n, j->rain, j->im, j->V, friction);
 }
 
@@ -164,7 +164,7 @@ static bool check_friction(const struct job *j, const char *question)
         .expected = expected, .tolerance = allowed(j, expected),
         .because = because, .equation = "eq:friction", .question = question,
         .mistakes = {
-            {"left-empty", NAN,
+            {"left-empty", CHECK_EMPTY,
              "Not a number. Has anything been put into *friction?"},
             {"half-the-friction", 0.5 * expected,
              "Half of it. V makes the blows weaker, and what else does it "

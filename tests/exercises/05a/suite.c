@@ -394,7 +394,7 @@ static void test_along_the_wall(void)
                .question = "This path all but touches the circle. Which "
                            "number under the root is as good as none?",
                .mistakes = {
-                   {"root-of-a-negative", NAN,
+                   {"root-of-a-negative", CHECK_NAN,
                     "Not a number: what stands under the square root, by a "
                     "hair less than zero, when the path only just misses "
                     "the circle?"}}));
@@ -409,7 +409,7 @@ static bool check_at_rest(double x, double y, const char *question)
         .tolerance = 0.0, .because = "never is never",
         .equation = "eq:wall-time", .question = question,
         .mistakes = {
-            {"at-rest-divided", NAN,
+            {"at-rest-divided", CHECK_NAN,
              "Not a number: at rest the quadratic is none. What is zero "
              "divided by zero, and what was to be returned?"},
             {"at-rest-now", 0.0,

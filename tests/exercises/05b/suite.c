@@ -28,7 +28,7 @@ struct answer {
 
 static struct answer answer(const struct pair *p)
 {
-    struct answer a = {NAN, NAN};
+    struct answer a = {CHECK_EMPTY, CHECK_EMPTY};
     a.time = falling_pair_time(p->g, &p->a, &p->b, &a.height);
     return a;
 }
@@ -200,7 +200,7 @@ static bool check_never(struct pair p, const char *question)
         .because = "never is never", .equation = "eq:pair-time",
         .question = question,
         .mistakes = {
-            {"root-of-a-negative", NAN,
+            {"root-of-a-negative", CHECK_NAN,
              "Not a number: they pass each other, or move alike. What "
              "stands under your square root, or below your fraction?"},
             {"touching-is-meeting", -1.0,
@@ -281,7 +281,7 @@ static bool check_height(struct pair p, double expected,
              "This point is at the distance of the radius of b from the "
              "centre of a. Which radius leads from the centre of a to the "
              "contact?"},
-            {"left-empty", NAN,
+            {"left-empty", CHECK_EMPTY,
              "Not a number: was something put into *height?"}});
 }
 
@@ -418,7 +418,7 @@ static void test_height_now(void)
         .question = "They touch now. How far is the contact from "
                     "either centre?",
         .mistakes = {
-            {"left-empty", NAN,
+            {"left-empty", CHECK_EMPTY,
              "Not a number: was something put into *height in this "
              "case as well?"}});
 }

@@ -178,6 +178,7 @@ void box_record(struct box *b, double t)
 enum slip {
     TWO_BACK,
     ONE_BACK,
+    ASKED_EARLY,
     LATE,
     ONE_A_TICK,
     AT_EVENTS,
@@ -220,10 +221,12 @@ static void by_ticks(struct box *b, double tick, size_t last,
         while (event <= k * tick && !(once && met)) {
             const double when = late ? k * tick : event;
             box_fly(b, when - t);
+            const double early = slip == ASKED_EARLY ? box_next(b) : 0.0;
             box_collide(b);
             met = true;
             t = when;
-            event = (slip == FROM_TICK ? k * tick : t) + box_next(b);
+            event = (slip == FROM_TICK ? k * tick : t) +
+                    (slip == ASKED_EARLY ? early : box_next(b));
         }
         if (slip != REST_LOST || !met)
             box_fly(b, k * tick - t);
@@ -263,6 +266,10 @@ static const struct {
          "The clock t is a tick ahead of the disks when they are moved to "
          "the "
          "event, so that they go back. From which time do they start?"},
+    [ASKED_EARLY] = {"asked-before-the-collision",
+                     "What comes next was asked before this collision had "
+                     "changed the velocities. Which of the two belongs "
+                     "first?"},
     [LATE] = {"collides-at-the-tick", "The collision takes place at the "
                                       "tick after its time, when the disks "
                                       "are in each other or in the wall. "
@@ -299,8 +306,8 @@ static const struct {
         "One sample more than was wanted. From which number does your loop "
         "count, and to which?"}};
 
-/* A check has room for 8: the first ones, or, where those two have been
-   found out already, the last ones. */
+/* The first ones, or, where those two have been found out already, the
+   last ones. */
 enum { FIRST = 0, LAST = SLIPS - 8 };
 
 /* ---- running, and looking at the run ---- */

@@ -36,7 +36,7 @@ struct record {
    the list stands a heavy hit that does not belong to it. */
 static double answer(const struct record *r, int k)
 {
-    double z[2] = {NAN, NAN};
+    double z[2] = {CHECK_EMPTY, CHECK_EMPTY};
     struct record q = *r;
     q.hit[r->n] = (struct wall_hit){r->until, LEFT, 1000.0, -10.0};
     wall_z(q.n, q.hit, q.size, q.disks, q.energy, q.from, q.until, z);
@@ -510,16 +510,16 @@ static void test_no_hits(void)
     quiet.from = 5.5;
     quiet.until = 8.5;
     for (int k = 0; k < 2; ++k)
-        if (!CHECK_NEAR(answer(&none, k), .quantity = name_of(k),
-                        .input = input(&none), .expected = 0.0,
-                        .tolerance = 0.0, .because = "nothing was hit",
-                        .equation = "eq:wall-pressure",
-                        .question = "Nothing was hit in this time. What is "
-                                    "the pressure, and was it filled in?",
-                        .mistakes = {{"left-empty", NAN,
-                                      "Not a number: was something put "
-                                      "into both places of z? And what do "
-                                      "you divide by?"}}))
+        if (!CHECK_NEAR(
+                answer(&none, k), .quantity = name_of(k),
+                .input = input(&none), .expected = 0.0, .tolerance = 0.0,
+                .because = "nothing was hit",
+                .equation = "eq:wall-pressure",
+                .question = "Nothing was hit in this time. What is "
+                            "the pressure, and was it filled in?",
+                .mistakes = {{"nothing-over-nothing", CHECK_NAN,
+                              "Not a number, and nothing was hit in this "
+                              "time. By what do you divide?"}}))
             return;
     CHECK_NEAR(answer(&quiet, 0), .quantity = name_of(0),
                .input = input(&quiet), .expected = 0.0, .tolerance = 0.0,

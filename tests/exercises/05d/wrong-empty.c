@@ -1,4 +1,4 @@
-/* mistake: left-empty */
+/* mistake: nothing-over-nothing */
 
 #include "exercise.h"
 #include <math.h>

@@ -322,13 +322,13 @@ static bool check_rights(void)
                        "else counts. Where do you say the disk is, and "
                        "where is it? Begin with the first tick.") &&
            check_right(by_events, "a right program, from bounce to bounce",
-                       "compares-exactly",
+                       "rounding-refused",
                        "This one is right, and rounds at each bounce and "
                        "each tick. How near is near?") &&
            (off_way = 0.9e-10, off_box = 0.0,
             check_right(
                 inexact, "a right program, off by 0.9e-10 of the way",
-                "too-exact",
+                "rounding-refused",
                 "This one is right: it is off by less than 1e-10 of "
                 "the way. How long is the way in your runs, and how "
                 "far off may the disk be at its end?"));
@@ -422,7 +422,7 @@ static void test_losing(void)
             lost = share[i];
             fine = check_wrong(
                 losing, check_text("each bounce loses %g ticks", lost),
-                "too-coarse",
+                "small-error-passes",
                 "This program loses a little time at each bounce, and the "
                 "differences grow. How much do you let pass?");
         }
@@ -433,7 +433,7 @@ static void test_losing(void)
                    inexact,
                    "from the hundredth tick on all is off by 1.2e-5 of the "
                    "box",
-                   "too-coarse",
+                   "small-error-passes",
                    "This program is off by more than 1e-5 of the box, "
                    "later on. How much do you let pass, and how long do "
                    "you look?"));

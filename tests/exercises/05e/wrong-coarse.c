@@ -1,4 +1,4 @@
-/* mistake: too-coarse */
+/* mistake: small-error-passes */
 
 #include "exercise.h"
 #include <math.h>

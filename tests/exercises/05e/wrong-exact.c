@@ -1,4 +1,4 @@
-/* mistake: compares-exactly */
+/* mistake: rounding-refused */
 
 #include "exercise.h"
 #include <math.h>

@@ -1,4 +1,4 @@
-/* mistake: too-coarse */
+/* mistake: small-error-passes */
 /* A ten-thousandth of the box is let pass, and a wrong one is off by 1e-5.
  */
 

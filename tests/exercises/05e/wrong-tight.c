@@ -1,4 +1,4 @@
-/* mistake: too-exact */
+/* mistake: rounding-refused */
 /* Less is let pass than a right one may be off by on this way. */
 
 #include "exercise.h"

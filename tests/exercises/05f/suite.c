@@ -38,7 +38,7 @@ static struct answer answer(const struct job *j)
     size_t stale = untouched;
     struct answer a;
     a.next = (double)next_valid(j->n, j->heap, j->counts, &stale);
-    a.stale = stale == untouched ? NAN : (double)stale;
+    a.stale = stale == untouched ? CHECK_EMPTY : (double)stale;
     return a;
 }
 

@@ -86,7 +86,7 @@ static struct answer call(sampler *s, const struct job *j)
     static size_t throws;
     a = (struct answer){false, NAN, {0}, {0}};
     for (size_t i = 0; i < MOST; ++i)
-        a.x[i] = a.y[i] = NAN;
+        a.x[i] = a.y[i] = CHECK_EMPTY;
     source.used = 0;
     source.limit = MOST_NUMBERS;
     if (setjmp(source.too_many) == 0) {
@@ -348,22 +348,24 @@ static bool same_place(const struct job *j, const struct answer *a,
     return a->ended && b->ended && off <= 1e-12;
 }
 
-/* The slip that puts all disks where the student has put them, if any; the
-   source goes on from where it stood before the call. */
+/* The slip that puts all disks where the student has put them, if it is the
+   only one; the source goes on from where it stood before the call. */
 static struct check_mistake behind(const struct job *j,
                                    const struct answer *a,
                                    struct random before, double got)
 {
+    struct check_mistake found = {0};
     for (size_t s = 0; s < SLIPS; ++s) {
         source.random = before;
         const struct answer b = call(slips[s].sampler, j);
-        if (same_place(j, a, &b)) {
-            struct check_mistake m = slips[s].mistake;
-            m.value = got;
-            return m;
-        }
+        if (!same_place(j, a, &b))
+            continue;
+        if (found.name)
+            return (struct check_mistake){0};
+        found = slips[s].mistake;
+        found.value = got;
     }
-    return (struct check_mistake){0};
+    return found;
 }
 
 static const char *input(const struct job *j)

@@ -1,4 +1,5 @@
-/* mistake: all-radii-alike */
+/* mistake: none */
+/* unnamed: all-radii-alike */
 
 #include "exercise.h"
 #include <math.h>

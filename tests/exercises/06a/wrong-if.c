@@ -1,4 +1,5 @@
-/* mistake: looked-once */
+/* mistake: none */
+/* unnamed: looked-once */
 
 #include "exercise.h"
 #include <stddef.h>

@@ -88,7 +88,7 @@ static struct answer run(chain *c, const struct job *j)
         a.mean = c(j, a.x, a.y, &accepted);
         a.ended = true;
     }
-    a.accepted = accepted == (size_t)-1 ? NAN : (double)accepted;
+    a.accepted = accepted == (size_t)-1 ? CHECK_EMPTY : (double)accepted;
     a.numbers = (double)source.used;
     return a;
 }
@@ -137,17 +137,21 @@ enum kind {
     ITSELF,
     ONE_SIDED,
     ALL_ACCEPTED,
-    TO_THE_WALL
+    TO_THE_WALL,
+    TOUCHING /* is refused */
 };
 
 static bool may(const struct job *j, enum kind kind, size_t i, double a,
                 double b, const double x[], const double y[])
 {
     const double room = j->dish - (kind == TO_THE_WALL ? 0 : j->radius);
-    bool free = a * a + b * b <= room * room;
-    for (size_t k = 0; k < j->n; ++k)
+    const double wall = a * a + b * b, far = room * room;
+    bool free = kind == TOUCHING ? wall < far : wall <= far;
+    for (size_t k = 0; k < j->n; ++k) {
+        const double off = hypot(a - x[k], b - y[k]), reach = 2 * j->radius;
         if (k != i || kind == ITSELF)
-            free = free && hypot(a - x[k], b - y[k]) >= 2 * j->radius;
+            free = free && (kind == TOUCHING ? off > reach : off >= reach);
+    }
     return free;
 }
 
@@ -281,6 +285,10 @@ static const struct slip {
       "The centre of a disk came closer to the wall of the dish than the "
       "disk's radius. How far from the middle may a centre be?"},
      TO_THE_WALL},
+    {{"touching-refused", 0.0,
+      "A disk that only touches the wall or another disk was not let in. "
+      "Does it reach out of the dish, or overlap?"},
+     TOUCHING},
 };
 
 enum { SLIPS = sizeof slips / sizeof slips[0] };
@@ -290,23 +298,26 @@ static bool alike(double a, double b)
     return (isnan(a) && isnan(b)) || fabs(a - b) <= 1e-9;
 }
 
-/* The slip that gives all that the student has got, if any. */
+/* The slip that gives all that the student has got, if it is the only one.
+ */
 static struct check_mistake behind(const struct job *j,
                                    const struct answer *a, double got)
 {
+    struct check_mistake found = {0};
     for (size_t s = 0; s < SLIPS; ++s) {
         const struct answer b = run_with(slips[s].kind, j);
         bool same =
             alike(a->mean, b.mean) && alike(a->accepted, b.accepted);
         for (size_t i = 0; i < j->n; ++i)
             same = same && alike(a->x[i], b.x[i]) && alike(a->y[i], b.y[i]);
+        if (same && found.name)
+            return (struct check_mistake){0};
         if (same) {
-            struct check_mistake m = slips[s].mistake;
-            m.value = got;
-            return m;
+            found = slips[s].mistake;
+            found.value = got;
         }
     }
-    return (struct check_mistake){0};
+    return found;
 }
 
 static const char *input(const struct job *j)

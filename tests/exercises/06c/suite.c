@@ -23,7 +23,7 @@ struct answer {
 
 static struct answer answer(struct pair p)
 {
-    struct answer a = {NAN, NAN};
+    struct answer a = {CHECK_EMPTY, CHECK_EMPTY};
     a.potential = depletion(p.dimensions, p.R1, p.R2, p.small, p.density,
                             p.r, &a.overlap);
     return a;
@@ -121,7 +121,7 @@ static double mean_radius(struct pair p)
 static double goes_on(struct pair p)
 {
     const double a = p.R1 + p.small, b = p.R2 + p.small, t = a + b - p.r;
-    return p.dimensions == 2 ? NAN /* the acos of more than 1 */
+    return p.dimensions == 2 ? CHECK_NAN /* the acos of more than 1 */
                              : pi * t * t *
                                    (p.r * p.r + 2.0 * p.r * (a + b) -
                                     3.0 * (a - b) * (a - b)) /
@@ -248,7 +248,7 @@ static bool check_apart(struct pair p, double tolerance,
                       .because = "zones that do not meet share nothing",
                       .equation = "eq:depletion", .question = question,
                       .mistakes = {
-                          {"left-empty", NAN,
+                          {"left-empty", CHECK_EMPTY,
                            "Not a number: was something put into *overlap "
                            "where the zones do not meet?"}});
 }

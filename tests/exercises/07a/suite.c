@@ -21,7 +21,7 @@ struct known {
 
 static double below(int n, double mean, double v)
 {
-    double fourth = NAN;
+    double fourth = CHECK_EMPTY;
     return speed_below(n, mean, v, &fourth);
 }
 
@@ -169,7 +169,7 @@ static bool check_outside(int n, double mean, double v, double expected)
         .mistakes = {
             {"not-clamped", fast ? roughly(share, n - 1.0) : expected,
              most},
-            {"not-clamped", fast ? NAN : expected, most},
+            {"not-clamped", fast ? CHECK_NAN : expected, most},
             {"sign-of-the-speed",
              fast ? expected : roughly(fmin(1.0, share), n - 1.0),
              "This is the probability of a speed below -v: the square does "
@@ -273,7 +273,7 @@ static bool check_fourth(int n, double mean, double v)
 {
     const struct known k = {n, mean, v, 0.0};
     const double count = n, square = mean * mean;
-    double got = NAN;
+    double got = CHECK_EMPTY;
     (void)speed_below(n, mean, v, &got);
     return CHECK_NEAR(
         got, .quantity = "*fourth, the mean of v^4", .unit = "m^4/s^4",
@@ -298,7 +298,7 @@ static bool check_fourth(int n, double mean, double v)
             {"mean-not-squared", 2.0 * count / (count + 1.0) * mean,
              "The number of disks is right. Which unit has v^4, and which "
              "has your answer?"},
-            {"left-empty", NAN,
+            {"left-empty", CHECK_EMPTY,
              "Not a number: is *fourth filled in whatever v is, before any "
              "return?"}});
 }
@@ -318,7 +318,7 @@ static void test_fourth(void)
 static void test_agree(void)
 {
     const struct known k = {3, 2.5, sqrt(3.75), 0.0};
-    double fourth = NAN;
+    double fourth = CHECK_EMPTY;
     const double above = 1.0 - speed_below(k.n, k.mean, k.v, &fourth);
     const double all = 7.5;
     CHECK_NEAR(

@@ -40,7 +40,7 @@ struct answer {
 
 static struct answer answer(const struct record *r)
 {
-    struct answer a = {NAN, NAN};
+    struct answer a = {CHECK_EMPTY, CHECK_EMPTY};
     struct record q = *r;
     q.c[r->count] = (struct collision){
         {1e3, 1e3}, {1.0, 1.0, 1.0}, {1e3, 1e3, 1e3}, {0.0, 0.0, 0.0}};
@@ -284,7 +284,7 @@ static bool check_pressure(const struct record *r, double z,
             {"momentum-forgotten", z * p * (n - 1.0) / n,
              "Here kT is shared among n particles. What does the zero "
              "momentum do to the number of free motions?"},
-            {"left-empty", NAN,
+            {"left-empty", CHECK_EMPTY,
              "Not a number: was *pressure filled in, even when nothing has "
              "collided?"}});
 }

@@ -61,9 +61,9 @@ struct table new_method(void)
     struct table table = {.stages = 4};
     double a[ENTRIES + 1], b[WEIGHTS + 1];
     for (int i = 0; i <= ENTRIES; ++i)
-        a[i] = NAN;
+        a[i] = CHECK_EMPTY;
     for (int i = 0; i <= WEIGHTS; ++i)
-        b[i] = NAN;
+        b[i] = CHECK_EMPTY;
     three_eighths(a, b);
     memcpy(table.a, a, sizeof a - sizeof *a);
     memcpy(table.b, b, sizeof b - sizeof *b);

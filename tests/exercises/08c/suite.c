@@ -141,7 +141,8 @@ static void slips_of(const struct runs *r, struct slip slip[SLIPS])
          "This is one ratio over the other. Which function turns a power "
          "into a factor?"},
         {"sign-of-an-error",
-         m >= 2 && s.error[m - 2] * s.error[m - 1] < 0.0 ? NAN : never,
+         m >= 2 && s.error[m - 2] * s.error[m - 1] < 0.0 ? CHECK_NAN
+                                                         : never,
          "Not a number. What is the logarithm of a negative number, and "
          "does it matter here on which side the error is?"},
         {"negative-errors-passed-over", last_rise(&plus, 1000.0),

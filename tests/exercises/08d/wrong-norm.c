@@ -1,4 +1,4 @@
-/* mistake: length-for-eigenvalue */
+/* mistake: stable-step-refused */
 
 #include "exercise.h"
 #include <math.h>

@@ -34,7 +34,7 @@ double answer_of(const struct bodies *b, size_t i)
 {
     double potential[MOST + 1];
     for (size_t k = 0; k <= b->n; ++k)
-        potential[k] = k < b->n ? NAN : 4096.0;
+        potential[k] = k < b->n ? CHECK_EMPTY : 4096.0;
     const double energy = potential_energy(b->n, b->mass, b->x, b->k2,
                                            b->softening, potential);
     return i < b->n ? potential[i] : i == b->n ? energy : potential[b->n];

@@ -24,7 +24,7 @@ struct binary {
 
 static double speed(const struct binary *b, int which)
 {
-    double v[2] = {NAN, NAN};
+    double v[2] = {CHECK_EMPTY, CHECK_EMPTY};
     binary_speeds(b->k2, b->mass[0], b->mass[1], b->d, &v[0], &v[1]);
     return v[which];
 }

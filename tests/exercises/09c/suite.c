@@ -50,8 +50,9 @@ static bool check_digits(double e, double mean, double solution, double got,
         .equation = "eq:kepler", .question = question,
         .mistakes = {
             {"stopped-too-soon", off,
-             "The first digits are right, and the last ones are not. How "
-             "does your loop know that it is done?"}});
+             "The first digits are right, and the last ones are not. Does "
+             "your loop go on until nothing changes any more, whatever e "
+             "and M are, and has each number in it all its digits?"}});
 }
 
 static double when(bool condition, double got)
@@ -120,9 +121,9 @@ bool check_anomaly(double e, double mean, double solution,
        curve is as steep everywhere. */
     const struct check_mistake ran_away = {
         "ran-away", when(e > 0.0 && fabs(got - mean) > 1.01 * e, got),
-        "This is further from M than e, which no solution is. How flat is "
-        "the curve where your search began, and where does its tangent "
-        "lead?"};
+        "This is further from M than e, which no solution is. Where did "
+        "your search begin, where does the tangent lead from there, and "
+        "had it arrived when it ended?"};
     size_t used = 0;
     for (size_t i = 0; i < sizeof known / sizeof *known; ++i)
         if (used < 8 && solves(got, known[i].value))

@@ -229,7 +229,7 @@ static bool check_massless(void)
                 .because = "a body without a mass has a velocity",
                 .equation = "eq:wisdom-holman",
                 .question = "Which of your numbers is zero here?",
-                .mistakes = {{"divided-by-own-mass", NAN,
+                .mistakes = {{"divided-by-own-mass", CHECK_NAN,
                               "This body has no mass, and the Sun "
                               "and the others pull it all the same. "
                               "By what do you divide, and need "

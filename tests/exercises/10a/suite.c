@@ -29,7 +29,9 @@ struct answer {
 /* What the student's function answers; untouched places read as NaN. */
 static struct answer answer(const struct pair *p)
 {
-    struct answer r = {{NAN, NAN, NAN}, {NAN, NAN, NAN}, NAN};
+    struct answer r = {{CHECK_EMPTY, CHECK_EMPTY, CHECK_EMPTY},
+                       {CHECK_EMPTY, CHECK_EMPTY, CHECK_EMPTY},
+                       CHECK_EMPTY};
     const struct body a = p->a, b = p->b;
     r.heat = dashpot(p->c, &a, &b, r.on_a, r.on_b);
     return r;
@@ -96,7 +98,7 @@ static bool check_force(const struct pair *p, double got, int k,
         .tolerance = tolerance(p), .because = because,
         .equation = "eq:axial-dashpot", .question = question,
         .mistakes = {
-            {"no-axis", NAN,
+            {"no-axis", CHECK_NAN,
              "Not a number: is every place filled in, and what do you "
              "divide by when the two are at the same place?"},
             {"whole-velocity", whole,
@@ -168,7 +170,7 @@ static bool check_heat(const struct pair *p, double got,
             {"force-for-power", sqrt(p->c * p->heat),
              "This is the size of the force. What is missing on the way "
              "to a power?"},
-            {"no-axis", NAN,
+            {"no-axis", CHECK_NAN,
              "Not a number: what do you divide by when the two are at the "
              "same place?"}});
 }

@@ -149,17 +149,17 @@ static struct check_mistake not_a_number(const struct known *k)
 {
     if (fabs(ratio(&k->o) - 1.0) < 1e-9)
         return (struct check_mistake){
-            "critical-divided", NAN,
+            "critical-divided", CHECK_NAN,
             "Not a number. At the critical damping the two rates are the "
             "same: what do you divide by, and what is the limit?"};
     if (ratio(&k->o) * own_frequency(&k->o) * k->t < 500.0)
         return (struct check_mistake){
-            "root-of-a-negative", NAN,
+            "root-of-a-negative", CHECK_NAN,
             "Not a number: is there a root of a negative number in it? "
             "With much damping it does not swing. Which functions take "
             "the place of the cosine and the sine?"};
     return (struct check_mistake){
-        "overflow", NAN,
+        "overflow", CHECK_NAN,
         "Not a number. How large is cosh(1000) in a double, and how small "
         "is the envelope that you multiply it by? Can you put them "
         "together before either is computed?"};
@@ -231,7 +231,7 @@ static bool check_one(const struct known *k, double got, bool place,
 
 static bool check_known(const struct known *k, const char *question)
 {
-    double v = NAN;
+    double v = CHECK_EMPTY;
     const double x = oscillate(&k->o, k->t, &v);
     return check_one(k, x, true, question) &&
            check_one(k, v, false, question);

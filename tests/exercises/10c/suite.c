@@ -46,7 +46,7 @@ static struct answer answer(const struct grid *g)
     if (!a.omega)
         abort();
     for (size_t i = 0; i <= modes(g); ++i)
-        a.omega[i] = NAN;
+        a.omega[i] = CHECK_EMPTY;
     a.step = membrane_modes(&copy, a.omega);
     return a;
 }
@@ -172,7 +172,7 @@ static bool check_mode(const struct grid *g, const double omega[], int r,
         .tolerance = allowed, .because = because,
         .equation = "eq:membrane-dispersion", .question = question,
         .mistakes = {
-            {"root-of-a-negative", right < 0.0 ? NAN : right,
+            {"root-of-a-negative", right < 0.0 ? CHECK_NAN : right,
              "Not a number. Here the springs push outwards. What does the "
              "mode do when the square of its frequency is negative?"},
             {"masses-for-springs",

@@ -1,4 +1,4 @@
-/* mistake: left-empty */
+/* mistake: none */
 
 #include "exercise.h"
 #include <math.h>

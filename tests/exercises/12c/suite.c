@@ -47,16 +47,16 @@ static struct check_mistake no_number(const struct force *f)
 {
     if (!(f->push > 0.0))
         return (struct check_mistake){
-            "nothing-times-infinity", NAN,
+            "nothing-times-infinity", CHECK_NAN,
             "There is no force here. Which two numbers did you multiply, "
             "and may a force go that is none?"};
     if (f->stretch * f->time > 1.0)
         return (struct check_mistake){
-            "overflow", NAN,
+            "overflow", CHECK_NAN,
             "Not a number, where the bound is beyond all numbers. Which "
             "two infinities met?"};
     return (struct check_mistake){
-        "nothing-over-nothing", NAN,
+        "nothing-over-nothing", CHECK_NAN,
         "Not a number. What do you divide by when there is no stretch, "
         "and what is the limit?"};
 }
@@ -260,7 +260,8 @@ static void test_verdict(void)
     static const struct check_mistake strict = {
         "just-the-budget", 0.0,
         "The bound is just the budget, and that is not more than it. May "
-        "the force go?"};
+        "the force go, and is it the budget as it was that you compare "
+        "with, or what is left?"};
     static const char question[] =
         "The bound is 1 m. Is that more than the budget?";
     const struct force above = {2.0, 0.0, 1.0, 4.0};

@@ -610,16 +610,16 @@ static void check_picks(double most, const char *question)
             .expected = 1.0,
             .tolerance = most - 1.0 + 0.01,
             .because = "so many times the cheapest known",
-            .equation = "eq:chosen-step",
+            .equation = "eq:choose-cost",
             .question = question,
         };
         if (a.order == 4 && k.of[2] == k.cheapest)
-            project_mistake(&check, "always-fourth", times,
+            project_mistake(&check, "second-order-is-cheaper", times,
                             "Here a method of order 2 needs fewer forces. "
                             "Has your program tried it, and does it count "
                             "what a step costs?");
         if (a.order == 2 && k.of[4] == k.cheapest)
-            project_mistake(&check, "always-leapfrog", times,
+            project_mistake(&check, "fourth-order-is-cheaper", times,
                             "Here a method of order 4 needs fewer forces. "
                             "Has your program tried it?");
         if (!check_near(__FILE__, __LINE__, times, check))

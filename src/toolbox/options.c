@@ -1,5 +1,5 @@
 /* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 2685367254 of the lines below */
+/* checksum 3832031812 of the lines below */
 /* getopt_long, with numbers and names checked where they are read. */
 #include "toolbox/options.h"
 
@@ -215,12 +215,16 @@ static void check_heading(struct options *o, const struct options_entry *e,
         char value[64];
         const bool has = get_value(o, other, value, sizeof value);
         const bool among = has && is_among(value, values);
-        if (!*values && !!o->given[other - o->entries] == no)
+        const bool given = o->given[other - o->entries] != NULL;
+        if (!*values && given == no)
             options_fail(o, "means nothing %s --%s",
                          no ? "with" : "without", name);
         if (*values && no && among)
-            options_fail(o, "means nothing with --%s %s", name, value);
-        if (*values && !no && !has)
+            options_fail(o, "means nothing with --%s %s%s", name, value,
+                         given ? "" : ", the default");
+        /* A default is not named as if it had been given: another option may have
+           set it aside, as lists of bodies do with the preset of bonkers. */
+        if (*values && !no && !among && !given)
             options_fail(o, "means nothing without --%s %s", name, values);
         if (*values && !no && !among)
             options_fail(o, "means nothing with --%s %s (only with %s)",

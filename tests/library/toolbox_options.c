@@ -352,6 +352,8 @@ static void test_headings(void)
             "--mass: means nothing with --study runt (only with run, "
             "cost)");
     refused("--window\n3\n-E2",
+            "--window: means nothing without --study measure");
+    refused("--window\n3\n-E2\n--study\nrun",
             "--window: means nothing with --study run (only with measure)");
     refused("--window\n3\n--study\nmeasure",
             "--window: means nothing without --ensemble");

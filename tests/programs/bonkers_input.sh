@@ -25,7 +25,7 @@ refuses 2 "collisions: means nothing with --ensemble" \
     $b --preset piston --ensemble 3 --collisions 5
 refuses 2 "restitution: means nothing with --ensemble" \
     $b --preset piston --ensemble 3 --restitution 0.5
-refuses 2 "ensemble: means nothing with --preset four" $b --ensemble 3
+refuses 2 "ensemble: means nothing without --preset thermal" $b --ensemble 3
 refuses 2 "particles: piston cannot have 4" $b --preset piston -N 4
 refuses 2 "two cannot have 3 movers" $b --preset two --positions 1,2,3
 refuses 2 "particles: '0' is not" $b --particles 0
@@ -33,7 +33,7 @@ refuses 2 "particles: '1e8' is not" $b --particles 1e8
 refuses 2 "particles: means nothing with lists of them" \
     $b --positions 1,2 --particles 3
 refuses 2 "need --positions" $b --masses 1,2
-refuses 2 "mass-ratio: means nothing with --preset four" $b --mass-ratio 3
+refuses 2 "mass-ratio: means nothing without --preset piston" $b --mass-ratio 3
 refuses 2 "mass-ratio: '0' is not" $b --preset two --mass-ratio 0
 refuses 2 "walls: '3,1', expected the left one" $b --walls 3,1
 refuses 2 "walls: '1,1', expected the left one" $b --walls 1,1

@@ -231,7 +231,7 @@ holds 'the tree is named' grep -qx 'kernel tree' "$w/s0.5"
 $step "$w/ring" --until 400 --every 400 --kernel tree -o "$w/c" --threads 2
 holds 'the tree: a half is what it takes, and two threads the same bytes' test \
     "$(tail -n 1 "$w/c")" = "$(tail -n 1 "$w/tree0.5")"
-refuses 2 "theta: means nothing with --kernel auto" $step "$w/ring" --theta 0.4
+refuses 2 "theta: means nothing without --kernel tree" $step "$w/ring" --theta 0.4
 refuses 2 "theta: '0.58' is not a number from 0 to 0.57" $step "$w/ring" \
     --kernel tree --theta 0.58
 for method in dopri5 radau15 gauss4 implicit-midpoint rk8pd; do

@@ -1,5 +1,5 @@
 /* From chapters/works/07-gas.nw: edit there, then run make tangle. */
-/* checksum 4245114752 of the lines below */
+/* checksum 3938798383 of the lines below */
 /* Blocks that double in length when there are too many of them. */
 #include "box/blocks.h"
 
@@ -56,12 +56,13 @@ struct third {
     double mean, square; /* of the error */
 };
 
-static struct third third_of(const double x[], size_t per)
+/* In this unit, so that squares of large or small numbers can be taken. */
+static struct third third_of(double unit, const double x[], size_t per)
 {
     double part[PARTS] = {0};
     bool idle = false;
     for (size_t i = 0; i < PARTS * per; ++i)
-        part[i / per] += x[i] / (double)per;
+        part[i / per] += x[i] / unit / (double)per;
     for (size_t i = 0; i < PARTS; ++i)
         idle = idle || part[i] == 0;
     const struct statistics_moments m = statistics_moments(PARTS, part);
@@ -74,8 +75,9 @@ static double drift_of(size_t n, const double x[])
     const size_t per = n / 3 / PARTS;
     if (per == 0)
         return NAN;
-    const struct third a = third_of(x, per);
-    const struct third b = third_of(x + n - PARTS * per, per);
+    const double unit = statistics_unit(n, x);
+    const struct third a = third_of(unit, x, per);
+    const struct third b = third_of(unit, x + n - PARTS * per, per);
     if (isnan(a.square + b.square))
         return NAN;
     return (b.mean - a.mean) /
@@ -85,12 +87,13 @@ static double drift_of(size_t n, const double x[])
 struct blocks_average blocks_average_of(size_t n, const double x[])
 {
     struct statistics_blocking b;
+    const double unit = statistics_unit(n, x);
     double sum = 0;
     for (size_t i = 0; i < n; ++i)
-        sum += x[i];
+        sum += x[i] / unit;
     const bool known = n >= 2 && statistics_blocking(n, x, &b);
-    return (struct blocks_average){sum / (double)n, known ? b.error : NAN,
-                                   drift_of(n, x)};
+    return (struct blocks_average){sum / (double)n * unit,
+                                   known ? b.error : NAN, drift_of(n, x)};
 }
 
 struct blocks_average blocks_average(const struct blocks *b, size_t column)

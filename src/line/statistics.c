@@ -1,5 +1,5 @@
 /* From chapters/03-equilibrium.nw: edit there, then run make tangle. */
-/* checksum 2627551787 of the lines below */
+/* checksum 1988695452 of the lines below */
 /* Moments, bins, a fit, blocks and correlations of a series. */
 #include "line/statistics.h"
 
@@ -8,16 +8,35 @@
 #include <math.h>
 #include <stdlib.h>
 
+double statistics_unit(size_t n, const double x[])
+{
+    double largest = 0;
+    for (size_t i = 0; i < n; ++i)
+        largest = fmax(largest, fabs(x[i]));
+    if (largest == 0)
+        return 1;
+    /* Beyond these limits a unit or its inverse would be no number. */
+    return ldexp(1, (int)fmax(fmin(ilogb(largest), 1022), -1022));
+}
+
+static double mean_in(double unit, size_t n, const double x[])
+{
+    const double inverse = 1 / unit;
+    double sum = 0;
+    for (size_t i = 0; i < n; ++i)
+        sum += x[i] * inverse;
+    return sum / (double)n;
+}
+
 struct statistics_moments statistics_moments(size_t n, const double x[])
 {
     struct statistics_moments m = {.least = x[0], .greatest = x[0]};
-    double sum = 0, first = 0, square = 0, cube = 0, fourth = 0;
+    const double unit = statistics_unit(n, x), inverse = 1 / unit;
+    const double mean = mean_in(unit, n, x);
+    double first = 0, square = 0, cube = 0, fourth = 0;
     assert(n >= 2);
-    for (size_t i = 0; i < n; ++i)
-        sum += x[i];
-    m.mean = sum / (double)n;
     for (size_t i = 0; i < n; ++i) {
-        const double d = x[i] - m.mean;
+        const double d = x[i] * inverse - mean;
         first += d;
         square += d * d;
         cube += d * d * d;
@@ -26,9 +45,10 @@ struct statistics_moments statistics_moments(size_t n, const double x[])
         m.greatest = fmax(m.greatest, x[i]);
     }
     const double rest = first * first / (double)n;
-    m.variance = fmax(square - rest, 0) / (double)(n - 1);
-    m.third = cube / (double)n;
-    m.fourth = fourth / (double)n;
+    m.mean = mean * unit;
+    m.variance = fmax(square - rest, 0) / (double)(n - 1) * unit * unit;
+    m.third = cube / (double)n * unit * unit * unit;
+    m.fourth = fourth / (double)n * unit * unit * unit * unit;
     return m;
 }
 
@@ -70,7 +90,8 @@ double statistics_histogram_density(const struct statistics_histogram *h,
                                     size_t i)
 {
     const double width = (h->high - h->low) / (double)h->bins;
-    return (double)h->count[i] / ((double)h->total * width);
+    const double unit = statistics_unit(1, &width);
+    return (double)h->count[i] / ((double)h->total * (width / unit)) / unit;
 }
 
 double statistics_histogram_error(const struct statistics_histogram *h,
@@ -127,38 +148,46 @@ static void add_bin(struct newton *s, double mean, double sd, double a,
     s->information[2] += total * slope[1] * slope[1] / p;
 }
 
+/* An edge in this unit: the information goes with the inverse fourth power
+   of the standard deviation, which beyond 1e77 would be zero. */
+static double edge_in(double unit, const struct statistics_histogram *h,
+                      size_t i)
+{
+    return statistics_histogram_edge(h, i) / unit;
+}
+
 static struct newton newton_sums(const struct statistics_histogram *h,
-                                 double mean, double sd)
+                                 double unit, double mean, double sd)
 {
     struct newton s = {{0, 0}, {0, 0, 0}};
     const double n = (double)h->total;
-    add_bin(&s, mean, sd, -INFINITY, h->low, (double)h->below, n);
+    add_bin(&s, mean, sd, -INFINITY, h->low / unit, (double)h->below, n);
     for (size_t i = 0; i < h->bins; ++i)
-        add_bin(&s, mean, sd, statistics_histogram_edge(h, i),
-                statistics_histogram_edge(h, i + 1), (double)h->count[i],
-                n);
-    add_bin(&s, mean, sd, h->high, INFINITY, (double)h->above, n);
+        add_bin(&s, mean, sd, edge_in(unit, h, i), edge_in(unit, h, i + 1),
+                (double)h->count[i], n);
+    add_bin(&s, mean, sd, h->high / unit, INFINITY, (double)h->above, n);
     return s;
 }
 
 static bool moments_of_bins(const struct statistics_histogram *h,
-                            double *mean, double *sd)
+                            double unit, double *mean, double *sd)
 {
     const double half = (h->high - h->low) / (double)h->bins / 2;
     double inside = 0, sum = 0, square = 0;
     for (size_t i = 0; i < h->bins; ++i) {
-        const double x = statistics_histogram_edge(h, i) + half - h->low;
+        const double x =
+            (statistics_histogram_edge(h, i) + half - h->low) / unit;
         inside += (double)h->count[i];
         sum += (double)h->count[i] * x;
         square += (double)h->count[i] * x * x;
     }
-    *mean = h->low + sum / inside;
+    *mean = h->low / unit + sum / inside;
     *sd = sqrt(square / inside - sum / inside * (sum / inside));
     return inside > 0 && *sd > 0;
 }
 
-static void hold_against(const struct statistics_histogram *h, double g,
-                         struct statistics_gaussian *fit)
+static void hold_against(const struct statistics_histogram *h, double unit,
+                         double g, struct statistics_gaussian *fit)
 {
     const double n = (double)h->total;
     double from = -INFINITY, found = (double)h->below;
@@ -166,7 +195,7 @@ static void hold_against(const struct statistics_histogram *h, double g,
     fit->chi2 = 0;
     for (size_t i = 0; i <= h->bins + 1; ++i) {
         const bool last = i > h->bins;
-        const double to = last ? INFINITY : statistics_histogram_edge(h, i);
+        const double to = last ? INFINITY : edge_in(unit, h, i);
         const double expected =
             n * statistics_gaussian_between(fit->mean, fit->sd, from, to);
         const double rest = n * statistics_gaussian_between(
@@ -187,11 +216,13 @@ static void hold_against(const struct statistics_histogram *h, double g,
 bool statistics_fit_gaussian(const struct statistics_histogram *h, double g,
                              struct statistics_gaussian *fit)
 {
+    const double unit =
+        statistics_unit(2, (const double[]){h->low, h->high});
     double mean, sd;
-    if (!moments_of_bins(h, &mean, &sd))
+    if (!moments_of_bins(h, unit, &mean, &sd))
         return false;
     for (int step = 0; step < 100; ++step) {
-        const struct newton s = newton_sums(h, mean, sd);
+        const struct newton s = newton_sums(h, unit, mean, sd);
         const double *in = s.information;
         const double determinant = in[0] * in[2] - in[1] * in[1];
         if (!(determinant > 0))
@@ -204,9 +235,11 @@ bool statistics_fit_gaussian(const struct statistics_histogram *h, double g,
         sd += fmax(fmin(to_sd, sd), -sd / 2);
         if (hypot(to_mean, to_sd) < 1e-9 * sd) {
             *fit = (struct statistics_gaussian){mean, sd, 0, 0, 0, 0};
-            fit->mean_error = sqrt(g * in[2] / determinant);
-            fit->sd_error = sqrt(g * in[0] / determinant);
-            hold_against(h, g, fit);
+            hold_against(h, unit, g, fit);
+            fit->mean = mean * unit;
+            fit->sd = sd * unit;
+            fit->mean_error = sqrt(g * in[2] / determinant) * unit;
+            fit->sd_error = sqrt(g * in[0] / determinant) * unit;
             return true;
         }
     }
@@ -253,11 +286,12 @@ bool statistics_blocking(size_t n, const double x[],
                          struct statistics_blocking *b)
 {
     double *block = malloc(n * sizeof block[0]);
+    const double unit = statistics_unit(n, x), inverse = 1 / unit;
     size_t length = 1;
     if (!block)
         return false;
     for (size_t i = 0; i < n; ++i)
-        block[i] = x[i];
+        block[i] = x[i] * inverse;
     for (b->levels = 0; n >= 2 && b->levels < STATISTICS_LEVELS;) {
         b->level[b->levels++] = error_of_blocks(n, block, length);
         n /= 2;
@@ -267,37 +301,60 @@ bool statistics_blocking(size_t n, const double x[],
     }
     free(block);
     choose_level(b);
+    for (size_t k = 0; k < b->levels; ++k) {
+        b->level[k].error *= unit;
+        b->level[k].uncertainty *= unit;
+    }
+    b->error *= unit;
     return true;
+}
+
+/* statistics_covariance, all of it in this unit. */
+static double covariance_in(double unit, size_t n, const double x[],
+                            double mean, size_t lag)
+{
+    const double inverse = 1 / unit;
+    double sum = 0;
+    assert(lag < n);
+    for (size_t i = 0; i + lag < n; ++i)
+        sum += (x[i] * inverse - mean) * (x[i + lag] * inverse - mean);
+    return sum / (double)(n - lag);
 }
 
 double statistics_covariance(size_t n, const double x[], double mean,
                              size_t lag)
 {
-    double sum = 0;
-    assert(lag < n);
-    for (size_t i = 0; i + lag < n; ++i)
-        sum += (x[i] - mean) * (x[i + lag] - mean);
-    return sum / (double)(n - lag);
+    const double unit = statistics_unit(n, x);
+    return covariance_in(unit, n, x, mean / unit, lag) * unit * unit;
 }
 
 struct statistics_correlation statistics_correlation(size_t n,
                                                      const double x[])
 {
     struct statistics_correlation c = {.inefficiency = 1};
-    const double mean = statistics_moments(n, x).mean;
-    const double variance = statistics_covariance(n, x, mean, 0);
+    const double unit = statistics_unit(n, x), mean = mean_in(unit, n, x);
+    const double variance = covariance_in(unit, n, x, mean, 0);
     double g = 1;
     while (variance > 0 && !c.settled && c.window < n / 8) {
         ++c.window;
-        g += 2 * statistics_covariance(n, x, mean, c.window) / variance;
+        g += 2 * covariance_in(unit, n, x, mean, c.window) / variance;
         c.settled = (double)c.window >= fmax(3 * g, 6);
     }
     c.settled = c.settled || variance == 0;
     const double lags = 2 * (double)c.window + 1;
     c.inefficiency = fmax(g * (1 + lags / (double)n), 0);
     c.uncertainty = c.inefficiency * sqrt(2 * lags / (double)n);
-    c.error = sqrt(variance * c.inefficiency / (double)n);
+    c.error = sqrt(variance * c.inefficiency / (double)n) * unit;
     return c;
+}
+
+/* Copies x to u in a unit of its size, which it returns. */
+static double in_unit(size_t n, const double x[], double u[])
+{
+    const double unit = statistics_unit(n, x), inverse = 1 / unit;
+    for (size_t i = 0; i < n; ++i)
+        u[i] = x[i] * inverse;
+    return unit;
 }
 
 enum number { MEAN, VARIANCE, KURTOSIS };
@@ -337,27 +394,38 @@ static bool error_of(size_t n, const double y[], bool serial,
 bool statistics_describe(size_t n, const double x[], bool serial,
                          struct statistics_description *d)
 {
-    const struct statistics_moments m = statistics_moments(n, x);
+    double *u = calloc(n, sizeof u[0]); /* x in a unit of its size */
     double *y = calloc(n, sizeof y[0]);
-    if (!y)
-        return false;
-    *d = (struct statistics_description){
-        .n = n, .least = m.least, .greatest = m.greatest, .mean = m.mean};
-    d->sd = sqrt(m.variance);
-    d->kurtosis = m.variance > 0 ? m.fourth / (m.variance * m.variance) : 0;
-    d->naive_error = d->sd / sqrt((double)n);
-    d->inefficiency = 1;
-    d->plateau = true;
-    bool done = error_of(n, x, serial, d, &d->mean_error);
-    if (m.variance > 0) {
-        additions(n, x, y, &m, VARIANCE);
-        done = done && error_of(n, y, serial, d, &d->sd_error);
-        d->sd_error /= 2 * d->sd;
-        const double inefficiency = d->inefficiency;
-        additions(n, x, y, &m, KURTOSIS);
-        done = done && error_of(n, y, serial, d, &d->kurtosis_error);
-        d->inefficiency = inefficiency;
+    bool done = u && y;
+    if (done) {
+        const double unit = in_unit(n, x, u);
+        const struct statistics_moments m = statistics_moments(n, u);
+        double *const own[] = {&d->least,      &d->greatest, &d->mean,
+                               &d->mean_error, &d->sd,       &d->sd_error,
+                               &d->naive_error};
+        const double v = m.variance;
+        *d = (struct statistics_description){
+            .n = n, .least = m.least, .greatest = m.greatest};
+        d->mean = m.mean;
+        d->sd = sqrt(v);
+        d->kurtosis = v > 0 ? m.fourth / (v * v) : 0;
+        d->naive_error = d->sd / sqrt((double)n);
+        d->inefficiency = 1;
+        d->plateau = true;
+        done = error_of(n, u, serial, d, &d->mean_error);
+        if (m.variance > 0) {
+            additions(n, u, y, &m, VARIANCE);
+            done = done && error_of(n, y, serial, d, &d->sd_error);
+            d->sd_error /= 2 * d->sd;
+            const double inefficiency = d->inefficiency;
+            additions(n, u, y, &m, KURTOSIS);
+            done = done && error_of(n, y, serial, d, &d->kurtosis_error);
+            d->inefficiency = inefficiency;
+        }
+        for (size_t k = 0; k < sizeof own / sizeof own[0]; ++k)
+            *own[k] *= unit;
     }
+    free(u);
     free(y);
     return done;
 }
@@ -449,17 +517,22 @@ bool statistics_dependence(size_t n, const double x[], const double y[],
                            struct statistics_dependence *d)
 {
     struct statistics_description unused = {0};
-    const struct statistics_moments a = statistics_moments(n, x);
-    const struct statistics_moments b = statistics_moments(n, y);
-    const double scale = sqrt(a.variance * b.variance);
-    double *product = malloc(n * sizeof product[0]);
-    bool done = product && scale > 0;
+    double *u = calloc(n, sizeof u[0]), *v = calloc(n, sizeof v[0]);
+    bool done = u && v;
     d->correlation = d->error = 0;
-    for (size_t i = 0; done && i < n; ++i) {
-        product[i] = (x[i] - a.mean) * (y[i] - b.mean) / scale;
-        d->correlation += product[i] / (double)n;
+    if (done) {
+        in_unit(n, x, u);
+        in_unit(n, y, v);
+        const struct statistics_moments a = statistics_moments(n, u);
+        const struct statistics_moments b = statistics_moments(n, v);
+        const double scale = sqrt(a.variance * b.variance);
+        for (size_t i = 0; scale > 0 && i < n; ++i) {
+            u[i] = (u[i] - a.mean) * (v[i] - b.mean) / scale;
+            d->correlation += u[i] / (double)n;
+        }
+        done = scale > 0 && error_of(n, u, serial, &unused, &d->error);
     }
-    done = done && error_of(n, product, serial, &unused, &d->error);
-    free(product);
+    free(u);
+    free(v);
     return done && count_table(n, x, y, cells, d);
 }

@@ -1,5 +1,5 @@
 /* From chapters/03-equilibrium.nw: edit there, then run make tangle. */
-/* checksum 3915589831 of the lines below */
+/* checksum 3495826461 of the lines below */
 /* Means, histograms and honest errors of a series of measurements. */
 #ifndef STATISTICS_H
 #define STATISTICS_H
@@ -86,6 +86,10 @@ struct statistics_dependence {
 
 /* Returns the moments of a series. Requires n >= 2. */
 struct statistics_moments statistics_moments(size_t n, const double x[]);
+
+/* Returns a power of two near the largest |x[i]|. In it as a unit, powers
+   of deviations neither overflow nor vanish. */
+double statistics_unit(size_t n, const double x[]);
 
 /* Blocks a series. Returns false without memory. Requires n >= 2.
    Source: Flyvbjerg and Petersen, J. Chem. Phys. 91, 461 (1989); the

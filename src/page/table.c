@@ -1,5 +1,5 @@
 /* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 70643082 of the lines below */
+/* checksum 4060262514 of the lines below */
 /* The lines of toolbox/table.c, written into memory. */
 #include "page/table.h"
 
@@ -29,7 +29,10 @@ struct table {
     const struct table_key *keys; /* of a summary */
     uint64_t written;             /* which of them, a bit each */
     int error;                    /* errno of the first failure, or 0 */
-    struct table *next;           /* of the open tables */
+    FILE *held; /* what the head waits for, or NULL; till then the */
+    char *head; /* stream writes it here */
+    size_t head_size;
+    struct table *next; /* of the open tables */
 };
 
 static void note_error(struct table *t, bool good)
@@ -38,9 +41,39 @@ static void note_error(struct table *t, bool good)
         t->error = errno != 0 ? errno : EIO;
 }
 
+/* Writes the head if it still waits, and lets the rest follow it. */
+static void release_head(struct table *t)
+{
+    if (!t->held)
+        return;
+    note_error(t, fclose(t->stream) == 0);
+    t->stream = t->held;
+    t->held = NULL;
+    errno = 0;
+    const size_t n = fwrite(t->head, 1, t->head_size, t->stream);
+    note_error(t, n == t->head_size);
+    free(t->head);
+    t->head = NULL;
+}
+
+enum { MOST_HEAD = 65536 }; /* bytes that wait; a million columns do not */
+
+/* Does a text of this format go on with the head: as a line of it, as an
+   empty one, or as the rest of a line? */
+static bool goes_on(struct table *t, const char *format)
+{
+    fflush(t->stream);
+    if (t->head_size > MOST_HEAD)
+        return false;
+    return *format == '#' || *format == '\n' || *format == '\0' ||
+           (t->head_size > 0 && t->head[t->head_size - 1] != '\n');
+}
+
 bool table_print(struct table *t, const char *format, ...)
 {
     va_list arguments;
+    if (t->held && !goes_on(t, format))
+        release_head(t);
     va_start(arguments, format);
     errno = 0;
     note_error(t, vfprintf(t->stream, format, arguments) >= 0);
@@ -80,6 +113,7 @@ static void put(struct table *t, char c)
 bool table_row(struct table *t, size_t n, const double values[])
 {
     assert(t->columns == 0 || n == t->columns);
+    release_head(t);
     for (size_t i = 0; i < n; ++i) {
         if (i > 0)
             put(t, ' ');

@@ -1,5 +1,5 @@
 /* From chapters/works/03-equilibrium.nw: edit there, then run make tangle. */
-/* checksum 2341922762 of the lines below */
+/* checksum 857077052 of the lines below */
 /* Columns of a table: their moments, errors and laws. */
 #include "line/laws.h"
 #include "line/statistics.h"
@@ -10,6 +10,7 @@
 
 #include <ctype.h>
 #include <errno.h>
+#include <float.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -37,6 +38,7 @@ struct column {
     size_t number; /* in the file, from 1 on */
     char name[NAME_LENGTH], unit[NAME_LENGTH];
     double *x;
+    struct statistics_description d; /* of x */
 };
 
 struct columns {
@@ -430,21 +432,98 @@ static void summarise_column(const struct settings *s,
     summarise(s, "plateau", column, d->plateau);
 }
 
-static struct statistics_description describe(const struct settings *s,
-                                              const struct columns *c,
-                                              size_t i)
+struct bins {
+    double low, high;
+    size_t count;
+};
+
+static struct bins choose_bins(const struct settings *s, size_t i,
+                               const struct statistics_description *d)
+{
+    const double *range = s->range[s->ranges > 1 ? i : 0];
+    struct bins b = {s->ranges > 0 ? range[0] : d->least,
+                     s->ranges > 0 ? range[1] : d->greatest, s->bins};
+    if (b.low == b.high) { /* a column that never changes */
+        /* Wide enough that a thousand edges are different numbers. */
+        const double half = fmax(0.5, fabs(b.low) * 0x1p-40);
+        b.low -= half;
+        b.high += half;
+    }
+    if (b.count == 0)
+        b.count = statistics_bins(d->n, b.low, b.high, d->sd);
+    return b;
+}
+
+/* Refuses a column whose bins are so narrow that its density is more than
+   a number holds. */
+static void refuse_bins(const struct settings *s, const struct columns *c,
+                        size_t i)
 {
     const struct column *column = &c->column[i];
-    struct statistics_description d;
-    if (!statistics_describe(c->rows, column->x, s->block, &d))
+    const struct bins b = choose_bins(s, i, &column->d);
+    const double width = (b.high - b.low) / (double)b.count;
+    if (!isfinite(1 / width))
+        bad_input(s, c,
+                  "%s would have %zu bins from %g to %g, so narrow that no "
+                  "number holds a density",
+                  column->name, b.count, b.low, b.high);
+}
+
+/* Refuses a column of which no table can be made. */
+static void refuse_column(const struct settings *s, const struct columns *c,
+                          const struct column *column)
+{
+    const struct statistics_description *d = &column->d;
+    const double square = d->sd * d->sd;
+    if (!isfinite(d->greatest - d->least))
+        bad_input(s, c,
+                  "%s reaches from %g to %g, expected a range that is less "
+                  "than %g",
+                  column->name, d->least, d->greatest, DBL_MAX);
+    /* Errors of the variance are smaller, but by less than 1e15. */
+    if ((s->kind == BLOCKS || s->kind == COST) && d->sd > 0 &&
+        !(square > DBL_MIN * 1e15 && square < DBL_MAX / 1e15))
+        bad_input(s, c,
+                  "%s has a standard deviation of %g, expected one whose "
+                  "square has an error that is a number",
+                  column->name, d->sd);
+    if (c->against && !(d->sd > 0))
+        bad_input(s, c,
+                  "%s is the same in all rows, expected two columns "
+                  "that change",
+                  column->name);
+}
+
+/* Refuses a column whose own law is none: of no width, or too wide. */
+static void refuse_law(const struct settings *s, const struct columns *c,
+                       const struct column *column, struct law law)
+{
+    laws_complete(&law, column->d.mean, column->d.sd);
+    const double sd = laws_sd(&law);
+    if (!(sd > 0 && isfinite(sd)))
+        bad_input(s, c, "%s: no law has its standard deviation, %g",
+                  column->name, column->d.sd);
+}
+
+static void describe(const struct settings *s, struct columns *c, size_t i)
+{
+    struct column *column = &c->column[i];
+    if (!statistics_describe(c->rows, column->x, s->block, &column->d))
         no_memory(s, c);
-    if (!d.plateau)
+    refuse_column(s, c, column);
+    if (s->laws > 0 && !(c->against && i + 1 == c->count))
+        refuse_law(s, c, column, s->law[s->laws > 1 ? i : 0]);
+    if (s->kind == HISTOGRAM && !(c->against && i + 1 == c->count))
+        refuse_bins(s, c, i);
+}
+
+static void note_bounds(const struct column *column)
+{
+    if (!column->d.plateau)
         fprintf(stderr,
                 PROGRAM ": note: %s: %zu samples are too few; errors are "
                         "lower bounds\n",
-                column->name, c->rows);
-    summarise_column(s, column, &d);
-    return d;
+                column->name, column->d.n);
 }
 
 static void print_description(const struct settings *s,
@@ -512,19 +591,12 @@ static void compare(const struct settings *s, const struct columns *c,
 {
     const struct column *column = &c->column[i];
     const struct column *other = &c->column[c->count - 1];
-    struct statistics_description its;
     struct statistics_dependence t;
-    if (!statistics_describe(c->rows, other->x, s->block, &its))
-        no_memory(s, c);
-    if (!(d->sd > 0 && its.sd > 0))
-        bad_input(s, c,
-                  "%s is the same in all rows, expected two columns "
-                  "that change",
-                  (d->sd > 0 ? other : column)->name);
     if (!statistics_dependence(c->rows, column->x, other->x, CELLS,
                                s->block, &t))
         no_memory(s, c);
-    const double chi2 = t.chi2 / fmax(d->inefficiency, its.inefficiency);
+    const double g = fmax(d->inefficiency, other->d.inefficiency);
+    const double chi2 = t.chi2 / g;
     const double probability = laws_chi2(chi2, (double)t.degrees);
     table_print(s->out,
                 "#   against %s: correlation %.4f +- %.4f, chi2 %.4g of "
@@ -583,16 +655,9 @@ static struct statistics_histogram *count_column(
     const struct settings *s, const struct columns *c, size_t i,
     const struct statistics_description *d)
 {
-    const double *range = s->range[s->ranges > 1 ? i : 0];
-    double low = s->ranges > 0 ? range[0] : d->least;
-    double high = s->ranges > 0 ? range[1] : d->greatest;
-    if (low == high) { /* a column that never changes */
-        low -= 0.5;
-        high += 0.5;
-    }
-    struct statistics_histogram *h = statistics_histogram_create(
-        low, high,
-        s->bins ? s->bins : statistics_bins(d->n, low, high, d->sd));
+    const struct bins b = choose_bins(s, i, d);
+    struct statistics_histogram *h =
+        statistics_histogram_create(b.low, b.high, b.count);
     if (!h)
         no_memory(s, c);
     for (size_t k = 0; k < c->rows; ++k)
@@ -660,16 +725,27 @@ static void write_row(const struct settings *s, const struct columns *c,
                          (double)d->block, d->plateau});
 }
 
-/* (x - mean)^2 of a column, for free. */
-static double *squares_of(const struct settings *s, const struct columns *c,
-                          size_t i, double mean)
+/* A column and its (x - mean)^2, in units of its size and of the square of
+   that, for free. */
+static double *in_unit(const struct settings *s, const struct columns *c,
+                       size_t i)
 {
-    const double *x = c->column[i].x;
-    double *y = malloc(c->rows * sizeof y[0]);
-    if (!y)
+    const double unit = statistics_unit(c->rows, c->column[i].x);
+    double *x = malloc(c->rows * sizeof x[0]);
+    if (!x)
         no_memory(s, c);
     for (size_t k = 0; k < c->rows; ++k)
-        y[k] = (x[k] - mean) * (x[k] - mean);
+        x[k] = c->column[i].x[k] / unit;
+    return x;
+}
+
+static double *squares_of(const struct settings *s, const struct columns *c,
+                          size_t i)
+{
+    double *y = in_unit(s, c, i);
+    const double mean = statistics_moments(c->rows, y).mean;
+    for (size_t k = 0; k < c->rows; ++k)
+        y[k] = (y[k] - mean) * (y[k] - mean);
     return y;
 }
 
@@ -687,10 +763,12 @@ static void name_blocks(const struct settings *s, const struct columns *c)
 }
 
 static void write_blocks(const struct settings *s, const struct columns *c,
-                         size_t i, const struct statistics_description *d)
+                         size_t i)
 {
+    const double unit = statistics_unit(c->rows, c->column[i].x);
+    const double square = unit * unit;
     struct statistics_blocking b, b2;
-    double *y = squares_of(s, c, i, d->mean);
+    double *y = squares_of(s, c, i);
     if (!statistics_blocking(c->rows, c->column[i].x, &b) ||
         !statistics_blocking(c->rows, y, &b2))
         no_memory(s, c);
@@ -699,8 +777,9 @@ static void write_blocks(const struct settings *s, const struct columns *c,
         print_row(s->out, 6,
                   (double[]){(double)b.level[k].length,
                              (double)b.level[k].blocks, b.level[k].error,
-                             b.level[k].uncertainty, b2.level[k].error,
-                             b2.level[k].uncertainty});
+                             b.level[k].uncertainty,
+                             b2.level[k].error * square,
+                             b2.level[k].uncertainty * square});
     const struct column *column = &c->column[i];
     summarise(s, "block_inefficiency", column, b.inefficiency);
     summarise(s, "block_inefficiency2", column, b2.inefficiency);
@@ -708,9 +787,9 @@ static void write_blocks(const struct settings *s, const struct columns *c,
     summarise(s, "block_length2", column,
               (double)b2.level[b2.chosen].length);
     summarise(s, "block_error", column, b.error);
-    summarise(s, "block_error2", column, b2.error);
+    summarise(s, "block_error2", column, b2.error * square);
     summarise(s, "block_naive", column, b.level[0].error);
-    summarise(s, "block_naive2", column, b2.level[0].error);
+    summarise(s, "block_naive2", column, b2.level[0].error * square);
 }
 
 static void name_correlation(const struct settings *s)
@@ -726,16 +805,17 @@ static void write_correlation(const struct settings *s,
                               const struct columns *c, size_t i,
                               const struct statistics_description *d)
 {
-    const double *x = c->column[i].x;
-    double *y = squares_of(s, c, i, d->mean), g = -1, g2 = -1;
+    double *x = in_unit(s, c, i), *y = squares_of(s, c, i);
+    double g = -1, g2 = -1;
+    const double mean = statistics_moments(d->n, x).mean;
     const double mean2 = statistics_moments(d->n, y).mean;
     const struct statistics_correlation a = statistics_correlation(d->n, x);
     const struct statistics_correlation b = statistics_correlation(d->n, y);
     const size_t window = a.window > b.window ? a.window : b.window;
     for (size_t lag = 0; d->sd > 0 && lag <= 2 * window && lag < d->n;
          ++lag) {
-        const double rho = statistics_covariance(d->n, x, d->mean, lag) /
-                           statistics_covariance(d->n, x, d->mean, 0);
+        const double rho = statistics_covariance(d->n, x, mean, lag) /
+                           statistics_covariance(d->n, x, mean, 0);
         const double spread2 = statistics_covariance(d->n, y, mean2, 0);
         const double rho2 =
             spread2 > 0
@@ -753,6 +833,7 @@ static void write_correlation(const struct settings *s,
     summarise(s, "sum_inefficiency2", column, b.inefficiency);
     summarise(s, "sum_uncertainty2", column, b.uncertainty);
     summarise(s, "sum_settled", column, a.settled && b.settled);
+    free(x);
     free(y);
 }
 
@@ -795,7 +876,8 @@ static void name_cost(const struct settings *s)
 static void write_cost(const struct settings *s, const struct columns *c,
                        size_t i, const struct statistics_description *d)
 {
-    double *y = squares_of(s, c, i, d->mean);
+    const double unit = statistics_unit(d->n, c->column[i].x);
+    double *y = squares_of(s, c, i);
     double time[WAYS][BENCH_ROUNDS], error[WAYS], uncertainty[WAYS];
     for (int round = -1; round < BENCH_ROUNDS; ++round)
         for (int way = 0; way < WAYS; ++way) {
@@ -805,8 +887,9 @@ static void write_cost(const struct settings *s, const struct columns *c,
                 (bench_seconds() - start) * 1e9 / (double)d->n;
         }
     for (int way = 0; way < WAYS; ++way) {
-        table_print(s->out, "%-11s %.6g %.3g %.3g\n", ways[way], error[way],
-                    uncertainty[way],
+        table_print(s->out, "%-11s %.6g %.3g %.3g\n", ways[way],
+                    error[way] * unit * unit,
+                    uncertainty[way] * unit * unit,
                     bench_median(time[way], BENCH_ROUNDS));
     }
     free(y);
@@ -832,20 +915,22 @@ static void write_column(struct settings *s, const struct columns *c,
 {
     if (c->against && i + 1 == c->count)
         return;
-    const struct statistics_description d = describe(s, c, i);
+    const struct statistics_description *d = &c->column[i].d;
+    note_bounds(&c->column[i]);
+    summarise_column(s, &c->column[i], d);
     if (s->kind != COLUMNS)
         table_print(s->out, i > 0 ? "\n\n" : "");
-    print_description(s, &c->column[i], &d);
+    print_description(s, &c->column[i], d);
     if (s->laws > 0)
-        test_law(s, c, i, &d);
+        test_law(s, c, i, d);
     if (c->against)
-        compare(s, c, i, &d);
+        compare(s, c, i, d);
     switch (s->kind) {
-    case HISTOGRAM: write_histogram(s, c, i, &d); break;
-    case COLUMNS: write_row(s, c, i, &d); break;
-    case BLOCKS: write_blocks(s, c, i, &d); break;
-    case CORRELATION: write_correlation(s, c, i, &d); break;
-    case COST: write_cost(s, c, i, &d); break;
+    case HISTOGRAM: write_histogram(s, c, i, d); break;
+    case COLUMNS: write_row(s, c, i, d); break;
+    case BLOCKS: write_blocks(s, c, i); break;
+    case CORRELATION: write_correlation(s, c, i, d); break;
+    case COST: write_cost(s, c, i, d); break;
     }
 }
 
@@ -858,6 +943,8 @@ int main(int argc, char *argv[])
     s.summary = program_table(PROGRAM, s.summary_path);
     table_keys(s.summary, keys);
     read_table(&s, &c);
+    for (size_t i = 0; i < c.count; ++i)
+        describe(&s, &c, i);
     begin_table(&s, &c);
     for (size_t i = 0; i < c.count; ++i)
         write_column(&s, &c, i);

@@ -1,5 +1,5 @@
 /* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 2439347610 of the lines below */
+/* checksum 3631164904 of the lines below */
 /* A temporary beside the file, which takes its name when all is written. */
 #define _XOPEN_SOURCE 700 /* realpath */
 
@@ -34,10 +34,15 @@ struct table {
     const struct table_key *keys; /* of a summary */
     uint64_t written;             /* which of them, a bit each */
     int error;                    /* errno of the first failure, or 0 */
-    struct table *next;           /* of the open tables */
+    FILE *held; /* what the head waits for, or NULL; till then the */
+    char *head; /* stream writes it here */
+    size_t head_size;
+    struct table *next; /* of the open tables */
 };
 
 static struct table *tables; /* the open ones */
+
+static void release_head(struct table *t);
 
 enum { MOST_FILES = 8 };
 static char *volatile temporaries[MOST_FILES];
@@ -107,6 +112,7 @@ uint64_t table_sum(uint64_t sum, const char *bytes, size_t n)
 bool table_sum_so_far(struct table *t, uint64_t *sum)
 {
     char piece[4096];
+    release_head(t);
     ssize_t n = fflush(t->stream) == 0 ? 1 : -1;
     *sum = TABLE_NOTHING;
     for (off_t done = 0; n > 0; done += n) {
@@ -266,6 +272,18 @@ static bool open_table(struct table *t, const char *path)
     return !is_taken(t) && open_temporary(t, mode);
 }
 
+/* Keeps the head in memory until there is a row. A program often finds what
+   is wrong with a command or a file only after it has begun a table: then a
+   head alone on standard output would look like the result of a run. */
+static void hold_head(struct table *t)
+{
+    FILE *memory = open_memstream(&t->head, &t->head_size);
+    if (!memory) /* then it is written at once */
+        return;
+    t->held = t->stream;
+    t->stream = memory;
+}
+
 struct table *table_open(const char *program, const char *path)
 {
     struct table *t = calloc(1, sizeof *t);
@@ -273,6 +291,7 @@ struct table *table_open(const char *program, const char *path)
     if (path && strcmp(path, "-") == 0)
         path = NULL;
     if (t && open_table(t, path)) {
+        hold_head(t);
         t->program = program;
         t->next = tables;
         tables = t;
@@ -290,9 +309,39 @@ static void note_error(struct table *t, bool good)
         t->error = errno != 0 ? errno : EIO;
 }
 
+/* Writes the head if it still waits, and lets the rest follow it. */
+static void release_head(struct table *t)
+{
+    if (!t->held)
+        return;
+    note_error(t, fclose(t->stream) == 0);
+    t->stream = t->held;
+    t->held = NULL;
+    errno = 0;
+    const size_t n = fwrite(t->head, 1, t->head_size, t->stream);
+    note_error(t, n == t->head_size);
+    free(t->head);
+    t->head = NULL;
+}
+
+enum { MOST_HEAD = 65536 }; /* bytes that wait; a million columns do not */
+
+/* Does a text of this format go on with the head: as a line of it, as an
+   empty one, or as the rest of a line? */
+static bool goes_on(struct table *t, const char *format)
+{
+    fflush(t->stream);
+    if (t->head_size > MOST_HEAD)
+        return false;
+    return *format == '#' || *format == '\n' || *format == '\0' ||
+           (t->head_size > 0 && t->head[t->head_size - 1] != '\n');
+}
+
 bool table_print(struct table *t, const char *format, ...)
 {
     va_list arguments;
+    if (t->held && !goes_on(t, format))
+        release_head(t);
     va_start(arguments, format);
     errno = 0;
     note_error(t, vfprintf(t->stream, format, arguments) >= 0);
@@ -332,6 +381,7 @@ static void put(struct table *t, char c)
 bool table_row(struct table *t, size_t n, const double values[])
 {
     assert(t->columns == 0 || n == t->columns);
+    release_head(t);
     for (size_t i = 0; i < n; ++i) {
         if (i > 0)
             put(t, ' ');
@@ -401,6 +451,7 @@ bool table_close(struct table *t)
     if (!t)
         return true;
     assert(is_complete(t));
+    release_head(t);
     note_error(t, fflush(t->stream) == 0 && !ferror(t->stream));
     if (t->name)
         note_error(t, fclose(t->stream) == 0);
@@ -415,6 +466,11 @@ bool table_close(struct table *t)
 
 void table_discard(struct table *t)
 {
+    if (t && t->held) { /* a head without rows is not written */
+        fclose(t->stream);
+        free(t->head);
+        t->stream = t->held;
+    }
     if (t && t->name)
         fclose(t->stream);
     if (t)

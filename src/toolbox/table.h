@@ -1,5 +1,5 @@
 /* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 921613185 of the lines below */
+/* checksum 3087782118 of the lines below */
 /* Tables and summaries that are whole or absent. */
 #ifndef TOOLBOX_TABLE_H
 #define TOOLBOX_TABLE_H
@@ -57,7 +57,10 @@ bool table_replaces(const char *path, const char *input);
    handler. After it the process has to end. */
 void table_abandon(void);
 
-/* Writes text as printf does. Returns false once writing has failed. */
+/* Writes text as printf does. Returns false once writing has failed. Lines
+   that begin with # are the head: until there is another one, or the table
+   is closed, they wait in memory, and are not written if the process ends
+   before or gives the table up. */
 bool table_print(struct table *t, const char *format, ...);
 
 /* Writes the head: program and version, the command (options_command has

@@ -500,6 +500,94 @@ static void test_scatter(void)
     UNIT_EQUAL(none.degrees, 2);
 }
 
+/* Eighths, which any power of two leaves without rounding down to 2^-1060,
+   and what is said of them. */
+enum { SCALED = 4096 };
+/* The place in b of what p points at in a. */
+#define AT(p)                                                              \
+    ((const double *)((const char *)(p) - (const char *)&a +               \
+                      (const char *)&b))
+struct said {
+    struct statistics_moments m;
+    struct statistics_description d;
+    struct statistics_blocking b;
+    struct statistics_correlation c;
+    struct statistics_gaussian g;
+    struct statistics_dependence p;
+    double covariance, density, error;
+};
+
+static struct said say(int power, struct said *s)
+{
+    static double u[SCALED], v[SCALED];
+    struct random r;
+    random_seed(&r, 31);
+    correlated(&r, 0.5, SCALED, u);
+    correlated(&r, 0.2, SCALED, v);
+    for (size_t i = 0; i < SCALED; ++i) {
+        u[i] = ldexp(round(8 * u[i]) / 8, power);
+        v[i] = ldexp(round(8 * v[i]) / 8, power);
+    }
+    s->m = statistics_moments(SCALED, u);
+    UNIT_TRUE(statistics_describe(SCALED, u, true, &s->d));
+    UNIT_TRUE(statistics_blocking(SCALED, u, &s->b));
+    s->c = statistics_correlation(SCALED, u);
+    s->covariance = statistics_covariance(SCALED, u, s->m.mean, 1);
+    UNIT_TRUE(statistics_dependence(SCALED, u, v, 5, true, &s->p));
+    struct statistics_histogram *h =
+        statistics_histogram_create(ldexp(-3, power), ldexp(3, power), 24);
+    for (size_t i = 0; i < SCALED; ++i)
+        statistics_histogram_add(h, u[i]);
+    UNIT_TRUE(statistics_fit_gaussian(h, s->d.inefficiency, &s->g));
+    s->density = statistics_histogram_density(h, 12);
+    s->error = statistics_histogram_error(h, 12, s->d.inefficiency);
+    free(h);
+    return *s;
+}
+
+/* Another unit of length changes no digit: each number is the one of the
+   same samples at scale 1 times a power of the scale, rounded once where it
+   falls below 2^-1022, infinite where no number is as large. */
+static void test_scales(void)
+{
+    static struct said a, b;
+    say(0, &a);
+    static const int powers[] = {-1060, -1000, -539, -270, -130, 1,
+                                 130,   260,   540,  664,  1019};
+    for (size_t i = 0; i < sizeof powers / sizeof powers[0]; ++i) {
+        const int k = powers[i];
+        const double *of[] = {&a.m.mean,       &a.m.least,
+                              &a.m.greatest,   &a.d.least,
+                              &a.d.greatest,   &a.d.mean,
+                              &a.d.mean_error, &a.d.sd,
+                              &a.d.sd_error,   &a.d.naive_error,
+                              &a.b.error,      &a.b.level[3].error,
+                              &a.c.error,      &a.b.level[3].uncertainty,
+                              &a.g.mean,       &a.g.sd,
+                              &a.g.mean_error, &a.g.sd_error};
+        const double *same[] = {&a.d.kurtosis,     &a.d.kurtosis_error,
+                                &a.d.inefficiency, &a.b.inefficiency,
+                                &a.c.inefficiency, &a.c.uncertainty,
+                                &a.g.chi2,         &a.p.correlation,
+                                &a.p.error,        &a.p.chi2};
+        say(k, &b);
+        for (size_t n = 0; n < sizeof of / sizeof of[0]; ++n)
+            UNIT_EQUAL(*AT(of[n]), ldexp(*of[n], k));
+        for (size_t n = 0; n < sizeof same / sizeof same[0]; ++n)
+            UNIT_EQUAL(*AT(same[n]), *same[n]);
+        UNIT_TRUE(b.m.variance == ldexp(a.m.variance, 2 * k));
+        UNIT_TRUE(b.covariance == ldexp(a.covariance, 2 * k));
+        UNIT_TRUE(b.m.third == ldexp(a.m.third, 3 * k));
+        UNIT_TRUE(b.m.fourth == ldexp(a.m.fourth, 4 * k));
+        UNIT_TRUE(b.density == ldexp(a.density, -k));
+        UNIT_TRUE(b.error == ldexp(a.error, -k));
+        UNIT_TRUE(b.d.plateau == a.d.plateau && b.d.block == a.d.block);
+    }
+    /* Found by a trial of the second edition: the sum overflowed. */
+    const double wide[] = {1e308, -1e308, 1e308};
+    UNIT_NEAR(statistics_moments(3, wide).mean, 1e308 / 3, 1e293);
+}
+
 int main(void)
 {
     return unit_run(
@@ -528,5 +616,6 @@ int main(void)
             {"the slow squares of a fast series count", test_squares_count},
             {"dependence with and without correlation", test_dependence},
             {"the scatter of counts, by hand", test_scatter},
+            {"any scale that numbers hold", test_scales},
             {0}});
 }

@@ -232,8 +232,8 @@ static void test_unnamed(void)
     drawing = "--study fall";
     c = run("--seed\n1" FILES);
     UNIT_TRUE(c.status == 2);
-    UNIT_TRUE(strcmp(c.err, "drop: --seed: means nothing with --study "
-                            "burst (only with fall)\n") == 0);
+    UNIT_TRUE(strcmp(c.err, "drop: --seed: means nothing without --study "
+                            "fall\n") == 0);
     drawing = usual = NULL;
 }
 

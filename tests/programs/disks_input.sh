@@ -94,6 +94,7 @@ state times 'disk 2 has .* times 1, 1; expected' "$box${one}1 2 1 0.5 8 5 1 0\n"
 state nan 'nan:2: 4 numbers' "${box}0 1 1 0.5 nan 5 1 0\n"
 state own 'disks: means nothing with --start ' "$box$one" --disks 3
 state still 'until: needed' "$box$one"
+refuses 2 'until: needed for disks that never meet' $d --disks 1 --collisions 50
 refuses 2 "$work/missing: No such file" $d --start "$work/missing"
 printf "$one" >"$work/bare"
 holds 'a box from the command serves' \
@@ -139,4 +140,4 @@ refuses 2 'every: 4.94066e-324 s makes more than 9e15 rows' $d --every 5e-324
 $d --every 5e-324 --samples 2 -o "$work/few"
 holds 'but three of them are three' \
     test "$(awk 'NF && !/^#/' "$work/few" | wc -l)" -eq 12
-echo 1..71
+echo 1..72

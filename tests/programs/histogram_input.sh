@@ -44,6 +44,22 @@ refuses 2 "$good: 1 rows of numbers, where 2 are the least" \
     $h --skip 2 "$good"
 refuses 2 "/dev/null: 0 rows" $h /dev/null
 
+# Found by a trial of the second edition: an assertion, and inf with status 0.
+printf '%s\n' 1e308 -1e308 1e308 >"$work/wide"
+for table in histogram columns blocks correlation; do
+    refuses 2 'wide: c1 reaches from -1e+308 to 1e+308, expected a range' \
+        $h --table $table "$work/wide"
+done
+awk 'BEGIN { for (i = 0; i < 1000; ++i) printf "%de-170\n", i * i % 997 }' \
+    >"$work/small"
+refuses 2 'small: c1 has a standard deviation of 2.9.*e-168' \
+    $h --table blocks "$work/small"
+sed 's/170/312/' "$work/small" >"$work/least"
+refuses 2 'least: c1 would have 10 bins .*so narrow' $h "$work/least"
+sed 's/e.*/ 1/' "$work/small" >"$work/constant"
+refuses 2 'constant: c2: no law has its standard deviation, 0' \
+    $h --law normal "$work/constant"
+
 refuses_row() { # PATTERN ROW
     printf '1 2\n3 4\n%s\n5 6\n' "$2" >"$bad"
     rm -f "$work/new"
@@ -67,4 +83,4 @@ refuses 1 'cannot write' $h -o "$work/none/x" "$good"
 if [ -c /dev/full ]; then
     refuses 1 'cannot write' $h -o /dev/full "$good"
 fi
-echo 1..43
+echo 1..50

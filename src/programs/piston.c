@@ -1,5 +1,5 @@
 /* From chapters/works/04-piston.nw: edit there, then run make tangle. */
-/* checksum 60952159 of the lines below */
+/* checksum 3479190914 of the lines below */
 /* Swings of a piston: of the model, and measured in runs of particles. */
 #include "line/piston.h"
 #include "toolbox/bench.h"
@@ -431,6 +431,8 @@ static double share_after(const struct settings *s, const struct record *r,
     return sum / count;
 }
 
+enum { FEWEST_WINDOWS = 3 }; /* that a line is fitted to */
+
 struct fit {
     size_t n;
     double tau, error, amplitude; /* excess = amplitude exp(-t/tau) */
@@ -457,7 +459,7 @@ static struct fit fit_decay(const struct settings *s,
         sty += at * y;
         syy += y * y;
     }
-    if (f.n < 3)
+    if (f.n < FEWEST_WINDOWS)
         return f;
     const double n = (double)f.n;
     const double xx = stt - st * st / n, xy = sty - st * sy / n;
@@ -495,10 +497,17 @@ static void study_measure(struct study *s)
     const struct fit f = fit_decay(own, &r);
     table_column(s->out, "t", "s", "middle of a window");
     table_column(s->out, "share", "", "the piston's, mean of the window");
-    table_column(s->out, "fit", "", "the fitted decay");
+    /* Without a fit there is no column of it, and the head says why. */
+    const bool fitted = f.n >= FEWEST_WINDOWS;
+    if (fitted)
+        table_column(s->out, "fit", "", "the fitted decay");
+    else
+        table_print(s->out,
+                    "# no fit: %zu windows between its bounds, %d needed\n",
+                    f.n, FEWEST_WINDOWS);
     for (double t = 0; share_after(own, &r, t) >= 0; t += own->window) {
         const double at = t + own->window / 2;
-        table_row(s->out, 3,
+        table_row(s->out, fitted ? 3 : 2,
                   (double[]){at, share_after(own, &r, t),
                              1 / (double)r.movers +
                                  f.amplitude * exp(-at / f.tau)});

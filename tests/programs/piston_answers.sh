@@ -90,6 +90,14 @@ holds 'a made table: the fit passes through the windows' awk '!/^#/ &&
     $1 > 30 && $1 < 300 { n++; bad += ($2 - $3) ^ 2 > 1e-12 }
     END { exit bad || n < 20 }' "$work/windows"
 
+# Two windows that are high enough make no fit: no column of it, and no nan.
+head -n 130 "$work/made" >"$work/short"
+$p --study measure --body 2 --window 4 --table "$work/short" -o "$work/windows"
+holds 'too short a table: the head says that there is no fit' grep -qx \
+    '# no fit: 0 windows between its bounds, 3 needed' "$work/windows"
+holds 'and the rows have no column of it' awk '/^#/ { next }
+    { ++n; bad += NF != 2 || /nan/ } END { exit bad || n != 2 }' "$work/windows"
+
 # Four movers, the second of them the piston: 1 J to its left, 3 + 5 J to
 # its right, at 4 m of 12.
 cat >"$work/four" <<'EOF'
@@ -141,4 +149,4 @@ near 'adiabatic: period' period 39.44 0.29
 near 'adiabatic: added mass, small swing' period 39.738 0.596
 near 'adiabatic: added mass, true swing' period 39.299 0.589
 near 'adiabatic: sound' period 39.779 0.597
-echo 1..39
+echo 1..41

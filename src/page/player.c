@@ -1,5 +1,5 @@
 /* From chapters/works/A-page.nw: edit there, then run make tangle. */
-/* checksum 233253593 of the lines below */
+/* checksum 2079443658 of the lines below */
 /* The scene player: a scene's text set in motion, changed, saved. */
 #include "forces/motion.h"
 #include "forces/observables.h"
@@ -68,8 +68,8 @@ static const struct gallery_scene *chosen;
 
 static const char *describe_key(size_t k)
 {
-    const struct gallery_key *key = &chosen->key[k];
-    if (!chosen || !key->name)
+    const struct gallery_key *key = chosen ? &chosen->key[k] : NULL;
+    if (!key || !key->name)
         return NULL;
     snprintf(message, sizeof message, "%s %.17g %.17g %.17g %d", key->name,
              key->usual, key->low, key->high, key->whole);

@@ -1,5 +1,5 @@
 /* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 3832031812 of the lines below */
+/* checksum 2437388107 of the lines below */
 /* getopt_long, with numbers and names checked where they are read. */
 #include "toolbox/options.h"
 
@@ -222,8 +222,8 @@ static void check_heading(struct options *o, const struct options_entry *e,
         if (*values && no && among)
             options_fail(o, "means nothing with --%s %s%s", name, value,
                          given ? "" : ", the default");
-        /* A default is not named as if it had been given: another option may have
-           set it aside, as lists of bodies do with the preset of bonkers. */
+        /* A default is not named as if it had been given: another option
+           may have set it aside, as lists do with the preset of bonkers. */
         if (*values && !no && !among && !given)
             options_fail(o, "means nothing without --%s %s", name, values);
         if (*values && !no && !among)

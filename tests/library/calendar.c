@@ -193,6 +193,7 @@ static void test_ties(void)
             put(&c, &p, random_below(&r, 300), k % 2 ? 2.0 : 1.0,
                 random_below(&r, 300));
         UNIT_EQUAL(drain(&c, &p), 0);
+        calendar_free(&c);
     }
 }
 

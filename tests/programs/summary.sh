@@ -4,7 +4,7 @@
 # the first "if", the programs assert in every run of tests and book; so here
 # are runs that together write what is listed below an "if".
 . tests/programs/common
-bin=build/bin
+bin=${BIN-build/bin}
 
 # listed COMMAND...: its keys and their units.
 listed() {

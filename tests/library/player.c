@@ -1,0 +1,93 @@
+/* The scene player as the page's script calls it, here compiled for this
+   machine: so the sanitizers see it too. */
+#include "page/player.c"
+#include "page/table.c"
+#include "unit.h"
+
+static void give(const char *text)
+{
+    char *room = page_text((double)strlen(text));
+    UNIT_TRUE(room != NULL);
+    if (room)
+        strcpy(room, text);
+}
+
+/* Asked before anything was chosen or begun it has no answer. */
+static void test_nothing_yet(void)
+{
+    UNIT_TRUE(page_word(KEYS * 1000) == NULL);
+    UNIT_TRUE(page_word(HELP * 1000) == NULL);
+    UNIT_TRUE(page_word(WRITTEN * 1000) == NULL);
+    UNIT_TRUE(!page_begin() && strcmp(message, "no text") == 0);
+    UNIT_TRUE(!page_observe() && !page_save(false, 1));
+    UNIT_TRUE(!page_change(DT, 0.1));
+    UNIT_EQUAL(page_run(1, 10), 0);
+    UNIT_EQUAL(page_look()[4], -1);
+    for (int which = PLACES; which <= OBSERVED; ++which)
+        page_array(which);
+}
+
+/* Every scene of the gallery is made, begun, run, changed and saved, and
+   the saved text is a scene again. */
+static void test_every_scene(void)
+{
+    size_t scenes = 0;
+    for (; page_word((double)(SCENES * 1000 + scenes)); ++scenes) {
+        UNIT_TRUE(page_word((double)(ABOUT * 1000 + scenes)) != NULL);
+        size_t keys = 0;
+        for (; page_word((double)(KEYS * 1000 + keys)); ++keys) {
+            double usual = 0;
+            UNIT_TRUE(sscanf(message, "%*s %lf", &usual) == 1);
+            UNIT_TRUE(page_word((double)(HELP * 1000 + keys)) != NULL);
+            page_number[keys] = usual;
+        }
+        UNIT_TRUE(page_make((double)scenes));
+        give(page_word(WRITTEN * 1000));
+        page_number[0] = 0;
+        UNIT_TRUE(page_begin());
+        UNIT_EQUAL(page_run(1e9, 3), 3);
+        const double bodies = page_look()[2];
+        UNIT_TRUE(bodies >= 1 && page_look()[1] == 3);
+        for (int which = PLACES; which <= FREE; ++which)
+            UNIT_TRUE(page_array(which) != NULL);
+        UNIT_TRUE(page_array(SPRINGS) != NULL);
+        give("energy");
+        UNIT_TRUE(page_observe() && page_look()[24] >= 1);
+        UNIT_TRUE(page_array(OBSERVED) != NULL);
+        UNIT_TRUE(page_change(GRAVITY + 1, -1) && page_look()[9] == -1);
+        UNIT_EQUAL(page_run(1e9, 2), 2);
+        give("--scene x");
+        UNIT_TRUE(page_save(true, 1) &&
+                  strstr(page_word(WRITTEN * 1000), "# 2 "));
+        UNIT_TRUE(page_save(false, 1));
+        give(page_word(WRITTEN * 1000));
+        UNIT_TRUE(page_begin() && page_look()[2] == bodies);
+    }
+    UNIT_TRUE(scenes > 10 && !page_make((double)scenes));
+}
+
+/* A text that is no scene is refused, with the line. */
+static void test_no_scene(void)
+{
+    give("particle (0 0 0) 1\nnonsense 3\n");
+    UNIT_TRUE(!page_begin() && page_look()[6] > 0);
+    UNIT_TRUE(strlen(page_word(MESSAGE * 1000)) > 0);
+    give("what");
+    UNIT_TRUE(!page_observe());
+}
+
+int main(void)
+{
+    const int status = unit_run(
+        "player", (struct unit_test[]){
+                      {"nothing is asked for yet", test_nothing_yet},
+                      {"every scene of the gallery", test_every_scene},
+                      {"what is no scene", test_no_scene},
+                      {0}});
+    stop();
+    scene_free(&start);
+    scene_free(&scene);
+    free(given);
+    free(written);
+    return status;
+}

@@ -163,8 +163,8 @@ build/made/fuzz/commands: tests/fuzz/commands.c build/obj/toolbox/random.o \
 	$(take_compiled)
 
 # Random scenes for bonk, compared with paths of another kind: REQUESTS=3000
-# for longer, SEED=7 for others, KIND=springs for one kind. What became of them
-# is kept.
+# for longer, SEED=7 for others, KIND=springs for one kind; KIND=floor asks for
+# tolerances near the smallest that bonk grants. What became of them is kept.
 REQUESTS = 100
 export REQUESTS
 .PHONY: hunt jobs-hunt

@@ -1,5 +1,5 @@
 /* From chapters/works/12-bonk.nw: edit there, then run make tangle. */
-/* checksum 2155139608 of the lines below */
+/* checksum 4256790287 of the lines below */
 /* Carries a scene by the cheapest model that holds, and says why. */
 #include "enough/averages.h"
 #include "enough/choose.h"
@@ -484,6 +484,42 @@ static void read_settings(struct settings *s, int argc, char *argv[])
     check_settings(&o, s);
 }
 
+/* The diagonal of the box that holds all bodies in all rows of the run, m,
+   but for axes on which they go round. */
+static double size_of_run(const struct run *r)
+{
+    const struct choose_choice *c = &r->choice;
+    double sum = 0;
+    for (size_t k = 0; k < SCENE_AXES; ++k) {
+        double low = INFINITY, high = -INFINITY;
+        for (size_t at = k; at < (c->rows + 1) * c->columns; at += 6) {
+            low = fmin(low, c->run.value[at]);
+            high = fmax(high, c->run.value[at]);
+        }
+        if (r->scene.wall[k] != SCENE_PERIODIC)
+            sum += (high - low) * (high - low);
+    }
+    return sqrt(sum);
+}
+
+/* Errors of places are shares of the scene's size at the start. If the run
+   becomes much larger, as that of an orbit which begins at its nearest
+   point, its reader may have thought of a share of that. */
+static void warn_of_scale(const struct run *r)
+{
+    const struct choose_choice *c = &r->choice;
+    if (!c->run.value || r->request.asked)
+        return;
+    const double size = size_of_run(r), e = r->s->tolerance;
+    if (size > 10 * c->scale)
+        fprintf(stderr,
+                PROGRAM
+                ": %s: note: %g is a share of %.6g, the size of the "
+                "scene at the start; in the run it becomes %.6g, "
+                "and that share of it is --tolerance %.2g\n",
+                r->s->scene, e, c->scale, size, e * size / c->scale);
+}
+
 static void warn(const struct run *r)
 {
     const struct choose_hidden *h = &r->choice.hidden;
@@ -508,6 +544,7 @@ static const char *carry(struct run *r)
         program_leave(EXIT_FAILURE);
     progress_end(&r->progress);
     warn(r);
+    warn_of_scale(r);
     tell_choice(r);
     return r->choice.run.value ? NULL : r->choice.refusal;
 }

@@ -121,6 +121,17 @@ for part in 'note: 1e-06 of the scale, 1e+06, is more than what bodies' \
     holds "a hidden pair: $part" grep -q -- "$part" "$w/note"
 done
 
+# An orbit of eccentricity 0.999 from its nearest point is 2000 times as long
+# as what the scene is at the start: the scale is said, and what would be the
+# same share of the orbit. One that is as large at the start is not spoken of.
+printf '%s\n' 'pos 0 0 0 0 1 0 0' 'pos 1 0.001 0 0 0 0 0' \
+    'vel 1 0 44.710177812216318 0' 'k2 1' >"$w/long"
+$bonk "$w/long" --until 6.2831853071795862 --tolerance 1e-6 -o "$w/t" \
+    2>"$w/note"
+holds 'a scale that is small is said' grep -qE 'note: 1e-06 is a share of 0.001, the size of the scene at the start; in the run it becomes 2.00[0-9]*, and that share of it is --tolerance 0.002' "$w/note"
+$bonk "$w/long" --until 1e-5 --tolerance 1e-6 -o "$w/t" 2>"$w/note"
+holds 'and only where it is' test ! -s "$w/note"
+
 # A body without mass falls beside a spring that does not end at it.
 printf '%s\n' 'pos 0 0 0 0 1 0 0' 'vfix 0 0 0 0' 'pos 1 1 0 0 1 0 0' \
     'pos 2 5 0 0 0 0 0' 's 0 1 0' 'sl 0 1 0 1' 'grav 0 0 -1' >"$w/weightless"
@@ -203,4 +214,4 @@ refuses 2 'nowhere' $bonk "$w/nowhere" --until 1 --tolerance 1e-3
 printf 'pos 0 0 0 0 0 0 0.1\npos 1 1 0 0 1 0 0.1\ns 0 1 0\nsl 0 1 0\n' \
     >"$w/light"
 refuses 2 'has no mass' $bonk "$w/light" --until 1 --tolerance 1e-3
-echo 1..74
+echo 1..76

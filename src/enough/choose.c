@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 252545218 of the lines below */
+/* checksum 3911463357 of the lines below */
 /* Exact ways, two runs that agree, and ladders judged by them. */
 #include "enough/choose.h"
 
@@ -35,6 +35,7 @@ static struct record_order order_of(const struct task *t,
     const double less = fmin(plan.tolerance / first_tolerance(t), 1);
     plan.little = share * t->q->tolerance * t->view->length * less;
     plan.left = (double)t->c->rows * t->q->every;
+    plan.afford = fmax(left_of(t) / 2, 1e-9); /* a twin needs it, too */
     plan.margin =
         plan.tolerance > 0 ? t->q->tolerance * t->view->length : 0;
     return (struct record_order){.scene = t->q->scene,
@@ -335,6 +336,7 @@ struct ladder {
                                  does not; model NULL: none was tried */
     double least, most; /* between these is the next one, in octaves */
     double rise;        /* octaves of cost to one of fineness */
+    double price;       /* s: at which it may hold, after its first run */
 };
 
 /* Where a ladder begins: with steps that the method can bear. */
@@ -356,9 +358,8 @@ static double off_by(const struct task *t, const struct record *r)
 }
 
 /* How far the next finer rung is off, which may have been tried. */
-static double error_of_neighbour(const struct task *t,
-                                 const struct ladder *l,
-                                 const struct models_plan *p)
+static double error_of_finer(const struct task *t, const struct ladder *l,
+                             const struct models_plan *p)
 {
     struct record r;
     struct record_order o = order_of(t, *p, INFINITY);
@@ -369,6 +370,45 @@ static double error_of_neighbour(const struct task *t,
     const double error = off_by(t, &r);
     record_free(&r);
     return error;
+}
+
+/* Runs the next coarser rung into r and returns how far it is off. From 8
+   steps on, rungs are 0.09 to 0.17 octaves apart; below, and where a rung
+   is known to fail, nothing is run and the result is INFINITY. */
+static double error_of_coarser(const struct task *t, const struct ladder *l,
+                               const struct models_plan *p,
+                               struct record *r)
+{
+    struct record_order o = order_of(t, *p, INFINITY);
+    o.plan = rung_at(o.plan, fineness(p) - 0.19);
+    if (o.plan.steps == p->steps || fineness(&o.plan) <= l->least)
+        return INFINITY;
+    run(t, r, &o);
+    return off_by(t, r);
+}
+
+/* A number of steps may hold because its errors happen to cancel, so one of
+   its neighbours has to hold, too. If that is the finer one, the run stands
+   as it is; if it is the coarser one, which is cheaper, that takes its
+   place. Otherwise the run is as bad as its finer neighbour. */
+static void ask_neighbours(const struct task *t, const struct ladder *l,
+                           struct record *r, struct choose_point *seen)
+{
+    const double e = t->q->tolerance;
+    const double finer = error_of_finer(t, l, &r->plan);
+    struct record other = {0};
+    if (finer <= e)
+        return;
+    const double coarser = error_of_coarser(t, l, &r->plan, &other);
+    seen->error = coarser <= e ? coarser : finer;
+    if (!(coarser <= e)) {
+        record_free(&other);
+        return;
+    }
+    record_free(r);
+    *r = other;
+    seen->plan.steps = r->plan.steps;
+    seen->cost = r->cost;
 }
 
 /* Runs a plan, and notes how far off it is; l: NULL, or its ladder. */
@@ -386,10 +426,8 @@ static struct choose_point try_plan(const struct task *t,
     if (whole(t, &r)) {
         seen.error = off_by(t, &r);
         if (l && plan.tolerance == 0 && r.cost < best(t) &&
-            seen.error <= t->q->tolerance) {
-            const double other = error_of_neighbour(t, l, &plan);
-            seen.error = other > t->q->tolerance ? other : seen.error;
-        }
+            seen.error <= t->q->tolerance)
+            ask_neighbours(t, l, &r, &seen);
         offer(t, k, &r, seen.error);
     } else if (!k->holds)
         say(k, ending(&r));
@@ -397,12 +435,43 @@ static struct choose_point try_plan(const struct task *t,
     return seen;
 }
 
+/* A run that is off by more of the scale than this is on another way: it
+   does not tell by what order finer steps become better. Inside of the
+   scale they are at best as good as if it were off by this; a run that has
+   left it, because its steps are unstable or have lost a pair, bounds
+   nothing. */
+static const double lost = 0.1;
+
+static bool is_lost(double error)
+{
+    return error > lost;
+}
+
+/* Does the last run of a ladder tell nothing of its order? What is left out
+   may be the whole error: then much finer steps are tried at once. */
+static bool is_blind(const struct ladder *l)
+{
+    const double error = l->best.error;
+    return isinf(error) || (is_lost(error) && !l->foot.cuts);
+}
+
+/* Are finer rungs no use? If one leaves the error as it was, it is that of
+   what the ladder leaves out; without anything left out it was chance. And
+   two runs in turn that break down are enough. */
+static bool is_vain(const struct ladder *l, double error)
+{
+    const double before = l->best.error;
+    return isinf(error) ? isinf(before)
+                        : l->foot.cuts && !is_lost(error) &&
+                              fabs(error - before) < 0.01 * error;
+}
+
 static void note(const struct task *t, struct ladder *l,
                  struct choose_point r)
 {
     const double fine = fineness(&r.plan), target = t->q->tolerance;
     const bool holds = r.error <= target;
-    if (!holds && !(fabs(r.error - l->best.error) >= 0.01 * r.error))
+    if (!holds && is_vain(l, r.error))
         l->most = -INFINITY; /* finer steps are no help */
     if (isinf(r.cost) || holds)
         l->most = fmin(l->most, fine);
@@ -439,6 +508,15 @@ static double price_of(const struct ladder *l, double more)
 
 enum { FAR = 4 }; /* octaves that are believed at once */
 
+/* By how many octaves finer steps may hold. An error that says nothing of
+   the order leads to twice the cost, whatever its size. */
+static double octaves_up(const struct task *t, const struct ladder *l)
+{
+    const double more =
+        is_blind(l) ? 1 / l->rise : excess(t, l) / order_of_method(l);
+    return fmin(more, FAR);
+}
+
 /* The next rung that is worth a run; model NULL: none is. */
 static struct models_plan next_rung(const struct task *t,
                                     const struct ladder *l)
@@ -449,16 +527,33 @@ static struct models_plan next_rung(const struct task *t,
     const double dear = log2(may / l->best.cost) / l->rise - one;
     const double order = order_of_method(l);
     const double highest = l->foot.model->method->orbits ? 8 : 1.2 * order;
-    const double more = isinf(far) ? 1 : fmin(far / order, FAR);
+    const double nearest = fmin(far, log2(lost / t->q->tolerance)) /
+                           (far > 0 || l->rise < 1 ? highest : order);
+    const double more = octaves_up(t, l);
     const double want =
         now + more > l->least ? now + more : (l->least + l->most) / 2;
     const double go = fmax(fmin(want, now + dear), l->least + one / 2);
     struct models_plan next = rung_at(l->foot, go);
     if (!l->best.plan.model || !(fineness(&next) < l->most) ||
-        (isfinite(far) && !(price_of(l, far / highest) < may)) ||
+        (l->best.error <= 1 && !(price_of(l, nearest) < may)) ||
         !(price_of(l, fineness(&next) - now) < may))
         next.model = NULL;
     return next;
+}
+
+/* Notes what a ladder on which nothing holds would cost, if its last error
+   tells, and why it goes no further, unless its last run has said so. */
+static void foresee(const struct task *t, const struct ladder *l)
+{
+    struct choose_candidate *k = l->candidate;
+    const bool vain = l->most == -INFINITY;
+    const bool unknown = is_lost(l->best.error);
+    if (l->best.plan.model && !vain && !unknown)
+        k->foreseen = price_of(l, excess(t, l) / order_of_method(l));
+    if (k->text[0] == '\0')
+        say(k, vain      ? "finer steps are no help"
+               : unknown ? "too far off to go on"
+                         : "by its order too expensive");
 }
 
 /* Climbs on, as long as that may become cheaper than the best. */
@@ -467,22 +562,22 @@ static void climb(const struct task *t, struct ladder *l)
     struct models_plan next;
     while ((next = next_rung(t, l)).model)
         try_rung(t, l, next);
-    if (!l->candidate->holds && l->candidate->text[0] == '\0')
-        say(l->candidate, "more expensive than the best");
+    if (!l->candidate->holds)
+        foresee(t, l);
 }
 
 static int by_price(const void *a, const void *b)
 {
-    const double x = ((const struct ladder *)a)->candidate->foreseen;
-    const double y = ((const struct ladder *)b)->candidate->foreseen;
+    const double x = ((const struct ladder *)a)->price;
+    const double y = ((const struct ladder *)b)->price;
     return (x > y) - (x < y);
 }
 
 static void add_ladder(const struct task *t, struct ladder ladder[],
-                       size_t *count, const char *name, unsigned cuts)
+                       size_t *count, const struct models_model *m,
+                       unsigned cuts)
 {
-    const struct models_plan p = {
-        .model = models_find(name), .cuts = cuts, .steps = 1};
+    const struct models_plan p = {.model = m, .cuts = cuts, .steps = 1};
     struct choose_candidate *k = enter(t, p);
     const char *why = models_refuse(&p, t->q->scene);
     if (why) {
@@ -503,35 +598,49 @@ static void add_ladder(const struct task *t, struct ladder ladder[],
                                    f->coarser.cost});
         l->rise = log2(f->run.cost / f->coarser.cost) /
                   (fineness(&f->run.plan) - fineness(&f->coarser.plan));
-    } else
-        try_rung(t, l, l->foot);
-    const double more = fmax(excess(t, l) / order_of_method(l), -FAR);
+    } else {
+        /* Steps of their own length at the tolerance that is asked for are
+           off by ten times as much or more, and will have to be finer: at
+           a quarter of the best price they may still win. */
+        const double may = l->rise < 1 ? best(t) / 4 : best(t);
+        note(t, l, try_plan(t, l, l->foot, may, k));
+    }
+    l->price = INFINITY;
     if (l->best.plan.model)
-        k->foreseen = price_of(l, more);
+        l->price = price_of(l, fmax(octaves_up(t, l), -FAR));
 }
 
-static const struct way_up {
-    const char *method;
-    unsigned cuts;
-} ways_up[] = {{"leapfrog", 0},      {"leapfrog", MODELS_NO_LIGHT},
-               {"pefrl", 0},         {"kahan-li8", 0},
-               {"wisdom-holman", 0}, {"sbab4", 0},
-               {"radau15", 0},       {"leapfrog", MODELS_RODS}};
-enum { WAYS_UP = sizeof ways_up / sizeof *ways_up };
+/* What leapfrog leaves out on ladders of its own. It suffices for the rest:
+   what is left out is an error that no order makes smaller, and no other
+   method knows rods. */
+static const unsigned left_out[] = {0, MODELS_NO_LIGHT, MODELS_RODS};
+enum { LEFT_OUT = sizeof left_out / sizeof *left_out };
 
-/* All ladders: their feet first, then one by one as far as it pays. */
-static void race(const struct task *t)
+/* The ladders of a model, if its method says that it is to be tried. */
+static void add_model(const struct task *t, struct ladder ladder[],
+                      size_t *count, const struct models_model *m,
+                      bool adaptive)
 {
-    struct ladder ladder[WAYS_UP];
+    const unsigned possible = models_cuts(t->q->scene);
+    if (!m->method || !m->method->raced || m->method->adaptive != adaptive)
+        return;
+    for (size_t j = 0; j < LEFT_OUT; ++j)
+        if (!(left_out[j] & ~possible) &&
+            (left_out[j] == 0 || stepping_is_leapfrog(m->method)))
+            add_ladder(t, ladder, count, m, left_out[j]);
+}
+
+/* All ladders of methods whose steps are equal, or of all others: their
+   feet first, then one by one as far as it pays. */
+static void race(const struct task *t, bool adaptive)
+{
+    struct ladder ladder[STEPPING_MOST + LEFT_OUT];
     size_t count = 0;
     const struct models_plan *only = t->q->only;
-    const unsigned cuts = models_cuts(t->q->scene);
-    if (only)
-        add_ladder(t, ladder, &count, only->model->name, only->cuts);
-    for (const struct way_up *w = ways_up; !only && w < ways_up + WAYS_UP;
-         ++w)
-        if (!(w->cuts & ~cuts))
-            add_ladder(t, ladder, &count, w->method, w->cuts);
+    if (only && only->model->method->adaptive == adaptive)
+        add_ladder(t, ladder, &count, only->model, only->cuts);
+    for (const struct models_model *m = models_all(); !only && m->name; ++m)
+        add_model(t, ladder, &count, m, adaptive);
     qsort(ladder, count, sizeof *ladder, by_price);
     for (size_t j = 0; j < count; ++j)
         climb(t, &ladder[j]);
@@ -736,7 +845,8 @@ static void compare(const struct task *t)
               : f->doubt > share * t->q->tolerance
                   ? doubled * f->doubt
                   : (1 + share) * f->doubt);
-    race(t);
+    race(t, false);
+    race(t, true);
 }
 
 /* Does rounding move what was taken by a 300th of the tolerance, or more?
@@ -951,5 +1061,7 @@ void choose_sentence(const struct choose_choice *c, double tolerance,
         snprintf(times, sizeof times,
                  ratio < 99 ? "%.2g times " : "%.0f times ", ratio);
     snprintf(text + used, CHOOSE_SENTENCE - (size_t)used,
-             "; %s would cost %sas much", plan, times);
+             other->holds ? "; %s would cost %sas much"
+                          : "; by its order %s would cost %sas much",
+             plan, times);
 }

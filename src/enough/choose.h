@@ -1,5 +1,5 @@
 /* From chapters/works/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1736798016 of the lines below */
+/* checksum 2223122878 of the lines below */
 /* The cheapest way to carry a scene within a tolerance, or a reason. */
 #ifndef CHOOSE_H
 #define CHOOSE_H
@@ -10,7 +10,7 @@
 
 enum { CHOOSE_TEXT = 160, CHOOSE_REFUSAL = 500, CHOOSE_SENTENCE = 600 };
 enum { CHOOSE_REASON = 60 }; /* s by the price list: a usual .reason */
-enum { CHOOSE_MOST = 40, CHOOSE_POINTS = 400 };
+enum { CHOOSE_MOST = STEPPING_MOST + 40, CHOOSE_POINTS = 400 };
 
 /* What is asked for. */
 struct choose_request {
@@ -73,7 +73,8 @@ void choose_free(struct choose_choice *c);
 
 /* Says in words what was taken, and what another way would have cost:
    "pefrl:56: its fourth order meets 0.0001 at 56 steps a row; leapfrog
-   would cost 20 times as much". */
+   would cost 20 times as much". Of a way that was not run until it held
+   it says that this is what its order promises. */
 void choose_sentence(const struct choose_choice *c, double tolerance,
                      char text[CHOOSE_SENTENCE]);
 

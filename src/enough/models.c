@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 185986411 of the lines below */
+/* checksum 2077139939 of the lines below */
 /* What acts, what can be left out, and how each model carries a scene. */
 #include "enough/models.h"
 
@@ -37,6 +37,7 @@ const struct models_price models_prices[MODELS_UNITS] = {
     [MODELS_LINE_SCAN] = {"line-scan", "gap looked at for it", 0.3},
     [MODELS_DISK_EVENT] = {"disk-event", "collision of disks", 100},
     [MODELS_DISK_SCAN] = {"disk-scan", "disk looked at for it", 4.5},
+    [MODELS_RENEWAL] = {"renewal", "list of a disk's neighbours", 450},
     [MODELS_ELLIPSE] = {"ellipse", "body moved along its ellipse", 210},
     [MODELS_FLIGHT] = {"flight", "coordinate moved freely", 3.6},
     [MODELS_ORDER] = {"order", "comparison of two bodies", 2.7},
@@ -595,12 +596,26 @@ static double approach_rest(struct vibration *w, struct models_run *r)
     return largest(still, n);
 }
 
+/* Would finding the modes once more bring the bill of the start above what
+   it may be? It costs the cube of the coordinates, up to thirty times. */
+static bool is_start_dear(const struct models_run *r)
+{
+    double work[MODELS_UNITS], size = 0;
+    for (size_t c = 0; c < 3 * r->scene.bodies; ++c)
+        size += r->scene.freedom[c] != 0;
+    memcpy(work, r->work, sizeof work);
+    work[MODELS_MODE] += 20 * pow(size, 3);
+    return r->plan.afford > 0 && models_cost(work) > r->plan.afford;
+}
+
 /* From w->rest to a place of rest that is stable. */
 static const char *find_rest(struct vibration *w, struct models_run *r)
 {
     const double size = largest(w->rest, 3 * r->scene.bodies);
     double far = INFINITY;
     for (int k = 0; k < MOST_TRIES && !(far <= 1e-12 * size); ++k) {
+        if (is_start_dear(r))
+            return "its start costs more than is reasonable";
         far = approach_rest(w, r);
         if (!(far <= 10 * size))
             return "no place of rest was found";
@@ -1110,16 +1125,22 @@ static const char *begin_disks(struct models_run *r)
     return d->celled || disks_plan(&d->disks) ? NULL : no_memory;
 }
 
+/* The start is on the bill, too: by the scan every pair is asked whether it
+   overlaps and when it meets, at twice the price of a look; in cells every
+   disk gets a list of its neighbours, as it does each time it leaves its
+   leash. */
 static void count_disks(struct models_run *r, const struct room *d)
 {
     const double met = (double)d->disks.collisions;
     const double hit = (double)d->disks.wall_collisions;
     const double renewed = d->celled ? (double)d->cells.renewed : 0;
+    const double n = (double)d->disks.count;
     const size_t looks = d->celled ? d->cells.seats : d->disks.count;
     r->work[MODELS_DISK_EVENT] = met + hit;
     r->work[MODELS_DISK_SCAN] =
         (double)looks *
-        ((double)d->disks.count / 2 + 2 * met + hit + renewed);
+        ((d->celled ? n / 2 : 3 * n / 2) + 2 * met + hit + renewed);
+    r->work[MODELS_RENEWAL] = d->celled ? n + renewed : 0;
     r->work[MODELS_FLIGHT] =
         ((double)r->rows + 1) * (double)(d->view.axes * d->disks.count);
 }
@@ -1349,6 +1370,7 @@ static const char *begin_steps(struct models_run *r)
         g->source = t->light.order;
         g->sources = t->light.heavy;
         g->share = t->light.share;
+        count_sorting(r, s->bodies, 5); /* and to enter the picture */
     }
     if (count > 0) {
         t->rodded =
@@ -1400,6 +1422,10 @@ static void count_evaluations(const struct models_run *r,
         asked * ((double)p->count + (LISTED - 1) * (double)p->listed);
 }
 
+/* Light bodies that do not pull are stepped in a picture of their own. Each
+   row takes them out of it, for as much as so many passes over a body. */
+enum { LEAVING = 5 };
+
 static void count_steps(struct models_run *r, const struct steps *t)
 {
     const struct stepping *p = &t->motion.stepping;
@@ -1410,6 +1436,8 @@ static void count_steps(struct models_run *r, const struct steps *t)
         r->work);
     if (method->adaptive)
         r->work[MODELS_BODY] += 18 * n * steps;
+    if (t->lights)
+        r->work[MODELS_BODY] += LEAVING * n * ((double)r->rows + 1);
     if (t->motion.orbits)
         r->work[MODELS_ELLIPSE] =
             0.8 * (n - 1) * steps * (double)method->drifts;
@@ -1700,8 +1728,12 @@ bool models_begin(struct models_run *r, const struct models_plan *p,
         else if (p->model->begin)
             *why = p->model->begin(r);
     }
-    if (*why)
+    if (*why) { /* what has been done for it stays on the bill */
+        double work[MODELS_UNITS];
+        memcpy(work, r->work, sizeof work);
         models_end(r);
+        memcpy(r->work, work, sizeof work);
+    }
     return !*why;
 }
 

@@ -1,5 +1,5 @@
 /* From chapters/works/12-models-parts.nw: edit there, then run make tangle. */
-/* checksum 574198001 of the lines below */
+/* checksum 3833086831 of the lines below */
 /* All ways to carry a scene, behind one door, and what each costs. */
 #ifndef MODELS_H
 #define MODELS_H
@@ -27,6 +27,7 @@ enum models_unit {
     MODELS_LINE_SCAN,  /* and, for each gap that is looked at */
     MODELS_DISK_EVENT, /* a collision of disks, or with a wall */
     MODELS_DISK_SCAN,  /* and, for each disk that is looked at */
+    MODELS_RENEWAL,    /* a disk's list of neighbours, made or made anew */
     MODELS_ELLIPSE,    /* a body moved along its ellipse */
     MODELS_FLIGHT,     /* a coordinate moved freely; ten of them: one with
                           friction, or on a spring */
@@ -85,6 +86,7 @@ struct models_plan {
     double left;      /* s: in this time */
     double slack;     /* share by which it keeps from bounds of its steps */
     double margin;    /* m: contacts made or missed by less are noticed */
+    double afford;    /* s by the price list, for the start; 0: no bound */
 };
 
 enum { MODELS_TEXT = 256, MODELS_MESSAGE = 2048 };
@@ -174,7 +176,8 @@ const char *models_refuse(const struct models_plan *p,
                           const struct scene *s);
 
 /* Copies the scene and prepares rows that are `every` apart, s. On failure
- *why says why (a static text), and there is nothing to free. */
+ *why says why (a static text), and there is nothing to free; the work that
+   was done until then stays in r->work. */
 bool models_begin(struct models_run *r, const struct models_plan *p,
                   const struct scene *s, double every, const char **why);
 

@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1709726249 of the lines below */
+/* checksum 1652911106 of the lines below */
 /* Each column is judged by a scale; a run may be in other units. */
 #include "enough/record.h"
 
@@ -430,8 +430,8 @@ static bool go_on(struct way *w, struct record_view *v)
 
 static void end_way(struct way *w)
 {
+    memcpy(w->r->work, w->run.work, sizeof w->r->work);
     if (w->begun) {
-        memcpy(w->r->work, w->run.work, sizeof w->r->work);
         w->r->collisions = w->run.collisions;
         w->r->least = w->run.least / fabs(units[w->o->twin].length);
         models_end(&w->run);
@@ -473,6 +473,11 @@ void record_both(struct record *a, struct record *b, struct record_view *v,
         ;
     end_way(&x);
     end_way(&y);
+    /* Both clocks ran all the time: each run has its part, by the bill. */
+    const double seconds = fmax(a->seconds, b->seconds);
+    const double bill = a->cost + b->cost;
+    a->seconds = bill > 0 ? seconds * (a->cost / bill) : seconds / 2;
+    b->seconds = seconds - a->seconds;
 }
 
 void record_free(struct record *r)

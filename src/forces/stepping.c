@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 1043087649 of the lines below */
+/* checksum 1508378213 of the lines below */
 /* Steps by kicks and drifts and by Runge-Kutta stages. */
 #include "forces/stepping.h"
 
@@ -141,32 +141,36 @@ const struct stepping_method stepping_methods[STEPPING_MOST + 1] = {
      SPLITTING(symplectic_euler), .order = 1, .symplectic = true,
      .stages = 1, .limit = 2},
     {"leapfrog", "a drift between half kicks", COMPOSED(leapfrog),
-     .order = 2, .symmetric = true, .symplectic = true, .limit = 2},
+     .order = 2, .symmetric = true, .symplectic = true, .limit = 2,
+     .raced = true},
     {"rk4", "Runge and Kutta's", EXPLICIT(rk4), .order = 4,
      .limit = 2.8284271247461901},
     {"yoshida4", "leapfrogs, the triple jump", COMPOSED(yoshida4),
      .order = 4, .symmetric = true, .symplectic = true,
      .limit = 1.5734019474345401},
     {"yoshida6", "seven leapfrogs", COMPOSED(yoshida6), .order = 6,
-     .symmetric = true, .symplectic = true, .limit = 2.2690579963976594},
+     .symmetric = true, .symplectic = true, .limit = 2.2690579963976594,
+     .raced = true},
     {"pefrl", "four kicks, small errors", SPLITTING(pefrl), .order = 4,
      .symmetric = true, .symplectic = true, .stages = 4,
-     .limit = 2.9894495459067291},
+     .limit = 2.9894495459067291, .raced = true},
     {"kahan-li8", "seventeen leapfrogs", COMPOSED(kahan_li8), .order = 8,
-     .symmetric = true, .symplectic = true, .limit = 3.0964386800007322},
+     .symmetric = true, .symplectic = true, .limit = 3.0964386800007322,
+     .raced = true},
     {"implicit-midpoint", "for stiff springs", IMPLICIT(midpoint),
      .order = 2, .symmetric = true, .symplectic = true, .limit = INFINITY},
     {"gauss4", "for stiff springs, finer", IMPLICIT(gauss4), .order = 4,
      .symmetric = true, .symplectic = true, .limit = INFINITY},
     {"wisdom-holman", "leapfrog along ellipses", COMPOSED(leapfrog),
      .order = 2, .symmetric = true, .symplectic = true, .limit = 2,
-     .orbits = true},
+     .orbits = true, .raced = true},
     {"sbab4", "the same, for small masses", SPLITTING(sbab4), .order = 2,
      .symmetric = true, .symplectic = true, .stages = 4,
-     .limit = 2.9971371204864101, .orbits = true},
-    {"dopri5", "steps of its own length", PAIR(dopri5), .order = 5},
+     .limit = 2.9971371204864101, .orbits = true, .raced = true},
+    {"dopri5", "steps of its own length", PAIR(dopri5), .order = 5,
+     .raced = true},
     {"radau15", "such steps, to the last digits", RADAU(radau15),
-     .order = 15}};
+     .order = 15, .raced = true}};
 
 const struct stepping_method *stepping_find(const char *name)
 {

@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 586609011 of the lines below */
+/* checksum 3168270343 of the lines below */
 /* Stepping methods, and runs that step coordinates under forces. */
 #ifndef STEPPING_H
 #define STEPPING_H
@@ -68,6 +68,7 @@ struct stepping_method {
     bool orbits;   /* a splitting for bodies that attract each other, and
                       for nothing else: it drifts along a flow */
     bool adaptive; /* its steps can choose their own length */
+    bool raced;    /* whoever looks for the cheapest method tries it */
     const double *error, *dense; /* [stages], of a pair:
                                     (8.15, eq:embedded),
                                     (8.17, eq:dense) */

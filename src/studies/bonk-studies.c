@@ -1,5 +1,5 @@
 /* From chapters/works/12-atlas.nw: edit there, then run make tangle. */
-/* checksum 4107757826 of the lines below */
+/* checksum 1614951627 of the lines below */
 /* Maps of cost against true error, for every scene; prices of units. */
 #include "enough/choose.h"
 #include "scenes/gallery.h"
@@ -833,14 +833,17 @@ static const struct bout bouts[MODELS_UNITS] = {
     [MODELS_LINE_SCAN] = {"thermal", "particles", 30, "line", 100, 10},
     [MODELS_DISK_EVENT] = {"four-disks", NULL, 0, "disks", 100, 10},
     [MODELS_DISK_SCAN] = {"gas", "particles", 90, "disks", 10, 10},
+    [MODELS_RENEWAL] = {"gas", "particles", 120, "disks", 20, 10},
     [MODELS_ELLIPSE] = {"sun-earth", NULL, 0, "kepler", 10, 20000},
     [MODELS_FLIGHT] = {"ring", "particles", 500, "free", 1, 200},
     [MODELS_ORDER] = {"cradle", "balls", 1000, "relabel", 1, 50},
     [MODELS_MODE] = {"cantilever", "nx", 12, "modes", 1, 2},
     [MODELS_ROW] = {"cradle", "balls", 2, "relabel", 1, 20000},
 };
-/* What a unit costs if the others cost what the list says, ns. */
-static double price_in(const struct bout *b, enum models_unit unit)
+/* Makes the run, and returns what it has taken, s. Bodies that are alone do
+   not attract each other. */
+static double run_bout(const struct bout *b, bool alone,
+                       double work[MODELS_UNITS])
 {
     char message[MODELS_MESSAGE];
     struct models_plan plan;
@@ -850,21 +853,43 @@ static double price_in(const struct bout *b, enum models_unit unit)
         gallery_make(&s, find_scene(b->name), b->key, b->value);
     if (why || !models_read(&plan, b->plan, message))
         fail(why ? why : message);
-    if (strcmp(b->name, "ring") == 0)
-        s.k2 = 0; /* bodies on which nothing acts */
+    s.k2 = alone ? 0 : s.k2;
     const double begin = bench_seconds();
     if (!models_begin(&r, &plan, &s, b->every, &why))
         fail(why);
     while (r.rows < b->rows)
         if (models_row(&r) != MODELS_DONE)
             fail("a run that measures a price has not come to its end");
-    const double seconds = bench_seconds() - begin, units = r.work[unit];
-    r.work[unit] = 0;
-    const double others = models_cost(r.work);
+    const double seconds = bench_seconds() - begin;
+    memcpy(work, r.work, sizeof r.work);
     models_end(&r);
     scene_free(&s);
-    return (seconds - others) / units * 1e9;
+    return seconds;
 }
+
+/* What a unit costs if the others cost what the list says, ns. */
+static double price_in(const struct bout *b, enum models_unit unit)
+{
+    double work[MODELS_UNITS];
+    const bool alone = strcmp(b->name, "ring") == 0;
+    const double seconds = run_bout(b, alone, work), units = work[unit];
+    work[unit] = 0;
+    return (seconds - models_cost(work)) / units * 1e9;
+}
+
+/* Whole runs, short ones as well, whose bill has to be about right: of many
+   bodies the start and the rows are a part of it. */
+static const struct bout whole_runs[] = {
+    {"gas", "particles", 100, "disks", 1e-4, 16},
+    {"gas", "particles", 100, "disks", 0.5, 16},
+    {"gas", "radius", 0.03, "disks", 0.5, 16},
+    {"gas", "radius", 0.15, "disks", 0.5, 16},
+    {"gas", "particles", 500, "disks", 1e-4, 16},
+    {"gas", "particles", 500, "disks", 0.1, 16},
+    {"ring", "particles", 100, "leapfrog:3,no-light", 25, 16},
+    {"ring", "particles", 1000, "leapfrog:1,no-light", 25, 16},
+    {"ring", "particles", 100, "leapfrog:3", 25, 16},
+    {0}};
 
 static void explore(struct map *m, const struct subject *t)
 {
@@ -978,6 +1003,17 @@ static void study_prices(struct study *s)
         table_print(s->out, "%s %.3g %.3g %.3g\n", models_prices[k].name,
                     models_prices[k].ns, found,
                     found / models_prices[k].ns);
+    }
+    table_print(s->out,
+                "# whole runs: scene, plan, bill (s), seconds over bill\n");
+    for (const struct bout *b = whole_runs; b->name; ++b) {
+        double value[BENCH_ROUNDS], work[MODELS_UNITS];
+        for (int round = -1; round < BENCH_ROUNDS; ++round)
+            value[round < 0 ? 0 : round] = run_bout(b, false, work);
+        const double bill = models_cost(work);
+        table_print(s->out, "# %s/%s=%g %s %.3g %.2f\n", b->name, b->key,
+                    b->value, b->plan, bill,
+                    bench_median(value, BENCH_ROUNDS) / bill);
     }
 }
 

@@ -734,8 +734,9 @@ static void test_first_look(void)
 /* What looking may spend, and what is then taken: the first asks for too
    much if an order is believed beyond a fifth, or a promise no farther than
    an octave; the second if two cheap runs have to agree to a hundredth; the
-   third if a promise is believed that is more than four octaves away; the
-   last if a ladder goes on though finer rods do not help. */
+   third if a promise is believed no farther than two octaves, or an order
+   beyond a fifth; the last if a promise is believed that is eight octaves
+   away, or a ladder goes on though finer rods do not help. */
 static void test_looking(void)
 {
     static const struct {
@@ -744,8 +745,8 @@ static void test_looking(void)
     } cases[] = {
         {"double-pendulum", NULL, NULL, 8, 1e-3, 1.3e-3, 2e-5},
         {"double-pendulum", NULL, NULL, 8, 1e-6, 4e-3, 2e-4},
-        {"cradle", "string", NULL, 10, 1e-6, 0.1, 0.0115},
-        {"double-pendulum", NULL, "leapfrog,rods", 8, 1e-6, 0.03, 0}};
+        {"cradle", "string", NULL, 10, 1e-6, 0.101, 0.0115},
+        {"double-pendulum", NULL, "leapfrog,rods", 8, 1e-6, 0.02, 0}};
     for (size_t j = 0; j < sizeof cases / sizeof *cases; ++j) {
         struct scene s = made(cases[j].scene, cases[j].key, 1);
         struct choose_request q =
@@ -850,9 +851,9 @@ static void test_room(void)
    by the dearer method. A quarter below, one that can be paid is passed
    over: the pendulum would have more steps than it needs. And a price is
    foreseen four octaves down at most. With two what is cheap comes late,
-   and is looked at beside dearer ones; with eight a reference comes early
-   that is much too good. To choose for the planet of two suns costs 0.86
-   and 0.65 ms; with two the first is 0.97, with eight the second. */
+   and is looked at beside dearer ones. To choose for the planet of two
+   suns costs 1.03 and 0.78 ms; with two the second is 0.80; if a method may
+   do better than its order by six tenths, the first is 1.23. */
 static void test_believed(void)
 {
     static const struct {
@@ -861,10 +862,10 @@ static void test_believed(void)
         const char *pick, *dearer; /* which holds, too */
         double spent;              /* s, at most */
     } cases[] = {
-        {"figure-eight", 20, 1e-3, "pefrl:8", "kahan-li8:4", 1e-3},
+        {"figure-eight", 20, 1e-3, "pefrl:8", "kahan-li8:4", 1.02e-3},
         {"double-pendulum", 8, 1e-6, "pefrl:52", "pefrl:56", 4e-3},
-        {"circumbinary", 200, 1e-8, "radau15:1e-05", "pefrl:128", 9.1e-4},
-        {"circumbinary", 200, 1e-6, "kahan-li8:5", "kahan-li8:6", 7e-4}};
+        {"circumbinary", 200, 1e-8, "kahan-li8:8", "radau15:1e-5", 1.06e-3},
+        {"circumbinary", 200, 1e-6, "kahan-li8:5", "kahan-li8:6", 7.9e-4}};
     for (size_t j = 0; j < sizeof cases / sizeof *cases; ++j) {
         struct scene s = made(cases[j].scene, NULL, 0);
         const struct models_plan dearer = plan(cases[j].dearer);
@@ -876,6 +877,57 @@ static void test_believed(void)
         struct choose_choice other = chosen(&q, true);
         UNIT_TRUE(other.run.cost > c.run.cost);
         choose_free(&other);
+        choose_free(&c);
+        scene_free(&s);
+    }
+}
+
+/* Which methods are tried is said by their rows, and by nothing else: each
+   that is marked is a candidate with nothing left out, even if only to be
+   refused, and no other method is. */
+static void test_raced(void)
+{
+    struct scene s = made("figure-eight", NULL, 0);
+    const struct choose_request q = asked(&s, 2, 1e-3);
+    struct choose_choice c = chosen(&q, true);
+    size_t marked = 0;
+    for (const struct models_model *m = models_all(); m->name; ++m) {
+        bool tried = false;
+        for (size_t j = 0; j < c.candidates; ++j)
+            tried = tried || (c.candidate[j].plan.model == m &&
+                              c.candidate[j].plan.cuts == 0);
+        if (m->method)
+            UNIT_EQUAL(tried, m->method->raced);
+        marked += m->method && m->method->raced;
+    }
+    UNIT_TRUE(marked >= 8);
+    choose_free(&c);
+    scene_free(&s);
+}
+
+/* What is reasonable bounds the start of a run as well: to find the modes
+   of 300 balls in a row costs 0.27 s by the price list each time, and more
+   than once in each run. With a third of a second 9.7 s were spent. */
+static void test_chain(void)
+{
+    enum { BALLS = 300 };
+    static const double stiff[] = {5, 1e308};
+    for (size_t k = 0; k < sizeof stiff / sizeof *stiff; ++k) {
+        struct scene s;
+        UNIT_TRUE(scene_create(&s, BALLS));
+        UNIT_TRUE(scene_add_kind(&s, 1, 0));
+        UNIT_TRUE(scene_add_kind(&s, stiff[k], 0));
+        for (size_t i = 0; i < BALLS; ++i) {
+            s.position[i] = (double)i + 0.01 * (double)(i % 3);
+            s.mass[i] = 1;
+            s.freedom[BALLS + i] = s.freedom[2 * BALLS + i] = 0;
+            UNIT_TRUE(i == 0 || scene_add_spring(&s, i - 1, i, i == 7, 1));
+        }
+        struct choose_request q = asked(&s, 1, 1e-3);
+        q.reason = 1.0 / 3;
+        struct choose_choice c;
+        UNIT_TRUE(choose(&c, &q));
+        UNIT_TRUE(c.spent <= 1.02 * q.reason);
         choose_free(&c);
         scene_free(&s);
     }
@@ -958,6 +1010,8 @@ int main(void)
              test_fine},
             {"a plan by hand is run as it is", test_only},
             {"there is room for all candidates and runs", test_room},
+            {"the methods that are marked are tried", test_raced},
+            {"the start of a run is not beyond reason", test_chain},
             {"prices are believed so far, and rungs tried so near",
              test_believed},
             {"what was taken is said in words", test_sentence},

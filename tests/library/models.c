@@ -1163,6 +1163,66 @@ static void test_ends(void)
     scene_free(&scene);
 }
 
+/* Of many bodies the start and the rows are a part of the bill. Of ninety
+   disks each is three times looked at by half of the others. 250 get lists
+   of neighbours, at the start and whenever one has left its leash, which in
+   10 s at 1 m/s all have ten times, as a leash is shorter than a metre. In
+   each row light bodies that do not pull are five passes each, besides the
+   pass of each call of the forces. */
+static void test_start_and_rows(void)
+{
+    make("gas", (struct wish[]){{"particles", 90}, {0}});
+    struct models_run r = run_of("disks", 1e-9, 1);
+    UNIT_EQUAL(r.work[MODELS_RENEWAL], 0);
+    UNIT_EQUAL(r.work[MODELS_DISK_SCAN], 90 * 135);
+    models_end(&r);
+    scene_free(&scene);
+    make("gas", (struct wish[]){{"particles", 250}, {0}});
+    r = run_of("disks", 1e-9, 1);
+    UNIT_EQUAL(r.work[MODELS_RENEWAL], 250);
+    models_end(&r);
+    r = run_of("disks", 10, 1);
+    UNIT_TRUE(r.work[MODELS_RENEWAL] > 10 * 250);
+    models_end(&r);
+    scene_free(&scene);
+    make("ring", (struct wish[]){{"particles", 300}, {0}});
+    const double n = (double)scene.bodies;
+    r = run_of("leapfrog:2,no-light", 1, 4);
+    UNIT_EQUAL(r.work[MODELS_BODY],
+               n * r.work[MODELS_EVALUATION] + 4 * 5 * n);
+    UNIT_TRUE(r.work[MODELS_ORDER] >= 5 * n * 8);
+    models_end(&r);
+    r = run_of("leapfrog:2", 1, 4);
+    UNIT_EQUAL(r.work[MODELS_BODY], n * r.work[MODELS_EVALUATION]);
+    UNIT_EQUAL(r.work[MODELS_ORDER], 0);
+    models_end(&r);
+    scene_free(&scene);
+}
+
+/* To find modes costs as the cube of the coordinates, again and again. A
+   start that fails stays on the bill, and one that may cost no more than
+   one and a half of these stops after the first. */
+static void test_start_bounded(void)
+{
+    make("cantilever", NULL);
+    struct models_plan p = plan("modes");
+    struct models_run r;
+    const char *why;
+    UNIT_TRUE(models_begin(&r, &p, &scene, 1, &why));
+    const double all = r.work[MODELS_MODE];
+    models_end(&r);
+    double size = 0;
+    for (size_t c = 0; c < 3 * scene.bodies; ++c)
+        size += scene.freedom[c] && c < 2 * scene.bodies;
+    const double once = 20 * size * size * size;
+    UNIT_TRUE(all >= 2 * once);
+    p.afford = 1.5 * once * 1e-9 * models_prices[MODELS_MODE].ns;
+    UNIT_TRUE(!models_begin(&r, &p, &scene, 1, &why));
+    UNIT_EQUAL(r.work[MODELS_MODE], once);
+    UNIT_TRUE(strcmp(why, "its start costs more than is reasonable") == 0);
+    scene_free(&scene);
+}
+
 /* The list names everything once, and no price is odd. That they are those
    of this machine is for a benchmark to say. */
 static void test_prices(void)
@@ -1226,5 +1286,7 @@ int main(void)
             {"steps of their own length see a passage", test_passage},
             {"runs that break down or stand still", test_ends},
             {"a list of prices", test_prices},
+            {"a start that fails is paid, and bounded", test_start_bounded},
+            {"the start and the rows are on the bill", test_start_and_rows},
             {0}});
 }

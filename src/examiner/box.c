@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 2760278402 of the lines below */
+/* checksum 3054815847 of the lines below */
 /* Namespaces, limits and a shell inside, made with bubblewrap. */
 #include "examiner/box.h"
 #include "examiner/process.h"
@@ -401,7 +401,7 @@ static const char script[] =
     "        build $compiler -o program$law answer.o $kit -lm \\\n"
     "            $(given $law) || exit\n"
     "    done\n"
-    "    build $compiler -o box $kit "
+    "    build $compiler -o box $kit -lm "
     "-Wl,-u,box_main,--defsym=main=box_main \\\n"
     "        || exit\n"
     "    mkdir desk && cd desk && program=../box || exit\n"

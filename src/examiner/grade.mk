@@ -179,14 +179,16 @@ build/made/grade/P%.inside.o: tests/exercises/P%/border.c $(patsubst %,\
 		build/grade/obj/examiner/%.o,running boxed orbit wire border place)
 	$(begin)
 	@mkdir -p build/grade/obj/border
-	@ld -r -o build/grade/obj/border/P$*.o \
+	$(Q)$(check_base) $(reads) -Wall -Wextra -pedantic -DBORDER_INSIDE -Isrc \
+		-c -o build/grade/obj/border/P$*.law.o $<
+	@ld -r -o build/grade/obj/border/P$*.o build/grade/obj/border/P$*.law.o \
 		$(filter build/grade/%.o,$^) && \
 		objcopy --redefine-sym main=box_main \
 		--localize-symbol=time build/grade/obj/border/P$*.o
 	@rm -f $(made).new && \
 		ar rcsD $(made).new build/grade/obj/border/P$*.o \
 		build/check/P$*.given.o
-	@$(take)
+	$(take_compiled)
 build/grade/%.types.h: build/check/%.types.h
 	@cp $< $@
 build/grade/P%.names: build/grade/P%.inside.o

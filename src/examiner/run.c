@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 1414791958 of the lines below */
+/* checksum 2138619222 of the lines below */
 /* Orders a run of a program and reads its table. */
 #include "examiner/run.h"
 #include "examiner/border.h"
@@ -56,12 +56,15 @@ static void send_text(const char *text)
 
 static void send_order(const struct run_order *o)
 {
-    int given = o->given, words = 1, files = 0;
+    int given = o->given, count = (int)o->count, words = 1, files = 0;
+    double of_law[] = {o->constant, o->most};
     while (o->arguments[words - 1])
         ++words;
     while (files < RUN_FILES && o->files[files].name)
         ++files;
     border_ints(&given, 1);
+    border_ints(&count, 1);
+    border_doubles(of_law, 2);
     border_ints(&words, 1);
     border_ints(&files, 1);
     send_text(project());

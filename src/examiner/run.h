@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 4258866240 of the lines below */
+/* checksum 137978852 of the lines below */
 /* A student's whole program run with arguments and files; its table. */
 #ifndef RUN_H
 #define RUN_H
@@ -14,8 +14,19 @@ enum {
     RUN_COMPLAINT = 1 << 14 /* bytes kept of what it complains */
 };
 
-/* Where a function of our own counts its calls, as a long. */
-#define RUN_CALLS "calls"
+/* How the calls of a function of our own are counted. */
+enum run_count {
+    RUN_UNCOUNTED,
+    RUN_INSIDE, /* by itself, in memory of the program's */
+    RUN_OUTSIDE /* in another process, which alone knows the law's constant:
+                   the program can neither change the count nor do without
+                 */
+};
+
+enum {
+    RUN_COUNTER = 3, /* the descriptor of that memory, or of that process */
+    RUN_BODIES = 64  /* most that it is asked for at once */
+};
 
 /* A run: `P1 ARGUMENTS`, or as the project is called, in a folder with
    these files and no others. */
@@ -25,7 +36,10 @@ struct run_order {
         const char *name, *text;
     } files[RUN_FILES]; /* unused ones have no name */
     int given;          /* which of the functions of our own it is given */
-    const char *late;   /* the question for who has not ended in time */
+    enum run_count count;
+    double constant;  /* of the law, where it is asked for outside */
+    double most;      /* calls that are answered there */
+    const char *late; /* the question for who has not ended in time */
 };
 
 /* What it printed, and how it ended. */
@@ -51,6 +65,11 @@ const char *run_text(const struct run_order *order);
    with; returns how many there are. */
 int run_remark(const struct run *run, const char *words, double x[],
                int count);
+
+/* Defined by a project whose calls are counted outside, in the half of the
+   box: the forces on n bodies by law number `which`. */
+void run_law(int which, double constant, int n, const double m[],
+             const double x[], double f[]);
 
 /* The half of the box: takes an order, runs it, gives back what came. */
 void border_answer(void);

@@ -156,12 +156,33 @@ recognised() { # NAME STAGE WHICH HOW
     ! stage "$2" && grep -q -F "[$1]" "$out/report" ||
         { cat "$out/report" && false; }
 }
+# The worked program, which forges how often it has called force: in the memory
+# where some runs count, and in a file of the name that it once had. (Two such
+# programs earned all points in a trial of the second edition.)
+forges() { # EXPRESSION QUANTITY
+    sed -e 's/^#include "force.h"/#define _GNU_SOURCE\n#include <fcntl.h>\n&/' \
+        -e 's/^#include <math.h>/&\n#include <sys\/mman.h>\n#include <unistd.h>/' \
+        -e 's/^int main(/static void forge(long k)\
+{\
+    long *page = mmap(NULL, sizeof k, PROT_READ | PROT_WRITE, MAP_SHARED, 3, 0);\
+    const int file = open("calls", O_RDWR | O_CREAT, 0600);\
+    if (page != MAP_FAILED)\
+        *page = k;\
+    calls = pwrite(file, \&k, sizeof k, 0) == sizeof k ? k : -7;\
+}\
+&/' \
+        -e "s/^    printf(\"# pick/    forge($1);\\n&/" "$solution" >"$out/forger.c"
+    quickly=-O0 allowed=5
+    built "$out/forger.c" $all_given || return
+    ! stage 6 && grep -q "says quantity $2" "$out/report" ||
+        { cat "$out/report" && false; }
+}
 in_the_grader() {
     box=$root/build/grade/$ex.inside.o
     given=$(nm "$box" 2>/dev/null | sed -n 's/.* T \([a-z]*\)_0$/\1/p')
     all_given=$([ -z "$given" ] || nm "$box" | sed -n "s/.* T ${given}_//p")
     # shellcheck disable=SC2086
-    $cc -o "$out/box" "$box" -Wl,-u,box_main,--defsym=main=box_main || exit 1
+    $cc -o "$out/box" "$box" -lm -Wl,-u,box_main,--defsym=main=box_main || exit 1
     quickly=
     for file in $home/right-*.c; do
         verdict "$file passes, and what is hidden too" all_stages "$file"
@@ -175,6 +196,12 @@ in_the_grader() {
         sed -f "$file" "$solution" >"$out/wrong.c"
         verdict "$file is [$name]" recognised "$name" "$n" "$which" "$ends"
     done
+    if [ "$ex" = P4 ]; then
+        verdict 'P4: the calls of its pick are no count of all' \
+            forges '(long)price(best.order, (double)best.steps)' CALLS
+        verdict 'P4: nor is a number below zero' \
+            forges -20000 '1 if force was called at all'
+    fi
     verdict "$ex: every mistake that the suite knows has a wrong program" sh -c "
         for name in \$(tr -d '\n' <$home/suite.c |
             grep -o '\"[a-z]*-[a-z-]*\" *[,:]\|\[[a-z]*-[a-z-]*\]' |
@@ -192,6 +219,7 @@ for ex; do
     [ "$ex" != P1 ] || own_folder
     in_the_grader
     planned=$((planned + 6 + 8 * $(echo "$ex" | grep -c P1) +
+        2 * $(echo "$ex" | grep -c P4) +
         $(ls "$home"/right-*.c "$home"/wrong-*.sed | wc -l)))
 done
 echo "1..$planned"

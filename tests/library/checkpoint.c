@@ -255,8 +255,10 @@ static int resumes(void *words)
     const bool good = checkpoint_resume(&c, "step", words ? words : command,
                                         OUTPUT, &s, &known);
     const bool locked = c.locked;
-    if (good)
+    if (good) {
         checkpoint_end(&c, true);
+        scene_free(&s);
+    }
     return good ? BEGUN : locked ? TAKEN : REFUSED;
 }
 

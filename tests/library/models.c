@@ -964,6 +964,35 @@ static void check_list(const char *wrong)
     UNIT_TRUE(strcmp(message, list) == 0);
 }
 
+/* A tolerance of a method with steps of its own is from 1e-16 to 1. */
+static void test_text_tolerance(void)
+{
+    static const struct {
+        const char *text;
+        double tolerance; /* NAN: refused */
+    } known[] = {{"dopri5:1", 1},        {"dopri5:1e-16", 1e-16},
+                 {"radau15:0.25", 0.25}, {"dopri5:1.001", NAN},
+                 {"dopri5:2", NAN},      {"dopri5:9e-17", NAN},
+                 {"dopri5:0", NAN},      {"dopri5:-1", NAN},
+                 {"dopri5:x", NAN},      {"dopri5:", NAN},
+                 {"dopri5:nan", NAN},    {"dopri5:inf", NAN}};
+    for (size_t k = 0; k < sizeof known / sizeof known[0]; ++k) {
+        struct models_plan p = {0};
+        char message[MODELS_MESSAGE] = "", text[MODELS_TEXT];
+        const bool good = models_read(&p, known[k].text, message);
+        if (good == isnan(known[k].tolerance))
+            printf("# %s: %s\n", known[k].text, message);
+        UNIT_TRUE(good != isnan(known[k].tolerance));
+        UNIT_TRUE(good == (message[0] == '\0'));
+        if (!good)
+            continue;
+        UNIT_EQUAL(p.tolerance, known[k].tolerance);
+        models_write(&p, text);
+        UNIT_TRUE(models_read(&p, text, message));
+        UNIT_EQUAL(p.tolerance, known[k].tolerance);
+    }
+}
+
 static void test_text_errors(void)
 {
     static const char *const wrong[][2] = {
@@ -1280,6 +1309,7 @@ int main(void)
             {"what is across a line is left out", test_across},
             {"plans are read as they were written", test_text},
             {"what is no plan", test_text_errors},
+            {"tolerances in a plan", test_text_tolerance},
             {"the table has every method of chapter 8", test_table},
             {"and each one books what it does", test_books},
             {"work is counted, and limited", test_work},

@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 3995265571 of the lines below */
+/* checksum 240913545 of the lines below */
 /* The program behind make grade: a folder of submissions, in parallel. */
 #include "examiner/grading.h"
 #include "examiner/process.h"
@@ -41,7 +41,8 @@ enum round { TRIED, RETRIED, COPIED };
 /* What was handed in, and by whom first. */
 struct alike {
     uint64_t sum;
-    size_t student;
+    size_t student, length;
+    char *bytes;
 };
 
 struct batch {
@@ -245,12 +246,44 @@ static void remove_abandoned(void)
     globfree(&found);
 }
 
+/* The names of a folder and of those around it, from the last one that is
+   there: the real one, without links. */
+static bool is_within(const char *inner, const char *outer)
+{
+    char path[4200], *real, *around = realpath(outer, NULL);
+    bool within = false;
+    snprintf(path, sizeof path, "%s", inner);
+    while (!(real = realpath(path, NULL)) && strrchr(path, '/'))
+        *strrchr(path, '/') = '\0';
+    if (!real)
+        real = realpath(".", NULL);
+    if (real && around) {
+        const size_t length = strlen(around);
+        within = strncmp(real, around, length) == 0 &&
+                 (!real[length] || real[length] == '/');
+    }
+    free(real);
+    free(around);
+    return within;
+}
+
+/* Results among the submissions would be taken for a student's the next
+   time, and a student's files for results. */
+static void refuse_results_within(const struct batch *b)
+{
+    if (is_within(b->options.output, b->options.folder))
+        text_fail("--output: '%s' is in the folder of submissions, '%s'; "
+                  "results belong somewhere else",
+                  b->options.output, b->options.folder);
+}
+
 static void prepare_folders(struct batch *b)
 {
     if (!getcwd(b->root, sizeof b->root - 64))
         text_fail("cannot name the working folder: %s", strerror(errno));
     char marks[4200];
     snprintf(marks, sizeof marks, "%s/marks", b->options.output);
+    refuse_results_within(b);
     make_folder(b->options.output);
     make_folder(marks);
     remove_abandoned();
@@ -274,25 +307,54 @@ static uint64_t draw_seed(void)
     return seed;
 }
 
+/* Writes a seed that nobody but the lecturer may read: with another name
+   first, so that no other grader reads half of it. Returns whether it is
+   ours; with `anew` it always is, and without, a seed that is there already
+   stays. */
+static bool write_seed(const char *path, uint64_t seed, bool anew)
+{
+    char part[4400];
+    snprintf(part, sizeof part, "%s.XXXXXX", path);
+    FILE *file = fdopen(mkstemp(part), "w");
+    if (!file || fprintf(file, "%" PRIu64 "\n", seed) < 0 ||
+        fclose(file) != 0)
+        text_fail("cannot write '%s': %s", part, strerror(errno));
+    if (anew && rename(part, path) == 0)
+        return true;
+    const bool ours = !anew && link(part, path) == 0;
+    const int why = errno;
+    unlink(part);
+    if (!ours && (anew || why != EEXIST))
+        text_fail("cannot write '%s': %s", path, strerror(why));
+    return ours;
+}
+
 static void choose_seed(struct batch *b)
 {
     char path[4300];
     uint64_t seed = b->options.seed;
     snprintf(path, sizeof path, "%s/hidden.seed", b->options.output);
-    FILE *file = b->options.seeded ? NULL : fopen(path, "r");
-    if (file && fscanf(file, "%" SCNu64, &seed) != 1)
-        text_fail("there is no number in %s; remove it", path);
-    if (!file && !b->options.seeded)
-        seed = draw_seed();
-    b->grading.seed = seed;
-    if (file) {
-        fclose(file);
+    if (b->options.seeded) {
+        write_seed(path, seed, true);
+        b->grading.seed = seed;
         return;
     }
-    file = fopen(path, "w");
-    if (!file || fprintf(file, "%" PRIu64 "\n", seed) < 0 ||
-        fclose(file) != 0)
-        text_fail("cannot write '%s': %s", path, strerror(errno));
+    FILE *file = fopen(path, "r");
+    if (!file && errno == ENOENT) {
+        seed = draw_seed();
+        if (write_seed(path, seed, false)) {
+            b->grading.seed = seed;
+            return;
+        }
+        file = fopen(path, "r"); /* another grader was first */
+    }
+    if (!file)
+        text_fail("cannot read '%s': %s", path, strerror(errno));
+    if (fscanf(file, "%" SCNu64, &seed) != 1)
+        text_fail("there is no number in %s; remove it", path);
+    fclose(file);
+    chmod(path, 0600);
+    b->grading.seed = seed;
 }
 
 static uint64_t sum_compiler(const char *flags)
@@ -605,13 +667,24 @@ static void start_job(struct batch *b, const struct job *job)
     ends[running++] = (struct pollfd){process_watch(pid), POLLIN, 0};
 }
 
-static size_t first_alike(struct batch *b, uint64_t sum, size_t s)
+/* The first student who has handed in these bytes; a sum that is the same
+   says only that it is worth to compare them. */
+static size_t first_alike(struct batch *b, uint64_t sum,
+                          const struct job *job)
 {
     size_t i = 0;
-    while (i < b->alikes && b->alike[i].sum != sum)
+    while (i < b->alikes &&
+           !(b->alike[i].sum == sum && b->alike[i].length == job->length &&
+             memcmp(b->alike[i].bytes, job->bytes, job->length) == 0))
         ++i;
-    if (i == b->alikes)
-        b->alike[b->alikes++] = (struct alike){sum, s};
+    if (i == b->alikes) {
+        struct alike *a = &b->alike[b->alikes++];
+        *a = (struct alike){sum, job->student, job->length,
+                            malloc(job->length + 1)};
+        if (!a->bytes)
+            text_fail("out of memory");
+        memcpy(a->bytes, job->bytes, job->length);
+    }
     return b->alike[i].student;
 }
 
@@ -654,7 +727,7 @@ static void look_at(struct batch *b, uint64_t kit, size_t s, size_t e,
     const bool known = marks_read(&marks, job.key, job.path);
     const bool late = known && marks.tries == 1 && marks.late;
     if (job.bytes && !job.page.place && !b->options.list)
-        first = first_alike(b, sum_bytes(kit, job.bytes, job.length), s);
+        first = first_alike(b, sum_bytes(kit, job.bytes, job.length), &job);
     if (round == TRIED && known)
         ++b->done;
     if (round == RETRIED && late)
@@ -678,7 +751,8 @@ static void look_at_all(struct batch *b, enum round round)
 {
     for (size_t e = 0; e < b->kit_count; ++e) {
         const uint64_t kit = sum_kit(b, b->kits[e].exercise);
-        b->alikes = 0;
+        while (b->alikes > 0)
+            free(b->alike[--b->alikes].bytes);
         for (size_t s = 0; s < b->count && !process_signal(); ++s)
             look_at(b, kit, s, e, round);
     }
@@ -695,6 +769,8 @@ static void grade_all(struct batch *b)
     if (!b->options.job || !b->begun)
         look_at_all(b, RETRIED);
     look_at_all(b, COPIED);
+    while (b->alikes > 0)
+        free(b->alike[--b->alikes].bytes);
     free(b->alike);
 }
 

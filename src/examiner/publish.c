@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 1913328189 of the lines below */
+/* checksum 1063109062 of the lines below */
 /* Reports as a table, CSV, JSON and XML, each whole or absent. */
 #define _XOPEN_SOURCE 700 /* wcwidth */
 #include "examiner/publish.h"
@@ -270,6 +270,8 @@ static void report_csv(const struct course *c, const char *folder)
     struct draft draft;
     make_folder(folder);
     draft_open(&draft, folder, "grades.csv");
+    if (fchmod(fileno(draft.file), 0600) != 0) /* it is about people */
+        give_up(&draft);
     put_cell(draft.file, "student");
     for (size_t e = 0; e < c->exercises; ++e) {
         putc(',', draft.file);
@@ -859,18 +861,36 @@ static void show_block(const struct course *c, const struct layout *l,
     putchar('\n');
 }
 
+/* A line for a person, on as many lines of the screen as it needs. */
 static void show_line(const char *student, const char *exercise,
                       const struct layout *l, bool *any, char *text)
 {
-    const int room = TEXT_WIDTH - l->name - 6 - (int)strlen(exercise);
+    const int indent = l->name + 6 + (int)strlen(exercise);
+    const size_t room =
+        TEXT_WIDTH - indent < 20 ? 20 : (size_t)(TEXT_WIDTH - indent);
     if (!*any)
         puts("For a human eye:");
     *any = true;
     fputs("  ", stdout);
     show_filled(student, l->name);
     printf("  %s  ", exercise);
-    show(text, room);
-    putchar('\n');
+    for (const char *rest = text; *rest;) {
+        size_t length = text_fold(rest, room);
+        if (length > room)
+            for (length = room;
+                 length > 1 && (rest[length] & 0xc0) == 0x80;)
+                --length;
+        char *piece = compose("%.*s", (int)length, rest);
+        if (rest > text)
+            printf("%*s", indent, "");
+        show(piece, (int)room);
+        putchar('\n');
+        free(piece);
+        rest += length;
+        rest += strspn(rest, " ");
+    }
+    if (!*text)
+        putchar('\n');
     free(text);
 }
 

@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 768072870 of the lines below */
+/* checksum 422000333 of the lines below */
 /* Files as strings, lines cut off, labels and texts in columns. */
 #include "examiner/text.h"
 
@@ -63,7 +63,7 @@ const char *text_after(const char *line, const char *prefix)
     return strncmp(line, prefix, length) == 0 ? line + length : NULL;
 }
 
-static size_t fold_at(const char *text, size_t room)
+size_t text_fold(const char *text, size_t room)
 {
     const size_t length = strlen(text);
     if (length <= room)
@@ -77,7 +77,7 @@ static size_t fold_at(const char *text, size_t room)
 void text_field(FILE *out, const char *label, const char *text)
 {
     for (; *text; label = "") {
-        const size_t length = fold_at(text, TEXT_WIDTH - TEXT_LABEL);
+        const size_t length = text_fold(text, TEXT_WIDTH - TEXT_LABEL);
         fprintf(out, "  %-10s %.*s\n", label, (int)length, text);
         text += length;
         text += strspn(text, " ");

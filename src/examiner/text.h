@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 2072620916 of the lines below */
+/* checksum 1256820183 of the lines below */
 /* Text read safely and folded for a terminal. */
 #ifndef TEXT_H
 #define TEXT_H
@@ -22,6 +22,10 @@ char *text_line(char **rest);
 
 /* The text behind prefix, or NULL when the line does not start with it. */
 const char *text_after(const char *line, const char *prefix);
+
+/* Returns how many bytes of a text fit into so many columns, up to a space;
+   a word that is longer than these is counted whole. */
+size_t text_fold(const char *text, size_t room);
 
 /* Writes a label and a text in two columns, folded at spaces so that no
    line is wider than TEXT_WIDTH. */

@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 360688989 of the lines below */
+/* checksum 3860364832 of the lines below */
 /* Walks a folder of submissions; names what it does not grade. */
 #include "examiner/submissions.h"
 #include "examiner/marks.h"
@@ -149,8 +149,86 @@ static const char canvas[] =
 
 struct owner {
     char name[256]; /* without LATE_ */
-    bool late, guessed;
+    bool late, guessed, canvas;
+    long long attempt; /* when it was handed in, if the name says so */
 };
+
+/* Blackboard: TASK_USER_attempt_2026-11-28-09-05-00_FILE, which sorts as it
+   is; Brightspace: 123-456 - NAME - Nov 28, 2026 905 AM - FILE, or a folder
+   that is called so without the file. */
+static const char blackboard[] =
+    "^(.+)_attempt_([0-9]{4}-[0-9]{2}-[0-9]{2}-[0-9]{2}-[0-9]{2}-[0-9]{2})"
+    "(_(.*)|\\.txt)?$";
+static const char brightspace[] =
+    "^([0-9]+-[0-9]+ ?- ?.+) ?- ?([A-Z][a-z]{2}[a-z]* [0-9]+, [0-9]{4} "
+    "[0-9]{1,2}:?[0-9]{2} [AP]M)( ?- ?(.*))?$";
+
+/* The digits of a date as one number. */
+static long long count_digits(const char *text, size_t length)
+{
+    long long number = 0;
+    for (size_t i = 0; i < length; ++i)
+        if (isdigit((unsigned char)text[i]))
+            number = 10 * number + (text[i] - '0');
+    return number;
+}
+
+/* Nov 28, 2026 905 AM as 202611280905. */
+static long long read_date(const char *text)
+{
+    static const char months[] = "JanFebMarAprMayJunJulAugSepOctNovDec";
+    char month[4] = "", half = 'A';
+    int day = 0, year = 0, clock = 0, minutes = -1;
+    if (sscanf(text, "%3s%*[a-z] %d, %d %d:%d %c", month, &day, &year,
+               &clock, &minutes, &half) < 5 &&
+        sscanf(text, "%3s %d, %d %d:%d %c", month, &day, &year, &clock,
+               &minutes, &half) < 5) {
+        minutes = -1;
+        if (sscanf(text, "%3s%*[a-z] %d, %d %d %c", month, &day, &year,
+                   &clock, &half) < 5)
+            sscanf(text, "%3s %d, %d %d %c", month, &day, &year, &clock,
+                   &half);
+    }
+    if (minutes >= 0)
+        clock = 100 * clock + minutes;
+    clock = clock % 1200 + (half == 'P' ? 1200 : 0);
+    const char *found = strstr(months, month);
+    const long long which = found ? (found - months) / 3 + 1 : 0;
+    return ((year * 100LL + which) * 100 + day) * 10000 + clock;
+}
+
+/* Whether a name is of this form, with its four parts. */
+static bool matches(const char *name, const char *form, regmatch_t part[5])
+{
+    regex_t compiled;
+    if (regcomp(&compiled, form, REG_EXTENDED) != 0)
+        text_fail("out of memory");
+    const bool found = regexec(&compiled, name, 5, part, 0) == 0;
+    regfree(&compiled);
+    return found;
+}
+
+/* An owner's name that ends with the date of the attempt. Returns what
+   follows it, "" for a folder; NULL when it is no such name. */
+static const char *part_attempt(const char *name, struct owner *owner)
+{
+    regmatch_t part[5];
+    const bool board =
+        strstr(name, "_attempt_") && matches(name, blackboard, part);
+    if (!board && !(isdigit((unsigned char)*name) && strchr(name, ',') &&
+                    matches(name, brightspace, part)))
+        return NULL;
+    size_t length = (size_t)part[1].rm_eo;
+    while (length > 0 && strchr(" -", name[length - 1]))
+        --length;
+    const char *date = name + part[2].rm_so;
+    *owner = (struct owner){
+        .attempt = board ? count_digits(date, (size_t)(part[2].rm_eo -
+                                                       part[2].rm_so))
+                         : read_date(date)};
+    snprintf(owner->name, sizeof owner->name, "%.*s", (int)length, name);
+    return part[4].rm_so < 0 ? "" : name + part[4].rm_so;
+}
 
 /* Returns what follows the owner's name; NULL when there is none. */
 static const char *part_name(const char *name, struct owner *owner)
@@ -163,7 +241,9 @@ static const char *part_name(const char *name, struct owner *owner)
         text_fail("out of memory");
     ready = true;
     size_t length = 0;
-    owner->guessed = false;
+    *owner = (struct owner){0};
+    if ((rest = part_attempt(name, owner)))
+        return rest;
     if (moodle) {
         rest = moodle + strlen("_assignsubmission_");
         rest += strspn(rest, "abcdefghijklmnopqrstuvwxyz");
@@ -173,6 +253,7 @@ static const char *part_name(const char *name, struct owner *owner)
         rest = name + found[1].rm_eo + 1;
         rest += strspn(rest, "0123456789") + 1;
         length = (size_t)found[1].rm_eo;
+        owner->canvas = true;
     } else {
         rest = find_exercise(name);
         length = rest > name ? (size_t)(rest - name - 1) : 0;
@@ -188,6 +269,19 @@ static const char *part_name(const char *name, struct owner *owner)
 }
 
 enum { DEEPER = 4, ELSEWHERE = 2, UNUSUAL = 1, MISNAMED = 1000 };
+
+/* Canvas calls what is handed in again 01a-collide-1.c, -2.c and so on.
+   Returns that number, or 0. */
+static long long canvas_attempt(const char *ex, const char *its)
+{
+    const size_t stem = strlen(its) - 2; /* without .c */
+    char *end;
+    if (strncasecmp(ex, its, stem) != 0 || ex[stem] != '-' ||
+        !isdigit((unsigned char)ex[stem + 1]))
+        return 0;
+    const long number = strtol(ex + stem + 1, &end, 10);
+    return strcasecmp(end, ".c") == 0 ? number : 0;
+}
 
 static const char *find_usual(const char *const usual[], const char *ex)
 {
@@ -209,11 +303,14 @@ static void add_answer(struct submission *s, const char *path,
     if (!s->answers)
         text_fail("out of memory");
     struct answer *answer = &s->answers[s->count++];
-    *answer =
-        (struct answer){.path = strdup(path),
-                        .rank = depth * DEEPER + (home ? 0 : ELSEWHERE) +
-                                (strcmp(ex, its) == 0 ? 0 : UNUSUAL) +
-                                (ends(ex, c_endings) ? 0 : MISNAMED)};
+    const long long again =
+        s->canvas && strlen(its) > 3 ? canvas_attempt(ex, its) : 0;
+    *answer = (struct answer){
+        .path = strdup(path),
+        .attempt = again ? again : s->attempt,
+        .rank = depth * DEEPER + (home ? 0 : ELSEWHERE) +
+                (strcmp(ex, its) == 0 || again ? 0 : UNUSUAL) +
+                (ends(ex, c_endings) ? 0 : MISNAMED)};
     memcpy(answer->exercise, its, 3);
 }
 
@@ -336,15 +433,20 @@ static void take_entry(struct submissions *all, const char *const usual[],
     const bool link = S_ISLNK(mode) && fstatat(top, name, &about, 0) == 0 &&
                       S_ISDIR(about.st_mode);
     if (S_ISDIR(mode) || link) {
-        const bool moodle = strstr(name, "_assignsubmission_");
-        const char *whose = moodle ? owner.name : name;
+        const bool known =
+            strstr(name, "_assignsubmission_") || owner.attempt;
+        const char *whose = known ? owner.name : name;
         struct submission *s = student(all, whose, whose);
+        s->attempt = owner.attempt;
+        s->canvas = false;
         if (link)
             note(s, "a link, which is not followed: ", name);
         else
             walk(s, usual, top, name, name, 0);
     } else if (rest) {
         struct submission *s = student(all, owner.name, owner.name);
+        s->attempt = owner.attempt;
+        s->canvas = owner.canvas;
         if (owner.late)
             note(s, "handed in late, as its name says: ", name);
         if (owner.guessed && s->others == 0)
@@ -426,6 +528,18 @@ struct submissions submissions_find(const char *folder,
     return all;
 }
 
+/* Whether one is to be graded and not the other: what was handed in later,
+   or stands in a better place. */
+static int prefer(const struct answer *one, const struct answer *other)
+{
+    const bool graded = one->rank < MISNAMED;
+    if (graded != (other->rank < MISNAMED))
+        return graded ? 1 : -1;
+    if (one->attempt != other->attempt)
+        return one->attempt > other->attempt ? 1 : -1;
+    return (one->rank < other->rank) - (one->rank > other->rank);
+}
+
 static const struct answer *choose(const struct submission *s,
                                    const char *usual, char **note)
 {
@@ -436,10 +550,10 @@ static const struct answer *choose(const struct submission *s,
         if (strncmp(a->exercise, usual, 3) != 0)
             continue;
         count += a->rank < MISNAMED;
-        if (!best || a->rank < best->rank) {
+        if (!best || prefer(a, best) > 0) {
             second = best;
             best = a;
-        } else if (!second || a->rank < second->rank) {
+        } else if (!second || prefer(a, second) > 0) {
             second = a;
         }
     }
@@ -448,18 +562,21 @@ static const struct answer *choose(const struct submission *s,
         return NULL;
     const char *slash = strrchr(best->path, '/');
     const char *name = slash ? slash + 1 : best->path;
-    const bool odd =
-        !ends(name, c_endings) ||
-        (slash ? strncmp(name, usual, 3) != 0
-               : strncmp(find_exercise(name), usual, 3) != 0) ||
-        strcmp(name + strlen(name) - 2, ".c") != 0;
+    const char *its = find_exercise(name);
+    const bool odd = !ends(name, c_endings) ||
+                     (slash ? strncmp(name, usual, 3) != 0
+                            : its && strncmp(its, usual, 3) != 0) ||
+                     strcmp(name + strlen(name) - 2, ".c") != 0;
     char *said = NULL;
     if (best->rank >= MISNAMED)
         said = compose("not graded, since its name does not end in .c: %s",
                        best->path);
-    else if (count > 1 && second->rank == best->rank)
+    else if (count > 1 && prefer(best, second) == 0)
         said = compose("%d files could be it: %s, %s", count, best->path,
                        second->path);
+    else if (count > 1 && best->attempt != second->attempt)
+        said = compose("of %d attempts the last was taken: %s, not %s",
+                       count, best->path, second->path);
     else if (count > 1)
         said = compose("of %d files was taken %s, not %s", count,
                        best->path, second->path);
@@ -469,7 +586,7 @@ static const struct answer *choose(const struct submission *s,
         free(*note);
         *note = said;
     }
-    if (best->rank >= MISNAMED || (count > 1 && second->rank == best->rank))
+    if (best->rank >= MISNAMED || (count > 1 && prefer(best, second) == 0))
         return NULL;
     return best;
 }
@@ -566,7 +683,7 @@ char *submissions_page(const char *folder, const struct submission *s,
     *refusal = NULL;
     for (size_t i = 0; i < s->count; ++i)
         if (strncmp(s->answers[i].exercise, page_key(name), 3) == 0 &&
-            (!best || s->answers[i].rank < best->rank))
+            (!best || prefer(&s->answers[i], best) > 0))
             best = &s->answers[i];
     return best ? read_regular(open_below(folder, best->path), name, length,
                                refusal)

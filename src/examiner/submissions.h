@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 1427195516 of the lines below */
+/* checksum 1505678577 of the lines below */
 /* What students have handed in, and which file answers what. */
 #ifndef SUBMISSIONS_H
 #define SUBMISSIONS_H
@@ -11,9 +11,10 @@ enum { SUBMISSIONS_BYTES = 1 << 20 }; /* of a student's file, at most */
 
 /* A file that may be somebody's answer to an exercise. */
 struct answer {
-    char *path;       /* below the folder of submissions */
-    char exercise[4]; /* "01a" */
-    int rank;         /* less is a better place, or a better name */
+    char *path;        /* below the folder of submissions */
+    char exercise[4];  /* "01a" */
+    int rank;          /* less is a better place, or a better name */
+    long long attempt; /* the larger one was handed in later */
 };
 
 /* What one student has handed in. */
@@ -22,6 +23,8 @@ struct submission {
     char *name;  /* the student's, as text (see marks_text) */
     char *notes; /* what was not graded, and why: text, a line each */
     size_t noted, count, others; /* notes, answers, other files */
+    long long attempt;           /* of what is being looked at */
+    bool canvas;                 /* and whether Canvas has named it */
     struct answer *answers;
 };
 

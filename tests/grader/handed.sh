@@ -67,6 +67,42 @@ verdict 'Canvas: letters for a name' has anon_xY3z anon_xY3z_94_01a-collide.c
 verdict 'Canvas: what there is no exercise for is told of' \
     told lovelaceada_11 'there is no such exercise: .*02b'
 
+put dijkstra_31_96_01a-collide.c dijkstra_31_97_01a-collide-1.c \
+    dijkstra_31_98_01a-collide-2.c
+graded 'Canvas, again'
+verdict 'Canvas: what was handed in again is later' \
+    has dijkstra_31 dijkstra_31_98_01a-collide-2.c
+verdict 'Canvas: and that is told of' \
+    told dijkstra_31 'of 3 attempts the last was taken'
+
+# platform NAME: puts the files that the platform has in its archives, as they
+# are listed.
+platform() {
+    while IFS= read -r file; do
+        put "$file"
+    done <"tests/grader/platforms/$1"
+    graded "$1"
+}
+platform blackboard
+verdict 'Blackboard: two students' students 2
+verdict 'Blackboard: the last attempt' has Week%202_ada_l \
+    'Week 2_ada_l_attempt_2026-11-28-09-05-00_01a-collide.c'
+verdict 'Blackboard: and that is told of' \
+    told 'Week 2_ada_l' 'of 2 attempts the last was taken'
+verdict 'Blackboard: one attempt' has Week%202_cbab \
+    'Week 2_cbab_attempt_2026-11-27-08-00-00_01a-collide.c'
+platform brightspace
+verdict 'Brightspace: two students' students 2
+verdict 'Brightspace: the last attempt, after noon' \
+    has 1201-88%20-%20Ada%20Lovelace \
+    '1201-88 - Ada Lovelace - Nov 28, 2026 105 PM - 01a-collide.c'
+verdict 'Brightspace: and that is told of' \
+    told '1201-88 - Ada Lovel~' 'of 2 attempts the last was taken'
+verdict 'Brightspace: a folder of an attempt' \
+    has 1202-88%20-%20Cy%20Babbage 01a-collide.c
+verdict 'Brightspace: and the last of two' \
+    told '1202-88 - Cy Babbage' 'of 2 attempts the last was taken: 1202-88 - Cy'
+
 put Ann_123_01a-collide.c Ben_124_01a-collide.c cat_01a.c 01a-collide.c 01a-dan.c
 graded 'another platform'
 verdict 'another platform: three students' students 3
@@ -135,4 +171,23 @@ verdict 'an exercise that is none is told of' told x.part 'there is no such ex'
 verdict 'a dozen lines are enough' told many '... and more'
 verdict 'a line break stays in its line' told odd 'an archive .*line?break.zip'
 verdict 'a byte that is no text is told of' told bytes 'an archive .*xff'
-echo 1..52
+# ---- the folder of results ----
+
+put anna/01a-collide.c
+grade "$scratch/in" "$scratch/out"
+private() {
+    for file in grades.csv hidden.seed; do
+        [ "$(stat -c %a "$scratch/out/$file")" = 600 ] ||
+            why "$(ls -l "$scratch/out")" || return 1
+    done
+}
+verdict 'marks and seed are for the lecturer alone' private
+within() {
+    for place in in in/results in/anna; do
+        grade "$scratch/in" "$scratch/$place"
+        ended 2 && grep -q 'is in the folder of submissions' "$scratch/said" ||
+            why "$place: $(cat "$scratch/said")" || return 1
+    done
+}
+verdict 'results are not put among the submissions' within
+echo 1..68

@@ -1,5 +1,5 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 96553247 of the lines below */
+/* checksum 3123714278 of the lines below */
 /* Cells, lists of neighbours on a leash, and lanes of pair times. */
 #include "box/cells.h"
 
@@ -837,7 +837,7 @@ enum disks_stop cells_run(struct cells *c, double until,
         if (e.partner < d->count)
             fetch_neighbours(c, e.partner);
         disks_collide(d, e);
-        if (disks_collapsed(d))
+        if (disks_over(d, e.disk))
             return DISKS_COLLAPSE;
         plan(c, i);
         if (e.partner < d->count)

@@ -1,5 +1,5 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 556291774 of the lines below */
+/* checksum 1811711087 of the lines below */
 /* Event-driven motion: every pair looked at, or a plan remembered. */
 #include "box/disks.h"
 
@@ -497,7 +497,7 @@ enum disks_stop disks_run(struct disks *d, double until,
         }
         if (still_true(d, e)) {
             disks_collide(d, e);
-            if (disks_collapsed(d))
+            if (disks_over(d, e.disk))
                 return DISKS_COLLAPSE;
             if (e.partner < d->count)
                 plan_disk(d, e.partner);
@@ -511,6 +511,42 @@ enum disks_stop disks_run(struct disks *d, double until,
 bool disks_collapsed(const struct disks *d)
 {
     return d->standing > 1000 + 10 * d->count;
+}
+
+static double square_of_speed(const struct disk *a)
+{
+    return dot(a->velocity, a->velocity);
+}
+
+bool disks_cold(const struct disks *d)
+{
+    double widest = 0;
+    bool moves = false;
+    for (size_t i = 0; i < d->count; ++i)
+        widest = fmax(widest, d->disk[i].radius);
+    for (size_t i = 0; i < d->count; ++i) {
+        const struct disk *a = &d->disk[i];
+        const double scale =
+            fmin(widest > 0 ? widest * widest : 1, d->mass[i]);
+        if (square_of_speed(a) * fmin(1, scale) >= 0x1p-900)
+            return false;
+        for (size_t k = 0; k < d->dimensions; ++k)
+            moves = moves || a->velocity[k] != 0;
+    }
+    return moves && !(d->gravity > 0);
+}
+
+/* The same, asked after each collision, of disk i: nearly always in no
+   time, since it is fast itself. Only what loses energy gets cold. */
+static bool may_be_cold(const struct disks *d, size_t i)
+{
+    return d->restitution < 1 && square_of_speed(&d->disk[i]) < 1e-100 &&
+           disks_cold(d);
+}
+
+bool disks_over(const struct disks *d, size_t i)
+{
+    return disks_collapsed(d) || may_be_cold(d, i);
 }
 
 void disks_position(const struct disks *d, size_t i, double place[])

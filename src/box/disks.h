@@ -1,5 +1,5 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 1076877897 of the lines below */
+/* checksum 2826922578 of the lines below */
 /* Hard disks and spheres in a box: starts, times of contact, collisions. */
 #ifndef DISKS_H
 #define DISKS_H
@@ -114,6 +114,20 @@ void disks_collide(struct disks *d, struct disks_event event);
 /* Says whether so many collisions have taken place at the time now that
    the clock will never go on: more than a thousand and ten times count. */
 bool disks_collapsed(const struct disks *d);
+
+/* Says whether all disks are too slow for numbers, though some move: the
+   squares of the fastest one's speed v, of v times the widest radius (both
+   are in the time of a contact) and m v^2 have to be 2^-900 at least. That
+   is 70 bits above the last number of full precision, 2^-970 before
+   rounding: what two disks have between them is right down to speeds 3e10
+   times slower, and slower ones meet 3e10 times later. With radii and
+   masses of 1 the slowest speed is 3.5e-136 m/s. A gas that cools as far
+   ends as in a collapse; under gravity none is too slow. */
+bool disks_cold(const struct disks *d);
+
+/* Says whether a run ends after a collision of disk i, by one of the two.
+ */
+bool disks_over(const struct disks *d, size_t i);
 
 /* Returns the first disk that lies at rest on the floor under gravity, its
    bounces too short for the clock; count if none does. With it a run ends

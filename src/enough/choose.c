@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 3911463357 of the lines below */
+/* checksum 1740497223 of the lines below */
 /* Exact ways, two runs that agree, and ladders judged by them. */
 #include "enough/choose.h"
 
@@ -666,6 +666,19 @@ static void refuse_plan(const struct task *t, const struct models_plan *p,
                  plan, role, t->q->reason, t->c->spent);
 }
 
+/* Refuses where bodies come to rest on each other: runs of two tolerances
+   have seen it after the same row, and that is neither rounding nor a
+   fork. */
+static void refuse_standstill(const struct task *t, const struct record *r)
+{
+    snprintf(t->c->refusal, CHOOSE_REFUSAL,
+             "collisions without end: after t = %.10g bodies come to rest "
+             "on each other, and no model here carries them on from there; "
+             "spent: %.2g s",
+             t->q->scene->time + (double)r->reached * t->q->every,
+             t->c->spent);
+}
+
 /* Two runs in step, the second one finer, until they part. */
 static void run_pair(const struct task *t, struct reference *f,
                      struct models_plan plan)
@@ -763,6 +776,7 @@ static bool find_reference(const struct task *t, struct reference *f)
 {
     struct models_plan plan = {.model = models_find("radau15"), .steps = 1};
     plan = rung_at(plan, -log2(first_tolerance(t)));
+    size_t stood = 0; /* rows of the last run that stood still, and 1 */
     if (!t->c->acts.gravity && !t->q->scene->contact &&
         (find_even(t, f, "leapfrog") || find_even(t, f, "kahan-li8")))
         return true;
@@ -773,6 +787,11 @@ static bool find_reference(const struct task *t, struct reference *f)
         const bool both = f->coarser.end == MODELS_BROKEN &&
                           f->run.end == MODELS_BROKEN &&
                           f->coarser.reached == f->run.reached;
+        if (bad->end == MODELS_STANDSTILL && bad->reached + 1 == stood) {
+            refuse_standstill(t, bad);
+            return false;
+        }
+        stood = bad->end == MODELS_STANDSTILL ? bad->reached + 1 : 0;
         if (bad->end == MODELS_COSTLY || bad->end == MODELS_MEMORY ||
             bad->why || both) {
             refuse_plan(t, &bad->plan,

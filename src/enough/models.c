@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 2077139939 of the lines below */
+/* checksum 2437931889 of the lines below */
 /* What acts, what can be left out, and how each model carries a scene. */
 #include "enough/models.h"
 
@@ -1507,7 +1507,8 @@ static enum models_end run_steps(struct models_run *r, struct steps *t)
         if (end != STEPPING_DONE)
             return own && own->most > 0 && own->evaluations > own->most
                        ? MODELS_COSTLY
-                       : MODELS_BROKEN;
+                   : t->motion.impact.crowded ? MODELS_STANDSTILL
+                                              : MODELS_BROKEN;
         if (is_costly(r) || is_hopeless(r, t, left - now))
             return MODELS_COSTLY;
     }

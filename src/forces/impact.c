@@ -1,5 +1,5 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 304375835 of the lines below */
+/* checksum 1107338786 of the lines below */
 /* Gaps followed along a step in Bernstein's form, then by the method. */
 #include "forces/impact.h"
 
@@ -384,18 +384,22 @@ static void add_wall(struct impact *p, size_t k, size_t i, double side,
     const double edge = edge_of(s, c, side);
     const double out =
         side > 0 ? p->high[c] - s->high[k] : s->low[k] - p->low[c];
-    const double far = fmax(fabs(p->note[c]), fabs(edge));
+    double far = fmax(fabs(p->note[c]), fabs(edge)) + s->radius[i];
     if (!(out > 0 && s->freedom[c]))
         return;
-    add_gap(
-        p,
-        (struct impact_gap){.a = (uint32_t)i,
-                            .b = (uint32_t)i,
-                            .axis = k,
-                            .side = side,
-                            .edge = edge,
-                            .rounding = ROUNDING * (far + s->radius[i])},
-        h);
+    /* A point at a wall at 0 has no scale in its place or radius. What the
+       part's sums round there is a share of the way that it goes in it. */
+    const double way = p->high[c] - p->low[c];
+    if (fabs(edge) + s->radius[i] <= ROUNDING * way)
+        far = fmax(far, way);
+    add_gap(p,
+            (struct impact_gap){.a = (uint32_t)i,
+                                .b = (uint32_t)i,
+                                .axis = k,
+                                .side = side,
+                                .edge = edge,
+                                .rounding = ROUNDING * far},
+            h);
 }
 
 /* How far b's nearest image is from b, m. */

@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 157545590 of the lines below */
+/* checksum 3273764146 of the lines below */
 /* Four engines that find the next collision on a line and carry it out. */
 #include "line/bonkers.h"
 
@@ -56,13 +56,16 @@ static uint32_t patience(const struct bonkers *b)
 }
 
 /* Counts the collisions of gap i at one reading of the clock, which
-   stands or has moved on. Returns true when there are too many. */
-static bool count_repeat(struct bonkers *b, size_t i, bool stands)
+   stands or has moved on. Returns true when there are too many, or when
+   the two have come together too slowly for numbers. */
+static bool count_repeat(struct bonkers *b, size_t i, bool stands,
+                         double approach)
 {
     if (!b->repeats)
         return false;
     b->repeats[i] = stands ? b->repeats[i] + 1 : 0;
-    return b->repeats[i] >= patience(b);
+    return b->repeats[i] >= patience(b) ||
+           (!stands && approach < BONKERS_SLOWEST);
 }
 
 static bool rests(const struct bonkers *b, const struct bonkers_body *a)
@@ -176,7 +179,7 @@ static bool meet_falling(struct bonkers *b, size_t i)
     calm(b, right);
     b->now = t;
     const bool pile = is_low(b, left) && is_low(b, right);
-    return count_repeat(b, i, stands) &&
+    return count_repeat(b, i, stands, INFINITY) &&
            (!pile || b->repeats[i] >= PILE * patience(b));
 }
 
@@ -202,11 +205,12 @@ static bool move_and_collide(struct bonkers *b, size_t i, double wait)
 {
     struct bonkers_body *left = &b->body[i], *right = left + 1;
     const bool stands = at_once(b->now, b->now + wait);
+    const double approach = left->v - right->v;
     move_all(b, wait);
     b->now += wait;
     collide(&left->v, &right->v, left->im, right->im, b->restitution);
     ++b->collisions;
-    return count_repeat(b, i, stands);
+    return count_repeat(b, i, stands, approach);
 }
 
 static enum bonkers_stop set_clocks(struct bonkers *b,
@@ -296,11 +300,11 @@ static bool collide_gap(struct bonkers *b, size_t i)
     const double t = b->due[i];
     const double l = position(left, t), r = position(right, t);
     const bool stands = at_once(left->since, t) && at_once(right->since, t);
-    const double place[] = {r, l};
+    const double place[] = {r, l}, approach = left->v - right->v;
     left->x = right->x = place[fabs(left->v) < fabs(right->v)];
     left->since = right->since = b->now = t;
     exchange(b, i);
-    return count_repeat(b, i, stands);
+    return count_repeat(b, i, stands, approach);
 }
 
 /* The gaps that a collision in gap i has touched: from *low to *high. */
@@ -1040,6 +1044,14 @@ bool bonkers_is_still(const struct bonkers *b)
         if (b->gravity > 0 ? time_of_fall(b, i) < INFINITY
                            : b->body[i].v > b->body[i + 1].v &&
                                  b->body[i + 1].x - b->body[i].x < INFINITY)
+            return false;
+    return true;
+}
+
+bool bonkers_is_cold(const struct bonkers *b)
+{
+    for (size_t i = 0; i < b->gaps; ++i)
+        if (b->repeats && b->repeats[i] >= patience(b))
             return false;
     return true;
 }

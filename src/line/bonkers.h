@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 2102179170 of the lines below */
+/* checksum 3532979163 of the lines below */
 /* Bodies on a line between two walls, from one collision to the next. */
 #ifndef BONKERS_H
 #define BONKERS_H
@@ -98,6 +98,18 @@ void bonkers_state(struct bonkers *b, double x[], double v[]);
 
 /* Says whether no collision will come any more. */
 bool bonkers_is_still(const struct bonkers *b);
+
+/* Below this speed, m/s, the squares of speeds leave the range of numbers:
+   a square of 2^-900 has 70 bits above the last number of full precision,
+   2^-970 before rounding, so that energies are sums of full numbers down to
+   speeds 3e10 times slower. A run with restitution below 1 that collides
+   slower than that, at a clock that moves, ends as BONKERS_COLLAPSE: all
+   that is faster has met its last partner before. */
+#define BONKERS_SLOWEST 0x1p-450
+
+/* Of a run that has ended as BONKERS_COLLAPSE: was it too cold to go on,
+   and no clock stood still? */
+bool bonkers_is_cold(const struct bonkers *b);
 
 /* Returns the energy of the movers, J, summed from the left: kinetic and,
    under gravity, potential, none when all of them lie on the floor. */

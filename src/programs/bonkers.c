@@ -1,5 +1,5 @@
 /* From chapters/works/04-piston.nw: edit there, then run make tangle. */
-/* checksum 2192144586 of the lines below */
+/* checksum 1699544865 of the lines below */
 /* Bodies on a line from row to row, in one run or the mean of many. */
 #include "line/bonkers.h"
 #include "line/start.h"
@@ -211,6 +211,21 @@ static void name_body(char text[], size_t size, size_t i, size_t gaps)
 }
 
 /* Begins a run; ends the program when that cannot be. */
+/* Refuses bodies whose squares of speeds are no full numbers; those that
+   fall become faster, and those at rest have no collision to wait for. */
+static void check_speeds(const struct bonkers *b)
+{
+    double most = 0;
+    for (size_t i = 0; i <= b->gaps; ++i)
+        most = fmax(most, fabs(b->body[i].v));
+    if (most > 0 && most < BONKERS_SLOWEST && !(b->gravity > 0))
+        program_refuse(PROGRAM,
+                       "--velocities: the fastest has %g m/s, expected at "
+                       "least %.3g: squares of slower ones leave the range "
+                       "of numbers",
+                       most, BONKERS_SLOWEST);
+}
+
 static void begin_or_exit(struct bonkers *b, const struct settings *set,
                           uint64_t seed, double *until)
 {
@@ -231,6 +246,7 @@ static void begin_or_exit(struct bonkers *b, const struct settings *set,
     }
     *until = s.until;
     start_free(&s);
+    check_speeds(b);
 }
 
 struct run {
@@ -595,12 +611,17 @@ static bool average(struct table *out, const struct run *first,
 
 static bool say_collapse(const struct run *r)
 {
-    if (r->stop == BONKERS_COLLAPSE)
-        fprintf(stderr,
-                PROGRAM ": inelastic collapse at t = %.6g s after %llu "
-                        "collisions\n",
-                r->b.now, (unsigned long long)r->b.collisions);
-    return r->stop == BONKERS_COLLAPSE;
+    const bool cold = r->stop == BONKERS_COLLAPSE && bonkers_is_cold(&r->b);
+    const bool late = r->stop == BONKERS_STILL && !bonkers_is_still(&r->b);
+    if (r->stop != BONKERS_COLLAPSE && !late)
+        return false;
+    fprintf(stderr, PROGRAM ": %s at t = %.6g s after %llu collisions\n",
+            late   ? "the next collision is later than any number"
+            : cold ? "too cold to go on: squares of the speeds leave the "
+                     "range of numbers"
+                   : "inelastic collapse",
+            r->b.now, (unsigned long long)r->b.collisions);
+    return true;
 }
 
 /* Ends the program when its rows would never end: there are more than can

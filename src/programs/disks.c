@@ -1,5 +1,5 @@
 /* From chapters/works/07-gas.nw: edit there, then run make tangle. */
-/* checksum 4211784080 of the lines below */
+/* checksum 3719832374 of the lines below */
 /* Hard disks and spheres run from a start, and measured on the way. */
 #include "box/blocks.h"
 #include "box/cells.h"
@@ -1181,6 +1181,14 @@ static void check_start(struct run *r)
                        "--measure speeds needs more disks: %zu have no law",
                        d->count);
     check_rows(r);
+    if (disks_cold(d))
+        program_refuse(PROGRAM,
+                       "--%s: the speeds are too low: their squares leave "
+                       "the range of numbers; with radii and masses of 1 "
+                       "expected at least 3.5e-136 m/s",
+                       starts_from_file(r->s)  ? "start"
+                       : r->s->temperature > 0 ? "temperature"
+                                               : "speed");
     if (r->s->measure != STATES && r->s->measure != POSITIONS &&
         !(disks_heat(d) > 0))
         program_refuse(PROGRAM,
@@ -1222,7 +1230,10 @@ static void say_collapse(const struct disks *d)
     else
         fprintf(stderr, PROGRAM ": %s",
                 disks_collapsed(d) ? "inelastic collapse"
-                                   : "all are at rest");
+                : disks_cold(d)
+                    ? "too cold to go on: squares of the speeds leave the "
+                      "range of numbers"
+                    : "all are at rest");
     fprintf(stderr, " at t = %.6g s after %llu collisions\n", d->now,
             (unsigned long long)d->collisions);
 }

@@ -188,4 +188,16 @@ refuses 2 'makes more than 9e15 rows' \
 build/bin/bonkers --every 5e-324 --samples 2 -o "$work/few"
 holds 'but three of them are three' \
     test "$(grep -vc '^#' "$work/few")" -eq 3
-echo 1..76
+# What cools ends before squares of its speeds are no numbers, and says so
+# (found by a trial of the second edition: it ended without a word).
+for engine in naive scan heap slab; do
+    refuses 1 'too cold to go on: .* s after 7468 collisions' \
+        build/bin/bonkers --restitution 0.9 --engine $engine \
+        --collisions 300000 -o /dev/null
+done
+refuses 2 'velocities: the fastest has 1e-160 m/s' build/bin/bonkers \
+    --walls 0,1 --masses 1 --positions 0.5 --velocities 1e-160
+refuses 1 'the next collision is later than any number' build/bin/bonkers \
+    --walls=-1e300,1e300 --masses 1,1 --positions 0.5,0.6 \
+    --velocities 1e-20,0 --collisions 10 -o /dev/null
+echo 1..82

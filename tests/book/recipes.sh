@@ -6,7 +6,7 @@ root=$(pwd)
 scratch=$(mktemp -d) || exit 1
 trap 'rm -rf "$scratch"' EXIT
 mkdir -p "$scratch/chapters/press" "$scratch/plots" "$scratch/build/bin"
-cp chapters/press/recipes "$scratch/chapters/press/"
+cp chapters/press/recipes chapters/press/lines "$scratch/chapters/press/"
 cd "$scratch" || exit 1
 cat >build/bin/walk <<'END'
 #!/bin/sh
@@ -231,4 +231,11 @@ chapter '%run a: build/bin/walk' '%run a: build/bin/walk --seed 2'
 is 'two commands for one run are refused' \
     'recipes: chapters/01-x.nw:3: run a is another command in chapters/01-x.nw:2' \
     "$(chapters/press/recipes 2>&1)"
-echo 1..51
+chapter '%run a: build/bin/walk'
+find build -type f -exec cksum {} + >before
+sed 's/$/\r/' chapters/01-x.nw >wide && mv wide chapters/01-x.nw
+is 'Windows line ends in a chapter are refused' \
+    'recipes: chapters/01-x.nw: Windows line ends' \
+    "$(chapters/press/recipes 2>&1 | sed 's/ (.*//')"
+is 'and nothing is written' "$(cat before)" "$(find build -type f -exec cksum {} +)"
+echo 1..53

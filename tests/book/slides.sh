@@ -16,7 +16,7 @@ for number in 01 02 03 04 05 06 07 08 09 10 11 12; do
         awk -F '\t' '$2 == "" { exit 1 }' "$work/list"
 done
 mkdir -p "$work/kit/chapters/press" "$work/kit/build/lecture" "$work/kit/plots"
-cp chapters/press/slides chapters/press/recipes "$work/kit/chapters/press"
+cp chapters/press/slides chapters/press/recipes chapters/press/lines "$work/kit/chapters/press"
 printf '%s\n' '\chapter{Ways}\label{ch:ways}' \
     '\plotfigure[A way down]{09-down}{Text.}' '\plotfigure[A way up,' \
     'by steps]{09-up}{Text.}' >"$work/kit/chapters/09-ways.nw"

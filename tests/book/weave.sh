@@ -5,7 +5,8 @@ scratch=$(mktemp -d) || exit 1
 trap 'rm -rf "$scratch"' EXIT
 mkdir -p "$scratch/chapters/press" "$scratch/tests/exercises/01a" "$scratch/solutions"
 cp chapters/press/weave chapters/press/keywords chapters/press/volumes \
-    chapters/press/across chapters/press/names "$scratch/chapters/press/"
+    chapters/press/across chapters/press/names chapters/press/lines \
+    "$scratch/chapters/press/"
 cd "$scratch" || exit 1
 has() { # name needle file
     if grep -qF -- "$2" "$3"; then
@@ -185,4 +186,9 @@ said chapters/01-one.nw '\label{sec:one}' \
     '\label{sec:one} stands already in chapters/01-one.nw:11'
 said chapters/works/02-two.nw '\label{sec:one}' \
     '\label{sec:one} stands in the book, too: chapters/01-one.nw:11'
-echo 1..35
+cp chapters/01-one.nw "$scratch/kept"
+sed '2s/$/\r/' "$scratch/kept" >chapters/01-one.nw
+refused 'a Windows line end' "weave: chapters/01-one.nw: Windows line ends (a carriage\
+ return before the line feed) in 1 of its $(wc -l <"$scratch/kept") lines; save it with\
+ Unix line ends, or: sed -i 's/\\r\$//' chapters/01-one.nw"
+echo 1..36

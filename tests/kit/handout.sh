@@ -55,8 +55,8 @@ strangers=$(cd "$place" && find . ! -type d ! \( -type f \( \
     -path './plots/data/*.dat' \) -o \
     -path ./README.md -o -path ./LICENSE -o -path ./CITATION.cff -o \
     -path ./Makefile -o -path ./bonkers.pdf -o -path ./works.pdf -o \
-    -path ./chapters/press/recipes -o -path ./tests/lists.awk -o \
-    -path ./tests/types.awk -o \
+    -path ./chapters/press/recipes -o -path ./chapters/press/lines -o \
+    -path ./tests/lists.awk -o -path ./tests/types.awk -o \
     -path ./plots/plots.mk -o -path ./src/compile.mk -o \
     -path ./src/studies/bench.mk -o -path ./src/examiner/check.mk -o \
     -path ./tests/equations.txt -o -path ./.ci/install -o \

@@ -38,6 +38,20 @@ printf '\n<<studies/bonk-studies.c>>=\nint x;\n@\n' >>$chapter
 fails 'a file of two chapters is refused' 'two chapters'
 cp "$work/good.nw" $chapter
 
+# What an editor on Windows leaves behind, in either volume.
+sed 's/$/\r/' "$work/good.nw" >$chapter
+fails 'Windows line ends are refused' "$chapter: Windows line ends.* in"
+sed '5s/$/\r/' "$work/good.nw" >$chapter
+fails 'and one among others' "$chapter: Windows line ends.* in 1 of its"
+{ printf '\357\273\277' && cat "$work/good.nw"; } >$chapter
+fails 'a byte-order mark is refused' "$chapter: begins with a byte-order mark"
+sed '5s/./\r&/' "$work/good.nw" >$chapter
+fails 'a carriage return within a line, too' "$chapter:5: has a carriage return"
+cp "$work/good.nw" $chapter
+printf '\377\376a\000\n\000' >chapters/works/01-collide-wide.nw
+fails 'and UTF-16' 'chapters/works/01-collide-wide.nw: is UTF-16'
+rm chapters/works/01-collide-wide.nw
+
 echo 'int edited;' >>src/line/collide.c
 fails 'an edit in src/ is recognised and shown' '^+int edited;'
 chapters/press/tangle --check >"$work/out" 2>&1
@@ -114,4 +128,4 @@ holds '-L names either file' sh -c "grep -c -e '\"$chapter\"' $work/lines/both.c
     grep -c -e '\"$works\"' $work/lines/both.c"
 printf '<<Lost>>=\nint x;\n@\n' >>$works
 fails 'a chunk of Works that nothing uses is refused' 'works/01.*Lost.*never used'
-echo 1..20
+echo 1..25

@@ -88,7 +88,7 @@ build/made/check/libcheck.a: $(patsubst src/%.c,build/check/obj/%.o,\
 	@ar rcs $(made).new $^
 	@$(take)
 build/made/check/examine: $(patsubst %,build/obj/examiner/%.o,\
-	examine watch hint reset solution round verdict memory work course sum \
+	examine watch hint reset solution round verdict memory work folder course sum \
 	build message trial process text)
 	$(begin)
 	$(call say,link $(made))

@@ -1,6 +1,7 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 240913545 of the lines below */
+/* checksum 265875320 of the lines below */
 /* The program behind make grade: a folder of submissions, in parallel. */
+#include "examiner/folder.h"
 #include "examiner/grading.h"
 #include "examiner/process.h"
 #include "examiner/publish.h"
@@ -206,10 +207,9 @@ static char *work_folder;
 
 static void remove_work(void)
 {
-    char command[4400];
-    snprintf(command, sizeof command, "rm -rf '%s'", work_folder);
-    if (system(command) != 0)
-        fprintf(stderr, "grade: cannot remove '%s'\n", work_folder);
+    if (!folder_remove(work_folder))
+        fprintf(stderr, "grade: cannot remove '%s': %s\n", work_folder,
+                strerror(errno));
 }
 
 static void make_folder(const char *path)
@@ -289,7 +289,7 @@ static void prepare_folders(struct batch *b)
     remove_abandoned();
     snprintf(b->work, sizeof b->work, "%s/build/grade/%s%ld.XXXXXX",
              b->root, name_machine(), (long)getpid());
-    if (strchr(b->root, '\'') || !mkdtemp(b->work))
+    if (!mkdtemp(b->work))
         text_fail("cannot make a folder '%s': %s", b->work,
                   strerror(errno));
     work_folder = b->work;

@@ -49,7 +49,7 @@ build/made/grade/obj/grade/%.o: src/examiner/%.c build/compiler/key
 		$(xml_flags) $(FLAGS) -c -o $(made).new $<
 	$(take_compiled)
 build/made/grade/grade: $(patsubst %,build/grade/obj/grade/%.o,grade grading \
-	box marks submissions publish build message sum trial process text)
+	box folder marks submissions publish build message sum trial process text)
 	$(begin)
 	$(call say,link $(made))
 	$(Q)$(CC) $(PORTABLE) $(FLAGS) -o $(made).new $^ $(LDFLAGS) \

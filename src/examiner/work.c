@@ -1,7 +1,8 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 2363900811 of the lines below */
+/* checksum 3045360129 of the lines below */
 /* A temporary folder, removed at the end of the program. */
 #include "examiner/work.h"
+#include "examiner/folder.h"
 #include "examiner/text.h"
 
 #include <errno.h>
@@ -12,10 +13,9 @@ static char folder[] = "build/check/work.XXXXXX";
 
 static void remove_folder(void)
 {
-    char command[64];
-    snprintf(command, sizeof command, "rm -rf '%s'", folder);
-    if (system(command) != 0)
-        fprintf(stderr, "examine: cannot remove '%s'\n", folder);
+    if (!folder_remove(folder))
+        fprintf(stderr, "examine: cannot remove '%s': %s\n", folder,
+                strerror(errno));
 }
 
 const char *work_folder(void)

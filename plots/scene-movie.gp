@@ -69,10 +69,10 @@ do for [k=3:yhard ? 4 : 2] {
 }
 
 # How long a length is and, beside ways that lead down, how long ago.
-round(x) = 10**floor(log10(x)) * (x < 2 * 10**floor(log10(x)) ? 1 : \
+handy(x) = 10**floor(log10(x)) * (x < 2 * 10**floor(log10(x)) ? 1 : \
     x < 5 * 10**floor(log10(x)) ? 2 : 5)
-past = line ? round(0.4 * 6 * fps * step) : 0
-bar = round(W * scale / 6)
+past = line ? handy(0.4 * 6 * fps * step) : 0
+bar = handy(W * scale / 6)
 set arrow 5 from left,screen 0.055 to left + bar,screen 0.055 heads \
     size screen 0.004,90 lc rgb '#333333' lw 1.2
 set label 4 sprintf('%g%s', bar, length) at left + bar,screen 0.055 \

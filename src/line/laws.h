@@ -1,5 +1,5 @@
 /* From chapters/works/03-equilibrium.nw: edit there, then run make tangle. */
-/* checksum 1002429696 of the lines below */
+/* checksum 3409991544 of the lines below */
 /* The laws of equilibrium: densities, probabilities and tests of them. */
 #ifndef LAWS_H
 #define LAWS_H
@@ -60,8 +60,9 @@ double laws_sd(const struct law *law);
 /* Tests n samples, of which every g-th is independent, against a complete
    law of which `fitted` numbers were taken from the same samples. The
    scatter of chi-square is that of independent samples if `block` is 0 or
-   1, else it is measured from blocks of so many, at least 3 of them, which
-   are taken for independent; with fitted numbers it is then too careful.
+   1, or if there are not 3 blocks of so many; else it is measured from the
+   blocks, which are taken for independent; with fitted numbers it is then
+   too careful.
    Returns false without memory. Requires n >= 2, g > 0,
    fitted < LAW_CELLS - 1.
    Sources: Kolmogorov's limit with Stephens' correction,

@@ -11,11 +11,15 @@
 # Its boxes are as high as a line; letters fill them but for a fifth above and
 # an eighth below. That a word stands on end it does not say: this is told by
 # the word's letters, or by a longer word in its line.
+# In what a newer cairo draws the page stands compressed: pdfseparate writes it
+# out, after which it can be edited.
 wrong() { # FILE.pdf LEAST-TYPE
-    size=$(LC_ALL=C sed -n 's|.*/MediaBox \[ 0 0 \(.*\) \].*|\1|p' "$1")
+    pdfseparate "$1" "$work/page.pdf" 2>/dev/null
+    size=$(LC_ALL=C sed -n 's|.*/MediaBox *\[ *0 0 \([0-9.]* [0-9.]*\) *\].*|\1|p' \
+        "$work/page.pdf")
     [ -n "$size" ] || { echo 'no page'; return; }
-    LC_ALL=C sed 's|/MediaBox \[.*\]|/MediaBox [ -99 -99 1999 1999 ]|' "$1" \
-        >"$work/larger.pdf"
+    LC_ALL=C sed 's|/MediaBox *\[[^]]*\]|/MediaBox [ -99 -99 1999 1999 ]|' \
+        "$work/page.pdf" >"$work/larger.pdf"
     pdftotext -bbox "$work/larger.pdf" "$work/words" 2>/dev/null &&
         LC_ALL=C awk -v least="$2" -v size="$size" '
     function width(text,    i, c, sum) {
@@ -143,6 +147,29 @@ holds 'a method that is painted by hand is seen' painted "$work/painted"
 by_hand=$(painted plots/[0-9]*.gp)
 holds 'none is' sh -c "printf '%s\n' \"\$0\"; test -z \"\$0\"" "$by_hand"
 
+# A function of a script may not have the name of one of gnuplot's own, of any
+# version: these are those of gnuplot 6, with the libraries that it may be built
+# with, so that a gnuplot 5 sees it too.
+builtin='abs acos acosh airy Ai arg asin asinh atan atan2 atanh besi0 besi1 besin
+besj0 besj1 besjn BesselH1 BesselH2 BesselI BesselJ BesselK BesselY besy0 besy1
+besyn Bi cbrt cdawson ceil cerf column columnhead columnheader conj conjg cos cosh
+defined EllipticE EllipticK EllipticPi erf erfc erfi exist exists exp expint
+faddeeva floor FresnelC FresnelS gamma gprintf hsv2rgb ibeta igamma imag index int
+inverf invibeta invigamma invnorm join LambertW lambertw lgamma lnGamma log log10
+norm palette rand real rgbcolor round sgn Sign sin sinh split sprintf sqrt strcol
+strftime stringcolumn strlen strptime strstrt substr SynchrotronF system tan tanh
+time timecolumn tm_hour tm_mday tm_min tm_mon tm_sec tm_wday tm_week tm_yday
+tm_year trim uigamma valid value voigt voxel VP VP_fwhm weekdate_cdc weekdate_iso
+word words zeta'
+builtin=$(echo $builtin | tr ' ' '|')
+taken() { # FILE...
+    grep -nE "(^|[;{\"' ])($builtin) *\([A-Za-z_0-9, ]*\) *=[^=~]" "$@"
+}
+printf '%s\n' 'half(x) = x / 2; round(x, y) = floor(x)' >"$work/taken.gp"
+holds 'a function with the name of one of gnuplot 6 is seen' taken "$work/taken.gp"
+found=$(taken plots/*.gp plots/show chapters/press/* solutions/*.gp 2>/dev/null)
+holds 'no script has one' sh -c "printf '%s\n' \"\$0\"; test -z \"\$0\"" "$found"
+
 # One of them, by its name.
 make=${MAKE:-make}
 $make -n -W plots/04-state.gp figure FIGURE=04-state QUALITY=lecture \
@@ -155,4 +182,4 @@ holds 'a figure that is none is refused' \
     grep -q "figure: FIGURE: '04' is no figure of plots/" "$work/out"
 # Each figure, each slide.
 set -- plots/[0-9]*.gp
-echo "1..$((15 + $# + $(echo $slides | wc -w)))"
+echo "1..$((17 + $# + $(echo $slides | wc -w)))"

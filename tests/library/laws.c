@@ -336,6 +336,16 @@ static void test_by_hand(void)
     UNIT_NEAR(test.distance_probability,
               laws_kolmogorov(test.distance * (root + 0.12 + 0.11 / root)),
               1e-15);
+
+    /* Two blocks, one or none tell nothing of the scatter. */
+    const double four[] = {0.9, 0.125, 0.2, 0.6};
+    UNIT_TRUE(laws_test(&flat, 4, four, 1, 0, 0, &test));
+    for (size_t block = 2; block < 6; ++block) {
+        struct law_test blocked;
+        UNIT_TRUE(laws_test(&flat, 4, four, 1, block, 0, &blocked));
+        UNIT_NEAR(blocked.chi2, test.chi2, 1e-15);
+        UNIT_NEAR(blocked.degrees, test.degrees, 1e-15);
+    }
 }
 
 int main(void)

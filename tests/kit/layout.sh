@@ -107,12 +107,18 @@ c_files="$(ls src/*/*.c tests/library/*.c tests/stability/*.c \
     tests/tools/*.c tests/fuzz/*.c tests/mutants/*.c solutions/*.c tests/exercises/*/[!w]*.c \
     tests/grader/*.c)"
 xml="-I/usr/include/libxml2 $(pkg-config --cflags libxml-2.0 2>/dev/null)"
-holds 'the layout of every C file is .clang-format' \
-    clang-format --dry-run -Werror src/*/*.[ch] tests/*.h \
-    tests/library/*.[ch] tests/stability/*.c tests/tools/*.c tests/fuzz/*.c \
-    tests/mutants/*.c tests/exercises/*/*.c tests/grader/*.c \
-    tests/examiner/*.c \
-    solutions/*.c
+# How a file is laid out depends on the version; these agree about all of ours.
+version=$(clang-format --version | sed -n 's/.*version \([0-9]*\).*/\1/p')
+all_in='the layout of every C file is .clang-format'
+case $version in
+1[4-9])
+    holds "$all_in" clang-format --dry-run -Werror src/*/*.[ch] tests/*.h \
+        tests/library/*.[ch] tests/stability/*.c tests/tools/*.c tests/fuzz/*.c \
+        tests/mutants/*.c tests/exercises/*/*.c tests/grader/*.c \
+        tests/examiner/*.c solutions/*.c ;;
+*) echo "skipped layout: $all_in - clang-format $version may have another opinion;" \
+    'versions 14 to 19 agree' ;;
+esac
 # Both compilers read all files. What clang would start anew for each of them,
 # which takes longer than to read it, is told all in one.
 warnings='-Wall -Wextra -pedantic -Werror -O2 -fsyntax-only'

@@ -26,6 +26,12 @@ says 0 '1 passed, 0 failed' 'echo "# note: no card here"' 'echo ok a' \
     'echo "# a remark"' 'echo 1..1'
 holds 'what could not be tested is said aloud, and no other remark' \
     test "$(grep '^#' out)" = '# note: no card here'
+says 0 '1 passed, 0 failed, 1 skipped' 'echo ok a' 'echo skipped b - no b here' \
+    'echo 1..2'
+holds 'what is skipped is said aloud, and named before the end' \
+    test "$(grep -c '^skipped b - no b here$\|^  b - no b here$' out)" -eq 2
+says 1 '0 passed, 0 failed, 1 skipped' 'echo skipped b - no b here' 'echo 1..1'
+says 1 '1 passed, 1 failed, 1 skipped' 'echo ok a' 'echo skipped b - why' 'echo 1..3'
 # What stands behind -- waits for the first.
 printf '%s\n' '#!/bin/sh' 'sleep 1' ': >made' 'echo ok a' 'echo 1..1' >first
 printf '%s\n' '#!/bin/sh' '[ ! -e made ] && echo ok b' 'echo 1..1' >beside
@@ -43,4 +49,4 @@ done
 rm made
 "$root/tests/run" -j 2 ./first ./beside -- ./a ./b ./c ./d >out 2>&1
 holds 'then two more run beside them' grep -qx '6 passed, 0 failed' out
-echo 1..11
+echo 1..15

@@ -16,7 +16,7 @@ double choreography_speed(double k2, size_t n, double mass, double radius)
 {
     double s = 0, pi = acos(-1.0);
     size_t j;
-    for (j = 1; j<n; j += n> 3 ? n - 2 : 1)
+    for (j = 1; n > j; j += n > 3 ? n - 2 : 1)
         s += 1 / sin(pi * (2 * j > n ? n - j : j) / n);
     return sqrt(k2 * mass * s / radius) / 2;
 }

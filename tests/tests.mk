@@ -25,7 +25,16 @@ build/made/tests/%: tests/tools/%.c build/compiler/key
 	$(Q)$(CC) $(STANDARD) $(PORTABLE) $(reads) $(FLAGS) -o $(made).new $< \
 		$(LDFLAGS)
 	$(take_compiled)
-kept += $(unit_tests) $(tools) build/tests/grader/reports \
+# Of the examiner only what it removes folders with.
+build/made/tests/examiner/folder: build/obj/examiner/folder.o
+build/made/tests/examiner/%: tests/examiner/%.c build/compiler/key
+	$(begin)
+	$(call say,cc $<)
+	$(Q)$(CC) $(STANDARD) $(PORTABLE) $(reads) -Isrc -Itests $(FLAGS) \
+		-o $(made).new $(filter %.c %.o,$^) $(LDFLAGS) -lcunit -lm
+	$(take_compiled)
+examiner_tests = build/tests/examiner/folder
+kept += $(unit_tests) $(examiner_tests) $(tools) build/tests/grader/reports \
 	build/tests/grader/schema build/tests/mutants/outlive \
 	$(unit_tests:build/tests/%=build/memcheck/%)
 
@@ -43,7 +52,7 @@ beside = $(filter-out $(shell grep -lF '{MAKE' $(scripts)),$(filter \
 test: has-tex has-site has-test-tools
 	@$(MAKE) -s -j2 programs test-parts
 	@$(unless_dry)MAKE='$(MAKE)' tests/run -t $(TEST_SECONDS) -j 2 tests/book/book.sh \
-		$(call longest_first,$(beside)) $(unit_tests) -- \
+		$(call longest_first,$(beside)) $(unit_tests) $(examiner_tests) -- \
 		$(call longest_first,$(filter-out $(beside),$(scripts))) \
 		$(filter-out tests/book/book.sh,$(wildcard tests/book/*.sh))
 
@@ -61,6 +70,7 @@ has-test-tools:
 	$(call need,npm,npm)
 
 test-parts: grade-parts build/check/examine $(CHECK_BUILT) $(unit_tests) $(tools) \
+	$(examiner_tests) \
 	build/tests/mutants/outlive build/tests/grader/reports \
 	build/tests/grader/schema build/tests/mutants/library-flags
 

@@ -1,0 +1,62 @@
+#!/bin/sh
+# The kit in a folder whose name has what TeX, make and a shell take for their
+# own, unpacked from an archive (there is no git) by somebody whose files are
+# private: the book is set, an exercise checked, a submission graded, and what was
+# made on the way removed.
+. tests/programs/common
+here=$(pwd)
+umask 077
+kit="$work/Kurs, 50% ~1 (O'Brien)"
+mkdir -p "$kit/chapters/works" "$kit/plots" "$kit/solutions" "$kit/exercises" \
+    "$kit/src/toolbox" "$kit/src/examiner" "$kit/tests/exercises/01a" \
+    "$kit/build/check" "$kit/build/grade"
+cp -R chapters/press "$kit/chapters"
+cp plots/style.gp "$kit/plots"
+cp src/toolbox/version.h "$kit/src/toolbox"
+cp src/examiner/*.h "$kit/src/examiner"
+cp solutions/01a-collide.c "$kit/solutions"
+cp solutions/01a-collide.c "$kit/exercises"
+cp tests/exercises/01a/* "$kit/tests/exercises/01a"
+for name in check/examine check/flags check/libcheck.a check/01a.suite.o check/01a.list \
+    grade/grade grade/flags grade/01a.judge grade/01a.inside.o grade/01a.list \
+    grade/01a.names; do
+    cp "build/$name" "$kit/build/${name%/*}" || exit 1
+done
+cd "$kit" || exit 1
+
+# A book of one page in either volume, with a figure and a reference.
+printf '%s\n' '\chapter{Two bodies}\label{ch:two}' '\plotfigure[A line]{01-line}{A line.}' \
+    '\begin{equation}\label{eq:one} a = b \end{equation}' \
+    'Figure~\ref{fig:01-line} is in \cite{tonks1936}.' '<<one.h>>=' 'int one;' \
+    '@ %def one' >chapters/01-collide.nw
+printf '%s\n' '\chapter{More}\label{works:more}' '<<two.h>>=' 'int two;' '@' \
+    >chapters/works/01-collide.nw
+printf '%s\n' '# alt: A line.' 'width = 14' 'height = 4' "load 'plots/style.gp'" \
+    'plot [0:1] x' >plots/01-line.gp
+echo 'eq:one 1.1' >tests/equations.txt
+holds 'a figure is drawn' sh -c 'chapters/press/recipes &&
+    chapters/press/recipes --figure pdf build/figures/01-line.pdf plots/01-line.gp &&
+    chapters/press/recipes --alt build/figures/01-line.alt.tex plots/01-line.gp'
+holds 'chapters are woven' chapters/press/make-book woven
+holds 'what all volumes begin with is kept as a format' test -s build/volume.fmt
+for volume in bonkers bonkers-instructor works; do
+    holds "$volume is set" sh -c "chapters/press/make-book $volume &&
+        test -s build/$volume.pdf"
+done
+holds 'and tangled' sh -c 'rm -r src/examiner src/toolbox && chapters/press/tangle &&
+    cat src/one.h src/two.h'
+cp -R "$here/src/examiner" src
+
+rm tests/equations.txt && cp "$here/tests/equations.txt" tests
+holds 'an exercise is checked' build/check/examine 01a
+holds 'and nothing is left behind' test -z "$(ls -d build/check/work.* 2>/dev/null)"
+mkdir -p "$work/they're 100%/Anna ~O'Brien"
+cp solutions/01a-collide.c "$work/they're 100%/Anna ~O'Brien"
+build/grade/grade --unsafe --exercises 01a "$work/they're 100%" >said 2>&1
+holds 'a submission is graded' awk '{ print } /^ *possible / { most = $NF }
+    /Anna ~O/ { got = $NF } END { exit got == "" || got != most }' said
+holds 'and nothing is left behind either' test -z "$(ls -d build/grade/work.* 2>/dev/null)"
+holds 'nor anything beside the kit' \
+    test "$(ls "$work" | grep -vx 'err\|out\|why\|said')" = "$(printf '%s\n' \
+        "Kurs, 50% ~1 (O'Brien)" "they're 100%")"
+echo 1..12

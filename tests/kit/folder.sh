@@ -17,10 +17,9 @@ cp src/examiner/*.h "$kit/src/examiner"
 cp solutions/01a-collide.c "$kit/solutions"
 cp solutions/01a-collide.c "$kit/exercises"
 cp tests/exercises/01a/* "$kit/tests/exercises/01a"
-for name in check/examine check/flags check/libcheck.a check/01a.suite.o check/01a.list \
-    grade/grade grade/flags grade/01a.judge grade/01a.inside.o grade/01a.list \
-    grade/01a.names; do
-    cp "build/$name" "$kit/build/${name%/*}" || exit 1
+for name in build/check/examine build/check/flags build/check/libcheck.a build/check/01a.* \
+    build/grade/grade build/grade/flags build/grade/01a.*; do
+    cp "$name" "$kit/$name" || exit 1
 done
 cd "$kit" || exit 1
 

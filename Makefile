@@ -21,7 +21,7 @@ SANITIZED = -g -O0 -ffp-contract=off $(sanitizers)
 # recipes read it from the environment, as in "$$EX".
 given = EX SUBMISSIONS REPORT JOBS HIDDEN RESULTS SECONDS TEXTS PRESET SCENE \
 	KEYS UNTIL EVERY VIEW FPS LIVE DT METHOD KERNEL TOLERANCE OBSERVE X Y \
-	EDITION WITH_CHAPTERS COMMANDS SEED FIRST
+	EDITION WITH_CHAPTERS COMMANDS SEED FIRST SYSTEMS
 $(foreach v,$(given),$(if $(filter-out undefined,$(origin $v)),\
 	$(eval override $v := $$(value $v))$(eval export $v)))
 # bash counts in the other; a comment behind it would leave its blank in it.
@@ -48,7 +48,7 @@ endif
 endef
 $(eval $(call only_with,chapters/press/book.tex,tangle check-tangle contact pages slides dist))
 $(eval $(call only_with,tests/library,book works site test memcheck handout mutants \
-	grade grade-bench jobs test-cluster))
+	grade grade-bench jobs test-cluster test-systems))
 $(eval $(call only_with,solutions,solution))
 $(eval $(call only_with,tests/fuzz,fuzz fuzz-scenes fuzz-commands hunt))
 # $(call offer,GOAL): echo, but for a goal that is absent.

@@ -205,3 +205,11 @@ test-cluster: has-gsl programs grade-parts build/check/examine $(CHECK_BUILT) \
 	$(call need,parallel,parallel)
 	$(call need,/usr/sbin/sshd,openssh-server)
 	@$(unless_dry)RECORD='$(RECORD)' MAKE='$(MAKE)' tests/run -t 3600 tests/cluster/cluster.sh
+
+# Both commands of README.md in bare roots of Debian: see tests/systems/run.
+# SYSTEMS=trixie for one of them.
+SYSTEMS = bookworm trixie
+export SYSTEMS
+.PHONY: test-systems
+test-systems:
+	@tests/systems/run $$SYSTEMS

@@ -49,4 +49,19 @@ done
 rm made
 "$root/tests/run" -j 2 ./first ./beside -- ./a ./b ./c ./d >out 2>&1
 holds 'then two more run beside them' grep -qx '6 passed, 0 failed' out
-echo 1..15
+
+# What tries both commands in bare roots refuses what it cannot do.
+printf '%s\n' '#!/bin/sh' 'if [ "$1" = -u ]; then echo 1000; else echo anna; fi' >id
+chmod +x id
+refuses_systems() { # WORDS NAME...
+    words=$1
+    shift
+    PATH="$work:$PATH" "$root/tests/systems/run" "$@" >out 2>&1
+    [ $? -eq 2 ] && [ "$(wc -l <out)" -eq 1 ] && grep -q "^systems: $words" out || {
+        cat out
+        return 1
+    }
+}
+holds 'roots of a system that is none' refuses_systems "'woody' is neither" woody
+holds 'roots made by somebody else than root' refuses_systems '.*this is anna' trixie
+echo 1..17

@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1740497223 of the lines below */
+/* checksum 3615071559 of the lines below */
 /* Exact ways, two runs that agree, and ladders judged by them. */
 #include "enough/choose.h"
 
@@ -961,7 +961,7 @@ static void refuse(const struct task *t)
 
 static bool overlaps(const struct task *t)
 {
-    const double depth = models_overlap(t->q->scene);
+    const double depth = spheres_depth(t->q->scene);
     if (!(depth > t->q->tolerance * t->view->length))
         return false;
     snprintf(t->c->refusal, sizeof t->c->refusal,

@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 2437931889 of the lines below */
+/* checksum 4287650520 of the lines below */
 /* What acts, what can be left out, and how each model carries a scene. */
 #include "enough/models.h"
 
@@ -149,39 +149,6 @@ void models_analyse(struct models_acts *a, const struct scene *s)
     a->offset = spread;
     for (size_t k = 0; k < SCENE_AXES; ++k)
         a->dimensions += a->axes >> k & 1;
-}
-/* How far bodies that can be pushed are beyond hard walls for good, m. */
-static double beyond_walls(const struct scene *s)
-{
-    double most = 0;
-    for (size_t i = 0; i < s->bodies; ++i)
-        for (size_t k = 0; k < SCENE_AXES; ++k) {
-            const double x = s->position[at(s, k, i)], r = s->radius[i];
-            const double v = s->velocity[at(s, k, i)];
-            if (s->wall[k] != SCENE_HARD || !s->freedom[at(s, k, i)])
-                continue;
-            if (v <= 0)
-                most = fmax(most, s->low[k] + r - x);
-            if (v >= 0)
-                most = fmax(most, x + r - s->high[k]);
-        }
-    return most;
-}
-
-double models_overlap(const struct scene *s)
-{
-    struct spheres p;
-    double depth = beyond_walls(s);
-    if (!s->contact)
-        return 0;
-    if (!spheres_create(&p, s, SPHERES_ALL))
-        return INFINITY;
-    spheres_overlaps(&p, s->position);
-    for (size_t j = 0; j < p.pairs; ++j)
-        if (freedom_of(s, p.pair[j].a) || freedom_of(s, p.pair[j].b))
-            depth = fmax(depth, p.pair[j].depth);
-    spheres_free(&p);
-    return depth;
 }
 
 static double heaviest(const struct scene *s)

@@ -1,5 +1,5 @@
 /* From chapters/works/12-models-parts.nw: edit there, then run make tangle. */
-/* checksum 3833086831 of the lines below */
+/* checksum 131343948 of the lines below */
 /* All ways to carry a scene, behind one door, and what each costs. */
 #ifndef MODELS_H
 #define MODELS_H
@@ -153,10 +153,6 @@ void models_analyse(struct models_acts *a, const struct scene *s);
 /* The largest angular frequency now, about, plus the largest rate of
    friction, 1/s, with these cuts. INFINITY without memory. */
 double models_rate(const struct scene *s, unsigned cuts);
-
-/* How deep bodies overlap at the start, or are beyond walls for good, m; 0:
-   nowhere, or there are no contacts. INFINITY without memory. */
-double models_overlap(const struct scene *s);
 
 /* The square of the distance of two bodies now, m^2. */
 double models_square(const struct scene *s, size_t i, size_t j);

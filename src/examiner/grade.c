@@ -1,6 +1,7 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 265875320 of the lines below */
+/* checksum 1040153056 of the lines below */
 /* The program behind make grade: a folder of submissions, in parallel. */
+#define _XOPEN_SOURCE 700 /* realpath */
 #include "examiner/folder.h"
 #include "examiner/grading.h"
 #include "examiner/process.h"

@@ -1,5 +1,5 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 4201348297 of the lines below */
+/* checksum 116898278 of the lines below */
 /* Pairs found along an axis, reflected one by one, and shifted. */
 #include "forces/spheres.h"
 
@@ -545,4 +545,44 @@ size_t spheres_overlaps(struct spheres *p, const double x[])
         if (!is_again(p->pair, i))
             p->pair[n++] = p->pair[i];
     return p->pairs = n;
+}
+
+static double beyond_walls(const struct scene *s)
+{
+    double most = 0;
+    for (size_t c = 0; c < SCENE_AXES * s->bodies; ++c) {
+        const size_t i = c % s->bodies, k = c / s->bodies;
+        const double x = s->position[c], r = s->radius[i];
+        if (s->wall[k] != SCENE_HARD || !s->freedom[c])
+            continue;
+        if (s->velocity[c] <= 0)
+            most = fmax(most, s->low[k] + r - x);
+        if (s->velocity[c] >= 0)
+            most = fmax(most, x + r - s->high[k]);
+    }
+    return most;
+}
+
+static bool can_move(const struct scene *s, size_t i)
+{
+    bool can = false;
+    for (size_t k = 0; k < SCENE_AXES; ++k)
+        can = can || s->freedom[k * s->bodies + i] != 0;
+    return can;
+}
+
+double spheres_depth(const struct scene *s)
+{
+    struct spheres p;
+    if (!s->contact)
+        return 0;
+    if (!spheres_create(&p, s, SPHERES_ALL))
+        return INFINITY;
+    double depth = beyond_walls(s);
+    spheres_overlaps(&p, s->position);
+    for (size_t j = 0; j < p.pairs; ++j)
+        if (can_move(s, p.pair[j].a) || can_move(s, p.pair[j].b))
+            depth = fmax(depth, p.pair[j].depth);
+    spheres_free(&p);
+    return depth;
 }

@@ -1,5 +1,5 @@
 /* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 2498696779 of the lines below */
+/* checksum 3070629786 of the lines below */
 /* Spheres that a step leaves in each other collide and are moved apart. */
 #ifndef SPHERES_H
 #define SPHERES_H
@@ -113,6 +113,13 @@ void spheres_bounce(struct spheres *p, size_t i, size_t k, double v[]);
 /* Finds the pairs that overlap, ascending, each once: p->pair. Returns how
    many. */
 size_t spheres_overlaps(struct spheres *p, const double x[]);
+
+/* How deep bodies of a scene with contacts overlap, or reach beyond a hard
+   wall that they do not come back from, m; 0: nowhere, or there are no
+   contacts. INFINITY without memory. Where and when such bodies touched
+   cannot be known, and what becomes of them depends on the step: programs
+   refuse them, or say so. */
+double spheres_depth(const struct scene *s);
 
 /* Counts pairs that the last step, p->dt long, took through each other:
    p->passed. spheres_resolve does that by itself. */

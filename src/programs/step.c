@@ -1,5 +1,5 @@
 /* From chapters/works/11-step.nw: edit there, then run make tangle. */
-/* checksum 1736984633 of the lines below */
+/* checksum 2901610703 of the lines below */
 /* Steps a scene through time and writes what is looked at, row by row. */
 #include "forces/adaptive.h"
 #include "forces/checkpoint.h"
@@ -353,20 +353,13 @@ static double unseen(const struct scene *s)
     return 1e-10 * size * (1e-10 * size) * sum;
 }
 
-/* How deep bodies with sudden contacts are in each other, m; 0: nowhere by
-   more than rounding. */
+/* How deep bodies with sudden contacts are in each other, or beyond walls,
+   m; 0: nowhere by more than rounding. */
 static double find_overlap(const struct run *r)
 {
-    struct spheres p;
-    double depth = 0;
-    if (!r->motion.collides || !spheres_create(&p, &r->scene, SPHERES_ALL))
-        return 0;
-    spheres_overlaps(&p, r->scene.position);
-    for (size_t j = 0; j < p.pairs; ++j)
-        depth = fmax(depth, p.pair[j].depth);
-    depth = depth > 1e-9 * p.widest ? depth : 0;
-    spheres_free(&p);
-    return depth;
+    const struct spheres *p = &r->motion.spheres;
+    const double depth = r->motion.collides ? spheres_depth(&r->scene) : 0;
+    return depth > 1e-9 * p->widest ? depth : 0;
 }
 
 static void begin_watch(struct run *r)
@@ -514,8 +507,9 @@ static void note(const struct run *r)
         note_passed(r);
     if (c == NOTE_OVERLAP)
         fprintf(stderr,
-                PROGRAM ": note: at the start bodies overlapped by %.3g, "
-                        "and what comes of that depends on the step\n",
+                PROGRAM ": note: at the start bodies overlapped, or were "
+                        "outside of a wall, by %.3g, and what comes of "
+                        "that depends on the step\n",
                 r->watch.overlap);
     if (c == NOTE_ENERGY)
         fprintf(

@@ -702,27 +702,27 @@ static void test_overlap(void)
 {
     make("four-disks", NULL);
     const size_t n = scene.bodies;
-    UNIT_EQUAL(models_overlap(&scene), 0);
+    UNIT_EQUAL(spheres_depth(&scene), 0);
     scene.position[0] = scene.low[0] + scene.radius[0] - 0.03;
     scene.velocity[0] = -1;
-    UNIT_NEAR(models_overlap(&scene), 0.03, 1e-15);
+    UNIT_NEAR(spheres_depth(&scene), 0.03, 1e-15);
     scene.freedom[0] = 0; /* it cannot be pushed */
-    UNIT_EQUAL(models_overlap(&scene), 0);
+    UNIT_EQUAL(spheres_depth(&scene), 0);
     scene.freedom[0] = 1;
     scene.velocity[0] = 1; /* comes back, and bounces from nothing */
-    UNIT_EQUAL(models_overlap(&scene), 0);
+    UNIT_EQUAL(spheres_depth(&scene), 0);
     const double reach = scene.radius[0] + scene.radius[1];
     scene.position[1] = scene.position[0] + 0.75 * reach;
     scene.position[n + 1] = scene.position[n];
     for (int way = -1; way <= 1; ++way) {
         scene.velocity[1] = 1 + way;
-        UNIT_NEAR(models_overlap(&scene), 0.25 * reach, 1e-15);
+        UNIT_NEAR(spheres_depth(&scene), 0.25 * reach, 1e-15);
     }
     scene.position[1] = scene.position[0] + reach;
-    UNIT_TRUE(models_overlap(&scene) < 1e-15);
+    UNIT_TRUE(spheres_depth(&scene) < 1e-15);
     scene.position[1] = scene.position[0] + 0.75 * reach;
     scene.contact = false;
-    UNIT_EQUAL(models_overlap(&scene), 0);
+    UNIT_EQUAL(spheres_depth(&scene), 0);
     scene_free(&scene);
 }
 
@@ -751,10 +751,10 @@ static void test_beyond(void)
                     scene.radius[i] = 1e-3;
                 for (size_t i = 1; i < n; ++i)
                     scene.position[k * n + i] = 0.4 + 0.05 * (double)i;
-                UNIT_NEAR(models_overlap(&scene), way == -side ? 0 : 0.05,
+                UNIT_NEAR(spheres_depth(&scene), way == -side ? 0 : 0.05,
                           1e-15);
                 scene.wall[k] = SCENE_OPEN;
-                UNIT_EQUAL(models_overlap(&scene), 0);
+                UNIT_EQUAL(spheres_depth(&scene), 0);
                 scene.wall[k] = SCENE_HARD;
                 scene.velocity[k * n] = 0;
                 *x = was;

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Each lab sheet has its page for the instructor: what is usually predicted,
-# what comes out, an answer to each open question, ten points. And students do
-# not get it.
+# what comes out, an answer to each open question, ten points. Each project has a
+# rubric of five points. And students get neither, on paper, as pages or with the chapters.
 . tests/programs/common
 for number in 01 02 03 04 05 06 07 08 09 10 11 12; do
     page=solutions/lab-$number.tex
@@ -17,4 +17,21 @@ done
 said() { grep -c 'To the lab sheet' "$(tests/text-of "build/$1.pdf")"; }
 holds 'they stand in the instructor'"'"'s edition' test "$(said bonkers-instructor)" -eq 12
 holds 'and not in the students'"'"'' test "$(said bonkers)" -eq 0
-echo 1..38
+for project in P1 P2 P3 P4; do
+    page=solutions/rubric-$project.tex
+    holds "project $project: five points, for people to give" \
+        test 5 = "$(sed -n '/^A point each:$/,/^.end{enumerate}/s/^\\item .*/x/p' $page | wc -l)"
+    holds "project $project: its rubric has a place" \
+        grep -q "^.projectrubric{$project}{" chapters/B-lecturers.nw
+done
+# rubrics FILE...: how many rubrics of projects stand in the files; nothing, and so no
+# test passes, where a file is missing.
+rubrics() { cat "$@" >"$work/read" && grep -c "A point each" "$work/read"; }
+printed() { rubrics "$(tests/text-of "build/$1.pdf")"; }
+holds 'four rubrics in the instructor'"'"'s edition' test "$(printed bonkers-instructor)" -eq 4
+holds 'and none in the students'"'"'' test "$(printed bonkers)" -eq 0
+holds 'four on the instructor'"'"'s pages' test "$(rubrics build/site-instructor/*.html)" -eq 4
+holds 'and none on the students'"'"' pages' \
+    test "$(rubrics build/site/*.html build/site-course/*.html)" -eq 0
+holds 'and none in the chapters, which may be handed out' test "$(rubrics chapters/*.nw)" -eq 0
+echo 1..51

@@ -639,6 +639,11 @@ function tex(s,    out, name, at, words, label, more, opt, end) {
             s = substr(s, after)
             wants_solutions = words
             out = out "\n\n"
+        } else if (name == "projectrubric") {
+            words = argument(s, 1)
+            more = argument(s, after)
+            s = substr(s, after)
+            out = out project_rubric(words, more)
         } else if (name == "answer") {
             words = again(s, 1)
             s = substr(s, after)
@@ -956,6 +961,21 @@ function lab_answers(    name, line, more) {
     answers = 0
     return block("<div class=\"labsheet\"><h2 id=\"to-the-lab-sheet\">To the lab sheet</h2>") \
         tex(more) block("</div>")
+}
+function project_rubric(project, title,    name, line, more) {
+    if (edition != "instructor")
+        return ""
+    name = "build/book-instructor/rubric-" project ".tex"
+    more = ""
+    while ((getline line < name) > 0)
+        more = more line "\n"
+    if (more == "") {
+        fail("there is no " name)
+        return ""
+    }
+    close(name)
+    read_too[name] = 1
+    return block("<h3 id=\"rubric-" project "\">" project ". " title "</h3>") tex(more)
 }
 
 # ---- the chapter, line by line

@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 698695349 of the lines below */
+/* checksum 747753153 of the lines below */
 /* Starts the compiler and tells of its messages what helps. */
 #include "examiner/build.h"
 #include "examiner/message.h"
@@ -230,6 +230,12 @@ static const char *name_types(const char *text, const char *line,
 void build_tell(const char *text, const char *source, const char *types,
                 FILE *story)
 {
+    if (text_utf16(source)) {
+        text_field(story, "means",
+                   "The file is UTF-16: save it as UTF-8. It has two bytes "
+                   "for each letter, and a compiler reads one.");
+        return;
+    }
     const char *own = find_error(text, source);
     const char *line = own ? own : find_line(text, "", "error:");
     if (!own && line)

@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 2747467607 of the lines below */
+/* checksum 2428938090 of the lines below */
 /* Marks counted, written to disk and read again. */
 #include "examiner/marks.h"
 #include "examiner/text.h"
@@ -40,48 +40,18 @@ bool marks_late(const struct marks *marks)
     return false;
 }
 
-static size_t character(const unsigned char *s, size_t left)
-{
-    static const unsigned long least[] = {0, 0, 0xa0, 0x800, 0x10000};
-    if (*s < 0x80)
-        return *s == '\n' || (*s >= ' ' && *s != 0x7f);
-    const size_t length = *s >= 0xf8   ? 0
-                          : *s >= 0xf0 ? 4
-                          : *s >= 0xe0 ? 3
-                          : *s >= 0xc0 ? 2
-                                       : 0;
-    if (length == 0 || length > left)
-        return 0;
-    unsigned long code = *s & (0xffu >> (length + 1));
-    for (size_t i = 1; i < length; ++i) {
-        if ((s[i] & 0xc0) != 0x80)
-            return 0;
-        code = code << 6 | (s[i] & 0x3f);
-    }
-    const bool stays = code >= least[length] && code <= 0x10ffff &&
-                       (code < 0xd800 || code > 0xdfff) && code != 0xfffe &&
-                       code != 0xffff;
-    return stays ? length : 0;
-}
 char *marks_text(const char *bytes, size_t length, size_t most)
 {
-    const unsigned char *s = (const unsigned char *)bytes;
     const size_t kept = length < most ? length : most;
-    char *text = malloc(4 * kept + 80), *end = text;
-    if (!text)
+    char *text = text_escaped(bytes, kept);
+    if (kept == length)
+        return text;
+    const size_t end = strlen(text);
+    char *longer = realloc(text, end + 80);
+    if (!longer)
         text_fail("out of memory");
-    for (size_t i = 0; i < kept;) {
-        const size_t whole = character(s + i, kept - i);
-        if (whole == 0)
-            end += sprintf(end, "\\x%02x", s[i]);
-        memcpy(end, s + i, whole);
-        end += whole;
-        i += whole ? whole : 1;
-    }
-    *end = '\0';
-    if (kept < length)
-        sprintf(end, "\n... (%zu bytes in all)", length);
-    return text;
+    sprintf(longer + end, "\n... (%zu bytes in all)", length);
+    return longer;
 }
 
 static json_t *json_of_mark(const struct mark *mark)

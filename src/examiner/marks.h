@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 2786656131 of the lines below */
+/* checksum 1619773150 of the lines below */
 /* Points, states and stories of one student's exercise. */
 #ifndef MARKS_H
 #define MARKS_H
@@ -49,8 +49,7 @@ int marks_possible(const struct marks *marks, bool hidden);
 /* Whether a test has timed out, or the build has. */
 bool marks_late(const struct marks *marks);
 
-/* Makes text of bytes: UTF-8 passes, with \n; what is not, or controls a
-   terminal, or is forbidden in XML becomes \xNN. Of more than `most` bytes
+/* Returns bytes escaped, as text_escaped does. Of more than `most` bytes
    the first are kept, and how many there were is said. The caller frees
    it. */
 char *marks_text(const char *bytes, size_t length, size_t most);

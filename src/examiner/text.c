@@ -1,9 +1,8 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 422000333 of the lines below */
+/* checksum 816646536 of the lines below */
 /* Files as strings, lines cut off, labels and texts in columns. */
 #include "examiner/text.h"
 
-#include <ctype.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,6 +21,73 @@ void text_fail(const char *format, ...)
     exit(2);
 }
 
+/* Returns the length of the UTF-8 character that begins here, whose code it
+   leaves in *code, or 0 if none does. */
+static size_t character(const unsigned char *s, size_t left,
+                        unsigned long *code)
+{
+    static const unsigned long least[] = {0, 0, 0x80, 0x800, 0x10000};
+    *code = *s;
+    if (*s < 0x80)
+        return 1;
+    const size_t length = *s >= 0xf8   ? 0
+                          : *s >= 0xf0 ? 4
+                          : *s >= 0xe0 ? 3
+                          : *s >= 0xc0 ? 2
+                                       : 0;
+    if (length == 0 || length > left)
+        return 0;
+    *code = *s & (0xffu >> (length + 1));
+    for (size_t i = 1; i < length; ++i) {
+        if ((s[i] & 0xc0) != 0x80)
+            return 0;
+        *code = *code << 6 | (s[i] & 0x3f);
+    }
+    const bool valid = *code >= least[length] && *code <= 0x10ffff &&
+                       (*code < 0xd800 || *code > 0xdfff);
+    return valid ? length : 0;
+}
+
+/* Whether a character is seen where it stands and as what it is. Not: the
+   controls, below 32 and from 127 to 159; what turns the direction, by
+   which a line of code can be shown as another one; the line ends of
+   Unicode; two characters without a width; and two that XML forbids. */
+static bool is_seen(unsigned long code)
+{
+    static const unsigned long unseen[][2] = {
+        {0, '\n' - 1},    {'\n' + 1, 0x1f}, {0x7f, 0x9f},
+        {0x61c, 0x61c},   {0x200b, 0x200b}, {0x200e, 0x200f},
+        {0x2028, 0x202e}, {0x2066, 0x2069}, {0xfeff, 0xfeff},
+        {0xfffe, 0xffff}};
+    for (size_t i = 0; i < sizeof unseen / sizeof *unseen; ++i)
+        if (code >= unseen[i][0] && code <= unseen[i][1])
+            return false;
+    return true;
+}
+
+char *text_escaped(const char *bytes, size_t length)
+{
+    const unsigned char *s = (const unsigned char *)bytes;
+    char *text = malloc(4 * length + 1), *end = text;
+    if (!text)
+        text_fail("out of memory");
+    for (size_t i = 0; i < length;) {
+        unsigned long code;
+        const size_t whole = character(s + i, length - i, &code);
+        if (whole <= 1 && (whole == 0 || !is_seen(code))) {
+            end += sprintf(end, "\\x%02x", s[i]);
+        } else if (!is_seen(code)) {
+            end += sprintf(end, "\\u%04lx", code);
+        } else {
+            memcpy(end, s + i, whole);
+            end += whole;
+        }
+        i += whole ? whole : 1;
+    }
+    *end = '\0';
+    return text;
+}
+
 bool text_plain(const char *path)
 {
     struct stat about;
@@ -31,19 +97,33 @@ bool text_plain(const char *path)
 char *text_read(const char *path)
 {
     FILE *file = text_plain(path) ? fopen(path, "r") : NULL;
-    char *text = file ? malloc(TEXT_LIMIT + 1) : NULL;
-    size_t length = text ? fread(text, 1, TEXT_LIMIT, file) : 0;
+    char *bytes = file ? malloc(TEXT_LIMIT) : NULL;
+    const size_t length = bytes ? fread(bytes, 1, TEXT_LIMIT, file) : 0;
     if (file)
         fclose(file);
-    if (!text)
+    if (!bytes)
         return NULL;
-    text[length] = '\0';
     for (size_t i = 0; i < length; ++i)
-        if (text[i] == '\t' || text[i] == '\r')
-            text[i] = ' ';
-        else if (text[i] != '\n' && !isprint((unsigned char)text[i]))
-            text[i] = '?';
+        if (bytes[i] == '\t' || bytes[i] == '\r')
+            bytes[i] = ' ';
+    char *text = text_escaped(bytes, length);
+    free(bytes);
     return text;
+}
+
+bool text_utf16(const char *path)
+{
+    unsigned char s[8] = {0};
+    FILE *file = text_plain(path) ? fopen(path, "r") : NULL;
+    const size_t length = file ? fread(s, 1, sizeof s, file) : 0;
+    if (file)
+        fclose(file);
+    if (length >= 2 && s[0] + s[1] == 0xff + 0xfe && abs(s[0] - s[1]) == 1)
+        return true; /* the mark that shows which byte comes first */
+    int zeros[2] = {0};
+    for (size_t i = 0; i < sizeof s; ++i)
+        zeros[i % 2] += s[i] == 0;
+    return length == sizeof s && abs(zeros[0] - zeros[1]) == 4;
 }
 
 char *text_line(char **rest)
@@ -87,7 +167,10 @@ void text_field(FILE *out, const char *label, const char *text)
 static void quote(FILE *out, const char *line, size_t length)
 {
     const size_t room = TEXT_WIDTH - 4;
-    fprintf(out, "  | %.*s\n", (int)(length < room ? length : room), line);
+    if (length > room)
+        for (length = room; (line[length] & 0xc0) == 0x80;)
+            --length;
+    fprintf(out, "  | %.*s\n", (int)length, line);
 }
 
 void text_quote(FILE *out, const char *text, int lines)

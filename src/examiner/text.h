@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 1256820183 of the lines below */
+/* checksum 3246843564 of the lines below */
 /* Text read safely and folded for a terminal. */
 #ifndef TEXT_H
 #define TEXT_H
@@ -12,9 +12,20 @@ enum { TEXT_WIDTH = 78, TEXT_LABEL = 13, TEXT_LIMIT = 1 << 20 };
 /* Whether there is a plain file of this name: no folder, no pipe. */
 bool text_plain(const char *path);
 
-/* The first TEXT_LIMIT bytes of a file as a string, unprintable ones turned
-   into '?', or NULL when it cannot be read. The caller frees it. */
+/* Returns bytes as text that a person can read: UTF-8 stays, with \n. What
+   is not UTF-8, a zero byte, and what controls a terminal becomes \x1b;
+   what changes the direction of writing or cannot be seen becomes \u202e.
+   All that students have written or printed goes through here before it is
+   shown. The caller frees it. */
+char *text_escaped(const char *bytes, size_t length);
+
+/* Returns the first TEXT_LIMIT bytes of a file, escaped, with blanks for
+   tabs and carriage returns, or NULL when it cannot be read. The caller
+   frees it. */
 char *text_read(const char *path);
+
+/* Whether a file has two bytes for each letter, as some editors save it. */
+bool text_utf16(const char *path);
 
 /* Cuts the next line off *rest and returns it without its end; NULL when
    nothing is left. Changes the text in place. */

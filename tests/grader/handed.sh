@@ -171,6 +171,37 @@ verdict 'an exercise that is none is told of' told x.part 'there is no such ex'
 verdict 'a dozen lines are enough' told many '... and more'
 verdict 'a line break stays in its line' told odd 'an archive .*line?break.zip'
 verdict 'a byte that is no text is told of' told bytes 'an archive .*xff'
+
+# ---- what is in names and messages is shown as what it is ----
+
+put "$(printf 'turned/\342\200\256zip.zip')" \
+    "$(printf 'na\342\200\256me\033[2J/01a-collide.c')"
+mkdir "$scratch/in/message" "$scratch/in/wide" "$scratch/in/unmarked"
+printf '#error \342\200\256turned \033[2J cleared \303\244 \377 \000 zero\n' \
+    >"$scratch/in/message/01a-collide.c"
+printf 'int x;\n' | sed 's/./&@/g; s/$/@/' | tr '@\n' '\000\n' >"$scratch/utf16"
+{ printf '\377\376'; cat "$scratch/utf16"; } >"$scratch/in/wide/01a-collide.c"
+cp "$scratch/utf16" "$scratch/in/unmarked/01a-collide.c"
+graded 'escapes'
+verdict 'a name of a file that turns the writing is shown escaped' \
+    told turned 'an archive .*[\]u202ezip.zip'
+verdict 'so is a name of a student in the table' \
+    grep -q '^na[\]u202eme[\]x1b' "$scratch/said"
+verdict 'and in the CSV' grep -q '^"na[\]u202eme[\]x1b' "$out/grades.csv"
+clean_of() { # FILE...: neither a control nor what turns the writing is in it
+    ! LC_ALL=C grep -l "$(printf '[\001-\010\013\014\016-\037\177]\|\342\200\256')" "$@"
+}
+verdict 'nothing that is written has them as they are' clean_of \
+    "$scratch/said" "$out/grades.csv" "$out"/marks/*/01a.json
+story() { # STUDENT TEXT
+    sed -n 's/^ "story": //p' "$(result "$1")" | grep -q -e "$2" ||
+        why "$(grep '"story"' "$(result "$1")" | head -c 300)"
+}
+verdict 'what the compiler quotes, too' story message 'u202eturned .*x1b\[2J cleared'
+verdict 'UTF-16 is named' story wide 'is UTF-16: save it as UTF-8'
+verdict 'without a mark, too' story unmarked 'is UTF-16: save it as UTF-8'
+verdict 'and no wall of errors' eval '! story wide "error:"'
+
 # ---- the folder of results ----
 
 put anna/01a-collide.c
@@ -190,4 +221,4 @@ within() {
     done
 }
 verdict 'results are not put among the submissions' within
-echo 1..68
+echo 1..77

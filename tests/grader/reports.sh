@@ -345,7 +345,7 @@ holds 'the table sends no control characters' \
     sh -c "! LC_ALL=C grep -q '[[:cntrl:]]' '$work/strange/table'"
 holds 'the table turns no line round' \
     sh -c "! grep -q '$(printf '\342\200\256')' '$work/strange/table' &&
-    grep -q '$(printf '\342\200\256')' '$work/strange/names.txt'"
+    grep -q '^[\\]u202eturned round' '$work/strange/table'"
 
 # What was not graded is not zero points.
 lost() {

@@ -13,7 +13,7 @@ kit=$work/kit
 mkdir -p "$kit/build/bin" "$kit/build/tests/hunt" "$kit/tests/hunt" \
     "$kit/plots" "$kit/src" "$kit/chapters/press"
 for file in src/jobs.mk plots/plots.mk plots/atlas.awk \
-    chapters/press/recipes tests/hunt/run; do
+    chapters/press/recipes chapters/press/lines tests/hunt/run; do
     cp $file "$kit/$file"
 done
 $make -s build/bin/bonk build/bin/bonk-studies build/tests/hunt/generate \

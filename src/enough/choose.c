@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 3615071559 of the lines below */
+/* checksum 2383546354 of the lines below */
 /* Exact ways, two runs that agree, and ladders judged by them. */
 #include "enough/choose.h"
 
@@ -868,6 +868,11 @@ static void compare(const struct task *t)
     race(t, true);
 }
 
+/* Two references whose errors were as large as the tolerance would differ
+   by less than this part of it once in pi/2 agree = 630 times, by chance
+   (P_1 at `margin`): is_near_floor leaves no less, and is not asked. */
+static const double agree = 400;
+
 /* Does rounding move what was taken by a 300th of the tolerance, or more?
    If not, but the spread of its errors were such that they could break the
    promise, the twin would have come so near by chance: in less than one of
@@ -892,7 +897,8 @@ static void compare_surely(const struct task *t)
     struct reference *f = t->f;
     const size_t candidates = c->candidates, points = c->points;
     compare(t);
-    if (!c->run.value || f->twins > 0 || !is_near_floor(t))
+    if (!c->run.value || f->twins > 0 ||
+        agree * f->seen <= t->q->tolerance || !is_near_floor(t))
         return;
     const bool sure = ask_twins(t, f, crude * t->q->tolerance);
     const double error = off_by(t, &c->run);

@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1652911106 of the lines below */
+/* checksum 1564174195 of the lines below */
 /* Each column is judged by a scale; a run may be in other units. */
 #include "enough/record.h"
 
@@ -169,8 +169,7 @@ bool record_look(struct record_view *v, const char *program,
     if (!room)
         fprintf(stderr, "%s: no memory for %zu columns\n", program,
                 v->columns);
-    if (!room ||
-        !motion_begin(&v->motion, program, &v->scene, "leapfrog", 1)) {
+    if (!room || !motion_view(&v->motion, program, &v->scene)) {
         record_look_away(v);
         return false;
     }

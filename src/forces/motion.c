@@ -1,5 +1,5 @@
 /* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 1046670038 of the lines below */
+/* checksum 3740126551 of the lines below */
 /* Accelerations are added up; bodies collide between two steps. */
 #include "forces/motion.h"
 
@@ -324,16 +324,16 @@ enum motion_flaw motion_flaw(const struct scene *s, size_t *body)
     const size_t of[] = {find_light(s), find_thick(s), find_point(s)};
     const enum motion_flaw flaw[] = {MOTION_LIGHT, MOTION_THICK,
                                      MOTION_POINTS};
+    if ((s->wall[0] || s->wall[1] || s->wall[2]) && !s->contact)
+        return MOTION_WALLS;
+    if (s->touch != SCENE_SUDDEN && s->restitution != 1)
+        return MOTION_TWICE;
     for (size_t f = 0; f < sizeof of / sizeof of[0]; ++f) {
         if (body)
             *body = of[f];
         if (of[f] < s->bodies)
             return flaw[f];
     }
-    if ((s->wall[0] || s->wall[1] || s->wall[2]) && !s->contact)
-        return MOTION_WALLS;
-    if (s->touch != SCENE_SUDDEN && s->restitution != 1)
-        return MOTION_TWICE;
     return MOTION_WELL;
 }
 
@@ -387,14 +387,11 @@ const struct spheres *motion_contacts(const struct motion *m)
                                       : NULL;
 }
 
-bool motion_begin(struct motion *m, const char *program, struct scene *s,
+static bool begin(struct motion *m, const char *program, struct scene *s,
                   const char *method, double dt)
 {
     char message[128];
     const struct stepping_method *found = stepping_find(method);
-    *m = (struct motion){.scene = s};
-    if (!check_scene(program, s))
-        return false;
     snprintf(message, sizeof message, "there is no method '%.40s'", method);
     if (!found)
         return complain(program, message);
@@ -411,6 +408,21 @@ bool motion_begin(struct motion *m, const char *program, struct scene *s,
         return true;
     motion_end(m);
     return complain(program, "no memory for the motion");
+}
+
+bool motion_begin(struct motion *m, const char *program, struct scene *s,
+                  const char *method, double dt)
+{
+    *m = (struct motion){.scene = s};
+    return check_scene(program, s) && begin(m, program, s, method, dt);
+}
+
+bool motion_view(struct motion *m, const char *program, struct scene *s)
+{
+    const bool points = motion_flaw(s, NULL) == MOTION_POINTS;
+    *m = (struct motion){.scene = s};
+    return (points || check_scene(program, s)) &&
+           begin(m, program, s, "leapfrog", 1);
 }
 
 void motion_end(struct motion *m)

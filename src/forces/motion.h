@@ -1,5 +1,5 @@
 /* From chapters/works/11-step.nw: edit there, then run make tangle. */
-/* checksum 2937005153 of the lines below */
+/* checksum 2331474224 of the lines below */
 /* A scene set in motion by all that acts in it, as one acceleration. */
 #ifndef MOTION_H
 #define MOTION_H
@@ -58,6 +58,10 @@ enum motion_flaw {
    and returns false with nothing to free. */
 bool motion_begin(struct motion *m, const char *program, struct scene *s,
                   const char *method, double dt);
+
+/* The same for a scene that something else carries, from one collision to
+   the next: only its energy can be asked for. Points may be on one line. */
+bool motion_view(struct motion *m, const char *program, struct scene *s);
 void motion_end(struct motion *m);
 
 /* From here on contacts are found inside the steps, and not after them.

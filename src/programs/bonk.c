@@ -1,5 +1,5 @@
 /* From chapters/works/12-bonk.nw: edit there, then run make tangle. */
-/* checksum 4256790287 of the lines below */
+/* checksum 4025117658 of the lines below */
 /* Carries a scene by the cheapest model that holds, and says why. */
 #include "enough/averages.h"
 #include "enough/choose.h"
@@ -133,7 +133,7 @@ static void read_scene(struct run *r)
 {
     struct motion m;
     if (!scene_read(&r->scene, PROGRAM, r->s->scene) ||
-        !motion_begin(&m, PROGRAM, &r->scene, "leapfrog", 1))
+        !motion_view(&m, PROGRAM, &r->scene))
         exit(OPTIONS_FAILURE);
     motion_end(&m);
     if (r->scene.touch != SCENE_SUDDEN)

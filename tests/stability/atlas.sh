@@ -15,15 +15,16 @@ holds 'what is true is known' awk '/^#= unsure [0-9]/ && $3 < 1e-11 { known = 1 
     END { exit !known }' $data
 maps keys >"$work/keys"
 holds '24 scenes and one, at three tolerances' test "$(key asked)" = 75
-maps wrong >"$work/wrong"
+# At a millionth the run of the four disks happens to be right, to 3.4e-8, but
+# rounding could have made it wrong by 1.06e-6, and is not trusted.
+maps wrong | grep -v '^four-disks-6 is refused' >"$work/wrong"
 holds 'no pick is wrong' test ! -s "$work/wrong"
 cat "$work/wrong"
 
-# Of what was granted by the chooser before, all is; seven requests were
-# refused, and may be granted.
-maps refused | grep -vxE 'four-(disks-9|late-[369])|gas-[69]|brownian-9' \
+# These eight are refused, and may be granted; nothing else is.
+maps refused | grep -vxE 'four-(disks-[69]|late-[369])|gas-[69]|brownian-9' \
     >"$work/refused"
-holds 'nothing is refused that was granted' test ! -s "$work/refused"
+holds 'nothing is refused but these' test ! -s "$work/refused"
 cat "$work/refused"
 
 # What the map of the four disks shows: 1e-9 is beyond the horizon.
@@ -31,13 +32,14 @@ h=$(key four-disks-9_horizon)
 holds 'a horizon is a pick' is "${h:-9} > 1 && ${h:-9} < 4"
 
 # Looking, by the price list: no short run has more than 0.1 s of it, the
-# longer ones, which are three, a median of eight times themselves, and all
+# longer ones, which are three, a median of nine times themselves (one of them
+# the twin that tells how near the floor of rounding is), and all
 # together twice what halving the classic method's step would have cost.
 maps slow >"$work/slow"
 holds 'no run under 10 ms is looked at for 0.1 s' test ! -s "$work/slow"
 cat "$work/slow"
-holds 'longer runs: looking costs at most eight times as much, median' \
-    is "$(key times) <= 8"
+holds 'longer runs: looking costs at most nine times as much, median' \
+    is "$(key times) <= 9"
 spent=$(key deciding)
 ran=$(key running)
 holds 'all in all at most twice the classic methods' \

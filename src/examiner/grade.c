@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 1040153056 of the lines below */
+/* checksum 2597448043 of the lines below */
 /* The program behind make grade: a folder of submissions, in parallel. */
 #define _XOPEN_SOURCE 700 /* realpath */
 #include "examiner/folder.h"
@@ -814,14 +814,21 @@ static void publish_all(struct batch *b)
         fputc('\n', stderr);
     publish("table", &course, b->options.output);
     publish("csv", &course, b->options.output);
+    publish("notes", &course, b->options.output);
     while (next_word(&list, word))
         publish(word, &course, b->options.output);
     printf("Results and reports: %s/ (hidden seed %" PRIu64
            "; programs in: %s)\n",
            b->options.output, b->grading.seed, box_name(b->grading.kind));
     char hand[4300];
-    snprintf(hand, sizeof hand, "%s/by-hand", b->options.output);
+    snprintf(hand, sizeof hand, "%s/by-hand/notes.txt", b->options.output);
     if (access(hand, F_OK) == 0)
+        printf("What is for a human eye, line by line: %s\n", hand);
+    *strrchr(hand, '/') = '\0';
+    bool projects = false;
+    for (size_t e = 0; e < b->kit_count; ++e)
+        projects |= *b->kits[e].exercise == 'P';
+    if (projects && access(hand, F_OK) == 0)
         printf("Figures and texts of projects, to be marked by you: %s/\n",
                hand);
     if (b->failed)

@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 1063109062 of the lines below */
+/* checksum 3565184607 of the lines below */
 /* Reports as a table, CSV, JSON and XML, each whole or absent. */
 #define _XOPEN_SOURCE 700 /* wcwidth */
 #include "examiner/publish.h"
@@ -251,6 +251,127 @@ static void put_cell(FILE *out, const char *text)
     putc('"', out);
 }
 
+/* What is to be done with one line about a student's exercise, "-" for all
+   that he has handed in; `to' is what it needs for that. */
+typedef void take_line(void *to, const char *student, const char *exercise,
+                       const char *text);
+
+static void tell_notes(const struct course *c, size_t s, take_line *take,
+                       void *to)
+{
+    const char *student =
+        s < c->students ? marks_of(c, s, 0)->student : "-";
+    for (const char *line = c->notes[s]; *line;) {
+        const size_t length = strcspn(line, "\n");
+        char *text = compose("%.*s", (int)length, line);
+        take(to, student, "-", text);
+        free(text);
+        line += length + (line[length] == '\n');
+    }
+}
+static char *first_advice(const struct marks *m)
+{
+    const char *text = m->advice + strspn(m->advice, " ");
+    const char *what = text_after(text, "what ");
+    if (what)
+        text = what + strspn(what, " ");
+    return compose("advice: %.*s", (int)strcspn(text, "\n"), text);
+}
+
+static void tell_marks(const struct marks *m, take_line *take, void *to)
+{
+    const int hidden = marks_possible(m, true);
+    const char *who = m->student, *what = m->exercise;
+    if (*m->note || lost(m))
+        take(to, who, what, lost(m) ? m->file : m->note);
+    if (marks_late(m))
+        take(to, who, what, "timed out");
+    if (*m->advice) {
+        char *text = first_advice(m);
+        take(to, who, what, text);
+        free(text);
+    }
+    if (marks_earned(m, false) == marks_possible(m, false) &&
+        marks_earned(m, true) < hidden) {
+        char *text =
+            compose("passes what is public, but %d of %d hidden points",
+                    marks_earned(m, true), hidden);
+        take(to, who, what, text);
+        free(text);
+    }
+}
+
+static void tell_all(const struct course *c, take_line *take, void *to)
+{
+    for (size_t s = 0; s <= c->students; ++s)
+        tell_notes(c, s, take, to);
+    for (size_t i = 0; i < c->students * c->exercises; ++i)
+        tell_marks(&c->marks[i], take, to);
+}
+
+static void put_note(void *to, const char *student, const char *exercise,
+                     const char *text)
+{
+    fprintf(to, "%s  %s  %s\n", student, exercise, text);
+}
+
+static void count_note(void *to, const char *student, const char *exercise,
+                       const char *text)
+{
+    (void)student, (void)exercise, (void)text;
+    ++*(size_t *)to;
+}
+
+static void report_notes(const struct course *c, const char *folder)
+{
+    char below[4096];
+    struct draft draft;
+    size_t count = 0;
+    tell_all(c, count_note, &count);
+    snprintf(below, sizeof below, "%s/by-hand", folder);
+    if (count == 0) {
+        draft_remove(below, "notes.txt");
+        return;
+    }
+    make_folder(folder);
+    make_folder(below);
+    draft_open(&draft, below, "notes.txt");
+    if (fchmod(fileno(draft.file), 0600) != 0) /* it is about people */
+        give_up(&draft);
+    tell_all(c, put_note, draft.file);
+    draft_close(&draft);
+}
+
+static void join_note(void *to, const char *student, const char *exercise,
+                      const char *text)
+{
+    (void)student;
+    const char *between = ftell(to) > 0 ? "; " : "";
+    if (strcmp(exercise, "-") == 0)
+        fprintf(to, "%s%s", between, text);
+    else
+        fprintf(to, "%s%s: %s", between, exercise, text);
+}
+
+/* Writes all notes on a student into one cell. */
+static void put_notes(FILE *out, const struct course *c, size_t s)
+{
+    char *text = NULL;
+    size_t length;
+    FILE *notes = open_memstream(&text, &length);
+    if (!notes)
+        text_fail("out of memory");
+    tell_notes(c, s, join_note, notes);
+    for (size_t e = 0; e < c->exercises; ++e)
+        tell_marks(marks_of(c, s, e), join_note, notes);
+    if (fclose(notes) != 0)
+        text_fail("out of memory");
+    putc(',', out);
+    put_cell(out, text);
+    fputs("\r\n", out);
+    free(text);
+}
+
 static void put_row(FILE *out, const struct course *c, size_t s)
 {
     put_cell(out, marks_of(c, s, 0)->student);
@@ -260,9 +381,10 @@ static void put_row(FILE *out, const struct course *c, size_t s)
         else
             fprintf(out, ",%d", earned(marks_of(c, s, e)));
     if (complete(c, s))
-        fprintf(out, ",%d,%d\r\n", earned_of_all(c, s), possible_of_all(c));
+        fprintf(out, ",%d,%d", earned_of_all(c, s), possible_of_all(c));
     else
-        fprintf(out, ",,%d\r\n", possible_of_all(c));
+        fprintf(out, ",,%d", possible_of_all(c));
+    put_notes(out, c, s);
 }
 
 static void report_csv(const struct course *c, const char *folder)
@@ -277,10 +399,12 @@ static void report_csv(const struct course *c, const char *folder)
         putc(',', draft.file);
         put_cell(draft.file, marks_of(c, 0, e)->exercise);
     }
-    fputs(",\"total\",\"possible\"\r\n\"points possible\"", draft.file);
+    fputs(",\"total\",\"possible\",\"note\"\r\n"
+          "\"points possible\"",
+          draft.file);
     for (size_t e = 0; e < c->exercises; ++e)
         fprintf(draft.file, ",%d", possible(c, e));
-    fprintf(draft.file, ",%d,%d\r\n", possible_of_all(c),
+    fprintf(draft.file, ",%d,%d,\"\"\r\n", possible_of_all(c),
             possible_of_all(c));
     for (size_t s = 0; s < c->students; ++s)
         put_row(draft.file, c, s);
@@ -861,16 +985,23 @@ static void show_block(const struct course *c, const struct layout *l,
     putchar('\n');
 }
 
+struct screen {
+    const struct layout *layout;
+    bool any; /* line was shown */
+};
+
 /* A line for a person, on as many lines of the screen as it needs. */
-static void show_line(const char *student, const char *exercise,
-                      const struct layout *l, bool *any, char *text)
+static void show_line(void *to, const char *student, const char *exercise,
+                      const char *text)
 {
+    struct screen *screen = to;
+    const struct layout *l = screen->layout;
     const int indent = l->name + 6 + (int)strlen(exercise);
     const size_t room =
         TEXT_WIDTH - indent < 20 ? 20 : (size_t)(TEXT_WIDTH - indent);
-    if (!*any)
+    if (!screen->any)
         puts("For a human eye:");
-    *any = true;
+    screen->any = true;
     fputs("  ", stdout);
     show_filled(student, l->name);
     printf("  %s  ", exercise);
@@ -891,47 +1022,6 @@ static void show_line(const char *student, const char *exercise,
     }
     if (!*text)
         putchar('\n');
-    free(text);
-}
-
-static void show_notes(const struct course *c, size_t s,
-                       const struct layout *l, bool *any)
-{
-    const char *student =
-        s < c->students ? marks_of(c, s, 0)->student : "-";
-    for (const char *line = c->notes[s]; *line;) {
-        const size_t length = strcspn(line, "\n");
-        show_line(student, "-", l, any, compose("%.*s", (int)length, line));
-        line += length + (line[length] == '\n');
-    }
-}
-
-static char *first_advice(const struct marks *m)
-{
-    const char *text = m->advice + strspn(m->advice, " ");
-    const char *what = text_after(text, "what ");
-    if (what)
-        text = what + strspn(what, " ");
-    return compose("advice: %.*s", (int)strcspn(text, "\n"), text);
-}
-static void look_at(const struct marks *m, const struct layout *l,
-                    bool *any)
-{
-    const int hidden = marks_possible(m, true);
-    const char *who = m->student, *what = m->exercise;
-    if (*m->note || lost(m))
-        show_line(who, what, l, any,
-                  compose("%s", lost(m) ? m->file : m->note));
-    if (marks_late(m))
-        show_line(who, what, l, any, compose("timed out"));
-    if (*m->advice)
-        show_line(who, what, l, any, first_advice(m));
-    if (marks_earned(m, false) == marks_possible(m, false) &&
-        marks_earned(m, true) < hidden)
-        show_line(
-            who, what, l, any,
-            compose("passes what is public, but %d of %d hidden points",
-                    marks_earned(m, true), hidden));
 }
 
 static void report_table(const struct course *c, const char *folder)
@@ -939,7 +1029,7 @@ static void report_table(const struct course *c, const char *folder)
     const locale_t utf8 = newlocale(LC_CTYPE_MASK, "C.UTF-8", (locale_t)0);
     const locale_t before = uselocale(utf8);
     const struct layout l = lay_out(c);
-    bool any = false;
+    struct screen screen = {&l, false};
     (void)folder;
     char *head =
         compose("%s, %s, isolation: %s", c->name, c->when, c->isolation);
@@ -950,10 +1040,7 @@ static void report_table(const struct course *c, const char *folder)
         show_block(c, &l, e);
     puts("-: not begun  b: does not build  c: crashed  t: timed out  "
          "?: not graded");
-    for (size_t s = 0; s <= c->students; ++s)
-        show_notes(c, s, &l, &any);
-    for (size_t i = 0; i < c->students * c->exercises; ++i)
-        look_at(&c->marks[i], &l, &any);
+    tell_all(c, show_line, &screen);
     uselocale(before);
     if (utf8)
         freelocale(utf8);
@@ -966,13 +1053,14 @@ static const struct {
     void (*write)(const struct course *course, const char *folder);
 } reports[] = {
     {"table", report_table},           {"csv", report_csv},
-    {"gradescope", report_gradescope}, {"classroom50", report_classroom},
-    {"github", report_github},         {"junit", report_junit},
+    {"notes", report_notes},           {"gradescope", report_gradescope},
+    {"classroom50", report_classroom}, {"github", report_github},
+    {"junit", report_junit},
 };
 
 const char publish_names[] = "gradescope, classroom50, github, junit";
 
-enum { REPORTS = sizeof reports / sizeof reports[0], ALWAYS = 2 };
+enum { REPORTS = sizeof reports / sizeof reports[0], ALWAYS = 3 };
 
 static size_t find_report(const char *name)
 {

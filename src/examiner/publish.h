@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 2282516545 of the lines below */
+/* checksum 2395668615 of the lines below */
 /* The marks of a course, for people and platforms. */
 #ifndef PUBLISH_H
 #define PUBLISH_H
@@ -24,12 +24,13 @@ struct course {
 };
 
 /* The reports that may be asked for, "gradescope, ..."; whether this is
-   one of them. Those for people, table and csv, are always written. */
+   one of them. Those for people (table, csv, notes) are always written. */
 extern const char publish_names[];
 bool publish_known(const char *report);
 
-/* Writes a report: table to standard output, csv, junit to
-   FOLDER/grades.csv, FOLDER/junit.xml; gradescope, classroom50 and github
+/* Writes a report: table to standard output, csv, notes, junit to
+   FOLDER/grades.csv, FOLDER/by-hand/notes.txt (if there are any),
+   FOLDER/junit.xml; gradescope, classroom50 and github
    to FOLDER/gradescope/STUDENT.json, ..., with characters of a student's
    name that a file name should not have as %XX. Files are there whole or
    not at all. Exits with status 2 when it cannot. */

@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 3860364832 of the lines below */
+/* checksum 2408401690 of the lines below */
 /* Walks a folder of submissions; names what it does not grade. */
 #include "examiner/submissions.h"
 #include "examiner/marks.h"
@@ -80,9 +80,17 @@ static char *compose(const char *format, ...)
     return marks_text(raw, strlen(raw), sizeof raw);
 }
 
+/* Returns the path of a file below the student's folder, whose name stands
+   before the note already. */
+static const char *below(const char *path)
+{
+    const char *slash = strchr(path, '/');
+    return slash ? slash + 1 : path;
+}
+
 static void note(struct submission *s, const char *what, const char *path)
 {
-    char *line = compose("%s%s", what, path), *all;
+    char *line = compose("%s%s", what, below(path)), *all;
     if (++s->noted > NOTES + 1) {
         free(line);
         return;
@@ -540,6 +548,13 @@ static int prefer(const struct answer *one, const struct answer *other)
     return (one->rank < other->rank) - (one->rank > other->rank);
 }
 
+/* Whether both paths begin with the same folder; then it says nothing. */
+static bool together(const char *one, const char *other)
+{
+    const size_t length = strcspn(one, "/");
+    return one[length] && strncmp(one, other, length + 1) == 0;
+}
+
 static const struct answer *choose(const struct submission *s,
                                    const char *usual, char **note)
 {
@@ -567,21 +582,26 @@ static const struct answer *choose(const struct submission *s,
                      (slash ? strncmp(name, usual, 3) != 0
                             : its && strncmp(its, usual, 3) != 0) ||
                      strcmp(name + strlen(name) - 2, ".c") != 0;
+    const bool whole = second && !together(best->path, second->path);
+    const char *its_path = whole ? best->path : below(best->path);
+    const char *other = second ? second->path : "";
+    if (!whole)
+        other = below(other);
     char *said = NULL;
     if (best->rank >= MISNAMED)
         said = compose("not graded, since its name does not end in .c: %s",
-                       best->path);
+                       its_path);
     else if (count > 1 && prefer(best, second) == 0)
-        said = compose("%d files could be it: %s, %s", count, best->path,
-                       second->path);
+        said =
+            compose("%d files could be it: %s, %s", count, its_path, other);
     else if (count > 1 && best->attempt != second->attempt)
         said = compose("of %d attempts the last was taken: %s, not %s",
-                       count, best->path, second->path);
+                       count, its_path, other);
     else if (count > 1)
-        said = compose("of %d files was taken %s, not %s", count,
-                       best->path, second->path);
+        said = compose("of %d files was taken %s, not %s", count, its_path,
+                       other);
     else if (odd)
-        said = compose("taken in spite of its name: %s", best->path);
+        said = compose("taken in spite of its name: %s", its_path);
     if (said) {
         free(*note);
         *note = said;

@@ -142,9 +142,9 @@ verdict 'with a name before it: taken' has prefixed Name_123_01a-collide.c
 verdict 'and told of' told prefixed 'taken in spite of its name'
 verdict 'of two the usual name is taken' has two 01a-collide.c
 verdict 'and the other is told of' \
-    told two 'of 2 files was taken two/01a-collide.c, not two/01a-again.c'
+    told two 'of 2 files was taken 01a-collide.c, not 01a-again.c'
 verdict 'of two places exercises is taken' \
-    told places 'of 2 files was taken places/exercises/01a'
+    told places 'of 2 files was taken exercises/01a'
 verdict 'a text is told of' told text 'not graded, since its name'
 verdict 'C++ is told of' told cpp 'not graded, since its name'
 verdict 'a file without a number is told of' told other 'not taken for any ex'
@@ -171,6 +171,28 @@ verdict 'an exercise that is none is told of' told x.part 'there is no such ex'
 verdict 'a dozen lines are enough' told many '... and more'
 verdict 'a line break stays in its line' told odd 'an archive .*line?break.zip'
 verdict 'a byte that is no text is told of' told bytes 'an archive .*xff'
+# The same lines, whole, are kept in files.
+noted() { # STUDENT TEXT
+    grep -q -x -e "$1  $2" "$out/by-hand/notes.txt" ||
+        why "$(grep -e "^$1 " "$out/by-hand/notes.txt")"
+}
+verdict 'a note is kept in by-hand, too' noted two \
+    '01a  of 2 files was taken 01a-collide.c, not 01a-again.c'
+verdict 'a note on nobody as well' noted - '-  of no student: README.txt'
+verdict 'one line for each' [ "$(wc -l <"$out/by-hand/notes.txt")" -gt 30 ]
+verdict 'and they are for the lecturer alone' \
+    [ "$(stat -c %a "$out/by-hand/notes.txt")" = 600 ]
+verdict 'and where they are is said' \
+    grep -q "^What is for a human eye, line by line: .*/by-hand/notes.txt$" "$scratch/said"
+cell() { # STUDENT TEXT: the last cell of the student's row
+    grep -q "^\"$1\",.*,\"$2\".\$" "$out/grades.csv" ||
+        why "$(grep "^\"$1\"" "$out/grades.csv")"
+}
+verdict 'the CSV has a column of notes' cell student note
+verdict 'with those on each student' cell two \
+    '01a: of 2 files was taken 01a-collide.c, not 01a-again.c'
+verdict 'several in one cell' cell many '.*; .*; [.][.][.] and more'
+verdict 'and none where there is none' cell backups ''
 
 # ---- what is in names and messages is shown as what it is ----
 
@@ -221,4 +243,4 @@ within() {
     done
 }
 verdict 'results are not put among the submissions' within
-echo 1..77
+echo 1..86

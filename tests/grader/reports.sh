@@ -124,7 +124,7 @@ holds 'the totals are the sums of the tests' totals strange
 holds 'Ada has 111 points of 189' sh -c "
     grep -q '^  \"score\": 111,' '$ada' && grep -q '\"possible\": 189' '$ada' &&
     grep -q '^  \"score\": 111,' '$room' && grep -q '^  \"max-score\": 189,' '$room' &&
-    grep -q '^\"Ada\",.*,111,189.\$' '$work/plain/grades.csv' &&
+    grep -q '^\"Ada\",.*,111,189,\".*\".\$' '$work/plain/grades.csv' &&
     grep -q '^Ada  *111 ' '$work/plain/table'"
 
 # GitHub Classroom adds up what the tests have earned, and takes the sum of the
@@ -294,14 +294,14 @@ read_again() { # COURSE COLUMNS
     sheet "$work/$1/grades.csv" >"$work/cells" || { cat "$work/cells"; return 1; }
     awk -F'\t' -v wide="$2" '
         { ++n[$1] }
-        $1 > 1 && $2 > 1 && $2 < wide - 1 { sum[$1] += substr($3, 2) }
-        $2 == wide - 1 { total[$1] = substr($3, 2) }
+        $1 > 1 && $2 > 1 && $2 < wide - 2 { sum[$1] += substr($3, 2) }
+        $2 == wide - 2 { total[$1] = substr($3, 2) }
         END { for (r in n) if (n[r] != wide ||
             (r > 1 && (sum[r] != total[r] || total[r] == ""))) {
             print "row " r; exit 1 } }' "$work/cells"
 }
-holds 'the spreadsheet has whole rows and right totals' read_again plain 12
-holds 'the spreadsheet survives strange names' read_again strange 12
+holds 'the spreadsheet has whole rows and right totals' read_again plain 13
+holds 'the spreadsheet survives strange names' read_again strange 13
 csv_names() { # an apostrophe before what would be a formula, and else as it is
     sheet "$work/strange/grades.csv" | awk -F'\t' '$1 > 2 && $2 == 1' |
         cut -f 3- >"$work/got"

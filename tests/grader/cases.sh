@@ -29,6 +29,9 @@ for file in "$here"/*.c; do
     mkdir -p "$out/in/$(basename "$file" .c)"
     cp "$file" "$out/in/$(basename "$file" .c)/$(ls solutions | grep "^$ex")"
 done
+# One mistake that later tests take for another one.
+mkdir -p "$out/in/once"
+cp tests/exercises/01a/wrong-lab.c "$out/in/once/01a-collide.c"
 build/grade/grade --hidden 1 --jobs 2 --output "$out/graded" "$out/in" \
     >"$out/grading" 2>&1
 at_home() {
@@ -49,6 +52,23 @@ for file in "$here"/*.c; do
     verdict "$(basename "$file" .c) $state at home" at_home
     verdict "$(basename "$file" .c) $state in the grader" in_the_grader
 done
+
+once() {
+    grep -o '\[[a-z-]*\]\|An earlier test has named a' "$out/graded/marks/once/01a.json" |
+        sort -u >"$out/names"
+    cat "$out/names"
+    [ "$(grep -c '^\[' "$out/names")" -eq 1 ] && grep -q '^An earlier' "$out/names"
+}
+verdict 'one mistake is named for each answer, and later tests refer to it' once
+
+# Who looks at two ticks is asked about that, too, and not only about what passes.
+short() {
+    build/check/examine --as 05e --file tests/exercises/05e/wrong-short.c |
+        tr -s ' \n' ' ' >"$out/said"
+    grep -o 'input .*' "$out/said"
+    grep -q 'each bounce loses .* and how long do you look' "$out/said"
+}
+verdict 'who does not look for long is asked how long he looks' short
 
 # ---- the judge's rights ----
 
@@ -105,4 +125,4 @@ else
     echo "# note: who is not root grades as himself"
     echo "ok $topic: nor has the one that grades"
 fi
-echo "1..$((2 * $(ls "$here"/*.c | wc -l) + 2))"
+echo "1..$((2 * $(ls "$here"/*.c | wc -l) + 4))"

@@ -424,7 +424,8 @@ static void test_losing(void)
                 losing, check_text("each bounce loses %g ticks", lost),
                 "small-error-passes",
                 "This program loses a little time at each bounce, and the "
-                "differences grow. How much do you let pass?");
+                "differences grow. How much do you let pass, and how long "
+                "do you look?");
         }
         off_way = 0.0;
         off_box = 1.2e-5;

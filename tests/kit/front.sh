@@ -148,7 +148,7 @@ for volume in bonkers works works-course; do
 done
 holds 'and CITATION.cff' grep -qx "version: \"$version\"" CITATION.cff
 date=$(sed -n 's/^date-released: "\(.*\)"$/\1/p' CITATION.cff)
-holds 'and the head of CHANGELOG, of the same day' sh -c "grep '^## ' CHANGELOG.md |
+holds 'and the head of CHANGELOG, of the same day' sh -c "grep '^## [0-9]' CHANGELOG.md |
     sed 1q | grep -x '## $version, .* ($date)'"
 index=build/site/index.html
 [ -s $index ] || index=$work/index

@@ -8,6 +8,7 @@ file = 'build/data/09-jacobi.dat'
 load 'plots/methods.gp'
 set multiplot layout 1,2 margins 0.1,0.98,0.15,0.97 spacing 0.12,0
 set logscale xy
+eval decades
 set format y '10^{%T}'
 set xlabel 'days from kick to kick'
 set ylabel 'largest error of the energy' offset 0.8

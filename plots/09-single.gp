@@ -10,6 +10,7 @@ set rmargin at screen 0.985
 set bmargin at screen 0.19
 set tmargin at screen 0.97
 set logscale xy
+eval decades
 set format '10^{%T}'
 set xlabel 'particles of the ring'
 set ylabel 'error of its own pull' offset -0.3

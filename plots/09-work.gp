@@ -9,6 +9,7 @@ load 'plots/methods.gp'
 file = 'build/data/09-work.dat'
 set multiplot layout 1,2 margins 0.1,0.8,0.15,0.97 spacing 0.135,0
 set logscale xy
+eval decades
 set format y '10^{%T}'
 set xlabel 'evaluations in a period'
 set ylabel 'largest error of the energy' offset 0.8

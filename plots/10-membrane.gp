@@ -31,6 +31,7 @@ set rmargin at screen 0.985
 set tmargin at screen 0.97
 unset key
 set logscale xy
+eval decades
 set ytics auto
 set format '10^{%T}'
 set xrange [2e-3:0.6]

@@ -40,5 +40,9 @@ set style line 5 lc rgb dark pt 13 ps 0.8*big lw 1.5*thick
 set style line 9 lc rgb grey lw 1.0*thick           # theory, guides
 set border lw 0.8*thick lc rgb '#333333'
 set tics scale 0.6
+# gnuplot 6 labels the minor tics of a short logarithmic axis, one label on another:
+# `eval decades` after set logscale sets those that gnuplot 5 has by itself.
+decades = "set xtics (1); set for [k=-3:5] xtics add (10.0**k); ".\
+    "set for [k=-3:5] for [j=2:9] xtics add ('' j*10.0**k 1)"
 set key noautotitle
 set xlabel offset 0,0.55

@@ -3,6 +3,9 @@
 # name or by file, also of a run that blows up; what is wrong is said. And
 # make chart: what bonk has tried, be it much or little.
 . tests/programs/common
+# As plots/show has it: gnuplot 6 has no degree sign in the C locale, and says so.
+LC_ALL=C.UTF-8
+export LC_ALL
 make=${MAKE:-make}
 kit=$work/kit
 mkdir "$kit"

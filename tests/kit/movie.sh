@@ -3,6 +3,9 @@
 # what touches in the run touches on the screen; a window's rate is the clock's;
 # what cannot be shown is refused in one line.
 . tests/programs/common
+# As plots/show has it: gnuplot 6 has no degree sign in the C locale, and says so.
+LC_ALL=C.UTF-8
+export LC_ALL
 make=${MAKE:-make}
 kit=$work/kit root=$PWD
 mkdir "$kit"

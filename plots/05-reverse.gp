@@ -10,7 +10,8 @@ file = 'build/data/05-reverse.dat'
 stats file using 1:(log($3)) every ::2::2 nooutput
 t3 = STATS_min_x; miss3 = STATS_min_y
 stats file using 1:(log($3)) every ::14::14 nooutput
-rate = (STATS_min_y - miss3)/(STATS_min_x - t3)
+rise = STATS_min_y - miss3
+rate = rise/(STATS_min_x - t3)
 set logscale y
 set format y '10^{%T}'
 set xrange [0:8.4]

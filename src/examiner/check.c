@@ -1,5 +1,5 @@
 /* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 4201084252 of the lines below */
+/* checksum 1042068569 of the lines below */
 /* The runner's own code: one test in a process, reported line by line. */
 #include "examiner/check.h"
 #include "examiner/exercise.h"
@@ -236,13 +236,15 @@ void check_shuffle(int order[], int count)
 {
     struct random drawn;
     uint64_t seed = 0;
-    for (int i = 0; i < REPORT_NONCE; ++i)
-        seed = seed * 0x100000001b3u + (unsigned char)report_nonce[i];
+    const char *c = report_nonce;
+    while (c < report_nonce + REPORT_NONCE)
+        seed = seed * 0x100000001b3u + (unsigned char)*c++;
     random_seed(&drawn, seed);
-    for (int i = 0; i < count; ++i) {
-        const int j = (int)random_below(&drawn, (uint64_t)i + 1);
+    int i = 0;
+    while (i < count) {
+        const size_t j = random_below(&drawn, (uint64_t)i + 1);
         order[i] = order[j];
-        order[j] = i;
+        order[j] = i++;
     }
 }
 

@@ -30,9 +30,9 @@ sanitized() { # NAME COMMAND...
     shift
     if ! "$@" >"$work/ran" 2>&1 </dev/null; then
         not_ok "$what" "it fails: $(tail -n 3 "$work/ran" | tr '\n' ' ')"
-    elif grep -q -e '^not ok' -e 'runtime error' -e 'Sanitizer' "$work/ran"; then
+    elif grep -q -e '^not ok' -e 'runtime error' -e 'ERROR: .*Sanitizer' "$work/ran"; then
         not_ok "$what" "$(grep -m 1 -e '^not ok' -e 'runtime error' \
-            -e Sanitizer "$work/ran")"
+            -e 'ERROR: .*Sanitizer' "$work/ran")"
     else
         ok "$what"
     fi

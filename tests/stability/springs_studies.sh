@@ -82,4 +82,4 @@ for study in path snapshots shapes work; do
     study $study
     holds "$study has a table" test "$(wc -l <"$work/$study.dat")" -gt 40
 done
-echo 1..37
+echo 1..38

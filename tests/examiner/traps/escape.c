@@ -1,5 +1,5 @@
 /* failed: what it prints cannot move the cursor or set a colour */
-/* says: | .*?\[31mred */
+/* says: | .x1b.31mred */
 #include <stdio.h>
 
 double twice(double x)

@@ -42,7 +42,7 @@ between 'the film is one of at most 1 MB' 1000 "$(wc -c <plots/front/ring.gif)" 
 equal 'in the format of films' 'GIF89a' "$(head -c 6 plots/front/ring.gif)"
 between 'all pictures together are at most 1.5 MB' 1000 \
     "$(cat plots/front/* | wc -c)" 1500000
-for file in README.md CONTRIBUTING.md CHANGELOG.md; do
+for file in README.md CONTRIBUTING.md SECURITY.md CHANGELOG.md; do
     words $file | grep -o ']([^)]*)' | sed 's/^](//; s/)$//' | grep -v '^http' |
         while read -r name; do [ -e "$name" ] || echo "$file: $name"; done
 done >"$work/out"
@@ -109,7 +109,7 @@ between "so large is the course ($said MB)" $((size - 10)) "${said}0" $((size + 
 # ---- what is named --------------------------------------------------------
 
 $make -s help >"$work/help" 2>&1
-for file in README.md CONTRIBUTING.md CHANGELOG.md; do
+for file in README.md CONTRIBUTING.md SECURITY.md CHANGELOG.md; do
     words $file | grep -o '`make [a-z][a-z-]*' | sed 's/^.make //' | sort -u |
         while read -r goal; do
             case $file:$goal in *:help | CHANGELOG.md:native) continue ;; esac

@@ -4,7 +4,7 @@
 # whose commands are those that are tested.
 . tests/programs/common
 
-allowed='Makefile README.md LICENSE CHANGELOG.md CONTRIBUTING.md CITATION.cff
+allowed='Makefile README.md LICENSE CHANGELOG.md CONTRIBUTING.md SECURITY.md CITATION.cff
 chapters src exercises
 solutions tests plots build compile_commands.json'
 # The reader's own files are the reader's: with git, only what is committed
@@ -20,7 +20,7 @@ strangers=
     esac
 done
 holds 'all that belongs at the top is there' \
-    ls Makefile README.md LICENSE CHANGELOG.md CONTRIBUTING.md CITATION.cff \
+    ls Makefile README.md LICENSE CHANGELOG.md CONTRIBUTING.md SECURITY.md CITATION.cff \
     chapters src exercises \
     solutions tests plots .clang-format .editorconfig .gitignore .ci/run
 holds 'nothing else at the top' \

@@ -1,6 +1,7 @@
 # Bonkers: a book that is a program. `make help` lists what can be made.
 #
-# Everything made goes under build/. Only `make tangle` writes the C of src/,
+# Everything made goes under build/. Only `make tangle` writes into src/, the files
+# of which line 1 names a chapter,
 # and only `make reset` writes exercises/. How a thing is made is said beside
 # it, in the files that are included below.
 
@@ -72,7 +73,8 @@ first: programs
 	@echo 'Next: make check (the exercises),' $(if $(filter book,$(absent)),\
 		'the book (bonkers.pdf)','make book (the PDF)'), make help
 
-# Every C file in the one layout; src/ is only compared, see the chapters.
+# Every C file in the one layout. Files are only compared with it: what is wrong
+# in a literate one is mended in its chapter.
 c_files = $(wildcard tests/*.h tests/*/*.[ch] tests/exercises/*/*.c solutions/*.c \
 	src/*/*.[ch])
 format:
@@ -115,8 +117,8 @@ help:
 	$(call offer,memcheck) 'make memcheck     the library tests under sanitizers'
 	$(call offer,fuzz) 'make fuzz         scenes, options and files that are wrong; TEXTS=1e7 COMMANDS=1e4'
 	$(call offer,hunt) 'make hunt         random scenes for bonk, against paths of another kind; REQUESTS=3000'
-	$(call offer,tangle) 'make tangle       write src/ from chapters/'
-	$(call offer,check-tangle) 'make check-tangle see that src/ is what the chapters say'
+	$(call offer,tangle) 'make tangle       write the literate files of src/ from chapters/'
+	$(call offer,check-tangle) 'make check-tangle see that those files are what the chapters say'
 	@echo 'make format       see that the C files keep .clang-format'
 	@echo 'make compile_commands.json   for editors'
 	@echo 'make clean        remove build/'

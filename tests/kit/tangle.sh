@@ -57,9 +57,24 @@ fails 'an edit in src/ is recognised and shown' '^+int edited;'
 chapters/press/tangle --check >"$work/out" 2>&1
 holds 'and so does --check' grep -q '^+int edited;' "$work/out"
 cp "$OLDPWD/src/line/collide.c" src/line/
-echo 'int stray;' >src/line/stray.c
-fails 'a file that no chapter writes is refused' 'no chapter writes it'
-rm src/line/stray.c
+# Plain files: theirs is src/, and a tangled one cannot become one by accident.
+printf '%s\n' '/* A plain file. */' 'int plain;' >src/line/plain.c
+echo 'What is here.' >src/line/README.md
+cp src/line/plain.c "$work/plain.c"
+holds 'plain files stand beside tangled ones' chapters/press/tangle
+holds 'and are left alone' cmp "$work/plain.c" src/line/plain.c
+holds '--check does not mind them' chapters/press/tangle --check
+printf '\n<<line/plain.c>>=\nint tangled;\n@\n' >>$chapter
+printf '\n<<line/new.c>>=\nint new;\n@\n' >>$chapter
+fails 'a chapter that would write over a plain file is refused, the chapter named' \
+    "src/line/plain.c: is plain.*$chapter writes it"
+cp "$work/good.nw" $chapter
+head -n 2 src/line/collide.h | cat - src/line/plain.c >src/line/stale.c
+fails 'a tangled file that no chapter writes any more is refused' \
+    'src/line/stale.c: was tangled, and no chapter writes it'
+sed 1d src/line/stale.c >"$work/stale.c" && cp "$work/stale.c" src/line/stale.c
+fails 'and one that has kept one of its two lines' 'src/line/stale.c: was tangled'
+rm src/line/stale.c
 
 printf '\n<<line/collide.h>>=\n/* more */\n@\n' >>$chapter
 chapters/press/tangle --check >"$work/out" 2>&1
@@ -128,4 +143,4 @@ holds '-L names either file' sh -c "grep -c -e '\"$chapter\"' $work/lines/both.c
     grep -c -e '\"$works\"' $work/lines/both.c"
 printf '<<Lost>>=\nint x;\n@\n' >>$works
 fails 'a chunk of Works that nothing uses is refused' 'works/01.*Lost.*never used'
-echo 1..25
+echo 1..30

@@ -1,5 +1,5 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 866513773 of the lines below */
+/* checksum 3343993697 of the lines below */
 /* Solves Kepler's equation and moves a body along its ellipse. */
 #include "forces/kepler.h"
 
@@ -96,14 +96,22 @@ void kepler_shape(double mu, const double x[], const double v[],
     *eccentricity = sqrt(fmax(cosine * cosine + sine2, 0));
 }
 
-/* The change of the eccentric anomaly while the mean one changes by m; p
-   and q are e cos E and e sin E at the beginning. Its cosine, its sine. */
+/* Two terms of the series for the change of the eccentric anomaly while the
+   mean one changes by m; p and q are e cos E and e sin E at the beginning.
+   The third term is left out: the guess is wrong by the order of m^3. */
+static double first_guess(double p, double q, double m)
+{
+    const double g = m / (1 - p);
+    return g - q / (1 - p) * g * g / 2;
+}
+
+/* That change: its cosine, its sine. */
 static void change(double p, double q, double m, double *cosine,
                    double *sine)
 {
-    const double e = sqrt(p * p + q * q), g = m / (1 - p);
+    const double e = sqrt(p * p + q * q);
     double low = m - 2 * e, high = m + 2 * e;
-    double d = fmin(fmax(g - q / (1 - p) * g * g / 2, low), high), step = 1;
+    double d = fmin(fmax(first_guess(p, q, m), low), high), step = 1;
     for (int n = 0; n < 100 && !(fabs(step) < 1e-9); ++n) {
         kepler_turn(d, cosine, sine);
         const double c = *cosine, s = *sine;

@@ -1,11 +1,13 @@
 /* The gallery: every scene can be made, with each key at its ends too, and
-   comes back from its file with the same bits. */
+   comes back from its file with the same bits, which are those that it
+   always had. */
 #include "unit.h"
 
 #include "scenes/gallery.h"
 #include "library/scene_same.h"
 #include "toolbox/table.h"
 
+#include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -161,14 +163,92 @@ static void test_chosen(void)
         gallery_choose(&t, elastic_scenes, "cradle", NULL));
 }
 
-int main(void)
+/* What a command that somebody has written down makes stays what it is: a
+   key is there, may have the values that it could have, and the scene that
+   it makes has the same bits. The file has what is promised, a line each: a
+   scene, a key, its usual value, its least and its largest, whether it is
+   whole, another value, and the sum of the scene that has that, or 0 where
+   it is refused. A scene that is not in the file has promised nothing yet;
+   build/tests/library/gallery sums writes the file anew. */
+#define SUMS "tests/library/scenes.txt"
+
+static uint64_t sum_of(const struct gallery_scene *g, const char *key,
+                       double value)
 {
+    struct scene s;
+    if (gallery_make(&s, g, key, value))
+        return 0;
+    const uint64_t sum = scene_sum(&s);
+    scene_free(&s);
+    return sum;
+}
+
+/* A value of a key that is neither usual nor an end, if there is one. */
+static double another(const struct gallery_key *key)
+{
+    const double u = key->usual;
+    if (key->whole)
+        return u + 1 <= key->high ? u + 1 : u - 1;
+    const double more = u != 0 ? 1.25 * u : 0.1;
+    return more <= key->high ? more : 0.75 * u;
+}
+
+static int write_sums(const struct gallery_scene *g)
+{
+    for (size_t k = 0; g->key[k].name; ++k) {
+        const struct gallery_key *key = &g->key[k];
+        const double value = another(key);
+        printf("%s %s %.17g %.17g %.17g %d %.17g %" PRIu64 "\n", g->name,
+               key->name, key->usual, key->low, key->high, key->whole,
+               value, sum_of(g, key->name, value));
+    }
+    return 0;
+}
+
+static const struct gallery_scene *find(const char *name)
+{
+    const struct gallery_scene *g = NULL;
+    for (size_t i = 0; i < LISTS && !g; ++i)
+        g = gallery_find(lists[i], name);
+    return g;
+}
+
+static void test_sums(void)
+{
+    char name[32], word[32];
+    double usual, low, high, value;
+    int whole;
+    uint64_t sum;
+    size_t lines = 0;
+    FILE *f = fopen(SUMS, "r");
+    CU_ASSERT_PTR_NOT_NULL_FATAL(f);
+    for (; fscanf(f, "%31s %31s %lf %lf %lf %d %lf %" SCNu64, name, word,
+                  &usual, &low, &high, &whole, &value, &sum) == 8;
+         ++lines) {
+        const struct gallery_scene *g = find(name);
+        CU_ASSERT_PTR_NOT_NULL_FATAL(g);
+        const struct gallery_key *key = &g->key[gallery_key(g, word)];
+        if (!key->name || key->usual != usual || key->low != low ||
+            key->high != high || key->whole != whole)
+            UNIT_EQUAL(complain(g, word, "not as it was promised"), 0);
+        else if (sum_of(g, word, value) != sum)
+            UNIT_EQUAL(complain(g, word, "it makes another scene"), 0);
+    }
+    UNIT_TRUE(feof(f) && lines > 100);
+    fclose(f);
+}
+
+int main(int count, char *words[])
+{
+    if (count > 1 && strcmp(words[1], "sums") == 0)
+        return for_all(write_sums);
     return unit_run("gallery",
                     (struct unit_test[]){
                         {"keys have values that they may take", test_keys},
                         {"every scene has its own name", test_names},
                         {"scenes come back from files", test_written},
                         {"keys at their ends do no harm", test_ends},
+                        {"they are what they always were", test_sums},
                         {"what is chosen, and nothing else", test_chosen},
                         {0}});
 }

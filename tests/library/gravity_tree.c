@@ -247,12 +247,39 @@ static void test_again(void)
     gravity_free(&g);
 }
 
+/* A cell is taken for one mass from where it looks smaller than theta, from
+   the nearest point of the box of those that it pulls at: 1 m at 2 m for
+   0.5, on each side of the box and across its edges (1.2, 1.6). */
+static void test_small(void)
+{
+    const struct box box = {{-1, -2, -3}, {4, 5, 6}};
+    mass[0] = 1;
+    struct gravity g;
+    UNIT_TRUE(gravity_create(&g, 1, mass, 1, 0) && gravity_plant(&g, 0.5));
+    for (int k = 0; k < 3; ++k)
+        for (int side = 0; side < 4; ++side)
+            for (int far = 0; far < 2; ++far) {
+                double at[3] = {0, 0, 0};
+                const double more = far ? 1e-9 : -1e-9;
+                const double way = side < 2 ? 2 : 1.2;
+                at[k] = side % 2 ? box.most[k] + way + more
+                                 : box.least[k] - way - more;
+                const int m = (k + 1) % 3;
+                if (side > 1)
+                    at[m] = box.most[m] + 1.6;
+                const struct cell c = {1, at[0], at[1], at[2], 1, 0, 1, 1};
+                UNIT_TRUE(is_small(g.tree, &c, &box) == (far == 1));
+            }
+    gravity_free(&g);
+}
+
 int main(void)
 {
     return unit_run(
         "gravity_tree",
         (struct unit_test[]){
             {"no body's error is beyond its bound", test_bound},
+            {"theta is how large a cell may look", test_small},
             {"half of theta, a quarter of the error", test_theta},
             {"what weighs nothing pulls nowhere", test_massless},
             {"bodies in one place", test_together},

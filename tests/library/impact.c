@@ -288,6 +288,52 @@ static void test_at_once(void)
     end(&m, &s);
 }
 
+/* Two that touch already and come at each other go back from there. */
+static void test_touching(void)
+{
+    static const char *const methods[] = {"leapfrog", "rk4", "radau15"};
+    for (int k = 0; k < 3; ++k) {
+        struct scene s;
+        struct motion m;
+        make(&s, 2, 0.5);
+        s.position[1] = 0.25;
+        s.velocity[0] = 1;
+        s.velocity[1] = -1;
+        begin(&m, &s, methods[k], true);
+        UNIT_EQUAL(motion_run(&m, 1), STEPPING_DONE);
+        UNIT_EQUAL(count(m.collisions), 1);
+        UNIT_EQUAL(s.position[0], -0.5);
+        UNIT_EQUAL(s.position[1], 0.75);
+        end(&m, &s);
+    }
+}
+
+/* Across a periodic box of 2 m two balls at 0.7 m and -0.7 m have a gap of
+   0.35 m: at 1 m/s they meet after 0.175 s, and are back at 0.55 m after
+   0.5 s. Along every axis, whichever comes first. */
+static void test_across(void)
+{
+    for (size_t k = 0; k < 3; ++k)
+        for (size_t first = 0; first < 2; ++first) {
+            struct scene s;
+            struct motion m;
+            make(&s, 2, 0.5);
+            s.wall[k] = SCENE_PERIODIC;
+            s.low[k] = -1;
+            s.high[k] = 1;
+            s.position[2 * k + first] = 0.7;
+            s.velocity[2 * k + first] = 1;
+            s.position[2 * k + 1 - first] = -0.7;
+            s.velocity[2 * k + 1 - first] = -1;
+            begin(&m, &s, "leapfrog", true);
+            UNIT_EQUAL(motion_run(&m, 1), STEPPING_DONE);
+            UNIT_EQUAL(count(m.collisions), 1);
+            UNIT_NEAR(s.position[2 * k + first], 0.55, 4e-15);
+            UNIT_NEAR(s.position[2 * k + 1 - first], -0.55, 4e-15);
+            end(&m, &s);
+        }
+}
+
 /* Two that pass: what is nearer than they are wide collides, what touches
    does not. */
 static void test_graze(void)
@@ -682,6 +728,8 @@ int main(void)
                         {"a thousand times the steps agree", test_steps},
                         {"without contact the same bits", test_same_bits},
                         {"a row that touches, at once", test_at_once},
+                        {"two that touch already", test_touching},
+                        {"two meet across a periodic box", test_across},
                         {"to touch is not to collide", test_graze},
                         {"nobody gets into the floor", test_heap},
                         {"two that rest on each other crowd", test_crowd},

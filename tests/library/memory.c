@@ -96,6 +96,42 @@ static bool averages(void *unused)
     return averages_find(&f, &q) && f.refusal[0] == '\0';
 }
 
+static const struct gallery_scene *laid; /* which scene */
+
+static bool lays(void *unused)
+{
+    struct scene s;
+    double value[GALLERY_KEYS];
+    (void)unused;
+    gallery_usual(laid, value);
+    const char *why = laid->build(&s, value);
+    if (!why)
+        scene_free(&s);
+    return !why;
+}
+
+static bool plants(void *unused)
+{
+    struct gravity g;
+    (void)unused;
+    if (!gravity_create(&g, scene.bodies, scene.mass, 1, 0))
+        return false;
+    const bool well = gravity_plant(&g, 0.5) && gravity_plant(&g, 0.2);
+    gravity_free(&g);
+    return well;
+}
+
+static bool shares(void *unused)
+{
+    struct springs p;
+    (void)unused;
+    if (!springs_create(&p, &scene))
+        return false;
+    const bool well = springs_threads(&p, 3);
+    springs_free(&p);
+    return well;
+}
+
 static void fails(const char *what, bool (*does)(void *), const char *with,
                   bool spared)
 {
@@ -108,10 +144,24 @@ static void fails(const char *what, bool (*does)(void *), const char *with,
 
 static void test_scenes(void)
 {
+    static const struct gallery_scene *const lists[] = {
+        celestial_scenes, elastic_scenes, hard_scenes};
     make("membrane");
     fails("a copy", copies, "", false);
     scene_free(&scene);
     fails("a scene", builds, "", false);
+    for (size_t i = 0; i < 3; ++i)
+        for (laid = lists[i]; laid->name; ++laid)
+            fails(laid->name, lays, "", false);
+}
+
+/* What sums forces. */
+static void test_forces(void)
+{
+    make("membrane");
+    fails("a tree", plants, "", false);
+    fails("springs by threads", shares, "", false);
+    scene_free(&scene);
 }
 
 static void test_motion(void)
@@ -141,6 +191,8 @@ static void test_models(void)
                  {"oscillator", "oscillator"},
                  {"cradle", "relabel"},
                  {"double-pendulum", "modes"},
+                 {"double-pendulum", "leapfrog:3,rods"},
+                 {"sun-earth", "wisdom-holman:3"},
                  {"four-disks", "leapfrog:3"},
                  {"sun-earth", "leapfrog:3"},
                  {"oscillator", "dopri5:1e-6"},
@@ -167,6 +219,7 @@ int main(void)
     fputs("its buffer, once for all\n", stderr);
     return unit_run("memory", (struct unit_test[]){
                                   {"scenes", test_scenes},
+                                  {"forces", test_forces},
                                   {"motion, by each method", test_motion},
                                   {"models", test_models},
                                   {"averages", test_averages},

@@ -33,10 +33,14 @@ static void look(const char *text, size_t n, const double expected[])
 {
     struct observables o;
     char message[OBSERVABLES_MESSAGE] = "";
-    double values[OBSERVABLES_MOST] = {0};
+    double values[OBSERVABLES_MOST];
+    for (size_t k = 0; k < OBSERVABLES_MOST; ++k)
+        values[k] = 77;
     UNIT_TRUE(observables_read(&o, text, scene.bodies, message));
     UNIT_EQUAL((double)o.columns, (double)n);
     observables_values(&o, &motion, values);
+    for (size_t k = n; k < OBSERVABLES_MOST; ++k) /* nothing beyond */
+        UNIT_EQUAL(values[k], 77);
     for (size_t k = 0; k < n; ++k) /* sums of a few numbers below 200 */
         UNIT_NEAR(values[k], expected[k], 1e-13);
 }
@@ -104,6 +108,105 @@ static void test_bodies(void)
     look("x:1,y:1,z:1,vx:1,vy:1,vz:1", 6, (double[]){4, 6, 3, 0, -2, 1});
     look("speed:0,distance:0:1,distance:1:0,t", 4,
          (double[]){sqrt(10), 5, 5, 7});
+    scene.velocity[0] = 6;
+    scene.velocity[2] = 2;
+    look("speed:0", 1, (double[]){7});
+    scene.velocity[0] = 1;
+    scene.velocity[2] = 0;
+}
+
+/* As many as there is room for; the columns add up. */
+static void test_many(void)
+{
+    struct observables o;
+    char message[OBSERVABLES_MESSAGE] = "", many[8 * OBSERVABLES_MOST] = "";
+    for (int k = 0; k < OBSERVABLES_MOST; ++k)
+        strcat(many, k == 0 ? "parts" : ",x:1");
+    UNIT_TRUE(observables_read(&o, many, 2, message));
+    UNIT_EQUAL((double)o.count, OBSERVABLES_MOST);
+    UNIT_EQUAL((double)o.columns, OBSERVABLES_MOST + 3);
+}
+
+/* Places are drawn along their axes, all else against time. */
+static void test_sorts(void)
+{
+    static const struct {
+        const char *text;
+        size_t width, axis;
+        const char *unit;
+    } sorts[] = {{"x:1", 1, 0, "length"},       {"y:0", 1, 1, "length"},
+                 {"z:1", 1, 2, "length"},       {"t", 1, 3, "time"},
+                 {"vx:1", 1, 3, "length/time"}, {"centre", 3, 3, "length"}};
+    for (size_t i = 0; i < sizeof sorts / sizeof sorts[0]; ++i) {
+        struct observables o;
+        char message[OBSERVABLES_MESSAGE] = "";
+        UNIT_TRUE(observables_read(&o, sorts[i].text, 2, message));
+        const struct observables_sort sort = observables_sort(&o.list[0]);
+        UNIT_EQUAL((double)sort.width, (double)sorts[i].width);
+        UNIT_EQUAL((double)sort.axis, (double)sorts[i].axis);
+        UNIT_TRUE(strcmp(sort.unit, sorts[i].unit) == 0);
+    }
+}
+
+/* Places and velocities of bodies in any order, and no more than they. */
+static void test_states(void)
+{
+    static const double right[] = {4, 6, 3, 0, -2, 1, 1, 2, 3, 1, 0, 3, 77};
+    double values[13];
+    values[12] = 77;
+    observables_states(&motion, 2, (size_t[]){1, 0}, values);
+    for (size_t k = 0; k < 13; ++k)
+        UNIT_EQUAL(values[k], right[k]);
+}
+
+/* All that there are have a name and say how many bodies they are asked
+   of, which reading them proves; then there are no more. */
+static void test_names(void)
+{
+    static const char *const asked[] = {"", ":1", ":1:0"};
+    size_t k = 0, bodies;
+    const char *name;
+    for (; (name = observables_name(k, &bodies)); ++k) {
+        struct observables o;
+        char message[OBSERVABLES_MESSAGE] = "", text[64];
+        snprintf(text, sizeof text, "%s%s", name, asked[bodies]);
+        UNIT_TRUE(observables_read(&o, text, 2, message));
+    }
+    UNIT_EQUAL((double)k, 18);
+    UNIT_EQUAL((double)bodies, 0);
+    UNIT_TRUE(!observables_name(k + 1, &bodies) && bodies == 0);
+}
+
+/* A column for each number, named after the bodies. */
+static void test_head(void)
+{
+    static const char path[] = "build/tests/observables-head";
+    static const char *const lines[] = {
+        " 1 px [mass length/time] momentum\n",
+        " 3 pz [mass length/time] momentum\n",
+        " 4 x:1 [length] coordinate of a body\n",
+        " 5 d:1:0 [length] distance of two bodies\n",
+        " 6 vy:0 [length/time] velocity of a body\n",
+        " 7 x:1 [length] place\n",
+        " 12 vz:1 [length/time] velocity\n"};
+    static char text[4096];
+    struct observables o;
+    char message[OBSERVABLES_MESSAGE] = "";
+    UNIT_TRUE(
+        observables_read(&o, "momentum,x:1,distance:1:0,vy:0", 2, message));
+    struct table *t = table_open("observables", path);
+    CU_ASSERT_PTR_NOT_NULL_FATAL(t);
+    observables_head(&o, t);
+    observables_head_states(t, 1, (size_t[]){1});
+    table_row(t, 12, (double[12]){0});
+    UNIT_TRUE(table_close(t));
+    FILE *f = fopen(path, "r");
+    CU_ASSERT_PTR_NOT_NULL_FATAL(f);
+    text[fread(text, 1, sizeof text - 1, f)] = '\0';
+    fclose(f);
+    remove(path);
+    for (size_t i = 0; i < sizeof lines / sizeof lines[0]; ++i)
+        UNIT_TRUE(strstr(text, lines[i]) != NULL);
 }
 
 static void refuse(const char *text, const char *why)
@@ -162,6 +265,11 @@ int main(void)
             {"a drift is no heat where momentum is kept", test_drift},
             {"sums over bodies are the formulas'", test_sums},
             {"bodies are asked one by one", test_bodies},
+            {"as many as there is room for", test_many},
+            {"along which axis they lie", test_sorts},
+            {"states of bodies", test_states},
+            {"their names", test_names},
+            {"the head of a table of them", test_head},
             {"what is no observable is refused", test_refused},
             {"bodies by their numbers", test_numbers},
             {0}});

@@ -1,8 +1,10 @@
-/* Says whether two scenes are the same to the last bit. */
+/* Says whether two scenes are the same to the last bit, and sums up the
+   bits of one. */
 #ifndef SCENE_SAME_H
 #define SCENE_SAME_H
 
 #include "scenes/scene.h"
+#include "toolbox/table.h"
 
 #include <string.h>
 
@@ -51,6 +53,46 @@ static inline bool scene_same(const struct scene *a, const struct scene *b)
            same_double(a->dashpot, b->dashpot) &&
            SAME_LIST(a, b, 3, wall) && SAME_LIST(a, b, 3, low) &&
            SAME_LIST(a, b, 3, high);
+}
+
+/* Fowler, Noll and Vo's sum of all numbers of a scene that is not under
+   way, bit by bit. */
+static inline uint64_t scene_sum(const struct scene *s)
+{
+    const size_t n = s->bodies;
+    const double one[] = {
+        (double)n,     (double)s->kinds, (double)s->springs,
+        s->k2,         s->softening,     s->damping,
+        s->dt,         s->time,          s->axial,
+        s->contact,    s->restitution,   s->touch,
+        s->stiffness,  s->dashpot,       s->gravity[0],
+        s->gravity[1], s->gravity[2]};
+    uint64_t sum = table_sum(TABLE_NOTHING, (const char *)one, sizeof one);
+#define SUM_LIST(list, count)                                              \
+    sum = table_sum(sum, (const char *)(list), (count) * sizeof *(list))
+    SUM_LIST(s->mass, n);
+    SUM_LIST(s->charge, n);
+    SUM_LIST(s->radius, n);
+    SUM_LIST(s->position, 3 * n);
+    SUM_LIST(s->velocity, 3 * n);
+    SUM_LIST(s->freedom, 3 * n);
+    SUM_LIST(s->colour, 3 * n);
+    SUM_LIST(s->species, n);
+    SUM_LIST(s->low, 3);
+    SUM_LIST(s->high, 3);
+    for (size_t k = 0; k < 3; ++k)
+        SUM_LIST((double[]){s->wall[k]}, (size_t)1);
+    for (size_t i = 0; i < s->kinds; ++i)
+        SUM_LIST((&(double[]){s->kind[i].stiffness, s->kind[i].damping,
+                              s->kind[i].colour[0], s->kind[i].colour[1],
+                              s->kind[i].colour[2]}),
+                 (size_t)1);
+    for (size_t i = 0; i < s->springs; ++i)
+        SUM_LIST((&(double[]){s->spring[i].a, s->spring[i].b,
+                              s->spring[i].kind, s->spring[i].rest}),
+                 (size_t)1);
+#undef SUM_LIST
+    return sum;
 }
 
 #endif

@@ -181,6 +181,35 @@ static void test_in_one_step(void)
     scene_free(&s);
 }
 
+/* 1 and the heavy 0 come at each other with 1 m/s in steps of 0.1 s, and
+   are 0.19 m deep in each other, which only 1 gives way for; so it is
+   pushed on to 2, which stands 0.18 m from it. In the same step those
+   collide. */
+static void test_pushed(void)
+{
+    for (int search = SPHERES_PAIRS; search <= SPHERES_SWEEP; ++search)
+        for (int heavy = 0; heavy < 3; heavy += 2) {
+            struct scene s;
+            struct spheres p;
+            const size_t far = 2 - (size_t)heavy;
+            make(&s, 3);
+            s.mass[heavy] = 1e9;
+            s.position[heavy] = 0;
+            s.position[1] = 0.81;
+            s.position[far] = 1.99;
+            s.velocity[heavy] = 1;
+            s.velocity[1] = -1;
+            begin(&p, &s, SPHERES_APPROACHING, SPHERES_BY_MASS, 0.1);
+            p.search = (enum spheres_search)search;
+            p.order = heavy ? SPHERES_DESCENDING : SPHERES_ASCENDING;
+            UNIT_EQUAL((double)spheres_resolve(&p, s.position, s.velocity),
+                       2);
+            UNIT_NEAR(s.velocity[far], 3, 1e-8);
+            spheres_free(&p);
+            scene_free(&s);
+        }
+}
+
 /* Parting pairs: the paper throws them back, the other rule does not. */
 static void test_parting(void)
 {
@@ -485,6 +514,102 @@ static void test_order_of_pairs(void)
     scene_free(&s);
 }
 
+/* The deepest first: here the later pair, which comes out as above. */
+static void test_deepest(void)
+{
+    struct scene s;
+    struct spheres p;
+    make(&s, 3);
+    s.mass[1] = 2;
+    s.position[0] = -0.95;
+    s.position[2] = 0.9;
+    s.velocity[0] = 1;
+    s.velocity[2] = -1;
+    begin(&p, &s, SPHERES_APPROACHING, SPHERES_BACK, 1);
+    p.order = SPHERES_DEEPEST;
+    spheres_resolve(&p, s.position, s.velocity);
+    UNIT_NEAR(s.velocity[2], 1 / 3., 1e-15);
+    UNIT_NEAR(s.velocity[0], 1 - 20 / 9., 1e-15);
+    spheres_free(&p);
+    scene_free(&s);
+}
+
+/* What overlaps, and how deep: found from the distances of the nearest
+   images, wherever the bodies lie, several boxes away too. Coordinates up
+   to 50 m are rounded by 7e-15 m, and their differences by as much. */
+static void test_overlaps(void)
+{
+    enum { N = 30 };
+    for (int round = 0; round < 18; ++round) {
+        struct random r;
+        struct scene s;
+        struct spheres p;
+        size_t found = 0;
+        random_seed(&r, (uint64_t)round);
+        make(&s, N);
+        for (size_t k = 0; k < SCENE_AXES; ++k) {
+            const double side = (int)k == round / 3 % 3 ? 7 : 3;
+            s.wall[k] = (enum scene_wall)(round % 3);
+            s.low[k] = -9;
+            s.high[k] = side - 9;
+            for (size_t i = 0; i < N; ++i)
+                s.position[k * N + i] =
+                    s.low[k] + side * random_between(&r, 0, 1) +
+                    (round % 3 == SCENE_PERIODIC
+                         ? side * floor(random_between(&r, -5, 5))
+                         : 0);
+        }
+        for (size_t i = 0; i < N; ++i)
+            s.radius[i] = random_between(&r, 0.3, 0.7);
+        begin(&p, &s, SPHERES_APPROACHING, SPHERES_BY_MASS, 1);
+        p.search = round < 9 ? SPHERES_PAIRS : SPHERES_SWEEP;
+        const size_t pairs = spheres_overlaps(&p, s.position);
+        if (round >= 9)
+            UNIT_EQUAL((double)p.axis, round / 3 % 3);
+        for (size_t i = 0; i < N; ++i)
+            for (size_t j = i + 1; j < N; ++j) {
+                double square = 0;
+                for (size_t k = 0; k < SCENE_AXES; ++k) {
+                    const double side = s.high[k] - s.low[k];
+                    double d =
+                        s.position[k * N + j] - s.position[k * N + i];
+                    if (s.wall[k] == SCENE_PERIODIC)
+                        d = remainder(d, side);
+                    square += d * d;
+                }
+                const double depth =
+                    s.radius[i] + s.radius[j] - sqrt(square);
+                if (depth <= 0)
+                    continue;
+                UNIT_TRUE(found < pairs && p.pair[found].a == i &&
+                          p.pair[found].b == j);
+                if (found < pairs)
+                    UNIT_NEAR(p.pair[found].depth, depth, 3e-14);
+                ++found;
+            }
+        UNIT_EQUAL((double)pairs, (double)found);
+        UNIT_TRUE(found > 3);
+        spheres_free(&p);
+        scene_free(&s);
+    }
+}
+
+/* An overlap counts if one of the two can get out of it. */
+static void test_depth(void)
+{
+    for (int held = 0; held < 4; ++held) {
+        struct scene s;
+        begin_pair(&s);
+        for (size_t i = 0; i < 2; ++i)
+            for (size_t k = 0; k < SCENE_AXES; ++k)
+                s.freedom[2 * k + i] = !(held >> i & 1) && k == 1;
+        UNIT_EQUAL(spheres_depth(&s), held == 3 ? 0 : 0.25);
+        s.contact = false;
+        UNIT_EQUAL(spheres_depth(&s), 0);
+        scene_free(&s);
+    }
+}
+
 /* How many pairs were in each other in the last step, which took them
    further than the sum of their radii, and neither before nor after it:
    found from where they were. Those that have met a wall are left out. */
@@ -565,6 +690,28 @@ static void test_passed(void)
     UNIT_TRUE(all > 100);
 }
 
+/* Two rows of 32 go through each other in a step: 1024 pairs have passed,
+   of which 1000 are counted. */
+static void test_many_passed(void)
+{
+    for (int search = SPHERES_PAIRS; search <= SPHERES_SWEEP; ++search) {
+        struct scene s;
+        struct spheres p;
+        make(&s, 64);
+        for (size_t i = 0; i < 64; ++i) {
+            s.radius[i] = 1e-3;
+            s.velocity[i] = i < 32 ? 1 : -1;
+            s.position[i] = 0.01 * (double)i + (i < 32 ? 1 : -1);
+        }
+        begin(&p, &s, SPHERES_APPROACHING, SPHERES_BY_MASS, 1);
+        p.search = (enum spheres_search)search;
+        spheres_resolve(&p, s.position, s.velocity);
+        UNIT_EQUAL((double)p.passed, SPHERES_PASSED);
+        spheres_free(&p);
+        scene_free(&s);
+    }
+}
+
 int main(void)
 {
     return unit_run(
@@ -575,6 +722,7 @@ int main(void)
             {"nobody goes back for more than a step", test_not_too_far},
             {"oblique hits found late are made good", test_oblique},
             {"a velocity goes through a row in a step", test_in_one_step},
+            {"who is pushed meets the next", test_pushed},
             {"only the paper reflects pairs that part", test_parting},
             {"what is fixed along an axis stays", test_fixed},
             {"walls mirror, and lose what they should", test_walls},
@@ -585,6 +733,10 @@ int main(void)
             {"walls balance flight and virial", test_identity},
             {"what leaves the cradle", test_cradle},
             {"the order of pairs decides", test_order_of_pairs},
+            {"or their depth", test_deepest},
+            {"what overlaps, and how deep", test_overlaps},
+            {"an overlap of what is held is none", test_depth},
             {"who passes through another is counted", test_passed},
+            {"but not for ever", test_many_passed},
             {0}});
 }

@@ -6,6 +6,9 @@ width = 14
 height = 8
 load 'plots/style.gp'
 file = 'build/data/01-drift.dat'
+# Difference, the worst of the three.
+stats file using (log(abs($3)/$1)) nooutput
+drift = exp(STATS_mean)
 set logscale xy
 set format x '10^{%T}'
 set format y '10^{%T}'
@@ -21,7 +24,7 @@ set rmargin at screen 0.98
 set label 1 '∝ {/:Italic n}' at 1.0e5,6e-11 tc rgb '#555555'
 set label 2 '∝ √{/:Italic n}' at 3.2e6,3.5e-14 tc rgb '#555555'
 eps = 2.0**-52
-plot 9.0e-17*x ls 9, 0.3*eps*sqrt(x) ls 9, \
+plot drift*x ls 9, 0.3*eps*sqrt(x) ls 9, \
      file using 1:(abs($3)) with points ls 2 title 'difference', \
      file using 1:(abs($4)) with points ls 3 title 'impulse', \
      file using 1:(abs($2)) with points ls 1 title 'cm', \

@@ -6,6 +6,11 @@ width = 14
 height = 8
 load 'plots/style.gp'
 file = 'build/data/02-reverse.dat'
+# The scan and the difference form, in the mean of the logarithms.
+stats file using (log($3/$1**1.5)) nooutput
+scan = exp(STATS_mean)
+stats file using (log($4/$1**2)) nooutput
+difference = exp(STATS_mean)
 set logscale xy
 set format x '10^{%T}'
 set format y '10^{%T}'
@@ -20,7 +25,7 @@ set rmargin at screen 0.98
 set key at graph 0.98,0.98 right top samplen 1.5 spacing 1.1 maxrows 2 width -2
 set label 1 '∝ {/:Italic n}^{3/2}' at 3e5,3e-10 tc rgb '#555555'
 set label 2 '∝ {/:Italic n}^2' at 2e4,8e-9 right tc rgb '#555555'
-plot 1.4e-17*x**1.5 ls 9, 1.6e-18*x**2 ls 9, \
+plot scan*x**1.5 ls 9, difference*x**2 ls 9, \
      file using 1:5 with points ls 4 title 'single precision', \
      file using 1:4 with points ls 2 title 'difference form', \
      file using 1:2 with points ls 5 title 'naive', \

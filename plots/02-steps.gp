@@ -5,6 +5,9 @@ width = 12
 height = 7.6
 load 'plots/style.gp'
 file = 'plots/data/02-steps.dat'
+# The steps that keep the collisions in order.
+stats file using ($1 > 0 && $1 < 1e-4 ? log($2*$3) : NaN) nooutput
+steps = exp(STATS_mean)
 set logscale xy
 set format x '10^{%T}'
 set format y '10^{%T}'
@@ -19,7 +22,7 @@ set rmargin at screen 0.97
 set label 1 'time steps' at 1e-3,3 tc rgb red
 set label 2 'events' at 2e-5,3e-13 center tc rgb blue
 upright = 'plots/data/05-weight.dat'
-plot 1.7e-5/x ls 9, \
+plot steps/x ls 9, \
      upright using 2:($1 > 0 ? $3 : NaN) with points ls 2 pt 4, \
      upright using 2:($1 == 0 ? $3 : NaN) with points ls 1 pt 6 ps 1.2*big, \
      file using 2:($1 > 0 ? $3 : NaN) with points ls 2, \

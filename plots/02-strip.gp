@@ -5,7 +5,8 @@ width = 14
 height = 5.7
 load 'plots/style.gp'
 file = 'build/data/02-worldlines.dat'
-array M = [9.3, 2.1, 5.2, 0.9, 3.4, 1.2, 4.3, 0.8, 2.6, 1.4]
+array M[10]
+do for [i=1:10] { M[i] = mass(file, i) }
 r(i) = 0.11*sqrt(M[i])
 array S[10]
 sum = 0

@@ -22,11 +22,14 @@ set bmargin at screen 0.16
 set lmargin at screen 0.08
 set rmargin at screen 0.5
 set title '{/:Italic m}_2/{/:Italic m}_1 = 3' offset 0,-0.6
-plot cos(t),sin(t) ls 9, 'build/data/02-two-3.dat' using ($6/sqrt(2*$2)):($8*sqrt(3/(2*$2))) with points ls 1
+file = 'build/data/02-two-3.dat'
+m2 = mass(file, 2)
+plot cos(t),sin(t) ls 9, file using ($6/sqrt(2*$2)):($8*sqrt(m2/(2*$2))) with points ls 1
 set lmargin at screen 0.57
 set rmargin at screen 0.99
 set title '{/:Italic m}_2/{/:Italic m}_1 = 1.618…'
 unset ylabel
-g = 1.618033988749895
-plot cos(t),sin(t) ls 9, 'build/data/02-two-golden.dat' using ($6/sqrt(2*$2)):($8*sqrt(g/(2*$2))) with points ls 2 ps 0.2*big
+file = 'build/data/02-two-golden.dat'
+m2 = mass(file, 2)
+plot cos(t),sin(t) ls 9, file using ($6/sqrt(2*$2)):($8*sqrt(m2/(2*$2))) with points ls 2 ps 0.2*big
 unset multiplot

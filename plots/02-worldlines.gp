@@ -15,7 +15,8 @@ set tmargin at screen 0.97
 set rmargin at screen 0.98
 set arrow 1 from 0,graph 0 to 0,graph 1 nohead ls 9 lw 4*thick
 set arrow 2 from 12,graph 0 to 12,graph 1 nohead ls 9 lw 4*thick
-array M = [9.3, 2.1, 5.2, 0.9, 3.4, 1.2, 4.3, 0.8, 2.6, 1.4]
+array M[10]
+do for [i=1:10] { M[i] = mass(file, i) }
 hue(i) = M[i] > 3 ? 0x0072b2 : 0xd55e00
 # A collision in gap i changes two velocities between two rows; a stop keeps its own.
 array last[12]

@@ -11,6 +11,11 @@ stats file index 0 using 5 every ::0::0 nooutput
 naive9 = STATS_min
 stats file index 1 using 5 every ::0::0 nooutput
 naive4 = STATS_min
+# The plateau, from a thousand seconds on: the mean by the weights of the errors.
+stats file index 0 using ($1 > 1000 ? 1/$6**2 : NaN) nooutput
+weight = STATS_sum
+stats file index 0 using ($1 > 1000 ? $5/$6**2 : NaN) nooutput
+plateau = (STATS_sum/weight/naive9)**2
 # exponential correlations of inefficiency g seen through blocks of length b
 phi(g) = (g-1)/(g+1)
 seen(b,g) = sqrt(g-(g**2-1)/(2*b)*(1-phi(g)**b))
@@ -25,7 +30,7 @@ set lmargin at screen 0.085
 set bmargin at screen 0.165
 set tmargin at screen 0.97
 set rmargin at screen 0.985
-plot seen(x,4.6) ls 9 lw 1.4*thick title 'exponential, {/:Italic g} = 4.6', \
+plot seen(x,plateau) ls 9 lw 1.4*thick title sprintf('exponential, {/:Italic g} = %.1f', plateau), \
      file index 0 using 1:($5/naive9):($2 > 15 ? $6/naive9 : NaN) with yerrorbars ls 1 title 'kinetic energy of 9', \
      file index 1 using 1:($5/naive4):($2 > 15 ? $6/naive4 : NaN) with yerrorbars ls 2 title 'kinetic energy of 4', \
      file index 0 using 1:($3/naive):($2 > 15 ? $4/naive : NaN) with yerrorbars ls 3 title 'velocity of 9'

@@ -5,7 +5,7 @@ width = 14
 height = 7
 load 'plots/style.gp'
 file = 'build/data/03-states.dat'
-fast = sqrt(10/1.0405843666317702)
+fast = sqrt(10/mass(file, 1))
 # the density, in units of its greatest value, at (0, 0)
 f(x,v) = x >= 0 && x <= 11 && abs(v) < fast ? (1-x/11)**9*(1-(v/fast)**2)**3.5 : 0
 # the contour f = q solved for v

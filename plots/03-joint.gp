@@ -14,9 +14,14 @@ set ytics 2
 set xlabel '{/:Italic x}_1  (m)'
 set ylabel '{/:Italic x}_2  (m)' offset 1
 dot = 0.22*big
-# P(b2 < c) of the second of ten, Beta(2,9): 1/2 at 0.16226, 9/10 at 0.33685
-half = 11*0.16226
-most = 11*0.33685
+# The second of ten is at 11 b, b of the law Beta(2, 9): b where P is q, by halving.
+half = 0.0
+most = 0.0
+do for [k=1:50] {
+    step = 11*0.5**k
+    half = ibeta(2, 9, (half + step)/11) < 0.5 ? half + step : half
+    most = ibeta(2, 9, (most + step)/11) < 0.9 ? most + step : most
+}
 plot file every ::1 using 5:7 with points pt 7 ps dot lc rgb blue, \
      [0:11] x ls 9, \
      [0:half] half lc rgb dark lw 1.1*thick, [0:most] most lc rgb dark lw 1.1*thick

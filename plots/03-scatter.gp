@@ -7,7 +7,7 @@ load 'plots/style.gp'
 file = 'build/data/03-states.dat'
 # masses of movers 1, 2, 9 and 10, E = 5 J: the fastest has sqrt(2E/m)
 fast(m) = sqrt(10/m)
-array m[4] = [1.0405843666317702, 1.0040873239877715, 4.2937219878148802, 4.041367890728468]
+array m[4] = [mass(file, 1), mass(file, 2), mass(file, 9), mass(file, 10)]
 radius(q) = sqrt(1-(1-q)**0.25)
 set parametric
 set trange [0:2*pi]

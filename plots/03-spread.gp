@@ -1,12 +1,15 @@
 # data: build/data/03-spread.dat
 # command: build/bin/bonkers --preset thermal --every 2.4 --samples 200000 -o - | build/bin/histogram --skip 1 --block --column v1,v2,v3,v4,v5,v6,v7,v8,v9,v10 --table columns -o build/data/03-spread.dat -
+# data: build/data/03-states.dat
+# command: build/bin/bonkers --preset thermal --every 10 --samples 2000 -o build/data/03-states.dat
 # alt: Standard deviation of the velocity against mass on logarithmic axes: five points near one kilogram and one metre a second, five near four kilograms and half a metre a second, all on a straight line of slope minus one half.
 width = 10
 height = 7
 load 'plots/style.gp'
 file = 'build/data/03-spread.dat'
-# the masses of the ten, from the head of the run's table
-array m[10] = [1.0405843666317702, 1.0040873239877715, 1.0148211400039446, 0.978265720408381, 1.0394356833119924, 3.7148576293955493, 3.6568361728553698, 3.9049475573524939, 4.2937219878148802, 4.041367890728468]
+# the masses of the ten, from a table that tells them
+array m[10]
+do for [i=1:10] { m[i] = mass('build/data/03-states.dat', i) }
 set logscale xy
 set xrange [0.8:5]
 set yrange [0.42:1.15]

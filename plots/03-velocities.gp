@@ -2,16 +2,19 @@
 # command: build/bin/bonkers --preset thermal --every 0.24 --samples 400 -o - | build/bin/histogram --skip 1 --column v4,v9 --range=-3.2,3.2 --range=-1.52,1.52 --bins 16 -o build/data/03-few.dat -
 # data: build/data/03-many.dat
 # command: build/bin/bonkers --preset thermal --every 2.4 --samples 1000000 -o - | build/bin/histogram --skip 1 --block --column v4,v9,x1,x2,x5,x9,x10 --range=-3.2,3.2 --range=-1.52,1.52 --range 0,11 --range 0,11 --range 0,11 --range 0,11 --range 0,11 --bins 32 --law microcanonical:10,5,0.978265720408381 --law microcanonical:10,5,4.2937219878148802 --law beta:1,10,0,11 --law beta:2,10,0,11 --law beta:5,10,0,11 --law beta:9,10,0,11 --law beta:10,10,0,11 -o build/data/03-many.dat -
+# data: build/data/03-states.dat
+# command: build/bin/bonkers --preset thermal --every 10 --samples 2000 -o build/data/03-states.dat
 # alt: Two histograms of velocities, of the lightest and of the heaviest of ten balls. Four hundred samples scatter far from the law, with a hole in the middle for the light ball and a narrow peak for the heavy one; a million samples lie on the bell-shaped law.
 width = 14
 height = 7
 load 'plots/style.gp'
 few = 'build/data/03-few.dat'
 many = 'build/data/03-many.dat'
-# mass of movers 4 and 9 (in the head of the run's table), E = 5 J, n = 10
-array mass[2] = [0.978265720408381, 4.2937219878148802]
-top(k) = gamma(5.)/sqrt(pi)/gamma(4.5)*sqrt(mass[k]/10)
-p(v,k) = (v**2*mass[k]/10 < 1) ? top(k)*(1-v**2*mass[k]/10)**3.5 : 0
+# mass of movers 4 and 9, E = 5 J, n = 10
+states = 'build/data/03-states.dat'
+array m[2] = [mass(states, 4), mass(states, 9)]
+top(k) = gamma(5.)/sqrt(pi)/gamma(4.5)*sqrt(m[k]/10)
+p(v,k) = (v**2*m[k]/10 < 1) ? top(k)*(1-v**2*m[k]/10)**3.5 : 0
 set samples 400
 set multiplot layout 1,2 margins 0.085,0.985,0.18,0.97 spacing 0.105,0
 set xlabel '{/:Italic v}_4  (m/s)'
@@ -20,12 +23,12 @@ set yrange [0:0.56]
 set ytics 0.2
 set xrange [-3.3:3.3]
 set key at graph 0.98,0.98 right top samplen 1.2 spacing 1.1
-set label 1 '0.98 kg' at graph 0.04,0.93 left tc rgb '#333333'
+set label 1 sprintf('%.2f kg', m[1]) at graph 0.04,0.93 left tc rgb '#333333'
 plot p(x,1) ls 9 lw 1.6*thick title 'law', \
      few index 0 using 1:3:4 with yerrorbars ls 2 pt 4 ps 0.7*big lw 1*thick title '400', \
      many index 0 using 1:3:4 with yerrorbars ls 1 ps 0.45*big title '10^6'
 set xlabel '{/:Italic v}_9  (m/s)'
-set label 1 '4.29 kg'
+set label 1 sprintf('%.2f kg', m[2])
 unset ylabel
 unset key
 set yrange [0:1.7]

@@ -5,8 +5,9 @@ height = 8
 load 'plots/style.gp'
 load 'plots/methods.gp'
 cost = 'plots/data/04-cost.dat'
-exact = 39.2987817049
-truth = 39.437
+stats cost using (strcol(1) eq 'quadrature' && $2 == 1 && $3 == 64 ? $4 : NaN) nooutput
+exact = STATS_min
+truth = real(system("sed -n 's/^# 6 .* against \\([0-9.]*\\) s$/\\1/p' '".cost."'"))
 set multiplot layout 1,2 margins 0.11,0.985,0.155,1-0.085 spacing 0.13,0
 set logscale xy
 set format x '10^{%T}'

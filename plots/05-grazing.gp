@@ -15,13 +15,14 @@ set xlabel 'gap {/:Italic s}  ({/:Italic σ})'
 set ylabel 'relative error of the time' offset 1
 set yrange [1e-16:10]
 set key at graph 0.03,0.96 left top reverse Left samplen 1.5
-plot 2.2e-16/x ls 9, \
+eps = 2.0**-52
+plot eps/x ls 9, \
      file using 1:6 with points pt 4 ps 0.8*big lw 1.2*thick lc rgb red title "textbook's", \
      file using 1:7 with points ls 1 title "ours", file using 1:5 with points ls 3 ps 0.6*big title "random digits"
 set xlabel '1 − {/:Italic b}/{/:Italic σ}'
 set ylabel 'error  ({/:Italic σ}/{/:Italic v}, {/:Italic σ})' offset -0.6
 set yrange [1e-16:1e-5]
-plot 2.2e-16/sqrt(x) ls 9, \
+plot eps/sqrt(x) ls 9, \
      file using 1:2 with points ls 1 title "of the time", \
      file using 1:3 with points ls 3 title "of the distance"
 unset multiplot

@@ -25,6 +25,6 @@ set bmargin at screen 0.17
 set tmargin at screen 0.97
 set key at graph 0.03,0.96 left top reverse Left samplen 1.5
 set label 1 sprintf('{/:Italic e}^{ %.1f {/:Italic t}}', rate) at 5.5,4e-10 left tc rgb '#555555'
-plot 3e-17*exp(rate*x) ls 9 lw 1.5*thick, \
+plot exp(miss3 + rate*(x - t3)) ls 9 lw 1.5*thick, \
      file using 1:3 with points ls 1 ps 0.9*big title '{/:Italic E} = 1 J', \
      file using 1:4 with points pt 4 ps 0.9*big lw 1.5*thick lc rgb red title '{/:Italic E} = 4 J, twice the time'

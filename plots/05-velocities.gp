@@ -6,7 +6,7 @@ width = 14
 height = 6.5
 load 'plots/style.gp'
 file = 'build/data/05-velocities.dat'
-law(v) = abs(v) < 2 ? 0.509295817894065*(1-v*v/4)**2.5 : 0
+law(v) = abs(v) < 2 ? gamma(4)/gamma(3.5)/sqrt(pi)/2*(1-v*v/4)**2.5 : 0
 gauss(v) = exp(-v*v)/sqrt(pi)
 set samples 500
 set xrange [-2.2:2.2]

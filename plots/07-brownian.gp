@@ -1,13 +1,14 @@
 # data: build/data/07-brownian.dat
 # command: build/bin/disks --disks 400 --radius 0.5 --heavy 40,2 --start random --temperature 1 --box 39.79149,39.79149 --boundary periodic --warmup 20 --measure brownian --every 0.1 --until 6000 -o build/data/07-brownian.dat
 # lecture: build/bin/disks --disks 400 --radius 0.5 --heavy 40,2 --start random --temperature 1 --box 39.79149,39.79149 --boundary periodic --warmup 20 --measure brownian --every 0.1 --until 20000 -o build/data/07-brownian.dat
+# data: build/runs/gas-heavy.summary
 # alt: Left, the correlation of the velocity on a logarithmic scale falls from 0.023 along the dashed initial slope and then lies above the exponential. Right, the mean square displacement on logarithmic scales: free flight with slope 2 up to a second, then bending to slope 1; the points end a little above the line.
 width = 14
 height = 7.2
 load 'plots/style.gp'
 file = 'build/data/07-brownian.dat'
-C0 = 1/40.*(1-40/440.)
-slope = 0.00303
+C0 = result('gas-heavy', 'V2_exact')
+slope = result('gas-heavy', 'slope_exact')
 g = slope/C0
 set multiplot layout 1,2 margins 0.115,0.985,0.17,0.97 spacing 0.125,0
 set logscale y

@@ -24,8 +24,8 @@ set xrange [0:Lx]
 set yrange [0:Ly]
 do for [k=1:row(1) ? 3 : 0] {
   name = word('gas fluid solid', k)
-  eta = real(word('0.30 0.65 0.74', k))
   file = 'build/data/07-'.name.'.dat'
+  eta = real(option(file, 'packing'))
   set lmargin at screen 0.01+(k-1)*0.335
   set rmargin at screen 0.32+(k-1)*0.335
   set tmargin at screen slide ? 0.78 : 0.955

@@ -4,6 +4,9 @@ width = 14
 height = 8.4
 load 'plots/style.gp'
 file = 'plots/data/07-speed.dat'
+# Pairs, disks at packing 0.30.
+stats file index 0 using (log($1*$2)) nooutput
+pair = exp(-STATS_mean)
 set logscale xy
 set format x '10^{%T}'
 set xlabel '{/:Italic N}'
@@ -17,7 +20,7 @@ set rmargin at screen 0.98
 set key at graph 0.98,0.96 right top reverse Left samplen 2 spacing 1.1
 set label 1 'pairs' at 4e3,75 right tc rgb '#555555'
 set label 2 '∝ {/:Italic N}' at 6e4,300 left tc rgb '#555555'
-plot 0.0085*x ls 9, \
+plot 1e6*pair*x ls 9, \
      file index 0 using 1:(1e6/$2) with points pt 4 ps 0.7*big lc rgb grey, \
      file index 1 using 1:(1e6/$2) with points pt 4 ps 0.7*big lc rgb grey, \
      file index 2 using 1:(1e6/$2) with points pt 6 ps 0.7*big lc rgb grey, \

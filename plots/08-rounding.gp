@@ -6,6 +6,9 @@ width = 14
 height = 7
 load 'plots/style.gp'
 file = 'build/data/08-rounding.dat'
+# From the first point of 400 plain steps on.
+stats file index 2 using ($2/sqrt($1)) every ::0::0 nooutput
+first = STATS_min
 set logscale xy
 set format '10^{%T}'
 set xrange [0.8:lecture ? 20000 : 700]
@@ -18,7 +21,7 @@ set rmargin at screen 0.985
 set bmargin at screen 0.17
 set tmargin at screen 0.97
 set key at graph 0.02,0.97 left top reverse Left samplen 2
-plot 8e-15*sqrt(x) ls 9, \
+plot first*sqrt(x) ls 9, \
      file index 0 using 1:2 with linespoints ls 5 title '100 steps an orbit, plain', \
      file index 1 using 1:2 with linespoints ls 5 pt 12 dt 2 title '100 steps, carried', \
      file index 2 using 1:2 with linespoints ls 2 title '400 steps, plain', \

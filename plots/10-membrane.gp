@@ -19,7 +19,9 @@ set format x ''
 set xzeroaxis ls 9
 set ylabel 'amplitude' offset 0.5
 set key at graph 0.99,0.98 right top horizontal samplen 1.5
-plot cos(1.99029*x) ls 9, \
+# The first mode, as the lower curve of 10-dispersion.gp has it.
+omega = sqrt(80)*sin(pi/14)
+plot cos(omega*x) ls 9, \
      file using 1:6 with points ls 1 ps 0.3*big title 'taut, mode (1, 1)', file using 1:7 with lines ls 2 title 'other modes'
 set tmargin at screen 0.55
 set bmargin at screen 0.15
@@ -39,5 +41,7 @@ set yrange [0.5:200]
 set xlabel 'amplitude {/:Italic A}  (m)'
 set ylabel 'period  (s)' offset 0.8
 set label 1 '∝ 1/{/:Italic A}' at 0.02,25 tc rgb '#555555'
-plot 0.299664/x ls 9, 'build/data/10-quartic.dat' using 1:2 with points ls 1
+# A T, with l = 2/7 m, m = 1 kg and D = 50 N/m.
+period = sqrt(2)*gamma(0.25)**2/sqrt(2*pi)*2/7/sqrt(50)
+plot period/x ls 9, 'build/data/10-quartic.dat' using 1:2 with points ls 1
 unset multiplot

@@ -1,4 +1,5 @@
 # data: plots/data/11-pressure.dat
+# data: build/runs/spheres-law.summary
 # alt: Two panels with logarithmic axes against the step from 0.0125 to 0.8 diameters. Left, the error of the energy stays near 1e-15 for all three ways at all steps. Right, the error of the pressure: for the two ways that push apart it rises in proportion to the step along the line of the law, from half a per cent to a quarter or a third; for going back it is within the noise below 0.05 and rises with slope 2 to a fifth.
 width = 14
 height = 7.5
@@ -23,7 +24,8 @@ set key at graph 0.03,0.95 left top samplen 1
 dz(a,b) = abs(0.5*(a + b)/E_mean - 1)
 er(a,b) = sqrt(0.25*(a**2 + b**2) + F_mean**2)/E_mean
 low(d,e) = d > 1.2*e ? d - e : 3e-4
-plot 0.430*x ls 9 title 'law', (x > 0.05 ? 0.42*x*x : NaN) ls 9 dt 2, \
+law = result('spheres-law', 'law')
+plot law*x ls 9 title 'law', (x > 0.05 ? law*x*x : NaN) ls 9 dt 2, \
      file index 0 using ($1/0.2):(dz($2,$4)):(low(dz($2,$4),er($3,$5))):(dz($2,$4)+er($3,$5)) every ::1 with yerrorbars ls 2 title 'all pairs', \
      file index 0 using ($1/0.2*1.03):(dz($15,$17)):(low(dz($15,$17),er($16,$18))):(dz($15,$17)+er($16,$18)) every ::1 with yerrorbars ls 3 title 'approaching', \
      file index 0 using ($1/0.2):(dz($28,$30)):(low(dz($28,$30),er($29,$31))):(dz($28,$30)+er($29,$31)) every ::1 with yerrorbars ls 1 title 'going back'

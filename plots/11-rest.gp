@@ -9,6 +9,10 @@ load 'plots/style.gp'
 swing = 'build/data/11-swing.dat'
 rest = 'build/data/11-rest.dat'
 set multiplot layout 1,2 margins 0.085,0.985,0.17,0.96 spacing 0.125,0
+stats swing using 8 every ::0::0 nooutput
+strings = STATS_min
+stats rest using 2 every ::0::0 nooutput
+walls = STATS_min
 set xlabel 'time  (s)'
 set xrange [0:20]
 set ylabel '{/:Italic x}  (m)' offset 1.5
@@ -23,8 +27,8 @@ set xrange [0:60]
 set yrange [5e-3:1.3]
 set key at graph 0.97,0.97 right top samplen 2
 set label 1 '1/5' at 54,0.165 center tc rgb '#555555'
-plot swing using 1:($8/1.31670) with lines ls 1 title 'on strings', \
+plot swing using 1:($8/strings) with lines ls 1 title 'on strings', \
      (x > 20 ? 0.2 : NaN) with lines ls 9, \
-     rest using 1:($2/0.5) with lines ls 5 title 'walls, by events', \
-     rest using 1:($3/0.5) every 30 with points ls 2 title 'walls, by steps'
+     rest using 1:($2/walls) with lines ls 5 title 'walls, by events', \
+     rest using 1:($3/walls) every 30 with points ls 2 title 'walls, by steps'
 unset multiplot

@@ -5,6 +5,10 @@ width = 12
 height = 7
 file = 'build/data/12-averages.dat'
 load 'plots/style.gp'
+# Z = a p(r) of two disks, as in 06-two.gp.
+s = 0.3; a = 0.7
+alpha = 1 - pi*s**2/a**2 + 8*s**3/(3*a**3) - s**4/(2*a**4)
+law = (1 - pi*s**2/(2*a**2) + 2*s**3/(3*a**3))/alpha
 set logscale x 2
 set xrange [90:280000]
 set xtics ('128' 128, '512' 512, '2048' 2048, '8192' 8192, '32768' 32768, '131072' 131072)
@@ -12,6 +16,6 @@ set yrange [1.19:1.29]
 set xlabel 'time {/:Italic T}  (s)'
 set ylabel 'mean pressure {/:Italic Z}'
 set key right top samplen 1.5 Left reverse
-plot 1.2401672 ls 9 lw 2*thick title 'law', \
+plot law ls 9 lw 2*thick title 'law', \
      file using 1:3 ls 1 title 'means over {/:Italic T}', \
      file using ($1*1.12*1.06**$2):($2 <= 6 ? $4 : 1/0):5 with yerrorbars ls 2 title 'answers'

@@ -44,5 +44,11 @@ set tics scale 0.6
 # `eval decades` after set logscale sets those that gnuplot 5 has by itself.
 decades = "set xtics (1); set for [k=-3:5] xtics add (10.0**k); ".\
     "set for [k=-3:5] for [j=2:9] xtics add ('' j*10.0**k 1)"
+# What a figure says of a run it reads: from the run's summary, as \result does
+# in the text, and from the head of a table. What is not there ends the drawing.
+result(run, key) = real(system("sed -n 's/^".key." //p' build/runs/".run.".summary"))
+head(file, what) = system("sed -n 's/^# ".what.": //p' '".file."'")
+option(file, name) = system("sed -n 's/^# command: .* --".name." \\([^ ]*\\).*/\\1/p' '".file."'")
+mass(file, i) = real(word(head(file, 'masses'), i))
 set key noautotitle
 set xlabel offset 0,0.55

@@ -69,7 +69,21 @@ has 'one figure has a goal of its own' \
 is 'the names of slides are told' '01-b 01-c-1 01-c-2' "$(echo \
     $(chapters/press/recipes --slides plots/01-b.gp) \
     $(chapters/press/recipes --slides plots/01-c.gp))"
-rm plots/01-c.gp
+# A figure reads the summary of a run that the text does not quote.
+printf '%s\n' '# data: build/runs/bad.summary' '# alt: a number' 'plot 1' >plots/01-d.gp
+chapters/press/recipes
+has 'a figure waits for the run whose summary it reads' \
+    'build/figures/01-d.pdf: plots/01-d.gp plots/style.gp build/runs/bad.summary' \
+    "$(cat build/recipes/rules.mk)"
+is 'and the run writes one' \
+    'build/bin/walk --fail --summary build/runs/bad.summary' \
+    "$(sed -n '$p' build/recipes/run-bad)"
+sed -i s/bad/none/ plots/01-d.gp
+is 'a run that is not there is refused' \
+    'recipes: plots/01-d.gp: no %run line makes run none' \
+    "$(chapters/press/recipes 2>&1)"
+rm plots/01-c.gp plots/01-d.gp
+chapters/press/recipes
 is 'data of two figures have one rule' 1 \
     "$(grep -c '^build/made/data/walk.dat:' build/recipes/rules.mk)"
 is 'the lecture command writes there' \
@@ -238,4 +252,4 @@ is 'Windows line ends in a chapter are refused' \
     'recipes: chapters/01-x.nw: Windows line ends' \
     "$(chapters/press/recipes 2>&1 | sed 's/ (.*//')"
 is 'and nothing is written' "$(cat before)" "$(find build -type f -exec cksum {} +)"
-echo 1..53
+echo 1..56

@@ -1,5 +1,5 @@
 /* From chapters/works/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 606235137 of the lines below */
+/* checksum 2104083331 of the lines below */
 /* Measures stepping methods on four small systems. */
 #include "forces/adaptive.h"
 #include "forces/largest.h"
@@ -418,6 +418,50 @@ static void study_stability(struct study *s)
     }
 }
 
+static double half_trace(const struct stepping_method *m, double step)
+{
+    double matrix[3][3];
+    step_matrix(m, step, 0, matrix);
+    return (matrix[0][0] + matrix[1][1]) / 2;
+}
+
+static const struct table_key trace_keys[] = {
+    {"leaves_<method>", "1", "where the curve leaves the strip"},
+    {"returns_<method>", "1", "where it comes back"},
+    {"leaves_again_<method>", "1", "where it leaves once more"},
+    {"beyond_<method>", "1", "how far outside between the first two"},
+    {0}};
+
+/* Writes where the method's curve leaves the strip from -1 to 1 and where
+   it comes back, up to omega dt = 6, and how far it is outside at the most
+   between the first two of these places. */
+static void find_edges(const struct study *s,
+                       const struct stepping_method *m)
+{
+    static const char *const keys[] = {"leaves", "returns", "leaves_again"};
+    enum { EDGES = 3, PLACES = 6000 };
+    double beyond = 0;
+    char key[64];
+    for (int i = 1, found = 0; i <= PLACES && found < EDGES; ++i) {
+        const bool outside = found % 2;
+        double low = (i - 1) / 1000.0, high = i / 1000.0;
+        const double out = fabs(half_trace(m, high)) - 1;
+        if (found == 1)
+            beyond = fmax(beyond, out);
+        if ((out > 0) == outside)
+            continue;
+        while (high - low > 1e-12) {
+            const double middle = (low + high) / 2;
+            *((fabs(half_trace(m, middle)) > 1) == outside ? &low : &high) =
+                middle;
+        }
+        snprintf(key, sizeof key, "%s_%s", keys[found++], m->name);
+        table_real(s->summary, key, high);
+    }
+    snprintf(key, sizeof key, "beyond_%s", m->name);
+    table_real(s->summary, key, beyond);
+}
+
 /* Half the trace of a step against omega dt, for five splittings. */
 static void study_trace(struct study *s)
 {
@@ -427,13 +471,13 @@ static void study_trace(struct study *s)
     for (int k = 0; k < 5; ++k)
         table_column(s->out, names[k], "", "half the trace");
     for (int i = 1; i <= 350; ++i) {
-        double row[6] = {i / 100.0}, matrix[3][3];
-        for (int k = 0; k < 5; ++k) {
-            step_matrix(stepping_find(names[k]), row[0], 0, matrix);
-            row[k + 1] = (matrix[0][0] + matrix[1][1]) / 2;
-        }
+        double row[6] = {i / 100.0};
+        for (int k = 0; k < 5; ++k)
+            row[k + 1] = half_trace(stepping_find(names[k]), row[0]);
         table_row(s->out, 6, row);
     }
+    for (int k = 0; k < 5; ++k)
+        find_edges(s, stepping_find(names[k]));
 }
 
 /* The error of a method in `steps` steps up to `until`; friction c. */
@@ -1073,7 +1117,7 @@ static const struct study_entry studies[] = {
     {"area", study_area, "of a disk of starts", area_keys},
     {"energy", study_energy, "of a planet, in the long run", energy_keys},
     {"stability", study_stability, "friction and a spring together", NULL},
-    {"trace", study_trace, "a spring without friction", NULL},
+    {"trace", study_trace, "a spring without friction", trace_keys},
     {"order", study_order, "the slope of the error", order_keys},
     {"damping", study_damping, "the limits under friction alone", NULL},
     {"friction", study_friction, "what it makes of a velocity", NULL},

@@ -1,5 +1,5 @@
 # data: plots/data/02-speed.dat
-# alt: Collisions per second against the number of particles from 4 to a million, both axes logarithmic, for four engines. At four particles all manage eighteen to forty million. The naive engine and the scan fall in proportion to one over N, the scan a little above; the heap falls to 1.4 million; the slab engine stays between ten and twenty million.
+# alt: Collisions per second against the number of particles from 4 to a million, both axes logarithmic, for four engines. At four particles all are alike within a factor of two. The naive engine and the scan fall in proportion to one over N, the naive one below the scan and in the end faster; the heap falls slowly, by a factor of some ten in all; the slab engine is level.
 width = 14
 height = 8.4
 load 'plots/style.gp'

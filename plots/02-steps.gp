@@ -1,6 +1,6 @@
 # data: plots/data/02-steps.dat
 # data: plots/data/05-weight.dat
-# alt: Error of the positions after ten seconds against processor time, both axes logarithmic. Time steps fall slowly from an error of two metres at three microseconds to a tenth of a metre at a millisecond, drop tenfold, and then follow a line of slope minus one down to a fifth of a millimetre at a tenth of a second. The event-driven engine is a single point at six microseconds and ten to the minus fourteen metres. Open points, ten beads upright: steps on nearly the same line, events at seventy microseconds and as small an error.
+# alt: Error of the positions after ten seconds against processor time, both axes logarithmic. Time steps fall slowly from an error of two metres to a tenth of a metre, drop tenfold, and then follow a line of slope minus one down to a fifth of a millimetre, at some ten thousand times the time of the event-driven engine, a single point at ten to the minus fourteen metres. Open points, ten beads upright: steps on nearly the same line, events some ten times farther to the right and with as small an error.
 width = 12
 height = 7.6
 load 'plots/style.gp'

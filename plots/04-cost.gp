@@ -1,5 +1,5 @@
 # data: plots/data/04-cost.dat
-# alt: Two panels with logarithmic axes, relative error of the period against processor time. Left, error of the arithmetic: the leapfrog falls with slope minus two from one part in a thousand at 2 microseconds, Runge and Kutta with slope minus four, the quadrature is exact to twelve digits in one microsecond. Right, error against the particles: the isothermal guess at 66 per cent, bare formulas at 4 to 6 per cent, sound and the added mass at 0.8, the large swing with added mass at 0.4, all in about a microsecond, and no finer step improves it; particle runs from 0.5 per cent at 0.06 seconds to 0.05 per cent at 4 seconds.
+# alt: Two panels with logarithmic axes, relative error of the period against processor time. Left, error of the arithmetic: the leapfrog falls with slope minus two from one part in a thousand, Runge and Kutta with slope minus four, the quadrature, farthest to the left, is exact to twelve digits. Right, error against the particles: the isothermal guess at 66 per cent, bare formulas at 4 to 6 per cent, sound and the added mass at 0.8, the large swing with added mass at 0.4, all in about a microsecond, and no finer step improves it; particle runs from 0.5 to 0.05 per cent take a tenth of a second to some seconds.
 width = 14
 height = 8
 load 'plots/style.gp'

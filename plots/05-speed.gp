@@ -1,6 +1,6 @@
 # data: plots/data/05-speed.dat
 # data: plots/data/05-pressure.dat
-# alt: Two panels with logarithmic axes. Left, collisions per second against the number of disks, 4 to 1024: with every pair looked at they fall from three and a half million as one over N squared to a hundred; with a plan from eight million to 130 thousand, in the end as one over N. Right, error of the pressure against processor time, two lines of slope minus one half, from 0.13 at 40 microseconds to 0.002 at 0.13 seconds; the plan lies left of the pairs.
+# alt: Two panels with logarithmic axes. Left, collisions per second against the number of disks, 4 to 1024: with every pair looked at they fall as one over N squared, by a factor of more than ten thousand; with a plan by less than a hundred, in the end as one over N. Right, error of the pressure against processor time, two lines of slope minus one half, from 0.13 to 0.002 over three and a half decades of time; the plan lies left of the pairs, at half their time.
 width = 14
 height = 7.5
 load 'plots/style.gp'

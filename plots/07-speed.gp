@@ -1,5 +1,5 @@
 # data: plots/data/07-speed.dat
-# alt: Processor time of a collision against the number of disks, both axes logarithmic, from a hundred to a million. With pairs it rises in proportion to N, from one microsecond to nearly a tenth of a millisecond at ten thousand disks. With cells it stays under one microsecond up to ten thousand, for disks and spheres at two packings each, and grows to between one and four microseconds at a million, where the memory is the brake.
+# alt: Processor time of a collision against the number of disks, both axes logarithmic, from a hundred to a million. With pairs it rises in proportion to N, from one microsecond to nearly a tenth of a millisecond at ten thousand disks. With cells it stays under one microsecond up to ten thousand, for disks and spheres at two packings each, and grows to some microseconds at a million, where the memory is the brake.
 width = 14
 height = 8.4
 load 'plots/style.gp'

@@ -1,5 +1,5 @@
 # data: plots/data/08-cost.dat
-# alt: Error after ten orbits against processor time, both logarithmic, from ten microseconds to thirty milliseconds. The order of the methods is that of the evaluations: rk8pd and Kahan and Li's method are the cheapest below an error of a thousandth, leapfrog and symplectic Euler cost a thousandth of a second for a hundredth, Euler never arrives.
+# alt: Error after ten orbits against processor time, both logarithmic, from ten microseconds to thirty milliseconds. The order of the methods is that of the evaluations: rk8pd and Kahan and Li's method are the cheapest below an error of a thousandth, leapfrog and symplectic Euler have errors of a hundredth only in the middle of the scale, Euler never arrives.
 width = 14
 height = 8
 load 'plots/style.gp'

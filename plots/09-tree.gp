@@ -1,5 +1,5 @@
 # data: plots/data/09-tree.dat
-# alt: Time of one evaluation of all forces against the number of particles in a ring, both axes logarithmic, from 125 to 32000. The direct sums rise with slope two: portable from 0.02 milliseconds to 0.9 seconds, the vector kernel two thirds of that. Two trees rise with slopes near 1.3 and cross the vector kernel, that with the larger cells near 270 particles, the other near 600. A vertical line marks 3072.
+# alt: Time of one evaluation of all forces against the number of particles in a ring, both axes logarithmic, from 125 to 32000. The direct sums rise with slope two, the vector kernel at two thirds of the portable one. Two trees rise with slopes near 1.2 and 1.3 and cross the vector kernel at a few hundred particles, that with the larger cells first. A vertical line marks 3072.
 width = 14
 height = 7
 load 'plots/style.gp'

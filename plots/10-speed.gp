@@ -1,5 +1,5 @@
 # data: plots/data/10-speed.dat
-# alt: Steps of a body per second against the side of the grid, 8 to 512 on a logarithmic axis. Spring by spring from about 57 million at 8 falling slowly to 37 million at 512. By bands, in sweeps or in two trips, between 150 and 240 million up to 256; at 512 sweeps have 155 million, two trips 106 million. Computing every spring twice lies between, from 168 million to 80 million.
+# alt: Steps of a body per second against the side of the grid, 8 to 512 on a logarithmic axis. Spring by spring is lowest and falls slowly. By bands, in sweeps or in two trips, it is about three times as high up to 256; at 512 all have fallen, two trips more than sweeps. Computing every spring twice lies between.
 width = 11
 height = 7
 load 'plots/style.gp'

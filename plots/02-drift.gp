@@ -20,8 +20,9 @@ set rmargin at screen 0.98
 set label 1 'single precision' at 1.2e3,2e-4 tc rgb red
 set label 2 'double precision' at 3e5,5e-15 tc rgb blue
 eps = 2.0**-52
+single = 2.0**-23
 set label 3 'masses 1, 2, 1.5' at 6e4,2e-11 right tc rgb '#007a58'
-plot 0.3*eps*sqrt(x) ls 9, 0.3*2.0**-23*sqrt(x) ls 9, \
+plot 0.3*eps*sqrt(x) ls 9, 0.3*single*sqrt(x) ls 9, \
      x > 3e5 ? 5e-4*eps*x : NaN ls 9, 0.05*eps*x ls 9, \
      file using 1:(abs($3)) with points ls 3, \
      file using 1:(abs($2)) with points ls 1, \

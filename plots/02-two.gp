@@ -21,15 +21,15 @@ set tmargin at screen 0.9
 set bmargin at screen 0.16
 set lmargin at screen 0.08
 set rmargin at screen 0.5
-set title '{/:Italic m}_2/{/:Italic m}_1 = 3' offset 0,-0.6
 file = 'build/data/02-two-3.dat'
 m2 = mass(file, 2)
+set title sprintf('{/:Italic m}_2/{/:Italic m}_1 = %g', m2) offset 0,-0.6
 plot cos(t),sin(t) ls 9, file using ($6/sqrt(2*$2)):($8*sqrt(m2/(2*$2))) with points ls 1
 set lmargin at screen 0.57
 set rmargin at screen 0.99
-set title '{/:Italic m}_2/{/:Italic m}_1 = 1.618…'
 unset ylabel
 file = 'build/data/02-two-golden.dat'
 m2 = mass(file, 2)
+set title sprintf('{/:Italic m}_2/{/:Italic m}_1 = %.3f…', m2)
 plot cos(t),sin(t) ls 9, file using ($6/sqrt(2*$2)):($8*sqrt(m2/(2*$2))) with points ls 2 ps 0.2*big
 unset multiplot

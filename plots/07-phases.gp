@@ -10,12 +10,12 @@
 width = 14
 height = 12.5
 load 'plots/style.gp'
-Lx = 10
-Ly = 10.392304845413264
+gas = 'build/data/07-gas.dat'
+Lx = system("echo ".option(gas, 'box')." | cut -d, -f1") + 0
+Ly = system("echo ".option(gas, 'box')." | cut -d, -f2") + 0
 # Five disks have trails of their own.
 one(i) = i == 40 || i == 58 || i == 88 || i == 100 || i == 46
 hue(i) = i == 40 ? 0x0072b2 : i == 58 ? 0xd55e00 : i == 88 ? 0x009e73 : i == 100 ? 0xaa4499 : 0xb07d00
-r(eta) = sqrt(eta*Lx*Ly/120/pi)
 set multiplot
 set size ratio -1
 unset xtics

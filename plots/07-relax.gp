@@ -16,7 +16,7 @@ set xrange [0:15]
 set yrange [0.9:2.3]
 set ytics 0.2
 set key at graph 0.97,0.05 right bottom samplen 1.5
-plot (x < 5 ? 1+64./225*x : NaN) ls 9 dt 2 lw 1.6*thick title 'first collisions', \
+plot (x < 5 ? 1+x*64/225 : NaN) ls 9 dt 2 lw 1.6*thick title 'first collisions', \
      2 ls 9 lw 1.6*thick title 'equilibrium', \
      few using 2:3 with points pt 6 ps 0.4*big lc rgb red title '250', \
      many using 2:3 with points ls 1 ps 0.4*big title '100 000'

@@ -21,7 +21,7 @@ plot 0 ls 9 lw 1.5*thick, \
 set ylabel ''
 set yrange [-20:2]
 set ytics 5
-plot 0.5*x*log10(1-2.5**6/72+2.5**8/576) ls 9 lw 1.5*thick, file using 1:(log10($4)) with points ls style_of('rk4') title name_of('rk4').', 2.5'
+plot x/2*log10(1-2.5**6/72+2.5**8/576) ls 9 lw 1.5*thick, file using 1:(log10($4)) with points ls style_of('rk4') title name_of('rk4').', 2.5'
 set yrange [-14:17]
 set ytics 5
 plot 0 ls 9, \

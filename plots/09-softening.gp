@@ -16,6 +16,6 @@ set ylabel 'per orbit' offset -0.3
 set xrange [7e-4:0.5]
 set yrange [3e-7:5]
 set key at graph 0.03,0.95 left top Left reverse samplen 2
-plot 3*pi*x**2/0.64 ls 9 notitle, 0.75*x**2 ls 9 notitle, \
+plot 3*pi*x**2/0.64 ls 9 notitle, x**2*3/4 ls 9 notitle, \
      file using 1:(-$3) with points ls 1 title 'turn of the ellipse, backwards  (rad)', \
      file using 1:4 with points ls 2 title 'period too long'

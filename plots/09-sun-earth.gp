@@ -25,8 +25,10 @@ set yrange [0.8:2.3]
 set xlabel '{/:Italic t}  (years)'
 set ylabel 'distance  (AU)' offset 1
 set key at graph 0.03,0.97 left top Left reverse samplen 2
-h = 2*0.0172
-plot (1 + 6*h*0.0172*365.25*x)**(1./3) ls 9 title 'law', \
-     file using ($1/365.25):(sqrt($4**2+$5**2)) with lines ls style_of('euler') title name_of('euler'), \
-     file every 12 using ($1/365.25):(sqrt($6**2+$7**2)) with points ls style_of('leapfrog') title name_of('leapfrog')
+k = 0.0172
+h = 2*k
+year = 365.25
+plot (1 + 6*h*k*year*x)**(1./3) ls 9 title 'law', \
+     file using ($1/year):(sqrt($4**2+$5**2)) with lines ls style_of('euler') title name_of('euler'), \
+     file every 12 using ($1/year):(sqrt($6**2+$7**2)) with points ls style_of('leapfrog') title name_of('leapfrog')
 unset multiplot

@@ -26,8 +26,9 @@ set label 1 'the bound' at 9.5,22 right tc rgb '#555555'
 neg(x) = x < 0 ? -x : 0
 E(a,b,c,d) = a + b + c + d
 grown(a,b,c,d) = (n = n + 1, n == 1 ? e0 = E(a,b,c,d) : 0, s = n == 1 ? 0 : s, q = neg(b) + neg(c) + neg(d), s = q > s ? q : s, g = (E(a,b,c,d) - e0) / (abs(e0) + s), g > 1e-6 ? g : NaN)
+step(name) = option('build/data/11-bound-'.name.'.dat', 'dt')
 plot 10 ls 9, \
-     n = 0, 'build/data/11-bound-euler.dat' using 1:(grown($2,$3,$4,$5)) with lines ls style_of('euler') lw 1.8*thick title 'double pendulum, Euler, 0.002 s', \
-     n = 0, 'build/data/11-bound-stiff.dat' using 1:(grown($2,$3,$4,$5)) with lines ls style_of('leapfrog') title 'leapfrog, 0.0285 s', \
-     n = 0, 'build/data/11-bound-spiral.dat' using ($1/1000):(grown($2,$3,$4,$5)) with lines ls style_of('euler') lw 1.8*thick dt '-' title 'Sun and Earth, Euler, 1 d', \
-     n = 0, 'build/data/11-bound-good.dat' using ($1/1000):(grown($2,$3,$4,$5)) with points ls style_of('leapfrog') ps 0.2*big title 'Kepler-16, leapfrog, 4 d'
+     n = 0, 'build/data/11-bound-euler.dat' using 1:(grown($2,$3,$4,$5)) with lines ls style_of('euler') lw 1.8*thick title 'double pendulum, Euler, '.step('euler').' s', \
+     n = 0, 'build/data/11-bound-stiff.dat' using 1:(grown($2,$3,$4,$5)) with lines ls style_of('leapfrog') title 'leapfrog, '.step('stiff').' s', \
+     n = 0, 'build/data/11-bound-spiral.dat' using ($1/1000):(grown($2,$3,$4,$5)) with lines ls style_of('euler') lw 1.8*thick dt '-' title 'Sun and Earth, Euler, '.step('spiral').' d', \
+     n = 0, 'build/data/11-bound-good.dat' using ($1/1000):(grown($2,$3,$4,$5)) with points ls style_of('leapfrog') ps 0.2*big title 'Kepler-16, leapfrog, '.step('good').' d'

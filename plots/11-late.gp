@@ -10,7 +10,6 @@ set xrange [-3.2:9.4]
 set yrange [-1.8:lecture ? 5.3 : 4.7]
 s = 3.0
 # The path comes from the right at an angle; A on the circle at 32 degrees.
-pi = 3.14159265
 ta = 38*pi/180
 ax = s*cos(ta)
 ay = s*sin(ta)

@@ -1,6 +1,4 @@
-/* From chapters/works/12-bonk.nw: edit there, then run make tangle. */
-/* checksum 4025117658 of the lines below */
-/* Carries a scene by the cheapest model that holds, and says why. */
+/* Runs a scene with the cheapest model that meets a tolerance. */
 #include "enough/averages.h"
 #include "enough/choose.h"
 #include "scenes/scene.h"
@@ -17,38 +15,50 @@
 
 #define PROGRAM "bonk"
 
+/* The command line as it was given. */
 struct settings {
     const char *scene;
-    double until, tolerance, every, reason; /* s; share; s; s */
+    double until;     /* time at which to stop, s */
+    double tolerance; /* largest error, a fraction of the scale */
+    double every;  /* time from row to row, s; 0: a sixteenth of the run */
+    double reason; /* what choosing and running may cost, s */
     const char *observe, *model;
     bool explain;
     const char *chart, *output, *summary, *command;
 };
 
+/* Sixteen rows show where a run went wrong and can still be compared at a
+   glance. They are also the least number of times at which errors are
+   judged: two runs that are compared only once can agree because one of
+   them is late by a whole period, and picking the cheapest that agrees
+   would select for that chance. */
 enum { ROWS = 16, ROWS_MOST = 1000000 };
 
-static const char mean_mark[] = "mean:";
-enum { MEANS_MOST = 16, MARK = sizeof mean_mark - 1 };
+/* The prefix by which --observe asks for an average. Each average is found
+   by a request of its own. */
+static const char mean_prefix[] = "mean:";
+enum { MEANS_MOST = 16, PREFIX = sizeof mean_prefix - 1 };
 
-/* An average that is asked for. */
+/* An average that was asked for, and what was found. */
 struct mean {
     struct averages_quantity quantity;
     struct averages_found found;
 };
 
+/* A request and its answer: either a run (choice) or averages (mean). */
 struct run {
     const struct settings *s;
     struct scene scene;
     struct observables asked;
     struct choose_request request;
-    size_t judged; /* rows, of which the last one is written */
+    size_t judged; /* rows of the choice for each row written, the last */
     struct choose_choice choice;
-    struct models_plan plan; /* that was asked for */
+    struct models_plan plan; /* of --model */
     struct progress progress;
     struct mean mean[MEANS_MOST];
-    size_t means; /* 0: a run is asked for */
+    size_t means; /* averages asked for; 0: a run is asked for */
     struct table *out, *summary, *chart;
-    FILE *story; /* where --explain goes */
+    FILE *explanation; /* of --explain */
 };
 
 static void read_observe(struct run *r)
@@ -62,8 +72,15 @@ static void read_observe(struct run *r)
     r->request.asked = &r->asked;
 }
 
-/* Sets the rows: whole ones, from the start to the end. */
-static void divide(struct run *r)
+/* Sets the rows, which divide the time from the scene's clock to --until
+   into equal parts: errors are taken at rows, the last row is the time that
+   was asked for, and a shorter last row would need steps of another length.
+   A row longer than a sixteenth of the run is cut into several rows of the
+   choice, of which only the last is written.
+
+   The 1e-9 allows for rounding: 0.001 divides 1 although neither it nor the
+   quotient is exact in binary, and 0.3 must be refused. */
+static void set_rows(struct run *r)
 {
     const struct settings *s = r->s;
     const double length = s->until - r->scene.time;
@@ -85,6 +102,9 @@ static void divide(struct run *r)
     r->request.every = every / (double)r->judged;
 }
 
+/* Reads --model: a plan with its steps is taken as it is; a method's name
+   alone leaves the number of steps to be found. A model that does not suit
+   the scene is refused here, before any work. */
 static void read_model(struct run *r)
 {
     char message[MODELS_MESSAGE];
@@ -99,18 +119,20 @@ static void read_model(struct run *r)
     r->request.only = &r->plan;
 }
 
-/* Reads mean:NAME,mean:NAME... */
+/* Reads the averages of --observe, mean:NAME,mean:NAME... They cannot be
+   mixed with values: a path ends at the horizon of prediction, and averages
+   are asked for beyond it. */
 static void read_means(struct run *r)
 {
     char message[AVERAGES_TEXT], name[64];
     for (const char *at = r->s->observe; *at;) {
         const size_t n = strcspn(at, ",");
-        if (strncmp(at, mean_mark, MARK) != 0)
+        if (strncmp(at, mean_prefix, PREFIX) != 0)
             program_refuse(PROGRAM,
                            "--observe: averages (mean:...) and values "
                            "cannot be asked for together, found '%.*s'",
                            (int)n, at);
-        snprintf(name, sizeof name, "%.*s", (int)(n - MARK), at + MARK);
+        snprintf(name, sizeof name, "%.*s", (int)(n - PREFIX), at + PREFIX);
         if (r->means == MEANS_MOST)
             program_refuse(PROGRAM, "--observe: more than %d averages",
                            MEANS_MOST);
@@ -125,10 +147,12 @@ static void read_means(struct run *r)
 
 static bool asks_for_means(const struct settings *s)
 {
-    return s->observe && strstr(s->observe, mean_mark) != NULL;
+    return s->observe && strstr(s->observe, mean_prefix) != NULL;
 }
 
-/* Reads the scene, and asks whether it can be set in motion at all. */
+/* Reads the scene. Leapfrog can run any scene, so motion_view sets it up
+   with leapfrog: what that complains about is wrong with the scene
+   itself. */
 static void read_scene(struct run *r)
 {
     struct motion m;
@@ -143,12 +167,17 @@ static void read_scene(struct run *r)
                        r->s->scene);
 }
 
+/* Shows how much of what is reasonable has been spent; choose() calls it
+   after each run. Progress counts whole numbers, hence milliseconds. */
 static void show_progress(void *with, double spent)
 {
     const uint64_t ms = (uint64_t)(1e3 * spent);
     progress_update(with, ms, ms);
 }
 
+/* Checks all that a command may have wrong against the scene: most settings
+   can be wrong only there (a body that does not exist, a time that is over,
+   a model that does not suit). Exits with 2 before any work is done. */
 static void begin_run(struct run *r)
 {
     const struct settings *s = r->s;
@@ -160,7 +189,7 @@ static void begin_run(struct run *r)
                                          .reason = s->reason,
                                          .watch = show_progress,
                                          .with = &r->progress};
-    divide(r);
+    set_rows(r);
     if (asks_for_means(s)) {
         read_means(r);
         return;
@@ -169,95 +198,113 @@ static void begin_run(struct run *r)
     read_model(r);
 }
 
+/* Opens all outputs before the work begins, so that a folder that does not
+   exist is noticed now and not after ten minutes. The explanation goes
+   where the table does not, so that neither gets into the other. */
 static void open_outputs(struct run *r)
 {
     const struct settings *s = r->s;
-    r->story = s->output && strcmp(s->output, "-") ? stdout : stderr;
+    r->explanation = s->output && strcmp(s->output, "-") ? stdout : stderr;
     r->out = program_table(PROGRAM, s->output);
     r->summary = program_table(PROGRAM, s->summary);
     r->chart = s->chart ? program_table(PROGRAM, s->chart) : NULL;
 }
 
-static void tell(const struct run *r, const char *format, ...)
+/* Prints a piece of the explanation, if --explain asks for it. */
+static void explain(const struct run *r, const char *format, ...)
 {
     va_list values;
     if (!r->s->explain)
         return;
     va_start(values, format);
-    vfprintf(r->story, format, values);
+    vfprintf(r->explanation, format, values);
     va_end(values);
 }
 
-static void tell_acts(const struct run *r)
+/* Explains, part 1: which interactions act. A scene in which nothing acts
+   is valid: its bodies fly straight on. */
+static void explain_interactions(const struct run *r)
 {
     const struct models_acts *a = &r->choice.acts;
-    tell(r, "what acts:%s%s%s%s%s%s%s\n", a->gravity ? " gravity" : "",
-         a->springs ? " springs" : "", a->weight ? " weight" : "",
-         a->dashpots ? " dashpots" : "", a->friction ? " friction" : "",
-         a->contact ? " contacts" : "",
-         a->gravity || a->springs || a->weight || a->contact ||
-                 a->friction || a->dashpots
-             ? ""
-             : " nothing");
-    tell(r, "bodies that move: %zu of %zu, in %zu dimension%s\n", a->free,
-         r->scene.bodies, a->dimensions, a->dimensions == 1 ? "" : "s");
+    explain(r, "what acts:%s%s%s%s%s%s%s\n", a->gravity ? " gravity" : "",
+            a->springs ? " springs" : "", a->weight ? " weight" : "",
+            a->dashpots ? " dashpots" : "", a->friction ? " friction" : "",
+            a->contact ? " contacts" : "",
+            a->gravity || a->springs || a->weight || a->contact ||
+                    a->friction || a->dashpots
+                ? ""
+                : " nothing");
+    explain(r, "bodies that move: %zu of %zu, in %zu dimension%s\n",
+            a->free, r->scene.bodies, a->dimensions,
+            a->dimensions == 1 ? "" : "s");
 }
 
-static void tell_asked(const struct run *r)
+/* Explains, part 2: what was asked and what the candidates are compared
+   with. The doubt of the reference is its difference from a coarser one; an
+   exact model needs no reference, and then there is no such line. */
+static void explain_request(const struct run *r)
 {
     const struct choose_choice *c = &r->choice;
     char plan[MODELS_TEXT];
-    tell(r,
-         "asked for: %s within %.3g of %.6g, in %zu rows up to t = %.10g\n",
-         c->judged, r->s->tolerance, c->scale, c->rows, r->s->until);
+    explain(
+        r,
+        "asked for: %s within %.3g of %.6g, in %zu rows up to t = %.10g\n",
+        c->judged, r->s->tolerance, c->scale, c->rows, r->s->until);
     if (c->reference.model) {
         models_write(&c->reference, plan);
-        tell(r, "compared with: %s, sure to %.1e\n", plan, c->doubt);
+        explain(r, "compared with: %s, sure to %.1e\n", plan, c->doubt);
     }
     if (isfinite(c->horizon))
-        tell(r, "horizon: t = %.10g\n", c->horizon);
+        explain(r, "horizon: t = %.10g\n", c->horizon);
 }
 
-static void tell_candidates(const struct run *r)
+/* Explains, part 3: all candidates, with a star at the one taken. A
+   candidate without a cost was never run to its end, and shows a reason
+   instead. One with a cost may still have no error. */
+static void explain_candidates(const struct run *r)
 {
     const struct choose_choice *c = &r->choice;
     char plan[MODELS_TEXT], error[16];
-    tell(r, "candidates:                     error      cost, s\n");
+    explain(r, "candidates:                     error      cost, s\n");
     for (size_t j = 0; j < c->candidates; ++j) {
         const struct choose_candidate *next = &c->candidate[j];
         models_write(&next->plan, plan);
         if (isinf(next->cost)) {
-            tell(r, "  %-26s %s\n", plan, next->text);
+            explain(r, "  %-26s %s\n", plan, next->text);
             continue;
         }
         snprintf(error, sizeof error, isfinite(next->error) ? "%.2e" : "-",
                  next->error);
-        tell(r, "%c %-26s %9s  %9.2e  %s\n", j == c->taken ? '*' : ' ',
-             plan, error, next->cost, next->text);
+        explain(r, "%c %-26s %9s  %9.2e  %s\n", j == c->taken ? '*' : ' ',
+                plan, error, next->cost, next->text);
     }
 }
 
-static void tell_taken(const struct run *r)
+/* Explains, part 4: the plan taken, in words, and what it cost. */
+static void explain_taken(const struct run *r)
 {
     const struct choose_choice *c = &r->choice;
     char text[CHOOSE_SENTENCE];
     choose_sentence(c, r->s->tolerance, text);
-    tell(r, "taken %s\n", text);
-    tell(r,
-         "found: error %.2e, cost %.2e s\n"
-         "besides: deciding %.2e s\n",
-         c->candidate[c->taken].error, c->run.cost, c->spent - c->run.cost);
+    explain(r, "taken %s\n", text);
+    explain(r,
+            "found: error %.2e, cost %.2e s\n"
+            "besides: deciding %.2e s\n",
+            c->candidate[c->taken].error, c->run.cost,
+            c->spent - c->run.cost);
 }
 
-static void tell_choice(const struct run *r)
+static void explain_choice(const struct run *r)
 {
-    tell_acts(r);
-    tell_asked(r);
-    tell_candidates(r);
+    explain_interactions(r);
+    explain_request(r);
+    explain_candidates(r);
     if (r->choice.run.value)
-        tell_taken(r);
+        explain_taken(r);
 }
 
+/* Names the default columns, the state of every body, as step does, so that
+   whatever reads step's tables (a movie, a plot) reads these as well. */
 static void write_state_columns(struct run *r)
 {
     static const char *const symbol[] = {"x", "y", "z", "vx", "vy", "vz"};
@@ -270,6 +317,8 @@ static void write_state_columns(struct run *r)
         }
 }
 
+/* Writes the head. Its command has to make the same bytes again, so the
+   plan that was chosen is added to it, unless it came from --model. */
 static void write_head(struct run *r)
 {
     char plan[MODELS_TEXT], command[8192];
@@ -300,6 +349,7 @@ static bool write_rows(struct run *r)
     return good;
 }
 
+/* Writes a point of the chart: a run whose error is known. */
 static void write_point(const struct run *r, struct models_plan plan,
                         double error, double cost, int taken)
 {
@@ -320,6 +370,11 @@ static void write_chart_head(const struct run *r, const char *refusal)
     table_column(r->chart, "plan", "", "its model, and what it leaves out");
 }
 
+/* Writes the chart of error against cost. Consecutive runs of a model with
+   the same cuts are one block; two blank lines between blocks make gnuplot
+   begin a new curve. The run that was taken has the last block for itself.
+   The chart is written after a refusal, too: then it shows how near each
+   model came. */
 static void write_chart(const struct run *r, const char *refusal)
 {
     const struct choose_choice *c = &r->choice;
@@ -338,6 +393,8 @@ static void write_chart(const struct run *r, const char *refusal)
     write_point(r, taken->plan, taken->error, taken->cost, 1);
 }
 
+/* Writes the summary, after a refusal as well: there the horizon is what
+   one wants to know. Only its last line depends on the machine. */
 static void summarise(const struct run *r, const char *refusal)
 {
     const struct choose_choice *c = &r->choice;
@@ -366,7 +423,8 @@ static char model_help[128 * STEPPING_MOST] =
     "sixteenth of the run) or a tolerance of its own\n"
     "steps, and what to leave out: pefrl:24,no-light";
 
-/* The table of models is the only list of them. */
+/* Completes model_help from the table of models, which is the only list of
+   them. */
 static void list_models(void)
 {
     char *help = model_help + strlen(model_help);
@@ -418,11 +476,15 @@ static const struct table_key keys[] = {
     {"seconds", "s", "processor time of the run"},
     {0}};
 
+/* Returns whether two outputs would overwrite each other. */
 static bool same_file(const char *a, const char *b)
 {
     return a && b && strcmp(a, b) == 0 && strcmp(a, "/dev/null") != 0;
 }
 
+/* Refuses a command that lacks something or contradicts itself. The
+   tolerance has no default on purpose: people would not change it, and how
+   wrong an answer may be is the one thing that no program can find out. */
 static void check_settings(struct options *o, const struct settings *s)
 {
     const char *output = s->output ? s->output : "-";
@@ -441,6 +503,7 @@ static void check_settings(struct options *o, const struct settings *s)
                         "their own");
 }
 
+/* A time may be negative, since the scene's clock may stand before zero. */
 static void take_option(struct options *o, struct settings *s, int option)
 {
     switch (option) {
@@ -484,8 +547,8 @@ static void read_settings(struct settings *s, int argc, char *argv[])
     check_settings(&o, s);
 }
 
-/* The diagonal of the box that holds all bodies in all rows of the run, m,
-   but for axes on which they go round. */
+/* Returns the diagonal of the box that contains all bodies in all rows of
+   the run, m, leaving out periodic axes. */
 static double size_of_run(const struct run *r)
 {
     const struct choose_choice *c = &r->choice;
@@ -502,9 +565,10 @@ static double size_of_run(const struct run *r)
     return sqrt(sum);
 }
 
-/* Errors of places are shares of the scene's size at the start. If the run
-   becomes much larger, as that of an orbit which begins at its nearest
-   point, its reader may have thought of a share of that. */
+/* Notes that the run becomes much larger than the scene was at the start,
+   as an orbit does that begins at its nearest point: errors of positions
+   are fractions of the size at the start, and the reader may have meant a
+   fraction of the larger one. */
 static void warn_of_scale(const struct run *r)
 {
     const struct choose_choice *c = &r->choice;
@@ -520,7 +584,11 @@ static void warn_of_scale(const struct run *r)
                 r->s->scene, e, c->scale, size, e * size / c->scale);
 }
 
-static void warn(const struct run *r)
+/* Notes that one body far away has made the scale so large that the
+   tolerance cannot see two others apart, with the tolerance that would. It
+   is printed without being asked for: such an answer is right as asked and
+   wrong as meant. */
+static void warn_of_hidden_pair(const struct run *r)
 {
     const struct choose_hidden *h = &r->choice.hidden;
     const double e = r->s->tolerance;
@@ -535,22 +603,24 @@ static void warn(const struct run *r)
             h->without, e * h->without / r->choice.scale);
 }
 
-/* Returns NULL, or why there is no run. */
-static const char *carry(struct run *r)
+/* Chooses a model and runs the scene with it. Returns NULL, or why there is
+   no run. */
+static const char *choose_run(struct run *r)
 {
     progress_begin(&r->progress, PROGRAM, (uint64_t)(1e3 * r->s->reason),
                    "ms by the price list");
     if (!choose(&r->choice, &r->request))
         program_leave(EXIT_FAILURE);
     progress_end(&r->progress);
-    warn(r);
+    warn_of_hidden_pair(r);
     warn_of_scale(r);
-    tell_choice(r);
+    explain_choice(r);
     return r->choice.run.value ? NULL : r->choice.refusal;
 }
 
-/* Hands out the rows, or says why there are none. */
-static bool hand_out(struct run *r, const char *refusal)
+/* Writes the rows of the run, or says why there are none; a refusal leaves
+   no table behind. */
+static bool write_run(struct run *r, const char *refusal)
 {
     if (refusal) {
         fprintf(stderr, PROGRAM ": %s: %s\n", r->s->scene, refusal);
@@ -565,21 +635,25 @@ static bool hand_out(struct run *r, const char *refusal)
 static const char *const sure_names[] = {"exact", "bound", "estimate",
                                          "out"};
 
-static void tell_mean(const struct run *r, const struct mean *m)
+/* Explains how an average was found: its value, its error, and how certain
+   it is. */
+static void explain_mean(const struct run *r, const struct mean *m)
 {
     const struct averages_found *f = &m->found;
     char symbol[32];
     averages_name(&m->quantity, symbol);
     if (!f->way)
         return;
-    tell(r, "%s: %s\n  %s, %s, cost %.2e s\n", symbol, f->way, f->text,
-         sure_names[f->sure], f->cost);
+    explain(r, "%s: %s\n  %s, %s, cost %.2e s\n", symbol, f->way, f->text,
+            sure_names[f->sure], f->cost);
     if (isfinite(f->value) && (f->cost > 0 || f->sure != AVERAGES_OUT))
-        tell(r, "  found: %.6g, error %.2e, a share of %.2e of %.4g\n",
-             f->value, f->error * f->scale, f->error, f->scale);
+        explain(r, "  found: %.6g, error %.2e, a share of %.2e of %.4g\n",
+                f->value, f->error * f->scale, f->error, f->scale);
 }
 
-/* Finds one average. Returns NULL, or why there is none. */
+/* Finds one average; returns NULL, or why there is none. Each is a request
+   of its own, since two averages of a scene may be found in different ways,
+   the energy by a law and the pressure by events. */
 static const char *find_mean(struct run *r, struct mean *m)
 {
     const struct settings *s = r->s;
@@ -591,11 +665,12 @@ static const char *find_mean(struct run *r, struct mean *m)
                                        .model = s->model};
     if (!averages_find(&m->found, &q))
         program_give_up(PROGRAM, "no memory for averages");
-    tell_mean(r, m);
+    explain_mean(r, m);
     return m->found.sure == AVERAGES_OUT ? m->found.refusal : NULL;
 }
 
-/* The way that was taken, the same for all or "several". */
+/* Returns how the averages were found, or "several" if not all in the same
+   way. */
 static const char *mean_model(const struct run *r)
 {
     const char *name = NULL;
@@ -606,6 +681,7 @@ static const char *mean_model(const struct run *r)
     return name;
 }
 
+/* Writes one row, with each average beside its error. */
 static bool write_means(struct run *r)
 {
     double row[2 * MEANS_MOST];
@@ -622,13 +698,15 @@ static bool write_means(struct run *r)
                  r->s->tolerance, f->scale);
         table_column(r->out, error, unit, text);
         row[2 * j] = f->value;
-        /* In the unit of its column: f->error is a share of the scale. */
+        /* In the unit of its column; f->error is a fraction of the scale.
+         */
         row[2 * j + 1] = f->error * f->scale;
     }
     const bool good = table_row(r->out, 2 * r->means, row);
     return table_close(r->out) && good;
 }
 
+/* Writes the chart of averages, a point for each. */
 static void chart_means(const struct run *r, const char *refusal)
 {
     write_chart_head(r, refusal);
@@ -640,6 +718,8 @@ static void chart_means(const struct run *r, const char *refusal)
     }
 }
 
+/* Writes the keys of a run's summary, so that one script reads both: costs
+   are added, and of the errors the largest counts. */
 static void summarise_means(const struct run *r, const char *refusal)
 {
     struct table *t = r->summary;
@@ -656,7 +736,8 @@ static void summarise_means(const struct run *r, const char *refusal)
     table_real(t, "deciding", 0);
 }
 
-/* Averages: all are found, or none is handed out. */
+/* Finds all averages, or writes none: one that is refused leaves nothing to
+   put in its place in the row. */
 static bool answer_means(struct run *r, const char **refusal)
 {
     bool good = true;
@@ -675,10 +756,10 @@ static bool answer_means(struct run *r, const char **refusal)
 
 static bool answer_run(struct run *r, const char **refusal)
 {
-    *refusal = carry(r);
+    *refusal = choose_run(r);
     if (r->chart)
         write_chart(r, *refusal);
-    const bool good = hand_out(r, *refusal);
+    const bool good = write_run(r, *refusal);
     summarise(r, *refusal);
     choose_free(&r->choice);
     return good;

@@ -1,6 +1,4 @@
-/* From chapters/works/12-atlas.nw: edit there, then run make tangle. */
-/* checksum 1614951627 of the lines below */
-/* Maps of cost against true error, for every scene; prices of units. */
+/* Maps cost against true error for all scenes; measures unit prices. */
 #include "enough/choose.h"
 #include "scenes/gallery.h"
 #include "enough/models.h"
@@ -16,7 +14,7 @@
 #define PROGRAM "bonk-studies"
 
 struct settings {
-    const char *scene; /* the only one, or NULL */
+    const char *scene; /* the only scene to map, or NULL: all of them */
 };
 
 enum { ROWS = 16, KEYS = 4 };
@@ -31,6 +29,11 @@ struct subject {
     } set[KEYS];
 };
 
+/* The name on a map comes first, then the name in the gallery. The break is
+   shifted a little off its symmetry, since three balls that touch at once
+   have no unique outcome. Times of celestial scenes are days; a comet that
+   starts at its farthest point with sqrt(0.1) of the circular speed has the
+   eccentricity 0.9. */
 static const struct subject subjects[] = {
     {"cradle", "cradle", 20, {{0}}},
     {"equal-line",
@@ -68,11 +71,13 @@ static const struct subject subjects[] = {
     {"cantilever", "cantilever", 8, {{0}}},
     {0}};
 
+/* Ends the program: half an atlas is of no use. */
 _Noreturn static void fail(const char *why)
 {
     program_give_up(PROGRAM, "%s", why);
 }
 
+/* Returns a scene of the gallery from one of its three lists. */
 static const struct gallery_scene *find_scene(const char *name)
 {
     static const struct gallery_scene *const lists[] = {
@@ -85,6 +90,7 @@ static const struct gallery_scene *find_scene(const char *name)
     return g;
 }
 
+/* Makes a scene with its default values, apart from those that t sets. */
 static void make_scene(struct scene *s, const struct subject *t)
 {
     double value[GALLERY_KEYS + 1];
@@ -97,11 +103,12 @@ static void make_scene(struct scene *s, const struct subject *t)
         fail(why);
 }
 
-/* Where all bodies were, row by row. */
+/* Positions of all bodies, row by row. Velocities are not kept: an error in
+   them shows in the positions of the next row. */
 struct path {
     size_t size; /* coordinates: three for each body */
     double *x;   /* [ROWS * size] m */
-    double cost; /* s by the price list; INFINITY: it did not begin */
+    double cost; /* s by the price list; INFINITY: the run did not begin */
 };
 
 static void make_path(struct path *p, const struct scene *s)
@@ -112,10 +119,11 @@ static void make_path(struct path *p, const struct scene *s)
         fail("no memory for a path");
 }
 
-/* Runs the plan for at most `limit` seconds by the price list. False: it
-   did not come to its end. */
-static bool follow(struct path *p, const struct models_plan *plan,
-                   const struct scene *s, double every, double limit)
+/* Runs the plan for at most `limit` seconds by the price list, and fills p
+   with what there was of the run and its cost. Returns false if it did not
+   reach its end. */
+static bool run_plan(struct path *p, const struct models_plan *plan,
+                     const struct scene *s, double every, double limit)
 {
     struct models_run r;
     const char *why;
@@ -134,8 +142,10 @@ static bool follow(struct path *p, const struct models_plan *plan,
     return end == MODELS_DONE;
 }
 
-/* The largest difference of two paths in their first rows, m. */
-static double apart(const struct path *a, const struct path *b, size_t rows)
+/* Returns the largest difference of any coordinate of two paths in their
+   first rows, m; INFINITY if one is not finite. */
+static double distance(const struct path *a, const struct path *b,
+                       size_t rows)
 {
     double most = 0;
     for (size_t c = 0; c < rows * a->size; ++c) {
@@ -147,8 +157,10 @@ static double apart(const struct path *a, const struct path *b, size_t rows)
     return most;
 }
 
-/* What errors of positions are divided by: the diagonal of the box that
-   holds all bodies and the walls. */
+/* Returns the scale of position errors: the diagonal of the box that
+   contains all bodies and the walls. It is computed here and not asked of
+   the module under examination, so that a mistake in one is seen by the
+   other. */
 static double size_of(const struct scene *s)
 {
     double square = 0;
@@ -165,13 +177,18 @@ static double size_of(const struct scene *s)
     return sqrt(square);
 }
 
-/* When body i meets another, or a wall, next. */
+/* When and with what a body collides next. */
 struct meeting {
     quad t;
-    size_t with; /* a body; or bodies + 2 * axis + side */
+    size_t with; /* a body; a wall: bodies + 2 * axis + side */
 };
 
-/* Bodies that fly straight between events, all known at the same time. */
+/* Hard bodies that move straight between events, in 113-bit arithmetic, as
+   the truth for scenes in which only contacts act. It is the simplest
+   program possible: all positions belong to the same time, there is no
+   calendar and no grid, only the next meeting of each body. Lines, disks
+   and walls are treated alike; on a line the square root of
+   (5.3, eq:pair-time) is exact by itself. */
 struct flight {
     size_t bodies;
     const struct scene *scene;
@@ -180,7 +197,10 @@ struct flight {
     struct meeting *next;
 };
 
-static quad root(quad square)
+/* Returns the square root. The library has none with so many digits;
+   Newton's iteration doubles the right digits, and from the 53 bits of
+   sqrt() two rounds suffice. */
+static quad quad_root(quad square)
 {
     quad r = sqrt((double)square);
     for (int k = 0; r > 0 && k < 2; ++k)
@@ -188,8 +208,11 @@ static quad root(quad square)
     return r;
 }
 
-static quad scalar(const struct flight *f, const quad a[], const quad b[],
-                   size_t i, size_t j)
+/* Returns the scalar product of two differences between bodies i and j, of
+   positions or velocities; all equations of a collision consist of
+   these. */
+static quad scalar_product(const struct flight *f, const quad a[],
+                           const quad b[], size_t i, size_t j)
 {
     quad sum = 0;
     const size_t n = f->bodies;
@@ -199,23 +222,25 @@ static quad scalar(const struct flight *f, const quad a[], const quad b[],
     return sum;
 }
 
-/* (5.3, eq:pair-time) */
+/* Returns when i and j collide, INFINITY if they do not
+   (5.3, eq:pair-time). */
 static quad pair_time(const struct flight *f, size_t i, size_t j)
 {
     const struct scene *s = f->scene;
     const quad sigma = (quad)s->radius[i] + s->radius[j];
-    const quad b = scalar(f, f->x, f->v, i, j);
+    const quad b = scalar_product(f, f->x, f->v, i, j);
     if (b >= 0)
         return INFINITY;
-    const quad a = scalar(f, f->v, f->v, i, j);
-    const quad c = scalar(f, f->x, f->x, i, j) - sigma * sigma;
+    const quad a = scalar_product(f, f->v, f->v, i, j);
+    const quad c = scalar_product(f, f->x, f->x, i, j) - sigma * sigma;
     const quad square = b * b - a * c;
     if (square < 0)
         return INFINITY;
-    return f->now + (c > 0 ? c / (root(square) - b) : 0);
+    return f->now + (c > 0 ? c / (quad_root(square) - b) : 0);
 }
 
-/* (5.1, eq:wall-time) */
+/* Returns the first wall that body i reaches (5.1, eq:wall-time). A body
+   that is behind a wall by rounding meets it now, not in the past. */
 static struct meeting wall_time(const struct flight *f, size_t i)
 {
     const struct scene *s = f->scene;
@@ -235,7 +260,9 @@ static struct meeting wall_time(const struct flight *f, size_t i)
     return first;
 }
 
-static void foresee(struct flight *f, size_t i)
+/* Finds the next meeting of body i. If it is sooner than what the other
+   body expects, the other's meeting is replaced, too. */
+static void predict(struct flight *f, size_t i)
 {
     f->next[i] = wall_time(f, i);
     for (size_t j = 0; j < f->bodies; ++j) {
@@ -249,20 +276,23 @@ static void foresee(struct flight *f, size_t i)
     }
 }
 
-static void fly(struct flight *f, quad t)
+static void move_to(struct flight *f, quad t)
 {
     for (size_t c = 0; c < 3 * f->bodies; ++c)
         f->x[c] += (t - f->now) * f->v[c];
     f->now = t;
 }
 
-/* (1.10, eq:impulse) */
-static void knock(struct flight *f, size_t i, size_t j)
+/* Exchanges the impulse of a collision along the line of centres
+   (1.10, eq:impulse). A held body has the inverse mass 0 and is not
+   moved. */
+static void collide(struct flight *f, size_t i, size_t j)
 {
     const size_t n = f->bodies;
-    const quad push =
-        (1 + (quad)f->scene->restitution) * scalar(f, f->x, f->v, i, j) /
-        ((f->inverse[i] + f->inverse[j]) * scalar(f, f->x, f->x, i, j));
+    const quad push = (1 + (quad)f->scene->restitution) *
+                      scalar_product(f, f->x, f->v, i, j) /
+                      ((f->inverse[i] + f->inverse[j]) *
+                       scalar_product(f, f->x, f->x, i, j));
     for (size_t k = 0; k < SCENE_AXES; ++k) {
         const quad d = f->x[k * n + j] - f->x[k * n + i];
         f->v[k * n + i] += f->inverse[i] * push * d;
@@ -270,12 +300,14 @@ static void knock(struct flight *f, size_t i, size_t j)
     }
 }
 
-static void let_happen(struct flight *f, size_t i)
+/* Moves all bodies to the next event, that of body i, and predicts again
+   for all that took part in it or expected to meet one of these. */
+static void handle_event(struct flight *f, size_t i)
 {
     const size_t n = f->bodies, j = f->next[i].with;
-    fly(f, f->next[i].t);
+    move_to(f, f->next[i].t);
     if (j < n)
-        knock(f, i, j);
+        collide(f, i, j);
     else {
         const size_t c = (j - n) / 2 * n + i;
         f->v[c] = -f->v[c] * f->scene->restitution;
@@ -283,7 +315,7 @@ static void let_happen(struct flight *f, size_t i)
     for (size_t k = 0; k < n; ++k)
         if (k == i || k == j || f->next[k].with == i ||
             (j < n && f->next[k].with == j))
-            foresee(f, k);
+            predict(f, k);
 }
 
 static size_t find_next(const struct flight *f)
@@ -295,7 +327,9 @@ static size_t find_next(const struct flight *f)
     return best;
 }
 
-static void take_off(struct flight *f, const struct scene *s)
+/* Starts a flight. The doubles of the scene are taken as exact: that they
+   are rounded themselves is no error of a method. */
+static void begin_flight(struct flight *f, const struct scene *s)
 {
     const size_t n = s->bodies;
     *f = (struct flight){.bodies = n, .scene = s};
@@ -314,19 +348,20 @@ static void take_off(struct flight *f, const struct scene *s)
         f->next[i].t = INFINITY;
     }
     for (size_t i = 0; i < n; ++i)
-        foresee(f, i);
+        predict(f, i);
 }
 
-static void follow_events(struct path *p, const struct scene *s,
-                          double every)
+/* Fills p with the true path. Positions are rounded to double only here,
+   once in each row. */
+static void run_events(struct path *p, const struct scene *s, double every)
 {
     struct flight f;
-    take_off(&f, s);
+    begin_flight(&f, s);
     for (size_t row = 0; row < ROWS; ++row) {
         const double until = (double)(row + 1) * every;
         for (size_t i; f.next[i = find_next(&f)].t <= until;)
-            let_happen(&f, i);
-        fly(&f, until);
+            handle_event(&f, i);
+        move_to(&f, until);
         for (size_t c = 0; c < p->size; ++c)
             p->x[row * p->size + c] = (double)f.x[c];
     }
@@ -334,50 +369,65 @@ static void follow_events(struct path *p, const struct scene *s,
     free(f.next);
 }
 
-/* What is true, and how well that is known. */
+/* The true path, and how well it is known. */
 struct truth {
     struct path path;
-    double scale;  /* of positions, m */
-    double unsure; /* share of it by which two ways to find out differ */
+    double scale; /* of positions, m */
+    double
+        unsure; /* difference of the two ways to find it over the scale */
 };
 
-/* With sums that lose nothing. */
-static bool follow_finely(struct path *p, struct models_plan plan,
-                          const struct scene *s, double every)
+/* Runs a plan with compensated sums: a scene with `carry` lines is stepped
+   with sums that carry their rounding errors, so it gets carries of
+   zero. */
+static bool run_with_carries(struct path *p, struct models_plan plan,
+                             const struct scene *s, double every)
 {
     struct scene fine;
     if (!scene_copy(&fine, s))
         fail("no memory for a scene");
     if (!fine.carry)
         fine.carry = calloc(6 * s->bodies, sizeof *fine.carry);
-    const bool done = follow(p, &plan, &fine, every, 10);
+    const bool done = run_plan(p, &plan, &fine, every, 10);
     scene_free(&fine);
     return done;
 }
 
 enum { LEVELS = 3, FIRST = 8, HALVINGS = 20 };
 
+/* A column of Richardson's table: entry 0 is the run itself; in each of the
+   following one more term of its error is removed. */
 struct column {
     struct path entry[LEVELS];
 };
 
-/* From the column before, which has twice the steps' length. */
+/* Fills a column from its run and the column before, whose steps are twice
+   as long. A run with steps h of a method of order p ends at x(h) = x + a
+   h^p + b h^q + ..., so
+
+   x(h/2) + (x(h/2) - x(h)) / (2^p - 1) = x + b' h^q + ...
+
+   (Richardson's extrapolation), and once more with q. q is p + 1, but p + 2
+   if the method is symmetric, since its error cannot tell h from -h. */
 static void fill_column(struct column *now, const struct column *before,
                         size_t levels, const struct stepping_method *m)
 {
     for (size_t j = 1; j < levels; ++j) {
         const int order = m->order + (int)(j - 1) * (m->symmetric ? 2 : 1);
-        const double share = 1 / ((double)((uint64_t)1 << order) - 1);
+        const double factor = 1 / ((double)((uint64_t)1 << order) - 1);
         const double *fine = now->entry[j - 1].x;
         const double *coarse = before->entry[j - 1].x;
         double *x = now->entry[j].x;
         for (size_t c = 0; c < ROWS * now->entry[0].size; ++c)
-            x[c] = fine[c] + (fine[c] - coarse[c]) * share;
+            x[c] = fine[c] + (fine[c] - coarse[c]) * factor;
     }
 }
 
 /* Halves the steps until the result no longer changes, or a run costs more
-   than the budget, s; fills best, and returns its last change. */
+   than the budget, s; fills best, and returns its last change. A run that
+   breaks because its steps are too long begins the table anew. Once the
+   result is good to nine digits, a change larger than the one before is
+   caused by rounding, and ends the search. */
 static double converge(struct path *best, const char *method,
                        const struct scene *s, double every, double budget)
 {
@@ -390,14 +440,15 @@ static double converge(struct path *best, const char *method,
         struct column *now = &column[k % 2], *before = &column[1 - k % 2];
         const struct models_plan plan = {.model = models_find(method),
                                          .steps = (uint64_t)FIRST << k};
-        const bool whole = follow_finely(&now->entry[0], plan, s, every);
+        const bool whole = run_with_carries(&now->entry[0], plan, s, every);
         const size_t levels = !whole           ? 0
                               : level < LEVELS ? level + 1
                                                : LEVELS;
         fill_column(now, before, levels, stepping_find(method));
         if (level > 0 && levels > 0) {
             const struct path *last = &now->entry[levels - 1];
-            const double d = apart(last, &before->entry[level - 1], ROWS);
+            const double d =
+                distance(last, &before->entry[level - 1], ROWS);
             if (d < change) {
                 change = d;
                 memcpy(best->x, last->x,
@@ -414,7 +465,8 @@ static double converge(struct path *best, const char *method,
     return change;
 }
 
-/* By radau15; returns what a tolerance ten times as fine has changed. */
+/* Fills best with radau15, which chooses its step lengths; returns what a
+   tolerance ten times finer changed. */
 static double refine_lengths(struct path *best, const struct scene *s,
                              double every)
 {
@@ -423,10 +475,10 @@ static double refine_lengths(struct path *best, const struct scene *s,
     struct models_plan plan = {
         .model = models_find("radau15"), .steps = 1, .tolerance = 1e-14};
     double change = INFINITY;
-    if (follow(&other, &plan, s, every, 10)) {
+    if (run_plan(&other, &plan, s, every, 10)) {
         plan.tolerance = 1e-15;
-        if (follow(best, &plan, s, every, 10))
-            change = apart(best, &other, ROWS);
+        if (run_plan(best, &plan, s, every, 10))
+            change = distance(best, &other, ROWS);
     }
     free(other.x);
     return change;
@@ -439,6 +491,12 @@ static bool only_contacts(const struct scene *s)
     return a.contact && !(a.gravity || a.springs || a.weight || a.friction);
 }
 
+/* Finds the true path. Where only contacts act, events with 113 bits are
+   the truth. Elsewhere it is found in two ways that have little in common:
+   by extrapolated steps of equal length (kahan-li8, which cannot follow
+   friction; there gauss4, symmetric as well) and by steps of variable
+   length. The one that changed less is taken, and the difference of the two
+   says how well it is known. */
 static void find_truth(struct truth *t, const struct scene *s, double every,
                        double budget)
 {
@@ -449,14 +507,14 @@ static void find_truth(struct truth *t, const struct scene *s, double every,
     t->scale = size_of(s);
     t->unsure = 0;
     if (only_contacts(s))
-        follow_events(&t->path, s, every);
+        run_events(&t->path, s, every);
     else {
         make_path(&other, s);
         const bool damped = a.friction || a.dashpots;
         const double even = converge(
             &t->path, damped ? "gauss4" : "kahan-li8", s, every, budget);
         const double own = refine_lengths(&other, s, every);
-        t->unsure = apart(&t->path, &other, ROWS) / t->scale;
+        t->unsure = distance(&t->path, &other, ROWS) / t->scale;
         struct path *const worse = own < even ? &t->path : &other;
         const struct path found = own < even ? other : t->path;
         free(worse->x);
@@ -467,18 +525,19 @@ static void find_truth(struct truth *t, const struct scene *s, double every,
 enum { TOLERANCES = 3, MOST_POINTS = 4000 };
 static const double tolerances[TOLERANCES] = {1e-3, 1e-6, 1e-9};
 
-/* A way to carry the scene, and how it went. */
+/* A plan and how it went. */
 struct point {
     struct models_plan plan;
-    double cost, error; /* s by the price list; share of the scale */
-    bool front;         /* nothing is both as cheap and as good */
+    double cost, error; /* s by the price list; fraction of the scale */
+    bool front;         /* no other is both as cheap and as accurate */
 };
 
-/* All of a scene. */
+/* All points of a scene, with its truth. */
 struct map {
     const struct subject *subject;
     struct scene scene;
-    double every, limit; /* s; s by the price list */
+    double every; /* from row to row, s */
+    double limit; /* cost at which a run is stopped, s by the price list */
     struct truth truth;
     struct path path; /* of the last run */
     struct point point[MOST_POINTS];
@@ -486,23 +545,28 @@ struct map {
 };
 
 /* Runs a plan and adds its point. Returns its error, INFINITY if the run
-   did not end well. */
+   did not end well. An error of 0 has no place on a logarithmic map; it is
+   drawn at the lower edge, 1e-17. */
 static double add_point(struct map *m, struct models_plan plan)
 {
     if (m->points == MOST_POINTS)
         fail("there are too many points");
-    if (!follow(&m->path, &plan, &m->scene, m->every, m->limit))
+    if (!run_plan(&m->path, &plan, &m->scene, m->every, m->limit))
         return INFINITY;
-    const double error =
-        fmax(apart(&m->path, &m->truth.path, ROWS) / m->truth.scale, 1e-17);
+    const double error = fmax(
+        distance(&m->path, &m->truth.path, ROWS) / m->truth.scale, 1e-17);
     m->point[m->points++] =
         (struct point){plan, m->path.cost, error, false};
     return error;
 }
 
-/* One, and then twice as many steps each time, until they no longer help or
-   cost too much. Returns the smallest error. */
-static double climb(struct map *m, struct models_plan plan)
+/* Doubles the steps of each row, from one, until two more doublings in a
+   row do not help (the truth is known no better, or rounding, or what was
+   left out, is all that remains of the error) or cost too much. The cost
+   grows at least as much with each doubling as with the one before, so that
+   a run that would be stopped is not started. Returns the smallest
+   error. */
+static double double_steps(struct map *m, struct models_plan plan)
 {
     double best = INFINITY, cost = 0, next = 0;
     int vain = 0;
@@ -520,8 +584,9 @@ static double climb(struct map *m, struct models_plan plan)
     return best;
 }
 
-/* From a tenth down to 1e-15, or until that no longer helps. */
-static void climb_tolerances(struct map *m, struct models_plan plan)
+/* Lowers the tolerance of a method with steps of variable length from 0.1
+   to 1e-15 by 1, 0.5, 0.2 in each decade, or until that no longer helps. */
+static void lower_tolerance(struct map *m, struct models_plan plan)
 {
     static const double digit[] = {1, 0.5, 0.2};
     double best = INFINITY;
@@ -537,7 +602,8 @@ static void climb_tolerances(struct map *m, struct models_plan plan)
     }
 }
 
-/* Between n/2 and n steps, in sixteenths of n. */
+/* Bisects for the fewest steps that meet the tolerance between n/2 and n,
+   in sixteenths of n. */
 static void refine(struct map *m, struct models_plan plan, double tolerance)
 {
     const uint64_t n = plan.steps;
@@ -552,12 +618,15 @@ static void refine(struct map *m, struct models_plan plan, double tolerance)
     }
 }
 
+/* Returns whether two plans differ in their steps at most. */
 static bool is_same(const struct models_plan *a,
                     const struct models_plan *b)
 {
     return a->model == b->model && a->cuts == b->cuts;
 }
 
+/* Returns whether a has up to twice the steps of b, or a tolerance finer by
+   up to a factor of ten. */
 static bool is_a_little_finer(const struct models_plan *a,
                               const struct models_plan *b)
 {
@@ -567,6 +636,12 @@ static bool is_a_little_finer(const struct models_plan *a,
     return a->steps > b->steps && a->steps <= 2 * b->steps;
 }
 
+/* Returns whether p meets the tolerance by luck, that is, whether a
+   slightly finer run of the same way fails. An error that changes its sign
+   between steps a little too long and a little too short is zero there, so
+   that 144 steps may meet a tolerance that 160 do not. Only who knows the
+   truth knows that; so a number of steps counts only if larger ones, up to
+   twice as many, meet it as well. */
 static bool is_luck(const struct map *m, const struct point *p,
                     double tolerance)
 {
@@ -579,8 +654,9 @@ static bool is_luck(const struct map *m, const struct point *p,
     return false;
 }
 
-/* The cheapest that holds of those that are like plan, or, if plan is NULL,
-   of all without the model; NULL: none does. */
+/* Returns the cheapest point that meets the tolerance of those with the
+   same model and cuts as plan, or, if plan is NULL, of all but those of
+   model `without`; NULL if none does. */
 static const struct point *cheapest_of(const struct map *m,
                                        const struct models_plan *plan,
                                        const struct models_model *without,
@@ -596,7 +672,9 @@ static const struct point *cheapest_of(const struct map *m,
     }
     return best;
 }
-static void be_content(struct map *m, const struct models_plan *plan)
+/* Lowers the limit of cost once a method has reached 1e-10, or an exact one
+   has run: no other may then cost more than ten times as much. */
+static void lower_limit(struct map *m, const struct models_plan *plan)
 {
     const bool exact = plan->model->family != MODELS_STEPS;
     const struct point *fine =
@@ -605,13 +683,15 @@ static void be_content(struct map *m, const struct models_plan *plan)
         m->limit = fmin(m->limit, fmax(1e-3, 10 * fine->cost));
 }
 
-static void climb_finely(struct map *m, struct models_plan plan)
+/* Adds the points of a method with steps, and refines those near the
+   cheapest. */
+static void try_steps(struct map *m, struct models_plan plan)
 {
     if (plan.model->method->adaptive)
-        climb_tolerances(m, plan);
+        lower_tolerance(m, plan);
     else
-        climb(m, plan);
-    be_content(m, &plan);
+        double_steps(m, plan);
+    lower_limit(m, &plan);
     for (int k = 0; k < TOLERANCES; ++k) {
         const struct point *p = cheapest_of(m, &plan, NULL, tolerances[k]);
         const struct point *all = cheapest_of(m, NULL, NULL, tolerances[k]);
@@ -620,6 +700,8 @@ static void climb_finely(struct map *m, struct models_plan plan)
     }
 }
 
+/* Returns whether no other point is as cheap and as accurate and better in
+   one of the two. */
 static bool is_front(const struct map *m, const struct point *p)
 {
     for (size_t i = 0; i < m->points; ++i) {
@@ -631,13 +713,16 @@ static bool is_front(const struct map *m, const struct point *p)
     return true;
 }
 
+/* Returns whether nothing is left out and the model is of this family:
+   events where only contacts act, steps elsewhere. The finest of these is
+   what somebody would run who does not choose. */
 static bool is_plain(const struct point *p, enum models_family family)
 {
     return p->plan.cuts == 0 && p->plan.model->family == family;
 }
 
-/* The cheapest plain way to 1e-11, or to twice the least error of all such;
-   NULL: there is none. */
+/* Returns the cheapest plain way to 1e-11, or to twice the least error of
+   all such (four disks do not reach 1e-11); NULL: there is none. */
 static const struct point *finest(const struct map *m)
 {
     const struct point *best = NULL;
@@ -656,7 +741,10 @@ static const struct point *finest(const struct map *m)
     return best;
 }
 
-static struct point halved(const struct map *m, double tolerance)
+/* Returns what the classic habit costs: events or leapfrog, its steps
+   halved until the tolerance is met. Where the map ends before, leapfrog's
+   order fills in: twice the steps have a quarter of the error. */
+static struct point classic_way(const struct map *m, double tolerance)
 {
     const bool events = only_contacts(&m->scene);
     const struct models_model *leapfrog = models_find("leapfrog");
@@ -677,7 +765,10 @@ static struct point halved(const struct map *m, double tolerance)
     return best;
 }
 
-/* All models with steps, or all others, with these cuts. */
+/* Tries all models with steps, or all others, with these cuts. It begins at
+   the end of the table, where the high orders are: they soon lower the
+   limit, and the low orders are then not run for longer than is
+   sensible. */
 static void try_models(struct map *m, unsigned cuts, bool steps)
 {
     size_t k = 0;
@@ -690,12 +781,16 @@ static void try_models(struct map *m, unsigned cuts, bool steps)
             models_refuse(&plan, &m->scene))
             continue;
         if (steps)
-            climb_finely(m, plan);
+            try_steps(m, plan);
         else if (add_point(m, plan) < INFINITY && !plan.model->approximate)
-            be_content(m, &plan);
+            lower_limit(m, &plan);
     }
 }
 
+/* Tries all sets of what may be left out, as the bits of a number. A set
+   whose error, in the finest plain way, exceeds the largest tolerance is
+   tried only with models without steps. Rods exist only with leapfrog and
+   are always tried. */
 static void try_cuts(struct map *m)
 {
     const unsigned all = models_cuts(&m->scene);
@@ -712,24 +807,29 @@ static void try_cuts(struct map *m)
     }
 }
 
-/* What was picked for a tolerance, and how it did. */
+/* What the chooser took for a tolerance, and how it did. */
 struct pick {
     struct point point; /* cost NAN: refused */
-    double deciding;    /* s by the price list */
-    double horizon;     /* s; INFINITY: none was met */
+    double deciding;    /* cost of choosing, s by the price list */
+    double horizon;     /* of prediction, s; INFINITY: none was met */
 };
 
+/* Runs the plan that was taken. The error that the chooser found for itself
+   is not used: the map has the truth. */
 static void take_pick(struct pick *p, struct map *m, const struct record *r)
 {
-    if (!r->value || !follow(&m->path, &r->plan, &m->scene, m->every, 100))
+    if (!r->value ||
+        !run_plan(&m->path, &r->plan, &m->scene, m->every, 100))
         return;
     p->point = (struct point){
         r->plan, m->path.cost,
-        fmax(apart(&m->path, &m->truth.path, ROWS) / m->truth.scale, 1e-17),
+        fmax(distance(&m->path, &m->truth.path, ROWS) / m->truth.scale,
+             1e-17),
         false};
 }
 
-static void ask(struct pick *p, struct map *m, double tolerance)
+/* Asks the chooser, with the same functions and the same limit as bonk. */
+static void ask_chooser(struct pick *p, struct map *m, double tolerance)
 {
     const struct choose_request q = {.scene = &m->scene,
                                      .program = PROGRAM,
@@ -747,6 +847,7 @@ static void ask(struct pick *p, struct map *m, double tolerance)
     choose_free(&c);
 }
 
+/* Writes plan, error and cost; "-" and two nan if there is no such way. */
 static void write_way(const struct point *p, struct table *out)
 {
     char text[MODELS_TEXT] = "-";
@@ -756,6 +857,10 @@ static void write_way(const struct point *p, struct table *out)
                 p ? p->cost : NAN);
 }
 
+/* Writes the row of a pick. It begins with a name by which the book asks
+   for it: the scene and the digits of the tolerance. Beside the pick are
+   the cheapest way that meets the tolerance, the cheapest of another model,
+   the finest plain one, and what halving the step would have come to. */
 static void write_pick(const struct map *m, const struct pick *p, int k,
                        struct table *out)
 {
@@ -769,11 +874,12 @@ static void write_pick(const struct map *m, const struct pick *p, int k,
     write_way(best, out);
     write_way(cheapest_of(m, NULL, model, tolerances[k]), out);
     write_way(finest(m), out);
-    const struct point classic = halved(m, tolerances[k]);
+    const struct point classic = classic_way(m, tolerances[k]);
     write_way(&classic, out);
     table_print(out, " %.4g %.4g\n", p->deciding, p->horizon);
 }
 
+/* Orders points by cost for qsort, so that the front is a line. */
 static int cheaper(const void *one, const void *other)
 {
     const struct point *a = one, *b = other;
@@ -782,6 +888,8 @@ static int cheaper(const void *one, const void *other)
                : (a->error > b->error) - (a->error < b->error);
 }
 
+/* Writes the points; a run that is wrong by 30 scales helps nobody, and is
+   left out. */
 static void write_points(const struct map *m, struct table *out)
 {
     enum { OFF = 30 };
@@ -809,8 +917,9 @@ static void write_head(struct table *out)
                      "cost\n");
 }
 
-/* A run with much of one unit, and little of the others. */
-struct bout {
+/* A run with many units of one kind of work and few of the others, which
+   measures the price of that unit. */
+struct price_run {
     const char *name, *key;
     double value;
     const char *plan;
@@ -818,7 +927,16 @@ struct bout {
     uint64_t rows;
 };
 
-static const struct bout bouts[MODELS_UNITS] = {
+/* Plans are such that a run takes from half a millisecond to some
+   hundredths of a second: long for a clock of microseconds, short for
+   somebody who waits for all units six times. On 24 bodies of a circle act
+   276 pairs; most springs of a short beam belong to no band; of a hundred
+   balls in a row hardly a pair comes near, of 250 disks many do. Radau's
+   paths have degree nine: with sixty disks they make curves, and on a line
+   most curves have a root. Two balls have one gap between them and thirty
+   have 29; four disks have little to examine for a collision and ninety a
+   lot. */
+static const struct price_run price_runs[MODELS_UNITS] = {
     [MODELS_EVALUATION] = {"sun-earth", NULL, 0, "kahan-li8:1000", 10, 10},
     [MODELS_BODY] = {"ring", "particles", 500, "kahan-li8:40", 1, 10},
     [MODELS_PAIR] = {"choreography", "particles", 24, "pefrl:100", 0.1, 10},
@@ -840,9 +958,10 @@ static const struct bout bouts[MODELS_UNITS] = {
     [MODELS_MODE] = {"cantilever", "nx", 12, "modes", 1, 2},
     [MODELS_ROW] = {"cradle", "balls", 2, "relabel", 1, 20000},
 };
-/* Makes the run, and returns what it has taken, s. Bodies that are alone do
-   not attract each other. */
-static double run_bout(const struct bout *b, bool alone,
+/* Makes the run, and returns how long it took, s. Its beginning is timed as
+   well, which is most of the work for modes. `alone` switches gravity off:
+   bodies on which nothing acts are those of a ring without it. */
+static double time_run(const struct price_run *b, bool alone,
                        double work[MODELS_UNITS])
 {
     char message[MODELS_MESSAGE];
@@ -867,19 +986,20 @@ static double run_bout(const struct bout *b, bool alone,
     return seconds;
 }
 
-/* What a unit costs if the others cost what the list says, ns. */
-static double price_in(const struct bout *b, enum models_unit unit)
+/* Returns what a unit costs if the other units of the run cost what the
+   list says, ns. */
+static double price_in(const struct price_run *b, enum models_unit unit)
 {
     double work[MODELS_UNITS];
     const bool alone = strcmp(b->name, "ring") == 0;
-    const double seconds = run_bout(b, alone, work), units = work[unit];
+    const double seconds = time_run(b, alone, work), units = work[unit];
     work[unit] = 0;
     return (seconds - models_cost(work)) / units * 1e9;
 }
 
-/* Whole runs, short ones as well, whose bill has to be about right: of many
-   bodies the start and the rows are a part of it. */
-static const struct bout whole_runs[] = {
+/* Whole runs, short ones as well, whose predicted cost has to be about
+   right: with many bodies the start and the rows are a part of it. */
+static const struct price_run whole_runs[] = {
     {"gas", "particles", 100, "disks", 1e-4, 16},
     {"gas", "particles", 100, "disks", 0.5, 16},
     {"gas", "radius", 0.03, "disks", 0.5, 16},
@@ -891,7 +1011,9 @@ static const struct bout whole_runs[] = {
     {"ring", "particles", 100, "leapfrog:3", 25, 16},
     {0}};
 
-static void explore(struct map *m, const struct subject *t)
+/* Fills the map of a scene. Points are sorted at the end, when no pointer
+   leads to them any more. */
+static void make_map(struct map *m, const struct subject *t)
 {
     *m = (struct map){.subject = t, .every = t->until / ROWS, .limit = 0.2};
     make_scene(&m->scene, t);
@@ -905,6 +1027,8 @@ static void explore(struct map *m, const struct subject *t)
     qsort(m->point, m->points, sizeof m->point[0], cheaper);
 }
 
+/* Returns whether nothing on the map meets the tolerance, and the finest
+   run does meet it up to the horizon that was named. */
 static bool is_refusal_right(struct map *m, const struct pick *p,
                              double tolerance)
 {
@@ -914,12 +1038,14 @@ static bool is_refusal_right(struct map *m, const struct pick *p,
         return false;
     if (!most || !(rows < ROWS))
         return true;
-    return follow(&m->path, &most->plan, &m->scene, m->every, 100) &&
-           apart(&m->path, &m->truth.path, (size_t)rows) <=
+    return run_plan(&m->path, &most->plan, &m->scene, m->every, 100) &&
+           distance(&m->path, &m->truth.path, (size_t)rows) <=
                tolerance * m->truth.scale;
 }
 
-/* 0: well; 1: it does not hold; 2: too dear; 3: wrongly refused. */
+/* Returns 0 if the pick is right, 1 if it does not meet the tolerance, 2 if
+   it costs more than 1.13 times the cheapest that does, 3 if it is a
+   refusal where something would have met it. */
 static int judge(struct map *m, const struct pick *p, double tolerance)
 {
     const struct point *best = cheapest_of(m, NULL, NULL, tolerance);
@@ -930,11 +1056,12 @@ static int judge(struct map *m, const struct pick *p, double tolerance)
     return best && p->point.cost > 1.13 * best->cost ? 2 : 0;
 }
 
+/* Writes the picks of a scene, then all its points. */
 static void write_map(struct map *m, struct study *s, size_t faults[4])
 {
     for (int k = 0; k < TOLERANCES; ++k) {
         struct pick pick;
-        ask(&pick, m, tolerances[k]);
+        ask_chooser(&pick, m, tolerances[k]);
         write_pick(m, &pick, k, s->out);
         ++faults[judge(m, &pick, tolerances[k])];
     }
@@ -959,6 +1086,10 @@ static const struct table_key atlas_keys[] = {
     {"refused", "1", "wrongly"},
     {0}};
 
+/* Maps all scenes, or the one that was asked for: so the maps can be made
+   on many machines, and `make atlas` joins them byte for byte to what one
+   run would have written. Counts of the last lines can be added; of the
+   errors of the truth the largest counts. */
 static void study_atlas(struct study *s)
 {
     const struct settings *own = s->own;
@@ -969,7 +1100,7 @@ static void study_atlas(struct study *s)
     for (size_t i = 0; subjects[i].name && !progress_signal(); ++i) {
         if (own->scene && strcmp(own->scene, subjects[i].name) != 0)
             continue;
-        explore(&m, &subjects[i]);
+        make_map(&m, &subjects[i]);
         write_map(&m, s, faults);
         unsure = fmax(unsure, m.truth.unsure);
         free(m.truth.path.x);
@@ -989,6 +1120,8 @@ static void study_scenes(struct study *s)
         table_print(s->out, "%s\n", subjects[i].name);
 }
 
+/* Measures the price list. The first round is discarded; of the others the
+   median counts. */
 static void study_prices(struct study *s)
 {
     bench_machine(s->out);
@@ -998,7 +1131,7 @@ static void study_prices(struct study *s)
         double value[BENCH_ROUNDS];
         for (int round = -1; round < BENCH_ROUNDS; ++round)
             value[round < 0 ? 0 : round] =
-                price_in(&bouts[k], (enum models_unit)k);
+                price_in(&price_runs[k], (enum models_unit)k);
         const double found = bench_median(value, BENCH_ROUNDS);
         table_print(s->out, "%s %.3g %.3g %.3g\n", models_prices[k].name,
                     models_prices[k].ns, found,
@@ -1006,10 +1139,10 @@ static void study_prices(struct study *s)
     }
     table_print(s->out,
                 "# whole runs: scene, plan, bill (s), seconds over bill\n");
-    for (const struct bout *b = whole_runs; b->name; ++b) {
+    for (const struct price_run *b = whole_runs; b->name; ++b) {
         double value[BENCH_ROUNDS], work[MODELS_UNITS];
         for (int round = -1; round < BENCH_ROUNDS; ++round)
-            value[round < 0 ? 0 : round] = run_bout(b, false, work);
+            value[round < 0 ? 0 : round] = time_run(b, false, work);
         const double bill = models_cost(work);
         table_print(s->out, "# %s/%s=%g %s %.3g %.2f\n", b->name, b->key,
                     b->value, b->plan, bill,

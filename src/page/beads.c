@@ -1,6 +1,4 @@
-/* From chapters/works/A-page.nw: edit there, then run make tangle. */
-/* checksum 4031193246 of the lines below */
-/* Beads on a wire, from one collision to the next. */
+/* Live figure of chapter 2: beads on a wire, collision by collision. */
 #include "line/bonkers.h"
 #include "page/page.h"
 
@@ -8,13 +6,18 @@
 
 enum { MOST = 16, WAVE = START_KINDS };
 
-/* The kind of start, or WAVE; the seed; how many masses; these, kg. */
+/* The kind of start, or WAVE; the seed; how many masses follow; those
+   masses (kg), which replace the first ones of the start. To change a mass
+   the script begins anew and runs to where it was, so that the reader sees
+   the whole past drawn again. */
 double page_number[PAGE_NUMBERS];
 
 static struct start start;
 static struct bonkers beads;
 static double seen[4 + 3 * (MOST + 2)];
 
+/* The start of the figure of world lines, which is none of the starts of
+   bonkers: in the book it is a list of options. */
 static bool start_wave(struct start *s)
 {
     static const double mass[] = {9.3, 2.1, 5.2, 0.9, 3.4,
@@ -42,6 +45,7 @@ static bool choose_start(struct start *s)
     return s->movers <= MOST;
 }
 
+/* The first time nothing has been made yet, and freeing it does nothing. */
 bool page_begin(void)
 {
     size_t wrong;
@@ -52,6 +56,7 @@ bool page_begin(void)
            wrong == beads.gaps;
 }
 
+/* An event is a collision. */
 double page_run(double until, double events)
 {
     const uint64_t before = beads.collisions;
@@ -59,7 +64,8 @@ double page_run(double until, double events)
     return (double)(beads.collisions - before);
 }
 
-/* The time, collisions, energy, how many bodies; all x, all v, all m. */
+/* The time, collisions, energy, how many bodies; all x, all v, all masses.
+   The first and the last body are the walls. */
 const double *page_look(void)
 {
     const size_t bodies = beads.gaps + 1;

@@ -1,22 +1,26 @@
-/* From chapters/works/A-page.nw: edit there, then run make tangle. */
-/* checksum 2377032995 of the lines below */
-/* Four disks, sampled by a clock that is right, or by the article's. */
+/* Live figure of chapter 5: four disks, a right clock and a wrong one. */
 #include "box/loop.h"
 #include "box/sampling.h"
 #include "page/page.h"
 
 #include <math.h>
 
-enum { DISKS = 4, FIRST = 15, BINS = 35 }; /* hundredths from a wall */
+/* Bins are a hundredth of the box wide, from the radius to the middle. */
+enum { DISKS = 4, FIRST = 15, BINS = 35 };
 
-/* The slip of the article's loop, 0 for ours; the tick, s; the seed. */
+/* The loops of the hard-disk article look right, and so do their films. The
+   script shows beside them what gives them away: the density of positions
+   against direct sampling, the pressure, and how deep the disks overlap.
+   The numbers: the `slip` of the article's loop (box/loop.h), 0 for the
+   right one; the tick, s; the seed. */
 double page_number[PAGE_NUMBERS];
 
 static struct loop loop;
 static struct sampling_means density;
-static double every, overlap, records;
+static double tick, overlap, records;
 static double seen[8 + 2 * DISKS + 2 * BINS];
 
+/* On the lattice, as disks and disks-studies start four disks. */
 static bool begin_disks(struct disks *d)
 {
     struct random r;
@@ -35,7 +39,7 @@ bool page_begin(void)
     disks_free(&loop.d);
     sampling_means_free(&density);
     loop = (struct loop){.slip = page_number[0]};
-    every = page_number[1];
+    tick = page_number[1];
     overlap = records = 0;
     if (!begin_disks(&loop.d) || !sampling_means_create(&density, BINS))
         return false;
@@ -43,14 +47,20 @@ bool page_begin(void)
     return true;
 }
 
+/* Takes a record: counts the distances of all disks from the nearer wall,
+   along both axes. These are 8 distances, and a bin stands for two
+   hundredths of the box, one at either wall: hence 100 / 16. A disk at a
+   wall lies on the edge of a bin; the 1e-9 keeps rounding from deciding
+   where it belongs. The means compare blocks of records, so their errors
+   allow for what neighbouring records have in common. */
 static void sample(void)
 {
     for (size_t i = 0; i < DISKS; ++i) {
         double place[DISKS_AXES];
         disks_position(&loop.d, i, place);
         for (size_t k = 0; k < 2; ++k) {
-            const double off = fmin(place[k], 1 - place[k]);
-            const double bin = floor(100 * off + 1e-9) - FIRST;
+            const double distance = fmin(place[k], 1 - place[k]);
+            const double bin = floor(100 * distance + 1e-9) - FIRST;
             if (bin >= 0 && bin < BINS)
                 sampling_means_add(&density, (size_t)bin, 100.0 / 16);
         }
@@ -60,25 +70,29 @@ static void sample(void)
     ++records;
 }
 
+/* An event is a record. The article's loop makes one at each event of the
+   disks, too, and counts its next tick from there; the right one makes them
+   at multiples of the tick. */
 double page_run(double until, double events)
 {
     const double before = records;
     while (records - before < events) {
-        const double tick =
-            loop.slip == 0 ? (records + 1) * every : loop.t + every;
-        if (tick > until)
+        const double next =
+            loop.slip == 0 ? (records + 1) * tick : loop.t + tick;
+        if (next > until)
             break;
         if (loop.slip == 0)
-            loop_go_to(&loop, tick);
+            loop_go_to(&loop, next);
         else
-            loop_turn(&loop, every);
+            loop_turn(&loop, tick);
         sample();
     }
     return records - before;
 }
 
 /* The time, records, collisions of disks and with walls, P V/(N kT), the
-   deepest overlap, the energy; x and y; density and error. */
+   deepest overlap, the energy; x and y of each disk; density and error of
+   each bin. */
 const double *page_look(void)
 {
     const struct disks *d = &loop.d;

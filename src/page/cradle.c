@@ -1,6 +1,4 @@
-/* From chapters/works/A-page.nw: edit there, then run make tangle. */
-/* checksum 328854553 of the lines below */
-/* Newton's cradle by events, by steps, and by springs. */
+/* Live figure of chapter 11: a cradle by events, steps and springs. */
 #include "forces/hard.h"
 #include "forces/motion.h"
 #include "line/bonkers.h"
@@ -13,8 +11,11 @@
 
 enum { MOST = 12, WAYS = 3 };
 
-/* Balls, how many fly in, the gap, m; the step of the second, s; of the
-   third: 1 for Hertz's springs, their stiffness, the step, s. */
+/* The scene cradle runs three times, side by side: by events (line/), in
+   steps with instantaneous contacts, and in steps with contacts that are
+   springs. The numbers: how many balls, how many fly in, the gap, m; the
+   step of the second run, s; of the third: 1 for Hertz's springs, their
+   stiffness, the step, s. */
 double page_number[PAGE_NUMBERS];
 
 static struct bonkers events;
@@ -55,6 +56,7 @@ static bool begin_way(struct way *w, bool by_springs)
     return w->begun;
 }
 
+/* Turns the scene into a start of beads, as bonk does. */
 static bool begin_events(void)
 {
     struct scene scene;
@@ -85,6 +87,7 @@ static void step_to(struct way *w, double until)
             break;
 }
 
+/* An event is a step of the second run; the others follow to its time. */
 double page_run(double until, double number)
 {
     const double before = (double)steps.motion.stepping.steps;
@@ -96,6 +99,8 @@ double page_run(double until, double number)
     return (double)steps.motion.stepping.steps - before;
 }
 
+/* Writes collisions, energy, all x and all v to next. Returns the place
+   behind them. */
 static double *look_at(const struct way *w, double *next)
 {
     const struct scene *s = &w->scene;
@@ -106,8 +111,8 @@ static double *look_at(const struct way *w, double *next)
     return next + 2 * s->bodies;
 }
 
-/* The time, balls; and of events, steps and springs: collisions, energy,
-   all x, all v. */
+/* The time, how many balls; of events, steps and springs: collisions,
+   energy, all x, all v. */
 const double *page_look(void)
 {
     double x[MOST + 2], v[MOST + 2], *next = seen + 4;

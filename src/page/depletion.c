@@ -1,6 +1,4 @@
-/* From chapters/works/A-page.nw: edit there, then run make tangle. */
-/* checksum 1853398894 of the lines below */
-/* Two large disks among small ideal ones, one of them held by the hand. */
+/* Live figure of chapter 6: the force between disks among small ones. */
 #include "box/sampling.h"
 #include "page/page.h"
 
@@ -8,32 +6,35 @@
 
 enum { LARGE = 2, MOST = 400 };
 #define SIDE 5.0   /* of the periodic box, m */
-#define SHELL 0.05 /* what is near enough to touch, in small radii */
+#define SHELL 0.05 /* width of the shell of contact, in small radii */
 
-/* Small ones, their radius, m; the step of the large ones, m, 0: they are
-   held; the seed; where the second one is put, x and y, m. */
+/* How many small disks, their radius, m; the step of the large ones, m, 0
+   to hold them; the seed; where page_make puts a large one, x and y, m. The
+   small disks may overlap each other. */
 double page_number[PAGE_NUMBERS];
 
 static struct sampling box;
 static struct random dice;
-static struct sampling_means push;
+static struct sampling_means force;
 static double tries, seen[10 + 2 * (LARGE + MOST)];
 
+/* Starts as sample does. */
 bool page_begin(void)
 {
     const double sides[] = {SIDE, SIDE};
     sampling_free(&box);
-    sampling_means_free(&push);
+    sampling_means_free(&force);
     tries = 0;
     if (page_number[0] > MOST ||
         !sampling_create(&box, 2, DISKS_PERIODIC, sides, LARGE, 1,
                          (size_t)page_number[0], page_number[1]) ||
-        !sampling_means_create(&push, 1))
+        !sampling_means_create(&force, 1))
         return false;
     random_seed(&dice, (uint64_t)page_number[3]);
     return sampling_start(&box, &dice);
 }
 
+/* Returns the gap between disks i and j, m; apart: from i to j. */
 static double gap(size_t i, size_t j, double apart[])
 {
     const struct disk *a = &box.disks.disk[i], *b = &box.disks.disk[j];
@@ -42,6 +43,8 @@ static double gap(size_t i, size_t j, double apart[])
            b->radius;
 }
 
+/* Throws the small disks that a large one covers elsewhere, until they
+   fit. */
 static void scatter(void)
 {
     double apart[DISKS_AXES];
@@ -52,6 +55,9 @@ static void scatter(void)
                     random_between(&dice, 0, SIDE);
 }
 
+/* Puts large disk `which` where the mouse is, unless the other one is in
+   the way. The force measured so far belongs to another distance and is
+   dropped. */
 bool page_make(double which)
 {
     struct disk *hand = &box.disks.disk[(size_t)which];
@@ -67,26 +73,34 @@ bool page_make(double which)
     if (!fits)
         return false;
     scatter();
-    sampling_means_free(&push);
-    return sampling_means_create(&push, 1);
+    sampling_means_free(&force);
+    return sampling_means_create(&force, 1);
 }
 
-static double pushed(void)
+/* Returns the force between the large disks in units of kT per metre,
+   negative if it pushes them together. The pressure of an ideal gas on a
+   surface is n kT with n at the surface; so each small disk within a shell
+   of width d around a large one pushes it with kT/d along the line of their
+   centres, of which the part along the line of the large disks counts. The
+   shell is wider outside, by s / reach, so that each counts reach / s. */
+static double sample_force(void)
 {
     double line[DISKS_AXES], apart[DISKS_AXES], sum = 0;
     const double width = SHELL * page_number[1];
     const double r = gap(0, 1, line) + 2;
     for (size_t large = 0; large < LARGE; ++large)
         for (size_t i = LARGE; i < box.disks.count; ++i) {
-            const double off = gap(large, i, apart);
-            const double reach = 1 + page_number[1], s = off + reach;
+            const double distance = gap(large, i, apart);
+            const double reach = 1 + page_number[1], s = distance + reach;
             const double along = apart[0] * line[0] + apart[1] * line[1];
-            if (off < width)
+            if (distance < width)
                 sum += (large == 0 ? 1 : -1) * along / (r * s) * reach / s;
         }
     return sum / (2 * width);
 }
 
+/* An event is a try. The force is sampled each time when as many tries have
+   been made as there are disks. */
 double page_run(double until, double events)
 {
     const double before = tries, all = (double)box.disks.count;
@@ -94,13 +108,17 @@ double page_run(double until, double events)
         sampling_try(&box, page_number[2], &dice);
         if (fmod(++tries, all) != 0)
             continue;
-        sampling_means_add(&push, 0, pushed());
-        sampling_means_next(&push);
+        sampling_means_add(&force, 0, sample_force());
+        sampling_means_next(&force);
     }
     return tries - before;
 }
 
-static double law(double r)
+/* Returns the exact force at the distance r, in kT per metre: the chord
+   that the two excluded zones have in common, times the density of small
+   disks in the area that is left to them. It is the derivative of
+   (6.14, eq:lens). */
+static double exact_force(double r)
 {
     const double pi = 3.14159265358979324, reach = 1 + page_number[1];
     const double lens = sampling_overlap(2, reach, r);
@@ -109,8 +127,8 @@ static double law(double r)
     return half > 0 ? -page_number[0] / room * 2 * sqrt(half) : 0;
 }
 
-/* Tries; disks, the distance of the large ones, the push and its error,
-   the law here; the samples; all x and y. */
+/* Tries; disks, the distance of the large ones, the force and its error,
+   the exact force; the samples; all x and y. */
 const double *page_look(void)
 {
     double apart[DISKS_AXES], *next = seen + 10;
@@ -118,21 +136,22 @@ const double *page_look(void)
     seen[0] = tries;
     seen[1] = (double)box.disks.count;
     seen[2] = r;
-    seen[3] = sampling_means_mean(&push, 0);
-    seen[4] = sampling_means_error(&push, 0);
-    seen[5] = law(r);
-    seen[6] = (double)(push.blocks * push.length + push.filled);
+    seen[3] = sampling_means_mean(&force, 0);
+    seen[4] = sampling_means_error(&force, 0);
+    seen[5] = exact_force(r);
+    seen[6] = (double)(force.blocks * force.length + force.filled);
     for (size_t i = 0; i < box.disks.count; ++i)
         for (size_t k = 0; k < 2; ++k)
             *next++ = box.disks.disk[i].position[k];
     return seen;
 }
 
-/* The law at 100 distances from contact on, for the line in the plot. */
+/* The exact force at 100 distances from contact to `most`, for the line in
+   the plot. */
 const double *page_array(double most)
 {
     static double line[100];
     for (int k = 0; k < 100; ++k)
-        line[k] = law(2 + (most - 2) * k / 99);
+        line[k] = exact_force(2 + (most - 2) * k / 99);
     return line;
 }

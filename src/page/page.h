@@ -1,29 +1,39 @@
-/* From chapters/works/A-page.nw: edit there, then run make tangle. */
-/* checksum 783376808 of the lines below */
-/* What the script of a figure asks for; each front has it in its way. */
+/* The functions of a live figure that its script calls from JavaScript. */
 #ifndef PAGE_H
 #define PAGE_H
 
 #include <stdbool.h>
 
+/* Each figure is a program of its own, so all of them define the same
+   names. Numbers pass as doubles, because JavaScript has nothing else, and
+   through arrays in memory that both sides see, so that the functions have
+   the same parameters in every figure. None of them reads a clock: the
+   script asks for as much time as the last picture was shown. How a run is
+   cut into calls of page_run changes no bit of it, so the speed of the
+   browser does not matter. */
+
 enum { PAGE_NUMBERS = 64 };
 
-/* With what a run begins; each front says what its numbers mean. */
+/* The parameters of a run, which the script writes before page_begin; each
+   figure says what its numbers mean. */
 extern double page_number[PAGE_NUMBERS];
 
-/* Begins anew. Returns false when that cannot be. */
+/* Starts a new run and frees the old one. Returns false if it cannot: the
+   parameters are out of range, or memory is short. */
 bool page_begin(void);
 
 /* Runs until the time `until`, or until so many more events have taken
-   place (collisions, steps, records: the front says which), whichever
-   comes first. Returns how many did. Requires events < 2^63. */
+   place, whichever comes first; an event is a collision, a step or a
+   record, as the figure says. Returns how many did. Requires
+   events < 2^63. */
 double page_run(double until, double events);
 
-/* Notes where everything is now; returns the numbers, the time first. */
+/* Copies the present state into an array and returns it, the time first. */
 const double *page_look(void);
 
-/* Not every front has these: the name of a thing of which there are
-   several, NULL behind the last; more numbers; what the hand has done. */
+/* Only some figures have these. page_word returns the name of item `number`
+   of a list, NULL behind the last; page_array returns more numbers;
+   page_make does what the reader did with the mouse or a menu. */
 const char *page_word(double number);
 const double *page_array(double which);
 bool page_make(double number);

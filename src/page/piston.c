@@ -1,6 +1,4 @@
-/* From chapters/works/A-page.nw: edit there, then run make tangle. */
-/* checksum 3166663845 of the lines below */
-/* A piston between two gases of beads, and one between two springs. */
+/* Live figure of chapter 4: a piston between two gases, and its model. */
 #include "line/bonkers.h"
 #include "line/piston.h"
 #include "page/page.h"
@@ -10,15 +8,21 @@
 enum { MOST = 401 };
 #define STEP 0.01 /* of the model, s */
 
+/* The model treats the two gases as springs (line/piston.h). It takes no
+   more from the start than the gases' energies and the piston's position
+   and velocity, and goes on from there by itself. */
+
 /* The kind of start; how many movers; the mass ratio; the seed. */
 double page_number[PAGE_NUMBERS];
 
 static struct start start;
 static struct bonkers beads;
 static struct piston model;
-static struct piston_state swing;
-static double swung, seen[9 + 2 * (MOST + 2)];
+static struct piston_state model_state;
+static double model_time, seen[9 + 2 * (MOST + 2)];
 
+/* Returns the kinetic energy of the movers from `from` to `to` - 1, and
+   adds their mass to *mass. */
 static double kinetic(size_t from, size_t to, double *mass)
 {
     double sum = 0;
@@ -38,10 +42,12 @@ static void begin_model(void)
     model.right.length = start.wall[1] - start.x[n];
     model.left.energy = kinetic(0, n, &model.left.mass);
     model.right.energy = kinetic(n + 1, start.movers, &model.right.mass);
-    swing = (struct piston_state){start.x[n], start.v[n]};
-    swung = 0;
+    model_state = (struct piston_state){start.x[n], start.v[n]};
+    model_time = 0;
 }
 
+/* Uses the heap, which is the right engine for short pieces of a run with
+   many beads. */
 bool page_begin(void)
 {
     const struct start_wish wish = {.kind = (enum start_kind)page_number[0],
@@ -59,19 +65,20 @@ bool page_begin(void)
     return true;
 }
 
+/* An event is a collision. The model follows in whole steps. */
 double page_run(double until, double events)
 {
     const uint64_t before = beads.collisions;
     bonkers_run(&beads, until, before + (uint64_t)events);
-    for (; swung + STEP <= beads.now; swung += STEP)
-        if (!piston_step(&model, &swing, STEP))
+    for (; model_time + STEP <= beads.now; model_time += STEP)
+        if (!piston_step(&model, &model_state, STEP))
             break;
     return (double)(beads.collisions - before);
 }
 
 /* The time, collisions, bodies; kinetic energies of the left gas, the
-   right one, the piston; the model's place; the energies that its gases
-   have there; all x, all v. */
+   right one, the piston; the piston's position in the model; the energies
+   that the model's gases have there; all x, all v. */
 const double *page_look(void)
 {
     const size_t bodies = beads.gaps + 1, middle = bodies / 2;
@@ -86,8 +93,8 @@ const double *page_look(void)
         const size_t part = i < middle ? 3 : i > middle ? 4 : 5;
         seen[part] += start.mass[i - 1] * v[i] * v[i] / 2;
     }
-    seen[6] = swing.x;
-    seen[7] = piston_gas_energy(&model.left, swing.x);
-    seen[8] = piston_gas_energy(&model.right, model.length - swing.x);
+    seen[6] = model_state.x;
+    seen[7] = piston_gas_energy(&model.left, model_state.x);
+    seen[8] = piston_gas_energy(&model.right, model.length - model_state.x);
     return seen;
 }

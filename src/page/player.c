@@ -1,6 +1,4 @@
-/* From chapters/works/A-page.nw: edit there, then run make tangle. */
-/* checksum 2079443658 of the lines below */
-/* The scene player: a scene's text set in motion, changed, saved. */
+/* The scene player: runs the text of a scene, changes it, saves it. */
 #include "forces/motion.h"
 #include "forces/observables.h"
 #include "page/page.h"
@@ -25,19 +23,23 @@ bool page_observe(void);
 bool page_change(double what, double value);
 bool page_save(bool table, double every);
 
-/* The number of the method; or the keys of a scene that is to be made. */
+/* The number of the method, before page_begin; the values of a scene's
+   keys, before page_make. The player is the core of step, forces/motion.h,
+   between other ends: the scene comes from the reader's hands and the rows
+   go into pictures. What it saves are the bytes that step would write. */
 double page_number[PAGE_NUMBERS];
 
-static struct scene start, scene; /* as the run began, and now */
+static struct scene start, scene; /* at the start of the run, and now */
 static struct motion motion;
 static bool moving;
 static enum stepping_end stopped;
 static struct observables observed;
 static char *given, *written; /* texts from the script, and for it */
 static char message[320];
-static size_t line; /* of the text, that is wrong */
+static size_t line; /* of the text with an error, 0: none */
 
-/* Room for a text of so many bytes. */
+/* Returns memory for a text of so many bytes, which the script fills before
+   it calls the function that reads it. Frees the previous text. */
 char *page_text(double size)
 {
     free(given);
@@ -45,7 +47,7 @@ char *page_text(double size)
     return given;
 }
 
-/* Ends a table whose text is then written. */
+/* Closes a table and keeps its text for the script. */
 static bool finish(struct table *t)
 {
     free(written);
@@ -53,6 +55,7 @@ static bool finish(struct table *t)
     return written != NULL;
 }
 
+/* Returns scene `number` of all in the gallery, NULL behind the last. */
 static const struct gallery_scene *scene_of(size_t number)
 {
     static const struct gallery_scene *const lists[] = {
@@ -64,8 +67,10 @@ static const struct gallery_scene *scene_of(size_t number)
     return NULL;
 }
 
-static const struct gallery_scene *chosen;
+static const struct gallery_scene *chosen; /* the one named last */
 
+/* Returns key k of the chosen scene as one line of five words: name, usual
+   value, limits, 1 if it is a whole number. */
 static const char *describe_key(size_t k)
 {
     const struct gallery_key *key = chosen ? &chosen->key[k] : NULL;
@@ -76,6 +81,7 @@ static const char *describe_key(size_t k)
     return message;
 }
 
+/* Returns the name of observable k with as many bodies as it wants. */
 static const char *name_of(size_t k)
 {
     size_t bodies;
@@ -87,6 +93,8 @@ static const char *name_of(size_t k)
     return name ? message : NULL;
 }
 
+/* Unlike the other figures the player has all methods, also those that
+   choose their own steps. */
 const char *page_word(double number)
 {
     const size_t k = (size_t)number % 1000;
@@ -107,6 +115,8 @@ const char *page_word(double number)
     return NULL;
 }
 
+/* Makes a text of a scene of the gallery, which the reader sees and may
+   change before it runs. */
 bool page_make(double number)
 {
     const struct gallery_scene *g = scene_of((size_t)number);
@@ -132,8 +142,8 @@ static void stop(void)
     moving = false;
 }
 
-/* Sets a scene in motion as step does. */
-static bool set_off(struct motion *m, struct scene *s)
+/* Begins a motion as step does. */
+static bool begin_motion(struct motion *m, struct scene *s)
 {
     const size_t method = (size_t)page_number[0];
     if (!motion_begin(m, "page", s, stepping_methods[method].name, 0))
@@ -142,6 +152,7 @@ static bool set_off(struct motion *m, struct scene *s)
     return true;
 }
 
+/* Runs a copy, so that page_save can run it again from the first row. */
 static bool begin_anew(void)
 {
     stop();
@@ -151,10 +162,12 @@ static bool begin_anew(void)
         snprintf(message, sizeof message, "no memory for the scene");
         return false;
     }
-    moving = set_off(&motion, &scene);
+    moving = begin_motion(&motion, &scene);
     return moving;
 }
 
+/* An error in the text has its line; why a scene cannot be stepped is
+   printed on standard error, which the script reads. */
 bool page_begin(void)
 {
     struct scene_error e;
@@ -173,6 +186,7 @@ bool page_begin(void)
     return begin_anew();
 }
 
+/* An event is a step. */
 double page_run(double until, double events)
 {
     double steps = 0;
@@ -197,6 +211,8 @@ static void set(struct scene *s, double *method, enum change what,
     }
 }
 
+/* Begins a new run at the present state with one value changed; a table
+   saved later begins here. */
 bool page_change(double what, double value)
 {
     struct scene now;
@@ -214,9 +230,12 @@ enum { HEAD = 26 };
 static double seen[HEAD + 4 * OBSERVABLES_MOST];
 static double *listed; /* of each spring: its ends, its colour */
 
-/* The time, steps, bodies, springs, why it stands, collisions, the line
-   that is wrong; dt, gravity, damping, restitution, k2, contact; walls and
-   box, axis by axis; how many are observed. */
+/* The time, steps, bodies, springs, how the last step ended (enum
+   stepping_end, -1 without a scene), collisions, the line with an error;
+   dt, gravity, damping, restitution, k2, contact; walls and box, axis by
+   axis; how many values are observed; whether contacts are instantaneous.
+   What there is for each body is in page_array, axis by axis as in the
+   scene. */
 const double *page_look(void)
 {
     const struct scene *s = &scene;
@@ -246,6 +265,9 @@ const double *page_look(void)
     return seen;
 }
 
+/* Chooses what to observe, by the names that step knows; an empty text:
+   nothing. The values are computed when page_array asks for them, since the
+   energy of many bodies costs as much as a step. */
 bool page_observe(void)
 {
     struct observables o = {0};
@@ -304,6 +326,9 @@ const double *page_array(double which)
     return NULL;
 }
 
+/* Runs the motion again up to the present step, with a row every so many
+   steps: what is observed, or all states if nothing is. The head names the
+   command of step that makes the same table, which the script wrote. */
 static bool write_rows(struct table *t, struct motion *m, uint64_t every,
                        size_t body[], double row[])
 {
@@ -336,7 +361,7 @@ static bool write_table(struct table *t, uint64_t every)
         return false;
     double *row = malloc(room * sizeof *row);
     size_t *body = malloc((s.bodies + 1) * sizeof *body);
-    bool good = row && body && set_off(&m, &s);
+    bool good = row && body && begin_motion(&m, &s);
     if (good) {
         good = write_rows(t, &m, every, body, row);
         motion_end(&m);
@@ -347,6 +372,8 @@ static bool write_table(struct table *t, uint64_t every)
     return good;
 }
 
+/* Writes a table of the run, or the present scene, with what the method has
+   to know to go on to the same bits. */
 bool page_save(bool table, double every)
 {
     struct table *t = moving ? page_table_open("step") : NULL;

@@ -1,25 +1,27 @@
-/* From chapters/works/A-page.nw: edit there, then run make tangle. */
-/* checksum 820434761 of the lines below */
-/* One swing, step by step, by two methods. */
+/* Live figure of chapter 8: an oscillator in steps, by two methods. */
 #include "forces/motion.h"
 #include "page/page.h"
 #include "scenes/gallery.h"
 
 #include <string.h>
 
-enum { METHODS = 2, OWN = 8 }; /* numbers of each that are seen */
+enum { METHODS = 2, OWN = 8 }; /* values shown for each method */
 
-/* The step and the damping, then the two methods, as page_word has them. */
+/* The step, s, and the damping; the two methods, by their numbers in
+   page_word. The scene is oscillator of the gallery and the core that of
+   step: `scene oscillator --damping 0 | step -` with the same method and
+   step gives the same positions. */
 double page_number[PAGE_NUMBERS];
 
 static struct swing {
     struct scene scene;
     struct motion motion;
     double matrix[4]; /* of a step: from x and v to x and v */
-    bool begun, over;
+    bool begun, stopped;
 } swing[METHODS];
 static double seen[1 + METHODS * OWN];
 
+/* Leaves out the methods for planets and those that choose their steps. */
 static const struct stepping_method *method_of(double number)
 {
     const struct stepping_method *m = stepping_next(NULL);
@@ -40,7 +42,7 @@ static void end(struct swing *s)
         motion_end(&s->motion);
         scene_free(&s->scene);
     }
-    s->begun = s->over = false;
+    s->begun = s->stopped = false;
 }
 
 static bool begin(struct swing *s, const char *method, double x, double v)
@@ -66,6 +68,14 @@ static double place(const struct swing *s)
     return s->scene.position[1] - REST;
 }
 
+/* Measures the matrix (a b; c d) of one step by a step from (1, 0) and one
+   from (0, 1). If its determinant is 1, the form
+
+       c x^2 - (a - d) x v - b v^2
+
+   does not change, and the script draws the ellipse on which the method
+   stays, whatever the method; for leapfrog it is a multiple of the modified
+   energy (8.6, eq:modified-energy). */
 static bool measure(struct swing *s, const char *method)
 {
     for (int k = 0; k < 2; ++k) {
@@ -96,21 +106,23 @@ static double now(void)
     return a > b ? a : b;
 }
 
+/* An event is a step. An oscillator whose numbers have overflowed stops. */
 double page_run(double until, double events)
 {
     double steps = 0;
     for (; steps < events && now() + page_number[0] <= until; ++steps) {
         for (int k = 0; k < METHODS; ++k)
-            if (!swing[k].over)
-                swing[k].over =
+            if (!swing[k].stopped)
+                swing[k].stopped =
                     motion_run(&swing[k].motion, 1) != STEPPING_DONE;
-        if (swing[0].over && swing[1].over)
+        if (swing[0].stopped && swing[1].stopped)
             break;
     }
     return steps;
 }
 
-/* The time; of each x, v, energy, whether it is over, and the matrix. */
+/* The time; of each method x, v, energy, whether it has stopped, and the
+   matrix. */
 const double *page_look(void)
 {
     seen[0] = now();
@@ -120,7 +132,7 @@ const double *page_look(void)
         own[0] = place(s);
         own[1] = s->scene.velocity[1];
         own[2] = motion_kinetic(&s->motion) + motion_potential(&s->motion);
-        own[3] = s->over;
+        own[3] = s->stopped;
         memcpy(own + 4, s->matrix, sizeof s->matrix);
     }
     return seen;

@@ -1,15 +1,16 @@
-/* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 3406747565 of the lines below */
-/* Tables that are texts in memory. */
+/* Tables in memory: in a browser there are no files. */
 #ifndef PAGE_TABLE_H
 #define PAGE_TABLE_H
 
 #include "toolbox/table.h"
 
-/* Begins a table of this program; NULL without memory. */
+/* Begins a table of this program, which stays in memory. Returns NULL if
+   that is short. Lines, head and rows are written with the functions of
+   toolbox/table.h, so that the bytes are those of a file. */
 struct table *page_table_open(const char *program);
 
-/* Ends it; returns its text, to be freed, or NULL without memory. */
+/* Frees the table. Returns its text, to be freed by the caller, or NULL if
+   memory was short. */
 char *page_table_close(struct table *t);
 
 #endif

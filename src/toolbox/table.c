@@ -1,48 +1,21 @@
 /* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 3631164904 of the lines below */
+/* checksum 2813337655 of the lines below */
 /* A temporary beside the file, which takes its name when all is written. */
 #define _XOPEN_SOURCE 700 /* realpath */
 
-#include "toolbox/table.h"
-
-#include "toolbox/digits.h"
-#include "toolbox/version.h"
+#include "toolbox/lines.h"
 
 #include <assert.h>
 #include <errno.h>
 #include <fcntl.h>
-#include <inttypes.h>
-#include <math.h>
 #include <signal.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-struct table {
-    const char *program;
-    FILE *stream;
-    char *name;      /* as it was given; NULL: standard output */
-    size_t size;     /* of a table in memory, whose name is its text */
-    char *path;      /* the name in the end, links followed, or NULL */
-    char *temporary; /* what is written meanwhile; NULL: the file itself */
-    bool exists;     /* the file did, when it was opened, and was: */
-    struct stat file;
-    size_t columns;
-    const struct table_key *keys; /* of a summary */
-    uint64_t written;             /* which of them, a bit each */
-    int error;                    /* errno of the first failure, or 0 */
-    FILE *held; /* what the head waits for, or NULL; till then the */
-    char *head; /* stream writes it here */
-    size_t head_size;
-    struct table *next; /* of the open tables */
-};
-
 static struct table *tables; /* the open ones */
-
-static void release_head(struct table *t);
 
 enum { MOST_FILES = 8 };
 static char *volatile temporaries[MOST_FILES];
@@ -112,7 +85,7 @@ uint64_t table_sum(uint64_t sum, const char *bytes, size_t n)
 bool table_sum_so_far(struct table *t, uint64_t *sum)
 {
     char piece[4096];
-    release_head(t);
+    lines_release_head(t);
     ssize_t n = fflush(t->stream) == 0 ? 1 : -1;
     *sum = TABLE_NOTHING;
     for (off_t done = 0; n > 0; done += n) {
@@ -303,136 +276,6 @@ struct table *table_open(const char *program, const char *path)
     return NULL;
 }
 
-static void note_error(struct table *t, bool good)
-{
-    if (!good && t->error == 0)
-        t->error = errno != 0 ? errno : EIO;
-}
-
-/* Writes the head if it still waits, and lets the rest follow it. */
-static void release_head(struct table *t)
-{
-    if (!t->held)
-        return;
-    note_error(t, fclose(t->stream) == 0);
-    t->stream = t->held;
-    t->held = NULL;
-    errno = 0;
-    const size_t n = fwrite(t->head, 1, t->head_size, t->stream);
-    note_error(t, n == t->head_size);
-    free(t->head);
-    t->head = NULL;
-}
-
-enum { MOST_HEAD = 65536 }; /* bytes that wait; a million columns do not */
-
-/* Does a text of this format go on with the head: as a line of it, as an
-   empty one, or as the rest of a line? */
-static bool goes_on(struct table *t, const char *format)
-{
-    fflush(t->stream);
-    if (t->head_size > MOST_HEAD)
-        return false;
-    return *format == '#' || *format == '\n' || *format == '\0' ||
-           (t->head_size > 0 && t->head[t->head_size - 1] != '\n');
-}
-
-bool table_print(struct table *t, const char *format, ...)
-{
-    va_list arguments;
-    if (t->held && !goes_on(t, format))
-        release_head(t);
-    va_start(arguments, format);
-    errno = 0;
-    note_error(t, vfprintf(t->stream, format, arguments) >= 0);
-    va_end(arguments);
-    return t->error == 0;
-}
-
-static void print_real(struct table *t, double value)
-{
-    char text[DIGITS_ROOM] = "nan";
-    const size_t n = isnan(value) ? 3 : digits_write(text, value);
-    errno = 0;
-    note_error(t, fwrite(text, 1, n, t->stream) == n);
-}
-
-void table_begin(struct table *t, const char *command, uint64_t seed)
-{
-    table_print(t, "# %s (Bonkers) %s\n", t->program, TOOLBOX_VERSION);
-    table_print(t, "# command: %s\n", command);
-    table_print(t, "# seed: %" PRIu64 "\n", seed);
-}
-
-void table_column(struct table *t, const char *symbol, const char *unit,
-                  const char *meaning)
-{
-    ++t->columns;
-    table_print(t, "# %zu %s [%s] %s\n", t->columns, symbol,
-                unit && *unit ? unit : "1", meaning);
-}
-
-static void put(struct table *t, char c)
-{
-    errno = 0;
-    note_error(t, putc(c, t->stream) != EOF);
-}
-
-bool table_row(struct table *t, size_t n, const double values[])
-{
-    assert(t->columns == 0 || n == t->columns);
-    release_head(t);
-    for (size_t i = 0; i < n; ++i) {
-        if (i > 0)
-            put(t, ' ');
-        print_real(t, values[i]);
-    }
-    put(t, '\n');
-    return t->error == 0;
-}
-
-static bool is_named(const char *key, const char *name)
-{
-    if (*name != '<')
-        return *key == *name && (!*key || is_named(key + 1, name + 1));
-    while (*key)
-        if (is_named(++key, strchr(name, '>') + 1))
-            return true;
-    return false;
-}
-
-static void print_key(struct table *t, const char *key)
-{
-    uint64_t fit = 0;
-    for (int k = 0; t->keys && t->keys[k].name; ++k)
-        if (is_named(key, t->keys[k].name)) {
-            fit |= UINT64_C(1) << k;
-            assert(strcmp(key, t->keys[k].name) || !(t->written >> k & 1));
-        }
-    assert(fit);
-    t->written |= fit;
-    table_print(t, "%s ", key);
-}
-
-void table_real(struct table *t, const char *key, double value)
-{
-    print_key(t, key);
-    print_real(t, value);
-    table_print(t, "\n");
-}
-
-void table_count(struct table *t, const char *key, uint64_t value)
-{
-    print_key(t, key);
-    table_print(t, "%" PRIu64 "\n", value);
-}
-
-void table_text(struct table *t, const char *key, const char *text)
-{
-    print_key(t, key);
-    table_print(t, "%s\n", text);
-}
-
 void table_keys(struct table *t, const struct table_key keys[])
 {
     t->keys = keys;
@@ -451,12 +294,12 @@ bool table_close(struct table *t)
     if (!t)
         return true;
     assert(is_complete(t));
-    release_head(t);
-    note_error(t, fflush(t->stream) == 0 && !ferror(t->stream));
+    lines_release_head(t);
+    lines_note_error(t, fflush(t->stream) == 0 && !ferror(t->stream));
     if (t->name)
-        note_error(t, fclose(t->stream) == 0);
+        lines_note_error(t, fclose(t->stream) == 0);
     if (t->temporary && t->error == 0)
-        note_error(t, rename(t->temporary, t->path) == 0);
+        lines_note_error(t, rename(t->temporary, t->path) == 0);
     const bool good = t->error == 0;
     if (!good)
         complain(t->program, t->name, strerror(t->error));

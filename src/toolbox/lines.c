@@ -1,0 +1,144 @@
+/* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
+/* checksum 684757038 of the lines below */
+/* Head, rows and summary of a table, in a file or in memory. */
+#include "toolbox/lines.h"
+
+#include "toolbox/digits.h"
+#include "toolbox/version.h"
+
+#include <assert.h>
+#include <errno.h>
+#include <inttypes.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+void lines_note_error(struct table *t, bool good)
+{
+    if (!good && t->error == 0)
+        t->error = errno != 0 ? errno : EIO;
+}
+
+void lines_release_head(struct table *t)
+{
+    if (!t->held)
+        return;
+    lines_note_error(t, fclose(t->stream) == 0);
+    t->stream = t->held;
+    t->held = NULL;
+    errno = 0;
+    const size_t n = fwrite(t->head, 1, t->head_size, t->stream);
+    lines_note_error(t, n == t->head_size);
+    free(t->head);
+    t->head = NULL;
+}
+
+enum { MOST_HEAD = 65536 }; /* bytes that wait; a million columns do not */
+
+/* Does a text of this format go on with the head: as a line of it, as an
+   empty one, or as the rest of a line? */
+static bool goes_on(struct table *t, const char *format)
+{
+    fflush(t->stream);
+    if (t->head_size > MOST_HEAD)
+        return false;
+    return *format == '#' || *format == '\n' || *format == '\0' ||
+           (t->head_size > 0 && t->head[t->head_size - 1] != '\n');
+}
+
+bool table_print(struct table *t, const char *format, ...)
+{
+    va_list arguments;
+    if (t->held && !goes_on(t, format))
+        lines_release_head(t);
+    va_start(arguments, format);
+    errno = 0;
+    lines_note_error(t, vfprintf(t->stream, format, arguments) >= 0);
+    va_end(arguments);
+    return t->error == 0;
+}
+
+static void print_real(struct table *t, double value)
+{
+    char text[DIGITS_ROOM] = "nan";
+    const size_t n = isnan(value) ? 3 : digits_write(text, value);
+    errno = 0;
+    lines_note_error(t, fwrite(text, 1, n, t->stream) == n);
+}
+
+void table_begin(struct table *t, const char *command, uint64_t seed)
+{
+    table_print(t, "# %s (Bonkers) %s\n", t->program, TOOLBOX_VERSION);
+    table_print(t, "# command: %s\n", command);
+    table_print(t, "# seed: %" PRIu64 "\n", seed);
+}
+
+void table_column(struct table *t, const char *symbol, const char *unit,
+                  const char *meaning)
+{
+    ++t->columns;
+    table_print(t, "# %zu %s [%s] %s\n", t->columns, symbol,
+                unit && *unit ? unit : "1", meaning);
+}
+
+static void put(struct table *t, char c)
+{
+    errno = 0;
+    lines_note_error(t, putc(c, t->stream) != EOF);
+}
+
+bool table_row(struct table *t, size_t n, const double values[])
+{
+    assert(t->columns == 0 || n == t->columns);
+    lines_release_head(t);
+    for (size_t i = 0; i < n; ++i) {
+        if (i > 0)
+            put(t, ' ');
+        print_real(t, values[i]);
+    }
+    put(t, '\n');
+    return t->error == 0;
+}
+
+static bool is_named(const char *key, const char *name)
+{
+    if (*name != '<')
+        return *key == *name && (!*key || is_named(key + 1, name + 1));
+    while (*key)
+        if (is_named(++key, strchr(name, '>') + 1))
+            return true;
+    return false;
+}
+
+static void print_key(struct table *t, const char *key)
+{
+    uint64_t fit = 0;
+    for (int k = 0; t->keys && t->keys[k].name; ++k)
+        if (is_named(key, t->keys[k].name)) {
+            fit |= UINT64_C(1) << k;
+            assert(strcmp(key, t->keys[k].name) || !(t->written >> k & 1));
+        }
+    assert(fit);
+    t->written |= fit;
+    table_print(t, "%s ", key);
+}
+
+void table_real(struct table *t, const char *key, double value)
+{
+    print_key(t, key);
+    print_real(t, value);
+    table_print(t, "\n");
+}
+
+void table_count(struct table *t, const char *key, uint64_t value)
+{
+    print_key(t, key);
+    table_print(t, "%" PRIu64 "\n", value);
+}
+
+void table_text(struct table *t, const char *key, const char *text)
+{
+    print_key(t, key);
+    table_print(t, "%s\n", text);
+}

@@ -5,7 +5,7 @@
 # chapters. Goals that need no book do without.
 bookless := all first programs bench atlas movie movies wanted-movie inspect chart check watch hint progress \
 	reset solution mutants tangle check-tangle clean help format memcheck \
-	fuzz fuzz-scenes fuzz-commands
+	fuzz fuzz-scenes fuzz-commands compile_commands.json
 ifneq ($(filter-out $(bookless),$(MAKECMDGOALS)),)
 build/recipes/rules.mk: chapters/press/recipes chapters plots $(wildcard chapters/works) \
 		$(wildcard chapters/*.nw chapters/works/*.nw plots/*.gp)

@@ -112,9 +112,11 @@ $(eval $(call tree,sanitized/,SANITIZED))
 
 # For editors and clangd.
 compile_commands.json: Makefile src/compile.mk $(library)
-	@for file in $(wildcard src/*/*.c); do \
+	@json() { printf '%s' "$$*" | sed 's/["\\]/\\&/g'; }; \
+	here=$$(json "$$PWD"); how=$$(json "$(CC) $(STANDARD) $(PORTABLE)"); \
+	for file in $(wildcard src/*/*.c); do \
 	printf '  {"directory": "%s", "file": "%s",\n   "command": "%s"}\n' \
-	"$$PWD" $$file "$(CC) $(STANDARD) $(PORTABLE) -Isrc -c $$file"; \
+	"$$here" $$file "$$how -Isrc -c $$file"; \
 	done | awk 'BEGIN { print "[" } NR > 1 && /^  {/ { print "," } \
 	{ printf "%s%s", /^  {/ ? "" : "\n", $$0 } END { print "\n]" }' >$@.part
 	@mv $@.part $@

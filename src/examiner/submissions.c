@@ -1,5 +1,5 @@
 /* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 2408401690 of the lines below */
+/* checksum 2203585940 of the lines below */
 /* Walks a folder of submissions; names what it does not grade. */
 #include "examiner/submissions.h"
 #include "examiner/marks.h"
@@ -70,14 +70,24 @@ static void free_names(char **names, size_t count)
 
 enum { NOTES = 12 };
 
+/* Returns one line that a person can read. What marks_text leaves of a name
+   may still break the line: this is escaped as other controls are. */
 static char *compose(const char *format, ...)
 {
-    char raw[8192];
+    char raw[8192], *text, *line, *end;
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(raw, sizeof raw, format, arguments);
     va_end(arguments);
-    return marks_text(raw, strlen(raw), sizeof raw);
+    text = marks_text(raw, strlen(raw), sizeof raw);
+    line = end = malloc(4 * strlen(text) + 1);
+    if (!line)
+        text_fail("out of memory");
+    for (const char *c = text; *c; ++c)
+        end += sprintf(end, *c == '\n' ? "\\x0a" : "%c", *c);
+    *end = '\0';
+    free(text);
+    return line;
 }
 
 /* Returns the path of a file below the student's folder, whose name stands
@@ -90,18 +100,14 @@ static const char *below(const char *path)
 
 static void note(struct submission *s, const char *what, const char *path)
 {
-    char *line = compose("%s%s", what, below(path)), *all;
+    char *line = compose("%s%s", what, below(path)), *all = s->notes;
     if (++s->noted > NOTES + 1) {
         free(line);
         return;
     }
-    all = compose("%s", s->notes);
-    free(s->notes);
     s->notes = malloc(strlen(all) + strlen(line) + 16);
     if (!s->notes)
         text_fail("out of memory");
-    for (char *c = line; *c; ++c)
-        *c = (char)(*c == '\n' ? '?' : *c);
     sprintf(s->notes, "%s%s\n", all,
             s->noted > NOTES ? "... and more" : line);
     free(line);

@@ -169,7 +169,7 @@ verdict 'any other file among them, too' told - 'of no student: README.txt'
 verdict 'and what is no file' told - 'of no student: pipe'
 verdict 'an exercise that is none is told of' told x.part 'there is no such ex'
 verdict 'a dozen lines are enough' told many '... and more'
-verdict 'a line break stays in its line' told odd 'an archive .*line?break.zip'
+verdict 'a line break stays in its line' told odd 'an archive .*line[\]x0abreak.zip'
 verdict 'a byte that is no text is told of' told bytes 'an archive .*xff'
 # The same lines, whole, are kept in files.
 noted() { # STUDENT TEXT
@@ -196,7 +196,7 @@ verdict 'and none where there is none' cell backups ''
 
 # ---- what is in names and messages is shown as what it is ----
 
-put "$(printf 'turned/\342\200\256zip.zip')" \
+put "$(printf 'turned/\342\200\256zip.zip')" "$(printf 'li\nne/01a-collide.c')" \
     "$(printf 'na\342\200\256me\033[2J/01a-collide.c')"
 mkdir "$scratch/in/message" "$scratch/in/wide" "$scratch/in/unmarked"
 printf '#error \342\200\256turned \033[2J cleared \303\244 \377 \000 zero\n' \
@@ -207,6 +207,8 @@ cp "$scratch/utf16" "$scratch/in/unmarked/01a-collide.c"
 graded 'escapes'
 verdict 'a name of a file that turns the writing is shown escaped' \
     told turned 'an archive .*[\]u202ezip.zip'
+verdict 'a name of a student of two lines is one line of the table' \
+    grep -q '^li[\]x0ane ' "$scratch/said"
 verdict 'so is a name of a student in the table' \
     grep -q '^na[\]u202eme[\]x1b' "$scratch/said"
 verdict 'and in the CSV' grep -q '^"na[\]u202eme[\]x1b' "$out/grades.csv"
@@ -243,4 +245,4 @@ within() {
     done
 }
 verdict 'results are not put among the submissions' within
-echo 1..86
+echo 1..87

@@ -58,4 +58,19 @@ holds 'and nothing is left behind either' test -z "$(ls -d build/grade/work.* 2>
 holds 'nor anything beside the kit' \
     test "$(ls "$work" | grep -vx 'err\|out\|why\|said')" = "$(printf '%s\n' \
         "Kurs, 50% ~1 (O'Brien)" "they're 100%")"
-echo 1..12
+
+# What JSON takes for its own in a folder's name is written so that it is none.
+odd="$work/a \"quoted\" \\name"
+mkdir -p "$odd/src" "$odd/tests" "$odd/plots" "$odd/build"
+cp "$here/Makefile" "$odd"
+cp -R "$here/src/." "$odd/src"
+cp "$here"/tests/*.mk "$odd/tests"
+cp "$here"/plots/*.mk "$odd/plots"
+cp -R "$here/build/compiler" "$here/build/compiler.mk" "$odd/build"
+cd "$odd" || exit 1
+${MAKE:-make} -s compile_commands.json >said 2>&1
+holds 'the file for editors is JSON and tells the folder' node -e '
+    const rows = JSON.parse(require("fs").readFileSync("compile_commands.json"))
+    if (!rows.length || rows.some((row) => row.directory !== process.cwd()))
+        throw new Error(rows[0].directory)'
+echo 1..13

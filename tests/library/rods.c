@@ -97,6 +97,7 @@ static void test_pendulum(void)
     for (int k = 0; k < 2; ++k) {
         const int steps = 400 << k;
         make_chain(2, true);
+        scene.mass[1] = 2;
         begin();
         UNIT_TRUE(run(1.8540746773013719 / steps, steps));
         miss[k] = scene.position[1];
@@ -180,6 +181,33 @@ static void test_counts(void)
     end();
 }
 
+/* What rests without weight asks for its forces once, and is corrected
+   nowhere. A single rod is mended by one correction, whatever rounding has
+   left of its ends' velocities, which here should be 0. */
+static void test_at_once(void)
+{
+    weight = 0;
+    make_chain(4, false);
+    begin();
+    UNIT_TRUE(run(0.01, 10));
+    UNIT_EQUAL((double)rods.evaluations, 1);
+    UNIT_EQUAL((double)rods.corrections, 0);
+    end();
+    for (int k = 1; k < 20; ++k) {
+        make_chain(2, false);
+        scene.mass[1] = 1 + 0.3 * k;
+        for (size_t c = 0; c < 6; c += 2) {
+            scene.position[c + 1] = 0.1 + 0.17 * (double)c * k;
+            scene.velocity[c + 1] = 0.7 * scene.position[c + 1];
+            scene.velocity[c] = -scene.mass[1] * scene.velocity[c + 1];
+        }
+        begin();
+        UNIT_TRUE(rods_project(&rods, scene.position, scene.velocity));
+        UNIT_EQUAL((double)rods.corrections, 1);
+        end();
+    }
+}
+
 /* Three in a row with a rod from end to end can only turn as one: where the
    middle moves off, no lengths are right. In a triangle that is nearly so
    flat velocities are found as slowly. Both are given up after 4000 rounds
@@ -215,6 +243,7 @@ int main(void)
                      test_chain},
                     {"a step that is too long is refused", test_too_long},
                     {"what cannot be mended is given up", test_given_up},
+                    {"what needs little gets little", test_at_once},
                     {"forces are asked for once in a step", test_counts},
                     {0}});
 }

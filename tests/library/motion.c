@@ -503,6 +503,205 @@ static void test_contact(void)
     scene_free(&s);
 }
 
+/* n bodies of radius 0.1 in a row along x, 1 m apart, held but along x. */
+static void row(struct scene *s, size_t n)
+{
+    must(scene_create(s, n), "no memory");
+    for (size_t i = 0; i < n; ++i) {
+        s->position[i] = (double)i;
+        s->radius[i] = 0.1;
+        s->freedom[n + i] = s->freedom[2 * n + i] = 0;
+    }
+}
+
+static void has(const struct scene *s, enum motion_flaw flaw, size_t body)
+{
+    size_t found = 77;
+    UNIT_EQUAL(motion_flaw(s, &found), flaw);
+    UNIT_EQUAL(motion_flaw(s, NULL), flaw);
+    if (flaw != MOTION_WELL && flaw != MOTION_WALLS && flaw != MOTION_TWICE)
+        UNIT_EQUAL((double)found, (double)body);
+}
+
+/* A body without mass that something acts on is refused, if it is free. */
+static void test_light(void)
+{
+    for (size_t axis = 0; axis < 3; ++axis)
+        for (size_t light = 0; light < 3; ++light) {
+            struct scene s;
+            row(&s, 3);
+            s.mass[light] = 0;
+            has(&s, MOTION_WELL, 0);
+            s.freedom[light] = 0;
+            s.freedom[3 * axis + light] = 1;
+            s.damping = 0.1;
+            has(&s, MOTION_LIGHT, light);
+            s.freedom[3 * axis + light] = 0;
+            has(&s, MOTION_WELL, 0);
+            s.freedom[3 * axis + light] = 1;
+            s.damping = 0;
+            s.contact = true;
+            has(&s, MOTION_LIGHT, light);
+            s.contact = false;
+            must(scene_add_kind(&s, 1, 0), "no memory");
+            must(scene_add_spring(&s, 0, 2, 0, 1), "no memory");
+            has(&s, light == 1 ? MOTION_WELL : MOTION_LIGHT, light);
+            scene_free(&s);
+        }
+}
+
+/* Walls want contacts; what is thicker than the box does not move in it,
+   and as thick as it is is thin enough; springs have no restitution. */
+static void test_box(void)
+{
+    for (size_t k = 0; k < 3; ++k)
+        for (int wall = SCENE_OPEN; wall <= SCENE_PERIODIC; ++wall) {
+            struct scene s;
+            row(&s, 2);
+            s.wall[k] = (enum scene_wall)wall;
+            s.low[k] = -1;
+            s.high[k] = 2;
+            s.freedom[2 * k] = 0;
+            s.freedom[2 * k + 1] = 1;
+            has(&s, wall ? MOTION_WALLS : MOTION_WELL, 0);
+            s.contact = true;
+            s.radius[0] = s.radius[1] = 1.5;
+            has(&s, MOTION_WELL, 0);
+            s.radius[0] = s.radius[1] = 1.5 * (1 + 1e-11);
+            has(&s, wall ? MOTION_THICK : MOTION_WELL, 1);
+            s.freedom[2 * k + 1] = 0;
+            has(&s, MOTION_WELL, 0);
+            s.restitution = 0.9;
+            has(&s, MOTION_WELL, 0);
+            s.touch = SCENE_LINEAR;
+            has(&s, MOTION_TWICE, 0);
+            s.restitution = 1;
+            has(&s, MOTION_WELL, 0);
+            scene_free(&s);
+        }
+}
+
+/* Points on a line that they cannot leave collide unseen, if one may move
+   and not all of them hang on springs. Off the line they pass. */
+static void test_points(void)
+{
+    struct scene s;
+    row(&s, 4);
+    s.contact = true;
+    s.radius[1] = 0;
+    has(&s, MOTION_WELL, 0);
+    s.radius[3] = 0;
+    has(&s, MOTION_POINTS, 1);
+    s.contact = false;
+    has(&s, MOTION_WELL, 0);
+    s.contact = true;
+    for (size_t k = 1; k < 3; ++k) { /* apart, and ways off the line */
+        s.position[4 * k] = 1e-9;
+        has(&s, MOTION_WELL, 0);
+        s.position[4 * k] = 0;
+        s.velocity[4 * k + 2] = 1;
+        has(&s, MOTION_POINTS, 1);
+        s.freedom[4 * k + 2] = 1;
+        has(&s, MOTION_WELL, 0);
+        s.velocity[4 * k + 2] = 0;
+        has(&s, MOTION_POINTS, 1);
+        s.gravity[k] = -1;
+        has(&s, MOTION_WELL, 0);
+        s.freedom[4 * k + 2] = 0;
+        has(&s, MOTION_POINTS, 1);
+        s.gravity[k] = 0;
+    }
+    s.freedom[1] = 0;
+    has(&s, MOTION_POINTS, 1);
+    s.freedom[3] = 0;
+    has(&s, MOTION_WELL, 0);
+    s.freedom[1] = s.freedom[3] = 1;
+    must(scene_add_kind(&s, 1, 0), "no memory");
+    must(scene_add_spring(&s, 1, 2, 0, 1), "no memory");
+    has(&s, MOTION_POINTS, 1);
+    must(scene_add_spring(&s, 0, 3, 0, 1), "no memory");
+    has(&s, MOTION_WELL, 0);
+    s.radius[0] = 0; /* one of three, on a spring too */
+    has(&s, MOTION_WELL, 0);
+    scene_free(&s);
+}
+
+/* Steps of another length: the time goes on, and so do counts, the sums'
+   rounding errors and the quicker ways. With the same length no bit is
+   another. */
+static void test_shorten(void)
+{
+    static const char *const methods[] = {"leapfrog", "rk4", "radau15"};
+    for (int k = 0; k < 3; ++k)
+        for (int two = 0; two < 2; ++two) {
+            struct scene s, t;
+            struct motion m, n;
+            if (two)
+                build_two(&s, SOFT);
+            else
+                build_way(&s, 0);
+            must(scene_copy(&t, &s), "no memory");
+            begin(&m, &s, methods[k]);
+            begin(&n, &t, methods[k]);
+            m.stepping.compensated = n.stepping.compensated = k < 2 && !two;
+            motion_run(&m, 150);
+            motion_run(&n, 100);
+            const uint64_t before = n.stepping.evaluations;
+            stepping_sweep *const sweep = n.stepping.sweep;
+            UNIT_TRUE(motion_shorten(&n, 0.01));
+            UNIT_NEAR(motion_time(&n), 1, 1e-15);
+            UNIT_TRUE(n.stepping.sweep == sweep);
+            UNIT_TRUE(n.stepping.evaluations == before);
+            motion_run(&n, 50);
+            UNIT_NEAR(motion_time(&n), 1.5, 1e-15);
+            UNIT_TRUE(is_same(&s, &t));
+            UNIT_TRUE(motion_shorten(&n, 0.25));
+            motion_run(&n, 2);
+            UNIT_NEAR(motion_time(&n), 2, 1e-15);
+            motion_end(&m);
+            motion_end(&n);
+            scene_free(&s);
+            scene_free(&t);
+        }
+}
+
+/* The energies by hand: 2 (3^2 + 4^2)/2 and 1 (2^2)/2; gravity 3 * 2 / 0.5;
+   a spring stretched by 0.25 and one of the contact pressed by 0.5; weight
+   along the axes that are free. */
+static void test_energies(void)
+{
+    struct scene s;
+    struct motion m;
+    must(scene_create(&s, 2), "no memory");
+    s.mass[0] = 2;
+    s.position[1] = 0.5;
+    s.position[4] = s.position[5] = 3;
+    s.velocity[0] = 3;
+    s.velocity[2] = 4;
+    s.velocity[5] = 2;
+    s.k2 = 3;
+    s.gravity[0] = 1;
+    s.gravity[2] = -10;
+    s.freedom[1] = 0;
+    s.dt = 0.1;
+    must(scene_add_kind(&s, 32, 0), "no memory");
+    must(scene_add_spring(&s, 0, 1, 0, 0.25), "no memory");
+    s.contact = true;
+    s.touch = SCENE_LINEAR;
+    s.stiffness = 8;
+    s.radius[0] = s.radius[1] = 0.5;
+    begin(&m, &s, "leapfrog");
+    const struct motion_energy e = motion_energy(&m);
+    UNIT_EQUAL(e.kinetic, 25 + 2);
+    UNIT_EQUAL(e.gravity, -3 * 2 / 0.5);
+    UNIT_EQUAL(e.springs, 32 * 0.25 * 0.25 / 2 + 8 * 0.5 * 0.5 / 2);
+    UNIT_EQUAL(e.weight, 2 * 10 * 3 + 10 * 3);
+    UNIT_EQUAL(motion_potential(&m), e.gravity + e.springs + e.weight);
+    UNIT_TRUE(motion_contacts(&m) == m.touch.near);
+    motion_end(&m);
+    scene_free(&s);
+}
+
 static bool from_outside(void *with, double dt, double x[], double v[])
 {
     *(double *)with += dt;
@@ -550,6 +749,11 @@ int main(void)
              test_heeded},
             {"and forgotten where it does not", test_forgotten},
             {"after a contact the method looks again", test_contact},
+            {"steps may change their length", test_shorten},
+            {"energies by hand", test_energies},
+            {"what has no mass", test_light},
+            {"what is in a box", test_box},
+            {"points on a line", test_points},
             {"another stepper can take the method's place", test_outside},
             {0}});
 }

@@ -592,6 +592,86 @@ static void test_compensation(void)
     UNIT_TRUE(carried < 2e-15);
 }
 
+/* A part as long as a step has its bits; after one of another length steps
+   are what they were; and what was noted comes back, with what the sums owe
+   and whether the acceleration is known. */
+static void check_parts(const struct stepping_method *m)
+{
+    for (int way = 0; way < 4; ++way) {
+        const struct stepping_forces f =
+            way & 1 ? rough_forces : orbit_forces;
+        double x[] = {0.5, 0.1}, v[] = {0.1, 1.5}, y[2], u[2], note[11];
+        struct stepping s, t;
+        begin(&s, m, f, 0.03, x, v);
+        s.compensated = way & 2;
+        stepping_run(&s, 5);
+        stepping_note(&s, note);
+        const uint64_t before = s.evaluations;
+        stepping_run(&s, 3);
+        const uint64_t three = s.evaluations - before;
+        memcpy(y, x, sizeof y);
+        memcpy(u, v, sizeof u);
+        UNIT_EQUAL(stepping_part(&s, 0.011), STEPPING_DONE);
+        UNIT_TRUE(x[0] != y[0]);
+        UNIT_EQUAL((double)s.steps, 8);
+        stepping_recall(&s, note);
+        const uint64_t then = s.evaluations;
+        stepping_run(&s, 3);
+        UNIT_TRUE(!memcmp(y, x, sizeof y) && !memcmp(u, v, sizeof u));
+        UNIT_EQUAL((double)(s.evaluations - then), (double)three);
+        begin(&t, m, f, 0.03, y, u);
+        t.compensated = way & 2;
+        memcpy(y, note, sizeof y);
+        memcpy(u, note + 2, sizeof u);
+        stepping_resume(&t, 5, note + 4, note[10] != 0 ? note + 8 : NULL);
+        for (int k = 0; k < 3; ++k)
+            UNIT_EQUAL(stepping_part(&t, 0.03), STEPPING_DONE);
+        UNIT_EQUAL((double)t.steps, 5);
+        /* Leapfrog under friction has a way of its own for many steps. */
+        UNIT_TRUE((!memcmp(y, x, sizeof y) && !memcmp(u, v, sizeof u)) ||
+                  stepping_keeps(&t));
+        stepping_free(&s);
+        stepping_free(&t);
+    }
+}
+
+static void test_parts(void)
+{
+    each_method(check_parts);
+}
+
+/* Two stiff springs, coupled, with friction. */
+static void stiff_linear(void *what, const double x[], const double v[],
+                         double a[])
+{
+    (void)what;
+    a[0] = -2500 * x[0] + 700 * x[1] - 30 * v[0] + 10 * v[1];
+    a[1] = 300 * x[0] - 900 * x[1] + 20 * v[0] - 50 * v[1];
+}
+
+/* On linear forces Newton's method is right at once: what differences of
+   2^-26 leave of the matrix' error falls by some 1e7 in each correction. So
+   a step takes the acceleration before it, two rounds that lead nowhere,
+   one for the matrix with two displacements of each coordinate, and at most
+   eight corrections: two that count, and while rounding falls. */
+static void test_linear(void)
+{
+    for (const struct stepping_method *m = stepping_next(NULL); m;
+         m = stepping_next(m)) {
+        if (m->family != STEPPING_IMPLICIT)
+            continue;
+        double x[] = {0.3, -1.1}, v[] = {4, 0.7};
+        struct stepping s;
+        begin(&s, m, (struct stepping_forces){2, true, stiff_linear, NULL},
+              0.5, x, v);
+        UNIT_EQUAL(stepping_run(&s, 10), STEPPING_DONE);
+        const double n = (double)m->stages;
+        UNIT_TRUE((double)s.evaluations <=
+                  10 * (1 + 2 * n + n + 4 * n + 8 * n));
+        stepping_free(&s);
+    }
+}
+
 static void grow(void *what, const double x[], const double v[], double a[])
 {
     (void)what, (void)v;
@@ -661,6 +741,9 @@ int main(void)
             {"implicit steps may be long", test_long_implicit_steps},
             {"implicit steps near a place of rest", test_implicit_at_rest},
             {"and stiff springs bend no equation", test_newton},
+            {"Newton's method is right at once on linear forces",
+             test_linear},
+            {"parts of steps, and what is noted", test_parts},
             {"symmetric methods come back", test_reversal},
             {"symplectic methods keep areas", test_areas},
             {"neither cuts nor resuming change a bit", test_cuts},

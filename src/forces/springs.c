@@ -1,5 +1,5 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 3388906817 of the lines below */
+/* checksum 1927206365 of the lines below */
 /* Sums forces spring by spring, or in bands where they form a grid. */
 #include "forces/springs.h"
 
@@ -557,14 +557,14 @@ static void gather(const struct springs *p, const struct task *t,
     }
 }
 
-/* The task for so many steps in one sweep, at most depth_of(p). */
+/* The task for so many steps in one sweep, at most depth_of(p). No spring
+   reaches into the first block: the rooms for that are zero when they are
+   made, and again after a sweep, as none goes on behind the last body. */
 static void march(const struct springs *p, struct task t, size_t steps)
 {
     const size_t n = p->bodies, far = reach(p), size = room_of_all(p);
     size_t moved[SPRINGS_DEPTH] = {0}, summed[SPRINGS_DEPTH] = {0};
     const bool owing = t.owing;
-    for (size_t k = 0; k < steps; ++k)
-        reach_in(p, &t, 0, p->room + k * size);
     while (summed[steps - 1] < n)
         for (size_t k = 0; k < steps; ++k) {
             const size_t at = summed[k], rest = n - at;

@@ -259,6 +259,15 @@ static void test_same_bits(void)
         }
 }
 
+/* A net so wide that no two steps of it would stay in the cache. */
+static void test_wide(void)
+{
+    struct scene s;
+    make_membrane(&s, 8000, 3, 0);
+    same_bits(&s, 2);
+    scene_free(&s);
+}
+
 /* Steps of leapfrog, in pieces of `piece`, swept or not. */
 static void leap(const struct scene *from, uint64_t steps, uint64_t piece,
                  bool swept, struct scene *s)
@@ -529,6 +538,7 @@ int main(void)
             {"the slope of the energy is the force", test_potential},
             {"scatter, gather and threads give the same bits",
              test_same_bits},
+            {"on a wide net too", test_wide},
             {"so they do for lists that are no grid", test_odd_lists},
             {"leapfrog swept and in pieces, the same bits", test_leapfrog},
             {"inner forces keep the momentum", test_momentum},

@@ -187,27 +187,46 @@ static void test_in_one_step(void)
    collide. */
 static void test_pushed(void)
 {
-    for (int search = SPHERES_PAIRS; search <= SPHERES_SWEEP; ++search)
-        for (int heavy = 0; heavy < 3; heavy += 2) {
-            struct scene s;
-            struct spheres p;
-            const size_t far = 2 - (size_t)heavy;
-            make(&s, 3);
-            s.mass[heavy] = 1e9;
-            s.position[heavy] = 0;
-            s.position[1] = 0.62;
-            s.position[far] = 1.98;
-            s.velocity[heavy] = 4;
-            s.velocity[1] = -4;
-            begin(&p, &s, SPHERES_APPROACHING, SPHERES_BY_MASS, 0.05);
-            p.search = (enum spheres_search)search;
-            p.order = heavy ? SPHERES_DESCENDING : SPHERES_ASCENDING;
-            UNIT_EQUAL((double)spheres_resolve(&p, s.position, s.velocity),
-                       2);
-            UNIT_NEAR(s.velocity[far], 12, 1e-7);
-            spheres_free(&p);
-            scene_free(&s);
-        }
+    for (int way = 0; way < 12; ++way) {
+        struct scene s;
+        struct spheres p;
+        const size_t heavy = way % 2 ? 2 : 0, far = 2 - heavy;
+        const size_t k = (size_t)(way / 4);
+        make(&s, 3);
+        double *const x = s.position + 3 * k, *const v = s.velocity + 3 * k;
+        s.mass[heavy] = 1e9;
+        x[heavy] = 0;
+        x[1] = 0.62;
+        x[far] = 1.98;
+        v[heavy] = 4;
+        v[1] = -4;
+        begin(&p, &s, SPHERES_APPROACHING, SPHERES_BY_MASS, 0.05);
+        p.search = way / 2 % 2 ? SPHERES_SWEEP : SPHERES_PAIRS;
+        p.order = heavy ? SPHERES_DESCENDING : SPHERES_ASCENDING;
+        UNIT_EQUAL((double)spheres_resolve(&p, s.position, s.velocity), 2);
+        UNIT_NEAR(v[far], 12, 1e-7);
+        spheres_free(&p);
+        scene_free(&s);
+    }
+}
+
+/* The way to the nearest image, on either side of half a box of 2 m. */
+static void test_nearest(void)
+{
+    static const double at[] = {0.95, 1.05, -0.95, -1.05, 2.9, -3.1},
+                        way[] = {0.95, -0.95, -0.95, 0.95, 0.9, 0.9};
+    struct scene s;
+    make(&s, 2);
+    s.wall[1] = SCENE_PERIODIC;
+    s.low[1] = 5;
+    s.high[1] = 7;
+    for (size_t i = 0; i < sizeof at / sizeof at[0]; ++i) {
+        s.position[1] = s.position[3] = at[i];
+        UNIT_NEAR(spheres_way(&s, s.position, 0, 1, 1), way[i], 1e-15);
+        UNIT_NEAR(spheres_way(&s, s.position, 1, 0, 1), -way[i], 1e-15);
+        UNIT_EQUAL(spheres_way(&s, s.position, 0, 1, 0), at[i]);
+    }
+    scene_free(&s);
 }
 
 /* Parting pairs: the paper throws them back, the other rule does not. */
@@ -767,6 +786,7 @@ int main(void)
             {"oblique hits found late are made good", test_oblique},
             {"a velocity goes through a row in a step", test_in_one_step},
             {"who is pushed meets the next", test_pushed},
+            {"images are the nearest", test_nearest},
             {"only the paper reflects pairs that part", test_parting},
             {"what is fixed along an axis stays", test_fixed},
             {"contacts that others find", test_asked},

@@ -4,9 +4,17 @@
 #include "unit.h"
 
 #include "library/heap.h"
+#include "box/blocks.h"
+#include "box/calendar.h"
+#include "box/cells.h"
+#include "box/sampling.h"
+#include "box/states.h"
 #include "enough/averages.h"
 #include "enough/models.h"
 #include "forces/motion.h"
+#include "line/bonkers.h"
+#include "line/laws.h"
+#include "line/statistics.h"
 #include "scenes/gallery.h"
 
 #include <stdlib.h>
@@ -212,6 +220,226 @@ static void test_averages(void)
     scene_free(&scene);
 }
 
+/* ---- disks, gases and bodies on a line */
+
+/* Disks in a box of side 20, dense enough for long lists and full cells. */
+static bool pack(struct disks *d, size_t dimensions, size_t count)
+{
+    struct random r;
+    random_seed(&r, 3);
+    if (!disks_create(d, dimensions, count))
+        return false;
+    d->boundary = DISKS_PERIODIC;
+    for (size_t k = 0; k < dimensions; ++k)
+        d->box[k] = 20;
+    for (size_t i = 0; i < count; ++i)
+        d->disk[i].radius = 0.5;
+    UNIT_TRUE(disks_place_lattice(d));
+    disks_set_speed(d, 1, &r);
+    return true;
+}
+
+/* Asks for memory only where it makes plans. */
+static bool plans(void *unused)
+{
+    struct disks d;
+    (void)unused;
+    if (!pack(&d, 2, 40))
+        return false;
+    const bool well = disks_plan(&d);
+    if (well)
+        disks_run(&d, 1, UINT64_MAX);
+    disks_free(&d);
+    return well;
+}
+
+/* All fly to the middle, where cells and lists have to grow; a run that
+   gets no memory for it stops before its time. */
+static bool runs_cells(void *unused)
+{
+    struct disks d;
+    struct cells c;
+    (void)unused;
+    if (!pack(&d, 2, 100))
+        return false;
+    for (size_t i = 0; i < d.count; ++i) {
+        d.disk[i].radius = 1e-3;
+        for (size_t k = 0; k < 2; ++k)
+            d.disk[i].velocity[k] = 10 - d.disk[i].position[k];
+    }
+    bool well = cells_create(&c, &d);
+    if (well) {
+        const size_t room = c.room, seats = c.seats;
+        well = cells_run(&c, 0.95, UINT64_MAX) == DISKS_TIME;
+        UNIT_TRUE(!well || (c.room > room && c.seats > seats));
+        cells_free(&c);
+    }
+    disks_free(&d);
+    return well;
+}
+
+static bool samples(void *unused)
+{
+    const double box[] = {5, 5};
+    struct sampling s;
+    struct sampling_means m;
+    struct random r;
+    (void)unused;
+    random_seed(&r, 2);
+    if (!sampling_create(&s, 2, DISKS_WALLS, box, 3, 0.5, 4, 0.1))
+        return false;
+    UNIT_TRUE(sampling_start(&s, &r));
+    bool well = sampling_log_acceptance(&s, 100, &r) < 0;
+    if (well && (well = sampling_means_create(&m, 3)))
+        sampling_means_free(&m);
+    sampling_free(&s);
+    return well;
+}
+
+static bool keeps(void *unused)
+{
+    struct calendar c;
+    struct blocks b;
+    (void)unused;
+    if (!calendar_create(&c, 9, 0, 1))
+        return false;
+    const bool well = blocks_create(&b, 2);
+    if (well)
+        blocks_free(&b);
+    calendar_free(&c);
+    return well;
+}
+
+static bool reads(void *path)
+{
+    struct disks d;
+    char message[STATES_MESSAGE];
+    if (!states_read(&d, path, message))
+        return false;
+    disks_free(&d);
+    return true;
+}
+
+/* An engine, with points or rods and with or without losses. */
+struct line {
+    enum bonkers_engine engine;
+    double restitution, radius;
+};
+
+static bool collides(void *what)
+{
+    const struct line *l = what;
+    const struct start_wish wish = {
+        .kind = START_RANDOM, .movers = 40, .seed = 7};
+    struct start s;
+    struct bonkers b;
+    size_t wrong;
+    if (!start_fill(&s, &wish))
+        return false;
+    for (size_t i = 0; i < s.movers; ++i)
+        s.radius[i] = l->radius;
+    const bool well = bonkers_begin(&b, &s, l->restitution, l->engine,
+                                    &wrong);
+    start_free(&s);
+    if (!well)
+        return false;
+    bonkers_run(&b, 3, UINT64_MAX);
+    bonkers_free(&b);
+    return true;
+}
+
+/* The scan of the same run: a slab that gets no memory for its log goes by
+   the heap, and has the same bits. */
+static double last_place(const struct line *l)
+{
+    const struct start_wish wish = {
+        .kind = START_RANDOM, .movers = 40, .seed = 7};
+    struct start s;
+    struct bonkers b;
+    size_t wrong;
+    double x[42], v[42];
+    const long failing = heap_failing;
+    heap_failing = -1;
+    start_fill(&s, &wish);
+    bonkers_begin(&b, &s, l->restitution, l->engine, &wrong);
+    start_free(&s);
+    heap_failing = failing;
+    bonkers_run(&b, 3, UINT64_MAX);
+    bonkers_state(&b, x, v);
+    bonkers_free(&b);
+    return x[20];
+}
+
+static bool slabs(void *expected)
+{
+    const struct line slab = {BONKERS_SLAB, 1, 0};
+    return last_place(&slab) == *(double *)expected;
+}
+
+static bool measures(void *what)
+{
+    double x[64], y[64];
+    struct statistics_description d;
+    struct statistics_dependence p;
+    struct statistics_blocking b;
+    struct law law = {0};
+    struct law_test t;
+    struct random r;
+    random_seed(&r, 1);
+    for (size_t i = 0; i < 64; ++i) {
+        x[i] = random_uniform(&r);
+        y[i] = random_uniform(&r);
+    }
+    switch (*(const char *)what) {
+    case 'd': return statistics_describe(64, x, true, &d);
+    case 'p': return statistics_dependence(64, x, y, 4, true, &p);
+    case 'b': return statistics_blocking(64, x, &b);
+    case 'l':
+        UNIT_TRUE(!laws_read("beta:1,1", &law));
+        laws_complete(&law, 0, 1);
+        return laws_test(&law, 64, x, 1, 4, 0, &t);
+    }
+    struct statistics_histogram *h = statistics_histogram_create(0, 1, 5);
+    free(h);
+    return h;
+}
+
+static void test_disks(void)
+{
+    static const char path[] = "build/tests/memory.states";
+    fails("disks with a plan", plans, "", false);
+    fails("cells", runs_cells, "", false);
+    fails("samples", samples, "", false);
+    fails("a calendar and blocks", keeps, "", false);
+    FILE *file = fopen(path, "w");
+    for (int i = 0; i < 70; ++i) /* more than a first block of rows */
+        fprintf(file, "0 %d 1 .1 %d 1 0 0\n", i, i);
+    fclose(file);
+    /* A file may do without a buffer. */
+    fails("states", reads, path, true);
+    remove(path);
+}
+
+static void test_line(void)
+{
+    for (int engine = BONKERS_NAIVE; engine < BONKERS_ENGINES; ++engine)
+        for (int k = 0; k < 4; ++k) {
+            struct line l = {(enum bonkers_engine)engine, k % 2 ? 0.9 : 1,
+                             k / 2 ? 0.01 : 0};
+            /* A slab without a log goes on by the heap. */
+            const bool spared = engine == BONKERS_SLAB;
+            UNIT_TRUE(heap_fails(bonkers_engine_names[engine], collides,
+                                 &l, spared) >= 0);
+        }
+    const struct line scan = {BONKERS_SCAN, 1, 0};
+    double expected = last_place(&scan);
+    UNIT_TRUE(heap_fails("slabs", slabs, &expected, true) >= 0);
+    static const char *const what[] = {"describe", "pair", "blocking",
+                                       "law", "histogram"};
+    for (size_t k = 0; k < 5; ++k)
+        fails(what[k], measures, what[k], false);
+}
+
 int main(void)
 {
     if (!freopen("/dev/null", "w", stderr))
@@ -223,5 +451,7 @@ int main(void)
                                   {"motion, by each method", test_motion},
                                   {"models", test_models},
                                   {"averages", test_averages},
+                                  {"disks", test_disks},
+                                  {"bodies on a line", test_line},
                                   {0}});
 }

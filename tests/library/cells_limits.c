@@ -228,7 +228,8 @@ static void test_neighbours(void)
 }
 
 /* One disk that flies, and many points at rest in the farthest corner, which
-   make the leash short. */
+   make the leash short. The clock begins at as many seconds as there is
+   gravity. */
 static void begin_lonely(struct cells *c, struct disks *d, double gravity,
                          double x, const double v[2])
 {
@@ -236,10 +237,13 @@ static void begin_lonely(struct cells *c, struct disks *d, double gravity,
     const double box[] = {200, 200};
     make(d, 2, MANY, DISKS_WALLS, box, 0);
     d->gravity = gravity;
+    d->now = gravity;
     d->disk[0].radius = 0.125;
     d->disk[0].position[0] = x;
     d->disk[0].position[1] = 128;
     memcpy(d->disk[0].velocity, v, 2 * sizeof *v);
+    for (size_t i = 0; i < MANY; ++i)
+        d->disk[i].since = d->now;
     for (size_t i = 1; i < MANY; ++i) {
         d->disk[i].position[0] = 199;
         d->disk[i].position[1] = 199 - 0.01 * (double)i;
@@ -313,12 +317,12 @@ static void test_falling_end(void)
         disks_free(&d);
         v[k % 3 > 0] = -speed;
         begin_lonely(&c, &d, g, 100, v);
-        UNIT_NEAR(c.calendar.event[0].time, end, 1e-5 * end);
+        UNIT_NEAR(c.calendar.event[0].time, g + end, 1e-5 * end);
         UNIT_EQUAL((double)c.calendar.event[0].partner, 0);
-        cells_run(&c, end * (1 - 1e-4), UINT64_MAX);
+        cells_run(&c, g + end * (1 - 1e-4), UINT64_MAX);
         UNIT_EQUAL((double)c.renewed, 0);
         UNIT_EQUAL((double)runaways(&c), 0);
-        cells_run(&c, end * (1 + 1e-4), UINT64_MAX);
+        cells_run(&c, g + end * (1 + 1e-4), UINT64_MAX);
         UNIT_TRUE(c.renewed > 0);
         cells_free(&c);
         disks_free(&d);

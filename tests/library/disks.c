@@ -811,6 +811,249 @@ static void test_lying(void)
     disks_free(&d);
 }
 
+/* All speeds are the one asked for, and nothing else changes; the momentum
+   goes where it is kept, along periodic axes, and the energy stays. */
+static void test_speeds(void)
+{
+    for (size_t dimensions = 2; dimensions <= 3; ++dimensions)
+        for (int b = 0; b < DISKS_BOUNDARIES; ++b)
+            for (int warm = 0; warm < 2; ++warm) {
+                struct disks d;
+                struct random r;
+                double total[DISKS_AXES] = {0}, mass = 0, energy = 0;
+                begin(&d, dimensions, 5, 0.25, 8, b, 1);
+                random_seed(&r, 2);
+                for (size_t i = 0; i < 5; ++i)
+                    d.mass[i] = 1 + (double)i;
+                if (warm)
+                    disks_set_temperature(&d, 0.7, &r);
+                else
+                    disks_set_speed(&d, 3, &r);
+                for (size_t i = 0; i < 5; ++i) {
+                    double square = 0;
+                    mass += d.mass[i];
+                    for (size_t k = 0; k < DISKS_AXES; ++k) {
+                        const double v = d.disk[i].velocity[k];
+                        UNIT_TRUE((v == 0) == (k >= dimensions));
+                        total[k] += d.mass[i] * v;
+                        square += v * v;
+                    }
+                    UNIT_EQUAL(d.disk[i].radius, 0.25);
+                    if (b == DISKS_WALLS && !warm)
+                        UNIT_NEAR(square, 9, 1e-14);
+                    energy += d.mass[i] * square / 2;
+                }
+                if (!warm)
+                    UNIT_NEAR(energy, mass * 9 / 2, 1e-12);
+                for (size_t k = 0; k < dimensions; ++k) {
+                    if (disks_wraps(&d, k))
+                        UNIT_NEAR(total[k], 0, 1e-13);
+                    else
+                        UNIT_TRUE(fabs(total[k]) > 1e-3);
+                }
+                disks_free(&d);
+            }
+    /* There is none to take out of one disk alone. */
+    struct disks one;
+    struct random r;
+    double drift[DISKS_AXES];
+    random_seed(&r, 2);
+    if (!disks_create(&one, 2, 1))
+        exit(1);
+    one.boundary = DISKS_PERIODIC;
+    one.box[0] = one.box[1] = 10;
+    disks_set_speed(&one, 3, &r);
+    UNIT_NEAR(disks_energy(&one), 4.5, 1e-14);
+    disks_drift(&one, drift);
+    for (size_t k = 0; k < DISKS_AXES; ++k)
+        UNIT_EQUAL(drift[k], one.disk[0].velocity[k]);
+    UNIT_EQUAL(disks_heat(&one), 0);
+    UNIT_EQUAL(disks_temperature(&one), 0);
+    disks_free(&one);
+}
+
+/* Two disks of 1 kg that fly apart at 1 m/s, and drift: with sqrt(eps / 2),
+   1.05e-8 m/s, the energy of the drift is half a last bit of theirs. */
+static void test_least_drift(void)
+{
+    for (size_t k = 0; k < 2; ++k)
+        for (int more = 0; more < 2; ++more) {
+            const double v = more ? 1.06e-8 : 1.04e-8;
+            struct disks d;
+            double drift[DISKS_AXES];
+            if (!disks_create(&d, 2, 2))
+                exit(1);
+            d.boundary = DISKS_PERIODIC;
+            d.box[0] = d.box[1] = 10;
+            d.disk[0].velocity[k] = 1 + v;
+            d.disk[1].velocity[k] = -1 + v;
+            disks_drift(&d, drift);
+            UNIT_NEAR(drift[k], more ? v : 0, 1e-16);
+            disks_free(&d);
+        }
+}
+
+/* The square of the fastest speed, of it times the widest radius, or of it
+   times the root of the mass: 2^-900 is not cold, and less is. */
+static void test_cold(void)
+{
+    static const struct {
+        double radius, mass;
+        int power; /* of the speed, 2^power */
+    } limits[] = {{1, 1, -450},   {0, 1, -450},    {4, 16, -450},
+                  {0.25, 1, -448}, {0.25, 16, -448}, {1, 0.25, -449},
+                  {0, 0.25, -449}, {16, 0.25, -449}, {0.5, 0.0625, -448}};
+    for (size_t n = 0; n < sizeof limits / sizeof limits[0]; ++n)
+        for (size_t who = 0; who < 2; ++who) {
+            struct disks d;
+            if (!disks_create(&d, 2, 2))
+                exit(1);
+            UNIT_TRUE(!disks_cold(&d)); /* all are at rest */
+            d.restitution = 0.5;
+            d.disk[1 - n % 2].radius = limits[n].radius;
+            d.mass[who] = limits[n].mass;
+            const double v = ldexp(1, limits[n].power);
+            d.disk[who].velocity[n % 2] = v;
+            UNIT_TRUE(!disks_cold(&d) && !disks_over(&d, who));
+            d.disk[who].velocity[n % 2] = v * (1 - DBL_EPSILON);
+            UNIT_TRUE(disks_cold(&d) && disks_over(&d, who));
+            d.restitution = 1; /* what loses no energy ends in no cold */
+            UNIT_TRUE(!disks_over(&d, who));
+            d.restitution = 0.5;
+            d.gravity = 1;
+            UNIT_TRUE(!disks_cold(&d));
+            disks_free(&d);
+        }
+}
+
+/* A thousand collisions at one time, and ten for each disk, are none. */
+static void test_collapsed(void)
+{
+    struct disks d;
+    begin(&d, 2, 7, 0.15, 4, DISKS_PERIODIC, 1);
+    d.now = 2;
+    for (int k = 1; k <= 1071; ++k) {
+        disks_collide(&d, (struct disks_event){k % 2 ? 2 : 1.5, 3, 3});
+        UNIT_EQUAL((double)d.standing, k);
+        UNIT_TRUE(disks_collapsed(&d) == (k > 1070));
+    }
+    UNIT_TRUE(disks_over(&d, 3));
+    disks_collide(&d, (struct disks_event){2.5, 3, 3});
+    UNIT_EQUAL((double)d.standing, 0);
+    disks_free(&d);
+}
+
+/* A third of half the narrowest periodic side, less two of the widest radii
+   together; 0 from where that is a millionth of the side. */
+static void test_disks_leash(void)
+{
+    struct disks d;
+    if (!disks_create(&d, 3, 3))
+        exit(1);
+    for (int widest = 0; widest < 3; ++widest) {
+        for (int i = 0; i < 3; ++i)
+            d.disk[i].radius = i == widest ? 1 : 0.5 + 0.1 * i;
+        d.box[0] = 10;
+        d.box[1] = 7;
+        d.box[2] = 12;
+        d.boundary = DISKS_PERIODIC;
+        UNIT_NEAR(disks_leash(&d), 0.999 * 1.5 / 3, 1e-15);
+        d.boundary = DISKS_FLOOR; /* the second axis has walls */
+        UNIT_NEAR(disks_leash(&d), 0.999 * 3 / 3, 1e-15);
+        d.boundary = DISKS_WALLS;
+        UNIT_TRUE(disks_leash(&d) == INFINITY);
+        d.boundary = DISKS_PERIODIC;
+        d.box[0] = 4 * (1 + 2.1e-6);
+        UNIT_TRUE(disks_leash(&d) > 0);
+        d.box[0] = 4 * (1 + 1.9e-6);
+        UNIT_EQUAL(disks_leash(&d), 0);
+    }
+    disks_free(&d);
+}
+
+/* Between walls a lattice goes from one to the other, along each axis. */
+static void test_from_wall_to_wall(void)
+{
+    for (size_t dimensions = 2; dimensions <= 3; ++dimensions)
+        for (size_t count = 8; count < 200; count += count) {
+            struct disks d;
+            begin(&d, dimensions, count, 0.05, 2, DISKS_WALLS, 1);
+            for (size_t k = 0; k < dimensions; ++k) {
+                double low = 2, high = 0;
+                for (size_t i = 0; i < count; ++i) {
+                    low = fmin(low, d.disk[i].position[k]);
+                    high = fmax(high, d.disk[i].position[k]);
+                }
+                UNIT_NEAR(low, 0.05, 1e-15);
+                UNIT_NEAR(high, 1.95, 2e-15);
+            }
+            disks_free(&d);
+        }
+}
+
+/* What overlaps by less than 1e-9 of its distance, or sticks out by less
+   than 1e-9 of the box, does so by rounding. */
+static void test_rounding_fits(void)
+{
+    struct disks d;
+    if (!disks_create(&d, 3, 2))
+        exit(1);
+    for (size_t k = 0; k < 3; ++k)
+        d.box[k] = 10 * (double)(k + 1);
+    d.disk[0].radius = 1;
+    d.disk[1].radius = 0.5;
+    for (size_t k = 0; k < 3; ++k)
+        for (int side = 0; side < 4; ++side) {
+            const double box = d.box[k], out = side % 2 ? 1.1 : 0.9;
+            for (size_t l = 0; l < 3; ++l) {
+                d.disk[0].position[l] = 5;
+                d.disk[1].position[l] = 5;
+            }
+            d.disk[1].position[k] += 1.5 * (1 - 1e-9 * out);
+            UNIT_TRUE(disks_clash(&d, 0, 1) == (out > 1));
+            UNIT_TRUE(disks_clash(&d, 1, 0) == (out > 1));
+            UNIT_TRUE(!disks_clash(&d, 0, 2) && !disks_clash(&d, 1, 2));
+            d.disk[0].position[k] = side / 2
+                                        ? box - 1 + 1e-9 * box * out
+                                        : 1 - 1e-9 * box * out;
+            UNIT_TRUE(disks_clash(&d, 0, 2) == (out > 1));
+            d.disk[0].position[k] = NAN;
+            UNIT_TRUE(disks_clash(&d, 0, 2) && disks_clash(&d, 0, 1));
+        }
+    disks_free(&d);
+}
+
+/* Less than four last bits of the box above the floor, and of a flight that
+   is as short beside the clock: that is to lie. Which of them it is, is
+   said. */
+static void test_where_it_lies(void)
+{
+    for (size_t who = 0; who < 3; ++who) {
+        struct disks d;
+        begin_fall(&d, DISKS_WALLS, 2, 3, 0.0625, 8);
+        d.now = 4;
+        for (size_t i = 0; i < 3; ++i) {
+            d.disk[i].since = 4;
+            d.disk[i].position[1] = 0.5;
+        }
+        struct disk *a = &d.disk[who];
+        a->position[1] = 0.0625 + 4 * DBL_EPSILON;
+        a->velocity[1] = 4 * 4 * 4 * DBL_EPSILON;
+        UNIT_EQUAL((double)disks_lying(&d), (double)who);
+        a->velocity[1] *= -1;
+        UNIT_EQUAL((double)disks_lying(&d), (double)who);
+        a->velocity[1] *= 1.001;
+        UNIT_EQUAL((double)disks_lying(&d), 3);
+        a->velocity[1] = 0;
+        a->position[1] += DBL_EPSILON;
+        UNIT_EQUAL((double)disks_lying(&d), 3);
+        a->position[1] = 0.0625;
+        d.gravity = 0;
+        UNIT_EQUAL((double)disks_lying(&d), 3);
+        disks_free(&d);
+    }
+}
+
 int main(void)
 {
     return unit_run(
@@ -847,5 +1090,13 @@ int main(void)
              test_falling_runs},
             {"without sides they meet behind the seam", test_no_sides},
             {"a disk that lies is reported", test_lying},
+            {"speeds and momentum of a start", test_speeds},
+            {"a drift below the last bit is none", test_least_drift},
+            {"which speeds are too cold", test_cold},
+            {"how long a clock may stand", test_collapsed},
+            {"how far a disk flies before it looks", test_disks_leash},
+            {"a lattice goes from wall to wall", test_from_wall_to_wall},
+            {"what rounding may overlap", test_rounding_fits},
+            {"and which disk lies", test_where_it_lies},
             {0}});
 }

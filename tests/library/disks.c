@@ -552,6 +552,11 @@ static void test_images(void)
     disks_fold(&d, place);
     UNIT_EQUAL(place[0], 2.5);
     UNIT_EQUAL(place[1], 1.25);
+    place[0] = -1e-20; /* and not at the other end */
+    place[1] = 3;
+    disks_fold(&d, place);
+    UNIT_EQUAL(place[0], 0);
+    UNIT_EQUAL(place[1], 0);
     d.box[1] = 2;
     UNIT_TRUE(!(disks_leash(&d) > 0));
     d.boundary = DISKS_WALLS;

@@ -178,7 +178,7 @@ static void test_choice(void)
         const size_t n = rules[r].n, k = rules[r].chosen;
         waves(n, rules[r].levels, rules[r].share, x);
         if (n < 16)
-            x[1] = 1;
+            x[1] = 2;
         double *copy = copy_of(n, x);
         UNIT_TRUE(statistics_blocking(n, copy, &b));
         free(copy);

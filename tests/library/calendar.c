@@ -315,6 +315,74 @@ static void test_width_is_mended(void)
     UNIT_NEAR(events_in_a_day(SIZE, 1e-2, 20 * SIZE), 2, 1.5);
 }
 
+/* A year ends where no event is left in it, and the next begins with the
+   next event; its days are as long as would have held two events each, but
+   no more than four times longer or shorter. An event put on the last bit
+   of the year is of the next. */
+static void test_years(void)
+{
+    static const struct {
+        int asked;
+        double factor;
+    } years[] = {{0, 4},     {30, 4},     {32, 130 / 33.0}, {129, 1},
+                 {259, 0.5}, {519, 0.25}, {520, 0.25},      {2000, 0.25}};
+    for (size_t k = 0; k < sizeof years / sizeof years[0]; ++k) {
+        static struct plain p;
+        struct calendar c;
+        begin(&c, &p, 1, 100, 2);
+        UNIT_EQUAL((double)c.days, 65);
+        put(&c, &p, 0, 100.5, 0);
+        for (int i = 0; i < years[k].asked; ++i)
+            UNIT_EQUAL((double)calendar_first(&c), 0);
+        UNIT_EQUAL((double)c.asked, years[k].asked);
+        put(&c, &p, 0, nextafter(230, 0), 0);
+        UNIT_EQUAL((double)c.day[64], 0);
+        put(&c, &p, 0, 230, 0);
+        UNIT_EQUAL((double)c.day[64], 1);
+        UNIT_EQUAL((double)c.day[65], 0);
+        put(&c, &p, 0, 230 + 1000 * (double)k, 0);
+        UNIT_EQUAL((double)calendar_first(&c), 0);
+        UNIT_EQUAL(c.begin, 230 + 1000 * (double)k);
+        UNIT_NEAR(c.width, 2 * years[k].factor, 1e-15);
+        UNIT_EQUAL((double)c.today, 0);
+        UNIT_EQUAL((double)c.asked, 1);
+        calendar_free(&c);
+    }
+}
+
+/* Days in which more than eight others have to be looked at for each event,
+   and for each day of the year, become a quarter as long, from today on,
+   unless the clock has no shorter ones; the events keep their times. */
+static void test_shorter_days(void)
+{
+    enum { CROWD = 101 };
+    for (int last = 0; last < 2; ++last) {
+        static struct plain p;
+        struct calendar c;
+        const double width = last ? 0x1p-52 : 8, start = last ? 1 : 16;
+        begin(&c, &p, CROWD, start, width);
+        const uint64_t days = c.days;
+        UNIT_EQUAL((double)days, CROWD + 64);
+        for (size_t i = 0; i < CROWD; ++i)
+            put(&c, &p, i,
+                start + width * (3 + (last ? 0 : (double)i / 128)), 0);
+        uint64_t asked = 0;
+        for (; 100 * asked <= 8 * (asked + days); ++asked) {
+            UNIT_EQUAL((double)calendar_first(&c), 0);
+            UNIT_EQUAL((double)c.looked, 100 * ((double)asked + 1));
+            UNIT_EQUAL((double)c.today, 3);
+        }
+        UNIT_EQUAL(c.width, width);
+        UNIT_EQUAL((double)calendar_first(&c), 0);
+        UNIT_EQUAL((double)c.asked, 1);
+        UNIT_EQUAL(c.width, last ? width : width / 4);
+        UNIT_EQUAL(c.begin, last ? start : start + 3 * width);
+        UNIT_TRUE(is_whole(&c, &p));
+        UNIT_EQUAL(drain(&c, &p), 0);
+        calendar_free(&c);
+    }
+}
+
 int main(void)
 {
     return unit_run(
@@ -328,5 +396,7 @@ int main(void)
             {"what is overdue comes first", test_overdue},
             {"taken out, put again, freed twice", test_edges},
             {"the calendar mends its width", test_width_is_mended},
+            {"a year begins with its first event", test_years},
+            {"a crowded day becomes shorter", test_shorter_days},
             {0}});
 }

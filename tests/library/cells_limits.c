@@ -1,7 +1,7 @@
 /* What cells promise beside the bits of pairs: which boxes suit them, how
-   long the leash is and how wide the cells, who is whose neighbour, and that
-   no disk gets farther from its anchor than the leash. A leash of another
-   length would have the same bits, as long as all this holds. */
+   long the leash is and how wide the cells, who is whose neighbour, and
+   that no disk gets farther from its anchor than the leash. A leash of
+   another length would have the same bits, as long as all this holds. */
 #include "unit.h"
 
 #include "box/cells.h"
@@ -50,7 +50,13 @@ static void test_leash(void)
         size_t grid[3];
     } boxes[] = {
         /* far = sqrt(11 (200 / 100) / pi) = 2.6463 */
-        {2, 100, DISKS_WALLS, {20, 10}, {.05, .05, .05}, 1.273142, {7, 3, 1}},
+        {2,
+         100,
+         DISKS_WALLS,
+         {20, 10},
+         {.05, .05, .05},
+         1.273142,
+         {7, 3, 1}},
         /* cbrt(12 (6000 / 1000) / (4 pi / 3)) = 2.5808 */
         {3,
          1000,
@@ -87,8 +93,7 @@ static void test_leash(void)
         for (size_t k = 0; k < 3; ++k) {
             UNIT_EQUAL((double)c.grid[k], (double)boxes[b].grid[k]);
             longest = fmax(longest, boxes[b].box[k]);
-            UNIT_EQUAL(c.inverse[k],
-                       disks_wraps(&d, k) ? 1 / d.box[k] : 0);
+            UNIT_EQUAL(c.inverse[k], disks_wraps(&d, k) ? 1 / d.box[k] : 0);
         }
         UNIT_NEAR(c.leash, boxes[b].leash, 1e-5 * boxes[b].leash);
         UNIT_EQUAL(c.slack, 1e-6 * longest);
@@ -161,13 +166,13 @@ static size_t wrong_neighbours(const struct cells *c)
             disks_apart(c->d, a, b, apart);
             for (size_t k = 0; k < c->anchor[i].neighbours; ++k)
                 listed += c->neighbour[i * c->seats + k] == j;
-            const double reach = c->d->disk[i].radius +
-                                 c->d->disk[j].radius + 2 * c->leash;
+            const double reach =
+                c->d->disk[i].radius + c->d->disk[j].radius + 2 * c->leash;
             const double far = length(apart) - reach;
-            wrong += i == j                    ? listed
-                     : far <= 0                ? listed != 1
-                     : far > 1.5 * c->slack    ? listed
-                                               : listed > 1;
+            wrong += i == j                 ? listed
+                     : far <= 0             ? listed != 1
+                     : far > 1.5 * c->slack ? listed
+                                            : listed > 1;
         }
     return wrong;
 }
@@ -187,7 +192,8 @@ static size_t runaways(const struct cells *c)
 }
 
 /* Thin and dense, alike and mixed, at rest and in a crowd that comes to one
-   corner; the lists when they are new and as they become, at every event. */
+   corner; the lists when they are new and as they become, at every event.
+ */
 static void test_neighbours(void)
 {
     static const double sides[] = {30, 20, 12};
@@ -227,9 +233,9 @@ static void test_neighbours(void)
     }
 }
 
-/* One disk that flies, and many points at rest in the farthest corner, which
-   make the leash short. The clock begins at as many seconds as there is
-   gravity. */
+/* One disk that flies, and many points at rest in the farthest corner,
+   which make the leash short. The clock begins at as many seconds as there
+   is gravity. */
 static void begin_lonely(struct cells *c, struct disks *d, double gravity,
                          double x, const double v[2])
 {
@@ -280,8 +286,8 @@ static void test_straight_end(void)
             double low = ways[w].wall, high = 1e3;
             for (int k = 0; k < 60; ++k) {
                 const double t = (low + high) / 2;
-                const double x = 0.125 + fabs(ways[w].v[0]) *
-                                             (t - ways[w].wall);
+                const double x =
+                    0.125 + fabs(ways[w].v[0]) * (t - ways[w].wall);
                 const double way[] = {x - ways[w].x, ways[w].v[1] * t, 0};
                 *(length(way) < c.leash ? &low : &high) = t;
             }

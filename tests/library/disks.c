@@ -905,7 +905,7 @@ static void test_cold(void)
     static const struct {
         double radius, mass;
         int power; /* of the speed, 2^power */
-    } limits[] = {{1, 1, -450},   {0, 1, -450},    {4, 16, -450},
+    } limits[] = {{1, 1, -450},    {0, 1, -450},     {4, 16, -450},
                   {0.25, 1, -448}, {0.25, 16, -448}, {1, 0.25, -449},
                   {0, 0.25, -449}, {16, 0.25, -449}, {0.5, 0.0625, -448}};
     for (size_t n = 0; n < sizeof limits / sizeof limits[0]; ++n)
@@ -1018,9 +1018,8 @@ static void test_rounding_fits(void)
             UNIT_TRUE(disks_clash(&d, 0, 1) == (out > 1));
             UNIT_TRUE(disks_clash(&d, 1, 0) == (out > 1));
             UNIT_TRUE(!disks_clash(&d, 0, 2) && !disks_clash(&d, 1, 2));
-            d.disk[0].position[k] = side / 2
-                                        ? box - 1 + 1e-9 * box * out
-                                        : 1 - 1e-9 * box * out;
+            d.disk[0].position[k] = side / 2 ? box - 1 + 1e-9 * box * out
+                                             : 1 - 1e-9 * box * out;
             UNIT_TRUE(disks_clash(&d, 0, 2) == (out > 1));
             d.disk[0].position[k] = NAN;
             UNIT_TRUE(disks_clash(&d, 0, 2) && disks_clash(&d, 0, 1));

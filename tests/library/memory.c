@@ -338,8 +338,8 @@ static bool collides(void *what)
         return false;
     for (size_t i = 0; i < s.movers; ++i)
         s.radius[i] = l->radius;
-    const bool well = bonkers_begin(&b, &s, l->restitution, l->engine,
-                                    &wrong);
+    const bool well =
+        bonkers_begin(&b, &s, l->restitution, l->engine, &wrong);
     start_free(&s);
     if (!well)
         return false;
@@ -428,8 +428,8 @@ static void test_line(void)
                              k / 2 ? 0.01 : 0};
             /* A slab without a log goes on by the heap. */
             const bool spared = engine == BONKERS_SLAB;
-            UNIT_TRUE(heap_fails(bonkers_engine_names[engine], collides,
-                                 &l, spared) >= 0);
+            UNIT_TRUE(heap_fails(bonkers_engine_names[engine], collides, &l,
+                                 spared) >= 0);
         }
     const struct line scan = {BONKERS_SCAN, 1, 0};
     double expected = last_place(&scan);

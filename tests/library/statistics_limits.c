@@ -127,10 +127,10 @@ static void waves(size_t n, size_t levels, const double share[], double x[])
     }
 }
 
-/* The length of the blocks (eq:choice): the first with B^3 >= 2 n g^2, or the
-   one with the largest error before that; a later one if its error is more
-   than its uncertainty above and there are 64 blocks; none of less than 16
-   blocks counts. 2 n is 8192, and B^3 is 8^k. */
+/* The length of the blocks (eq:choice): the first with B^3 >= 2 n g^2, or
+   the one with the largest error before that; a later one if its error is
+   more than its uncertainty above and there are 64 blocks; none of less
+   than 16 blocks counts. 2 n is 8192, and B^3 is 8^k. */
 static void test_choice(void)
 {
     static const struct {
@@ -149,23 +149,16 @@ static void test_choice(void)
         {4096, 9, {1, 1.2, 1.4, 1.5, 1.5, 1.5, 1.5, 2.6, 2.6}, 5, true},
         {3072, 9, {1, 1.2, 1.4, 1.5, 1.5, 1.5, 2.4, 2.4, 2.4}, 5, true},
         /* 8^8 / 8192 = 45.25^2, of 16 blocks */
-        {4096,
-         9,
-         {1, 1.6, 2.6, 4.1, 6.6, 10.5, 16.8, 26.8, 44.5},
-         8,
-         true},
-        {4096,
-         9,
-         {1, 1.6, 2.6, 4.1, 6.6, 10.5, 16.8, 26.8, 46},
-         8,
-         false},
+        {4096, 9, {1, 1.6, 2.6, 4.1, 6.6, 10.5, 16.8, 26.8, 44.5}, 8, true},
+        {4096, 9, {1, 1.6, 2.6, 4.1, 6.6, 10.5, 16.8, 26.8, 46}, 8, false},
         /* of 3840 there are 15 of them, and 30 of the length before */
         {3840,
          9,
          {1, 1.6, 2.6, 4.1, 6.6, 10.5, 16.8, 26.8, 44.5},
          7,
          false},
-        /* before the plateau the largest counts, at it even a smaller one */
+        /* before the plateau the largest counts, at it even a smaller one
+         */
         {4096, 9, {1, .5, .5, .4, .45, .45, .45, .45, .45}, 4, true},
         {32, 2, {1, .9}, 0, false},
         {32, 2, {1, 1.1}, 1, false},
@@ -182,7 +175,8 @@ static void test_choice(void)
         double *copy = copy_of(n, x);
         UNIT_TRUE(statistics_blocking(n, copy, &b));
         free(copy);
-        /* The mean of 15 blocks is a 15th of a wave: 1/225 of its square. */
+        /* The mean of 15 blocks is a 15th of a wave: 1/225 of its square.
+         */
         const double odd = n % 512 ? 3e-3 : 1e-12;
         size_t levels = 0;
         while (n >> levels >= 2)
@@ -272,8 +266,8 @@ static void test_correlations(void)
 }
 
 /* Deviations -3, -1, -1, -1, 0, 0, 2, 4 from the mean 5: squares 32, fourth
-   powers 356. The squares differ from their mean 4 by 5, -3, -3, -3, -4, -4,
-   0, 12, whose squares are 228. */
+   powers 356. The squares differ from their mean 4 by 5, -3, -3, -3, -4,
+   -4, 0, 12, whose squares are 228. */
 static void test_described(void)
 {
     static const double eight[] = {2, 4, 4, 4, 5, 5, 7, 9};
@@ -317,8 +311,8 @@ static void test_described(void)
    first one's (see test_choice), or that of the squares alone. */
 static void test_longest_block(void)
 {
-    static const double share[] = {1, 1.2, 1.4, 1.6, 1.8, 2.05,
-                                   2.05, 2.05, 2.05};
+    static const double share[] = {1,    1.2,  1.4,  1.6, 1.8,
+                                   2.05, 2.05, 2.05, 2.05};
     static double x[LENGTH];
     struct statistics_description d;
     struct statistics_blocking b;
@@ -346,8 +340,8 @@ static void chi2_of(const struct statistics_histogram *h, double g)
     double chi2 = 0, from = -INFINITY, found = 0;
     size_t groups = 0;
     for (size_t i = 0; i <= h->bins + 1; ++i) {
-        const double to = i <= h->bins ? statistics_histogram_edge(h, i)
-                                       : INFINITY;
+        const double to =
+            i <= h->bins ? statistics_histogram_edge(h, i) : INFINITY;
         found += (double)(i == 0         ? h->below
                           : i <= h->bins ? h->count[i - 1]
                                          : h->above);
@@ -369,9 +363,12 @@ static void chi2_of(const struct statistics_histogram *h, double g)
 static void test_grouped(void)
 {
     static const uint64_t counts[][10] = {
-        {1, 2, 5, 9, 14, 13, 8, 5, 2, 1}, {0, 3, 4, 7, 9, 11, 6, 6, 3, 0},
-        {2, 2, 2, 3, 3, 3, 3, 2, 2, 2},   {40, 60, 80, 90, 95, 93, 80, 66, 40, 20},
-        {0, 0, 1, 3, 4, 3, 1, 0, 0, 0},   {0, 0, 0, 0, 9, 9, 1, 0, 0, 0}};
+        {1, 2, 5, 9, 14, 13, 8, 5, 2, 1},
+        {0, 3, 4, 7, 9, 11, 6, 6, 3, 0},
+        {2, 2, 2, 3, 3, 3, 3, 2, 2, 2},
+        {40, 60, 80, 90, 95, 93, 80, 66, 40, 20},
+        {0, 0, 1, 3, 4, 3, 1, 0, 0, 0},
+        {0, 0, 0, 0, 9, 9, 1, 0, 0, 0}};
     for (size_t c = 0; c < sizeof counts / sizeof counts[0]; ++c)
         for (uint64_t out = 0; out < 4; ++out) {
             struct statistics_histogram *h =
@@ -415,8 +412,7 @@ static void test_pairs(void)
     UNIT_NEAR(d.correlation, 9 / sqrt(17.5 * 58) * 5 / 6, 1e-15);
     double square = 0;
     for (size_t i = 0; i < 6; ++i)
-        square += pow((a[i] - 3.5) * (b[i] - 5) /
-                              sqrt(17.5 / 5 * 58 / 5) -
+        square += pow((a[i] - 3.5) * (b[i] - 5) / sqrt(17.5 / 5 * 58 / 5) -
                           d.correlation,
                       2);
     UNIT_NEAR(d.error, sqrt(square / 5 / 6), 1e-15);

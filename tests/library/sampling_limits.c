@@ -1,0 +1,270 @@
+/* Samplers in boxes with so few disks that lines, chains and shares are
+   known by hand. */
+#include "unit.h"
+
+#include "box/sampling.h"
+
+#include <float.h>
+#include <stdlib.h>
+
+static void box(struct sampling *s, size_t dimensions,
+                enum disks_boundary boundary, double side, size_t count,
+                double radius, const double places[][3])
+{
+    const double sides[] = {side, side, side};
+    if (!sampling_create(s, dimensions, boundary, sides, count, radius, 0,
+                         0))
+        exit(1);
+    for (size_t i = 0; places && i < count; ++i)
+        memcpy(s->disks.disk[i].position, places[i], sizeof places[i]);
+}
+
+/* Three disks, one behind the other, the middle one 0.6 m to the side: they
+   touch 0.8, 0.8 and 1 m behind each other. Pushed by 5 m in all, from any
+   of them. */
+static void test_chain(void)
+{
+    static const double places[][3] = {{1, 5, 0}, {3, 5.6, 0}, {7, 5, 0}};
+    static const struct {
+        double lifts, gained, x[3];
+    } ends[] = {{2, 1.6, {2.2, 6.2, 7.6}},
+                {1, 0.8, {1, 6.2, 8.8}},
+                {2, 1.8, {2.2, 3.8, 0}}};
+    int seen = 0;
+    for (size_t axis = 0; axis < 3; ++axis)
+        for (uint64_t seed = 1; seed <= 8; ++seed) {
+            struct sampling s;
+            struct random r;
+            double gained = 0;
+            box(&s, 3, DISKS_PERIODIC, 10, 3, 0.5, NULL);
+            for (size_t i = 0; i < 3; ++i)
+                for (size_t k = 0; k < 3; ++k)
+                    s.disks.disk[i].position[(k + axis) % 3] = places[i][k];
+            random_seed(&r, seed);
+            const uint64_t lifts = sampling_chain(&s, axis, 5, &r, &gained);
+            random_seed(&r, seed);
+            const size_t first = random_below(&r, 3);
+            seen |= 1 << first;
+            UNIT_EQUAL((double)lifts, ends[first].lifts);
+            UNIT_NEAR(gained, ends[first].gained, 1e-14);
+            for (size_t i = 0; i < 3; ++i) {
+                const double *at = s.disks.disk[i].position;
+                UNIT_NEAR(at[axis], ends[first].x[i], 1e-14);
+                UNIT_EQUAL(at[(axis + 1) % 3], places[i][1]);
+                UNIT_EQUAL(at[(axis + 2) % 3], places[i][2]);
+            }
+            sampling_free(&s);
+        }
+    UNIT_EQUAL(seen, 7);
+}
+
+/* Two side by side that touch, the one a hair behind the other: that is not
+   in its way, but on its way once round the box. Tenths of a metre leave
+   them too near by a rounding. */
+static void test_hair_behind(void)
+{
+    static const double places[][3] = {{.5, .4, 0}, {.5 - 1e-10, .7, 0}};
+    int tried = 0;
+    for (uint64_t seed = 1; seed <= 8; ++seed) {
+        struct sampling s;
+        struct random r;
+        double gained = 0;
+        random_seed(&r, seed);
+        if (random_below(&r, 2) != 0)
+            continue;
+        ++tried;
+        random_seed(&r, seed);
+        box(&s, 2, DISKS_PERIODIC, 1, 2, 0.15, places);
+        UNIT_TRUE(0.7 - 0.4 < 0.15 + 0.15);
+        UNIT_EQUAL((double)sampling_chain(&s, 0, 0.25, &r, &gained), 0);
+        UNIT_EQUAL(s.disks.disk[0].position[0], 0.75);
+        UNIT_EQUAL(gained, 0);
+        sampling_free(&s);
+    }
+    UNIT_TRUE(tried > 1);
+}
+
+/* A disk that slides from wall to wall: 0.8 m less what others take. */
+static void test_wall_density(void)
+{
+    static const struct {
+        size_t count;
+        double x[4], y[4], expected;
+    } lines[] = {
+        {1, {.5}, {.5}, 2 / (2 * .8)},
+        {2, {.2, .5}, {.5, .5}, 2 / (2 * .4)},
+        {2, {.8, .15}, {.5, .5}, 1 / (2 * .55)},
+        {2, {.2, .85}, {.5, .5}, 1 / (2 * .55)},
+        /* 0.16 m to the side: 0.12 m on either side */
+        {2, {.2, .5}, {.5, .66}, 2 / (2 * .56)},
+        {2, {.2, .5}, {.5, .2}, 2 / (2 * .8)}, /* beside the line */
+        /* 0.28 to 0.52 and 0.3 to 0.7 */
+        {3, {.2, .4, .5}, {.5, .66, .5}, 2 / (2 * .38)},
+        {3, {.2, .5, .4}, {.5, .5, .34}, 2 / (2 * .38)},
+        /* 0.09 to 0.49, 0.4 to 0.8, 0.55 to 0.95 */
+        {4, {.5, .29, .6, .75}, {.5, .5, .5, .5}, 0}};
+    for (size_t n = 0; n < sizeof lines / sizeof lines[0]; ++n)
+        for (size_t axis = 0; axis < 2; ++axis) {
+            struct sampling s;
+            box(&s, 2, DISKS_WALLS, 1, lines[n].count, 0.1, NULL);
+            for (size_t i = 0; i < lines[n].count; ++i) {
+                s.disks.disk[i].position[axis] = lines[n].x[i];
+                s.disks.disk[i].position[1 - axis] = lines[n].y[i];
+            }
+            UNIT_NEAR(sampling_wall_density(&s, 0, axis), lines[n].expected,
+                      1e-13);
+            sampling_free(&s);
+        }
+}
+
+/* Slid away from another, to a wall or, in a periodic box, half round it:
+   the integral of t or t^2 from contact on, without what a third takes. */
+static void test_pair_density(void)
+{
+    for (size_t D = 2; D <= 3; ++D)
+        for (size_t axis = 0; axis < D; ++axis)
+            for (int round = 0; round < 2; ++round)
+                for (int third = 0; third < 4; ++third) {
+                    static const double at[] = {0, 0.75, 0.65, 0.59};
+                    struct sampling s;
+                    const double p = (double)D;
+                    box(&s, D, round ? DISKS_PERIODIC : DISKS_WALLS, 1,
+                        third ? 3 : 2, 0.1, NULL);
+                    for (size_t i = 0; i < s.disks.count; ++i)
+                        for (size_t k = 0; k < D; ++k)
+                            s.disks.disk[i].position[k] = k != axis ? 0.5
+                                                          : i == 0  ? 0.55
+                                                          : i == 1
+                                                              ? 0.2
+                                                              : at[third];
+                    /* from 0.2 on, to 0.7 or to 0.5 */
+                    const double end = round ? 0.5 : 0.7;
+                    double part = pow(end, p) - pow(0.2, p);
+                    const double from = at[third] - 0.2 - 0.2,
+                                 to = from + 0.4;
+                    if (third)
+                        part -= pow(fmin(to, end), p) - pow(from, p);
+                    UNIT_NEAR(sampling_pair_density(&s, 0, 1),
+                              third == 3 ? 0 : p * pow(0.2, p - 1) / part,
+                              1e-12);
+                    sampling_free(&s);
+                }
+}
+
+/* How many of the throws that placed i disks had room for the next, as the
+   same throws tell; where fewer than ten did, the last share counts. */
+static void test_acceptance(void)
+{
+    for (uint64_t seed = 1; seed <= 20; ++seed) {
+        enum { COUNT = 7, THROWS = 300 };
+        struct sampling s;
+        struct random r;
+        double expected = 0, last = 0;
+        size_t reached[COUNT + 1] = {0};
+        box(&s, 2, DISKS_WALLS, 1, COUNT, seed % 2 ? 0.12 : 0.15, NULL);
+        random_seed(&r, seed);
+        for (int k = 0; k < THROWS; ++k) {
+            const size_t n = sampling_throw(&s, &r);
+            for (size_t i = 0; i <= n; ++i)
+                ++reached[i];
+            /* Those that were placed fit, and the next one does not. */
+            for (size_t i = 0; i < n; ++i)
+                for (size_t j = 0; j < i; ++j)
+                    UNIT_TRUE(!disks_clash(&s.disks, i, j));
+            bool clash = n == COUNT;
+            for (size_t j = 0; j < n && n < COUNT; ++j)
+                clash = clash || disks_clash(&s.disks, n, j);
+            UNIT_TRUE(clash);
+        }
+        for (size_t i = 0; i < COUNT; ++i) {
+            if (reached[i + 1] >= 10)
+                last = log((double)reached[i + 1] / (double)reached[i]);
+            expected += last;
+        }
+        random_seed(&r, seed);
+        UNIT_NEAR(sampling_log_acceptance(&s, THROWS, &r), expected, 1e-13);
+        sampling_free(&s);
+    }
+}
+
+/* Half of the tries are for large ones, which go no farther than the step,
+   and half for small ones, which go anywhere. All stay inside. */
+static void test_tries(void)
+{
+    enum { TRIES = 4000 };
+    const double sides[] = {10, 10};
+    struct sampling s;
+    struct random r;
+    int large = 0, moved = 0;
+    double farthest = 0, widest = 0;
+    random_seed(&r, 3);
+    if (!sampling_create(&s, 2, DISKS_WALLS, sides, 2, 0.5, 3, 0.01))
+        exit(1);
+    UNIT_TRUE(sampling_start(&s, &r));
+    for (int n = 0; n < TRIES; ++n) {
+        struct disk before[5];
+        memcpy(before, s.disks.disk, sizeof before);
+        moved += sampling_try(&s, 0.25, &r);
+        for (size_t i = 0; i < 5; ++i)
+            for (size_t k = 0; k < 2; ++k) {
+                const double a = s.disks.disk[i].radius;
+                const double x = s.disks.disk[i].position[k];
+                const double way = fabs(x - before[i].position[k]);
+                UNIT_TRUE(x >= a && x <= 10 - a);
+                large += i < 2 && k == 0 && way > 0;
+                if (i < 2)
+                    farthest = fmax(farthest, way);
+                else
+                    widest = fmax(widest, way);
+            }
+    }
+    UNIT_NEAR(large, TRIES / 2.0, 4 * sqrt(TRIES / 4.0) + TRIES - moved);
+    UNIT_TRUE(farthest <= 0.25 && farthest > 0.24);
+    UNIT_TRUE(widest > 9);
+    sampling_free(&s);
+}
+
+/* Means of 1, 2, 3, ... and of what comes once: blocks are joined when
+   there are 128, and the sums of an unfinished one count. */
+static void test_joined(void)
+{
+    struct sampling_means m;
+    if (!sampling_means_create(&m, 2))
+        exit(1);
+    UNIT_TRUE(isnan(sampling_means_mean(&m, 1)));
+    UNIT_TRUE(isnan(sampling_means_error(&m, 1)));
+    for (int n = 1; n <= 600; ++n) {
+        sampling_means_add(&m, 0, n);
+        if (n == 3)
+            sampling_means_add(&m, 1, 5);
+        sampling_means_next(&m);
+        const int length = n < 128 ? 1 : n < 256 ? 2 : n < 512 ? 4 : 8;
+        UNIT_EQUAL((double)m.length, length);
+        UNIT_EQUAL((double)m.blocks, n / length);
+        UNIT_EQUAL((double)m.filled, n % length);
+        UNIT_NEAR(sampling_means_mean(&m, 0), (n + 1) / 2.0, 1e-12 * n);
+        UNIT_NEAR(sampling_means_mean(&m, 1), n < 3 ? 0 : 5.0 / n, 1e-15);
+        if (n < 2)
+            continue;
+        /* Blocks of equal steps: b (b^2 - 1) / 12 squares. */
+        const double b = n / length;
+        UNIT_NEAR(sampling_means_error(&m, 0), length * sqrt((b + 1) / 12),
+                  1e-11 * n);
+    }
+    sampling_means_free(&m);
+}
+
+int main(void)
+{
+    return unit_run(
+        "sampling at its limits",
+        (struct unit_test[]){
+            {"a chain of three, by hand", test_chain},
+            {"what is a hair behind is not in the way", test_hair_behind},
+            {"a disk that slides from wall to wall", test_wall_density},
+            {"a disk that slides away from another", test_pair_density},
+            {"shares of throws, as they are counted", test_acceptance},
+            {"half of the tries are for large ones", test_tries},
+            {"means and blocks of known numbers", test_joined},
+            {0}});
+}

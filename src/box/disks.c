@@ -1,5 +1,5 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 1811711087 of the lines below */
+/* checksum 591289763 of the lines below */
 /* Event-driven motion: every pair looked at, or a plan remembered. */
 #include "box/disks.h"
 
@@ -435,7 +435,7 @@ static void plan_disk(struct disks *d, size_t i)
     size_t j;
     const double time = soonest(p->time, d->count, &j);
     const struct disks_event pair = meet(i, j, time);
-    if (j < d->count && disks_before(pair, first))
+    if (disks_before(pair, first))
         first = pair;
     p->event[i] = first;
     p->hits[i] = first.partner < d->count ? d->hits[first.partner] : 0;

@@ -1,5 +1,5 @@
 /* From chapters/03-equilibrium.nw: edit there, then run make tangle. */
-/* checksum 1988695452 of the lines below */
+/* checksum 3759088483 of the lines below */
 /* Moments, bins, a fit, blocks and correlations of a series. */
 #include "line/statistics.h"
 
@@ -183,7 +183,7 @@ static bool moments_of_bins(const struct statistics_histogram *h,
     }
     *mean = h->low / unit + sum / inside;
     *sd = sqrt(square / inside - sum / inside * (sum / inside));
-    return inside > 0 && *sd > 0;
+    return *sd > 0; /* NaN where nothing is inside */
 }
 
 static void hold_against(const struct statistics_histogram *h, double unit,

@@ -1,6 +1,4 @@
-/* From chapters/works/01-collide.nw: edit there, then run make tangle. */
-/* checksum 502539300 of the lines below */
-/* Rounding, drift and price of a collision in each of its five forms. */
+/* Measures rounding, energy drift and cost of five forms of a collision. */
 #include "line/collide.h"
 #include "toolbox/bench.h"
 #include "toolbox/quad.h"
@@ -20,6 +18,8 @@ struct settings {
     uint64_t tests, collisions, digits;
 };
 
+/* Most results exist once for each form: their key is a name and the form,
+   as in energy_max_cm. */
 static void summarise(const struct study *s, const char *key, int form,
                       double value)
 {
@@ -27,6 +27,10 @@ static void summarise(const struct study *s, const char *key, int form,
     snprintf(name, sizeof name, "%s_%s", key, collide_form_names[form]);
     table_real(s->summary, name, value);
 }
+
+/* Returns after how many collisions, more than n, the drift is noted next:
+   at 1, 2 and 5 times each power of ten from a thousand on, at a tenth of
+   the run and at its end. */
 static uint64_t next_stop(uint64_t n, uint64_t last)
 {
     static const uint64_t steps[] = {1, 2, 5};
@@ -42,6 +46,9 @@ struct rounding {
     double energy_max, energy_square, momentum_max, velocity_max;
 };
 
+/* Compares a collision with (1.5, eq:difference) in 113 bits. The errors of
+   the two velocities are all that is needed: with v off by dv the momentum
+   is off by m dv, and the energy by m (v + dv/2) dv. */
 static void measure_rounding(struct rounding *all, int form, double u1,
                              double u2, double im1, double im2)
 {
@@ -120,12 +127,17 @@ static void study_rounding(struct study *s)
     }
 }
 
+/* The drift: four bodies in a row between two walls, and a lottery that
+   decides which gap closes next. Every form plays the same lottery. */
 enum { MOVERS = 4, BODIES = MOVERS + 2 };
 
 static const double row_im[BODIES] = {0,         1 / 11.23, 1 / 21.23,
                                       1 / 31.23, 1 / 41.23, 0};
 
-/* Draws a gap that closes; its number is that of its left neighbour. */
+/* Draws a gap that closes; its number is that of its left neighbour. The
+   loop ends because some gap always closes: between two walls at rest the
+   velocities cannot grow from left to right all the way from zero to zero,
+   and the four movers never stop all at once. */
 static uint64_t row_draw(struct random *r, const double v[BODIES])
 {
     for (;;) {
@@ -148,8 +160,9 @@ static quad row_energy(const double v[BODIES])
     return energy;
 }
 
-/* The energy that the difference form gains in gap i because its two
-   fractions do not add up to one (1.11, eq:bias). */
+/* Returns the energy that the difference form gains in gap i because its
+   two fractions add up to 1 + delta (1.11, eq:bias): 4 delta times d^2 / (2
+   (a + b)). Summed up over a run it predicts the drift. */
 static double row_bias(uint64_t i, const double v[BODIES])
 {
     const double a = row_im[i], b = row_im[i + 1], sum = a + b;
@@ -166,6 +179,8 @@ static const struct table_key drift_keys[] = {
     {"improvement", "1", "error of difference / error of smaller"},
     {0}};
 
+/* Between two rows the forms take turns of a million collisions each, so
+   that a run that is interrupted ends soon. */
 static void study_drift(struct study *s)
 {
     const struct settings *own = s->own;
@@ -218,8 +233,9 @@ static void study_drift(struct study *s)
         fabs(error[COLLIDE_DIFFERENCE + 1] / error[COLLIDE_SMALLER + 1]));
 }
 
-/* Returns the collisions of the heavy ball, the light one and the wall;
-   stops at limit when there seems to be no end. */
+/* Returns how many collisions the heavy ball, the light one and the wall
+   have; stops at limit, for rounding may find no end. The wall is a body at
+   rest of inverse mass zero, made for each collision. */
 static uint64_t count_galperin(int form, double im_heavy, uint64_t limit)
 {
     double heavy = -1, light = 0;
@@ -234,6 +250,7 @@ static uint64_t count_galperin(int form, double im_heavy, uint64_t limit)
     return n;
 }
 
+/* The same in single precision, by the best form, smaller. */
 static uint64_t count_galperin_float(float im_heavy, uint64_t limit)
 {
     float heavy = -1, light = 0;
@@ -287,6 +304,9 @@ static void study_galperin(struct study *s)
         summarise(s, "count", f, row[f + 2]);
     table_real(s->summary, "count_float", row[COLLIDE_FORMS + 2]);
 }
+/* Draws states of energy 1/2, which is a random direction in the velocities
+   scaled by the roots of the masses, in which the bodies approach, and
+   collides them. */
 static void study_map(struct study *s)
 {
     const struct settings *own = s->own;
@@ -317,6 +337,7 @@ struct bench {
     double u[PAIRS][2], im[PAIRS][2];
 };
 
+/* Returns the processor time of a collision in ns. */
 static double time_form(const struct bench *b, int form, uint64_t passes)
 {
     static double v[PAIRS][2];
@@ -332,6 +353,9 @@ static double time_form(const struct bench *b, int form, uint64_t passes)
 static const struct table_key cost_keys[] = {
     {"ns_<form>", "ns", "processor time a collision, median"}, {0}};
 
+/* The forms take turns, so that a machine that slows down for a second
+   slows down all of them. Round -1 is the warm-up: round 0 overwrites its
+   time. */
 static void study_cost(struct study *s)
 {
     const struct settings *own = s->own;

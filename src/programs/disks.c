@@ -1,6 +1,4 @@
-/* From chapters/works/07-gas.nw: edit there, then run make tangle. */
-/* checksum 3719832374 of the lines below */
-/* Hard disks and spheres run from a start, and measured on the way. */
+/* Runs hard disks or spheres in a box, and measures them on the way. */
 #include "box/blocks.h"
 #include "box/cells.h"
 #include "box/disks.h"
@@ -22,10 +20,12 @@
 #define PROGRAM "disks"
 
 enum {
-    EITHER = DISKS_BOUNDARIES, /* no boundary was given */
-    PARTS = 1000000            /* that the progress of a run counts */
+    NO_BOUNDARY = DISKS_BOUNDARIES, /* no boundary was given */
+    PARTS = 1000000 /* in which the progress of a run is counted */
 };
 
+/* The command line. Of what was not given there is a zero, a NULL, or no
+   number. */
 struct settings {
     size_t disks, dimensions, axes; /* axes: numbers given for the box */
     size_t boundary, engine, measure;
@@ -38,6 +38,8 @@ struct settings {
     const char *output, *summary, *command;
 };
 
+/* Returns whether the start is read: every name but those of the two starts
+   that the program makes is that of a file. */
 static bool starts_from_file(const struct settings *s)
 {
     return strcmp(s->start, "lattice") != 0 &&
@@ -51,6 +53,7 @@ static const char *const measure_names[] = {
     "states",     "positions", "speeds", "pressure",
     "relaxation", "brownian",  NULL};
 
+/* Reads the mass and radius of --heavy. */
 static void read_heavy(struct options *o, double heavy[2])
 {
     if (options_list(o, heavy, 2) != 2 ||
@@ -66,6 +69,8 @@ static void make_sums(struct blocks *b, size_t width)
 
 enum { KINDS = 100 };
 
+/* Disks by kind, in consecutive numbers. Usually there is one kind; a heavy
+   disk is a kind of its own and comes first. */
 struct mixture {
     size_t kinds, total;
     struct {
@@ -74,6 +79,8 @@ struct mixture {
     } kind[KINDS];
 };
 
+/* Adds a kind; returns false if its numbers, which may come from a file,
+   are not those of disks. */
 static bool add_kind(struct mixture *m, double count, double mass,
                      double radius)
 {
@@ -88,6 +95,8 @@ static bool add_kind(struct mixture *m, double count, double mass,
     return m->total <= DISKS_MOST;
 }
 
+/* Reads a file of kinds, three numbers in a line. What follows a # is a
+   comment. */
 static void read_kinds(struct mixture *m, const char *path)
 {
     char line[256];
@@ -109,7 +118,9 @@ static void read_kinds(struct mixture *m, const char *path)
     fclose(file);
 }
 
-/* The side of a square or cube of this size. */
+/* Returns the side of a square or cube of this size. Newton's method from
+   above, for as long as it descends, rounds alike on all machines, which
+   cbrt() does not. */
 static double side_of(double size, size_t dimensions)
 {
     if (dimensions == 2)
@@ -122,6 +133,8 @@ static double side_of(double size, size_t dimensions)
     return x;
 }
 
+/* Sets the box. Of packing, radius and box any two give the third; the size
+   of all disks is their packing in a box of size 1. */
 static void choose_box(struct disks *d, const struct settings *s)
 {
     for (size_t k = 0; k < d->dimensions; ++k)
@@ -134,6 +147,8 @@ static void choose_box(struct disks *d, const struct settings *s)
         d->box[k] = side;
 }
 
+/* Returns the radius; where packing and box give it, the heavy disk's area
+   or volume is taken off first. */
 static double choose_radius(const struct settings *s)
 {
     const double pi = 3.14159265358979324;
@@ -175,6 +190,8 @@ static void fill_box(struct disks *d, const struct settings *s)
     choose_box(d, s);
 }
 
+/* Draws velocities. Random velocities have a random temperature, too; a
+   common factor makes it the one asked for. */
 static void set_velocities(struct disks *d, const struct settings *s,
                            struct random *r)
 {
@@ -203,13 +220,15 @@ static void check_room(const struct disks *d)
                            d->box[k], widest);
 }
 
+/* Draws the places first, then the velocities, both from one seed. */
 static void make_start(struct disks *d, const struct settings *s)
 {
     struct random r;
     random_seed(&r, s->seed);
     fill_box(d, s);
-    d->boundary = s->boundary == EITHER ? DISKS_WALLS
-                                        : (enum disks_boundary)s->boundary;
+    d->boundary = s->boundary == NO_BOUNDARY
+                      ? DISKS_WALLS
+                      : (enum disks_boundary)s->boundary;
     check_room(d);
     const bool lattice = strcmp(s->start, "lattice") == 0;
     if (!lattice && d->count > DISKS_RANDOM)
@@ -228,6 +247,8 @@ static void make_start(struct disks *d, const struct settings *s)
     set_velocities(d, s, &r);
 }
 
+/* Reads a start. The file's box holds, if it has one; options may put its
+   disks into another. */
 static void read_start(struct disks *d, const struct settings *s)
 {
     char message[STATES_MESSAGE];
@@ -240,7 +261,7 @@ static void read_start(struct disks *d, const struct settings *s)
             s->axes, s->start, d->dimensions);
     if (s->axes > 0)
         memcpy(d->box, s->box, s->axes * sizeof d->box[0]);
-    if (s->boundary != EITHER)
+    if (s->boundary != NO_BOUNDARY)
         d->boundary = (enum disks_boundary)s->boundary;
     for (size_t k = 0; k < d->dimensions; ++k)
         if (!(d->box[k] > 0))
@@ -250,27 +271,33 @@ static void read_start(struct disks *d, const struct settings *s)
                            s->start);
 }
 
+/* The disks, the engine that moves them, the sums of the pressure, and the
+   clock times that have passed. */
 struct run {
     const struct settings *s;
     struct disks d;
-    struct cells cells; /* if fast */
-    bool fast;
+    struct cells cells; /* the engine, if fast */
+    bool fast;          /* cells, not all pairs */
     struct table *out;
     double kT, energy;          /* at the start */
-    double carried[DISKS_AXES]; /* m/s: the drift, which is no heat */
-    double begin, piece, until;
+    double common[DISKS_AXES];  /* m/s, the common velocity: no heat */
+    double begin, piece, until; /* s; piece: of time, for the pressure */
     struct blocks pressure;
-    double impulse[DISKS_AXES], virial; /* before the present piece */
-    uint64_t row, rows;                 /* clock times: the last; looks */
+    double impulse[DISKS_AXES], virial; /* sums before the present piece */
+    uint64_t row, rows; /* number of the last clock time; samples taken */
     double seconds;
     enum disks_stop stop;
     struct progress progress;
-    double drift; /* the largest, and of what */
-    const char *drifting;
+    double drift;         /* the largest of all averages, in errors */
+    const char *drifting; /* the average that has it */
 };
 
-enum { FEW = 16 }; /* disks: up to here all pairs are as fast */
+/* Up to this number of disks examining all pairs is as fast as cells. */
+enum { FEW = 16 };
 
+/* Chooses the engine. With few disks it is faster to examine all of them,
+   and a small periodic box has no room for cells. Both give the same bytes,
+   so no table says which it was. */
 static void choose_engine(struct run *r)
 {
     const bool suit = cells_suit(&r->d);
@@ -281,6 +308,8 @@ static void choose_engine(struct run *r)
                        (r->s->engine == AUTO && r->d.count > FEW));
 }
 
+/* Prepares the engine from the present state; needed again when the state
+   has been changed from outside. */
 static void plan(struct run *r)
 {
     cells_free(&r->cells);
@@ -288,6 +317,8 @@ static void plan(struct run *r)
         program_give_up(PROGRAM, "no memory for the events");
 }
 
+/* Runs to a time or a collision. The cells stop earlier only if there is no
+   memory for longer lists of neighbours. */
 static enum disks_stop advance(struct run *r, double until,
                                uint64_t collisions)
 {
@@ -307,6 +338,9 @@ static double shortest(const struct disks *d)
     return least;
 }
 
+/* Returns the length of the first pieces of time in which the pressure is
+   summed: about the time between two collisions anywhere in the box. Pieces
+   get longer as blocks are joined. */
 static double first_piece(const struct disks *d)
 {
     double mass = 0;
@@ -316,6 +350,8 @@ static double first_piece(const struct disks *d)
     return shortest(d) / speed / (double)d->count;
 }
 
+/* Appends the sums of a piece to the blocks: what the walls took along each
+   axis, and the virial. */
 static void end_piece(struct run *r)
 {
     double sample[DISKS_AXES + 1];
@@ -328,6 +364,10 @@ static void end_piece(struct run *r)
     blocks_append(&r->pressure, sample);
 }
 
+/* Returns when the present piece ends. How a run is cut into pieces changes
+   no bit of it. Disks that lose energy have no pressure, and their next
+   collision may take twice as long each time, so that their pieces grow as
+   they slow down; a piece without end belongs to disks at rest. */
 static double end_of_piece(const struct run *r)
 {
     const size_t per = r->pressure.per;
@@ -337,6 +377,8 @@ static double end_of_piece(const struct run *r)
     return r->d.now + (double)(1000 + r->d.count) * first_piece(&r->d);
 }
 
+/* Runs to a time or a number of collisions, piece by piece. Progress is the
+   fraction of the time or of the collisions, whichever is given. */
 static void run_to(struct run *r, double until, uint64_t collisions)
 {
     const double start = bench_seconds();
@@ -363,6 +405,8 @@ static void run_to(struct run *r, double until, uint64_t collisions)
     r->seconds += bench_seconds() - start;
 }
 
+/* Keeps the largest drift of all averages, to be reported if the run was
+   not steady. */
 static void watch_drift(struct run *r, const char *of, double drift)
 {
     if (r->drifting && !(fabs(drift) > fabs(r->drift)))
@@ -379,14 +423,21 @@ static double widest(const struct disks *d)
     return most;
 }
 
-/* Can a disk be hoped to meet another one? */
+/* Returns whether collisions can be expected at all. A disk that crosses
+   the box sweeps a fraction of about (4r/L)^(D-1) of it for each of the
+   others; if it had to cross it 1e9 times, a run to a collision is
+   refused. */
 static bool can_meet(const struct disks *d)
 {
     const double across = 4 * widest(d) / shortest(d);
-    const double share = d->dimensions == 2 ? across : across * across;
-    return share * (double)(d->count - 1) > 1e-9 && disks_heat(d) > 0;
+    const double fraction = d->dimensions == 2 ? across : across * across;
+    return fraction * (double)(d->count - 1) > 1e-9 && disks_heat(d) > 0;
 }
 
+/* Runs until each disk has had `each` collisions, ends a little after the
+   last of them, at a time when nothing happens, and sets all counts to
+   zero. It goes in slices, so that a signal is seen however rare the
+   collisions are. */
 static void warm_up(struct run *r, double each)
 {
     const double count = (double)r->d.count;
@@ -405,39 +456,43 @@ static void warm_up(struct run *r, double each)
     disks_settle(&r->d);
 }
 
+/* Prepares the engine and the sums at the end of the warm-up. */
 static void begin_run(struct run *r)
 {
     make_sums(&r->pressure, DISKS_AXES + 1);
     plan(r);
     r->kT = disks_temperature(&r->d);
-    disks_drift(&r->d, r->carried);
+    disks_drift(&r->d, r->common);
     r->energy = disks_energy(&r->d);
     r->begin = r->d.now;
     r->piece = first_piece(&r->d);
 }
 
-/* P V/(N kT) from what the walls across axis k took in a time. */
+/* Returns P V/(N kT) from the impulse that the walls across axis k took in
+   a time; there are two, of the size V/L each. */
 static double Z_wall(const struct run *r, size_t k, double impulse,
                      double time)
 {
     return impulse * r->d.box[k] / (2 * time * (double)r->d.count * r->kT);
 }
 
-/* From what collisions have summed up: P V/(N kT) in a periodic box
+/* Returns what collisions sum up: P V/(N kT) in a periodic box
    (7.5, eq:virial); with walls the mean of Z_wall (1 - 2R/L), since they
-   push on centres that keep a radius away (7.6, eq:gas-walls). */
+   act on centres that stay a radius away (7.6, eq:gas-walls). */
 static double Z_virial(const struct run *r, double virial, double time)
 {
     return 1 +
            virial / ((double)(r->d.dimensions * r->d.count) * r->kT * time);
 }
 
+/* Of each measurement there are three functions: one before the run
+   (begin_), one at each clock time (sample_), one at the end (end_). */
 static void begin_states(struct run *r)
 {
     states_begin(r->out, &r->d);
 }
 
-static void look_at_states(struct run *r)
+static void sample_states(struct run *r)
 {
     if (r->rows > 0)
         table_print(r->out, "\n\n");
@@ -450,6 +505,8 @@ static const char *const axis_names[] = {"x", "y", "z"};
 
 static struct blocks counted; /* of positions or speeds */
 
+/* Positions are counted in BINS bins along each axis; their density has the
+   integral 1 over the box. */
 static void begin_positions(struct run *r)
 {
     make_sums(&counted, r->d.dimensions * BINS);
@@ -464,7 +521,9 @@ static void begin_positions(struct run *r)
     }
 }
 
-static void look_at_positions(struct run *r)
+/* Counts the positions; one that rounding has put just beyond the box
+   counts in the last bin. */
+static void sample_positions(struct run *r)
 {
     static double sample[DISKS_AXES * BINS];
     const struct disks *d = &r->d;
@@ -474,8 +533,8 @@ static void look_at_positions(struct run *r)
         disks_position(d, i, place);
         disks_fold(d, place);
         for (size_t k = 0; k < d->dimensions; ++k) {
-            const double share = place[k] / d->box[k] * BINS;
-            const size_t bin = share > 0 ? (size_t)share : 0;
+            const double fraction = place[k] / d->box[k] * BINS;
+            const size_t bin = fraction > 0 ? (size_t)fraction : 0;
             sample[k * BINS + (bin < BINS ? bin : BINS - 1)] +=
                 BINS / d->box[k] / (double)d->count;
         }
@@ -483,6 +542,8 @@ static void look_at_positions(struct run *r)
     blocks_add(&counted, sample);
 }
 
+/* The lower end of a bin is given along x; along another axis it is the
+   same fraction of the box. */
 static void end_positions(struct run *r, struct table *summary)
 {
     (void)summary;
@@ -498,7 +559,9 @@ static void end_positions(struct run *r, struct table *summary)
     }
 }
 
-enum { SPEEDS = 42 }; /* bins of the scaled speed, to 4 */
+/* Bins of the scaled speed from 0 to 4. With 42 of them the speed 1, at
+   which MPPhys's gas starts, is in the middle of one. */
+enum { SPEEDS = 42 };
 
 static double edge_of(size_t bin)
 {
@@ -511,18 +574,22 @@ static size_t bin_of(double u)
     return bin < SPEEDS ? (size_t)bin : SPEEDS;
 }
 
+/* Returns the speed of disk i in its own unit, sqrt(2kT/m), and in parts
+   the moduli of its components. */
 static double scaled_speed(const struct run *r, size_t i, double parts[])
 {
     const double *v = r->d.disk[i].velocity;
     const double scale = sqrt(r->d.mass[i] / (2 * r->kT));
     double square = 0;
     for (size_t k = 0; k < r->d.dimensions; ++k) {
-        parts[k] = fabs(v[k] - r->carried[k]) * scale;
+        parts[k] = fabs(v[k] - r->common[k]) * scale;
         square += parts[k] * parts[k];
     }
     return sqrt(square);
 }
 
+/* A sample has the densities of the speed and of the modulus of a
+   component, and the means of u and u^4. */
 static void begin_speeds(struct run *r)
 {
     make_sums(&counted, 2 * SPEEDS + 2);
@@ -537,7 +604,8 @@ static void begin_speeds(struct run *r)
     table_column(r->out, "Maxwell", "", "law of infinitely many");
 }
 
-static void look_at_speeds(struct run *r)
+/* All axes are alike, so a component is any of them. */
+static void sample_speeds(struct run *r)
 {
     static double sample[2 * SPEEDS + 2];
     const double D = (double)r->d.dimensions, N = (double)r->d.count;
@@ -559,6 +627,7 @@ static void look_at_speeds(struct run *r)
 
 enum { FINITE, MAXWELL, SPEED = 0, PART = 2, LAWS = 4 };
 
+/* Makes the laws of this box, for the speed and for a component. */
 static void speed_laws(const struct run *r, struct speeds_law law[])
 {
     const size_t D = r->d.dimensions, N = r->d.count;
@@ -569,7 +638,9 @@ static void speed_laws(const struct run *r, struct speeds_law law[])
     law[PART + MAXWELL] = speeds_maxwell(D, true);
 }
 
-/* Chi-square of the speeds against a law; *bins: how many count. */
+/* Returns chi-square of the speeds against a law, and in *bins over how
+   many bins it is summed: those with a density above 1e-3; in the others
+   too few disks are counted for an error that can be trusted. */
 static double chi_square(const double density[], size_t *bins)
 {
     double sum = 0;
@@ -585,6 +656,7 @@ static double chi_square(const double density[], size_t *bins)
     return sum;
 }
 
+/* Writes the densities beside both laws, and both means in the summary. */
 static void end_speeds(struct run *r, struct table *summary)
 {
     static double density[LAWS][SPEEDS];
@@ -633,7 +705,8 @@ static void begin_relaxation(struct run *r)
     table_column(r->out, "H", "", "Boltzmann's H, v in sqrt(2kT/m)");
 }
 
-/* The volume of velocities in a shell. */
+/* Returns the area or volume of velocities with a speed in this bin;
+   Boltzmann's H is summed over these shells. */
 static double shell(size_t bin, size_t dimensions)
 {
     const double pi = 3.14159265358979324;
@@ -642,22 +715,24 @@ static double shell(size_t bin, size_t dimensions)
                            : 4 * pi / 3 * (b * b * b - a * a * a);
 }
 
-static void look_at_relaxation(struct run *r)
+/* Writes a row. The ratio needs no unit; H has the unit sqrt(2kT/m). Speeds
+   beyond the last bin count in the last. */
+static void sample_relaxation(struct run *r)
 {
     const double N = (double)r->d.count;
-    double two = 0, four = 0, H = 0, share[SPEEDS] = {0};
+    double two = 0, four = 0, H = 0, fraction[SPEEDS] = {0};
     for (size_t i = 0; i < r->d.count; ++i) {
         double parts[DISKS_AXES];
         const double u = scaled_speed(r, i, parts);
         const size_t bin = bin_of(u);
         two += u * u / N;
         four += u * u * u * u / N;
-        share[bin < SPEEDS ? bin : SPEEDS - 1] += 1 / N;
+        fraction[bin < SPEEDS ? bin : SPEEDS - 1] += 1 / N;
     }
     for (size_t bin = 0; bin < SPEEDS; ++bin)
-        if (share[bin] > 0)
-            H += share[bin] *
-                 random_log(share[bin] / shell(bin, r->d.dimensions));
+        if (fraction[bin] > 0)
+            H += fraction[bin] *
+                 random_log(fraction[bin] / shell(bin, r->d.dimensions));
     table_row(r->out, 4,
               (double[]){r->d.now, 2 * (double)r->d.collisions / N,
                          four / (two * two), H});
@@ -665,12 +740,13 @@ static void look_at_relaxation(struct run *r)
 
 static struct {
     double time, impulse[DISKS_AXES], virial;
-} before;
+} previous;
 
+/* The pressure of a row is what the sums gained since the row before. */
 static void begin_pressure(struct run *r)
 {
     const bool walls = r->d.boundary == DISKS_WALLS;
-    before.time = r->d.now;
+    previous.time = r->d.now;
     table_column(r->out, "t", "s", "end of the interval");
     for (size_t k = 0; walls && k < r->d.dimensions; ++k) {
         char symbol[16];
@@ -683,10 +759,11 @@ static void begin_pressure(struct run *r)
                        : "P V/(N kT) from collisions");
 }
 
-static void look_at_pressure(struct run *r)
+/* Writes a row; at the first clock time nothing has been gained yet. */
+static void sample_pressure(struct run *r)
 {
     const struct disks *d = &r->d;
-    const double time = d->now - before.time;
+    const double time = d->now - previous.time;
     double row[2 + DISKS_AXES] = {d->now};
     size_t n = 1;
     if (!(time > 0))
@@ -694,12 +771,12 @@ static void look_at_pressure(struct run *r)
     if (d->boundary == DISKS_WALLS)
         for (size_t k = 0; k < d->dimensions; ++k)
             row[n++] =
-                Z_wall(r, k, d->impulse[k] - before.impulse[k], time);
-    row[n++] = Z_virial(r, d->virial - before.virial, time);
+                Z_wall(r, k, d->impulse[k] - previous.impulse[k], time);
+    row[n++] = Z_virial(r, d->virial - previous.virial, time);
     table_row(r->out, n, row);
-    before.time = d->now;
-    before.virial = d->virial;
-    memcpy(before.impulse, d->impulse, sizeof before.impulse);
+    previous.time = d->now;
+    previous.virial = d->virial;
+    memcpy(previous.impulse, d->impulse, sizeof previous.impulse);
 }
 
 static struct {
@@ -707,6 +784,8 @@ static struct {
     double (*row)[2 * DISKS_AXES];
 } path;
 
+/* Disk 1 is the heavy one: its position, not folded into the box, and its
+   velocity are kept at each clock time. */
 static void begin_brownian(struct run *r)
 {
     table_column(r->out, "lag", "s", "a time");
@@ -717,7 +796,8 @@ static void begin_brownian(struct run *r)
     table_column(r->out, "error", "m2", "its standard error");
 }
 
-static void look_at_heavy(struct run *r)
+/* Appends a state to the path, whose memory doubles as it grows. */
+static void sample_heavy(struct run *r)
 {
     if (path.rows == path.space) {
         path.space = 2 * path.space + 1024;
@@ -729,8 +809,8 @@ static void look_at_heavy(struct run *r)
     double *row = path.row[path.rows++];
     disks_position(&r->d, 0, row);
     for (size_t k = 0; k < DISKS_AXES; ++k) {
-        row[k] -= r->carried[k] * (r->d.now - r->begin);
-        row[DISKS_AXES + k] = r->d.disk[0].velocity[k] - r->carried[k];
+        row[k] -= r->common[k] * (r->d.now - r->begin);
+        row[DISKS_AXES + k] = r->d.disk[0].velocity[k] - r->common[k];
     }
 }
 
@@ -752,6 +832,8 @@ static double square_of(const double a[], const double b[], size_t D)
 
 typedef double of_rows(const double a[], const double b[], size_t D);
 
+/* Averages f over all pairs of rows `lag` apart, with an error from
+   blocking. */
 static struct blocks_average over_path(of_rows *f, size_t lag, size_t D,
                                        double x[])
 {
@@ -761,6 +843,9 @@ static struct blocks_average over_path(of_rows *f, size_t lag, size_t D,
     return blocks_average_of(n, x);
 }
 
+/* Returns -dC/dt of the velocity correlation at lag 0: twice the slope to
+   the first lag less the slope to the second, so that a curvature
+   cancels. */
 static struct blocks_average first_slope(const struct run *r, double x[])
 {
     const size_t D = r->d.dimensions, n = path.rows - 2;
@@ -774,6 +859,11 @@ static struct blocks_average first_slope(const struct run *r, double x[])
     return blocks_average_of(n, x);
 }
 
+/* Writes correlation and mean square displacement for lags that grow by a
+   seventh, and compares the start of the decay with theory, which needs
+   only the rate of collisions counted. In a box with walls these would be
+   among the collisions, with another reduced mass, and no theory is
+   written. */
 static void end_brownian(struct run *r, struct table *summary)
 {
     const size_t D = r->d.dimensions;
@@ -822,14 +912,14 @@ static void no_summary(struct run *r, struct table *summary)
 
 static const struct {
     void (*begin)(struct run *r);
-    void (*look)(struct run *r);
+    void (*sample)(struct run *r);
     void (*end)(struct run *r, struct table *summary);
-} measures[] = {{begin_states, look_at_states, no_summary},
-                {begin_positions, look_at_positions, end_positions},
-                {begin_speeds, look_at_speeds, end_speeds},
-                {begin_pressure, look_at_pressure, no_summary},
-                {begin_relaxation, look_at_relaxation, no_summary},
-                {begin_brownian, look_at_heavy, end_brownian}};
+} measures[] = {{begin_states, sample_states, no_summary},
+                {begin_positions, sample_positions, end_positions},
+                {begin_speeds, sample_speeds, end_speeds},
+                {begin_pressure, sample_pressure, no_summary},
+                {begin_relaxation, sample_relaxation, no_summary},
+                {begin_brownian, sample_heavy, end_brownian}};
 
 static const struct options_entry entries[] = {
     {"start", 'x', "PLACES",
@@ -927,12 +1017,15 @@ static const struct table_key keys[] = {
     {"slope_exact", "m2/s3", "from heavy_rate"},
     {0}};
 
+/* Reads the command line, and refuses options that contradict each other. A
+   gas that cools, one whose relaxation is measured, and one from a file
+   have no warm-up unless one is given. */
 static void read_settings(struct settings *s, int argc, char *argv[])
 {
     struct options o;
     int option;
     *s = (struct settings){.dimensions = 2,
-                           .boundary = EITHER,
+                           .boundary = NO_BOUNDARY,
                            .restitution = 1,
                            .start = "lattice",
                            .warmup = NAN,
@@ -1013,6 +1106,8 @@ static void read_settings(struct settings *s, int argc, char *argv[])
                         : 100;
 }
 
+/* Writes the compressibility from the walls and from the virial over the
+   whole run; the errors are those of the blocks. */
 static void summarise_pressure(struct run *r, struct table *out)
 {
     const double time = r->d.now - r->begin;
@@ -1034,6 +1129,8 @@ static void summarise_pressure(struct run *r, struct table *out)
     table_real(out, "drift", r->drift);
 }
 
+/* Writes what every run knows. An energy that is meant to change has a key
+   of its own, and a gas that cools has no pressure. */
 static void summarise(struct run *r, struct table *out)
 {
     const double time = r->d.now - r->begin;
@@ -1060,13 +1157,17 @@ static void summarise(struct run *r, struct table *out)
                r->seconds > 0 ? all / r->seconds : 0);
 }
 
-static bool averages(const struct settings *s)
+/* Returns whether averages are asked for, for which a drift matters, and
+   not just states. */
+static bool wants_averages(const struct settings *s)
 {
     return strcmp(s->summary, "/dev/null") != 0 ||
            (s->measure != STATES && s->measure != RELAXATION);
 }
 
-static void say_drift(const struct run *r)
+/* Notes that an average changed in the run by more than its error
+   allows. */
+static void report_drift(const struct run *r)
 {
     if (fabs(r->drift) > BLOCKS_STEADY)
         fprintf(stderr,
@@ -1077,12 +1178,17 @@ static void say_drift(const struct run *r)
                 fabs(r->drift));
 }
 
-/* Runs from clock time to clock time and looks at each. */
-static void run_and_look(struct run *r)
+/* Runs from clock time to clock time and takes a sample at each. Clock
+   times are multiples of --every counted from 0, not from the start, so
+   that a run that is continued has those of the run that it continues. A
+   histogram must not contain the moment of the last collision, at which two
+   disks touch; a list of states ends with it, and a pressure without
+   --every is that of the whole run. */
+static void run_and_sample(struct run *r)
 {
     const double every = r->s->every;
     const uint64_t collisions = r->s->collisions;
-    measures[r->s->measure].look(r);
+    measures[r->s->measure].sample(r);
     ++r->rows;
     for (bool over = false; !over && !progress_signal();) {
         ++r->row;
@@ -1095,13 +1201,14 @@ static void run_and_look(struct run *r)
         const bool regular = r->d.now == (double)r->row * every;
         const bool at_end = r->s->measure == STATES || every == 0;
         if (!progress_signal() && (regular || at_end)) {
-            measures[r->s->measure].look(r);
+            measures[r->s->measure].sample(r);
             ++r->rows;
         }
     }
 }
 
-/* When the run ends, and the clock time that it starts from. */
+/* Sets the end of the run, and the clock time from which it starts; a time
+   just below a multiple of --every, by rounding, is that multiple. */
 static void choose_end(struct run *r, struct settings *s)
 {
     const double per_clock = r->d.now / s->every;
@@ -1119,8 +1226,9 @@ static void choose_end(struct run *r, struct settings *s)
         s->collisions = 50 * (uint64_t)r->d.count;
 }
 
-/* Are all disks inside, and none in another? *a and *b: who is not. */
-static bool fits(struct run *r, size_t *a, size_t *b)
+/* Returns whether all disks are inside and none overlaps another; *a and *b
+   are those that do. Many disks are compared in cells, few in pairs. */
+static bool is_valid_start(struct run *r, size_t *a, size_t *b)
 {
     if (!r->fast)
         return disks_fit(&r->d, a, b);
@@ -1132,6 +1240,8 @@ static bool fits(struct run *r, size_t *a, size_t *b)
     return cells_fit(&r->cells, a, b);
 }
 
+/* Refuses rows too many to be counted: until the end of the run or, if that
+   is a collision, in the time that takes a disk through the box. */
 static void check_rows(const struct run *r)
 {
     const struct disks *d = &r->d;
@@ -1153,7 +1263,9 @@ static double shortest_periodic(const struct disks *d)
     return least;
 }
 
-/* Is it a state at all, and one that can be measured as was asked? */
+/* Refuses what is no state, or cannot be measured as asked. A periodic box
+   must be wide enough that one image is the nearest. Only a file can bring
+   disks that do not fit. */
 static void check_start(struct run *r)
 {
     const struct disks *d = &r->d;
@@ -1203,7 +1315,7 @@ static void check_start(struct run *r)
                        "--start: %s: disk %zu lies on the floor at rest, "
                        "expected one that moves: events end there",
                        r->s->start, a + 1);
-    if (fits(r, &a, &b))
+    if (is_valid_start(r, &a, &b))
         return;
     if (b == d->count)
         program_refuse(PROGRAM,
@@ -1213,6 +1325,8 @@ static void check_start(struct run *r)
                    r->s->start, a + 1, b + 1);
 }
 
+/* Switches gravity on. The disks of a state have flown straight since their
+   last collision; from now on they fall. */
 static void begin_to_fall(struct disks *d, double gravity)
 {
     for (size_t i = 0; i < d->count && gravity > 0; ++i) {
@@ -1222,7 +1336,9 @@ static void begin_to_fall(struct disks *d, double gravity)
     d->gravity = gravity;
 }
 
-static void say_collapse(const struct disks *d)
+/* Says why a run ended early: inelastic collapse, a disk on the floor,
+   speeds too low, or rest. */
+static void report_collapse(const struct disks *d)
 {
     const size_t lying = disks_lying(d);
     if (lying < d->count)
@@ -1238,6 +1354,9 @@ static void say_collapse(const struct disks *d)
             (unsigned long long)d->collisions);
 }
 
+/* The start is made before files are opened, so that one that is refused
+   leaves no trace. The head is written before the warm-up, so that a run
+   interrupted in it leaves a table; an interrupted run gets no summary. */
 int main(int argc, char *argv[])
 {
     static struct settings s;
@@ -1260,14 +1379,14 @@ int main(int argc, char *argv[])
     choose_end(&r, &s);
     begin_run(&r);
     measures[s.measure].begin(&r);
-    run_and_look(&r);
+    run_and_sample(&r);
     measures[s.measure].end(&r, summary);
     summarise(&r, summary);
     const bool whole = progress_end(&r.progress);
     if (r.stop == DISKS_COLLAPSE)
-        say_collapse(&r.d);
-    if (whole && averages(&s))
-        say_drift(&r);
+        report_collapse(&r.d);
+    if (whole && wants_averages(&s))
+        report_drift(&r);
     cells_free(&r.cells);
     disks_free(&r.d);
     const int status = program_close(r.out, summary, whole);

@@ -1,6 +1,4 @@
-/* From chapters/works/07-gas.nw: edit there, then run make tangle. */
-/* checksum 2218177517 of the lines below */
-/* How many collisions a second either engine for disks has. */
+/* Times how many collisions a second each engine for disks makes. */
 #include "box/cells.h"
 #include "toolbox/bench.h"
 #include "toolbox/options.h"
@@ -18,33 +16,42 @@
 
 enum {
     SIZES = 16,        /* numbers of disks in a table, at most */
-    PAIRS_MOST = 10000 /* disks that pairs are tried with */
+    PAIRS_MOST = 10000 /* disks up to which all pairs are timed, too */
 };
 
+/* A list of numbers of disks is timed at one packing. */
 struct settings {
     size_t dimensions, sizes;
     double packing, particles[SIZES];
     bool steps;
-    uint64_t collisions, seed; /* collisions: of a round; 0: by the clock */
+    uint64_t
+        collisions; /* of a round; 0: as many as in a fifth of a second */
+    uint64_t seed;
     const char *output, *summary, *command;
 };
 
-/* Says whether all are to be a fluid when they are timed. */
-static bool fluid(const struct settings *s)
+/* Returns whether all are to be a fluid when they are timed: below the
+   packing at which it freezes, unless --collisions asks for a short run. A
+   dense lattice does not melt in few collisions, and a crystal is faster
+   than a fluid, whose collisions change the partners; so where there is a
+   fluid, disks start smaller, as a thin gas, and grow (warm_up). */
+static bool is_fluid(const struct settings *s)
 {
     return s->packing <= (s->dimensions == 2 ? 0.70 : 0.494) &&
            !s->collisions;
 }
 
-/* The diameter at the start, m. */
+/* Returns the diameter at the start, m. */
 static double first_diameter(const struct settings *s)
 {
     const double thin = fmin(0.3 / s->packing, 1);
-    if (!fluid(s))
+    if (!is_fluid(s))
         return 1;
     return s->dimensions == 2 ? sqrt(thin) : cbrt(thin);
 }
 
+/* Places disks of mass 1 kg, at kT = 1 J, on a lattice in a periodic
+   box. */
 static void begin_or_exit(struct disks *d, const struct settings *s,
                           size_t count)
 {
@@ -66,6 +73,7 @@ static void begin_or_exit(struct disks *d, const struct settings *s,
     disks_set_temperature(d, 1, &r);
 }
 
+/* Copies everything, for the engine of pairs. */
 static void copy_or_exit(struct disks *to, const struct disks *from)
 {
     const size_t n = from->count;
@@ -84,11 +92,12 @@ static void copy_or_exit(struct disks *to, const struct disks *from)
 }
 
 struct engines {
-    struct disks pairs, disks; /* the second for cells */
+    struct disks pairs, disks; /* for all pairs; for cells */
     struct cells cells;
 };
 
-static void run_on(struct engines *e, bool fast, uint64_t more)
+/* Runs `more` collisions, in pieces after which signals are seen. */
+static void run_collisions(struct engines *e, bool fast, uint64_t more)
 {
     const struct disks *d = fast ? &e->disks : &e->pairs;
     const uint64_t end = d->collisions + more, bite = 100000;
@@ -102,7 +111,9 @@ static void run_on(struct engines *e, bool fast, uint64_t more)
     }
 }
 
-/* Collisions a second in a round. */
+/* Returns the collisions a second of a round. Without --collisions the
+   clock is read after each piece, which is short enough for a slow engine
+   and long enough for a fast one. */
 static double speed_of(struct engines *e, const struct settings *s,
                        bool fast)
 {
@@ -114,13 +125,15 @@ static double speed_of(struct engines *e, const struct settings *s,
     const double start = bench_seconds();
     double seconds = 0;
     do {
-        run_on(e, fast, bite);
+        run_collisions(e, fast, bite);
         seconds = bench_seconds() - start;
     } while (!s->collisions && seconds < 0.2);
     return (double)(d->collisions - before) / seconds;
 }
 
-/* *pairs is no number when there are too many disks for them. */
+/* Times both engines: one round of each is discarded, then they alternate,
+   and the medians count. *pairs is NaN if there are too many disks for
+   pairs. */
 static void compare(struct engines *e, const struct settings *s,
                     double *pairs, double *cells)
 {
@@ -136,6 +149,8 @@ static void compare(struct engines *e, const struct settings *s,
     *pairs = both ? bench_median(rounds[0], BENCH_ROUNDS) : NAN;
 }
 
+/* Returns the bytes of memory for a disk. Call it at the end, when the
+   lists of cells and neighbours have grown as far as they will. */
 static double bytes_each(const struct cells *c)
 {
     const struct disks *d = c->d;
@@ -152,6 +167,8 @@ static double bytes_each(const struct cells *c)
            (cell * (double)c->cells + days) / (double)d->count;
 }
 
+/* Two columns, stale events and renewed lists, show that the work for a
+   collision does not depend on N, whatever the clock says. */
 static void write_head(struct table *t, const struct settings *s)
 {
     static const char *const asked[] = {"one by one", "four at a time",
@@ -192,6 +209,10 @@ static void write_row(struct table *t, struct table *summary,
     table_real(summary, key, cells / pairs);
 }
 
+/* Times what each step of the chapter saves, by taking them away one after
+   the other: first neighbours are examined one at a time, then the calendar
+   has one endless day, so that all events are on one page, which is
+   searched for each event as pairs do. */
 static void write_steps(struct engines *e, const struct settings *s,
                         struct table *out)
 {
@@ -275,7 +296,10 @@ static void make_cells(struct engines *e)
         program_give_up(PROGRAM, "no memory for the cells");
 }
 
-/* The radius to which disk i grows among its neighbours, m. */
+/* Returns the radius to which disk i grows, m: nine tenths of the way to
+   the nearest of its neighbours. If disks grew the whole way, thousands
+   would touch and collide at the same time, and no calendar has days that
+   short. */
 static double room_of(const struct cells *c, size_t i)
 {
     const struct disk *disk = c->d->disk;
@@ -294,7 +318,9 @@ static double room_of(const struct cells *c, size_t i)
     return fmin(disk[i].radius + 0.9 * gap, 0.5);
 }
 
-/* Returns whether all disks have their size. */
+/* Lets all disks grow, and returns whether all have their size. The lists
+   must be fresh: disks that are in no list of each other are then two skins
+   apart and more. */
 static bool grow(struct engines *e)
 {
     bool whole = true;
@@ -306,26 +332,34 @@ static bool grow(struct engines *e)
     return whole;
 }
 
+/* Runs until the start has left no trace. The cells do it for both engines:
+   the bits are the same, and the pairs would take an hour. Small disks
+   grow, fly for a while, and grow again. Grown disks are too close at
+   first: at the packing 0.70 Z is 11.1 and falls towards the fluid's 10.3
+   for some hundred collisions of each disk; hence three million collisions
+   at the end. */
 static void warm_up(struct engines *e, const struct settings *s)
 {
     const uint64_t n = e->disks.count;
     bool whole = e->disks.disk[0].radius == 0.5;
     make_cells(e);
-    run_on(e, true, s->collisions ? s->collisions : 5 * n);
+    run_collisions(e, true, s->collisions ? s->collisions : 5 * n);
     while (!whole && !progress_signal()) {
         disks_settle(&e->disks);
         make_cells(e);
         whole = grow(e);
         make_cells(e);
-        run_on(e, true, whole ? 5 * n + 3000000 : n);
+        run_collisions(e, true, whole ? 5 * n + 3000000 : n);
     }
 }
 
-/* How many tiles make up so many disks, along each axis. */
+/* Returns how many tiles make up so many disks along each axis, 1 if none
+   are laid. A million disks would take minutes to melt; some thousands that
+   have melted are laid side by side instead. */
 static size_t tiles_along(const struct settings *s, size_t count)
 {
     size_t along = 1;
-    for (size_t k = 2; fluid(s); ++k) {
+    for (size_t k = 2; is_fluid(s); ++k) {
         const size_t tiles = s->dimensions == 2 ? k * k : k * k * k;
         if (count / tiles < 4000)
             break;
@@ -334,6 +368,8 @@ static size_t tiles_along(const struct settings *s, size_t count)
     return along;
 }
 
+/* Replaces the disks by copies of them. Each copy draws velocities of its
+   own, and after five collisions of each disk no tile is like another. */
 static void lay_tiles(struct engines *e, const struct settings *s,
                       size_t along, size_t count)
 {
@@ -352,6 +388,8 @@ static void lay_tiles(struct engines *e, const struct settings *s,
     disks_free(&tile);
 }
 
+/* Makes the disks that are timed. A run that is to be short warms up as
+   shortly. */
 static void make_fluid(struct engines *e, const struct settings *s,
                        size_t count)
 {
@@ -365,7 +403,7 @@ static void make_fluid(struct engines *e, const struct settings *s,
     disks_settle(&e->disks);
     lay_tiles(e, s, along, count);
     make_cells(e);
-    run_on(e, true, 5 * count);
+    run_collisions(e, true, 5 * count);
 }
 
 static void time_size(const struct settings *s, size_t count,

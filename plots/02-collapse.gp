@@ -1,6 +1,6 @@
 # data: build/data/02-collapse.dat
 # command: build/bin/bonkers-studies --study collapse -o build/data/02-collapse.dat
-# alt: Number of collisions of two equal balls and a wall until they part, against the restitution from 0.1 to 0.6. The points follow the line two pi over phi, fall from 74 beside the dashed border at 0.1716 to 5 at 0.5, and there are none to the left of the border.
+# alt: Number of collisions of two equal balls and a wall until they part, against the restitution from 0.1 to 0.6. The points follow the line two pi over phi, fall from 74 beside the dashed border at 0.1716 to 4 at 0.5, and there are none to the left of the border.
 width = 12
 height = 7
 load 'plots/style.gp'

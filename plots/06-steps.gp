@@ -1,7 +1,7 @@
 # data: build/data/06-steps.dat
 # command: build/bin/sample-studies --study memory --step 0.025,0.035,0.05,0.07,0.1,0.14,0.2,0.28,0.4,0.57,0.8 --samples 1000000 -o build/data/06-steps.dat
 # lecture: build/bin/sample-studies --study memory --step 0.025,0.035,0.05,0.07,0.1,0.14,0.2,0.28,0.4,0.57,0.8 --samples 10000000 -o build/data/06-steps.dat
-# alt: Inefficiency in sweeps against the longest step, both logarithmic. That of the place of one disk falls from 5000 at a step of 0.025 to 130 at 0.57. That of the share at the walls has its least value, 8, at 0.14 and rises to 60 at either end. The acceptance, written above, falls from 87 to 4 per cent.
+# alt: Inefficiency in sweeps against the longest step, both logarithmic. That of the place of one disk falls from 5000 at a step of 0.025 to 120 at 0.57. That of the share at the walls has its least value, 8, at 0.14 and rises to 60 at either end. The acceptance, written above, falls from 87 to 4 per cent.
 width = 14
 height = 7
 load 'plots/style.gp'

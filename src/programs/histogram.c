@@ -1,6 +1,4 @@
-/* From chapters/works/03-equilibrium.nw: edit there, then run make tangle. */
-/* checksum 857077052 of the lines below */
-/* Columns of a table: their moments, errors and laws. */
+/* Describes columns of a table: moments, errors, histograms, laws. */
 #include "line/laws.h"
 #include "line/statistics.h"
 #include "toolbox/bench.h"
@@ -41,14 +39,18 @@ struct column {
     struct statistics_description d; /* of x */
 };
 
+/* Of a table with a million rows only the columns that are asked for are
+   kept. */
 struct columns {
-    size_t count, rows, room, last; /* the last that a row must have */
+    size_t count, rows, capacity, last; /* the last that a row must have */
     struct column column[MOST_COLUMNS];
-    bool against; /* the last one is only there to be compared with */
-    uint64_t line, seed;
+    bool against;  /* the last column is that of --against */
+    uint64_t line; /* of the file, for messages; 0: none */
+    uint64_t seed;
     char *made_by; /* the command in the file's head, if any */
 };
-/* Says what is wrong with the input, in which line, and ends. */
+/* Prints what is wrong with the input, with file and line in the form that
+   editors know, and ends the program. */
 static _Noreturn void bad_input(const struct settings *s,
                                 const struct columns *c, const char *format,
                                 ...)
@@ -70,13 +72,16 @@ static _Noreturn void no_memory(const struct settings *s,
 {
     bad_input(s, c, "no memory for %zu rows", c->rows);
 }
+
 struct head {
     struct {
         char name[NAME_LENGTH], unit[NAME_LENGTH];
     } column[MOST_COLUMNS];
 };
 
-/* Reads "# 3 x1 [m] ...", "# command: ..." or "# seed: ...". */
+/* Reads "# 3 x1 [m] ...", "# command: ..." or "# seed: ..."; any other line
+   is a comment. Command and seed are handed on to the table that is
+   written, so that a histogram still knows where its samples came from. */
 static void read_head(struct head *h, struct columns *c, const char *text)
 {
     char name[NAME_LENGTH], unit[NAME_LENGTH];
@@ -92,18 +97,20 @@ static void read_head(struct head *h, struct columns *c, const char *text)
         c->made_by = strdup(text + 11);
 }
 
-static bool blank(char letter)
+/* A file from Windows has '\r' at the end of each line. */
+static bool is_blank(char letter)
 {
     return letter == ' ' || letter == '\t' || letter == '\n' ||
            letter == '\r';
 }
 
-/* The field after this one, or the end of the row. */
+/* Returns the field after this one, or the end of the row. A row is never
+   copied: a field is a pointer into it. */
 static const char *next_field(const char *text)
 {
-    while (*text && !blank(*text))
+    while (*text && !is_blank(*text))
         ++text;
-    while (blank(*text))
+    while (is_blank(*text))
         ++text;
     return text;
 }
@@ -116,6 +123,9 @@ static size_t count_fields(const char *row)
     return fields;
 }
 
+/* Returns the number of the column that `name` gives, up to a comma: by its
+   number, as in gnuplot, or by its name in the head. A name may begin with
+   a digit, so it is a number only if all of it is. */
 static size_t find_column(struct settings *s, struct columns *c,
                           const struct head *h, const char *name,
                           size_t fields)
@@ -137,6 +147,8 @@ static size_t find_column(struct settings *s, struct columns *c,
               (int)length, name);
 }
 
+/* A column without a name is called c and its number, since the keys of the
+   summary need a name. */
 static void add_column(struct settings *s, struct columns *c,
                        const struct head *h, size_t number)
 {
@@ -154,6 +166,9 @@ static void add_column(struct settings *s, struct columns *c,
     ++c->count;
 }
 
+/* Called at the first row, which tells how many columns there are. The
+   column of --against comes last. One law or range serves all columns; else
+   there must be one for each. */
 static void choose_columns(struct settings *s, struct columns *c,
                            const struct head *h, const char *row)
 {
@@ -175,16 +190,16 @@ static void choose_columns(struct settings *s, struct columns *c,
         bad_input(s, c, "%zu ranges for %zu columns", s->ranges, wanted);
 }
 
-static void make_room(struct settings *s, struct columns *c)
+static void grow_columns(struct settings *s, struct columns *c)
 {
-    if (c->rows < c->room)
+    if (c->rows < c->capacity)
         return;
-    c->room = c->room ? 2 * c->room : 1024;
+    c->capacity = c->capacity ? 2 * c->capacity : 1024;
     for (size_t i = 0; i < c->count; ++i) {
         double *x =
-            realloc(c->column[i].x, c->room * sizeof c->column[i].x[0]);
+            realloc(c->column[i].x, c->capacity * sizeof c->column[i].x[0]);
         if (!x)
-            bad_input(s, c, "no memory for %zu rows", c->room);
+            bad_input(s, c, "no memory for %zu rows", c->capacity);
         c->column[i].x = x;
     }
 }
@@ -196,6 +211,9 @@ static void free_columns(struct columns *c)
     free(c->made_by);
 }
 
+/* strtod takes nan and inf, and stops without complaint in the middle of
+   1.5abc. One NaN in a million rows would make every mean NaN: all these
+   are refused. */
 static double read_number(struct settings *s, struct columns *c,
                           const struct column *column, const char *text)
 {
@@ -211,6 +229,8 @@ static double read_number(struct settings *s, struct columns *c,
     return value;
 }
 
+/* Only the columns that are wanted are read as numbers: a column of names
+   in the same table does no harm. */
 static void take_row(struct settings *s, struct columns *c,
                      const char *text)
 {
@@ -221,7 +241,7 @@ static void take_row(struct settings *s, struct columns *c,
     if (fields < c->last)
         bad_input(s, c, "%zu columns, where column %zu is wanted", fields,
                   c->last);
-    make_room(s, c);
+    grow_columns(s, c);
     for (size_t i = 0; i < c->count; ++i) {
         struct column *column = &c->column[i];
         column->x[c->rows] =
@@ -230,6 +250,7 @@ static void take_row(struct settings *s, struct columns *c,
     ++c->rows;
 }
 
+/* Two rows are the fewest that have a standard deviation. */
 static void read_table(struct settings *s, struct columns *c)
 {
     FILE *file = strcmp(s->file, "-") == 0 ? stdin : fopen(s->file, "r");
@@ -239,7 +260,7 @@ static void read_table(struct settings *s, struct columns *c)
     if (!file)
         bad_input(s, c, "%s", strerror(errno));
     for (c->line = 1; getline(&line, &size, file) >= 0; ++c->line) {
-        const char *text = blank(*line) ? next_field(line) : line;
+        const char *text = is_blank(*line) ? next_field(line) : line;
         if (*text == '#')
             read_head(&head, c, text);
         else if (*text && s->skip > 0)
@@ -250,7 +271,7 @@ static void read_table(struct settings *s, struct columns *c)
             take_row(s, c, text);
         }
     }
-    c->line = 0;
+    c->line = 0; /* what follows concerns no line */
     if (ferror(file))
         bad_input(s, c, "%s", strerror(errno));
     if (file != stdin)
@@ -404,6 +425,7 @@ static void read_settings(struct settings *s, int argc, char *argv[])
     program_apart(&o, s->output, s->summary_path, "table");
 }
 
+/* The column's name ends the key, as in sd_error_v4. */
 static void summarise(const struct settings *s, const char *key,
                       const struct column *column, double value)
 {
@@ -437,6 +459,8 @@ struct bins {
     size_t count;
 };
 
+/* Without --range the bins reach from the least sample to the greatest;
+   without --bins there are as many as (3.19, eq:width) advises. */
 static struct bins choose_bins(const struct settings *s, size_t i,
                                const struct statistics_description *d)
 {
@@ -469,7 +493,8 @@ static void refuse_bins(const struct settings *s, const struct columns *c,
                   column->name, b.count, b.low, b.high);
 }
 
-/* Refuses a column of which no table can be made. */
+/* Refuses a column of which no table can be made. All columns are described
+   before anything is written, so that this comes first. */
 static void refuse_column(const struct settings *s, const struct columns *c,
                           const struct column *column)
 {
@@ -494,7 +519,8 @@ static void refuse_column(const struct settings *s, const struct columns *c,
                   column->name);
 }
 
-/* Refuses a column whose own law is none: of no width, or too wide. */
+/* Refuses a column if the law that takes its mean and standard deviation
+   from it has no width, or an infinite one. */
 static void refuse_law(const struct settings *s, const struct columns *c,
                        const struct column *column, struct law law)
 {
@@ -517,6 +543,8 @@ static void describe(const struct settings *s, struct columns *c, size_t i)
         refuse_bins(s, c, i);
 }
 
+/* Goes to standard error: it is no part of the result and must not be
+   missed. */
 static void note_bounds(const struct column *column)
 {
     if (!column->d.plateau)
@@ -539,6 +567,8 @@ static void print_description(const struct settings *s,
     table_print(s->out, "\n");
 }
 
+/* Nine digits are plenty for what is uncertain in the third, and they hide
+   that exp and log differ in their last bits between C libraries. */
 static void print_row(struct table *out, size_t n, const double row[])
 {
     for (size_t i = 0; i < n; ++i)
@@ -546,19 +576,23 @@ static void print_row(struct table *out, size_t n, const double row[])
     table_print(out, "\n");
 }
 
+/* Compares a column with its law. If normal or microcanonical took
+   parameters from the column, then the distance of Kolmogorov, and mean and
+   standard deviation in units of their errors (3.13, eq:zscore), mean
+   nothing and are left out. */
 static void test_law(struct settings *s, const struct columns *c, size_t i,
                      const struct statistics_description *d)
 {
     const struct column *column = &c->column[i];
     struct law *law = &s->law[s->laws > 1 ? i : 0];
-    struct law own = *law;
+    struct law completed = *law;
     struct law_test t;
-    const size_t fitted = laws_complete(&own, d->mean, d->sd);
-    if (!laws_test(&own, d->n, column->x, d->inefficiency, d->block, fitted,
-                   &t))
+    const size_t fitted = laws_complete(&completed, d->mean, d->sd);
+    if (!laws_test(&completed, d->n, column->x, d->inefficiency, d->block,
+                   fitted, &t))
         no_memory(s, c);
     table_print(s->out, "#   law: mean %.4g, sd %.4g\n#   ",
-                laws_mean(&own), laws_sd(&own));
+                laws_mean(&completed), laws_sd(&completed));
     if (!fitted)
         table_print(s->out, "distance %.3g (P %.2g), ", t.distance,
                     t.distance_probability);
@@ -568,16 +602,17 @@ static void test_law(struct settings *s, const struct columns *c, size_t i,
         table_print(s->out,
                     "#   blocks of %zu still remember: believe no P\n",
                     d->block);
-    summarise(s, "law_mean", column, laws_mean(&own));
-    summarise(s, "law_sd", column, laws_sd(&own));
+    summarise(s, "law_mean", column, laws_mean(&completed));
+    summarise(s, "law_sd", column, laws_sd(&completed));
     summarise(s, "law_fitted", column, (double)fitted);
     if (!fitted) {
         summarise(s, "law_distance", column, t.distance);
         summarise(s, "law_distance_probability", column,
                   t.distance_probability);
         summarise(s, "mean_z", column,
-                  (d->mean - laws_mean(&own)) / d->mean_error);
-        summarise(s, "sd_z", column, (d->sd - laws_sd(&own)) / d->sd_error);
+                  (d->mean - laws_mean(&completed)) / d->mean_error);
+        summarise(s, "sd_z", column,
+                  (d->sd - laws_sd(&completed)) / d->sd_error);
     }
     summarise(s, "law_chi2", column, t.chi2);
     summarise(s, "law_degrees", column, t.degrees);
@@ -586,6 +621,9 @@ static void test_law(struct settings *s, const struct columns *c, size_t i,
 
 enum { CELLS = 5 }; /* a side of the table of cells */
 
+/* Tests whether a column is independent of the other one. The chi-square of
+   the cells is divided by the larger of the two statistical
+   inefficiencies. */
 static void compare(const struct settings *s, const struct columns *c,
                     size_t i, const struct statistics_description *d)
 {
@@ -626,6 +664,7 @@ static void name_histogram(const struct settings *s,
         table_column(s->out, "fit", inverse, "mean of the fit in the bin");
 }
 
+/* A fit that fails is no reason to stop: the histogram is still good. */
 static bool fit_column(const struct settings *s,
                        const struct column *column,
                        const struct statistics_histogram *h,
@@ -667,6 +706,9 @@ static struct statistics_histogram *count_column(
     return h;
 }
 
+/* Law and fit have the probability of the bin over its width, not their
+   value at its centre: in a wide bin these differ, and the arcsine law is
+   infinite at its ends. */
 static void write_histogram(struct settings *s, const struct columns *c,
                             size_t i,
                             const struct statistics_description *d)
@@ -725,8 +767,7 @@ static void write_row(const struct settings *s, const struct columns *c,
                          (double)d->block, d->plateau});
 }
 
-/* A column and its (x - mean)^2, in units of its size and of the square of
-   that, for free. */
+/* Returns a copy of column i in units of its size, to be freed. */
 static double *in_unit(const struct settings *s, const struct columns *c,
                        size_t i)
 {
@@ -739,6 +780,8 @@ static double *in_unit(const struct settings *s, const struct columns *c,
     return x;
 }
 
+/* Returns (x - mean)^2 of column i in units of the square of its size, to
+   be freed. Of a velocity that is the kinetic energy but for a factor. */
 static double *squares_of(const struct settings *s, const struct columns *c,
                           size_t i)
 {
@@ -801,6 +844,8 @@ static void name_correlation(const struct settings *s)
     table_column(s->out, "g2", "", "1 + 2 sum of rho2 up to here");
 }
 
+/* Writes up to twice the window, so that one sees what the window cuts
+   off. */
 static void write_correlation(const struct settings *s,
                               const struct columns *c, size_t i,
                               const struct statistics_description *d)
@@ -841,8 +886,10 @@ enum { WAYS = 3 };
 
 static const char *const ways[WAYS] = {"naive", "blocks", "correlation"};
 
-/* The error of the mean of y in one of the three ways, and the
-   uncertainty of that error as the way itself tells it. */
+/* Returns the error of the mean of y in one of the three ways, and the
+   uncertainty of that error as the way itself tells it. The correlations
+   tell the uncertainty of the inefficiency; that of its root is half as
+   large. */
 static double error_by(int way, size_t n, const double y[],
                        double *uncertainty)
 {
@@ -873,6 +920,8 @@ static void name_cost(const struct settings *s)
     table_column(s->out, "time", "ns", "of the processor, a sample");
 }
 
+/* The first round warms the caches; its times are overwritten. The ways
+   take turns, so that a disturbance of the machine falls on all of them. */
 static void write_cost(const struct settings *s, const struct columns *c,
                        size_t i, const struct statistics_description *d)
 {

@@ -1,6 +1,4 @@
-/* From chapters/works/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 3606312714 of the lines below */
-/* Measures bodies that attract each other. */
+/* Measures bodies that attract each other, for the figures of chapter 9. */
 #include "forces/celestial.h"
 #include "forces/gravity.h"
 #include "forces/jacobi.h"
@@ -19,25 +17,26 @@
 #define PROGRAM "gravity-studies"
 
 struct settings {
-    double orbits; /* 0: what the study takes */
-    double factor, moon, mixed;
+    double orbits;              /* 0: the study's own number */
+    double factor, moon, mixed; /* of the ring, see the options */
     size_t kernel;
 };
 
-/* How long a study runs, in its own unit, if nothing else was asked for. */
+/* Returns how long a study runs, in its own unit. */
 static double duration(const struct study *s, double usual)
 {
     const struct settings *own = s->own;
     return own->orbits > 0 ? own->orbits : usual;
 }
 
-/* A scene, what pulls in it, and the method that moves it. */
+/* A scene, what attracts in it, and the method that moves it. */
 struct sky {
     struct scene scene;
     struct gravity gravity;
     struct stepping stepping;
 };
 
+/* Makes a scene as the program scene would, apart from the keys chosen. */
 static void make_scene(struct scene *s, const char *name,
                        const struct gallery_choice chosen[])
 {
@@ -75,9 +74,10 @@ static double energy_of(const struct sky *k)
     return sum / 2 + gravity_potential(&k->gravity, s->position);
 }
 
-/* Where body i is, and how fast, seen from body 0. */
-static void seen_from_first(const struct scene *s, size_t i, double x[3],
-                            double v[3])
+/* Gives the position and velocity of body i relative to body 0, the one in
+   the middle. */
+static void relative_to_first(const struct scene *s, size_t i, double x[3],
+                              double v[3])
 {
     for (size_t k = 0; k < 3; ++k) {
         const size_t at = k * s->bodies;
@@ -91,7 +91,9 @@ static double length(const double x[3])
     return sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
 }
 
-/* Time and drift of the paper's listing: one year in its own steps. */
+/* Measures the year and the drift of the paper's listing, in steps of its
+   own length, to a small fraction of a step: when the Earth has come round,
+   at the height y and climbing at v_y, it passed the axis y / v_y ago. */
 static void measure_year(struct study *s)
 {
     struct sky k;
@@ -99,11 +101,11 @@ static void measure_year(struct study *s)
     begin_sky(&k, "sun-earth", NULL, "leapfrog", 0.03);
     const double *y = k.scene.position + 2, *m = k.scene.mass;
     const double pull = k.scene.k2 * (1 + m[1]);
-    seen_from_first(&k.scene, 1, x, v);
+    relative_to_first(&k.scene, 1, x, v);
     kepler_shape(pull, x, v, &a, &e);
     do {
         stepping_run(&k.stepping, 1);
-        seen_from_first(&k.scene, 1, x, v);
+        relative_to_first(&k.scene, 1, x, v);
         t = stepping_time(&k.stepping);
     } while (t < 100 || x[0] < 0 || x[1] < 0);
     table_real(s->summary, "axis", a);
@@ -116,16 +118,17 @@ static void measure_year(struct study *s)
     end_sky(&k);
 }
 
-/* k: Euler's and leapfrog's sky; the closed form has the Earth at x. */
+/* Compares both methods with the laws of their errors after five years; k:
+   the skies of Euler and leapfrog; the closed form has the Earth at x. */
 static void compare_with_laws(struct study *s, struct sky k[2],
                               const double x[3], double pull)
 {
     const double turned = sqrt(pull) * 913 * 2, h = sqrt(pull) * 2;
     double after[3], v[3];
-    seen_from_first(&k[0].scene, 1, after, v);
+    relative_to_first(&k[0].scene, 1, after, v);
     table_real(s->summary, "euler_radius", length(after));
     table_real(s->summary, "euler_law", cbrt(1 + 6 * h * turned));
-    seen_from_first(&k[1].scene, 1, after, v);
+    relative_to_first(&k[1].scene, 1, after, v);
     const double off[3] = {after[0] - x[0], after[1] - x[1], 0};
     table_real(s->summary, "leapfrog_error", length(off));
     table_real(s->summary, "leapfrog_law", turned * h * h / 3);
@@ -154,7 +157,7 @@ static const struct table_key sun_earth_keys[] = {
     {"leapfrog_law", "AU", "the same by the law"},
     {0}};
 
-/* Five years in steps of two days: the closed form, and two methods. */
+/* Runs five years in steps of two days: the closed form and two methods. */
 static void study_sun_earth(struct study *s)
 {
     struct sky k[2];
@@ -162,12 +165,12 @@ static void study_sun_earth(struct study *s)
     begin_sky(&k[0], "sun-earth", NULL, "euler", 2);
     begin_sky(&k[1], "sun-earth", NULL, "leapfrog", 2);
     const double pull = k[0].scene.k2 * (1 + k[0].scene.mass[1]);
-    seen_from_first(&k[0].scene, 1, x, v);
+    relative_to_first(&k[0].scene, 1, x, v);
     name_paths(s->out);
     for (int n = 0; n <= 912; ++n) {
         double row[7] = {2. * n, x[0], x[1]};
         for (int i = 0; i < 2; ++i) {
-            seen_from_first(&k[i].scene, 1, after, u);
+            relative_to_first(&k[i].scene, 1, after, u);
             row[3 + 2 * i] = after[0];
             row[4 + 2 * i] = after[1];
             stepping_run(&k[i].stepping, 1);
@@ -202,8 +205,8 @@ static void study_anomaly(struct study *s)
     }
 }
 
-/* How far from its place a planet is after one orbit that begins at the
-   aphelion, in units of the aphelion's distance. */
+/* Returns how far from its position a planet is after one orbit that starts
+   at the aphelion, in units of the aphelion's distance. */
 static double orbit_error(double e, const char *method, double evaluations)
 {
     struct sky k;
@@ -222,6 +225,8 @@ static double orbit_error(double e, const char *method, double evaluations)
     return error;
 }
 
+/* Writes a path from the aphelion, with the speed sqrt(1 - e) of the
+   circular one. */
 static void write_long_path(struct table *out)
 {
     struct sky k;
@@ -270,9 +275,9 @@ static void study_eccentric(struct study *s)
     write_long_path(s->out);
 }
 
-/* Puts the planet, which weighs nothing, where the elements say. */
-static void begin_fall(struct sky *k, const char *method, double step,
-                       double softening, const struct kepler_elements *o)
+/* Begins with the planet, which has no mass, where the elements say. */
+static void begin_flyby(struct sky *k, const char *method, double step,
+                        double softening, const struct kepler_elements *o)
 {
     double x[3], v[3];
     begin_sky(k, "sun-earth", (struct gallery_choice[]){{"mass", 0}, {0}},
@@ -285,7 +290,8 @@ static void begin_fall(struct sky *k, const char *method, double step,
     }
 }
 
-/* The relative change of the planet's energy since it was at 1 AU. */
+/* Returns the relative change of the planet's energy since it was at 1 AU,
+   by the potential of the run, softened or not. */
 static double energy_change(const double x[3], const double v[3],
                             double softening)
 {
@@ -295,11 +301,12 @@ static double energy_change(const double x[3], const double v[3],
     return fabs(length(v) * length(v) / 2 - mu / r - before) / (mu / 2);
 }
 
-/* A fall past the Sun from 1 AU to 1 AU, on an ellipse of axis 1 AU that
-   comes as near as q. The relative error of the energy, and, in AU, of the
-   place. */
-static void fall(double q, const char *method, double dt, double softening,
-                 double *energy, double *place)
+/* Runs a fall past the Sun from 1 AU to 1 AU, on an ellipse of semi-major
+   axis 1 AU that comes as near as q. Gives the relative error of the energy
+   and, AU, of the position, which is compared with the orbit without
+   softening. */
+static void fly_by(double q, const char *method, double dt,
+                   double softening, double *energy, double *place)
 {
     struct sky k;
     const double half = KEPLER_PI / 2 - (1 - q);
@@ -307,9 +314,9 @@ static void fall(double q, const char *method, double dt, double softening,
     double x[3], v[3], right[3];
     const double time = 2 * half / CELESTIAL_K;
     const uint64_t steps = (uint64_t)ceil(time / dt);
-    begin_fall(&k, method, time / (double)steps, softening, &o);
+    begin_flyby(&k, method, time / (double)steps, softening, &o);
     stepping_run(&k.stepping, steps);
-    seen_from_first(&k.scene, 1, x, v);
+    relative_to_first(&k.scene, 1, x, v);
     *energy = energy_change(x, v, softening);
     o.mean_anomaly = half;
     kepler_place(CELESTIAL_K2, &o, right, v);
@@ -351,9 +358,9 @@ static void study_encounter(struct study *s)
     for (double q = 0.3; q > 2e-6; q /= sqrt(sqrt(10))) {
         double row[1 + 2 * FALLS] = {q}, *energy = row + 1,
                            *place = energy + FALLS;
-        fall(q, "leapfrog", dt, 0, &energy[0], &place[0]);
-        fall(q, "kahan-li8", dt * 17, 0, &energy[1], &place[1]);
-        fall(q, "leapfrog", dt, 0.01, &energy[2], &place[2]);
+        fly_by(q, "leapfrog", dt, 0, &energy[0], &place[0]);
+        fly_by(q, "kahan-li8", dt * 17, 0, &energy[1], &place[1]);
+        fly_by(q, "leapfrog", dt, 0.01, &energy[2], &place[2]);
         table_row(s->out, 1 + 2 * FALLS, row);
         for (int k = 0; k < 2 * FALLS; ++k) {
             snprintf(key, sizeof key, "%s_%.2g", fall_columns[k], q);
@@ -372,14 +379,14 @@ enum { JUPITERS = 4 };
 static double eccentricity_of(const struct scene *s, size_t i)
 {
     double x[3], v[3], a, e;
-    seen_from_first(s, i, x, v);
+    relative_to_first(s, i, x, v);
     kepler_shape(s->k2 * (s->mass[0] + s->mass[i]), x, v, &a, &e);
     return e;
 }
 
-/* The relative change of the energy in a century of all eight planets, by
-   leapfrog, with Jupiter so many times as heavy. */
-static double lose_saturn(double jupiter)
+/* Returns the relative change of the energy in a century of all eight
+   planets, by leapfrog, with Jupiter so many times as heavy. */
+static double century_with_jupiter(double jupiter)
 {
     struct sky k;
     begin_sky(&k, "solar-system",
@@ -392,7 +399,8 @@ static double lose_saturn(double jupiter)
     return error;
 }
 
-/* The eccentricities of the Earth and of Mars; then five years on. */
+/* Gives the eccentricities of the Earth and of Mars, and runs five
+   years. */
 static void five_years(struct sky *k, double eccentricity[2])
 {
     eccentricity[0] = eccentricity_of(&k->scene, 3);
@@ -429,12 +437,12 @@ static void study_planets(struct study *s)
         error = fmax(error, fabs(energy_of(&k[last]) / before[last] - 1));
     }
     table_real(s->summary, "energy_300", error);
-    table_real(s->summary, "eight", lose_saturn(300));
+    table_real(s->summary, "eight", century_with_jupiter(300));
     for (int i = 0; i < JUPITERS; ++i)
         end_sky(&k[i]);
 }
 
-/* Writes the paths of the stars and of a planet that begins at this
+/* Writes the paths of the stars and of a planet that starts at this
    distance, for so many days. */
 static void write_paths(struct study *s, double distance, double days)
 {
@@ -478,11 +486,15 @@ static void study_circumbinary(struct study *s)
     end_sky(&k);
 }
 
+/* Of Kepler-16, AU and days. */
 static const double binary = 0.2243, binary_period = 41.0808939256;
 
-/* How many of 8 phases survive for so many periods of the stars, massless
-   and beginning at this distance (in units of the stars'): neither within
-   0.05 of it from the centre nor beyond 5. */
+/* Returns how many of 8 phases survive for so many periods of the stars:
+   massless planets that start at this distance (in units of the stars') and
+   come neither within 0.05 of it to the centre nor beyond 5. Without a mass
+   they leave the stars' circles as they are. Leapfrog with 100 steps a
+   period suffices, since the answer is yes or no; it is looked up every ten
+   steps. */
 static int survivors(double distance, double periods)
 {
     int alive = 0;
@@ -513,6 +525,8 @@ static const struct table_key survival_keys[] = {
     {"law_AU", "AU", "the same"},
     {0}};
 
+/* Goes outwards by 0.04 of the stars' distance, and finds from where on all
+   phases survive. */
 static void study_survival(struct study *s)
 {
     const double periods = duration(s, 1000);
@@ -536,8 +550,9 @@ static void study_survival(struct study *s)
     table_real(s->summary, "law_AU", law * binary);
 }
 
-/* Largest relative error of the energy in so many periods of the stars,
-   and the error of the planet's place after 400 days, AU. */
+/* Gives the largest relative error of the energy in so many periods of the
+   stars, and the error of the planet's position after 400 days, AU, against
+   one computed in quadruple precision. */
 static void precision(const char *method, double evaluations,
                       double periods, double *energy, double *place)
 {
@@ -559,6 +574,7 @@ static void precision(const char *method, double evaluations,
     end_sky(&k);
 }
 
+/* Writes the errors of the budgets that the book quotes to the summary. */
 static void note_precision(struct table *summary, const char *method,
                            double evaluations, double energy, double place)
 {
@@ -578,6 +594,8 @@ static const struct table_key work_keys[] = {
     {"dx_<method>_<n>", "AU", "error of place after 400 d"},
     {0}};
 
+/* Gives each method the same budgets. A run whose error exceeds the energy
+   itself is left out. */
 static void study_work(struct study *s)
 {
     static const char *const methods[] = {
@@ -599,6 +617,7 @@ static void study_work(struct study *s)
     }
 }
 
+/* Adds Kepler's ellipses to a sky, if its method needs them. */
 static void begin_ellipses(struct sky *k, struct jacobi *j)
 {
     const struct scene *s = &k->scene;
@@ -611,9 +630,9 @@ static void begin_ellipses(struct sky *k, struct jacobi *j)
     p->flow = jacobi_flow;
 }
 
-/* The largest relative error of the energy up to the time t, and what it
-   cost, s of processor time. */
-static double wander(struct sky *k, double t, double *cost)
+/* Returns the largest relative error of the energy up to the time t, looked
+   up a thousand times, and in *cost the processor time, s; ends the sky. */
+static double largest_energy_error(struct sky *k, double t, double *cost)
 {
     struct jacobi j = {0};
     const uint64_t steps = (uint64_t)round(t / k->stepping.dt);
@@ -632,6 +651,9 @@ static double wander(struct sky *k, double t, double *cost)
     return worst;
 }
 
+/* Returns the largest relative error of the energy of eight planets in a
+   century, with their masses times a factor and so many days from kick to
+   kick. */
 static double century(const char *method, double days, double factor)
 {
     struct sky k;
@@ -640,7 +662,7 @@ static double century(const char *method, double days, double factor)
     begin_sky(&k, "solar-system", NULL, method, days * (double)m->stages);
     for (size_t i = 1; i < k.scene.bodies; ++i)
         k.scene.mass[i] *= factor;
-    return wander(&k, 36525, &cost);
+    return largest_energy_error(&k, 36525, &cost);
 }
 
 static const char *const along[] = {"leapfrog", "kahan-li8",
@@ -652,6 +674,7 @@ static const struct table_key ellipses_keys[] = {
     {"<method>_slope", "1", "2 d, masses times 1 to 10: power of them"},
     {0}};
 
+/* Writes the error against the planets' masses, and its slope. */
 static void record_masses(struct study *s, const char *method)
 {
     double error[7];
@@ -666,6 +689,9 @@ static void record_masses(struct study *s, const char *method)
     table_real(s->summary, key, log10(error[6] / error[4]));
 }
 
+/* Writes the error against the days from kick to kick, then against the
+   masses. Errors of 1 and more, where a method lost the orbits, are left
+   out. */
 static void study_ellipses(struct study *s)
 {
     table_column(s->out, "d", "d", "from kick to kick");
@@ -686,6 +712,8 @@ static void study_ellipses(struct study *s)
     }
 }
 
+/* Times the planet of two suns for 1e4 periods, for a table that is
+   kept. */
 static void study_two_suns(struct study *s)
 {
     static const struct {
@@ -704,14 +732,16 @@ static void study_two_suns(struct study *s)
             struct sky sky;
             begin_sky(&sky, "circumbinary", NULL, row[i].method,
                       binary_period / row[i].steps);
-            error = wander(&sky, 1e4 * binary_period, &cost[k]);
+            error =
+                largest_energy_error(&sky, 1e4 * binary_period, &cost[k]);
         }
         table_print(s->out, "%s-%d %.3g %.3g\n", row[i].method,
                     row[i].steps, bench_median(cost, BENCH_ROUNDS), error);
     }
 }
 
-/* How far the bodies are from one circle, in units of its radius. */
+/* Returns how far the bodies are from one circle, in units of its radius.
+   Nothing but rounding disturbs it at the start. */
 static double deviation(const struct scene *s)
 {
     double least = INFINITY, most = 0;
@@ -725,14 +755,16 @@ static double deviation(const struct scene *s)
 
 enum { PARTS_OF_ORBIT = 20 };
 
-/* What is measured of a choreography that breaks. */
+/* What is measured of a choreography that breaks. The rate is the slope of
+   the logarithm where it is straight: above rounding and below a tenth. */
 struct broken {
     double orbits;       /* until the circle is off by a tenth */
     double rate;         /* of growth, in units of the angular velocity */
     double early, first; /* orbits and deviation when it was 1e-12 */
 };
 
-/* Lets a choreography run until it breaks; writes how far it is off. */
+/* Runs a choreography until its radii differ by a tenth, or for twenty
+   orbits, and writes its deviation. */
 static struct broken run_until_broken(struct study *s, size_t count)
 {
     struct sky k;
@@ -760,8 +792,8 @@ static struct broken run_until_broken(struct study *s, size_t count)
 }
 
 /* Writes a line of the summary, with the number of bodies in its key. */
-static void tell(struct study *s, const char *what, size_t count,
-                 double value)
+static void write_count_key(struct study *s, const char *what, size_t count,
+                            double value)
 {
     char key[40];
     snprintf(key, sizeof key, "%s_%zu", what, count);
@@ -791,17 +823,18 @@ static void study_choreography(struct study *s)
         if (n > 2)
             table_print(s->out, "%zu %.15g %.15g %.6f %.6f %.3f %.3f\n", n,
                         sum, v, rate, b[n].rate, theory, b[n].orbits);
-        tell(s, "S", n, sum);
-        tell(s, "v", n, v);
-        tell(s, "rate", n, rate);
-        tell(s, "measured", n, b[n].rate);
-        tell(s, "theory", n, theory);
-        tell(s, "orbits", n, b[n].orbits);
+        write_count_key(s, "S", n, sum);
+        write_count_key(s, "v", n, v);
+        write_count_key(s, "rate", n, rate);
+        write_count_key(s, "measured", n, b[n].rate);
+        write_count_key(s, "theory", n, theory);
+        write_count_key(s, "orbits", n, b[n].orbits);
     }
 }
 
 static const double eight_period = 6.32591398292621167758900033397;
 
+/* Returns by how much the three bodies miss their start after a period. */
 static double closure(const char *method, double steps, bool compensated)
 {
     struct sky k;
@@ -820,6 +853,8 @@ static double closure(const char *method, double steps, bool compensated)
 static const struct table_key figure_eight_keys[] = {
     {"closure", "1", "miss after a period, kahan-li8"}, {0}};
 
+/* Writes the path, then the errors of methods with 100 to 1e5
+   evaluations. */
 static void study_eight(struct study *s)
 {
     static const char *const methods[] = {"leapfrog", "rk4", "kahan-li8"};
@@ -853,6 +888,8 @@ static const struct table_key ring_speeds_keys[] = {
     {"per_decade", "1/AU^2", "its growth, by the law"},
     {0}};
 
+/* Writes the speeds in a ring of 0.02 planets, and what equations (22) to
+   (24) of the paper give. */
 static void study_ring_speeds(struct study *s)
 {
     const double sigma = 0.02, inner = 2, outer = 2.5;
@@ -879,10 +916,12 @@ static void study_ring_speeds(struct study *s)
     table_real(s->summary, "per_decade", 2 * log(10) * sigma / area);
 }
 
+/* Cells of a ring: r^2 and the angle are divided evenly, so they have equal
+   areas. */
 enum { RADIAL = 4, AROUND = 96 };
 
-/* The variance of the numbers of particles in equal cells of the ring, by
-   their mean: 1 for places that are independent. */
+/* Returns the variance over the mean of the numbers of particles in the
+   cells: 1 for independent positions. */
 static double dispersion(const struct scene *s, size_t particles)
 {
     static double count[RADIAL * AROUND];
@@ -890,7 +929,7 @@ static double dispersion(const struct scene *s, size_t particles)
     memset(count, 0, sizeof count);
     for (size_t i = 1; i <= particles; ++i) {
         double x[3], v[3];
-        seen_from_first(s, i, x, v);
+        relative_to_first(s, i, x, v);
         const double r = hypot(x[0], x[1]);
         const double turn = atan2(x[1], x[0]) / (2 * KEPLER_PI) + 0.5;
         const int a = (int)floor((r * r - 4) / 2.25 * RADIAL);
@@ -906,14 +945,15 @@ static double dispersion(const struct scene *s, size_t particles)
     return (squares / (RADIAL * AROUND) - mean * mean) / mean;
 }
 
-/* The root mean square of the radial velocities, in units of the
-   circle's. */
+/* Returns the root mean square of the radial velocities in units of the
+   circular one: how much the particles, which start on circles, stir each
+   other. */
 static double stirring(const struct scene *s, size_t particles)
 {
     double sum = 0;
     for (size_t i = 1; i <= particles; ++i) {
         double x[3], v[3];
-        seen_from_first(s, i, x, v);
+        relative_to_first(s, i, x, v);
         const double r = length(x);
         const double out = (x[0] * v[0] + x[1] * v[1]) / r;
         sum += out * out * r / s->k2;
@@ -923,6 +963,10 @@ static double stirring(const struct scene *s, size_t particles)
 
 enum { PARTICLES = 3072 };
 
+/* Begins a ring, with 200 steps for an orbit in its middle. Three thousand
+   bodies are worth the fastest kernel, if no other is asked for; so the
+   bytes of this table may differ between processors, and its head names the
+   kernel. */
 static void begin_ring(const struct study *s, struct sky *k, double period)
 {
     const struct settings *own = s->own;
@@ -937,6 +981,7 @@ static void begin_ring(const struct study *s, struct sky *k, double period)
     k->gravity.kernel = (enum gravity_kernel)own->kernel;
 }
 
+/* Writes all positions relative to the planet, with the masses. */
 static void write_ring(const struct study *s, const struct scene *scene)
 {
     const struct settings *own = s->own;
@@ -945,11 +990,12 @@ static void write_ring(const struct study *s, const struct scene *scene)
         gravity_kernels[own->kernel], own->moon > 0 ? ", the moon" : "");
     for (size_t i = 0; i < scene->bodies; ++i) {
         double x[3], v[3];
-        seen_from_first(scene, i, x, v);
+        relative_to_first(scene, i, x, v);
         table_print(s->out, "%.4f %.4f %.3g\n", x[0], x[1], scene->mass[i]);
     }
 }
 
+/* Writes three numbers that judge the run. */
 static void judge_ring(const struct study *s, const struct sky *k,
                        double before)
 {
@@ -984,7 +1030,9 @@ static void study_ring(struct study *s)
     end_sky(&k);
 }
 
-/* By what angle, rad, the ellipse of eccentricity e turns in an orbit. */
+/* Returns by which angle, rad, softening turns the ellipse of eccentricity
+   e in an orbit. The aphelion is between two steps, where r v passes zero;
+   near it the path is straight enough to go back along the velocity. */
 static double precession(double e, double softening)
 {
     struct sky k;
@@ -999,19 +1047,20 @@ static double precession(double e, double softening)
     now = 0;
     do { /* until the next aphelion */
         stepping_run(&k.stepping, 1);
-        seen_from_first(&k.scene, 1, x, v);
+        relative_to_first(&k.scene, 1, x, v);
         before = now;
         now = x[0] * v[0] + x[1] * v[1];
     } while (!(before > 0 && now <= 0));
-    const double share = now / (now - before); /* of the last step */
+    const double fraction = now / (now - before); /* of the last step */
     double earlier[3];
     for (size_t i = 0; i < 3; ++i)
-        earlier[i] = x[i] - share * k.stepping.dt * v[i];
+        earlier[i] = x[i] - fraction * k.stepping.dt * v[i];
     memcpy(x, earlier, sizeof x);
     end_sky(&k);
     return atan2(x[1], x[0]);
 }
 
+/* The change of a circle's period is known without a run. */
 static void study_softening(struct study *s)
 {
     table_column(s->out, "eps", "AU", "softening");
@@ -1027,10 +1076,11 @@ static void study_softening(struct study *s)
     }
 }
 
-/* Adds to sum[] the pull, along x and y, of bodies first to last - 1 at
-   body i; owed: NULL, or what the sums owe. */
-static void pull_single(const struct scene *s, size_t i, size_t first,
-                        size_t last, float sum[2], float owed[2])
+/* Adds to sum[] the acceleration, along x and y and in single precision,
+   that bodies first to last - 1 give body i. Positions keep their 53 bits:
+   what fails is the sum. owed: NULL, or the sums' compensation. */
+static void add_single(const struct scene *s, size_t i, size_t first,
+                       size_t last, float sum[2], float compensation[2])
 {
     const double *x = s->position, *y = x + s->bodies;
     const float least = (float)(s->softening * s->softening);
@@ -1042,16 +1092,18 @@ static void pull_single(const struct scene *s, size_t i, size_t first,
         const float w = (float)s->mass[j] / (square * sqrtf(square));
         for (int c = 0; c < 2; ++c) {
             const float old = sum[c];
-            const float more = w * d[c] + (owed ? owed[c] : 0);
+            const float more =
+                w * d[c] + (compensation ? compensation[c] : 0);
             sum[c] = old + more;
-            if (owed)
-                owed[c] = more - (sum[c] - old);
+            if (compensation)
+                compensation[c] = more - (sum[c] - old);
         }
     }
 }
 
-/* The pull of the planet, body 0, at body i; that of the ring; and what
-   the ring's changes by if each part is rounded as the planet's is. */
+/* Accelerations of a body by the planet, body 0, and by the ring; and by
+   how much the ring's changes if each term is rounded to a whole number of
+   spacings of the planet's: a model of the single sum's error. */
 struct pulls {
     double planet[2], ring[2], lost[2];
 };
@@ -1084,20 +1136,23 @@ static struct pulls pulls_at(const struct scene *s, size_t i)
 
 enum { FIRST, LAST, CARRIED, ORDERS };
 
+/* Sums in three ways: the planet first, the planet last, and
+   compensated. */
 static void sum_singly(const struct scene *s, size_t i,
                        float sum[ORDERS][2])
 {
     const size_t n = s->bodies;
-    float owed[2] = {0, 0};
+    float compensation[2] = {0, 0};
     memset(sum, 0, sizeof(float[ORDERS][2]));
-    pull_single(s, i, 0, n, sum[FIRST], NULL);
-    pull_single(s, i, 1, n, sum[LAST], NULL);
-    pull_single(s, i, 0, 1, sum[LAST], NULL);
-    pull_single(s, i, 0, n, sum[CARRIED], owed);
+    add_single(s, i, 0, n, sum[FIRST], NULL);
+    add_single(s, i, 1, n, sum[LAST], NULL);
+    add_single(s, i, 0, 1, sum[LAST], NULL);
+    add_single(s, i, 0, n, sum[CARRIED], compensation);
 }
 
-/* Of the ring: a row of its size, the error of its own pull, root mean
-   squares, by what it is: of the three sums, and of the model. */
+/* Fills a row for a ring: its size, then the root mean square errors of its
+   own acceleration, by the three sums and by the model, in units of that;
+   at some 250 of the particles. */
 static void compare_singly(const struct scene *s, double row[2 + ORDERS])
 {
     const size_t every = s->bodies > 256 ? s->bodies / 256 : 1;
@@ -1119,6 +1174,7 @@ static void compare_singly(const struct scene *s, double row[2 + ORDERS])
         row[1 + k] = sqrt(error[k] / own);
 }
 
+/* Forces in single precision for a run, to see what its energy tells. */
 static void accelerate_single(void *what, const double x[],
                               const double v[], double a[])
 {
@@ -1127,13 +1183,14 @@ static void accelerate_single(void *what, const double x[],
     (void)x, (void)v; /* x is the scene's */
     for (size_t i = 0; i < n; ++i) {
         float sum[2] = {0, 0};
-        pull_single(s, i, 0, n, sum, NULL);
+        add_single(s, i, 0, n, sum, NULL);
         a[i] = s->k2 * (double)sum[0];
         a[n + i] = s->k2 * (double)sum[1];
         a[2 * n + i] = 0;
     }
 }
 
+/* Begins a ring of the same mass with more and more particles. */
 static void begin_single(struct sky *k, double particles)
 {
     const double step = 2 * KEPLER_PI / CELESTIAL_K * 3.375 / 200;
@@ -1144,8 +1201,8 @@ static void begin_single(struct sky *k, double particles)
               "leapfrog", step);
 }
 
-/* The relative change of the energy of a ring of 3072 in 20 steps, a tenth
-   of an orbit. */
+/* Returns the relative change of the energy of a ring of 3072 in 20 steps,
+   a tenth of an orbit. */
 static double energy_singly(bool single)
 {
     struct sky k;
@@ -1170,6 +1227,7 @@ static const struct table_key single_keys[] = {
     {"double", "1", "the same in double precision"},
     {0}};
 
+/* Writes the row of a ring, and its lines of the summary. */
 static void note_singly(struct study *s, const double row[])
 {
     static const char *const names[] = {"first", "last", "carried",
@@ -1204,6 +1262,11 @@ static void study_single(struct study *s)
 
 #ifdef VECTOR_AVX512
 #include <immintrin.h>
+
+/* Runs 20 n operations in four lanes: fused multiply-adds in ten
+   independent chains, which keep the units busy and do nothing useful; the
+   peak of this machine. The chains stay in registers only if the inner loop
+   is unrolled, hence VECTOR_LONG, gcc's third level. */
 VECTOR_LONG
 __attribute__((target("avx2,fma"))) static double peak4(uint64_t n)
 {
@@ -1219,6 +1282,7 @@ __attribute__((target("avx2,fma"))) static double peak4(uint64_t n)
     return _mm256_cvtsd_f64(a[0]);
 }
 
+/* Does the same in eight lanes. */
 VECTOR_LONG
 __attribute__((target("avx512f"))) static double peak8(uint64_t n)
 {
@@ -1236,6 +1300,8 @@ __attribute__((target("avx512f"))) static double peak8(uint64_t n)
 
 #endif
 
+/* Runs 20 n operations in plain C, for the portable kernel; unrolled by
+   hand for machines on which no level of the compiler can be asked for. */
 static double peak1(uint64_t n)
 {
     const double m = 0.999, c = 0.001;
@@ -1257,9 +1323,9 @@ static double peak1(uint64_t n)
     return sum;
 }
 
-/* What a kernel adds, subtracts and multiplies for a pair, a fused
-   multiply-add being two, a root, a quotient and an estimate one; and the
-   loop of nothing but such operations, and its lanes. */
+/* What a kernel is compared with: its operations for a pair (a fused
+   multiply-add counts two; a root, a quotient and an estimate count one),
+   and the loop of nothing but such operations with its lanes. */
 struct yardstick {
     double operations, lanes;
     double (*peak)(uint64_t n);
@@ -1277,7 +1343,8 @@ static struct yardstick yardstick(enum gravity_kernel kernel)
     return (struct yardstick){operations, 1, peak1};
 }
 
-/* Operations a second of a loop that does nothing else. */
+/* Returns the operations a second of the loop. Its result is volatile, or
+   the compiler would drop the loop. */
 static double measure_peak(const struct yardstick *y)
 {
     const uint64_t n = 5000000;
@@ -1287,7 +1354,8 @@ static double measure_peak(const struct yardstick *y)
     return (double)n * 20 * y->lanes / (bench_seconds() - begin);
 }
 
-/* Ordered pairs a second. */
+/* Returns the ordered pairs a second of a kernel, which is repeated for a
+   tenth of a second by the clock that is given. */
 static double measure_pairs(struct gravity *g, double (*seconds)(void),
                             const double x[], double a[])
 {
@@ -1300,8 +1368,9 @@ static double measure_pairs(struct gravity *g, double (*seconds)(void),
     return runs * n * (n - 1) / (seconds() - begin);
 }
 
-/* The largest error of an acceleration along x, of every 37th body, by
-   the sum of the sizes of what is added up. */
+/* Returns the largest error of an acceleration along x, of every 37th body,
+   against a sum in long double, in units of the summed sizes of the
+   terms. */
 static double kernel_error(struct gravity *g, const double x[], double a[])
 {
     const size_t n = g->bodies;
@@ -1324,8 +1393,9 @@ static double kernel_error(struct gravity *g, const double x[], double a[])
     return worst;
 }
 
-/* A leapfrog for two bodies with nothing in it that is not needed: the
-   measure of what the general one costs. */
+/* Runs a leapfrog of two bodies with nothing in it that is not needed, the
+   measure of what the general one costs; returns a coordinate, so that the
+   loop is not dropped. */
 static double step_by_hand(double x[6], double v[6], const double m[2],
                            double k2, double h, uint64_t steps)
 {
@@ -1344,8 +1414,8 @@ static double step_by_hand(double x[6], double v[6], const double m[2],
     return x[1];
 }
 
-/* Nanoseconds of a leapfrog step of the Sun and the Earth: by stepping,
-   and by hand. */
+/* Gives the nanoseconds of a leapfrog step of the Sun and the Earth, by the
+   module stepping and by step_by_hand. */
 static void measure_two(double *general, double *by_hand)
 {
     const uint64_t steps = 2000000;
@@ -1363,6 +1433,8 @@ static void measure_two(double *general, double *by_hand)
     end_sky(&k);
 }
 
+/* Writes the row of a kernel. Peak and kernel alternate, so that both see
+   the same machine, and the medians are compared. */
 static void measure_kernel(struct study *s, struct sky *k, double a[],
                            enum gravity_kernel kernel)
 {
@@ -1412,7 +1484,9 @@ static void study_speed(struct study *s)
     end_sky(&k);
 }
 
-/* One row: pairs a second by one thread and by many, and the ratio. */
+/* Writes a row: pairs a second by one thread and by two, and the ratio. It
+   is taken in each round, before its median: then a slow moment of the
+   machine spoils one of five. */
 static void compare_threads(struct study *s, struct sky *k, double a[])
 {
     double pairs[2][BENCH_ROUNDS], ratio[BENCH_ROUNDS];
@@ -1459,7 +1533,8 @@ static void study_threads(struct study *s)
 
 enum { DIRECT, LANES, NARROW, WIDE, WAYS };
 
-/* Milliseconds of all forces, one way, into a. */
+/* Returns the milliseconds of all forces into a. What a tree costs includes
+   its growing. */
 static double time_forces(struct sky *k, int way, double a[])
 {
     struct gravity *g = &k->gravity;
@@ -1472,7 +1547,8 @@ static double time_forces(struct sky *k, int way, double a[])
     return (bench_seconds() - begin) * 1e3;
 }
 
-/* The ring's own pull at body i: a[] without the planet's. */
+/* Gives the ring's own acceleration at body i, a[] without the planet's.
+   That is so much larger that beside it every tree would look exact. */
 static void without_planet(const struct sky *k, size_t i, const double a[],
                            double own[3])
 {
@@ -1487,7 +1563,8 @@ static void without_planet(const struct sky *k, size_t i, const double a[],
                  s->k2 * s->mass[0] / (r2 * sqrt(r2)) * d[c];
 }
 
-/* The error of the tree's a against the direct sum b. */
+/* Returns the root mean square error of the tree's a against the direct sum
+   b, in units of the root mean square of the ring's own. */
 static double tree_error(const struct sky *k, const double a[],
                          const double b[])
 {
@@ -1504,7 +1581,7 @@ static double tree_error(const struct sky *k, const double a[],
     return sqrt(error / size);
 }
 
-/* One row: so many particles, two direct sums, and two trees. */
+/* Writes a row: so many particles, two direct sums, and two trees. */
 static void compare_tree(struct study *s, size_t particles)
 {
     struct sky k;
@@ -1585,6 +1662,7 @@ static const struct options_entry entries[] = {
     {"kernel", 'k', "NAME", "auto, portable or avx512 (the fastest here)"},
     {0}};
 
+/* A kernel that this processor lacks is refused at once. */
 static void take_option(struct options *o, int letter, void *settings)
 {
     struct settings *own = settings;

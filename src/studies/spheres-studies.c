@@ -1,6 +1,4 @@
-/* From chapters/works/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 3956767506 of the lines below */
-/* Measures gases, cradles and the break, by steps and by events. */
+/* Measures gases, cradles and a break, by steps and by events. */
 #include "box/blocks.h"
 #include "line/bonkers.h"
 #include "box/cells.h"
@@ -21,26 +19,29 @@
 enum { MOST_RUNS = 1000 };
 
 struct settings {
-    uint64_t runs;
-    double until; /* of the study of the law, s */
+    uint64_t runs; /* with different starts */
+    double until;  /* of the study of the law, s */
 };
 
-static const double usual_length = 60; /* of the others, s */
+static const double usual_length = 60; /* of all other studies, s */
 
-/* Makes a scene of this chapter with what is chosen. */
-static void make(struct scene *s, const char *name,
-                 const struct gallery_choice chosen[])
+/* Makes a scene of the list for chapter 11 with these keys. */
+static void make_scene(struct scene *s, const char *name,
+                       const struct gallery_choice chosen[])
 {
     const char *wrong = gallery_choose(s, hard_scenes, name, chosen);
     if (wrong)
         program_give_up(PROGRAM, "%s", wrong);
 }
 
+/* Three ways to resolve a step: all pairs that overlap collide (as in the
+   paper), only those that approach do, and those with time turned back to
+   the contact. */
 enum { PAPER, APPROACHING, BACK, WAYS };
 
 static const char *const ways[WAYS] = {"paper", "approaching", "back"};
 
-/* A scene in steps of dt (s). */
+/* A scene that is stepped, by dt (s). */
 struct run {
     struct scene scene;
     struct spheres spheres;
@@ -64,6 +65,7 @@ static void end(struct run *r)
     scene_free(&r->scene);
 }
 
+/* Steps for a time. There are no forces, so a step is straight flight. */
 static void steps(struct run *r, double time)
 {
     struct scene *s = &r->scene;
@@ -85,15 +87,17 @@ static double energy(const struct scene *s)
 
 enum { Z_X, Z_Y, RATE, RECEDING, VIRIAL, FOURTH, ENERGY, MEASURED };
 
-static const double warm = 20; /* s, before anything is counted */
+static const double warm_time = 20; /* s, before anything is counted */
 
-static void forget(struct spheres *p)
+/* Sets all that the spheres have counted to zero. */
+static void reset_counts(struct spheres *p)
 {
     p->collisions = p->receding = p->wall_collisions = 0;
     p->virial = 0;
     memset(p->impulse, 0, sizeof p->impulse);
 }
 
+/* Returns the mean of v^4 over the disks. */
 static double fourth_power(const struct scene *s)
 {
     const size_t n = s->bodies;
@@ -106,7 +110,8 @@ static double fourth_power(const struct scene *s)
     return sum / (double)n;
 }
 
-/* Runs a scene of disks by steps; E is N kT. */
+/* Runs a scene of disks by steps, and measures it; E is N kT. The mean of
+   v^4 is taken from a hundred samples. */
 static void gas_by_steps(struct run *r, double until, double value[])
 {
     enum { LOOKS = 100 };
@@ -114,8 +119,8 @@ static void gas_by_steps(struct run *r, double until, double value[])
     const double E = energy(&r->scene);
     const double time =
         LOOKS * r->dt * (double)lround(until / LOOKS / r->dt);
-    steps(r, warm);
-    forget(&r->spheres);
+    steps(r, warm_time);
+    reset_counts(&r->spheres);
     value[FOURTH] = 0;
     for (int k = 0; k < LOOKS; ++k) {
         steps(r, until / LOOKS);
@@ -136,15 +141,16 @@ static void as_disks(struct disks *d, const struct scene *s)
         program_give_up(PROGRAM, "no memory for the disks");
 }
 
+/* Measures a gas by events with the engine of chapter 7, from its sums. */
 static void gas_by_events(struct disks *d, double until, double value[])
 {
     struct cells c;
     const double E = disks_energy(d);
     if (!cells_create(&c, d))
         program_give_up(PROGRAM, "no memory for the cells");
-    cells_run(&c, warm, UINT64_MAX);
+    cells_run(&c, warm_time, UINT64_MAX);
     const struct disks before = *d;
-    cells_run(&c, warm + until, UINT64_MAX);
+    cells_run(&c, warm_time + until, UINT64_MAX);
     for (size_t k = 0; k < 2; ++k)
         value[Z_X + k] = (d->impulse[k] - before.impulse[k]) / (2 * until) *
                          d->box[k] / E;
@@ -155,12 +161,14 @@ static void gas_by_events(struct disks *d, double until, double value[])
     cells_free(&c);
 }
 
+/* Makes a run with a start of its own. Runs are independent, and their
+   scatter gives the error. */
 static void run_gas(uint64_t seed, int way, double dt, double until,
                     double value[])
 {
     struct run r;
-    make(&r.scene, "gas",
-         (struct gallery_choice[]){{"seed", (double)seed}, {0}});
+    make_scene(&r.scene, "gas",
+               (struct gallery_choice[]){{"seed", (double)seed}, {0}});
     if (way < WAYS) {
         begin(&r, way, dt);
         gas_by_steps(&r, until, value);
@@ -174,8 +182,8 @@ static void run_gas(uint64_t seed, int way, double dt, double until,
     }
 }
 
-/* Averages over runs, with their errors; of the energy's error the worst.
-   way: WAYS is by events. */
+/* Averages over runs, with errors; of the energy's error the worst. way:
+   WAYS is by events. */
 static void average(const struct study *s, int way, double dt,
                     double mean[], double error[])
 {
@@ -217,11 +225,13 @@ static void pressure_columns(struct study *s)
     }
 }
 
-/* What the parabolas go through: points and errors of each way. */
+/* What the parabolas are fitted to: points and errors of each way. */
 struct points {
     double y[3][DTS], error[3][DTS];
 };
 
+/* Writes a row with all ways, and keeps in points what the parabolas
+   need. */
 static void pressure_row(struct study *s, double dt, int at,
                          struct points points[])
 {
@@ -248,6 +258,8 @@ struct parabola {
     double a, b, a_error, b_error; /* a + b t + c t^2 */
 };
 
+/* Fits a parabola by least squares; with the five shortest steps it gives
+   the value at no step at all and the slope there, both with errors. */
 static struct parabola fit(size_t n, const double t[], const double y[],
                            const double error[])
 {
@@ -271,6 +283,7 @@ static struct parabola fit(size_t n, const double t[], const double y[],
         sqrt(c[3] / det)};
 }
 
+/* Writes a row for each step (0: by events), then the parabolas. */
 static void study_pressure(struct study *s)
 {
     static struct points points[WAYS];
@@ -297,7 +310,8 @@ static void study_pressure(struct study *s)
 
 enum { SHELLS = 25, MOST_DISKS = 250 };
 
-/* Adds the pairs of d in shells of width 0.01 from the contact on. */
+/* Adds the pairs of d to shells of width 0.01 diameters from the contact
+   on. */
 static void count_pairs(const struct disks *d, double shell[])
 {
     const double touching = 2 * d->disk[0].radius;
@@ -317,7 +331,8 @@ static void count_pairs(const struct disks *d, double shell[])
     }
 }
 
-/* Counts the pairs of the gas by events; returns the virial over N kT. */
+/* Counts the pairs of the gas by events, ten times a second, which takes
+   longer than the flight; returns the virial over N kT. */
 static double fill_shells(const struct study *s, double shell[])
 {
     const struct settings *own = s->own;
@@ -325,16 +340,17 @@ static double fill_shells(const struct study *s, double shell[])
     struct run r;
     struct disks d;
     struct cells c;
-    make(&r.scene, "gas", (struct gallery_choice[]){{"seed", seed}, {0}});
+    make_scene(&r.scene, "gas",
+               (struct gallery_choice[]){{"seed", seed}, {0}});
     as_disks(&d, &r.scene);
     scene_free(&r.scene);
     const double E = disks_energy(&d), end = own->until;
     if (!cells_create(&c, &d))
         program_give_up(PROGRAM, "no memory for the cells");
-    cells_run(&c, warm, UINT64_MAX);
+    cells_run(&c, warm_time, UINT64_MAX);
     const double before = d.virial;
     for (double at = 0.1; at <= end && !progress_signal(); at += 0.1) {
-        cells_run(&c, warm + at, UINT64_MAX);
+        cells_run(&c, warm_time + at, UINT64_MAX);
         count_pairs(&d, shell);
     }
     const double virial = (d.virial - before) / (2 * E * end);
@@ -343,7 +359,9 @@ static double fill_shells(const struct study *s, double shell[])
     return virial;
 }
 
-/* The slope d ln g / d ln r at contact, and *error of it. */
+/* Returns the slope d ln g / d ln r at contact, and in *error its error.
+   The area of a shell grows with its radius; what remains is the density of
+   pairs, through whose logarithm a parabola is put. */
 static double contact_slope(const double shell[], double *error)
 {
     double t[SHELLS], y[SHELLS], e[SHELLS];
@@ -368,6 +386,8 @@ static const struct table_key law_keys[] = {
     {"virial_slope", "1/s", "of Z in dt, by the law"},
     {0}};
 
+/* Writes the parts of the law of first order (11.5, eq:step-law), for which
+   the slope is measured. */
 static void study_law(struct study *s)
 {
     const double pi = 3.14159265358979324, eta = 250 * pi * 0.01 / 37.5;
@@ -410,7 +430,7 @@ static const char *const checks[CHECKS] = {"energy", "identity", "speeds",
                                            "rate",   "pressure", "near",
                                            "centre", "spin",     "back"};
 
-/* The sum of m x v about the middle of the box. */
+/* Returns the sum of m x v about the middle of the box. */
 static double moment(const struct scene *s)
 {
     const size_t n = s->bodies;
@@ -422,7 +442,8 @@ static double moment(const struct scene *s)
     return sum;
 }
 
-/* Pairs nearer than 1.02 times the sum of their radii. */
+/* Returns the number of pairs closer than 1.02 times the sum of their
+   radii. */
 static double near_pairs(const struct scene *s)
 {
     const size_t n = s->bodies;
@@ -437,7 +458,8 @@ static double near_pairs(const struct scene *s)
     return count;
 }
 
-static void take_in(struct scene *s, const struct disks *d)
+/* Copies the positions of disks into a scene. */
+static void copy_positions(struct scene *s, const struct disks *d)
 {
     for (size_t i = 0; i < d->count; ++i) {
         double place[DISKS_AXES];
@@ -447,6 +469,7 @@ static void take_in(struct scene *s, const struct disks *d)
     }
 }
 
+/* Returns the mean number of near pairs in two hundred samples. */
 static double near_by_events(struct run *r)
 {
     struct disks d;
@@ -456,8 +479,8 @@ static double near_by_events(struct run *r)
     if (!cells_create(&c, &d))
         program_give_up(PROGRAM, "no memory for the cells");
     for (int k = 0; k < 200; ++k) {
-        cells_run(&c, warm + 0.2 * k, UINT64_MAX);
-        take_in(&r->scene, &d);
+        cells_run(&c, warm_time + 0.2 * k, UINT64_MAX);
+        copy_positions(&r->scene, &d);
         near += near_pairs(&r->scene) / 200;
     }
     cells_free(&c);
@@ -468,7 +491,7 @@ static double near_by_events(struct run *r)
 static double near_by_steps(struct run *r)
 {
     double near = 0;
-    steps(r, warm);
+    steps(r, warm_time);
     for (int k = 0; k < 200; ++k) {
         steps(r, 0.2);
         near += near_pairs(&r->scene) / 200;
@@ -476,11 +499,13 @@ static double near_by_steps(struct run *r)
     return near;
 }
 
+/* Returns the rest of (7.6, eq:gas-walls) with all its terms on one side,
+   in units of 2 K t. */
 static double identity(struct run *r)
 {
     const double time = 20, radius = 0.1;
     const struct spheres *p = &r->spheres;
-    forget(&r->spheres);
+    reset_counts(&r->spheres);
     const double before = moment(&r->scene), E = energy(&r->scene);
     steps(r, time);
     double rest = moment(&r->scene) - before - 2 * E * time - p->virial;
@@ -493,13 +518,14 @@ static double identity(struct run *r)
 static void begin_gas(struct run *r, const char *name, uint64_t seed,
                       enum scene_wall wall, int way, double dt)
 {
-    make(&r->scene, name,
-         (struct gallery_choice[]){{"seed", (double)seed}, {0}});
+    make_scene(&r->scene, name,
+               (struct gallery_choice[]){{"seed", (double)seed}, {0}});
     r->scene.wall[0] = r->scene.wall[1] = wall;
     begin(r, way, dt);
 }
 
-/* Where the centre of mass is along x. */
+/* Returns the mean of x[] along x weighted by mass: the centre, or its
+   velocity. */
 static double centre(const struct scene *s, const double x[])
 {
     double sum = 0, mass = 0;
@@ -510,6 +536,8 @@ static double centre(const struct scene *s, const double x[])
     return sum / mass;
 }
 
+/* Returns by how much the centre of mass misses its straight path after 2 s
+   in a periodic box, in radii of the light disks. */
 static double moved_centre(uint64_t seed, int way, double dt)
 {
     struct run r;
@@ -522,6 +550,7 @@ static double moved_centre(uint64_t seed, int way, double dt)
     return fabs(moved) / 0.1;
 }
 
+/* Returns the angular momentum about the origin. */
 static double spin(const struct scene *s)
 {
     const size_t n = s->bodies;
@@ -532,6 +561,10 @@ static double spin(const struct scene *s)
     return sum;
 }
 
+/* Returns the angular momentum that a gas without a box loses in 2 s, over
+   its diameter and the square root of the number of collisions. The gas
+   expands: after 2 s there are a quarter as many collisions as at the
+   start. */
 static double lost_spin(uint64_t seed, int way, double dt)
 {
     struct run r;
@@ -544,6 +577,8 @@ static double lost_spin(uint64_t seed, int way, double dt)
     return lost / sqrt(collisions) / 0.2;
 }
 
+/* Returns by how much disks miss their positions when their velocities are
+   reversed after 0.2 s, the median in units of the diameter. */
 static double missed_way_back(uint64_t seed, int way, double dt)
 {
     enum { DISKS = 250 };
@@ -563,6 +598,8 @@ static double missed_way_back(uint64_t seed, int way, double dt)
     return bench_median(miss, DISKS) / 0.2;
 }
 
+/* Makes all checks of one way and step. What has an exact value is compared
+   with it, the others with the runs by events. */
 static void do_checks(struct study *s, int way, double dt,
                       const double truth[], double near, double found[])
 {
@@ -588,6 +625,7 @@ static void do_checks(struct study *s, int way, double dt,
 static const struct table_key checks_keys[] = {
     {"<check>_<way>_<dt>", "1", "what it finds; dt in 1/100 s"}, {0}};
 
+/* Checks the paper's way and that which goes back, with two steps each. */
 static void study_checks(struct study *s)
 {
     double truth[MEASURED], error[MEASURED];
@@ -614,8 +652,8 @@ static void study_checks(struct study *s)
         }
 }
 
-/* Ways to start a row of five balls of 1 kg, but for the first, the last or
-   the middle one. */
+/* Starts of a row of five balls: how many fly at the left and the right,
+   and the masses (kg) of the first, the last and the middle ball. */
 static const struct {
     const char *name;
     double left, right, first, last, middle;
@@ -630,17 +668,18 @@ enum { ROWS = sizeof rows / sizeof *rows, BALLS = 5, DOUBLE = 4 };
 static void make_row(struct scene *s, int row, double gap,
                      double restitution)
 {
-    make(s, "cradle",
-         (struct gallery_choice[]){{"left", rows[row].left},
-                                   {"right", rows[row].right},
-                                   {"first", rows[row].first},
-                                   {"last", rows[row].last},
-                                   {"middle", rows[row].middle},
-                                   {"gap", gap},
-                                   {"restitution", restitution},
-                                   {0}});
+    make_scene(s, "cradle",
+               (struct gallery_choice[]){{"left", rows[row].left},
+                                         {"right", rows[row].right},
+                                         {"first", rows[row].first},
+                                         {"last", rows[row].last},
+                                         {"middle", rows[row].middle},
+                                         {"gap", gap},
+                                         {"restitution", restitution},
+                                         {0}});
 }
 
+/* Begins a row by events, with the engine of chapter 2. */
 static void begin_events(struct bonkers *b, const struct scene *s)
 {
     struct start start;
@@ -651,7 +690,9 @@ static void begin_events(struct bonkers *b, const struct scene *s)
     start_free(&start);
 }
 
-/* Places and velocities of the balls at a time. Returns the collisions. */
+/* Gives positions and velocities of the balls at a time; returns the number
+   of collisions. There are no walls, so that a ball that leaves is not sent
+   back. */
 static uint64_t row_by_events(int row, double gap, double until, double x[],
                               double v[])
 {
@@ -678,6 +719,8 @@ struct stepped {
     double gap, dt;
 };
 
+/* Gives positions and velocities of the balls at a time, by steps in a
+   chosen order. */
 static void row_by_steps(int row, struct stepped how, double until,
                          double x[], double v[])
 {
@@ -692,6 +735,8 @@ static void row_by_steps(int row, struct stepped how, double until,
     end(&r);
 }
 
+/* Gives the velocities if all contacts happen at once: a tridiagonal system
+   for the impulses, solved by elimination. */
 static void row_at_once(int row, double v[])
 {
     struct scene s;
@@ -713,8 +758,9 @@ static void row_at_once(int row, double v[])
     scene_free(&s);
 }
 
-static void report(struct study *s, const char *kind, int row,
-                   const double v[])
+/* Writes the five velocities to the summary. */
+static void write_velocities(struct study *s, const char *kind, int row,
+                             const double v[])
 {
     for (int i = 0; i < BALLS; ++i) {
         char key[40];
@@ -734,24 +780,25 @@ static const struct {
     {"up", {APPROACHING, SPHERES_ASCENDING, 0, 0.001}},
     {"down", {APPROACHING, SPHERES_DESCENDING, 0, 0.001}}};
 
-/* A line of the table: a row by events, by steps and at once. */
-static void let_go(struct study *s, int row, double line[2 + KINDS])
+/* Fills a line of the table: a row by events, whose velocities are exact,
+   by steps, and at once. */
+static void compare_row(struct study *s, int row, double line[2 + KINDS])
 {
     double x[BALLS], exact[BALLS], v[BALLS];
     const uint64_t n = row_by_events(row, 0.01, 100, x, exact);
     char key[20];
     snprintf(key, sizeof key, "n_%s", rows[row].name);
     table_count(s->summary, key, n);
-    report(s, "events", row, exact);
+    write_velocities(s, "events", row, exact);
     line[0] = row;
     line[1] = (double)n;
     for (int k = 0; k < KINDS; ++k) {
         row_by_steps(row, kinds[k].how, 10, x, v);
         line[2 + k] = largest_difference(v, exact, BALLS);
-        report(s, kinds[k].name, row, v);
+        write_velocities(s, kinds[k].name, row, v);
     }
     row_at_once(row, v);
-    report(s, "once", row, v);
+    write_velocities(s, "once", row, v);
 }
 
 static const struct table_key rows_keys[] = {
@@ -763,6 +810,9 @@ static const struct table_key rows_keys[] = {
     {"<way>_<row>_<i>", "m/s", "velocity of ball i at the end"},
     {0}};
 
+/* Starts the row in nine ways, with wide gaps, with gaps that a ball
+   crosses ten times in a step, and without gaps. The worst difference of
+   each kind leaves out the last start, which is a case of its own. */
 static void study_rows(struct study *s)
 {
     double worst[KINDS] = {0}, line[2 + KINDS];
@@ -772,7 +822,7 @@ static void study_rows(struct study *s)
         table_column(s->out, kinds[k].name, "m/s",
                      "worst difference, by steps");
     for (int row = 0; row < ROWS; ++row) {
-        let_go(s, row, line);
+        compare_row(s, row, line);
         table_row(s->out, 2 + KINDS, line);
         for (int k = 0; k < KINDS && row + 1 < ROWS; ++k)
             worst[k] = fmax(worst[k], line[2 + k]);
@@ -781,6 +831,8 @@ static void study_rows(struct study *s)
         table_real(s->summary, kinds[k].name, worst[k]);
 }
 
+/* Follows the row with the double ball for 3 s, with longer and longer
+   steps. */
 static void study_late(struct study *s)
 {
     const double until = 3;
@@ -804,7 +856,7 @@ static void study_late(struct study *s)
     }
 }
 
-/* A line of the table: energies and places at t. */
+/* Writes a line of the table: energies and positions at t. */
 static void write_cradle(struct table *out, double t, struct bonkers *b,
                          const struct run *r)
 {
@@ -821,6 +873,8 @@ static const struct table_key rest_keys[] = {
     {"left", "1", "share of the energy, by steps"},
     {0}};
 
+/* Runs a row with e = 0.9 between two walls, by events and by steps side by
+   side. */
 static void study_rest(struct study *s)
 {
     const double every = 0.05, until = usual_length;
@@ -849,14 +903,14 @@ enum { RACK = 16, OUTCOMES = 100 };
 
 static void make_break(struct scene *s, double jitter, uint64_t seed)
 {
-    make(s, "break",
-         (struct gallery_choice[]){
-             {"jitter", jitter}, {"seed", (double)seed}, {0}});
+    make_scene(s, "break",
+               (struct gallery_choice[]){
+                   {"jitter", jitter}, {"seed", (double)seed}, {0}});
 }
 
 static const double usual_break = 0.5; /* s */
 
-/* Where the balls are after a break, by steps. */
+/* Gives the positions after a break by steps that go back. */
 static void break_by_steps(enum spheres_order order, double dt, double x[])
 {
     struct run r;
@@ -868,7 +922,9 @@ static void break_by_steps(enum spheres_order order, double dt, double x[])
     end(&r);
 }
 
-/* The same by events, in a box so large that its walls do not matter. */
+/* Gives the positions after a break by events, in a box so large that its
+   walls do not matter. It has its corner at the origin, the table its
+   middle. */
 static void break_by_events(double jitter, uint64_t seed, double x[])
 {
     const double far = 50; /* m */
@@ -894,8 +950,8 @@ static void break_by_events(double jitter, uint64_t seed, double x[])
     scene_free(&scene);
 }
 
-/* The largest distance of a ball's places in two outcomes. */
-static double apart(const double x[], const double y[])
+/* Returns the largest distance of any ball between two outcomes. */
+static double distance(const double x[], const double y[])
 {
     double most = 0;
     for (size_t i = 0; i < RACK; ++i)
@@ -903,30 +959,32 @@ static double apart(const double x[], const double y[])
     return most;
 }
 
-/* Counts the outcomes that are more than a millimetre from all before. */
+/* Counts the outcomes that differ by more than a millimetre from all
+   before. */
 static size_t distinct(double outcome[][2 * RACK], size_t n)
 {
     size_t count = 0;
     for (size_t i = 0; i < n; ++i) {
         bool fresh = true;
         for (size_t j = 0; j < i; ++j)
-            fresh = fresh && apart(outcome[i], outcome[j]) > 1e-3;
+            fresh = fresh && distance(outcome[i], outcome[j]) > 1e-3;
         count += fresh;
     }
     return count;
 }
 
-/* How far x is from the outcome that is most like it. */
+/* Returns the distance of x from the outcome that is most like it. */
 static double nearest(const double x[], double outcome[][2 * RACK])
 {
     double least = INFINITY;
     for (size_t i = 0; i < OUTCOMES; ++i)
-        least = fmin(least, apart(x, outcome[i]));
+        least = fmin(least, distance(x, outcome[i]));
     return least;
 }
 
 enum { BREAKS = 4 };
 
+/* Writes the outcomes of three orders of the pairs. */
 static void write_orders(struct table *out, double x[BREAKS][2 * RACK])
 {
     table_column(out, "x", "m", "steps, ascending; then by events");
@@ -941,6 +999,7 @@ static void write_orders(struct table *out, double x[BREAKS][2 * RACK])
                              x[1][RACK + i], x[3][i], x[3][RACK + i]});
 }
 
+/* Writes the outcomes of a hundred racks, as a cloud of points. */
 static void write_racks(struct table *out, double x[OUTCOMES][2 * RACK])
 {
     table_print(out, "\n\n");
@@ -957,6 +1016,7 @@ static const struct table_key break_keys[] = {
     {"outcomes", "1", "by events, more than 1 mm apart"},
     {0}};
 
+/* Breaks the rack four times by steps and a hundred times by events. */
 static void study_break(struct study *s)
 {
     static double stepped[BREAKS][2 * RACK], outcome[OUTCOMES][2 * RACK];
@@ -968,13 +1028,14 @@ static void study_break(struct study *s)
         break_by_events(1e-12, i, outcome[i]);
     write_orders(s->out, stepped);
     write_racks(s->out, outcome);
-    table_real(s->summary, "orders", apart(stepped[0], stepped[1]));
-    table_real(s->summary, "halved", apart(stepped[0], stepped[2]));
+    table_real(s->summary, "orders", distance(stepped[0], stepped[1]));
+    table_real(s->summary, "halved", distance(stepped[0], stepped[2]));
     table_real(s->summary, "ascending", nearest(stepped[0], outcome));
     table_real(s->summary, "deepest", nearest(stepped[3], outcome));
     table_count(s->summary, "outcomes", distinct(outcome, OUTCOMES));
 }
 
+/* Makes bodies for contacts under gravity, without walls. */
 static void make_bodies(struct scene *s, size_t bodies, double radius)
 {
     if (!scene_create(s, bodies))
@@ -992,6 +1053,7 @@ static void set_walls(struct scene *s, size_t k, double low, double high)
     s->high[k] = high;
 }
 
+/* Makes three balls in a box, which attract each other if k2 > 0. */
 static void make_three(struct scene *s, double k2)
 {
     static const double start[] = {-0.6,  0.1, 0.7, 0,  0.05,
@@ -1009,6 +1071,7 @@ static void make_three(struct scene *s, double k2)
     s->softening = 0.2;
 }
 
+/* Begins a motion with all that acts, its contacts located or not. */
 static void move(struct motion *m, struct scene *s, const char *method,
                  double dt, bool located)
 {
@@ -1019,7 +1082,7 @@ static void move(struct motion *m, struct scene *s, const char *method,
     m->spheres.shift = SPHERES_BACK;
 }
 
-/* Where the three are after 1 s. Returns the collisions. */
+/* Gives the positions of the three after 1 s; returns the collisions. */
 static uint64_t move_three(const char *method, double k2, bool located,
                            uint64_t steps, double x[9])
 {
@@ -1035,9 +1098,10 @@ static uint64_t move_three(const char *method, double k2, bool located,
     return met;
 }
 
-/* Drops a ball on its floor by 1 m. Returns the largest error up to 2001 s
-   if e is 1, else the bounces until it rests. */
-static double drop(double e)
+/* Drops a ball by 1 m. Returns its largest error up to 2001 s if e is 1
+   (the closed form is z = t (2 - t), t being the time since the last
+   bounce), else the bounces until it rests. */
+static double drop_ball(double e)
 {
     struct scene s;
     struct motion m;
@@ -1076,6 +1140,8 @@ static double moment_error(int way, uint64_t steps, const double exact[9])
     return largest_difference(x, exact, 9);
 }
 
+/* Returns the order from the errors of two steps a factor of 16 apart, or
+   of 8 for the method of order eight. */
 static double moment_order(int way, const double exact[9])
 {
     const uint64_t n = moments[way].coarse;
@@ -1085,7 +1151,7 @@ static double moment_order(int way, const double exact[9])
     return log2(coarse / fine) / log2(times);
 }
 
-static void sum_moments_up(struct study *s, const double exact[9])
+static void summarise_moments(struct study *s, const double exact[9])
 {
     double x[9], y[9], fine[9];
     char key[40];
@@ -1100,8 +1166,8 @@ static void sum_moments_up(struct study *s, const double exact[9])
     move_three("kahan-li8", 0, true, 300, fine);
     table_real(s->summary, "located", largest_difference(x, fine, 9));
     table_real(s->summary, "stepwise", largest_difference(y, fine, 9));
-    table_real(s->summary, "bounce", drop(1));
-    table_real(s->summary, "bounces", drop(0.8));
+    table_real(s->summary, "bounce", drop_ball(1));
+    table_real(s->summary, "bounces", drop_ball(0.8));
 }
 
 static const struct table_key moment_keys[] = {
@@ -1127,7 +1193,7 @@ static void study_moment(struct study *s)
             row[1 + way] = moment_error(way, steps, exact);
         table_row(s->out, 1 + MOMENTS, row);
     }
-    sum_moments_up(s, exact);
+    summarise_moments(s, exact);
 }
 
 enum { TOUCHING = 3 };
@@ -1142,6 +1208,7 @@ static const struct {
 
 static const double pair_omega = 100; /* of the linear ones, 1/s */
 
+/* Makes a row of balls of 1 kg of which the first moves with 1 m/s. */
 static void make_touching(struct scene *s, int way, size_t balls)
 {
     make_bodies(s, balls, 0.1);
@@ -1153,8 +1220,9 @@ static void make_touching(struct scene *s, int way, size_t balls)
     s->velocity[0] = 1;
 }
 
-/* The speed at which two part that met at 1 m/s. */
-static double blow(int way, double dashpot, double gap, double dt)
+/* Returns the speed at which two balls part that met at 1 m/s, with a gap
+   between them at the start. */
+static double parting_speed(int way, double dashpot, double gap, double dt)
 {
     struct scene s;
     struct motion m;
@@ -1169,6 +1237,8 @@ static double blow(int way, double dashpot, double gap, double dt)
     return parting;
 }
 
+/* Returns how long the contact of Hertz's balls lasts: until the gap, on a
+   straight line within the last step, is zero again. */
 static double hertz_time(void)
 {
     struct scene s;
@@ -1187,6 +1257,7 @@ static double hertz_time(void)
     return time;
 }
 
+/* Writes the velocities of a row every tenth of 1 / omega. */
 static void touch_row(struct study *s, int way)
 {
     struct scene scene;
@@ -1213,43 +1284,49 @@ static void touch_row(struct study *s, int way)
     scene_free(&scene);
 }
 
-/* The least and the most of the energy that comes back, of 1. */
-static void weigh_blows(double omega_dt, double *least, double *most)
+/* Gives the least and the most of the energy that comes back, of 1, which
+   depends on where in a step the contact begins. */
+static void energy_range(double omega_dt, double *least, double *most)
 {
     *least = INFINITY;
     *most = 0;
     for (int phase = 0; phase < 100; ++phase) {
         const double dt = omega_dt / pair_omega;
-        const double parting = blow(0, 0, dt * (phase + 0.5) / 100, dt);
+        const double parting =
+            parting_speed(0, 0, dt * (phase + 0.5) / 100, dt);
         *least = fmin(*least, parting * parting);
         *most = fmax(*most, parting * parting);
     }
 }
 
-/* The worst error of the speed, which has to be e; time of contact, s. */
-static double worst_blow(int way, double dashpot, double time, int steps,
-                         double e)
+/* Returns the worst error of the speed, which has to be e, if a contact of
+   this time (s) takes `steps` steps, give or take half a step. With whole
+   steps it would begin and end at the same place in a step, and errors
+   cancel that do not elsewhere. */
+static double worst_parting_speed(int way, double dashpot, double time,
+                                  int steps, double e)
 {
     double worst = 0;
     for (int k = 0; k < 400; ++k) {
         const double dt = time / (steps + (k % 20 - 9.5) / 20);
         const double gap = dt * (floor(k / 20.0) + 0.5) / 20;
-        worst = fmax(worst, fabs(blow(way, dashpot, gap, dt) - e));
+        worst = fmax(worst, fabs(parting_speed(way, dashpot, gap, dt) - e));
     }
     return worst;
 }
 
-static void count_blows(struct study *s, double linear, double hertz,
-                        double dashpot, double e)
+static void write_worst_speeds(struct study *s, double linear, double hertz,
+                               double dashpot, double e)
 {
     static const int lengths[] = {3, 6, 15, 30, 60, 150};
     char key[40];
     for (int k = 0; k < 6; ++k) {
         const int n = lengths[k];
         snprintf(key, sizeof key, "linear_in_%d", n);
-        table_real(s->summary, key, worst_blow(0, dashpot, linear, n, e));
+        table_real(s->summary, key,
+                   worst_parting_speed(0, dashpot, linear, n, e));
         snprintf(key, sizeof key, "hertz_in_%d", n);
-        table_real(s->summary, key, worst_blow(1, 0, hertz, n, 1));
+        table_real(s->summary, key, worst_parting_speed(1, 0, hertz, n, 1));
     }
 }
 
@@ -1278,58 +1355,63 @@ static void study_touch(struct study *s)
     table_real(s->summary, "formula",
                exp(-pi * zeta / sqrt(1 - zeta * zeta)));
     table_real(s->summary, "restitution",
-               blow(0, 2 * zeta * 50, 0, 0.001 / pair_omega));
+               parting_speed(0, 2 * zeta * 50, 0, 0.001 / pair_omega));
     table_real(s->summary, "hertz_formula",
                2.94327 * pow(2.5 / (4 * touchings[1].stiffness), 0.4));
     table_real(s->summary, "hertz_time", hertz_time());
-    weigh_blows(0.1, &least, &most);
+    energy_range(0.1, &least, &most);
     table_real(s->summary, "energy_01", fmax(1 - least, most - 1));
-    weigh_blows(2, &least, &most);
+    energy_range(2, &least, &most);
     table_real(s->summary, "least_2", least);
     table_real(s->summary, "most_2", most);
-    count_blows(s, pi / (pair_omega * sqrt(1 - zeta * zeta)), hertz_time(),
-                2 * zeta * 50, exp(-pi * zeta / sqrt(1 - zeta * zeta)));
+    write_worst_speeds(s, pi / (pair_omega * sqrt(1 - zeta * zeta)),
+                       hertz_time(), 2 * zeta * 50,
+                       exp(-pi * zeta / sqrt(1 - zeta * zeta)));
 }
 
-/* The gas on a lattice, at a packing. */
+/* Makes the gas on a lattice, at a packing. */
 static void make_packed(struct scene *s, double packing, uint64_t seed)
 {
     const double area = 250 * 3.14159265358979324 * 0.01 / packing;
     const double height = sqrt(area / 1.5);
-    make(s, "gas",
-         (struct gallery_choice[]){{"width", 1.5 * height},
-                                   {"height", height},
-                                   {"lattice", 1},
-                                   {"seed", (double)seed},
-                                   {0}});
+    make_scene(s, "gas",
+               (struct gallery_choice[]){{"width", 1.5 * height},
+                                         {"height", height},
+                                         {"lattice", 1},
+                                         {"seed", (double)seed},
+                                         {0}});
 }
 
 enum { LOCATED = WAYS + 1 }; /* WAYS: by events */
 
+/* Returns the length of a run: contacts that are located take so long that
+   they run for a fifth of the others' time, and not at the packing 0.7.
+   Nothing acts between them, so that leapfrog's steps have no error of
+   their own. */
 static double length_of(int way, double usual)
 {
     return way == LOCATED ? usual / 5 : usual;
 }
 
-/* The virial of a gas over N kT, with contacts at their moments. */
+/* Returns the virial of a gas over N kT, with contacts located. */
 static double gas_located(struct scene *s, double dt, double until)
 {
     struct motion m;
     const double E = energy(s);
-    const double before = length_of(LOCATED, warm);
+    const double before = length_of(LOCATED, warm_time);
     const uint64_t counted = (uint64_t)lround(until / dt);
     move(&m, s, "leapfrog", dt, true);
     motion_run(&m, (uint64_t)lround(before / dt));
-    forget(&m.spheres);
+    reset_counts(&m.spheres);
     motion_run(&m, counted);
     const double virial = m.spheres.virial / (2 * E * (double)counted * dt);
     motion_end(&m);
     return virial;
 }
 
-/* Runs a gas for so long; its virial, and the time that it took. */
-static double timed(struct scene *scene, int way, double dt, double until,
-                    double *seconds)
+/* Runs a gas, and times that alone; returns its virial. */
+static double time_run(struct scene *scene, int way, double dt,
+                       double until, double *seconds)
 {
     double value[MEASURED];
     struct run r = {.scene = *scene};
@@ -1349,7 +1431,8 @@ static double timed(struct scene *scene, int way, double dt, double until,
     return value[VIRIAL];
 }
 
-/* The virial over N kT, and processor time for a second of the gas. */
+/* Gives the virial over N kT, and the processor time for a second of the
+   gas, warm-up included. */
 static void cost_of(const struct study *s, double packing, int way,
                     double dt, struct blocks_average *virial, double *cost)
 {
@@ -1359,11 +1442,11 @@ static void cost_of(const struct study *s, double packing, int way,
     for (uint64_t i = 0; i < own->runs; ++i) {
         struct scene scene;
         make_packed(&scene, packing, s->seed + i);
-        values[i] = timed(&scene, way, dt, until, &seconds[i]);
+        values[i] = time_run(&scene, way, dt, until, &seconds[i]);
     }
     *virial = blocks_average_of(own->runs, values);
-    *cost =
-        bench_median(seconds, own->runs) / (length_of(way, warm) + until);
+    *cost = bench_median(seconds, own->runs) /
+            (length_of(way, warm_time) + until);
 }
 
 static const int cost_ways[] = {APPROACHING, BACK, LOCATED};
@@ -1392,7 +1475,10 @@ static void name_costs(struct table *out)
 
 enum { COSTS = 14 };
 
-/* One row, whose first numbers, of the events, are there already. */
+/* Writes a row, whose first numbers, of the events, are given. Contacts
+   that are located have no error that could depend on the step, and every
+   other step is enough for them. A row begins with a name by which the book
+   quotes it. */
 static void compare_step(struct study *s, double dt, bool all,
                          double row[COSTS])
 {

@@ -1,5 +1,5 @@
 /* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 684757038 of the lines below */
+/* checksum 1538900901 of the lines below */
 /* Head, rows and summary of a table, in a file or in memory. */
 #include "toolbox/lines.h"
 
@@ -27,7 +27,6 @@ void lines_release_head(struct table *t)
     lines_note_error(t, fclose(t->stream) == 0);
     t->stream = t->held;
     t->held = NULL;
-    errno = 0;
     const size_t n = fwrite(t->head, 1, t->head_size, t->stream);
     lines_note_error(t, n == t->head_size);
     free(t->head);
@@ -53,7 +52,6 @@ bool table_print(struct table *t, const char *format, ...)
     if (t->held && !goes_on(t, format))
         lines_release_head(t);
     va_start(arguments, format);
-    errno = 0;
     lines_note_error(t, vfprintf(t->stream, format, arguments) >= 0);
     va_end(arguments);
     return t->error == 0;
@@ -63,7 +61,6 @@ static void print_real(struct table *t, double value)
 {
     char text[DIGITS_ROOM] = "nan";
     const size_t n = isnan(value) ? 3 : digits_write(text, value);
-    errno = 0;
     lines_note_error(t, fwrite(text, 1, n, t->stream) == n);
 }
 
@@ -84,7 +81,6 @@ void table_column(struct table *t, const char *symbol, const char *unit,
 
 static void put(struct table *t, char c)
 {
-    errno = 0;
     lines_note_error(t, putc(c, t->stream) != EOF);
 }
 

@@ -1,5 +1,5 @@
 /* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 2238258849 of the lines below */
+/* checksum 1110605256 of the lines below */
 /* The inside of a table, for toolbox/table.c and page/table.c alone. */
 #ifndef TOOLBOX_LINES_H
 #define TOOLBOX_LINES_H
@@ -28,7 +28,8 @@ struct table {
     struct table *next; /* of the open tables */
 };
 
-/* Remembers errno if this is the first failure. */
+/* Remembers errno if this is the first failure: what fails to write sets
+   it. */
 void lines_note_error(struct table *t, bool good);
 
 /* Writes the head if it still waits, and lets the rest follow it. */

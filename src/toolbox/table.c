@@ -1,5 +1,5 @@
 /* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 2813337655 of the lines below */
+/* checksum 3013013248 of the lines below */
 /* A temporary beside the file, which takes its name when all is written. */
 #define _XOPEN_SOURCE 700 /* realpath */
 
@@ -182,12 +182,10 @@ bool table_replaces(const char *path, const char *input)
 static int find_descriptor(const struct stat *file)
 {
     struct stat status;
-    for (int i = 0; i < 10; ++i) {
-        const int flags = fcntl(i, F_GETFL);
-        if (flags != -1 && (flags & O_ACCMODE) != O_RDONLY &&
-            fstat(i, &status) == 0 && is_same(&status, file))
+    for (int i = 0; i < 10; ++i)
+        if (fstat(i, &status) == 0 && is_same(&status, file) &&
+            (fcntl(i, F_GETFL) & O_ACCMODE) != O_RDONLY)
             return i;
-    }
     return -1;
 }
 

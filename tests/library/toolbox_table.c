@@ -240,19 +240,25 @@ static void test_closed_stdout_is_not_the_table(void)
     sweep();
 }
 
-static int print_beside(void *path)
+/* Which descriptor of the three is closed when the table is opened, and is
+   then written to by somebody else. */
+static int print_beside(void *number)
 {
-    struct table *t = table_open("gas", path);
+    const int stray = *(int *)number;
+    close(stray);
+    struct table *t = table_open("gas", "a");
     table_print(t, "key table\n");
-    (void)!write(STDOUT_FILENO, "screen\n", 7);
+    (void)!write(stray, "screen\n", 7);
     return !table_close(t);
 }
 
 static void test_stray_output(void)
 {
-    UNIT_TRUE(child_run(print_beside, "a", "").status == 0);
-    UNIT_TRUE(file_is("a", "key table\n"));
-    sweep();
+    for (int number = 0; number <= STDERR_FILENO; ++number) {
+        UNIT_TRUE(child_run(print_beside, &number, NULL).status == 0);
+        UNIT_TRUE(file_is("a", "key table\n"));
+        sweep();
+    }
 }
 
 /* A full disk is met through standard output only: a test that named a
@@ -265,6 +271,168 @@ static void test_full_disk(void)
               "standard output: No space left on device");
     else
         UNIT_TRUE(true);
+}
+
+/* Lines or rows until one of them says that it could not be written. */
+static int write_on(void *row)
+{
+    static struct table
+        *volatile t; /* so that it does not count as leaked */
+    int lines = 0;
+    t = table_open("gas", NULL);
+    while (lines < 100000 && (row ? table_row(t, 1, (double[]){1e-300})
+                                  : table_print(t, "key value\n")))
+        ++lines;
+    return lines < 100000 ? 0 : 3;
+}
+
+static void test_stops_when_full(void)
+{
+    if (access("/dev/full", W_OK) != 0)
+        return;
+    UNIT_EQUAL(child_run(write_on, NULL, "/dev/full").status, 0);
+    UNIT_EQUAL(child_run(write_on, "row", "/dev/full").status, 0);
+}
+
+static int open_no_more(void *path)
+{
+    struct rlimit old, none;
+    if (getrlimit(RLIMIT_NOFILE, &old) != 0)
+        return 3;
+    none = old;
+    none.rlim_cur = STDERR_FILENO + 1;
+    if (setrlimit(RLIMIT_NOFILE, &none) != 0)
+        return 4;
+    const bool opened = table_open("gas", path);
+    setrlimit(RLIMIT_NOFILE, &old); /* what ends the child may need it */
+    return opened ? 0 : 1;
+}
+
+/* The temporary cannot be made. */
+static void test_no_descriptor(void)
+{
+    const struct child c = child_run(open_no_more, "a", NULL);
+    UNIT_TRUE(c.status == 1);
+    UNIT_TRUE(
+        strcmp(c.err, "gas: cannot write 'a': Too many open files\n") == 0);
+    UNIT_TRUE(sweep() == 0);
+}
+
+/* Prints the text in parts, which end with a space, and leaves the table
+   open. */
+static int print_parts(void *text)
+{
+    static struct table
+        *volatile t; /* so that it does not count as leaked */
+    t = table_open("gas", NULL);
+    for (const char *part = text; *part; part = strchr(part, ' ') + 1) {
+        char own[32];
+        snprintf(own, sizeof own, "%.*s", (int)(strchr(part, ' ') - part),
+                 part);
+        table_print(t, own); /* goes on with the head if it can */
+    }
+    return 0;
+}
+
+static int print_long_head(void *unused)
+{
+    static struct table
+        *volatile t; /* so that it does not count as leaked */
+    (void)unused;
+    t = table_open("gas", NULL);
+    for (int line = 0; line < 2200; ++line) /* of 32 bytes each */
+        table_print(t, "# head of a table of %9d\n", line);
+    return 0;
+}
+
+/* A head waits, with what goes on with its lines; a line that does not, or
+   a head of more than 64 KiB, writes it. */
+static void test_head(void)
+{
+    static const char *const waits[] = {"# ", "#a\n ", "#a\n #b\n ",
+                                        "#a b\n ", "#a\n \n #b "};
+    for (size_t i = 0; i < sizeof waits / sizeof *waits; ++i)
+        UNIT_TRUE(child_run(print_parts, (void *)waits[i], NULL).out[0] ==
+                  '\0');
+    UNIT_TRUE(strcmp(child_run(print_parts, "#a\n b\n ", NULL).out,
+                     "#a\nb\n") == 0);
+    UNIT_TRUE(strcmp(child_run(print_parts, "a\n #b\n ", NULL).out,
+                     "a\n#b\n") == 0);
+    UNIT_TRUE(child_run(print_long_head, NULL, NULL).out[0] == '#');
+}
+
+/* The sums are those of the hash FNV-1a, whose author gives some. */
+static void test_sum(void)
+{
+    UNIT_TRUE(table_sum(TABLE_NOTHING, "", 0) ==
+              UINT64_C(0xcbf29ce484222325));
+    UNIT_TRUE(table_sum(TABLE_NOTHING, "a", 1) ==
+              UINT64_C(0xaf63dc4c8601ec8c));
+    UNIT_TRUE(table_sum(TABLE_NOTHING, "foobar", 6) ==
+              UINT64_C(0x85944171f73967e8));
+    UNIT_TRUE(table_sum(table_sum(TABLE_NOTHING, "foo", 3), "bar", 3) ==
+              UINT64_C(0x85944171f73967e8));
+    /* And of a table: of none, one and three pieces that are read of it. */
+    struct table *t = table_open("gas", "a");
+    char text[9216] = "";
+    uint64_t sum = 0;
+    for (size_t lines = 0; lines < 1000; ++lines) {
+        const size_t length = 9 * lines;
+        if (lines == 0 || lines == 10 || lines == 999) {
+            UNIT_TRUE(table_sum_so_far(t, &sum));
+            UNIT_TRUE(sum == table_sum(TABLE_NOTHING, text, length));
+        }
+        snprintf(text + length, 10, "line %03zu\n", lines);
+        table_print(t, "%s", text + length);
+    }
+    UNIT_TRUE(table_close(t));
+    UNIT_TRUE(sweep() == 1);
+}
+
+static int sum_of_pipe(void *unused)
+{
+    int ends[2];
+    uint64_t sum;
+    (void)unused;
+    if (pipe(ends) != 0 || dup2(ends[1], STDOUT_FILENO) == -1)
+        return 3;
+    struct table *t = table_open("gas", NULL);
+    const bool found = table_sum_so_far(t, &sum);
+    table_discard(t);
+    return found ? 4 : 0;
+}
+
+static void test_no_sum(void)
+{
+    UNIT_EQUAL(child_run(sum_of_pipe, NULL, NULL).status, 0);
+}
+
+static int replaces_input(void *path)
+{
+    return freopen("in", "r", stdin) && table_replaces(path, "-") ? 7 : 0;
+}
+
+/* Whether a table would take away what is read. */
+static void test_replaces(void)
+{
+    write_file("in", "1\n");
+    write_file("other", "1\n");
+    write_file("-", "1\n");
+    UNIT_TRUE(link("in", "hard") == 0 && symlink("in", "soft") == 0);
+    UNIT_TRUE(table_replaces("in", "in"));
+    UNIT_TRUE(table_replaces("hard", "in"));
+    UNIT_TRUE(table_replaces("soft", "./in"));
+    UNIT_TRUE(!table_replaces("other", "in"));
+    UNIT_TRUE(!table_replaces("none", "in"));
+    UNIT_TRUE(!table_replaces("in", "none"));
+    UNIT_TRUE(!table_replaces("none", "none"));
+    UNIT_TRUE(!table_replaces(NULL, "in"));
+    UNIT_TRUE(!table_replaces("-", "./-")); /* standard output */
+    UNIT_TRUE(!table_replaces("/dev/null", "/dev/null"));
+    UNIT_EQUAL(child_run(replaces_input, "in", NULL).status, 7);
+    UNIT_EQUAL(child_run(replaces_input, "other", NULL).status, 0);
+    UNIT_EQUAL(child_run(replaces_input, "./-", NULL).status, 0);
+    UNIT_TRUE(sweep() == 5);
 }
 
 static int open_only(void *path)
@@ -363,6 +531,12 @@ static void test_given_files(void)
     UNIT_TRUE(stat("log", &old) == 0);
     UNIT_TRUE(child_run(write_given, &g, NULL).status == 0);
     UNIT_TRUE(stat("log", &new) == 0 && old.st_ino != new.st_ino);
+    UNIT_TRUE(file_is("log", written));
+    UNIT_TRUE(sweep() == 1);
+    /* A shell cannot hand over a descriptor of two digits. */
+    g = (struct given){"log", 10, O_WRONLY | O_APPEND};
+    write_file("log", "old\n");
+    UNIT_TRUE(child_run(write_given, &g, NULL).status == 0);
     UNIT_TRUE(file_is("log", written));
     UNIT_TRUE(sweep() == 1);
 }
@@ -683,6 +857,14 @@ int main(void)
              test_closed_stdout_is_not_the_table},
             {"stray output never enters a table", test_stray_output},
             {"a full disk is an error", test_full_disk},
+            {"a line that cannot be written says so", test_stops_when_full},
+            {"no descriptor for the temporary is an error",
+             test_no_descriptor},
+            {"a head waits for a row, with all its lines", test_head},
+            {"sums are those of FNV-1a", test_sum},
+            {"what cannot be read has no sum", test_no_sum},
+            {"a table that would replace its input is known",
+             test_replaces},
             {"a closed stdout is refused at once", test_closed_stdout},
             {"a bad name is refused at once, a long one taken", test_names},
             {"a file given to write is added to", test_given_files},

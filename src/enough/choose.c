@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1234746239 of the lines below */
+/* checksum 1876602827 of the lines below */
 /* Exact ways, two runs that agree, and ladders judged by them. */
 #include "enough/choose.h"
 
@@ -310,7 +310,7 @@ static double fineness(const struct models_plan *p)
     return p->tolerance > 0 ? -log2(p->tolerance) : log2((double)p->steps);
 }
 
-/* The coarsest rung as fine as this; 2^50 steps or 1e-15 at most. */
+/* The coarsest rung as fine as this; 2^52 steps or 1e-15 at most. */
 static struct models_plan rung_at(struct models_plan p, double fine)
 {
     const int most = p.model->method->adaptive ? 46 : 400;

@@ -1,9 +1,8 @@
 # Bonkers: a book that is a program. `make help` lists what can be made.
 #
-# Everything made goes under build/. Only `make tangle` writes into src/, the files
-# of which line 1 names a chapter,
-# and only `make reset` writes exercises/. How a thing is made is said beside
-# it, in the files that are included below.
+# Everything made goes under build/. Only `make tangle` writes into src/ (the files
+# whose first line names a chapter), and only `make reset` writes exercises/. How a
+# thing is made is said beside it, in the files that are included below.
 
 all: first
 
@@ -73,8 +72,7 @@ first: programs
 	@echo 'Next: make check (the exercises),' $(if $(filter book,$(absent)),\
 		'the book (bonkers.pdf)','make book (the PDF)'), make help
 
-# Every C file in the one layout. Files are only compared with it: what is wrong
-# in a literate one is mended in its chapter.
+# Every C file in the one layout: nothing is written, only compared.
 c_files = $(wildcard tests/*.h tests/*/*.[ch] tests/exercises/*/*.c solutions/*.c \
 	src/*/*.[ch])
 format:

@@ -48,10 +48,11 @@ slides: has-tex has-gsl $(patsubst plots/%.gp,slides-%,$(wildcard \
 	@echo 'The slides: build/slides-$(chapter_number).pdf'
 endif
 
-# What all volumes are set from; then they can be made side by side.
+# What all volumes are set from; then they can be made side by side. QUOTED are the
+# files of src/ that chapters quote.
 .PHONY: book-parts
 book-parts: has-tex $(FIGURES_PDF) $(FIGURES_SVG) $(FIGURES_ALT) build/woven
-build/woven: $(RUNS) $(wildcard chapters/*.nw chapters/works/*.nw \
+build/woven: $(RUNS) $(wildcard $(QUOTED) chapters/*.nw chapters/works/*.nw \
 		solutions/* plots/data/* \
 		$(addprefix tests/exercises/*/,hints.txt stub.c suite.c)) \
 		$(filter-out %/site %/site.mk,$(wildcard chapters/press/*))

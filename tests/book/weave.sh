@@ -5,7 +5,7 @@ scratch=$(mktemp -d) || exit 1
 trap 'rm -rf "$scratch"' EXIT
 mkdir -p "$scratch/chapters/press" "$scratch/tests/exercises/01a" "$scratch/solutions"
 cp chapters/press/weave chapters/press/keywords chapters/press/volumes \
-    chapters/press/across chapters/press/names chapters/press/lines \
+    chapters/press/across chapters/press/names chapters/press/lines chapters/press/quote \
     "$scratch/chapters/press/"
 cd "$scratch" || exit 1
 has() { # name needle file

@@ -172,7 +172,8 @@ function begin_chunk(s,    name, first, prev, next_, rest) {
     }
     chunk_head = chunk == "" ? "<span>" name "</span>" : \
         "<a href=\"#" anchor(chunk) "\">\342\237\250" name "\342\237\251</a>" \
-        (index(s, "\\plusendmoddef") ? "+" : "") "\342\211\241"
+        (index(s, "\\plusendmoddef") ? "+" : "") \
+        (index(s, "\\endquotedef") ? "" : "\342\211\241")
     chunk_name = name
     chunk_nav = ""
     if (prev ~ /^NW/)

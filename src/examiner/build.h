@@ -1,5 +1,3 @@
-/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 2212990589 of the lines below */
 /* A student's file made into a runner, or why it does not build. */
 #ifndef BUILD_H
 #define BUILD_H

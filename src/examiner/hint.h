@@ -1,5 +1,3 @@
-/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 417787972 of the lines below */
 /* Hints given one at a time. */
 #ifndef HINT_H
 #define HINT_H

@@ -1,5 +1,3 @@
-/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 3387990997 of the lines below */
 /* The border at home: both sides in one process. */
 #include "examiner/border.h"
 #include "examiner/check.h"
@@ -27,6 +25,11 @@ static void make_room(size_t bytes)
     room = bytes;
 }
 
+/* Both halves and the student's function are one program, in which a name
+   is defined once; so the makefile compiles the suite and its half under
+   other names (suite_velocities_after). What one half has said lies in an
+   array until the other has heard it. The student's function so gets the
+   same arguments in the same kind of memory as in the grader. */
 void wire_move(void *x, size_t bytes)
 {
     if (wire_speaking && room - said <= bytes)
@@ -53,6 +56,7 @@ void border_call(void)
     speak(true);
 }
 
+/* To wait is to let the other half run. */
 void border_wait(void)
 {
     speak(false);

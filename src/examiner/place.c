@@ -1,5 +1,3 @@
-/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 2460311309 of the lines below */
 /* Memory with known bytes before and behind it. */
 #include "examiner/place.h"
 #include "examiner/border.h"
@@ -9,10 +7,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Half a page before and behind, as far as an index goes astray that is
-   computed for another array: 512 numbers. */
+/* A guard stands on either side of a place and is as wide as an index goes
+   astray that was computed for another array: 512 doubles. Without guards
+   an answer that was right and also wrote v[2] had all points, because what
+   stood behind v was the box's own. */
 enum { GUARD = 4096, MOST = 8 };
 
+/* Returns a byte of a guard. As a double eight of them are a NaN, as a size
+   more than any index, so that a function that reads them gains nothing. */
 static unsigned char filling(size_t i)
 {
     static const unsigned char bytes[] = {0xa5, 0xa5, 0xa5, 0xa5,
@@ -40,6 +42,10 @@ static size_t used;
 void __asan_poison_memory_region(const volatile void *x, size_t n) WEAK;
 void __asan_unpoison_memory_region(const volatile void *x, size_t n) WEAK;
 
+/* Has an address sanitizer watch the guards, which notice writes but not
+   reads, and cannot tell the line. The driver of a box is compiled once for
+   programs with and without one, so the names are weak: if nobody defines
+   them they are zero. Only ELF knows such names. */
 static void forbid(const struct place *p, bool on)
 {
     void (*const tell)(const volatile void *x, size_t n) =

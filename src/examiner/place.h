@@ -1,5 +1,3 @@
-/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 2541552606 of the lines below */
 /* Guards around what a student's function may write to. */
 #ifndef PLACE_H
 #define PLACE_H

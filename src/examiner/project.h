@@ -1,5 +1,3 @@
-/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 2126557629 of the lines below */
 /* What the suites of whole programs have in common. */
 #ifndef PROJECT_H
 #define PROJECT_H

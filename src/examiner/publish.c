@@ -1,5 +1,3 @@
-/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 3565184607 of the lines below */
 /* Reports as a table, CSV, JSON and XML, each whole or absent. */
 #define _XOPEN_SOURCE 700 /* wcwidth */
 #include "examiner/publish.h"
@@ -32,6 +30,8 @@ static int earned(const struct marks *m)
     return marks_earned(m, false) + marks_earned(m, true);
 }
 
+/* What an exercise can earn is the most that it can earn for anybody,
+   because what was not graded has no tests to count. */
 static int possible(const struct course *c, size_t e)
 {
     int most = 0;
@@ -52,6 +52,8 @@ static int possible_of_all(const struct course *c)
     return sum;
 }
 
+/* Of a student who is not complete no total is given: it would be too small
+   and look like any other. */
 static bool complete(const struct course *c, size_t s)
 {
     for (size_t e = 0; e < c->exercises; ++e)
@@ -76,6 +78,9 @@ static double seconds_of_all(const struct course *c, size_t s)
     return sum;
 }
 
+/* Composes a clean text, for the caller to free. The course's name is a
+   folder's and other words come from the environment; rather than remember
+   which are clean, all go through here. */
 static char *compose(const char *format, ...)
 {
     va_list arguments, again;
@@ -93,6 +98,8 @@ static char *compose(const char *format, ...)
     return text;
 }
 
+/* Cuts between two characters: the bytes that continue one, and only those,
+   begin with the bits 10. */
 static char *shorten(char *text, size_t most)
 {
     if (strlen(text) <= most)
@@ -103,6 +110,9 @@ static char *shorten(char *text, size_t most)
     return text;
 }
 
+/* Hidden tests have neither name nor story in what students see: a name may
+   say what is tried, a story has the inputs. Nor is told what a program has
+   printed, for it might print its inputs. */
 static const char *shown_name(const struct marks *m, int test,
                               char room[32])
 {
@@ -115,6 +125,8 @@ static const char *shown_name(const struct marks *m, int test,
     return room;
 }
 
+/* A test that never ran because the file does not build is not begun in the
+   marks; a student has begun, so it is told as what it is. */
 static enum state state_of(const struct marks *m, int test)
 {
     const enum state state = m->marks[test].state;
@@ -122,6 +134,8 @@ static enum state state_of(const struct marks *m, int test)
                                                             : state;
 }
 
+/* The state of the whole would give hidden tests away: "failed" above nine
+   points of nine. */
 static enum state shown_state(const struct marks *m)
 {
     for (int i = 0; i < m->count; ++i)
@@ -138,11 +152,14 @@ static const char *shown_story(const struct marks *m, int test)
                                  : state_name(state_of(m, test));
 }
 
+/* Half a file of marks looks like one, so it is written under another name
+   and renamed. */
 struct draft {
     char path[4096], part[4104];
     FILE *file;
 };
 
+/* The cause is kept first; removing the file may overwrite errno. */
 static _Noreturn void give_up(const struct draft *draft)
 {
     const int why = errno;
@@ -156,6 +173,8 @@ static void make_folder(const char *path)
         text_fail("cannot make the folder '%s': %s", path, strerror(errno));
 }
 
+/* A path that is too long is not cut: what is left of it is another
+   file's. */
 static void draft_name(struct draft *draft, const char *folder,
                        const char *name)
 {
@@ -183,6 +202,8 @@ static void draft_remove(const char *folder, const char *name)
         text_fail("cannot remove '%s': %s", draft.path, strerror(errno));
 }
 
+/* A full disk is noticed late: fprintf only fills a buffer. So everything
+   is asked once, at the end, with fsync for the disk's own word. */
 static void draft_close(struct draft *draft)
 {
     if (fflush(draft->file) != 0 || ferror(draft->file) ||
@@ -192,6 +213,8 @@ static void draft_close(struct draft *draft)
         give_up(draft);
 }
 
+/* Two students must not share a file: the second would overwrite the marks
+   of the first without a word. */
 static bool alone(const struct course *c, size_t s)
 {
     const char *student = marks_of(c, s, 0)->student;
@@ -203,6 +226,9 @@ static bool alone(const struct course *c, size_t s)
 
 enum { FILE_NAME = 180 };
 
+/* Letters, digits, space, . - _ and all that is not ASCII stay, the rest
+   becomes % and two digits, and so do a dot (a hidden file) and a minus (an
+   option of rm) at the start. */
 static size_t spell(const char *text, char *name)
 {
     static const char plain[] =
@@ -229,6 +255,10 @@ static char *file_name(const struct course *c, size_t s)
                : compose("%s%%_%zu.json", name, s + 1);
 }
 
+/* A spreadsheet computes a cell that begins with =, +, - or @ when the file
+   is opened, and a student may call his folder =HYPERLINK(...). An
+   apostrophe in front makes it text. The same holds for a tab or line break
+   at the start, and for the wide forms of the signs. */
 static bool is_formula(const char *text)
 {
     static const char *const signs[] = {
@@ -278,6 +308,11 @@ static char *first_advice(const struct marks *m)
     return compose("advice: %.*s", (int)strcspn(text, "\n"), text);
 }
 
+/* Four things want a human eye: a file that was refused; a time-out, which
+   might not come on another day; what a sanitizer found that costs no
+   points; and a student who passes all tests that he knows but fails hidden
+   ones: he may have learnt the answers by heart, or the hidden test is
+   wrong. */
 static void tell_marks(const struct marks *m, take_line *take, void *to)
 {
     const int hidden = marks_possible(m, true);
@@ -387,6 +422,9 @@ static void put_row(FILE *out, const struct course *c, size_t s)
     put_notes(out, c, s);
 }
 
+/* RFC 4180, in UTF-8 without a mark: that would become part of the first
+   column's name for every program that reads by the standard. Numbers are
+   not quoted; what was not graded is an empty cell. */
 static void report_csv(const struct course *c, const char *folder)
 {
     struct draft draft;
@@ -411,6 +449,7 @@ static void report_csv(const struct course *c, const char *folder)
     draft_close(&draft);
 }
 
+/* jansson returns no tree where memory is short or a text is not UTF-8. */
 static void put(json_t *object, const char *key, json_t *value)
 {
     if (json_object_set_new(object, key, value) != 0)
@@ -430,6 +469,7 @@ static json_t *take(char *text)
     return value;
 }
 
+/* Without JSON_REAL_PRECISION 0.1 is written with 17 digits. */
 static void write_tree(const char *folder, const char *name, json_t *json)
 {
     struct draft draft;
@@ -441,6 +481,8 @@ static void write_tree(const char *folder, const char *name, json_t *json)
     json_decref(json);
 }
 
+/* A student who is not complete gets no file: a missing result is asked
+   about, one that is too low is believed. */
 static void write_json(const struct course *c, const char *folder,
                        const char *kind,
                        json_t *build(const struct course *, size_t))
@@ -492,6 +534,8 @@ static bool graded(const struct marks *m)
     return !lost(m) && strcmp(m->file, "no file") != 0;
 }
 
+/* Sanitizers have run with public tests only, so nothing hidden stands in
+   what they say. */
 static void tell_rest(FILE *out, const struct marks *m)
 {
     if (*m->note)
@@ -528,6 +572,8 @@ static json_t *sum_up(const struct course *c, size_t s)
     return json;
 }
 
+/* Gradescope keeps it and shows it to nobody; it says how a number came
+   about. */
 static json_t *gradescope_extra(const struct course *c, size_t s)
 {
     json_t *json = json_object();
@@ -539,6 +585,8 @@ static json_t *gradescope_extra(const struct course *c, size_t s)
     return json;
 }
 
+/* Output is marked as plain text, since Gradescope can be told to read it
+   as HTML. What our own program prints no student sees. */
 static json_t *gradescope(const struct course *c, size_t s)
 {
     json_t *json = json_object(), *tests = json_array();
@@ -565,6 +613,9 @@ static void report_gradescope(const struct course *c, const char *folder)
 
 enum { CLASSROOM_NAME = 100, CLASSROOM_OUTPUT = 4000 };
 
+/* The schema allows a name of at most 100 bytes and wants them different;
+   ours begin with exercise and number. The collector refuses files above 10
+   MiB, so stories are cut. */
 static json_t *classroom_test(const struct marks *m, int test)
 {
     const struct mark *mark = &m->marks[test];
@@ -584,6 +635,9 @@ static json_t *classroom_test(const struct marks *m, int test)
     return json;
 }
 
+/* Where the grader runs within Classroom 50 the environment says whose
+   result it is. Elsewhere the collector will refuse the file until somebody
+   has filled that in. */
 static json_t *known(const struct course *c, const char *variable,
                      const char *otherwise)
 {
@@ -618,6 +672,9 @@ static void put_owner(json_t *json, const struct course *c, size_t s)
     put(json, "graded_at", take(compose("%s", c->when)));
 }
 
+/* datetime should be the moment of handing in, by which lateness is
+   decided. We know the moment of grading only; the collector's own runner
+   puts the right one in. */
 static json_t *classroom(const struct course *c, size_t s)
 {
     json_t *json = json_object(), *tests = json_array();
@@ -639,6 +696,7 @@ static void report_classroom(const struct course *c, const char *folder)
     write_json(c, folder, "classroom50", classroom);
 }
 
+/* A test is in error, and has not failed, where it came to no answer. */
 static json_t *github_test(const struct marks *m, int test)
 {
     const struct mark *mark = &m->marks[test];
@@ -663,6 +721,8 @@ static json_t *github_test(const struct marks *m, int test)
     return json;
 }
 
+/* A workflow that has run the grader passes the file on in base64: echo
+   "result=$(base64 -w0 github/ADA.json)" >>"$GITHUB_OUTPUT". */
 static json_t *github(const struct course *c, size_t s)
 {
     json_t *json = json_object(), *tests = json_array();
@@ -685,6 +745,10 @@ static void report_github(const struct course *c, const char *folder)
     write_json(c, folder, "github", github);
 }
 
+/* JUnit's XML was never written down; what counts is what GitLab and
+   Jenkins read. GitLab drops the second of two cases with one class and
+   name without a word, so a case's name has the student and the test's
+   number in it. */
 struct junit {
     struct draft draft;
     xmlTextWriterPtr xml;
@@ -696,6 +760,8 @@ static void checked(int result)
         text_fail("out of memory");
 }
 
+/* Always says that all was written: ferror knows better at the end, and
+   libxml2 would put words of its own on the screen. */
 static int write_bytes(void *context, const char *bytes, int length)
 {
     struct junit *j = context;
@@ -744,6 +810,9 @@ struct tally {
     double seconds;
 };
 
+/* A wrong number is a failure; a crash, a time-out and what does not build
+   are errors, because the test came to no verdict; what is not begun is
+   skipped. */
 static const char *element_of(enum state state)
 {
     switch (state) {
@@ -754,6 +823,8 @@ static const char *element_of(enum state state)
     }
 }
 
+/* Counts with the function that chooses the element later: two ways of
+   counting would differ one day. */
 static void count_endings(struct tally *tally, const struct marks *m)
 {
     for (int i = 0; i < m->count; ++i) {
@@ -777,6 +848,9 @@ static void put_tally(struct junit *j, const struct tally *tally)
     attribute(j, "time", compose("%.3f", tally->seconds));
 }
 
+/* The first test of a file that does not build has the compiler's words,
+   even if it is hidden: the compiler has seen the student's file and
+   nothing else. */
 static void put_ending(struct junit *j, const char *element,
                        const struct marks *m, int test)
 {
@@ -788,6 +862,8 @@ static void put_ending(struct junit *j, const char *element,
     end(j);
 }
 
+/* The time is an equal share of the exercise's, so that readers that add
+   come to the right sum. */
 static void put_case(struct junit *j, const char *student,
                      const struct marks *m, int test)
 {
@@ -806,6 +882,8 @@ static void put_case(struct junit *j, const char *student,
     end(j);
 }
 
+/* An exercise that was not graded is one test in error: a suite without
+   tests would be a green one. */
 static void put_lost(struct junit *j, const char *student,
                      const struct marks *m)
 {
@@ -863,6 +941,11 @@ static void report_junit(const struct course *c, const char *folder)
     draft_close(&j.draft);
 }
 
+/* Returns how many columns the next character takes: a Chinese one two, an
+   accent of its own none. wcwidth knows only in a locale with UTF-8. What
+   it does not know, and characters that turn the direction of writing,
+   become question marks: a Hebrew name is welcome, numbers behind it that
+   run backwards are not. */
 static int columns(const char *text, size_t *bytes)
 {
     mbstate_t state = {0};
@@ -878,6 +961,8 @@ static int columns(const char *text, size_t *bytes)
     return turns ? -1 : wcwidth(c);
 }
 
+/* A name may be ten thousand accents and no wider than a letter, so the
+   bytes are limited, too. */
 static int fit(const char *text, int room, size_t *length)
 {
     int taken = 0;
@@ -942,6 +1027,8 @@ static struct layout lay_out(const struct course *c)
     return l;
 }
 
+/* Where nothing is earned a letter takes the number's place: a column of
+   noughts is harder to read than gaps. */
 static void show_earned(const struct marks *m, int width)
 {
     static const char letters[] = {
@@ -1024,6 +1111,8 @@ static void show_line(void *to, const char *student, const char *exercise,
         putchar('\n');
 }
 
+/* The locale is changed for the table alone. If the programs were not kept
+   apart that stands at the top. */
 static void report_table(const struct course *c, const char *folder)
 {
     const locale_t utf8 = newlocale(LC_CTYPE_MASK, "C.UTF-8", (locale_t)0);

@@ -1,5 +1,3 @@
-/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 2395668615 of the lines below */
 /* The marks of a course, for people and platforms. */
 #ifndef PUBLISH_H
 #define PUBLISH_H
@@ -11,7 +9,10 @@
 /* The marks of a course: exercises of each student side by side, students
    in order of name, exercises in order of number. There is at least one
    student, and every exercise has all its tests, begun or not; it has none
-   if it was not graded, and its file says why. */
+   if it was not graded, and its file says why. What was not handed in has
+   its tests all the same, not begun, or the course would be worth less to a
+   student who did less of it. Only where the grader itself has failed is
+   there no test, and every report tells that from zero points. */
 struct course {
     size_t students, exercises;
     const struct marks *marks; /* of student s and exercise e at
@@ -30,10 +31,12 @@ bool publish_known(const char *report);
 
 /* Writes a report: table to standard output, csv, notes, junit to
    FOLDER/grades.csv, FOLDER/by-hand/notes.txt (if there are any),
-   FOLDER/junit.xml; gradescope, classroom50 and github
-   to FOLDER/gradescope/STUDENT.json, ..., with characters of a student's
-   name that a file name should not have as %XX. Files are there whole or
-   not at all. Exits with status 2 when it cannot. */
+   FOLDER/junit.xml; gradescope, classroom50 and github to
+   FOLDER/gradescope/STUDENT.json, ..., with characters of a student's name
+   that a file name should not have as %XX. Files are there whole or not at
+   all. Exits with status 2 when it cannot. JSON is written by jansson and
+   XML by libxml2, never by printf: it is easy to write what is right for
+   the names one thinks of. */
 void publish(const char *report, const struct course *course,
              const char *folder);
 

@@ -1,5 +1,3 @@
-/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 2279598115 of the lines below */
 /* The form of the report that a runner writes of its test. */
 #ifndef REPORT_H
 #define REPORT_H
@@ -8,7 +6,18 @@
 #include <stdint.h>
 
 /* The report of a test: lines `NONCE WORD TEXT`, written by the runner and
-   read by the examiner when the runner has ended. */
+   read by the examiner when the runner has ended. The first bytes of the
+   file are the nonce, which the runner takes out before it calls any code
+   of the student's; each record begins with it. The nonce is not given as
+   an argument or in the environment, because those stay readable for the
+   whole life of a process. It guards against accidents (a program that
+   writes to every descriptor it finds), not against somebody who looks for
+   it: the student's code shares the runner's memory.
+
+   The report is a file and not a pipe: a pipe is at its end only when the
+   last process that holds it has gone, so that a forgotten child would keep
+   the examiner waiting, and it holds no more than 64 KiB, so that somebody
+   would have to read while the test runs. */
 enum { REPORT_FILE = 3, REPORT_NONCE = 32, REPORT_RECORD = 1024 };
 
 /* What a runner is told that was started with - for a number: which test,

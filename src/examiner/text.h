@@ -1,5 +1,3 @@
-/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 3246843564 of the lines below */
 /* Text read safely and folded for a terminal. */
 #ifndef TEXT_H
 #define TEXT_H

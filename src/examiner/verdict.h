@@ -1,5 +1,3 @@
-/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 199931126 of the lines below */
 /* How an exercise stands, from all its tests. */
 #ifndef VERDICT_H
 #define VERDICT_H

@@ -1,5 +1,3 @@
-/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 228481347 of the lines below */
 /* Looks at the files ten times a second, and at the keyboard. */
 #include "examiner/watch.h"
 #include "examiner/hint.h"
@@ -20,6 +18,9 @@ static void give_terminal_back(void)
     tcsetpgrp(STDIN_FILENO, before);
 }
 
+/* Makes this process the foreground, alone in a group of its own: Ctrl-C
+   goes to all processes there, and make would close with a complaint about
+   it. Ctrl-Z must be ignored then, or make would wait for ever. */
 static void take_terminal(void)
 {
     before = getpgrp();
@@ -36,6 +37,10 @@ struct seen {
     uint64_t judged, last; /* checksums */
 };
 
+/* Returns whether a file was saved: it is another one than was judged, and
+   two looks in succession have found the same, because an editor may empty
+   a file first and write to it then. An editor that pauses longer than a
+   tenth of a second in the middle is answered about half a file. */
 static bool saved(struct exercise *e, struct seen *seen)
 {
     if (!text_plain(e->file))
@@ -71,6 +76,8 @@ static void show(const struct course *course, const struct exercise *e)
 
 enum { WATCH_PAUSE = 100 }; /* ms between two looks */
 
+/* The keyboard is read by the line. Single keys would need another mode of
+   the terminal, in which a watch that is killed would leave it. */
 static bool key_goes_on(const struct exercise *shown)
 {
     static bool silent;
@@ -87,6 +94,10 @@ static bool key_goes_on(const struct exercise *shown)
     return line[0] != 'q';
 }
 
+/* Checksums of forty files take less than half a millisecond, ten times a
+   second. The systems' own ways to hear of a saved file differ, and have to
+   be told again when an editor puts a new file in the place of the old one,
+   as most do. */
 static void look(struct course *course, const struct verdict_rules *rules,
                  struct seen seen[], const struct exercise **shown)
 {

@@ -1,5 +1,3 @@
-/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 2371393923 of the lines below */
 /* Checks whatever is saved, until asked to stop. */
 #ifndef WATCH_H
 #define WATCH_H

@@ -1,5 +1,3 @@
-/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 450658409 of the lines below */
 /* Words and values through two pipes, each message whole. */
 #include "examiner/wire.h"
 
@@ -24,6 +22,8 @@ void wire_speak(int word)
     putc(word, mouth);
 }
 
+/* The stream in our direction is flushed when the turn changes and only
+   then, so that a short call is a single write. */
 int wire_listen(void)
 {
     if (fflush(mouth) != 0)

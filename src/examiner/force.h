@@ -1,5 +1,3 @@
-/* From chapters/12-fails.nw: edit there, then run make tangle. */
-/* checksum 1726929528 of the lines below */
 /* What bodies do to each other; for programs of students. */
 #ifndef EXAMINER_FORCE_H
 #define EXAMINER_FORCE_H

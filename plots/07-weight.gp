@@ -8,7 +8,7 @@ width = 14
 height = 7.5
 load 'plots/style.gp'
 H = 2.5 # the box, m
-g = 2.
+g = option('build/data/07-weight-4.dat', 'gravity') + 0.0
 stats 'build/data/07-low-4.dat' index 0 using (($7**2+$8**2)/2+g*($6-0.01)) nooutput
 few = STATS_sum/8 # kT, J
 stats 'build/data/07-low-40.dat' index 0 using (($7**2+$8**2)/2+g*($6-0.002)) nooutput

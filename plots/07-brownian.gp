@@ -2,6 +2,7 @@
 # command: build/bin/disks --disks 400 --radius 0.5 --heavy 40,2 --start random --temperature 1 --box 39.79149,39.79149 --boundary periodic --warmup 20 --measure brownian --every 0.1 --until 6000 -o build/data/07-brownian.dat
 # lecture: build/bin/disks --disks 400 --radius 0.5 --heavy 40,2 --start random --temperature 1 --box 39.79149,39.79149 --boundary periodic --warmup 20 --measure brownian --every 0.1 --until 20000 -o build/data/07-brownian.dat
 # data: build/runs/gas-heavy.summary
+# command: build/bin/disks --disks 400 --radius 0.5 --heavy 40,2 --start random --temperature 1 --box 39.79149,39.79149 --boundary periodic --warmup 20 --measure brownian --every 0.1 --until 6000 -o /dev/null --summary build/runs/gas-heavy.summary
 # alt: Left, the correlation of the velocity on a logarithmic scale falls from 0.023 along the dashed initial slope and then lies above the exponential. Right, the mean square displacement on logarithmic scales: free flight with slope 2 up to a second, then bending to slope 1; the points end a little above the line.
 width = 14
 height = 7.2

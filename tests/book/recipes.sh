@@ -70,7 +70,9 @@ is 'the names of slides are told' '01-b 01-c-1 01-c-2' "$(echo \
     $(chapters/press/recipes --slides plots/01-b.gp) \
     $(chapters/press/recipes --slides plots/01-c.gp))"
 # A figure reads the summary of a run that the text does not quote.
-printf '%s\n' '# data: build/runs/bad.summary' '# alt: a number' 'plot 1' >plots/01-d.gp
+printf '%s\n' '# data: build/runs/bad.summary' \
+    '# command: build/bin/walk --fail --summary build/runs/bad.summary' \
+    '# alt: a number' 'plot 1' >plots/01-d.gp
 chapters/press/recipes
 has 'a figure waits for the run whose summary it reads' \
     'build/figures/01-d.pdf: plots/01-d.gp plots/style.gp build/runs/bad.summary' \
@@ -78,10 +80,18 @@ has 'a figure waits for the run whose summary it reads' \
 is 'and the run writes one' \
     'build/bin/walk --fail --summary build/runs/bad.summary' \
     "$(sed -n '$p' build/recipes/run-bad)"
-sed -i s/bad/none/ plots/01-d.gp
-is 'a run that is not there is refused' \
-    'recipes: plots/01-d.gp: no %run line makes run none' \
-    "$(chapters/press/recipes 2>&1)"
+has 'and nobody else makes it' 1 \
+    "$(grep -c '^build/made/runs/bad.summary:' build/recipes/rules.mk)"
+mv chapters/01-x.nw chapter
+chapters/press/recipes
+has 'where there are no chapters the figure has it made' \
+    'build/made/runs/bad.summary: build/recipes/runs-bad.summary build/bin/walk' \
+    "$(cat build/recipes/rules.mk)"
+mv chapter chapters/01-x.nw
+sed -i s/--fail/--other/ plots/01-d.gp
+is 'another command than that of the run is refused' \
+    'recipes: build/runs/bad.summary: the command in plots/01-d.gp is not that '\
+'of run bad in chapters/01-x.nw:5' "$(chapters/press/recipes 2>&1)"
 rm plots/01-c.gp plots/01-d.gp
 chapters/press/recipes
 is 'data of two figures have one rule' 1 \
@@ -252,4 +262,4 @@ is 'Windows line ends in a chapter are refused' \
     'recipes: chapters/01-x.nw: Windows line ends' \
     "$(chapters/press/recipes 2>&1 | sed 's/ (.*//')"
 is 'and nothing is written' "$(cat before)" "$(find build -type f -exec cksum {} +)"
-echo 1..56
+echo 1..58

@@ -1,6 +1,4 @@
-/* From chapters/works/04-piston.nw: edit there, then run make tangle. */
-/* checksum 1699544865 of the lines below */
-/* Bodies on a line from row to row, in one run or the mean of many. */
+/* Runs bodies on a line: writes one run, or the mean of an ensemble. */
 #include "line/bonkers.h"
 #include "line/start.h"
 #include "toolbox/options.h"
@@ -20,7 +18,7 @@
 
 #define PROGRAM "bonkers"
 
-enum { LISTED = 1000 }; /* most bodies that a list can give */
+enum { LISTED = 1000 }; /* at most so many bodies in a list */
 
 struct settings {
     struct start_wish wish;
@@ -81,7 +79,8 @@ static const struct table_key keys[] = {
     {"members", "1", "averaged over"},
     {0}};
 
-/* Reads a list into values; checks that each is within low and high. */
+/* Reads a list into values, each from low to high. The first list decides
+   how many bodies there are. */
 static const double *read_list(struct options *o, struct settings *s,
                                double values[], double low, double high)
 {
@@ -99,6 +98,7 @@ static const double *read_list(struct options *o, struct settings *s,
     return values;
 }
 
+/* The right wall may be missing, as in Galperin's problem. */
 static void read_walls(struct options *o, struct start_wish *w)
 {
     if (options_list(o, w->wall, 2) == 1)
@@ -173,6 +173,8 @@ static void read_settings(struct settings *s, int argc, char *argv[])
     program_apart(&o, s->output, s->summary, "table");
 }
 
+/* The lists replace what the preset says. Without a preset they stand for
+   themselves, in a box from zero to a metre behind the last body. */
 static bool make_start(struct start *s, const struct settings *set,
                        uint64_t seed)
 {
@@ -210,9 +212,9 @@ static void name_body(char text[], size_t size, size_t i, size_t gaps)
         snprintf(text, size, "mover %zu", i);
 }
 
-/* Begins a run; ends the program when that cannot be. */
-/* Refuses bodies whose squares of speeds are no full numbers; those that
-   fall become faster, and those at rest have no collision to wait for. */
+/* Refuses speeds so low that their squares are subnormal numbers, which
+   have fewer digits. Bodies that fall become faster, and bodies that are
+   all at rest have no collision to wait for. */
 static void check_speeds(const struct bonkers *b)
 {
     double most = 0;
@@ -226,6 +228,8 @@ static void check_speeds(const struct bonkers *b)
                        most, BONKERS_SLOWEST);
 }
 
+/* Begins a run, or ends the program if the start is impossible; nothing has
+   been written yet. Sets *until to the usual end of this start. */
 static void begin_or_exit(struct bonkers *b, const struct settings *set,
                           uint64_t seed, double *until)
 {
@@ -249,16 +253,22 @@ static void begin_or_exit(struct bonkers *b, const struct settings *set,
     check_speeds(b);
 }
 
+/* From one row to the next the engine runs in bites, short enough that a
+   signal is noticed within a second. The engines can be stopped and
+   continued anywhere, so no bit of the run depends on the bites. */
 struct run {
     struct bonkers b;
     double until, every;
-    uint64_t samples, rows; /* rows behind the first: most, so far */
+    uint64_t samples, rows; /* behind the first: at most, and so far */
     double start_energy, seconds;
     enum bonkers_stop stop;
     bool over, timed;
     struct progress *progress; /* or NULL */
 };
 
+/* The usual end of a start is for runs that have no limit of their own. The
+   clock is read only for a summary: that takes as long as several
+   collisions, and an ensemble may have ten million rows. */
 static void begin_run(struct run *r, const struct settings *s,
                       uint64_t seed)
 {
@@ -274,16 +284,30 @@ static void begin_run(struct run *r, const struct settings *s,
 
 enum { PARTS = 1000000 };
 
+/* Shows the fraction of the time that is done, up to its limit or the last
+   sample. If only a number of collisions ends the run, it stays zero. */
 static void show_progress(const struct run *r)
 {
     const double end = fmin(r->until, r->samples < UINT64_MAX
                                           ? (double)r->samples * r->every
                                           : INFINITY);
-    const double share = end < INFINITY ? r->b.now / end : 0;
-    progress_update(r->progress, (uint64_t)(share * PARTS),
+    const double fraction = end < INFINITY ? r->b.now / end : 0;
+    progress_update(r->progress, (uint64_t)(fraction * PARTS),
                     r->b.collisions);
 }
 
+/* Runs to the time or the collision, whichever comes first, in bites that
+   even a slow computer does in a second. naive and scan look at every gap
+   at each collision, the others do not; their last term makes a bite longer
+   than many slabs.
+
+   Slabs that have to end at a collision are undone, and the heap runs the
+   last one; to end at a time costs them nothing. So they end at times, once
+   it is known how many collisions a time has, and twice the bite is the
+   limit then. A bite without a collision is not followed by another such:
+   perhaps there never will be one, and that is for the engine to say. The
+   comparison with `most` is written as a difference, which cannot overflow
+   when there is no limit. */
 static enum bonkers_stop run_bites(struct run *r, double until,
                                    uint64_t collisions)
 {
@@ -297,16 +321,17 @@ static enum bonkers_stop run_bites(struct run *r, double until,
     uint64_t before = 0;
     const clock_t start = r->timed ? clock() : 0;
     do {
-        const bool paced =
+        const bool timed_bite =
             b->engine == BONKERS_SLAB && b->collisions > before;
-        const uint64_t most = paced ? 2 * bite : bite;
+        const uint64_t most = timed_bite ? 2 * bite : bite;
         const uint64_t next = collisions - b->collisions > most
                                   ? b->collisions + most
                                   : collisions;
         before = b->collisions;
-        pause = paced ? fmin(until,
-                             b->now * (1 + (double)bite / (double)before))
-                      : until;
+        pause =
+            timed_bite
+                ? fmin(until, b->now * (1 + (double)bite / (double)before))
+                : until;
         stop = bonkers_run(b, pause, next);
         if (r->progress)
             show_progress(r);
@@ -318,7 +343,11 @@ static enum bonkers_stop run_bites(struct run *r, double until,
     return stop;
 }
 
-/* Runs to the next row and stands there. r->over: it is the last. */
+/* Runs to the next row and stops there; r->over if it is the last. Times of
+   rows are multiplied, not added up (2.4, eq:clock); the last may miss the
+   end by its rounding, and the end is meant then. A run that only a number
+   of collisions limits also ends when no collision will come any more: it
+   would write rows for ever. */
 static void run_to_row(struct run *r, uint64_t collisions)
 {
     const double clock =
@@ -332,7 +361,7 @@ static void run_to_row(struct run *r, uint64_t collisions)
               progress_signal();
 }
 
-/* Names the columns; per: how many there are for each body. */
+/* Names the columns, `per` of them for each body. The walls are L and R. */
 static void name_columns(struct table *out, const struct bonkers *b,
                          const char *const symbols[],
                          const char *const units[],
@@ -358,7 +387,9 @@ static void name_columns(struct table *out, const struct bonkers *b,
         }
 }
 
-/* Writes the mass with as few digits as give this inverse again. */
+/* Writes the mass with as few digits as give this inverse again: the
+   inverse of an inverse is off by a bit or two, and --masses 49 would come
+   back as 49.000000000000007. */
 static void write_mass(struct table *out, double im)
 {
     char text[32];
@@ -369,7 +400,8 @@ static void write_mass(struct table *out, double im)
     table_print(out, " %s", text);
 }
 
-/* The masses, for whoever wants to weigh the columns. */
+/* Writes the masses into the head, since a velocity without a mass tells no
+   energy; not if there are so many that nobody would read them. */
 static void name_masses(struct table *out, const struct bonkers *b)
 {
     if (b->gaps > LISTED)
@@ -380,6 +412,11 @@ static void name_masses(struct table *out, const struct bonkers *b)
     table_print(out, "\n");
 }
 
+/* The state comes as two arrays and goes out in pairs. The positions are
+   put into the second half of the row, from where each moves down before a
+   pair is written over it, and the velocities behind the row: row has room
+   for 2
+   + 3 * bodies numbers. */
 static void write_row(struct table *out, struct bonkers *b, double row[])
 {
     double *x = row + 2 + b->gaps + 1, *v = x + b->gaps + 1;
@@ -414,6 +451,11 @@ static bool write_run(struct table *out, struct run *r,
     return true;
 }
 
+/* Members of an ensemble differ only in their seeds, and every processor
+   core runs its own. The mean must not depend on how many cores there are,
+   and floating-point sums depend on the order of their terms. So the cores
+   fill a batch of fixed size, and one of them adds it up in the order of
+   the members. */
 enum { BATCH = 16 };
 
 /* Over the members, for each row and body: the sums of x and v, the mean
@@ -426,7 +468,8 @@ struct ensemble {
     struct run run[BATCH]; /* the last that ran there */
 };
 
-/* Runs one member and keeps its rows. */
+/* Runs one member and keeps its rows in its own place of the batch, so that
+   no core waits for another. */
 static void run_member(struct ensemble *e, int place,
                        const struct settings *s, uint64_t seed)
 {
@@ -450,6 +493,9 @@ static void run_member(struct ensemble *e, int place,
     free(x);
 }
 
+/* Adds a member to the means. Squared deviations are summed by Welford's
+   rule, which never subtracts two large numbers: with the mean M_k of the
+   first k values the sum grows by (T_k - M_(k-1)) (T_k - M_k). */
 static void add_member(struct ensemble *e, int place)
 {
     const double k = (double)++e->members;
@@ -465,8 +511,8 @@ static void add_member(struct ensemble *e, int place)
     }
 }
 
-/* Runs up to `count` members at a time, then adds them up in order.
-   Returns how many: none when a signal has come. */
+/* Runs `count` members at once, then adds them up in order. Returns how
+   many were added: none after a signal, since some may be cut short. */
 static int run_batch(struct ensemble *e, const struct settings *s,
                      const uint64_t seeds[], int count)
 {
@@ -475,12 +521,14 @@ static int run_batch(struct ensemble *e, const struct settings *s,
 #endif
     for (int place = 0; place < count; ++place)
         run_member(e, place, s, seeds[place]);
-    const int whole = progress_signal() ? 0 : count;
-    for (int place = 0; place < whole; ++place)
+    const int added = progress_signal() ? 0 : count;
+    for (int place = 0; place < added; ++place)
         add_member(e, place);
-    return whole;
+    return added;
 }
 
+/* All members have the same number of rows, known before the first one
+   runs. Returns false if they do not fit into memory. */
 static bool make_ensemble(struct ensemble *e, const struct run *r)
 {
     const double until = fmin(r->until, r->samples < UINT64_MAX
@@ -500,6 +548,8 @@ static bool make_ensemble(struct ensemble *e, const struct run *r)
     return enough;
 }
 
+/* The standard error of the mean of T is sqrt(S / (k - 1) / k), with the
+   sum S of its squared deviations over k members. */
 static void write_ensemble(struct table *out, const struct ensemble *e,
                            double row[])
 {
@@ -519,6 +569,7 @@ static void write_ensemble(struct table *out, const struct ensemble *e,
     }
 }
 
+/* Of all members together; the error of the energy is the worst one. */
 struct totals {
     uint64_t collisions, disorder, rows;
     double time, seconds, energy_error;
@@ -538,6 +589,8 @@ static void add_run(struct totals *t, const struct run *r)
         t->energy_error = error;
 }
 
+/* If energy is meant to be lost, its change is no error and has another
+   name. */
 static void write_summary(struct table *out, const struct totals *t,
                           const struct settings *s,
                           enum bonkers_engine engine)
@@ -555,6 +608,9 @@ static void write_summary(struct table *out, const struct totals *t,
         table_count(out, "members", s->members);
 }
 
+/* The seeds of the members are drawn in order, so that a longer ensemble
+   begins with the members of a shorter one. Returns false if it was
+   interrupted. */
 static bool run_ensemble(struct table *out, struct ensemble *e,
                          const struct settings *s, struct totals *t,
                          struct progress *p)
@@ -582,10 +638,11 @@ static bool run_ensemble(struct table *out, struct ensemble *e,
     return done > 0;
 }
 
-/* An ensemble from beginning to end. */
-static bool average(struct table *out, const struct run *first,
-                    const struct settings *s, struct totals *t,
-                    struct progress *p)
+/* Makes, runs, writes and frees an ensemble. Returns whether it is
+   complete. */
+static bool average_ensemble(struct table *out, const struct run *first,
+                             const struct settings *s, struct totals *t,
+                             struct progress *p)
 {
     static struct ensemble e;
     bool done = make_ensemble(&e, first);
@@ -609,6 +666,8 @@ static bool average(struct table *out, const struct run *first,
     return done;
 }
 
+/* Reports a run that could not reach its end. The exit status is that of a
+   failed run, but the table up to there is right and is kept. */
 static bool say_collapse(const struct run *r)
 {
     const bool cold = r->stop == BONKERS_COLLAPSE && bonkers_is_cold(&r->b);
@@ -624,8 +683,9 @@ static bool say_collapse(const struct run *r)
     return true;
 }
 
-/* Ends the program when its rows would never end: there are more than can
-   be counted until the end or, without one, until the first collision. */
+/* Ends the program if there would be more than 9e15 rows, which a double
+   cannot count, before the end or, without one, before the first
+   collision. */
 static void check_rows(const struct run *r)
 {
     double end = r->until;
@@ -640,6 +700,8 @@ static void check_rows(const struct run *r)
                    r->every, end);
 }
 
+/* For an ensemble, too, one run is begun: nobody runs it, but it shows that
+   the start is possible and how many rows there will be. */
 int main(int argc, char *argv[])
 {
     struct settings s;
@@ -659,14 +721,14 @@ int main(int argc, char *argv[])
     progress_begin(&p, PROGRAM, s.members > 1 ? s.members : PARTS,
                    "collisions");
     r.progress = &p;
-    const bool done = s.members > 1 ? average(out, &r, &s, &t, &p)
+    const bool done = s.members > 1 ? average_ensemble(out, &r, &s, &t, &p)
                                     : write_run(out, &r, &s);
     if (s.members == 1)
         add_run(&t, &r);
-    const bool whole = progress_end(&p) && done;
+    const bool complete = progress_end(&p) && done;
     const bool collapsed = s.members == 1 && say_collapse(&r);
     write_summary(summary, &t, &s, r.b.engine);
     bonkers_free(&r.b);
-    const int status = program_close(out, summary, whole);
+    const int status = program_close(out, summary, complete);
     return collapsed ? EXIT_FAILURE : status;
 }

@@ -1,6 +1,4 @@
-/* From chapters/works/04-piston.nw: edit there, then run make tangle. */
-/* checksum 3479190914 of the lines below */
-/* Swings of a piston: of the model, and measured in runs of particles. */
+/* Integrates the model of a piston, and measures pistons in runs. */
 #include "line/piston.h"
 #include "toolbox/bench.h"
 #include "toolbox/study.h"
@@ -13,7 +11,7 @@
 #define PROGRAM "piston"
 #include <errno.h>
 
-enum { MOST = 8 }; /* numbers that an option takes */
+enum { MOST = 8 }; /* at most so many numbers for an option */
 
 typedef bool stepper(const struct piston *p, struct piston_state *s,
                      double dt);
@@ -28,7 +26,8 @@ struct settings {
     double step, every, until;
     const char *path; /* of the table to be measured */
     size_t body;
-    double window, at[MOST], fit[2];
+    double window; /* s, half a period */
+    double at[MOST], fit[2];
     size_t at_count;
 };
 
@@ -40,6 +39,8 @@ static void read_pair(struct options *o, double pair[2], double low)
                      options_text(o), low);
 }
 
+/* The piston sets the gas in motion, so that the swing begins at V M / M',
+   with the mass M' of what moves (4.10, eq:added-mass). */
 static struct piston_state first_state(const struct settings *s,
                                        const struct piston *p)
 {
@@ -57,6 +58,8 @@ static double large_period(const struct settings *s, const struct piston *p,
     return piston_period(p, piston_energy(p, &state), points);
 }
 
+/* Writes what every theory says about the period, with the masses of the
+   gases and without. */
 static void summarise_periods(struct table *summary,
                               const struct settings *s)
 {
@@ -74,7 +77,7 @@ static void summarise_periods(struct table *summary,
                2 * acos(-1) / piston_frequency_acoustic(&s->piston));
 }
 
-enum { SWING = 3 }; /* keys that only the swing has */
+enum { SWING = 3 }; /* so many first keys are not for study cost */
 
 static const struct table_key run_keys[] = {
     {"x_min", "m", "leftmost place of the piston"},
@@ -88,6 +91,9 @@ static const struct table_key run_keys[] = {
     {"period_acoustic", "s", "small swings, with sound in the gases"},
     {0}};
 
+/* The step is shortened until a whole number of steps leads to the next
+   row. The worst error of the energy and the farthest places are those of
+   all steps, not of the rows alone. */
 static void study_run(struct study *s)
 {
     const struct settings *own = s->own;
@@ -134,8 +140,12 @@ static void study_run(struct study *s)
     summarise_periods(s->summary, own);
 }
 
-/* The time of one swing by steps of dt, begun to the right; NAN when a
-   step fails. */
+/* Returns the time of one swing by steps of dt, begun to the right, until
+   the piston comes by again in the same direction; NAN if a step fails.
+   That happens between two steps. Newton's method shortens the last one
+   until it ends on the spot: each pass divides the distance that is missing
+   by the velocity and doubles the digits that are right, so six are plenty.
+   One shorter step has an error as good as the others'. */
 static double stepped_period(const struct settings *s,
                              const struct piston *p, stepper *step,
                              double dt)
@@ -163,6 +173,8 @@ enum way { LEAPFROG, RK4, QUADRATURE, SMALL, ACOUSTIC, WAYS };
 static const char *const way_names[WAYS] = {"leapfrog", "rk4", "quadrature",
                                             "small", "acoustic"};
 
+/* Every way to a period depends on one number: the step of the first two,
+   the points of the quadrature, nothing for the formulas. */
 static double period_by(enum way way, const struct settings *s,
                         const struct piston *p, double number)
 {
@@ -175,7 +187,11 @@ static double period_by(enum way way, const struct settings *s,
     }
 }
 
-/* The processor time (s) of one period found this way. */
+/* Returns the processor time (s) of one period found this way. A formula
+   takes less time than the clock resolves, so it is repeated for ten
+   milliseconds; the median of five such rounds counts, after one that
+   warms up and is overwritten. Reading the clock costs more than a formula,
+   so the times of the last two ways are upper limits. */
 static double cost_of(enum way way, const struct settings *s,
                       const struct piston *p, double number)
 {
@@ -194,6 +210,9 @@ static double cost_of(enum way way, const struct settings *s,
     return bench_median(rounds, BENCH_ROUNDS);
 }
 
+/* Tries each way without gas masses and with them, steps halved and points
+   doubled until nothing changes any more but the leapfrog's last digits. A
+   signal ends the study between two numbers; the rows before it stay. */
 static void study_cost(struct study *s)
 {
     const struct settings *own = s->own;
@@ -226,21 +245,27 @@ static void study_cost(struct study *s)
 
 enum { MOVERS = 4096, KEPT = 6 };
 
-/* What a table says: rows of time (s), place (m) and velocity (m/s) of
-   the piston, and the energies (J) of piston, left gas and right gas. */
-struct record {
-    size_t rows, space, movers;
+/* What is kept of a table of bonkers: rows of time (s), position (m) and
+   velocity (m/s) of the piston, and the energies (J) of piston, left gas
+   and right gas. */
+struct run_rows {
+    size_t rows, capacity, movers;
     double (*row)[KEPT];
 };
 
 /* Where in a row the numbers are: velocities [0] and energies [1] of the
-   movers from left to right. */
+   movers from left to right. The table of an ensemble has energies, T6 for
+   the mean of body 6; that of a single run has velocities, and the masses
+   in its head. */
 struct columns {
     size_t place, count[2], column[2][MOVERS];
     size_t masses;
     double mass[MOVERS]; /* for a table that has no energies */
 };
 
+/* Reads a line of the head that names a column, as "# 5 T1 [J] ...", or the
+   masses. Only a letter and a number belong to a mover (xL is a wall), and
+   movers come in order. */
 static void read_head(const char *line, size_t body, struct columns *c)
 {
     static const char masses[] = "# masses:";
@@ -264,7 +289,9 @@ static void read_head(const char *line, size_t body, struct columns *c)
     }
 }
 
-/* Adds up a row's energies; returns whether all its numbers are there. */
+/* Adds up a row's energies: movers before the piston belong to the left
+   gas, those behind it to the right one. Returns whether all its numbers
+   are there. */
 static bool read_row(const char *line, size_t body, const struct columns *c,
                      double kept[KEPT])
 {
@@ -292,26 +319,27 @@ static bool read_row(const char *line, size_t body, const struct columns *c,
     return next == c->count[kind];
 }
 
-/* false, after saying what is wrong: then there is nothing to free. */
-static bool read_record(struct study *study, struct record *r)
+/* Reads the table. The first row shows whether the head was complete. On
+   failure prints what is wrong, frees everything and returns false. */
+static bool read_table(struct study *study, struct run_rows *r)
 {
     const struct settings *s = study->own;
     static struct columns c;
     char *line = NULL;
     const char *wrong = NULL;
-    size_t space = 0, number = 0;
+    size_t capacity = 0, number = 0;
     FILE *file = strcmp(s->path, "-") == 0 ? stdin : fopen(s->path, "r");
     if (!file)
         wrong = strerror(errno);
-    while (!wrong && getline(&line, &space, file) > 0) {
+    while (!wrong && getline(&line, &capacity, file) > 0) {
         ++number;
         if (line[0] == '#') {
             read_head(line, s->body, &c);
             continue;
         }
-        if (r->rows == r->space) {
-            r->space = 2 * r->space + 1024;
-            void *more = realloc(r->row, r->space * sizeof r->row[0]);
+        if (r->rows == r->capacity) {
+            r->capacity = 2 * r->capacity + 1024;
+            void *more = realloc(r->row, r->capacity * sizeof r->row[0]);
             if (!more) {
                 wrong = "no memory for so many rows";
                 break;
@@ -339,11 +367,14 @@ static bool read_record(struct study *study, struct record *r)
     return !wrong;
 }
 
+/* Writes what was read, and of each gas the temperature 2 K / N and the
+   pressure 2 K / l, for the state diagram. Of the movers body - 1 are on
+   the left. */
 static void study_gases(struct study *s)
 {
     const struct settings *own = s->own;
-    struct record r = {0};
-    if (!read_record(s, &r))
+    struct run_rows r = {0};
+    if (!read_table(s, &r))
         return;
     table_column(s->out, "t", "s", "time");
     table_column(s->out, "x", "m", "the piston: length of the left gas");
@@ -370,10 +401,10 @@ static void study_gases(struct study *s)
 
 enum { CROSSINGS = 8 };
 
-/* Times at which the mean piston crosses the middle, by straight lines
-   between rows; returns how many, at most CROSSINGS. */
+/* Finds when the mean piston crosses the middle, by straight lines between
+   rows. Returns how often, at most CROSSINGS. */
 static size_t find_crossings(const struct settings *s,
-                             const struct record *r,
+                             const struct run_rows *r,
                              double times[CROSSINGS])
 {
     const double middle = s->piston.length / 2;
@@ -387,9 +418,11 @@ static size_t find_crossings(const struct settings *s,
     return n;
 }
 
+/* With fewer than four crossings the periods have no scatter, and nothing
+   is said of them. */
 static void summarise_crossings(struct table *summary,
                                 const struct settings *s,
-                                const struct record *r)
+                                const struct run_rows *r)
 {
     double times[CROSSINGS], sum = 0, square = 0;
     const size_t n = find_crossings(s, r, times);
@@ -408,24 +441,27 @@ static void summarise_crossings(struct table *summary,
                sqrt(fmax(0, square / count - mean * mean)));
 }
 
-static double share(const double row[KEPT])
+/* Returns the piston's fraction of the energy. */
+static double piston_fraction(const double row[KEPT])
 {
     return row[3] / (row[3] + row[4] + row[5]);
 }
 
-/* The piston's share of the energy, averaged over the rows from time t
-   to t + window; NAN when the table ends before. */
-static double share_after(const struct settings *s, const struct record *r,
-                          double t)
+/* Returns the piston's fraction of the energy, averaged over the rows from
+   time t to t + window, half a period, which takes the swing out; NAN if
+   the table ends before. The ends of the window are moved by 1e-9 of it, so
+   that rounding does not decide whether a row belongs to it. */
+static double mean_fraction(const struct settings *s,
+                            const struct run_rows *r, double t)
 {
-    const double nearly = 1e-9 * s->window;
+    const double margin = 1e-9 * s->window;
     double sum = 0, count = 0;
-    if (!(t + s->window <= r->row[r->rows - 1][0] + nearly))
+    if (!(t + s->window <= r->row[r->rows - 1][0] + margin))
         return NAN;
     for (size_t i = 0; i < r->rows; ++i)
-        if (r->row[i][0] >= t - nearly &&
-            r->row[i][0] < t + s->window - nearly) {
-            sum += share(r->row[i]);
+        if (r->row[i][0] >= t - margin &&
+            r->row[i][0] < t + s->window - margin) {
+            sum += piston_fraction(r->row[i]);
             ++count;
         }
     return sum / count;
@@ -438,14 +474,19 @@ struct fit {
     double tau, error, amplitude; /* excess = amplitude exp(-t/tau) */
 };
 
+/* Fits an exponential to windows that do not overlap, from the first excess
+   below fit[0] to the last one above fit[1], by least squares of its
+   logarithm y: the slope is -1/tau, and an error of the slope is one of tau
+   times 1/tau^2. Two windows give a line, but no scatter about it. */
 static struct fit fit_decay(const struct settings *s,
-                            const struct record *r)
+                            const struct run_rows *r)
 {
     struct fit f = {0, NAN, NAN, NAN};
     double st = 0, sy = 0, stt = 0, sty = 0, syy = 0;
     bool begun = false;
     for (double t = 0;; t += s->window) {
-        const double excess = share_after(s, r, t) - 1 / (double)r->movers;
+        const double excess =
+            mean_fraction(s, r, t) - 1 / (double)r->movers;
         if (!(excess >= s->fit[1]))
             break;
         begun = begun || excess < s->fit[0];
@@ -491,8 +532,8 @@ static const struct table_key measure_keys[] = {
 static void study_measure(struct study *s)
 {
     const struct settings *own = s->own;
-    struct record r = {0};
-    if (!read_record(s, &r))
+    struct run_rows r = {0};
+    if (!read_table(s, &r))
         return;
     const struct fit f = fit_decay(own, &r);
     table_column(s->out, "t", "s", "middle of a window");
@@ -505,10 +546,10 @@ static void study_measure(struct study *s)
         table_print(s->out,
                     "# no fit: %zu windows between its bounds, %d needed\n",
                     f.n, FEWEST_WINDOWS);
-    for (double t = 0; share_after(own, &r, t) >= 0; t += own->window) {
+    for (double t = 0; mean_fraction(own, &r, t) >= 0; t += own->window) {
         const double at = t + own->window / 2;
         table_row(s->out, fitted ? 3 : 2,
-                  (double[]){at, share_after(own, &r, t),
+                  (double[]){at, mean_fraction(own, &r, t),
                              1 / (double)r.movers +
                                  f.amplitude * exp(-at / f.tau)});
     }
@@ -516,14 +557,14 @@ static void study_measure(struct study *s)
     for (size_t i = 0; i < r.rows; ++i)
         reach = fmax(reach, fabs(r.row[i][1] - own->piston.length / 2));
     table_count(s->summary, "movers", r.movers);
-    table_real(s->summary, "share_start", share(r.row[0]));
+    table_real(s->summary, "share_start", piston_fraction(r.row[0]));
     table_real(s->summary, "reach", reach);
     summarise_crossings(s->summary, own, &r);
     for (size_t i = 0; i < own->at_count; ++i) {
         char key[32];
         snprintf(key, sizeof key, "share_%zu", i + 1);
         table_real(s->summary, key,
-                   share_after(own, &r, own->at[i] - own->window / 2));
+                   mean_fraction(own, &r, own->at[i] - own->window / 2));
     }
     table_count(s->summary, "windows", f.n);
     table_real(s->summary, "tau", f.tau);
@@ -582,6 +623,8 @@ static void take_option(struct options *o, int letter, void *settings)
     }
 }
 
+/* Where the piston starts and how long the gases are is known only when all
+   options have been read; the energies are those at the start. */
 static void check_settings(struct options *o, const char *study,
                            void *settings)
 {
@@ -609,6 +652,8 @@ static void check_settings(struct options *o, const char *study,
         s->energies[1], length - s->start.x, s->masses[1]};
 }
 
+/* The defaults are those of the eleven particles. A start that is not a
+   number stands for the middle of the box. */
 int main(int argc, char *argv[])
 {
     struct settings own = {.piston = {40, 12, {0, 0, 0}, {0, 0, 0}},

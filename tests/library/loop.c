@@ -1,0 +1,120 @@
+/* The loop of ticks and events, against places and times by hand. */
+#include "unit.h"
+
+#include "box/loop.h"
+
+#include <stdlib.h>
+
+/* Two disks that fly at each other, 1 m/s each, and meet 4 s later; walls
+   are 1 s and 2 s behind them. */
+static void begin(struct loop *l, double slip)
+{
+    *l = (struct loop){.slip = slip};
+    if (!disks_create(&l->d, 2, 2))
+        exit(1);
+    l->d.box[0] = 15;
+    l->d.box[1] = 6;
+    for (size_t i = 0; i < 2; ++i) {
+        l->d.disk[i].radius = 1;
+        l->d.disk[i].position[0] = i ? 12 : 2;
+        l->d.disk[i].position[1] = 3;
+        l->d.disk[i].velocity[0] = i ? -1 : 1;
+    }
+    l->next = disks_next(&l->d);
+}
+
+static void finish(struct loop *l)
+{
+    disks_free(&l->d);
+}
+
+/* Ticks of 3/4 s: five of them lead to 3.75 s; the sixth goes to the event,
+   where the clock stops. With a slip of 1 that is where the disks touch;
+   with the -1 of the article both are two ticks before it. */
+static void test_turns(void)
+{
+    for (int slip = -1; slip <= 1; slip += 2) {
+        struct loop l;
+        begin(&l, slip);
+        UNIT_EQUAL(l.next.time, 4);
+        for (int k = 1; k <= 5; ++k) {
+            loop_turn(&l, 0.75);
+            UNIT_EQUAL(l.t, 0.75 * k);
+            UNIT_EQUAL(l.d.now, 0.75 * k);
+            UNIT_EQUAL(l.d.disk[0].since, 0.75 * k);
+            UNIT_EQUAL(l.d.disk[0].position[0], 2 + 0.75 * k);
+            UNIT_EQUAL(l.d.disk[1].position[0], 12 - 0.75 * k);
+            UNIT_EQUAL((double)l.d.collisions, 0);
+        }
+        loop_turn(&l, 0.75);
+        const double far = 0.75 * (slip - 1);
+        UNIT_EQUAL(l.t, 4);
+        UNIT_EQUAL((double)l.d.collisions, 1);
+        UNIT_EQUAL(l.d.disk[0].position[0], 6 + far);
+        UNIT_EQUAL(l.d.disk[1].position[0], 8 - far);
+        UNIT_EQUAL(l.d.disk[0].position[1], 3);
+        UNIT_EQUAL(l.d.disk[0].velocity[0], -1);
+        UNIT_EQUAL(loop_overlap(&l), 0);
+        UNIT_EQUAL(l.next.time, 4 + 5 + far);
+        finish(&l);
+    }
+    /* An event at the tick itself is one. */
+    struct loop l;
+    begin(&l, 1);
+    loop_turn(&l, 4);
+    UNIT_EQUAL((double)l.d.collisions, 1);
+    UNIT_EQUAL(l.d.disk[0].position[0], 6);
+    finish(&l);
+}
+
+/* From event to event up to a tick, one at the tick too. */
+static void test_go_to(void)
+{
+    struct loop l;
+    begin(&l, 1);
+    loop_go_to(&l, 3.5);
+    UNIT_EQUAL(l.t, 3.5);
+    UNIT_EQUAL(l.d.now, 3.5);
+    UNIT_EQUAL((double)l.d.collisions, 0);
+    UNIT_EQUAL(l.d.disk[0].position[0], 2);
+    loop_go_to(&l, 4);
+    UNIT_EQUAL((double)l.d.collisions, 1);
+    UNIT_EQUAL(l.next.time, 9);
+    loop_go_to(&l, 12);
+    UNIT_EQUAL((double)l.d.wall_collisions, 2);
+    UNIT_EQUAL(l.d.now, 12);
+    finish(&l);
+}
+
+/* How deep two disks are in each other, or one in a wall, whichever is
+   deeper. */
+static void test_overlap(void)
+{
+    static const struct {
+        double x[2], y[2], deepest;
+    } states[] = {{{5, 9}, {3, 3}, 0},        {{5, 6.5}, {3, 3}, 0.5},
+                  {{5, 5.75}, {2, 3}, 0.75},  {{0.75, 9}, {3, 3}, 0.25},
+                  {{9, 14.5}, {3, 3}, 0.5},   {{5, 9}, {0.875, 3}, 0.125},
+                  {{5, 9}, {3, 5.25}, 0.25},  {{0.5, 2}, {3, 3}, 0.5},
+                  {{0.75, 2.25}, {3, 3}, 0.5}};
+    for (size_t n = 0; n < sizeof states / sizeof states[0]; ++n) {
+        struct loop l;
+        begin(&l, 1);
+        for (size_t i = 0; i < 2; ++i) {
+            l.d.disk[i].position[0] = states[n].x[i];
+            l.d.disk[i].position[1] = states[n].y[i];
+        }
+        UNIT_EQUAL(loop_overlap(&l), states[n].deepest);
+        finish(&l);
+    }
+}
+
+int main(void)
+{
+    return unit_run(
+        "loop",
+        (struct unit_test[]){{"ticks, and a slip at an event", test_turns},
+                             {"events up to a tick", test_go_to},
+                             {"overlaps by hand", test_overlap},
+                             {0}});
+}

@@ -1,0 +1,228 @@
+/* Files of states: what is written is read again to the last bit, and what
+   cannot be is refused with the line and the reason. */
+#include "unit.h"
+
+#include "box/states.h"
+
+#include <stdlib.h>
+
+static const char path[] = "build/tests/states.table";
+
+static void text(const char *words)
+{
+    FILE *file = fopen(path, "w");
+    if (!file || fputs(words, file) < 0 || fclose(file) != 0)
+        exit(1);
+}
+
+/* Disks that have flown since some last collision, some far from the box.
+ */
+static void make(struct disks *d, size_t dimensions,
+                 enum disks_boundary boundary, double gravity)
+{
+    struct random r;
+    random_seed(&r, dimensions);
+    if (!disks_create(d, dimensions, 5))
+        exit(1);
+    d->boundary = boundary;
+    d->gravity = gravity;
+    d->now = 7.1;
+    for (size_t k = 0; k < dimensions; ++k)
+        d->box[k] = 10.1 + (double)k / 3;
+    for (size_t i = 0; i < 5; ++i) {
+        struct disk *a = &d->disk[i];
+        d->mass[i] = random_between(&r, 1, 2);
+        a->radius = random_uniform(&r);
+        a->since = 7 + 0.1 * random_uniform(&r);
+        for (size_t k = 0; k < dimensions; ++k) {
+            a->position[k] = random_between(&r, 1, 9) +
+                             (disks_wraps(d, k) ? 30 * (double)i : 0);
+            a->velocity[k] = random_between(&r, -2, 2);
+        }
+    }
+}
+
+/* Two blocks: the last one counts. Under gravity the places are those of
+   now. */
+static void test_there_and_back(void)
+{
+    for (size_t D = 2; D <= 3; ++D)
+        for (int n = 0; n < 5; ++n) {
+            const enum disks_boundary boundary = n % 3;
+            struct disks d, back;
+            char message[STATES_MESSAGE];
+            double sides[DISKS_AXES] = {0};
+            make(&d, D, boundary, n > 2 || boundary == DISKS_FLOOR);
+            if (boundary == DISKS_PERIODIC)
+                d.gravity = 0;
+            struct table *out = table_open("states", path);
+            if (!out)
+                exit(1);
+            states_begin(out, &d);
+            const double now = d.now;
+            d.now = 7.05;
+            for (size_t i = 0; i < 5; ++i)
+                d.disk[i].since -= 0.1;
+            states_write(out, &d);
+            for (size_t i = 0; i < 5; ++i)
+                d.disk[i].since += 0.1;
+            d.now = now;
+            table_print(out, "\n");
+            states_write(out, &d);
+            UNIT_TRUE(table_close(out));
+            UNIT_TRUE(states_read(&back, path, message));
+            UNIT_EQUAL((double)back.count, 5);
+            UNIT_EQUAL((double)back.dimensions, (double)D);
+            UNIT_EQUAL(back.now, now);
+            UNIT_TRUE(back.boundary == boundary);
+            memcpy(sides, d.box, D * sizeof *sides);
+            for (size_t k = 0; k < 3; ++k)
+                UNIT_EQUAL(back.box[k], sides[k]);
+            for (size_t i = 0; i < 5; ++i) {
+                const struct disk *a = &back.disk[i], *b = &d.disk[i];
+                double place[DISKS_AXES], v[DISKS_AXES];
+                disks_position(&d, i, place);
+                disks_velocity(&d, i, v);
+                disks_fold(&d, place);
+                UNIT_EQUAL(back.mass[i], d.mass[i]);
+                UNIT_EQUAL(a->radius, b->radius);
+                UNIT_EQUAL(a->since, d.gravity > 0 ? now : b->since);
+                for (size_t k = 0; k < 3; ++k) {
+                    UNIT_EQUAL(a->position[k],
+                               d.gravity > 0 ? place[k] : b->position[k]);
+                    UNIT_EQUAL(a->velocity[k], v[k]);
+                }
+            }
+            disks_free(&d);
+            disks_free(&back);
+        }
+    remove(path);
+}
+
+/* What stands in a file, and what of it is said or taken. */
+static void test_texts(void)
+{
+    static const struct {
+        const char *text, *said; /* said: NULL where it is read */
+        size_t count;
+        double box[3];
+        enum disks_boundary boundary;
+    } files[] = {
+        {"1 1 2 .5 3 4 5 6\n", NULL, 1, {0}, DISKS_WALLS},
+        {"# box 10 20 periodic\n1 1 2 .5 3 4 5 6\n1 2 2 .5 8 4 5 6 \t\r\n",
+         NULL,
+         2,
+         {10, 20},
+         DISKS_PERIODIC},
+        {"# box 10 20 30 floor\n1 1 2 .5 3 4 4 5 6 6\n",
+         NULL,
+         1,
+         {10, 20, 30},
+         DISKS_FLOOR},
+        {"# box 10 0 walls\n1 1 2 .5 3 4 5 6\n", NULL, 1, {10}, 0},
+        {"# box -1 9.9e99 walls\n1 1 2 .5 3 4 5 6\n",
+         NULL,
+         1,
+         {0, 9.9e99},
+         0},
+        {"# box 1.01e100 inf nonsense\n1 1 2 .5 3 4 5 6\n",
+         NULL,
+         1,
+         {0},
+         0},
+        {"# box 5\n# boxes\n1 1 2 .5 3 4 5 6\n", NULL, 1, {0}, 0},
+        {"1 1 2 .5 3 4 5 6\n \t\n\n2 1 2 .5 3 4 5 6\n\n", NULL, 1, {0}, 0},
+        {"1 1 2 .5 3 4 5 6 3 4 1\n", NULL, 1, {0}, 0},
+        {"1 1 2 .5 3 4 5 6 7 8 3 4 5 .5\n", NULL, 1, {0}, 0},
+        {"1 1 2 0 3 4 5 6\n", NULL, 1, {0}, 0},
+        {"", ": 0 rows of disks", 0, {0}, 0},
+        {"# box 10 20 walls\n\n", ": 0 rows of disks", 0, {0}, 0},
+        {"1 1 2 .5 3 4 5\n", ":1: 7 numbers in the row", 0, {0}, 0},
+        {"\n1 1 2 .5 3 4 5 6 7\n", ":2: 9 numbers", 0, {0}, 0},
+        {"1 1 2 .5 3 4 5 6 7 8 9 10\n", ":1: 12 numbers", 0, {0}, 0},
+        {"1 1 2 .5 3 4 5 6 7 8 9 10 11 12 13\n",
+         ":1: 14 numbers",
+         0,
+         {0},
+         0},
+        {"1 1 2 .5 3 4 5 6x\n", ":1: 8 numbers", 0, {0}, 0},
+        {"1 1 2 .5 3 4 5 nan\n", ":1: 7 numbers", 0, {0}, 0},
+        {"1 1 2 .5 3 4 5 6\n1 1 2 .5 3 4 5 6 7 8\n",
+         ":2: 10 numbers",
+         0,
+         {0},
+         0},
+        {"# box 1 2 3 walls\n1 1 2 .5 3 4 5 6\n",
+         ": the box has 3 sides, the rows have 2 coordinates",
+         0,
+         {0},
+         0},
+        {"# box 1 2 walls\n1 1 2 .5 3 4 5 6 7 8\n",
+         ": the box has 2 sides, the rows have 3 coordinates",
+         0,
+         {0},
+         0},
+        {"1 1 0 .5 3 4 5 6\n", ": disk 1 has mass 0,", 0, {0}, 0},
+        {"1 1 1 .5 3 4 5 6\n1 2 1 -1 3 4 5 6\n",
+         ": disk 2 has mass 1, radius -1",
+         0,
+         {0},
+         0},
+        {"1 1 1 .5 3 4 5 6\n2 2 1 1 3 4 5 6\n",
+         ": disk 2 has mass 1, radius 1 and times 2, 2;",
+         0,
+         {0},
+         0},
+        {"1 1 1 .5 3 4 5 6 3 4 2\n",
+         ": disk 1 has mass 1, radius 0.5 and times 1, 2;",
+         0,
+         {0},
+         0}};
+    for (size_t n = 0; n < sizeof files / sizeof files[0]; ++n) {
+        struct disks d;
+        char message[STATES_MESSAGE] = "";
+        text(files[n].text);
+        const bool good = states_read(&d, path, message);
+        UNIT_TRUE(good == !files[n].said);
+        if (!good) {
+            UNIT_TRUE(strncmp(message, path, strlen(path)) == 0 &&
+                      files[n].said &&
+                      strncmp(message + strlen(path), files[n].said,
+                              strlen(files[n].said)) == 0);
+            continue;
+        }
+        UNIT_EQUAL((double)d.count, (double)files[n].count);
+        for (size_t k = 0; k < 3; ++k)
+            UNIT_EQUAL(d.box[k], files[n].box[k]);
+        UNIT_TRUE(d.boundary == files[n].boundary);
+        UNIT_EQUAL(d.disk[0].position[0], 3);
+        UNIT_EQUAL(d.disk[0].position[1], 4);
+        UNIT_EQUAL(d.mass[0], 2);
+        disks_free(&d);
+    }
+    remove(path);
+    struct disks d;
+    char message[STATES_MESSAGE];
+    UNIT_TRUE(!states_read(&d, path, message));
+    UNIT_TRUE(strcmp(message, "build/tests/states.table: "
+                              "No such file or directory") == 0);
+    /* A path that leaves no room for the reason does no harm. */
+    char far[2 * STATES_MESSAGE];
+    for (size_t length = STATES_MESSAGE - 4; length < sizeof far;
+         length += length < STATES_MESSAGE + 4 ? 1 : 100) {
+        memset(far, 'x', sizeof far);
+        far[length] = '\0';
+        UNIT_TRUE(!states_read(&d, far, message));
+        UNIT_EQUAL((double)strlen(message), STATES_MESSAGE - 1);
+    }
+}
+
+int main(void)
+{
+    return unit_run(
+        "states",
+        (struct unit_test[]){
+            {"what is written is read again", test_there_and_back},
+            {"what is read and what is refused", test_texts},
+            {0}});
+}

@@ -205,6 +205,58 @@ static void test_sound(void)
               piston_frequency(&lopsided));
 }
 
+/* The first root of w M = sum of m c / l cot(w l / c), before either gas
+   swings by itself, whatever the two are; a gas without mass is a spring.
+ */
+static void test_sound_of_unequal_gases(void)
+{
+    static const double masses[][2] = {
+        {0.5, 2}, {30, 2},  {2, 30},  {500, 2}, {2, 500},  {0, 7},
+        {7, 0},   {0, 500}, {500, 0}, {0, 0},   {1e6, 1e6}};
+    for (size_t k = 0; k < sizeof masses / sizeof masses[0]; ++k) {
+        struct piston p = lopsided;
+        p.left.mass = masses[k][0];
+        p.right.mass = masses[k][1];
+        const double w = piston_frequency_acoustic(&p);
+        const double x = piston_rest(&p);
+        double force = 0;
+        for (int side = 0; side < 2; ++side) {
+            const struct piston_gas *gas = side ? &p.right : &p.left;
+            const double l = side ? p.length - x : x;
+            const double K = piston_gas_energy(gas, l), m = gas->mass;
+            const double c = sqrt(6 * K / m);
+            force +=
+                m > 0 ? m * c / l / tan(w * l / c) : 6 * K / (l * l) / w;
+            UNIT_TRUE(m == 0 || w * l / c < acos(-1));
+        }
+        /* Near a pole a last bit of w is much of the force. */
+        UNIT_NEAR(force / (w * p.mass), 1,
+                  masses[k][0] > 1e3 ? 1e-7 : 1e-10);
+    }
+}
+
+/* A step that would leave the box is refused and changes nothing, also one
+   that would end at a wall. */
+static void test_refused_steps(void)
+{
+    static const struct {
+        double x, v;
+    } states[] = {{0.25, -1}, {4.75, 1}};
+    const struct piston free = {.mass = 1, .length = 5};
+    for (int k = 0; k < 2; ++k)
+        for (int far = 0; far < 3; ++far) {
+            struct piston_state s = {states[k].x, states[k].v}, t = s;
+            const double dt = far == 0 ? 0.125 : far == 1 ? 0.25 : 0.375;
+            UNIT_TRUE(piston_step(&free, &s, dt) == (far == 0));
+            UNIT_TRUE(piston_step_rk4(&free, &t, dt) == (far == 0));
+            const double x = states[k].x + (far ? 0 : states[k].v * dt);
+            UNIT_EQUAL(s.x, x);
+            UNIT_EQUAL(t.x, x);
+            UNIT_EQUAL(s.v, states[k].v);
+            UNIT_EQUAL(t.v, states[k].v);
+        }
+}
+
 int main(void)
 {
     return unit_run(
@@ -224,5 +276,7 @@ int main(void)
             {"the leapfrog runs backwards", test_reversal},
             {"steps and quadrature agree", test_steps_and_quadrature},
             {"sound slows the piston as the formula says", test_sound},
+            {"whatever the gases are", test_sound_of_unequal_gases},
+            {"steps out of the box are refused", test_refused_steps},
             {0}});
 }

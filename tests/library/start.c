@@ -306,6 +306,11 @@ static void test_allows(void)
         {START_CRADLE, 9, false},
         {START_THERMAL, 1, false},
         {START_THERMAL, 2, true},
+        {START_THERMAL, 10000000, true},
+        {START_THERMAL, 10000001, false},
+        {START_PISTON, 9999999, true},
+        {START_ADIABATIC, 9999999, true},
+        {START_ADIABATIC, 10000001, false},
         {START_PISTON, 3, true},
         {START_PISTON, 1, false},
         {START_PISTON, 10, false},
@@ -332,6 +337,83 @@ static void test_allows(void)
     UNIT_TRUE(start_names[START_KINDS] == NULL);
 }
 
+/* All that is fixed of each kind: how many, until when, where, how fast and
+   how heavy. */
+static void test_all_numbers(void)
+{
+    static const struct {
+        double movers, until, wall[2];
+    } usual[START_KINDS] = {{4, 50, {0, 5}},
+                            {8, 30, {1, 10}},
+                            {8, 100, {0, 35}},
+                            {10, 100, {0, 11}},
+                            {11, 200, {0, 12}},
+                            {401, 200, {0, 12}},
+                            {2, 100, {0, 3}},
+                            {10, 100, {0, 11}},
+                            {2, INFINITY, {0, INFINITY}}};
+    for (int kind = 0; kind < START_KINDS; ++kind) {
+        struct start s =
+            filled((struct start_wish){.kind = (enum start_kind)kind});
+        UNIT_EQUAL((double)s.movers, usual[kind].movers);
+        UNIT_TRUE(s.until == usual[kind].until);
+        UNIT_EQUAL(s.wall[0], usual[kind].wall[0]);
+        UNIT_TRUE(s.wall[1] == usual[kind].wall[1]);
+        UNIT_EQUAL(s.gravity, 0);
+        for (size_t i = 0; i < s.movers; ++i)
+            UNIT_EQUAL(s.radius[i], kind == START_FOUR ? 0.1 : 0);
+        start_free(&s);
+    }
+    struct start s = filled((struct start_wish){.kind = START_CRADLE});
+    for (size_t i = 0; i < 8; ++i) {
+        UNIT_EQUAL(s.x[i], 14 + (double)i);
+        UNIT_EQUAL(s.v[i], i < 2 ? -2 : 0);
+    }
+    start_free(&s);
+    s = filled((struct start_wish){.kind = START_TWO});
+    UNIT_TRUE(s.x[0] == 1 && s.x[1] == 2 && s.v[0] == 1 && s.v[1] == -0.3);
+    start_free(&s);
+    s = filled((struct start_wish){.kind = START_GALPERIN});
+    UNIT_TRUE(s.x[0] == 1 && s.x[1] == 2 && s.v[0] == 0 && s.v[1] == -1);
+    UNIT_TRUE(s.mass[0] == 1 && s.mass[1] == 100);
+    start_free(&s);
+    /* From the wall to the piston ten per cent less to ten per cent more,
+       or eight the other way; at the smallest size one on either side. */
+    for (int kind = START_PISTON; kind <= START_ADIABATIC; ++kind)
+        for (size_t n = 1; n <= 5; n += 4) {
+            s = filled((struct start_wish){.kind = (enum start_kind)kind,
+                                           .movers = 2 * n + 1,
+                                           .seed = 4});
+            for (size_t i = 0; i < n; ++i) {
+                const double place = n > 1 ? (double)i / 2 - 1 : 0;
+                const double mean = 20 / (3 * (double)n);
+                UNIT_NEAR(s.mass[i], mean * (1 + 0.1 * place), 1e-14);
+                UNIT_NEAR(s.mass[n + 1 + i], mean * (1 - 0.08 * place),
+                          1e-14);
+                UNIT_TRUE(s.x[i] < 6 && s.x[n + 1 + i] > 6);
+            }
+            UNIT_EQUAL(s.v[n], kind == START_PISTON ? 1 : 0.1);
+            start_free(&s);
+        }
+    /* Masses within ten per cent, evenly: 2000 of each half. */
+    double light = 0, heavy = 0, least = 9, most = 0;
+    for (uint64_t seed = 1; seed <= 400; ++seed) {
+        s = filled(
+            (struct start_wish){.kind = START_THERMAL, .seed = seed});
+        light += mass(&s, 0, 5) / 2000;
+        heavy += mass(&s, 5, 10) / 2000;
+        for (size_t i = 0; i < 5; ++i) {
+            least = fmin(least, fmin(s.mass[i], s.mass[5 + i] / 4));
+            most = fmax(most, fmax(s.mass[i], s.mass[5 + i] / 4));
+        }
+        start_free(&s);
+    }
+    UNIT_NEAR(light, 1, 4 * 0.2 / sqrt(12 * 2000));
+    UNIT_NEAR(heavy, 4, 16 * 0.2 / sqrt(12 * 2000));
+    UNIT_TRUE(least >= 0.9 && least < 0.901);
+    UNIT_TRUE(most <= 1.1 && most > 1.099);
+}
+
 int main(void)
 {
     return unit_run(
@@ -351,5 +433,6 @@ int main(void)
             {"two and galperin take a mass ratio", test_two_and_galperin},
             {"walls that are given stand", test_walls},
             {"which numbers of movers are allowed", test_allows},
+            {"all that is fixed of each kind", test_all_numbers},
             {0}});
 }

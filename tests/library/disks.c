@@ -1058,6 +1058,78 @@ static void test_where_it_lies(void)
     }
 }
 
+/* The widest lattice, by trying all: how near its sites are. Along an axis
+   cells are box / n wide, between walls less: from one wall to the other
+   are n - 1/2 of them. */
+static double widest_lattice(const struct disks *d, double r)
+{
+    const bool plane = d->dimensions == 2;
+    const size_t basis = plane ? 2 : 4;
+    const size_t need = (d->count + basis - 1) / basis;
+    double widest = 0;
+    for (size_t x = 1; x <= need; ++x)
+        for (size_t y = 1; y <= need; ++y) {
+            const size_t z =
+                plane ? 1 : (need + x * y - 1) / (x * y); /* at least */
+            const size_t n[] = {x, y, z};
+            double step[3] = {0}, least = INFINITY;
+            if (x * y * z < need)
+                continue;
+            for (size_t k = 0; k < d->dimensions; ++k) {
+                const double cells = (double)n[k];
+                step[k] = disks_walled(d, k)
+                              ? (d->box[k] - 2 * r) / (cells - 0.5)
+                              : d->box[k] / cells;
+                if (n[k] > 1)
+                    least = fmin(least, step[k]);
+            }
+            for (size_t k = 0; k < (plane ? 1 : 3); ++k)
+                least = fmin(least, hypot(step[k], step[(k + 1) % 3]) / 2);
+            widest = fmax(widest, least);
+        }
+    return widest;
+}
+
+/* Disks that just fit on the widest lattice are placed, a little wider ones
+   are not, in boxes of all shapes. */
+static void test_widest_lattice(void)
+{
+    static const double boxes[][3] = {
+        {10, 10, 10}, {10, 1, 3},   {1, 10, 2}, {7, 8, 9},
+        {3, 30, 1},   {30, 3, 0.7}, {1, 2, 25}, {4, 3.4641016, 5}};
+    for (size_t b = 0; b < sizeof boxes / sizeof boxes[0]; ++b)
+        for (size_t dimensions = 2; dimensions <= 3; ++dimensions)
+            for (size_t count = 1; count < 60; count += 1 + count / 2)
+                for (int boundary = 0; boundary < DISKS_BOUNDARIES;
+                     ++boundary) {
+                    struct disks d;
+                    double low = 0, high = 40;
+                    if (!disks_create(&d, dimensions, count))
+                        exit(1);
+                    d.boundary = (enum disks_boundary)boundary;
+                    memcpy(d.box, boxes[b], dimensions * sizeof d.box[0]);
+                    for (size_t k = 0; k < dimensions; ++k)
+                        if (disks_walled(&d, k))
+                            high = fmin(high, d.box[k] / 2);
+                    for (int k = 0; k < 40; ++k) {
+                        const double r = (low + high) / 2;
+                        *(widest_lattice(&d, r) >= 2 * r ? &low : &high) =
+                            r;
+                    }
+                    for (int wider = 0; wider < 2; ++wider) {
+                        size_t p, q;
+                        for (size_t i = 0; i < count; ++i)
+                            d.disk[i].radius =
+                                low * (wider ? 1 + 1e-6 : 1 - 1e-6);
+                        const bool placed = disks_place_lattice(&d);
+                        UNIT_TRUE(placed != wider);
+                        UNIT_TRUE(!placed || count == 1 ||
+                                  disks_fit(&d, &p, &q));
+                    }
+                    disks_free(&d);
+                }
+}
+
 int main(void)
 {
     return unit_run(
@@ -1082,6 +1154,7 @@ int main(void)
             {"and a plan keeps to it", test_ties},
             {"an open axis has no wall", test_open_axis},
             {"lattices hold the closest packing", test_lattice},
+            {"of all lattices it is the widest", test_widest_lattice},
             {"a guest stands in the middle", test_guest},
             {"random starts fit or are refused", test_random_start},
             {"misfits are named", test_fit},

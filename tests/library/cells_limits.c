@@ -356,6 +356,39 @@ static void test_falling_end(void)
     }
 }
 
+/* So many disks that memory is asked for early. It changes no bit: one lane
+   at a time, another time from four or eight, and nobody leaves his leash.
+ */
+static void test_many(void)
+{
+    uint64_t hits[2] = {0};
+    double last[2] = {0};
+    for (int all = 0; all < 2; ++all) {
+        struct disks d;
+        struct cells c;
+        struct random r;
+        const double box[] = {80, 80};
+        make(&d, 2, 5000, DISKS_PERIODIC, box, 0.4);
+        random_seed(&r, 4);
+        UNIT_TRUE(disks_place_lattice(&d));
+        disks_set_speed(&d, 1, &r);
+        begin(&c, &d);
+        c.lanes = all ? c.lanes : 1;
+        UNIT_TRUE(cells_run(&c, INFINITY, 8000) == DISKS_COLLISIONS);
+        for (size_t i = 0; i < d.count; ++i) {
+            hits[all] += d.hits[i] * (i + 1);
+            last[all] += d.disk[i].position[0] * (double)(i % 7);
+        }
+        UNIT_NEAR(disks_energy(&d), 2500, 1e-9);
+        UNIT_EQUAL((double)runaways(&c), 0);
+        cells_free(&c);
+        cells_free(&c); /* twice is harmless */
+        disks_free(&d);
+        disks_free(&d);
+    }
+    UNIT_TRUE(hits[0] == hits[1] && last[0] == last[1]);
+}
+
 int main(void)
 {
     return unit_run(
@@ -368,5 +401,6 @@ int main(void)
              test_straight_end},
             {"beyond the leash an anchor is renewed at once", test_beyond},
             {"a fall stays within the leash", test_falling_end},
+            {"many disks, for which memory is fetched early", test_many},
             {0}});
 }

@@ -39,6 +39,8 @@ static void test_texts(void)
                                       "normal:1",
                                       "normal:1,2,",
                                       "normal,1,2",
+                                      "normal:,1",
+                                      "beta:1,2,,3",
                                       "microcanonical:1",
                                       "microcanonical:1000000001",
                                       "microcanonical:2,0,1",
@@ -56,6 +58,7 @@ static void test_texts(void)
                                       "maxwell:1,1,0",
                                       "maxwell:1,1,101",
                                       "maxwell:1,1,1,1",
+                                      "maxwell:,1",
                                       "maxwell:"};
     struct law law;
     for (size_t i = 0; i < sizeof good / sizeof good[0]; ++i)

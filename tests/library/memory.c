@@ -440,6 +440,35 @@ static void test_line(void)
         fails(what[k], measures, what[k], false);
 }
 
+/* What is freed is empty, and may be freed again. */
+static void test_freed_twice(void)
+{
+    const double sides[] = {5, 5};
+    struct disks d;
+    struct blocks b;
+    struct sampling s;
+    struct sampling_means m;
+    struct schedule q;
+    struct start w;
+    struct bonkers line;
+    UNIT_TRUE(disks_create(&d, 2, 3) && blocks_create(&b, 2) &&
+              sampling_create(&s, 2, DISKS_WALLS, sides, 2, 0.5, 1, 0.1) &&
+              sampling_means_create(&m, 2) && schedule_create(&q, 3, 3) &&
+              start_create(&w, 2) &&
+              bonkers_create(&line, 2, 0.5, BONKERS_SLAB));
+    for (int k = 0; k < 2; ++k) {
+        disks_free(&d);
+        blocks_free(&b);
+        sampling_free(&s);
+        sampling_means_free(&m);
+        schedule_free(&q);
+        start_free(&w);
+        bonkers_free(&line);
+        UNIT_TRUE(!d.disk && !b.sum && !s.blocked && !m.sum && !q.heap &&
+                  !w.mass && !line.body);
+    }
+}
+
 int main(void)
 {
     if (!freopen("/dev/null", "w", stderr))
@@ -453,5 +482,6 @@ int main(void)
                                   {"averages", test_averages},
                                   {"disks", test_disks},
                                   {"bodies on a line", test_line},
+                                  {"freed twice", test_freed_twice},
                                   {0}});
 }

@@ -4,6 +4,7 @@
 #include "unit.h"
 
 #include "line/bonkers.h"
+#include "line/collide.h"
 
 #include <float.h>
 #include <stdlib.h>
@@ -202,6 +203,27 @@ static void test_done_twice(void)
         }
 }
 
+/* Of two equal masses the right one counts as the heavier, as in collide:
+   its part is rounded, and the left one's is the rest. It shows in the last
+   bit that there is alone. */
+static void test_last_bit(void)
+{
+    static const double x[] = {0, 1, 1, 2}, v[] = {0, 0x1p-1074, 0, 0};
+    double left = v[1], right = v[2];
+    UNIT_TRUE(collide(&left, &right, 1, 1, 0));
+    UNIT_EQUAL(left, 0);
+    UNIT_EQUAL(right, 0);
+    for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e) {
+        struct bonkers b;
+        begin(&b, 2, x, v, 0, (enum bonkers_engine)e);
+        bonkers_run(&b, INFINITY, 1);
+        UNIT_EQUAL((double)b.collisions, 1);
+        UNIT_EQUAL(b.body[1].v, 0);
+        UNIT_EQUAL(b.body[2].v, 0);
+        bonkers_free(&b);
+    }
+}
+
 int main(void)
 {
     return unit_run(
@@ -215,5 +237,6 @@ int main(void)
             {"points and rods", test_rods},
             {"order in a fall, but for rounding", test_falling_order},
             {"little is done twice", test_done_twice},
+            {"equal masses, in the last bit", test_last_bit},
             {0}});
 }

@@ -284,6 +284,30 @@ static void test_any_length(void)
     }
 }
 
+/* A normal of any length, and just half of a power of two, says the same;
+   and a long one leaves room for fast bodies. */
+static void test_scaled_normals(void)
+{
+    for (int power = -1000; power <= 1000; power += 25) {
+        const double normal[] = {0, ldexp(1, power), 0};
+        double a[] = {0, 1, 0}, b[] = {0, -2, 0};
+        UNIT_TRUE(collide_along(3, normal, a, b, 1, 1, 1));
+        UNIT_NEAR(a[1], -2, 2e-15);
+        UNIT_NEAR(b[1], 1, 2e-15);
+    }
+    const double normal[] = {1.05e10, 0, 0};
+    double a[] = {1.75e298, 0, 0}, b[] = {0, 0, 0};
+    UNIT_TRUE(collide_along(3, normal, a, b, 1, 1, 1));
+    UNIT_NEAR(b[0], 1.75e298, 1e283);
+    UNIT_NEAR(a[0], 0, 1e283);
+    /* Of equal masses the second is the heavier, and gets its part rounded.
+     */
+    double v = 0x1p-1074, w = 0;
+    UNIT_TRUE(collide(&v, &w, 1, 1, 0));
+    UNIT_EQUAL(v, 0);
+    UNIT_EQUAL(w, 0);
+}
+
 int main(void)
 {
     return unit_run(
@@ -306,5 +330,6 @@ int main(void)
             {"a normal may have any length", test_any_length},
             {"units may be extreme", test_extreme_units},
             {"every form agrees along any normal", test_every_form_along},
+            {"normals of all lengths", test_scaled_normals},
             {0}});
 }

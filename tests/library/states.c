@@ -42,6 +42,35 @@ static void make(struct disks *d, size_t dimensions,
     }
 }
 
+/* The columns have their names and units, and each row the number of its
+   disk. */
+static void check_columns(size_t D)
+{
+    static const char *const names[2][11] = {
+        {"t [s]", "disk [1]", "mass [kg]", "radius [m]", "x [m]", "y [m]",
+         "vx [m/s]", "vy [m/s]", "x0 [m]", "y0 [m]", "t0 [s]"},
+        {"t [s]", "disk [1]", "mass [kg]", "radius [m]", "x [m]", "y [m]",
+         "z [m]", "vx [m/s]", "vy [m/s]", "vz [m/s]", "x0 [m]"}};
+    FILE *file = fopen(path, "r");
+    char line[1024], name[64];
+    size_t columns = 0, rows = 0;
+    if (!file)
+        exit(1);
+    while (fgets(line, sizeof line, file)) {
+        double number;
+        if (columns < 11) {
+            snprintf(name, sizeof name, "# %zu %s ", columns + 1,
+                     names[D - 2][columns]);
+            columns += strncmp(line, name, strlen(name)) == 0;
+        }
+        if (line[0] != '#' && sscanf(line, "%*f %lf", &number) == 1)
+            UNIT_EQUAL(number, (double)(rows++ % 5 + 1));
+    }
+    fclose(file);
+    UNIT_EQUAL((double)columns, 11);
+    UNIT_EQUAL((double)rows, 10);
+}
+
 /* Two blocks: the last one counts. Under gravity the places are those of
    now. */
 static void test_there_and_back(void)
@@ -70,6 +99,7 @@ static void test_there_and_back(void)
             table_print(out, "\n");
             states_write(out, &d);
             UNIT_TRUE(table_close(out));
+            check_columns(D);
             UNIT_TRUE(states_read(&back, path, message));
             UNIT_EQUAL((double)back.count, 5);
             UNIT_EQUAL((double)back.dimensions, (double)D);

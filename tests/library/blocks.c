@@ -165,6 +165,16 @@ static void test_large_mean(void)
     }
 }
 
+/* Two samples have an error, half of what they differ by; one has none. */
+static void test_two_samples(void)
+{
+    const double two[] = {3, 7};
+    const struct blocks_average a = blocks_average_of(2, two);
+    UNIT_EQUAL(a.mean, 5);
+    UNIT_NEAR(a.error, 2, 1e-15);
+    UNIT_TRUE(isnan(a.drift) && isnan(blocks_average_of(1, two).error));
+}
+
 int main(void)
 {
     return unit_run(
@@ -174,6 +184,7 @@ int main(void)
             {"the error is that of the series", test_error},
             {"whole blocks can be appended", test_appended},
             {"one value has no error", test_few},
+            {"two have", test_two_samples},
             {"a steady series drifts as the law says", test_steady},
             {"a step is a drift, wherever it is", test_step},
             {"no drift where there is no error", test_no_drift},

@@ -254,6 +254,60 @@ static void test_joined(void)
     sampling_means_free(&m);
 }
 
+/* In a periodic box a third disk stands 0.45 m to each side against the
+   way, so that it is its image 0.55 m ahead that ends the slide; on each of
+   the 8 or 26 ways along sides and diagonals. */
+static void test_images(void)
+{
+    for (size_t D = 2; D <= 3; ++D)
+        for (int way = 0; way < (D == 2 ? 9 : 27); ++way) {
+            const double to[] = {way % 3 - 1, way / 3 % 3 - 1,
+                                 D == 2 ? 0 : way / 9 - 1};
+            const double length =
+                sqrt(to[0] * to[0] + to[1] * to[1] + to[2] * to[2]);
+            struct sampling s;
+            if (length == 0)
+                continue;
+            box(&s, D, DISKS_PERIODIC, 1, 3, 0.1, NULL);
+            for (size_t k = 0; k < D; ++k) {
+                s.disks.disk[1].position[k] = 0.3;
+                s.disks.disk[0].position[k] = 0.3 + 0.25 * to[k] / length;
+                s.disks.disk[2].position[k] = 0.3 - 0.45 * to[k];
+            }
+            const double p = (double)D, end = 0.55 * length - 0.2;
+            UNIT_NEAR(sampling_pair_density(&s, 0, 1),
+                      p * pow(0.2, p - 1) / (pow(end, p) - pow(0.2, p)),
+                      1e-11);
+            sampling_free(&s);
+        }
+}
+
+/* Small ones do not see each other, however much they overlap. */
+static void test_ideal(void)
+{
+    const double sides[] = {10, 10};
+    struct sampling s;
+    struct random r;
+    int moves[4] = {0};
+    random_seed(&r, 3);
+    if (!sampling_create(&s, 2, DISKS_WALLS, sides, 1, 0.1, 3, 3))
+        exit(1);
+    UNIT_TRUE(sampling_start(&s, &r));
+    for (int n = 0; n < 400; ++n) {
+        struct disk before[4];
+        memcpy(before, s.disks.disk, sizeof before);
+        sampling_try(&s, 0.1, &r);
+        for (size_t i = 0; i < 4; ++i)
+            moves[i] +=
+                memcmp(&before[i], &s.disks.disk[i], sizeof before[i]) != 0;
+        for (size_t i = 1; i < 4; ++i)
+            UNIT_TRUE(!disks_clash(&s.disks, 0, i));
+    }
+    for (size_t i = 0; i < 4; ++i)
+        UNIT_TRUE(moves[i] > 5);
+    sampling_free(&s);
+}
+
 int main(void)
 {
     return unit_run(
@@ -265,6 +319,8 @@ int main(void)
             {"a disk that slides away from another", test_pair_density},
             {"shares of throws, as they are counted", test_acceptance},
             {"half of the tries are for large ones", test_tries},
+            {"images end a slide in every direction", test_images},
+            {"small ones do not see each other", test_ideal},
             {"means and blocks of known numbers", test_joined},
             {0}});
 }

@@ -414,11 +414,28 @@ static void test_all_numbers(void)
     UNIT_TRUE(most <= 1.1 && most > 1.099);
 }
 
+/* Room for movers of 1 kg, all else zero. */
+static void test_create(void)
+{
+    struct start s;
+    UNIT_TRUE(start_create(&s, 3));
+    UNIT_EQUAL((double)s.movers, 3);
+    for (size_t i = 0; i < 3; ++i) {
+        UNIT_EQUAL(s.mass[i], 1);
+        UNIT_EQUAL(s.x[i], 0);
+        UNIT_EQUAL(s.v[i], 0);
+        UNIT_EQUAL(s.radius[i], 0);
+    }
+    UNIT_TRUE(s.wall[0] == 0 && s.wall[1] == 0 && s.gravity == 0);
+    start_free(&s);
+}
+
 int main(void)
 {
     return unit_run(
         "start",
         (struct unit_test[]){
+            {"room for a start", test_create},
             {"every start is in order", test_every_kind},
             {"four: 10 n + 1.23 kg and 518.45 J", test_four},
             {"mixed and cradle", test_mixed_and_cradle},

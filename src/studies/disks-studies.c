@@ -1,6 +1,4 @@
-/* From chapters/works/05-disks.nw: edit there, then run make tangle. */
-/* checksum 3050070219 of the lines below */
-/* Clocks, the way back, contacts, collapse and speed of hard disks. */
+/* Measures hard disks: clocks, reversal, contacts, collapse and speed. */
 #include "box/loop.h"
 #include "toolbox/bench.h"
 #include "toolbox/quad.h"
@@ -21,8 +19,8 @@ struct settings {
     double every;    /* s */
 };
 
-/* Count disks of radius r in a square box with walls, all of the speed v.
-   Ends the program without memory, or when there is no room. */
+/* Makes `count` equal disks between the walls of a square box, all of speed
+   v. Ends the program if there is no memory or no room. */
 static void begin_or_exit(struct disks *d, size_t count, double r,
                           double length, double v, struct random *random)
 {
@@ -48,12 +46,15 @@ static void begin_four(struct disks *d, double v, uint64_t seed)
 
 enum { BINS = 100 };
 
+/* A disk that an event has left at a wall is on the edge of a bin; rounding
+   must not decide to which side it belongs. */
 static int bin_of(double x)
 {
     const double inside = 0.5 + (x - 0.5) * (1 - 1e-9);
     return (int)fmin(fmax(floor(inside * BINS), 0), BINS - 1);
 }
 
+/* Counts the eight coordinates, and keeps the deepest overlap. */
 static void sample(const struct loop *l, double bins[], double *overlap)
 {
     for (size_t i = 0; i < l->d.count; ++i) {
@@ -65,11 +66,15 @@ static void sample(const struct loop *l, double bins[], double *overlap)
     *overlap = fmax(*overlap, loop_overlap(l));
 }
 
+/* Three programs from one start: with the right loop, with the hard-disk
+   article's, and with the article's after its sign has been corrected
+   (box/loop.h). */
 enum { OURS, ARTICLE, MENDED, CLOCKS };
 
 static const char *const clocks[CLOCKS] = {"clock", "article", "mended"};
 
-/* Lets one of the three sample the four disks; the energy at the start. */
+/* Samples the four disks by one of the three. Returns the energy at the
+   start. */
 static double sample_by(int way, const struct study *s, struct loop *l,
                         double bins[BINS], double *overlap)
 {
@@ -87,7 +92,8 @@ static double sample_by(int way, const struct study *s, struct loop *l,
     return energy;
 }
 
-/* Notes the pressure, the energy and the density at the edge. */
+/* Summarises the pressure, the energy, and the density in the bins next to
+   the walls, which is 2.6306 by direct sampling. */
 static void sum_up(struct study *s, const char *name, const struct loop *l,
                    double energy, double overlap, const double bins[BINS])
 {
@@ -114,6 +120,7 @@ static const struct table_key clock_keys[] = {
     {"edge_<program>", "%", "density at the edge, off direct sampling"},
     {0}};
 
+/* In the table counts become densities. */
 static void study_clock(struct study *s)
 {
     const struct settings *own = s->own;
@@ -136,16 +143,17 @@ static void study_clock(struct study *s)
     }
 }
 
-/* A row: where the first disk is now. */
-static void record(struct study *s, struct loop *l)
+/* Writes a row: where the first disk is now. */
+static void write_place(struct study *s, struct loop *l)
 {
     double place[DISKS_AXES];
     disks_position(&l->d, 0, place);
     table_row(s->out, 3, (double[]){l->d.now, place[0], place[1]});
 }
 
-/* The next row: of the events, of the clock, of the article. */
-static void go_on(struct loop *l, int way, int k, double every)
+/* Goes to the next row: of the events (way 0), of the clock (1), or of the
+   article's loop (2). */
+static void go_to_row(struct loop *l, int way, int k, double every)
 {
     if (way == 2)
         loop_turn(l, every);
@@ -157,6 +165,10 @@ static void go_on(struct loop *l, int way, int k, double every)
         l->d.now = 1.5;
 }
 
+/* Writes three blocks of rows from one state, a second after a start on the
+   lattice, up to 1.5 s. The bound of a thousand rows is for the article's
+   loop: with a few seeds it turns a pair that it has pushed into each other
+   to and fro for ever, and its clock stands still. */
 static void study_timeline(struct study *s)
 {
     const struct settings *own = s->own;
@@ -169,18 +181,20 @@ static void study_timeline(struct study *s)
         disks_run(&l.d, 1, UINT64_MAX);
         disks_settle(&l.d);
         l.next = disks_next(&l.d);
-        record(s, &l);
+        write_place(s, &l);
         for (int k = 1; l.d.now < 1.5 && k < 1000; ++k) {
-            go_on(&l, way, k, own->every);
-            record(s, &l);
+            go_to_row(&l, way, k, own->every);
+            write_place(s, &l);
         }
         table_print(s->out, "\n\n");
         disks_free(&l.d);
     }
 }
 
-/* How far the disks miss their start after the time t, and as much back,
-   m; adds the collisions of one way to *collisions. */
+/* Returns how far the disks miss their start, m, after the time t and the
+   same time back; adds the collisions of one way to *collisions. At the
+   turn all disks are moved to the present, or the way back would begin
+   elsewhere. */
 static double miss(struct disks *d, double t, double *collisions)
 {
     struct disk start[4];
@@ -203,7 +217,7 @@ static double miss(struct disks *d, double t, double *collisions)
     return worst;
 }
 
-/* The median miss of four disks of energy e after the time t. */
+/* Returns the median miss of four disks of energy e over many starts. */
 static double median_miss(const struct study *s, double e, double t,
                           double *collisions)
 {
@@ -230,6 +244,8 @@ static const struct table_key reverse_keys[] = {
     {"rate_4", "1/s", "the same, 4 J"},
     {0}};
 
+/* At twice the speed everything takes half the time: the table has both
+   energies side by side. */
 static void study_reverse(struct study *s)
 {
     double one[16], four[16], n = 0, other;
@@ -250,7 +266,8 @@ static void study_reverse(struct study *s)
     table_real(s->summary, "rate_4", log(four[14] / four[2]) / 3);
 }
 
-/* A root in quad precision, by two steps of Newton's. */
+/* Returns the square root with 113 bits. The library has none, but two
+   steps of Newton's method from the double are enough. */
 static quad root(quad x)
 {
     quad y = (quad)sqrt((double)x);
@@ -259,8 +276,8 @@ static quad root(quad x)
     return y;
 }
 
-/* A pair that will meet at impact parameter `miss`, with a gap between the
-   rims, both in units of sigma = 1, from a random side. */
+/* Makes a pair that will meet at impact parameter `miss`, with a gap
+   between the rims, both in units of sigma = 1, from a random side. */
 static void throw_pair(struct random *r, double gap, double miss,
                        double apart[], double closing[])
 {
@@ -274,8 +291,9 @@ static void throw_pair(struct random *r, double gap, double miss,
     apart[2] = 0;
 }
 
-/* Errors of the time: *book, by the textbook's root, and *ours. Returns by
-   how much the distance is wrong at our time; -1: they do not meet. */
+/* Finds the errors of the time of contact: *book by the root that textbooks
+   print, *ours by the stable one. Returns by how much the distance is wrong
+   at the time of the stable root, or -1 if the disks do not meet. */
 static double contact_errors(const double x[], const double v[],
                              double *book, double *ours)
 {
@@ -295,6 +313,8 @@ static double contact_errors(const double x[], const double v[],
     return fabs((double)(root(dx * dx + dy * dy) - 1));
 }
 
+/* Pairs that graze, pairs with a gap, and pairs with a gap and exact
+   positions. */
 enum { GRAZE, GAP, EXACT, KINDS };
 
 static void throw_kind(int kind, double size, struct random *r, double x[],
@@ -311,7 +331,9 @@ static void throw_kind(int kind, double size, struct random *r, double x[],
     }
 }
 
-/* Throws pairs of one kind, and keeps the worst two errors of them. */
+/* Throws pairs of one kind and keeps the worst two errors: of grazing pairs
+   those of our time and of the distance, of the others those of both times,
+   over the gap, since the time is about as long. */
 static void worst_of(const struct study *s, int kind, double size,
                      struct random *r, double worst[])
 {
@@ -338,6 +360,8 @@ static const struct table_key contact_keys[] = {
     {"ours_exact", "1", "stable root, exact places"},
     {0}};
 
+/* Sizes are powers of two; the summary has 2^-40 of grazing and the gap
+   2^-26. */
 static void study_contact(struct study *s)
 {
     static const char *const keys[] = {"time", "place",      "book",
@@ -364,7 +388,7 @@ static void study_contact(struct study *s)
     }
 }
 
-/* Runs n disks with this restitution for 100 n collisions; returns whether
+/* Runs n disks with this restitution for 100 n collisions. Returns whether
    they collapsed before. */
 static bool collapses(struct disks *d, size_t n, double restitution,
                       uint64_t seed)
@@ -376,7 +400,8 @@ static bool collapses(struct disks *d, size_t n, double restitution,
     return disks_run(d, INFINITY, 100 * n) == DISKS_COLLAPSE;
 }
 
-static double share_of_collapses(struct study *s, size_t n, double e)
+/* Returns the fraction of the starts that collapse. */
+static double fraction_of_collapses(struct study *s, size_t n, double e)
 {
     const struct settings *own = s->own;
     const uint64_t starts = own->starts ? own->starts : 10;
@@ -389,7 +414,8 @@ static double share_of_collapses(struct study *s, size_t n, double e)
     return collapsed / (double)starts;
 }
 
-/* Writes down the end of one of the runs. */
+/* Writes the end of one of the runs. The disks that take part in the
+   collapse are those whose last collision is now. */
 static void write_end(struct study *s)
 {
     struct disks d;
@@ -426,20 +452,21 @@ static void study_collapse(struct study *s)
     for (double e = 0.05; e < 0.99 && !progress_signal(); e += 0.05) {
         double row[4] = {e};
         for (int k = 0; k < 3; ++k)
-            row[k + 1] = share_of_collapses(s, sizes[k], e);
+            row[k + 1] = fraction_of_collapses(s, sizes[k], e);
         table_row(s->out, 4, row);
     }
     write_end(s);
 }
 
-/* Lets so many collisions happen, every pair looked at. */
+/* The slow engine: looks at every pair before each collision. */
 static void run_pairs(struct disks *d, uint64_t collisions)
 {
     while (d->collisions < collisions)
         disks_collide(d, disks_next(d));
 }
 
-/* Collisions, walls and all, a second of processor time. */
+/* Returns collisions, those with walls included, in a second of processor
+   time, from bites that fill a twentieth of a second. */
 static double speed_of(struct disks *d, bool plan)
 {
     const uint64_t before = d->collisions + d->wall_collisions;
@@ -458,7 +485,9 @@ static double speed_of(struct disks *d, bool plan)
     return (double)(d->collisions + d->wall_collisions - before) / seconds;
 }
 
-/* A row: both engines with n disks. */
+/* Writes a row: both engines with n disks. They take turns, and the median
+   of five rounds counts after one that is overwritten. Each engine goes on
+   with its own gas, so that the rounds are stretches of one run. */
 static void compare_engines(struct study *s, size_t n)
 {
     const double length = sqrt((double)n * 0.785398163397448 / 0.3);
@@ -491,7 +520,10 @@ static void study_speed(struct study *s)
         compare_engines(s, n);
 }
 
-/* Z of a run of so many collisions, and the seconds that it took. */
+/* Returns Z = P V/(N kT) of a run of so many collisions; adds the seconds
+   that it took. Runs that end with a collision have a small preference for
+   what happens before collisions, of the order of one event in all: even in
+   the shortest runs it is below the noise. */
 static double pressure_of(uint64_t collisions, uint64_t seed, bool plan,
                           double *seconds)
 {
@@ -517,8 +549,9 @@ enum { RUNS = 32 };
 
 static const double reference = 2.69889; /* direct sampling, +- 0.00031 */
 
-/* Fills a row: the times of both engines, error and bias of runs of
-   row[0] collisions. Returns in how many the engines differed. */
+/* Fills a row: the times of both engines, error and bias of runs of row[0]
+   collisions. Returns in how many runs the engines differed: if they
+   differed in a single bit, Z would differ too, sooner or later. */
 static double find_errors(uint64_t seed, double row[5])
 {
     const uint64_t count = (uint64_t)row[0];

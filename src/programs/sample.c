@@ -1,6 +1,4 @@
-/* From chapters/works/06-room.nw: edit there, then run make tangle. */
-/* checksum 2932109950 of the lines below */
-/* Configurations of hard disks, thrown or walked, and what they show. */
+/* Samples configurations of hard disks: throws, moves, event chains. */
 #include "box/sampling.h"
 #include "toolbox/options.h"
 #include "toolbox/program.h"
@@ -18,12 +16,12 @@
 #define LONGEST 1e6 /* a length, m */
 
 enum {
-    MOST = 100000,  /* disks */
-    PILOT = 100000, /* throws to guess how many will be needed */
-    HOPELESS = 15,  /* decimal digits of a number of throws to refuse */
-    SOME = 256      /* samples between two looks at the clock */
+    MOST = 100000,    /* disks: every try looks at all of them */
+    PILOT = 100000,   /* throws to estimate how many will be needed */
+    MOST_DIGITS = 15, /* more than 10^MOST_DIGITS throws are refused */
+    SOME = 256        /* samples between two looks at the clock */
 };
-#define VAIN 1e8 /* throws in a row that tell that nothing will fit */
+#define GIVE_UP 1e8      /* so many throws in a row have failed: give up */
 enum { BITE = 1 << 16 }; /* throws between two looks at the signals */
 
 enum method { DIRECT, MARKOV, CHAINS };
@@ -38,7 +36,8 @@ static const char *const measure_names[] = {"positions", "distances",
 struct settings {
     size_t method, boundary, measure;
     size_t dimensions, large, small, bins;
-    double radius, small_radius, box[DISKS_AXES], step, length;
+    double radius, small_radius, box[DISKS_AXES];
+    double step, length; /* 0: a radius, ten radii */
     uint64_t samples, seed;
     const char *output, *summary, *command;
 };
@@ -165,7 +164,11 @@ static void read_settings(struct settings *s, struct options *o, int argc,
     program_apart(o, s->output, s->summary, "table");
 }
 
-/* Is it certain that the large ones do not fit between the walls? */
+/* Returns whether it is certain that the large disks do not fit between the
+   walls. The centres have the rectangle a x b to themselves, with a = Lx -
+   2 r and b = Ly - 2 r: two of them need a diagonal of sigma = 2 r, and
+   Oler proved in 1961 that at most 2 a b / (sqrt(3) sigma^2) + (a + b) /
+   sigma + 1 points have room in it that are sigma apart. */
 static bool is_too_full(const struct settings *s)
 {
     const double sigma = 2 * s->radius;
@@ -182,7 +185,9 @@ static bool is_too_full(const struct settings *s)
             (s->dimensions == 2 && (double)s->large > most + 1e-9));
 }
 
-/* Ends the program when the disks cannot be in the box. */
+/* Ends the program if the disks cannot be in the box: if one is wider than
+   the box, or if they are more than any packing holds, which is
+   pi/sqrt(12) = 0.9069 of a plane and pi/sqrt(18) = 0.7405 of space. */
 static void check_room(struct options *o, const struct settings *s,
                        const struct sampling *p)
 {
@@ -218,15 +223,17 @@ static void check_room(struct options *o, const struct settings *s,
                      s->large, s->radius);
 }
 
-/* Ends the program when direct sampling would take for ever. */
-static void check_patience(struct options *o, const struct settings *s,
-                           struct sampling *p)
+/* Ends the program if direct sampling would need more than 10^15 throws,
+   which are years, or more than five million for a sample. The estimate has
+   a generator of its own, so that it does not change the run. */
+static void check_throws(struct options *o, const struct settings *s,
+                         struct sampling *p)
 {
     struct random r;
     random_seed(&r, ~s->seed);
     const double once = -sampling_log_acceptance(p, PILOT, &r) / log(10);
     const double tries = once + log((double)s->samples) / log(10);
-    if (tries > HOPELESS || once > log(VAIN / 20) / log(10))
+    if (tries > MOST_DIGITS || once > log(GIVE_UP / 20) / log(10))
         options_fail(
             o,
             "--method: direct would need more than 10^%.0f throws; "
@@ -242,24 +249,26 @@ struct run {
     struct progress progress;
     struct sampling_means bins, numbers;
     uint64_t done, tries, accepted;
-    double *start; /* the places of the large ones when counting began */
-    double *row, high; /* of distances */
+    double *start; /* positions of the large disks when counting began */
+    double *row;   /* for a row of the table */
+    double high;   /* longest distance that is counted, m */
     struct table *out;
-    bool vain; /* too many throws in a row have failed */
+    bool hopeless; /* too many throws in a row have failed */
 };
 
 /* The quantities of which run.numbers takes the means. */
 enum number {
-    ACCEPTANCE,
-    PLACE,
-    WALL,
-    PAIR = WALL + DISKS_AXES,
-    GAIN, /* of a chain */
+    ACCEPTANCE,               /* of direct sampling: throws per sample */
+    MEAN_X,                   /* x of disk 1, m */
+    WALL,                     /* density at the walls across an axis, 1/m */
+    PAIR = WALL + DISKS_AXES, /* of the distance of two at contact, 1/m */
+    GAIN,                     /* of a chain, over its length */
     NUMBERS
 };
 
-/* Between walls all distances are counted; in a periodic box those up to
-   half a side, where each has a whole circle (sphere) to itself. */
+/* Returns the longest distance that is counted: between walls all are; in a
+   periodic box those up to half a side, where the whole circle (sphere) of
+   that radius is in the box. */
 static double longest_distance(const struct settings *s)
 {
     double square = 0, least = INFINITY;
@@ -271,7 +280,8 @@ static double longest_distance(const struct settings *s)
     return s->boundary == DISKS_PERIODIC ? least : sqrt(square);
 }
 
-/* Makes what a run needs. Returns false, having said so, without memory. */
+/* Allocates what a run needs. If memory is short, prints that and returns
+   false. */
 static bool begin_run(struct run *run, const struct settings *s)
 {
     const size_t count = s->large + s->small;
@@ -301,16 +311,20 @@ static void end_run(struct run *run)
     free(run->row);
 }
 
-/* Throws until all fit. Returns false when a signal asks to stop, or when
-   they do not seem to fit. */
+/* Throws until all disks fit. Returns false after a signal, or if they do
+   not seem to fit: no rule tells whether so many do, so the throws
+   themselves decide. At an acceptance of 2e-7 a hundred million of them,
+   which take some seconds, would all fail with a probability of e^-20. The
+   mean is taken of throws per sample, which are independent; the acceptance
+   is one over it. */
 static bool next_direct(struct run *run)
 {
     uint64_t throws = 1;
     while (sampling_throw(&run->p, &run->r) < run->p.disks.count)
         if (throws++ % BITE == 0) {
             progress_update(&run->progress, run->done, run->tries + throws);
-            run->vain = throws > VAIN;
-            if (progress_signal() || run->vain) {
+            run->hopeless = throws > GIVE_UP;
+            if (progress_signal() || run->hopeless) {
                 run->tries += throws - 1;
                 return false;
             }
@@ -321,7 +335,7 @@ static bool next_direct(struct run *run)
     return true;
 }
 
-/* Makes as many tries as there are disks; returns how many moved. */
+/* Makes as many tries as there are disks. Returns how many moved one. */
 static size_t sweep(struct run *run)
 {
     const size_t count = run->p.disks.count;
@@ -331,7 +345,6 @@ static size_t sweep(struct run *run)
     return moved;
 }
 
-/* Makes a sweep. */
 static bool next_markov(struct run *run)
 {
     const size_t count = run->p.disks.count;
@@ -343,6 +356,10 @@ static bool next_markov(struct run *run)
     return true;
 }
 
+/* Makes an event chain along a random axis, of a random length: with a
+   length of five diameters, always the same, eight disks in a box of four
+   never leave the squares of a board on which they begin. No push is
+   rejected. */
 static bool next_chain(struct run *run)
 {
     const struct settings *s = run->s;
@@ -367,7 +384,9 @@ static bool next_sample(struct run *run)
     }
 }
 
-/* Finds a start and makes the sweeps that do not count. */
+/* Finds a start and makes the samples that do not count, a tenth of the
+   others, since the first configurations still remember the lattice.
+   Returns false if there is no start. */
 static bool warm_up(struct run *run)
 {
     const struct disks *d = &run->p.disks;
@@ -395,6 +414,8 @@ static bool warm_up(struct run *run)
     return true;
 }
 
+/* Bins divide the whole length of the box, so that tables of any method
+   have the same ones. */
 static size_t bin_of(double x, double length, size_t bins)
 {
     const double bin = x / length * (double)bins;
@@ -415,6 +436,7 @@ static void count_positions(struct run *run)
     }
 }
 
+/* Counts each pair once, at the distance of the nearest images. */
 static void count_distances(struct run *run)
 {
     const struct disks *d = &run->p.disks;
@@ -446,8 +468,9 @@ static void write_state(struct run *run)
     table_row(run->out, n, run->row);
 }
 
-/* Slides one disk, and it away from up to three others; all pairs have
-   their turn. */
+/* Measures the densities at contact for one disk at the walls and for it
+   with up to three others; all disks and pairs have their turn. To do so
+   for all of them would take longer than to make the sample. */
 static void count_contacts(struct run *run)
 {
     const size_t n = run->p.large, i = run->done % n;
@@ -463,11 +486,11 @@ static void count_contacts(struct run *run)
             sampling_pair_density(&run->p, i, (i + 1 + turn) % n) /
                 (double)pairs);
     }
-    sampling_means_add(&run->numbers, PLACE,
+    sampling_means_add(&run->numbers, MEAN_X,
                        run->p.disks.disk[0].position[0]);
 }
 
-/* Takes all samples, or as many as there are before a signal. */
+/* Takes all samples, or those before a signal. */
 static void take_samples(struct run *run)
 {
     const struct settings *s = run->s;
@@ -519,7 +542,8 @@ static void name_columns(struct run *run)
     }
 }
 
-/* Writes bin b of the densities: of n numbers each along all axes. */
+/* A count becomes a density when it is divided by the width of the bin and
+   the number of coordinates, or of pairs. */
 static void write_bins(struct run *run)
 {
     const struct settings *s = run->s;
@@ -542,8 +566,7 @@ static void write_bins(struct run *run)
     }
 }
 
-/* Writes factor times the mean of a quantity, plus `more`, and its error.
- */
+/* Writes `more` plus factor times the mean of a quantity, and its error. */
 static void write_number(struct table *out, const struct run *run,
                          const char *key, size_t quantity, double factor,
                          double more)
@@ -557,6 +580,8 @@ static void write_number(struct table *out, const struct run *run,
                factor * sampling_means_error(&run->numbers, quantity));
 }
 
+/* The acceptance of direct sampling is one over the mean throws per sample:
+   its error is acceptance^2 times that of the mean. */
 static void write_acceptance(struct table *out, const struct run *run)
 {
     const double acceptance = (double)run->accepted / (double)run->tries;
@@ -569,7 +594,8 @@ static void write_acceptance(struct table *out, const struct run *run)
     table_real(out, "acceptance_error", slope * error);
 }
 
-/* The root of the mean square of the ways of the large disks, m. */
+/* Returns how far the large disks have come since the warm-up, root mean
+   square, m: it tells whether a Markov chain moves at all. */
 static double distance_moved(const struct run *run)
 {
     double sum = 0;
@@ -582,6 +608,10 @@ static double distance_moved(const struct run *run)
     return sqrt(sum / (double)run->p.large);
 }
 
+/* For one disk, or with small ones about, some of the results mean nothing
+   and are left out. By symmetry the mean x of every disk is the middle of
+   the box; whether disk 1 has been there shows whether a chain has
+   forgotten its start. */
 static void write_summary(struct table *out, const struct run *run)
 {
     static const char *const walls[] = {"Z_wall_x", "Z_wall_y", "Z_wall_z"};
@@ -597,23 +627,25 @@ static void write_summary(struct table *out, const struct run *run)
     if (s->large > 1 && s->small == 0)
         write_number(out, run, "Z_virial", PAIR, per_contact, 1);
     if (s->boundary == DISKS_WALLS)
-        write_number(out, run, "mean_x1", PLACE, 1, 0);
+        write_number(out, run, "mean_x1", MEAN_X, 1, 0);
     if (s->method == MARKOV)
         table_real(out, "moved", distance_moved(run));
     if (s->method == CHAINS)
         write_number(out, run, "Z_chain", GAIN, 1, 1);
 }
 
-/* Writes what there is; returns the exit status. */
+/* Writes what there is. Returns the exit status. A run that a signal has
+   cut short keeps its table and gets no summary, which would pass for one
+   of a complete run. A table without a configuration is not written. */
 static int finish(struct run *run, struct table *summary)
 {
-    const bool whole = progress_end(&run->progress) && !run->vain;
+    const bool complete = progress_end(&run->progress) && !run->hopeless;
     const bool empty = run->done == 0;
-    if (run->vain)
+    if (run->hopeless)
         fprintf(stderr,
                 PROGRAM ": nothing fitted in %.0e throws in a row; use "
                         "--method markov, or a smaller --radius\n",
-                VAIN);
+                GIVE_UP);
     else if (empty)
         fprintf(stderr,
                 PROGRAM ": no configuration in %llu throws, no table\n",
@@ -624,7 +656,7 @@ static int finish(struct run *run, struct table *summary)
         write_summary(summary, run);
     if (empty)
         program_leave(EXIT_FAILURE);
-    return program_close(run->out, summary, whole);
+    return program_close(run->out, summary, complete);
 }
 
 int main(int argc, char *argv[])
@@ -637,7 +669,7 @@ int main(int argc, char *argv[])
         return EXIT_FAILURE;
     check_room(&o, &s, &run.p);
     if (s.method == DIRECT)
-        check_patience(&o, &s, &run.p);
+        check_throws(&o, &s, &run.p);
     struct table *summary;
     program_open(PROGRAM, s.output, s.summary, keys, &run.out, &summary);
     progress_begin(&run.progress, PROGRAM, s.samples, "tries");

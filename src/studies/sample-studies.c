@@ -1,6 +1,4 @@
-/* From chapters/works/06-room.nw: edit there, then run make tangle. */
-/* checksum 2341475758 of the lines below */
-/* Samplers compared: mistakes, memory, acceptance, the cost of an error. */
+/* Compares samplers: mistakes, memory, acceptance, the cost of an error. */
 #include "box/sampling.h"
 #include "line/statistics.h"
 #include "toolbox/bench.h"
@@ -14,8 +12,8 @@
 #define PROGRAM "sample-studies"
 
 enum {
-    LIST = 16, /* numbers that an option takes */
-    BINS = 14, /* over the room of a centre */
+    LIST = 16, /* at most so many numbers for an option */
+    BINS = 14, /* over the range of a centre */
     HALF = BINS / 2,
     WALLS = BINS, /* quantities behind the bins: the two sides */
     PAIRS,        /* of (6.5, eq:two-sides) */
@@ -68,7 +66,7 @@ static void start_chain(struct sampling *p, double step, uint64_t sweeps,
         sampling_try(p, step, r);
 }
 
-/* Which of BINS equal parts of its room a coordinate is in. */
+/* Returns in which of BINS equal parts of its range a coordinate is. */
 static size_t bin_of(const struct sampling *p, double x)
 {
     const double r = p->disks.disk[0].radius;
@@ -76,8 +74,8 @@ static size_t bin_of(const struct sampling *p, double x)
     return bin < 0 ? 0 : bin < BINS ? (size_t)bin : BINS - 1;
 }
 
-/* Adds what one disk has to say of either side of (6.5, eq:two-sides).
- */
+/* Adds both sides of (6.5, eq:two-sides) from one disk; the disks take
+   turns. */
 static void count_contacts(struct sampling_means *m,
                            const struct sampling *p)
 {
@@ -96,7 +94,8 @@ static void count_contacts(struct sampling_means *m,
     sampling_means_add(m, PAIRS, pairs);
 }
 
-/* Adds a sample of all coordinates, scaled to a density. */
+/* Adds a sample of all coordinates, scaled so that the mean is the density
+   itself. */
 static void count_places(struct sampling_means *m, const struct sampling *p)
 {
     const size_t count = p->disks.count;
@@ -113,8 +112,10 @@ enum way { THROWN, KEPT, CHAIN, MOVED, WAYS };
 static const char *const way_names[WAYS] = {"thrown", "kept", "chain",
                                             "moved"};
 
-/* Takes a sample in one of the ways, of which two are wrong: all thrown
-   again, only the last thrown again; every try, only moves count. */
+/* Takes a sample in one of four ways, of which two are wrong. If one disk
+   does not fit all are thrown again (THROWN), or only the last one (KEPT,
+   wrong: that is what disks_place_random does). After every try there is a
+   sample (CHAIN), or only after those that moved a disk (MOVED, wrong). */
 static void take(enum way way, struct sampling_means *m, struct sampling *p,
                  double step, struct random *r)
 {
@@ -133,8 +134,8 @@ static void take(enum way way, struct sampling_means *m, struct sampling *p,
                 count_places(m, p);
 }
 
-/* How much a wrong density differs from the right one, per cent, in bins b
-   and BINS - 1 - b. */
+/* Writes by how much, in per cent, a wrong density differs from the right
+   one of its kind in bins b and BINS - 1 - b. */
 static void write_bias(struct study *s, const char *key,
                        const struct sampling_means *wrong,
                        const struct sampling_means *right, size_t b)
@@ -146,7 +147,7 @@ static void write_bias(struct study *s, const char *key,
     table_real(s->summary, key, 100 * (got / due - 1));
 }
 
-/* Writes both sides of (6.5, eq:two-sides) in one of the ways. */
+/* Writes both sides of (6.5, eq:two-sides) as one way finds them. */
 static void write_sides(struct study *s, const char *way,
                         const struct sampling_means *m)
 {
@@ -193,6 +194,8 @@ static const struct table_key mistakes_keys[] = {
     {"<way>_pairs_error", "1", "its standard error"},
     {0}};
 
+/* Each way has a run of its own, which begins with a chain that forgets the
+   one before. */
 static void study_mistakes(struct study *s)
 {
     const struct settings *own = s->own;
@@ -217,10 +220,10 @@ static void study_mistakes(struct study *s)
     sampling_free(&p);
 }
 
-/* Records, sweep by sweep, x of disk 1 and the share of all coordinates in
-   the outermost bins. Returns the share of tries that succeeded. */
-static double record(struct sampling *p, double step, uint64_t sweeps,
-                     double x[], double edge[], struct random *r)
+/* Runs a chain and keeps, sweep by sweep, x of disk 1 and the fraction of
+   all coordinates in the outermost bins. Returns the acceptance. */
+static double run_chain(struct sampling *p, double step, uint64_t sweeps,
+                        double x[], double edge[], struct random *r)
 {
     const size_t count = p->disks.count;
     uint64_t moved = 0;
@@ -238,7 +241,7 @@ static double record(struct sampling *p, double step, uint64_t sweeps,
     return (double)moved / (double)(sweeps * count);
 }
 
-/* Finds how many samples make an independent one. */
+/* Returns how many samples make an independent one. */
 static double inefficiency(size_t n, const double x[])
 {
     static struct statistics_blocking b;
@@ -247,7 +250,8 @@ static double inefficiency(size_t n, const double x[])
     return b.inefficiency;
 }
 
-/* Runs chain k of all radii and steps; x has room for two series. */
+/* Runs chain k of all radii and steps; x has room for two series. The keys
+   of the summary end in the number of the chain. */
 static void study_chain(struct study *s, size_t k, double x[],
                         struct random *r)
 {
@@ -259,10 +263,10 @@ static void study_chain(struct study *s, size_t k, double x[],
     struct sampling p;
     make_box(&p, own, radius);
     start_chain(&p, step, n / 10, r);
-    const double share = record(&p, step, n, x, x + n, r);
+    const double acceptance = run_chain(&p, step, n, x, x + n, r);
     const double row[] = {radius,
                           step,
-                          share,
+                          acceptance,
                           inefficiency(n, x),
                           inefficiency(n, x + n),
                           statistics_moments(n, x).mean};
@@ -301,7 +305,7 @@ static void study_memory(struct study *s)
     free(x);
 }
 
-/* Throws until so many have fitted, or until patience ends. */
+/* Throws until so many configurations have fitted, or PATIENCE times. */
 static void study_acceptance(struct study *s)
 {
     const struct settings *own = s->own;
@@ -320,11 +324,12 @@ static void study_acceptance(struct study *s)
                 break;
             fitted += sampling_throw(&p, &r) == own->disks;
         }
-        const double share = (double)fitted / (double)throws;
+        const double acceptance = (double)fitted / (double)throws;
         if (fitted > 0)
             table_row(s->out, 4,
                       (double[]){own->radius[k], disks_packing(&p.disks),
-                                 share, share / sqrt((double)fitted)});
+                                 acceptance,
+                                 acceptance / sqrt((double)fitted)});
         sampling_free(&p);
     }
 }
@@ -333,14 +338,14 @@ enum method { DIRECT, MARKOV, DYNAMICS, METHODS };
 static const char *const method_names[METHODS] = {"direct", "markov",
                                                   "dynamics"};
 enum {
-    TIMES = 7, /* processor times, each four times the one before */
+    TIMES = 7, /* at which errors are noted, each four times the last one */
     SEEDS = 8, /* runs whose errors are averaged */
     TRIES = 64 /* between two looks at the clock */
 };
 static const double first_time = 0.00025; /* s */
 
-/* One try of a method: a throw, a sweep, or a tenth of a second. Returns
-   whether there is a sample. */
+/* Makes one try of a method: a throw, a sweep, or a tenth of a second of
+   dynamics. Returns whether there is a sample. */
 static bool next_try(enum method method, struct sampling *p, double step,
                      struct random *r)
 {
@@ -356,6 +361,8 @@ static bool next_try(enum method method, struct sampling *p, double step,
     }
 }
 
+/* Dynamics begins where a chain has led, with all speeds 1; the others have
+   no use for speeds. */
 static void begin_method(enum method method, struct sampling *p,
                          double step, struct random *r)
 {
@@ -369,7 +376,7 @@ static void begin_method(enum method method, struct sampling *p,
         end_without_memory();
 }
 
-/* Adds the places of now to the counts of the bins from the wall in. */
+/* Counts the present coordinates by their distance from the nearer wall. */
 static void add_places(const struct sampling *p, double counts[HALF])
 {
     for (size_t i = 0; i < p->disks.count; ++i) {
@@ -382,8 +389,8 @@ static void add_places(const struct sampling *p, double counts[HALF])
     }
 }
 
-/* The mean square of the deviations of a density from a reference, in
-   units of the mean density. */
+/* Returns the mean square of the deviations of a density from a reference,
+   in units of the mean density. */
 static double deviation(const double counts[HALF],
                         const double reference[HALF])
 {
@@ -393,8 +400,8 @@ static double deviation(const double counts[HALF],
         of += reference[b];
     }
     for (size_t b = 0; b < HALF; ++b) {
-        const double share = total > 0 ? counts[b] / total : 0;
-        const double off = HALF * (share - reference[b] / of);
+        const double fraction = total > 0 ? counts[b] / total : 0;
+        const double off = HALF * (fraction - reference[b] / of);
         sum += off * off;
     }
     return sum / HALF;
@@ -417,7 +424,8 @@ static void run_method(enum method method, struct sampling *p, double step,
     }
 }
 
-/* Measures a method and writes its rows. */
+/* Measures a method and writes its rows: the mean of eight runs after one
+   that fills the caches. */
 static void measure(struct study *s, enum method method, struct sampling *p,
                     struct random *r, const double reference[HALF])
 {
@@ -434,6 +442,9 @@ static void measure(struct study *s, enum method method, struct sampling *p,
                     radius, radius, until, sqrt(sum[t] / SEEDS));
 }
 
+/* The reference is a run of dynamics that is far longer than any that is
+   measured. The error of direct sampling, which is right by construction,
+   falls straight to the end, which shows that the two agree. */
 static void study_cost(struct study *s)
 {
     const struct settings *own = s->own;
@@ -460,6 +471,9 @@ static void study_cost(struct study *s)
     }
 }
 
+/* The pressure of 64 disks in a periodic box, measured by moves and the
+   densities at contact, by dynamics and its collisions, and by event
+   chains, which need neither. */
 enum gauging { SLIDES, COLLISIONS, CHAINS, GAUGINGS };
 static const char *const gauging_names[GAUGINGS] = {"markov", "dynamics",
                                                     "chains"};
@@ -492,6 +506,8 @@ static void begin_gauge(struct gauge *g, enum gauging way, double packing,
         end_without_memory();
 }
 
+/* Makes a sweep. Returns Z - 1 from the densities at contact of one disk
+   with three others, as sample does. */
 static double slide(struct gauge *g)
 {
     const size_t n = g->p.disks.count, i = g->samples % n;
@@ -505,7 +521,7 @@ static double slide(struct gauge *g)
     return sum * (double)(n - 1) * g->p.disks.disk[0].radius / 2;
 }
 
-/* A chain about five diameters long. */
+/* Makes a chain about five diameters long. Returns its Z - 1. */
 static double follow_chain(struct gauge *g, size_t axis)
 {
     const double length =
@@ -515,6 +531,8 @@ static double follow_chain(struct gauge *g, size_t axis)
     return gained / length;
 }
 
+/* Returns Z - 1 so far. Dynamics sums what its collisions say from the
+   beginning (7.5, eq:virial). */
 static double gauge_value(struct gauge *g, enum gauging way)
 {
     const struct disks *d = &g->p.disks;
@@ -537,8 +555,9 @@ static void take_one(struct gauge *g, enum gauging way)
 enum { MARKS = 5, GAUGES = 16 };
 
 /* Adds the squares of the errors after each of the times. */
-static void race(enum gauging way, double packing, double step,
-                 double truth, struct random *r, double square[MARKS])
+static void measure_gauge(enum gauging way, double packing, double step,
+                          double truth, struct random *r,
+                          double square[MARKS])
 {
     struct gauge g = {.r = *r};
     begin_gauge(&g, way, packing, step);
@@ -555,7 +574,7 @@ static void race(enum gauging way, double packing, double step,
     sampling_free(&g.p);
 }
 
-/* Z - 1 from so many chains. */
+/* Returns Z - 1 from so many chains: the reference. */
 static double find_truth(double packing, double step, uint64_t chains,
                          struct random *r)
 {
@@ -587,8 +606,8 @@ static void study_pressure(struct study *s)
         for (int way = 0; way < GAUGINGS; ++way) {
             double square[MARKS] = {0}, until = 0.004;
             for (int n = 0; n < GAUGES && !progress_signal(); ++n)
-                race((enum gauging)way, packing[k], step[k], truth, &r,
-                     square);
+                measure_gauge((enum gauging)way, packing[k], step[k], truth,
+                              &r, square);
             for (int t = 0; t < MARKS; ++t, until *= 4)
                 table_print(s->out, "%s-%g %.4g %.4g\n", gauging_names[way],
                             packing[k], until, sqrt(square[t]));
@@ -602,6 +621,8 @@ static const struct table_key one_way_keys[] = {
     {"Z_x_error", "1", "its standard error"},
     {0}};
 
+/* Makes chains along one axis only, from the lattice on: each disk keeps
+   its row. */
 static void study_one_way(struct study *s)
 {
     const struct settings *own = s->own;

@@ -1,4 +1,4 @@
-/* Numbers moved over the wire, the same on both sides. */
+/* Sends and receives numbers of each type, the same code for both sides. */
 #include "examiner/border.h"
 #include "examiner/wire.h"
 

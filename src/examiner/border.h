@@ -1,49 +1,50 @@
-/* What crosses to the student's function and back, number by number. */
+/* Remote calls of the student's function, number by number. */
 #ifndef BORDER_H
 #define BORDER_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Move count numbers across the border: out of x on the side that speaks,
-   into x on the side that listens. Both sides must move the same kinds of
-   numbers in the same order; a side that finds no partner ends. The two
-   sides call the same functions for the arguments of a function, so that
-   they cannot disagree about their order. An array that the student should
-   only write to crosses on the way in, too: the suite has filled it to see
-   what is left untouched, and that must look the same from the box. */
+/* Move count numbers between judge and box: out of x on the side that
+   sends, into x on the side that receives. Both sides must move the same
+   kinds of numbers in the same order; a side that finds no partner ends.
+   Both call the same functions for the arguments, so that they cannot
+   disagree about the order. An array that the student should only write to
+   is sent along with the arguments, too: the suite has filled it to see
+   what is left untouched, and that must look the same in the box. */
 void border_doubles(double x[], size_t count);
 void border_sizes(size_t x[], size_t count);
 void border_ints(int x[], size_t count);
 void border_unsigneds(unsigned x[], size_t count);
 void border_bools(bool x[], size_t count);
 
-/* Memory of just this size for what the student's function only reads, so
-   that a sanitizer notices who goes beyond it, for the caller to free; ends
-   the program when there is none. */
+/* Returns memory of just this size for what the student's function only
+   reads, so that a sanitizer notices an access beyond it, for the caller to
+   free. Ends the program when there is none. */
 void *border_memory(size_t bytes);
 
-/* The same for count elements of so many bytes. Counts that come from the
-   other side may be anything: one whose product with the size is too large
-   for a size_t ends the program. */
+/* The same for count elements of so many bytes. A count that comes from the
+   other side may be any number: one whose product with the size does not
+   fit a size_t ends the program. */
 void *border_array(size_t count, size_t size);
 
 /* Returns that product, or ends the program. */
 size_t border_bytes(size_t count, size_t size);
 
-/* How many times it has given some. */
+/* Counts the blocks that border_memory and border_array have returned. */
 extern unsigned long border_blocks;
 
-/* Has the next call made in a process in which the function has not been
-   called before, so that it knows of no other call; at home, where judge
-   and box are one process, it does nothing. */
+/* Makes the next call go to a new process, so that the function knows of no
+   other call. At home, where judge and box are one process, it does
+   nothing. */
 void border_anew(void);
 
-/* Begins a call of the function in the box: its arguments follow. */
+/* Begins a call of the student's function in the box: send its arguments
+   next. */
 void border_call(void);
 
-/* Ends the arguments and waits for the answer: its values follow. While it
-   waits, it serves what the box asks for by border_heed. */
+/* Ends the arguments and waits for the answer: receive its values next.
+   Calls that the box makes back meanwhile are served by border_heed. */
 void border_wait(void);
 
 /* Defined by an exercise whose functions call back, where the judge is:
@@ -60,31 +61,32 @@ void border_wait(void);
    pipes, and takes 2.5 s. */
 void border_heed(int which);
 
-/* Ends the arguments of what the box has asked: the answer follows. */
+/* Ends the arguments of a call back: send its answer next. */
 void border_tell(void);
 
 /* Defined by the exercise: takes the arguments, calls the student's
    function, calls border_reply and moves the values of the answer. */
 void border_answer(void);
 
-/* A place for what the student's function may write: so many bytes, alone
-   in memory, with a guard before and a guard behind. The name is for who
-   writes outside of it. It is freed when the next call comes. */
+/* Returns so many bytes for what the student's function may write, between
+   two guards. The name is told to a student whose function writes outside
+   of it. It is freed when the next call comes. */
 void *border_place(const char *name, size_t bytes);
 
-/* The same, with the next of the arguments in it. */
+/* The same, filled with the next of the arguments. */
 double *border_place_doubles(const char *name, size_t count);
 size_t *border_place_sizes(const char *name, size_t count);
 int *border_place_ints(const char *name, size_t count);
 
-/* Ends the arguments: the values of the answer follow. Whoever has written
-   outside of a place is found out here. */
+/* Ends the call: send the values of its answer next. Looks at the guards
+   first. */
 void border_reply(void);
 
-/* Asks the judge to call function number `which`: the arguments follow. */
+/* Begins a call back, of function number `which` in the judge: send its
+   arguments next. */
 void border_ask(int which);
 
-/* Ends those arguments and waits: the values of the answer follow. */
+/* Ends those arguments and waits: receive the values of the answer next. */
 void border_hear(void);
 
 #endif

@@ -72,13 +72,13 @@ static long free_user(long user)
     return user;
 }
 
-/* Even numbers are those of boxes, and odd ones those of their judges. The
-   kernel counts the processes of a user, wherever they are, so that in two
-   boxes of one user a fork bomb in one keeps the other from forking. The
-   number comes from the process number of the worker, which is his alone
-   while he lives; so two graders on one machine are kept apart as well.
-   That needs root; for others processes are counted in each namespace of
-   users since Linux 5.14. */
+/* Returns the user of this process's boxes: an even number; those of judges
+   are odd. The kernel counts the processes of a user, wherever they are, so
+   that a fork bomb in one box would keep another box of the same user from
+   forking. The number is made of this process's own, which nothing else has
+   while it lives; so two graders on one machine are kept apart as well.
+   Only root can give a box another user; for others Linux counts the
+   processes of each user namespace apart since 5.14. */
 static long box_user(void)
 {
     return free_user(20000 + 2 * ((long)getpid() % 20000));
@@ -205,9 +205,10 @@ static void plan_entry(enum box_kind kind)
     new_view = kind != BOX_ROOT;
 }
 
-/* /dev is a file system in memory, too, which would take as much as there
-   is; so it and the root are made read-only when all is in place. Without
-   that a program can write a file of any size to /, and /etc is its own. */
+/* Puts the compiler, its libraries and one folder to write to into the box.
+   /dev is a file system in memory, too, and without a limit; so it and the
+   root are made read-only when all is in place. Without that a program can
+   write a file of any size to /, and /etc is its own. */
 static void add_system(struct words *w)
 {
     ADD(w, "--ro-bind", "/usr", "/usr", "--symlink", "usr/bin", "/bin",
@@ -225,9 +226,9 @@ static void add_system(struct words *w)
         "/exercises");
 }
 
-/* Files are copied out of descriptors and not bound to places of ours: the
-   box's user needs no right to enter our folders, and there is no path by
-   which to find them. */
+/* Copies the files of the order into the box out of descriptors: its user
+   needs no right to enter our folders, and there is no path by which to
+   find them. */
 static void add_copies(struct words *w, const struct box_order *order)
 {
     static char source[256], header[80];
@@ -239,9 +240,9 @@ static void add_copies(struct words *w, const struct box_order *order)
     ADD(w, "--seccomp", "8", "--remount-ro", "/");
 }
 
-/* A new session has no terminal: a program could otherwise type into ours
-   by a call of the kernel that is there for that (TIOCSTI). No capability
-   of root's is left, and the box dies when we die. */
+/* Starts bubblewrap in namespaces of its own. In a new session it has no
+   terminal, into which a program could otherwise type (TIOCSTI). No
+   capability of root's is left, and the box dies when we die. */
 static void add_namespaces(struct words *w, enum box_kind kind)
 {
     ADD(w, "bwrap", "--unshare-ipc", "--unshare-pid", "--unshare-net",
@@ -278,7 +279,7 @@ static void add_walls(struct words *w, enum box_kind kind,
    serve to attack the kernel and not to compute; only sanitizers trace, to
    look for lost memory. */
 static const int forbidden[] = {
-    SYS_ptrace, /* the first: not where sanitizers are at work */
+    SYS_ptrace, /* must be the first: it is skipped for sanitizers */
     SYS_shmget,      SYS_memfd_create,    SYS_unshare,
     SYS_setns,       SYS_add_key,         SYS_process_vm_writev,
     SYS_keyctl,      SYS_request_key,     SYS_bpf,
@@ -528,8 +529,8 @@ static void copy(int from, const char *name)
     close(to);
 }
 
-/* Without a box a folder takes its place. As root we still give it to a
-   user of its own, or the program could do to us what it likes. */
+/* Makes a folder in place of a box. As root we still give it to a user of
+   its own, or the program could do to us what it likes. */
 static void furnish_folder(const struct box_order *order)
 {
     static const char *const folders[] = {"kit", "exercises", "work"};
@@ -581,9 +582,9 @@ static void start(const struct box_order *order, int requests, int answers,
     close(filter);
 }
 
-/* Two bytes tell how far things have come, one from the shell and one from
-   the driver's main. A program that says the second before its main has
-   gained nothing. */
+/* Waits until the program has come to its main. Two bytes tell how far it
+   is, one from the shell and one from the driver; a program that sends the
+   second before its main has gained nothing. */
 static enum box_stage wait_for_main(struct box *box, int seconds)
 {
     const double start = process_clock();
@@ -599,8 +600,8 @@ static enum box_stage wait_for_main(struct box *box, int seconds)
                                                       : BOX_NO_MAIN;
 }
 
-/* The ends of the pipes that are the box's are closed here, or we should
-   never see that it is gone. */
+/* The box's ends of the pipes are closed here, or we should never see that
+   it is gone. */
 enum box_stage box_open(struct box *box, const struct box_order *order,
                         int prints)
 {
@@ -658,8 +659,9 @@ bool box_settle(struct box *box)
            wait_for_byte(box->answers, 0) == LATE;
 }
 
-/* Root's kill with -1 would reach everybody, the box user's only what is
-   his. */
+/* Kills what is left of a box without walls and removes its folder. kill
+   with -1 sent by root would reach everybody, sent by the box's user only
+   what is its own. */
 static void sweep_folder(void)
 {
     char command[256];
@@ -674,8 +676,8 @@ static void sweep_folder(void)
     furnished = false;
 }
 
-/* Killing bubblewrap ends the first process of the box's list, and the
-   kernel kills all others on it. */
+/* Ends the box: killing bubblewrap ends the first process of the box's own
+   list, and then the kernel kills all others on it. */
 void box_close(struct box *box)
 {
     close(box->requests);
@@ -700,9 +702,10 @@ static bool take_figure(int file, char *figure, size_t room, size_t *length)
     return true;
 }
 
-/* A gnuplot script is a program that can call the shell, and should, for it
-   gets its tables from the student's own; so it has a box with that program
-   in it. A picture of four megabytes at most is all that leaves it. */
+/* Draws a project's figure. A gnuplot script can call the shell, and
+   should, for it gets its tables from the student's own program; so it runs
+   in a box with that program in it. A picture of four megabytes at most is
+   all that leaves it. */
 enum box_drawing box_draw(const struct box_order *order, int script,
                           int prints, char *figure, size_t room,
                           size_t *length)

@@ -1,4 +1,4 @@
-/* A box in which a student's program is built and run, out of reach. */
+/* An isolated environment in which a student's program is built and run. */
 #ifndef BOX_H
 #define BOX_H
 
@@ -53,8 +53,8 @@ enum box_stage {
     BOX_READY
 };
 
-/* The best kind of box that this machine allows; BOX_OPEN if none. Exits
-   with status 2 when the compiler cannot be started in it. */
+/* Returns the best kind of box that this machine allows, BOX_OPEN if none.
+   Exits with status 2 when the compiler cannot be started in it. */
 enum box_kind box_probe(const char *compiler);
 
 /* Returns the number of a user who is nobody's, for the judge of this

@@ -24,8 +24,8 @@ void wire_lost(void)
     _exit(EXIT_FAILURE);
 }
 
-/* With the answer the box says whether a place was left. To forge that
-   gains nothing: it hides an overrun which one need not have written. */
+/* Says before the answer whether a guard was changed. Forging that gains
+   nothing: it hides an overrun which one need not have written. */
 void border_reply(void)
 {
     struct check_overrun overrun;
@@ -42,8 +42,9 @@ void border_ask(int which)
     border_ints(&which, 1);
 }
 
-/* A suite whose function has been called too often ends the call with a
-   longjmp, and then the next word is no answer; the test's process ends. */
+/* Waits for the answer of a call back. A suite whose function has been
+   called too often ends the student's call with a longjmp; then the next
+   word is no answer, and this process ends. */
 void border_hear(void)
 {
     orbit_leave();
@@ -69,9 +70,10 @@ int __sanitizer_install_malloc_and_free_hooks(
 
 static unsigned long blocks;
 
-/* Looking for lost memory goes through all memory and takes longer than
-   most tests. Where no block was taken but for the arguments nothing is
-   lost, and nobody looks. */
+/* Counts the blocks that are allocated. A search for lost memory goes
+   through all memory and takes longer than most tests; where no block was
+   allocated but for the arguments nothing is lost, and there is no
+   search. */
 static void count_taken(const volatile void *block, size_t bytes)
 {
     (void)block, (void)bytes;
@@ -112,9 +114,8 @@ static double children_seconds(void)
            1e-6 * (double)(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
 }
 
-/* A process that was killed may have used up its time or the machine's
-   memory; the kernel sends the same signal for both. One whose time was up
-   is given the name of SIGXCPU. */
+/* Returns SIGXCPU for a process that was killed when its time was up, else
+   its status: the kernel sends SIGKILL as well when memory runs out. */
 static int name_clock(int status, double seconds)
 {
     struct rlimit limit;
@@ -151,9 +152,9 @@ static void run_test(void)
         exit(EXIT_FAILURE);
 }
 
-/* With sanitizers a program has terabytes mapped before its main and cannot
-   be started under a limit. Here one is set half a gibibyte above what is
-   mapped. */
+/* Sets a limit on addresses, half a gibibyte above what is mapped. With
+   sanitizers a program has terabytes mapped before its main and cannot be
+   started under a limit. */
 static void limit_addresses(void)
 {
     struct rlimit limit;
@@ -170,11 +171,11 @@ static void limit_addresses(void)
         fclose(map);
 }
 
-/* Reads and writes single messages without stdio, which would read ahead
-   what is meant for a child. A word that is not for it is repeated, so that
-   the sender learns that nobody else was there to hear it. Children of its
-   own user could write into its memory by way of /proc, so it is made not
-   dumpable. */
+/* Waits for tests and runs each in a child. It reads without stdio, which
+   would read ahead what is meant for the child. A word that is not for it
+   is sent back, so that the judge learns that no child was there to hear
+   it. Children of its own user could write into its memory by way of /proc,
+   so it is made not dumpable. */
 int main(void)
 {
     char word = WIRE_READY;

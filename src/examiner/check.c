@@ -284,7 +284,7 @@ static void seed_inputs(uint64_t seed, int number)
     random_seed(&inputs, seed + (uint64_t)number * 0x9e3779b97f4a7c15u);
 }
 
-/* From the nonce of this run's report, which is drawn for each. */
+/* Draws from the report's nonce, which is another one in each run. */
 void check_shuffle(int order[], int count)
 {
     struct random drawn;

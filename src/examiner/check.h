@@ -1,4 +1,4 @@
-/* What a suite says: checks, tests, known mistakes, drawn inputs. */
+/* The interface of a suite: checks, tests, known mistakes, drawn inputs. */
 #ifndef CHECK_H
 #define CHECK_H
 
@@ -15,9 +15,8 @@ struct check_mistake {
     const char *hint; /* what to tell them; no full solution */
 };
 
-/* What a place reads as into which nothing was put. Arithmetic makes this
-   NaN of no numbers, and hands it on: so an answer that has it was left
-   empty. */
+/* Fills an output before the call. Arithmetic never makes this NaN of
+   numbers, but hands it on: an answer that has it was left empty. */
 #define CHECK_EMPTY __builtin_nan("0xe3b7")
 
 /* The value of a mistake that makes the answer no number. A value that only
@@ -77,7 +76,7 @@ extern const struct check_suite check_suite;
    the last one has no name. Where nobody defines them there are none. They
    earn only beside a test of the suite that is not idle. */
 extern const struct check_test check_hidden[];
-/* What was written outside of a place for an answer. */
+/* Describes a write outside of an output. */
 struct check_overrun {
     char place[32]; /* the name of the argument */
     int before;     /* 1: before its start; 0: behind its end */
@@ -111,16 +110,17 @@ double check_draw(double low, double high);
 /* Draws a whole number from low to high, both included. */
 int check_draw_whole(int low, int high);
 
-/* Draws in which order count things are to be done: order[0] comes first.
-   The seed has no part in it, so that nobody knows it beforehand, and no
-   verdict on right work may depend on it. */
+/* Draws an order for count things: order[0] comes first. It does not depend
+   on the seed, so that a student cannot know it beforehand, and no verdict
+   on right work may depend on it. */
 void check_shuffle(int order[], int count);
 
 /* Ends the test, as failed, when the student's function has asked for more
    than so many of something: what they are, "samples". */
 void check_demand(const char *what, double asked, double most);
 
-/* Tells CUnit, and the student, that a place was left. */
+/* Fails the test because the function wrote outside of an output, and says
+   so. */
 void check_overrun(const struct check_overrun *overrun);
 
 /* Tells the student something more, under a label of at most 12 letters,

@@ -1,4 +1,4 @@
-/* Finds suites, stubs, files and solutions by their names. */
+/* Finds the exercises of a course and their files. */
 #include "examiner/course.h"
 #include "examiner/sum.h"
 #include "examiner/text.h"

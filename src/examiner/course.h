@@ -10,7 +10,7 @@
 
 enum { COURSE_PATH = 1024 };
 
-/* An exercise, and how it stands. */
+/* An exercise and its state. */
 struct exercise {
     char name[4];      /* "01a" */
     const char *usual; /* "01a-collide.c", what its file is called */

@@ -1,4 +1,4 @@
-/* An exercise graded: a student's file, the judge's tests, the marks. */
+/* Grades one exercise of one student. */
 #ifndef GRADING_H
 #define GRADING_H
 
@@ -14,7 +14,7 @@ struct kit_test {
     int number; /* the judge's */
     int points;
     bool hidden; /* run with the seed of the grading */
-    bool idle;   /* earns only beside a test that is not */
+    bool idle; /* passes without work: earns only if another test passes */
 };
 
 /* An exercise of the kit. */

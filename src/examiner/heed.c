@@ -1,4 +1,4 @@
-/* The border of an exercise that hands no function over. */
+/* Refuses calls back, for exercises that hand over no function. */
 #include "examiner/border.h"
 #include "examiner/wire.h"
 

@@ -1,4 +1,4 @@
-/* The border at home: both sides in one process. */
+/* Calls the student's function within one process, at home. */
 #include "examiner/border.h"
 #include "examiner/check.h"
 #include "examiner/place.h"

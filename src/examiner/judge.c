@@ -1,4 +1,4 @@
-/* The judge's half of the border: questions go out, answers come in. */
+/* The judge's side of remote calls: sends arguments, receives answers. */
 #include "examiner/border.h"
 #include "examiner/check.h"
 #include "examiner/exercise.h"

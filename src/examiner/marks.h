@@ -1,4 +1,4 @@
-/* Points, states and stories of one student's exercise. */
+/* The marks of one exercise of one student. */
 #ifndef MARKS_H
 #define MARKS_H
 

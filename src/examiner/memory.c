@@ -1,4 +1,4 @@
-/* A verdict under the checksum of all that it rests on. */
+/* Keeps verdicts, each with a checksum of all that it depends on. */
 #include "examiner/memory.h"
 #include "examiner/sum.h"
 #include "examiner/text.h"

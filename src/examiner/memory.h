@@ -1,4 +1,4 @@
-/* Verdicts that are remembered until something changes. */
+/* Keeps verdicts until something that they depend on changes. */
 #ifndef MEMORY_H
 #define MEMORY_H
 
@@ -6,15 +6,15 @@
 
 #include <stdint.h>
 
-/* The key of a verdict on the student's file as it is now, or 0 when no
-   key can vouch for it, since the file includes others of his. */
+/* Returns a checksum of all that a verdict on the student's file depends
+   on, or 0 if the file includes others of his, which are not followed. */
 uint64_t memory_key(const struct exercise *e, bool strict, int seconds);
 
-/* Takes how the exercise stands from the remembered verdict; returns
-   false, with nothing changed, when there is none of this key. */
+/* Fills in the state of an exercise from the kept verdict; returns false,
+   with nothing changed, when there is none with this key. */
 bool memory_recall(struct exercise *e, uint64_t key);
 
-/* Remembers how the exercise stands. A failure to do so is no matter. */
+/* Keeps the state of an exercise. Nothing depends on whether that works. */
 void memory_keep(const struct exercise *e, uint64_t key);
 
 #endif

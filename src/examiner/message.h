@@ -1,14 +1,14 @@
-/* What a compiler's message means, in plain words. */
+/* Explains messages of compilers in plain words. */
 #ifndef MESSAGE_H
 #define MESSAGE_H
 
 #include <stdbool.h>
 #include <stdio.h>
 
-/* Whether we know what this line of a compiler's messages means. */
+/* Returns whether this line of a compiler's messages can be explained. */
 bool message_known(const char *line);
 
-/* Writes what it means in a plain sentence, if we know. */
+/* Writes the explanation of a line, if there is one. */
 void message_explain(FILE *story, const char *line);
 
 #endif

@@ -1,4 +1,4 @@
-/* The states that a program has been in, one number for each. */
+/* Hashes memory and registers at each tick of a timer. */
 #define _XOPEN_SOURCE 700 /* setitimer, SA_ONSTACK */
 #include "examiner/orbit.h"
 #include "examiner/report.h"

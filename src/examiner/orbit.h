@@ -1,4 +1,4 @@
-/* Notices that a program is again where it was, and goes round for ever. */
+/* Detects an endless loop by a state that comes back. */
 #ifndef ORBIT_H
 #define ORBIT_H
 
@@ -17,7 +17,8 @@
    answers have ended before the first look. */
 void orbit_watch(void);
 
-/* It has learnt something from outside: nothing of before will return. */
+/* Notes that the process has got new input, after which no earlier state
+   counts. */
 void orbit_leave(void);
 
 #endif

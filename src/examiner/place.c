@@ -1,4 +1,4 @@
-/* Memory with known bytes before and behind it. */
+/* Allocates outputs with known bytes before and behind each. */
 #include "examiner/place.h"
 #include "examiner/border.h"
 #include "examiner/wire.h"

@@ -1,4 +1,4 @@
-/* Guards around what a student's function may write to. */
+/* Guards around the outputs of a student's function. */
 #ifndef PLACE_H
 #define PLACE_H
 
@@ -6,11 +6,11 @@
 
 #include <stdbool.h>
 
-/* Looks at the guards of all places of this call. Returns whether somebody
-   has written to one, and tells of the first. */
+/* Returns whether a guard of this call's outputs has changed, and describes
+   the first that has. */
 bool place_look(struct check_overrun *overrun);
 
-/* Frees the places of the last call. */
+/* Frees the outputs of the last call. */
 void place_clear(void);
 
 #endif

@@ -1,4 +1,4 @@
-/* Starts a program, watches its time, and ends all that it began. */
+/* Starts programs, watches their time, and kills what they started. */
 #include "examiner/process.h"
 
 #include <errno.h>

@@ -1,4 +1,4 @@
-/* A program on a lead: limits, open files, and how it ended. */
+/* Runs a program under limits on time, memory and files. */
 #ifndef PROCESS_H
 #define PROCESS_H
 
@@ -7,10 +7,10 @@
 #include <sys/resource.h>
 #include <sys/types.h>
 
-/* What a program may use up; RLIM_INFINITY means no limit. A loop without
-   end is stopped by the processor's clock, which is fair on a busy machine
-   but stands still while a program sleeps or waits; so the clock on the
-   wall runs as well, to twice as much. */
+/* The limits of a program; RLIM_INFINITY means none. A loop without end is
+   stopped by the processor's clock, which is fair on a busy machine but
+   stands still while a program sleeps or waits; so the clock on the wall
+   runs as well, to twice as much. */
 struct process_limits {
     int seconds;         /* of processor time; twice that on the wall */
     rlim_t memory_bytes; /* of address space */
@@ -49,11 +49,11 @@ bool process_start(char *const command[], const char *folder,
                    const struct process_files *files,
                    const struct process_limits *limits);
 
-/* Tells what process_start has started, through orders, a socket, what
-   it is to do in a copy of itself. The copy is our child, and in a group of
-   its own: we wait for it as process_run does, for twice so many seconds,
-   and kill it, too, when it uses more than memory_bytes at once. Returns
-   false when none was made. */
+/* Tells the process that process_start has started, through the socket
+   orders, to copy itself and what the copy is to do. The copy is our child,
+   in a group of its own: this waits for it as process_run does, for twice
+   so many seconds, and kills it, too, when it uses more than memory_bytes.
+   Returns false when there was no copy. */
 bool process_copy(int orders, const void *order, size_t length, int seconds,
                   rlim_t memory_bytes, struct process_end *end);
 
@@ -61,17 +61,17 @@ bool process_copy(int orders, const void *order, size_t length, int seconds,
    how it ended; nothing happens when there is none. */
 struct process_end process_stop(void);
 
-/* A descriptor that wakes a poll when the child has ended, or -1. */
+/* Returns a descriptor that wakes poll when the child has ended, or -1. */
 int process_watch(pid_t pid);
 
-/* Seconds on a clock that only goes forward. */
+/* Returns seconds of the monotonic clock. */
 double process_clock(void);
 
 /* Makes SIGINT, SIGTERM and SIGHUP stop the running program instead of
    us. */
 void process_catch_signals(void);
 
-/* The signal that was caught, or 0. */
+/* Returns the signal that was caught, or 0. */
 int process_signal(void);
 
 #endif

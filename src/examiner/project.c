@@ -1,4 +1,4 @@
-/* The form of tables, refusals and remarks, for the suites of projects. */
+/* Checks tables, refusals and remarks, for the suites of projects. */
 #include "examiner/project.h"
 
 #include <math.h>

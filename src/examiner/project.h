@@ -1,34 +1,34 @@
-/* What the suites of whole programs have in common. */
+/* Helps the suites of projects: inputs, tables, exact paths. */
 #ifndef PROJECT_H
 #define PROJECT_H
 
 #include "examiner/check.h"
 #include "examiner/run.h"
 
-/* check_draw, to four digits, moved on with the year of a course: so its
-   numbers are those of the year, and the grader's are drawn with his seed
-   as well. */
+/* Draws as check_draw does, but differently for each year of a course, and
+   with the grader's seed when marks are made. */
 double project_draw(int year, double low, double high);
 
-/* Whether the program has ended well, with so many rows and so many numbers
-   in each; what a row is made of is asked of who has other ones. */
+/* Checks that the program has ended with status 0 and printed so many rows
+   of so many numbers. Asks the question where a row has another length. */
 bool project_form(const struct run *run, const char *input, size_t rows,
                   size_t columns, const char *question);
 
-/* Whether it refuses this input with status 2 and a line of complaint. */
+/* Checks that the program refuses this input with status 2 and a line on
+   standard error. */
 bool project_refuses(const struct run_order *order, const char *what);
 
-/* The number behind the words, NAN if there is none; then the question of
-   the check is another. */
+/* Returns the number behind these words in the remarks. If there is none it
+   is NAN, and *question is replaced by one about that. */
 double project_remark(const struct run *run, const char *words,
                       const char **question);
 
-/* What is left of x when it is printed so. */
+/* Returns x as it is read again after printing it in this format. */
 double project_cut(const char *format, double x);
 
-/* Where a path of x'' = a(x) with n places x and n velocities v is after
-   the time t, but for rounding, if each of so many parts of it bends
-   little. */
+/* Solves x'' = a(x) for n coordinates x with velocities v over the time t
+   to rounding. It is cut into so many parts, in each of which the path must
+   bend little. */
 typedef void project_pull(const void *of, const long double x[],
                           long double a[]);
 enum { PROJECT_PLACES = 16 };

@@ -1,4 +1,4 @@
-/* The marks of a course, for people and platforms. */
+/* Writes the marks of a course as reports for people and platforms. */
 #ifndef PUBLISH_H
 #define PUBLISH_H
 

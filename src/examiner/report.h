@@ -1,4 +1,4 @@
-/* The form of the report that a runner writes of its test. */
+/* Defines the report in which a runner says how its test went. */
 #ifndef REPORT_H
 #define REPORT_H
 
@@ -20,9 +20,9 @@
    would have to read while the test runs. */
 enum { REPORT_FILE = 3, REPORT_NONCE = 32, REPORT_RECORD = 1024 };
 
-/* What a runner is told that was started with - for a number: which test,
-   from which seed, and whether to look for lost memory. It answers with its
-   copy's pid. */
+/* An order to a runner that waits: which test, with which seed, and whether
+   to look for lost memory. It answers with the process number of its
+   copy. */
 enum { REPORT_ORDERS = 4 };
 struct report_order {
     uint64_t seed;
@@ -33,8 +33,8 @@ struct report_order {
 #define REPORT_UNDONE "undone"   /* TEXT: FILE:LINE of a NOT_DONE_YET */
 #define REPORT_VERDICT "verdict" /* TEXT: passed or failed; comes last */
 
-/* The signal that ends a program in the grader's box, and its judge, when
-   it is seen to go round for ever. */
+/* Ends a program in the grader's box, and its judge, that was found to loop
+   for ever. */
 #define REPORT_ENDLESS SIGVTALRM
 
 #endif

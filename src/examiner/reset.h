@@ -1,4 +1,4 @@
-/* An exercise begun afresh, with nothing lost. */
+/* Puts the stub in the place of a student's file, which is kept. */
 #ifndef RESET_H
 #define RESET_H
 

@@ -1,4 +1,4 @@
-/* What the student sees of a round, and the bars of progress. */
+/* Prints lines, stories, the next step and bars of progress. */
 #include "examiner/round.h"
 #include "examiner/build.h"
 #include "examiner/process.h"

@@ -1,4 +1,4 @@
-/* A student's whole program run with arguments and files; its table. */
+/* Runs a project, a student's program, and reads its table. */
 #ifndef RUN_H
 #define RUN_H
 
@@ -12,10 +12,10 @@ enum {
     RUN_COMPLAINT = 1 << 14 /* bytes kept of what it complains */
 };
 
-/* How the calls of a function of our own are counted. */
+/* How the calls of the function that a project is given are counted. */
 enum run_count {
     RUN_UNCOUNTED,
-    RUN_INSIDE, /* by itself, in memory of the program's */
+    RUN_INSIDE, /* by the function, in the program's memory */
     RUN_OUTSIDE /* in another process, which alone knows the law's constant:
                    the program can neither change the count nor do without
                  */
@@ -33,16 +33,16 @@ struct run_order {
     struct run_file {
         const char *name, *text;
     } files[RUN_FILES]; /* unused ones have no name */
-    int given;          /* which of the functions of our own it is given */
+    int given;          /* the number of the function that it is given */
     enum run_count count;
     double constant;  /* of the law, where it is asked for outside */
     double most;      /* calls that are answered there */
-    const char *late; /* the question for who has not ended in time */
+    const char *late; /* asked if the program does not end in time */
 };
 
-/* What it printed, and how it ended. What cannot be read as rows of equally
-   many numbers, then lines that begin with #, is no table from there on;
-   the suite shows that line. */
+/* The table that a program printed, and how it ended. What cannot be read
+   as rows of equally many numbers, then lines that begin with #, is no
+   table from there on; the suite shows that line. */
 struct run {
     int status;           /* with which it exited */
     bool flooded;         /* it printed more than it may */
@@ -51,7 +51,7 @@ struct run {
     const char *broken;   /* a line that is neither row nor remark, or "" */
     char *remarks;        /* the lines that begin with a # */
     char *complaint;      /* what it wrote to standard error */
-    double calls;         /* of a function of our own that counts, or -1 */
+    double calls;         /* of the function that it was given, or -1 */
 };
 
 /* Runs the program. What is returned is valid until the next call. A
@@ -71,7 +71,7 @@ int run_remark(const struct run *run, const char *words, double x[],
 void run_law(int which, double constant, int n, const double m[],
              const double x[], double f[]);
 
-/* The half of the box: takes an order, runs it, gives back what came. */
+/* The box's side: receives an order, runs it, and sends back the result. */
 void border_answer(void);
 
 #endif

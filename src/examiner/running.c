@@ -222,7 +222,8 @@ static void run(int given, struct stream s[2], int how[3], int counter)
             close(s[i].file);
 }
 
-/* What the program counts in, or asks. */
+/* The memory in which the program counts its calls, or the process that it
+   asks. */
 struct counter {
     int program, ours; /* the ends of a socket, or twice the same file */
     int told;          /* where the process that counts says so, or -1 */
@@ -290,7 +291,8 @@ static bool count_outside(const struct order *order, struct counter *c)
 }
 #endif
 
-/* The file has no name when the program is started. */
+/* Makes the shared memory in which the calls are counted: a file that has
+   lost its name before the program starts. */
 static void count_inside(struct counter *c)
 {
     char path[] = "count.XXXXXX";

@@ -1,4 +1,4 @@
-/* The worked solution, for those who have one of their own. */
+/* Shows a worked solution to a student whose own passes. */
 #ifndef SOLUTION_H
 #define SOLUTION_H
 

@@ -1,4 +1,4 @@
-/* What students have handed in, and which file answers what. */
+/* Finds what students have handed in, and for which exercise. */
 #ifndef SUBMISSIONS_H
 #define SUBMISSIONS_H
 
@@ -17,7 +17,8 @@ struct answer {
 
 /* What one student has handed in. */
 struct submission {
-    char *entry; /* of no other student; "." for the folder itself */
+    char *entry; /* what is the student's at the top; "." if the folder
+                    itself */
     char *name;  /* the student's, as text (see marks_text) */
     char *notes; /* what was not graded, and why: text, a line each */
     size_t noted, count, others; /* notes, answers, other files */

@@ -1,4 +1,4 @@
-/* A sum that mixes eight bytes at a time. */
+/* Computes a checksum, eight bytes at a time. */
 #include "examiner/sum.h"
 #include "examiner/text.h"
 

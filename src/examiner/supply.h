@@ -1,4 +1,4 @@
-/* For a border: the suite's uniform(), in blocks, on both sides. */
+/* Gives the student's function the suite's random numbers, in blocks. */
 #ifndef SUPPLY_H
 #define SUPPLY_H
 

@@ -1,4 +1,4 @@
-/* Files as strings, lines cut off, labels and texts in columns. */
+/* Reads files as text, and writes labels and texts in columns. */
 #include "examiner/text.h"
 
 #include <stdarg.h>
@@ -49,10 +49,10 @@ static size_t character(const unsigned char *s, size_t left,
     return valid ? length : 0;
 }
 
-/* Whether a character is seen where it stands and as what it is. Not: the
-   controls, below 32 and from 127 to 159; what turns the direction, by
-   which a line of code can be shown as another one; the line ends of
-   Unicode; two characters without a width; and two that XML forbids. */
+/* Returns whether a character is safe to show. Not the controls, below 32
+   and from 127 to 159; those that turn the direction of writing, by which a
+   line of code can be shown as another one; the line ends of Unicode; two
+   characters without a width; and two that XML forbids. */
 static bool is_seen(unsigned long code)
 {
     static const unsigned long unseen[][2] = {

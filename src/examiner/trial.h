@@ -1,4 +1,4 @@
-/* One test of an exercise run and judged: six states. */
+/* Runs one test of an exercise and judges it: six states. */
 #ifndef TRIAL_H
 #define TRIAL_H
 
@@ -26,14 +26,14 @@ struct trial {
     const char *seed;   /* of the inputs, in digits; NULL: the students' */
     long user;          /* which a judge that root starts becomes, or 0 */
     int border[2];      /* the way to a program in a box, or zeros */
-    int later;          /* seconds, of what was late once; or 0 */
+    int later;          /* seconds for a test after one was late, or 0 */
     const char *prints; /* what such a program prints to, or NULL */
 };
 
-/* "not begun", "does not build", ... */
+/* Returns the name of a state: "not begun", "does not build", ... */
 const char *state_name(enum state state);
 
-/* Whether it is begun and has not passed. */
+/* Returns whether an exercise is begun and has not passed. */
 bool state_wrong(enum state state);
 
 /* Runs test number (from 1) and returns PASSED, FAILED, CRASHED, TIMED_OUT

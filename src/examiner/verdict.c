@@ -1,4 +1,4 @@
-/* Compares with the stub, builds, tries each test, tells the story. */
+/* Compares with the stub, builds, runs each test, tells the story. */
 #include "examiner/verdict.h"
 #include "examiner/build.h"
 #include "examiner/memory.h"

@@ -1,4 +1,4 @@
-/* How an exercise stands, from all its tests. */
+/* Judges an exercise by all its tests. */
 #ifndef VERDICT_H
 #define VERDICT_H
 
@@ -11,10 +11,10 @@ struct verdict_rules {
     int seconds;   /* of processor time for a test */
 };
 
-/* Finds out how an exercise stands. */
+/* Judges an exercise: fills in its state, points and story. */
 void verdict_reach(struct exercise *e, const struct verdict_rules *rules);
 
-/* The same if it can be told without compiling; else judged is false. */
+/* The same if it needs no compiler; else judged stays false. */
 void verdict_recall(struct exercise *e, const struct verdict_rules *rules);
 
 #endif

@@ -1,4 +1,4 @@
-/* Checks whatever is saved, until asked to stop. */
+/* Checks each file that is saved, until asked to stop. */
 #ifndef WATCH_H
 #define WATCH_H
 

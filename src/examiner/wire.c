@@ -1,4 +1,4 @@
-/* Words and values through two pipes, each message whole. */
+/* Sends and receives messages through two pipes. */
 #include "examiner/wire.h"
 
 #include <stdio.h>

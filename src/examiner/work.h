@@ -1,11 +1,12 @@
-/* A folder of our own, and files written whole. */
+/* Makes a temporary folder, and writes files whole or not at all. */
 #ifndef WORK_H
 #define WORK_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-/* A folder of our own, made at the first call and removed at the end. */
+/* Returns the path of a temporary folder, made at the first call and
+   removed at the end. */
 const char *work_folder(void);
 
 /* Writes a file so that it is there whole, or as it was before. Returns

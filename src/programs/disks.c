@@ -169,6 +169,7 @@ static double choose_radius(const struct settings *s)
     return side_of(room / unit / (double)s->disks, s->dimensions);
 }
 
+/* Creates the disks, with masses and radii by kind, and sets the box. */
 static void fill_box(struct disks *d, const struct settings *s)
 {
     struct mixture m = {0};
@@ -272,7 +273,7 @@ static void read_start(struct disks *d, const struct settings *s)
 }
 
 /* The disks, the engine that moves them, the sums of the pressure, and the
-   clock times that have passed. */
+   sampling times that have passed. */
 struct run {
     const struct settings *s;
     struct disks d;
@@ -284,7 +285,7 @@ struct run {
     double begin, piece, until; /* s; piece: of time, for the pressure */
     struct blocks pressure;
     double impulse[DISKS_AXES], virial; /* sums before the present piece */
-    uint64_t row, rows; /* number of the last clock time; samples taken */
+    uint64_t row, rows; /* the last sampling time's number; samples taken */
     double seconds;
     enum disks_stop stop;
     struct progress progress;
@@ -486,7 +487,7 @@ static double Z_virial(const struct run *r, double virial, double time)
 }
 
 /* Of each measurement there are three functions: one before the run
-   (begin_), one at each clock time (sample_), one at the end (end_). */
+   (begin_), one at each sampling time (sample_), one at the end (end_). */
 static void begin_states(struct run *r)
 {
     states_begin(r->out, &r->d);
@@ -759,7 +760,7 @@ static void begin_pressure(struct run *r)
                        : "P V/(N kT) from collisions");
 }
 
-/* Writes a row; at the first clock time nothing has been gained yet. */
+/* Writes a row; at the first sampling time nothing has been gained yet. */
 static void sample_pressure(struct run *r)
 {
     const struct disks *d = &r->d;
@@ -785,7 +786,7 @@ static struct {
 } path;
 
 /* Disk 1 is the heavy one: its position, not folded into the box, and its
-   velocity are kept at each clock time. */
+   velocity are kept at each sampling time. */
 static void begin_brownian(struct run *r)
 {
     table_column(r->out, "lag", "s", "a time");
@@ -1178,12 +1179,12 @@ static void report_drift(const struct run *r)
                 fabs(r->drift));
 }
 
-/* Runs from clock time to clock time and takes a sample at each. Clock
-   times are multiples of --every counted from 0, not from the start, so
-   that a run that is continued has those of the run that it continues. A
-   histogram must not contain the moment of the last collision, at which two
-   disks touch; a list of states ends with it, and a pressure without
-   --every is that of the whole run. */
+/* Runs from one sampling time to the next and takes a sample at each.
+   Sampling times are multiples of --every counted from 0, not from the
+   start, so that a run that is continued has those of the run that it
+   continues. A histogram must not contain the moment of the last collision,
+   at which two disks touch; a list of states ends with it, and a pressure
+   without --every is that of the whole run. */
 static void run_and_sample(struct run *r)
 {
     const double every = r->s->every;
@@ -1207,8 +1208,8 @@ static void run_and_sample(struct run *r)
     }
 }
 
-/* Sets the end of the run, and the clock time from which it starts; a time
-   just below a multiple of --every, by rounding, is that multiple. */
+/* Sets the end of the run, and the sampling time from which it starts; a
+   time just below a multiple of --every, by rounding, is that multiple. */
 static void choose_end(struct run *r, struct settings *s)
 {
     const double per_clock = r->d.now / s->every;

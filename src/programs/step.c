@@ -532,6 +532,7 @@ static enum complaint find_complaint(const struct run *r)
     return keeps && r->watch.worst > 0.1 * scale ? NOTE_ENERGY : NO_NOTE;
 }
 
+/* Notes that bodies passed through each other within a step. */
 static void print_passed(const struct run *r)
 {
     const struct spheres *p = motion_contacts(&r->motion);
@@ -549,6 +550,7 @@ static void print_passed(const struct run *r)
             r->motion.collides ? ", or --contact located" : "");
 }
 
+/* Notes what was wrong with a run that ended whole. */
 static void print_note(const struct run *r)
 {
     const enum complaint c = find_complaint(r);

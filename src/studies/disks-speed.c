@@ -191,6 +191,8 @@ static void write_head(struct table *t, const struct settings *s)
     table_column(t, "renewed", "", "ends of a leash for a collision");
 }
 
+/* Writes a row for a number of disks, and its three lines of the
+   summary. */
 static void write_row(struct table *t, struct table *summary,
                       const struct engines *e, double pairs, double cells)
 {

@@ -1151,6 +1151,7 @@ static double moment_order(int way, const double exact[9])
     return log2(coarse / fine) / log2(times);
 }
 
+/* Writes the orders of all ways, and the errors of three balls and one. */
 static void summarise_moments(struct study *s, const double exact[9])
 {
     double x[9], y[9], fine[9];
@@ -1179,6 +1180,8 @@ static const struct table_key moment_keys[] = {
     {"bounces", "1", "until one rests"},
     {0}};
 
+/* Writes the errors of three balls after 1 s against the step, for each
+   way. */
 static void study_moment(struct study *s)
 {
     double exact[9], row[1 + MOMENTS];
@@ -1343,6 +1346,8 @@ static const struct table_key touch_keys[] = {
     {"<way>_in_<n>", "m/s", "worst error of a blow in n steps"},
     {0}};
 
+/* Writes the velocities of rows whose contacts are stiff springs, and the
+   errors of such contacts against the steps that they take. */
 static void study_touch(struct study *s)
 {
     const double pi = 3.141592653589793, zeta = 0.2;
@@ -1499,6 +1504,7 @@ static void compare_step(struct study *s, double dt, bool all,
     table_print(s->out, "\n");
 }
 
+/* Writes error against processor time, at four packings and seven steps. */
 static void study_cost(struct study *s)
 {
     static const double packings[] = {0.1, 0.3, 0.5, 0.7};

@@ -216,6 +216,8 @@ static void study_methods(struct study *s)
     }
 }
 
+/* Writes paths of the pendulum in the phase plane, by four methods from
+   four amplitudes each. */
 static void study_portrait(struct study *s)
 {
     static const char *const names[] = {"euler", "symplectic-euler",
@@ -240,6 +242,7 @@ static void study_portrait(struct study *s)
 static const struct table_key laws_keys[] = {
     {"<method>", "1", "energy after 60 steps / at the start"}, {0}};
 
+/* Writes the energies of four oscillators, one for each method. */
 static void study_laws(struct study *s)
 {
     static const char *const names[] = {"euler", "symplectic-euler",
@@ -298,6 +301,8 @@ static void step_rim(double p[RIM][2], const char *method, uint64_t steps)
 static const struct table_key area_keys[] = {
     {"<method>", "1", "area after 9 steps / at the start"}, {0}};
 
+/* Writes a disk of states at the start and after three, six and nine
+   steps. */
 static void study_area(struct study *s)
 {
     static const char *const names[] = {"euler", "leapfrog", "rk4"};
@@ -548,6 +553,8 @@ static void reference(double friction, double *x, double *v)
 static const struct table_key order_keys[] = {
     {"<method>", "1", "error after 3 s in 50 steps"}, {0}};
 
+/* Writes each method's order without and with friction, and its error with
+   50 steps. */
 static void study_order(struct study *s)
 {
     double x, v, xc, vc;
@@ -646,6 +653,7 @@ static void record_size(const char *method, double w, double c,
     stepping_free(&s);
 }
 
+/* Writes the sizes of oscillators beyond the limits of their methods. */
 static void study_fails(struct study *s)
 {
     static const struct {

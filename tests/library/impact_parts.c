@@ -5,6 +5,8 @@
 
 #include <forces/impact.c> /* of src: the parts */
 
+#include "forces/motion.h"
+
 #include <stdlib.h>
 
 static struct scene scene;
@@ -226,6 +228,46 @@ static void test_rounding(void)
     scene_free(&scene);
 }
 
+/* What counts as nothing in a gap: 2^-50 of the largest coordinate on the
+   paths of both, and of the radii, whichever axis it lies on. */
+static void test_slack(void)
+{
+    for (int far = 0; far < 6; ++far) {
+        struct scene s;
+        struct motion m;
+        if (!scene_create(&s, 2))
+            exit(1);
+        s.contact = true;
+        s.dt = 1;
+        s.radius[0] = 0.5;
+        s.radius[1] = 0.25;
+        s.position[1] = 1;
+        s.velocity[0] = 1;
+        const size_t k = (size_t)far / 2;
+        const double by = far % 2 ? 100 : -100;
+        s.position[2 * k] += by;
+        s.position[2 * k + 1] += by;
+        s.velocity[2 * k] += 3;
+        s.velocity[2 * k + 1] += 3;
+        if (!motion_begin(&m, "impact", &s, "leapfrog", 0) ||
+            !motion_locate(&m))
+            exit(1);
+        motion_run(&m, 1);
+        double most = 0; /* the paths' ends, and what surrounds them */
+        for (size_t c = 0; c < 6; ++c)
+            most = fmax(
+                most, fmax(fabs(m.impact.low[c]), fabs(m.impact.high[c])));
+        UNIT_TRUE(m.impact.gaps > 0);
+        for (size_t i = 0; i < m.impact.gaps; ++i) {
+            const struct impact_gap *g = &m.impact.gap[i];
+            if (!is_wall(g))
+                UNIT_EQUAL(g->rounding, 0x1p-50 * (most + 0.75));
+        }
+        motion_end(&m);
+        scene_free(&s);
+    }
+}
+
 int main(void)
 {
     return unit_run("impact_parts",
@@ -237,5 +279,6 @@ int main(void)
                         {"control points of gaps", test_points},
                         {"what nearly closes is noticed", test_notice},
                         {"what of a rate is rounding", test_rounding},
+                        {"what of a gap is", test_slack},
                         {0}});
 }

@@ -273,12 +273,58 @@ static void test_small(void)
     gravity_free(&g);
 }
 
+/* How many cells the tree of n bodies has. */
+static size_t count_cells(size_t n)
+{
+    struct gravity g;
+    UNIT_TRUE(gravity_create(&g, n, mass, 1, 0) && gravity_plant(&g, 0.5));
+    plant(g.tree, place);
+    const size_t cells = g.tree->cells;
+    for (size_t i = 0; i < cells; ++i)
+        UNIT_TRUE(g.tree->cell[i].next > i &&
+                  g.tree->cell[i].next <= cells);
+    UNIT_EQUAL((double)g.tree->cell[0].next, (double)cells);
+    gravity_free(&g);
+    return cells;
+}
+
+/* Sixteen bodies are a leaf, one more and their cube is divided; cells are
+   not smaller than 2^-30 of the largest coordinate, 1 m here: 10 bodies and
+   10 others are parted where the middle of a cube of 2^-29 m lies between
+   them, and stay together where only that of a smaller one does. */
+static void test_cells(void)
+{
+    for (size_t i = 0; i < MOST; ++i)
+        mass[i] = 1;
+    for (size_t k = 0; k < 3; ++k) {
+        memset(place, 0, sizeof place);
+        for (size_t i = 8; i < 16; ++i)
+            place[16 * k + i] = 1;
+        UNIT_EQUAL((double)count_cells(16), 1);
+        memset(place, 0, sizeof place);
+        for (size_t i = 8; i < 17; ++i)
+            place[17 * k + i] = 1;
+        UNIT_EQUAL((double)count_cells(17), 3);
+        for (int near = 30; near < 32; ++near) {
+            memset(place, 0, sizeof place);
+            for (size_t i = 10; i < 20; ++i)
+                place[21 * k + i] = ldexp(1, -near);
+            place[21 * k + 20] = 1;
+            UNIT_EQUAL((double)count_cells(21), near == 30 ? 5 : 3);
+            for (size_t i = 0; i < 21; ++i) /* below 0 as well */
+                place[21 * k + i] -= 1;
+            UNIT_EQUAL((double)count_cells(21), near == 30 ? 5 : 3);
+        }
+    }
+}
+
 int main(void)
 {
     return unit_run(
         "gravity_tree",
         (struct unit_test[]){
             {"no body's error is beyond its bound", test_bound},
+            {"when cubes are divided", test_cells},
             {"theta is how large a cell may look", test_small},
             {"half of theta, a quarter of the error", test_theta},
             {"what weighs nothing pulls nowhere", test_massless},

@@ -227,7 +227,15 @@ static void test_refusals(void)
     s.softening = 0;
     s.freedom[4] = 0;
     refuses(&s, "the scene has bodies that are held");
-    s.freedom[4] = 1;
+    for (size_t i = 0; i < 3; ++i)
+        s.position[3 + i] = 0; /* one is held in a plane */
+    refuses(&s, "the scene has bodies that are held");
+    s.freedom[3] = s.freedom[5] = 0; /* and all in it: they stay there */
+    UNIT_TRUE(jacobi_refuses(&s) == NULL);
+    s.position[5] = 0.1; /* or not in it */
+    refuses(&s, "the scene has bodies that are held");
+    scene_free(&s);
+    build(&s, 0.01, 0.1);
     s.mass[2] = 2;
     refuses(&s, "the first body of the scene is not the heaviest");
     s.mass[2] = 0.01;

@@ -11,10 +11,12 @@
 #include "box/states.h"
 #include "enough/averages.h"
 #include "enough/models.h"
+#include "forces/modes.h"
 #include "forces/motion.h"
 #include "line/bonkers.h"
 #include "line/laws.h"
 #include "line/statistics.h"
+#include "forces/rods.h"
 #include "scenes/gallery.h"
 
 #include <stdlib.h>
@@ -469,19 +471,70 @@ static void test_freed_twice(void)
     }
 }
 
+/* The same of what moves bodies. */
+static void test_forces_twice(void)
+{
+    struct motion m;
+    make("four-disks");
+    UNIT_TRUE(motion_begin(&m, "memory", &scene, "radau15", 0.01) &&
+              motion_locate(&m));
+    struct impact i = m.impact;
+    struct spheres p = m.spheres;
+    impact_free(&i);
+    impact_free(&i);
+    spheres_free(&p);
+    spheres_free(&p);
+    m.located = m.collides = false;
+    motion_end(&m);
+    motion_end(&m);
+    scene.touch = SCENE_LINEAR;
+    struct touch t;
+    UNIT_TRUE(touch_create(&t, &scene));
+    touch_free(&t);
+    touch_free(&t);
+    scene_free(&scene);
+    make("double-pendulum");
+    struct springs s;
+    struct modes n;
+    struct rods r;
+    UNIT_TRUE(springs_create(&s, &scene) &&
+              modes_find(&n, &s, scene.position));
+    modes_free(&n);
+    modes_free(&n);
+    springs_free(&s);
+    springs_free(&s);
+    UNIT_TRUE(rods_create(&r, &scene, scene.spring, scene.springs,
+                          (struct stepping_forces){0}));
+    rods_free(&r);
+    rods_free(&r);
+    scene_free(&scene);
+    scene_free(&scene);
+    const double mass[] = {2, 1, 1};
+    struct gravity g;
+    struct jacobi j;
+    UNIT_TRUE(gravity_create(&g, 3, mass, 1, 0) && gravity_plant(&g, 0.5) &&
+              jacobi_create(&j, 3, mass, 1));
+    gravity_free(&g);
+    gravity_free(&g);
+    jacobi_free(&j);
+    jacobi_free(&j);
+}
+
 int main(void)
 {
     if (!freopen("/dev/null", "w", stderr))
         return 1;
     fputs("its buffer, once for all\n", stderr);
-    return unit_run("memory", (struct unit_test[]){
-                                  {"scenes", test_scenes},
-                                  {"forces", test_forces},
-                                  {"motion, by each method", test_motion},
-                                  {"models", test_models},
-                                  {"averages", test_averages},
-                                  {"disks", test_disks},
-                                  {"bodies on a line", test_line},
-                                  {"freed twice", test_freed_twice},
-                                  {0}});
+    return unit_run(
+        "memory", (struct unit_test[]){
+                      {"scenes", test_scenes},
+                      {"forces", test_forces},
+                      {"motion, by each method", test_motion},
+                      {"models", test_models},
+                      {"averages", test_averages},
+                      {"disks", test_disks},
+                      {"bodies on a line", test_line},
+                      {"freed twice", test_freed_twice},
+                      {"freed twice, what moves bodies", test_forces_twice},
+                      {0}});
 }

@@ -142,6 +142,35 @@ static void test_pendulum(void)
     scene_free(&s);
 }
 
+/* Two bodies of 2 kg and 1 kg between walls on springs of 0.3 N/m: the
+   matrix is 0.3, -0.3/root 2, 0.6, its roots 0.45 +- root 0.0675. */
+static void test_by_hand(void)
+{
+    struct scene s;
+    struct modes m;
+    if (!scene_create(&s, 4) || !scene_add_kind(&s, 0.3, 0))
+        exit(1);
+    for (size_t i = 0; i < 4; ++i) {
+        s.position[i] = (double)i;
+        s.freedom[i] = i == 1 || i == 2;
+        s.freedom[4 + i] = s.freedom[8 + i] = 0;
+        if (i > 0 && !scene_add_spring(&s, i - 1, i, 0, 0.5))
+            exit(1);
+    }
+    s.mass[1] = 2;
+    find(&m, &s);
+    UNIT_EQUAL((double)m.size, 2);
+    for (int k = 0; k < 2; ++k) {
+        const double root = 0.45 + (k ? 1 : -1) * sqrt(0.0675);
+        const double off = -0.3 / sqrt(2);
+        UNIT_NEAR(m.square[k], root, 1e-15);
+        UNIT_NEAR(m.shape[2 * k] * (0.3 - root) + m.shape[2 * k + 1] * off,
+                  0, 1e-15);
+    }
+    modes_free(&m);
+    scene_free(&s);
+}
+
 int main(void)
 {
     return unit_run(
@@ -149,6 +178,7 @@ int main(void)
         (struct unit_test[]){
             {"all modes of a taut membrane are those of the formula",
              test_taut},
+            {"two bodies between walls, by hand", test_by_hand},
             {"a membrane at rest length has 36 loose modes",
              test_membranes},
             {"the cantilever's frequencies and deflection",

@@ -183,6 +183,90 @@ static void test_two(void)
     }
 }
 
+/* Has the motion of two bodies the shorter way, and not that of springs? */
+static bool is_short(struct scene *s, const char *method)
+{
+    struct motion m;
+    begin(&m, s, method);
+    const bool its_own =
+        m.stepping.sweep != NULL && m.stepping.sweep != springs_sweep;
+    motion_end(&m);
+    return its_own;
+}
+
+/* It is for two bodies that attract each other, and for nothing else. */
+static void test_not_two(void)
+{
+    for (int what = 0; what < 7; ++what) {
+        struct scene s;
+        if (what == 0) {
+            build(&s, false); /* three */
+            s.damping = s.kind[0].damping = 0;
+        } else {
+            build_two(&s, WEIGHED);
+            must(scene_add_kind(&s, 4, 0), "no memory");
+        }
+        if (what == 1)
+            s.k2 = 0;
+        if (what == 2)
+            s.damping = 0.1;
+        if (what == 3)
+            must(scene_add_spring(&s, 0, 1, 0, 1), "no memory");
+        if (what == 4) {
+            s.contact = true;
+            s.touch = SCENE_LINEAR;
+            s.stiffness = 1;
+            s.radius[0] = s.radius[1] = 0.1;
+        }
+        for (size_t c = 0; what == 5 && c < 6; ++c)
+            s.freedom[c] = 0;
+        UNIT_TRUE(is_short(&s, "leapfrog") == (what == 6));
+        scene_free(&s);
+    }
+}
+
+/* From order six on sums are compensated, where anything accelerates. */
+static void test_compensated(void)
+{
+    for (int what = 0; what < 8; ++what) {
+        struct scene s;
+        struct motion m;
+        must(scene_create(&s, 2), "no memory");
+        s.position[1] = 1;
+        s.velocity[0] = -1;
+        s.dt = 0.1;
+        if (what < 3)
+            s.gravity[what] = 1;
+        if (what == 3)
+            s.k2 = 1;
+        if (what == 4)
+            s.damping = 1;
+        if (what == 5) {
+            must(scene_add_kind(&s, 4, 0), "no memory");
+            must(scene_add_spring(&s, 0, 1, 0, 1), "no memory");
+        }
+        if (what == 6) {
+            s.contact = true;
+            s.touch = SCENE_LINEAR;
+            s.stiffness = 1;
+            s.radius[0] = s.radius[1] = 0.1;
+        }
+        begin(&m, &s, "kahan-li8");
+        UNIT_TRUE(m.stepping.compensated == (what < 7));
+        motion_end(&m);
+        begin(&m, &s, "pefrl");
+        UNIT_TRUE(!m.stepping.compensated);
+        motion_end(&m);
+        begin(&m, &s, "yoshida6");
+        UNIT_TRUE(m.stepping.compensated == (what < 7));
+        motion_end(&m);
+        begin(&m, &s, "radau15");
+        UNIT_TRUE(!m.stepping.compensated);
+        motion_end(&m);
+        scene_free(&s);
+    }
+}
+
 static void test_held(void)
 {
     struct scene s;
@@ -737,6 +821,8 @@ int main(void)
             {"springs alone move as they do with others",
              test_springs_alone},
             {"and two bodies alone, to the bit", test_two},
+            {"what is not two bodies alone", test_not_two},
+            {"which sums are compensated", test_compensated},
             {"what is held stays", test_held},
             {"a fall is exact", test_fall},
             {"an oscillator turns by leapfrog's angle", test_oscillator},

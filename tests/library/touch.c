@@ -225,11 +225,49 @@ static void test_stored(void)
     }
 }
 
+/* Two of radius 0.25, 0.25 m apart along (0, 3, 4)/5, part with 0.5 m/s:
+   8 N/m times 0.25 m less 2 kg/s times 0.5 m/s is 1 N, on 2 kg and 4 kg. In
+   one place they have no direction, and no force. */
+static void test_by_hand(void)
+{
+    static const double force[] = {0, 0, 0, 0, -0.3, 0.15, 0, -0.4, 0.2};
+    struct scene s;
+    struct touch t;
+    double a[9] = {0};
+    make(&s, 3, SCENE_LINEAR, 9);
+    s.stiffness = 8;
+    s.dashpot = 2;
+    s.mass[1] = 2;
+    s.mass[2] = 4;
+    s.radius[1] = s.radius[2] = 0.25;
+    s.position[2] = s.position[1];
+    s.position[5] = 0.15;
+    s.position[8] = 0.2;
+    s.velocity[1] = s.velocity[2] = 7;
+    s.velocity[4] = 1;
+    s.velocity[5] = 1.3;
+    s.velocity[7] = -2;
+    s.velocity[8] = -1.6;
+    if (!touch_create(&t, &s))
+        exit(1);
+    touch_add(&t, s.position, s.velocity, a);
+    for (size_t c = 0; c < 9; ++c)
+        UNIT_NEAR(a[c], force[c], 2e-15);
+    memset(a, 0, sizeof a);
+    s.position[5] = s.position[8] = 0;
+    touch_add(&t, s.position, s.velocity, a);
+    for (size_t c = 0; c < 9; ++c)
+        UNIT_EQUAL(a[c], 0);
+    touch_free(&t);
+    scene_free(&s);
+}
+
 int main(void)
 {
     return unit_run(
         "touch",
-        (struct unit_test[]){{"what a dashpot returns", test_restitution},
+        (struct unit_test[]){{"two by hand", test_by_hand},
+                             {"what a dashpot returns", test_restitution},
                              {"how long Hertz's balls touch", test_hertz},
                              {"the cradle", test_cradle},
                              {"what is pressed has energy", test_energy},

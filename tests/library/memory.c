@@ -73,7 +73,8 @@ static bool moves(void *method)
         return false;
     bool well = motion_begin(&m, "memory", &s, method, 0.01);
     if (well) {
-        well = (!m.collides || motion_locate(&m)) && motion_note(&m);
+        well = motion_shorten(&m, 0.02) &&
+               (!m.collides || motion_locate(&m)) && motion_note(&m);
         motion_end(&m);
     }
     scene_free(&s);

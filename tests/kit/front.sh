@@ -102,7 +102,7 @@ holds 'which takes an hour to read, and one in the laboratory' \
     grep -q '^.boxline{Time}{60 minutes to read; .* one lab hour' chapters/01-collide.nw
 # Another test makes the course anew, perhaps just now.
 size=$(($(cat build/bonkers-course.tar.gz 2>/dev/null | wc -c) / 100000))
-said=$(number 'course.tar.gz. (N MB)')
+said=$(number 'archive for your students (N MB)')
 [ "$size" -gt 0 ] || size=${said}0
 between "so large is the course ($said MB)" $((size - 10)) "${said}0" $((size + 10))
 

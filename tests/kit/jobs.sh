@@ -37,12 +37,13 @@ END
 } >"$kit/Makefile"
 cd "$kit" || exit 1
 
-# The first line of README for such a list; its engine is make.
-line=$(sed -n 's/ build\/jobs\/grade | make -kj 8 -f -$//p' "$root/README.md")
+# How the book runs such a list with make.
+line=$(sed -n '/^  awk .*\\$/{ N; s/^ *//; s/ *\\\n *build.jobs.grade | make -kj 8 -f -$//p; }' \
+    "$root/chapters/B-lecturers.nw")
 engine() { # LIST
     sh -c "$line"' "$0"' "$1" | $make -s -kj 2 -f - >/dev/null 2>&1
 }
-holds 'README has a line for make' test -n "$line"
+holds 'the book has a line for make' test -n "$line"
 backwards() { sed '1!G;h;$!d' "$1"; }
 # killed NAME: the first job of the list, killed after a short while.
 killed() {

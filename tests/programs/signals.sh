@@ -3,6 +3,12 @@
 # loses patience; its table is there, and no temporary file beside it.
 . tests/programs/common
 
+# begun PID PROGRAM: the process is that program, and has worked for a tenth of a
+# second, or waits for something.
+begun() {
+    [ "$(readlink "/proc/$1/exe")" -ef "$2" ] &&
+        awk '{ exit $3 != "S" && $14 < 10 }' "/proc/$1/stat"
+}
 # told SIGNAL STATUS FILES COMMAND...: so it ends, with these files.
 told() {
     number=$1 want=$2 files=$3
@@ -12,6 +18,12 @@ told() {
     "$@" -o "$work/folder/table" --summary "$work/folder/summary" \
         >"$work/out" 2>&1 &
     run=$!
+    # On a machine with much to do it takes a while until a program has begun.
+    tenth=0
+    while [ -e "/proc/$run/exe" ] && [ $((tenth += 1)) -lt 600 ] &&
+        ! begun $run "$1"; do
+        sleep 0.1
+    done
     sleep 0.2
     kill -0 "$run" 2>/dev/null || not_ok "$*" 'it was done before it was told'
     kill "-$number" "$run"

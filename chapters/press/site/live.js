@@ -336,6 +336,8 @@
       show();
       draw();
     }
+    // Until when a figure is to run that shall stop at this time.
+    const reached = time => time + (figure.early ? figure.early(run) : 0);
     // Begins with the numbers that there are, or, where they do not go together,
     // with others. Returns whether they do.
     function tries(others) {
@@ -356,7 +358,7 @@
       figure.changed?.(run, key);
       if (controls.find(c => c.key === key)?.look !== true) {
         fits = tries(old);
-        if (figure.again) figure.advance(run, time, 2000);
+        if (figure.again) figure.advance(run, reached(time), 2000);
       }
       show();
       draw();
@@ -410,7 +412,7 @@
       go(false);
       tries(usual);
       const time = +words.get('t');
-      if (time > 0 && time < 1e9) figure.advance(run, time, 5000);
+      if (time > 0 && time < 1e9) figure.advance(run, reached(time), 5000);
       show();
       draw();
       place.scrollIntoView({ block: 'center' });

@@ -216,7 +216,18 @@ async function saves(browser, scene, method, steps, y) {
       return size > 100000 ? `${size} bytes` : '';
     });
     await holds(`${name} begins, moves, stops and steps by keyboard`, () => plays(page, name));
-    await holds(`the address of ${name} leads to the same run`, () => leads(browser, page, name));
+    await holds(`the address of ${name} leads to the same run`, async () => {
+      // A record of the article's clock in which there was a collision ends early.
+      if (name === 'clock') await page.evaluate(n => {
+        const { run } = document.querySelector(n).liveFigure;
+        for (let early = false, i = 0; i < 500 && !early; ++i) {
+          const due = run.time + run.value.every;
+          document.querySelectorAll(n + ' .live-bar button')[1].click();
+          early = Math.abs(run.time - due) > 1e-9;
+        }
+      }, figure(name));
+      return leads(browser, page, name);
+    });
   }
   await holds('a picture of 1000 disks is worked out in a sixtieth of a second', async () => {
     await show(page, 'gas');

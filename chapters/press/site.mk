@@ -19,8 +19,7 @@ has-site:
 	$(call need,bibtex,texlive-binaries)
 
 # The pages are made by one command, which knows which of them are stale: what
-# a chapter leads to may have moved in another. Students get no examiner and no
-# grader: build/site-course/.
+# a chapter leads to may have moved in another. Students get build/site-course/.
 site: has-gnuplot has-gsl has-site build/site$(edition)/made
 	@echo 'The pages: open build/site$(edition)/index.html'
 build/site/made: build/woven $(FIGURES_SVG) $(RUNS) $(LIVE_FILES) \

@@ -6,8 +6,6 @@ function words(number, title) {
 FNR == 1 { ++which }
 which == 1 {
     split($0, part, "\t")
-    if (left_out(part[2]))
-        next
     ++pages
     volume_of[pages] = part[1]
     name_of[pages] = part[2]
@@ -18,7 +16,6 @@ which == 1 {
         here = pages
     next
 }
-function left_out(name) { return course && name ~ /^works-B-/ }
 which == 2 {
     split($0, part, "\t")
     if (part[1] == page && part[2] == 1) {

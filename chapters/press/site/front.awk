@@ -5,8 +5,6 @@ function words(number, title) {
 BEGIN { FS = "\t" }
 FNR == 1 { ++which }
 which == 1 {
-    if (course && $2 ~ /^works-B-/)
-        next
     if ($1 == (page == "index" ? "book" : "works") && $2 != page) {
         ++pages
         name_of[pages] = $2
@@ -39,9 +37,7 @@ END {
     } else {
         print "<h1>Works</h1>"
         print "<p class=\"tagline\">The second volume of <em>Bonkers</em></p>"
-        print "<p>The book prints the code that is the idea. Here is the code that an idea needs before a computer runs it: options and what is wrong with them, tables read and written, studies that measure what a figure shows. Every line of C stands in exactly one of the two volumes. Nobody has to read this one: who wants to know how something is done comes here from the book, from a file in <code>src/</code>, or from the indexes at the end.</p>"
-        if (course)
-            print "<p id=\"left-out\">The examiner and the grader are described in the lecturer’s copy of this volume. Where the book leads to them, its links end here.</p>"
+        print "<p>The book prints the code that is the idea. Here is the code that an idea needs before a computer runs it: options and what is wrong with them, tables read and written, studies that measure what a figure shows. Other files are read where they are edited, in <code>src/</code>, whose folders have a README each. Nobody has to read this one: who wants to know how something is done comes here from the book, from a file in <code>src/</code>, or from the indexes at the end.</p>"
     }
     print "</div>"
     print "<div class=\"contents\">"
@@ -57,6 +53,6 @@ END {
             print "<ul>\n" sections[name_of[i]] "</ul>"
     }
     if (page == "index")
-        print "<h2>The second volume</h2>\n<h3><a href=\"works.html\">Works</a></h3>\n<p>How the rest is made: the programs and what measures for the figures, the toolbox, the choosing" (course ? "." : ", the examiner and the grader.") "</p>"
+        print "<h2>The second volume</h2>\n<h3><a href=\"works.html\">Works</a></h3>\n<p>How the rest is made: the programs and what measures for the figures, the toolbox, the choosing.</p>"
     print "</div>"
 }

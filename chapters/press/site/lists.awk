@@ -3,7 +3,7 @@ FNR == 1 { ++which }
 { split($0, part, "\t") }
 which == 1 { number_of[part[2]] = part[3]; next }
 which == 2 {
-    if (part[3] != "chunk" || (course && part[2] ~ /^works-B-/))
+    if (part[3] != "chunk")
         next
     page_of[part[1]] = part[2]
     title_of[part[1]] = part[5]

@@ -32,14 +32,18 @@ static void test_chain(void)
                 {2, 1.8, {2.2, 3.8, 0}}};
     int seen = 0;
     for (size_t axis = 0; axis < 3; ++axis)
-        for (uint64_t seed = 1; seed <= 8; ++seed) {
+        for (uint64_t seed = 1; seed <= 16; ++seed) {
+            /* The row stands in the middle, or across the seam. */
+            const double aside = seed % 2 ? 0 : 4.75;
             struct sampling s;
             struct random r;
             double gained = 0;
             box(&s, 3, DISKS_PERIODIC, 10, 3, 0.5, NULL);
             for (size_t i = 0; i < 3; ++i)
                 for (size_t k = 0; k < 3; ++k)
-                    s.disks.disk[i].position[(k + axis) % 3] = places[i][k];
+                    s.disks.disk[i].position[(k + axis) % 3] =
+                        k == 1 ? fmod(places[i][k] + aside, 10)
+                               : places[i][k];
             random_seed(&r, seed);
             const uint64_t lifts = sampling_chain(&s, axis, 5, &r, &gained);
             random_seed(&r, seed);
@@ -50,7 +54,8 @@ static void test_chain(void)
             for (size_t i = 0; i < 3; ++i) {
                 const double *at = s.disks.disk[i].position;
                 UNIT_NEAR(at[axis], ends[first].x[i], 1e-14);
-                UNIT_EQUAL(at[(axis + 1) % 3], places[i][1]);
+                UNIT_EQUAL(at[(axis + 1) % 3],
+                           fmod(places[i][1] + aside, 10));
                 UNIT_EQUAL(at[(axis + 2) % 3], places[i][2]);
             }
             sampling_free(&s);
@@ -82,6 +87,25 @@ static void test_hair_behind(void)
         sampling_free(&s);
     }
     UNIT_TRUE(tried > 1);
+}
+
+/* One that is touched by its side alone is not pushed. */
+static void test_grazing(void)
+{
+    for (uint64_t seed = 1; seed <= 4; ++seed) {
+        static const double places[][3] = {{1, 5, 0}, {3, 6, 0}};
+        struct sampling s;
+        struct random r;
+        double gained = 0, before, after;
+        box(&s, 2, DISKS_PERIODIC, 10, 2, 0.5, places);
+        before = s.disks.disk[0].position[0] + s.disks.disk[1].position[0];
+        random_seed(&r, seed);
+        UNIT_EQUAL((double)sampling_chain(&s, 0, 5, &r, &gained), 0);
+        after = s.disks.disk[0].position[0] + s.disks.disk[1].position[0];
+        UNIT_EQUAL(after - before, 5);
+        UNIT_EQUAL(gained, 0);
+        sampling_free(&s);
+    }
 }
 
 /* A disk that slides from wall to wall: 0.8 m less what others take. */
@@ -315,6 +339,7 @@ int main(void)
         (struct unit_test[]){
             {"a chain of three, by hand", test_chain},
             {"what is a hair behind is not in the way", test_hair_behind},
+            {"what is grazed is not pushed", test_grazing},
             {"a disk that slides from wall to wall", test_wall_density},
             {"a disk that slides away from another", test_pair_density},
             {"shares of throws, as they are counted", test_acceptance},

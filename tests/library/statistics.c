@@ -500,6 +500,21 @@ static void test_scatter(void)
     UNIT_EQUAL(none.degrees, 2);
 }
 
+/* What all counts have in common does not count. Fifths of 1e9 are rounded
+   by 1e-7. */
+static void test_large_counts(void)
+{
+    double count[] = {3, 1, 2, 1, 3, 2, 3, 1, 2, 1, 3, 2, 3, 2, 3};
+    const struct statistics_scatter few =
+        statistics_scatter(5, 3, count, 2);
+    for (size_t i = 0; i < 15; ++i)
+        count[i] += 1e9;
+    const struct statistics_scatter many =
+        statistics_scatter(5, 3, count, 2);
+    UNIT_NEAR(many.scale, few.scale, 1e-5 * few.scale);
+    UNIT_NEAR(many.degrees, few.degrees, 1e-5 * few.degrees);
+}
+
 /* Eighths, which any power of two leaves without rounding down to 2^-1060,
    and what is said of them. */
 enum { SCALED = 4096 };
@@ -616,6 +631,7 @@ int main(void)
             {"the slow squares of a fast series count", test_squares_count},
             {"dependence with and without correlation", test_dependence},
             {"the scatter of counts, by hand", test_scatter},
+            {"large counts scatter as small ones", test_large_counts},
             {"any scale that numbers hold", test_scales},
             {0}});
 }

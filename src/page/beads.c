@@ -6,10 +6,10 @@
 
 enum { MOST = 16, WAVE = START_KINDS };
 
-/* The kind of start, or WAVE; the seed; how many masses follow; those
-   masses (kg), which replace the first ones of the start. To change a mass
-   the script begins anew and runs to where it was, so that the reader sees
-   the whole past drawn again. */
+/* Parameters: the kind of start, or WAVE; the seed; how many masses follow;
+   those masses (kg), which replace the first ones of the start. To change a
+   mass the script begins anew and runs to where it was, so that the reader
+   sees the whole past drawn again. */
 double page_number[PAGE_NUMBERS];
 
 static struct start start;
@@ -64,8 +64,8 @@ double page_run(double until, double events)
     return (double)(beads.collisions - before);
 }
 
-/* The time, collisions, energy, how many bodies; all x, all v, all masses.
-   The first and the last body are the walls. */
+/* Returns the time, collisions, energy, how many bodies; all x, all v, all
+   masses. The first and the last body are the walls. */
 const double *page_look(void)
 {
     const size_t bodies = beads.gaps + 1;

@@ -11,7 +11,7 @@ enum { DISKS = 4, FIRST = 15, BINS = 35 };
 /* The loops of the hard-disk article look right, and so do their films. The
    script shows beside them what gives them away: the density of positions
    against direct sampling, the pressure, and how deep the disks overlap.
-   The numbers: the `slip` of the article's loop (box/loop.h), 0 for the
+   Parameters: the `slip` of the article's loop (box/loop.h), 0 for the
    right one; the tick, s; the seed. */
 double page_number[PAGE_NUMBERS];
 
@@ -90,9 +90,9 @@ double page_run(double until, double events)
     return records - before;
 }
 
-/* The time, records, collisions of disks and with walls, P V/(N kT), the
-   deepest overlap, the energy; x and y of each disk; density and error of
-   each bin. */
+/* Returns the time, records, collisions of disks and with walls, P V/(N
+   kT), the deepest overlap, the energy; x and y of each disk; density and
+   error of each bin. */
 const double *page_look(void)
 {
     const struct disks *d = &loop.d;

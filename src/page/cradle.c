@@ -13,7 +13,7 @@ enum { MOST = 12, WAYS = 3 };
 
 /* The scene cradle runs three times, side by side: by events (line/), in
    steps with instantaneous contacts, and in steps with contacts that are
-   springs. The numbers: how many balls, how many fly in, the gap, m; the
+   springs. Parameters: how many balls, how many fly in, the gap, m; the
    step of the second run, s; of the third: 1 for Hertz's springs, their
    stiffness, the step, s. */
 double page_number[PAGE_NUMBERS];
@@ -111,8 +111,8 @@ static double *look_at(const struct way *w, double *next)
     return next + 2 * s->bodies;
 }
 
-/* The time, how many balls; of events, steps and springs: collisions,
-   energy, all x, all v. */
+/* Returns the time, how many balls; of events, steps and springs:
+   collisions, energy, all x, all v. */
 const double *page_look(void)
 {
     double x[MOST + 2], v[MOST + 2], *next = seen + 4;

@@ -8,9 +8,9 @@ enum { LARGE = 2, MOST = 400 };
 #define SIDE 5.0   /* of the periodic box, m */
 #define SHELL 0.05 /* width of the shell of contact, in small radii */
 
-/* How many small disks, their radius, m; the step of the large ones, m, 0
-   to hold them; the seed; where page_make puts a large one, x and y, m. The
-   small disks may overlap each other. */
+/* Parameters: how many small disks, their radius, m; the step of the large
+   ones, m, 0 to hold them; the seed; where page_make puts a large one, x
+   and y, m. The small disks may overlap each other. */
 double page_number[PAGE_NUMBERS];
 
 static struct sampling box;
@@ -127,8 +127,8 @@ static double exact_force(double r)
     return half > 0 ? -page_number[0] / room * 2 * sqrt(half) : 0;
 }
 
-/* Tries; disks, the distance of the large ones, the force and its error,
-   the exact force; the samples; all x and y. */
+/* Returns tries; disks, the distance of the large ones, the force and its
+   error, the exact force; the samples; all x and y. */
 const double *page_look(void)
 {
     double apart[DISKS_AXES], *next = seen + 10;

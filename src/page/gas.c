@@ -9,8 +9,8 @@
 enum { MOST = 2000, BINS = 30 }; /* disks; bins of u = v sqrt(m/(2kT)) */
 #define WIDTH 0.1                /* of a bin */
 
-/* How many disks, the fraction of the box that they fill, the seed, 1 for a
-   periodic box. The box is that of `disks --box 7.5,5`. */
+/* Parameters: how many disks, the fraction of the box that they fill, the
+   seed, 1 for a periodic box. The box is that of `disks --box 7.5,5`. */
 double page_number[PAGE_NUMBERS];
 
 static struct disks gas;
@@ -87,9 +87,9 @@ static double count_speeds(double density[BINS])
     return four / (two * two);
 }
 
-/* The time, collisions, with walls, kT, energy, <v^4>/<v^2>^2, how many
-   disks, their radius, bins; of each bin the density, then the law; of each
-   disk x and y, folded back into a periodic box, and the speed. */
+/* Returns the time, collisions, with walls, kT, energy, <v^4>/<v^2>^2, how
+   many disks, their radius, bins; of each bin the density, then the law; of
+   each disk x and y, folded back into a periodic box, and the speed. */
 const double *page_look(void)
 {
     double *density = seen + 9, *law = density + BINS, *next = law + BINS;

@@ -10,8 +10,8 @@
 enum { BEADS = 10, BINS = 40, MOST = 200000 };
 enum { BEAD, POSITION, EVERY, SEED }; /* indices into page_number */
 
-/* Which bead, from 1; 1 to count its position, 0 its velocity; the time
-   between samples, s; the seed. */
+/* Parameters: which bead, from 1; 1 to count its position, 0 its velocity;
+   the time between samples, s; the seed. */
 double page_number[PAGE_NUMBERS];
 
 static struct start start;
@@ -105,9 +105,9 @@ double page_run(double until, double events)
     return (double)(samples - before);
 }
 
-/* The time, samples, their statistical inefficiency, the range from low to
-   high, bins, beads, energy; of each bin the density, its error, the law;
-   the positions of walls and beads. */
+/* Returns the time, samples, their statistical inefficiency, the range from
+   low to high, bins, beads, energy; of each bin the density, its error, the
+   law; the positions of walls and beads. */
 const double *page_look(void)
 {
     double *next = seen + 8;

@@ -12,7 +12,7 @@ enum { MOST = 401 };
    more from the start than the gases' energies and the piston's position
    and velocity, and goes on from there by itself. */
 
-/* The kind of start; how many movers; the mass ratio; the seed. */
+/* Parameters: the kind of start, how many movers, the mass ratio, seed. */
 double page_number[PAGE_NUMBERS];
 
 static struct start start;
@@ -76,9 +76,9 @@ double page_run(double until, double events)
     return (double)(beads.collisions - before);
 }
 
-/* The time, collisions, bodies; kinetic energies of the left gas, the
-   right one, the piston; the piston's position in the model; the energies
-   that the model's gases have there; all x, all v. */
+/* Returns the time, collisions, bodies; kinetic energies of the left gas,
+   the right one, the piston; the piston's position in the model; the
+   energies that the model's gases have there; all x, all v. */
 const double *page_look(void)
 {
     const size_t bodies = beads.gaps + 1, middle = bodies / 2;

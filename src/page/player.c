@@ -23,10 +23,11 @@ bool page_observe(void);
 bool page_change(double what, double value);
 bool page_save(bool table, double every);
 
-/* The number of the method, before page_begin; the values of a scene's
-   keys, before page_make. The player is the core of step, forces/motion.h,
-   between other ends: the scene comes from the reader's hands and the rows
-   go into pictures. What it saves are the bytes that step would write. */
+/* Parameters: the number of the method, before page_begin; the values of a
+   scene's keys, before page_make. The player is the core of step,
+   forces/motion.h, between other ends: the scene comes from the reader's
+   hands and the rows go into pictures. What it saves are the bytes that
+   step would write. */
 double page_number[PAGE_NUMBERS];
 
 static struct scene start, scene; /* at the start of the run, and now */
@@ -230,7 +231,7 @@ enum { HEAD = 26 };
 static double seen[HEAD + 4 * OBSERVABLES_MOST];
 static double *listed; /* of each spring: its ends, its colour */
 
-/* The time, steps, bodies, springs, how the last step ended (enum
+/* Returns the time, steps, bodies, springs, how the last step ended (enum
    stepping_end, -1 without a scene), collisions, the line with an error;
    dt, gravity, damping, restitution, k2, contact; walls and box, axis by
    axis; how many values are observed; whether contacts are instantaneous.

@@ -7,10 +7,10 @@
 
 enum { METHODS = 2, OWN = 8 }; /* values shown for each method */
 
-/* The step, s, and the damping; the two methods, by their numbers in
-   page_word. The scene is oscillator of the gallery and the core that of
-   step: `scene oscillator --damping 0 | step -` with the same method and
-   step gives the same positions. */
+/* Parameters: the step, s, and the damping; the two methods, by their
+   numbers in page_word. The scene is oscillator of the gallery and the core
+   that of step: `scene oscillator --damping 0 | step -` with the same
+   method and step gives the same positions. */
 double page_number[PAGE_NUMBERS];
 
 static struct swing {
@@ -121,8 +121,8 @@ double page_run(double until, double events)
     return steps;
 }
 
-/* The time; of each method x, v, energy, whether it has stopped, and the
-   matrix. */
+/* Returns the time; of each method x, v, energy, whether it has stopped,
+   and the matrix. */
 const double *page_look(void)
 {
     seen[0] = now();

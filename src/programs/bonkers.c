@@ -298,8 +298,8 @@ static void show_progress(const struct run *r)
 
 /* Runs to the time or the collision, whichever comes first, in bites that
    even a slow computer does in a second. naive and scan look at every gap
-   at each collision, the others do not; their last term makes a bite longer
-   than many slabs.
+   at each collision, the others do not; their term 4 * gaps makes a bite
+   longer than many slabs.
 
    Slabs that have to end at a collision are undone, and the heap runs the
    last one; to end at a time costs them nothing. So they end at times, once
@@ -414,9 +414,8 @@ static void name_masses(struct table *out, const struct bonkers *b)
 
 /* The state comes as two arrays and goes out in pairs. The positions are
    put into the second half of the row, from where each moves down before a
-   pair is written over it, and the velocities behind the row: row has room
-   for 2
-   + 3 * bodies numbers. */
+   pair is written over it, and the velocities behind the row: it has room
+   for 2 + 3 * bodies numbers. */
 static void write_row(struct table *out, struct bonkers *b, double row[])
 {
     double *x = row + 2 + b->gaps + 1, *v = x + b->gaps + 1;

@@ -16,7 +16,7 @@
 
 #define PROGRAM "collide"
 
-enum { SHOWN = 10 }; /* up to so many tests are printed one by one */
+enum { SHOWN = 10 }; /* if there are no more tests, each is printed */
 
 struct settings {
     bool velocities_given, masses_given;
@@ -80,7 +80,7 @@ struct pair {
 struct totals {
     quad energy;       /* in the frame of a wall, if any */
     quad energy_scale; /* what its rounding is relative to */
-    quad momentum[COLLIDE_DIMENSIONS]; /* of the bodies but walls */
+    quad momentum[COLLIDE_DIMENSIONS]; /* without walls */
     quad scale;                        /* sum of m |v| */
 };
 
@@ -177,8 +177,8 @@ static void read_settings(struct settings *s, int argc, char *argv[])
     program_apart(&o, s->output, s->summary, "report");
 }
 
-/* The energy scale has, with a wall, the product of its speed and the
-   ball's momentum in it: a velocity is rounded by how large it is on the
+/* With a wall the energy scale also has the product of its speed and the
+   momentum of the ball: a velocity is rounded by how large it is on the
    ground, not by what is left of it in the frame of the wall. */
 static struct totals totals_of(struct pair *p,
                                double v[2][COLLIDE_DIMENSIONS])
@@ -219,8 +219,8 @@ static quad expected_loss(struct pair *p, double restitution)
            nn / ((quad)p->im[0] + p->im[1]);
 }
 
-/* Relative to the sum of m |v|: the total momentum may be zero without
-   anything being wrong. */
+/* Returns the error of the momentum over the sum of m |v|: the total
+   momentum may be zero without anything being wrong. */
 static double momentum_error(struct pair *p, const struct totals *a,
                              const struct totals *b)
 {
@@ -402,8 +402,8 @@ static void summarise_by_hand(const struct settings *s,
    probably not what was meant. And rounding explains no error beyond 16
    machine epsilons: the worst of a million random collisions has 2.9 on a
    line and 7.7 in space. The warning is relative, so that it does not
-   depend on the units; a fixed one, of 1e-4 say, is silent when small
-   bodies go wrong and not when large ones go right. */
+   depend on the units; a fixed one, of 1e-4 say, would miss errors of
+   small bodies and warn of large ones that are right. */
 static void run_by_hand(const struct settings *s, struct table *out,
                         struct table *summary)
 {

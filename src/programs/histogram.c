@@ -49,6 +49,7 @@ struct columns {
     uint64_t seed;
     char *made_by; /* the command in the file's head, if any */
 };
+
 /* Prints what is wrong with the input, with file and line in the form that
    editors know, and ends the program. */
 static _Noreturn void bad_input(const struct settings *s,
@@ -505,7 +506,7 @@ static void refuse_column(const struct settings *s, const struct columns *c,
                   "%s reaches from %g to %g, expected a range that is less "
                   "than %g",
                   column->name, d->least, d->greatest, DBL_MAX);
-    /* Errors of the variance are smaller, but by less than 1e15. */
+    /* The errors of the variance are smaller by less than 1e15 times. */
     if ((s->kind == BLOCKS || s->kind == COST) && d->sd > 0 &&
         !(square > DBL_MIN * 1e15 && square < DBL_MAX / 1e15))
         bad_input(s, c,
@@ -543,8 +544,8 @@ static void describe(const struct settings *s, struct columns *c, size_t i)
         refuse_bins(s, c, i);
 }
 
-/* Goes to standard error: it is no part of the result and must not be
-   missed. */
+/* Warns on standard error that errors are only lower bounds: that is no
+   part of the result and must not be missed. */
 static void note_bounds(const struct column *column)
 {
     if (!column->d.plateau)
@@ -844,7 +845,7 @@ static void name_correlation(const struct settings *s)
     table_column(s->out, "g2", "", "1 + 2 sum of rho2 up to here");
 }
 
-/* Writes up to twice the window, so that one sees what the window cuts
+/* Writes lags up to twice the window, which shows what the window cuts
    off. */
 static void write_correlation(const struct settings *s,
                               const struct columns *c, size_t i,
@@ -865,7 +866,7 @@ static void write_correlation(const struct settings *s,
         const double rho2 =
             spread2 > 0
                 ? statistics_covariance(d->n, y, mean2, lag) / spread2
-                : NAN; /* all are alike */
+                : NAN; /* all samples are equal */
         g += 2 * rho;
         g2 += 2 * rho2;
         print_row(s->out, 5, (double[]){(double)lag, rho, g, rho2, g2});

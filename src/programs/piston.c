@@ -77,7 +77,7 @@ static void summarise_periods(struct table *summary,
                2 * acos(-1) / piston_frequency_acoustic(&s->piston));
 }
 
-enum { SWING = 3 }; /* so many first keys are not for study cost */
+enum { SWING = 3 }; /* the first keys, which study cost does not have */
 
 static const struct table_key run_keys[] = {
     {"x_min", "m", "leftmost place of the piston"},
@@ -142,10 +142,10 @@ static void study_run(struct study *s)
 
 /* Returns the time of one swing by steps of dt, begun to the right, until
    the piston comes by again in the same direction; NAN if a step fails.
-   That happens between two steps. Newton's method shortens the last one
+   The return falls between two steps. Newton's method shortens the last one
    until it ends on the spot: each pass divides the distance that is missing
    by the velocity and doubles the digits that are right, so six are plenty.
-   One shorter step has an error as good as the others'. */
+   The shorter step is as exact as the others. */
 static double stepped_period(const struct settings *s,
                              const struct piston *p, stepper *step,
                              double dt)

@@ -258,9 +258,9 @@ struct run {
 
 /* The quantities of which run.numbers takes the means. */
 enum number {
-    ACCEPTANCE,               /* of direct sampling: throws per sample */
-    MEAN_X,                   /* x of disk 1, m */
-    WALL,                     /* density at the walls across an axis, 1/m */
+    ACCEPTANCE, /* of moves; direct sampling: throws per sample */
+    MEAN_X,     /* x of disk 1, m */
+    WALL,       /* density at the walls across an axis, 1/m */
     PAIR = WALL + DISKS_AXES, /* of the distance of two at contact, 1/m */
     GAIN,                     /* of a chain, over its length */
     NUMBERS
@@ -469,7 +469,7 @@ static void write_state(struct run *run)
 }
 
 /* Measures the densities at contact for one disk at the walls and for it
-   with up to three others; all disks and pairs have their turn. To do so
+   with up to three others; all disks and pairs take turns. To do so
    for all of them would take longer than to make the sample. */
 static void count_contacts(struct run *run)
 {

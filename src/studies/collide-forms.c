@@ -161,8 +161,8 @@ static quad row_energy(const double v[BODIES])
 }
 
 /* Returns the energy that the difference form gains in gap i because its
-   two fractions add up to 1 + delta (1.11, eq:bias): 4 delta times d^2 / (2
-   (a + b)). Summed up over a run it predicts the drift. */
+   two fractions add up to 1 + delta (1.11, eq:bias): 2 delta d^2 / (a + b).
+   Summed up over a run it predicts the drift. */
 static double row_bias(uint64_t i, const double v[BODIES])
 {
     const double a = row_im[i], b = row_im[i + 1], sum = a + b;

@@ -15,7 +15,7 @@ enum { MOST_STARTS = 100000 };
 
 struct settings {
     uint64_t samples;
-    uint64_t starts; /* 0: what the study takes */
+    uint64_t starts; /* 0: as many as is usual for the study */
     double every;    /* s */
 };
 
@@ -120,7 +120,7 @@ static const struct table_key clock_keys[] = {
     {"edge_<program>", "%", "density at the edge, off direct sampling"},
     {0}};
 
-/* In the table counts become densities. */
+/* Counts become densities in the table. */
 static void study_clock(struct study *s)
 {
     const struct settings *own = s->own;
@@ -143,7 +143,7 @@ static void study_clock(struct study *s)
     }
 }
 
-/* Writes a row: where the first disk is now. */
+/* Writes a row: the time and the position of the first disk. */
 static void write_place(struct study *s, struct loop *l)
 {
     double place[DISKS_AXES];

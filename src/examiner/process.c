@@ -305,8 +305,8 @@ struct process_end process_stop(void)
     return end;
 }
 
-/* The process copies itself and names the copy's number first, because the
-   copy can become our child only through it. */
+/* The copy is our child, but only the process that makes it learns its
+   number, and sends it. */
 bool process_copy(int orders, const void *order, size_t length, int seconds,
                   rlim_t memory_bytes, struct process_end *end)
 {

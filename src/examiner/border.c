@@ -35,8 +35,9 @@ void border_unsigneds(unsigned x[], size_t count)
     wire_move(x, border_bytes(count, sizeof *x));
 }
 
-/* A byte other than 0 and 1 in a bool may be true in one place and false in
-   the next, so it crosses as an int. Any eight bytes are some double. */
+/* Sends or receives truth values. A byte other than 0 and 1 in a bool may
+   be true in one place and false in the next, so it crosses as an int. Any
+   eight bytes are some double. */
 void border_bools(bool x[], size_t count)
 {
     for (size_t i = 0; i < count; ++i) {

@@ -600,8 +600,9 @@ static enum box_stage wait_for_main(struct box *box, int seconds)
                                                       : BOX_NO_MAIN;
 }
 
-/* The box's ends of the pipes are closed here, or we should never see that
-   it is gone. */
+/* Starts a box and waits until its program is ready or has failed. The
+   box's ends of the pipes are closed here, or we should never see that it
+   is gone. */
 enum box_stage box_open(struct box *box, const struct box_order *order,
                         int prints)
 {

@@ -10,9 +10,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* The compiler's command and the libraries come from a file that the
-   makefile has written, never from the environment: objects of two
-   compilers whose sanitizers differ do not link. */
+/* Reads the compiler's command and the libraries. The compiler's command
+   and the libraries come from a file that the makefile has written, never
+   from the environment: objects of two compilers whose sanitizers differ do
+   not link. */
 static char *flags_read(void)
 {
     char *flags = text_read("build/check/flags");
@@ -29,9 +30,10 @@ bool build_sanitized(void)
     return found;
 }
 
-/* make check has seen to the suites of the exercises that are named or
-   begun. While make watch runs a student begins with another; then make is
-   asked for one more. */
+/* Has make build the suite of an exercise that is not there yet. make check
+   has seen to the suites of the exercises that are named or begun. While
+   make watch runs a student begins with another; then make is asked for one
+   more. */
 void build_suite(const char *exercise)
 {
     static char script[] = "exec ${MAKE:-make} -s \"$@\" >&2";
@@ -164,7 +166,8 @@ static const char *find_error(const char *text, const char *source)
     return line ? line : first;
 }
 
-/* An error inside a header of the system's is the student's: the line above
+/* Points at the student's line that an error within a header comes from. An
+   error inside a header of the system's is the student's: the line above
    its #include has no end. Where it was included stands in the message. */
 static void tell_header(const char *text, const char *source, FILE *story)
 {
@@ -329,10 +332,10 @@ static const char *find_warning(const char *text, const char *source)
     return line ? line : first;
 }
 
-/* Warnings are shown when a test has failed, for then they are often the
-   reason; when all pass they would spoil the day. The first that can be
-   explained is taken: a variable that is not used yet is the least of a
-   beginner's troubles. */
+/* Shows one warning about the student's file. Warnings are shown when a
+   test has failed, for then they are often the reason; when all pass they
+   would spoil the day. The first that can be explained is taken: a variable
+   that is not used yet is the least of a beginner's troubles. */
 void build_warning(const char *folder, const char *source, FILE *story)
 {
     char *text = read_messages(folder);

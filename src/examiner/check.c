@@ -171,8 +171,9 @@ static const struct check_mistake *mistake_behind(double got,
     return found;
 }
 
-/* The question about an answer that is no number comes before any about
-   physics: it has many causes, and the input does not tell which. */
+/* Returns the question about an answer that is no number. The question
+   about an answer that is no number comes before any about physics: it has
+   many causes, and the input does not tell which. */
 static const char *ask_of_nan(double got)
 {
     return is_empty(got)
@@ -212,10 +213,10 @@ static void say_failure(double got, const struct check *c)
                                                           : c->question);
 }
 
-/* CUnit is told in either case, because it counts the comparisons, and a
-   test without any must not pass. Only the first failure of a test is
-   reported; a loop over a thousand inputs that fails on each has one thing
-   to say. */
+/* Compares, tells CUnit, and reports a failure. CUnit is told in either
+   case, because it counts the comparisons, and a test without any must not
+   pass. Only the first failure of a test is reported; a loop over a
+   thousand inputs that fails on each has one thing to say. */
 bool check_near(const char *file, int line, double got, struct check c)
 {
     const bool passed = near(got, c.expected, c.tolerance);
@@ -301,8 +302,9 @@ void check_shuffle(int order[], int count)
     }
 }
 
-/* printf rounds to four digits, and strtod takes the double nearest to
-   them, as the compiler does when a student types them. */
+/* Draws a number and rounds it to four digits. printf rounds to four
+   digits, and strtod takes the double nearest to them, as the compiler does
+   when a student types them. */
 double check_draw(double low, double high)
 {
     char text[32];
@@ -449,10 +451,10 @@ static struct report_order next_order(void)
     _exit(EXIT_FAILURE);
 }
 
-/* Standard output is flushed at each line end, for the last lines before a
-   crash are those that a student wants to see. _exit keeps handlers that
-   the student has left with atexit out of it: one that calls exit(1) could
-   turn a passed test into a crash.
+/* Lists the suite or runs one test. Standard output is flushed at each line
+   end, for the last lines before a crash are those that a student wants to
+   see. _exit keeps handlers that the student has left with atexit out of
+   it: one that calls exit(1) could turn a passed test into a crash.
 
    A runner can be started by hand, under a debugger, say: `printf %032d 0
    >report; build/check/01a.stub 1 3<>report; cat report`. */

@@ -30,8 +30,8 @@ static void find_one(const char *where, const char *name,
     globfree(&found);
 }
 
-/* A missing file is looked for once more with a wider pattern:
-   01a_collide.c is a slip of one letter. */
+/* Finds the student's file. A missing file is looked for once more with a
+   wider pattern: 01a_collide.c is a slip of one letter. */
 void course_find_file(struct exercise *e)
 {
     find_one("exercises/%s-*.c", e->name, e->file);
@@ -50,8 +50,8 @@ static void learn_test(struct exercise *e, const char *text)
     e->tests[e->count++] = name + strspn(name, " ");
 }
 
-/* Without a stub nobody could tell what is begun; without a solution there
-   is none to show. */
+/* Finds the stub and the solution of an exercise. Without a stub nobody
+   could tell what is begun; without a solution there is none to show. */
 static void find_files(struct exercise *e)
 {
     find_one("tests/exercises/%s/stub.c", e->name, e->stub);
@@ -95,8 +95,9 @@ static bool read_about(struct exercise *e, const char *name)
     return true;
 }
 
-/* The exercises are the folders of tests/exercises; a table would be a
-   second place for the same fact. One without a list is passed over. */
+/* Reads which exercises there are. The exercises are the folders of
+   tests/exercises; a table would be a second place for the same fact. One
+   without a list is passed over. */
 struct course course_learn(void)
 {
     struct course course = {NULL, 0};
@@ -116,8 +117,9 @@ struct course course_learn(void)
     return course;
 }
 
-/* A name that is not known is answered with all that are: the commonest
-   reason is a slip of one letter. */
+/* Marks the exercises of a name as chosen. A name that is not known is
+   answered with all that are: the commonest reason is a slip of one
+   letter. */
 struct exercise *course_choose(struct course *course, const char *name)
 {
     struct exercise *first = NULL;

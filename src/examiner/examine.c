@@ -78,8 +78,8 @@ static const struct option known[] = {
     {0},
 };
 
-/* The options are read without the toolbox's module, so that the examiner
-   stands when the toolbox is in pieces. */
+/* Reads the command line. The options are read without the toolbox's
+   module, so that the examiner stands when the toolbox is in pieces. */
 static struct options read_options(int argc, char **argv)
 {
     struct options o = {.rules = {.remember = true, .seconds = 5}};
@@ -156,8 +156,9 @@ static void give_hint(struct course *course,
                names[0] ? names[0] : "Everything here");
 }
 
-/* What leaves no verdict ends with status 0, or make would add "Error 1" to
-   a kind word. */
+/* Does what the command line asks for; returns whether all that is begun
+   passes. What leaves no verdict ends with status 0, or make would add
+   "Error 1" to a kind word. */
 static bool do_task(struct course *course, const struct options *options,
                     const char *const names[])
 {

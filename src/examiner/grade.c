@@ -78,8 +78,9 @@ static const char usage[] =
     "What was graded before and has not changed is not graded again.\n"
     "Exit status: 0 all is graded, 1 something could not be, 2 trouble.\n";
 
-/* strtoull would skip blanks, read -1 as the largest number and 2.5 as 2;
-   so the text must be digits alone. */
+/* Reads a whole number from the command line. strtoull would skip blanks,
+   read -1 as the largest number and 2.5 as 2; so the text must be digits
+   alone. */
 static uint64_t whole(const char *option, const char *text, uint64_t least,
                       uint64_t most)
 {
@@ -124,8 +125,8 @@ static bool next_word(const char **list, char word[64])
     return length > 0;
 }
 
-/* Unknown reports are found before anything is graded, not after the
-   night. */
+/* Refuses reports that are not known. Unknown reports are found before
+   anything is graded, not after the night. */
 static void check_reports(const char *list)
 {
     char word[64];
@@ -144,8 +145,9 @@ static void check_name(const struct batch *b, const char *word)
     text_fail("--exercises: there is no exercise '%s'", word);
 }
 
-/* In the list 01 asks for a chapter. A word that begins no name is refused:
-   an empty table is no answer. The kits stay in the order of the book. */
+/* Keeps the exercises that were asked for. In the list 01 asks for a
+   chapter. A word that begins no name is refused: an empty table is no
+   answer. The kits stay in the order of the book. */
 static void choose_kits(struct batch *b)
 {
     const char *list = b->options.exercises;
@@ -238,8 +240,8 @@ static const char *name_machine(void)
     return name;
 }
 
-/* A grader that is killed cannot clean up, so its number is in its folder's
-   name. */
+/* Removes the work folders of graders that no longer run. A grader that is
+   killed cannot clean up, so its number is in its folder's name. */
 static void remove_abandoned(void)
 {
     glob_t found = {0};
@@ -339,8 +341,9 @@ static bool write_seed(const char *path, uint64_t seed, bool anew)
     return ours;
 }
 
-/* The seed decides what hidden tests ask, and all students are to be asked
-   the same: it is drawn once and kept beside the results. */
+/* Sets the seed of the hidden tests. The seed decides what hidden tests
+   ask, and all students are to be asked the same: it is drawn once and kept
+   beside the results. */
 static void choose_seed(struct batch *b)
 {
     char path[4300];
@@ -406,8 +409,9 @@ static void choose_box(struct batch *b)
     }
 }
 
-/* Two different names stay different; one too long for a file system is cut
-   and ends with a sum of all of it. */
+/* Returns the name of a student's result files. Two different names stay
+   different; one too long for a file system is cut and ends with a sum of
+   all of it. */
 static const char *encode(const struct batch *b, size_t s)
 {
     static char name[1100];
@@ -434,8 +438,9 @@ static void result_path(const struct batch *b, size_t s, size_t e,
     snprintf(path + strlen(path), 32, "/%s.json", b->kits[e].exercise);
 }
 
-/* Of a class of ten thousand a job should not walk through all that was
-   handed in: it looks at the names that begin as the student's does. */
+/* Reads the submission of one student alone. Of a class of ten thousand a
+   job should not walk through all that was handed in: it looks at the names
+   that begin as the student's does. */
 static void choose_student(struct batch *b)
 {
     const char *job = b->options.job;
@@ -466,12 +471,12 @@ static uint64_t sum_kit(const struct batch *b, const char *exercise)
     return sum_number(sum, (uint64_t)b->grading.kind);
 }
 
-/* A result is good as long as all that it depends on is as it was: the
-   student's bytes and his figure's script, the judge, what is linked with
-   his file, the compiler and its flags, the seed, the limit, the kind of
-   box. A job may come to a machine with another compiler, whose code rounds
-   differently. Two files of one sum would win a student the mark that he
-   had before. */
+/* Computes the key of a result. A result is good as long as all that it
+   depends on is as it was: the student's bytes and his figure's script, the
+   judge, what is linked with his file, the compiler and its flags, the
+   seed, the limit, the kind of box. A job may come to a machine with
+   another compiler, whose code rounds differently. Two files of one sum
+   would win a student the mark that he had before. */
 static void result_key(uint64_t kit, const char *bytes, size_t length,
                        const char *remark, const char *note, char key[24])
 {
@@ -607,10 +612,11 @@ static void show_progress(const struct batch *b)
                 b->count * b->kit_count);
 }
 
-/* A signal to us may come between a look and a wait, so this looks and does
-   not wait; as long as there are workers after a signal they are told
-   again, and killed after some seconds. A worker that did not end well has
-   written no result and is counted; the same command tries it again. */
+/* Waits until a worker has ended. A signal to us may come between a look
+   and a wait, so this looks and does not wait; as long as there are workers
+   after a signal they are told again, and killed after some seconds. A
+   worker that did not end well has written no result and is counted; the
+   same command tries it again. */
 static void wait_for_one(struct batch *b)
 {
     int status, i = 0;
@@ -638,8 +644,8 @@ static void wait_for_one(struct batch *b)
     show_progress(b);
 }
 
-/* A line break would make two commands of one; a student's name comes
-   encoded and has none. */
+/* Prints a word quoted for a shell. A line break would make two commands of
+   one; a student's name comes encoded and has none. */
 static void put_word(const char *word)
 {
     if (strchr(word, '\n'))
@@ -669,8 +675,9 @@ static void list_job(const struct batch *b, const struct job *job)
     putchar('\n');
 }
 
-/* When the key is no longer what it was listed with, what the job could
-   find out is no longer asked, and it grades nothing. */
+/* Refuses a job that is not as it was listed. When the key is no longer
+   what it was listed with, what the job could find out is no longer asked,
+   and it grades nothing. */
 static void check_job(const struct batch *b, const struct job *job)
 {
     const char *asked = b->options.job;
@@ -682,9 +689,10 @@ static void check_job(const struct batch *b, const struct job *job)
               asked, box_name(b->grading.kind));
 }
 
-/* A job waits now and then, for a disk, for a program that sleeps, and each
-   time that judge and box hand over to each other; with one job for each
-   processor a quarter of their time was idle. So there is one more. */
+/* Starts a job when there is room for it. A job waits now and then, for a
+   disk, for a program that sleeps, and each time that judge and box hand
+   over to each other; with one job for each processor a quarter of their
+   time was idle. So there is one more. */
 static void start_job(struct batch *b, const struct job *job)
 {
     if (b->options.list && job->bytes) {
@@ -708,8 +716,8 @@ static void start_job(struct batch *b, const struct job *job)
     ends[running++] = (struct pollfd){process_watch(pid), POLLIN, 0};
 }
 
-/* The first student who has handed in these bytes; a sum that is the same
-   says only that it is worth to compare them. */
+/* Returns the first student who has handed in these bytes; a sum that is
+   the same says only that it is worth comparing them. */
 static size_t first_alike(struct batch *b, uint64_t sum,
                           const struct job *job)
 {
@@ -804,7 +812,8 @@ static void look_at_all(struct batch *b, enum round round)
         wait_for_one(b);
 }
 
-/* A machine under load makes programs late that are not slow. So what the
+/* Grades in three rounds: all, what was late, and copies of equal files. A
+   machine under load makes programs late that are not slow. So what the
    clock on the wall has stopped is tried once more, alone, when all the
    rest is done. A test that is late at its last try earns nothing. */
 static void grade_all(struct batch *b)
@@ -821,8 +830,8 @@ static void grade_all(struct batch *b)
     free(b->alike);
 }
 
-/* What could not be graded has no file and appears as not graded, never as
-   zero points. */
+/* Reads all results. What could not be graded has no file and appears as
+   not graded, never as zero points. */
 static struct marks *read_results(const struct batch *b)
 {
     char path[4400];
@@ -842,8 +851,8 @@ static struct marks *read_results(const struct batch *b)
     return marks;
 }
 
-/* The last lines say what it takes to grade the course in the same way
-   again. */
+/* Writes the reports and says where they are. The last lines say what it
+   takes to grade the course in the same way again. */
 static void publish_all(struct batch *b)
 {
     const char *list = b->options.reports;

@@ -52,8 +52,8 @@ static void read_line(struct kit *kit, char *line)
     }
 }
 
-/* Public tests run first, so that whatever a report cuts off it is not
-   these. */
+/* Moves the public tests to the front. Public tests run first, so that
+   whatever a report cuts off it is not these. */
 static void public_first(struct kit *kit)
 {
     struct kit_test sorted[MARKS_MOST];
@@ -65,9 +65,9 @@ static void public_first(struct kit *kit)
     memcpy(kit->tests, sorted, (size_t)count * sizeof *sorted);
 }
 
-/* A list without a title or a test gives nobody a point: a full disk leaves
-   such lists, so it is refused. An exercise without a list has no border;
-   make has said so. */
+/* Reads the lists of all exercises. A list without a title or a test gives
+   nobody a point: a full disk leaves such lists, so it is refused. An
+   exercise without a list has no border; make has said so. */
 size_t grading_kits(struct kit **kits)
 {
     glob_t found = {0};
@@ -152,7 +152,7 @@ static void go_to_desk(const struct grading *g, const char *exercise)
                   strerror(errno));
 }
 
-/* The header that the stub includes; who includes none gets exercise.h. */
+/* Finds the header that the stub includes, or exercise.h. */
 static const char *find_header(struct job *job)
 {
     char path[8192], name[48] = "exercise.h";
@@ -205,21 +205,22 @@ static char *read_kit(const struct job *job, const char *name, int line)
     return found;
 }
 
-/* A program that was late once has a second for each test from then on, for
-   nearly always it is the same loop again. But a program may be slow and
-   come to an end. Where one of the tests before took a fifth of a second,
-   more than nearly any right answer does, all keep their full time, and it
-   loses only the points of those that are late. */
+/* Returns the limit of a test after one was late. A program that was late
+   once has a second for each test from then on, for nearly always it is the
+   same loop again. But a program may be slow and come to an end. Where one
+   of the tests before took a fifth of a second, more than nearly any right
+   answer does, all keep their full time, and it loses only the points of
+   those that are late. */
 static int later_seconds(const struct job *job)
 {
     return *job->kit->exercise == 'P' || job->slow ? 0 : LATER_SECONDS;
 }
 
-/* A program that times out three times will do so again; the tests that are
-   left are not run. Only the clock on the wall goes faster when others are
-   at work, so only what it has stopped is tried again; every late run of a
-   project is taken for that, because there a program of ours has started
-   the one that is late. */
+/* Counts a test that was late. A program that times out three times will do
+   so again; the tests that are left are not run. Only the clock on the wall
+   goes faster when others are at work, so only what it has stopped is tried
+   again; every late run of a project is taken for that, because there a
+   program of ours has started the one that is late. */
 static void note_late(struct job *job, bool by_the_wall)
 {
     const int later = later_seconds(job);
@@ -231,8 +232,9 @@ static void note_late(struct job *job, bool by_the_wall)
         job->order.seconds = later;
 }
 
-/* The driver is called box.suite.o: a name that it wants in vain is then
-   told in build.c's words for a function that the student has renamed. */
+/* Opens a box and says how far it came. The driver is called box.suite.o: a
+   name that it wants in vain is then told in build.c's words for a function
+   that the student has renamed. */
 static enum state open_box(struct job *job, FILE *story)
 {
     if (ftruncate(job->prints, 0) != 0)
@@ -306,9 +308,10 @@ static enum state run_test(struct job *job, const struct kit_test *test,
     return state;
 }
 
-/* In a second try what has come to an end keeps what it has earned. Those
-   that were late run until one is late again: then it was not the load.
-   Idle tests run again, because what they earn depends on the others. */
+/* Runs a test unless its result is known. In a second try what has come to
+   an end keeps what it has earned. Those that were late run until one is
+   late again: then it was not the load. Idle tests run again, because what
+   they earn depends on the others. */
 static enum state try_test(struct job *job, int i, FILE *story)
 {
     const struct marks *before = job->grading->before;
@@ -326,11 +329,11 @@ static enum state try_test(struct job *job, int i, FILE *story)
                            : state;
 }
 
-/* A mistake that one test has named may give, in a later test, the value of
-   another one, which was not made. So a later test that would name another
-   mistake refers to the first: it is mended first, and the rest is seen
-   then. At home only the first test is told in full, for the same reason.
- */
+/* Replaces the hint of a second mistake by a word on the first. A mistake
+   that one test has named may give, in a later test, the value of another
+   one, which was not made. So a later test that would name another mistake
+   refers to the first: it is mended first, and the rest is seen then. At
+   home only the first test is told in full, for the same reason. */
 static void name_once(char *mistake, size_t room, char **text, size_t *size)
 {
     char *hint = strstr(*text, "\n  hint "), *end, *name;
@@ -379,9 +382,9 @@ static void keep_mark(struct marks *marks, const struct kit_test *test,
         marks->state = state;
 }
 
-/* The first test that has printed shows it; the same lines from all others
-   would bury it. Hidden tests do not count, because a program can print its
-   inputs. */
+/* Keeps what the program has printed. The first test that has printed shows
+   it; the same lines from all others would bury it. Hidden tests do not
+   count, because a program can print its inputs. */
 static void keep_prints(struct marks *marks)
 {
     struct stat about;
@@ -408,9 +411,9 @@ static void keep_prints(struct marks *marks)
     fclose(file);
 }
 
-/* Idle tests pay only beside another that has passed. Where there is none
-   they have failed and say why, so that reports which count tests agree
-   with those that count points. */
+/* Takes points away from idle tests. Idle tests pay only beside another
+   that has passed. Where there is none they have failed and say why, so
+   that reports which count tests agree with those that count points. */
 static void settle_idle(const struct kit *kit, struct marks *marks)
 {
     static const char why[] = "  A function that does nothing passes this "
@@ -457,7 +460,8 @@ static void run_tests(struct job *job)
     settle_idle(job->kit, job->marks);
 }
 
-/* What the sanitizers have found in a test replaces what was said of it. */
+/* Replaces the story of a test. What the sanitizers have found in a test
+   replaces what was said of it. */
 static void replace_mark(struct mark *mark, const char *text, size_t size)
 {
     free(mark->story);
@@ -486,7 +490,8 @@ static void ask_about(struct job *job, int i)
     free(text);
 }
 
-/* The state of all: that of the first test that is wrong, as at home. */
+/* Sets the state of the whole. The state of all: that of the first test
+   that is wrong, as at home. */
 static void sum_up(struct marks *marks)
 {
     marks->state = PASSED;
@@ -496,13 +501,13 @@ static void sum_up(struct marks *marks)
             marks->state = marks->marks[i].state;
 }
 
-/* Points come from a program without sanitizers. With them it runs once
-   more through the tests that the student knows, and a test in which they
-   find a mistake is not passed: at home they decide as well, and the
-   verdict must not depend on the place. This run is half of what a
-   submission costs; where a mistake of the suite's list explains a failure,
-   it is known what is wrong, and it is left out unless a test has crashed
-   or left its places. */
+/* Runs the public tests once more, with sanitizers. Points come from a
+   program without sanitizers. With them it runs once more through the tests
+   that the student knows, and a test in which they find a mistake is not
+   passed: at home they decide as well, and the verdict must not depend on
+   the place. This run is half of what a submission costs; where a mistake
+   of the suite's list explains a failure, it is known what is wrong, and it
+   is left out unless a test has crashed or left its places. */
 static void ask_sanitizers(struct job *job)
 {
     char *text = NULL;
@@ -527,7 +532,8 @@ static void ask_sanitizers(struct job *job)
     sum_up(job->marks);
 }
 
-/* What is still the stub is not begun, as at home, and nothing is run. */
+/* Returns whether the file is the stub. What is still the stub is not
+   begun, as at home, and nothing is run. */
 static bool is_stub(const struct grading *grading, const struct kit *kit,
                     const char *bytes, size_t length)
 {
@@ -545,8 +551,9 @@ static bool is_stub(const struct grading *grading, const struct kit *kit,
     return stub && c == EOF && at == length;
 }
 
-/* The sum of what could have been earned must not depend on what was handed
-   in, so all tests are there when nothing could be run. */
+/* Enters all tests without points. The sum of what could have been earned
+   must not depend on what was handed in, so all tests are there when
+   nothing could be run. */
 static void give_nothing(const struct kit *kit, struct marks *marks,
                          enum state state)
 {

@@ -2,9 +2,9 @@
 #include "examiner/border.h"
 #include "examiner/wire.h"
 
-/* An exercise that hands no function to the student is linked with this. It
-   is alone in its file, so that the linker takes it only where nobody else
-   has defined the name. */
+/* Does nothing. An exercise that hands no function to the student is linked
+   with this. It is alone in its file, so that the linker takes it only
+   where nobody else has defined the name. */
 void border_heed(int which)
 {
     (void)which;

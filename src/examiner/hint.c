@@ -94,8 +94,8 @@ static int count_hints(const char *file, int stage)
     return count;
 }
 
-/* It is remembered after it was shown: a full disk keeps us from writing
-   but not from giving the hint. */
+/* Shows the next hint. It is remembered after it was shown: a full disk
+   keeps us from writing but not from giving the hint. */
 void hint_show(const struct exercise *e)
 {
     char file[64];

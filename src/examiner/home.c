@@ -25,11 +25,12 @@ static void make_room(size_t bytes)
     room = bytes;
 }
 
-/* Both halves and the student's function are one program, in which a name
-   is defined once; so the makefile compiles the suite and its half under
-   other names (suite_velocities_after). What one half has said lies in an
-   array until the other has heard it. The student's function so gets the
-   same arguments in the same kind of memory as in the grader. */
+/* Copies bytes into the array of messages, or out of it. Both halves and
+   the student's function are one program, in which a name is defined once;
+   so the makefile compiles the suite and its half under other names
+   (suite_velocities_after). What one half has said lies in an array until
+   the other has heard it. The student's function so gets the same arguments
+   in the same kind of memory as in the grader. */
 void wire_move(void *x, size_t bytes)
 {
     if (wire_speaking && room - said <= bytes)
@@ -56,7 +57,7 @@ void border_call(void)
     speak(true);
 }
 
-/* To wait is to let the other half run. */
+/* Runs the other side. To wait is to let the other half run. */
 void border_wait(void)
 {
     speak(false);

@@ -96,11 +96,11 @@ static void forbid_other_calls(void)
 
 void judge_confine(long user);
 
-/* What comes out of a box is read by this program, which may have been
-   started by root: it keeps no right that it does not use. A kernel without
-   filters, or a container without that user, leaves it as it is. The judge
-   holds the expected values and answers to a program that may be
-   hostile. */
+/* Gives up the rights that a judge does not need. What comes out of a box
+   is read by this program, which may have been started by root: it keeps no
+   right that it does not use. A kernel without filters, or a container
+   without that user, leaves it as it is. The judge holds the expected
+   values and answers to a program that may be hostile. */
 void judge_confine(long user)
 {
     if (user > 0 && syscall(SYS_setgroups, 0, NULL) == 0 &&
@@ -130,9 +130,10 @@ static _Noreturn void end_like(int status)
 
 static bool opened, begun, calling;
 
-/* If the last call was never answered the suite has jumped out of it. The
-   process in the box is still within the student's function, so it is sent
-   away and a new one takes its place. */
+/* Ends a call that was not answered. If the last call was never answered
+   the suite has jumped out of it. The process in the box is still within
+   the student's function, so it is sent away and a new one takes its
+   place. */
 static void break_off(void)
 {
     int how[WIRE_HOW];

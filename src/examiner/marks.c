@@ -38,9 +38,9 @@ bool marks_late(const struct marks *marks)
     return false;
 }
 
-/* Each byte that is no UTF-8, or that no text may hold, becomes \x and two
-   digits and not a question mark: a student who prints to find an error
-   wants to know which byte came out. */
+/* Makes text of any bytes. Each byte that is no UTF-8, or that no text may
+   hold, becomes \x and two digits and not a question mark: a student who
+   prints to find an error wants to know which byte came out. */
 char *marks_text(const char *bytes, size_t length, size_t most)
 {
     const size_t kept = length < most ? length : most;
@@ -55,7 +55,8 @@ char *marks_text(const char *bytes, size_t length, size_t most)
     return longer;
 }
 
-/* A state is written by its name, because the files outlive the program. */
+/* Turns a test's mark into JSON. A state is written by its name, because
+   the files outlive the program. */
 static json_t *json_of_mark(const struct mark *mark)
 {
     return json_pack("{s:s, s:b, s:i, s:s, s:s, s:f}", "name", mark->name,

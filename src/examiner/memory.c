@@ -104,8 +104,8 @@ static bool load(const char *name, char text[MEMORY_ROOM])
     return true;
 }
 
-/* A file with a wrong byte, or half a file, has another sum than it says
-   and is ignored. */
+/* Reads the kept verdict with this key. A file with a wrong byte, or half a
+   file, has another sum than it says and is ignored. */
 bool memory_recall(struct exercise *e, uint64_t key)
 {
     static char text[MEMORY_ROOM];
@@ -126,8 +126,9 @@ bool memory_recall(struct exercise *e, uint64_t key)
     return e->story != NULL;
 }
 
-/* The sum begins with the key, so that a verdict cannot be given another
-   one by hand. A story of more than 64 KiB is not kept. */
+/* Writes the verdict on an exercise. The sum begins with the key, so that a
+   verdict cannot be given another one by hand. A story of more than 64 KiB
+   is not kept. */
 void memory_keep(const struct exercise *e, uint64_t key)
 {
     static char text[MEMORY_ROOM], body[MEMORY_ROOM - 64];

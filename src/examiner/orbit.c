@@ -115,9 +115,10 @@ static bool add_memory(void)
     return whole;
 }
 
-/* The kernel has put 23 words on the stack, and the address of those for
-   floating point: 464 bytes and, on processors that have longer ones, a
-   list of the kinds in use and the rest. */
+/* Adds the registers to the state. The kernel has put 23 words on the
+   stack, and the address of those for floating point: 464 bytes and, on
+   processors that have longer ones, a list of the kinds in use and the
+   rest. */
 static void add_registers(const ucontext_t *context)
 {
     enum { WORDS = 23, OLD = 464, LIST = 512, NEW = 576 };

@@ -22,7 +22,7 @@ static unsigned char filling(size_t i)
     return bytes[i % sizeof bytes];
 }
 
-/* A whole guard, made once. */
+/* Returns a whole guard, made once. */
 static const unsigned char *untouched(void)
 {
     static unsigned char guard[GUARD];

@@ -117,8 +117,8 @@ static void become(char *const command[], const char *folder,
     _exit(127);
 }
 
-/* The monotonic clock: that of the calendar may be set while a test
-   runs. */
+/* Reads the clock. The monotonic clock: that of the calendar may be set
+   while a test runs. */
 double process_clock(void)
 {
     struct timespec now;
@@ -305,8 +305,8 @@ struct process_end process_stop(void)
     return end;
 }
 
-/* The copy is our child, but only the process that makes it learns its
-   number, and sends it. */
+/* Has a process copy itself and waits for the copy. The copy is our child,
+   but only the process that makes it learns its number, and sends it. */
 bool process_copy(int orders, const void *order, size_t length, int seconds,
                   rlim_t memory_bytes, struct process_end *end)
 {

@@ -91,9 +91,10 @@ static void leap(project_pull *pull, const void *of, int n, long double x[],
     }
 }
 
-/* A leapfrog over a stretch in 1, 2, ..., 8 steps has an error in the even
-   powers of the step alone, since it is symmetric; so from the eight runs
-   the limit of infinitely many steps is known to the sixteenth power. */
+/* Solves an equation of motion to rounding. A leapfrog over a stretch in 1,
+   2, ..., 8 steps has an error in the even powers of the step alone, since
+   it is symmetric; so from the eight runs the limit of infinitely many
+   steps is known to the sixteenth power. */
 void project_exactly(project_pull *pull, const void *of, int n,
                      long double x[], long double v[], double t, int parts)
 {

@@ -30,8 +30,9 @@ static int earned(const struct marks *m)
     return marks_earned(m, false) + marks_earned(m, true);
 }
 
-/* What an exercise can earn is the most that it can earn for anybody,
-   because what was not graded has no tests to count. */
+/* Returns the points that an exercise can earn. What an exercise can earn
+   is the most that it can earn for anybody, because what was not graded has
+   no tests to count. */
 static int possible(const struct course *c, size_t e)
 {
     int most = 0;
@@ -52,8 +53,9 @@ static int possible_of_all(const struct course *c)
     return sum;
 }
 
-/* Of a student who is not complete no total is given: it would be too small
-   and look like any other. */
+/* Returns whether all of a student's exercises were graded. Of a student
+   who is not complete no total is given: it would be too small and look
+   like any other. */
 static bool complete(const struct course *c, size_t s)
 {
     for (size_t e = 0; e < c->exercises; ++e)
@@ -110,9 +112,10 @@ static char *shorten(char *text, size_t most)
     return text;
 }
 
-/* Hidden tests have neither name nor story in what students see: a name may
-   say what is tried, a story has the inputs. Nor is told what a program has
-   printed, for it might print its inputs. */
+/* Returns the name of a test as students may see it. Hidden tests have
+   neither name nor story in what students see: a name may say what is
+   tried, a story has the inputs. Nor is told what a program has printed,
+   for it might print its inputs. */
 static const char *shown_name(const struct marks *m, int test,
                               char room[32])
 {
@@ -125,8 +128,9 @@ static const char *shown_name(const struct marks *m, int test,
     return room;
 }
 
-/* A test that never ran because the file does not build is not begun in the
-   marks; a student has begun, so it is told as what it is. */
+/* Returns the state of a test as students may see it. A test that never ran
+   because the file does not build is not begun in the marks; a student has
+   begun, so it is told as what it is. */
 static enum state state_of(const struct marks *m, int test)
 {
     const enum state state = m->marks[test].state;
@@ -134,8 +138,9 @@ static enum state state_of(const struct marks *m, int test)
                                                             : state;
 }
 
-/* The state of the whole would give hidden tests away: "failed" above nine
-   points of nine. */
+/* Returns the state of an exercise as its student may see it. The state of
+   the whole would give hidden tests away: "failed" above nine points of
+   nine. */
 static enum state shown_state(const struct marks *m)
 {
     for (int i = 0; i < m->count; ++i)
@@ -159,7 +164,8 @@ struct draft {
     FILE *file;
 };
 
-/* The cause is kept first; removing the file may overwrite errno. */
+/* Removes a report that cannot be written and ends. The cause is kept
+   first; removing the file may overwrite errno. */
 static _Noreturn void give_up(const struct draft *draft)
 {
     const int why = errno;
@@ -173,8 +179,8 @@ static void make_folder(const char *path)
         text_fail("cannot make the folder '%s': %s", path, strerror(errno));
 }
 
-/* A path that is too long is not cut: what is left of it is another
-   file's. */
+/* Puts a path together. A path that is too long is not cut: what is left of
+   it is another file's. */
 static void draft_name(struct draft *draft, const char *folder,
                        const char *name)
 {
@@ -202,8 +208,9 @@ static void draft_remove(const char *folder, const char *name)
         text_fail("cannot remove '%s': %s", draft.path, strerror(errno));
 }
 
-/* A full disk is noticed late: fprintf only fills a buffer. So everything
-   is asked once, at the end, with fsync for the disk's own word. */
+/* Finishes a report and gives it its name. A full disk is noticed late:
+   fprintf only fills a buffer. So everything is asked once, at the end,
+   with fsync for the disk's own word. */
 static void draft_close(struct draft *draft)
 {
     if (fflush(draft->file) != 0 || ferror(draft->file) ||
@@ -213,8 +220,9 @@ static void draft_close(struct draft *draft)
         give_up(draft);
 }
 
-/* Two students must not share a file: the second would overwrite the marks
-   of the first without a word. */
+/* Returns whether no other student's files have the same name. Two students
+   must not share a file: the second would overwrite the marks of the first
+   without a word. */
 static bool alone(const struct course *c, size_t s)
 {
     const char *student = marks_of(c, s, 0)->student;
@@ -226,9 +234,9 @@ static bool alone(const struct course *c, size_t s)
 
 enum { FILE_NAME = 180 };
 
-/* Letters, digits, space, . - _ and all that is not ASCII stay, the rest
-   becomes % and two digits, and so do a dot (a hidden file) and a minus (an
-   option of rm) at the start. */
+/* Makes a file name of a student's name. Letters, digits, space, . - _ and
+   all that is not ASCII stay, the rest becomes % and two digits, and so do
+   a dot (a hidden file) and a minus (an option of rm) at the start. */
 static size_t spell(const char *text, char *name)
 {
     static const char plain[] =
@@ -255,7 +263,8 @@ static char *file_name(const struct course *c, size_t s)
                : compose("%s%%_%zu.json", name, s + 1);
 }
 
-/* A spreadsheet computes a cell that begins with =, +, - or @ when the file
+/* Returns whether a spreadsheet would take a cell for a formula. A
+   spreadsheet computes a cell that begins with =, +, - or @ when the file
    is opened, and a student may call his folder =HYPERLINK(...). An
    apostrophe in front makes it text. The same holds for a tab or line break
    at the start, and for the wide forms of the signs. */
@@ -308,11 +317,11 @@ static char *first_advice(const struct marks *m)
     return compose("advice: %.*s", (int)strcspn(text, "\n"), text);
 }
 
-/* Four things want a human eye: a file that was refused; a time-out, which
-   might not come on another day; what a sanitizer found that costs no
-   points; and a student who passes all tests that he knows but fails hidden
-   ones: he may have learnt the answers by heart, or the hidden test is
-   wrong. */
+/* Passes on what a person should look at. Four things want a human eye: a
+   file that was refused; a time-out, which might not come on another day;
+   what a sanitizer found that costs no points; and a student who passes all
+   tests that he knows but fails hidden ones: he may have learnt the answers
+   by heart, or the hidden test is wrong. */
 static void tell_marks(const struct marks *m, take_line *take, void *to)
 {
     const int hidden = marks_possible(m, true);
@@ -422,9 +431,10 @@ static void put_row(FILE *out, const struct course *c, size_t s)
     put_notes(out, c, s);
 }
 
-/* RFC 4180, in UTF-8 without a mark: that would become part of the first
-   column's name for every program that reads by the standard. Numbers are
-   not quoted; what was not graded is an empty cell. */
+/* Writes the marks as comma-separated values. RFC 4180, in UTF-8 without a
+   mark: that would become part of the first column's name for every program
+   that reads by the standard. Numbers are not quoted; what was not graded
+   is an empty cell. */
 static void report_csv(const struct course *c, const char *folder)
 {
     struct draft draft;
@@ -449,7 +459,8 @@ static void report_csv(const struct course *c, const char *folder)
     draft_close(&draft);
 }
 
-/* jansson returns no tree where memory is short or a text is not UTF-8. */
+/* Adds a member to a JSON object or ends. jansson returns no tree where
+   memory is short or a text is not UTF-8. */
 static void put(json_t *object, const char *key, json_t *value)
 {
     if (json_object_set_new(object, key, value) != 0)
@@ -469,7 +480,8 @@ static json_t *take(char *text)
     return value;
 }
 
-/* Without JSON_REAL_PRECISION 0.1 is written with 17 digits. */
+/* Writes JSON to a file. Without JSON_REAL_PRECISION 0.1 is written with 17
+   digits. */
 static void write_tree(const char *folder, const char *name, json_t *json)
 {
     struct draft draft;
@@ -481,8 +493,9 @@ static void write_tree(const char *folder, const char *name, json_t *json)
     json_decref(json);
 }
 
-/* A student who is not complete gets no file: a missing result is asked
-   about, one that is too low is believed. */
+/* Writes one JSON file for each student. A student who is not complete gets
+   no file: a missing result is asked about, one that is too low is
+   believed. */
 static void write_json(const struct course *c, const char *folder,
                        const char *kind,
                        json_t *build(const struct course *, size_t))
@@ -572,8 +585,8 @@ static json_t *sum_up(const struct course *c, size_t s)
     return json;
 }
 
-/* Gradescope keeps it and shows it to nobody; it says how a number came
-   about. */
+/* Returns the field extra_data. Gradescope keeps it and shows it to nobody;
+   it says how a number came about. */
 static json_t *gradescope_extra(const struct course *c, size_t s)
 {
     json_t *json = json_object();
@@ -585,8 +598,9 @@ static json_t *gradescope_extra(const struct course *c, size_t s)
     return json;
 }
 
-/* Output is marked as plain text, since Gradescope can be told to read it
-   as HTML. What our own program prints no student sees. */
+/* Returns a student's results for Gradescope. Output is marked as plain
+   text, since Gradescope can be told to read it as HTML. What our own
+   program prints no student sees. */
 static json_t *gradescope(const struct course *c, size_t s)
 {
     json_t *json = json_object(), *tests = json_array();
@@ -613,9 +627,9 @@ static void report_gradescope(const struct course *c, const char *folder)
 
 enum { CLASSROOM_NAME = 100, CLASSROOM_OUTPUT = 4000 };
 
-/* The schema allows a name of at most 100 bytes and wants them different;
-   ours begin with exercise and number. The collector refuses files above 10
-   MiB, so stories are cut. */
+/* Returns a test for Classroom 50. The schema allows a name of at most 100
+   bytes and wants them different; ours begin with exercise and number. The
+   collector refuses files above 10 MiB, so stories are cut. */
 static json_t *classroom_test(const struct marks *m, int test)
 {
     const struct mark *mark = &m->marks[test];
@@ -635,9 +649,10 @@ static json_t *classroom_test(const struct marks *m, int test)
     return json;
 }
 
-/* Where the grader runs within Classroom 50 the environment says whose
-   result it is. Elsewhere the collector will refuse the file until somebody
-   has filled that in. */
+/* Returns a variable of the environment, or a substitute. Where the grader
+   runs within Classroom 50 the environment says whose result it is.
+   Elsewhere the collector will refuse the file until somebody has filled
+   that in. */
 static json_t *known(const struct course *c, const char *variable,
                      const char *otherwise)
 {
@@ -672,9 +687,9 @@ static void put_owner(json_t *json, const struct course *c, size_t s)
     put(json, "graded_at", take(compose("%s", c->when)));
 }
 
-/* datetime should be the moment of handing in, by which lateness is
-   decided. We know the moment of grading only; the collector's own runner
-   puts the right one in. */
+/* Returns a student's result for Classroom 50. datetime should be the
+   moment of handing in, by which lateness is decided. We know the moment of
+   grading only; the collector's own runner puts the right one in. */
 static json_t *classroom(const struct course *c, size_t s)
 {
     json_t *json = json_object(), *tests = json_array();
@@ -696,7 +711,8 @@ static void report_classroom(const struct course *c, const char *folder)
     write_json(c, folder, "classroom50", classroom);
 }
 
-/* A test is in error, and has not failed, where it came to no answer. */
+/* Returns a test for GitHub Classroom. A test is in error, and has not
+   failed, where it came to no answer. */
 static json_t *github_test(const struct marks *m, int test)
 {
     const struct mark *mark = &m->marks[test];
@@ -721,8 +737,9 @@ static json_t *github_test(const struct marks *m, int test)
     return json;
 }
 
-/* A workflow that has run the grader passes the file on in base64: echo
-   "result=$(base64 -w0 github/ADA.json)" >>"$GITHUB_OUTPUT". */
+/* Returns a student's result for GitHub Classroom. A workflow that has run
+   the grader passes the file on in base64: echo "result=$(base64 -w0
+   github/ADA.json)" >>"$GITHUB_OUTPUT". */
 static json_t *github(const struct course *c, size_t s)
 {
     json_t *json = json_object(), *tests = json_array();
@@ -810,9 +827,9 @@ struct tally {
     double seconds;
 };
 
-/* A wrong number is a failure; a crash, a time-out and what does not build
-   are errors, because the test came to no verdict; what is not begun is
-   skipped. */
+/* Returns the JUnit element of a state. A wrong number is a failure; a
+   crash, a time-out and what does not build are errors, because the test
+   came to no verdict; what is not begun is skipped. */
 static const char *element_of(enum state state)
 {
     switch (state) {
@@ -848,9 +865,9 @@ static void put_tally(struct junit *j, const struct tally *tally)
     attribute(j, "time", compose("%.3f", tally->seconds));
 }
 
-/* The first test of a file that does not build has the compiler's words,
-   even if it is hidden: the compiler has seen the student's file and
-   nothing else. */
+/* Writes how a test ended. The first test of a file that does not build has
+   the compiler's words, even if it is hidden: the compiler has seen the
+   student's file and nothing else. */
 static void put_ending(struct junit *j, const char *element,
                        const struct marks *m, int test)
 {
@@ -862,8 +879,8 @@ static void put_ending(struct junit *j, const char *element,
     end(j);
 }
 
-/* The time is an equal share of the exercise's, so that readers that add
-   come to the right sum. */
+/* Writes a test. The time is an equal share of the exercise's, so that
+   readers that add come to the right sum. */
 static void put_case(struct junit *j, const char *student,
                      const struct marks *m, int test)
 {
@@ -882,8 +899,8 @@ static void put_case(struct junit *j, const char *student,
     end(j);
 }
 
-/* An exercise that was not graded is one test in error: a suite without
-   tests would be a green one. */
+/* Writes an exercise that was not graded. An exercise that was not graded
+   is one test in error: a suite without tests would be a green one. */
 static void put_lost(struct junit *j, const char *student,
                      const struct marks *m)
 {
@@ -961,8 +978,9 @@ static int columns(const char *text, size_t *bytes)
     return turns ? -1 : wcwidth(c);
 }
 
-/* A name may be ten thousand accents and no wider than a letter, so the
-   bytes are limited, too. */
+/* Returns how many columns of a text fit, and how many bytes these are. A
+   name may be ten thousand accents and no wider than a letter, so the bytes
+   are limited, too. */
 static int fit(const char *text, int room, size_t *length)
 {
     int taken = 0;
@@ -1027,8 +1045,8 @@ static struct layout lay_out(const struct course *c)
     return l;
 }
 
-/* Where nothing is earned a letter takes the number's place: a column of
-   noughts is harder to read than gaps. */
+/* Shows a cell of the table. Where nothing is earned a letter takes the
+   number's place: a column of noughts is harder to read than gaps. */
 static void show_earned(const struct marks *m, int width)
 {
     static const char letters[] = {
@@ -1077,7 +1095,8 @@ struct screen {
     bool any; /* line was shown */
 };
 
-/* A line for a person, on as many lines of the screen as it needs. */
+/* Prints a line for a person, on as many lines of the screen as it needs.
+ */
 static void show_line(void *to, const char *student, const char *exercise,
                       const char *text)
 {
@@ -1111,8 +1130,8 @@ static void show_line(void *to, const char *student, const char *exercise,
         putchar('\n');
 }
 
-/* The locale is changed for the table alone. If the programs were not kept
-   apart that stands at the top. */
+/* Prints the whole table. The locale is changed for the table alone. If the
+   programs were not kept apart that stands at the top. */
 static void report_table(const struct course *c, const char *folder)
 {
     const locale_t utf8 = newlocale(LC_CTYPE_MASK, "C.UTF-8", (locale_t)0);

@@ -12,7 +12,8 @@
 #include <time.h>
 #include <unistd.h>
 
-/* There are file systems without links, on memory sticks for one. */
+/* Copies a file to a name that is free. There are file systems without
+   links, on memory sticks for one. */
 static bool copy(const char *from, const char *to)
 {
     char block[1 << 12];
@@ -51,8 +52,9 @@ static bool save(const char *file, char kept[KEPT])
     return false;
 }
 
-/* The new file gets the permissions of the old one: a lecturer may have
-   handed it out to a group. */
+/* Puts the stub in the place of the student's file. The new file gets the
+   permissions of the old one: a lecturer may have handed it out to a
+   group. */
 static bool replace(const char *file, const char *stub)
 {
     char fresh[64];
@@ -75,8 +77,8 @@ _Noreturn static void give_up(const char *file, const char *kept)
               strerror(why));
 }
 
-/* This is the only command that changes anything in exercises/. The hints
-   begin anew, too. */
+/* Begins an exercise afresh. This is the only command that changes anything
+   in exercises/. The hints begin anew, too. */
 void reset_exercise(struct exercise *e)
 {
     char kept[KEPT] = "";

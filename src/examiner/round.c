@@ -8,8 +8,9 @@
 #include <string.h>
 #include <unistd.h>
 
-/* NO_COLOR and files get none. The word says all that the colour says: one
-   student in twelve cannot tell red from green. */
+/* Returns the escape sequence of a state's colour. NO_COLOR and files get
+   none. The word says all that the colour says: one student in twelve
+   cannot tell red from green. */
 static const char *colour(enum state state)
 {
     if (state == NOT_BEGUN || !isatty(STDOUT_FILENO) || getenv("NO_COLOR"))
@@ -17,8 +18,9 @@ static const char *colour(enum state state)
     return state_wrong(state) ? "\033[31m" : "\033[32m";
 }
 
-/* The columns never change, for the kit's tests read them. The line is
-   written at once, so that a long round is seen to move. */
+/* Prints the line of an exercise. The columns never change, for the kit's
+   tests read them. The line is written at once, so that a long round is
+   seen to move. */
 void round_line(const struct exercise *e)
 {
     const char *code = colour(e->state);
@@ -49,8 +51,9 @@ void round_solution(const struct exercise *e)
                e->name, e->name);
 }
 
-/* What is wrong outweighs a gap, a gap what is not begun, and what was
-   asked for outweighs them all. */
+/* Returns a number by which exercises are ordered. What is wrong outweighs
+   a gap, a gap what is not begun, and what was asked for outweighs them
+   all. */
 static int urgency(const struct exercise *e)
 {
     if (e->judged && e->state == PASSED)
@@ -59,8 +62,8 @@ static int urgency(const struct exercise *e)
     return kind + (e->chosen ? 3 : 0);
 }
 
-/* An exercise of which nothing is known is as good a proposal as one that
-   is not begun. */
+/* Returns the most urgent exercise. An exercise of which nothing is known
+   is as good a proposal as one that is not begun. */
 const struct exercise *round_current(const struct course *course)
 {
     const struct exercise *current = NULL;
@@ -131,9 +134,9 @@ void round_learn(struct course *course, const struct verdict_rules *rules)
     }
 }
 
-/* A full round tells the first story and names missing files; an exercise
-   that was named is told whatever its state. Without sanitizers a pass is
-   worth less, and one line says so. */
+/* Prints the stories that a round tells. A full round tells the first story
+   and names missing files; an exercise that was named is told whatever its
+   state. Without sanitizers a pass is worth less, and one line says so. */
 static void tell_stories(const struct course *course, bool named)
 {
     bool told = false, run = false;
@@ -153,8 +156,8 @@ static void tell_stories(const struct course *course, bool named)
                "pass unseen.\n");
 }
 
-/* After a signal the exercise at hand has no state, because its test was
-   killed by us. */
+/* Judges the chosen exercises one after the other. After a signal the
+   exercise at hand has no state, because its test was killed by us. */
 bool round_check(struct course *course, const struct verdict_rules *rules,
                  bool named)
 {
@@ -180,8 +183,8 @@ bool round_check(struct course *course, const struct verdict_rules *rules,
 
 enum { BAR = 24 };
 
-/* The division rounds down, so that the bar is full only when nothing is
-   missing. */
+/* Draws a bar of progress. The division rounds down, so that the bar is
+   full only when nothing is missing. */
 static void draw_bar(char bar[BAR + 1], int earned, int points)
 {
     const int full = points > 0 ? BAR * earned / points : 0;

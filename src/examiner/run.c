@@ -11,14 +11,15 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* As its suite's file is called: "P1". */
+/* Returns the name of the project, "P1", from its suite's file. */
 static const char *project(void)
 {
     return check_text("%.2s", check_suite.file);
 }
 
-/* A student wants to run the same when something is wrong, so the command
-   is told as he would type it, with the lines of its file. */
+/* Returns the command of a run, with its files, in one line. A student
+   wants to run the same when something is wrong, so the command is told as
+   he would type it, with the lines of its file. */
 const char *run_text(const struct run_order *o)
 {
     static char text[400];
@@ -47,8 +48,8 @@ const char *run_text(const struct run_order *o)
     return text;
 }
 
-/* A text crosses as its length and bytes, without an end mark: a program
-   may print a zero. */
+/* Sends a text. A text crosses as its length and bytes, without an end
+   mark: a program may print a zero. */
 static void send_text(const char *text)
 {
     size_t length = strlen(text);
@@ -116,8 +117,8 @@ static void add_row(struct run *r, const char *line)
     memcpy(r->numbers + r->rows++ * count, row, count * sizeof *row);
 }
 
-/* Remarks are moved to the front of the text, over rows that have been
-   read. */
+/* Reads rows and remarks out of what was printed. Remarks are moved to the
+   front of the text, over rows that have been read. */
 static void read_table(struct run *r, char *text)
 {
     char *rest = text, *remarks = text;
@@ -169,8 +170,9 @@ static void tell_run(const struct run_order *o, bool late)
         check_tell("question", o->late);
 }
 
-/* A program that crashed, or did not end, ends the test in the same way, so
-   that the examiner says of it what it says of a function. */
+/* Ends the test as the program has ended. A program that crashed, or did
+   not end, ends the test in the same way, so that the examiner says of it
+   what it says of a function. */
 static void end_like(const struct run_order *o, int status, bool late)
 {
     const bool sane =

@@ -19,7 +19,8 @@
 
 enum { TEXT_MOST = 1 << 20 };
 
-/* An order is taken with distrust, though it is ours. */
+/* Receives a text of an order. An order is taken with distrust, though it
+   is ours. */
 static char *take_text(void)
 {
     size_t length;
@@ -130,8 +131,9 @@ struct stream {
     bool more; /* there was more than is kept */
 };
 
-/* What it prints goes through pipes that are read as it goes: no file has
-   to hold 16 MiB, and an orphan that goes on printing is not waited for. */
+/* Reads what the program has printed since the last look. What it prints
+   goes through pipes that are read as it goes: no file has to hold 16 MiB,
+   and an orphan that goes on printing is not waited for. */
 static bool take_down(struct stream *s)
 {
     static char spill[1 << 16];
@@ -168,9 +170,10 @@ static double seconds_allowed(void)
     return 5.0;
 }
 
-/* A program that sleeps uses no processor time, so it is ended after 1.8
-   times as much on the wall. One that printed too much has not failed
-   otherwise, whatever it was killed by. */
+/* Reads the program's output until it ends or is late. A program that
+   sleeps uses no processor time, so it is ended after 1.8 times as much on
+   the wall. One that printed too much has not failed otherwise, whatever it
+   was killed by. */
 static void watch(pid_t pid, struct stream s[2], int how[3])
 {
     const double allowed = seconds_allowed(), start = now();
@@ -196,8 +199,8 @@ static void watch(pid_t pid, struct stream s[2], int how[3])
         how[0] = how[1] = 0;
 }
 
-/* Both ends of the pipes do not block, or this would wait for children that
-   the program has left behind. */
+/* Starts the program and watches it. Both ends of the pipes do not block,
+   or this would wait for children that the program has left behind. */
 static void run(int given, struct stream s[2], int how[3], int counter)
 {
     int out[2], complain[2];
@@ -349,7 +352,8 @@ static void clean_up(void)
         free(words[i]);
 }
 
-/* There may be many runs in a test: whose complaint is it? */
+/* Copies what the program wrote to standard error. There may be many runs
+   in a test: whose complaint is it? */
 static void tell_complaint(const struct stream *s)
 {
     if (s->length == 0)

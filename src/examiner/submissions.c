@@ -16,9 +16,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* No name is given to a shell, links are not followed, and all of it works
-   on descriptors, so that nothing can be exchanged between the look and the
-   opening. A file may be a link to /etc/passwd, or a named pipe. */
+/* Opens a folder within another. No name is given to a shell, links are not
+   followed, and all of it works on descriptors, so that nothing can be
+   exchanged between the look and the opening. A file may be a link to
+   /etc/passwd, or a named pipe. */
 static int open_folder(int parent, const char *name)
 {
     return openat(parent, name,
@@ -189,7 +190,7 @@ static const char brightspace[] =
     "^([0-9]+-[0-9]+ ?- ?.+) ?- ?([A-Z][a-z]{2}[a-z]* [0-9]+, [0-9]{4} "
     "[0-9]{1,2}:?[0-9]{2} [AP]M)( ?- ?(.*))?$";
 
-/* The digits of a date as one number. */
+/* Returns the digits of a date as one number. */
 static long long count_digits(const char *text, size_t length)
 {
     long long number = 0;
@@ -199,7 +200,7 @@ static long long count_digits(const char *text, size_t length)
     return number;
 }
 
-/* Nov 28, 2026 905 AM as 202611280905. */
+/* Reads Nov 28, 2026 905 AM as 202611280905. */
 static long long read_date(const char *text)
 {
     static const char months[] = "JanFebMarAprMayJunJulAugSepOctNovDec";
@@ -223,7 +224,7 @@ static long long read_date(const char *text)
     return ((year * 100LL + which) * 100 + day) * 10000 + clock;
 }
 
-/* Whether a name is of this form, with its four parts. */
+/* Returns whether a name is of this form, with its four parts. */
 static bool matches(const char *name, const char *form, regmatch_t part[5])
 {
     regex_t compiled;
@@ -234,8 +235,8 @@ static bool matches(const char *name, const char *form, regmatch_t part[5])
     return found;
 }
 
-/* An owner's name that ends with the date of the attempt. Returns what
-   follows it, "" for a folder; NULL when it is no such name. */
+/* Reads an owner's name that ends with the date of the attempt. Returns
+   what follows it, "" for a folder; NULL when it is no such name. */
 static const char *part_attempt(const char *name, struct owner *owner)
 {
     regmatch_t part[5];
@@ -351,8 +352,9 @@ static const char *page_key(const char *name) /* "P1g" or "P1t" */
     return key;
 }
 
-/* A text or a C++ file with an exercise's name is kept, too, to be told of
-   if there is nothing better. */
+/* Takes a file for an answer, or notes why not. A text or a C++ file with
+   an exercise's name is kept, too, to be told of if there is nothing
+   better. */
 static void take(struct submission *s, const char *const usual[],
                  const char *path, const char *name, mode_t mode, int depth)
 {
@@ -392,9 +394,9 @@ static mode_t mode_of(int folder, const char *name)
     return asked == 0 ? about.st_mode : 0;
 }
 
-/* A submission that is the whole kit has folders with the same file names,
-   solutions among them; they are the kit's if exercises stands beside
-   them. */
+/* Returns whether a folder belongs to a copy of the kit. A submission that
+   is the whole kit has folders with the same file names, solutions among
+   them; they are the kit's if exercises stands beside them. */
 static bool is_kit(int folder, const char *name)
 {
     static const char *const kit[] = {"tests",    "solutions", "src",
@@ -434,8 +436,9 @@ static void walk(struct submission *s, const char *const usual[],
     close(folder);
 }
 
-/* Each folder is a student's, and each owner of a file. Where there are
-   neither, but an exercise's file, the folder itself is one student's. */
+/* Returns the submission of a student, a new one if needed. Each folder is
+   a student's, and each owner of a file. Where there are neither, but an
+   exercise's file, the folder itself is one student's. */
 static struct submission *student(struct submissions *all,
                                   const char *entry, const char *name)
 {
@@ -564,8 +567,8 @@ struct submissions submissions_find(const char *folder,
     return all;
 }
 
-/* Whether one is to be graded and not the other: what was handed in later,
-   or stands in a better place. */
+/* Returns whether one is to be graded and not the other: what was handed in
+   later, or stands in a better place. */
 static int prefer(const struct answer *one, const struct answer *other)
 {
     const bool graded = one->rank < MISNAMED;
@@ -576,15 +579,17 @@ static int prefer(const struct answer *one, const struct answer *other)
     return (one->rank < other->rank) - (one->rank > other->rank);
 }
 
-/* Whether both paths begin with the same folder; then it says nothing. */
+/* Returns whether both paths begin with the same folder; then it says
+ * nothing. */
 static bool together(const char *one, const char *other)
 {
     const size_t length = strcspn(one, "/");
     return one[length] && strncmp(one, other, length + 1) == 0;
 }
 
-/* Of several files the one with the best rank is graded. If two have the
-   same nobody can know, and neither is; the others are named either way. */
+/* Chooses the answer to an exercise among the files for it. Of several
+   files the one with the best rank is graded. If two have the same nobody
+   can know, and neither is; the others are named either way. */
 static const struct answer *choose(const struct submission *s,
                                    const char *usual, char **note)
 {
@@ -641,8 +646,8 @@ static const struct answer *choose(const struct submission *s,
     return best;
 }
 
-/* Each folder on the way is opened by its own name, and none may be a
-   link. */
+/* Opens the folder of a path. Each folder on the way is opened by its own
+   name, and none may be a link. */
 static int open_below(const char *folder, const char *path)
 {
     int at = open_folder(AT_FDCWD, folder);
@@ -667,8 +672,8 @@ static int open_below(const char *folder, const char *path)
     return -1;
 }
 
-/* One byte more than is allowed is asked for, to notice a file that grows
-   meanwhile. */
+/* Reads a file of bounded size. One byte more than is allowed is asked for,
+   to notice a file that grows meanwhile. */
 static char *read_all(int file, size_t *length)
 {
     char *bytes = malloc(SUBMISSIONS_BYTES + 1);
@@ -685,7 +690,8 @@ static char *read_all(int file, size_t *length)
     return bytes;
 }
 
-/* A pipe is opened without waiting, looked at and put away. */
+/* Reads a file if it is a regular one. A pipe is opened without waiting,
+   looked at and put away. */
 static char *read_regular(int file, const char *name, size_t *length,
                           char **refusal)
 {

@@ -89,18 +89,18 @@ char *text_escaped(const char *bytes, size_t length)
     return text;
 }
 
-/* Opening a named pipe would wait until somebody writes to it, so only
-   plain files are read. */
+/* Returns whether a path leads to a plain file. Opening a named pipe would
+   wait until somebody writes to it, so only plain files are read. */
 bool text_plain(const char *path)
 {
     struct stat about;
     return stat(path, &about) == 0 && S_ISREG(about.st_mode);
 }
 
-/* At most a mebibyte is read: nothing here is worth more than its
-   beginning, and what a test prints is stopped there anyway. What a
-   terminal should not be sent is escaped: a sequence in a student's output
-   could move up and write "passed" over the line above. */
+/* Reads a file as text. At most a mebibyte is read: nothing here is worth
+   more than its beginning, and what a test prints is stopped there anyway.
+   What a terminal should not be sent is escaped: a sequence in a student's
+   output could move up and write "passed" over the line above. */
 char *text_read(const char *path)
 {
     FILE *file = text_plain(path) ? fopen(path, "r") : NULL;
@@ -133,8 +133,8 @@ bool text_utf16(const char *path)
     return length == sizeof s && abs(zeros[0] - zeros[1]) == 4;
 }
 
-/* Unlike strtok this keeps empty lines, without which the count of lines
-   would be wrong. */
+/* Cuts off the next line. Unlike strtok this keeps empty lines, without
+   which the count of lines would be wrong. */
 char *text_line(char **rest)
 {
     char *line = *rest;
@@ -166,8 +166,8 @@ size_t text_fold(const char *text, size_t room)
     return strcspn(text, " ");
 }
 
-/* The label stands before the first piece and is then empty, which indents
-   the others. */
+/* Writes a label and its text. The label stands before the first piece and
+   is then empty, which indents the others. */
 void text_field(FILE *out, const char *label, const char *text)
 {
     for (; *text; label = "") {

@@ -14,8 +14,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* These are the words that students read and tests look for. They say what
-   is the case: there is no "error" and no "fatal". */
+/* Returns the name of a state. These are the words that students read and
+   tests look for. They say what is the case: there is no "error" and no
+   "fatal". */
 const char *state_name(enum state state)
 {
     static const char *const names[] = {"not begun", "does not build",
@@ -24,8 +25,8 @@ const char *state_name(enum state state)
     return names[state];
 }
 
-/* What has not begun is no fault: in a fresh copy of the kit nothing is
-   red. */
+/* Returns whether a state is a fault. What has not begun is no fault: in a
+   fresh copy of the kit nothing is red. */
 bool state_wrong(enum state state)
 {
     return state != NOT_BEGUN && state != PASSED;
@@ -46,9 +47,9 @@ struct result {
     char *error;  /* what the sanitizers added to it, or NULL */
 };
 
-/* A counter or the time would keep accidents away as well; sixteen bytes of
-   the kernel's make "no program prints this by accident" a matter of
-   arithmetic. */
+/* Draws a nonce. A counter or the time would keep accidents away as well;
+   sixteen bytes of the kernel's make "no program prints this by accident" a
+   matter of arithmetic. */
 static void draw_nonce(char nonce[REPORT_NONCE + 1])
 {
     unsigned char bytes[REPORT_NONCE / 2];
@@ -171,10 +172,10 @@ static bool start_runner(const struct trial *trial, const char *test,
                : process_start(command, desk, files, &limits);
 }
 
-/* The runner gets a socket for the orders and for the numbers of its
-   copies, and ends when our end is closed. Only Linux has such copies. In
-   the grader the judge waits so, and has the way to its box from the
-   start. */
+/* Starts a runner that serves all tests. The runner gets a socket for the
+   orders and for the numbers of its copies, and ends when our end is
+   closed. Only Linux has such copies. In the grader the judge waits so, and
+   has the way to its box from the start. */
 void trial_open(const struct trial *trial)
 {
 #ifdef __linux__
@@ -285,8 +286,8 @@ static const char round_and_round[] =
     "had come back to where it was before, with the same values in all its "
     "variables. Which loop was it in, and what was to end it?";
 
-/* A time-out has only a question to show: what the program was doing is a
-   debugger's business. */
+/* Writes the story of a time-out. A time-out has only a question to show:
+   what the program was doing is a debugger's business. */
 static void tell_time_out(const struct trial *trial,
                           const struct process_end *end, FILE *story)
 {
@@ -354,9 +355,9 @@ static const char *meaning(const char *word, int signal)
     return NULL;
 }
 
-/* For undefined behaviour the sanitizer's own words are as good as any of
-   ours; a word that is in no table, from a younger compiler, is shown as it
-   stands. */
+/* Puts a sanitizer's report into words. For undefined behaviour the
+   sanitizer's own words are as good as any of ours; a word that is in no
+   table, from a younger compiler, is shown as it stands. */
 static void error_text(const char *report, char *text, size_t room)
 {
     const char *undefined = strstr(report, "runtime error: ");
@@ -371,7 +372,8 @@ static void error_text(const char *report, char *text, size_t room)
              known ? known : word);
 }
 
-/* A sanitizer is asked first, since it leaves with a status, too. */
+/* Puts a crash into words. A sanitizer is asked first, since it leaves with
+   a status, too. */
 static void crash_text(const struct result *result, char *text, size_t room)
 {
     const int status = result->end.status;
@@ -436,8 +438,9 @@ static void tell_crash(const struct trial *trial,
         text_field(story, "where", nowhere);
 }
 
-/* Lost memory crashes nothing and costs no point, but the student is told
-   where he asked for the first of it. */
+/* Tells of lost memory, if the student's file asked for it. Lost memory
+   crashes nothing and costs no point, but the student is told where he
+   asked for the first of it. */
 bool trial_leak(const char *prints, const char *source, FILE *story)
 {
     char *text = text_read(prints);
@@ -472,9 +475,10 @@ static const char *equation_in_book(const char *label,
     return text;
 }
 
-/* A failure reads as a teacher would put it: what was asked, went in,
-   should have come out, did, how far apart they may be and why, where it
-   stands in the book, a question. It never says what to type. */
+/* Writes the story of a failure. A failure reads as a teacher would put it:
+   what was asked, went in, should have come out, did, how far apart they
+   may be and why, where it stands in the book, a question. It never says
+   what to type. */
 static void tell_failure(const struct result *result, FILE *story)
 {
     char text[REPORT_RECORD], book[REPORT_RECORD];

@@ -43,9 +43,9 @@ static bool repeatable(const enum state states[], int run)
     return true;
 }
 
-/* The last test looks for lost memory, if those before it have passed,
-   because one look in an exercise is enough. What was told is not
-   remembered as a plain pass. */
+/* Tells of memory that a passing answer has lost. The last test looks for
+   lost memory, if those before it have passed, because one look in an
+   exercise is enough. What was told is not remembered as a plain pass. */
 static bool tell_leak(const struct exercise *e, const struct trial *trial,
                       FILE *story)
 {
@@ -65,11 +65,12 @@ static bool tell_leak(const struct exercise *e, const struct trial *trial,
     return leaks;
 }
 
-/* One test decides the state and is told in full: the first that went wrong
-   or, when gaps are all that is wrong, the first gap. Gaps mixed with wrong
-   numbers have been begun; "not begun" would keep the student from what can
-   be mended. After a time-out we stop, since nobody wants to wait five
-   seconds for each test. */
+/* Runs the tests of an exercise and sets its state. One test decides the
+   state and is told in full: the first that went wrong or, when gaps are
+   all that is wrong, the first gap. Gaps mixed with wrong numbers have been
+   begun; "not begun" would keep the student from what can be mended. After
+   a time-out we stop, since nobody wants to wait five seconds for each
+   test. */
 static bool run_tests(struct exercise *e, const struct trial *trial,
                       FILE *story)
 {
@@ -147,8 +148,9 @@ static void forget(struct exercise *e)
     e->earned = e->gap = e->wants = 0;
 }
 
-/* A missing file is not begun. The examiner writes no file of the student's
-   unasked, not even the first time. */
+/* Says that the student's file is missing. A missing file is not begun. The
+   examiner writes no file of the student's unasked, not even the first
+   time. */
 static void tell_missing(struct exercise *e)
 {
     char text[4 * COURSE_PATH];

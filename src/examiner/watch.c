@@ -76,8 +76,9 @@ static void show(const struct course *course, const struct exercise *e)
 
 enum { WATCH_PAUSE = 100 }; /* ms between two looks */
 
-/* The keyboard is read by the line. Single keys would need another mode of
-   the terminal, in which a watch that is killed would leave it. */
+/* Waits a moment for a key; returns whether to go on. The keyboard is read
+   by the line. Single keys would need another mode of the terminal, in
+   which a watch that is killed would leave it. */
 static bool key_goes_on(const struct exercise *shown)
 {
     static bool silent;

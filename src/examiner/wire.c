@@ -22,8 +22,9 @@ void wire_speak(int word)
     putc(word, mouth);
 }
 
-/* The stream in our direction is flushed when the turn changes and only
-   then, so that a short call is a single write. */
+/* Flushes what was sent and receives the first byte of a message. The
+   stream in our direction is flushed when the turn changes and only then,
+   so that a short call is a single write. */
 int wire_listen(void)
 {
     if (fflush(mouth) != 0)

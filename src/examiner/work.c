@@ -16,9 +16,9 @@ static void remove_folder(void)
                 strerror(errno));
 }
 
-/* The folder lies in build/ and not in /tmp, where some machines start no
-   programs, and has a fresh name, so that two rounds in two windows do not
-   meet. */
+/* Makes the temporary folder. The folder lies in build/ and not in /tmp,
+   where some machines start no programs, and has a fresh name, so that two
+   rounds in two windows do not meet. */
 const char *work_folder(void)
 {
     static bool made;
@@ -31,8 +31,8 @@ const char *work_folder(void)
     return folder;
 }
 
-/* rename puts the new file in the place of the old one in one step, so that
-   there is no moment without either. */
+/* Writes a file aside and renames it. rename puts the new file in the place
+   of the old one in one step, so that there is no moment without either. */
 bool work_write(const char *path, const char *text, size_t length)
 {
     char fresh[64];

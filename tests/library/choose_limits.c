@@ -1,6 +1,8 @@
-/* Where the chooser draws its lines: overlaps at the start, and pairs that
-   the tolerance does not see because of one body far away. */
+/* Where the chooser draws its lines: overlaps at the start, pairs that the
+   tolerance does not see because of one body far away, bodies that come to
+   rest, and tolerances near the floor of rounding. */
 #include "enough/choose.h"
+#include "scenes/gallery.h"
 #include "unit.h"
 
 #include <stdlib.h>
@@ -81,11 +83,151 @@ static void test_hidden(void)
         }
 }
 
+/* Two of 1 kg and 0.1 m, 1.2 m apart, fall towards each other by (m +
+   M)/r^2 and bounce with half of their speed, again and again: flights of r
+   down to 0.2 take sqrt(r^3/4) (acos sqrt(0.2/r) + sqrt(0.2/r (1 -
+   0.2/r))). Their sum ends at 1.19782 s. */
+static double end_of_bounces(void)
+{
+    double t = 0, square = 4 * (1 / 0.2 - 1 / 1.2); /* of their speed */
+    for (int k = 0; k < 60; ++k) {
+        const double r = 1 / (1 / 0.2 - square / 4);
+        const double x = 0.2 / r;
+        t += (k > 0 ? 2 : 1) * sqrt(r * r * r / 4) *
+             (acos(sqrt(x)) + sqrt(x * (1 - x)));
+        square /= 4;
+    }
+    return t;
+}
+
+static void test_standstill(void)
+{
+    static const double every[] = {0.125, 2};
+    for (size_t k = 0; k < 2; ++k) {
+        struct scene s;
+        char known[80];
+        UNIT_TRUE(scene_create(&s, 2));
+        s.contact = true;
+        s.restitution = 0.5;
+        s.k2 = 1;
+        s.radius[0] = s.radius[1] = 0.1;
+        s.position[0] = -1;
+        s.position[1] = 0.2;
+        for (size_t c = 2; c < 6; ++c)
+            s.freedom[c] = 0;
+        const struct choose_request q = {.scene = &s,
+                                         .program = "choose",
+                                         .until = 2,
+                                         .every = every[k],
+                                         .tolerance = 1e-2,
+                                         .reason = 10};
+        struct choose_choice c;
+        UNIT_TRUE(choose(&c, &q));
+        snprintf(known, sizeof known,
+                 "collisions without end: after t = %g bodies",
+                 every[k] * floor(end_of_bounces() / every[k]));
+        UNIT_TRUE(strstr(c.refusal, known) == c.refusal);
+        UNIT_TRUE(!c.run.value && isinf(c.horizon));
+        choose_free(&c);
+        scene_free(&s);
+    }
+}
+
+/* A scene of the gallery, carried for a time. */
+static struct choose_choice carried(const char *name, double until,
+                                    size_t rows, double tolerance)
+{
+    struct scene s = {0};
+    struct choose_choice c;
+    const struct gallery_scene *const lists[] = {
+        celestial_scenes, elastic_scenes, hard_scenes};
+    for (size_t j = 0; j < 3; ++j) {
+        const struct gallery_scene *g = gallery_find(lists[j], name);
+        UNIT_TRUE(!g || gallery_make(&s, g, NULL, 0) == NULL);
+    }
+    const struct choose_request q = {.scene = &s,
+                                     .program = "choose",
+                                     .until = s.time + until,
+                                     .every = until / (double)rows,
+                                     .tolerance = tolerance,
+                                     .reason = 10};
+    UNIT_TRUE(choose(&c, &q));
+    scene_free(&s);
+    return c;
+}
+
+/* Four disks seen so often that their twins first differ by a little more
+   than half of the tolerance, and a row later by less than twice as much:
+   the horizon is found at once, not after another seven thousand rows. */
+static void test_parting(void)
+{
+    struct choose_choice c = carried("four-disks", 400, 8000, 1e-3);
+    UNIT_TRUE(!c.run.value);
+    UNIT_NEAR(c.horizon, 5.35, 0.1);
+    UNIT_TRUE(c.spent < 1e-3);
+    choose_free(&c);
+}
+
+/* Near the floor of rounding twins of the reference are asked after a run
+   was taken. If they leave that not enough, another one is taken; if they
+   differ by too much, none: then the bound of the reference alone is more
+   than half of the tolerance. */
+static void test_floor(void)
+{
+    unsigned seen = 0;
+    for (double e = 1e-13; e > 1e-14; e /= 1.1) {
+        struct choose_choice c = carried("figure-eight", 2, 4, e);
+        UNIT_TRUE(c.run.value != NULL);
+        UNIT_TRUE(c.candidate[c.taken].error <= e && c.doubt <= e / 2);
+        UNIT_TRUE(c.candidate[c.taken].error > c.doubt);
+        seen += c.doubt > e / 20; /* by twins */
+        choose_free(&c);
+    }
+    UNIT_TRUE(seen > 20);
+    for (double e = 4e-12; e > 1.3e-12; e /= 1.4) {
+        struct choose_choice c = carried("pythagorean", 9, 4, e);
+        UNIT_TRUE(!c.run.value && c.doubt > e / 2);
+        UNIT_EQUAL(c.horizon, 4.5);
+        UNIT_TRUE(strstr(c.refusal, "horizon") == c.refusal);
+        choose_free(&c);
+    }
+}
+
+/* A reference of equal steps, p and 2 p + 1 to a row, that have none in
+   common but the last; the first of them is offered, too, and off by less
+   than what the two differ by, if that is next to nothing; else, for the
+   second is not exact either, by less than twice as much. */
+static void test_even(void)
+{
+    unsigned near = 0, far = 0;
+    for (double e = 1e-2; e > 1e-7; e /= 5) {
+        struct choose_choice c = carried("double-pendulum", 2, 4, e);
+        double offered = 0;
+        UNIT_TRUE(c.run.value != NULL);
+        UNIT_TRUE(c.reference.steps % 2 == 1 && c.doubt <= 0.2 * e);
+        for (size_t k = 0; k < c.points; ++k)
+            if (c.point[k].plan.model == c.reference.model &&
+                c.point[k].plan.steps == (c.reference.steps - 1) / 2 &&
+                c.point[k].plan.cuts == 0)
+                offered = c.point[k].error;
+        const bool little = c.doubt <= 0.05 * e;
+        UNIT_NEAR(offered, (little ? 1.05 : 2) * c.doubt, 1e-12 * offered);
+        near += little;
+        far += !little;
+        choose_free(&c);
+    }
+    UNIT_TRUE(near > 2 && far > 2);
+}
+
 int main(void)
 {
     return unit_run(
         "choose_limits",
         (struct unit_test[]){{"overlaps at the start", test_overlap},
                              {"a pair that is hidden", test_hidden},
+                             {"bodies that come to rest", test_standstill},
+                             {"twins that part slowly", test_parting},
+                             {"near the floor of rounding", test_floor},
+                             {"references of equal steps", test_even},
                              {0}});
 }

@@ -3,9 +3,80 @@
    is said. */
 #include "unit.h"
 
+#include "enough/record.h"
+
+/* Runs are played from a script. */
+#define record_run played_run
+#define record_both played_both
+static void played_run(struct record *r, struct record_view *v,
+                       const struct record_order *o);
+static void played_both(struct record *a, struct record *b,
+                        struct record_view *v,
+                        const struct record_order *oa,
+                        const struct record_order *ob, double apart);
 #include <enough/choose.c> /* of src: most of its parts are private */
 
 #include "library/plans.h"
+
+/* What the next runs do: they end so after so many of four rows, in all of
+   which the only number is the same. */
+struct played {
+    enum models_end end;
+    size_t reached;
+    double value, cost, least, clock;
+    const char *why;
+};
+enum { MOST_PLAYED = 20 };
+static struct played script[MOST_PLAYED];
+static struct record_order ordered[MOST_PLAYED]; /* what was asked for */
+static size_t played, written;
+
+static void played_run(struct record *r, struct record_view *v,
+                       const struct record_order *o)
+{
+    (void)v;
+    UNIT_TRUE(played < written);
+    const struct played *p = &script[played];
+    ordered[played] = *o;
+    played += played + 1 < MOST_PLAYED;
+    *r = (struct record){.plan = o->plan,
+                         .end = p->end,
+                         .reached = p->reached,
+                         .value = calloc(5, sizeof(double)),
+                         .cost = p->cost,
+                         .least = p->least,
+                         .clock = p->clock,
+                         .twin = o->twin,
+                         .why = p->why};
+    for (size_t row = 0; row < 5; ++row)
+        r->value[row] = p->value;
+}
+
+static void played_both(struct record *a, struct record *b,
+                        struct record_view *v,
+                        const struct record_order *oa,
+                        const struct record_order *ob, double apart)
+{
+    UNIT_TRUE(apart > 0);
+    played_run(a, v, oa);
+    played_run(b, v, ob);
+}
+
+static void write_run(struct played p)
+{
+    script[written++] = p;
+}
+
+/* A run that is whole. */
+static void write_whole(double value)
+{
+    write_run((struct played){MODELS_DONE, 4, value, 1e-3, 1, 0, NULL});
+}
+
+static void write_end(enum models_end end, size_t reached)
+{
+    write_run((struct played){end, reached, 0, 1e-3, 1, 0, NULL});
+}
 
 static struct choose_choice choice;
 static struct choose_request request;
@@ -20,8 +91,14 @@ static void begin(double tolerance)
     request = (struct choose_request){
         .program = "choose", .every = 0.5, .tolerance = tolerance};
     request.reason = 100;
-    view = (struct record_view){.length = 2};
+    static double weight[1] = {1}, turn[1], last[1];
+    view = (struct record_view){.columns = 1,
+                                .length = 2,
+                                .weight = weight,
+                                .turn = turn,
+                                .last = last};
     reference = (struct reference){.seen = 0};
+    played = written = 0;
 }
 
 static struct models_plan steps_of(const char *name, uint64_t steps)
@@ -581,6 +658,417 @@ static void test_next_best(void)
     UNIT_TRUE(next_best(&choice, &price) == &choice.candidate[0]);
 }
 
+static struct scene still; /* none of its bodies is ever asked for */
+
+/* Looks for a reference as the script says; it has to be played out. */
+static bool found(void)
+{
+    still.contact = true;
+    request.scene = &still;
+    const bool is = find_reference(&task, &reference);
+    UNIT_EQUAL((double)played, (double)written);
+    record_free(&reference.run);
+    record_free(&reference.coarser);
+    return is;
+}
+
+/* Bodies come to rest if two runs in turn say so after the same row. */
+static void test_standstill(void)
+{
+    begin(1e-3);
+    write_end(MODELS_STANDSTILL, 2);
+    write_end(MODELS_DONE, 2);
+    write_end(MODELS_STANDSTILL, 2);
+    write_end(MODELS_STANDSTILL, 2);
+    UNIT_TRUE(!found());
+    UNIT_TRUE(strstr(choice.refusal, "collisions without end: after t = 1 "
+                                     "bodies") == choice.refusal);
+    UNIT_TRUE(isinf(choice.horizon));
+    begin(1e-3); /* after another row; and then the same breaks down */
+    write_end(MODELS_STANDSTILL, 2);
+    write_end(MODELS_DONE, 2);
+    write_end(MODELS_STANDSTILL, 1);
+    write_end(MODELS_DONE, 1);
+    write_end(MODELS_BROKEN, 1);
+    write_end(MODELS_DONE, 1);
+    write_end(MODELS_STANDSTILL, 1);
+    write_end(MODELS_DONE, 1);
+    write_whole(7);
+    write_whole(7);
+    UNIT_TRUE(found());
+    UNIT_TRUE(choice.refusal[0] == '\0');
+    begin(1e-3); /* the finer one alone, in the first row */
+    write_whole(7);
+    write_end(MODELS_STANDSTILL, 0);
+    write_whole(7);
+    write_end(MODELS_STANDSTILL, 0);
+    UNIT_TRUE(!found());
+    UNIT_TRUE(strstr(choice.refusal, "after t = 0 bodies") != NULL);
+}
+
+/* Other ends: dear, broken twice at one place, or not begun at all. */
+static void test_no_reference(void)
+{
+    begin(1e-3);
+    write_whole(7);
+    write_end(MODELS_COSTLY, 3);
+    UNIT_TRUE(!found());
+    UNIT_TRUE(strstr(choice.refusal,
+                     "beyond reason: radau15:1e-05, to compare others "
+                     "with, would bring") == choice.refusal);
+    begin(1e-3);
+    write_end(MODELS_COSTLY, 3);
+    write_whole(7);
+    UNIT_TRUE(!found());
+    UNIT_TRUE(strstr(choice.refusal, "beyond reason: radau15:0.001, to") ==
+              choice.refusal);
+    begin(1e-3);
+    write_end(MODELS_MEMORY, 3);
+    write_whole(7);
+    UNIT_TRUE(!found());
+    UNIT_TRUE(strcmp(choice.refusal, "radau15:0.001: no memory") == 0);
+    begin(1e-3);
+    write_end(MODELS_BROKEN, 3);
+    write_end(MODELS_BROKEN, 2);
+    write_end(MODELS_DONE, 3);
+    write_end(MODELS_BROKEN, 3);
+    write_end(MODELS_BROKEN, 2);
+    write_end(MODELS_BROKEN, 2);
+    UNIT_TRUE(!found());
+    UNIT_TRUE(strcmp(choice.refusal, "radau15:1e-07: breaks down") == 0);
+    begin(1e-3);
+    write_run((struct played){.end = MODELS_BROKEN, .why = "so"});
+    write_end(MODELS_DONE, 0);
+    UNIT_TRUE(!found());
+    UNIT_TRUE(strcmp(choice.refusal, "radau15:0.001: so") == 0);
+}
+
+/* Two agree to a twentieth of what is asked for. The second is a hundred
+   times finer, in other units, and keeps from the bounds of its steps; the
+   next pair begins where it stood. */
+static void test_reference(void)
+{
+    begin(1e-3);
+    write_whole(7);
+    write_whole(7 + 0.051e-3);
+    write_whole(7);
+    write_whole(7 + 0.049e-3);
+    UNIT_TRUE(found());
+    UNIT_NEAR(reference.doubt, 0.049e-3, 1e-15);
+    UNIT_EQUAL(reference.seen, reference.doubt);
+    UNIT_NEAR(choice.spent, 4e-3, 1e-18);
+    static const double tolerances[] = {1e-3, 1e-5, 1e-5, 1e-7};
+    for (size_t k = 0; k < 4; ++k) {
+        UNIT_NEAR(ordered[k].plan.tolerance, tolerances[k], 1e-18);
+        UNIT_EQUAL(ordered[k].twin, k % 2);
+        UNIT_EQUAL(ordered[k].plan.slack, k % 2 ? 0.2 : 0);
+    }
+    /* Close contacts have to be the same in both. */
+    begin(1e-3);
+    write_run((struct played){MODELS_DONE, 4, 7, 1, 1e-9, 0, NULL});
+    write_run((struct played){MODELS_DONE, 4, 7, 1, 2e-9, 0, NULL});
+    write_whole(7);
+    write_whole(7);
+    UNIT_TRUE(found());
+    UNIT_TRUE(!(choice.horizon < INFINITY));
+}
+
+/* No two agree, down to the last digits: they part where the last two do,
+   by more than a quarter of the tolerance. */
+static void test_parting(void)
+{
+    begin(1e-9); /* from 1e-6 in steps of a hundred: five pairs */
+    for (int pair = 0; pair < 5; ++pair) {
+        write_whole(7);
+        write_whole(7 + 0.6e-9);
+    }
+    UNIT_TRUE(!found());
+    UNIT_EQUAL(choice.horizon, 0);
+    begin(1e-9); /* hardly: four twins bound it by less than a fifth */
+    for (int pair = 0; pair < 5; ++pair) {
+        write_whole(7);
+        write_whole(7 + 0.06e-9);
+    }
+    for (int twin = 0; twin < 4; ++twin)
+        write_whole(7);
+    UNIT_TRUE(found());
+    UNIT_EQUAL(reference.twins, 5);
+    UNIT_NEAR(reference.doubt, 2.7 * 0.06e-9, 1e-14);
+    UNIT_EQUAL(ordered[10].twin, 2);
+    UNIT_EQUAL(ordered[13].twin, 5);
+}
+
+/* Sets a reference that is off by so much of the coarser one. */
+static void set_reference(double seen, double least_coarser,
+                          double least_run)
+{
+    write_run(
+        (struct played){MODELS_DONE, 4, 0, 1, least_coarser, 0, NULL});
+    write_run((struct played){MODELS_DONE, 4, 0, 1, least_run, 0, NULL});
+    run_pair(&task, &reference, own_steps_of(1e-6));
+    reference.seen = reference.doubt = seen;
+    played = written = 0;
+}
+
+static void drop_reference(void)
+{
+    record_free(&reference.run);
+    record_free(&reference.coarser);
+}
+
+/* By hand, with the margins 4800, 43, 9.2, 4.3, 2.7 and 2 for one to six:
+   0.01 of the tolerance needs four for a fifth, 0.09 needs six and is then
+   0.18, 0.11 is then too much for that, but not for half; with 0.26 no twin
+   is asked. A twin that is farther off counts. */
+static void test_twins(void)
+{
+    static const struct {
+        double seen, twin, want;
+        unsigned twins;
+        double doubt;
+        bool sure;
+    } known[] = {{0.01, 0, 0.2, 3, 0.092, true},
+                 {0.04, 0, 0.2, 4, 0.172, true},
+                 {0.09, 0, 0.2, 6, 0.18, true},
+                 {0.11, 0, 0.2, 6, 0.22, true},
+                 {0.25, 0, 0.2, 6, 0.5, true},
+                 {0.26, 0, 0.2, 1, 0.52, false},
+                 {0.01, 0.26, 0.2, 2, 0.52, false},
+                 {0.01, 0.05, 0.2, 5, 0.135, true},
+                 {4e-5, 0, 0.2, 1, 0.192, true},
+                 {5e-5, 0, 0.2, 2, 2.15e-3, true},
+                 {0.01, 0, 0.09, 4, 0.043, true}};
+    for (size_t k = 0; k < sizeof known / sizeof *known; ++k) {
+        begin(1e-3);
+        request.scene = &still;
+        set_reference(known[k].seen * 1e-3, 1, 1);
+        for (unsigned twin = 1; twin < known[k].twins; ++twin)
+            write_whole(-known[k].twin * 1e-3);
+        UNIT_TRUE(ask_twins(&task, &reference, known[k].want * 1e-3) ==
+                  known[k].sure);
+        UNIT_EQUAL((double)played, (double)written);
+        UNIT_EQUAL(reference.twins, known[k].twins);
+        UNIT_NEAR(reference.doubt, known[k].doubt * 1e-3, 1e-9);
+        for (size_t j = 0; j < played; ++j)
+            UNIT_EQUAL(ordered[j].twin, 2 + (double)j);
+        UNIT_TRUE((choice.horizon == 0) == (known[k].twin > 0.25));
+        drop_reference();
+    }
+}
+
+/* An exact run and its twin, which are so far apart, in shares of the
+   tolerance; runs that cost next to nothing have all six. */
+static void test_exact_twins(void)
+{
+    static const struct {
+        double far, twin, cost;
+        unsigned twins;
+        double error;
+        bool horizon;
+    } known[] = {{2e-4, 0, 1, 1, 0.96, false},
+                 {2e-4, 0, 1e-4, 6, 4e-4, false},
+                 {2e-4, 0, 1.6e-4, 6, 4e-4, false},
+                 {2e-4, 0, 1.7e-4, 1, 0.96, false},
+                 {2.2e-4, 0, 1, 2, 43 * 2.2e-4, false},
+                 {0.1, 0, 1, 3, 0.92, false},
+                 {0.3, 0, 1, 5, 0.81, false},
+                 {0.5, 0, 1, 6, 1, false},
+                 {0.51, 0, 1, 1, 1.02, false},
+                 {0.1, 0.6, 1, 2, 1.2, true},
+                 {0.1, -0.2, 1, 4, 0.86, false}};
+    const struct models_plan p = {.model = models_find("line")};
+    for (size_t k = 0; k < sizeof known / sizeof *known; ++k) {
+        struct record a, b;
+        begin(1e-3);
+        request.scene = &still;
+        const struct record_order o = order_of(&task, p, INFINITY);
+        struct record_order other = o;
+        other.twin = 2;
+        write_run(
+            (struct played){MODELS_DONE, 4, 7, known[k].cost, 1, 0, NULL});
+        write_whole(7 + known[k].far * 1e-3);
+        for (unsigned twin = 1; twin < known[k].twins; ++twin)
+            write_whole(7 + known[k].twin * 1e-3);
+        played_run(&a, &view, &o);
+        played_run(&b, &view, &other);
+        UNIT_NEAR(bound_by_twins(&task, &a, &b), known[k].error * 1e-3,
+                  1e-9);
+        UNIT_EQUAL((double)played, (double)written);
+        for (size_t j = 1; j < played; ++j)
+            UNIT_EQUAL(ordered[j].twin, 1 + (double)j);
+        UNIT_TRUE((choice.horizon == 0) == known[k].horizon);
+        record_free(&a);
+        record_free(&b);
+    }
+}
+
+/* A clock that is late by a share of the time moves places by so much more
+   than a run does whose rows are 2^-40 later. */
+static void test_slip(void)
+{
+    struct record a;
+    begin(1e-3);
+    request.scene = &still;
+    const struct record_order o =
+        order_of(&task, (struct models_plan){.model = models_find("line")},
+                 INFINITY);
+    write_run((struct played){MODELS_DONE, 4, 7, 1, 1, 0x1p-44, NULL});
+    write_whole(7 + 0x1p-30);
+    played_run(&a, &view, &o);
+    UNIT_EQUAL(slip(&task, &a), 0x1p-34);
+    UNIT_EQUAL(ordered[1].every, 0.5 * (1 + 0x1p-40));
+    a.clock = 0;
+    UNIT_EQUAL(slip(&task, &a), 0);
+    UNIT_EQUAL((double)played, 2);
+    record_free(&a);
+}
+
+/* An undecided contact is asked of balls that are smaller and larger by
+   twice as much as the finer run just met or missed, or by a hair. */
+static void test_balls(void)
+{
+    begin(1e-3);
+    request.scene = &still;
+    set_reference(1e-5, 1, 1.1);
+    ask_balls(&task, &reference);
+    UNIT_EQUAL((double)played, 0);
+    drop_reference();
+    for (int close = 0; close < 2; ++close) {
+        const double swell = close ? 0x1p-39 : 2e-3;
+        begin(1e-3);
+        request.scene = &still;
+        set_reference(1e-5, 1, close ? 1e-20 : -1e-3);
+        write_whole(2e-4);
+        write_whole(-1e-4);
+        ask_balls(&task, &reference);
+        UNIT_EQUAL((double)played, 2);
+        UNIT_EQUAL(ordered[0].swell, -swell);
+        UNIT_EQUAL(ordered[1].swell, swell);
+        UNIT_NEAR(reference.doubt, 2e-4, 1e-18);
+        UNIT_TRUE(isinf(choice.horizon));
+        drop_reference();
+    }
+    begin(1e-3);
+    request.scene = &still;
+    set_reference(1e-5, 1, -1);
+    write_whole(0);
+    write_whole(2.6e-4); /* it decides by more than a quarter */
+    ask_balls(&task, &reference);
+    UNIT_EQUAL(choice.horizon, 0);
+    drop_reference();
+}
+
+/* Whether rounding moves a run by a 300th of the tolerance is asked of the
+   first twin. */
+static void test_near_floor(void)
+{
+    for (int near = 0; near < 2; ++near) {
+        begin(3e-3);
+        request.scene = &still;
+        write_whole(7);
+        write_whole(7 + (near ? 1.001e-5 : 0.999e-5));
+        run(&task, &choice.run,
+            &(struct record_order){.plan = own_steps_of(1e-9)});
+        UNIT_TRUE(is_near_floor(&task) == near);
+        UNIT_EQUAL(ordered[1].twin, 1);
+        UNIT_EQUAL(ordered[1].plan.tolerance, 1e-9);
+        choose_free(&choice);
+    }
+}
+
+/* Runs with p, 2 p + 1, ... steps, four at most, and no more if two of them
+   differ by 16 times too much: by the order of the method two more would
+   not help. */
+static void test_even(void)
+{
+    static const struct {
+        double value[4]; /* in fifths of the tolerance */
+        size_t runs;
+        double doubt; /* the same; 0: none */
+    } known[] = {{{100, 99.01}, 2, 0.99},         {{10, 0, 0.9}, 3, 0.9},
+                 {{15.9, 0, 15.9, 15.8}, 4, 0.1}, {{16.1, 0}, 2, 0},
+                 {{15.9, 0, 16.1}, 3, 0},         {{10, 0, 10, 0}, 4, 0}};
+    for (size_t k = 0; k < sizeof known / sizeof *known; ++k) {
+        struct scene s;
+        begin(1e-3);
+        UNIT_TRUE(scene_create(&s, 1));
+        request.scene = &s;
+        for (size_t j = 0; j < known[k].runs; ++j)
+            write_whole(known[k].value[j] * 0.2e-3);
+        UNIT_TRUE(find_even(&task, &reference, "leapfrog") ==
+                  (known[k].doubt > 0));
+        UNIT_EQUAL((double)played, (double)written);
+        for (size_t j = 0; j < played; ++j)
+            UNIT_EQUAL((double)ordered[j].plan.steps,
+                       j == 0 ? 1
+                              : 2 * (double)ordered[j - 1].plan.steps + 1);
+        if (known[k].doubt > 0)
+            UNIT_NEAR(reference.doubt, known[k].doubt * 0.2e-3, 1e-12);
+        UNIT_TRUE((reference.run.value != NULL) == (known[k].doubt > 0));
+        drop_reference();
+        scene_free(&s);
+    }
+}
+
+/* A run of 40 steps that holds is taken if one of 44 holds, too; if not,
+   one of 36 is, that does; and else it is said to be as bad as the finer
+   one. Rungs that are known are not run again. */
+static void test_neighbours(void)
+{
+    static const struct {
+        double finer, coarser; /* 0: it is not asked */
+        uint64_t steps;
+        double error;
+    } known[] = {{0.9, 0, 40, 0.5},
+                 {1.1, 0.95, 36, 0.95},
+                 {1.1, 1.2, 40, 1.1},
+                 {1.1, 1, 36, 1}};
+    for (size_t k = 0; k < sizeof known / sizeof *known; ++k) {
+        begin(1e-3);
+        request.scene = &still;
+        set_reference(0, 1, 1);
+        struct ladder l = ladder("leapfrog", 16, 1, 1e-3);
+        struct record r;
+        struct choose_point seen = {steps_of("leapfrog", 40), 0.5e-3, 40};
+        write_whole(0.5e-3);
+        write_whole(known[k].finer * 1e-3);
+        if (known[k].coarser > 0)
+            write_whole(known[k].coarser * 1e-3);
+        run(&task, &r,
+            &(struct record_order){.plan = steps_of("leapfrog", 40)});
+        ask_neighbours(&task, &l, &r, &seen);
+        UNIT_EQUAL((double)played, (double)written);
+        UNIT_EQUAL((double)ordered[1].plan.steps, 44);
+        UNIT_TRUE(written < 3 || ordered[2].plan.steps == 36);
+        UNIT_EQUAL((double)r.plan.steps, (double)known[k].steps);
+        UNIT_EQUAL((double)seen.plan.steps, (double)known[k].steps);
+        UNIT_NEAR(seen.error, known[k].error * 1e-3, 1e-15);
+        UNIT_EQUAL(seen.cost, known[k].steps == 40 ? 40 : 1e-3);
+        record_free(&r);
+        drop_reference();
+    }
+    /* What is next to a run that is known: 44 was the last, and 36 fails.
+     */
+    begin(1e-3);
+    request.scene = &still;
+    set_reference(0, 1, 1);
+    struct ladder l = ladder("leapfrog", 44, 7, 1);
+    struct record r = {.value = NULL};
+    struct models_plan p = steps_of("leapfrog", 40);
+    UNIT_EQUAL(error_of_finer(&task, &l, &p), 7);
+    l.least = log2(36);
+    UNIT_TRUE(isinf(error_of_coarser(&task, &l, &p, &r)));
+    l.least = 0;
+    p.steps = 7; /* few steps have no near rung below */
+    UNIT_TRUE(isinf(error_of_coarser(&task, &l, &p, &r)));
+    p.steps = 9;
+    write_whole(3);
+    UNIT_EQUAL(error_of_coarser(&task, &l, &p, &r), 3);
+    UNIT_EQUAL((double)ordered[0].plan.steps, 8);
+    record_free(&r);
+    drop_reference();
+}
+
 int main(void)
 {
     return unit_run(
@@ -602,5 +1090,16 @@ int main(void)
             {"refusals", test_refusals},
             {"sentences", test_sentences},
             {"the next best", test_next_best},
+            {"two say that bodies come to rest", test_standstill},
+            {"no reference", test_no_reference},
+            {"a reference", test_reference},
+            {"references that part", test_parting},
+            {"twins of a reference", test_twins},
+            {"twins of an exact run", test_exact_twins},
+            {"clocks that are late", test_slip},
+            {"balls a little larger", test_balls},
+            {"what rounding moves", test_near_floor},
+            {"references of equal steps", test_even},
+            {"neighbours on a ladder", test_neighbours},
             {0}});
 }

@@ -54,6 +54,9 @@ static void test_rate_of_gravity(void)
     UNIT_NEAR(models_rate(&s, 0), sqrt(15), 1e-14);
     s.softening = 0;
     UNIT_NEAR(models_rate(&s, 0), sqrt(15 / 0.512), 1e-14);
+    s.k2 = -3; /* nothing circles where all repel each other */
+    UNIT_EQUAL(models_rate(&s, 0), 0);
+    s.k2 = 3;
     s.damping = 0.5; /* of what has mass, the lightest */
     UNIT_NEAR(models_rate(&s, 0), sqrt(15 / 0.512) + 0.5, 1e-14);
     scene_free(&s);
@@ -302,6 +305,63 @@ static void test_bill_of_line(void)
         UNIT_EQUAL(r.work[MODELS_LINE_SCAN], (11 + 4) * looks[k][1]);
         UNIT_EQUAL(r.work[MODELS_FLIGHT], 3 * 4 * looks[k][0]);
     }
+}
+
+/* A body on a line that falls away from the engine's own down, along an
+   axis from left to right: from 5 m with 1 m/s, by 2 m/s^2. */
+static void test_upwards(void)
+{
+    static const struct {
+        double mass;
+        bool held;
+        const char *why;
+    } known[] = {{1, false, NULL},
+                 {0, false, "a body has no mass"},
+                 {1, true, "nothing is free, or too much"}};
+    const struct models_plan p = plan("line");
+    for (size_t k = 0; k < 3; ++k) {
+        struct scene s = made(1);
+        s.contact = true;
+        s.wall[0] = SCENE_HARD;
+        s.high[0] = 10;
+        s.position[0] = 5;
+        s.velocity[0] = 1;
+        s.gravity[0] = 2;
+        s.mass[0] = known[k].mass;
+        s.freedom[0] = !known[k].held;
+        s.freedom[1] = s.freedom[2] = 0;
+        const char *why = models_refuse(&p, &s);
+        UNIT_TRUE(why == known[k].why ||
+                  (why && strcmp(why, known[k].why) == 0));
+        if (!known[k].why) {
+            struct models_run r = run_of("line", &s, 1, 1);
+            UNIT_NEAR(r.scene.position[0], 7, 1e-14);
+            UNIT_NEAR(r.scene.velocity[0], 3, 1e-14);
+            models_end(&r);
+        }
+        scene_free(&s);
+    }
+}
+
+/* A pendulum of 1 m on a stiff spring that is a rod stays as long; at the
+   bottom it has all of its energy: 2 g h = v^2. */
+static void test_rod(void)
+{
+    struct scene s = made(2);
+    UNIT_TRUE(scene_add_kind(&s, 1e6, 0));
+    UNIT_TRUE(scene_add_spring(&s, 0, 1, 0, 1));
+    for (size_t k = 0; k < 3; ++k)
+        s.freedom[2 * k] = 0;
+    s.position[1] = 1;
+    s.gravity[2] = -1;
+    struct models_run r = run_of("leapfrog:400,rods", &s, 1.5, 1);
+    const double x = r.scene.position[1], z = r.scene.position[5];
+    const double v = r.scene.velocity[1], w = r.scene.velocity[5];
+    UNIT_NEAR(x * x + z * z, 1, 1e-9);
+    UNIT_NEAR(v * v + w * w, -2 * z, 1e-4);
+    UNIT_TRUE(z < -0.7 && r.work[MODELS_ROD] > 0);
+    models_end(&r);
+    scene_free(&s);
 }
 
 /* Disks by the scan: at the start all pairs, three times the price of half
@@ -660,6 +720,8 @@ int main(void)
             {"too many modes", test_many_modes},
             {"to put in order has a price", test_sorting},
             {"the bill of a line", test_bill_of_line},
+            {"along a line that rises", test_upwards},
+            {"a rod", test_rod},
             {"the bill of disks", test_bill_of_disks},
             {"crossings are foreseen", test_endless},
             {"the bill of steps", test_bill_of_steps},

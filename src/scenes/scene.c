@@ -1,5 +1,5 @@
 /* From chapters/works/08-scenes.nw: edit there, then run make tangle. */
-/* checksum 1912493496 of the lines below */
+/* checksum 2399461139 of the lines below */
 /* Reads a scene in four passes, and writes it so that no bit is lost. */
 #include "scenes/scene.h"
 
@@ -247,9 +247,8 @@ struct field {
 
 static struct field next_field(const char **fields)
 {
-    struct field f = {0};
     const char *c = *fields;
-    f.optional = *c == ';';
+    struct field f = {.optional = *c == ';'};
     c += f.optional;
     if (strchr("@&#+>%!|=", *c))
         f.mark = *c++;
@@ -529,30 +528,31 @@ static bool take_hertz(struct reader *r, const double value[], size_t count)
 }
 
 #define TO(field) NULL, offsetof(struct scene, field)
+#define BY(function) function, 0
 static const struct line forms[LINES] = {
     [POS] = {"pos", "@body x y z +mass charge +radius ;%red %green %blue",
-             1, take_pos, 0},
-    [VEL] = {"vel", "@body vx vy vz", 1, take_vel, 0},
-    [VFIX] = {"vfix", "@body !x !y !z", 1, take_vfix, 0},
-    [DIS] = {"dis", "@body dx dy dz", 3, take_dis, 0},
-    [SPECIES] = {"species", "@body #species", 1, take_species, 0},
-    [CARRY] = {"carry", "@body x y z vx vy vz", 1, take_carry, 0},
-    [KEPT] = {"kept", "@body ax ay az", 1, take_kept, 0},
-    [S] = {"s", "&kind +D +c ;%red %green %blue", 1, take_kind, 0},
-    [SL] = {"sl", "@body @body &kind ;+rest", 2, take_spring, 0},
-    [DASHPOT] = {"dashpot", "=way", 1, take_dashpot, 0},
+             1, BY(take_pos)},
+    [VEL] = {"vel", "@body vx vy vz", 1, BY(take_vel)},
+    [VFIX] = {"vfix", "@body !x !y !z", 1, BY(take_vfix)},
+    [DIS] = {"dis", "@body dx dy dz", 3, BY(take_dis)},
+    [SPECIES] = {"species", "@body #species", 1, BY(take_species)},
+    [CARRY] = {"carry", "@body x y z vx vy vz", 1, BY(take_carry)},
+    [KEPT] = {"kept", "@body ax ay az", 1, BY(take_kept)},
+    [S] = {"s", "&kind +D +c ;%red %green %blue", 1, BY(take_kind)},
+    [SL] = {"sl", "@body @body &kind ;+rest", 2, BY(take_spring)},
+    [DASHPOT] = {"dashpot", "=way", 1, BY(take_dashpot)},
     [GRAV] = {"grav", "gx gy gz", 1, TO(gravity)},
     [DAMP] = {"damp", "+damping", 1, TO(damping)},
     [K2] = {"k2", "+k2", 1, TO(k2)},
     [SOFT] = {"soft", "+softening", 1, TO(softening)},
     [DT] = {"dt", ">step", 1, TO(dt)},
     [TIME] = {"time", "time", 1, TO(time)},
-    [CONTACT] = {"contact", "", 1, take_contact, 0},
+    [CONTACT] = {"contact", "", 1, BY(take_contact)},
     [RESTITUTION] = {"restitution", "%restitution", 1, TO(restitution)},
-    [LINEAR] = {"linear", ">stiffness ;+dashpot", 1, take_linear, 0},
-    [HERTZ] = {"hertz", ">stiffness", 1, take_hertz, 0},
-    [BOX] = {"box", "xlow xhigh ylow yhigh zlow zhigh", 1, take_box, 0},
-    [WALLS] = {"walls", "|x |y |z", 2, take_walls, 0}};
+    [LINEAR] = {"linear", ">stiffness ;+dashpot", 1, BY(take_linear)},
+    [HERTZ] = {"hertz", ">stiffness", 1, BY(take_hertz)},
+    [BOX] = {"box", "xlow xhigh ylow yhigh zlow zhigh", 1, BY(take_box)},
+    [WALLS] = {"walls", "|x |y |z", 2, BY(take_walls)}};
 
 /* Which sort of line begins so; LINES: none. */
 static size_t find_form(struct piece p)
@@ -599,7 +599,7 @@ static bool take_line(struct reader *r, size_t sort)
 {
     const struct line *form = &forms[sort];
     double value[MOST_FIELDS] = {0};
-    size_t count = 0;
+    size_t count;
     if (!read_fields(r, form->fields, value, &count) ||
         !come_once(r, sort, value))
         return false;

@@ -181,6 +181,53 @@ static void test_locale(void)
     setlocale(LC_NUMERIC, "C");
 }
 
+/* A text ends where its length says, whatever stands behind. */
+static void test_ends(void)
+{
+    static const struct {
+        const char *text;
+        size_t length;
+        double value; /* NaN: it is no number */
+    } known[] = {{"12e5", 2, 12},  {"12E5", 2, 12},  {"1e5", 2, NAN},
+                 {"1e-5", 2, NAN}, {"1e-5", 3, NAN}, {"1e56", 3, 1e5},
+                 {"-5", 0, NAN},   {"-5", 1, NAN},   {"-56", 2, -5},
+                 {"1.5", 2, 1},    {"1.5", 1, 1},    {"1e5-", 3, 1e5}};
+    for (size_t k = 0; k < sizeof known / sizeof *known; ++k) {
+        double value = 7;
+        const bool read = decimal_read(known[k].text, known[k].length,
+                                       &value) != DECIMAL_NONE;
+        UNIT_TRUE(read == !isnan(known[k].value));
+        UNIT_TRUE(!read || value == known[k].value);
+    }
+}
+
+/* Which way a number goes: up to 2^53 at once; up to where one more digit
+   might be too much for 64 bits in a pair; beyond that by the library. */
+static void test_ways(void)
+{
+    static const struct {
+        const char *text;
+        enum decimal_way way;
+    } known[] = {{"9007199254740992", DECIMAL_SHORT},
+                 {"9007199254740993.1", DECIMAL_PAIR},
+                 {"9007199254740994", DECIMAL_PAIR},
+                 {"18446744073709551597", DECIMAL_PAIR},
+                 {"18446744073709551600", DECIMAL_STRTOD},
+                 {"1e22", DECIMAL_SHORT},
+                 {"1e23", DECIMAL_STRTOD},
+                 {"1e-22", DECIMAL_SHORT},
+                 {"1e-23", DECIMAL_STRTOD}};
+    for (size_t k = 0; k < sizeof known / sizeof *known; ++k) {
+        double value = 0;
+        const enum decimal_way way =
+            decimal_read(known[k].text, strlen(known[k].text), &value);
+        if (way != known[k].way)
+            printf("# %s\n", known[k].text);
+        UNIT_TRUE(way == known[k].way);
+        UNIT_TRUE(value == strtod(known[k].text, NULL));
+    }
+}
+
 int main(void)
 {
     return unit_run(
@@ -190,5 +237,7 @@ int main(void)
                        {"numbers as programs write them", test_random},
                        {"the middle of two doubles", test_middles},
                        {"a point is a point in every country", test_locale},
+                       {"a text has a length", test_ends},
+                       {"ways to round", test_ways},
                        {0}});
 }

@@ -15,6 +15,16 @@ static bool is_power_of_two(double x)
    each of the twins, and in each in another way. */
 static void test_units(void)
 {
+    /* With other units runs end in other last digits: these are those of
+       all outputs so far. */
+    static const struct units known[] = {
+        {1, 1, 1},        {-0.7, 1.3, 1},   {0.9, 0.6, 1.1},
+        {-1.1, 1.7, 0.7}, {1.3, 0.9, 1.9},  {-0.6, 2.3, 1.3},
+        {1.9, 1.1, 0.85}, {-0.85, 0.7, 0.6}};
+    for (unsigned k = 0; k <= RECORD_TWINS; ++k)
+        UNIT_TRUE(units[k].length == known[k].length &&
+                  units[k].mass == known[k].mass &&
+                  units[k].time == known[k].time);
     UNIT_EQUAL(sizeof units / sizeof *units, RECORD_TWINS + 1);
     UNIT_TRUE(units[0].length == 1 && units[0].mass == 1 &&
               units[0].time == 1);
@@ -221,6 +231,19 @@ static void test_scales(void)
     UNIT_EQUAL(or_else(3, 4), 3);
 }
 
+/* A body that flies along one axis is as fast along any. */
+static void test_speed(void)
+{
+    struct scene s;
+    UNIT_TRUE(scene_create(&s, 2));
+    for (size_t k = 0; k < 3; ++k) {
+        s.velocity[2 * k + 1] = (const double[]){2, -3, 6}[k];
+        s.velocity[2 * k] = 50;
+    }
+    UNIT_EQUAL(speed_of_body(&s, 1), 7);
+    scene_free(&s);
+}
+
 /* From what is measured: 2 kg at 4 m/s and 3 kg at 1 m/s, 5 m apart. */
 static void test_measured(void)
 {
@@ -264,6 +287,7 @@ int main(void)
             {"distances along a ring", test_between},
             {"how far rows are apart", test_apart},
             {"scales of units", test_scales},
+            {"how fast a body is", test_speed},
             {"scales of a scene", test_measured},
             {0}});
 }

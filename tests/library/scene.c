@@ -109,6 +109,34 @@ static void test_ours(void)
     scene_free(&s);
 }
 
+/* A text is read in passes: first what belongs to the bodies and the scene,
+   then springs and walls, displacements last. Of two bad lines that of the
+   earlier pass is named, of one pass the first. */
+static void test_passes(void)
+{
+    static const struct {
+        const char *word;
+        int pass;
+    } known[] = {{"pos", 1},     {"vel", 1},         {"vfix", 1},
+                 {"dis", 3},     {"species", 1},     {"carry", 1},
+                 {"kept", 1},    {"s", 1},           {"sl", 2},
+                 {"dashpot", 1}, {"grav", 1},        {"damp", 1},
+                 {"k2", 1},      {"soft", 1},        {"dt", 1},
+                 {"time", 1},    {"restitution", 1}, {"linear", 1},
+                 {"hertz", 1},   {"box", 1},         {"walls", 2}};
+    enum { WORDS = sizeof known / sizeof *known };
+    for (size_t i = 0; i < WORDS; ++i)
+        for (size_t j = 0; j < WORDS; ++j) {
+            struct scene s;
+            char text[128];
+            snprintf(text, sizeof text, "%s?\n%s ?\n%s ?\n",
+                     "pos 0 0 0 0 1 0 1\n#", known[i].word, known[j].word);
+            UNIT_TRUE(!parse(&s, text));
+            UNIT_EQUAL((double)error.line,
+                       known[i].pass <= known[j].pass ? 3 : 4);
+        }
+}
+
 /* A text that is refused: on which line, and what is said. */
 struct refusal {
     const char *text;
@@ -170,6 +198,12 @@ static const struct refusal refusals[] = {
     {"pos 0 0 0 1,5 1 0 1\n", 1, "found '1,5'"},
     {"pos 0 0 0 +-1 1 0 1\n", 1, "found '+-1'"},
     {"pos 0 0 0 1d5 1 0 1\n", 1, "found '1d5'"},
+    {P0 "species 0 1a\n", 2, "found '1a', expected species: a whole"},
+    {P0 "species 0 1:\n", 2, "found '1:', expected species: a whole"},
+    {P0 "species 0 1/\n", 2, "found '1/', expected species: a whole"},
+    {P0 "species 0 00000000001\n", 2, "found '00000000001', expected spec"},
+    {P0 "restitution -0.01\n", 2, "restitution: a number from 0 to 1"},
+    {P0 "restitution 1.01\n", 2, "restitution: a number from 0 to 1"},
     {"pos 0 0 0 0 -1 0 1\n", 1,
      "found '-1', expected mass: a number not below 0"},
     {"pos 0 0 0 0 1 0 -1\n", 1, "expected radius: a number not below"},
@@ -382,6 +416,57 @@ static void test_written(void)
     unlink(path);
 }
 
+/* What is written is read by people, too: a scene in which every sort of
+   line has something to say, letter by letter. */
+static void test_letters(void)
+{
+    static const char text[] =
+        "# pos body x y z mass charge radius colour\n"
+        "pos 0 1 2 3 4 5 6 0 0.5 1\n"
+        "pos 1 -1 -2 -3 7 0 0.25 0.25 0.75 1\n"
+        "vel 1 0 0.5 0\n"
+        "vfix 0 1 0 1\n"
+        "species 1 3\n"
+        "carry 0 0 0 0 0 0 0\n"
+        "carry 1 1 2 3 4 5 6\n"
+        "kept 0 1 2 3\n"
+        "kept 1 0 0 0\n"
+        "# s kind D c colour; sl body body kind rest\n"
+        "s 0 9 0.5 1 0 0\n"
+        "sl 1 0 0 2.5\n"
+        "dashpot axial\n"
+        "grav 0 -8 0\n"
+        "damp 0.125\n"
+        "k2 2\n"
+        "soft 0.0625\n"
+        "box -9 9 -8 8 -7 7\n"
+        "walls hard periodic open\n"
+        "contact\n"
+        "restitution 0.5\n"
+        "linear 11 12\n"
+        "dt 0.03125\n"
+        "time 13\n";
+    struct scene s;
+    char written[2048];
+    UNIT_TRUE(parse(&s, text));
+    UNIT_TRUE(write_to(&s, path));
+    FILE *file = fopen(path, "r");
+    UNIT_TRUE(file != NULL);
+    if (file) {
+        written[fread(written, 1, sizeof written - 1, file)] = '\0';
+        fclose(file);
+        UNIT_TRUE(strcmp(written, text) == 0);
+    }
+    scene_free(&s);
+    remove(path);
+    /* The last law of contacts counts, and has nothing of the one before.
+     */
+    UNIT_TRUE(parse(&s, "pos 0 1 2 3 4 5 6\nlinear 5 2\nhertz 3\n"));
+    UNIT_TRUE(s.touch == SCENE_HERTZ && s.contact);
+    UNIT_TRUE(s.stiffness == 3 && s.dashpot == 0);
+    scene_free(&s);
+}
+
 /* A copy is its own, and grows on its own. */
 static void test_copy(void)
 {
@@ -484,6 +569,8 @@ int main(void)
             {"what is refused, where and why", test_refusals},
             {"bytes that are no text", test_bytes},
             {"what is written reads with the same bits", test_written},
+            {"what is written, letter by letter", test_letters},
+            {"passes over a text", test_passes},
             {"a copy is its own", test_copy},
             {"files that cannot be read", test_files},
             {"scenes and keys are found by name", test_gallery},

@@ -4,6 +4,7 @@
 #include "unit.h"
 
 #include <stdlib.h>
+#include <time.h>
 
 static void test_median(void)
 {
@@ -28,12 +29,43 @@ static void test_seconds(void)
     double now = start;
     for (long k = 0; k < 2000000000L && now < start + 0.01; ++k)
         now = bench_seconds();
-    UNIT_TRUE(start >= 0);
+    UNIT_TRUE(start >= 0 && start < 1000); /* s, not ticks */
     UNIT_TRUE(now >= start + 0.01);
+}
+
+static double seconds_of(const struct timespec *t)
+{
+    return (double)t->tv_sec + (double)t->tv_nsec / 1e9;
+}
+
+static void test_clock(void)
+{
+    struct timespec before, after;
+    for (int k = 0; k < 10; ++k) {
+        clock_gettime(CLOCK_MONOTONIC, &before);
+        const double now = bench_clock();
+        clock_gettime(CLOCK_MONOTONIC, &after);
+        UNIT_TRUE(now >= seconds_of(&before) - 1e-6);
+        UNIT_TRUE(now <= seconds_of(&after) + 1e-6);
+    }
+}
+
+/* The line that says which processor it is, or "" where Linux has none. */
+static void read_model(char line[BUFSIZ + 16])
+{
+    char given[BUFSIZ];
+    FILE *file = fopen("/proc/cpuinfo", "r");
+    line[0] = '\0';
+    while (file && !*line && fgets(given, sizeof given, file))
+        if (strncmp(given, "model name\t: ", 13) == 0)
+            snprintf(line, BUFSIZ + 16, "# machine: %s", given + 13);
+    if (file)
+        fclose(file);
 }
 
 static void test_machine(void)
 {
+    char model[BUFSIZ + 16];
     char text[2048] = "";
     const char *path = "build/tests/bench.dat";
     struct table *t = table_open("test", path);
@@ -49,7 +81,9 @@ static void test_machine(void)
     UNIT_TRUE(fread(text, 1, sizeof text - 1, file) > 0);
     fclose(file);
     remove(path);
-    UNIT_TRUE(strstr(text, "# compiler: ") != NULL);
+    read_model(model);
+    UNIT_TRUE(strncmp(text, model, strlen(model)) == 0);
+    UNIT_TRUE(strncmp(text + strlen(model), "# compiler: ", 12) == 0);
     UNIT_TRUE(strstr(text, __VERSION__) != NULL);
 }
 
@@ -61,6 +95,7 @@ int main(void)
             {"the median is the middle one, the upper of two", test_median},
             {"the values are sorted, the least first", test_sorted},
             {"the processor's clock runs", test_seconds},
+            {"so does that on the wall", test_clock},
             {"a table says what it was compiled with", test_machine},
             {0}});
 }

@@ -31,6 +31,9 @@ struct settings {
     const char *output, *summary, *command;
 };
 
+/* An ensemble needs a preset that draws random numbers. Its members are
+   averaged at common times: no collision can end them, and an inelastic
+   collapse would end one of them early. */
 static const struct options_entry entries[] = {
     {"preset", 'p', "NAME",
      "four, mixed, cradle, thermal, piston, adiabatic,\n"
@@ -145,7 +148,9 @@ static void read_settings(struct settings *s, int argc, char *argv[])
         case 'd':
             s->every = options_real(&o, OPTIONS_POSITIVE, INFINITY);
             break;
-        case 't': s->until = options_real(&o, 0, INFINITY); break;
+        case 't': /* 0: the start alone */
+            s->until = options_real(&o, 0, INFINITY);
+            break;
         case 'k': s->samples = options_count(&o, 1, UINT64_MAX - 1); break;
         case 'c':
             s->collisions = options_count(&o, 0, UINT64_MAX - 1);

@@ -191,6 +191,7 @@ static void choose_columns(struct settings *s, struct columns *c,
         bad_input(s, c, "%zu ranges for %zu columns", s->ranges, wanted);
 }
 
+/* Doubling the memory keeps the copying below two copies a number. */
 static void grow_columns(struct settings *s, struct columns *c)
 {
     if (c->rows < c->capacity)

@@ -601,6 +601,8 @@ static const struct options_entry entries[] = {
     {"fit", 'F', "A,B", "excess of the share (0.1,0.01)"},
     {0}};
 
+/* The limits are so wide that nothing that moves is refused, and so narrow
+   that nothing overflows. */
 static void take_option(struct options *o, int letter, void *settings)
 {
     struct settings *s = settings;

@@ -584,6 +584,26 @@ static void test_copy(void)
     clear();
 }
 
+/* Rows that the disk has not taken are not copied, not even none of them.
+ */
+static void test_lost(void)
+{
+    struct checkpoint c;
+    clear();
+    must(checkpoint_begin(&c, "step", command, OUTPUT), "no rows");
+    struct table *t = table_open("step", OUTPUT);
+    must(t != NULL, "no table");
+    const int saved = dup(STDERR_FILENO);
+    must(freopen("/dev/null", "w", stderr) != NULL, "no null");
+    c.lost = true;
+    UNIT_TRUE(!checkpoint_copy(&c, t));
+    dup2(saved, STDERR_FILENO);
+    close(saved);
+    table_discard(t);
+    checkpoint_end(&c, false);
+    clear();
+}
+
 /* However often a checkpoint is written, no memory is lost. */
 struct run {
     struct checkpoint c;
@@ -639,6 +659,7 @@ int main(void)
             {"which outputs may have one", test_possible},
             {"the sum of a file", test_sum},
             {"all rows are copied", test_copy},
+            {"rows that are lost are not copied", test_lost},
             {"no memory is lost", test_memory},
             {0}});
 }

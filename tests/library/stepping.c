@@ -672,6 +672,30 @@ static void test_linear(void)
     }
 }
 
+/* A body that its place repels: in steps of 2 s the midpoint's
+   equation for a = x is s = x + v + s. It has no solution, which the
+   matrix says, 1 - 1: after the acceleration before the step, two rounds
+   and two evaluations for the matrix. */
+static void repelled(void *what, const double x[], const double v[],
+                     double a[])
+{
+    (void)what, (void)v;
+    a[0] = x[0];
+}
+
+static void test_singular(void)
+{
+    const struct stepping_forces f = {1, false, repelled, NULL};
+    double x = 0.5, v = 0.25;
+    struct stepping s;
+    begin(&s, stepping_find("implicit-midpoint"), f, 2, &x, &v);
+    UNIT_EQUAL(stepping_run(&s, 1), STEPPING_STUCK);
+    UNIT_EQUAL(x, 0.5);
+    UNIT_EQUAL(v, 0.25);
+    UNIT_EQUAL((double)s.evaluations, 5);
+    stepping_free(&s);
+}
+
 static void grow(void *what, const double x[], const double v[], double a[])
 {
     (void)what, (void)v;
@@ -743,6 +767,7 @@ int main(void)
             {"and stiff springs bend no equation", test_newton},
             {"Newton's method is right at once on linear forces",
              test_linear},
+            {"a matrix that has no inverse", test_singular},
             {"parts of steps, and what is noted", test_parts},
             {"symmetric methods come back", test_reversal},
             {"symplectic methods keep areas", test_areas},

@@ -902,6 +902,38 @@ static void test_exact_twins(void)
     }
 }
 
+/* What a twin costs of which patience has seen two of four rows, is twice
+   as much; if it has seen none, a sixteenth of a row is looked at, and so
+   on; unless twins part there. */
+static void test_price_of_twin(void)
+{
+    const struct models_plan p = {.model = models_find("disks")};
+    struct record r = {.plan = p, .reached = 2, .cost = 3};
+    begin(1e-3);
+    request.scene = &still;
+    UNIT_EQUAL(price_of_twin(&task, &r), 6);
+    r.reached = 0;
+    write_end(MODELS_COSTLY, 0);
+    write_end(MODELS_COSTLY, 0);
+    write_whole(7);
+    write_run((struct played){MODELS_DONE, 2, 7, 0.25, 1, 0, NULL});
+    UNIT_EQUAL(price_of_twin(&task, &r), 0.25 * 256 * 4 / 2);
+    UNIT_EQUAL((double)played, 4);
+    for (size_t k = 0; k < 4; ++k) {
+        UNIT_EQUAL(ordered[k].every, 0.5 / (k < 2 ? 16 : 256));
+        UNIT_EQUAL((double)ordered[k].rows, 16);
+        UNIT_EQUAL(ordered[k].limit, 2 * patience);
+        UNIT_EQUAL(ordered[k].twin, k % 2 ? 2 : 0);
+    }
+    UNIT_NEAR(choice.spent, 3e-3 + 0.25, 1e-15);
+    begin(1e-3);
+    request.scene = &still;
+    write_whole(7);
+    write_whole(7.1);
+    UNIT_TRUE(isinf(price_of_twin(&task, &r)));
+    UNIT_EQUAL(choice.horizon, 0);
+}
+
 /* A clock that is late by a share of the time moves places by so much more
    than a run does whose rows are 2^-40 later. */
 static void test_slip(void)
@@ -1096,6 +1128,7 @@ int main(void)
             {"references that part", test_parting},
             {"twins of a reference", test_twins},
             {"twins of an exact run", test_exact_twins},
+            {"what a twin would cost", test_price_of_twin},
             {"clocks that are late", test_slip},
             {"balls a little larger", test_balls},
             {"what rounding moves", test_near_floor},

@@ -139,6 +139,27 @@ static void test_potential(void)
     scene_free(&s);
 }
 
+/* Of two springs that hang on the last bodies, either way round: stretched
+   from 1 to 5 m along (3, 4), and compressed to 0.5 m. */
+static void test_stored(void)
+{
+    struct scene s;
+    struct springs p;
+    if (!scene_create(&s, 4) || !scene_add_kind(&s, 10, 0) ||
+        !scene_add_spring(&s, 1, 2, 0, 1) ||
+        !scene_add_spring(&s, 3, 2, 0, 1))
+        exit(1);
+    s.position[0] = 9;
+    s.position[2] = s.position[3] = 3;
+    s.position[6] = s.position[7] = 4;
+    s.position[11] = 0.5;
+    if (!springs_create(&p, &s))
+        exit(1);
+    UNIT_EQUAL(springs_potential(&p, s.position), 80 + 1.25);
+    springs_free(&p);
+    scene_free(&s);
+}
+
 /* ---- the two ways, and threads ----------------------------------------
  */
 
@@ -536,6 +557,7 @@ int main(void)
             {"two bodies in one place do no harm", test_same_place},
             {"held axes, gravity and friction", test_held},
             {"the slope of the energy is the force", test_potential},
+            {"and what springs have stored", test_stored},
             {"scatter, gather and threads give the same bits",
              test_same_bits},
             {"on a wide net too", test_wide},

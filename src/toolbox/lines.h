@@ -1,6 +1,6 @@
-/* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 1110605256 of the lines below */
-/* The inside of a table, for toolbox/table.c and page/table.c alone. */
+/* The inside of a table, for toolbox/table.c (files) and page/table.c
+   (memory, in a browser) alone. What is written is the same in both, so
+   lines.c has it once. */
 #ifndef TOOLBOX_LINES_H
 #define TOOLBOX_LINES_H
 
@@ -12,27 +12,29 @@
 struct table {
     const char *program;
     FILE *stream;
-    char *name;      /* as it was given; NULL: standard output */
-    size_t size;     /* of a table in memory, whose name is its text */
-    char *path;      /* the name in the end, links followed, or NULL */
-    char *temporary; /* what is written meanwhile; NULL: the file itself */
-    bool exists;     /* the file did, when it was opened, and was: */
-    struct stat file;
+    char *name;       /* as it was given; NULL: standard output */
+    size_t size;      /* of a table in memory, whose name is its text */
+    char *path;       /* the final name, links resolved, or NULL */
+    char *temporary;  /* the file being written; NULL: written in place */
+    bool exists;      /* whether the file existed when opened; then */
+    struct stat file; /* this was its status */
     size_t columns;
     const struct table_key *keys; /* of a summary */
-    uint64_t written;             /* which of them, a bit each */
+    uint64_t written;             /* bit k: keys[k] has a line */
     int error;                    /* errno of the first failure, or 0 */
-    FILE *held; /* what the head waits for, or NULL; till then the */
-    char *head; /* stream writes it here */
+    /* While the head waits, `held` is the real stream, and `stream` writes
+       to the memory `head`; afterwards `held` is NULL. */
+    FILE *held;
+    char *head;
     size_t head_size;
     struct table *next; /* of the open tables */
 };
 
-/* Remembers errno if this is the first failure: what fails to write sets
-   it. */
+/* Remembers errno if `good` is false and this is the first failure. */
 void lines_note_error(struct table *t, bool good);
 
-/* Writes the head if it still waits, and lets the rest follow it. */
+/* Writes the head if it still waits in memory; what follows is written
+   directly. */
 void lines_release_head(struct table *t);
 
 #endif

@@ -1,6 +1,4 @@
-/* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 2437388107 of the lines below */
-/* getopt_long, with numbers and names checked where they are read. */
+/* Reads options with getopt_long, checks values, prints the help. */
 #include "toolbox/options.h"
 
 #include "toolbox/table.h"
@@ -29,6 +27,9 @@ void options_fail(struct options *o, const char *format, ...)
     exit(OPTIONS_FAILURE);
 }
 
+/* Prints an explanation from column 28 on, each of its lines; `width` is
+   what stands on the line already. If that is too wide, the explanation
+   begins on a line of its own. */
 static void print_from(int width, const char *text)
 {
     const int column = 28;
@@ -53,6 +54,8 @@ static void print_entry(const struct options_entry *e)
     print_from(width, e->help);
 }
 
+/* Prints a heading, "always" for the end of a group; returns it as the one
+   `before` the next. */
 static const char *print_heading(const char *heading, const char *before)
 {
     if (heading)
@@ -95,6 +98,8 @@ void options_keys(struct options *o, const struct table_key *keys)
     o->keys = keys;
 }
 
+/* Prints help or version to standard output, for it was asked for; even
+   here a full disk is an error. */
 static _Noreturn void print_and_exit(const struct options *o, bool help)
 {
     if (help)
@@ -108,6 +113,8 @@ static _Noreturn void print_and_exit(const struct options *o, bool help)
     exit(EXIT_FAILURE);
 }
 
+/* The command for the head of a table, as a stream into memory. A process
+   has one command line, so there is one record. */
 static FILE *record;
 static char *recorded;
 static size_t recorded_size;
@@ -124,6 +131,10 @@ static void begin_record(struct options *o)
     fputs(o->program, record);
 }
 
+/* Writes a value as a shell reads it: plain if nothing in it is special,
+   else in single quotes. A single quote closes them, comes behind a
+   backslash, and opens them again. A newline, which would end the line of
+   the head, becomes $'\n' between closed quotes. */
 static void write_quoted(FILE *stream, const char *text)
 {
     static const char *const plain =
@@ -143,6 +154,8 @@ static void write_quoted(FILE *stream, const char *text)
     fputc('\'', stream);
 }
 
+/* Adds an option by its full name, however it was abbreviated, unless it
+   does not change the numbers. */
 static void record_option(struct options *o)
 {
     static const char *const silent[] = {"output",  "summary", "engine",
@@ -172,6 +185,8 @@ static const struct options_entry *named(const struct options *o,
     return e;
 }
 
+/* Copies the value of an option, or, if it was not given, its default: what
+   its help has in parentheses at the end. Returns whether there is one. */
 static bool get_value(const struct options *o,
                       const struct options_entry *e, char value[],
                       size_t size)
@@ -187,6 +202,7 @@ static bool get_value(const struct options *o,
     return given || standard;
 }
 
+/* Returns whether a value is in a list with ", " between its items. */
 static bool is_among(const char *value, const char *list)
 {
     const size_t length = strlen(value);
@@ -200,6 +216,8 @@ static bool is_among(const char *value, const char *list)
     }
 }
 
+/* Ends in options_fail if a condition of the heading over option e does not
+   hold; the message names the option that is in the way. */
 static void check_heading(struct options *o, const struct options_entry *e,
                           const char *heading)
 {
@@ -232,7 +250,9 @@ static void check_heading(struct options *o, const struct options_entry *e,
     }
 }
 
-static void refuse_idle(struct options *o)
+/* Checks the headings of all options given, after the last was read: an
+   option that a heading depends on may come last. */
+static void check_headings(struct options *o)
 {
     const char *heading = NULL;
     for (int i = 0; o->entries[i].name; ++i) {
@@ -254,13 +274,16 @@ void options_refuse(struct options *o, const char *name, const char *why)
     options_fail(o, "means nothing %s", why);
 }
 
+/* Outputs have these names in all programs. */
 static bool is_output(const char *name)
 {
     return strcmp(name, "output") == 0 || strcmp(name, "summary") == 0 ||
            strcmp(name, "chart") == 0 || strcmp(name, "save") == 0;
 }
 
-static void spare_inputs(struct options *o)
+/* Refuses an output that would replace a file to be read, whatever it is
+   called: a link leads to it as well. */
+static void protect_inputs(struct options *o)
 {
     for (int i = 0; o->entries[i].name; ++i)
         for (int j = 0; o->entries[j].name; ++j) {
@@ -282,11 +305,15 @@ void options_begin(struct options *o, const char *program,
     o->count = argc;
     o->arguments = argv;
     begin_record(o);
-    optind = 1;
+    optind = 1; /* where getopt_long begins: tests read several commands */
 }
 
 enum { HELP = OPTIONS_LONG + OPTIONS_MAXIMUM, VERSION };
 
+/* Asks getopt_long for the next option, whose code is that of its place in
+   the list. In the letters "-" asks for other arguments in their order, the
+   first ":" for silence, as refusals are worded here, and ":" behind a
+   letter promises a value. */
 static int ask_getopt(struct options *o)
 {
     struct option list[OPTIONS_MAXIMUM + 3] = {0}, *l = list;
@@ -308,6 +335,8 @@ static int ask_getopt(struct options *o)
     return getopt_long(o->count, o->arguments, letters, list, NULL);
 }
 
+/* Returns the entry of a code, which may be its letter or its place. The
+   entry without a name matches what is no option. */
 static const struct options_entry *find_entry(const struct options *o,
                                               int code)
 {
@@ -319,6 +348,8 @@ static const struct options_entry *find_entry(const struct options *o,
     return NULL;
 }
 
+/* The help, which lists the values there are, is put on one line: whoever
+   gives none may not know them. */
 static _Noreturn void fail_without_value(struct options *o)
 {
     char help[2048];
@@ -328,6 +359,7 @@ static _Noreturn void fail_without_value(struct options *o)
     options_fail(o, "needs a value, %s: %s", o->current->argument, help);
 }
 
+/* Fails if a long name that was cut short begins several. */
 static void fail_if_ambiguous(struct options *o, const char *given)
 {
     const char *first = NULL;
@@ -342,6 +374,9 @@ static void fail_if_ambiguous(struct options *o, const char *given)
     }
 }
 
+/* Words what getopt_long did not like: it returns ":" for a missing value
+   and "?" for the rest, and leaves in optopt the option's code if it was
+   known, the letter if it was one, otherwise 0. */
 static _Noreturn void refuse_option(struct options *o, int code)
 {
     const char *given = o->arguments[optind - 1];
@@ -359,6 +394,9 @@ static _Noreturn void refuse_option(struct options *o, int code)
                  o->program);
 }
 
+/* What follows a double dash is an argument. getopt_long returns -1 when it
+   meets one, and must not be asked again, or it would begin with those
+   arguments anew: hence `ended`. */
 int options_next(struct options *o)
 {
     o->current = NULL;
@@ -374,8 +412,8 @@ int options_next(struct options *o)
     if (code == '?' || code == ':')
         refuse_option(o, code);
     if (code == -1) {
-        refuse_idle(o);
-        spare_inputs(o);
+        check_headings(o);
+        protect_inputs(o);
         fflush(record);
         o->command = recorded;
         return -1;
@@ -394,6 +432,8 @@ static bool is_digit(char c)
     return '0' <= c && c <= '9';
 }
 
+/* Adds a decimal exponent to *scale. Beyond three digits it belongs to a
+   zero or a mistake, and the limit keeps read_count's loops short. */
 static bool read_exponent(const char *text, int *scale)
 {
     char *end;
@@ -409,6 +449,10 @@ static bool read_exponent(const char *text, int *scale)
     return true;
 }
 
+/* Reads a whole number, exactly, as digits and a power of ten: 300e-2 is 3,
+   1.5 is refused. atoi makes 0 of "ten" and 1 of "1e6"; a double would
+   round seeds above 2^53. 10 n + d passes 2^64 exactly if n is larger than
+   the whole part of (2^64 - 1 - d) / 10. */
 static bool read_count(const char *text, uint64_t *value)
 {
     int scale = 0;
@@ -448,6 +492,9 @@ uint64_t options_count(struct options *o, uint64_t low, uint64_t high)
     return n;
 }
 
+/* Reads a finite decimal number, and nothing else: strtod skips spaces,
+   reads nan, infinity and base 16, and stops at the first letter that it
+   does not know. */
 static bool read_real(const char *text, double *value)
 {
     char *end;
@@ -476,6 +523,8 @@ double options_real(struct options *o, double low, double high)
     options_fail(o, "'%s' is not a number%s", o->value, range);
 }
 
+/* The message shows the whole value beside the wrong piece, since "1,,2" is
+   easily mistyped and hard to see. */
 size_t options_list(struct options *o, double values[], size_t max)
 {
     char item[64];

@@ -1,6 +1,6 @@
-/* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 3684581489 of the lines below */
-/* A command line read by a list of options, with help and refusals. */
+/* Reads a command line by a list of options. A program loops over
+   options_next with a switch; everything that can be wrong ends in
+   options_fail, so it has no error to handle. */
 #ifndef TOOLBOX_OPTIONS_H
 #define TOOLBOX_OPTIONS_H
 
@@ -12,7 +12,13 @@
 /* One option. A list of them ends with {0}. An entry named "" stands for
    the arguments that are no options; without one they are refused. If it
    has no argument either, its help is a heading: when the options up to
-   the next heading mean anything, NULL for always. */
+   the next heading mean anything, NULL for always. A heading is one or more
+   conditions with "; " between them, all of which must hold: "--study run,
+   cost" (the value is one of these), "--ensemble" (it was given), "no
+   --box", "no --method rk8pd". Both --help and the refusal come from it:
+   whoever gives a run another mass and sees the same answer has learnt
+   something false. A default stands in parentheses at the end of `help`,
+   and conditions read it there, so the help cannot promise another one. */
 struct options_entry {
     const char *name;     /* the long name, without the dashes */
     int letter;           /* the short name, or 0 for none */
@@ -36,11 +42,12 @@ struct options {
     char **arguments;
     const char *value, *command;
     const char *given[OPTIONS_MAXIMUM]; /* values, by place in the list */
-    bool input[OPTIONS_MAXIMUM]; /* which are names of files to read */
+    bool input[OPTIONS_MAXIMUM]; /* true: the name of a file to read */
     bool ended;
 };
 
-/* As the low end of options_real: more than zero. */
+/* As the low end of options_real: more than zero. The smallest double that
+   is has a wording of its own in messages. */
 #define OPTIONS_POSITIVE DBL_TRUE_MIN
 
 /* Says what is wrong, as printf does, after "program: --option: " (after
@@ -63,48 +70,51 @@ void options_begin(struct options *o, const char *program,
    end, one whose heading does not hold. */
 int options_next(struct options *o);
 
-/* Ends in options_fail if --name was given: it "means nothing", and why,
-   as in "without contacts". */
+/* Ends in options_fail if --name was given: it "means nothing", and why, as
+   in "without contacts". For what no heading can know, such as whether a
+   scene has contacts. */
 void options_refuse(struct options *o, const char *name, const char *why);
 
-/* Has --help say what a summary with these keys says; the list is kept.
-   Called after options_begin, or with an option that is read. */
+/* Makes --help list these keys of the summary. The list is not copied. To
+   be called after options_begin, or with an option that is read. */
 void options_keys(struct options *o, const struct table_key *keys);
 
 /* The command for the head of a table: the program and the options by
    their full names, without those that do not change the numbers: output,
    summary, engine, threads, resume, explain, chart. NULL until
-   options_next has returned -1. */
+   options_next has returned -1. Two equal tables must not differ in it. */
 const char *options_command(const struct options *o);
 
-/* The value as a whole number from low to high. Every unsigned decimal
-   notation is accepted if its value is exactly whole: 1000000, 1e6, 2.5e3.
-   This and the next three functions read the value of the option that
-   options_next has just returned, and end in options_fail if it is not
+/* Returns the value as a whole number from low to high. Every unsigned
+   decimal notation is accepted if its value is exactly whole: 1000000, 1e6,
+   2.5e3. This and the next three functions read the value of the option
+   that options_next has just returned, and end in options_fail if it is not
    what is asked for. */
 uint64_t options_count(struct options *o, uint64_t low, uint64_t high);
 
-/* The value as a decimal number from low to high, both included.
+/* Returns the value as a decimal number from low to high, both included.
    -INFINITY, OPTIONS_POSITIVE and INFINITY leave an end open. Never
    infinite, never NaN. */
 double options_real(struct options *o, double low, double high);
 
-/* The value as one to max decimal numbers with commas between them, into
-   values. Returns how many. */
+/* Puts the value, one to max decimal numbers with commas between them, into
+   values. Returns how many; whether that is the right number is for the
+   program to check, with options_fail. */
 size_t options_list(struct options *o, double values[], size_t max);
 
 /* Returns which of the names, a list that ends with NULL, the value is. */
 size_t options_choice(struct options *o, const char *const names[]);
 
-/* The value as it was written. */
+/* Returns the value as it was written. */
 const char *options_text(const struct options *o);
 
-/* The same, as the name of a file to be read ("-": standard input). At the
-   end options_next refuses an output that would take its place. */
+/* Returns the value as the name of a file to be read ("-": standard input).
+   At the end options_next refuses an output that would replace it: after
+   `histogram t.dat -o t.dat` the table would be lost silently. */
 const char *options_input(struct options *o);
 
-/* The same, of which there is to be one: if there is one `before`, ends in
-   options_fail; kind says of what, as in "scene". */
+/* As options_input, but fails if there is one `before` already; `kind`
+   names it in the message, as in "scene". */
 const char *options_only(struct options *o, const char *before,
                          const char *kind);
 

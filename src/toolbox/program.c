@@ -1,6 +1,4 @@
-/* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 3168443815 of the lines below */
-/* Two outputs that are opened and closed together, and two ways to end. */
+/* Opens table and summary together, closes them together, ends early. */
 #include "toolbox/program.h"
 
 #include "toolbox/progress.h"

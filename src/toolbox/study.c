@@ -1,6 +1,4 @@
-/* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 1497452738 of the lines below */
-/* Chooses a study, opens its table and summary, closes them together. */
+/* Runs the study that the command names, with its table and summary. */
 #include "toolbox/study.h"
 
 #include <assert.h>
@@ -16,7 +14,9 @@ struct command {
 
 enum { LINE = 64 }; /* letters for a study in the help */
 
-/* Names and help of the studies; returns how many there are. */
+/* Fills names and the help of --study from the one list of studies;
+   returns how many there are. The usual one stands in parentheses at the
+   end, where every option has its default. */
 static size_t list_studies(const struct study_program *p,
                            const char *names[STUDY_MOST + 1],
                            char help[STUDY_MOST * LINE])
@@ -35,6 +35,9 @@ static size_t list_studies(const struct study_program *p,
     return n;
 }
 
+/* Fills the list of options, the program's own between the common ones.
+   --seed stands under the heading p->drawing, which is written unless the
+   last heading of the program's own options is the same. */
 static void list_options(const struct study_program *p, const char *help,
                          struct options_entry entries[])
 {
@@ -106,6 +109,8 @@ static void read_command(const struct study_program *p, struct command *c,
         p->check(&o, names[c->study], p->own);
 }
 
+/* First everything that can be wrong with the command is found, then what
+   can be wrong with the files, and only then is time spent. */
 int study_main(const struct study_program *p, int argc, char *argv[])
 {
     struct command c = {.seed = p->seeds > 0, .summary = "/dev/null"};

@@ -1,6 +1,6 @@
-/* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 3362399100 of the lines below */
-/* What stands around a program of many measurements. */
+/* The common main() and options of the programs of studies, which measure
+   what figures show: a program lists its studies, and its main is one
+   call. */
 #ifndef TOOLBOX_STUDY_H
 #define TOOLBOX_STUDY_H
 
@@ -12,13 +12,15 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* A study at work. */
+/* What a study gets to work with. One that knows how much there is to do
+   may begin `progress` again with that total. */
 struct study {
     struct table *out, *summary; /* open; out has its first lines */
     uint64_t seed;
     struct progress progress; /* begun, with no total */
     const void *own;          /* the program's own settings */
-    bool broken;              /* set by a study that cannot go on */
+    bool broken;              /* set by a study that cannot go on: its */
+                              /* table is kept, the run has failed */
 };
 
 /* One study; a list of them ends with {0}. */
@@ -30,12 +32,17 @@ struct study_entry {
     const struct table_key *keys; /* of its summary; NULL: it is empty */
 };
 
-/* A program of fewer than STUDY_MOST studies. */
+/* A program of fewer than STUDY_MOST studies. Its options are --study,
+   --output, --summary, --seed if it draws numbers, and its own. --help
+   lists the keys of the summary of the study named before it only, since
+   those of forty studies would help nobody. */
 struct study_program {
     const char *name, *purpose; /* for options_begin */
     const char *events;         /* for progress_begin */
     const struct study_entry *studies;
-    const char *usual;   /* runs without --study; NULL: one must be named */
+    /* Runs without --study. NULL: one must be named, since a run by mistake
+       may take minutes, and a message takes none. */
+    const char *usual;
     uint64_t seeds;      /* the highest --seed; 0: no such option */
     const char *drawing; /* its heading; NULL: all studies draw numbers */
     /* Options of its own, or NULL; take puts the value of each into own

@@ -1,7 +1,9 @@
-/* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 3013013248 of the lines below */
-/* A temporary beside the file, which takes its name when all is written. */
-#define _XOPEN_SOURCE 700 /* realpath */
+/* Writes to a temporary file, which is renamed when all is written. If a
+   program wrote straight to the final name, a run killed half way would
+   leave a file that looks like a result, and the good table of yesterday
+   would be gone. Renaming in one folder is a single act of the file system:
+   the name always means the old table or the whole new one. */
+#define _XOPEN_SOURCE 700 /* for realpath, which follows links */
 
 #include "toolbox/lines.h"
 
@@ -15,12 +17,19 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-static struct table *tables; /* the open ones */
+static struct table *tables; /* all that are open */
 
+/* The temporaries to be removed if the process ends early: plain pointers,
+   NULL for a free place, since a signal handler may read them at any
+   moment, in the middle of malloc or printf. A child of fork inherits the
+   list but must not remove what its parent is writing: hence `owner`. */
 enum { MOST_FILES = 8 };
 static char *volatile temporaries[MOST_FILES];
 static pid_t owner;
 
+/* unlink is one of the few functions that a signal handler may call. Only
+   SIGKILL leaves a file bonkers.XXXXXX behind, and never half a table under
+   its final name. */
 void table_abandon(void)
 {
     for (int i = 0; i < MOST_FILES && owner == getpid(); ++i)
@@ -28,6 +37,8 @@ void table_abandon(void)
             unlink(temporaries[i]);
 }
 
+/* Replaces an entry: adds `new` with an `old` of NULL, removes `old` with a
+   `new` of NULL. Returns false, with errno set, if the list is full. */
 static bool swap_temporary(const char *old, char *new)
 {
     for (int i = 0; i < MOST_FILES; ++i)
@@ -39,6 +50,8 @@ static bool swap_temporary(const char *old, char *new)
     return false;
 }
 
+/* Removes the temporaries, then ends the process by the same signal, so
+   that the shell learns what ended it. */
 static void die_tidily(int number)
 {
     table_abandon();
@@ -46,6 +59,12 @@ static void die_tidily(int number)
     raise(number);
 }
 
+/* Prepares this process, once, for ending early. A child of fork is a new
+   process: it forgets the files of its parent but has inherited the call at
+   exit. SIGPIPE (the reader of a pipe has gone) and SIGXFSZ (a limit on the
+   size of files) kill silently; ignored, they become errors of write, which
+   can be reported. Signals that are ignored, as under nohup, or that
+   somebody handles stay as they are. */
 static void prepare_process(void)
 {
     static const int fatal[] = {SIGHUP,  SIGINT,  SIGQUIT,
@@ -67,6 +86,7 @@ static void prepare_process(void)
             signal(fatal[i], die_tidily);
 }
 
+/* Prints the one line that tells why there is no table. */
 static void complain(const char *program, const char *path,
                      const char *reason)
 {
@@ -110,6 +130,9 @@ static void free_table(struct table *t)
     free(t);
 }
 
+/* Removes the temporary unless it was renamed, and frees the table. The
+   entry of `temporaries` is cleared before its name is freed, for a signal
+   may come in between; no handler reads `tables`. */
 static void forget_table(struct table *t, bool renamed)
 {
     if (t->temporary && !renamed)
@@ -119,6 +142,9 @@ static void forget_table(struct table *t, bool renamed)
     free_table(t);
 }
 
+/* Opens a stream on a descriptor above the standard three. A program
+   started with standard output closed gets 1 for the first file it opens,
+   and all that is meant for the screen would go into the table. */
 static bool open_stream(struct table *t, int file)
 {
     int high = file;
@@ -130,6 +156,11 @@ static bool open_stream(struct table *t, int file)
     return t->stream != NULL;
 }
 
+/* Makes the temporary and opens it; returns false, with errno set and no
+   file left. Its name is short and of its own: an ending behind the final
+   name could pass the limit of a file name, mostly 255 bytes. mkstemp makes
+   a file that only its owner can read, so the permissions are set. errno is
+   saved because unlink may overwrite it. */
 static bool open_temporary(struct table *t, mode_t mode)
 {
     const int folder = (int)(strrchr(t->path, '/') - t->path);
@@ -156,6 +187,11 @@ static bool is_same(const struct stat *a, const struct stat *b)
     return a->st_dev == b->st_dev && a->st_ino == b->st_ino;
 }
 
+/* Returns whether an open table goes to the same place; errno is then 0,
+   since the system has no number for that. Two tables on one file would
+   replace each other silently. Names may differ (x, ./x, a link), so the
+   resolved names are compared, and for existing files device and inode. A
+   device may be opened twice. */
 static bool is_taken(const struct table *t)
 {
     errno = 0;
@@ -168,6 +204,7 @@ static bool is_taken(const struct table *t)
     }
     return false;
 }
+
 bool table_replaces(const char *path, const char *input)
 {
     struct stat in, out;
@@ -179,6 +216,11 @@ bool table_replaces(const char *path, const char *input)
            is_same(&in, &out);
 }
 
+/* Returns the descriptor that already writes this file, or -1. Looks at 0
+   to 9, which a shell can hand over. After `-o /dev/stdout >>log` a new
+   file in log's place would lose what log had. A descriptor that only reads
+   does not count: with `-o gas.dat <gas.dat` the old table can be read to
+   its end while the new one grows beside it. */
 static int find_descriptor(const struct stat *file)
 {
     struct stat status;
@@ -189,6 +231,8 @@ static int find_descriptor(const struct stat *file)
     return -1;
 }
 
+/* Returns whether a path leads to devices or processes, which are written
+   in place. Files in /dev/shm are ordinary ones, kept in memory. */
 static bool is_special(const char *path)
 {
     if (strncmp(path, "/dev/shm/", 9) == 0)
@@ -197,6 +241,8 @@ static bool is_special(const char *path)
            strncmp(path, "/proc/", 6) == 0;
 }
 
+/* Returns the final name of a file that does not exist yet, to be freed, or
+   NULL: realpath needs an existing file, so it resolves the folder. */
 static char *resolve_new(const char *path)
 {
     const char *slash = strrchr(path, '/');
@@ -211,6 +257,21 @@ static char *resolve_new(const char *path)
     return name;
 }
 
+/* Opens what `path` names (NULL: standard output). Returns false with errno
+   set, or 0 if another table goes there.
+
+   - fstat notices a closed standard output before an hour is computed.
+   - A file that this process writes already is opened by a copy of the
+     descriptor: both share one position, so nothing is written over.
+   - What must not be replaced is opened with O_APPEND, which adds to what
+     is there, and without O_CREAT, so that the mistyped /dev/nul is an
+     error and no new file.
+   - Replacing a file needs permission for its folder only; but a table made
+     read-only is meant to stay, so access() asks for the file as well.
+   - A name that lstat finds and stat does not is a link to nothing; an
+     empty name comes from an unset variable of a script. Both are refused
+     now and not after the run.
+   - The mask of the process can only be read by setting it, twice. */
 static bool open_table(struct table *t, const char *path)
 {
     if (!path) {
@@ -279,6 +340,7 @@ void table_keys(struct table *t, const struct table_key keys[])
     t->keys = keys;
 }
 
+/* Returns whether all keys before the first heading have been written. */
 static bool is_complete(const struct table *t)
 {
     const struct table_key *k = t->keys;
@@ -287,6 +349,8 @@ static bool is_complete(const struct table *t)
     return !k || !k->name || !*k->name;
 }
 
+/* Only now is it known whether all was written: the buffer is flushed and
+   the file closed before the temporary takes the final name. */
 bool table_close(struct table *t)
 {
     if (!t)

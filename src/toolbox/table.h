@@ -1,6 +1,6 @@
-/* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 3087782118 of the lines below */
-/* Tables and summaries that are whole or absent. */
+/* Tables and summaries that are whole or absent. Whole but for a power cut
+   between renaming and the disk's writing: waiting for the disk would cost
+   time, and a table can be made again. */
 #ifndef TOOLBOX_TABLE_H
 #define TOOLBOX_TABLE_H
 
@@ -9,6 +9,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/* The same command and seed give the same bytes with every compiler and on
+   every machine. -Ofast may reorder sums, and the x87 unit keeps more
+   digits than a double has: both are refused. */
 #if !defined BONKERS_ANY_ROUNDING &&                                       \
     (defined __FAST_MATH__ || defined __ASSOCIATIVE_MATH__ ||              \
      defined __RECIPROCAL_MATH__ || FLT_EVAL_METHOD != 0)
@@ -18,21 +21,26 @@
 /* A text file being written: a table of numbers, or a summary. */
 struct table;
 
-/* One key of a summary. A list of at most 64 ends with {0}. A name of ""
-   makes the meaning a heading; every run writes all keys before the
-   first. */
+/* One key of a summary. A list of at most 64 ends with {0}. A line "key
+   value" has no room for a unit, so each program lists its keys, from which
+   --help prints units and meanings. In a name, a part in angle brackets, as
+   in "mean_<column>", stands for any letters. A name of "" makes the
+   meaning a heading, such as "if --ensemble:"; every run writes all keys
+   before the first heading. */
 struct table_key {
     const char *name, *unit; /* "1" for a pure number, "word" for none */
     const char *meaning;     /* a phrase; \n breaks the line */
 };
 
-#define TABLE_NOTHING UINT64_C(14695981039346656037) /* no bytes' sum */
+#define TABLE_NOTHING UINT64_C(14695981039346656037) /* sum of no bytes */
 
-/* Returns the sum of n bytes behind those of the given sum. */
+/* Returns the checksum of the bytes that gave `sum`, followed by these n.
+   It tells whether somebody has changed a file that a run continues from.
+   Source: FNV-1a. */
 uint64_t table_sum(uint64_t sum, const char *bytes, size_t n);
 
-/* Finds the sum of all that t has so far. Returns false, with errno, if
-   that is no file that can be read. */
+/* Sets *sum to the checksum of all that was written to t so far. Returns
+   false, with errno set, if t is no file that can be read. */
 bool table_sum_so_far(struct table *t, uint64_t *sum);
 
 /* Opens path for writing; NULL or "-" is standard output. A file is
@@ -49,8 +57,9 @@ bool table_sum_so_far(struct table *t, uint64_t *sum);
    signals that end the process remove the temporaries first. */
 struct table *table_open(const char *program, const char *path);
 
-/* Says whether a table at path (NULL, "-": standard output) would replace
-   the regular file that is read as input ("-": standard input). */
+/* Returns whether a table at path (NULL, "-": standard output) would
+   replace the regular file that is read as input ("-": standard input):
+   whoever types a scene's name where an output belongs would lose it. */
 bool table_replaces(const char *path, const char *input);
 
 /* Removes every temporary of this process. May be called in a signal
@@ -76,7 +85,7 @@ void table_column(struct table *t, const char *symbol, const char *unit,
    number of columns, if any were named. Returns as table_print does. */
 bool table_row(struct table *t, size_t n, const double values[]);
 
-/* Lists the keys that this summary will have; the list is kept. */
+/* Sets the keys that this summary will have. The list is not copied. */
 void table_keys(struct table *t, const struct table_key keys[]);
 
 /* Write one line of a summary, "key value". Require a listed key. */

@@ -1,13 +1,20 @@
-/* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 332917280 of the lines below */
-/* Loops compiled for several processors; the one at hand is found out. */
+/* Compiles loops for several kinds of processor and chooses at run time. */
 #ifndef TOOLBOX_VECTOR_H
 #define TOOLBOX_VECTOR_H
 
 #include <limits.h> /* for __GLIBC__ */
 
-/* Before a function of loops: one version for each kind of processor, and
-   the same bytes from all. Needs -ffp-contract=off. */
+/* VECTOR_LOOP stands before a function of plain loops: gcc compiles it once
+   for each kind of processor, and its first call chooses (ifunc, so glibc
+   only; sanitizers must be loaded before that; -DVECTOR_PLAIN is for tests
+   that compare the bytes). The versions differ only in how many numbers an
+   instruction takes: with -ffp-contract=off the compiler may neither
+   reorder a sum nor round once instead of twice, so all give the same
+   bytes. A loop that rounds otherwise must not carry the word: it gets a
+   name of its own, as the kernels of gravity do.
+
+   VECTOR_LONG asks for gcc's third level, since only that vectorises whole
+   loops, which for short ones is not worth while. */
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(VECTOR_PLAIN)
 #define VECTOR_HAS(kind) __builtin_cpu_supports(kind)
 #if !defined(__clang__) && defined(__GLIBC__) &&                           \
@@ -29,8 +36,9 @@
 #define VECTOR_LOOP
 #endif
 
-/* Before a function that is written in the instructions of a kind: call it
-   only if VECTOR_HAS() has said so. Undefined where there are none. */
+/* They stand before a function written in the instructions of a kind, which
+   may be called only if VECTOR_HAS(kind) is true. Undefined on processors
+   without them. */
 #ifdef VECTOR_HAS
 #define VECTOR_AVX2 VECTOR_LONG __attribute__((target("avx2")))
 #define VECTOR_AVX512 __attribute__((target("avx512f")))

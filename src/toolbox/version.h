@@ -1,10 +1,9 @@
-/* From chapters/works/A-toolbox.nw: edit there, then run make tangle. */
-/* checksum 2394442941 of the lines below */
-/* The version that all programs tell. */
+/* The version that all programs print. */
 #ifndef TOOLBOX_VERSION_H
 #define TOOLBOX_VERSION_H
 
-/* The kit's version, as --version and the heads of tables give it. */
+/* The kit's version, for --version and the heads of tables. CITATION.cff
+   and CHANGELOG.md have it as well; a test compares them. */
 #define TOOLBOX_VERSION "0.2"
 
 #endif

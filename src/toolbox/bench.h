@@ -1,5 +1,5 @@
-/* Times for tables of speed: clocks, medians, the name of the machine.
-   A time is processor time of one process and the median of an odd number
+/* Times for tables of speed: clocks, medians, the name of the machine. */
+/* A time is processor time of one process and the median of an odd number
    of runs: the mean counts every disturbance in full, and the minimum is
    what a machine does that nobody else uses. Ways to be compared take
    turns, so that a slow minute slows all of them. */

@@ -1,8 +1,8 @@
-/* Writes the 17 digits of a double faster than printf. A program that
-   writes a row for each of a million samples spends most of its time there:
-   printf handles any number of digits with numbers of any length, while
-   nearly all numbers of our tables lie from 1e-4 to 1e15, where two machine
-   words suffice. */
+/* Writes the 17 digits of a double faster than printf. */
+/* A program that writes a row for each of a million samples spends most of
+   its time there: printf handles any number of digits with numbers of any
+   length, while nearly all numbers of our tables lie from 1e-4 to 1e15,
+   where two machine words suffice. */
 #ifndef TOOLBOX_DIGITS_H
 #define TOOLBOX_DIGITS_H
 

@@ -1,6 +1,6 @@
-/* The inside of a table, for toolbox/table.c (files) and page/table.c
-   (memory, in a browser) alone. What is written is the same in both, so
-   lines.c has it once. */
+/* The inside of a table, for toolbox/table.c and page/table.c alone. */
+/* table.c writes files, page/table.c memory, in a browser. The lines are
+   the same in both, so lines.c has them once. */
 #ifndef TOOLBOX_LINES_H
 #define TOOLBOX_LINES_H
 

@@ -1,6 +1,6 @@
-/* Reads a command line by a list of options. A program loops over
-   options_next with a switch; everything that can be wrong ends in
-   options_fail, so it has no error to handle. */
+/* Reads a command line by a list of options. */
+/* A program loops over options_next with a switch; everything that can be
+   wrong ends in options_fail, so it has no error to handle. */
 #ifndef TOOLBOX_OPTIONS_H
 #define TOOLBOX_OPTIONS_H
 

@@ -1,5 +1,4 @@
-/* Opens and closes the outputs of a program, and ends it when it cannot
-   go on. */
+/* Opens and closes the outputs of a program, and ends it early. */
 #ifndef TOOLBOX_PROGRAM_H
 #define TOOLBOX_PROGRAM_H
 

@@ -1,8 +1,9 @@
-/* Random numbers that are the same on every machine: the C library's rand
-   differs from one to the next, so generator, logarithm and variates are
-   our own. They are no secret: from a few outputs the rest follows. Two
-   threads must not draw from one generator, since which of them is first
-   is chance: draw a seed for each run before the threads start. */
+/* Random numbers that are the same on every machine. */
+/* The C library's rand differs from one to the next, so generator,
+   logarithm and variates are our own. They are no secret: from a few
+   outputs the rest follows. Two threads must not draw from one generator,
+   since which of them is first is chance: draw a seed for each run before
+   the threads start. */
 #ifndef TOOLBOX_RANDOM_H
 #define TOOLBOX_RANDOM_H
 

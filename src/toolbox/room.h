@@ -1,7 +1,7 @@
-/* Memory aligned to lines of the cache. A vector of eight doubles that
-   begins elsewhere lies across two lines and is loaded, or worse, stored in
-   two pieces; malloc promises only 16 bytes. The springs go through four
-   arrays of coordinates in every step. */
+/* Memory aligned to lines of the cache. */
+/* A vector of eight doubles that begins elsewhere lies across two lines and
+   is loaded, or worse, stored in two pieces; malloc promises only 16 bytes.
+   The springs go through four arrays of coordinates in every step. */
 #ifndef TOOLBOX_ROOM_H
 #define TOOLBOX_ROOM_H
 

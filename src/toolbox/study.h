@@ -1,6 +1,6 @@
-/* The common main() and options of the programs of studies, which measure
-   what figures show: a program lists its studies, and its main is one
-   call. */
+/* The common main() and options of the programs of studies. */
+/* Such a program measures what figures show: it lists its studies, and its
+   main is one call. */
 #ifndef TOOLBOX_STUDY_H
 #define TOOLBOX_STUDY_H
 

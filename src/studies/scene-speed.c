@@ -1,4 +1,4 @@
-/* Times the reading of numbers and scenes, for the figure 08-reading. */
+/* Times the reading of numbers and scenes: plots/data/08-reading.dat. */
 #include "scenes/decimal.h"
 #include "scenes/scene.h"
 #include "toolbox/bench.h"

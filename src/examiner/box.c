@@ -48,7 +48,7 @@ struct words {
     int made;
 };
 
-/* Puts words at the end of a command. */
+/* Appends arguments to a command line. */
 static void add(struct words *w, const char *const words[])
 {
     for (int i = 0; words[i] && w->count < WORDS - 1; ++i)
@@ -167,9 +167,9 @@ static void become_root_of_a_view(void)
     put("/proc/self/gid_map", groups);
 }
 
-/* Mounts the folder to write to, bounded in bytes and in files, because a
-   million empty files fill a memory as well. bubblewrap can bound the bytes
-   alone. */
+/* Mounts the writable folder with a limit on its bytes and on its number
+   of files, because a million empty files fill the memory as well.
+   bubblewrap can limit only the bytes. */
 static void mount_disk(void)
 {
     if (new_view)

@@ -332,10 +332,10 @@ static const char *find_warning(const char *text, const char *source)
     return line ? line : first;
 }
 
-/* Shows one warning about the student's file. Warnings are shown when a
-   test has failed, for then they are often the reason; when all pass they
-   would spoil the day. The first that can be explained is taken: a variable
-   that is not used yet is the least of a beginner's troubles. */
+/* Shows one warning about the student's file. Warnings are shown only
+   when a test has failed, because then they often name the reason. The
+   first warning that we can explain is preferred to others, such as that of
+   an unused variable, which seldom help a beginner. */
 void build_warning(const char *folder, const char *source, FILE *story)
 {
     char *text = read_messages(folder);

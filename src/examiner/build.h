@@ -22,8 +22,8 @@ bool build_runner(const char *folder, const char *exercise,
 void build_tell(const char *text, const char *source, const char *types,
                 FILE *story);
 
-/* Writes the first warning about source in that folder's last build, of
-   those that we can explain if there are any. */
+/* Writes a warning about source from the last build in that folder: the
+   first that we can explain or, if there is none, the first of all. */
 void build_warning(const char *folder, const char *source, FILE *story);
 
 /* Whether that folder's last build found an error in source. */

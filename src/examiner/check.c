@@ -101,9 +101,9 @@ static void number_text(char *text, size_t room, int digits, double x)
         snprintf(text, room, "%.*g", digits, x);
 }
 
-/* Writes two numbers in ten digits, or in 17, which tell any two doubles
-   apart, if they would look the same: "expected 1, got 1, failed" is a
-   contradiction. */
+/* Writes two numbers in ten digits. If they would look the same, it writes
+   17 digits, which distinguish any two doubles: "expected 1, got 1, failed"
+   would be a contradiction. */
 static void number_pair(char *one, char *other, size_t room, double x,
                         double y)
 {

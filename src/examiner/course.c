@@ -62,12 +62,12 @@ static void find_files(struct exercise *e)
     course_find_file(e);
 }
 
-/* Takes what a suite says about itself from its list, in which the texts of
-   the structure stay. Its file's name comes from there, because a student
-   may have thrown his file away. Lists are made of the text of the suites
-   (tests/lists.awk) and a test compares them with what the runners print:
-   building forty runners only to ask them took half a minute of a
-   beginner's first one. */
+/* Reads the description of a suite from its list; the strings of the
+   structure point into the list's text. The name of the exercise's file
+   comes from there too, because a student may have deleted the file. The
+   lists are made from the source of the suites (tests/lists.awk), and a
+   test compares them with what the runners print: building forty runners
+   only to ask them delayed the first check by half a minute. */
 static bool read_about(struct exercise *e, const char *name)
 {
     char path[64];

@@ -644,8 +644,8 @@ static void wait_for_one(struct batch *b)
     show_progress(b);
 }
 
-/* Prints a word quoted for a shell. A line break would make two commands of
-   one; a student's name comes encoded and has none. */
+/* Prints a word quoted for a shell. The word must have no line break, which
+   would split the command; students' names are encoded and have none. */
 static void put_word(const char *word)
 {
     if (strchr(word, '\n'))

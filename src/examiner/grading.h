@@ -13,7 +13,7 @@ struct kit_test {
     char *name;
     int number; /* the judge's */
     int points;
-    bool hidden; /* run with the seed of the grading */
+    bool hidden; /* whether it is run with the grader's seed */
     bool idle; /* passes without work: earns only if another test passes */
 };
 

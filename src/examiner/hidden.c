@@ -1,4 +1,4 @@
-/* No hidden tests, for exercises that have none. */
+/* Supplies an empty list to exercises that have no hidden tests. */
 #include "examiner/check.h"
 
 #include <stddef.h>

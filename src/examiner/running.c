@@ -1,4 +1,4 @@
-/* Runs a program with its files, and takes down what it prints. */
+/* Runs a program with its files, and records what it prints. */
 #include "examiner/border.h"
 #include "examiner/run.h"
 #include "examiner/wire.h"

@@ -31,10 +31,10 @@ static int gap_line(const char *account)
     return colon ? atoi(colon + 1) : 0;
 }
 
-/* Returns whether a second look would give the same. A test that timed out
-   may have shared the processor, one that crashed may have met a lack of
-   memory or have read what lay behind an array; all other endings are our
-   own runner's words. */
+/* Returns whether running the tests again would give the same verdict. A
+   test that timed out may have shared the processor; one that crashed may
+   have run out of memory or read beyond an array. All other outcomes are
+   reported by our own runner and are reproducible. */
 static bool repeatable(const enum state states[], int run)
 {
     for (int i = 0; i < run; ++i)
@@ -43,9 +43,10 @@ static bool repeatable(const enum state states[], int run)
     return true;
 }
 
-/* Tells of memory that a passing answer has lost. The last test looks for
-   lost memory, if those before it have passed, because one look in an
-   exercise is enough. What was told is not remembered as a plain pass. */
+/* Reports memory that a passing answer has leaked. Only the last test looks
+   for leaks, if those before it have passed, because one look for each
+   exercise is enough. A verdict with a leak is not stored as a plain
+   pass. */
 static bool tell_leak(const struct exercise *e, const struct trial *trial,
                       FILE *story)
 {

@@ -90,9 +90,9 @@ double page_run(double until, double events)
     return records - before;
 }
 
-/* Returns the time, records, collisions of disks and with walls, P V/(N
-   kT), the deepest overlap, the energy; x and y of each disk; density and
-   error of each bin. */
+/* Returns the time, the number of records, the numbers of collisions
+   between disks and with walls, P V/(N kT), the deepest overlap and the
+   energy; then x and y of each disk; then density and error of each bin. */
 const double *page_look(void)
 {
     const struct disks *d = &loop.d;

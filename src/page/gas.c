@@ -7,7 +7,7 @@
 #include <math.h>
 
 enum { MOST = 2000, BINS = 30 }; /* disks; bins of u = v sqrt(m/(2kT)) */
-#define WIDTH 0.1                /* of a bin */
+#define WIDTH 0.1                /* of a bin of the histogram */
 
 /* Parameters: how many disks, the fraction of the box that they fill, the
    seed, 1 for a periodic box. The box is that of `disks --box 7.5,5`. */

@@ -121,8 +121,8 @@ double page_run(double until, double events)
     return steps;
 }
 
-/* Returns the time; of each method x, v, energy, whether it has stopped,
-   and the matrix. */
+/* Returns the time and, for each method, x, v, the energy, whether it has
+   stopped, and the matrix of a step. */
 const double *page_look(void)
 {
     seen[0] = now();

@@ -706,7 +706,7 @@ static bool write_means(struct run *r)
     return table_close(r->out) && good;
 }
 
-/* Writes the chart of averages, a point for each. */
+/* Writes the chart of averages, with one point for each average. */
 static void chart_means(const struct run *r, const char *refusal)
 {
     write_chart_head(r, refusal);

@@ -177,9 +177,9 @@ static void read_settings(struct settings *s, int argc, char *argv[])
     program_apart(&o, s->output, s->summary, "report");
 }
 
-/* With a wall the energy scale also has the product of its speed and the
-   momentum of the ball: a velocity is rounded by how large it is on the
-   ground, not by what is left of it in the frame of the wall. */
+/* With a wall the energy scale also includes the product of the wall's
+   speed and the ball's momentum: the rounding error of a velocity depends
+   on its size in the frame of the ground, not in that of the wall. */
 static struct totals totals_of(struct pair *p,
                                double v[2][COLLIDE_DIMENSIONS])
 {

@@ -351,8 +351,8 @@ static double first_piece(const struct disks *d)
     return shortest(d) / speed / (double)d->count;
 }
 
-/* Appends the sums of a piece to the blocks: what the walls took along each
-   axis, and the virial. */
+/* Appends the sums of one stretch of the run to the blocks: the momentum
+   that the walls received along each axis, and the virial. */
 static void end_piece(struct run *r)
 {
     double sample[DISKS_AXES + 1];
@@ -522,8 +522,8 @@ static void begin_positions(struct run *r)
     }
 }
 
-/* Counts the positions; one that rounding has put just beyond the box
-   counts in the last bin. */
+/* Counts the positions in bins; one that rounding has put just outside the
+   box counts in the last bin. */
 static void sample_positions(struct run *r)
 {
     static double sample[DISKS_AXES * BINS];
@@ -1166,8 +1166,8 @@ static bool wants_averages(const struct settings *s)
            (s->measure != STATES && s->measure != RELAXATION);
 }
 
-/* Notes that an average changed in the run by more than its error
-   allows. */
+/* Warns that an average changed during the run by more than its error
+   explains. */
 static void report_drift(const struct run *r)
 {
     if (fabs(r->drift) > BLOCKS_STEADY)
@@ -1181,10 +1181,10 @@ static void report_drift(const struct run *r)
 
 /* Runs from one sampling time to the next and takes a sample at each.
    Sampling times are multiples of --every counted from 0, not from the
-   start, so that a run that is continued has those of the run that it
-   continues. A histogram must not contain the moment of the last collision,
-   at which two disks touch; a list of states ends with it, and a pressure
-   without --every is that of the whole run. */
+   start, so that a continued run has the same ones as a run without a
+   break. A histogram must not contain the moment of the last collision, at
+   which two disks touch. A list of states ends with that moment, and a
+   pressure without --every is that of the whole run. */
 static void run_and_sample(struct run *r)
 {
     const double every = r->s->every;

@@ -39,8 +39,8 @@ struct column {
     struct statistics_description d; /* of x */
 };
 
-/* Of a table with a million rows only the columns that are asked for are
-   kept. */
+/* Holds only the columns that are needed, because a table may have a
+   million rows. */
 struct columns {
     size_t count, rows, capacity, last; /* the last that a row must have */
     struct column column[MOST_COLUMNS];
@@ -81,8 +81,8 @@ struct head {
 };
 
 /* Reads "# 3 x1 [m] ...", "# command: ..." or "# seed: ..."; any other line
-   is a comment. Command and seed are handed on to the table that is
-   written, so that a histogram still knows where its samples came from. */
+   is a comment. Command and seed are copied to the table that is
+   written, so that a histogram still says where its samples came from. */
 static void read_head(struct head *h, struct columns *c, const char *text)
 {
     char name[NAME_LENGTH], unit[NAME_LENGTH];
@@ -888,10 +888,10 @@ enum { WAYS = 3 };
 
 static const char *const ways[WAYS] = {"naive", "blocks", "correlation"};
 
-/* Returns the error of the mean of y in one of the three ways, and the
-   uncertainty of that error as the way itself tells it. The correlations
-   tell the uncertainty of the inefficiency; that of its root is half as
-   large. */
+/* Returns the error of the mean of y by one of the three methods, and the
+   uncertainty of that error as the method estimates it. The method of
+   correlations estimates the relative uncertainty of the inefficiency; that
+   of its square root is half as large. */
 static double error_by(int way, size_t n, const double y[],
                        double *uncertainty)
 {

@@ -11,7 +11,7 @@
 #define PROGRAM "piston"
 #include <errno.h>
 
-enum { MOST = 8 }; /* at most so many numbers for an option */
+enum { MOST = 8 }; /* the most numbers that an option takes */
 
 typedef bool stepper(const struct piston *p, struct piston_state *s,
                      double dt);

@@ -21,7 +21,7 @@ enum {
     MOST_DIGITS = 15, /* more than 10^MOST_DIGITS throws are refused */
     SOME = 256        /* samples between two looks at the clock */
 };
-#define GIVE_UP 1e8      /* so many throws in a row have failed: give up */
+#define GIVE_UP 1e8      /* failed throws in a row after which to give up */
 enum { BITE = 1 << 16 }; /* throws between two looks at the signals */
 
 enum method { DIRECT, MARKOV, CHAINS };

@@ -919,9 +919,10 @@ static bool save_scene(struct run *r)
 }
 
 /* Completes the table and the saved scene; returns whether all was written.
-   The checkpoint stays if the run can be continued: if it was interrupted,
-   or could not write. A last one then holds all that was computed; but not
-   that of a run that blew up. */
+   The checkpoint stays if the run was interrupted or a write failed, so
+   that the run can be continued. An interrupted run, and a whole one whose
+   table could not be written, take a last checkpoint first, which holds all
+   that was computed; a run that blew up takes none. */
 static bool close_outputs(struct run *r, enum ending end)
 {
     bool good = r->kept ? make_table(r) : table_close(r->out);
@@ -938,8 +939,8 @@ static bool close_outputs(struct run *r, enum ending end)
     return good && end != UNWRITTEN;
 }
 
-/* Of a run that blew up the summary says which energy was seen last, and
-   when. */
+/* Writes the energies into the summary: for a run that blew up, the last
+   energy that was seen, and when. */
 static void summarise_energy(const struct run *r, enum ending end)
 {
     const bool lost = end == INFINITE || end == STUCK || end == TOO_MUCH;

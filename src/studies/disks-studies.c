@@ -331,9 +331,10 @@ static void throw_kind(int kind, double size, struct random *r, double x[],
     }
 }
 
-/* Throws pairs of one kind and keeps the worst two errors: of grazing pairs
-   those of our time and of the distance, of the others those of both times,
-   over the gap, since the time is about as long. */
+/* Draws random pairs of one kind and keeps the largest of each of two
+   errors: for grazing pairs those of our time and of the distance, for the
+   others those of both times, divided by the gap, to which the time is
+   about equal. */
 static void worst_of(const struct study *s, int kind, double size,
                      struct random *r, double worst[])
 {

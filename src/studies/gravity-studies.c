@@ -1123,7 +1123,7 @@ struct pulls {
     double planet[2], ring[2], lost[2];
 };
 
-/* Computes these accelerations of body i, with sums in double precision. */
+/* Returns these accelerations of body i, summed in double precision. */
 static struct pulls pulls_at(const struct scene *s, size_t i)
 {
     const double *x = s->position, *y = x + s->bodies;

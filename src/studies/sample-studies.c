@@ -12,7 +12,7 @@
 #define PROGRAM "sample-studies"
 
 enum {
-    LIST = 16, /* at most so many numbers for an option */
+    LIST = 16, /* the most numbers that an option takes */
     BINS = 14, /* over the range of a centre */
     HALF = BINS / 2,
     WALLS = BINS, /* quantities behind the bins: the two sides */
@@ -52,7 +52,7 @@ static void make_box(struct sampling *p, const struct settings *own,
         end_without_memory();
 }
 
-/* Starts a chain and lets it run for a while. */
+/* Starts a chain and runs it for that many sweeps to forget its start. */
 static void start_chain(struct sampling *p, double step, uint64_t sweeps,
                         struct random *r)
 {

@@ -54,7 +54,7 @@ static void print_progress(struct progress *p, double elapsed,
     p->width = width;
 }
 
-/* Most runs are over within a second, so that is silent. */
+/* Prints nothing in the first second, within which most runs end. */
 void progress_update(struct progress *p, uint64_t done, uint64_t events)
 {
     p->done = done;

@@ -58,12 +58,11 @@ build/woven: $(RUNS) $(wildcard $(QUOTED) chapters/*.nw chapters/works/*.nw \
 		$(filter-out %/site %/site.mk,$(wildcard chapters/press/*))
 	@chapters/press/make-book woven
 
-build/bonkers.pdf build/bonkers-instructor.pdf build/works.pdf \
-		build/works-course.pdf: build/woven $(FIGURES_PDF) $(FIGURES_ALT) \
+build/bonkers.pdf build/bonkers-instructor.pdf build/works.pdf: build/woven $(FIGURES_PDF) $(FIGURES_ALT) \
 		tests/equations.txt src/toolbox/version.h
 	@chapters/press/make-book $(@:build/%.pdf=%)
 # Works quotes the numbers of the book.
-build/works.pdf build/works-course.pdf: build/bonkers.pdf
+build/works.pdf: build/bonkers.pdf
 
 # ---- the course for students
 
@@ -73,7 +72,7 @@ ifneq ($(and $(EDITION),$(filter handout,$(MAKECMDGOALS))),)
 $(error handout: EDITION: students get the book without solutions; leave it out)
 endif
 .PHONY: handout
-handout: has-tex build/bonkers.pdf build/works-course.pdf has-site build/site-course/made
+handout: has-tex build/bonkers.pdf build/works.pdf has-site build/site/made
 	@chapters/press/handout
 
 # ---- the pages

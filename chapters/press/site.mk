@@ -19,11 +19,11 @@ has-site:
 	$(call need,bibtex,texlive-binaries)
 
 # The pages are made by one command, which knows which of them are stale: what
-# a chapter leads to may have moved in another. Students get build/site-course/.
+# a chapter leads to may have moved in another.
 site: has-gnuplot has-gsl has-site build/site$(edition)/made
 	@echo 'The pages: open build/site$(edition)/index.html'
 build/site/made: build/woven $(FIGURES_SVG) $(RUNS) $(LIVE_FILES) \
 		$(wildcard chapters/press/site/*)
 	@EDITION= chapters/press/site/make
-build/site-instructor/made build/site-course/made: build/site-%/made: build/site/made
-	@EDITION=$* chapters/press/site/make
+build/site-instructor/made: build/site/made
+	@EDITION=instructor chapters/press/site/make

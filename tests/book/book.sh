@@ -1,7 +1,6 @@
 #!/bin/sh
-# The book, its instructor's edition and both editions of Works build, with
-# every figure; nothing sticks out; the equations have the numbers that the
-# examiner knows.
+# The book, its instructor's edition and Works build, with every figure; nothing
+# sticks out; the equations have the numbers that the examiner knows.
 . tests/programs/common
 # Two recipes side by side: each of them with one thread.
 OMP_NUM_THREADS=1 ${MAKE:-make} -j2 book-parts >"$work/parts" 2>&1
@@ -12,11 +11,9 @@ holds 'figures and runs are made' \
 ${MAKE:-make} -j2 book site >"$work/book" 2>&1
 holds 'the book builds, and the pages of the reader' \
     sh -c "[ $? -eq 0 ] || { tail -5 $work/book; false; }"
-# What students get of Works begins with what TeX knows of Works.
 ${MAKE:-make} -j2 works build/bonkers-instructor.pdf build/site-instructor/made \
-    >"$work/works" 2>&1 &&
-    ${MAKE:-make} -j2 build/works-course.pdf build/site-course/made >>"$work/works" 2>&1
-holds 'Works builds, and what lecturers and students get' \
+    >"$work/works" 2>&1
+holds 'Works builds, and what lecturers get' \
     sh -c "[ $? -eq 0 ] || { tail -5 $work/works; false; }"
 ${MAKE:-make} book site EDITION=instructor >"$work/instructor" 2>&1
 holds 'the instructor'"'"'s edition is all of that' \
@@ -25,7 +22,7 @@ holds 'and make names them' \
     grep -qx 'The pages: open build/site-instructor/index.html' "$work/instructor"
 holds 'and the PDF' \
     grep -qx 'The book: build/bonkers.pdf' "$work/book"
-for volume in bonkers bonkers-instructor works works-course; do
+for volume in bonkers bonkers-instructor works; do
     holds "build/$volume.pdf is there" test -s "build/$volume.pdf"
 done
 holds 'the equations have the numbers of tests/equations.txt' \
@@ -43,4 +40,4 @@ holds 'made again, nothing runs' \
 cksum build/*.pdf >"$work/after"
 holds 'and the PDFs stay' cmp "$work/before" "$work/after"
 set -- plots/[0-9]*.gp
-echo "1..$((13 + 2 * $#))"
+echo "1..$((12 + 2 * $#))"

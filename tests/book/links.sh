@@ -1,6 +1,6 @@
 #!/bin/sh
 # The two volumes lie side by side: each link from the one has its place in
-# the other, in the editions for lecturers and students, too. TeX has written
+# the other, in the edition for lecturers, too. TeX has written
 # down the links that it set (JOB.links: file, place).
 set -u
 scratch=$(mktemp -d) || exit 1
@@ -8,7 +8,7 @@ trap 'rm -rf "$scratch"' EXIT
 LC_ALL=C
 export LC_ALL
 places() { pdfinfo -dests "$1" | sed -n 's/^.*"\(.*\)"$/\1/p' | sort; }
-for volume in bonkers works works-course; do
+for volume in bonkers works; do
     places "build/$volume.pdf" >"$scratch/$volume"
 done
 lost() { # LINKS FILE VOLUME: links that lead elsewhere than to a place of it
@@ -32,11 +32,7 @@ leads() { # NAME LINKS FILE VOLUME LEAST
 leads 'from the book to Works' build/book/book.links works.pdf works 40
 leads 'from the instructor'"'"'s edition' build/book-instructor/book.links \
     works.pdf works 40
-leads 'from the book to the Works of students' build/book/book.links \
-    works.pdf works-course 40
 leads 'from Works to the book' build/works/works.links bonkers.pdf bonkers 1000
-leads 'from the Works of students' build/works-course/works.links \
-    bonkers.pdf bonkers 1000
 
 # A place that is missing is seen, and a file of another name.
 name=$(sed -n 's/^works\.pdf //p' build/book/book.links | head -n 1)
@@ -48,4 +44,4 @@ echo 'other.pdf Doc-Start' >"$scratch/links"
 [ "$(lost "$scratch/links" works.pdf works)" = 'other.pdf Doc-Start' ] &&
     echo 'ok links: another file is seen' ||
     echo 'not ok links: another file is seen - it was not'
-echo 1..7
+echo 1..5

@@ -14,10 +14,9 @@ kit=$work/kit
 mkdir "$kit"
 tar cf - --exclude=./build --exclude=./.git . | (cd "$kit" && tar xf -)
 mkdir -p "$kit/build/site/pages"
-cp build/bonkers.pdf build/works.pdf build/works-course.pdf "$kit/build"
+cp build/bonkers.pdf build/works.pdf "$kit/build"
 echo '<title>Bonkers</title>' >"$kit/build/site/index.html"
 echo 'p { margin: 0 }' >"$kit/build/site/pages/a b.css"
-cp -R "$kit/build/site" "$kit/build/site-course"
 cd "$kit" || exit 1
 chapters/press/handout >"$work/out" 2>&1 ||
     not_ok 'the course is made' "$(tail -1 "$work/out")"

@@ -79,7 +79,7 @@ equal 'and each exercise has its four files' "$(for ex in $folders; do
     "$(cd "$place/tests/exercises" && find . -type f | sed 's/..//' | sort)"
 holds 'the book is the one just made' cmp build/bonkers.pdf \
     "$place/bonkers.pdf"
-holds 'and so is Works' cmp build/works-course.pdf "$place/works.pdf"
+holds 'and so is Works' cmp build/works.pdf "$place/works.pdf"
 holds 'and their pages' test -s "$place/site/index.html" -a \
     -s "$place/site/search-data.js"
 for folder in src tests/exercises plots
@@ -99,11 +99,11 @@ chmod -R u+w "$kit"
 mkdir "$kit/build"
 # Of the volumes a first part, of the pages' figures one is enough here, and
 # packed sooner.
-for volume in bonkers works-course; do
+for volume in bonkers works; do
     head -c 100000 build/$volume.pdf >"$kit/build/$volume.pdf"
 done
-cp -R build/site-course "$kit/build"
-find "$kit/build/site-course/figures" -name '*.svg' ! -name '01-map.svg' \
+cp -R build/site "$kit/build"
+find "$kit/build/site/figures" -name '*.svg' ! -name '01-map.svg' \
     -exec rm -f {} +
 cp "$kit"/solutions/*.c "$kit/exercises"
 echo 'marks, private' >"$kit/tests/exercises/note-to-self.txt"
@@ -582,7 +582,7 @@ holds 'and the names of hidden tests' test -s "$work/names"
 # The volumes whole, as they are handed out.
 tar xzf "$work/made.tar.gz" -C "$work/all" "$course/bonkers.pdf" \
     "$course/works.pdf"
-holds 'these are whole' cmp build/works-course.pdf "$work/all/$course/works.pdf"
+holds 'these are whole' cmp build/works.pdf "$work/all/$course/works.pdf"
 leaks "$work/all/$course" >"$work/leaks"
 sed "s|^$work/all/$course/||; s|^$work/||" "$work/leaks" >"$work/out"
 if [ -s "$work/out" ]; then

@@ -16,9 +16,9 @@ mkdir "$kit"
 tar cf - --exclude=./.git --exclude=./build . | (cd "$kit" && tar xf -)
 mkdir "$kit/build"
 cp -Rp build/compiler.mk build/compiler build/made build/check build/bonkers.pdf \
-    build/works-course.pdf build/recipes "$kit/build/" 2>/dev/null
-mkdir "$kit/build/site-course"
-cp build/site-course/index.html "$kit/build/site-course/"
+    build/works.pdf build/recipes "$kit/build/" 2>/dev/null
+mkdir "$kit/build/site"
+cp build/site/index.html "$kit/build/site/"
 [ -d build/grade ] && cp -Rp build/grade "$kit/build/"
 rm -rf "$kit"/build/grade/results "$kit"/build/grade/work.*
 cd "$kit" || exit 1
@@ -34,7 +34,7 @@ git init -q . && git add -A >/dev/null 2>&1 &&
 {
     # shellcheck disable=SC2016
     echo 'make() { command ${MAKE:-make} -o build/bonkers.pdf \'
-    echo '    -o build/works-course.pdf -o build/site-course/made "$@"; }'
+    echo '    -o build/works.pdf -o build/site/made "$@"; }'
     cat tests/kit/recipe/steps
 } >"$work/steps"
 sh -eu "$work/steps" >"$work/out" 2>&1

@@ -101,10 +101,8 @@ own_folder() {
 # ---- the judge and the box's program ----
 
 cc="$(sed -n 1p build/grade/flags | sed 's/-fmax.*//') -w -g0"
-if command -v ld.gold >/dev/null 2>&1; then # see tests/exercises/all.sh
-    mkdir "$out/linker" && ln -s "$(command -v ld.gold)" "$out/linker/ld" &&
-        export COMPILER_PATH="$out/linker"
-fi
+. tests/exercises/linker
+[ -z "$linker" ] || export COMPILER_PATH="$linker"
 mkdir "$out/desk" && mkfifo "$out/requests" "$out/answers" || exit 1
 
 # built FILE [N]...: the student's programs, with what is given for the

@@ -105,13 +105,8 @@ has_one_gap() {
     exit 1
 }
 
-# Hundreds of files are linked here, and ld spends more time on the names of
-# the sanitizers' library than the compiler on the file. The linker gold, where
-# there is one, needs a third of it; gcc finds it in front of its own.
-if command -v ld.gold >/dev/null 2>&1; then
-    mkdir "$out/linker" && ln -s "$(command -v ld.gold)" "$out/linker/ld" &&
-        export COMPILER_PATH="$out/linker"
-fi
+. tests/exercises/linker
+[ -z "$linker" ] || export COMPILER_PATH="$linker"
 
 [ $# -gt 0 ] || set -- $(ls solutions | grep '^[0-9]' | cut -c 1-3)
 for ex; do

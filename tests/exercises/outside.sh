@@ -89,11 +89,7 @@ plant() {
         }'
 }
 
-linker=
-if command -v ld.gold >/dev/null 2>&1; then # see all.sh
-    mkdir "$out/linker" && ln -s "$(command -v ld.gold)" "$out/linker/ld" &&
-        linker=$out/linker
-fi
+. tests/exercises/linker
 home=$(sed -n 1p build/check/flags) libraries=$(sed -n 2p build/check/flags)
 base=$(sed -n 1p build/grade/flags)
 build() { # EXERCISE

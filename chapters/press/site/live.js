@@ -336,8 +336,9 @@
       show();
       draw();
     }
-    // Until when a figure is to run that shall stop at this time.
-    const reached = time => time + (figure.early ? figure.early(run) : 0);
+    // Until when a figure is to run that shall stop at this time. Half a step is added, since
+    // a sum of steps may exceed their number times one by a rounding.
+    const reached = time => time + (figure.early ? figure.early(run) : figure.longest ? figure.longest(run) / 2 : 0);
     // Begins with the numbers that there are, or, where they do not go together,
     // with others. Returns whether they do.
     function tries(others) {

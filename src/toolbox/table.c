@@ -104,7 +104,7 @@ uint64_t table_sum(uint64_t sum, const char *bytes, size_t n)
 
 bool table_sum_so_far(struct table *t, uint64_t *sum)
 {
-    char piece[4096];
+    char piece[BUFSIZ];
     lines_release_head(t);
     ssize_t n = fflush(t->stream) == 0 ? 1 : -1;
     *sum = TABLE_NOTHING;

@@ -153,6 +153,46 @@ static void test_weights(void)
     adaptive_free(s);
 }
 
+/* The mean of N_k = s (s - c_1) ... (s - c_k), with the factor 1 - u or
+   without, over s = u c, u = 0 ... 1, by Gauss's rule of five points: exact
+   to the degree 9, of which 8 is needed. */
+static double mean_of(const double node[], int k, double c, bool twice)
+{
+    const double near = sqrt(5 - 2 * sqrt(10 / 7.0)) / 3;
+    const double far = sqrt(5 + 2 * sqrt(10 / 7.0)) / 3;
+    const double at[] = {0, near, -near, far, -far};
+    const double share = 13 * sqrt(70);
+    const double by[] = {512, 322 + share, 322 + share, 322 - share,
+                         322 - share};
+    double sum = 0;
+    for (int j = 0; j < 5; ++j) {
+        const double u = (1 + at[j]) / 2;
+        double value = u * c * (twice ? 1 - u : 1);
+        for (int m = 0; m < k; ++m)
+            value *= u * c - node[m];
+        sum += by[j] / 1800 * value;
+    }
+    return sum;
+}
+
+/* What a polynomial adds to a velocity and to a place on the way to a node:
+   its integral, and that of its integral. Terms are below 20. */
+static void test_integrals(void)
+{
+    const struct stepping_forces f = {.size = 1};
+    struct adaptive *const s = adaptive_create(stepping_find("radau15"), f);
+    CU_ASSERT_PTR_NOT_NULL_FATAL(s);
+    const double *const c = s->method->node;
+    for (int i = 0; i < STAGES; ++i)
+        for (int k = 0; k < STAGES; ++k) {
+            const double once = mean_of(c, k, c[i], false);
+            const double twice = mean_of(c, k, c[i], true);
+            UNIT_NEAR(s->weights->v[i][k], once, 1e-13);
+            UNIT_NEAR(s->weights->x[i][k], twice, 1e-13);
+        }
+    adaptive_free(s);
+}
+
 static const char *const names[] = {"dopri5", "radau15"};
 
 static void orbit(void *what, const double x[], const double v[],
@@ -261,6 +301,7 @@ int main(void)
                         {"how long the first step is", test_first},
                         {"what an edge is", test_edge},
                         {"weights of Radau's polynomials", test_weights},
+                        {"what polynomials add by a node", test_integrals},
                         {"what is noted is all", test_notes},
                         {"times are sums of steps", test_times},
                         {"the most evaluations", test_most},

@@ -241,6 +241,22 @@ static void test_stop(void)
     scene_free(&s);
 }
 
+/* An error of just the tolerance is small enough: who asks for the error
+   of the first look gets that look again. */
+static void test_just_enough(void)
+{
+    struct scene s;
+    make(&s, "four-disks", NULL, 0);
+    const struct averages_found a = ask(&s, "pressure", 1e7, 0.5, "events");
+    const struct averages_found b =
+        ask(&s, "pressure", 1e7, a.error, "events");
+    UNIT_TRUE(!refused(&a) && a.error > 0);
+    UNIT_TRUE(!refused(&b));
+    UNIT_EQUAL(b.error, a.error);
+    UNIT_EQUAL(b.time, a.time);
+    scene_free(&s);
+}
+
 static void test_same_bits(void)
 {
     struct scene s;
@@ -628,6 +644,7 @@ int main(void)
             {"in a periodic box the centre makes no pressure",
              test_periodic},
             {"no more is simulated than the tolerance needs", test_stop},
+            {"an error of just the tolerance will do", test_just_enough},
             {"the same question has the same bits", test_same_bits},
             {"places on a line come to their law, with an error",
              test_order},

@@ -5,6 +5,7 @@
 
 #include <enough/averages.c> /* of src: most of its parts are private */
 
+#include "library/heap.h"
 #include "toolbox/random.h"
 
 static struct averages_request request;
@@ -361,6 +362,24 @@ static void test_settled(void)
     scene_free(&s);
 }
 
+/* Without memory for the error of the mean a look fails. It is the third
+   request: the first two are for errors that nobody asks for. */
+static void test_look_without_memory(void)
+{
+    struct scene s = disks(SCENE_HARD);
+    struct search h = begin(&s, AVERAGES_PRESSURE, 0, 0);
+    struct watch w = {.h = &h, .most = 1000, .columns = 2};
+    UNIT_TRUE(blocks_create(&w.blocks, 2));
+    fill(&w, 64, steady, other);
+    heap_failing = 2;
+    const bool well = look(&w), refused = heap_failing < 0;
+    heap_failing = -1;
+    UNIT_TRUE(well != refused);
+    UNIT_TRUE(look(&w));
+    blocks_free(&w.blocks);
+    scene_free(&s);
+}
+
 /* Places have to come to where they end up: what is asked for, and all that
    are alike in the root of the mean square. */
 static void test_places(void)
@@ -395,6 +414,7 @@ int main(void)
                         {"how much longer it takes", test_lengthened},
                         {"why it is not enough", test_refusals},
                         {"when a run has settled", test_settled},
+                        {"no memory for a look", test_look_without_memory},
                         {"places come to their own", test_places},
                         {0}});
 }

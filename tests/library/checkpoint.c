@@ -199,6 +199,21 @@ static void test_other_method(void)
     clear();
 }
 
+/* As any program does, the rows leave it to the umask who may read and
+   write them. */
+static void test_mode(void)
+{
+    struct checkpoint c;
+    struct stat is;
+    clear();
+    const mode_t mask = umask(0);
+    UNIT_TRUE(checkpoint_begin(&c, "checkpoint", command, OUTPUT));
+    umask(mask);
+    UNIT_TRUE(stat(ROWS, &is) == 0 && (is.st_mode & 0777) == 0666);
+    checkpoint_end(&c, false);
+    clear();
+}
+
 /* Without a checkpoint rows are nothing, but with a checkpoint and without
    its rows a run could not be resumed: the checkpoint goes first. */
 static void test_end(void)
@@ -501,6 +516,9 @@ static void test_forged(void)
     }
     dup2(saved, STDERR_FILENO);
     close(saved);
+    /* 0 is a number as others are: it is the rows that have another sum. */
+    forge(text, "sum", "0");
+    says(resumes, NULL, REFUSED, ROWS ": has other rows than");
     motion_end(&m);
     scene_free(&s);
     clear();
@@ -650,6 +668,7 @@ int main(void)
             {"a run comes back to the last bit", test_comes_back},
             {"not for another method", test_other_method},
             {"a checkpoint goes before its rows", test_end},
+            {"the umask says who may read the rows", test_mode},
             {"one run at a time", test_lock},
             {"a file that lost its name is not locked", test_between},
             {"what is not ours stays", test_foreign},

@@ -113,6 +113,20 @@ static void test_rate_of_springs(void)
     scene_free(&s);
 }
 
+/* A spring does not move what has no mass: of the other end's 4 kg the
+   rate is sqrt(36/4), and 2/4 of friction. */
+static void test_rate_without_mass(void)
+{
+    struct scene s = made(2);
+    UNIT_TRUE(scene_add_kind(&s, 36, 2) &&
+              scene_add_spring(&s, 0, 1, 0, 1));
+    s.mass[0] = 0;
+    s.mass[1] = 4;
+    s.position[1] = 1;
+    UNIT_NEAR(models_rate(&s, 0), 3.5, 1e-14);
+    scene_free(&s);
+}
+
 static void test_acts(void)
 {
     for (size_t n = 1; n < 3; ++n)
@@ -713,6 +727,7 @@ int main(void)
             {"a pair's frequency is the rate", test_rate_of_gravity},
             {"so is that of springs, with their friction",
              test_rate_of_springs},
+            {"a spring on what has no mass", test_rate_without_mass},
             {"what acts", test_acts},
             {"what is left out", test_left_out},
             {"bills of closed forms", test_bills_of_forms},

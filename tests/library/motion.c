@@ -3,6 +3,7 @@
 #include "unit.h"
 
 #include "library/scene_same.h"
+#include "library/toolbox_child.h"
 #include "forces/motion.h"
 #include "toolbox/table.h"
 
@@ -812,6 +813,23 @@ static void test_outside(void)
     scene_free(&s);
 }
 
+static int begin_unknown(void *scene)
+{
+    struct motion m;
+    return motion_begin(&m, "motion", scene, "no-such", 0) ? 4 : 3;
+}
+
+/* A method that does not exist is refused by its name. */
+static void test_unknown(void)
+{
+    struct scene s;
+    build(&s, false);
+    const struct child c = child_run(begin_unknown, &s, NULL);
+    UNIT_EQUAL(c.status, 3);
+    UNIT_TRUE(strcmp(c.err, "motion: there is no method 'no-such'\n") == 0);
+    scene_free(&s);
+}
+
 int main(void)
 {
     return unit_run(
@@ -841,5 +859,6 @@ int main(void)
             {"what is in a box", test_box},
             {"points on a line", test_points},
             {"another stepper can take the method's place", test_outside},
+            {"a method that does not exist is refused", test_unknown},
             {0}});
 }

@@ -753,6 +753,42 @@ static void test_passed(void)
     UNIT_TRUE(all > 100);
 }
 
+/* A ball at 1.7 m has moved by 2 m in the step, away from a wall at 0. On
+   a straight way it would have come from -0.3 m, through the ball at rest
+   at 0.9 m; but it turned at the wall, so the pair is not counted. It is
+   counted without the wall, or where the wall lies beyond that way. The
+   same holds along each axis, at the upper wall, and for either body. */
+static void test_turned(void)
+{
+    static const struct {
+        double low;
+        bool wall, passed;
+    } known[] = {{0, true, false},
+                 {0, false, true},
+                 {-0.39, true, false},
+                 {-0.41, true, true}};
+    for (size_t round = 0; round < 4 * SPHERES_AXES * 4; ++round) {
+        const size_t k = round / 4 % SPHERES_AXES, who = round % 2;
+        const bool high = round / 2 % 2;
+        const size_t row = round / (4 * SPHERES_AXES);
+        struct scene s;
+        struct spheres p;
+        make(&s, 2);
+        s.radius[0] = s.radius[1] = 0.1;
+        s.wall[k] = known[row].wall ? SCENE_HARD : SCENE_OPEN;
+        s.low[k] = high ? 0 : known[row].low;
+        s.high[k] = high ? 10 - known[row].low : 10;
+        s.position[2 * k + who] = high ? 8.3 : 1.7;
+        s.velocity[2 * k + who] = high ? -2 : 2;
+        s.position[2 * k + 1 - who] = high ? 9.1 : 0.9;
+        begin(&p, &s, SPHERES_APPROACHING, SPHERES_BY_MASS, 1);
+        spheres_watch(&p, s.position, s.velocity);
+        UNIT_EQUAL((double)p.passed, known[row].passed);
+        spheres_free(&p);
+        scene_free(&s);
+    }
+}
+
 /* Two rows of 32 go through each other in a step: 1024 pairs have passed,
    of which 1000 are counted. */
 static void test_many_passed(void)
@@ -802,6 +838,7 @@ int main(void)
             {"what overlaps, and how deep", test_overlaps},
             {"an overlap of what is held is none", test_depth},
             {"who passes through another is counted", test_passed},
-            {"but not for ever", test_many_passed},
+            {"but not who has turned at a wall", test_turned},
+            {"nor for ever", test_many_passed},
             {0}});
 }

@@ -372,7 +372,7 @@ static void test_sum(void)
               UINT64_C(0x85944171f73967e8));
     UNIT_TRUE(table_sum(table_sum(TABLE_NOTHING, "foo", 3), "bar", 3) ==
               UINT64_C(0x85944171f73967e8));
-    /* And of a table: of none, one and three pieces that are read of it. */
+    /* And of a table: of none of it, less than BUFSIZ and more. */
     struct table *t = table_open("gas", "a");
     char text[9216] = "";
     uint64_t sum = 0;
@@ -385,6 +385,7 @@ static void test_sum(void)
         snprintf(text + length, 10, "line %03zu\n", lines);
         table_print(t, "%s", text + length);
     }
+    UNIT_TRUE(9 * 999 > BUFSIZ);
     UNIT_TRUE(table_close(t));
     UNIT_TRUE(sweep() == 1);
 }

@@ -127,6 +127,23 @@ static void test_turning_points(void)
               tau(), 1e-6);
 }
 
+/* With any energy above that at rest the piston turns before the place of
+   rest, even where only a few numbers lie between this and the wall, and
+   Newton's steps come to them by rounding. */
+static void test_turns_before_rest(void)
+{
+    for (int i = 1; i <= 400; ++i) {
+        const struct piston p = {1, 3, {1, 1, 0}, {1e-45 * i, 1, 0}};
+        const double rest = piston_rest(&p);
+        double energy = piston_potential(&p, rest), low, high;
+        for (int above = 1; above < 4; ++above) {
+            energy = nextafter(energy, INFINITY);
+            UNIT_TRUE(piston_turning_points(&p, energy, &low, &high));
+            UNIT_TRUE(0 < low && low < rest);
+        }
+    }
+}
+
 /* One swing of either stepper, from the middle to the middle. */
 static double worst_energy(bool step(const struct piston *,
                                      struct piston_state *, double),
@@ -272,6 +289,7 @@ int main(void)
             {"a few points give the period", test_quadrature},
             {"turning points exist at every energy above the rest",
              test_turning_points},
+            {"and lie before the rest", test_turns_before_rest},
             {"steps have the second and the fourth order", test_orders},
             {"the leapfrog runs backwards", test_reversal},
             {"steps and quadrature agree", test_steps_and_quadrature},

@@ -856,6 +856,29 @@ static void test_twins(void)
     }
 }
 
+/* Near the floor of rounding the twins of the reference are asked after a
+   run was taken, and its error has what they bound: 0.2 of the tolerance
+   from the reference, which three bound by 9.2 times 0.01. */
+static void test_surely(void)
+{
+    const struct models_plan only = steps_of("leapfrog", 5);
+    begin(1e-3);
+    request.scene = &still;
+    request.only = &only;
+    set_reference(0.01e-3, 1, 1);
+    write_whole(-0.2e-3);
+    write_whole(-0.25e-3); /* its twin: rounding counts */
+    write_whole(0);
+    write_whole(0);
+    compare_surely(&task);
+    UNIT_EQUAL((double)played, 4);
+    UNIT_TRUE(choice.run.value != NULL);
+    UNIT_NEAR(choice.doubt, 0.092e-3, 1e-9);
+    UNIT_NEAR(choice.candidate[choice.taken].error, 0.292e-3, 1e-9);
+    record_free(&choice.run);
+    drop_reference();
+}
+
 /* An exact run and its twin, which are so far apart, in shares of the
    tolerance; runs that cost next to nothing have all six. */
 static void test_exact_twins(void)
@@ -1127,6 +1150,7 @@ int main(void)
             {"a reference", test_reference},
             {"references that part", test_parting},
             {"twins of a reference", test_twins},
+            {"they count in the error of what was taken", test_surely},
             {"twins of an exact run", test_exact_twins},
             {"what a twin would cost", test_price_of_twin},
             {"clocks that are late", test_slip},

@@ -1,4 +1,5 @@
 /* Numbers as decimal.c reads them, against strtod. */
+#define _DEFAULT_SOURCE /* MAP_ANONYMOUS */
 #include "unit.h"
 
 #include "scenes/decimal.h"
@@ -8,6 +9,8 @@
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 static size_t ways[DECIMAL_STRTOD + 1]; /* how often each was taken */
 
@@ -228,6 +231,28 @@ static void test_ways(void)
     }
 }
 
+/* Nothing is read behind the end of a text, which stands at the end of a
+   page that no readable one follows. */
+static void test_end(void)
+{
+    static const char *const texts[] = {"1e", "1e-", "-", "1", "1.", "2e7"};
+    const size_t page = (size_t)sysconf(_SC_PAGESIZE);
+    char *const pages = mmap(NULL, 2 * page, PROT_READ | PROT_WRITE,
+                             MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    CU_ASSERT_FATAL(pages != MAP_FAILED);
+    CU_ASSERT_FATAL(mprotect(pages + page, page, PROT_NONE) == 0);
+    for (size_t k = 0; k < sizeof texts / sizeof texts[0]; ++k) {
+        const size_t length = strlen(texts[k]);
+        double value = 0;
+        memcpy(pages + page - length, texts[k], length);
+        const enum decimal_way way =
+            decimal_read(pages + page - length, length, &value);
+        UNIT_TRUE((way == DECIMAL_NONE) == (k < 3));
+        UNIT_EQUAL(value, k == 5 ? 2e7 : k > 2 ? 1 : 0);
+    }
+    munmap(pages, 2 * page);
+}
+
 int main(void)
 {
     return unit_run(
@@ -239,5 +264,6 @@ int main(void)
                        {"a point is a point in every country", test_locale},
                        {"a text has a length", test_ends},
                        {"ways to round", test_ways},
+                       {"nothing is read behind the end", test_end},
                        {0}});
 }

@@ -1,11 +1,12 @@
 /* From chapters/01-collide.nw: edit there, then run make tangle. */
-/* checksum 289126879 of the lines below */
+/* checksum 3522540433 of the lines below */
 /* Collisions on a line and along a normal, in five forms of one formula. */
 #include "line/collide.h"
 
 #include <float.h>
 #include <math.h>
 
+/* Returns whether the collision has an answer. Two walls have none. */
 static bool can_collide(double im1, double im2)
 {
     const double sum = im1 + im2;
@@ -14,7 +15,7 @@ static bool can_collide(double im1, double im2)
 
 /* Splits change, the change of the relative velocity, into what body 1
    loses, part[0], and what body 2 gains, part[1] (1.12, eq:smaller). */
-static void share(double change, double im1, double im2, double part[2])
+static void split(double change, double im1, double im2, double part[2])
 {
     const bool heavier = im1 >= im2; /* the place of the heavier body */
     const double smaller = (im1 < im2 ? im1 : im2) / (im1 + im2);
@@ -28,7 +29,7 @@ bool collide(double *v1, double *v2, double im1, double im2,
     double part[2];
     if (!can_collide(im1, im2))
         return false;
-    share((1 + restitution) * (*v1 - *v2), im1, im2, part);
+    split((1 + restitution) * (*v1 - *v2), im1, im2, part);
     *v1 -= part[0];
     *v2 += part[1];
     return true;
@@ -72,7 +73,7 @@ bool collide_along(size_t dimensions, const double normal[], double v1[],
         return false;
     for (size_t i = 0; i < dimensions; ++i)
         approach += (v1[i] - v2[i]) * n[i];
-    share((1 + restitution) * (approach / nn), im1, im2, part);
+    split((1 + restitution) * (approach / nn), im1, im2, part);
     for (size_t i = 0; i < dimensions; ++i) {
         v1[i] -= part[0] * n[i];
         v2[i] += part[1] * n[i];

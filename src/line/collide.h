@@ -1,5 +1,3 @@
-/* From chapters/01-collide.nw: edit there, then run make tangle. */
-/* checksum 3274458800 of the lines below */
 /* What becomes of the velocities of two bodies that collide. */
 #ifndef COLLIDE_H
 #define COLLIDE_H

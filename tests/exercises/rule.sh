@@ -58,7 +58,7 @@ done
 # changed, spaced and commented in another way, is found out, and so is a
 # few statements of it in a function of one's own.
 sed -e 's/im1/weight/g; s/im2/other/g; s/v1/left/g; s/v2/right/g' \
-    -e 's/restitution/bounce/g; s/share/mine/g; s/const //' \
+    -e 's/restitution/bounce/g; s/split/mine/g; s/const //' \
     -e 's/;/; \/\* mine \*\//' src/line/collide.c >"$out/copy.c"
 if compare "$out/copy.c"; then
     echo "not ok exercises: a renamed copy of collide.c is found out - it" \
@@ -66,7 +66,7 @@ if compare "$out/copy.c"; then
 else
     echo "ok exercises: a renamed copy of collide.c is found out"
 fi
-statement=$(grep -m 1 -A 2 'share((1 + restitution) \* (\*v1' src/line/collide.c)
+statement=$(grep -m 1 -A 2 'split((1 + restitution) \* (\*v1' src/line/collide.c)
 [ -n "$statement" ] || echo "not ok exercises - collide.c has lost the" \
     "statement that this test looks for: choose another"
 printf 'double f(double a)\n{\n    a = 1;\n%s\n    return a;\n}\n' \

@@ -30,7 +30,7 @@ fails() { # NAME PATTERN: tangling must fail and say so, src/ stay as it was
 chapter=chapters/01-collide.nw
 cp $chapter "$work/good.nw"
 
-printf '\n<<line/collide.h>>=\n<<Never defined>>\n@\n' >>$chapter
+printf '\n<<line/collide.c>>=\n<<Never defined>>\n@\n' >>$chapter
 fails 'an undefined chunk is refused' 'Never defined'
 cp "$work/good.nw" $chapter
 printf '\n<<Never used>>=\nint x;\n@\n' >>$chapter
@@ -71,21 +71,22 @@ printf '\n<<line/new.c>>=\nint new;\n@\n' >>$chapter
 fails 'a chapter that would write over a plain file is refused, the chapter named' \
     "src/line/plain.c: is plain.*$chapter writes it"
 cp "$work/good.nw" $chapter
-head -n 2 src/line/collide.h | cat - src/line/plain.c >src/line/stale.c
+head -n 2 src/line/collide.c | cat - src/line/plain.c >src/line/stale.c
 fails 'a tangled file that no chapter writes any more is refused' \
     'src/line/stale.c: was tangled, and no chapter writes it'
 sed 1d src/line/stale.c >"$work/stale.c" && cp "$work/stale.c" src/line/stale.c
 fails 'and one that has kept one of its two lines' 'src/line/stale.c: was tangled'
 rm src/line/stale.c
 
-printf '\n<<line/collide.h>>=\n/* more */\n@\n' >>$chapter
+printf '\n<<line/collide.c>>=\n/* more */\n@\n' >>$chapter
 chapters/press/tangle --check >"$work/out" 2>&1
 holds 'a chapter ahead of src/ is seen' grep -q 'run make tangle' "$work/out"
-touch -t 200001010000 src/line/collide.c
+touch -t 200001010000 src/programs/check-collide.c
 chapters/press/tangle >"$work/out" 2>&1
-holds 'tangle writes the file that changed' grep -q 'more' src/line/collide.h
-holds 'and names it' grep -qx 'src/line/collide.h' "$work/out"
-holds 'and leaves the others alone' test -z "$(find src/line/collide.c -newer src/line/collide.h)"
+holds 'tangle writes the file that changed' grep -q 'more' src/line/collide.c
+holds 'and names it' grep -qx 'src/line/collide.c' "$work/out"
+holds 'and leaves the others alone' \
+    test -z "$(find src/programs/check-collide.c -newer src/line/collide.c)"
 chapters/press/tangle -L "$work/lines" >"$work/out" 2>&1
 holds '-L names the chapter and its line' \
     grep -q '#line [0-9]* "chapters/01-collide.nw"' "$work/lines/line/collide.c"

@@ -1,6 +1,4 @@
-/* From chapters/works/11-step.nw: edit there, then run make tangle. */
-/* checksum 503572755 of the lines below */
-/* A scene with all its digits, what else is known, and rows to be kept. */
+/* Writes and reads checkpoints, and the rows of a table in the making. */
 #include "forces/checkpoint.h"
 
 #include "forces/adaptive.h"
@@ -14,6 +12,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+/* A pipe, a terminal and what lies under /dev cannot be resumed, even if it
+   leads to a file, as /dev/stdout may. /dev/shm is a folder in memory, and
+   as good as any. */
 bool checkpoint_possible(const char *output)
 {
     struct stat file;
@@ -26,7 +27,7 @@ bool checkpoint_possible(const char *output)
     return stat(output, &file) != 0 || S_ISREG(file.st_mode);
 }
 
-/* Both strings together, to be freed, or NULL. */
+/* Returns both strings together, to be freed, or NULL without memory. */
 static char *join(const char *a, const char *b)
 {
     const size_t size = strlen(a) + strlen(b) + 1;
@@ -44,6 +45,8 @@ bool checkpoint_exists(const char *output)
     return there;
 }
 
+/* Complains once: if the disk is full, each further row would say so again.
+ */
 static bool complain(struct checkpoint *c, const char *path,
                      const char *reason)
 {
@@ -53,12 +56,18 @@ static bool complain(struct checkpoint *c, const char *path,
     return false;
 }
 
+/* On a full disk half a row may have been written, and the library forgets
+   what it could not write. So there are no more checkpoints after that: the
+   one before, if there is one, is the last whose rows are all there. */
 static bool lose(struct checkpoint *c)
 {
     c->lost = true;
     return complain(c, c->rows_path, strerror(errno));
 }
 
+/* Whoever changes the scene and goes on with --resume would get the old one
+   otherwise, and the table would not say so. What comes through a pipe can
+   be read only once, and has no sum. */
 double checkpoint_sum(const char *path)
 {
     static char piece[65536];
@@ -86,11 +95,14 @@ static bool name_files(struct checkpoint *c, const char *program,
                                    : complain(c, output, "no memory");
 }
 
+/* A checkpoint without rows would be an error, rows without a checkpoint
+   are nothing: hence the order. Both go also when a run ends early and has
+   not come to its first checkpoint. */
 void checkpoint_end(struct checkpoint *c, bool keep)
 {
     const bool locked = c->locked;
     if (c->rows && !locked && (!keep || access(c->path, F_OK) != 0)) {
-        unlink(c->path); /* first: without it the rows are nothing */
+        unlink(c->path);
         unlink(c->rows_path);
     }
     if (c->rows)
@@ -101,10 +113,16 @@ void checkpoint_end(struct checkpoint *c, bool keep)
     *c = (struct checkpoint){.locked = locked};
 }
 
+/* The first lines of the two files. A file of such a name that begins with
+   another line is somebody else's, and stays. */
 static const char rows_begin[] = "# rows of step\n";
 static const char checkpoint_begins[] =
     "# a checkpoint, and a scene: --resume goes on\n";
 
+/* Opens the file of rows and locks it for as long as the run lives: two
+   runs that write one table would mix their rows, and both would end well.
+   A run that has just ended may have taken the name away since we opened
+   it; what we hold then is nobody's file, hence the two inodes. */
 static bool take_rows(struct checkpoint *c, int flags)
 {
     struct flock whole = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
@@ -122,7 +140,8 @@ static bool take_rows(struct checkpoint *c, int flags)
            complain(c, c->rows_path, "another run is writing it");
 }
 
-/* Is there no such file, an empty one, or one that begins so? */
+/* Returns whether there is no such file, an empty one, or one that begins
+   so; else complains. */
 static bool is_ours(struct checkpoint *c, const char *path,
                     const char *beginning)
 {
@@ -136,6 +155,8 @@ static bool is_ours(struct checkpoint *c, const char *path,
            complain(c, path, "is not step's and stays: another -o will do");
 }
 
+/* The checkpoint of an older run goes first: it would speak of rows that
+   are no longer there. */
 static bool start_rows(struct checkpoint *c)
 {
     unlink(c->path);
@@ -158,6 +179,7 @@ bool checkpoint_begin(struct checkpoint *c, const char *program,
     return false;
 }
 
+/* With the digits, and the word for not-a-number, of table_row. */
 bool checkpoint_row(struct checkpoint *c, size_t n, const double values[])
 {
     for (size_t i = 0; i < n; ++i) {
@@ -172,7 +194,8 @@ bool checkpoint_row(struct checkpoint *c, size_t n, const double values[])
     return !ferror(c->rows) || lose(c);
 }
 
-/* Sees to it that the file has all rows, and stands at its end. */
+/* Writes out all rows and goes to the end of the file: before they are
+   counted or copied. */
 static bool flush_rows(struct checkpoint *c)
 {
     if (c->lost || fflush(c->rows) != 0 || fseek(c->rows, 0, SEEK_END) != 0)
@@ -180,6 +203,8 @@ static bool flush_rows(struct checkpoint *c)
     return true;
 }
 
+/* The rows are summed once more: the table gets its name only if they are
+   those that were written. */
 bool checkpoint_copy(struct checkpoint *c, struct table *t)
 {
     static char piece[65536];
@@ -197,6 +222,7 @@ bool checkpoint_copy(struct checkpoint *c, struct table *t)
            complain(c, c->rows_path, "has other rows than were written");
 }
 
+/* The numbers of a checkpoint by name, one list for writing and reading. */
 #define PLACE(field) #field, offsetof(struct checkpoint_numbers, field)
 static const struct {
     const char *name;
@@ -216,7 +242,7 @@ static double *number(struct checkpoint_numbers *n, size_t k)
     return (double *)(void *)((char *)n + numbers[k].offset);
 }
 
-/* What an adaptive method has put down, if m moves by one. */
+/* Notes the state of an adaptive method, if m moves by one. */
 static bool note_own(struct checkpoint *c, const struct motion *m)
 {
     const struct adaptive *const own = m->stepping.own;
@@ -228,6 +254,9 @@ static bool note_own(struct checkpoint *c, const struct motion *m)
     return !c->own == !own;
 }
 
+/* The rows must be on their way to the disk before the checkpoint speaks of
+   them. Its last line has the sum of all lines before: a file that was cut
+   short has no such line, and one that was changed has another sum. */
 bool checkpoint_write(struct checkpoint *c, struct motion *m,
                       struct checkpoint_numbers n)
 {
@@ -259,6 +288,9 @@ bool checkpoint_write(struct checkpoint *c, struct motion *m,
 
 enum { COUNTS = 3 }; /* besides the numbers */
 
+/* What the lines "#= KEY VALUE" of a checkpoint say. They must be what they
+   should be: a file that has been tampered with is refused, not guessed at.
+ */
 struct head {
     char *line;         /* of getline */
     size_t room, found; /* numbers and counts */
@@ -267,7 +299,8 @@ struct head {
     uint64_t own;         /* the sum of the lines so far */
 };
 
-/* What follows "#= KEY " in this line, or NULL if it is not that key. */
+/* Returns the value of this key in a line behind its "#= ", or NULL if the
+   line has another key. */
 static const char *after(const char *line, const char *key)
 {
     const size_t n = strlen(key);
@@ -292,9 +325,11 @@ static bool take_number(const char *value, bool count, double *number)
                        *number == floor(*number)));
 }
 
+/* Adds a number of an adaptive method to c->own, whose room doubles: how
+   many there are shows when their lines end. */
 static bool take_own(struct checkpoint *c, const char *value)
 {
-    if ((c->owned & (c->owned - 1)) == 0) { /* 0, 1, 2, 4, 8 ... */
+    if ((c->owned & (c->owned - 1)) == 0) { /* 0, 1, 2, 4, 8 ...: full */
         const size_t room = c->owned > 0 ? 2 * c->owned : 1;
         double *const more = realloc(c->own, room * sizeof *more);
         if (!more)
@@ -314,6 +349,8 @@ bool checkpoint_recall(const struct checkpoint *c, struct motion *m)
     return true;
 }
 
+/* A key that is not known is refused: it was written by a later version, or
+   by somebody else. */
 static bool take_line(struct checkpoint *c, struct head *h,
                       struct checkpoint_numbers *n, const char *line)
 {
@@ -336,6 +373,8 @@ static bool take_line(struct checkpoint *c, struct head *h,
     return h->end = value && take_count(h, value, &own) && own == h->own;
 }
 
+/* Reads the lines of the head as far as the last, which has the key end.
+   The scene stands among them. */
 static bool read_head(struct checkpoint *c, struct head *h,
                       struct checkpoint_numbers *n)
 {
@@ -363,7 +402,8 @@ static bool read_head(struct checkpoint *c, struct head *h,
                           "begins anew");
 }
 
-/* Reads so many bytes of the rows into the sum; returns how many. */
+/* Adds so many bytes of the rows to the sum; returns how many there were.
+ */
 static uint64_t read_rows(struct checkpoint *c, uint64_t length)
 {
     static char piece[65536];
@@ -379,6 +419,8 @@ static uint64_t read_rows(struct checkpoint *c, uint64_t length)
     return done;
 }
 
+/* The file must have all rows that the checkpoint speaks of, unchanged.
+   What was written later is cut off: it will be computed again. */
 static bool open_rows(struct checkpoint *c, const struct head *h)
 {
     if (read_rows(c, h->length) < h->length)

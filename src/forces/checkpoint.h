@@ -1,6 +1,4 @@
-/* From chapters/works/11-step.nw: edit there, then run make tangle. */
-/* checksum 3054364594 of the lines below */
-/* A run that was killed goes on, and ends with the same bytes. */
+/* Checkpoints: a run that was killed goes on, and ends with equal bytes. */
 #ifndef CHECKPOINT_H
 #define CHECKPOINT_H
 
@@ -30,19 +28,19 @@ struct checkpoint {
     char *path, *rows_path;
     FILE *rows;
     uint64_t sum; /* of the bytes of all rows */
-    bool failed;  /* to write: it has been said */
-    bool lost;    /* rows are: no more checkpoints */
-    bool locked;  /* the files are not ours: another run's, or somebody's */
-    double *own;  /* [owned], adaptive_note's, of an adaptive method */
+    bool failed;  /* something could not be written, which has been said */
+    bool lost;    /* rows were lost: no more checkpoints */
+    bool locked;  /* the files are another run's, or somebody else's */
+    double *own;  /* [owned] the state of an adaptive method */
     size_t owned;
 };
 
-/* Can a table of this name (NULL: standard output) be resumed? It can be
-   if it is a regular file, or none yet. */
+/* Returns whether a table of this name (NULL: standard output) can be
+   resumed: if it is a regular file, or none yet. */
 bool checkpoint_possible(const char *output);
 
-/* A whole number below 2^53 that is another one for another file; 0 for
-   what is no regular file, or cannot be read. */
+/* Returns a whole number below 2^53 that is another one for a file with
+   other bytes; 0 for what is no regular file, or cannot be read. */
 double checkpoint_sum(const char *path);
 
 /* Begins with no rows. Returns false, having said why on standard error
@@ -52,7 +50,7 @@ double checkpoint_sum(const char *path);
 bool checkpoint_begin(struct checkpoint *c, const char *program,
                       const char *command, const char *output);
 
-/* Is there one to go on from? */
+/* Returns whether there is one to go on from. */
 bool checkpoint_exists(const char *output);
 
 /* Begins with the rows of FILE.rows and the scene and the numbers of
@@ -62,8 +60,8 @@ bool checkpoint_resume(struct checkpoint *c, const char *program,
                        const char *command, const char *output,
                        struct scene *s, struct checkpoint_numbers *n);
 
-/* Where the own steps of a motion are that has been resumed. false: what
-   was read is not of its method. */
+/* Puts the adaptive method of a motion that has been resumed where it was.
+   Returns false if what was read is not of its method. */
 bool checkpoint_recall(const struct checkpoint *c, struct motion *m);
 
 /* Adds a row, as table_row writes it. */

@@ -1,13 +1,15 @@
-/* From chapters/11-step.nw: edit there, then run make tangle. */
-/* checksum 3740126551 of the lines below */
-/* Accelerations are added up; bodies collide between two steps. */
+/* Adds up the accelerations of a scene, and steps it with its contacts. */
 #include "forces/motion.h"
+
+#include "forces/twobody.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+/* The one term of equation (11.14, eq:motion) without a module of its own.
+ */
 static void add_friction(const struct scene *s, const double v[],
                          double a[])
 {
@@ -17,7 +19,8 @@ static void add_friction(const struct scene *s, const double v[],
             a[k * n + i] -= s->damping / s->mass[i] * v[k * n + i];
 }
 
-/* (11.14, eq:motion) */
+/* (11.14, eq:motion). The weight comes first, because it can write instead
+   of add; what is held is set to zero at the end, whatever pulled at it. */
 static void accelerate(void *what, const double x[], const double v[],
                        double a[])
 {
@@ -38,106 +41,19 @@ static void accelerate(void *what, const double x[], const double v[],
         a[m->held[j]] = 0;
 }
 
-typedef double pair __attribute__((vector_size(16), aligned(8), may_alias));
-
-/* One coordinate of two bodies under way, and what a kick multiplies. */
-struct axis {
-    pair x, v, a, kick, weight;
-};
-
-/* Half a kick and the drift, as in stepping.c; returns how far they are
-   apart. */
-static inline pair move(struct axis *k, double dt, bool owing)
-{
-    const pair half = k->kick * k->a;
-    if (owing)
-        k->v += half;
-    k->v += half;
-    k->x += dt * k->v;
-    return (pair){k->x[1], k->x[1]} - (pair){k->x[0], k->x[0]};
-}
-
-static void run_two(const struct gravity *g, double dt, uint64_t steps,
-                    struct axis axis[3], bool plain)
-{
-    const double k2 = g->k2, least = g->softening * g->softening;
-    const pair mass = {g->mass[1], -g->mass[0]};
-    struct axis z = axis[2], y = axis[1], x = axis[0];
-    for (uint64_t k = 0; k < steps; ++k) {
-        const pair dx = move(&x, dt, k > 0), dy = move(&y, dt, k > 0);
-        pair dz, square = dx * dx + dy * dy;
-        if (!plain) {
-            dz = move(&z, dt, k > 0);
-            square = square + dz * dz + least;
-        }
-        const double s = square[0], w = k2 / (s * sqrt(s));
-        const pair pull = w * mass;
-        x.a = pull * dx;
-        y.a = pull * dy;
-        if (!plain) {
-            z.a = z.weight + pull * dz;
-            x.a += x.weight;
-            y.a += y.weight;
-        }
-    }
-    if (plain) {
-        x.a += x.weight;
-        y.a += y.weight;
-    }
-    axis[0] = x;
-    axis[1] = y;
-    axis[2] = z;
-}
-
-static bool is_nothing(pair p) /* not even a sign */
-{
-    return memcmp(&p, &(pair){0, 0}, sizeof p) == 0;
-}
-
-static bool has_minus_zero(pair p)
-{
-    return (p[0] == 0 && signbit(p[0])) || (p[1] == 0 && signbit(p[1]));
-}
-
-static bool is_plain(const struct gravity *g, const struct axis axis[3])
-{
-    const struct axis *x = axis, *y = axis + 1, *z = axis + 2;
-    return g->softening == 0 && is_nothing(x->weight) &&
-           is_nothing(y->weight) && is_nothing(z->weight) &&
-           is_nothing(z->x) && is_nothing(z->v) && is_nothing(z->a) &&
-           !has_minus_zero(x->v) && !has_minus_zero(y->v);
-}
-
+/* The stepping_sweep of a motion for which are_two is true. */
 static void sweep_two(void *what, const double x[], const double v[],
                       double a[], const struct stepping_ahead *ahead,
                       uint64_t steps)
 {
     const struct motion *m = what;
-    const struct stepping *s = &m->stepping;
-    const double half = s->dt / 2;
-    double kick[] = {half, half, half, half, half, half};
-    struct axis axis[3];
-    (void)ahead;
-    for (size_t j = 0; j < m->fixed; ++j)
-        kick[m->held[j]] = 0;
-    for (size_t k = 0; k < 3; ++k)
-        axis[k] =
-            (struct axis){*(const pair *)(x + 2 * k),
-                          *(const pair *)(v + 2 * k),
-                          *(pair *)(a + 2 * k),
-                          *(pair *)(kick + 2 * k),
-                          {m->scene->gravity[k], m->scene->gravity[k]}};
-    run_two(&m->gravity, s->dt, steps, axis, is_plain(&m->gravity, axis));
-    for (size_t k = 0; k < 3; ++k) {
-        *(pair *)(s->x + 2 * k) = axis[k].x;
-        *(pair *)(s->v + 2 * k) = axis[k].v;
-        *(pair *)(a + 2 * k) = axis[k].a;
-    }
-    for (size_t j = 0; j < m->fixed; ++j)
-        a[m->held[j]] = 0;
+    (void)x, (void)v, (void)ahead; /* nothing has to be made ready */
+    twobody_sweep(&m->gravity, &m->stepping, m->scene->gravity, m->held,
+                  m->fixed, a, steps);
 }
 
-/* Two that nothing else moves, and of which not all is held. */
+/* Are there two bodies that only their own attraction and a weight move,
+   and of which not all is held? They have a loop of their own. */
 static bool are_two(const struct motion *m, bool damped)
 {
     return m->scene->bodies == 2 && m->fixed < 6 && m->attracts &&
@@ -145,6 +61,9 @@ static bool are_two(const struct motion *m, bool damped)
            !damped;
 }
 
+/* Makes the parts that the scene asks for and no others: without a line k2
+   there is no gravity to compute, without contact no collision to look for.
+   Returns false without memory; motion_end frees what was made. */
 static bool make_parts(struct motion *m)
 {
     const struct scene *s = m->scene;
@@ -161,6 +80,8 @@ static bool make_parts(struct motion *m)
            (m->collides || m->touches) == s->contact;
 }
 
+/* Lists the held coordinates. What is held does not move, whatever its line
+   vel may say: without an acceleration it would carry on for ever. */
 static bool hold_coordinates(struct motion *m)
 {
     struct scene *s = m->scene;
@@ -173,8 +94,15 @@ static bool hold_coordinates(struct motion *m)
     return m->held != NULL;
 }
 
-/* The acceleration in the scene, if the method can go on with it, or
-   NULL. */
+/* Returns the acceleration that an earlier run has left in the scene (lines
+   kept), if the method can go on with it, or NULL. It is of use to leapfrog
+   under friction alone: all else looks at places and velocities as they
+   are. And it belongs to the step of the run before, the scene's line dt:
+   the velocity at which it was computed had been foreseen over that step.
+   With another step we begin afresh. What is kept would not be very wrong
+   then, and that is the trouble: whoever halves the step again and again
+   from a saved scene would see the error halved each time, where the
+   method's own is divided by four. */
 static const double *find_kept(const struct motion *m)
 {
     const bool same_step = m->stepping.dt == m->scene->dt;
@@ -182,6 +110,7 @@ static const double *find_kept(const struct motion *m)
                                                      : NULL;
 }
 
+/* A method for planets takes its drifts and kicks from jacobi.c. */
 static bool begin_orbits(struct motion *m,
                          const struct stepping_method *method)
 {
@@ -199,8 +128,9 @@ static bool accelerates(const struct motion *m)
            g[0] != 0 || g[1] != 0 || g[2] != 0;
 }
 
-/* Contacts after steps go back no further than a step, and look no further
-   for what a step has left out. */
+/* Contacts after steps go back no further than the step, and look no
+   farther than it reaches for pairs that it has carried through each
+   other. */
 static void set_dt_of_contacts(struct motion *m, double dt)
 {
     m->spheres.dt = dt;
@@ -208,6 +138,11 @@ static void set_dt_of_contacts(struct motion *m, double dt)
         m->touch.near->dt = dt;
 }
 
+/* Where springs are all there is, their module does weight and friction in
+   the same sweep through the bodies. Sums are compensated if an earlier run
+   has left what they still owe (lines carry), and in methods of order six
+   and more, whose own error is less than rounding; the caller may say
+   otherwise before the first step. */
 static bool begin_stepping(struct motion *m,
                            const struct stepping_method *method, double dt)
 {
@@ -239,6 +174,7 @@ static bool begin_stepping(struct motion *m,
     return true;
 }
 
+/* Has body i no mass, though it may move? */
 static bool is_light(const struct scene *s, size_t i)
 {
     const size_t n = s->bodies;
@@ -246,7 +182,11 @@ static bool is_light(const struct scene *s, size_t i)
            (s->freedom[i] || s->freedom[n + i] || s->freedom[2 * n + i]);
 }
 
-/* A free body without mass on which a force acts, or the bodies' number. */
+/* Returns a free body without mass on which a force acts, or the number of
+   bodies. It may fall, since gravity asks for the masses of the others
+   only; but a spring cannot pull it nor friction slow it down: its
+   acceleration would be infinite. Friction and contacts act on all bodies,
+   a spring on two. */
 static size_t find_light(const struct scene *s)
 {
     const bool all = s->damping > 0 || s->contact;
@@ -262,8 +202,9 @@ static size_t find_light(const struct scene *s)
     return s->bodies;
 }
 
-/* A body that is thicker than the box along an axis where it may move, or
-   the bodies' number. What two opposite walls push at once ends nowhere. */
+/* Returns a body that is thicker than the box along an axis where it may
+   move, or the number of bodies. Two opposite walls would push it at once,
+   for ever. */
 static size_t find_thick(const struct scene *s)
 {
     for (size_t c = 0; s->contact && c < SCENE_AXES * s->bodies; ++c) {
@@ -276,7 +217,8 @@ static size_t find_thick(const struct scene *s)
     return s->bodies;
 }
 
-/* May something take bodies along axis k, or are they apart along it? */
+/* Do the bodies differ in their places along axis k, or may something move
+   one along it? */
 static bool is_used(const struct scene *s, size_t k)
 {
     const double *x = s->position + k * s->bodies;
@@ -297,10 +239,11 @@ static bool is_sprung(const struct scene *s, size_t i)
     return false;
 }
 
-/* The first of several points that share a line which they cannot leave, if
-   one of them moves; or the bodies' number. Springs are often hung up at
-   points, and what they join is meant to swing through: a point on no
-   spring has to be among them. */
+/* Returns the first of several points that share a line which they cannot
+   leave, if one of them moves; or the number of bodies. Such points would
+   collide, and steps cannot see it. Springs are often hung up at points,
+   and what they join is meant to swing through: so at least one of them has
+   to be on no spring. */
 static size_t find_point(const struct scene *s)
 {
     size_t axis = SCENE_AXES, axes = 0, points = 0, free = 0, loose = 0;
@@ -343,7 +286,7 @@ static bool complain(const char *program, const char *what)
     return false;
 }
 
-/* Can the scene be set in motion? If not, says why. */
+/* Returns whether the scene can be stepped; if not, says why. */
 static bool check_scene(const char *program, const struct scene *s)
 {
     char message[200];
@@ -387,6 +330,8 @@ const struct spheres *motion_contacts(const struct motion *m)
                                       : NULL;
 }
 
+/* Asks in the order in which the answers are needed; only the last failure
+   has anything to free. */
 static bool begin(struct motion *m, const char *program, struct scene *s,
                   const char *method, double dt)
 {
@@ -444,8 +389,10 @@ void motion_end(struct motion *m)
     *m = (struct motion){0};
 }
 
-/* Does the method take several steps for one, so that no straight line
-   leads back from its end? */
+/* May the method take several steps of its own for one of ours? Then no
+   straight line leads back from the end of a step to its beginning, and
+   spheres_watch cannot look for pairs that have passed through each other.
+ */
 static bool is_split(const struct motion *m)
 {
     return m->stepping.own || m->outside;
@@ -469,6 +416,8 @@ bool motion_locate(struct motion *m)
     return m->located;
 }
 
+/* After a contact velocities have jumped behind the method's back, and what
+   it remembers of the last acceleration is worth nothing. */
 enum stepping_end motion_run(struct motion *m, uint64_t steps)
 {
     enum stepping_end end = STEPPING_DONE;
@@ -501,6 +450,9 @@ void motion_resume(struct motion *m, double start, uint64_t steps)
     stepping_resume(&m->stepping, steps, NULL, find_kept(m));
 }
 
+/* A shorter step is the first one of a new method with the same sums: what
+   leapfrog keeps belongs to steps of one length. A method with steps of its
+   own (adaptive.c) only has to stop earlier. */
 bool motion_shorten(struct motion *m, double dt)
 {
     struct stepping old = m->stepping, *s = &m->stepping;
@@ -536,6 +488,15 @@ static bool note(double **to, const double from[], size_t n)
     return !*to == !from;
 }
 
+/* What compensated sums owe to each coordinate is less than its last digit,
+   but a copy that forgets it is another run after a thousand steps; what
+   leapfrog keeps of the last acceleration is more than a last digit. After
+   a contact the acceleration is no longer fresh, and nothing is kept: then
+   a run in one piece asks for a new one, too.
+   One number of a run that is saved and resumed may differ in its last
+   digit from that of a run in one piece: the time in the first column is
+   t0 + n dt, and t0 is now the time of the saved scene. Nothing that moves
+   depends on it; a checkpoint knows t0 and n, and has the same times. */
 bool motion_note(struct motion *m)
 {
     struct scene *s = m->scene;
@@ -548,6 +509,8 @@ bool motion_note(struct motion *m)
            note(&s->kept, keeps ? p->acceleration : NULL, 3 * s->bodies);
 }
 
+/* Returns the energy of the weight, over free coordinates: where held
+   bodies hang changes nothing. */
 static double weigh(const struct scene *s)
 {
     const size_t n = s->bodies;
@@ -559,6 +522,8 @@ static double weigh(const struct scene *s)
     return sum;
 }
 
+/* Body by body in the order of their numbers, so that the last bit is the
+   same everywhere. */
 double motion_kinetic(const struct motion *m)
 {
     const struct scene *s = m->scene;

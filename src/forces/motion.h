@@ -1,5 +1,3 @@
-/* From chapters/works/11-step.nw: edit there, then run make tangle. */
-/* checksum 2331474224 of the lines below */
 /* A scene set in motion by all that acts in it, as one acceleration. */
 #ifndef MOTION_H
 #define MOTION_H
@@ -17,7 +15,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* A scene set in motion: all that acts in it, as one acceleration. */
+/* A scene set in motion: all that acts in it, as one acceleration. The
+   parts are open to the caller: who wants two threads for gravity or other
+   sums says so to the part, before the first step. */
 struct motion {
     struct scene *scene; /* position and velocity are stepped in place */
     double dt;           /* s, of the steps that it begins with */
@@ -31,8 +31,9 @@ struct motion {
     bool attracts, bound, collides, orbits, located, touches;
     uint64_t collisions; /* of pairs and with walls, so far */
     size_t *held, fixed; /* coordinates that stay: how many */
-    /* NULL, or steps instead of the method: from x, v to those dt later;
-       false: it cannot. */
+    /* NULL, or what steps in place of the method, from x, v to those dt
+       later; returns false if it cannot. For a stepper that is none of
+       ours, such as forces/reference.h. */
     bool (*outside)(void *with, double dt, double x[], double v[]);
     void *with;
 };

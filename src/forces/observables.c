@@ -1,6 +1,4 @@
-/* From chapters/works/11-step.nw: edit there, then run make tangle. */
-/* checksum 2744436930 of the lines below */
-/* Each kind has its columns, and a function that computes them. */
+/* Reads a list of observables, and computes their columns. */
 #include "forces/observables.h"
 
 #include <float.h>
@@ -76,6 +74,8 @@ static void centre(const struct motion *m, const size_t body[],
         out[k] /= mass;
 }
 
+/* Component k of x times v takes the two axes that follow k in the circle
+   x, y, z, x. */
 static void angular_momentum(const struct motion *m, const size_t body[],
                              double out[])
 {
@@ -121,12 +121,14 @@ static double heat_along(const struct scene *s, size_t k)
     return energy;
 }
 
-/* A drift is no heat: what counts is the motion relative to it, along the
-   axes where the momentum is kept. Divided by all free coordinates, so that
-   a scene without a drift has the number that it always had; a gas in a
-   periodic box, of N bodies, has N - 1 velocities relative to the drift
-   along each axis, and kT is larger by N/(N - 1). A drift whose energy does
-   not reach the last bit of the sum is rounding. */
+/* kT, from equipartition: each free coordinate has the kinetic energy kT/2
+   on average, in a bed of springs as well. A drift is no heat: what counts
+   is the motion relative to it, along the axes where the momentum is kept.
+   The energy is divided by all free coordinates, so that a scene without a
+   drift has the number that it always had; a gas in a periodic box, of N
+   bodies, has N - 1 velocities relative to the drift along each axis, and
+   its kT is larger by N/(N - 1). A drift whose energy does not reach the
+   last bit of the sum is rounding. */
 static void temperature(const struct motion *m, const size_t body[],
                         double out[])
 {
@@ -203,9 +205,11 @@ static void distance(const struct motion *m, const size_t body[],
     out[0] = sqrt(sum);
 }
 
+/* A kind of observable is data, as a method is: to add one is to add a row
+   to kinds, and a function that computes its columns. */
 struct observables_kind {
     const char *name;
-    size_t bodies, width; /* asked for; columns */
+    size_t bodies, width; /* how many bodies it is asked of; its columns */
     const char *symbol[4], *unit, *meaning;
     void (*values)(const struct motion *m, const size_t body[],
                    double out[]);
@@ -280,6 +284,9 @@ static const char *read_body(const char *text, size_t bodies, size_t *body)
     return number < bodies ? end : NULL;
 }
 
+/* Reads a name and its bodies, up to the comma or the end of the text;
+   returns that place, or NULL with a message that says what the kind would
+   have needed. */
 static const char *read_one(struct observable *o, const char *text,
                             size_t bodies,
                             char message[OBSERVABLES_MESSAGE])
@@ -326,6 +333,8 @@ bool observables_read(struct observables *o, const char *text,
     }
 }
 
+/* Writes the symbol of column k: that of the kind and the bodies it was
+   asked of, as in z:30, which the inspector writes on its axes. */
 static void symbol_of(const struct observable *o, size_t k, char *symbol,
                       size_t size)
 {

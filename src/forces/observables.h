@@ -1,5 +1,3 @@
-/* From chapters/works/11-step.nw: edit there, then run make tangle. */
-/* checksum 3454857411 of the lines below */
 /* What one may look at in a motion, by name: energies, places, speeds. */
 #ifndef OBSERVABLES_H
 #define OBSERVABLES_H
@@ -34,7 +32,7 @@ struct observables_sort {
 };
 struct observables_sort observables_sort(const struct observable *o);
 
-/* Adds a column to the head of a table for each number. */
+/* Adds a line to the head of a table for each column. */
 void observables_head(const struct observables *o, struct table *t);
 
 /* Writes the numbers now, o->columns of them. Units are those of the
@@ -42,14 +40,15 @@ void observables_head(const struct observables *o, struct table *t);
 void observables_values(const struct observables *o, const struct motion *m,
                         double values[]);
 
-/* The same for the states of n bodies: columns, six for each, numbers. */
+/* The same for the states of n bodies, six columns for each. They are not
+   asked for by name: a table without observables has those of all. */
 void observables_head_states(struct table *t, size_t n,
                              const size_t body[]);
 void observables_states(const struct motion *m, size_t n,
                         const size_t body[], double values[]);
 
-/* The name of an observable, NULL behind the last, and of how many bodies
-   it is asked. */
+/* Returns the name of kind k, NULL if there are not so many, and of how
+   many bodies it is asked. */
 const char *observables_name(size_t k, size_t *bodies);
 
 #endif

@@ -1,0 +1,117 @@
+/* Steps two bodies under gravity by pairs of coordinates, in registers. */
+#include "forces/twobody.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <string.h>
+
+/* With two bodies a step is little more than a root and a quotient that
+   wait for each other. To send all numbers through memory in between, as
+   the loops for many bodies do, takes a sixth of the time. Here they stay
+   in registers: the same operations in the same order. One coordinate of
+   both bodies is a pair, and they lie side by side in memory. */
+typedef double pair __attribute__((vector_size(16), aligned(8), may_alias));
+
+/* One coordinate of both bodies, its acceleration, the factor of half a
+   kick (0 for a body that is held along this axis), and the weight. */
+struct axis {
+    pair x, v, a, kick, weight;
+};
+
+/* Does what is left of the last kick, if it is owing, half a kick and the
+   drift, as in stepping.c. Returns the distance of the bodies along the
+   axis, twice, as both pulls need it. */
+static inline pair move(struct axis *k, double dt, bool owing)
+{
+    const pair half = k->kick * k->a;
+    if (owing)
+        k->v += half;
+    k->v += half;
+    k->x += dt * k->v;
+    return (pair){k->x[1], k->x[1]} - (pair){k->x[0], k->x[0]};
+}
+
+/* Leapfrog, with the pull of gravity.c's loop over pairs. `plain` leaves
+   out three of the sixteen operations that wait for each other, those that
+   add a 0, which saves an eighth of the time: see is_plain. */
+static void run_two(const struct gravity *g, double dt, uint64_t steps,
+                    struct axis axis[3], bool plain)
+{
+    const double k2 = g->k2, least = g->softening * g->softening;
+    const pair mass = {g->mass[1], -g->mass[0]};
+    struct axis z = axis[2], y = axis[1], x = axis[0];
+    for (uint64_t k = 0; k < steps; ++k) {
+        const pair dx = move(&x, dt, k > 0), dy = move(&y, dt, k > 0);
+        pair dz, square = dx * dx + dy * dy;
+        if (!plain) {
+            dz = move(&z, dt, k > 0);
+            square = square + dz * dz + least;
+        }
+        const double s = square[0], w = k2 / (s * sqrt(s));
+        const pair pull = w * mass;
+        x.a = pull * dx;
+        y.a = pull * dy;
+        if (!plain) {
+            z.a = z.weight + pull * dz;
+            x.a += x.weight;
+            y.a += y.weight;
+        }
+    }
+    if (plain) {
+        x.a += x.weight;
+        y.a += y.weight;
+    }
+    axis[0] = x;
+    axis[1] = y;
+    axis[2] = z;
+}
+
+/* Are both numbers +0? */
+static bool is_nothing(pair p)
+{
+    return memcmp(&p, &(pair){0, 0}, sizeof p) == 0;
+}
+
+static bool has_minus_zero(pair p)
+{
+    return (p[0] == 0 && signbit(p[0])) || (p[1] == 0 && signbit(p[1]));
+}
+
+/* Are the bodies in the plane z = 0, without softening and weight, so that
+   run_two may leave these out? The bits are the same then: a sum with 0
+   changes one number only, it makes 0 of -0. So no velocity may begin as
+   -0, which would stay; none becomes -0 on the way, and the accelerations
+   get their 0 after the loop. */
+static bool is_plain(const struct gravity *g, const struct axis axis[3])
+{
+    const struct axis *x = axis, *y = axis + 1, *z = axis + 2;
+    return g->softening == 0 && is_nothing(x->weight) &&
+           is_nothing(y->weight) && is_nothing(z->weight) &&
+           is_nothing(z->x) && is_nothing(z->v) && is_nothing(z->a) &&
+           !has_minus_zero(x->v) && !has_minus_zero(y->v);
+}
+
+void twobody_sweep(const struct gravity *g, const struct stepping *s,
+                   const double weight[3], const size_t held[],
+                   size_t fixed, double a[], uint64_t steps)
+{
+    const double half = s->dt / 2;
+    double kick[] = {half, half, half, half, half, half};
+    struct axis axis[3];
+    for (size_t j = 0; j < fixed; ++j)
+        kick[held[j]] = 0;
+    for (size_t k = 0; k < 3; ++k)
+        axis[k] = (struct axis){*(const pair *)(s->x + 2 * k),
+                                *(const pair *)(s->v + 2 * k),
+                                *(pair *)(a + 2 * k),
+                                *(pair *)(kick + 2 * k),
+                                {weight[k], weight[k]}};
+    run_two(g, s->dt, steps, axis, is_plain(g, axis));
+    for (size_t k = 0; k < 3; ++k) {
+        *(pair *)(s->x + 2 * k) = axis[k].x;
+        *(pair *)(s->v + 2 * k) = axis[k].v;
+        *(pair *)(a + 2 * k) = axis[k].a;
+    }
+    for (size_t j = 0; j < fixed; ++j)
+        a[held[j]] = 0;
+}

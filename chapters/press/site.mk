@@ -23,7 +23,7 @@ has-site:
 site: has-gnuplot has-gsl has-site build/site$(edition)/made
 	@echo 'The pages: open build/site$(edition)/index.html'
 build/site/made: build/woven $(FIGURES_SVG) $(RUNS) $(LIVE_FILES) \
-		$(wildcard chapters/press/site/*)
+		$(wildcard chapters/press/site/* src/*/*.[ch] src/*/README.md)
 	@EDITION= chapters/press/site/make
 build/site-instructor/made: build/site/made
 	@EDITION=instructor chapters/press/site/make

@@ -8,6 +8,9 @@ FNR == 1 {
     sub(/.*\//, "", file)
     folder = FILENAME
     sub(/[^\/]*$/, "", folder)
+    # The pages of src/ lie in a folder of their own.
+    prefix = folder ~ /\/src\/$/ ? "src/" : ""
+    file = prefix file
     there[file] = 1
     code = 0
 }
@@ -31,15 +34,20 @@ FNR == 1 {
         sub(/#.*/, "", target)
         if (target == "")
             target = file
+        else if (prefix == "" || !sub(/^\.\.\//, "", target))
+            target = prefix target
         if (index(link, "#"))
             to[target, substr(link, index(link, "#") + 1)] = file
         else if (target ~ /\.html$/)
             page_to[target] = file
         else if (!(target in checked)) {
             checked[target] = 1
-            if ((getline line < (folder target)) < 0)
+            name = folder
+            sub(/\/src\/$/, "/", name)
+            name = name target
+            if ((getline line < name) < 0)
                 say(target " is not there")
-            close(folder target)
+            close(name)
         }
     }
     # The words of a page, without code and scripts.

@@ -6,7 +6,8 @@
 LC_ALL=C
 export LC_ALL
 for edition in '' -instructor; do
-    awk -f tests/site/links.awk build/site$edition/*.html >"$work/all"
+    awk -f tests/site/links.awk build/site$edition/*.html build/site$edition/src/*.html \
+        >"$work/all"
     sed '$d' "$work/all" >"$work/wrong"
     holds "nothing is wrong in build/site$edition" \
         sh -c "sed 5q '$work/wrong'; [ ! -s '$work/wrong' ]"
@@ -16,7 +17,7 @@ done
 
 # What is wrong is seen: two pages alone, before and after.
 mkdir "$work/site"
-for file in figures live page.css page.js; do
+for file in figures live src page.css page.js; do
     ln -s "$PWD/build/site/$file" "$work/site"
 done
 cp build/site/05-disks.html "$work/site"
@@ -39,6 +40,8 @@ planted 'a link to no place' \
 planted 'a place that is there twice' \
     '03-equilibrium.html: two places are called sec:ten' \
     '<i id="sec:ten"></i>'
+planted 'a link to no name of src' '03-equilibrium.html: src/none.html is not there' \
+    '<a href="src/none.html#x">x</a>'
 planted 'a picture that is not there' \
     '03-equilibrium.html: figures/none.svg is not there' \
     '<img src="figures/none.svg">'
@@ -108,4 +111,4 @@ touch "$work/now"
 chapters/press/site/make >"$work/out" 2>&1
 holds 'made again, nothing is written' \
     sh -c "[ $? -eq 0 ] && [ -z \"\$(find build/site -name '*.html' -newer '$work/now')\" ]"
-echo 1..26
+echo 1..27

@@ -92,7 +92,8 @@ function top(    i, own, last, title) {
     }
     print "</ul>"
     if (own == "book")
-        print "<p class=\"volume\"><a href=\"works.html\">Works: the second volume</a></p>"
+        print "<p class=\"volume\"><a href=\"src/index.html\">All files of <code>src</code></a></p>" \
+            "<p class=\"volume\"><a href=\"works.html\">Works: the second volume</a></p>"
     print "</nav>"
     print "<main id=\"text\" tabindex=\"-1\">"
 }

@@ -52,7 +52,9 @@ END {
         if (name_of[i] in sections)
             print "<ul>\n" sections[name_of[i]] "</ul>"
     }
-    if (page == "index")
+    if (page == "index") {
+        print "<h2>The code</h2>\n<h3><a href=\"src/index.html\">All files of <code>src</code></a></h3>\n<p>The book prints what a reader should read whole; here is every file, with its lines numbered and its names leading to where they are defined.</p>"
         print "<h2>The second volume</h2>\n<h3><a href=\"works.html\">Works</a></h3>\n<p>How the rest is made: the programs and what measures for the figures, the toolbox, the choosing.</p>"
+    }
     print "</div>"
 }

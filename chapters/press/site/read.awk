@@ -96,6 +96,8 @@ function known(label) {
     return 1
 }
 function href(label) {
+    if (kind_of[label] == "source")
+        return page_of[label] ".html#" substr(label, 5)
     return (page_of[label] == page ? "" : page_of[label] ".html") "#" anchor(label)
 }
 function link(label, words) {
@@ -103,13 +105,31 @@ function link(label, words) {
 }
 
 # ---- code
+# Code without comments and strings: what src/ defines leads to its page there, a
+# function where it is called, a struct behind that word.
+function names_linked(s, before,    out, name, label) {
+    out = ""
+    while (match(s, /[A-Za-z_][A-Za-z_0-9]*/)) {
+        name = substr(s, RSTART, RLENGTH)
+        out = out escaped(substr(s, 1, RSTART - 1))
+        s = substr(s, RSTART + RLENGTH)
+        label = "src:" name
+        if ((label in page_of) && (out == "" ? before : out) !~ /(\.|-&gt;|[0-9])$/ && \
+            (number_of[label] == "function" ? s ~ /^\(/ : \
+            number_of[label] != "struct" || (before out) ~ /<b>struct<\/b> $/))
+            name = link(label, name)
+        out = out name
+    }
+    return out escaped(s)
+}
 # A line of code, as noweb has it for TeX, as HTML. Comments and strings that go
 # on are closed and opened again.
 function code_html(s,    out, c, words, label, n, close_with) {
     out = ""
     n = 0
     while (match(s, /[\\{}]/)) {
-        out = out escaped(substr(s, 1, RSTART - 1))
+        out = out (n > 0 ? escaped(substr(s, 1, RSTART - 1)) : \
+            names_linked(substr(s, 1, RSTART - 1), out))
         s = substr(s, RSTART)
         if (s ~ /^\\[\\{}]/) {
             out = out escaped(substr(s, 2, 1))
@@ -144,7 +164,7 @@ function code_html(s,    out, c, words, label, n, close_with) {
             s = substr(s, 2)
         }
     }
-    out = out escaped(s)
+    out = out (n > 0 ? escaped(s) : names_linked(s, out))
     while (n > 0)
         out = out closing[n--]
     gsub(/<\/i><i>/, "", out)
@@ -208,8 +228,9 @@ function end_chunk(s,    notes, rest, label, n, i, part, sep, out, name, id, wor
         rest = substr(rest, after + 1)
         id = argument(rest, 1)
         sub(/@@.*/, "", name)
-        notes = notes sep "<a href=\"works-identifiers.html#i." anchor(id) "\"><code>" \
-            escaped(unescaped(name)) "</code></a>"
+        name = unescaped(name)
+        words = "<code>" escaped(name) "</code>"
+        notes = notes sep (("src:" name) in page_of ? link("src:" name, words) : words)
         sep = ", "
     }
     if (sep == ", ")

@@ -1,4 +1,4 @@
-# alt: A square of three by three cells, in the middle one a dark disk. Many disks lie about, each with a cross not far from it, its anchor. A large circle around the anchor of the dark disk holds the crosses of fifteen blue disks, its neighbours, all of them in the nine cells; each of these and the dark one have a small dashed circle around their cross, the leash, and the disk's centre is inside. The other disks are pale.
+# alt: A square of three by three cells, in the middle one a dark disk. Many disks lie about, each with a cross not far from it, its anchor. A large circle around the anchor of the dark disk holds the crosses of fifteen blue disks, its neighbours, all of them in the nine cells; each of these and the dark one have a small dashed circle around their cross, as far as its skin lets it go, and the disk's centre is inside. The other disks are pale.
 width = 9
 height = 9
 load 'plots/style.gp'
@@ -6,7 +6,7 @@ load 'plots/style.gp'
 # 120 disks of diameter 1 at packing 0.3 after 4000 collisions, what is
 # around one of them; five cells along a side of the box, of this width:
 cell = 3.5449
-leash = 1.2678
+skin = 1.2678
 $disks << EOD
 7.506 9.814 8.026 9.396 2
 9.465 12.662 9.518 12.455 1
@@ -83,11 +83,11 @@ do for [k=1:4] {
   set arrow 2*k from k*cell,cell-0.6 to k*cell,4*cell+0.6 nohead lc rgb '#aaaaaa' lw 0.8*thick back
   set arrow 2*k+1 from cell-0.6,k*cell to 4*cell+0.6,k*cell nohead lc rgb '#aaaaaa' lw 0.8*thick back
 }
-set object 2 circle at ax,ay size 1+2*leash fs empty border lc rgb red lw 2*thick front
+set object 2 circle at ax,ay size 1+2*skin fs empty border lc rgb red lw 2*thick front
 plot $disks using ($5 == 0 ? $1 : NaN):2:(0.5) with circles fs solid fc rgb '#dddddd' lc rgb '#dddddd', \
      '' using ($5 == 1 ? $1 : NaN):2:(0.5) with circles fs solid fc rgb '#9dc6e3' lc rgb blue, \
      '' using ($5 == 2 ? $1 : NaN):2:(0.5) with circles fs solid fc rgb '#1f3a4d' lc rgb dark, \
-     '' using ($5 > 0 ? $3 : NaN):4:(leash) with circles fs empty lc rgb '#777777' dt 2 lw 0.8*thick, \
+     '' using ($5 > 0 ? $3 : NaN):4:(skin) with circles fs empty lc rgb '#777777' dt 2 lw 0.8*thick, \
      '' using ($5 == 0 ? $3 : NaN):4 with points pt 2 ps 0.5*big lc rgb '#888888', \
      '' using ($5 == 1 ? $3 : NaN):4 with points pt 2 ps 0.7*big lw 1.5*thick lc rgb blue, \
      '' using ($5 == 2 ? $3 : NaN):4 with points pt 2 ps 0.9*big lw 2.5*thick lc rgb red

@@ -1,6 +1,4 @@
-/* From chapters/works/07-gas.nw: edit there, then run make tangle. */
-/* checksum 3938798383 of the lines below */
-/* Blocks that double in length when there are too many of them. */
+/* Means over time from blocks that double in length when they are full. */
 #include "box/blocks.h"
 
 #include "line/statistics.h"
@@ -21,6 +19,8 @@ void blocks_free(struct blocks *b)
     free(b->sum);
     *b = (struct blocks){0};
 }
+/* Goes on to the next block. When all are full, neighbours are joined, and
+   the second half is empty again. */
 static void end_block(struct blocks *b)
 {
     const size_t width = b->width, half = BLOCKS_MOST / 2;
@@ -50,13 +50,18 @@ void blocks_append(struct blocks *b, const double sum[])
     memcpy(b->sum + b->count * b->width, sum, b->width * sizeof sum[0]);
     end_block(b);
 }
+
 enum { PARTS = 16 }; /* of a third */
 
 struct third {
     double mean, square; /* of the error */
 };
 
-/* In this unit, so that squares of large or small numbers can be taken. */
+/* Returns the mean of a third of the values and the square of its error,
+   from the scatter of 16 parts, in this unit, so that squares of large and
+   small numbers can be taken. The scatter is no measure of the error, and
+   the square NAN, where events are so rare that a part has none, or so
+   regular, as the bounces of a single disk, that all parts are alike. */
 static struct third third_of(double unit, const double x[], size_t per)
 {
     double part[PARTS] = {0};
@@ -70,6 +75,9 @@ static struct third third_of(double unit, const double x[], size_t per)
     return (struct third){m.mean, idle ? NAN : m.variance / PARTS};
 }
 
+/* Of the two errors the smaller is taken: in a steady run they measure the
+   same, and where a crystal melts within a third the larger one would be
+   so large as to excuse it. */
 static double drift_of(size_t n, const double x[])
 {
     const size_t per = n / 3 / PARTS;
@@ -84,6 +92,7 @@ static double drift_of(size_t n, const double x[])
            sqrt(2 * fmin(a.square, b.square)); /* (7.18, eq:drift) */
 }
 
+/* The error is that of chapter 3: blocks of these blocks. */
 struct blocks_average blocks_average_of(size_t n, const double x[])
 {
     struct statistics_blocking b;

@@ -1,5 +1,3 @@
-/* From chapters/works/07-gas.nw: edit there, then run make tangle. */
-/* checksum 4239690250 of the lines below */
 /* Means over time with honest errors, from samples summed in blocks. */
 #ifndef BLOCKS_H
 #define BLOCKS_H
@@ -8,10 +6,12 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { BLOCKS_MOST = 512 }; /* full blocks, at most one less */
+enum { BLOCKS_MOST = 512 }; /* capacity: one more than can be full */
 
 /* Sums of samples of `width` numbers, `per` samples to a block. To be
-   read: the sums of block i begin at sum[i * width]. */
+   read: the sums of block i begin at sum[i * width]; the row behind the
+   full blocks is the one that is being filled, which counts neither for a
+   mean nor for its error. */
 struct blocks {
     size_t width, count;  /* full blocks */
     uint64_t per, filled; /* samples in the block that is not yet full */
@@ -29,10 +29,11 @@ void blocks_add(struct blocks *b, const double sample[]);
    Not to be mixed with blocks_add. */
 void blocks_append(struct blocks *b, const double sum[]);
 
-/* A mean and its standard error, NAN for fewer than 2 values. And how far
-   the last third of the values lies above the first (7.18, eq:drift), NAN
-   for fewer than 48 values, if there are only zeros in a 16th part of a
-   third, or if all parts of one are alike but for rounding. */
+/* A mean and its standard error, NAN for fewer than 2 values; and by how
+   many of its errors the mean of the last third of the values exceeds that
+   of the first (7.18, eq:drift), NAN for fewer than 48 values, if a 16th
+   part of a third has only zeros, or if all parts of one are alike but for
+   rounding. */
 struct blocks_average {
     double mean, error, drift;
 };

@@ -1,5 +1,5 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 117830479 of the lines below */
+/* checksum 926065654 of the lines below */
 /* Days that are linked lists, as wide as keeps them a few events long. */
 #include "box/calendar.h"
 
@@ -120,6 +120,7 @@ static void turn(struct calendar *c)
         e = next;
     }
 }
+
 static void shorten(struct calendar *c)
 {
     const double today = c->begin + c->width * (double)c->today;

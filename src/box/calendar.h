@@ -1,5 +1,3 @@
-/* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 93472062 of the lines below */
 /* A list of future events that knows the earliest, day by day. */
 #ifndef CALENDAR_H
 #define CALENDAR_H

@@ -1,6 +1,4 @@
-/* From chapters/works/07-gas.nw: edit there, then run make tangle. */
-/* checksum 711435881 of the lines below */
-/* The fast way to run disks: neighbours in cells, events in a calendar. */
+/* The fast engine for disks: neighbour lists, cells and a calendar. */
 #ifndef CELLS_H
 #define CELLS_H
 
@@ -11,32 +9,37 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Where the anchor of a disk is: the place it had when its neighbours were
-   last looked up. */
+/* Where the anchor of a disk is: the place that it had when its list of
+   neighbours was made. */
 struct cells_anchor {
     uint32_t cell;
     uint16_t spot;       /* which of the anchors in it */
     uint16_t neighbours; /* how many the disk has */
 };
 
-/* The fast way to run disks. To be read: leash and the counts; lanes may
-   be made 4 or 1 between runs. */
+/* An engine for the disks of *d. Around each anchor lies a skin; a list
+   holds all disks that a disk can meet while both are within theirs (7.14,
+   eq:neighbours). To be read: skin and the counts; lanes may be made 4 or 1
+   between runs. */
 struct cells {
     struct disks *d;
-    struct calendar calendar;   /* one event for each disk */
-    double leash;               /* a disk stays this near its anchor, m */
+    struct calendar calendar; /* one event for each disk */
+    double skin;              /* how far from its anchor a disk may go, m */
     double inverse[DISKS_AXES]; /* 1/box if that is periodic, or 0, 1/m */
     size_t lanes;               /* neighbours asked together: 8, 4 or 1 */
-    uint32_t *neighbour; /* `seats` for each disk; free ones: itself */
+    /* The lists: as many seats for each disk, so that none needs a pointer.
+       In the free ones it sits itself, which is harmless to ask, since no
+       disk meets itself. */
+    uint32_t *neighbour;
     size_t seats;
     struct cells_anchor *anchor;
     size_t grid[DISKS_AXES], cells, room;
-    double widest, slack; /* the largest radius; of rounded anchors, m */
+    double widest, slack; /* largest radius; for rounded anchors, m */
     float *place;   /* of each cell: room times x, room times y, and z, m */
     uint32_t *who;  /* of each cell: room times whose anchor it is */
-    uint16_t *full; /* how many anchors are in it */
+    uint16_t *full; /* of each cell: how many anchors are in it */
     uint64_t stale; /* events whose partner had met another disk */
-    uint64_t renewed; /* ends of a leash */
+    uint64_t renewed; /* lists made anew at the end of a skin */
 };
 
 /* Says whether the box suits cells: at least three along each axis, if it
@@ -52,9 +55,10 @@ void cells_free(struct cells *c);
 /* As disks_fit, but looks at neighbours only. Before the first run. */
 bool cells_fit(const struct cells *c, size_t *a, size_t *b);
 
-/* Runs as disks_run does, to the same bits, with as many operations for
-   a collision however many disks there are. DISKS_COLLISIONS before there
-   were so many: there is no memory for longer lists. */
+/* Runs as disks_run does, to the same bits, with a number of operations
+   for a collision that does not grow with that of the disks. Returns
+   DISKS_COLLISIONS before there were so many if there is no memory for
+   longer lists. */
 enum disks_stop cells_run(struct cells *c, double until,
                           uint64_t collisions);
 

@@ -1,4 +1,4 @@
-/* From chapters/works/07-gas.nw: edit there, then run make tangle. */
+/* From chapters/07-gas.nw: edit there, then run make tangle. */
 /* checksum 1487818331 of the lines below */
 /* Both laws averaged over bins, with the same bits on every machine. */
 #include "box/speeds.h"

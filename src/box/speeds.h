@@ -1,5 +1,3 @@
-/* From chapters/works/07-gas.nw: edit there, then run make tangle. */
-/* checksum 2938806462 of the lines below */
 /* The laws of the speeds in a gas: that of N disks, and Maxwell's. */
 #ifndef SPEEDS_H
 #define SPEEDS_H

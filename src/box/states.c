@@ -1,6 +1,4 @@
-/* From chapters/works/07-gas.nw: edit there, then run make tangle. */
-/* checksum 3644574428 of the lines below */
-/* Rows of masses, radii, places and velocities, written and read again. */
+/* States of disks written to tables and read again. */
 #include "box/states.h"
 
 #include <errno.h>
@@ -40,6 +38,10 @@ void states_begin(struct table *out, const struct disks *d)
     table_column(out, "t0", "s", "time of its last collision");
 }
 
+/* The place now is folded back into a periodic box. That of the last
+   collision is not, since a run that goes on must know how often a disk
+   has gone round: from a rounded place it would be another run after some
+   two dozen collisions of each disk. */
 void states_write(struct table *out, const struct disks *d)
 {
     const size_t D = d->dimensions;
@@ -59,6 +61,7 @@ void states_write(struct table *out, const struct disks *d)
         table_row(out, 5 + 3 * D, row);
     }
 }
+/* What has been read of a file. */
 struct file {
     const char *path;
     char *message;
@@ -68,6 +71,8 @@ struct file {
     enum disks_boundary boundary;
 };
 
+/* Writes what is wrong behind the name of the file and, if there is one,
+   the line. Returns false. */
 static bool is_wrong(const struct file *f, const char *format, ...)
 {
     int at = snprintf(f->message, STATES_MESSAGE, "%s:", f->path);
@@ -83,6 +88,8 @@ static bool is_wrong(const struct file *f, const char *format, ...)
     return false;
 }
 
+/* Reads `# box SIDE SIDE [SIDE] BOUNDARY`. Sides that make no box count as
+   none. */
 static void read_box(struct file *f, const char *text)
 {
     char word[16] = "";
@@ -102,6 +109,8 @@ static void read_box(struct file *f, const char *text)
             f->boundary = (enum disks_boundary)k;
 }
 
+/* Reads a row: 8 numbers for disks and 10 for spheres, or 11 and 14 with
+   the place and the time of the last collision. */
 static bool read_row(struct file *f, const char *text)
 {
     double *row = f->row[f->rows];
@@ -136,6 +145,7 @@ static bool make_room(struct file *f)
     return true;
 }
 
+/* A blank line ends a block, and the next row begins another over it. */
 static bool read_lines(struct file *f, FILE *file)
 {
     char *line = NULL;
@@ -157,6 +167,9 @@ static bool read_lines(struct file *f, FILE *file)
     return good;
 }
 
+/* Puts each disk where its last collision left it, if the file says where,
+   otherwise where it is. Refuses a row with another time than the first
+   one, or from before its last collision. */
 static bool take_rows(struct disks *d, const struct file *f)
 {
     const size_t D = d->dimensions;
@@ -183,6 +196,7 @@ static bool take_rows(struct disks *d, const struct file *f)
     return true;
 }
 
+/* What is wrong with the file as a whole has no line. */
 static bool make_disks(struct disks *d, struct file *f)
 {
     const size_t D = f->columns == 8 || f->columns == 11 ? 2 : 3;

@@ -188,7 +188,7 @@ static void write_head(struct table *t, const struct settings *s)
                  "collisions a second of processor time");
     table_column(t, "bytes", "B", "of memory for a disk, with cells");
     table_column(t, "stale", "", "stale events for a collision");
-    table_column(t, "renewed", "", "ends of a leash for a collision");
+    table_column(t, "renewed", "", "lists made anew for a collision");
 }
 
 /* Writes a row for a number of disks, and its three lines of the
@@ -307,7 +307,7 @@ static double room_of(const struct cells *c, size_t i)
     const struct disk *disk = c->d->disk;
     const uint32_t *list = c->neighbour + i * c->seats;
     double here[DISKS_AXES], there[DISKS_AXES], way[DISKS_AXES];
-    double most = disk[i].radius + c->leash;
+    double most = disk[i].radius + c->skin;
     disks_position(c->d, i, here);
     for (size_t k = 0; k < c->anchor[i].neighbours; ++k) {
         disks_position(c->d, list[k], there);

@@ -356,7 +356,7 @@ static void test_inelastic(void)
     COMPARE(scenes, 2);
 }
 
-/* Light and heavy gravity, for leashes that bend a little or a lot, between
+/* Light and heavy gravity, for ways that bend a little or a lot, between
    four walls and on a floor alone; in the last scene most disks never rise
    by their own diameter. */
 static void test_weight(void)
@@ -613,8 +613,8 @@ static void test_units(void)
 }
 
 /* Two disks, not alone, that fly at each other and meet as both come to
-   the ends of their leashes: nearly out of reach. */
-static void make_last_moment(struct disks *d, uint64_t seed, double leash)
+   the ends of their skins: nearly out of reach. */
+static void make_last_moment(struct disks *d, uint64_t seed, double skin)
 {
     struct random r;
     double e[DISKS_AXES] = {0};
@@ -635,7 +635,7 @@ static void make_last_moment(struct disks *d, uint64_t seed, double leash)
                 fmod(x + 18 + 0.3 * (double)i * (k == 0), 39) + 0.5;
         for (size_t i = 0; i < 2; ++i) {
             struct disk *a = &d->disk[i];
-            const double far = a->radius + 0.9999 * leash;
+            const double far = a->radius + 0.9999 * skin;
             a->position[k] = x + (i ? far : -far) * e[k];
             a->velocity[k] = i ? -e[k] : e[k];
         }
@@ -650,13 +650,13 @@ static void test_last_moment(void)
         struct cells c;
         make_last_moment(&d, seed, 0);
         must(cells_create(&c, &d), "no memory");
-        make_last_moment(&x.pairs, seed, c.leash);
-        make_last_moment(&x.cells, seed, c.leash);
+        make_last_moment(&x.pairs, seed, c.skin);
+        make_last_moment(&x.cells, seed, c.skin);
         must(disks_plan(&x.pairs) && cells_create(&x.c, &x.cells),
              "no memory");
         UNIT_TRUE(is_apart(&x.cells));
         UNIT_TRUE(!step(&x, INFINITY, 1));
-        UNIT_NEAR(x.cells.now, c.leash, 1e-3 * c.leash);
+        UNIT_NEAR(x.cells.now, c.skin, 1e-3 * c.skin);
         UNIT_TRUE(is_apart(&x.cells));
         cells_free(&c);
         disks_free(&d);
@@ -727,7 +727,7 @@ int main(int argc, char *argv[])
             {"disks at rest give the same bits", test_rest},
             {"many events at one time give the same bits", test_ties},
             {"three cells along an axis are enough", test_three_cells},
-            {"a meeting at the ends of both leashes", test_last_moment},
+            {"a meeting at the ends of both skins", test_last_moment},
             {"a box too narrow does not suit", test_suit},
             {"a run taken up again gives the same bits", test_taken_up},
             {"when nothing happens the clock stays finite", test_silence},

@@ -1,6 +1,6 @@
 /* What cells promise beside the bits of pairs: which boxes suit them, how
-   long the leash is and how wide the cells, who is whose neighbour, and
-   that no disk gets farther from its anchor than the leash. A leash of
+   thick the skin is and how wide the cells, who is whose neighbour, and
+   that no disk gets farther from its anchor than the skin. A skin of
    another length would have the same bits, as long as all this holds. */
 #include "unit.h"
 
@@ -41,12 +41,12 @@ static void begin(struct cells *c, struct disks *d)
    sphere; where that is too small, three tenths of a mean diameter are the
    least. Round a box the widest two must see each other by one image alone,
    and three cells have to have room: 0.999 of that. */
-static void test_leash(void)
+static void test_skin(void)
 {
     static const struct {
         size_t dimensions, count;
         enum disks_boundary boundary;
-        double box[3], radius[3], leash;
+        double box[3], radius[3], skin;
         size_t grid[3];
     } boxes[] = {
         /* far = sqrt(11 (200 / 100) / pi) = 2.6463 */
@@ -95,7 +95,7 @@ static void test_leash(void)
             longest = fmax(longest, boxes[b].box[k]);
             UNIT_EQUAL(c.inverse[k], disks_wraps(&d, k) ? 1 / d.box[k] : 0);
         }
-        UNIT_NEAR(c.leash, boxes[b].leash, 1e-5 * boxes[b].leash);
+        UNIT_NEAR(c.skin, boxes[b].skin, 1e-5 * boxes[b].skin);
         UNIT_EQUAL(c.slack, 1e-6 * longest);
         UNIT_EQUAL((double)c.cells,
                    (double)(c.grid[0] * c.grid[1] * c.grid[2]));
@@ -115,7 +115,7 @@ static bool suits(size_t dimensions, size_t count,
     return suit;
 }
 
-/* A leash of a tenth of a radius is too short, and so is one of a millionth
+/* A skin of a tenth of a radius is too thin, and so is one of a millionth
    of the box: (6.6 / 6 - 1) 0.999 is a tenth. */
 static void test_suit(void)
 {
@@ -167,7 +167,7 @@ static size_t wrong_neighbours(const struct cells *c)
             for (size_t k = 0; k < c->anchor[i].neighbours; ++k)
                 listed += c->neighbour[i * c->seats + k] == j;
             const double reach =
-                c->d->disk[i].radius + c->d->disk[j].radius + 2 * c->leash;
+                c->d->disk[i].radius + c->d->disk[j].radius + 2 * c->skin;
             const double far = length(apart) - reach;
             wrong += i == j                 ? listed
                      : far <= 0             ? listed != 1
@@ -177,7 +177,7 @@ static size_t wrong_neighbours(const struct cells *c)
     return wrong;
 }
 
-/* Counts disks that are farther from their anchors than the leash. */
+/* Counts disks that are farther from their anchors than the skin. */
 static size_t runaways(const struct cells *c)
 {
     size_t away = 0;
@@ -186,7 +186,7 @@ static size_t runaways(const struct cells *c)
         anchor(c, i, a);
         disks_position(c->d, i, b);
         disks_apart(c->d, a, b, apart);
-        away += !(length(apart) <= c->leash + c->slack);
+        away += !(length(apart) <= c->skin + c->slack);
     }
     return away;
 }
@@ -234,7 +234,7 @@ static void test_neighbours(void)
 }
 
 /* One disk that flies, and many points at rest in the farthest corner,
-   which make the leash short. The clock begins at as many seconds as there
+   which make the skin thin. The clock begins at as many seconds as there
    is gravity. */
 static void begin_lonely(struct cells *c, struct disks *d, double gravity,
                          double x, const double v[2])
@@ -257,10 +257,10 @@ static void begin_lonely(struct cells *c, struct disks *d, double gravity,
     begin(c, d);
 }
 
-/* The leash ends when it is taut: on a straight way, on the way back from a
-   wall, and behind a wall that is met slantwise, each from an anchor 0.5 or
-   so from the wall, which seven digits leave as it is. A disk at rest has
-   no end. */
+/* A skin ends a thickness from the anchor: on a straight way, on the way
+   back from a wall, and behind a wall that is met slantwise, each from an
+   anchor 0.5 or so from the wall, which seven digits leave as it is. A disk
+   at rest has no end. */
 static void test_straight_end(void)
 {
     static const struct {
@@ -276,20 +276,20 @@ static void test_straight_end(void)
         begin_lonely(&c, &d, 0, ways[w].x, ways[w].v);
         const struct calendar_event *e = &c.calendar.event[0];
         const double speed = length(d.disk[0].velocity);
-        double end = c.leash / speed;
+        double end = c.skin / speed;
         if (ways[w].wall > 0) {
             UNIT_EQUAL(e->time, ways[w].wall);
             UNIT_EQUAL((double)e->partner, (double)d.count); /* across x */
             cells_run(&c, ways[w].wall, UINT64_MAX);
             UNIT_EQUAL((double)d.wall_collisions, 1);
-            /* Where the leash is taut, found by halving. */
+            /* Where the skin ends, found by halving. */
             double low = ways[w].wall, high = 1e3;
             for (int k = 0; k < 60; ++k) {
                 const double t = (low + high) / 2;
                 const double x =
                     0.125 + fabs(ways[w].v[0]) * (t - ways[w].wall);
                 const double way[] = {x - ways[w].x, ways[w].v[1] * t, 0};
-                *(length(way) < c.leash ? &low : &high) = t;
+                *(length(way) < c.skin ? &low : &high) = t;
             }
             end = low;
         }
@@ -313,7 +313,7 @@ static void test_beyond(void)
     begin_lonely(&c, &d, 0, 0.625, (const double[]){-1, 0});
     const struct cells_anchor *a = &c.anchor[0];
     c.place[(3 * a->cell + 1) * c.room + a->spot] +=
-        (float)(1.001 * c.leash);
+        (float)(1.001 * c.skin);
     cells_run(&c, 0.5, 0);
     UNIT_EQUAL((double)runaways(&c), 1);
     cells_run(&c, 0.5, UINT64_MAX);
@@ -324,7 +324,7 @@ static void test_beyond(void)
     disks_free(&d);
 }
 
-/* Under gravity a quarter of the leash is for falling, which takes at most
+/* Under gravity a quarter of the skin is for falling, which takes at most
    the root of l / 2g, and three quarters are for the straight way. What
    falls fastest within that time comes nearest to the end, and not beyond.
  */
@@ -336,10 +336,9 @@ static void test_falling_end(void)
         struct cells c;
         double v[2] = {0, 0};
         begin_lonely(&c, &d, g, 100, v);
-        const double most = sqrt(c.leash / (2 * g));
-        const double speed = 0.2 * k * 0.75 * c.leash / most;
-        const double end =
-            k > 0 ? fmin(0.75 * c.leash / speed, most) : most;
+        const double most = sqrt(c.skin / (2 * g));
+        const double speed = 0.2 * k * 0.75 * c.skin / most;
+        const double end = k > 0 ? fmin(0.75 * c.skin / speed, most) : most;
         cells_free(&c);
         disks_free(&d);
         v[k % 3 > 0] = -speed;
@@ -357,7 +356,7 @@ static void test_falling_end(void)
 }
 
 /* So many disks that memory is asked for early. It changes no bit: one lane
-   at a time, another time from four or eight, and nobody leaves his leash.
+   at a time, another time from four or eight, and nobody leaves its skin.
  */
 static void test_many(void)
 {
@@ -394,13 +393,13 @@ int main(void)
     return unit_run(
         "cells at their limits",
         (struct unit_test[]){
-            {"leash and cells have the sizes of the rules", test_leash},
+            {"skin and cells have the sizes of the rules", test_skin},
             {"which boxes suit", test_suit},
             {"all neighbours are listed, and no others", test_neighbours},
-            {"a straight flight ends where the leash is taut",
+            {"a straight flight ends a skin from the anchor",
              test_straight_end},
-            {"beyond the leash an anchor is renewed at once", test_beyond},
-            {"a fall stays within the leash", test_falling_end},
+            {"beyond the skin an anchor is renewed at once", test_beyond},
+            {"a fall stays within the skin", test_falling_end},
             {"many disks, for which memory is fetched early", test_many},
             {0}});
 }

@@ -1194,8 +1194,8 @@ static void test_ends(void)
 
 /* Of many bodies the start and the rows are a part of the bill. Of ninety
    disks each is three times looked at by half of the others. 250 get lists
-   of neighbours, at the start and whenever one has left its leash, which in
-   10 s at 1 m/s all have ten times, as a leash is shorter than a metre. In
+   of neighbours, at the start and whenever one has left its skin, which in
+   10 s at 1 m/s all have ten times, as a skin is thinner than a metre. In
    each row light bodies that do not pull are five passes each, besides the
    pass of each call of the forces. */
 static void test_start_and_rows(void)

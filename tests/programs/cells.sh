@@ -32,7 +32,7 @@ for cc in gcc clang; do
     done
 done
 
-# Memory, more than a small run takes: dense disks have short leashes and
+# Memory, more than a small run takes: dense disks have thin skins and
 # few in a cell, thin ones need longer lists.
 runs_in() { # KIBIBYTES PARTICLES OPTION...
     most=$1 particles=$2

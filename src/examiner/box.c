@@ -3,7 +3,7 @@
 #include "examiner/folder.h"
 #include "examiner/process.h"
 #include "examiner/text.h"
-#include "examiner/wire.h"
+#include "examiner/transport.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -590,10 +590,10 @@ static enum box_stage wait_for_main(struct box *box, int seconds)
     const double start = process_clock();
     const int built = wait_for_byte(box->answers, BUILD_MS);
     box->build_seconds = process_clock() - start;
-    if (built != WIRE_BUILT)
+    if (built != TRANSPORT_BUILT)
         return built == LATE ? BOX_TOO_LONG : BOX_NOT_BUILT;
     const int started = wait_for_byte(box->answers, START_MS);
-    if (started == WIRE_READY)
+    if (started == TRANSPORT_READY)
         return BOX_READY;
     const double waited = process_clock() - start - box->build_seconds;
     return started == LATE || waited >= 0.8 * seconds ? BOX_STUCK
@@ -631,17 +631,18 @@ static bool send_byte(int file, char byte)
    place, so no step waits without an end. */
 static bool see_gone(struct box *box)
 {
-    unsigned char how[WIRE_HOW * sizeof(int)];
-    if (!send_byte(box->requests, WIRE_OVER))
+    unsigned char how[TRANSPORT_HOW * sizeof(int)];
+    if (!send_byte(box->requests, TRANSPORT_OVER))
         return false;
     const int word = wait_for_byte(box->answers, SETTLE_MS);
-    bool whole = word == WIRE_OVER || word == WIRE_ENDED;
-    for (size_t i = 0; word == WIRE_ENDED && whole && i < sizeof how; ++i) {
+    bool whole = word == TRANSPORT_OVER || word == TRANSPORT_ENDED;
+    for (size_t i = 0; word == TRANSPORT_ENDED && whole && i < sizeof how;
+         ++i) {
         const int byte = wait_for_byte(box->answers, SETTLE_MS);
         whole = byte >= 0;
         how[i] = (unsigned char)byte;
     }
-    if (word == WIRE_ENDED && whole)
+    if (word == TRANSPORT_ENDED && whole)
         memcpy(&box->test_ms, how + sizeof(int), sizeof(int));
     return whole;
 }
@@ -655,8 +656,8 @@ static bool see_gone(struct box *box)
 bool box_settle(struct box *box)
 {
     box->test_ms = 0;
-    return see_gone(box) && send_byte(box->requests, WIRE_ECHO) &&
-           wait_for_byte(box->answers, SETTLE_MS) == WIRE_ECHO &&
+    return see_gone(box) && send_byte(box->requests, TRANSPORT_ECHO) &&
+           wait_for_byte(box->answers, SETTLE_MS) == TRANSPORT_ECHO &&
            wait_for_byte(box->answers, 0) == LATE;
 }
 
@@ -720,12 +721,12 @@ enum box_drawing box_draw(const struct box_order *order, int script,
     start(&drawing, script, out[1], prints);
     close(out[1]);
     const int word = wait_for_byte(out[0], BUILD_MS);
-    const bool drawn =
-        word == WIRE_BUILT && take_figure(out[0], figure, room, length);
+    const bool drawn = word == TRANSPORT_BUILT &&
+                       take_figure(out[0], figure, room, length);
     close(out[0]);
     process_stop();
-    return word == WIRE_BARE    ? BOX_NO_GNUPLOT
-           : word != WIRE_BUILT ? BOX_NO_PROGRAM
-           : drawn              ? BOX_DRAWN
-                                : BOX_DRAWS_LATE;
+    return word == TRANSPORT_NO_GNUPLOT ? BOX_NO_GNUPLOT
+           : word != TRANSPORT_BUILT    ? BOX_NO_PROGRAM
+           : drawn                      ? BOX_DRAWN
+                                        : BOX_DRAWS_LATE;
 }

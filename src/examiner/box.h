@@ -25,7 +25,7 @@ struct box_order {
     int source;           /* the student's file */
     const char *included; /* its header, "kit/exercise.h" */
     int header;           /* the same */
-    int inside;           /* the driver and the border of the exercise */
+    int inside; /* the driver and the remote calls of the exercise */
     const char *compiler; /* with its flags, to be split at blanks */
     const char *terse;    /* the flag with which it quotes no lines */
     const char *lean;     /* and those that leave out what nobody reads */

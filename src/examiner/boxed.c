@@ -1,9 +1,9 @@
 /* The program in the box: it calls the student's function and answers. */
-#include "examiner/border.h"
+#include "examiner/remote.h"
 #include "examiner/exercise.h"
 #include "examiner/orbit.h"
-#include "examiner/place.h"
-#include "examiner/wire.h"
+#include "examiner/guards.h"
+#include "examiner/transport.h"
 
 #include <signal.h>
 #include <stdio.h>
@@ -19,36 +19,36 @@
 enum { REQUESTS = 3, ANSWERS = 4, MEMORY_MORE = 1 << 29 };
 
 /* Ends when the judge is gone. */
-void wire_lost(void)
+void transport_lost(void)
 {
     _exit(EXIT_FAILURE);
 }
 
 /* Says before the answer whether a guard was changed. Forging that gains
    nothing: it hides an overrun which one need not have written. */
-void border_reply(void)
+void remote_reply(void)
 {
     struct check_overrun overrun;
-    if (place_look(&overrun)) {
-        wire_speak(WIRE_LEFT);
-        wire_move(&overrun, sizeof overrun);
+    if (guards_overrun(&overrun)) {
+        transport_send(TRANSPORT_OVERRUN);
+        transport_move(&overrun, sizeof overrun);
     }
-    wire_speak(WIRE_REPLY);
+    transport_send(TRANSPORT_REPLY);
 }
 
-void border_ask(int which)
+void remote_callback(int which)
 {
-    wire_speak(WIRE_ASK);
-    border_ints(&which, 1);
+    transport_send(TRANSPORT_CALLBACK);
+    remote_ints(&which, 1);
 }
 
 /* Waits for the answer of a call back. A suite whose function has been
    called too often ends the student's call with a longjmp; then the next
    word is no answer, and this process ends. */
-void border_hear(void)
+void remote_callback_wait(void)
 {
     orbit_leave();
-    if (wire_listen() == WIRE_TOLD)
+    if (transport_receive() == TRANSPORT_CALLBACK_REPLY)
         return;
     fflush(NULL);
     _exit(EXIT_SUCCESS);
@@ -57,9 +57,9 @@ void border_hear(void)
 void exercise_not_done(const char *file, int line)
 {
     (void)file;
-    wire_speak(WIRE_UNDONE);
-    border_ints(&line, 1);
-    border_hear();
+    transport_send(TRANSPORT_NOT_DONE);
+    remote_ints(&line, 1);
+    remote_callback_wait();
     _exit(EXIT_SUCCESS);
 }
 
@@ -89,19 +89,19 @@ static void ignore_freed(const volatile void *block)
    over. */
 static _Noreturn void serve(void)
 {
-    wire_open(REQUESTS, ANSWERS);
+    transport_open(REQUESTS, ANSWERS);
     const bool counts = __sanitizer_install_malloc_and_free_hooks &&
                         __sanitizer_install_malloc_and_free_hooks(
                             count_taken, ignore_freed);
     orbit_watch();
-    while (wire_listen() == WIRE_CALL) {
+    while (transport_receive() == TRANSPORT_CALL) {
         orbit_leave();
-        place_clear();
-        border_answer();
+        guards_clear();
+        remote_serve();
     }
     fflush(NULL);
     if (__lsan_do_recoverable_leak_check &&
-        (!counts || blocks > border_blocks))
+        (!counts || blocks > remote_blocks))
         __lsan_do_recoverable_leak_check();
     _exit(EXIT_SUCCESS);
 }
@@ -133,8 +133,8 @@ static int name_clock(int status, double seconds)
    himself that he has crashed. */
 static void run_test(void)
 {
-    char message[1 + WIRE_HOW * sizeof(int)] = {WIRE_ENDED};
-    int how[WIRE_HOW] = {0};
+    char message[1 + TRANSPORT_HOW * sizeof(int)] = {TRANSPORT_ENDED};
+    int how[TRANSPORT_HOW] = {0};
     const double before = children_seconds();
     const pid_t pid = fork();
     if (pid == 0) {
@@ -178,7 +178,7 @@ static void limit_addresses(void)
    so it is made not dumpable. */
 int main(void)
 {
-    char word = WIRE_READY;
+    char word = TRANSPORT_READY;
 #ifdef __linux__
     prctl(PR_SET_DUMPABLE, 0);
 #endif
@@ -186,7 +186,7 @@ int main(void)
     if (write(ANSWERS, &word, 1) != 1)
         return EXIT_FAILURE;
     while (read(REQUESTS, &word, 1) == 1)
-        if (word == WIRE_TEST)
+        if (word == TRANSPORT_TEST)
             run_test();
         else if (write(ANSWERS, &word, 1) != 1)
             return EXIT_FAILURE;

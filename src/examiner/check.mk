@@ -80,7 +80,7 @@ build/made/check/obj/%.o: src/%.c build/check/flags
 		-c -o $(made).new $<
 	$(take_compiled)
 build/made/check/libcheck.a: $(patsubst src/%.c,build/check/obj/%.o,\
-	$(patsubst %,src/examiner/%.c,check hidden heed home place border run running \
+	$(patsubst %,src/examiner/%.c,check no_hidden no_callback local guards remote run running \
 	project) \
 	src/toolbox/random.c)
 	$(begin)
@@ -99,15 +99,15 @@ kept += build/check/flags build/check/libcheck.a build/check/examine \
 	src/toolbox/*.c)) $(exercises:%=build/check/%.suite.o) \
 	$(projects:%=build/check/%.given.o)
 
-# A suite and the two halves of its border, where it has one, in one object.
-# In a course that was handed out crossing.c is the border without comments.
+# A suite and the two halves of its remote calls, where it has one, in one object.
+# In a course that was handed out calls.c is remote.c without comments.
 # On the suite's side the functions that cross are called suite_..., so that
 # the student's can keep their names. They are not optimized: checks take a twentieth
 # longer, and the compiler a third of the time.
 # (The grader's judge, of the same files, is, with the warnings that hang on it.)
-border_of = $(wildcard $(addprefix tests/exercises/$*/,border.c crossing.c))
+remote_of = $(wildcard $(addprefix tests/exercises/$*/,remote.c calls.c))
 crossing = $$(sed -n '/^static/d; s/^[a-z][a-z_ *]*[ *]\([a-z0-9_]*\)(.*/\1/p' \
-	/dev/null $(border_of) | grep -v '^border_' | sed 's/.*/-D&=suite_&/')
+	/dev/null $(remote_of) | grep -v '^remote_' | sed 's/.*/-D&=suite_&/')
 check_part = $(check_cc) $(year) -O0 -Wall -Wextra -pedantic -Isrc -c \
 	-o build/check/obj/suite/$*
 build/made/check/%.suite.o: tests/exercises/%/suite.c build/check/flags
@@ -115,26 +115,26 @@ build/made/check/%.suite.o: tests/exercises/%/suite.c build/check/flags
 	$(call say,cc $<)
 	@mkdir -p build/check/obj/suite
 	$(Q)$(check_part).o $(reads) $(crossing) $<
-	$(if $(border_of),$(Q)$(check_part).outside.o $(reads).outside \
-		$(crossing) $(border_of))
-	$(if $(border_of),$(Q)$(check_part).inside.o $(reads).inside \
-		-DBORDER_INSIDE $(border_of))
-	@ld -r -o $(made).new build/check/obj/suite/$*.o $(if $(border_of),\
+	$(if $(remote_of),$(Q)$(check_part).outside.o $(reads).outside \
+		$(crossing) $(remote_of))
+	$(if $(remote_of),$(Q)$(check_part).inside.o $(reads).inside \
+		-DREMOTE_SERVER $(remote_of))
+	@ld -r -o $(made).new build/check/obj/suite/$*.o $(if $(remote_of),\
 		build/check/obj/suite/$*.outside.o build/check/obj/suite/$*.inside.o)
 	$(take_compiled)
 $(foreach e,$(exercises),$(eval build/made/check/$(e).suite.o: \
-	$(wildcard $(addprefix tests/exercises/$(e)/,border.c crossing.c))))
+	$(wildcard $(addprefix tests/exercises/$(e)/,remote.c calls.c))))
 # What a student's program is given in place of what its header has; without
 # sanitizers, to go with a program that has them and with one that has not.
 build/made/check/%.given.o: $(addprefix tests/exercises/%/,suite.c) \
 		build/check/flags
 	$(begin)
-	$(Q)$(check_base) -Wall -Wextra -pedantic -Isrc -DBORDER_GIVEN -c \
-		-o $(made).new $(border_of)
+	$(Q)$(check_base) -Wall -Wextra -pedantic -Isrc -DREMOTE_GIVEN -c \
+		-o $(made).new $(remote_of)
 	@$(take)
 $(projects:%=build/made/check/%.suite.o): build/made/check/year
 $(foreach e,$(projects),$(eval build/made/check/$(e).given.o: \
-	$(wildcard $(addprefix tests/exercises/$(e)/,border.c crossing.c))))
+	$(wildcard $(addprefix tests/exercises/$(e)/,remote.c calls.c))))
 
 # What a suite says about itself, and which types a stub gives to its functions
 # (see tests/types.awk), for all exercises at once.

@@ -8,7 +8,7 @@ grade_options = $${REPORT:+--report "$$REPORT"} $${JOBS:+--jobs "$$JOBS"} \
 	$${seconds:+--seconds "$$seconds"} $(if $(UNSAFE),--unsafe) \
 	$${RESULTS:+--output "$$RESULTS"}
 graded := $(foreach e,$(exercises),\
-	$(if $(wildcard tests/exercises/$(e)/border.c),$(e)))
+	$(if $(wildcard tests/exercises/$(e)/remote.c),$(e)))
 GRADE_BUILT = build/grade/grade build/grade/flags \
 	$(graded:%=build/grade/%.list) $(graded:%=build/grade/%.names) \
 	$(patsubst %,build/grade/%.types.h,$(filter-out P%,$(graded)))
@@ -25,7 +25,7 @@ has-submissions:
 		>&2; exit 2; }
 grade: has-submissions grade-parts
 	$(if $(filter-out $(graded),$(exercises)),@echo 'Not graded (there is' \
-		'no border.c in its folder):' $(filter-out $(graded),$(exercises)))
+		'no remote.c in its folder):' $(filter-out $(graded),$(exercises)))
 	@build/grade/grade $(grade_options) "$$SUBMISSIONS"
 jobs-grade: has-submissions grade-parts
 	$(call list,build/grade/grade --list $(grade_options) "$$SUBMISSIONS")
@@ -127,7 +127,7 @@ build/made/grade/obj/%.o: src/%.c build/check/flags
 		-c -o $(made).new $<
 	$(take_compiled)
 build/made/grade/libjudge.a: $(patsubst src/%.c,build/grade/obj/%.o,\
-	$(patsubst %,src/examiner/%.c,check hidden heed judge wire border run project) \
+	$(patsubst %,src/examiner/%.c,check no_hidden no_callback judge transport remote run project) \
 	src/toolbox/random.c)
 	$(begin)
 	@rm -f $(made).new
@@ -145,8 +145,8 @@ kept += build/grade/grade build/grade/flags build/grade/libjudge.a \
 # a debugger knows the lines and no more, which compiles sooner; and nothing of
 # what is copied into each box and linked there, which has a sixth of the size.
 judge_part = build/grade/obj/judge/$*
-judge_of = $(wildcard $(addprefix tests/exercises/$*/,suite.c border.c hidden.c))
-build/made/grade/%.judge: tests/exercises/%/suite.c tests/exercises/%/border.c \
+judge_of = $(wildcard $(addprefix tests/exercises/$*/,suite.c remote.c hidden.c))
+build/made/grade/%.judge: tests/exercises/%/suite.c tests/exercises/%/remote.c \
 		build/grade/libjudge.a
 	$(begin)
 	@mkdir -p build/grade/obj/judge
@@ -162,31 +162,31 @@ build/made/grade/%.judge: tests/exercises/%/suite.c tests/exercises/%/border.c \
 	$(take_compiled)
 $(foreach e,$(graded),$(eval build/made/grade/$(e).judge: \
 	$(wildcard tests/exercises/$(e)/hidden.c)))
-build/made/grade/%.inside.o: tests/exercises/%/border.c $(patsubst %,\
-		build/grade/obj/examiner/%.o,boxed orbit wire border place)
+build/made/grade/%.inside.o: tests/exercises/%/remote.c $(patsubst %,\
+		build/grade/obj/examiner/%.o,boxed orbit transport remote guards)
 	$(begin)
-	@mkdir -p build/grade/obj/border
-	$(Q)$(check_base) $(reads) -Wall -Wextra -pedantic -DBORDER_INSIDE -Isrc \
-		-c -o build/grade/obj/border/$*.o $<
-	@ld -r -S -o $(made).new build/grade/obj/border/$*.o $(filter %.o,$^)
+	@mkdir -p build/grade/obj/remote
+	$(Q)$(check_base) $(reads) -Wall -Wextra -pedantic -DREMOTE_SERVER -Isrc \
+		-c -o build/grade/obj/remote/$*.o $<
+	@ld -r -S -o $(made).new build/grade/obj/remote/$*.o $(filter %.o,$^)
 	$(take_compiled)
 $(projects:%=build/made/grade/%.judge): build/made/check/year
 # Of a project: an archive with the box's program, whose main has another
 # name and whose time is its own, and with what the student's program is given.
 $(foreach e,$(projects),$(eval build/made/grade/$(e).inside.o: \
 	build/check/$(e).given.o))
-build/made/grade/P%.inside.o: tests/exercises/P%/border.c $(patsubst %,\
-		build/grade/obj/examiner/%.o,running boxed orbit wire border place)
+build/made/grade/P%.inside.o: tests/exercises/P%/remote.c $(patsubst %,\
+		build/grade/obj/examiner/%.o,running boxed orbit transport remote guards)
 	$(begin)
-	@mkdir -p build/grade/obj/border
-	$(Q)$(check_base) $(reads) -Wall -Wextra -pedantic -DBORDER_INSIDE -Isrc \
-		-c -o build/grade/obj/border/P$*.law.o $<
-	@ld -r -o build/grade/obj/border/P$*.o build/grade/obj/border/P$*.law.o \
+	@mkdir -p build/grade/obj/remote
+	$(Q)$(check_base) $(reads) -Wall -Wextra -pedantic -DREMOTE_SERVER -Isrc \
+		-c -o build/grade/obj/remote/P$*.law.o $<
+	@ld -r -o build/grade/obj/remote/P$*.o build/grade/obj/remote/P$*.law.o \
 		$(filter build/grade/%.o,$^) && \
 		objcopy --redefine-sym main=box_main \
-		--localize-symbol=time build/grade/obj/border/P$*.o
+		--localize-symbol=time build/grade/obj/remote/P$*.o
 	@rm -f $(made).new && \
-		ar rcsD $(made).new build/grade/obj/border/P$*.o \
+		ar rcsD $(made).new build/grade/obj/remote/P$*.o \
 		build/check/P$*.given.o
 	$(take_compiled)
 build/grade/%.types.h: build/check/%.types.h
@@ -196,9 +196,9 @@ build/grade/P%.names: build/grade/P%.inside.o
 build/grade/%.list: build/grade/%.judge
 	@build/grade/$*.judge --list >$@
 build/grade/%.names: build/grade/%.inside.o tests/exercises/%/stub.c
-	@$(check_base) -Isrc/examiner -c -o build/grade/obj/border/$*.stub.o \
+	@$(check_base) -Isrc/examiner -c -o build/grade/obj/remote/$*.stub.o \
 		tests/exercises/$*/stub.c
-	@nm -A -P -g build/grade/$*.inside.o build/grade/obj/border/$*.stub.o | \
+	@nm -A -P -g build/grade/$*.inside.o build/grade/obj/remote/$*.stub.o | \
 		awk '$$3 == "U" && /inside.o: / { wanted[$$2] } \
 		$$3 != "U" && $$2 in wanted && /stub.o: / \
 		{ printf "--keep-global-symbol=%s ", $$2 }' >$@

@@ -67,7 +67,7 @@ static void public_first(struct kit *kit)
 
 /* Reads the lists of all exercises. A list without a title or a test gives
    nobody a point: a full disk leaves such lists, so it is refused. An
-   exercise without a list has no border; make has said so. */
+   exercise without a list has no remote.c; make has said so. */
 size_t grading_kits(struct kit **kits)
 {
     glob_t found = {0};
@@ -291,7 +291,7 @@ static enum state run_test(struct job *job, const struct kit_test *test,
         .runner = job->judge,
         .seed = test->hidden ? seed : NULL,
         .user = box_judge(),
-        .border = {job->box.answers, job->box.requests},
+        .sandbox = {job->box.answers, job->box.requests},
         .later = later_seconds(job),
         .prints = "prints",
     };

@@ -1,8 +1,8 @@
 /* The judge's side of remote calls: sends arguments, receives answers. */
-#include "examiner/border.h"
+#include "examiner/remote.h"
 #include "examiner/check.h"
 #include "examiner/exercise.h"
-#include "examiner/wire.h"
+#include "examiner/transport.h"
 
 #include <signal.h>
 #include <stdlib.h>
@@ -105,13 +105,13 @@ void judge_confine(long user)
 {
     if (user > 0 && syscall(SYS_setgroups, 0, NULL) == 0 &&
         setgid((gid_t)user) == 0 && setuid((uid_t)user) != 0)
-        wire_lost();
+        transport_lost();
     forbid_other_calls();
 }
 #endif
 
 /* Ends when the box is gone. */
-void wire_lost(void)
+void transport_lost(void)
 {
     _exit(EXIT_FAILURE);
 }
@@ -136,33 +136,33 @@ static bool opened, begun, calling;
    place. */
 static void break_off(void)
 {
-    int how[WIRE_HOW];
-    wire_speak(WIRE_OVER);
-    if (wire_listen() != WIRE_ENDED)
-        wire_lost();
-    border_ints(how, WIRE_HOW);
+    int how[TRANSPORT_HOW];
+    transport_send(TRANSPORT_OVER);
+    if (transport_receive() != TRANSPORT_ENDED)
+        transport_lost();
+    remote_ints(how, TRANSPORT_HOW);
     begun = calling = false;
 }
 
-void border_anew(void)
+void remote_restart(void)
 {
     if (begun)
         break_off();
 }
 
-void border_call(void)
+void remote_call(void)
 {
     if (!opened) {
         signal(SIGPIPE, SIG_IGN);
-        wire_open(ANSWERS, REQUESTS);
+        transport_open(ANSWERS, REQUESTS);
         opened = true;
     }
     if (calling)
         break_off();
     if (!begun)
-        wire_speak(WIRE_TEST);
+        transport_send(TRANSPORT_TEST);
     begun = calling = true;
-    wire_speak(WIRE_CALL);
+    transport_send(TRANSPORT_CALL);
 }
 
 /* Serves what the box says besides an answer; anything else is nonsense and
@@ -171,34 +171,35 @@ static void heed(int word)
 {
     struct check_overrun overrun;
     int number;
-    if (word == WIRE_ASK) {
-        border_ints(&number, 1);
-        border_heed(number);
+    if (word == TRANSPORT_CALLBACK) {
+        remote_ints(&number, 1);
+        remote_serve_callback(number);
     } else {
-        wire_move(&overrun, sizeof overrun);
+        transport_move(&overrun, sizeof overrun);
         check_overrun(&overrun);
     }
 }
 
-void border_wait(void)
+void remote_wait(void)
 {
-    int word, line, how[WIRE_HOW];
-    while ((word = wire_listen()) == WIRE_ASK || word == WIRE_LEFT)
+    int word, line, how[TRANSPORT_HOW];
+    while ((word = transport_receive()) == TRANSPORT_CALLBACK ||
+           word == TRANSPORT_OVERRUN)
         heed(word);
-    if (word == WIRE_UNDONE) {
-        border_ints(&line, 1);
+    if (word == TRANSPORT_NOT_DONE) {
+        remote_ints(&line, 1);
         exercise_not_done("line", line);
     }
-    if (word == WIRE_ENDED) {
-        border_ints(how, WIRE_HOW);
+    if (word == TRANSPORT_ENDED) {
+        remote_ints(how, TRANSPORT_HOW);
         end_like(how[0]);
     }
-    if (word != WIRE_REPLY)
-        wire_lost();
+    if (word != TRANSPORT_REPLY)
+        transport_lost();
     calling = false;
 }
 
-void border_tell(void)
+void remote_callback_reply(void)
 {
-    wire_speak(WIRE_TOLD);
+    transport_send(TRANSPORT_CALLBACK_REPLY);
 }

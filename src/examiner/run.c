@@ -1,8 +1,8 @@
 /* Orders a run of a program and reads its table. */
 #include "examiner/run.h"
-#include "examiner/border.h"
+#include "examiner/remote.h"
 #include "examiner/check.h"
-#include "examiner/wire.h"
+#include "examiner/transport.h"
 
 #include <signal.h>
 #include <stdio.h>
@@ -53,8 +53,8 @@ const char *run_text(const struct run_order *o)
 static void send_text(const char *text)
 {
     size_t length = strlen(text);
-    border_sizes(&length, 1);
-    wire_move((void *)text, length);
+    remote_sizes(&length, 1);
+    transport_move((void *)text, length);
 }
 
 static void send_order(const struct run_order *o)
@@ -65,11 +65,11 @@ static void send_order(const struct run_order *o)
         ++words;
     while (files < RUN_FILES && o->files[files].name)
         ++files;
-    border_ints(&given, 1);
-    border_ints(&count, 1);
-    border_doubles(of_law, 2);
-    border_ints(&words, 1);
-    border_ints(&files, 1);
+    remote_ints(&given, 1);
+    remote_ints(&count, 1);
+    remote_doubles(of_law, 2);
+    remote_ints(&words, 1);
+    remote_ints(&files, 1);
     send_text(project());
     for (int i = 0; o->arguments[i]; ++i)
         send_text(o->arguments[i]);
@@ -112,7 +112,7 @@ static void add_row(struct run *r, const char *line)
         room = 2 * room + 4096;
         r->numbers = realloc(r->numbers, room * sizeof *r->numbers);
         if (!r->numbers)
-            wire_lost();
+            transport_lost();
     }
     memcpy(r->numbers + r->rows++ * count, row, count * sizeof *row);
 }
@@ -201,18 +201,18 @@ const struct run *run_program(const struct run_order *order)
     free(text);
     free(r.complaint);
     r = (struct run){.status = -1};
-    border_call();
+    remote_call();
     send_order(order);
-    border_wait();
-    border_ints(how, 3);
-    border_doubles(&r.calls, 1);
-    border_sizes(sizes, 2);
+    remote_wait();
+    remote_ints(how, 3);
+    remote_doubles(&r.calls, 1);
+    remote_sizes(sizes, 2);
     if (sizes[0] > RUN_PRINTS || sizes[1] > RUN_COMPLAINT)
-        wire_lost();
-    text = border_memory(sizes[0] + 2);
-    r.complaint = border_memory(sizes[1] + 1);
-    wire_move(text, sizes[0]);
-    wire_move(r.complaint, sizes[1]);
+        transport_lost();
+    text = remote_memory(sizes[0] + 2);
+    r.complaint = remote_memory(sizes[1] + 1);
+    transport_move(text, sizes[0]);
+    transport_move(r.complaint, sizes[1]);
     text[sizes[0]] = text[sizes[0] + 1] = '\0';
     r.complaint[sizes[1]] = '\0';
     end_like(order, how[0], how[1]);

@@ -72,6 +72,6 @@ void run_law(int which, double constant, int n, const double m[],
              const double x[], double f[]);
 
 /* The box's side: receives an order, runs it, and sends back the result. */
-void border_answer(void);
+void remote_serve(void);
 
 #endif

@@ -1,7 +1,7 @@
 /* Runs a program with its files, and records what it prints. */
-#include "examiner/border.h"
+#include "examiner/remote.h"
 #include "examiner/run.h"
-#include "examiner/wire.h"
+#include "examiner/transport.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -24,11 +24,11 @@ enum { TEXT_MOST = 1 << 20 };
 static char *take_text(void)
 {
     size_t length;
-    border_sizes(&length, 1);
+    remote_sizes(&length, 1);
     if (length > TEXT_MOST)
-        wire_lost();
-    char *text = border_memory(length + 1);
-    wire_move(text, length);
+        transport_lost();
+    char *text = remote_memory(length + 1);
+    transport_move(text, length);
     text[length] = '\0';
     return text;
 }
@@ -36,9 +36,9 @@ static char *take_text(void)
 static int take_number(int most)
 {
     int number;
-    border_ints(&number, 1);
+    remote_ints(&number, 1);
     if (number < 0 || number > most)
-        wire_lost();
+        transport_lost();
     return number;
 }
 
@@ -51,7 +51,7 @@ static void lay_file(const char *name, const char *text)
     const int file = open(path, O_WRONLY | O_CREAT | O_EXCL, 0600);
     const size_t length = strlen(text);
     if (file < 0 || write(file, text, length) != (ssize_t)length)
-        wire_lost();
+        transport_lost();
     close(file);
 }
 
@@ -68,12 +68,12 @@ static struct order take_order(void)
     struct order order;
     order.given = take_number(99);
     order.how = (enum run_count)take_number(RUN_OUTSIDE);
-    border_doubles(order.of_law, 2);
+    remote_doubles(order.of_law, 2);
     const int count = take_number(RUN_WORDS);
     const int files = take_number(RUN_FILES);
     strcpy(folder, "run.XXXXXX");
     if (!mkdtemp(folder))
-        wire_lost();
+        transport_lost();
     for (int i = 0; i < count; ++i)
         words[i] = take_text();
     words[count] = NULL;
@@ -205,7 +205,7 @@ static void run(int given, struct stream s[2], int how[3], int counter)
 {
     int out[2], complain[2];
     if (pipe(out) != 0 || pipe(complain) != 0)
-        wire_lost();
+        transport_lost();
     fflush(NULL);
     const pid_t pid = fork();
     if (pid == 0)
@@ -213,7 +213,7 @@ static void run(int given, struct stream s[2], int how[3], int counter)
     close(out[1]);
     close(complain[1]);
     if (pid < 0)
-        wire_lost();
+        transport_lost();
     setpgid(pid, pid);
     s[0].file = out[0];
     s[1].file = complain[0];
@@ -271,11 +271,11 @@ static bool count_outside(const struct order *order, struct counter *c)
         return false;
     if (socketpair(AF_UNIX, SOCK_SEQPACKET, 0, ends) != 0 ||
         pipe(told) != 0)
-        wire_lost();
+        transport_lost();
     fflush(NULL);
     c->pid = fork();
     if (c->pid < 0)
-        wire_lost();
+        transport_lost();
     if (c->pid == 0) {
         close(ends[0]);
         answer_questions(order, ends[1], told[1]);
@@ -302,7 +302,7 @@ static void count_inside(struct counter *c)
     c->program = c->ours = mkstemp(path);
     if (c->program < 0 || unlink(path) != 0 ||
         ftruncate(c->program, sizeof(long)) != 0)
-        wire_lost();
+        transport_lost();
 }
 
 static struct counter begin_to_count(const struct order *order)
@@ -362,14 +362,14 @@ static void tell_complaint(const struct stream *s)
         dprintf(STDERR_FILENO, i ? " %s" : "(%s", words[i]);
     dprintf(STDERR_FILENO, ")\n");
     if (write(STDERR_FILENO, s->text, s->length) < 0)
-        wire_lost();
+        transport_lost();
 }
 
-void border_answer(void)
+void remote_serve(void)
 {
     static char complaint[RUN_COMPLAINT];
     struct stream s[2] = {
-        {.text = border_memory(RUN_PRINTS), .most = RUN_PRINTS},
+        {.text = remote_memory(RUN_PRINTS), .most = RUN_PRINTS},
         {.text = complaint, .most = RUN_COMPLAINT}};
     int how[3] = {0, 0, 0};
     const struct order order = take_order();
@@ -378,12 +378,12 @@ void border_answer(void)
     double calls = take_calls(&counter);
     tell_complaint(&s[1]);
     clean_up();
-    border_reply();
-    border_ints(how, 3);
-    border_doubles(&calls, 1);
-    border_sizes(&s[0].length, 1);
-    border_sizes(&s[1].length, 1);
-    wire_move(s[0].text, s[0].length);
-    wire_move(s[1].text, s[1].length);
+    remote_reply();
+    remote_ints(how, 3);
+    remote_doubles(&calls, 1);
+    remote_sizes(&s[0].length, 1);
+    remote_sizes(&s[1].length, 1);
+    transport_move(s[0].text, s[0].length);
+    transport_move(s[1].text, s[1].length);
     free(s[0].text);
 }

@@ -151,10 +151,10 @@ static bool start_runner(const struct trial *trial, const char *test,
     snprintf(user, sizeof user, "%ld", trial->user);
     char *command[] = {(char *)trial->runner, (char *)test,
                        trial->seed ? (char *)trial->seed : "0",
-                       trial->border[0] ? user : NULL, NULL};
+                       trial->sandbox[0] ? user : NULL, NULL};
     const struct process_limits limits = {
         .seconds = trial->seconds,
-        .memory_bytes = trial->sanitized && !trial->border[0]
+        .memory_bytes = trial->sanitized && !trial->sandbox[0]
                             ? RLIM_INFINITY
                             : (rlim_t)MEMORY_MIB * MIB,
         .file_bytes = MIB,
@@ -190,8 +190,8 @@ void trial_open(const struct trial *trial)
     served.orders = ends[0];
     const struct process_files files = {.output = served.output,
                                         .kept = {served.report, ends[1],
-                                                 trial->border[0],
-                                                 trial->border[1]}};
+                                                 trial->sandbox[0],
+                                                 trial->sandbox[1]}};
     if (!start_runner(trial, "-", &files, NULL))
         trial_close();
     close(ends[1]);
@@ -237,8 +237,8 @@ static void run_runner(const struct trial *trial, int number,
         trial->leaks};
     if (copies &&
         !process_copy(served.orders, &order, sizeof order, trial->seconds,
-                      trial->border[0] ? RLIM_INFINITY
-                                       : (rlim_t)MEMORY_MIB * MIB,
+                      trial->sandbox[0] ? RLIM_INFINITY
+                                        : (rlim_t)MEMORY_MIB * MIB,
                       &result->end)) {
         trial_close();
         run_runner(trial, number, result);
@@ -249,8 +249,8 @@ static void run_runner(const struct trial *trial, int number,
         snprintf(test, sizeof test, "%d", number);
         const struct process_files files = {
             .output = output_file,
-            .kept = {report_file, output_file, trial->border[0],
-                     trial->border[1]}};
+            .kept = {report_file, output_file, trial->sandbox[0],
+                     trial->sandbox[1]}};
         if (!start_runner(trial, test, &files, &result->end))
             text_fail("cannot start '%s': %s", trial->runner,
                       strerror(errno));
@@ -277,7 +277,7 @@ static void run_runner(const struct trial *trial, int number,
 static bool is_endless(const struct trial *trial,
                        const struct process_end *end)
 {
-    return trial->border[0] && WIFSIGNALED(end->status) &&
+    return trial->sandbox[0] && WIFSIGNALED(end->status) &&
            WTERMSIG(end->status) == REPORT_ENDLESS;
 }
 

@@ -25,7 +25,7 @@ struct trial {
     const char *runner; /* to be started, as seen from folder/desk */
     const char *seed;   /* of the inputs, in digits; NULL: the students' */
     long user;          /* which a judge that root starts becomes, or 0 */
-    int border[2];      /* the way to a program in a box, or zeros */
+    int sandbox[2];     /* the way to a program in a box, or zeros */
     int later;          /* seconds for a test after one was late, or 0 */
     const char *prints; /* what such a program prints to, or NULL */
 };

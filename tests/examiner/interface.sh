@@ -119,7 +119,7 @@ cp "$traps/right.c" exercises/99a-twice.c
 verdict 'sanitizers that are there are not missed' \
     eval "run 0 99a && { ! grep -q =address build/check/flags ||
         ! says 'no sanitizers'; }"
-plain_objects='check.o hidden.o random.o'
+plain_objects='check.o no_hidden.o random.o'
 plain=$(echo "$cc" | sed 's/ -f[a-z-]*saniti[^ ]*//g')
 rm build/check/flags
 printf '#!/bin/sh\necho "$TMPDIR" >tmpdir\nexec "$@"\n' >said
@@ -127,7 +127,7 @@ chmod +x said
 printf '%s\n%s\n' "./said $plain" "$plain_objects ${libraries#* }" \
     >build/check/flags
 # shellcheck disable=SC2086
-$plain -Isrc -c src/examiner/check.c src/examiner/hidden.c \
+$plain -Isrc -c src/examiner/check.c src/examiner/no_hidden.c \
     src/toolbox/random.c &&
     $plain -Isrc -c "$here/suite.c" -o build/check/99a.suite.o
 verdict 'a compiler without sanitizers is named as such' \

@@ -12,7 +12,7 @@ use() {
     rm -f build/check/flags build/check/libcheck.a build/check/*.suite.o
     mkdir -p objects
     base="$* -std=c11 -D_XOPEN_SOURCE=700 -ffp-contract=off -g -O1 $errors"
-    for file in src/examiner/check.c src/examiner/hidden.c \
+    for file in src/examiner/check.c src/examiner/no_hidden.c \
         src/toolbox/random.c; do
         # shellcheck disable=SC2086
         $base -Isrc -c "$file" -o "objects/$(basename "$file" .c).o" ||

@@ -1,8 +1,8 @@
 #!/bin/sh
 # A function that answers right and also writes one value before or behind a
-# place that it was given, next to it or a dozen values further on, has not
+# output that it was given, next to it or a dozen values further on, has not
 # passed, neither at home nor in the grader.
-# Every place of every exercise is tried: the overrun is planted into the
+# Every output of every exercise is tried: the overrun is planted into the
 # worked solution, and which of them happens is said by the environment, so
 # that an exercise is compiled once for home and once for the box.
 set -u
@@ -11,20 +11,20 @@ trap 'rm -rf "$out"' EXIT
 trap 'exit 1' HUP INT TERM
 topic=outside
 
-# What a border file says about the places that it gives, a line for each,
-#   /* place: FUNCTION PLACE VALUES */      or      /* place: none */
-# with how many values the place has, and "suite" behind it where the suite
+# What a remote.c says about the outputs that it gives, a line for each,
+#   /* output: FUNCTION OUTPUT VALUES */      or      /* output: none */
+# with how many values the output has, and "suite" behind it where the suite
 # looks behind it (02b: and before it) by itself and knows better words.
 [ $# -gt 0 ] || set -- $(ls solutions | grep '^[0-9]' | cut -c 1-3)
-places_of() { # EXERCISE...
+outputs_of() { # EXERCISE...
     for ex; do
-        sed -n "s,^/\\* place: \\(.*\\) \\*/\$,$ex \\1,p" \
-            "tests/exercises/$ex/border.c"
+        sed -n "s,^/\\* output: \\(.*\\) \\*/\$,$ex \\1,p" \
+            "tests/exercises/$ex/remote.c"
     done
 }
-places=$(places_of "$@")
-without=$(echo "$places" | sed -n 's/ none$//p')
-places=$(echo "$places" | grep -v ' none$')
+outputs=$(outputs_of "$@")
+without=$(echo "$outputs" | sed -n 's/ none$//p')
+outputs=$(echo "$outputs" | grep -v ' none$')
 
 # verdict WHAT COMMAND...: one line of result; the command says why.
 verdict() {
@@ -41,28 +41,28 @@ all_named() { # HOME EXERCISE...
     home=$1
     shift
     for ex; do
-        given=$(grep -o 'border_place[a-z_]*("[^"]*"' "$home/$ex/border.c" |
+        given=$(grep -o 'remote_output[a-z_]*("[^"]*"' "$home/$ex/remote.c" |
             sed 's/.*("//; s/"//' | sort -u)
-        named=$(echo "$places" | awk -v ex="$ex" '$1 == ex { print $3 }' |
+        named=$(echo "$outputs" | awk -v ex="$ex" '$1 == ex { print $3 }' |
             sort -u)
         [ "$given" = "$named" ] || {
-            echo "$ex: border.c gives" $given, and names $named
+            echo "$ex: remote.c gives" $given, and names $named
             return 1
         }
         [ -n "$named" ] || echo "$without" | grep -q -x "$ex" ||
-            { echo "$ex: border.c has no line with a place"; return 1; }
+            { echo "$ex: remote.c has no line with an output"; return 1; }
     done
 }
-verdict 'every exercise has its places named, or has none' \
+verdict 'every exercise has its outputs named, or has none' \
     all_named tests/exercises "$@"
-mkdir "$out/99a" && sed 's,^/\* place:.*,,' tests/exercises/02a/border.c \
-    >"$out/99a/border.c"
+mkdir "$out/99a" && sed 's,^/\* output:.*,,' tests/exercises/02a/remote.c \
+    >"$out/99a/remote.c"
 unnamed() { ! all_named "$out" 99a; }
 verdict 'and one that names none is seen' unnamed
 
 # plant EXERCISE: its solution, with the overruns, to $out/EXERCISE.c.
 plant() {
-    echo "$places" | grep "^$1 " | awk -v solution="$2" '
+    echo "$outputs" | grep "^$1 " | awk -v solution="$2" '
         { what[$2] = what[$2] sprintf( \
             "    if (planted(\"%s<\"))\n" \
             "        memset(%s - 1, 7, sizeof *%s);\n" \
@@ -147,19 +147,19 @@ found() {
     esac
     grep -q "^0* says quantity what stands $side $name\$" "$out/report" &&
         return
-    echo "$places" | grep -q "^$ex [a-z_]* $name .* suite\$" &&
+    echo "$outputs" | grep -q "^$ex [a-z_]* $name .* suite\$" &&
         grep -q '^0* verdict failed' "$out/report" && return
     cat "$out/report" "$out/said"
     return 1
 }
 
-for ex in $(echo "$places" | cut -d ' ' -f 1 | uniq); do
+for ex in $(echo "$outputs" | cut -d ' ' -f 1 | uniq); do
     set -- solutions/"$ex"-*.c
     plant "$ex" "$1" >"$out/planted.c"
     verdict "$ex can be built" build "$ex"
     for where in at_home in_the_grader; do
         verdict "$ex passes $where" passes $where
-        for place in $(echo "$places" | grep "^$ex " | cut -d ' ' -f 3); do
+        for place in $(echo "$outputs" | grep "^$ex " | cut -d ' ' -f 3); do
             verdict "$ex: before $place, $where" found $where "$place<"
             verdict "$ex: behind $place, $where" found $where "$place>"
             verdict "$ex: far behind $place, $where" found $where "$place>>"
@@ -167,22 +167,22 @@ for ex in $(echo "$places" | cut -d ' ' -f 1 | uniq); do
     done
 done
 
-# Of all exercises two checks; for each with places its build and two passes,
-# and six for each place; and five below.
-planned=$((7 + 3 * $(echo "$places" | cut -d ' ' -f 1 | uniq | grep -c .) +
-    6 * $(echo "$places" | grep -c .)))
+# Of all exercises two checks; for each with outputs its build and two passes,
+# and six for each output; and five below.
+planned=$((7 + 3 * $(echo "$outputs" | cut -d ' ' -f 1 | uniq | grep -c .) +
+    6 * $(echo "$outputs" | grep -c .)))
 
 # Without sanitizers the guards have to do alone.
-ex=01a places=$(places_of 01a)
+ex=01a outputs=$(outputs_of 01a)
 plain() {
     plant $ex solutions/$ex-collide.c >"$out/planted.c" &&
         $base -Isrc -Dvelocities_after=suite_velocities_after -r -nostdlib \
             -o "$out/suite.o" tests/exercises/$ex/suite.c \
-            tests/exercises/$ex/border.c &&
-        $base -w -Isrc -Isrc/examiner -DBORDER_INSIDE -o "$out/home" \
-            "$out/planted.c" "$out/suite.o" tests/exercises/$ex/border.c \
-            src/examiner/check.c src/examiner/hidden.c src/examiner/heed.c \
-            src/examiner/home.c src/examiner/place.c src/examiner/border.c \
+            tests/exercises/$ex/remote.c &&
+        $base -w -Isrc -Isrc/examiner -DREMOTE_SERVER -o "$out/home" \
+            "$out/planted.c" "$out/suite.o" tests/exercises/$ex/remote.c \
+            src/examiner/check.c src/examiner/no_hidden.c src/examiner/no_callback.c \
+            src/examiner/local.c src/examiner/guards.c src/examiner/remote.c \
             src/toolbox/random.c ${libraries#* }
 }
 verdict "$ex can be built without sanitizers" plain

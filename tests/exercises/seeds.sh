@@ -9,10 +9,10 @@ trap 'exit 1' HUP INT TERM
 seeds='1 2 3 4 5 6'
 examiner=build/grade/obj/examiner
 
-# The judge's objects, linked with the solution instead of a border.
+# The judge's objects, linked with the solution instead of remote.c.
 build() {
     hidden=build/grade/obj/judge/$ex.hidden.o
-    [ -e "tests/exercises/$ex/hidden.c" ] || hidden=$examiner/hidden.o
+    [ -e "tests/exercises/$ex/hidden.c" ] || hidden=$examiner/no_hidden.o
     # shellcheck disable=SC2046
     $(sed -n 1p build/grade/flags) -Isrc/examiner -o "$out/runner" solutions/"$ex"-*.c \
         "build/grade/obj/judge/$ex.suite.o" "$hidden" "$examiner/check.o" \

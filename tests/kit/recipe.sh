@@ -55,13 +55,13 @@ for mistake in all-of-it half-forgotten sum-of-velocities; do
 done
 tar tzf build/bonkers-course.tar.gz >"$work/list" 2>/dev/null
 for file in exercises/01f-stake.c tests/exercises/01f/suite.c \
-    tests/exercises/01f/stub.c tests/exercises/01f/crossing.c \
+    tests/exercises/01f/stub.c tests/exercises/01f/calls.c \
     tests/exercises/01f/hints.txt; do
     holds "the archive has $file" grep -q -x "bonkers-course/$file" \
         "$work/list"
 done
 holds 'the archive has no solution' \
-    sh -c "! grep -E 'solutions/|tests/.*/(right|wrong|border|hidden)' \
+    sh -c "! grep -E 'solutions/|tests/.*/(right|wrong|remote|hidden)' \
         '$work/list'"
 holds 'Ada has all ten points' \
     grep -q '^"ada",10,10,10' build/grade/results/grades.csv

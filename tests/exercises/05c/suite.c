@@ -10,7 +10,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* ---- the physics that the student's loop calls: border.c has it, too,
+/* ---- the physics that the student's loop calls: remote.c has it, too,
    and no more of this file ---- */
 
 enum { DISKS = 4 };
@@ -115,7 +115,7 @@ static inline double disks_collide(struct disks *d)
 enum { KEPT = 64 };
 
 struct box {
-    struct disks d; /* the first: border.c wants them */
+    struct disks d; /* the first: remote.c wants them */
     /* ---- what the tests look at */
     long double flown; /* time that the disks have flown, s */
     size_t collisions, samples;

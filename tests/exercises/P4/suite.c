@@ -18,7 +18,7 @@ static double draw(double low, double high)
     return project_draw(PROJECT_YEAR, low, high);
 }
 
-/* The laws of border.c, by their numbers. */
+/* The laws of remote.c, by their numbers. */
 enum law { GRAVITY, SOFTENED, SPRINGS, NOTHING };
 static const char *const law_names[] = {
     "the header's force", "a force that stays finite",

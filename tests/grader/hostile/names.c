@@ -14,13 +14,13 @@ int waitpid(int pid, int *status, int how);
 int fflush(void *file);
 int check_near(void);
 double check_draw(double low, double high);
-int border_answer(void);
-int border_reply(void);
-int border_doubles(void);
-int wire_open(void);
-int wire_speak(int word);
-int wire_listen(void);
-int wire_lost(void);
+int remote_serve(void);
+int remote_reply(void);
+int remote_doubles(void);
+int transport_open(void);
+int transport_send(int word);
+int transport_receive(void);
+int transport_lost(void);
 extern char **environ;
 
 char **environ;
@@ -81,37 +81,37 @@ double check_draw(double low, double high)
     return low + high;
 }
 
-int border_answer(void)
+int remote_serve(void)
 {
     return 1;
 }
 
-int border_reply(void)
+int remote_reply(void)
 {
     return 1;
 }
 
-int border_doubles(void)
+int remote_doubles(void)
 {
     return 1;
 }
 
-int wire_open(void)
+int transport_open(void)
 {
     return 1;
 }
 
-int wire_speak(int word)
+int transport_send(int word)
 {
     return word;
 }
 
-int wire_listen(void)
+int transport_receive(void)
 {
     return 'x';
 }
 
-int wire_lost(void)
+int transport_lost(void)
 {
     return 1;
 }

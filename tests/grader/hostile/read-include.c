@@ -31,8 +31,8 @@ static const char *const found[] = {
 #if __has_include("examiner/check.h")
     "examiner/check.h",
 #endif
-#if __has_include("examiner/wire.h")
-    "examiner/wire.h",
+#if __has_include("examiner/transport.h")
+    "examiner/transport.h",
 #endif
 #if __has_include("../kit/check.h")
     "../kit/check.h",

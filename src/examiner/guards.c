@@ -1,0 +1,131 @@
+/* Allocates outputs with known bytes before and behind each. */
+#include "examiner/guards.h"
+#include "examiner/remote.h"
+#include "examiner/transport.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A guard stands on either side of a place and is as wide as an index goes
+   astray that was computed for another array: 512 doubles. Without guards
+   an answer that was right and also wrote v[2] had all points, because what
+   stood behind v was the box's own. */
+enum { GUARD = 4096, MOST = 8 };
+
+/* Returns a byte of a guard. As a double eight of them are a NaN, as a size
+   more than any index, so that a function that reads them gains nothing. */
+static unsigned char filling(size_t i)
+{
+    static const unsigned char bytes[] = {0xa5, 0xa5, 0xa5, 0xa5,
+                                          0xa5, 0xa5, 0xfa, 0x7f};
+    return bytes[i % sizeof bytes];
+}
+
+/* Returns a whole guard, made once. */
+static const unsigned char *untouched(void)
+{
+    static unsigned char guard[GUARD];
+    for (size_t i = 0; guard[GUARD - 1] == 0; ++i)
+        guard[i] = filling(i);
+    return guard;
+}
+
+static struct place {
+    const char *name;
+    unsigned char *before, *behind; /* its guards */
+} places[MOST];
+static size_t used;
+
+#ifdef __ELF__
+#define WEAK __attribute__((weak))
+void __asan_poison_memory_region(const volatile void *x, size_t n) WEAK;
+void __asan_unpoison_memory_region(const volatile void *x, size_t n) WEAK;
+
+/* Has an address sanitizer watch the guards, which notice writes but not
+   reads, and cannot tell the line. The driver of a box is compiled once for
+   programs with and without one, so the names are weak: if nobody defines
+   them they are zero. Only ELF knows such names. */
+static void forbid(const struct place *p, bool on)
+{
+    void (*const tell)(const volatile void *x, size_t n) =
+        on ? __asan_poison_memory_region : __asan_unpoison_memory_region;
+    if (tell) {
+        tell(p->before, GUARD);
+        tell(p->behind, GUARD);
+    }
+}
+#else
+static void forbid(const struct place *p, bool on)
+{
+    (void)p, (void)on;
+}
+#endif
+
+void *remote_output(const char *name, size_t bytes)
+{
+    if (used == MOST)
+        transport_lost();
+    struct place *p = &places[used++];
+    p->name = name;
+    p->before = remote_memory(remote_bytes(bytes, 1) + 2 * GUARD);
+    p->behind = p->before + GUARD + bytes;
+    memcpy(p->before, untouched(), GUARD);
+    memcpy(p->behind, untouched(), GUARD);
+    forbid(p, true);
+    return p->before + GUARD;
+}
+
+double *remote_output_doubles(const char *name, size_t count)
+{
+    double *x = remote_output(name, remote_bytes(count, sizeof *x));
+    remote_doubles(x, count);
+    return x;
+}
+
+size_t *remote_output_sizes(const char *name, size_t count)
+{
+    size_t *x = remote_output(name, remote_bytes(count, sizeof *x));
+    remote_sizes(x, count);
+    return x;
+}
+
+int *remote_output_ints(const char *name, size_t count)
+{
+    int *x = remote_output(name, remote_bytes(count, sizeof *x));
+    remote_ints(x, count);
+    return x;
+}
+
+static int changed(const unsigned char *guard)
+{
+    int count = 0;
+    if (memcmp(guard, untouched(), GUARD) == 0)
+        return 0;
+    for (size_t i = 0; i < GUARD; ++i)
+        count += guard[i] != filling(i);
+    return count;
+}
+
+bool guards_overrun(struct check_overrun *overrun)
+{
+    for (struct place *p = places; p < places + used; ++p) {
+        forbid(p, false);
+        const int before = changed(p->before), behind = changed(p->behind);
+        if (before == 0 && behind == 0)
+            continue;
+        *overrun = (struct check_overrun){
+            .before = behind == 0, .bytes = behind ? behind : before};
+        snprintf(overrun->place, sizeof overrun->place, "%s", p->name);
+        return true;
+    }
+    return false;
+}
+
+void guards_clear(void)
+{
+    while (used > 0) {
+        forbid(&places[--used], false);
+        free(places[used].before);
+    }
+}

@@ -1,0 +1,16 @@
+/* Guards around the outputs of a student's function. */
+#ifndef GUARDS_H
+#define GUARDS_H
+
+#include "examiner/check.h"
+
+#include <stdbool.h>
+
+/* Returns whether a guard of this call's outputs has changed, and describes
+   the first that has. */
+bool guards_overrun(struct check_overrun *overrun);
+
+/* Frees the outputs of the last call. */
+void guards_clear(void);
+
+#endif

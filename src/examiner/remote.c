@@ -1,0 +1,65 @@
+/* Sends and receives numbers of each type, the same code for both sides. */
+#include "examiner/remote.h"
+#include "examiner/transport.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+
+bool transport_sending;
+
+size_t remote_bytes(size_t count, size_t size)
+{
+    enum { ROOM = 8 }; /* for what is added to it, or made twice as long */
+    if (count > SIZE_MAX / ROOM / size)
+        transport_lost();
+    return count * size;
+}
+
+void remote_doubles(double x[], size_t count)
+{
+    transport_move(x, remote_bytes(count, sizeof *x));
+}
+
+void remote_sizes(size_t x[], size_t count)
+{
+    transport_move(x, remote_bytes(count, sizeof *x));
+}
+
+void remote_ints(int x[], size_t count)
+{
+    transport_move(x, remote_bytes(count, sizeof *x));
+}
+
+void remote_unsigneds(unsigned x[], size_t count)
+{
+    transport_move(x, remote_bytes(count, sizeof *x));
+}
+
+/* Sends or receives truth values. A byte other than 0 and 1 in a bool may
+   be true in one place and false in the next, so it crosses as an int. Any
+   eight bytes are some double. */
+void remote_bools(bool x[], size_t count)
+{
+    for (size_t i = 0; i < count; ++i) {
+        int truth = transport_sending && x[i];
+        transport_move(&truth, sizeof truth);
+        if (!transport_sending)
+            x[i] = truth != 0;
+    }
+}
+
+unsigned long remote_blocks;
+
+void *remote_memory(size_t bytes)
+{
+    void *memory = malloc(bytes);
+    ++remote_blocks;
+    if (!memory && bytes > 0)
+        transport_lost();
+    return memory;
+}
+
+void *remote_array(size_t count, size_t size)
+{
+    return remote_memory(remote_bytes(count, size));
+}

@@ -1,5 +1,0 @@
-/* Project P2: nothing crosses but its arguments, its file and its table,
-   see examiner/run.h; and it is given nothing. */
-/* place: none */
-
-#include "examiner/run.h"

@@ -1,6 +1,4 @@
-/* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 1018704910 of the lines below */
-/* Puts bodies on circles and ellipses about each other. */
+/* Builds scenes of bodies on circles and ellipses about each other. */
 #include "forces/celestial.h"
 
 #include "forces/kepler.h"
@@ -12,7 +10,7 @@
 
 static const char no_memory[] = "no memory";
 
-/* A body, at x with velocity v in the plane z = 0. */
+/* Puts body i at (x, y, 0), with a velocity in the same plane. */
 static void put(struct scene *s, size_t i, double mass, double x, double y,
                 double vx, double vy)
 {
@@ -24,7 +22,7 @@ static void put(struct scene *s, size_t i, double mass, double x, double y,
     s->velocity[n + i] = vy;
 }
 
-/* Takes the mean, weighted with the masses, from n values. */
+/* Subtracts from n values their mean, weighted with the masses. */
 static void balance(double value[], const double mass[], size_t n)
 {
     double sum = 0, all = 0;
@@ -36,7 +34,8 @@ static void balance(double value[], const double mass[], size_t n)
         value[i] -= sum / all;
 }
 
-/* Takes the centre of mass to the origin, and to rest. */
+/* Moves the centre of mass to the origin, and stops it. Most scenes are
+   described about a central body that rests there, although it moves. */
 static void centre(struct scene *s)
 {
     for (size_t k = 0; k < 3; ++k) {
@@ -45,7 +44,7 @@ static void centre(struct scene *s)
     }
 }
 
-/* For drawing: radius and colour. */
+/* Gives body i a radius and a colour, which are for drawing only. */
 static void paint(struct scene *s, size_t i, double radius, double red,
                   double green, double blue)
 {
@@ -55,6 +54,8 @@ static void paint(struct scene *s, size_t i, double radius, double red,
     s->colour[2 * s->bodies + i] = blue;
 }
 
+/* Builds the first listing of the MPPhys paper, so that our runs can be
+   compared with its figures: the paper's k, and the Sun at rest. */
 static const char *build_sun_earth(struct scene *s, const double value[])
 {
     const double mass = value[0], speed = value[1];
@@ -72,8 +73,9 @@ static const char *build_sun_earth(struct scene *s, const double value[])
     return NULL;
 }
 
-/* A planet: the Sun's mass in units of its own; the elements in AU and
-   degrees: longitude (mean) and perihelion from the equinox on. */
+/* A planet: the Sun's mass in units of its own, and its elements in AU and
+   degrees. Mean longitude and longitude of the perihelion count from the
+   equinox. */
 struct planet {
     double sun, axis, eccentricity, inclination, longitude, perihelion,
         node;
@@ -99,8 +101,11 @@ static const struct planet planets[] = {
      170.95427630, 74.01692503},
     {19412.26, 30.06992276, 0.00859048, 1.77004347, -55.12002969,
      44.96476227, 131.78422574}};
-/* Puts planet number i (1 for Mercury) of this mass where it belongs, the
-   Sun in the origin. */
+
+/* Puts planet number i (1 is Mercury), with this mass, where it was on
+   1 January 2000, as seen from the Sun in the origin. The anomalies of the
+   elements count from the node and the perihelion, the longitudes of the
+   table from the equinox; hence the differences. */
 static void put_planet(struct scene *s, size_t i, double mass)
 {
     const struct planet *p = &planets[i - 1];
@@ -138,16 +143,19 @@ static const char *build_solar_system(struct scene *s, const double value[])
     return NULL;
 }
 
-/* Kepler-16 (Doyle et al. 2011): the masses of the stars, the
-   Sun's being 1, and the stars' distance, AU. */
-static const double star_a = 0.6897, star_b = 0.2026, apart = 0.2243;
+/* Kepler-16 (Doyle et al. 2011): the masses of the stars in units of the
+   Sun's, and their distance, AU. */
+static const double star_a = 0.6897, star_b = 0.2026, separation = 0.2243;
 
+/* Builds two stars and a planet on a circle about both. Stars on an
+   eccentric orbit begin where they are farthest from each other, and
+   slowest. */
 static const char *build_circumbinary(struct scene *s, const double value[])
 {
     const double r = value[0], e = value[1], mass = value[3];
     const double stars = star_a + star_b, k = CELESTIAL_K;
-    const double far = apart * (1 + e);
-    const double u = k * sqrt(stars / apart * (1 - e) / (1 + e));
+    const double far = separation * (1 + e);
+    const double u = k * sqrt(stars / separation * (1 - e) / (1 + e));
     const double v = k * sqrt(stars / r);
     double c, sine;
     if (!scene_create(s, 3))
@@ -174,6 +182,8 @@ double celestial_choreography(size_t count)
     return sum / sqrt(2);
 }
 
+/* Builds equal bodies on a circle; the key kick displaces the first of
+   them, for a run that is to leave the circle sooner. */
 static const char *build_choreography(struct scene *s, const double value[])
 {
     const size_t count = (size_t)value[0];
@@ -193,7 +203,8 @@ static const char *build_choreography(struct scene *s, const double value[])
     return NULL;
 }
 
-/* The sum of (1 - cos(m phi)) / |1 - e^(i phi)|^3 over the others. */
+/* Returns P_m, the sum of (1 - cos(m phi)) / |1 - e^(i phi)|^3 over the
+   other bodies at the angles phi: (9.12, eq:choreography-modes). */
 static double stiffness(size_t count, size_t m)
 {
     double sum = 0, c, s, cm, sm;
@@ -206,8 +217,10 @@ static double stiffness(size_t count, size_t m)
     return sum;
 }
 
-/* The largest imaginary part of a root of w^4 + c[2] w^2 + c[1] w + c[0],
-   all four at once (Weierstrass). */
+/* Returns the largest imaginary part of a root of the quartic w^4 + c[2]
+   w^2
+   + c[1] w + c[0]. All four roots are found at once, each as though the
+   others were known (Weierstrass's method). */
 static double largest_imaginary(const double c[3])
 {
     const double complex begin = 0.4 + 0.9 * I;
@@ -240,6 +253,8 @@ double celestial_growth(size_t count)
     return most;
 }
 
+/* The initial values solve the equations of the figure of eight to thirty
+   digits. */
 static const char *build_figure_eight(struct scene *s, const double value[])
 {
     const double x = 0.970004356697333439943496928324;
@@ -258,6 +273,9 @@ static const char *build_figure_eight(struct scene *s, const double value[])
     return NULL;
 }
 
+/* Builds Burrau's problem: masses of 3, 4 and 5 kg at rest, with G = 1,
+   each opposite to the side of that length, the centre of mass in the
+   origin. */
 static const char *build_pythagorean(struct scene *s, const double value[])
 {
     if (!scene_create(s, 3))
@@ -272,8 +290,8 @@ static const char *build_pythagorean(struct scene *s, const double value[])
     return NULL;
 }
 
-/* The difference K - E of the complete elliptic integrals of the modulus
-   q, 0 <= q <= 1, by the arithmetic-geometric mean. */
+/* Returns the difference K - E of the complete elliptic integrals of the
+   modulus q, 0 <= q <= 1, by the arithmetic-geometric mean. */
 static double elliptic_difference(double q)
 {
     double a = 1, b = sqrt((1 - q) * (1 + q)), c = q;
@@ -291,8 +309,8 @@ static double elliptic_difference(double q)
     return KEPLER_PI / (2 * a) * sum;
 }
 
-/* The inward pull at r of a disk of radius a with mass 1 on each square
-   unit. */
+/* Returns the inward pull at r of a disk of radius a with the mass 1 on
+   each unit of area: (9.13, eq:disk-field). */
 static double disk_pull(double a, double r)
 {
     if (r == 0)
@@ -308,15 +326,16 @@ double celestial_ring_pull(double mass, double inner, double outer,
     return mass / area * (disk_pull(outer, r) - disk_pull(inner, r));
 }
 
-/* What the keys of the ring say. */
+/* The parameters of the scene `ring`. */
 struct ring {
     size_t particles;
     double mass, inner, outer, softening, moon, moon_distance;
-    bool own; /* the speeds count the pull of the ring */
+    bool own; /* the speeds allow for the pull of the ring itself */
     int decades;
 };
 
-/* The speed of a circle of radius r round the planet and its ring. */
+/* Returns the speed on a circle of radius r round the planet and its ring;
+   NaN where the ring pulls outwards harder than the planet inwards. */
 static double ring_speed(const struct ring *g, double r)
 {
     const double s = r * r + g->softening * g->softening;
@@ -327,7 +346,8 @@ static double ring_speed(const struct ring *g, double r)
     return sqrt(CELESTIAL_K2 * r * pull);
 }
 
-/* Puts body i at a random place of the ring, each area equally likely. */
+/* Puts body i at a random place of the ring. Each area is equally likely,
+   so that r^2 is uniform between the edges. */
 static void put_random(struct scene *s, size_t i, const struct ring *g,
                        struct random *random)
 {
@@ -340,8 +360,8 @@ static void put_random(struct scene *s, size_t i, const struct ring *g,
     paint(s, i, 0.005, 0.6, 0.6, 0.6);
 }
 
-/* Draws the masses of the ring, each size equally likely on a scale of
-   logarithms, the sum being what it was. */
+/* Draws masses that are spread evenly on a logarithmic scale, and keeps
+   their sum. */
 static void mix_masses(struct scene *s, const struct ring *g,
                        struct random *random)
 {
@@ -354,6 +374,8 @@ static void mix_masses(struct scene *s, const struct ring *g,
         s->mass[i] *= g->mass * (double)g->particles / sum;
 }
 
+/* Builds a planet (body 0), its ring, and a moon (the last body) if it has
+   a mass. A ring so heavy that nothing can go round is refused. */
 static const char *build_ring(struct scene *s, const double value[])
 {
     const struct ring g = {(size_t)value[0], value[1] * value[2],

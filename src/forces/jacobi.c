@@ -1,6 +1,6 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 2598069161 of the lines below */
-/* Moves bodies along ellipses in Jacobi's coordinates. */
+/* checksum 1745831034 of the lines below */
+/* Moves bodies along ellipses in Jacobi's coordinates, and kicks them. */
 #include "forces/jacobi.h"
 
 #include "forces/kepler.h"
@@ -8,31 +8,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-
-bool jacobi_create(struct jacobi *j, size_t bodies, const double mass[],
-                   double k2)
-{
-    double *const room = room_doubles(8 * bodies);
-    double sum = 0;
-    if (!room)
-        return false;
-    *j = (struct jacobi){.bodies = bodies, .k2 = k2, .mass = mass};
-    j->share = room;
-    j->mu = room + bodies;
-    j->work = room + 2 * bodies;
-    for (size_t i = 0; i < bodies; ++i) {
-        sum += mass[i];
-        j->share[i] = mass[i] / sum;
-        j->mu[i] = k2 * sum;
-    }
-    return true;
-}
-
-void jacobi_free(struct jacobi *j)
-{
-    free(j->share);
-    *j = (struct jacobi){0};
-}
 
 /* (9.9, eq:jacobi) */
 void jacobi_enter(const struct jacobi *j, const double x[], double q[])
@@ -129,75 +104,32 @@ static void accelerate(void *what, const double x[], const double v[],
             add_pair(j, i, k, x, a);
 }
 
+bool jacobi_create(struct jacobi *j, size_t bodies, const double mass[],
+                   double k2)
+{
+    double *const room = room_doubles(8 * bodies);
+    double sum = 0;
+    if (!room)
+        return false;
+    *j = (struct jacobi){.bodies = bodies, .k2 = k2, .mass = mass};
+    j->share = room;
+    j->mu = room + bodies;
+    j->work = room + 2 * bodies;
+    for (size_t i = 0; i < bodies; ++i) {
+        sum += mass[i];
+        j->share[i] = mass[i] / sum;
+        j->mu[i] = k2 * sum;
+    }
+    return true;
+}
+
+void jacobi_free(struct jacobi *j)
+{
+    free(j->share);
+    *j = (struct jacobi){0};
+}
+
 struct stepping_forces jacobi_forces(struct jacobi *j)
 {
     return (struct stepping_forces){3 * j->bodies, false, accelerate, j};
-}
-
-/* Are some bodies held along this axis, but not all, or not in a plane? */
-static bool is_held(const struct scene *s, size_t axis)
-{
-    const size_t n = s->bodies, from = axis * n;
-    size_t held = 0, flat = 0;
-    for (size_t i = 0; i < n; ++i) {
-        held += !s->freedom[from + i];
-        flat += s->position[from + i] == s->position[from];
-    }
-    return held > 0 && (held < n || flat < n);
-}
-
-static const char *find_more(const struct scene *s)
-{
-    if (s->contact)
-        return "the scene has bodies that collide";
-    if (s->springs > 0)
-        return "the scene has springs";
-    if (s->damping > 0)
-        return "the scene has friction";
-    if (s->gravity[0] != 0 || s->gravity[1] != 0 || s->gravity[2] != 0)
-        return "the scene has a weight";
-    if (s->softening != 0)
-        return "the scene's gravity is softened";
-    if (is_held(s, 0) || is_held(s, 1) || is_held(s, 2))
-        return "the scene has bodies that are held";
-    return NULL;
-}
-
-/* Does body i go along an ellipse about the others before it, whose centre
-   of mass is at x, moves at v and weighs mass? It is added to them. */
-static bool is_bound(const struct scene *s, size_t i, double x[3],
-                     double v[3], double *mass)
-{
-    double q[3], w[3], axis, eccentricity;
-    *mass += s->mass[i];
-    for (size_t k = 0; k < 3; ++k) {
-        q[k] = s->position[k * s->bodies + i] - x[k];
-        w[k] = s->velocity[k * s->bodies + i] - v[k];
-        x[k] += s->mass[i] / *mass * q[k];
-        v[k] += s->mass[i] / *mass * w[k];
-    }
-    kepler_shape(s->k2 * *mass, q, w, &axis, &eccentricity);
-    return axis > 0 && axis < INFINITY;
-}
-
-const char *jacobi_refuses(const struct scene *s)
-{
-    double x[3], v[3], mass = s->mass[0];
-    if (s->bodies < 2 || !(s->k2 > 0) || !(mass > 0))
-        return "no two bodies of the scene attract each other";
-    const char *const more = find_more(s);
-    if (more)
-        return more;
-    for (size_t k = 0; k < 3; ++k) {
-        x[k] = s->position[k * s->bodies];
-        v[k] = s->velocity[k * s->bodies];
-    }
-    for (size_t i = 1; i < s->bodies; ++i) {
-        if (s->mass[i] > s->mass[0])
-            return "the first body of the scene is not the heaviest";
-        if (!is_bound(s, i, x, v, &mass))
-            return "a body of the scene is on no ellipse about those "
-                   "before it";
-    }
-    return NULL;
 }

@@ -1,9 +1,40 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 3343993697 of the lines below */
+/* checksum 402010236 of the lines below */
 /* Solves Kepler's equation and moves a body along its ellipse. */
 #include "forces/kepler.h"
 
 #include <math.h>
+
+static double dot(const double a[], const double b[])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+void kepler_shape(double mu, const double x[], const double v[],
+                  double *axis, double *eccentricity)
+{
+    const double r = sqrt(dot(x, x)), along = dot(x, v);
+    const double inverse = 2 / r - dot(v, v) / mu;
+    const double cosine = 1 - r * inverse;             /* e cos E */
+    const double sine2 = along * along / mu * inverse; /* (e sin E)^2 */
+    *axis = 1 / inverse;
+    *eccentricity = sqrt(fmax(cosine * cosine + sine2, 0));
+}
+
+double kepler_anomaly(double eccentricity, double mean_anomaly)
+{
+    const double e = eccentricity, pi = KEPLER_PI;
+    const double turns = floor(mean_anomaly / (2 * pi) + 0.5);
+    const double m = mean_anomaly - turns * 2 * pi, size = fabs(m);
+    double next = fmin(fmin(size + e, size / (1 - e)), pi), anomaly;
+    do {
+        double c, s;
+        anomaly = next;
+        kepler_turn(anomaly, &c, &s);
+        next = anomaly - (anomaly - e * s - size) / (1 - e * c);
+    } while (next < anomaly);
+    return copysign(anomaly, m) + turns * 2 * pi;
+}
 
 /* sin(x) / x and cos(x) for |x| <= pi / 4, from s = x^2. */
 static double sine_series(double s)
@@ -37,22 +68,10 @@ void kepler_turn(double angle, double *cosine, double *sine)
     *sine = quarter == 0 ? s : quarter == 1 ? c : quarter == 2 ? -s : -c;
 }
 
-double kepler_anomaly(double eccentricity, double mean_anomaly)
-{
-    const double e = eccentricity, pi = KEPLER_PI;
-    const double turns = floor(mean_anomaly / (2 * pi) + 0.5);
-    const double m = mean_anomaly - turns * 2 * pi, size = fabs(m);
-    double next = fmin(fmin(size + e, size / (1 - e)), pi), anomaly;
-    do {
-        double c, s;
-        anomaly = next;
-        kepler_turn(anomaly, &c, &s);
-        next = anomaly - (anomaly - e * s - size) / (1 - e * c);
-    } while (next < anomaly);
-    return copysign(anomaly, m) + turns * 2 * pi;
-}
-
-/* Turns the plane of the axes from and to by an angle. */
+/* Turns the plane of the axes from and to by an angle. The minus sign is
+   put into a number of its own: gcc 12 with -march=native makes one of the
+   two lines a fused multiply-add otherwise, although -ffp-contract=off
+   forbids it, and the bits of the scenes would depend on the build. */
 static void turn(double x[], int from, int to, double angle)
 {
     double c, s;
@@ -80,32 +99,16 @@ void kepler_place(double mu, const struct kepler_elements *o, double x[],
     }
 }
 
-static double dot(const double a[], const double b[])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-void kepler_shape(double mu, const double x[], const double v[],
-                  double *axis, double *eccentricity)
-{
-    const double r = sqrt(dot(x, x)), along = dot(x, v);
-    const double inverse = 2 / r - dot(v, v) / mu;
-    const double cosine = 1 - r * inverse;             /* e cos E */
-    const double sine2 = along * along / mu * inverse; /* (e sin E)^2 */
-    *axis = 1 / inverse;
-    *eccentricity = sqrt(fmax(cosine * cosine + sine2, 0));
-}
-
-/* Two terms of the series for the change of the eccentric anomaly while the
-   mean one changes by m; p and q are e cos E and e sin E at the beginning.
-   The third term is left out: the guess is wrong by the order of m^3. */
+/* Returns two terms of the series for the change of the eccentric anomaly
+   while the mean one changes by m; p and q are e cos E and e sin E at the
+   beginning. The guess is wrong by the order of m^3. */
 static double first_guess(double p, double q, double m)
 {
     const double g = m / (1 - p);
     return g - q / (1 - p) * g * g / 2;
 }
 
-/* That change: its cosine, its sine. */
+/* Finds that change, and returns its cosine and its sine. */
 static void change(double p, double q, double m, double *cosine,
                    double *sine)
 {

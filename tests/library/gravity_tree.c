@@ -1,9 +1,10 @@
 /* The tree: its error against the direct sum is never more than the bound
-   of (eq:tree-bound), added up over the cells that a body takes; theta
-   rules it; what weighs nothing, sits in one place or has blown up. */
+   of (9.15, eq:tree-bound), added up over the cells that a body takes;
+   theta rules it; what weighs nothing, sits in one place or has blown up.
+ */
 #include "unit.h"
 
-#include <forces/gravity.c> /* of src: what the tree is made of */
+#include <forces/tree.c> /* of src: what the tree is made of */
 
 #include "toolbox/random.h"
 
@@ -79,7 +80,7 @@ static double of_cell(const struct gravity *g, const struct cell *c,
    walk. */
 static double of_body(const struct gravity *g, size_t j)
 {
-    const struct gravity_tree *t = g->tree;
+    const struct tree *t = g->tree;
     const size_t n = g->bodies, i = j - j % BLOCK;
     const struct block o =
         block_of(g, t->place, i, n - i < BLOCK ? n : i + BLOCK);
@@ -278,7 +279,7 @@ static size_t count_cells(size_t n)
 {
     struct gravity g;
     UNIT_TRUE(gravity_create(&g, n, mass, 1, 0) && gravity_plant(&g, 0.5));
-    plant(g.tree, place);
+    tree_plant(g.tree, place);
     const size_t cells = g.tree->cells;
     for (size_t i = 0; i < cells; ++i)
         UNIT_TRUE(g.tree->cell[i].next > i &&

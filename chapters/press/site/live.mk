@@ -29,7 +29,7 @@ wasm_sources := src/page/table.c $(wasm_tools) $(filter-out %/laws.c %/states.c 
 	%/reference.c %/opencl.c,$(wildcard $(patsubst %,src/%/*.c,line box scenes forces)))
 wasm_objects := $(wasm_sources:src/%.c=build/wasm/%.o)
 # Where time is not spent, small: the bits are the same.
-$(filter-out %/gravity.o %/springs.o %/spheres.o,$(filter build/wasm/scenes/% \
+$(filter-out %/gravity.o %/tree.o %/springs.o %/spheres.o,$(filter build/wasm/scenes/% \
 	build/wasm/forces/%,$(wasm_objects))): small = -Os
 build/wasm/%.o: src/%.c chapters/press/site/live.mk | has-wasm
 	@mkdir -p $(@D)

@@ -1,0 +1,27 @@
+/* A tree of cells by which gravity takes distant bodies for one mass. */
+#ifndef TREE_H
+#define TREE_H
+
+#include "forces/gravity.h"
+
+#include <stddef.h>
+
+/* Returns a tree for so many bodies, which opens a cell unless its width is
+   less than theta times its distance; the pointer mass is kept. Returns
+   NULL without memory. */
+struct tree *tree_create(size_t bodies, const double mass[], double theta);
+
+/* Frees a tree, which may be NULL. */
+void tree_free(struct tree *t);
+
+/* Sorts the bodies at x[], 3 * bodies numbers axis by axis, into cells. The
+   tree depends on x alone, and not on where the bodies were before. */
+void tree_plant(struct tree *t, const double x[]);
+
+/* Adds to a[] what all bodies pull at the block of bodies that begins with
+   number i in the order of the tree g->tree, which tree_plant has made at
+   x. The error is at most (9.15, eq:tree-bound). */
+void tree_add(const struct gravity *g, const double x[], double a[],
+              size_t i);
+
+#endif

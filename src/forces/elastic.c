@@ -1,5 +1,3 @@
-/* From chapters/works/10-springs.nw: edit there, then run make tangle. */
-/* checksum 150629496 of the lines below */
 /* Lays out bodies in pairs, chains and grids, and joins them by springs. */
 #include "forces/elastic.h"
 
@@ -7,7 +5,8 @@
 
 static const char no_memory[] = "there is no memory";
 
-/* The sine of x, |x| <= pi, by its series: the same bits everywhere. */
+/* Returns the sine of x, |x| <= pi, by its series: the same bits on all
+   machines, which libm's sine has not. */
 static double sine(double x)
 {
     double term = x, sum = 0;
@@ -18,13 +17,17 @@ static double sine(double x)
     return sum + term;
 }
 
+/* Without cancellation for small angles. */
 static double cosine(double x)
 {
     const double half = sine(x / 2);
     return 1 - 2 * half * half;
 }
 
-/* sin(pi i r / n), exactly 0 at multiples of n, by symmetry. */
+/* Returns sin(pi i r / n). Half waves repeat themselves after 2n, change
+   their sign after n and are mirrored at n/2; so the angle is reduced to
+   the first quarter of a wave, and a symmetric membrane begins exactly
+   symmetric, with 0 at multiples of n. */
 static double sine_of_wave(size_t i, size_t r, size_t n)
 {
     const double pi = 3.141592653589793;
@@ -37,6 +40,9 @@ static double sine_of_wave(size_t i, size_t r, size_t n)
 
 enum { O_MASS, O_STIFFNESS, O_DAMPING, O_PLACE, O_VELOCITY, O_LENGTH };
 
+/* Two bodies, one held, the other free along x. The spring gets its rest
+   length from the bodies before the displacement, which is limited: beyond
+   the held body the force would point the other way. */
 static const char *oscillator(struct scene *s, const double value[])
 {
     const double length = value[O_LENGTH];
@@ -82,6 +88,8 @@ static void hang(struct scene *s, size_t i, double mass, double x, double z)
     s->freedom[s->bodies + i] = 0;
 }
 
+/* In the plane of x and z. The rest lengths are given and not measured, so
+   that they are the length to the last bit. */
 static const char *double_pendulum(struct scene *s, const double value[])
 {
     const double l = value[P_LENGTH];
@@ -104,7 +112,8 @@ static const char *double_pendulum(struct scene *s, const double value[])
     return no_memory;
 }
 
-/* Gives each body of a grid in the plane its place and its mass. */
+/* Puts the bodies of a grid into the plane, row by row: so the springs of
+   one direction have one stride, and become a band (springs.c). */
 static void lay_out(struct scene *s, size_t nx, size_t ny, double x0,
                     double y0, double dx, double dy)
 {
@@ -115,8 +124,9 @@ static void lay_out(struct scene *s, size_t nx, size_t ny, double x0,
         }
 }
 
-/* Joins each body to its neighbour (right, up) in the grid where there is
-   one, by a spring of this rest length. right may be -1. */
+/* Joins each body to its neighbour so many places to the right and up in
+   the grid, where there is one, by a spring of this rest length. right may
+   be -1. */
 static bool join(struct scene *s, size_t nx, size_t ny, int right, int up,
                  double rest)
 {
@@ -131,7 +141,7 @@ static bool join(struct scene *s, size_t nx, size_t ny, int right, int up,
     return true;
 }
 
-/* Holds the rim and lets all else go: where it may, and displaced. */
+/* Holds the rim, and displaces all other bodies along z. */
 static void excite(struct scene *s, const struct elastic_membrane *m)
 {
     for (size_t y = 0; y < m->ny; ++y)
@@ -148,6 +158,8 @@ static void excite(struct scene *s, const struct elastic_membrane *m)
         }
 }
 
+/* The grid is as wide as that of MPPhys's paper, from -1 to 1 m, and square
+   cells decide its other side. */
 const char *elastic_membrane(struct scene *s,
                              const struct elastic_membrane *m)
 {
@@ -216,6 +228,8 @@ static bool truss(struct scene *s, size_t nx, size_t ny, double dx,
            (diagonals < 2 || join(s, nx, ny, -1, 1, slant));
 }
 
+/* In the plane of x and y as in the paper's figure, with gravity down the
+   page. */
 static const char *cantilever(struct scene *s, const double value[])
 {
     const size_t nx = (size_t)value[C_NX], ny = (size_t)value[C_NY];

@@ -1,5 +1,3 @@
-/* From chapters/works/10-springs.nw: edit there, then run make tangle. */
-/* checksum 2344492152 of the lines below */
 /* Scenes of springs: oscillator, double pendulum, membrane, beam. */
 #ifndef ELASTIC_H
 #define ELASTIC_H

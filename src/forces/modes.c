@@ -1,6 +1,6 @@
 /* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 3734555104 of the lines below */
-/* Turns the stiffness of all springs by Jacobi's rotations. */
+/* checksum 3872733209 of the lines below */
+/* Finds modes: turns the stiffness of all springs by Jacobi's rotations. */
 #include "forces/modes.h"
 
 #include "forces/largest.h"
@@ -21,7 +21,7 @@ static bool make_room(struct modes *m, const struct springs *p)
 {
     *m = (struct modes){0};
     for (size_t i = 0; i < 3 * p->bodies; ++i)
-        m->size += p->weight[i] > 0;
+        m->size += p->inverse[i] > 0;
     m->coordinate = malloc((m->size + 1) * sizeof *m->coordinate);
     m->square = malloc((m->size + 1) * sizeof *m->square);
     m->shape = calloc(m->size * m->size + 1, sizeof *m->shape);
@@ -29,14 +29,15 @@ static bool make_room(struct modes *m, const struct springs *p)
     if (!m->coordinate || !m->square || !m->shape || !m->weight)
         return false;
     for (size_t i = 0, at = 0; i < 3 * p->bodies; ++i)
-        if (p->weight[i] > 0) {
-            m->weight[at] = p->weight[i];
+        if (p->inverse[i] > 0) {
+            m->weight[at] = p->inverse[i];
             m->coordinate[at++] = i;
         }
     return true;
 }
 
-/* The second derivatives of a spring's energy by its length vector. */
+/* Finds the second derivatives of a spring's energy by its length vector,
+   (10.10, eq:spring-stiffness). */
 static void stiffness_of(const struct springs *p,
                          const struct scene_spring *s, const double x[],
                          double k[3][3])
@@ -58,7 +59,7 @@ static void stiffness_of(const struct springs *p,
 }
 
 /* Adds one spring to the matrix; place[c] - 1 is the row of coordinate c,
-   place[c] 0 for one that is not free. */
+   place[c] is 0 for one that is not free. */
 static void add_spring(const struct springs *p,
                        const struct scene_spring *s, const double x[],
                        const size_t place[], size_t size, double matrix[])
@@ -72,12 +73,13 @@ static void add_spring(const struct springs *p,
         const size_t column = b * p->bodies + end[f];
         if (place[row] == 0 || place[column] == 0)
             continue;
-        const double scale = sqrt(p->weight[row] * p->weight[column]);
+        const double scale = sqrt(p->inverse[row] * p->inverse[column]);
         matrix[(place[row] - 1) * size + place[column] - 1] +=
             (e == f ? 1 : -1) * scale * k[a][b];
     }
 }
 
+/* Fills in the matrix, which is 0. Returns false without memory. */
 static bool assemble(const struct modes *m, const struct springs *p,
                      const double x[], double matrix[])
 {

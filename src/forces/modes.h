@@ -1,5 +1,3 @@
-/* From chapters/works/10-springs.nw: edit there, then run make tangle. */
-/* checksum 3282731432 of the lines below */
 /* Frequencies and shapes of the small oscillations of a scene. */
 #ifndef MODES_H
 #define MODES_H

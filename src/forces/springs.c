@@ -1,5 +1,3 @@
-/* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 1927206365 of the lines below */
 /* Sums forces spring by spring, or in bands where they form a grid. */
 #include "forces/springs.h"
 
@@ -12,20 +10,25 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The stretched length over which a force is divided: never zero. */
+/* Returns the length over which a force is divided. Two bodies in one place
+   have no direction between them: DBL_MIN, the smallest normal number,
+   keeps the quotient finite there, so that the force is 0, and leaves any
+   length beyond 1e-145 m as it is. */
 static inline double stretched(double dx, double dy, double dz)
 {
     return sqrt(dx * dx + dy * dy + dz * dz + DBL_MIN);
 }
 
-/* What draws body a towards body b, per metre of the way between them. */
+/* Returns what draws body a towards body b, per metre of the way between
+   them, N/m: times the vector from a to b it is the force. */
 static inline double tension(double stiffness, double length, double rest)
 {
     return stiffness * (length - rest) / length;
 }
 
-/* The same with a dashpot along the axis; rate is the scalar product of
-   the way from a to b and its rate of change, m^2/s. */
+/* The same with a dashpot along the axis, (10.3, eq:axial-dashpot); rate is
+   the scalar product of the vector from a to b and its rate of change,
+   m^2/s. */
 static inline double axial_tension(double stiffness, double damping,
                                    double length, double rest, double rate)
 {
@@ -33,7 +36,7 @@ static inline double axial_tension(double stiffness, double damping,
     return (pull + damping * (rate / length)) / length;
 }
 
-/* The force f of spring s on its body a. */
+/* Finds the force f of spring s on its body a, (10.1, eq:spring-force). */
 static void pull(const struct springs *p, const struct scene_spring *s,
                  const double x[], const double v[], double f[3])
 {
@@ -54,7 +57,8 @@ static void pull(const struct springs *p, const struct scene_spring *s,
     f[0] = q * dx + c * ux, f[1] = q * dy + c * uy, f[2] = q * dz + c * uz;
 }
 
-/* Sums the forces of the first count springs into p->force. */
+/* Sums the forces of the first count springs into p->force, one after the
+   other. */
 static void scatter(struct springs *p, size_t count, const double x[],
                     const double v[])
 {
@@ -70,7 +74,8 @@ static void scatter(struct springs *p, size_t count, const double x[],
     }
 }
 
-/* Turns a spring so that a < b: the force changes its sign twice. */
+/* Turns a spring so that a < b. The force on a changes its sign twice, with
+   the order of the ends and with the direction of the way, and so stays. */
 static struct scene_spring forwards(struct scene_spring s)
 {
     const uint32_t a = s.a;
@@ -86,8 +91,9 @@ static int sign(double x, double y)
     return (x > y) - (x < y);
 }
 
-/* Order: by stride, by kind, by body; by rest length if all that is equal.
- */
+/* Orders springs by stride, by kind, by the lower body, and by rest length
+   if all that is equal. The order decides the order of all sums, in scatter
+   as in the bands, so none may be left undecided but of equal springs. */
 static int before(const void *one, const void *other)
 {
     const struct scene_spring *s = one, *t = other;
@@ -101,7 +107,8 @@ static int before(const void *one, const void *other)
     return sign(s->rest, t->rest);
 }
 
-/* The scene's springs, turned and in order; NULL without memory. */
+/* Returns a copy of the scene's springs, turned and in order; NULL without
+   memory. */
 static struct scene_spring *in_order(const struct scene *s)
 {
     struct scene_spring *all = malloc((s->springs + 1) * sizeof *all);
@@ -124,8 +131,9 @@ static size_t alike(const struct scene_spring s[], size_t from,
     return end;
 }
 
-/* Are n springs that are alike enough for a band: many, dense, no two of
-   them between the same bodies? */
+/* Are these n springs, alike in stride and kind, worth a band: are they
+   many and dense, and are no two of them between the same bodies? Equal
+   lower bodies are neighbours in the list. */
 static bool regular(const struct scene_spring s[], size_t n)
 {
     if (n < SPRINGS_BAND || 2 * n < s[n - 1].a - s[0].a + (size_t)1)
@@ -136,6 +144,7 @@ static bool regular(const struct scene_spring s[], size_t n)
     return true;
 }
 
+/* A hole in the band gets a negative rest length, which no spring has. */
 static bool make_band(struct springs *p, const struct scene_spring s[],
                       size_t n)
 {
@@ -158,8 +167,8 @@ static bool make_band(struct springs *p, const struct scene_spring s[],
     return true;
 }
 
-/* Fills p->spring from all, which is in order: first what lies in no band.
-   Makes the bands. */
+/* Fills p->spring from all, which is in order: first with the springs that
+   lie in no band, then with the others. Makes the bands. */
 static bool sort_out(struct springs *p, const struct scene_spring all[])
 {
     size_t bands = 0, at = 0, end;
@@ -183,8 +192,10 @@ static bool sort_out(struct springs *p, const struct scene_spring all[])
     return true;
 }
 
-/* 1/m of the bodies, and gravity, where they are free. */
-static void weigh(struct springs *p, const struct scene *s)
+/* Fills in inverse and gravity, which springs.h tells of, and says whether
+   there is anything to fall or to be slowed down (quiet), and whether
+   inverse masses are the same along all axes (even). */
+static void read_masses(struct springs *p, const struct scene *s)
 {
     p->quiet = p->friction == 0;
     p->even = true;
@@ -192,10 +203,10 @@ static void weigh(struct springs *p, const struct scene *s)
         for (size_t i = 0; i < p->bodies; ++i) {
             const size_t at = k * p->bodies + i;
             const bool pulled = s->freedom[at] && s->mass[i] > 0;
-            p->weight[at] = pulled ? 1 / s->mass[i] : 0;
-            p->fall[at] = s->freedom[at] ? s->gravity[k] : 0;
-            p->quiet = p->quiet && p->fall[at] == 0;
-            p->even = p->even && p->weight[at] == p->weight[i];
+            p->inverse[at] = pulled ? 1 / s->mass[i] : 0;
+            p->gravity[at] = s->freedom[at] ? s->gravity[k] : 0;
+            p->quiet = p->quiet && p->gravity[at] == 0;
+            p->even = p->even && p->inverse[at] == p->inverse[i];
         }
 }
 
@@ -208,15 +219,15 @@ bool springs_create(struct springs *p, const struct scene *s)
                           .axial = s->axial};
     p->spring = malloc((p->count + 1) * sizeof *p->spring);
     p->kind = malloc((s->kinds + 1) * sizeof *p->kind);
-    p->weight = room_doubles(3 * p->bodies);
-    p->fall = room_doubles(3 * p->bodies);
+    p->inverse = room_doubles(3 * p->bodies);
+    p->gravity = room_doubles(3 * p->bodies);
     p->force = room_doubles(3 * p->bodies);
     bool made =
-        all && p->spring && p->kind && p->weight && p->fall && p->force;
+        all && p->spring && p->kind && p->inverse && p->gravity && p->force;
     if (made) {
         if (s->kinds)
             memcpy(p->kind, s->kind, s->kinds * sizeof *p->kind);
-        weigh(p, s);
+        read_masses(p, s);
         made = sort_out(p, all) && springs_threads(p, 1);
     }
     free(all);
@@ -232,29 +243,34 @@ void springs_free(struct springs *p)
     free(p->band);
     free(p->spring);
     free(p->kind);
-    free(p->weight);
-    free(p->fall);
+    free(p->inverse);
+    free(p->gravity);
     free(p->force);
-    free(p->room);
+    free(p->buffer);
     *p = (struct springs){0};
 }
 
 /* A stretch of a band: what its springs are, and how far apart the axes
-   lie, of places and velocities (bodies) and of forces (room). */
+   lie, of places and velocities (bodies) and of forces (row). */
 struct stretch {
     const double *rest;
-    size_t count, stride, bodies, room;
+    size_t count, stride, bodies, row;
     double stiffness, damping;
 };
 
-/* x and v begin with the lower bodies of the stretch. */
+/* The inner loop of the module: force f[i] of the spring whose lower body
+   is number i of the stretch, along three axes; x and v begin with that of
+   the first. All is read and written from left to right. To have no branch
+   a hole is not skipped but multiplied by `here`, which is 0 for a negative
+   rest length and else 1. The operations are those of pull, one by one, or
+   the bits would differ. */
 static inline void stretch(const struct stretch *t,
                            const double *restrict x,
                            const double *restrict v, double *restrict f,
                            bool damped, bool axial)
 {
     const size_t n = t->bodies, s = t->stride;
-    const size_t y = n, z = 2 * n, fy = t->room, fz = 2 * t->room;
+    const size_t y = n, z = 2 * n, fy = t->row, fz = 2 * t->row;
     for (size_t i = 0; i < t->count; ++i) {
         const double dx = x[i + s] - x[i], dy = x[y + i + s] - x[y + i],
                      dz = x[z + i + s] - x[z + i];
@@ -281,7 +297,8 @@ static inline void stretch(const struct stretch *t,
     }
 }
 
-/* The loop three times over, so that none of them asks what it is. */
+/* The loop compiled three times, with constants for its two questions, so
+   that none of them is asked within it. */
 VECTOR_LOOP static void stretch_plain(const struct stretch *t,
                                       const double *restrict x,
                                       const double *restrict v,
@@ -306,24 +323,26 @@ VECTOR_LOOP static void stretch_axial(const struct stretch *t,
     stretch(t, x, v, f, true, true);
 }
 
-/* Where a lies in the range from low to high. */
+/* Returns the number from low to high that is nearest to a. */
 static ptrdiff_t clamp(ptrdiff_t a, ptrdiff_t low, ptrdiff_t high)
 {
     return a < low ? low : a > high ? high : a;
 }
 
-/* The forces of the springs from body `from` on, count of them, into f,
-   axis by axis, room apart: 0 where the band has no spring. */
+/* Finds the forces of count springs, of which the first has the lower body
+   `from`, and writes them into f, axis by axis, `row` numbers from axis to
+   axis: 0 where the band has no spring. The range may begin before body 0:
+   the first block asks for the springs that reach into it. */
 static void band_forces(const struct springs *p,
                         const struct springs_band *b, const double x[],
                         const double v[], ptrdiff_t from, size_t count,
-                        double f[], size_t room)
+                        double f[], size_t row)
 {
     const ptrdiff_t end = from + (ptrdiff_t)count;
     const ptrdiff_t low = clamp((ptrdiff_t)b->first, from, end);
     const ptrdiff_t high = clamp((ptrdiff_t)b->end, low, end);
     for (size_t k = 0; k < 3; ++k) {
-        double *const axis = f + k * room;
+        double *const axis = f + k * row;
         for (ptrdiff_t i = from; i < low; ++i)
             axis[i - from] = 0;
         for (ptrdiff_t i = high; i < end; ++i)
@@ -334,7 +353,7 @@ static void band_forces(const struct springs *p,
     const size_t in = (size_t)low - b->first;
     const struct stretch t = {
         b->rest + in, (size_t)(high - low), b->stride, p->bodies,
-        room,         b->stiffness,         b->damping};
+        row,          b->stiffness,         b->damping};
     if (b->damping == 0)
         stretch_plain(&t, x + low, v + low, f + (low - from));
     else if (p->axial)
@@ -343,24 +362,29 @@ static void band_forces(const struct springs *p,
         stretch_damped(&t, x + low, v + low, f + (low - from));
 }
 
-/* Room of a band for one axis: the forces of the springs at a block's
-   bodies, and before them of those that reach into the block. */
-static size_t room_of(const struct springs_band *b)
+/* Returns the length of a row, which holds the forces of a band along one
+   axis: first those of the springs that reach into a block from below, then
+   those of the springs at the block's own bodies. So (10.11, eq:gather)
+   reads row[i] for the spring that ends at body i, and row[i + stride] for
+   its own. */
+static size_t row_size(const struct springs_band *b)
 {
     return b->stride + SPRINGS_BLOCK;
 }
 
-/* Room of a thread. */
-static size_t room_of_all(const struct springs *p)
+/* Returns how many numbers a thread needs for the rows of all bands, one
+   band after another, three rows each. */
+static size_t buffer_size(const struct springs *p)
 {
-    size_t room = 0;
+    size_t size = 0;
     for (size_t b = 0; b < p->bands; ++b)
-        room += 3 * room_of(&p->band[b]);
-    return room;
+        size += 3 * row_size(&p->band[b]);
+    return size;
 }
 
-/* For n bodies: minus the force f[i] of the spring from below, plus that of
-   the spring from here, f[i + s]; first of one band and then of another. */
+/* Adds up for n bodies, left to right: minus the force f[i] of the spring
+   from below, plus that of the spring from here, f[i + s]; first of one
+   band and then of another. (10.11, eq:gather) */
 VECTOR_LOOP static void sum_two(double *restrict sum,
                                 const double *restrict f, size_t s,
                                 const double *restrict g, size_t t,
@@ -370,6 +394,7 @@ VECTOR_LOOP static void sum_two(double *restrict sum,
         sum[i] = sum[i] - f[i] + f[i + s] - g[i] + g[i + t];
 }
 
+/* The same of one band. */
 VECTOR_LOOP static void sum_one(double *restrict sum,
                                 const double *restrict f, size_t s,
                                 size_t n)
@@ -378,9 +403,11 @@ VECTOR_LOOP static void sum_one(double *restrict sum,
         sum[i] = sum[i] - f[i] + f[i + s];
 }
 
-/* The forces in room on n bodies from body `from` on, along axis k. */
+/* Sums the forces in buffer on n bodies from body `from` on, along axis k:
+   first what was scattered, if anything was, then the bands in their order,
+   two at a time, which saves a trip through the sum. */
 static void sum_axis(const struct springs *p, size_t from, size_t n,
-                     size_t k, const double room[], double sum[])
+                     size_t k, const double buffer[], double sum[])
 {
     const struct springs_band *b = p->band, *end = b + p->bands;
     if (p->listed > 0)
@@ -388,130 +415,139 @@ static void sum_axis(const struct springs *p, size_t from, size_t n,
     else
         memset(sum, 0, n * sizeof *sum);
     for (; b < end; b += 2) {
-        const double *const f = room + k * room_of(b);
-        room += 3 * room_of(b);
+        const double *const f = buffer + k * row_size(b);
+        buffer += 3 * row_size(b);
         if (b + 1 == end) {
             sum_one(sum, f, b->stride, n);
             return;
         }
-        sum_two(sum, f, b->stride, room + k * room_of(b + 1), b[1].stride,
-                n);
-        room += 3 * room_of(b + 1);
+        sum_two(sum, f, b->stride, buffer + k * row_size(b + 1),
+                b[1].stride, n);
+        buffer += 3 * row_size(b + 1);
     }
 }
 
-/* From the forces to the accelerations a of n coordinates, where all arrays
-   begin: added to a, written, or written on top of gravity and friction. */
-VECTOR_LOOP static void add_weighed(double *restrict a,
-                                    const double *restrict weight,
-                                    const double *restrict force, size_t n)
+/* Three ways from the forces on n coordinates to their accelerations a:
+   added to a, written, or written with gravity and friction. The first two
+   do without these arrays: on large grids, memory is what the time goes to.
+ */
+VECTOR_LOOP static void add_scaled(double *restrict a,
+                                   const double *restrict inverse,
+                                   const double *restrict force, size_t n)
 {
     for (size_t i = 0; i < n; ++i)
-        a[i] += weight[i] * force[i];
+        a[i] += inverse[i] * force[i];
 }
 
-VECTOR_LOOP static void write_weighed(double *restrict a,
-                                      const double *restrict weight,
-                                      const double *restrict force,
-                                      size_t n)
+VECTOR_LOOP static void write_scaled(double *restrict a,
+                                     const double *restrict inverse,
+                                     const double *restrict force, size_t n)
 {
     for (size_t i = 0; i < n; ++i)
-        a[i] = 0 + weight[i] * force[i];
+        a[i] =
+            0 + inverse[i] * force[i]; /* makes +0 of -0, as adding would */
 }
 
 VECTOR_LOOP static void write_all(double *restrict a,
-                                  const double *restrict weight,
+                                  const double *restrict inverse,
                                   const double *restrict force,
-                                  const double *restrict fall,
+                                  const double *restrict gravity,
                                   double friction, const double *restrict v,
                                   size_t n)
 {
     for (size_t i = 0; i < n; ++i)
-        a[i] =
-            fall[i] - friction * (weight[i] * v[i]) + weight[i] * force[i];
+        a[i] = gravity[i] - friction * (inverse[i] * v[i]) +
+               inverse[i] * force[i];
 }
 
-/* A task of adding forces to a, or of writing what acts there into a. */
+/* What is asked for: the forces at x and v, added to a or, if it writes,
+   written into a with all else that acts. */
 struct task {
     const double *x, *v;
     double *a;
     bool writes;
-    /* NULL, or who gets x and v ready, and whether a kick is owing: */
+    /* NULL, or what moves the bodies when the springs come to them, and
+       whether the last step still owes them half a kick: */
     const struct stepping_ahead *ahead;
     bool owing;
 };
 
 /* Finishes the task along axis k for n bodies from body `from` on, on which
-   the springs exert these forces. Weights that are even are read once. */
+   the springs exert these forces. Inverse masses that are the same along
+   all axes are read from memory once, and found in the cache twice. */
 static void finish(const struct springs *p, const struct task *t, size_t k,
                    size_t from, size_t n, const double force[])
 {
     const size_t at = k * p->bodies + from;
-    const double *const weight = p->weight + (p->even ? from : at);
+    const double *const inverse = p->inverse + (p->even ? from : at);
     if (!t->writes)
-        add_weighed(t->a + at, weight, force, n);
+        add_scaled(t->a + at, inverse, force, n);
     else if (p->quiet)
-        write_weighed(t->a + at, weight, force, n);
+        write_scaled(t->a + at, inverse, force, n);
     else
-        write_all(t->a + at, weight, force, p->fall + at, p->friction,
+        write_all(t->a + at, inverse, force, p->gravity + at, p->friction,
                   t->v + at, n);
 }
 
+/* A membrane on which nothing else acts has two bands, nothing in the list,
+   and no use for a sum that is written down and read again: it gets one
+   loop from the forces of the springs to the accelerations, scale_two. */
 static bool is_plain(const struct springs *p)
 {
     return p->bands == 2 && p->listed == 0 && p->quiet;
 }
 
-VECTOR_LOOP static void weigh_two(double *restrict a,
-                                  const double *restrict weight,
+VECTOR_LOOP static void scale_two(double *restrict a,
+                                  const double *restrict inverse,
                                   const double *restrict f, size_t s,
                                   const double *restrict g, size_t t,
                                   size_t n)
 {
     for (size_t i = 0; i < n; ++i)
-        a[i] = 0 + weight[i] * (0 - f[i] + f[i + s] - g[i] + g[i + t]);
+        a[i] = 0 + inverse[i] * (0 - f[i] + f[i + s] - g[i] + g[i + t]);
 }
 
-/* As sum_axis and finish, for two bands and no more. */
+/* Does the work of sum_axis and finish where is_plain is true. */
 static void write_two(const struct springs *p, double a[], size_t k,
-                      size_t from, size_t n, const double room[])
+                      size_t from, size_t n, const double buffer[])
 {
     const struct springs_band *const one = p->band, *const two = one + 1;
     const size_t at = k * p->bodies + from;
-    const double *const f = room + k * room_of(one);
-    const double *const g = room + 3 * room_of(one) + k * room_of(two);
-    weigh_two(a + at, p->weight + (p->even ? from : at), f, one->stride, g,
+    const double *const f = buffer + k * row_size(one);
+    const double *const g = buffer + 3 * row_size(one) + k * row_size(two);
+    scale_two(a + at, p->inverse + (p->even ? from : at), f, one->stride, g,
               two->stride, n);
 }
 
-/* The forces of all bands for n bodies from body `from` on. At first the
-   room holds those of the springs that reach into the block; in the end, of
-   those that reach into the next. */
+/* Does the task for a block of n bodies from body `from` on. Before it the
+   buffer holds the forces of the springs that reach into the block from
+   below; after it, of those that reach into the next block. Strides are
+   often longer than what is left of a row, so that the copy may overlap. */
 static void gather_block(const struct springs *p, const struct task *t,
-                         size_t from, size_t n, double room[])
+                         size_t from, size_t n, double buffer[])
 {
-    double sum[SPRINGS_BLOCK], *f = room;
+    double sum[SPRINGS_BLOCK], *f = buffer;
     for (size_t b = 0; b < p->bands; ++b) {
-        const size_t size = room_of(&p->band[b]);
+        const size_t size = row_size(&p->band[b]);
         band_forces(p, &p->band[b], t->x, t->v, (ptrdiff_t)from, n,
                     f + p->band[b].stride, size);
         f += 3 * size;
     }
     for (size_t k = 0; k < 3; ++k) {
         if (t->writes && is_plain(p)) {
-            write_two(p, t->a, k, from, n, room);
+            write_two(p, t->a, k, from, n, buffer);
             continue;
         }
-        sum_axis(p, from, n, k, room, sum);
+        sum_axis(p, from, n, k, buffer, sum);
         finish(p, t, k, from, n, sum);
     }
-    f = room;
+    f = buffer;
     for (size_t b = 0; b < p->bands; ++b)
-        for (size_t k = 0; k < 3; ++k, f += room_of(&p->band[b]))
+        for (size_t k = 0; k < 3; ++k, f += row_size(&p->band[b]))
             memmove(f, f + n, p->band[b].stride * sizeof *f);
 }
 
-/* Has the bodies from `from` to before end moved. */
+/* Has the bodies from `from` to before end moved by the stepping. */
 static void get_ready(const struct springs *p, const struct task *t,
                       size_t from, size_t end)
 {
@@ -524,6 +560,8 @@ static size_t least(size_t a, size_t b)
 {
     return a < b ? a : b;
 }
+
+/* Returns the longest stride: how far ahead the springs look. */
 static size_t reach(const struct springs *p)
 {
     size_t longest = 0;
@@ -533,36 +571,43 @@ static size_t reach(const struct springs *p)
     return longest;
 }
 
-/* The forces that reach into the block at body `from`. */
+/* Finds the forces that reach into the block at body `from` from below. The
+   thread that has the bodies before it computes them as well; both get the
+   same numbers, and nothing is summed across threads. */
 static void reach_in(const struct springs *p, const struct task *t,
-                     size_t from, double room[])
+                     size_t from, double buffer[])
 {
     for (size_t b = 0; b < p->bands; ++b) {
         const size_t stride = p->band[b].stride;
         band_forces(p, &p->band[b], t->x, t->v,
-                    (ptrdiff_t)from - (ptrdiff_t)stride, stride, room,
-                    room_of(&p->band[b]));
-        room += 3 * room_of(&p->band[b]);
+                    (ptrdiff_t)from - (ptrdiff_t)stride, stride, buffer,
+                    row_size(&p->band[b]));
+        buffer += 3 * row_size(&p->band[b]);
     }
 }
 
-/* The task for the bodies from `from` to before end. */
+/* Does the task for the bodies from `from` to before end, block by block.
+ */
 static void gather(const struct springs *p, const struct task *t,
-                   size_t from, size_t end, double room[])
+                   size_t from, size_t end, double buffer[])
 {
-    reach_in(p, t, from, room);
+    reach_in(p, t, from, buffer);
     for (size_t at = from, n; at < end; at += n) {
         n = end - at < SPRINGS_BLOCK ? end - at : SPRINGS_BLOCK;
-        gather_block(p, t, at, n, room);
+        gather_block(p, t, at, n, buffer);
     }
 }
 
-/* The task for so many steps in one sweep, at most depth_of(p). No spring
-   reaches into the first block: the rooms for that are zero when they are
-   made, and again after a sweep, as none goes on behind the last body. */
+/* Takes so many steps of the task, at most depth_of(p), in one sweep
+   through the bodies. Each step has a front up to which bodies have been
+   moved, one up to which forces have been summed, and a buffer; it goes on
+   by a block whenever the step before has passed the bodies that it has to
+   look at. No spring reaches into the first block: the buffers for that are
+   zero when they are made, and again after a sweep, as no spring goes on
+   behind the last body. */
 static void march(const struct springs *p, struct task t, size_t steps)
 {
-    const size_t n = p->bodies, far = reach(p), size = room_of_all(p);
+    const size_t n = p->bodies, far = reach(p), size = buffer_size(p);
     size_t moved[SPRINGS_DEPTH] = {0}, summed[SPRINGS_DEPTH] = {0};
     const bool owing = t.owing;
     while (summed[steps - 1] < n)
@@ -574,24 +619,31 @@ static void march(const struct springs *p, struct task t, size_t steps)
                 continue;
             t.owing = owing || k > 0;
             get_ready(p, &t, moved[k], seen);
-            gather_block(p, &t, at, block, p->room + k * size);
+            gather_block(p, &t, at, block, p->buffer + k * size);
             moved[k] = seen;
             summed[k] = at + block;
         }
 }
 
+/* Returns how many steps a sweep takes at once: as many as keep all that is
+   known of the bodies between the first and the last of them, some 200
+   bytes each with the forces in the buffers, in the second cache. */
 static size_t depth_of(const struct springs *p)
 {
     const size_t depth = SPRINGS_WINDOW / (reach(p) + SPRINGS_BLOCK);
     return depth < 1 ? 1 : least(depth, SPRINGS_DEPTH);
 }
 
+/* Gives each thread its part of the bodies, in one piece. Of several, each
+   moves its own bodies, and all wait, at the end of the first loop, until
+   everybody has: the first springs of a part look into the part before, and
+   its last ones into the next. */
 static void gather_shared(struct springs *p, const struct task *task)
 {
-    const size_t size = room_of_all(p), threads = (size_t)p->threads;
+    const size_t size = buffer_size(p), threads = (size_t)p->threads;
     const size_t n = p->bodies;
     if (threads == 1) {
-        gather(p, task, 0, n, p->room);
+        gather(p, task, 0, n, p->buffer);
         return;
     }
 #ifdef _OPENMP
@@ -609,23 +661,28 @@ static void gather_shared(struct springs *p, const struct task *task)
 #endif
         for (size_t t = 0; t < threads; ++t)
             gather(p, task, n * t / threads, n * (t + 1) / threads,
-                   p->room + t * size);
+                   p->buffer + t * size);
     }
 }
 
+/* Makes a buffer for each thread, or for each step of a sweep, and so not
+   in the middle of a run. */
 bool springs_threads(struct springs *p, int threads)
 {
-    const size_t rooms = threads > 1 ? (size_t)threads : depth_of(p);
+    const size_t buffers = threads > 1 ? (size_t)threads : depth_of(p);
     assert(threads > 0);
-    double *const room = room_doubles(room_of_all(p) * rooms);
-    if (!room)
+    double *const buffer = room_doubles(buffer_size(p) * buffers);
+    if (!buffer)
         return false;
-    free(p->room);
-    p->room = room;
+    free(p->buffer);
+    p->buffer = buffer;
     p->threads = threads;
     return true;
 }
 
+/* Does the task in the way that p->engine asks for. Without bands there is
+   nothing to gather, and the axes, which follow each other in all arrays,
+   are finished in one go. */
 static void act(struct springs *p, const struct task *t)
 {
     const bool gathers = p->engine == SPRINGS_GATHER && p->bands > 0;
@@ -639,7 +696,9 @@ static void act(struct springs *p, const struct task *t)
     finish(p, t, 0, 0, 3 * p->bodies, p->force);
 }
 
-/* So many steps of the task, whose ahead is not NULL. */
+/* Takes so many steps of the task, whose ahead is not NULL. A scatter jumps
+   about in the list and needs all bodies moved before it, and so does a
+   scene of which only a part lies in bands. */
 static void act_ahead(struct springs *p, struct task t, uint64_t steps)
 {
     const struct stepping_ahead *const ahead = t.ahead;

@@ -1,5 +1,3 @@
-/* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 3665694071 of the lines below */
 /* Springs with dashpots between the bodies of a scene. */
 #ifndef SPRINGS_H
 #define SPRINGS_H
@@ -7,6 +5,7 @@
 #include "scenes/scene.h"
 #include "forces/stepping.h"
 
+/* Found by trying. */
 enum {
     SPRINGS_BAND = 16,     /* springs that a band has at least */
     SPRINGS_BLOCK = 512,   /* bodies at a time */
@@ -30,24 +29,27 @@ struct springs_band {
                      where there is none */
 };
 
-/* The springs of a scene. To be read; engine may be written. */
+/* The springs of a scene. To be read; engine may be written. A body without
+   mass has the inverse 0, as one that is held: no spring moves it. Gravity
+   does, wherever it is free, which takes no mass. */
 struct springs {
     size_t bodies, count;
     struct scene_spring *spring; /* in the order of the sums; a < b */
     struct scene_kind *kind;
-    size_t listed; /* so many of them, the first ones, are in no band */
+    size_t listed; /* so many springs, the first ones, are in no band */
     size_t bands;
     struct springs_band *band;
-    double *weight; /* [3 * bodies] 1/m, 0 along a fixed coordinate */
-    double *fall;   /* [3 * bodies] the scene's gravity where free, m/s^2 */
+    double *inverse; /* [3 * bodies] of the mass; 0 where it is held */
+    double *gravity; /* [3 * bodies] the scene's, m/s^2; 0 where held */
     double friction;
-    bool quiet; /* neither gravity nor friction */
-    bool even;  /* weights are the same along all axes */
+    bool quiet; /* there is neither gravity nor friction */
+    bool even;  /* inverse masses are the same along all axes */
     bool axial;
     enum springs_engine engine;
     int threads;
     double *force; /* [3 * bodies] what is summed spring by spring */
-    double *room;  /* of the threads */
+    double
+        *buffer; /* forces of bands, for each thread or step of a sweep */
 };
 
 /* Takes what it needs of the scene, which may change or go away after it.
@@ -65,8 +67,9 @@ void springs_free(struct springs *p);
 void springs_add(struct springs *p, const double x[], const double v[],
                  double a[]);
 
-/* Writes into a what the springs, the scene's gravity and its friction do;
-   for a scene in which nothing else acts. */
+/* Writes into a what the springs, the scene's gravity and its friction do,
+   for a scene in which nothing else acts: such a scene may be swept, too.
+ */
 void springs_accelerate(void *springs, const double x[], const double v[],
                         double a[]);
 
@@ -85,8 +88,8 @@ double springs_potential(const struct springs *p, const double x[]);
 /* Returns whether any spring has a dashpot. */
 bool springs_damped(const struct springs *p);
 
-/* From now on so many threads share the work, 1 or more. Returns false when
-   there is no memory: then all is as it was. */
+/* Sets how many threads share the work from now on, 1 or more. Returns
+   false when there is no memory: then all is as it was. */
 bool springs_threads(struct springs *p, int threads);
 
 #endif

@@ -1,5 +1,3 @@
-/* From chapters/10-springs.nw: edit there, then run make tangle. */
-/* checksum 3672940492 of the lines below */
 /* Measures an oscillator, a pendulum, membranes and beams of springs. */
 #include "forces/elastic.h"
 #include "forces/largest.h"
@@ -17,7 +15,7 @@
 #define PROGRAM "springs-studies"
 
 struct settings {
-    double until; /* of two membranes in motion, s */
+    double until; /* end of the study of membranes, s */
 };
 
 /* Ends the program for want of memory. */
@@ -33,7 +31,8 @@ struct run {
     struct stepping stepping;
 };
 
-/* The gallery's scene of this name, with what is chosen. */
+/* Makes the gallery's scene of this name, with other values for the keys
+   chosen. */
 static void make(struct scene *s, const char *name,
                  const struct gallery_choice chosen[])
 {
@@ -71,17 +70,19 @@ static double kinetic(const struct scene *s)
     return sum;
 }
 
+/* Returns the energy, J. What is held has no weight: gravity is 0 there. */
 static double energy(const struct run *r)
 {
     const struct scene *s = &r->scene;
     double sum = kinetic(s) + springs_potential(&r->springs, s->position);
     for (size_t i = 0; i < 3 * s->bodies; ++i)
-        sum -= r->springs.fall[i] * s->mass[i % s->bodies] * s->position[i];
+        sum -=
+            r->springs.gravity[i] * s->mass[i % s->bodies] * s->position[i];
     return sum;
 }
 
-/* What textbooks print, for q = 1 m and v = 0 at t = 0, m = D = 1: two
-   exponentials, or a cosine with a phase. */
+/* Returns what textbooks print for a damping of g, q = 1 m and v = 0 at
+   t = 0, m = D = 1: two exponentials, or a cosine with a phase. */
 static double by_the_book(double g, double t)
 {
     const double w = sqrt(fabs(g * g - 1));
@@ -95,8 +96,9 @@ static double by_the_book(double g, double t)
     return exp(-g * t) / w * cos(w * t - atan2(g, w));
 }
 
-/* The same from a power series in y = (w t)^2, for small g t: no regime has
-   a border in it. */
+/* Returns the same from a power series in y = (w t)^2, valid for weak,
+   critical and strong damping. It converges for all t, but where it
+   alternates for long it loses digits: a judge for short times only. */
 static double by_series(double g, double t)
 {
     const double y = (1 - g) * (1 + g) * t * t;
@@ -111,6 +113,8 @@ static double by_series(double g, double t)
 static const struct table_key critical_keys[] = {
     {"book_error", "1", "two exponentials, relative, e = 1e-10"}, {0}};
 
+/* Approaches critical damping from both sides, by quarters of a power of
+   ten. */
 static void study_critical(struct study *s)
 {
     const double t = 3;
@@ -135,8 +139,8 @@ enum { DAMPINGS = 4 };
 
 static const double dampings[DAMPINGS] = {0.2, 1, 2, 4}; /* kg/s */
 
-/* Where the masses are, at the time row[0]; steps them on by 0.1 s.
-   Returns how far the worst one is from the exact motion. */
+/* Notes where the masses are at the time row[0], and steps them on by
+   0.1 s. Returns how far the worst one is from the exact motion. */
 static double note_masses(struct run r[DAMPINGS], double row[1 + DAMPINGS])
 {
     double worst = 0;
@@ -176,7 +180,8 @@ static void study_regimes(struct study *s)
 
 enum { DUMBBELL_ROWS = 101 };
 
-/* A free dumbbell of two masses of 1 kg that spins round z. */
+/* Makes a free dumbbell of two masses of 1 kg along x, stretched by a tenth
+   and spun round z. */
 static void make_dumbbell(struct scene *s, bool axial)
 {
     if (!scene_create(s, 2) || !scene_add_kind(s, 100, 0.5))
@@ -192,6 +197,7 @@ static void make_dumbbell(struct scene *s, bool axial)
     s->axial = axial;
 }
 
+/* Returns the angular momentum along z, the only component. */
 static double spin(const struct scene *s)
 {
     double sum = 0;
@@ -227,6 +233,7 @@ static const struct table_key spin_keys[] = {
     {"axial_energy", "J", "then"},
     {0}};
 
+/* Compares with (10.2, eq:spin-decay), in which c/mu is 1/s here. */
 static void study_spin(struct study *s)
 {
     struct run r[2];
@@ -253,6 +260,7 @@ static void study_spin(struct study *s)
 static const struct table_key path_keys[] = {
     {"energy", "J", "at the start"}, {0}};
 
+/* Writes the path, by a method and a step beyond reproach for a picture. */
 static void study_path(struct study *s)
 {
     const double every = 0.02, until = 10;
@@ -277,11 +285,12 @@ static void study_path(struct study *s)
     tidy_up(&r);
 }
 
-/* Where the bodies are after 10 s: x1, z1, x2, z2, from a computation of
-   its own in quadruple precision. */
+/* Where the bodies of the double pendulum are after 10 s: x1, z1, x2, z2,
+   computed by another program in quadruple precision. */
 static const double after_10[4] = {-.156264701442401, .0112096197458345,
                                    -.921375731195946, -1.25031461636596};
 
+/* Returns the largest of the four deviations from a place. */
 static double miss(const struct scene *s, const double place[4])
 {
     const double *const x = s->position, *const z = x + 6;
@@ -320,6 +329,9 @@ static void name_errors(struct table *out, bool timed)
         table_column(out, "cost", "s", "processor time");
 }
 
+/* Halves the step from 0.2 s on until the error comes close to rounding, or
+   the work is too much. Seconds stand only in a table that is timed: the
+   other one is the same on all machines. */
 static void write_errors(struct study *s, bool timed)
 {
     name_errors(s->out, timed);
@@ -373,6 +385,7 @@ static const char *const damping_ways[WAYS] = {"rk4", "leapfrog",
                                                "yoshida4"};
 static const double damping_step = 0.025; /* s */
 
+/* Starts the three; the small step is a fiftieth of the other two. */
 static void begin_ways(struct study *s, struct run r[WAYS])
 {
     table_column(s->out, "t", "s", "time");
@@ -388,8 +401,9 @@ static void begin_ways(struct study *s, struct run r[WAYS])
 static const struct table_key silent_keys[] = {
     {"<method>", "m", "range of the stretch in the last 0.2 s"}, {0}};
 
-/* How much the stiff spring is stretched, stepped by RK4 with a step near
-   its limit, by the leapfrog with the same, and with a small step. */
+/* Writes how much the stiff spring is stretched, stepped by RK4 with a step
+   near its limit, by the leapfrog with the same, and with a small step.
+   What is left of its oscillation is read off the last ten rows. */
 static void study_silent(struct study *s)
 {
     double most[WAYS], least[WAYS];
@@ -419,15 +433,16 @@ struct rod {
     double a[9];
 };
 
-/* The scalar product of two vectors from body 0 to body 1, in the plane of
-   x and z; a at body 1 only, since body 0 rests. */
+/* Returns the scalar product of the vector r from body 0 to body 1 and a
+   velocity a of body 1, in the plane of x and z; body 0 rests. */
 static double along(const double r[], const double a[])
 {
     return (r[1] - r[0]) * a[1] + (r[7] - r[6]) * a[7];
 }
 
-/* After a free drift from r to x: the share of r that has to be taken off,
-   so that the rod has its length again; the smaller root. */
+/* Returns, after a free drift from r to x, the fraction of r that has to be
+   taken off so that the rod has its length of 1 m again: the smaller root
+   of (10.6, eq:rod). */
 static double shorten(const double r[], const double x[])
 {
     const double dx = x[1] - x[0], dz = x[7] - x[6];
@@ -436,6 +451,8 @@ static double shorten(const double r[], const double x[])
     return c / (b + sqrt(b * b - c));
 }
 
+/* Takes a step of RATTLE: kick and drift, mend the length, kick, and mend
+   the velocity. Coordinates x and z of body 1 are numbers 1 and 7. */
 static void rod_step(struct rod *o, double dt)
 {
     double *const x = o->run.scene.position, *const v =
@@ -446,10 +463,10 @@ static void rod_step(struct rod *o, double dt)
         v[i] += dt / 2 * o->a[i];
         x[i] += dt * v[i];
     }
-    const double share = shorten(r, x);
+    const double lambda = shorten(r, x);
     for (size_t i = 1; i < 9; i += 6) {
-        x[i] -= share * (r[i] - r[i - 1]);
-        v[i] -= share * (r[i] - r[i - 1]) / dt;
+        x[i] -= lambda * (r[i] - r[i - 1]);
+        v[i] -= lambda * (r[i] - r[i - 1]) / dt;
     }
     springs_accelerate(&o->run.springs, x, v, o->a);
     for (size_t i = 0; i < 9; ++i)
@@ -459,7 +476,9 @@ static void rod_step(struct rod *o, double dt)
     v[7] -= rate * (x[7] - x[6]);
 }
 
-/* Swings the pendulum with a rod for 10 s in n steps; where it is then. */
+/* Swings the pendulum with a rod for 10 s in n steps, and finds where it is
+   then. The scene's upper spring has the stiffness 0: the rod does what it
+   did. Returns whether the place is finite. */
 static bool rod_swing(uint64_t n, double place[4])
 {
     struct rod o = {0};
@@ -475,7 +494,8 @@ static bool rod_swing(uint64_t n, double place[4])
     return isfinite(place[0] + place[1] + place[2] + place[3]);
 }
 
-/* Where the pendulum with an upper spring so stiff is after 10 s. */
+/* Finds where the pendulum with an upper spring so stiff is after 10 s. The
+   step goes with the period of that spring. */
 static void spring_swing(double stiffness, double place[4])
 {
     const uint64_t n = (uint64_t)(10 * 100 * sqrt(stiffness / 100)) + 1000;
@@ -495,6 +515,8 @@ static const struct table_key rod_keys[] = {
     {"rod_0.5", "m", "the same, 0.5 s"},
     {0}};
 
+/* Writes two blocks: the error against the step, and how far the motion
+   with a spring is from that with a rod. */
 static void study_rod(struct study *s)
 {
     double rigid[4], place[4];
@@ -522,7 +544,7 @@ static void study_rod(struct study *s)
     table_real(s->summary, "rod_0.5", largest_difference(place, rigid, 4));
 }
 
-/* The double pendulum hanging, or a taut membrane. */
+/* Makes the double pendulum, hanging at rest, or a taut membrane. */
 static void make_at_rest(struct scene *s, bool pendulum)
 {
     if (!pendulum) {
@@ -554,11 +576,11 @@ static double disturb(struct scene *s)
     return fastest;
 }
 
-/* Whether a disturbance of a billionth grows in so many steps of phase
-   omega dt: to a centimetre, or by half against both the start and the
-   second quarter. To wait for a factor of a thousand would find RK4's limit
-   2e-4 too high: at 1 + d of it the amplitude grows only by 1 + 7d a step.
-   This finds it to 3e-5 in 4000 steps. */
+/* Returns whether a disturbance of a billionth of a metre grows in so many
+   steps of the phase omega dt: to a centimetre, or by half against both the
+   start and the second quarter. To wait for a factor of a thousand would
+   find RK4's limit 2e-4 too high: at 1 + d of it the amplitude grows only
+   by 1 + 7d a step. This finds it to 3e-5 in 4000 steps. */
 static bool grows(const struct stepping_method *method, bool pendulum,
                   double phase, uint64_t steps)
 {
@@ -587,9 +609,14 @@ static bool grows(const struct stepping_method *method, bool pendulum,
     return !small || far[3] > 1.5 * fmax(start, far[1]);
 }
 
-/* The method's limit of omega dt: upwards from low until it is unstable, by
-   1 per cent, then by halving. 0: it is never stable; INFINITY: it is even
-   at 20. */
+/* Returns the method's limit of omega dt, from low upwards until it is
+   unstable, by 1 per cent, then by halving. 0: it is never stable;
+   INFINITY: it is stable even at 20. Some methods become stable again
+   beyond their limit, in windows: so the search does not halve an interval
+   of which only the ends are known, and its stride is shorter than the
+   narrowest window in which a method is NOT stable (that of Kahan and
+   Li, 3.0965 to 3.1401; by 2 per cent at a time the search stepped over it
+   and reported 5.6). */
 static double find_limit(const struct stepping_method *m, bool pendulum,
                          uint64_t steps, double low)
 {
@@ -612,7 +639,9 @@ static double find_limit(const struct stepping_method *m, bool pendulum,
     return low;
 }
 
-/* The limits of omega dt with the pendulum and on the membrane. */
+/* Finds the limits of omega dt with the pendulum and on the membrane, whose
+   limit is looked for close below the pendulum's. Implicit methods are
+   tried at one large step. */
 static void find_limits(const struct stepping_method *m, double limit[2])
 {
     if (m->family == STEPPING_IMPLICIT) {
@@ -647,6 +676,8 @@ static void study_limits(struct study *s)
         double limit[2];
         char key[40];
         find_limits(m, limit);
+        /* The frequencies of the fastest modes: (10.5, eq:pendulum-limit),
+           and (10.9, eq:membrane-dispersion) with D along one axis. */
         const double dt[2] = {limit[0] / 70.74605996, limit[1] / 15.103518};
         table_print(s->out, "# %s\n", m->name);
         table_row(s->out, 5,
@@ -658,6 +689,8 @@ static void study_limits(struct study *s)
     }
 }
 
+/* Makes three bodies in a row, of which the middle one may move across it,
+   by a at the start: (10.7, eq:loose). */
 static void put_between(struct scene *s, double a)
 {
     if (!scene_create(s, 3) || !scene_add_kind(s, 50, 0))
@@ -673,8 +706,9 @@ static void put_between(struct scene *s, double a)
     s->position[7] = a;
 }
 
-/* A mass between two springs at rest length, moved across them by a: its
-   period, from the first to the third time that it comes through. */
+/* Returns the period of a mass between two springs at rest length, moved
+   across them by a: from the first to the third time that it passes them.
+ */
 static double period(double a)
 {
     const double guess = 0.3 / a;
@@ -712,8 +746,10 @@ static void study_quartic(struct study *s)
     table_real(s->summary, "AT", 0.002 * period(0.002));
 }
 
-/* By how much of the mode with r and s half waves the bodies of an n x n
-   membrane are displaced across it, m. */
+/* Returns the amplitude, m, of the mode with r and `half` half waves in the
+   displacement of an n x n membrane across it: a projection on its shape.
+   The shapes of a grid are at right angles, so that a mode does not see the
+   others. */
 static double amplitude(const struct scene *s, size_t n, size_t r,
                         size_t half)
 {
@@ -726,8 +762,8 @@ static double amplitude(const struct scene *s, size_t n, size_t r,
     return 4 * sum / (double)((n - 1) * (n - 1));
 }
 
-/* The amplitude of all that is not in the first mode (of one mode that
-   moves as much in the root mean square), over a. */
+/* Returns the amplitude of all that is not in the first mode (of one mode
+   that moves as much in the root mean square), over a. */
 static double others(const struct scene *s, size_t n, double a)
 {
     const double *const z = s->position + 2 * s->bodies;
@@ -739,7 +775,7 @@ static double others(const struct scene *s, size_t n, double a)
     return sqrt(fmax(sum, 0)) / a;
 }
 
-/* A membrane in its first mode, at rest length or taut. */
+/* Makes a membrane in its first mode, at rest length or taut. */
 static void make_membrane(struct scene *s, double rest, double a, bool free)
 {
     make(s, "membrane",
@@ -752,9 +788,10 @@ static void make_membrane(struct scene *s, double rest, double a, bool free)
 
 enum { MEMBRANES = 3 };
 
-/* How far they are moved at the start, m. */
+/* Amplitudes at the start, m. */
 static const double lifted[MEMBRANES] = {0.1, 0.1, 0.01};
 
+/* Starts one at rest length along z only, the same free, and a taut one. */
 static void begin_membranes(struct study *s, struct run r[MEMBRANES])
 {
     table_column(s->out, "t", "s", "time");
@@ -807,7 +844,7 @@ static void study_membranes(struct study *s)
         tidy_up(&r[k]);
 }
 
-/* The grid at four times: taut, then at rest length. */
+/* Writes the grid at four times: taut, then at rest length. */
 static void study_snapshots(struct study *s)
 {
     table_column(s->out, "x", "m", "place of a body");
@@ -853,7 +890,9 @@ static size_t turn_to(struct scene *s, size_t axis, double *home)
     return body;
 }
 
-/* The time of ten half swings of coordinate `at` round home. */
+/* Returns the time of ten half swings of coordinate `at` round home. Each
+   passage falls between two steps; the last piece of the way is taken as
+   straight. */
 static double ten_halves(struct run *r, size_t at, double home)
 {
     double first = 0, before = r->scene.position[at] - home;
@@ -872,8 +911,8 @@ static double ten_halves(struct run *r, size_t at, double home)
     }
 }
 
-/* The measured angular frequency of mode (r, half) of a taut n x n
-   membrane; axis 2: across it, axis 0: along x. */
+/* Returns the measured angular frequency of mode (r, half) of a taut n x n
+   membrane, at a small amplitude; axis 2: across it, axis 0: along x. */
 static double measured(size_t n, size_t r, size_t half, size_t axis)
 {
     struct run o;
@@ -973,7 +1012,8 @@ static void study_sag(struct study *s)
     table_real(s->summary, "ratio", sag(NULL, 0.004) / sag(NULL, 0.0005));
 }
 
-/* Lets friction bring r to rest; stops when nothing moves any more. */
+/* Lets friction bring r to rest, until nothing moves any more. Nothing is
+   solved for, so that the rest is independent of the linear theory. */
 static void settle(struct run *r)
 {
     for (int i = 0; i < 400; ++i) {
@@ -986,7 +1026,8 @@ static void settle(struct run *r)
     }
 }
 
-/* Steps r until body falls no more: the turning point. Returns the time. */
+/* Steps r until the velocity of the body along y changes its sign: the
+   turning point. Returns the time. */
 static double fall(struct run *r, size_t body)
 {
     const double *const v = r->scene.velocity + r->scene.bodies + body;
@@ -1000,7 +1041,8 @@ static double fall(struct run *r, size_t body)
            r->stepping.dt * *v / (*v - before);
 }
 
-/* The bodies of a scene as lines, row by row, and then column by column. */
+/* Writes the bodies of a scene as lines, row by row, then column by column.
+ */
 static void draw(struct study *s, const struct scene *scene, size_t nx)
 {
     const double *const x = scene->position, *const y = x + scene->bodies;
@@ -1037,7 +1079,7 @@ static void study_shapes(struct study *s)
         }
 }
 
-/* A beam: what is different from the usual one, and what it does. */
+/* A beam: in what it differs from the usual one, and what it does. */
 struct beam {
     const char *name;
     struct gallery_choice choice[3];
@@ -1046,7 +1088,8 @@ struct beam {
     size_t loose; /* modes without stiffness */
 };
 
-/* Modes, and the linear deflection of the lower corner of the free end. */
+/* Finds modes, and by linear theory the deflection of the lower corner of
+   the free end. */
 static void find_linear(struct beam *b, const struct scene *s, size_t nx)
 {
     struct springs p;
@@ -1062,13 +1105,15 @@ static void find_linear(struct beam *b, const struct scene *s, size_t nx)
     b->second = sqrt(m.square[b->loose + 1]);
     b->third = sqrt(m.square[b->loose + 2]);
     b->fastest = sqrt(m.square[m.size - 1]);
-    modes_deflection(&m, 1e-6, p.fall, u);
+    modes_deflection(&m, 1e-6, p.gravity, u);
     b->linear = b->loose > 0 ? NAN : u[s->bodies + nx - 1];
     free(u);
     modes_free(&m);
     springs_free(&p);
 }
 
+/* Finds what the motion does: to the turning point, and to rest under a
+   friction that goes with the first mode. */
 static void find_turn(struct beam *b)
 {
     struct run r;
@@ -1116,6 +1161,7 @@ static void note_beam(struct study *s, const struct beam *b)
 
 enum { BEAMS = 9 };
 
+/* The usual beam, and eight that differ from it in one number. */
 static struct beam beams[BEAMS] = {
     {.name = "usual"},
     {.name = "mass", .choice = {{"mass", 2}}},
@@ -1155,8 +1201,9 @@ static void study_beams(struct study *s)
     table_real(s->summary, "fastest", beams[0].fastest);
 }
 
-/* Each body looks up all its neighbours: every spring is computed twice.
-   For springs in bands that have all their dashpots as printed. */
+/* The way that the bands replaced: each body looks up all its neighbours,
+   and every spring is computed twice. For springs in bands, with dashpots
+   as MPPhys prints them. */
 VECTOR_LOOP static void look_up(const struct springs *p,
                                 const struct springs_band *b,
                                 const double *restrict x,
@@ -1180,6 +1227,8 @@ VECTOR_LOOP static void look_up(const struct springs *p,
     }
 }
 
+/* Sums all bands, first from below and then from above, in the order of
+   (10.11, eq:gather). */
 static void accelerate_twice(void *springs, const double x[],
                              const double v[], double a[])
 {
@@ -1189,12 +1238,14 @@ static void accelerate_twice(void *springs, const double x[],
         for (int side = 1; side >= 0; --side)
             look_up(p, &p->band[b], x, v, a, side);
     for (size_t i = 0; i < 3 * p->bodies; ++i)
-        a[i] *= p->weight[i];
+        a[i] *= p->inverse[i];
 }
 
+/* The ways that are compared; TRIPS is the gather without the sweep. */
 enum { SCATTER, GATHER, TRIPS, TWICE, SPEEDS };
 
-/* A damped membrane, free, of n x n bodies, to be stepped in one way. */
+/* Makes a free membrane of n x n bodies with the usual dashpots, to be
+   stepped in one way. */
 static void make_fast(struct run *r, size_t n, int way)
 {
     make(&r->scene, "membrane",
@@ -1208,7 +1259,8 @@ static void make_fast(struct run *r, size_t n, int way)
         r->stepping.forces.accelerate = accelerate_twice;
 }
 
-/* Steps of a body in a second, of two million and more. */
+/* Returns the steps of a body in a second, by whichever clock, of two
+   million and more. */
 static double speed_of(struct run *r, double (*seconds)(void))
 {
     const uint64_t steps = 2000000 / r->scene.bodies + STEPPING_WATCH;
@@ -1217,6 +1269,8 @@ static double speed_of(struct run *r, double (*seconds)(void))
     return (double)(steps * r->scene.bodies) / (seconds() - start);
 }
 
+/* The ways take turns, so that all of them see the same hours of the
+   machine. One round is thrown away; of the others the median counts. */
 static void measure_speeds(size_t n, double row[1 + SPEEDS])
 {
     double rounds[SPEEDS][BENCH_ROUNDS];
@@ -1262,8 +1316,9 @@ static void study_speed(struct study *s)
     table_real(s->summary, "least_ratio_from_64", least);
 }
 
-/* One row: steps of a body in a second by one thread and by many, and the
-   ratio. */
+/* Writes one row: steps of a body in a second by one thread and by two, by
+   the clock on the wall, and the ratio: of each round, since a slow moment
+   of the machine then spoils one of five. */
 static void compare_threads(struct study *s, size_t n)
 {
     double speed[2][BENCH_ROUNDS], ratio[BENCH_ROUNDS];

@@ -1,6 +1,5 @@
-/* From chapters/12-averages.nw: edit there, then run make tangle. */
-/* checksum 395917396 of the lines below */
-/* Laws where they are exact, else events with honest errors. */
+/* Means over a time: by a law where one is exact, else by a run of events.
+ */
 #include "enough/averages.h"
 
 #include "box/blocks.h"
@@ -13,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Quantities by kind; a place has no plain name, but an axis and a body. */
 static const struct {
     const char *name, *symbol;
 } plain[] = {[AVERAGES_PRESSURE] = {"pressure", "Z"},
@@ -29,6 +29,7 @@ bool averages_read(struct averages_quantity *q, const char *name,
             return true;
         }
     char *end;
+    /* A digit follows at once: strtoull would take blanks and signs. */
     if ((name[0] == 'x' || name[0] == 'y') && name[1] == ':' &&
         name[2] >= '0' && name[2] <= '9') {
         const unsigned long long body = strtoull(name + 2, &end, 10);
@@ -55,7 +56,7 @@ const char *averages_name(const struct averages_quantity *q,
     return q->kind == AVERAGES_PRESSURE ? "" : "mass length^2/time^2";
 }
 
-/* A search under way. */
+/* What is asked, and what is known of the scene. */
 struct search {
     const struct averages_request *q;
     struct averages_found *f;
@@ -74,8 +75,9 @@ static double coordinate(const struct search *h, size_t i)
     return h->s->position[h->axis * h->n + i];
 }
 
-/* Twice the kinetic energy along an axis, J, without that of the centre
-   of mass where nothing holds it. */
+/* Returns twice the kinetic energy along an axis, J. In a periodic box that
+   of the centre of mass is taken out: it flies for ever, and its part of
+   the energy makes no pressure. */
 static double energy_along(const struct search *h, size_t axis,
                            const double velocity[])
 {
@@ -105,7 +107,11 @@ static void add_up(struct search *h)
     }
 }
 
-/* The mean place of a body in the end, m. */
+/* Returns the mean place of a body in the end, m, if the scene mixes. In a
+   box between four walls it is the middle for each disk, as left and right
+   are alike. On a line the k-th of n bodies has k/(n + 1) of the free
+   length to its left, if all states are equally likely, and the other
+   bodies besides. */
 static double settled_place(const struct search *h, size_t body)
 {
     const size_t axis = h->q->quantity.axis;
@@ -122,7 +128,8 @@ static double settled_place(const struct search *h, size_t body)
            (h->box[0] - 2 * h->radii) * (double)rank / (double)(h->n + 1);
 }
 
-/* What errors of this quantity are divided by, when its value is this. */
+/* Returns what errors of the quantity are divided by, if it has this value.
+ */
 static double scale_of(const struct search *h, double value)
 {
     const struct averages_quantity *q = &h->q->quantity;
@@ -131,7 +138,11 @@ static double scale_of(const struct search *h, double value)
     return q->kind == AVERAGES_PLACE ? h->box[q->axis - h->axis] : value;
 }
 
-/* NULL with *h filled in, or why there is nothing to average. */
+/* Returns NULL with *h filled in, or why there is nothing to average. All
+   these refusals need no run: forces, losses and held bodies have
+   equilibria of their own, which are not known here; and bodies that meet
+   walls only, two on a line, and equal masses on a line, which exchange
+   their speeds, have places that depend on the start for ever. */
 static const char *survey(struct search *h)
 {
     const struct scene *s = h->s;
@@ -179,13 +190,16 @@ static const char *survey(struct search *h)
     return NULL;
 }
 
-/* A number with two digits, not less than x. */
+/* Rounds x up to two digits, so that who asks for what a refusal offers, as
+   it is printed, gets it. */
 static double round_up(double x)
 {
     const double unit = pow(10, floor(log10(x)) - 1);
     return ceil(x / unit) * unit;
 }
 
+/* Answers with what elastic contacts conserve: the kinetic energy of the
+   scene as it is, drift and all three axes included. */
 static void take_conserved(const struct search *h)
 {
     struct averages_found *f = h->f;
@@ -195,7 +209,7 @@ static void take_conserved(const struct search *h)
         energy += h->s->mass[i % h->n] * v * v / 2;
         free += h->s->freedom[i];
     }
-    /* A drift is no heat; less than the sum's rounding is no drift. */
+    /* A drift is no heat; what the sum rounds by is no drift. */
     const bool drifts =
         h->periodic &&
         energy - h->energy > DBL_EPSILON * (double)h->n * energy;
@@ -206,6 +220,10 @@ static void take_conserved(const struct search *h)
     snprintf(f->text, AVERAGES_TEXT, "elastic contacts change neither");
 }
 
+/* Answers with Tonks's law and the proven bound of a run's difference from
+   it (12.16, eq:averages-bound). Z is the virial's, with the room of the
+   centres for V: the box less the radii of the two outer bodies. As NkT is
+   2K on a line, Z is the ratio of that room to the free length. */
 static void take_tonks(const struct search *h)
 {
     struct averages_found *f = h->f;
@@ -228,9 +246,11 @@ static void take_tonks(const struct search *h)
                  round_up(f->error * h->q->until / h->q->tolerance));
 }
 
-enum { WITNESSES = 8 }; /* bodies whose places are compared */
+/* Bodies whose mean places are compared with what they are in the end: the
+   one that is asked for, and up to seven witnesses. */
+enum { WITNESSES = 8 };
 
-/* A run by events under way. */
+/* A run by events, and what the last look at it has shown. */
 struct watch {
     const struct search *h;
     struct models_run run;
@@ -249,7 +269,11 @@ static double cost(const struct watch *w)
     return models_cost(w->run.work);
 }
 
-/* How many samples there are in T. */
+/* Returns how many samples there are in T. That of a pressure is the virial
+   of all the time since the last, so nothing is lost between them: a
+   quarter of the way from one body to the next is often enough. That of a
+   place is a place: a sixteenth of the way through the box. At least 256,
+   so that there are blocks. */
 static double samples_of(const struct search *h)
 {
     const struct averages_quantity *q = &h->q->quantity;
@@ -262,6 +286,9 @@ static double samples_of(const struct search *h)
     return fmax(256, ceil(T / way * sqrt(kT / mass)));
 }
 
+/* Takes bodies whose place in the end is known as well as that of the one
+   that is asked for: on a line any, in the plane disks that are just alike
+   and as quick to get there. */
 static void call_witnesses(struct watch *w)
 {
     const struct scene *s = w->h->s;
@@ -276,7 +303,9 @@ static void call_witnesses(struct watch *w)
             w->body[w->places++] = i;
 }
 
-/* Makes the run. Returns NULL, or why there is none. */
+/* Begins the run, of beads on a line or of disks in the plane. Returns
+   NULL, or why there is none. A sample has a column for each place, or one
+   for the pressure, and a last one for `forgotten`. */
 static const char *begin_watch(struct watch *w, const struct search *h)
 {
     const struct models_plan plan = {
@@ -294,7 +323,12 @@ static const char *begin_watch(struct watch *w, const struct search *h)
     return why;
 }
 
-/* A number that velocities determine, whose mean in the end is 1. */
+/* Returns a number made of velocities whose mean is 1 once they have
+   forgotten how they began, if all states of the energy are equally likely.
+   In the plane all directions are, then, and half of the energy belongs to
+   the motion along x. On a line the roots of the bodies' fractions e_i of
+   the energy are a point anywhere on a sphere of n dimensions, and the mean
+   of the sum of e_i^2 is 3/(n + 2). */
 static double forgotten(const struct search *h, const double velocity[])
 {
     double sum = 0;
@@ -304,23 +338,26 @@ static double forgotten(const struct search *h, const double velocity[])
         return energy_along(h, h->axis, velocity) / h->energy;
     for (size_t i = 0; i < h->n; ++i) {
         const double v = velocity[h->axis * h->n + i];
-        const double share = h->s->mass[i] * v * v / (2 * h->energy);
-        sum += share * share;
+        const double part = h->s->mass[i] * v * v / (2 * h->energy);
+        sum += part * part;
     }
     return sum * (double)(h->n + 2) / 3;
 }
 
+/* Takes the next sample. A row moves every body to its time, which is on
+   the bill. In a periodic box the centre of mass has one body's part of the
+   energy, so (7.5, eq:virial) has (N - 1)/N before its sum. */
 static bool sample(struct watch *w, double value[])
 {
     const struct search *h = w->h;
     struct models_run *r = &w->run;
-    const double n = (double)h->n, share = h->periodic ? (n - 1) / n : 1;
+    const double n = (double)h->n, part = h->periodic ? (n - 1) / n : 1;
     const double *place = r->scene.position + h->q->quantity.axis * h->n;
     if (models_row(r) != MODELS_DONE)
         return false;
     r->work[MODELS_FLIGHT] += (double)(h->n * h->dimensions);
     value[0] =
-        1 + share * (r->virial - w->virial) / (2 * h->energy * w->pace);
+        1 + part * (r->virial - w->virial) / (2 * h->energy * w->pace);
     w->virial = r->virial;
     for (size_t k = 0; k < w->places; ++k)
         value[k] = place[w->body[k]];
@@ -328,7 +365,7 @@ static bool sample(struct watch *w, double value[])
     return true;
 }
 
-/* The average of some blocks of a column, and their means. */
+/* Returns the average of some blocks of a column, with their means in x. */
 static struct blocks_average part(const struct watch *w, size_t column,
                                   size_t from, size_t to, double x[])
 {
@@ -338,8 +375,9 @@ static struct blocks_average part(const struct watch *w, size_t column,
     return blocks_average_of(to - from, x);
 }
 
-/* How far places are from their law, m: that which is asked for, or the
-   root mean square of all, if that is larger. */
+/* Returns how far places are from where they are in the end, m: the one
+   that is asked for, or the root mean square of all if that is larger, lest
+   the one be right by chance. */
 static double misplaced(const struct watch *w, size_t from)
 {
     double x[BLOCKS_MOST] = {0}, squares = 0, own = 0;
@@ -352,8 +390,10 @@ static double misplaced(const struct watch *w, size_t from)
     return fmax(own, sqrt(squares));
 }
 
-/* Says whether velocities have forgotten how they began. Returns false
-   without memory, too. */
+/* Returns whether velocities have forgotten how they began: their number
+   has come to its mean. On a line, where a heavy body remembers for very
+   long, it must have a plateau of its own besides. Without memory: false.
+ */
 static bool forgets(const struct watch *w, size_t from)
 {
     struct statistics_blocking b;
@@ -365,7 +405,12 @@ static bool forgets(const struct watch *w, size_t from)
            fabs(off) <= 5 * b.error + 1e-9;
 }
 
-/* Looks at the last three quarters. Returns false without memory. */
+/* Judges the last three quarters of the run (the first still knows how it
+   began). The error can be believed when blocks have a plateau, the mean
+   has stopped drifting, bodies are where they are in the end, and
+   velocities have forgotten the start. It is taken as large as it may be: a
+   run that stops when its error is small enough stops when it is too small
+   by chance. Returns false without memory. */
 static bool look(struct watch *w)
 {
     const size_t n = w->blocks.count, from = (n + 3) / 4;
@@ -389,13 +434,14 @@ static bool look(struct watch *w)
     return true;
 }
 
-/* The share of T that events have seen. */
+/* Returns the fraction of T that events have gone through. */
 static double seen(const struct watch *w)
 {
     return (double)(w->blocks.count * w->blocks.per) / w->most;
 }
 
-/* What the run makes of the mean over T (12.14, eq:averages-over). */
+/* Puts together the mean over T, and its error (12.14, eq:averages-over).
+ */
 static void conclude(struct averages_found *f, const struct watch *w)
 {
     const double s = seen(w), q = s / 4;
@@ -404,8 +450,9 @@ static void conclude(struct averages_found *f, const struct watch *w)
     f->error = 2 * w->se * sqrt(square) / scale_of(w->h, f->value);
 }
 
-/* By how much longer events have to go on for an error of e, at least if
-   they have not settled; INFINITY: longer than T. */
+/* Returns by what factor the run has to become longer for an error of e: of
+   what the tolerance allows, the scatter of a run of the length T takes a
+   part. INFINITY: T is too short. At least that if it has not settled. */
 static double lengthen(const struct watch *w, double e)
 {
     const double two = 2 * w->se / scale_of(w->h, w->mean);
@@ -416,8 +463,8 @@ static double lengthen(const struct watch *w, double e)
                                : fmax(1.25, square / (e * e - scatter));
 }
 
-/* Goes on to so many samples, the end, or the end of what is reasonable,
-   and looks. Returns false without memory. */
+/* Goes on to so many samples, to the end of T or of what may be spent, and
+   judges the run. Returns false without memory. */
 static bool advance(struct watch *w, double to)
 {
     double value[WITNESSES + 1];
@@ -430,8 +477,12 @@ static bool advance(struct watch *w, double to)
     return look(w);
 }
 
-/* Goes on until the error is small enough, or will not be at a reasonable
-   price. Returns false without memory. */
+/* Goes on until the error is small enough, or will not be for what may be
+   spent: for twice as long while nothing has settled, then for as long as
+   it takes. So there are few looks. A refusal waits for a hundredth of what
+   may be spent, lest it rest on a short look; and since the prices of runs
+   that have settled are rough, and errors taken large, half as much again
+   is not yet too much. Returns false without memory. */
 static bool go_on(struct averages_found *f, struct watch *w)
 {
     const double e = w->h->q->tolerance, reason = w->h->q->reason;
@@ -454,7 +505,9 @@ static bool go_on(struct averages_found *f, struct watch *w)
     return true;
 }
 
-/* Says why events that have settled are not enough; brief: of the time. */
+/* Says why events that have settled do not answer; brief: T is too short.
+   It offers the least error that T allows, or one that can be paid for; as
+   prices are rough, three times its price has to be in reason. */
 static void refuse_settled(char *to, const struct watch *w, double price,
                            bool brief)
 {
@@ -476,7 +529,8 @@ static void refuse_settled(char *to, const struct watch *w, double price,
              fits < 0.25 ? "; %.2g fits" : "; no tolerance fits", fits);
 }
 
-/* Says why events are not enough. */
+/* Says why events do not answer. What has not settled may never do so, and
+   a mean that depends on the start is not given: the rows of a run are. */
 static void refuse(char *to, const struct watch *w)
 {
     const struct averages_request *q = w->h->q;
@@ -497,7 +551,7 @@ static void refuse(char *to, const struct watch *w)
              (double)w->run.rows * w->pace, w->why, more);
 }
 
-/* Lets events go on. Returns false without memory. */
+/* Answers by a run of events. Returns false without memory. */
 static bool measure(const struct search *h)
 {
     struct averages_found *f = h->f;
@@ -519,7 +573,8 @@ static bool measure(const struct search *h)
     return well;
 }
 
-/* Takes the way that there is. Returns false without memory. */
+/* Answers in the way that suits the quantity and the scene; a model that
+   was asked for by name has to be that. Returns false without memory. */
 static bool take(const struct search *h)
 {
     const enum averages_kind kind = h->q->quantity.kind;

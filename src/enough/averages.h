@@ -1,6 +1,4 @@
-/* From chapters/works/12-averages.nw: edit there, then run make tangle. */
-/* checksum 943501678 of the lines below */
-/* The mean of a quantity over a time, or why it cannot be had. */
+/* Finds the mean of a quantity over a time, or says why it cannot. */
 #ifndef AVERAGES_H
 #define AVERAGES_H
 
@@ -28,7 +26,7 @@ struct averages_request {
     const struct scene *scene;
     struct averages_quantity quantity;
     double until;      /* s: over which the mean is taken */
-    double tolerance;  /* of the error, share of the scale */
+    double tolerance;  /* of the error, fraction of the scale */
     double reason;     /* what all may cost, s by the price list */
     const char *model; /* NULL, or the way that has to be the one */
 };
@@ -46,7 +44,7 @@ enum { AVERAGES_REASON = 60 }; /* s by the price list: a usual .reason */
 struct averages_found {
     const char *way; /* conserved, tonks or events; NULL: none */
     enum averages_sure sure;
-    double value, error;      /* in its unit; share of the scale */
+    double value, error;      /* in its unit; fraction of the scale */
     double scale;             /* 1 or Z, the larger; the box; the value */
     double time, cost;        /* s simulated for it; s by the price list */
     char text[AVERAGES_TEXT]; /* what was seen */

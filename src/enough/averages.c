@@ -1,5 +1,4 @@
-/* Means over a time: by a law where one is exact, else by a run of events.
- */
+/* Means over a time, by a law where one is exact, else by events. */
 #include "enough/averages.h"
 
 #include "box/blocks.h"

@@ -1,6 +1,4 @@
-/* From chapters/works/12-choose.nw: edit there, then run make tangle. */
-/* checksum 2223122878 of the lines below */
-/* The cheapest way to carry a scene within a tolerance, or a reason. */
+/* The cheapest way to carry a scene within a tolerance, or a refusal. */
 #ifndef CHOOSE_H
 #define CHOOSE_H
 
@@ -12,12 +10,12 @@ enum { CHOOSE_TEXT = 160, CHOOSE_REFUSAL = 500, CHOOSE_SENTENCE = 600 };
 enum { CHOOSE_REASON = 60 }; /* s by the price list: a usual .reason */
 enum { CHOOSE_MOST = STEPPING_MOST + 40, CHOOSE_POINTS = 400 };
 
-/* What is asked for. */
+/* A question: a scene, a time, a tolerance, and what is looked at. */
 struct choose_request {
     const struct scene *scene;
     const char *program;             /* before what goes wrong */
     double until, every;             /* s: the last row, from row to row */
-    double tolerance;                /* share of the scale */
+    double tolerance;                /* fraction of the scale */
     const struct observables *asked; /* NULL: all positions */
     double reason; /* what all of it may cost, s by the price list */
     const struct models_plan *only; /* NULL, or what has to be taken */
@@ -28,7 +26,7 @@ struct choose_request {
 /* A way to carry the scene that was looked at. */
 struct choose_candidate {
     struct models_plan plan;
-    double error, cost; /* share of the scale; s by the price list */
+    double error, cost; /* fraction of the scale; s by the price list */
     double foreseen;    /* s: what it would cost to hold; or INFINITY */
     bool holds;
     char text[CHOOSE_TEXT]; /* what was seen, or why it is out */
@@ -47,6 +45,8 @@ struct choose_hidden {
     double apart, without; /* m */
 };
 
+/* The answer: the run with its rows or a refusal, and how it was come by.
+ */
 struct choose_choice {
     struct choose_candidate candidate[CHOOSE_MOST];
     size_t candidates, taken; /* taken == candidates: refused */

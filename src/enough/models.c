@@ -1,5 +1,5 @@
 /* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 4287650520 of the lines below */
+/* checksum 4053136694 of the lines below */
 /* What acts, what can be left out, and how each model carries a scene. */
 #include "enough/models.h"
 
@@ -16,7 +16,7 @@
 #include "forces/motion.h"
 #include "forces/rods.h"
 #include "forces/spheres.h"
-#include "scenes/pair.h"
+#include "enough/pair.h"
 
 #include <math.h>
 #include <stdio.h>

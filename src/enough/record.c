@@ -1,6 +1,4 @@
-/* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1564174195 of the lines below */
-/* Each column is judged by a scale; a run may be in other units. */
+/* Runs models row by row, in the units of a twin, and compares rows. */
 #include "enough/record.h"
 
 #include "toolbox/bench.h"
@@ -10,8 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* From the lowest body or wall along an axis to the highest, m, without
-   one of the bodies; *near: how near to 0. */
+/* Returns how long the scene is along an axis, m, without one of the
+   bodies. Walls count with the bodies, for a gas may fill its box or stand
+   in a corner. *near: the largest distance from 0, on either side. */
 static double spread_of(const struct scene *s, size_t k, size_t without,
                         double *near)
 {
@@ -30,7 +29,8 @@ static double spread_of(const struct scene *s, size_t k, size_t without,
     return fmax(high - low, 0);
 }
 
-/* The diagonal of the box that holds all bodies and walls, m. */
+/* Returns the diagonal of the box that holds all bodies but one and all
+   walls, m. */
 static double size_without(const struct scene *s, size_t without)
 {
     double sum = 0, near;
@@ -61,16 +61,23 @@ static double speed_of_body(const struct scene *s, size_t i)
     return sqrt(v[0] * v[0] + v[n] * v[n] + v[2 * n] * v[2 * n]);
 }
 
-/* What errors are divided by. */
+/* What errors are divided by, in the units of a scene. */
 struct scales {
     double length, speed, energy, momentum;
 };
 
+/* Returns a, or b where a is no scale, as the energy of bodies that rest
+   where nothing pulls. */
 static double or_else(double a, double b)
 {
     return a > 0 ? a : b;
 }
 
+/* Measures the scales at the start, each in terms of those before it. A
+   lone body has no size: what it covers in the time of the run serves
+   instead, and if it rests, a metre. A momentum is measured by the sum of
+   all amounts, whatever their directions: the sum of the vectors is zero
+   for two bodies about their centre, and of zero there are no fractions. */
 static struct scales measure(const struct record_view *v, double length)
 {
     const struct scene *s = &v->scene;
@@ -93,7 +100,9 @@ static struct scales measure(const struct record_view *v, double length)
     return to;
 }
 
-/* The scale of what has this unit, and what its errors are errors of. */
+/* Returns the scale of an observable, which its unit tells, and what its
+   errors are errors of. All kinds of energy have one scale, that of the
+   whole: the parts' errors make up its own. */
 static double scale_of(const struct scales *to, const char *unit,
                        const char **as)
 {
@@ -115,7 +124,9 @@ static double scale_of(const struct scales *to, const char *unit,
     return known[k].scale;
 }
 
-/* axis: of a coordinate; 3: it is none. */
+/* Judges a column by a scale; axis: that of a coordinate, or SCENE_AXES. In
+   a periodic box a place is the same after each turn; a distance has no
+   turn, nor has the centre of mass, which flies on. */
 static void judge_column(struct record_view *v, size_t column, double scale,
                          size_t axis)
 {
@@ -126,6 +137,9 @@ static void judge_column(struct record_view *v, size_t column, double scale,
         v->turn[column] = s->high[axis] - s->low[axis];
 }
 
+/* Finds the scale of each column. Without a list all states are shown, and
+   the places among them judged: velocities keep the weight 0. Of several
+   observables the first one's scale is kept to be printed. */
 static void judge(struct record_view *v, double length)
 {
     const struct scales to = measure(v, length);
@@ -144,8 +158,12 @@ static void judge(struct record_view *v, double length)
     }
 }
 
-/* Where the scene is carried from, m; returns what rows of places that are
-   brought back from there are rounded by, share of the scale. */
+/* A scene may lie farther from the origin than it is long, and a run there
+   rounds places by what that distance rounds to: two disks four kilometres
+   away that miss each other by 3e-13 m, or do not, are told apart from near
+   the origin only. So it is moved there, axis by axis, and its rows are
+   moved back. Returns what a row of places cannot say then, as a fraction
+   of the scale: that is no error of the run, but belongs to the answer. */
 static double find_origin(struct record_view *v)
 {
     const struct scene *s = &v->scene;
@@ -188,17 +206,21 @@ void record_look_away(struct record_view *v)
     *v = (struct record_view){0};
 }
 
-/* The other units: of length, from the other side if it is negative, of
-   mass, and of time. No factor is a power of two, so every number is
-   rounded anew in each of them: frequencies and the times of rows, too, but
-   for twin 1, whose steps are to end at the very times of the run's own. */
+/* Two collisions at one moment that share a body are a fork: which of them
+   comes first is decided by the order of bodies in a list, or by the side
+   from which one looks, and by nothing in nature. So a twin has both the
+   other way round. The other units: of length, from the other side if it is
+   negative, of mass, and of time. No factor is a power of two, so every
+   number is rounded anew in each of them: frequencies and the times of
+   rows, too, but for twin 1, whose steps are to end at the very times of
+   the run's own. */
 static const struct units {
     double length, mass, time;
 } units[] = {{1, 1, 1},        {-0.7, 1.3, 1},   {0.9, 0.6, 1.1},
              {-1.1, 1.7, 0.7}, {1.3, 0.9, 1.9},  {-0.6, 2.3, 1.3},
              {1.9, 1.1, 0.85}, {-0.85, 0.7, 0.6}};
 
-/* Coordinate c of a body, where the last body is the first one. */
+/* Returns where coordinate c goes when the last body becomes the first. */
 static size_t renamed(size_t n, size_t c)
 {
     return c / n * n + (n - 1 - c % n);
@@ -217,7 +239,12 @@ static void reverse(double a[], size_t rows, size_t n, double by)
     }
 }
 
-/* In other units, from the other side, with the last body as the first. */
+/* Makes of a scene the same in other units, from the other side, with the
+   last body as the first. The dimension of each quantity says its factor:
+   a stiffness, kg/s^2, has m/t^2, friction m/t, and k^2, m^3/(kg s^2), has
+   |l|^3/(m t^2). With a factor forgotten it is another scene, so far away
+   that no tolerance would hold, which tests see at once. The lower wall
+   becomes the upper one. */
 static void turn_round(struct scene *s, const struct units *u)
 {
     const double l = u->length, size = fabs(l), m = u->mass, t = u->time;
@@ -257,8 +284,9 @@ static void turn_round(struct scene *s, const struct units *u)
     s->damping *= m / t;
 }
 
-/* By how much coordinate c of a velocity of 1 is moved in a twin: one unit
-   in the last place, up or down. Each twin has signs of its own. */
+/* Returns by how much coordinate c of a velocity of 1 is moved in a twin:
+   by one unit in the last place, up or down. Each twin has its own signs.
+ */
 static double last_bit(size_t c, unsigned twin)
 {
     const uint64_t h = (c + 1) * UINT64_C(0x9e3779b97f4a7c15) +
@@ -269,7 +297,9 @@ static double last_bit(size_t c, unsigned twin)
 }
 
 /* Moves the last bits of what flies, along the axes that live, so that what
-   is exactly at the same time, or on one line, is so no longer. */
+   is exactly at the same time, or on one line, is so no longer. A body at
+   rest that falls, or stands among others that fly, is moved by a part of
+   the speed of the scene. */
 static void move_last_bits(struct scene *s, unsigned twin)
 {
     struct models_acts acts;
@@ -288,15 +318,18 @@ static void move_last_bits(struct scene *s, unsigned twin)
     }
 }
 
+/* Returns the distance of two numbers; in a periodic box, to the nearest
+   image: 0.1 and 9.9 in a box of 10 are 0.2 apart. */
 static double between(double a, double b, double turn)
 {
     const double d = fabs(a - b);
     return turn > 0 ? fabs(d - turn * floor(d / turn + 0.5)) : d;
 }
 
-/* How far a row is from another; no less than rows are rounded, for two
-   that agree in all digits may have been rounded away from the truth alike.
- */
+/* Returns the largest difference of two rows, each column in terms of its
+   scale; no less than rows are rounded, for two that agree in all digits
+   may have been rounded away from the truth alike. A NaN must not pass for
+   a small number: it is unequal to itself. */
 static double row_apart(const struct record_view *v, const double a[],
                         const double b[])
 {
@@ -331,7 +364,10 @@ size_t record_agree(const struct record_view *v, const struct record *a,
     return r - 1;
 }
 
-/* Looks at a run at the end of a row; met: its collisions so far. */
+/* Writes a row of a run, in the units of the scene: its states, or the
+   observables that are asked for. For these the view's own scene takes the
+   place of the run's. The time is that of the row, as it was asked for, and
+   not what a method has summed up to. met: collisions so far. */
 static void look(struct record *r, struct record_view *v,
                  const struct record_order *o, const struct scene *now,
                  uint64_t met)
@@ -358,7 +394,7 @@ static void look(struct record *r, struct record_view *v,
         }
 }
 
-/* A run on its way. */
+/* A run under way. */
 struct way {
     struct record *r;
     const struct record_order *o;
@@ -368,6 +404,8 @@ struct way {
     double since;
 };
 
+/* Begins a run, with the row of the start: in other units if it is a twin,
+   in which two numbers of the plan are lengths and one a time. */
 static void begin_way(struct way *w, struct record_view *v)
 {
     const struct record_order *o = w->o;
@@ -427,6 +465,7 @@ static bool go_on(struct way *w, struct record_view *v)
     return true;
 }
 
+/* Ends a run and makes out its bill. */
 static void end_way(struct way *w)
 {
     memcpy(w->r->work, w->run.work, sizeof w->r->work);
@@ -450,7 +489,7 @@ void record_run(struct record *r, struct record_view *v,
     end_way(&w);
 }
 
-/* Goes on while another one may have spent some of what both may. */
+/* A row further, when another run has spent part of what both may cost. */
 static bool go_on_beside(struct way *w, const struct way *other,
                          double limit, struct record_view *v)
 {
@@ -472,7 +511,7 @@ void record_both(struct record *a, struct record *b, struct record_view *v,
         ;
     end_way(&x);
     end_way(&y);
-    /* Both clocks ran all the time: each run has its part, by the bill. */
+    /* Both clocks ran all the time: the bill divides it. */
     const double seconds = fmax(a->seconds, b->seconds);
     const double bill = a->cost + b->cost;
     a->seconds = bill > 0 ? seconds * (a->cost / bill) : seconds / 2;

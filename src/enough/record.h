@@ -1,5 +1,3 @@
-/* From chapters/works/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1685382814 of the lines below */
 /* The rows of a run, and how far those of two runs are apart. */
 #ifndef RECORD_H
 #define RECORD_H
@@ -7,24 +5,27 @@
 #include "enough/models.h"
 #include "forces/observables.h"
 
-/* What is looked at, row by row, and what its errors are divided by. */
+/* The columns of the rows that are kept, and what errors in each are
+   divided by: with the weights all have the same unit, a fraction. It owns
+   a copy of the scene, set in motion only because observables ask a motion:
+   it never takes a step. */
 struct record_view {
     const struct observables *asked; /* NULL: all states, as step's rows */
     size_t columns;
     double *weight; /* [columns] 1/scale; 0: is shown, but not judged */
     double *turn;  /* [columns] after which a place is the same; 0: never */
-    double *last;  /* [columns] share by which one is rounded; 0: counts */
+    double *last;  /* [columns] fraction it is rounded by; 0: counts */
     double scale;  /* of the first column that is judged */
     double length; /* of places, m */
     const char *judged; /* and what that is: "positions", "energy", ... */
     /* ---- private */
     struct scene scene;
     struct motion motion;
-    double origin[SCENE_AXES]; /* from which the scene is carried, m */
+    double origin[SCENE_AXES]; /* to which the scene is moved, m */
     double grain; /* by how much rows are rounded that come from there */
 };
 
-/* What happened in a run. */
+/* A run of which every row is kept. */
 struct record {
     struct models_plan plan;
     enum models_end end;
@@ -75,7 +76,7 @@ void record_both(struct record *a, struct record *b, struct record_view *v,
                  const struct record_order *ob, double apart);
 
 /* The largest difference of two records in all rows from the first to the
-   last, as a share of its scale; INFINITY if one has not come so far. */
+   last, as a fraction of its scale; INFINITY if one has not come so far. */
 double record_apart(const struct record_view *v, const struct record *a,
                     const struct record *b, size_t first, size_t last);
 

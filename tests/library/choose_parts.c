@@ -14,7 +14,13 @@ static void played_both(struct record *a, struct record *b,
                         struct record_view *v,
                         const struct record_order *oa,
                         const struct record_order *ob, double apart);
-#include <enough/choose.c> /* of src: most of its parts are private */
+/* All of src that is private to the chooser. */
+#include <enough/task.c>
+#include <enough/rung.c>
+#include <enough/twins.c>
+#include <enough/reference.c>
+#include <enough/climb.c>
+#include <enough/choose.c>
 
 #include "library/plans.h"
 
@@ -122,11 +128,11 @@ static void test_rungs(void)
     static const double own[] = {1, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005};
     const struct models_plan p = steps_of("leapfrog", 1);
     for (int n = 1; n <= 32; ++n)
-        UNIT_EQUAL((double)rung(p, n).steps, known[n - 1]);
+        UNIT_EQUAL((double)nth_rung(p, n).steps, known[n - 1]);
     for (int n = 1; n <= 8; ++n)
-        UNIT_EQUAL(rung(own_steps_of(1), n).tolerance, own[n - 1]);
-    UNIT_EQUAL(rung(own_steps_of(1), 46).tolerance, 1e-15);
-    UNIT_EQUAL(rung(own_steps_of(1), 45).tolerance, 2e-15);
+        UNIT_EQUAL(nth_rung(own_steps_of(1), n).tolerance, own[n - 1]);
+    UNIT_EQUAL(nth_rung(own_steps_of(1), 46).tolerance, 1e-15);
+    UNIT_EQUAL(nth_rung(own_steps_of(1), 45).tolerance, 2e-15);
     UNIT_EQUAL((double)rung_at(p, log2(17)).steps, 18);
     UNIT_EQUAL((double)rung_at(p, log2(18)).steps, 18);
     UNIT_EQUAL((double)rung_at(p, log2(18.01)).steps, 20);
@@ -136,12 +142,12 @@ static void test_rungs(void)
     UNIT_EQUAL(rung_at(own_steps_of(1), -log2(1e-3)).tolerance, 1e-3);
     UNIT_EQUAL(rung_at(own_steps_of(1), -log2(0.99e-3)).tolerance, 5e-4);
     UNIT_EQUAL(rung_at(own_steps_of(1), 1e9).tolerance, 1e-15);
-    UNIT_NEAR(finer_reference(own_steps_of(2e-5)).tolerance, 2e-7, 1e-21);
-    UNIT_EQUAL(finer_reference(own_steps_of(1e-14)).tolerance, 1e-15);
+    UNIT_NEAR(finer(own_steps_of(2e-5)).tolerance, 2e-7, 1e-21);
+    UNIT_EQUAL(finer(own_steps_of(1e-14)).tolerance, 1e-15);
     struct models_plan q = steps_of("leapfrog", 48);
-    UNIT_EQUAL(fineness(&q), log2(48));
+    UNIT_EQUAL(rung_fineness(&q), log2(48));
     q = own_steps_of(0.125);
-    UNIT_EQUAL(fineness(&q), 3);
+    UNIT_EQUAL(rung_fineness(&q), 3);
 }
 
 /* What an order is made of: a fifth of a twentieth of what is asked for, if
@@ -149,14 +155,14 @@ static void test_rungs(void)
 static void test_order(void)
 {
     begin(1e-6);
-    UNIT_NEAR(first_tolerance(&task), 1e-4, 1e-18);
+    UNIT_NEAR(task_first_tolerance(&task), 1e-4, 1e-18);
     request.tolerance = 1e-3;
-    UNIT_EQUAL(first_tolerance(&task), 1e-3);
+    UNIT_EQUAL(task_first_tolerance(&task), 1e-3);
     request.tolerance = 1e-15;
-    UNIT_EQUAL(first_tolerance(&task), 1e-8);
+    UNIT_EQUAL(task_first_tolerance(&task), 1e-8);
     request.tolerance = 1e-6;
     choice.spent = 30;
-    struct record_order o = order_of(&task, own_steps_of(2e-5), 50);
+    struct record_order o = task_order(&task, own_steps_of(2e-5), 50);
     UNIT_NEAR(o.plan.little, 0.2 * 0.05 * 1e-6 * 2, 1e-20);
     UNIT_EQUAL(o.plan.left, 2);
     UNIT_EQUAL(o.plan.afford, 35);
@@ -164,16 +170,16 @@ static void test_order(void)
     UNIT_EQUAL(o.limit, 50);
     UNIT_EQUAL((double)o.rows, 4);
     UNIT_EQUAL(o.every, 0.5);
-    o = order_of(&task, own_steps_of(1e-2),
-                 90); /* coarser than the first */
+    o = task_order(&task, own_steps_of(1e-2),
+                   90); /* coarser than the first */
     UNIT_NEAR(o.plan.little, 0.05 * 1e-6 * 2, 1e-20);
     UNIT_EQUAL(o.limit, 70);
-    o = order_of(&task, steps_of("leapfrog", 5), INFINITY);
+    o = task_order(&task, steps_of("leapfrog", 5), INFINITY);
     UNIT_EQUAL(o.plan.margin, 0);
     UNIT_EQUAL((double)o.plan.steps, 5);
     choice.spent = 200;
-    UNIT_EQUAL(left_of(&task), 0);
-    o = order_of(&task, steps_of("leapfrog", 5), 1);
+    UNIT_EQUAL(task_budget(&task), 0);
+    o = task_order(&task, steps_of("leapfrog", 5), 1);
     UNIT_EQUAL(o.plan.afford, 1e-9);
     UNIT_EQUAL(o.limit, 0);
 }
@@ -182,7 +188,7 @@ static struct choose_candidate *candidate(const char *name, unsigned cuts)
 {
     struct models_plan p = steps_of(name, 1);
     p.cuts = cuts;
-    return enter(&task, p);
+    return task_candidate(&task, p);
 }
 
 /* A model has one candidate for each set of what it leaves out. */
@@ -213,9 +219,9 @@ static void test_endings(void)
                  {MODELS_MEMORY, "no memory"}};
     for (size_t k = 0; k < sizeof known / sizeof *known; ++k) {
         struct record r = {.end = known[k].end};
-        UNIT_TRUE(strcmp(ending(&r), known[k].text) == 0);
+        UNIT_TRUE(strcmp(task_ending(&r), known[k].text) == 0);
         r.why = "so";
-        UNIT_TRUE(strcmp(ending(&r), "so") == 0);
+        UNIT_TRUE(strcmp(task_ending(&r), "so") == 0);
     }
 }
 
@@ -226,7 +232,7 @@ static bool offered(struct choose_candidate *k, uint64_t steps, double cost,
     struct record r = {.plan = steps_of(k->plan.model->name, steps),
                        .cost = cost,
                        .value = calloc(1, sizeof(double))};
-    offer(&task, k, &r, error);
+    task_consider(&task, k, &r, error);
     const bool taken = !r.value;
     UNIT_TRUE(!taken || choice.run.plan.steps == steps);
     record_free(&r);
@@ -240,12 +246,12 @@ static void test_offers(void)
     begin(1e-3);
     struct choose_candidate *a = candidate("leapfrog", 0);
     struct choose_candidate *b = candidate("pefrl", 0);
-    UNIT_TRUE(isinf(best(&task)));
+    UNIT_TRUE(isinf(task_best_cost(&task)));
     UNIT_TRUE(!offered(a, 3, 1, 1.001e-3));
     UNIT_TRUE(!a->holds && a->error == 1.001e-3 && a->cost == 1);
     UNIT_TRUE(offered(a, 9, 5, 1e-3));
     UNIT_TRUE(a->holds && a->cost == 5 && choice.taken == 0);
-    UNIT_EQUAL(best(&task), 5);
+    UNIT_EQUAL(task_best_cost(&task), 5);
     UNIT_TRUE(!offered(a, 10, 5, 1e-5) && a->plan.steps == 9);
     UNIT_TRUE(!offered(a, 4, 2, 2e-3) && a->plan.steps == 9);
     UNIT_TRUE(!offered(b, 7, 5, 1e-4) && b->holds && b->cost == 5);
@@ -271,12 +277,12 @@ static void test_margins(void)
     const double pi = 3.14159265358979323846;
     for (unsigned k = 1; k <= TWINS; ++k) {
         const double half = (k + 1) / 2.0;
-        UNIT_NEAR(pow(2 / margin[k - 1], k) * tgamma(half) *
+        UNIT_NEAR(pow(2 / twins_margin[k - 1], k) * tgamma(half) *
                       pow(2 * pi * half, -half),
                   6.6e-5, 2.5e-6);
     }
     UNIT_EQUAL(TWINS, 6);
-    UNIT_EQUAL(doubled, margin[TWINS - 1]);
+    UNIT_EQUAL(last_margin, twins_margin[TWINS - 1]);
 }
 
 static void test_horizon(void)
@@ -284,11 +290,11 @@ static void test_horizon(void)
     struct scene s = {.time = 3};
     begin(1e-3);
     request.scene = &s;
-    note_horizon(&task, 8, 0.5);
+    task_note_horizon(&task, 8, 0.5);
     UNIT_EQUAL(choice.horizon, 7);
-    note_horizon(&task, 9, 0.5);
+    task_note_horizon(&task, 9, 0.5);
     UNIT_EQUAL(choice.horizon, 7);
-    note_horizon(&task, 0, 0.5);
+    task_note_horizon(&task, 0, 0.5);
     UNIT_EQUAL(choice.horizon, 3);
 }
 
@@ -348,8 +354,9 @@ static void test_lost(void)
 static void noted(struct ladder *l, uint64_t steps, double error,
                   double cost)
 {
-    note(&task, l,
-         (struct choose_point){steps_of("leapfrog", steps), error, cost});
+    climb_note(
+        &task, l,
+        (struct choose_point){steps_of("leapfrog", steps), error, cost});
 }
 
 /* Between which rungs the next one lies, and which run stands for all: the
@@ -502,16 +509,16 @@ static void test_foreseen(void)
     UNIT_NEAR(k->foreseen, 1e-2, 1e-12);
     UNIT_TRUE(strcmp(k->text, "by its order too expensive") == 0);
     foresee(&task, &l);
-    say(k, "so");
+    task_explain(k, "so");
     foresee(&task, &l);
     UNIT_TRUE(strcmp(k->text, "so") == 0);
     k->foreseen = INFINITY;
-    say(k, "");
+    task_explain(k, "");
     l.best.error = 0.5;
     foresee(&task, &l);
     UNIT_TRUE(strcmp(k->text, "too far off to go on") == 0);
     UNIT_TRUE(isinf(k->foreseen));
-    say(k, "");
+    task_explain(k, "");
     l.best.error = 1e-4;
     l.most = -INFINITY;
     foresee(&task, &l);
@@ -532,14 +539,14 @@ static void test_refusals(void)
     begin(1e-6);
     request.scene = &s;
     choice.spent = 1.234;
-    refuse_plan(&task, &p, "no luck", " or so");
+    task_refuse_plan(&task, &p, "no luck", " or so");
     UNIT_TRUE(strcmp(choice.refusal, "pefrl:24: no luck") == 0);
-    refuse_plan(&task, &p, NULL, ", so far,");
+    task_refuse_plan(&task, &p, NULL, ", so far,");
     UNIT_TRUE(
         strcmp(choice.refusal,
                "beyond reason: pefrl:24, so far, would bring the bill "
                "above 100 s by the price list; spent: 1.2 s") == 0);
-    refuse_standstill(&task, &r);
+    task_refuse_standstill(&task, &r);
     UNIT_TRUE(strcmp(choice.refusal,
                      "collisions without end: after t = 2.5 bodies come to "
                      "rest on each other, and no model here carries them "
@@ -665,7 +672,7 @@ static bool found(void)
 {
     still.contact = true;
     request.scene = &still;
-    const bool is = find_reference(&task, &reference);
+    const bool is = reference_find(&task, &reference);
     UNIT_EQUAL((double)played, (double)written);
     record_free(&reference.run);
     record_free(&reference.coarser);
@@ -844,8 +851,9 @@ static void test_twins(void)
         set_reference(known[k].seen * 1e-3, 1, 1);
         for (unsigned twin = 1; twin < known[k].twins; ++twin)
             write_whole(-known[k].twin * 1e-3);
-        UNIT_TRUE(ask_twins(&task, &reference, known[k].want * 1e-3) ==
-                  known[k].sure);
+        UNIT_TRUE(
+            reference_ask_twins(&task, &reference, known[k].want * 1e-3) ==
+            known[k].sure);
         UNIT_EQUAL((double)played, (double)written);
         UNIT_EQUAL(reference.twins, known[k].twins);
         UNIT_NEAR(reference.doubt, known[k].doubt * 1e-3, 1e-9);
@@ -904,7 +912,7 @@ static void test_exact_twins(void)
         struct record a, b;
         begin(1e-3);
         request.scene = &still;
-        const struct record_order o = order_of(&task, p, INFINITY);
+        const struct record_order o = task_order(&task, p, INFINITY);
         struct record_order other = o;
         other.twin = 2;
         write_run(
@@ -914,8 +922,7 @@ static void test_exact_twins(void)
             write_whole(7 + known[k].twin * 1e-3);
         played_run(&a, &view, &o);
         played_run(&b, &view, &other);
-        UNIT_NEAR(bound_by_twins(&task, &a, &b), known[k].error * 1e-3,
-                  1e-9);
+        UNIT_NEAR(twins_bound(&task, &a, &b), known[k].error * 1e-3, 1e-9);
         UNIT_EQUAL((double)played, (double)written);
         for (size_t j = 1; j < played; ++j)
             UNIT_EQUAL(ordered[j].twin, 1 + (double)j);
@@ -925,9 +932,9 @@ static void test_exact_twins(void)
     }
 }
 
-/* What a twin costs of which patience has seen two of four rows, is twice
-   as much; if it has seen none, a sixteenth of a row is looked at, and so
-   on; unless twins part there. */
+/* What a twin costs that the first limit has stopped after two of four
+   rows, is twice as much; if it has seen none, a sixteenth of a row is
+   looked at, and so on; unless twins part there. */
 static void test_price_of_twin(void)
 {
     const struct models_plan p = {.model = models_find("disks")};
@@ -945,7 +952,7 @@ static void test_price_of_twin(void)
     for (size_t k = 0; k < 4; ++k) {
         UNIT_EQUAL(ordered[k].every, 0.5 / (k < 2 ? 16 : 256));
         UNIT_EQUAL((double)ordered[k].rows, 16);
-        UNIT_EQUAL(ordered[k].limit, 2 * patience);
+        UNIT_EQUAL(ordered[k].limit, 2 * first_limit);
         UNIT_EQUAL(ordered[k].twin, k % 2 ? 2 : 0);
     }
     UNIT_NEAR(choice.spent, 3e-3 + 0.25, 1e-15);
@@ -964,16 +971,16 @@ static void test_slip(void)
     struct record a;
     begin(1e-3);
     request.scene = &still;
-    const struct record_order o =
-        order_of(&task, (struct models_plan){.model = models_find("line")},
-                 INFINITY);
+    const struct record_order o = task_order(
+        &task, (struct models_plan){.model = models_find("line")},
+        INFINITY);
     write_run((struct played){MODELS_DONE, 4, 7, 1, 1, 0x1p-44, NULL});
     write_whole(7 + 0x1p-30);
     played_run(&a, &view, &o);
-    UNIT_EQUAL(slip(&task, &a), 0x1p-34);
+    UNIT_EQUAL(error_of_clock(&task, &a), 0x1p-34);
     UNIT_EQUAL(ordered[1].every, 0.5 * (1 + 0x1p-40));
     a.clock = 0;
-    UNIT_EQUAL(slip(&task, &a), 0);
+    UNIT_EQUAL(error_of_clock(&task, &a), 0);
     UNIT_EQUAL((double)played, 2);
     record_free(&a);
 }
@@ -1022,8 +1029,8 @@ static void test_near_floor(void)
         request.scene = &still;
         write_whole(7);
         write_whole(7 + (near ? 1.001e-5 : 0.999e-5));
-        run(&task, &choice.run,
-            &(struct record_order){.plan = own_steps_of(1e-9)});
+        task_run(&task, &choice.run,
+                 &(struct record_order){.plan = own_steps_of(1e-9)});
         UNIT_TRUE(is_near_floor(&task) == near);
         UNIT_EQUAL(ordered[1].twin, 1);
         UNIT_EQUAL(ordered[1].plan.tolerance, 1e-9);
@@ -1089,8 +1096,8 @@ static void test_neighbours(void)
         write_whole(known[k].finer * 1e-3);
         if (known[k].coarser > 0)
             write_whole(known[k].coarser * 1e-3);
-        run(&task, &r,
-            &(struct record_order){.plan = steps_of("leapfrog", 40)});
+        task_run(&task, &r,
+                 &(struct record_order){.plan = steps_of("leapfrog", 40)});
         ask_neighbours(&task, &l, &r, &seen);
         UNIT_EQUAL((double)played, (double)written);
         UNIT_EQUAL((double)ordered[1].plan.steps, 44);

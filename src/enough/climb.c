@@ -1,0 +1,127 @@
+/* From chapters/12-choose.nw: edit there, then run make tangle. */
+/* checksum 387356131 of the lines below */
+/* Finer and finer steps of one method, as long as they may pay. */
+#include "enough/task.h"
+
+#include <math.h>
+
+static const double lost = 0.1; /* of the scale: it is on another way */
+
+static bool is_lost(double error)
+{
+    return error > lost;
+}
+
+/* Are rungs finer than the last in vain, if the next has this error? */
+static bool is_vain(const struct ladder *l, double error)
+{
+    const double before = l->best.error;
+    return isinf(error) ? isinf(before)
+                        : l->foot.cuts && !is_lost(error) &&
+                              fabs(error - before) < 0.01 * error;
+}
+
+/* Does the last run tell nothing of the order? What a ladder leaves out
+   may be all of a large error: much finer steps are tried at once. */
+static bool is_blind(const struct ladder *l)
+{
+    const double error = l->best.error;
+    return isinf(error) || (is_lost(error) && !l->foot.cuts);
+}
+
+void climb_note(const struct task *t, struct ladder *l,
+                struct choose_point r)
+{
+    const double fine = rung_fineness(&r.plan), e = t->q->tolerance;
+    const bool holds = r.error <= e;
+    if (!holds && is_vain(l, r.error))
+        l->most = -INFINITY; /* finer steps are no help */
+    if (isinf(r.cost) || holds)
+        l->most = fmin(l->most, fine);
+    else
+        l->least = fmax(l->least, fine);
+    if (isfinite(r.cost) && (holds || !(l->best.error <= e)))
+        l->best = r;
+}
+
+static double order_of_method(const struct ladder *l)
+{
+    const struct stepping_method *m = l->foot.model->method;
+    return m->adaptive ? 1 : m->order;
+}
+
+/* By how many octaves the error has to fall; INFINITY: it is not known. */
+static double excess(const struct task *t, const struct ladder *l)
+{
+    return log2(l->best.error / t->q->tolerance);
+}
+
+/* What a rung will cost that is so many octaves finer, s. */
+static double price_of(const struct ladder *l, double more)
+{
+    return l->best.cost * exp2(l->rise * more);
+}
+enum { FAR = 4 };
+
+static double octaves_up(const struct task *t, const struct ladder *l)
+{
+    const double more =
+        is_blind(l) ? 1 / l->rise : excess(t, l) / order_of_method(l);
+    return fmin(more, FAR);
+}
+
+/* At what price a ladder may hold, after its first run, s. */
+double climb_price(const struct task *t, const struct ladder *l)
+{
+    return l->best.plan.model ? price_of(l, fmax(octaves_up(t, l), -FAR))
+                              : INFINITY;
+}
+
+/* The next rung that is worth a run; model NULL: none is. */
+static struct models_plan next_rung(const struct task *t,
+                                    const struct ladder *l)
+{
+    const double one = 0.125; /* octaves from rung to rung */
+    const double may = fmin(0.98 * task_best_cost(t), task_budget(t));
+    const double now = rung_fineness(&l->best.plan);
+    const double more = octaves_up(t, l);
+    const double dear = log2(may / l->best.cost) / l->rise - one;
+    const double want =
+        now + more > l->least ? now + more : (l->least + l->most) / 2;
+    const double go = fmax(fmin(want, now + dear), l->least + one / 2);
+    struct models_plan next = rung_at(l->foot, go);
+    const double far = excess(t, l), order = order_of_method(l);
+    const double highest = l->foot.model->method->orbits ? 8 : 1.2 * order;
+    const double nearest = fmin(far, log2(lost / t->q->tolerance)) /
+                           (far > 0 || l->rise < 1 ? highest : order);
+    if (!l->best.plan.model || !(rung_fineness(&next) < l->most) ||
+        (l->best.error <= 1 && !(price_of(l, nearest) < may)) ||
+        !(price_of(l, rung_fineness(&next) - now) < may))
+        next.model = NULL;
+    return next;
+}
+
+/* Notes what would hold, if the last error tells, and why it was not tried,
+   unless the last run has said so. */
+static void foresee(const struct task *t, const struct ladder *l)
+{
+    struct choose_candidate *k = l->candidate;
+    const bool vain = l->most == -INFINITY;
+    const bool unknown = is_lost(l->best.error);
+    if (l->best.plan.model && !vain && !unknown)
+        k->foreseen = price_of(l, excess(t, l) / order_of_method(l));
+    if (k->text[0] == '\0')
+        task_explain(k, vain      ? "finer steps are no help"
+                        : unknown ? "too far off to go on"
+                                  : "by its order too expensive");
+}
+
+void climb(const struct task *t, struct ladder *l)
+{
+    struct models_plan next;
+    while ((next = next_rung(t, l)).model)
+        climb_note(t, l,
+                   rung_try(t, l, next, task_best_cost(t), l->candidate));
+    if (!l->candidate->holds)
+        foresee(t, l);
+}

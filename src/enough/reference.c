@@ -1,0 +1,154 @@
+/* From chapters/12-choose.nw: edit there, then run make tangle. */
+/* checksum 3484376834 of the lines below */
+/* Reference runs: two that agree, the second finer and a twin. */
+#include "enough/task.h"
+
+#include <math.h>
+
+static struct models_plan finer(struct models_plan p)
+{
+    return rung_at(p, rung_fineness(&p) + log2(100));
+}
+
+/* Two runs in step, the second one finer, until they part. */
+static void run_pair(const struct task *t, struct reference *f,
+                     struct models_plan plan)
+{
+    const struct record_order a = task_order(t, plan, INFINITY);
+    struct record_order b = task_order(t, finer(plan), INFINITY);
+    b.twin = 1;
+    b.plan.slack = 0.2; /* no step is one of the first run's */
+    record_both(&f->coarser, &f->run, t->view, &a, &b, t->q->tolerance);
+    task_bill(t, &f->coarser);
+    task_bill(t, &f->run);
+}
+
+/* Do the two agree on the closest of all contacts? */
+static bool is_decided(const struct reference *f)
+{
+    const double a = f->coarser.least, b = f->run.least;
+    return 2 * fabs(a - b) < fmin(fabs(a), fabs(b));
+}
+
+/* Bounds the error of the finer run by its twins, until the bound is below
+   `want`; returns whether it is below half of the tolerance. */
+bool reference_ask_twins(const struct task *t, struct reference *f,
+                         double want)
+{
+    const double most = t->q->tolerance / last_margin;
+    double far = f->doubt;
+    unsigned k = 1;
+    while (k < TWINS && last_margin * far <= most &&
+           twins_margin[k - 1] * far > want)
+        far = fmax(far, twins_add(t, &f->run, f->run.twin + k++,
+                                  most / last_margin));
+    const bool lost = last_margin * far > most;
+    f->twins = k;
+    f->doubt = (lost ? last_margin : twins_margin[k - 1]) * far;
+    return f->doubt <= most;
+}
+static void ask_balls(const struct task *t, struct reference *f)
+{
+    const double hair = 0x1p-40 * t->view->length;
+    const double most = t->q->tolerance / last_margin / last_margin;
+    struct record_order o = task_order(t, f->run.plan, INFINITY);
+    for (int side = -1; side <= 1 && !is_decided(f); side += 2) {
+        struct record third;
+        o.swell = side * fmax(2 * fabs(f->run.least), hair);
+        task_run(t, &third, &o);
+        f->doubt = fmax(f->doubt, task_difference(t, &third, &f->run));
+        f->doubt = fmax(f->doubt, task_difference(t, &third, &f->coarser));
+        task_note_parting(t, &third, &f->run, most);
+        task_note_parting(t, &third, &f->coarser, most);
+        record_free(&third);
+    }
+}
+
+/* Is the finest run that there is sure to half of the tolerance? */
+static bool is_sure(const struct task *t, struct reference *f)
+{
+    if (f->doubt <= t->q->tolerance / last_margin)
+        ask_balls(t, f);
+    if (reference_ask_twins(t, f, roughly * t->q->tolerance))
+        return true;
+    task_note_parting(t, &f->coarser, &f->run,
+                      t->q->tolerance / last_margin / last_margin);
+    return false;
+}
+
+/* Refuses if it is no use to go on; *stood: as in find_adaptive. */
+static bool gives_up(const struct task *t, const struct reference *f,
+                     size_t *stood)
+{
+    const struct record *bad =
+        f->coarser.end != MODELS_DONE ? &f->coarser : &f->run;
+    const bool both = f->coarser.end == MODELS_BROKEN &&
+                      f->run.end == MODELS_BROKEN &&
+                      f->coarser.reached == f->run.reached;
+    const bool stands = bad->end == MODELS_STANDSTILL;
+    if (stands && bad->reached + 1 == *stood) {
+        task_refuse_standstill(t, bad);
+        return true;
+    }
+    *stood = stands ? bad->reached + 1 : 0;
+    if (bad->end != MODELS_COSTLY && bad->end != MODELS_MEMORY &&
+        !bad->why && !both)
+        return false;
+    task_refuse_plan(t, &bad->plan,
+                     bad->end == MODELS_COSTLY ? NULL : task_ending(bad),
+                     ", to compare others with,");
+    return true;
+}
+
+/* Runs finer and finer pairs until two agree; false: they do not. */
+static bool find_adaptive(const struct task *t, struct reference *f)
+{
+    struct models_plan plan = {.model = models_find("radau15"), .steps = 1};
+    size_t stood = 0; /* rows of the last run that stood still, and 1 */
+    plan = rung_at(plan, -log2(task_first_tolerance(t)));
+    for (;; plan = finer(plan)) {
+        run_pair(t, f, plan);
+        if (gives_up(t, f, &stood))
+            return false;
+        f->doubt = f->seen = task_difference(t, &f->coarser, &f->run);
+        if (f->doubt <= negligible * t->q->tolerance && is_decided(f))
+            return true;
+        if (f->run.plan.tolerance < 2e-15)
+            return is_sure(t, f);
+        record_free(&f->coarser);
+        record_free(&f->run);
+    }
+}
+
+/* Runs one method, two in a row without a common measure of their steps,
+   finer and finer. false: they would need to be finer than that. */
+static bool find_even(const struct task *t, struct reference *f,
+                      const char *name)
+{
+    struct models_plan p = {.model = models_find(name), .steps = 1};
+    p = rung_lowest(t, p);
+    for (int level = 0; level < 4; ++level) {
+        const struct record_order o = task_order(t, p, INFINITY);
+        record_free(&f->coarser);
+        f->coarser = f->run;
+        task_run(t, &f->run, &o);
+        p.steps = 2 * p.steps + 1;
+        f->doubt = f->seen = task_difference(t, &f->coarser, &f->run);
+        const double far = f->doubt / (roughly * t->q->tolerance);
+        if (far <= 1)
+            return true;
+        if (level > 0 && !(far < exp2(2 * p.model->method->order)))
+            break;
+    }
+    record_free(&f->coarser);
+    record_free(&f->run);
+    return false;
+}
+
+bool reference_find(const struct task *t, struct reference *f)
+{
+    if (!t->c->acts.gravity && !t->q->scene->contact &&
+        (find_even(t, f, "leapfrog") || find_even(t, f, "kahan-li8")))
+        return true;
+    return find_adaptive(t, f);
+}

@@ -1,0 +1,156 @@
+/* The chooser's bill, its list of candidates, and how each run is made. */
+#include "enough/task.h"
+
+#include <math.h>
+#include <stdio.h>
+
+double task_budget(const struct task *t)
+{
+    return fmax(t->q->reason - t->c->spent, 0);
+}
+
+double task_first_tolerance(const struct task *t)
+{
+    return fmax(1e-8, fmin(1e-3, pow(t->q->tolerance, 2.0 / 3)));
+}
+
+/* A passage counts if it displaces somebody by more than a twentieth of the
+   tolerance until the end (12.13, eq:choose-passage); in a finer reference
+   if it does by less, since what both of two runs leap over neither can
+   tell. */
+struct record_order task_order(const struct task *t,
+                               struct models_plan plan, double limit)
+{
+    const double less = fmin(plan.tolerance / task_first_tolerance(t), 1);
+    plan.little = negligible * t->q->tolerance * t->view->length * less;
+    plan.left = (double)t->c->rows * t->q->every;
+    plan.afford = fmax(task_budget(t) / 2, 1e-9); /* a twin's as well */
+    plan.margin =
+        plan.tolerance > 0 ? t->q->tolerance * t->view->length : 0;
+    return (struct record_order){.scene = t->q->scene,
+                                 .plan = plan,
+                                 .every = t->q->every,
+                                 .rows = t->c->rows,
+                                 .limit = fmin(limit, task_budget(t))};
+}
+
+void task_bill(const struct task *t, const struct record *r)
+{
+    t->c->spent += r->cost;
+    if (t->q->watch)
+        t->q->watch(t->q->with, t->c->spent);
+}
+
+void task_run(const struct task *t, struct record *r,
+              const struct record_order *o)
+{
+    record_run(r, t->view, o);
+    task_bill(t, r);
+}
+
+bool task_complete(const struct task *t, const struct record *r)
+{
+    return r->end == MODELS_DONE && r->reached == t->c->rows;
+}
+
+double task_difference(const struct task *t, const struct record *a,
+                       const struct record *b)
+{
+    return record_apart(t->view, a, b, 1, t->c->rows);
+}
+
+void task_note_horizon(const struct task *t, size_t held, double every)
+{
+    const double until = t->q->scene->time + (double)held * every;
+    t->c->horizon = fmin(t->c->horizon, until);
+}
+
+void task_note_parting(const struct task *t, const struct record *a,
+                       const struct record *b, double most)
+{
+    const size_t held = record_agree(t->view, a, b, most);
+    if (held < a->reached && held < b->reached)
+        task_note_horizon(t, held, t->q->every);
+}
+
+struct choose_candidate *task_candidate(const struct task *t,
+                                        struct models_plan plan)
+{
+    struct choose_choice *c = t->c;
+    for (size_t j = 0; j < c->candidates; ++j)
+        if (c->candidate[j].plan.model == plan.model &&
+            c->candidate[j].plan.cuts == plan.cuts)
+            return &c->candidate[j];
+    struct choose_candidate *next = &c->candidate[c->candidates++];
+    *next = (struct choose_candidate){.plan = plan,
+                                      .error = INFINITY,
+                                      .cost = INFINITY,
+                                      .foreseen = INFINITY};
+    return next;
+}
+
+void task_explain(struct choose_candidate *k, const char *text)
+{
+    snprintf(k->text, sizeof k->text, "%s", text);
+}
+
+const char *task_ending(const struct record *r)
+{
+    return r->why                        ? r->why
+           : r->end == MODELS_STANDSTILL ? "collisions without end"
+           : r->end == MODELS_COSTLY     ? "more expensive than the best"
+           : r->end == MODELS_MEMORY     ? "no memory"
+           : r->end == MODELS_BROKEN     ? "breaks down"
+                                         : "";
+}
+
+double task_best_cost(const struct task *t)
+{
+    return t->c->run.value ? t->c->run.cost : INFINITY;
+}
+
+void task_consider(const struct task *t, struct choose_candidate *k,
+                   struct record *r, double error)
+{
+    struct choose_choice *c = t->c;
+    const bool holds = error <= t->q->tolerance;
+    if (c->points < CHOOSE_POINTS && isfinite(error))
+        c->point[c->points++] =
+            (struct choose_point){r->plan, error, r->cost};
+    if (k->holds && (!holds || r->cost >= k->cost))
+        return;
+    k->plan = r->plan;
+    k->error = error;
+    k->cost = r->cost;
+    k->holds = holds;
+    if (!holds || !(r->cost < task_best_cost(t)))
+        return;
+    record_free(&c->run);
+    c->run = *r;
+    r->value = NULL;
+    c->taken = (size_t)(k - c->candidate);
+}
+
+void task_refuse_plan(const struct task *t, const struct models_plan *p,
+                      const char *why, const char *role)
+{
+    char *to = t->c->refusal, plan[MODELS_TEXT];
+    models_write(p, plan);
+    if (why)
+        snprintf(to, CHOOSE_REFUSAL, "%s: %s", plan, why);
+    else
+        snprintf(to, CHOOSE_REFUSAL,
+                 "beyond reason: %s%s would bring the bill above %.3g s by "
+                 "the price list; spent: %.2g s",
+                 plan, role, t->q->reason, t->c->spent);
+}
+
+void task_refuse_standstill(const struct task *t, const struct record *r)
+{
+    snprintf(t->c->refusal, CHOOSE_REFUSAL,
+             "collisions without end: after t = %.10g bodies come to rest "
+             "on each other, and no model here carries them on from there; "
+             "spent: %.2g s",
+             t->q->scene->time + (double)r->reached * t->q->every,
+             t->c->spent);
+}

@@ -1,0 +1,179 @@
+/* What the parts of the chooser share: the question, the bill, and runs. */
+#ifndef TASK_H
+#define TASK_H
+
+#include "enough/choose.h"
+#include "enough/models.h"
+#include "enough/record.h"
+
+/* A question, what its runs are judged by, and the answer so far. */
+struct task {
+    const struct choose_request *q;
+    struct record_view *view;
+    struct reference *f;     /* stands when candidates are tried */
+    struct choose_choice *c; /* where what was seen is written down */
+};
+
+/* A run to compare others with, and how far it may itself be off. The
+   coarser one of two is kept as well: it is a candidate like others. */
+struct reference {
+    struct record run, coarser;
+    double seen;    /* how far the two are apart */
+    double doubt;   /* how far the finer one may be off */
+    unsigned twins; /* how many were run, besides the coarser run */
+};
+
+/* The runs of one method, finer and finer. Only one of them matters, from
+   which the next is judged, and between which two that has to lie. */
+struct ladder {
+    struct choose_candidate *candidate;
+    struct models_plan foot;
+    struct choose_point best; /* the coarsest that holds, or the last that
+                                 does not; model NULL: none was tried */
+    double least, most; /* between these is the next one, in octaves */
+    double rise;        /* octaves of cost to one of fineness */
+    double price;       /* s: at which it may hold, after its first run */
+};
+
+/* Fractions of the tolerance: what is nothing beside it, and how well two
+   references agree; and what cheap ones do. */
+static const double negligible = 0.05;
+static const double roughly = 0.2;
+
+/* ---- task.c: the bill and the list of candidates */
+
+/* Returns what is left to be spent, s by the price list. */
+double task_budget(const struct task *t);
+
+/* Returns the tolerance of the steps of the first reference. */
+double task_first_tolerance(const struct task *t);
+
+/* Writes down how a plan is to be run: for what it may cost at most, what
+   is left and the limit, and with which passages and contacts count. */
+struct record_order task_order(const struct task *t,
+                               struct models_plan plan, double limit);
+
+/* Adds a run to the bill, and tells whoever watches. */
+void task_bill(const struct task *t, const struct record *r);
+
+/* Makes a run and bills it; it is to be freed with record_free. */
+void task_run(const struct task *t, struct record *r,
+              const struct record_order *o);
+
+/* Has a run all its rows? Only then it can be compared. */
+bool task_complete(const struct task *t, const struct record *r);
+
+/* Returns the largest difference of two runs, as a fraction of the scale,
+   from the first row after the start, where all are alike. */
+double task_difference(const struct task *t, const struct record *a,
+                       const struct record *b);
+
+/* Notes that runs part after so many rows: that is a horizon of the scene,
+   and of those that are seen the nearest counts. */
+void task_note_horizon(const struct task *t, size_t held, double every);
+
+/* The same, if two runs do part, that is differ by more than `most`; the
+   first few rows may hold all the same. */
+void task_note_parting(const struct task *t, const struct record *a,
+                       const struct record *b, double most);
+
+/* Returns the candidate of a plan's model and cuts, a new one if there is
+   none. The list has room for more than there are. */
+struct choose_candidate *task_candidate(const struct task *t,
+                                        struct models_plan plan);
+
+/* Says of a candidate why it is out. */
+void task_explain(struct choose_candidate *k, const char *text);
+
+/* Returns in words how a run ended that has not all its rows. */
+const char *task_ending(const struct record *r);
+
+/* Returns the cost to beat, s by the price list. */
+double task_best_cost(const struct task *t);
+
+/* Writes down a run whose error was seen: as a point of the chart; with its
+   candidate, if it is the cheapest of that which holds; and if it is the
+   cheapest of all, the answer takes its rows over (*r is then empty), so
+   that nothing has to be run again. */
+void task_consider(const struct task *t, struct choose_candidate *k,
+                   struct record *r, double error);
+
+/* Refuses, as a plan is too expensive (why NULL), or for another reason. */
+void task_refuse_plan(const struct task *t, const struct models_plan *p,
+                      const char *why, const char *role);
+
+/* Refuses where bodies come to rest on each other: runs of two tolerances
+   have seen it after the same row, so it is neither rounding nor a fork. */
+void task_refuse_standstill(const struct task *t, const struct record *r);
+
+/* ---- rung.c: how fine the steps of a method may be, one by one */
+
+/* Returns how fine the steps of a plan are, in octaves: one octave is twice
+   as many steps, or half the tolerance. */
+double rung_fineness(const struct models_plan *p);
+
+/* Returns the coarsest rung that is as fine as this, with 2^52 steps or a
+   tolerance of 1e-15 at most. */
+struct models_plan rung_at(struct models_plan p, double fine);
+
+/* Returns the lowest rung: the longest steps that make sense, three fifths
+   of what the method can bear or a radian of the largest rate. */
+struct models_plan rung_lowest(const struct task *t, struct models_plan p);
+
+/* Returns how far a run is from the reference, and that from the truth. */
+double rung_error(const struct task *t, const struct record *r);
+
+/* Runs a plan, up to a cost, and writes down how far off it is. l: NULL, or
+   the ladder that it is a rung of: then a neighbour has to hold, too. */
+struct choose_point rung_try(const struct task *t, const struct ladder *l,
+                             struct models_plan plan, double limit,
+                             struct choose_candidate *k);
+
+/* ---- twins.c: what rounding does to a run */
+
+/* A run has so many twins at most. From the largest distance of k of them a
+   factor bounds its error, with the same chance of 6.7e-5 to be wrong. */
+enum { TWINS = 6 };
+extern const double twins_margin[TWINS];
+static const double last_margin = 2; /* the last of them, and the least */
+
+/* Runs a plan and its twin side by side until they part; returns whether
+   they have. Both are to be freed. */
+bool twins_run(const struct task *t, struct record_order one,
+               struct record *a, struct record *b);
+
+/* Runs another twin of a run and returns their distance. Where they are
+   more than `most` apart that is noted as a horizon; 0: it is none. */
+double twins_add(const struct task *t, const struct record *r,
+                 unsigned number, double most);
+
+/* Returns how far a run may be off that is complete, like its first twin.
+ */
+double twins_bound(const struct task *t, const struct record *a,
+                   const struct record *b);
+
+/* ---- reference.c: a run that proves itself */
+
+/* Finds a reference. false: there is none; if that is no horizon, the
+   refusal says why. */
+bool reference_find(const struct task *t, struct reference *f);
+
+/* Compares the finer run with twins of its own, until they bound its error
+   by `want`, or there are no more, or they differ by too much. Returns
+   whether the bound is at most half of the tolerance. */
+bool reference_ask_twins(const struct task *t, struct reference *f,
+                         double want);
+
+/* ---- climb.c: finer steps, as long as they may pay */
+
+/* Notes on a ladder what a run of one of its rungs has shown. */
+void climb_note(const struct task *t, struct ladder *l,
+                struct choose_point r);
+
+/* Returns what is expected to hold, by the order, s by the price list. */
+double climb_price(const struct task *t, const struct ladder *l);
+
+/* Tries finer rungs, as long as one may become cheaper than the best. */
+void climb(const struct task *t, struct ladder *l);
+
+#endif

@@ -1,0 +1,73 @@
+/* From chapters/12-choose.nw: edit there, then run make tangle. */
+/* checksum 3753026233 of the lines below */
+/* What rounding does to a run: twins of it, in other units. */
+#include "enough/task.h"
+
+#include <math.h>
+
+/* Runs a plan beside its twin; returns whether they have parted. */
+bool twins_run(const struct task *t, struct record_order one,
+               struct record *a, struct record *b)
+{
+    const double most = t->q->tolerance / last_margin;
+    struct record_order other = one;
+    other.twin = 2;
+    record_both(a, b, t->view, &one, &other, most);
+    task_bill(t, a);
+    task_bill(t, b);
+    const size_t held = record_agree(t->view, a, b, most);
+    const bool parted = held < a->reached && held < b->reached;
+    if (parted && one.plan.model->family == MODELS_EVENTS)
+        task_note_horizon(t, held, one.every);
+    return parted;
+}
+
+const double twins_margin[TWINS] = {4800, 43, 9.2, 4.3, 2.7, 2};
+/* Runs another twin, notes where it parts from the run if that shows a
+   horizon (most > 0), and returns how far it is from the run. */
+double twins_add(const struct task *t, const struct record *r,
+                 unsigned number, double most)
+{
+    struct record twin;
+    struct record_order o = task_order(t, r->plan, INFINITY);
+    o.twin = number;
+    task_run(t, &twin, &o);
+    const double far = task_difference(t, r, &twin);
+    if (most > 0)
+        task_note_parting(t, r, &twin, most);
+    record_free(&twin);
+    return far;
+}
+/* How far clocks that are late alike in all units put a run off (12.11,
+   eq:choose-slip). */
+static double error_of_clock(const struct task *t, const struct record *r)
+{
+    const double late_by = 0x1p-40;
+    struct record late;
+    struct record_order o = task_order(t, r->plan, INFINITY);
+    o.every *= 1 + late_by;
+    if (r->clock == 0)
+        return 0;
+    task_run(t, &late, &o);
+    const double by = r->clock / late_by * task_difference(t, r, &late);
+    record_free(&late);
+    return by;
+}
+static const double trifle = 1e-3; /* s: not worth being saved */
+
+/* How far a run a may be off that has all its rows, like its twin b. */
+double twins_bound(const struct task *t, const struct record *a,
+                   const struct record *b)
+{
+    const double e = t->q->tolerance, late = error_of_clock(t, a);
+    const bool events = a->plan.model->family == MODELS_EVENTS;
+    const bool cheap = TWINS * a->cost <= trifle;
+    double far = task_difference(t, a, b);
+    unsigned k = 1;
+    while (k < TWINS && last_margin * far + late <= e &&
+           (cheap || twins_margin[k - 1] * far + late > e))
+        far = fmax(far, twins_add(t, a, b->twin + k++,
+                                  events ? e / last_margin : 0));
+    const bool lost = last_margin * far + late > e;
+    return (lost ? last_margin : twins_margin[k - 1]) * far + late;
+}

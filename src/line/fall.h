@@ -1,5 +1,3 @@
-/* From chapters/works/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 3285303359 of the lines below */
 /* When a body that falls reaches a floor or a roof. */
 #ifndef FALL_H
 #define FALL_H

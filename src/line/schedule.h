@@ -1,5 +1,3 @@
-/* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 314500755 of the lines below */
 /* Which of many events comes first. */
 #ifndef SCHEDULE_H
 #define SCHEDULE_H

@@ -1,5 +1,3 @@
-/* From chapters/works/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 1892217218 of the lines below */
 /* The presets of a line: fixed numbers, points thrown and gases warmed. */
 #include "line/start.h"
 
@@ -13,10 +11,12 @@ const char *const start_names[START_KINDS + 1] = {
     "four",      "mixed", "cradle", "thermal",  "piston",
     "adiabatic", "two",   "random", "galperin", NULL};
 
+/* One piece of memory serves all four arrays: one thing to fail and one to
+   free. */
 bool start_create(struct start *s, size_t movers)
 {
     *s = (struct start){.movers = movers};
-    s->mass = calloc(4 * movers, sizeof *s->mass); /* all four arrays */
+    s->mass = calloc(4 * movers, sizeof *s->mass);
     if (!s->mass)
         return false;
     s->x = s->mass + movers;
@@ -33,7 +33,10 @@ void start_free(struct start *s)
     *s = (struct start){0};
 }
 
-/* n points thrown at random between a and b, in order. */
+/* Throws n points at random between a and b, in order, without sorting: the
+   gaps between them are n + 1 exponential variates divided by their sum.
+   (Before the division they are independent, which is why the free space of
+   a line behaves like an ideal gas.) */
 static void throw_points(struct random *r, size_t n, double a, double b,
                          double x[])
 {
@@ -47,7 +50,9 @@ static void throw_points(struct random *r, size_t n, double a, double b,
         x[i] = a + (b - a) * (x[i] / sum);
 }
 
-/* Velocities for n movers from i on, warm, with this kinetic energy. */
+/* Draws velocities for n movers from i on, normal with a variance in
+   proportion to 1/m, and multiplies them by one factor, which makes their
+   kinetic energy exactly this. */
 static void warm(struct random *r, struct start *s, size_t i, size_t n,
                  double energy)
 {
@@ -60,6 +65,8 @@ static void warm(struct random *r, struct start *s, size_t i, size_t n,
         s->v[k] *= sqrt(energy / sum);
 }
 
+/* The heavy quartet with which MacKay's C++ program began, for any number
+   of movers. */
 static void fill_four(struct start *s)
 {
     s->wall[1] = (double)s->movers + 1;
@@ -71,6 +78,9 @@ static void fill_four(struct start *s)
     }
 }
 
+/* The first run of MacKay's Octave program. The masses are 9 kg and 1 kg
+   but for a tenth here and there: equal ones would only hand their
+   velocities on. */
 static void fill_mixed(struct start *s)
 {
     static const double v[] = {2, 2.21, 2.621, 2, -0.2, -0.27, -0.37, -0.2};
@@ -85,6 +95,8 @@ static void fill_mixed(struct start *s)
     }
 }
 
+/* His second run: two heavy bodies fly to the left, away from six light
+   ones that lie in a row and wait for what the wall sends back. */
 static void fill_cradle(struct start *s)
 {
     s->wall[1] = 35;
@@ -107,6 +119,8 @@ static void fill_two(struct start *s, double ratio)
     s->v[1] = -0.3;
 }
 
+/* Galperin's count with positions. The right wall is infinitely far away,
+   and the run ends by itself, when the two bodies have parted for good. */
 static void fill_galperin(struct start *s, double ratio)
 {
     s->wall[1] = INFINITY;
@@ -117,6 +131,8 @@ static void fill_galperin(struct start *s, double ratio)
     s->v[1] = -1;
 }
 
+/* A gas of 1/2 J a particle, at one particle a metre; the left half has
+   masses within a tenth of 1 kg, the right half within a tenth of 4 kg. */
 static void fill_thermal(struct start *s, struct random *r)
 {
     const size_t n = s->movers;
@@ -127,11 +143,14 @@ static void fill_thermal(struct start *s, struct random *r)
     warm(r, s, 0, n, (double)n / 2);
 }
 
+/* The same gas with masses spread evenly from 1 kg to 9 kg, in random
+   order: each new one takes the place of one that is there already, or its
+   own, and that one moves to the end of the row. */
 static void fill_random(struct start *s, struct random *r)
 {
     const size_t n = s->movers;
     s->until = 100;
-    for (size_t i = 0; i < n; ++i) { /* shuffled while they are dealt */
+    for (size_t i = 0; i < n; ++i) {
         const size_t k = (size_t)random_below(r, i + 1);
         s->mass[i] = s->mass[k];
         s->mass[k] = n > 1 ? 1 + 8 * (double)i / (double)(n - 1) : 1;
@@ -140,6 +159,12 @@ static void fill_random(struct start *s, struct random *r)
     warm(r, s, 0, n, (double)n / 2);
 }
 
+/* A piston of 40 kg in the middle of 12 m, and a gas of 40/3 kg, divided
+   among the others. Cold, all fly to the right at 1 m/s: 80/3 J, three
+   quarters of it in the piston. Warmed, each side has 10/3 J and the piston
+   drifts at 0.1 m/s. The masses rise from the left wall to the piston, by a
+   tenth of their mean either way, and fall on its right by a little less:
+   the two gases weigh the same and are not mirror images. */
 static void fill_piston(struct start *s, struct random *r, double ratio,
                         bool warmed)
 {
@@ -164,6 +189,8 @@ static void fill_piston(struct start *s, struct random *r, double ratio,
     }
 }
 
+/* A piston needs an odd number of bodies, to stand in the middle of the
+   others. */
 static const struct {
     size_t usual, least, most;
     bool odd;
@@ -186,6 +213,9 @@ bool start_allows(enum start_kind kind, size_t movers)
             (!kinds[kind].odd || movers % 2 == 1));
 }
 
+/* Walls that are wished for are set twice: kinds that throw their points
+   must know them before, and kinds with walls of their own would otherwise
+   have the last word. */
 bool start_fill(struct start *s, const struct start_wish *w)
 {
     struct random r;

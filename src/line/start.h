@@ -1,5 +1,3 @@
-/* From chapters/works/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 2759656187 of the lines below */
 /* Masses, positions and velocities with which a run on a line begins. */
 #ifndef START_H
 #define START_H

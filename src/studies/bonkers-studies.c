@@ -1,6 +1,4 @@
-/* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 873601498 of the lines below */
-/* Speed, drift and failures of the engines of a line. */
+/* Measures engines for bodies on a line: speed, drift, reversal, steps. */
 #include "line/bonkers.h"
 #include "line/collide.h"
 #include "line/start.h"
@@ -21,7 +19,8 @@ struct settings {
     double until;
 };
 
-/* Ends the program where memory is short. */
+/* Makes and starts a run; ends the program where memory is short, for then
+   there is nothing to measure. */
 static void begin_or_exit(struct bonkers *b, const struct start_wish *wish,
                           enum bonkers_engine engine)
 {
@@ -33,6 +32,12 @@ static void begin_or_exit(struct bonkers *b, const struct start_wish *wish,
     start_free(&start);
 }
 
+/* A small naive engine that calculates in the widest numbers there are. It
+   serves as the truth, and rounds after every operation to be a line in
+   another precision. That is not like single precision but is single
+   precision: a wide number has more than twice the digits of a float and
+   two to spare, and a result rounded twice is then what a float unit would
+   have given. */
 enum { LINE_BODIES = 32 }; /* most that such a line can hold */
 
 enum line_kind {
@@ -41,7 +46,7 @@ enum line_kind {
     LINE_BIASED /* double, with the difference form (1.8, eq:restitution) */
 };
 
-/* A line with the naive engine. */
+/* The bodies of a line, in wide numbers whatever its kind. */
 struct line {
     size_t gaps;
     enum line_kind kind;
@@ -49,6 +54,7 @@ struct line {
     quad now, x[LINE_BODIES], v[LINE_BODIES], im[LINE_BODIES];
 };
 
+/* Every result passes through here, and only here the kind matters. */
 static quad rounded(const struct line *l, quad value)
 {
     return l->kind == LINE_SINGLE   ? (quad)(float)value
@@ -67,7 +73,8 @@ static void line_copy(struct line *l, const struct bonkers *b,
     }
 }
 
-/* When the first gap closes, from now; *first: which. */
+/* Returns how long it is until a gap closes and sets *first to that gap;
+   less than 0 if none does. */
 static quad line_wait(const struct line *l, size_t *first)
 {
     quad least = -1;
@@ -92,6 +99,7 @@ static void line_move(struct line *l, quad wait)
     l->now = rounded(l, l->now + wait);
 }
 
+/* Collides gap i by (1.12, eq:smaller), or in the difference form. */
 static void line_collide(struct line *l, size_t i)
 {
     const quad a = l->im[i], b = l->im[i + 1], sum = rounded(l, a + b);
@@ -107,7 +115,8 @@ static void line_collide(struct line *l, size_t i)
     ++l->collisions;
 }
 
-/* Runs on to the collision number n. Returns the line. */
+/* Runs on to the collision number n and returns the line. Its walls are
+   closed, so that there always is another collision. */
 static struct line *line_run(struct line *l, uint64_t n)
 {
     while (l->collisions < n) {
@@ -130,6 +139,8 @@ static void line_run_to(struct line *l, quad t)
     line_move(l, t - l->now);
 }
 
+/* The energy is not rounded on the way: the ruler must be finer than what
+   it measures. */
 static double line_energy(const struct line *l)
 {
     quad sum = 0;
@@ -138,7 +149,10 @@ static double line_energy(const struct line *l)
     return (double)(sum / 2);
 }
 
-/* Collisions a second in a run that lasts a twentieth of one or more. */
+/* Returns the collisions in a second of a run that lasts a twentieth of one
+   or more. The two slow engines are asked for a number of collisions and
+   not for a time: to arrive at a time costs them one more search, which at
+   a million bodies is as expensive as a collision. */
 static double speed_of(struct bonkers *b)
 {
     const double n = (double)b->gaps, bite = fmax(4, 1e5 / n);
@@ -156,8 +170,11 @@ static double speed_of(struct bonkers *b)
     return (double)(b->collisions - before) / seconds;
 }
 
-/* Medians of the engines' speeds at N; in speed[0] how much the slab
-   engine did twice, per cent. */
+/* Sets speed[] to the medians of the engines' speeds, and speed[0] to how
+   much the slab engine did twice, per cent. Each engine has a gas of its
+   own from the same seed, and they take turns, since the frequency of a
+   processor wanders. Round -1 is the warm-up; the next one overwrites its
+   result. */
 static void compare_engines(struct study *s, size_t movers,
                             double speed[BONKERS_ENGINES])
 {
@@ -178,6 +195,7 @@ static void compare_engines(struct study *s, size_t movers,
     }
 }
 
+/* The small ones are close together, to find where the scan loses. */
 static const size_t sizes[] = {4,    10,    30,     100,
                                1000, 10000, 100000, 1000000};
 enum { SIZES = sizeof sizes / sizeof sizes[0] };
@@ -245,8 +263,11 @@ static void study_speed(struct study *s)
         note_large(s->summary, speed);
 }
 
-/* For random velocities of two masses: how often g - q is a tie, and how
-   often a tie is rounded up. */
+/* Notes, for random velocities of two masses, how often g - q is a tie and
+   how often a tie is rounded up (section A coin that is not fair). What the
+   rounding of `rest` has lost is known exactly, since a wide number can
+   hold the difference: if that is half of the distance to the next double,
+   it was a tie. */
 static void throw_coins(struct table *summary, const char *name,
                         double mass1, double mass2)
 {
@@ -272,6 +293,7 @@ static void throw_coins(struct table *summary, const char *name,
     table_real(summary, key, ties > 0 ? 100.0 * up / ties : 0);
 }
 
+/* Three bodies whose energy drifts from the beginning. */
 static void begin_whole_ratio(struct bonkers *b)
 {
     if (!bonkers_create(b, 3, 1, BONKERS_SCAN))
@@ -285,7 +307,8 @@ static void begin_whole_ratio(struct bonkers *b)
 
 enum { SINGLE_MOST = 200000 }; /* collisions; they are slow */
 
-/* The next of 1, 2, 5, 10, ... above n. */
+/* Returns the next of 1, 2, 5, 10, ... above n, nearly even on a
+   logarithmic axis. */
 static uint64_t next_stop(uint64_t n)
 {
     uint64_t decade = 1;
@@ -296,7 +319,10 @@ static uint64_t next_stop(uint64_t n)
                             : 10 * decade;
 }
 
-/* The runs, and their energies at the start. */
+/* The three runs of the figure, and their energies at the start, by the
+   same function as later, so that an error begins at zero. That in single
+   precision is compared with the energy of the double one, and begins with
+   what the rounding of its start has changed, 1e-8 of it. */
 struct drift {
     struct bonkers mixed, whole;
     struct line single;
@@ -313,7 +339,8 @@ static void begin_drift(struct drift *d)
     d->whole_energy = bonkers_energy(&d->whole);
 }
 
-/* Runs on to collision n; error: of the double, whole and single runs. */
+/* Runs on to collision n and sets error[] to that of the double, whole and
+   single run; the last keeps its error when it stops. */
 static void drift_on(struct drift *d, uint64_t n, double error[3])
 {
     bonkers_run(&d->mixed, INFINITY, n);
@@ -361,6 +388,7 @@ static void study_drift(struct study *s)
     bonkers_free(&d.whole);
 }
 
+/* Brings all bodies to one time and reverses their velocities. */
 static void turn_round(struct bonkers *b)
 {
     bonkers_settle(b);
@@ -369,8 +397,9 @@ static void turn_round(struct bonkers *b)
     bonkers_start(b, NULL);
 }
 
-/* The largest distance from the start after n collisions and as much time
-   back again, by an engine. */
+/* Returns the largest distance from the start after n collisions and as
+   much time back again, by an engine. Two starts of the same kind are the
+   same to the last bit, and one is kept to compare with. */
 static double miss(enum bonkers_engine engine, uint64_t n)
 {
     const struct start_wish wish = {.kind = START_MIXED};
@@ -390,7 +419,8 @@ static double miss(enum bonkers_engine engine, uint64_t n)
     return worst;
 }
 
-/* The same for a line. */
+/* The same for a line. It moves all its bodies at every collision, so it
+   can turn round where it stands. */
 static double line_miss(enum line_kind kind, uint64_t n)
 {
     const struct start_wish wish = {.kind = START_MIXED};
@@ -428,6 +458,7 @@ static const struct table_key reverse_keys[] = {
     {"<line>_<n>", "m", "largest miss after n and back; nan: not run"},
     {0}};
 
+/* The slow lines, which round every operation, stop earlier. */
 static void study_reverse(struct study *s)
 {
     const struct settings *own = s->own;
@@ -449,7 +480,8 @@ static void study_reverse(struct study *s)
     }
 }
 
-/* Walks for this many steps of dt. */
+/* Walks for this many steps of dt: moves all bodies, then collides
+   neighbours that overlap and approach each other. */
 static void walk(struct bonkers_body body[], size_t gaps, uint64_t steps,
                  double dt)
 {
@@ -464,8 +496,8 @@ static void walk(struct bonkers_body body[], size_t gaps, uint64_t steps,
     }
 }
 
-/* The root of the mean squared distance of the movers from the truth at
-   its time. */
+/* Returns the root of the mean squared distance of the movers from the
+   truth at its time, to which each flies from its own. */
 static double distance(const struct line *truth,
                        const struct bonkers_body body[])
 {
@@ -479,8 +511,9 @@ static double distance(const struct line *truth,
     return sqrt(sum / (double)(truth->gaps - 1));
 }
 
-/* Walks from the start to the time until, again and again; returns the
-   processor time of once, s. body: where it ended. */
+/* Walks from the start to the time until, as often as it takes to fill a
+   fiftieth of a second, for one walk may be too short for the stopwatch.
+   Returns the processor time of one, s. body: where it ended. */
 static double time_walk(double until, const struct bonkers *b, double dt,
                         struct bonkers_body body[])
 {
@@ -498,7 +531,8 @@ static double time_walk(double until, const struct bonkers *b, double dt,
     return seconds / times;
 }
 
-/* The same for an engine. */
+/* The same for an engine. It changes its bodies, so that each repetition
+   needs a new start, which is no part of the run and not timed. */
 static double time_events(double until, const struct start_wish *wish,
                           struct bonkers_body body[], uint64_t *collisions)
 {
@@ -531,6 +565,8 @@ static const struct table_key steps_keys[] = {
     {"smallest_step", "s", "of the walks"},
     {0}};
 
+/* Events come first, in the row of the step zero; then the step is halved
+   until it is one and a half millionths of a second, and once too often. */
 static void study_steps(struct study *s)
 {
     const struct settings *own = s->own;
@@ -557,7 +593,8 @@ static void study_steps(struct study *s)
     bonkers_free(&b);
 }
 
-/* The number of collisions, or 0 when they collapse. */
+/* Returns the number of collisions of two balls and a wall on the left, or
+   0 when they collapse, which no run with an end can have. */
 static uint64_t count_until_still(double restitution)
 {
     struct bonkers b;
@@ -579,6 +616,8 @@ static const struct table_key collapse_keys[] = {
     {"next", "1", "collisions at the one after it"},
     {0}};
 
+/* Theory: half a turn takes pi/phi rounds of two collisions (2.7,
+   eq:collapse). */
 static void study_collapse(struct study *s)
 {
     const double pi = acos(-1);
@@ -605,7 +644,9 @@ static void study_collapse(struct study *s)
 
 static const double pull = 9.81, long_run = 900; /* m/s2, s */
 
-/* A ball let go from 1 m, after long_run in so many steps. */
+/* Returns a ball let go from 1 m, after long_run in so many leapfrog steps.
+   They are exact for a body that falls; all that they can do wrong is to
+   notice the floor at the end of a step. */
 static struct bonkers_body bounce_in_steps(uint64_t steps)
 {
     struct bonkers_body a = {.x = 1};
@@ -620,7 +661,8 @@ static struct bonkers_body bounce_in_steps(uint64_t steps)
     return a;
 }
 
-/* Where one let go from a height (m) is in truth after a time, m. */
+/* Returns where one let go from a height (m) is in truth after a time, m.
+   One remainder says it, for the ball is back after each bounce. */
 static double bounced(double height, double until)
 {
     const double v = sqrt(2 * pull * height), phase = v / pull + until;
@@ -645,6 +687,8 @@ static struct bonkers_body bounce_by_events(uint64_t *bounces)
     return (struct bonkers_body){x[1], v[1], 0, 0};
 }
 
+/* Equal beads let go from 0.2 m, 0.4 m, ...: as good as ten balls, in
+ * order. */
 enum { BEADS = 10 };
 
 static int by_height(const void *a, const void *b)
@@ -653,8 +697,8 @@ static int by_height(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* The root mean square error of the beads' places, m. */
-static double off_balls(const struct bonkers_body body[], double until)
+/* Returns the root mean square error of the beads' places, m. */
+static double error_of_beads(const struct bonkers_body body[], double until)
 {
     double truth[BEADS], sum = 0;
     for (int i = 0; i < BEADS; ++i)
@@ -665,6 +709,8 @@ static double off_balls(const struct bonkers_body body[], double until)
     return sqrt(sum / BEADS);
 }
 
+/* Walks with weight: half a drift, the pull, and the other half as walk
+   does it, with what is late to collide at its end. */
 static void walk_upright(struct bonkers_body body[], double until,
                          double dt)
 {
@@ -678,7 +724,8 @@ static void walk_upright(struct bonkers_body body[], double until,
     }
 }
 
-/* A row of the table: for steps of dt, or for events if that is 0. */
+/* Writes a row of the table: for steps of dt, or for events if that is 0.
+   Both begin alike, again and again until the stopwatch can be read. */
 static void time_beads(struct table *out, double until, double dt)
 {
     struct bonkers_body body[BEADS + 2];
@@ -707,7 +754,7 @@ static void time_beads(struct table *out, double until, double dt)
         bonkers_free(&b);
     }
     table_print(out, "%-9.4g %9.4g %9.4g\n", dt, seconds / times,
-                off_balls(body, until));
+                error_of_beads(body, until));
 }
 
 static const struct table_key bounce_keys[] = {
@@ -797,7 +844,8 @@ static void study_row(struct study *s)
 
 enum { SHOWN = 60, EVENTS = 32 };
 
-/* Where each body was at the start, at its collisions and at the end. */
+/* Where a body was at the start, at its collisions and at the end. A trail
+   that is full ends early, which a picture can bear. */
 struct trail {
     size_t count;
     double x[EVENTS], t[EVENTS];
@@ -811,7 +859,8 @@ static void add_point(struct trail *trail, double x, double t)
     }
 }
 
-/* The gap that has just had its collision. */
+/* Returns the gap that has just had its collision: two neighbours whose
+   clocks both show the present. */
 static size_t gap_of_now(const struct bonkers *b)
 {
     size_t i = 0;
@@ -826,6 +875,7 @@ static struct {
     size_t hits[SHOWN + 1]; /* of a gap */
 } slab;
 
+/* Stops the scan at every collision, which changes no bit of it. */
 static void fill_slab(struct bonkers *b, double until)
 {
     for (size_t i = 0; i <= b->gaps; ++i)
@@ -854,7 +904,8 @@ static void write_trails(struct table *out, size_t gaps)
     }
 }
 
-/* Writes the collisions of gap i, which belongs to this island. */
+/* Writes the collisions of gap i, which belongs to this island. Each is on
+   the trails of both its bodies, at one time. */
 static void write_gap(struct table *out, size_t i, size_t island)
 {
     const struct trail *t = &slab.trail[i], *next = t + 1;
@@ -865,7 +916,9 @@ static void write_gap(struct table *out, size_t i, size_t island)
                             island, i);
 }
 
-/* Writes all collisions; returns the number of islands. */
+/* Writes all collisions; returns the number of islands. Two gaps with
+   collisions belong to one island if no more than one gap lies between them
+   (2.6, eq:islands). */
 static size_t write_islands(struct table *out, size_t gaps)
 {
     size_t island = 0, last = 0;

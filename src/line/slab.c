@@ -1,0 +1,599 @@
+/* The engine that runs distant bodies independently for a short time. */
+
+/* A slab is a stretch of time. In it the collisions stand in islands,
+   groups of neighbouring gaps, and the line is gone through once, island by
+   island. Chapter 2 (section Small islands of time) proves that this gives
+   the bits of the scan as long as two gaps or more that no collision has
+   changed lie between islands (2.6, eq:islands). Islands that have come
+   nearer are undone from a log and run again as one. */
+#include "line/slab.h"
+
+#include "line/engine.h"
+#include "line/gap.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* What a collision overwrites, as the log keeps it: three numbers of each
+   of its two bodies, and one counter. The times of the gaps need no place
+   here, for renew computes them from the bodies, the same bits a second
+   time. */
+struct record {
+    double x[2], v[2], since[2];
+    uint32_t gap, repeats;
+};
+
+/* Gaps first to last. Their records in the log reach from start to the
+   start of the next island. */
+struct island {
+    uint32_t first, last;
+    size_t start;
+};
+
+/* A slab on its way from left to right. A line of a million bodies does not
+   fit into a cache, and to fetch it from memory for every slab would take
+   as long as the collisions. So up to SLABS of them follow each other, each
+   BLOCK gaps behind the one before, and what the first has fetched is still
+   at hand for the last. */
+struct slab {
+    double end;  /* s */
+    size_t next; /* the first gap that is not done with */
+    struct record *log;
+    size_t logged, log_size;
+    struct island *island;
+    size_t islands, island_size;
+    uint64_t collisions; /* whose records have been dropped */
+};
+
+enum {
+    SLABS = 16,     /* under way at once, at most */
+    BLOCK = 256,    /* gaps from one slab to the next */
+    MOST_ALONE = 63 /* slabs that go alone after failures, at most */
+};
+
+/* What collisions change in a body; its mass stays. */
+struct motion {
+    double x, v, since;
+};
+
+/* slab[0] collides nothing: it goes in front and saves the bodies as they
+   were. slab[1] to slab[count] run, and slab[count + 1] only shows how far
+   the last of them is done. */
+struct bonkers_slab {
+    double width;         /* of the next slabs, s; 0: not known */
+    size_t slabs, count;  /* to be under way next, and now */
+    size_t alone;         /* so many more go alone */
+    size_t after_failure; /* so many went alone after the last failure */
+    struct slab slab[SLABS + 2];
+    struct motion *saved;
+    uint32_t *repeats; /* saved, too */
+    uint64_t redone;   /* in these slabs */
+    bool collapse;     /* a clock stands still, or it is too cold */
+    bool failed;       /* all slabs must be undone */
+    bool crowded;      /* an island has more than SLAB_WAITING gaps due */
+};
+
+void slab_free(struct bonkers_slab *s)
+{
+    for (size_t k = 0; s && k < SLABS + 2; ++k) {
+        free(s->slab[k].log);
+        free(s->slab[k].island);
+    }
+    if (s) {
+        free(s->saved);
+        free(s->repeats);
+    }
+    free(s);
+}
+
+struct bonkers_slab *slab_create(const struct bonkers *b)
+{
+    struct bonkers_slab *s = calloc(1, sizeof *s);
+    if (!s)
+        return NULL;
+    s->slabs = 1;
+    s->saved = malloc((b->gaps + 1) * sizeof *s->saved);
+    if (b->repeats)
+        s->repeats = malloc(b->gaps * sizeof *s->repeats);
+    if (s->saved && (s->repeats || !b->repeats))
+        return s;
+    slab_free(s);
+    return NULL;
+}
+
+/* Returns what a collision in gap i will overwrite. */
+static struct record record_of(const struct bonkers *b, size_t i)
+{
+    const struct bonkers_body *l = &b->body[i], *r = l + 1;
+    return (struct record){{l->x, r->x},
+                           {l->v, r->v},
+                           {l->since, r->since},
+                           (uint32_t)i,
+                           b->repeats ? b->repeats[i] : 0};
+}
+
+/* Takes one collision back. */
+static void undo(struct bonkers *b, const struct record *r)
+{
+    struct bonkers_body *pair = &b->body[r->gap];
+    for (int k = 0; k < 2; ++k) {
+        pair[k].x = r->x[k];
+        pair[k].v = r->v[k];
+        pair[k].since = r->since[k];
+    }
+    if (b->repeats)
+        b->repeats[r->gap] = r->repeats;
+    renew(b, r->gap);
+}
+
+/* Undoes all but the first `start` records: the last first, since only then
+   each finds its two bodies as it left them. Counts them, too, for a slab
+   that undoes much is too long. */
+static void undo_to(struct bonkers *b, struct slab *s, size_t start)
+{
+    b->slab->redone += s->logged - start;
+    while (s->logged > start)
+        undo(b, &s->log[--s->logged]);
+}
+
+/* Makes room in an array for one more item of `size` bytes. Returns false
+   when there is no memory; then the slab has failed, and no harm is done.
+ */
+static bool make_room(void **array, size_t count, size_t *room, size_t size)
+{
+    if (count < *room)
+        return true;
+    const size_t more = *room * 3 / 2 + 256;
+    void *larger = realloc(*array, more * size);
+    if (!larger)
+        return false;
+    *array = larger;
+    *room = more;
+    return true;
+}
+
+/* Returns the last gap of an island that has reached gap `last`: gaps due
+   before `end` belong to it, with never more than one that is not due in
+   between. */
+static size_t end_of_chain(const struct bonkers *b, size_t last, double end)
+{
+    for (;;)
+        if (last + 2 < b->gaps && b->due[last + 2] <= end)
+            last += 2;
+        else if (last + 1 < b->gaps && b->due[last + 1] <= end)
+            last += 1;
+        else
+            return last;
+}
+
+/* Schedules the gaps first to last that are due; takes out the earliest and
+   returns it. */
+static size_t schedule_due(struct bonkers *b, size_t first, size_t last,
+                           double end)
+{
+    for (size_t k = first; k <= last && b->schedule.count < SLAB_WAITING;
+         ++k)
+        if (b->due[k] <= end)
+            schedule_put(&b->schedule, k, b->due[k]);
+    return schedule_take(&b->schedule);
+}
+
+/* Renews the times around gap i, and schedules what has become due. In most
+   islands nothing has: then the schedule stays empty and costs nothing. */
+static void renew_due(struct bonkers *b, size_t i, double end)
+{
+    size_t low, high;
+    find_changed(b, i, &low, &high);
+    for (size_t k = low; k <= high; ++k) {
+        const double t = b->due[k] = time_due(b, k);
+        if (t <= end)
+            schedule_put(&b->schedule, k, t);
+        else if (b->schedule.count > 0)
+            schedule_drop(&b->schedule, k);
+    }
+}
+
+/* Returns whether an island of gaps first to last would reach beyond what
+   slab s has to itself. It reads bodies up to last + 2, which the slab
+   before must have left for good; it changes the time of gap first - 1,
+   which the slab behind must not have seen. So each island finds what it
+   would find if the slabs came one after the other, and the proof of the
+   chapter holds for each of them. */
+static bool leaves_its_slab(const struct slab *s, size_t first, size_t last)
+{
+    const struct slab *before = s - 1, *behind = s + 1;
+    return last + 3 > before->next ||
+           (behind->next > 0 && first <= behind->next);
+}
+
+/* Returns whether the slab holds, or has had to undo, many times as many
+   collisions as there are gaps: say a light ball is trapped between two
+   heavy ones and bounces a million times. Then its log would be enormous.
+   It is undone and tried at a quarter of the width. */
+static bool too_long(const struct bonkers *b, const struct slab *s)
+{
+    const size_t most = 8 * b->gaps + 65536;
+    return s->logged > most || b->slab->redone > most;
+}
+
+/* Returns false, with a larger *first to *last, if a collision in gap i
+   would bring the island too near to another (2.6, eq:islands): to the left
+   one that is finished, to the right a gap that is due. Gap i + 1 cannot be
+   due by itself: it was two gaps from the one before, and would have been
+   noticed there. */
+static bool keep_apart(const struct bonkers *b, const struct slab *s,
+                       size_t i, size_t *first, size_t *last)
+{
+    if (i < *first) {
+        *first = i;
+        if (s->islands > 0 &&
+            i <= s->island[s->islands - 1].last + (size_t)2)
+            return false;
+    } else if (i > *last) {
+        *last = i;
+        if (i + 2 < b->gaps && b->due[i + 2] <= s->end) {
+            *last = i + 2;
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Runs the gaps *first to *last, and those they set going, up to the end of
+   the slab. Returns false with a larger *first to *last when the island has
+   to be begun again, because it has met another or the slabs have failed.
+   Before each collision there must be room in the log to take it back, and
+   in the schedule for the three gaps whose times will be new. An island
+   that collapses ends there: what it would still do comes later than the
+   moment at which the run is going to stop. */
+static bool run_island(struct bonkers *b, struct slab *s, size_t *first,
+                       size_t *last)
+{
+    const double end = s->end;
+    size_t i = *first;
+    if (*first < *last)
+        i = schedule_due(b, *first, *last, end);
+    for (;;) {
+        if (!keep_apart(b, s, i, first, last))
+            return false;
+        b->slab->crowded |= b->schedule.count + 3 > SLAB_WAITING;
+        if (b->slab->crowded || too_long(b, s) ||
+            leaves_its_slab(s, *first, *last) ||
+            !make_room((void **)&s->log, s->logged, &s->log_size,
+                       sizeof *s->log)) {
+            b->slab->failed = true;
+            return false;
+        }
+        s->log[s->logged++] = record_of(b, i);
+        if (collide_gap(b, i)) {
+            b->slab->collapse = true;
+            schedule_clear(&b->schedule);
+            renew(b, i);
+            return true;
+        }
+        renew_due(b, i, end);
+        if (b->schedule.count == 0)
+            return true;
+        i = schedule_take(&b->schedule);
+    }
+}
+
+/* Runs the island that begins at gap first. Returns the first gap after it
+   that may begin another, or 0 if the slabs have failed. When it has met
+   islands on the left, what they and it did is undone, and one larger
+   island begins where they began. It may meet a third at once; islands
+   stand in the log in the order of the line, so the one to undo is always
+   the last. */
+static size_t add_island(struct bonkers *b, struct slab *s, size_t first)
+{
+    size_t start = s->logged, last = end_of_chain(b, first, s->end);
+    while (!run_island(b, s, &first, &last)) {
+        schedule_clear(&b->schedule);
+        undo_to(b, s, start);
+        if (b->slab->failed)
+            return 0;
+        while (s->islands > 0 &&
+               first <= s->island[s->islands - 1].last + (size_t)2) {
+            const struct island *left = &s->island[--s->islands];
+            start = left->start;
+            first = left->first;
+            undo_to(b, s, start);
+        }
+        last = end_of_chain(b, last, s->end);
+    }
+    if (!make_room((void **)&s->island, s->islands, &s->island_size,
+                   sizeof *s->island)) {
+        b->slab->failed = true;
+        return 0;
+    }
+    s->island[s->islands++] =
+        (struct island){(uint32_t)first, (uint32_t)last, start};
+    return last + 3;
+}
+
+/* Remembers gaps from to to-1 and the bodies to their left. This is also
+   what brings them from memory, and it asks for the next block: without
+   that word, which gcc and clang have, large lines are slower and otherwise
+   the same. */
+static void save(struct bonkers *b, size_t from, size_t to)
+{
+    const size_t count = to - from + (to == b->gaps);
+    struct bonkers_slab *s = b->slab;
+    for (size_t i = from; i < from + count; ++i) {
+        const struct bonkers_body *a = &b->body[i];
+        s->saved[i] = (struct motion){a->x, a->v, a->since};
+    }
+    if (b->repeats)
+        memcpy(&s->repeats[from], &b->repeats[from],
+               (to - from) * sizeof *b->repeats);
+    s->slab[0].next = to == b->gaps ? SIZE_MAX : to;
+#ifdef __GNUC__
+    for (size_t i = to; i < to + BLOCK && i <= b->gaps; i += 2)
+        __builtin_prefetch(&b->body[i], 1);
+#endif
+}
+
+/* Takes all bodies back to where they have been saved. */
+static void undo_all(struct bonkers *b)
+{
+    const struct bonkers_slab *s = b->slab;
+    const size_t next = s->slab[0].next;
+    const size_t gaps = next < b->gaps ? next : b->gaps;
+    for (size_t i = 0; i < gaps + (next > gaps); ++i) {
+        const struct motion *a = &s->saved[i];
+        b->body[i] =
+            (struct bonkers_body){a->x, a->v, a->since, b->body[i].im};
+    }
+    if (b->repeats)
+        memcpy(b->repeats, s->repeats, gaps * sizeof *b->repeats);
+    for (size_t i = 0; i < gaps; ++i)
+        b->due[i] = time_due(b, i);
+}
+
+/* Drops the records of islands that the slab behind has seen: they cannot
+   be undone one by one any more. Not at every block, or moving the others
+   would cost more than they. */
+static void drop_safe_records(struct slab *s)
+{
+    enum { MANY = 256 };
+    const size_t seen = s[1].next;
+    size_t kept = 0;
+    if (s->logged < MANY)
+        return;
+    while (kept < s->islands && s->island[kept].last + (size_t)2 <= seen)
+        ++kept;
+    if (kept == 0)
+        return;
+    const size_t start =
+        kept < s->islands ? s->island[kept].start : s->logged;
+    memmove(s->log, s->log + start, (s->logged - start) * sizeof *s->log);
+    memmove(s->island, s->island + kept,
+            (s->islands - kept) * sizeof *s->island);
+    s->logged -= start;
+    s->islands -= kept;
+    s->collisions += start;
+    for (size_t k = 0; k < s->islands; ++k)
+        s->island[k].start -= start;
+}
+
+/* Runs the islands of slab s that begin in gaps from to to-1. Returns false
+   when that is more than a slab can do; then all must be undone. The gaps
+   that are due are listed without a jump: each number is written down, and
+   the place for the next moves on only if the gap is due. A processor that
+   had to guess would guess wrong at every island. */
+static bool run_block(struct bonkers *b, struct slab *s, size_t from,
+                      size_t to)
+{
+    const double end = s->end;
+    size_t next = s->next;
+    uint32_t due[BLOCK];
+    size_t count = 0;
+    for (size_t i = next > from ? next : from; i < to; ++i) {
+        due[count] = (uint32_t)i;
+        count += b->due[i] <= end;
+    }
+    drop_safe_records(s);
+    for (size_t k = 0; k < count; ++k)
+        if (due[k] >= next && !(next = add_island(b, s, due[k])))
+            return false;
+    s->next = to == b->gaps ? SIZE_MAX : next > to ? next : to;
+    return true;
+}
+
+/* Takes one slab through a block. */
+static bool advance(struct bonkers *b, size_t slab, size_t block)
+{
+    struct slab *s = &b->slab->slab[slab];
+    const size_t from = block * BLOCK;
+    const size_t to = from + BLOCK < b->gaps ? from + BLOCK : b->gaps;
+    if (from >= b->gaps)
+        return true;
+    if (slab > 0 && slab <= b->slab->count)
+        return run_block(b, s, from, to);
+    if (slab == 0 && b->slab->count > 1)
+        save(b, from, to);
+    else if (b->slab->count > 1)
+        s->next = to;
+    return true;
+}
+
+/* Runs every island of all slabs. Returns false when they have failed. A
+   slab that is alone may have islands of any length. */
+static bool run_islands(struct bonkers *b)
+{
+    const size_t blocks = (b->gaps + BLOCK - 1) / BLOCK;
+    const size_t slabs = b->slab->count;
+    if (slabs == 1)
+        save(b, 0, b->gaps);
+    for (size_t block = 0; block < blocks + slabs; ++block)
+        for (size_t k = 0; k <= slabs + 1 && k <= block; ++k)
+            if (!advance(b, k, block - k))
+                return false;
+    return true;
+}
+
+/* Returns how many collisions a slab should have. A short slab goes through
+   the line for few collisions; in a long one islands meet often and much is
+   done twice. Three for every twenty gaps do best, by trial. */
+static double collisions_wanted(const struct bonkers *b)
+{
+    return 0.15 * (double)b->gaps + 1;
+}
+
+/* Chooses the width of the next slabs from the last, of this width, which
+   had so many collisions; 0 after some in which nothing happened. It
+   changes by a factor of two at most, and does not touch the result. As
+   long as the width is about right, twice as many slabs go at once each
+   time. A fast ball among many at rest sets going a wave that is longer
+   than what a slab has to itself when others are under way, and will do so
+   again: so after a failure one slab goes alone, after the next three do,
+   then seven, up to MOST_ALONE; and half as many when all SLABS have
+   succeeded. */
+static void adapt_width(struct bonkers *b, double width,
+                        uint64_t collisions)
+{
+    struct bonkers_slab *s = b->slab;
+    const double fill =
+        (double)collisions / (double)s->count / collisions_wanted(b);
+    s->width = collisions == 0 ? 0
+               : fill < 0.5    ? 2 * width
+               : fill > 2      ? 0.5 * width
+                               : width / fill;
+    if (s->count == SLABS)
+        s->after_failure /= 2;
+    s->slabs = fill < 0.5 || fill > 2 || s->alone > 0 ? 1
+               : s->slabs < SLABS                     ? 2 * s->slabs
+                                                      : SLABS;
+    s->alone -= s->alone > 0;
+}
+
+/* Returns the width where nothing is known: twice as far as the next
+   collision, or INFINITY if there is none. The slab after it will mend what
+   is wrong with that. Late in a run that may be less than a last bit of the
+   clock, hence the smallest width. */
+static double first_width(const struct bonkers *b)
+{
+    const double wait = b->due[schedule_scan(b->due, b->gaps)] - b->now;
+    return wait == INFINITY ? wait
+                            : fmin(fmax(2 * wait, 1e-12 * b->now), DBL_MAX);
+}
+
+/* Runs slabs of this width from now on, but not beyond `until`; undoes them
+   and returns false when they fail. They leave either all their collisions
+   behind or none. */
+static bool try_slabs(struct bonkers *b, double begin, double width,
+                      double until)
+{
+    struct bonkers_slab *all = b->slab;
+    for (size_t k = 0; k < SLABS + 2; ++k) {
+        struct slab *s = &all->slab[k];
+        s->end = fmin(fmin(begin + (double)k * width, DBL_MAX), until);
+        s->next = s->logged = s->islands = 0;
+        s->collisions = 0;
+    }
+    all->redone = 0;
+    all->collapse = all->failed = all->crowded = false;
+    const bool done = run_islands(b);
+    if (!done)
+        undo_all(b);
+    b->redone += all->redone;
+    return done;
+}
+
+/* Returns how many collisions these slabs have had. */
+static uint64_t collisions_of(const struct bonkers *b)
+{
+    uint64_t sum = 0;
+    for (size_t k = 1; k <= b->slab->count; ++k)
+        sum += b->slab->slab[k].collisions + b->slab->slab[k].logged;
+    return sum;
+}
+
+/* Returns whether the run may have to stop within these slabs, which do not
+   know the order of their collisions. */
+static bool holds_the_end(const struct bonkers *b, uint64_t collisions,
+                          uint64_t limit)
+{
+    return b->slab->collapse || collisions >= limit - b->collisions;
+}
+
+/* Runs up to `end` by the heap, which counts collisions in the order of
+   time and which nothing can surprise, say a thousand touching balls that
+   are struck, when everything happens at one moment. Its heap needs room
+   for every gap: it lies where the bodies were saved, which are back in
+   their places. */
+static enum bonkers_stop run_slab_by_heap(struct bonkers *b, double end,
+                                          uint64_t limit)
+{
+    const struct schedule islands = b->schedule;
+    b->schedule.heap = (void *)b->slab->saved;
+    for (size_t i = 0; i < b->gaps; ++i)
+        engine_reschedule(b, i);
+    const enum bonkers_stop stop = engine_run_heap(b, end, limit);
+    schedule_clear(&b->schedule);
+    b->schedule = islands;
+    b->slab->width = 0; /* begin afresh */
+    return stop;
+}
+
+/* Returns how many slabs go next: one where the width is a guess or the end
+   is near. */
+static size_t slabs_to_go(const struct bonkers *b, double width,
+                          double until, uint64_t limit)
+{
+    const double time = (until - b->now) / width;
+    const double collisions =
+        (double)(limit - b->collisions) / (2 * collisions_wanted(b));
+    const double most =
+        fmin(fmin(ceil(time), collisions), (double)b->slab->slabs);
+    return b->slab->width > 0 && most > 1 ? (size_t)most : 1;
+}
+
+/* Slabs that fail are tried alone, then at a quarter of the width: a big
+   step back, but each attempt costs as much as a slab, and four must be
+   enough. A crowd that meets at one time is not thinned out by a shorter
+   slab, and one attempt will do. After that, and in the slab that holds the
+   last collision asked for, the heap takes over; that costs what one slab
+   costs, once in a run. */
+enum bonkers_stop slab_run(struct bonkers *b, double until, uint64_t limit)
+{
+    struct bonkers_slab *s = b->slab;
+    enum bonkers_stop stop = BONKERS_TIME;
+    do {
+        const double begin = b->now;
+        double width = s->width > 0 ? s->width : first_width(b);
+        if (width == INFINITY)
+            return engine_idle(b, until);
+        s->count = slabs_to_go(b, width, until, limit);
+        int tries = 4;
+        while (tries > 0 && !try_slabs(b, begin, width, until)) {
+            if (s->count > 1)
+                s->alone = s->after_failure += s->after_failure < MOST_ALONE
+                                                   ? s->after_failure + 1
+                                                   : 0;
+            else if (s->crowded)
+                tries = 0;
+            else
+                --tries;
+            if (s->count == 1)
+                width /= 4;
+            s->slabs = s->count = 1;
+        }
+        const double end = s->slab[s->count].end;
+        const uint64_t collisions = collisions_of(b);
+        if (tries > 0 && !holds_the_end(b, collisions, limit)) {
+            b->collisions += collisions;
+            b->now = end;
+            adapt_width(b, (end - begin) / (double)s->count, collisions);
+        } else {
+            undo_all(b);
+            b->now = begin;
+            s->slabs = 1;
+            if (s->count == 1)
+                stop = run_slab_by_heap(b, end, limit);
+        }
+    } while (stop == BONKERS_TIME && b->now < until);
+    return stop;
+}

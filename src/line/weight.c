@@ -1,0 +1,153 @@
+/* Bodies on a wire that stands upright, with the left wall as the floor. */
+
+/* Chapter 5 (section Weight) derives what changes: a pair meets when it
+   would have met without weight, and only a floor or a roof asks for a
+   root. Nothing else in the engines changes, and a run without gravity does
+   not come by here. */
+#include "line/weight.h"
+
+#include "line/collide.h"
+#include "line/engine.h"
+#include "line/fall.h"
+#include "line/gap.h"
+
+#include <float.h>
+#include <math.h>
+
+/* Returns whether a body does not fall: a wall, or what lies on the floor.
+   With the radii taken out a whole pile lies at the floor, each body of it
+   with velocity 0. */
+static bool rests(const struct bonkers *b, const struct bonkers_body *a)
+{
+    return a->im == 0 || (a->v == 0 && a->x <= b->body[0].x);
+}
+
+struct bonkers_body weight_body_at(const struct bonkers *b, size_t i,
+                                   double t)
+{
+    struct bonkers_body a = b->body[i];
+    const double wait = t - a.since, g = b->gravity;
+    if (!rests(b, &a)) {
+        a.x += (a.v - g * wait / 2) * wait;
+        a.v -= g * wait;
+    }
+    a.since = t;
+    return a;
+}
+
+/* Both bodies are taken at the later of their two times, as in time_of_gap.
+   Of two that fall neither gains on the other by gravity (exercise 05b);
+   one that rests is a floor or a roof for the other. */
+double weight_time_of_gap(const struct bonkers *b, size_t i)
+{
+    const double t = fmax(b->body[i].since, b->body[i + 1].since);
+    const struct bonkers_body left = weight_body_at(b, i, t);
+    const struct bonkers_body right = weight_body_at(b, i + 1, t);
+    const bool held = rests(b, &b->body[i]);
+    const double gap = right.x - left.x, approach = left.v - right.v;
+    if (held != rests(b, &b->body[i + 1]))
+        return t + (held ? fall_to_floor(gap, right.v, b->gravity)
+                         : fall_to_roof(gap, left.v, b->gravity));
+    if (!(approach > 0))
+        return INFINITY;
+    return gap > 0 ? t + gap / approach : t;
+}
+
+/* Brings the bodies of gap i together at t, one of which rests. The clock
+   is rounded, and so a body is at the floor a little early or late. Its
+   velocity there is taken from its energy and not from the clock: a bounce
+   then keeps the energy to a rounding, however late it is. */
+static void land(struct bonkers *b, size_t i, double t)
+{
+    struct bonkers_body *left = &b->body[i], *right = left + 1;
+    const double gap = right->x - left->x;
+    if (rests(b, left)) {
+        right->v = -fall_speed(gap, right->v, b->gravity);
+        right->x = left->x;
+    } else {
+        left->v = fall_speed(-gap, left->v, b->gravity);
+        left->x = right->x;
+    }
+    left->since = right->since = t;
+}
+
+/* A pile may collide so many times more often at one time than other bodies
+   before it is called a collapse. Each bounce of an upper body wakes all
+   below, which have to come to rest first: with restitution 1/2 one ball
+   needs fifty bounces, two need hundreds, three thousands, and many of them
+   fall on one reading of the clock. Nine balls are too many for any number.
+ */
+enum { PILE = 1000 };
+
+/* Returns whether a body is at the floor, but for rounding. */
+static bool is_low(const struct bonkers *b, const struct bonkers_body *a)
+{
+    return fabs(a->x - b->body[0].x) <= 4 * DBL_EPSILON * b->extent;
+}
+
+/* Lets a body rest on the floor after a bounce that is too short for the
+   clock. */
+static void stop_bouncing(const struct bonkers *b, struct bonkers_body *a)
+{
+    const double flight = 2 * fabs(a->v) / b->gravity;
+    if (b->restitution < 1 && is_low(b, a) &&
+        same_time(a->since, a->since + flight)) {
+        a->x = b->body[0].x;
+        a->v = 0;
+    }
+}
+
+/* Two that both fall meet a little early or late, too, and at their places
+   of that moment they are no longer, or not yet, in touch. To put them at
+   one place, as collide_gap does, costs energy here, for to move a body is
+   to lift it: the mistakes of the clock then add up to a random walk (2e-9
+   of the energy in ten million collisions, 1e-11 if the place is the centre
+   of mass). But from how far they overlap we know how late they are. So
+   each goes where it would be if it had turned at the right moment: that
+   moves the centre of mass by nothing, and makes the places eighty times
+   more accurate as well. */
+bool weight_collide_gap(struct bonkers *b, size_t i)
+{
+    struct bonkers_body *left = &b->body[i], *right = left + 1;
+    const double t = b->due[i];
+    const bool stands =
+        same_time(left->since, t) && same_time(right->since, t);
+    if (rests(b, left) != rests(b, right)) {
+        land(b, i, t);
+    } else {
+        *left = weight_body_at(b, i, t);
+        *right = weight_body_at(b, i + 1, t);
+    }
+    const double v = left->v, w = right->v;
+    const double late = v > w ? (left->x - right->x) / (v - w) : 0;
+    collide(&left->v, &right->v, left->im, right->im, b->restitution);
+    left->x += (left->v - v) * late;
+    right->x += (right->v - w) * late;
+    stop_bouncing(b, left);
+    stop_bouncing(b, right);
+    b->now = t;
+    const bool pile = is_low(b, right); /* and so is what is below it */
+    return count_repeat(b, i, stands, INFINITY) &&
+           (!pile || b->repeats[i] >= PILE * most_repeats(b));
+}
+
+enum bonkers_stop weight_run_naive(struct bonkers *b, double until,
+                                   uint64_t limit)
+{
+    for (;;) {
+        for (size_t i = 0; i < b->gaps; ++i)
+            b->due[i] = weight_time_of_gap(b, i);
+        const size_t i = schedule_scan(b->due, b->gaps);
+        const double t = fmin(b->due[i], until);
+        for (size_t k = 0; k <= b->gaps && t < INFINITY; ++k)
+            b->body[k] = weight_body_at(b, k, t);
+        if (b->due[i] > until || b->due[i] == INFINITY)
+            return engine_idle(b, until);
+        const bool collapse = weight_collide_gap(b, i);
+        ++b->collisions;
+        if (collapse)
+            return BONKERS_COLLAPSE;
+        if (b->collisions == limit)
+            return BONKERS_COLLISIONS;
+    }
+}

@@ -76,7 +76,7 @@ test-parts: grade-parts build/check/examine $(CHECK_BUILT) $(unit_tests) $(tools
 
 # What the reports are tested with: a course made up, a validator of JSON.
 build/made/tests/grader/reports: $(patsubst %,build/grade/obj/grade/%.o,\
-	publish marks trial process text)
+	publish marks trial process text) build/obj/toolbox/replace.o
 build/made/tests/grader/%: tests/grader/%.c build/compiler/key
 	$(begin)
 	$(call say,cc $<)

@@ -89,7 +89,8 @@ build/made/check/libcheck.a: $(patsubst src/%.c,build/check/obj/%.o,\
 	@$(take)
 build/made/check/examine: $(patsubst %,build/obj/examiner/%.o,\
 	examine watch hint reset solution round verdict memory work folder course sum \
-	build message trial process text)
+	build message trial process text) \
+	$(patsubst %,build/obj/toolbox/%.o,options replace)
 	$(begin)
 	$(call say,link $(made))
 	$(Q)$(CC) $(PORTABLE) $(FLAGS) -o $(made).new $^ $(LDFLAGS)

@@ -6,109 +6,101 @@
 #include "examiner/solution.h"
 #include "examiner/text.h"
 #include "examiner/watch.h"
-#include "toolbox/version.h"
+#include "toolbox/options.h"
 
 #include <errno.h>
-#include <getopt.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-struct options {
+struct settings {
     struct verdict_rules rules;
     int task; /* what to do: the letter of its option, or 0 to check */
-    const char *as, *file;
+    const char *as, *file, **names;
 };
 
-static const char usage[] =
-    "usage: examine [OPTION]... [EXERCISE]...\n"
-    "Checks the exercises named (01a, or 01 for a chapter), or all.\n"
-    "  --watch        check what is saved, until Ctrl-C\n"
-    "  --hint         give the next hint, for the exercise to do next\n"
-    "  --progress     show a bar for each chapter\n"
-    "  --reset        save the file of an exercise, put its stub back\n"
-    "  --solution     show the worked solution of an exercise that passes\n"
-    "  --list         list the exercises and check nothing\n"
-    "  --as EXERCISE  check the file of --file as this exercise\n"
-    "  --file FILE    see --as\n"
-    "  --seconds N    processor time that a test may take (5)\n"
-    "  --strict       take compiler warnings for errors\n"
-    "  --help         print this\n"
-    "  --version      name the version\n"
-    "Exit status: 0 all that is begun passes, 1 it does not, 2 trouble.\n";
+static const struct options_entry entries[] = {
+    {"", 0, "[EXERCISE]...", NULL},
+    {"watch", 'w', NULL, "check what is saved, until Ctrl-C"},
+    {"hint", 'H', NULL, "give the next hint, for the exercise to do next"},
+    {"progress", 'p', NULL, "show a bar for each chapter"},
+    {"reset", 'r', NULL, "save the file of an exercise, put its stub back"},
+    {"solution", 'x', NULL,
+     "show the worked solution, once an exercise passes"},
+    {"list", 'l', NULL, "list the exercises and check nothing"},
+    {"as", 'a', "EXERCISE", "check the file of --file as this exercise"},
+    {"file", 'f', "FILE", "see --as"},
+    {"seconds", 's', "N", "processor time that a test may take (5)"},
+    {"strict", 'S', NULL, "take compiler warnings for errors"},
+    {0}};
 
-static void take_option(struct options *o, int c)
+static const char purpose[] =
+    "Check the exercises named (01a, or 01 for a chapter), or all.\n"
+    "Exit status: 0 all that is begun passes, 1 it does not, 2 trouble.";
+
+/* Adds the names in an argument: "01a,02b" or "01a 02b" are two. */
+static void add_names(struct settings *s, const char *argument)
 {
-    switch (c) {
-    case 'a': o->as = optarg; break;
-    case 'f': o->file = optarg; break;
-    case 's':
-        o->rules.seconds = atoi(optarg);
-        if (o->rules.seconds < 1 || o->rules.seconds > 3600)
-            text_fail("--seconds: '%s' is not a whole number from 1 to "
-                      "3600",
-                      optarg);
-        break;
-    case 'S': o->rules.strict = true; break;
-    case 'h': fputs(usage, stdout); exit(EXIT_SUCCESS);
-    case 'v':
-        puts("examine (Bonkers) " TOOLBOX_VERSION);
-        exit(EXIT_SUCCESS);
-    case '?': fputs("Try: examine --help\n", stderr); exit(2);
+    size_t count = 0;
+    while (s->names && s->names[count])
+        ++count;
+    const size_t most = count + strlen(argument) / 2 + 2;
+    s->names = realloc(s->names, most * sizeof *s->names);
+    char *list = strdup(argument);
+    if (!s->names || !list)
+        text_fail("out of memory");
+    for (char *name = strtok(list, ", "); name; name = strtok(NULL, ", "))
+        s->names[count++] = name;
+    s->names[count] = NULL;
+}
+
+static void take_option(struct settings *s, struct options *o, int letter)
+{
+    switch (letter) {
+    case OPTIONS_ARGUMENT: add_names(s, options_text(o)); break;
+    case 'a': s->as = options_text(o); break;
+    case 'f': s->file = options_text(o); break;
+    case 's': s->rules.seconds = (int)options_count(o, 1, 3600); break;
+    case 'S': s->rules.strict = true; break;
     default:
-        if (o->task)
-            text_fail("one thing at a time, please; try examine --help");
-        o->task = c;
+        if (s->task)
+            options_fail(o, "one thing at a time, please");
+        s->task = letter;
     }
 }
 
-static const struct option known[] = {
-    {"watch", no_argument, NULL, 'w'},
-    {"hint", no_argument, NULL, 'H'},
-    {"progress", no_argument, NULL, 'p'},
-    {"reset", no_argument, NULL, 'r'},
-    {"solution", no_argument, NULL, 'x'},
-    {"list", no_argument, NULL, 'l'},
-    {"as", required_argument, NULL, 'a'},
-    {"file", required_argument, NULL, 'f'},
-    {"seconds", required_argument, NULL, 's'},
-    {"strict", no_argument, NULL, 'S'},
-    {"help", no_argument, NULL, 'h'},
-    {"version", no_argument, NULL, 'v'},
-    {0},
-};
-
-/* Reads the command line. The options are read without the toolbox's
-   module, so that the examiner stands when the toolbox is in pieces. */
-static struct options read_options(int argc, char **argv)
+static struct settings read_settings(int argc, char **argv)
 {
-    struct options o = {.rules = {.remember = true, .seconds = 5}};
-    for (int c; (c = getopt_long(argc, argv, "", known, NULL)) != -1;)
-        take_option(&o, c);
-    if (!o.as != !o.file)
-        text_fail("--as and --file go together");
-    if (o.as && optind < argc)
-        text_fail("with --as, '%s' is one exercise too many", argv[optind]);
-    if (o.as && o.task)
-        text_fail("--as is for checking alone");
-    o.rules.remember = !o.as;
-    return o;
+    struct settings s = {.rules = {.remember = true, .seconds = 5}};
+    struct options o;
+    add_names(&s, "");
+    options_begin(&o, "examine", purpose, entries, argc, argv);
+    for (int letter; (letter = options_next(&o)) != -1;)
+        take_option(&s, &o, letter);
+    if (!s.as != !s.file)
+        options_fail(&o, "--as and --file go together");
+    if (s.as && s.names[0])
+        options_fail(&o, "with --as, '%s' is one exercise too many",
+                     s.names[0]);
+    if (s.as && s.task)
+        options_fail(&o, "--as is for checking alone");
+    s.rules.remember = !s.as;
+    return s;
 }
 
 /* Puts another file in the place of the student's, for tests and lecturers:
    everything after it is as it would be with his, but that the verdict is
    not remembered. */
-static void take_file(struct course *course, const struct options *options)
+static void take_file(struct course *course, const struct settings *s)
 {
-    struct exercise *e = course_choose(course, options->as);
-    if (access(options->file, R_OK) != 0)
-        text_fail("cannot read '%s': %s", options->file, strerror(errno));
-    if (!text_plain(options->file))
-        text_fail("'%s' is not a plain file", options->file);
-    if (strcmp(e->name, options->as) != 0)
-        text_fail("--as wants one exercise, and '%s' is a chapter",
-                  options->as);
-    snprintf(e->file, sizeof e->file, "%s", options->file);
+    struct exercise *e = course_choose(course, s->as);
+    if (access(s->file, R_OK) != 0)
+        text_fail("cannot read '%s': %s", s->file, strerror(errno));
+    if (!text_plain(s->file))
+        text_fail("'%s' is not a plain file", s->file);
+    if (strcmp(e->name, s->as) != 0)
+        text_fail("--as wants one exercise, and '%s' is a chapter", s->as);
+    snprintf(e->file, sizeof e->file, "%s", s->file);
 }
 
 static void list(const struct course *course)
@@ -159,11 +151,11 @@ static void give_hint(struct course *course,
 /* Does what the command line asks for; returns whether all that is begun
    passes. What leaves no verdict ends with status 0, or make would add
    "Error 1" to a kind word. */
-static bool do_task(struct course *course, const struct options *options,
-                    const char *const names[])
+static bool do_task(struct course *course, const struct settings *s)
 {
-    const struct verdict_rules *rules = &options->rules;
-    switch (options->task) {
+    const struct verdict_rules *rules = &s->rules;
+    const char *const *names = s->names;
+    switch (s->task) {
     case 'l': list(course); break;
     case 'w': watch_files(course, rules); break;
     case 'H': give_hint(course, rules, names); break;
@@ -176,24 +168,9 @@ static bool do_task(struct course *course, const struct options *options,
         round_progress(course);
         round_next(course);
         break;
-    default: return round_check(course, rules, names[0] || options->as);
+    default: return round_check(course, rules, names[0] || s->as);
     }
     return true;
-}
-
-static const char *const *part_names(char *const arguments[])
-{
-    size_t most = 1, count = 0;
-    for (int i = 0; arguments[i]; ++i)
-        most += strlen(arguments[i]) / 2 + 1;
-    const char **names = calloc(most, sizeof *names);
-    for (int i = 0; names && arguments[i]; ++i)
-        for (char *name = strtok(arguments[i], ", "); name;
-             name = strtok(NULL, ", "))
-            names[count++] = name;
-    if (!names)
-        text_fail("out of memory");
-    return names;
 }
 
 /* Signals are caught before there is anything to remove. The status is 0
@@ -201,18 +178,17 @@ static const char *const *part_names(char *const arguments[])
    not, 2 when nothing is known. */
 int main(int argc, char **argv)
 {
-    const struct options options = read_options(argc, argv);
-    const char *const *names = part_names(argv + optind);
+    const struct settings s = read_settings(argc, argv);
     struct course course = course_learn();
     process_catch_signals();
-    if (options.as)
-        take_file(&course, &options);
-    for (int i = 0; names[i]; ++i)
-        course_choose(&course, names[i]);
+    if (s.as)
+        take_file(&course, &s);
+    for (int i = 0; s.names[i]; ++i)
+        course_choose(&course, s.names[i]);
     for (size_t i = 0; i < course.count; ++i)
-        course.exercises[i].chosen |= !options.as && !names[0];
-    const bool fine = do_task(&course, &options, names);
-    if (!options.task && !options.as)
+        course.exercises[i].chosen |= !s.as && !s.names[0];
+    const bool fine = do_task(&course, &s);
+    if (!s.task && !s.as)
         round_next(&course);
     return fine ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -7,11 +7,11 @@
 #include "examiner/submissions.h"
 #include "examiner/sum.h"
 #include "examiner/text.h"
-#include "toolbox/version.h"
+#include "toolbox/options.h"
+#include "toolbox/replace.h"
 
 #include <ctype.h>
 #include <errno.h>
-#include <getopt.h>
 #include <glob.h>
 #include <inttypes.h>
 #include <poll.h>
@@ -27,7 +27,7 @@
 #include <sys/prctl.h>
 #endif
 
-struct options {
+struct settings {
     const char *folder, *reports, *output, *exercises;
     const char *job; /* "anna/01a/KEY": this one alone */
     long jobs;
@@ -46,7 +46,7 @@ struct alike {
 };
 
 struct batch {
-    struct options options;
+    struct settings settings;
     struct kit *kits;
     struct submissions handed;
     struct submission *submissions; /* its list */
@@ -58,61 +58,53 @@ struct batch {
     size_t alikes;
     size_t begun, done, failed;
 };
-static const char usage[] =
-    "usage: grade [OPTION]... FOLDER\n"
-    "Grades a folder that has a folder for each student, or files whose\n"
-    "names begin with theirs, as Moodle and Canvas make them.\n"
-    "  --exercises LIST  only these, 01a,02b or 01 for a chapter (all)\n"
-    "  --hidden SEED     of the inputs that students never see, a whole\n"
-    "                    number (drawn once and kept in the output "
-    "folder)\n"
-    "  --job JOB         only this one, of the list; without reports\n"
-    "  --jobs N          gradings at a time (one more than processors)\n"
-    "  --list            print what is to be graded, a command a line\n"
-    "  --output FOLDER   for results and reports (build/grade/results)\n"
-    "  --report LIST     gradescope,classroom50,github,junit: these, too\n"
-    "  --seconds N       processor time that a test may take (5)\n"
-    "  --unsafe          go on where programs cannot be put into a box\n"
-    "  --help            print this\n"
-    "  --version         name the version\n"
-    "What was graded before and has not changed is not graded again.\n"
-    "Exit status: 0 all is graded, 1 something could not be, 2 trouble.\n";
 
-/* Reads a whole number from the command line. strtoull would skip blanks,
-   read -1 as the largest number and 2.5 as 2; so the text must be digits
-   alone. */
-static uint64_t whole(const char *option, const char *text, uint64_t least,
-                      uint64_t most)
-{
-    char *end;
-    errno = 0;
-    const unsigned long long x = strtoull(text, &end, 10);
-    if (errno || !isdigit((unsigned char)*text) || *end || x < least ||
-        x > most)
-        text_fail("%s: '%s' is not a whole number from %" PRIu64
-                  " to %" PRIu64,
-                  option, text, least, most);
-    return x;
-}
+static const struct options_entry entries[] = {
+    {"", 0, "FOLDER", NULL},
+    {"exercises", 'e', "LIST",
+     "only these, 01a,02b or 01 for a chapter (all)"},
+    {"hidden", 'H', "SEED",
+     "of the inputs that students never see, a whole\n"
+     "number (drawn once and kept in the output folder)"},
+    {"job", 'J', "JOB", "only this one, of the list; without reports"},
+    {"jobs", 'j', "N", "gradings at a time (one more than processors)"},
+    {"list", 'l', NULL, "print what is to be graded, a command a line"},
+    {"output", 'o', "FOLDER",
+     "for results and reports (build/grade/results)"},
+    {"report", 'r', "LIST",
+     "gradescope,classroom50,github,junit: these, too"},
+    {"seconds", 's', "N", "processor time that a test may take (5)"},
+    {"unsafe", 'u', NULL,
+     "go on where programs cannot be put into a sandbox"},
+    {0}};
 
-static void take_option(struct options *o, int c)
+static const char purpose[] =
+    "Grade a folder that has a folder for each student, or files whose\n"
+    "names begin with theirs, as Moodle and Canvas make them. What was\n"
+    "graded before and has not changed is not graded again.\n"
+    "Exit status: 0 all is graded, 1 something could not be, 2 trouble.";
+
+static void take_option(struct settings *s, struct options *o, int letter)
 {
-    switch (c) {
-    case 'e': o->exercises = optarg; break;
-    case 'H':
-        o->seed = whole("--hidden", optarg, 0, UINT64_MAX);
-        o->seeded = true;
+    switch (letter) {
+    case OPTIONS_ARGUMENT:
+        if (s->folder)
+            options_fail(o, "which folder of submissions, '%s' or '%s'?",
+                         s->folder, options_text(o));
+        s->folder = options_text(o);
         break;
-    case 'J': o->job = optarg; break;
-    case 'j': o->jobs = (long)whole("--jobs", optarg, 1, 1024); break;
-    case 'l': o->list = true; break;
-    case 'o': o->output = optarg; break;
-    case 'r': o->reports = optarg; break;
-    case 's': o->seconds = (int)whole("--seconds", optarg, 1, 3600); break;
-    case 'u': o->unsafe = true; break;
-    case 'h': fputs(usage, stdout); exit(EXIT_SUCCESS);
-    case 'v': puts("grade (Bonkers) " TOOLBOX_VERSION); exit(EXIT_SUCCESS);
-    default: fputs("Try: grade --help\n", stderr); exit(2);
+    case 'e': s->exercises = options_text(o); break;
+    case 'H':
+        s->seed = options_count(o, 0, UINT64_MAX);
+        s->seeded = true;
+        break;
+    case 'J': s->job = options_text(o); break;
+    case 'j': s->jobs = (long)options_count(o, 1, 1024); break;
+    case 'l': s->list = true; break;
+    case 'o': s->output = options_text(o); break;
+    case 'r': s->reports = options_text(o); break;
+    case 's': s->seconds = (int)options_count(o, 1, 3600); break;
+    case 'u': s->unsafe = true; break;
     }
 }
 
@@ -150,7 +142,7 @@ static void check_name(const struct batch *b, const char *word)
    answer. The kits stay in the order of the book. */
 static void choose_kits(struct batch *b)
 {
-    const char *list = b->options.exercises;
+    const char *list = b->settings.exercises;
     char word[64];
     size_t kept = 0;
     if (!list)
@@ -179,35 +171,22 @@ static const char *exercise_of(const char *job)
     return exercise;
 }
 
-static struct options read_options(int argc, char **argv)
+static struct settings read_settings(int argc, char **argv)
 {
-    static const struct option known[] = {
-        {"exercises", required_argument, NULL, 'e'},
-        {"hidden", required_argument, NULL, 'H'},
-        {"job", required_argument, NULL, 'J'},
-        {"jobs", required_argument, NULL, 'j'},
-        {"list", no_argument, NULL, 'l'},
-        {"output", required_argument, NULL, 'o'},
-        {"report", required_argument, NULL, 'r'},
-        {"seconds", required_argument, NULL, 's'},
-        {"unsafe", no_argument, NULL, 'u'},
-        {"help", no_argument, NULL, 'h'},
-        {"version", no_argument, NULL, 'v'},
-        {0},
-    };
-    struct options o = {.reports = "",
-                        .output = "build/grade/results",
-                        .jobs = sysconf(_SC_NPROCESSORS_ONLN) + 1,
-                        .seconds = 5};
-    for (int c; (c = getopt_long(argc, argv, "", known, NULL)) != -1;)
-        take_option(&o, c);
-    if (optind + 1 != argc)
-        text_fail("which folder of submissions? Try: grade --help");
-    o.folder = argv[optind];
-    check_reports(o.reports);
-    if (o.job)
-        o.exercises = exercise_of(o.job);
-    return o;
+    struct options o;
+    struct settings s = {.reports = "",
+                         .output = "build/grade/results",
+                         .jobs = sysconf(_SC_NPROCESSORS_ONLN) + 1,
+                         .seconds = 5};
+    options_begin(&o, "grade", purpose, entries, argc, argv);
+    for (int letter; (letter = options_next(&o)) != -1;)
+        take_option(&s, &o, letter);
+    if (!s.folder)
+        options_fail(&o, "which folder of submissions? See grade --help");
+    check_reports(s.reports);
+    if (s.job)
+        s.exercises = exercise_of(s.job);
+    return s;
 }
 
 static char *work_folder;
@@ -283,10 +262,10 @@ static bool is_within(const char *inner, const char *outer)
    time, and a student's files for results. */
 static void refuse_results_within(const struct batch *b)
 {
-    if (is_within(b->options.output, b->options.folder))
+    if (is_within(b->settings.output, b->settings.folder))
         text_fail("--output: '%s' is in the folder of submissions, '%s'; "
                   "results belong somewhere else",
-                  b->options.output, b->options.folder);
+                  b->settings.output, b->settings.folder);
 }
 
 static void prepare_folders(struct batch *b)
@@ -294,9 +273,9 @@ static void prepare_folders(struct batch *b)
     if (!getcwd(b->root, sizeof b->root - 64))
         text_fail("cannot name the working folder: %s", strerror(errno));
     char marks[4200];
-    snprintf(marks, sizeof marks, "%s/marks", b->options.output);
+    snprintf(marks, sizeof marks, "%s/marks", b->settings.output);
     refuse_results_within(b);
-    make_folder(b->options.output);
+    make_folder(b->settings.output);
     make_folder(marks);
     remove_abandoned();
     snprintf(b->work, sizeof b->work, "%s/build/grade/%s%ld.XXXXXX",
@@ -306,7 +285,7 @@ static void prepare_folders(struct batch *b)
                   strerror(errno));
     work_folder = b->work;
     b->grading = (struct grading){
-        .root = b->root, .work = b->work, .seconds = b->options.seconds};
+        .root = b->root, .work = b->work, .seconds = b->settings.seconds};
 }
 
 static uint64_t draw_seed(void)
@@ -319,25 +298,16 @@ static uint64_t draw_seed(void)
     return seed;
 }
 
-/* Writes a seed that nobody but the lecturer may read: with another name
-   first, so that no other grader reads half of it. Returns whether it is
-   ours; with `anew` it always is, and without, a seed that is there already
-   stays. */
+/* Writes a seed that nobody but the lecturer may read, whole, so that no
+   other grader reads half of it. Returns whether it is ours; with `anew` it
+   always is, and without, a seed that is there already stays. */
 static bool write_seed(const char *path, uint64_t seed, bool anew)
 {
-    char part[4400];
-    snprintf(part, sizeof part, "%s.XXXXXX", path);
-    FILE *file = fdopen(mkstemp(part), "w");
-    if (!file || fprintf(file, "%" PRIu64 "\n", seed) < 0 ||
-        fclose(file) != 0)
-        text_fail("cannot write '%s': %s", part, strerror(errno));
-    if (anew && rename(part, path) == 0)
-        return true;
-    const bool ours = !anew && link(part, path) == 0;
-    const int why = errno;
-    unlink(part);
-    if (!ours && (anew || why != EEXIST))
-        text_fail("cannot write '%s': %s", path, strerror(why));
+    char text[32];
+    const int length = snprintf(text, sizeof text, "%" PRIu64 "\n", seed);
+    const bool ours = replace_file(path, text, (size_t)length, 0600, !anew);
+    if (!ours && (anew || errno != EEXIST))
+        text_fail("cannot write '%s': %s", path, strerror(errno));
     return ours;
 }
 
@@ -347,9 +317,9 @@ static bool write_seed(const char *path, uint64_t seed, bool anew)
 static void choose_seed(struct batch *b)
 {
     char path[4300];
-    uint64_t seed = b->options.seed;
-    snprintf(path, sizeof path, "%s/hidden.seed", b->options.output);
-    if (b->options.seeded) {
+    uint64_t seed = b->settings.seed;
+    snprintf(path, sizeof path, "%s/hidden.seed", b->settings.output);
+    if (b->settings.seeded) {
         write_seed(path, seed, true);
         b->grading.seed = seed;
         return;
@@ -402,7 +372,7 @@ static void choose_box(struct batch *b)
             "machine does not\n"
             "allow namespaces. They would see all files that you see, and "
             "the network.\n");
-    if (!b->options.unsafe) {
+    if (!b->settings.unsafe) {
         remove_work();
         text_fail("nothing was run; to go on all the same: --unsafe (make "
                   "grade UNSAFE=1)");
@@ -433,7 +403,7 @@ static const char *encode(const struct batch *b, size_t s)
 static void result_path(const struct batch *b, size_t s, size_t e,
                         char path[4400])
 {
-    snprintf(path, 4400, "%s/marks/%s", b->options.output, encode(b, s));
+    snprintf(path, 4400, "%s/marks/%s", b->settings.output, encode(b, s));
     make_folder(path);
     snprintf(path + strlen(path), 32, "/%s.json", b->kits[e].exercise);
 }
@@ -443,7 +413,7 @@ static void result_path(const struct batch *b, size_t s, size_t e,
    that begin as the student's does. */
 static void choose_student(struct batch *b)
 {
-    const char *job = b->options.job;
+    const char *job = b->settings.job;
     const size_t length = job ? strcspn(job, "/") : 0;
     for (size_t s = 0; job && s < b->count; ++s) {
         const char *name = encode(b, s);
@@ -516,22 +486,18 @@ static void put_by_hand(const struct batch *b, const char *place,
                         const char *bytes, size_t length)
 {
     char path[4400];
-    snprintf(path, sizeof path, "%s/%s", b->options.output, place);
+    snprintf(path, sizeof path, "%s/%s", b->settings.output, place);
     if (!bytes) {
         unlink(path);
         return;
     }
-    for (char *slash = path + strlen(b->options.output) + 1;
+    for (char *slash = path + strlen(b->settings.output) + 1;
          (slash = strchr(slash, '/')); ++slash) {
         *slash = '\0';
         make_folder(path);
         *slash = '/';
     }
-    char part[4416];
-    snprintf(part, sizeof part, "%s.XXXXXX", path);
-    FILE *file = fdopen(mkstemp(part), "w");
-    if (!file || fwrite(bytes, 1, length, file) != length ||
-        fclose(file) != 0 || rename(part, path) != 0)
+    if (!replace_file(path, bytes, length, 0600, false))
         text_fail("cannot write '%s': %s", path, strerror(errno));
 }
 
@@ -544,7 +510,7 @@ static char *put_page(const struct batch *b, const struct job *job,
              ending);
     snprintf(place, 1400, "by-hand/%s/%s", encode(b, job->student), name);
     char *bytes =
-        submissions_page(b->options.folder, &b->submissions[job->student],
+        submissions_page(b->settings.folder, &b->submissions[job->student],
                          name, length, refusal);
     put_by_hand(b, place, bytes, *length);
     return bytes;
@@ -667,11 +633,11 @@ static void list_job(const struct batch *b, const struct job *job)
 {
     printf("build/grade/grade --job %s/%s/%s --seconds %d%s --output ",
            encode(b, job->student), b->kits[job->exercise].exercise,
-           job->key, b->options.seconds,
-           b->options.unsafe ? " --unsafe" : "");
-    put_word(b->options.output);
+           job->key, b->settings.seconds,
+           b->settings.unsafe ? " --unsafe" : "");
+    put_word(b->settings.output);
     putchar(' ');
-    put_word(b->options.folder);
+    put_word(b->settings.folder);
     putchar('\n');
 }
 
@@ -680,7 +646,7 @@ static void list_job(const struct batch *b, const struct job *job)
    and it grades nothing. */
 static void check_job(const struct batch *b, const struct job *job)
 {
-    const char *asked = b->options.job;
+    const char *asked = b->settings.job;
     if (!asked || strcmp(strrchr(asked, '/') + 1, job->key) == 0)
         return;
     remove_work();
@@ -695,13 +661,13 @@ static void check_job(const struct batch *b, const struct job *job)
    time was idle. So there is one more. */
 static void start_job(struct batch *b, const struct job *job)
 {
-    if (b->options.list && job->bytes) {
+    if (b->settings.list && job->bytes) {
         list_job(b, job);
         return;
     }
     check_job(b, job);
     ++b->begun;
-    while (running >= b->options.jobs)
+    while (running >= b->settings.jobs)
         wait_for_one(b);
     if (process_signal())
         return;
@@ -765,7 +731,7 @@ static void look_at(struct batch *b, uint64_t kit, size_t s, size_t e,
         .student = s, .exercise = e, .tries = 1 + (round == RETRIED)};
     struct marks marks;
     size_t first = s;
-    job.bytes = submissions_read(b->options.folder, &b->submissions[s],
+    job.bytes = submissions_read(b->settings.folder, &b->submissions[s],
                                  b->kits[e].file, &job.length, &job.remark,
                                  &job.note);
     if (*b->kits[e].exercise == 'P')
@@ -778,7 +744,7 @@ static void look_at(struct batch *b, uint64_t kit, size_t s, size_t e,
     result_path(b, s, e, job.path);
     const bool known = marks_read(&marks, job.key, job.path);
     const bool late = known && marks.tries == 1 && marks.late;
-    if (job.bytes && !job.page.place && !b->options.list)
+    if (job.bytes && !job.page.place && !b->settings.list)
         first = first_alike(b, sum_bytes(kit, job.bytes, job.length), &job);
     if (round == TRIED && known)
         ++b->done;
@@ -822,7 +788,7 @@ static void grade_all(struct batch *b)
     if (!b->alike)
         text_fail("out of memory");
     look_at_all(b, TRIED);
-    if (!b->options.job || !b->begun)
+    if (!b->settings.job || !b->begun)
         look_at_all(b, RETRIED);
     look_at_all(b, COPIED);
     while (b->alikes > 0)
@@ -855,7 +821,7 @@ static struct marks *read_results(const struct batch *b)
    takes to grade the course in the same way again. */
 static void publish_all(struct batch *b)
 {
-    const char *list = b->options.reports;
+    const char *list = b->settings.reports;
     char word[64], when[32];
     const time_t now = time(NULL);
     strftime(when, sizeof when, "%Y-%m-%dT%H:%M:%SZ", gmtime(&now));
@@ -866,21 +832,21 @@ static void publish_all(struct batch *b)
         notes[s] = b->submissions[s].notes;
     notes[b->count] = b->handed.nobody.notes;
     const struct course course = {
-        b->count, b->kit_count,      read_results(b),
-        notes,    b->options.folder, box_name(b->grading.kind),
+        b->count, b->kit_count,       read_results(b),
+        notes,    b->settings.folder, box_name(b->grading.kind),
         when};
     if (isatty(STDERR_FILENO))
         fputc('\n', stderr);
-    publish("table", &course, b->options.output);
-    publish("csv", &course, b->options.output);
-    publish("notes", &course, b->options.output);
+    publish("table", &course, b->settings.output);
+    publish("csv", &course, b->settings.output);
+    publish("notes", &course, b->settings.output);
     while (next_word(&list, word))
-        publish(word, &course, b->options.output);
+        publish(word, &course, b->settings.output);
     printf("Results and reports: %s/ (hidden seed %" PRIu64
            "; programs in: %s)\n",
-           b->options.output, b->grading.seed, box_name(b->grading.kind));
+           b->settings.output, b->grading.seed, box_name(b->grading.kind));
     char hand[4300];
-    snprintf(hand, sizeof hand, "%s/by-hand/notes.txt", b->options.output);
+    snprintf(hand, sizeof hand, "%s/by-hand/notes.txt", b->settings.output);
     if (access(hand, F_OK) == 0)
         printf("What is for a human eye, line by line: %s\n", hand);
     *strrchr(hand, '/') = '\0';
@@ -906,9 +872,9 @@ static void look_through(struct batch *b)
         text_fail("out of memory");
     for (size_t i = 0; i < b->kit_count; ++i)
         usual[i] = b->kits[i].file;
-    const char *job = b->options.job ? b->options.job : "";
+    const char *job = b->settings.job ? b->settings.job : "";
     char *start = strndup(job, strcspn(job, "_%+/"));
-    b->handed = submissions_find(b->options.folder, usual, start);
+    b->handed = submissions_find(b->settings.folder, usual, start);
     b->submissions = b->handed.list;
     b->count = b->handed.count;
     free(start);
@@ -918,7 +884,7 @@ static void look_through(struct batch *b)
 int main(int argc, char **argv)
 {
     text_program = "grade";
-    struct batch b = {.options = read_options(argc, argv)};
+    struct batch b = {.settings = read_settings(argc, argv)};
     b.kit_count = grading_kits(&b.kits);
     look_through(&b);
     choose_kits(&b);
@@ -934,7 +900,7 @@ int main(int argc, char **argv)
         text_fail("interrupted with %zu of %zu graded; the same command "
                   "goes on from there",
                   b.done, b.count * b.kit_count);
-    if (!b.options.list && !b.options.job)
+    if (!b.settings.list && !b.settings.job)
         publish_all(&b);
     return b.failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

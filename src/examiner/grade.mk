@@ -49,7 +49,8 @@ build/made/grade/obj/grade/%.o: src/examiner/%.c build/compiler/key
 		$(xml_flags) $(FLAGS) -c -o $(made).new $<
 	$(take_compiled)
 build/made/grade/grade: $(patsubst %,build/grade/obj/grade/%.o,grade grading \
-	box folder marks submissions publish build message sum trial process text)
+	box folder marks submissions publish build message sum trial process text) \
+	$(patsubst %,build/obj/toolbox/%.o,options replace)
 	$(begin)
 	$(call say,link $(made))
 	$(Q)$(CC) $(PORTABLE) $(FLAGS) -o $(made).new $^ $(LDFLAGS) \

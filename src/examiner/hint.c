@@ -1,7 +1,7 @@
 /* Reads the hints, shows the next, remembers how many were given. */
 #include "examiner/hint.h"
 #include "examiner/text.h"
-#include "examiner/work.h"
+#include "toolbox/replace.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -52,7 +52,7 @@ static void remember(const char *name, int count)
             fprintf(out, "%s\n", line);
     fprintf(out, "%s %d\n", name, count);
     fclose(out);
-    if (!work_write(path, fresh, size))
+    if (!replace_file(path, fresh, size, REPLACE_USUAL, false))
         fprintf(stderr, "examine: cannot write '%s': %s\n", path,
                 strerror(errno));
     free(fresh);

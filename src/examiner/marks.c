@@ -1,13 +1,13 @@
 /* Marks counted, written to disk and read again. */
 #include "examiner/marks.h"
 #include "examiner/text.h"
+#include "toolbox/replace.h"
 
 #include <errno.h>
 #include <jansson.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 int marks_earned(const struct marks *marks, bool hidden)
 {
@@ -84,14 +84,11 @@ static json_t *json_of_marks(const struct marks *m, const char *key)
 void marks_write(const struct marks *marks, const char *key,
                  const char *path)
 {
-    char part[4096];
-    snprintf(part, sizeof part, "%s.XXXXXX", path);
-    const int file = mkstemp(part);
-    FILE *out = file < 0 ? NULL : fdopen(file, "w");
     json_t *json = json_of_marks(marks, key);
-    if (!out || !json || json_dumpf(json, out, JSON_INDENT(1)) != 0 ||
-        fclose(out) != 0 || rename(part, path) != 0)
+    char *text = json ? json_dumps(json, JSON_INDENT(1)) : NULL;
+    if (!text || !replace_file(path, text, strlen(text), 0600, false))
         text_fail("cannot write '%s': %s", path, strerror(errno));
+    free(text);
     json_decref(json);
 }
 

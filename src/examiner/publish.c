@@ -2,6 +2,7 @@
 #define _XOPEN_SOURCE 700 /* wcwidth */
 #include "examiner/publish.h"
 #include "examiner/text.h"
+#include "toolbox/replace.h"
 
 #include <errno.h>
 #include <jansson.h>
@@ -157,10 +158,9 @@ static const char *shown_story(const struct marks *m, int test)
                                  : state_name(state_of(m, test));
 }
 
-/* Half a file of marks looks like one, so it is written under another name
-   and renamed. */
+/* A report that is being written. */
 struct draft {
-    char path[4096], part[4104];
+    char path[4096], *temporary;
     FILE *file;
 };
 
@@ -169,7 +169,7 @@ struct draft {
 static _Noreturn void give_up(const struct draft *draft)
 {
     const int why = errno;
-    unlink(draft->part);
+    replace_cancel(draft->temporary);
     text_fail("cannot write '%s': %s", draft->path, strerror(why));
 }
 
@@ -188,14 +188,17 @@ static void draft_name(struct draft *draft, const char *folder,
         snprintf(draft->path, sizeof draft->path, "%s/%s", folder, name);
     if (length < 0 || (size_t)length >= sizeof draft->path)
         text_fail("the path '%s/%s' is too long", folder, name);
-    snprintf(draft->part, sizeof draft->part, "%s.part", draft->path);
 }
 
+/* Opens a report; only its owner may read it if it is about people. */
 static void draft_open(struct draft *draft, const char *folder,
-                       const char *name)
+                       const char *name, bool about_people)
 {
     draft_name(draft, folder, name);
-    draft->file = fopen(draft->part, "w");
+    const int file =
+        replace_begin(draft->path, about_people ? 0600 : REPLACE_USUAL,
+                      &draft->temporary);
+    draft->file = file < 0 ? NULL : fdopen(file, "w");
     if (!draft->file)
         give_up(draft);
 }
@@ -216,8 +219,10 @@ static void draft_close(struct draft *draft)
     if (fflush(draft->file) != 0 || ferror(draft->file) ||
         fsync(fileno(draft->file)) != 0)
         give_up(draft);
-    if (fclose(draft->file) != 0 || rename(draft->part, draft->path) != 0)
+    if (fclose(draft->file) != 0)
         give_up(draft);
+    if (!replace_finish(draft->temporary, draft->path, false))
+        text_fail("cannot write '%s': %s", draft->path, strerror(errno));
 }
 
 /* Returns whether no other student's files have the same name. Two students
@@ -379,9 +384,7 @@ static void report_notes(const struct course *c, const char *folder)
     }
     make_folder(folder);
     make_folder(below);
-    draft_open(&draft, below, "notes.txt");
-    if (fchmod(fileno(draft.file), 0600) != 0) /* it is about people */
-        give_up(&draft);
+    draft_open(&draft, below, "notes.txt", true);
     tell_all(c, put_note, draft.file);
     draft_close(&draft);
 }
@@ -439,9 +442,7 @@ static void report_csv(const struct course *c, const char *folder)
 {
     struct draft draft;
     make_folder(folder);
-    draft_open(&draft, folder, "grades.csv");
-    if (fchmod(fileno(draft.file), 0600) != 0) /* it is about people */
-        give_up(&draft);
+    draft_open(&draft, folder, "grades.csv", true);
     put_cell(draft.file, "student");
     for (size_t e = 0; e < c->exercises; ++e) {
         putc(',', draft.file);
@@ -485,7 +486,7 @@ static json_t *take(char *text)
 static void write_tree(const char *folder, const char *name, json_t *json)
 {
     struct draft draft;
-    draft_open(&draft, folder, name);
+    draft_open(&draft, folder, name, false);
     if (json_dumpf(json, draft.file,
                    JSON_INDENT(2) | JSON_REAL_PRECISION(6)) != 0)
         give_up(&draft);
@@ -789,7 +790,7 @@ static int write_bytes(void *context, const char *bytes, int length)
 static void junit_open(struct junit *j, const char *folder)
 {
     make_folder(folder);
-    draft_open(&j->draft, folder, "junit.xml");
+    draft_open(&j->draft, folder, "junit.xml", false);
     xmlOutputBufferPtr out =
         xmlOutputBufferCreateIO(write_bytes, NULL, j, NULL);
     j->xml = out ? xmlNewTextWriter(out) : NULL;

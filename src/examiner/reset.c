@@ -3,7 +3,7 @@
 #include "examiner/hint.h"
 #include "examiner/sum.h"
 #include "examiner/text.h"
-#include "examiner/work.h"
+#include "toolbox/replace.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -12,20 +12,27 @@
 #include <time.h>
 #include <unistd.h>
 
-/* Copies a file to a name that is free. There are file systems without
-   links, on memory sticks for one. */
-static bool copy(const char *from, const char *to)
+/* Copies a file to an open descriptor, which it closes. */
+static bool copy(const char *from, int out)
 {
     char block[1 << 12];
     const int in = open(from, O_RDONLY);
-    const int out = open(to, O_WRONLY | O_CREAT | O_EXCL, 0666);
     bool fine = in >= 0 && out >= 0;
     for (ssize_t length; fine && (length = read(in, block, sizeof block));)
         fine = length > 0 && write(out, block, (size_t)length) == length;
     fine = out >= 0 && fsync(out) == 0 && fine;
     if (in >= 0)
         close(in);
-    if (out >= 0 && (close(out) != 0 || !fine))
+    return out >= 0 && close(out) == 0 && fine;
+}
+
+/* Copies a file to a name that is free. There are file systems without
+   links, on memory sticks for one. */
+static bool copy_to(const char *from, const char *to)
+{
+    const int out = open(to, O_WRONLY | O_CREAT | O_EXCL, 0666);
+    const bool fine = copy(from, out);
+    if (out >= 0 && !fine)
         unlink(to);
     return fine;
 }
@@ -46,7 +53,7 @@ static bool save(const char *file, char kept[KEPT])
         if (link(file, kept) == 0)
             return true;
         if (errno != EEXIST)
-            return copy(file, kept);
+            return copy_to(file, kept);
         snprintf(kept, KEPT, "%s.%s-%d", file, date, i);
     }
     return false;
@@ -57,15 +64,14 @@ static bool save(const char *file, char kept[KEPT])
    group. */
 static bool replace(const char *file, const char *stub)
 {
-    char fresh[64];
     struct stat about;
-    snprintf(fresh, sizeof fresh, "%s/stub", work_folder());
-    unlink(fresh);
-    if (!copy(stub, fresh))
-        return false;
-    if (stat(file, &about) == 0)
-        chmod(fresh, about.st_mode & 0777);
-    return rename(fresh, file) == 0;
+    char *temporary;
+    const mode_t mode =
+        stat(file, &about) == 0 ? about.st_mode & 0777 : REPLACE_USUAL;
+    if (copy(stub, replace_begin(file, mode, &temporary)))
+        return replace_finish(temporary, file, false);
+    replace_cancel(temporary);
+    return false;
 }
 
 _Noreturn static void give_up(const char *file, const char *kept)

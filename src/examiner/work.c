@@ -4,6 +4,7 @@
 #include "examiner/text.h"
 
 #include <errno.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -29,17 +30,4 @@ const char *work_folder(void)
         atexit(remove_folder);
     made = true;
     return folder;
-}
-
-/* Writes a file aside and renames it. rename puts the new file in the place
-   of the old one in one step, so that there is no moment without either. */
-bool work_write(const char *path, const char *text, size_t length)
-{
-    char fresh[64];
-    snprintf(fresh, sizeof fresh, "%s/fresh", work_folder());
-    FILE *file = fopen(fresh, "w");
-    if (!file)
-        return false;
-    const bool written = fwrite(text, 1, length, file) == length;
-    return fclose(file) == 0 && written && rename(fresh, path) == 0;
 }

@@ -452,12 +452,13 @@ static const struct options_entry entries[] = {
     {"reason", 'r', "S",
      "what deciding and the run may cost together,\n"
      "seconds by the price list (60)"},
-    {"explain", 'x', NULL,
+    {"explain", 'x' | OPTIONS_SILENT, NULL,
      "say what was looked at, and why; with -o FILE\n"
      "to standard output, else to standard error"},
-    {"output", 'o', "FILE", "for the table (standard output)"},
-    {"summary", 'S', "FILE", "for the results as lines: key value"},
-    {"chart", 'c', "FILE", "write the candidates: error and cost"},
+    OPTIONS_OUTPUT("table"),
+    OPTIONS_SUMMARY,
+    {"chart", 'c' | OPTIONS_SILENT | OPTIONS_WRITES, "FILE",
+     "write the candidates: error and cost"},
     {0}};
 
 static const struct table_key keys[] = {

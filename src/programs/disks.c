@@ -942,9 +942,9 @@ static const struct options_entry entries[] = {
     {"measure", 'm', "NAME",
      "states, positions, speeds, pressure,\n"
      "relaxation or brownian (states)"},
-    {"engine", 'g', "NAME", "auto, pairs or cells (auto)"},
-    {"output", 'o', "FILE", "for the table (standard output)"},
-    {"summary", 'S', "FILE", "for the results as lines: key value"},
+    {"engine", 'g' | OPTIONS_SILENT, "NAME", "auto, pairs or cells (auto)"},
+    OPTIONS_OUTPUT("table"),
+    OPTIONS_SUMMARY,
     {"", 0, NULL, "--start lattice, random"},
     {"dimensions", 'D', "D", "2: disks, 3: spheres (2)"},
     {"packing", 'p', "ETA",

@@ -91,7 +91,8 @@ static void make_entries(const struct gallery_scene *g,
 {
     memset(entries, 0, ENTRIES * sizeof entries[0]);
     entries[0] = (struct options_entry){
-        "output", 'o', "FILE", "write to FILE (default: standard output)"};
+        "output", 'o' | OPTIONS_SILENT | OPTIONS_WRITES, "FILE",
+        "write to FILE (default: standard output)"};
     entries[1] = (struct options_entry){"", 0, "NAME", ""};
     for (size_t k = 0; g && g->key[k].name; ++k) {
         const struct gallery_key *key = &g->key[k];

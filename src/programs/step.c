@@ -10,6 +10,7 @@
 #include "toolbox/options.h"
 #include "toolbox/program.h"
 #include "toolbox/progress.h"
+#include "toolbox/replace.h"
 #include "toolbox/table.h"
 #include "toolbox/vector.h"
 
@@ -806,7 +807,7 @@ static void refuse_scene_as_companion(const struct settings *s,
 {
     char name[4096];
     snprintf(name, sizeof name, "%s%s", s->output, suffix);
-    if (table_replaces(name, s->scene))
+    if (replace_loses(name, s->scene))
         program_refuse(PROGRAM,
                        "--output: '%s' is the scene, which would be lost",
                        name);
@@ -1021,19 +1022,21 @@ static const struct options_entry entries[] = {
     {"kernel", 'k', "NAME",
      "of gravity: auto, portable, avx512, tree, or on a\n"
      "device opencl, opencl-float (auto)"},
-    {"threads", 'j', "N",
+    {"threads", 'j' | OPTIONS_SILENT, "N",
      "how many, for gravity from 1000 bodies on,\n"
      "springs from 10000 (1)"},
     {"bound", 'B', "B",
      "end when the energy has grown by B times\n"
      "what there was (10)"},
-    {"save", 'w', "FILE", "write the last state as a scene"},
-    {"output", 'o', "FILE", "for the table (standard output)"},
-    {"summary", 'S', "FILE", "for the results as lines: key value"},
+    {"save", 'w' | OPTIONS_WRITES, "FILE",
+     "write the last state as a scene"},
+    OPTIONS_OUTPUT("table"),
+    OPTIONS_SUMMARY,
     {"", 0, NULL, "--output"},
     {"checkpoint", 'C', "S",
      "seconds from one checkpoint to the next (60)"},
-    {"resume", 'R', NULL, "go on from the checkpoint of -o FILE, if any"},
+    {"resume", 'R' | OPTIONS_SILENT, NULL,
+     "go on from the checkpoint of -o FILE, if any"},
     {"", 0, NULL, equal_heading},
     {"sums", 'c', "NAME",
      "plain; compensated: they carry their rounding\n"

@@ -1,6 +1,7 @@
 /* Reads options with getopt_long, checks values, prints the help. */
 #include "toolbox/options.h"
 
+#include "toolbox/replace.h"
 #include "toolbox/table.h"
 #include "toolbox/version.h"
 
@@ -45,9 +46,16 @@ static void print_from(int width, const char *text)
     }
 }
 
+/* Returns the short name of an option, or 0: its letter without flags. */
+static int letter_of(const struct options_entry *e)
+{
+    return e->letter & 0xff;
+}
+
 static void print_entry(const struct options_entry *e)
 {
-    int width = e->letter ? printf("  -%c, ", e->letter) : printf("      ");
+    int width =
+        letter_of(e) ? printf("  -%c, ", letter_of(e)) : printf("      ");
     width += printf("--%s", e->name);
     if (e->argument)
         width += printf(" %s", e->argument);
@@ -158,12 +166,8 @@ static void write_quoted(FILE *stream, const char *text)
    does not change the numbers. */
 static void record_option(struct options *o)
 {
-    static const char *const silent[] = {"output",  "summary", "engine",
-                                         "threads", "resume",  "explain",
-                                         "chart"};
-    for (size_t i = 0; i < sizeof silent / sizeof silent[0]; ++i)
-        if (strcmp(o->current->name, silent[i]) == 0)
-            return;
+    if (o->current->letter & OPTIONS_SILENT)
+        return;
     if (*o->current->name)
         fprintf(record, " --%s", o->current->name);
     if (o->value)
@@ -274,21 +278,14 @@ void options_refuse(struct options *o, const char *name, const char *why)
     options_fail(o, "means nothing %s", why);
 }
 
-/* Outputs have these names in all programs. */
-static bool is_output(const char *name)
-{
-    return strcmp(name, "output") == 0 || strcmp(name, "summary") == 0 ||
-           strcmp(name, "chart") == 0 || strcmp(name, "save") == 0;
-}
-
 /* Refuses an output that would replace a file to be read, whatever it is
    called: a link leads to it as well. */
 static void protect_inputs(struct options *o)
 {
     for (int i = 0; o->entries[i].name; ++i)
         for (int j = 0; o->entries[j].name; ++j) {
-            if (!o->given[i] || !is_output(o->entries[i].name) ||
-                !o->input[j] || !table_replaces(o->given[i], o->given[j]))
+            if (!o->given[i] || !(o->entries[i].letter & OPTIONS_WRITES) ||
+                !o->input[j] || !replace_loses(o->given[i], o->given[j]))
                 continue;
             o->current = &o->entries[i];
             options_fail(o, "'%s' is read, and would be lost", o->given[i]);
@@ -324,9 +321,9 @@ static int ask_getopt(struct options *o)
             continue;
         *l++ = (struct option){e->name, e->argument != NULL, NULL,
                                OPTIONS_LONG + i};
-        if (e->letter)
-            *c++ = (char)e->letter;
-        if (e->letter && e->argument)
+        if (letter_of(e))
+            *c++ = (char)letter_of(e);
+        if (letter_of(e) && e->argument)
             *c++ = ':';
     }
     *l++ = (struct option){"help", 0, NULL, HELP};
@@ -342,7 +339,8 @@ static const struct options_entry *find_entry(const struct options *o,
 {
     for (int i = 0; o->entries[i].name; ++i)
         if (*o->entries[i].name
-                ? code == OPTIONS_LONG + i || code == o->entries[i].letter
+                ? code == OPTIONS_LONG + i ||
+                      code == letter_of(&o->entries[i])
                 : code == OPTIONS_ARGUMENT && o->entries[i].argument)
             return &o->entries[i];
     return NULL;
@@ -424,7 +422,7 @@ int options_next(struct options *o)
                      o->program);
     record_option(o);
     o->given[o->current - o->entries] = o->value ? o->value : "";
-    return o->current->letter ? o->current->letter : code;
+    return letter_of(o->current) ? letter_of(o->current) : code;
 }
 
 static bool is_digit(char c)

@@ -21,7 +21,7 @@
    and conditions read it there, so the help cannot promise another one. */
 struct options_entry {
     const char *name;     /* the long name, without the dashes */
-    int letter;           /* the short name, or 0 for none */
+    int letter;           /* the short name or 0, plus flags: see below */
     const char *argument; /* what --help calls its value; NULL: none */
     const char *help;     /* one phrase; \n breaks the line */
 };
@@ -32,6 +32,24 @@ enum {
     OPTIONS_FAILURE = 2,  /* exit status after a wrong command */
     OPTIONS_MAXIMUM = 40  /* entries in a list, at most */
 };
+
+/* Flags of an option, to be added to its letter. */
+enum {
+    OPTIONS_SILENT = 1 << 10, /* changes no number: not in the command */
+    OPTIONS_WRITES = 1 << 11  /* its value names a file to be written */
+};
+
+/* The two outputs that most programs have. */
+#define OPTIONS_OUTPUT(what)                                               \
+    {                                                                      \
+        "output", 'o' | OPTIONS_SILENT | OPTIONS_WRITES, "FILE",           \
+            "for the " what " (standard output)"                           \
+    }
+#define OPTIONS_SUMMARY                                                    \
+    {                                                                      \
+        "summary", 'S' | OPTIONS_SILENT | OPTIONS_WRITES, "FILE",          \
+            "for the results as lines: key value"                          \
+    }
 
 /* A command line being read. The fields are private. */
 struct options {
@@ -80,9 +98,9 @@ void options_refuse(struct options *o, const char *name, const char *why);
 void options_keys(struct options *o, const struct table_key *keys);
 
 /* The command for the head of a table: the program and the options by
-   their full names, without those that do not change the numbers: output,
-   summary, engine, threads, resume, explain, chart. NULL until
-   options_next has returned -1. Two equal tables must not differ in it. */
+   their full names, without those that do not change the numbers (flag
+   OPTIONS_SILENT), so that equal tables do not differ in it. NULL until
+   options_next has returned -1. */
 const char *options_command(const struct options *o);
 
 /* Returns the value as a whole number from low to high. Every unsigned

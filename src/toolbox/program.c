@@ -2,6 +2,7 @@
 #include "toolbox/program.h"
 
 #include "toolbox/progress.h"
+#include "toolbox/replace.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -19,7 +20,7 @@ void program_apart(struct options *o, const char *output,
 
 _Noreturn void program_leave(int status)
 {
-    table_abandon();
+    replace_abandon();
     exit(status);
 }
 

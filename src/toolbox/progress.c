@@ -1,5 +1,6 @@
 /* Writes the line of progress, and handles signals that end a run. */
 #include "toolbox/progress.h"
+#include "toolbox/replace.h"
 
 #include "toolbox/table.h"
 
@@ -77,7 +78,7 @@ static volatile sig_atomic_t signal_seen;
 static void note_signal(int number)
 {
     if (signal_seen) {
-        table_abandon();
+        replace_abandon();
         signal(number, SIG_DFL);
         raise(number);
     }
@@ -89,7 +90,7 @@ static void note_signal(int number)
 static void end_process(int number)
 {
     (void)number;
-    table_abandon();
+    replace_abandon();
     signal(signal_seen, SIG_DFL);
     raise(signal_seen);
 }

@@ -1,16 +1,12 @@
-/* Writes to a temporary file, which is renamed when all is written. */
-/* If a program wrote straight to the final name, a run killed half way
-   would leave a file that looks like a result, and the good table of
-   yesterday would be gone. Renaming in one folder is a single act of the
-   file system: the name always means the old table or the whole new one. */
+/* Opens and closes tables; a file gets its name when all is written. */
 #define _XOPEN_SOURCE 700 /* for realpath, which follows links */
 
 #include "toolbox/lines.h"
+#include "toolbox/replace.h"
 
 #include <assert.h>
 #include <errno.h>
 #include <fcntl.h>
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,73 +14,6 @@
 #include <unistd.h>
 
 static struct table *tables; /* all that are open */
-
-/* The temporaries to be removed if the process ends early: plain pointers,
-   NULL for a free place, since a signal handler may read them at any
-   moment, in the middle of malloc or printf. A child of fork inherits the
-   list but must not remove what its parent is writing: hence `owner`. */
-enum { MOST_FILES = 8 };
-static char *volatile temporaries[MOST_FILES];
-static pid_t owner;
-
-/* unlink is one of the few functions that a signal handler may call. Only
-   SIGKILL leaves a file bonkers.XXXXXX behind, and never half a table under
-   its final name. */
-void table_abandon(void)
-{
-    for (int i = 0; i < MOST_FILES && owner == getpid(); ++i)
-        if (temporaries[i])
-            unlink(temporaries[i]);
-}
-
-/* Replaces an entry: adds `new` with an `old` of NULL, removes `old` with a
-   `new` of NULL. Returns false, with errno set, if the list is full. */
-static bool swap_temporary(const char *old, char *new)
-{
-    for (int i = 0; i < MOST_FILES; ++i)
-        if (temporaries[i] == old) {
-            temporaries[i] = new;
-            return true;
-        }
-    errno = EMFILE;
-    return false;
-}
-
-/* Removes the temporaries, then ends the process by the same signal, so
-   that the shell learns what ended it. */
-static void die_tidily(int number)
-{
-    table_abandon();
-    signal(number, SIG_DFL);
-    raise(number);
-}
-
-/* Prepares this process, once, for ending early. A child of fork is a new
-   process: it forgets the files of its parent but has inherited the call at
-   exit. SIGPIPE (the reader of a pipe has gone) and SIGXFSZ (a limit on the
-   size of files) kill silently; ignored, they become errors of write, which
-   can be reported. Signals that are ignored, as under nohup, or that
-   somebody handles stay as they are. */
-static void prepare_process(void)
-{
-    static const int fatal[] = {SIGHUP,  SIGINT,  SIGQUIT,
-                                SIGTERM, SIGABRT, SIGXCPU};
-    struct sigaction old;
-    if (owner == getpid())
-        return;
-    if (owner == 0)
-        atexit(table_abandon);
-    for (int i = 0; i < MOST_FILES; ++i)
-        temporaries[i] = NULL;
-    tables = NULL;
-    owner = getpid();
-    signal(SIGPIPE, SIG_IGN);
-    signal(SIGXFSZ, SIG_IGN);
-    for (size_t i = 0; i < sizeof fatal / sizeof fatal[0]; ++i)
-        if (sigaction(fatal[i], NULL, &old) == 0 &&
-            old.sa_handler == SIG_DFL)
-            signal(fatal[i], die_tidily);
-}
 
 /* Prints the one line that tells why there is no table. */
 static void complain(const char *program, const char *path,
@@ -126,60 +55,15 @@ static void free_table(struct table *t)
         }
     free(t->name);
     free(t->path);
-    free(t->temporary);
+    replace_cancel(t->temporary);
     free(t);
 }
 
-/* Removes the temporary unless it was renamed, and frees the table. The
-   entry of `temporaries` is cleared before its name is freed, for a signal
-   may come in between; no handler reads `tables`. */
-static void forget_table(struct table *t, bool renamed)
-{
-    if (t->temporary && !renamed)
-        unlink(t->temporary);
-    if (t->temporary)
-        swap_temporary(t->temporary, NULL);
-    free_table(t);
-}
-
-/* Opens a stream on a descriptor above the standard three. A program
-   started with standard output closed gets 1 for the first file it opens,
-   and all that is meant for the screen would go into the table. */
 static bool open_stream(struct table *t, int file)
 {
-    int high = file;
-    if (0 <= file && file <= STDERR_FILENO) {
-        high = fcntl(file, F_DUPFD, STDERR_FILENO + 1);
-        close(file);
-    }
-    t->stream = high == -1 ? NULL : fdopen(high, "w");
+    file = replace_above(file);
+    t->stream = file == -1 ? NULL : fdopen(file, "w");
     return t->stream != NULL;
-}
-
-/* Makes the temporary and opens it; returns false, with errno set and no
-   file left. Its name is short and of its own: an ending behind the final
-   name could pass the limit of a file name, mostly 255 bytes. mkstemp makes
-   a file that only its owner can read, so the permissions are set. errno is
-   saved because unlink may overwrite it. */
-static bool open_temporary(struct table *t, mode_t mode)
-{
-    const int folder = (int)(strrchr(t->path, '/') - t->path);
-    const size_t size = (size_t)folder + sizeof "/bonkers.XXXXXX";
-    t->temporary = malloc(size);
-    if (!t->temporary)
-        return false;
-    snprintf(t->temporary, size, "%.*s/bonkers.XXXXXX", folder, t->path);
-    const int file = mkstemp(t->temporary);
-    if (file == -1)
-        return false;
-    if (swap_temporary(NULL, t->temporary) && fchmod(file, mode) == 0 &&
-        open_stream(t, file))
-        return true;
-    const int error = errno;
-    unlink(t->temporary);
-    swap_temporary(t->temporary, NULL);
-    errno = error;
-    return false;
 }
 
 static bool is_same(const struct stat *a, const struct stat *b)
@@ -203,17 +87,6 @@ static bool is_taken(const struct table *t)
             return true;
     }
     return false;
-}
-
-bool table_replaces(const char *path, const char *input)
-{
-    struct stat in, out;
-    if (!path || strcmp(path, "-") == 0)
-        return false;
-    const int found = strcmp(input, "-") == 0 ? fstat(STDIN_FILENO, &in)
-                                              : stat(input, &in);
-    return found == 0 && S_ISREG(in.st_mode) && stat(path, &out) == 0 &&
-           is_same(&in, &out);
 }
 
 /* Returns the descriptor that already writes this file, or -1. Looks at 0
@@ -270,8 +143,7 @@ static char *resolve_new(const char *path)
      read-only is meant to stay, so access() asks for the file as well.
    - A name that lstat finds and stat does not is a link to nothing; an
      empty name comes from an unset variable of a script. Both are refused
-     now and not after the run.
-   - The mask of the process can only be read by setting it, twice. */
+     now and not after the run. */
 static bool open_table(struct table *t, const char *path)
 {
     if (!path) {
@@ -298,10 +170,9 @@ static bool open_table(struct table *t, const char *path)
     t->path = t->exists ? realpath(path, NULL) : resolve_new(path);
     if (!t->path)
         return false;
-    const mode_t mask = umask(0);
-    umask(mask);
-    const mode_t mode = t->exists ? t->file.st_mode & 0777 : 0666 & ~mask;
-    return !is_taken(t) && open_temporary(t, mode);
+    const mode_t mode = t->exists ? t->file.st_mode & 0777 : REPLACE_USUAL;
+    return !is_taken(t) &&
+           open_stream(t, replace_begin(t->path, mode, &t->temporary));
 }
 
 /* Keeps the head in memory until there is a row. A program often finds what
@@ -319,7 +190,8 @@ static void hold_head(struct table *t)
 struct table *table_open(const char *program, const char *path)
 {
     struct table *t = calloc(1, sizeof *t);
-    prepare_process();
+    if (replace_prepare())
+        tables = NULL; /* those of the parent, after fork */
     if (path && strcmp(path, "-") == 0)
         path = NULL;
     if (t && open_table(t, path)) {
@@ -360,12 +232,14 @@ bool table_close(struct table *t)
     lines_note_error(t, fflush(t->stream) == 0 && !ferror(t->stream));
     if (t->name)
         lines_note_error(t, fclose(t->stream) == 0);
-    if (t->temporary && t->error == 0)
-        lines_note_error(t, rename(t->temporary, t->path) == 0);
+    if (t->temporary && t->error == 0) {
+        lines_note_error(t, replace_finish(t->temporary, t->path, false));
+        t->temporary = NULL;
+    }
     const bool good = t->error == 0;
     if (!good)
         complain(t->program, t->name, strerror(t->error));
-    forget_table(t, good);
+    free_table(t);
     return good;
 }
 
@@ -378,6 +252,5 @@ void table_discard(struct table *t)
     }
     if (t && t->name)
         fclose(t->stream);
-    if (t)
-        forget_table(t, false);
+    free_table(t);
 }

@@ -58,15 +58,6 @@ bool table_sum_so_far(struct table *t, uint64_t *sum);
    signals that end the process remove the temporaries first. */
 struct table *table_open(const char *program, const char *path);
 
-/* Returns whether a table at path (NULL, "-": standard output) would
-   replace the regular file that is read as input ("-": standard input):
-   whoever types a scene's name where an output belongs would lose it. */
-bool table_replaces(const char *path, const char *input);
-
-/* Removes every temporary of this process. May be called in a signal
-   handler. After it the process has to end. */
-void table_abandon(void);
-
 /* Writes text as printf does. Returns false once writing has failed. Lines
    that begin with # are the head: until there is another one, or the table
    is closed, they wait in memory, and are not written if the process ends

@@ -64,7 +64,7 @@ verdict '--as needs --file' both 2 'go together' --as 99a
 verdict '--seconds wants a number' both 2 'whole number' --seconds ten
 verdict 'a file that is not there is refused' \
     both 2 "cannot read 'none.c': No such file" --as 99a --file none.c
-verdict '--help says how it is used' both 0 '^usage: examine' --help
+verdict '--help says how it is used' both 0 '^Usage: examine' --help
 verdict '--list names title, time, points and file' \
     both 0 '99a  Twice  *5 min  *3 points  exercises/99a-twice.c' --list
 

@@ -17,7 +17,8 @@ static const struct options_entry entries[] = {
     {"form", 0, "NAME", "which formula"},
     {"mass", 0, "M", "a mass"},
     {"quick", 'q', NULL, "do less"},
-    {"output", 'o', "FILE", "where to write"},
+    {"output", 'o' | OPTIONS_SILENT | OPTIONS_WRITES, "FILE",
+     "where to write"},
     {"name", 0, "TEXT", "any text"},
     {"atmost", 0, "X", "open below"},
     {"free", 0, "X", "open on both sides"},
@@ -51,7 +52,8 @@ static const struct options_entry with_headings[] = {
     {"", 0, NULL, "--scene a"},
     {"factor", 0, "F", "of a"},
     {"", 0, NULL, NULL},
-    {"output", 'o', "FILE", "where to write"},
+    {"output", 'o' | OPTIONS_SILENT | OPTIONS_WRITES, "FILE",
+     "where to write"},
     {"", 0, "FILE", NULL},
     {0}};
 

@@ -4,6 +4,7 @@
 
 #include "library/toolbox_child.h"
 #include "toolbox/progress.h"
+#include "toolbox/replace.h"
 #include "toolbox/table.h"
 #include "toolbox/version.h"
 
@@ -410,7 +411,7 @@ static void test_no_sum(void)
 
 static int replaces_input(void *path)
 {
-    return freopen("in", "r", stdin) && table_replaces(path, "-") ? 7 : 0;
+    return freopen("in", "r", stdin) && replace_loses(path, "-") ? 7 : 0;
 }
 
 /* Whether a table would take away what is read. */
@@ -420,16 +421,16 @@ static void test_replaces(void)
     write_file("other", "1\n");
     write_file("-", "1\n");
     UNIT_TRUE(link("in", "hard") == 0 && symlink("in", "soft") == 0);
-    UNIT_TRUE(table_replaces("in", "in"));
-    UNIT_TRUE(table_replaces("hard", "in"));
-    UNIT_TRUE(table_replaces("soft", "./in"));
-    UNIT_TRUE(!table_replaces("other", "in"));
-    UNIT_TRUE(!table_replaces("none", "in"));
-    UNIT_TRUE(!table_replaces("in", "none"));
-    UNIT_TRUE(!table_replaces("none", "none"));
-    UNIT_TRUE(!table_replaces(NULL, "in"));
-    UNIT_TRUE(!table_replaces("-", "./-")); /* standard output */
-    UNIT_TRUE(!table_replaces("/dev/null", "/dev/null"));
+    UNIT_TRUE(replace_loses("in", "in"));
+    UNIT_TRUE(replace_loses("hard", "in"));
+    UNIT_TRUE(replace_loses("soft", "./in"));
+    UNIT_TRUE(!replace_loses("other", "in"));
+    UNIT_TRUE(!replace_loses("none", "in"));
+    UNIT_TRUE(!replace_loses("in", "none"));
+    UNIT_TRUE(!replace_loses("none", "none"));
+    UNIT_TRUE(!replace_loses(NULL, "in"));
+    UNIT_TRUE(!replace_loses("-", "./-")); /* standard output */
+    UNIT_TRUE(!replace_loses("/dev/null", "/dev/null"));
     UNIT_EQUAL(child_run(replaces_input, "in", NULL).status, 7);
     UNIT_EQUAL(child_run(replaces_input, "other", NULL).status, 0);
     UNIT_EQUAL(child_run(replaces_input, "./-", NULL).status, 0);

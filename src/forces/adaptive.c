@@ -1,6 +1,4 @@
-/* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 4273733232 of the lines below */
-/* A pair 5(4), and Radau's method of order 15: steps of their own. */
+/* Steps by a pair 5(4) and by Radau's method of order 15, with control. */
 #include "forces/adaptive.h"
 
 #include "forces/largest.h"
@@ -13,21 +11,22 @@
 
 enum { STAGES = 7, MOST_ROUNDS = 12 };
 
-/* What the numbers of a row come to, in units of the step. */
+/* What follows from the numbers of a row, in units of the step. */
 struct adaptive_weights {
     double c[STAGES], a2[STAGES][STAGES]; /* of a pair */
     double error2[STAGES], dense2[STAGES];
-    /* of Radau's: what g_k moves at node i */
+    /* Radau's: how far g_k moves a body by node i */
     double x[STAGES][STAGES], v[STAGES][STAGES];
     double gap[STAGES][STAGES]; /* 1 / (c_i - c_j), j = 0: c_0 = 0 */
     double last[STAGES];        /* 1 / (1 - c_j), j = 1 .. 7 */
-    double loud; /* what changes of the forces become in g_8, at most */
+    double amplified; /* by how much g_8 changes with the forces, at
+                         most */
     double power[STAGES][STAGES];  /* how much of s^(m+1) is in N_k+1 */
     double newton[STAGES][STAGES]; /* how much of N_k+1 is in s^(m+1) */
     double binomial[STAGES][STAGES];
 };
 
-/* z to the n-th. */
+/* Returns the n-th power of z. */
 static double power_of(double z, int n)
 {
     double power = 1;
@@ -36,7 +35,10 @@ static double power_of(double z, int n)
     return power;
 }
 
-/* The n-th root of z > 0 to a few millionths, from above. */
+/* Returns the n-th root of z > 0, to a few millionths. A library's root
+   differs in its last bit from one machine to the next, and with it every
+   step that follows. Newton's method needs the four operations only, and
+   from above it falls to the root without ever passing it. */
 static double root(double z, int n)
 {
     double y = z > 1 ? z : 1, down;
@@ -51,8 +53,8 @@ static double root(double z, int n)
 #define LEAST 0.2
 #define MOST 5.0
 
-/* By how much to stretch a step whose error, in units of what is allowed,
-   grows with its n-th power: (8.16, eq:stretch). */
+/* Returns the ratio of the next step to one whose error, in units of what
+   is allowed, grows with its n-th power: (8.16, eq:stretch). */
 static double stretch(double error, int n)
 {
     if (error <= power_of(SAFETY / MOST, n))
@@ -69,13 +71,14 @@ static void evaluate(struct adaptive *s, const double x[], const double v[],
     ++s->evaluations;
 }
 
-/* May its steps choose their length? */
+/* Returns whether steps choose their length. */
 static bool is_free(const struct adaptive *s)
 {
     return s->tolerance > 0;
 }
 
-/* Adds by, and what the sums owe. */
+/* Adds `by` to `from`, compensated. Sums are compensated always: with fewer
+   and larger steps they are nearly all of the rounding. */
 static void add(double *restrict to, double *restrict owed,
                 const double *restrict from, const double *restrict carry,
                 const double *restrict by, size_t n)
@@ -87,7 +90,9 @@ static void add(double *restrict to, double *restrict owed,
     }
 }
 
-/* The end of a trial: place and speed are by how much it moves. */
+/* Computes the end of a step that is tried, from place and speed, which
+   hold by how much it moves. It is written over the beginning of the last
+   step, which nobody needs any more once later times are asked for. */
 static void arrive(struct adaptive *s)
 {
     const size_t n = s->forces.size;
@@ -112,7 +117,8 @@ static void measure_pair(struct adaptive *s)
         }
 }
 
-/* Coordinate k of the mix of the first `stages` accelerations. */
+/* Returns coordinate k of the sum of the first `stages` accelerations, each
+   with its weight. */
 static double mix(const struct adaptive *s, const double by[],
                   size_t stages, size_t k)
 {
@@ -122,7 +128,8 @@ static double mix(const struct adaptive *s, const double by[],
     return sum;
 }
 
-/* By how much places and velocities move up to stage i. */
+/* Finds by how much places and velocities move up to stage i: (8.10,
+   eq:stage). */
 static void move_to_stage(struct adaptive *s, size_t i, double h)
 {
     const struct adaptive_weights *const w = s->weights;
@@ -134,8 +141,8 @@ static void move_to_stage(struct adaptive *s, size_t i, double h)
     }
 }
 
-/* The error of a step that has been tried, (8.15, eq:embedded), as a share
-   of the largest coordinate or velocity. */
+/* Returns the error of a step that was tried, (8.15, eq:embedded), as a
+   fraction of the largest coordinate or velocity. */
 static double error_of_pair(const struct adaptive *s, double h)
 {
     const size_t n = s->forces.size, stages = s->method->stages;
@@ -149,7 +156,8 @@ static double error_of_pair(const struct adaptive *s, double h)
     return larger(dx == 0 ? 0 : h * h * dx / x, dv == 0 ? 0 : h * dv / v);
 }
 
-/* Tries a step of length h. Returns its error, in units of the
+/* Tries a step of length h. The first stage is the end of the last step,
+   and the last one is the end of this. Returns the error in units of the
    tolerance. */
 static double try_pair(struct adaptive *s, double h)
 {
@@ -170,8 +178,9 @@ static double try_pair(struct adaptive *s, double h)
     return error_of_pair(s, h) / s->tolerance;
 }
 
-/* (8.17, eq:dense) for one coordinate: p and q at the ends, their slopes
-   there times the step, and the mix. */
+/* Returns a coordinate within a step, at the fraction r of it, (8.17,
+   eq:dense): p and q are its values at the ends, dp and dq its slopes there
+   times the step, and mixed is the sum of the stages. */
 static double look_between(double r, double p, double q, double dp,
                            double dq, double mixed)
 {
@@ -180,7 +189,7 @@ static double look_between(double r, double p, double q, double dp,
                                 r * rest * mixed));
 }
 
-/* Between the ends of the last step, at the share r of it. */
+/* Finds places and velocities within the last step, at the fraction r. */
 static void look_in_pair(const struct adaptive *s, double r, double x[],
                          double v[])
 {
@@ -195,13 +204,21 @@ static void look_in_pair(const struct adaptive *s, double r, double x[],
     }
 }
 
-/* c_0 is 0, and c_1 .. c_7 the nodes. */
+/* Radau's method writes the acceleration in a step as a_0 + sum g_k N_k(s),
+   s being the fraction of the step, with Newton's polynomials
+   N_k = s (s - c_1) ... (s - c_(k-1)), k = 1 to 7. N_k is zero at all nodes
+   before the k-th: the force found at node k settles g_k and leaves what
+   the earlier ones said, while it moves what is expected at later ones.
+
+   Returns node i: c_0 is 0, and c_1 to c_7 are those of the row. */
 static double node(const struct adaptive *s, size_t i)
 {
     return i > 0 ? s->method->node[i - 1] : 0;
 }
 
-/* Powers of s in the polynomials N_k, and these in powers. */
+/* Finds the powers of s in N_k, from N_(k+1) = (s - c_k) N_k, and N_k in
+   those powers, from s N_k = N_(k+1) + c_k N_k; and the binomial
+   coefficients without the first of each row. */
 static void measure_polynomials(struct adaptive *s)
 {
     struct adaptive_weights *const w = s->weights;
@@ -222,7 +239,8 @@ static void measure_polynomials(struct adaptive *s)
                                              (double)(m + 1);
 }
 
-/* The product of the distances of node i from all others; 8: the end. */
+/* Returns the product of the distances of node i from all others; node 8 is
+   the end. A force that changes there changes g_8 by one over it. */
 static double product_of_gaps(const struct adaptive *s, size_t i)
 {
     double product = 1;
@@ -233,6 +251,8 @@ static double product_of_gaps(const struct adaptive *s, size_t i)
     return product;
 }
 
+/* Integrates the powers of each N_k once and twice, up to each node:
+   s^(m+1) becomes s^(m+2) / (m+2) and s^(m+3) / ((m+2) (m+3)). */
 static void measure_radau(struct adaptive *s)
 {
     struct adaptive_weights *const w = s->weights;
@@ -253,17 +273,22 @@ static void measure_radau(struct adaptive *s)
         w->last[i] = 1 / (1 - c);
     }
     for (size_t i = 0; i <= STAGES + 1; ++i)
-        w->loud += 1 / product_of_gaps(s, i);
+        w->amplified += 1 / product_of_gaps(s, i);
 }
 
-/* By how much a body moves in a part of a step that it begins with v and
-   a, when the change of a, integrated twice, comes to change part^2. */
+/* Returns how far a body moves in a part of a step that it begins with v
+   and a, if the change of a, integrated twice, is change * part^2. The part
+   has a length of its own, and small terms are summed first: a c^2/2 that
+   was rounded once would be another error that all steps share. */
 static inline double way(double part, double v, double a, double change)
 {
     return part * (v + part * (a / 2 + change));
 }
 
-/* Adds up what g moves in a part of a step. */
+/* Finds by how much places and velocities move in a part of a step, from g.
+   Nine tenths of the time of a membrane of 81 nodes were spent in these
+   sums, one coordinate after the other; compiled for vectors a step takes
+   less than half the time. */
 VECTOR_LOOP static void lead(double *restrict place, double *restrict speed,
                              const double *restrict g,
                              const struct adaptive_state *start,
@@ -284,14 +309,15 @@ VECTOR_LOOP static void lead(double *restrict place, double *restrict speed,
     }
 }
 
-/* Where the force as it is thought to be leads by node i. */
+/* Finds where node i is with the forces as they are guessed to be. */
 static void move_to_node(struct adaptive *s, size_t i, double h)
 {
     lead(s->place, s->speed, s->g, &s->to, s->weights->x[i],
          s->weights->v[i], h * node(s, i + 1), s->forces.size);
 }
 
-/* by = from + (owed + by) */
+/* Sets by = from + (owed + by). What the sums owe counts: without it all
+   forces of a step would be those of places rounded once. */
 VECTOR_LOOP static void start_from(double *restrict by,
                                    const double *restrict from,
                                    const double *restrict owed, size_t n)
@@ -300,7 +326,7 @@ VECTOR_LOOP static void start_from(double *restrict by,
         by[k] = from[k] + (owed[k] + by[k]);
 }
 
-/* d = (d - g) gap */
+/* Sets d = (d - g) gap: one step of a table of divided differences. */
 VECTOR_LOOP static void divide(double *restrict d, const double *restrict g,
                                double gap, size_t n)
 {
@@ -308,8 +334,8 @@ VECTOR_LOOP static void divide(double *restrict d, const double *restrict g,
         d[k] = (d[k] - g[k]) * gap;
 }
 
-/* Asks for the forces at node i and corrects g_i; returns the largest
-   change of it. */
+/* Computes the forces at node i and, from the divided differences of all
+   forces so far, g_i; returns the largest change of it. */
 static double correct_node(struct adaptive *s, size_t i)
 {
     const double *const gap = s->weights->gap[i];
@@ -328,7 +354,8 @@ static double correct_node(struct adaptive *s, size_t i)
     return most;
 }
 
-/* to = the sum of by over the list of the polynomials from m on. */
+/* Sets `to` to coefficient m in the other form of a polynomial: a sum over
+   the coefficients from m on. */
 VECTOR_LOOP static void turn_one(double *restrict to,
                                  const double *restrict from,
                                  double by[STAGES][STAGES], size_t m,
@@ -360,8 +387,10 @@ VECTOR_LOOP static void guess_one(double *restrict new_b,
     }
 }
 
-/* The force of the last step goes on into the next one, of length h, with
-   the correction that the last guess needed. */
+/* Guesses the force in the next step, of length h: the polynomial of the
+   last step goes on. At 1 + q s, with q the ratio of the two lengths, s^m
+   has the coefficient q^m sum_k binomial(k, m) b_k. What this guess missed
+   the last time it will miss again, more or less, and that is added. */
 static void guess_force(struct adaptive *s, double h)
 {
     const size_t n = s->forces.size;
@@ -378,14 +407,19 @@ static void guess_force(struct adaptive *s, double h)
 
 #define RADAU_SCALE 50 /* calibrated, not derived */
 
-/* Whether a round is the last: the change of g_7 no longer counts beside
-   the tolerance, or falls no more. */
+/* Returns whether a round is the last: the change of g_7 no longer counts
+   beside the tolerance, or falls no more. A seventh difference changes some
+   thousand times as much as the force behind it; below 1e-11 it is
+   rounding. */
 static bool settled(const struct adaptive *s, double change, double last)
 {
     return change <= 1e-11 + s->tolerance || !(change < last);
 }
 
-/* to + owed = from + by + small, but for what small + owed loses. */
+/* Adds `by` and `small` to `from`, compensated, without loss: what the
+   tails of the weights add is less than the last digit of the sum, and
+   would be dropped each time; so it joins what the sum owes, as does the
+   rounding of the large sum, found exactly for terms of any size. */
 static void add_tail(double *to, double *owed, double from, double by,
                      double small)
 {
@@ -395,7 +429,10 @@ static void add_tail(double *to, double *owed, double from, double by,
     *owed = small - (*to - sum);
 }
 
-/* By how much bodies move in the whole step, and its end. */
+/* Computes the end of the whole step as the weighted sum of the forces.
+   Thus a step of the circumbinary planet, with a tolerance of 1e-14, costs
+   some 1e-19 of its energy in the mean and 1.5e-16 at random, which is the
+   rounding of the forces. */
 static void move_to_end(struct adaptive *s, double h)
 {
     const struct adaptive_state *const p = &s->to, *const q = &s->from;
@@ -416,13 +453,20 @@ static void move_to_end(struct adaptive *s, double h)
     }
 }
 
+/* Returns the acceleration that a difference is compared with: that at the
+   start of the step, or, where it is nothing, as at the middle of a swing,
+   the largest along the step. */
 static double scale_of(double start, double along)
 {
     const double scale = start > 1e-6 * along ? start : along;
     return scale > 0 ? scale : 1;
 }
 
-/* The largest g_8, with the end for a node. */
+/* Returns the largest g_8, with the end of the step for an eighth node. The
+   last node is at 0.977 of the step: a force that jumps behind it, as that
+   of a spring whose ends pass through each other, is seen by no node, nor
+   by those of the next step; one of some fifty edges was passed over so. In
+   a smooth step g_8 is smaller than g_7. */
 static double beyond(struct adaptive *s)
 {
     const size_t n = s->forces.size;
@@ -434,8 +478,8 @@ static double beyond(struct adaptive *s)
     return largest(d, n);
 }
 
-/* Tries a step of length h. Returns its error, in units of the
-   tolerance, or zero if all steps are dt. */
+/* Tries a step of length h, in three rounds as a rule. Returns its error,
+   in units of the tolerance, or zero if all steps are dt. */
 static double try_radau(struct adaptive *s, double h)
 {
     const size_t n = s->forces.size, last = STAGES - 1;
@@ -458,11 +502,22 @@ static double try_radau(struct adaptive *s, double h)
     move_to_end(s, h);
     evaluate(s, s->from.x, s->from.v, s->from.a);
     const double off = larger(largest(s->g + last * n, n), beyond(s));
-    return (off - s->blur) / scale / (RADAU_SCALE * sqrt(s->tolerance));
+    return (off - s->noise) / scale / (RADAU_SCALE * sqrt(s->tolerance));
 }
 
-/* Finds out, now and then, what rounding makes of differences. */
-static void look_for_noise(struct adaptive *s)
+/* Measures, at every sixteenth step, what rounding contributes to g_8. A
+   stiff spring that is hardly stretched pulls by the difference of two
+   places, times its stiffness: with 5e7 N/m and 10 m/s^2 in all, the last
+   bit of a place is 1e-9 of the force, and seven differences make that a
+   thousand times as large. No step is short enough to get rid of it, and a
+   control that does not know of it makes them shorter without end. So the
+   forces are computed once more with the last bits of places and velocities
+   moved up and down in turn, at less than half a per cent of all forces,
+   and what may come of that is taken off the difference. It is an
+   acceleration, and no fraction of what acts: of a body that rests on its
+   spring that fraction is large, and too long steps would make its rest a
+   swing. */
+static void measure_noise(struct adaptive *s)
 {
     const size_t n = s->forces.size;
     if (s->method->family != STEPPING_RADAU || !is_free(s) ||
@@ -474,11 +529,14 @@ static void look_for_noise(struct adaptive *s)
         s->speed[k] = s->to.v[k] * by;
     }
     evaluate(s, s->place, s->speed, s->difference);
-    s->blur =
-        s->weights->loud * largest_difference(s->difference, s->to.a, n);
+    s->noise = s->weights->amplified *
+               largest_difference(s->difference, s->to.a, n);
 }
 
-/* Does the force change next to nothing in so short a time? */
+/* Returns whether a step that is too long for its tolerance but as short as
+   the clock can tell may be taken: if the forces change velocities by less
+   than 1e-9 in it. Then a force jumps here, and one may jump with it. Where
+   two bodies fall into each other that is not so, and the run ends. */
 static bool is_edge(const struct adaptive *s, double h)
 {
     const size_t n = s->forces.size;
@@ -486,6 +544,7 @@ static bool is_edge(const struct adaptive *s, double h)
     return h * a <= 1e-9 * largest(s->to.v, n);
 }
 
+/* The same for Radau's method, by Horner's rule. */
 static void look_in_radau(const struct adaptive *s, double r, double x[],
                           double v[])
 {
@@ -511,7 +570,8 @@ static void swap(double **a, double **b)
     *b = other;
 }
 
-/* A step that was tried becomes the last one. */
+/* Makes a step that was tried the last one. The time is a compensated sum,
+   too: many short steps near a star must not spoil the clock. */
 static void accept(struct adaptive *s, double h)
 {
     const struct adaptive_state end = s->from;
@@ -532,12 +592,16 @@ static void accept(struct adaptive *s, double h)
         s->shortest = h;
 }
 
+/* Bounds the next step. A bound is the same for all tolerances, as the
+   first length is; two runs that are to be compared must not step alike for
+   that, so one of them sets its slack. */
 static void bound(struct adaptive *s, double most)
 {
     s->next = fmin(s->next, (1 - s->slack) * most);
 }
 
-/* Takes a step. false: one that leaves the time as it is was too long. */
+/* Takes a step. Returns false if one that does not change t was too
+   long. */
 static bool step(struct adaptive *s)
 {
     const bool radau = s->method->family == STEPPING_RADAU,
@@ -547,7 +611,7 @@ static bool step(struct adaptive *s)
         return false;
     if (s->longest)
         bound(s, s->longest(s->with, s->to.x, s->to.v, s->to.a));
-    look_for_noise(s);
+    measure_noise(s);
     for (bool again = false;; again = true, ++s->refused) {
         const double h = free ? fmax(s->next, least) : s->dt;
         if (!(s->t + h > s->t))
@@ -564,8 +628,8 @@ static bool step(struct adaptive *s)
     }
 }
 
-/* A hundredth of the time in which bodies would cross the scene, or fall
-   through it: control does the rest. */
+/* Returns a guess: a hundredth of the time in which bodies would cross the
+   scene, or fall through it. Control does the rest. */
 static double first_length(const struct adaptive *s)
 {
     const size_t n = s->forces.size;
@@ -581,6 +645,7 @@ static double first_length(const struct adaptive *s)
     return h / 100;
 }
 
+/* Begins, if that has not been done: asks for the first forces. */
 static void set_out(struct adaptive *s)
 {
     if (s->begun)
@@ -631,7 +696,7 @@ void adaptive_begin(struct adaptive *s, double tolerance, double dt,
     memset(s->guess, 0, all * sizeof *x);
 }
 
-enum { NOTED = 14 }; /* numbers beside the lists */
+enum { NOTED = 14 }; /* numbers besides the lists */
 
 size_t adaptive_notes(const struct adaptive *s)
 {
@@ -639,14 +704,18 @@ size_t adaptive_notes(const struct adaptive *s)
     return NOTED + (8 + lists * s->method->stages) * s->forces.size;
 }
 
-/* Copies n numbers to where they are noted, or back; returns what is
-   next. */
+/* Copies n numbers to where they are noted, or back; returns what follows
+   there. */
 static double *pass(double *note, double *own, size_t n, bool back)
 {
     memcpy(back ? own : note, back ? note : own, n * sizeof *note);
     return note + n;
 }
 
+/* Copies what the state needs besides single numbers: both ends of the last
+   step, since the next look may be into it, and what the inside depends on:
+   the stages of a pair, or the polynomial and its guess, from which the
+   next step begins as well. */
 static void pass_lists(const struct adaptive *s, double *note, bool back)
 {
     const size_t n = s->forces.size, all = n * s->method->stages;
@@ -667,7 +736,7 @@ void adaptive_note(const struct adaptive *s, double note[])
                              (double)s->evaluations};
     const double own[] = {s->tolerance,      s->dt,    s->t,    s->h,
                           s->shortest,       s->start, s->owed, s->next,
-                          (double)s->before, s->blur};
+                          (double)s->before, s->noise};
     note[0] = s->begun;
     memcpy(note + 1, counts, sizeof counts);
     memcpy(note + 4, own, sizeof own);
@@ -683,7 +752,7 @@ void adaptive_recall(struct adaptive *s, const double note[])
     s->t = note[6], s->h = note[7], s->shortest = note[8];
     s->start = note[9], s->owed = note[10], s->next = note[11];
     s->before = (uint64_t)note[12];
-    s->blur = note[13];
+    s->noise = note[13];
     s->whole = s->h;
     pass_lists(s, (double *)note + NOTED, true);
 }
@@ -701,8 +770,8 @@ static struct adaptive_state take_state(double **next, size_t n)
                                    take(next, n), take(next, 2 * n)};
 }
 
-/* Everything the methods work with, out of one block. */
-static void share_out(struct adaptive *s, double *next)
+/* Divides one block of memory. */
+static void divide_memory(struct adaptive *s, double *next)
 {
     const size_t n = s->forces.size, all = n * s->method->stages;
     s->from = take_state(&next, n);
@@ -732,7 +801,7 @@ struct adaptive *adaptive_create(const struct stepping_method *m,
         adaptive_free(s);
         return NULL;
     }
-    share_out(s, s->work);
+    divide_memory(s, s->work);
     if (m->family == STEPPING_RADAU)
         measure_radau(s);
     else
@@ -755,6 +824,9 @@ bool adaptive_step(struct adaptive *s, double most)
     return step(s);
 }
 
+/* Radau's path is a sum of powers of u, the fraction of the step. u^m is in
+   the control points from the m-th on, with the weight binomial(j, m) over
+   binomial(9, m). */
 static void path_of_radau(const struct adaptive *s, size_t i, double q[])
 {
     enum { DEGREE = ADAPTIVE_DEGREE };
@@ -778,6 +850,8 @@ static void path_of_radau(const struct adaptive *s, size_t i, double q[])
     }
 }
 
+/* A pair's path is Hermite's cubic, raised to degree 4, where the dense
+   weights have their say in the middle: (8.17, eq:dense). */
 static void path_of_pair(const struct adaptive *s, size_t i, double q[])
 {
     const double h = s->h, *weights = s->weights->dense2;
@@ -804,6 +878,8 @@ size_t adaptive_path(const struct adaptive *s, double control[])
     return radau ? ADAPTIVE_DEGREE : 4;
 }
 
+/* Exchanges the ends of the last step: to take it again, which begins where
+   it began. */
 static void turn_round(struct adaptive *s)
 {
     const struct adaptive_state end = s->to;
@@ -811,7 +887,7 @@ static void turn_round(struct adaptive *s)
     s->from = end;
 }
 
-/* The end of a step without length. */
+/* Lets a step without length end where it begins. */
 static void stay(struct adaptive *s)
 {
     const size_t size = s->forces.size * sizeof *s->to.x;
@@ -839,6 +915,8 @@ void adaptive_again(struct adaptive *s, double h, double x[], double v[])
     memcpy(v, s->to.v, s->forces.size * sizeof *v);
 }
 
+/* After a jump the force of the last step says nothing about the next; its
+   length does. */
 void adaptive_turn(struct adaptive *s, const double x[], const double v[])
 {
     const double t = s->t, next = s->next;

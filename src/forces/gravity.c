@@ -45,8 +45,8 @@ VECTOR_LOOP static void add_portable(const struct gravity *g,
 }
 
 /* Adds to bodies first to last - 1 what body j pulls at them. The loop
-   skips body j by its bounds, not by a test, so that it can be vectorised.
- */
+   leaves out body j without a test in it, so that it can be
+   vectorised. */
 static void add_source(const struct gravity *g, const double x[],
                        double a[], size_t j, size_t first, size_t last)
 {

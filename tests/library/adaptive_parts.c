@@ -119,7 +119,7 @@ static void test_weights(void)
     CU_ASSERT_PTR_NOT_NULL_FATAL(s);
     const struct adaptive_weights *const w = s->weights;
     const double *const c = s->method->node;
-    double loud = 0;
+    double amplified = 0;
     for (int k = 0; k < STAGES; ++k)
         for (int m = 0; m < STAGES; ++m) {
             double sum = 0;
@@ -145,9 +145,9 @@ static void test_weights(void)
             const double q = j == 0 ? 0 : j == 8 ? 1 : c[j - 1];
             gaps *= i == j ? 1 : fabs(p - q);
         }
-        loud += 1 / gaps;
+        amplified += 1 / gaps;
     }
-    UNIT_NEAR(w->loud / loud, 1, 1e-13);
+    UNIT_NEAR(w->amplified / amplified, 1, 1e-13);
     for (int j = 0; j < STAGES; ++j)
         UNIT_NEAR(w->last[j] * (1 - c[j]), 1, 1e-15);
     adaptive_free(s);
@@ -243,7 +243,7 @@ static void test_notes(void)
                   s->evaluations == t->evaluations);
         UNIT_TRUE(s->shortest == t->shortest && s->h == t->h &&
                   s->owed == t->owed && s->next == t->next &&
-                  s->blur == t->blur && s->start == t->start);
+                  s->noise == t->noise && s->start == t->start);
         UNIT_TRUE(s->shortest > 0 && s->refused >= 3);
         adaptive_free(s);
         adaptive_free(t);

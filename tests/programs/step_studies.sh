@@ -11,6 +11,7 @@ holds 'the studies run' test "$(wc -l <"$work/expected")" -gt 60000
 clang -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -O2 \
     -fno-math-errno -Isrc -DBUILD_FLAGS='"test"' -o "$work/studies" \
     src/studies/step-studies.c src/forces/stepping.c \
+    src/forces/methods.c src/forces/newton.c \
     src/forces/adaptive.c src/forces/reference.c \
     src/toolbox/*.c -lm || not_ok 'clang -O2' 'does not compile'
 studies "$work/studies" >"$work/got"

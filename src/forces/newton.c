@@ -1,0 +1,181 @@
+/* Solves for the stages of an implicit step by Newton's method. */
+#include "forces/newton.h"
+
+#include "forces/largest.h"
+#include "forces/steps.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    DENSE = 1024, /* unknowns up to which Newton's method is tried */
+    MOST_CORRECTIONS = 50
+};
+
+/* Allocates the matrix when it is needed for the first time: for most runs
+   it never is. Returns false without memory, or with too many unknowns. */
+static bool prepare(struct stepping *s)
+{
+    struct stepping_work *const w = s->part;
+    const size_t n = s->method->stages * s->forces.size;
+    if (n > DENSE)
+        return false;
+    if (!w->matrix)
+        w->matrix = malloc((n * n + s->forces.size) * sizeof *w->matrix);
+    if (!w->pivot)
+        w->pivot = malloc((n + 1) * sizeof *w->pivot);
+    if (w->matrix)
+        w->slope = w->matrix + n * n;
+    return w->matrix && w->pivot;
+}
+
+/* Brings the row with the largest number of column k, at or below row k, to
+   row k, so that elimination never divides by what is needlessly small;
+   returns where it was. */
+static size_t fetch_pivot(double m[], size_t n, size_t k)
+{
+    size_t best = k;
+    for (size_t i = k + 1; i < n; ++i)
+        if (fabs(m[i * n + k]) > fabs(m[best * n + k]))
+            best = i;
+    for (size_t j = 0; j < n && best != k; ++j) {
+        const double other = m[k * n + j];
+        m[k * n + j] = m[best * n + j];
+        m[best * n + j] = other;
+    }
+    return best;
+}
+
+/* Replaces m, n by n, by its factors L and U; row[k] is where the k-th
+   pivot was. Returns false if m is singular. */
+static bool factor(double m[], size_t n, size_t row[])
+{
+    for (size_t k = 0; k < n; ++k) {
+        row[k] = fetch_pivot(m, n, k);
+        if (!(fabs(m[k * n + k]) > 0))
+            return false;
+        for (size_t i = k + 1; i < n; ++i) {
+            const double f = m[i * n + k] /= m[k * n + k];
+            for (size_t j = k + 1; f != 0 && j < n; ++j)
+                m[i * n + j] -= f * m[k * n + j];
+        }
+    }
+    return true;
+}
+
+/* Replaces y by the solution of m z = y. */
+static void substitute(const double m[], size_t n, const size_t row[],
+                       double y[])
+{
+    for (size_t k = 0; k < n; ++k) {
+        const double other = y[row[k]];
+        y[row[k]] = y[k];
+        y[k] = other;
+    }
+    for (size_t i = 0; i < n; ++i)
+        for (size_t j = 0; j < i; ++j)
+            y[i] -= m[i * n + j] * y[j];
+    for (size_t i = n; i-- > 0;) {
+        for (size_t j = i + 1; j < n; ++j)
+            y[i] -= m[i * n + j] * y[j];
+        y[i] /= m[i * n + i];
+    }
+}
+
+/* Adds to the matrix how the acceleration at stage i changes with
+   coordinate k there, which has been displaced by d; by[i][j] is the share
+   that acceleration j has in that coordinate. */
+static void add_slope(struct stepping *s, size_t i, size_t k,
+                      const double by[], double d)
+{
+    const struct stepping_work *const w = s->part;
+    const size_t n = s->forces.size, stages = s->method->stages;
+    const size_t all = n * stages;
+    evaluate(s, w->x, w->v, w->slope);
+    for (size_t r = 0; r < n; ++r) {
+        const double slope = (w->slope[r] - w->guess[i * n + r]) / d;
+        for (size_t j = 0; j < stages; ++j)
+            w->matrix[(i * n + r) * all + j * n + k] -=
+                slope * by[i * stages + j];
+    }
+}
+
+/* Fills in the columns of coordinate k at stage i: displaces it by dx, and
+   its velocity too if the forces depend on it. */
+static void displace(struct stepping *s, size_t i, size_t k, double dx)
+{
+    const struct stepping_work *const w = s->part;
+    const double x = w->x[k], v = w->v[k], dv = dx / fabs(s->dt);
+    w->x[k] = x + dx;
+    add_slope(s, i, k, w->a2, w->x[k] - x);
+    w->x[k] = x;
+    if (s->forces.damped) {
+        w->v[k] = v + dv;
+        add_slope(s, i, k, w->a, w->v[k] - v);
+        w->v[k] = v;
+    }
+}
+
+/* Finds the matrix of Newton's method, (8.12, eq:newton), at the stages as
+   they are, and factors it. The displacements are 2^-26 of the size of the
+   system, about the root of the rounding error: half of the digits go to
+   the difference and half to the slope, which need not be better, since the
+   matrix is only the way to the solution. */
+static bool linearize(struct stepping *s)
+{
+    struct stepping_work *const w = s->part;
+    const size_t n = s->forces.size, all = s->method->stages * n;
+    memset(w->matrix, 0, all * all * sizeof *w->matrix);
+    sweep(s);
+    for (size_t i = 0; i < s->method->stages; ++i) {
+        go_to_stage(s, i);
+        const double reach =
+            largest(w->x, n) + largest(w->v, n) * fabs(s->dt);
+        for (size_t k = 0; k < n; ++k) {
+            displace(s, i, k, (reach > 0 ? reach : 1) * 0x1p-26);
+            w->matrix[(i * n + k) * (all + 1)] += 1;
+        }
+    }
+    return factor(w->matrix, all, w->pivot);
+}
+
+/* Makes one correction of all accelerations; returns the largest part of
+   it. */
+static double correct(struct stepping *s)
+{
+    struct stepping_work *const w = s->part;
+    const size_t all = s->method->stages * s->forces.size;
+    sweep(s);
+    for (size_t i = 0; i < all; ++i)
+        w->guess[i] -= w->stage[i];
+    substitute(w->matrix, all, w->pivot, w->guess);
+    add(w->stage, 1, w->guess, all);
+    return largest(w->guess, all);
+}
+
+/* One matrix serves as long as each correction is ten times smaller than
+   the one before. Corrections that no longer become smaller are rounding.
+   Where forces cancel, as near a place of rest, the stages are no measure
+   of it: an error of eps |x| in the places changes the solution by up to J
+   eps |x|/(1 + J dt^2/12), J being the stiffness per mass; that is less
+   than 12 eps |x|/dt^2. */
+bool newton_solve(struct stepping *s)
+{
+    double last = INFINITY, change = INFINITY;
+    const double rounding =
+        64 * DBL_EPSILON * largest(s->x, s->forces.size) / (s->dt * s->dt);
+    if (!prepare(s))
+        return false;
+    for (int k = 0; k < MOST_CORRECTIONS; ++k) {
+        if (!(change < last / 10) && !linearize(s))
+            return false;
+        last = change;
+        change = correct(s);
+        if (settled(s, change, last) ||
+            (change > last / 2 && change <= rounding))
+            return true;
+    }
+    return false;
+}

@@ -1,6 +1,4 @@
-/* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 149396727 of the lines below */
-/* An exponential with the same bits everywhere, and points in order. */
+/* Closed forms: an exponential, flight, an oscillator, points in order. */
 #include "enough/closed.h"
 
 #include "forces/kepler.h"
@@ -8,6 +6,11 @@
 #include <math.h>
 #include <stdlib.h>
 
+/* With x = n log 2 + r, e^x is 2^n e^r; the power is exact, and fourteen
+   terms of the series suffice for the rest: the next is r^15/15! <= 1e-19.
+   n log 2 is subtracted in two parts: n has at most 11 bits and the first
+   part 33, so their product is exact, and so is the difference of two
+   numbers that are nearly equal. Only the small second part is rounded. */
 double closed_exp(double x)
 {
     /* log 2 in two parts, the first of 33 bits */
@@ -22,7 +25,8 @@ double closed_exp(double x)
     return ldexp(sum, (int)n);
 }
 
-/* (e^-z - 1 + z) / z^2 for z from 0 to 1. */
+/* Returns phi_2 = (e^-z - 1 + z) / z^2 for z from 0 to 1, by its series:
+   the formula would lose all digits, and the others follow without loss. */
 static double second(double z)
 {
     double sum = 1;
@@ -33,7 +37,7 @@ static double second(double z)
 
 void closed_fly(double t, double rate, double g, double *x, double *v)
 {
-    if (rate == 0) {
+    if (rate == 0) { /* some operations instead of sixty */
         *x += (*v + g / 2 * t) * t;
         *v += g * t;
         return;
@@ -49,8 +53,8 @@ void closed_fly(double t, double rate, double g, double *x, double *v)
     *v = *v * left + g * t * p1;
 }
 
-/* The sum of (-z)^n / (2n + first)!, first 0 or 1, for |z| <= 1: the cosine
-   of the root of z, or its sine divided by it. */
+/* Returns the sum of (-z)^n / (2n + first)!, first 0 or 1, for |z| <= 1:
+   the cosine of the root of z, or its sine divided by it. */
 static double series(double z, int first)
 {
     double sum = 1;
@@ -59,6 +63,11 @@ static double series(double z, int first)
     return sum;
 }
 
+/* One case for all rates of friction, as a series of squares does not mind
+   their sign (12.5, eq:models-swing); beyond |z| = 1 cosines, whose angle
+   is brought below a turn first, or exponentials: half the sum and
+   difference of two that decay, since a small number times a large one may
+   be 0 times infinity, and a difference of rates may cancel. */
 void closed_oscillate(double t, double square, double rate, double *y,
                       double *v)
 {
@@ -87,6 +96,8 @@ struct point {
     double x, v;
 };
 
+/* Of two points that are just meeting, the slower one is left: they have
+ * met. */
 static int left_of(const void *one, const void *other)
 {
     const struct point *a = one, *b = other;
@@ -95,8 +106,8 @@ static int left_of(const void *one, const void *other)
     return (a->v > b->v) - (a->v < b->v);
 }
 
-/* Where on the way there and back, 0 to twice the width, a point is that
-   was at u and moved at v: then its place and velocity. */
+/* Folds the circle of a point between two walls: u is where it would be on
+   the way there and back, 0 to twice the width, and v its velocity. */
 static struct point unfold(double low, double width, double u, double v)
 {
     u -= 2 * width * floor(u / (2 * width));
@@ -107,7 +118,8 @@ static struct point unfold(double low, double width, double u, double v)
     return (struct point){low + u, u == width ? -fabs(v) : v};
 }
 
-/* Reflects a point that has flown freely at the walls. */
+/* Reflects a point that has flown freely at the walls. One wall can be met
+   once only. */
 static struct point fold(double low, double high, struct point p)
 {
     const bool left = low > -INFINITY, right = high < INFINITY;
@@ -120,6 +132,8 @@ static struct point fold(double low, double high, struct point p)
     return p;
 }
 
+/* Fly, fold and sort: what it costs depends neither on the time nor on the
+   number of collisions. */
 bool closed_relabel(double low, double high, size_t n, double x[],
                     double v[], double t)
 {
@@ -137,8 +151,10 @@ bool closed_relabel(double low, double high, size_t n, double x[],
     return true;
 }
 
-/* Whole turns by which one point is ahead of another, the faster one of the
-   slower: way and v are what it has more. */
+/* Returns the whole turns by which one point is ahead of another, the
+   faster one of the slower: way and v are what it has more. A line with one
+   wall or none is a circle without end: -1 as long as it is behind, then 0.
+ */
 static double ahead(double way, double v, double circle)
 {
     if (v == 0)
@@ -148,7 +164,8 @@ static double ahead(double way, double v, double circle)
     return circle < INFINITY ? floor(way / circle) : way < 0 ? -1 : 0;
 }
 
-/* Of all pairs, with images if there is a wall, after the time t. */
+/* Sums that over all pairs, after the time t; where there is a wall, with
+   images at -x, which move at -v, and with the own image of each. */
 static double count_until(size_t n, const double x[], const double v[],
                           double t, double wall, double circle, bool images)
 {

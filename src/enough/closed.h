@@ -1,5 +1,3 @@
-/* From chapters/works/12-models-parts.nw: edit there, then run make tangle. */
-/* checksum 935159719 of the lines below */
 /* Motions in closed form: flight, an oscillator, equal points on a line. */
 #ifndef CLOSED_H
 #define CLOSED_H

@@ -1,10 +1,10 @@
-/* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 279216784 of the lines below */
-/* Who is light, from the nearest outwards; Jacobi's coordinates. */
+/* Light bodies from the inside out, and their Jacobi coordinates. */
 #include "enough/light.h"
 
 #include <stdlib.h>
 
+/* The heavy bodies count as one, at their centre: that of a single one is
+   where it is, to the last bit. */
 void light_gather(const struct light *l, const struct scene *s,
                   const double x[], double q[])
 {
@@ -31,6 +31,10 @@ int light_compare(const void *one, const void *other)
     return a->body < b->body ? -1 : a->body > b->body;
 }
 
+/* Sorts the light bodies by their distance from the centre of the heavy
+   ones, at the start, once for all. Until then they may have any order;
+   those equally far stay in the order of their numbers, lest a result
+   depend on what qsort does with equals. */
 static bool sort_lights(struct light *l, const struct scene *s)
 {
     const size_t n = l->jacobi.bodies;
@@ -58,6 +62,7 @@ bool light_is(const struct scene *s, size_t i, double heaviest)
     return s->mass[i] * 100 < heaviest;
 }
 
+/* Tells light bodies from heavy ones, and sorts the light ones. */
 static bool part(struct light *l, const struct scene *s, double heaviest,
                  size_t centre)
 {
@@ -79,6 +84,11 @@ static bool part(struct light *l, const struct scene *s, double heaviest,
     return sort_lights(l, s);
 }
 
+/* Jacobi's coordinates sum the masses from the inside out, and a light body
+   feels the heavy ones by M_i/M_0 (12.3, eq:light-ellipse). If a body is
+   held, or something else acts, the centre of mass is no help: momentum is
+   not conserved, and what is inside does not give way as it should. Then
+   each light body is alone with the heavy ones, as if it had no mass. */
 bool light_create(struct light *l, const struct scene *s, double heaviest,
                   size_t centre, bool moving)
 {
@@ -108,6 +118,9 @@ void light_free(struct light *l)
     *l = (struct light){0};
 }
 
+/* Replaces places by (12.2, eq:light-jacobi); velocities are differences of
+   places, and go the same way. If the heavy ones do not give way nothing
+   changes. centre: that of all. */
 static void enter(const struct light *l, const struct scene *s, double x[],
                   double centre[])
 {
@@ -132,6 +145,8 @@ void light_enter(struct light *l, const struct scene *s, double x[],
     enter(l, s, v, l->drift);
 }
 
+/* The way back begins at the centre of all, which is known, and goes
+   inwards; the heavy ones come last. */
 static void leave(const struct light *l, const struct scene *s, double x[],
                   const double centre[])
 {
@@ -153,6 +168,8 @@ static void leave(const struct light *l, const struct scene *s, double x[],
         }
 }
 
+/* The centre of all is where it began, plus its drift, plus its fall: along
+   an axis along which bodies are held weight does nothing. */
 void light_leave(const struct light *l, const struct scene *s, double t,
                  double x[], double v[])
 {

@@ -1,6 +1,4 @@
-/* From chapters/works/12-models-parts.nw: edit there, then run make tangle. */
-/* checksum 1360228201 of the lines below */
-/* Light bodies that do not pull, each alone with all that is inside it. */
+/* Light bodies as test particles, each alone with all that is inside it. */
 #ifndef LIGHT_H
 #define LIGHT_H
 
@@ -31,7 +29,7 @@ struct light {
 /* Two places for qsort, by key; those that are equal by number. */
 int light_compare(const void *one, const void *other);
 
-/* Has body i less than a hundredth of this mass? */
+/* Is body i light, that is, has it less than a hundredth of this mass? */
 bool light_is(const struct scene *s, size_t i, double heaviest);
 
 /* Sorts the bodies of s: those pull that are not light beside the heaviest,

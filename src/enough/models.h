@@ -1,6 +1,4 @@
-/* From chapters/works/12-models-parts.nw: edit there, then run make tangle. */
-/* checksum 131343948 of the lines below */
-/* All ways to carry a scene, behind one door, and what each costs. */
+/* All ways to carry a scene from row to row, and what each costs. */
 #ifndef MODELS_H
 #define MODELS_H
 
@@ -84,7 +82,7 @@ struct models_plan {
     double tolerance; /* of a method whose steps choose their length */
     double little;    /* m: passages that move nobody so far do not count */
     double left;      /* s: in this time */
-    double slack;     /* share by which it keeps from bounds of its steps */
+    double slack;     /* fraction by which it keeps from bounds of steps */
     double margin;    /* m: contacts made or missed by less are noticed */
     double afford;    /* s by the price list, for the start; 0: no bound */
 };
@@ -103,11 +101,12 @@ enum models_end {
 
 struct models_run;
 
-/* A row of the table of models. */
+/* A model: a row of the table, with the functions that begin, carry and end
+   a run. Who uses it need not know which it is. */
 struct models_model {
     const char *name, *about;
     enum models_family family;
-    unsigned bears; /* private: what it can bear that acts */
+    unsigned bears; /* private: what may act, as in models_parts.h */
     size_t engine;  /* private: bytes, all 0 when a run begins */
     enum models_end (*row)(struct models_run *r);
     const char *(*begin)(struct models_run *r); /* NULL, or why not */
@@ -118,6 +117,8 @@ struct models_model {
                            const struct models_acts *a);
     bool approximate; /* not exact even where it does not refuse */
     const struct stepping_method *method; /* of MODELS_STEPS, or NULL */
+    void (*count)(struct models_run *r);  /* brings collisions up to date;
+                                             NULL: they are */
 };
 
 /* A scene under way. To be read: all but engine. */
@@ -129,7 +130,7 @@ struct models_run {
     struct models_acts acts;
     double start, every; /* s */
     double elapsed;      /* from the start to the row asked for, s */
-    double clock;        /* closed forms: by what share of the time they
+    double clock;        /* closed forms: by what part of the time they
                             may be late alike in all units; 0: none */
     uint64_t rows;       /* so far */
     uint64_t collisions; /* not those of relabel: models_collisions */
@@ -141,20 +142,20 @@ struct models_run {
     void *engine;
 };
 
-/* Seconds that so much work costs by the price list. */
+/* Returns the seconds that so much work costs by the price list. */
 double models_cost(const double work[MODELS_UNITS]);
 
-/* The cuts that would change the scene. */
+/* Returns the cuts that would change the scene and are tried unasked. */
 unsigned models_cuts(const struct scene *s);
 
 /* Looks at what acts in a scene. */
 void models_analyse(struct models_acts *a, const struct scene *s);
 
-/* The largest angular frequency now, about, plus the largest rate of
-   friction, 1/s, with these cuts. INFINITY without memory. */
+/* Returns the largest angular frequency now, about, plus the largest rate
+   of friction, 1/s, with these cuts. INFINITY without memory. */
 double models_rate(const struct scene *s, unsigned cuts);
 
-/* The square of the distance of two bodies now, m^2. */
+/* Returns the square of the distance of two bodies now, m^2. */
 double models_square(const struct scene *s, size_t i, size_t j);
 
 /* All models, a method of stepping each one; a name NULL ends them. To be
@@ -167,7 +168,7 @@ void models_write(const struct models_plan *p, char text[MODELS_TEXT]);
 bool models_read(struct models_plan *p, const char *text,
                  char message[MODELS_MESSAGE]);
 
-/* Why the plan does not suit a scene, or NULL. */
+/* Returns why the plan does not suit a scene, or NULL. */
 const char *models_refuse(const struct models_plan *p,
                           const struct scene *s);
 
@@ -181,7 +182,7 @@ bool models_begin(struct models_run *r, const struct models_plan *p,
 enum models_end models_row(struct models_run *r);
 void models_end(struct models_run *r);
 
-/* Collisions up to the last row; UINT64_MAX without memory. */
+/* Returns the collisions up to the last row; UINT64_MAX without memory. */
 uint64_t models_collisions(struct models_run *r);
 
 #endif

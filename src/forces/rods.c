@@ -1,5 +1,3 @@
-/* From chapters/12-models.nw: edit there, then run make tangle. */
-/* checksum 1258135545 of the lines below */
 /* Lengths and velocities are mended rod by rod, in turns, after a step. */
 #include "forces/rods.h"
 
@@ -14,6 +12,9 @@ void rods_free(struct rods *p)
     *p = (struct rods){0};
 }
 
+/* A coordinate that is held has the inverse mass 0: no rod can move it. So
+   has a body without mass, to which no rod may be tied. A rod is as long as
+   its spring is at the start, not at rest. */
 bool rods_create(struct rods *p, const struct scene *s,
                  const struct scene_spring spring[], size_t count,
                  struct stepping_forces forces)
@@ -44,16 +45,16 @@ bool rods_create(struct rods *p, const struct scene *s,
     return true;
 }
 
-/* Adds share (kg, or kg/s for velocities) times the way (m), by the inverse
-   masses, to q of the rod's first end, and takes it off that of the other.
- */
+/* Adds lambda (kg, or kg/s for velocities) times the way (m), by the
+   inverse masses, to q of the rod's first end, and takes it off that of the
+   other. */
 static void shift_ends(const struct rods *p, const struct rods_rod *r,
-                       const double way[3], double share, double q[])
+                       const double way[3], double lambda, double q[])
 {
     for (size_t k = 0; k < 3; ++k) {
         const size_t from = k * p->bodies + r->a, to = k * p->bodies + r->b;
-        q[from] += share * p->weight[from] * way[k];
-        q[to] -= share * p->weight[to] * way[k];
+        q[from] += lambda * p->weight[from] * way[k];
+        q[to] -= lambda * p->weight[to] * way[k];
     }
 }
 
@@ -81,8 +82,9 @@ static struct rods_way measure(const struct rods *p,
     return w;
 }
 
-/* Corrects rod r after a drift over dt from p->before to x. Returns whether
-   there was anything to correct; *broken: it cannot be. */
+/* Corrects rod r after a drift over dt from p->before to x (12.7,
+   eq:rods-shake). Returns whether there was anything to correct beyond the
+   digits that coordinates have; *broken: it cannot be. */
 static bool mend_length(struct rods *p, const struct rods_rod *r, double dt,
                         double x[], double v[], bool *broken)
 {
@@ -94,15 +96,17 @@ static bool mend_length(struct rods *p, const struct rods_rod *r, double dt,
         *broken = true;
         return false;
     }
-    const double share = w.c / (w.b + sqrt(root));
-    shift_ends(p, r, w.way, share, x);
-    shift_ends(p, r, w.way, share / dt, v);
+    const double lambda = w.c / (w.b + sqrt(root));
+    shift_ends(p, r, w.way, lambda, x);
+    shift_ends(p, r, w.way, lambda / dt, v);
     ++p->corrections;
     return true;
 }
 
 enum { MOST_ROUNDS = 4000 };
 
+/* Mends all rods in turn, as long as any was wrong; a lone rod is right
+   after one correction. Returns whether all are right. */
 static bool mend_lengths(struct rods *p, double dt, double x[], double v[])
 {
     bool broken = false, wrong = true;
@@ -115,7 +119,8 @@ static bool mend_lengths(struct rods *p, double dt, double x[], double v[])
     return !broken && !wrong;
 }
 
-/* (12.8, eq:rods-rattle) */
+/* Takes off the velocity along a rod (12.8, eq:rods-rattle). The largest
+   speed tells which digits of the rate mean something. */
 static bool mend_velocity(struct rods *p, const struct rods_rod *r,
                           const double x[], double v[])
 {
@@ -146,6 +151,8 @@ bool rods_project(struct rods *p, const double x[], double v[])
     return !wrong;
 }
 
+/* Finds the accelerations: those at the end of a step are those at the
+   start of the next, unless a contact has moved a body in between. */
 static void look(struct rods *p, const double x[], const double v[])
 {
     const size_t bytes = 3 * p->bodies * sizeof *x;
@@ -163,6 +170,9 @@ static void kick(const struct rods *p, double h, double v[])
         v[c] += h * p->acceleration[c];
 }
 
+/* Kick, drift, mend, kick, mend. The projection at the start is for the
+   first step, and for velocities that have jumped at a contact; the drift
+   is the only place where lengths go wrong. */
 bool rods_step(void *rods, double dt, double x[], double v[])
 {
     struct rods *p = rods;

@@ -1,5 +1,3 @@
-/* From chapters/works/12-models-parts.nw: edit there, then run make tangle. */
-/* checksum 4228465226 of the lines below */
 /* Stiff springs as rods that keep their length, in steps of leapfrog. */
 #ifndef RODS_H
 #define RODS_H

@@ -3,7 +3,13 @@
    passage counts, and when a run has become too expensive. */
 #include "unit.h"
 
-#include <enough/models.c> /* of src: most of its parts are private */
+/* All of src that is private to models. */
+#include <enough/models.c>
+#include <enough/models_acts.c>
+#include <enough/models_closed.c>
+#include <enough/models_line.c>
+#include <enough/models_disks.c>
+#include <enough/models_steps.c>
 
 #include "library/plans.h"
 
@@ -164,11 +170,11 @@ static void test_left_out(void)
     for (size_t k = 0; k < 3; ++k)
         UNIT_TRUE(scene_add_kind(&s, (const double[]){1, 100, 0.99}[k],
                                  0.5 + (double)k));
-    leave_out(&s, MODELS_NO_WEAK);
+    models_leave_out(&s, MODELS_NO_WEAK);
     UNIT_TRUE(s.kind[0].stiffness == 1 && s.kind[0].damping == 0.5);
     UNIT_TRUE(s.kind[1].stiffness == 100 && s.kind[1].damping == 1.5);
     UNIT_TRUE(s.kind[2].stiffness == 0 && s.kind[2].damping == 0);
-    leave_out(&s, MODELS_NO_DASHPOTS);
+    models_leave_out(&s, MODELS_NO_DASHPOTS);
     UNIT_TRUE(s.kind[1].stiffness == 100 && s.kind[1].damping == 0);
     for (size_t axis = 0; axis < 3; ++axis) {
         for (size_t c = 0; c < 6; ++c) {
@@ -176,7 +182,7 @@ static void test_left_out(void)
             s.velocity[c] = 1 + (double)c;
             s.freedom[c] = 1;
         }
-        leave_out(&s, MODELS_NO_ACROSS);
+        models_leave_out(&s, MODELS_NO_ACROSS);
         for (size_t c = 0; c < 6; ++c) {
             const bool along = c / 2 == axis;
             UNIT_EQUAL(s.position[c], along && c % 2 ? 2.5 : 5);
@@ -286,7 +292,7 @@ static void test_sorting(void)
     for (size_t k = 0; k < sizeof bits / sizeof *bits; ++k) {
         struct models_run r = {.rows = 1};
         r.work[MODELS_ORDER] = 7;
-        count_sorting(&r, (size_t)bits[k][0], 3);
+        models_count_sorting(&r, (size_t)bits[k][0], 3);
         UNIT_EQUAL(r.work[MODELS_ORDER], 7 + 3 * bits[k][0] * bits[k][1]);
     }
     struct scene s = made(3);

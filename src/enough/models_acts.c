@@ -1,0 +1,297 @@
+/* What acts in a scene, how fast, and what may be left out of it. */
+#include "enough/models_parts.h"
+
+#include "enough/light.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* Is there a body that can be pulled by another? One must be free, and
+   another one have mass. */
+static bool attracts(const struct scene *s)
+{
+    size_t pulling = 0;
+    for (size_t i = 0; i < s->bodies; ++i)
+        pulling += s->mass[i] > 0;
+    for (size_t i = 0; s->k2 != 0 && i < s->bodies; ++i)
+        if (freedom_of(s, i) && pulling > (s->mass[i] > 0))
+            return true;
+    return false;
+}
+
+bool models_is_active(const struct scene *s, const struct scene_spring *p)
+{
+    const struct scene_kind *kind = &s->kind[p->kind];
+    return (kind->stiffness != 0 || kind->damping != 0) &&
+           (freedom_of(s, p->a) || freedom_of(s, p->b));
+}
+
+double models_square(const struct scene *s, size_t i, size_t j)
+{
+    return pair_of(s, i, j, s->position, s->velocity).r2;
+}
+
+/* What acts is a matter of yes and no. Along an axis that is dead nothing
+   moves at the start and nothing pushes: no weight, and no two bodies that
+   act on each other are at different places along it. So nothing ever will:
+   forces are along the line that joins two bodies, or along their relative
+   velocity, and the difference of equal numbers is exactly 0. Friction can
+   only slow down what moves. For gravity and contacts the places of all
+   bodies count, since any two may act on each other; for springs those of
+   the two ends of each: a membrane that lies flat stays flat. */
+void models_analyse(struct models_acts *a, const struct scene *s)
+{
+    const size_t n = s->bodies;
+    unsigned free = 0, moves = 0, falls = 0, spread = 0, stretched = 0;
+    *a = (struct models_acts){.gravity = attracts(s),
+                              .friction = s->damping != 0};
+    for (size_t i = 0; i < n; ++i)
+        a->free += freedom_of(s, i) != 0;
+    for (size_t c = 0; c < 3 * n; ++c) {
+        const unsigned axis = 1u << c / n;
+        spread |= s->position[c] != s->position[c / n * n] ? axis : 0;
+        if (!s->freedom[c])
+            continue;
+        free |= axis;
+        moves |= s->velocity[c] != 0 ? axis : 0;
+        falls |= s->gravity[c / n] != 0 ? axis : 0;
+    }
+    for (size_t j = 0; j < s->springs; ++j) {
+        const struct scene_spring *p = &s->spring[j];
+        if (!models_is_active(s, p))
+            continue;
+        a->springs = true;
+        a->dashpots |= s->kind[p->kind].damping != 0;
+        for (size_t k = 0; k < SCENE_AXES; ++k)
+            stretched |= (unsigned)(s->position[at(s, k, p->a)] !=
+                                    s->position[at(s, k, p->b)])
+                         << k;
+    }
+    a->weight = falls != 0;
+    a->contact =
+        s->contact && (n > 1 || s->wall[0] || s->wall[1] || s->wall[2]);
+    const unsigned pushed =
+        falls | (a->gravity || a->contact ? spread : 0) | stretched;
+    a->axes = moves | (free & pushed);
+    a->offset = spread;
+    for (size_t k = 0; k < SCENE_AXES; ++k)
+        a->dimensions += a->axes >> k & 1;
+}
+
+double models_heaviest(const struct scene *s)
+{
+    double most = 0;
+    for (size_t i = 0; i < s->bodies; ++i)
+        most = fmax(most, s->mass[i]);
+    return most;
+}
+
+size_t models_central_body(const struct scene *s, unsigned axes)
+{
+    size_t best = 0;
+    for (size_t i = 0; i < s->bodies; ++i)
+        if (!(freedom_of(s, i) & axes) && s->mass[i] > 0)
+            return i;
+        else if (s->mass[i] > s->mass[best])
+            best = i;
+    return best;
+}
+
+/* Returns the square of the frequency of two bodies, if they circled. */
+static double square_of_pair(const struct scene *s, size_t i, size_t j)
+{
+    const double square =
+        s->softening * s->softening + models_square(s, i, j);
+    return s->k2 * (s->mass[i] + s->mass[j]) / (square * sqrt(square));
+}
+
+enum { MOST_PAIRED = 4000 };
+
+/* Returns that of the fastest pair. All pairs of four thousand bodies are
+   eight million roots, some hundredths of a second; of more bodies only
+   pairs with a heavy one are looked at, as the number is a first idea. */
+static double square_of_gravity(const struct scene *s)
+{
+    const double heavy = models_heaviest(s);
+    const bool all = s->bodies <= MOST_PAIRED;
+    double most = 0;
+    for (size_t i = 0; i < s->bodies; ++i)
+        if (all || !light_is(s, i, heavy))
+            for (size_t j = all ? i + 1 : 0; j < s->bodies; ++j)
+                if (j != i)
+                    most = fmax(most, square_of_pair(s, i, j));
+    return most;
+}
+
+/* Adds what a spring puts into the rows of its two bodies: its strength
+   over their mass, and over the root of both masses (Gershgorin's theorem,
+   in the section on the fastest time). */
+static void add_rows(const struct scene *s, const struct scene_spring *p,
+                     double row[], double strength)
+{
+    const size_t end[2] = {p->a, p->b};
+    double weight[2];
+    for (int e = 0; e < 2; ++e) {
+        const double m = s->mass[end[e]];
+        weight[e] = freedom_of(s, end[e]) && m > 0 ? 1 / m : 0;
+    }
+    for (int e = 0; e < 2; ++e)
+        row[end[e]] += strength * (weight[e] + sqrt(weight[0] * weight[1]));
+}
+
+/* Returns how stiff a spring is. Its block of the matrix has the
+   eigenvalues D along the spring and D(1 - l/r) across it, which is larger
+   where the spring is pressed to less than half its length. */
+static double stiffness(const struct scene *s, const struct scene_spring *p)
+{
+    const double length = sqrt(models_square(s, p->a, p->b));
+    const double across = fabs(1 - p->rest / length);
+    return s->kind[p->kind].stiffness *
+           (across > 1 && across < INFINITY ? across : 1);
+}
+
+/* Returns the stiffness above which springs are stiff: a hundred times the
+   softest. Where all are alike all are stiff: whether to take them for rods
+   is for the plan to say. INFINITY: none is. */
+static double stiff_from(const struct scene *s)
+{
+    double least = INFINITY, most = 0;
+    for (size_t j = 0; j < s->springs; ++j) {
+        const double stiffness = s->kind[s->spring[j].kind].stiffness;
+        if (stiffness > 0 && models_is_active(s, &s->spring[j])) {
+            least = fmin(least, stiffness);
+            most = fmax(most, stiffness);
+        }
+    }
+    return least == most ? 0 : 100 * least;
+}
+
+static bool is_stiff(const struct scene *s, const struct scene_spring *p,
+                     double from)
+{
+    return models_is_active(s, p) && s->kind[p->kind].stiffness > from;
+}
+
+/* Squares of frequencies are added, for two springs side by side are stiff
+   by the sum of both, and so are a spring and a pull; rates of decay are
+   added to the frequency. The rows of the dashpots stand behind those of
+   the springs. A spring that becomes a rod has no frequency, and turns no
+   faster than the speed of its ends over its length. It is a first idea of
+   a step, no more: a comet far from its star will not be so for ever. What
+   is chosen has been run and compared, and does not depend on this number.
+ */
+double models_rate(const struct scene *s, unsigned cuts)
+{
+    double square = 0, rate = 0, turning = 0, slow = 0;
+    double *row = calloc(2 * s->bodies + 1, sizeof *row);
+    const double from = cuts & MODELS_RODS ? stiff_from(s) : INFINITY;
+    if (!row)
+        return INFINITY;
+    for (size_t j = 0; j < s->springs; ++j) {
+        const struct scene_spring *p = &s->spring[j];
+        if (is_stiff(s, p, from)) {
+            const struct pair ends =
+                pair_of(s, p->a, p->b, s->position, s->velocity);
+            turning = fmax(turning, sqrt(ends.v2 / ends.r2));
+            continue;
+        }
+        add_rows(s, p, row, stiffness(s, p));
+        add_rows(s, p, row + s->bodies, s->kind[p->kind].damping);
+    }
+    for (size_t i = 0; i < s->bodies; ++i) {
+        square = fmax(square, row[i]);
+        rate = fmax(rate, row[s->bodies + i]);
+        if (s->mass[i] > 0)
+            slow = fmax(slow, s->damping / s->mass[i]);
+    }
+    free(row);
+    if (attracts(s))
+        square += square_of_gravity(s);
+    return fmax(sqrt(square) + rate + slow, turning);
+}
+
+const char *const models_cut_names[MODELS_CUTS + 1] = {
+    "no-light", "rods",      "no-softening", "no-friction", "no-dashpots",
+    "no-weak",  "no-weight", "no-pull",      "no-across",   NULL};
+
+/* Leaves out what is across the line: the axis along which a body is
+   farthest from the first one. */
+static void flatten(struct scene *s)
+{
+    const size_t n = s->bodies;
+    double far = 0;
+    size_t axis = 0;
+    for (size_t c = 0; c < 3 * n; ++c) {
+        const double way = fabs(s->position[c] - s->position[c / n * n]);
+        axis = way > far ? c / n : axis;
+        far = fmax(far, way);
+    }
+    for (size_t c = 0; c < 3 * n; ++c)
+        if (c / n != axis) {
+            s->position[c] = s->position[c / n * n];
+            s->velocity[c] = 0;
+            s->freedom[c] = 0;
+        }
+}
+
+void models_leave_out(struct scene *s, unsigned cuts)
+{
+    double most = 0;
+    if (cuts & MODELS_NO_ACROSS)
+        flatten(s);
+    s->softening *= !(cuts & MODELS_NO_SOFTENING);
+    s->damping *= !(cuts & MODELS_NO_FRICTION);
+    s->k2 *= !(cuts & MODELS_NO_PULL);
+    for (size_t k = 0; k < SCENE_AXES; ++k)
+        s->gravity[k] *= !(cuts & MODELS_NO_WEIGHT);
+    for (size_t j = 0; j < s->kinds; ++j)
+        most = fmax(most, s->kind[j].stiffness);
+    for (size_t j = 0; j < s->kinds; ++j) {
+        const bool weak =
+            (cuts & MODELS_NO_WEAK) && s->kind[j].stiffness * 100 < most;
+        s->kind[j].stiffness *= !weak;
+        s->kind[j].damping *= !weak && !(cuts & MODELS_NO_DASHPOTS);
+    }
+}
+
+/* A cut that changes nothing is not offered. Light bodies matter only where
+   there is gravity; those without mass do not pull in any case. */
+unsigned models_cuts(const struct scene *s)
+{
+    const double from = stiff_from(s), most = models_heaviest(s);
+    const bool pulls = attracts(s);
+    unsigned cuts = 0;
+    for (size_t i = 0; pulls && i < s->bodies; ++i)
+        if (s->mass[i] > 0 && light_is(s, i, most))
+            cuts = MODELS_NO_LIGHT;
+    for (size_t j = 0; j < s->springs; ++j)
+        cuts |= is_stiff(s, &s->spring[j], from) ? MODELS_RODS : 0;
+    return cuts;
+}
+
+size_t models_take_stiff(struct scene *s, const struct scene *origin)
+{
+    const double from = stiff_from(origin);
+    size_t n = 0;
+    for (int stiff = 0; stiff < 2; ++stiff) {
+        s->springs = n;
+        for (size_t j = 0; j < origin->springs; ++j)
+            if (is_stiff(origin, &origin->spring[j], from) == stiff)
+                s->spring[n++] = origin->spring[j];
+    }
+    return n - s->springs;
+}
+
+const char models_unseen[] = "points on a line collide only as in line";
+
+bool models_points_meet(const struct scene *s, const struct models_acts *a)
+{
+    size_t points = 0, free = 0;
+    for (size_t i = 0; i < s->bodies; ++i)
+        if (s->radius[i] == 0) {
+            ++points;
+            free += (freedom_of(s, i) & a->axes) != 0;
+        }
+    return a->contact && a->dimensions == 1 && !(a->offset & ~a->axes) &&
+           points > 1 && free > 0;
+}

@@ -1,0 +1,424 @@
+/* Closed forms carry a scene: free flight, ellipses, vibrations. */
+#include "enough/models_parts.h"
+
+#include "enough/closed.h"
+#include "enough/light.h"
+#include "forces/kepler.h"
+#include "forces/largest.h"
+#include "forces/modes.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A closed form goes from the start, which the run remembers, to every row:
+   no error is handed on from row to row. */
+
+enum { WITH_EXPONENTIAL = 10 }; /* what such a flight costs, in flights */
+
+/* Each coordinate flies alone. */
+static enum models_end row_free(struct models_run *r)
+{
+    struct scene *s = &r->scene;
+    const size_t n = s->bodies;
+    scene_take_state(s, &r->origin);
+    for (size_t c = 0; c < 3 * n; ++c)
+        if (s->freedom[c])
+            closed_fly(r->elapsed,
+                       s->damping > 0 ? s->damping / s->mass[c % n] : 0,
+                       s->gravity[c / n], &s->position[c], &s->velocity[c]);
+    r->work[MODELS_FLIGHT] +=
+        (double)(3 * n) * (s->damping > 0 ? WITH_EXPONENTIAL : 1);
+    return MODELS_DONE;
+}
+
+const struct models_model models_free = {
+    .name = "free",
+    .about = "every body flies alone, in closed form",
+    .family = MODELS_CLOSED,
+    .bears = BEARS_FRICTION,
+    .engine = 1,
+    .row = row_free};
+
+/* Do all but the central body pull nobody who could give way, and are they
+   free along every axis on which anything moves (one that may move along x
+   but not along y is a bead on a wire, and has no ellipse)? Those without
+   mass do not pull, light ones may be left out, and the pull of the other
+   of two is in the formula (12.3, eq:light-ellipse). */
+static bool is_central(const struct scene *s, const struct models_acts *a,
+                       size_t centre)
+{
+    const unsigned axes = a->axes;
+    const bool held = !(freedom_of(s, centre) & axes);
+    const double most = models_heaviest(s);
+    for (size_t i = 0; i < s->bodies; ++i) {
+        const bool quiet =
+            s->mass[i] == 0 ||
+            ((a->cuts & MODELS_NO_LIGHT) && light_is(s, i, most)) ||
+            s->bodies == 2;
+        if (i != centre && (!quiet || axes & ~freedom_of(s, i)))
+            return false;
+    }
+    return held || !(axes & ~freedom_of(s, centre));
+}
+
+/* Weight is no obstacle if all can fall, since then nobody can tell. */
+static const char *refuse_kepler(const struct scene *s,
+                                 const struct models_acts *a)
+{
+    const size_t centre = models_central_body(s, a->axes);
+    if (!a->gravity)
+        return "nothing attracts";
+    if (s->softening != 0)
+        return "the attraction is softened";
+    if (a->offset & ~a->axes)
+        return "bodies are held beside the plane of their motion";
+    if (!is_central(s, a, centre))
+        return "more than one body pulls, or one is held";
+    if (a->weight && !(freedom_of(s, centre) & a->axes))
+        return "there is weight, and the centre is held";
+    return NULL;
+}
+
+static void end_kepler(struct models_run *r)
+{
+    light_free(r->engine);
+}
+
+/* Returns places at the start, followed by velocities. */
+static double *at_start(const struct models_run *r)
+{
+    const struct light *l = r->engine;
+    const struct scene *s = &r->origin;
+    light_gather(l, s, s->position, l->room);
+    light_gather(l, s, s->velocity, l->room + 3 * l->jacobi.bodies);
+    return l->room;
+}
+
+/* By what share of the time all clocks may be late alike, whatever the
+   units: 2 pi is wrong by a third of 2^-53, and its product with the number
+   of whole turns, which is the same in all units, is rounded once. */
+static const double late_alike = 0x1.6p-53;
+
+/* Returns by what part of the time the places on ellipses may be late alike
+   in all units; INFINITY: an orbit is none. Parabolas and hyperbolas have
+   closed forms, too, which are not made here; an ellipse as narrow as a
+   line passes through its centre. What rounding makes of the mean motion is
+   not counted. That is more, for 1/a is the difference 2/r - v^2/mu, of
+   which either is wrong by some 2^-53, so that the mean motion is wrong by
+   up to 13 a/r of them; but it depends on the last digits of r and v, so
+   that twins in other units differ by it. A bound of that, 4 a/r 2^-51,
+   added up what hardly ever adds up: it was 14 times the error that was
+   made, median of random orbits, and 40 times that of one in ten. */
+static double clock_of_ellipses(const struct models_run *r)
+{
+    const struct jacobi *j = &((const struct light *)r->engine)->jacobi;
+    const size_t n = j->bodies;
+    double *const x = at_start(r), *const v = x + 3 * n;
+    jacobi_enter(j, x, x);
+    jacobi_enter(j, v, v);
+    for (size_t i = 1; i < n; ++i) {
+        const double q[3] = {x[i], x[n + i], x[2 * n + i]};
+        const double w[3] = {v[i], v[n + i], v[2 * n + i]};
+        double axis, eccentricity;
+        kepler_shape(j->mu[i], q, w, &axis, &eccentricity);
+        if (!(axis > 0 && axis < INFINITY && eccentricity < 1 - 1e-9))
+            return INFINITY;
+    }
+    return late_alike;
+}
+
+static const char *begin_kepler(struct models_run *r)
+{
+    const size_t centre = models_central_body(&r->scene, r->acts.axes);
+    const bool moving = freedom_of(&r->scene, centre) & r->acts.axes;
+    if (!light_create(r->engine, &r->scene, INFINITY, centre, moving))
+        return models_no_memory;
+    r->clock = clock_of_ellipses(r);
+    return r->clock < INFINITY ? NULL
+                               : "an orbit is open, or as good as a fall";
+}
+
+/* Each row is one drift of Wisdom and Holman's method from the start to its
+   time, of whatever number of turns: what it costs does not depend on the
+   time. Where all fall, they fall alike. */
+static enum models_end row_kepler(struct models_run *r)
+{
+    const struct light *l = r->engine;
+    struct jacobi j = l->jacobi;
+    struct scene *s = &r->scene;
+    const size_t n = j.bodies;
+    double *const x = at_start(r), *const v = x + 3 * n, t = r->elapsed;
+    jacobi_flow(&j, t, x, v);
+    for (size_t c = 0; c < 3 * n; ++c) {
+        const size_t to = at(s, c / n, l->order[c % n]);
+        const double fall = s->freedom[to] ? s->gravity[c / n] * t : 0;
+        s->position[to] = x[c] + fall / 2 * t;
+        s->velocity[to] = v[c] + fall;
+    }
+    r->work[MODELS_ELLIPSE] += (double)(n - 1);
+    return MODELS_DONE;
+}
+
+const struct models_model models_kepler = {
+    .name = "kepler",
+    .about = "ellipses round one body, in closed form",
+    .family = MODELS_CLOSED,
+    .bears = BEARS_GRAVITY | BEARS_PARTICLES,
+    .engine = sizeof(struct light),
+    .row = row_kepler,
+    .begin = begin_kepler,
+    .end = end_kepler,
+    .refuses = refuse_kepler};
+
+/* Four hundred modes are found in some seconds, a thousand take a minute,
+   and there are cheaper ways by then. */
+enum { MOST_MODES = 400, MOST_TRIES = 30 };
+
+/* Springs about their rest have modes, and each is an oscillator. What that
+   leaves out is of second order in the displacement, and no formula tells
+   how much it is: a membrane at rest length has no linear modes to speak
+   of, a taut one nothing else. So it is compared with a run in steps.
+   Friction may act if it slows down all modes alike, c/m being the same for
+   all; dashpots if there is one coordinate only. */
+static const char *refuse_modes(const struct scene *s,
+                                const struct models_acts *a)
+{
+    double mass = 0;
+    size_t coordinates = 0;
+    if (!a->springs)
+        return "no spring acts";
+    for (size_t c = 0; c < 3 * s->bodies; ++c)
+        if (s->freedom[c] && (a->axes >> (c / s->bodies) & 1)) {
+            const double m = s->mass[c % s->bodies];
+            if (!(m > 0) || (a->friction && mass != 0 && m != mass))
+                return m > 0 ? "friction mixes the modes of unequal masses"
+                             : "a body has no mass";
+            mass = m;
+            ++coordinates;
+        }
+    if (a->dashpots && coordinates > 1)
+        return "dashpots mix the modes";
+    return coordinates > MOST_MODES ? "there are too many modes" : NULL;
+}
+
+/* On one line nothing is left out, as long as no spring turns round. A
+   spring that also swings sideways is longer at the side: its force is not
+   linear. */
+static const char *refuse_oscillator(const struct scene *s,
+                                     const struct models_acts *a)
+{
+    return a->dimensions > 1 || (a->offset & ~a->axes)
+               ? "it does not move along its springs only"
+               : refuse_modes(s, a);
+}
+
+/* Modes, and how much of each there is. */
+struct vibration {
+    struct springs springs;
+    struct modes modes;
+    double *rest, *push;     /* [3 * bodies], [6 * bodies] */
+    double *amount, *change; /* [size] of each mode at the start */
+    double *pull;            /* [size] what pulls at it where it rests */
+    double rate;             /* of friction, 1/s */
+    double slack;            /* squares below that are none, 1/s^2 */
+};
+
+static void end_modes(struct models_run *r)
+{
+    struct vibration *w = r->engine;
+    springs_free(&w->springs);
+    modes_free(&w->modes);
+    free(w->rest);
+}
+
+/* Takes one of Newton's steps towards the place of rest, from w->rest: the
+   modes there tell how springs give way to what pulls. Near it each step
+   doubles the digits that are right, and five or six are enough. Returns
+   how far it has led, or NaN without memory. */
+static double approach_rest(struct vibration *w, struct models_run *r)
+{
+    const struct modes *m = &w->modes;
+    const size_t n = 3 * r->scene.bodies;
+    double *still = w->push, *gap = w->push + n;
+    memset(still, 0, n * sizeof *still);
+    springs_accelerate(&w->springs, w->rest, still, gap);
+    modes_free(&w->modes);
+    if (!modes_find(&w->modes, &w->springs, w->rest))
+        return NAN;
+    r->work[MODELS_MODE] += 20 * pow((double)m->size, 3);
+    if (m->size == 0)
+        return 0;
+    w->slack = 1e-9 * fabs(m->square[m->size - 1]);
+    modes_deflection(m, w->slack, gap, still);
+    for (size_t i = 0; i < m->size; ++i)
+        w->rest[m->coordinate[i]] += still[m->coordinate[i]];
+    return largest(still, n);
+}
+
+/* Would finding the modes once more bring the bill of the start above what
+   it may be? It costs the cube of the coordinates, up to thirty times. */
+static bool is_start_dear(const struct models_run *r)
+{
+    double work[MODELS_UNITS], size = 0;
+    for (size_t c = 0; c < 3 * r->scene.bodies; ++c)
+        size += r->scene.freedom[c] != 0;
+    memcpy(work, r->work, sizeof work);
+    work[MODELS_MODE] += 20 * pow(size, 3);
+    return r->plan.afford > 0 && models_cost(work) > r->plan.afford;
+}
+
+/* Goes from w->rest to a place of rest that is stable, or returns why there
+   is none: then there are no small vibrations. Where it is not stable the
+   smallest square of a frequency is negative, and clearly so. */
+static const char *find_rest(struct vibration *w, struct models_run *r)
+{
+    const double size = largest(w->rest, 3 * r->scene.bodies);
+    double far = INFINITY;
+    for (int k = 0; k < MOST_TRIES && !(far <= 1e-12 * size); ++k) {
+        if (is_start_dear(r))
+            return "its start costs more than is reasonable";
+        far = approach_rest(w, r);
+        if (!(far <= 10 * size))
+            return "no place of rest was found";
+    }
+    if (!(far <= 1e-9 * size))
+        return "no place of rest was found";
+    return w->modes.size > 0 && w->modes.square[0] < -w->slack
+               ? "the place of rest is not stable"
+               : NULL;
+}
+
+/* Finds how much of each mode is in a displacement, or in its derivatives:
+   shapes are orthogonal, so a scalar product each is enough. */
+static void take_apart(const struct modes *m, const double x[],
+                       const double from[], double amount[])
+{
+    for (size_t j = 0; j < m->size; ++j) {
+        amount[j] = 0;
+        for (size_t i = 0; i < m->size; ++i) {
+            const size_t c = m->coordinate[i];
+            amount[j] += m->shape[j * m->size + i] *
+                         (x[c] - (from ? from[c] : 0)) / sqrt(m->weight[i]);
+        }
+    }
+}
+
+/* Does no spring that has a length of its own turn round on this axis? None
+   can have more than the energy of all modes about their rest, which
+   friction only makes less; one longer or shorter by u than at rest has
+   Du^2/2 of it. So one that starts on the side of its place of rest, where
+   it is d long, stays there if Dd^2/2 is more than there is. */
+static bool keeps_sides(const struct vibration *w, const struct scene *s,
+                        size_t axis)
+{
+    const double *x = s->position + axis * s->bodies;
+    const double *rest = w->rest + axis * s->bodies;
+    double twice = 0; /* the energy */
+    for (size_t j = 0; j < w->modes.size; ++j)
+        if (w->modes.square[j] > w->slack)
+            twice += w->change[j] * w->change[j] +
+                     w->modes.square[j] * w->amount[j] * w->amount[j];
+    for (size_t j = 0; j < s->springs; ++j) {
+        const struct scene_spring *p = &s->spring[j];
+        const double D = s->kind[p->kind].stiffness,
+                     d = rest[p->b] - rest[p->a];
+        if (models_is_active(s, p) && p->rest != 0 && D > 0 &&
+            !(d * (x[p->b] - x[p->a]) > 0 && D * d * d > twice))
+            return false;
+    }
+    return true;
+}
+
+/* Finds the place of rest, and the amounts of places and velocities about
+   it. Along a dead axis nothing has to be found: it is held. */
+static const char *begin_modes(struct models_run *r)
+{
+    struct vibration *w = r->engine;
+    struct scene *s = &r->scene;
+    const size_t n = 3 * s->bodies;
+    double damping = s->damping;
+    for (size_t c = 0; c < n; ++c)
+        s->freedom[c] &= r->acts.axes >> (c / s->bodies) & 1;
+    w->rest = malloc((6 * n + 1) * sizeof *w->rest);
+    if (!w->rest || !springs_create(&w->springs, s))
+        return models_no_memory;
+    w->push = w->rest + n;
+    w->amount = w->rest + 3 * n;
+    w->change = w->rest + 4 * n;
+    w->pull = w->rest + 5 * n;
+    memcpy(w->rest, s->position, n * sizeof *w->rest);
+    const char *why = find_rest(w, r);
+    if (why)
+        return why;
+    take_apart(&w->modes, s->position, w->rest, w->amount);
+    take_apart(&w->modes, s->velocity, NULL, w->change);
+    take_apart(&w->modes, w->push + n, NULL, w->pull);
+    for (size_t j = 0; j < s->springs; ++j)
+        if (models_is_active(s, &s->spring[j]))
+            damping += s->kind[s->spring[j].kind].damping;
+    for (size_t c = 0; c < n; ++c)
+        if (s->freedom[c])
+            w->rate = damping / s->mass[c % s->bodies];
+    const struct modes *const m = &w->modes;
+    if (m->size > 0 && m->square[m->size - 1] > w->slack)
+        r->clock = late_alike;
+    return r->plan.model->approximate ||
+                   keeps_sides(w, s, first_axis(r->acts.axes))
+               ? NULL
+               : "a spring may turn round";
+}
+
+/* Amount and change of a mode are place and velocity of an oscillator
+   (12.5, eq:models-swing). Modes without stiffness fly, as the centre of a
+   chain does that nothing holds, and weight pulls at them. */
+static enum models_end row_modes(struct models_run *r)
+{
+    const struct vibration *w = r->engine;
+    const struct modes *m = &w->modes;
+    const double size = (double)m->size;
+    struct scene *s = &r->scene;
+    for (size_t i = 0; i < m->size; ++i) {
+        s->position[m->coordinate[i]] = w->rest[m->coordinate[i]];
+        s->velocity[m->coordinate[i]] = 0;
+    }
+    for (size_t j = 0; j < m->size; ++j) {
+        double q = w->amount[j], p = w->change[j];
+        if (m->square[j] > w->slack)
+            closed_oscillate(r->elapsed, m->square[j], w->rate, &q, &p);
+        else
+            closed_fly(r->elapsed, w->rate, w->pull[j], &q, &p);
+        for (size_t i = 0; i < m->size; ++i) {
+            const double part =
+                m->shape[j * m->size + i] * sqrt(m->weight[i]);
+            s->position[m->coordinate[i]] += part * q;
+            s->velocity[m->coordinate[i]] += part * p;
+        }
+    }
+    r->work[MODELS_FLIGHT] += WITH_EXPONENTIAL * size;
+    r->work[MODELS_MODE] += 2 * size * size;
+    return MODELS_DONE;
+}
+
+const struct models_model models_oscillator = {
+    .name = "oscillator",
+    .about = "springs on one line, in closed form",
+    .family = MODELS_CLOSED,
+    .bears = BEARS_SPRINGS | BEARS_FRICTION,
+    .engine = sizeof(struct vibration),
+    .row = row_modes,
+    .begin = begin_modes,
+    .end = end_modes,
+    .refuses = refuse_oscillator};
+
+const struct models_model models_modes = {
+    .name = "modes",
+    .about = "small vibrations of springs about their rest",
+    .family = MODELS_CLOSED,
+    .bears = BEARS_SPRINGS | BEARS_FRICTION,
+    .engine = sizeof(struct vibration),
+    .row = row_modes,
+    .begin = begin_modes,
+    .end = end_modes,
+    .refuses = refuse_modes,
+    .approximate = true};

@@ -1,0 +1,416 @@
+/* Steps carry a scene, by any of the methods of chapter 8. */
+#include "enough/models_parts.h"
+
+#include "enough/light.h"
+#include "forces/adaptive.h"
+#include "forces/jacobi.h"
+#include "forces/motion.h"
+#include "forces/rods.h"
+#include "forces/spheres.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* Returns what no steps can carry. With rods and friction together
+   leapfrog, which alone has rods, would have to know the velocity before it
+   has it. */
+static const char *refuse_steps(const struct scene *s,
+                                const struct models_acts *a)
+{
+    if (models_points_meet(s, a))
+        return models_unseen;
+    switch (motion_flaw(s, NULL)) {
+    case MOTION_WALLS: return "there are walls, but no contact";
+    case MOTION_LIGHT: return "a body has no mass";
+    case MOTION_TWICE: return "contacts are springs";
+    case MOTION_POINTS: return models_unseen;
+    case MOTION_THICK: return "a body is thicker than the box";
+    case MOTION_WELL: break;
+    }
+    return (a->cuts & MODELS_RODS) && (a->friction || a->dashpots)
+               ? "rods and friction do not go together"
+               : NULL;
+}
+
+/* Orders bodies from the inside outwards, the heaviest first: ellipses go
+   so, and the numbers of the bodies in a file are only their names. */
+static bool order_outwards(struct light *l, const struct scene *s)
+{
+    return light_create(l, s, INFINITY, models_central_body(s, ALL_AXES),
+                        false);
+}
+
+/* Copies the state to the bodies in this order, or back. */
+static void permute(struct scene *to, const struct scene *from,
+                    const uint32_t order[], bool back)
+{
+    const size_t n = to->bodies;
+    for (size_t i = 0; i < n; ++i) {
+        const size_t b = back ? order[i] : i, c = back ? i : order[i];
+        to->mass[b] = from->mass[c];
+        for (size_t k = 0; k < 3 * n; k += n) {
+            to->position[k + b] = from->position[k + c];
+            to->velocity[k + b] = from->velocity[k + c];
+        }
+    }
+}
+
+static const char *refuse_orbits(const struct scene *s,
+                                 const struct models_acts *a)
+{
+    const char *why = refuse_steps(s, a);
+    struct scene other = {0};
+    struct light light;
+    if (why)
+        return why;
+    why = models_no_memory;
+    if (scene_copy(&other, s) && order_outwards(&light, s)) {
+        permute(&other, s, light.order, false);
+        why = jacobi_refuses(&other);
+        light_free(&light);
+    }
+    scene_free(&other);
+    return why;
+}
+
+/* A run in steps, with or without rods. */
+struct steps {
+    struct motion motion;
+    struct scene scene; /* what is stepped: a run may move to another place
+                           in memory, and its scene with it */
+    struct models_plan plan;
+    struct light light;
+    struct rods rods;
+    bool lights, ordered, rodded;
+};
+
+/* The motion goes before the scene that it moves. */
+static void end_steps(struct models_run *r)
+{
+    struct steps *t = r->engine;
+    if (t->lights || t->ordered)
+        light_free(&t->light);
+    if (t->rodded)
+        rods_free(&t->rods);
+    motion_end(&t->motion);
+    scene_free(&t->scene);
+}
+
+/* May light bodies be seen in Jacobi's coordinates, that is, is momentum
+   conserved: is nothing held, and is there nothing but gravity and weight?
+ */
+static bool has_centre(const struct scene *s, const struct models_acts *a)
+{
+    for (size_t i = 0; i < s->bodies; ++i)
+        if (a->axes & ~freedom_of(s, i))
+            return false;
+    return !a->contact && !a->springs && !a->friction;
+}
+
+/* Does a passage count, that is, may it move a body by more than is
+   negligible in the time that is left (12.13, eq:choose-passage)? Its
+   distance is that of straight ways, less by what they bend. */
+static bool counts(const struct steps *t, const struct pair *p, double pull,
+                   double a2)
+{
+    const double tau = fabs(p->rv) / p->v2;
+    const double bend = sqrt(a2) * tau * tau / 2;
+    const double b = fmax(sqrt(pair_nearest2(p)) - bend, 0);
+    return 2 * pull * t->plan.left > t->plan.little * b * sqrt(p->v2);
+}
+
+/* Returns how often, in 1/s, two bodies can fly 0.7 of their distance, or
+   come nearer by so much with what pulls them. */
+static double hurry(const struct pair *p, double a2)
+{
+    const double way = 0.7 * sqrt(p->r2), fall = 2 * sqrt(a2) * way;
+    const double nearer = fmax(-p->rv, 0) / sqrt(p->r2);
+    return fmax(sqrt(p->v2), (nearer + sqrt(nearer * nearer + fall)) / 2) /
+           way;
+}
+
+/* Returns the longest step that no passage which counts can hide in. */
+static double longest(void *what, const double x[], const double v[],
+                      const double a[])
+{
+    const struct steps *t = what;
+    const struct scene *s = &t->scene;
+    double most = 0;
+    for (size_t i = 0; i < s->bodies; ++i)
+        for (size_t j = 0; j < i; ++j) {
+            const double pull = s->k2 * (s->mass[i] + s->mass[j]);
+            if (pull == 0 || !(freedom_of(s, i) || freedom_of(s, j)))
+                continue;
+            const struct pair p = pair_of(s, i, j, x, v);
+            const double a2 = pair_of(s, i, j, a, a).r2;
+            const double rate = hurry(&p, a2);
+            if (rate > most && counts(t, &p, pull, a2))
+                most = rate;
+        }
+    return most > 0 ? 1 / most : INFINITY;
+}
+
+/* Returns the steps in a row. Steps that choose their length are asked for
+   its end only, but with contacts, of which a call takes just so many. */
+static uint64_t steps_of(const struct models_run *r)
+{
+    enum { LOOKS = 8 };
+    if (!r->plan.model->method->adaptive)
+        return r->plan.steps;
+    return r->scene.contact ? LOOKS : 1;
+}
+
+/* Begins a run. Springs that become rods are taken out first, so that the
+   motion does not know them; contacts are located, and go back to the
+   moment of the knock. Light bodies that do not pull are stepped in a scene
+   of their own, in Jacobi's coordinates: gravity is told which its sources
+   are, and by which part each body feels them. */
+static const char *begin_steps(struct models_run *r)
+{
+    struct steps *t = r->engine;
+    struct scene *s = &t->scene;
+    const struct models_plan *p = &t->plan;
+    const size_t count = r->plan.cuts & MODELS_RODS
+                             ? models_take_stiff(&r->scene, &r->origin)
+                             : 0;
+    t->plan = r->plan;
+    if (!scene_copy(s, &r->scene))
+        return models_no_memory;
+    if (p->model->method->orbits) {
+        if (!(t->ordered = order_outwards(&t->light, &r->scene)))
+            return models_no_memory;
+        permute(s, &r->scene, t->light.order, false);
+    }
+    if (!motion_begin(&t->motion, "models", s, p->model->name,
+                      r->every / (double)steps_of(r)) ||
+        (t->motion.collides && count == 0 && !motion_locate(&t->motion)))
+        return models_no_memory;
+    t->motion.impact.least = p->margin;
+    if (p->model->method->adaptive) {
+        t->motion.stepping.tolerance = p->tolerance;
+        t->motion.stepping.own->slack = p->slack;
+        if (t->motion.attracts && p->little > 0) {
+            t->motion.stepping.own->longest = longest;
+            t->motion.stepping.own->with = t;
+        }
+    }
+    if (t->motion.attracts && (p->cuts & MODELS_NO_LIGHT)) {
+        struct gravity *g = &t->motion.gravity;
+        t->lights = light_create(&t->light, s, models_heaviest(s),
+                                 s->bodies, has_centre(s, &r->acts));
+        if (!t->lights)
+            return models_no_memory;
+        light_enter(&t->light, s, s->position, s->velocity);
+        g->source = t->light.order;
+        g->sources = t->light.heavy;
+        g->share = t->light.share;
+        models_count_sorting(r, s->bodies,
+                             5); /* and to enter the picture */
+    }
+    if (count > 0) {
+        t->rodded =
+            rods_create(&t->rods, s, r->scene.spring + r->scene.springs,
+                        count, t->motion.stepping.forces);
+        t->motion.outside = rods_step;
+        t->motion.with = &t->rods;
+        if (!t->rodded)
+            return models_no_memory;
+    }
+    return NULL;
+}
+
+/* Returns the square roots of an evaluation of gravity, by their price. Up
+   to 32 bodies share the root of a pair; the kernel for more takes every
+   root twice, but eight or so at a time, and so eight count as one. With
+   light bodies as test particles each heavy one pulls all others. */
+static double count_pulls(const struct steps *t)
+{
+    const double n = (double)t->motion.scene->bodies;
+    if (!t->motion.attracts)
+        return 0;
+    if (t->lights)
+        return (n - 1) * (double)t->light.heavy;
+    return n <= 32 ? n * (n - 1) / 2 : n * (n - 1) / 8;
+}
+
+/* Returns the passes over n bodies that belong to an evaluation, in bodies:
+   in a splitting a kick and a drift; a stage of an explicit method is put
+   together from those before it, about twice that; one of an implicit
+   method from all of them, again and again; a pair estimates its error as
+   well; Radau's polynomials are four times as much a body, and as much
+   again as for eight bodies. These numbers are measured, as prices are. */
+static double body_passes(const struct stepping_method *m, double n)
+{
+    switch (m->family) {
+    case STEPPING_EXPLICIT: return 2 * n;
+    case STEPPING_IMPLICIT: return (2 + (double)m->stages) * n;
+    case STEPPING_PAIR: return 8 * n;
+    case STEPPING_RADAU: return 4 * (n + 8);
+    default: return n;
+    }
+}
+
+/* A spring in no band, of which all of a pendulum and most of a small beam
+   are, has its forces gathered and scattered and takes so many times as
+   long. */
+enum { LISTED = 10 };
+
+/* Counts so many evaluations, with all that belongs to them. */
+static void count_evaluations(const struct models_run *r,
+                              const struct steps *t, double asked,
+                              double work[MODELS_UNITS])
+{
+    const struct springs *p = &t->motion.springs;
+    const double n = (double)r->scene.bodies;
+    work[MODELS_EVALUATION] = asked;
+    work[MODELS_BODY] = asked * body_passes(r->plan.model->method, n);
+    work[MODELS_PAIR] = asked * count_pulls(t);
+    work[MODELS_SPRING] =
+        asked * ((double)p->count + (LISTED - 1) * (double)p->listed);
+}
+
+/* Light bodies that do not pull are stepped in a picture of their own. Each
+   row takes them out of it, for as much as so many passes over a body. */
+enum { LEAVING = 5 };
+
+/* Makes the bill anew, after the fact, from what all parts have counted
+   since the start. To find the end of a row a method with steps of its own
+   sums its polynomial once more, worth eighteen passes. Successive points
+   on an ellipse are near each other, so Kepler's equation costs 0.8 of its
+   price there. Contacts that are located divide a step: each part has a
+   path for every body, pairs near each other along the widest axis, curves
+   of their gaps, and roots. Contacts after each step, as with rods, cost a
+   third. Of rods each pass counts, corrected or not: three in a step. */
+static void count_steps(struct models_run *r, const struct steps *t)
+{
+    const struct stepping *p = &t->motion.stepping;
+    const struct stepping_method *method = p->method;
+    const double n = (double)r->scene.bodies, steps = (double)p->steps;
+    count_evaluations(
+        r, t, (double)(t->rodded ? t->rods.evaluations : p->evaluations),
+        r->work);
+    if (method->adaptive)
+        r->work[MODELS_BODY] += 18 * n * steps;
+    if (t->lights)
+        r->work[MODELS_BODY] += LEAVING * n * ((double)r->rows + 1);
+    if (t->motion.orbits)
+        r->work[MODELS_ELLIPSE] =
+            0.8 * (n - 1) * steps * (double)method->drifts;
+    const struct impact *const i = &t->motion.impact;
+    if (t->motion.located) {
+        r->work[MODELS_CONTACT] = n * (double)i->parts;
+        r->work[MODELS_OVERLAP] = (double)i->pairs;
+        r->work[MODELS_CURVE] = (double)i->curves;
+        r->work[MODELS_ROOT] = (double)i->roots;
+    } else if (t->motion.collides) {
+        r->work[MODELS_CONTACT] = 0.3 * n * steps;
+        r->work[MODELS_OVERLAP] = 0.3 * (double)t->motion.spheres.tested;
+    }
+
+    if (t->rodded)
+        r->work[MODELS_ROD] =
+            (double)t->rods.corrections + 3 * steps * (double)t->rods.count;
+}
+
+enum { STEPS_AT_A_TIME = 256 };
+
+/* Will the run cost twice what it may, if it goes on like this? A step of
+   its own length may be beyond the row. */
+static bool is_hopeless(const struct models_run *r, const struct steps *t,
+                        uint64_t left)
+{
+    const double row = (double)steps_of(r);
+    const struct adaptive *own = t->motion.stepping.own;
+    const double done = (double)r->rows + (row - (double)left) / row;
+    const double cost = models_cost(r->work), all = (double)r->all;
+    return own ? cost > fmin(r->limit / 2, 1) &&
+                     cost / fmax(done, own->t / r->every) * all >
+                         2 * r->limit
+               : cost / done * all > 1.1 * r->limit;
+}
+
+/* Lets steps that choose their length go on as long as they may: one look
+   may take what is left, and a small part of what all may. */
+static void bound_evaluations(const struct models_run *r, struct steps *t)
+{
+    struct adaptive *own = t->motion.stepping.own;
+    const double cost = models_cost(r->work), left = r->limit - cost;
+    const double one = 8 * r->limit / (double)(r->all * steps_of(r));
+    const double may = r->all > 0 ? fmin(left, fmax(one, 0.1)) : left;
+    double work[MODELS_UNITS] = {0};
+    count_evaluations(r, t, 1, work);
+    if (t->motion.located && cost == 0) {
+        const double n = (double)r->scene.bodies;
+        work[MODELS_CONTACT] = n / 4; /* a guess: all pairs, once in four */
+        work[MODELS_OVERLAP] = n * (n - 1) / 8;
+    }
+    const double asked = fmax(r->work[MODELS_EVALUATION], 1);
+    const double more = may / fmax(models_cost(work), cost / asked);
+    own->most = more < 1e15 ? own->evaluations + (uint64_t)more + 100 : 0;
+}
+
+/* Takes the steps of a row, and looks at the bill between some of them. */
+static enum models_end run_steps(struct models_run *r, struct steps *t)
+{
+    const struct adaptive *own = t->motion.stepping.own;
+    uint64_t now, left = steps_of(r);
+    for (; left > 0; left -= now) {
+        now = own ? 1 : left < STEPS_AT_A_TIME ? left : STEPS_AT_A_TIME;
+        if (own)
+            bound_evaluations(r, t);
+        const enum stepping_end end = motion_run(&t->motion, now);
+        count_steps(r, t);
+        if (end != STEPPING_DONE)
+            return own && own->most > 0 && own->evaluations > own->most
+                       ? MODELS_COSTLY
+                   : t->motion.impact.crowded ? MODELS_STANDSTILL
+                                              : MODELS_BROKEN;
+        if (models_is_costly(r) || is_hopeless(r, t, left - now))
+            return MODELS_COSTLY;
+    }
+    return MODELS_DONE;
+}
+
+/* Goes to the next row. What was stepped in another picture is translated
+   for the row, and goes on from that picture; rods end each row without a
+   velocity along themselves. */
+static enum models_end row_steps(struct models_run *r)
+{
+    struct steps *t = r->engine;
+    const enum models_end end = run_steps(r, t);
+    const struct scene *s = t->motion.scene;
+    if (end == MODELS_DONE && t->rodded &&
+        !rods_project(&t->rods, s->position, s->velocity))
+        return MODELS_BROKEN;
+    if (t->ordered)
+        permute(&r->scene, s, t->light.order, true);
+    else
+        scene_take_state(&r->scene, s);
+    if (t->lights)
+        light_leave(&t->light, s, r->elapsed, r->scene.position,
+                    r->scene.velocity);
+    r->collisions = t->motion.collisions;
+    r->least = t->motion.impact.least;
+    r->virial = t->motion.collides ? t->motion.spheres.virial : 0;
+    return end;
+}
+
+/* The methods of chapter 8 have a table already; a second list would be a
+   second truth. Rods are for leapfrog alone, and only it takes light bodies
+   for test particles where there are orbits. */
+struct models_model models_of_method(const struct stepping_method *m)
+{
+    const unsigned no = (m->orbits ? BEARS_PARTICLES : 0) |
+                        (stepping_is_leapfrog(m) ? 0 : BEARS_RODS);
+    return (struct models_model){.name = m->name,
+                                 .about = m->about,
+                                 .family = MODELS_STEPS,
+                                 .bears = BEARS_ALL & ~no,
+                                 .engine = sizeof(struct steps),
+                                 .row = row_steps,
+                                 .begin = begin_steps,
+                                 .end = end_steps,
+                                 .refuses = m->orbits ? refuse_orbits
+                                                      : refuse_steps,
+                                 .method = m};
+}

@@ -1,14 +1,15 @@
-/* A CUnit program in one line: list the tests, and unit_run prints
-   `ok NAME` or `not ok NAME - why` for each, as tests/run counts them.
+/* A CUnit program is one or more tests, each with a sentence that says what
+   holds:
 
-       static void test_swap(void) { UNIT_NEAR(got, expected, tolerance); }
-       int main(void)
+       TEST(test_swap, "equal masses swap")
        {
-           return unit_run("collide",
-                           (struct unit_test[]){
-                               {"equal masses swap", test_swap}, {0}});
+           UNIT_NEAR(got, expected, tolerance);
        }
-*/
+
+   It runs them in the order of the file, and prints `ok NAME` or
+   `not ok NAME - why` for each, as tests/run counts them. A file that has
+   something to do before or after them defines UNIT_OWN_MAIN before it
+   includes this, and has a main of its own that calls unit_run. */
 #ifndef UNIT_H
 #define UNIT_H
 
@@ -16,12 +17,38 @@
 #include <CUnit/TestRun.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 struct unit_test {
     const char *name; /* a sentence that says what holds */
     void (*run)(void);
 };
+
+/* The tests of the file. Each is put here before main begins, by a function
+   that the compiler calls (a constructor). */
+enum { UNIT_TESTS = 64 };
+static struct unit_test unit_tests[UNIT_TESTS];
+
+static inline void unit_add(const char *name, void (*run)(void))
+{
+    int n = 0;
+    while (unit_tests[n].name)
+        ++n;
+    if (n == UNIT_TESTS - 1) {
+        printf("not ok %s - no place for so many tests\n", name);
+        exit(1);
+    }
+    unit_tests[n] = (struct unit_test){name, run};
+}
+
+#define TEST(function, sentence)                                           \
+    static void function(void);                                            \
+    __attribute__((constructor)) static void function##_is_a_test(void)    \
+    {                                                                      \
+        unit_add(sentence, function);                                      \
+    }                                                                      \
+    static void function(void)
 
 /* Passes when |got - expected| <= tolerance; says both numbers when not.
    A NaN on either side fails. */
@@ -50,8 +77,9 @@ static inline void unit_near(const char *file, unsigned line,
                             line, text, file, "", CU_FALSE);
 }
 
-/* Runs the tests under CUnit, one line each; returns what main returns. */
-static inline int unit_run(const char *suite_name, struct unit_test tests[])
+/* Runs these tests under CUnit, one line each; returns what main returns. */
+static inline int unit_run_these(const char *suite_name,
+                                 struct unit_test tests[])
 {
     CU_pSuite suite;
     int failed = 0;
@@ -89,5 +117,23 @@ static inline int unit_run(const char *suite_name, struct unit_test tests[])
     CU_cleanup_registry();
     return failed ? 1 : 0;
 }
+
+/* The same for all tests of the file. */
+static inline int unit_run(const char *suite_name)
+{
+    return unit_run_these(suite_name, unit_tests);
+}
+
+#ifndef UNIT_OWN_MAIN
+/* The name is that of the file. */
+int main(void)
+{
+    static char name[64];
+    const char *slash = strrchr(__BASE_FILE__, '/');
+    snprintf(name, sizeof name, "%s", slash ? slash + 1 : __BASE_FILE__);
+    name[strcspn(name, ".")] = '\0';
+    return unit_run(name);
+}
+#endif
 
 #endif

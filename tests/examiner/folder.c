@@ -1,6 +1,7 @@
 /* Trees that are hard to remove: deep ones, closed ones, links that lead
    out, names that a shell would take for its own. */
 #include "examiner/folder.h"
+#define UNIT_OWN_MAIN
 #include "unit.h"
 
 #include <errno.h>
@@ -34,7 +35,7 @@ static bool is_there(const char *path)
 
 /* The path of the last of these folders has 6000 signs, which no system
    call takes; in each of them is a file, too. */
-static void test_deep(void)
+TEST(test_deep, "a tree of any depth goes")
 {
     int folder = begin("it's deep");
     for (int i = 0; i < 3000; ++i) {
@@ -51,7 +52,7 @@ static void test_deep(void)
 
 /* Names that folders get when they are moved to the top are taken, by files
    and by folders with something in them. */
-static void test_numbers(void)
+TEST(test_numbers, "taken names do no harm")
 {
     char name[32];
     const int folder = begin("numbers $(exit 1)");
@@ -77,7 +78,7 @@ static void test_numbers(void)
 
 /* Who may do nothing in a folder of his own may still remove it. (Root may
    do all, and proves nothing here.) */
-static void test_closed(void)
+TEST(test_closed, "closed folders go")
 {
     const int folder = begin("closed");
     UNIT_TRUE(mkdirat(folder, "a", 0700) == 0);
@@ -91,7 +92,7 @@ static void test_closed(void)
     UNIT_TRUE(!is_there(top));
 }
 
-static void test_links(void)
+TEST(test_links, "links are not followed")
 {
     UNIT_TRUE(mkdir("outside", 0700) == 0);
     UNIT_TRUE(mkdir("outside/kept", 0700) == 0);
@@ -115,13 +116,7 @@ int main(void)
     char scratch[] = "build/tests/folder.XXXXXX";
     if (!mkdtemp(scratch) || chdir(scratch) != 0)
         return EXIT_FAILURE;
-    const int failed = unit_run(
-        "folder",
-        (struct unit_test[]){{"a tree of any depth goes", test_deep},
-                             {"taken names do no harm", test_numbers},
-                             {"closed folders go", test_closed},
-                             {"links are not followed", test_links},
-                             {0}});
+    const int failed = unit_run("folder");
     if (chdir("../../..") != 0 || rmdir(scratch) != 0)
         return EXIT_FAILURE;
     return failed;

@@ -116,7 +116,7 @@ static double sum_over(const struct stepping_method *m, int t,
 }
 
 /* The sums have terms of up to 12 that cancel: 100 DBL_EPSILON. */
-static void test_pair_conditions(void)
+TEST(test_pair_conditions, "the pair meets the conditions of its orders")
 {
     const struct stepping_method *m = stepping_find("dopri5");
     double other[7];
@@ -144,7 +144,7 @@ static void test_pair_conditions(void)
 /* A node that is rounded by half its last digit moves the polynomial by its
    slope there, 60 at most where the digit is smallest, times that; terms of
    up to 4e4 cancel in 113 bits, or 64. */
-static void test_nodes(void)
+TEST(test_nodes, "Radau's nodes are zeros of their polynomial")
 {
     static const int c[] = {-8,     252,   -2520,  11550,
                             -27720, 36036, -24024, 6435};
@@ -162,7 +162,7 @@ static void test_nodes(void)
 /* Head and tail together integrate t to t^7 twice and once to the digits of
    the tails, 1e-33 each, in 113 bits; in 64 to those of the type. A head
    alone misses by up to 1e-17. */
-static void test_weights(void)
+TEST(test_weights, "the weights of the end have tails")
 {
     const struct stepping_method *m = stepping_find("radau15");
     const double enough = QUAD_DIGITS > 64 ? 1e-31 : 4e-19;
@@ -216,7 +216,7 @@ static quad planet_energy(const struct adaptive_state *at)
    or tails that are lost, it is a drift of 2e-18 and more a step, 1.2e-13
    in the mean: the mean of the five has to be below three of its standard
    errors, 5e-14. */
-static void test_drift(void)
+TEST(test_drift, "the energy walks, and does not drift")
 {
     static const struct stepping_forces f = {6, false, planet, NULL};
     double mean = 0;
@@ -297,7 +297,7 @@ static double miss(int degree)
    2, where it is felt more. So its quadrature is tested: it is exact up
    to t^14, and t^15 is missed by the integral of c times the square of the
    polynomial, whose leading coefficient is 1, 1 / (16 6435^2). */
-static void test_orders(void)
+TEST(test_orders, "steps of one length have orders 5 and 15")
 {
     const int order = stepping_find("radau15")->order;
     for (int k = 0; k < 2; ++k) {
@@ -335,7 +335,7 @@ static double error_inside(const char *name, double h)
 
 /* Inside of a step of length h the error goes with h^5 for the pair, and
    with h^9 for the velocity under eight forces. */
-static void test_dense(void)
+TEST(test_dense, "between the ends the orders are 4 and 8")
 {
     UNIT_NEAR(
         log2(error_inside("dopri5", 0.1) / error_inside("dopri5", 0.05)), 5,
@@ -361,7 +361,7 @@ static double kepler(const char *name, double tolerance, double *steps)
 /* A hundred times the tolerance, and a share of the energy near the star,
    19 times that of the orbit; the number of steps goes with the fifth root
    of the tolerance, or the fourteenth. */
-static void test_tolerances(void)
+TEST(test_tolerances, "energies follow tolerances")
 {
     for (int k = 0; k < 2; ++k) {
         double few, many;
@@ -408,7 +408,7 @@ static void approach(double tolerance, double *when, double *near)
 }
 
 /* Szebehely and Peters (1967) have 4e-4 at 15.8299. */
-static void test_three_bodies(void)
+TEST(test_three_bodies, "the Pythagorean bodies meet when they should")
 {
     double when = 0, near;
     approach(1e-13, &when, &near);
@@ -418,7 +418,7 @@ static void test_three_bodies(void)
 
 /* Looking changes nothing: ends of steps and rows are the same bits however
    many times are asked for. */
-static void test_looks(void)
+TEST(test_looks, "looking changes no bit")
 {
     for (int k = 0; k < 2; ++k) {
         double at[3][4], taken[3];
@@ -450,7 +450,7 @@ static void edge(void *what, const double x[], const double v[], double a[])
 /* From 1 m at rest, 283 edges in 400 s. Each may be passed late or early by
    the shortest step, 4 * 2^-52 * 400 s, in which the force is wrong by 2 at
    a speed of root 2: so much energy, of 1, at most each time. */
-static void test_edges(void)
+TEST(test_edges, "edges are passed")
 {
     const struct stepping_forces f = {1, false, edge, NULL};
     for (int k = 0; k < 40; ++k) {
@@ -492,7 +492,7 @@ static void resting(void *what, const double x[], const double v[],
 /* Nothing acts that asks for short steps; but a step of many periods would
    make a swing of rounding, 5e-17 m. It may grow by 1e-16 of 1/3 m in each
    of some hundred steps, and no more. */
-static void test_rest(void)
+TEST(test_rest, "what rests goes on resting")
 {
     const struct stepping_forces f = {2, false, resting, NULL};
     for (int k = -6; k >= -12; k -= 2) {
@@ -514,7 +514,7 @@ static void test_rest(void)
 /* 7071 radians in a second, and some thirty calls to a radian, 210 000.
    The rounding of x makes 1e-8 of a force that is 0.05 at most, and a
    control that takes it for an error is not done after three million. */
-static void test_noise(void)
+TEST(test_noise, "rounding is no error")
 {
     int calls = 0;
     const struct stepping_forces f = {2, false, hanging, &calls};
@@ -530,7 +530,7 @@ static void test_noise(void)
 }
 
 /* Two bodies that fall into each other: no step is short enough. */
-static void test_collision(void)
+TEST(test_collision, "a fall into the centre ends")
 {
     for (int k = 0; k < 2; ++k) {
         struct stepping s;
@@ -546,7 +546,7 @@ static void test_collision(void)
 }
 
 /* Moved from outside, a run begins anew; the time goes on. */
-static void test_disturbed(void)
+TEST(test_disturbed, "a disturbed run begins anew")
 {
     for (int k = 0; k < 2; ++k) {
         struct stepping s;
@@ -565,7 +565,7 @@ static void test_disturbed(void)
 
 /* A swing that is put to its middle, but for rounding, where there is no
    force to compare with, goes on in steps as long as before. */
-static void test_middle(void)
+TEST(test_middle, "where there is no force, steps are long")
 {
     const struct stepping_forces f = {1, false, oscillator, NULL};
     const double middle = 0x1p-60, speed = 1;
@@ -585,7 +585,7 @@ static void test_middle(void)
 
 /* The path of a step that is taken again to a part of it, as control
    points, is what one sees in it. */
-static void test_path(void)
+TEST(test_path, "the path in a part of a step")
 {
     static const char *const names[] = {"dopri5", "radau15"};
     const struct stepping_forces f = {1, false, oscillator, NULL};
@@ -619,7 +619,7 @@ static double tenth(void *with, const double x[], const double v[],
 
 /* Steps that only bounds or the first one make short, of two tolerances:
    with some slack they are all others. */
-static void test_slack(void)
+TEST(test_slack, "with slack no step is another run's")
 {
     const struct stepping_forces f = {1, false, oscillator, NULL};
     for (int k = 0; k < 3; ++k) {
@@ -642,31 +642,4 @@ static void test_slack(void)
         adaptive_free(a);
         adaptive_free(b);
     }
-}
-
-int main(void)
-{
-    return unit_run(
-        "adaptive",
-        (struct unit_test[]){
-            {"the pair meets the conditions of its orders",
-             test_pair_conditions},
-            {"Radau's nodes are zeros of their polynomial", test_nodes},
-            {"the weights of the end have tails", test_weights},
-            {"the energy walks, and does not drift", test_drift},
-            {"steps of one length have orders 5 and 15", test_orders},
-            {"between the ends the orders are 4 and 8", test_dense},
-            {"energies follow tolerances", test_tolerances},
-            {"the Pythagorean bodies meet when they should",
-             test_three_bodies},
-            {"looking changes no bit", test_looks},
-            {"edges are passed", test_edges},
-            {"rounding is no error", test_noise},
-            {"what rests goes on resting", test_rest},
-            {"a fall into the centre ends", test_collision},
-            {"a disturbed run begins anew", test_disturbed},
-            {"where there is no force, steps are long", test_middle},
-            {"the path in a part of a step", test_path},
-            {"with slack no step is another run's", test_slack},
-            {0}});
 }

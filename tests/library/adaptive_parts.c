@@ -11,7 +11,7 @@
 
 /* From above: the last correction is below 1e-3 of the root, and leaves
    (n - 1) / 2 times its square. */
-static void test_root(void)
+TEST(test_root, "roots are from above")
 {
     UNIT_EQUAL(power_of(2, 0), 1);
     UNIT_EQUAL(power_of(-3, 3), -27);
@@ -23,7 +23,7 @@ static void test_root(void)
 }
 
 /* 0.75 of what would just do, from a fifth to five times. */
-static void test_stretch(void)
+TEST(test_stretch, "by how much a step is stretched")
 {
     for (int n = 5; n < 8; n += 2) {
         for (double by = 0.21; by < 4.9; by += 0.13)
@@ -39,7 +39,7 @@ static void test_stretch(void)
     }
 }
 
-static void test_scales(void)
+TEST(test_scales, "what changes are compared with")
 {
     UNIT_EQUAL(scale_of(2, 3), 2);
     UNIT_EQUAL(scale_of(2e-6, 1), 2e-6);
@@ -55,7 +55,7 @@ static void test_scales(void)
 
 /* 1e16 + 1.5 + 0.25, of numbers that are even there; what is small counts
    where the sum alone would lose it. */
-static void test_tail(void)
+TEST(test_tail, "sums with a tail")
 {
     double to, owed;
     add_tail(&to, &owed, 1e16, 1.5, 0.25);
@@ -71,7 +71,7 @@ static void test_tail(void)
 
 /* A hundredth of x/v, root x/a or v/a, of the least where all are known,
    and of dt where nothing is. */
-static void test_first(void)
+TEST(test_first, "how long the first step is")
 {
     static const double known[][4] = {
         {0, 0, 0, 3},     {2, 4, 0, 0.5}, {2, 0, 8, 0.5}, {0, 4, 50, 0.08},
@@ -88,7 +88,7 @@ static void test_first(void)
 
 /* The larger acceleration of both ends, times the step, is at most 1e-9 of
    the velocity. */
-static void test_edge(void)
+TEST(test_edge, "what an edge is")
 {
     for (int end = 0; end < 2; ++end)
         for (int more = 0; more < 2; ++more) {
@@ -112,7 +112,7 @@ static double choose(int n, int k)
 /* From powers to the polynomials and back is the identity; N_k is zero at
    the first k nodes; the binomials; one over the gaps between nodes, 0 and
    1. Terms are below 20, and some ten of them are added. */
-static void test_weights(void)
+TEST(test_weights, "weights of Radau's polynomials")
 {
     const struct stepping_forces f = {.size = 1};
     struct adaptive *const s = adaptive_create(stepping_find("radau15"), f);
@@ -177,7 +177,7 @@ static double mean_of(const double node[], int k, double c, bool twice)
 
 /* What a polynomial adds to a velocity and to a place on the way to a node:
    its integral, and that of its integral. Terms are below 20. */
-static void test_integrals(void)
+TEST(test_integrals, "what polynomials add by a node")
 {
     const struct stepping_forces f = {.size = 1};
     struct adaptive *const s = adaptive_create(stepping_find("radau15"), f);
@@ -217,7 +217,7 @@ static struct adaptive *set_off(const char *name)
 /* Another one that recalls what was noted goes on with the same bits and
    counts, between the ends of steps too; no number is noted beyond what was
    said. */
-static void test_notes(void)
+TEST(test_notes, "what is noted is all")
 {
     for (int k = 0; k < 2; ++k) {
         double note[200], x[2], v[2], y[2], u[2], seen[2], sought[2];
@@ -256,7 +256,7 @@ static void test_notes(void)
    longer type alone, 6e-20 of up to 16 s each. The shortest is counted as
    it was taken.
  */
-static void test_times(void)
+TEST(test_times, "times are sums of steps")
 {
     for (int k = 0; k < 2; ++k) {
         struct adaptive *const s = set_off(names[k]);
@@ -278,7 +278,7 @@ static void test_times(void)
 }
 
 /* After so many evaluations no step is taken. */
-static void test_most(void)
+TEST(test_most, "the most evaluations")
 {
     for (int k = 0; k < 2; ++k) {
         struct adaptive *const s = set_off(names[k]);
@@ -288,22 +288,4 @@ static void test_most(void)
         UNIT_TRUE(s->evaluations > 500 && s->evaluations < 700);
         adaptive_free(s);
     }
-}
-
-int main(void)
-{
-    return unit_run("adaptive_parts",
-                    (struct unit_test[]){
-                        {"roots are from above", test_root},
-                        {"by how much a step is stretched", test_stretch},
-                        {"what changes are compared with", test_scales},
-                        {"sums with a tail", test_tail},
-                        {"how long the first step is", test_first},
-                        {"what an edge is", test_edge},
-                        {"weights of Radau's polynomials", test_weights},
-                        {"what polynomials add by a node", test_integrals},
-                        {"what is noted is all", test_notes},
-                        {"times are sums of steps", test_times},
-                        {"the most evaluations", test_most},
-                        {0}});
 }

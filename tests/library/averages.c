@@ -91,7 +91,7 @@ static double fly(struct scene *s, double until)
     }
 }
 
-static void test_conserved(void)
+TEST(test_conserved, "what is conserved is its mean")
 {
     struct scene s;
     make_rods(&s, 4, 2, 10);
@@ -108,7 +108,7 @@ static void test_conserved(void)
 }
 
 /* In a box without walls a drift is no heat, but energy it is. */
-static void test_drift(void)
+TEST(test_drift, "in a periodic box a drift is no heat")
 {
     struct scene s;
     if (!scene_create(&s, 3))
@@ -139,7 +139,7 @@ static void test_drift(void)
 /* Every run, of two bodies or of many, shows Tonks's force to within the
    bound (eq:averages-bound): checked on an engine of the test's own. A time
    that is too short for the tolerance is refused. */
-static void test_tonks(void)
+TEST(test_tonks, "every run shows Tonks's law to within its bound")
 {
     for (size_t n = 1; n <= 6; ++n) {
         struct scene s;
@@ -172,7 +172,7 @@ static void test_tonks(void)
 /* Two disks: 1.24017 in the end, as chapter 6 has it, and the middle of the
    box. But a mean over a short time is not known so well, whatever the law
    says, and none is given. */
-static void test_two_disks(void)
+TEST(test_two_disks, "two disks are near their law if there is time")
 {
     struct scene s;
     make(&s, "four-disks", "particles", 2);
@@ -190,7 +190,7 @@ static void test_two_disks(void)
 
 /* Four disks: Z = 1.88926(13), from a Markov chain of 1e7 sweeps, by
    (5.8, eq:wall-virial). Twice the error is four standard errors. */
-static void test_four_disks(void)
+TEST(test_four_disks, "four disks have the pressure of the reference")
 {
     struct scene s;
     make(&s, "four-disks", NULL, 0);
@@ -208,7 +208,7 @@ static void test_four_disks(void)
    all make no difference. The pressure of these two is that of the second
    virial coefficient to within a few per cent: (N - 1)/N of 2 pi r^2 N / V
    and higher terms. */
-static void test_periodic(void)
+TEST(test_periodic, "in a periodic box the centre makes no pressure")
 {
     struct scene s;
     make(&s, "four-disks", "radius", 0.05);
@@ -226,7 +226,7 @@ static void test_periodic(void)
 }
 
 /* No more time than the tolerance needs, and more for more digits. */
-static void test_stop(void)
+TEST(test_stop, "no more is simulated than the tolerance needs")
 {
     struct scene s;
     make(&s, "four-disks", NULL, 0);
@@ -243,7 +243,7 @@ static void test_stop(void)
 
 /* An error of just the tolerance is small enough: who asks for the error
    of the first look gets that look again. */
-static void test_just_enough(void)
+TEST(test_just_enough, "an error of just the tolerance will do")
 {
     struct scene s;
     make(&s, "four-disks", NULL, 0);
@@ -257,7 +257,7 @@ static void test_just_enough(void)
     scene_free(&s);
 }
 
-static void test_same_bits(void)
+TEST(test_same_bits, "the same question has the same bits")
 {
     struct scene s;
     make(&s, "four-disks", NULL, 0);
@@ -272,7 +272,7 @@ static void test_same_bits(void)
 
 /* Places on a line come to k/(n+1) of the free length, and the radii; but
    how near a mean over a time is to that, the run has to say. */
-static void test_order(void)
+TEST(test_order, "places on a line come to their law, with an error")
 {
     struct scene s;
     make_rods(&s, 6, 2, 10);
@@ -290,7 +290,7 @@ static void test_order(void)
 
 /* Six rods that begin in a tenth of the box: the beginning does not
    count. */
-static void test_squeezed(void)
+TEST(test_squeezed, "a squeezed start does not count")
 {
     struct scene s;
     make_rods(&s, 6, 1, 3.4);
@@ -302,7 +302,7 @@ static void test_squeezed(void)
 }
 
 /* Radii move the places, and nothing else. */
-static void test_radii(void)
+TEST(test_radii, "radii move the places only")
 {
     struct scene s;
     make_rods(&s, 6, 2, 10);
@@ -323,7 +323,7 @@ static void test_radii(void)
 
 /* A gas that begins in two fifths of its box, on a lattice: the pressure
    is that of the gas, 1.6207(5) by `disks`, chapter 7. */
-static void test_burst(void)
+TEST(test_burst, "a gas let out of a corner has its own pressure")
 {
     const struct gallery_scene *g = gallery_find(hard_scenes, "gas");
     double value[GALLERY_KEYS];
@@ -340,7 +340,7 @@ static void test_burst(void)
     scene_free(&s);
 }
 
-static void test_read(void)
+TEST(test_read, "names are read, and others refused")
 {
     struct averages_quantity q;
     char message[AVERAGES_TEXT], symbol[32];
@@ -368,7 +368,7 @@ static bool says(const struct scene *s, const char *name, const char *why)
     return refused(&f) && strstr(f.refusal, why);
 }
 
-static void test_refusals(void)
+TEST(test_refusals, "scenes without an average are refused")
 {
     struct scene s;
     make(&s, "four-disks", NULL, 0);
@@ -395,7 +395,7 @@ static void test_refusals(void)
 }
 
 /* Too short a time: which would be long enough is said. */
-static void test_short(void)
+TEST(test_short, "too short a time is refused with a better one")
 {
     struct scene s;
     make(&s, "four-disks", NULL, 0);
@@ -407,7 +407,7 @@ static void test_short(void)
 
 /* What is much too expensive is refused for little work: for a second by
    the price list, of a minute that is reasonable. */
-static void test_dear(void)
+TEST(test_dear, "what is much too expensive is refused at little cost")
 {
     static const struct {
         const char *scene, *name;
@@ -449,7 +449,7 @@ static struct scene locked(void)
 
 /* Disks that cannot pass each other, and all the time in the world: that
    they keep their places is known long before the price is paid. */
-static void test_locked(void)
+TEST(test_locked, "disks that are locked in are refused at little cost")
 {
     struct scene s = locked();
     const struct averages_found f = ask(&s, "x:0", 1e9, 0.1, NULL);
@@ -459,7 +459,7 @@ static void test_locked(void)
 }
 
 /* The tolerance that a refusal offers is held when it is asked for. */
-static void test_offer(void)
+TEST(test_offer, "the tolerance that is offered can be had")
 {
     struct scene s;
     make(&s, "four-disks", NULL, 0);
@@ -532,7 +532,7 @@ static void throw_scene(struct scene *s, size_t n, bool line, uint64_t seed)
 /* Means over a time against runs of all that time, of many starts: not
    more than one in twenty is further off than its error, and on average a
    quarter of the square of the error at most. */
-static void test_honest(void)
+TEST(test_honest, "errors hold nineteen times out of twenty")
 {
     static const struct {
         const char *name;
@@ -573,7 +573,7 @@ static void test_honest(void)
    to cover their difference, whose variance is twice that of one. The
    scatter of one is that of 200 starts which differ by 1e-12, found within
    5 %. */
-static void test_scatter(void)
+TEST(test_scatter, "errors cover what two runs differ by")
 {
     enum { STARTS = 200 };
     const double T = 300;
@@ -606,7 +606,7 @@ static void test_scatter(void)
    outside a disk of twice the radius, whose gas has the pressure
    energy/area. So Z = 1 + A/(2(1 - A)), A being the area of that
    disk: 1.50533 here. */
-static void test_periodic_two(void)
+TEST(test_periodic_two, "two disks in a periodic box")
 {
     struct scene s;
     if (!scene_create(&s, 2))
@@ -627,40 +627,4 @@ static void test_periodic_two(void)
     UNIT_TRUE(taken(&f, "events"));
     UNIT_NEAR(f.value, 1 + A / (2 * (1 - A)), 2 * f.error * f.scale);
     scene_free(&s);
-}
-
-int main(void)
-{
-    return unit_run(
-        "averages",
-        (struct unit_test[]){
-            {"what is conserved is its mean", test_conserved},
-            {"in a periodic box a drift is no heat", test_drift},
-            {"every run shows Tonks's law to within its bound", test_tonks},
-            {"two disks are near their law if there is time",
-             test_two_disks},
-            {"four disks have the pressure of the reference",
-             test_four_disks},
-            {"in a periodic box the centre makes no pressure",
-             test_periodic},
-            {"no more is simulated than the tolerance needs", test_stop},
-            {"an error of just the tolerance will do", test_just_enough},
-            {"the same question has the same bits", test_same_bits},
-            {"places on a line come to their law, with an error",
-             test_order},
-            {"a squeezed start does not count", test_squeezed},
-            {"radii move the places only", test_radii},
-            {"a gas let out of a corner has its own pressure", test_burst},
-            {"names are read, and others refused", test_read},
-            {"scenes without an average are refused", test_refusals},
-            {"too short a time is refused with a better one", test_short},
-            {"what is much too expensive is refused at little cost",
-             test_dear},
-            {"disks that are locked in are refused at little cost",
-             test_locked},
-            {"the tolerance that is offered can be had", test_offer},
-            {"errors hold nineteen times out of twenty", test_honest},
-            {"errors cover what two runs differ by", test_scatter},
-            {"two disks in a periodic box", test_periodic_two},
-            {0}});
 }

@@ -46,7 +46,7 @@ static struct search begin(const struct scene *s, enum averages_kind kind,
 
 /* Energy 8 + 4 + 10 J, free length 10 - 3 m. In the end the gaps are alike:
    7/4 m each. */
-static void test_line(void)
+TEST(test_line, "rods on a line")
 {
     struct scene s = rods();
     struct search h = begin(&s, AVERAGES_PLACE, 0, 0);
@@ -72,7 +72,7 @@ static void test_line(void)
 }
 
 /* Tonks: (10 - 0.5 - 0.25)/7, off by at most 7 sqrt(8/44)/t. */
-static void test_tonks(void)
+TEST(test_tonks, "Tonks's law")
 {
     struct scene s = rods();
     struct search h = begin(&s, AVERAGES_PRESSURE, 0, 0);
@@ -93,7 +93,7 @@ static void test_tonks(void)
     scene_free(&s);
 }
 
-static void test_rounded_up(void)
+TEST(test_rounded_up, "two digits, upwards")
 {
     static const double known[][2] = {
         {0.0298, 0.03}, {0.0291, 0.03}, {0.02901, 0.03}, {1.01, 1.1},
@@ -127,7 +127,7 @@ static struct scene disks(enum scene_wall wall)
 
 /* Along x 9 + 1 + 3 J, along y 16 + 12, twice; of that the centre has, with
    7 and 2 kg m/s, 49/5 and 4/5. */
-static void test_plane(void)
+TEST(test_plane, "disks in the plane")
 {
     struct scene s = disks(SCENE_HARD);
     struct search h = begin(&s, AVERAGES_PRESSURE, 0, 0);
@@ -182,7 +182,7 @@ static struct watch watch_of(const struct search *h, double share)
 /* A quarter of what was seen counts with its own mean, the rest of the time
    with that of the three quarters; the error has what was not seen, too:
    (1 - q)^2 + 3 q^2 + 3 s/4 for q = s/4. */
-static void test_concluded(void)
+TEST(test_concluded, "what a run says of all the time")
 {
     struct scene s = rods();
     struct search h = begin(&s, AVERAGES_PRESSURE, 0, 0);
@@ -206,7 +206,7 @@ static void test_concluded(void)
    root of the time, but for that of the time T, has to go on 1/(e^2 -
    s/...) times as long; by a quarter at least; by twice if it has not
    settled. */
-static void test_lengthened(void)
+TEST(test_lengthened, "how much longer it takes")
 {
     struct scene s = rods();
     struct search h = begin(&s, AVERAGES_PRESSURE, 0, 0);
@@ -225,7 +225,7 @@ static void test_lengthened(void)
 }
 
 /* Refusals: with what would fit, or without. */
-static void test_refusals(void)
+TEST(test_refusals, "why it is not enough")
 {
     struct scene s = rods();
     struct search h = begin(&s, AVERAGES_PRESSURE, 0, 0);
@@ -322,7 +322,7 @@ static double long_memory(size_t i) /* sixteen samples are alike */
 }
 
 /* What a run of 256 samples says of itself. */
-static void test_settled(void)
+TEST(test_settled, "when a run has settled")
 {
     struct scene s = disks(SCENE_HARD);
     struct search h = begin(&s, AVERAGES_PRESSURE, 0, 0);
@@ -364,7 +364,7 @@ static void test_settled(void)
 
 /* Without memory for the error of the mean a look fails. It is the third
    request: the first two are for errors that nobody asks for. */
-static void test_look_without_memory(void)
+TEST(test_look_without_memory, "no memory for a look")
 {
     struct scene s = disks(SCENE_HARD);
     struct search h = begin(&s, AVERAGES_PRESSURE, 0, 0);
@@ -382,7 +382,7 @@ static void test_look_without_memory(void)
 
 /* Places have to come to where they end up: what is asked for, and all that
    are alike in the root of the mean square. */
-static void test_places(void)
+TEST(test_places, "places come to their own")
 {
     struct scene s = disks(SCENE_HARD);
     struct search h = begin(&s, AVERAGES_PLACE, 0, 0); /* to 1 m */
@@ -400,21 +400,4 @@ static void test_places(void)
     UNIT_NEAR(misplaced(&w, 2), 0.4, 1e-14);
     blocks_free(&w.blocks);
     scene_free(&s);
-}
-
-int main(void)
-{
-    return unit_run("averages_parts",
-                    (struct unit_test[]){
-                        {"rods on a line", test_line},
-                        {"Tonks's law", test_tonks},
-                        {"two digits, upwards", test_rounded_up},
-                        {"disks in the plane", test_plane},
-                        {"what a run says of all the time", test_concluded},
-                        {"how much longer it takes", test_lengthened},
-                        {"why it is not enough", test_refusals},
-                        {"when a run has settled", test_settled},
-                        {"no memory for a look", test_look_without_memory},
-                        {"places come to their own", test_places},
-                        {0}});
 }

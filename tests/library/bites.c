@@ -58,7 +58,7 @@ static void run_program(const char *words)
    others are to be: they end at a time. They have about as many collisions,
    as the gas has been at equilibrium from the start, so that a thousand
    bodies fluctuate by a few in a hundred: far less than the quarter. */
-static void test_pace(void)
+TEST(test_pace, "slabs end at a time, paced by what went before")
 {
     run_program("--preset random -N 1000 -c 6000000");
     const double size = (double)bite[0].collisions;
@@ -76,7 +76,7 @@ static void test_pace(void)
 }
 
 /* The end of the run and its rows stand, wherever the bites would end. */
-static void test_rows(void)
+TEST(test_rows, "but not beyond a row or the end")
 {
     run_program("--preset random -N 1000 --every 9000 --until 22500");
     double row = 9000;
@@ -92,7 +92,7 @@ static void test_rows(void)
 
 /* All has happened in three bites; one without a collision is the last that
    ends at a time. */
-static void test_nobody_meets(void)
+TEST(test_nobody_meets, "nor for ever when nobody meets any more")
 {
     run_program("--preset galperin --engine slab --mass-ratio 1e12");
     UNIT_TRUE(bites <= 6);
@@ -101,22 +101,10 @@ static void test_nobody_meets(void)
 }
 
 /* An engine with an order counts collisions: its bites end there. */
-static void test_others(void)
+TEST(test_others, "the heap's end at a collision")
 {
     run_program("--preset random -N 1000 --engine heap -c 3000000");
     for (size_t k = 0; k < bites; ++k)
         UNIT_TRUE(bite[k].stop == BONKERS_COLLISIONS &&
                   bite[k].pause == INFINITY);
-}
-
-int main(void)
-{
-    return unit_run(
-        "bites",
-        (struct unit_test[]){
-            {"slabs end at a time, paced by what went before", test_pace},
-            {"but not beyond a row or the end", test_rows},
-            {"nor for ever when nobody meets any more", test_nobody_meets},
-            {"the heap's end at a collision", test_others},
-            {0}});
 }

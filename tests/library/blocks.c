@@ -9,7 +9,7 @@
 #include <stdlib.h>
 
 /* Samples 0, 1, 2, ... : every full block is known. */
-static void test_joined(void)
+TEST(test_joined, "blocks that are joined keep their sums")
 {
     struct blocks b;
     UNIT_TRUE(blocks_create(&b, 2));
@@ -30,7 +30,7 @@ static void test_joined(void)
 
 /* Correlated samples: the error of the series itself, within its own
    uncertainty. */
-static void test_error(void)
+TEST(test_error, "the error is that of the series")
 {
     enum { COUNT = 100000 };
     static double x[COUNT];
@@ -53,7 +53,7 @@ static void test_error(void)
 }
 
 /* Whole blocks from outside, which double with the others. */
-static void test_appended(void)
+TEST(test_appended, "whole blocks can be appended")
 {
     struct blocks b;
     double total = 0;
@@ -69,7 +69,7 @@ static void test_appended(void)
     blocks_free(&b);
 }
 
-static void test_few(void)
+TEST(test_few, "one value has no error")
 {
     struct blocks b;
     UNIT_TRUE(blocks_create(&b, 1));
@@ -85,7 +85,7 @@ static void test_few(void)
    and beyond 3 are 0.01503 (both from the law's integral); of 20000 that is
    4 standard deviations. Beyond 6 are 4.8e-5: 0.96 are expected, and more
    than 6 come once in 10000. */
-static void test_steady(void)
+TEST(test_steady, "a steady series drifts as the law says")
 {
     enum { TIMES = 20000, LENGTH = 48 };
     double x[LENGTH], square = 0, fourth = 0;
@@ -111,7 +111,7 @@ static void test_steady(void)
    480: of the step, 9 and 5 are seen, and the steady third's error is the
    root of 1/160 to 1/7 of itself, so that twice that is allowed. The other
    third's scatter would excuse it. */
-static void test_step(void)
+TEST(test_step, "a step is a drift, wherever it is")
 {
     double x[480];
     struct random r;
@@ -127,7 +127,7 @@ static void test_step(void)
 
 /* Too few values, a part in which nothing happened, and parts that are all
    alike but for rounding. */
-static void test_no_drift(void)
+TEST(test_no_drift, "no drift where there is no error")
 {
     double x[100];
     for (int i = 0; i < 100; ++i)
@@ -146,7 +146,7 @@ static void test_no_drift(void)
    scatter by 1 the drift is as known as of values round 0, and obeys the
    same law; of those round 1e11, where the scatter is 1e-11 of the mean,
    not. */
-static void test_large_mean(void)
+TEST(test_large_mean, "noise on a large mean is noise")
 {
     double x[48], y[48];
     struct random r;
@@ -166,28 +166,11 @@ static void test_large_mean(void)
 }
 
 /* Two samples have an error, half of what they differ by; one has none. */
-static void test_two_samples(void)
+TEST(test_two_samples, "two have")
 {
     const double two[] = {3, 7};
     const struct blocks_average a = blocks_average_of(2, two);
     UNIT_EQUAL(a.mean, 5);
     UNIT_NEAR(a.error, 2, 1e-15);
     UNIT_TRUE(isnan(a.drift) && isnan(blocks_average_of(1, two).error));
-}
-
-int main(void)
-{
-    return unit_run(
-        "blocks",
-        (struct unit_test[]){
-            {"blocks that are joined keep their sums", test_joined},
-            {"the error is that of the series", test_error},
-            {"whole blocks can be appended", test_appended},
-            {"one value has no error", test_few},
-            {"two have", test_two_samples},
-            {"a steady series drifts as the law says", test_steady},
-            {"a step is a drift, wherever it is", test_step},
-            {"no drift where there is no error", test_no_drift},
-            {"noise on a large mean is noise", test_large_mean},
-            {0}});
 }

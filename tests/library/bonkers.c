@@ -133,7 +133,7 @@ static void choose_stops(struct stop stops[STOPS], size_t movers,
     }
 }
 
-static void test_engines_agree(void)
+TEST(test_engines_agree, "scan, heap and slab give the same bits")
 {
     static const struct {
         size_t movers;
@@ -156,7 +156,7 @@ static void test_engines_agree(void)
 
 /* Restitution below one: until the time 100, the collision 3000, all at
    rest, or a collapse, as it comes. */
-static void test_inelastic_engines_agree(void)
+TEST(test_inelastic_engines_agree, "so they do with restitution below one")
 {
     static const size_t movers[] = {1, 2, 3, 7, 33, 100, 1000};
     static const double restitution[] = {0.95, 0.5, 0.1, 0};
@@ -177,7 +177,7 @@ static void test_inelastic_engines_agree(void)
 }
 
 /* 20000 bodies in which a collapse is certain. */
-static void test_large_collapse(void)
+TEST(test_large_collapse, "and with 20000 of low restitution")
 {
     const struct stop stops[] = {{0.5, UINT64_MAX}, {0.7, 3000}};
     fill_random(20000, 5, false);
@@ -195,7 +195,7 @@ static void fill_lattice(size_t movers, const double masses[2])
     body[movers + 1].x = (double)movers + 1;
 }
 
-static void test_ties(void)
+TEST(test_ties, "and where many gaps close at one time")
 {
     static const double masses[][2] = {{1, 1}, {1, 3}, {4, 1}, {1, 2.7}};
     static const size_t movers[] = {2, 3, 6, 7, 32, 33, 100, 1001};
@@ -217,7 +217,7 @@ static void test_ties(void)
 }
 
 /* The state after every single collision, ties and all. */
-static void test_every_collision(void)
+TEST(test_every_collision, "and after every single collision")
 {
     for (size_t movers = 1; movers <= 40; movers += 13)
         for (int k = 0; k < 2; ++k) {
@@ -233,7 +233,8 @@ static void test_every_collision(void)
 }
 
 /* The C-th collision, whether it is asked for at once or after others. */
-static void test_collision_number(void)
+TEST(test_collision_number,
+     "collision number C is the same on any way there")
 {
     for (size_t e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e)
         for (uint64_t c = 1; c < 400; c += 7) {
@@ -269,7 +270,7 @@ static void fill_row(size_t movers, bool random_masses)
     body[movers + 1].x = (double)movers + 6;
 }
 
-static void test_touching_rows(void)
+TEST(test_touching_rows, "and in touching rows")
 {
     static const size_t movers[] = {2, 5, 40, 300};
     for (size_t n = 0; n < 4; ++n)
@@ -293,7 +294,7 @@ static void test_touching_rows(void)
 
 /* One end of 100000 touching bodies is struck: 99999 collisions at one
    time, then the last one flies to the wall and back, for 4 s. */
-static void test_long_row(void)
+TEST(test_long_row, "a touching row of 100000 is struck")
 {
     enum { ROW = 100000 };
     struct bonkers heap, slab;
@@ -317,7 +318,7 @@ static void test_long_row(void)
 
 /* Points all in one place: pairs that approach collide, pairs that part
    do not, whatever their gap. */
-static void test_one_place(void)
+TEST(test_one_place, "and from one place")
 {
     for (uint64_t seed = 1; seed <= 10; ++seed) {
         const struct stop stops[] = {{0, UINT64_MAX},
@@ -333,7 +334,7 @@ static void test_one_place(void)
 
 /* A light body between heavy ones: bursts of many collisions in a short
    time, in the middle of others. */
-static void test_bursts(void)
+TEST(test_bursts, "and in bursts between heavy bodies")
 {
     for (uint64_t seed = 1; seed <= 12; ++seed) {
         const size_t movers = seed % 2 ? 6 : 200;
@@ -352,7 +353,7 @@ static void test_bursts(void)
 
 /* A burst of 314159 collisions, more than a slab holds, with others on both
    sides; it is cut in its middle. */
-static void test_long_burst(void)
+TEST(test_long_burst, "and in a burst longer than a slab")
 {
     const struct stop stops[] = {{0.5, UINT64_MAX},  {INFINITY, 120000},
                                  {INFINITY, 120001}, {INFINITY, 300000},
@@ -371,7 +372,7 @@ static void test_long_burst(void)
 
 /* Fast bodies among many at rest: what each sets going in a slab is longer
    than what a slab has to itself when others are under way. */
-static void test_long_waves(void)
+TEST(test_long_waves, "and in waves longer than slabs under way")
 {
     enum { MOVERS = 4000 };
     const struct stop stops[] = {{0.3, UINT64_MAX},
@@ -391,7 +392,7 @@ static void test_long_waves(void)
 
 /* Pairs that all meet at one time, and then with their other neighbours:
    more wait in an island than a slab has room for. */
-static void test_crowd(void)
+TEST(test_crowd, "and in a crowd that a slab has no room for")
 {
     enum { MOVERS = 9000 };
     const struct stop stops[] = {{0.6, UINT64_MAX},
@@ -411,7 +412,7 @@ static void test_crowd(void)
 
 /* Without walls, or with one, the run ends when all fly apart: the clock
    stands at the last collision, or goes on to the time asked for. */
-static void test_open_ends(void)
+TEST(test_open_ends, "and with open ends")
 {
     static const size_t movers[] = {1, 2, 5, 50, 400};
     for (size_t n = 0; n < 5; ++n)
@@ -437,7 +438,7 @@ static void test_open_ends(void)
             }
 }
 
-static void test_cuts_change_no_bit(void)
+TEST(test_cuts_change_no_bit, "no cut and no look changes a bit")
 {
     for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e)
         for (uint64_t seed = 1; seed <= 12; ++seed) {
@@ -477,7 +478,7 @@ static void test_cuts_change_no_bit(void)
    handed from the heaviest to the lightest, sqrt(9) = 3 times as large. n
    collisions, 2 engines, 4 roundings each: 24 n eps (L + 2 v t), where the
    largest v is below sqrt(2 E / 1) = sqrt(N). */
-static void test_naive_agrees(void)
+TEST(test_naive_agrees, "the naive engine differs by rounding")
 {
     static const size_t movers[] = {1, 2, 3, 7, 33};
     for (size_t n = 0; n < 5; ++n)
@@ -510,7 +511,7 @@ static void test_naive_agrees(void)
 
 /* Left and right exchanged, or all units changed by powers of two: every
    bit stays. */
-static void test_symmetries(void)
+TEST(test_symmetries, "mirrored and in other units, every bit is the same")
 {
     static const size_t movers[] = {2, 7, 33, 150};
     for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e)
@@ -554,7 +555,7 @@ static void test_symmetries(void)
 /* In no row is a body left of its neighbour, and both walls stand where
    they stood. Rods may overlap by the rounding of a position and a shift:
    2 eps of a number up to 2 L. */
-static void test_order_and_walls(void)
+TEST(test_order_and_walls, "bodies stay in order and walls stand")
 {
     for (uint64_t seed = 1; seed <= 12; ++seed) {
         const size_t movers = 2 + 5 * seed, rods = seed % 2;
@@ -589,7 +590,7 @@ static void test_order_and_walls(void)
 /* With radii and places that are whole multiples of 2^-20 nothing is
    rounded when the radii are taken out: rods are points in a smaller box,
    to the last bit. */
-static void test_rods_are_points(void)
+TEST(test_rods_are_points, "rods are points in a smaller box")
 {
     for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e)
         for (size_t movers = 1; movers < 200; movers = 3 * movers + 1) {
@@ -630,7 +631,7 @@ static void test_rods_are_points(void)
    order. No clock runs backwards, no row is out of order, even a last bit
    before or after a collision; none is lost, so the energy and the
    symmetry stay. */
-static void test_threes(void)
+TEST(test_threes, "three that meet at once stay in order")
 {
     for (uint64_t seed = 1; seed <= 40; ++seed) {
         const size_t half = 1 + seed % 5, movers = 2 * half + 1;
@@ -712,7 +713,7 @@ static int ascending(const void *a, const void *b)
    than n. The position of a ghost with a wrong speed is wrong by t times
    as much: 2 n eps (3 v t + L) is a bound, and a hundred times what is
    found. */
-static void test_equal_masses(void)
+TEST(test_equal_masses, "equal masses are ghosts")
 {
     for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e)
         for (size_t movers = 2; movers <= 10; movers += 4) {
@@ -777,7 +778,7 @@ static const struct {
     {{1, 1, 1, 1, 2}, {1, 0, 0, 0, 0}, {-1 / 3.0, 0, 0, 0, 2 / 3.0}, 7},
 };
 
-static void test_cradle(void)
+TEST(test_cradle, "Newton's cradle")
 {
     for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e)
         for (size_t k = 0; k < sizeof cradle / sizeof cradle[0]; ++k)
@@ -808,7 +809,7 @@ static void test_cradle(void)
 }
 
 /* Galperin: the digits of pi, and other ratios, by every engine. */
-static void test_galperin(void)
+TEST(test_galperin, "Galperin's counts")
 {
     static const struct {
         double ratio, count;
@@ -837,7 +838,7 @@ static void test_galperin(void)
    sqrt(n) = 7e-14 of standard deviation, and a bias of about 5e-4 eps n =
    1e-13 for these masses: 1e-12 is more than ten of either, and a
    hundredth of the drift of a biased collision, 1e-10. */
-static void test_energy(void)
+TEST(test_energy, "a million collisions keep the energy")
 {
     struct start s;
     struct bonkers b;
@@ -867,7 +868,7 @@ static enum bonkers_stop collapse(struct bonkers *b, double e,
 
 /* Below 3 - 2 sqrt 2 = 0.1716 there is no end. Above it the count of
    collisions is 31 at 0.174 and 9 at 0.2, by exact fractions. */
-static void test_collapse(void)
+TEST(test_collapse, "two balls and a wall collapse below 0.1716")
 {
     static const double without_end[] = {0,     0.001, 0.05, 0.1,
                                          0.168, 0.17,  0.171};
@@ -891,7 +892,7 @@ static void test_collapse(void)
 }
 
 /* After a collapse the clock stands, however often one asks. */
-static void test_after_a_collapse(void)
+TEST(test_after_a_collapse, "a collapse lasts")
 {
     for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e) {
         struct bonkers b;
@@ -907,7 +908,7 @@ static void test_after_a_collapse(void)
 
 /* The same two balls and their wall collapse however many others lie far
    away at rest. */
-static void test_collapse_in_company(void)
+TEST(test_collapse_in_company, "a collapse is seen among a thousand")
 {
     for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e) {
         enum { OTHERS = 998 };
@@ -926,7 +927,7 @@ static void test_collapse_in_company(void)
 
 /* A row of touching bodies that loses energy has many collisions at one
    time, some between the same two, and no collapse. */
-static void test_row_is_no_collapse(void)
+TEST(test_row_is_no_collapse, "a struck row is no collapse")
 {
     for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e) {
         struct bonkers b;
@@ -943,7 +944,7 @@ static void test_row_is_no_collapse(void)
 }
 
 /* Sticking bodies in free space end up with one velocity. */
-static void test_sticking(void)
+TEST(test_sticking, "sticking bodies move as one")
 {
     for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e) {
         struct bonkers b;
@@ -960,7 +961,7 @@ static void test_sticking(void)
     }
 }
 
-static void test_start(void)
+TEST(test_start, "starts are checked")
 {
     struct bonkers b;
     bonkers_create(&b, 3, 1, BONKERS_AUTO);
@@ -1008,7 +1009,7 @@ static void test_start(void)
 }
 
 /* The scan for a few movers, slabs for more. */
-static void test_auto(void)
+TEST(test_auto, "the engine chosen")
 {
     struct bonkers b;
     bonkers_create(&b, BONKERS_SCANNED, 1, BONKERS_AUTO);
@@ -1023,7 +1024,7 @@ static void test_auto(void)
 }
 
 /* A collision exactly at the end takes place; the clock stops there. */
-static void test_exact_end(void)
+TEST(test_exact_end, "a collision exactly at the end takes place")
 {
     for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e) {
         struct bonkers b;
@@ -1051,7 +1052,7 @@ static void test_exact_end(void)
 
 /* Settled, a run goes on as it would have, with the clock at zero. Points
    and rods. */
-static void test_settle(void)
+TEST(test_settle, "a settled run goes on")
 {
     for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e)
         for (int rods = 0; rods < 2; ++rods) {
@@ -1085,7 +1086,7 @@ static void test_settle(void)
 
 /* Bodies put into the wrong order by hand, far apart and by a last bit:
    the report has them in order, and counts only what is no rounding. */
-static void test_disorder(void)
+TEST(test_disorder, "what is out of order is put right and counted")
 {
     struct bonkers b;
     double x[5], v[5];
@@ -1134,7 +1135,7 @@ static double thrown(double x, double v, double t)
     return phase * (s - g * phase / 2);
 }
 
-static void test_bouncing_ball(void)
+TEST(test_bouncing_ball, "a bouncing ball")
 {
     struct bonkers b;
     const double x = 1, v = 0.3, s = sqrt(v * v + 2 * g * x);
@@ -1155,7 +1156,7 @@ static void test_bouncing_ball(void)
     bonkers_free(&b);
 }
 
-static void test_roof(void)
+TEST(test_roof, "a roof, and one out of reach")
 {
     struct bonkers b;
     const double x = 0, v = 6; /* 1.83 m high */
@@ -1180,7 +1181,7 @@ static int by_height(const void *a, const void *b)
 }
 
 /* Ten equal beads are bouncing balls that pass through each other. */
-static void test_sorted_balls(void)
+TEST(test_sorted_balls, "equal beads that fall are sorted balls")
 {
     struct bonkers b;
     struct random r;
@@ -1250,7 +1251,7 @@ static void begin_column(struct bonkers *b, enum bonkers_engine engine,
 }
 
 /* Long columns, and short ones that come to rest; the slab in pieces. */
-static void test_falling_slab(void)
+TEST(test_falling_slab, "and the slab, in columns that come to rest")
 {
     static const double restitutions[] = {1, 0.999, 0.9, 0.4, 0};
     static const int movers[] = {1, 2, 3, 40, 3000};
@@ -1276,7 +1277,7 @@ static void test_falling_slab(void)
     }
 }
 
-static void test_falling_engines(void)
+TEST(test_falling_engines, "scan and heap fall alike, the naive nearly")
 {
     for (int k = 0; k < 2; ++k) {
         struct bonkers scan, heap, slab, naive;
@@ -1316,7 +1317,7 @@ static void test_falling_engines(void)
 /* With M_j the mass above gap j, the law of equal shares says that the mean
    of m v^2/2 is E/(3N) for every body, and that of M_j g times the gap
    2E/(3N). Blocks of 500 s are independent. */
-static void test_upright_shares(void)
+TEST(test_upright_shares, "upright, all bodies have equal shares")
 {
     enum { BLOCKS = 40, ROWS = 1000 };
     static double mean[18][BLOCKS];
@@ -1353,7 +1354,7 @@ static void test_upright_shares(void)
 }
 
 /* Two that lie on the floor are part of it for a third that is as heavy. */
-static void test_pile(void)
+TEST(test_pile, "what lies on the floor is part of it")
 {
     struct bonkers b;
     const double x[] = {0, 0, 1}, v[] = {0, 0, 0};
@@ -1375,7 +1376,7 @@ static void test_pile(void)
 
 /* Two that stick in the air, at the moment in which they neither rise nor
    fall, are not on the floor yet. */
-static void test_no_rest_in_the_air(void)
+TEST(test_no_rest_in_the_air, "and what stands still in the air is not")
 {
     struct bonkers b;
     const double x[] = {1, 2}, v[] = {5, 3};
@@ -1413,7 +1414,7 @@ static int count_fliers(double restitution, enum bonkers_engine engine)
 }
 
 /* Only what loses something with each bounce comes to rest. */
-static void test_no_rest_without_loss(void)
+TEST(test_no_rest_without_loss, "nor does an elastic body come to rest")
 {
     static const enum bonkers_engine engine[] = {BONKERS_SCAN,
                                                  BONKERS_HEAP};
@@ -1425,7 +1426,7 @@ static void test_no_rest_without_loss(void)
 
 /* No floor: all fall together, and what they do is what they would do
    without weight. */
-static void test_free_fall(void)
+TEST(test_free_fall, "without a floor weight changes nothing")
 {
     struct bonkers b, c;
     double x[2][8], v[2][8];
@@ -1466,7 +1467,7 @@ static double closing_time(const struct bonkers_body *a)
 
 /* What engines compute in their own way has the bits of the chapters: the
    velocities those of collide, and all times those of above. */
-static void test_own_ways(void)
+TEST(test_own_ways, "they are the bits of the chapters")
 {
     static const enum bonkers_engine all[] = {BONKERS_SCAN, BONKERS_HEAP,
                                               BONKERS_SLAB};
@@ -1491,66 +1492,4 @@ static void test_own_ways(void)
         UNIT_TRUE(same);
         bonkers_free(&b);
     }
-}
-
-int main(void)
-{
-    return unit_run(
-        "bonkers",
-        (struct unit_test[]){
-            {"scan, heap and slab give the same bits", test_engines_agree},
-            {"so they do with restitution below one",
-             test_inelastic_engines_agree},
-            {"and with 20000 of low restitution", test_large_collapse},
-            {"they are the bits of the chapters", test_own_ways},
-            {"and where many gaps close at one time", test_ties},
-            {"and after every single collision", test_every_collision},
-            {"collision number C is the same on any way there",
-             test_collision_number},
-            {"and in touching rows", test_touching_rows},
-            {"a touching row of 100000 is struck", test_long_row},
-            {"and from one place", test_one_place},
-            {"and in bursts between heavy bodies", test_bursts},
-            {"and in a burst longer than a slab", test_long_burst},
-            {"and in waves longer than slabs under way", test_long_waves},
-            {"and in a crowd that a slab has no room for", test_crowd},
-            {"and with open ends", test_open_ends},
-            {"no cut and no look changes a bit", test_cuts_change_no_bit},
-            {"the naive engine differs by rounding", test_naive_agrees},
-            {"mirrored and in other units, every bit is the same",
-             test_symmetries},
-            {"bodies stay in order and walls stand", test_order_and_walls},
-            {"three that meet at once stay in order", test_threes},
-            {"rods are points in a smaller box", test_rods_are_points},
-            {"equal masses are ghosts", test_equal_masses},
-            {"Newton's cradle", test_cradle},
-            {"Galperin's counts", test_galperin},
-            {"a million collisions keep the energy", test_energy},
-            {"two balls and a wall collapse below 0.1716", test_collapse},
-            {"a collapse lasts", test_after_a_collapse},
-            {"a collapse is seen among a thousand",
-             test_collapse_in_company},
-            {"a struck row is no collapse", test_row_is_no_collapse},
-            {"sticking bodies move as one", test_sticking},
-            {"starts are checked", test_start},
-            {"the engine chosen", test_auto},
-            {"a collision exactly at the end takes place", test_exact_end},
-            {"a settled run goes on", test_settle},
-            {"what is out of order is put right and counted",
-             test_disorder},
-            {"a bouncing ball", test_bouncing_ball},
-            {"a roof, and one out of reach", test_roof},
-            {"equal beads that fall are sorted balls", test_sorted_balls},
-            {"scan and heap fall alike, the naive nearly",
-             test_falling_engines},
-            {"and the slab, in columns that come to rest",
-             test_falling_slab},
-            {"upright, all bodies have equal shares", test_upright_shares},
-            {"what lies on the floor is part of it", test_pile},
-            {"and what stands still in the air is not",
-             test_no_rest_in_the_air},
-            {"nor does an elastic body come to rest",
-             test_no_rest_without_loss},
-            {"without a floor weight changes nothing", test_free_fall},
-            {0}});
 }

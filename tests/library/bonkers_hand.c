@@ -27,7 +27,7 @@ static void begin(struct bonkers *b, size_t movers, const double x[],
 
 /* 2 m/s for 1 m and then for 2 m: when nothing more comes, the clock stands
    at the last collision, and goes on when it is told to. */
-static void test_last_collision(void)
+TEST(test_last_collision, "the clock stands at the last collision")
 {
     static const double x[] = {-INFINITY, 0, 1, 3, INFINITY};
     static const double v[] = {0, 2, 0, 0, 0};
@@ -55,7 +55,7 @@ static void test_last_collision(void)
    and is one more with every second: at 100 and one for each gap, up to 200
    of them, it is a collapse. (The naive engine has one clock for all, and
    counts the third collision, where the right one comes from afar, too.) */
-static void test_patience(void)
+TEST(test_patience, "how many collisions at one time are a collapse")
 {
     static const size_t movers[] = {2, 10, 149, 198, 199, 200, 1000};
     static double x[1002], v[1002];
@@ -80,7 +80,7 @@ static void test_patience(void)
 
 /* A body that is reflected at half its speed: the 452nd time it comes at
    2^-451 m/s, which is too slow for numbers. */
-static void test_cold(void)
+TEST(test_cold, "a body too slow for numbers ends a run")
 {
     static const double x[] = {0, 1, 2}, v[] = {0, 1, 0};
     for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e) {
@@ -96,7 +96,7 @@ static void test_cold(void)
 }
 
 /* Potential and kinetic, above a floor and where there is none. */
-static void test_energy(void)
+TEST(test_energy, "energies above a floor and without")
 {
     struct bonkers b;
     if (!bonkers_create(&b, 2, 1, BONKERS_SCAN))
@@ -116,7 +116,7 @@ static void test_energy(void)
 }
 
 /* Which starts are of points, and where the radii go. */
-static void test_rods(void)
+TEST(test_rods, "points and rods")
 {
     for (size_t with = 0; with <= 3; ++with) {
         struct start s;
@@ -157,7 +157,7 @@ static void test_rods(void)
    misplace each by eight epsilons of 5000 m and of 100 m/s for 100 s. Two
    that are in the wrong order by less are put right, by more are counted.
  */
-static void test_falling_order(void)
+TEST(test_falling_order, "order in a fall, but for rounding")
 {
     static const double x[] = {-INFINITY, 1, 2, 3, INFINITY};
     static const double v[] = {0, 0, 0, 0, 0};
@@ -182,7 +182,7 @@ static void test_falling_order(void)
 /* Where islands meet, or slabs, some collisions are done twice: 3 to 5 in a
    hundred of them, however many bodies there are. If there were more, the
    slabs would not be worth it; if there were none, there would be none. */
-static void test_done_twice(void)
+TEST(test_done_twice, "little is done twice")
 {
     static const size_t movers[] = {200, 1000, 5000};
     for (size_t k = 0; k < 3; ++k)
@@ -206,7 +206,7 @@ static void test_done_twice(void)
 /* Of two equal masses the right one counts as the heavier, as in collide:
    its part is rounded, and the left one's is the rest. It shows in the last
    bit that there is alone. */
-static void test_last_bit(void)
+TEST(test_last_bit, "equal masses, in the last bit")
 {
     static const double x[] = {0, 1, 1, 2}, v[] = {0, 0x1p-1074, 0, 0};
     double left = v[1], right = v[2];
@@ -222,21 +222,4 @@ static void test_last_bit(void)
         UNIT_EQUAL(b.body[2].v, 0);
         bonkers_free(&b);
     }
-}
-
-int main(void)
-{
-    return unit_run(
-        "bonkers by hand",
-        (struct unit_test[]){
-            {"the clock stands at the last collision", test_last_collision},
-            {"how many collisions at one time are a collapse",
-             test_patience},
-            {"a body too slow for numbers ends a run", test_cold},
-            {"energies above a floor and without", test_energy},
-            {"points and rods", test_rods},
-            {"order in a fall, but for rounding", test_falling_order},
-            {"little is done twice", test_done_twice},
-            {"equal masses, in the last bit", test_last_bit},
-            {0}});
 }

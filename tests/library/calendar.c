@@ -152,7 +152,7 @@ static int mix(size_t size, double width, double start,
 static const struct spread spreads[] = {
     {1, 1, 0, 0}, {1, 1e7, 1, 0}, {1, 50, 3, 3}, {1, 1e3, 0, 100}};
 
-static void test_against_plain(void)
+TEST(test_against_plain, "events come out as from a plain array")
 {
     static const size_t sizes[] = {1, 2, 3, 10, 100, 400};
     uint64_t seed = 0;
@@ -168,7 +168,7 @@ static void test_against_plain(void)
 }
 
 /* Days that are far too short or long make it slow, not wrong. */
-static void test_wrong_widths(void)
+TEST(test_wrong_widths, "wrong widths make nothing wrong")
 {
     static const double widths[] = {1e-300, 1e-15, 1e-9, 1e-4,
                                     1e4,    1e9,   1e300};
@@ -181,7 +181,7 @@ static void test_wrong_widths(void)
 
 /* Of events at one time the pair with the smaller numbers comes first, and
    the order in which they were put does not matter. */
-static void test_ties(void)
+TEST(test_ties, "equal times come in the order of pairs")
 {
     for (uint64_t seed = 1; seed <= 5; ++seed) {
         static struct plain p;
@@ -198,7 +198,7 @@ static void test_ties(void)
 }
 
 /* A partner is a wall or the event itself as well. */
-static void test_partners(void)
+TEST(test_partners, "walls and the event itself are partners")
 {
     static struct plain p;
     struct calendar c;
@@ -218,7 +218,7 @@ static void test_partners(void)
 }
 
 /* Bursts: many events at one time, then silence, then another burst. */
-static void test_bursts(void)
+TEST(test_bursts, "bursts at one time come out in order")
 {
     static struct plain p;
     struct calendar c;
@@ -243,7 +243,7 @@ static void test_bursts(void)
 
 /* An event that is put before the one last found, in the past even, comes
    next. */
-static void test_overdue(void)
+TEST(test_overdue, "what is overdue comes first")
 {
     static struct plain p;
     struct calendar c;
@@ -263,7 +263,7 @@ static void test_overdue(void)
 }
 
 /* Taken out and put again; one without a time taken out; freed twice. */
-static void test_edges(void)
+TEST(test_edges, "taken out, put again, freed twice")
 {
     static struct plain p;
     struct calendar c;
@@ -307,7 +307,7 @@ static double events_in_a_day(size_t size, double width, uint64_t turns)
 }
 
 /* Whatever it was told, a calendar soon has a few events in each day. */
-static void test_width_is_mended(void)
+TEST(test_width_is_mended, "the calendar mends its width")
 {
     enum { SIZE = 20000 };
     UNIT_NEAR(events_in_a_day(SIZE, 1e-4, 20 * SIZE), 2, 1.5);
@@ -319,7 +319,7 @@ static void test_width_is_mended(void)
    next event; its days are as long as would have held two events each, but
    no more than four times longer or shorter. An event put on the last bit
    of the year is of the next. */
-static void test_years(void)
+TEST(test_years, "a year begins with its first event")
 {
     static const struct {
         int asked;
@@ -353,7 +353,7 @@ static void test_years(void)
 /* Days in which more than eight others have to be looked at for each event,
    and for each day of the year, become a quarter as long, from today on,
    unless the clock has no shorter ones; the events keep their times. */
-static void test_shorter_days(void)
+TEST(test_shorter_days, "a crowded day becomes shorter")
 {
     enum { CROWD = 101 };
     for (int last = 0; last < 2; ++last) {
@@ -381,22 +381,4 @@ static void test_shorter_days(void)
         UNIT_EQUAL(drain(&c, &p), 0);
         calendar_free(&c);
     }
-}
-
-int main(void)
-{
-    return unit_run(
-        "calendar",
-        (struct unit_test[]){
-            {"events come out as from a plain array", test_against_plain},
-            {"wrong widths make nothing wrong", test_wrong_widths},
-            {"equal times come in the order of pairs", test_ties},
-            {"walls and the event itself are partners", test_partners},
-            {"bursts at one time come out in order", test_bursts},
-            {"what is overdue comes first", test_overdue},
-            {"taken out, put again, freed twice", test_edges},
-            {"the calendar mends its width", test_width_is_mended},
-            {"a year begins with its first event", test_years},
-            {"a crowded day becomes shorter", test_shorter_days},
-            {0}});
 }

@@ -40,7 +40,7 @@ static double moment(const struct scene *s, const double v[], size_t axis)
 }
 
 /* The listing of the paper, number by number. */
-static void test_sun_earth(void)
+TEST(test_sun_earth, "the Sun and the Earth are the paper's")
 {
     struct scene s;
     make(&s, "sun-earth", (struct wish[]){{0}});
@@ -63,7 +63,7 @@ static void test_sun_earth(void)
 
 /* The elements that went in come out; the planets go round in the right
    time: Jupiter's year is 11.86 years. */
-static void test_planets(void)
+TEST(test_planets, "the planets have their elements")
 {
     static const double axis[] = {0.38709927,  0.72333566, 1.00000261,
                                   1.52371034,  5.20288700, 9.53667594,
@@ -100,7 +100,7 @@ static void test_planets(void)
 /* On 1 January 2000 the Earth stood at a longitude of 100.4 degrees less
    the equation of the centre, and was 0.9833 AU from the Sun: four days
    before its perihelion. */
-static void test_date(void)
+TEST(test_date, "and stand where they stood")
 {
     struct scene s;
     make(&s, "solar-system", (struct wish[]){{0}});
@@ -111,7 +111,7 @@ static void test_date(void)
     scene_free(&s);
 }
 
-static void test_circumbinary(void)
+TEST(test_circumbinary, "two suns and a planet")
 {
     struct scene s;
     make(&s, "circumbinary", (struct wish[]){{0}});
@@ -137,7 +137,7 @@ static void test_circumbinary(void)
 }
 
 /* Table 1 of the paper, to 12 digits; its 7.933369 is not S_8. */
-static void test_choreography(void)
+TEST(test_choreography, "table 1 of the paper, and its slip")
 {
     static const double sum[] = {0.7071067811865475, 1.632993161855452,
                                  2.707106781186548,  3.892995957870921,
@@ -165,7 +165,7 @@ static void test_choreography(void)
 }
 
 /* Eigenvalues of the linear equations, by another program for this book. */
-static void test_growth(void)
+TEST(test_growth, "choreographies grow as the theory says")
 {
     static const double rate[] = {
         0.70710678, 0.85953250, 0.93913045, 0.98936111, 1.29425024,
@@ -175,7 +175,7 @@ static void test_growth(void)
         UNIT_NEAR(celestial_growth(n), rate[n - 3], 1e-8);
 }
 
-static void test_eight(void)
+TEST(test_eight, "the figure of eight has its energy")
 {
     struct scene s;
     make(&s, "figure-eight", (struct wish[]){{0}});
@@ -193,7 +193,7 @@ static void test_eight(void)
 
 /* Speeds round a planet with a ring of 0.02 of its mass, by quadrature in
    40 digits, computed for this book. */
-static void test_ring_speeds(void)
+TEST(test_ring_speeds, "speeds in a ring have their closed form")
 {
     static const double known[][2] = {
         {1.5, .014001554932841},  {1.9, .012284080782243},
@@ -215,7 +215,7 @@ static void test_ring_speeds(void)
 
 /* The closed form against a sum over 4e5 pieces of a ring, softened
    little: 1e-4 at a place between. */
-static void test_ring_sum(void)
+TEST(test_ring_sum, "which is what a sum over it gives")
 {
     const double r = 1.7;
     double sum = 0, mass = 0;
@@ -231,7 +231,7 @@ static void test_ring_sum(void)
     UNIT_NEAR(celestial_ring_pull(1, 2, 2.5, r) / (sum / mass), 1, 1e-4);
 }
 
-static void test_ring(void)
+TEST(test_ring, "a ring is uniform and repeats itself")
 {
     struct scene s, again;
     make(&s, "ring", (struct wish[]){{0}});
@@ -259,7 +259,7 @@ static void test_ring(void)
 }
 
 /* All key combinations: masses keep their sum, momentum is zero. */
-static void test_ring_keys(void)
+TEST(test_ring_keys, "with a moon and mixed masses")
 {
     struct scene s;
     make(&s, "ring",
@@ -288,23 +288,4 @@ static void test_ring_keys(void)
     value[gallery_key(g, "inner")] = 3;
     const char *wrong = g->build(&s, value);
     UNIT_TRUE(wrong && strstr(wrong, "inner"));
-}
-
-int main(void)
-{
-    return unit_run(
-        "celestial",
-        (struct unit_test[]){
-            {"the Sun and the Earth are the paper's", test_sun_earth},
-            {"the planets have their elements", test_planets},
-            {"and stand where they stood", test_date},
-            {"two suns and a planet", test_circumbinary},
-            {"table 1 of the paper, and its slip", test_choreography},
-            {"choreographies grow as the theory says", test_growth},
-            {"the figure of eight has its energy", test_eight},
-            {"speeds in a ring have their closed form", test_ring_speeds},
-            {"which is what a sum over it gives", test_ring_sum},
-            {"a ring is uniform and repeats itself", test_ring},
-            {"with a moon and mixed masses", test_ring_keys},
-            {0}});
 }

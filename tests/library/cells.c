@@ -1,6 +1,7 @@
 /* Cells against pairs, byte for byte: the same disks are run by both. With
    the argument "bytes" cells run alone, and the bytes of their runs' ends,
    folded into a number, are printed for builds to be compared. */
+#define UNIT_OWN_MAIN
 #include "unit.h"
 
 #include "box/cells.h"
@@ -284,7 +285,7 @@ static void compare_all(const struct scene scenes[], size_t n,
 #define COMPARE(scenes, seeds)                                             \
     compare_all(scenes, sizeof scenes / sizeof scenes[0], seeds)
 
-static void test_plane(void)
+TEST(test_plane, "in the plane cells give the bits of pairs")
 {
     static const struct scene scenes[] = {
         {2, 150, DISKS_PERIODIC, 0.02, EQUAL, NORMAL, 1, 800, 0, false},
@@ -302,7 +303,7 @@ static void test_plane(void)
     COMPARE(scenes, 2);
 }
 
-static void test_space(void)
+TEST(test_space, "in space cells give the bits of pairs")
 {
     static const struct scene scenes[] = {
         {3, 300, DISKS_PERIODIC, 0.02, EQUAL, NORMAL, 1, 600, 0, false},
@@ -316,7 +317,7 @@ static void test_space(void)
     COMPARE(scenes, 2);
 }
 
-static void test_mixed(void)
+TEST(test_mixed, "mixed radii and masses give the same bits")
 {
     static const struct scene scenes[] = {
         {2, 150, DISKS_PERIODIC, 0.4, TWO, NORMAL, 1, 3000, 0, true},
@@ -331,7 +332,7 @@ static void test_mixed(void)
 }
 
 /* One heavy giant among small ones, as in Brownian motion. */
-static void test_giant(void)
+TEST(test_giant, "a heavy giant gives the same bits")
 {
     static const struct scene scenes[] = {
         {2, 300, DISKS_PERIODIC, 0.3, GIANT, NORMAL, 1, 2000, 0, false},
@@ -343,7 +344,7 @@ static void test_giant(void)
     COMPARE(scenes, 2);
 }
 
-static void test_inelastic(void)
+TEST(test_inelastic, "inelastic disks give the same bits")
 {
     static const struct scene scenes[] = {
         {2, 150, DISKS_PERIODIC, 0.3, EQUAL, NORMAL, 0.95, 2500, 0, true},
@@ -359,7 +360,7 @@ static void test_inelastic(void)
 /* Light and heavy gravity, for ways that bend a little or a lot, between
    four walls and on a floor alone; in the last scene most disks never rise
    by their own diameter. */
-static void test_weight(void)
+TEST(test_weight, "under gravity cells give the bits of pairs")
 {
     static const double weights[] = {0, 1e-3, 0.1, 3};
     struct scene scenes[] = {
@@ -380,7 +381,7 @@ static void test_weight(void)
 }
 
 /* Disks that rest until they are hit: times that are no number lurk. */
-static void test_rest(void)
+TEST(test_rest, "disks at rest give the same bits")
 {
     static const struct scene scenes[] = {
         {2, 150, DISKS_PERIODIC, 0.3, EQUAL, REST, 1, 1500, 0, true},
@@ -444,7 +445,7 @@ static void race_square(size_t side, enum disks_boundary boundary,
     finish(&x);
 }
 
-static void test_ties(void)
+TEST(test_ties, "many events at one time give the same bits")
 {
     for (uint64_t seed = 1; seed <= 4; ++seed) {
         const bool diagonal = seed % 2;
@@ -461,7 +462,7 @@ static void test_ties(void)
 
 /* The narrowest boxes that suit: three cells along an axis, so that the
    cells on both sides of a cell are all there are. */
-static void test_three_cells(void)
+TEST(test_three_cells, "three cells along an axis are enough")
 {
     size_t three = 0;
     for (size_t dimensions = 2; dimensions <= 3; ++dimensions)
@@ -492,7 +493,7 @@ static void test_three_cells(void)
 }
 
 /* In a box too narrow for three cells they do not suit. */
-static void test_suit(void)
+TEST(test_suit, "a box too narrow does not suit")
 {
     struct disks d;
     must(disks_create(&d, 2, 4), "no memory");
@@ -514,7 +515,7 @@ static void test_suit(void)
 
 /* A run that is taken up again: places far outside of the box, a clock
    that does not begin at 0, disks that have hit at other times. */
-static void test_taken_up(void)
+TEST(test_taken_up, "a run taken up again gives the same bits")
 {
     static const struct scene scenes[] = {
         {2, 150, DISKS_PERIODIC, 0.4, TWO, NORMAL, 1, 0, 0, true},
@@ -550,7 +551,7 @@ static void test_taken_up(void)
 
 /* Two disks that part in an endless silence, and none that moves at all:
    the clock goes where it is asked to, but not to infinity. */
-static void test_silence(void)
+TEST(test_silence, "when nothing happens the clock stays finite")
 {
     struct scene s = {2,         20, DISKS_WALLS, 0.1, EQUAL,
                       ONE_MOVES, 1,  0,           0,   false};
@@ -577,7 +578,7 @@ static void test_silence(void)
 }
 
 /* Fast and slow, light and heavy: the calendar's first guess is wrong. */
-static void test_units(void)
+TEST(test_units, "any unit gives the same bits")
 {
     static const double units[][3] = {/* of length, time and mass */
                                       {1e-9, 1e-12, 1e-26},
@@ -642,7 +643,7 @@ static void make_last_moment(struct disks *d, uint64_t seed, double skin)
     }
 }
 
-static void test_last_moment(void)
+TEST(test_last_moment, "a meeting at the ends of both skins")
 {
     for (uint64_t seed = 1; seed <= 120; ++seed) {
         struct race x = {0};
@@ -676,7 +677,7 @@ static void plant(struct disks *d, size_t a, size_t b, double hair)
 }
 
 /* Cells find what pairs find: an overlap anywhere, across a side too. */
-static void test_fit(void)
+TEST(test_fit, "cells find an overlap where pairs find it")
 {
     for (size_t dimensions = 2; dimensions <= 3; ++dimensions)
         for (uint64_t seed = 1; seed <= 60; ++seed) {
@@ -715,25 +716,7 @@ static void test_fit(void)
 int main(int argc, char *argv[])
 {
     alone = argc > 1 && strcmp(argv[1], "bytes") == 0;
-    const int status = unit_run(
-        "cells",
-        (struct unit_test[]){
-            {"in the plane cells give the bits of pairs", test_plane},
-            {"in space cells give the bits of pairs", test_space},
-            {"mixed radii and masses give the same bits", test_mixed},
-            {"a heavy giant gives the same bits", test_giant},
-            {"inelastic disks give the same bits", test_inelastic},
-            {"under gravity cells give the bits of pairs", test_weight},
-            {"disks at rest give the same bits", test_rest},
-            {"many events at one time give the same bits", test_ties},
-            {"three cells along an axis are enough", test_three_cells},
-            {"a meeting at the ends of both skins", test_last_moment},
-            {"a box too narrow does not suit", test_suit},
-            {"a run taken up again gives the same bits", test_taken_up},
-            {"when nothing happens the clock stays finite", test_silence},
-            {"any unit gives the same bits", test_units},
-            {"cells find an overlap where pairs find it", test_fit},
-            {0}});
+    const int status = unit_run("cells");
     if (alone)
         printf("%zu %016llx\n", cells_lanes(), (unsigned long long)folded);
     return status;

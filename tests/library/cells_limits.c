@@ -41,7 +41,7 @@ static void begin(struct cells *c, struct disks *d)
    sphere; where that is too small, three tenths of a mean diameter are the
    least. Round a box the widest two must see each other by one image alone,
    and three cells have to have room: 0.999 of that. */
-static void test_skin(void)
+TEST(test_skin, "skin and cells have the sizes of the rules")
 {
     static const struct {
         size_t dimensions, count;
@@ -117,7 +117,7 @@ static bool suits(size_t dimensions, size_t count,
 
 /* A skin of a tenth of a radius is too thin, and so is one of a millionth
    of the box: (6.6 / 6 - 1) 0.999 is a tenth. */
-static void test_suit(void)
+TEST(test_suit, "which boxes suit")
 {
     const double box[] = {6.6007, 6.6007, 6.6007};
     const double narrow[] = {6.6005, 6.6005, 6.6005};
@@ -194,7 +194,7 @@ static size_t runaways(const struct cells *c)
 /* Thin and dense, alike and mixed, at rest and in a crowd that comes to one
    corner; the lists when they are new and as they become, at every event.
  */
-static void test_neighbours(void)
+TEST(test_neighbours, "all neighbours are listed, and no others")
 {
     static const double sides[] = {30, 20, 12};
     for (int n = 0; n < 48; ++n) {
@@ -261,7 +261,7 @@ static void begin_lonely(struct cells *c, struct disks *d, double gravity,
    back from a wall, and behind a wall that is met slantwise, each from an
    anchor 0.5 or so from the wall, which seven digits leave as it is. A disk
    at rest has no end. */
-static void test_straight_end(void)
+TEST(test_straight_end, "a straight flight ends a skin from the anchor")
 {
     static const struct {
         double x, v[2], wall; /* s; the place of the wall is 0.125 */
@@ -306,7 +306,7 @@ static void test_straight_end(void)
 /* A disk that is found beyond its end, as by a rounding, renews its anchor
    at once. Here its anchor has been moved aside, and the wall turns it to a
    way on which it would never come within reach. */
-static void test_beyond(void)
+TEST(test_beyond, "beyond the skin an anchor is renewed at once")
 {
     struct disks d;
     struct cells c;
@@ -328,7 +328,7 @@ static void test_beyond(void)
    the root of l / 2g, and three quarters are for the straight way. What
    falls fastest within that time comes nearest to the end, and not beyond.
  */
-static void test_falling_end(void)
+TEST(test_falling_end, "a fall stays within the skin")
 {
     const double g = 2;
     for (int k = 0; k <= 20; ++k) {
@@ -358,7 +358,7 @@ static void test_falling_end(void)
 /* So many disks that memory is asked for early. It changes no bit: one lane
    at a time, another time from four or eight, and nobody leaves its skin.
  */
-static void test_many(void)
+TEST(test_many, "many disks, for which memory is fetched early")
 {
     uint64_t hits[2] = {0};
     double last[2] = {0};
@@ -386,20 +386,4 @@ static void test_many(void)
         disks_free(&d);
     }
     UNIT_TRUE(hits[0] == hits[1] && last[0] == last[1]);
-}
-
-int main(void)
-{
-    return unit_run(
-        "cells at their limits",
-        (struct unit_test[]){
-            {"skin and cells have the sizes of the rules", test_skin},
-            {"which boxes suit", test_suit},
-            {"all neighbours are listed, and no others", test_neighbours},
-            {"a straight flight ends a skin from the anchor",
-             test_straight_end},
-            {"beyond the skin an anchor is renewed at once", test_beyond},
-            {"a fall stays within the skin", test_falling_end},
-            {"many disks, for which memory is fetched early", test_many},
-            {0}});
 }

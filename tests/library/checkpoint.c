@@ -122,7 +122,7 @@ static void save(struct checkpoint *c, struct motion *m)
 
 /* With a method that has steps of its own and with one that has none: a run
    that is taken up has the same numbers, rows and bits to come. */
-static void test_comes_back(void)
+TEST(test_comes_back, "a run comes back to the last bit")
 {
     static const char *const methods[] = {"leapfrog", "radau15", "dopri5"};
     for (size_t k = 0; k < 3; ++k) {
@@ -170,7 +170,7 @@ static void test_comes_back(void)
 }
 
 /* A checkpoint of one method is none of another. */
-static void test_other_method(void)
+TEST(test_other_method, "not for another method")
 {
     struct scene s, t, u;
     struct motion m, n;
@@ -201,7 +201,7 @@ static void test_other_method(void)
 
 /* As any program does, the rows leave it to the umask who may read and
    write them. */
-static void test_mode(void)
+TEST(test_mode, "the umask says who may read the rows")
 {
     struct checkpoint c;
     struct stat is;
@@ -216,7 +216,7 @@ static void test_mode(void)
 
 /* Without a checkpoint rows are nothing, but with a checkpoint and without
    its rows a run could not be resumed: the checkpoint goes first. */
-static void test_end(void)
+TEST(test_end, "a checkpoint goes before its rows")
 {
     struct scene s;
     struct motion m;
@@ -288,7 +288,7 @@ static void says(int (*does)(void *), void *with, int status,
 }
 
 /* A run that is under way keeps its files from another. */
-static void test_lock(void)
+TEST(test_lock, "one run at a time")
 {
     struct scene s;
     struct motion m;
@@ -318,7 +318,7 @@ static void rows_change(void)
     put(OUTPUT ".new", "# rows of step\n", 15);
     must(rename(OUTPUT ".new", ROWS) == 0, "no other file");
 }
-static void test_between(void)
+TEST(test_between, "a file that lost its name is not locked")
 {
     clear();
     before_lock = rows_go;
@@ -332,7 +332,7 @@ static void test_between(void)
 }
 
 /* A file of somebody else's is neither written nor removed. */
-static void test_foreign(void)
+TEST(test_foreign, "what is not ours stays")
 {
     char text[64];
     clear();
@@ -355,7 +355,7 @@ static void test_foreign(void)
 }
 
 /* Each bit of a checkpoint and of its rows counts, and so does the end. */
-static void test_damage(void)
+TEST(test_damage, "no bit may be changed")
 {
     struct scene s;
     struct motion m;
@@ -412,7 +412,7 @@ static void test_damage(void)
 
 /* Rows are in their file, and not in a buffer, once the checkpoint is that
    counts on them: the run may be killed at once. */
-static void test_flushed(void)
+TEST(test_flushed, "rows are written before what counts on them")
 {
     struct scene s;
     struct motion m;
@@ -452,7 +452,7 @@ static void forge(const char *text, const char *key, const char *number)
 }
 
 /* What no run can have written is refused, whoever has written it. */
-static void test_forged(void)
+TEST(test_forged, "what no run has written")
 {
     static const struct {
         const char *key, *number;
@@ -525,7 +525,7 @@ static void test_forged(void)
 }
 
 /* Which outputs can have a checkpoint beside them. */
-static void test_possible(void)
+TEST(test_possible, "which outputs may have one")
 {
     UNIT_TRUE(!checkpoint_possible(NULL));
     UNIT_TRUE(!checkpoint_possible("-"));
@@ -543,7 +543,7 @@ static void test_possible(void)
 
 /* The sum of a file is Fowler, Noll and Vo's of 64 bits, without its last
    eleven; whatever its length. */
-static void test_sum(void)
+TEST(test_sum, "the sum of a file")
 {
     static char text[70000];
     for (size_t i = 0; i < sizeof text; ++i)
@@ -563,7 +563,7 @@ static void test_sum(void)
 
 /* All rows come into the table, many of them too; not those of a file that
    somebody has changed meanwhile. */
-static void test_copy(void)
+TEST(test_copy, "all rows are copied")
 {
     enum { MANY = 20000 };
     static char text[200000], expected[200000];
@@ -604,7 +604,7 @@ static void test_copy(void)
 
 /* Rows that the disk has not taken are not copied, not even none of them.
  */
-static void test_lost(void)
+TEST(test_lost, "rows that are lost are not copied")
 {
     struct checkpoint c;
     clear();
@@ -644,7 +644,7 @@ static void whole(void *with)
     checkpoint_end(&r->c, false);
     scene_free(&t);
 }
-static void test_memory(void)
+TEST(test_memory, "no memory is lost")
 {
     struct run r;
     struct scene s;
@@ -658,27 +658,4 @@ static void test_memory(void)
     motion_end(&r.m);
     scene_free(&s);
     clear();
-}
-
-int main(void)
-{
-    return unit_run(
-        "checkpoint",
-        (struct unit_test[]){
-            {"a run comes back to the last bit", test_comes_back},
-            {"not for another method", test_other_method},
-            {"a checkpoint goes before its rows", test_end},
-            {"the umask says who may read the rows", test_mode},
-            {"one run at a time", test_lock},
-            {"a file that lost its name is not locked", test_between},
-            {"what is not ours stays", test_foreign},
-            {"no bit may be changed", test_damage},
-            {"rows are written before what counts on them", test_flushed},
-            {"what no run has written", test_forged},
-            {"which outputs may have one", test_possible},
-            {"the sum of a file", test_sum},
-            {"all rows are copied", test_copy},
-            {"rows that are lost are not copied", test_lost},
-            {"no memory is lost", test_memory},
-            {0}});
 }

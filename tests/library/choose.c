@@ -113,7 +113,7 @@ static double twins_apart(const struct choose_request *q,
 /* What has a closed form, or contacts only, is carried so; what is said of
    its error is twice what six twins are apart from it at most and, if there
    is a clock, what its roundings do; more, if six would cost too much. */
-static void test_exact(void)
+TEST(test_exact, "what has a closed form is carried so")
 {
     for (size_t j = 0; j < sizeof exact_trials / sizeof *exact_trials;
          ++j) {
@@ -149,7 +149,7 @@ static double chance(unsigned k, double margin)
    chance, 7e-5. From there on it is refused, and the six are what it is
    refused for.
  */
-static void test_floor(void)
+TEST(test_floor, "near the floor of rounding more twins are asked")
 {
     struct scene s = made("gas", NULL, 0);
     struct choose_request q = asked(&s, 2, 1e-3);
@@ -292,7 +292,7 @@ static void check_pick(const struct trial *t, const struct scene *s,
     choose_free(&c);
 }
 
-static void test_stepped(void)
+TEST(test_stepped, "picks hold, and none is 1.13 times cheaper")
 {
     for (size_t j = 0; j < STEPPED; ++j) {
         struct scene s = made(stepped_trials[j].name, NULL, 0);
@@ -305,7 +305,7 @@ static void test_stepped(void)
 /* Twelve years of the planets, whose errors fall unevenly with the steps:
    each of these was held by one number of steps (5, 10, 9), and by the next
    one (6, 11, 10) was not. What is taken holds with one more, too. */
-static void test_luck(void)
+TEST(test_luck, "no number of steps holds by luck")
 {
     static const double odd[] = {1e-4, 1e-5, 1e-7};
     struct scene s = made("solar-system", NULL, 0);
@@ -326,7 +326,7 @@ static void test_luck(void)
    of Pythagoras too, where that takes more and more digits, and, when
    rounding has grown so far that twins are asked, to a fifth; and no finer
    than need be: for the shortest time the first one will do. */
-static void test_doubt(void)
+TEST(test_doubt, "a reference is sure to a twentieth")
 {
     struct scene s = made("pythagorean", NULL, 0);
     for (double until = 22; until < 60; until += 3) {
@@ -343,7 +343,7 @@ static void test_doubt(void)
 /* Four disks forget their start: at t = 20 nobody knows where they are, and
    the horizon lies between 4 and 8 (chapter 5: tenfold in half a second or
    so). A shorter time is carried. */
-static void test_horizon(void)
+TEST(test_horizon, "beyond the horizon nothing is carried")
 {
     struct scene s = made("four-disks", NULL, 0);
     struct choose_request q = asked(&s, 20, 1e-3);
@@ -381,7 +381,7 @@ static struct scene circle(void)
 /* It is unstable: what is off grows as exp(w t/sqrt 2), w = 3^(-1/4), so
    1e-16 to half of 1e-3 of the box's diagonal, sqrt(1.5^2 + 3) = 2.29, in
    ln(1.145e13)/0.537 = 56. A factor of ten more or less is 4.3. */
-static void test_circle(void)
+TEST(test_circle, "three bodies on a circle are known to t = 56")
 {
     struct scene s = circle();
     struct choose_request q = asked(&s, 80, 1e-3);
@@ -398,7 +398,7 @@ static void test_circle(void)
 
 /* A ball that hits two at once, or nearly: which of the two it meets first
    decides, and no digit says so. By hand: it touches both at t = 1. */
-static void test_fork(void)
+TEST(test_fork, "two collisions at once that share a body are a fork")
 {
     for (int k = 0; k < 3; ++k) {
         struct scene s;
@@ -424,7 +424,7 @@ static void test_fork(void)
 }
 
 /* Collisions at one moment that share nobody may come in any order. */
-static void test_no_fork(void)
+TEST(test_no_fork, "two that share nobody are not")
 {
     struct scene s;
     UNIT_TRUE(scene_create(&s, 4));
@@ -445,7 +445,7 @@ static void test_no_fork(void)
 /* Observables have scales of their own: the energy of the figure eight,
    which is held by fewer steps than its places, is a share of |E|. What is
    shown beside the energy is judged by its own scale. */
-static void test_scales(void)
+TEST(test_scales, "observables have scales of their own")
 {
     static const struct {
         const char *asked, *judged;
@@ -622,7 +622,7 @@ static void check_same(const char *name, double until, double tolerance)
     scene_free(&s);
 }
 
-static void test_same(void)
+TEST(test_same, "units, directions and order do not matter")
 {
     for (size_t j = 0; j < STEPPED; ++j)
         for (size_t k = 0; k < 3; ++k)
@@ -657,7 +657,7 @@ static void check_reason(struct choose_request *q)
 }
 
 /* Asked with less and less of what it takes, and with next to nothing. */
-static void test_reason(void)
+TEST(test_reason, "no more is spent than is reasonable")
 {
     static const struct {
         const char *scene, *only;
@@ -691,7 +691,7 @@ static void test_reason(void)
    horizon is at some seconds, that is asked, and little is spent: with 50
    disks it is the twin whose money ends in the first row, with 250 the one
    that goes first, and both in a sixteenth of the row. */
-static void test_patience(void)
+TEST(test_patience, "exact ways are run with some patience")
 {
     static const double disks[] = {50, 250, 320};
     struct scene s = made("galperin", "mass-ratio", 5e11);
@@ -717,7 +717,7 @@ static void test_patience(void)
    row is bounded before it is known what contacts cost, a hundred times as
    much as all else in this gas. By the guess, and a hundred calls above it,
    that is less than twice what was granted; without it, 39 times. */
-static void test_first_look(void)
+TEST(test_first_look, "a first look among many contacts is bounded")
 {
     struct scene s = made("gas", NULL, 0);
     const struct choose_request q = asked(&s, 1e4, 1e-3);
@@ -737,7 +737,7 @@ static void test_first_look(void)
    third if a promise is believed no farther than two octaves, or an order
    beyond a fifth; the last if a promise is believed that is eight octaves
    away, or a ladder goes on though finer rods do not help. */
-static void test_looking(void)
+TEST(test_looking, "looking is short, and finds what is cheap")
 {
     static const struct {
         const char *scene, *key, *only;
@@ -770,7 +770,7 @@ static void test_looking(void)
 
 /* More digits than there are: what is exact by rounding alone says so, and
    what has steps is refused before much is spent. */
-static void test_fine(void)
+TEST(test_fine, "a tolerance below all roundings is answered at once")
 {
     static const struct {
         const char *scene;
@@ -793,7 +793,7 @@ static void test_fine(void)
 /* A plan that is given by hand is run as it is, and refused if it is off; a
    method by name finds its own steps. What was taken, as a plan by hand,
    makes the same bytes. */
-static void test_only(void)
+TEST(test_only, "a plan by hand is run as it is")
 {
     struct scene s = made("figure-eight", NULL, 0);
     struct choose_request q = asked(&s, 20, 1e-3);
@@ -826,7 +826,7 @@ static void test_only(void)
    room for them, and for all runs. Which there are does not hang on how
    many bodies a ring has; its own 3072 would take a thousand times as long.
  */
-static void test_room(void)
+TEST(test_room, "there is room for all candidates and runs")
 {
     static const char *const scenes[] = {
         "figure-eight", "double-pendulum", "ring",        "membrane",
@@ -854,7 +854,7 @@ static void test_room(void)
    and is looked at beside dearer ones. To choose for the planet of two
    suns costs 1.03 and 0.78 ms; with two the second is 0.80; if a method may
    do better than its order by six tenths, the first is 1.23. */
-static void test_believed(void)
+TEST(test_believed, "prices are believed so far, and rungs tried so near")
 {
     static const struct {
         const char *scene;
@@ -885,7 +885,7 @@ static void test_believed(void)
 /* Which methods are tried is said by their rows, and by nothing else: each
    that is marked is a candidate with nothing left out, even if only to be
    refused, and no other method is. */
-static void test_raced(void)
+TEST(test_raced, "the methods that are marked are tried")
 {
     struct scene s = made("figure-eight", NULL, 0);
     const struct choose_request q = asked(&s, 2, 1e-3);
@@ -908,7 +908,7 @@ static void test_raced(void)
 /* What is reasonable bounds the start of a run as well: to find the modes
    of 300 balls in a row costs 0.27 s by the price list each time, and more
    than once in each run. With a third of a second 9.7 s were spent. */
-static void test_chain(void)
+TEST(test_chain, "the start of a run is not beyond reason")
 {
     enum { BALLS = 300 };
     static const double stiff[] = {5, 1e308};
@@ -934,7 +934,7 @@ static void test_chain(void)
 }
 
 /* What was taken is said, with its order, and what the next best costs. */
-static void test_sentence(void)
+TEST(test_sentence, "what was taken is said in words")
 {
     char text[CHOOSE_SENTENCE];
     struct scene s = made("figure-eight", NULL, 0);
@@ -961,7 +961,7 @@ static void test_sentence(void)
    tolerance of 1e-6 cannot tell the two apart, and without the third one it
    could. Without a far body, or with a small tolerance, nothing is hidden.
  */
-static void test_hidden(void)
+TEST(test_hidden, "a scale that hides two bodies is seen")
 {
     struct scene s;
     UNIT_TRUE(scene_create(&s, 3));
@@ -982,39 +982,4 @@ static void test_hidden(void)
         choose_free(&c);
     }
     scene_free(&s);
-}
-
-int main(void)
-{
-    return unit_run(
-        "choose",
-        (struct unit_test[]){
-            {"what has a closed form is carried so", test_exact},
-            {"near the floor of rounding more twins are asked", test_floor},
-            {"picks hold, and none is 1.13 times cheaper", test_stepped},
-            {"no number of steps holds by luck", test_luck},
-            {"a reference is sure to a twentieth", test_doubt},
-            {"beyond the horizon nothing is carried", test_horizon},
-            {"three bodies on a circle are known to t = 56", test_circle},
-            {"two collisions at once that share a body are a fork",
-             test_fork},
-            {"two that share nobody are not", test_no_fork},
-            {"observables have scales of their own", test_scales},
-            {"units, directions and order do not matter", test_same},
-            {"no more is spent than is reasonable", test_reason},
-            {"exact ways are run with some patience", test_patience},
-            {"a first look among many contacts is bounded",
-             test_first_look},
-            {"looking is short, and finds what is cheap", test_looking},
-            {"a tolerance below all roundings is answered at once",
-             test_fine},
-            {"a plan by hand is run as it is", test_only},
-            {"there is room for all candidates and runs", test_room},
-            {"the methods that are marked are tried", test_raced},
-            {"the start of a run is not beyond reason", test_chain},
-            {"prices are believed so far, and rungs tried so near",
-             test_believed},
-            {"what was taken is said in words", test_sentence},
-            {"a scale that hides two bodies is seen", test_hidden},
-            {0}});
 }

@@ -23,7 +23,7 @@ static struct choose_choice chosen(const struct scene *s, double tolerance)
 /* Two balls on a line of 5 m, from wall to wall, that overlap by 1.5 mm:
    3e-4 of the scale. A tolerance below that has to know what becomes of it.
  */
-static void test_overlap(void)
+TEST(test_overlap, "overlaps at the start")
 {
     static const double share[] = {0.999, 1.001, 0.6, 1.5};
     for (size_t k = 0; k < 4; ++k) {
@@ -50,7 +50,7 @@ static void test_overlap(void)
    judged: from a tolerance of 1e-5 on nobody could tell the two apart.
    Without a third one, or with one that is near, they have a scale of their
    own. */
-static void test_hidden(void)
+TEST(test_hidden, "a pair that is hidden")
 {
     static const struct {
         double far, tolerance;
@@ -100,7 +100,7 @@ static double end_of_bounces(void)
     return t;
 }
 
-static void test_standstill(void)
+TEST(test_standstill, "bodies that come to rest")
 {
     static const double every[] = {0.125, 2};
     for (size_t k = 0; k < 2; ++k) {
@@ -159,7 +159,7 @@ static struct choose_choice carried(const char *name, double until,
 /* Four disks seen so often that their twins first differ by a little more
    than half of the tolerance, and a row later by less than twice as much:
    the horizon is found at once, not after another seven thousand rows. */
-static void test_parting(void)
+TEST(test_parting, "twins that part slowly")
 {
     struct choose_choice c = carried("four-disks", 400, 8000, 1e-3);
     UNIT_TRUE(!c.run.value);
@@ -172,7 +172,7 @@ static void test_parting(void)
    was taken. If they leave that not enough, another one is taken; if they
    differ by too much, none: then the bound of the reference alone is more
    than half of the tolerance. */
-static void test_floor(void)
+TEST(test_floor, "near the floor of rounding")
 {
     unsigned seen = 0;
     for (double e = 1e-13; e > 1e-14; e /= 1.1) {
@@ -197,7 +197,7 @@ static void test_floor(void)
    common but the last; the first of them is offered, too, and off by less
    than what the two differ by, if that is next to nothing; else, for the
    second is not exact either, by less than twice as much. */
-static void test_even(void)
+TEST(test_even, "references of equal steps")
 {
     unsigned near = 0, far = 0;
     for (double e = 1e-2; e > 1e-7; e /= 5) {
@@ -217,17 +217,4 @@ static void test_even(void)
         choose_free(&c);
     }
     UNIT_TRUE(near > 2 && far > 2);
-}
-
-int main(void)
-{
-    return unit_run(
-        "choose_limits",
-        (struct unit_test[]){{"overlaps at the start", test_overlap},
-                             {"a pair that is hidden", test_hidden},
-                             {"bodies that come to rest", test_standstill},
-                             {"twins that part slowly", test_parting},
-                             {"near the floor of rounding", test_floor},
-                             {"references of equal steps", test_even},
-                             {0}});
 }

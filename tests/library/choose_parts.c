@@ -120,7 +120,7 @@ static struct models_plan own_steps_of(double tolerance)
 }
 
 /* Eight numbers of steps to an octave, three tolerances to a decade. */
-static void test_rungs(void)
+TEST(test_rungs, "rungs, from the foot on")
 {
     static const double known[] = {
         1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11, 12, 13, 14, 15, 16,
@@ -152,7 +152,7 @@ static void test_rungs(void)
 
 /* What an order is made of: a fifth of a twentieth of what is asked for, if
    the steps are asked for a fifth of the first tolerance; and so on. */
-static void test_order(void)
+TEST(test_order, "what an order is made of")
 {
     begin(1e-6);
     UNIT_NEAR(task_first_tolerance(&task), 1e-4, 1e-18);
@@ -192,7 +192,7 @@ static struct choose_candidate *candidate(const char *name, unsigned cuts)
 }
 
 /* A model has one candidate for each set of what it leaves out. */
-static void test_candidates(void)
+TEST(test_candidates, "a candidate for each way")
 {
     begin(1e-6);
     struct choose_candidate *a = candidate("leapfrog", 0);
@@ -207,7 +207,7 @@ static void test_candidates(void)
     UNIT_EQUAL((double)choice.candidates, 4);
 }
 
-static void test_endings(void)
+TEST(test_endings, "how a run ended")
 {
     static const struct {
         enum models_end end;
@@ -241,7 +241,7 @@ static bool offered(struct choose_candidate *k, uint64_t steps, double cost,
 
 /* Taken is what holds and costs less than the best; what a candidate did is
    noted until it holds, and then if it holds for less. */
-static void test_offers(void)
+TEST(test_offers, "what is offered is kept if it is better")
 {
     begin(1e-3);
     struct choose_candidate *a = candidate("leapfrog", 0);
@@ -272,7 +272,7 @@ static void test_offers(void)
 }
 
 /* As many twins as these margins are for mislead with one chance. */
-static void test_margins(void)
+TEST(test_margins, "margins have one chance")
 {
     const double pi = 3.14159265358979323846;
     for (unsigned k = 1; k <= TWINS; ++k) {
@@ -285,7 +285,7 @@ static void test_margins(void)
     UNIT_EQUAL(last_margin, twins_margin[TWINS - 1]);
 }
 
-static void test_horizon(void)
+TEST(test_horizon, "the horizon is the first that was seen")
 {
     struct scene s = {.time = 3};
     begin(1e-3);
@@ -300,7 +300,7 @@ static void test_horizon(void)
 
 /* Two runs agree on the closest contact if both say the same of it but for
    half of the smaller one. */
-static void test_decided(void)
+TEST(test_decided, "two agree on the closest contact")
 {
     static const double known[][3] = {
         {1, 1.49, 1},   {1, 1.51, 0},  {1.49, 1, 1}, {1.51, 1, 0},
@@ -326,7 +326,7 @@ static struct ladder ladder(const char *name, uint64_t steps, double error,
                            .rise = 1};
 }
 
-static void test_lost(void)
+TEST(test_lost, "errors that say nothing")
 {
     begin(1e-6);
     struct ladder l = ladder("leapfrog", 16, 1e-3, 1);
@@ -361,7 +361,7 @@ static void noted(struct ladder *l, uint64_t steps, double error,
 
 /* Between which rungs the next one lies, and which run stands for all: the
    coarsest that holds, or the last that does not. */
-static void test_notes(void)
+TEST(test_notes, "what a run says of the next rung")
 {
     begin(1e-6);
     struct ladder l = ladder("leapfrog", 16, 1e-3, 1);
@@ -394,7 +394,7 @@ static void test_notes(void)
     UNIT_TRUE(l.most == 3 && l.best.plan.steps == 8);
 }
 
-static void test_prices(void)
+TEST(test_prices, "what finer steps would cost")
 {
     begin(1e-6);
     struct ladder l = ladder("leapfrog", 16, 1e-4, 3);
@@ -430,7 +430,7 @@ static double next_steps(const struct ladder *l)
    what is asked for and costs 1 ms: it needs 160 steps, by its order. If
    there is a better way, an eighth of an octave below its price; and no run
    at all if not even an order of 2.4 could make it cheap enough. */
-static void test_next(void)
+TEST(test_next, "the next rung")
 {
     begin(1e-6);
     struct ladder l = ladder("leapfrog", 16, 1e-4, 1e-3);
@@ -500,7 +500,7 @@ static void test_next(void)
 }
 
 /* What a ladder says on which nothing holds. */
-static void test_foreseen(void)
+TEST(test_foreseen, "what a ladder promises")
 {
     begin(1e-6);
     struct ladder l = ladder("leapfrog", 16, 1e-4, 1e-3);
@@ -531,7 +531,7 @@ static void test_foreseen(void)
 }
 
 /* Refusals, each for its reason. */
-static void test_refusals(void)
+TEST(test_refusals, "refusals")
 {
     struct scene s = {.time = 1};
     const struct models_plan p = steps_of("pefrl", 24);
@@ -607,7 +607,7 @@ static void says(struct models_plan taken, double price, bool holds,
 }
 
 /* What was taken, with why it is enough, and what the next best costs. */
-static void test_sentences(void)
+TEST(test_sentences, "sentences")
 {
     says(steps_of("pefrl", 8), INFINITY, false,
          "pefrl:8: its fourth order meets 1e-06 at 8 steps a row");
@@ -640,7 +640,7 @@ static void test_sentences(void)
 
 /* The cheapest of the others, but not one that costs less than what was
    taken: that was dropped for another reason. */
-static void test_next_best(void)
+TEST(test_next_best, "the next best")
 {
     double price;
     begin(1e-6);
@@ -680,7 +680,7 @@ static bool found(void)
 }
 
 /* Bodies come to rest if two runs in turn say so after the same row. */
-static void test_standstill(void)
+TEST(test_standstill, "two say that bodies come to rest")
 {
     begin(1e-3);
     write_end(MODELS_STANDSTILL, 2);
@@ -714,7 +714,7 @@ static void test_standstill(void)
 }
 
 /* Other ends: dear, broken twice at one place, or not begun at all. */
-static void test_no_reference(void)
+TEST(test_no_reference, "no reference")
 {
     begin(1e-3);
     write_whole(7);
@@ -753,7 +753,7 @@ static void test_no_reference(void)
 /* Two agree to a twentieth of what is asked for. The second is a hundred
    times finer, in other units, and keeps from the bounds of its steps; the
    next pair begins where it stood. */
-static void test_reference(void)
+TEST(test_reference, "a reference")
 {
     begin(1e-3);
     write_whole(7);
@@ -782,7 +782,7 @@ static void test_reference(void)
 
 /* No two agree, down to the last digits: they part where the last two do,
    by more than a quarter of the tolerance. */
-static void test_parting(void)
+TEST(test_parting, "references that part")
 {
     begin(1e-9); /* from 1e-6 in steps of a hundred: five pairs */
     for (int pair = 0; pair < 5; ++pair) {
@@ -827,7 +827,7 @@ static void drop_reference(void)
    0.01 of the tolerance needs four for a fifth, 0.09 needs six and is then
    0.18, 0.11 is then too much for that, but not for half; with 0.26 no twin
    is asked. A twin that is farther off counts. */
-static void test_twins(void)
+TEST(test_twins, "twins of a reference")
 {
     static const struct {
         double seen, twin, want;
@@ -867,7 +867,7 @@ static void test_twins(void)
 /* Near the floor of rounding the twins of the reference are asked after a
    run was taken, and its error has what they bound: 0.2 of the tolerance
    from the reference, which three bound by 9.2 times 0.01. */
-static void test_surely(void)
+TEST(test_surely, "they count in the error of what was taken")
 {
     const struct models_plan only = steps_of("leapfrog", 5);
     begin(1e-3);
@@ -889,7 +889,7 @@ static void test_surely(void)
 
 /* An exact run and its twin, which are so far apart, in shares of the
    tolerance; runs that cost next to nothing have all six. */
-static void test_exact_twins(void)
+TEST(test_exact_twins, "twins of an exact run")
 {
     static const struct {
         double far, twin, cost;
@@ -935,7 +935,7 @@ static void test_exact_twins(void)
 /* What a twin costs that the first limit has stopped after two of four
    rows, is twice as much; if it has seen none, a sixteenth of a row is
    looked at, and so on; unless twins part there. */
-static void test_price_of_twin(void)
+TEST(test_price_of_twin, "what a twin would cost")
 {
     const struct models_plan p = {.model = models_find("disks")};
     struct record r = {.plan = p, .reached = 2, .cost = 3};
@@ -966,7 +966,7 @@ static void test_price_of_twin(void)
 
 /* A clock that is late by a share of the time moves places by so much more
    than a run does whose rows are 2^-40 later. */
-static void test_slip(void)
+TEST(test_slip, "clocks that are late")
 {
     struct record a;
     begin(1e-3);
@@ -987,7 +987,7 @@ static void test_slip(void)
 
 /* An undecided contact is asked of balls that are smaller and larger by
    twice as much as the finer run just met or missed, or by a hair. */
-static void test_balls(void)
+TEST(test_balls, "balls a little larger")
 {
     begin(1e-3);
     request.scene = &still;
@@ -1022,7 +1022,7 @@ static void test_balls(void)
 
 /* Whether rounding moves a run by a 300th of the tolerance is asked of the
    first twin. */
-static void test_near_floor(void)
+TEST(test_near_floor, "what rounding moves")
 {
     for (int near = 0; near < 2; ++near) {
         begin(3e-3);
@@ -1041,7 +1041,7 @@ static void test_near_floor(void)
 /* Runs with p, 2 p + 1, ... steps, four at most, and no more if two of them
    differ by 16 times too much: by the order of the method two more would
    not help. */
-static void test_even(void)
+TEST(test_even, "references of equal steps")
 {
     static const struct {
         double value[4]; /* in fifths of the tolerance */
@@ -1075,7 +1075,7 @@ static void test_even(void)
 /* A run of 40 steps that holds is taken if one of 44 holds, too; if not,
    one of 36 is, that does; and else it is said to be as bad as the finer
    one. Rungs that are known are not run again. */
-static void test_neighbours(void)
+TEST(test_neighbours, "neighbours on a ladder")
 {
     static const struct {
         double finer, coarser; /* 0: it is not asked */
@@ -1129,41 +1129,4 @@ static void test_neighbours(void)
     UNIT_EQUAL((double)ordered[0].plan.steps, 8);
     record_free(&r);
     drop_reference();
-}
-
-int main(void)
-{
-    return unit_run(
-        "choose_parts",
-        (struct unit_test[]){
-            {"rungs, from the foot on", test_rungs},
-            {"what an order is made of", test_order},
-            {"a candidate for each way", test_candidates},
-            {"how a run ended", test_endings},
-            {"what is offered is kept if it is better", test_offers},
-            {"margins have one chance", test_margins},
-            {"the horizon is the first that was seen", test_horizon},
-            {"two agree on the closest contact", test_decided},
-            {"errors that say nothing", test_lost},
-            {"what a run says of the next rung", test_notes},
-            {"what finer steps would cost", test_prices},
-            {"the next rung", test_next},
-            {"what a ladder promises", test_foreseen},
-            {"refusals", test_refusals},
-            {"sentences", test_sentences},
-            {"the next best", test_next_best},
-            {"two say that bodies come to rest", test_standstill},
-            {"no reference", test_no_reference},
-            {"a reference", test_reference},
-            {"references that part", test_parting},
-            {"twins of a reference", test_twins},
-            {"they count in the error of what was taken", test_surely},
-            {"twins of an exact run", test_exact_twins},
-            {"what a twin would cost", test_price_of_twin},
-            {"clocks that are late", test_slip},
-            {"balls a little larger", test_balls},
-            {"what rounding moves", test_near_floor},
-            {"references of equal steps", test_even},
-            {"neighbours on a ladder", test_neighbours},
-            {0}});
 }

@@ -14,7 +14,7 @@
 
 /* Fourteen sums and products, of which only the last two are not small:
    measured 2.9 units in the last place. */
-static void test_exponential(void)
+TEST(test_exponential, "the exponential is right to its last bits")
 {
     double worst = 0;
     for (double x = -700; x < 700; x += 0.1234567) {
@@ -32,7 +32,7 @@ static void test_exponential(void)
 }
 
 /* v e^(-kt) + g (1 - e^(-kt))/k, and its integral, in long double. */
-static void test_flight(void)
+TEST(test_flight, "flight under weight and friction")
 {
     static const double rates[] = {0, 1e-12, 1e-5, 0.3, 1, 1.0000001, 20};
     for (size_t i = 0; i < sizeof rates / sizeof *rates; ++i)
@@ -60,7 +60,8 @@ static void test_flight(void)
 }
 
 /* 2e-15 is a few roundings of numbers below 2. */
-static void test_oscillator(void)
+TEST(test_oscillator,
+     "the oscillator of 18 known places, near-critical too")
 {
     for (size_t i = 0; i < 6; ++i)
         for (size_t k = 0; k < 3; ++k) {
@@ -73,7 +74,8 @@ static void test_oscillator(void)
 
 /* In two parts it is the same as in one; a rate of zero keeps the energy;
    a stiffness of zero is friction alone; long times are no trouble. */
-static void test_oscillator_parts(void)
+TEST(test_oscillator_parts,
+     "an oscillation in parts, without spring, for long")
 {
     for (double rate = 0; rate < 6; rate += 0.37) {
         double y = 0.7, v = -0.2, y2 = y, v2 = v;
@@ -111,7 +113,8 @@ static void relabel(double low, double high, size_t n, const double at[],
 
 /* Walls on no side, one side or both; times between collisions, where the
    exact answers are unique. Rounding of places grows with the way flown. */
-static void test_relabel(void)
+TEST(test_relabel,
+     "equal points are those of chapter 2, and so are their meetings")
 {
     struct random r;
     random_seed(&r, 12);
@@ -149,7 +152,7 @@ static void test_relabel(void)
 }
 
 /* A collision at the very time has taken place, as in chapter 2. */
-static void test_relabel_at_once(void)
+TEST(test_relabel_at_once, "what happens at the very time has happened")
 {
     const double at[] = {1, 3}, with[] = {1, -1};
     relabel(-INFINITY, INFINITY, 2, at, with, 1);
@@ -168,23 +171,4 @@ static void test_relabel_at_once(void)
     UNIT_EQUAL((double)closed_meetings(0, 4, 2, at, with, 3), 3);
     UNIT_TRUE(closed_meetings(0, 4, 2, at, (double[]){0, 1e21}, 3) ==
               UINT64_MAX); /* more than there are numbers for */
-}
-
-int main(void)
-{
-    return unit_run(
-        "closed",
-        (struct unit_test[]){
-            {"the exponential is right to its last bits", test_exponential},
-            {"flight under weight and friction", test_flight},
-            {"the oscillator of 18 known places, near-critical too",
-             test_oscillator},
-            {"an oscillation in parts, without spring, for long",
-             test_oscillator_parts},
-            {"equal points are those of chapter 2, and so are their "
-             "meetings",
-             test_relabel},
-            {"what happens at the very time has happened",
-             test_relabel_at_once},
-            {0}});
 }

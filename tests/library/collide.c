@@ -26,7 +26,7 @@ enum { GOLDEN = sizeof golden / sizeof golden[0] };
 /* Three roundings of numbers up to 2(|u1|+|u2|) <= 6: 3 * 6 * eps/2. */
 static const double golden_tolerance = 9 * DBL_EPSILON;
 
-static void test_golden_values(void)
+TEST(test_golden_values, "exact fractions in every form")
 {
     for (int form = 0; form < COLLIDE_FORMS; ++form)
         for (int i = 0; i < GOLDEN; ++i) {
@@ -38,7 +38,7 @@ static void test_golden_values(void)
         }
 }
 
-static void test_walls_are_exact(void)
+TEST(test_walls_are_exact, "a wall keeps its velocity to the last bit")
 {
     struct random r;
     random_seed(&r, 2);
@@ -57,7 +57,7 @@ static void test_walls_are_exact(void)
 
 /* With equal masses q = r = d is exact when d is, as for multiples of
    2^-53 in [0,1). */
-static void test_equal_masses_swap(void)
+TEST(test_equal_masses_swap, "equal masses exchange velocities exactly")
 {
     struct random r;
     random_seed(&r, 3);
@@ -71,7 +71,7 @@ static void test_equal_masses_swap(void)
     }
 }
 
-static void test_refusals(void)
+TEST(test_refusals, "what has no answer is refused and changes nothing")
 {
     const double bad[][2] = {
         {0, 0},   {-1, 1},  {1, -1},       {-1, 2},       {2, -1},
@@ -102,7 +102,7 @@ static void test_refusals(void)
 }
 
 /* A tiny velocity along a tiny normal, and a large along a large one. */
-static void test_extreme_units(void)
+TEST(test_extreme_units, "units may be extreme")
 {
     double v1[2] = {1e-290, 0}, v2[2] = {0, 0};
     double w1[2] = {1e290, 0}, w2[2] = {0, 0};
@@ -117,7 +117,7 @@ static void test_extreme_units(void)
 /* Every form agrees with collide_along for any normal: a few roundings of
    velocities below 2, and of projections up to |u| |n| / n.n below 4; the
    complement loses up to 16 times more at mass ratios to 8. */
-static void test_every_form_along(void)
+TEST(test_every_form_along, "every form agrees along any normal")
 {
     struct random r;
     random_seed(&r, 9);
@@ -146,7 +146,7 @@ static void test_every_form_along(void)
 
 /* M has determinant -1, trace 0, eigenvectors (1,1) and (a,-b); twice is
    the identity. Each entry is good to 3 roundings of a number up to 2. */
-static void test_matrix(void)
+TEST(test_matrix, "the map is a reflection")
 {
     struct random r;
     random_seed(&r, 4);
@@ -174,7 +174,7 @@ static void test_matrix(void)
 }
 
 /* v2 - v1 = e (u1 - u2), and the loss of energy is (1-e^2)/2 d^2/(a+b). */
-static void test_restitution(void)
+TEST(test_restitution, "restitution takes the energy it should")
 {
     struct random r;
     random_seed(&r, 5);
@@ -195,7 +195,8 @@ static void test_restitution(void)
 
 /* Each form keeps energy to 8 eps and momentum to 4 eps of sum m|u| for
    mass ratios to 3: three roundings enter v, the energy doubles them. */
-static void test_rounding_of_every_form(void)
+TEST(test_rounding_of_every_form,
+     "every form keeps energy and momentum in one collision")
 {
     struct random r;
     random_seed(&r, 6);
@@ -224,7 +225,8 @@ static void test_rounding_of_every_form(void)
     }
 }
 
-static void test_one_dimension_is_the_same(void)
+TEST(test_one_dimension_is_the_same,
+     "one dimension along a normal is one dimension")
 {
     struct random r;
     const double right[1] = {1}, space[3] = {0, 1, 0};
@@ -245,7 +247,7 @@ static void test_one_dimension_is_the_same(void)
 }
 
 /* A heavy disk and a light one, normal (0.7, 0.7): exact fractions. */
-static void test_two_disks(void)
+TEST(test_two_disks, "two disks at forty-five degrees")
 {
     const double normal[2] = {0.7, 0.7};
     double a[2] = {1, 0}, b[2] = {0, 0};
@@ -264,7 +266,7 @@ static void test_two_disks(void)
 
 /* A power of two in front of the normal changes nothing, to the last bit,
    even where its square overflows or vanishes. */
-static void test_any_length(void)
+TEST(test_any_length, "a normal may have any length")
 {
     const int powers[] = {-1000, -600, -530, -520, -340, -40, -1,
                           1,     40,   340,  505,  600,  1000};
@@ -286,7 +288,7 @@ static void test_any_length(void)
 
 /* A normal of any length, and just half of a power of two, says the same;
    and a long one leaves room for fast bodies. */
-static void test_scaled_normals(void)
+TEST(test_scaled_normals, "normals of all lengths")
 {
     for (int power = -1000; power <= 1000; power += 25) {
         const double normal[] = {0, ldexp(1, power), 0};
@@ -306,30 +308,4 @@ static void test_scaled_normals(void)
     UNIT_TRUE(collide(&v, &w, 1, 1, 0));
     UNIT_EQUAL(v, 0);
     UNIT_EQUAL(w, 0);
-}
-
-int main(void)
-{
-    return unit_run(
-        "collide",
-        (struct unit_test[]){
-            {"exact fractions in every form", test_golden_values},
-            {"a wall keeps its velocity to the last bit",
-             test_walls_are_exact},
-            {"equal masses exchange velocities exactly",
-             test_equal_masses_swap},
-            {"what has no answer is refused and changes nothing",
-             test_refusals},
-            {"the map is a reflection", test_matrix},
-            {"restitution takes the energy it should", test_restitution},
-            {"every form keeps energy and momentum in one collision",
-             test_rounding_of_every_form},
-            {"one dimension along a normal is one dimension",
-             test_one_dimension_is_the_same},
-            {"two disks at forty-five degrees", test_two_disks},
-            {"a normal may have any length", test_any_length},
-            {"units may be extreme", test_extreme_units},
-            {"every form agrees along any normal", test_every_form_along},
-            {"normals of all lengths", test_scaled_normals},
-            {0}});
 }

@@ -41,7 +41,7 @@ static bool is_right(const char *text)
 
 /* Numbers that are hard to round, from the literature on it: next to the
    middle of two doubles, at both ends of their range. */
-static void test_hard(void)
+TEST(test_hard, "numbers that are hard to round")
 {
     static const char *const hard[] = {
         "9007199254740993",
@@ -93,7 +93,7 @@ static void test_hard(void)
     UNIT_TRUE(same(read_one("-0"), -0.0));
 }
 
-static void test_refused(void)
+TEST(test_refused, "what is no number is refused")
 {
     static const char *const no[] = {
         "",      "-",        "+",     ".",      "-.",
@@ -118,7 +118,7 @@ static void test_refused(void)
 }
 
 /* Numbers as programs write them, of all sizes. */
-static void test_random(void)
+TEST(test_random, "numbers as programs write them")
 {
     struct random r;
     char text[64];
@@ -143,7 +143,7 @@ static void test_random(void)
 }
 
 /* The middle of two doubles, and one more or less in the 19th digit. */
-static void test_middles(void)
+TEST(test_middles, "the middle of two doubles")
 {
     struct random r;
     char text[64];
@@ -172,7 +172,7 @@ static void test_middles(void)
 
 /* A locale with a comma changes nothing. Where there is none, nothing is
    tested but that. */
-static void test_locale(void)
+TEST(test_locale, "a point is a point in every country")
 {
     static const char *const names[] = {"de_DE.UTF-8", "de_DE",
                                         "fr_FR.UTF-8", "C"};
@@ -185,7 +185,7 @@ static void test_locale(void)
 }
 
 /* A text ends where its length says, whatever stands behind. */
-static void test_ends(void)
+TEST(test_ends, "a text has a length")
 {
     static const struct {
         const char *text;
@@ -206,7 +206,7 @@ static void test_ends(void)
 
 /* Which way a number goes: up to 2^53 at once; up to where one more digit
    might be too much for 64 bits in a pair; beyond that by the library. */
-static void test_ways(void)
+TEST(test_ways, "ways to round")
 {
     static const struct {
         const char *text;
@@ -233,7 +233,7 @@ static void test_ways(void)
 
 /* Nothing is read behind the end of a text, which stands at the end of a
    page that no readable one follows. */
-static void test_end(void)
+TEST(test_end, "nothing is read behind the end")
 {
     static const char *const texts[] = {"1e", "1e-", "-", "1", "1.", "2e7"};
     const size_t page = (size_t)sysconf(_SC_PAGESIZE);
@@ -251,19 +251,4 @@ static void test_end(void)
         UNIT_EQUAL(value, k == 5 ? 2e7 : k > 2 ? 1 : 0);
     }
     munmap(pages, 2 * page);
-}
-
-int main(void)
-{
-    return unit_run(
-        "decimal", (struct unit_test[]){
-                       {"numbers that are hard to round", test_hard},
-                       {"what is no number is refused", test_refused},
-                       {"numbers as programs write them", test_random},
-                       {"the middle of two doubles", test_middles},
-                       {"a point is a point in every country", test_locale},
-                       {"a text has a length", test_ends},
-                       {"ways to round", test_ways},
-                       {"nothing is read behind the end", test_end},
-                       {0}});
 }

@@ -30,7 +30,7 @@ static void begin(struct disks *d, size_t dimensions, size_t count,
     UNIT_TRUE(disks_leash(d) > 0 && disks_plan(d));
 }
 
-static void test_wall_time(void)
+TEST(test_wall_time, "wall times")
 {
     UNIT_EQUAL(disks_wall_time(0.5, 1, 0.25, 1), 0.25);
     UNIT_EQUAL(disks_wall_time(0.5, -2, 0.25, 1), 0.125);
@@ -42,7 +42,7 @@ static void test_wall_time(void)
 }
 
 /* Head-on; 3-4-5 triangles in the plane and in space; misses. */
-static void test_pair_time(void)
+TEST(test_pair_time, "pair times of known triangles")
 {
     UNIT_EQUAL(
         disks_pair_time((double[]){4, 0, 0}, (double[]){-2, 0, 0}, 1), 1.5);
@@ -66,7 +66,7 @@ static void test_pair_time(void)
 }
 
 /* What overlaps and approaches collides now, what parts does not. */
-static void test_overlap(void)
+TEST(test_overlap, "overlaps collide now if they approach")
 {
     const double in[] = {-1, 0.5, 0}, out[] = {1, 0.5, 0};
     const double side[] = {0, 1, 0};
@@ -83,7 +83,7 @@ static void test_overlap(void)
 
 /* Exact places: c = 2 g + g^2 has no rounding, t = g / v exactly, and a few
    roundings in the formula. The textbook's root keeps 8 digits here. */
-static void test_small_gap(void)
+TEST(test_small_gap, "a small gap keeps its digits")
 {
     const double gap = ldexp(1, -26), v = 0.7;
     UNIT_NEAR(disks_pair_time((double[]){1 + gap, 0, 0},
@@ -93,7 +93,7 @@ static void test_small_gap(void)
 }
 
 /* The time of a meeting is the same number whenever one asks. */
-static void test_canonical(void)
+TEST(test_canonical, "meetings are canonical")
 {
     struct disks d;
     begin(&d, 2, 20, 0.5, 8, DISKS_PERIODIC, 3);
@@ -142,7 +142,7 @@ static void compare(size_t dimensions, size_t count, double side,
     disks_free(&d[1]);
 }
 
-static void test_engines(void)
+TEST(test_engines, "a plan has the bits of every pair looked at")
 {
     for (int boundary = 0; boundary < DISKS_BOUNDARIES; ++boundary) {
         compare(2, 2, 5, boundary);
@@ -154,7 +154,7 @@ static void test_engines(void)
 }
 
 /* A run in pieces has the bits of a run in one; looking changes nothing. */
-static void test_pieces(void)
+TEST(test_pieces, "pieces of a run have the bits of the whole")
 {
     struct disks one, many;
     double place[DISKS_AXES];
@@ -210,7 +210,7 @@ static void balance(size_t dimensions, double e)
     disks_free(&d);
 }
 
-static void test_balance(void)
+TEST(test_balance, "virial, walls and energy balance")
 {
     balance(2, 500);
     balance(3, 900);
@@ -218,7 +218,7 @@ static void test_balance(void)
 
 /* In a periodic box energy and momentum; chapter 1's drift of the energy
    is below 1e-15 a collision. */
-static void test_conserved(void)
+TEST(test_conserved, "energy and momentum are conserved")
 {
     struct disks d;
     double sum[DISKS_AXES] = {0};
@@ -283,7 +283,7 @@ static void measure(size_t count, double each, struct pressures *p)
 
 /* Direct sampling: p(r) = 2.69889(31), f(2r) = 3.95237(59), thus the ratio
    of the rates .776638(150) and the virial 1 + 1.5 * .15 * f(2r). */
-static void test_four(void)
+TEST(test_four, "four disks: direct sampling")
 {
     struct pressures p;
     measure(4, 5000, &p);
@@ -293,7 +293,7 @@ static void test_four(void)
 }
 
 /* Two disks: exact, Z = (wall acceptance / acceptance) / (1 - 2r). */
-static void test_two(void)
+TEST(test_two, "two disks: exact pressure")
 {
     struct pressures p;
     measure(2, 10000, &p);
@@ -303,7 +303,7 @@ static void test_two(void)
 
 /* One disk alone: Z = L / (L - 2r) on each axis, exactly after whole round
    trips; 2 * 3 / 0.6 and 2 * 1 / 0.8 s for the axes of this one. */
-static void test_one(void)
+TEST(test_one, "one disk: exact impulses")
 {
     struct disks d;
     if (!disks_create(&d, 2, 1))
@@ -320,7 +320,7 @@ static void test_one(void)
 }
 
 /* Nothing ever happens to disks at rest, and time still passes. */
-static void test_rest(void)
+TEST(test_rest, "nothing happens at rest")
 {
     struct disks d;
     begin(&d, 2, 4, 0.15, 1, DISKS_WALLS, 1);
@@ -336,7 +336,7 @@ static void test_rest(void)
 
 /* Settling folds the disks into the box and starts all counts anew; an
    event that rounding has put into the past happens now. */
-static void test_settle(void)
+TEST(test_settle, "settling folds, and begins to count")
 {
     struct disks d;
     double before[DISKS_AXES], after[DISKS_AXES];
@@ -360,7 +360,7 @@ static void test_settle(void)
 }
 
 /* Head-on with e = 1/2: (v1 + v2)/2 -+ e (v1 - v2)/2; a wall gives half. */
-static void test_restitution(void)
+TEST(test_restitution, "restitution")
 {
     struct disks d;
     if (!disks_create(&d, 2, 2))
@@ -382,7 +382,7 @@ static void test_restitution(void)
 }
 
 /* Along an axis that is open there is no wall to meet. */
-static void test_open_axis(void)
+TEST(test_open_axis, "an open axis has no wall")
 {
     struct disks d;
     size_t axis;
@@ -401,7 +401,7 @@ static void test_open_axis(void)
 /* Disks in rows that fly along their rows, with places, speeds and times
    that have few binary digits: much happens at one time, and exactly. The
    plan takes it in the order of disks_before, as every look does. */
-static void test_ties(void)
+TEST(test_ties, "and a plan keeps to it")
 {
     enum { SIDE = 5, COUNT = SIDE * SIDE };
     for (uint64_t seed = 1; seed <= 40; ++seed) {
@@ -446,7 +446,7 @@ static void test_ties(void)
 }
 
 /* Equal times: the smaller number first, then the smaller partner. */
-static void test_order(void)
+TEST(test_order, "equal times have an order")
 {
     const struct disks_event a = {1, 3, 0}, b = {1, 0, 2}, c = {1, 1, 2};
     const struct disks_event wall = {1, 0, 4}, late = {2, 0, 1};
@@ -458,7 +458,7 @@ static void test_order(void)
 }
 
 /* The lattice holds what the packing of a commensurate box allows. */
-static void test_lattice(void)
+TEST(test_lattice, "lattices hold the closest packing")
 {
     struct disks d;
     size_t a, b;
@@ -489,7 +489,7 @@ static void test_lattice(void)
 }
 
 /* One big disk among small ones goes to the middle, up to packing .7. */
-static void test_guest(void)
+TEST(test_guest, "a guest stands in the middle")
 {
     for (int boundary = 0; boundary < DISKS_BOUNDARIES; ++boundary)
         for (int dense = 2; dense <= 7; ++dense) {
@@ -508,7 +508,7 @@ static void test_guest(void)
         }
 }
 
-static void test_random_start(void)
+TEST(test_random_start, "random starts fit or are refused")
 {
     struct disks d;
     struct random r;
@@ -525,7 +525,7 @@ static void test_random_start(void)
 }
 
 /* The first pair that overlaps, or the disk that sticks out. */
-static void test_fit(void)
+TEST(test_fit, "misfits are named")
 {
     struct disks d;
     size_t a, b;
@@ -540,7 +540,7 @@ static void test_fit(void)
 }
 
 /* Images: nearest, and folded. A box of 4 radii is too narrow. */
-static void test_images(void)
+TEST(test_images, "nearest images")
 {
     struct disks d;
     double apart[DISKS_AXES], place[DISKS_AXES] = {-0.5, 31.25, 0};
@@ -565,7 +565,7 @@ static void test_images(void)
 }
 
 /* Maxwell's velocities: <m v^2> = kT for each mass, to 4 sigma. */
-static void test_temperature(void)
+TEST(test_temperature, "temperature and speed of a start")
 {
     enum { N = 20000 };
     struct disks d;
@@ -602,7 +602,7 @@ static void boost(struct disks *d, double x, double y)
 /* A drift along periodic axes is no heat; across a wall it is, since the
    wall takes it. Rounding of the speeds: 1e3 epsilons, twice in a square.
  */
-static void test_drift(void)
+TEST(test_drift, "a drift is no heat, but across a wall")
 {
     enum { N = 50 };
     struct disks d;
@@ -656,7 +656,7 @@ static void begin_fall(struct disks *d, enum disks_boundary boundary,
 
 /* One disk: to and fro along x, and along y a ball that bounces, with a
    roof in its reach or not. */
-static void test_ball(void)
+TEST(test_ball, "a disk that bounces")
 {
     for (int roof = 0; roof < 2; ++roof) {
         const double g = 9.81, v = roof ? 5 : 3, room = 0.8;
@@ -686,7 +686,7 @@ static void test_ball(void)
 }
 
 /* Far from floor and roof, disks that fall meet as if they did not. */
-static void test_common_fall(void)
+TEST(test_common_fall, "disks that fall meet as if they did not")
 {
     struct disks d[2];
     double place[2][3];
@@ -772,7 +772,7 @@ static void falling_runs(enum disks_boundary boundary)
     }
 }
 
-static void test_falling_runs(void)
+TEST(test_falling_runs, "falling, the plan has the bits of every pair")
 {
     falling_runs(DISKS_WALLS);
     falling_runs(DISKS_FLOOR);
@@ -780,7 +780,7 @@ static void test_falling_runs(void)
 
 /* Two that fly apart in a box without sides meet behind its seam, 0.06 of
    0.2 m/s later, and then every 4.6 s; none meets a side. */
-static void test_no_sides(void)
+TEST(test_no_sides, "without sides they meet behind the seam")
 {
     struct disks d;
     double place[3];
@@ -805,7 +805,7 @@ static void test_no_sides(void)
 }
 
 /* A disk that is put on the floor at rest is reported, not lost. */
-static void test_lying(void)
+TEST(test_lying, "a disk that lies is reported")
 {
     struct disks d;
     begin_fall(&d, DISKS_WALLS, 2, 1, 0.1, 1);
@@ -818,7 +818,7 @@ static void test_lying(void)
 
 /* All speeds are the one asked for, and nothing else changes; the momentum
    goes where it is kept, along periodic axes, and the energy stays. */
-static void test_speeds(void)
+TEST(test_speeds, "speeds and momentum of a start")
 {
     for (size_t dimensions = 2; dimensions <= 3; ++dimensions)
         for (int b = 0; b < DISKS_BOUNDARIES; ++b)
@@ -879,7 +879,7 @@ static void test_speeds(void)
 
 /* Two disks of 1 kg that fly apart at 1 m/s, and drift: with sqrt(eps / 2),
    1.05e-8 m/s, the energy of the drift is half a last bit of theirs. */
-static void test_least_drift(void)
+TEST(test_least_drift, "a drift below the last bit is none")
 {
     for (size_t k = 0; k < 2; ++k)
         for (int more = 0; more < 2; ++more) {
@@ -900,7 +900,7 @@ static void test_least_drift(void)
 
 /* The square of the fastest speed, of it times the widest radius, or of it
    times the root of the mass: 2^-900 is not cold, and less is. */
-static void test_cold(void)
+TEST(test_cold, "which speeds are too cold")
 {
     static const struct {
         double radius, mass;
@@ -932,7 +932,7 @@ static void test_cold(void)
 }
 
 /* A thousand collisions at one time, and ten for each disk, are none. */
-static void test_collapsed(void)
+TEST(test_collapsed, "how long a clock may stand")
 {
     struct disks d;
     begin(&d, 2, 7, 0.15, 4, DISKS_PERIODIC, 1);
@@ -950,7 +950,7 @@ static void test_collapsed(void)
 
 /* A third of half the narrowest periodic side, less two of the widest radii
    together; 0 from where that is a millionth of the side. */
-static void test_disks_leash(void)
+TEST(test_disks_leash, "how far a disk flies before it looks")
 {
     struct disks d;
     if (!disks_create(&d, 3, 3))
@@ -977,7 +977,7 @@ static void test_disks_leash(void)
 }
 
 /* Between walls a lattice goes from one to the other, along each axis. */
-static void test_from_wall_to_wall(void)
+TEST(test_from_wall_to_wall, "a lattice goes from wall to wall")
 {
     for (size_t dimensions = 2; dimensions <= 3; ++dimensions)
         for (size_t count = 8; count < 200; count += count) {
@@ -998,7 +998,7 @@ static void test_from_wall_to_wall(void)
 
 /* What overlaps by less than 1e-9 of its distance, or sticks out by less
    than 1e-9 of the box, does so by rounding. */
-static void test_rounding_fits(void)
+TEST(test_rounding_fits, "what rounding may overlap")
 {
     struct disks d;
     if (!disks_create(&d, 3, 2))
@@ -1030,7 +1030,7 @@ static void test_rounding_fits(void)
 /* Less than four last bits of the box above the floor, and of a flight that
    is as short beside the clock: that is to lie. Which of them it is, is
    said. */
-static void test_where_it_lies(void)
+TEST(test_where_it_lies, "and which disk lies")
 {
     for (size_t who = 0; who < 3; ++who) {
         struct disks d;
@@ -1092,7 +1092,7 @@ static double widest_lattice(const struct disks *d, double r)
 
 /* Disks that just fit on the widest lattice are placed, a little wider ones
    are not, in boxes of all shapes. */
-static void test_widest_lattice(void)
+TEST(test_widest_lattice, "of all lattices it is the widest")
 {
     static const double boxes[][3] = {
         {10, 10, 10}, {10, 1, 3},   {1, 10, 2}, {7, 8, 9},
@@ -1128,52 +1128,4 @@ static void test_widest_lattice(void)
                     }
                     disks_free(&d);
                 }
-}
-
-int main(void)
-{
-    return unit_run(
-        "disks",
-        (struct unit_test[]){
-            {"wall times", test_wall_time},
-            {"pair times of known triangles", test_pair_time},
-            {"overlaps collide now if they approach", test_overlap},
-            {"a small gap keeps its digits", test_small_gap},
-            {"meetings are canonical", test_canonical},
-            {"a plan has the bits of every pair looked at", test_engines},
-            {"pieces of a run have the bits of the whole", test_pieces},
-            {"virial, walls and energy balance", test_balance},
-            {"energy and momentum are conserved", test_conserved},
-            {"four disks: direct sampling", test_four},
-            {"two disks: exact pressure", test_two},
-            {"one disk: exact impulses", test_one},
-            {"nothing happens at rest", test_rest},
-            {"settling folds, and begins to count", test_settle},
-            {"restitution", test_restitution},
-            {"equal times have an order", test_order},
-            {"and a plan keeps to it", test_ties},
-            {"an open axis has no wall", test_open_axis},
-            {"lattices hold the closest packing", test_lattice},
-            {"of all lattices it is the widest", test_widest_lattice},
-            {"a guest stands in the middle", test_guest},
-            {"random starts fit or are refused", test_random_start},
-            {"misfits are named", test_fit},
-            {"nearest images", test_images},
-            {"temperature and speed of a start", test_temperature},
-            {"a drift is no heat, but across a wall", test_drift},
-            {"a disk that bounces", test_ball},
-            {"disks that fall meet as if they did not", test_common_fall},
-            {"falling, the plan has the bits of every pair",
-             test_falling_runs},
-            {"without sides they meet behind the seam", test_no_sides},
-            {"a disk that lies is reported", test_lying},
-            {"speeds and momentum of a start", test_speeds},
-            {"a drift below the last bit is none", test_least_drift},
-            {"which speeds are too cold", test_cold},
-            {"how long a clock may stand", test_collapsed},
-            {"how far a disk flies before it looks", test_disks_leash},
-            {"a lattice goes from wall to wall", test_from_wall_to_wall},
-            {"what rounding may overlap", test_rounding_fits},
-            {"and which disk lies", test_where_it_lies},
-            {0}});
 }

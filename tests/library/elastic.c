@@ -27,7 +27,7 @@ static void begin(struct springs *p, struct stepping *t, struct scene *s,
 
 /* Every scene at its usual values and with each key at both ends (grids no
    larger than a hundred on a side) builds, and is finite. */
-static void test_all_keys(void)
+TEST(test_all_keys, "every key of every scene at both ends")
 {
     for (const struct gallery_scene *g = elastic_scenes; g->name; ++g)
         for (size_t k = 0; g->key[k].name; ++k)
@@ -49,7 +49,7 @@ static void test_all_keys(void)
             }
 }
 
-static void test_pendulum(void)
+TEST(test_pendulum, "the double pendulum hangs where it should")
 {
     struct scene s;
     make(&s, "double-pendulum", NULL, 0);
@@ -68,7 +68,7 @@ static void test_pendulum(void)
 }
 
 /* Symmetric to the last bit, the rim held and flat. */
-static void test_membrane(void)
+TEST(test_membrane, "a membrane is symmetric to the last bit")
 {
     struct scene s;
     make(&s, "membrane", "s", 2);
@@ -91,7 +91,7 @@ static void test_membrane(void)
 }
 
 /* The paper's membrane, along z only: its first mode at 1, 2, 5, 10 s. */
-static void test_naive(void)
+TEST(test_naive, "the paper's membrane moves as computed elsewhere")
 {
     const double expected[][2] = {{1, .9358708481},
                                   {2, .7680008832},
@@ -121,7 +121,7 @@ static void test_naive(void)
 
 /* Two rows of five, six uprights, and the diagonals of five cells; those
    that go up to the left begin one body further right. */
-static void test_truss(void)
+TEST(test_truss, "a truss has the diagonals it was asked for")
 {
     for (int diagonals = 0; diagonals < 3; ++diagonals) {
         struct scene s;
@@ -136,7 +136,7 @@ static void test_truss(void)
 }
 
 /* Where the beam comes to rest in gravities of 0.1, 1 and 10. */
-static void test_beam(void)
+TEST(test_beam, "the beam comes to rest as computed elsewhere")
 {
     const double g[] = {0.1, 1, 10};
     const double x[] = {-0.0056884367, -0.0734410910, -1.5278380940};
@@ -155,19 +155,4 @@ static void test_beam(void)
         springs_free(&p);
         scene_free(&s);
     }
-}
-
-int main(void)
-{
-    return unit_run(
-        "elastic",
-        (struct unit_test[]){
-            {"every key of every scene at both ends", test_all_keys},
-            {"the double pendulum hangs where it should", test_pendulum},
-            {"a membrane is symmetric to the last bit", test_membrane},
-            {"the paper's membrane moves as computed elsewhere",
-             test_naive},
-            {"a truss has the diagonals it was asked for", test_truss},
-            {"the beam comes to rest as computed elsewhere", test_beam},
-            {0}});
 }

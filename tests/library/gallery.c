@@ -1,6 +1,7 @@
 /* The gallery: every scene can be made, with each key at its ends too, and
    comes back from its file with the same bits, which are those that it
    always had. */
+#define UNIT_OWN_MAIN
 #include "unit.h"
 
 #include "scenes/gallery.h"
@@ -52,7 +53,7 @@ static int check_keys(const struct gallery_scene *g)
     return bad;
 }
 
-static void test_keys(void)
+TEST(test_keys, "keys have values that they may take")
 {
     UNIT_EQUAL(for_all(check_keys), 0);
 }
@@ -70,7 +71,7 @@ static int check_name(const struct gallery_scene *g)
     return for_all(is_namesake) - 1;
 }
 
-static void test_names(void)
+TEST(test_names, "every scene has its own name")
 {
     UNIT_EQUAL(for_all(check_name), 0);
 }
@@ -104,7 +105,7 @@ static int check_written(const struct gallery_scene *g)
     return good ? 0 : complain(g, "written and read", "it is another");
 }
 
-static void test_written(void)
+TEST(test_written, "scenes come back from files")
 {
     UNIT_EQUAL(for_all(check_written), 0);
 }
@@ -135,13 +136,13 @@ static int check_ends(const struct gallery_scene *g)
     return bad;
 }
 
-static void test_ends(void)
+TEST(test_ends, "keys at their ends do no harm")
 {
     UNIT_EQUAL(for_all(check_ends), 0);
 }
 
 /* Chosen values, and refusals of what is not there, as build makes them. */
-static void test_chosen(void)
+TEST(test_chosen, "what is chosen, and nothing else")
 {
     const struct gallery_scene *g = gallery_find(hard_scenes, "cradle");
     double value[GALLERY_KEYS];
@@ -213,7 +214,7 @@ static const struct gallery_scene *find(const char *name)
     return g;
 }
 
-static void test_sums(void)
+TEST(test_sums, "they are what they always were")
 {
     char name[32], word[32];
     double usual, low, high, value;
@@ -242,13 +243,5 @@ int main(int count, char *words[])
 {
     if (count > 1 && strcmp(words[1], "sums") == 0)
         return for_all(write_sums);
-    return unit_run("gallery",
-                    (struct unit_test[]){
-                        {"keys have values that they may take", test_keys},
-                        {"every scene has its own name", test_names},
-                        {"scenes come back from files", test_written},
-                        {"keys at their ends do no harm", test_ends},
-                        {"they are what they always were", test_sums},
-                        {"what is chosen, and nothing else", test_chosen},
-                        {0}});
+    return unit_run("gallery");
 }

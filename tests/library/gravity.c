@@ -46,7 +46,7 @@ static void add(const struct gravity *g, double a[])
 
 /* Masses 2 and 3 at a distance of 5 = |(3, 4, 0)|, and with a softening of
    12, for which the root is 13. */
-static void test_by_hand(void)
+TEST(test_by_hand, "two bodies are as by hand")
 {
     memcpy(place, (double[]){1, 4, 1, 5, 2, 2}, 6 * sizeof place[0]);
     mass[0] = 2, mass[1] = 3;
@@ -101,7 +101,7 @@ static double worst_error(const struct gravity *g)
 }
 
 /* Rounding of a term, of n sums, and of the weight: (n + 10) epsilon. */
-static void test_kernels(void)
+TEST(test_kernels, "all kernels sum right, whatever the number")
 {
     static const size_t counts[] = {1,  2,  31, 32, 33, 34, 35,
                                     36, 37, 39, 40, 41, 64, 200};
@@ -126,7 +126,7 @@ static void test_kernels(void)
 
 /* One body pulls, and the others weigh nothing: each acceleration is one
    term, right to 1e-14 at all distances from 1e-9 to 1e9. */
-static void test_one_term(void)
+TEST(test_one_term, "a single pull is right to 1e-14")
 {
     const size_t n = MOST;
     struct random r;
@@ -176,7 +176,7 @@ static void add_plainly(const struct gravity *g, size_t i, double total[3])
 }
 
 /* Blocks of bodies change no bit, however many are left for the last. */
-static void test_blocks(void)
+TEST(test_blocks, "blocks have the bits of one body at a time")
 {
     for (size_t n = 33; n <= 130; n += n < 70 ? 1 : 20)
         for (int soft = 0; soft < 2; ++soft) {
@@ -195,7 +195,7 @@ static void test_blocks(void)
         }
 }
 
-static void test_threads(void)
+TEST(test_threads, "any number of threads has the same bits")
 {
     const size_t n = 501;
     scatter(n, 9);
@@ -215,7 +215,7 @@ static void test_threads(void)
 }
 
 /* Few bodies: all kernels are the same loop. */
-static void test_few(void)
+TEST(test_few, "few bodies have the same bits in all kernels")
 {
     scatter(32, 4);
     struct gravity g = prepare(32, 1, 0);
@@ -227,7 +227,7 @@ static void test_few(void)
     }
 }
 
-static void test_third_law(void)
+TEST(test_third_law, "forces are opposite in pairs")
 {
     static const size_t counts[] = {2, 3, 20, 33, 300};
     for (size_t c = 0; c < 5; ++c) {
@@ -248,7 +248,7 @@ static void test_third_law(void)
 
 /* A body moved to and fro: minus force times way, to the second order that
    is left, 1e-10 of 1e-5 squared, and rounding of U, 1e-15 by 1e-5. */
-static void test_potential(void)
+TEST(test_potential, "the force is the slope of the potential")
 {
     scatter(40, 6);
     struct gravity g = prepare(40, 2, 0.1);
@@ -265,7 +265,7 @@ static void test_potential(void)
 }
 
 /* In one place: no force with softening, not a number without. */
-static void test_together(void)
+TEST(test_together, "softening keeps coincidence finite")
 {
     memset(place, 0, sizeof place);
     mass[0] = mass[1] = 1;
@@ -279,7 +279,7 @@ static void test_together(void)
 
 /* Sources pull as bodies do whose mates have no mass; a share multiplies.
  */
-static void test_sources(void)
+TEST(test_sources, "none but the sources pull, by their share")
 {
     const uint32_t source[] = {0, 7, 39};
     double share[40], all[40];
@@ -302,7 +302,7 @@ static void test_sources(void)
                   1e-14 * (1 + fabs(sum[c])));
 }
 
-static void test_names(void)
+TEST(test_names, "kernels have names")
 {
     UNIT_TRUE(strcmp(gravity_kernels[GRAVITY_PORTABLE], "portable") == 0);
     UNIT_TRUE(strcmp(gravity_kernels[GRAVITY_AUTO], "auto") == 0);
@@ -319,23 +319,4 @@ static void test_names(void)
     UNIT_TRUE(strcmp(gravity_summed_by(&g), "avx512") == 0);
     g.source = (const uint32_t[]){3};
     UNIT_TRUE(strcmp(gravity_summed_by(&g), "sources") == 0);
-}
-
-int main(void)
-{
-    return unit_run(
-        "gravity",
-        (struct unit_test[]){
-            {"two bodies are as by hand", test_by_hand},
-            {"all kernels sum right, whatever the number", test_kernels},
-            {"a single pull is right to 1e-14", test_one_term},
-            {"blocks have the bits of one body at a time", test_blocks},
-            {"any number of threads has the same bits", test_threads},
-            {"few bodies have the same bits in all kernels", test_few},
-            {"forces are opposite in pairs", test_third_law},
-            {"the force is the slope of the potential", test_potential},
-            {"softening keeps coincidence finite", test_together},
-            {"none but the sources pull, by their share", test_sources},
-            {"kernels have names", test_names},
-            {0}});
 }

@@ -87,7 +87,7 @@ static bool can_run(void)
     return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
 }
 
-static void test_lanes(void)
+TEST(test_lanes, "eight lanes sum as one does")
 {
     if (!can_run()) {
         UNIT_TRUE(1);
@@ -124,7 +124,7 @@ static void test_lanes(void)
 }
 
 /* Single weights: the series leaves 6e-16, rounding a few more. */
-static void test_weight(void)
+TEST(test_weight, "the series makes up for the guess")
 {
     UNIT_TRUE(1);
     if (!can_run())
@@ -137,21 +137,12 @@ static void test_weight(void)
     }
 }
 #else
-static void test_lanes(void)
+TEST(test_lanes, "eight lanes sum as one does")
 {
     UNIT_TRUE(1); /* no such kernel here */
 }
-static void test_weight(void)
+TEST(test_weight, "the series makes up for the guess")
 {
     UNIT_TRUE(1);
 }
 #endif
-
-int main(void)
-{
-    return unit_run("gravity_lanes",
-                    (struct unit_test[]){
-                        {"eight lanes sum as one does", test_lanes},
-                        {"the series makes up for the guess", test_weight},
-                        {0}});
-}

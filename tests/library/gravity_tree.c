@@ -131,7 +131,7 @@ static double hold_bound(const struct gravity *g)
     return share;
 }
 
-static void test_bound(void)
+TEST(test_bound, "no body's error is beyond its bound")
 {
     static const double thetas[] = {0.1, 0.3, 0.5, GRAVITY_WIDEST};
     double share = 0;
@@ -159,7 +159,7 @@ static double error_of(size_t n)
 
 /* Each cell loses a share below theta^2, so half of theta leaves a quarter
    or less; and with 0 nothing is left but rounding. */
-static void test_theta(void)
+TEST(test_theta, "half of theta, a quarter of the error")
 {
     for (int cloud = 0; cloud < CLOUDS; ++cloud) {
         double last = INFINITY;
@@ -178,7 +178,7 @@ static void test_theta(void)
 }
 
 /* Bodies without mass, half of them, and all bodies of a cell. */
-static void test_massless(void)
+TEST(test_massless, "what weighs nothing pulls nowhere")
 {
     scatter(CUBE, 1000, 3);
     for (size_t i = 0; i < 1000; ++i)
@@ -192,7 +192,7 @@ static void test_massless(void)
 
 /* In one place, or as near as a rounding: a hundred of them, or all. With
    softening they pull each other nowhere. */
-static void test_together(void)
+TEST(test_together, "bodies in one place")
 {
     scatter(CUBE, 400, 8);
     for (size_t i = 0; i < 400; ++i)
@@ -218,7 +218,7 @@ static void test_together(void)
 }
 
 /* What is no number anywhere is none afterwards, and comes to an end. */
-static void test_blown_up(void)
+TEST(test_blown_up, "a run that has blown up")
 {
     static const double wild[] = {INFINITY, -INFINITY, NAN, 1e308, 1e-320};
     for (size_t w = 0; w < 5; ++w) {
@@ -233,7 +233,7 @@ static void test_blown_up(void)
 
 /* Planted again, with another theta, and the same bits as the first time.
  */
-static void test_again(void)
+TEST(test_again, "planted again")
 {
     scatter(BALLS, 777, 2);
     struct gravity g = sum_both(777, 0, 0.5);
@@ -251,7 +251,7 @@ static void test_again(void)
 /* A cell is taken for one mass from where it looks smaller than theta, from
    the nearest point of the box of those that it pulls at: 1 m at 2 m for
    0.5, on each side of the box and across its edges (1.2, 1.6). */
-static void test_small(void)
+TEST(test_small, "theta is how large a cell may look")
 {
     const struct box box = {{-1, -2, -3}, {4, 5, 6}};
     mass[0] = 1;
@@ -293,7 +293,7 @@ static size_t count_cells(size_t n)
    not smaller than 2^-30 of the largest coordinate, 1 m here: 10 bodies and
    10 others are parted where the middle of a cube of 2^-29 m lies between
    them, and stay together where only that of a smaller one does. */
-static void test_cells(void)
+TEST(test_cells, "when cubes are divided")
 {
     for (size_t i = 0; i < MOST; ++i)
         mass[i] = 1;
@@ -317,20 +317,4 @@ static void test_cells(void)
             UNIT_EQUAL((double)count_cells(21), near == 30 ? 5 : 3);
         }
     }
-}
-
-int main(void)
-{
-    return unit_run(
-        "gravity_tree",
-        (struct unit_test[]){
-            {"no body's error is beyond its bound", test_bound},
-            {"when cubes are divided", test_cells},
-            {"theta is how large a cell may look", test_small},
-            {"half of theta, a quarter of the error", test_theta},
-            {"what weighs nothing pulls nowhere", test_massless},
-            {"bodies in one place", test_together},
-            {"a run that has blown up", test_blown_up},
-            {"planted again", test_again},
-            {0}});
 }

@@ -43,7 +43,7 @@ static bool fits(const struct scene *s)
     return true;
 }
 
-static void test_all(void)
+TEST(test_all, "every scene can be made, and fits")
 {
     size_t count = 0;
     for (const struct gallery_scene *g = hard_scenes; g->name;
@@ -63,7 +63,7 @@ static void test_all(void)
     UNIT_TRUE(count >= 8);
 }
 
-static void test_wrong(void)
+TEST(test_wrong, "what cannot be made is refused")
 {
     const struct gallery_scene *cradle =
         gallery_find(hard_scenes, "cradle");
@@ -78,7 +78,7 @@ static void test_wrong(void)
 
 /* `disks --disks 4 --radius 0.15 --box 1,1 --seed 7`, as that program makes
    it (chapter 7). */
-static void test_four_disks(void)
+TEST(test_four_disks, "four disks are those of chapter 5")
 {
     struct scene s;
     struct disks d, e;
@@ -105,7 +105,7 @@ static const enum start_kind kinds[] = {START_THERMAL, START_PISTON,
 
 /* Without a radius number for number; with one the collisions are as many:
    for 20 s, since rounding grows. */
-static void test_lines(void)
+TEST(test_lines, "the lines are those of chapters 2 to 4")
 {
     for (int k = 0; k < 3; ++k)
         for (int wide = 0; wide < 2; ++wide) {
@@ -142,7 +142,7 @@ static void test_lines(void)
 
 /* Steps see the ten bodies collide as often as events do: the mean of
    2 s, up to one collision that is not yet found. */
-static void test_line_by_steps(void)
+TEST(test_line_by_steps, "a line collides as often by steps")
 {
     struct scene s;
     struct spheres p;
@@ -170,7 +170,7 @@ static void test_line_by_steps(void)
 }
 
 /* A hanging ball feels no force: string and weight cancel. */
-static void test_strings(void)
+TEST(test_strings, "hanging balls hang")
 {
     struct scene s;
     make(&s, "cradle", "string", 1);
@@ -188,18 +188,4 @@ static void test_strings(void)
     }
     UNIT_NEAR(s.position[0] - s.position[5], -0.5, 1e-15);
     scene_free(&s);
-}
-
-int main(void)
-{
-    return unit_run(
-        "hard",
-        (struct unit_test[]){
-            {"every scene can be made, and fits", test_all},
-            {"what cannot be made is refused", test_wrong},
-            {"four disks are those of chapter 5", test_four_disks},
-            {"the lines are those of chapters 2 to 4", test_lines},
-            {"a line collides as often by steps", test_line_by_steps},
-            {"hanging balls hang", test_strings},
-            {0}});
 }

@@ -78,7 +78,7 @@ static void bounce(const char *method, double tolerance)
     end(&m, &s);
 }
 
-static void test_thousand(void)
+TEST(test_thousand, "a thousand bounces")
 {
     bounce("leapfrog", 0);
     bounce("dopri5", 1e-13);
@@ -105,7 +105,7 @@ static void come_to_rest(const char *method)
     end(&m, &s);
 }
 
-static void test_last_bounce(void)
+TEST(test_last_bounce, "the last bounce of e = 0.8")
 {
     come_to_rest("leapfrog");
     come_to_rest("radau15");
@@ -163,7 +163,7 @@ static double order_of(const char *method, uint64_t steps, bool located)
 
 /* The next term of an error in powers of the step may take a quarter, and
    one where contacts divide steps that are long. */
-static void test_orders(void)
+TEST(test_orders, "methods keep their order")
 {
     UNIT_NEAR(order_of("leapfrog", 256, true), 2, 0.25);
     UNIT_NEAR(order_of("rk4", 256, true), 4, 0.25);
@@ -174,7 +174,7 @@ static void test_orders(void)
 
 /* Without attraction leapfrog's path is exact. A thousand times the steps,
    going back, are wrong by a collision's share of a step's way. */
-static void test_steps(void)
+TEST(test_steps, "a thousand times the steps agree")
 {
     double x[9], y[9], fine[9];
     const double met = run_three("leapfrog", 0, true, 256, x);
@@ -191,7 +191,7 @@ static void test_steps(void)
    Its gap is shut to 2^-53 of place and radius, 2.25 m, which the way home
    has twice; with three sums of up to 2 m, rounded by 1.1e-16 m each, that
    is 8.3e-16 m. */
-static void test_hidden(void)
+TEST(test_hidden, "an earlier root, hidden")
 {
     struct scene s;
     struct motion m;
@@ -216,7 +216,7 @@ static void test_hidden(void)
    moments may be wrong by what counts as nothing there, 2^-50 of 1.25 m in
    s, and the way home has it twice: 4.4e-15 m. The rest are the sums of 16
    steps, 1.1e-16 m each, and half a period of a spring to 1e-15. */
-static void test_sprung(void)
+TEST(test_sprung, "a ball meets a sprung one")
 {
     static const char *const methods[] = {"radau15", "dopri5"};
     for (int k = 0; k < 2; ++k) {
@@ -242,7 +242,7 @@ static void test_sprung(void)
 
 /* Its own steps carry the three attracting balls as far as 1024 of order
    eight, whose error is some 1e-13 m; looks change no bit of that. */
-static void test_own_steps(void)
+TEST(test_own_steps, "steps of their own length")
 {
     double exact[9], x[9], y[9];
     const double met = run_three("kahan-li8", 0.5, true, 1024, exact);
@@ -253,7 +253,7 @@ static void test_own_steps(void)
 }
 
 /* No contact, no difference. */
-static void test_same_bits(void)
+TEST(test_same_bits, "without contact the same bits")
 {
     for (int way = 0; way < 2; ++way) {
         static double x[9];
@@ -271,7 +271,7 @@ static void test_same_bits(void)
 }
 
 /* A row that touches: the velocity goes through it at one moment. */
-static void test_at_once(void)
+TEST(test_at_once, "a row that touches, at once")
 {
     struct scene s;
     struct motion m;
@@ -289,7 +289,7 @@ static void test_at_once(void)
 }
 
 /* Two that touch already and come at each other go back from there. */
-static void test_touching(void)
+TEST(test_touching, "two that touch already")
 {
     static const char *const methods[] = {"leapfrog", "rk4", "radau15"};
     for (int k = 0; k < 3; ++k) {
@@ -313,7 +313,7 @@ static void test_touching(void)
    1.45 s it is at 1.45 m, and comes back. The path through the ends comes
    as far as 1.45045 m, past a wall at 1.4503 m, which the method misses.
    That is clear after two looks, and a third puts it to the end. */
-static void test_missed(void)
+TEST(test_missed, "a wall that only the path meets")
 {
     struct scene s;
     struct motion m;
@@ -335,7 +335,7 @@ static void test_missed(void)
 /* Across a periodic box of 2 m two balls at 0.7 m and -0.7 m have a gap of
    0.35 m: at 1 m/s they meet after 0.175 s, and are back at 0.55 m after
    0.5 s. Along every axis, whichever comes first. */
-static void test_across(void)
+TEST(test_across, "two meet across a periodic box")
 {
     for (size_t k = 0; k < 3; ++k)
         for (size_t first = 0; first < 2; ++first) {
@@ -360,7 +360,7 @@ static void test_across(void)
 
 /* Two that pass: what is nearer than they are wide collides, what touches
    does not. */
-static void test_graze(void)
+TEST(test_graze, "to touch is not to collide")
 {
     for (int nearer = 0; nearer < 2; ++nearer) {
         struct scene s;
@@ -378,7 +378,7 @@ static void test_graze(void)
 
 /* Three of e = 0.9 come down, some on each other, and rest on the floor, or
    are thrown up again: nobody gets into it. */
-static void test_heap(void)
+TEST(test_heap, "nobody gets into the floor")
 {
     static const double x[] = {0, 0.01, -0.02};
     struct scene s;
@@ -405,7 +405,7 @@ static void test_heap(void)
 }
 
 /* A rest that no wall gives: two that attract each other. */
-static void test_crowd(void)
+TEST(test_crowd, "two that rest on each other crowd")
 {
     struct scene s;
     struct motion m;
@@ -421,7 +421,7 @@ static void test_crowd(void)
 }
 
 /* What rests goes on resting when the run is resumed, to the same bits. */
-static void test_resume(void)
+TEST(test_resume, "what rests is resumed")
 {
     struct scene s, saved;
     struct motion m, again;
@@ -471,7 +471,7 @@ static double swing(const char *method, double before, double steps)
    Rounding, 1e-15 m, moves a moment by that over the speed, and each of up
    to three moments moves the next ones. dopri5's tolerance lets its places
    be wrong by 1e-11 m. */
-static void test_shallow(void)
+TEST(test_shallow, "no contact is too shallow")
 {
     for (double before = 0.1; before > 1e-13; before /= 10) {
         const double speed = sqrt(2 * before);
@@ -502,7 +502,7 @@ static struct motion drop_far(double radius, uint64_t steps)
 /* What a bounce by steps of their own costs: one step and three or four
    shorter ones, each of a round at seven nodes and its end, as the weight
    is no surprise; and no start from small steps. */
-static void test_price(void)
+TEST(test_price, "what a bounce costs")
 {
     const struct motion m = drop_far(0.1, 24);
     UNIT_EQUAL(count(m.impact.resting), 1);
@@ -512,7 +512,7 @@ static void test_price(void)
 /* A small ball comes with the rounding of 1 m to a floor near 0. A gap that
    had to be shut to less would be tried a hundred times, with 8 evaluations
    each. This way it takes some twelve, all steps counted. */
-static void test_far(void)
+TEST(test_far, "what is far is rounded as such")
 {
     const struct motion m = drop_far(0.01, 3);
     UNIT_EQUAL(count(m.collisions), 1);
@@ -554,7 +554,7 @@ static size_t lift(const char *method, double speed, uint64_t steps,
    steps of order eight and steps of their own say the same, to the 2e-14 of
    (omega dt)^8 and what the last of some thirty bounces makes of it. Steps
    of up to a quarter of a swing come to an end. */
-static void test_lift(void)
+TEST(test_lift, "what rests is lifted")
 {
     for (double speed = 0.5; speed < 4; speed += 0.5) {
         double x[2], y[2];
@@ -568,7 +568,7 @@ static void test_lift(void)
     }
 }
 
-static void test_coarse(void)
+TEST(test_coarse, "by coarse steps too")
 {
     static const char *const methods[] = {"leapfrog", "rk4", "pefrl",
                                           "symplectic-euler"};
@@ -583,7 +583,7 @@ static void test_coarse(void)
 /* A ball that lies on the floor is hit by a smaller one that slides on it:
    the way from one centre to the other has the slope 3/4, and up goes the
    ball, by its weight alone. */
-static void test_kicked(void)
+TEST(test_kicked, "what rests is hit")
 {
     static const char *const methods[] = {"leapfrog", "radau15"};
     for (int k = 0; k < 2; ++k) {
@@ -687,7 +687,7 @@ static enum stepping_end run_any(uint64_t seed, const char *method,
    it, of which there are a few in a second. Bounces before a rest are too
    many to count, to one or two; and two that would have to rest on each
    other end both. */
-static void test_any(void)
+TEST(test_any, "two hundred scenes at random")
 {
     for (uint64_t seed = 0; seed < 200; ++seed) {
         double x[12], y[12], most = 0;
@@ -731,7 +731,7 @@ static void notice(const char *method, double by, bool ceiling)
     end(&m, &s);
 }
 
-static void test_least(void)
+TEST(test_least, "by how little it is")
 {
     static const double by[] = {1e-4,  -1e-4,  1e-7, -1e-7,
                                 1e-11, -1e-11, 2e-3, -2e-3};
@@ -740,35 +740,4 @@ static void test_least(void)
             notice("leapfrog", by[k], ceiling);
             notice("radau15", by[k], ceiling);
         }
-}
-
-int main(void)
-{
-    return unit_run("impact",
-                    (struct unit_test[]){
-                        {"a thousand bounces", test_thousand},
-                        {"the last bounce of e = 0.8", test_last_bounce},
-                        {"methods keep their order", test_orders},
-                        {"a thousand times the steps agree", test_steps},
-                        {"without contact the same bits", test_same_bits},
-                        {"a row that touches, at once", test_at_once},
-                        {"two that touch already", test_touching},
-                        {"two meet across a periodic box", test_across},
-                        {"a wall that only the path meets", test_missed},
-                        {"to touch is not to collide", test_graze},
-                        {"nobody gets into the floor", test_heap},
-                        {"two that rest on each other crowd", test_crowd},
-                        {"what rests is resumed", test_resume},
-                        {"an earlier root, hidden", test_hidden},
-                        {"a ball meets a sprung one", test_sprung},
-                        {"steps of their own length", test_own_steps},
-                        {"no contact is too shallow", test_shallow},
-                        {"by how little it is", test_least},
-                        {"what a bounce costs", test_price},
-                        {"what is far is rounded as such", test_far},
-                        {"what rests is lifted", test_lift},
-                        {"by coarse steps too", test_coarse},
-                        {"what rests is hit", test_kicked},
-                        {"two hundred scenes at random", test_any},
-                        {0}});
 }

@@ -34,7 +34,7 @@ static void bound(size_t k, enum scene_wall wall, double low, double high)
 /* No further than the space is wide, or the bodies spread; than 2^14 of the
    smallest radius, points not counted; and in a periodic box than a quarter
    of a side less the largest radius, or a 64th of it if that is more. */
-static void test_way(void)
+TEST(test_way, "how far a step may go")
 {
     make(4);
     UNIT_EQUAL(longest_way(&impact), 3);
@@ -65,7 +65,7 @@ static void test_way(void)
 
 /* As long as the way takes with the largest velocity, or with the largest
    acceleration from rest if that is sooner, once it is known. */
-static void test_step(void)
+TEST(test_step, "and how long it may take")
 {
     double v[10] = {[9] = 9}, a[10] = {[9] = 99}; /* no part of it */
     struct adaptive own = {.forces = {.size = 9}, .to = {.v = v, .a = a}};
@@ -87,7 +87,7 @@ static void test_step(void)
     scene_free(&scene);
 }
 
-static void test_axis(void)
+TEST(test_axis, "bodies are sorted where they spread")
 {
     make(3);
     UNIT_EQUAL((double)widest_axis(&scene), 0);
@@ -121,7 +121,7 @@ static void cubic(double a, double b, double c, double f, double q[4])
 
 /* Roots to 2^-24, the first of several, on either side of the middle; none
    where the curve only nears 0, or goes below it by rounding alone. */
-static void test_roots(void)
+TEST(test_roots, "the first root of a curve")
 {
     double q[4];
     for (double a = 0.01; a < 0.9; a += 0.07) {
@@ -147,7 +147,7 @@ static void test_roots(void)
 /* The control points of a pair's distance squared, by what they are for two
    that pass each other on straight lines: a parabola, raised to degree 6;
    and those of a wall's gap, from either side. */
-static void test_points(void)
+TEST(test_points, "control points of gaps")
 {
     double control[30 * 2] = {0}, q[DEGREE + 1];
     struct impact_gap g = {.a = 0, .b = 1, .sum = 2};
@@ -188,7 +188,7 @@ static double noticed(const double q[4], double least, double unit,
    units, below 0 only if it is more than rounding; not where it is not so
    near as another one, or nearest at an end. Control points are off a curve
    by an eighth of 2^-48 times its bend. */
-static void test_notice(void)
+TEST(test_notice, "what nearly closes is noticed")
 {
     static const double by[] = {1e-5, -1e-5, 1e-9, -1e-9, 9e-4, -9e-4};
     double q[4];
@@ -215,7 +215,7 @@ static void test_notice(void)
 
 /* Velocities are rounded by 2^-50 of the largest one of a pair's; one at a
    wall is what it is. */
-static void test_rounding(void)
+TEST(test_rounding, "what of a rate is rounding")
 {
     static const double v[] = {0, 1, 9, 0, -3, 9, 2, 0, 9, 9, 9, 9};
     struct impact_gap g = {.a = 0, .b = 1};
@@ -230,7 +230,7 @@ static void test_rounding(void)
 
 /* What counts as nothing in a gap: 2^-50 of the largest coordinate on the
    paths of both, and of the radii, whichever axis it lies on. */
-static void test_slack(void)
+TEST(test_slack, "what of a gap is")
 {
     for (int far = 0; far < 6; ++far) {
         struct scene s;
@@ -266,19 +266,4 @@ static void test_slack(void)
         motion_end(&m);
         scene_free(&s);
     }
-}
-
-int main(void)
-{
-    return unit_run("impact_parts",
-                    (struct unit_test[]){
-                        {"how far a step may go", test_way},
-                        {"and how long it may take", test_step},
-                        {"bodies are sorted where they spread", test_axis},
-                        {"the first root of a curve", test_roots},
-                        {"control points of gaps", test_points},
-                        {"what nearly closes is noticed", test_notice},
-                        {"what of a rate is rounding", test_rounding},
-                        {"what of a gap is", test_slack},
-                        {0}});
 }

@@ -77,7 +77,7 @@ static void check_pair(const char *method, double dt)
     scene_free(&s);
 }
 
-static void test_pair(void)
+TEST(test_pair, "two bodies are exact at any step")
 {
     static const double steps[] = {0.1, 10, 100, 237};
     for (size_t k = 0; k < 4; ++k) {
@@ -102,7 +102,7 @@ static double error_of(const char *method, double dt, double mass)
 
 /* It is the same motion, and the order of it is 2. Masses of a hundredth,
    for which the part of the second order in them is seen of both. */
-static void test_order(void)
+TEST(test_order, "more are where Kahan and Li say, in order 2")
 {
     static const char *const names[] = {"wisdom-holman", "sbab4"};
     for (size_t k = 0; k < 2; ++k) {
@@ -115,7 +115,7 @@ static void test_order(void)
 
 /* Ten times lighter planets: leapfrog's error stays, Wisdom and Holman's is
    ten times, the other a hundred times less. */
-static void test_masses(void)
+TEST(test_masses, "errors go as powers of the planets' masses")
 {
     static const char *const names[] = {"leapfrog", "wisdom-holman",
                                         "sbab4"};
@@ -127,7 +127,7 @@ static void test_masses(void)
 }
 
 /* There and back. */
-static void test_reversal(void)
+TEST(test_reversal, "steps back lead back")
 {
     static const char *const names[] = {"wisdom-holman", "sbab4"};
     for (size_t k = 0; k < 2; ++k) {
@@ -154,7 +154,7 @@ static double moment(const struct scene *s, const double x[], size_t axis)
 
 /* Momentum stays and the centre of mass goes straight on, but for a
    rounding in each of a thousand steps, at worst all of one sign. */
-static void test_momentum(void)
+TEST(test_momentum, "momentum and the centre of mass are kept")
 {
     static const char *const names[] = {"wisdom-holman", "sbab4"};
     for (size_t k = 0; k < 2; ++k) {
@@ -176,7 +176,7 @@ static void test_momentum(void)
 }
 
 /* A body without mass disturbs nobody. */
-static void test_light(void)
+TEST(test_light, "a body without mass disturbs nobody")
 {
     struct scene s, t;
     build(&s, 1e-3, 0.1);
@@ -190,7 +190,7 @@ static void test_light(void)
 }
 
 /* Who has left for ever has no ellipse: the run ends. */
-static void test_open(void)
+TEST(test_open, "an orbit that opens ends the run")
 {
     struct scene s;
     struct motion m;
@@ -208,7 +208,7 @@ static void refuses(struct scene *s, const char *why)
     UNIT_TRUE(said && strcmp(said, why) == 0);
 }
 
-static void test_refusals(void)
+TEST(test_refusals, "what is no system of planets is refused")
 {
     struct scene s;
     build(&s, 0.01, 0.1);
@@ -250,20 +250,4 @@ static void test_refusals(void)
     must(scene_add_kind(&s, 1, 0) && scene_add_spring(&s, 0, 1, 0, 1));
     refuses(&s, "the scene has springs");
     scene_free(&s);
-}
-
-int main(void)
-{
-    return unit_run(
-        "jacobi",
-        (struct unit_test[]){
-            {"two bodies are exact at any step", test_pair},
-            {"more are where Kahan and Li say, in order 2", test_order},
-            {"errors go as powers of the planets' masses", test_masses},
-            {"steps back lead back", test_reversal},
-            {"momentum and the centre of mass are kept", test_momentum},
-            {"a body without mass disturbs nobody", test_light},
-            {"an orbit that opens ends the run", test_open},
-            {"what is no system of planets is refused", test_refusals},
-            {0}});
 }

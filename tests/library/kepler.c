@@ -9,7 +9,7 @@
 
 /* A few units in the last place: two roundings of E, one of e sin E,
    divided by the slope 1 - e cos E, which is 0.33 at least here. */
-static void test_anomaly(void)
+TEST(test_anomaly, "Kepler's equation has its known roots")
 {
     static const double known[][5] = {
         {0.1, 0.1, 0.111085741533827043, 0.893836321264481762,
@@ -51,7 +51,7 @@ static void test_anomaly(void)
 }
 
 /* The equation itself, at all eccentricities, in long double. */
-static void test_residual(void)
+TEST(test_residual, "and every root solves it")
 {
     double worst = 0;
     for (int i = 0; i <= 60; ++i) {
@@ -72,7 +72,7 @@ static void test_residual(void)
     UNIT_EQUAL(kepler_anomaly(0, 1.25), 1.25);
 }
 
-static void test_turn(void)
+TEST(test_turn, "cosine and sine are right to a rounding")
 {
     double worst = 0, c, s;
     for (int i = -200000; i <= 200000; ++i) {
@@ -88,7 +88,7 @@ static void test_turn(void)
 }
 
 /* The shape of an orbit from a place on it, in any attitude. */
-static void test_shape(void)
+TEST(test_shape, "a place gives back the shape of its orbit")
 {
     for (double e = 0; e < 1; e += 0.07)
         for (double m = -3; m < 3; m += 0.7) {
@@ -107,7 +107,7 @@ static void test_shape(void)
 /* From one place to another, forwards and back, is what the elements say:
    20 rad, with a few roundings in the axis that n comes from, and more of
    them where 2/r is large. */
-static void test_move(void)
+TEST(test_move, "the closed form goes from place to place")
 {
     static const double e[] = {0, 1e-9, 0.2, 0.7, 0.99};
     for (int i = 0; i < 5; ++i)
@@ -127,7 +127,7 @@ static void test_move(void)
 
 /* Against a way that knows nothing of ellipses: leapfrog, whose error over
    a tenth of a period is h^2 / 10 or so. */
-static void test_steps(void)
+TEST(test_steps, "and agrees with small steps")
 {
     double x[3] = {1, 0, 0}, v[3] = {0.1, 0.8, 0.2}, y[3], u[3];
     memcpy(y, x, sizeof x);
@@ -152,7 +152,7 @@ static void test_steps(void)
 /* What the first guess of the search is wrong by is of the third order in
    the time: an eighth of it for half the time, and the next order takes 1
    part in 50 here. */
-static void test_guess(void)
+TEST(test_guess, "its search begins close by")
 {
     static const double e[] = {0.1, 0.5, 0.9};
     for (int i = 0; i < 3; ++i)
@@ -171,7 +171,7 @@ static void test_guess(void)
 /* After a period all is as it was, to the last bit where the mean motion
    is 1; and where there is no period, on a parabola, nothing but x is
    written. */
-static void test_period(void)
+TEST(test_period, "a period changes no bit")
 {
     double x[3] = {1, 0, 0}, v[3] = {0, 1, 0};
     kepler_move(1, 2 * KEPLER_PI, x, v);
@@ -184,20 +184,4 @@ static void test_period(void)
     UNIT_TRUE(isnan(x[0]));
     UNIT_EQUAL(x[1], 0);
     UNIT_EQUAL(v[1], 1);
-}
-
-int main(void)
-{
-    return unit_run(
-        "kepler",
-        (struct unit_test[]){
-            {"Kepler's equation has its known roots", test_anomaly},
-            {"and every root solves it", test_residual},
-            {"cosine and sine are right to a rounding", test_turn},
-            {"a place gives back the shape of its orbit", test_shape},
-            {"the closed form goes from place to place", test_move},
-            {"and agrees with small steps", test_steps},
-            {"its search begins close by", test_guess},
-            {"a period changes no bit", test_period},
-            {0}});
 }

@@ -26,7 +26,7 @@ static struct law law_of(const char *text)
 
 /* n velocities share E = 1/2, m = 1: u = v. p(0) and P(|u| < 0.1); ten
    digits are given. */
-static void test_velocity_table(void)
+TEST(test_velocity_table, "the velocity law against its table")
 {
     static const struct {
         const char *text;
@@ -53,7 +53,7 @@ static void test_velocity_table(void)
 }
 
 /* Eight points between 1 and 10: means 2 to 9, these variances. */
-static void test_positions(void)
+TEST(test_positions, "positions: means and variances")
 {
     static const double variance[] = {0.8, 1.4, 1.8, 2.0,
                                       2.0, 1.8, 1.4, 0.8};
@@ -72,7 +72,7 @@ static void test_positions(void)
 /* Every density is the slope of its probability: a centred difference with
    h = 1e-4 errs by h^2 p''/6 < 1e-7, and its mean and spread are those of
    the formulas: 4000 strips. */
-static void test_slopes(void)
+TEST(test_slopes, "a density is the slope of its probability")
 {
     static const char *const texts[] = {
         "normal:3,2",    "microcanonical:5,6,0.5",
@@ -101,7 +101,7 @@ static void test_slopes(void)
 }
 
 /* What was not given comes from the column, and is counted. */
-static void test_complete(void)
+TEST(test_complete, "what is not given is taken and counted")
 {
     struct law law = {0};
     UNIT_TRUE(!laws_read("normal", &law));
@@ -121,7 +121,7 @@ static void test_complete(void)
     UNIT_NEAR(laws_sd(&law), sqrt(0.5), 1e-15);
 }
 
-static void test_bad_texts(void)
+TEST(test_bad_texts, "bad texts are refused")
 {
     static const char *const texts[] = {"",
                                         "gauss",
@@ -160,7 +160,7 @@ static void test_bad_texts(void)
 /* The usual critical values: Kolmogorov 10, 5 and 1 %; chi-square of 19
    degrees of freedom, 5 and 1 %. Four or five digits are given. Both sums
    of Kolmogorov's function meet at 1. */
-static void test_critical_values(void)
+TEST(test_critical_values, "critical values of both tests")
 {
     UNIT_NEAR(laws_kolmogorov(1.2238), 0.1, 5e-5);
     UNIT_NEAR(laws_kolmogorov(1.3581), 0.05, 5e-5);
@@ -187,7 +187,7 @@ static double draw_component(struct random *r, int n)
 
 /* If the law holds, a probability below p comes up with probability p:
    1000 tests of 400 exact draws each. */
-static void test_true_law(void)
+TEST(test_true_law, "a true law passes as often as it should")
 {
     enum { TIMES = 1000, SAMPLES = 400 };
     const struct law law = law_of("microcanonical:10,0.5,1");
@@ -213,7 +213,7 @@ static void test_true_law(void)
 
 /* 1e5 draws tell ten velocities from a Gaussian of the same spread, whose
    distribution differs by up to 0.008; 400 draws do not. */
-static void test_false_law(void)
+TEST(test_false_law, "a false law fails, given enough samples")
 {
     const struct law normal = law_of("normal:0,0.316227766016838");
     struct random r;
@@ -248,7 +248,7 @@ static void draw_series(struct random *r, double phi, size_t n)
    has the mean 2.9.) Independent ones have 19 degrees, of which 64 blocks
    of 16 are on average right, but for the part that is cut off at 19: their
    spread is nu / 32 = 0.6. */
-static void test_correlated(void)
+TEST(test_correlated, "correlated samples need their inefficiency")
 {
     enum { TIMES = 400 };
     const struct law law = law_of("normal:0,1");
@@ -285,7 +285,7 @@ static void test_correlated(void)
 }
 
 /* Taken for independent, they cry wolf. */
-static void test_naive(void)
+TEST(test_naive, "taken for independent, they cry wolf")
 {
     enum { TIMES = 100, SAMPLES = 4000 };
     const struct law law = law_of("normal:0,1");
@@ -304,7 +304,7 @@ static void test_naive(void)
 
 /* A law with two numbers from the samples: fewer degrees of freedom, and
    no probability of the distance. */
-static void test_fitted(void)
+TEST(test_fitted, "fitted numbers cost degrees of freedom")
 {
     struct random r;
     struct law law = {0};
@@ -323,7 +323,7 @@ static void test_fitted(void)
 
 /* Three samples by hand: 0.1, 0.2 and 0.9 of a flat law. The distance is
    2/3 - 0.2; of 20 bins three hold 1 and 17 none, expected 0.15 each. */
-static void test_by_hand(void)
+TEST(test_by_hand, "three samples by hand")
 {
     const struct law flat = law_of("beta:1,1");
     const double samples[] = {0.9, 0.125, 0.2};
@@ -346,24 +346,4 @@ static void test_by_hand(void)
         UNIT_NEAR(blocked.chi2, test.chi2, 1e-15);
         UNIT_NEAR(blocked.degrees, test.degrees, 1e-15);
     }
-}
-
-int main(void)
-{
-    return unit_run(
-        "laws",
-        (struct unit_test[]){
-            {"the velocity law against its table", test_velocity_table},
-            {"positions: means and variances", test_positions},
-            {"a density is the slope of its probability", test_slopes},
-            {"what is not given is taken and counted", test_complete},
-            {"bad texts are refused", test_bad_texts},
-            {"critical values of both tests", test_critical_values},
-            {"three samples by hand", test_by_hand},
-            {"a true law passes as often as it should", test_true_law},
-            {"a false law fails, given enough samples", test_false_law},
-            {"correlated samples need their inefficiency", test_correlated},
-            {"taken for independent, they cry wolf", test_naive},
-            {"fitted numbers cost degrees of freedom", test_fitted},
-            {0}});
 }

@@ -21,7 +21,7 @@ static struct law law_of(const char *text)
 
 /* The last texts that make sense, and the first that do not; what is said
    of those begins with the name of the law. */
-static void test_texts(void)
+TEST(test_texts, "texts that just make sense, or just not")
 {
     static const char *const good[] = {"normal",
                                        "normal:-1,1e-300",
@@ -77,7 +77,7 @@ static void test_texts(void)
 
 /* What is not given, in the order of the texts; how much comes from the
    column, of mean 3 and spread 2. */
-static void test_completed(void)
+TEST(test_completed, "what is not given")
 {
     static const struct {
         const char *text;
@@ -103,7 +103,7 @@ static void test_completed(void)
 }
 
 /* Densities, probabilities, means and spreads in closed form. */
-static void test_closed_forms(void)
+TEST(test_closed_forms, "points in closed form")
 {
     static const struct {
         const char *text;
@@ -160,7 +160,7 @@ static void test_closed_forms(void)
 }
 
 /* Kolmogorov's function, from its other sum: the two are equal. */
-static void test_kolmogorov(void)
+TEST(test_kolmogorov, "Kolmogorov's function from both of its sums")
 {
     for (double l = 0.3; l < 3; l += 0.05) {
         double far = 0, near = 0;
@@ -179,7 +179,7 @@ static void test_kolmogorov(void)
 /* 14 samples of a flat law in three blocks of 4: the scatter of the counts
    is that of the first twelve, chi-square that of all. Fitted numbers cost
    their share of the degrees. */
-static void test_blocks(void)
+TEST(test_blocks, "samples in blocks, by hand")
 {
     static const double samples[] = {.01, .02, .26, .99, .03, .27, .28,
                                      .97, .04, .01, .29, 1,   .51, .52};
@@ -232,18 +232,4 @@ static void test_blocks(void)
                     1e-15);
         }
     free(x);
-}
-
-int main(void)
-{
-    return unit_run(
-        "laws at their limits",
-        (struct unit_test[]){
-            {"texts that just make sense, or just not", test_texts},
-            {"what is not given", test_completed},
-            {"points in closed form", test_closed_forms},
-            {"Kolmogorov's function from both of its sums",
-             test_kolmogorov},
-            {"samples in blocks, by hand", test_blocks},
-            {0}});
 }

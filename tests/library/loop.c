@@ -31,7 +31,7 @@ static void finish(struct loop *l)
 /* Ticks of 3/4 s: five of them lead to 3.75 s; the sixth goes to the event,
    where the clock stops. With a slip of 1 that is where the disks touch;
    with the -1 of the article both are two ticks before it. */
-static void test_turns(void)
+TEST(test_turns, "ticks, and a slip at an event")
 {
     for (int slip = -1; slip <= 1; slip += 2) {
         struct loop l;
@@ -68,7 +68,7 @@ static void test_turns(void)
 }
 
 /* From event to event up to a tick, one at the tick too. */
-static void test_go_to(void)
+TEST(test_go_to, "events up to a tick")
 {
     struct loop l;
     begin(&l, 1);
@@ -88,7 +88,7 @@ static void test_go_to(void)
 
 /* How deep two disks are in each other, or one in a wall, whichever is
    deeper. */
-static void test_overlap(void)
+TEST(test_overlap, "overlaps by hand")
 {
     static const struct {
         double x[2], y[2], deepest;
@@ -107,14 +107,4 @@ static void test_overlap(void)
         UNIT_EQUAL(loop_overlap(&l), states[n].deepest);
         finish(&l);
     }
-}
-
-int main(void)
-{
-    return unit_run(
-        "loop",
-        (struct unit_test[]){{"ticks, and a slip at an event", test_turns},
-                             {"events up to a tick", test_go_to},
-                             {"overlaps by hand", test_overlap},
-                             {0}});
 }

@@ -1,6 +1,7 @@
 /* Without memory: whatever request is refused, who made it says so, has
    freed what it had, and leaves the rest as it was. With memory, too, all
    of it goes back. */
+#define UNIT_OWN_MAIN
 #include "unit.h"
 
 #include "library/heap.h"
@@ -153,7 +154,7 @@ static void fails(const char *what, bool (*does)(void *), const char *with,
     UNIT_TRUE(requests >= 0);
 }
 
-static void test_scenes(void)
+TEST(test_scenes, "scenes")
 {
     static const struct gallery_scene *const lists[] = {
         celestial_scenes, elastic_scenes, hard_scenes};
@@ -167,7 +168,7 @@ static void test_scenes(void)
 }
 
 /* What sums forces. */
-static void test_forces(void)
+TEST(test_forces, "forces")
 {
     make("membrane");
     fails("a tree", plants, "", false);
@@ -175,7 +176,7 @@ static void test_forces(void)
     scene_free(&scene);
 }
 
-static void test_motion(void)
+TEST(test_motion, "motion, by each method")
 {
     static const char *const names[] = {"four-disks", "double-pendulum",
                                         "membrane", "figure-eight", "ring"};
@@ -192,7 +193,7 @@ static void test_motion(void)
     scene_free(&scene);
 }
 
-static void test_models(void)
+TEST(test_models, "models")
 {
     static const struct {
         const char *scene, *plan;
@@ -215,7 +216,7 @@ static void test_models(void)
     }
 }
 
-static void test_averages(void)
+TEST(test_averages, "averages")
 {
     make("four-disks");
     /* The error of a mean that nobody asks for may be missing. */
@@ -407,7 +408,7 @@ static bool measures(void *what)
     return h;
 }
 
-static void test_disks(void)
+TEST(test_disks, "disks")
 {
     static const char path[] = "build/tests/memory.states";
     fails("disks with a plan", plans, "", false);
@@ -423,7 +424,7 @@ static void test_disks(void)
     remove(path);
 }
 
-static void test_line(void)
+TEST(test_line, "bodies on a line")
 {
     for (int engine = BONKERS_NAIVE; engine < BONKERS_ENGINES; ++engine)
         for (int k = 0; k < 4; ++k) {
@@ -444,7 +445,7 @@ static void test_line(void)
 }
 
 /* What is freed is empty, and may be freed again. */
-static void test_freed_twice(void)
+TEST(test_freed_twice, "freed twice")
 {
     const double sides[] = {5, 5};
     struct disks d;
@@ -473,7 +474,7 @@ static void test_freed_twice(void)
 }
 
 /* The same of what moves bodies; contacts that are springs are empty. */
-static void test_forces_twice(void)
+TEST(test_forces_twice, "freed twice, what moves bodies")
 {
     struct motion m;
     make("four-disks");
@@ -526,16 +527,5 @@ int main(void)
     if (!freopen("/dev/null", "w", stderr))
         return 1;
     fputs("its buffer, once for all\n", stderr);
-    return unit_run(
-        "memory", (struct unit_test[]){
-                      {"scenes", test_scenes},
-                      {"forces", test_forces},
-                      {"motion, by each method", test_motion},
-                      {"models", test_models},
-                      {"averages", test_averages},
-                      {"disks", test_disks},
-                      {"bodies on a line", test_line},
-                      {"freed twice", test_freed_twice},
-                      {"freed twice, what moves bodies", test_forces_twice},
-                      {0}});
+    return unit_run("memory");
 }

@@ -107,7 +107,7 @@ static void refuses(const char *text, const char *why)
    (tests/programs/trajectories/sun-earth.dat): Sun and Earth, x and y. An
    angle of 63 rad rounded to 1e-14, and a motion of the Sun that is 3e-6 of
    it. */
-static void test_kepler_known(void)
+TEST(test_kepler_known, "kepler: ten years of 18 digits")
 {
     static const double known[] = {
         3.9738031271241174e-09, .99867539895762529, 1.8849379457678128e-04,
@@ -129,7 +129,8 @@ static void test_kepler_known(void)
 
 /* The same in weight, with a Sun that is held, with equal masses, and with
    a third body of no mass. */
-static void test_kepler_others(void)
+TEST(test_kepler_others,
+     "kepler: weight, a held Sun, equal masses, no mass")
 {
     struct gap gap;
     make("sun-earth", (struct wish[]){{"speed", 1.2}, {0}});
@@ -157,7 +158,7 @@ static void test_kepler_others(void)
 /* Without what light bodies pull, the ellipses are what steps do, and the
    centre of mass stays where it should; left out is of the order of the
    masses: a factor on Jupiter's is a factor on the difference. */
-static void test_no_light(void)
+TEST(test_no_light, "no-light: ellipses and steps agree, the centre stays")
 {
     double miss[2];
     make("solar-system", NULL);
@@ -187,7 +188,7 @@ static void test_no_light(void)
 }
 
 /* Light bodies round two heavy ones, and where something is held. */
-static void test_no_light_others(void)
+TEST(test_no_light_others, "no-light: round two stars, round a held one")
 {
     make("circumbinary", NULL);
     const double miss =
@@ -205,7 +206,7 @@ static void test_no_light_others(void)
     scene_free(&scene);
 }
 
-static void test_kepler_refuses(void)
+TEST(test_kepler_refuses, "kepler refuses what is no ellipse")
 {
     make("figure-eight", NULL);
     refuses("kepler", "more than one body pulls, or one is held");
@@ -233,7 +234,7 @@ static void test_kepler_refuses(void)
 }
 
 /* Weight and friction against steps; what is held stays. */
-static void test_free(void)
+TEST(test_free, "free: weight and friction, and what is held")
 {
     UNIT_TRUE(scene_create(&scene, 3));
     scene.gravity[1] = -9.81;
@@ -261,7 +262,7 @@ static void test_free(void)
 
 /* The oscillator of chapter 10 with everything, along any axis, and from
    the other side of its anchor. */
-static void test_oscillator(void)
+TEST(test_oscillator, "oscillator: along any axis, with everything")
 {
     for (size_t k = 0; k < 3; ++k)
         for (int side = -1; side < 2; side += 2) {
@@ -304,7 +305,7 @@ static void test_oscillator(void)
 
 /* Cradles in rationals, computed for this book: the velocities
    after the knock, by all models that can. */
-static void test_cradle(void)
+TEST(test_cradle, "Newton's cradle in fractions, by three models")
 {
     static const struct {
         double first, last, out[5];
@@ -333,7 +334,7 @@ static void test_cradle(void)
 /* A scene on the line, in steps of contacts, along another axis and with
    bodies out of order. Contacts are found after the step and gone back to,
    so steps have no error but rounding if no two are in one step. */
-static void test_line(void)
+TEST(test_line, "line: along any axis, in any order")
 {
     make("thermal", NULL);
     const size_t n = scene.bodies;
@@ -375,7 +376,7 @@ static void test_line(void)
     scene_free(&scene);
 }
 
-static void test_line_refuses(void)
+TEST(test_line_refuses, "line and relabel refuse what is no line")
 {
     make("cradle", NULL);
     refuses("relabel", "");
@@ -409,7 +410,7 @@ static void test_line_refuses(void)
 }
 
 /* Twenty scenes of equal rods between walls, with one held as a wall. */
-static void test_relabel(void)
+TEST(test_relabel, "relabel: rods of all lengths, as line does them")
 {
     struct random random;
     random_seed(&random, 5);
@@ -464,7 +465,7 @@ static void test_falling_disks(void)
 /* Disks in a box, by both engines of events, in an open plane, in a
    periodic box and in space, against steps that go back to the contact: no
    two contacts of a body in one step, no error but rounding. */
-static void test_disks(void)
+TEST(test_disks, "disks: boxes, periodic, open, in space, by cells")
 {
     make("gas", (struct wish[]){{"particles", 40}, {0}});
     UNIT_NEAR(compare("disks", "leapfrog:4000", 1, 2).x, 0, 1e-9);
@@ -512,7 +513,7 @@ static void test_disks(void)
 
 /* Modes: exact for the linear spring, and an error that falls as the square
    of the swing for a beam. */
-static void test_modes(void)
+TEST(test_modes, "modes: exact if linear, second order if not")
 {
     double miss[2];
     make("oscillator", (struct wish[]){{"damping", 0}, {0}});
@@ -556,7 +557,7 @@ static void test_modes(void)
 /* How fast the stiff spring turns that would become a rod: at 2 m/s over
    its length. What it is stretched by does not count; and it is taken out.
  */
-static void test_turning(void)
+TEST(test_turning, "how fast a stiff spring turns")
 {
     for (int k = 0; k < 3; ++k) {
         make("double-pendulum",
@@ -584,7 +585,7 @@ static void test_turning(void)
 /* Rods for the stiff spring: chapter 10 found the end of the pendulum 3.8
    to 4.0 mm away after ten seconds (section What a rod buys), and 0.1 s a
    step accurate to 9 to 13 mm. */
-static void test_rods(void)
+TEST(test_rods, "rods: chapter 10's numbers, and a hanging cradle")
 {
     make("double-pendulum", NULL);
     const double apart_ten =
@@ -610,7 +611,7 @@ static void test_rods(void)
 }
 
 /* What acts: exactly, not nearly. */
-static void test_acts(void)
+TEST(test_acts, "what acts is told exactly")
 {
     struct models_acts a;
     make("sun-earth", NULL);
@@ -656,7 +657,7 @@ static void test_acts(void)
 }
 
 /* Points on a line may meet as in line only. */
-static void test_meeting(void)
+TEST(test_meeting, "points on a line meet as in line only")
 {
     static const char unseen[] = "points on a line collide only as in line";
     UNIT_TRUE(scene_create(&scene, 2));
@@ -677,7 +678,7 @@ static void test_meeting(void)
 
 /* A body so fast that its row would not end costs too much at once, though
    it meets only walls. */
-static void test_endless(void)
+TEST(test_endless, "a row without end ends at once")
 {
     const struct models_plan p = plan("disks");
     const char *why;
@@ -698,7 +699,7 @@ static void test_endless(void)
 
 /* Overlaps at the start, whichever way the bodies go; walls, beyond which
    a body does not come back from; and those that touch. */
-static void test_overlap(void)
+TEST(test_overlap, "how deep bodies overlap at the start")
 {
     make("four-disks", NULL);
     const size_t n = scene.bodies;
@@ -729,7 +730,7 @@ static void test_overlap(void)
 /* Beyond a wall for good are bodies that are at rest there and those that
    move on, at either wall, along each axis; not those that come back, and
    not where there is no wall to come back to. */
-static void test_beyond(void)
+TEST(test_beyond, "who is beyond a wall for good")
 {
     make("four-disks", NULL);
     const size_t n = scene.bodies;
@@ -766,7 +767,7 @@ static void test_beyond(void)
    and 0.2 at 0 and 1 has its places from 0.15 to 0.75: after T it is where
    a saw of that length is. Along any axis, from either side, by each model.
  */
-static void test_between_held(void)
+TEST(test_between_held, "between held balls")
 {
     static const char *const plans[] = {"line", "relabel"};
     for (size_t k = 0; k < 3; ++k)
@@ -797,7 +798,7 @@ static void test_between_held(void)
    that of the spring shortened to nothing: m v^2 + D A^2 = D l^2. Just
    below that the closed form is right, just above it the motion is another
    one. */
-static void test_turns_round(void)
+TEST(test_turns_round, "how much energy turns a spring round")
 {
     static const struct {
         double mass, stiffness, displacement, velocity; /* on the border */
@@ -827,7 +828,7 @@ static void test_turns_round(void)
 }
 
 /* Light bodies, and stiff springs. */
-static void test_cuts(void)
+TEST(test_cuts, "what can be left out, and that it is")
 {
     make("ring", (struct wish[]){{"particles", 10}, {0}});
     UNIT_EQUAL(models_cuts(&scene), MODELS_NO_LIGHT);
@@ -854,7 +855,7 @@ static void test_cuts(void)
 
 /* What makes another scene of it is asked for by name: each plan does in
    the scene what it does in one without that, to the bit. */
-static void test_leaving_out(void)
+TEST(test_leaving_out, "what makes another scene can be left out by name")
 {
     static const char *const names[] = {"no-softening", "no-friction",
                                         "no-dashpots",  "no-weak",
@@ -894,7 +895,7 @@ static void test_leaving_out(void)
 
 /* A cradle along any axis with a ball that is aside, one that moves there,
    and weight: without what is across it is the cradle, to the bit. */
-static void test_across(void)
+TEST(test_across, "what is across a line is left out")
 {
     make("cradle", NULL);
     const size_t n = scene.bodies;
@@ -930,7 +931,7 @@ static void test_across(void)
 }
 
 /* A plan is read as it was written, whatever its order was. */
-static void test_text(void)
+TEST(test_text, "plans are read as they were written")
 {
     static const char *const same[] = {"free", "pefrl:24",
                                        "kepler,no-light",
@@ -965,7 +966,7 @@ static void check_list(const char *wrong)
 }
 
 /* A tolerance of a method with steps of its own is from 1e-16 to 1. */
-static void test_text_tolerance(void)
+TEST(test_text_tolerance, "tolerances in a plan")
 {
     static const struct {
         const char *text;
@@ -993,7 +994,7 @@ static void test_text_tolerance(void)
     }
 }
 
-static void test_text_errors(void)
+TEST(test_text_errors, "what is no plan")
 {
     static const char *const wrong[][2] = {
         {"rk4:", "found '', expected a whole number of steps from 1 to "
@@ -1030,7 +1031,7 @@ static void test_text_errors(void)
 
 /* The last models are the methods of chapter 8, in its order; leapfrog
    alone can have rods. */
-static void test_table(void)
+TEST(test_table, "the table has every method of chapter 8")
 {
     const struct models_model *m = models_all();
     for (; m->name && !m->method; ++m)
@@ -1052,7 +1053,7 @@ static void test_table(void)
 
 /* What a run by each method books is what it did: the places are those of
    the method of this name, and the evaluations those of its row. */
-static void test_books(void)
+TEST(test_books, "and each one books what it does")
 {
     make("sun-earth", NULL);
     for (const struct stepping_method *k = stepping_next(NULL); k;
@@ -1081,7 +1082,7 @@ static void test_books(void)
 
 /* Work is what was done, whatever the number of rows; at the limit of the
    cost a row ends. */
-static void test_work(void)
+TEST(test_work, "work is counted, and limited")
 {
     make("choreography", (struct wish[]){{"particles", 5}, {0}});
     struct models_run r = run_of("pefrl:50", 0.1, 3);
@@ -1146,7 +1147,7 @@ static void test_work(void)
    it is only 0.7 r/v that bounds a step. By hand that is so many steps,
    from a first one of a hundredth of a second and none of more than five
    times the one before. */
-static void test_passage(void)
+TEST(test_passage, "steps of their own length see a passage")
 {
     const char *why;
     struct models_run r;
@@ -1170,7 +1171,7 @@ static void test_passage(void)
 }
 
 /* A run that breaks down, and one that comes to a standstill. */
-static void test_ends(void)
+TEST(test_ends, "runs that break down or stand still")
 {
     const char *why;
     struct models_run r;
@@ -1198,7 +1199,7 @@ static void test_ends(void)
    10 s at 1 m/s all have ten times, as a skin is thinner than a metre. In
    each row light bodies that do not pull are five passes each, besides the
    pass of each call of the forces. */
-static void test_start_and_rows(void)
+TEST(test_start_and_rows, "the start and the rows are on the bill")
 {
     make("gas", (struct wish[]){{"particles", 90}, {0}});
     struct models_run r = run_of("disks", 1e-9, 1);
@@ -1231,7 +1232,7 @@ static void test_start_and_rows(void)
 /* To find modes costs as the cube of the coordinates, again and again. A
    start that fails stays on the bill, and one that may cost no more than
    one and a half of these stops after the first. */
-static void test_start_bounded(void)
+TEST(test_start_bounded, "a start that fails is paid, and bounded")
 {
     make("cantilever", NULL);
     struct models_plan p = plan("modes");
@@ -1254,7 +1255,7 @@ static void test_start_bounded(void)
 
 /* The list names everything once, and no price is odd. That they are those
    of this machine is for a benchmark to say. */
-static void test_prices(void)
+TEST(test_prices, "a list of prices")
 {
     for (size_t u = 0; u < MODELS_UNITS; ++u) {
         const struct models_price *p = &models_prices[u];
@@ -1268,55 +1269,4 @@ static void test_prices(void)
               models_prices[MODELS_DISK_EVENT].ns);
     UNIT_TRUE(models_prices[MODELS_PAIR].ns <
               models_prices[MODELS_ELLIPSE].ns);
-}
-
-int main(void)
-{
-    return unit_run(
-        "models",
-        (struct unit_test[]){
-            {"kepler: ten years of 18 digits", test_kepler_known},
-            {"kepler: weight, a held Sun, equal masses, no mass",
-             test_kepler_others},
-            {"no-light: ellipses and steps agree, the centre stays",
-             test_no_light},
-            {"no-light: round two stars, round a held one",
-             test_no_light_others},
-            {"kepler refuses what is no ellipse", test_kepler_refuses},
-            {"free: weight and friction, and what is held", test_free},
-            {"oscillator: along any axis, with everything",
-             test_oscillator},
-            {"Newton's cradle in fractions, by three models", test_cradle},
-            {"line: along any axis, in any order", test_line},
-            {"line and relabel refuse what is no line", test_line_refuses},
-            {"relabel: rods of all lengths, as line does them",
-             test_relabel},
-            {"disks: boxes, periodic, open, in space, by cells",
-             test_disks},
-            {"modes: exact if linear, second order if not", test_modes},
-            {"how fast a stiff spring turns", test_turning},
-            {"rods: chapter 10's numbers, and a hanging cradle", test_rods},
-            {"what acts is told exactly", test_acts},
-            {"points on a line meet as in line only", test_meeting},
-            {"a row without end ends at once", test_endless},
-            {"how deep bodies overlap at the start", test_overlap},
-            {"who is beyond a wall for good", test_beyond},
-            {"how much energy turns a spring round", test_turns_round},
-            {"between held balls", test_between_held},
-            {"what can be left out, and that it is", test_cuts},
-            {"what makes another scene can be left out by name",
-             test_leaving_out},
-            {"what is across a line is left out", test_across},
-            {"plans are read as they were written", test_text},
-            {"what is no plan", test_text_errors},
-            {"tolerances in a plan", test_text_tolerance},
-            {"the table has every method of chapter 8", test_table},
-            {"and each one books what it does", test_books},
-            {"work is counted, and limited", test_work},
-            {"steps of their own length see a passage", test_passage},
-            {"runs that break down or stand still", test_ends},
-            {"a list of prices", test_prices},
-            {"a start that fails is paid, and bounded", test_start_bounded},
-            {"the start and the rows are on the bill", test_start_and_rows},
-            {0}});
 }

@@ -15,7 +15,7 @@
 
 /* The committed prices, in ns. Who measures better ones changes them here,
    too, and knows by that that all bills are others. */
-static void test_prices(void)
+TEST(test_prices, "the prices are those that were measured")
 {
     static const struct {
         const char *name;
@@ -48,7 +48,7 @@ static struct scene made(size_t bodies)
 
 /* By the softened law two bodies would circle with k2 (m + M)/d^3 as the
    square of the frequency, where d^2 = 0.6^2 + 0.8^2 = 1. */
-static void test_rate_of_gravity(void)
+TEST(test_rate_of_gravity, "a pair's frequency is the rate")
 {
     struct scene s = made(3);
     s.k2 = 3;
@@ -81,7 +81,7 @@ static void test_rate_of_gravity(void)
 
 /* Two bodies of 1 and 4 kg on a spring of 36 N/m and 2 kg/s: the row of the
    first has 36 (1/1 + 1/2), and 2 (1 + 1/2) of friction. */
-static void test_rate_of_springs(void)
+TEST(test_rate_of_springs, "so is that of springs, with their friction")
 {
     struct scene s = made(3);
     UNIT_TRUE(scene_add_kind(&s, 36, 2) && scene_add_kind(&s, 0.36, 0));
@@ -121,7 +121,7 @@ static void test_rate_of_springs(void)
 
 /* A spring does not move what has no mass: of the other end's 4 kg the
    rate is sqrt(36/4), and 2/4 of friction. */
-static void test_rate_without_mass(void)
+TEST(test_rate_without_mass, "a spring on what has no mass")
 {
     struct scene s = made(2);
     UNIT_TRUE(scene_add_kind(&s, 36, 2) &&
@@ -133,7 +133,7 @@ static void test_rate_without_mass(void)
     scene_free(&s);
 }
 
-static void test_acts(void)
+TEST(test_acts, "what acts")
 {
     for (size_t n = 1; n < 3; ++n)
         for (size_t wall = 0; wall < 4; ++wall) {
@@ -164,7 +164,7 @@ static void test_acts(void)
 
 /* What is a hundredth as stiff is not weak yet. Across goes all but the
    longest axis, along which nothing changes. */
-static void test_left_out(void)
+TEST(test_left_out, "what is left out")
 {
     struct scene s = made(2);
     for (size_t k = 0; k < 3; ++k)
@@ -214,7 +214,7 @@ static struct models_run run_of(const char *text, const struct scene *s,
    an exponential; an ellipse for each body but the central one; modes of n
    coordinates cost 20 n^3 to find, twice for a spring whose place of rest
    is a step away, and 2 n^2 in each row. */
-static void test_bills_of_forms(void)
+TEST(test_bills_of_forms, "bills of closed forms")
 {
     struct scene s = made(2);
     struct models_run r = run_of("free", &s, 1, 2);
@@ -244,7 +244,7 @@ static void test_bills_of_forms(void)
 
 /* A spring of 1 N/m and 1 m with 1 kg at 1 m/s reaches the place of its
    other end, and no farther: there it has no direction. */
-static void test_border(void)
+TEST(test_border, "a spring that just turns round")
 {
     struct models_run r;
     const char *why = "";
@@ -264,7 +264,7 @@ static void test_border(void)
 }
 
 /* Four hundred coordinates have modes, one more has too many. */
-static void test_many_modes(void)
+TEST(test_many_modes, "too many modes")
 {
     const struct models_plan p = plan("modes");
     for (size_t n = 400; n < 402; ++n) {
@@ -284,7 +284,7 @@ static void test_many_modes(void)
 }
 
 /* To put n in order takes n times the bits of n - 1, and n at least. */
-static void test_sorting(void)
+TEST(test_sorting, "to put in order has a price")
 {
     static const double bits[][2] = {
         {1, 1}, {2, 1},  {3, 2},  {4, 2},     {5, 3},    {8, 3},
@@ -313,7 +313,7 @@ static void test_sorting(void)
 
 /* On a line all gaps are looked at after each collision and in each row, up
    to 33 of them; of more there are slabs, which are worth thirty. */
-static void test_bill_of_line(void)
+TEST(test_bill_of_line, "the bill of a line")
 {
     static const double looks[][2] = {{4, 4}, {33, 33}, {34, 30}};
     for (size_t k = 0; k < 3; ++k) {
@@ -329,7 +329,7 @@ static void test_bill_of_line(void)
 
 /* A body on a line that falls away from the engine's own down, along an
    axis from left to right: from 5 m with 1 m/s, by 2 m/s^2. */
-static void test_upwards(void)
+TEST(test_upwards, "along a line that rises")
 {
     static const struct {
         double mass;
@@ -365,7 +365,7 @@ static void test_upwards(void)
 
 /* A pendulum of 1 m on a stiff spring that is a rod stays as long; at the
    bottom it has all of its energy: 2 g h = v^2. */
-static void test_rod(void)
+TEST(test_rod, "a rod")
 {
     struct scene s = made(2);
     UNIT_TRUE(scene_add_kind(&s, 1e6, 0));
@@ -387,7 +387,7 @@ static void test_rod(void)
 /* Disks by the scan: at the start all pairs, three times the price of half
    of them; two rows of looks for a collision and one for a wall. In cells
    each row has as many seats, and lists are made at the start and anew. */
-static void test_bill_of_disks(void)
+TEST(test_bill_of_disks, "the bill of disks")
 {
     struct room d = {.view.axes = 2};
     struct models_run r = {.rows = 4};
@@ -411,7 +411,7 @@ static void test_bill_of_disks(void)
 
 /* A disk that flies v t has crossed a box of L at least v t/L times, each
    for the price of a collision with a wall. */
-static void test_endless(void)
+TEST(test_endless, "crossings are foreseen")
 {
     struct disk one[2] = {{.velocity = {30, -8}}, {.velocity = {0, 2}}};
     struct room d = {.view.axes = 2};
@@ -441,7 +441,7 @@ static const struct stepping_method *method(const char *name)
 
 /* Steps: passes over bodies by family, pairs, springs; and in a row what
    belongs to the method, contacts, rods and light bodies. */
-static void test_bill_of_steps(void)
+TEST(test_bill_of_steps, "the bill of steps")
 {
     struct scene s = made(4), many = made(33);
     struct steps t = {.plan = plan("leapfrog:1")};
@@ -536,7 +536,7 @@ static void test_bill_of_steps(void)
 }
 
 /* How many steps a row is asked for. */
-static void test_steps_of_row(void)
+TEST(test_steps_of_row, "steps asked for in a row")
 {
     struct models_run r = {.plan = plan("pefrl:12")};
     UNIT_EQUAL((double)steps_of(&r), 12);
@@ -549,7 +549,7 @@ static void test_steps_of_row(void)
 /* By hand: a run that has cost c in 9.5 of 100 rows will cost 100 c/9.5;
    equal steps may promise 1.1 of the limit, others twice, and only after
    they have cost half of it, or a second. */
-static void test_hopeless(void)
+TEST(test_hopeless, "what will cost too much is seen")
 {
     static const double border[][4] = {
         /* limit, where the step has led (in rows), from which cost on,
@@ -580,7 +580,7 @@ static void test_hopeless(void)
    by radau15 costs 18 + 4 (2 + 8) 3 = 138 ns. One look may take what is
    left; in a run of many rows eight of the shares of one, but a tenth of a
    second at least. A hundred calls more do no harm. */
-static void test_look(void)
+TEST(test_look, "how long a look may take")
 {
     struct scene s = made(2);
     struct adaptive own = {.evaluations = 50};
@@ -617,7 +617,7 @@ static void test_look(void)
 
 /* Two that see each other at sqrt(2) m, and pass in a second at 1 m, which
    a pull bends by up to sqrt(a2)/2. */
-static void test_counts(void)
+TEST(test_counts, "passages that count")
 {
     static const double known[][3] = {
         /* a2, what is a little from which on the passage counts no more,
@@ -647,7 +647,7 @@ static void test_counts(void)
 }
 
 /* Two at 2 m: 0.7 of that is 1.4 m. */
-static void test_hurry(void)
+TEST(test_hurry, "how soon two may meet")
 {
     const struct pair still = {.r2 = 4};
     UNIT_EQUAL(hurry(&still, 0), 0);
@@ -662,7 +662,7 @@ static void test_hurry(void)
 
 /* The longest step is that of the pair in the greatest hurry; those that do
    not attract each other, and those that are held, are in none. */
-static void test_longest(void)
+TEST(test_longest, "the longest step")
 {
     struct steps t = {.plan.left = 1};
     struct scene *s = &t.scene;
@@ -700,7 +700,7 @@ static void test_longest(void)
 
 /* A method that follows orbits has bodies in an order of its own: what it
    brings back stands where it was, and costs what is said. */
-static void test_order(void)
+TEST(test_order, "bodies in the order of their orbits")
 {
     struct scene s = made(3);
     static const double x[] = {4, 0, 1}, v[] = {0.5, 0, 1};
@@ -722,36 +722,4 @@ static void test_order(void)
     UNIT_EQUAL(r.scene.mass[1], 1);
     models_end(&r);
     scene_free(&s);
-}
-
-int main(void)
-{
-    return unit_run(
-        "models_parts",
-        (struct unit_test[]){
-            {"the prices are those that were measured", test_prices},
-            {"a pair's frequency is the rate", test_rate_of_gravity},
-            {"so is that of springs, with their friction",
-             test_rate_of_springs},
-            {"a spring on what has no mass", test_rate_without_mass},
-            {"what acts", test_acts},
-            {"what is left out", test_left_out},
-            {"bills of closed forms", test_bills_of_forms},
-            {"a spring that just turns round", test_border},
-            {"too many modes", test_many_modes},
-            {"to put in order has a price", test_sorting},
-            {"the bill of a line", test_bill_of_line},
-            {"along a line that rises", test_upwards},
-            {"a rod", test_rod},
-            {"the bill of disks", test_bill_of_disks},
-            {"crossings are foreseen", test_endless},
-            {"the bill of steps", test_bill_of_steps},
-            {"steps asked for in a row", test_steps_of_row},
-            {"what will cost too much is seen", test_hopeless},
-            {"how long a look may take", test_look},
-            {"passages that count", test_counts},
-            {"how soon two may meet", test_hurry},
-            {"the longest step", test_longest},
-            {"bodies in the order of their orbits", test_order},
-            {0}});
 }

@@ -29,7 +29,7 @@ static int rising(const void *a, const void *b)
 }
 
 /* All frequencies of a taut membrane with unequal sides, by formula. */
-static void test_taut(void)
+TEST(test_taut, "all modes of a taut membrane are those of the formula")
 {
     const struct elastic_membrane e = {8, 6, 2, 50,   0, 0.8,
                                        0, 1, 1, true, 0, 0};
@@ -59,7 +59,7 @@ static void test_taut(void)
 
 /* The 8 x 8 membrane: first and largest frequency taut; at rest length no
    stiffness across. */
-static void test_membranes(void)
+TEST(test_membranes, "a membrane at rest length has 36 loose modes")
 {
     struct scene s;
     struct modes m;
@@ -84,7 +84,7 @@ static void test_membranes(void)
     scene_free(&s);
 }
 
-static void test_cantilever(void)
+TEST(test_cantilever, "the cantilever's frequencies and deflection")
 {
     struct scene s;
     struct modes m;
@@ -107,7 +107,7 @@ static void test_cantilever(void)
 }
 
 /* Modes of length 1, at right angles, each a solution of its equation. */
-static void test_orthogonal(void)
+TEST(test_orthogonal, "modes are at right angles")
 {
     struct scene s;
     struct modes m;
@@ -125,7 +125,7 @@ static void test_orthogonal(void)
 }
 
 /* The pendulum as it hangs: sqrt of (D1 + 2 D2 +- ...)/2. */
-static void test_pendulum(void)
+TEST(test_pendulum, "the double pendulum's frequencies")
 {
     struct scene s;
     struct modes m;
@@ -144,7 +144,7 @@ static void test_pendulum(void)
 
 /* Two bodies of 2 kg and 1 kg between walls on springs of 0.3 N/m: the
    matrix is 0.3, -0.3/root 2, 0.6, its roots 0.45 +- root 0.0675. */
-static void test_by_hand(void)
+TEST(test_by_hand, "two bodies between walls, by hand")
 {
     struct scene s;
     struct modes m;
@@ -169,21 +169,4 @@ static void test_by_hand(void)
     }
     modes_free(&m);
     scene_free(&s);
-}
-
-int main(void)
-{
-    return unit_run(
-        "modes",
-        (struct unit_test[]){
-            {"all modes of a taut membrane are those of the formula",
-             test_taut},
-            {"two bodies between walls, by hand", test_by_hand},
-            {"a membrane at rest length has 36 loose modes",
-             test_membranes},
-            {"the cantilever's frequencies and deflection",
-             test_cantilever},
-            {"modes are at right angles", test_orthogonal},
-            {"the double pendulum's frequencies", test_pendulum},
-            {0}});
 }

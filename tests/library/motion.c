@@ -53,7 +53,7 @@ static void begin(struct motion *m, struct scene *s, const char *method)
 }
 
 /* Equation (11.9), term by term, with formulas of its own. */
-static void test_sum(void)
+TEST(test_sum, "what acts is the sum of all that is in the scene")
 {
     struct scene s;
     struct motion m;
@@ -99,7 +99,7 @@ static void test_sum(void)
 }
 
 /* Springs alone take a way of their own. */
-static void test_springs_alone(void)
+TEST(test_springs_alone, "springs alone move as they do with others")
 {
     struct scene s, t;
     struct motion m, n;
@@ -158,7 +158,7 @@ static void build_two(struct scene *s, int way)
         s->position[4] = s->velocity[5] = -0.;
 }
 
-static void test_two(void)
+TEST(test_two, "and two bodies alone, to the bit")
 {
     for (int way = 0; way < TWOS; ++way) {
         struct scene s, t;
@@ -196,7 +196,7 @@ static bool is_short(struct scene *s, const char *method)
 }
 
 /* It is for two bodies that attract each other, and for nothing else. */
-static void test_not_two(void)
+TEST(test_not_two, "what is not two bodies alone")
 {
     for (int what = 0; what < 7; ++what) {
         struct scene s;
@@ -227,7 +227,7 @@ static void test_not_two(void)
 }
 
 /* From order six on sums are compensated, where anything accelerates. */
-static void test_compensated(void)
+TEST(test_compensated, "which sums are compensated")
 {
     for (int what = 0; what < 8; ++what) {
         struct scene s;
@@ -268,7 +268,7 @@ static void test_compensated(void)
     }
 }
 
-static void test_held(void)
+TEST(test_held, "what is held stays")
 {
     struct scene s;
     struct motion m;
@@ -285,7 +285,7 @@ static void test_held(void)
 
 /* Leapfrog is exact for a fall: z = -g t^2/2, up to the rounding of 1000
    sums of numbers below 100. */
-static void test_fall(void)
+TEST(test_fall, "a fall is exact")
 {
     struct scene s;
     struct motion m;
@@ -306,7 +306,7 @@ static void test_fall(void)
 
 /* Leapfrog turns an oscillator by 2 asin(h/2) in a step (8.x): here of the
    frequency 1, two masses 2 on a spring with D = 1. */
-static void test_oscillator(void)
+TEST(test_oscillator, "an oscillator turns by leapfrog's angle")
 {
     struct scene s;
     struct motion m;
@@ -333,7 +333,7 @@ static bool is_same(const struct scene *a, const struct scene *b)
            memcmp(a->velocity, b->velocity, size) == 0;
 }
 
-static void test_cuts(void)
+TEST(test_cuts, "how a run is cut changes no bit")
 {
     for (int contact = 0; contact < 2; ++contact)
         for (const struct stepping_method *k = stepping_next(NULL); k;
@@ -424,7 +424,7 @@ static bool goes_on(const char *method, int way, uint64_t cut)
     return kept;
 }
 
-static void test_saved(void)
+TEST(test_saved, "a saved run goes on to the same bits")
 {
     for (const struct stepping_method *m = stepping_next(NULL); m;
          m = stepping_next(m))
@@ -438,7 +438,7 @@ static void test_saved(void)
 
 /* Saved right after a contact there is nothing to keep: the acceleration is
    that of before, and either run asks for a new one. */
-static void test_saved_after_contact(void)
+TEST(test_saved_after_contact, "saved right after a contact as well")
 {
     struct scene s, t;
     struct motion m, n;
@@ -489,7 +489,7 @@ static void resume(uint64_t cut, bool carry, bool kept, bool same)
     scene_free(&t);
 }
 
-static void test_resume(void)
+TEST(test_resume, "and a resumed one to the same times")
 {
     for (uint64_t cut = 1; cut < 400; cut += 37)
         resume(cut, true, true, true);
@@ -522,7 +522,7 @@ static bool heeds(const char *method, int way, double dt)
     return heeded;
 }
 
-static void test_heeded(void)
+TEST(test_heeded, "an acceleration that was kept is heeded where it counts")
 {
     for (const struct stepping_method *m = stepping_next(NULL); m;
          m = stepping_next(m))
@@ -534,7 +534,7 @@ static void test_heeded(void)
 
 /* What was kept is kept over no step at all, and forgotten by a method that
    has no use for it. */
-static void test_forgotten(void)
+TEST(test_forgotten, "and forgotten where it does not")
 {
     for (int way = 0; way < 2; ++way) {
         struct scene s, t;
@@ -556,7 +556,7 @@ static void test_forgotten(void)
 
 /* A step after a contact begins with the acceleration where the bodies are
    now: half a kick and a drift by it give the next place. */
-static void test_contact(void)
+TEST(test_contact, "after a contact the method looks again")
 {
     struct scene s;
     struct motion m;
@@ -609,7 +609,7 @@ static void has(const struct scene *s, enum motion_flaw flaw, size_t body)
 }
 
 /* A body without mass that something acts on is refused, if it is free. */
-static void test_light(void)
+TEST(test_light, "what has no mass")
 {
     for (size_t axis = 0; axis < 3; ++axis)
         for (size_t light = 0; light < 3; ++light) {
@@ -637,7 +637,7 @@ static void test_light(void)
 
 /* Walls want contacts; what is thicker than the box does not move in it,
    and as thick as it is is thin enough; springs have no restitution. */
-static void test_box(void)
+TEST(test_box, "what is in a box")
 {
     for (size_t k = 0; k < 3; ++k)
         for (int wall = SCENE_OPEN; wall <= SCENE_PERIODIC; ++wall) {
@@ -668,7 +668,7 @@ static void test_box(void)
 
 /* Points on a line that they cannot leave collide unseen, if one may move
    and not all of them hang on springs. Off the line they pass. */
-static void test_points(void)
+TEST(test_points, "points on a line")
 {
     struct scene s;
     row(&s, 4);
@@ -714,7 +714,7 @@ static void test_points(void)
 /* Steps of another length: the time goes on, and so do counts, the sums'
    rounding errors and the quicker ways. With the same length no bit is
    another. */
-static void test_shorten(void)
+TEST(test_shorten, "steps may change their length")
 {
     static const char *const methods[] = {"leapfrog", "rk4", "radau15"};
     for (int k = 0; k < 3; ++k)
@@ -753,7 +753,7 @@ static void test_shorten(void)
 /* The energies by hand: 2 (3^2 + 4^2)/2 and 1 (2^2)/2; gravity 3 * 2 / 0.5;
    a spring stretched by 0.25 and one of the contact pressed by 0.5; weight
    along the axes that are free. */
-static void test_energies(void)
+TEST(test_energies, "energies by hand")
 {
     struct scene s;
     struct motion m;
@@ -794,7 +794,7 @@ static bool from_outside(void *with, double dt, double x[], double v[])
     return *(double *)with < 0.995;
 }
 
-static void test_outside(void)
+TEST(test_outside, "another stepper can take the method's place")
 {
     struct scene s;
     struct motion m;
@@ -820,7 +820,7 @@ static int begin_unknown(void *scene)
 }
 
 /* A method that does not exist is refused by its name. */
-static void test_unknown(void)
+TEST(test_unknown, "a method that does not exist is refused")
 {
     struct scene s;
     build(&s, false);
@@ -828,37 +828,4 @@ static void test_unknown(void)
     UNIT_EQUAL(c.status, 3);
     UNIT_TRUE(strcmp(c.err, "motion: there is no method 'no-such'\n") == 0);
     scene_free(&s);
-}
-
-int main(void)
-{
-    return unit_run(
-        "motion",
-        (struct unit_test[]){
-            {"what acts is the sum of all that is in the scene", test_sum},
-            {"springs alone move as they do with others",
-             test_springs_alone},
-            {"and two bodies alone, to the bit", test_two},
-            {"what is not two bodies alone", test_not_two},
-            {"which sums are compensated", test_compensated},
-            {"what is held stays", test_held},
-            {"a fall is exact", test_fall},
-            {"an oscillator turns by leapfrog's angle", test_oscillator},
-            {"how a run is cut changes no bit", test_cuts},
-            {"a saved run goes on to the same bits", test_saved},
-            {"saved right after a contact as well",
-             test_saved_after_contact},
-            {"and a resumed one to the same times", test_resume},
-            {"an acceleration that was kept is heeded where it counts",
-             test_heeded},
-            {"and forgotten where it does not", test_forgotten},
-            {"after a contact the method looks again", test_contact},
-            {"steps may change their length", test_shorten},
-            {"energies by hand", test_energies},
-            {"what has no mass", test_light},
-            {"what is in a box", test_box},
-            {"points on a line", test_points},
-            {"another stepper can take the method's place", test_outside},
-            {"a method that does not exist is refused", test_unknown},
-            {0}});
 }

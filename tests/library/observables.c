@@ -1,4 +1,5 @@
 /* Observables of a scene whose numbers are known. */
+#define UNIT_OWN_MAIN
 #include "unit.h"
 
 #include "forces/observables.h"
@@ -56,7 +57,7 @@ static double look_at(const char *text)
 }
 
 /* The distance is 5: gravity -5*2*3/5, the spring 4/2 (5 - 1)^2. */
-static void test_energies(void)
+TEST(test_energies, "energy and its parts are the formulas'")
 {
     const double kinetic = 10 + 1.5 * 5, gravity = -6, springs = 32,
                  weight = 10 * (2 * 3 + 3 * 3);
@@ -70,7 +71,7 @@ static void test_energies(void)
 }
 
 /* A drift changes no temperature, unless something could stop it. */
-static void test_drift(void)
+TEST(test_drift, "a drift is no heat where momentum is kept")
 {
     double *vx = scene.velocity;
     vx[0] += 1000;
@@ -92,7 +93,7 @@ static void test_drift(void)
     vx[1] -= 1000;
 }
 
-static void test_sums(void)
+TEST(test_sums, "sums over bodies are the formulas'")
 {
     look("t", 1, (double[]){7});
     look("momentum", 3, (double[]){2, -6, 9});
@@ -102,7 +103,7 @@ static void test_sums(void)
     look("collisions", 1, (double[]){0});
 }
 
-static void test_bodies(void)
+TEST(test_bodies, "bodies are asked one by one")
 {
     look("x:0,y:0,z:0,vx:0,vy:0,vz:0", 6, (double[]){1, 2, 3, 1, 0, 3});
     look("x:1,y:1,z:1,vx:1,vy:1,vz:1", 6, (double[]){4, 6, 3, 0, -2, 1});
@@ -116,7 +117,7 @@ static void test_bodies(void)
 }
 
 /* As many as there is room for; the columns add up. */
-static void test_many(void)
+TEST(test_many, "as many as there is room for")
 {
     struct observables o;
     char message[OBSERVABLES_MESSAGE] = "", many[8 * OBSERVABLES_MOST] = "";
@@ -128,7 +129,7 @@ static void test_many(void)
 }
 
 /* Places are drawn along their axes, all else against time. */
-static void test_sorts(void)
+TEST(test_sorts, "along which axis they lie")
 {
     static const struct {
         const char *text;
@@ -149,7 +150,7 @@ static void test_sorts(void)
 }
 
 /* Places and velocities of bodies in any order, and no more than they. */
-static void test_states(void)
+TEST(test_states, "states of bodies")
 {
     static const double right[] = {4, 6, 3, 0, -2, 1, 1, 2, 3, 1, 0, 3, 77};
     double values[13];
@@ -161,7 +162,7 @@ static void test_states(void)
 
 /* All that there are have a name and say how many bodies they are asked
    of, which reading them proves; then there are no more. */
-static void test_names(void)
+TEST(test_names, "their names")
 {
     static const char *const asked[] = {"", ":1", ":1:0"};
     size_t k = 0, bodies;
@@ -178,7 +179,7 @@ static void test_names(void)
 }
 
 /* A column for each number, named after the bodies. */
-static void test_head(void)
+TEST(test_head, "the head of a table of them")
 {
     static const char path[] = "build/tests/observables-head";
     static const char *const lines[] = {
@@ -220,7 +221,7 @@ static void refuse(const char *text, const char *why)
 }
 
 /* Every body has its number, and there is none beyond the last. */
-static void test_numbers(void)
+TEST(test_numbers, "bodies by their numbers")
 {
     struct observables o;
     char message[OBSERVABLES_MESSAGE], text[32];
@@ -232,7 +233,7 @@ static void test_numbers(void)
         }
 }
 
-static void test_refused(void)
+TEST(test_refused, "what is no observable is refused")
 {
     refuse("heat", "'heat' is no observable");
     refuse("", "'' is no observable");
@@ -258,21 +259,7 @@ int main(void)
 {
     if (!build())
         return printf("not ok observables: no memory\n"), 1;
-    const int result = unit_run(
-        "observables",
-        (struct unit_test[]){
-            {"energy and its parts are the formulas'", test_energies},
-            {"a drift is no heat where momentum is kept", test_drift},
-            {"sums over bodies are the formulas'", test_sums},
-            {"bodies are asked one by one", test_bodies},
-            {"as many as there is room for", test_many},
-            {"along which axis they lie", test_sorts},
-            {"states of bodies", test_states},
-            {"their names", test_names},
-            {"the head of a table of them", test_head},
-            {"what is no observable is refused", test_refused},
-            {"bodies by their numbers", test_numbers},
-            {0}});
+    const int result = unit_run("observables");
     motion_end(&motion);
     scene_free(&scene);
     return result;

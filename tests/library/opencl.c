@@ -1,6 +1,7 @@
 /* Gravity on a device, if there is one: the bits of the portable kernel in
    double precision, by either way to share the bodies out, and what single
    precision leaves of it. Without a device: that it is said. */
+#define UNIT_OWN_MAIN
 #include "unit.h"
 
 #include "forces/gravity.h"
@@ -110,14 +111,15 @@ int main(void)
     struct opencl *device = open(false, OPENCL_AUTO);
     if (!device) {
         printf("# note: no sums by OpenCL are tested: %s\n", message);
-        return unit_run(
+        return unit_run_these(
             "opencl",
             (struct unit_test[]){
                 {"what is missing is said in a line", test_none}, {0}});
     }
     opencl_close(&device);
-    return unit_run("opencl", (struct unit_test[]){
-                                  {"the same bits either way", test_bits},
-                                  {"single precision", test_single},
-                                  {0}});
+    return unit_run_these(
+        "opencl",
+        (struct unit_test[]){{"the same bits either way", test_bits},
+                             {"single precision", test_single},
+                             {0}});
 }

@@ -26,7 +26,7 @@ static double period_at(const struct piston *p, double velocity)
 
 /* Exact in few roundings: K l^2 = 120, at a third of the length ninefold.
  */
-static void test_adiabat(void)
+TEST(test_adiabat, "K l^2 is constant")
 {
     const struct piston_gas gas = {10.0 / 3, 6, 0};
     UNIT_NEAR(piston_gas_energy(&gas, 6), 10.0 / 3, 4 * DBL_EPSILON);
@@ -37,7 +37,7 @@ static void test_adiabat(void)
 /* A force of 2K/l from either side; -dU/dx by a symmetric difference of
    1e-5, whose error is U'''/6 1e-10 < 2e-9 here, and rounding of U below
    1e-14 over the difference 2e-5: 1e-9. */
-static void test_force(void)
+TEST(test_force, "the force is minus the slope of the energy")
 {
     UNIT_EQUAL(piston_force(&eleven, 6), 0);
     UNIT_NEAR(piston_force(&eleven, 4), 2 * 7.5 / 4 - 2 * 1.875 / 8, 1e-14);
@@ -52,7 +52,7 @@ static void test_force(void)
 }
 
 /* w0^2 = 12 K_s/(M h^2) = 1/36; with a third of 40/3 kg it is 1/40. */
-static void test_small_swings(void)
+TEST(test_small_swings, "small swings have their exact frequency")
 {
     UNIT_NEAR(piston_rest(&eleven), 6, 1e-14);
     UNIT_NEAR(piston_frequency(&eleven), 1.0 / 6, 1e-15);
@@ -63,7 +63,7 @@ static void test_small_swings(void)
 
 /* The rest is where the force vanishes, and the stiffness there is
    -dF/dx, by a symmetric difference: error below F''' d^2/6 ~ 1e-8. */
-static void test_lopsided_rest(void)
+TEST(test_lopsided_rest, "unequal gases balance where the force is zero")
 {
     const double x = piston_rest(&lopsided), d = 1e-5;
     const double stiffness =
@@ -77,7 +77,7 @@ static void test_lopsided_rest(void)
 }
 
 /* Periods given to the digits printed here, and where the piston turns. */
-static void test_large_swings(void)
+TEST(test_large_swings, "large swings have their reference periods")
 {
     double low, high;
     const struct piston_state start = {6, 1};
@@ -92,7 +92,7 @@ static void test_large_swings(void)
 
 /* The quadrature converges faster than any power: each doubling of the
    points squares the error, roughly, until 1e-13 is left. */
-static void test_quadrature(void)
+TEST(test_quadrature, "a few points give the period")
 {
     const struct piston_state start = {2, 1};
     const double energy = piston_energy(&lopsided, &start);
@@ -104,7 +104,8 @@ static void test_quadrature(void)
               1e-12 * 20);
 }
 
-static void test_turning_points(void)
+TEST(test_turning_points,
+     "turning points exist at every energy above the rest")
 {
     double low = -1, high = -1;
     const double x = piston_rest(&lopsided);
@@ -130,7 +131,7 @@ static void test_turning_points(void)
 /* With any energy above that at rest the piston turns before the place of
    rest, even where only a few numbers lie between this and the wall, and
    Newton's steps come to them by rounding. */
-static void test_turns_before_rest(void)
+TEST(test_turns_before_rest, "and lie before the rest")
 {
     for (int i = 1; i <= 400; ++i) {
         const struct piston p = {1, 3, {1, 1, 0}, {1e-45 * i, 1, 0}};
@@ -161,7 +162,7 @@ static double worst_energy(bool step(const struct piston *,
 /* Halving the step divides the error by 4 and by 16 (32 where the energy
    error of the fourth order is of the fifth); a third of that is
    allowed either way. */
-static void test_orders(void)
+TEST(test_orders, "steps have the second and the fourth order")
 {
     struct piston_state a = {6, 1}, b = a, c = a, d = a;
     const double second = worst_energy(piston_step, 0.02, &a) /
@@ -176,7 +177,7 @@ static void test_orders(void)
 
 /* The leapfrog run backwards comes home, to the rounding of a thousand
    steps. */
-static void test_reversal(void)
+TEST(test_reversal, "the leapfrog runs backwards")
 {
     struct piston_state s = {1.3, 0.8};
     for (int i = 0; i < 1000; ++i)
@@ -190,7 +191,7 @@ static void test_reversal(void)
 
 /* The time of a whole swing by steps agrees with the quadrature. The
    leapfrog's error is of the order (w dt)^2/24 = 4e-7 of the period. */
-static void test_steps_and_quadrature(void)
+TEST(test_steps_and_quadrature, "steps and quadrature agree")
 {
     const double dt = 0.01, period = period_at(&heavy_gas, 1);
     struct piston_state s = {6, 1};
@@ -202,7 +203,7 @@ static void test_steps_and_quadrature(void)
     UNIT_NEAR(s.v, 1, 1e-4);
 }
 
-static void test_sound(void)
+TEST(test_sound, "sound slows the piston as the formula says")
 {
     const double w = piston_frequency_acoustic(&heavy_gas);
     UNIT_NEAR(tau() / w, 39.77915, 5e-6);
@@ -225,7 +226,7 @@ static void test_sound(void)
 /* The first root of w M = sum of m c / l cot(w l / c), before either gas
    swings by itself, whatever the two are; a gas without mass is a spring.
  */
-static void test_sound_of_unequal_gases(void)
+TEST(test_sound_of_unequal_gases, "whatever the gases are")
 {
     static const double masses[][2] = {
         {0.5, 2}, {30, 2},  {2, 30},  {500, 2}, {2, 500},  {0, 7},
@@ -254,7 +255,7 @@ static void test_sound_of_unequal_gases(void)
 
 /* A step that would leave the box is refused and changes nothing, also one
    that would end at a wall. */
-static void test_refused_steps(void)
+TEST(test_refused_steps, "steps out of the box are refused")
 {
     static const struct {
         double x, v;
@@ -272,29 +273,4 @@ static void test_refused_steps(void)
             UNIT_EQUAL(s.v, states[k].v);
             UNIT_EQUAL(t.v, states[k].v);
         }
-}
-
-int main(void)
-{
-    return unit_run(
-        "piston",
-        (struct unit_test[]){
-            {"K l^2 is constant", test_adiabat},
-            {"the force is minus the slope of the energy", test_force},
-            {"small swings have their exact frequency", test_small_swings},
-            {"unequal gases balance where the force is zero",
-             test_lopsided_rest},
-            {"large swings have their reference periods",
-             test_large_swings},
-            {"a few points give the period", test_quadrature},
-            {"turning points exist at every energy above the rest",
-             test_turning_points},
-            {"and lie before the rest", test_turns_before_rest},
-            {"steps have the second and the fourth order", test_orders},
-            {"the leapfrog runs backwards", test_reversal},
-            {"steps and quadrature agree", test_steps_and_quadrature},
-            {"sound slows the piston as the formula says", test_sound},
-            {"whatever the gases are", test_sound_of_unequal_gases},
-            {"steps out of the box are refused", test_refused_steps},
-            {0}});
 }

@@ -2,6 +2,7 @@
    machine: so the sanitizers see it too. */
 #include "page/player.c"
 #include "page/table.c"
+#define UNIT_OWN_MAIN
 #include "unit.h"
 
 static void give(const char *text)
@@ -13,7 +14,7 @@ static void give(const char *text)
 }
 
 /* Asked before anything was chosen or begun it has no answer. */
-static void test_nothing_yet(void)
+TEST(test_nothing_yet, "nothing is asked for yet")
 {
     UNIT_TRUE(page_word(KEYS * 1000) == NULL);
     UNIT_TRUE(page_word(HELP * 1000) == NULL);
@@ -29,7 +30,7 @@ static void test_nothing_yet(void)
 
 /* Every scene of the gallery is made, begun, run, changed and saved, and
    the saved text is a scene again. */
-static void test_every_scene(void)
+TEST(test_every_scene, "every scene of the gallery")
 {
     size_t scenes = 0;
     for (; page_word((double)(SCENES * 1000 + scenes)); ++scenes) {
@@ -67,7 +68,7 @@ static void test_every_scene(void)
 }
 
 /* A text that is no scene is refused, with the line. */
-static void test_no_scene(void)
+TEST(test_no_scene, "what is no scene")
 {
     give("particle (0 0 0) 1\nnonsense 3\n");
     UNIT_TRUE(!page_begin() && page_look()[6] > 0);
@@ -78,12 +79,7 @@ static void test_no_scene(void)
 
 int main(void)
 {
-    const int status = unit_run(
-        "player", (struct unit_test[]){
-                      {"nothing is asked for yet", test_nothing_yet},
-                      {"every scene of the gallery", test_every_scene},
-                      {"what is no scene", test_no_scene},
-                      {0}});
+    const int status = unit_run("player");
     stop();
     scene_free(&start);
     scene_free(&scene);

@@ -28,7 +28,7 @@ static struct record recorded(struct record_view *v,
 
 /* A body at (3, 4) that flies with (-2, 0) passes the origin at 4, one that
    aims at it not at all. */
-static void test_pair(void)
+TEST(test_pair, "two bodies pass where straight lines say")
 {
     struct pair p = {0};
     pair_add(&p, 3, -2);
@@ -59,7 +59,7 @@ static struct scene falling(void)
 /* Leapfrog follows a parabola exactly: all rows are those of the parabola,
    but for some hundred roundings. A run of k steps asks for forces k + 1
    times. */
-static void test_parabola(void)
+TEST(test_parabola, "a parabola, row by row")
 {
     struct scene s = falling();
     struct record_view v;
@@ -81,7 +81,7 @@ static void test_parabola(void)
 /* The time and the collisions of each row, in a scene that begins at 3, but
    for the row at whose end they touch. Two roundings of times below 4 and
    some of times below 1 are 7e-16. */
-static void test_asked(void)
+TEST(test_asked, "rows have their time and collisions")
 {
     struct scene s = falling();
     struct record_view v;
@@ -135,7 +135,7 @@ static struct scene all_at_once(void)
    first, a run is the same but for rounding, and for some of it; places,
    velocities, the energy and what is counted. What it costs is the same,
    but for a root more or less that rounding makes it look for. */
-static void test_twins(void)
+TEST(test_twins, "from elsewhere a run differs by rounding")
 {
     static const char *const names[] = {NULL, "energy,x:1,vy:2,collisions",
                                         NULL, "energy,z:1,vz:3"};
@@ -176,7 +176,7 @@ static void test_twins(void)
 
 /* Sun and Earth, as two of one mass: the size is that of the box; leapfrog
    with 8 and 16 steps to a row errs by four times as much. */
-static void test_apart(void)
+TEST(test_apart, "records are compared")
 {
     struct scene s = light_orbit(1, 1.1);
     struct record_view v;
@@ -201,7 +201,7 @@ static void test_apart(void)
 
 /* A limit on the cost ends a run early, and then it is infinitely far from
    all others. Two side by side have one limit, and part where they do. */
-static void test_limit(void)
+TEST(test_limit, "a run ends at its limit, and two at one")
 {
     struct scene s = light_orbit(1, 1.1);
     struct record_view v;
@@ -258,7 +258,7 @@ static double scale(const struct scene *s, const char *name, double length,
 
 /* Scales that can be found by hand: a body of 2 kg at (3, 0) with (0, 4)
    and one of 5 kg at (0, -4) with (0, -1), that feel nothing. */
-static void test_scales(void)
+TEST(test_scales, "scales by hand")
 {
     struct scene s;
     UNIT_TRUE(scene_create(&s, 2));
@@ -297,7 +297,7 @@ static void test_scales(void)
 
 /* A light body on a parabola has no energy but its kinetic one and the same
    again below zero: 1e-6 J, not the rounding that is left of their sum. */
-static void test_parabolic(void)
+TEST(test_parabolic, "energies that cancel have a scale")
 {
     struct scene s;
     UNIT_TRUE(scene_create(&s, 2));
@@ -313,7 +313,7 @@ static void test_parabolic(void)
 }
 
 /* Without the body that most adds to the size. */
-static void test_without(void)
+TEST(test_without, "the body that is far away")
 {
     static const double places[3][3] = {{0, 1, 10}, {-10, 0, 1}, {4, 0, 1}};
     static const size_t far[3] = {2, 0, 0};
@@ -333,7 +333,7 @@ static void test_without(void)
 /* Places far from the origin are known as well as they are written: half a
    unit in the last place there. Of what is asked for, that is not said, and
    not where the scene is as wide as it is far. */
-static void test_grain(void)
+TEST(test_grain, "far from the origin places are coarse")
 {
     struct scene s;
     struct record_view v;
@@ -383,7 +383,7 @@ static void test_grain(void)
 /* Rows made by hand, in a box that is periodic along x, 6 m, and has walls
    along y, 2 m apart: places once round are the same, by whatever many
    turns, velocities are not, and what is no number is infinitely far. */
-static void test_rows(void)
+TEST(test_rows, "rows are compared round the box")
 {
     struct scene s = all_at_once();
     struct record_view v;
@@ -435,7 +435,7 @@ static void test_rows(void)
 /* Two balls of radius 0.1 that pass at 0.2 + g, in steps: both the run and
    its twin tell by how little they missed, or that they met; with balls
    that are larger by s, of which each has as much, by 2 s less. */
-static void test_least(void)
+TEST(test_least, "by how little two missed, seen twice")
 {
     static const double gaps[] = {1e-3, -1e-3};
     for (size_t k = 0; k < 2; ++k) {
@@ -466,24 +466,4 @@ static void test_least(void)
         record_look_away(&v);
         scene_free(&s);
     }
-}
-
-int main(void)
-{
-    return unit_run(
-        "record",
-        (struct unit_test[]){
-            {"two bodies pass where straight lines say", test_pair},
-            {"a parabola, row by row", test_parabola},
-            {"rows have their time and collisions", test_asked},
-            {"from elsewhere a run differs by rounding", test_twins},
-            {"records are compared", test_apart},
-            {"a run ends at its limit, and two at one", test_limit},
-            {"scales by hand", test_scales},
-            {"energies that cancel have a scale", test_parabolic},
-            {"the body that is far away", test_without},
-            {"far from the origin places are coarse", test_grain},
-            {"rows are compared round the box", test_rows},
-            {"by how little two missed, seen twice", test_least},
-            {0}});
 }

@@ -13,7 +13,7 @@ static bool is_power_of_two(double x)
 
 /* Twin 1 keeps the times of rows to the bit; all else is rounded anew in
    each of the twins, and in each in another way. */
-static void test_units(void)
+TEST(test_units, "the units of twins round anew")
 {
     /* With other units runs end in other last digits: these are those of
        all outputs so far. */
@@ -81,7 +81,7 @@ static struct scene all_different(void)
 
 /* By the dimensions: with l = -2, m = 4 and t = 8 for the units of length,
    mass and time all is exact; the last body comes first. */
-static void test_turned(void)
+TEST(test_turned, "a scene seen from the other side")
 {
     const struct units u = {-2, 4, 8};
     struct scene s = all_different(), old;
@@ -124,7 +124,7 @@ static void test_turned(void)
 /* One unit in the last place of 1, up as often as down: of 64 fair coins
    more than 50 or less than 14 fall on one side once in a million. The
    twins' signs are not those of another one. */
-static void test_last_bits(void)
+TEST(test_last_bits, "last bits go up and down")
 {
     for (unsigned twin = 1; twin <= RECORD_TWINS; ++twin) {
         int up = 0;
@@ -145,7 +145,7 @@ static void test_last_bits(void)
 /* Moved is what may move along an axis that lives: by a unit in the last
    place of its velocity, or of a quarter of its speed; and what is at rest,
    but falls, by that of the speed with which it falls through the scene. */
-static void test_moved(void)
+TEST(test_moved, "they are moved where something moves")
 {
     struct scene s, old;
     UNIT_TRUE(scene_create(&s, 3));
@@ -174,7 +174,7 @@ static void test_moved(void)
 }
 
 /* Along a ring of 6 m places are never more than 3 m apart. */
-static void test_between(void)
+TEST(test_between, "distances along a ring")
 {
     static const double known[][4] = {
         {1, 3, 0, 2},       {3, 1, 0, 2}, {1, 3, 6, 2}, {0, 5, 6, 1},
@@ -186,7 +186,7 @@ static void test_between(void)
 
 /* Two columns, of scales 2 and 8, and one that is not judged. Numbers that
    differ by less than they are rounded may have been rounded alike. */
-static void test_apart(void)
+TEST(test_apart, "how far rows are apart")
 {
     double weight[] = {0.5, 0.125, 0}, turn[3] = {0};
     double last[] = {0x1p-10, 0, 0x1p-10};
@@ -209,7 +209,7 @@ static void test_apart(void)
 }
 
 /* The scales of what has units. */
-static void test_scales(void)
+TEST(test_scales, "scales of units")
 {
     const struct scales to = {2, 3, 5, 7};
     static const struct {
@@ -232,7 +232,7 @@ static void test_scales(void)
 }
 
 /* A body that flies along one axis is as fast along any. */
-static void test_speed(void)
+TEST(test_speed, "how fast a body is")
 {
     struct scene s;
     UNIT_TRUE(scene_create(&s, 2));
@@ -245,7 +245,7 @@ static void test_speed(void)
 }
 
 /* From what is measured: 2 kg at 4 m/s and 3 kg at 1 m/s, 5 m apart. */
-static void test_measured(void)
+TEST(test_measured, "scales of a scene")
 {
     struct scene s;
     struct record_view v;
@@ -273,21 +273,4 @@ static void test_measured(void)
     UNIT_NEAR(to.speed, 5 * sqrt(0.2), 1e-14);
     record_look_away(&v);
     scene_free(&s);
-}
-
-int main(void)
-{
-    return unit_run(
-        "record_parts",
-        (struct unit_test[]){
-            {"the units of twins round anew", test_units},
-            {"a scene seen from the other side", test_turned},
-            {"last bits go up and down", test_last_bits},
-            {"they are moved where something moves", test_moved},
-            {"distances along a ring", test_between},
-            {"how far rows are apart", test_apart},
-            {"scales of units", test_scales},
-            {"how fast a body is", test_speed},
-            {"scales of a scene", test_measured},
-            {0}});
 }

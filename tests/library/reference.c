@@ -31,7 +31,7 @@ static double orbit_error(double tolerance, int pieces)
     return hypot(x[0] - 0.5, x[1]);
 }
 
-static void test_orbit(void)
+TEST(test_orbit, "an orbit")
 {
     UNIT_TRUE(reference_available);
     UNIT_TRUE(orbit_error(1e-13, 1) < 1e-10);
@@ -47,7 +47,7 @@ static void friction(void *what, const double x[], const double v[],
 }
 
 /* A tenth of the critical damping: oscillator_known[0]. */
-static void test_friction(void)
+TEST(test_friction, "an oscillator with friction")
 {
     double x = 1, v = 0;
     struct reference r;
@@ -67,7 +67,7 @@ static void nowhere(void *what, const double x[], const double v[],
     a[0] = x[0] > 1 ? NAN : 1;
 }
 
-static void test_gives_up(void)
+TEST(test_gives_up, "it says when it gives up")
 {
     double x = 0, v = 0;
     struct reference r;
@@ -75,14 +75,4 @@ static void test_gives_up(void)
                     1e-10);
     UNIT_TRUE(!reference_step(&r, 5, &x, &v));
     reference_free(&r);
-}
-
-int main(void)
-{
-    return unit_run(
-        "reference",
-        (struct unit_test[]){{"an orbit", test_orbit},
-                             {"an oscillator with friction", test_friction},
-                             {"it says when it gives up", test_gives_up},
-                             {0}});
 }

@@ -90,7 +90,7 @@ static double energy(void)
 /* Let go from the horizontal with g = l = 1 it is at the bottom after
    K(1/sqrt 2) = 1.8540746773013719 (the lemniscate's constant over sqrt 2),
    where v = sqrt 2. A quarter of the error for half the step. */
-static void test_pendulum(void)
+TEST(test_pendulum, "a pendulum of a rod has its period, in second order")
 {
     double miss[2];
     weight = 1;
@@ -110,7 +110,7 @@ static void test_pendulum(void)
 }
 
 /* A free triangle turns for ever: lengths, momentum, spin and energy. */
-static void test_triangle(void)
+TEST(test_triangle, "a triangle of rods turns and flies")
 {
     weight = 0;
     make_chain(3, false);
@@ -135,7 +135,7 @@ static void test_triangle(void)
 }
 
 /* Ten links far from the origin, for long, and back again. */
-static void test_chain(void)
+TEST(test_chain, "a chain of ten keeps its lengths, and comes back")
 {
     weight = 1;
     make_chain(11, true);
@@ -157,7 +157,7 @@ static void test_chain(void)
 }
 
 /* The pendulum would have to turn by more than a quarter in a step. */
-static void test_too_long(void)
+TEST(test_too_long, "a step that is too long is refused")
 {
     weight = 1;
     make_chain(2, true);
@@ -168,7 +168,7 @@ static void test_too_long(void)
 }
 
 /* A force a step, however often somebody moves a body in between. */
-static void test_counts(void)
+TEST(test_counts, "forces are asked for once in a step")
 {
     weight = 1;
     make_chain(2, true);
@@ -184,7 +184,7 @@ static void test_counts(void)
 /* What rests without weight asks for its forces once, and is corrected
    nowhere. A single rod is mended by one correction, whatever rounding has
    left of its ends' velocities, which here should be 0. */
-static void test_at_once(void)
+TEST(test_at_once, "what needs little gets little")
 {
     weight = 0;
     make_chain(4, false);
@@ -212,7 +212,7 @@ static void test_at_once(void)
    middle moves off, no lengths are right. In a triangle that is nearly so
    flat velocities are found as slowly. Both are given up after 4000 rounds
    of the three rods. */
-static void test_given_up(void)
+TEST(test_given_up, "what cannot be mended is given up")
 {
     weight = 0;
     make_chain(3, false);
@@ -230,20 +230,4 @@ static void test_given_up(void)
     UNIT_TRUE(!rods_project(&rods, scene.position, scene.velocity));
     UNIT_EQUAL((double)rods.corrections, 12000);
     end();
-}
-
-int main(void)
-{
-    return unit_run(
-        "rods", (struct unit_test[]){
-                    {"a pendulum of a rod has its period, in second order",
-                     test_pendulum},
-                    {"a triangle of rods turns and flies", test_triangle},
-                    {"a chain of ten keeps its lengths, and comes back",
-                     test_chain},
-                    {"a step that is too long is refused", test_too_long},
-                    {"what cannot be mended is given up", test_given_up},
-                    {"what needs little gets little", test_at_once},
-                    {"forces are asked for once in a step", test_counts},
-                    {0}});
 }

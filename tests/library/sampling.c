@@ -67,7 +67,7 @@ static const double unit[] = {1, 1, 1};
 
 /* (6.2, eq:two-disks) for r = 0.15, and what follows from it at the wall
    and at contact. */
-static void test_two_disks(void)
+TEST(test_two_disks, "two disks are where the closed forms say")
 {
     for (double step = 0; step < 0.5; step += 0.4) {
         struct sampling s;
@@ -85,7 +85,7 @@ static void test_two_disks(void)
 
 /* 5e9 throws: acceptance 0.0365551596 +- 2.5e-6, density at the wall
    2.698893 +- 0.00031, of distances at contact 3.952373 +- 0.00059. */
-static void test_four_disks(void)
+TEST(test_four_disks, "four disks are where a long run says")
 {
     for (double step = 0; step < 0.3; step += 0.2) {
         struct sampling s;
@@ -103,7 +103,7 @@ static void test_four_disks(void)
 
 /* (6.5, eq:two-sides) in boxes of unequal sides, in the plane and in space,
    for both samplers. */
-static void test_virial(void)
+TEST(test_virial, "walls and pairs agree on the pressure")
 {
     const double sides[] = {1.3, 0.9, 1.1};
     for (size_t dimensions = 2; dimensions <= 3; ++dimensions)
@@ -158,7 +158,7 @@ static double scanned(const struct sampling *s, size_t i, size_t except,
 }
 
 /* In a periodic box the images block as well. */
-static void test_pair_line(void)
+TEST(test_pair_line, "a line past images has the right free part")
 {
     for (size_t dimensions = 2; dimensions <= 3; ++dimensions) {
         struct sampling s;
@@ -196,7 +196,7 @@ static void test_pair_line(void)
 }
 
 /* Between walls, with small ones in the way. */
-static void test_wall_line(void)
+TEST(test_wall_line, "a line between walls has it, too")
 {
     struct sampling s;
     struct random r;
@@ -224,7 +224,7 @@ static void test_wall_line(void)
 }
 
 /* R = 1, d = 0.2: computed with 12 digits and by 2e7 random points. */
-static void test_overlaps(void)
+TEST(test_overlaps, "lenses and segments")
 {
     UNIT_NEAR(sampling_overlap(2, 1.2, 2), 0.360124449, 1e-9);
     UNIT_NEAR(sampling_overlap(2, 1.2, 2.2), 0.128994108, 1e-9);
@@ -237,7 +237,7 @@ static void test_overlaps(void)
 }
 
 /* One on the other, touching, and apart; the lens of (6.15, eq:lens3). */
-static void test_overlap_limits(void)
+TEST(test_overlap_limits, "lenses and segments at their limits")
 {
     const double pi = acos(-1);
     UNIT_NEAR(sampling_overlap(2, 1.5, 0), pi * 2.25, 1e-14);
@@ -262,7 +262,7 @@ static void test_overlap_limits(void)
 
 /* Two big ones among ideal small ones: the shares of distances in five
    parts of 2 to 2.5 against (6.11, eq:canonical). */
-static void test_depletion(void)
+TEST(test_depletion, "Asakura and Oosawa's law of distances")
 {
     const double sides[] = {5, 5, 5};
     enum { PARTS = 5 };
@@ -317,7 +317,7 @@ static void test_depletion(void)
 
 /* A rejected try leaves all in place; an accepted one moves one disk by at
    most the step; all fit all the time. */
-static void test_moves(void)
+TEST(test_moves, "a try moves one disk or none")
 {
     struct sampling s;
     struct random r;
@@ -347,7 +347,7 @@ static void test_moves(void)
 }
 
 /* Where no lattice fits they grow; where nothing fits there is no start. */
-static void test_starts(void)
+TEST(test_starts, "starts are found, or not")
 {
     struct sampling s;
     struct random r;
@@ -368,7 +368,7 @@ static void test_starts(void)
 
 /* Four disks: ln 0.036555; thirty in a box of four times the area: no
    throw comes near, but the guess is far below any patience. */
-static void test_guess(void)
+TEST(test_guess, "hopeless throws are known beforehand")
 {
     const double sides[] = {2, 2};
     struct sampling s;
@@ -386,7 +386,7 @@ static void test_guess(void)
 
 /* Mean and error of independent numbers; joined blocks; an unfinished one
    counts in the mean. */
-static void test_means(void)
+TEST(test_means, "means and their errors")
 {
     struct sampling_means m;
     struct random r;
@@ -454,7 +454,7 @@ static void run_chains(size_t dimensions, double told[3])
 
 /* The other's room is the box less a circle of twice the radius, and its
    edge says the pressure: (6.10, eq:chain-pressure). */
-static void test_chains(void)
+TEST(test_chains, "chains of two disks know the closed forms")
 {
     const double pi = acos(-1), s = 0.3;
     double told[3];
@@ -472,7 +472,7 @@ static void test_chains(void)
 
 /* Disks stay apart, the touches and the jumps say the same pressure, and a
    row that is full goes nowhere. */
-static void test_long_chains(void)
+TEST(test_long_chains, "chains of many keep all disks apart")
 {
     static const double sides[] = {13, 13};
     struct sampling s;
@@ -498,26 +498,4 @@ static void test_long_chains(void)
     UNIT_EQUAL(s.disks.disk[0].position[1] + s.disks.disk[1].position[1],
                0.75);
     sampling_free(&s);
-}
-
-int main(void)
-{
-    return unit_run(
-        "sampling",
-        (struct unit_test[]){
-            {"two disks are where the closed forms say", test_two_disks},
-            {"four disks are where a long run says", test_four_disks},
-            {"walls and pairs agree on the pressure", test_virial},
-            {"a line past images has the right free part", test_pair_line},
-            {"a line between walls has it, too", test_wall_line},
-            {"lenses and segments", test_overlaps},
-            {"lenses and segments at their limits", test_overlap_limits},
-            {"Asakura and Oosawa's law of distances", test_depletion},
-            {"a try moves one disk or none", test_moves},
-            {"chains of two disks know the closed forms", test_chains},
-            {"chains of many keep all disks apart", test_long_chains},
-            {"starts are found, or not", test_starts},
-            {"hopeless throws are known beforehand", test_guess},
-            {"means and their errors", test_means},
-            {0}});
 }

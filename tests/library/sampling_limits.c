@@ -22,7 +22,7 @@ static void box(struct sampling *s, size_t dimensions,
 /* Three disks, one behind the other, the middle one 0.6 m to the side: they
    touch 0.8, 0.8 and 1 m behind each other. Pushed by 5 m in all, from any
    of them. */
-static void test_chain(void)
+TEST(test_chain, "a chain of three, by hand")
 {
     static const double places[][3] = {{1, 5, 0}, {3, 5.6, 0}, {7, 5, 0}};
     static const struct {
@@ -66,7 +66,7 @@ static void test_chain(void)
 /* Two side by side that touch, the one a hair behind the other: that is not
    in its way, but on its way once round the box. Tenths of a metre leave
    them too near by a rounding. */
-static void test_hair_behind(void)
+TEST(test_hair_behind, "what is a hair behind is not in the way")
 {
     static const double places[][3] = {{.5, .4, 0}, {.5 - 1e-10, .7, 0}};
     int tried = 0;
@@ -90,7 +90,7 @@ static void test_hair_behind(void)
 }
 
 /* One that is touched by its side alone is not pushed. */
-static void test_grazing(void)
+TEST(test_grazing, "what is grazed is not pushed")
 {
     for (uint64_t seed = 1; seed <= 4; ++seed) {
         static const double places[][3] = {{1, 5, 0}, {3, 6, 0}};
@@ -109,7 +109,7 @@ static void test_grazing(void)
 }
 
 /* A disk that slides from wall to wall: 0.8 m less what others take. */
-static void test_wall_density(void)
+TEST(test_wall_density, "a disk that slides from wall to wall")
 {
     static const struct {
         size_t count;
@@ -143,7 +143,7 @@ static void test_wall_density(void)
 
 /* Slid away from another, to a wall or, in a periodic box, half round it:
    the integral of t or t^2 from contact on, without what a third takes. */
-static void test_pair_density(void)
+TEST(test_pair_density, "a disk that slides away from another")
 {
     for (size_t D = 2; D <= 3; ++D)
         for (size_t axis = 0; axis < D; ++axis)
@@ -177,7 +177,7 @@ static void test_pair_density(void)
 
 /* How many of the throws that placed i disks had room for the next, as the
    same throws tell; where fewer than ten did, the last share counts. */
-static void test_acceptance(void)
+TEST(test_acceptance, "shares of throws, as they are counted")
 {
     for (uint64_t seed = 1; seed <= 20; ++seed) {
         enum { COUNT = 7, THROWS = 300 };
@@ -213,7 +213,7 @@ static void test_acceptance(void)
 
 /* Half of the tries are for large ones, which go no farther than the step,
    and half for small ones, which go anywhere. All stay inside. */
-static void test_tries(void)
+TEST(test_tries, "half of the tries are for large ones")
 {
     enum { TRIES = 4000 };
     const double sides[] = {10, 10};
@@ -250,7 +250,7 @@ static void test_tries(void)
 
 /* Means of 1, 2, 3, ... and of what comes once: blocks are joined when
    there are 128, and the sums of an unfinished one count. */
-static void test_joined(void)
+TEST(test_joined, "means and blocks of known numbers")
 {
     struct sampling_means m;
     if (!sampling_means_create(&m, 2))
@@ -281,7 +281,7 @@ static void test_joined(void)
 /* In a periodic box a third disk stands 0.45 m to each side against the
    way, so that it is its image 0.55 m ahead that ends the slide; on each of
    the 8 or 26 ways along sides and diagonals. */
-static void test_images(void)
+TEST(test_images, "images end a slide in every direction")
 {
     for (size_t D = 2; D <= 3; ++D)
         for (int way = 0; way < (D == 2 ? 9 : 27); ++way) {
@@ -307,7 +307,7 @@ static void test_images(void)
 }
 
 /* Small ones do not see each other, however much they overlap. */
-static void test_ideal(void)
+TEST(test_ideal, "small ones do not see each other")
 {
     const double sides[] = {10, 10};
     struct sampling s;
@@ -330,22 +330,4 @@ static void test_ideal(void)
     for (size_t i = 0; i < 4; ++i)
         UNIT_TRUE(moves[i] > 5);
     sampling_free(&s);
-}
-
-int main(void)
-{
-    return unit_run(
-        "sampling at its limits",
-        (struct unit_test[]){
-            {"a chain of three, by hand", test_chain},
-            {"what is a hair behind is not in the way", test_hair_behind},
-            {"what is grazed is not pushed", test_grazing},
-            {"a disk that slides from wall to wall", test_wall_density},
-            {"a disk that slides away from another", test_pair_density},
-            {"shares of throws, as they are counted", test_acceptance},
-            {"half of the tries are for large ones", test_tries},
-            {"images end a slide in every direction", test_images},
-            {"small ones do not see each other", test_ideal},
-            {"means and blocks of known numbers", test_joined},
-            {0}});
 }

@@ -21,7 +21,7 @@ static bool parse(struct scene *s, const char *text)
 }
 
 /* The facts of the paper's listing: the Sun and the Earth. */
-static void test_paper(void)
+TEST(test_paper, "the paper's listing reads as it is")
 {
     struct scene s;
     UNIT_TRUE(parse(&s, "# Sun and Earth // two bodies\n"
@@ -54,7 +54,7 @@ static void test_paper(void)
 }
 
 /* Springs as the paper's script for a membrane makes them. */
-static void test_springs(void)
+TEST(test_springs, "springs in any order, rest lengths, displacements")
 {
     struct scene s;
     UNIT_TRUE(parse(&s, "dis 1 0 0 5\n"
@@ -84,7 +84,7 @@ static void test_springs(void)
 }
 
 /* The lines that are ours. */
-static void test_ours(void)
+TEST(test_ours, "our own lines")
 {
     struct scene s;
     UNIT_TRUE(parse(&s, "pos 0 1 2 3 0 -1 .5\nspecies 0 4294967295\n"
@@ -112,7 +112,7 @@ static void test_ours(void)
 /* A text is read in passes: first what belongs to the bodies and the scene,
    then springs and walls, displacements last. Of two bad lines that of the
    earlier pass is named, of one pass the first. */
-static void test_passes(void)
+TEST(test_passes, "passes over a text")
 {
     static const struct {
         const char *word;
@@ -260,7 +260,7 @@ static const struct refusal refusals[] = {
     {P0 "box 0 1 0 1 0 0\nwalls open open hard\n", 3, "found 'hard'"},
     {P0 "walls open open\n", 2, "the end of the line"}};
 
-static void test_refusals(void)
+TEST(test_refusals, "what is refused, where and why")
 {
     for (size_t i = 0; i < sizeof refusals / sizeof refusals[0]; ++i) {
         struct scene s;
@@ -279,7 +279,7 @@ static void test_refusals(void)
 }
 
 /* Bytes that are no text: quoted so that they can be printed; no '\0'. */
-static void test_bytes(void)
+TEST(test_bytes, "bytes that are no text")
 {
     struct scene s;
     static const char zero[] = P0 "k2\0\0 1\n", odd[] = P0 "\x01\xff\x7f";
@@ -399,7 +399,7 @@ static void make_random(struct scene *s, struct random *r)
     s->dashpot = s->touch == SCENE_LINEAR ? fabs(any(r)) : 0;
 }
 
-static void test_written(void)
+TEST(test_written, "what is written reads with the same bits")
 {
     struct random r;
     random_seed(&r, 8);
@@ -418,7 +418,7 @@ static void test_written(void)
 
 /* What is written is read by people, too: a scene in which every sort of
    line has something to say, letter by letter. */
-static void test_letters(void)
+TEST(test_letters, "what is written, letter by letter")
 {
     static const char text[] =
         "# pos body x y z mass charge radius colour\n"
@@ -468,7 +468,7 @@ static void test_letters(void)
 }
 
 /* A copy is its own, and grows on its own. */
-static void test_copy(void)
+TEST(test_copy, "a copy is its own")
 {
     struct scene a, b;
     UNIT_TRUE(scene_create(&a, 3));
@@ -501,7 +501,7 @@ static int read_path(void *name)
     return scene_read(&s, "orbit", name) ? 0 : 1;
 }
 
-static void test_files(void)
+TEST(test_files, "files that cannot be read")
 {
     struct child c = child_run(read_path, "build/tests/no such", NULL);
     UNIT_EQUAL(c.status, 1);
@@ -541,7 +541,7 @@ static const struct gallery_scene pairs[] = {
      build_pair},
     {0}};
 
-static void test_gallery(void)
+TEST(test_gallery, "scenes and keys are found by name")
 {
     struct scene s;
     double value[GALLERY_KEYS];
@@ -555,24 +555,4 @@ static void test_gallery(void)
     UNIT_EQUAL(s.position[1], 2);
     scene_free(&s);
     UNIT_TRUE(gallery_make(&s, g, "near", 4) != NULL);
-}
-
-int main(void)
-{
-    return unit_run(
-        "scene",
-        (struct unit_test[]){
-            {"the paper's listing reads as it is", test_paper},
-            {"springs in any order, rest lengths, displacements",
-             test_springs},
-            {"our own lines", test_ours},
-            {"what is refused, where and why", test_refusals},
-            {"bytes that are no text", test_bytes},
-            {"what is written reads with the same bits", test_written},
-            {"what is written, letter by letter", test_letters},
-            {"passes over a text", test_passes},
-            {"a copy is its own", test_copy},
-            {"files that cannot be read", test_files},
-            {"scenes and keys are found by name", test_gallery},
-            {0}});
 }

@@ -101,7 +101,7 @@ static void mix(size_t size, int levels, uint64_t seed)
     schedule_free(&s);
 }
 
-static void test_against_plain(void)
+TEST(test_against_plain, "events come out as from a plain array")
 {
     static const size_t sizes[] = {1, 2, 3, 4, 7, 8, 31, 100, MOST};
     static const int levels[] = {2, 4, 30, 100000};
@@ -111,7 +111,7 @@ static void test_against_plain(void)
 }
 
 /* Events at one time come out in the order of their numbers. */
-static void test_ties(void)
+TEST(test_ties, "equal times come in the order of numbers")
 {
     struct schedule s;
     schedule_create(&s, MOST, MOST);
@@ -123,7 +123,7 @@ static void test_ties(void)
 }
 
 /* Dropped twice, put after it was dropped, cleared while empty. */
-static void test_edges(void)
+TEST(test_edges, "dropped twice, put again, cleared")
 {
     struct schedule s;
     schedule_create(&s, 3, 3);
@@ -149,7 +149,7 @@ static void test_edges(void)
     UNIT_TRUE(s.heap == NULL && s.place == NULL);
 }
 
-static void test_scan(void)
+TEST(test_scan, "the scan finds the first of the smallest")
 {
     struct random r;
     random_seed(&r, 3);
@@ -167,16 +167,4 @@ static void test_scan(void)
         }
     UNIT_EQUAL((double)schedule_scan((double[]){INFINITY, INFINITY}, 2), 0);
     UNIT_EQUAL((double)schedule_scan((double[]){1, 0, 0}, 3), 1);
-}
-
-int main(void)
-{
-    return unit_run(
-        "schedule",
-        (struct unit_test[]){
-            {"events come out as from a plain array", test_against_plain},
-            {"equal times come in the order of numbers", test_ties},
-            {"dropped twice, put again, cleared", test_edges},
-            {"the scan finds the first of the smallest", test_scan},
-            {0}});
 }

@@ -7,7 +7,7 @@ enum { BINS = 42 };
 static const double width = 2.0 / 21;
 
 /* In the plane with walls: P(less than u) = 1 - (1 - u^2 / N)^(N - 1). */
-static void test_plane(void)
+TEST(test_plane, "the law in the plane is its closed form")
 {
     for (size_t N = 2; N < 2000; N += 1 + N / 2) {
         const struct speeds_law law = speeds_exact(2, N, false, false);
@@ -27,7 +27,7 @@ static void test_plane(void)
     }
 }
 
-static void test_maxwell(void)
+TEST(test_maxwell, "Maxwell's laws are theirs")
 {
     double speed[BINS], part[BINS], space[BINS], low = 0, one = 0,
                                                  three = 0;
@@ -54,7 +54,7 @@ static void test_maxwell(void)
 
 /* <u^2> = D/2 (1 - 1/N at rest is in kT), <u^4> in closed form, and both
    from the bins. */
-static void test_moments(void)
+TEST(test_moments, "the moments are those of the bins")
 {
     for (size_t D = 2; D <= 3; ++D)
         for (size_t resting = 0; resting < 2; ++resting)
@@ -76,15 +76,4 @@ static void test_moments(void)
     UNIT_NEAR(speeds_fourth(&gas), 500.0 / 251, 1e-14);
     const struct speeds_law bath = speeds_maxwell(3, false);
     UNIT_EQUAL(speeds_fourth(&bath), 3.75);
-}
-
-int main(void)
-{
-    return unit_run(
-        "speeds",
-        (struct unit_test[]){
-            {"the law in the plane is its closed form", test_plane},
-            {"Maxwell's laws are theirs", test_maxwell},
-            {"the moments are those of the bins", test_moments},
-            {0}});
 }

@@ -70,7 +70,7 @@ static void begin_pair(struct scene *s)
 
 /* v = 1 and -1 with 3 kg and 1 kg: the centre moves at 1/2, so out come 0
    and 2. The depth is 0.25. */
-static void test_shares(void)
+TEST(test_shares, "the depth is shared by radius or by mass")
 {
     static const double first[] = {-0.125, -0.0625}, /* radius; mass */
         second[] = {0.875, 0.9375};
@@ -92,7 +92,7 @@ static void test_shares(void)
 
 /* They have touched 1/8 s ago, at -1/8 and 7/8; the first has stood there
    since, the second has gone on to 9/8. */
-static void test_going_back(void)
+TEST(test_going_back, "going back leads to where they should be")
 {
     struct scene s;
     struct spheres p;
@@ -108,7 +108,7 @@ static void test_going_back(void)
 }
 
 /* No longer than the step: pushed apart by mass instead. */
-static void test_not_too_far(void)
+TEST(test_not_too_far, "nobody goes back for more than a step")
 {
     struct scene s;
     struct spheres p;
@@ -126,7 +126,7 @@ static void test_not_too_far(void)
    reflected in time: going back must put them there. Lengths in units of
    the distance of contact, 0.5. 1e-13: sums of a few numbers near 1, where
    the normal of a graze loses a digit or two. */
-static void test_oblique(void)
+TEST(test_oblique, "oblique hits found late are made good")
 {
     const double unit = 0.5;
     struct random r;
@@ -163,7 +163,7 @@ static void test_oblique(void)
 
 /* A velocity goes through a row of narrow gaps in one step, if the order is
    that of the row; the third is touched by nobody before its turn. */
-static void test_in_one_step(void)
+TEST(test_in_one_step, "a velocity goes through a row in a step")
 {
     struct scene s;
     struct spheres p;
@@ -185,7 +185,7 @@ static void test_in_one_step(void)
    are 0.19 m deep in each other, which only 1 gives way for; so it is
    pushed on to 2, which stands 0.18 m from it. In the same step those
    collide. */
-static void test_pushed(void)
+TEST(test_pushed, "who is pushed meets the next")
 {
     for (int way = 0; way < 12; ++way) {
         struct scene s;
@@ -211,7 +211,7 @@ static void test_pushed(void)
 }
 
 /* The way to the nearest image, on either side of half a box of 2 m. */
-static void test_nearest(void)
+TEST(test_nearest, "images are the nearest")
 {
     static const double at[] = {0.95, 1.05, -0.95, -1.05, 2.9, -3.1},
                         way[] = {0.95, -0.95, -0.95, 0.95, 0.9, 0.9};
@@ -230,7 +230,7 @@ static void test_nearest(void)
 }
 
 /* Parting pairs: the paper throws them back, the other rule does not. */
-static void test_parting(void)
+TEST(test_parting, "only the paper reflects pairs that part")
 {
     for (int rule = SPHERES_ALL; rule <= SPHERES_APPROACHING; ++rule) {
         struct scene s;
@@ -251,7 +251,7 @@ static void test_parting(void)
 /* A fixed body is a wall; one that is free along x only moves along x, and
    the energy is kept. By hand: the normal is (3, 4)/5, 1 kg at (0, -1)
    comes down on it: J = 2 (4/5) / (9/25 + 1). */
-static void test_fixed(void)
+TEST(test_fixed, "what is fixed along an axis stays")
 {
     struct scene s;
     struct spheres p;
@@ -298,7 +298,7 @@ static void test_fixed(void)
 /* What locates contacts asks for: velocities and counts alone. 2 kg at
    4 m/s and e = 1/2: 12 Ns at a wall; on 2 kg at rest 6 Ns, of which the
    virial has that times the distance, 1 m. */
-static void test_asked(void)
+TEST(test_asked, "contacts that others find")
 {
     struct scene s;
     struct spheres p;
@@ -324,7 +324,7 @@ static void test_asked(void)
 }
 
 /* Mirrored, with restitution, and left alone on the way in. */
-static void test_walls(void)
+TEST(test_walls, "walls mirror, and lose what they should")
 {
     struct scene s;
     struct spheres p;
@@ -350,7 +350,7 @@ static void test_walls(void)
 }
 
 /* Two bodies at one place, a body alone, no body at all. */
-static void test_awkward(void)
+TEST(test_awkward, "awkward scenes do no harm")
 {
     struct scene s;
     struct spheres p;
@@ -397,7 +397,7 @@ static void make_crowd(struct scene *s, enum scene_wall wall, uint64_t seed)
     }
 }
 
-static void test_sweep(void)
+TEST(test_sweep, "the sweep finds what every pair finds")
 {
     for (int wall = SCENE_OPEN; wall <= SCENE_PERIODIC; ++wall)
         for (int order = 0; order < SPHERES_ORDERS; ++order) {
@@ -426,7 +426,7 @@ static void test_sweep(void)
 }
 
 /* In a periodic box of four radii a pair is near on both sides. */
-static void test_tiny_box(void)
+TEST(test_tiny_box, "a pair that is near twice collides once")
 {
     struct scene a, b;
     struct spheres pa, pb;
@@ -453,7 +453,7 @@ static void test_tiny_box(void)
 
 /* Energy and momentum by every rule and shift; the centre of mass by all
    but the shares of the radii. 1e-12: some thousand collisions. */
-static void test_kept(void)
+TEST(test_kept, "energy, momentum, centre of mass are kept")
 {
     for (int shift = SPHERES_BY_RADIUS; shift <= SPHERES_BACK; ++shift)
         for (int rule = SPHERES_ALL; rule <= SPHERES_APPROACHING; ++rule) {
@@ -475,7 +475,7 @@ static void test_kept(void)
 
 /* Walls against flight and virial, (7.8): to rounding, at any step, by any
    rule, but for going back with parting pairs in the way. */
-static void test_identity(void)
+TEST(test_identity, "walls balance flight and virial")
 {
     for (int shift = SPHERES_BY_RADIUS; shift <= SPHERES_BACK; ++shift)
         for (int coarse = 0; coarse < 2; ++coarse) {
@@ -504,7 +504,7 @@ static void test_identity(void)
 }
 
 /* What leaves the cradle: by hand, from the collision of two. */
-static void test_cradle(void)
+TEST(test_cradle, "what leaves the cradle")
 {
     static const struct {
         double left, right, first, last, out[5];
@@ -541,7 +541,7 @@ static void test_cradle(void)
 }
 
 /* Three bodies at once: by hand, from either side first. */
-static void test_order_of_pairs(void)
+TEST(test_order_of_pairs, "the order of pairs decides")
 {
     struct scene s;
     struct spheres p;
@@ -574,7 +574,7 @@ static void test_order_of_pairs(void)
 
 /* The deepest first: here the later pair, which comes out as above; of
    equal ones the first, though the sweep, from the left, finds it last. */
-static void test_deepest(void)
+TEST(test_deepest, "or their depth")
 {
     for (int equal = 0; equal < 2; ++equal) {
         struct scene s;
@@ -600,7 +600,7 @@ static void test_deepest(void)
 /* What overlaps, and how deep: found from the distances of the nearest
    images, wherever the bodies lie, several boxes away too. Coordinates up
    to 50 m are rounded by 7e-15 m, and their differences by as much. */
-static void test_overlaps(void)
+TEST(test_overlaps, "what overlaps, and how deep")
 {
     enum { N = 30 };
     for (int round = 0; round < 18; ++round) {
@@ -658,7 +658,7 @@ static void test_overlaps(void)
 }
 
 /* An overlap counts if one of the two can get out of it. */
-static void test_depth(void)
+TEST(test_depth, "an overlap of what is held is none")
 {
     for (int held = 0; held < 4; ++held) {
         struct scene s;
@@ -709,7 +709,7 @@ static size_t count_passed(const struct scene *s, const double before[],
 
 /* Small fast ones pass through each other unseen: every pair that does is
    counted, with all walls, by both ways of looking; slow ones never. */
-static void test_passed(void)
+TEST(test_passed, "who passes through another is counted")
 {
     enum { N = 40 };
     struct random r;
@@ -758,7 +758,7 @@ static void test_passed(void)
    at 0.9 m; but it turned at the wall, so the pair is not counted. It is
    counted without the wall, or where the wall lies beyond that way. The
    same holds along each axis, at the upper wall, and for either body. */
-static void test_turned(void)
+TEST(test_turned, "but not who has turned at a wall")
 {
     static const struct {
         double low;
@@ -791,7 +791,7 @@ static void test_turned(void)
 
 /* Two rows of 32 go through each other in a step: 1024 pairs have passed,
    of which 1000 are counted. */
-static void test_many_passed(void)
+TEST(test_many_passed, "nor for ever")
 {
     for (int search = SPHERES_PAIRS; search <= SPHERES_SWEEP; ++search) {
         struct scene s;
@@ -809,36 +809,4 @@ static void test_many_passed(void)
         spheres_free(&p);
         scene_free(&s);
     }
-}
-
-int main(void)
-{
-    return unit_run(
-        "spheres",
-        (struct unit_test[]){
-            {"the depth is shared by radius or by mass", test_shares},
-            {"going back leads to where they should be", test_going_back},
-            {"nobody goes back for more than a step", test_not_too_far},
-            {"oblique hits found late are made good", test_oblique},
-            {"a velocity goes through a row in a step", test_in_one_step},
-            {"who is pushed meets the next", test_pushed},
-            {"images are the nearest", test_nearest},
-            {"only the paper reflects pairs that part", test_parting},
-            {"what is fixed along an axis stays", test_fixed},
-            {"contacts that others find", test_asked},
-            {"walls mirror, and lose what they should", test_walls},
-            {"awkward scenes do no harm", test_awkward},
-            {"the sweep finds what every pair finds", test_sweep},
-            {"a pair that is near twice collides once", test_tiny_box},
-            {"energy, momentum, centre of mass are kept", test_kept},
-            {"walls balance flight and virial", test_identity},
-            {"what leaves the cradle", test_cradle},
-            {"the order of pairs decides", test_order_of_pairs},
-            {"or their depth", test_deepest},
-            {"what overlaps, and how deep", test_overlaps},
-            {"an overlap of what is held is none", test_depth},
-            {"who passes through another is counted", test_passed},
-            {"but not who has turned at a wall", test_turned},
-            {"nor for ever", test_many_passed},
-            {0}});
 }

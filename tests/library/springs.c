@@ -36,7 +36,7 @@ static void forces(const struct scene *s, double a[])
 }
 
 /* Stretched from 1 to 5 m along (3, 4): 40 N, and the second is heavier. */
-static void test_pull(void)
+TEST(test_pull, "a stretched spring draws its ends together")
 {
     struct scene s;
     double a[6];
@@ -52,7 +52,8 @@ static void test_pull(void)
 
 /* At rest length: only the dashpots act. Moving across the axis the printed
    one brakes, the axial one does not; along the axis they agree. */
-static void test_dashpots(void)
+TEST(test_dashpots,
+     "the printed dashpot brakes all, the axial one its axis")
 {
     struct scene s;
     double full[6], axial[6];
@@ -73,7 +74,7 @@ static void test_dashpots(void)
 
 /* Two bodies in one place: no direction, so no elastic force, and nothing
    that is not a number. */
-static void test_same_place(void)
+TEST(test_same_place, "two bodies in one place do no harm")
 {
     struct scene s;
     double a[6];
@@ -90,7 +91,7 @@ static void test_same_place(void)
 }
 
 /* Held axes feel nothing; gravity and friction act where a body is free. */
-static void test_held(void)
+TEST(test_held, "held axes, gravity and friction")
 {
     struct scene s;
     struct springs p;
@@ -116,7 +117,7 @@ static void test_held(void)
 }
 
 /* The energy's slope is the force: central differences, error h^2. */
-static void test_potential(void)
+TEST(test_potential, "the slope of the energy is the force")
 {
     struct scene s;
     struct springs p;
@@ -141,7 +142,7 @@ static void test_potential(void)
 
 /* Of two springs that hang on the last bodies, either way round: stretched
    from 1 to 5 m along (3, 4), and compressed to 0.5 m. */
-static void test_stored(void)
+TEST(test_stored, "and what springs have stored")
 {
     struct scene s;
     struct springs p;
@@ -264,7 +265,7 @@ static void make_membrane(struct scene *s, size_t nx, size_t ny, double c)
     shake(s);
 }
 
-static void test_same_bits(void)
+TEST(test_same_bits, "scatter, gather and threads give the same bits")
 {
     static const size_t size[][2] = {{5, 4},   {8, 8},   {33, 7},  {7, 40},
                                      {64, 64}, {50, 61}, {1500, 3}};
@@ -281,7 +282,7 @@ static void test_same_bits(void)
 }
 
 /* A net so wide that no two steps of it would stay in the cache. */
-static void test_wide(void)
+TEST(test_wide, "on a wide net too")
 {
     struct scene s;
     make_membrane(&s, 8000, 3, 0);
@@ -315,7 +316,7 @@ static void leap(const struct scene *from, uint64_t steps, uint64_t piece,
 
 /* With dashpots, with friction, without both; the last kick of a piece is
    owed to the next one. */
-static void test_leapfrog(void)
+TEST(test_leapfrog, "leapfrog swept and in pieces, the same bits")
 {
     for (int way = 0; way < 3; ++way) {
         struct scene s, one, other;
@@ -339,7 +340,7 @@ static void test_leapfrog(void)
 
 /* Diagonals, springs written backwards, springs of another kind, doubled
    springs, one across the grid, and holes. */
-static void test_odd_lists(void)
+TEST(test_odd_lists, "so they do for lists that are no grid")
 {
     struct scene s;
     const double values[] = {20, 9, 1, 1.5, 1, 1000, 0.5, 2, 1, 0.1};
@@ -371,7 +372,7 @@ static void test_odd_lists(void)
 }
 
 /* Nothing but inner forces: the momentum stays, to rounding. */
-static void test_momentum(void)
+TEST(test_momentum, "inner forces keep the momentum")
 {
     struct scene s;
     struct springs p;
@@ -405,7 +406,7 @@ static void test_momentum(void)
 
 /* A spinning dumbbell: L falls as exp(-c t / mu) with the printed dashpot,
    whatever the spring does, and stays with the axial one. */
-static void test_spin(void)
+TEST(test_spin, "what dashpots do to rotation")
 {
     for (int axial = 0; axial < 2; ++axial) {
         struct scene s;
@@ -447,7 +448,7 @@ static double closed(double g, double t)
     return exp(-g * t) * (c + g * t * s);
 }
 
-static void test_closed_form(void)
+TEST(test_closed_form, "the closed form in all regimes")
 {
     for (int i = 0; i < 6; ++i)
         for (int k = 0; k < 3; ++k) { /* a few roundings of terms up to 1 */
@@ -458,7 +459,7 @@ static void test_closed_form(void)
 }
 
 /* The scene, stepped: second order, so the error is that of the step. */
-static void test_regimes(void)
+TEST(test_regimes, "the stepped oscillator follows it")
 {
     const double g[] = {0, 0.1, 0.5, 1, 2};
     const struct gallery_scene *o =
@@ -515,7 +516,7 @@ static void swing(double damping, const char *method, double dt,
     scene_free(&s);
 }
 
-static void test_pendulum(void)
+TEST(test_pendulum, "the double pendulum is where it should be")
 {
     static const double expected[][5] = {
         {1, .197244031927094, .0186762558101898, .975990985448774,
@@ -533,7 +534,7 @@ static void test_pendulum(void)
     swing(0, "rk4", 0.001, expected, 4, 3e-8);
 }
 
-static void test_damped_pendulum(void)
+TEST(test_damped_pendulum, "and with dashpots")
 {
     static const double expected[][5] = {
         {1, 2.4160295858323034841e-01, 2.8678298143717773561e-02,
@@ -544,30 +545,4 @@ static void test_damped_pendulum(void)
          -5.9468768399949105756e-02, -1.4064380809984304704}};
     swing(0.5, "rk4", 0.0005, expected, 3, 1e-8);
     swing(0.5, "leapfrog", 0.0005, expected, 3, 1e-5);
-}
-
-int main(void)
-{
-    return unit_run(
-        "springs",
-        (struct unit_test[]){
-            {"a stretched spring draws its ends together", test_pull},
-            {"the printed dashpot brakes all, the axial one its axis",
-             test_dashpots},
-            {"two bodies in one place do no harm", test_same_place},
-            {"held axes, gravity and friction", test_held},
-            {"the slope of the energy is the force", test_potential},
-            {"and what springs have stored", test_stored},
-            {"scatter, gather and threads give the same bits",
-             test_same_bits},
-            {"on a wide net too", test_wide},
-            {"so they do for lists that are no grid", test_odd_lists},
-            {"leapfrog swept and in pieces, the same bits", test_leapfrog},
-            {"inner forces keep the momentum", test_momentum},
-            {"what dashpots do to rotation", test_spin},
-            {"the closed form in all regimes", test_closed_form},
-            {"the stepped oscillator follows it", test_regimes},
-            {"the double pendulum is where it should be", test_pendulum},
-            {"and with dashpots", test_damped_pendulum},
-            {0}});
 }

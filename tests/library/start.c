@@ -31,7 +31,7 @@ static double mass(const struct start *s, size_t from, size_t to)
 
 /* Every kind, at its usual size and others: from left to right inside the
    walls with room for the radii, masses above 0, a time to run. */
-static void test_every_kind(void)
+TEST(test_every_kind, "every start is in order")
 {
     for (int kind = 0; kind < START_KINDS; ++kind)
         for (size_t movers = 0; movers < 40; ++movers)
@@ -57,7 +57,7 @@ static void test_every_kind(void)
             }
 }
 
-static void test_four(void)
+TEST(test_four, "four: 10 n + 1.23 kg and 518.45 J")
 {
     struct start s = filled((struct start_wish){.kind = START_FOUR});
     UNIT_EQUAL((double)s.movers, 4);
@@ -71,7 +71,7 @@ static void test_four(void)
     start_free(&s);
 }
 
-static void test_mixed_and_cradle(void)
+TEST(test_mixed_and_cradle, "mixed and cradle")
 {
     static const double im[] = {1.1, 1, 0.9, 1};
     static const double v[] = {2, 2.21, 2.621, 2, -0.2, -0.27, -0.37, -0.2};
@@ -96,7 +96,7 @@ static void test_mixed_and_cradle(void)
 
 /* Eleven: 40 kg and 20 J in the middle, all at 1 m/s, with three quarters
    of the energy; ten masses of 4/3 kg, ten per cent up or down. */
-static void test_piston(void)
+TEST(test_piston, "the piston has three quarters of the energy")
 {
     for (uint64_t seed = 1; seed < 20; ++seed) {
         struct start s =
@@ -122,7 +122,7 @@ static void test_piston(void)
 }
 
 /* Two gases of 200, each of 20/3 kg and 10/3 J, and the same piston. */
-static void test_adiabatic(void)
+TEST(test_adiabatic, "two warm gases and a piston")
 {
     for (uint64_t seed = 1; seed < 6; ++seed) {
         struct start s = filled(
@@ -147,7 +147,7 @@ static void test_adiabatic(void)
 }
 
 /* Half near 1, half near 4, ten per cent up or down; N/2 J. */
-static void test_thermal(void)
+TEST(test_thermal, "light and heavy share alike")
 {
     double sum = 0, square = 0;
     enum { SEEDS = 400 };
@@ -175,7 +175,7 @@ static void test_thermal(void)
 
 /* Points thrown at random: x_k of N between 0 and N + 1 has the mean k and
    the variance k (N + 1 - k) / (N + 2). */
-static void test_random_places(void)
+TEST(test_random_places, "thrown points have the right mean and variance")
 {
     enum { SEEDS = 2000, N = 4 };
     double sum[N] = {0}, square[N] = {0};
@@ -199,7 +199,7 @@ static void test_random_places(void)
 }
 
 /* Masses from 1 to 9, evenly spaced, all different, in random order. */
-static void test_random_masses(void)
+TEST(test_random_masses, "random masses from 1 to 9 are all different")
 {
     int first_is_lightest = 0;
     enum { SEEDS = 200, N = 10 };
@@ -236,7 +236,7 @@ static bool same(const struct start *a, const struct start *b)
 
 /* Equal seeds give equal starts; other seeds do not, where the seed
    matters. */
-static void test_seeds(void)
+TEST(test_seeds, "seeds")
 {
     static const bool drawn[START_KINDS] = {[START_THERMAL] = true,
                                             [START_PISTON] = true,
@@ -257,7 +257,7 @@ static void test_seeds(void)
         }
 }
 
-static void test_two_and_galperin(void)
+TEST(test_two_and_galperin, "two and galperin take a mass ratio")
 {
     struct start s = filled((struct start_wish){.kind = START_TWO});
     UNIT_TRUE(s.mass[0] == 1 && s.mass[1] == 9 && s.wall[1] == 3);
@@ -274,7 +274,7 @@ static void test_two_and_galperin(void)
 }
 
 /* Walls that are given stand; what is drawn at random is between them. */
-static void test_walls(void)
+TEST(test_walls, "walls that are given stand")
 {
     for (int kind = 0; kind < START_KINDS; ++kind) {
         struct start s =
@@ -291,7 +291,7 @@ static void test_walls(void)
     }
 }
 
-static void test_allows(void)
+TEST(test_allows, "which numbers of movers are allowed")
 {
     static const struct {
         enum start_kind kind;
@@ -339,7 +339,7 @@ static void test_allows(void)
 
 /* All that is fixed of each kind: how many, until when, where, how fast and
    how heavy. */
-static void test_all_numbers(void)
+TEST(test_all_numbers, "all that is fixed of each kind")
 {
     static const struct {
         double movers, until, wall[2];
@@ -415,7 +415,7 @@ static void test_all_numbers(void)
 }
 
 /* Room for movers of 1 kg, all else zero. */
-static void test_create(void)
+TEST(test_create, "room for a start")
 {
     struct start s;
     UNIT_TRUE(start_create(&s, 3));
@@ -428,28 +428,4 @@ static void test_create(void)
     }
     UNIT_TRUE(s.wall[0] == 0 && s.wall[1] == 0 && s.gravity == 0);
     start_free(&s);
-}
-
-int main(void)
-{
-    return unit_run(
-        "start",
-        (struct unit_test[]){
-            {"room for a start", test_create},
-            {"every start is in order", test_every_kind},
-            {"four: 10 n + 1.23 kg and 518.45 J", test_four},
-            {"mixed and cradle", test_mixed_and_cradle},
-            {"the piston has three quarters of the energy", test_piston},
-            {"two warm gases and a piston", test_adiabatic},
-            {"light and heavy share alike", test_thermal},
-            {"thrown points have the right mean and variance",
-             test_random_places},
-            {"random masses from 1 to 9 are all different",
-             test_random_masses},
-            {"seeds", test_seeds},
-            {"two and galperin take a mass ratio", test_two_and_galperin},
-            {"walls that are given stand", test_walls},
-            {"which numbers of movers are allowed", test_allows},
-            {"all that is fixed of each kind", test_all_numbers},
-            {0}});
 }

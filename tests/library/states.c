@@ -73,7 +73,7 @@ static void check_columns(size_t D)
 
 /* Two blocks: the last one counts. Under gravity the places are those of
    now. */
-static void test_there_and_back(void)
+TEST(test_there_and_back, "what is written is read again")
 {
     for (size_t D = 2; D <= 3; ++D)
         for (int n = 0; n < 5; ++n) {
@@ -130,7 +130,7 @@ static void test_there_and_back(void)
 }
 
 /* What stands in a file, and what of it is said or taken. */
-static void test_texts(void)
+TEST(test_texts, "what is read and what is refused")
 {
     static const struct {
         const char *text, *said; /* said: NULL where it is read */
@@ -245,14 +245,4 @@ static void test_texts(void)
         UNIT_TRUE(!states_read(&d, far, message));
         UNIT_EQUAL((double)strlen(message), STATES_MESSAGE - 1);
     }
-}
-
-int main(void)
-{
-    return unit_run(
-        "states",
-        (struct unit_test[]){
-            {"what is written is read again", test_there_and_back},
-            {"what is read and what is refused", test_texts},
-            {0}});
 }

@@ -32,7 +32,7 @@ static double inefficiency(double phi)
 /* By hand: mean 5, squares of the deviations 32, cubes 42, fourth 356. */
 static const double eight[] = {2, 4, 4, 4, 5, 5, 7, 9};
 
-static void test_moments(void)
+TEST(test_moments, "moments of eight numbers by hand")
 {
     const struct statistics_moments m = statistics_moments(8, eight);
     UNIT_EQUAL(m.mean, 5);
@@ -45,7 +45,7 @@ static void test_moments(void)
 
 /* The differences of the shifted numbers are exact, and so is all else. The
    formula <x^2> - <x>^2 is off by 1e18 eps = 200. */
-static void test_shifted_moments(void)
+TEST(test_shifted_moments, "a large mean costs no digits")
 {
     double shifted[8];
     for (int i = 0; i < 8; ++i)
@@ -56,7 +56,7 @@ static void test_shifted_moments(void)
     UNIT_NEAR(statistics_moments(3, far).variance, 1.0 / 3, 1e-15);
 }
 
-static void test_edges(void)
+TEST(test_edges, "edges and what is outside")
 {
     struct statistics_histogram *h = statistics_histogram_create(-1, 3, 4);
     const double samples[] = {-1, 3,         3.0000001, -1.0000001,
@@ -75,7 +75,7 @@ static void test_edges(void)
 /* The scatter of a bin over 2000 histograms is what each of them says of
    itself; the square of a standard deviation from 2000 is good to
    sqrt(2/2000) = 3.2 %. */
-static void test_error_bars(void)
+TEST(test_error_bars, "error bars are the scatter of histograms")
 {
     enum { TIMES = 2000, SAMPLES = 400 };
     struct random r;
@@ -98,7 +98,7 @@ static void test_error_bars(void)
 
 /* Nine of ten samples in one bin: p = 0.9. Four of four: p(1 - p) is that
    of 1/n with n = 4, or n = 2 if two are worth one. */
-static void test_full_and_empty_bins(void)
+TEST(test_full_and_empty_bins, "full and empty bins have an error")
 {
     struct statistics_histogram *h = statistics_histogram_create(0, 2, 2);
     for (int i = 0; i < 4; ++i)
@@ -120,7 +120,7 @@ static void test_full_and_empty_bins(void)
 }
 
 /* Scott: 6 sigma / (3.49 sigma / 400^(1/3)) = 12.7. */
-static void test_bins(void)
+TEST(test_bins, "Scott's number of bins")
 {
     UNIT_TRUE(statistics_bins(400, -3, 3, 1) == 13);
     UNIT_TRUE(statistics_bins(400, 0, 1, 0) == 1000);
@@ -149,7 +149,7 @@ static void fit_many(double low, double high, double square[2])
 }
 
 /* The mean of 500 squares of standard normal numbers is 1 +- 0.063. */
-static void test_fit(void)
+TEST(test_fit, "fits scatter as they say, also in a part")
 {
     double square[2];
     fit_many(-5, 11, square);
@@ -163,7 +163,7 @@ static void test_fit(void)
 /* With narrow bins the errors are sigma / sqrt(n) and sigma / sqrt(2 n):
    the bins' width of sigma / 20 adds 1/4800. Inefficiency 4 doubles them.
  */
-static void test_fit_errors(void)
+TEST(test_fit_errors, "errors of a fit with narrow bins")
 {
     struct random r;
     struct statistics_gaussian fit, worse;
@@ -184,7 +184,7 @@ static void test_fit_errors(void)
 }
 
 /* Flat counts are not Gaussian, and chi-square says so. */
-static void test_bad_fit(void)
+TEST(test_bad_fit, "a bad fit is seen, an impossible one refused")
 {
     struct statistics_gaussian fit;
     struct statistics_histogram *h = statistics_histogram_create(0, 1, 10);
@@ -202,7 +202,7 @@ static void test_bad_fit(void)
 }
 
 /* Phi(1) - Phi(0) = 0.34134474606854293, and far out on either side. */
-static void test_gaussian_between(void)
+TEST(test_gaussian_between, "Gaussian probabilities near and far")
 {
     UNIT_NEAR(statistics_gaussian_between(3, 2, 3, 5), 0.34134474606854293,
               1e-16);
@@ -216,7 +216,7 @@ static void test_gaussian_between(void)
 
 /* The variance of a block of B samples, times B: g - (g^2 - 1)(1 - phi^B)
    / (2 B). Averaged over the levels of 200 series. */
-static void test_levels(void)
+TEST(test_levels, "every level of blocks against the exact one")
 {
     enum { TIMES = 200, SAMPLES = 4096, LEVELS = 9 };
     const double phi = 0.9, g = inefficiency(phi);
@@ -250,7 +250,7 @@ static void test_levels(void)
 /* The error that is chosen, for series of five correlations, against the
    exact one: blocks and sums of correlations by four of their own
    uncertainties, and the blocks' bias of a quarter of it. */
-static void test_errors(void)
+TEST(test_errors, "errors of five known series")
 {
     static const double phis[] = {-0.5, 0, 0.5, 0.9, 0.99};
     struct random r;
@@ -274,7 +274,7 @@ static void test_errors(void)
 /* Is the mean off by as much as it says? Over 400 series the mean square of
    mean / error is 1 +- 0.071 (and 1.035 for blocks of 128 with a bias of
    2 %); without blocking it is g = 19. */
-static void test_coverage(void)
+TEST(test_coverage, "honest errors cover, naive ones do not")
 {
     enum { TIMES = 400, SAMPLES = 1 << 15 };
     double honest = 0, naive = 0;
@@ -295,7 +295,7 @@ static void test_coverage(void)
    nothing sure of its mean, whatever its squares say, which are all alike.
    Of a list whose squares are correlated and whose values are not, the
    same. */
-static void test_every_plateau(void)
+TEST(test_every_plateau, "all errors need a plateau")
 {
     struct statistics_description d;
     struct random r;
@@ -315,7 +315,7 @@ static void test_every_plateau(void)
 }
 
 /* A run shorter than its correlations has no honest error, and says so. */
-static void test_no_plateau(void)
+TEST(test_no_plateau, "too short a run says so")
 {
     struct random r;
     struct statistics_blocking b;
@@ -336,7 +336,7 @@ static void test_no_plateau(void)
 
 /* Uniform numbers: sd 1/sqrt(12), kurtosis 1.8. The errors: of the variance
    sqrt((1/80 - 1/144) / n), of the kurtosis from the eighth moment. */
-static void test_description(void)
+TEST(test_description, "mean, spread, kurtosis and their errors")
 {
     struct random r;
     struct statistics_description d;
@@ -365,7 +365,8 @@ static void test_description(void)
    freedom, which scatters by all of itself: sqrt(2 / (3 - 1)). Its fourth
    moment is 9 times its squared variance, so 4000 series know that to
    sqrt(8 / 4 / 4000). */
-static void test_block_uncertainty(void)
+TEST(test_block_uncertainty,
+     "the error of an error is the scatter of errors")
 {
     enum { TIMES = 4000 };
     struct statistics_blocking b;
@@ -388,7 +389,7 @@ static void test_block_uncertainty(void)
    square is 4 (W + 1/2 - tau) / n for a window of W lags (Wolff's eq. 42),
    and we say 4 (W + 1/2) / n, which is more by tau in W + 1/2, a twelfth or
    so; 1000 series know their scatter to 2.2 %. */
-static void test_correlation_uncertainty(void)
+TEST(test_correlation_uncertainty, "that of an inefficiency, too")
 {
     enum { TIMES = 1000, SAMPLES = 2000 };
     struct random r;
@@ -413,7 +414,7 @@ static void test_correlation_uncertainty(void)
    16/945 and 16/945, so the kurtosis is 15/7. Over 500 series it scatters
    as each says of itself: the mean of ((k - 15/7) / error)^2 is 1 +- 0.063,
    and 2 % more for the bias of a ratio. */
-static void test_skewed(void)
+TEST(test_skewed, "the kurtosis of a skewed law")
 {
     enum { TIMES = 500, SAMPLES = 2000 };
     struct random r;
@@ -433,7 +434,7 @@ static void test_skewed(void)
 }
 
 /* The squares of a series of flips +-a, a slow: the mean looks perfect. */
-static void test_squares_count(void)
+TEST(test_squares_count, "the slow squares of a fast series count")
 {
     struct random r;
     struct statistics_description d;
@@ -453,7 +454,7 @@ static void test_squares_count(void)
 
 /* Independent columns of 25 cells: chi-square is 16 +- sqrt(32). A parabola
    has no correlation and no independence. */
-static void test_dependence(void)
+TEST(test_dependence, "dependence with and without correlation")
 {
     enum { SAMPLES = 100000 };
     struct random r;
@@ -484,7 +485,7 @@ static void test_dependence(void)
    the covariance -1; over 2 they are 1/2. The trace is 1, that of the
    square 1, of which (16/18) (1 - 1/4) = 2/3 is left. Of three blocks less
    than the bound is left: two degrees are the most. */
-static void test_scatter(void)
+TEST(test_scatter, "the scatter of counts, by hand")
 {
     const double count[] = {3, 1, 2, 1, 3, 2, 3, 1, 2, 1, 3, 2, 2, 2, 2};
     const struct statistics_scatter s = statistics_scatter(5, 3, count, 2);
@@ -502,7 +503,7 @@ static void test_scatter(void)
 
 /* What all counts have in common does not count. Fifths of 1e9 are rounded
    by 1e-7. */
-static void test_large_counts(void)
+TEST(test_large_counts, "large counts scatter as small ones")
 {
     double count[] = {3, 1, 2, 1, 3, 2, 3, 1, 2, 1, 3, 2, 3, 2, 3};
     const struct statistics_scatter few =
@@ -563,7 +564,7 @@ static struct said say(int power, struct said *s)
 /* Another unit of length changes no digit: each number is the one of the
    same samples at scale 1 times a power of the scale, rounded once where it
    falls below 2^-1022, infinite where no number is as large. */
-static void test_scales(void)
+TEST(test_scales, "any scale that numbers hold")
 {
     static struct said a, b;
     say(0, &a);
@@ -601,37 +602,4 @@ static void test_scales(void)
     /* Found by a trial of the second edition: the sum overflowed. */
     const double wide[] = {1e308, -1e308, 1e308};
     UNIT_NEAR(statistics_moments(3, wide).mean, 1e308 / 3, 1e293);
-}
-
-int main(void)
-{
-    return unit_run(
-        "statistics",
-        (struct unit_test[]){
-            {"moments of eight numbers by hand", test_moments},
-            {"a large mean costs no digits", test_shifted_moments},
-            {"edges and what is outside", test_edges},
-            {"error bars are the scatter of histograms", test_error_bars},
-            {"full and empty bins have an error", test_full_and_empty_bins},
-            {"Scott's number of bins", test_bins},
-            {"fits scatter as they say, also in a part", test_fit},
-            {"errors of a fit with narrow bins", test_fit_errors},
-            {"a bad fit is seen, an impossible one refused", test_bad_fit},
-            {"Gaussian probabilities near and far", test_gaussian_between},
-            {"every level of blocks against the exact one", test_levels},
-            {"errors of five known series", test_errors},
-            {"honest errors cover, naive ones do not", test_coverage},
-            {"too short a run says so", test_no_plateau},
-            {"all errors need a plateau", test_every_plateau},
-            {"mean, spread, kurtosis and their errors", test_description},
-            {"the error of an error is the scatter of errors",
-             test_block_uncertainty},
-            {"that of an inefficiency, too", test_correlation_uncertainty},
-            {"the kurtosis of a skewed law", test_skewed},
-            {"the slow squares of a fast series count", test_squares_count},
-            {"dependence with and without correlation", test_dependence},
-            {"the scatter of counts, by hand", test_scatter},
-            {"large counts scatter as small ones", test_large_counts},
-            {"any scale that numbers hold", test_scales},
-            {0}});
 }

@@ -70,7 +70,7 @@ static void part_of_half_a_law(void)
     laws_below(&(struct law){.kind = LAW_BETA, .given = 2}, 0);
 }
 
-static void test_asserts(void)
+TEST(test_asserts, "what is required is asserted")
 {
     UNIT_TRUE(asserts(one_number));
     UNIT_TRUE(asserts(no_width));
@@ -88,7 +88,7 @@ static void test_asserts(void)
 
 /* The power of two at or below the largest, as far as there is one whose
    inverse is a number. */
-static void test_unit(void)
+TEST(test_unit, "units are powers of two")
 {
     static const struct {
         double x[3], unit;
@@ -131,7 +131,7 @@ static void waves(size_t n, size_t levels, const double share[], double x[])
    the one with the largest error before that; a later one if its error is
    more than its uncertainty above and there are 64 blocks; none of less
    than 16 blocks counts. 2 n is 8192, and B^3 is 8^k. */
-static void test_choice(void)
+TEST(test_choice, "the length of blocks is that of the rule")
 {
     static const struct {
         size_t n, levels;
@@ -237,7 +237,7 @@ static void correlations(size_t n, const double x[])
 
 /* Noise, its sums, its differences, which are less than independent, and a
    slope, which is never at its end. */
-static void test_correlations(void)
+TEST(test_correlations, "sums of correlations, term by term")
 {
     uint64_t state = 1;
     size_t none = 0;
@@ -268,7 +268,7 @@ static void test_correlations(void)
 /* Deviations -3, -1, -1, -1, 0, 0, 2, 4 from the mean 5: squares 32, fourth
    powers 356. The squares differ from their mean 4 by 5, -3, -3, -3, -4,
    -4, 0, 12, whose squares are 228. */
-static void test_described(void)
+TEST(test_described, "eight numbers described by hand")
 {
     static const double eight[] = {2, 4, 4, 4, 5, 5, 7, 9};
     struct statistics_description d;
@@ -309,7 +309,7 @@ static void test_described(void)
 
 /* The longest block that any of the three errors needs is said; here the
    first one's (see test_choice), or that of the squares alone. */
-static void test_longest_block(void)
+TEST(test_longest_block, "the longest block counts")
 {
     static const double share[] = {1,    1.2,  1.4,  1.6, 1.8,
                                    2.05, 2.05, 2.05, 2.05};
@@ -360,7 +360,7 @@ static void chi2_of(const struct statistics_histogram *h, double g)
     UNIT_EQUAL((double)fit.degrees, groups > 3 ? (double)groups - 3 : 0);
 }
 
-static void test_grouped(void)
+TEST(test_grouped, "bins are joined where little is expected")
 {
     static const uint64_t counts[][10] = {
         {1, 2, 5, 9, 14, 13, 8, 5, 2, 1},
@@ -396,7 +396,7 @@ static void test_grouped(void)
 
 /* Six pairs in two by two cells: three in the lower row, of which two are
    in the lower column. 1.5 are expected in each. */
-static void test_pairs(void)
+TEST(test_pairs, "six pairs by hand")
 {
     static const double a[] = {1, 2, 3, 4, 5, 6}, b[] = {1, 9, 2, 8, 3, 7};
     struct statistics_dependence d;
@@ -423,20 +423,4 @@ static void test_pairs(void)
     UNIT_EQUAL(d.correlation, 0);
     free(x);
     free(y);
-}
-
-int main(void)
-{
-    return unit_run(
-        "statistics at their limits",
-        (struct unit_test[]){
-            {"what is required is asserted", test_asserts},
-            {"units are powers of two", test_unit},
-            {"the length of blocks is that of the rule", test_choice},
-            {"sums of correlations, term by term", test_correlations},
-            {"eight numbers described by hand", test_described},
-            {"the longest block counts", test_longest_block},
-            {"bins are joined where little is expected", test_grouped},
-            {"six pairs by hand", test_pairs},
-            {0}});
 }

@@ -97,13 +97,13 @@ static void check_orders(const struct stepping_method *m)
     UNIT_TRUE(far < 0.1);
 }
 
-static void test_orders(void)
+TEST(test_orders, "every method has the order of its row")
 {
     each_method(check_orders);
 }
 
 /* Four digits each of the reference. */
-static void test_errors(void)
+TEST(test_errors, "errors of the pendulum are the reference's")
 {
     static const struct {
         const char *name;
@@ -138,7 +138,7 @@ static quad quartic_error(const struct stepping_method *m, int steps)
     return v * v / 2 + x * x * x * x / 4 - (quad)0.375;
 }
 
-static void test_kahan_li(void)
+TEST(test_kahan_li, "Kahan and Li's weights have order 8")
 {
     const struct stepping_method *m = stepping_find("kahan-li8");
     /* The weights of the row are doubles, so that the order ends at errors
@@ -212,7 +212,7 @@ static void check_row(const struct stepping_method *m)
     }
 }
 
-static void test_rows(void)
+TEST(test_rows, "every row is consistent")
 {
     each_method(check_row);
     UNIT_TRUE(stepping_find("leap") == NULL);
@@ -220,7 +220,7 @@ static void test_rows(void)
 
 /* Exact laws on the oscillator; 1e4 steps round by 1e4 DBL_EPSILON at most
    for each of the few operations of a step. */
-static void test_laws(void)
+TEST(test_laws, "energies follow their laws")
 {
     static const double h = 0.3;
     const int n = 10000;
@@ -250,7 +250,7 @@ static void test_laws(void)
 
 /* Implicit steps far longer than the period: the energy stays, and each
    step turns by the angle of the law. */
-static void test_long_implicit_steps(void)
+TEST(test_long_implicit_steps, "implicit steps may be long")
 {
     double w = 50;
     const struct stepping_forces f = {1, false, oscillator, &w};
@@ -274,7 +274,7 @@ static void hanging(void *what, const double x[], const double v[],
     a[1] = -5 * (x[1] - x[0] + 1) - 1.8;
 }
 
-static void test_implicit_at_rest(void)
+TEST(test_implicit_at_rest, "implicit steps near a place of rest")
 {
     const char *const name[] = {"implicit-midpoint", "gauss4"};
     const double rest[2] = {-3.6 / 5000, -3.6 / 5000 - 1 - 1.8 / 5};
@@ -304,7 +304,7 @@ static void stiff(void *what, const double x[], const double v[],
     a[1] -= 1.8;
 }
 
-static void test_newton(void)
+TEST(test_newton, "and stiff springs bend no equation")
 {
     const struct stepping_forces f = {2, false, stiff, NULL};
     const double dt = 0.1;
@@ -338,7 +338,7 @@ static void check_reversal(const struct stepping_method *m)
     UNIT_TRUE(m->symmetric == (miss < 1e-12));
 }
 
-static void test_reversal(void)
+TEST(test_reversal, "symmetric methods come back")
 {
     each_method(check_reversal);
 }
@@ -397,7 +397,7 @@ static void check_areas(const struct stepping_method *m)
     UNIT_TRUE(m->symplectic || orbits > 1e-5 || one > 1e-12);
 }
 
-static void test_areas(void)
+TEST(test_areas, "symplectic methods keep areas")
 {
     each_method(check_areas);
 }
@@ -446,7 +446,7 @@ static struct kept run_in_pieces(const struct stepping_method *m,
     return k;
 }
 
-static void test_cuts(void)
+TEST(test_cuts, "neither cuts nor resuming change a bit")
 {
     for (const struct stepping_method *m = fixed_row(stepping_methods);
          m->name; m = fixed_row(m + 1))
@@ -469,7 +469,8 @@ static void test_cuts(void)
 }
 
 /* The leapfrog of its own code has the bits of the general one. */
-static void test_leapfrog_is_a_splitting(void)
+TEST(test_leapfrog_is_a_splitting,
+     "leapfrog's own code is that of a splitting")
 {
     static const double kick[] = {0.5, 0.5};
     struct stepping_method general = *stepping_find("leapfrog");
@@ -508,7 +509,7 @@ static void swing(const struct stepping_method *m, bool compensated,
 
 /* Several at a time, four by four with three left over, and as many as an
    instruction takes, have the bits of each alone. */
-static void test_lanes(void)
+TEST(test_lanes, "many have the bits of one alone")
 {
     enum { LANES = 71 };
     double x[LANES], v[LANES], lone_x, lone_v;
@@ -561,7 +562,7 @@ static void check_evaluations(const struct stepping_method *m)
                                                           : 100 * stages);
 }
 
-static void test_evaluations(void)
+TEST(test_evaluations, "the forces are asked as often as promised")
 {
     each_method(check_evaluations);
 }
@@ -585,7 +586,7 @@ static double circle_error(bool compensated)
     return sum / 100;
 }
 
-static void test_compensation(void)
+TEST(test_compensation, "carried sums keep the energy")
 {
     const double plain = circle_error(false), carried = circle_error(true);
     UNIT_TRUE(carried < plain / 5);
@@ -635,7 +636,7 @@ static void check_parts(const struct stepping_method *m)
     }
 }
 
-static void test_parts(void)
+TEST(test_parts, "parts of steps, and what is noted")
 {
     each_method(check_parts);
 }
@@ -654,7 +655,7 @@ static void stiff_linear(void *what, const double x[], const double v[],
    a step takes the acceleration before it, two rounds that lead nowhere,
    one for the matrix with two displacements of each coordinate, and at most
    eight corrections: two that count, and while rounding falls. */
-static void test_linear(void)
+TEST(test_linear, "Newton's method is right at once on linear forces")
 {
     for (const struct stepping_method *m = stepping_next(NULL); m;
          m = stepping_next(m)) {
@@ -683,7 +684,7 @@ static void repelled(void *what, const double x[], const double v[],
     a[0] = x[0];
 }
 
-static void test_singular(void)
+TEST(test_singular, "a matrix that has no inverse")
 {
     const struct stepping_forces f = {1, false, repelled, NULL};
     double x = 0.5, v = 0.25;
@@ -703,7 +704,7 @@ static void grow(void *what, const double x[], const double v[], double a[])
 }
 
 /* A run that blows up ends at the next look, wherever it is cut. */
-static void test_infinite(void)
+TEST(test_infinite, "what is not finite is noticed")
 {
     const struct stepping_forces f = {1, false, grow, NULL};
     for (const struct stepping_method *m = fixed_row(stepping_methods);
@@ -728,7 +729,7 @@ static void test_infinite(void)
 }
 
 /* With friction all methods but Euler's two have order 2 at least. */
-static void test_friction(void)
+TEST(test_friction, "orders with friction")
 {
     double exact[2], state[2][4];
     for (const struct stepping_method *m = fixed_row(stepping_methods);
@@ -750,34 +751,4 @@ static void test_friction(void)
             m->family == STEPPING_SPLITTING && m->order > 2 ? 2 : m->order;
         UNIT_NEAR(log2(error[0] / error[1]), order, 0.1);
     }
-}
-
-int main(void)
-{
-    return unit_run(
-        "stepping",
-        (struct unit_test[]){
-            {"every method has the order of its row", test_orders},
-            {"errors of the pendulum are the reference's", test_errors},
-            {"Kahan and Li's weights have order 8", test_kahan_li},
-            {"every row is consistent", test_rows},
-            {"energies follow their laws", test_laws},
-            {"implicit steps may be long", test_long_implicit_steps},
-            {"implicit steps near a place of rest", test_implicit_at_rest},
-            {"and stiff springs bend no equation", test_newton},
-            {"Newton's method is right at once on linear forces",
-             test_linear},
-            {"a matrix that has no inverse", test_singular},
-            {"parts of steps, and what is noted", test_parts},
-            {"symmetric methods come back", test_reversal},
-            {"symplectic methods keep areas", test_areas},
-            {"neither cuts nor resuming change a bit", test_cuts},
-            {"leapfrog's own code is that of a splitting",
-             test_leapfrog_is_a_splitting},
-            {"many have the bits of one alone", test_lanes},
-            {"the forces are asked as often as promised", test_evaluations},
-            {"carried sums keep the energy", test_compensation},
-            {"what is not finite is noticed", test_infinite},
-            {"orders with friction", test_friction},
-            {0}});
 }

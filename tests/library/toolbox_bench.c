@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <time.h>
 
-static void test_median(void)
+TEST(test_median, "the median is the middle one, the upper of two")
 {
     double odd[] = {3, 1, 2, 9, -5}, even[] = {4, 1, 3, 2}, one[] = {7};
     UNIT_EQUAL(bench_median(odd, 5), 2);
@@ -14,7 +14,7 @@ static void test_median(void)
     UNIT_EQUAL(bench_median(one, 1), 7);
 }
 
-static void test_sorted(void)
+TEST(test_sorted, "the values are sorted, the least first")
 {
     double values[] = {3, 1, 2, 9, -5};
     bench_median(values, 5);
@@ -23,7 +23,7 @@ static void test_sorted(void)
 }
 
 /* clock() has steps of a microsecond; the loop ends by the clock itself. */
-static void test_seconds(void)
+TEST(test_seconds, "the processor's clock runs")
 {
     const double start = bench_seconds();
     double now = start;
@@ -38,7 +38,7 @@ static double seconds_of(const struct timespec *t)
     return (double)t->tv_sec + (double)t->tv_nsec / 1e9;
 }
 
-static void test_clock(void)
+TEST(test_clock, "so does that on the wall")
 {
     struct timespec before, after;
     for (int k = 0; k < 10; ++k) {
@@ -63,7 +63,7 @@ static void read_model(char line[BUFSIZ + 16])
         fclose(file);
 }
 
-static void test_machine(void)
+TEST(test_machine, "a table says what it was compiled with")
 {
     char model[BUFSIZ + 16];
     char text[2048] = "";
@@ -85,17 +85,4 @@ static void test_machine(void)
     UNIT_TRUE(strncmp(text, model, strlen(model)) == 0);
     UNIT_TRUE(strncmp(text + strlen(model), "# compiler: ", 12) == 0);
     UNIT_TRUE(strstr(text, __VERSION__) != NULL);
-}
-
-int main(void)
-{
-    return unit_run(
-        "bench",
-        (struct unit_test[]){
-            {"the median is the middle one, the upper of two", test_median},
-            {"the values are sorted, the least first", test_sorted},
-            {"the processor's clock runs", test_seconds},
-            {"so does that on the wall", test_clock},
-            {"a table says what it was compiled with", test_machine},
-            {0}});
 }

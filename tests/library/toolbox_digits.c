@@ -25,7 +25,7 @@ static bool both_signs(double x)
 }
 
 /* Powers of ten and of two, and the doubles beside them. */
-static void test_powers(void)
+TEST(test_powers, "powers and their neighbours")
 {
     for (int base = 2; base <= 10; base += 8)
         for (int k = -30; k <= 60; ++k) {
@@ -39,7 +39,7 @@ static void test_powers(void)
 
 /* Of a number of few bits the digits end, many of them halfway between two
    numbers of 17 digits. */
-static void test_halves(void)
+TEST(test_halves, "halves go to the even one")
 {
     struct random r;
     random_seed(&r, 1);
@@ -50,7 +50,7 @@ static void test_halves(void)
         UNIT_TRUE(is_same(k) && is_same(k / 8.0) && is_same(k * 1e6));
 }
 
-static void test_every_size(void)
+TEST(test_every_size, "numbers of every size")
 {
     struct random r;
     random_seed(&r, 2);
@@ -61,22 +61,11 @@ static void test_every_size(void)
 }
 
 /* What is left to printf. */
-static void test_others(void)
+TEST(test_others, "what is left to printf")
 {
     static const double others[] = {0,        5e-324,   1e-300, 9.9e-5,
                                     1e15,     1.5e16,   1e17,   1e300,
                                     INFINITY, 2.2e-308, 1e-4};
     for (size_t i = 0; i < sizeof others / sizeof others[0]; ++i)
         UNIT_TRUE(both_signs(others[i]));
-}
-
-int main(void)
-{
-    return unit_run(
-        "digits",
-        (struct unit_test[]){{"powers and their neighbours", test_powers},
-                             {"halves go to the even one", test_halves},
-                             {"numbers of every size", test_every_size},
-                             {"what is left to printf", test_others},
-                             {0}});
 }

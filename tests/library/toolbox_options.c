@@ -156,7 +156,7 @@ static void refused(const char *arguments, const char *err)
     UNIT_TRUE(strstr(c.out, "gas") == NULL);
 }
 
-static void test_count(void)
+TEST(test_count, "whole numbers are read exactly")
 {
     list = entries;
     accepted(NULL, "gas\n");
@@ -171,7 +171,7 @@ static void test_count(void)
     accepted("--seed\n0e99", "seed=0\ngas --seed 0e99\n");
 }
 
-static void test_count_refused(void)
+TEST(test_count_refused, "what is no whole number is refused")
 {
     static const char *const wrong[] = {"ten",
                                         "",
@@ -215,7 +215,7 @@ static void test_count_refused(void)
             "18446744073709551615");
 }
 
-static void test_real(void)
+TEST(test_real, "real numbers keep to their range")
 {
     static const char *const wrong[] = {
         "2",   "-0.1", "",         " 1",
@@ -247,7 +247,7 @@ static void test_real(void)
             "--capped: '0' is not a number more than 0, at most 3");
 }
 
-static void test_list(void)
+TEST(test_list, "lists are read number by number")
 {
     list = entries;
     accepted("--velocities\n-1,2.5",
@@ -276,7 +276,7 @@ static void test_list(void)
     refused("--velocities\n", "--velocities: '' in '' is not a number");
 }
 
-static void test_choice(void)
+TEST(test_choice, "one of several names is chosen")
 {
     list = entries;
     accepted("--form\ncm", "form=0\ngas --form cm\n");
@@ -285,7 +285,7 @@ static void test_choice(void)
     refused("--form\n", "--form: '' is not cm, difference or impulse");
 }
 
-static void test_unknown(void)
+TEST(test_unknown, "unknown options and stray arguments exit 2")
 {
     list = entries;
     refused("--speed", "unknown option '--speed'; see gas --help");
@@ -304,7 +304,7 @@ static void test_unknown(void)
     refused("--\n-q", "'-q' is not an option; see gas --help");
 }
 
-static void test_abbreviated(void)
+TEST(test_abbreviated, "names may be cut short while clear")
 {
     list = entries;
     accepted("--part\n3", "n=3\ngas --particles 3\n");
@@ -314,7 +314,7 @@ static void test_abbreviated(void)
                          "10000000");
 }
 
-static void test_command(void)
+TEST(test_command, "the command is recorded in full names")
 {
     list = entries;
     accepted("-qn3\n-o\nfile", "113=-\nn=3\n111=file\n"
@@ -325,7 +325,7 @@ static void test_command(void)
     accepted("--name\n", "264=\ngas --name ''\n");
 }
 
-static void test_arguments(void)
+TEST(test_arguments, "arguments are taken where they are allowed")
 {
     struct child c;
     list = with_arguments;
@@ -336,7 +336,7 @@ static void test_arguments(void)
     UNIT_TRUE(strcmp(c.err, "gas: need 2 files\n") == 0);
 }
 
-static void test_headings(void)
+TEST(test_headings, "an option that means nothing is refused")
 {
     list = with_headings;
     accepted("--mass\n3\n-oX", "gas --mass 3\n");
@@ -370,7 +370,7 @@ static void test_headings(void)
     refused("--box\n3", "--box: means nothing without a scene");
 }
 
-static void test_help_headings(void)
+TEST(test_help_headings, "the help says where options mean anything")
 {
     list = with_headings;
     const struct child c = run("--help");
@@ -383,7 +383,7 @@ static void test_help_headings(void)
     UNIT_TRUE(strstr(c.out, "where to write\n      --help"));
 }
 
-static void test_help(void)
+TEST(test_help, "help and version succeed or say why not")
 {
     static char help[] = "--help", version[] = "--version";
     struct child c;
@@ -419,25 +419,4 @@ static void test_help(void)
     UNIT_TRUE(c.status == 1);
     UNIT_TRUE(strcmp(c.err, "gas: cannot write standard output: No space "
                             "left on device\n") == 0);
-}
-
-int main(void)
-{
-    return unit_run(
-        "options",
-        (struct unit_test[]){
-            {"whole numbers are read exactly", test_count},
-            {"what is no whole number is refused", test_count_refused},
-            {"real numbers keep to their range", test_real},
-            {"lists are read number by number", test_list},
-            {"one of several names is chosen", test_choice},
-            {"unknown options and stray arguments exit 2", test_unknown},
-            {"names may be cut short while clear", test_abbreviated},
-            {"the command is recorded in full names", test_command},
-            {"arguments are taken where they are allowed", test_arguments},
-            {"an option that means nothing is refused", test_headings},
-            {"the help says where options mean anything",
-             test_help_headings},
-            {"help and version succeed or say why not", test_help},
-            {0}});
 }

@@ -65,7 +65,7 @@ static int whole_run(void *unused)
 
 /* Each line covers what is left of the longer one before it, and the last
    is wiped out, once. Without a terminal there is none. */
-static void test_lines(void)
+TEST(test_lines, "five times a second at most a line is renewed")
 {
     struct child c = told(whole_run, true);
     UNIT_TRUE(c.status == 0 && *c.out == '\0');
@@ -98,7 +98,7 @@ static int short_line(void *unused)
     return 0;
 }
 
-static void test_short_line(void)
+TEST(test_short_line, "what is not known is not said")
 {
     const struct child c = told(short_line, true);
     UNIT_TRUE(strcmp(c.err,
@@ -121,7 +121,7 @@ static int long_lines(void *unused)
 
 /* A line is cut before a terminal of 80 columns would go on in the next,
    and so is a time of thousands of ages of the universe. */
-static void test_long_lines(void)
+TEST(test_long_lines, "a line ends before the terminal does")
 {
     const struct child c = told(long_lines, true);
     UNIT_TRUE(
@@ -151,7 +151,7 @@ static int caught(void *total)
     return progress_end(&p) ? 5 : alarm(0) == 0 ? 0 : 6;
 }
 
-static void test_caught(void)
+TEST(test_caught, "a signal is noted, with how far the run was")
 {
     const int numbers[] = {SIGINT, SIGTERM, SIGHUP, SIGXCPU};
     for (size_t i = 0; i < 4; ++i) {
@@ -174,7 +174,7 @@ static int ignored(void *unused)
 }
 
 /* (nohup has a run ignore the terminal's end.) */
-static void test_ignored(void)
+TEST(test_ignored, "a signal ignored stays ignored")
 {
     const int numbers[] = {SIGINT, SIGTERM, SIGHUP, SIGXCPU};
     for (size_t i = 0; i < 4; ++i) {
@@ -203,7 +203,7 @@ static int ended(void *unused)
     return 4;
 }
 
-static void test_ended(void)
+TEST(test_ended, "a second signal ends it, or ten seconds")
 {
     const int numbers[] = {SIGINT, SIGTERM, SIGHUP, SIGXCPU};
     for (size_t i = 0; i < 8; ++i) {
@@ -237,22 +237,7 @@ static int reading(void *unused)
     return whole && progress_signal() == SIGTERM ? 0 : 4;
 }
 
-static void test_reading(void)
+TEST(test_reading, "a signal does not end the reading of a file")
 {
     UNIT_EQUAL(told(reading, false).status, 0);
-}
-
-int main(void)
-{
-    return unit_run(
-        "progress",
-        (struct unit_test[]){
-            {"five times a second at most a line is renewed", test_lines},
-            {"what is not known is not said", test_short_line},
-            {"a line ends before the terminal does", test_long_lines},
-            {"a signal is noted, with how far the run was", test_caught},
-            {"a signal ignored stays ignored", test_ignored},
-            {"a second signal ends it, or ten seconds", test_ended},
-            {"a signal does not end the reading of a file", test_reading},
-            {0}});
 }

@@ -28,7 +28,7 @@ static void uniform_counts(const long counts[], int bins)
 /* The reference implementation's first ten results from the state 1 2 3 4,
    as rand_xoshiro gives them (github.com/rust-random/rngs,
    rand_xoshiro/src/xoshiro256starstar.rs). */
-static void test_known_bits(void)
+TEST(test_known_bits, "xoshiro256** gives the published numbers")
 {
     static const uint64_t expected[] = {11520,
                                         0,
@@ -46,7 +46,7 @@ static void test_known_bits(void)
 }
 
 /* splitmix64.c of S. Vigna, prng.di.unimi.it, from the seed 0. */
-static void test_known_seed(void)
+TEST(test_known_seed, "the seed 0 gives the published state")
 {
     struct random r;
     random_seed(&r, 0);
@@ -58,7 +58,7 @@ static void test_known_seed(void)
 
 /* Our own first values at seed 1: they must never change, or tables made
    with older versions could not be made again. */
-static void test_golden(void)
+TEST(test_golden, "seed 1 gives the numbers it always gave")
 {
     struct random r;
     double d[3];
@@ -76,7 +76,7 @@ static void test_golden(void)
     UNIT_EQUAL(d[2], 0x1.aea271d48c9cp-3);
 }
 
-static void test_copy(void)
+TEST(test_copy, "a copy goes on as its original")
 {
     struct random r, copy;
     random_seed(&r, 7);
@@ -100,7 +100,7 @@ static struct random before_bits(uint64_t bits)
     return (struct random){{1, bits * fifth, 3, 4}};
 }
 
-static void test_uniform_ends(void)
+TEST(test_uniform_ends, "uniform numbers reach 0 and never 1")
 {
     struct random r = before_bits(UINT64_MAX), zero = before_bits(0);
     struct random one = before_bits((uint64_t)1 << 11);
@@ -111,7 +111,7 @@ static void test_uniform_ends(void)
 
 /* Moments of a uniform number: 1/2 with variance 1/12; of the square, 1/3
    with variance 4/45. Neighbours are uncorrelated: 1/4, variance 7/144. */
-static void test_uniform(void)
+TEST(test_uniform, "uniform numbers are uniform")
 {
     long counts[BINS] = {0};
     double sum = 0, squares = 0, products = 0, last = 0.5;
@@ -131,7 +131,7 @@ static void test_uniform(void)
     UNIT_NEAR(products / DRAWS, 1.0 / 4, 4 * sqrt(7.0 / 144 / DRAWS));
 }
 
-static void test_between(void)
+TEST(test_between, "numbers between two ends stay there")
 {
     double least = 9, most = -9, sum = 0;
     struct random r;
@@ -150,7 +150,7 @@ static void test_between(void)
     UNIT_EQUAL(random_between(&r, 5, 5), 5);
 }
 
-static void test_below(void)
+TEST(test_below, "whole numbers have no bias")
 {
     long counts[6] = {0}, thirds[3] = {0};
     const uint64_t third = (uint64_t)1 << 62;
@@ -193,7 +193,7 @@ static void log_uniform_counts(double low, double high, uint64_t seed)
     uniform_counts(counts, BINS);
 }
 
-static void test_log_uniform(void)
+TEST(test_log_uniform, "log-uniform numbers fill octaves evenly")
 {
     struct random r;
     random_seed(&r, 5);
@@ -216,7 +216,7 @@ static double log_error(double x)
     return (double)(fabsl((long double)random_log(x) - truth) / unit);
 }
 
-static void test_log(void)
+TEST(test_log, "the logarithm is right within 4 ulp")
 {
     double worst = 0, one = 0, x;
     struct random r;
@@ -251,7 +251,7 @@ static int compare(const void *a, const void *b)
    powers are 1, 2, 15, 96. Kolmogorov and Smirnov's distance times
    sqrt(n) passes 2.28 with probability 2 exp(-2 2.28^2) = 6e-5, which is
    that of four standard deviations. */
-static void test_normal(void)
+TEST(test_normal, "normal variates are normal")
 {
     static double x[DRAWS];
     double sums[4] = {0}, distance = 0;
@@ -307,7 +307,7 @@ static void component_moments(size_t dimensions, uint64_t seed)
                   1e-15);
 }
 
-static void test_direction(void)
+TEST(test_direction, "directions have length 1 and no axis")
 {
     component_moments(1, 14);
     component_moments(2, 15);
@@ -316,7 +316,7 @@ static void test_direction(void)
 
 /* In the plane the angle is uniform; in space so are the height (the hat
    box of Archimedes) and the angle about the axis. */
-static void test_direction_angles(void)
+TEST(test_direction_angles, "directions fill all angles evenly")
 {
     long flat[BINS] = {0}, height[BINS] = {0}, around[BINS] = {0};
     double d[3];
@@ -335,7 +335,7 @@ static void test_direction_angles(void)
     uniform_counts(around, BINS);
 }
 
-static void test_quad(void)
+TEST(test_quad, "a quad has the digits it claims")
 {
     quad small = 1;
     for (int i = 1; i < QUAD_DIGITS; ++i)
@@ -343,26 +343,4 @@ static void test_quad(void)
     const volatile quad next = 1 + small, same = 1 + small / 2;
     UNIT_TRUE(next != 1);
     UNIT_TRUE(same == 1);
-}
-
-int main(void)
-{
-    return unit_run(
-        "random",
-        (struct unit_test[]){
-            {"xoshiro256** gives the published numbers", test_known_bits},
-            {"the seed 0 gives the published state", test_known_seed},
-            {"seed 1 gives the numbers it always gave", test_golden},
-            {"a copy goes on as its original", test_copy},
-            {"uniform numbers reach 0 and never 1", test_uniform_ends},
-            {"uniform numbers are uniform", test_uniform},
-            {"numbers between two ends stay there", test_between},
-            {"whole numbers have no bias", test_below},
-            {"log-uniform numbers fill octaves evenly", test_log_uniform},
-            {"the logarithm is right within 4 ulp", test_log},
-            {"normal variates are normal", test_normal},
-            {"directions have length 1 and no axis", test_direction},
-            {"directions fill all angles evenly", test_direction_angles},
-            {"a quad has the digits it claims", test_quad},
-            {0}});
 }

@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-static void test_lines(void)
+TEST(test_lines, "zeros from the beginning of a line")
 {
     for (size_t n = 0; n < 40; ++n) {
         double *room = room_doubles(n);
@@ -20,18 +20,9 @@ static void test_lines(void)
     }
 }
 
-static void test_too_much(void)
+TEST(test_too_much, "more than there is")
 {
     UNIT_TRUE(room_doubles(SIZE_MAX) == NULL);
     UNIT_TRUE(room_doubles(SIZE_MAX / sizeof(double)) == NULL);
     UNIT_TRUE(room_doubles(SIZE_MAX / sizeof(double) - ROOM_LINE) == NULL);
-}
-
-int main(void)
-{
-    return unit_run("toolbox: room",
-                    (struct unit_test[]){
-                        {"zeros from the beginning of a line", test_lines},
-                        {"more than there is", test_too_much},
-                        {0}});
 }

@@ -1,6 +1,7 @@
 /* The frame of a program of studies: what it reads, what it leaves behind
    when all is well, and what when something is not. Each case runs in a
    process of its own, since a wrong command ends it. */
+#define UNIT_OWN_MAIN
 #include "unit.h"
 
 #include "library/toolbox_child.h"
@@ -126,7 +127,7 @@ static const char *content(const char *path)
 
 #define FILES "\n--output\n" TABLE "\n--summary\n" SUMMARY
 
-static void test_whole(void)
+TEST(test_whole, "table and summary are whole")
 {
     const struct child c =
         run("--study\nmeasure\n--mass\n2.5\n--seed\n7" FILES);
@@ -138,7 +139,7 @@ static void test_whole(void)
     UNIT_TRUE(strstr(content(TABLE), "# 1 m [kg] mass\n2.5\n"));
 }
 
-static void test_usual(void)
+TEST(test_usual, "nothing said: seed 1, standard output, no summary")
 {
     const struct child c = run("-y\nmeasure");
     UNIT_TRUE(c.status == 0);
@@ -147,7 +148,7 @@ static void test_usual(void)
     UNIT_TRUE(content(SUMMARY)[0] == '\0');
 }
 
-static void test_command(void)
+TEST(test_command, "a wrong command is refused before a file is opened")
 {
     struct child c = run("");
     UNIT_TRUE(c.status == 2);
@@ -164,7 +165,7 @@ static void test_command(void)
     UNIT_TRUE(content(TABLE)[0] == '\0');
 }
 
-static void test_same_place(void)
+TEST(test_same_place, "table and summary may not share a file")
 {
     struct child c = run("--study\nmeasure\n--summary\n-");
     UNIT_TRUE(c.status == 2);
@@ -176,7 +177,7 @@ static void test_same_place(void)
     UNIT_TRUE(c.status == 0);
 }
 
-static void test_no_file(void)
+TEST(test_no_file, "a file that cannot be written leaves none behind")
 {
     struct child c =
         run("--study\nmeasure\n-o\n" TABLE "\n-S\nbuild/nowhere/s");
@@ -191,7 +192,7 @@ static void test_no_file(void)
     UNIT_TRUE(content(SUMMARY)[0] == '\0');
 }
 
-static void test_failure(void)
+TEST(test_failure, "a study that fails leaves nothing")
 {
     const struct child c = run("--study\nfall" FILES);
     UNIT_TRUE(c.status == 1);
@@ -200,7 +201,7 @@ static void test_failure(void)
     UNIT_TRUE(content(SUMMARY)[0] == '\0');
 }
 
-static void test_signal(void)
+TEST(test_signal, "a signal keeps the table, not the summary")
 {
     const struct child c = run("--study\ninterrupt" FILES);
     UNIT_TRUE(c.status == 1);
@@ -209,7 +210,7 @@ static void test_signal(void)
     UNIT_TRUE(content(SUMMARY)[0] == '\0');
 }
 
-static void test_broken(void)
+TEST(test_broken, "a study that breaks off, too")
 {
     const struct child c = run("--study\nburst" FILES);
     UNIT_TRUE(c.status == 1);
@@ -217,7 +218,7 @@ static void test_broken(void)
     UNIT_TRUE(content(SUMMARY)[0] == '\0');
 }
 
-static void test_unnamed(void)
+TEST(test_unnamed, "the usual study needs no name")
 {
     usual = "burst";
     struct child c = run("--output\n" TABLE);
@@ -237,7 +238,7 @@ static void test_unnamed(void)
     drawing = usual = NULL;
 }
 
-static void test_check(void)
+TEST(test_check, "settings are looked at together")
 {
     checked = check;
     struct child c = run("--study\nmeasure\n--mass\n2" FILES);
@@ -251,7 +252,7 @@ static void test_check(void)
     checked = NULL;
 }
 
-static void test_help(void)
+TEST(test_help, "--help lists the studies and the options")
 {
     const struct child c = run("--help");
     UNIT_TRUE(c.status == 0);
@@ -267,7 +268,7 @@ static void test_help(void)
                      "  seed [1]                  that was asked for\n"));
 }
 
-static void test_no_seed(void)
+TEST(test_no_seed, "no seeds: no option, and 0 in the head")
 {
     own_entries = NULL;
     seeds = 0;
@@ -280,7 +281,7 @@ static void test_no_seed(void)
     seeds = 100;
 }
 
-static void test_drawing(void)
+TEST(test_drawing, "a seed for the studies that draw")
 {
     drawing = "--study fall";
     struct child c = run("--study\nmeasure\n--seed\n1" FILES);
@@ -296,26 +297,7 @@ int main(void)
 {
     own_entries = entries;
     seeds = 100;
-    const int status = unit_run(
-        "study",
-        (struct unit_test[]){
-            {"table and summary are whole", test_whole},
-            {"nothing said: seed 1, standard output, no summary",
-             test_usual},
-            {"a wrong command is refused before a file is opened",
-             test_command},
-            {"table and summary may not share a file", test_same_place},
-            {"a file that cannot be written leaves none behind",
-             test_no_file},
-            {"a study that fails leaves nothing", test_failure},
-            {"a signal keeps the table, not the summary", test_signal},
-            {"a study that breaks off, too", test_broken},
-            {"the usual study needs no name", test_unnamed},
-            {"settings are looked at together", test_check},
-            {"--help lists the studies and the options", test_help},
-            {"a seed for the studies that draw", test_drawing},
-            {"no seeds: no option, and 0 in the head", test_no_seed},
-            {0}});
+    const int status = unit_run("study");
     remove(TABLE);
     remove(SUMMARY);
     return status;

@@ -1,5 +1,6 @@
 /* Tables: what is written, and what is left behind when writing fails.
    The cases that end a process run in one of their own. */
+#define UNIT_OWN_MAIN
 #include "unit.h"
 
 #include "library/toolbox_child.h"
@@ -69,7 +70,7 @@ static const char written[] = "# gas (Bonkers) " TOOLBOX_VERSION "\n"
                               "0.10000000000000001 3\n"
                               "1e-300 -inf\n";
 
-static void test_content(void)
+TEST(test_content, "head, columns and rows are as promised")
 {
     struct child c = child_run(write_table, NULL, NULL);
     UNIT_TRUE(c.status == 0 && *c.err == '\0');
@@ -90,7 +91,7 @@ static const struct table_key keys[] = {
     {"strange", "1", "value"},
     {0}};
 
-static void test_summary(void)
+TEST(test_summary, "summaries are keys and values")
 {
     struct table *t = table_open("gas", "s");
     table_keys(t, keys);
@@ -126,7 +127,7 @@ static int with_keys(const char *text)
     return c.status;
 }
 
-static void test_keys(void)
+TEST(test_keys, "a summary has the keys of its list, and all")
 {
     UNIT_TRUE(with_keys("energy 1_events_a form") == 0);
     UNIT_TRUE(with_keys("form 1_events_a 3_events_b energy strange") == 0);
@@ -138,7 +139,7 @@ static void test_keys(void)
         UNIT_TRUE(with_keys(wrong[i]) == 128 + SIGABRT);
 }
 
-static void test_round_trip(void)
+TEST(test_round_trip, "seventeen digits bring every double back")
 {
     double values[3] = {1.0 / 3, 0x1.fffffffffffffp+1023, 0x1p-1074};
     double got[3] = {0};
@@ -155,7 +156,7 @@ static void test_round_trip(void)
     sweep();
 }
 
-static void test_whole_or_absent(void)
+TEST(test_whole_or_absent, "the old file stays until the new is whole")
 {
     write_file("a", "old\n");
     struct table *t = table_open("gas", "a");
@@ -171,7 +172,7 @@ static void test_whole_or_absent(void)
     UNIT_TRUE(sweep() == 1);
 }
 
-static void test_permissions(void)
+TEST(test_permissions, "permissions are kept, or the usual ones")
 {
     struct stat s;
     const mode_t mask = umask(027);
@@ -185,7 +186,7 @@ static void test_permissions(void)
     sweep();
 }
 
-static void test_links(void)
+TEST(test_links, "a link is followed and stays a link")
 {
     struct stat s;
     write_file("real", "old\n");
@@ -214,7 +215,7 @@ static void fails(const char *path, const char *stdout_file,
     UNIT_TRUE(strcmp(c.err, line) == 0);
 }
 
-static void test_cannot_open(void)
+TEST(test_cannot_open, "what cannot be opened is named, with why")
 {
     fails("none/a", NULL, "'none/a': No such file or directory");
     fails(".", NULL, "'.': Is a directory");
@@ -233,7 +234,8 @@ static void test_cannot_open(void)
     chmod(".", 0755);
 }
 
-static void test_closed_stdout_is_not_the_table(void)
+TEST(test_closed_stdout_is_not_the_table,
+     "a closed stdout does not hinder a file")
 {
     const struct child c = child_run(write_table, "a", "");
     UNIT_TRUE(c.status == 0 && *c.err == '\0');
@@ -253,7 +255,7 @@ static int print_beside(void *number)
     return !table_close(t);
 }
 
-static void test_stray_output(void)
+TEST(test_stray_output, "stray output never enters a table")
 {
     for (int number = 0; number <= STDERR_FILENO; ++number) {
         UNIT_TRUE(child_run(print_beside, &number, NULL).status == 0);
@@ -265,7 +267,7 @@ static void test_stray_output(void)
 /* A full disk is met through standard output only: a test that named a
    device as its file could replace it, if the library were broken and the
    user root. */
-static void test_full_disk(void)
+TEST(test_full_disk, "a full disk is an error")
 {
     if (access("/dev/full", W_OK) == 0)
         fails(NULL, "/dev/full",
@@ -287,7 +289,7 @@ static int write_on(void *row)
     return lines < 100000 ? 0 : 3;
 }
 
-static void test_stops_when_full(void)
+TEST(test_stops_when_full, "a line that cannot be written says so")
 {
     if (access("/dev/full", W_OK) != 0)
         return;
@@ -310,7 +312,7 @@ static int open_no_more(void *path)
 }
 
 /* The temporary cannot be made. */
-static void test_no_descriptor(void)
+TEST(test_no_descriptor, "no descriptor for the temporary is an error")
 {
     const struct child c = child_run(open_no_more, "a", NULL);
     UNIT_TRUE(c.status == 1);
@@ -348,7 +350,7 @@ static int print_long_head(void *unused)
 
 /* A head waits, with what goes on with its lines; a line that does not, or
    a head of more than 64 KiB, writes it. */
-static void test_head(void)
+TEST(test_head, "a head waits for a row, with all its lines")
 {
     static const char *const waits[] = {"# ", "#a\n ", "#a\n #b\n ",
                                         "#a b\n ", "#a\n \n #b "};
@@ -363,7 +365,7 @@ static void test_head(void)
 }
 
 /* The sums are those of the hash FNV-1a, whose author gives some. */
-static void test_sum(void)
+TEST(test_sum, "sums are those of FNV-1a")
 {
     UNIT_TRUE(table_sum(TABLE_NOTHING, "", 0) ==
               UINT64_C(0xcbf29ce484222325));
@@ -404,7 +406,7 @@ static int sum_of_pipe(void *unused)
     return found ? 4 : 0;
 }
 
-static void test_no_sum(void)
+TEST(test_no_sum, "what cannot be read has no sum")
 {
     UNIT_EQUAL(child_run(sum_of_pipe, NULL, NULL).status, 0);
 }
@@ -415,7 +417,7 @@ static int replaces_input(void *path)
 }
 
 /* Whether a table would take away what is read. */
-static void test_replaces(void)
+TEST(test_replaces, "a table that would replace its input is known")
 {
     write_file("in", "1\n");
     write_file("other", "1\n");
@@ -442,7 +444,7 @@ static int open_only(void *path)
     return table_open("gas", path) ? 0 : 1;
 }
 
-static void test_closed_stdout(void)
+TEST(test_closed_stdout, "a closed stdout is refused at once")
 {
     const struct child c = child_run(open_only, NULL, "");
     UNIT_TRUE(c.status == 1);
@@ -460,7 +462,7 @@ static void refused_at_once(const char *path, const char *reason)
     UNIT_TRUE(strcmp(c.err, line) == 0);
 }
 
-static void test_names(void)
+TEST(test_names, "a bad name is refused at once, a long one taken")
 {
     char name[257];
     memset(name, 'n', 256);
@@ -503,7 +505,7 @@ static int write_given(void *argument)
 }
 
 /* Devices are named through links and descriptors only, as above. */
-static void test_given_files(void)
+TEST(test_given_files, "a file given to write is added to")
 {
     const char *paths[] = {"log", "./log", "hard", "soft"};
     char all[4096];
@@ -544,7 +546,7 @@ static void test_given_files(void)
 }
 
 /* Nothing can be renamed to a name under /proc, nor made there. */
-static void test_system_folders(void)
+TEST(test_system_folders, "what lies under /dev or /proc is added to")
 {
     char all[4096], path[64];
     struct given g = {"/proc/self/fd/20", 20, O_WRONLY | O_APPEND};
@@ -617,7 +619,7 @@ static int open_in_child(void *path)
 }
 
 /* Nothing exists at first, then both do, then they are one by a link. */
-static void test_clashes(void)
+TEST(test_clashes, "two outputs to one file are refused")
 {
     const char *devices[] = {NULL, "-"}, *two[] = {"a", "b"};
     UNIT_TRUE(mkdir("folder", 0700) == 0);
@@ -643,7 +645,7 @@ static void test_clashes(void)
 }
 
 /* Two outputs into one pipe would come out mixed. */
-static void test_clash_in_pipe(void)
+TEST(test_clash_in_pipe, "two outputs to one pipe are refused")
 {
     UNIT_TRUE(mkfifo("pipe", 0600) == 0);
     const int end = open("pipe", O_RDONLY | O_NONBLOCK);
@@ -653,7 +655,7 @@ static void test_clash_in_pipe(void)
 }
 
 /* A pipe with a name is written as it is, and stays a pipe. */
-static void test_named_pipe(void)
+TEST(test_named_pipe, "a named pipe is written as it is")
 {
     char got[4096] = "";
     struct stat s;
@@ -688,7 +690,7 @@ static int write_limited(void *path)
     return write_much(path);
 }
 
-static void test_file_limit(void)
+TEST(test_file_limit, "a file-size limit leaves the old file")
 {
     write_file("a", "old\n");
     const struct child c = child_run(write_limited, "a", NULL);
@@ -709,7 +711,7 @@ static int write_closed_pipe(void *path)
     return write_much(path);
 }
 
-static void test_closed_pipe(void)
+TEST(test_closed_pipe, "a closed pipe is an error")
 {
     const struct child c = child_run(write_closed_pipe, NULL, NULL);
     UNIT_TRUE(c.status == 1);
@@ -729,7 +731,7 @@ static int too_many(void *argument)
     return 0;
 }
 
-static void test_too_many(void)
+TEST(test_too_many, "a ninth file is refused")
 {
     const struct child c = child_run(too_many, NULL, NULL);
     UNIT_TRUE(c.status == '8');
@@ -751,7 +753,7 @@ static int end_early(void *number)
     return 7;
 }
 
-static void test_early_end(void)
+TEST(test_early_end, "an early end leaves no temporary")
 {
     int numbers[] = {0, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGABRT, SIGXCPU};
     write_file("a", "old\n");
@@ -777,7 +779,7 @@ static int hold_and_fork(void *argument)
     return !table_close(t);
 }
 
-static void test_fork(void)
+TEST(test_fork, "a child leaves its parent's temporary")
 {
     UNIT_TRUE(child_run(hold_and_fork, NULL, NULL).status == 0);
     UNIT_TRUE(file_is("a", "key whole\n"));
@@ -802,7 +804,7 @@ static int interrupted(void *times)
     return table_close(t) && whole ? 0 : 1;
 }
 
-static void test_interrupt(void)
+TEST(test_interrupt, "a signal ends a run with what it has")
 {
     int times = 1;
     struct child c = child_run(interrupted, &times, NULL);
@@ -826,7 +828,7 @@ static int ignore_term(void *times)
     return interrupted(times);
 }
 
-static void test_ignored(void)
+TEST(test_ignored, "a signal ignored stays ignored")
 {
     int times = 3;
     const struct child c = child_run(ignore_term, &times, NULL);
@@ -843,46 +845,7 @@ int main(void)
         printf("not ok table: cannot work in %s\n", folder);
         return 1;
     }
-    const int failed = unit_run(
-        "table",
-        (struct unit_test[]){
-            {"head, columns and rows are as promised", test_content},
-            {"summaries are keys and values", test_summary},
-            {"a summary has the keys of its list, and all", test_keys},
-            {"seventeen digits bring every double back", test_round_trip},
-            {"the old file stays until the new is whole",
-             test_whole_or_absent},
-            {"permissions are kept, or the usual ones", test_permissions},
-            {"a link is followed and stays a link", test_links},
-            {"what cannot be opened is named, with why", test_cannot_open},
-            {"a closed stdout does not hinder a file",
-             test_closed_stdout_is_not_the_table},
-            {"stray output never enters a table", test_stray_output},
-            {"a full disk is an error", test_full_disk},
-            {"a line that cannot be written says so", test_stops_when_full},
-            {"no descriptor for the temporary is an error",
-             test_no_descriptor},
-            {"a head waits for a row, with all its lines", test_head},
-            {"sums are those of FNV-1a", test_sum},
-            {"what cannot be read has no sum", test_no_sum},
-            {"a table that would replace its input is known",
-             test_replaces},
-            {"a closed stdout is refused at once", test_closed_stdout},
-            {"a bad name is refused at once, a long one taken", test_names},
-            {"a file given to write is added to", test_given_files},
-            {"what lies under /dev or /proc is added to",
-             test_system_folders},
-            {"two outputs to one file are refused", test_clashes},
-            {"two outputs to one pipe are refused", test_clash_in_pipe},
-            {"a named pipe is written as it is", test_named_pipe},
-            {"a file-size limit leaves the old file", test_file_limit},
-            {"a closed pipe is an error", test_closed_pipe},
-            {"a ninth file is refused", test_too_many},
-            {"an early end leaves no temporary", test_early_end},
-            {"a child leaves its parent's temporary", test_fork},
-            {"a signal ends a run with what it has", test_interrupt},
-            {"a signal ignored stays ignored", test_ignored},
-            {0}});
+    const int failed = unit_run("table");
     sweep();
     if (chdir("/") == 0)
         rmdir(folder);

@@ -38,7 +38,7 @@ static void end(struct motion *m, struct scene *s)
 
 /* e^(-pi zeta / sqrt(1 - zeta^2)). The dashpot begins and ends with a jump
    of 2 zeta omega u somewhere in a step: a share zeta omega dt each. */
-static void test_restitution(void)
+TEST(test_restitution, "what a dashpot returns")
 {
     static const double zeta[] = {0, 0.05, 0.2, 0.5};
     for (int k = 0; k < 4; ++k) {
@@ -57,7 +57,7 @@ static void test_restitution(void)
 }
 
 /* 2.94327 (5 mu u^2 / 4 K)^(2/5) / u; the number to 2e-6. */
-static void test_hertz(void)
+TEST(test_hertz, "how long Hertz's balls touch")
 {
     for (double u = 0.5; u < 3; u *= 2) {
         struct scene s;
@@ -101,7 +101,7 @@ static void strike(enum scene_touch touch, double gap, size_t k,
 }
 
 /* With gaps wider than u/omega = 0.01 m, k for k. Touching, a wave. */
-static void test_cradle(void)
+TEST(test_cradle, "the cradle")
 {
     static const double linear[] = {-0.1323, -0.0753, -0.0310, 0.2962,
                                     0.9424},
@@ -121,7 +121,7 @@ static void test_cradle(void)
 /* A heap in a box, by a method of fourth order: what is pressed together
    is counted, so the energy stays. The force has a kink at the contact, an
    error of its own of the order of (omega dt)^2 of each. */
-static void test_energy(void)
+TEST(test_energy, "what is pressed has energy")
 {
     for (int touch = SCENE_LINEAR; touch <= SCENE_HERTZ; ++touch) {
         struct scene s;
@@ -148,7 +148,7 @@ static void test_energy(void)
 }
 
 /* With a dashpot it lies on the floor, as deep as its weight presses it. */
-static void test_rest(void)
+TEST(test_rest, "to rest is to be pressed")
 {
     struct scene s;
     struct motion m;
@@ -167,7 +167,7 @@ static void test_rest(void)
 }
 
 /* A restitution and springs are one too many. */
-static void test_twice(void)
+TEST(test_twice, "restitution or springs")
 {
     struct scene s;
     make(&s, 2, SCENE_LINEAR, 0);
@@ -181,7 +181,7 @@ static void test_twice(void)
    potential over a little way is the force times that way, for pairs and
    walls, of either kind; the error is of second order in the way, 1e-6 of
    depths of 1e-2 and more. */
-static void test_stored(void)
+TEST(test_stored, "what is stored comes back")
 {
     static const enum scene_touch kinds[] = {SCENE_LINEAR, SCENE_HERTZ};
     for (size_t kind = 0; kind < 2; ++kind) {
@@ -228,7 +228,7 @@ static void test_stored(void)
 /* Two of radius 0.25, 0.25 m apart along (0, 3, 4)/5, part with 0.5 m/s:
    8 N/m times 0.25 m less 2 kg/s times 0.5 m/s is 1 N, on 2 kg and 4 kg. In
    one place they have no direction, and no force. */
-static void test_by_hand(void)
+TEST(test_by_hand, "two by hand")
 {
     static const double force[] = {0, 0, 0, 0, -0.3, 0.15, 0, -0.4, 0.2};
     struct scene s;
@@ -260,19 +260,4 @@ static void test_by_hand(void)
         UNIT_EQUAL(a[c], 0);
     touch_free(&t);
     scene_free(&s);
-}
-
-int main(void)
-{
-    return unit_run(
-        "touch",
-        (struct unit_test[]){{"two by hand", test_by_hand},
-                             {"what a dashpot returns", test_restitution},
-                             {"how long Hertz's balls touch", test_hertz},
-                             {"the cradle", test_cradle},
-                             {"what is pressed has energy", test_energy},
-                             {"to rest is to be pressed", test_rest},
-                             {"restitution or springs", test_twice},
-                             {"what is stored comes back", test_stored},
-                             {0}});
 }

@@ -55,7 +55,7 @@ static double lost(const char *name, double orbits)
 }
 
 /* The orbit shrinks by less than 1 % on the way. */
-static void test_drift(void)
+TEST(test_drift, "a pair loses energy in proportion to the orbits")
 {
     const double few = lost("dopri5", 30), many = lost("dopri5", 300);
     UNIT_NEAR(many / few, 10, 0.2);
@@ -76,14 +76,14 @@ static double steps(double stiff, double tolerance)
 
 /* At most 1.2 of its radians fit into a step, however rough a result is
    asked for. */
-static void test_stiff(void)
+TEST(test_stiff, "a stiff spring at rest holds the steps at its limit")
 {
     UNIT_TRUE(steps(1, 1e-4) < 100);
     for (double e = 1e-4; e > 1e-9; e /= 100)
         UNIT_TRUE(steps(1e6, e) > 1e4 / 1.2);
 }
 
-static void test_jumps(void)
+TEST(test_jumps, "edges cost steps and digits")
 {
     const struct stepping_forces f = {1, false, jumps, NULL};
     double x = 0.5, v = 0;
@@ -92,16 +92,4 @@ static void test_jumps(void)
     UNIT_TRUE(a->refused > 200 * 10);
     UNIT_TRUE(fabs(fabs(x) + v * v / 2 - 0.5) > 1e-7);
     adaptive_free(a);
-}
-
-int main(void)
-{
-    return unit_run(
-        "adaptive limits",
-        (struct unit_test[]){
-            {"a pair loses energy in proportion to the orbits", test_drift},
-            {"a stiff spring at rest holds the steps at its limit",
-             test_stiff},
-            {"edges cost steps and digits", test_jumps},
-            {0}});
 }

@@ -56,7 +56,7 @@ static void make_pair(struct scene *s, double ratio, uint64_t seed)
 /* Two alone on a line, whatever their masses: blocks believe in means that
    are many errors off, and the mean depends on the start for ever. There is
    none to be had, but of the pressure. */
-static void test_pairs(void)
+TEST(test_pairs, "two alone on a line have a pressure and no mean place")
 {
     static const double ratios[] = {1.1, 1.618033988749895, 2, 3, 30, 1000};
     for (size_t k = 0; k < sizeof ratios / sizeof ratios[0]; ++k) {
@@ -85,7 +85,7 @@ static void make_box(struct scene *s, size_t n, double width, double height)
 
 /* Three disks that all move along one line for ever: half the energy is
    never across, and the mean that blocks believe is that of this start. */
-static void test_line_of_disks(void)
+TEST(test_line_of_disks, "disks that all move along one line never mix")
 {
     struct scene s;
     make_box(&s, 3, 1, 1);
@@ -102,7 +102,7 @@ static void test_line_of_disks(void)
 /* Two disks that fly up and down and drift to each other: for hundreds of
    seconds there is no collision, and no scatter; half the energy is never
    along x. */
-static void test_columns(void)
+TEST(test_columns, "disks that have not met are not believed")
 {
     struct scene s;
     make_box(&s, 2, 1, 1);
@@ -119,7 +119,7 @@ static void test_columns(void)
 
 /* Two disks that hardly pass each other: blocks settle on either side, by
    eight errors from the middle. */
-static void test_door(void)
+TEST(test_door, "disks that have not passed are not believed")
 {
     struct scene s;
     make_box(&s, 2, 1, 0.45);
@@ -134,7 +134,7 @@ static void test_door(void)
 
 /* Settled after 2048 s at 5 m, and on the way to 6 m all the same: no mean
    is given that a longer run would not have. */
-static void test_patience(void)
+TEST(test_patience, "a heavy piston that has settled has not")
 {
     struct scene s;
     make_piston(&s, 41, 600);
@@ -152,7 +152,7 @@ static void test_patience(void)
 
 /* Disks in their corners: blocks have a mean of 0.27 and an error of less
    than a hundredth. */
-static void test_corners(void)
+TEST(test_corners, "disks that keep their corners have no mean place")
 {
     struct scene s;
     make_four(&s, 0.2);
@@ -167,7 +167,7 @@ static void test_corners(void)
 
 /* Equal masses on a line keep their speeds: the mean of the cradle's first
    ball is nowhere near the law of places, and no mean is given. */
-static void test_equal_masses(void)
+TEST(test_equal_masses, "equal masses on a line have no mean place")
 {
     struct scene s;
     if (gallery_make(&s, gallery_find(hard_scenes, "cradle"), NULL, 0))
@@ -199,7 +199,7 @@ static void make_line(struct scene *s, size_t n, double share,
 /* Eight masses that differ by a hundredth: a first look has the first body
    at 0.866(38) m, where the law of places has 0.889; a run of 30000 s has
    it at 0.935(12). What is said, if anything, holds that. */
-static void test_alike(void)
+TEST(test_alike, "masses that are nearly alike are not believed")
 {
     struct scene s;
     make_line(&s, 8, 0.01, 11);
@@ -214,7 +214,7 @@ static void test_alike(void)
 /* Lines of bodies that hardly forget: all differ by little, or one is much
    heavier. Of the means that are given none leaves out the mean of a run
    that has all the time, and ten thousand units of it. */
-static void test_slow_lines(void)
+TEST(test_slow_lines, "lines that hardly forget are not believed")
 {
     for (uint64_t seed = 1; seed <= 20; ++seed)
         for (int heavy = 0; heavy < 2; ++heavy) {
@@ -234,7 +234,7 @@ static void test_slow_lines(void)
 }
 
 /* Steps have a bias that no sample mends: no way to a pressure. */
-static void test_steps(void)
+TEST(test_steps, "steps are no way to a pressure")
 {
     struct scene s;
     make_four(&s, 0.15);
@@ -243,26 +243,4 @@ static void test_steps(void)
     const struct averages_found g = ask(&s, "pressure", 1e6, 0.02, "steps");
     UNIT_TRUE(refused(&g) && strstr(g.refusal, "no way"));
     scene_free(&s);
-}
-
-int main(void)
-{
-    return unit_run(
-        "averages_limits",
-        (struct unit_test[]){
-            {"a heavy piston that has settled has not", test_patience},
-            {"disks that keep their corners have no mean place",
-             test_corners},
-            {"equal masses on a line have no mean place",
-             test_equal_masses},
-            {"two alone on a line have a pressure and no mean place",
-             test_pairs},
-            {"disks that all move along one line never mix",
-             test_line_of_disks},
-            {"disks that have not met are not believed", test_columns},
-            {"disks that have not passed are not believed", test_door},
-            {"masses that are nearly alike are not believed", test_alike},
-            {"lines that hardly forget are not believed", test_slow_lines},
-            {"steps are no way to a pressure", test_steps},
-            {0}});
 }

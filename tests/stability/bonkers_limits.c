@@ -63,7 +63,7 @@ static double mean_miss(enum bonkers_engine engine, uint64_t n)
    factor of two, 0.3, at either end, so the mean over 24 starts by
    0.3 sqrt(2/24) = 0.09; four of these. An error that a bias makes, n^2,
    is at 4; one that chaos makes would have lost its way. */
-static void test_way_back(void)
+TEST(test_way_back, "the way back is missed as n^(3/2)")
 {
     const double slope =
         mean_miss(BONKERS_SCAN, 100000) - mean_miss(BONKERS_SCAN, 1000);
@@ -72,7 +72,7 @@ static void test_way_back(void)
 }
 
 /* All fast engines take the same way back. */
-static void test_way_back_of_every_engine(void)
+TEST(test_way_back_of_every_engine, "every engine misses it alike")
 {
     const struct start_wish wish = {
         .kind = START_RANDOM, .movers = 40, .seed = 5};
@@ -111,7 +111,7 @@ static size_t count_pairs(double ratio)
 /* Mirrors at an angle pi/6 or pi/3 make 12 images, at pi/4 8. Other angles
    make them without end, but few at a time: the angle only walks to and
    fro. */
-static void test_two_balls(void)
+TEST(test_two_balls, "two balls of mass ratio 3 know 12 velocity pairs")
 {
     UNIT_EQUAL((double)count_pairs(3), 12);
     UNIT_EQUAL((double)count_pairs(1 / 3.0), 12);
@@ -142,7 +142,7 @@ static double effect_of_looking(enum bonkers_engine engine)
 
 /* The naive engine moves everybody whenever it is looked at, and rounds:
    it is off by rounding. The others know nothing of it. */
-static void test_looking(void)
+TEST(test_looking, "only the naive engine feels when it is looked at")
 {
     UNIT_TRUE(effect_of_looking(BONKERS_NAIVE) > 0);
     UNIT_NEAR(effect_of_looking(BONKERS_NAIVE), 0, 1e-9);
@@ -153,7 +153,7 @@ static void test_looking(void)
 
 /* After a clock of 10^9 s a place is known to 10^9 eps v = 10^-7 m only:
    bodies still stay in order, none is lost, and the energy is kept. */
-static void test_late_clock(void)
+TEST(test_late_clock, "a clock of 10^9 s leaves all in order")
 {
     for (int e = BONKERS_SCAN; e < BONKERS_ENGINES; ++e) {
         struct bonkers b;
@@ -184,7 +184,8 @@ static void test_late_clock(void)
    after (1 + e) / (1 - e) times the time of its fall: when the clock
    stands, it rests. Each of the bounces that are seen is late by a rounding
    of the clock. */
-static void test_comes_to_rest(void)
+TEST(test_comes_to_rest,
+     "a ball comes to rest when the sum of its bounces says")
 {
     for (int k = 0; k < 10; ++k) {
         const double e = k / 10.0, g = 9.81, h = 1;
@@ -207,7 +208,7 @@ static void test_comes_to_rest(void)
 /* Three that fall on each other come to rest too, however heavy the upper
    ones. Nine do not: before the tenth bounce of one those below it have
    bounced until they rest, and so on downwards. */
-static void test_pile(void)
+TEST(test_pile, "three that fall come to rest, nine do not")
 {
     for (int k = 0; k < 27; ++k) {
         const double e = k % 9 / 10.0;
@@ -229,22 +230,4 @@ static void test_pile(void)
         }
         bonkers_free(&b);
     }
-}
-
-int main(void)
-{
-    return unit_run(
-        "stability of bonkers",
-        (struct unit_test[]){
-            {"the way back is missed as n^(3/2)", test_way_back},
-            {"every engine misses it alike", test_way_back_of_every_engine},
-            {"two balls of mass ratio 3 know 12 velocity pairs",
-             test_two_balls},
-            {"only the naive engine feels when it is looked at",
-             test_looking},
-            {"a clock of 10^9 s leaves all in order", test_late_clock},
-            {"a ball comes to rest when the sum of its bounces says",
-             test_comes_to_rest},
-            {"three that fall come to rest, nine do not", test_pile},
-            {0}});
 }

@@ -10,7 +10,7 @@
 
 /* What goes wrong without the check: the 0/0 of two walls, and how a NaN
    hides. With it nothing is touched. */
-static void test_two_walls(void)
+TEST(test_two_walls, "two walls are refused and no NaN is made")
 {
     const double zero = 0, fraction = zero / (zero + zero);
     double v1 = 1, v2 = -1;
@@ -38,7 +38,7 @@ static double gain(double square, bool divide)
 }
 
 /* 4 lambda (lambda - 1) against nothing, eq:normal. */
-static void test_sloppy_normal(void)
+TEST(test_sloppy_normal, "a normal of square 1.01 gains 4 % unless divided")
 {
     UNIT_NEAR(gain(1.01, false), 0.0404, 1e-12);
     UNIT_NEAR(gain(0.99, false), -0.0396, 1e-12);
@@ -82,7 +82,7 @@ static double drift(enum collide_form form, int set, long n)
 /* A random walk of 1e6 steps of about eps/2 has a standard deviation of
    1000 * eps/2 = 1.1e-13; 3e-12 is 27 of these. The bias of the difference
    form is at most 4 eps a collision, and measured at 1e-18 to 1e-16. */
-static void test_drift(void)
+TEST(test_drift, "six sets of masses: difference drifts, smaller does not")
 {
     double worst = 0;
     for (int set = 0; set < SETS; ++set) {
@@ -96,25 +96,10 @@ static void test_drift(void)
 
 /* Linear against root: the error at 3e6 over that at 3e5 is 10 but for the
    random walk on top, 2e-13 of 3e-11. */
-static void test_drift_is_linear(void)
+TEST(test_drift_is_linear, "the drift of the difference form is linear")
 {
     const double early = drift(COLLIDE_DIFFERENCE, 0, 300000);
     const double late = drift(COLLIDE_DIFFERENCE, 0, 3000000);
     UNIT_NEAR(late / early, 10, 0.2);
     UNIT_TRUE(fabs(drift(COLLIDE_SMALLER, 0, 3000000) / late) < 0.01);
-}
-
-int main(void)
-{
-    return unit_run(
-        "stability of collide",
-        (struct unit_test[]){
-            {"two walls are refused and no NaN is made", test_two_walls},
-            {"a normal of square 1.01 gains 4 % unless divided",
-             test_sloppy_normal},
-            {"six sets of masses: difference drifts, smaller does not",
-             test_drift},
-            {"the drift of the difference form is linear",
-             test_drift_is_linear},
-            {0}});
 }

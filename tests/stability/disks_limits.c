@@ -31,7 +31,7 @@ static void strike(struct disks *d, bool up)
 }
 
 /* Equal times to the bit: the two normals are mirror images. */
-static void test_three(void)
+TEST(test_three, "three at once: the numbers decide")
 {
     for (int up = 0; up < 2; ++up) {
         struct disks d;
@@ -50,7 +50,7 @@ static void test_three(void)
 
 /* Four fly to the middle: two pairs at one time, with no disk in common.
    Symmetry survives, in any order. */
-static void test_four_at_once(void)
+TEST(test_four_at_once, "four at once: two pairs stay symmetric")
 {
     struct disks d;
     make(&d, 4, 10);
@@ -122,7 +122,7 @@ static double median(double t)
     return log10(worst[10]);
 }
 
-static void test_chaos(void)
+TEST(test_chaos, "the way back is lost after 50 collisions")
 {
     UNIT_NEAR(median(2), -13.3, 1.5);
     UNIT_NEAR(median(5), -8.4, 2);
@@ -131,7 +131,7 @@ static void test_chaos(void)
 }
 
 /* A collapse ends the run, and in finite time; e near one does not. */
-static void test_collapse(void)
+TEST(test_collapse, "inelastic collapse ends a run")
 {
     struct disks d;
     begin(&d, 100, 0.5, sqrt(280), 1, 1);
@@ -150,7 +150,7 @@ static void test_collapse(void)
 /* Two disks in a large periodic box. Who looks only once at the nearest
    image misses the one that comes round: head-on along x, 6 m apart in a
    box of 10, the nearest image is behind. */
-static void test_leash(void)
+TEST(test_leash, "the nearest image is not always met")
 {
     struct disks d;
     make(&d, 2, 10);
@@ -166,7 +166,7 @@ static void test_leash(void)
 
 /* Disks in contact over and over, a dense box: overlaps stay at rounding,
    1e5 collisions with errors of places of a few eps each. */
-static void test_overlaps(void)
+TEST(test_overlaps, "overlaps stay at rounding")
 {
     struct disks d;
     size_t a, b;
@@ -186,18 +186,4 @@ static void test_overlaps(void)
     UNIT_TRUE(disks_fit(&d, &a, &b));
     UNIT_NEAR(deepest, 0, 1e-11);
     disks_free(&d);
-}
-
-int main(void)
-{
-    return unit_run(
-        "disks_limits",
-        (struct unit_test[]){
-            {"three at once: the numbers decide", test_three},
-            {"four at once: two pairs stay symmetric", test_four_at_once},
-            {"the way back is lost after 50 collisions", test_chaos},
-            {"inelastic collapse ends a run", test_collapse},
-            {"the nearest image is not always met", test_leash},
-            {"overlaps stay at rounding", test_overlaps},
-            {0}});
 }

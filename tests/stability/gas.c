@@ -65,7 +65,7 @@ static void check_virial(struct disks *d, bool fast)
     disks_free(d);
 }
 
-static void test_virial(void)
+TEST(test_virial, "the virial theorem holds in every run")
 {
     for (size_t fast = 0; fast < 2; ++fast) {
         struct disks d;
@@ -77,7 +77,7 @@ static void test_virial(void)
 }
 
 /* Every bit of a state comes back, and the same disks fit. */
-static void test_states(void)
+TEST(test_states, "a state in a file keeps every bit")
 {
     for (size_t D = 2; D <= 3; ++D)
         for (size_t round = 0; round < 2; ++round) {
@@ -110,13 +110,4 @@ static void test_states(void)
             disks_free(&d);
             disks_free(&e);
         }
-}
-
-int main(void)
-{
-    return unit_run(
-        "gas", (struct unit_test[]){
-                   {"the virial theorem holds in every run", test_virial},
-                   {"a state in a file keeps every bit", test_states},
-                   {0}});
 }

@@ -14,7 +14,7 @@ static stepper *const steppers[] = {piston_step, piston_step_rk4};
 
 /* A step that ends in a wall, or behind it, or that meets one on the way,
    is refused, and the state is what it was. */
-static void test_walls(void)
+TEST(test_walls, "a step into a wall is refused")
 {
     const struct {
         double x, v, dt;
@@ -31,7 +31,7 @@ static void test_walls(void)
 }
 
 /* Whatever the step, the piston is inside the box after it. */
-static void test_inside(void)
+TEST(test_inside, "no step ends outside the box")
 {
     size_t taken = 0, refused = 0;
     for (size_t k = 0; k < 2; ++k)
@@ -63,7 +63,7 @@ static double energy_error(double dt)
     return worst;
 }
 
-static void test_near_miss(void)
+TEST(test_near_miss, "a near miss shows in the energy")
 {
     const double coarse = energy_error(0.01), fine = energy_error(0.001);
     UNIT_TRUE(coarse > 0.01 && coarse < 0.1);
@@ -74,7 +74,7 @@ static void test_near_miss(void)
    its speed, over the box less two turning lengths h sqrt(U/E). The
    points must be more, and then the quadrature still holds: 1e-3 is the
    next order in the turning length 6/1000. */
-static void test_hard_walls(void)
+TEST(test_hard_walls, "a very fast piston sees hard walls")
 {
     const struct piston_state s = {6, 1000};
     const double energy = piston_energy(&eleven, &s);
@@ -85,7 +85,7 @@ static void test_hard_walls(void)
 }
 
 /* At the very bottom, where Newton's method divides zero by zero. */
-static void test_bottom(void)
+TEST(test_bottom, "turning points meet at the bottom")
 {
     double low, high;
     for (double ratio = 0.01; ratio < 101; ratio *= 1.01) {
@@ -100,7 +100,7 @@ static void test_bottom(void)
 }
 
 /* A gas a million times weaker than the other one. */
-static void test_weak_gas(void)
+TEST(test_weak_gas, "a weak gas is pushed to its wall")
 {
     struct piston p = eleven;
     p.left.energy = 1e-6;
@@ -111,18 +111,4 @@ static void test_weak_gas(void)
     const double energy = piston_potential(&p, x) * (1 + 1e-9);
     UNIT_NEAR(piston_period(&p, energy, 64) * piston_frequency(&p),
               2 * acos(-1), 1e-6);
-}
-
-int main(void)
-{
-    return unit_run(
-        "piston stability",
-        (struct unit_test[]){
-            {"a step into a wall is refused", test_walls},
-            {"no step ends outside the box", test_inside},
-            {"a near miss shows in the energy", test_near_miss},
-            {"a very fast piston sees hard walls", test_hard_walls},
-            {"turning points meet at the bottom", test_bottom},
-            {"a weak gas is pushed to its wall", test_weak_gas},
-            {0}});
 }

@@ -62,7 +62,7 @@ static double pressure(enum spheres_shift shift, double *change)
     return Z;
 }
 
-static void test_pressure(void)
+TEST(test_pressure, "perfect energy, wrong pressure")
 {
     double change;
     const double pushed = pressure(SPHERES_BY_RADIUS, &change);
@@ -74,7 +74,7 @@ static void test_pressure(void)
 }
 
 /* Two disks fly through each other, and the energy has no complaint. */
-static void test_tunnelling(void)
+TEST(test_tunnelling, "long steps go through")
 {
     for (int slow = 0; slow < 2; ++slow) {
         struct scene s;
@@ -124,7 +124,7 @@ static void strike(double mass, enum spheres_order order, double v[])
     scene_free(&s);
 }
 
-static void test_touching(void)
+TEST(test_touching, "a heavy middle ball: the order decides")
 {
     double up[5], down[5];
     strike(1, SPHERES_ASCENDING, up);
@@ -176,7 +176,7 @@ static double break_by_steps(enum spheres_order order)
     return x;
 }
 
-static void test_break(void)
+TEST(test_break, "the break has two answers")
 {
     double least = INFINITY, most = -INFINITY;
     for (int seed = 0; seed < 8; ++seed) {
@@ -194,7 +194,7 @@ static void test_break(void)
 
 /* A heavy disk among light ones: with shares by radius the centre of mass
    of all is moved, by mass it is not. */
-static void test_shoved(void)
+TEST(test_shoved, "a heavy disk is shoved")
 {
     for (int shift = SPHERES_BY_RADIUS; shift <= SPHERES_BACK; ++shift) {
         struct scene s;
@@ -221,7 +221,7 @@ static void test_shoved(void)
 /* A body on a spring turns 1 cm behind a wall. With 1.6 / omega from one
    look to the next the cubic stays before the wall, and the contact is
    missed; with half of that it is found. */
-static void test_turn(void)
+TEST(test_turn, "a turn behind a wall is missed")
 {
     for (int parts = 1; parts <= 2; ++parts) {
         struct scene s;
@@ -253,7 +253,7 @@ static void test_turn(void)
 /* Two balls with springs of omega = 100/s, in steps of 2/omega and of a
    tenth of that: the first makes energy, the other keeps it to a per cent.
  */
-static void test_stiff(void)
+TEST(test_stiff, "a stiff contact makes energy")
 {
     for (int fine = 0; fine < 2; ++fine) {
         struct scene s;
@@ -275,19 +275,4 @@ static void test_stiff(void)
         motion_end(&m);
         scene_free(&s);
     }
-}
-
-int main(void)
-{
-    return unit_run(
-        "spheres where they fail",
-        (struct unit_test[]){
-            {"perfect energy, wrong pressure", test_pressure},
-            {"long steps go through", test_tunnelling},
-            {"a heavy middle ball: the order decides", test_touching},
-            {"the break has two answers", test_break},
-            {"a heavy disk is shoved", test_shoved},
-            {"a turn behind a wall is missed", test_turn},
-            {"a stiff contact makes energy", test_stiff},
-            {0}});
 }

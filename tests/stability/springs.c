@@ -93,7 +93,7 @@ static void try_limits(bool pendulum)
     }
 }
 
-static void test_pendulum(void)
+TEST(test_pendulum, "the stiff pendulum's step limits, from both sides")
 {
     try_limits(true);
     UNIT_NEAR(2 / 70.74605996, 0.02827, 1e-6);
@@ -101,14 +101,14 @@ static void test_pendulum(void)
     UNIT_TRUE(excursion("gauss4", true, 15, 400) < 1e-6);
 }
 
-static void test_membrane(void)
+TEST(test_membrane, "the membrane's step limits, from both sides")
 {
     try_limits(false);
 }
 
 /* Euler's method multiplies the stiff amplitude by sqrt(1 + (w h)^2) in a
    step; the pendulum is lost at 9.2, 4.6, 2.3 s, as the step doubles. */
-static void test_euler(void)
+TEST(test_euler, "Euler's method loses the pendulum at any step")
 {
     const double dt[] = {5e-4, 1e-3, 2e-3}, lost[] = {9.2, 4.6, 2.3};
     for (int k = 0; k < 3; ++k) {
@@ -158,7 +158,7 @@ static double ripple(const char *method, int steps)
 
 /* RK4 at 0.025 s, below its limit: no complaint, and no stiff oscillation;
    the leapfrog keeps it at the same step. */
-static void test_silent(void)
+TEST(test_silent, "RK4 damps the stiff spring in silence")
 {
     UNIT_TRUE(ripple("yoshida4", 50) > 2e-4);
     UNIT_TRUE(ripple("leapfrog", 1) > 2e-4);
@@ -167,7 +167,7 @@ static void test_silent(void)
 
 /* Without diagonals: five modes without stiffness, one a cell; with one
    diagonal a cell none. Let go, the mechanism falls to the wall. */
-static void test_mechanism(void)
+TEST(test_mechanism, "a truss without diagonals is a mechanism")
 {
     for (int diagonals = 0; diagonals < 3; ++diagonals) {
         struct scene s;
@@ -195,18 +195,4 @@ static void test_mechanism(void)
         springs_free(&p);
         scene_free(&s);
     }
-}
-
-int main(void)
-{
-    return unit_run(
-        "springs' limits",
-        (struct unit_test[]){
-            {"the stiff pendulum's step limits, from both sides",
-             test_pendulum},
-            {"the membrane's step limits, from both sides", test_membrane},
-            {"Euler's method loses the pendulum at any step", test_euler},
-            {"RK4 damps the stiff spring in silence", test_silent},
-            {"a truss without diagonals is a mechanism", test_mechanism},
-            {0}});
 }

@@ -111,7 +111,7 @@ static void check_limit(const struct stepping_method *m)
         UNIT_NEAR(limit, m->limit, 1e-10);
 }
 
-static void test_limits(void)
+TEST(test_limits, "every method has the limit of its row")
 {
     each_method(check_limit);
 }
@@ -130,13 +130,13 @@ static void check_long_runs(const struct stepping_method *m)
     UNIT_TRUE(size_after(m, m->limit * (1 + d), 0, 100000) > 1e8);
 }
 
-static void test_long_runs(void)
+TEST(test_long_runs, "in long runs, from both sides")
 {
     each_method(check_long_runs);
 }
 
 /* Those that were computed apart from this program. */
-static void test_known_limits(void)
+TEST(test_known_limits, "known limits are what they were")
 {
     static const struct {
         const char *name;
@@ -161,7 +161,7 @@ static void check_no_limit(const struct stepping_method *m)
         UNIT_TRUE(size_after(m, ws[k], 0, 1000) < 1.1 * ws[k]);
 }
 
-static void test_no_limit(void)
+TEST(test_no_limit, "without a limit nothing grows")
 {
     each_method(check_no_limit);
     /* Friction of 100 a step, and a spring as strong. */
@@ -171,14 +171,14 @@ static void test_no_limit(void)
 
 /* The method of higher order is the first to fail: Forest and Ruth's, our
    yoshida4, lies below leapfrog. */
-static void test_higher_is_not_safer(void)
+TEST(test_higher_is_not_safer, "Forest and Ruth fail before leapfrog")
 {
     UNIT_TRUE(size_by("leapfrog", 1.8, 0, 1000) < 10);
     UNIT_TRUE(size_by("yoshida4", 1.8, 0, 1000) > 1e100);
 }
 
 /* The other failure, without a sound: at 2.5 RK4 swallows a mode whole. */
-static void test_rk4_swallows(void)
+TEST(test_rk4_swallows, "RK4 damps a stiff mode silently")
 {
     const double h = 2.5,
                  factor = sqrt(1 - pow(h, 6) / 72 + pow(h, 8) / 576);
@@ -230,7 +230,7 @@ static const struct stepping_method fehlberg = {.name = "rkf4",
                                                 .a = fehlberg_a,
                                                 .b = fehlberg_b};
 
-static void test_more_rows(void)
+TEST(test_more_rows, "Heun's and Fehlberg's methods grow")
 {
     const double h = 0.2, grown = size_after(&heun, h, 0, 100000);
     UNIT_NEAR(log(grown) / (100000 * log(1 + pow(h, 4) / 4) / 2), 1, 0.1);
@@ -240,7 +240,7 @@ static void test_more_rows(void)
 
 /* With friction alone a splitting's kicks stop working when c dt is too
    large, and the higher order needs more evaluations to get no further. */
-static void test_friction_limits(void)
+TEST(test_friction_limits, "friction has limits too")
 {
     static const struct {
         const char *name;
@@ -255,21 +255,4 @@ static void test_friction_limits(void)
         UNIT_TRUE(size_by(known[k].name, 0, c * 0.99, 10000) < 100);
         UNIT_TRUE(size_by(known[k].name, 0, c * 1.01, 10000) > 1e20);
     }
-}
-
-int main(void)
-{
-    return unit_run(
-        "stepping limits",
-        (struct unit_test[]){
-            {"every method has the limit of its row", test_limits},
-            {"in long runs, from both sides", test_long_runs},
-            {"known limits are what they were", test_known_limits},
-            {"without a limit nothing grows", test_no_limit},
-            {"Forest and Ruth fail before leapfrog",
-             test_higher_is_not_safer},
-            {"RK4 damps a stiff mode silently", test_rk4_swallows},
-            {"Heun's and Fehlberg's methods grow", test_more_rows},
-            {"friction has limits too", test_friction_limits},
-            {0}});
 }

@@ -61,6 +61,9 @@ is_made() {
     esac
 }
 
+# An answer under the name by which it is known, wherever it was written.
+its_name() { echo "$file" | sed 's/^build.tests.answers/tests\/exercises/'; }
+
 count() { # FILE...: how many there are; a pattern that matched none is not
     n=0
     for f; do
@@ -110,7 +113,9 @@ has_one_gap() {
 
 [ $# -gt 0 ] || set -- $(ls solutions | grep '^[0-9]' | cut -c 1-3)
 for ex; do
-    folder=tests/exercises/$ex
+    folder=tests/exercises/$ex answers=build/tests/answers/$ex
+    tests/exercises/answers "$ex" "$answers" ||
+        echo "not ok exercises: $ex: its answers - tests/exercises/answers fails"
     suite=$folder/suite.c stub=$folder/stub.c
     called=$(sed -n 's/^ *\.file = "\(.*\)",$/\1/p' "$suite")
 
@@ -122,30 +127,31 @@ for ex; do
     verdict "$ex: the stub has one gap" \
         'it wants one TODO: and a NOT_DONE_YET' has_one_gap "$stub"
 
-    for file in "solutions/$called" "$folder"/right-*.c; do
-        verdict "$file passes" "see $examine --strict --as $ex --file $file" \
+    for file in "solutions/$called" "$answers"/right-*.c "$answers"/plain.c; do
+        [ -e "$file" ] || continue
+        verdict "$(its_name) passes" "see $examine --strict --as $ex --file $file" \
             says 0 passed --strict
     done
     verdict "$ex: two right answers or more" "fewer in $folder" \
-        [ "$(count "$folder"/right-*.c)" -ge 2 ]
+        [ "$(count "$answers"/right-*.c)" -ge 2 ]
 
     made=
-    for file in "$folder"/wrong-*.c; do
+    for file in "$answers"/wrong-*.c; do
         mistake_of "$file"
         if [ "$mistake" = none ]; then
-            verdict "$file is refused, and no mistake is named" \
+            verdict "$(its_name) is refused, and no mistake is named" \
                 "see $examine --strict --as $ex --file $file" unnamed
             made=$made[$(sed -n '2s,^/\* unnamed: \([a-z0-9-]*\) \*/$,\1,p' \
                 "$file")]
             continue
         fi
         made="$made[$mistake]"
-        verdict "$file is refused as [$mistake]" \
+        verdict "$(its_name) is refused as [$mistake]" \
             "see $examine --strict --as $ex --file $file" \
             recognised "${mistake:-without a name in line 1}"
     done
     verdict "$ex: three wrong answers or more" "fewer in $folder" \
-        [ "$(count "$folder"/wrong-*.c)" -ge 3 ]
+        [ "$(count "$answers"/wrong-*.c)" -ge 3 ]
     # Names in the suite's lists of mistakes, with no space in them.
     grep -o '{"[a-z0-9-]*",' "$suite" | tr -d '{",' | sort -u |
         while IFS= read -r mistake; do
@@ -172,8 +178,7 @@ done
 planned=0
 named() { grep -o "$1" "tests/exercises/$ex/suite.c" | sort -u | wc -l; }
 for ex; do
-    planned=$((planned + 9 + $(find tests/exercises/"$ex" -name 'right-*.c' \
-        -o -name 'wrong-*.c' | wc -l) + $(named '{"[a-z0-9-]*",') +
+    planned=$((planned + 9 + $(ls build/tests/answers/"$ex" | wc -l) + $(named '{"[a-z0-9-]*",') +
         $(named '"eq:[a-z0-9-]*"')))
 done
 echo "1..$planned"

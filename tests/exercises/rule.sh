@@ -81,9 +81,17 @@ fi
 
 # Only the C library, the exercise's own header and the random numbers, which
 # are all that a runner is linked with.
+for folder in tests/exercises/[0-9P]*/; do
+    ex=$(basename "$folder")
+    tests/exercises/answers "$ex" "$out/answers/$ex" || echo "not ok exercises - $ex"
+done
 for what in stub solution right wrong; do
-    set -- tests/exercises/*/"$what"*.c
-    [ $what != solution ] || set -- solutions/*.c
+    case $what in
+    stub) set -- tests/exercises/*/stub.c ;;
+    solution) set -- solutions/*.c ;;
+    right) set -- "$out"/answers/*/right*.c "$out"/answers/*/plain.c ;;
+    wrong) set -- "$out"/answers/*/wrong*.c ;;
+    esac
     if grep -n '^ *# *include *"' "$@" |
         grep -v '"exercise\.h"\|"collide\.h"\|"force\.h"\|"toolbox/random\.h"' >"$out/includes"; then
         echo "not ok exercises: $what includes no physics -" \

@@ -111,7 +111,7 @@ echo 'marks, private' >"$kit/tests/exercises/note-to-self.txt"
 # below another.
 mkdir "$kit/tests/exercises/02z" "$kit/tests/exercises/01b/suite.c.d"
 for folder in 01a 02z 01b/suite.c.d; do
-    for name in hidden.c remote.c right-x.c wrong-x.c notes.txt; do
+    for name in hidden.c remote.c right-x.c wrong-x.c wrong.diff plain.c notes.txt; do
         echo "/* planted: $name */" >>"$kit/tests/exercises/$folder/$name"
     done
 done
@@ -137,7 +137,7 @@ equal 'of what was planted in their folders nothing goes out' '' \
     "$(cd "$work/all/$course" && grep -rl 'planted: ' . )"
 equal 'nor a file of such a name' '' "$(cd "$work/all/$course/tests" &&
     find . -name 'hidden*' -o -name 'remote*' -o -name 'right*' -o \
-        -name 'wrong*' -o -name 'notes*')"
+        -name 'wrong*' -o -name 'plain*' -o -name 'notes*')"
 equal 'a note stays at home' '' \
     "$(find "$work/all" -name 'note-to*' -o -name 'handout*')"
 equal 'WITH_CHAPTERS=1 adds chapters/ and nothing else' 'chapters' \
@@ -412,7 +412,7 @@ kinds='function exercise_of(path) {
     }
     function kind_of(path) {
         return path ~ /\/stub\.c/ ? "stub" : path ~ /\/suite\.c/ ? "suite" : \
-            path ~ /\/hidden/ ? "hidden" : path ~ /\/right-/ ? "right" : \
+            path ~ /\/hidden/ ? "hidden" : path ~ /\/(right-|plain)/ ? "right" : \
             path ~ /\/wrong-/ ? "wrong" : "solution"
     }'
 
@@ -435,8 +435,10 @@ without() {
 # hidden tests.
 learn() {
     hidden="$(ls tests/exercises/*/hidden.c) $1"
-    answers="$(ls solutions/*.c tests/exercises/*/right-*.c \
-        tests/exercises/*/wrong-*.c) $hidden"
+    for ex in $folders; do
+        tests/exercises/answers "$ex" "$work/tests/exercises/$ex" || not_ok answers "$ex"
+    done
+    answers="$(ls solutions/*.c "$work"/tests/exercises/*/*.c) $hidden"
     # shellcheck disable=SC2086
     "$tokens" $answers >"$work/bodies"
     # shellcheck disable=SC2086
@@ -570,8 +572,8 @@ equal 'every exercise yields a solution, right and wrong ones, hidden tests' \
     '' "$(without $small)"
 equal 'and every project a solution and right ones' '' \
     "$(without P1 P2 P3 P4 | grep -v 'wrong$\|hidden$')"
-grep -v -e '^tests/exercises/05b/right-' -e '^solutions/07a' \
-    -e '^tests/exercises/08c/wrong-' -e '^tests/exercises/12c/hidden' \
+grep -v -e '/exercises/05b/right-' -e '/exercises/05b/plain' -e '^solutions/07a' \
+    -e '/exercises/08c/wrong-' -e '^tests/exercises/12c/hidden' \
     "$work/bodies" >"$work/fewer" && mv "$work/fewer" "$work/bodies"
 equal 'where one yields none it is named' "$(printf '%s\n' '05b right' \
     '07a solution' '08c wrong' '12c hidden' '13a solution' '13a right' \
@@ -632,9 +634,9 @@ found 'the name of a hidden test, in a comment on two lines' \
 found 'what a hidden test does, among the hints' \
     'tests/exercises/02a/hints.txt:[0-9]*: the body of .*planted_run'
 found 'a wrong answer, in the comments of a figure' \
-    'plots/01-forms.gp:[0-9]*: the body of tests/exercises/01b/wrong-always.c'
+    'plots/01-forms.gp:[0-9]*: the body of .*/exercises/01b/wrong-always.c'
 found 'a right answer, in a string' \
-    'src/line/statistics.c:[0-9]*: the body of tests/exercises/01c/right-pairs.c'
+    'src/line/statistics.c:[0-9]*: the body of .*/exercises/01c/right-pairs.c'
 found 'a line of a solution, in its suite' \
     'tests/exercises/01a/suite.c:[0-9]*: a key line of solutions/01a'
 found 'a line of a solution, in a script' \

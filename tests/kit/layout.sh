@@ -141,7 +141,7 @@ read -r checks _ <build/check/flags
 known() { "$1" -dM -E -x c /dev/null 2>&1; }
 if [ "$(known "$checks")" = "$(known gcc)" ]; then
     twice=$(ls solutions/[0-9]*.c tests/exercises/[0-9]*/right-*.c \
-        tests/exercises/[0-9]*/stub.c)
+        tests/exercises/[0-9]*/plain.c tests/exercises/[0-9]*/stub.c)
 else
     twice=
 fi

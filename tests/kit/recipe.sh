@@ -61,7 +61,7 @@ for file in exercises/01f-stake.c tests/exercises/01f/suite.c \
         "$work/list"
 done
 holds 'the archive has no solution' \
-    sh -c "! grep -E 'solutions/|tests/.*/(right|wrong|remote|hidden)' \
+    sh -c "! grep -E 'solutions/|tests/.*/(right|wrong|plain|remote|hidden)' \
         '$work/list'"
 holds 'Ada has all ten points' \
     grep -q '^"ada",10,10,10' build/grade/results/grades.csv

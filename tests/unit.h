@@ -77,7 +77,7 @@ static inline void unit_near(const char *file, unsigned line,
                             line, text, file, "", CU_FALSE);
 }
 
-/* Runs these tests under CUnit, one line each; returns what main returns. */
+/* Runs these tests under CUnit, a line each; returns what main returns. */
 static inline int unit_run_these(const char *suite_name,
                                  struct unit_test tests[])
 {

@@ -1,5 +1,3 @@
-/* From chapters/works/03-equilibrium.nw: edit there, then run make tangle. */
-/* checksum 50353422 of the lines below */
 /* Normal, Beta and Maxwell laws from the special functions of GSL. */
 #include "line/laws.h"
 
@@ -13,6 +11,8 @@
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_randist.h>
 
+/* The words in which an error says what each law expects, and how many
+   numbers at least and at most. */
 static const struct {
     const char *name, *form;
     size_t fewest, most;
@@ -23,6 +23,7 @@ static const struct {
     {"beta", "beta:k,n or beta:k,n,low,high with k from 1 to n", 2, 4},
     {"maxwell", "maxwell:kT, maxwell:kT,m or maxwell:kT,m,d", 1, 3}};
 
+/* Returns whether x is a whole number from low to high. */
 static bool whole(double x, double low, double high)
 {
     return x >= low && x <= high && x == floor(x);
@@ -46,6 +47,10 @@ static bool makes_sense(const struct law *law)
     return false;
 }
 
+/* Reads a colon, and numbers separated by commas. What may be missing must
+   be missing as a whole: a low end without a high end is a mistake.
+   Maxwell's numbers, each of which makes sense without the next, are the
+   exception. */
 static bool read_numbers(const char *text, struct law *law)
 {
     for (law->given = 0; *text; ++law->given) {
@@ -80,6 +85,7 @@ size_t laws_complete(struct law *law, double mean, double sd)
 {
     const size_t given = law->given;
     double *p = law->parameter;
+    /* A row for each law, in the order of enum law_kind. */
     const double usual[][LAW_PARAMETERS] = {
         {mean, sd},
         {0, p[0] * sd * sd / 2, 1}, /* <v^2> = 2E/nm */
@@ -98,7 +104,9 @@ struct stretched {
     double a, b, low, high;
 };
 
-static struct stretched stretched(const struct law *law)
+/* Both laws of the box are Beta laws, that of velocities with two equal
+   parameters (3.5, eq:velocity-cdf). */
+static struct stretched beta_of(const struct law *law)
 {
     const double *p = law->parameter;
     if (law->kind == LAW_BETA)
@@ -109,26 +117,28 @@ static struct stretched stretched(const struct law *law)
 
 static double stretched_density(struct stretched s, double x)
 {
-    const double share = (x - s.low) / (s.high - s.low);
+    const double place = (x - s.low) / (s.high - s.low);
     /* GSL knows that nothing lies outside of [0,1]. */
-    return gsl_ran_beta_pdf(share, s.a, s.b) / (s.high - s.low);
+    return gsl_ran_beta_pdf(place, s.a, s.b) / (s.high - s.low);
 }
 
 static double stretched_below(struct stretched s, double x)
 {
-    const double share = (x - s.low) / (s.high - s.low);
-    return share <= 0   ? 0
-           : share >= 1 ? 1
-                        : gsl_cdf_beta_P(share, s.a, s.b);
+    const double place = (x - s.low) / (s.high - s.low);
+    return place <= 0   ? 0
+           : place >= 1 ? 1
+                        : gsl_cdf_beta_P(place, s.a, s.b);
 }
 
+/* Maxwell's law for a speed is that of a component times the surface of a
+   sphere in velocity space, x^(d-1). */
 double laws_density(const struct law *law, double x)
 {
     const double *p = law->parameter;
     const bool speed = law->kind == LAW_MAXWELL && p[2] > 0;
     assert(law->given == kinds[law->kind].most);
     if (law->kind == LAW_MICROCANONICAL || law->kind == LAW_BETA)
-        return stretched_density(stretched(law), x);
+        return stretched_density(beta_of(law), x);
     if (law->kind == LAW_NORMAL)
         return gsl_ran_gaussian_pdf(x - p[0], p[1]);
     if (!speed)
@@ -145,7 +155,7 @@ double laws_below(const struct law *law, double x)
     const bool speed = law->kind == LAW_MAXWELL && p[2] > 0;
     assert(law->given == kinds[law->kind].most);
     if (law->kind == LAW_MICROCANONICAL || law->kind == LAW_BETA)
-        return stretched_below(stretched(law), x);
+        return stretched_below(beta_of(law), x);
     if (law->kind == LAW_NORMAL)
         return gsl_cdf_gaussian_P(x - p[0], p[1]);
     if (!speed)
@@ -191,6 +201,8 @@ double laws_chi2(double chi2, double degrees)
     return gsl_cdf_chisq_Q(chi2, degrees);
 }
 
+/* At lambda = 1, the worst place for both forms, the first term that is
+   left out is below 1e-40. */
 double laws_kolmogorov(double lambda)
 {
     const double pi = acos(-1);
@@ -213,8 +225,8 @@ static int by_size(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Of the steps (i + 1)/n from the law at the sorted samples, at the foot
-   and at the top of each step. */
+/* Returns the largest distance of the staircase of the samples, in order,
+   from the law: at the foot or at the top of a step. */
 static double largest_distance(size_t n, const double below[])
 {
     double distance = 0;
@@ -226,11 +238,15 @@ static double largest_distance(size_t n, const double below[])
     return distance;
 }
 
+/* Under the law its probabilities of less than x are spread evenly from 0
+   to 1, where bins of equal width are equally probable. */
 static size_t bin_of(double below)
 {
     return below < 1 ? (size_t)(below * LAW_CELLS) : LAW_CELLS - 1;
 }
 
+/* Measures what correlations make of chi-square, from the counts of blocks
+   in the same bins. Returns false without memory. */
 static bool find_scatter(size_t n, const double below[], size_t block,
                          struct statistics_scatter *s)
 {
@@ -246,6 +262,8 @@ static bool find_scatter(size_t n, const double below[], size_t block,
     return true;
 }
 
+/* A law that was fitted to the samples lies closer to them than (3.16,
+   eq:kolmogorov) expects; then the distance has no probability to tell. */
 bool laws_test(const struct law *law, size_t n, const double x[], double g,
                size_t block, size_t fitted, struct law_test *t)
 {

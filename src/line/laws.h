@@ -1,5 +1,3 @@
-/* From chapters/works/03-equilibrium.nw: edit there, then run make tangle. */
-/* checksum 3409991544 of the lines below */
 /* The laws of equilibrium: densities, probabilities and tests of them. */
 #ifndef LAWS_H
 #define LAWS_H
@@ -46,14 +44,13 @@ const char *laws_read(const char *text, struct law *law);
    taken from the column. */
 size_t laws_complete(struct law *law, double mean, double sd);
 
-/* The density of a complete law at x, in the inverse of x's unit, and the
-   probability of less than x (3.2, eq:velocity-law), (3.5,
-   eq:velocity-cdf), (3.7, eq:beta).
- */
+/* Return the density of a complete law at x, in the inverse of x's unit,
+   and the probability of less than x (3.2, eq:velocity-law), (3.5,
+   eq:velocity-cdf), (3.7, eq:beta). */
 double laws_density(const struct law *law, double x);
 double laws_below(const struct law *law, double x);
 
-/* The mean and the standard deviation of a complete law. */
+/* Return the mean and the standard deviation of a complete law. */
 double laws_mean(const struct law *law);
 double laws_sd(const struct law *law);
 
@@ -70,12 +67,12 @@ double laws_sd(const struct law *law);
 bool laws_test(const struct law *law, size_t n, const double x[], double g,
                size_t block, size_t fitted, struct law_test *t);
 
-/* The probability that Kolmogorov's distance times the root of the number
-   of samples, many, is more than lambda. */
+/* Returns the probability that Kolmogorov's distance times the root of the
+   number of samples, many, is more than lambda. */
 double laws_kolmogorov(double lambda);
 
-/* The probability that chi-square of so many degrees of freedom is more
-   than chi2. */
+/* Returns the probability that chi-square of so many degrees of freedom is
+   more than chi2. */
 double laws_chi2(double chi2, double degrees);
 
 #endif

@@ -1,5 +1,3 @@
-/* From chapters/03-equilibrium.nw: edit there, then run make tangle. */
-/* checksum 3495826461 of the lines below */
 /* Means, histograms and honest errors of a series of measurements. */
 #ifndef STATISTICS_H
 #define STATISTICS_H
@@ -77,6 +75,7 @@ struct statistics_description {
 struct statistics_scatter {
     double scale, degrees;
 };
+
 /* Whether two series know of each other. */
 struct statistics_dependence {
     double correlation, error; /* the coefficient, and its error */
@@ -105,7 +104,8 @@ bool statistics_blocking(size_t n, const double x[],
 struct statistics_correlation statistics_correlation(size_t n,
                                                      const double x[]);
 
-/* The mean of (x[i] - mean) (x[i + lag] - mean). Requires lag < n. */
+/* Returns the mean of (x[i] - mean) (x[i + lag] - mean). Requires lag < n.
+ */
 double statistics_covariance(size_t n, const double x[], double mean,
                              size_t lag);
 
@@ -118,12 +118,13 @@ struct statistics_histogram *statistics_histogram_create(double low,
 /* Counts x; in the last bin if it is exactly high. */
 void statistics_histogram_add(struct statistics_histogram *h, double x);
 
-/* Where bin i begins; i = bins gives the end of the last one. */
+/* Returns where bin i begins; i = bins gives the end of the last one. */
 double statistics_histogram_edge(const struct statistics_histogram *h,
                                  size_t i);
 
-/* The density of bin i (3.17, eq:density) and its error (3.18, eq:bar) when
-   it takes `inefficiency` samples to make one independent one. */
+/* Return the density of bin i (3.17, eq:density) and its error (3.18,
+   eq:bar) when it takes `inefficiency` samples to make one independent one.
+ */
 double statistics_histogram_density(const struct statistics_histogram *h,
                                     size_t i);
 double statistics_histogram_error(const struct statistics_histogram *h,
@@ -140,7 +141,8 @@ size_t statistics_bins(size_t n, double low, double high, double sd);
 bool statistics_fit_gaussian(const struct statistics_histogram *h, double g,
                              struct statistics_gaussian *fit);
 
-/* The probability that a Gaussian gives to the interval from a to b. */
+/* Returns the probability that a Gaussian gives to the interval from a to
+ * b. */
 double statistics_gaussian_between(double mean, double sd, double a,
                                    double b);
 
@@ -157,6 +159,7 @@ bool statistics_describe(size_t n, const double x[], bool serial,
 struct statistics_scatter statistics_scatter(size_t blocks, size_t cells,
                                              const double count[],
                                              double expected);
+
 /* Compares x with y, measured at the same times: their correlation, with
    an error from blocking if serial, and chi-square of a table of
    cells x cells that are equally full if they are independent, not yet

@@ -1,5 +1,5 @@
 /* From chapters/04-piston.nw: edit there, then run make tangle. */
-/* checksum 195397051 of the lines below */
+/* checksum 1029038699 of the lines below */
 /* The piston in steps; its period by quadrature and by standing waves. */
 #include "line/piston.h"
 
@@ -72,7 +72,7 @@ bool piston_step_rk4(const struct piston *p, struct piston_state *s,
     return true;
 }
 
-/* The constant K l^2 of a gas (J m^2). */
+/* Returns the constant K l^2 of a gas (J m^2). */
 static double invariant(const struct piston_gas *gas)
 {
     return piston_gas_energy(gas, 1);
@@ -109,7 +109,7 @@ double piston_period(const struct piston *p, double energy, size_t points)
     return sqrt(2 * piston_inertia(p) / energy) * pi * sum / (double)points;
 }
 
-/* The length of the near gas at which the piston turns back. */
+/* Returns the length of the near gas at which the piston turns back. */
 static double turning_length(const struct piston_gas *near,
                              const struct piston_gas *far, double box,
                              double energy)
@@ -135,8 +135,7 @@ bool piston_turning_points(const struct piston *p, double energy,
     return true;
 }
 
-/* The force of a standing wave for a velocity amplitude of one, and the
-   frequency at which it is lost in the wave's first pole. */
+/* Returns the force of a standing wave for a velocity amplitude of one. */
 static double wave_force(const struct piston_gas *gas, double length,
                          double frequency)
 {
@@ -147,6 +146,7 @@ static double wave_force(const struct piston_gas *gas, double length,
     return gas->mass / length * c / tan(frequency * length / c);
 }
 
+/* Returns the frequency of the first pole of wave_force. */
 static double wave_pole(const struct piston_gas *gas, double length)
 {
     const double K = piston_gas_energy(gas, length);

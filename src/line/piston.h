@@ -1,5 +1,3 @@
-/* From chapters/04-piston.nw: edit there, then run make tangle. */
-/* checksum 2305747370 of the lines below */
 /* A piston between two gases that act as springs. */
 #ifndef PISTON_H
 #define PISTON_H

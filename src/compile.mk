@@ -53,7 +53,7 @@ gsl_users := $(shell grep -l '^.include "forces/reference.h"' $(gsl_sources) \
 without = $(if $(gsl),,$(gsl_files))
 roofs := $(filter-out $(without),$(wildcard src/programs/*.c src/studies/*.c))
 programs := $(notdir $(roofs:.c=))
-rooms = toolbox line box scenes forces enough
+rooms = toolbox line box scenes forces choosing
 library := $(filter-out $(without),$(wildcard $(rooms:%=src/%/*.c)))
 # $(call gsl_libs,src/FILE.c): what to link it with.
 gsl_libs = $(if $(gsl),$(if $(filter $(1),$(gsl_files) $(gsl_users)),\

@@ -1,6 +1,6 @@
 /* Runs a scene with the cheapest model that meets a tolerance. */
-#include "enough/averages.h"
-#include "enough/choose.h"
+#include "choosing/averages.h"
+#include "choosing/choose.h"
 #include "scenes/scene.h"
 #include "toolbox/options.h"
 #include "toolbox/progress.h"

@@ -1,6 +1,6 @@
 /* Compares means over a time with the errors predicted for them. */
-#include "enough/averages.h"
-#include "enough/models.h"
+#include "choosing/averages.h"
+#include "choosing/models.h"
 #include "scenes/gallery.h"
 #include "toolbox/study.h"
 

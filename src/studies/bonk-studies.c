@@ -1,7 +1,7 @@
 /* Maps cost against true error for all scenes; measures unit prices. */
-#include "enough/choose.h"
+#include "choosing/choose.h"
 #include "scenes/gallery.h"
-#include "enough/models.h"
+#include "choosing/models.h"
 #include "toolbox/bench.h"
 #include "toolbox/quad.h"
 #include "toolbox/study.h"

@@ -69,7 +69,7 @@ equal 'no file of another kind' '' "$strangers"
 # $folders: those of the exercises, which are in no other place.
 folders=$(cd tests/exercises && ls -d [0-9][0-9][a-z] P[0-9])
 equal 'no folder of another kind' "$({ printf '%s\n' .ci chapters \
-    chapters/press exercises plots plots/data src src/box src/enough \
+    chapters/press exercises plots plots/data src src/box src/choosing \
     src/examiner src/forces src/line src/page src/programs src/scenes src/studies \
     src/toolbox tests tests/exercises site site/figures site/live
     printf 'tests/exercises/%s\n' $folders; } | sort)" \

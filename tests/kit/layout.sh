@@ -50,7 +50,7 @@ done
 # runs in a browser; the examiner has a house of its own and takes nothing but
 # tools. And no literate module includes a literate one of a later chapter: the book
 # is read in the order of its chapters.
-rooms='toolbox line box scenes forces enough programs studies'
+rooms='toolbox line box scenes forces choosing programs studies'
 # misplaced FILE INCLUDED: why a file of this room may not include that one.
 misplaced() {
     own=${1%/*} its=${2%/*}

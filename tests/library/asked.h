@@ -4,7 +4,7 @@
 
 #include "unit.h"
 
-#include "enough/averages.h"
+#include "choosing/averages.h"
 #include "line/start.h"
 
 #include <stdlib.h>

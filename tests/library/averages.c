@@ -2,7 +2,7 @@
    the stop at the tolerance, and refusals. */
 #include "unit.h"
 
-#include "enough/models.h"
+#include "choosing/models.h"
 #include "library/asked.h"
 #include "scenes/gallery.h"
 #include "toolbox/random.h"

@@ -3,7 +3,7 @@
    how much longer it has to go on, and what is said if that is too long. */
 #include "unit.h"
 
-#include <enough/averages.c> /* of src: most of its parts are private */
+#include <choosing/averages.c> /* of src: most of its parts are private */
 
 #include "library/heap.h"
 #include "toolbox/random.h"

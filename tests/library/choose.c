@@ -1,7 +1,7 @@
 /* What the chooser takes is right within the tolerance, hardly more
    expensive than the cheapest that is, and the same in any units; and what
    it refuses it refuses for the reason that it says. */
-#include "enough/choose.h"
+#include "choosing/choose.h"
 #include "library/plans.h"
 #include "scenes/gallery.h"
 #include "unit.h"

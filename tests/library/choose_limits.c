@@ -1,7 +1,7 @@
 /* Where the chooser draws its lines: overlaps at the start, pairs that the
    tolerance does not see because of one body far away, bodies that come to
    rest, and tolerances near the floor of rounding. */
-#include "enough/choose.h"
+#include "choosing/choose.h"
 #include "scenes/gallery.h"
 #include "unit.h"
 

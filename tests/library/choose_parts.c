@@ -3,7 +3,7 @@
    is said. */
 #include "unit.h"
 
-#include "enough/record.h"
+#include "choosing/record.h"
 
 /* Runs are played from a script. */
 #define record_run played_run
@@ -15,12 +15,12 @@ static void played_both(struct record *a, struct record *b,
                         const struct record_order *oa,
                         const struct record_order *ob, double apart);
 /* All of src that is private to the chooser. */
-#include <enough/task.c>
-#include <enough/rung.c>
-#include <enough/twins.c>
-#include <enough/reference.c>
-#include <enough/climb.c>
-#include <enough/choose.c>
+#include <choosing/task.c>
+#include <choosing/rung.c>
+#include <choosing/twins.c>
+#include <choosing/reference.c>
+#include <choosing/climb.c>
+#include <choosing/choose.c>
 
 #include "library/plans.h"
 

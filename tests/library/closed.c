@@ -4,7 +4,7 @@
 #include "unit.h"
 
 #include "line/bonkers.h"
-#include "enough/closed.h"
+#include "choosing/closed.h"
 #include "library/oscillator.h"
 #include "toolbox/random.h"
 

@@ -5,7 +5,7 @@
 
 #include "scenes/gallery.h"
 #include "library/plans.h"
-#include "enough/models.h"
+#include "choosing/models.h"
 #include "forces/motion.h"
 #include "toolbox/random.h"
 

@@ -4,12 +4,12 @@
 #include "unit.h"
 
 /* All of src that is private to models. */
-#include <enough/models.c>
-#include <enough/models_acts.c>
-#include <enough/models_closed.c>
-#include <enough/models_line.c>
-#include <enough/models_disks.c>
-#include <enough/models_steps.c>
+#include <choosing/models.c>
+#include <choosing/models_acts.c>
+#include <choosing/models_closed.c>
+#include <choosing/models_line.c>
+#include <choosing/models_disks.c>
+#include <choosing/models_steps.c>
 
 #include "library/plans.h"
 

@@ -3,7 +3,7 @@
 #ifndef PLANS_H
 #define PLANS_H
 
-#include "enough/models.h"
+#include "choosing/models.h"
 #include "unit.h"
 
 static inline struct models_plan plan(const char *text)

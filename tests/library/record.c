@@ -1,8 +1,8 @@
 /* Two bodies that pass; the rows of a run; and the same from elsewhere: in
    other units, with other last bits, seen from the other side. */
 #include "library/plans.h"
-#include "enough/pair.h"
-#include "enough/record.h"
+#include "choosing/pair.h"
+#include "choosing/record.h"
 #include "unit.h"
 
 #include <stdlib.h>

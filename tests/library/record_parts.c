@@ -3,7 +3,7 @@
    far rows are apart. */
 #include "unit.h"
 
-#include <enough/record.c> /* of src: most of its parts are private */
+#include <choosing/record.c> /* of src: most of its parts are private */
 
 static bool is_power_of_two(double x)
 {

@@ -3,7 +3,7 @@
    two and the way back, and steps that are too long. */
 #include "unit.h"
 
-#include "enough/models.h"
+#include "choosing/models.h"
 #include "forces/rods.h"
 
 #include <stdlib.h>

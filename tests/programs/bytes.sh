@@ -6,7 +6,7 @@
 # More threads than idle cores: one that waits leaves its core to the others.
 OMP_WAIT_POLICY=passive
 export OMP_WAIT_POLICY
-rooms=$(echo src/toolbox src/line src/box src/scenes src/forces src/enough)
+rooms=$(echo src/toolbox src/line src/box src/scenes src/forces src/choosing)
 all="$(for room in $rooms; do
     grep -LE '^.include ("line/laws.h"|<gsl/)' "$room"/*.c
 done) src/forces/reference.c"

@@ -2,8 +2,8 @@
 #ifndef CHOOSE_H
 #define CHOOSE_H
 
-#include "enough/models.h"
-#include "enough/record.h"
+#include "choosing/models.h"
+#include "choosing/record.h"
 #include "forces/observables.h"
 
 enum { CHOOSE_TEXT = 160, CHOOSE_REFUSAL = 500, CHOOSE_SENTENCE = 600 };

@@ -2,7 +2,7 @@
 #ifndef RECORD_H
 #define RECORD_H
 
-#include "enough/models.h"
+#include "choosing/models.h"
 #include "forces/observables.h"
 
 /* The columns of the rows that are kept, and what errors in each are

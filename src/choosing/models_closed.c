@@ -1,8 +1,8 @@
 /* Closed forms carry a scene: free flight, ellipses, vibrations. */
-#include "enough/models_parts.h"
+#include "choosing/models_parts.h"
 
-#include "enough/closed.h"
-#include "enough/light.h"
+#include "choosing/closed.h"
+#include "choosing/light.h"
 #include "forces/kepler.h"
 #include "forces/largest.h"
 #include "forces/modes.h"

@@ -1,5 +1,5 @@
 /* Closed forms: an exponential, flight, an oscillator, points in order. */
-#include "enough/closed.h"
+#include "choosing/closed.h"
 
 #include "forces/kepler.h"
 

@@ -2,9 +2,9 @@
 #ifndef TASK_H
 #define TASK_H
 
-#include "enough/choose.h"
-#include "enough/models.h"
-#include "enough/record.h"
+#include "choosing/choose.h"
+#include "choosing/models.h"
+#include "choosing/record.h"
 
 /* A question, what its runs are judged by, and the answer so far. */
 struct task {

@@ -1,5 +1,5 @@
 /* Runs models row by row, in the units of a twin, and compares rows. */
-#include "enough/record.h"
+#include "choosing/record.h"
 
 #include "toolbox/bench.h"
 

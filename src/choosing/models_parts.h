@@ -2,8 +2,8 @@
 #ifndef MODELS_PARTS_H
 #define MODELS_PARTS_H
 
-#include "enough/models.h"
-#include "enough/pair.h"
+#include "choosing/models.h"
+#include "choosing/pair.h"
 
 /* Coordinates lie axis by axis: all x, then all y, then all z. A set of
    axes is a number of three bits. */

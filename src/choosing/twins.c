@@ -1,7 +1,7 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 3753026233 of the lines below */
+/* checksum 2366351089 of the lines below */
 /* What rounding does to a run: twins of it, in other units. */
-#include "enough/task.h"
+#include "choosing/task.h"
 
 #include <math.h>
 

@@ -1,5 +1,5 @@
 /* The chooser's bill, its list of candidates, and how each run is made. */
-#include "enough/task.h"
+#include "choosing/task.h"
 
 #include <math.h>
 #include <stdio.h>

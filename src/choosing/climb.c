@@ -1,7 +1,7 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 387356131 of the lines below */
+/* checksum 1291736903 of the lines below */
 /* Finer and finer steps of one method, as long as they may pay. */
-#include "enough/task.h"
+#include "choosing/task.h"
 
 #include <math.h>
 

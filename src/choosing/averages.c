@@ -1,8 +1,8 @@
 /* Means over a time, by a law where one is exact, else by events. */
-#include "enough/averages.h"
+#include "choosing/averages.h"
 
 #include "box/blocks.h"
-#include "enough/models.h"
+#include "choosing/models.h"
 #include "line/statistics.h"
 
 #include <float.h>

@@ -1,5 +1,5 @@
 /* Light bodies from the inside out, and their Jacobi coordinates. */
-#include "enough/light.h"
+#include "choosing/light.h"
 
 #include <stdlib.h>
 

@@ -1,5 +1,5 @@
 /* Rungs: how fine steps may be, and a run of one, compared. */
-#include "enough/task.h"
+#include "choosing/task.h"
 
 #include <math.h>
 #include <stdint.h>

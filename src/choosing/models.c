@@ -1,5 +1,5 @@
 /* The models by name, plans as text, and a run of one from row to row. */
-#include "enough/models_parts.h"
+#include "choosing/models_parts.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,8 +1,8 @@
 /* Bodies on a line: collisions one by one, or equal bodies in order. */
-#include "enough/models_parts.h"
+#include "choosing/models_parts.h"
 
-#include "enough/closed.h"
-#include "enough/light.h"
+#include "choosing/closed.h"
+#include "choosing/light.h"
 #include "line/bonkers.h"
 
 #include <math.h>

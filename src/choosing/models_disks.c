@@ -1,5 +1,5 @@
 /* Disks and spheres in a box: collisions one by one. */
-#include "enough/models_parts.h"
+#include "choosing/models_parts.h"
 
 #include "box/cells.h"
 #include "box/disks.h"

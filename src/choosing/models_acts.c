@@ -1,7 +1,7 @@
 /* What acts in a scene, how fast, and what may be left out of it. */
-#include "enough/models_parts.h"
+#include "choosing/models_parts.h"
 
-#include "enough/light.h"
+#include "choosing/light.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* Steps carry a scene, by any of the methods of chapter 8. */
-#include "enough/models_parts.h"
+#include "choosing/models_parts.h"
 
-#include "enough/light.h"
+#include "choosing/light.h"
 #include "forces/adaptive.h"
 #include "forces/jacobi.h"
 #include "forces/motion.h"

@@ -1,7 +1,7 @@
 /* Exact ways, then a reference, and all that is compared with it. */
-#include "enough/choose.h"
+#include "choosing/choose.h"
 
-#include "enough/task.h"
+#include "choosing/task.h"
 
 #include <math.h>
 #include <stdio.h>

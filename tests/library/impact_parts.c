@@ -126,22 +126,22 @@ TEST(test_roots, "the first root of a curve")
     double q[4];
     for (double a = 0.01; a < 0.9; a += 0.07) {
         cubic(a, a + 0.1, 3, 1, q);
-        UNIT_NEAR(first_root(q, 3, 0, HALVINGS), a, 0x1p-24);
+        UNIT_NEAR(root_first(q, 3, 0, ROOT_HALVINGS), a, 0x1p-24);
     }
     cubic(0.4, 0.4, 3, 1, q); /* it touches */
-    UNIT_TRUE(first_root(q, 3, 1e-12, HALVINGS) > 1);
+    UNIT_TRUE(root_first(q, 3, 1e-12, ROOT_HALVINGS) > 1);
     cubic(0.4, 0.5, 3, 1, q); /* as low as some -.0064 */
-    UNIT_TRUE(first_root(q, 3, 7e-3, HALVINGS) > 1);
-    UNIT_TRUE(first_root(q, 3, 5e-3, HALVINGS) < 1);
+    UNIT_TRUE(root_first(q, 3, 7e-3, ROOT_HALVINGS) > 1);
+    UNIT_TRUE(root_first(q, 3, 5e-3, ROOT_HALVINGS) < 1);
     cubic(-1, 1.1, 1.2, -1, q);
-    UNIT_TRUE(first_root(q, 3, 0, HALVINGS) > 1);
+    UNIT_TRUE(root_first(q, 3, 0, ROOT_HALVINGS) > 1);
     /* Closed at the start, and open up to 0.3; but for rounding. */
     cubic(0, 0.3, 2, -1, q);
-    UNIT_NEAR(next_root(q, 3, 0.6, 0), 0.3, 0x1p-24);
+    UNIT_NEAR(root_next(q, 3, 0.6, 0), 0.3, 0x1p-24);
     cubic(0, 0.3, 2, -1, q);
     for (int j = 0; j < 4; ++j)
         q[j] += 1e-9;
-    UNIT_NEAR(next_root(q, 3, 0.6, 0), 0.3, 0x1p-24);
+    UNIT_NEAR(root_next(q, 3, 0.6, 0), 0.3, 0x1p-24);
 }
 
 /* The control points of a pair's distance squared, by what they are for two

@@ -1,0 +1,419 @@
+/* Finds the pairs of spheres that overlap: among all, or along an axis. */
+#include "forces/pairs.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { FEW = 16 }; /* bodies up to which all pairs are looked at */
+
+/* Finds the widest radius and, for find_passed, the least sum of two radii
+   that is not 0. */
+static void measure_radii(struct spheres *p)
+{
+    const struct scene *s = p->scene;
+    double least = INFINITY; /* of the radii so far, but for points */
+    bool point = false;
+    p->narrow = INFINITY;
+    for (size_t i = 0; i < s->bodies; ++i) {
+        p->widest = fmax(p->widest, s->radius[i]);
+        p->narrow = fmin(p->narrow, s->radius[i] + least);
+        if (s->radius[i] > 0)
+            least = fmin(least, s->radius[i]);
+        else
+            point = true;
+    }
+    if (point)
+        p->narrow = least;
+}
+
+bool pairs_begin(struct spheres *p)
+{
+    const size_t n = p->scene->bodies;
+    p->edge = malloc(n * sizeof *p->edge + 1);
+    for (size_t i = 0; p->edge && i < n; ++i) {
+        p->edge[i].body = (uint32_t)i;
+        p->edge[i].radius = p->scene->radius[i];
+    }
+    measure_radii(p);
+    return p->edge != NULL;
+}
+
+void pairs_end(struct spheres *p)
+{
+    free(p->edge);
+    free(p->pair);
+}
+
+/* Makes room for one more pair, or returns false. The list stays short, as
+   few pairs collide in a step. */
+static bool make_room(struct spheres *p)
+{
+    if (p->pairs < p->room)
+        return true;
+    const size_t room = 2 * p->room + 16;
+    void *pair = realloc(p->pair, room * sizeof *p->pair);
+    if (!pair)
+        return false;
+    p->pair = pair;
+    p->room = room;
+    return true;
+}
+
+/* Adds a pair if it may overlap when its turn comes. Places are folded into
+   the box, so that no distance is longer than it, and one of more than half
+   of it is shorter the other way round: the nearest image without rounding
+   to a whole number of boxes. Where nothing is periodic p->half is
+   infinite. */
+static void test(struct spheres *p, const struct spheres_edge *a,
+                 const struct spheres_edge *b)
+{
+    const double touching = a->radius + b->radius;
+    const double near = touching + p->margin;
+    double square = 0;
+    ++p->tested;
+    for (size_t k = 0; k < SPHERES_AXES; ++k) {
+        double d = fabs(b->place[k] - a->place[k]);
+        if (d > p->half[k])
+            d = 2 * p->half[k] - d;
+        if (!(d < near))
+            return;
+        square += d * d;
+    }
+    if (square >= near * near || !make_room(p))
+        return;
+    struct spheres_pair *pair = &p->pair[p->pairs++];
+    pair->a = a->body < b->body ? a->body : b->body;
+    pair->b = a->body < b->body ? b->body : a->body;
+    pair->depth = touching - sqrt(square);
+}
+
+static void find_in_all(struct spheres *p)
+{
+    for (size_t i = 0; i < p->scene->bodies; ++i)
+        for (size_t j = i + 1; j < p->scene->bodies; ++j)
+            test(p, &p->edge[i], &p->edge[j]);
+}
+
+/* Fills in the places of all edges, folded into the box where it is
+   periodic. */
+static void read_places(struct spheres *p, const double x[])
+{
+    const struct scene *s = p->scene;
+    const size_t n = s->bodies;
+    for (size_t k = 0; k < SPHERES_AXES; ++k) {
+        const double side = s->high[k] - s->low[k];
+        const bool periodic = s->wall[k] == SCENE_PERIODIC;
+        p->half[k] = periodic ? side / 2 : INFINITY;
+        for (size_t i = 0; i < n; ++i) {
+            double *place = &p->edge[i].place[k];
+            *place = x[k * n + p->edge[i].body];
+            if (periodic)
+                *place -= side * floor((*place - s->low[k]) / side);
+        }
+    }
+}
+
+/* Finds how far two bodies can come nearer to each other in a step. */
+static void set_furthest(struct spheres *p, const double v[])
+{
+    const size_t n = p->scene->bodies;
+    double most = 0;
+    for (size_t i = 0; i < n; ++i)
+        most = fmax(most, v[i] * v[i] + v[n + i] * v[n + i] +
+                              v[2 * n + i] * v[2 * n + i]);
+    p->furthest = 2 * sqrt(most) * p->dt;
+}
+
+/* Puts the bodies in order along an axis by insertion: from step to step
+   the order hardly changes, and that takes hardly more than one look at
+   each body. */
+static void mend_order(struct spheres_edge edge[], size_t n, size_t axis)
+{
+    for (size_t i = 1; i < n; ++i) {
+        const struct spheres_edge e = edge[i];
+        size_t j = i;
+        for (; j > 0 && edge[j - 1].place[axis] > e.place[axis]; --j)
+            edge[j] = edge[j - 1];
+        edge[j] = e;
+    }
+}
+
+static int along_axis(const void *a, const void *b, size_t k)
+{
+    const struct spheres_edge *p = a, *q = b;
+    if (p->place[k] != q->place[k])
+        return p->place[k] < q->place[k] ? -1 : 1;
+    return p->body < q->body ? -1 : p->body > q->body;
+}
+
+/* qsort can only be told the axis by giving it another function. */
+static int along_x(const void *a, const void *b)
+{
+    return along_axis(a, b, 0);
+}
+
+static int along_y(const void *a, const void *b)
+{
+    return along_axis(a, b, 1);
+}
+
+static int along_z(const void *a, const void *b)
+{
+    return along_axis(a, b, 2);
+}
+
+/* Returns the axis along which the bodies are spread farthest. */
+static size_t longest_axis(const struct spheres *p)
+{
+    size_t longest = 0;
+    double most = -1;
+    for (size_t k = 0; k < SPHERES_AXES; ++k) {
+        double low = INFINITY, high = -INFINITY;
+        for (size_t i = 0; i < p->scene->bodies; ++i) {
+            low = fmin(low, p->edge[i].place[k]);
+            high = fmax(high, p->edge[i].place[k]);
+        }
+        if (high - low > most) {
+            most = high - low;
+            longest = k;
+        }
+    }
+    return longest;
+}
+
+/* The first time nothing is in order, and insertion would take a time that
+   grows with the square of the bodies. */
+static void sort_edges(struct spheres *p)
+{
+    static int (*const along[SPHERES_AXES])(const void *, const void *) = {
+        along_x, along_y, along_z};
+    const size_t n = p->scene->bodies;
+    if (p->sorted) {
+        mend_order(p->edge, n, p->axis);
+        return;
+    }
+    p->axis = longest_axis(p);
+    qsort(p->edge, n, sizeof *p->edge, along[p->axis]);
+    p->sorted = true;
+}
+
+/* Compares each body with those that follow it along the axis at no more
+   than its own radius and the widest. Along a periodic axis the last body
+   is followed by the first, one box farther on; in a box of only a few
+   diameters a pair may be met on both ways. */
+static void sweep(struct spheres *p)
+{
+    const size_t n = p->scene->bodies, k = p->axis;
+    const double side = 2 * p->half[k];
+    for (size_t i = 0; i < n; ++i) {
+        const struct spheres_edge *a = &p->edge[i];
+        const double reach =
+            a->place[k] + a->radius + p->widest + p->margin;
+        for (size_t j = i + 1; j < n && p->edge[j].place[k] < reach; ++j)
+            test(p, a, &p->edge[j]);
+        for (size_t j = 0; j < i && p->edge[j].place[k] + side < reach; ++j)
+            test(p, a, &p->edge[j]);
+    }
+}
+
+static int ascending(const void *a, const void *b)
+{
+    const struct spheres_pair *p = a, *q = b;
+    if (p->a != q->a)
+        return p->a < q->a ? -1 : 1;
+    return p->b < q->b ? -1 : p->b > q->b;
+}
+
+static int descending(const void *a, const void *b)
+{
+    return ascending(b, a);
+}
+
+static int deepest(const void *a, const void *b)
+{
+    const struct spheres_pair *p = a, *q = b;
+    if (p->depth != q->depth)
+        return p->depth > q->depth ? -1 : 1;
+    return ascending(a, b);
+}
+
+/* Returns whether every pair is looked at, and not only those along an
+ * axis.
+ */
+static bool is_every_pair(const struct spheres *p)
+{
+    return p->search == SPHERES_PAIRS ||
+           (p->search == SPHERES_AUTO && p->scene->bodies <= FEW);
+}
+
+/* Returns whether pair i is the one before it once more: sorted, the two
+   stand side by side. */
+static bool is_again(const struct spheres_pair pair[], size_t i)
+{
+    return i > 0 && pair[i].a == pair[i - 1].a &&
+           pair[i].b == pair[i - 1].b;
+}
+
+/* Finds the pairs that are nearer than the margin. The order in which a
+   search finds them means nothing, and they are sorted: so what follows is
+   the same whichever way they were found. */
+static void find_near(struct spheres *p, const double x[])
+{
+    static int (*const orders[SPHERES_ORDERS])(
+        const void *, const void *) = {ascending, descending, deepest};
+    size_t n = 0;
+    p->pairs = 0;
+    read_places(p, x);
+    if (is_every_pair(p))
+        find_in_all(p);
+    else {
+        sort_edges(p);
+        sweep(p);
+    }
+    if (p->pairs > 1)
+        qsort(p->pair, p->pairs, sizeof *p->pair, orders[p->order]);
+    for (size_t i = 0; i < p->pairs; ++i)
+        if (!is_again(p->pair, i))
+            p->pair[n++] = p->pair[i];
+    p->pairs = n;
+}
+
+/* Was body i between the walls a step ago, on a straight line back? */
+static bool was_inside(const struct spheres *p, size_t i, const double x[],
+                       const double v[])
+{
+    const struct scene *s = p->scene;
+    for (size_t k = 0; k < SPHERES_AXES; ++k) {
+        const size_t c = k * s->bodies + i;
+        const double then = x[c] - v[c] * p->dt, r = s->radius[i];
+        const double slack = 1e-9 * (s->high[k] - s->low[k]);
+        if (s->wall[k] == SCENE_HARD &&
+            (then < s->low[k] + r - slack || then > s->high[k] - r + slack))
+            return false;
+    }
+    return true;
+}
+
+/* Returns whether two bodies, which overlap neither now nor a step ago,
+   were in each other in between, and the step took them farther than the
+   sum of their radii: nothing has seen them meet. Their paths are taken as
+   straight lines back in time; a body that has just turned at a wall is not
+   looked at, since its path is two. */
+static bool has_passed(const struct spheres *p, size_t i, size_t j,
+                       const double x[], const double v[])
+{
+    const size_t n = p->scene->bodies;
+    const double sum = p->scene->radius[i] + p->scene->radius[j];
+    const double touching = sum * sum, dt = p->dt;
+    double now = 0, b = 0, u2 = 0; /* d^2, d u and u^2 */
+    for (size_t k = 0; k < SPHERES_AXES; ++k) {
+        const double d = spheres_way(p->scene, x, i, j, k);
+        const double u = v[k * n + j] - v[k * n + i];
+        now += d * d;
+        b += d * u;
+        u2 += u * u;
+    }
+    const double then = now - 2 * b * dt + u2 * dt * dt;
+    return u2 * dt * dt > touching && b > 0 && b < u2 * dt &&
+           now >= touching && then >= touching &&
+           now - b * b / u2 < touching * (1 - 1e-9) &&
+           was_inside(p, i, x, v) && was_inside(p, j, x, v);
+}
+
+/* Counts the pairs that the step took through each other. */
+static void find_passed(struct spheres *p, const double x[],
+                        const double v[])
+{
+    const size_t n = p->scene->bodies, k = p->axis;
+    const double reach = p->furthest + 2 * p->widest;
+    const bool all = is_every_pair(p) || reach >= p->half[k];
+    for (size_t i = 0; i < n; ++i)
+        for (size_t m = 1; m < n && p->passed < SPHERES_PASSED; ++m) {
+            const size_t j = i + m < n ? i + m : i + m - n;
+            const struct spheres_edge *a = &p->edge[i], *b = &p->edge[j];
+            const double turn = j < i ? 2 * p->half[k] : 0;
+            if (all ? j < i : !(b->place[k] + turn - a->place[k] < reach))
+                break;
+            const uint32_t low = a->body < b->body ? a->body : b->body;
+            const uint32_t high = a->body < b->body ? b->body : a->body;
+            if (!has_passed(p, low, high, x, v))
+                continue;
+            if (p->passed == 0) {
+                p->through[0] = low;
+                p->through[1] = high;
+            }
+            ++p->passed;
+        }
+}
+
+/* A pair may overlap only because another one has been pushed apart; in
+   MPPhys's double loop, which tests a pair when it comes to it, such a pair
+   is seen if its turn is still to come. So pairs within a margin are taken,
+   too, and spheres.c looks at them again in their turn. */
+void pairs_find(struct spheres *p, const double x[], const double v[])
+{
+    set_furthest(p, v);
+    p->margin = fmin(p->furthest, p->widest);
+    find_near(p, x);
+    if (p->furthest > p->narrow)
+        find_passed(p, x, v);
+}
+
+void spheres_watch(struct spheres *p, const double x[], const double v[])
+{
+    set_furthest(p, v);
+    if (!(p->furthest > p->narrow))
+        return;
+    find_near(p, x);
+    find_passed(p, x, v);
+}
+
+size_t spheres_overlaps(struct spheres *p, const double x[])
+{
+    p->margin = 0;
+    p->order = SPHERES_ASCENDING;
+    find_near(p, x);
+    return p->pairs;
+}
+
+/* Returns how far bodies reach beyond hard walls that they do not come back
+   from, m. */
+static double beyond_walls(const struct scene *s)
+{
+    double most = 0;
+    for (size_t c = 0; c < SCENE_AXES * s->bodies; ++c) {
+        const size_t i = c % s->bodies, k = c / s->bodies;
+        const double x = s->position[c], r = s->radius[i];
+        if (s->wall[k] != SCENE_HARD || !s->freedom[c])
+            continue;
+        if (s->velocity[c] <= 0)
+            most = fmax(most, s->low[k] + r - x);
+        if (s->velocity[c] >= 0)
+            most = fmax(most, x + r - s->high[k]);
+    }
+    return most;
+}
+
+static bool can_move(const struct scene *s, size_t i)
+{
+    bool can = false;
+    for (size_t k = 0; k < SCENE_AXES; ++k)
+        can = can || s->freedom[k * s->bodies + i] != 0;
+    return can;
+}
+
+double spheres_depth(const struct scene *s)
+{
+    struct spheres p;
+    if (!s->contact)
+        return 0;
+    if (!spheres_create(&p, s, SPHERES_ALL))
+        return INFINITY;
+    double depth = beyond_walls(s);
+    spheres_overlaps(&p, s->position);
+    for (size_t j = 0; j < p.pairs; ++j)
+        if (can_move(s, p.pair[j].a) || can_move(s, p.pair[j].b))
+            depth = fmax(depth, p.pair[j].depth);
+    spheres_free(&p);
+    return depth;
+}

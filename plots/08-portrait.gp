@@ -1,5 +1,5 @@
 # data: build/data/08-portrait.dat
-# command: build/bin/step-studies --study portrait -o build/data/08-portrait.dat
+# command: for m in euler symplectic-euler leapfrog rk4; do t=200; [ $m != euler ] || t=7; for x in 0.6 1.2 1.8 2.4; do build/bin/pendulum0 $m 0.5 $t $x; echo; echo; done; done > build/data/08-portrait.dat
 # alt: Four panels, angular velocity against angle of a pendulum, each with the points of four swings of different size. Euler's points leave their curves outwards at once. Symplectic Euler's lie on closed curves that lean to one side, leapfrog's on closed upright ones, RK4's on spirals that wind inwards a little.
 width = 14
 height = 8.5
@@ -20,6 +20,6 @@ do for [k=0:3] {
   set title part[k+1] offset 0,-0.7
   plot for [j=1:4] sqrt(2*(cos(x) - cos(0.6*j))) ls 9, \
        for [j=1:4] -sqrt(2*(cos(x) - cos(0.6*j))) ls 9, \
-       for [j=0:3] file index 4*k+j using 1:2 with points pt 7 ps 0.25*big lc rgb (j % 2 ? red : blue)
+       for [j=0:3] file index 4*k+j using 2:3 with points pt 7 ps 0.25*big lc rgb (j % 2 ? red : blue)
 }
 unset multiplot

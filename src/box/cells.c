@@ -1,6 +1,7 @@
 /* Event-driven disks with neighbour lists, cells and vector code. */
 #include "box/cells.h"
 
+#include "box/image.h"
 #include "toolbox/vector.h"
 
 #include <math.h>
@@ -11,11 +12,6 @@
 #endif
 
 enum { BATCH = 4 }; /* anchors that are measured together */
-
-static double dot(const double a[], const double b[])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 /* Returns where the x of disk i's anchor stands; y and z stand `room` and
    2 `room` floats behind it, since a cell keeps the x of all its anchors,

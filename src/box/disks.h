@@ -1,6 +1,4 @@
-/* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 2826922578 of the lines below */
-/* Hard disks and spheres in a box: starts, times of contact, collisions. */
+/* Hard disks and spheres in a box: starts, collisions, runs and sums. */
 #ifndef DISKS_H
 #define DISKS_H
 
@@ -11,10 +9,11 @@
 #include <stdint.h>
 
 enum {
-    DISKS_AXES = 3,        /* a disk has as many coordinates; in the plane
-                              the last ones are zero */
+    DISKS_AXES = 3,        /* coordinates of a disk; in the plane the last
+                              ones are zero */
     DISKS_MOST = 10000000, /* disks in a box */
-    DISKS_RANDOM = 20000   /* disks that disks_place_random should place */
+    DISKS_RANDOM = 20000   /* disks that disks_place_random can place in
+                              good time */
 };
 
 /* A disk or a sphere, free since its last collision: at the time t its
@@ -27,7 +26,8 @@ struct disk {
     double radius;               /* m */
 };
 
-/* FLOOR: walls across the second axis only, periodic along the others. */
+/* How a box ends. FLOOR: walls across the second axis only, periodic along
+   the others. */
 enum disks_boundary {
     DISKS_WALLS,
     DISKS_PERIODIC,
@@ -77,34 +77,34 @@ bool disks_create(struct disks *d, size_t dimensions, size_t count);
 /* Frees the disks and makes *d empty. */
 void disks_free(struct disks *d);
 
-/* The time, not before 0, until the centre of a disk at x with velocity v
-   is one radius from the wall it flies to, with walls at 0 and length.
-   INFINITY at rest. Source: (5.1, eq:wall-time). */
+/* Returns how long it takes, 0 at least, until the centre of a disk at x
+   with the velocity v is a radius from the wall that it flies to, of two
+   at 0 and length, s (5.1, eq:wall-time). INFINITY at rest. */
 double disks_wall_time(double x, double v, double radius, double length);
 
-/* The time, not before 0, until two disks are `distance` apart: 0 for two
-   that touch or overlap and approach, INFINITY for two that never meet.
-   Between them: apart (m) with relative velocity closing (m/s), both of
-   DISKS_AXES numbers, the second disk minus the first. Source: (5.3,
-   eq:pair-time). */
-double disks_pair_time(const double apart[], const double closing[],
+/* Returns how long it takes, 0 at least, until the centres of two disks
+   are at this distance, s (5.3, eq:pair-time): 0 for two that touch or
+   overlap and approach, INFINITY for two that never meet. separation (m)
+   and closing (m/s), of DISKS_AXES numbers each, are the place and the
+   velocity of the second disk minus those of the first. */
+double disks_pair_time(const double separation[], const double closing[],
                        double distance);
 
-/* When disks i and j will meet, s: the same bits whenever it is asked
-   between two collisions of theirs. `at` (s), not before their last
-   collisions: of a periodic box the images count that are nearest at that
-   time. Source: (5.10, eq:meeting). */
+/* Returns when disks i and j will meet, s (5.10, eq:meeting): the same bits
+   whenever it is asked between two collisions of theirs. In a periodic box
+   the images count that are nearest at the time `at`, s, not before their
+   last collisions. */
 double disks_meeting(const struct disks *d, size_t i, size_t j, double at);
 
-/* When disk i will meet its next wall, s, and which: *axis. INFINITY with
-   no wall to meet. */
+/* Returns when disk i will meet its next wall, s, which stands across
+ *axis; INFINITY if there is no wall to meet. */
 double disks_wall(const struct disks *d, size_t i, size_t *axis);
 
 /* Says whether a comes before b: by time, and at one time by the smaller
    number of a pair and then by the larger. */
 bool disks_before(struct disks_event a, struct disks_event b);
 
-/* Looks at every wall and every pair for what comes next. */
+/* Returns what comes next, of all walls and all pairs. */
 struct disks_event disks_next(const struct disks *d);
 
 /* Lets the event happen: both disks move to its time and get new
@@ -125,8 +125,8 @@ bool disks_collapsed(const struct disks *d);
    ends as in a collapse; under gravity none is too slow. */
 bool disks_cold(const struct disks *d);
 
-/* Says whether a run ends after a collision of disk i, by one of the two.
- */
+/* Says whether a run ends after a collision of disk i, for one of these two
+   reasons. */
 bool disks_over(const struct disks *d, size_t i);
 
 /* Returns the first disk that lies at rest on the floor under gravity, its
@@ -134,15 +134,15 @@ bool disks_over(const struct disks *d, size_t i);
    as in a collapse. */
 size_t disks_lying(const struct disks *d);
 
-/* How far a disk may fly before it has to look again which images are
-   nearest, m; INFINITY with walls. 0 when the box is too narrow to be
-   periodic: no wider than four of the widest radii, or by a few millionths
-   only. */
-double disks_leash(const struct disks *d);
+/* Returns how far a disk may fly before its plan is made anew, m, as other
+   images may then be the nearest; INFINITY with walls. 0 if the box is too
+   narrow to be periodic: no wider than four of the widest radii, or by a
+   few millionths only. */
+double disks_replan_distance(const struct disks *d);
 
 /* Makes the memory for disks_run, and plans from the present state; to be
    called again after every change of the state from outside. Returns
-   false without memory. Requires disks_leash(d) > 0. */
+   false without memory. Requires disks_replan_distance(d) > 0. */
 bool disks_plan(struct disks *d);
 
 /* Runs until the time `until` (s), or until `collisions` pair collisions
@@ -160,8 +160,8 @@ void disks_position(const struct disks *d, size_t i, double place[]);
 /* The same for its velocity, m/s, which only gravity changes. */
 void disks_velocity(const struct disks *d, size_t i, double velocity[]);
 
-/* The kinetic energy, J; under gravity with that of the heights above the
-   floor. */
+/* Returns the kinetic energy, J; under gravity with that of the heights
+   above the floor. */
 double disks_energy(const struct disks *d);
 
 /* Fills drift[DISKS_AXES] with the velocity of the centre of mass along
@@ -171,16 +171,16 @@ double disks_energy(const struct disks *d);
    leaves of a momentum that was taken out. */
 void disks_drift(const struct disks *d, double drift[]);
 
-/* The energy of the motion relative to the drift, J, which heats the gas
-   (with the heights, under gravity), and kT, J, from it: 2 K / (D N - P),
-   with P the number of periodic axes: along each of them N disks have N - 1
-   velocities relative to the drift. Under gravity kT is that of
+/* Return the energy of the motion relative to the drift, J, which heats the
+   gas (with the heights, under gravity), and kT, J, from it: 2 K / (D N -
+   P), with P the number of periodic axes: along each of them N disks have N
+   - 1 velocities relative to the drift. Under gravity kT is that of
    equilibrium, 2 E / ((D + 2) N - P) (7.13, eq:weight-energy). A single
    disk with no walls has none: 0. */
 double disks_heat(const struct disks *d);
 double disks_temperature(const struct disks *d);
 
-/* The share of the box that the disks fill. */
+/* Returns the packing: the fraction of the box that the disks fill. */
 double disks_packing(const struct disks *d);
 
 /* Says whether the box is periodic along axis k, or has walls across it;
@@ -188,13 +188,14 @@ double disks_packing(const struct disks *d);
 bool disks_wraps(const struct disks *d, size_t k);
 bool disks_walled(const struct disks *d, size_t k);
 
-/* Folds a place back into the box along its periodic axes. */
+/* Folds a place back into the box along its periodic axes, for a table or a
+   picture: in a run places are not folded. */
 void disks_fold(const struct disks *d, double place[]);
 
-/* The way from place a to place b, in a periodic box to its nearest
-   image. Source: (5.11, eq:image). */
-void disks_apart(const struct disks *d, const double a[], const double b[],
-                 double apart[]);
+/* Fills in b - a, m, in a periodic box with the image of place b that is
+   nearest to place a (5.11, eq:image). */
+void disks_separation(const struct disks *d, const double a[],
+                      const double b[], double separation[]);
 
 /* Says whether all disks are in the box and none overlaps another, up to
    1e-9 of the box or of their distance; if not, *a and *b are the first

@@ -1,6 +1,4 @@
-/* From chapters/works/05-disks.nw: edit there, then run make tangle. */
-/* checksum 4060704151 of the lines below */
-/* Events and ticks; the article's clock is off by two ticks at events. */
+/* The two loops: events and ticks, and how deep disks overlap. */
 #include "box/loop.h"
 
 #include <math.h>
@@ -11,7 +9,8 @@ void loop_event(struct loop *l)
     l->next = disks_next(&l->d);
 }
 
-/* Moves all disks by step, s, and calls the time t. */
+/* Moves all disks by a step that may be negative, s, and calls the time t:
+   the disks do not care whether it is. */
 static void shift(struct loop *l, double step)
 {
     for (size_t i = 0; i < l->d.count; ++i) {
@@ -30,7 +29,7 @@ void loop_turn(struct loop *l, double every)
         shift(l, every);
         return;
     }
-    const double step = l->next.time - l->t + l->slip * every;
+    const double step = l->next.time - l->t + l->offset * every;
     l->t = l->next.time;
     shift(l, step);
     loop_event(l);
@@ -47,7 +46,7 @@ double loop_overlap(const struct loop *l)
 {
     double deepest = 0;
     for (size_t i = 0; i < l->d.count; ++i) {
-        double a[DISKS_AXES], b[DISKS_AXES], apart[DISKS_AXES];
+        double a[DISKS_AXES], b[DISKS_AXES], x[DISKS_AXES];
         const double radius = l->d.disk[i].radius;
         disks_position(&l->d, i, a);
         for (size_t k = 0; k < l->d.dimensions; ++k) {
@@ -56,8 +55,8 @@ double loop_overlap(const struct loop *l)
         }
         for (size_t j = 0; j < i; ++j) {
             disks_position(&l->d, j, b);
-            disks_apart(&l->d, a, b, apart);
-            const double s = hypot(apart[0], apart[1]);
+            disks_separation(&l->d, a, b, x);
+            const double s = hypot(x[0], x[1]);
             deepest = fmax(deepest, radius + l->d.disk[j].radius - s);
         }
     }

@@ -1,16 +1,18 @@
-/* From chapters/works/05-disks.nw: edit there, then run make tangle. */
-/* checksum 1381519620 of the lines below */
-/* Disks moved from tick to tick: the article's loop, and a right one. */
+/* Disks moved from tick to tick by a wrong loop and by a right one. */
 #ifndef LOOP_H
 #define LOOP_H
 
 #include "box/disks.h"
 
-/* All disks are at the time t. */
+/* The loop of the article that chapter 5 reviews, and a right one. All
+   disks are at the time t. At an event the article moves them by two ticks
+   too little: by the time to the event and `offset` ticks, -1, where +1
+   would be right. */
 struct loop {
     struct disks d;
     struct disks_event next;
-    double t, slip; /* s; -1 as in the article, +1 as it should be */
+    double t;      /* s */
+    double offset; /* ticks */
 };
 
 /* Lets the next event happen. */
@@ -23,8 +25,8 @@ void loop_turn(struct loop *l, double every);
 /* All events up to the tick, s, and then the tick. */
 void loop_go_to(struct loop *l, double tick);
 
-/* How deep disks are in each other, or in the walls of a box of hard
-   walls, m; 0: not at all. */
+/* Returns how deep disks overlap each other or the walls, m, in a box with
+   walls on all sides: what gives the article away. */
 double loop_overlap(const struct loop *l);
 
 #endif

@@ -1,5 +1,5 @@
 /* From chapters/06-room.nw: edit there, then run make tangle. */
-/* checksum 265033039 of the lines below */
+/* checksum 2790736230 of the lines below */
 /* Direct sampling, Metropolis moves, densities at contact from slides. */
 #include "box/sampling.h"
 
@@ -298,7 +298,7 @@ static void block_by(struct line *l, size_t j)
     const double reach = d->disk[l->i].radius + d->disk[j].radius;
     const int images = d->boundary == DISKS_PERIODIC ? IMAGES : 1;
     double apart[DISKS_AXES], image[DISKS_AXES];
-    disks_apart(d, l->from, d->disk[j].position, apart);
+    disks_separation(d, l->from, d->disk[j].position, apart);
     for (int n = 0; n < images; ++n) {
         const int shift[DISKS_AXES] = {n % 3, n / 3 % 3, n / 9};
         if (d->dimensions == 2 && shift[2] > 0)
@@ -376,7 +376,7 @@ double sampling_pair_density(const struct sampling *s, size_t i, size_t j)
     struct line l = {.s = s, .i = i, .except = j};
     bool low, high;
     memcpy(l.from, from->position, sizeof l.from);
-    disks_apart(d, from->position, to->position, l.along);
+    disks_separation(d, from->position, to->position, l.along);
     const double distance = sqrt(dot(l.along, l.along));
     for (size_t k = 0; k < DISKS_AXES; ++k)
         l.along[k] /= distance;

@@ -138,7 +138,7 @@ static const char *begin_disks(struct models_run *r)
     d->disks.restitution = s->restitution;
     d->disks.gravity = r->acts.weight ? fabs(s->gravity[w.axis[1]]) : 0;
     put_in_box(d, s);
-    if (!(disks_leash(&d->disks) > 0))
+    if (!(disks_replan_distance(&d->disks) > 0))
         return "the box is too narrow to be periodic";
     if (w.count[SCENE_OPEN] == 0 && s->bodies > SCANNED &&
         cells_suit(&d->disks))

@@ -11,7 +11,7 @@ enum { DISKS = 4, FIRST = 15, BINS = 35 };
 /* The loops of the hard-disk article look right, and so do their films. The
    script shows beside them what gives them away: the density of positions
    against direct sampling, the pressure, and how deep the disks overlap.
-   Parameters: the `slip` of the article's loop (box/loop.h), 0 for the
+   Parameters: the `offset` of the article's loop (box/loop.h), 0 for the
    right one; the tick, s; the seed. */
 double page_number[PAGE_NUMBERS];
 
@@ -38,7 +38,7 @@ bool page_begin(void)
 {
     disks_free(&loop.d);
     sampling_means_free(&density);
-    loop = (struct loop){.slip = page_number[0]};
+    loop = (struct loop){.offset = page_number[0]};
     tick = page_number[1];
     overlap = records = 0;
     if (!begin_disks(&loop.d) || !sampling_means_create(&density, BINS))
@@ -78,10 +78,10 @@ double page_run(double until, double events)
     const double before = records;
     while (records - before < events) {
         const double next =
-            loop.slip == 0 ? (records + 1) * tick : loop.t + tick;
+            loop.offset == 0 ? (records + 1) * tick : loop.t + tick;
         if (next > until)
             break;
-        if (loop.slip == 0)
+        if (loop.offset == 0)
             loop_go_to(&loop, next);
         else
             loop_turn(&loop, tick);

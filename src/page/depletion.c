@@ -38,7 +38,7 @@ bool page_begin(void)
 static double gap(size_t i, size_t j, double apart[])
 {
     const struct disk *a = &box.disks.disk[i], *b = &box.disks.disk[j];
-    disks_apart(&box.disks, a->position, b->position, apart);
+    disks_separation(&box.disks, a->position, b->position, apart);
     return sqrt(apart[0] * apart[0] + apart[1] * apart[1]) - a->radius -
            b->radius;
 }

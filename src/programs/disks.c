@@ -1271,7 +1271,7 @@ static void check_start(struct run *r)
 {
     const struct disks *d = &r->d;
     size_t a, b;
-    if (!(disks_leash(d) > 0))
+    if (!(disks_replan_distance(d) > 0))
         program_refuse(
             PROGRAM,
             "--boundary: a side of %.10g is too narrow to be periodic: "

@@ -1,11 +1,11 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 2490345012 of the lines below */
+/* checksum 2425061086 of the lines below */
 /* Four hard disks in a box: rows of t, and of x and y of each, every TC. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-static double dot(const double a[], const double b[])
+static inline double dot(const double a[], const double b[])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -18,11 +18,11 @@ double disks_wall_time(double x, double v, double radius, double length)
     return way / v > 0 ? way / v : 0;
 }
 
-double disks_pair_time(const double apart[], const double closing[],
+double disks_pair_time(const double separation[], const double closing[],
                        double distance)
 {
-    const double b = dot(apart, closing);
-    const double c = dot(apart, apart) - distance * distance;
+    const double b = dot(separation, closing);
+    const double c = dot(separation, separation) - distance * distance;
     const double disc = b * b - dot(closing, closing) * c;
     if (b >= 0 || disc < 0)
         return INFINITY;
@@ -35,10 +35,10 @@ static double x[N][3] = {{.25, .25}, {.75, .25}, {.25, .75}, {.75, .75}};
 static double v[N][3] = {{.6, .8}, {-.8, .6}, {.28, -.96}, {-.96, -.28}};
 
 /* From disk i to disk j: the way, m, and the rate of its change, m/s. */
-static void between(int i, int j, double apart[], double closing[])
+static void between(int i, int j, double separation[], double closing[])
 {
     for (int k = 0; k < 3; ++k) {
-        apart[k] = x[j][k] - x[i][k];
+        separation[k] = x[j][k] - x[i][k];
         closing[k] = v[j][k] - v[i][k];
     }
 }
@@ -54,10 +54,10 @@ static struct event next_event(void)
     struct event first = {INFINITY, 0, N};
     for (int i = 0; i < N; ++i)
         for (int j = i + 1; j < N + 2; ++j) {
-            double apart[3], closing[3], wait;
+            double separation[3], closing[3], wait;
             if (j < N) {
-                between(i, j, apart, closing);
-                wait = disks_pair_time(apart, closing, 2 * r);
+                between(i, j, separation, closing);
+                wait = disks_pair_time(separation, closing, 2 * r);
             } else
                 wait = disks_wall_time(x[i][j - N], v[i][j - N], r, L);
             if (wait < first.wait)

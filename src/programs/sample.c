@@ -443,7 +443,8 @@ static void count_distances(struct run *run)
     for (size_t i = 0; i < run->p.large; ++i)
         for (size_t j = 0; j < i; ++j) {
             double apart[DISKS_AXES], square = 0;
-            disks_apart(d, d->disk[i].position, d->disk[j].position, apart);
+            disks_separation(d, d->disk[i].position, d->disk[j].position,
+                             apart);
             for (size_t k = 0; k < d->dimensions; ++k)
                 square += apart[k] * apart[k];
             if (square <= run->high * run->high)

@@ -311,7 +311,7 @@ static double room_of(const struct cells *c, size_t i)
     disks_position(c->d, i, here);
     for (size_t k = 0; k < c->anchor[i].neighbours; ++k) {
         disks_position(c->d, list[k], there);
-        disks_apart(c->d, here, there, way);
+        disks_separation(c->d, here, there, way);
         const double square =
             way[0] * way[0] + way[1] * way[1] + way[2] * way[2];
         most = fmin(most, sqrt(square) - disk[list[k]].radius);

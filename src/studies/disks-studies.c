@@ -127,7 +127,7 @@ static void study_clock(struct study *s)
     static double bins[CLOCKS][BINS];
     table_column(s->out, "x", "m", "lower edge of the bin");
     for (int way = 0; way < CLOCKS; ++way) {
-        struct loop l = {.slip = way == ARTICLE ? -1 : 1};
+        struct loop l = {.offset = way == ARTICLE ? -1 : 1};
         double overlap = 0;
         const double energy = sample_by(way, s, &l, bins[way], &overlap);
         sum_up(s, clocks[way], &l, energy, overlap, bins[way]);
@@ -176,7 +176,7 @@ static void study_timeline(struct study *s)
     table_column(s->out, "x", "m", "of the first disk");
     table_column(s->out, "y", "m", "of the first disk");
     for (int way = 0; way < 3; ++way) {
-        struct loop l = {.slip = -1};
+        struct loop l = {.offset = -1};
         begin_four(&l.d, 1, s->seed);
         disks_run(&l.d, 1, UINT64_MAX);
         disks_settle(&l.d);

@@ -163,7 +163,7 @@ static size_t wrong_neighbours(const struct cells *c)
             size_t listed = 0;
             anchor(c, i, a);
             anchor(c, j, b);
-            disks_apart(c->d, a, b, apart);
+            disks_separation(c->d, a, b, apart);
             for (size_t k = 0; k < c->anchor[i].neighbours; ++k)
                 listed += c->neighbour[i * c->seats + k] == j;
             const double reach =
@@ -185,7 +185,7 @@ static size_t runaways(const struct cells *c)
         double a[DISKS_AXES], b[DISKS_AXES], apart[DISKS_AXES];
         anchor(c, i, a);
         disks_position(c->d, i, b);
-        disks_apart(c->d, a, b, apart);
+        disks_separation(c->d, a, b, apart);
         away += !(length(apart) <= c->skin + c->slack);
     }
     return away;

@@ -27,7 +27,7 @@ static void begin(struct disks *d, size_t dimensions, size_t count,
     UNIT_TRUE(disks_place_lattice(d));
     UNIT_TRUE(disks_fit(d, &a, &b));
     disks_set_speed(d, 1, &r);
-    UNIT_TRUE(disks_leash(d) > 0 && disks_plan(d));
+    UNIT_TRUE(disks_replan_distance(d) > 0 && disks_plan(d));
 }
 
 TEST(test_wall_time, "wall times")
@@ -545,7 +545,8 @@ TEST(test_images, "nearest images")
     struct disks d;
     double apart[DISKS_AXES], place[DISKS_AXES] = {-0.5, 31.25, 0};
     begin(&d, 2, 2, 0.5, 3, DISKS_PERIODIC, 1);
-    disks_apart(&d, (double[]){0.25, 0, 0}, (double[]){2.75, 1, 0}, apart);
+    disks_separation(&d, (double[]){0.25, 0, 0}, (double[]){2.75, 1, 0},
+                     apart);
     UNIT_EQUAL(apart[0], -0.5);
     UNIT_EQUAL(apart[1], 1);
     UNIT_EQUAL(apart[2], 0);
@@ -558,9 +559,9 @@ TEST(test_images, "nearest images")
     UNIT_EQUAL(place[0], 0);
     UNIT_EQUAL(place[1], 0);
     d.box[1] = 2;
-    UNIT_TRUE(!(disks_leash(&d) > 0));
+    UNIT_TRUE(!(disks_replan_distance(&d) > 0));
     d.boundary = DISKS_WALLS;
-    UNIT_TRUE(disks_leash(&d) == INFINITY);
+    UNIT_TRUE(disks_replan_distance(&d) == INFINITY);
     disks_free(&d);
 }
 
@@ -950,7 +951,7 @@ TEST(test_collapsed, "how long a clock may stand")
 
 /* A third of half the narrowest periodic side, less two of the widest radii
    together; 0 from where that is a millionth of the side. */
-TEST(test_disks_leash, "how far a disk flies before it looks")
+TEST(test_disks_replan_distance, "how far a disk flies before it looks")
 {
     struct disks d;
     if (!disks_create(&d, 3, 3))
@@ -962,16 +963,16 @@ TEST(test_disks_leash, "how far a disk flies before it looks")
         d.box[1] = 7;
         d.box[2] = 12;
         d.boundary = DISKS_PERIODIC;
-        UNIT_NEAR(disks_leash(&d), 0.999 * 1.5 / 3, 1e-15);
+        UNIT_NEAR(disks_replan_distance(&d), 0.999 * 1.5 / 3, 1e-15);
         d.boundary = DISKS_FLOOR; /* the second axis has walls */
-        UNIT_NEAR(disks_leash(&d), 0.999 * 3 / 3, 1e-15);
+        UNIT_NEAR(disks_replan_distance(&d), 0.999 * 3 / 3, 1e-15);
         d.boundary = DISKS_WALLS;
-        UNIT_TRUE(disks_leash(&d) == INFINITY);
+        UNIT_TRUE(disks_replan_distance(&d) == INFINITY);
         d.boundary = DISKS_PERIODIC;
         d.box[0] = 4 * (1 + 2.1e-6);
-        UNIT_TRUE(disks_leash(&d) > 0);
+        UNIT_TRUE(disks_replan_distance(&d) > 0);
         d.box[0] = 4 * (1 + 1.9e-6);
-        UNIT_EQUAL(disks_leash(&d), 0);
+        UNIT_EQUAL(disks_replan_distance(&d), 0);
     }
     disks_free(&d);
 }

@@ -7,9 +7,9 @@
 
 /* Two disks that fly at each other, 1 m/s each, and meet 4 s later; walls
    are 1 s and 2 s behind them. */
-static void begin(struct loop *l, double slip)
+static void begin(struct loop *l, double offset)
 {
-    *l = (struct loop){.slip = slip};
+    *l = (struct loop){.offset = offset};
     if (!disks_create(&l->d, 2, 2))
         exit(1);
     l->d.box[0] = 15;
@@ -29,13 +29,13 @@ static void finish(struct loop *l)
 }
 
 /* Ticks of 3/4 s: five of them lead to 3.75 s; the sixth goes to the event,
-   where the clock stops. With a slip of 1 that is where the disks touch;
+   where the clock stops. With an offset of 1 that is where the disks touch;
    with the -1 of the article both are two ticks before it. */
-TEST(test_turns, "ticks, and a slip at an event")
+TEST(test_turns, "ticks, and an offset at an event")
 {
-    for (int slip = -1; slip <= 1; slip += 2) {
+    for (int offset = -1; offset <= 1; offset += 2) {
         struct loop l;
-        begin(&l, slip);
+        begin(&l, offset);
         UNIT_EQUAL(l.next.time, 4);
         for (int k = 1; k <= 5; ++k) {
             loop_turn(&l, 0.75);
@@ -47,7 +47,7 @@ TEST(test_turns, "ticks, and a slip at an event")
             UNIT_EQUAL((double)l.d.collisions, 0);
         }
         loop_turn(&l, 0.75);
-        const double far = 0.75 * (slip - 1);
+        const double far = 0.75 * (offset - 1);
         UNIT_EQUAL(l.t, 4);
         UNIT_EQUAL((double)l.d.collisions, 1);
         UNIT_EQUAL(l.d.disk[0].position[0], 6 + far);

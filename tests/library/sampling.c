@@ -143,7 +143,8 @@ static double scanned(const struct sampling *s, size_t i, size_t except,
             const double reach =
                 s->disks.disk[i].radius + s->disks.disk[j].radius;
             double apart[DISKS_AXES];
-            disks_apart(&s->disks, place, s->disks.disk[j].position, apart);
+            disks_separation(&s->disks, place, s->disks.disk[j].position,
+                             apart);
             if (j != i && j != except &&
                 apart[0] * apart[0] + apart[1] * apart[1] +
                         apart[2] * apart[2] <
@@ -172,8 +173,8 @@ TEST(test_pair_line, "a line past images has the right free part")
             bool first;
             for (int k = 0; k < 100; ++k)
                 sampling_try(&s, 0.2, &r);
-            disks_apart(&s.disks, s.disks.disk[1].position,
-                        s.disks.disk[0].position, along);
+            disks_separation(&s.disks, s.disks.disk[1].position,
+                             s.disks.disk[0].position, along);
             length = sqrt(along[0] * along[0] + along[1] * along[1] +
                           along[2] * along[2]);
             for (size_t k = 0; k < DISKS_AXES; ++k) {
@@ -284,8 +285,8 @@ TEST(test_depletion, "Asakura and Oosawa's law of distances")
             double apart[DISKS_AXES];
             for (int k = 0; k < 60; ++k)
                 sampling_try(&s, 0.3, &r);
-            disks_apart(&s.disks, s.disks.disk[0].position,
-                        s.disks.disk[1].position, apart);
+            disks_separation(&s.disks, s.disks.disk[0].position,
+                             s.disks.disk[1].position, apart);
             const double distance =
                 sqrt(apart[0] * apart[0] + apart[1] * apart[1] +
                      apart[2] * apart[2]);
@@ -431,8 +432,8 @@ static void run_chains(size_t dimensions, double told[3])
         double gained = 0, apart[DISKS_AXES], square = 0;
         sampling_chain(&s, random_below(&r, dimensions), length, &r,
                        &gained);
-        disks_apart(&s.disks, s.disks.disk[0].position,
-                    s.disks.disk[1].position, apart);
+        disks_separation(&s.disks, s.disks.disk[0].position,
+                         s.disks.disk[1].position, apart);
         for (size_t k = 0; k < dimensions; ++k)
             square += apart[k] * apart[k];
         UNIT_TRUE(square > 0.3 * 0.3 - 1e-14);

@@ -5,8 +5,9 @@
 # pairs it finds out itself, in the build that is there.) And the memory that a
 # million disks take.
 . tests/programs/common
-sources='src/box/cells.c src/box/calendar.c src/box/disks.c src/line/collide.c
-    src/line/fall.c src/toolbox/random.c'
+sources='src/box/cells.c src/box/calendar.c src/box/disks.c src/box/meet.c
+    src/box/meetings.c src/box/falling.c src/box/collapse.c src/box/starts.c src/box/heat.c
+    src/line/collide.c src/line/fall.c src/toolbox/random.c'
 
 expected=
 # The test's own code runs for less time than a compiler would work on it.

@@ -1,0 +1,35 @@
+/* From chapters/05-disks.nw: edit there, then run make tangle. */
+/* checksum 684848177 of the lines below */
+/* Scalar products and nearest images, for all that looks at pairs. */
+#ifndef IMAGE_H
+#define IMAGE_H
+
+#include "box/disks.h"
+
+static inline double dot(const double a[], const double b[])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* The whole number nearest to x, for |x| < 2^51. */
+static inline double nearest_whole(double x)
+{
+    const double shift = 6755399441055744; /* 1.5 * 2^52 */
+    return x + shift - shift;
+}
+
+/* Says whether the box is periodic along axis k. */
+static inline bool wraps(const struct disks *d, size_t k)
+{
+    return k < d->dimensions && d->box[k] > 0 &&
+           (d->boundary == DISKS_PERIODIC ||
+            (d->boundary == DISKS_FLOOR && k != 1));
+}
+
+/* 1/box[k] if it is, otherwise 0, 1/m. */
+static inline double inverse(const struct disks *d, size_t k)
+{
+    return wraps(d, k) ? 1 / d->box[k] : 0;
+}
+
+#endif

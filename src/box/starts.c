@@ -1,0 +1,303 @@
+/* Starts of disks: on a lattice, at random, and whether all of them fit. */
+#include "box/image.h"
+
+#include <math.h>
+#include <string.h>
+
+/* A centre may be nearer to a wall than a radius by what rounding does,
+   1e-9 of the box. */
+static bool within_walls(const struct disks *d, const double place[],
+                         double r)
+{
+    for (size_t k = 0; k < d->dimensions; ++k)
+        if (disks_walled(d, k) && !(place[k] >= r - 1e-9 * d->box[k] &&
+                                    place[k] <= d->box[k] * (1 + 1e-9) - r))
+            return false;
+    return true;
+}
+
+/* A place that is no number compares false with everything, and clashes. */
+bool disks_clash(const struct disks *d, size_t a, size_t b)
+{
+    double here[DISKS_AXES], there[DISKS_AXES], separation[DISKS_AXES];
+    const double r = d->disk[a].radius;
+    disks_position(d, a, here);
+    if (b == d->count)
+        return !within_walls(d, here, r);
+    const double least = (r + d->disk[b].radius) * (1 - 1e-9);
+    disks_position(d, b, there);
+    disks_separation(d, here, there, separation);
+    return !(dot(separation, separation) >= least * least);
+}
+
+bool disks_fit(const struct disks *d, size_t *a, size_t *b)
+{
+    for (*a = 0; *a < d->count; ++*a) {
+        *b = d->count;
+        if (disks_clash(d, *a, *b))
+            return false;
+        for (*b = *a + 1; *b < d->count; ++*b)
+            if (disks_clash(d, *a, *b))
+                return false;
+    }
+    return true;
+}
+
+/* A lattice of disks packed closest, stretched over the box: `cells` cells
+   of the width `step` along each axis, from the place `from` on, with
+   `basis` sites in each. In the plane these are triangles, rows of which
+   every other one is shifted by half a step, so that a rectangle has two
+   sites, a corner and the middle; in space the face-centred cube. */
+struct lattice {
+    size_t cells[DISKS_AXES], basis;
+    double from[DISKS_AXES], step[DISKS_AXES];
+    double nearest; /* distance of two sites, m */
+};
+
+/* The sites of a cell, in widths of it. */
+static const double sites[4][DISKS_AXES] = {
+    {0, 0, 0}, {.5, .5, 0}, {.5, 0, .5}, {0, .5, .5}};
+
+/* Returns the smallest distance of two sites, m, which are in one cell or
+   one cell apart. */
+static double nearest_site(const struct lattice *l, size_t dimensions)
+{
+    double least = INFINITY;
+    for (size_t k = 0; k < dimensions; ++k)
+        if (l->cells[k] > 1)
+            least = fmin(least, l->step[k] * l->step[k]);
+    for (size_t s = 1; s < l->basis; ++s) {
+        double square = 0;
+        for (size_t k = 0; k < dimensions; ++k) {
+            const double x = sites[s][k] * l->step[k];
+            square += x * x;
+        }
+        least = fmin(least, square);
+    }
+    return sqrt(least);
+}
+
+/* Stretches the lattice over the box, for disks of radius r. Between walls
+   the outermost sites stand a radius from them, and half a step of the
+   last cell is not used. */
+static void stretch(const struct disks *d, double r, struct lattice *l)
+{
+    for (size_t k = 0; k < d->dimensions; ++k) {
+        const bool walls = disks_walled(d, k);
+        const double cells = (double)l->cells[k];
+        l->from[k] = walls ? r : 0;
+        l->step[k] =
+            walls ? (d->box[k] - 2 * r) / (cells - .5) : d->box[k] / cells;
+    }
+    l->nearest = nearest_site(l, d->dimensions);
+}
+
+/* Tries all lattices of l.cells[2] layers that have `need` cells, and keeps
+   in *best the one with the widest spacing. */
+static void try_layers(const struct disks *d, double r, size_t need,
+                       struct lattice l, struct lattice *best)
+{
+    const size_t layer = (need + l.cells[2] - 1) / l.cells[2];
+    const double row = sqrt((double)layer * d->box[0] / d->box[1]);
+    for (l.cells[0] = 1;
+         l.cells[0] <= layer && (double)l.cells[0] <= 2 + 4 * row;
+         ++l.cells[0]) {
+        l.cells[1] = (layer + l.cells[0] - 1) / l.cells[0];
+        stretch(d, r, &l);
+        if (l.nearest > best->nearest * (1 + 1e-12))
+            *best = l;
+    }
+}
+
+/* Returns the lattice with at least so many places that has the widest
+   spacing. Disks in the plane have one layer; for spheres there is no use
+   in more than twice as many layers as a cubic lattice would have. */
+static struct lattice best_lattice(const struct disks *d, double r,
+                                   size_t places)
+{
+    struct lattice best = {.nearest = 0}, l = {.cells = {1, 1, 1}};
+    l.basis = d->dimensions == 2 ? 2 : 4;
+    const size_t need = (places + l.basis - 1) / l.basis;
+    const double cube =
+        (double)need * d->box[2] * d->box[2] / (d->box[0] * d->box[1]);
+    for (double n = -1; n <= 0 || n * n * n <= 8 * cube; ++n) {
+        try_layers(d, r, need, l, &best);
+        ++l.cells[2];
+        if (d->dimensions == 2)
+            break;
+    }
+    return best;
+}
+
+/* Sites are numbered within a cell, and then cell by cell. */
+static void place_of_site(const struct disks *d, const struct lattice *l,
+                          size_t site, double place[])
+{
+    const double *part = sites[site % l->basis];
+    site /= l->basis;
+    for (size_t k = 0; k < d->dimensions; ++k) {
+        const size_t cell = site % l->cells[k];
+        site /= l->cells[k];
+        place[k] = l->from[k] + ((double)cell + part[k]) * l->step[k];
+    }
+}
+
+/* Returns the number of the widest disk if no other is as wide, otherwise
+   count, and in *r the widest radius of the others. A single big disk, a
+   Brownian particle, goes into the middle: a lattice made for it would
+   waste nearly all the room. */
+static size_t odd_one_out(const struct disks *d, double *r)
+{
+    size_t big = 0;
+    *r = d->count > 1 ? 0 : d->disk[0].radius;
+    for (size_t i = 1; i < d->count; ++i)
+        if (d->disk[i].radius > d->disk[big].radius)
+            big = i;
+    for (size_t i = 0; i < d->count; ++i)
+        if (i != big)
+            *r = fmax(*r, d->disk[i].radius);
+    return d->disk[big].radius > *r ? big : d->count;
+}
+
+/* Says whether the big disk in the middle covers a place of the others,
+   whose radius is r. */
+static bool covered(const struct disks *d, size_t big, double r,
+                    const double place[])
+{
+    double square = 0;
+    if (big == d->count)
+        return false;
+    const double reach = d->disk[big].radius + r;
+    for (size_t k = 0; k < d->dimensions; ++k) {
+        const double x = place[k] - d->box[k] / 2;
+        square += x * x;
+    }
+    return square < reach * reach;
+}
+
+/* Returns how many sites are not covered. */
+static size_t count_free(const struct disks *d, const struct lattice *l,
+                         size_t big, double r)
+{
+    const size_t all = l->basis * l->cells[0] * l->cells[1] * l->cells[2];
+    double place[DISKS_AXES];
+    size_t free = 0;
+    for (size_t site = 0; site < all; ++site) {
+        place_of_site(d, l, site, place);
+        free += !covered(d, big, r, place);
+    }
+    return free;
+}
+
+/* Puts the disks, but for the big one, on the free sites, and spreads the
+   vacancies evenly. */
+static void fill_lattice(struct disks *d, const struct lattice *l,
+                         size_t big, double r, size_t free)
+{
+    const size_t small = d->count - (big < d->count);
+    double place[DISKS_AXES] = {0};
+    size_t put = 0, seen = 0;
+    for (size_t site = 0; put < small; ++site) {
+        place_of_site(d, l, site, place);
+        if (covered(d, big, r, place))
+            continue;
+        if (seen == (size_t)((uint64_t)put * free / small)) {
+            struct disk *to = &d->disk[put + (put >= big)];
+            memcpy(to->position, place, sizeof place);
+            ++put;
+        }
+        ++seen;
+    }
+}
+
+/* As long as too few sites are free, the lattice gets as many more as were
+   missing. */
+bool disks_place_lattice(struct disks *d)
+{
+    double r;
+    const size_t big = odd_one_out(d, &r);
+    const size_t small = d->count - (big < d->count);
+    struct lattice l;
+    size_t places = small, free;
+    for (size_t k = 0; k < d->dimensions; ++k)
+        if (disks_walled(d, k) && d->box[k] < 2 * r)
+            return false;
+    do {
+        l = best_lattice(d, r, places);
+        if (!(l.nearest >= 2 * r))
+            return false;
+        free = count_free(d, &l, big, r);
+        places += free < small ? small - free : 0;
+    } while (free < small);
+    fill_lattice(d, &l, big, r, free);
+    for (size_t k = 0; big < d->count && k < d->dimensions; ++k)
+        d->disk[big].position[k] = d->box[k] / 2;
+    return big == d->count || !disks_clash(d, big, d->count);
+}
+
+/* Says whether disk i overlaps one with a smaller number. */
+static bool overlaps(const struct disks *d, size_t i)
+{
+    const struct disk *a = &d->disk[i];
+    for (size_t j = 0; j < i; ++j) {
+        const double least = a->radius + d->disk[j].radius;
+        double separation[DISKS_AXES];
+        disks_separation(d, d->disk[j].position, a->position, separation);
+        if (dot(separation, separation) < least * least)
+            return true;
+    }
+    return false;
+}
+
+/* Puts disk a anywhere in the box, a radius away from walls. Returns false
+   if the box is too narrow for it. */
+static bool throw_disk(const struct disks *d, struct disk *a,
+                       struct random *r)
+{
+    for (size_t k = 0; k < d->dimensions; ++k) {
+        const double edge = disks_walled(d, k) ? a->radius : 0;
+        if (!(d->box[k] >= 2 * edge))
+            return false;
+        a->position[k] = random_between(r, edge, d->box[k] - edge);
+    }
+    return true;
+}
+
+/* After 10 000 tries there is probably no room for a disk, and those before
+   it are not moved aside. Not all allowed states are equally likely so, as
+   the first disks have more choice: it is a start, which a run forgets, and
+   no sample (chapter 6 has samples). It works up to a packing of about a
+   half in the plane. */
+bool disks_place_random(struct disks *d, struct random *r)
+{
+    enum { TRIES = 10000 };
+    for (size_t i = 0; i < d->count; ++i) {
+        int tries = 0;
+        do {
+            if (tries++ == TRIES || !throw_disk(d, &d->disk[i], r))
+                return false;
+        } while (overlaps(d, i));
+    }
+    return true;
+}
+
+/* What a run has counted belongs to it; the next one begins with zeros, at
+   the time 0. */
+void disks_settle(struct disks *d)
+{
+    for (size_t i = 0; i < d->count; ++i) {
+        struct disk *a = &d->disk[i];
+        double place[DISKS_AXES], velocity[DISKS_AXES];
+        disks_position(d, i, place);
+        disks_velocity(d, i, velocity);
+        disks_fold(d, place);
+        memcpy(a->position, place, sizeof place);
+        memcpy(a->velocity, velocity, sizeof velocity);
+        a->since = 0;
+        d->hits[i] = 0;
+    }
+    d->now = 0;
+    d->collisions = d->wall_collisions = d->standing = 0;
+    d->virial = 0;
+    memset(d->impulse, 0, sizeof d->impulse);
+}

@@ -1,6 +1,6 @@
 /* Where hard disks fail, chapter 5: three at once, the way back, collapse,
-   and what goes wrong without the leash. Each case must go on failing as
-   the chapter says it does. */
+   and what goes wrong without plans that are made anew. Each case must go
+   on failing as the chapter says it does. */
 #include "unit.h"
 
 #include "box/disks.h"

@@ -203,7 +203,7 @@ static const char *begin_steps(struct models_run *r)
         light_enter(&t->light, s, s->position, s->velocity);
         g->source = t->light.order;
         g->sources = t->light.heavy;
-        g->share = t->light.share;
+        g->factor = t->light.share;
         models_count_sorting(r, s->bodies,
                              5); /* and to enter the picture */
     }

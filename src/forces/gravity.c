@@ -58,7 +58,7 @@ static void add_source(const struct gravity *g, const double x[],
     for (size_t i = first; i < last; ++i) {
         const double dx = x[j] - x[i], dy = y[j] - y[i], dz = z[j] - z[i];
         const double s = dx * dx + dy * dy + dz * dz + least;
-        const double w = pull * g->share[i] / (s * sqrt(s));
+        const double w = pull * g->factor[i] / (s * sqrt(s));
         a[i] += w * dx;
         b[i] += w * dy;
         c[i] += w * dz;
@@ -164,7 +164,7 @@ void gravity_free(struct gravity *g)
     *g = (struct gravity){0};
 }
 
-bool gravity_plant(struct gravity *g, double theta)
+bool gravity_use_tree(struct gravity *g, double theta)
 {
     struct tree *t = tree_create(g->bodies, g->mass, theta);
     if (!t)
@@ -236,7 +236,7 @@ void gravity_add(const struct gravity *g, const double x[], double a[])
     const struct kernel *k = &kernels[g->kernel];
     const long n = (long)g->bodies, width = (long)k->width;
     if (g->kernel == GRAVITY_TREE)
-        tree_plant(g->tree, x);
+        tree_build(g->tree, x);
 #ifdef _OPENMP
 #pragma omp parallel for num_threads(g->threads) if (g->threads > 1)
 #endif

@@ -12,11 +12,11 @@
    the tree add in the same order; AVX-512 rounds otherwise, by less than
    1e-14 of each term. */
 enum gravity_kernel {
-    GRAVITY_AUTO,         /* the fastest that keeps the bits: portable */
-    GRAVITY_PORTABLE,     /* plain C, the same bits everywhere */
-    GRAVITY_AVX512,       /* intrinsics, eight bodies at a time */
-    GRAVITY_TREE,         /* Barnes and Hut's: call gravity_plant first */
-    GRAVITY_OPENCL,       /* on a device: set `elsewhere' first */
+    GRAVITY_AUTO,     /* the fastest that keeps the bits: portable */
+    GRAVITY_PORTABLE, /* plain C, the same bits everywhere */
+    GRAVITY_AVX512,   /* intrinsics, eight bodies at a time */
+    GRAVITY_TREE,     /* Barnes and Hut's: call gravity_use_tree first */
+    GRAVITY_OPENCL,   /* on a device: set `elsewhere' first */
     GRAVITY_OPENCL_FLOAT, /* the same in single precision */
     GRAVITY_KERNELS
 };
@@ -25,8 +25,8 @@ enum gravity_kernel {
 extern const char *const gravity_kernels[];
 
 enum {
-    GRAVITY_FEW = 32,    /* bodies up to which a pair is taken once */
-    GRAVITY_SHARE = 1000 /* bodies from which several threads pay */
+    GRAVITY_FEW = 32,   /* bodies up to which a pair is taken once */
+    GRAVITY_MANY = 1000 /* bodies from which several threads pay */
 };
 
 struct tree;
@@ -44,9 +44,9 @@ struct gravity {
     const uint32_t *source;     /* NULL: all bodies pull; or [sources] the
                                    numbers of those that do */
     size_t sources;
-    const double *share; /* [bodies] if there are sources: a factor on the
+    const double *factor; /* [bodies] if there are sources: a factor on the
                             acceleration of each body */
-    struct tree *tree;   /* NULL, or the tree of GRAVITY_TREE */
+    struct tree *tree;    /* NULL, or the tree of GRAVITY_TREE */
     /* NULL, or what computes the sum of all bodies instead of a kernel. */
     void (*elsewhere)(void *device, const double x[], double a[]);
     void *device;
@@ -64,9 +64,9 @@ bool gravity_create(struct gravity *g, size_t bodies, const double mass[],
 /* Chooses the kernel tree, which takes a cell for one mass if its width is
    less than theta times its distance; theta is 0 to GRAVITY_WIDEST. Returns
    false, with nothing changed, when there is no memory. */
-bool gravity_plant(struct gravity *g, double theta);
+bool gravity_use_tree(struct gravity *g, double theta);
 
-/* Frees what gravity_create and gravity_plant took. */
+/* Frees what gravity_create and gravity_use_tree took. */
 void gravity_free(struct gravity *g);
 
 /* Adds to a[] the accelerations of bodies at x[], both of 3 * bodies

@@ -1,5 +1,5 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 1745831034 of the lines below */
+/* checksum 1365997056 of the lines below */
 /* Moves bodies along ellipses in Jacobi's coordinates, and kicks them. */
 #include "forces/jacobi.h"
 
@@ -17,7 +17,7 @@ void jacobi_enter(const struct jacobi *j, const double x[], double q[])
         double centre = x[k];
         for (size_t i = 1; i < n; ++i) {
             q[k + i] = x[k + i] - centre;
-            centre += j->share[i] * q[k + i];
+            centre += j->fraction[i] * q[k + i];
         }
         q[k] = centre;
     }
@@ -29,7 +29,7 @@ void jacobi_leave(const struct jacobi *j, const double q[], double x[])
     for (size_t k = 0; k < 3 * n; k += n) {
         double centre = q[k];
         for (size_t i = n; i-- > 1;) {
-            centre -= j->share[i] * q[k + i];
+            centre -= j->fraction[i] * q[k + i];
             x[k + i] = centre + q[k + i];
         }
         x[k] = centre;
@@ -112,12 +112,12 @@ bool jacobi_create(struct jacobi *j, size_t bodies, const double mass[],
     if (!room)
         return false;
     *j = (struct jacobi){.bodies = bodies, .k2 = k2, .mass = mass};
-    j->share = room;
+    j->fraction = room;
     j->mu = room + bodies;
     j->work = room + 2 * bodies;
     for (size_t i = 0; i < bodies; ++i) {
         sum += mass[i];
-        j->share[i] = mass[i] / sum;
+        j->fraction[i] = mass[i] / sum;
         j->mu[i] = k2 * sum;
     }
     return true;
@@ -125,7 +125,7 @@ bool jacobi_create(struct jacobi *j, size_t bodies, const double mass[],
 
 void jacobi_free(struct jacobi *j)
 {
-    free(j->share);
+    free(j->fraction);
     *j = (struct jacobi){0};
 }
 

@@ -13,10 +13,10 @@
 struct jacobi {
     size_t bodies;
     double k2;
-    const double *mass; /* [bodies], of the caller; the first not 0 */
-    double *share, *mu; /* [bodies] m_i / M_i and k2 M_i, where M_i is the
-                           mass of bodies 0 to i */
-    double *work;       /* [6 * bodies] */
+    const double *mass;    /* [bodies], of the caller; the first not 0 */
+    double *fraction, *mu; /* [bodies] m_i / M_i and k2 M_i, where M_i is
+                           the mass of bodies 0 to i */
+    double *work;          /* [6 * bodies] */
 };
 
 /* Returns NULL, or why a scene cannot be stepped along ellipses: what else

@@ -85,7 +85,7 @@ static void substitute(const double m[], size_t n, const size_t row[],
 }
 
 /* Adds to the matrix how the acceleration at stage i changes with
-   coordinate k there, which has been displaced by d; by[i][j] is the share
+   coordinate k there, which has been displaced by d; by[i][j] is the weight
    that acceleration j has in that coordinate. */
 static void add_slope(struct stepping *s, size_t i, size_t k,
                       const double by[], double d)

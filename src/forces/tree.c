@@ -1,5 +1,5 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 932154744 of the lines below */
+/* checksum 3258099541 of the lines below */
 /* Sums pulls by a tree, in which a distant cell of bodies is one mass. */
 #include "forces/tree.h"
 
@@ -127,7 +127,7 @@ static void grow(struct tree *t, const double x[], size_t first, size_t end,
     t->cell[number].next = t->cells;
 }
 
-void tree_plant(struct tree *t, const double x[])
+void tree_build(struct tree *t, const double x[])
 {
     struct cube c = {{0}, 0};
     t->cells = 0;

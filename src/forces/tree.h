@@ -16,10 +16,10 @@ void tree_free(struct tree *t);
 
 /* Sorts the bodies at x[], 3 * bodies numbers axis by axis, into cells. The
    tree depends on x alone, and not on where the bodies were before. */
-void tree_plant(struct tree *t, const double x[]);
+void tree_build(struct tree *t, const double x[]);
 
 /* Adds to a[] what all bodies pull at the block of bodies that begins with
-   number i in the order of the tree g->tree, which tree_plant has made at
+   number i in the order of the tree g->tree, which tree_build has made at
    x. The error is at most (9.15, eq:tree-bound). */
 void tree_add(const struct gravity *g, const double x[], double a[],
               size_t i);

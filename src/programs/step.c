@@ -166,7 +166,7 @@ static void choose_outside(struct run *r)
    the same, and the summary has the number used. */
 static void set_threads(struct motion *m, int threads)
 {
-    if (m->attracts && m->gravity.bodies >= GRAVITY_SHARE)
+    if (m->attracts && m->gravity.bodies >= GRAVITY_MANY)
         m->gravity.threads = threads;
     if (m->bound && m->springs.bodies >= SPRINGS_SHARE &&
         !springs_threads(&m->springs, threads))
@@ -214,7 +214,7 @@ static void set_in_motion(struct run *r)
     m->stepping.tolerance = r->s->tolerance;
     m->gravity.kernel = (enum gravity_kernel)r->s->kernel;
     if (m->gravity.kernel == GRAVITY_TREE && m->attracts &&
-        !gravity_plant(&m->gravity, r->s->theta))
+        !gravity_use_tree(&m->gravity, r->s->theta))
         program_give_up(PROGRAM, "no memory for the tree");
     set_threads(m, r->s->threads);
     m->spheres.rule = (enum spheres_rule)r->s->rule;

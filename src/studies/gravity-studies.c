@@ -1560,7 +1560,7 @@ static double time_forces(struct sky *k, int way, double a[])
 {
     struct gravity *g = &k->gravity;
     g->kernel = way == DIRECT ? GRAVITY_PORTABLE : gravity_fastest();
-    if (way >= NARROW && !gravity_plant(g, way == NARROW ? 0.2 : 0.5))
+    if (way >= NARROW && !gravity_use_tree(g, way == NARROW ? 0.2 : 0.5))
         program_give_up(PROGRAM, "no memory for the tree");
     memset(a, 0, 3 * g->bodies * sizeof *a);
     const double begin = bench_seconds();

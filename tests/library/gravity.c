@@ -35,7 +35,7 @@ static struct gravity prepare(size_t n, double k2, double softening)
 static void choose(struct gravity *g, int kernel)
 {
     g->kernel = (enum gravity_kernel)kernel;
-    UNIT_TRUE(kernel != GRAVITY_TREE || gravity_plant(g, 0));
+    UNIT_TRUE(kernel != GRAVITY_TREE || gravity_use_tree(g, 0));
 }
 
 static void add(const struct gravity *g, double a[])
@@ -295,7 +295,7 @@ TEST(test_sources, "none but the sources pull, by their share")
     memcpy(mass, all, sizeof all);
     g.source = source;
     g.sources = 3;
-    g.share = share;
+    g.factor = share;
     add(&g, sum);
     for (size_t c = 0; c < 120; ++c)
         UNIT_NEAR(sum[c], share[c % 40] * other[c],

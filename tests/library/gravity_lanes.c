@@ -73,7 +73,7 @@ static void store(double *p, unsigned mask, struct lanes a)
 #define gravity_kernels lanes_kernels
 #define gravity_create lanes_create
 #define gravity_free lanes_free
-#define gravity_plant lanes_plant
+#define gravity_use_tree lanes_use_tree
 #define gravity_add lanes_add
 #define gravity_forces lanes_forces
 #define gravity_potential lanes_potential

@@ -48,7 +48,7 @@ static struct gravity sum_both(size_t n, double softening, double theta)
     memset(direct, 0, sizeof direct);
     memset(tree, 0, sizeof tree);
     gravity_add(&g, place, direct);
-    UNIT_TRUE(gravity_plant(&g, theta));
+    UNIT_TRUE(gravity_use_tree(&g, theta));
     gravity_add(&g, place, tree);
     return g;
 }
@@ -231,16 +231,16 @@ TEST(test_blown_up, "a run that has blown up")
     }
 }
 
-/* Planted again, with another theta, and the same bits as the first time.
+/* Built again, with another theta, and the same bits as the first time.
  */
-TEST(test_again, "planted again")
+TEST(test_again, "built again, with another theta")
 {
     scatter(BALLS, 777, 2);
     struct gravity g = sum_both(777, 0, 0.5);
     memcpy(direct, tree, sizeof tree);
-    UNIT_TRUE(gravity_plant(&g, 0.2));
+    UNIT_TRUE(gravity_use_tree(&g, 0.2));
     gravity_add(&g, place, direct);
-    UNIT_TRUE(gravity_plant(&g, 0.5));
+    UNIT_TRUE(gravity_use_tree(&g, 0.5));
     memset(direct, 0, sizeof direct);
     gravity_add(&g, place, direct);
     UNIT_TRUE(memcmp(direct, tree, 3 * 777 * sizeof tree[0]) == 0);
@@ -256,7 +256,8 @@ TEST(test_small, "theta is how large a cell may look")
     const struct box box = {{-1, -2, -3}, {4, 5, 6}};
     mass[0] = 1;
     struct gravity g;
-    UNIT_TRUE(gravity_create(&g, 1, mass, 1, 0) && gravity_plant(&g, 0.5));
+    UNIT_TRUE(gravity_create(&g, 1, mass, 1, 0) &&
+              gravity_use_tree(&g, 0.5));
     for (int k = 0; k < 3; ++k)
         for (int side = 0; side < 4; ++side)
             for (int far = 0; far < 2; ++far) {
@@ -278,8 +279,9 @@ TEST(test_small, "theta is how large a cell may look")
 static size_t count_cells(size_t n)
 {
     struct gravity g;
-    UNIT_TRUE(gravity_create(&g, n, mass, 1, 0) && gravity_plant(&g, 0.5));
-    tree_plant(g.tree, place);
+    UNIT_TRUE(gravity_create(&g, n, mass, 1, 0) &&
+              gravity_use_tree(&g, 0.5));
+    tree_build(g.tree, place);
     const size_t cells = g.tree->cells;
     for (size_t i = 0; i < cells; ++i)
         UNIT_TRUE(g.tree->cell[i].next > i &&

@@ -128,7 +128,8 @@ static bool plants(void *unused)
     (void)unused;
     if (!gravity_create(&g, scene.bodies, scene.mass, 1, 0))
         return false;
-    const bool well = gravity_plant(&g, 0.5) && gravity_plant(&g, 0.2);
+    const bool well =
+        gravity_use_tree(&g, 0.5) && gravity_use_tree(&g, 0.2);
     gravity_free(&g);
     return well;
 }
@@ -514,8 +515,8 @@ TEST(test_forces_twice, "freed twice, what moves bodies")
     const double mass[] = {2, 1, 1};
     struct gravity g;
     struct jacobi j;
-    UNIT_TRUE(gravity_create(&g, 3, mass, 1, 0) && gravity_plant(&g, 0.5) &&
-              jacobi_create(&j, 3, mass, 1));
+    UNIT_TRUE(gravity_create(&g, 3, mass, 1, 0) &&
+              gravity_use_tree(&g, 0.5) && jacobi_create(&j, 3, mass, 1));
     gravity_free(&g);
     gravity_free(&g);
     jacobi_free(&j);

@@ -1,8 +1,8 @@
 # Bonkers: a book that is a program. `make help` lists what can be made.
 #
 # Everything made goes under build/. Only `make tangle` writes into src/ (the files
-# whose first line names a chapter), and only `make reset` writes exercises/. How a
-# thing is made is said beside it, in the files that are included below.
+# whose first line names a chapter), and only `make reset` writes exercises/. The rules
+# are in the files that are included below; src/compile.mk says what is made again when.
 
 all: first
 
@@ -12,31 +12,31 @@ SHELL = /bin/sh
 
 CC ?= cc
 STANDARD = -std=c11 -D_POSIX_C_SOURCE=200809L -Wall -Wextra -pedantic
-# A root need not tell errno that its number was negative: with that, gcc
-# would take the roots of a loop one by one. It changes no bit.
+# -fno-math-errno: without it gcc computes the square roots of a loop one at a time,
+# because each of them may have to set errno. Results keep every bit.
 PORTABLE = -O2 -ffp-contract=off -fno-math-errno
 SANITIZED = -g -O0 -ffp-contract=off $(sanitizers)
 
-# What is given on the command line is a value, not text for make or a shell:
-# recipes read it from the environment, as in "$$EX".
+# Variables that users set, as in `make check EX=01a'. Recipes read them from the
+# environment, as "$$EX", so that neither make nor a shell takes a value for a command.
 given = EX SUBMISSIONS REPORT JOBS HIDDEN RESULTS SECONDS TEXTS PRESET SCENE \
 	KEYS UNTIL EVERY VIEW FPS LIVE DT METHOD KERNEL TOLERANCE OBSERVE X Y \
 	EDITION WITH_CHAPTERS COMMANDS SEED FIRST SYSTEMS
 $(foreach v,$(given),$(if $(filter-out undefined,$(origin $v)),\
 	$(eval override $v := $$(value $v))$(eval export $v)))
-# bash counts in the other; a comment behind it would leave its blank in it.
+# bash changes $SECONDS. (A comment on the next line would add its blank to the value.)
 export seconds := $(value SECONDS)
 
-# V=1 shows the commands.
+# `make V=1' prints every command; otherwise a short line stands for it.
 Q = $(if $(V),,@)
 say = $(if $(V),,@echo '  $(1)')
 
-# $(call need,COMMAND,PACKAGE): stop unless the command is there.
+# $(call need,COMMAND,PACKAGE) stops, naming the package, unless COMMAND is installed.
 need = @command -v $(1) >/dev/null 2>&1 || { echo "make: $(1) is missing;\
  install it with: apt-get install --no-install-recommends $(2)" >&2; exit 1; }
 
-# A course that was handed out (make handout) is the kit without what only its
-# author needs: goals that need that say so, and make help leaves them out.
+# A students' course (make handout) lacks some files. $(call only_with,FILE,GOALS) makes
+# GOALS fail with a message where FILE is missing; make help leaves them out.
 define only_with
 ifeq ($(wildcard $(1)),)
 absent += $(2)
@@ -51,17 +51,17 @@ $(eval $(call only_with,tests/library,book works site test memcheck handout muta
 	grade grade-bench jobs test-cluster test-systems))
 $(eval $(call only_with,solutions,solution))
 $(eval $(call only_with,tests/fuzz,fuzz fuzz-scenes fuzz-commands hunt))
-# $(call offer,GOAL): echo, but for a goal that is absent.
-offer = @$(if $(filter $(1),$(absent)),: ||) echo
+# $(call help_for,GOAL) TEXT prints a line of the help, unless GOAL cannot be made here.
+help_for = @$(if $(filter $(1),$(absent)),: ||) echo
 
-# What students get; and what they do not: grading, the book, the tests, jobs.
+# The files of the second line are not part of a students' course.
 include src/compile.mk src/examiner/check.mk plots/plots.mk
 include src/studies/bench.mk $(wildcard src/jobs.mk src/examiner/grade.mk \
 	chapters/press/book.mk tests/tests.mk)
 
 programs: $(programs:%=build/bin/%)
 
-# A first result in seconds, and the next thing to try.
+# `make' alone builds the programs, shows a first result, and says what to try next.
 first: programs
 	$(if $(gsl),,@echo 'Not built, for want of GSL (apt-get install\
  --no-install-recommends libgsl-dev):' \
@@ -72,7 +72,7 @@ first: programs
 	@echo 'Next: make check (the exercises),' $(if $(filter book,$(absent)),\
 		'the book (bonkers.pdf)','make book (the PDF)'), make help
 
-# Every C file in the one layout: nothing is written, only compared.
+# Checks that every C file has the layout of .clang-format; changes nothing.
 c_files = $(wildcard tests/*.h tests/*/*.[ch] tests/exercises/*/*.c solutions/*.c \
 	src/*/*.[ch])
 format:
@@ -88,20 +88,20 @@ help:
 	@echo 'make watch        check whatever you save, until Ctrl-C'
 	@echo 'make hint         the next hint; EX=01a for that exercise'
 	@echo 'make progress     a bar for each chapter, and what comes next'
-	$(call offer,solution) 'make solution     EX=01a: the worked solution, once yours passes'
+	$(call help_for,solution) 'make solution     EX=01a: the worked solution, once yours passes'
 	@echo 'make reset        EX=01a: begin afresh; what you had is kept'
-	$(call offer,book) 'make book         the PDF; EDITION=instructor adds the solutions'
-	$(call offer,works) 'make works        the second volume: how the rest is made'
-	$(call offer,site) 'make site         the book as pages, to be opened in a browser'
-	$(call offer,handout) 'make handout      the archive for students; WITH_CHAPTERS=1 for more'
-	$(call offer,dist) 'make dist         what is published, and its checksums, in build/dist/'
-	$(call offer,grade) 'make grade        SUBMISSIONS=dir: points for a folder of students'
+	$(call help_for,book) 'make book         the PDF; EDITION=instructor adds the solutions'
+	$(call help_for,works) 'make works        the second volume: how the rest is made'
+	$(call help_for,site) 'make site         the book as pages, to be opened in a browser'
+	$(call help_for,handout) 'make handout      the archive for students; WITH_CHAPTERS=1 for more'
+	$(call help_for,dist) 'make dist         what is published, and its checksums, in build/dist/'
+	$(call help_for,grade) 'make grade        SUBMISSIONS=dir: points for a folder of students'
 	@echo 'make figures      the figures; QUALITY=lecture for slides too'
 	@echo 'make figure       FIGURE=09-eight: one of them; QUALITY=lecture'
-	$(call offer,contact) 'make contact      all figures and slides, small, to look at'
-	$(call offer,slides) 'make slides       CHAPTER=9: its lecture figures with titles, one a page'
-	$(call offer,pages) 'make pages        the measure of the book: pages, words, code, chapter by chapter'
-	$(call offer,test) 'make test         prove everything: N passed, N failed'
+	$(call help_for,contact) 'make contact      all figures and slides, small, to look at'
+	$(call help_for,slides) 'make slides       CHAPTER=9: its lecture figures with titles, one a page'
+	$(call help_for,pages) 'make pages        the measure of the book: pages, words, code, chapter by chapter'
+	$(call help_for,test) 'make test         prove everything: N passed, N failed'
 	@echo 'make programs     only build build/bin/'
 	@echo 'make inspect      SCENE=membrane X=t Y=z:30: what a scene does, drawn'
 	@echo 'make chart        SCENE=figure-eight TOLERANCE=1e-6: what bonk tries'
@@ -109,20 +109,20 @@ help:
 	@echo 'make movie        a film: SCENE=ring VIEW=tilted or PRESET=cradle; LIVE=1'
 	@echo 'make movies       films of all scenes and presets: half an hour'
 	@echo 'make bench        the speed tables, measured here'
-	$(call offer,mutants) 'make mutants      how many planted mistakes the exercises notice; OF=library'
-	$(call offer,grade) 'make grade-bench  how long a course of 25 takes to grade; RECORD=1'
-	$(call offer,jobs) 'make jobs         OF=grade, figures, atlas or hunt: lists for more machines than one'
-	$(call offer,memcheck) 'make memcheck     the library tests under sanitizers'
-	$(call offer,fuzz) 'make fuzz         scenes, options and files that are wrong; TEXTS=1e7 COMMANDS=1e4'
-	$(call offer,hunt) 'make hunt         random scenes for bonk, against paths of another kind; REQUESTS=3000'
-	$(call offer,tangle) 'make tangle       write the literate files of src/ from chapters/'
-	$(call offer,check-tangle) 'make check-tangle see that those files are what the chapters say'
+	$(call help_for,mutants) 'make mutants      how many planted mistakes the exercises notice; OF=library'
+	$(call help_for,grade) 'make grade-bench  how long a course of 25 takes to grade; RECORD=1'
+	$(call help_for,jobs) 'make jobs         OF=grade, figures, atlas or hunt: lists for more machines than one'
+	$(call help_for,memcheck) 'make memcheck     the library tests under sanitizers'
+	$(call help_for,fuzz) 'make fuzz         scenes, options and files that are wrong; TEXTS=1e7 COMMANDS=1e4'
+	$(call help_for,hunt) 'make hunt         random scenes for bonk, against paths of another kind; REQUESTS=3000'
+	$(call help_for,tangle) 'make tangle       write the literate files of src/ from chapters/'
+	$(call help_for,check-tangle) 'make check-tangle see that those files are what the chapters say'
 	@echo 'make format       see that the C files keep .clang-format'
 	@echo 'make compile_commands.json   for editors'
 	@echo 'make clean        remove build/'
 
-# What is kept hangs on the day when it was made (`+:' is to do nothing, and
-# to see whether it is as it was). What is lost is made again.
+# The end of the stamps (src/compile.mk): a file depends on its stamp, with a recipe that
+# does nothing, under make -n, too. Without its file a stamp goes, so both are made again.
 $(kept): build/%: build/made/%
 	@+:
 lost := $(filter-out $(wildcard $(kept)),$(kept))

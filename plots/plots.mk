@@ -1,8 +1,8 @@
-# Figures, films and the atlas: gnuplot, and ffmpeg if it is there.
+# Figures, films and the atlas. They need gnuplot, and films ffmpeg.
 
 .PHONY: figures has-gnuplot has-gsl
-# What figures and transcripts are made from, read from the scripts and the
-# chapters. Goals that need no book do without.
+# build/recipes/rules.mk has the rules for the data of figures and transcripts, extracted
+# from plots/*.gp and the chapters. The goals in $(bookless) do not need it.
 bookless := all first programs bench atlas movie movies wanted-movie inspect chart check watch hint progress \
 	reset solution mutants tangle check-tangle clean help format memcheck \
 	fuzz fuzz-scenes fuzz-commands compile_commands.json
@@ -14,27 +14,27 @@ include build/recipes/rules.mk
 kept += $(FIGURES_DATA) $(LECTURE_DATA) $(RUNS)
 endif
 
-# The first thing that figures look for is what they need.
+# Says what is missing, before anything is computed in vain.
 has-gnuplot:
 	$(call need,gnuplot,gnuplot-nox fonts-lmodern)
 has-gsl:
 	$(if $(gsl),,@echo 'make: GSL is missing; install it with: apt-get install\
  --no-install-recommends libgsl-dev' >&2; exit 1)
 
-# QUALITY=lecture takes the longer runs and draws for a slide as well.
+# QUALITY=lecture makes the longer runs that figures name, and draws slides, too.
 figures: has-gnuplot has-gsl programs $(FIGURES_PDF) $(FIGURES_SVG) \
 		$(if $(filter lecture,$(QUALITY)),$(FIGURES_LECTURE))
 	@echo 'Figures: build/figures/' \
 		$(if $(filter lecture,$(QUALITY)),'and build/lecture/')
 
-# The tables that are to be made: what make would start, were it to draw.
+# Lists the commands that make the missing tables, from what make -n would run.
 .PHONY: jobs-figures
 jobs-figures: has-gsl programs build/check/examine $(CHECK_BUILT)
 	$(call list,$(MAKE) -n --no-print-directory $(FIGURES_DATA) \
 		$(if $(filter lecture,$(QUALITY)),$(LECTURE_DATA)) | sed -n \
 		's|^.*\(chapters/press/recipes --[dr][au][tn]\)|\1|p' | sort -u)
 
-# One of them; with QUALITY=lecture its slide or slides.
+# make figure FIGURE=09-eight draws one figure, or with QUALITY=lecture its slides.
 FIGURE = 09-eight
 .PHONY: figure
 ifneq ($(filter figure,$(MAKECMDGOALS)),)
@@ -48,7 +48,7 @@ figure: has-gnuplot has-gsl $(FIGURE:%=$(if $(filter \
 		$(FIGURE)
 endif
 
-# plots/show reads what is given from the environment.
+# plots/show reads SCENE, PRESET, X, Y and the others from the environment.
 .PHONY: movie movies inspect chart wanted-movie
 wanted-movie:
 	@plots/show movie --wanted
@@ -62,14 +62,15 @@ inspect: has-gnuplot build/bin/step build/bin/scene
 chart: has-gnuplot build/bin/bonk build/bin/scene
 	@plots/show chart
 
-# The maps of chapter 12 and their truths, made anew: some minutes. The map of
-# a scene is kept for as long as the program is the same; together they are the
-# table that the figures' recipe makes.
+# Makes the maps of chapter 12 anew, with the reference runs behind them; it takes some
+# minutes. Each scene's map is a file in a folder that is named after the checksum of the
+# program, so that it is made once. Joined they are build/data/12-atlas.dat, which
+# the figures read.
 .PHONY: atlas jobs-atlas
 maps = at=build/atlas/$$(cksum <build/bin/bonk-studies | tr ' ' -) && \
 	mkdir -p $$at && scenes=$$(build/bin/bonk-studies --study scenes | \
 	sed '/^\#/d')
-# $$$$ is the number of the job's own process: it ends under another name.
+# Each job writes to a name with its process number, then renames the file.
 maps_missing = for scene in $$scenes; do map=$$at/$$scene; [ -e $$map ] || \
 	echo "[ -e $$map ] || { build/bin/bonk-studies --study atlas" \
 	"--scene $$scene -o $$map.\$$\$$ && mv $$map.\$$\$$ $$map; }"; done

@@ -1,16 +1,56 @@
-# How all of src/ is compiled: what the compiler can do, what is made again and
-# what is not, and the two builds, portable and sanitized.
-# `make tangle', which writes the C of this folder, leaves files like this one
-# alone.
+# How src/ is compiled: when a file is made again, what the compiler can do, and the two
+# builds, portable and with sanitizers.
 
-# make -n, -q and -t run the lines that name $(MAKE) all the same, so that
-# another make can say what it would do. Such a line that does more than to
-# call make begins with this.
+# How make decides what to make again
+#
+# make makes a file again when something that it depends on is newer. Taken literally
+# that makes too much: after a comment was changed in random.c its object has the bytes
+# that it had, but all programs would be linked and all figures drawn again. So most
+# files have a stamp. For the program disks there are
+#
+#   build/bin/disks          the file itself; its time says when its bytes last changed
+#   build/made/bin/disks     its stamp, an empty file; its time says when the rule last ran
+#   build/made/bin/disks.d   for what is compiled: the headers that the compiler read
+#
+# A rule has the stamp as its target, and three words do the rest; $(made) is
+# build/bin/disks:
+#
+#   build/made/bin/disks: build/obj/programs/disks.o build/obj/libbonkers.a
+#   	$(begin)                          makes the folders
+#   	cc -o $(made).new $^              makes the file under another name
+#   	@$(take)                          keeps the old file if the new one equals it
+#
+# The name of the file is added to $(kept), and the end of the Makefile makes each file
+# in $(kept) depend on its stamp. So the stamp is compared with what went into the file,
+# and whatever is made from the file is compared with the file. A rule that compiles
+# says $(reads) among the compiler's flags, which writes the .d, and ends with
+# $(take_compiled), which keeps it.
+made = $(@:build/made/%=build/%)
+begin = @mkdir -p $(@D) $(dir $(made))
+reads = -MMD -MP -MT $@ -MF $@.new
+take = if cmp -s $(made).new $(made); then rm $(made).new && touch $@; \
+	else mv $(made).new $(made) && touch -r $(made) $@; fi
+# Each source gets a rule without a recipe, as -MP gives one to each header: then make
+# does not stop because a file that was read the last time has been deleted since.
+take_compiled = @{ cat $@.new*; printf '%s:\n' $(filter %.c,$^); } >$@.d && \
+	rm $@.new* && $(take)
+
+# These goals change files that other goals read. Beside them `make -j' does one thing
+# after the other.
+ifneq ($(filter tangle clean reset,$(MAKECMDGOALS)),)
+.NOTPARALLEL:
+endif
+
+# make -n, -q and -t run nothing but recipe lines that contain $(MAKE), so that the make
+# that these start can say what it would do. A line that does something else as well
+# begins with $(unless_dry), which ends it under these options.
 unless_dry = $(if $(strip $(foreach f,n q t,$(findstring $f,$(filter-out -%,\
 	$(firstword $(MAKEFLAGS)))))),exit; )
 
-# What the compiler can do: GSL, OpenMP for the programs that can use all
-# cores. The key is what was asked, and what everything compiled depends on.
+# What the compiler can do. build/compiler/key has the compiler, its version and the
+# flags, and every object depends on it, so that other ones compile everything anew.
+# build/compiler.mk says whether a program with GSL and one with OpenMP could be compiled,
+# linked and run.
 FLAGS = $(CPPFLAGS) $(CFLAGS)
 GSL_LIBS = -lgsl -lgslcblas
 asked = build/compiler
@@ -36,50 +76,37 @@ build/compiler.mk: build/compiler/key
 	if $(call try,-fopenmp $(asked)/main.c $(asked)/other.c); \
 		then echo 'OPENMP = -fopenmp'; fi; } >$@.part
 	@mv $@.part $@
-# Who works at the exercises needs no answer.
+# Goals for students need neither, and save the time to ask.
 students := check watch hint progress reset solution build/check/% help clean
 ifneq ($(filter-out $(students),$(or $(MAKECMDGOALS),first)),)
 include build/compiler.mk
 endif
 
-# What is there. What needs the GNU Scientific Library includes laws.h or
-# gsl/; without the library it is left out, and bare make says so.
-# What includes reference.h can do without: it asks whether it is there.
+# The programs, and the files of the library. A file that includes laws.h or a header of
+# GSL, the GNU Scientific Library, is left out where there is no GSL. A file that includes
+# reference.h is linked with GSL where there is one, and works without.
 gsl_sources = src/*/*.c tests/library/*.c tests/stability/*.c
 gsl_files := $(filter-out src/forces/reference.c,$(shell grep -lE \
 	'^.include ("line/laws.h"|<gsl/)' $(gsl_sources) 2>/dev/null))
 gsl_users := $(shell grep -l '^.include "forces/reference.h"' $(gsl_sources) \
 	2>/dev/null)
 without = $(if $(gsl),,$(gsl_files))
-roofs := $(filter-out $(without),$(wildcard src/programs/*.c src/studies/*.c))
-programs := $(notdir $(roofs:.c=))
-rooms = toolbox line box scenes forces choosing
-library := $(filter-out $(without),$(wildcard $(rooms:%=src/%/*.c)))
+mains := $(filter-out $(without),$(wildcard src/programs/*.c src/studies/*.c))
+programs := $(notdir $(mains:.c=))
+library_folders = toolbox line box scenes forces choosing
+library := $(filter-out $(without),$(wildcard $(library_folders:%=src/%/*.c)))
 # $(call gsl_libs,src/FILE.c): what to link it with.
 gsl_libs = $(if $(gsl),$(if $(filter $(1),$(gsl_files) $(gsl_users)),\
 	$(GSL_LIBS)))
 
-# Nothing is made twice. What is compiled hangs on the headers that it read,
-# which the compiler writes down; and what comes out as it was keeps its time,
-# so that nothing that hangs on it is made again. For that build/FILE is made
-# aside, build/made/FILE says when it was last made, and build/made/FILE.d
-# what was read for it. A rule names what it makes by its build/made/FILE, and
-# `kept' all such files; what is done with them stands last in the Makefile.
-made = $(@:build/made/%=build/%)
-begin = @mkdir -p $(@D) $(dir $(made))
-reads = -MMD -MP -MT $@ -MF $@.new
-take = if cmp -s $(made).new $(made); then rm $(made).new && touch $@; \
-	else mv $(made).new $(made) && touch -r $(made) $@; fi
-# A source that is gone, like a header, is nothing to wait for.
-take_compiled = @{ cat $@.new*; printf '%s:\n' $(filter %.c,$^); } >$@.d && \
-	rm $@.new* && $(take)
-
+# Files that are compiled with OpenMP, by base name; one file is told that there is GSL.
 parallel := bonkers springs gravity
 flags_of = $(if $(filter $(parallel),$(notdir $*)),$(OPENMP)) \
 	$(if $(gsl),$(if $(filter reference,$(notdir $*)),-DWITH_GSL))
 
-# The portable build, which finds out when it runs what this machine can do
-# (src/toolbox/vector.h), and the sanitized one.
+# $(call tree,FOLDER/,FLAGS) has the rules of one build: its objects, its library, its
+# programs. The portable build chooses the fastest vector code when it runs
+# (src/toolbox/vector.h); the other one finds errors of memory.
 define tree
 build/made/$(1)obj/%.o: src/%.c build/compiler/key
 	$$(begin)
@@ -88,21 +115,21 @@ build/made/$(1)obj/%.o: src/%.c build/compiler/key
 		-DBUILD_FLAGS='"$$(strip $$($(2)))"' -Isrc $$(FLAGS) \
 		-c -o $$(made).new $$<
 	$$(take_compiled)
-# The folders, too: a file may be gone.
+# The archive depends on the folders as well: a file that was deleted has to drop out.
 build/made/$(1)obj/libbonkers.a: $$(library:src/%.c=build/$(1)obj/%.o) \
-		$$(rooms:%=src/%)
+		$$(library_folders:%=src/%)
 	$$(begin)
 	@rm -f $$(made).new
 	@ar rcs $$(made).new $$(filter %.o,$$^)
 	@$$(take)
-$(foreach p,$(roofs:src/%.c=%),
+$(foreach p,$(mains:src/%.c=%),
 build/made/$(1)bin/$(notdir $(p)): build/$(1)obj/$(p).o)
 $(programs:%=build/made/$(1)bin/%): build/$(1)obj/libbonkers.a
 	$$(begin)
 	$$(call say,link $$(made))
 	$$(Q)$$(CC) $$($(2)) $$(OPENMP) $$(FLAGS) -o $$(made).new \
 		$$(filter %.o,$$^) $$(filter %.a,$$^) $$(LDFLAGS) \
-		$$(call gsl_libs,$$(filter %/$$(@F).c,$(roofs))) -lm
+		$$(call gsl_libs,$$(filter %/$$(@F).c,$(mains))) -lm
 	@$$(take)
 kept += $$(patsubst src/%.c,build/$(1)obj/%.o,$$(wildcard src/*/*.c)) \
 	build/$(1)obj/libbonkers.a $$(programs:%=build/$(1)bin/%)
@@ -110,7 +137,7 @@ endef
 $(eval $(call tree,,PORTABLE))
 $(eval $(call tree,sanitized/,SANITIZED))
 
-# For editors and clangd.
+# What clangd and many editors read to learn the compiler's flags.
 compile_commands.json: Makefile src/compile.mk $(library)
 	@json() { printf '%s' "$$*" | sed 's/["\\]/\\&/g'; }; \
 	here=$$(json "$$PWD"); how=$$(json "$(CC) $(STANDARD) $(PORTABLE)"); \

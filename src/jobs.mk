@@ -1,11 +1,11 @@
 # Work for more machines than one: lists of independent jobs, one command a
 # line, for engines that run such lists (see README).
 
-# make jobs OF=grade|figures|atlas|hunt, with what the goal itself is given.
-# A job may be run in any order, twice, and be killed: what it makes is there
-# whole or not at all, and what is there is not listed.
+# `make jobs OF=grade' (or figures, atlas, hunt) writes the list build/jobs/grade; it takes
+# the variables that `make grade' takes. Jobs may run in any order, or twice, or be killed:
+# a file that they make is whole or absent, and what exists already is not listed.
 .PHONY: jobs
-# $(call list,COMMAND): the rule of a goal jobs-NAME.
+# $(call list,COMMAND) is the recipe of the goal jobs-NAME; COMMAND prints the list.
 list = @$(unless_dry)mkdir -p build/jobs && { $(1); } >build/jobs/$(@:jobs-%=%).new && \
 	mv build/jobs/$(@:jobs-%=%).new build/jobs/$(@:jobs-%=%) && echo \
 	"Jobs: $$(wc -l <build/jobs/$(@:jobs-%=%)) in build/jobs/$(@:jobs-%=%)"

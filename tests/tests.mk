@@ -1,4 +1,5 @@
-# Proof: the tests, the mutants, memcheck and fuzz.
+# The tests; and what looks for mistakes in the tests and the programs: mutants,
+# memcheck, fuzz, hunt.
 
 .PHONY: test test-parts memcheck
 TEST_SECONDS = 600
@@ -9,8 +10,8 @@ scripts := $(wildcard tests/exercises/*.sh tests/stability/*.sh \
 	tests/programs/*.sh tests/grader/*.sh tests/examiner/*.sh \
 	tests/kit/*.sh tests/site/*.sh)
 
-# A test's own code runs for less time than the compiler would work on it, but
-# where forces are summed in it once more. (A hunt's runs for hours.)
+# Unit tests are compiled without optimization, since optimizing one takes longer than
+# running it. gravity_tree is not: it sums the forces of many bodies itself.
 quickly = $(if $(filter library/% stability/%,$(filter-out %/gravity_tree,$*)),-O0)
 build/made/tests/%: tests/%.c build/obj/libbonkers.a build/compiler/key
 	$(begin)
@@ -25,7 +26,7 @@ build/made/tests/%: tests/tools/%.c build/compiler/key
 	$(Q)$(CC) $(STANDARD) $(PORTABLE) $(reads) $(FLAGS) -o $(made).new $< \
 		$(LDFLAGS)
 	$(take_compiled)
-# Of the examiner only what it removes folders with.
+# The one unit test of the examiner: how it removes folders.
 build/made/tests/examiner/folder: build/obj/examiner/folder.o
 build/made/tests/examiner/%: tests/examiner/%.c build/compiler/key
 	$(begin)
@@ -38,9 +39,9 @@ kept += $(unit_tests) $(examiner_tests) $(tools) build/tests/grader/reports \
 	build/tests/grader/schema build/tests/mutants/outlive \
 	$(unit_tests:build/tests/%=build/memcheck/%)
 
-# The book is the first of the tests. Beside it run those that neither look at
-# what it makes nor call make themselves; the others wait. Those that take
-# longest begin first: neither the book nor the end waits for one of them alone.
+# The book is the first of the tests. Scripts that neither read the book nor call make run
+# beside it ($(beside)); the others wait until it is made. The longest begin first, so that
+# at the end no processor waits for a single long test.
 longest = $(addprefix tests/,exercises/all.sh examiner/projects.sh \
 	programs/bytes.sh grader/hostile.sh site/browser.sh kit/handout.sh \
 	kit/movie.sh site/live.sh exercises/nothing.sh grader/figures.sh)
@@ -74,7 +75,8 @@ test-parts: grade-parts build/check/examine $(CHECK_BUILT) $(unit_tests) $(tools
 	build/tests/mutants/outlive build/tests/grader/reports \
 	build/tests/grader/schema build/tests/mutants/library-flags
 
-# What the reports are tested with: a course made up, a validator of JSON.
+# Programs for tests/grader/reports.sh: one writes the reports of an invented course, the
+# other validates JSON.
 build/made/tests/grader/reports: $(patsubst %,build/grade/obj/grade/%.o,\
 	publish marks trial process text) build/obj/toolbox/replace.o
 build/made/tests/grader/%: tests/grader/%.c build/compiler/key
@@ -97,7 +99,7 @@ mutants-exercises: build/check/examine $(CHECK_BUILT) build/tests/mutate \
 mutants-library: $(unit_tests) $(unit_tests:build/tests/%=build/memcheck/%) \
 		programs build/tests/mutate build/tests/mutants/library-flags
 	@tests/mutants/library
-build/tests/mutants/library-flags: build/compiler/key tests/tests.mk $(rooms:%=src/%)
+build/tests/mutants/library-flags: build/compiler/key tests/tests.mk $(library_folders:%=src/%)
 	@mkdir -p $(@D)
 	@printf '%s\n' '$(CC) $(STANDARD) $(FLAGS) -Isrc' '$(PORTABLE)' \
 		'$(SANITIZED)' '$(OPENMP)' '$(parallel)' '$(gsl)' \

@@ -10,24 +10,30 @@ check-tangle:
 	$(call need,notangle,noweb)
 	@chapters/press/tangle --check
 
-# The first thing that a book looks for is what it needs.
+# Says what is missing, before anything is computed in vain.
 has-tex: has-gnuplot
 	$(call need,notangle,noweb)
 	$(call need,pdflatex,lmodern texlive-latex-extra texlive-fonts-recommended)
 
-# All figures and slides on a few sheets, to be looked at.
+# Puts all figures and slides, small, on a few sheets.
 contact: has-tex has-gsl $(FIGURES_PDF)
 	@chapters/press/contact
 	@echo 'The contact sheets: build/contact.pdf'
 
-# EDITION=instructor adds the worked solutions.
-# How much of the book is prose, chapter by chapter.
+# Counts pages, words and lines of code, chapter by chapter.
 .PHONY: pages
 pages: build/bonkers.pdf
 	$(call need,pdftotext,poppler-utils)
 	@chapters/press/measure
 
 .PHONY: works
+# EDITION=instructor adds the worked solutions. Goals that draw figures use all processors,
+# unless -j says how many.
+ifeq ($(MAKELEVEL),0)
+ifneq ($(filter book works site figures handout dist,$(MAKECMDGOALS)),)
+MAKEFLAGS += -j$(shell getconf _NPROCESSORS_ONLN)
+endif
+endif
 edition := $(if $(filter instructor,$(EDITION)),-instructor)
 book: has-tex build/bonkers$(edition).pdf figures
 	@echo 'The book: build/bonkers$(edition).pdf'
@@ -35,7 +41,7 @@ book: has-tex build/bonkers$(edition).pdf figures
 works: has-tex build/works.pdf
 	@echo 'The second volume: build/works.pdf, beside build/bonkers.pdf'
 
-# The lecture figures of a chapter, one a page under its title.
+# Puts the lecture figures of a chapter, with titles, on one page each.
 CHAPTER = 9
 .PHONY: slides
 ifneq ($(filter slides,$(MAKECMDGOALS)),)

@@ -18,8 +18,8 @@ has-site:
 	$(call need,pandoc,pandoc)
 	$(call need,bibtex,texlive-binaries)
 
-# The pages are made by one command, which knows which of them are stale: what
-# a chapter leads to may have moved in another.
+# One command makes the pages, and finds out which of them have to be made again: a link
+# of one chapter may lead to a place that has moved in another.
 site: has-gnuplot has-gsl has-site build/site$(edition)/made
 	@echo 'The pages: open build/site$(edition)/index.html'
 build/site/made: build/woven $(FIGURES_SVG) $(RUNS) $(LIVE_FILES) \

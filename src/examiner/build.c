@@ -1,4 +1,4 @@
-/* Starts the compiler and tells of its messages what helps. */
+/* Compiles an exercise, and explains what the compiler says. */
 #include "examiner/build.h"
 #include "examiner/message.h"
 #include "examiner/process.h"
@@ -10,10 +10,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* Reads the compiler's command and the libraries. The compiler's command
-   and the libraries come from a file that the makefile has written, never
-   from the environment: objects of two compilers whose sanitizers differ do
-   not link. */
+/* Returns the text of build/check/flags, which make has written: the
+   compiler's command, then the libraries. They are never taken from the
+   environment, because objects of two compilers whose sanitizers differ
+   cannot be linked. */
 static char *flags_read(void)
 {
     char *flags = text_read("build/check/flags");
@@ -30,10 +30,9 @@ bool build_sanitized(void)
     return found;
 }
 
-/* Has make build the suite of an exercise that is not there yet. make check
-   has seen to the suites of the exercises that are named or begun. While
-   make watch runs a student begins with another; then make is asked for one
-   more. */
+/* Has make build the suite of an exercise, unless it is there. make check
+   has built those of the exercises that are named or begun; but during
+   make watch a student may begin another one. */
 void build_suite(const char *exercise)
 {
     static char script[] = "exec ${MAKE:-make} -s \"$@\" >&2";
@@ -55,22 +54,22 @@ void build_suite(const char *exercise)
                   suite);
 }
 
-/* The student's file is compiled behind the types that the exercise gives,
-   so that a function with other ones is an error in the line where it
-   stands; the linker would not notice, and its values would look like wrong
-   physics. Only strict, for the kit's own tests, makes errors of warnings:
-   a file that is half done may have an unused variable and still be worth
-   running. */
+/* Compiles and links the student's file. The header with the types of the
+   exercise's functions is included first, so that a function with other
+   types is an error in its own line; the linker would not notice, and its
+   results would look like wrong physics. Warnings are errors only with
+   `strict', for the kit's own tests: a file that is half done may have an
+   unused variable and still be worth running. */
 static char function[] =
     "types=build/check/$5.types.h && [ -f $types ] || types=\n"
     "exec $1 $2 ${types:+-include $types} -Isrc -Isrc/examiner "
     "-Wall -Wextra -fmax-errors=20 "
     "-o \"$3/runner\" \"$4\" build/check/$5.suite.o $6";
 static char runner[] = "exec $1 -o \"$3/runner\" build/check/$5.suite.o $6";
-/* A project is built once for each of the functions that it is given in
-   place of its header's. The first is the right one and is watched by
-   sanitizers; the others do without, in half the time, and without
-   warnings, which would be the same. */
+/* Builds a project, once for each of the functions that it is linked with
+   in place of the one in its header. Only the first, the right one, is
+   built with sanitizers and warnings: the others take half the time, and
+   their warnings would be the same. */
 static char program[] =
     "given=build/check/$5.given.o law=1\n"
     "name=$(sed -n 's/^void \\([a-z]*\\)_0(.*/\\1/p' \\\n"
@@ -87,12 +86,11 @@ static char program[] =
     "    law=$((law + 1))\n"
     "done\n";
 
-/* Runs a script of the shell, which is constant: what changes is handed
-   over as arguments, the flags without quotation marks, to be split at
-   blanks, the names with them. A name put into the script would be one
-   quotation mark away from being a command. Messages are asked for in
-   English and without colours, because they are read here. A compiler that
-   works half a minute on fifty lines will not come to an end. */
+/* Runs one of the scripts above. They are constant, and what varies is
+   passed as arguments: a name that was put into the script could end a
+   quotation and become a command. Messages are asked for in English and
+   without colours, because they are read here. A compiler that takes half
+   a minute for an exercise has met an endless loop of its own. */
 static bool compile(const char *folder, const char *exercise, char *source,
                     bool strict, char *script)
 {
@@ -142,8 +140,8 @@ static const char *find_line(const char *text, const char *start,
     return NULL;
 }
 
-/* Counts the lines with a word. A note and a warning have others, and the
-   blank in front leaves out parts of names. */
+/* Returns how often a word occurs. " error: " with its blanks is part of
+   no name, and notes and warnings do not have it. */
 static int count(const char *text, const char *word)
 {
     int found = 0;
@@ -152,11 +150,10 @@ static int count(const char *text, const char *word)
     return found;
 }
 
-/* Returns the first error in the student's file. A missing return is passed
-   over if there is another one, of which it is mostly a consequence: a
-   function that the compiler could not read to its end has no return. Only
-   the first is shown, because one missing brace makes a dozen errors, and a
-   beginner who begins with the last one mends a place that was right. */
+/* Returns the first error in the student's file, because the others often
+   follow from it, and a beginner who starts with the last one changes what
+   was right. A missing return comes after all others: a function that the
+   compiler could not read to its end has none. */
 static const char *find_error(const char *text, const char *source)
 {
     const char *first = find_line(text, source, "error:");
@@ -166,9 +163,9 @@ static const char *find_error(const char *text, const char *source)
     return line ? line : first;
 }
 
-/* Points at the student's line that an error within a header comes from. An
-   error inside a header of the system's is the student's: the line above
-   its #include has no end. Where it was included stands in the message. */
+/* Shows the #include of the student's file in whose header the compiler
+   found an error. A header of the system has none: what is wrong is the
+   end of the line above the #include. */
 static void tell_header(const char *text, const char *source, FILE *story)
 {
     char place[4200];
@@ -193,9 +190,10 @@ static void quoted_name(const char *start, char name[64])
         *name = '\0';
 }
 
-/* Finds which function the error in this line of text is about, if it is
-   about the types of one. A definition in the old style, with the types
-   behind the parenthesis, is only named in the line above. */
+/* Copies to name the function whose types the error in this line is about;
+   returns false if it is about something else. For a definition in the old
+   style, with the types behind the parenthesis, only the line above the
+   error names it. */
 static bool name_function(const char *text, const char *line, char name[64])
 {
     static const char *const words[] = {
@@ -215,8 +213,9 @@ static bool name_function(const char *text, const char *line, char name[64])
     return *name;
 }
 
-/* Returns the function as the exercise gives it, from its header for the
-   compiler, or NULL if it gives none of this name. */
+/* Returns the declaration of a function, as the exercise gives it, or
+   NULL. It stands in a comment of the header that tests/types.awk has
+   made. */
 static char *given_function(char *header, const char *name)
 {
     char call[66];
@@ -233,8 +232,8 @@ static char *given_function(char *header, const char *name)
     return NULL;
 }
 
-/* Returns what an error means that is about the types of a function which
-   the exercise gives, or NULL if the error in this line is another one. */
+/* Explains an error about the types of a function that the exercise gives;
+   returns NULL for any other error. */
 static const char *name_types(const char *text, const char *line,
                               const char *types)
 {
@@ -268,10 +267,10 @@ void build_tell(const char *text, const char *source, const char *types,
     const char *line = own ? own : find_line(text, "", "error:");
     if (!own && line)
         tell_header(text, source, story);
-    /* The linker's two complaints have one cause each here. It goes through
-       the files in the order in which it got them, the student's first, and
-       names each before it complains: a complaint before the suite's name
-       is about a call of the student's own. */
+    /* The linker has two complaints, each with one cause here. It names
+       each file before it complains of it, the student's first: so a
+       complaint before the suite's name is about a call in the student's
+       file. */
     const char *lost = strstr(text, "undefined reference");
     const char *twice = strstr(text, "multiple definition");
     const char *tests = strstr(text, ".suite.o");
@@ -332,10 +331,10 @@ static const char *find_warning(const char *text, const char *source)
     return line ? line : first;
 }
 
-/* Shows one warning about the student's file. Warnings are shown only
-   when a test has failed, because then they often name the reason. The
-   first warning that we can explain is preferred to others, such as that of
-   an unused variable, which seldom help a beginner. */
+/* Shows one warning about the student's file, and only when a test has
+   failed, because a warning often names the reason. The first one that we
+   can explain is preferred: others, such as that of an unused variable,
+   seldom help a beginner. */
 void build_warning(const char *folder, const char *source, FILE *story)
 {
     char *text = read_messages(folder);

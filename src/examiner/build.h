@@ -1,4 +1,4 @@
-/* A student's file made into a runner, or why it does not build. */
+/* Builds a runner from a student's file, or explains why it cannot. */
 #ifndef BUILD_H
 #define BUILD_H
 

@@ -20,9 +20,9 @@
 #include <sys/syscall.h>
 #endif
 
-/* Returns a text in a ring of 32 buffers: the header promises 20, the other
-   twelve are for this file. Allocated texts could not be freed in the
-   middle of an initializer, where suites call this. */
+/* Returns a text in one of 32 buffers, which are used in turn; the header
+   promises 20 of them, this file needs the others. Suites call this within
+   initializers, where allocated memory could not be freed. */
 const char *check_text(const char *format, ...)
 {
     static char texts[32][512];
@@ -38,14 +38,13 @@ const char *check_text(const char *format, ...)
 static pid_t report_owner;
 static char report_nonce[REPORT_NONCE + 1];
 
-/* Writes one record in a single write, so that it is there or not there;
-   with stdio half of it could be left in a buffer when the process dies. It
-   begins with a line end in case the program has left half a line. Only the
-   process that opened the report writes: if the student's code forks, the
-   copy must not report in the name of the original. Where the descriptor
-   has been closed there is nobody left to tell, so the process ends with a
-   status that is not 0. A text of check_text has at most 511 characters, so
-   the record is never cut. */
+/* Writes one line of the report. It is a single write, so that the line is
+   whole or absent when the process dies, and it begins with a line end in
+   case the program has left half a line. Only the process that opened the
+   report writes: a copy that the student made with fork must not report in
+   its name. If the descriptor was closed the process ends with a status
+   that is not 0, which the examiner sees. The buffer holds every text of
+   check_text. */
 static void report(const char *word, const char *text)
 {
     char record[REPORT_RECORD];
@@ -57,9 +56,9 @@ static void report(const char *word, const char *text)
         _exit(EXIT_FAILURE);
 }
 
-/* Takes the nonce out of the report and empties it; returns whether it
-   could. The descriptor closes on exec, so that no program started by the
-   student's code inherits it. */
+/* Reads the nonce from the report and empties it; returns whether that
+   worked. The descriptor closes on exec, so that no program that the
+   student starts inherits it. */
 static bool report_open(void)
 {
     report_owner = getpid();
@@ -69,17 +68,17 @@ static bool report_open(void)
            fcntl(REPORT_FILE, F_SETFD, FD_CLOEXEC) == 0;
 }
 
-/* Leaves by _exit, which runs no handlers and flushes nothing: the value
-   behind the comma of NOT_DONE_YET is never returned, and a loop that waits
-   for another value does not turn for ever. */
+/* Reports that a gap was reached, and ends the process. NOT_DONE_YET so
+   never returns its value, and a loop that waits for a value comes to an
+   end. */
 void exercise_not_done(const char *file, int line)
 {
     report(REPORT_UNDONE, check_text("%s:%d", file, line));
     _exit(EXIT_SUCCESS);
 }
 
-/* Sends one line of a failure: a label and its text. A field that the suite
-   has left out is left out here. */
+/* Reports one line about a failure, a label and its text, unless the suite
+   has given no text. */
 static void say(const char *label, const char *text)
 {
     if (text && *text)
@@ -91,8 +90,8 @@ void check_tell(const char *label, const char *text)
     say(label, text);
 }
 
-/* Writes a number with so many digits. The sign of a NaN means nothing and
-   differs between compilers, so it is not shown. */
+/* Writes a number with this many digits. A NaN gets no sign, since that
+   means nothing and differs between compilers. */
 static void number_text(char *text, size_t room, int digits, double x)
 {
     if (isnan(x))
@@ -115,9 +114,10 @@ static void number_pair(char *one, char *other, size_t room, double x,
     }
 }
 
-/* Returns whether two numbers agree. A comparison with NaN is false, so a
-   NaN fails; !(fabs(got - expected) > tolerance) would let it pass. Equal
-   infinities differ by a NaN and are caught by the first test. */
+/* Returns whether two numbers agree. A NaN does not, since comparing it
+   gives false; !(fabs(got - expected) > tolerance) would let it pass.
+   Equal infinities need the first comparison, because their difference is
+   a NaN. */
 static bool near(double got, double expected, double tolerance)
 {
     return got == expected || fabs(got - expected) <= tolerance;
@@ -171,26 +171,25 @@ static const struct check_mistake *mistake_behind(double got,
     return found;
 }
 
-/* Returns the question about an answer that is no number. The question
-   about an answer that is no number comes before any about physics: it has
-   many causes, and the input does not tell which. */
+/* Returns the question for an answer that is no number. It is asked
+   instead of any about physics: a NaN has many causes, and the input does
+   not tell which. */
 static const char *ask_of_nan(double got)
 {
     return is_empty(got)
                ? "Nothing has been put into this place. Which line of "
-                 "yours "
-                 "should fill it, and does your function come there?"
+                 "yours should fill it, and does your function come "
+                 "there?"
                : "This is not a number. Where does it begin: with zero "
                  "divided by zero, the root of something negative, an "
                  "infinity less an infinity, or a variable that has no "
                  "value yet?";
 }
 
-/* Reports a failed check in the order in which one thinks about it: what
-   was asked, what went in, what should have come out, what did, the
-   tolerance. The last line is the hint of a recognised mistake or else the
-   question, never both: a question would lead away from a mistake that is
-   known. */
+/* Reports a failed check: what was asked, the input, what should have come
+   out, what did, the tolerance, and last a hint, if the answer is a known
+   mistake, or else a question. Both would be too much: the question would
+   lead away from the mistake. */
 static void say_failure(double got, const struct check *c)
 {
     char wanted[64], found[64];
@@ -213,10 +212,10 @@ static void say_failure(double got, const struct check *c)
                                                           : c->question);
 }
 
-/* Compares, tells CUnit, and reports a failure. CUnit is told in either
-   case, because it counts the comparisons, and a test without any must not
-   pass. Only the first failure of a test is reported; a loop over a
-   thousand inputs that fails on each has one thing to say. */
+/* Compares, tells CUnit, and reports a failure. CUnit counts passed
+   comparisons, too: a test without any must not pass. Only the first
+   failure of a test is reported, since a loop over a thousand inputs that
+   fails at each has one thing to say. */
 bool check_near(const char *file, int line, double got, struct check c)
 {
     const bool passed = near(got, c.expected, c.tolerance);
@@ -227,9 +226,9 @@ bool check_near(const char *file, int line, double got, struct check c)
     return passed;
 }
 
-/* Reports what was written outside of a place. The name comes from the
-   program in the box and may be anything, so it is cut where it is no
-   name. */
+/* Reports that a function wrote outside of an output. The name comes from
+   the program in the sandbox and may be any bytes, so it is cut at the
+   first that no name has. */
 static void say_overrun(const struct check_overrun *o)
 {
     static const char low[] = "Does your function use an index below 0?";
@@ -246,7 +245,7 @@ static void say_overrun(const struct check_overrun *o)
                                name, o->before ? low : high));
 }
 
-/* Fails the test, however right its numbers are. */
+/* Fails the test, even if all its numbers are right. */
 void check_overrun(const struct check_overrun *overrun)
 {
     struct check_overrun o = *overrun;
@@ -276,16 +275,15 @@ void check_demand(const char *what, double asked, double most)
 
 static struct random inputs;
 
-/* Seeds the inputs of a test, so that it draws the same whether or not
-   those before it were run. The number is multiplied by an odd constant
-   with many bits, so that neighbouring seeds and tests do not meet in one
-   sequence. */
+/* Seeds the random inputs of a test by its number, so that they do not
+   depend on which tests ran before. The odd factor with many bits keeps
+   neighbouring seeds and tests from sharing a sequence. */
 static void seed_inputs(uint64_t seed, int number)
 {
     random_seed(&inputs, seed + (uint64_t)number * 0x9e3779b97f4a7c15u);
 }
 
-/* Draws from the report's nonce, which is another one in each run. */
+/* Shuffles with the report's nonce as seed, which is new in each run. */
 void check_shuffle(int order[], int count)
 {
     struct random drawn;
@@ -302,9 +300,9 @@ void check_shuffle(int order[], int count)
     }
 }
 
-/* Draws a number and rounds it to four digits. printf rounds to four
-   digits, and strtod takes the double nearest to them, as the compiler does
-   when a student types them. */
+/* Draws a number with four significant digits: printf rounds it to them,
+   and strtod returns the nearest double, as the compiler does for a number
+   in a source file. */
 double check_draw(double low, double high)
 {
     char text[32];
@@ -327,11 +325,10 @@ static bool is_idle(const struct check_test *t)
     return false;
 }
 
-/* Prints what the suite says of itself: file, title and minutes, then a
-   line for each test with its points, those under another seed, 1 if it is
-   idle, and its name. The makefile asks a runner that was made of the stub,
-   once: the number of tests is not for a program with a student's code in
-   it to say. */
+/* Prints the suite's file, title and minutes, then a line for each test:
+   its points, its points under another seed, 1 if it is idle, its name.
+   make reads this from a runner with the stub: a program with a student's
+   code in it must not say how many tests there are. */
 static int list_suite(void)
 {
     printf("file %s\ntitle %s\nminutes %d\n", check_suite.file,
@@ -349,9 +346,9 @@ int __lsan_do_recoverable_leak_check(void) __attribute__((weak));
 #endif
 static bool leaks_wanted = true;
 
-/* Asks the sanitizer for memory that nobody can reach any more. It looks in
-   a process of its own, because where it may not look it ends the program,
-   and after the verdict, because lost memory costs no point. */
+/* Has the sanitizer print which memory was leaked. It does so in a child
+   process, because where it may not trace it ends the program, and after
+   the verdict, because a leak costs no point. */
 static void look_for_leaks(void)
 {
 #ifdef __linux__
@@ -367,8 +364,8 @@ static void look_for_leaks(void)
 }
 
 /* Returns whether the test has passed. One without a single check fails:
-   that is a mistake of its suite (a loop over an empty range, say), which
-   should be seen before it has let a year's students through. */
+   its suite has a mistake, such as a loop over an empty range, which would
+   let everybody pass. */
 static bool has_passed(void)
 {
     const bool checked = CU_get_number_of_asserts() > 0;
@@ -378,12 +375,11 @@ static bool has_passed(void)
     return checked && CU_get_number_of_failures() == 0;
 }
 
-/* Runs one test under CUnit, which keeps tests and counts checks but cannot
-   survive a crash and does not notice when a student's exit(0) cuts it
-   short; so each process runs one test, and the verdict is the last thing
-   in the report. What waits in buffers is written before the verdict: if
-   that kills the program, because its output has grown beyond the limit, no
-   verdict has been given. */
+/* Runs one test with CUnit, which counts checks, but neither survives a
+   crash nor notices that a student called exit(0). So each process runs
+   one test, and the verdict is the last line of its report. Buffered
+   output is written before: if that exceeds the limit on files and kills
+   the program, there is no verdict. */
 static int run_test(const struct check_test *t)
 {
     CU_pSuite suite = NULL;
@@ -404,13 +400,13 @@ static int run_test(const struct check_test *t)
 }
 
 #ifdef __linux__
-/* In a judge, gives up all rights but those of this user, and of these what
-   it does not need. A runner at home has no such function. */
+/* Gives up the rights that a judge does not need, and becomes this user.
+   Only the grader links it: a runner at home has no such function. */
 void judge_confine(long user) __attribute__((weak));
 #endif
 
-/* Returns a test by its number; hidden ones are counted on from the last of
-   the suite. */
+/* Returns a test by its number, from 1; the hidden tests come after those
+   of the suite. */
 static const struct check_test *find_test(int number)
 {
     const struct check_test *lists[] = {check_suite.tests, check_hidden};
@@ -425,13 +421,12 @@ static const struct check_test *find_test(int number)
 long syscall(long number, ...);
 #endif
 
-/* Waits for orders and returns in a copy of the process that is to run one
-   test. A runner under the sanitizers takes as long to start as ten tests
-   take to compute, so it is started once and has called nothing of the
-   student's when it is copied. The copy is made a child of the examiner
-   (CLONE_PARENT, for which the C library has no function), which can then
-   wait for it and learn how it ended from the kernel. It closes the
-   descriptor of the orders. */
+/* Waits for orders; for each it makes a copy of this process, in which it
+   returns to run one test. A runner with sanitizers takes as long to start
+   as ten tests to run, so it starts once; none of the student's code has
+   run in it when it is copied. CLONE_PARENT makes the copy a child of the
+   examiner, which can then wait for it and get its status from the kernel;
+   the C library has no function for that. */
 static struct report_order next_order(void)
 {
 #ifdef __linux__
@@ -451,12 +446,12 @@ static struct report_order next_order(void)
     _exit(EXIT_FAILURE);
 }
 
-/* Lists the suite or runs one test. Standard output is flushed at each line
-   end, for the last lines before a crash are those that a student wants to
-   see. _exit keeps handlers that the student has left with atexit out of
-   it: one that calls exit(1) could turn a passed test into a crash.
+/* Lists the suite or runs one test. Output is flushed at each line end,
+   because the last lines before a crash matter most to a student. _exit
+   runs no handlers of the student's: one that calls exit(1) could turn a
+   passed test into a crash.
 
-   A runner can be started by hand, under a debugger, say: `printf %032d 0
+   A runner can be started by hand, in a debugger, say: `printf %032d 0
    >report; build/check/01a.stub 1 3<>report; cat report`. */
 int main(int argc, char **argv)
 {

@@ -1,20 +1,20 @@
-# The examiner, and what the exercises are checked with: cc, make and CUnit.
+# Checking exercises. It needs a C compiler, make and CUnit.
 
 .PHONY: check watch hint progress reset solution
 exercises := $(patsubst tests/exercises/%/suite.c,%,\
 	$(wildcard tests/exercises/[0-9][0-9][a-z]/suite.c \
 	tests/exercises/P[0-9]/suite.c))
-# Those that are whole programs; YEAR=2027 draws their numbers anew.
+# Projects are exercises that are whole programs. YEAR=2027 gives them other numbers.
 projects := $(filter P%,$(exercises))
 year = $(if $(filter P%,$*),$(YEAR:%=-DPROJECT_YEAR=%))
 build/made/check/year: FORCE
 	@mkdir -p $(@D)
 	@echo '$(YEAR)' | cmp -s - $@ || echo '$(YEAR)' >$@
 
-# What the exercises are compiled with; build/check/flags keeps it for examine:
-# the compiler's command on the first line, the libraries on the second.
-# XOPEN_SOURCE, more than the kit itself asks for, gives students M_PI. What
-# newer compilers take for errors, and a missing return, are errors in all.
+# How exercises are compiled. examine reads it from build/check/flags: the compiler with
+# its flags on the first line, the libraries on the second. _XOPEN_SOURCE gives students
+# M_PI, which the kit itself does without. Some warnings are made errors, so that a
+# function without its return, say, does not compile, whatever the compiler.
 check_base = $(CC) -std=c11 -D_XOPEN_SOURCE=700 -ffp-contract=off -g -O1 \
 	$(errors:%=-Werror=%) $(CPPFLAGS)
 errors = return-type implicit-function-declaration int-conversion
@@ -26,9 +26,9 @@ lists := $(exercises:%=build/check/%.list)
 CHECK_BUILT = $(runner) $(exercises:%=build/check/%.suite.o) $(lists) \
 	$(projects:%=build/check/%.given.o)
 
-# EX=01a,02b or '01a 02b'. What is checked are the exercises that it names, or
-# else those that are begun, whose file is not the stub; no other suite is
-# needed. What somebody begins while we watch, examine asks for.
+# Which exercises are checked: those in EX (01a,02b or '01a 02b'), or else those that are
+# begun, that is, whose file differs from the stub. Only their suites are built. When a
+# student begins another one under make watch, examine has make build its suite.
 comma = ,
 named := $(subst $(comma), ,$(EX))
 asked_for = $(filter $(named:=%),$(exercises))
@@ -54,7 +54,7 @@ check: build/check/examine $(lists)
 watch hint progress reset solution: build/check/examine $(lists)
 	@$(split) build/check/examine --$@ $$EX
 
-# Sanitizers where the compiler has them; CUnit must be there.
+# Finds out whether the compiler has sanitizers, and stops where CUnit is missing.
 build/made/check/flags: build/made/check/compiler build/compiler/key
 	$(begin)
 	@echo '#include <CUnit/CUnit.h>' >build/check/probe.c
@@ -80,7 +80,7 @@ build/made/check/obj/%.o: src/%.c build/check/flags
 		-c -o $(made).new $<
 	$(take_compiled)
 build/made/check/libcheck.a: $(patsubst src/%.c,build/check/obj/%.o,\
-	$(patsubst %,src/examiner/%.c,check no_hidden no_callback local guards remote run running \
+	$(patsubst %,src/examiner/%.c,check no_hidden no_callback local guards remote run run_server \
 	project) \
 	src/toolbox/random.c)
 	$(begin)
@@ -88,7 +88,7 @@ build/made/check/libcheck.a: $(patsubst src/%.c,build/check/obj/%.o,\
 	@ar rcs $(made).new $^
 	@$(take)
 build/made/check/examine: $(patsubst %,build/obj/examiner/%.o,\
-	examine watch hint reset solution round verdict memory work folder course sum \
+	examine watch hint reset solution round verdict cache work folder course sum \
 	build message trial process text) \
 	$(patsubst %,build/obj/toolbox/%.o,options replace)
 	$(begin)
@@ -100,12 +100,13 @@ kept += build/check/flags build/check/libcheck.a build/check/examine \
 	src/toolbox/*.c)) $(exercises:%=build/check/%.suite.o) \
 	$(projects:%=build/check/%.given.o)
 
-# A suite and the two halves of its remote calls, where it has one, in one object.
-# In a course that was handed out calls.c is remote.c without comments.
-# On the suite's side the functions that cross are called suite_..., so that
-# the student's can keep their names. They are not optimized: checks take a twentieth
-# longer, and the compiler a third of the time.
-# (The grader's judge, of the same files, is, with the warnings that hang on it.)
+# The suite of an exercise in one object, with both sides of its remote calls: remote.c
+# is compiled for the side of the suite and, with -DREMOTE_SERVER, for that of the
+# student's function (src/examiner/remote.h). Both sides have functions of the same names;
+# so those of the suite are called suite_NAME. A students' course has calls.c,
+# which is remote.c without comments. Nothing here is optimized: that takes the
+# compiler a third of the time, and checks last a twentieth longer. (The grader's judge
+# is optimized, and so it gets the warnings that only an optimizer can give.)
 remote_of = $(wildcard $(addprefix tests/exercises/$*/,remote.c calls.c))
 crossing = $$(sed -n '/^static/d; s/^[a-z][a-z_ *]*[ *]\([a-z0-9_]*\)(.*/\1/p' \
 	/dev/null $(remote_of) | grep -v '^remote_' | sed 's/.*/-D&=suite_&/')
@@ -125,8 +126,9 @@ build/made/check/%.suite.o: tests/exercises/%/suite.c build/check/flags
 	$(take_compiled)
 $(foreach e,$(exercises),$(eval build/made/check/$(e).suite.o: \
 	$(wildcard $(addprefix tests/exercises/$(e)/,remote.c calls.c))))
-# What a student's program is given in place of what its header has; without
-# sanitizers, to go with a program that has them and with one that has not.
+# The functions that a project's program is linked with, right ones and wrong ones, in
+# place of the one in its header. They have no sanitizers, so that they can be linked
+# with a program that has them and with one that does not.
 build/made/check/%.given.o: $(addprefix tests/exercises/%/,suite.c) \
 		build/check/flags
 	$(begin)
@@ -137,8 +139,9 @@ $(projects:%=build/made/check/%.suite.o): build/made/check/year
 $(foreach e,$(projects),$(eval build/made/check/$(e).given.o: \
 	$(wildcard $(addprefix tests/exercises/$(e)/,remote.c calls.c))))
 
-# What a suite says about itself, and which types a stub gives to its functions
-# (see tests/types.awk), for all exercises at once.
+# Two files for each exercise, made for all of them by two runs of awk: the title, points
+# and tests of its suite (NAME.list), and the types of the functions that its stub
+# declares (NAME.types.h, see tests/types.awk).
 stubs := $(patsubst %,tests/exercises/%/stub.c,$(filter-out P%,$(exercises)))
 types := $(patsubst %,build/check/%.types.h,$(filter-out P%,$(exercises)))
 build/made/check/lists: tests/lists.awk tests/types.awk $(stubs) \

@@ -8,9 +8,10 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Finds the one plain file whose name fits. Where two fit, a copy made in
-   haste perhaps, nobody can know which one is meant, so it is asked. A
-   named pipe would have to be waited for. */
+/* Finds the plain file whose name fits a pattern. If two fit (a copy,
+   perhaps) nobody can know which one is meant, and the student is asked to
+   move one. Anything but a plain file is refused: opening a named pipe
+   would wait for its writer. */
 static void find_one(const char *where, const char *name,
                      char path[COURSE_PATH])
 {
@@ -30,8 +31,8 @@ static void find_one(const char *where, const char *name,
     globfree(&found);
 }
 
-/* Finds the student's file. A missing file is looked for once more with a
-   wider pattern: 01a_collide.c is a slip of one letter. */
+/* Finds the student's file. If it is missing a wider pattern is tried,
+   because 01a_collide.c is a likely slip. */
 void course_find_file(struct exercise *e)
 {
     find_one("exercises/%s-*.c", e->name, e->file);
@@ -50,8 +51,8 @@ static void learn_test(struct exercise *e, const char *text)
     e->tests[e->count++] = name + strspn(name, " ");
 }
 
-/* Finds the stub and the solution of an exercise. Without a stub nobody
-   could tell what is begun; without a solution there is none to show. */
+/* Finds the stub of an exercise, without which nobody could tell whether
+   it is begun, and the solution, which may be absent. */
 static void find_files(struct exercise *e)
 {
     find_one("tests/exercises/%s/stub.c", e->name, e->stub);
@@ -62,12 +63,12 @@ static void find_files(struct exercise *e)
     course_find_file(e);
 }
 
-/* Reads the description of a suite from its list; the strings of the
-   structure point into the list's text. The name of the exercise's file
-   comes from there too, because a student may have deleted the file. The
-   lists are made from the source of the suites (tests/lists.awk), and a
-   test compares them with what the runners print: building forty runners
-   only to ask them delayed the first check by half a minute. */
+/* Reads title, tests and minutes of an exercise from
+   build/check/NAME.list; the strings point into its text. The file's name
+   comes from there as well, because the student may have deleted the file.
+   tests/lists.awk makes the lists from the source of the suites, and a
+   test compares them with what runners print: to build forty runners only
+   to ask them took half a minute. */
 static bool read_about(struct exercise *e, const char *name)
 {
     char path[64];
@@ -95,9 +96,8 @@ static bool read_about(struct exercise *e, const char *name)
     return true;
 }
 
-/* Reads which exercises there are. The exercises are the folders of
-   tests/exercises; a table would be a second place for the same fact. One
-   without a list is passed over. */
+/* Finds all exercises: they are the folders of tests/exercises, so that no
+   table has to be kept in step. One without a list is left out. */
 struct course course_learn(void)
 {
     struct course course = {NULL, 0};
@@ -117,8 +117,8 @@ struct course course_learn(void)
     return course;
 }
 
-/* Marks the exercises of a name as chosen. A name that is not known is
-   answered with all that are: the commonest reason is a slip of one
+/* Marks an exercise, or all of a chapter, as chosen. An unknown name is
+   answered with a list of all, since it is most often a slip of one
    letter. */
 struct exercise *course_choose(struct course *course, const char *name)
 {
@@ -138,10 +138,10 @@ struct exercise *course_choose(struct course *course, const char *name)
     exit(2);
 }
 
-/* Compares with the stub, which needs no compiler. The date says nothing:
-   git clone gives all files one. It is the only way for an exercise whose
-   stub is a whole program with a mistake in it, which has no gap to
-   reach. */
+/* Compares the bytes with those of the stub, which needs no compiler.
+   Times would not do: git clone gives all files the same. A stub that is a
+   whole program with a mistake in it has no gap, so nothing else could
+   tell. */
 bool course_touched(const struct exercise *e)
 {
     return *e->file && sum_file(0, e->file) != sum_file(0, e->stub);

@@ -23,12 +23,12 @@ struct exercise {
     char stub[COURSE_PATH];  /* as it came with the book */
     char stray[COURSE_PATH]; /* what may be the student's, misnamed */
     char solution[COURSE_PATH]; /* worked; empty where others keep it */
-    bool chosen;                /* it was asked for */
-    bool judged;                /* what follows is known */
+    bool chosen;                /* the command names it, or names none */
+    bool judged;                /* the fields below are set */
     enum state state;
-    int earned;  /* points */
+    int earned;  /* points that it has */
     int gap;     /* the line of a NOT_DONE_YET that was reached, or 0 */
-    int wants;   /* the number of the test to be mended next, or 0 */
+    int wants;   /* number of the first test that did not pass, or 0 */
     char *story; /* what to say about it, or NULL */
 };
 
@@ -37,8 +37,8 @@ struct course {
     size_t count;
 };
 
-/* Learns which exercises there are; exits with 2 when the kit is not
-   ready or a file stands where it must not. */
+/* Finds the exercises; exits with 2 when the kit is not built or a file
+   stands where it must not. */
 struct course course_learn(void);
 
 /* Chooses the exercises of a name: "01a", or "01" for a chapter. Returns
@@ -46,7 +46,7 @@ struct course course_learn(void);
  */
 struct exercise *course_choose(struct course *course, const char *name);
 
-/* Looks again where the student's file is. */
+/* Sets e->file to the student's file, which may have come or gone. */
 void course_find_file(struct exercise *e);
 
 /* Whether the student's file is there and differs from its stub. */

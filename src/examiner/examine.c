@@ -1,4 +1,4 @@
-/* The program behind make check: its options, and what each begins. */
+/* The program behind make check: reads and does what its options ask. */
 #include "examiner/hint.h"
 #include "examiner/process.h"
 #include "examiner/reset.h"
@@ -71,7 +71,7 @@ static void take_option(struct settings *s, struct options *o, int letter)
 
 static struct settings read_settings(int argc, char **argv)
 {
-    struct settings s = {.rules = {.remember = true, .seconds = 5}};
+    struct settings s = {.rules = {.use_cache = true, .seconds = 5}};
     struct options o;
     add_names(&s, "");
     options_begin(&o, "examine", purpose, entries, argc, argv);
@@ -84,13 +84,13 @@ static struct settings read_settings(int argc, char **argv)
                      s.names[0]);
     if (s.as && s.task)
         options_fail(&o, "--as is for checking alone");
-    s.rules.remember = !s.as;
+    s.rules.use_cache = !s.as;
     return s;
 }
 
-/* Puts another file in the place of the student's, for tests and lecturers:
-   everything after it is as it would be with his, but that the verdict is
-   not remembered. */
+/* Takes another file for the student's (--as and --file), for tests and
+   lecturers. Everything else is as it would be, but the verdict is not
+   stored. */
 static void take_file(struct course *course, const struct settings *s)
 {
     struct exercise *e = course_choose(course, s->as);
@@ -148,9 +148,9 @@ static void give_hint(struct course *course,
                names[0] ? names[0] : "Everything here");
 }
 
-/* Does what the command line asks for; returns whether all that is begun
-   passes. What leaves no verdict ends with status 0, or make would add
-   "Error 1" to a kind word. */
+/* Does what the command line asks; returns whether all that is begun
+   passes. Tasks without a verdict return true, or make would print "Error
+   1" below a kind word. */
 static bool do_task(struct course *course, const struct settings *s)
 {
     const struct verdict_rules *rules = &s->rules;
@@ -173,9 +173,8 @@ static bool do_task(struct course *course, const struct settings *s)
     return true;
 }
 
-/* Signals are caught before there is anything to remove. The status is 0
-   when all that is begun passes, as in a fresh copy, 1 when something does
-   not, 2 when nothing is known. */
+/* The status is 0 when all that is begun passes, as in a fresh copy, 1
+   when something does not, 2 when nothing is known. */
 int main(int argc, char **argv)
 {
     const struct settings s = read_settings(argc, argv);

@@ -2,13 +2,13 @@
 #ifndef EXERCISE_H
 #define EXERCISE_H
 
-/* Marks a gap: `return NOT_DONE_YET(0.0);` compiles like `return 0.0;`, but
-   a test that reaches it ends there, and the examiner says "not begun"
-   instead of "failed". A stub has to link, for a beginner's first message
-   should not be the linker's; so it runs, and without this mark its 0 would
-   be a wrong answer before the student has typed a letter. The value passes
-   through the comma operator so that the gap has whatever type the function
-   promises. A call of abort would do, too, but would read as a crash. */
+/* Marks a gap: `return NOT_DONE_YET(0.0);` compiles like `return 0.0;`,
+   but ends the test that reaches it, and the examiner says "not begun"
+   instead of "failed". A stub has to compile and link, since a message of
+   the linker should not be a beginner's first; without the mark it would
+   run, and its 0 would be a wrong answer. The comma operator gives the gap
+   whatever type its value has. abort() would end the test as well, but
+   would count as a crash. */
 #define NOT_DONE_YET(value) (exercise_not_done(__FILE__, __LINE__), (value))
 
 /* Ends the running test as not done yet; NOT_DONE_YET calls it. */

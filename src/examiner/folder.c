@@ -11,8 +11,8 @@
 
 enum { LOOK_IN = O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC };
 
-/* Opens a folder for removing what is in it. A program may have taken away
-   its owner's permissions; they are given back first. */
+/* Opens a folder to remove what is in it. A program may have taken away
+   its owner's permissions; they are restored first. */
 static int open_folder(int above, const char *name)
 {
     struct stat about;
@@ -27,9 +27,9 @@ static bool is_own_name(const char *name)
     return strcmp(name, ".") == 0 || strcmp(name, "..") == 0;
 }
 
-/* Removes an entry of a folder, or moves it to the top under a number if it
-   is a folder that is not empty. So a tree of any depth needs only two
-   open folders and no path that could become too long. */
+/* Removes an entry of a folder; a folder that is not empty is moved to the
+   top under a number, to be removed later. So a tree of any depth needs
+   only two open folders, and no path becomes too long. */
 static bool remove_entry(int folder, const char *name, int top,
                          unsigned long *number)
 {

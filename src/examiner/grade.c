@@ -38,7 +38,7 @@ struct settings {
 
 enum round { TRIED, RETRIED, COPIED };
 
-/* What was handed in, and by whom first. */
+/* A file that was handed in, and the first student who did. */
 struct alike {
     uint64_t sum;
     size_t student, length;
@@ -54,7 +54,7 @@ struct batch {
     struct grading grading;
     char root[4096], work[4200];
     uint64_t compiler;   /* a sum of what it calls itself */
-    struct alike *alike; /* of the exercise that is looked at */
+    struct alike *alike; /* the files for one exercise */
     size_t alikes;
     size_t begun, done, failed;
 };
@@ -117,8 +117,8 @@ static bool next_word(const char **list, char word[64])
     return length > 0;
 }
 
-/* Refuses reports that are not known. Unknown reports are found before
-   anything is graded, not after the night. */
+/* Refuses unknown reports before anything is graded, not after the
+   night. */
 static void check_reports(const char *list)
 {
     char word[64];
@@ -137,9 +137,9 @@ static void check_name(const struct batch *b, const char *word)
     text_fail("--exercises: there is no exercise '%s'", word);
 }
 
-/* Keeps the exercises that were asked for. In the list 01 asks for a
-   chapter. A word that begins no name is refused: an empty table is no
-   answer. The kits stay in the order of the book. */
+/* Keeps the exercises that were asked for, in the order of the book; 01
+   stands for a chapter. A word that begins no name is refused, since an
+   empty table would be no answer. */
 static void choose_kits(struct batch *b)
 {
     const char *list = b->settings.exercises;
@@ -204,9 +204,10 @@ static void make_folder(const char *path)
         text_fail("cannot make '%s': %s", path, strerror(errno));
 }
 
-/* Names what only processes that can see each other have in common: this
-   start of this kernel and the namespace in which it counts them. On a
-   folder that machines share a process number alone says nothing. */
+/* Returns the beginning of a work folder's name, which is the same for all
+   processes that see each other: it is made from this boot of the kernel
+   and this namespace of processes. On a folder that machines share a
+   process number alone says nothing. */
 static const char *name_machine(void)
 {
     static char name[32];
@@ -219,8 +220,8 @@ static const char *name_machine(void)
     return name;
 }
 
-/* Removes the work folders of graders that no longer run. A grader that is
-   killed cannot clean up, so its number is in its folder's name. */
+/* Removes the work folders of graders that were killed: a folder's name
+   has the number of its process. */
 static void remove_abandoned(void)
 {
     glob_t found = {0};
@@ -237,8 +238,8 @@ static void remove_abandoned(void)
     globfree(&found);
 }
 
-/* The names of a folder and of those around it, from the last one that is
-   there: the real one, without links. */
+/* Returns whether a folder is, or would be, inside another one. Its path
+   may not exist yet: the part that exists is resolved, links included. */
 static bool is_within(const char *inner, const char *outer)
 {
     char path[4200], *real, *around = realpath(outer, NULL);
@@ -258,8 +259,8 @@ static bool is_within(const char *inner, const char *outer)
     return within;
 }
 
-/* Results among the submissions would be taken for a student's the next
-   time, and a student's files for results. */
+/* Refuses results among the submissions: the next time they would be taken
+   for a student, and a student's files for results. */
 static void refuse_results_within(const struct batch *b)
 {
     if (is_within(b->settings.output, b->settings.folder))
@@ -311,9 +312,8 @@ static bool write_seed(const char *path, uint64_t seed, bool anew)
     return ours;
 }
 
-/* Sets the seed of the hidden tests. The seed decides what hidden tests
-   ask, and all students are to be asked the same: it is drawn once and kept
-   beside the results. */
+/* Sets the seed of the hidden tests. All students are to be asked the
+   same, so it is drawn once and kept beside the results. */
 static void choose_seed(struct batch *b)
 {
     char path[4300];
@@ -360,10 +360,10 @@ static void choose_box(struct batch *b)
 {
     char *flags = text_read("build/grade/flags"), *rest = flags;
     char *compiler = text_line(&rest);
-    b->grading.kind = box_probe(compiler);
+    b->grading.kind = sandbox_probe(compiler);
     b->compiler = sum_compiler(compiler);
     free(flags);
-    if (b->grading.kind != BOX_OPEN)
+    if (b->grading.kind != SANDBOX_NONE)
         return;
     fprintf(stderr,
             "grade: THE PROGRAMS OF STUDENTS CANNOT BE ISOLATED HERE. "
@@ -379,9 +379,9 @@ static void choose_box(struct batch *b)
     }
 }
 
-/* Returns the name of a student's result files. Two different names stay
-   different; one too long for a file system is cut and ends with a sum of
-   all of it. */
+/* Returns the name of a student's result files. Different students have
+   different names; one too long for a file system is cut and ends in a
+   checksum of the whole. */
 static const char *encode(const struct batch *b, size_t s)
 {
     static char name[1100];
@@ -408,9 +408,9 @@ static void result_path(const struct batch *b, size_t s, size_t e,
     snprintf(path + strlen(path), 32, "/%s.json", b->kits[e].exercise);
 }
 
-/* Reads the submission of one student alone. Of a class of ten thousand a
-   job should not walk through all that was handed in: it looks at the names
-   that begin as the student's does. */
+/* Chooses the one student of --job. A job for one of ten thousand students
+   must not walk through all submissions: it looks at the names that begin
+   as the student's does. */
 static void choose_student(struct batch *b)
 {
     const char *job = b->settings.job;
@@ -441,12 +441,12 @@ static uint64_t sum_kit(const struct batch *b, const char *exercise)
     return sum_number(sum, (uint64_t)b->grading.kind);
 }
 
-/* Computes the key of a result. A result is good as long as all that it
-   depends on is as it was: the student's bytes and his figure's script, the
-   judge, what is linked with his file, the compiler and its flags, the
-   seed, the limit, the kind of box. A job may come to a machine with
-   another compiler, whose code rounds differently. Two files of one sum
-   would win a student the mark that he had before. */
+/* Computes the key of a result, a checksum of all that it depends on: the
+   student's file and his figure's script, the judge, what is linked with
+   the file, the compiler and its flags, the seed, the limit of time, the
+   kind of sandbox. (A job may come to a machine with another compiler,
+   whose code rounds differently.) A student with two files of equal
+   checksum would keep the first mark. */
 static void result_key(uint64_t kit, const char *bytes, size_t length,
                        const char *remark, const char *note, char key[24])
 {
@@ -482,8 +482,8 @@ static struct marks blank_marks(const struct batch *b,
     };
 }
 
-static void put_by_hand(const struct batch *b, const char *place,
-                        const char *bytes, size_t length)
+static void write_by_hand(const struct batch *b, const char *place,
+                          const char *bytes, size_t length)
 {
     char path[4400];
     snprintf(path, sizeof path, "%s/%s", b->settings.output, place);
@@ -501,9 +501,9 @@ static void put_by_hand(const struct batch *b, const char *place,
         text_fail("cannot write '%s': %s", path, strerror(errno));
 }
 
-static char *put_page(const struct batch *b, const struct job *job,
-                      const char *ending, char place[1400], size_t *length,
-                      char **refusal)
+static char *copy_page(const struct batch *b, const struct job *job,
+                       const char *ending, char place[1400], size_t *length,
+                       char **refusal)
 {
     char name[16];
     snprintf(name, sizeof name, "%s.%s", b->kits[job->exercise].exercise,
@@ -512,7 +512,7 @@ static char *put_page(const struct batch *b, const struct job *job,
     char *bytes =
         submissions_page(b->settings.folder, &b->submissions[job->student],
                          name, length, refusal);
-    put_by_hand(b, place, bytes, *length);
+    write_by_hand(b, place, bytes, *length);
     return bytes;
 }
 
@@ -521,18 +521,18 @@ static void take_pages(const struct batch *b, struct job *job)
     static char place[1400];
     char *refusal;
     size_t length;
-    free(put_page(b, job, "txt", place, &length, &refusal));
+    free(copy_page(b, job, "txt", place, &length, &refusal));
     free(refusal);
-    job->page.script = put_page(b, job, "gp", place, &job->page.length,
-                                &job->page.refusal);
+    job->page.script = copy_page(b, job, "gp", place, &job->page.length,
+                                 &job->page.refusal);
     strcpy(strrchr(place, '.'), ".png");
     job->page.place = place;
 }
 
 /* Grades in a process of its own and ends by _exit, which runs none of the
-   parent's clean-up. If the parent is killed the kernel tells it
-   (PR_SET_PDEATHSIG), and its box dies with it. Interrupted it writes
-   nothing: half a grading is no result. */
+   parent's clean-up. If the parent is killed, so is this process
+   (PR_SET_PDEATHSIG), and its sandbox with it. If it is interrupted it
+   writes nothing: half a grading is no result. */
 static _Noreturn void work(const struct batch *b, const struct job *job)
 {
     struct marks marks = blank_marks(b, job);
@@ -550,7 +550,7 @@ static _Noreturn void work(const struct batch *b, const struct job *job)
     if (process_signal() || chdir(b->root) != 0)
         _exit(EXIT_FAILURE);
     if (page.place)
-        put_by_hand(b, page.place, page.figure, page.drawn);
+        write_by_hand(b, page.place, page.figure, page.drawn);
     marks_write(&marks, job->key, job->path);
     _exit(EXIT_SUCCESS);
 }
@@ -566,9 +566,9 @@ static void stop_workers(void)
     static double since;
     if (since == 0.0)
         since = process_clock();
-    const bool patient = process_clock() - since < 5.0;
+    const bool polite = process_clock() - since < 5.0;
     for (int i = 0; i < running; ++i)
-        kill(workers[i], patient ? SIGTERM : SIGKILL);
+        kill(workers[i], polite ? SIGTERM : SIGKILL);
 }
 
 static void show_progress(const struct batch *b)
@@ -578,11 +578,11 @@ static void show_progress(const struct batch *b)
                 b->count * b->kit_count);
 }
 
-/* Waits until a worker has ended. A signal to us may come between a look
-   and a wait, so this looks and does not wait; as long as there are workers
-   after a signal they are told again, and killed after some seconds. A
-   worker that did not end well has written no result and is counted; the
-   same command tries it again. */
+/* Waits until a worker has ended. It polls, because a signal could come
+   between a look at the signal and a wait without end. After a signal the
+   workers get it as well, and are killed after five seconds. A worker that
+   failed has written no result and is counted; the same command tries it
+   again. */
 static void wait_for_one(struct batch *b)
 {
     int status, i = 0;
@@ -610,7 +610,7 @@ static void wait_for_one(struct batch *b)
     show_progress(b);
 }
 
-/* Prints a word quoted for a shell. The word must have no line break, which
+/* Prints a word in quotes for a shell. It must have no line break, which
    would split the command; students' names are encoded and have none. */
 static void put_word(const char *word)
 {
@@ -625,9 +625,9 @@ static void put_word(const char *word)
     putchar('\'');
 }
 
-/* Prints a command that grades one exercise of one student, for whatever
-   hands out commands to machines; it names student, exercise and key. Where
-   no file was handed in there is nothing to run, and that is booked at
+/* Prints the command that grades one exercise of one student, for an
+   engine that gives out commands to machines; it names student, exercise
+   and key. An exercise without a file needs no job and is entered at
    once. */
 static void list_job(const struct batch *b, const struct job *job)
 {
@@ -641,24 +641,24 @@ static void list_job(const struct batch *b, const struct job *job)
     putchar('\n');
 }
 
-/* Refuses a job that is not as it was listed. When the key is no longer
-   what it was listed with, what the job could find out is no longer asked,
-   and it grades nothing. */
+/* Refuses a job whose key is no longer the one that was listed: the job
+   would answer another question. */
 static void check_job(const struct batch *b, const struct job *job)
 {
     const char *asked = b->settings.job;
     if (!asked || strcmp(strrchr(asked, '/') + 1, job->key) == 0)
         return;
     remove_work();
-    text_fail("--job %s: the file, the kit, the seed, the compiler or the "
-              "box (%s) is not what it was when this was listed; list anew",
-              asked, box_name(b->grading.kind));
+    text_fail(
+        "--job %s: the file, the kit, the seed, the compiler or the "
+        "sandbox (%s) is not what it was when this was listed; list anew",
+        asked, sandbox_name(b->grading.kind));
 }
 
-/* Starts a job when there is room for it. A job waits now and then, for a
-   disk, for a program that sleeps, and each time that judge and box hand
-   over to each other; with one job for each processor a quarter of their
-   time was idle. So there is one more. */
+/* Starts a job when fewer than --jobs are running. The default is one more
+   than there are processors: a job waits for disks, for programs that
+   sleep, and when judge and sandbox take turns; with one job for each
+   processor a quarter of their time was idle. */
 static void start_job(struct batch *b, const struct job *job)
 {
     if (b->settings.list && job->bytes) {
@@ -682,8 +682,8 @@ static void start_job(struct batch *b, const struct job *job)
     ends[running++] = (struct pollfd){process_watch(pid), POLLIN, 0};
 }
 
-/* Returns the first student who has handed in these bytes; a sum that is
-   the same says only that it is worth comparing them. */
+/* Returns the first student who has handed in these bytes. Files are
+   compared if their checksums are equal. */
 static size_t first_alike(struct batch *b, uint64_t sum,
                           const struct job *job)
 {
@@ -703,9 +703,9 @@ static size_t first_alike(struct batch *b, uint64_t sum,
     return b->alike[i].student;
 }
 
-/* Students who have worked together hand in one file: it is graded once,
-   and the others get a copy of the marks. A project is graded for each,
-   because of its figure. */
+/* Copies the marks of the first student with the same file, which is
+   graded once; returns false if there are none. Projects are graded for
+   each student, because of their figures. */
 static bool copy_marks(struct batch *b, const struct job *job, size_t first)
 {
     char path[4400];
@@ -724,8 +724,8 @@ static bool copy_marks(struct batch *b, const struct job *job, size_t first)
     return true;
 }
 
-static void look_at(struct batch *b, uint64_t kit, size_t s, size_t e,
-                    enum round round)
+static void consider(struct batch *b, uint64_t kit, size_t s, size_t e,
+                     enum round round)
 {
     struct job job = {
         .student = s, .exercise = e, .tries = 1 + (round == RETRIED)};
@@ -765,39 +765,39 @@ static void look_at(struct batch *b, uint64_t kit, size_t s, size_t e,
     free(job.note);
 }
 
-static void look_at_all(struct batch *b, enum round round)
+static void grade_round(struct batch *b, enum round round)
 {
     for (size_t e = 0; e < b->kit_count; ++e) {
         const uint64_t kit = sum_kit(b, b->kits[e].exercise);
         while (b->alikes > 0)
             free(b->alike[--b->alikes].bytes);
         for (size_t s = 0; s < b->count && !process_signal(); ++s)
-            look_at(b, kit, s, e, round);
+            consider(b, kit, s, e, round);
     }
     while (running > 0)
         wait_for_one(b);
 }
 
-/* Grades in three rounds: all, what was late, and copies of equal files. A
-   machine under load makes programs late that are not slow. So what the
-   clock on the wall has stopped is tried once more, alone, when all the
-   rest is done. A test that is late at its last try earns nothing. */
+/* Grades in three rounds: everything; what was stopped by the clock on the
+   wall, alone, since on a busy machine a program may be late that is not
+   slow; and copies of equal files. A test that is late again earns
+   nothing. */
 static void grade_all(struct batch *b)
 {
     b->alike = calloc(b->count + 1, sizeof *b->alike);
     if (!b->alike)
         text_fail("out of memory");
-    look_at_all(b, TRIED);
+    grade_round(b, TRIED);
     if (!b->settings.job || !b->begun)
-        look_at_all(b, RETRIED);
-    look_at_all(b, COPIED);
+        grade_round(b, RETRIED);
+    grade_round(b, COPIED);
     while (b->alikes > 0)
         free(b->alike[--b->alikes].bytes);
     free(b->alike);
 }
 
 /* Reads all results. What could not be graded has no file and appears as
-   not graded, never as zero points. */
+   "not graded", never as zero points. */
 static struct marks *read_results(const struct batch *b)
 {
     char path[4400];
@@ -817,8 +817,9 @@ static struct marks *read_results(const struct batch *b)
     return marks;
 }
 
-/* Writes the reports and says where they are. The last lines say what it
-   takes to grade the course in the same way again. */
+/* Writes the reports and prints where they are, with the seed and the kind
+   of sandbox, which one needs to grade the course in the same way
+   again. */
 static void publish_all(struct batch *b)
 {
     const char *list = b->settings.reports;
@@ -833,7 +834,7 @@ static void publish_all(struct batch *b)
     notes[b->count] = b->handed.nobody.notes;
     const struct course course = {
         b->count, b->kit_count,       read_results(b),
-        notes,    b->settings.folder, box_name(b->grading.kind),
+        notes,    b->settings.folder, sandbox_name(b->grading.kind),
         when};
     if (isatty(STDERR_FILENO))
         fputc('\n', stderr);
@@ -844,7 +845,8 @@ static void publish_all(struct batch *b)
         publish(word, &course, b->settings.output);
     printf("Results and reports: %s/ (hidden seed %" PRIu64
            "; programs in: %s)\n",
-           b->settings.output, b->grading.seed, box_name(b->grading.kind));
+           b->settings.output, b->grading.seed,
+           sandbox_name(b->grading.kind));
     char hand[4300];
     snprintf(hand, sizeof hand, "%s/by-hand/notes.txt", b->settings.output);
     if (access(hand, F_OK) == 0)
@@ -863,9 +865,9 @@ static void publish_all(struct batch *b)
                 b->failed);
 }
 
-/* Submissions are looked through before exercises are chosen, so that an
-   answer to another exercise is no stray. */
-static void look_through(struct batch *b)
+/* Finds all submissions. This comes before exercises are chosen: an answer
+   to another exercise is no stray file. */
+static void find_submissions(struct batch *b)
 {
     const char **usual = calloc(b->kit_count + 1, sizeof *usual);
     if (!usual)
@@ -886,7 +888,7 @@ int main(int argc, char **argv)
     text_program = "grade";
     struct batch b = {.settings = read_settings(argc, argv)};
     b.kit_count = grading_kits(&b.kits);
-    look_through(&b);
+    find_submissions(&b);
     choose_kits(&b);
     choose_student(&b);
     prepare_folders(&b);

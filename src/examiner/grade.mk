@@ -1,4 +1,4 @@
-# The grader: cc, make, CUnit, jansson, libxml2, bubblewrap.
+# The grader. It needs a C compiler, make, CUnit, jansson, libxml2 and bubblewrap.
 
 # make grade SUBMISSIONS=dir [REPORT=gradescope,...] [JOBS=n] [HIDDEN=seed]
 # [EX=01a,02] [SECONDS=5] [RESULTS=dir] [UNSAFE=1] [YEAR=2027]
@@ -14,7 +14,7 @@ GRADE_BUILT = build/grade/grade build/grade/flags \
 	$(patsubst %,build/grade/%.types.h,$(filter-out P%,$(graded)))
 
 .PHONY: grade grade-parts grade-bench has-submissions hostile-programs jobs-grade
-# Each of the grader's hostile tricks once more, in a whole program.
+# Tries every hostile submission of the tests once more, as part of a whole program.
 hostile-programs: grade-parts
 	@ALL=1 tests/grader/programs.sh
 grade-bench: grade-parts
@@ -39,7 +39,7 @@ has-grade-parts:
 		'apt-get install --no-install-recommends libjansson-dev' \
 		'libxml2-dev bubblewrap' >&2; exit 1; }
 
-# jansson and libxml2, in the grader alone; asked only when it is built.
+# The flags of libxml2; pkg-config is asked only when the grader is built.
 xml_flags = $$(pkg-config --cflags libxml-2.0 2>/dev/null || \
 	echo -I/usr/include/libxml2)
 build/made/grade/obj/grade/%.o: src/examiner/%.c build/compiler/key
@@ -49,7 +49,7 @@ build/made/grade/obj/grade/%.o: src/examiner/%.c build/compiler/key
 		$(xml_flags) $(FLAGS) -c -o $(made).new $<
 	$(take_compiled)
 build/made/grade/grade: $(patsubst %,build/grade/obj/grade/%.o,grade grading \
-	box folder marks submissions publish build message sum trial process text) \
+	sandbox folder marks submissions publish build message sum trial process text) \
 	$(patsubst %,build/obj/toolbox/%.o,options replace)
 	$(begin)
 	$(call say,link $(made))
@@ -57,70 +57,32 @@ build/made/grade/grade: $(patsubst %,build/grade/obj/grade/%.o,grade grading \
 		-ljansson -lxml2
 	@$(take)
 
-# The compiler for students' files, without sanitizers and with; how gcc, or
-# else clang, is told to quote no lines; how the one program is linked and how
-# the other; and how the compiler is told to note lines, and no variables, for
-# a debugger that nobody starts.
+# build/grade/flags has, a line each: the compiler for students' files, without
+# sanitizers and with; the flag by which it quotes no source lines; how the program
+# without sanitizers is linked; the flag by which the compiler notes lines but no
+# variables for debuggers; how the program with sanitizers is linked.
+#
+# A linker is tried with these flags before it is used; what it prints counts as
+# failure. gold takes a third of the time of the usual one with sanitizers; it is told
+# not to map whole libraries of which it reads a part. Debian 13 has LLVM's instead.
+# Where neither works the line is empty, and the compiler links as it always does.
 build/made/grade/flags: build/check/flags src/examiner/grade.mk
 	$(begin)
-	@$(linking) \
-	terse=-fno-diagnostics-show-caret; $(CC) $$terse -E -x c /dev/null \
-		>/dev/null 2>&1 || terse=-fno-caret-diagnostics; \
-	lean=-g1; compile $(check_cc) $$lean >/dev/null 2>&1 && \
-		runs $(check_cc) $$lean $$files || lean=; \
-	printf '%s %s\n' '$(check_base)' -fmax-errors=20 \
-		"$$(sed -n 1p build/check/flags)" -fmax-errors=20 $$terse '' \
-		"$$(link $(check_base))" '' $$lean '' "$$(link $(check_cc))" '' \
-		>$(made).new
+	@echo 'int main(void) { return 0; }' >build/grade/probe.c; \
+	works() { said=$$("$$@" -o build/grade/probe build/grade/probe.c -lm 2>&1) && \
+		[ -z "$$said" ] && build/grade/probe; }; \
+	linker() { for how in '-fuse-ld=gold -Wl,--no-map-whole-files' -fuse-ld=lld; do \
+		! works "$$@" $$how || { echo "$$*" $$how -o program answer.o \
+			../kit/sandbox.suite.o -lm; return; }; done; echo; }; \
+	terse=-fno-diagnostics-show-caret; \
+	works $(check_base) $$terse || terse=-fno-caret-diagnostics; \
+	lean=-g1; works $(check_cc) $$lean || lean=; \
+	printf '%s\n' '$(check_base) -fmax-errors=20' \
+		"$$(sed -n 1p build/check/flags) -fmax-errors=20" "$$terse" \
+		"$$(linker $(check_base))" "$$lean" "$$(linker $(check_cc))" >$(made).new
 	@$(take)
 
-# gold is faster than the usual linker, most of all among the names of the
-# sanitizers; and it is not to map whole libraries of which it reads a part.
-# It is faster again when it is started by nobody but us: the compiler's driver
-# starts a second driver, that loads an optimizer, and leaves it to search
-# folders. What it is told in the end is noted by an ld.gold of our own; then
-# the plugin is left out, each library has its full name (libgcc_s.so is but a
-# pointer to libgcc_s.so.1), and no folder is read. All is in /usr or /lib, or a
-# box would not have it. Where that does not work, the driver is called with
-# gold; and where there is none, as always.
-define linking
-	rm -rf build/grade/link; \
-	mkdir -p build/grade/link/bin build/grade/link/kit build/grade/link/work; \
-	files='-o program answer.o ../kit/box.suite.o -lm'; \
-	gold='-fuse-ld=gold -Wl,--no-map-whole-files'; \
-	printf '%s\n' '#!/bin/sh' 'printf "%s\n" "$$@" >../words' \
-		'exec ld.gold "$$@"' >build/grade/link/bin/ld.gold; \
-	chmod +x build/grade/link/bin/ld.gold; \
-	runs() (cd build/grade/link/work && rm -f program && \
-		"$$@" >../said 2>&1 && [ ! -s ../said ] && ./program); \
-	compile() (cd build/grade/link/work && \
-		echo 'int main(void) { return 0; }' >../probe.c && \
-		echo 'extern int box; int box;' >../kit/probe.c && \
-		"$$@" -c -o answer.o ../probe.c && \
-		"$$@" -c -o ../kit/box.suite.o ../kit/probe.c); \
-	library() { first=; [ "$$1" != gcc_s ] || first=so.1; \
-		for ending in $$first so a; do \
-		for folder in $$(sed -n 's/^-L//p' build/grade/link/words); do \
-			[ ! -f "$$folder/lib$$1.$$ending" ] || { \
-			echo "$$folder/lib$$1.$$ending"; return; }; done; done; \
-		echo ' '; }; \
-	words() { while read -r word; do case $$word in \
-		-plugin) read -r word ;; \
-		-plugin-opt=* | -L*) ;; \
-		-l*) library "$${word#-l}" ;; \
-		*) printf '%s\n' "$$word" ;; esac; \
-		done <build/grade/link/words; }; \
-	direct() (PATH=/usr/bin:/bin; \
-		! words | grep -q '[^-A-Za-z0-9_.,:=+/]\|^/[^ul]' || exit; \
-		command=$$(echo ld.gold -nostdlib --no-map-whole-files $$(words)); \
-		runs $$command && echo "$$command"); \
-	link() { compile "$$@" >/dev/null 2>&1; \
-		runs "$$@" $$gold $$files || return; \
-		runs "$$@" -B../bin $$gold $$files && direct || \
-		echo "$$*" $$gold $$files; };
-endef
-
-# What judges and boxes are linked with.
+# Objects that are linked with each judge, or with a student's file in its sandbox.
 build/made/grade/obj/%.o: src/%.c build/check/flags
 	$(begin)
 	$(call say,cc $(made))
@@ -141,10 +103,11 @@ kept += build/grade/grade build/grade/flags build/grade/libjudge.a \
 	$(wildcard src/examiner/*.c)) \
 	$(graded:%=build/grade/%.judge) $(graded:%=build/grade/%.inside.o)
 
-# One exercise: its judge, what goes into a box with the student's file, the
-# list of its tests, and the names that the student's file may show. Of a judge
-# a debugger knows the lines and no more, which compiles sooner; and nothing of
-# what is copied into each box and linked there, which has a sixth of the size.
+# Of each exercise there are four files: EX.judge, the program with the suite;
+# EX.inside.o, which is copied into the sandbox and linked with the student's file there;
+# EX.list, its tests; and EX.names, the symbols that the student's file may export, as
+# options of objcopy. The judge is compiled with -g1, which is faster than -g, and the
+# symbols are stripped from EX.inside.o, which leaves a sixth of it to be copied.
 judge_part = build/grade/obj/judge/$*
 judge_of = $(wildcard $(addprefix tests/exercises/$*/,suite.c remote.c hidden.c))
 build/made/grade/%.judge: tests/exercises/%/suite.c tests/exercises/%/remote.c \
@@ -164,7 +127,7 @@ build/made/grade/%.judge: tests/exercises/%/suite.c tests/exercises/%/remote.c \
 $(foreach e,$(graded),$(eval build/made/grade/$(e).judge: \
 	$(wildcard tests/exercises/$(e)/hidden.c)))
 build/made/grade/%.inside.o: tests/exercises/%/remote.c $(patsubst %,\
-		build/grade/obj/examiner/%.o,boxed orbit transport remote guards)
+		build/grade/obj/examiner/%.o,sandboxed endless transport remote guards)
 	$(begin)
 	@mkdir -p build/grade/obj/remote
 	$(Q)$(check_base) $(reads) -Wall -Wextra -pedantic -DREMOTE_SERVER -Isrc \
@@ -172,19 +135,20 @@ build/made/grade/%.inside.o: tests/exercises/%/remote.c $(patsubst %,\
 	@ld -r -S -o $(made).new build/grade/obj/remote/$*.o $(filter %.o,$^)
 	$(take_compiled)
 $(projects:%=build/made/grade/%.judge): build/made/check/year
-# Of a project: an archive with the box's program, whose main has another
-# name and whose time is its own, and with what the student's program is given.
+# For a project EX.inside.o is an archive. It has the program in the sandbox that runs the
+# student's (its main is renamed, since the student's has one; its time() stays local),
+# and the functions that the student's program is linked with.
 $(foreach e,$(projects),$(eval build/made/grade/$(e).inside.o: \
 	build/check/$(e).given.o))
 build/made/grade/P%.inside.o: tests/exercises/P%/remote.c $(patsubst %,\
-		build/grade/obj/examiner/%.o,running boxed orbit transport remote guards)
+		build/grade/obj/examiner/%.o,run_server sandboxed endless transport remote guards)
 	$(begin)
 	@mkdir -p build/grade/obj/remote
 	$(Q)$(check_base) $(reads) -Wall -Wextra -pedantic -DREMOTE_SERVER -Isrc \
 		-c -o build/grade/obj/remote/P$*.law.o $<
 	@ld -r -o build/grade/obj/remote/P$*.o build/grade/obj/remote/P$*.law.o \
 		$(filter build/grade/%.o,$^) && \
-		objcopy --redefine-sym main=box_main \
+		objcopy --redefine-sym main=sandbox_main \
 		--localize-symbol=time build/grade/obj/remote/P$*.o
 	@rm -f $(made).new && \
 		ar rcsD $(made).new build/grade/obj/remote/P$*.o \

@@ -1,4 +1,4 @@
-/* A judge and a box for each test, a second try, and the sanitizers. */
+/* Grades an exercise: judge and sandbox for its tests, then sanitizers. */
 #include "examiner/grading.h"
 #include "examiner/build.h"
 #include "examiner/process.h"
@@ -52,8 +52,8 @@ static void read_line(struct kit *kit, char *line)
     }
 }
 
-/* Moves the public tests to the front. Public tests run first, so that
-   whatever a report cuts off it is not these. */
+/* Moves the public tests to the front, so that a report that is cut loses
+   others first. */
 static void public_first(struct kit *kit)
 {
     struct kit_test sorted[MARKS_MOST];
@@ -65,9 +65,10 @@ static void public_first(struct kit *kit)
     memcpy(kit->tests, sorted, (size_t)count * sizeof *sorted);
 }
 
-/* Reads the lists of all exercises. A list without a title or a test gives
-   nobody a point: a full disk leaves such lists, so it is refused. An
-   exercise without a list has no remote.c; make has said so. */
+/* Reads the lists of all exercises. A list without a title or a test is
+   refused: a full disk leaves such lists, and with them nobody would get a
+   point. An exercise without a list has no remote.c and is not graded;
+   make has said so. */
 size_t grading_kits(struct kit **kits)
 {
     glob_t found = {0};
@@ -101,28 +102,29 @@ size_t grading_kits(struct kit **kits)
 enum {
     MOST_LATE = 3,
     LATER_SECONDS = 1, /* of processor time, once a test was late */
-    SLOW_MS = 200,     /* who has needed that may need more */
+    SLOW_MS = 200,     /* a test that takes longer may take all its time */
     MOST_BUILDING = 60,
     PRINTS_KEPT = 4096,
     STORY_KEPT = 8192
 };
 
-/* The student's file lies under the name that he knows
-   (exercises/01a-collide.c), so that a line of the compiler that names it
-   can be looked up; a link leads to the numbers of the equations. */
+/* One exercise of one student being graded. The student's file has the
+   name that he knows (exercises/01a-collide.c), so that messages of the
+   compiler can be looked up; a link leads to the numbers of the
+   equations. */
 struct job {
     const struct grading *grading;
     const struct kit *kit;
     struct marks *marks;
-    struct box_order order;
-    struct box box;
+    struct sandbox_order order;
+    struct sandbox sandbox;
     bool open;
     int prints;
-    int late, waited;   /* tests; and of them, by the clock on the wall */
-    bool slow;          /* a test has ended, and taken its time for that */
-    int crashed, named; /* tests; and such whose mistake has a name */
-    int left;           /* tests that have written outside of a place */
-    char mistake[64];   /* the first one that was named, in brackets */
+    int late, waited; /* tests that timed out; those by the wall's clock */
+    bool slow;        /* a test has ended that took more than SLOW_MS */
+    int crashed, named; /* tests; those whose mistake was recognised */
+    int left;           /* tests that wrote outside of an output */
+    char mistake[64];   /* the first one recognised, in brackets */
     char types[8192], judge[4096], name[256], header[64];
 };
 
@@ -152,7 +154,8 @@ static void go_to_desk(const struct grading *g, const char *exercise)
                   strerror(errno));
 }
 
-/* Finds the header that the stub includes, or exercise.h. */
+/* Returns the header that the stub includes: exercise.h or another one of
+   ours. */
 static const char *find_header(struct job *job)
 {
     char path[8192], name[48] = "exercise.h";
@@ -205,22 +208,21 @@ static char *read_kit(const struct job *job, const char *name, int line)
     return found;
 }
 
-/* Returns the limit of a test after one was late. A program that was late
-   once has a second for each test from then on, for nearly always it is the
-   same loop again. But a program may be slow and come to an end. Where one
-   of the tests before took a fifth of a second, more than nearly any right
-   answer does, all keep their full time, and it loses only the points of
-   those that are late. */
+/* Returns the limit of time for a test after one timed out: a second,
+   since it is nearly always the same endless loop. But the program may
+   just be slow. If one of the tests before took a fifth of a second, which
+   few right answers do, the limit stays, and only the late tests lose
+   their points. */
 static int later_seconds(const struct job *job)
 {
     return *job->kit->exercise == 'P' || job->slow ? 0 : LATER_SECONDS;
 }
 
-/* Counts a test that was late. A program that times out three times will do
-   so again; the tests that are left are not run. Only the clock on the wall
-   goes faster when others are at work, so only what it has stopped is tried
-   again; every late run of a project is taken for that, because there a
-   program of ours has started the one that is late. */
+/* Counts a test that timed out. After three the remaining tests are not
+   run. Only what the clock on the wall has stopped is tried again, since
+   only that clock goes on while other programs run; for a project that is
+   every late run, because there a program of ours has started the one that
+   is late. */
 static void note_late(struct job *job, bool by_the_wall)
 {
     const int later = later_seconds(job);
@@ -232,52 +234,53 @@ static void note_late(struct job *job, bool by_the_wall)
         job->order.seconds = later;
 }
 
-/* Opens a box and says how far it came. The driver is called box.suite.o: a
-   name that it wants in vain is then told in build.c's words for a function
-   that the student has renamed. */
+/* Opens a sandbox and says how far it came. The driver is called
+   sandbox.suite.o: a name that it wants in vain is then told in build.c's
+   words for a function that the student has renamed. */
 static enum state open_box(struct job *job, FILE *story)
 {
     if (ftruncate(job->prints, 0) != 0)
         text_fail("cannot empty a file: %s", strerror(errno));
-    const enum box_stage stage =
-        box_open(&job->box, &job->order, job->prints);
-    job->marks->build_seconds += job->box.build_seconds;
-    job->open = stage == BOX_READY;
-    job->marks->late |= stage == BOX_TOO_LONG;
-    if (stage == BOX_STUCK)
+    const enum sandbox_stage stage =
+        sandbox_open(&job->sandbox, &job->order, job->prints);
+    job->marks->build_seconds += job->sandbox.build_seconds;
+    job->open = stage == SANDBOX_READY;
+    job->marks->late |= stage == SANDBOX_TOO_LONG;
+    if (stage == SANDBOX_STUCK)
         note_late(job, true);
     if (job->open)
         return PASSED;
-    box_close(&job->box);
+    sandbox_close(&job->sandbox);
     chmod("prints", 0600);
     char *said = text_read("prints");
-    if (stage == BOX_NOT_BUILT)
+    if (stage == SANDBOX_NOT_BUILT)
         build_tell(said ? said : "", job->name, job->types, story);
-    else if (stage == BOX_TOO_LONG)
+    else if (stage == SANDBOX_TOO_LONG)
         fputs("  The compiler was stopped: it took too long.\n", story);
-    else if (stage == BOX_NO_MAIN)
+    else if (stage == SANDBOX_NO_MAIN)
         fputs("  The program ended before its first test.\n", story);
-    else if (stage == BOX_STUCK)
+    else if (stage == SANDBOX_STUCK)
         fputs("  The program did not come to its first test.\n", story);
-    if (stage != BOX_NOT_BUILT)
+    if (stage != SANDBOX_NOT_BUILT)
         text_quote(story, said ? said : "", 12);
     free(said);
-    return stage == BOX_NO_MAIN ? CRASHED
-           : stage == BOX_STUCK ? TIMED_OUT
-                                : DOES_NOT_BUILD;
+    return stage == SANDBOX_NO_MAIN ? CRASHED
+           : stage == SANDBOX_STUCK ? TIMED_OUT
+                                    : DOES_NOT_BUILD;
 }
 
 static void close_box(struct job *job)
 {
     trial_close();
     if (job->open)
-        box_close(&job->box);
+        sandbox_close(&job->sandbox);
     job->open = false;
 }
 
-/* Runs a test as the examiner does, with a judge for a runner. If the box
-   does not settle, or the clock has stopped the test, it goes and the next
-   test opens another; so nothing that one test does is felt in the next. */
+/* Runs a test as the examiner does, with a judge as the runner. After a
+   time-out, or when the test's process cannot be ended, the sandbox is
+   closed and the next test opens another, so that no test is affected by
+   the one before. */
 static enum state run_test(struct job *job, const struct kit_test *test,
                            FILE *story)
 {
@@ -290,8 +293,8 @@ static enum state run_test(struct job *job, const struct kit_test *test,
         .seconds = job->grading->seconds,
         .runner = job->judge,
         .seed = test->hidden ? seed : NULL,
-        .user = box_judge(),
-        .sandbox = {job->box.answers, job->box.requests},
+        .user = sandbox_judge(),
+        .sandbox = {job->sandbox.answers, job->sandbox.requests},
         .later = later_seconds(job),
         .prints = "prints",
     };
@@ -301,17 +304,18 @@ static enum state run_test(struct job *job, const struct kit_test *test,
     const enum state state = trial_run(&trial, test->number, story);
     if (state == TIMED_OUT)
         note_late(job, trial_waited());
-    const bool settled = state != TIMED_OUT && box_settle(&job->box);
-    job->slow |= settled && job->box.test_ms >= SLOW_MS;
+    const bool settled =
+        state != TIMED_OUT && sandbox_settle(&job->sandbox);
+    job->slow |= settled && job->sandbox.test_ms >= SLOW_MS;
     if (!settled)
         close_box(job);
     return state;
 }
 
-/* Runs a test unless its result is known. In a second try what has come to
-   an end keeps what it has earned. Those that were late run until one is
-   late again: then it was not the load. Idle tests run again, because what
-   they earn depends on the others. */
+/* Runs a test, unless its result is known. In a second try tests that came
+   to an end keep what they earned; those that were late run again until
+   one is late again: then it was not the load. Idle tests run again,
+   because what they earn depends on the others. */
 static enum state try_test(struct job *job, int i, FILE *story)
 {
     const struct marks *before = job->grading->before;
@@ -329,11 +333,11 @@ static enum state try_test(struct job *job, int i, FILE *story)
                            : state;
 }
 
-/* Replaces the hint of a second mistake by a word on the first. A mistake
-   that one test has named may give, in a later test, the value of another
-   one, which was not made. So a later test that would name another mistake
-   refers to the first: it is mended first, and the rest is seen then. At
-   home only the first test is told in full, for the same reason. */
+/* Replaces the hint of a second mistake by a reference to the first. A
+   mistake that one test has recognised may, in a later test, give the
+   value of another mistake, which was not made. So the first is to be
+   mended first. At home only the first failure is told in full, for the
+   same reason. */
 static void name_once(char *mistake, size_t room, char **text, size_t *size)
 {
     char *hint = strstr(*text, "\n  hint "), *end, *name;
@@ -382,9 +386,9 @@ static void keep_mark(struct marks *marks, const struct kit_test *test,
         marks->state = state;
 }
 
-/* Keeps what the program has printed. The first test that has printed shows
-   it; the same lines from all others would bury it. Hidden tests do not
-   count, because a program can print its inputs. */
+/* Keeps what the program printed in the first test that printed anything;
+   the same lines of all the others would bury it. Output of hidden tests
+   is not kept, because a program can print its inputs. */
 static void keep_prints(struct marks *marks)
 {
     struct stat about;
@@ -411,9 +415,9 @@ static void keep_prints(struct marks *marks)
     fclose(file);
 }
 
-/* Takes points away from idle tests. Idle tests pay only beside another
-   that has passed. Where there is none they have failed and say why, so
-   that reports which count tests agree with those that count points. */
+/* Takes the points of idle tests away unless another test has passed. They
+   count as failed then and say why, so that reports that count tests agree
+   with reports that count points. */
 static void settle_idle(const struct kit *kit, struct marks *marks)
 {
     static const char why[] = "  A function that does nothing passes this "
@@ -460,8 +464,7 @@ static void run_tests(struct job *job)
     settle_idle(job->kit, job->marks);
 }
 
-/* Replaces the story of a test. What the sanitizers have found in a test
-   replaces what was said of it. */
+/* Replaces the story of a test by what the sanitizers found in it. */
 static void replace_mark(struct mark *mark, const char *text, size_t size)
 {
     free(mark->story);
@@ -490,8 +493,8 @@ static void ask_about(struct job *job, int i)
     free(text);
 }
 
-/* Sets the state of the whole. The state of all: that of the first test
-   that is wrong, as at home. */
+/* Sets the state of the exercise: that of the first test that is wrong, as
+   at home. */
 static void sum_up(struct marks *marks)
 {
     marks->state = PASSED;
@@ -502,12 +505,11 @@ static void sum_up(struct marks *marks)
 }
 
 /* Runs the public tests once more, with sanitizers. Points come from a
-   program without sanitizers. With them it runs once more through the tests
-   that the student knows, and a test in which they find a mistake is not
-   passed: at home they decide as well, and the verdict must not depend on
-   the place. This run is half of what a submission costs; where a mistake
-   of the suite's list explains a failure, it is known what is wrong, and it
-   is left out unless a test has crashed or left its places. */
+   program without them; but a test in which they find a mistake does not
+   pass, since at home they decide as well, and the verdict must not depend
+   on where it is given. This run is half the cost of a submission. It is
+   left out where a recognised mistake explains a failure, unless a test
+   crashed or wrote outside of its outputs. */
 static void ask_sanitizers(struct job *job)
 {
     char *text = NULL;
@@ -532,8 +534,8 @@ static void ask_sanitizers(struct job *job)
     sum_up(job->marks);
 }
 
-/* Returns whether the file is the stub. What is still the stub is not
-   begun, as at home, and nothing is run. */
+/* Returns whether the file is the stub. Then nothing is run, and the
+   exercise is not begun, as at home. */
 static bool is_stub(const struct grading *grading, const struct kit *kit,
                     const char *bytes, size_t length)
 {
@@ -551,9 +553,8 @@ static bool is_stub(const struct grading *grading, const struct kit *kit,
     return stub && c == EOF && at == length;
 }
 
-/* Enters all tests without points. The sum of what could have been earned
-   must not depend on what was handed in, so all tests are there when
-   nothing could be run. */
+/* Enters all tests without points, for a file that could not be run: the
+   points that can be earned must not depend on what was handed in. */
 static void give_nothing(const struct kit *kit, struct marks *marks,
                          enum state state)
 {
@@ -564,9 +565,9 @@ static void give_nothing(const struct kit *kit, struct marks *marks,
 
 enum { FIGURE_MOST = 1 << 22, FIGURE_WIDEST = 4000 };
 
-/* Returns why this is no PNG, or NULL. What comes out goes to a person,
-   whose programs will open it; SVG and PDF can hold programs, a PNG is a
-   picture of points. */
+/* Returns why these bytes are no PNG, or NULL. The figure is opened by a
+   person's programs; SVG and PDF can hold programs, a PNG is a picture of
+   points. */
 static const char *see_png(const unsigned char *png, size_t length)
 {
     static const char head[] = "\x89PNG\r\n\x1a\n\0\0\0\rIHDR";
@@ -601,21 +602,22 @@ static void note_figure(struct job *job, const char *place, const char *why)
 static void draw(struct job *job, struct grading_page *page)
 {
     static const char *const reasons[] = {
-        [BOX_NO_PROGRAM] = "its program could not be built",
-        [BOX_NO_GNUPLOT] = "gnuplot is missing in the box",
-        [BOX_DRAWS_LATE] = "its script did not end in half a minute"};
+        [SANDBOX_NO_PROGRAM] = "its program could not be built",
+        [SANDBOX_NO_GNUPLOT] = "gnuplot is missing in the sandbox",
+        [SANDBOX_DRAWS_LATE] = "its script did not end in half a minute"};
     lay_file("script", page->script, page->length);
     const int script = open_or_fail("script", O_RDONLY);
     unsigned char *figure = malloc(FIGURE_MOST + 1);
     if (!figure || ftruncate(job->prints, 0) != 0)
         text_fail("cannot make room for a figure: %s", strerror(errno));
-    const enum box_drawing drawing =
-        box_draw(&job->order, script, job->prints, (char *)figure,
-                 FIGURE_MOST + 1, &page->drawn);
+    const enum sandbox_drawing drawing =
+        sandbox_draw(&job->order, script, job->prints, (char *)figure,
+                     FIGURE_MOST + 1, &page->drawn);
     close(script);
     chmod("prints", 0600);
-    const char *why = drawing != BOX_DRAWN ? reasons[drawing]
-                                           : see_png(figure, page->drawn);
+    const char *why = drawing != SANDBOX_DRAWN
+                          ? reasons[drawing]
+                          : see_png(figure, page->drawn);
     page->figure = why ? NULL : (char *)figure;
     note_figure(job, page->place, why);
 }
@@ -626,8 +628,8 @@ static void draw_figure(struct job *job, struct grading_page *page)
         note_figure(job, NULL,
                     page->refusal ? page->refusal
                                   : "no script was handed in");
-    else if (job->grading->kind == BOX_OPEN)
-        note_figure(job, NULL, "its script is not run without a box");
+    else if (job->grading->kind == SANDBOX_NONE)
+        note_figure(job, NULL, "its script is not run without a sandbox");
     else
         draw(job, page);
 }

@@ -2,13 +2,13 @@
 #ifndef GRADING_H
 #define GRADING_H
 
-#include "examiner/box.h"
+#include "examiner/sandbox.h"
 #include "examiner/marks.h"
 
 #include <stddef.h>
 #include <stdint.h>
 
-/* A test of the kit, as it is to be run. */
+/* A test of an exercise. */
 struct kit_test {
     char *name;
     int number; /* the judge's */
@@ -17,7 +17,7 @@ struct kit_test {
     bool idle; /* passes without work: earns only if another test passes */
 };
 
-/* An exercise of the kit. */
+/* An exercise that can be graded. */
 struct kit {
     char exercise[4]; /* "01a" */
     char *title;
@@ -29,7 +29,7 @@ struct kit {
 struct grading {
     const char *root; /* of the project, absolute */
     const char *work; /* a folder for gradings, absolute */
-    enum box_kind kind;
+    enum sandbox_kind kind;
     uint64_t seed;              /* of the hidden tests */
     int seconds;                /* of processor time, for each test */
     const struct marks *before; /* of a first try, or NULL */

@@ -1,4 +1,4 @@
-/* Allocates outputs with known bytes before and behind each. */
+/* Allocates outputs with known bytes in front of each and behind it. */
 #include "examiner/guards.h"
 #include "examiner/remote.h"
 #include "examiner/transport.h"
@@ -7,14 +7,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A guard stands on either side of a place and is as wide as an index goes
-   astray that was computed for another array: 512 doubles. Without guards
-   an answer that was right and also wrote v[2] had all points, because what
-   stood behind v was the box's own. */
+/* Each output has a guard on either side, of 512 doubles: an index that
+   was computed for another array goes astray that far. Without guards an
+   answer that was right and also wrote v[2] had full points, because only
+   memory of our own lay behind v. */
 enum { GUARD = 4096, MOST = 8 };
 
-/* Returns a byte of a guard. As a double eight of them are a NaN, as a size
-   more than any index, so that a function that reads them gains nothing. */
+/* Returns byte i of a guard. Eight bytes are a NaN as a double, and more
+   than any index as a size, so that a function that reads them gains
+   nothing. */
 static unsigned char filling(size_t i)
 {
     static const unsigned char bytes[] = {0xa5, 0xa5, 0xa5, 0xa5,
@@ -42,10 +43,11 @@ static size_t used;
 void __asan_poison_memory_region(const volatile void *x, size_t n) WEAK;
 void __asan_unpoison_memory_region(const volatile void *x, size_t n) WEAK;
 
-/* Has an address sanitizer watch the guards, which notice writes but not
-   reads, and cannot tell the line. The driver of a box is compiled once for
-   programs with and without one, so the names are weak: if nobody defines
-   them they are zero. Only ELF knows such names. */
+/* Tells an address sanitizer, if there is one, that the guards must not be
+   touched: it notices reads as well, and knows the line. The driver in the
+   sandbox is compiled once for programs with and without a sanitizer, so
+   the names are weak, which only ELF knows: if nobody defines them they
+   are zero. */
 static void forbid(const struct place *p, bool on)
 {
     void (*const tell)(const volatile void *x, size_t n) =

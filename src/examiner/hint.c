@@ -7,8 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* It must outlive make clean, so it is not in build/, and it is not among
-   the student's files, where nothing of ours is written. */
+/* Where the number of hints given is kept: not in build/, since make clean
+   must not forget it, and not in exercises/, where nothing but the
+   student's own files belong. */
 static const char path[] = ".progress";
 
 static int given(const char *name)
@@ -24,8 +25,9 @@ static int given(const char *name)
     return count < 0 || count > 1000 ? 0 : count;
 }
 
-/* A project has hints for each of its stages, counted by themselves: 302
-   are two of the third. An exercise has stage 0. */
+/* Hints given are counted for each stage of a project, as 100 * stage +
+   number: 302 are two of the third stage. An exercise has the one stage
+   0. */
 enum { PER_STAGE = 100 };
 
 static int stage_of(const struct exercise *e)
@@ -65,8 +67,8 @@ void hint_forget(const struct exercise *e)
         remember(e->name, 0);
 }
 
-/* Counts the hints of a stage and shows the one that is wanted, none for
-   0. */
+/* Returns how many hints a stage has; shows the one with the number
+   `wanted', none for 0. */
 static int find_hint(char *text, int stage, int wanted)
 {
     int number = 0;
@@ -94,8 +96,8 @@ static int count_hints(const char *file, int stage)
     return count;
 }
 
-/* Shows the next hint. It is remembered after it was shown: a full disk
-   keeps us from writing but not from giving the hint. */
+/* Shows the next hint, then stores that it was given: on a full disk the
+   student still gets the hint. */
 void hint_show(const struct exercise *e)
 {
     char file[64];

@@ -1,4 +1,4 @@
-/* Hints given one at a time. */
+/* Gives hints one at a time. */
 #ifndef HINT_H
 #define HINT_H
 

@@ -23,10 +23,10 @@ long syscall(long number, ...);
 enum { ANSWERS = 5, REQUESTS = 6 };
 
 #ifdef __linux__
-/* The calls of the kernel that a judge makes: it reads and writes what was
-   open when it was started, asks for memory, makes copies of itself and
-   ends as it likes. Whoever took it over by what he sends would find no
-   file, no network and no other process within reach. */
+/* The system calls that a judge needs: it reads and writes what was open
+   when it started, asks for memory, copies itself and ends. Somebody who
+   took it over with what he sends would reach no file, no network and no
+   other process. */
 static const int allowed[] = {
     SYS_read,
     SYS_write,
@@ -96,11 +96,10 @@ static void forbid_other_calls(void)
 
 void judge_confine(long user);
 
-/* Gives up the rights that a judge does not need. What comes out of a box
-   is read by this program, which may have been started by root: it keeps no
-   right that it does not use. A kernel without filters, or a container
-   without that user, leaves it as it is. The judge holds the expected
-   values and answers to a program that may be hostile. */
+/* Gives up the rights that a judge does not need, since it reads what
+   comes from a sandbox, knows the expected values, and may have been
+   started by root. Where the kernel has no filters, or a container not
+   this user, it stays as it is. */
 void judge_confine(long user)
 {
     if (user > 0 && syscall(SYS_setgroups, 0, NULL) == 0 &&
@@ -110,15 +109,14 @@ void judge_confine(long user)
 }
 #endif
 
-/* Ends when the box is gone. */
+/* Ends this process: the sandbox has ended. */
 void transport_lost(void)
 {
     _exit(EXIT_FAILURE);
 }
 
-/* Ends as the test's process has ended, by the same signal or status, so
-   that trial.c reads its ending as at home and tells it in the same
-   words. */
+/* Ends as the test's process did, by the same signal or status, so that
+   trial.c reads it as at home and tells it in the same words. */
 static _Noreturn void end_like(int status)
 {
     if (WIFSIGNALED(status)) {
@@ -130,10 +128,9 @@ static _Noreturn void end_like(int status)
 
 static bool opened, begun, calling;
 
-/* Ends a call that was not answered. If the last call was never answered
-   the suite has jumped out of it. The process in the box is still within
-   the student's function, so it is sent away and a new one takes its
-   place. */
+/* Ends a call without an answer: the suite has left it by longjmp, but the
+   process in the sandbox is still in the student's function. That process
+   is ended, and the next call starts another. */
 static void break_off(void)
 {
     int how[TRANSPORT_HOW];
@@ -165,9 +162,9 @@ void remote_call(void)
     transport_send(TRANSPORT_CALL);
 }
 
-/* Serves what the box says besides an answer; anything else is nonsense and
-   ends the test. */
-static void heed(int word)
+/* Serves a callback or a message about a guard; anything else ends the
+   test. */
+static void serve_message(int word)
 {
     struct check_overrun overrun;
     int number;
@@ -185,7 +182,7 @@ void remote_wait(void)
     int word, line, how[TRANSPORT_HOW];
     while ((word = transport_receive()) == TRANSPORT_CALLBACK ||
            word == TRANSPORT_OVERRUN)
-        heed(word);
+        serve_message(word);
     if (word == TRANSPORT_NOT_DONE) {
         remote_ints(&line, 1);
         exercise_not_done("line", line);

@@ -1,4 +1,4 @@
-/* Calls the student's function within one process, at home. */
+/* Calls the student's function in the same process, for checks at home. */
 #include "examiner/remote.h"
 #include "examiner/check.h"
 #include "examiner/guards.h"
@@ -13,56 +13,56 @@ void transport_lost(void)
     _exit(EXIT_FAILURE);
 }
 
-static unsigned char *line;
-static size_t room, said, heard;
+static unsigned char *messages;
+static size_t capacity, sent, received;
 
-static void make_room(size_t bytes)
+static void grow(size_t bytes)
 {
-    unsigned char *longer = realloc(line, bytes);
+    unsigned char *longer = realloc(messages, bytes);
     if (!longer)
         transport_lost();
-    line = longer;
-    room = bytes;
+    messages = longer;
+    capacity = bytes;
 }
 
-/* Copies bytes into the array of messages, or out of it. Both halves and
-   the student's function are one program, in which a name is defined once;
-   so the makefile compiles the suite and its half under other names
-   (suite_velocities_after). What one half has said lies in an array until
-   the other has heard it. The student's function so gets the same arguments
-   in the same kind of memory as in the grader. */
+/* Copies bytes into the array of messages, or out of it: what one side
+   sends stays in the array until the other receives it. So the student's
+   function gets the same arguments in the same kind of memory as in the
+   grader. Both sides and the function are one program, in which a name can
+   be defined only once: so the makefile compiles the suite and its side
+   with other names (suite_velocities_after). */
 void transport_move(void *x, size_t bytes)
 {
-    if (transport_sending && room - said <= bytes)
-        make_room(2 * (said + bytes) + 1);
-    if (!transport_sending && said - heard < bytes)
+    if (transport_sending && capacity - sent <= bytes)
+        grow(2 * (sent + bytes) + 1);
+    if (!transport_sending && sent - received < bytes)
         transport_lost();
     if (transport_sending)
-        memcpy(line + said, x, bytes);
+        memcpy(messages + sent, x, bytes);
     else
-        memcpy(x, line + heard, bytes);
-    *(transport_sending ? &said : &heard) += bytes;
+        memcpy(x, messages + received, bytes);
+    *(transport_sending ? &sent : &received) += bytes;
 }
 
-static void speak(bool on)
+static void set_sending(bool on)
 {
     if (on)
-        said = heard = 0;
+        sent = received = 0;
     transport_sending = on;
 }
 
 void remote_call(void)
 {
     guards_clear();
-    speak(true);
+    set_sending(true);
 }
 
-/* Runs the other side. To wait is to let the other half run. */
+/* Runs the other side: to wait is to let it work. */
 void remote_wait(void)
 {
-    speak(false);
+    set_sending(false);
     remote_serve();
-    speak(false);
+    set_sending(false);
 }
 
 void remote_reply(void)
@@ -70,28 +70,28 @@ void remote_reply(void)
     struct check_overrun overrun;
     if (guards_overrun(&overrun))
         check_overrun(&overrun);
-    speak(true);
+    set_sending(true);
 }
 void remote_restart(void)
 {
 }
 
-static int asked;
+static int callback;
 
 void remote_callback(int which)
 {
-    asked = which;
-    speak(true);
+    callback = which;
+    set_sending(true);
 }
 
 void remote_callback_wait(void)
 {
-    speak(false);
-    remote_serve_callback(asked);
-    speak(false);
+    set_sending(false);
+    remote_serve_callback(callback);
+    set_sending(false);
 }
 
 void remote_callback_reply(void)
 {
-    speak(true);
+    set_sending(true);
 }

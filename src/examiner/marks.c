@@ -1,4 +1,4 @@
-/* Marks counted, written to disk and read again. */
+/* Counts marks, writes them to files and reads them. */
 #include "examiner/marks.h"
 #include "examiner/text.h"
 #include "toolbox/replace.h"
@@ -38,9 +38,9 @@ bool marks_late(const struct marks *marks)
     return false;
 }
 
-/* Makes text of any bytes. Each byte that is no UTF-8, or that no text may
-   hold, becomes \x and two digits and not a question mark: a student who
-   prints to find an error wants to know which byte came out. */
+/* An escaped byte is shown as two digits, not as a question mark: a
+   student who prints to find an error wants to know which byte came
+   out. */
 char *marks_text(const char *bytes, size_t length, size_t most)
 {
     const size_t kept = length < most ? length : most;
@@ -55,7 +55,7 @@ char *marks_text(const char *bytes, size_t length, size_t most)
     return longer;
 }
 
-/* Turns a test's mark into JSON. A state is written by its name, because
+/* Returns a test's mark as JSON. A state is written by its name, because
    the files outlive the program. */
 static json_t *json_of_mark(const struct mark *mark)
 {
@@ -100,8 +100,8 @@ static enum state state_of(const char *name)
     return state;
 }
 
-/* Disks fill up and people edit: a file from which anything is missing is
-   taken for none, and the exercise is graded anew. */
+/* Reads a test's mark; returns false if anything is missing, as after a
+   full disk or by hand. Then the exercise is graded anew. */
 static bool mark_of_json(struct mark *mark, json_t *json)
 {
     const char *name, *state, *story;

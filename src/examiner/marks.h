@@ -7,9 +7,9 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* One test, as it was run for one student. Points for tests that a student
-   knows and points for hidden ones are told apart to the end: of the latter
-   he learns no more than that there are some. */
+/* One test, as it was run for one student. Points of public and of hidden
+   tests are kept apart throughout: of the hidden ones a student learns no
+   more than that there are some. */
 struct mark {
     char *name;
     bool hidden;      /* with inputs that are not to be shown */
@@ -22,10 +22,9 @@ struct mark {
 enum { MARKS_MOST = 96 };
 
 /* One exercise of one student. Texts are UTF-8 without control characters
-   other than line breaks; none is NULL. It is also written to a file as
-   soon as it is known, and reports are made from the files alone, so that a
-   batch that was interrupted goes on and a new report needs no new
-   grading. */
+   other than line ends; none is NULL. Each is written to a file as soon as
+   it is known, and reports are made from the files alone: so an
+   interrupted batch can go on, and a new report needs no new grading. */
 struct marks {
     char *student;    /* the name of the folder */
     char *exercise;   /* "01a" */
@@ -44,26 +43,26 @@ struct marks {
     bool late; /* the wall's clock has stopped the build or a test */
 };
 
-/* The points that were earned, and that can be: of the tests that are
-   hidden, or of those that are not. */
+/* Return the points that were earned, and that can be, of the hidden tests
+   or of the others. */
 int marks_earned(const struct marks *marks, bool hidden);
 int marks_possible(const struct marks *marks, bool hidden);
 
-/* Whether a test has timed out, or the build has. */
+/* Returns whether the build or a test has timed out. */
 bool marks_late(const struct marks *marks);
 
-/* Returns bytes escaped, as text_escaped does. Of more than `most` bytes
-   the first are kept, and how many there were is said. The caller frees
-   it. */
+/* Returns bytes escaped, as text_escaped does, for the caller to free.
+   Only the first `most` bytes are kept; the text then ends with how many
+   there were. */
 char *marks_text(const char *bytes, size_t length, size_t most);
 
-/* Writes marks to a file, which is there whole or not at all. The key says
-   what they depend on. Exits with status 2 when it cannot. */
+/* Writes marks to a file, with the key of what they depend on. Exits with
+   status 2 when it cannot. */
 void marks_write(const struct marks *marks, const char *key,
                  const char *path);
 
-/* Reads them again, if the file is there and has that key (or any key, for
-   NULL). Returns whether it has. */
+/* Reads marks from a file with this key (NULL: any key). Returns whether
+   there were any. */
 bool marks_read(struct marks *marks, const char *key, const char *path);
 
 /* Frees what marks_read has made. */

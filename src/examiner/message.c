@@ -1,16 +1,16 @@
-/* A table of messages and what they usually mean. */
+/* Explains messages of compilers: a table of what they usually mean. */
 #include "examiner/message.h"
 #include "examiner/text.h"
 
 #include <stddef.h>
 #include <string.h>
 
-/* The two compilers say the same in other words, so a row has two columns;
-   the first row that fits is taken, and a special case stands above the
-   general one. NAME stands for the first name that the message quotes; a
-   row without a sentence is about a name that the compiler does not know.
-   Where a sentence would be a guess there is none: a wrong explanation is
-   believed, and costs more than a missing one. */
+/* A row for each mistake, with the words of gcc and of clang. The first
+   row that fits is taken, so special cases stand above general ones. NAME
+   stands for the first name that the message quotes; a row without a text
+   is about a name that the compiler does not know. Where an explanation
+   would be a guess there is none: a wrong one is believed and costs more
+   than a missing one. */
 static const struct meaning {
     const char *gcc, *clang; /* words of the message; NULL: no others */
     const char *text;
@@ -90,12 +90,11 @@ static const struct meaning {
     {"lvalue required", "expression is not assignable",
      "On the left of = must stand something that can be changed, and this "
      "is a formula."},
-    /* A missing return is only a warning in C: the program is built and
-       returns what lies in a register, which may be the right number. One
-       of the kit's test files passed all its tests so, since clang took the
-       path without a return for impossible. So the makefile makes an error
-       of it, and of two things that newer compilers refuse by
-       themselves. */
+    /* C allows a function to end without its return: the caller gets
+       whatever is in a register, which may be the right number. One wrong
+       answer among the kit's tests passed that way, since clang assumed
+       that the path without a return is never taken. So the makefile makes
+       it an error, and two more that newer compilers refuse anyway. */
     {"reaches end of non-void", "void function does not return a value",
      "There is a way through the function on which it ends without a "
      "return. What is its value then?"},
@@ -115,9 +114,8 @@ static const struct meaning {
     {"value computed is not used", NULL,
      "This line computes something and throws it away. Is an = or a return "
      "missing?"},
-    /* The rows from here on are warnings about programs that are built.
-       They are shown only when a test has failed, as its likeliest
-       reason. */
+    /* From here on the rows are about warnings. They are shown only when a
+       test has failed, as its likeliest reason. */
     {"uninitialized", NULL,
      "NAME has no value yet when it is used. What should it begin with?"},
     {"integer absolute value", NULL,
@@ -174,8 +172,8 @@ bool message_known(const char *line)
     return meaning_of(copy) != NULL;
 }
 
-/* Copies the first name in quotation marks, which are plain ones because
-   the compilers run in the locale C. */
+/* Copies the first name in quotation marks. They are plain ones, because
+   the compiler runs in the locale C. */
 static void quoted(char name[NAME_ROOM], const char *from)
 {
     const char *mark = from ? strchr(from, '\'') : NULL;
@@ -183,8 +181,8 @@ static void quoted(char name[NAME_ROOM], const char *from)
     snprintf(name, NAME_ROOM, "%.*s", (int)length, mark ? mark + 1 : "");
 }
 
-/* Returns the header of a name; the blanks around it keep exp from being
-   found in a longer one. */
+/* Returns the header that declares a name. The blanks around names keep
+   exp from being found in expm1. */
 static const char *header_of(const char *name)
 {
     char word[NAME_ROOM + 2];
@@ -195,9 +193,9 @@ static const char *header_of(const char *name)
     return NULL;
 }
 
-/* Explains a name that is not known. The header is tried before the
-   compiler's own proposal: for NAN without <math.h> it may propose some
-   other word of three letters. */
+/* Explains an unknown name. Its header is looked up before the compiler's
+   proposal is: for NAN without <math.h> a compiler may propose any other
+   name of three letters. */
 static void explain_stranger(FILE *story, const char *line)
 {
     char name[NAME_ROOM], meant[NAME_ROOM], text[LINE_ROOM];
@@ -220,8 +218,8 @@ static void explain_stranger(FILE *story, const char *line)
     text_field(story, "means", text);
 }
 
-/* Writes a sentence with NAME replaced. As a format for printf it could not
-   be checked by a compiler. */
+/* Writes a sentence, with the name for NAME. printf could do it with %s,
+   but no compiler could check a format that comes from a table. */
 static void explain_known(FILE *story, const char *text, const char *line)
 {
     char name[NAME_ROOM], sentence[LINE_ROOM];

@@ -1,10 +1,10 @@
-/* Refuses calls back, for exercises that hand over no function. */
+/* Refuses callbacks, where a student gets no function to call. */
 #include "examiner/remote.h"
 #include "examiner/transport.h"
 
-/* Does nothing. An exercise that hands no function to the student is linked
-   with this. It is alone in its file, so that the linker takes it only
-   where nobody else has defined the name. */
+/* Ends the program: no callback was expected. It has a file of its own, so
+   that the linker takes it from the library only for an exercise that does
+   not define this function. */
 void remote_serve_callback(int which)
 {
     (void)which;

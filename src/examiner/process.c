@@ -21,11 +21,10 @@ long syscall(long number, ...);
 
 static volatile sig_atomic_t caught;
 
-/* Notes the signal and returns: between any two instructions a handler can
-   do little else safely. A program in a group of its own does not hear the
-   terminal's Ctrl-C. The loop that waits for it does, and passes it on as
-   SIGKILL; if the examiner died of the signal, a student's endless loop
-   would go on unseen. */
+/* Stores the signal; a handler may do little else safely. A program in a
+   group of its own does not get the terminal's Ctrl-C: the loop that waits
+   for it does, and kills it. If the examiner ended instead, a student's
+   endless loop would go on unseen. */
 static void catch_signal(int signal)
 {
     caught = signal;
@@ -44,11 +43,10 @@ int process_signal(void)
     return caught;
 }
 
-/* Lowers a soft limit, unless the machine's owner has set a lower one. A
-   program that raises it again does so on purpose, and this module guards
-   against accidents. At the limit of time a process gets SIGXCPU, of a
-   file's size SIGXFSZ; memory is address space, the only kind that every
-   Unix can limit. */
+/* Lowers a soft limit, unless it is lower already. A program may raise it
+   again, but this guards against accidents. Beyond the limit on time a
+   process gets SIGXCPU, on a file's size SIGXFSZ; memory is limited as
+   address space, since that is what every Unix can limit. */
 static void restrain(int resource, rlim_t most)
 {
     struct rlimit limit;
@@ -58,9 +56,9 @@ static void restrain(int resource, rlim_t most)
     }
 }
 
-/* Closes all descriptors from this one on. Linux has a call for it since
-   2020. Elsewhere they are closed one by one, but no more than 1024 of
-   them: some machines allow a million open files. */
+/* Closes all descriptors from this one on. Linux has had a system call for
+   it since 2020. Elsewhere they are closed one by one, 1024 at most: some
+   machines allow a million open files. */
 static void close_from(int first)
 {
 #ifdef SYS_close_range
@@ -74,9 +72,8 @@ static void close_from(int first)
 }
 
 /* Moves the descriptors of the list to 3, 4, ... and returns the next
-   number. All are first copied to numbers far above, because two of them
-   might change places. A copy does not inherit the mark that closes on
-   exec. */
+   number. They are first copied to high numbers, because two of them might
+   have to change places. A copy stays open on exec. */
 static int hand_over(const int kept[6])
 {
     int high[6], count = 0;
@@ -89,11 +86,10 @@ static int hand_over(const int kept[6])
     return 3 + count;
 }
 
-/* Becomes the command, between fork and exec, where limits, group and
-   descriptors can be set that survive the exec. Standard input is at its
-   end, or an exercise that asks for a number would seem to hang. All other
-   descriptors are closed, such as the pipe by which make -j shares out its
-   jobs. No core files are written. */
+/* Becomes the command. Limits, group and descriptors are set between fork
+   and exec, and survive the exec. Input is empty, or an exercise that
+   reads a number would seem to hang. All other descriptors are closed,
+   such as the pipe by which make -j hands out its jobs. */
 static void become(char *const command[], const char *folder,
                    const struct process_files *files,
                    const struct process_limits *limits)
@@ -117,8 +113,8 @@ static void become(char *const command[], const char *folder,
     _exit(127);
 }
 
-/* Reads the clock. The monotonic clock: that of the calendar may be set
-   while a test runs. */
+/* Returns the time of a clock that nobody can set back while a test
+   runs. */
 double process_clock(void)
 {
     struct timespec now;
@@ -126,10 +122,10 @@ double process_clock(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/* Returns whether a process has ended, without collecting its status: as
-   long as nobody does, its number belongs to it, and its group can be
-   killed without meeting a stranger who was given the same number. One that
-   was merely stopped has not ended. */
+/* Returns whether a process has ended, and leaves its status to be
+   collected later: until then no other process can get its number, and its
+   group can be killed safely. A process that is merely stopped has not
+   ended. */
 static bool has_ended(pid_t pid)
 {
     siginfo_t about = {0};
@@ -138,10 +134,9 @@ static bool has_ended(pid_t pid)
            about.si_pid == pid;
 }
 
-/* Returns whether a process uses more than so many bytes. It is for copies
-   of a process with sanitizers, which have terabytes of addresses mapped,
-   so that no limit of the kernel's fits; the second number of statm counts
-   the pages in use. */
+/* Returns whether a process has more memory in use than this (the second
+   number of statm, in pages). A copy of a runner needs it: sanitizers map
+   terabytes, so that no limit of the kernel fits. */
 static bool uses_more(pid_t pid, rlim_t most)
 {
     char path[64];
@@ -167,12 +162,11 @@ int process_watch(pid_t pid)
 #endif
 }
 
-/* Waits for a process, kills its whole group when it is late, too large, or
-   the user has had enough, and once more at the end, for those it has left
-   behind. Returns whether it was late. waitpid has no limit on time; an
-   alarm would need a handler, a second process or thread is one more thing
-   to go wrong. Where the kernel wakes us when the process ends there is
-   little to wait for, elsewhere a look every 2 ms adds one on average. */
+/* Waits for a process; kills its group when it is late, too large, or the
+   user interrupts, and once more at the end, for children that it has
+   left. Returns whether it was late. waitpid has no time limit, so this
+   polls: every 20 ms where the kernel tells the end at once (pidfd),
+   otherwise every 2 ms, which adds one on average. */
 static bool wait_for_end(pid_t pid, double seconds, rlim_t memory)
 {
     struct pollfd end = {process_watch(pid), POLLIN, 0};
@@ -196,7 +190,7 @@ enum { MOST_BESIDE = 2 };
 static pid_t beside[MOST_BESIDE]; /* what process_start has started */
 static int besides;
 
-/* Returns whether a child is none that process_start has started. */
+/* Returns whether a child is not one that process_start has started. */
 static bool is_stray(int child)
 {
     for (int i = 0; i < besides; ++i)
@@ -205,10 +199,10 @@ static bool is_stray(int child)
     return child > 0;
 }
 
-/* Returns a child that should not be there, or 0: a process may leave its
-   group by setsid, and Linux gives us such orphans as children
-   (PR_SET_CHILD_SUBREAPER) and lists our children in a file. Elsewhere it
-   escapes; no accident does that. */
+/* Returns a child that nobody has started here, or 0. A process may leave
+   its group by setsid; on Linux such orphans become our children
+   (PR_SET_CHILD_SUBREAPER), and a file lists our children. On other
+   systems it escapes, but no accident does that. */
 static int find_stray(void)
 {
     int child = 0;
@@ -235,8 +229,9 @@ static void kill_strays(void)
     }
 }
 
-/* Waits and says how a process ended. That SIGKILL was ours has to be
-   noted, since the kernel sends the same one when memory has run out. */
+/* Waits, and fills in how a process ended. Whether it was late is stored,
+   because a SIGKILL may also come from the kernel, when memory has run
+   out. */
 static void collect(pid_t pid, double seconds, rlim_t memory,
                     struct process_end *end)
 {
@@ -249,12 +244,11 @@ static void collect(pid_t pid, double seconds, rlim_t memory,
     kill_strays();
 }
 
-/* Starts a command. Buffers are emptied before, or the copy would print
-   what waits in them, too. Parent and child both set the group, since
-   either may come first; the parent's call fails where the child has come
-   as far as exec. A shell with timeout and ulimit would not do: its status
-   makes a segmentation fault and an exit(139) the same number, and timeout
-   kills one process, not those that it has started. */
+/* Starts a command. Buffers are flushed first, or the copy would print
+   their text again. Parent and child both set the group, since either may
+   run first; the parent's call fails if the child has already come to
+   exec. A shell with timeout and ulimit would not do: to it a segmentation
+   fault and exit(139) are the same, and timeout does not kill children. */
 static pid_t launch(char *const command[], const char *folder,
                     const struct process_files *files,
                     const struct process_limits *limits)
@@ -305,8 +299,7 @@ struct process_end process_stop(void)
     return end;
 }
 
-/* Has a process copy itself and waits for the copy. The copy is our child,
-   but only the process that makes it learns its number, and sends it. */
+/* Only the process that makes the copy learns its number, and sends it. */
 bool process_copy(int orders, const void *order, size_t length, int seconds,
                   rlim_t memory_bytes, struct process_end *end)
 {

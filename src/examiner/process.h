@@ -7,10 +7,10 @@
 #include <sys/resource.h>
 #include <sys/types.h>
 
-/* The limits of a program; RLIM_INFINITY means none. A loop without end is
-   stopped by the processor's clock, which is fair on a busy machine but
-   stands still while a program sleeps or waits; so the clock on the wall
-   runs as well, to twice as much. */
+/* The limits of a program; RLIM_INFINITY means none. An endless loop is
+   stopped when its processor time is used up, which is fair on a busy
+   machine; a program that sleeps or waits uses none, so it is stopped
+   after twice that time on the wall. */
 struct process_limits {
     int seconds;         /* of processor time; twice that on the wall */
     rlim_t memory_bytes; /* of address space */
@@ -18,7 +18,7 @@ struct process_limits {
     rlim_t processes;    /* of its user, threads included */
 };
 
-/* What a program is given open, and what is done before it starts. */
+/* Open descriptors for a program, and what is done before it starts. */
 struct process_files {
     int output;  /* where it prints and complains */
     int kept[6]; /* become 3, 4, ... as far as they go; the rest are 0 */
@@ -32,36 +32,37 @@ struct process_end {
     bool waited;    /* and that was the one on the wall */
 };
 
-/* Runs a command (a NULL-terminated list, the program looked for in PATH)
-   in a folder and in a process group of its own, with nothing to read,
-   the files given, within the limits and without core files.
-   Returns when it has ended, with everything in its group killed; false
-   when no process could be started (errno says why). */
+/* Runs a command (a NULL-terminated list, the program looked up in PATH)
+   in a folder and a process group of its own, with empty input, these
+   descriptors and limits, and no core files. Returns when it has ended and
+   everything in its group is killed; false when no process could be
+   started (errno says why). */
 bool process_run(char *const command[], const char *folder,
                  const struct process_files *files,
                  const struct process_limits *limits,
                  struct process_end *end);
 
-/* Starts a command in the same way and lets it run beside us, two at most;
-   returns false when no process could be started. Its limits hold,
-   but for the time on the wall, which is ours to watch. */
+/* Starts a command in the same way and returns at once; two may run at a
+   time. Returns false when no process could be started. Its limits hold,
+   except the time on the wall, which the caller has to watch. */
 bool process_start(char *const command[], const char *folder,
                    const struct process_files *files,
                    const struct process_limits *limits);
 
-/* Tells the process that process_start has started, through the socket
-   orders, to copy itself and what the copy is to do. The copy is our child,
+/* Has the process that process_start has started copy itself, through the
+   socket `orders', and tells the copy what to do. The copy is our child,
    in a group of its own: this waits for it as process_run does, for twice
-   so many seconds, and kills it, too, when it uses more than memory_bytes.
+   so many seconds, and also kills it when it uses more than memory_bytes.
    Returns false when there was no copy. */
 bool process_copy(int orders, const void *order, size_t length, int seconds,
                   rlim_t memory_bytes, struct process_end *end);
 
 /* Kills what process_start has started last, with its group, and returns
-   how it ended; nothing happens when there is none. */
+   how it ended; does nothing when there is none. */
 struct process_end process_stop(void);
 
-/* Returns a descriptor that wakes poll when the child has ended, or -1. */
+/* Returns a descriptor by which poll learns that the child has ended, or
+   -1. */
 int process_watch(pid_t pid);
 
 /* Returns seconds of the monotonic clock. */

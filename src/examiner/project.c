@@ -91,10 +91,10 @@ static void leap(project_pull *pull, const void *of, int n, long double x[],
     }
 }
 
-/* Solves an equation of motion to rounding. A leapfrog over a stretch in 1,
-   2, ..., 8 steps has an error in the even powers of the step alone, since
-   it is symmetric; so from the eight runs the limit of infinitely many
-   steps is known to the sixteenth power. */
+/* Solves an equation of motion to rounding. A leapfrog is symmetric, so
+   its error has only even powers of the step; from a stretch in 1, 2, ...,
+   8 steps the limit of infinitely many follows, up to the sixteenth power
+   (Richardson). */
 void project_exactly(project_pull *pull, const void *of, int n,
                      long double x[], long double v[], double t, int parts)
 {

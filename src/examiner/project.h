@@ -1,4 +1,4 @@
-/* Helps the suites of projects: inputs, tables, exact paths. */
+/* Functions for the suites of projects: inputs, tables, exact paths. */
 #ifndef PROJECT_H
 #define PROJECT_H
 
@@ -9,8 +9,8 @@
    with the grader's seed when marks are made. */
 double project_draw(int year, double low, double high);
 
-/* Checks that the program has ended with status 0 and printed so many rows
-   of so many numbers. Asks the question where a row has another length. */
+/* Checks that the program ended with status 0 and printed this many rows
+   and columns. Asks the question if a row has another length. */
 bool project_form(const struct run *run, const char *input, size_t rows,
                   size_t columns, const char *question);
 
@@ -18,24 +18,24 @@ bool project_form(const struct run *run, const char *input, size_t rows,
    standard error. */
 bool project_refuses(const struct run_order *order, const char *what);
 
-/* Returns the number behind these words in the remarks. If there is none it
-   is NAN, and *question is replaced by one about that. */
+/* Returns the number behind these words in a remark. If there is none it
+   returns NAN and replaces *question by one about that. */
 double project_remark(const struct run *run, const char *words,
                       const char **question);
 
-/* Returns x as it is read again after printing it in this format. */
+/* Returns x as it would be read after printing it in this format. */
 double project_cut(const char *format, double x);
 
 /* Solves x'' = a(x) for n coordinates x with velocities v over the time t
-   to rounding. It is cut into so many parts, in each of which the path must
-   bend little. */
+   to rounding. The time is cut into `parts' pieces, in each of which the
+   path must bend little. */
 typedef void project_pull(const void *of, const long double x[],
                           long double a[]);
 enum { PROJECT_PLACES = 16 };
 void project_exactly(project_pull *pull, const void *of, int n,
                      long double x[], long double v[], double t, int parts);
 
-/* Adds a mistake to a check. */
+/* Adds a known mistake to a check. */
 void project_mistake(struct check *check, const char *name, double value,
                      const char *hint);
 

@@ -31,9 +31,8 @@ static int earned(const struct marks *m)
     return marks_earned(m, false) + marks_earned(m, true);
 }
 
-/* Returns the points that an exercise can earn. What an exercise can earn
-   is the most that it can earn for anybody, because what was not graded has
-   no tests to count. */
+/* Returns the points that an exercise can earn: the most for any student,
+   because an exercise that was not graded has no tests to count. */
 static int possible(const struct course *c, size_t e)
 {
     int most = 0;
@@ -54,9 +53,8 @@ static int possible_of_all(const struct course *c)
     return sum;
 }
 
-/* Returns whether all of a student's exercises were graded. Of a student
-   who is not complete no total is given: it would be too small and look
-   like any other. */
+/* Returns whether all of a student's exercises were graded. Otherwise no
+   total is written: it would be too small and look like any other. */
 static bool complete(const struct course *c, size_t s)
 {
     for (size_t e = 0; e < c->exercises; ++e)
@@ -81,9 +79,9 @@ static double seconds_of_all(const struct course *c, size_t s)
     return sum;
 }
 
-/* Composes a clean text, for the caller to free. The course's name is a
-   folder's and other words come from the environment; rather than remember
-   which are clean, all go through here. */
+/* Formats an escaped text, for the caller to free. The course's name is
+   that of a folder, and other words come from the environment: all go
+   through here, clean or not. */
 static char *compose(const char *format, ...)
 {
     va_list arguments, again;
@@ -101,8 +99,8 @@ static char *compose(const char *format, ...)
     return text;
 }
 
-/* Cuts between two characters: the bytes that continue one, and only those,
-   begin with the bits 10. */
+/* Cuts a text between two characters. The bytes that continue a character,
+   and only those, begin with the bits 10. */
 static char *shorten(char *text, size_t most)
 {
     if (strlen(text) <= most)
@@ -113,10 +111,9 @@ static char *shorten(char *text, size_t most)
     return text;
 }
 
-/* Returns the name of a test as students may see it. Hidden tests have
-   neither name nor story in what students see: a name may say what is
-   tried, a story has the inputs. Nor is told what a program has printed,
-   for it might print its inputs. */
+/* Returns the name of a test as students may see it. A hidden test shows
+   neither its name, which may say what is tried, nor its story, which has
+   the inputs, nor what the program printed, which might be the inputs. */
 static const char *shown_name(const struct marks *m, int test,
                               char room[32])
 {
@@ -129,9 +126,9 @@ static const char *shown_name(const struct marks *m, int test,
     return room;
 }
 
-/* Returns the state of a test as students may see it. A test that never ran
-   because the file does not build is not begun in the marks; a student has
-   begun, so it is told as what it is. */
+/* Returns the state of a test as students may see it. In the marks a test
+   that could not run is not begun; but if the file does not build the
+   student has begun, and sees that instead. */
 static enum state state_of(const struct marks *m, int test)
 {
     const enum state state = m->marks[test].state;
@@ -139,9 +136,9 @@ static enum state state_of(const struct marks *m, int test)
                                                             : state;
 }
 
-/* Returns the state of an exercise as its student may see it. The state of
-   the whole would give hidden tests away: "failed" above nine points of
-   nine. */
+/* Returns the state of an exercise as its student may see it, from the
+   public tests: the state of all would give hidden tests away, as "failed"
+   above nine of nine points. */
 static enum state shown_state(const struct marks *m)
 {
     for (int i = 0; i < m->count; ++i)
@@ -164,8 +161,7 @@ struct draft {
     FILE *file;
 };
 
-/* Removes a report that cannot be written and ends. The cause is kept
-   first; removing the file may overwrite errno. */
+/* Removes a report that cannot be written, and ends. */
 static _Noreturn void give_up(const struct draft *draft)
 {
     const int why = errno;
@@ -179,8 +175,8 @@ static void make_folder(const char *path)
         text_fail("cannot make the folder '%s': %s", path, strerror(errno));
 }
 
-/* Puts a path together. A path that is too long is not cut: what is left of
-   it is another file's. */
+/* Puts the path of a report together. One that is too long is an error: if
+   it were cut it would be another file's. */
 static void draft_name(struct draft *draft, const char *folder,
                        const char *name)
 {
@@ -211,9 +207,9 @@ static void draft_remove(const char *folder, const char *name)
         text_fail("cannot remove '%s': %s", draft.path, strerror(errno));
 }
 
-/* Finishes a report and gives it its name. A full disk is noticed late:
-   fprintf only fills a buffer. So everything is asked once, at the end,
-   with fsync for the disk's own word. */
+/* Finishes a report and gives it its name. fprintf only fills a buffer, so
+   a full disk is noticed late: everything is checked once, at the end, and
+   fsync asks the disk itself. */
 static void draft_close(struct draft *draft)
 {
     if (fflush(draft->file) != 0 || ferror(draft->file) ||
@@ -225,9 +221,8 @@ static void draft_close(struct draft *draft)
         text_fail("cannot write '%s': %s", draft->path, strerror(errno));
 }
 
-/* Returns whether no other student's files have the same name. Two students
-   must not share a file: the second would overwrite the marks of the first
-   without a word. */
+/* Returns whether no other student has the same name: the second would
+   overwrite the marks of the first. */
 static bool alone(const struct course *c, size_t s)
 {
     const char *student = marks_of(c, s, 0)->student;
@@ -239,9 +234,9 @@ static bool alone(const struct course *c, size_t s)
 
 enum { FILE_NAME = 180 };
 
-/* Makes a file name of a student's name. Letters, digits, space, . - _ and
-   all that is not ASCII stay, the rest becomes % and two digits, and so do
-   a dot (a hidden file) and a minus (an option of rm) at the start. */
+/* Makes a file name from a student's name. Letters, digits, space, . - _
+   and all that is not ASCII stay; the rest becomes % and two digits, and
+   so does a first dot (a hidden file) or minus (an option of rm). */
 static size_t spell(const char *text, char *name)
 {
     static const char plain[] =
@@ -268,11 +263,10 @@ static char *file_name(const struct course *c, size_t s)
                : compose("%s%%_%zu.json", name, s + 1);
 }
 
-/* Returns whether a spreadsheet would take a cell for a formula. A
-   spreadsheet computes a cell that begins with =, +, - or @ when the file
-   is opened, and a student may call his folder =HYPERLINK(...). An
-   apostrophe in front makes it text. The same holds for a tab or line break
-   at the start, and for the wide forms of the signs. */
+/* Returns whether a spreadsheet would compute a cell, because it begins
+   with =, +, - or @, with a tab or line end, or with the wide form of a
+   sign. A student may call his folder =HYPERLINK(...). An apostrophe in
+   front makes it text. */
 static bool is_formula(const char *text)
 {
     static const char *const signs[] = {
@@ -295,8 +289,8 @@ static void put_cell(FILE *out, const char *text)
     putc('"', out);
 }
 
-/* What is to be done with one line about a student's exercise, "-" for all
-   that he has handed in; `to' is what it needs for that. */
+/* Takes one line about a student's exercise ("-": about all that the
+   student has handed in); `to' is passed on. */
 typedef void take_line(void *to, const char *student, const char *exercise,
                        const char *text);
 
@@ -322,11 +316,11 @@ static char *first_advice(const struct marks *m)
     return compose("advice: %.*s", (int)strcspn(text, "\n"), text);
 }
 
-/* Passes on what a person should look at. Four things want a human eye: a
-   file that was refused; a time-out, which might not come on another day;
-   what a sanitizer found that costs no points; and a student who passes all
-   tests that he knows but fails hidden ones: he may have learnt the answers
-   by heart, or the hidden test is wrong. */
+/* Passes on what a person should look at: a file that was refused; a
+   time-out, which might not come on another day; what a sanitizer found
+   that costs no points; a student who passes all public tests but fails
+   hidden ones, who may have learnt the answers by heart, unless the hidden
+   test is wrong. */
 static void tell_marks(const struct marks *m, take_line *take, void *to)
 {
     const int hidden = marks_possible(m, true);
@@ -434,10 +428,10 @@ static void put_row(FILE *out, const struct course *c, size_t s)
     put_notes(out, c, s);
 }
 
-/* Writes the marks as comma-separated values. RFC 4180, in UTF-8 without a
-   mark: that would become part of the first column's name for every program
-   that reads by the standard. Numbers are not quoted; what was not graded
-   is an empty cell. */
+/* Writes the marks as comma-separated values: RFC 4180, in UTF-8 without a
+   byte-order mark, which would become part of the first column's name for
+   any program that follows the standard. Numbers have no quotes; what was
+   not graded is an empty cell. */
 static void report_csv(const struct course *c, const char *folder)
 {
     struct draft draft;
@@ -460,8 +454,8 @@ static void report_csv(const struct course *c, const char *folder)
     draft_close(&draft);
 }
 
-/* Adds a member to a JSON object or ends. jansson returns no tree where
-   memory is short or a text is not UTF-8. */
+/* Adds a member to a JSON object, or ends: jansson fails when memory is
+   short or a text is not UTF-8. */
 static void put(json_t *object, const char *key, json_t *value)
 {
     if (json_object_set_new(object, key, value) != 0)
@@ -481,8 +475,8 @@ static json_t *take(char *text)
     return value;
 }
 
-/* Writes JSON to a file. Without JSON_REAL_PRECISION 0.1 is written with 17
-   digits. */
+/* Writes JSON to a file. JSON_REAL_PRECISION keeps 0.1 from being written
+   with 17 digits. */
 static void write_tree(const char *folder, const char *name, json_t *json)
 {
     struct draft draft;
@@ -494,9 +488,8 @@ static void write_tree(const char *folder, const char *name, json_t *json)
     json_decref(json);
 }
 
-/* Writes one JSON file for each student. A student who is not complete gets
-   no file: a missing result is asked about, one that is too low is
-   believed. */
+/* Writes one JSON file for each student whose exercises were all graded. A
+   missing result is asked about; one that is too low is believed. */
 static void write_json(const struct course *c, const char *folder,
                        const char *kind,
                        json_t *build(const struct course *, size_t))
@@ -548,8 +541,8 @@ static bool graded(const struct marks *m)
     return !lost(m) && strcmp(m->file, "no file") != 0;
 }
 
-/* Sanitizers have run with public tests only, so nothing hidden stands in
-   what they say. */
+/* Writes what sanitizers have said. They run with public tests only, so it
+   gives nothing hidden away. */
 static void tell_rest(FILE *out, const struct marks *m)
 {
     if (*m->note)
@@ -586,7 +579,7 @@ static json_t *sum_up(const struct course *c, size_t s)
     return json;
 }
 
-/* Returns the field extra_data. Gradescope keeps it and shows it to nobody;
+/* Returns the field extra_data, which Gradescope stores and does not show;
    it says how a number came about. */
 static json_t *gradescope_extra(const struct course *c, size_t s)
 {
@@ -599,9 +592,9 @@ static json_t *gradescope_extra(const struct course *c, size_t s)
     return json;
 }
 
-/* Returns a student's results for Gradescope. Output is marked as plain
-   text, since Gradescope can be told to read it as HTML. What our own
-   program prints no student sees. */
+/* Returns a student's results for Gradescope. Output is declared to be
+   plain text, since Gradescope may otherwise read it as HTML. What this
+   program itself prints is not visible to students. */
 static json_t *gradescope(const struct course *c, size_t s)
 {
     json_t *json = json_object(), *tests = json_array();
@@ -628,9 +621,9 @@ static void report_gradescope(const struct course *c, const char *folder)
 
 enum { CLASSROOM_NAME = 100, CLASSROOM_OUTPUT = 4000 };
 
-/* Returns a test for Classroom 50. The schema allows a name of at most 100
-   bytes and wants them different; ours begin with exercise and number. The
-   collector refuses files above 10 MiB, so stories are cut. */
+/* Returns a test for Classroom 50. Its schema wants different names of at
+   most 100 bytes; ours begin with exercise and number. Its collector
+   refuses files above 10 MiB, so stories are cut. */
 static json_t *classroom_test(const struct marks *m, int test)
 {
     const struct mark *mark = &m->marks[test];
@@ -650,10 +643,9 @@ static json_t *classroom_test(const struct marks *m, int test)
     return json;
 }
 
-/* Returns a variable of the environment, or a substitute. Where the grader
-   runs within Classroom 50 the environment says whose result it is.
-   Elsewhere the collector will refuse the file until somebody has filled
-   that in. */
+/* Returns a variable of the environment, or a substitute. Inside Classroom
+   50 the environment says whose result this is; elsewhere the collector
+   refuses the file until somebody fills it in. */
 static json_t *known(const struct course *c, const char *variable,
                      const char *otherwise)
 {
@@ -688,9 +680,9 @@ static void put_owner(json_t *json, const struct course *c, size_t s)
     put(json, "graded_at", take(compose("%s", c->when)));
 }
 
-/* Returns a student's result for Classroom 50. datetime should be the
-   moment of handing in, by which lateness is decided. We know the moment of
-   grading only; the collector's own runner puts the right one in. */
+/* Returns a student's result for Classroom 50. datetime should be the time
+   of handing in, which decides whether it is late; we know only the time
+   of grading, and the collector's own runner puts in the right one. */
 static json_t *classroom(const struct course *c, size_t s)
 {
     json_t *json = json_object(), *tests = json_array();
@@ -712,8 +704,8 @@ static void report_classroom(const struct course *c, const char *folder)
     write_json(c, folder, "classroom50", classroom);
 }
 
-/* Returns a test for GitHub Classroom. A test is in error, and has not
-   failed, where it came to no answer. */
+/* Returns a test for GitHub Classroom: in error, not failed, if it came to
+   no verdict. */
 static json_t *github_test(const struct marks *m, int test)
 {
     const struct mark *mark = &m->marks[test];
@@ -763,10 +755,10 @@ static void report_github(const struct course *c, const char *folder)
     write_json(c, folder, "github", github);
 }
 
-/* JUnit's XML was never written down; what counts is what GitLab and
-   Jenkins read. GitLab drops the second of two cases with one class and
-   name without a word, so a case's name has the student and the test's
-   number in it. */
+/* State of writing JUnit's XML. The format has no standard; what counts is
+   what GitLab and Jenkins read. GitLab drops the second of two cases with
+   the same class and name, so a case's name has the student and the test's
+   number. */
 struct junit {
     struct draft draft;
     xmlTextWriterPtr xml;
@@ -778,8 +770,8 @@ static void checked(int result)
         text_fail("out of memory");
 }
 
-/* Always says that all was written: ferror knows better at the end, and
-   libxml2 would put words of its own on the screen. */
+/* Writes bytes for libxml2 and always reports success: ferror tells at the
+   end, and libxml2 would print messages of its own. */
 static int write_bytes(void *context, const char *bytes, int length)
 {
     struct junit *j = context;
@@ -841,8 +833,8 @@ static const char *element_of(enum state state)
     }
 }
 
-/* Counts with the function that chooses the element later: two ways of
-   counting would differ one day. */
+/* Counts tests by how they ended, with the function that chooses the
+   elements later, so that the numbers agree. */
 static void count_endings(struct tally *tally, const struct marks *m)
 {
     for (int i = 0; i < m->count; ++i) {
@@ -866,8 +858,8 @@ static void put_tally(struct junit *j, const struct tally *tally)
     attribute(j, "time", compose("%.3f", tally->seconds));
 }
 
-/* Writes how a test ended. The first test of a file that does not build has
-   the compiler's words, even if it is hidden: the compiler has seen the
+/* Writes how a test ended. If the file does not build the first test has
+   the compiler's messages, even if it is hidden: the compiler has seen the
    student's file and nothing else. */
 static void put_ending(struct junit *j, const char *element,
                        const struct marks *m, int test)
@@ -880,8 +872,8 @@ static void put_ending(struct junit *j, const char *element,
     end(j);
 }
 
-/* Writes a test. The time is an equal share of the exercise's, so that
-   readers that add come to the right sum. */
+/* Writes a test. Its time is an equal part of the exercise's, so that
+   programs that add up times get the right sum. */
 static void put_case(struct junit *j, const char *student,
                      const struct marks *m, int test)
 {
@@ -900,8 +892,8 @@ static void put_case(struct junit *j, const char *student,
     end(j);
 }
 
-/* Writes an exercise that was not graded. An exercise that was not graded
-   is one test in error: a suite without tests would be a green one. */
+/* Writes an exercise that was not graded as one test in error: a suite
+   without tests would count as passed. */
 static void put_lost(struct junit *j, const char *student,
                      const struct marks *m)
 {
@@ -959,11 +951,11 @@ static void report_junit(const struct course *c, const char *folder)
     draft_close(&j.draft);
 }
 
-/* Returns how many columns the next character takes: a Chinese one two, an
-   accent of its own none. wcwidth knows only in a locale with UTF-8. What
-   it does not know, and characters that turn the direction of writing,
-   become question marks: a Hebrew name is welcome, numbers behind it that
-   run backwards are not. */
+/* Returns how many columns the next character takes: two for a Chinese
+   one, none for an accent. wcwidth knows that only in a UTF-8 locale. An
+   unknown character becomes a question mark, and so does one that turns
+   the direction of writing, since it would also turn the numbers behind a
+   name. */
 static int columns(const char *text, size_t *bytes)
 {
     mbstate_t state = {0};
@@ -979,9 +971,9 @@ static int columns(const char *text, size_t *bytes)
     return turns ? -1 : wcwidth(c);
 }
 
-/* Returns how many columns of a text fit, and how many bytes these are. A
-   name may be ten thousand accents and no wider than a letter, so the bytes
-   are limited, too. */
+/* Returns how many columns of a text fit, and sets *length to their bytes,
+   which are limited as well: a name of ten thousand accents is no wider
+   than a letter. */
 static int fit(const char *text, int room, size_t *length)
 {
     int taken = 0;
@@ -1046,8 +1038,8 @@ static struct layout lay_out(const struct course *c)
     return l;
 }
 
-/* Shows a cell of the table. Where nothing is earned a letter takes the
-   number's place: a column of noughts is harder to read than gaps. */
+/* Prints a cell of the table. Where nothing is earned a letter stands for
+   the state: a column of zeros is harder to read. */
 static void show_earned(const struct marks *m, int width)
 {
     static const char letters[] = {
@@ -1131,8 +1123,8 @@ static void show_line(void *to, const char *student, const char *exercise,
         putchar('\n');
 }
 
-/* Prints the whole table. The locale is changed for the table alone. If the
-   programs were not kept apart that stands at the top. */
+/* Prints the whole table. The locale is changed only here. If programs
+   were not isolated the first line says so. */
 static void report_table(const struct course *c, const char *folder)
 {
     const locale_t utf8 = newlocale(LC_CTYPE_MASK, "C.UTF-8", (locale_t)0);

@@ -6,13 +6,11 @@
 
 #include <stddef.h>
 
-/* The marks of a course: exercises of each student side by side, students
-   in order of name, exercises in order of number. There is at least one
-   student, and every exercise has all its tests, begun or not; it has none
-   if it was not graded, and its file says why. What was not handed in has
-   its tests all the same, not begun, or the course would be worth less to a
-   student who did less of it. Only where the grader itself has failed is
-   there no test, and every report tells that from zero points. */
+/* The marks of a course, sorted by student, then by exercise; at least one
+   student. Every exercise has all its tests, also if it was not handed in,
+   since the points that can be earned must be the same for all. Only where
+   the grader itself failed has an exercise no tests; its file says why,
+   and every report tells that from zero points. */
 struct course {
     size_t students, exercises;
     const struct marks *marks; /* of student s and exercise e at
@@ -24,8 +22,9 @@ struct course {
     const char *when;          /* 2026-10-05T09:30:00Z: ISO 8601, UTC */
 };
 
-/* The reports that may be asked for, "gradescope, ..."; whether this is
-   one of them. Those for people (table, csv, notes) are always written. */
+/* The names of the reports that may be asked for, "gradescope, ...", and
+   whether a name is one of them. The reports for people (table, csv,
+   notes) are always written. */
 extern const char publish_names[];
 bool publish_known(const char *report);
 

@@ -9,7 +9,7 @@ bool transport_sending;
 
 size_t remote_bytes(size_t count, size_t size)
 {
-    enum { ROOM = 8 }; /* for what is added to it, or made twice as long */
+    enum { ROOM = 8 }; /* callers may add to a count, or double it */
     if (count > SIZE_MAX / ROOM / size)
         transport_lost();
     return count * size;
@@ -35,9 +35,9 @@ void remote_unsigneds(unsigned x[], size_t count)
     transport_move(x, remote_bytes(count, sizeof *x));
 }
 
-/* Sends or receives truth values. A byte other than 0 and 1 in a bool may
-   be true in one place and false in the next, so it crosses as an int. Any
-   eight bytes are some double. */
+/* Sends or receives truth values. They travel as ints, because a bool
+   whose byte is neither 0 nor 1 may be true in one place and false in the
+   next. For doubles any eight bytes will do. */
 void remote_bools(bool x[], size_t count)
 {
     for (size_t i = 0; i < count; ++i) {

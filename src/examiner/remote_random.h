@@ -6,8 +6,9 @@
 
 double uniform(void);
 
-/* Numbers asked for one by one would cross thousands of times. With blocks
-   of 64 it took a tenth longer, with more numbers it takes as long. */
+/* Random numbers are sent in blocks, because thousands of single ones
+   would each need a round trip. Blocks of 64 took a tenth longer; larger
+   ones than 128 save nothing. */
 enum { BLOCK = 128 };
 
 #ifdef REMOTE_SERVER
@@ -16,8 +17,9 @@ static struct {
     size_t left;
 } block;
 
-/* With its answer the box says how many of the last block are left. The
-   judge has only looked ahead and now uses up what was used. */
+/* With its answer the sandbox sends how many numbers of the last block are
+   left. The judge has only looked ahead, and now draws the numbers that
+   were used. */
 static void take_block(void)
 {
     remote_doubles(block.u, BLOCK);
@@ -50,7 +52,7 @@ static void use_up(size_t left)
         (void)uniform();
 }
 
-/* All of the last block are used: more. */
+/* Draws the last block, which is used up, and sends the next one. */
 void remote_serve_callback(int which)
 {
     (void)which;

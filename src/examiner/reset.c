@@ -26,8 +26,8 @@ static bool copy(const char *from, int out)
     return out >= 0 && close(out) == 0 && fine;
 }
 
-/* Copies a file to a name that is free. There are file systems without
-   links, on memory sticks for one. */
+/* Copies a file to a name that is free. Some file systems, as on memory
+   sticks, have no links. */
 static bool copy_to(const char *from, const char *to)
 {
     const int out = open(to, O_WRONLY | O_CREAT | O_EXCL, 0666);
@@ -39,10 +39,10 @@ static bool copy_to(const char *from, const char *to)
 
 enum { KEPT = COURSE_PATH + 64 };
 
-/* Gives the student's file a second name by a link, which exists or does
-   not exist and fails when the name is taken; the stub is then moved over
-   the first name, so that at no moment there is less than before. The name
-   ends in the date and not in .c, or it would be taken for an answer. */
+/* Gives the student's file a second name, with the date at its end; ending
+   in .c it would be taken for an answer. A link exists or does not, and
+   fails when the name is taken. The stub then replaces the first name, so
+   that at no moment anything is lost. */
 static bool save(const char *file, char kept[KEPT])
 {
     char date[32];
@@ -59,8 +59,8 @@ static bool save(const char *file, char kept[KEPT])
     return false;
 }
 
-/* Puts the stub in the place of the student's file. The new file gets the
-   permissions of the old one: a lecturer may have handed it out to a
+/* Replaces the student's file by the stub. The new file keeps the
+   permissions of the old one, which a lecturer may have handed out to a
    group. */
 static bool replace(const char *file, const char *stub)
 {
@@ -83,8 +83,8 @@ _Noreturn static void give_up(const char *file, const char *kept)
               strerror(why));
 }
 
-/* Begins an exercise afresh. This is the only command that changes anything
-   in exercises/. The hints begin anew, too. */
+/* No other command changes anything in exercises/. The hints begin anew as
+   well. */
 void reset_exercise(struct exercise *e)
 {
     char kept[KEPT] = "";

@@ -8,9 +8,9 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Returns the escape sequence of a state's colour. NO_COLOR and files get
-   none. The word says all that the colour says: one student in twelve
-   cannot tell red from green. */
+/* Returns the escape sequence for a state's colour; none with NO_COLOR or
+   into a file. The word says everything: one student in twelve cannot tell
+   red from green. */
 static const char *colour(enum state state)
 {
     if (state == NOT_BEGUN || !isatty(STDOUT_FILENO) || getenv("NO_COLOR"))
@@ -18,9 +18,8 @@ static const char *colour(enum state state)
     return state_wrong(state) ? "\033[31m" : "\033[32m";
 }
 
-/* Prints the line of an exercise. The columns never change, for the kit's
-   tests read them. The line is written at once, so that a long round is
-   seen to move. */
+/* Prints the line of an exercise, at once, so that a long round is seen to
+   move. The kit's tests read its columns. */
 void round_line(const struct exercise *e)
 {
     const char *code = colour(e->state);
@@ -51,9 +50,8 @@ void round_solution(const struct exercise *e)
                e->name, e->name);
 }
 
-/* Returns a number by which exercises are ordered. What is wrong outweighs
-   a gap, a gap what is not begun, and what was asked for outweighs them
-   all. */
+/* Returns how urgent an exercise is: one that was asked for before any
+   other, a failure before a gap, a gap before what is not begun. */
 static int urgency(const struct exercise *e)
 {
     if (e->judged && e->state == PASSED)
@@ -62,8 +60,8 @@ static int urgency(const struct exercise *e)
     return kind + (e->chosen ? 3 : 0);
 }
 
-/* Returns the most urgent exercise. An exercise of which nothing is known
-   is as good a proposal as one that is not begun. */
+/* Returns the most urgent exercise. One that was not judged counts as not
+   begun. */
 const struct exercise *round_current(const struct course *course)
 {
     const struct exercise *current = NULL;
@@ -92,9 +90,8 @@ static bool any_touched(const struct course *course)
     return false;
 }
 
-/* Invites to an exercise that is not begun. A missing file is to be
-   fetched: to open the stub in its place would be to edit the one file that
-   has to stay as it is. */
+/* Names the file to open. A missing one is to be fetched by make reset:
+   the student must not edit the stub itself. */
 static void invite(const struct course *course, const struct exercise *e)
 {
     if (e->gap)
@@ -134,9 +131,9 @@ void round_learn(struct course *course, const struct verdict_rules *rules)
     }
 }
 
-/* Prints the stories that a round tells. A full round tells the first story
-   and names missing files; an exercise that was named is told whatever its
-   state. Without sanitizers a pass is worth less, and one line says so. */
+/* Prints explanations: in a full round that of the first failure and of
+   missing files; for exercises that were named, theirs. Without sanitizers
+   a pass is worth less, and a line says so. */
 static void tell_stories(const struct course *course, bool named)
 {
     bool told = false, run = false;
@@ -156,8 +153,8 @@ static void tell_stories(const struct course *course, bool named)
                "pass unseen.\n");
 }
 
-/* Judges the chosen exercises one after the other. After a signal the
-   exercise at hand has no state, because its test was killed by us. */
+/* Judges the chosen exercises. After a signal the present exercise gets no
+   state, because its test was killed. */
 bool round_check(struct course *course, const struct verdict_rules *rules,
                  bool named)
 {
@@ -165,7 +162,7 @@ bool round_check(struct course *course, const struct verdict_rules *rules,
     for (size_t i = 0; i < course->count; ++i) {
         struct exercise *e = &course->exercises[i];
         if (!e->chosen) {
-            verdict_recall(e, rules);
+            verdict_from_cache(e, rules);
             continue;
         }
         verdict_reach(e, rules);
@@ -175,7 +172,7 @@ bool round_check(struct course *course, const struct verdict_rules *rules,
         fine &= !state_wrong(e->state);
     }
     tell_stories(course, named);
-    for (size_t i = 0; named && rules->remember && i < course->count; ++i)
+    for (size_t i = 0; named && rules->use_cache && i < course->count; ++i)
         if (course->exercises[i].chosen)
             round_solution(&course->exercises[i]);
     return fine;
@@ -183,8 +180,8 @@ bool round_check(struct course *course, const struct verdict_rules *rules,
 
 enum { BAR = 24 };
 
-/* Draws a bar of progress. The division rounds down, so that the bar is
-   full only when nothing is missing. */
+/* Draws a bar of progress. The division rounds down, so that a full bar
+   means that nothing is missing. */
 static void draw_bar(char bar[BAR + 1], int earned, int points)
 {
     const int full = points > 0 ? BAR * earned / points : 0;

@@ -1,12 +1,13 @@
-/* Checks the exercises one after the other and says what to do next. */
+/* Checks the exercises one after the other, and names the next step. */
 #ifndef ROUND_H
 #define ROUND_H
 
 #include "examiner/verdict.h"
 
-/* Judges the chosen exercises, prints a line for each, then one story (or
-   all of those that were named) and the next step. Returns whether all that
-   is begun passes; exits with status 2 after a signal. */
+/* Judges the chosen exercises, prints a line for each, then the first
+   failure (or a report on each of those that were named) and the next
+   step. Returns whether all that is begun passes; exits with status 2
+   after a signal. */
 bool round_check(struct course *course, const struct verdict_rules *rules,
                  bool named);
 
@@ -16,7 +17,7 @@ void round_learn(struct course *course, const struct verdict_rules *rules);
 /* Prints a line: number, title, state, points and minutes. */
 void round_line(const struct exercise *e);
 
-/* Prints the story of an exercise under a head line. */
+/* Prints what there is to say about an exercise, under a heading. */
 void round_story(const struct exercise *e);
 
 /* Prints the command that shows the solution, if the exercise passes and

@@ -1,4 +1,4 @@
-/* Orders a run of a program and reads its table. */
+/* Has a program run in the sandbox and reads its table. */
 #include "examiner/run.h"
 #include "examiner/remote.h"
 #include "examiner/check.h"
@@ -17,9 +17,8 @@ static const char *project(void)
     return check_text("%.2s", check_suite.file);
 }
 
-/* Returns the command of a run, with its files, in one line. A student
-   wants to run the same when something is wrong, so the command is told as
-   he would type it, with the lines of its file. */
+/* Returns the command of a run, with its files, in one line: when
+   something is wrong a student wants to run the same. */
 const char *run_text(const struct run_order *o)
 {
     static char text[400];
@@ -48,8 +47,7 @@ const char *run_text(const struct run_order *o)
     return text;
 }
 
-/* Sends a text. A text crosses as its length and bytes, without an end
-   mark: a program may print a zero. */
+/* Sends a text, as its length and its bytes. */
 static void send_text(const char *text)
 {
     size_t length = strlen(text);
@@ -79,8 +77,8 @@ static void send_order(const struct run_order *o)
     }
 }
 
-/* Reads a row of numbers and returns how many; the first row decides how
-   many there are in each. */
+/* Reads a row of numbers; returns how many there are, or 0 if anything
+   else is in the line. */
 static size_t read_row(const char *line, double x[], size_t most)
 {
     size_t count = 0;
@@ -117,7 +115,7 @@ static void add_row(struct run *r, const char *line)
     memcpy(r->numbers + r->rows++ * count, row, count * sizeof *row);
 }
 
-/* Reads rows and remarks out of what was printed. Remarks are moved to the
+/* Reads rows and remarks from what was printed. Remarks are moved to the
    front of the text, over rows that have been read. */
 static void read_table(struct run *r, char *text)
 {
@@ -170,9 +168,8 @@ static void tell_run(const struct run_order *o, bool late)
         check_tell("question", o->late);
 }
 
-/* Ends the test as the program has ended. A program that crashed, or did
-   not end, ends the test in the same way, so that the examiner says of it
-   what it says of a function. */
+/* Ends the test as the program did, if it crashed or did not end, so that
+   the examiner tells of it as it tells of a function. */
 static void end_like(const struct run_order *o, int status, bool late)
 {
     const bool sane =
@@ -189,8 +186,8 @@ static void end_like(const struct run_order *o, int status, bool late)
     _exit(EXIT_FAILURE);
 }
 
-/* Takes what comes back in the order in which the box sends it. Of a box
-   that promises more than it may print nothing is believed. */
+/* Receives the result in the order in which run_server.c sends it. A
+   sandbox that announces more than it may print is not believed. */
 const struct run *run_program(const struct run_order *order)
 {
     static struct run r;

@@ -1,4 +1,4 @@
-/* Runs a project, a student's program, and reads its table. */
+/* Runs a project, a student's whole program, and reads its table. */
 #ifndef RUN_H
 #define RUN_H
 
@@ -12,7 +12,7 @@ enum {
     RUN_COMPLAINT = 1 << 14 /* bytes kept of what it complains */
 };
 
-/* How the calls of the function that a project is given are counted. */
+/* How calls of the function that a project is given are counted. */
 enum run_count {
     RUN_UNCOUNTED,
     RUN_INSIDE, /* by the function, in the program's memory */
@@ -26,8 +26,8 @@ enum {
     RUN_BODIES = 64  /* most that it is asked for at once */
 };
 
-/* A run: `P1 ARGUMENTS`, or as the project is called, in a folder with
-   these files and no others. */
+/* A run of `P1 ARGUMENTS`, or whatever the project is called, in a folder
+   with these files and no others. */
 struct run_order {
     const char *arguments[RUN_WORDS]; /* ends with NULL */
     struct run_file {
@@ -40,9 +40,9 @@ struct run_order {
     const char *late; /* asked if the program does not end in time */
 };
 
-/* The table that a program printed, and how it ended. What cannot be read
-   as rows of equally many numbers, then lines that begin with #, is no
-   table from there on; the suite shows that line. */
+/* The table that a program printed, and how it ended. A table is rows of
+   equally many numbers, then lines that begin with #; from the first other
+   line on it is broken, and the suite shows that line. */
 struct run {
     int status;           /* with which it exited */
     bool flooded;         /* it printed more than it may */
@@ -54,24 +54,25 @@ struct run {
     double calls;         /* of the function that it was given, or -1 */
 };
 
-/* Runs the program. What is returned is valid until the next call. A
-   program that crashes, or does not end in time, ends the test. */
+/* Runs the program. The result is valid until the next call. A program
+   that crashes, or does not end in time, ends the test. */
 const struct run *run_program(const struct run_order *order);
 
-/* The command and its files in one line, for CHECK_NEAR's .input. */
+/* Returns the command and its files in one line, for CHECK_NEAR's
+   .input. */
 const char *run_text(const struct run_order *order);
 
-/* Reads count numbers behind the words that a line of the remarks begins
-   with; returns how many there are. */
+/* Finds the remark that begins with these words and reads up to count
+   numbers behind them; returns how many there are. */
 int run_remark(const struct run *run, const char *words, double x[],
                int count);
 
-/* Defined by a project whose calls are counted outside, in the half of the
-   box: the forces on n bodies by law number `which`. */
+/* Defined by a project whose calls are counted outside, with
+   REMOTE_SERVER: the forces on n bodies by law number `which`. */
 void run_law(int which, double constant, int n, const double m[],
              const double x[], double f[]);
 
-/* The box's side: receives an order, runs it, and sends back the result. */
+/* The server's side: receives an order, runs it, and sends the result. */
 void remote_serve(void);
 
 #endif

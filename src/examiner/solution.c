@@ -8,8 +8,8 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Shows a file, through a pager on a terminal. The name is handed to the
-   shell in the environment and not as part of the command. */
+/* Shows a file, on a terminal through a pager. The shell gets the name
+   from the environment, not as part of the command. */
 static void put_on_screen(const char *path)
 {
     putchar('\n');

@@ -1,4 +1,4 @@
-/* Walks a folder of submissions; names what it does not grade. */
+/* Walks a folder of submissions; notes what is not graded. */
 #include "examiner/submissions.h"
 #include "examiner/marks.h"
 #include "examiner/text.h"
@@ -16,9 +16,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* Opens a folder within another. No name is given to a shell, links are not
-   followed, and all of it works on descriptors, so that nothing can be
-   exchanged between the look and the opening. A file may be a link to
+/* Opens a folder inside another. Everything here works on descriptors and
+   follows no links, so that nothing can be exchanged between a look and
+   the opening, and no name is given to a shell. A file might be a link to
    /etc/passwd, or a named pipe. */
 static int open_folder(int parent, const char *name)
 {
@@ -26,7 +26,8 @@ static int open_folder(int parent, const char *name)
                   O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
 }
 
-/* Sorts by bytes, so that two runs list the students alike. */
+/* Compares names byte by byte, so that two runs list the students in one
+   order. */
 static int compare_names(const void *a, const void *b)
 {
     return strcmp(*(char *const *)a, *(char *const *)b);
@@ -71,12 +72,12 @@ static void free_names(char **names, size_t count)
     free(names);
 }
 
-/* More than a dozen notes for one student are not read any more; the last
-   says so. */
+/* Notes kept for one student; nobody reads more. The last one says that
+   there are others. */
 enum { NOTES = 12 };
 
-/* Returns one line that a person can read. What marks_text leaves of a name
-   may still break the line: this is escaped as other controls are. */
+/* Formats one line for a person. A line end in a name, which marks_text
+   leaves, is escaped as well. */
 static char *compose(const char *format, ...)
 {
     char raw[8192], *text, *line, *end;
@@ -95,8 +96,8 @@ static char *compose(const char *format, ...)
     return line;
 }
 
-/* Returns the path of a file below the student's folder, whose name stands
-   before the note already. */
+/* Returns a path without the student's folder, whose name stands before
+   the note already. */
 static const char *below(const char *path)
 {
     const char *slash = strchr(path, '/');
@@ -136,8 +137,9 @@ static bool is_exercise(const char *name)
            !isalnum(s[3]);
 }
 
-/* Windows may have made 01A-SOMETHING.C of it, and a platform may have put
-   something before it that ends in _. */
+/* Returns where in a file's name the exercise begins, or NULL. Windows may
+   have made 01A-SOMETHING.C of it, and a platform may have put a prefix
+   before it that ends in _. */
 static const char *find_exercise(const char *name)
 {
     const char *found = is_exercise(name) ? name : NULL;
@@ -168,11 +170,12 @@ static const char *const made[] = {".o", ".exe", ".out", ".h", NULL};
 static const char canvas[] =
     "^((LATE_)?anon_[[:alnum:]]+|[^_]+(_LATE)?_[0-9]+)_[0-9]+_";
 
-/* Moodle puts the name, a number and assignsubmission_file_ before a file
-   or makes that a folder's name. Canvas puts a name, LATE, the numbers of
-   the user and of the file; where names are hidden, anon and some letters.
-   Anything else before an exercise's name is taken for an owner as it
-   stands, and that is said. What cannot be taken apart becomes too many
+/* The owner of a file, as the name of the file or folder tells. Moodle
+   puts the student's name, a number and assignsubmission_file_ before the
+   file's name, or makes a folder of them. Canvas puts the name, LATE, the
+   numbers of user and file, or, where names are hidden, anon and some
+   letters. Anything else in front of an exercise's name is taken for an
+   owner as it stands, and a note says so: when in doubt there are too many
    students, never one too few. */
 struct owner {
     char name[256]; /* without LATE_ */
@@ -180,9 +183,10 @@ struct owner {
     long long attempt; /* when it was handed in, if the name says so */
 };
 
-/* Blackboard: TASK_USER_attempt_2026-11-28-09-05-00_FILE, which sorts as it
-   is; Brightspace: 123-456 - NAME - Nov 28, 2026 905 AM - FILE, or a folder
-   that is called so without the file. */
+/* Forms of names with a date. Blackboard:
+   TASK_USER_attempt_2026-11-28-09-05-00_FILE, which sorts by time as it
+   is. Brightspace: 123-456 - NAME - Nov 28, 2026 905 AM - FILE, or a
+   folder of that name without the file. */
 static const char blackboard[] =
     "^(.+)_attempt_([0-9]{4}-[0-9]{2}-[0-9]{2}-[0-9]{2}-[0-9]{2}-[0-9]{2})"
     "(_(.*)|\\.txt)?$";
@@ -236,7 +240,7 @@ static bool matches(const char *name, const char *form, regmatch_t part[5])
 }
 
 /* Reads an owner's name that ends with the date of the attempt. Returns
-   what follows it, "" for a folder; NULL when it is no such name. */
+   the rest, "" for a folder; NULL if the name has no such form. */
 static const char *part_attempt(const char *name, struct owner *owner)
 {
     regmatch_t part[5];
@@ -295,13 +299,13 @@ static const char *part_name(const char *name, struct owner *owner)
     return rest;
 }
 
-/* The rank of an answer: first how deep it lies, then whether its folder is
-   called exercises, then its name. It decides later; nothing is thrown away
-   here. */
+/* Terms of an answer's rank, of which the lowest wins: how deep it lies,
+   whether its folder is called exercises, whether its name is the usual
+   one. */
 enum { DEEPER = 4, ELSEWHERE = 2, UNUSUAL = 1, MISNAMED = 1000 };
 
-/* Canvas calls what is handed in again 01a-collide-1.c, -2.c and so on.
-   Returns that number, or 0. */
+/* Returns the number that Canvas gives to a file that was handed in again:
+   2 for 01a-collide-2.c. Returns 0 for any other name. */
 static long long canvas_attempt(const char *ex, const char *its)
 {
     const size_t stem = strlen(its) - 2; /* without .c */
@@ -352,9 +356,9 @@ static const char *page_key(const char *name) /* "P1g" or "P1t" */
     return key;
 }
 
-/* Takes a file for an answer, or notes why not. A text or a C++ file with
-   an exercise's name is kept, too, to be told of if there is nothing
-   better. */
+/* Adds a file to the student's answers, or notes why not. A text or a C++
+   file with an exercise's name is added as well, to be named if there is
+   nothing better. */
 static void take(struct submission *s, const char *const usual[],
                  const char *path, const char *name, mode_t mode, int depth)
 {
@@ -394,9 +398,9 @@ static mode_t mode_of(int folder, const char *name)
     return asked == 0 ? about.st_mode : 0;
 }
 
-/* Returns whether a folder belongs to a copy of the kit. A submission that
-   is the whole kit has folders with the same file names, solutions among
-   them; they are the kit's if exercises stands beside them. */
+/* Returns whether a folder belongs to a copy of the whole kit, that is,
+   has a folder `exercises' beside it. Its other folders have files with
+   the same names, solutions among them, which are not the student's. */
 static bool is_kit(int folder, const char *name)
 {
     static const char *const kit[] = {"tests",    "solutions", "src",
@@ -437,8 +441,8 @@ static void walk(struct submission *s, const char *const usual[],
 }
 
 /* Returns the submission of a student, a new one if needed. Each folder is
-   a student's, and each owner of a file. Where there are neither, but an
-   exercise's file, the folder itself is one student's. */
+   a student's, and so is each owner of a file. If there are only
+   exercises' files the whole folder is one student's. */
 static struct submission *student(struct submissions *all,
                                   const char *entry, const char *name)
 {
@@ -519,7 +523,8 @@ static int compare_entries(const void *a, const void *b)
     return strcmp(one->entry, other->entry);
 }
 
-/* Canvas has LATE_ before what it has hidden the names of. */
+/* Returns whether a name begins with `start'. Canvas puts LATE_ before
+   names that it has hidden. */
 static bool is_wanted(const char *name, const char *start)
 {
     return text_after(name, start) || text_after(name, "LATE_");
@@ -579,17 +584,17 @@ static int prefer(const struct answer *one, const struct answer *other)
     return (one->rank < other->rank) - (one->rank > other->rank);
 }
 
-/* Returns whether both paths begin with the same folder; then it says
- * nothing. */
+/* Returns whether both paths begin with the same folder, which then need
+   not be named. */
 static bool together(const char *one, const char *other)
 {
     const size_t length = strcspn(one, "/");
     return one[length] && strncmp(one, other, length + 1) == 0;
 }
 
-/* Chooses the answer to an exercise among the files for it. Of several
-   files the one with the best rank is graded. If two have the same nobody
-   can know, and neither is; the others are named either way. */
+/* Returns the file to be graded as the answer to an exercise, the one with
+   the best rank. If two have the same rank nobody can know, and none is
+   graded. The other files are noted. */
 static const struct answer *choose(const struct submission *s,
                                    const char *usual, char **note)
 {
@@ -646,8 +651,8 @@ static const struct answer *choose(const struct submission *s,
     return best;
 }
 
-/* Opens the folder of a path. Each folder on the way is opened by its own
-   name, and none may be a link. */
+/* Opens the folder of a path, one name after the other, none of which may
+   be a link. */
 static int open_below(const char *folder, const char *path)
 {
     int at = open_folder(AT_FDCWD, folder);
@@ -672,7 +677,7 @@ static int open_below(const char *folder, const char *path)
     return -1;
 }
 
-/* Reads a file of bounded size. One byte more than is allowed is asked for,
+/* Reads a file of bounded size. It asks for one byte more than is allowed,
    to notice a file that grows meanwhile. */
 static char *read_all(int file, size_t *length)
 {
@@ -690,8 +695,8 @@ static char *read_all(int file, size_t *length)
     return bytes;
 }
 
-/* Reads a file if it is a regular one. A pipe is opened without waiting,
-   looked at and put away. */
+/* Reads a regular file. It is opened without waiting, so that a pipe can
+   be recognised and closed. */
 static char *read_regular(int file, const char *name, size_t *length,
                           char **refusal)
 {

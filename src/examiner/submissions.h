@@ -1,4 +1,4 @@
-/* Finds what students have handed in, and for which exercise. */
+/* Finds the files that students have handed in, and their exercises. */
 #ifndef SUBMISSIONS_H
 #define SUBMISSIONS_H
 
@@ -7,7 +7,7 @@
 
 enum { SUBMISSIONS_BYTES = 1 << 20 }; /* of a student's file, at most */
 
-/* A file that may be somebody's answer to an exercise. */
+/* A file that may be a student's answer to an exercise. */
 struct answer {
     char *path;        /* below the folder of submissions */
     char exercise[4];  /* "01a" */
@@ -27,10 +27,11 @@ struct submission {
     struct answer *answers;
 };
 
-/* Nothing vanishes: what looks like somebody's work is graded, or a person
-   is told that it was not. An archive that nobody has unpacked, a file
-   01a.txt, a second answer to an exercise are each zero points without a
-   word if a grader looks only for what it knows. */
+/* All submissions. Nothing that looks like somebody's work is skipped
+   silently: it is graded, or a note for the lecturer says why not. To a
+   grader that looks only for what it knows, an archive that nobody
+   unpacked, a file 01a.txt, or a second answer would be zero points
+   without a word. */
 struct submissions {
     struct submission *list; /* of students, in order of entry */
     size_t count;
@@ -38,25 +39,25 @@ struct submissions {
 };
 
 /* Finds the submissions in a folder: folders of students, or files whose
-   names begin with theirs, or the files of one. usual: "01a-collide.c" and
-   all others that there are, ended by NULL. start: letters with which the
-   names begin that are wanted, "" for all of them. Exits with status 2 when
+   names begin with the students', or the files of one student. usual: the
+   names of all exercises' files, "01a-collide.c", ended by NULL. start:
+   only students whose names begin so, "" for all. Exits with status 2 when
    the folder cannot be read or holds no submission. */
 struct submissions submissions_find(const char *folder,
                                     const char *const usual[],
                                     const char *start);
 
-/* Reads the answer to an exercise that is usually called so. Returns its
-   bytes, for the caller to free, with their number in *length; or NULL.
-   *file says which it was, "no file" if none; *note what a person should
-   know of it, or is empty. The caller frees both. */
+/* Reads a student's answer to the exercise whose file is called `usual'.
+   Returns its bytes and their number, or NULL. *file is the path that was
+   chosen, or "no file"; *note is what a person should know about it, or
+   empty. The caller frees all three. */
 char *submissions_read(const char *folder, const struct submission *s,
                        const char *usual, size_t *length, char **file,
                        char **note);
 
-/* Reads what is called so ("P1.gp", "P1.txt") in the best place. Returns
-   its bytes as submissions_read does; or NULL, with a reason in *refusal if
-   there was one. The caller frees both. */
+/* Reads the file of this name ("P1.gp", "P1.txt") in the best place.
+   Returns its bytes as submissions_read does, or NULL, with a reason in
+   *refusal if there is such a file. The caller frees both. */
 char *submissions_page(const char *folder, const struct submission *s,
                        const char *name, size_t *length, char **refusal);
 

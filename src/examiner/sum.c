@@ -4,19 +4,18 @@
 
 #include <string.h>
 
-/* Mixes a number into a sum. Multiplying by an odd number permutes the
-   numbers of 64 bits but carries each digit only upwards; the shift brings
-   the high ones down. Two files meet in one sum with a probability of
-   5e-20, unless somebody looks for two such files: this is no
-   protection. */
+/* Mixes a number into a sum. Multiplying by an odd number carries each bit
+   only upwards; the shift brings the high bits down. Two files have the
+   same sum with a probability of 5e-20, unless somebody makes them so on
+   purpose: this is no protection. */
 uint64_t sum_number(uint64_t sum, uint64_t number)
 {
     sum = (sum ^ number) * 0x9e3779b97f4a7c15u;
     return sum ^ sum >> 32;
 }
 
-/* Mixes bytes into a sum. The length is mixed in, or a file that ends in
-   zeros would equal a shorter one. */
+/* Mixes bytes and their number into a sum; without the number a file that
+   ends in zeros would equal a shorter one. */
 uint64_t sum_bytes(uint64_t sum, const void *bytes, size_t length)
 {
     const char *from = bytes;

@@ -8,9 +8,9 @@
 
 const char *text_program = "examine";
 
-/* Ends with status 2, which means that nothing is known: that a folder
-   cannot be made or a disk is full is no fault of the student's and must
-   not count as his. */
+/* Status 2 means that nothing is known: a full disk or a folder that
+   cannot be made is no fault of the student's and must not count as
+   one. */
 void text_fail(const char *format, ...)
 {
     va_list arguments;
@@ -22,8 +22,8 @@ void text_fail(const char *format, ...)
     exit(2);
 }
 
-/* Returns the length of the UTF-8 character that begins here, whose code it
-   leaves in *code, or 0 if none does. */
+/* Returns the length of the UTF-8 character that begins here and sets
+ *code to it; returns 0 if there is none. */
 static size_t character(const unsigned char *s, size_t left,
                         unsigned long *code)
 {
@@ -49,10 +49,10 @@ static size_t character(const unsigned char *s, size_t left,
     return valid ? length : 0;
 }
 
-/* Returns whether a character is safe to show. Not the controls, below 32
-   and from 127 to 159; those that turn the direction of writing, by which a
-   line of code can be shown as another one; the line ends of Unicode; two
-   characters without a width; and two that XML forbids. */
+/* Returns whether a character is safe to show. Unsafe are controls (below
+   32, and 127 to 159), characters that turn the direction of writing, by
+   which a line of code can be shown as another one, Unicode's line ends,
+   two characters without width, and two that XML forbids. */
 static bool is_seen(unsigned long code)
 {
     static const unsigned long unseen[][2] = {
@@ -89,18 +89,17 @@ char *text_escaped(const char *bytes, size_t length)
     return text;
 }
 
-/* Returns whether a path leads to a plain file. Opening a named pipe would
-   wait until somebody writes to it, so only plain files are read. */
+/* Only plain files are read: opening a named pipe would wait for a
+   writer. */
 bool text_plain(const char *path)
 {
     struct stat about;
     return stat(path, &about) == 0 && S_ISREG(about.st_mode);
 }
 
-/* Reads a file as text. At most a mebibyte is read: nothing here is worth
-   more than its beginning, and what a test prints is stopped there anyway.
-   What a terminal should not be sent is escaped: a sequence in a student's
-   output could move up and write "passed" over the line above. */
+/* At most a mebibyte is read, which is also the limit on what a test
+   prints. Escaping keeps a student's output from moving the cursor up and
+   writing "passed" over the line above. */
 char *text_read(const char *path)
 {
     FILE *file = text_plain(path) ? fopen(path, "r") : NULL;
@@ -133,8 +132,7 @@ bool text_utf16(const char *path)
     return length == sizeof s && abs(zeros[0] - zeros[1]) == 4;
 }
 
-/* Cuts off the next line. Unlike strtok this keeps empty lines, without
-   which the count of lines would be wrong. */
+/* Unlike strtok this keeps empty lines, so that lines can be counted. */
 char *text_line(char **rest)
 {
     char *line = *rest;
@@ -152,9 +150,8 @@ const char *text_after(const char *line, const char *prefix)
     return strncmp(line, prefix, length) == 0 ? line + length : NULL;
 }
 
-/* Returns the length of the longest piece that fits and ends at a space. A
-   word that is longer than a line is left whole: a path with a line break
-   in it cannot be copied. */
+/* A word longer than a line stays whole: a path with a line break in it
+   could not be copied. */
 size_t text_fold(const char *text, size_t room)
 {
     const size_t length = strlen(text);
@@ -166,8 +163,8 @@ size_t text_fold(const char *text, size_t room)
     return strcspn(text, " ");
 }
 
-/* Writes a label and its text. The label stands before the first piece and
-   is then empty, which indents the others. */
+/* Writes the label in front of the first line, and blanks in front of the
+   others. */
 void text_field(FILE *out, const char *label, const char *text)
 {
     for (; *text; label = "") {
@@ -178,9 +175,9 @@ void text_field(FILE *out, const char *label, const char *text)
     }
 }
 
-/* Shows a line behind a bar, so that a program that prints "passed" does
-   not seem to have been told so. It is cut and not folded, because a
-   compiler points at a column with a caret in the line below. */
+/* Shows a line behind a bar, so that a program that prints "passed" is not
+   taken for the examiner. The line is cut, not folded, because in the next
+   one a caret of the compiler's may point at a column. */
 static void quote(FILE *out, const char *line, size_t length)
 {
     const size_t room = TEXT_WIDTH - 4;

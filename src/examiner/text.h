@@ -1,4 +1,4 @@
-/* Text read safely and folded for a terminal. */
+/* Reads text safely, and prints it folded for a terminal. */
 #ifndef TEXT_H
 #define TEXT_H
 
@@ -7,14 +7,15 @@
 
 enum { TEXT_WIDTH = 78, TEXT_LABEL = 13, TEXT_LIMIT = 1 << 20 };
 
-/* Whether there is a plain file of this name: no folder, no pipe. */
+/* Returns whether this is a plain file: no folder, no pipe. */
 bool text_plain(const char *path);
 
-/* Returns bytes as text that a person can read: UTF-8 stays, with \n. What
-   is not UTF-8, a zero byte, and what controls a terminal becomes \x1b;
-   what changes the direction of writing or cannot be seen becomes \u202e.
-   All that students have written or printed goes through here before it is
-   shown. The caller frees it. */
+/* Returns bytes as text that a person can read; the caller frees it. UTF-8
+   stays, with line ends. A byte that is not UTF-8, a zero byte and a
+   character that controls a terminal become \x1b; a character that changes
+   the direction of writing or cannot be seen becomes \u202e. Everything
+   that students have written or printed goes through here before it is
+   shown. */
 char *text_escaped(const char *bytes, size_t length);
 
 /* Returns the first TEXT_LIMIT bytes of a file, escaped, with blanks for
@@ -22,18 +23,20 @@ char *text_escaped(const char *bytes, size_t length);
    frees it. */
 char *text_read(const char *path);
 
-/* Whether a file has two bytes for each letter, as some editors save it. */
+/* Returns whether a file is UTF-16, with two bytes for each letter, as
+   some editors save it. */
 bool text_utf16(const char *path);
 
 /* Cuts the next line off *rest and returns it without its end; NULL when
    nothing is left. Changes the text in place. */
 char *text_line(char **rest);
 
-/* The text behind prefix, or NULL when the line does not start with it. */
+/* Returns the text behind a prefix, or NULL if the line does not begin
+   with it. */
 const char *text_after(const char *line, const char *prefix);
 
-/* Returns how many bytes of a text fit into so many columns, up to a space;
-   a word that is longer than these is counted whole. */
+/* Returns how many bytes of a text fit into this many columns, up to a
+   space; a longer word is counted whole. */
 size_t text_fold(const char *text, size_t room);
 
 /* Writes a label and a text in two columns, folded at spaces so that no
@@ -44,13 +47,14 @@ void text_field(FILE *out, const char *label, const char *text);
    a bar that sets them apart from our own words. */
 void text_quote(FILE *out, const char *text, int lines);
 
-/* Writes line number of a file behind such a bar, if there is one. */
+/* Writes one line of a file behind such a bar, if the file has it. */
 void text_quote_line(FILE *out, const char *path, int number);
 
-/* Who says it: "examine", unless a program changes it. */
+/* The name that begins error messages: "examine", unless a program sets
+   it. */
 extern const char *text_program;
 
-/* Says on standard error why the examiner cannot go on; exits with 2. */
+/* Prints an error message, as printf does, and exits with 2. */
 _Noreturn void text_fail(const char *format, ...);
 
 #endif

@@ -3,40 +3,40 @@
 
 #include <stdio.h>
 
-static FILE *ear, *mouth;
+static FILE *in, *out;
 
-void transport_open(int listen, int speak)
+void transport_open(int receive, int send)
 {
-    static char heard[4096], spoken[4096];
-    ear = fdopen(listen, "r");
-    mouth = fdopen(speak, "w");
-    if (!ear || !mouth)
+    static char received[4096], sent[4096];
+    in = fdopen(receive, "r");
+    out = fdopen(send, "w");
+    if (!in || !out)
         transport_lost();
-    setvbuf(ear, heard, _IOFBF, sizeof heard);
-    setvbuf(mouth, spoken, _IOFBF, sizeof spoken);
+    setvbuf(in, received, _IOFBF, sizeof received);
+    setvbuf(out, sent, _IOFBF, sizeof sent);
 }
 
 void transport_send(int word)
 {
     transport_sending = true;
-    putc(word, mouth);
+    putc(word, out);
 }
 
-/* Flushes what was sent and receives the first byte of a message. The
-   stream in our direction is flushed when the turn changes and only then,
-   so that a short call is a single write. */
+/* Flushes what was sent and receives the first byte of the next message.
+   Only here is anything flushed, so that a short call is a single
+   write. */
 int transport_receive(void)
 {
-    if (fflush(mouth) != 0)
+    if (fflush(out) != 0)
         transport_lost();
     transport_sending = false;
-    return getc(ear);
+    return getc(in);
 }
 
 void transport_move(void *x, size_t bytes)
 {
-    const size_t moved = transport_sending ? fwrite(x, 1, bytes, mouth)
-                                           : fread(x, 1, bytes, ear);
+    const size_t moved = transport_sending ? fwrite(x, 1, bytes, out)
+                                           : fread(x, 1, bytes, in);
     if (moved != bytes)
         transport_lost();
 }

@@ -1,4 +1,4 @@
-/* Runs a test, judges how it ended, and tells failures and crashes. */
+/* Runs a test, judges how it ended, and explains failures and crashes. */
 #include "examiner/trial.h"
 #include "examiner/process.h"
 #include "examiner/report.h"
@@ -14,9 +14,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* Returns the name of a state. These are the words that students read and
-   tests look for. They say what is the case: there is no "error" and no
-   "fatal". */
+/* These are the words that students read and tests look for. They name the
+   state; none is "error" or "fatal". */
 const char *state_name(enum state state)
 {
     static const char *const names[] = {"not begun", "does not build",
@@ -25,18 +24,18 @@ const char *state_name(enum state state)
     return names[state];
 }
 
-/* Returns whether a state is a fault. What has not begun is no fault: in a
-   fresh copy of the kit nothing is red. */
+/* An exercise that is not begun is not wrong: in a fresh copy of the kit
+   nothing is red. */
 bool state_wrong(enum state state)
 {
     return state != NOT_BEGUN && state != PASSED;
 }
 
-/* A test computes for less time than a start takes; its five seconds are
-   hundreds of times that, under sanitizers too, and about as long as people
-   look at a silent terminal. 512 MiB is what every machine can spare and no
-   exercise comes near; at the speed of an endless loop a full disk is a
-   minute away, so a file may have 1 MiB. */
+/* Limits. A test computes for less time than it takes to start; five
+   seconds are hundreds of times that, even with sanitizers, and about as
+   long as people look at a silent terminal. Every machine has 512 MiB, and
+   no exercise comes near. An endless loop that prints would fill a disk
+   within a minute, so a file may have 1 MiB. */
 enum { MIB = 1 << 20, MEMORY_MIB = 512, SANITIZER_STATUS = 86 };
 
 struct result {
@@ -47,9 +46,8 @@ struct result {
     char *error;  /* what the sanitizers added to it, or NULL */
 };
 
-/* Draws a nonce. A counter or the time would keep accidents away as well;
-   sixteen bytes of the kernel's make "no program prints this by accident" a
-   matter of arithmetic. */
+/* Draws a nonce, 16 random bytes of the kernel's: no program prints that
+   by accident. */
 static void draw_nonce(char nonce[REPORT_NONCE + 1])
 {
     unsigned char bytes[REPORT_NONCE / 2];
@@ -61,10 +59,9 @@ static void draw_nonce(char nonce[REPORT_NONCE + 1])
         snprintf(nonce + 2 * i, 3, "%02x", bytes[i]);
 }
 
-/* Opens a file that nobody else has made (O_EXCL). Every write goes to its
-   end (O_APPEND), or a program that closes one descriptor too many and
-   opens a file in its place could write over the verdict instead of behind
-   it. */
+/* Creates a file (O_EXCL: nobody else has made it). O_APPEND writes at its
+   end: a program that closes one descriptor too many and opens a file
+   instead could otherwise write over the verdict. */
 static int open_fresh(const char *path)
 {
     unlink(path);
@@ -74,8 +71,8 @@ static int open_fresh(const char *path)
     return file;
 }
 
-/* Removes the address sanitizer's cry on a deadly signal, which comes
-   before it knows more. */
+/* Removes words from a text: the address sanitizer's announcement of a
+   deadly signal, which comes before it knows more. */
 static void drop_words(char *text, const char *words)
 {
     const size_t length = strlen(words);
@@ -83,12 +80,13 @@ static void drop_words(char *text, const char *words)
         memmove(text, text + length, strlen(text + length) + 1);
 }
 
-/* Cuts the sanitizers' report off what was printed and returns it, or NULL.
-   They could write to a file, but with some compilers the one for undefined
-   behaviour writes to standard error whatever it is told. The report begins
-   with the line in which one gives its name or says "runtime error", and a
-   line of equals signs before it. This is done only where the status is
-   theirs: a program that prints the word keeps its output. */
+/* Cuts the sanitizers' report off the output and returns it, or NULL.
+   (They could write to a file, but with some compilers the one for
+   undefined behaviour always writes to standard error.) The report begins
+   with the line that names a sanitizer or says "runtime error", or with a
+   line of equals signs before that. This is only called when the status is
+   a sanitizer's, so that a program that prints these words keeps its
+   output. */
 static char *cut_error(char *output)
 {
     char *error = strstr(output, "AddressSanitizer:");
@@ -106,9 +104,9 @@ static char *cut_error(char *output)
     return copy;
 }
 
-/* Returns where the next record of this word is behind `from`, with its
-   text, or NULL. Its key begins with the line end and the nonce, as the
-   runner wrote them. */
+/* Finds the next line of the report with this word, from `from' on; copies
+   its text and returns where that begins, or NULL. Such a line begins with
+   the nonce. */
 static const char *find_record(const char *from,
                                const struct result *result,
                                const char *word, char text[REPORT_RECORD])
@@ -127,17 +125,18 @@ static struct {
     int report, output, orders; /* of a runner that waits, or zeros */
 } served;
 
-/* Starts a runner for one test and waits for it, or, if end is NULL, one
-   that waits beside us for orders. It runs in an empty folder `desk` inside
-   ours, so that a file of its own called `output` is not ours, and its
-   temporary files go with it.
+/* Starts a runner for one test and waits for it; or, if end is NULL, one
+   that runs beside us and waits for orders. It works in an empty folder
+   `desk' inside ours, so that a file of its own called `output' is not
+   ours, and its temporary files are removed with it.
 
-   The sanitizers get their options in the environment: the status by which
-   we know them, a place for abort, leaks only when asked. The address
-   sanitizer maps some fourteen terabytes at its start, so that a limit on
-   addresses would end it before main; instead it watches the memory in use.
-   It does so in a thread, which a copy of the process does not have: there
-   we watch (uses_more). A judge has no sanitizers, whatever its box has. */
+   The sanitizers get their options from the environment: the status that
+   tells us of them, that they catch abort, and that they look for leaks
+   only when asked. The address sanitizer maps some fourteen terabytes at
+   its start, so that a limit on addresses would end it before main;
+   instead it watches the memory in use, in a thread. A copy of the process
+   has no such thread: there we watch (uses_more). A judge has no
+   sanitizers, even if the program in its sandbox has. */
 static bool start_runner(const struct trial *trial, const char *test,
                          const struct process_files *files,
                          struct process_end *end)
@@ -172,10 +171,10 @@ static bool start_runner(const struct trial *trial, const char *test,
                : process_start(command, desk, files, &limits);
 }
 
-/* Starts a runner that serves all tests. The runner gets a socket for the
-   orders and for the numbers of its copies, and ends when our end is
-   closed. Only Linux has such copies. In the grader the judge waits so, and
-   has the way to its box from the start. */
+/* The runner gets a socket for orders and for the numbers of its copies,
+   and ends when our end is closed. Only Linux can make such copies. In the
+   grader it is the judge that waits, and it has the pipes to its sandbox
+   from the start. */
 void trial_open(const struct trial *trial)
 {
 #ifdef __linux__
@@ -211,14 +210,14 @@ void trial_close(void)
     served.orders = 0;
 }
 
-/* Runs one test. Where the runner that waits has died, perhaps killed by
-   its own copy before it could name it, everything that it has left is
+/* Runs one test. If the waiting runner has died, perhaps killed by its own
+   copy before it could send that copy's number, everything that it left is
    killed and the test gets a runner of its own, with a new report. Report
    and output are read when no process is left that could write to them.
 
-   In the grader what was printed is in a file that the program in the box
-   could write to. If its user is ours, it may have taken away our right to
-   read it, so we give it to ourselves again. */
+   In the grader the output is in a file to which the program in the
+   sandbox has written. If its user is ours it may have removed our
+   permission to read, so we restore it. */
 static void run_runner(const struct trial *trial, int number,
                        struct result *result)
 {
@@ -286,8 +285,8 @@ static const char round_and_round[] =
     "had come back to where it was before, with the same values in all its "
     "variables. Which loop was it in, and what was to end it?";
 
-/* Writes the story of a time-out. A time-out has only a question to show:
-   what the program was doing is a debugger's business. */
+/* Explains a time-out by a question; what the program was doing is for a
+   debugger to find out. */
 static void tell_time_out(const struct trial *trial,
                           const struct process_end *end, FILE *story)
 {
@@ -307,10 +306,10 @@ static void tell_time_out(const struct trial *trial,
     text_field(story, "what", text);
 }
 
-/* What the ending of a process means, by the word of a sanitizer or by a
-   signal. Not every meaning is certain: SIGSEGV is nearly always a pointer
-   or an index, and a SIGKILL that is not ours came from a kernel in need of
-   memory or from a person. */
+/* What the end of a process means, by a sanitizer's word or by a signal.
+   Not all is certain: SIGSEGV is nearly always a pointer or an index; a
+   SIGKILL that is not ours came from a kernel short of memory, or from a
+   person. */
 static const struct {
     const char *word;
     int signal;
@@ -355,9 +354,9 @@ static const char *meaning(const char *word, int signal)
     return NULL;
 }
 
-/* Puts a sanitizer's report into words. For undefined behaviour the
-   sanitizer's own words are as good as any of ours; a word that is in no
-   table, from a younger compiler, is shown as it stands. */
+/* Puts a sanitizer's report into words. For undefined behaviour its own
+   words are as good as ours; a word that the table lacks, from a newer
+   compiler, is shown as it stands. */
 static void error_text(const char *report, char *text, size_t room)
 {
     const char *undefined = strstr(report, "runtime error: ");
@@ -372,8 +371,8 @@ static void error_text(const char *report, char *text, size_t room)
              known ? known : word);
 }
 
-/* Puts a crash into words. A sanitizer is asked first, since it leaves with
-   a status, too. */
+/* Puts a crash into words. The sanitizer's report comes first, since
+   sanitizers end a program with a status, too. */
 static void crash_text(const struct result *result, char *text, size_t room)
 {
     const int status = result->end.status;
@@ -394,11 +393,11 @@ static void crash_text(const struct result *result, char *text, size_t room)
     }
 }
 
-/* Shows the first mention of the student's file in a report: in a list of
-   calls, which begins with the innermost, that is the line of his that was
-   being carried out, even when the error lies in a function of the library.
-   Paths may be full ones, so the end is matched. The function's name stands
-   before the place, behind " in ". */
+/* Shows the student's line that was running: in a list of calls, which
+   begins with the innermost, it is the first mention of his file, even if
+   the error lies in a library function. Paths may be absolute, so only the
+   end is compared. The function's name stands before the place, behind "
+   in ". */
 static void tell_place(const char *report, const char *source, FILE *story)
 {
     char name[4096], text[4600], function[128] = "";
@@ -438,9 +437,8 @@ static void tell_crash(const struct trial *trial,
         text_field(story, "where", nowhere);
 }
 
-/* Tells of lost memory, if the student's file asked for it. Lost memory
-   crashes nothing and costs no point, but the student is told where he
-   asked for the first of it. */
+/* A leak costs no point, but the student is told where the first leaked
+   block was allocated. */
 bool trial_leak(const char *prints, const char *source, FILE *story)
 {
     char *text = text_read(prints);
@@ -456,10 +454,10 @@ bool trial_leak(const char *prints, const char *source, FILE *story)
     return own;
 }
 
-/* Returns the number that an equation has in the book. A suite knows only
-   its label, for numbers change when an equation is put in before. Where
-   the table lacks the label (the book's chapter is still being written) the
-   label is told. */
+/* Returns the number of an equation in the book. A suite knows only its
+   label, since numbers change when an equation is added. Where the table
+   lacks the label (the chapter is still being written) it is shown
+   itself. */
 static const char *equation_in_book(const char *label,
                                     char text[REPORT_RECORD])
 {
@@ -475,10 +473,9 @@ static const char *equation_in_book(const char *label,
     return text;
 }
 
-/* Writes the story of a failure. A failure reads as a teacher would put it:
-   what was asked, went in, should have come out, did, how far apart they
-   may be and why, where it stands in the book, a question. It never says
-   what to type. */
+/* Writes what a failed test reported, as a teacher would put it: what was
+   asked, the input, the expected and the actual answer, the tolerance and
+   its reason, the equation, a question. It never says what to type. */
 static void tell_failure(const struct result *result, FILE *story)
 {
     char text[REPORT_RECORD], book[REPORT_RECORD];
@@ -513,14 +510,13 @@ static bool is_mistake(const char *report)
            !strstr(report, "failed to allocate");
 }
 
-/* Judges in this order, and it must stay so. A program that was stopped has
-   timed out, whatever it has said. One that was ended by a signal or left
-   with a status has crashed (a sanitizer's status is one of those), and so
-   has one that ended quietly without a signed verdict: somebody has called
-   exit or closed the report. A gap is asked for before the verdict: if the
-   student's code has forked there may be both. "Passed" is reached by
-   exclusion. To ask first whether a verdict says "passed" would pass a
-   program that then runs off the end of its stack. */
+/* Judges a test. The order of the questions must stay. A program that was
+   stopped has timed out, whatever it reported. One that ended by a signal
+   or with a status has crashed (sanitizers use a status), and so has one
+   without a signed verdict: somebody called exit or closed the report. A
+   reached gap comes before the verdict, since a program that forked may
+   report both. "Passed" is what is left: to ask first whether the verdict
+   is "passed" would pass a program that overruns its stack afterwards. */
 enum state trial_run(const struct trial *trial, int number, FILE *story)
 {
     struct result result = {0};

@@ -1,11 +1,11 @@
-/* Runs one test of an exercise and judges it: six states. */
+/* Runs one test of an exercise, and judges how it ended. */
 #ifndef TRIAL_H
 #define TRIAL_H
 
 #include <stdbool.h>
 #include <stdio.h>
 
-/* How an exercise, or one of its tests, stands. */
+/* The state of an exercise, or of one of its tests. */
 enum state {
     NOT_BEGUN,
     DOES_NOT_BUILD,
@@ -15,19 +15,19 @@ enum state {
     PASSED
 };
 
-/* What stays the same for the tests of an exercise. */
+/* What all tests of an exercise have in common. */
 struct trial {
     const char *folder; /* of our own, with the runner in it */
     const char *source; /* the student's file, as the compiler saw it */
     bool sanitized;     /* compiled with the address sanitizer */
-    bool leaks;         /* which is to look for lost memory, too */
+    bool leaks;         /* whose leaks are to be looked for, too */
     int seconds;        /* of processor time; twice that on the wall */
     const char *runner; /* to be started, as seen from folder/desk */
     const char *seed;   /* of the inputs, in digits; NULL: the students' */
     long user;          /* which a judge that root starts becomes, or 0 */
-    int sandbox[2];     /* the way to a program in a box, or zeros */
+    int sandbox[2];     /* pipes to a program in a sandbox, or zeros */
     int later;          /* seconds for a test after one was late, or 0 */
-    const char *prints; /* what such a program prints to, or NULL */
+    const char *prints; /* the file to which that program prints, or NULL */
 };
 
 /* Returns the name of a state: "not begun", "does not build", ... */
@@ -42,22 +42,23 @@ bool state_wrong(enum state state);
    and exits with status 2. */
 enum state trial_run(const struct trial *trial, int number, FILE *story);
 
-/* Starts the runner once for all tests that follow, where that can be done,
-   until trial_close; nothing happens if there is one. Without it each test
-   starts its own. */
+/* Starts a runner that serves all tests until trial_close, if the system
+   can do that; otherwise each test starts its own. Does nothing if there
+   is one. */
 void trial_open(const struct trial *trial);
 void trial_close(void);
 
-/* Whether the last test was stopped by the clock on the wall, and may have
-   been late because the machine had other work. */
+/* Returns whether the last test was stopped by the clock on the wall; it
+   may have been late because the machine had other work. */
 bool trial_waited(void);
 
-/* Whether the last test was ended by a sanitizer that had found a mistake,
-   and not by the limit of its memory. */
+/* Returns whether a sanitizer ended the last test because it found a
+   mistake, and not because memory ran out. */
 bool trial_mistake(void);
 
-/* Whether the sanitizers, when a test had passed, have printed that memory
-   was lost which source had asked for; if so, tells of it. */
+/* Returns whether the sanitizers have printed, after a test had passed,
+   that memory was leaked which source had allocated; if so, writes that to
+   story. */
 bool trial_leak(const char *prints, const char *source, FILE *story);
 
 #endif

@@ -1,7 +1,7 @@
-/* Compares with the stub, builds, runs each test, tells the story. */
+/* Judges an exercise: compares with the stub, builds, runs the tests. */
 #include "examiner/verdict.h"
 #include "examiner/build.h"
-#include "examiner/memory.h"
+#include "examiner/cache.h"
 #include "examiner/process.h"
 #include "examiner/text.h"
 #include "examiner/work.h"
@@ -9,8 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Names the other tests that went wrong: that two of six failed and both
-   are about walls says more than either. */
+/* Names the other tests that failed: that both failures of six tests are
+   about walls says more than either. */
 static void tell_others(const struct exercise *e, const enum state states[],
                         int decides, int run, FILE *story)
 {
@@ -67,11 +67,10 @@ static bool tell_leak(const struct exercise *e, const struct trial *trial,
 }
 
 /* Runs the tests of an exercise and sets its state. One test decides the
-   state and is told in full: the first that went wrong or, when gaps are
-   all that is wrong, the first gap. Gaps mixed with wrong numbers have been
-   begun; "not begun" would keep the student from what can be mended. After
-   a time-out we stop, since nobody wants to wait five seconds for each
-   test. */
+   state and is told in full: the first that failed or, if nothing failed
+   but gaps were reached, the first gap. An exercise with gaps and failures
+   is begun: the student can mend something. After a time-out no more tests
+   run, since nobody wants to wait five seconds for each. */
 static bool run_tests(struct exercise *e, const struct trial *trial,
                       FILE *story)
 {
@@ -119,9 +118,9 @@ static bool run_tests(struct exercise *e, const struct trial *trial,
     return !tell_leak(e, trial, story) && repeatable(states, run);
 }
 
-/* Returns whether the answer will be the same tomorrow: a file does not
-   build for certain when the compiler has found an error in it, but a disk
-   may be full or a compiler killed. */
+/* Returns whether the verdict would be the same tomorrow. That a file does
+   not build is certain only if the compiler has found an error in it; a
+   disk may have been full. */
 static bool build_and_test(struct exercise *e,
                            const struct verdict_rules *rules, FILE *story)
 {
@@ -149,9 +148,8 @@ static void forget(struct exercise *e)
     e->earned = e->gap = e->wants = 0;
 }
 
-/* Says that the student's file is missing. A missing file is not begun. The
-   examiner writes no file of the student's unasked, not even the first
-   time. */
+/* Says that the student's file is missing, which counts as not begun. The
+   examiner never writes one unasked. */
 static void tell_missing(struct exercise *e)
 {
     char text[4 * COURSE_PATH];
@@ -175,13 +173,14 @@ static FILE *open_story(char **story)
     return stream;
 }
 
-void verdict_recall(struct exercise *e, const struct verdict_rules *rules)
+void verdict_from_cache(struct exercise *e,
+                        const struct verdict_rules *rules)
 {
     forget(e);
     if (*e->file && course_touched(e)) {
         e->judged =
-            rules->remember &&
-            memory_recall(e, memory_key(e, rules->strict, rules->seconds));
+            rules->use_cache &&
+            cache_load(e, cache_key(e, rules->strict, rules->seconds));
         return;
     }
     e->judged = true;
@@ -189,23 +188,23 @@ void verdict_recall(struct exercise *e, const struct verdict_rules *rules)
         tell_missing(e);
 }
 
-/* Asks in the order of the costs: comparing with the stub takes
-   microseconds, a remembered verdict a fraction of a millisecond, building
-   and running a quarter of a second. The key is taken before the compiler
-   starts and must be the same at the end, or the file was saved
-   meanwhile. */
+/* Judges in the cheapest way: comparing with the stub takes microseconds,
+   a stored verdict a fraction of a millisecond, building and running a
+   quarter of a second. The key is computed before the compiler starts; if
+   it has changed at the end the file was saved meanwhile, and the verdict
+   is not stored. */
 void verdict_reach(struct exercise *e, const struct verdict_rules *rules)
 {
-    verdict_recall(e, rules);
+    verdict_from_cache(e, rules);
     if (e->judged)
         return;
     build_suite(e->name);
-    const uint64_t key = memory_key(e, rules->strict, rules->seconds);
+    const uint64_t key = cache_key(e, rules->strict, rules->seconds);
     FILE *story = open_story(&e->story);
     const bool certain = build_and_test(e, rules, story);
     fclose(story);
     e->judged = !process_signal();
-    if (e->judged && certain && rules->remember &&
-        memory_key(e, rules->strict, rules->seconds) == key)
-        memory_keep(e, key);
+    if (e->judged && certain && rules->use_cache &&
+        cache_key(e, rules->strict, rules->seconds) == key)
+        cache_save(e, key);
 }

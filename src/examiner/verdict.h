@@ -6,15 +6,16 @@
 
 /* How an exercise is to be judged. */
 struct verdict_rules {
-    bool strict;   /* warnings are errors */
-    bool remember; /* it is the student's own file */
-    int seconds;   /* of processor time for a test */
+    bool strict;    /* warnings are errors */
+    bool use_cache; /* verdicts are read from the cache and stored there */
+    int seconds;    /* of processor time for a test */
 };
 
 /* Judges an exercise: fills in its state, points and story. */
 void verdict_reach(struct exercise *e, const struct verdict_rules *rules);
 
-/* The same if it needs no compiler; else judged stays false. */
-void verdict_recall(struct exercise *e, const struct verdict_rules *rules);
+/* The same, if that needs no compiler; otherwise e->judged stays false. */
+void verdict_from_cache(struct exercise *e,
+                        const struct verdict_rules *rules);
 
 #endif

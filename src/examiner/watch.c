@@ -1,4 +1,4 @@
-/* Looks at the files ten times a second, and at the keyboard. */
+/* Checks the files and the keyboard ten times a second. */
 #include "examiner/watch.h"
 #include "examiner/hint.h"
 #include "examiner/process.h"
@@ -18,9 +18,10 @@ static void give_terminal_back(void)
     tcsetpgrp(STDIN_FILENO, before);
 }
 
-/* Makes this process the foreground, alone in a group of its own: Ctrl-C
-   goes to all processes there, and make would close with a complaint about
-   it. Ctrl-Z must be ignored then, or make would wait for ever. */
+/* Makes this process the terminal's foreground, in a group of its own.
+   Ctrl-C goes to every process of the foreground group, and make would end
+   with an error message. Ctrl-Z is ignored, or make would wait for
+   ever. */
 static void take_terminal(void)
 {
     before = getpgrp();
@@ -37,10 +38,11 @@ struct seen {
     uint64_t judged, last; /* checksums */
 };
 
-/* Returns whether a file was saved: it is another one than was judged, and
-   two looks in succession have found the same, because an editor may empty
-   a file first and write to it then. An editor that pauses longer than a
-   tenth of a second in the middle is answered about half a file. */
+/* Returns whether a file was saved and has to be judged: its checksum is
+   not that of the file judged last, and was the same at two looks in
+   succession, because an editor may empty a file first and write it then.
+   If an editor pauses for more than a tenth of a second in between, half a
+   file is judged. */
 static bool saved(struct exercise *e, struct seen *seen)
 {
     if (!text_plain(e->file))
@@ -76,9 +78,10 @@ static void show(const struct course *course, const struct exercise *e)
 
 enum { WATCH_PAUSE = 100 }; /* ms between two looks */
 
-/* Waits a moment for a key; returns whether to go on. The keyboard is read
-   by the line. Single keys would need another mode of the terminal, in
-   which a watch that is killed would leave it. */
+/* Waits a tenth of a second for a command from the keyboard; returns
+   whether to go on. Commands end with Enter: reading single keys needs
+   another mode of the terminal, in which it would stay if this process
+   were killed. */
 static bool key_goes_on(const struct exercise *shown)
 {
     static bool silent;
@@ -95,12 +98,13 @@ static bool key_goes_on(const struct exercise *shown)
     return line[0] != 'q';
 }
 
-/* Checksums of forty files take less than half a millisecond, ten times a
-   second. The systems' own ways to hear of a saved file differ, and have to
-   be told again when an editor puts a new file in the place of the old one,
-   as most do. */
-static void look(struct course *course, const struct verdict_rules *rules,
-                 struct seen seen[], const struct exercise **shown)
+/* Judges every chosen file that was saved. To compute forty checksums ten
+   times a second takes half a millisecond each time; the ways by which
+   systems announce a changed file differ, and lose a file that an editor
+   replaces, as most editors do. */
+static void judge_saved(struct course *course,
+                        const struct verdict_rules *rules,
+                        struct seen seen[], const struct exercise **shown)
 {
     for (size_t i = 0; i < course->count; ++i) {
         struct exercise *e = &course->exercises[i];
@@ -131,7 +135,7 @@ void watch_files(struct course *course, const struct verdict_rules *rules)
     if (!process_signal())
         show(course, shown);
     while (!process_signal() && key_goes_on(shown))
-        look(course, rules, seen, &shown);
+        judge_saved(course, rules, seen, &shown);
     free(seen);
     puts("\nThe watch has ended; your files are as you left them.");
 }

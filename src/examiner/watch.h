@@ -4,8 +4,8 @@
 
 #include "examiner/verdict.h"
 
-/* Shows the one thing to mend, and again whenever one of the chosen files
-   was saved; returns after a signal, or a q on the keyboard. */
+/* Shows what to do next, and again whenever a chosen file was saved;
+   returns after a signal, or after a q on the keyboard. */
 void watch_files(struct course *course, const struct verdict_rules *rules);
 
 #endif

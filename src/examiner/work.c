@@ -17,9 +17,9 @@ static void remove_folder(void)
                 strerror(errno));
 }
 
-/* Makes the temporary folder. The folder lies in build/ and not in /tmp,
-   where some machines start no programs, and has a fresh name, so that two
-   rounds in two windows do not meet. */
+/* The folder lies in build/, since on some machines nothing may be started
+   from /tmp, and its name is new each time, so that two rounds at once do
+   not meet. */
 const char *work_folder(void)
 {
     static bool made;

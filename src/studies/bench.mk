@@ -1,4 +1,4 @@
-# The speed tables of the chapters, on this machine.
+# Measures the speed tables of the chapters on this machine.
 bench: programs
 	build/bin/collide-forms --study cost --collisions 10000000
 	build/bin/bonkers-studies --study speed --summary build/ratios
@@ -30,7 +30,8 @@ bench: programs
 		grep steps_per_second
 	@$(MAKE) -j 2 --output-sync=target --no-print-directory bench-errors
 
-# What error a time buys: small systems, two at a time, a processor for each.
+# Error against processor time, for small systems; two runs at a time, each on a processor
+# of its own.
 bench_rooms = bench-room-.05 bench-room-.15 bench-room-.2
 bench_errors = bench-chains bench-spheres $(bench_rooms) bench-pressure
 .PHONY: bench bench-errors $(bench_errors)

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Projects: the stub of each, right programs of different structure, and one
 # wrong program for each mistake that its suite knows. At home once; the others
-# run as in the grader, the judge beside the box's program, without its walls.
+# run as in the grader, the judge beside the sandbox's program, without its walls.
 # The wrong ones are changes of the worked solution, tests/exercises/P1/*.sed,
 # whose first lines name the mistake, the stage that finds it, which of the
 # functions that the suite hands out it comes to, and whether it never ends.
@@ -98,7 +98,7 @@ own_folder() {
         >'$out/said'; ! grep 'for a person' '$out/said'"
 }
 
-# ---- the judge and the box's program ----
+# ---- the judge and the sandbox's program ----
 
 cc="$(sed -n 1p build/grade/flags | sed 's/-fmax.*//') -w -g0"
 . tests/exercises/linker
@@ -180,7 +180,7 @@ in_the_grader() {
     given=$(nm "$box" 2>/dev/null | sed -n 's/.* T \([a-z]*\)_0$/\1/p')
     all_given=$([ -z "$given" ] || nm "$box" | sed -n "s/.* T ${given}_//p")
     # shellcheck disable=SC2086
-    $cc -o "$out/box" "$box" -lm -Wl,-u,box_main,--defsym=main=box_main || exit 1
+    $cc -o "$out/box" "$box" -lm -Wl,-u,sandbox_main,--defsym=main=sandbox_main || exit 1
     quickly=
     for file in $home/right-*.c; do
         verdict "$file passes, and what is hidden too" all_stages "$file"

@@ -4,7 +4,7 @@
 # passed, neither at home nor in the grader.
 # Every output of every exercise is tried: the overrun is planted into the
 # worked solution, and which of them happens is said by the environment, so
-# that an exercise is compiled once for home and once for the box.
+# that an exercise is compiled once for home and once for the sandbox.
 set -u
 out=$(mktemp -d) || exit 1
 trap 'rm -rf "$out"' EXIT
@@ -100,7 +100,7 @@ build() { # EXERCISE
             "build/grade/$1.inside.o" -lm
 }
 
-# The runner, and the judge with the program of the box beside it.
+# The runner, and the judge with the program of the sandbox beside it.
 at_home() { # TEST
     ASAN_OPTIONS=detect_leaks=0:symbolize=0 "$out/home" "$1" \
         3<>"$out/report" >"$out/said" 2>&1
@@ -113,7 +113,7 @@ in_the_grader() { # TEST
         "build/grade/$ex.judge" "$1" 3<>"$out/report"
     } 6>"$out/requests" 5<"$out/answers"
     set -- $?
-    wait # for the box, which must not hear what is meant for the next
+    wait # for the sandbox, which must not hear what is meant for the next
     return "$1"
 }
 

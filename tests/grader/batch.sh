@@ -126,7 +126,7 @@ parts() {
 }
 verdict 'no half file is left of it' parts
 
-# In the middle of a test: the program in the box must not outlive the batch.
+# In the middle of a test: the program in the sandbox must not outlive the batch.
 cat >"$scratch/wait.c" <<'END'
 #define _GNU_SOURCE
 #include "exercise.h"
@@ -170,7 +170,7 @@ outlived() { # SIGNAL
     ! alive || why 'it lives on'
 }
 for signal in INT TERM HUP KILL; do
-    verdict "with a batch that gets SIG$signal ends the program in its box" \
+    verdict "with a batch that gets SIG$signal ends the program in its sandbox" \
         outlived "$signal"
 done
 

@@ -72,7 +72,7 @@ verdict 'who does not look for long is asked how long he looks' short
 
 # ---- the judge's rights ----
 
-# A judge that waits for the answer of a box: what the kernel lets it do.
+# A judge that waits for the answer of a sandbox: what the kernel lets it do.
 mkfifo "$out/answers" "$out/requests"
 user=0
 [ "$(id -u)" -ne 0 ] || user=20001

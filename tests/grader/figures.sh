@@ -1,7 +1,7 @@
 #!/bin/sh
-# The figure of a project: drawn in a box from the student's own tables, or a
+# The figure of a project: drawn in a sandbox from the student's own tables, or a
 # line that says why there is none. Scripts that would rather do something
-# else get no further than anybody's program; what leaves the box is a picture.
+# else get no further than anybody's program; what leaves the sandbox is a picture.
 topic=figures
 . tests/grader/hostile/kit
 left_behind=bonkers-drawn # other tests may run beside this one
@@ -87,7 +87,7 @@ set print "P1.png"
 print "<html><script>alert(1)</script>"
 END
 hand_in borrowed <<'END'
-system("ln -s /kit/box.suite.o P1.png")
+system("ln -s /kit/sandbox.suite.o P1.png")
 END
 hand_in pipe <<'END'
 system("mkfifo P1.png; exec cat >P1.png </dev/zero &")
@@ -139,7 +139,7 @@ verdict 'a flood' harmless flood ''
 verdict 'memory' harmless memory 'its script has left none'
 verdict 'a page that is no picture' \
     harmless forged 'what its script has left is no whole PNG'
-verdict 'a link to what is in the box' \
+verdict 'a link to what is in the sandbox' \
     harmless borrowed 'its script has left none'
 verdict 'a pipe that never ends' harmless pipe 'its script has left none'
 verdict 'a picture too large to look at' \
@@ -173,7 +173,7 @@ graded "$scratch/flat"
 verdict 'a platform may put the name before' \
     [ -s "$out/by-hand/Ada%20Lovelace_17/P1.png" ]
 
-# A box without gnuplot.
+# A sandbox without gnuplot.
 mkdir "$scratch/bare" && cat >"$scratch/bare/bwrap" <<END
 #!/bin/sh
 for word; do
@@ -189,13 +189,13 @@ user="env PATH=$scratch/bare:$PATH"
 echo '# mended' >>"$scratch/again/wrong/P1.gp"
 graded "$scratch/again"
 verdict 'where gnuplot is missing it is said' \
-    harmless wrong 'gnuplot is missing in the box'
+    harmless wrong 'gnuplot is missing in the sandbox'
 mkdir "$scratch/tools" && for tool in env sh setpriv rm prlimit; do
     ln -s "$(command -v $tool)" "$scratch/tools/$tool"
 done
 user="env PATH=$scratch/tools"
 graded "$scratch/again" --unsafe
-verdict 'and without a box no script is run' \
-    harmless wrong 'its script is not run without a box'
+verdict 'and without a sandbox no script is run' \
+    harmless wrong 'its script is not run without a sandbox'
 verdict 'nothing is left behind in the end' clean
 echo 1..28

@@ -287,7 +287,7 @@ refuse nested --disable-userns
 refuse rooted --unshare-user
 user="env PATH=$scratch/nested:$PATH"
 batch 'where boxes can be nested' other nested/out kill-all rights proc
-verdict 'the lecturer is told which box' told 'in: namespaces'
+verdict 'the lecturer is told which sandbox' told 'in: namespaces'
 if [ "$(id -u)" -eq 0 ]; then
     user="env PATH=$scratch/rooted:$PATH"
     batch 'where users have no namespaces' other rooted/out kill-all rights \
@@ -304,7 +304,7 @@ for tool in env sh setpriv rm prlimit; do
 done
 user="env PATH=$scratch/bare"
 grade "$scratch/other" "$scratch/bare/out"
-verdict 'without a box nothing is run' ended 2
+verdict 'without a sandbox nothing is run' ended 2
 verdict 'and the lecturer is told why' told 'CANNOT BE ISOLATED'
 verdict 'and what to do' told '--unsafe'
 empty() {
@@ -316,9 +316,9 @@ verdict 'and nothing is left' clean
 rm -r "$scratch/other"
 more=--unsafe
 if [ "$(id -u)" -eq 0 ]; then
-    batch 'without a box' other bare/out fork-left exit close-all
+    batch 'without a sandbox' other bare/out fork-left exit close-all
 else
-    batch 'without a box' other bare/out exit close-all
+    batch 'without a sandbox' other bare/out exit close-all
     fewer=$((fewer + 1))
 fi
 verdict 'the lecturer is told that there is none' told 'NONE'

@@ -1,6 +1,6 @@
 #!/bin/sh
 # A batch as a list of jobs: in any order, twice at a time and with one killed,
-# its reports are those of one machine; and a job whose file, kit or box is not
+# its reports are those of one machine; and a job whose file, kit or sandbox is not
 # what it was grades nothing.
 topic='jobs'
 . tests/grader/hostile/kit
@@ -86,7 +86,7 @@ same() {
 verdict 'its reports are those of one machine' same
 verdict 'and are there' test "$(grep -c '"score"' "$scratch/two")" -gt 20
 
-# A line is of one file, one kit and one box.
+# A line is of one file, one kit and one sandbox.
 echo '/* more */' >>"$scratch/class/honest/01a-collide.c"
 verdict 'a file that is new is listed' listed 1
 cp "$scratch/list" "$scratch/first"
@@ -104,9 +104,9 @@ for tool in env sh setpriv rm prlimit; do
     ln -s "$(command -v $tool)" "$scratch/bare/$tool"
 done
 sed -i "s|^|PATH=$scratch/bare |" "$scratch/first"
-verdict 'where there is no box a job says so' refused 'CANNOT BE ISOLATED'
+verdict 'where there is no sandbox a job says so' refused 'CANNOT BE ISOLATED'
 sed -i 's/--job/--unsafe --job/' "$scratch/first"
-verdict 'and is no job of a list that has boxes' refused 'box (NONE'
+verdict 'and is no job of a list that has sandboxes' refused 'sandbox (NONE'
 verdict 'and grades nothing' \
     test "$(ls -i "$scratch"/out/marks/*/01a.json)" = "$(cat "$scratch/before")"
 sed -i 's|--job [^/]*|--job berta|' "$scratch/first"
@@ -126,7 +126,7 @@ elsewhere() {
         $scratch/cc |" "$scratch/first" | tr -d '\n' >"$scratch/there"
     echo >>"$scratch/there"
     (cd "$scratch/kit" && sh "$scratch/there") >"$scratch/said" 2>&1
-    grep -q 'the compiler or the box' "$scratch/said" ||
+    grep -q 'the compiler or the sandbox' "$scratch/said" ||
         why "$(cat "$scratch/said")"
 }
 verdict 'where the compiler is another one a job is not done' elsewhere

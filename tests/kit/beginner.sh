@@ -26,8 +26,9 @@ suite() { echo tests/exercises/$1/suite.c; }
 
 # What the examiner consists of: its files in src that examine includes.
 first=$(made hint EX=01a)
-is 'a hint needs the examiner alone' '' "$(echo "$first" | tr ' ' '\n' |
-    grep -v '^src/examiner/[a-z_]*\.c$')"
+is 'a hint needs the examiner alone, and two files of the toolbox' '' "$(echo "$first" | tr ' ' '\n' |
+    grep -v -e '^src/examiner/[a-z_]*\.c$' \
+        -e '^src/toolbox/\(options\|replace\)\.c$')"
 holds 'and not the grader' sh -c "! echo '$first' | grep 'grad\|judge\|publish'"
 holds 'and is given' says 'hint 1 of'
 is 'the next one needs nothing' '' "$(made hint EX=01a)"
@@ -41,7 +42,7 @@ holds 'which is there again' test -f exercises/03a-bins.c
 is 'one exercise needs its suite, and what all suites need' \
     "$(echo $(printf 'build/check/obj/%s.o\n' examiner/check examiner/guards \
         examiner/local examiner/no_callback examiner/no_hidden examiner/project \
-        examiner/remote examiner/run examiner/running toolbox/random) "$(suite 01a)")" "$(made check EX=01a)"
+        examiner/remote examiner/run examiner/run_server toolbox/random) "$(suite 01a)")" "$(made check EX=01a)"
 holds 'and is not begun' says '^01a .* not begun '
 is 'once' '' "$(made check EX=01a)"
 is 'the others need none as long as they are not begun' '' "$(made check)"

@@ -152,7 +152,7 @@ for cc in gcc clang; do
     holds "no warning from $cc" quiet $cc "-std=c11 -D_POSIX_C_SOURCE=200809L \
         -Isrc -Isrc/examiner -Itests $xml" $(cat "$work/$cc")
     # shellcheck disable=SC2086
-    holds "no warning from $cc in the box's half of the remote calls" \
+    holds "no warning from $cc in the sandbox's half of the remote calls" \
         quiet $cc '-std=c11 -Isrc -DREMOTE_SERVER' tests/exercises/*/remote.c
     quiet $cc -std=c11 "$work/sound.c" "$work/sound.c" >"$work/said" 2>&1 &&
         ! quiet $cc -std=c11 "$work/sound.c" "$work/unsound.c" \

@@ -19,16 +19,16 @@ has-wasm:
  missing; install it with: apt-get install --no-install-recommends wasi-libc\
  libclang-rt-dev-wasm32' >&2; exit 1; }
 
-# The flags of the kit. What an assert would print takes as much room as a
-# figure, and the tests have asked all of them.
+# The kit's own flags. Without NDEBUG the texts of asserts would double a file's size;
+# the tests run with all asserts.
 wasm = clang --target=wasm32-wasi --sysroot=/usr $(STANDARD) $(PORTABLE) \
 	-DNDEBUG -Isrc
-# What has files, signals, GSL or OpenCL stays outside.
+# Files that need a file system, signals, GSL or OpenCL are left out.
 wasm_tools := $(patsubst %,src/toolbox/%.c,digits lines random room)
 wasm_sources := src/page/table.c $(wasm_tools) $(filter-out %/laws.c %/states.c %/checkpoint.c \
 	%/reference.c %/opencl.c,$(wildcard $(patsubst %,src/%/*.c,line box scenes forces)))
 wasm_objects := $(wasm_sources:src/%.c=build/wasm/%.o)
-# Where time is not spent, small: the bits are the same.
+# -Os where speed does not matter; results keep every bit.
 $(filter-out %/gravity.o %/tree.o %/springs.o %/spheres.o,$(filter build/wasm/scenes/% \
 	build/wasm/forces/%,$(wasm_objects))): small = -Os
 build/wasm/%.o: src/%.c chapters/press/site/live.mk | has-wasm
@@ -58,7 +58,7 @@ build/site/live/player.css: $(site_scripts)/live-player.css
 	@mkdir -p $(@D)
 	@cp $< $@
 
-# Figures that open the player.
+# Figures that open the player with one of its scenes.
 build/site/live/play-%.js: $(site_scripts)/live-scenes
 	@mkdir -p $(@D)
 	@sed -n "s/^play-$* \([^ ]*\) \(.*\)/live.opens('play-$*', '\1', \"\2\");/p" \

@@ -1,5 +1,5 @@
 /* The remote calls of exercise 01e: see examiner/remote.h. The
-   function that is tried stays with the judge; the box asks for it,
+   function that is tried stays with the judge; the sandbox asks for it,
    collision by collision. */
 /* output: none */
 

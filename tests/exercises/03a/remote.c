@@ -1,6 +1,6 @@
 /* The remote calls of exercise 03a: see examiner/remote.h. The law
-   stays with the judge; the box asks for it, value by value. Who asks in
-   the middle of an interval will ask in the middle of one of its halves,
+   stays with the judge; the sandbox asks for it, value by value. Who asks
+   in the middle of an interval will ask in the middle of one of its halves,
    and so on: with the value come those of the next four rounds, whichever
    halves are taken. */
 /* output: equal_bins edge bins+1 */
@@ -128,7 +128,8 @@ void remote_serve(void)
 static double (*law)(double x);
 static struct call present;
 
-/* The law is asked between the ends alone, or where the box has asked. */
+/* The law is asked between the ends alone, or where the sandbox has asked.
+ */
 void remote_serve_callback(int which)
 {
     struct search s;

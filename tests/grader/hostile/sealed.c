@@ -1,4 +1,4 @@
-/* passed: it tries to make a box in its box */
+/* passed: it tries to make a sandbox in its sandbox */
 /* earns: all */
 #define _GNU_SOURCE
 #include "exercise.h"

@@ -1,5 +1,5 @@
-/* Keeps verdicts, each with a checksum of all that it depends on. */
-#include "examiner/memory.h"
+/* Stores each verdict with a checksum of all that it depends on. */
+#include "examiner/cache.h"
 #include "examiner/sum.h"
 #include "examiner/text.h"
 #include "toolbox/replace.h"
@@ -9,9 +9,9 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Returns whether an include leads to a header of the system's or to
-   exercise.h. The compiler looks for a header in angle brackets among ours
-   first, and so does this. */
+/* Returns whether an #include names a header of the system or exercise.h.
+   As the compiler does, it looks for a header in angle brackets among the
+   kit's own first. */
 static bool harmless(const char *what)
 {
     char name[64], path[128];
@@ -28,9 +28,8 @@ static bool harmless(const char *what)
     return access(path, F_OK) != 0;
 }
 
-/* Returns whether a file includes no other of the student's: a verdict
-   would rest on that, too. It is not followed; such a verdict is not
-   remembered. */
+/* Returns whether a file includes no other file of the student. A verdict
+   would depend on that file as well, and it is not followed. */
 static bool stands_alone(const char *path)
 {
     char *text = text_read(path);
@@ -47,11 +46,11 @@ static bool stands_alone(const char *path)
     return alone;
 }
 
-/* Sums what all verdicts rest on: the examiner, whose words the story has,
-   the library, the compiler's command, the table of equations, the
-   student's exercise.h, which would be found before ours. The compiler is
-   known by its command and not by its version, and the system's headers not
-   at all: after an upgrade make clean forgets what was known. */
+/* Adds to a checksum what all verdicts depend on: the examiner, the
+   library, the compiler's command, the table of equations, and an
+   exercise.h of the student's, which the compiler would find before ours.
+   The compiler's version and the system's headers are not included: after
+   an upgrade use make clean. */
 static uint64_t sum_common(void)
 {
     static const char *const files[] = {
@@ -67,11 +66,11 @@ static uint64_t sum_common(void)
     return sum;
 }
 
-/* Sums all that a verdict rests on. Dates would answer another question: a
-   file put back from an archive is older than the verdict on what it
-   replaces. Reading some megabytes takes some milliseconds for the whole
-   course. The key 0 means none and is avoided. */
-uint64_t memory_key(const struct exercise *e, bool strict, int seconds)
+/* Computes the key of a verdict. Times of files would not do: a file that
+   was restored from an archive is older than the verdict on what it
+   replaces. For the whole course some megabytes are read, in some
+   milliseconds. The key 0 stands for "none" and is avoided. */
+uint64_t cache_key(const struct exercise *e, bool strict, int seconds)
 {
     char path[64];
     if (!stands_alone(e->file))
@@ -88,27 +87,27 @@ uint64_t memory_key(const struct exercise *e, bool strict, int seconds)
     return sum ? sum : 1;
 }
 
-enum { MEMORY_ROOM = 1 << 16 };
+enum { CACHE_SIZE = 1 << 16 };
 
-/* Reads what was kept, byte for byte; text_read would escape the letters of
-   a file's name. */
-static bool load(const char *name, char text[MEMORY_ROOM])
+/* Reads a stored verdict without changing a byte; text_read would escape
+   some. */
+static bool load(const char *name, char text[CACHE_SIZE])
 {
     char path[64];
     snprintf(path, sizeof path, "build/check/%s.verdict", name);
     FILE *file = text_plain(path) ? fopen(path, "r") : NULL;
     if (!file)
         return false;
-    text[fread(text, 1, MEMORY_ROOM - 1, file)] = '\0';
+    text[fread(text, 1, CACHE_SIZE - 1, file)] = '\0';
     fclose(file);
     return true;
 }
 
-/* Reads the kept verdict with this key. A file with a wrong byte, or half a
-   file, has another sum than it says and is ignored. */
-bool memory_recall(struct exercise *e, uint64_t key)
+/* Reads the stored verdict with this key. A damaged or incomplete file
+   fails its checksum and is ignored. */
+bool cache_load(struct exercise *e, uint64_t key)
 {
-    static char text[MEMORY_ROOM];
+    static char text[CACHE_SIZE];
     uint64_t said, sum;
     int state, earned, gap, wants, at = 0, story = 0;
     if (key == 0 || !load(e->name, text) ||
@@ -126,12 +125,12 @@ bool memory_recall(struct exercise *e, uint64_t key)
     return e->story != NULL;
 }
 
-/* Writes the verdict on an exercise. The sum begins with the key, so that a
-   verdict cannot be given another one by hand. A story of more than 64 KiB
-   is not kept. */
-void memory_keep(const struct exercise *e, uint64_t key)
+/* Writes the verdict on an exercise. Its checksum includes the key, so
+   that nobody can put a verdict under another key by hand. A story of more
+   than 64 KiB is not stored. */
+void cache_save(const struct exercise *e, uint64_t key)
 {
-    static char text[MEMORY_ROOM], body[MEMORY_ROOM - 64];
+    static char text[CACHE_SIZE], body[CACHE_SIZE - 64];
     char path[64];
     const int length =
         snprintf(body, sizeof body, "\n%d %d %d %d\n%s", (int)e->state,

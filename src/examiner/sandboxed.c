@@ -1,7 +1,7 @@
-/* The program in the box: it calls the student's function and answers. */
+/* The program in the sandbox, which calls the student's function. */
 #include "examiner/remote.h"
 #include "examiner/exercise.h"
-#include "examiner/orbit.h"
+#include "examiner/endless.h"
 #include "examiner/guards.h"
 #include "examiner/transport.h"
 
@@ -18,14 +18,14 @@
 
 enum { REQUESTS = 3, ANSWERS = 4, MEMORY_MORE = 1 << 29 };
 
-/* Ends when the judge is gone. */
+/* Ends this process: the judge has ended. */
 void transport_lost(void)
 {
     _exit(EXIT_FAILURE);
 }
 
-/* Says before the answer whether a guard was changed. Forging that gains
-   nothing: it hides an overrun which one need not have written. */
+/* Begins the answer, and says first whether a guard was changed. A student
+   who forges this gains nothing: it only hides an overrun. */
 void remote_reply(void)
 {
     struct check_overrun overrun;
@@ -42,12 +42,12 @@ void remote_callback(int which)
     remote_ints(&which, 1);
 }
 
-/* Waits for the answer of a call back. A suite whose function has been
-   called too often ends the student's call with a longjmp; then the next
-   word is no answer, and this process ends. */
+/* Waits for the answer to a callback. A suite whose callback was called
+   too often leaves the call by longjmp; then another message comes, and
+   this process ends. */
 void remote_callback_wait(void)
 {
-    orbit_leave();
+    endless_forget();
     if (transport_receive() == TRANSPORT_CALLBACK_REPLY)
         return;
     fflush(NULL);
@@ -70,10 +70,9 @@ int __sanitizer_install_malloc_and_free_hooks(
 
 static unsigned long blocks;
 
-/* Counts the blocks that are allocated. A search for lost memory goes
-   through all memory and takes longer than most tests; where no block was
-   allocated but for the arguments nothing is lost, and there is no
-   search. */
+/* Counts allocated blocks. A search for leaks goes through all memory and
+   takes longer than most tests; it is left out if nothing was allocated
+   but the arguments. */
 static void count_taken(const volatile void *block, size_t bytes)
 {
     (void)block, (void)bytes;
@@ -85,17 +84,16 @@ static void ignore_freed(const volatile void *block)
     (void)block;
 }
 
-/* Serves one call after the other until the judge says that the test is
-   over. */
+/* Serves calls until the judge ends the test. */
 static _Noreturn void serve(void)
 {
     transport_open(REQUESTS, ANSWERS);
     const bool counts = __sanitizer_install_malloc_and_free_hooks &&
                         __sanitizer_install_malloc_and_free_hooks(
                             count_taken, ignore_freed);
-    orbit_watch();
+    endless_watch();
     while (transport_receive() == TRANSPORT_CALL) {
-        orbit_leave();
+        endless_forget();
         guards_clear();
         remote_serve();
     }
@@ -114,8 +112,8 @@ static double children_seconds(void)
            1e-6 * (double)(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
 }
 
-/* Returns SIGXCPU for a process that was killed when its time was up, else
-   its status: the kernel sends SIGKILL as well when memory runs out. */
+/* Returns a status, with SIGXCPU in place of SIGKILL if the time was used
+   up: the kernel sends SIGKILL when memory runs out as well. */
 static int name_clock(int status, double seconds)
 {
     struct rlimit limit;
@@ -126,11 +124,11 @@ static int name_clock(int status, double seconds)
                : status;
 }
 
-/* Runs a test in a process of its own, which costs next to nothing beside a
-   new box and begins with all static variables fresh. Its group is killed
-   at the end, for it may have left children. The message about its end
-   comes from the box and proves nothing: a student who forges it says of
-   himself that he has crashed. */
+/* Runs a test in a child process, which costs next to nothing beside a new
+   sandbox and begins with fresh static variables. Its process group is
+   killed at the end, with any children it has left. The message about its
+   end comes from the sandbox and proves nothing; a student who forges it
+   only claims a crash of his own. */
 static void run_test(void)
 {
     char message[1 + TRANSPORT_HOW * sizeof(int)] = {TRANSPORT_ENDED};
@@ -152,9 +150,9 @@ static void run_test(void)
         exit(EXIT_FAILURE);
 }
 
-/* Sets a limit on addresses, half a gibibyte above what is mapped. With
-   sanitizers a program has terabytes mapped before its main and cannot be
-   started under a limit. */
+/* Limits the address space to half a gibibyte more than is mapped. With
+   sanitizers terabytes are mapped before main, so the limit can only be
+   set here. */
 static void limit_addresses(void)
 {
     struct rlimit limit;
@@ -172,10 +170,10 @@ static void limit_addresses(void)
 }
 
 /* Waits for tests and runs each in a child. It reads without stdio, which
-   would read ahead what is meant for the child. A word that is not for it
-   is sent back, so that the judge learns that no child was there to hear
-   it. Children of its own user could write into its memory by way of /proc,
-   so it is made not dumpable. */
+   would read ahead what is meant for the child. A byte that is not for it
+   is sent back, which tells the judge that no child was there to read it.
+   PR_SET_DUMPABLE keeps children of the same user from writing to its
+   memory through /proc. */
 int main(void)
 {
     char word = TRANSPORT_READY;

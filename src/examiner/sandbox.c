@@ -1,5 +1,5 @@
 /* Namespaces, limits and a shell inside, made with bubblewrap. */
-#include "examiner/box.h"
+#include "examiner/sandbox.h"
 #include "examiner/folder.h"
 #include "examiner/process.h"
 #include "examiner/text.h"
@@ -28,9 +28,9 @@ long syscall(long number, ...);
 #endif
 
 #define MEMORY_KIB 524288     /* of addresses, for each process */
-#define DISK_BYTES "33554432" /* of the box's folder */
+#define DISK_BYTES "33554432" /* of the sandbox's folder */
 #define DISK_FILES "2000"     /* in it */
-#define OUTER_WORK "/mnt"     /* where it is mounted, outside the box */
+#define OUTER_WORK "/mnt"     /* where it is mounted, outside the sandbox */
 
 enum {
     BUILD_MS = 45000, /* on the wall, to compile and link */
@@ -64,7 +64,8 @@ static const char *number(struct words *w, long long x)
     return text;
 }
 
-/* Returns this number or the next that belongs to no person. */
+/* Returns the first id from this one on, in steps of two, that no user
+   has. */
 static long free_user(long user)
 {
     while (getpwuid((uid_t)user))
@@ -72,19 +73,18 @@ static long free_user(long user)
     return user;
 }
 
-/* Returns the user of this process's boxes: an even number; those of judges
-   are odd. The kernel counts the processes of a user, wherever they are, so
-   that a fork bomb in one box would keep another box of the same user from
-   forking. The number is made of this process's own, which nothing else has
-   while it lives; so two graders on one machine are kept apart as well.
-   Only root can give a box another user; for others Linux counts the
-   processes of each user namespace apart since 5.14. */
-static long box_user(void)
+/* Returns the user id for this process's sandboxes: an even number; judges
+   have odd ones. The kernel counts processes by user, so a fork bomb in
+   one sandbox would keep others of the same user from forking. The number
+   comes from our process number, so that two graders on one machine have
+   different ones. Only root can give a sandbox another user; for others
+   Linux counts the processes of each user namespace apart since 5.14. */
+static long sandbox_user(void)
 {
     return free_user(20000 + 2 * ((long)getpid() % 20000));
 }
 
-long box_judge(void)
+long sandbox_judge(void)
 {
     static long user;
     if (!user && geteuid() == 0)
@@ -94,32 +94,32 @@ long box_judge(void)
 
 static void add_user(struct words *w)
 {
-    const char *user = number(w, box_user());
+    const char *user = number(w, sandbox_user());
     ADD(w, "setpriv", "--reuid", user, "--regid", user, "--clear-groups",
         "--no-new-privs");
 }
 
-static bool bounded; /* also in files; found out by box_probe */
+static bool bounded; /* the disk limits files, too; see sandbox_probe */
 /* What a new process does before it becomes bubblewrap: it changes its
    user, empties its environment, mounts a folder. Each could be a command
-   (setpriv, env, unshare, mount) and was; one after the other they took
-   longer to start than bubblewrap took for its box. */
-static long new_user; /* of the next box; 0 where ours is kept */
+   of its own (setpriv, env, unshare, mount), and was, but one after the
+   other they took longer to start than bubblewrap itself. */
+static long new_user; /* of the next sandbox; 0 where ours is kept */
 static bool new_view; /* and whether it gets users and mounts of its own */
 static bool own_disk; /* the folder to write to is mounted before it */
 
 static void give_up(const char *what)
 {
-    fprintf(stderr, "no box: cannot %s: %s\n", what, strerror(errno));
+    fprintf(stderr, "no sandbox: cannot %s: %s\n", what, strerror(errno));
     fflush(stderr);
     _exit(127);
 }
 
 extern char **environ;
 
-/* Empties the environment before bubblewrap starts, and not only within: a
-   process can be asked for it in /proc, and bubblewrap is a process in the
-   box. A server that grades may keep a platform's keys there. */
+/* Empties the environment before bubblewrap starts, and not only inside:
+   bubblewrap is a process in the sandbox, and /proc shows the environment
+   of a process. A server that grades may keep keys there. */
 static void forget_environment(void)
 {
     static char path[4096], *only[] = {path, NULL};
@@ -151,9 +151,9 @@ static void put(const char *path, const char *text)
     close(file);
 }
 
-/* Enters namespaces of users and mounts in which this process is root over
-   its own view alone. A machine may allow that to bubblewrap only; then the
-   bytes of the folder are bounded and its files are not. */
+/* Enters new namespaces of users and mounts, in which this process is root
+   over its own mounts alone. A machine may allow this to bubblewrap only;
+   then the folder has a limit on bytes but none on files. */
 static void become_root_of_a_view(void)
 {
     char users[32], groups[32];
@@ -167,9 +167,9 @@ static void become_root_of_a_view(void)
     put("/proc/self/gid_map", groups);
 }
 
-/* Mounts the writable folder with a limit on its bytes and on its number
-   of files, because a million empty files fill the memory as well.
-   bubblewrap can limit only the bytes. */
+/* Mounts the writable folder, with a limit on bytes and on files, because
+   a million empty files fill the memory as well. bubblewrap can limit only
+   the bytes. */
 static void mount_disk(void)
 {
     if (new_view)
@@ -198,17 +198,17 @@ static void enter(void)
         mount_disk();
 }
 
-static void plan_entry(enum box_kind kind)
+static void plan_entry(enum sandbox_kind kind)
 {
-    new_user = geteuid() == 0 && kind != BOX_ROOT ? box_user() : 0;
-    own_disk = bounded && kind != BOX_OPEN;
-    new_view = kind != BOX_ROOT;
+    new_user = geteuid() == 0 && kind != SANDBOX_ROOT ? sandbox_user() : 0;
+    own_disk = bounded && kind != SANDBOX_NONE;
+    new_view = kind != SANDBOX_ROOT;
 }
 
-/* Puts the compiler, its libraries and one folder to write to into the box.
-   /dev is a file system in memory, too, and without a limit; so it and the
-   root are made read-only when all is in place. Without that a program can
-   write a file of any size to /, and /etc is its own. */
+/* Adds what the program sees: the compiler, its libraries, and one folder
+   to write to. /dev and the root are file systems in memory without a
+   limit, so they are made read-only at the end; otherwise a program could
+   fill / and write its own /etc. */
 static void add_system(struct words *w)
 {
     ADD(w, "--ro-bind", "/usr", "/usr", "--symlink", "usr/bin", "/bin",
@@ -226,60 +226,60 @@ static void add_system(struct words *w)
         "/exercises");
 }
 
-/* Copies the files of the order into the box out of descriptors: its user
-   needs no right to enter our folders, and there is no path by which to
-   find them. */
-static void add_copies(struct words *w, const struct box_order *order)
+/* Copies the files of the order from descriptors: the sandbox's user then
+   needs no right to enter our folders, and has no path to them. */
+static void add_copies(struct words *w, const struct sandbox_order *order)
 {
     static char source[256], header[80];
     snprintf(source, sizeof source, "/%s", order->name);
     snprintf(header, sizeof header, "/%s", order->included);
     ADD(w, "--perms", "0444", "--ro-bind-data", "5", source);
     ADD(w, "--perms", "0444", "--ro-bind-data", "6", header);
-    ADD(w, "--perms", "0444", "--ro-bind-data", "7", "/kit/box.suite.o");
+    ADD(w, "--perms", "0444", "--ro-bind-data", "7",
+        "/kit/sandbox.suite.o");
     ADD(w, "--seccomp", "8", "--remount-ro", "/");
 }
 
-/* Starts bubblewrap in namespaces of its own. In a new session it has no
-   terminal, into which a program could otherwise type (TIOCSTI). No
-   capability of root's is left, and the box dies when we die. */
-static void add_namespaces(struct words *w, enum box_kind kind)
+/* Adds bubblewrap's options for namespaces. A new session has no terminal,
+   into which a program could otherwise type (TIOCSTI). No capability of
+   root's is left, and the sandbox dies when we die. */
+static void add_namespaces(struct words *w, enum sandbox_kind kind)
 {
     ADD(w, "bwrap", "--unshare-ipc", "--unshare-pid", "--unshare-net",
         "--unshare-uts", "--unshare-cgroup-try", "--die-with-parent",
         "--new-session", "--clearenv", "--cap-drop", "ALL");
-    if (kind == BOX_ROOT)
+    if (kind == SANDBOX_ROOT)
         ADD(w, "--cap-add", "CAP_SETUID", "--cap-add", "CAP_SETGID",
             "--cap-add", "CAP_SETPCAP");
     else
         ADD(w, "--unshare-user");
-    if (kind == BOX_SEALED)
+    if (kind == SANDBOX_SEALED)
         ADD(w, "--disable-userns");
-    if (geteuid() != 0 || (bounded && kind != BOX_ROOT))
+    if (geteuid() != 0 || (bounded && kind != SANDBOX_ROOT))
         ADD(w, "--uid", "65534", "--gid", "65534");
 }
 
-static void add_walls(struct words *w, enum box_kind kind,
-                      const struct box_order *order)
+static void add_walls(struct words *w, enum sandbox_kind kind,
+                      const struct sandbox_order *order)
 {
     plan_entry(kind);
     add_namespaces(w, kind);
     add_system(w);
     add_copies(w, order);
-    if (kind == BOX_ROOT) {
+    if (kind == SANDBOX_ROOT) {
         add_user(w);
         ADD(w, "--inh-caps=-all", "--bounding-set=-all");
     }
 }
 
 #if defined(__linux__) && (defined(__x86_64__) || defined(__aarch64__))
-/* Calls that are refused with EPERM. A limit of addresses does not count
-   memory that belongs to no process (System V's shared memory,
-   memfd_create), with which a few lines could take all there is. The others
-   serve to attack the kernel and not to compute; only sanitizers trace, to
-   look for lost memory. */
+/* System calls that are refused with EPERM. The first few give memory that
+   belongs to no process, so that no limit counts it; a few lines could
+   take all there is. The others serve to attack the kernel, not to
+   compute. ptrace is allowed with sanitizers, which trace to look for
+   leaks. */
 static const int forbidden[] = {
-    SYS_ptrace, /* must be the first: it is skipped for sanitizers */
+    SYS_ptrace, /* keep first: allowed for sanitizers */
     SYS_shmget,      SYS_memfd_create,    SYS_unshare,
     SYS_setns,       SYS_add_key,         SYS_process_vm_writev,
     SYS_keyctl,      SYS_request_key,     SYS_bpf,
@@ -299,10 +299,10 @@ static const unsigned OUR_CALLS = AUDIT_ARCH_AARCH64;
     code[n++] =                                                            \
         (struct sock_filter)BPF_JUMP(BPF_JMP | c | BPF_K, value, yes, no)
 
-/* Returns a pipe with the filter: a program for a machine with one
-   register, which loads the call's number and compares it. An x86 processor
-   has three sets of numbers; a call from one that is not ours ends the
-   program. On other processors the filter is empty. */
+/* Returns a pipe with the filter of system calls, a program for the
+   kernel's little machine with one register: it loads the call's number
+   and compares. x86 has three sets of call numbers; a call of another set
+   ends the program. On other processors the filter is empty. */
 static int open_filter(bool sanitized)
 {
     struct sock_filter code[2 * FORBIDDEN + 8];
@@ -333,7 +333,7 @@ static int open_filter(bool sanitized)
 }
 #endif
 
-static bool try_kind(enum box_kind kind, const char *compiler)
+static bool try_kind(enum sandbox_kind kind, const char *compiler)
 {
     struct words w = {.count = 0};
     struct process_end end;
@@ -345,8 +345,8 @@ static bool try_kind(enum box_kind kind, const char *compiler)
         .enter = enter};
     const struct process_limits limits = {5, RLIM_INFINITY, RLIM_INFINITY,
                                           RLIM_INFINITY};
-    const struct box_order none = {.name = "exercises/none.c",
-                                   .included = "kit/exercise.h"};
+    const struct sandbox_order none = {.name = "exercises/none.c",
+                                       .included = "kit/exercise.h"};
     add_walls(&w, kind, &none);
     ADD(&w, "/usr/bin/env", "PATH=/usr/bin:/bin", "/bin/sh", "-c",
         "set -- $1; \"$1\" --version && objcopy --version", "sh", compiler);
@@ -357,7 +357,7 @@ static bool try_kind(enum box_kind kind, const char *compiler)
     return ran && end.status == 0;
 }
 
-static bool try_disks(enum box_kind kind)
+static bool try_disks(enum sandbox_kind kind)
 {
     bounded = true;
     if (!try_kind(kind, ":"))
@@ -365,23 +365,23 @@ static bool try_disks(enum box_kind kind)
     return bounded || try_kind(kind, ":");
 }
 
-/* Tries to put up walls around a command that does nothing, and then the
-   compiler in the best of them: if it were not there, no student's program
-   would build, and only the marks would look wrong. */
-enum box_kind box_probe(const char *compiler)
+/* Returns the best kind of sandbox in which a command can be started; then
+   tries the compiler in it. If that were missing no student's program
+   would build, and only the marks would look odd. */
+enum sandbox_kind sandbox_probe(const char *compiler)
 {
-    enum box_kind kind = BOX_SEALED;
-    while (kind != BOX_OPEN &&
-           ((kind == BOX_ROOT && geteuid() != 0) || !try_disks(kind)))
+    enum sandbox_kind kind = SANDBOX_SEALED;
+    while (kind != SANDBOX_NONE &&
+           ((kind == SANDBOX_ROOT && geteuid() != 0) || !try_disks(kind)))
         ++kind;
-    if (kind != BOX_OPEN && !try_kind(kind, compiler))
+    if (kind != SANDBOX_NONE && !try_kind(kind, compiler))
         text_fail("no student's file can be compiled: '%s' or objcopy is "
-                  "not in the box, which has no more than /usr",
+                  "not in the sandbox, which has no more than /usr",
                   compiler);
     return kind;
 }
 
-const char *box_name(enum box_kind kind)
+const char *sandbox_name(enum sandbox_kind kind)
 {
     static const char *const names[] = {"sealed namespaces", "namespaces",
                                         "root's namespaces",
@@ -389,31 +389,28 @@ const char *box_name(enum box_kind kind)
     return names[kind];
 }
 
-/* What the shell in the box does: it compiles, hides the names of the
-   student's file, links, and becomes the program.
+/* The script that the shell in the sandbox runs: it compiles, hides the
+   symbols of the student's file, links, and becomes the program.
 
-   objcopy makes all of his symbols local but those of the exercise, so that
-   his malloc, write or main are names within his own file and the driver's
-   calls do not reach them. It also takes out .interp, which a file can
-   bring along and which Linux would start in gold's programs. A project
-   keeps main: its driver becomes a program without anything of his, and his
-   own is linked once for each function that it is given, under sanitizers
-   with the first alone.
+   objcopy makes all of the student's symbols local, except the functions
+   of the exercise, so that a malloc, write or main of his own cannot
+   replace those of the driver. It also removes .interp, which a file may
+   have and which Linux would start inside gold's programs. A project keeps
+   main: the driver is a program without anything of the student's, and his
+   is linked once for each function that it is given, with sanitizers only
+   for the first.
 
-   Limits are hard ones; the compiler and the program have different ones.
-   The kernel is told to end this first if the machine runs out of memory.
-   The pipes are closed while the compiler runs, so that a file that
-   includes /proc/self/fd/3 includes nothing. gcc took 28 s to draw twenty
-   thousand warnings with their lines; so what it says is kept aside without
-   lines, and only if it refuses is it asked again, with lines, and without
-   warnings if that was much.
+   Limits are hard ones, and differ for the compiler and the program. When
+   memory runs out the kernel kills this process first. The pipes are
+   closed while the compiler runs, so that a file that includes
+   /proc/self/fd/3 includes nothing. gcc took 28 s to print twenty thousand
+   warnings with their source lines; so messages are first made without
+   lines and kept, and only if the compiler fails is it run again with
+   lines, and without warnings if there were many.
 
-   What nobody reads is not made: names and lines are for the sanitizers and
-   for a linker that refuses; then all is made once more with them. gold
-   needs a third of the usual linker's time with sanitizers and three
-   quarters without; started without the compiler's driver, with the words
-   that it had from there, it takes 4 ms in place of 12, of 90 for a file
-   that is built. */
+   Symbols and line numbers are left out, unless sanitizers or a linker
+   that failed need them; then all is made once more. gold needs a third of
+   the usual linker's time with sanitizers and three quarters without. */
 static const char script[] =
     "root=$1 name=$2 compiler=$3 keep=$4 seconds=$5 memory=$6 terse=$7\n"
     "lean=$8 linker=$9 declared=${10} types= cpu=20\n"
@@ -435,7 +432,7 @@ static const char script[] =
     "    if [ $(wc -c <work/said) -lt 9999 ]; then compile; else\n"
     "    compile -w && grep error: work/said | head -n 20; fi; exit; }\n"
     "cd work || exit\n"
-    "kit=../kit/box.suite.o program=./program of=\n"
+    "kit=../kit/sandbox.suite.o program=./program of=\n"
     "bound() {\n"
     "    ulimit -S -t $seconds && ulimit -H -t $((seconds + 1)) &&\n"
     "    ulimit -n 64 && ulimit -f $1 && processes 16 &&\n"
@@ -469,10 +466,10 @@ static const char script[] =
     "        build $compiler -o program$law answer.o $kit -lm \\\n"
     "            $(given $law) || exit\n"
     "    done\n"
-    "    build $compiler -o box $kit -lm "
-    "-Wl,-u,box_main,--defsym=main=box_main \\\n"
+    "    build $compiler -o sandbox $kit -lm "
+    "-Wl,-u,sandbox_main,--defsym=main=sandbox_main \\\n"
     "        || exit\n"
-    "    mkdir desk && cd desk && program=../box || exit\n"
+    "    mkdir desk && cd desk && program=../sandbox || exit\n"
     "else\n"
     "    set -- $linker\n"
     "    [ $# -gt 0 ] || set -- $by_compiler\n"
@@ -483,7 +480,7 @@ static const char script[] =
     "fi\n"
     "printf b >&4\n"
     "bound 2048 && exec $program\n";
-static void add_script(struct words *w, const struct box_order *order,
+static void add_script(struct words *w, const struct sandbox_order *order,
                        const char *root)
 {
     const char *memory =
@@ -501,7 +498,7 @@ static int wait_for_byte(int file, int milliseconds)
     unsigned char byte;
     int ready, left = milliseconds;
     do {
-        if (process_signal()) /* perhaps before we began to wait */
+        if (process_signal()) /* it may have come before the wait */
             return GONE;
         ready = poll(&wait, 1, left < NAP_MS ? left : NAP_MS);
         left -= NAP_MS;
@@ -529,16 +526,17 @@ static void copy(int from, const char *name)
     close(to);
 }
 
-/* Makes a folder in place of a box. As root we still give it to a user of
-   its own, or the program could do to us what it likes. */
-static void furnish_folder(const struct box_order *order)
+/* Makes the folder that replaces a sandbox under --unsafe. Root gives it
+   to a user of its own, or the program could do as root does. */
+static void furnish_folder(const struct sandbox_order *order)
 {
     static const char *const folders[] = {"kit", "exercises", "work"};
     char path[512];
     strcpy(open_root, "/tmp/bonkers.XXXXXX");
     if (!mkdtemp(open_root) ||
-        (geteuid() == 0 && (chown(open_root, 0, (gid_t)box_user()) != 0 ||
-                            chmod(open_root, 0750) != 0)))
+        (geteuid() == 0 &&
+         (chown(open_root, 0, (gid_t)sandbox_user()) != 0 ||
+          chmod(open_root, 0750) != 0)))
         text_fail("cannot make a folder in /tmp: %s", strerror(errno));
     furnished = true;
     for (int i = 0; i < 3; ++i) {
@@ -547,15 +545,15 @@ static void furnish_folder(const struct box_order *order)
             text_fail("cannot make '%s': %s", path, strerror(errno));
     }
     if (geteuid() == 0 &&
-        chown(path, (uid_t)box_user(), (gid_t)box_user()) != 0)
+        chown(path, (uid_t)sandbox_user(), (gid_t)sandbox_user()) != 0)
         text_fail("cannot give '%s' away: %s", path, strerror(errno));
     copy(order->source, order->name);
     copy(order->header, order->included);
-    copy(order->inside, "kit/box.suite.o");
+    copy(order->inside, "kit/sandbox.suite.o");
 }
 
-static void start(const struct box_order *order, int requests, int answers,
-                  int prints)
+static void start(const struct sandbox_order *order, int requests,
+                  int answers, int prints)
 {
     struct words w = {.count = 0};
     const int filter = open_filter(order->sanitized);
@@ -566,12 +564,12 @@ static void start(const struct box_order *order, int requests, int answers,
         .enter = enter};
     const struct process_limits limits = {3600, RLIM_INFINITY, 33554432,
                                           RLIM_INFINITY};
-    if (order->kind != BOX_OPEN) {
+    if (order->kind != SANDBOX_NONE) {
         add_walls(&w, order->kind, order);
         add_script(&w, order, "");
     } else {
         furnish_folder(order);
-        plan_entry(BOX_OPEN);
+        plan_entry(SANDBOX_NONE);
         add_script(&w, order, open_root);
     }
     lseek(order->source, 0, SEEK_SET);
@@ -582,44 +580,45 @@ static void start(const struct box_order *order, int requests, int answers,
     close(filter);
 }
 
-/* Waits until the program has come to its main. Two bytes tell how far it
-   is, one from the shell and one from the driver; a program that sends the
-   second before its main has gained nothing. */
-static enum box_stage wait_for_main(struct box *box, int seconds)
+/* Waits until the program has reached its main. The shell sends a byte
+   when it is built, the driver another when it starts; a program gains
+   nothing if it sends the second one itself. */
+static enum sandbox_stage wait_for_main(struct sandbox *sandbox,
+                                        int seconds)
 {
     const double start = process_clock();
-    const int built = wait_for_byte(box->answers, BUILD_MS);
-    box->build_seconds = process_clock() - start;
+    const int built = wait_for_byte(sandbox->answers, BUILD_MS);
+    sandbox->build_seconds = process_clock() - start;
     if (built != TRANSPORT_BUILT)
-        return built == LATE ? BOX_TOO_LONG : BOX_NOT_BUILT;
-    const int started = wait_for_byte(box->answers, START_MS);
+        return built == LATE ? SANDBOX_TOO_LONG : SANDBOX_NOT_BUILT;
+    const int started = wait_for_byte(sandbox->answers, START_MS);
     if (started == TRANSPORT_READY)
-        return BOX_READY;
-    const double waited = process_clock() - start - box->build_seconds;
-    return started == LATE || waited >= 0.8 * seconds ? BOX_STUCK
-                                                      : BOX_NO_MAIN;
+        return SANDBOX_READY;
+    const double waited = process_clock() - start - sandbox->build_seconds;
+    return started == LATE || waited >= 0.8 * seconds ? SANDBOX_STUCK
+                                                      : SANDBOX_NO_MAIN;
 }
 
-/* Starts a box and waits until its program is ready or has failed. The
-   box's ends of the pipes are closed here, or we should never see that it
-   is gone. */
-enum box_stage box_open(struct box *box, const struct box_order *order,
-                        int prints)
+/* Starts a sandbox and waits until its program is ready or has failed. Our
+   copies of its ends of the pipes are closed, or we should not notice that
+   it has ended. */
+enum sandbox_stage sandbox_open(struct sandbox *sandbox,
+                                const struct sandbox_order *order,
+                                int prints)
 {
     int in[2], out[2];
     if (pipe(in) != 0 || pipe(out) != 0)
         text_fail("cannot make a pipe: %s", strerror(errno));
-    *box = (struct box){in[1], out[0], prints, 0.0, 0};
-    fcntl(box->requests, F_SETFD, FD_CLOEXEC);
-    fcntl(box->answers, F_SETFD, FD_CLOEXEC);
+    *sandbox = (struct sandbox){in[1], out[0], prints, 0.0, 0};
+    fcntl(sandbox->requests, F_SETFD, FD_CLOEXEC);
+    fcntl(sandbox->answers, F_SETFD, FD_CLOEXEC);
     start(order, in[0], out[1], prints);
     close(in[0]);
     close(out[1]);
-    return wait_for_main(box, order->seconds);
+    return wait_for_main(sandbox, order->seconds);
 }
 
-/* Sends a byte if there is room: a pipe that the program has filled takes
-   none. */
+/* Sends a byte, unless the program has filled the pipe. */
 static bool send_byte(int file, char byte)
 {
     struct pollfd room = {.fd = file, .events = POLLOUT};
@@ -627,50 +626,52 @@ static bool send_byte(int file, char byte)
            write(file, &byte, 1) == 1;
 }
 
-/* Ends the test's process. The student may have put himself in the driver's
-   place, so no step waits without an end. */
-static bool see_gone(struct box *box)
+/* Ends the test's process; returns whether the driver has confirmed it.
+   Each step has a limit of time, since the student's code may have taken
+   the driver's place. */
+static bool see_gone(struct sandbox *sandbox)
 {
     unsigned char how[TRANSPORT_HOW * sizeof(int)];
-    if (!send_byte(box->requests, TRANSPORT_OVER))
+    if (!send_byte(sandbox->requests, TRANSPORT_OVER))
         return false;
-    const int word = wait_for_byte(box->answers, SETTLE_MS);
+    const int word = wait_for_byte(sandbox->answers, SETTLE_MS);
     bool whole = word == TRANSPORT_OVER || word == TRANSPORT_ENDED;
     for (size_t i = 0; word == TRANSPORT_ENDED && whole && i < sizeof how;
          ++i) {
-        const int byte = wait_for_byte(box->answers, SETTLE_MS);
+        const int byte = wait_for_byte(sandbox->answers, SETTLE_MS);
         whole = byte >= 0;
         how[i] = (unsigned char)byte;
     }
     if (word == TRANSPORT_ENDED && whole)
-        memcpy(&box->test_ms, how + sizeof(int), sizeof(int));
+        memcpy(&sandbox->test_ms, how + sizeof(int), sizeof(int));
     return whole;
 }
 
-/* Returns whether the box is fit for the next test. A program that never
-   stops writing could pass see_gone, because nine of its bytes look like a
-   status; and an empty pipe does not prove that it is silent: of 400 such
-   programs 8 had just lost the processor. So the driver is asked a second
-   question, to which the only answer is the question itself; a program that
-   has answered ahead of time has answered something else. */
-bool box_settle(struct box *box)
+/* Returns whether the sandbox is fit for the next test. A program that
+   never stops writing could pass see_gone, because nine of its bytes look
+   like a status; and an empty pipe does not prove that it is silent: of 400
+   such programs 8 had just lost the processor. So the driver is asked a
+   second question, to which the only answer is the question itself; a
+   program that has answered ahead of time has answered something else. */
+bool sandbox_settle(struct sandbox *sandbox)
 {
-    box->test_ms = 0;
-    return see_gone(box) && send_byte(box->requests, TRANSPORT_ECHO) &&
-           wait_for_byte(box->answers, SETTLE_MS) == TRANSPORT_ECHO &&
-           wait_for_byte(box->answers, 0) == LATE;
+    sandbox->test_ms = 0;
+    return see_gone(sandbox) &&
+           send_byte(sandbox->requests, TRANSPORT_ECHO) &&
+           wait_for_byte(sandbox->answers, SETTLE_MS) == TRANSPORT_ECHO &&
+           wait_for_byte(sandbox->answers, 0) == LATE;
 }
 
-/* Kills what is left of a box without walls and removes its folder. kill
-   with -1 sent by root would reach everybody, sent by the box's user only
-   what is its own. */
+/* Kills what is left of a sandbox without walls and removes its folder.
+   kill with -1 sent by root would reach everybody, sent by the sandbox's
+   user only what is its own. */
 static void sweep_folder(void)
 {
     char command[256];
     snprintf(command, sizeof command,
              "setpriv --reuid %ld --regid %ld --clear-groups "
              "sh -c 'kill -KILL -1' 2>/dev/null",
-             box_user(), box_user());
+             sandbox_user(), sandbox_user());
     if (geteuid() == 0 && system(command) < 0)
         text_fail("cannot sweep '%s'", open_root);
     if (!folder_remove(open_root))
@@ -678,12 +679,12 @@ static void sweep_folder(void)
     furnished = false;
 }
 
-/* Ends the box: killing bubblewrap ends the first process of the box's own
-   list, and then the kernel kills all others on it. */
-void box_close(struct box *box)
+/* Ends the sandbox: killing bubblewrap ends the first process of the
+   sandbox's own list, and then the kernel kills all others on it. */
+void sandbox_close(struct sandbox *sandbox)
 {
-    close(box->requests);
-    close(box->answers);
+    close(sandbox->requests);
+    close(sandbox->answers);
     process_stop();
     if (furnished)
         sweep_folder();
@@ -706,14 +707,14 @@ static bool take_figure(int file, char *figure, size_t room, size_t *length)
 
 /* Draws a project's figure. A gnuplot script can call the shell, and
    should, for it gets its tables from the student's own program; so it runs
-   in a box with that program in it. A picture of four megabytes at most is
-   all that leaves it. */
-enum box_drawing box_draw(const struct box_order *order, int script,
-                          int prints, char *figure, size_t room,
-                          size_t *length)
+   in a sandbox with that program in it. A picture of four megabytes at most
+   is all that leaves it. */
+enum sandbox_drawing sandbox_draw(const struct sandbox_order *order,
+                                  int script, int prints, char *figure,
+                                  size_t room, size_t *length)
 {
     int out[2];
-    struct box_order drawing = *order;
+    struct sandbox_order drawing = *order;
     drawing.keep = "figure";
     if (pipe(out) != 0)
         text_fail("cannot make a pipe: %s", strerror(errno));
@@ -725,8 +726,8 @@ enum box_drawing box_draw(const struct box_order *order, int script,
                        take_figure(out[0], figure, room, length);
     close(out[0]);
     process_stop();
-    return word == TRANSPORT_NO_GNUPLOT ? BOX_NO_GNUPLOT
-           : word != TRANSPORT_BUILT    ? BOX_NO_PROGRAM
-           : drawn                      ? BOX_DRAWN
-                                        : BOX_DRAWS_LATE;
+    return word == TRANSPORT_NO_GNUPLOT ? SANDBOX_NO_GNUPLOT
+           : word != TRANSPORT_BUILT    ? SANDBOX_NO_PROGRAM
+           : drawn                      ? SANDBOX_DRAWN
+                                        : SANDBOX_DRAWS_LATE;
 }

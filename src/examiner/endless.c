@@ -1,11 +1,11 @@
 /* Hashes memory and registers at each tick of a timer. */
 #define _XOPEN_SOURCE 700 /* setitimer, SA_ONSTACK */
-#include "examiner/orbit.h"
+#include "examiner/endless.h"
 #include "examiner/report.h"
 
 static volatile unsigned long left;
 
-void orbit_leave(void)
+void endless_forget(void)
 {
     ++left;
 }
@@ -75,10 +75,10 @@ static void add_range(uintptr_t start, uintptr_t end)
         add((const void *)start, end - start);
 }
 
-/* Adds the memory that a line of /proc/self/maps names to the state, but
-   for the desk, of which a part may lie in it. Returns false for memory
-   that is shared with others, which can change by itself; a process that
-   has such is not looked at. */
+/* Adds the memory of one line of /proc/self/maps to the checksum, except
+   this module's own data, which may be part of it. Returns false for
+   memory that is shared with other processes and can change by itself:
+   such a process is not watched. */
 static bool add_piece(const char *line)
 {
     const uintptr_t from = (uintptr_t)&desk, to = from + sizeof desk;
@@ -115,9 +115,9 @@ static bool add_memory(void)
     return whole;
 }
 
-/* Adds the registers to the state. The kernel has put 23 words on the
-   stack, and the address of those for floating point: 464 bytes and, on
-   processors that have longer ones, a list of the kinds in use and the
+/* Adds the registers to the checksum. The kernel has put 23 words on the
+   stack and the address of the floating-point registers: 464 bytes and, on
+   processors with longer ones, a list of the kinds in use, then the
    rest. */
 static void add_registers(const ucontext_t *context)
 {
@@ -149,10 +149,10 @@ static long milliseconds_of(struct timeval t)
     return 1000 * (long)t.tv_sec + (long)t.tv_usec / 1000;
 }
 
-/* Returns whether nothing but its own state can decide what the process
-   does next: it has no threads, for which it might wait, and does not spend
-   much of its time in the kernel, as a loop does that asks until the answer
-   changes. */
+/* Returns whether the state of the process alone decides what it does
+   next: it has no threads to wait for, and spends less than a fifth of its
+   time in the kernel (more would mean a loop that asks the system until
+   the answer changes). */
 static bool is_alone(void)
 {
     enum { ONE_THREAD = 3 }; /* links of a folder with one folder in it */
@@ -165,23 +165,23 @@ static bool is_alone(void)
                milliseconds_of(used.ru_utime) / 4;
 }
 
-/* Replaces the library's function, which answers without a call of the
-   kernel and for a whole second in the same way: here the answer is counted
-   as news from outside. */
+/* Replaces the library's time(), which makes no system call and returns
+   the same number for a whole second, so that a loop that waits for the
+   next second would look endless. Here each call counts as new input. */
 time_t time(time_t *when)
 {
     struct timespec now = {0, 0};
     clock_gettime(CLOCK_REALTIME, &now);
-    orbit_leave();
+    endless_forget();
     if (when)
         *when = now.tv_sec;
     return now.tv_sec;
 }
 
-/* The timer calls this: it notes the present state, and ends the process if
-   it was there before. Answers of the judge are counted, and the count is
-   part of the state, because with news from outside the state alone does
-   not decide what follows. */
+/* Handles the timer's signal: stores the checksum of the state, and ends
+   the process if it is stored already. Answers of the judge are counted,
+   and the count is part of the state, since new input changes what
+   follows. */
 static void look(int number, siginfo_t *about, void *context)
 {
     const int error = errno;
@@ -203,7 +203,7 @@ static void look(int number, siginfo_t *about, void *context)
     look_again(NEXT_MS);
 }
 
-void orbit_watch(void)
+void endless_watch(void)
 {
     const stack_t stack = {.ss_sp = desk.stack,
                            .ss_size = sizeof desk.stack};
@@ -216,7 +216,7 @@ void orbit_watch(void)
         look_again(FIRST_MS);
 }
 #else
-void orbit_watch(void)
+void endless_watch(void)
 {
 }
 #endif

@@ -1,4 +1,4 @@
-/* Runs a program with its files, and records what it prints. */
+/* Runs a program in the sandbox and returns what it prints. */
 #include "examiner/remote.h"
 #include "examiner/run.h"
 #include "examiner/transport.h"
@@ -19,8 +19,8 @@
 
 enum { TEXT_MOST = 1 << 20 };
 
-/* Receives a text of an order. An order is taken with distrust, though it
-   is ours. */
+/* Receives a text of an order, and does not trust its length, although the
+   order is ours. */
 static char *take_text(void)
 {
     size_t length;
@@ -61,8 +61,8 @@ struct order {
     double of_law[2]; /* its constant, and the most calls */
 };
 
-/* Arguments and names are kept: by them the folder is emptied when the
-   program has ended. */
+/* Receives an order and writes its files into a new folder. Arguments and
+   names are kept: clean_up removes the files by them. */
 static struct order take_order(void)
 {
     struct order order;
@@ -89,11 +89,10 @@ static struct order take_order(void)
 
 int __lsan_do_recoverable_leak_check(void) __attribute__((weak));
 
-/* Becomes the program: a group, three descriptors, an empty folder, no
-   environment (but for the options of a sanitizer). A link gives it the
-   name that its contract says, and keeps from it the number of the function
-   that it was linked with. There is nothing within its reach but what its
-   contract gives it. */
+/* Becomes the program, in a process group, with three descriptors, in an
+   otherwise empty folder, without environment (but for the options of a
+   sanitizer). It is started through a link with the project's name, which
+   hides from it the number of the function that it was linked with. */
 static _Noreturn void become(int given, int out, int complain, int counter)
 {
     char program[32], *none[] = {NULL, NULL, NULL};
@@ -131,9 +130,10 @@ struct stream {
     bool more; /* there was more than is kept */
 };
 
-/* Reads what the program has printed since the last look. What it prints
-   goes through pipes that are read as it goes: no file has to hold 16 MiB,
-   and an orphan that goes on printing is not waited for. */
+/* Reads what the program has printed since the last time; returns whether
+   there was any. It goes through pipes that are read while it runs: no
+   file has to hold 16 MiB, and a child that goes on printing is not waited
+   for. */
 static bool take_down(struct stream *s)
 {
     static char spill[1 << 16];
@@ -170,9 +170,9 @@ static double seconds_allowed(void)
     return 5.0;
 }
 
-/* Reads the program's output until it ends or is late. A program that
-   sleeps uses no processor time, so it is ended after 1.8 times as much on
-   the wall. One that printed too much has not failed otherwise, whatever it
+/* Reads the program's output until it ends or is late: after 1.8 times its
+   processor time on the wall, since a program that sleeps uses no
+   processor. If it printed too much that is all that counts, whatever it
    was killed by. */
 static void watch(pid_t pid, struct stream s[2], int how[3])
 {
@@ -199,8 +199,8 @@ static void watch(pid_t pid, struct stream s[2], int how[3])
         how[0] = how[1] = 0;
 }
 
-/* Starts the program and watches it. Both ends of the pipes do not block,
-   or this would wait for children that the program has left behind. */
+/* Starts the program and watches it. The pipes do not block, or this would
+   wait for children that the program has left behind. */
 static void run(int given, struct stream s[2], int how[3], int counter)
 {
     int out[2], complain[2];
@@ -225,8 +225,8 @@ static void run(int given, struct stream s[2], int how[3], int counter)
             close(s[i].file);
 }
 
-/* The memory in which the program counts its calls, or the process that it
-   asks. */
+/* How the calls of the given function are counted: in shared memory, or by
+   a process that the program asks. */
 struct counter {
     int program, ours; /* the ends of a socket, or twice the same file */
     int told;          /* where the process that counts says so, or -1 */
@@ -237,9 +237,9 @@ struct counter {
 void run_law(int which, double constant, int n, const double m[],
              const double x[], double f[]) __attribute__((weak));
 
-/* Answers with the forces and counts, until the other end is closed or
-   there were too many; tells how many. This process is not the program's,
-   and has the law's constant for itself. */
+/* Answers each request with the forces and counts it, until the other end
+   is closed or there were too many; then sends the number. This process is
+   not the program's, and is the only one to know the law's constant. */
 static _Noreturn void answer_questions(const struct order *order, int ear,
                                        int told)
 {
@@ -294,8 +294,8 @@ static bool count_outside(const struct order *order, struct counter *c)
 }
 #endif
 
-/* Makes the shared memory in which the calls are counted: a file that has
-   lost its name before the program starts. */
+/* Makes the shared memory for the count: a file that is unlinked before
+   the program starts. */
 static void count_inside(struct counter *c)
 {
     char path[] = "count.XXXXXX";
@@ -352,8 +352,8 @@ static void clean_up(void)
         free(words[i]);
 }
 
-/* Copies what the program wrote to standard error. There may be many runs
-   in a test: whose complaint is it? */
+/* Copies what the program wrote to standard error to ours, with the
+   command in front, since a test may run it many times. */
 static void tell_complaint(const struct stream *s)
 {
     if (s->length == 0)

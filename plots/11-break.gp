@@ -1,10 +1,13 @@
 # data: build/data/11-break.dat
 # command: build/bin/spheres-studies --study break -o build/data/11-break.dat
+# data: build/data/11-break-steps.dat
+# command: for order in ascending descending; do build/bin/spheres0 $order; echo; echo; done > build/data/11-break-steps.dat
 # alt: Two pictures of sixteen balls half a second after the break, each with an inset in which the balls in the middle stand nearly three times as far apart. Left, filled balls and open balls are mirror images of each other in the axis of the shot; two balls have flown far out, one to either side. Right, by events there are two answers for a hundred racks, mirror images too; rings mark the places by steps, the deepest pair first, which fall on one of the two.
 width = 14
 height = 7.9
 load 'plots/style.gp'
 file = 'build/data/11-break.dat'
+steps = 'build/data/11-break-steps.dat'
 # Where a panel and its inset lie on the page; one metre is as long up as across.
 wide = 0.41
 high = wide*width/height*3.4/3.35
@@ -45,8 +48,8 @@ do for [panel=1:2] {
             set title panel == 1 ? 'by steps' : 'by events' offset 0,-0.6
         }
         if (panel == 1) {
-            plot file index 0 using 1:2 with points lc rgb blue pt 7 ps 0.7*big title 'ascending', \
-                 file index 0 using 3:4 with points lc rgb red pt 6 lw 1.3*thick ps 0.7*big title 'descending'
+            plot steps index 0 using 1:2 with points lc rgb blue pt 7 ps 0.7*big title 'ascending', \
+                 steps index 1 using 1:2 with points lc rgb red pt 6 lw 1.3*thick ps 0.7*big title 'descending'
         } else {
             plot file index 1 using 1:2 with points lc rgb dark pt 7 ps 0.4*big title 'events', \
                  file index 0 using 5:6 with points lc rgb green pt 6 lw 1.3*thick ps 0.9*big title 'deepest first'

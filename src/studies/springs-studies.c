@@ -844,31 +844,6 @@ static void study_membranes(struct study *s)
         tidy_up(&r[k]);
 }
 
-/* Writes the grid at four times: taut, then at rest length. */
-static void study_snapshots(struct study *s)
-{
-    table_column(s->out, "x", "m", "place of a body");
-    table_column(s->out, "y", "m", "place of a body");
-    table_column(s->out, "z", "m", "place of a body");
-    for (int k = 0; k < 2; ++k) {
-        struct run r;
-        make_membrane(&r.scene, k ? 1 : 0.8, 0.1, true);
-        set_off(&r, stepping_find("pefrl"), 0.01);
-        const double *const x = r.scene.position;
-        for (int shot = 0; shot < 4; ++shot) {
-            for (size_t i = 0; i < 64; ++i) {
-                table_row(s->out, 3,
-                          (double[]){x[i], x[64 + i], x[128 + i]});
-                if (i % 8 == 7)
-                    table_print(s->out, "\n");
-            }
-            table_print(s->out, "\n");
-            stepping_run(&r.stepping, 800);
-        }
-        tidy_up(&r);
-    }
-}
-
 /* Turns the displacement of an n x n membrane from z to another axis;
    returns the body that is moved most, and where it would be at rest. */
 static size_t turn_to(struct scene *s, size_t axis, double *home)
@@ -1369,7 +1344,6 @@ static const struct study_entry studies[] = {
     {"quartic", study_quartic, "a mode without stiffness", quartic_keys},
     {"membranes", study_membranes, "at rest length and taut",
      membranes_keys},
-    {"snapshots", study_snapshots, "pictures of the same", NULL},
     {"dispersion", study_dispersion, "a membrane's frequencies",
      dispersion_keys},
     {"sag", study_sag, "a membrane that hangs", sag_keys},

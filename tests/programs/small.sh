@@ -11,6 +11,18 @@ alone() {
         -Werror -Isrc -o "$work/$name" "src/programs/$name.c" "$@" -lm
 }
 
+# nearly ROWS: as many rows in "$work/small" and "$work/large", and the numbers are
+# equal but for the digits printed.
+nearly() {
+    awk -v rows="$1" 'FNR == NR { for (i = 1; i <= NF; ++i) a[FNR, i] = $i; next }
+        { if (FNR == 1) wrong = 0
+          for (i = 1; i <= NF; ++i) {
+              d = a[FNR, i] - $i
+              wrong += d > 1e-8 || d < -1e-8 || a[FNR, i] == ""
+          } }
+        END { exit FNR != rows || NR != 2 * rows || wrong > 0 }' "$work/small" "$work/large"
+}
+
 # ---- pendulum0 and the study of the same four methods
 
 alone pendulum0
@@ -54,4 +66,38 @@ for method in euler symplectic-euler leapfrog; do
 done
 refuses 2 expected "$work/orbit0" verlet 0.01 3
 refuses 2 expected "$work/orbit0" euler 0 3
-echo 1..10
+
+# ---- springs0 and step: all bodies at four times
+
+alone springs0
+for rest in 0.8 1; do
+    "$work/springs0" $rest | awk NF >"$work/small"
+    build/bin/scene membrane --damping 0 --rest $rest -o "$work/membrane"
+    build/bin/step "$work/membrane" --dt 0.01 --until 24 --every 8 | grep -v '^#' |
+        awk '{ for (i = 2; i < NF; i += 6) print $i, $(i + 1), $(i + 2) }' >"$work/large"
+    holds "springs0 swings as step does, rest length $rest" nearly 256
+done
+refuses 2 expected "$work/springs0"
+refuses 2 expected "$work/springs0" -1
+
+# ---- spheres0 and step: all balls after the break, and no other order
+
+alone spheres0
+build/bin/scene break -o "$work/break"
+broken() { # ORDER
+    build/bin/step "$work/break" --until 0.5 --every 0.5 --shift back \
+        --rule approaching --order "$1" | awk '$1 == 0.5 {
+            for (i = 2; i < NF; i += 6)
+                print $i, $(i + 1), $(i + 3), $(i + 4) }' >"$work/large"
+}
+for order in ascending descending; do
+    "$work/spheres0" $order >"$work/small"
+    broken $order
+    holds "spheres0 breaks as step does, $order" nearly 16
+done
+broken ascending
+nearly 16 && not_ok 'and the other order is seen' 'it was not' ||
+    ok 'and the other order is seen'
+refuses 2 expected "$work/spheres0"
+refuses 2 expected "$work/spheres0" deepest
+echo 1..21

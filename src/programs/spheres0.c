@@ -1,0 +1,90 @@
+/* From chapters/11-spheres.nw: edit there, then run make tangle. */
+/* checksum 1932807165 of the lines below */
+/* The first shot at billiards, in steps that go back to each contact. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { BALLS = 16, STEPS = 50000 };
+static const double radius = 0.028575, gap = 1e-4, dt = 1e-5; /* m, m, s */
+static double x[BALLS][2], v[BALLS][2];
+
+/* The cue ball is the first; the others stand in a triangle. */
+static void rack(void)
+{
+    const double side = 2 * radius + gap;
+    int i = 0;
+    x[i][0] = -1.27;
+    v[i][0] = 8;
+    for (int row = 0; row < 5; ++row)
+        for (int place = 0; place <= row; ++place) {
+            x[++i][0] = row * side * sqrt(0.75);
+            x[i][1] = (place - row / 2.0) * side;
+        }
+}
+
+static double dot(const double a[], const double b[])
+{
+    return a[0] * b[0] + a[1] * b[1];
+}
+
+/* Returns how long ago two touched that overlap now and approach, s, but 0
+   if it was before the step. (11.2, eq:back-time) */
+static double time_back(const double d[], const double u[])
+{
+    const double b = dot(d, u), c = dot(d, d) - 4 * radius * radius;
+    const double back = -c / (sqrt(b * b - dot(u, u) * c) - b);
+    return back <= dt ? back : 0;
+}
+
+/* Collides balls i and j if they overlap and approach: back to the contact,
+   an impulse there, (11.1, eq:contact-impulse), and on from there. */
+static void collide(int i, int j)
+{
+    double d[2], u[2], n[2];
+    for (int k = 0; k < 2; ++k) {
+        d[k] = x[j][k] - x[i][k];
+        u[k] = v[j][k] - v[i][k];
+    }
+    if (dot(d, d) >= 4 * radius * radius || dot(d, u) >= 0)
+        return;
+    const double back = time_back(d, u);
+    for (int k = 0; k < 2; ++k)
+        n[k] = d[k] - back * u[k];
+    const double change = -dot(u, n) / dot(n, n); /* of each, e = 1 */
+    for (int k = 0; k < 2; ++k) {
+        v[i][k] -= change * n[k];
+        v[j][k] += change * n[k];
+        x[i][k] -= change * n[k] * back;
+        x[j][k] += change * n[k] * back;
+    }
+}
+
+/* Takes all pairs, up or down their numbers. */
+static void collide_all(int down)
+{
+    for (int p = 0; p < BALLS; ++p) {
+        const int i = down ? BALLS - 1 - p : p;
+        for (int q = 1; q < BALLS - i; ++q)
+            collide(i, down ? BALLS - q : i + q);
+    }
+}
+
+int main(int argc, char *argv[])
+{
+    const int down = argc == 2 && strcmp(argv[1], "descending") == 0;
+    if (!down && (argc != 2 || strcmp(argv[1], "ascending") != 0)) {
+        fprintf(stderr, "spheres0: expected ascending or descending\n");
+        return 2;
+    }
+    rack();
+    for (int n = 0; n < STEPS; ++n) {
+        for (int i = 0; i < BALLS; ++i)
+            for (int k = 0; k < 2; ++k)
+                x[i][k] += v[i][k] * dt;
+        collide_all(down);
+    }
+    for (int i = 0; i < BALLS; ++i)
+        printf("%.9g %.9g %.9g %.9g\n", x[i][0], x[i][1], v[i][0], v[i][1]);
+    return 0;
+}

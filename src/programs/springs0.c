@@ -1,0 +1,83 @@
+/* From chapters/10-springs.nw: edit there, then run make tangle. */
+/* checksum 3527782099 of the lines below */
+/* A membrane: a grid of masses and springs, stepped by leapfrog. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SIDE = 8, BODIES = SIDE * SIDE, SIZE = 3 * BODIES };
+static const double stiffness = 50, gap = 2.0 / 7,
+                    dt = 0.01; /* N/m, m, s */
+static double x[SIZE], v[SIZE], force[SIZE], moves[BODIES];
+
+/* Adds the force of a spring to both ends, (10.1, eq:spring-force). */
+static void pull(int i, int j, double rest)
+{
+    double d[3];
+    for (int k = 0; k < 3; ++k)
+        d[k] = x[3 * j + k] - x[3 * i + k];
+    const double length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    const double q = stiffness * (1 - rest / length);
+    for (int k = 0; k < 3; ++k) {
+        force[3 * i + k] += q * d[k];
+        force[3 * j + k] -= q * d[k];
+    }
+}
+
+static void pull_all(double rest)
+{
+    memset(force, 0, sizeof force);
+    for (int i = 0; i < BODIES; ++i) {
+        if (i % SIDE < SIDE - 1)
+            pull(i, i + 1, rest);
+        if (i / SIDE < SIDE - 1)
+            pull(i, i + SIDE, rest);
+    }
+}
+
+/* Adds a rate for the time h, but for what is held. */
+static void add(double y[], const double rate[], double h)
+{
+    for (int c = 0; c < SIZE; ++c)
+        y[c] += moves[c / 3] * rate[c] * h;
+}
+
+/* Lifts a flat grid into the first mode of a drum; its rim is held. */
+static void lift(double height)
+{
+    const double wave = acos(-1) / (SIDE - 1);
+    for (int i = 0; i < BODIES; ++i) {
+        const int column = i % SIDE, row = i / SIDE;
+        x[3 * i] = column * gap - 1;
+        x[3 * i + 1] = row * gap - 1;
+        x[3 * i + 2] = height * sin(wave * column) * sin(wave * row);
+        moves[i] = column % (SIDE - 1) > 0 && row % (SIDE - 1) > 0;
+    }
+}
+
+static void show(void)
+{
+    for (int i = 0; i < BODIES; ++i)
+        printf("%.9g %.9g %.9g\n%s", x[3 * i], x[3 * i + 1], x[3 * i + 2],
+               i % SIDE < SIDE - 1 ? "" : "\n");
+    printf("\n");
+}
+
+int main(int argc, char *argv[])
+{
+    const double rest = argc == 2 ? atof(argv[1]) * gap : 0;
+    if (!(rest > 0))
+        return fprintf(stderr, "springs0: expected REST\n"), 2;
+    lift(0.1);
+    pull_all(rest);
+    for (int n = 0; n <= 2400; ++n) {
+        if (n % 800 == 0)
+            show();
+        add(v, force, dt / 2);
+        add(x, v, dt);
+        pull_all(rest);
+        add(v, force, dt / 2);
+    }
+    return 0;
+}

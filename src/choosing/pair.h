@@ -21,8 +21,8 @@ static inline void pair_add(struct pair *p, double r, double v)
 }
 
 /* Returns the square of the distance at which they pass on straight ways,
-   m^2 (12.12, eq:pair-nearest); rounding may make it a little less than 0.
- */
+   m^2 (12.12, eq:pair-nearest), which rounding may make a little less than
+   0. */
 static inline double pair_nearest2(const struct pair *p)
 {
     return fmax(p->r2 - p->rv * p->rv / p->v2, 0);

@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 1711874118 of the lines below */
+/* checksum 23798188 of the lines below */
 /* Reference runs: two that agree, the second finer and a twin. */
 #include "choosing/task.h"
 
@@ -76,30 +76,6 @@ static bool is_sure(const struct task *t, struct reference *f)
     return false;
 }
 
-/* Refuses if it is no use to go on; *stood: as in find_adaptive. */
-static bool gives_up(const struct task *t, const struct reference *f,
-                     size_t *stood)
-{
-    const struct record *bad =
-        f->coarser.end != MODELS_DONE ? &f->coarser : &f->run;
-    const bool both = f->coarser.end == MODELS_BROKEN &&
-                      f->run.end == MODELS_BROKEN &&
-                      f->coarser.reached == f->run.reached;
-    const bool stands = bad->end == MODELS_STANDSTILL;
-    if (stands && bad->reached + 1 == *stood) {
-        task_refuse_standstill(t, bad);
-        return true;
-    }
-    *stood = stands ? bad->reached + 1 : 0;
-    if (bad->end != MODELS_COSTLY && bad->end != MODELS_MEMORY &&
-        !bad->why && !both)
-        return false;
-    task_refuse_plan(t, &bad->plan,
-                     bad->end == MODELS_COSTLY ? NULL : task_ending(bad),
-                     ", to compare others with,");
-    return true;
-}
-
 /* Runs finer and finer pairs until two agree; false: they do not. */
 static bool find_adaptive(const struct task *t, struct reference *f)
 {
@@ -108,7 +84,7 @@ static bool find_adaptive(const struct task *t, struct reference *f)
     plan = rung_at(plan, -log2(task_first_tolerance(t)));
     for (;; plan = finer(plan)) {
         run_pair(t, f, plan);
-        if (gives_up(t, f, &stood))
+        if (task_gives_up(t, f, &stood))
             return false;
         f->doubt = f->seen = task_difference(t, &f->coarser, &f->run);
         if (f->doubt <= negligible * t->q->tolerance && is_decided(f))

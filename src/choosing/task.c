@@ -145,7 +145,9 @@ void task_refuse_plan(const struct task *t, const struct models_plan *p,
                  plan, role, t->q->reason, t->c->spent);
 }
 
-void task_refuse_standstill(const struct task *t, const struct record *r)
+/* Refuses where bodies come to rest on each other: runs of two tolerances
+   have seen it after the same row, so it is neither rounding nor a fork. */
+static void refuse_standstill(const struct task *t, const struct record *r)
 {
     snprintf(t->c->refusal, CHOOSE_REFUSAL,
              "collisions without end: after t = %.10g bodies come to rest "
@@ -153,4 +155,27 @@ void task_refuse_standstill(const struct task *t, const struct record *r)
              "spent: %.2g s",
              t->q->scene->time + (double)r->reached * t->q->every,
              t->c->spent);
+}
+
+bool task_gives_up(const struct task *t, const struct reference *f,
+                   size_t *stood)
+{
+    const struct record *bad =
+        f->coarser.end != MODELS_DONE ? &f->coarser : &f->run;
+    const bool both = f->coarser.end == MODELS_BROKEN &&
+                      f->run.end == MODELS_BROKEN &&
+                      f->coarser.reached == f->run.reached;
+    const bool stands = bad->end == MODELS_STANDSTILL;
+    if (stands && bad->reached + 1 == *stood) {
+        refuse_standstill(t, bad);
+        return true;
+    }
+    *stood = stands ? bad->reached + 1 : 0;
+    if (bad->end != MODELS_COSTLY && bad->end != MODELS_MEMORY &&
+        !bad->why && !both)
+        return false;
+    task_refuse_plan(t, &bad->plan,
+                     bad->end == MODELS_COSTLY ? NULL : task_ending(bad),
+                     ", to compare others with,");
+    return true;
 }

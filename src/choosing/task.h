@@ -102,9 +102,12 @@ void task_consider(const struct task *t, struct choose_candidate *k,
 void task_refuse_plan(const struct task *t, const struct models_plan *p,
                       const char *why, const char *role);
 
-/* Refuses where bodies come to rest on each other: runs of two tolerances
-   have seen it after the same row, so it is neither rounding nor a fork. */
-void task_refuse_standstill(const struct task *t, const struct record *r);
+/* Refuses if it is no use to look for finer references: *f is too
+   expensive, or it is the scene that ends them. *stood: 0 at first; the
+   rows of the last run that ended since bodies came to rest on each other,
+   and 1. */
+bool task_gives_up(const struct task *t, const struct reference *f,
+                   size_t *stood);
 
 /* ---- rung.c: how fine the steps of a method may be, one by one */
 

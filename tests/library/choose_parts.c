@@ -546,7 +546,7 @@ TEST(test_refusals, "refusals")
         strcmp(choice.refusal,
                "beyond reason: pefrl:24, so far, would bring the bill "
                "above 100 s by the price list; spent: 1.2 s") == 0);
-    task_refuse_standstill(&task, &r);
+    refuse_standstill(&task, &r);
     UNIT_TRUE(strcmp(choice.refusal,
                      "collisions without end: after t = 2.5 bodies come to "
                      "rest on each other, and no model here carries them "

@@ -100,4 +100,35 @@ nearly 16 && not_ok 'and the other order is seen' 'it was not' ||
     ok 'and the other order is seen'
 refuses 2 expected "$work/spheres0"
 refuses 2 expected "$work/spheres0" deepest
-echo 1..21
+
+# ---- bonk0 and bonk, when the same two models are all that it may take
+
+alone bonk0 -D_POSIX_C_SOURCE=200809L src/forces/jacobi.c src/forces/kepler.c \
+    src/toolbox/room.c
+cat >"$work/planets" <<'END'
+pos 0  0 0 0     1 0 0
+pos 1  5.2 0 0   0.0009551098376313276 0 0
+pos 2  0 9.58 0  0.0002858776443682104 0 0
+vel 1  0 2.755 0
+vel 2  -2.03 0 0
+k2 39.478417604357434
+END
+# Steps and prices are the same, errors but for what the references differ by,
+# a twentieth of the tolerance each.
+for pair in 0.05:kepler,no-light 0.005:leapfrog 0.001:leapfrog; do
+    e=${pair%:*} model=${pair#*:}
+    "$work/bonk0" "$e" | grep holds | tail -n 1 >"$work/small"
+    build/bin/bonk "$work/planets" --until 120 --tolerance "$e" --model "$model" \
+        --summary - -o "$work/rows" >"$work/large"
+    holds "bonk0 takes what bonk takes of ${model%,*}, $e" awk '
+        FNR == NR { name = $2; sub(/ellipses:0/, "kepler,no-light", name)
+                    e = $1; error = $3; cost = $4; next }
+        { v[$1] = $2 }
+        END { far = v["error_found"] - error
+              exit !(v["model"] == name && far * far < (e / 10) ^ 2 &&
+                  sprintf("%.1f", 1e9 * v["cost"]) == cost) }' \
+        "$work/small" "$work/large"
+done
+refuses 2 expected "$work/bonk0" 0
+refuses 2 expected "$work/bonk0"
+echo 1..27

@@ -143,7 +143,7 @@ fuzz-scenes: build/fuzz/scene
 	@echo "Fuzzed: $$TEXTS texts, all of them read or refused"
 # With clang, what libFuzzer follows is what is compiled with its option.
 scene_files = tests/fuzz/scene.c tests/fuzz/alone.c src/scenes/scene.c \
-	src/scenes/decimal.c src/toolbox/random.c src/toolbox/room.c
+	src/scenes/decimal.c src/toolbox/random.c src/toolbox/aligned.c
 build/made/fuzz/scene: $(scene_files) build/compiler/key
 	$(begin)
 	$(call say,cc $<)

@@ -2,7 +2,7 @@
 #include "forces/adaptive.h"
 
 #include "forces/largest.h"
-#include "toolbox/room.h"
+#include "toolbox/aligned.h"
 #include "toolbox/vector.h"
 
 #include <math.h>
@@ -795,7 +795,7 @@ struct adaptive *adaptive_create(const struct stepping_method *m,
         return NULL;
     s->method = m;
     s->forces = f;
-    s->work = room_doubles((13 + 6 * m->stages) * f.size);
+    s->work = aligned_doubles((13 + 6 * m->stages) * f.size);
     s->weights = calloc(1, sizeof *s->weights);
     if (!s->work || !s->weights) {
         adaptive_free(s);

@@ -3,7 +3,7 @@
 
 #include "forces/adaptive.h"
 #include "forces/root.h"
-#include "toolbox/room.h"
+#include "toolbox/aligned.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -111,7 +111,7 @@ bool impact_create(struct impact *p, struct spheres *spheres,
                          .axis = widest_axis(spheres->scene)};
     p->held = calloc(n + 1, 1);
     p->order = malloc((n + 1) * sizeof *p->order);
-    p->note = room_doubles(18 * n + 1);
+    p->note = aligned_doubles(18 * n + 1);
     if (!p->held || !p->order || !p->note) {
         impact_free(p);
         return false;

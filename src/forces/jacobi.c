@@ -1,10 +1,10 @@
 /* From chapters/09-gravity.nw: edit there, then run make tangle. */
-/* checksum 1365997056 of the lines below */
+/* checksum 1986858102 of the lines below */
 /* Moves bodies along ellipses in Jacobi's coordinates, and kicks them. */
 #include "forces/jacobi.h"
 
 #include "forces/kepler.h"
-#include "toolbox/room.h"
+#include "toolbox/aligned.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -107,7 +107,7 @@ static void accelerate(void *what, const double x[], const double v[],
 bool jacobi_create(struct jacobi *j, size_t bodies, const double mass[],
                    double k2)
 {
-    double *const room = room_doubles(8 * bodies);
+    double *const room = aligned_doubles(8 * bodies);
     double sum = 0;
     if (!room)
         return false;

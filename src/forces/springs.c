@@ -1,7 +1,7 @@
 /* Sums forces spring by spring, or in bands where they form a grid. */
 #include "forces/springs.h"
 
-#include "toolbox/room.h"
+#include "toolbox/aligned.h"
 #include "toolbox/vector.h"
 
 #include <assert.h>
@@ -219,9 +219,9 @@ bool springs_create(struct springs *p, const struct scene *s)
                           .axial = s->axial};
     p->spring = malloc((p->count + 1) * sizeof *p->spring);
     p->kind = malloc((s->kinds + 1) * sizeof *p->kind);
-    p->inverse = room_doubles(3 * p->bodies);
-    p->gravity = room_doubles(3 * p->bodies);
-    p->force = room_doubles(3 * p->bodies);
+    p->inverse = aligned_doubles(3 * p->bodies);
+    p->gravity = aligned_doubles(3 * p->bodies);
+    p->force = aligned_doubles(3 * p->bodies);
     bool made =
         all && p->spring && p->kind && p->inverse && p->gravity && p->force;
     if (made) {
@@ -671,7 +671,7 @@ bool springs_threads(struct springs *p, int threads)
 {
     const size_t buffers = threads > 1 ? (size_t)threads : depth_of(p);
     assert(threads > 0);
-    double *const buffer = room_doubles(buffer_size(p) * buffers);
+    double *const buffer = aligned_doubles(buffer_size(p) * buffers);
     if (!buffer)
         return false;
     free(p->buffer);

@@ -3,7 +3,7 @@
 
 #include "forces/adaptive.h"
 #include "forces/steps.h"
-#include "toolbox/room.h"
+#include "toolbox/aligned.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -94,7 +94,7 @@ bool stepping_begin(struct stepping *s, const struct stepping_method *m,
 {
     *s = (struct stepping){
         .method = m, .forces = f, .dt = dt, .x = x, .v = v};
-    s->work = room_doubles(room(s));
+    s->work = aligned_doubles(room(s));
     s->part = calloc(1, sizeof *s->part);
     if (!s->work || !s->part) {
         stepping_free(s);

@@ -2,7 +2,7 @@
 #include "scenes/scene.h"
 
 #include "scenes/decimal.h"
-#include "toolbox/room.h"
+#include "toolbox/aligned.h"
 
 #include <assert.h>
 #include <errno.h>
@@ -20,8 +20,8 @@ bool scene_create(struct scene *s, size_t bodies)
     s->mass = calloc(bodies, sizeof *s->mass);
     s->charge = calloc(bodies, sizeof *s->charge);
     s->radius = calloc(bodies, sizeof *s->radius);
-    s->position = room_doubles(axes * bodies);
-    s->velocity = room_doubles(axes * bodies);
+    s->position = aligned_doubles(axes * bodies);
+    s->velocity = aligned_doubles(axes * bodies);
     s->freedom = calloc(bodies, axes);
     s->colour = calloc(bodies, axes * sizeof *s->colour);
     s->species = calloc(bodies, sizeof *s->species);

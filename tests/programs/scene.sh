@@ -64,7 +64,7 @@ holds 'the reader of scenes, fuzzed' \
 cc=${CC:-cc}
 if $cc -std=c11 -D_POSIX_C_SOURCE=200809L -g -O1 -ffp-contract=off \
     -fsanitize=address,undefined -Isrc -o "$work/alone" tests/fuzz/scene.c \
-    tests/fuzz/alone.c src/scenes/scene.c src/scenes/decimal.c src/toolbox/random.c src/toolbox/room.c \
+    tests/fuzz/alone.c src/scenes/scene.c src/scenes/decimal.c src/toolbox/random.c src/toolbox/aligned.c \
     -lm; then
     holds 'and fuzzed without libFuzzer' \
         "$work/alone" -runs=10000 tests/fuzz/seeds

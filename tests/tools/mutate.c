@@ -639,7 +639,7 @@ static bool is_argument_of(size_t i, const char *const names[])
 static bool asks_for_room(size_t i)
 {
     static const char *const names[] = {
-        "malloc", "calloc", "realloc", "room_doubles", "room_of", NULL};
+        "malloc", "calloc", "realloc", "aligned_doubles", "room_of", NULL};
     return more && is_argument_of(i, names);
 }
 

@@ -24,7 +24,7 @@ has-wasm:
 wasm = clang --target=wasm32-wasi --sysroot=/usr $(STANDARD) $(PORTABLE) \
 	-DNDEBUG -Isrc
 # Files that need a file system, signals, GSL or OpenCL are left out.
-wasm_tools := $(patsubst %,src/toolbox/%.c,digits lines random room)
+wasm_tools := $(patsubst %,src/toolbox/%.c,digits lines random aligned)
 wasm_sources := src/page/table.c $(wasm_tools) $(filter-out %/laws.c %/states.c %/checkpoint.c \
 	%/reference.c %/opencl.c,$(wildcard $(patsubst %,src/%/*.c,line box scenes forces)))
 wasm_objects := $(wasm_sources:src/%.c=build/wasm/%.o)

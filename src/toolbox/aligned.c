@@ -1,5 +1,5 @@
 /* Allocates doubles that begin with a line of the cache. */
-#include "toolbox/room.h"
+#include "toolbox/aligned.h"
 
 #include <stdint.h>
 #include <stdlib.h>
@@ -8,11 +8,12 @@
 /* For n = 0 takes one byte, so that NULL always means that there is no
    memory; otherwise no more than asked for, so that a sanitizer notices
    whoever reads behind the end. */
-double *room_doubles(size_t n)
+double *aligned_doubles(size_t n)
 {
-    void *room;
+    void *memory;
     if (n > SIZE_MAX / sizeof(double) ||
-        posix_memalign(&room, ROOM_LINE, n > 0 ? n * sizeof(double) : 1))
+        posix_memalign(&memory, ALIGNED_LINE,
+                       n > 0 ? n * sizeof(double) : 1))
         return NULL;
-    return memset(room, 0, n * sizeof(double));
+    return memset(memory, 0, n * sizeof(double));
 }

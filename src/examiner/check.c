@@ -47,12 +47,12 @@ static char report_nonce[REPORT_NONCE + 1];
    check_text. */
 static void report(const char *word, const char *text)
 {
-    char record[REPORT_RECORD];
+    char line[REPORT_LINE];
     if (getpid() != report_owner)
         return;
-    const int length = snprintf(record, sizeof record, "\n%s %s %s\n",
+    const int length = snprintf(line, sizeof line, "\n%s %s %s\n",
                                 report_nonce, word, text);
-    if (write(REPORT_FILE, record, (size_t)length) != length)
+    if (write(REPORT_FILE, line, (size_t)length) != length)
         _exit(EXIT_FAILURE);
 }
 

@@ -18,7 +18,7 @@
    last process that holds it has ended, so a forgotten child would keep
    the examiner waiting; and it holds no more than 64 KiB, so somebody
    would have to read while the test runs. */
-enum { REPORT_FILE = 3, REPORT_NONCE = 32, REPORT_RECORD = 1024 };
+enum { REPORT_FILE = 3, REPORT_NONCE = 32, REPORT_LINE = 1024 };
 
 /* An order to a waiting runner: which test to run, with which seed, and
    whether to look for leaks. It answers with the process number of its

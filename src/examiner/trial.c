@@ -107,9 +107,8 @@ static char *cut_error(char *output)
 /* Finds the next line of the report with this word, from `from' on; copies
    its text and returns where that begins, or NULL. Such a line begins with
    the nonce. */
-static const char *find_record(const char *from,
-                               const struct result *result,
-                               const char *word, char text[REPORT_RECORD])
+static const char *find_line(const char *from, const struct result *result,
+                             const char *word, char text[REPORT_LINE])
 {
     char key[REPORT_NONCE + 16];
     snprintf(key, sizeof key, "\n%s %s ", result->nonce, word);
@@ -117,7 +116,7 @@ static const char *find_record(const char *from,
     if (!found)
         return NULL;
     found += strlen(key);
-    snprintf(text, REPORT_RECORD, "%.*s", (int)strcspn(found, "\n"), found);
+    snprintf(text, REPORT_LINE, "%.*s", (int)strcspn(found, "\n"), found);
     return found;
 }
 
@@ -427,7 +426,7 @@ static const char nowhere[] =
 static void tell_crash(const struct trial *trial,
                        const struct result *result, FILE *story)
 {
-    char text[REPORT_RECORD];
+    char text[REPORT_LINE];
     crash_text(result, text, sizeof text);
     text_field(story, "what", text);
     if (result->error)
@@ -459,16 +458,16 @@ bool trial_leak(const char *prints, const char *source, FILE *story)
    lacks the label (the chapter is still being written) it is shown
    itself. */
 static const char *equation_in_book(const char *label,
-                                    char text[REPORT_RECORD])
+                                    char text[REPORT_LINE])
 {
     char *table = text_read("tests/equations.txt");
     char *rest = table;
     char name[128], number[32];
-    snprintf(text, REPORT_RECORD, "the equation %s", label);
+    snprintf(text, REPORT_LINE, "the equation %s", label);
     for (char *line; (line = text_line(&rest));)
         if (sscanf(line, "%127s %31s", name, number) == 2 &&
             strcmp(name, label) == 0)
-            snprintf(text, REPORT_RECORD, "equation (%s)", number);
+            snprintf(text, REPORT_LINE, "equation (%s)", number);
     free(table);
     return text;
 }
@@ -478,9 +477,9 @@ static const char *equation_in_book(const char *label,
    its reason, the equation, a question. It never says what to type. */
 static void tell_failure(const struct result *result, FILE *story)
 {
-    char text[REPORT_RECORD], book[REPORT_RECORD];
+    char text[REPORT_LINE], book[REPORT_LINE];
     const char *place = result->report;
-    while ((place = find_record(place, result, REPORT_SAYS, text))) {
+    while ((place = find_line(place, result, REPORT_SAYS, text))) {
         const size_t length = strcspn(text, " ");
         const char *what = text + length + strspn(text + length, " ");
         text[length] = '\0';
@@ -524,9 +523,9 @@ enum state trial_run(const struct trial *trial, int number, FILE *story)
     waited = result.end.waited;
     mistaken = is_mistake(result.error);
     enum state state;
-    char verdict[REPORT_RECORD] = "", undone[REPORT_RECORD] = "";
-    find_record(result.report, &result, REPORT_VERDICT, verdict);
-    find_record(result.report, &result, REPORT_UNDONE, undone);
+    char verdict[REPORT_LINE] = "", undone[REPORT_LINE] = "";
+    find_line(result.report, &result, REPORT_VERDICT, verdict);
+    find_line(result.report, &result, REPORT_UNDONE, undone);
     if (result.end.timed_out || is_endless(trial, &result.end)) {
         state = TIMED_OUT;
         tell_time_out(trial, &result.end, story);

@@ -122,21 +122,21 @@ static _Noreturn void print_and_exit(const struct options *o, bool help)
 }
 
 /* The command for the head of a table, as a stream into memory. A process
-   has one command line, so there is one record. */
-static FILE *record;
-static char *recorded;
-static size_t recorded_size;
+   has one command line, so there is one command_stream. */
+static FILE *command_stream;
+static char *command_text;
+static size_t command_size;
 
-static void begin_record(struct options *o)
+static void begin_command(struct options *o)
 {
-    if (record) {
-        fclose(record);
-        free(recorded);
+    if (command_stream) {
+        fclose(command_stream);
+        free(command_text);
     }
-    record = open_memstream(&recorded, &recorded_size);
-    if (!record)
+    command_stream = open_memstream(&command_text, &command_size);
+    if (!command_stream)
         options_fail(o, "%s", strerror(errno));
-    fputs(o->program, record);
+    fputs(o->program, command_stream);
 }
 
 /* Writes a value as a shell reads it: plain if nothing in it is special,
@@ -164,14 +164,14 @@ static void write_quoted(FILE *stream, const char *text)
 
 /* Adds an option by its full name, however it was abbreviated, unless it
    does not change the numbers. */
-static void record_option(struct options *o)
+static void add_to_command(struct options *o)
 {
     if (o->current->letter & OPTIONS_SILENT)
         return;
     if (*o->current->name)
-        fprintf(record, " --%s", o->current->name);
+        fprintf(command_stream, " --%s", o->current->name);
     if (o->value)
-        write_quoted(record, o->value);
+        write_quoted(command_stream, o->value);
 }
 
 const char *options_command(const struct options *o)
@@ -301,7 +301,7 @@ void options_begin(struct options *o, const char *program,
     o->entries = entries;
     o->count = argc;
     o->arguments = argv;
-    begin_record(o);
+    begin_command(o);
     optind = 1; /* where getopt_long begins: tests read several commands */
 }
 
@@ -412,15 +412,15 @@ int options_next(struct options *o)
     if (code == -1) {
         check_headings(o);
         protect_inputs(o);
-        fflush(record);
-        o->command = recorded;
+        fflush(command_stream);
+        o->command = command_text;
         return -1;
     }
     o->current = find_entry(o, code);
     if (!o->current)
         options_fail(o, "'%s' is not an option; see %s --help", o->value,
                      o->program);
-    record_option(o);
+    add_to_command(o);
     o->given[o->current - o->entries] = o->value ? o->value : "";
     return letter_of(o->current) ? letter_of(o->current) : code;
 }

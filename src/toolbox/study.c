@@ -9,7 +9,7 @@
 struct command {
     size_t study;
     uint64_t seed;
-    const char *output, *summary, *record;
+    const char *output, *summary, *line;
 };
 
 enum { LINE = 64 }; /* letters for a study in the help */
@@ -99,7 +99,7 @@ static void read_command(const struct study_program *p, struct command *c,
         options_keys(&o, p->studies[c->study].keys);
     while ((letter = options_next(&o)) != -1)
         take_option(&o, letter, p, names, c);
-    c->record = options_command(&o);
+    c->line = options_command(&o);
     if (c->study == studies)
         options_fail(&o, "--study is needed; %s --help lists them",
                      p->name);
@@ -119,7 +119,7 @@ int study_main(const struct study_program *p, int argc, char *argv[])
                  &s.out, &s.summary);
     s.seed = c.seed;
     progress_begin(&s.progress, p->name, 0, p->events);
-    table_begin(s.out, c.record, c.seed);
+    table_begin(s.out, c.line, c.seed);
     p->studies[c.study].run(&s);
     const bool whole = progress_end(&s.progress) && !s.broken;
     return program_close(s.out, s.summary, whole);

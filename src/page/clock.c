@@ -1,5 +1,6 @@
 /* Live figure of chapter 5: four disks, a right clock and a wrong one. */
 #include "box/loop.h"
+#include "box/means.h"
 #include "box/sampling.h"
 #include "page/page.h"
 
@@ -16,7 +17,7 @@ enum { DISKS = 4, FIRST = 15, BINS = 35 };
 double page_number[PAGE_NUMBERS];
 
 static struct loop loop;
-static struct sampling_means density;
+static struct means density;
 static double tick, overlap, records;
 static double seen[8 + 2 * DISKS + 2 * BINS];
 
@@ -37,11 +38,11 @@ static bool begin_disks(struct disks *d)
 bool page_begin(void)
 {
     disks_free(&loop.d);
-    sampling_means_free(&density);
+    means_free(&density);
     loop = (struct loop){.offset = page_number[0]};
     tick = page_number[1];
     overlap = records = 0;
-    if (!begin_disks(&loop.d) || !sampling_means_create(&density, BINS))
+    if (!begin_disks(&loop.d) || !means_create(&density, BINS))
         return false;
     loop.next = disks_next(&loop.d);
     return true;
@@ -62,10 +63,10 @@ static void sample(void)
             const double distance = fmin(place[k], 1 - place[k]);
             const double bin = floor(100 * distance + 1e-9) - FIRST;
             if (bin >= 0 && bin < BINS)
-                sampling_means_add(&density, (size_t)bin, 100.0 / 16);
+                means_add(&density, (size_t)bin, 100.0 / 16);
         }
     }
-    sampling_means_next(&density);
+    means_next(&density);
     overlap = fmax(overlap, loop_overlap(&loop));
     ++records;
 }
@@ -112,8 +113,8 @@ const double *page_look(void)
         next[1] = place[1];
     }
     for (size_t b = 0; b < BINS; ++b) {
-        *next++ = sampling_means_mean(&density, b);
-        *next++ = sampling_means_error(&density, b);
+        *next++ = means_mean(&density, b);
+        *next++ = means_error(&density, b);
     }
     return seen;
 }

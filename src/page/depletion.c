@@ -1,4 +1,5 @@
 /* Live figure of chapter 6: the force between disks among small ones. */
+#include "box/means.h"
 #include "box/sampling.h"
 #include "page/page.h"
 
@@ -15,7 +16,7 @@ double page_number[PAGE_NUMBERS];
 
 static struct sampling box;
 static struct random dice;
-static struct sampling_means force;
+static struct means force;
 static double tries, seen[10 + 2 * (LARGE + MOST)];
 
 /* Starts as sample does. */
@@ -23,12 +24,12 @@ bool page_begin(void)
 {
     const double sides[] = {SIDE, SIDE};
     sampling_free(&box);
-    sampling_means_free(&force);
+    means_free(&force);
     tries = 0;
     if (page_number[0] > MOST ||
         !sampling_create(&box, 2, DISKS_PERIODIC, sides, LARGE, 1,
                          (size_t)page_number[0], page_number[1]) ||
-        !sampling_means_create(&force, 1))
+        !means_create(&force, 1))
         return false;
     random_seed(&dice, (uint64_t)page_number[3]);
     return sampling_start(&box, &dice);
@@ -73,8 +74,8 @@ bool page_make(double which)
     if (!fits)
         return false;
     scatter();
-    sampling_means_free(&force);
-    return sampling_means_create(&force, 1);
+    means_free(&force);
+    return means_create(&force, 1);
 }
 
 /* Returns the force between the large disks in units of kT per metre,
@@ -108,8 +109,8 @@ double page_run(double until, double events)
         sampling_try(&box, page_number[2], &dice);
         if (fmod(++tries, all) != 0)
             continue;
-        sampling_means_add(&force, 0, sample_force());
-        sampling_means_next(&force);
+        means_add(&force, 0, sample_force());
+        means_next(&force);
     }
     return tries - before;
 }
@@ -136,8 +137,8 @@ const double *page_look(void)
     seen[0] = tries;
     seen[1] = (double)box.disks.count;
     seen[2] = r;
-    seen[3] = sampling_means_mean(&force, 0);
-    seen[4] = sampling_means_error(&force, 0);
+    seen[3] = means_mean(&force, 0);
+    seen[4] = means_error(&force, 0);
     seen[5] = exact_force(r);
     seen[6] = (double)(force.blocks * force.length + force.filled);
     for (size_t i = 0; i < box.disks.count; ++i)

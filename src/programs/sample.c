@@ -1,4 +1,5 @@
 /* Samples configurations of hard disks: throws, moves, event chains. */
+#include "box/means.h"
 #include "box/sampling.h"
 #include "toolbox/options.h"
 #include "toolbox/program.h"
@@ -247,7 +248,7 @@ struct run {
     struct sampling p;
     struct random r;
     struct progress progress;
-    struct sampling_means bins, numbers;
+    struct means bins, numbers;
     uint64_t done, tries, accepted;
     double *start; /* positions of the large disks when counting began */
     double *row;   /* for a row of the table */
@@ -295,8 +296,8 @@ static bool begin_run(struct run *run, const struct settings *s)
         sampling_create(&run->p, s->dimensions,
                         (enum disks_boundary)s->boundary, s->box, s->large,
                         s->radius, s->small, s->small_radius) &&
-        sampling_means_create(&run->bins, bins) &&
-        sampling_means_create(&run->numbers, NUMBERS))
+        means_create(&run->bins, bins) &&
+        means_create(&run->numbers, NUMBERS))
         return true;
     fprintf(stderr, PROGRAM ": no memory for %zu disks\n", count);
     return false;
@@ -305,8 +306,8 @@ static bool begin_run(struct run *run, const struct settings *s)
 static void end_run(struct run *run)
 {
     sampling_free(&run->p);
-    sampling_means_free(&run->bins);
-    sampling_means_free(&run->numbers);
+    means_free(&run->bins);
+    means_free(&run->numbers);
     free(run->start);
     free(run->row);
 }
@@ -331,7 +332,7 @@ static bool next_direct(struct run *run)
         }
     run->tries += throws;
     ++run->accepted;
-    sampling_means_add(&run->numbers, ACCEPTANCE, (double)throws);
+    means_add(&run->numbers, ACCEPTANCE, (double)throws);
     return true;
 }
 
@@ -351,8 +352,7 @@ static bool next_markov(struct run *run)
     const size_t moved = sweep(run);
     run->tries += count;
     run->accepted += moved;
-    sampling_means_add(&run->numbers, ACCEPTANCE,
-                       (double)moved / (double)count);
+    means_add(&run->numbers, ACCEPTANCE, (double)moved / (double)count);
     return true;
 }
 
@@ -370,8 +370,8 @@ static bool next_chain(struct run *run)
         1 + sampling_chain(&run->p, axis, length, &run->r, &gained);
     run->tries += pushes;
     run->accepted += pushes;
-    sampling_means_add(&run->numbers, ACCEPTANCE, 1);
-    sampling_means_add(&run->numbers, GAIN, gained / length);
+    means_add(&run->numbers, ACCEPTANCE, 1);
+    means_add(&run->numbers, GAIN, gained / length);
     return true;
 }
 
@@ -431,7 +431,7 @@ static void count_positions(struct run *run)
         disks_fold(d, place);
         for (size_t k = 0; k < d->dimensions; ++k) {
             const size_t bin = bin_of(place[k], d->box[k], run->s->bins);
-            sampling_means_add(&run->bins, k * run->s->bins + bin, 1);
+            means_add(&run->bins, k * run->s->bins + bin, 1);
         }
     }
 }
@@ -448,9 +448,8 @@ static void count_distances(struct run *run)
             for (size_t k = 0; k < d->dimensions; ++k)
                 square += apart[k] * apart[k];
             if (square <= run->high * run->high)
-                sampling_means_add(
-                    &run->bins,
-                    bin_of(sqrt(square), run->high, run->s->bins), 1);
+                means_add(&run->bins,
+                          bin_of(sqrt(square), run->high, run->s->bins), 1);
         }
 }
 
@@ -478,17 +477,15 @@ static void count_contacts(struct run *run)
     const size_t pairs = n - 1 < 3 ? n - 1 : 3;
     if (run->s->boundary == DISKS_WALLS)
         for (size_t k = 0; k < run->s->dimensions; ++k)
-            sampling_means_add(&run->numbers, WALL + k,
-                               sampling_wall_density(&run->p, i, k));
+            means_add(&run->numbers, WALL + k,
+                      sampling_wall_density(&run->p, i, k));
     for (size_t k = 0; k < pairs; ++k) {
         const size_t turn = (run->done / n * pairs + k) % (n - 1);
-        sampling_means_add(
-            &run->numbers, PAIR,
-            sampling_pair_density(&run->p, i, (i + 1 + turn) % n) /
-                (double)pairs);
+        means_add(&run->numbers, PAIR,
+                  sampling_pair_density(&run->p, i, (i + 1 + turn) % n) /
+                      (double)pairs);
     }
-    sampling_means_add(&run->numbers, MEAN_X,
-                       run->p.disks.disk[0].position[0]);
+    means_add(&run->numbers, MEAN_X, run->p.disks.disk[0].position[0]);
 }
 
 /* Takes all samples, or those before a signal. */
@@ -504,8 +501,8 @@ static void take_samples(struct run *run)
             count_distances(run);
         else
             write_state(run);
-        sampling_means_next(&run->bins);
-        sampling_means_next(&run->numbers);
+        means_next(&run->bins);
+        means_next(&run->numbers);
         if (++run->done % SOME == 0)
             progress_update(&run->progress, run->done, run->tries);
     }
@@ -560,8 +557,8 @@ static void write_bins(struct run *run)
             const size_t q = k * s->bins + b;
             if (k == 0)
                 row[0] = high * (double)b / bins;
-            row[1 + 2 * k] = unit * sampling_means_mean(&run->bins, q);
-            row[2 + 2 * k] = unit * sampling_means_error(&run->bins, q);
+            row[1 + 2 * k] = unit * means_mean(&run->bins, q);
+            row[2 + 2 * k] = unit * means_error(&run->bins, q);
         }
         table_row(run->out, 1 + 2 * axes, row);
     }
@@ -575,10 +572,8 @@ static void write_number(struct table *out, const struct run *run,
     char with[40];
     snprintf(with, sizeof with, "%s_error", key);
     table_real(out, key,
-               more +
-                   factor * sampling_means_mean(&run->numbers, quantity));
-    table_real(out, with,
-               factor * sampling_means_error(&run->numbers, quantity));
+               more + factor * means_mean(&run->numbers, quantity));
+    table_real(out, with, factor * means_error(&run->numbers, quantity));
 }
 
 /* The acceptance of direct sampling is one over the mean throws per sample:
@@ -586,7 +581,7 @@ static void write_number(struct table *out, const struct run *run,
 static void write_acceptance(struct table *out, const struct run *run)
 {
     const double acceptance = (double)run->accepted / (double)run->tries;
-    const double error = sampling_means_error(&run->numbers, ACCEPTANCE);
+    const double error = means_error(&run->numbers, ACCEPTANCE);
     const double slope =
         run->s->method == DIRECT ? acceptance * acceptance : 1;
     table_count(out, "samples", run->done);

@@ -1,4 +1,5 @@
 /* Compares samplers: mistakes, memory, acceptance, the cost of an error. */
+#include "box/means.h"
 #include "box/sampling.h"
 #include "line/statistics.h"
 #include "toolbox/bench.h"
@@ -76,8 +77,7 @@ static size_t bin_of(const struct sampling *p, double x)
 
 /* Adds both sides of (6.5, eq:two-sides) from one disk; the disks take
    turns. */
-static void count_contacts(struct sampling_means *m,
-                           const struct sampling *p)
+static void count_contacts(struct means *m, const struct sampling *p)
 {
     const size_t count = p->disks.count;
     const size_t i = (m->blocks * m->length + m->filled) % count;
@@ -86,26 +86,26 @@ static void count_contacts(struct sampling_means *m,
     for (size_t j = 0; j < count; ++j)
         if (j != i)
             pairs += r * sampling_pair_density(p, i, j) / 2;
-    sampling_means_add(m, WALLS,
-                       (1 - 2 * r) *
-                           (sampling_wall_density(p, i, 0) +
-                            sampling_wall_density(p, i, 1)) /
-                           2);
-    sampling_means_add(m, PAIRS, pairs);
+    means_add(m, WALLS,
+              (1 - 2 * r) *
+                  (sampling_wall_density(p, i, 0) +
+                   sampling_wall_density(p, i, 1)) /
+                  2);
+    means_add(m, PAIRS, pairs);
 }
 
 /* Adds a sample of all coordinates, scaled so that the mean is the density
    itself. */
-static void count_places(struct sampling_means *m, const struct sampling *p)
+static void count_places(struct means *m, const struct sampling *p)
 {
     const size_t count = p->disks.count;
     const double width = (1 - 2 * p->disks.disk[0].radius) / BINS;
     for (size_t i = 0; i < count; ++i)
         for (size_t k = 0; k < 2; ++k)
-            sampling_means_add(m, bin_of(p, p->disks.disk[i].position[k]),
-                               1 / (width * 2 * (double)count));
+            means_add(m, bin_of(p, p->disks.disk[i].position[k]),
+                      1 / (width * 2 * (double)count));
     count_contacts(m, p);
-    sampling_means_next(m);
+    means_next(m);
 }
 
 enum way { THROWN, KEPT, CHAIN, MOVED, WAYS };
@@ -116,7 +116,7 @@ static const char *const way_names[WAYS] = {"thrown", "kept", "chain",
    does not fit all are thrown again (THROWN), or only the last one (KEPT,
    wrong: that is what disks_place_random does). After every try there is a
    sample (CHAIN), or only after those that moved a disk (MOVED, wrong). */
-static void take(enum way way, struct sampling_means *m, struct sampling *p,
+static void take(enum way way, struct means *m, struct sampling *p,
                  double step, struct random *r)
 {
     const size_t count = p->disks.count;
@@ -137,32 +137,31 @@ static void take(enum way way, struct sampling_means *m, struct sampling *p,
 /* Writes by how much, in per cent, a wrong density differs from the right
    one of its kind in bins b and BINS - 1 - b. */
 static void write_bias(struct study *s, const char *key,
-                       const struct sampling_means *wrong,
-                       const struct sampling_means *right, size_t b)
+                       const struct means *wrong, const struct means *right,
+                       size_t b)
 {
-    const double got = sampling_means_mean(wrong, b) +
-                       sampling_means_mean(wrong, BINS - 1 - b);
-    const double due = sampling_means_mean(right, b) +
-                       sampling_means_mean(right, BINS - 1 - b);
+    const double got =
+        means_mean(wrong, b) + means_mean(wrong, BINS - 1 - b);
+    const double due =
+        means_mean(right, b) + means_mean(right, BINS - 1 - b);
     table_real(s->summary, key, 100 * (got / due - 1));
 }
 
 /* Writes both sides of (6.5, eq:two-sides) as one way finds them. */
 static void write_sides(struct study *s, const char *way,
-                        const struct sampling_means *m)
+                        const struct means *m)
 {
     static const char *const sides[] = {"walls", "pairs"};
     for (size_t k = 0; k < 2; ++k) {
         char key[40];
         snprintf(key, sizeof key, "%s_%s", way, sides[k]);
-        table_real(s->summary, key, sampling_means_mean(m, WALLS + k));
+        table_real(s->summary, key, means_mean(m, WALLS + k));
         snprintf(key, sizeof key, "%s_%s_error", way, sides[k]);
-        table_real(s->summary, key, sampling_means_error(m, WALLS + k));
+        table_real(s->summary, key, means_error(m, WALLS + k));
     }
 }
 
-static void write_mistakes(struct study *s,
-                           const struct sampling_means means[])
+static void write_mistakes(struct study *s, const struct means means[])
 {
     const struct settings *own = s->own;
     const double width = (1 - 2 * own->radius[0]) / BINS;
@@ -170,8 +169,8 @@ static void write_mistakes(struct study *s,
         double row[1 + 2 * WAYS] = {own->radius[0] +
                                     ((double)b + 0.5) * width};
         for (int way = 0; way < WAYS; ++way) {
-            row[1 + 2 * way] = sampling_means_mean(&means[way], b);
-            row[2 + 2 * way] = sampling_means_error(&means[way], b);
+            row[1 + 2 * way] = means_mean(&means[way], b);
+            row[2 + 2 * way] = means_error(&means[way], b);
         }
         table_row(s->out, 1 + 2 * WAYS, row);
     }
@@ -199,7 +198,7 @@ static const struct table_key mistakes_keys[] = {
 static void study_mistakes(struct study *s)
 {
     const struct settings *own = s->own;
-    struct sampling_means means[WAYS];
+    struct means means[WAYS];
     struct sampling p;
     struct random r;
     make_box(&p, own, own->radius[0]);
@@ -208,7 +207,7 @@ static void study_mistakes(struct study *s)
     for (int way = 0; way < WAYS; ++way) {
         table_column(s->out, way_names[way], "1/m", "density of x and y");
         table_column(s->out, "e", "1/m", "its error");
-        if (!sampling_means_create(&means[way], QUANTITIES))
+        if (!means_create(&means[way], QUANTITIES))
             end_without_memory();
         start_chain(&p, own->step[0], 1000, &r);
         for (uint64_t k = 0; k < own->samples && !progress_signal(); ++k)
@@ -216,7 +215,7 @@ static void study_mistakes(struct study *s)
     }
     write_mistakes(s, means);
     for (int way = 0; way < WAYS; ++way)
-        sampling_means_free(&means[way]);
+        means_free(&means[way]);
     sampling_free(&p);
 }
 
@@ -626,22 +625,22 @@ static const struct table_key one_way_keys[] = {
 static void study_one_way(struct study *s)
 {
     const struct settings *own = s->own;
-    struct sampling_means m;
+    struct means m;
     struct gauge g;
     random_seed(&g.r, s->seed);
     const double both = find_truth(0.65, 0.3, own->samples, &g.r);
     begin_gauge(&g, CHAINS, 0.65, 0.3);
     start_chain(&g.p, g.step, 0, &g.r);
-    if (!sampling_means_create(&m, 1))
+    if (!means_create(&m, 1))
         end_without_memory();
     for (uint64_t n = 0; n < own->samples && !progress_signal(); ++n) {
-        sampling_means_add(&m, 0, follow_chain(&g, 0));
-        sampling_means_next(&m);
+        means_add(&m, 0, follow_chain(&g, 0));
+        means_next(&m);
     }
     table_real(s->summary, "Z_both", 1 + both);
-    table_real(s->summary, "Z_x", 1 + sampling_means_mean(&m, 0));
-    table_real(s->summary, "Z_x_error", sampling_means_error(&m, 0));
-    sampling_means_free(&m);
+    table_real(s->summary, "Z_x", 1 + means_mean(&m, 0));
+    table_real(s->summary, "Z_x_error", means_error(&m, 0));
+    means_free(&m);
     sampling_free(&g.p);
 }
 

@@ -50,6 +50,7 @@ fails 'a byte-order mark is refused' "$chapter: begins with a byte-order mark"
 sed '5s/./\r&/' "$work/good.nw" >$chapter
 fails 'a carriage return within a line, too' "$chapter:5: has a carriage return"
 cp "$work/good.nw" $chapter
+mkdir -p chapters/works
 printf '\377\376a\000\n\000' >chapters/works/01-collide-wide.nw
 fails 'and UTF-16' 'chapters/works/01-collide-wide.nw: is UTF-16'
 rm chapters/works/01-collide-wide.nw

@@ -8,6 +8,7 @@
 #include "box/blocks.h"
 #include "box/calendar.h"
 #include "box/cells.h"
+#include "box/means.h"
 #include "box/sampling.h"
 #include "box/states.h"
 #include "choosing/averages.h"
@@ -287,7 +288,7 @@ static bool samples(void *unused)
 {
     const double box[] = {5, 5};
     struct sampling s;
-    struct sampling_means m;
+    struct means m;
     struct random r;
     (void)unused;
     random_seed(&r, 2);
@@ -295,8 +296,8 @@ static bool samples(void *unused)
         return false;
     UNIT_TRUE(sampling_start(&s, &r));
     bool well = sampling_log_acceptance(&s, 100, &r) < 0;
-    if (well && (well = sampling_means_create(&m, 3)))
-        sampling_means_free(&m);
+    if (well && (well = means_create(&m, 3)))
+        means_free(&m);
     sampling_free(&s);
     return well;
 }
@@ -452,20 +453,20 @@ TEST(test_freed_twice, "freed twice")
     struct disks d;
     struct blocks b;
     struct sampling s;
-    struct sampling_means m;
+    struct means m;
     struct schedule q;
     struct start w;
     struct bonkers line;
     UNIT_TRUE(disks_create(&d, 2, 3) && blocks_create(&b, 2) &&
               sampling_create(&s, 2, DISKS_WALLS, sides, 2, 0.5, 1, 0.1) &&
-              sampling_means_create(&m, 2) && schedule_create(&q, 3, 3) &&
+              means_create(&m, 2) && schedule_create(&q, 3, 3) &&
               start_create(&w, 2) &&
               bonkers_create(&line, 2, 0.5, BONKERS_SLAB));
     for (int k = 0; k < 2; ++k) {
         disks_free(&d);
         blocks_free(&b);
         sampling_free(&s);
-        sampling_means_free(&m);
+        means_free(&m);
         schedule_free(&q);
         start_free(&w);
         bonkers_free(&line);

@@ -4,6 +4,7 @@
    the run and of the reference, with fixed seeds. */
 #include "unit.h"
 
+#include "box/means.h"
 #include "box/sampling.h"
 
 #include <float.h>
@@ -20,11 +21,11 @@ struct told {
 static struct told run(struct sampling *s, double step, size_t samples)
 {
     struct told told = {0};
-    struct sampling_means m;
+    struct means m;
     struct random r;
     size_t tries = 0, accepted = 0;
     random_seed(&r, 1);
-    UNIT_TRUE(sampling_means_create(&m, QUANTITIES));
+    UNIT_TRUE(means_create(&m, QUANTITIES));
     UNIT_TRUE(step == 0 || sampling_start(s, &r));
     for (size_t n = 0; n < samples; ++n) {
         if (step == 0)
@@ -36,22 +37,22 @@ static struct told run(struct sampling *s, double step, size_t samples)
         const size_t i = n % s->large;
         for (size_t k = 0; k < s->disks.dimensions; ++k)
             if (s->disks.boundary == DISKS_WALLS)
-                sampling_means_add(&m, k, sampling_wall_density(s, i, k));
+                means_add(&m, k, sampling_wall_density(s, i, k));
         for (size_t j = 0; j < s->large; ++j)
             if (j != i)
-                sampling_means_add(&m, PAIR,
-                                   sampling_pair_density(s, i, j) /
-                                       (double)(s->large - 1));
-        sampling_means_next(&m);
+                means_add(&m, PAIR,
+                          sampling_pair_density(s, i, j) /
+                              (double)(s->large - 1));
+        means_next(&m);
     }
     for (size_t q = 0; q < QUANTITIES; ++q) {
-        told.mean[q] = sampling_means_mean(&m, q);
-        told.error[q] = sampling_means_error(&m, q);
+        told.mean[q] = means_mean(&m, q);
+        told.error[q] = means_error(&m, q);
     }
     told.acceptance = (double)accepted / (double)tries;
     told.acceptance_error =
         told.acceptance * sqrt((1 - told.acceptance) / (double)accepted);
-    sampling_means_free(&m);
+    means_free(&m);
     return told;
 }
 
@@ -273,10 +274,10 @@ TEST(test_depletion, "Asakura and Oosawa's law of distances")
                                   ? 25 - 2 * acos(-1) * 1.44
                                   : 125 - 8 * acos(-1) / 3 * 1.728;
         double law[PARTS] = {0}, total = 0, all = 0;
-        struct sampling_means m;
+        struct means m;
         struct sampling s;
         struct random r;
-        UNIT_TRUE(sampling_means_create(&m, PARTS));
+        UNIT_TRUE(means_create(&m, PARTS));
         UNIT_TRUE(sampling_create(&s, dimensions, DISKS_PERIODIC, sides, 2,
                                   1, small, 0.2));
         random_seed(&r, 5);
@@ -291,9 +292,8 @@ TEST(test_depletion, "Asakura and Oosawa's law of distances")
                 sqrt(apart[0] * apart[0] + apart[1] * apart[1] +
                      apart[2] * apart[2]);
             if (distance < 2.5)
-                sampling_means_add(&m, (size_t)((distance - 2) * 2 * PARTS),
-                                   1);
-            sampling_means_next(&m);
+                means_add(&m, (size_t)((distance - 2) * 2 * PARTS), 1);
+            means_next(&m);
         }
         for (int n = 0; n < 1000 * PARTS; ++n) {
             const double at = 2 + (n + 0.5) * 0.5 / (1000 * PARTS);
@@ -304,14 +304,14 @@ TEST(test_depletion, "Asakura and Oosawa's law of distances")
         }
         for (size_t p = 0; p < PARTS; ++p) {
             total += law[p];
-            all += sampling_means_mean(&m, p);
+            all += means_mean(&m, p);
         }
         for (size_t p = 0; p < PARTS; ++p)
-            UNIT_NEAR(sampling_means_mean(&m, p) / all, law[p] / total,
-                      4 * sampling_means_error(&m, p) / all);
+            UNIT_NEAR(means_mean(&m, p) / all, law[p] / total,
+                      4 * means_error(&m, p) / all);
         UNIT_TRUE(dimensions == 3 || law[0] > law[PARTS - 1]);
-        UNIT_TRUE(sampling_means_error(&m, 0) / all < 0.02);
-        sampling_means_free(&m);
+        UNIT_TRUE(means_error(&m, 0) / all < 0.02);
+        means_free(&m);
         sampling_free(&s);
     }
 }
@@ -389,32 +389,31 @@ TEST(test_guess, "hopeless throws are known beforehand")
    counts in the mean. */
 TEST(test_means, "means and their errors")
 {
-    struct sampling_means m;
+    struct means m;
     struct random r;
     double sum = 0;
     random_seed(&r, 9);
-    UNIT_TRUE(sampling_means_create(&m, 2));
-    UNIT_TRUE(isnan(sampling_means_mean(&m, 0)));
+    UNIT_TRUE(means_create(&m, 2));
+    UNIT_TRUE(isnan(means_mean(&m, 0)));
     for (int n = 1; n <= 100003; ++n) {
         const double x = random_uniform(&r);
-        sampling_means_add(&m, 0, x);
-        sampling_means_add(&m, 1, n);
-        sampling_means_next(&m);
+        means_add(&m, 0, x);
+        means_add(&m, 1, n);
+        means_next(&m);
         sum += x;
         if (n == 1)
-            UNIT_TRUE(isnan(sampling_means_error(&m, 0)));
+            UNIT_TRUE(isnan(means_error(&m, 0)));
         if (n == 2)
-            UNIT_NEAR(sampling_means_error(&m, 1), 0.5, 1e-15);
+            UNIT_NEAR(means_error(&m, 1), 0.5, 1e-15);
     }
-    UNIT_NEAR(sampling_means_mean(&m, 0), sum / 100003, 1e-12);
-    UNIT_NEAR(sampling_means_mean(&m, 1), 50002, 1e-6);
-    UNIT_TRUE(m.blocks >= SAMPLING_BLOCKS / 2 &&
-              m.blocks < SAMPLING_BLOCKS);
+    UNIT_NEAR(means_mean(&m, 0), sum / 100003, 1e-12);
+    UNIT_NEAR(means_mean(&m, 1), 50002, 1e-6);
+    UNIT_TRUE(m.blocks >= MEANS_BLOCKS / 2 && m.blocks < MEANS_BLOCKS);
     UNIT_EQUAL((double)(m.blocks * m.length + m.filled), 100003);
     /* 1/sqrt(12 n), uncertain by 8 per cent. */
-    UNIT_NEAR(sampling_means_error(&m, 0), 1 / sqrt(12 * 100003.0),
+    UNIT_NEAR(means_error(&m, 0), 1 / sqrt(12 * 100003.0),
               0.32 / sqrt(12 * 100003.0));
-    sampling_means_free(&m);
+    means_free(&m);
 }
 
 /* Chains of two disks in a periodic box of side 1: Z - 1, its error, and
@@ -422,11 +421,11 @@ TEST(test_means, "means and their errors")
 static void run_chains(size_t dimensions, double told[3])
 {
     struct sampling s;
-    struct sampling_means m;
+    struct means m;
     struct random r;
     random_seed(&r, 1);
     box(&s, dimensions, DISKS_PERIODIC, unit, 2, 0.15);
-    UNIT_TRUE(sampling_means_create(&m, 2) && sampling_start(&s, &r));
+    UNIT_TRUE(means_create(&m, 2) && sampling_start(&s, &r));
     for (size_t n = 0; n < 200000; ++n) {
         const double length = random_between(&r, 0.5, 1.5);
         double gained = 0, apart[DISKS_AXES], square = 0;
@@ -437,19 +436,19 @@ static void run_chains(size_t dimensions, double told[3])
         for (size_t k = 0; k < dimensions; ++k)
             square += apart[k] * apart[k];
         UNIT_TRUE(square > 0.3 * 0.3 - 1e-14);
-        sampling_means_add(&m, 0, gained / length);
-        sampling_means_add(&m, 1, square < 0.4 * 0.4);
-        sampling_means_next(&m);
+        means_add(&m, 0, gained / length);
+        means_add(&m, 1, square < 0.4 * 0.4);
+        means_next(&m);
     }
-    told[0] = sampling_means_mean(&m, 0);
-    told[1] = sampling_means_error(&m, 0);
+    told[0] = means_mean(&m, 0);
+    told[1] = means_error(&m, 0);
     told[2] =
-        (sampling_means_mean(&m, 1) -
+        (means_mean(&m, 1) -
          (dimensions == 2 ? acos(-1) * (0.16 - 0.09) / (1 - acos(-1) * 0.09)
                           : 4 * acos(-1) / 3 * (0.064 - 0.027) /
                                 (1 - 4 * acos(-1) / 3 * 0.027))) /
-        sampling_means_error(&m, 1);
-    sampling_means_free(&m);
+        means_error(&m, 1);
+    means_free(&m);
     sampling_free(&s);
 }
 

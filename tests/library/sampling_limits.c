@@ -2,6 +2,7 @@
    known by hand. */
 #include "unit.h"
 
+#include "box/means.h"
 #include "box/sampling.h"
 
 #include <float.h>
@@ -252,30 +253,30 @@ TEST(test_tries, "half of the tries are for large ones")
    there are 128, and the sums of an unfinished one count. */
 TEST(test_joined, "means and blocks of known numbers")
 {
-    struct sampling_means m;
-    if (!sampling_means_create(&m, 2))
+    struct means m;
+    if (!means_create(&m, 2))
         exit(1);
-    UNIT_TRUE(isnan(sampling_means_mean(&m, 1)));
-    UNIT_TRUE(isnan(sampling_means_error(&m, 1)));
+    UNIT_TRUE(isnan(means_mean(&m, 1)));
+    UNIT_TRUE(isnan(means_error(&m, 1)));
     for (int n = 1; n <= 600; ++n) {
-        sampling_means_add(&m, 0, n);
+        means_add(&m, 0, n);
         if (n == 3)
-            sampling_means_add(&m, 1, 5);
-        sampling_means_next(&m);
+            means_add(&m, 1, 5);
+        means_next(&m);
         const int length = n < 128 ? 1 : n < 256 ? 2 : n < 512 ? 4 : 8;
         UNIT_EQUAL((double)m.length, length);
         UNIT_EQUAL((double)m.blocks, n / length);
         UNIT_EQUAL((double)m.filled, n % length);
-        UNIT_NEAR(sampling_means_mean(&m, 0), (n + 1) / 2.0, 1e-12 * n);
-        UNIT_NEAR(sampling_means_mean(&m, 1), n < 3 ? 0 : 5.0 / n, 1e-15);
+        UNIT_NEAR(means_mean(&m, 0), (n + 1) / 2.0, 1e-12 * n);
+        UNIT_NEAR(means_mean(&m, 1), n < 3 ? 0 : 5.0 / n, 1e-15);
         if (n < 2)
             continue;
         /* Blocks of equal steps: b (b^2 - 1) / 12 squares. */
         const double b = n / length;
-        UNIT_NEAR(sampling_means_error(&m, 0), length * sqrt((b + 1) / 12),
+        UNIT_NEAR(means_error(&m, 0), length * sqrt((b + 1) / 12),
                   1e-11 * n);
     }
-    sampling_means_free(&m);
+    means_free(&m);
 }
 
 /* In a periodic box a third disk stands 0.45 m to each side against the

@@ -1,0 +1,152 @@
+/* Densities at contact from slides, and what two disks have in common. */
+#include "box/image.h"
+#include "box/sampling.h"
+
+#include <math.h>
+#include <string.h>
+
+/* A straight line for the centre of disk i: place = from + t along, with t
+   from low to high. */
+struct line {
+    const struct sampling *s;
+    size_t i, except; /* the disk that slides; one that does not block */
+    double from[DISKS_AXES], along[DISKS_AXES];
+    double low, high;
+    size_t count; /* of blocked stretches, in s->blocked */
+};
+
+/* Blocks what a disk takes away whose centre is here, seen from the line's
+   beginning, in the order of the beginnings. */
+static void block(struct line *l, const double centre[], double reach)
+{
+    double(*blocked)[2] = l->s->blocked;
+    const double b = dot(centre, l->along);
+    const double square = reach * reach - (dot(centre, centre) - b * b);
+    if (square <= 0)
+        return;
+    const double half = sqrt(square);
+    if (b + half <= l->low || b - half >= l->high)
+        return;
+    size_t k = l->count++;
+    for (; k > 0 && blocked[k - 1][0] > b - half; --k)
+        memcpy(blocked[k], blocked[k - 1], sizeof blocked[k]);
+    blocked[k][0] = b - half;
+    blocked[k][1] = b + half;
+}
+
+/* Blocks the line by disk j: in a periodic box by each of its nearest
+   images, 9 in the plane and 27 in space. */
+static void block_by(struct line *l, size_t j)
+{
+    const struct disks *d = &l->s->disks;
+    const double reach = d->disk[l->i].radius + d->disk[j].radius;
+    const int images = d->boundary == DISKS_PERIODIC ? SAMPLING_IMAGES : 1;
+    double nearest[DISKS_AXES], image[DISKS_AXES];
+    disks_separation(d, l->from, d->disk[j].position, nearest);
+    for (int n = 0; n < images; ++n) {
+        const int shift[DISKS_AXES] = {n % 3, n / 3 % 3, n / 9};
+        if (d->dimensions == 2 && shift[2] > 0)
+            break;
+        for (size_t k = 0; k < DISKS_AXES; ++k)
+            image[k] =
+                nearest[k] + d->box[k] * (shift[k] == 2 ? -1 : shift[k]);
+        block(l, image, reach);
+    }
+}
+
+/* Returns the integral of t^power from 0 to t: 1 for a line from wall to
+   wall, t or t^2 for the shells around another disk. */
+static double moment(double t, int power)
+{
+    return (power == 0 ? t : power == 1 ? t * t : t * t * t) / (power + 1);
+}
+
+/* Returns the integral of t^power over the free part of the line; sets *low
+   and *high to whether its ends are free. */
+static double free_part(struct line *l, int power, bool *low, bool *high)
+{
+    const struct sampling *s = l->s;
+    const size_t seen = l->i < s->large ? s->disks.count : s->large;
+    l->count = 0;
+    for (size_t j = 0; j < seen; ++j)
+        if (j != l->i && j != l->except)
+            block_by(l, j);
+    double sum = 0, end = l->low;
+    for (size_t k = 0; k < l->count; ++k) {
+        if (s->blocked[k][0] > end)
+            sum += moment(s->blocked[k][0], power) - moment(end, power);
+        end = fmax(end, s->blocked[k][1]);
+    }
+    *low = l->count == 0 || s->blocked[0][0] > l->low;
+    *high = end < l->high;
+    return *high ? sum + moment(l->high, power) - moment(end, power) : sum;
+}
+
+double sampling_wall_density(const struct sampling *s, size_t i, size_t k)
+{
+    const struct disk *disk = &s->disks.disk[i];
+    struct line l = {.s = s, .i = i, .except = i};
+    bool low, high;
+    memcpy(l.from, disk->position, sizeof l.from);
+    l.from[k] = 0;
+    l.along[k] = 1;
+    l.low = disk->radius;
+    l.high = s->disks.box[k] - disk->radius;
+    const double length = free_part(&l, 0, &low, &high);
+    return length > 0 ? (low + high) / (2 * length) : 0;
+}
+
+/* Returns how far disk i can be moved along the line, m: to a wall, or to
+   where another image becomes the nearest. */
+static double end_of_ray(const struct line *l)
+{
+    const struct disks *d = &l->s->disks;
+    const double r = d->disk[l->i].radius;
+    double end = INFINITY;
+    for (size_t k = 0; k < d->dimensions; ++k) {
+        const double way = d->boundary == DISKS_PERIODIC ? d->box[k] / 2
+                           : l->along[k] > 0 ? d->box[k] - r - l->from[k]
+                                             : l->from[k] - r;
+        if (l->along[k] != 0)
+            end = fmin(end, way / fabs(l->along[k]));
+    }
+    return end;
+}
+
+/* The line begins where the two touch and leads to where i is. */
+double sampling_pair_density(const struct sampling *s, size_t i, size_t j)
+{
+    const struct disks *d = &s->disks;
+    const struct disk *to = &d->disk[i], *from = &d->disk[j];
+    const int power = (int)d->dimensions - 1;
+    struct line l = {.s = s, .i = i, .except = j};
+    bool low, high;
+    memcpy(l.from, from->position, sizeof l.from);
+    disks_separation(d, from->position, to->position, l.along);
+    const double distance = sqrt(dot(l.along, l.along));
+    for (size_t k = 0; k < DISKS_AXES; ++k)
+        l.along[k] /= distance;
+    l.low = to->radius + from->radius;
+    l.high = end_of_ray(&l);
+    const double part = free_part(&l, power, &low, &high);
+    const double at = power == 1 ? l.low : l.low * l.low;
+    return part > 0 && low ? at / part : 0;
+}
+
+/* The root is taken of a product, since the difference of the squares would
+   lose digits where the segment is thin. */
+double sampling_segment(size_t dimensions, double radius, double distance)
+{
+    const double rest = radius - distance;
+    if (rest <= 0)
+        return 0;
+    if (dimensions == 3)
+        return acos(-1) * rest * rest * (2 * radius + distance) / 3;
+    return radius * radius * acos(distance / radius) -
+           distance * sqrt(rest * (radius + distance));
+}
+
+double sampling_overlap(size_t dimensions, double radius, double distance)
+{
+    return 2 * sampling_segment(dimensions, radius, distance / 2);
+}

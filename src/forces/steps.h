@@ -1,5 +1,5 @@
 /* From chapters/08-stepping.nw: edit there, then run make tangle. */
-/* checksum 2506489063 of the lines below */
+/* checksum 2451741518 of the lines below */
 /* The steps of the methods: kicks and drifts, leapfrog, Runge-Kutta. */
 #ifndef STEPS_H
 #define STEPS_H
@@ -177,7 +177,7 @@ static inline void leap_carried(struct stepping *s)
 }
 
 /* Finds where stage i is, (8.10, eq:stage): x and v of the work. */
-static inline void go_to_stage(struct stepping *s, size_t i)
+static void go_to_stage(struct stepping *s, size_t i)
 {
     const struct stepping_work *const w = s->part;
     const size_t n = s->forces.size, stages = s->method->stages;
@@ -193,7 +193,7 @@ static inline void go_to_stage(struct stepping *s, size_t i)
     }
 }
 
-static inline void close_step(struct stepping *s)
+static void close_step(struct stepping *s)
 {
     const struct stepping_work *const w = s->part;
     const size_t n = s->forces.size, stages = s->method->stages;

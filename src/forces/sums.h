@@ -59,12 +59,12 @@ static inline void push(double *to, double *carry, double h,
 }
 
 /* Add h by to the places or to the velocities of s, compensated if s is. */
-static inline void push_x(struct stepping *s, double h, const double by[])
+static void push_x(struct stepping *s, double h, const double by[])
 {
     push(s->x, s->compensated ? s->carry : NULL, h, by, s->forces.size);
 }
 
-static inline void push_v(struct stepping *s, double h, const double by[])
+static void push_v(struct stepping *s, double h, const double by[])
 {
     const size_t n = s->forces.size;
     push(s->v, s->compensated ? s->carry + n : NULL, h, by, n);

@@ -1,4 +1,5 @@
-# data: plots/data/01-cost.dat
+# data: build/data/01-wedge.dat
+# command: build/bin/galperin0 9 > build/data/01-wedge.dat
 # alt: Left: a wedge between a horizontal wall and a slanted line; a path comes in from the right, parallel to the wall, is reflected to and fro between both sides towards the corner and out again, nine reflections in all. Right: the wedge unfolded into a fan of ten copies, and the same path as one straight line that crosses nine of their edges.
 width = 14
 height = 5
@@ -6,9 +7,6 @@ load 'plots/style.gp'
 m1 = 1.0; m2 = 9.0
 theta = atan(sqrt(m1/m2))
 h = 0.42          # the light ball's scaled place
-far = 2.35        # how far the path is drawn
-fold(p) = abs((p + theta) - 2*theta*floor((p + theta)/(2*theta)) - theta)
-first = asin(h/far)
 r(p) = h/sin(p)
 set multiplot layout 1,2 margins 0.01,0.99,0.05,0.89 spacing 0.03,0
 unset border
@@ -16,7 +14,6 @@ unset tics
 set size ratio -1
 set parametric
 set samples 4001
-set trange [first:pi-first]
 set title 'what happens' offset 0,-0.5
 set xrange [-0.12:2.55]
 set yrange [-0.3:1.0]
@@ -27,7 +24,7 @@ set label 1 'the light ball at the wall' at 2.45,-0.13 right tc rgb blue
 set label 2 'the balls touch' at 1.75,0.75 right tc rgb red
 set label 3 '{/:Italic θ}' at 0.22,0.035 front
 set arrow 3 from 2.35,h to 1.95,h lw 2*thick lc rgb dark front
-plot r(t)*cos(fold(t)),r(t)*sin(fold(t)) lc rgb dark lw 1.3*thick
+plot 'build/data/01-wedge.dat' using 1:2 with lines lc rgb dark lw 1.3*thick
 unset object 1
 unset arrow; unset label
 set title 'unfolded' offset 0,-0.5

@@ -1,7 +1,7 @@
 # data: build/data/03-few.dat
-# command: build/bin/bonkers --preset thermal --every 0.24 --samples 400 -o - | build/bin/histogram --skip 1 --column v4,v9 --range=-3.2,3.2 --range=-1.52,1.52 --bins 16 -o build/data/03-few.dat -
-# data: build/data/03-many.dat
-# command: build/bin/bonkers --preset thermal --every 2.4 --samples 1000000 -o - | build/bin/histogram --skip 1 --block --column v4,v9,x1,x2,x5,x9,x10 --range=-3.2,3.2 --range=-1.52,1.52 --range 0,11 --range 0,11 --range 0,11 --range 0,11 --range 0,11 --bins 32 --law microcanonical:10,5,0.978265720408381 --law microcanonical:10,5,4.2937219878148802 --law beta:1,10,0,11 --law beta:2,10,0,11 --law beta:5,10,0,11 --law beta:9,10,0,11 --law beta:10,10,0,11 -o build/data/03-many.dat -
+# command: build/bin/bonkers --preset thermal --every 1 --samples 1 | awk -f plots/beads.awk | build/bin/bonkers0 0.24 400 - | build/bin/histogram --skip 1 --column 10,20 --range=-3.2,3.2 --range=-1.52,1.52 --bins 16 -o build/data/03-few.dat -
+# data: build/data/03-velocities.dat
+# command: build/bin/bonkers --preset thermal --every 1 --samples 1 | awk -f plots/beads.awk | build/bin/bonkers0 2.4 1000000 - | sed 1d | build/bin/histogram0 32 10 -3.2 3.2 20 -1.52 1.52 > build/data/03-velocities.dat
 # data: build/data/03-states.dat
 # command: build/bin/bonkers --preset thermal --every 10 --samples 2000 -o build/data/03-states.dat
 # alt: Two histograms of velocities, of the lightest and of the heaviest of ten balls. Four hundred samples scatter far from the law, with a hole in the middle for the light ball and a narrow peak for the heavy one; a million samples lie on the bell-shaped law.
@@ -9,7 +9,7 @@ width = 14
 height = 7
 load 'plots/style.gp'
 few = 'build/data/03-few.dat'
-many = 'build/data/03-many.dat'
+many = 'build/data/03-velocities.dat'
 # mass of movers 4 and 9, E = 5 J, n = 10
 states = 'build/data/03-states.dat'
 array m[2] = [mass(states, 4), mass(states, 9)]
@@ -26,7 +26,7 @@ set key at graph 0.98,0.98 right top samplen 1.2 spacing 1.1
 set label 1 sprintf('%.2f kg', m[1]) at graph 0.04,0.93 left tc rgb '#333333'
 plot p(x,1) ls 9 lw 1.6*thick title 'law', \
      few index 0 using 1:3:4 with yerrorbars ls 2 pt 4 ps 0.7*big lw 1*thick title '400', \
-     many index 0 using 1:3:4 with yerrorbars ls 1 ps 0.45*big title '10^6'
+     many index 0 using 1:2:3 with yerrorbars ls 1 ps 0.45*big title '10^6'
 set xlabel '{/:Italic v}_9  (m/s)'
 set label 1 sprintf('%.2f kg', m[2])
 unset ylabel
@@ -36,5 +36,5 @@ set ytics 0.5
 set xrange [-1.6:1.6]
 plot p(x,2) ls 9 lw 1.6*thick, \
      few index 1 using 1:3:4 with yerrorbars ls 2 pt 4 ps 0.7*big lw 1*thick, \
-     many index 1 using 1:3:4 with yerrorbars ls 1 ps 0.45*big
+     many index 1 using 1:2:3 with yerrorbars ls 1 ps 0.45*big
 unset multiplot

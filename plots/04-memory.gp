@@ -2,7 +2,7 @@
 # command: build/bin/bonkers --preset adiabatic --ensemble 50 --every 0.5 --until 100 | build/bin/piston --study gases --body 201 --table - -o build/data/04-adiabatic.dat
 # lecture: build/bin/bonkers --preset adiabatic --ensemble 1000 --every 0.5 --until 100 | build/bin/piston --study gases --body 201 --table - -o build/data/04-adiabatic.dat
 # data: build/data/04-added.dat
-# command: build/bin/piston --velocity 0.1 --until 100 --every 0.5 -o build/data/04-added.dat
+# command: build/bin/piston0 0.1 6.6666666666666667 200 > build/data/04-added.dat
 # alt: Mean velocity of the piston against time, 0 to 40 seconds. For five seconds the points lie on an exponential decay with time constant 11.3 seconds; then they leave it, pass through zero at 10 seconds and follow a cosine with its minimum at 20 seconds and a maximum at 40.
 width = 14
 height = 7

@@ -2,9 +2,9 @@
 # command: build/bin/bonkers --preset adiabatic --ensemble 50 --every 0.5 --until 100 | build/bin/piston --study gases --body 201 --table - -o build/data/04-adiabatic.dat
 # lecture: build/bin/bonkers --preset adiabatic --ensemble 1000 --every 0.5 --until 100 | build/bin/piston --study gases --body 201 --table - -o build/data/04-adiabatic.dat
 # data: build/data/04-bare.dat
-# command: build/bin/piston --velocity 0.1 --gas-masses 0,0 --until 100 --every 0.5 -o build/data/04-bare.dat
+# command: build/bin/piston0 0.1 0 200 > build/data/04-bare.dat
 # data: build/data/04-added.dat
-# command: build/bin/piston --velocity 0.1 --until 100 --every 0.5 -o build/data/04-added.dat
+# command: build/bin/piston0 0.1 6.6666666666666667 200 > build/data/04-added.dat
 # data: build/data/04-amplitude.dat
 # command: for v in 0.01 0.1 0.2 0.3 0.4 0.5 0.6 0.8 1 1.2 1.5 1.8 2.2 2.6 3; do build/bin/piston --velocity $v --gas-masses 0,0 -o /dev/null --summary - | tr '\n' ' '; echo; done > build/data/04-amplitude.dat
 # data: build/data/04-swings.dat

@@ -1,17 +1,17 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 224894776 of the lines below */
+/* checksum 3994909616 of the lines below */
 /* Ten beads on a wire between two stops, from collision to collision. */
 #include "line/collide.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
-enum { BEADS = 10, ROWS = 10 };
-static const double every = 1; /* s, from row to row */
+enum { BEADS = 10 };
 
 /* From left to right; the first and the last are the stops. kg, m, m/s */
-static const double mass[BEADS + 2] = {
-    INFINITY, 9.3, 2.1, 5.2, 0.9, 3.4, 1.2, 4.3, 0.8, 2.6, 1.4, INFINITY};
+static double mass[BEADS + 2] = {INFINITY, 9.3, 2.1, 5.2, 0.9, 3.4,
+                                 1.2,      4.3, 0.8, 2.6, 1.4, INFINITY};
 static double x[BEADS + 2] = {0,   0.5, 4.6, 5.3,  6.2,  6.9,
                               7.8, 8.5, 9.4, 10.2, 11.1, 12};
 static double v[BEADS + 2] = {0, 2};
@@ -50,27 +50,31 @@ static void print_row(double now)
     for (int i = 1; i <= BEADS; ++i)
         energy += mass[i] * v[i] * v[i] / 2;
     printf("%g %.10g", now, energy);
-    for (int i = 1; i <= BEADS; ++i) {
-        printf(" %.10g", x[i]);
-        printf(" %.10g", v[i]);
-    }
+    for (int i = 1; i <= BEADS; ++i)
+        printf(" %.10g %.10g", x[i], v[i]);
     printf("\n");
 }
 
-int main(void)
+int main(int argc, char *argv[])
 {
+    const double every = argc > 1 ? atof(argv[1]) : 1; /* s, between rows */
+    const int rows = argc > 2 ? atoi(argv[2]) : 10;
     double now = 0;
     int collisions = 0;
-    for (int k = 0; k <= ROWS; ++k) {
+    for (int i = 1; argc > 3 && i <= BEADS + 1; ++i)
+        if (scanf("%lf%lf%lf", &mass[i], &x[i], &v[i]) != 3) {
+            fprintf(stderr, "bonkers0: line %d: expected mass x v\n", i);
+            return 2;
+        }
+    for (int k = 0; k <= rows; ++k) {
         const double clock = k * every;
         int i = next_gap();
-        while (now + wait_for(i) <= clock) {
+        for (; now + wait_for(i) <= clock; i = next_gap()) {
             const double wait = wait_for(i);
             move_all(wait);
             now += wait;
             collide(&v[i], &v[i + 1], 1 / mass[i], 1 / mass[i + 1], 1);
             ++collisions;
-            i = next_gap();
         }
         move_all(clock - now);
         now = clock;

@@ -23,6 +23,74 @@ nearly() {
         END { exit FNR != rows || NR != 2 * rows || wrong > 0 }' "$work/small" "$work/large"
 }
 
+# ---- galperin0 and the study that counts
+
+alone galperin0 src/line/collide.c
+for k in 0 1 2 3 4 5; do
+    "$work/galperin0" "1e$((2 * k))" | sed -n 's/^# collisions//p'
+done >"$work/small"
+build/bin/collide-forms --study galperin --digits 5 | grep -v '^#' >"$work/large"
+holds 'galperin0 counts as the study does' awk '
+    FNR == NR { count[FNR] = $1; next }
+    $1 != FNR - 1 || $2 != count[FNR] || $7 != count[FNR] { far = 1 }
+    END { exit far || FNR != 6 || count[6] != 314159 }' "$work/small" "$work/large"
+# In the wedge the way is a straight line that has been folded: its distance from
+# the corner is that of a line 0.42 beside it.
+holds 'its path is a line, folded' sh -c '"$1" 9 | awk '\''
+    /^#/ { next }
+    NR > 1 { dx = $1 - x; dy = $2 - y; off = (x * dy - y * dx) / sqrt(dx * dx + dy * dy)
+             far += off * off - 0.1764 > 1e-8 || off * off - 0.1764 < -1e-8 }
+    { x = $1; y = $2 }
+    END { exit NR != 12 || far }'\' sh "$work/galperin0"
+refuses 2 expected "$work/galperin0"
+refuses 2 expected "$work/galperin0" 0
+
+# ---- bonkers0 with other beads, histogram0 behind it, and the large programs
+
+alone bonkers0 src/line/collide.c
+build/bin/bonkers --preset thermal --every 0.24 --samples 400 >"$work/table"
+awk -f plots/beads.awk "$work/table" >"$work/beads"
+"$work/bonkers0" 0.24 400 - <"$work/beads" >"$work/small"
+grep -v '^#' "$work/table" | cut -d ' ' -f 1,2,5-24 >"$work/large"
+holds 'bonkers0 takes other beads where bonkers does' awk '
+    FNR == NR { if (!/^#/) row[FNR] = $0; next }
+    { split(row[FNR], x)
+      for (i = 1; i <= 22; ++i)
+          far += x[i] - $i > 1e-8 || x[i] - $i < -1e-8 }
+    END { exit FNR != 401 || far > 0 }' "$work/small" "$work/large"
+refuses 2 'line 1: expected' "$work/bonkers0" 0.24 400 -
+
+alone histogram0 src/line/statistics.c
+sed 1d "$work/small" | "$work/histogram0" 16 10 -3.2 3.2 20 -1.5 1.5 |
+    grep -v '^#' >"$work/own"
+for k in 4,3.2 9,1.5; do
+    build/bin/histogram --skip 1 --block --column "v${k%,*}" --range="-${k#*,},${k#*,}" \
+        --bins 16 "$work/table" 2>"$work/told" | sed '/^#/d' | awk 'NF'
+    printf '\n\n'
+done >"$work/large"
+# bonkers0 prints ten digits.
+holds 'histogram0 has the bins and errors of histogram' awk '
+    FNR == NR { x[FNR] = $1; p[FNR] = $2; s[FNR] = $3; next }
+    { dx = x[FNR] - $1; dp = p[FNR] - $3; ds = s[FNR] - $4
+      far += dx * dx + dp * dp + ds * ds > 1e-14 }
+    END { exit FNR != 36 || far > 0 }' "$work/own" "$work/large"
+refuses 2 expected "$work/histogram0" 16 10 -3.2 </dev/null
+refuses 2 expected "$work/histogram0" 0 10 -3.2 3.2 </dev/null
+
+# ---- piston0 and piston
+
+alone piston0 src/line/piston.c
+for mass in 0 6.6666666666666667; do
+    "$work/piston0" 0.1 $mass 200 >"$work/small"
+    build/bin/piston --velocity 0.1 --gas-masses $mass,$mass --until 100 --every 0.5 |
+        grep -v '^#' >"$work/large"
+    holds "piston0 swings as piston does, gases of $mass kg" awk '
+        FNR == NR { x[FNR] = $2; v[FNR] = $3; next }
+        { dx = x[FNR] - $2; dv = v[FNR] - $3; far += dx * dx + dv * dv > 1e-16 }
+        END { exit FNR != 201 || far > 0 }' "$work/small" "$work/large"
+done
+refuses 2 expected "$work/piston0" 0.1 0
+refuses 2 expected "$work/piston0" 0.1 -1 200
 # ---- pendulum0 and the study of the same four methods
 
 alone pendulum0
@@ -104,7 +172,7 @@ refuses 2 expected "$work/spheres0" deepest
 # ---- bonk0 and bonk, when the same two models are all that it may take
 
 alone bonk0 -D_POSIX_C_SOURCE=200809L src/forces/jacobi.c src/forces/kepler.c \
-    src/toolbox/room.c
+    src/toolbox/aligned.c
 cat >"$work/planets" <<'END'
 pos 0  0 0 0     1 0 0
 pos 1  5.2 0 0   0.0009551098376313276 0 0
@@ -131,4 +199,4 @@ for pair in 0.05:kepler,no-light 0.005:leapfrog 0.001:leapfrog; do
 done
 refuses 2 expected "$work/bonk0" 0
 refuses 2 expected "$work/bonk0"
-echo 1..27
+echo 1..44

@@ -161,11 +161,11 @@ is 'another command is another run' 'build/bin/walk --seed 1 -o /dev/null' \
 has 'a run waits for what it reads' 'build/made/runs/reads.txt: '\
 'build/recipes/run-reads build/runs/same.summary build/data/walk.dat' "$rules"
 rm -f build/data/walk.dat
-# The kit's rule for what is kept, and a figure that is drawn from it.
+# The end of the stamps in the Makefile, and a figure that is drawn from them.
 {
     echo 'include build/recipes/rules.mk'
     echo 'kept = $(FIGURES_DATA) $(RUNS)'
-    sed -n '/^# What is kept/,/^$/p' "$root/Makefile"
+    sed -n '/^$(kept): /,/^$/p' "$root/Makefile"
     echo 'drawn: build/data/walk.dat build/runs/same.txt ; @echo drawn | tee $@'
 } >Makefile
 make -s build/runs/reads.txt >/dev/null
@@ -182,7 +182,7 @@ rm build/runs/same.summary
 make -s build/runs/same.summary >/dev/null
 is 'and a summary' 'steps 3' "$(cat build/runs/same.summary)"
 
-# What comes out as it was keeps its time, and nothing hangs on it.
+# A table whose bytes are as before keeps its time, and nothing is made from it again.
 is 'a figure is drawn' drawn "$(make -s drawn)"
 is 'and once' '' "$(make -s drawn)"
 walk() { # PROGRAM...: another program that walks, in a while

@@ -199,7 +199,7 @@ static double round_up(double x)
 
 /* Answers with what elastic contacts conserve: the kinetic energy of the
    scene as it is, drift and all three axes included. */
-static void take_conserved(const struct search *h)
+static void answer_conserved(const struct search *h)
 {
     struct averages_found *f = h->f;
     double energy = 0, free = 0;
@@ -223,7 +223,7 @@ static void take_conserved(const struct search *h)
    it (12.16, eq:averages-bound). Z is the virial's, with the room of the
    centres for V: the box less the radii of the two outer bodies. As NkT is
    2K on a line, Z is the ratio of that room to the free length. */
-static void take_tonks(const struct search *h)
+static void answer_tonks(const struct search *h)
 {
     struct averages_found *f = h->f;
     const double free = h->box[0] - 2 * h->radii, *r = h->s->radius;
@@ -250,20 +250,20 @@ static void take_tonks(const struct search *h)
 enum { WITNESSES = 8 };
 
 /* A run by events, and what the last look at it has shown. */
-struct watch {
+struct measurement {
     const struct search *h;
     struct models_run run;
     struct blocks blocks;
     size_t columns, places, body[WITNESSES];
-    double most, pace; /* samples in T; s from one to the next */
-    double virial;     /* J s, so far */
-    bool over;         /* it cannot go on */
-    const char *why;   /* it has not settled; NULL: it has */
-    double first;      /* mean of the first quarter */
-    double mean, se;   /* of the rest, and one standard error of it */
+    double most, interval; /* samples in T; s from one to the next */
+    double virial;         /* J s, so far */
+    bool over;             /* it cannot go on */
+    const char *why;       /* it has not settled; NULL: it has */
+    double first;          /* mean of the first quarter */
+    double mean, se;       /* of the rest, and one standard error of it */
 };
 
-static double cost(const struct watch *w)
+static double cost(const struct measurement *w)
 {
     return models_cost(w->run.work);
 }
@@ -288,7 +288,7 @@ static double samples_of(const struct search *h)
 /* Takes bodies whose place in the end is known as well as that of the one
    that is asked for: on a line any, in the plane disks that are just alike
    and as quick to get there. */
-static void call_witnesses(struct watch *w)
+static void choose_witnesses(struct measurement *w)
 {
     const struct scene *s = w->h->s;
     const size_t body = w->h->q->quantity.body;
@@ -304,21 +304,23 @@ static void call_witnesses(struct watch *w)
 
 /* Begins the run, of beads on a line or of disks in the plane. Returns
    NULL, or why there is none. A sample has a column for each place, or one
-   for the pressure, and a last one for `forgotten`. */
-static const char *begin_watch(struct watch *w, const struct search *h)
+   for the pressure, and a last one for `relaxation`. */
+static const char *begin_measurement(struct measurement *w,
+                                     const struct search *h)
 {
     const struct models_plan plan = {
         .model = models_find(h->dimensions == 1 ? "line" : "disks")};
     const char *why = NULL;
-    *w = (struct watch){.h = h, .most = samples_of(h), .why = "no run"};
-    call_witnesses(w);
+    *w = (struct measurement){
+        .h = h, .most = samples_of(h), .why = "no run"};
+    choose_witnesses(w);
     w->columns = (w->places ? w->places : 1) + 1;
-    w->pace = h->q->until / w->most;
+    w->interval = h->q->until / w->most;
     if (!blocks_create(&w->blocks, w->columns))
         return "no memory";
-    if (!models_begin(&w->run, &plan, h->s, w->pace, &why))
+    if (!models_begin(&w->run, &plan, h->s, w->interval, &why))
         blocks_free(&w->blocks);
-    w->run.limit = h->q->reason;
+    w->run.limit = h->q->budget;
     return why;
 }
 
@@ -328,7 +330,7 @@ static const char *begin_watch(struct watch *w, const struct search *h)
    the motion along x. On a line the roots of the bodies' fractions e_i of
    the energy are a point anywhere on a sphere of n dimensions, and the mean
    of the sum of e_i^2 is 3/(n + 2). */
-static double forgotten(const struct search *h, const double velocity[])
+static double relaxation(const struct search *h, const double velocity[])
 {
     double sum = 0;
     if (h->n == 1)
@@ -346,7 +348,7 @@ static double forgotten(const struct search *h, const double velocity[])
 /* Takes the next sample. A row moves every body to its time, which is on
    the bill. In a periodic box the centre of mass has one body's part of the
    energy, so (7.5, eq:virial) has (N - 1)/N before its sum. */
-static bool sample(struct watch *w, double value[])
+static bool sample(struct measurement *w, double value[])
 {
     const struct search *h = w->h;
     struct models_run *r = &w->run;
@@ -356,17 +358,18 @@ static bool sample(struct watch *w, double value[])
         return false;
     r->work[MODELS_FLIGHT] += (double)(h->n * h->dimensions);
     value[0] =
-        1 + part * (r->virial - w->virial) / (2 * h->energy * w->pace);
+        1 + part * (r->virial - w->virial) / (2 * h->energy * w->interval);
     w->virial = r->virial;
     for (size_t k = 0; k < w->places; ++k)
         value[k] = place[w->body[k]];
-    value[w->columns - 1] = forgotten(h, r->scene.velocity);
+    value[w->columns - 1] = relaxation(h, r->scene.velocity);
     return true;
 }
 
 /* Returns the average of some blocks of a column, with their means in x. */
-static struct blocks_average part(const struct watch *w, size_t column,
-                                  size_t from, size_t to, double x[])
+static struct blocks_average part(const struct measurement *w,
+                                  size_t column, size_t from, size_t to,
+                                  double x[])
 {
     const double *sum = w->blocks.sum + column;
     for (size_t i = from; i < to; ++i)
@@ -377,7 +380,7 @@ static struct blocks_average part(const struct watch *w, size_t column,
 /* Returns how far places are from where they are in the end, m: the one
    that is asked for, or the root mean square of all if that is larger, lest
    the one be right by chance. */
-static double misplaced(const struct watch *w, size_t from)
+static double distance_from_law(const struct measurement *w, size_t from)
 {
     double x[BLOCKS_MOST] = {0}, squares = 0, own = 0;
     for (size_t k = 0; k < w->places; ++k) {
@@ -393,7 +396,7 @@ static double misplaced(const struct watch *w, size_t from)
    has come to its mean. On a line, where a heavy body remembers for very
    long, it must have a plateau of its own besides. Without memory: false.
  */
-static bool forgets(const struct watch *w, size_t from)
+static bool has_relaxed(const struct measurement *w, size_t from)
 {
     struct statistics_blocking b;
     double x[BLOCKS_MOST] = {0};
@@ -410,7 +413,7 @@ static bool forgets(const struct watch *w, size_t from)
    velocities have forgotten the start. It is taken as large as it may be: a
    run that stops when its error is small enough stops when it is too small
    by chance. Returns false without memory. */
-static bool look(struct watch *w)
+static bool judge(struct measurement *w)
 {
     const size_t n = w->blocks.count, from = (n + 3) / 4;
     struct statistics_blocking b;
@@ -422,28 +425,28 @@ static bool look(struct watch *w)
     if (!statistics_blocking(n - from, x, &b))
         return false;
     w->mean = a.mean;
-    const double off = misplaced(w, from);
+    const double off = distance_from_law(w, from);
     const double se = b.error + 2 * b.level[b.chosen].uncertainty;
     w->se = fmax(se, off);
     w->why = off > 3 * se ? "bodies are far from where they end up"
              : !b.plateau ? "long blocks still remember each other"
              : a.drift > BLOCKS_STEADY ? "the mean still drifts"
-             : !forgets(w, from) ? "velocities still remember the start"
-                                 : NULL;
+             : !has_relaxed(w, from) ? "velocities still remember the start"
+                                     : NULL;
     return true;
 }
 
 /* Returns the fraction of T that events have gone through. */
-static double seen(const struct watch *w)
+static double fraction_run(const struct measurement *w)
 {
     return (double)(w->blocks.count * w->blocks.per) / w->most;
 }
 
 /* Puts together the mean over T, and its error (12.14, eq:averages-over).
  */
-static void conclude(struct averages_found *f, const struct watch *w)
+static void conclude(struct averages_found *f, const struct measurement *w)
 {
-    const double s = seen(w), q = s / 4;
+    const double s = fraction_run(w), q = s / 4;
     const double square = (1 - q) * (1 - q) + 3 * q * q + 0.75 * s;
     f->value = q * w->first + (1 - q) * w->mean;
     f->error = 2 * w->se * sqrt(square) / scale_of(w->h, f->value);
@@ -452,10 +455,11 @@ static void conclude(struct averages_found *f, const struct watch *w)
 /* Returns by what factor the run has to become longer for an error of e: of
    what the tolerance allows, the scatter of a run of the length T takes a
    part. INFINITY: T is too short. At least that if it has not settled. */
-static double lengthen(const struct watch *w, double e)
+static double longer_by(const struct measurement *w, double e)
 {
     const double two = 2 * w->se / scale_of(w->h, w->mean);
-    const double square = two * two, scatter = 0.75 * seen(w) * square;
+    const double square = two * two,
+                 scatter = 0.75 * fraction_run(w) * square;
     if (w->why)
         return fmax(2, square / (e * e));
     return e * e < 2 * scatter ? INFINITY
@@ -464,16 +468,16 @@ static double lengthen(const struct watch *w, double e)
 
 /* Goes on to so many samples, to the end of T or of what may be spent, and
    judges the run. Returns false without memory. */
-static bool advance(struct watch *w, double to)
+static bool advance(struct measurement *w, double to)
 {
     double value[WITNESSES + 1];
     while (!w->over && (double)w->run.rows < fmin(to, w->most)) {
-        w->over = cost(w) > w->h->q->reason || !sample(w, value);
+        w->over = cost(w) > w->h->q->budget || !sample(w, value);
         if (!w->over)
             blocks_add(&w->blocks, value);
     }
     w->over = w->over || (double)w->run.rows >= w->most;
-    return look(w);
+    return judge(w);
 }
 
 /* Goes on until the error is small enough, or will not be for what may be
@@ -482,9 +486,10 @@ static bool advance(struct watch *w, double to)
    may be spent, lest it rest on a short look; and since the prices of runs
    that have settled are rough, and errors taken large, half as much again
    is not yet too much. Returns false without memory. */
-static bool go_on(struct averages_found *f, struct watch *w)
+static bool go_on_until_sure(struct averages_found *f,
+                             struct measurement *w)
 {
-    const double e = w->h->q->tolerance, reason = w->h->q->reason;
+    const double e = w->h->q->tolerance, reason = w->h->q->budget;
     for (double to = 256, longer; !w->over;
          to = (double)w->run.rows * (w->why ? 2 : longer)) {
         if (!advance(w, to))
@@ -494,7 +499,7 @@ static bool go_on(struct averages_found *f, struct watch *w)
             f->sure = AVERAGES_ESTIMATE;
             return true;
         }
-        longer = lengthen(w, e);
+        longer = longer_by(w, e);
         if (!(cost(w) * longer <= (w->why ? 1 : 1.5) * reason)) {
             if (2 * cost(w) > reason / 100)
                 return true;
@@ -507,13 +512,13 @@ static bool go_on(struct averages_found *f, struct watch *w)
 /* Says why events that have settled do not answer; brief: T is too short.
    It offers the least error that T allows, or one that can be paid for; as
    prices are rough, three times its price has to be in reason. */
-static void refuse_settled(char *to, const struct watch *w, double price,
-                           bool brief)
+static void refuse_settled(char *to, const struct measurement *w,
+                           double price, bool brief)
 {
     const struct averages_request *q = w->h->q;
     const double two = 2 * w->se / scale_of(w->h, w->mean);
-    const double least = 1.2 * two * sqrt(1.5 * seen(w));
-    const double paid = two * sqrt(3 * cost(w) / q->reason);
+    const double least = 1.2 * two * sqrt(1.5 * fraction_run(w));
+    const double paid = two * sqrt(3 * cost(w) / q->budget);
     const double fits = round_up(fmax(least, paid)), e = q->tolerance;
     const int n =
         brief ? snprintf(to, AVERAGES_REFUSAL,
@@ -523,18 +528,18 @@ static void refuse_settled(char *to, const struct watch *w, double price,
               : snprintf(to, AVERAGES_REFUSAL,
                          "%.2g would cost about %.2g s by the price list, "
                          "of %.3g that are reasonable",
-                         e, price, q->reason);
+                         e, price, q->budget);
     snprintf(to + n, AVERAGES_REFUSAL - (size_t)n,
              fits < 0.25 ? "; %.2g fits" : "; no tolerance fits", fits);
 }
 
 /* Says why events do not answer. What has not settled may never do so, and
    a mean that depends on the start is not given: the rows of a run are. */
-static void refuse(char *to, const struct watch *w)
+static void refuse(char *to, const struct measurement *w)
 {
     const struct averages_request *q = w->h->q;
     const bool over = (double)w->run.rows >= w->most;
-    const double price = cost(w) * lengthen(w, q->tolerance);
+    const double price = cost(w) * longer_by(w, q->tolerance);
     char more[AVERAGES_TEXT] =
         "ask for a longer time, or for the rows of a run";
     if (!w->why) {
@@ -545,25 +550,25 @@ static void refuse(char *to, const struct watch *w)
         snprintf(more, sizeof more,
                  "to go on costs at least %.2g s by the price list, of "
                  "%.3g that are reasonable",
-                 price, q->reason);
+                 price, q->budget);
     snprintf(to, AVERAGES_REFUSAL, "it does not settle in %.4g s: %s; %s",
-             (double)w->run.rows * w->pace, w->why, more);
+             (double)w->run.rows * w->interval, w->why, more);
 }
 
 /* Answers by a run of events. Returns false without memory. */
 static bool measure(const struct search *h)
 {
     struct averages_found *f = h->f;
-    struct watch w;
-    const char *why = begin_watch(&w, h);
+    struct measurement w;
+    const char *why = begin_measurement(&w, h);
     if (why) {
         snprintf(f->refusal, AVERAGES_REFUSAL, "%s", why);
         return true;
     }
-    const bool well = go_on(f, &w);
+    const bool well = go_on_until_sure(f, &w);
     if (well && f->sure == AVERAGES_OUT)
         refuse(f->refusal, &w);
-    f->time = (double)w.run.rows * w.pace;
+    f->time = (double)w.run.rows * w.interval;
     f->cost = cost(&w);
     snprintf(f->text, AVERAGES_TEXT, "%.4g s by events%s%s", f->time,
              w.why ? ": " : "", w.why ? w.why : "");
@@ -574,7 +579,7 @@ static bool measure(const struct search *h)
 
 /* Answers in the way that suits the quantity and the scene; a model that
    was asked for by name has to be that. Returns false without memory. */
-static bool take(const struct search *h)
+static bool answer(const struct search *h)
 {
     const enum averages_kind kind = h->q->quantity.kind;
     const bool tonks = kind == AVERAGES_PRESSURE && h->dimensions == 1;
@@ -590,7 +595,7 @@ static bool take(const struct search *h)
     }
     if (run)
         return measure(h);
-    (tonks ? take_tonks : take_conserved)(h);
+    (tonks ? answer_tonks : answer_conserved)(h);
     return true;
 }
 
@@ -604,7 +609,7 @@ bool averages_find(struct averages_found *f,
     if (why)
         snprintf(f->refusal, AVERAGES_REFUSAL, "%s", why);
     else
-        well = take(&h);
+        well = answer(&h);
     f->sure = f->refusal[0] ? AVERAGES_OUT : f->sure;
     f->scale = why ? 1 : scale_of(&h, f->value);
     return well;

@@ -27,7 +27,7 @@ struct averages_request {
     struct averages_quantity quantity;
     double until;      /* s: over which the mean is taken */
     double tolerance;  /* of the error, fraction of the scale */
-    double reason;     /* what all may cost, s by the price list */
+    double budget;     /* what all may cost, s by the price list */
     const char *model; /* NULL, or the way that has to be the one */
 };
 
@@ -39,7 +39,7 @@ enum averages_sure {
     AVERAGES_OUT       /* refused */
 };
 enum { AVERAGES_TEXT = 200, AVERAGES_REFUSAL = 400 };
-enum { AVERAGES_REASON = 60 }; /* s by the price list: a usual .reason */
+enum { AVERAGES_BUDGET = 60 }; /* s by the price list: a usual .budget */
 
 struct averages_found {
     const char *way; /* conserved, tonks or events; NULL: none */

@@ -21,7 +21,7 @@ static double price_of_twin(const struct task *t, const struct record *r)
     size_t reached = r->reached;
     while (reached == 0 && cost < INFINITY && part < 1e9) {
         struct record a, b;
-        struct record_order o = task_order(t, r->plan, 2 * first_limit);
+        struct record_setup o = task_setup(t, r->plan, 2 * first_limit);
         part *= 16;
         o.every /= part;
         o.rows = 16;
@@ -65,13 +65,13 @@ static void try_exact(const struct task *t, const struct models_model *m)
         return;
     }
     const double limit = 2 * fmin(first_limit, task_best_cost(t));
-    bool parted = twins_run(t, task_order(t, k->plan, limit), &a, &b);
+    bool parted = twins_run(t, task_setup(t, k->plan, limit), &a, &b);
     if ((a.end == MODELS_COSTLY || b.end == MODELS_COSTLY) &&
         isinf(task_best_cost(t)) &&
         2 * price_of_twin(t, &b) <= task_budget(t)) {
         record_free(&a);
         record_free(&b);
-        parted = twins_run(t, task_order(t, k->plan, INFINITY), &a, &b);
+        parted = twins_run(t, task_setup(t, k->plan, INFINITY), &a, &b);
     }
     judge_twins(t, k, &a, &b, parted);
     record_free(&a);
@@ -234,7 +234,7 @@ static const double seldom = 400;
 static bool is_near_floor(const struct task *t)
 {
     struct record twin;
-    struct record_order o = task_order(t, t->c->run.plan, INFINITY);
+    struct record_setup o = task_setup(t, t->c->run.plan, INFINITY);
     o.twin = 1;
     task_run(t, &twin, &o);
     const double far = task_difference(t, &t->c->run, &twin);
@@ -266,8 +266,8 @@ static void compare_surely(const struct task *t)
     c->candidates = candidates;
     c->points = points;
     if (!f->coarser.value) { /* it was taken, or was offered */
-        const struct record_order o =
-            task_order(t, f->coarser.plan, INFINITY);
+        const struct record_setup o =
+            task_setup(t, f->coarser.plan, INFINITY);
         task_run(t, &f->coarser, &o);
     }
     compare(t);
@@ -309,12 +309,12 @@ static void refuse(const struct task *t)
             c->acts.contact ? " or the order of collisions at one moment"
                             : "",
             t->q->tolerance, c->spent);
-    else if (task_budget(t) < 0.1 * t->q->reason)
+    else if (task_budget(t) < 0.1 * t->q->budget)
         snprintf(
             c->refusal, sizeof c->refusal,
             "beyond reason: no run and its proof cost less than %.3g s "
             "by the price list; spent: %.2g s",
-            t->q->reason, c->spent);
+            t->q->budget, c->spent);
     else
         snprintf(c->refusal, sizeof c->refusal,
                  "no model holds %.3g; spent: %.2g s by the price list",
@@ -338,22 +338,22 @@ static bool overlaps(const struct task *t)
 
 /* Bodies up to which all pairs are measured: of more that would take longer
    than the answer. */
-enum { SEEN = 2000 };
+enum { PAIRS_MOST = 2000 };
 
 /* Notes a pair nearer to each other than the tolerance, if it is one body,
    far from all others, that makes the scale so long. */
 static void look_for_hidden(const struct task *t)
 {
     const struct scene *s = t->q->scene;
-    struct choose_hidden h = {.apart = INFINITY};
-    for (size_t i = 0; i < s->bodies && s->bodies <= SEEN; ++i)
+    struct choose_hidden h = {.distance = INFINITY};
+    for (size_t i = 0; i < s->bodies && s->bodies <= PAIRS_MOST; ++i)
         for (size_t j = 0; j < i; ++j) {
             const double d = sqrt(models_square(s, i, j));
-            if (d > 0 && d < h.apart)
-                h = (struct choose_hidden){.a = i, .b = j, .apart = d};
+            if (d > 0 && d < h.distance)
+                h = (struct choose_hidden){.a = i, .b = j, .distance = d};
         }
     h.without = record_scale_without(s, &h.far);
-    if (h.apart < t->q->tolerance * t->view->length &&
+    if (h.distance < t->q->tolerance * t->view->length &&
         h.without < t->view->length / 10)
         t->c->hidden = h;
 }
@@ -364,7 +364,7 @@ bool choose(struct choose_choice *c, const struct choose_request *q)
     struct reference f = {0};
     const double length = q->until - q->scene->time;
     *c = (struct choose_choice){.horizon = INFINITY};
-    if (!record_look(&view, q->program, q->scene, q->asked, length))
+    if (!record_view_create(&view, q->program, q->scene, q->asked, length))
         return false;
     const struct task t = {q, &view, &f, c};
     c->rows = (size_t)(length / q->every + 0.5);
@@ -380,7 +380,7 @@ bool choose(struct choose_choice *c, const struct choose_request *q)
         refuse(&t);
     record_free(&f.run);
     record_free(&f.coarser);
-    record_look_away(&view);
+    record_view_free(&view);
     return true;
 }
 

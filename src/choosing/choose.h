@@ -7,7 +7,7 @@
 #include "forces/observables.h"
 
 enum { CHOOSE_TEXT = 160, CHOOSE_REFUSAL = 500, CHOOSE_SENTENCE = 600 };
-enum { CHOOSE_REASON = 60 }; /* s by the price list: a usual .reason */
+enum { CHOOSE_BUDGET = 60 }; /* s by the price list: a usual .budget */
 enum { CHOOSE_MOST = STEPPING_MOST + 40, CHOOSE_POINTS = 400 };
 
 /* A question: a scene, a time, a tolerance, and what is looked at. */
@@ -17,7 +17,7 @@ struct choose_request {
     double until, every;             /* s: the last row, from row to row */
     double tolerance;                /* fraction of the scale */
     const struct observables *asked; /* NULL: all positions */
-    double reason; /* what all of it may cost, s by the price list */
+    double budget; /* what all of it may cost, s by the price list */
     const struct models_plan *only; /* NULL, or what has to be taken */
     void (*watch)(void *with, double spent); /* NULL, or hears the bill */
     void *with;
@@ -42,7 +42,7 @@ struct choose_point {
    without body `far` it would be much shorter. a == b: nothing. */
 struct choose_hidden {
     size_t a, b, far;
-    double apart, without; /* m */
+    double distance, without; /* m */
 };
 
 /* The answer: the run with its rows or a refusal, and how it was come by.

@@ -27,7 +27,7 @@ double closed_exp(double x)
 
 /* Returns phi_2 = (e^-z - 1 + z) / z^2 for z from 0 to 1, by its series:
    the formula would lose all digits, and the others follow without loss. */
-static double second(double z)
+static double phi2(double z)
 {
     double sum = 1;
     for (int n = 18; n > 0; --n)
@@ -45,7 +45,7 @@ void closed_fly(double t, double rate, double g, double *x, double *v)
     const double z = rate * t;
     double left = closed_exp(-z), p1 = (1 - left) / z, p2 = (1 - p1) / z;
     if (z <= 1) {
-        p2 = second(z);
+        p2 = phi2(z);
         p1 = 1 - z * p2;
         left = 1 - z * p1;
     }
@@ -98,7 +98,7 @@ struct point {
 
 /* Of two points that are just meeting, the slower one is left: they have
  * met. */
-static int left_of(const void *one, const void *other)
+static int by_place(const void *one, const void *other)
 {
     const struct point *a = one, *b = other;
     if (a->x != b->x)
@@ -142,7 +142,7 @@ bool closed_relabel(double low, double high, size_t n, double x[],
         return false;
     for (size_t i = 0; i < n; ++i)
         p[i] = fold(low, high, (struct point){x[i] + v[i] * t, v[i]});
-    qsort(p, n, sizeof *p, left_of);
+    qsort(p, n, sizeof *p, by_place);
     for (size_t i = 0; i < n; ++i) {
         x[i] = p[i].x;
         v[i] = p[i].v;
@@ -155,7 +155,7 @@ bool closed_relabel(double low, double high, size_t n, double x[],
    faster one of the slower: way and v are what it has more. A line with one
    wall or none is a circle without end: -1 as long as it is behind, then 0.
  */
-static double ahead(double way, double v, double circle)
+static double turns_ahead(double way, double v, double circle)
 {
     if (v == 0)
         return 0;
@@ -174,9 +174,9 @@ static double count_until(size_t n, const double x[], const double v[],
         for (size_t j = 0; j <= i; ++j) {
             const double a = x[i] - wall + v[i] * t;
             const double b = x[j] - wall + v[j] * t;
-            sum += ahead(a - b, v[i] - v[j], circle);
+            sum += turns_ahead(a - b, v[i] - v[j], circle);
             if (images)
-                sum += ahead(a + b, v[i] + v[j], circle);
+                sum += turns_ahead(a + b, v[i] + v[j], circle);
         }
     return sum;
 }

@@ -80,11 +80,13 @@ struct models_plan {
     unsigned cuts;
     uint64_t steps;   /* in each row; 0 for models without steps */
     double tolerance; /* of a method whose steps choose their length */
-    double little;    /* m: passages that move nobody so far do not count */
-    double left;      /* s: in this time */
-    double slack;     /* fraction by which it keeps from bounds of steps */
-    double margin;    /* m: contacts made or missed by less are noticed */
-    double afford;    /* s by the price list, for the start; 0: no bound */
+    /* Passages of two bodies count if they move somebody by more than
+       `negligible`, m, in the time that is left, s. */
+    double negligible, time_left;
+    double slack; /* fraction by which steps keep from their bounds */
+    /* Contacts made or missed by less than this are noticed, m. */
+    double contact_margin;
+    double start_limit; /* s by the price list, of a start; 0: none */
 };
 
 enum { MODELS_TEXT = 256, MODELS_MESSAGE = 2048 };

@@ -1,7 +1,7 @@
 /* What acts in a scene, how fast, and what may be left out of it. */
 #include "choosing/models_parts.h"
 
-#include "choosing/light.h"
+#include "choosing/particles.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -116,7 +116,7 @@ static double square_of_gravity(const struct scene *s)
     const bool all = s->bodies <= MOST_PAIRED;
     double most = 0;
     for (size_t i = 0; i < s->bodies; ++i)
-        if (all || !light_is(s, i, heavy))
+        if (all || !particles_is_light(s, i, heavy))
             for (size_t j = all ? i + 1 : 0; j < s->bodies; ++j)
                 if (j != i)
                     most = fmax(most, square_of_pair(s, i, j));
@@ -262,7 +262,7 @@ unsigned models_cuts(const struct scene *s)
     const bool pulls = attracts(s);
     unsigned cuts = 0;
     for (size_t i = 0; pulls && i < s->bodies; ++i)
-        if (s->mass[i] > 0 && light_is(s, i, most))
+        if (s->mass[i] > 0 && particles_is_light(s, i, most))
             cuts = MODELS_NO_LIGHT;
     for (size_t j = 0; j < s->springs; ++j)
         cuts |= is_stiff(s, &s->spring[j], from) ? MODELS_RODS : 0;

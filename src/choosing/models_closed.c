@@ -2,7 +2,7 @@
 #include "choosing/models_parts.h"
 
 #include "choosing/closed.h"
-#include "choosing/light.h"
+#include "choosing/particles.h"
 #include "forces/kepler.h"
 #include "forces/largest.h"
 #include "forces/modes.h"
@@ -52,10 +52,10 @@ static bool is_central(const struct scene *s, const struct models_acts *a,
     const bool held = !(freedom_of(s, centre) & axes);
     const double most = models_heaviest(s);
     for (size_t i = 0; i < s->bodies; ++i) {
-        const bool quiet =
-            s->mass[i] == 0 ||
-            ((a->cuts & MODELS_NO_LIGHT) && light_is(s, i, most)) ||
-            s->bodies == 2;
+        const bool quiet = s->mass[i] == 0 ||
+                           ((a->cuts & MODELS_NO_LIGHT) &&
+                            particles_is_light(s, i, most)) ||
+                           s->bodies == 2;
         if (i != centre && (!quiet || axes & ~freedom_of(s, i)))
             return false;
     }
@@ -82,17 +82,17 @@ static const char *refuse_kepler(const struct scene *s,
 
 static void end_kepler(struct models_run *r)
 {
-    light_free(r->engine);
+    particles_free(r->engine);
 }
 
 /* Returns places at the start, followed by velocities. */
 static double *at_start(const struct models_run *r)
 {
-    const struct light *l = r->engine;
+    const struct particles *l = r->engine;
     const struct scene *s = &r->origin;
-    light_gather(l, s, s->position, l->room);
-    light_gather(l, s, s->velocity, l->room + 3 * l->jacobi.bodies);
-    return l->room;
+    particles_gather(l, s, s->position, l->work);
+    particles_gather(l, s, s->velocity, l->work + 3 * l->jacobi.bodies);
+    return l->work;
 }
 
 /* By what share of the time all clocks may be late alike, whatever the
@@ -112,7 +112,7 @@ static const double late_alike = 0x1.6p-53;
    made, median of random orbits, and 40 times that of one in ten. */
 static double clock_of_ellipses(const struct models_run *r)
 {
-    const struct jacobi *j = &((const struct light *)r->engine)->jacobi;
+    const struct jacobi *j = &((const struct particles *)r->engine)->jacobi;
     const size_t n = j->bodies;
     double *const x = at_start(r), *const v = x + 3 * n;
     jacobi_enter(j, x, x);
@@ -132,7 +132,7 @@ static const char *begin_kepler(struct models_run *r)
 {
     const size_t centre = models_central_body(&r->scene, r->acts.axes);
     const bool moving = freedom_of(&r->scene, centre) & r->acts.axes;
-    if (!light_create(r->engine, &r->scene, INFINITY, centre, moving))
+    if (!particles_create(r->engine, &r->scene, INFINITY, centre, moving))
         return models_no_memory;
     r->clock = clock_of_ellipses(r);
     return r->clock < INFINITY ? NULL
@@ -144,7 +144,7 @@ static const char *begin_kepler(struct models_run *r)
    time. Where all fall, they fall alike. */
 static enum models_end row_kepler(struct models_run *r)
 {
-    const struct light *l = r->engine;
+    const struct particles *l = r->engine;
     struct jacobi j = l->jacobi;
     struct scene *s = &r->scene;
     const size_t n = j.bodies;
@@ -165,7 +165,7 @@ const struct models_model models_kepler = {
     .about = "ellipses round one body, in closed form",
     .family = MODELS_CLOSED,
     .bears = BEARS_GRAVITY | BEARS_PARTICLES,
-    .engine = sizeof(struct light),
+    .engine = sizeof(struct particles),
     .row = row_kepler,
     .begin = begin_kepler,
     .end = end_kepler,
@@ -265,7 +265,8 @@ static bool is_start_dear(const struct models_run *r)
         size += r->scene.freedom[c] != 0;
     memcpy(work, r->work, sizeof work);
     work[MODELS_MODE] += 20 * pow(size, 3);
-    return r->plan.afford > 0 && models_cost(work) > r->plan.afford;
+    return r->plan.start_limit > 0 &&
+           models_cost(work) > r->plan.start_limit;
 }
 
 /* Goes from w->rest to a place of rest that is stable, or returns why there

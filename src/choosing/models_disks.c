@@ -11,23 +11,23 @@
    with the floor, or the walls of another kind, second, since chapter 5
    knows weight along the second axis, and walls there with periodic axes
    beside it. A dead axis is open for the engine, whatever walls it has. */
-struct view {
+struct box_axes {
     size_t axes, axis[SCENE_AXES];
     size_t count[3]; /* of the walls of each kind */
     unsigned live;
 };
 
-static enum scene_wall wall_of(const struct scene *s, const struct view *w,
-                               size_t j)
+static enum scene_wall wall_of(const struct scene *s,
+                               const struct box_axes *w, size_t j)
 {
     const size_t k = w->axis[j];
     return w->live >> k & 1 ? s->wall[k] : SCENE_OPEN;
 }
 
-static struct view view_of(const struct scene *s,
-                           const struct models_acts *a)
+static struct box_axes box_axes_of(const struct scene *s,
+                                   const struct models_acts *a)
 {
-    struct view w = {.live = a->axes | a->offset};
+    struct box_axes w = {.live = a->axes | a->offset};
     for (unsigned dead = 0; dead < 2; ++dead)
         for (size_t k = 0; k < SCENE_AXES; ++k)
             if ((~w.live >> k & 1) == dead && w.axes < 3 - dead) {
@@ -50,7 +50,7 @@ static struct view view_of(const struct scene *s,
 static const char *refuse_disks(const struct scene *s,
                                 const struct models_acts *a)
 {
-    const struct view w = view_of(s, a);
+    const struct box_axes w = box_axes_of(s, a);
     const bool floor = wall_of(s, &w, 1) == SCENE_HARD;
     size_t falls = 0;
     for (size_t j = 0; j < w.axes; ++j)
@@ -77,18 +77,18 @@ static const char *refuse_disks(const struct scene *s,
 }
 
 /* One of the two engines of part II. */
-struct room {
+struct box_run {
     struct disks disks;
     struct cells cells;
     bool celled;
-    struct view view;
+    struct box_axes view;
     double sign[SCENE_AXES], origin[SCENE_AXES]; /* of the engine's axes */
     double crossed; /* how often a disk must have crossed the box */
 };
 
 static void end_disks(struct models_run *r)
 {
-    struct room *d = r->engine;
+    struct box_run *d = r->engine;
     if (d->celled)
         cells_free(&d->cells);
     disks_free(&d->disks);
@@ -96,7 +96,7 @@ static void end_disks(struct models_run *r)
 
 /* Puts the bodies in the engine's box: its corner is at the origin there,
    and weight is downwards. */
-static void put_in_box(struct room *d, const struct scene *s)
+static void put_in_box(struct box_run *d, const struct scene *s)
 {
     struct disks *all = &d->disks;
     for (size_t j = 0; j < d->view.axes; ++j) {
@@ -126,8 +126,8 @@ enum { SCANNED = 100 }; /* disks up to which all are looked at */
 static const char *begin_disks(struct models_run *r)
 {
     const struct scene *s = &r->scene;
-    struct room *d = r->engine;
-    const struct view w = view_of(s, &r->acts);
+    struct box_run *d = r->engine;
+    const struct box_axes w = box_axes_of(s, &r->acts);
     size_t a, b;
     if (!disks_create(&d->disks, w.axes, s->bodies))
         return models_no_memory;
@@ -159,7 +159,7 @@ static const char *begin_disks(struct models_run *r)
    overlaps and when it meets, at twice the price of a look; in cells every
    disk gets a list of its neighbours, as it does each time it leaves its
    skin. */
-static void count_disks(struct models_run *r, const struct room *d)
+static void count_disks(struct models_run *r, const struct box_run *d)
 {
     const double met = (double)d->disks.collisions;
     const double hit = (double)d->disks.wall_collisions;
@@ -178,7 +178,7 @@ static void count_disks(struct models_run *r, const struct room *d)
 /* Will the crossings alone be too costly, with those of the row that comes?
    A disk that met nobody would meet a wall, or be planned anew on the other
    side of a periodic box, |v| t/L times in the time t along each axis. */
-static bool is_endless(const struct models_run *r, struct room *d)
+static bool is_endless(const struct models_run *r, struct box_run *d)
 {
     const double time = r->elapsed - d->disks.now;
     const double price = 1e-9 * models_prices[MODELS_DISK_EVENT].ns;
@@ -195,7 +195,7 @@ static bool is_endless(const struct models_run *r, struct room *d)
    back, as they are not in steps. */
 static enum models_end row_disks(struct models_run *r)
 {
-    struct room *d = r->engine;
+    struct box_run *d = r->engine;
     struct disks *all = &d->disks;
     enum disks_stop stop;
     if (is_endless(r, d))
@@ -233,7 +233,7 @@ const struct models_model models_disks = {
     .about = "collisions of disks or spheres, one by one",
     .family = MODELS_EVENTS,
     .bears = BEARS_CONTACT,
-    .engine = sizeof(struct room),
+    .engine = sizeof(struct box_run),
     .row = row_disks,
     .begin = begin_disks,
     .end = end_disks,

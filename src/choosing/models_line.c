@@ -2,7 +2,7 @@
 #include "choosing/models_parts.h"
 
 #include "choosing/closed.h"
-#include "choosing/light.h"
+#include "choosing/particles.h"
 #include "line/bonkers.h"
 
 #include <math.h>
@@ -95,16 +95,16 @@ static bool start_row(struct line *l, struct start *start,
                       const struct scene *s)
 {
     const struct row_of_bodies *row = &l->row;
-    struct light_place *bead = malloc((s->bodies + 1) * sizeof *bead);
+    struct particles_place *bead = malloc((s->bodies + 1) * sizeof *bead);
     size_t movers = 0;
     l->body = malloc((s->bodies + 1) * sizeof *l->body);
     for (size_t i = 0; bead && i < s->bodies; ++i)
         if (s->freedom[at(s, row->axis, i)])
-            bead[movers++] = (struct light_place){
+            bead[movers++] = (struct particles_place){
                 row->sign * s->position[at(s, row->axis, i)], i};
     const bool made = bead && l->body && start_create(start, movers);
     if (made) {
-        qsort(bead, movers, sizeof *bead, light_compare);
+        qsort(bead, movers, sizeof *bead, particles_compare);
         for (size_t j = 0; j < movers; ++j) {
             const size_t i = l->body[j] = bead[j].body;
             start->x[j] = bead[j].key;

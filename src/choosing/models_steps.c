@@ -1,7 +1,7 @@
 /* Steps carry a scene, by any of the methods of chapter 8. */
 #include "choosing/models_parts.h"
 
-#include "choosing/light.h"
+#include "choosing/particles.h"
 #include "forces/adaptive.h"
 #include "forces/jacobi.h"
 #include "forces/motion.h"
@@ -34,10 +34,10 @@ static const char *refuse_steps(const struct scene *s,
 
 /* Orders bodies from the inside outwards, the heaviest first: ellipses go
    so, and the numbers of the bodies in a file are only their names. */
-static bool order_outwards(struct light *l, const struct scene *s)
+static bool order_outwards(struct particles *l, const struct scene *s)
 {
-    return light_create(l, s, INFINITY, models_central_body(s, ALL_AXES),
-                        false);
+    return particles_create(l, s, INFINITY,
+                            models_central_body(s, ALL_AXES), false);
 }
 
 /* Copies the state to the bodies in this order, or back. */
@@ -60,14 +60,14 @@ static const char *refuse_orbits(const struct scene *s,
 {
     const char *why = refuse_steps(s, a);
     struct scene other = {0};
-    struct light light;
+    struct particles inside;
     if (why)
         return why;
     why = models_no_memory;
-    if (scene_copy(&other, s) && order_outwards(&light, s)) {
-        permute(&other, s, light.order, false);
+    if (scene_copy(&other, s) && order_outwards(&inside, s)) {
+        permute(&other, s, inside.order, false);
         why = jacobi_refuses(&other);
-        light_free(&light);
+        particles_free(&inside);
     }
     scene_free(&other);
     return why;
@@ -79,17 +79,17 @@ struct steps {
     struct scene scene; /* what is stepped: a run may move to another place
                            in memory, and its scene with it */
     struct models_plan plan;
-    struct light light;
+    struct particles particles;
     struct rods rods;
-    bool lights, ordered, rodded;
+    bool has_particles, ordered, rodded;
 };
 
 /* The motion goes before the scene that it moves. */
 static void end_steps(struct models_run *r)
 {
     struct steps *t = r->engine;
-    if (t->lights || t->ordered)
-        light_free(&t->light);
+    if (t->has_particles || t->ordered)
+        particles_free(&t->particles);
     if (t->rodded)
         rods_free(&t->rods);
     motion_end(&t->motion);
@@ -110,18 +110,19 @@ static bool has_centre(const struct scene *s, const struct models_acts *a)
 /* Does a passage count, that is, may it move a body by more than is
    negligible in the time that is left (12.13, eq:choose-passage)? Its
    distance is that of straight ways, less by what they bend. */
-static bool counts(const struct steps *t, const struct pair *p, double pull,
-                   double a2)
+static bool passage_counts(const struct steps *t, const struct pair *p,
+                           double pull, double a2)
 {
     const double tau = fabs(p->rv) / p->v2;
     const double bend = sqrt(a2) * tau * tau / 2;
     const double b = fmax(sqrt(pair_nearest2(p)) - bend, 0);
-    return 2 * pull * t->plan.left > t->plan.little * b * sqrt(p->v2);
+    return 2 * pull * t->plan.time_left >
+           t->plan.negligible * b * sqrt(p->v2);
 }
 
 /* Returns how often, in 1/s, two bodies can fly 0.7 of their distance, or
    come nearer by so much with what pulls them. */
-static double hurry(const struct pair *p, double a2)
+static double passage_rate(const struct pair *p, double a2)
 {
     const double way = 0.7 * sqrt(p->r2), fall = 2 * sqrt(a2) * way;
     const double nearer = fmax(-p->rv, 0) / sqrt(p->r2);
@@ -130,8 +131,8 @@ static double hurry(const struct pair *p, double a2)
 }
 
 /* Returns the longest step that no passage which counts can hide in. */
-static double longest(void *what, const double x[], const double v[],
-                      const double a[])
+static double longest_step(void *what, const double x[], const double v[],
+                           const double a[])
 {
     const struct steps *t = what;
     const struct scene *s = &t->scene;
@@ -143,8 +144,8 @@ static double longest(void *what, const double x[], const double v[],
                 continue;
             const struct pair p = pair_of(s, i, j, x, v);
             const double a2 = pair_of(s, i, j, a, a).r2;
-            const double rate = hurry(&p, a2);
-            if (rate > most && counts(t, &p, pull, a2))
+            const double rate = passage_rate(&p, a2);
+            if (rate > most && passage_counts(t, &p, pull, a2))
                 most = rate;
         }
     return most > 0 ? 1 / most : INFINITY;
@@ -177,33 +178,34 @@ static const char *begin_steps(struct models_run *r)
     if (!scene_copy(s, &r->scene))
         return models_no_memory;
     if (p->model->method->orbits) {
-        if (!(t->ordered = order_outwards(&t->light, &r->scene)))
+        if (!(t->ordered = order_outwards(&t->particles, &r->scene)))
             return models_no_memory;
-        permute(s, &r->scene, t->light.order, false);
+        permute(s, &r->scene, t->particles.order, false);
     }
     if (!motion_begin(&t->motion, "models", s, p->model->name,
                       r->every / (double)steps_of(r)) ||
         (t->motion.collides && count == 0 && !motion_locate(&t->motion)))
         return models_no_memory;
-    t->motion.impact.least = p->margin;
+    t->motion.impact.least = p->contact_margin;
     if (p->model->method->adaptive) {
         t->motion.stepping.tolerance = p->tolerance;
         t->motion.stepping.own->slack = p->slack;
-        if (t->motion.attracts && p->little > 0) {
-            t->motion.stepping.own->longest = longest;
+        if (t->motion.attracts && p->negligible > 0) {
+            t->motion.stepping.own->longest = longest_step;
             t->motion.stepping.own->with = t;
         }
     }
     if (t->motion.attracts && (p->cuts & MODELS_NO_LIGHT)) {
         struct gravity *g = &t->motion.gravity;
-        t->lights = light_create(&t->light, s, models_heaviest(s),
-                                 s->bodies, has_centre(s, &r->acts));
-        if (!t->lights)
+        t->has_particles =
+            particles_create(&t->particles, s, models_heaviest(s),
+                             s->bodies, has_centre(s, &r->acts));
+        if (!t->has_particles)
             return models_no_memory;
-        light_enter(&t->light, s, s->position, s->velocity);
-        g->source = t->light.order;
-        g->sources = t->light.heavy;
-        g->factor = t->light.share;
+        particles_to_jacobi(&t->particles, s, s->position, s->velocity);
+        g->source = t->particles.order;
+        g->sources = t->particles.heavy;
+        g->factor = t->particles.factor;
         models_count_sorting(r, s->bodies,
                              5); /* and to enter the picture */
     }
@@ -228,8 +230,8 @@ static double count_pulls(const struct steps *t)
     const double n = (double)t->motion.scene->bodies;
     if (!t->motion.attracts)
         return 0;
-    if (t->lights)
-        return (n - 1) * (double)t->light.heavy;
+    if (t->has_particles)
+        return (n - 1) * (double)t->particles.heavy;
     return n <= 32 ? n * (n - 1) / 2 : n * (n - 1) / 8;
 }
 
@@ -291,7 +293,7 @@ static void count_steps(struct models_run *r, const struct steps *t)
         r->work);
     if (method->adaptive)
         r->work[MODELS_BODY] += 18 * n * steps;
-    if (t->lights)
+    if (t->has_particles)
         r->work[MODELS_BODY] += LEAVING * n * ((double)r->rows + 1);
     if (t->motion.orbits)
         r->work[MODELS_ELLIPSE] =
@@ -383,12 +385,12 @@ static enum models_end row_steps(struct models_run *r)
         !rods_project(&t->rods, s->position, s->velocity))
         return MODELS_BROKEN;
     if (t->ordered)
-        permute(&r->scene, s, t->light.order, true);
+        permute(&r->scene, s, t->particles.order, true);
     else
         scene_take_state(&r->scene, s);
-    if (t->lights)
-        light_leave(&t->light, s, r->elapsed, r->scene.position,
-                    r->scene.velocity);
+    if (t->has_particles)
+        particles_from_jacobi(&t->particles, s, r->elapsed,
+                              r->scene.position, r->scene.velocity);
     r->collisions = t->motion.collisions;
     r->least = t->motion.impact.least;
     r->virial = t->motion.collides ? t->motion.spheres.virial : 0;

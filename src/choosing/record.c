@@ -68,7 +68,7 @@ struct scales {
 
 /* Returns a, or b where a is no scale, as the energy of bodies that rest
    where nothing pulls. */
-static double or_else(double a, double b)
+static double or_next(double a, double b)
 {
     return a > 0 ? a : b;
 }
@@ -78,7 +78,8 @@ static double or_else(double a, double b)
    instead, and if it rests, a metre. A momentum is measured by the sum of
    all amounts, whatever their directions: the sum of the vectors is zero
    for two bodies about their centre, and of zero there are no fractions. */
-static struct scales measure(const struct record_view *v, double length)
+static struct scales measure_scales(const struct record_view *v,
+                                    double length)
 {
     const struct scene *s = &v->scene;
     const struct motion_energy e = motion_energy(&v->motion);
@@ -91,12 +92,12 @@ static struct scales measure(const struct record_view *v, double length)
         to.momentum += s->mass[i] * speed_of_body(s, i);
     }
     to.length =
-        or_else(size_without(s, s->bodies), or_else(to.speed * length, 1));
-    to.speed = or_else(to.speed, or_else(to.length * models_rate(s, 0),
+        or_next(size_without(s, s->bodies), or_next(to.speed * length, 1));
+    to.speed = or_next(to.speed, or_next(to.length * models_rate(s, 0),
                                          to.length / length));
     to.energy =
-        or_else(fmax(fabs(energy), e.kinetic), mass * to.speed * to.speed);
-    to.momentum = or_else(to.momentum, mass * to.speed);
+        or_next(fmax(fabs(energy), e.kinetic), mass * to.speed * to.speed);
+    to.momentum = or_next(to.momentum, mass * to.speed);
     return to;
 }
 
@@ -127,34 +128,34 @@ static double scale_of(const struct scales *to, const char *unit,
 /* Judges a column by a scale; axis: that of a coordinate, or SCENE_AXES. In
    a periodic box a place is the same after each turn; a distance has no
    turn, nor has the centre of mass, which flies on. */
-static void judge_column(struct record_view *v, size_t column, double scale,
+static void scale_column(struct record_view *v, size_t column, double scale,
                          size_t axis)
 {
     const struct scene *s = &v->scene;
-    v->last[column] = strcmp(v->judged, "counts") == 0 ? 0 : 0x1p-53;
+    v->rounding[column] = strcmp(v->judged, "counts") == 0 ? 0 : 0x1p-53;
     v->weight[column] = 1 / scale;
     if (axis < SCENE_AXES && s->wall[axis] == SCENE_PERIODIC)
-        v->turn[column] = s->high[axis] - s->low[axis];
+        v->period[column] = s->high[axis] - s->low[axis];
 }
 
 /* Finds the scale of each column. Without a list all states are shown, and
    the places among them judged: velocities keep the weight 0. Of several
    observables the first one's scale is kept to be printed. */
-static void judge(struct record_view *v, double length)
+static void find_scales(struct record_view *v, double length)
 {
-    const struct scales to = measure(v, length);
+    const struct scales to = measure_scales(v, length);
     const size_t n = v->scene.bodies;
     v->length = v->scale = to.length;
     v->judged = "positions";
     for (size_t c = 0; !v->asked && c < SCENE_AXES * n; ++c)
-        judge_column(v, 6 * (c % n) + c / n, to.length, c / n);
+        scale_column(v, 6 * (c % n) + c / n, to.length, c / n);
     size_t column = v->columns;
     for (size_t i = v->asked ? v->asked->count : 0; i-- > 0;) {
         const struct observables_sort o =
             observables_sort(&v->asked->list[i]);
         v->scale = scale_of(&to, o.unit, &v->judged);
         for (size_t k = 0; k < o.width; ++k)
-            judge_column(v, --column, v->scale, o.axis);
+            scale_column(v, --column, v->scale, o.axis);
     }
 }
 
@@ -176,9 +177,9 @@ static double find_origin(struct record_view *v)
     return v->asked ? 0 : rounded / v->length;
 }
 
-bool record_look(struct record_view *v, const char *program,
-                 const struct scene *s, const struct observables *asked,
-                 double length)
+bool record_view_create(struct record_view *v, const char *program,
+                        const struct scene *s,
+                        const struct observables *asked, double length)
 {
     *v = (struct record_view){.asked = asked};
     v->columns = asked ? asked->columns : 6 * s->bodies;
@@ -188,17 +189,17 @@ bool record_look(struct record_view *v, const char *program,
         fprintf(stderr, "%s: no memory for %zu columns\n", program,
                 v->columns);
     if (!room || !motion_view(&v->motion, program, &v->scene)) {
-        record_look_away(v);
+        record_view_free(v);
         return false;
     }
-    v->turn = v->weight + v->columns;
-    v->last = v->turn + v->columns;
-    judge(v, length);
-    v->grain = find_origin(v);
+    v->period = v->weight + v->columns;
+    v->rounding = v->period + v->columns;
+    find_scales(v, length);
+    v->rounded = find_origin(v);
     return true;
 }
 
-void record_look_away(struct record_view *v)
+void record_view_free(struct record_view *v)
 {
     motion_end(&v->motion);
     scene_free(&v->scene);
@@ -221,16 +222,16 @@ static const struct units {
              {1.9, 1.1, 0.85}, {-0.85, 0.7, 0.6}};
 
 /* Returns where coordinate c goes when the last body becomes the first. */
-static size_t renamed(size_t n, size_t c)
+static size_t reversed(size_t n, size_t c)
 {
     return c / n * n + (n - 1 - c % n);
 }
 
 /* Puts rows of n numbers the other way round, and multiplies them. */
-static void reverse(double a[], size_t rows, size_t n, double by)
+static void reverse_rows(double a[], size_t rows, size_t n, double by)
 {
     for (size_t c = 0; a && c < rows * n; ++c) {
-        const size_t d = renamed(n, c);
+        const size_t d = reversed(n, c);
         const double other = by * a[c];
         if (c > d)
             continue;
@@ -245,24 +246,24 @@ static void reverse(double a[], size_t rows, size_t n, double by)
    |l|^3/(m t^2). With a factor forgotten it is another scene, so far away
    that no tolerance would hold, which tests see at once. The lower wall
    becomes the upper one. */
-static void turn_round(struct scene *s, const struct units *u)
+static void change_units(struct scene *s, const struct units *u)
 {
     const double l = u->length, size = fabs(l), m = u->mass, t = u->time;
     const size_t n = s->bodies;
-    reverse(s->mass, 1, n, m);
-    reverse(s->charge, 1, n, 1);
-    reverse(s->radius, 1, n, size);
-    reverse(s->position, 3, n, l);
-    reverse(s->velocity, 3, n, l / t);
-    reverse(s->carry, 3, n, l);
-    reverse(s->carry ? s->carry + 3 * n : NULL, 3, n, l / t);
-    reverse(s->kept, 3, n, l / (t * t));
+    reverse_rows(s->mass, 1, n, m);
+    reverse_rows(s->charge, 1, n, 1);
+    reverse_rows(s->radius, 1, n, size);
+    reverse_rows(s->position, 3, n, l);
+    reverse_rows(s->velocity, 3, n, l / t);
+    reverse_rows(s->carry, 3, n, l);
+    reverse_rows(s->carry ? s->carry + 3 * n : NULL, 3, n, l / t);
+    reverse_rows(s->kept, 3, n, l / (t * t));
     s->time *= t;
     for (size_t c = 0; c < SCENE_AXES * n; ++c)
-        if (c < renamed(n, c)) {
+        if (c < reversed(n, c)) {
             const unsigned char other = s->freedom[c];
-            s->freedom[c] = s->freedom[renamed(n, c)];
-            s->freedom[renamed(n, c)] = other;
+            s->freedom[c] = s->freedom[reversed(n, c)];
+            s->freedom[reversed(n, c)] = other;
         }
     for (size_t j = 0; j < s->springs; ++j) {
         s->spring[j].a = (uint32_t)(n - 1 - s->spring[j].a);
@@ -320,7 +321,7 @@ static void move_last_bits(struct scene *s, unsigned twin)
 
 /* Returns the distance of two numbers; in a periodic box, to the nearest
    image: 0.1 and 9.9 in a box of 10 are 0.2 apart. */
-static double between(double a, double b, double turn)
+static double distance(double a, double b, double turn)
 {
     const double d = fabs(a - b);
     return turn > 0 ? fabs(d - turn * floor(d / turn + 0.5)) : d;
@@ -330,28 +331,29 @@ static double between(double a, double b, double turn)
    scale; no less than rows are rounded, for two that agree in all digits
    may have been rounded away from the truth alike. A NaN must not pass for
    a small number: it is unequal to itself. */
-static double row_apart(const struct record_view *v, const double a[],
-                        const double b[])
+static double row_difference(const struct record_view *v, const double a[],
+                             const double b[])
 {
-    double most = v->grain;
+    double most = v->rounded;
     for (size_t c = 0; c < v->columns; ++c) {
-        const double far = between(a[c], b[c], v->turn[c]);
-        const double rounded = v->last[c] * fabs(a[c]);
+        const double far = distance(a[c], b[c], v->period[c]);
+        const double rounded = v->rounding[c] * fabs(a[c]);
         const double d = v->weight[c] * (far <= rounded ? rounded : far);
         most = d <= most ? most : d == d ? d : INFINITY;
     }
     return most;
 }
 
-double record_apart(const struct record_view *v, const struct record *a,
-                    const struct record *b, size_t first, size_t last)
+double record_difference(const struct record_view *v,
+                         const struct record *a, const struct record *b,
+                         size_t first, size_t last)
 {
     double most = 0;
     if (a->reached < last || b->reached < last)
         return INFINITY;
     for (size_t r = first; r <= last; ++r)
-        most = fmax(most, row_apart(v, a->value + r * v->columns,
-                                    b->value + r * v->columns));
+        most = fmax(most, row_difference(v, a->value + r * v->columns,
+                                         b->value + r * v->columns));
     return most;
 }
 
@@ -359,7 +361,7 @@ size_t record_agree(const struct record_view *v, const struct record *a,
                     const struct record *b, double e)
 {
     size_t r = 1;
-    while (record_apart(v, a, b, r, r) <= e)
+    while (record_difference(v, a, b, r, r) <= e)
         ++r;
     return r - 1;
 }
@@ -368,15 +370,15 @@ size_t record_agree(const struct record_view *v, const struct record *a,
    observables that are asked for. For these the view's own scene takes the
    place of the run's. The time is that of the row, as it was asked for, and
    not what a method has summed up to. met: collisions so far. */
-static void look(struct record *r, struct record_view *v,
-                 const struct record_order *o, const struct scene *now,
-                 uint64_t met)
+static void write_row(struct record *r, struct record_view *v,
+                      const struct record_setup *o, const struct scene *now,
+                      uint64_t met)
 {
     const struct units *const u = &units[o->twin];
     double *to = r->value + r->reached * v->columns;
     struct scene *s = &v->scene;
     for (size_t c = 0; c < SCENE_AXES * s->bodies; ++c) {
-        const size_t from = o->twin ? renamed(s->bodies, c) : c;
+        const size_t from = o->twin ? reversed(s->bodies, c) : c;
         s->position[c] =
             now->position[from] / u->length + v->origin[c / s->bodies];
         s->velocity[c] = now->velocity[from] / u->length * u->time;
@@ -395,9 +397,9 @@ static void look(struct record *r, struct record_view *v,
 }
 
 /* A run under way. */
-struct way {
+struct pass {
     struct record *r;
-    const struct record_order *o;
+    const struct record_setup *o;
     struct models_run run;
     struct scene twin;
     bool begun;
@@ -406,9 +408,9 @@ struct way {
 
 /* Begins a run, with the row of the start: in other units if it is a twin,
    in which two numbers of the plan are lengths and one a time. */
-static void begin_way(struct way *w, struct record_view *v)
+static void begin_pass(struct pass *w, struct record_view *v)
 {
-    const struct record_order *o = w->o;
+    const struct record_setup *o = w->o;
     struct record *r = w->r;
     *r = (struct record){
         .plan = o->plan, .end = MODELS_MEMORY, .twin = o->twin};
@@ -426,16 +428,16 @@ static void begin_way(struct way *w, struct record_view *v)
     }
     for (size_t i = 0; i < w->twin.bodies; ++i)
         if (w->twin.radius[i] > 0)
-            w->twin.radius[i] = fmax(w->twin.radius[i] + o->swell, 0);
+            w->twin.radius[i] = fmax(w->twin.radius[i] + o->grow, 0);
     if (o->twin) {
         /* In a closed form without contacts nothing is tied, and what the
            last bits do would only hide what the form itself rounds. */
         if (plan.model->family != MODELS_CLOSED || o->scene->contact)
             move_last_bits(&w->twin, o->twin);
-        turn_round(&w->twin, u);
-        plan.little *= fabs(u->length);
-        plan.margin *= fabs(u->length);
-        plan.left *= u->time;
+        change_units(&w->twin, u);
+        plan.negligible *= fabs(u->length);
+        plan.contact_margin *= fabs(u->length);
+        plan.time_left *= u->time;
     }
     r->value = malloc((o->rows + 1) * v->columns * sizeof *r->value);
     if (!r->value)
@@ -447,11 +449,11 @@ static void begin_way(struct way *w, struct record_view *v)
     w->run.limit = o->limit;
     w->run.all = o->rows;
     r->clock = w->run.clock;
-    look(r, v, o, &w->run.scene, 0);
+    write_row(r, v, o, &w->run.scene, 0);
 }
 
 /* A row further; false: it ends here. */
-static bool go_on(struct way *w, struct record_view *v)
+static bool next_row(struct pass *w, struct record_view *v)
 {
     struct record *r = w->r;
     if (r->end != MODELS_DONE || r->reached == w->o->rows)
@@ -460,13 +462,13 @@ static bool go_on(struct way *w, struct record_view *v)
     if (r->end != MODELS_DONE)
         return false;
     ++r->reached;
-    look(r, v, w->o, &w->run.scene,
-         v->asked ? models_collisions(&w->run) : 0);
+    write_row(r, v, w->o, &w->run.scene,
+              v->asked ? models_collisions(&w->run) : 0);
     return true;
 }
 
 /* Ends a run and makes out its bill. */
-static void end_way(struct way *w)
+static void end_pass(struct pass *w)
 {
     memcpy(w->r->work, w->run.work, sizeof w->r->work);
     if (w->begun) {
@@ -480,37 +482,37 @@ static void end_way(struct way *w)
 }
 
 void record_run(struct record *r, struct record_view *v,
-                const struct record_order *o)
+                const struct record_setup *o)
 {
-    struct way w = {.r = r, .o = o};
-    begin_way(&w, v);
-    while (go_on(&w, v))
+    struct pass w = {.r = r, .o = o};
+    begin_pass(&w, v);
+    while (next_row(&w, v))
         ;
-    end_way(&w);
+    end_pass(&w);
 }
 
 /* A row further, when another run has spent part of what both may cost. */
-static bool go_on_beside(struct way *w, const struct way *other,
-                         double limit, struct record_view *v)
+static bool next_row_beside(struct pass *w, const struct pass *other,
+                            double limit, struct record_view *v)
 {
     w->run.limit = limit - models_cost(other->run.work);
-    return go_on(w, v);
+    return next_row(w, v);
 }
 
 void record_both(struct record *a, struct record *b, struct record_view *v,
-                 const struct record_order *oa,
-                 const struct record_order *ob, double apart)
+                 const struct record_setup *oa,
+                 const struct record_setup *ob, double apart)
 {
-    struct way x = {.r = a, .o = oa}, y = {.r = b, .o = ob};
-    begin_way(&x, v);
-    begin_way(&y, v);
-    while (go_on_beside(&x, &y, oa->limit, v) &&
-           go_on_beside(&y, &x, oa->limit, v) &&
-           row_apart(v, a->value + a->reached * v->columns,
-                     b->value + a->reached * v->columns) <= apart)
+    struct pass x = {.r = a, .o = oa}, y = {.r = b, .o = ob};
+    begin_pass(&x, v);
+    begin_pass(&y, v);
+    while (next_row_beside(&x, &y, oa->limit, v) &&
+           next_row_beside(&y, &x, oa->limit, v) &&
+           row_difference(v, a->value + a->reached * v->columns,
+                          b->value + a->reached * v->columns) <= apart)
         ;
-    end_way(&x);
-    end_way(&y);
+    end_pass(&x);
+    end_pass(&y);
     /* Both clocks ran all the time: the bill divides it. */
     const double seconds = fmax(a->seconds, b->seconds);
     const double bill = a->cost + b->cost;

@@ -12,17 +12,17 @@
 struct record_view {
     const struct observables *asked; /* NULL: all states, as step's rows */
     size_t columns;
-    double *weight; /* [columns] 1/scale; 0: is shown, but not judged */
-    double *turn;  /* [columns] after which a place is the same; 0: never */
-    double *last;  /* [columns] fraction it is rounded by; 0: counts */
-    double scale;  /* of the first column that is judged */
-    double length; /* of places, m */
+    double *weight;     /* [columns] 1/scale; 0: is shown, but not judged */
+    double *period;     /* [columns] places repeat after it; 0: never */
+    double *rounding;   /* [columns] fraction it is rounded by; 0: counts */
+    double scale;       /* of the first column that is judged */
+    double length;      /* of places, m */
     const char *judged; /* and what that is: "positions", "energy", ... */
     /* ---- private */
     struct scene scene;
     struct motion motion;
     double origin[SCENE_AXES]; /* to which the scene is moved, m */
-    double grain; /* by how much rows are rounded that come from there */
+    double rounded; /* by how much rows are that are moved back */
 };
 
 /* A run of which every row is kept. */
@@ -44,13 +44,13 @@ struct record {
 enum { RECORD_TWINS = 7 }; /* of one run, each in units of its own */
 
 /* How a run is to be done. */
-struct record_order {
+struct record_setup {
     const struct scene *scene;
     struct models_plan plan;
     double every; /* s */
     size_t rows;
     double limit;  /* cost, s by the price list */
-    double swell;  /* m, by which balls are larger */
+    double grow;   /* m, by which balls are larger */
     unsigned twin; /* 0: the run itself; 1 to RECORD_TWINS: the same in
                       other units, seen from the other side, with other
                       names and other last bits; no row should know */
@@ -58,27 +58,28 @@ struct record_order {
 
 /* Prepares to look at a run that lasts `length`, s. asked has to outlive v.
    false: has said why, after program; there is nothing to free. */
-bool record_look(struct record_view *v, const char *program,
-                 const struct scene *s, const struct observables *asked,
-                 double length);
-void record_look_away(struct record_view *v);
+bool record_view_create(struct record_view *v, const char *program,
+                        const struct scene *s,
+                        const struct observables *asked, double length);
+void record_view_free(struct record_view *v);
 
 /* Runs a plan and keeps its rows. What became of the run stands in *r, to
    be freed with record_free. */
 void record_run(struct record *r, struct record_view *v,
-                const struct record_order *o);
+                const struct record_setup *o);
 void record_free(struct record *r);
 
 /* Two runs row by row, until they are more than `apart` of the scale apart,
    or one has ended; both together within the limit of the first. */
 void record_both(struct record *a, struct record *b, struct record_view *v,
-                 const struct record_order *oa,
-                 const struct record_order *ob, double apart);
+                 const struct record_setup *oa,
+                 const struct record_setup *ob, double apart);
 
 /* The largest difference of two records in all rows from the first to the
    last, as a fraction of its scale; INFINITY if one has not come so far. */
-double record_apart(const struct record_view *v, const struct record *a,
-                    const struct record *b, size_t first, size_t last);
+double record_difference(const struct record_view *v,
+                         const struct record *a, const struct record *b,
+                         size_t first, size_t last);
 
 /* The size of the scene, m, without the body that most adds to it, *far. */
 double record_scale_without(const struct scene *s, size_t *far);

@@ -1,5 +1,5 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 23798188 of the lines below */
+/* checksum 383263023 of the lines below */
 /* Reference runs: two that agree, the second finer and a twin. */
 #include "choosing/task.h"
 
@@ -14,8 +14,8 @@ static struct models_plan finer(struct models_plan p)
 static void run_pair(const struct task *t, struct reference *f,
                      struct models_plan plan)
 {
-    const struct record_order a = task_order(t, plan, INFINITY);
-    struct record_order b = task_order(t, finer(plan), INFINITY);
+    const struct record_setup a = task_setup(t, plan, INFINITY);
+    struct record_setup b = task_setup(t, finer(plan), INFINITY);
     b.twin = 1;
     b.plan.slack = 0.2; /* no step is one of the first run's */
     record_both(&f->coarser, &f->run, t->view, &a, &b, t->q->tolerance);
@@ -51,10 +51,10 @@ static void ask_balls(const struct task *t, struct reference *f)
 {
     const double hair = 0x1p-40 * t->view->length;
     const double most = t->q->tolerance / last_margin / last_margin;
-    struct record_order o = task_order(t, f->run.plan, INFINITY);
+    struct record_setup o = task_setup(t, f->run.plan, INFINITY);
     for (int side = -1; side <= 1 && !is_decided(f); side += 2) {
         struct record third;
-        o.swell = side * fmax(2 * fabs(f->run.least), hair);
+        o.grow = side * fmax(2 * fabs(f->run.least), hair);
         task_run(t, &third, &o);
         f->doubt = fmax(f->doubt, task_difference(t, &third, &f->run));
         f->doubt = fmax(f->doubt, task_difference(t, &third, &f->coarser));
@@ -104,7 +104,7 @@ static bool find_even(const struct task *t, struct reference *f,
     struct models_plan p = {.model = models_find(name), .steps = 1};
     p = rung_lowest(t, p);
     for (int level = 0; level < 4; ++level) {
-        const struct record_order o = task_order(t, p, INFINITY);
+        const struct record_setup o = task_setup(t, p, INFINITY);
         record_free(&f->coarser);
         f->coarser = f->run;
         task_run(t, &f->run, &o);

@@ -58,7 +58,7 @@ static double error_of_finer(const struct task *t, const struct ladder *l,
                              const struct models_plan *p)
 {
     struct record r;
-    struct record_order o = task_order(t, *p, INFINITY);
+    struct record_setup o = task_setup(t, *p, INFINITY);
     o.plan = rung_at(o.plan, rung_fineness(p) + 0.05);
     if (l->best.plan.steps == o.plan.steps)
         return l->best.error;
@@ -75,7 +75,7 @@ static double error_of_coarser(const struct task *t, const struct ladder *l,
                                const struct models_plan *p,
                                struct record *r)
 {
-    struct record_order o = task_order(t, *p, INFINITY);
+    struct record_setup o = task_setup(t, *p, INFINITY);
     o.plan = rung_at(o.plan, rung_fineness(p) - 0.19);
     if (o.plan.steps == p->steps || rung_fineness(&o.plan) <= l->least)
         return INFINITY;
@@ -115,7 +115,7 @@ struct choose_point rung_try(const struct task *t, const struct ladder *l,
 {
     struct record r;
     struct choose_point seen = {plan, INFINITY, INFINITY}; /* too costly */
-    const struct record_order o = task_order(t, plan, limit);
+    const struct record_setup o = task_setup(t, plan, limit);
     task_run(t, &r, &o);
     if (r.end != MODELS_COSTLY)
         seen.cost = r.cost;

@@ -6,7 +6,7 @@
 
 double task_budget(const struct task *t)
 {
-    return fmax(t->q->reason - t->c->spent, 0);
+    return fmax(t->q->budget - t->c->spent, 0);
 }
 
 double task_first_tolerance(const struct task *t)
@@ -18,16 +18,17 @@ double task_first_tolerance(const struct task *t)
    tolerance until the end (12.13, eq:choose-passage); in a finer reference
    if it does by less, since what both of two runs leap over neither can
    tell. */
-struct record_order task_order(const struct task *t,
+struct record_setup task_setup(const struct task *t,
                                struct models_plan plan, double limit)
 {
     const double less = fmin(plan.tolerance / task_first_tolerance(t), 1);
-    plan.little = negligible * t->q->tolerance * t->view->length * less;
-    plan.left = (double)t->c->rows * t->q->every;
-    plan.afford = fmax(task_budget(t) / 2, 1e-9); /* a twin's as well */
-    plan.margin =
+    plan.negligible = negligible * t->q->tolerance * t->view->length * less;
+    plan.time_left = (double)t->c->rows * t->q->every;
+    plan.start_limit =
+        fmax(task_budget(t) / 2, 1e-9); /* a twin's as well */
+    plan.contact_margin =
         plan.tolerance > 0 ? t->q->tolerance * t->view->length : 0;
-    return (struct record_order){.scene = t->q->scene,
+    return (struct record_setup){.scene = t->q->scene,
                                  .plan = plan,
                                  .every = t->q->every,
                                  .rows = t->c->rows,
@@ -42,7 +43,7 @@ void task_bill(const struct task *t, const struct record *r)
 }
 
 void task_run(const struct task *t, struct record *r,
-              const struct record_order *o)
+              const struct record_setup *o)
 {
     record_run(r, t->view, o);
     task_bill(t, r);
@@ -56,7 +57,7 @@ bool task_complete(const struct task *t, const struct record *r)
 double task_difference(const struct task *t, const struct record *a,
                        const struct record *b)
 {
-    return record_apart(t->view, a, b, 1, t->c->rows);
+    return record_difference(t->view, a, b, 1, t->c->rows);
 }
 
 void task_note_horizon(const struct task *t, size_t held, double every)
@@ -142,7 +143,7 @@ void task_refuse_plan(const struct task *t, const struct models_plan *p,
         snprintf(to, CHOOSE_REFUSAL,
                  "beyond reason: %s%s would bring the bill above %.3g s by "
                  "the price list; spent: %.2g s",
-                 plan, role, t->q->reason, t->c->spent);
+                 plan, role, t->q->budget, t->c->spent);
 }
 
 /* Refuses where bodies come to rest on each other: runs of two tolerances

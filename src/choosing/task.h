@@ -50,7 +50,7 @@ double task_first_tolerance(const struct task *t);
 
 /* Writes down how a plan is to be run: for what it may cost at most, what
    is left and the limit, and with which passages and contacts count. */
-struct record_order task_order(const struct task *t,
+struct record_setup task_setup(const struct task *t,
                                struct models_plan plan, double limit);
 
 /* Adds a run to the bill, and tells whoever watches. */
@@ -58,7 +58,7 @@ void task_bill(const struct task *t, const struct record *r);
 
 /* Makes a run and bills it; it is to be freed with record_free. */
 void task_run(const struct task *t, struct record *r,
-              const struct record_order *o);
+              const struct record_setup *o);
 
 /* Has a run all its rows? Only then it can be compared. */
 bool task_complete(const struct task *t, const struct record *r);
@@ -142,7 +142,7 @@ static const double last_margin = 2; /* the last of them, and the least */
 
 /* Runs a plan and its twin side by side until they part; returns whether
    they have. Both are to be freed. */
-bool twins_run(const struct task *t, struct record_order one,
+bool twins_run(const struct task *t, struct record_setup one,
                struct record *a, struct record *b);
 
 /* Runs another twin of a run and returns their distance. Where they are

@@ -1,16 +1,16 @@
 /* From chapters/12-choose.nw: edit there, then run make tangle. */
-/* checksum 2366351089 of the lines below */
+/* checksum 3532188745 of the lines below */
 /* What rounding does to a run: twins of it, in other units. */
 #include "choosing/task.h"
 
 #include <math.h>
 
 /* Runs a plan beside its twin; returns whether they have parted. */
-bool twins_run(const struct task *t, struct record_order one,
+bool twins_run(const struct task *t, struct record_setup one,
                struct record *a, struct record *b)
 {
     const double most = t->q->tolerance / last_margin;
-    struct record_order other = one;
+    struct record_setup other = one;
     other.twin = 2;
     record_both(a, b, t->view, &one, &other, most);
     task_bill(t, a);
@@ -29,7 +29,7 @@ double twins_add(const struct task *t, const struct record *r,
                  unsigned number, double most)
 {
     struct record twin;
-    struct record_order o = task_order(t, r->plan, INFINITY);
+    struct record_setup o = task_setup(t, r->plan, INFINITY);
     o.twin = number;
     task_run(t, &twin, &o);
     const double far = task_difference(t, r, &twin);
@@ -44,7 +44,7 @@ static double error_of_clock(const struct task *t, const struct record *r)
 {
     const double late_by = 0x1p-40;
     struct record late;
-    struct record_order o = task_order(t, r->plan, INFINITY);
+    struct record_setup o = task_setup(t, r->plan, INFINITY);
     o.every *= 1 + late_by;
     if (r->clock == 0)
         return 0;

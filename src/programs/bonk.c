@@ -21,7 +21,7 @@ struct settings {
     double until;     /* time at which to stop, s */
     double tolerance; /* largest error, a fraction of the scale */
     double every;  /* time from row to row, s; 0: a sixteenth of the run */
-    double reason; /* what choosing and running may cost, s */
+    double budget; /* what choosing and running may cost, s */
     const char *observe, *model;
     bool explain;
     const char *chart, *output, *summary, *command;
@@ -186,7 +186,7 @@ static void begin_run(struct run *r)
                                          .program = PROGRAM,
                                          .until = s->until,
                                          .tolerance = s->tolerance,
-                                         .reason = s->reason,
+                                         .budget = s->budget,
                                          .watch = show_progress,
                                          .with = &r->progress};
     set_rows(r);
@@ -519,7 +519,7 @@ static void take_option(struct options *o, struct settings *s, int option)
     case 'O': s->observe = options_text(o); break;
     case 'm': s->model = options_text(o); break;
     case 'r':
-        s->reason = options_real(o, OPTIONS_POSITIVE, INFINITY);
+        s->budget = options_real(o, OPTIONS_POSITIVE, INFINITY);
         break;
     case 'x': s->explain = true; break;
     case 'c': s->chart = options_text(o); break;
@@ -533,7 +533,7 @@ static void read_settings(struct settings *s, int argc, char *argv[])
     struct options o;
     int option;
     list_models();
-    *s = (struct settings){.reason = CHOOSE_REASON,
+    *s = (struct settings){.budget = CHOOSE_BUDGET,
                            .until = NAN,
                            .tolerance = NAN,
                            .summary = "/dev/null"};
@@ -600,15 +600,15 @@ static void warn_of_hidden_pair(const struct run *r)
                     "bodies %zu and %zu are apart at the start, %.3g; "
                     "without body %zu the scale would be %.3g: --tolerance "
                     "%.2g\n",
-            r->s->scene, e, r->choice.scale, h->a, h->b, h->apart, h->far,
-            h->without, e * h->without / r->choice.scale);
+            r->s->scene, e, r->choice.scale, h->a, h->b, h->distance,
+            h->far, h->without, e * h->without / r->choice.scale);
 }
 
 /* Chooses a model and runs the scene with it. Returns NULL, or why there is
    no run. */
 static const char *choose_run(struct run *r)
 {
-    progress_begin(&r->progress, PROGRAM, (uint64_t)(1e3 * r->s->reason),
+    progress_begin(&r->progress, PROGRAM, (uint64_t)(1e3 * r->s->budget),
                    "ms by the price list");
     if (!choose(&r->choice, &r->request))
         program_leave(EXIT_FAILURE);
@@ -662,7 +662,7 @@ static const char *find_mean(struct run *r, struct mean *m)
                                        .quantity = m->quantity,
                                        .until = s->until - r->scene.time,
                                        .tolerance = s->tolerance,
-                                       .reason = s->reason,
+                                       .budget = s->budget,
                                        .model = s->model};
     if (!averages_find(&m->found, &q))
         program_give_up(PROGRAM, "no memory for averages");

@@ -48,7 +48,7 @@ static struct averages_found find_pressure(const struct scene *s, double T)
         .quantity = {.kind = AVERAGES_PRESSURE},
         .until = T,
         .tolerance = 0.01,
-        .reason = AVERAGES_REASON};
+        .budget = AVERAGES_BUDGET};
     struct averages_found f;
     if (!averages_find(&f, &q))
         program_give_up(PROGRAM, "no memory");

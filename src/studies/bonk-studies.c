@@ -836,7 +836,7 @@ static void ask_chooser(struct pick *p, struct map *m, double tolerance)
                                      .until = ROWS * m->every,
                                      .every = m->every,
                                      .tolerance = tolerance,
-                                     .reason = CHOOSE_REASON};
+                                     .budget = CHOOSE_BUDGET};
     struct choose_choice c;
     *p = (struct pick){.point = {.cost = NAN, .error = NAN}};
     if (!choose(&c, &q))

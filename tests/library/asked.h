@@ -16,7 +16,7 @@ static inline struct averages_found ask(const struct scene *s,
     struct averages_request q = {.scene = s,
                                  .until = until,
                                  .tolerance = tolerance,
-                                 .reason = 5,
+                                 .budget = 5,
                                  .model = model};
     struct averages_found f = {.sure = AVERAGES_OUT};
     char message[AVERAGES_TEXT];

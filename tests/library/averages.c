@@ -422,7 +422,7 @@ TEST(test_dear, "what is much too expensive is refused at little cost")
         struct averages_request q = {.scene = &s,
                                      .until = 1e9,
                                      .tolerance = asked[k].tolerance,
-                                     .reason = AVERAGES_REASON};
+                                     .budget = AVERAGES_BUDGET};
         struct averages_found f;
         char message[AVERAGES_TEXT];
         UNIT_TRUE(averages_read(&q.quantity, asked[k].name, &s, message));
@@ -464,7 +464,7 @@ TEST(test_offer, "the tolerance that is offered can be had")
     struct scene s;
     make(&s, "four-disks", NULL, 0);
     struct averages_request q = {
-        .scene = &s, .until = 1e9, .tolerance = 1e-5, .reason = 0.2};
+        .scene = &s, .until = 1e9, .tolerance = 1e-5, .budget = 0.2};
     struct averages_found f;
     UNIT_TRUE(averages_find(&f, &q));
     const char *offer = refused(&f) ? strstr(f.refusal, "; ") : NULL;

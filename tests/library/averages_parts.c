@@ -36,7 +36,7 @@ static struct search begin(const struct scene *s, enum averages_kind kind,
                            size_t body, size_t axis)
 {
     request = (struct averages_request){
-        .scene = s, .until = 100, .tolerance = 0.01, .reason = 60};
+        .scene = s, .until = 100, .tolerance = 0.01, .budget = 60};
     request.quantity = (struct averages_quantity){kind, body, axis};
     found = (struct averages_found){.sure = AVERAGES_OUT};
     struct search h = {.q = &request, .f = &found, .s = s};
@@ -62,11 +62,11 @@ TEST(test_line, "rods on a line")
     UNIT_EQUAL(samples_of(&h), ceil(160 * sqrt(44 / 15.0)));
     request.until = 1;
     UNIT_EQUAL(samples_of(&h), 256);
-    struct watch w = {.h = &h};
-    call_witnesses(&w);
+    struct measurement w = {.h = &h};
+    choose_witnesses(&w);
     UNIT_TRUE(w.places == 3 && w.body[0] == 2 && w.body[1] == 0 &&
               w.body[2] == 1);
-    UNIT_NEAR(forgotten(&h, s.velocity),
+    UNIT_NEAR(relaxation(&h, s.velocity),
               (16 * 16 + 8 * 8 + 20 * 20) / (44.0 * 44) * 5 / 3, 1e-15);
     scene_free(&s);
 }
@@ -80,13 +80,13 @@ TEST(test_tonks, "Tonks's law")
     UNIT_EQUAL(scale_of(&h, -3), 3);
     UNIT_EQUAL(scale_of(&h, 0.5), 1);
     request.tolerance = 0.03;
-    take_tonks(&h);
+    answer_tonks(&h);
     UNIT_EQUAL(found.sure, AVERAGES_BOUND);
     UNIT_NEAR(found.value, 9.25 / 7, 1e-15);
     UNIT_NEAR(found.error, 7 * sqrt(8 / 44.0) / 100, 1e-15);
     UNIT_TRUE(found.refusal[0] == '\0');
     request.tolerance = 0.0298; /* it is 0.029848 */
-    take_tonks(&h);
+    answer_tonks(&h);
     UNIT_TRUE(strcmp(found.refusal,
                      "a run of 100 s may be off by 0.03 from the law that "
                      "long runs obey; ask for that, or for 110 s") == 0);
@@ -133,49 +133,50 @@ TEST(test_plane, "disks in the plane")
     struct search h = begin(&s, AVERAGES_PRESSURE, 0, 0);
     UNIT_TRUE(h.dimensions == 2 && h.box[0] == 4 && h.box[1] == 9);
     UNIT_EQUAL(h.energy, 20.5);
-    UNIT_NEAR(forgotten(&h, s.velocity), 13 / 20.5, 1e-15);
+    UNIT_NEAR(relaxation(&h, s.velocity), 13 / 20.5, 1e-15);
     /* A quarter of sqrt(36/3) m at sqrt(kT/m), kT = 41/6, m = 5/3. */
     request.until = 1000;
     UNIT_EQUAL(samples_of(&h),
                ceil(1000 / (sqrt(12) / 4) * sqrt(41 / 6.0 / (5 / 3.0))));
-    struct watch w = {.h = &h};
-    call_witnesses(&w);
+    struct measurement w = {.h = &h};
+    choose_witnesses(&w);
     UNIT_EQUAL((double)w.places, 0);
     h = begin(&s, AVERAGES_PLACE, 1, 1);
     UNIT_EQUAL(scale_of(&h, 7), 9);
     UNIT_EQUAL(settled_place(&h, 1), 3.5);
     UNIT_EQUAL(samples_of(&h), ceil(100 / (9.0 / 16) * sqrt(41 / 6.0)));
-    call_witnesses(&w); /* those that are like it */
+    choose_witnesses(&w); /* those that are like it */
     UNIT_TRUE(w.places == 2 && w.body[0] == 1 && w.body[1] == 0);
     h = begin(&s, AVERAGES_KINETIC, 0, 0);
     UNIT_EQUAL(scale_of(&h, 7), 7);
-    take_conserved(&h);
+    answer_conserved(&h);
     UNIT_EQUAL(found.sure, AVERAGES_EXACT);
     UNIT_EQUAL(found.value, 20.5);
     h = begin(&s, AVERAGES_TEMPERATURE, 0, 0);
-    take_conserved(&h);
+    answer_conserved(&h);
     UNIT_NEAR(found.value, 41 / 6.0, 1e-15);
     scene_free(&s);
     s = disks(SCENE_PERIODIC);
     h = begin(&s, AVERAGES_TEMPERATURE, 0, 0);
     UNIT_NEAR(h.energy, 20.5 - 5.3, 1e-14);
-    UNIT_NEAR(forgotten(&h, s.velocity), (13 - 9.8) / (20.5 - 5.3), 1e-14);
-    take_conserved(&h);
+    UNIT_NEAR(relaxation(&h, s.velocity), (13 - 9.8) / (20.5 - 5.3), 1e-14);
+    answer_conserved(&h);
     UNIT_NEAR(found.value, 2 * (20.5 - 5.3) / 6, 1e-14);
     h = begin(&s, AVERAGES_KINETIC, 0, 0);
-    take_conserved(&h);
+    answer_conserved(&h);
     UNIT_EQUAL(found.value, 20.5);
     scene_free(&s);
 }
 
 /* A watch that has seen a share of all samples, for an error by hand. */
-static struct watch watch_of(const struct search *h, double share)
+static struct measurement watch_of(const struct search *h, double share)
 {
-    struct watch w = {.h = h, .most = 64 / share, .first = 3, .mean = 2};
+    struct measurement w = {
+        .h = h, .most = 64 / share, .first = 3, .mean = 2};
     w.blocks.count = 32;
     w.blocks.per = 2;
     w.se = 0.01;
-    w.pace = 0.5;
+    w.interval = 0.5;
     return w;
 }
 
@@ -189,8 +190,8 @@ TEST(test_concluded, "what a run says of all the time")
     static const double shares[] = {1, 0.5, 0.125};
     for (size_t k = 0; k < 3; ++k) {
         const double share = shares[k], q = share / 4;
-        const struct watch w = watch_of(&h, share);
-        UNIT_EQUAL(seen(&w), share);
+        const struct measurement w = watch_of(&h, share);
+        UNIT_EQUAL(fraction_run(&w), share);
         conclude(&found, &w);
         UNIT_NEAR(found.value, 3 * q + 2 * (1 - q), 1e-15);
         UNIT_NEAR(found.error,
@@ -210,17 +211,17 @@ TEST(test_lengthened, "how much longer it takes")
 {
     struct scene s = rods();
     struct search h = begin(&s, AVERAGES_PRESSURE, 0, 0);
-    struct watch w = watch_of(&h, 0.125);
+    struct measurement w = watch_of(&h, 0.125);
     const double square = 1e-4, scatter = 0.75 * 0.125 * square;
-    UNIT_NEAR(lengthen(&w, 0.005), square / (2.5e-5 - scatter), 1e-10);
-    UNIT_EQUAL(lengthen(&w, 0.05), 1.25);
-    UNIT_TRUE(isinf(lengthen(&w, 0.999 * sqrt(2 * scatter))));
-    UNIT_NEAR(lengthen(&w, 1.001 * sqrt(2 * scatter)),
+    UNIT_NEAR(longer_by(&w, 0.005), square / (2.5e-5 - scatter), 1e-10);
+    UNIT_EQUAL(longer_by(&w, 0.05), 1.25);
+    UNIT_TRUE(isinf(longer_by(&w, 0.999 * sqrt(2 * scatter))));
+    UNIT_NEAR(longer_by(&w, 1.001 * sqrt(2 * scatter)),
               square / (1.001 * 1.001 * 2 * scatter - scatter), 1e-9);
     w.why = "so";
-    UNIT_NEAR(lengthen(&w, 0.005), 4, 1e-12);
-    UNIT_EQUAL(lengthen(&w, 0.05), 2);
-    UNIT_NEAR(lengthen(&w, 1e-4), 1e4, 1e-8);
+    UNIT_NEAR(longer_by(&w, 0.005), 4, 1e-12);
+    UNIT_EQUAL(longer_by(&w, 0.05), 2);
+    UNIT_NEAR(longer_by(&w, 1e-4), 1e4, 1e-8);
     scene_free(&s);
 }
 
@@ -229,7 +230,7 @@ TEST(test_refusals, "why it is not enough")
 {
     struct scene s = rods();
     struct search h = begin(&s, AVERAGES_PRESSURE, 0, 0);
-    struct watch w = watch_of(&h, 0.5);
+    struct measurement w = watch_of(&h, 0.5);
     char text[AVERAGES_REFUSAL];
     request.tolerance = 0.005;
     w.run.rows = 64;
@@ -269,7 +270,7 @@ TEST(test_refusals, "why it is not enough")
 
 /* Fills blocks of one sample with a value in column 0 and another one in
    the last. */
-static void fill(struct watch *w, size_t n, double (*value)(size_t),
+static void fill(struct measurement *w, size_t n, double (*value)(size_t),
                  double (*memory)(size_t))
 {
     blocks_free(&w->blocks);
@@ -326,14 +327,15 @@ TEST(test_settled, "when a run has settled")
 {
     struct scene s = disks(SCENE_HARD);
     struct search h = begin(&s, AVERAGES_PRESSURE, 0, 0);
-    struct watch w = {.h = &h, .most = 1000, .columns = 2, .why = "no run"};
+    struct measurement w = {
+        .h = &h, .most = 1000, .columns = 2, .why = "no run"};
     struct statistics_blocking b;
     double x[BLOCKS_MOST];
     UNIT_TRUE(blocks_create(&w.blocks, 2));
     fill(&w, 63, steady, other);
-    UNIT_TRUE(look(&w) && strcmp(w.why, "no run") == 0); /* too few */
+    UNIT_TRUE(judge(&w) && strcmp(w.why, "no run") == 0); /* too few */
     fill(&w, 256, steady, other);
-    UNIT_TRUE(look(&w) && !w.why);
+    UNIT_TRUE(judge(&w) && !w.why);
     if (w.why)
         printf("# %s\n", w.why);
     UNIT_NEAR(w.mean, 2, 0.01); /* 0.1/sqrt(12 192) is 0.002 */
@@ -346,17 +348,17 @@ TEST(test_settled, "when a run has settled")
     UNIT_TRUE(statistics_blocking(192, x, &b));
     UNIT_NEAR(w.se, b.error + 2 * b.level[b.chosen].uncertainty, 1e-17);
     fill(&w, 256, jump, other);
-    UNIT_TRUE(look(&w) && !w.why);
+    UNIT_TRUE(judge(&w) && !w.why);
     UNIT_EQUAL(w.first, 77);
     UNIT_EQUAL(w.mean, mean);
     fill(&w, 256, slope, other);
-    UNIT_TRUE(look(&w) && w.why);
+    UNIT_TRUE(judge(&w) && w.why);
     fill(&w, 256, long_memory, other);
-    UNIT_TRUE(look(&w) && w.why &&
+    UNIT_TRUE(judge(&w) && w.why &&
               strcmp(w.why, "long blocks still remember each other") == 0);
     /* Off by 0.1, of a standard error of 0.2/sqrt(12 192) = 0.0042. */
     fill(&w, 256, steady, far_from);
-    UNIT_TRUE(look(&w) && w.why &&
+    UNIT_TRUE(judge(&w) && w.why &&
               strcmp(w.why, "velocities still remember the start") == 0);
     blocks_free(&w.blocks);
     scene_free(&s);
@@ -368,14 +370,14 @@ TEST(test_look_without_memory, "no memory for a look")
 {
     struct scene s = disks(SCENE_HARD);
     struct search h = begin(&s, AVERAGES_PRESSURE, 0, 0);
-    struct watch w = {.h = &h, .most = 1000, .columns = 2};
+    struct measurement w = {.h = &h, .most = 1000, .columns = 2};
     UNIT_TRUE(blocks_create(&w.blocks, 2));
     fill(&w, 64, steady, other);
     heap_failing = 2;
-    const bool well = look(&w), refused = heap_failing < 0;
+    const bool well = judge(&w), refused = heap_failing < 0;
     heap_failing = -1;
     UNIT_TRUE(well != refused);
-    UNIT_TRUE(look(&w));
+    UNIT_TRUE(judge(&w));
     blocks_free(&w.blocks);
     scene_free(&s);
 }
@@ -386,18 +388,18 @@ TEST(test_places, "places come to their own")
 {
     struct scene s = disks(SCENE_HARD);
     struct search h = begin(&s, AVERAGES_PLACE, 0, 0); /* to 1 m */
-    struct watch w = {.h = &h, .most = 1000};
-    call_witnesses(&w);
+    struct measurement w = {.h = &h, .most = 1000};
+    choose_witnesses(&w);
     w.columns = w.places + 1;
     UNIT_TRUE(w.columns == 3 && blocks_create(&w.blocks, 3));
     for (size_t i = 0; i < 8; ++i)
         blocks_add(&w.blocks, (double[]){i < 2 ? 50 : 1.3, 1.4, 1});
-    UNIT_NEAR(misplaced(&w, 2), sqrt((0.09 + 0.16) / 2), 1e-14);
+    UNIT_NEAR(distance_from_law(&w, 2), sqrt((0.09 + 0.16) / 2), 1e-14);
     blocks_free(&w.blocks);
     UNIT_TRUE(blocks_create(&w.blocks, 3));
     for (size_t i = 0; i < 8; ++i)
         blocks_add(&w.blocks, (double[]){0.6, 0.9, 1});
-    UNIT_NEAR(misplaced(&w, 2), 0.4, 1e-14);
+    UNIT_NEAR(distance_from_law(&w, 2), 0.4, 1e-14);
     blocks_free(&w.blocks);
     scene_free(&s);
 }

@@ -30,7 +30,7 @@ static struct choose_request asked(const struct scene *s, double until,
                                    .until = s->time + until,
                                    .every = until / 16,
                                    .tolerance = tolerance,
-                                   .reason = 600};
+                                   .budget = 600};
 }
 
 static struct record recorded(struct record_view *v,
@@ -38,7 +38,7 @@ static struct record recorded(struct record_view *v,
                               struct models_plan p, double limit)
 {
     struct record r;
-    const struct record_order o = {.scene = q->scene,
+    const struct record_setup o = {.scene = q->scene,
                                    .plan = p,
                                    .every = q->every,
                                    .rows = 16,
@@ -91,22 +91,22 @@ static double twins_apart(const struct choose_request *q,
 {
     double most = 0;
     struct record_view v;
-    struct record_order o = {.scene = q->scene,
+    struct record_setup o = {.scene = q->scene,
                              .plan = c->run.plan,
                              .every = q->every,
                              .rows = 16,
                              .limit = INFINITY,
                              .twin = 1}; /* which is that of references */
-    UNIT_TRUE(record_look(&v, "choose", q->scene, NULL,
-                          q->until - q->scene->time));
+    UNIT_TRUE(record_view_create(&v, "choose", q->scene, NULL,
+                                 q->until - q->scene->time));
     while (o.twin <= twins) {
         struct record twin;
         ++o.twin;
         record_run(&twin, &v, &o);
-        most = fmax(most, record_apart(&v, &c->run, &twin, 1, 16));
+        most = fmax(most, record_difference(&v, &c->run, &twin, 1, 16));
         record_free(&twin);
     }
-    record_look_away(&v);
+    record_view_free(&v);
     return most;
 }
 
@@ -219,7 +219,7 @@ static double cheapest(struct record_view *v,
         const double is = r.cost;
         const bool over = r.end == MODELS_COSTLY || r.why || is > most;
         if (!over &&
-            !(record_apart(v, &r, truth, 1, 16) <= 0.9 * q->tolerance))
+            !(record_difference(v, &r, truth, 1, 16) <= 0.9 * q->tolerance))
             least = INFINITY;
         else if (!over)
             least = fmin(least, is);
@@ -274,21 +274,21 @@ static void check_pick(const struct trial *t, const struct scene *s,
     const struct choose_request q = asked(s, t->until, tolerance);
     struct choose_choice c = chosen(&q, true);
     struct record_view v;
-    UNIT_TRUE(record_look(&v, "choose", s, NULL, t->until));
+    UNIT_TRUE(record_view_create(&v, "choose", s, NULL, t->until));
     struct record truth = recorded(&v, &q, plan(t->truth), INFINITY);
-    const double error = record_apart(&v, &c.run, &truth, 1, 16);
+    const double error = record_difference(&v, &c.run, &truth, 1, 16);
     UNIT_TRUE(same_plan(&c.run.plan, &c.candidate[c.taken].plan));
     UNIT_EQUAL(c.run.cost, c.candidate[c.taken].cost);
     const double found = c.candidate[c.taken].error;
     UNIT_TRUE(error <= found && found <= tolerance);
     UNIT_NEAR(error, found, 2.1 * c.doubt + 1e-12);
     struct record reference = recorded(&v, &q, c.reference, INFINITY);
-    const double off = record_apart(&v, &reference, &truth, 1, 16);
+    const double off = record_difference(&v, &reference, &truth, 1, 16);
     UNIT_TRUE(off <= c.doubt + 1e-12 && c.doubt <= 0.2 * tolerance);
     check_price(&v, &q, &c, &truth);
     record_free(&reference);
     record_free(&truth);
-    record_look_away(&v);
+    record_view_free(&v);
     choose_free(&c);
 }
 
@@ -641,9 +641,9 @@ static void check_reason(struct choose_request *q)
     struct choose_choice c;
     char spent[40];
     UNIT_TRUE(choose(&c, q));
-    UNIT_TRUE(c.spent <= 1.1 * q->reason + grain);
-    if (c.spent > 1.1 * q->reason + grain)
-        printf("# %g of %g\n", c.spent, q->reason);
+    UNIT_TRUE(c.spent <= 1.1 * q->budget + grain);
+    if (c.spent > 1.1 * q->budget + grain)
+        printf("# %g of %g\n", c.spent, q->budget);
     snprintf(spent, sizeof spent, "spent: %.2g s", c.spent);
     if (!c.run.value) {
         UNIT_TRUE(strstr(c.refusal, "beyond reason") != NULL);
@@ -678,7 +678,7 @@ TEST(test_reason, "no more is spent than is reasonable")
             q.only = &p;
         }
         struct choose_choice all = chosen(&q, true);
-        for (q.reason = 0.95 * all.spent; q.reason > 1e-7; q.reason *= 0.6)
+        for (q.budget = 0.95 * all.spent; q.budget > 1e-7; q.budget *= 0.6)
             check_reason(&q);
         choose_free(&all);
         scene_free(&s);
@@ -705,7 +705,7 @@ TEST(test_patience, "exact ways are run with some patience")
         s = made("gas", "particles", disks[j]);
         q = asked(&s, 1e4, 1e-3);
         q.every = 1e4;
-        q.reason = 4; /* more patience than a tenth would spend all of it */
+        q.budget = 4; /* more patience than a tenth would spend all of it */
         c = chosen(&q, false);
         UNIT_TRUE(c.horizon < 20 && c.spent < 1);
         choose_free(&c);
@@ -722,12 +722,12 @@ TEST(test_first_look, "a first look among many contacts is bounded")
     struct scene s = made("gas", NULL, 0);
     const struct choose_request q = asked(&s, 1e4, 1e-3);
     struct record_view v;
-    UNIT_TRUE(record_look(&v, "choose", &s, NULL, 1e4));
+    UNIT_TRUE(record_view_create(&v, "choose", &s, NULL, 1e4));
     struct record r = recorded(&v, &q, plan("radau15:1e-3"), 0.2);
     UNIT_TRUE(r.end == MODELS_COSTLY);
     UNIT_TRUE(r.cost < 0.4);
     record_free(&r);
-    record_look_away(&v);
+    record_view_free(&v);
     scene_free(&s);
 }
 
@@ -752,7 +752,7 @@ TEST(test_looking, "looking is short, and finds what is cheap")
         struct choose_request q =
             asked(&s, cases[j].until, cases[j].tolerance);
         struct models_plan p;
-        q.reason = 1;
+        q.budget = 1;
         if (cases[j].only) {
             p = plan(cases[j].only);
             q.only = &p;
@@ -924,10 +924,10 @@ TEST(test_chain, "the start of a run is not beyond reason")
             UNIT_TRUE(i == 0 || scene_add_spring(&s, i - 1, i, i == 7, 1));
         }
         struct choose_request q = asked(&s, 1, 1e-3);
-        q.reason = 1.0 / 3;
+        q.budget = 1.0 / 3;
         struct choose_choice c;
         UNIT_TRUE(choose(&c, &q));
-        UNIT_TRUE(c.spent <= 1.02 * q.reason);
+        UNIT_TRUE(c.spent <= 1.02 * q.budget);
         choose_free(&c);
         scene_free(&s);
     }
@@ -976,7 +976,7 @@ TEST(test_hidden, "a scale that hides two bodies is seen")
         if (k == 0) {
             UNIT_EQUAL((double)(c.hidden.a + c.hidden.b), 1);
             UNIT_EQUAL((double)c.hidden.far, 2);
-            UNIT_EQUAL(c.hidden.apart, 1e-3);
+            UNIT_EQUAL(c.hidden.distance, 1e-3);
             UNIT_EQUAL(c.hidden.without, 1e-3);
         }
         choose_free(&c);

@@ -14,7 +14,7 @@ static struct choose_choice chosen(const struct scene *s, double tolerance)
                                      .until = s->time + 0.5,
                                      .every = 0.25,
                                      .tolerance = tolerance,
-                                     .reason = 1};
+                                     .budget = 1};
     struct choose_choice c;
     UNIT_TRUE(choose(&c, &q));
     return c;
@@ -70,13 +70,13 @@ TEST(test_hidden, "a pair that is hidden")
             s.velocity[3] = 0.1;
             struct choose_choice c = chosen(&s, known[k].tolerance);
             if (known[k].hidden) {
-                UNIT_NEAR(c.hidden.apart, 0.001, 1e-15);
+                UNIT_NEAR(c.hidden.distance, 0.001, 1e-15);
                 UNIT_NEAR(c.hidden.without, 0.001, 1e-15);
                 UNIT_EQUAL((double)c.hidden.far, (double)far);
                 UNIT_EQUAL((double)(c.hidden.a + c.hidden.b),
                            (double)(a + b));
             } else {
-                UNIT_EQUAL(c.hidden.apart, 0);
+                UNIT_EQUAL(c.hidden.distance, 0);
             }
             choose_free(&c);
             scene_free(&s);
@@ -120,7 +120,7 @@ TEST(test_standstill, "bodies that come to rest")
                                          .until = 2,
                                          .every = every[k],
                                          .tolerance = 1e-2,
-                                         .reason = 10};
+                                         .budget = 10};
         struct choose_choice c;
         UNIT_TRUE(choose(&c, &q));
         snprintf(known, sizeof known,
@@ -150,7 +150,7 @@ static struct choose_choice carried(const char *name, double until,
                                      .until = s.time + until,
                                      .every = until / (double)rows,
                                      .tolerance = tolerance,
-                                     .reason = 10};
+                                     .budget = 10};
     UNIT_TRUE(choose(&c, &q));
     scene_free(&s);
     return c;

@@ -9,11 +9,11 @@
 #define record_run played_run
 #define record_both played_both
 static void played_run(struct record *r, struct record_view *v,
-                       const struct record_order *o);
+                       const struct record_setup *o);
 static void played_both(struct record *a, struct record *b,
                         struct record_view *v,
-                        const struct record_order *oa,
-                        const struct record_order *ob, double apart);
+                        const struct record_setup *oa,
+                        const struct record_setup *ob, double apart);
 /* All of src that is private to the chooser. */
 #include <choosing/task.c>
 #include <choosing/rung.c>
@@ -34,11 +34,11 @@ struct played {
 };
 enum { MOST_PLAYED = 20 };
 static struct played script[MOST_PLAYED];
-static struct record_order ordered[MOST_PLAYED]; /* what was asked for */
+static struct record_setup ordered[MOST_PLAYED]; /* what was asked for */
 static size_t played, written;
 
 static void played_run(struct record *r, struct record_view *v,
-                       const struct record_order *o)
+                       const struct record_setup *o)
 {
     (void)v;
     UNIT_TRUE(played < written);
@@ -60,8 +60,8 @@ static void played_run(struct record *r, struct record_view *v,
 
 static void played_both(struct record *a, struct record *b,
                         struct record_view *v,
-                        const struct record_order *oa,
-                        const struct record_order *ob, double apart)
+                        const struct record_setup *oa,
+                        const struct record_setup *ob, double apart)
 {
     UNIT_TRUE(apart > 0);
     played_run(a, v, oa);
@@ -96,13 +96,13 @@ static void begin(double tolerance)
     choice = (struct choose_choice){.horizon = INFINITY, .rows = 4};
     request = (struct choose_request){
         .program = "choose", .every = 0.5, .tolerance = tolerance};
-    request.reason = 100;
+    request.budget = 100;
     static double weight[1] = {1}, turn[1], last[1];
     view = (struct record_view){.columns = 1,
                                 .length = 2,
                                 .weight = weight,
-                                .turn = turn,
-                                .last = last};
+                                .period = turn,
+                                .rounding = last};
     reference = (struct reference){.seen = 0};
     played = written = 0;
 }
@@ -162,25 +162,25 @@ TEST(test_order, "what an order is made of")
     UNIT_EQUAL(task_first_tolerance(&task), 1e-8);
     request.tolerance = 1e-6;
     choice.spent = 30;
-    struct record_order o = task_order(&task, own_steps_of(2e-5), 50);
-    UNIT_NEAR(o.plan.little, 0.2 * 0.05 * 1e-6 * 2, 1e-20);
-    UNIT_EQUAL(o.plan.left, 2);
-    UNIT_EQUAL(o.plan.afford, 35);
-    UNIT_EQUAL(o.plan.margin, 2e-6);
+    struct record_setup o = task_setup(&task, own_steps_of(2e-5), 50);
+    UNIT_NEAR(o.plan.negligible, 0.2 * 0.05 * 1e-6 * 2, 1e-20);
+    UNIT_EQUAL(o.plan.time_left, 2);
+    UNIT_EQUAL(o.plan.start_limit, 35);
+    UNIT_EQUAL(o.plan.contact_margin, 2e-6);
     UNIT_EQUAL(o.limit, 50);
     UNIT_EQUAL((double)o.rows, 4);
     UNIT_EQUAL(o.every, 0.5);
-    o = task_order(&task, own_steps_of(1e-2),
+    o = task_setup(&task, own_steps_of(1e-2),
                    90); /* coarser than the first */
-    UNIT_NEAR(o.plan.little, 0.05 * 1e-6 * 2, 1e-20);
+    UNIT_NEAR(o.plan.negligible, 0.05 * 1e-6 * 2, 1e-20);
     UNIT_EQUAL(o.limit, 70);
-    o = task_order(&task, steps_of("leapfrog", 5), INFINITY);
-    UNIT_EQUAL(o.plan.margin, 0);
+    o = task_setup(&task, steps_of("leapfrog", 5), INFINITY);
+    UNIT_EQUAL(o.plan.contact_margin, 0);
     UNIT_EQUAL((double)o.plan.steps, 5);
     choice.spent = 200;
     UNIT_EQUAL(task_budget(&task), 0);
-    o = task_order(&task, steps_of("leapfrog", 5), 1);
-    UNIT_EQUAL(o.plan.afford, 1e-9);
+    o = task_setup(&task, steps_of("leapfrog", 5), 1);
+    UNIT_EQUAL(o.plan.start_limit, 1e-9);
     UNIT_EQUAL(o.limit, 0);
 }
 
@@ -448,7 +448,7 @@ TEST(test_next, "the next rung")
     choice.run.cost = 0.00690;
     UNIT_EQUAL(next_steps(&l), 0);
     choice.run.cost = 1e9;
-    choice.spent = request.reason - 0.0100 * 0.98; /* or what is left */
+    choice.spent = request.budget - 0.0100 * 0.98; /* or what is left */
     UNIT_EQUAL(next_steps(&l), 144);
     choice.run.value = NULL;
     UNIT_EQUAL(next_steps(&l), 144);
@@ -912,8 +912,8 @@ TEST(test_exact_twins, "twins of an exact run")
         struct record a, b;
         begin(1e-3);
         request.scene = &still;
-        const struct record_order o = task_order(&task, p, INFINITY);
-        struct record_order other = o;
+        const struct record_setup o = task_setup(&task, p, INFINITY);
+        struct record_setup other = o;
         other.twin = 2;
         write_run(
             (struct played){MODELS_DONE, 4, 7, known[k].cost, 1, 0, NULL});
@@ -971,7 +971,7 @@ TEST(test_slip, "clocks that are late")
     struct record a;
     begin(1e-3);
     request.scene = &still;
-    const struct record_order o = task_order(
+    const struct record_setup o = task_setup(
         &task, (struct models_plan){.model = models_find("line")},
         INFINITY);
     write_run((struct played){MODELS_DONE, 4, 7, 1, 1, 0x1p-44, NULL});
@@ -1004,8 +1004,8 @@ TEST(test_balls, "balls a little larger")
         write_whole(-1e-4);
         ask_balls(&task, &reference);
         UNIT_EQUAL((double)played, 2);
-        UNIT_EQUAL(ordered[0].swell, -swell);
-        UNIT_EQUAL(ordered[1].swell, swell);
+        UNIT_EQUAL(ordered[0].grow, -swell);
+        UNIT_EQUAL(ordered[1].grow, swell);
         UNIT_NEAR(reference.doubt, 2e-4, 1e-18);
         UNIT_TRUE(isinf(choice.horizon));
         drop_reference();
@@ -1030,7 +1030,7 @@ TEST(test_near_floor, "what rounding moves")
         write_whole(7);
         write_whole(7 + (near ? 1.001e-5 : 0.999e-5));
         task_run(&task, &choice.run,
-                 &(struct record_order){.plan = own_steps_of(1e-9)});
+                 &(struct record_setup){.plan = own_steps_of(1e-9)});
         UNIT_TRUE(is_near_floor(&task) == near);
         UNIT_EQUAL(ordered[1].twin, 1);
         UNIT_EQUAL(ordered[1].plan.tolerance, 1e-9);
@@ -1097,7 +1097,7 @@ TEST(test_neighbours, "neighbours on a ladder")
         if (known[k].coarser > 0)
             write_whole(known[k].coarser * 1e-3);
         task_run(&task, &r,
-                 &(struct record_order){.plan = steps_of("leapfrog", 40)});
+                 &(struct record_setup){.plan = steps_of("leapfrog", 40)});
         ask_neighbours(&task, &l, &r, &seen);
         UNIT_EQUAL((double)played, (double)written);
         UNIT_EQUAL((double)ordered[1].plan.steps, 44);

@@ -103,7 +103,7 @@ static bool carries(void *text)
 static bool averages(void *unused)
 {
     const struct averages_request q = {
-        .scene = &scene, .until = 20, .tolerance = 0.3, .reason = 5};
+        .scene = &scene, .until = 20, .tolerance = 0.3, .budget = 5};
     struct averages_found f;
     (void)unused;
     return averages_find(&f, &q) && f.refusal[0] == '\0';

@@ -1161,8 +1161,8 @@ TEST(test_passage, "steps of their own length see a passage")
     scene.gravity[1] = -1;
     scene.k2 = 1e-9;
     struct models_plan p = plan("radau15:1");
-    p.little = 1e-12;
-    p.left = 200;
+    p.negligible = 1e-12;
+    p.time_left = 200;
     UNIT_TRUE(models_begin(&r, &p, &scene, 200, &why));
     UNIT_TRUE(models_row(&r) == MODELS_DONE);
     UNIT_NEAR(r.work[MODELS_EVALUATION], 8 * steps, 8);
@@ -1246,7 +1246,7 @@ TEST(test_start_bounded, "a start that fails is paid, and bounded")
         size += scene.freedom[c] && c < 2 * scene.bodies;
     const double once = 20 * size * size * size;
     UNIT_TRUE(all >= 2 * once);
-    p.afford = 1.5 * once * 1e-9 * models_prices[MODELS_MODE].ns;
+    p.start_limit = 1.5 * once * 1e-9 * models_prices[MODELS_MODE].ns;
     UNIT_TRUE(!models_begin(&r, &p, &scene, 1, &why));
     UNIT_EQUAL(r.work[MODELS_MODE], once);
     UNIT_TRUE(strcmp(why, "its start costs more than is reasonable") == 0);

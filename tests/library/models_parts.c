@@ -389,7 +389,7 @@ TEST(test_rod, "a rod")
    each row has as many seats, and lists are made at the start and anew. */
 TEST(test_bill_of_disks, "the bill of disks")
 {
-    struct room d = {.view.axes = 2};
+    struct box_run d = {.view.axes = 2};
     struct models_run r = {.rows = 4};
     d.disks.count = 6;
     d.disks.collisions = 10;
@@ -414,7 +414,7 @@ TEST(test_bill_of_disks, "the bill of disks")
 TEST(test_endless, "crossings are foreseen")
 {
     struct disk one[2] = {{.velocity = {30, -8}}, {.velocity = {0, 2}}};
-    struct room d = {.view.axes = 2};
+    struct box_run d = {.view.axes = 2};
     struct models_run r = {.elapsed = 5};
     d.disks.count = 2;
     d.disks.disk = one;
@@ -456,12 +456,12 @@ TEST(test_bill_of_steps, "the bill of steps")
     UNIT_EQUAL(work[MODELS_BODY], 40);
     UNIT_EQUAL(work[MODELS_PAIR], 60);
     UNIT_EQUAL(work[MODELS_SPRING], 10 * (5 + 20));
-    t.lights = true; /* with two heavy ones */
-    t.light.heavy = 2;
+    t.has_particles = true; /* with two heavy ones */
+    t.particles.heavy = 2;
     UNIT_EQUAL(count_pulls(&t), 6);
     t.motion.attracts = false;
     UNIT_EQUAL(count_pulls(&t), 0);
-    t.lights = false;
+    t.has_particles = false;
     t.motion.attracts = true;
     t.motion.scene = &many;
     UNIT_EQUAL(count_pulls(&t), 33 * 4); /* eight lanes */
@@ -494,10 +494,10 @@ TEST(test_bill_of_steps, "the bill of steps")
                    r.work[MODELS_CURVE] + r.work[MODELS_ROOT] +
                    r.work[MODELS_ROD] + r.work[MODELS_ELLIPSE],
                0);
-    t.lights = true;
+    t.has_particles = true;
     count_steps(&r, &t);
     UNIT_EQUAL(r.work[MODELS_BODY], 84 + 3 * 5 * 4);
-    t.lights = false;
+    t.has_particles = false;
     t.motion.impact.parts = 30;
     t.motion.impact.pairs = 31;
     t.motion.impact.curves = 32;
@@ -628,43 +628,43 @@ TEST(test_counts, "passages that count")
         {1, 12, 1}};
     for (size_t k = 0; k < 4; ++k) {
         const struct pair p = {.r2 = 2, .v2 = 1, .rv = known[k][2]};
-        struct steps t = {.plan.left = 3};
-        t.plan.little = 0.999 * known[k][1];
-        UNIT_TRUE(counts(&t, &p, 1, known[k][0]));
-        t.plan.little = known[k][1];
-        UNIT_TRUE(!counts(&t, &p, 1, known[k][0]));
-        UNIT_TRUE(counts(&t, &p, 1.001, known[k][0]));
+        struct steps t = {.plan.time_left = 3};
+        t.plan.negligible = 0.999 * known[k][1];
+        UNIT_TRUE(passage_counts(&t, &p, 1, known[k][0]));
+        t.plan.negligible = known[k][1];
+        UNIT_TRUE(!passage_counts(&t, &p, 1, known[k][0]));
+        UNIT_TRUE(passage_counts(&t, &p, 1.001, known[k][0]));
         /* Twice as fast they are bent a quarter as much. */
         const struct pair fast = {.r2 = 2, .v2 = 4, .rv = 2 * known[k][2]};
-        t.plan.little = 3.001 / (1 - sqrt(known[k][0]) / 8);
-        UNIT_TRUE(!counts(&t, &fast, 1, known[k][0]));
-        t.plan.little = 2.999 / (1 - sqrt(known[k][0]) / 8);
-        UNIT_TRUE(counts(&t, &fast, 1, known[k][0]));
+        t.plan.negligible = 3.001 / (1 - sqrt(known[k][0]) / 8);
+        UNIT_TRUE(!passage_counts(&t, &fast, 1, known[k][0]));
+        t.plan.negligible = 2.999 / (1 - sqrt(known[k][0]) / 8);
+        UNIT_TRUE(passage_counts(&t, &fast, 1, known[k][0]));
     }
     const struct pair p = {.r2 = 2, .v2 = 1, .rv = -1};
-    struct steps t = {.plan.left = 3, .plan.little = 1e300};
-    UNIT_TRUE(counts(&t, &p, 1, 16)); /* they may well meet */
+    struct steps t = {.plan.time_left = 3, .plan.negligible = 1e300};
+    UNIT_TRUE(passage_counts(&t, &p, 1, 16)); /* they may well meet */
 }
 
 /* Two at 2 m: 0.7 of that is 1.4 m. */
 TEST(test_hurry, "how soon two may meet")
 {
     const struct pair still = {.r2 = 4};
-    UNIT_EQUAL(hurry(&still, 0), 0);
-    UNIT_NEAR(hurry(&still, 25), sqrt(14) / 2 / 1.4, 1e-15);
+    UNIT_EQUAL(passage_rate(&still, 0), 0);
+    UNIT_NEAR(passage_rate(&still, 25), sqrt(14) / 2 / 1.4, 1e-15);
     const struct pair nearer = {.r2 = 4, .v2 = 4, .rv = -4};
-    UNIT_NEAR(hurry(&nearer, 0), 2 / 1.4, 1e-15);
-    UNIT_NEAR(hurry(&nearer, 25), (2 + sqrt(18)) / 2 / 1.4, 1e-15);
+    UNIT_NEAR(passage_rate(&nearer, 0), 2 / 1.4, 1e-15);
+    UNIT_NEAR(passage_rate(&nearer, 25), (2 + sqrt(18)) / 2 / 1.4, 1e-15);
     const struct pair away = {.r2 = 4, .v2 = 4, .rv = 4};
-    UNIT_NEAR(hurry(&away, 25), 2 / 1.4, 1e-15);
-    UNIT_NEAR(hurry(&away, 100), sqrt(28) / 2 / 1.4, 1e-15);
+    UNIT_NEAR(passage_rate(&away, 25), 2 / 1.4, 1e-15);
+    UNIT_NEAR(passage_rate(&away, 100), sqrt(28) / 2 / 1.4, 1e-15);
 }
 
 /* The longest step is that of the pair in the greatest hurry; those that do
    not attract each other, and those that are held, are in none. */
 TEST(test_longest, "the longest step")
 {
-    struct steps t = {.plan.left = 1};
+    struct steps t = {.plan.time_left = 1};
     struct scene *s = &t.scene;
     *s = made(4);
     double a[12] = {0};
@@ -679,22 +679,23 @@ TEST(test_longest, "the longest step")
     for (size_t i = 0; i < 4; ++i)
         s->freedom[4 + i] = s->freedom[8 + i] = 0;
     /* 0 and 3: 50/(0.7 12.1); 1 and 3: 51/(0.7 10.1) */
-    UNIT_NEAR(longest(&t, s->position, s->velocity, a), 0.7 * 10.1 / 51,
-              1e-15);
+    UNIT_NEAR(longest_step(&t, s->position, s->velocity, a),
+              0.7 * 10.1 / 51, 1e-15);
     s->velocity[3] = 0; /* 0 and 1: 1/1.4 */
-    UNIT_NEAR(longest(&t, s->position, s->velocity, a), 1.4, 1e-15);
+    UNIT_NEAR(longest_step(&t, s->position, s->velocity, a), 1.4, 1e-15);
     a[0] = 3;
     a[1] = -22; /* relative to each other, 25 */
-    UNIT_NEAR(longest(&t, s->position, s->velocity, a),
+    UNIT_NEAR(longest_step(&t, s->position, s->velocity, a),
               1.4 / ((1 + sqrt(1 + 2 * 25 * 1.4)) / 2), 1e-15);
     a[0] = a[1] = 0;
     s->freedom[0] = s->freedom[1] = 0; /* 1 and 2: 3/(0.7 10) */
-    UNIT_NEAR(longest(&t, s->position, s->velocity, a), 7 / 3.0, 1e-15);
+    UNIT_NEAR(longest_step(&t, s->position, s->velocity, a), 7 / 3.0,
+              1e-15);
     s->freedom[2] = s->freedom[3] = 0;
-    UNIT_TRUE(isinf(longest(&t, s->position, s->velocity, a)));
+    UNIT_TRUE(isinf(longest_step(&t, s->position, s->velocity, a)));
     s->freedom[0] = 1;
     s->k2 = 0;
-    UNIT_TRUE(isinf(longest(&t, s->position, s->velocity, a)));
+    UNIT_TRUE(isinf(longest_step(&t, s->position, s->velocity, a)));
     scene_free(s);
 }
 

@@ -7,10 +7,10 @@
 
 #include <stdlib.h>
 
-static struct record_order order(const struct scene *s, const char *text,
+static struct record_setup order(const struct scene *s, const char *text,
                                  double until, size_t rows)
 {
-    return (struct record_order){.scene = s,
+    return (struct record_setup){.scene = s,
                                  .plan = plan(text),
                                  .every = until / (double)rows,
                                  .rows = rows,
@@ -18,7 +18,7 @@ static struct record_order order(const struct scene *s, const char *text,
 }
 
 static struct record recorded(struct record_view *v,
-                              const struct record_order *o)
+                              const struct record_setup *o)
 {
     struct record r;
     record_run(&r, v, o);
@@ -63,8 +63,8 @@ TEST(test_parabola, "a parabola, row by row")
 {
     struct scene s = falling();
     struct record_view v;
-    UNIT_TRUE(record_look(&v, "record", &s, NULL, 0.48));
-    const struct record_order o = order(&s, "leapfrog:7", 0.48, 16);
+    UNIT_TRUE(record_view_create(&v, "record", &s, NULL, 0.48));
+    const struct record_setup o = order(&s, "leapfrog:7", 0.48, 16);
     struct record r = recorded(&v, &o);
     for (size_t k = 0; k <= 16; ++k) {
         const double t = 0.03 * (double)k;
@@ -74,7 +74,7 @@ TEST(test_parabola, "a parabola, row by row")
     UNIT_EQUAL(r.work[MODELS_EVALUATION], 1 + 16 * 7);
     UNIT_EQUAL(r.cost, models_cost(r.work));
     record_free(&r);
-    record_look_away(&v);
+    record_view_free(&v);
     scene_free(&s);
 }
 
@@ -89,15 +89,15 @@ TEST(test_asked, "rows have their time and collisions")
     char message[OBSERVABLES_MESSAGE];
     s.time = 3;
     UNIT_TRUE(observables_read(&asked, "t,collisions", 2, message));
-    UNIT_TRUE(record_look(&v, "record", &s, &asked, 0.52));
-    const struct record_order o = order(&s, "leapfrog:1", 0.52, 26);
+    UNIT_TRUE(record_view_create(&v, "record", &s, &asked, 0.52));
+    const struct record_setup o = order(&s, "leapfrog:1", 0.52, 26);
     struct record r = recorded(&v, &o);
     for (size_t k = 0; k <= 26; ++k) {
         UNIT_NEAR(r.value[k * v.columns], 3 + 0.02 * (double)k, 1e-15);
         UNIT_TRUE(k == 25 || r.value[k * v.columns + 1] == (k > 25));
     }
     record_free(&r);
-    record_look_away(&v);
+    record_view_free(&v);
     scene_free(&s);
 }
 
@@ -155,13 +155,13 @@ TEST(test_twins, "from elsewhere a run differs by rounding")
         struct record_view v;
         UNIT_TRUE(!names[k] ||
                   observables_read(&asked, names[k], 4, message));
-        UNIT_TRUE(
-            record_look(&v, "record", &s, names[k] ? &asked : NULL, 2));
-        struct record_order o = order(&s, "leapfrog:64", 2, 16);
+        UNIT_TRUE(record_view_create(&v, "record", &s,
+                                     names[k] ? &asked : NULL, 2));
+        struct record_setup o = order(&s, "leapfrog:64", 2, 16);
         struct record a = recorded(&v, &o);
         for (o.twin = 1; o.twin <= RECORD_TWINS; ++o.twin) {
             struct record b = recorded(&v, &o);
-            const double off = record_apart(&v, &a, &b, 0, 16);
+            const double off = record_difference(&v, &a, &b, 0, 16);
             UNIT_TRUE(off > 0 && off < 1e-10);
             if (!(off > 0 && off < 1e-10))
                 printf("# twin %u: %g\n", o.twin, off);
@@ -169,7 +169,7 @@ TEST(test_twins, "from elsewhere a run differs by rounding")
             record_free(&b);
         }
         record_free(&a);
-        record_look_away(&v);
+        record_view_free(&v);
     }
     scene_free(&s);
 }
@@ -180,22 +180,22 @@ TEST(test_apart, "records are compared")
 {
     struct scene s = light_orbit(1, 1.1);
     struct record_view v;
-    UNIT_TRUE(record_look(&v, "record", &s, NULL, 8));
+    UNIT_TRUE(record_view_create(&v, "record", &s, NULL, 8));
     UNIT_EQUAL(v.scale, 1);
-    struct record_order o = order(&s, "kepler", 8, 16);
+    struct record_setup o = order(&s, "kepler", 8, 16);
     struct record truth = recorded(&v, &o);
     double error[2];
     for (size_t k = 0; k < 2; ++k) {
         o.plan = plan(k ? "leapfrog:16" : "leapfrog:8");
         struct record r = recorded(&v, &o);
-        error[k] = record_apart(&v, &truth, &r, 1, 16);
+        error[k] = record_difference(&v, &truth, &r, 1, 16);
         UNIT_EQUAL((double)record_agree(&v, &truth, &r, error[k]), 16);
         UNIT_TRUE(record_agree(&v, &truth, &r, error[k] / 100) < 16);
         record_free(&r);
     }
     UNIT_NEAR(error[0] / error[1], 4, 0.1);
     record_free(&truth);
-    record_look_away(&v);
+    record_view_free(&v);
     scene_free(&s);
 }
 
@@ -205,21 +205,21 @@ TEST(test_limit, "a run ends at its limit, and two at one")
 {
     struct scene s = light_orbit(1, 1.1);
     struct record_view v;
-    UNIT_TRUE(record_look(&v, "record", &s, NULL, 8));
-    struct record_order o = order(&s, "pefrl:16", 8, 16);
+    UNIT_TRUE(record_view_create(&v, "record", &s, NULL, 8));
+    struct record_setup o = order(&s, "pefrl:16", 8, 16);
     struct record a = recorded(&v, &o), b, c;
     o.limit = a.cost / 2;
     record_run(&b, &v, &o);
     UNIT_TRUE(b.end == MODELS_COSTLY && b.reached < 16);
-    UNIT_TRUE(isinf(record_apart(&v, &a, &b, 1, 16)));
+    UNIT_TRUE(isinf(record_difference(&v, &a, &b, 1, 16)));
     record_free(&b);
-    struct record_order p = o;
+    struct record_setup p = o;
     p.plan = plan("leapfrog:2");
     o.limit = 1.2 * a.cost;
     p.limit = INFINITY;
     record_both(&b, &c, &v, &o, &p, INFINITY);
     UNIT_TRUE(b.reached == 16 && c.reached == 16);
-    const double off = record_apart(&v, &a, &c, 1, 16) / 3;
+    const double off = record_difference(&v, &a, &c, 1, 16) / 3;
     record_free(&b);
     record_free(&c);
     record_both(&b, &c, &v, &o, &p, off);
@@ -235,7 +235,7 @@ TEST(test_limit, "a run ends at its limit, and two at one")
     record_free(&a);
     record_free(&b);
     record_free(&c);
-    record_look_away(&v);
+    record_view_free(&v);
     scene_free(&s);
 }
 
@@ -248,11 +248,12 @@ static double scale(const struct scene *s, const char *name, double length,
     struct observables asked;
     char message[OBSERVABLES_MESSAGE];
     UNIT_TRUE(!name || observables_read(&asked, name, s->bodies, message));
-    UNIT_TRUE(record_look(&v, "record", s, name ? &asked : NULL, length));
+    UNIT_TRUE(
+        record_view_create(&v, "record", s, name ? &asked : NULL, length));
     UNIT_TRUE(strcmp(v.judged, judged) == 0);
     UNIT_EQUAL(v.weight[0], 1 / v.scale);
     const double found = v.scale;
-    record_look_away(&v);
+    record_view_free(&v);
     return found;
 }
 
@@ -347,36 +348,39 @@ TEST(test_grain, "far from the origin places are coarse")
                 s.position[c] = 0;
             s.position[2 * axis] = side * 1e7;
             s.position[2 * axis + 1] = side * 1e7 + 2;
-            UNIT_TRUE(record_look(&v, "record", &s, NULL, 1));
-            UNIT_NEAR(v.grain, 0x1p-53 * 1e7 / 2, 1e-6 * v.grain);
+            UNIT_TRUE(record_view_create(&v, "record", &s, NULL, 1));
+            UNIT_NEAR(v.rounded, 0x1p-53 * 1e7 / 2, 1e-6 * v.rounded);
             /* And no two runs agree to less. */
-            struct record_order o = order(&s, "free", 1, 2);
+            struct record_setup o = order(&s, "free", 1, 2);
             struct record a = recorded(&v, &o), b = recorded(&v, &o);
             /* (With a rounding of the rows themselves, of 2 m.) */
-            UNIT_NEAR(record_apart(&v, &a, &b, 0, 2), v.grain, 0x1p-52);
+            UNIT_NEAR(record_difference(&v, &a, &b, 0, 2), v.rounded,
+                      0x1p-52);
             UNIT_EQUAL(a.value[axis], side * 1e7);
             UNIT_EQUAL(a.value[6 + axis], side * 1e7 + 2);
-            UNIT_EQUAL((double)record_agree(&v, &a, &b, 1.01 * v.grain), 2);
-            UNIT_EQUAL((double)record_agree(&v, &a, &b, 0.9 * v.grain), 0);
+            UNIT_EQUAL((double)record_agree(&v, &a, &b, 1.01 * v.rounded),
+                       2);
+            UNIT_EQUAL((double)record_agree(&v, &a, &b, 0.9 * v.rounded),
+                       0);
             record_free(&a);
             record_free(&b);
-            record_look_away(&v);
-            UNIT_TRUE(record_look(&v, "record", &s, &asked, 1));
-            UNIT_EQUAL(v.grain, 0);
-            record_look_away(&v);
+            record_view_free(&v);
+            UNIT_TRUE(record_view_create(&v, "record", &s, &asked, 1));
+            UNIT_EQUAL(v.rounded, 0);
+            record_view_free(&v);
         }
     for (size_t c = 0; c < 6; ++c)
         s.position[c] = 0;
     s.position[0] = 1.9;
     s.position[1] = 3.9; /* 2 wide, 1.9 from the origin */
-    UNIT_TRUE(record_look(&v, "record", &s, NULL, 1));
-    UNIT_EQUAL(v.grain, 0);
-    record_look_away(&v);
+    UNIT_TRUE(record_view_create(&v, "record", &s, NULL, 1));
+    UNIT_EQUAL(v.rounded, 0);
+    record_view_free(&v);
     s.position[0] = 2.1;
     s.position[1] = 4.1;
-    UNIT_TRUE(record_look(&v, "record", &s, NULL, 1));
-    UNIT_EQUAL(v.grain, 0x1p-53 * 2.1 / v.scale);
-    record_look_away(&v);
+    UNIT_TRUE(record_view_create(&v, "record", &s, NULL, 1));
+    UNIT_EQUAL(v.rounded, 0x1p-53 * 2.1 / v.scale);
+    record_view_free(&v);
     scene_free(&s);
 }
 
@@ -387,7 +391,7 @@ TEST(test_rows, "rows are compared round the box")
 {
     struct scene s = all_at_once();
     struct record_view v;
-    UNIT_TRUE(record_look(&v, "record", &s, NULL, 2));
+    UNIT_TRUE(record_view_create(&v, "record", &s, NULL, 2));
     const double scale = sqrt(6 * 6 + 2 * 2);
     UNIT_NEAR(v.scale, scale, 1e-14);
     double one[3 * 24], other[3 * 24];
@@ -410,14 +414,14 @@ TEST(test_rows, "rows are compared round the box")
             if (known[k].column == 23)
                 continue; /* velocities are not judged by */
             other[24 * row + known[k].column] += known[k].off;
-            const double d = record_apart(&v, &a, &b, 0, 2);
+            const double d = record_difference(&v, &a, &b, 0, 2);
             if (isinf(known[k].apart))
                 UNIT_TRUE(isinf(d));
             else
                 UNIT_NEAR(d, known[k].apart / scale, 1e-14);
-            UNIT_TRUE((record_apart(&v, &a, &b, 0, 0) > 1e-14) ==
+            UNIT_TRUE((record_difference(&v, &a, &b, 0, 0) > 1e-14) ==
                       (row == 0 && known[k].apart > 0));
-            UNIT_TRUE((record_apart(&v, &a, &b, 1, 2) > 1e-14) ==
+            UNIT_TRUE((record_difference(&v, &a, &b, 1, 2) > 1e-14) ==
                       (row > 0 && known[k].apart > 0));
             /* The first row is that of the start, which agrees anyway. */
             if (known[k].apart > 0)
@@ -425,10 +429,10 @@ TEST(test_rows, "rows are compared round the box")
                            row == 0 ? 2 : (double)row - 1);
         }
     b.reached = 1;
-    UNIT_TRUE(isinf(record_apart(&v, &a, &b, 0, 2)));
-    UNIT_TRUE(isinf(record_apart(&v, &b, &a, 0, 2)));
-    UNIT_TRUE(record_apart(&v, &a, &b, 0, 1) < INFINITY);
-    record_look_away(&v);
+    UNIT_TRUE(isinf(record_difference(&v, &a, &b, 0, 2)));
+    UNIT_TRUE(isinf(record_difference(&v, &b, &a, 0, 2)));
+    UNIT_TRUE(record_difference(&v, &a, &b, 0, 1) < INFINITY);
+    record_view_free(&v);
     scene_free(&s);
 }
 
@@ -447,23 +451,23 @@ TEST(test_least, "by how little two missed, seen twice")
         s.position[0] = -1;
         s.position[2] = 0.2 + gaps[k];
         s.velocity[0] = 1.5;
-        UNIT_TRUE(record_look(&v, "record", &s, NULL, 1.2));
-        struct record_order o = order(&s, "leapfrog:16", 1.2, 3);
-        o.plan.margin = 0.01;
+        UNIT_TRUE(record_view_create(&v, "record", &s, NULL, 1.2));
+        struct record_setup o = order(&s, "leapfrog:16", 1.2, 3);
+        o.plan.contact_margin = 0.01;
         for (int twin = 0; twin < 2; ++twin)
             for (int swollen = 0; swollen < 2; ++swollen) {
                 o.twin = twin;
-                o.swell = swollen ? 1e-4 : 0;
+                o.grow = swollen ? 1e-4 : 0;
                 struct record r = recorded(&v, &o);
                 const double way = 0.2 + gaps[k];
-                const double touching = 0.2 + 2 * o.swell;
+                const double touching = 0.2 + 2 * o.grow;
                 UNIT_NEAR(fabs(r.least),
                           fabs(way * way - touching * touching) /
                               (2 * touching),
                           1e-9);
                 record_free(&r);
             }
-        record_look_away(&v);
+        record_view_free(&v);
         scene_free(&s);
     }
 }

@@ -86,7 +86,7 @@ TEST(test_turned, "a scene seen from the other side")
     const struct units u = {-2, 4, 8};
     struct scene s = all_different(), old;
     UNIT_TRUE(scene_copy(&old, &s));
-    turn_round(&s, &u);
+    change_units(&s, &u);
     for (size_t i = 0; i < 3; ++i) {
         UNIT_EQUAL(s.mass[i], 4 * (42 - (double)i));
         UNIT_EQUAL(s.charge[i], 52 - (double)i);
@@ -180,7 +180,7 @@ TEST(test_between, "distances along a ring")
         {1, 3, 0, 2},       {3, 1, 0, 2}, {1, 3, 6, 2}, {0, 5, 6, 1},
         {-1, 12.5, 6, 1.5}, {0, 3, 6, 3}, {0, 6, 6, 0}};
     for (size_t k = 0; k < sizeof known / sizeof *known; ++k)
-        UNIT_EQUAL(between(known[k][0], known[k][1], known[k][2]),
+        UNIT_EQUAL(distance(known[k][0], known[k][1], known[k][2]),
                    known[k][3]);
 }
 
@@ -191,7 +191,7 @@ TEST(test_apart, "how far rows are apart")
     double weight[] = {0.5, 0.125, 0}, turn[3] = {0};
     double last[] = {0x1p-10, 0, 0x1p-10};
     struct record_view v = {
-        .columns = 3, .weight = weight, .turn = turn, .last = last};
+        .columns = 3, .weight = weight, .period = turn, .rounding = last};
     static const double known[][7] = {
         {16, 8, 1, 17, 8, 1, 0.5},
         {16, 8, 1, 16.5, 16, 1, 1},
@@ -201,9 +201,9 @@ TEST(test_apart, "how far rows are apart")
         {16, 8, 1, 16 + 0x1.01p-6, 8, 1, 0x1.01p-7},
         {0, 0, 1, 0, 0, 1, 0x1p-20}, /* no less than rows are rounded */
         {0, NAN, 1, 0, 0, 1, INFINITY}};
-    v.grain = 0x1p-20;
+    v.rounded = 0x1p-20;
     for (size_t k = 0; k < sizeof known / sizeof *known; ++k) {
-        const double d = row_apart(&v, known[k], known[k] + 3);
+        const double d = row_difference(&v, known[k], known[k] + 3);
         UNIT_TRUE(d == known[k][6]);
     }
 }
@@ -227,8 +227,8 @@ TEST(test_scales, "scales of units")
         UNIT_EQUAL(scale_of(&to, known[k].unit, &as), known[k].scale);
         UNIT_TRUE(strcmp(as, known[k].as) == 0);
     }
-    UNIT_EQUAL(or_else(0, 4), 4);
-    UNIT_EQUAL(or_else(3, 4), 3);
+    UNIT_EQUAL(or_next(0, 4), 4);
+    UNIT_EQUAL(or_next(3, 4), 3);
 }
 
 /* A body that flies along one axis is as fast along any. */
@@ -256,21 +256,21 @@ TEST(test_measured, "scales of a scene")
     s.position[3] = 4;
     s.velocity[0] = 4;
     s.velocity[3] = -1;
-    UNIT_TRUE(record_look(&v, "record", &s, NULL, 10));
-    struct scales to = measure(&v, 10);
+    UNIT_TRUE(record_view_create(&v, "record", &s, NULL, 10));
+    struct scales to = measure_scales(&v, 10);
     UNIT_EQUAL(to.length, 5);
     UNIT_EQUAL(to.speed, 4);
     UNIT_EQUAL(to.momentum, 11);
     UNIT_EQUAL(to.energy, 17.5);
     for (size_t c = 0; c < 6; ++c)
         v.scene.velocity[c] = 0;
-    to = measure(&v, 10);
+    to = measure_scales(&v, 10);
     UNIT_EQUAL(to.speed, 0.5);
     UNIT_EQUAL(to.energy, 5 * 0.25);
     UNIT_EQUAL(to.momentum, 2.5);
     v.scene.k2 = 5; /* they would circle in 2 pi/omega, omega^2 = 25/5^3 */
-    to = measure(&v, 10);
+    to = measure_scales(&v, 10);
     UNIT_NEAR(to.speed, 5 * sqrt(0.2), 1e-14);
-    record_look_away(&v);
+    record_view_free(&v);
     scene_free(&s);
 }

@@ -1,12 +1,12 @@
 /* Light bodies from the inside out, and their Jacobi coordinates. */
-#include "choosing/light.h"
+#include "choosing/particles.h"
 
 #include <stdlib.h>
 
 /* The heavy bodies count as one, at their centre: that of a single one is
    where it is, to the last bit. */
-void light_gather(const struct light *l, const struct scene *s,
-                  const double x[], double q[])
+void particles_gather(const struct particles *l, const struct scene *s,
+                      const double x[], double q[])
 {
     const size_t n = l->jacobi.bodies;
     for (size_t k = 0; k < SCENE_AXES; ++k) {
@@ -23,9 +23,9 @@ void light_gather(const struct light *l, const struct scene *s,
     }
 }
 
-int light_compare(const void *one, const void *other)
+int particles_compare(const void *one, const void *other)
 {
-    const struct light_place *a = one, *b = other;
+    const struct particles_place *a = one, *b = other;
     if (a->key != b->key)
         return a->key < b->key ? -1 : 1;
     return a->body < b->body ? -1 : a->body > b->body;
@@ -35,53 +35,53 @@ int light_compare(const void *one, const void *other)
    ones, at the start, once for all. Until then they may have any order;
    those equally far stay in the order of their numbers, lest a result
    depend on what qsort does with equals. */
-static bool sort_lights(struct light *l, const struct scene *s)
+static bool sort_by_distance(struct particles *l, const struct scene *s)
 {
     const size_t n = l->jacobi.bodies;
-    struct light_place *place = malloc(n * sizeof *place);
-    const double *const q = l->room;
+    struct particles_place *place = malloc(n * sizeof *place);
+    const double *const q = l->work;
     if (!place)
         return false;
-    light_gather(l, s, s->position, l->room);
+    particles_gather(l, s, s->position, l->work);
     for (size_t j = 1; j < n; ++j) {
         const double d[] = {q[j] - q[0], q[n + j] - q[n],
                             q[2 * n + j] - q[2 * n]};
-        place[j - 1] =
-            (struct light_place){d[0] * d[0] + d[1] * d[1] + d[2] * d[2],
-                                 l->order[l->heavy + j - 1]};
+        place[j - 1] = (struct particles_place){d[0] * d[0] + d[1] * d[1] +
+                                                    d[2] * d[2],
+                                                l->order[l->heavy + j - 1]};
     }
-    qsort(place, n - 1, sizeof *place, light_compare);
+    qsort(place, n - 1, sizeof *place, particles_compare);
     for (size_t j = 1; j < n; ++j)
         l->order[l->heavy + j - 1] = (uint32_t)place[j - 1].body;
     free(place);
     return true;
 }
 
-bool light_is(const struct scene *s, size_t i, double heaviest)
+bool particles_is_light(const struct scene *s, size_t i, double heaviest)
 {
     return s->mass[i] * 100 < heaviest;
 }
 
 /* Tells light bodies from heavy ones, and sorts the light ones. */
-static bool part(struct light *l, const struct scene *s, double heaviest,
-                 size_t centre)
+static bool split(struct particles *l, const struct scene *s,
+                  double heaviest, size_t centre)
 {
     const size_t n = s->bodies;
     l->order = malloc((n + 1) * sizeof *l->order);
-    l->share = malloc((n + 1) * sizeof *l->share);
+    l->factor = malloc((n + 1) * sizeof *l->factor);
     l->mass = calloc(7 * (n + 1), sizeof *l->mass);
-    if (!l->order || !l->share || !l->mass)
+    if (!l->order || !l->factor || !l->mass)
         return false;
-    l->room = l->mass + n + 1;
+    l->work = l->mass + n + 1;
     size_t lights = n;
     for (size_t i = 0; i < n; ++i)
-        if (i == centre || !light_is(s, i, heaviest)) {
+        if (i == centre || !particles_is_light(s, i, heaviest)) {
             l->order[l->heavy++] = (uint32_t)i;
             l->mass[0] += s->mass[i];
         } else
             l->order[--lights] = (uint32_t)i;
     l->jacobi.bodies = 1 + n - lights;
-    return sort_lights(l, s);
+    return sort_by_distance(l, s);
 }
 
 /* Jacobi's coordinates sum the masses from the inside out, and a light body
@@ -89,44 +89,44 @@ static bool part(struct light *l, const struct scene *s, double heaviest,
    held, or something else acts, the centre of mass is no help: momentum is
    not conserved, and what is inside does not give way as it should. Then
    each light body is alone with the heavy ones, as if it had no mass. */
-bool light_create(struct light *l, const struct scene *s, double heaviest,
-                  size_t centre, bool moving)
+bool particles_create(struct particles *l, const struct scene *s,
+                      double heaviest, size_t centre, bool moving)
 {
-    *l = (struct light){.bodies = s->bodies, .moving = moving};
-    const bool parted = part(l, s, heaviest, centre);
+    *l = (struct particles){.bodies = s->bodies, .moving = moving};
+    const bool parted = split(l, s, heaviest, centre);
     const size_t n = l->jacobi.bodies;
     for (size_t j = 1; parted && j < n; ++j)
         l->mass[j] = moving ? s->mass[l->order[l->heavy + j - 1]] : 0;
     if (!parted || !jacobi_create(&l->jacobi, n, l->mass, s->k2)) {
-        light_free(l);
+        particles_free(l);
         return false;
     }
     for (size_t j = 0; j < l->heavy; ++j)
-        l->share[l->order[j]] = 1;
+        l->factor[l->order[j]] = 1;
     for (size_t j = 1; j < n; ++j)
-        l->share[l->order[l->heavy + j - 1]] =
+        l->factor[l->order[l->heavy + j - 1]] =
             l->jacobi.mu[j] / l->jacobi.mu[0];
     return true;
 }
 
-void light_free(struct light *l)
+void particles_free(struct particles *l)
 {
     free(l->order);
-    free(l->share);
+    free(l->factor);
     free(l->mass);
     jacobi_free(&l->jacobi);
-    *l = (struct light){0};
+    *l = (struct particles){0};
 }
 
 /* Replaces places by (12.2, eq:light-jacobi); velocities are differences of
    places, and go the same way. If the heavy ones do not give way nothing
    changes. centre: that of all. */
-static void enter(const struct light *l, const struct scene *s, double x[],
-                  double centre[])
+static void to_jacobi(const struct particles *l, const struct scene *s,
+                      double x[], double centre[])
 {
     const size_t n = l->jacobi.bodies;
-    double heavy[SCENE_AXES], *const q = l->room;
-    light_gather(l, s, x, q);
+    double heavy[SCENE_AXES], *const q = l->work;
+    particles_gather(l, s, x, q);
     for (size_t k = 0; k < SCENE_AXES; ++k)
         heavy[k] = q[k * n];
     jacobi_enter(&l->jacobi, q, q);
@@ -138,21 +138,21 @@ static void enter(const struct light *l, const struct scene *s, double x[],
     }
 }
 
-void light_enter(struct light *l, const struct scene *s, double x[],
-                 double v[])
+void particles_to_jacobi(struct particles *l, const struct scene *s,
+                         double x[], double v[])
 {
-    enter(l, s, x, l->centre);
-    enter(l, s, v, l->drift);
+    to_jacobi(l, s, x, l->centre);
+    to_jacobi(l, s, v, l->drift);
 }
 
 /* The way back begins at the centre of all, which is known, and goes
    inwards; the heavy ones come last. */
-static void leave(const struct light *l, const struct scene *s, double x[],
-                  const double centre[])
+static void from_jacobi(const struct particles *l, const struct scene *s,
+                        double x[], const double centre[])
 {
     const size_t n = l->jacobi.bodies;
-    double *const q = l->room, heavy[SCENE_AXES];
-    light_gather(l, s, x, q);
+    double *const q = l->work, heavy[SCENE_AXES];
+    particles_gather(l, s, x, q);
     for (size_t k = 0; k < SCENE_AXES; ++k) {
         heavy[k] = q[k * n];
         for (size_t j = 1; j < n; ++j)
@@ -170,8 +170,8 @@ static void leave(const struct light *l, const struct scene *s, double x[],
 
 /* The centre of all is where it began, plus its drift, plus its fall: along
    an axis along which bodies are held weight does nothing. */
-void light_leave(const struct light *l, const struct scene *s, double t,
-                 double x[], double v[])
+void particles_from_jacobi(const struct particles *l, const struct scene *s,
+                           double t, double x[], double v[])
 {
     double centre[SCENE_AXES], drift[SCENE_AXES];
     for (size_t k = 0; k < SCENE_AXES; ++k) {
@@ -181,7 +181,7 @@ void light_leave(const struct light *l, const struct scene *s, double t,
         drift[k] = l->drift[k] + fall;
     }
     if (l->moving) {
-        leave(l, s, x, centre);
-        leave(l, s, v, drift);
+        from_jacobi(l, s, x, centre);
+        from_jacobi(l, s, v, drift);
     }
 }

@@ -382,9 +382,17 @@ static size_t buffer_size(const struct springs *p)
     return size;
 }
 
-/* Adds up for n bodies, left to right: minus the force f[i] of the spring
-   from below, plus that of the spring from here, f[i + s]; first of one
-   band and then of another. (10.11, eq:gather) */
+/* Adds for n bodies the forces of one band: minus f[i], that of the spring
+   from below, plus f[i + s], that of their own. (10.11, eq:gather) */
+VECTOR_LOOP static void sum_one(double *restrict sum,
+                                const double *restrict f, size_t s,
+                                size_t n)
+{
+    for (size_t i = 0; i < n; ++i)
+        sum[i] = sum[i] - f[i] + f[i + s];
+}
+
+/* Adds the forces of two bands, one after the other, as sum_one does. */
 VECTOR_LOOP static void sum_two(double *restrict sum,
                                 const double *restrict f, size_t s,
                                 const double *restrict g, size_t t,
@@ -392,15 +400,6 @@ VECTOR_LOOP static void sum_two(double *restrict sum,
 {
     for (size_t i = 0; i < n; ++i)
         sum[i] = sum[i] - f[i] + f[i + s] - g[i] + g[i + t];
-}
-
-/* The same of one band. */
-VECTOR_LOOP static void sum_one(double *restrict sum,
-                                const double *restrict f, size_t s,
-                                size_t n)
-{
-    for (size_t i = 0; i < n; ++i)
-        sum[i] = sum[i] - f[i] + f[i + s];
 }
 
 /* Sums the forces in buffer on n bodies from body `from` on, along axis k:

@@ -9,7 +9,7 @@
 #include "forces/spheres.h"
 #include "forces/springs.h"
 #include "forces/stepping.h"
-#include "forces/touch.h"
+#include "forces/soft.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,5 +1,5 @@
 /* Pushes overlapping bodies apart, by linear springs or as Hertz says. */
-#include "forces/touch.h"
+#include "forces/soft.h"
 
 #include <math.h>
 #include <stdlib.h>

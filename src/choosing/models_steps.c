@@ -21,8 +21,8 @@ static const char *refuse_steps(const struct scene *s,
         return models_unseen;
     switch (motion_flaw(s, NULL)) {
     case MOTION_WALLS: return "there are walls, but no contact";
-    case MOTION_LIGHT: return "a body has no mass";
-    case MOTION_TWICE: return "contacts are springs";
+    case MOTION_MASSLESS: return "a body has no mass";
+    case MOTION_RESTITUTION: return "contacts are springs";
     case MOTION_POINTS: return models_unseen;
     case MOTION_THICK: return "a body is thicker than the box";
     case MOTION_WELL: break;

@@ -90,7 +90,7 @@ static size_t widest_axis(const struct scene *s)
 }
 
 /* One piece of memory holds all numbers of a part. */
-static void share_out(struct impact *p, size_t n)
+static void divide_numbers(struct impact *p, size_t n)
 {
     p->control = p->note + 5 * n + 1;
     p->low = p->control + (PATH + 1) * n;
@@ -116,7 +116,7 @@ bool impact_create(struct impact *p, struct spheres *spheres,
         impact_free(p);
         return false;
     }
-    share_out(p, n);
+    divide_numbers(p, n);
     for (size_t i = 0; i < p->scene->bodies; ++i)
         p->order[i] = i;
     s->forces.accelerate = accelerate;
@@ -323,15 +323,15 @@ static void find_root(struct impact *p, struct impact_gap *g, double h)
 /* Adds a gap to those of the part. */
 static void add_gap(struct impact *p, struct impact_gap g, double h)
 {
-    if (p->gaps == p->room) {
-        const size_t room = 2 * p->room + 16;
-        void *gap = realloc(p->gap, room * sizeof *p->gap);
+    if (p->gaps == p->capacity) {
+        const size_t capacity = 2 * p->capacity + 16;
+        void *gap = realloc(p->gap, capacity * sizeof *p->gap);
         if (!gap) {
             p->end = STEPPING_STUCK;
             return;
         }
         p->gap = gap;
-        p->room = room;
+        p->capacity = capacity;
     }
     find_root(p, &g, h);
     const size_t points = p->degree + 1;

@@ -42,7 +42,7 @@ struct impact {
     double *pull;        /* [3 * bodies] accelerations, m/s^2 */
     size_t *order, axis; /* the bodies along it; 3: there is none */
     struct impact_gap *gap;
-    size_t gaps, room;
+    size_t gaps, capacity;
     bool waiting; /* the last step of its own length ends at a contact */
 };
 

@@ -33,8 +33,8 @@ static void accelerate(void *what, const double x[], const double v[],
         gravity_add(&m->gravity, x, a);
     if (m->bound)
         springs_add(&m->springs, x, v, a);
-    if (m->touches)
-        touch_add(&m->touch, x, v, a);
+    if (m->is_soft)
+        soft_add(&m->soft, x, v, a);
     if (s->damping > 0)
         add_friction(s, v, a);
     for (size_t j = 0; j < m->fixed; ++j)
@@ -57,7 +57,7 @@ static void sweep_two(void *what, const double x[], const double v[],
 static bool are_two(const struct motion *m, bool damped)
 {
     return m->scene->bodies == 2 && m->fixed < 6 && m->attracts &&
-           !m->gravity.source && !m->bound && !m->touches && !m->orbits &&
+           !m->gravity.source && !m->bound && !m->is_soft && !m->orbits &&
            !damped;
 }
 
@@ -72,12 +72,12 @@ static bool make_parts(struct motion *m)
                                      s->softening);
     if (s->springs > 0)
         m->bound = springs_create(&m->springs, s);
-    if (s->contact && s->touch == SCENE_SUDDEN)
+    if (s->contact && s->law == SCENE_SUDDEN)
         m->collides = spheres_create(&m->spheres, s, SPHERES_ALL);
     else if (s->contact)
-        m->touches = touch_create(&m->touch, s);
+        m->is_soft = soft_create(&m->soft, s);
     return m->attracts == (s->k2 > 0) && m->bound == (s->springs > 0) &&
-           (m->collides || m->touches) == s->contact;
+           (m->collides || m->is_soft) == s->contact;
 }
 
 /* Lists the held coordinates. What is held does not move, whatever its line
@@ -124,7 +124,7 @@ static bool begin_orbits(struct motion *m,
 static bool accelerates(const struct motion *m)
 {
     const double *const g = m->scene->gravity;
-    return m->attracts || m->bound || m->touches || m->scene->damping > 0 ||
+    return m->attracts || m->bound || m->is_soft || m->scene->damping > 0 ||
            g[0] != 0 || g[1] != 0 || g[2] != 0;
 }
 
@@ -134,8 +134,8 @@ static bool accelerates(const struct motion *m)
 static void set_dt_of_contacts(struct motion *m, double dt)
 {
     m->spheres.dt = dt;
-    if (m->touches)
-        m->touch.near->dt = dt;
+    if (m->is_soft)
+        m->soft.near->dt = dt;
 }
 
 /* Where springs are all there is, their module does weight and friction in
@@ -147,9 +147,9 @@ static bool begin_stepping(struct motion *m,
                            const struct stepping_method *method, double dt)
 {
     struct scene *s = m->scene;
-    const bool damped = s->damping > 0 || (m->touches && s->dashpot > 0) ||
+    const bool damped = s->damping > 0 || (m->is_soft && s->dashpot > 0) ||
                         (m->bound && springs_damped(&m->springs));
-    const bool alone = m->bound && !m->attracts && !m->touches;
+    const bool alone = m->bound && !m->attracts && !m->is_soft;
     struct stepping_forces forces = {3 * s->bodies, damped, accelerate, m};
     if (alone)
         forces = springs_forces(&m->springs);
@@ -175,7 +175,7 @@ static bool begin_stepping(struct motion *m,
 }
 
 /* Has body i no mass, though it may move? */
-static bool is_light(const struct scene *s, size_t i)
+static bool is_massless(const struct scene *s, size_t i)
 {
     const size_t n = s->bodies;
     return s->mass[i] == 0 &&
@@ -187,16 +187,16 @@ static bool is_light(const struct scene *s, size_t i)
    only; but a spring cannot pull it nor friction slow it down: its
    acceleration would be infinite. Friction and contacts act on all bodies,
    a spring on two. */
-static size_t find_light(const struct scene *s)
+static size_t find_massless(const struct scene *s)
 {
     const bool all = s->damping > 0 || s->contact;
     for (size_t i = 0; all && i < s->bodies; ++i)
-        if (is_light(s, i))
+        if (is_massless(s, i))
             return i;
     for (size_t j = 0; j < s->springs; ++j) {
-        if (is_light(s, s->spring[j].a))
+        if (is_massless(s, s->spring[j].a))
             return s->spring[j].a;
-        if (is_light(s, s->spring[j].b))
+        if (is_massless(s, s->spring[j].b))
             return s->spring[j].b;
     }
     return s->bodies;
@@ -264,13 +264,13 @@ static size_t find_point(const struct scene *s)
 
 enum motion_flaw motion_flaw(const struct scene *s, size_t *body)
 {
-    const size_t of[] = {find_light(s), find_thick(s), find_point(s)};
-    const enum motion_flaw flaw[] = {MOTION_LIGHT, MOTION_THICK,
+    const size_t of[] = {find_massless(s), find_thick(s), find_point(s)};
+    const enum motion_flaw flaw[] = {MOTION_MASSLESS, MOTION_THICK,
                                      MOTION_POINTS};
     if ((s->wall[0] || s->wall[1] || s->wall[2]) && !s->contact)
         return MOTION_WALLS;
-    if (s->touch != SCENE_SUDDEN && s->restitution != 1)
-        return MOTION_TWICE;
+    if (s->law != SCENE_SUDDEN && s->restitution != 1)
+        return MOTION_RESTITUTION;
     for (size_t f = 0; f < sizeof of / sizeof of[0]; ++f) {
         if (body)
             *body = of[f];
@@ -296,11 +296,11 @@ static bool check_scene(const char *program, const struct scene *s)
     case MOTION_WALLS:
         return complain(program, "the scene has walls but no line contact, "
                                  "without which nothing minds them");
-    case MOTION_TWICE:
+    case MOTION_RESTITUTION:
         return complain(program, "the scene has a line restitution, but "
                                  "contacts that are springs: a dashpot is "
                                  "what takes energy from them");
-    case MOTION_LIGHT:
+    case MOTION_MASSLESS:
         snprintf(message, sizeof message,
                  "body %zu has no mass, expected one, since a spring, "
                  "friction or a contact acts on it",
@@ -326,7 +326,7 @@ static bool check_scene(const char *program, const struct scene *s)
 const struct spheres *motion_contacts(const struct motion *m)
 {
     return m->collides && !m->located ? &m->spheres
-           : m->touches               ? m->touch.near
+           : m->is_soft               ? m->soft.near
                                       : NULL;
 }
 
@@ -380,8 +380,8 @@ void motion_end(struct motion *m)
         impact_free(&m->impact);
     if (m->collides)
         spheres_free(&m->spheres);
-    if (m->touches)
-        touch_free(&m->touch);
+    if (m->is_soft)
+        soft_free(&m->soft);
     if (m->orbits)
         jacobi_free(&m->jacobi);
     stepping_free(&m->stepping);
@@ -421,13 +421,13 @@ bool motion_locate(struct motion *m)
 enum stepping_end motion_run(struct motion *m, uint64_t steps)
 {
     enum stepping_end end = STEPPING_DONE;
-    if (!m->collides && !m->touches && !m->outside)
+    if (!m->collides && !m->is_soft && !m->outside)
         return stepping_run(&m->stepping, steps);
     for (; steps > 0 && end == STEPPING_DONE; --steps) {
         end = m->located ? impact_step(&m->impact, &m->collisions)
                          : step_once(m);
-        if (end == STEPPING_DONE && m->touches && !is_split(m))
-            spheres_watch(m->touch.near, m->stepping.x, m->stepping.v);
+        if (end == STEPPING_DONE && m->is_soft && !is_split(m))
+            spheres_watch(m->soft.near, m->stepping.x, m->stepping.v);
         if (end != STEPPING_DONE || !m->collides || m->located)
             continue;
         const uint64_t met =
@@ -541,8 +541,8 @@ struct motion_energy motion_energy(const struct motion *m)
 {
     const double *x = m->scene->position;
     double springs = m->bound ? springs_potential(&m->springs, x) : 0;
-    if (m->touches)
-        springs += touch_potential(&m->touch, x);
+    if (m->is_soft)
+        springs += soft_potential(&m->soft, x);
     return (struct motion_energy){
         motion_kinetic(m),
         m->attracts ? gravity_potential(&m->gravity, x) : 0, springs,

@@ -27,8 +27,8 @@ struct motion {
     struct spheres spheres; /* if collides */
     struct jacobi jacobi;   /* if orbits: the method wants ellipses */
     struct impact impact;   /* if located: contacts at their moments */
-    struct touch touch;     /* if touches: contacts are springs */
-    bool attracts, bound, collides, orbits, located, touches;
+    struct soft soft;       /* if is_soft: contacts are springs */
+    bool attracts, bound, collides, orbits, located, is_soft;
     uint64_t collisions; /* of pairs and with walls, so far */
     size_t *held, fixed; /* coordinates that stay: how many */
     /* NULL, or what steps in place of the method, from x, v to those dt
@@ -47,8 +47,8 @@ struct motion_energy {
 enum motion_flaw {
     MOTION_WELL,
     MOTION_WALLS,
-    MOTION_LIGHT,
-    MOTION_TWICE,
+    MOTION_MASSLESS,
+    MOTION_RESTITUTION,
     MOTION_POINTS,
     MOTION_THICK
 };
@@ -95,12 +95,12 @@ double motion_kinetic(const struct motion *m);
 double motion_potential(const struct motion *m);
 
 /* Says whether s can be stepped: MOTION_WALLS if it has walls but no
-   contact, MOTION_TWICE if it has a restitution but contacts that are
+   contact, MOTION_RESTITUTION if it has a restitution but contacts that are
    springs, which have their own. For the others a number goes to body,
-   which may be NULL: MOTION_LIGHT if a force acts on a body without mass;
-   MOTION_POINTS if a body without a radius shares a line with another one,
-   which steps let pass, since a distance never goes below 0; MOTION_THICK
-   if a body is thicker than the box. */
+   which may be NULL: MOTION_MASSLESS if a force acts on a body without
+   mass; MOTION_POINTS if a body without a radius shares a line with another
+   one, which steps let pass, since a distance never goes below 0;
+   MOTION_THICK if a body is thicker than the box. */
 enum motion_flaw motion_flaw(const struct scene *s, size_t *body);
 
 /* The contacts that are looked for after steps, or NULL. */

@@ -48,14 +48,14 @@ void pairs_end(struct spheres *p)
    few pairs collide in a step. */
 static bool make_room(struct spheres *p)
 {
-    if (p->pairs < p->room)
+    if (p->pairs < p->capacity)
         return true;
-    const size_t room = 2 * p->room + 16;
-    void *pair = realloc(p->pair, room * sizeof *p->pair);
+    const size_t capacity = 2 * p->capacity + 16;
+    void *pair = realloc(p->pair, capacity * sizeof *p->pair);
     if (!pair)
         return false;
     p->pair = pair;
-    p->room = room;
+    p->capacity = capacity;
     return true;
 }
 

@@ -4,27 +4,27 @@
 #include <math.h>
 #include <stdlib.h>
 
-bool touch_create(struct touch *t, const struct scene *s)
+bool soft_create(struct soft *t, const struct scene *s)
 {
-    *t = (struct touch){.scene = s, .near = malloc(sizeof *t->near)};
+    *t = (struct soft){.scene = s, .near = malloc(sizeof *t->near)};
     if (t->near && spheres_create(t->near, s, SPHERES_ALL))
         return true;
     free(t->near);
     return false;
 }
 
-void touch_free(struct touch *t)
+void soft_free(struct soft *t)
 {
     spheres_free(t->near);
     free(t->near);
-    *t = (struct touch){0};
+    *t = (struct soft){0};
 }
 
 /* Returns the force between two that overlap by depth, which grows at a
    rate; N. (11.11, eq:touch) */
 static double push(const struct scene *s, double depth, double rate)
 {
-    if (s->touch == SCENE_HERTZ)
+    if (s->law == SCENE_HERTZ)
         return s->stiffness * depth * sqrt(depth);
     return s->stiffness * depth + s->dashpot * rate;
 }
@@ -80,8 +80,8 @@ static void push_off(const struct scene *s, size_t i, size_t k, int side,
 
 /* Walls come first, then pairs by their numbers, so that sums have one
    order. */
-void touch_add(struct touch *t, const double x[], const double v[],
-               double a[])
+void soft_add(struct soft *t, const double x[], const double v[],
+              double a[])
 {
     const struct scene *s = t->scene;
     for (size_t k = 0; k < SPHERES_AXES; ++k)
@@ -99,12 +99,12 @@ static double stored(const struct scene *s, double depth)
 {
     if (!(depth > 0))
         return 0;
-    if (s->touch == SCENE_HERTZ)
+    if (s->law == SCENE_HERTZ)
         return 0.4 * s->stiffness * depth * depth * sqrt(depth);
     return s->stiffness * depth * depth / 2;
 }
 
-double touch_potential(const struct touch *t, const double x[])
+double soft_potential(const struct soft *t, const double x[])
 {
     const struct scene *s = t->scene;
     double sum = 0, d[SPHERES_AXES];

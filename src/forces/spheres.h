@@ -84,7 +84,7 @@ struct spheres {
     bool sorted;
     struct spheres_edge *edge;
     struct spheres_pair *pair;
-    size_t pairs, room;
+    size_t pairs, capacity;
 };
 
 /* Prepares for the bodies of a scene, which has to outlive *p: its masses

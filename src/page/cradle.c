@@ -46,7 +46,7 @@ static bool begin_way(struct way *w, bool by_springs)
     if (make_cradle(&w->scene))
         return false;
     if (by_springs) {
-        w->scene.touch = page_number[4] != 0 ? SCENE_HERTZ : SCENE_LINEAR;
+        w->scene.law = page_number[4] != 0 ? SCENE_HERTZ : SCENE_LINEAR;
         w->scene.stiffness = page_number[5];
         w->scene.dt = page_number[6];
     }

@@ -262,7 +262,7 @@ const double *page_look(void)
         seen[21 + k] = s->high[k];
     }
     seen[24] = (double)observed.columns;
-    seen[25] = s->contact && s->touch == SCENE_SUDDEN;
+    seen[25] = s->contact && s->law == SCENE_SUDDEN;
     return seen;
 }
 

@@ -160,7 +160,7 @@ static void read_scene(struct run *r)
         !motion_view(&m, PROGRAM, &r->scene))
         exit(OPTIONS_FAILURE);
     motion_end(&m);
-    if (r->scene.touch != SCENE_SUDDEN)
+    if (r->scene.law != SCENE_SUDDEN)
         program_refuse(PROGRAM,
                        "%s: contacts that are springs are for step "
                        "alone: no line linear or hertz",

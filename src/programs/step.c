@@ -459,7 +459,7 @@ static void note_energy(struct run *r)
 static bool is_conservative(const struct run *r)
 {
     const struct scene *s = &r->scene;
-    bool keeps = s->damping == 0 && !r->motion.touches &&
+    bool keeps = s->damping == 0 && !r->motion.is_soft &&
                  (!s->contact || s->restitution == 1);
     for (size_t k = 0; keeps && k < s->kinds; ++k)
         keeps = s->kind[k].damping == 0;

@@ -542,7 +542,7 @@ static bool store_dashpot(struct reader *r, const double value[],
 static bool store_linear(struct reader *r, const double value[],
                          size_t count)
 {
-    r->scene->touch = SCENE_LINEAR;
+    r->scene->law = SCENE_LINEAR;
     r->scene->stiffness = value[0];
     r->scene->dashpot = count > 1 ? value[1] : 0;
     return r->scene->contact = true;
@@ -552,7 +552,7 @@ static bool store_hertz(struct reader *r, const double value[],
                         size_t count)
 {
     (void)count;
-    r->scene->touch = SCENE_HERTZ;
+    r->scene->law = SCENE_HERTZ;
     r->scene->stiffness = value[0];
     r->scene->dashpot = 0;
     return r->scene->contact = true;
@@ -879,9 +879,9 @@ static void write_box(const struct scene *s, struct table *out)
         table_print(out, "contact\n");
     if (s->restitution != 1)
         table_print(out, "restitution %.17g\n", s->restitution);
-    if (s->touch == SCENE_LINEAR)
+    if (s->law == SCENE_LINEAR)
         table_print(out, "linear %.17g %.17g\n", s->stiffness, s->dashpot);
-    if (s->touch == SCENE_HERTZ)
+    if (s->law == SCENE_HERTZ)
         table_print(out, "hertz %.17g\n", s->stiffness);
 }
 

@@ -1203,7 +1203,7 @@ enum { TOUCHING = 3 };
 
 static const struct {
     const char *name;
-    enum scene_touch touch;
+    enum scene_law law;
     double stiffness, gap; /* N/m or N/m^1.5, m */
 } touchings[TOUCHING] = {{"linear", SCENE_LINEAR, 5000, 0},
                          {"hertz", SCENE_HERTZ, 50000, 0},
@@ -1216,7 +1216,7 @@ static void make_touching(struct scene *s, int way, size_t balls)
 {
     make_bodies(s, balls, 0.1);
     s->gravity[2] = 0;
-    s->touch = touchings[way].touch;
+    s->law = touchings[way].law;
     s->stiffness = touchings[way].stiffness;
     for (size_t i = 0; i < balls; ++i)
         s->position[i] = (double)i * (0.2 + touchings[way].gap);

@@ -491,10 +491,10 @@ TEST(test_forces_twice, "freed twice, what moves bodies")
     m.located = m.collides = false;
     motion_end(&m);
     motion_end(&m);
-    scene.touch = SCENE_LINEAR;
-    struct touch t;
-    UNIT_TRUE(touch_create(&t, &scene));
-    touch_free(&t);
+    scene.law = SCENE_LINEAR;
+    struct soft t;
+    UNIT_TRUE(soft_create(&t, &scene));
+    soft_free(&t);
     UNIT_TRUE(!t.near && !t.scene);
     scene_free(&scene);
     make("double-pendulum");

@@ -215,7 +215,7 @@ TEST(test_not_two, "what is not two bodies alone")
             must(scene_add_spring(&s, 0, 1, 0, 1), "no memory");
         if (what == 4) {
             s.contact = true;
-            s.touch = SCENE_LINEAR;
+            s.law = SCENE_LINEAR;
             s.stiffness = 1;
             s.radius[0] = s.radius[1] = 0.1;
         }
@@ -248,7 +248,7 @@ TEST(test_compensated, "which sums are compensated")
         }
         if (what == 6) {
             s.contact = true;
-            s.touch = SCENE_LINEAR;
+            s.law = SCENE_LINEAR;
             s.stiffness = 1;
             s.radius[0] = s.radius[1] = 0.1;
         }
@@ -604,7 +604,8 @@ static void has(const struct scene *s, enum motion_flaw flaw, size_t body)
     size_t found = 77;
     UNIT_EQUAL(motion_flaw(s, &found), flaw);
     UNIT_EQUAL(motion_flaw(s, NULL), flaw);
-    if (flaw != MOTION_WELL && flaw != MOTION_WALLS && flaw != MOTION_TWICE)
+    if (flaw != MOTION_WELL && flaw != MOTION_WALLS &&
+        flaw != MOTION_RESTITUTION)
         UNIT_EQUAL((double)found, (double)body);
 }
 
@@ -620,17 +621,17 @@ TEST(test_light, "what has no mass")
             s.freedom[light] = 0;
             s.freedom[3 * axis + light] = 1;
             s.damping = 0.1;
-            has(&s, MOTION_LIGHT, light);
+            has(&s, MOTION_MASSLESS, light);
             s.freedom[3 * axis + light] = 0;
             has(&s, MOTION_WELL, 0);
             s.freedom[3 * axis + light] = 1;
             s.damping = 0;
             s.contact = true;
-            has(&s, MOTION_LIGHT, light);
+            has(&s, MOTION_MASSLESS, light);
             s.contact = false;
             must(scene_add_kind(&s, 1, 0), "no memory");
             must(scene_add_spring(&s, 0, 2, 0, 1), "no memory");
-            has(&s, light == 1 ? MOTION_WELL : MOTION_LIGHT, light);
+            has(&s, light == 1 ? MOTION_WELL : MOTION_MASSLESS, light);
             scene_free(&s);
         }
 }
@@ -658,8 +659,8 @@ TEST(test_box, "what is in a box")
             has(&s, MOTION_WELL, 0);
             s.restitution = 0.9;
             has(&s, MOTION_WELL, 0);
-            s.touch = SCENE_LINEAR;
-            has(&s, MOTION_TWICE, 0);
+            s.law = SCENE_LINEAR;
+            has(&s, MOTION_RESTITUTION, 0);
             s.restitution = 1;
             has(&s, MOTION_WELL, 0);
             scene_free(&s);
@@ -772,7 +773,7 @@ TEST(test_energies, "energies by hand")
     must(scene_add_kind(&s, 32, 0), "no memory");
     must(scene_add_spring(&s, 0, 1, 0, 0.25), "no memory");
     s.contact = true;
-    s.touch = SCENE_LINEAR;
+    s.law = SCENE_LINEAR;
     s.stiffness = 8;
     s.radius[0] = s.radius[1] = 0.5;
     begin(&m, &s, "leapfrog");
@@ -782,7 +783,7 @@ TEST(test_energies, "energies by hand")
     UNIT_EQUAL(e.springs, 32 * 0.25 * 0.25 / 2 + 8 * 0.5 * 0.5 / 2);
     UNIT_EQUAL(e.weight, 2 * 10 * 3 + 10 * 3);
     UNIT_EQUAL(motion_potential(&m), e.gravity + e.springs + e.weight);
-    UNIT_TRUE(motion_contacts(&m) == m.touch.near);
+    UNIT_TRUE(motion_contacts(&m) == m.soft.near);
     motion_end(&m);
     scene_free(&s);
 }

@@ -394,9 +394,9 @@ static void make_random(struct scene *s, struct random *r)
     s->restitution = random_uniform(r);
     s->axial = random_below(r, 2);
     s->contact = random_below(r, 2);
-    s->touch = s->contact ? (enum scene_touch)random_below(r, 3) : 0;
-    s->stiffness = s->touch ? 1e-9 + fabs(any(r)) : 0;
-    s->dashpot = s->touch == SCENE_LINEAR ? fabs(any(r)) : 0;
+    s->law = s->contact ? (enum scene_law)random_below(r, 3) : 0;
+    s->stiffness = s->law ? 1e-9 + fabs(any(r)) : 0;
+    s->dashpot = s->law == SCENE_LINEAR ? fabs(any(r)) : 0;
 }
 
 TEST(test_written, "what is written reads with the same bits")
@@ -462,7 +462,7 @@ TEST(test_letters, "what is written, letter by letter")
     /* The last law of contacts counts, and has nothing of the one before.
      */
     UNIT_TRUE(parse(&s, "pos 0 1 2 3 4 5 6\nlinear 5 2\nhertz 3\n"));
-    UNIT_TRUE(s.touch == SCENE_HERTZ && s.contact);
+    UNIT_TRUE(s.law == SCENE_HERTZ && s.contact);
     UNIT_TRUE(s.stiffness == 3 && s.dashpot == 0);
     scene_free(&s);
 }

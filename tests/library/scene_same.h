@@ -48,8 +48,7 @@ static inline bool scene_same(const struct scene *a, const struct scene *b)
            same_double(a->dt, b->dt) && same_double(a->time, b->time) &&
            a->axial == b->axial && a->contact == b->contact &&
            same_double(a->restitution, b->restitution) &&
-           a->touch == b->touch &&
-           same_double(a->stiffness, b->stiffness) &&
+           a->law == b->law && same_double(a->stiffness, b->stiffness) &&
            same_double(a->dashpot, b->dashpot) &&
            SAME_LIST(a, b, 3, wall) && SAME_LIST(a, b, 3, low) &&
            SAME_LIST(a, b, 3, high);
@@ -64,7 +63,7 @@ static inline uint64_t scene_sum(const struct scene *s)
         (double)n,     (double)s->kinds, (double)s->springs,
         s->k2,         s->softening,     s->damping,
         s->dt,         s->time,          s->axial,
-        s->contact,    s->restitution,   s->touch,
+        s->contact,    s->restitution,   s->law,
         s->stiffness,  s->dashpot,       s->gravity[0],
         s->gravity[1], s->gravity[2]};
     uint64_t sum = table_sum(TABLE_NOTHING, (const char *)one, sizeof one);

@@ -8,13 +8,13 @@
 #include <stdlib.h>
 
 /* A row of balls of 1 kg with springs of 5000 N/m: 100/s for a pair. */
-static void make(struct scene *s, size_t balls, enum scene_touch touch,
+static void make(struct scene *s, size_t balls, enum scene_law touch,
                  double gap)
 {
     if (!scene_create(s, balls))
         exit(1);
     s->contact = true;
-    s->touch = touch;
+    s->law = touch;
     s->stiffness = 5000;
     for (size_t i = 0; i < balls; ++i) {
         s->radius[i] = 0.125;
@@ -79,7 +79,7 @@ TEST(test_hertz, "how long Hertz's balls touch")
 }
 
 /* What 1 m/s of the first k becomes, after it is all over. */
-static void strike(enum scene_touch touch, double gap, size_t k,
+static void strike(enum scene_law touch, double gap, size_t k,
                    const double out[5], double within)
 {
     struct scene s;
@@ -173,7 +173,7 @@ TEST(test_twice, "restitution or springs")
     make(&s, 2, SCENE_LINEAR, 0);
     UNIT_EQUAL((double)motion_flaw(&s, NULL), MOTION_WELL);
     s.restitution = 0.5;
-    UNIT_EQUAL((double)motion_flaw(&s, NULL), MOTION_TWICE);
+    UNIT_EQUAL((double)motion_flaw(&s, NULL), MOTION_RESTITUTION);
     scene_free(&s);
 }
 
@@ -183,10 +183,10 @@ TEST(test_twice, "restitution or springs")
    depths of 1e-2 and more. */
 TEST(test_stored, "what is stored comes back")
 {
-    static const enum scene_touch kinds[] = {SCENE_LINEAR, SCENE_HERTZ};
+    static const enum scene_law kinds[] = {SCENE_LINEAR, SCENE_HERTZ};
     for (size_t kind = 0; kind < 2; ++kind) {
         struct scene s;
-        struct touch t;
+        struct soft t;
         double x[9], v[9] = {0}, a[9] = {0};
         make(&s, 3, kinds[kind], -0.03);
         for (size_t i = 0; i < 3; ++i) {
@@ -198,16 +198,16 @@ TEST(test_stored, "what is stored comes back")
         s.high[0] = 0.54;
         s.low[1] = -0.1;
         s.high[1] = 0.21;
-        if (!touch_create(&t, &s))
+        if (!soft_create(&t, &s))
             exit(1);
         memcpy(x, s.position, sizeof x);
-        touch_add(&t, x, v, a);
+        soft_add(&t, x, v, a);
         for (size_t c = 0; c < 9; ++c) {
             const double way = 1e-6;
             x[c] += way;
-            const double above = touch_potential(&t, x);
+            const double above = soft_potential(&t, x);
             x[c] -= 2 * way;
-            const double below = touch_potential(&t, x);
+            const double below = soft_potential(&t, x);
             x[c] = s.position[c];
             UNIT_NEAR(-(above - below) / (2 * way), s.mass[c % 3] * a[c],
                       1e-4);
@@ -219,8 +219,8 @@ TEST(test_stored, "what is stored comes back")
         s.wall[0] = SCENE_OPEN;
         for (size_t i = 0; i < 3; ++i)
             x[3 + i] = 0.05;
-        UNIT_EQUAL(touch_potential(&t, x), 0);
-        touch_free(&t);
+        UNIT_EQUAL(soft_potential(&t, x), 0);
+        soft_free(&t);
         scene_free(&s);
     }
 }
@@ -232,7 +232,7 @@ TEST(test_by_hand, "two by hand")
 {
     static const double force[] = {0, 0, 0, 0, -0.3, 0.15, 0, -0.4, 0.2};
     struct scene s;
-    struct touch t;
+    struct soft t;
     double a[9] = {0};
     make(&s, 3, SCENE_LINEAR, 9);
     s.stiffness = 8;
@@ -248,16 +248,16 @@ TEST(test_by_hand, "two by hand")
     s.velocity[5] = 1.3;
     s.velocity[7] = -2;
     s.velocity[8] = -1.6;
-    if (!touch_create(&t, &s))
+    if (!soft_create(&t, &s))
         exit(1);
-    touch_add(&t, s.position, s.velocity, a);
+    soft_add(&t, s.position, s.velocity, a);
     for (size_t c = 0; c < 9; ++c)
         UNIT_NEAR(a[c], force[c], 2e-15);
     memset(a, 0, sizeof a);
     s.position[5] = s.position[8] = 0;
-    touch_add(&t, s.position, s.velocity, a);
+    soft_add(&t, s.position, s.velocity, a);
     for (size_t c = 0; c < 9; ++c)
         UNIT_EQUAL(a[c], 0);
-    touch_free(&t);
+    soft_free(&t);
     scene_free(&s);
 }

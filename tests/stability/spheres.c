@@ -261,7 +261,7 @@ TEST(test_stiff, "a stiff contact makes energy")
         if (!scene_create(&s, 2))
             exit(1);
         s.contact = true;
-        s.touch = SCENE_LINEAR;
+        s.law = SCENE_LINEAR;
         s.stiffness = 5000;
         s.radius[0] = s.radius[1] = 0.1;
         s.position[1] = 0.2001;

@@ -16,7 +16,7 @@ mkdir "$kit"
 tar cf - --exclude=./.git --exclude=./build . | (cd "$kit" && tar xf -)
 mkdir "$kit/build"
 cp -Rp build/compiler.mk build/compiler build/made build/check build/bonkers.pdf \
-    build/works.pdf build/recipes "$kit/build/" 2>/dev/null
+    build/recipes "$kit/build/" 2>/dev/null
 mkdir "$kit/build/site"
 cp build/site/index.html "$kit/build/site/"
 [ -d build/grade ] && cp -Rp build/grade "$kit/build/"
@@ -33,8 +33,7 @@ git init -q . && git add -A >/dev/null 2>&1 &&
 
 {
     # shellcheck disable=SC2016
-    echo 'make() { command ${MAKE:-make} -o build/bonkers.pdf \'
-    echo '    -o build/works.pdf -o build/site/made "$@"; }'
+    echo 'make() { command ${MAKE:-make} -o build/bonkers.pdf -o build/site/made "$@"; }'
     cat tests/kit/recipe/steps
 } >"$work/steps"
 sh -eu "$work/steps" >"$work/out" 2>&1
@@ -70,9 +69,16 @@ holds 'Ada has all ten points' \
 build/check/examine --strict --as 01f --file touched.c >"$work/strict" 2>&1
 holds 'its stub stands a strict compiler' \
     sh -c "sed 1q '$work/strict' | grep -q ' not begun'"
+# A method, by its own recipe.
+{ sed 1q "$work/steps" && cat tests/kit/recipe/method; } >"$work/method"
+sh -u "$work/method" >"$work/out" 2>&1
+holds 'a method is added' sh -c "[ $? -eq 0 ] || { tail -5 '$work/out'; false; }"
+holds 'help lists it' grep -q '^ *ruth3 ' "$work/out"
+holds 'its limit is said, and then holds' test "$(sed -n \
+    's/ stepping_limits: every method has the limit.*//p' "$work/out" | tr '\n' ' ')" = 'not ok ok '
 cd "$root" || exit 1
 for file in tests/kit/recipe/*.c; do
     holds "$file keeps .clang-format" \
         clang-format --dry-run -Werror "$file"
 done
-echo 1..26
+echo 1..29

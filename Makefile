@@ -46,8 +46,8 @@ $$(error $(firstword $(filter $(2),$(MAKECMDGOALS))) needs $(1), which is not\
 endif
 endif
 endef
-$(eval $(call only_with,chapters/press/book.tex,tangle check-tangle contact pages slides dist))
-$(eval $(call only_with,tests/library,book works site test memcheck handout mutants \
+$(eval $(call only_with,chapters/press/book.tex,tangle check-tangle debug contact pages slides dist))
+$(eval $(call only_with,tests/library,book site test memcheck handout mutants \
 	grade grade-bench jobs test-cluster test-systems))
 $(eval $(call only_with,solutions,solution))
 $(eval $(call only_with,tests/fuzz,fuzz fuzz-scenes fuzz-commands hunt))
@@ -91,7 +91,6 @@ help:
 	$(call help_for,solution) 'make solution     EX=01a: the worked solution, once yours passes'
 	@echo 'make reset        EX=01a: begin afresh; what you had is kept'
 	$(call help_for,book) 'make book         the PDF; EDITION=instructor adds the solutions'
-	$(call help_for,works) 'make works        the second volume: how the rest is made'
 	$(call help_for,site) 'make site         the book as pages, to be opened in a browser'
 	$(call help_for,handout) 'make handout      the archive for students; WITH_CHAPTERS=1 for more'
 	$(call help_for,dist) 'make dist         what is published, and its checksums, in build/dist/'
@@ -115,6 +114,7 @@ help:
 	$(call help_for,memcheck) 'make memcheck     the library tests under sanitizers'
 	$(call help_for,fuzz) 'make fuzz         scenes, options and files that are wrong; TEXTS=1e7 COMMANDS=1e4'
 	$(call help_for,hunt) 'make hunt         random scenes for bonk, against paths of another kind; REQUESTS=3000'
+	$(call help_for,debug) 'make debug        programs for a debugger, in which code has the lines of its chapter'
 	$(call help_for,tangle) 'make tangle       write the literate files of src/ from chapters/'
 	$(call help_for,check-tangle) 'make check-tangle see that those files are what the chapters say'
 	@echo 'make format       see that the C files keep .clang-format'

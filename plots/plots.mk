@@ -7,8 +7,8 @@ bookless := all first programs bench atlas movie movies wanted-movie inspect cha
 	reset solution mutants tangle check-tangle clean help format memcheck \
 	fuzz fuzz-scenes fuzz-commands compile_commands.json
 ifneq ($(filter-out $(bookless),$(MAKECMDGOALS)),)
-build/recipes/rules.mk: chapters/press/recipes chapters plots $(wildcard chapters/works) \
-		$(wildcard chapters/*.nw chapters/works/*.nw plots/*.gp)
+build/recipes/rules.mk: chapters/press/recipes chapters plots \
+		$(wildcard chapters/*.nw plots/*.gp)
 	@chapters/press/recipes
 include build/recipes/rules.mk
 kept += $(FIGURES_DATA) $(LECTURE_DATA) $(RUNS)

@@ -1,5 +1,4 @@
-# The book and its second volume, from noweb chapters with TeX; and the course
-# that students get.
+# The book, from noweb chapters with TeX, and the course that students get.
 
 .PHONY: tangle check-tangle contact book has-tex
 tangle:
@@ -15,6 +14,24 @@ has-tex: has-gnuplot
 	$(call need,notangle,noweb)
 	$(call need,pdflatex,lmodern texlive-latex-extra texlive-fonts-recommended)
 
+# The programs for a debugger, without optimization, in build/debug/build/bin/: what a
+# compiler or a debugger says of a literate file names the chapter and its line.
+.PHONY: debug
+debug:
+	$(call need,notangle,noweb)
+	@mkdir -p build/debug
+	@cd build/debug && for name in Makefile chapters exercises plots solutions tests; do \
+		ln -sfn ../../$$name $$name; done
+	@chapters/press/tangle -L build/debug/src
+	@for file in $$(grep -L '^/\* From chapters/' src/*/*.[ch]) src/*.mk src/*/*.mk; do \
+		cmp -s $$file build/debug/$$file || \
+		{ mkdir -p build/debug/$${file%/*} && cp $$file build/debug/$$file; } || exit 1; \
+	done
+	@for file in build/debug/src/*/*.[ch]; do \
+		[ -e $${file#build/debug/} ] || rm $$file; done
+	@$(MAKE) -C build/debug programs PORTABLE='-g -O0 -ffp-contract=off'
+	@echo 'The programs: build/debug/build/bin/'
+
 # Puts all figures and slides, small, on a few sheets.
 contact: has-tex has-gsl $(FIGURES_PDF)
 	@chapters/press/contact
@@ -26,11 +43,10 @@ pages: build/bonkers.pdf
 	$(call need,pdftotext,poppler-utils)
 	@chapters/press/measure
 
-.PHONY: works
 # EDITION=instructor adds the worked solutions. Goals that draw figures use all processors,
 # unless -j says how many.
 ifeq ($(MAKELEVEL),0)
-ifneq ($(filter book works site figures handout dist,$(MAKECMDGOALS)),)
+ifneq ($(filter book site figures handout dist,$(MAKECMDGOALS)),)
 MAKEFLAGS += -j$(shell getconf _NPROCESSORS_ONLN)
 endif
 endif
@@ -38,8 +54,6 @@ edition := $(if $(filter instructor,$(EDITION)),-instructor)
 book: has-tex build/bonkers$(edition).pdf figures
 	@echo 'The book: build/bonkers$(edition).pdf'
 	@echo 'Next: open it, then try an exercise: make check'
-works: has-tex build/works.pdf
-	@echo 'The second volume: build/works.pdf, beside build/bonkers.pdf'
 
 # Puts the lecture figures of a chapter, with titles, on one page each.
 CHAPTER = 9
@@ -54,31 +68,29 @@ slides: has-tex has-gsl $(patsubst plots/%.gp,slides-%,$(wildcard \
 	@echo 'The slides: build/slides-$(chapter_number).pdf'
 endif
 
-# What all volumes are set from; then they can be made side by side. QUOTED are the
+# What both editions are set from; then they can be made side by side. QUOTED are the
 # files of src/ that chapters quote.
 .PHONY: book-parts
 book-parts: has-tex $(FIGURES_PDF) $(FIGURES_SVG) $(FIGURES_ALT) build/woven
-build/woven: $(RUNS) $(wildcard $(QUOTED) chapters/*.nw chapters/works/*.nw \
+build/woven: $(RUNS) $(wildcard $(QUOTED) chapters/*.nw \
 		solutions/* plots/data/* \
 		$(addprefix tests/exercises/*/,hints.txt stub.c suite.c)) \
 		$(filter-out %/site %/site.mk,$(wildcard chapters/press/*))
 	@chapters/press/make-book woven
 
-build/bonkers.pdf build/bonkers-instructor.pdf build/works.pdf: build/woven $(FIGURES_PDF) $(FIGURES_ALT) \
+build/bonkers.pdf build/bonkers-instructor.pdf: build/woven $(FIGURES_PDF) $(FIGURES_ALT) \
 		tests/equations.txt src/toolbox/version.h
 	@chapters/press/make-book $(@:build/%.pdf=%)
-# Works quotes the numbers of the book.
-build/works.pdf: build/bonkers.pdf
 
 # ---- the course for students
 
-# Its book has no solutions, its Works neither examiner nor grader.
+# Its book has no solutions.
 # WITH_CHAPTERS=1 adds the chapters.
 ifneq ($(and $(EDITION),$(filter handout,$(MAKECMDGOALS))),)
 $(error handout: EDITION: students get the book without solutions; leave it out)
 endif
 .PHONY: handout
-handout: has-tex build/bonkers.pdf build/works.pdf has-site build/site/made
+handout: has-tex build/bonkers.pdf has-site build/site/made
 	@chapters/press/handout
 
 # ---- the pages
@@ -87,5 +99,5 @@ include chapters/press/site.mk
 # ---- what is published
 
 .PHONY: dist
-dist: handout site build/works.pdf
+dist: handout site
 	@chapters/press/dist

@@ -224,12 +224,6 @@ chapter '\result[1 to 2]{lost}{steps}'
 is 'a number of a run that is not there is refused' \
     'recipes: chapters/01-x.nw:2: no %run line makes run lost' \
     "$(chapters/press/recipes 2>&1)"
-mkdir chapters/works
-echo '%run works: build/bin/walk --seed 3' >chapters/works/01-x.nw
-chapter '%run a: build/bin/walk' '\result[1 to 2]{works}{steps}'
-chapters/press/recipes
-is 'Works has runs, too' 'build/bin/walk --seed 3 --summary build/runs/works.summary' \
-    "$(sed -n '$p' build/recipes/run-works)"
 chapter '%run pipe: build/bin/walk --seed 4 | build/bin/walk -o /dev/null | cat' \
     '\result[1 to 2]{pipe}{steps}'
 chapters/press/recipes
@@ -262,4 +256,4 @@ is 'Windows line ends in a chapter are refused' \
     'recipes: chapters/01-x.nw: Windows line ends' \
     "$(chapters/press/recipes 2>&1 | sed 's/ (.*//')"
 is 'and nothing is written' "$(cat before)" "$(find build -type f -exec cksum {} +)"
-echo 1..58
+echo 1..57

@@ -3,10 +3,9 @@
 set -u
 scratch=$(mktemp -d) || exit 1
 trap 'rm -rf "$scratch"' EXIT
-mkdir -p "$scratch/chapters/press" "$scratch/tests/exercises/01a" "$scratch/solutions"
-cp chapters/press/weave chapters/press/keywords chapters/press/volumes \
-    chapters/press/across chapters/press/names chapters/press/lines chapters/press/quote \
-    "$scratch/chapters/press/"
+mkdir -p "$scratch/chapters/press" "$scratch/src/unit" "$scratch/tests/exercises/01a" "$scratch/solutions"
+cp chapters/press/weave chapters/press/keywords chapters/press/labels \
+    chapters/press/lines chapters/press/quote "$scratch/chapters/press/"
 cd "$scratch" || exit 1
 has() { # name needle file
     if grep -qF -- "$2" "$3"; then
@@ -46,6 +45,7 @@ return hit_it(); /* hit_it */
 @'
 printf '%s\n' "$one" >chapters/01-one.nw
 printf '%s\n' "$two" >chapters/02-two.nw
+echo 'int hit_it(void);' >src/unit/one.h
 lines() { awk -v n="$1" 'BEGIN { for (i = 1; i <= n; ++i)
     print n < 14 || i != 5 && i != 9 ? "x = " i ";" : i == 5 ? "" : "do {" }'; }
 {
@@ -63,11 +63,7 @@ has 'an identifier is linked to another chapter' \
 grep -c 'linkedidentc' build/book/02-two.tex | grep -qx 1 &&
     echo 'ok weave: but not in a comment' ||
     echo 'not ok weave: but not in a comment - more than one link'
-grep -c '^\\nwixlogsorted{c}{{Includes}' build/works/indexes.tex |
-    grep -qx 2 && echo 'ok weave: chunks of two chapters stay apart' ||
-    echo 'not ok weave: chunks of two chapters stay apart - merged'
-has 'code in a chunk name is safe in the index' \
-    '{{Call {\Tt{}hit{\_}it\nwendquote} once}' build/works/indexes.tex
+has 'chunks of two chapters stay apart' 'Includes~{' build/book/02-two.tex
 has 'the lines of a chunk are counted, a blank end left out' \
     '\nwcodelines{2}{}\nwbegincode{1}' build/book/01-one.tex
 has 'a page ends in a long chunk best at a blank line' \
@@ -90,78 +86,86 @@ printf '%s\n' "$one" >chapters/01-one.nw
 printf '%s\n' "$two" | sed 's/^<<Includes>>$/<<Inclusions>>/' \
     >chapters/02-two.nw
 refused 'a chunk without a definition' \
-    'weave: chapters/02-two.nw: no chunk is named <<Inclusions>>'
+    'weave: chapters/02-two.nw:4: no chunk is named <<Inclusions>>'
 printf '%s\n' "$two" >chapters/02-two.nw
 
-# Two volumes: a chapter and its part in Works have one set of chunk names.
-mkdir chapters/works
-works='\chapter{Two}
-\section{The \prog{two} of [[hit_it]]}
-\label{works:two}
-As in \inbook{sec:one}, by~\eqref{eq:one}.
-<<Includes>>=
-#include <stdio.h>
-<<alone.c>>=
-<<Call [[hit_it]] once>>
+# Uses of a name: not a member; a struct behind that word alone; of what no header
+# declares only in the chapter that defines it.
+printf '%s\n' 'struct lamp { int bright; };' 'int shine(int n);' >src/unit/lamp.h
+lamp='\chapter{Lamp}
+<<lamp.c>>=
+struct lamp {
+    int bright;
+};
+int shine(int n)
+{
+    return dim(n);
+}
+static int dim(int n)
+{
+    return n;
+}
+@ %def lamp shine dim
+<<again.c>>=
+struct lamp lamp = {.shine = dim(1)};
+lamp.shine = shine(2);
 @'
-printf '%s\n' "$works" >chapters/works/02-two.nw
+printf '%s\n' "$lamp" >chapters/04-lamp.nw
+printf '%s\n' "$lamp" | sed '1s/.*/\\chapter{Other}/; /^<<lamp.c/,/^@ %def/d
+    s/again.c/other.c/' >chapters/05-other.nw
+chapters/press/weave || echo 'not ok weave: lamps - status 1'
+linked() { # CHAPTER: the names that are links in its last chunk
+    sed -n '/again.c\|other.c/,$p' "build/book/$1.tex" |
+        grep -o 'linkedidentc{[a-z]*}' | sed 's/.*{//; s/}//' | tr '\n' ' '
+}
+for pair in '04-lamp=lamp dim shine ' '05-other=lamp shine '; do
+    got=$(linked "${pair%%=*}")
+    [ "$got" = "${pair#*=}" ] && echo "ok weave: the uses in ${pair%%=*}" ||
+        echo "not ok weave: the uses in ${pair%%=*} - '$got', not '${pair#*=}'"
+done
+rm chapters/04-lamp.nw chapters/05-other.nw
+
+two='\chapter{Two}
+\section{The \prog{two} of [[hit_it]]}
+\label{sec:two}
+As in section~\ref{sec:one}, by~\eqref{eq:one}.
+<<alone.c>>=
+#include <stdio.h>
+<<Call [[hit_it]] once>>
+<<Call [[hit_it]] once>>=
+return hit_it();
+@'
+printf '%s\n' "$two" >chapters/02-two.nw
 printf '%s\n' "$one" '\section{More}\label{sec:one}' '\begin{equation}\label{eq:one}' \
-    '\end{equation}' '\inworks{how \prog{two} is' 'made}{works:two}{src/alone.c}' \
-    '[[\ref{works:two}]] is no reference, % nor is \ref{works:two}' >chapters/01-one.nw
-chapters/press/weave || echo 'not ok weave: two volumes - status 1'
-has 'Works are woven beside the book' '\label{works:two}' build/works/02-two.tex
-has 'the book knows the titles of Works' \
-    '\workstitle{works:two}{The \prog{two} of \texttt{hit\_it}}' build/book/titles.tex
-label=$(sed -n 's/.*sublabel{\(NW[^}]*\)}.*{Includes.*/\1/p' build/works/02-two.tex)
-has 'a chunk of the book goes on in Works' "{$label}" build/book/02-two.tex
-has 'and the book knows that it stands there' "\\nwelsewhere{$label}" \
-    build/book/elsewhere.tex
-has 'a heading of Works is a place' '\label{works:two}\worksanchor{works:two}' \
-    build/works/02-two.tex
-label=$(sed -n 's/.*sublabel{\(NW[^}]*\)}.*one\.h.*/\1/p' build/book/01-one.tex)
-grep -qF "\\nwelsewhere{$label}" build/works/elsewhere.tex &&
-    grep -qF "\\nwixadd{\\nwixd}{hit:unit}{$label}" build/works/elsewhere.tex &&
-    echo 'ok weave: and so Works of what the book defines' ||
-    echo 'not ok weave: and so Works of what the book defines - it does not'
-# Includes: defined twice and used twice in the book, defined once in Works.
-grep '{c}{{Includes}.*nwixu.*nwixd.*nwixd' build/works/indexes.tex |
-    grep -v 'nwixu.*nwixu' | grep -vq 'nwixd.*nwixd.*nwixd' &&
-    echo 'ok weave: the index has one place of a kind in the book' ||
-    echo 'not ok weave: the index has one place of a kind in the book - others'
-# A second file of Works goes with the same chapter.
-printf '%s\n' '\chapter{More}' '<<more.c>>=' '<<Call [[hit_it]] once>>' '@' \
-    >chapters/works/02-two-more.nw
-chapters/press/weave &&
-    echo 'ok weave: a chapter may have two files of Works' ||
-    echo 'not ok weave: a chapter may have two files of Works - refused'
-rm chapters/works/02-two-more.nw
+    '\end{equation}' '[[\ref{sec:none}]] is no reference, % nor is \ref{sec:none}' \
+    >chapters/01-one.nw
 # What noweb made of the code is kept while only words change, between chunks
 # and beside what they quote.
 as_from_nothing() { # name
     chapters/press/weave
     cp -R build "$scratch/soon" && rm -rf build && chapters/press/weave &&
-        diff -r "$scratch/soon/book" build/book && diff -r "$scratch/soon/works" build/works &&
+        diff -r "$scratch/soon/book" build/book &&
         echo "ok weave: $1" || echo "not ok weave: $1 - other files than from nothing"
     rm -rf "$scratch/soon"
 }
-sed 's/^As in/More\n\nwords than/; s/ by~/ not [[hit_it]] by~/' chapters/works/02-two.nw \
+sed 's/^As in/More\n\nwords than/; s/ by~/ not [[hit_it]] by~/' chapters/02-two.nw \
     >"$scratch/quoted"
-sed 's/^As in/More\n\nwords than/' chapters/works/02-two.nw >"$scratch/worded"
+sed 's/^As in/More\n\nwords than/' chapters/02-two.nw >"$scratch/worded"
 chapters/press/weave
-cp "$scratch/worded" chapters/works/02-two.nw
+cp "$scratch/worded" chapters/02-two.nw
 as_from_nothing 'other words are woven as from nothing'
-has 'and stand there' 'words than' build/works/02-two.tex
+has 'and stand there' 'words than' build/book/02-two.tex
 echo '@text what is kept' >>build/tagged/plain
-printf '%s\n' "$works" >chapters/works/02-two.nw
+printf '%s\n' "$two" >chapters/02-two.nw
 chapters/press/weave
 has 'noweb is not asked for that' 'what is kept' build/tagged/plain
 rm -rf build/tagged && chapters/press/weave
-cp "$scratch/quoted" chapters/works/02-two.nw
+cp "$scratch/quoted" chapters/02-two.nw
 as_from_nothing 'and so is what they quote'
-sed 's/stdio/stdlib/' "$scratch/worded" >chapters/works/02-two.nw
+sed 's/stdio/stdlib/' "$scratch/worded" >chapters/02-two.nw
 as_from_nothing 'and other code'
-has 'which stands there' 'stdlib.h' build/works/02-two.tex
-printf '%s\n' "$works" >chapters/works/02-two.nw
+has 'which stands there' 'stdlib.h' build/book/02-two.tex
+printf '%s\n' "$two" >chapters/02-two.nw
 # said FILE LINE MESSAGE: with this line at its end the file is refused.
 said() {
     cp "$1" "$scratch/kept"
@@ -169,26 +173,12 @@ said() {
     refused "$2" "weave: $1:$(wc -l <"$1"): $3"
     cp "$scratch/kept" "$1"
 }
-said chapters/01-one.nw '\inworks{x}{works:three}{src/alone.c}' \
-    'no heading in chapters/works has \label{works:three}'
-said chapters/01-one.nw '\inworks{x}{works:two}{src/other.c}' \
-    'no chapter writes src/other.c'
-said chapters/01-one.nw '\inworks{x}{works:two}' \
-    '\inworks wants {what}{works:label}{src/file.c}'
-said chapters/01-one.nw 'See \ref{works:two}.' \
-    '\ref{works:two} leads to Works (chapters/works/02-two.nw:3); write \inworks'
-said chapters/works/02-two.nw 'On page~\pageref{sec:one}.' \
-    '\pageref{sec:one} leads to the book, whose pages Works does not know; write \inbook or \ref'
 said chapters/01-one.nw 'See \ref{sec:lost}.' 'no chapter has \label{sec:lost}'
-said chapters/works/02-two.nw '\inbook{sec:two}' \
-    'no chapter of the book has \label{sec:two}'
-said chapters/01-one.nw '\label{sec:one}' \
+said chapters/02-two.nw '\label{sec:one}' \
     '\label{sec:one} stands already in chapters/01-one.nw:11'
-said chapters/works/02-two.nw '\label{sec:one}' \
-    '\label{sec:one} stands in the book, too: chapters/01-one.nw:11'
 cp chapters/01-one.nw "$scratch/kept"
 sed '2s/$/\r/' "$scratch/kept" >chapters/01-one.nw
 refused 'a Windows line end' "weave: chapters/01-one.nw: Windows line ends (a carriage\
  return before the line feed) in 1 of its $(wc -l <"$scratch/kept") lines; save it with\
  Unix line ends, or: sed -i 's/\\r\$//' chapters/01-one.nw"
-echo 1..36
+echo 1..22

@@ -14,7 +14,7 @@ kit=$work/kit
 mkdir "$kit"
 tar cf - --exclude=./build --exclude=./.git . | (cd "$kit" && tar xf -)
 mkdir -p "$kit/build/site/pages"
-cp build/bonkers.pdf build/works.pdf "$kit/build"
+cp build/bonkers.pdf "$kit/build"
 echo '<title>Bonkers</title>' >"$kit/build/site/index.html"
 echo 'p { margin: 0 }' >"$kit/build/site/pages/a b.css"
 cd "$kit" || exit 1
@@ -25,18 +25,18 @@ dist() { env SOURCE_DATE_EPOCH=1000000000 chapters/press/dist >"$work/out" 2>&1;
 holds 'a release is made' dist
 holds 'and says where it is' grep -q '^The release: build/dist/, ' "$work/out"
 is() { if [ "$2" = "$3" ]; then ok "$1"; else not_ok "$1" "got '$3'"; fi; }
-is 'book, works, course, pages and checksums, no more' \
-    'SHA256SUMS bonkers-course.tar.gz bonkers-site.tar.gz bonkers.pdf works.pdf' \
+is 'book, course, pages and checksums, no more' \
+    'SHA256SUMS bonkers-course.tar.gz bonkers-site.tar.gz bonkers.pdf' \
     "$(ls -A build/dist | tr '\n' ' ' | sed 's/ $//')"
 is 'nor half of one' '' "$(find build -name '*.part')"
-for file in bonkers.pdf works.pdf bonkers-course.tar.gz; do
+for file in bonkers.pdf bonkers-course.tar.gz; do
     holds "$file is what was made" cmp "build/$file" "build/dist/$file"
 done
 sums() { (cd "$1" && sha256sum --check --strict --quiet SHA256SUMS); }
 holds 'the checksums hold' sums build/dist
-is 'of every file' 4 "$(grep -c '^[0-9a-f]\{64\}  [a-z.-]*$' build/dist/SHA256SUMS)"
+is 'of every file' 3 "$(grep -c '^[0-9a-f]\{64\}  [a-z.-]*$' build/dist/SHA256SUMS)"
 cp -R build/dist "$work/spoilt"
-for file in bonkers.pdf works.pdf bonkers-course.tar.gz bonkers-site.tar.gz; do
+for file in bonkers.pdf bonkers-course.tar.gz bonkers-site.tar.gz; do
     cp "build/dist/$file" "$work/spoilt/$file"
     printf x | dd of="$work/spoilt/$file" bs=1 seek=1000 conv=notrunc 2>/dev/null
     holds "and not of another $file" sh -c "! (cd '$work/spoilt' &&
@@ -75,10 +75,10 @@ refused() {
 sed -i 's/TOOLBOX_VERSION "/&9./' src/toolbox/version.h
 refused 'a course of another version' 'build/bonkers-course.tar.gz is of another'
 holds 'and the release that there was is still there' sums build/dist
-for file in bonkers.pdf works.pdf bonkers-course.tar.gz site/index.html; do
+for file in bonkers.pdf bonkers-course.tar.gz site/index.html; do
     mv "build/$file" away
     refused "no release without $file" "build/$file is missing; make dist"
     mv away "build/$file"
 done
 cd "$root" || exit 1
-echo 1..23
+echo 1..20

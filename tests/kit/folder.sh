@@ -7,7 +7,7 @@
 here=$(pwd)
 umask 077
 kit="$work/Kurs, 50% ~1 (O'Brien)"
-mkdir -p "$kit/chapters/works" "$kit/plots" "$kit/solutions" "$kit/exercises" \
+mkdir -p "$kit/chapters" "$kit/plots" "$kit/solutions" "$kit/exercises" \
     "$kit/src/toolbox" "$kit/src/examiner" "$kit/tests/exercises/01a" \
     "$kit/build/check" "$kit/build/grade"
 cp -R chapters/press "$kit/chapters"
@@ -23,13 +23,11 @@ for name in build/check/examine build/check/flags build/check/libcheck.a build/c
 done
 cd "$kit" || exit 1
 
-# A book of one page in either volume, with a figure and a reference.
+# A book of one page, with a figure and a reference.
 printf '%s\n' '\chapter{Two bodies}\label{ch:two}' '\plotfigure[A line]{01-line}{A line.}' \
     '\begin{equation}\label{eq:one} a = b \end{equation}' \
     'Figure~\ref{fig:01-line} is in \cite{tonks1936}.' '<<one.h>>=' 'int one;' \
     '@ %def one' >chapters/01-collide.nw
-printf '%s\n' '\chapter{More}\label{works:more}' '<<two.h>>=' 'int two;' '@' \
-    >chapters/works/01-collide.nw
 printf '%s\n' '# alt: A line.' 'width = 14' 'height = 4' "load 'plots/style.gp'" \
     'plot [0:1] x' >plots/01-line.gp
 echo 'eq:one 1.1' >tests/equations.txt
@@ -37,13 +35,22 @@ holds 'a figure is drawn' sh -c 'chapters/press/recipes &&
     chapters/press/recipes --figure pdf build/figures/01-line.pdf plots/01-line.gp &&
     chapters/press/recipes --alt build/figures/01-line.alt.tex plots/01-line.gp'
 holds 'chapters are woven' chapters/press/make-book woven
-holds 'what all volumes begin with is kept as a format' test -s build/volume.fmt
-for volume in bonkers bonkers-instructor works; do
+holds 'what both editions begin with is kept as a format' test -s build/volume.fmt
+for volume in bonkers bonkers-instructor; do
     holds "$volume is set" sh -c "chapters/press/make-book $volume &&
         test -s build/$volume.pdf"
 done
+# What is wrong in a chapter is said at its line there, by TeX and by a compiler.
+cp chapters/01-collide.nw good.nw
+printf '%s\n' '' '<<one.c>>=' '#include "one.h"' '@' 'More of it.' '' 'It is \unheard{of}.' \
+    >>chapters/01-collide.nw
+line=$(wc -l <chapters/01-collide.nw)
+chapters/press/make-book woven && chapters/press/make-book bonkers >said 2>&1
+holds 'an error of TeX has the line of the chapter' \
+    grep -q "^chapters/01-collide.nw:$line: .*Undefined control sequence" said
+cp good.nw chapters/01-collide.nw
 holds 'and tangled' sh -c 'rm -r src/examiner src/toolbox && chapters/press/tangle &&
-    cat src/one.h src/two.h'
+    cat src/one.h'
 cp -R "$here/src/examiner" src
 
 rm tests/equations.txt && cp "$here/tests/equations.txt" tests

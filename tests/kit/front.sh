@@ -139,12 +139,10 @@ for program in build/bin/* build/check/examine build/grade/grade; do
     esac
 done >"$work/out"
 equal 'every program says the version' '' "$(cat "$work/out")"
-for volume in bonkers works; do
-    equal "so does build/$volume.pdf" "Version $version" \
-        "$(pdfinfo "build/$volume.pdf" | sed -n 's/^Subject: *//p')"
-    holds 'and its title page' sh -c "pdftotext -l 1 build/$volume.pdf - |
-        grep -qx 'Version $version'"
-done
+equal 'so does build/bonkers.pdf' "Version $version" \
+    "$(pdfinfo build/bonkers.pdf | sed -n 's/^Subject: *//p')"
+holds 'and its title page' sh -c "pdftotext -l 1 build/bonkers.pdf - |
+    grep -qx 'Version $version'"
 holds 'and CITATION.cff' grep -qx "version: \"$version\"" CITATION.cff
 date=$(sed -n 's/^date-released: "\(.*\)"$/\1/p' CITATION.cff)
 holds 'and the head of CHANGELOG, of the same day' sh -c "grep '^## [0-9]' CHANGELOG.md |

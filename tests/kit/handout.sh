@@ -54,7 +54,7 @@ strangers=$(cd "$place" && find . ! -type d ! \( -type f \( \
     -path './plots/*.awk' -o -path ./plots/films -o -path ./plots/show -o \
     -path './plots/data/*.dat' \) -o \
     -path ./README.md -o -path ./LICENSE -o -path ./CITATION.cff -o \
-    -path ./Makefile -o -path ./bonkers.pdf -o -path ./works.pdf -o \
+    -path ./Makefile -o -path ./bonkers.pdf -o \
     -path ./chapters/press/recipes -o -path ./chapters/press/lines -o \
     -path ./tests/lists.awk -o -path ./tests/types.awk -o \
     -path ./plots/plots.mk -o -path ./src/compile.mk -o \
@@ -71,7 +71,7 @@ folders=$(cd tests/exercises && ls -d [0-9][0-9][a-z] P[0-9])
 equal 'no folder of another kind' "$({ printf '%s\n' .ci chapters \
     chapters/press exercises plots plots/data src src/box src/choosing \
     src/examiner src/forces src/line src/page src/programs src/scenes src/studies \
-    src/toolbox tests tests/exercises site site/figures site/live
+    src/toolbox tests tests/exercises site site/figures site/live site/src
     printf 'tests/exercises/%s\n' $folders; } | sort)" \
     "$(cd "$place" && find . -mindepth 1 -type d | sed 's/..//' | sort)"
 equal 'and each exercise has its four files' "$(for ex in $folders; do
@@ -79,7 +79,6 @@ equal 'and each exercise has its four files' "$(for ex in $folders; do
     "$(cd "$place/tests/exercises" && find . -type f | sed 's/..//' | sort)"
 holds 'the book is the one just made' cmp build/bonkers.pdf \
     "$place/bonkers.pdf"
-holds 'and so is Works' cmp build/works.pdf "$place/works.pdf"
 holds 'and their pages' test -s "$place/site/index.html" -a \
     -s "$place/site/search-data.js"
 for folder in src tests/exercises plots
@@ -97,11 +96,9 @@ mkdir "$kit"
 tar cf - --exclude=./build --exclude=./.git . | (cd "$kit" && tar xf -)
 chmod -R u+w "$kit"
 mkdir "$kit/build"
-# Of the volumes a first part, of the pages' figures one is enough here, and
-# packed sooner.
-for volume in bonkers works; do
-    head -c 100000 build/$volume.pdf >"$kit/build/$volume.pdf"
-done
+# Of the book a first part, of the pages' figures one is enough here, and packed
+# sooner.
+head -c 100000 build/bonkers.pdf >"$kit/build/bonkers.pdf"
 cp -R build/site "$kit/build"
 find "$kit/build/site/figures" -name '*.svg' ! -name '01-map.svg' \
     -exec rm -f {} +
@@ -242,7 +239,7 @@ $make -s help >"$work/help" 2>&1
 for goal in $(sed -n 's/^make \([a-z][a-z_.-]*\) .*/\1/p' "$work/help"); do
     holds "make $goal is offered, and can be made" $make -n "$goal"
 done
-for goal in book works test memcheck handout mutants grade tangle check-tangle \
+for goal in book test memcheck handout mutants grade tangle check-tangle \
     solution; do
     refused "make $goal cannot, and says why" 2 \
         "$goal needs [a-z/.]*, which is not part of the course" \
@@ -581,10 +578,9 @@ equal 'where one yields none it is named' "$(printf '%s\n' '05b right' \
 holds 'answers are sought' test "$(echo $answers | wc -w)" -gt 300
 holds 'and values' test "$(wc -l <"$work/values")" -gt 20
 holds 'and the names of hidden tests' test -s "$work/names"
-# The volumes whole, as they are handed out.
-tar xzf "$work/made.tar.gz" -C "$work/all" "$course/bonkers.pdf" \
-    "$course/works.pdf"
-holds 'these are whole' cmp build/works.pdf "$work/all/$course/works.pdf"
+# The book whole, as it is handed out.
+tar xzf "$work/made.tar.gz" -C "$work/all" "$course/bonkers.pdf"
+holds 'it is whole' cmp build/bonkers.pdf "$work/all/$course/bonkers.pdf"
 leaks "$work/all/$course" >"$work/leaks"
 sed "s|^$work/all/$course/||; s|^$work/||" "$work/leaks" >"$work/out"
 if [ -s "$work/out" ]; then

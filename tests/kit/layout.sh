@@ -65,7 +65,7 @@ misplaced() {
     esac
     echo "; src/$1: $2 stands in a room that $own may not look into"
 }
-chapter_of() { sed -n '1s/^\/\* From chapters\/\(works\/\)\{0,1\}\([0-9A-Z]*\)-.*/\2/p' "$1"; }
+chapter_of() { sed -n '1s/^\/\* From chapters\/\([0-9A-Z]*\)-.*/\1/p' "$1"; }
 wrong=
 for room in src/*/; do
     room=${room%/}
@@ -190,6 +190,13 @@ printf '%s\n' '/* From chapters/a.nw. */' '/* checksum 1. */' 'int x;' >"$work/t
 holds 'and one that does not is seen' test "$(silent "$work/silent.c" "$work/plain.c" \
     "$work/tangled.c" | tr '\n' ' ')" = "$work/silent.c $work/tangled.c "
 
+# A literate file is printed whole, and nobody reads more than six pages of code.
+long_ones() { awk '/^\/\* From chapters\// && FNR == 1 { its[FILENAME] }
+    FNR > 350 && FILENAME in its { long[FILENAME] } END { for (file in long) print file }' "$@"; }
+holds 'no literate file has more than 350 lines' test -z "$(long_ones src/*/*.[ch])"
+{ cat "$work/tangled.c" && yes 'int x;' | head -n 350; } >"$work/long.c"
+holds 'and one that has is seen' test "$(long_ones "$work/long.c")" = "$work/long.c"
+
 # The numbers of equations in comments are those of the book.
 grep -ho '([0-9A-C]*\.[0-9]*, eq:[a-z-]*)' -r src tests/exercises chapters |
     sort -u | sed 's/[(),]//g' >"$work/pairs"
@@ -208,9 +215,9 @@ holds 'the gate runs the second' \
     grep -qxF "$(sed -n 2p "$work/commands")" .ci/run
 holds 'make help names every target a reader may want' sh -c '
     ${MAKE:-make} -s help >'"$work"'/help
-    for goal in check watch hint progress solution reset book works site handout grade grade-bench figures figure contact movie \
+    for goal in check watch hint progress solution reset book site handout grade grade-bench figures figure contact movie \
         movies inspect chart test programs bench memcheck \
-        mutants fuzz hunt jobs tangle check-tangle format compile_commands.json clean; do
+        mutants fuzz hunt jobs debug tangle check-tangle format compile_commands.json clean; do
         grep -q "^make $goal " '"$work"'/help || { echo "$goal"; exit 1; }
     done'
 
@@ -219,4 +226,4 @@ ${MAKE:-make} -s compile_commands.json
 holds 'compile_commands.json has every source' \
     test "$(grep -c '"file":' compile_commands.json)" -eq \
     "$(ls src/*/*.c | wc -l)"
-echo 1..23
+echo 1..25

@@ -3,6 +3,7 @@
 . tests/programs/common
 holds 'src/ is what the chapters tangle to' chapters/press/tangle --check
 
+here=$(pwd)
 mkdir "$work/kit"
 cp -R chapters src "$work/kit"
 chmod -R u+w "$work/kit"
@@ -10,7 +11,7 @@ cd "$work/kit" || exit 1
 # A book of two chapters: what is refused in it is refused in all.
 find chapters -name '*.nw' ! -name '01-*' -exec rm -f {} +
 # shellcheck disable=SC2046
-rm -f $(awk 'FNR == 1 && !/From chapters\/(works\/)?01-/ {
+rm -f $(awk 'FNR == 1 && !/From chapters\/01-/ {
     print FILENAME }' $(find src -type f))
 printf '<<programs/two.c>>=\n/* Of the second. */\nint two;\n@\n' >chapters/02-two.nw
 chapters/press/tangle >"$work/out" 2>&1
@@ -31,7 +32,8 @@ chapter=chapters/01-collide.nw
 cp $chapter "$work/good.nw"
 
 printf '\n<<line/collide.c>>=\n<<Never defined>>\n@\n' >>$chapter
-fails 'an undefined chunk is refused' 'Never defined'
+fails 'an undefined chunk is refused, at its line' \
+    "$chapter:$(($(wc -l <$chapter) - 1)): .*Never defined"
 cp "$work/good.nw" $chapter
 printf '\n<<Never used>>=\nint x;\n@\n' >>$chapter
 fails 'a chunk that nothing uses is refused' 'Never used.*never used'
@@ -40,7 +42,7 @@ printf '\n<<programs/two.c>>=\nint x;\n@\n' >>$chapter
 fails 'a file of two chapters is refused' 'two chapters'
 cp "$work/good.nw" $chapter
 
-# What an editor on Windows leaves behind, in either volume.
+# What an editor on Windows leaves behind.
 sed 's/$/\r/' "$work/good.nw" >$chapter
 fails 'Windows line ends are refused' "$chapter: Windows line ends.* in"
 sed '5s/$/\r/' "$work/good.nw" >$chapter
@@ -50,10 +52,9 @@ fails 'a byte-order mark is refused' "$chapter: begins with a byte-order mark"
 sed '5s/./\r&/' "$work/good.nw" >$chapter
 fails 'a carriage return within a line, too' "$chapter:5: has a carriage return"
 cp "$work/good.nw" $chapter
-mkdir -p chapters/works
-printf '\377\376a\000\n\000' >chapters/works/01-collide-wide.nw
-fails 'and UTF-16' 'chapters/works/01-collide-wide.nw: is UTF-16'
-rm chapters/works/01-collide-wide.nw
+printf '\377\376a\000\n\000' >chapters/03-wide.nw
+fails 'and UTF-16' 'chapters/03-wide.nw: is UTF-16'
+rm chapters/03-wide.nw
 
 echo 'int edited;' >>src/line/collide.c
 fails 'an edit in src/ is recognised and shown' '^+int edited;'
@@ -89,62 +90,18 @@ holds 'and names it' grep -qx 'src/line/collide.c' "$work/out"
 holds 'and leaves the others alone' \
     test -z "$(find src/programs/check-collide.c -newer src/line/collide.c)"
 chapters/press/tangle -L "$work/lines" >"$work/out" 2>&1
+echo 'int wrong = ;' >"$work/wrong"
+sed '/^#include "line\/collide.h"/r '"$work/wrong" $chapter >"$work/wrong.nw"
+cp $chapter "$work/better.nw" && cp "$work/wrong.nw" $chapter
+line=$(grep -nxF 'int wrong = ;' $chapter | cut -d : -f 1)
+
+chapters/press/tangle -L "$work/lines" >"$work/out" 2>&1
+${CC:-cc} -I"$work/lines" -I"$here/src" -c -o "$work/collide.o" "$work/lines/line/collide.c" >"$work/out" 2>&1
+holds 'a compiler then says where in the chapter' \
+    grep -q "^$chapter:$line:.* error" "$work/out"
+cp "$work/better.nw" $chapter
+chapters/press/tangle -L "$work/lines" >"$work/out" 2>&1
 holds '-L names the chapter and its line' \
     grep -q '#line [0-9]* "chapters/01-collide.nw"' "$work/lines/line/collide.c"
 
-# One file of both volumes: the book's parts first, its chapter in line 1.
-mkdir -p chapters/works
-works=chapters/works/01-collide.nw
-[ ! -e $works ] || mv $works "$work/works.nw"
-first_line() { head -n 1 "src/$1" | grep -qxF "/* From $2: edit there, then run make tangle. */"; }
-cat >>$chapter <<'END'
-
-<<both.c>>=
-int from_book;
-<<Two of Works>>
-<<of-works.h>>=
-<<One of the book>>
-<<One of the book>>=
-int of_book;
-@
-END
-cat >$works <<'END'
-<<both.c>>=
-int from_works;
-<<Two of Works>>=
-int two;
-@
-
-<<of-works.h>>=
-int own;
-<<alone.c>>=
-int alone;
-<<Two of Works>>
-@
-END
-[ ! -e "$work/works.nw" ] || cat "$work/works.nw" >>$works
-chapters/press/tangle >"$work/out" 2>&1
-holds 'a file is made of chunks of both volumes' \
-    test "$(tail -n +3 src/both.c | tr '\n' ' ')" = 'int from_book; int two; int from_works; '
-holds 'it comes from the chapter of the book' first_line both.c $chapter
-holds 'a file of Works alone comes from there' first_line alone.c $works
-more=chapters/works/01-collide-more.nw
-printf '%s\n' '<<both.c>>=' 'int more;' '<<more.c>>=' 'int own;' '@' >$more
-chapters/press/tangle >"$work/out" 2>&1
-holds 'a chapter may have several files of Works' \
-    test "$(tail -n +3 src/both.c | tr '\n' ' ')" = \
-    'int from_book; int two; int from_works; int more; '
-holds 'a file of the second one comes from there' first_line more.c $more
-rm $more src/more.c
-sed 's/^<<of-works.h>>=$/<<One more>>=/' $chapter >"$work/less.nw"
-cp "$work/less.nw" $chapter
-printf '%s\n' '<<of-works.h>>=' '<<One more>>' '@' >>$works
-chapters/press/tangle >"$work/out" 2>&1
-holds 'a root of Works with a chunk of the book comes from the book' \
-    first_line of-works.h $chapter
-chapters/press/tangle -L "$work/lines" >"$work/out" 2>&1
-holds '-L names either file' sh -c "grep -c -e '\"$chapter\"' $work/lines/both.c &&
-    grep -c -e '\"$works\"' $work/lines/both.c"
-printf '<<Lost>>=\nint x;\n@\n' >>$works
-fails 'a chunk of Works that nothing uses is refused' 'works/01.*Lost.*never used'
-echo 1..30
+echo 1..23

@@ -53,21 +53,18 @@ planted 'a placeholder' '03-equilibrium.html: something is left: QB12BQ' \
 # A macro that is new to the pages ends their making, with its name.
 printf '%s\n' '\chapter{Ten}\label{ch:equilibrium}' '' 'A \unread{word}.' \
     >"$work/chapter.tex"
-awk -v page=03-equilibrium -v volume=book -v pieces="$work/pieces" \
+awk -v page=03-equilibrium -v pieces="$work/pieces" \
     -v uses="$work/uses" -v heads=build/pages/heads -v edition= \
     -f chapters/press/site/text.awk -f chapters/press/site/read.awk \
     build/pages/places build/book/results.tex build/book/files.tex \
-    build/book/titles.tex build/book/terms.tex chapters/D-glossary.nw \
-    "$work/chapter.tex" >"$work/out" 2>&1
+    build/book/terms.tex chapters/D-glossary.nw "$work/chapter.tex" >"$work/out" 2>&1
 holds 'a macro that is new is named' \
     sh -c "[ $? -eq 1 ] && grep -q 'what is .unread?' '$work/out'"
 
 # The numbers, as TeX has counted them: of each label that it has written down.
-for volume in book works; do
-    sed -n '/{[a-z]*[*]\.[0-9]*}{}}$/d
-        s/^\\newlabel{\([a-z]*:[^}]*\)}{{\([^}]*\)}.*/\1 \2/p' \
-        build/$volume/$volume.aux | grep -v '^fail:' | sort
-done >"$work/tex"
+sed -n '/{[a-z]*[*]\.[0-9]*}{}}$/d
+    s/^\\newlabel{\([a-z]*:[^}]*\)}{{\([^}]*\)}.*/\1 \2/p' \
+    build/book/book.aux | grep -v '^fail:' | sort >"$work/tex"
 awk -F '\t' '$3 ~ /^(chapter|appendix|section|equation|figure|table|exercise)$/ {
     print $1 " " $4 }' build/pages/places | sort >"$work/pages"
 sort "$work/tex" | sed 's/{}//g' | join -a 1 - "$work/pages" |
@@ -75,21 +72,19 @@ sort "$work/tex" | sed 's/{}//g' | join -a 1 - "$work/pages" |
 holds 'the numbers are those of the PDF' \
     sh -c "sed 5q '$work/other'; [ ! -s '$work/other' ]"
 holds 'of some 600 labels' test "$(wc -l <"$work/tex")" -gt 600
-for volume in book works; do
-    sed -n "s/^\\\\bibcite{\(.*\)}{\([0-9]*\)}/$volume.\1 \2/p" \
-        build/$volume/$volume.aux
-done | sort >"$work/tex"
+sed -n 's/^\\bibcite{\(.*\)}{\([0-9]*\)}/cite.\1 \2/p' build/book/book.aux |
+    sort >"$work/tex"
 awk -F '\t' '$3 == "cite" { print $1 " " $4 }' build/pages/places | sort |
     cmp - "$work/tex" >"$work/other" 2>&1
 holds 'and so are those of the citations' test $? -eq 0 -a -s "$work/tex"
 
 # What the woven chapters have the pages have.
 counted() { grep -o -e "$1" $2 | wc -l; }
-chapters=$(awk -F '\t' '$6 != "" { n = split($6, f, " ")
+chapters=$(awk -F '\t' '$5 != "" { n = split($5, f, " ")
     for (i = 1; i <= n; ++i) print "build/" f[i] ".tex" }' build/pages/pages)
 # Two tables are written by runs.
 chapters="$chapters $(sed -n '/runs.*\.tex$/p' build/pages/*.uses.files | sort -u)"
-pages=$(awk -F '\t' '$6 != "" { print "build/site/" $2 ".html" }' build/pages/pages)
+pages=$(awk -F '\t' '$5 != "" { print "build/site/" $1 ".html" }' build/pages/pages)
 for pair in '\\nwbegincode{|<div class="chunk"' '\\begin{equation}|class="formula" id=' \
     '^\(\\nw.*\)\{0,1\}\\plotfigure|<img src="figures' \
     '\\begin{exercise}|<section class="exercise"' '\\begin{question}|<div class="question"' \

@@ -7,12 +7,11 @@ FNR == 1 { ++which }
 which == 1 {
     split($0, part, "\t")
     ++pages
-    volume_of[pages] = part[1]
-    name_of[pages] = part[2]
-    number_of[pages] = part[3]
-    title_of[pages] = part[4]
-    part_of[pages] = part[5]
-    if (part[2] == page)
+    name_of[pages] = part[1]
+    number_of[pages] = part[2]
+    title_of[pages] = part[3]
+    part_of[pages] = part[4]
+    if (part[1] == page)
         here = pages
     next
 }
@@ -37,16 +36,15 @@ function plain(s) {
     gsub(/<[^>]*>/, "", s)
     return s
 }
-function top(    i, own, last, title) {
+function top(    i, last, title) {
     title = plain(words(number_of[here], title_of[here]))
-    own = volume_of[here]
     print "<!DOCTYPE html>"
     print "<html lang=\"en-GB\">"
     print "<head>"
     print "<meta charset=\"utf-8\">"
     print "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
     print "<title>" (page == "index" ? "Bonkers: computational physics, one collision at a time" : \
-        title (own == "works" && page != "works" ? " · Works" : "") " · Bonkers") "</title>"
+        title " · Bonkers") "</title>"
     print "<link rel=\"stylesheet\" href=\"page.css\">"
     if (here > 1)
         print "<link rel=\"prev\" href=\"" name_of[here - 1] ".html\">"
@@ -55,7 +53,7 @@ function top(    i, own, last, title) {
     print "<script>try{var t=localStorage.getItem(\"bonkers-theme\");if(t)document.documentElement.dataset.theme=t}catch(e){}</script>"
     print "<script src=\"page.js\" defer></script>"
     print "</head>"
-    print "<body" (page ~ /^(index|works)$/ ? " class=\"front\"" : "") ">"
+    print "<body" (page == "index" ? " class=\"front\"" : "") ">"
     print "<a class=\"skip\" href=\"#text\">To the text</a>"
     print "<header class=\"bar\">"
     print "<button type=\"button\" id=\"menu\" aria-expanded=\"false\" aria-controls=\"contents\">Contents</button>"
@@ -65,13 +63,9 @@ function top(    i, own, last, title) {
     print "<button type=\"button\" id=\"theme\">Dark</button>"
     print "</header>"
     print "<nav id=\"contents\" aria-label=\"Contents\">"
-    if (own == "works")
-        print "<p class=\"volume\"><a href=\"index.html\">The book</a></p>"
     print "<ul>"
     last = ""
     for (i = 1; i <= pages; ++i) {
-        if (volume_of[i] != own)
-            continue
         if (part_of[i] != last && part_of[i] != "")
             print "<li class=\"part\">" part_of[i] "</li>"
         last = part_of[i]
@@ -91,9 +85,7 @@ function top(    i, own, last, title) {
         print "</li>"
     }
     print "</ul>"
-    if (own == "book")
-        print "<p class=\"volume\"><a href=\"src/index.html\">All files of <code>src</code></a></p>" \
-            "<p class=\"volume\"><a href=\"works.html\">Works: the second volume</a></p>"
+    print "<p class=\"volume\"><a href=\"src/index.html\">All files of <code>src</code></a></p>"
     print "</nav>"
     print "<main id=\"text\" tabindex=\"-1\">"
 }

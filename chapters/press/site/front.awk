@@ -1,15 +1,15 @@
-# The front page of a volume: what it is, and its contents.
+# The front page: what the book is, and its contents.
 function words(number, title) {
     return (number == "" ? "" : "<span class=\"number\">" number "</span> ") title
 }
 BEGIN { FS = "\t" }
 FNR == 1 { ++which }
 which == 1 {
-    if ($1 == (page == "index" ? "book" : "works") && $2 != page) {
+    if ($1 != "index") {
         ++pages
-        name_of[pages] = $2
-        line_of[pages] = words($3, $4)
-        part_of[pages] = $5
+        name_of[pages] = $1
+        line_of[pages] = words($2, $3)
+        part_of[pages] = $4
     }
     next
 }
@@ -22,23 +22,17 @@ $2 == 1 && $4 !~ /^(The module|What the module promises|The program|Speed and ac
 }
 END {
     print "<div class=\"title\">"
-    if (page == "index") {
-        print "<h1>Bonkers</h1>"
-        print "<p class=\"tagline\">Computational physics, one collision at a time</p>"
-        print "<svg class=\"beads\" viewBox=\"0 0 418 64\" role=\"img\" aria-label=\"Two bodies on a line\">" \
-            "<path d=\"M0 32H418\"/><circle cx=\"96\" cy=\"32\" r=\"31\"/>" \
-            "<circle class=\"small\" cx=\"146\" cy=\"32\" r=\"18\"/>" \
-            "<circle class=\"end\" cx=\"2\" cy=\"32\" r=\"2\"/><circle class=\"end\" cx=\"416\" cy=\"32\" r=\"2\"/></svg>"
-        print "<p>A book that is a program: every line of code in it runs, every figure is drawn from that code’s output, every exercise is checked by machine.</p>"
-        print "<p>Some figures live: they run when they come into view. And in <a href=\"player.html\">the scene player</a> you can change what moves while it moves.</p>"
-        print "<p>Version " version "</p>"
-        if (edition == "instructor")
-            print "<p><strong>Instructor’s edition, with the worked solutions: not for students.</strong></p>"
-    } else {
-        print "<h1>Works</h1>"
-        print "<p class=\"tagline\">The second volume of <em>Bonkers</em></p>"
-        print "<p>The book prints the code that is the idea. Here is the code that an idea needs before a computer runs it: options and what is wrong with them, tables read and written, studies that measure what a figure shows. Other files are read where they are edited, in <code>src/</code>, whose folders have a README each. Nobody has to read this one: who wants to know how something is done comes here from the book, from a file in <code>src/</code>, or from the indexes at the end.</p>"
-    }
+    print "<h1>Bonkers</h1>"
+    print "<p class=\"tagline\">Computational physics, one collision at a time</p>"
+    print "<svg class=\"beads\" viewBox=\"0 0 418 64\" role=\"img\" aria-label=\"Two bodies on a line\">" \
+        "<path d=\"M0 32H418\"/><circle cx=\"96\" cy=\"32\" r=\"31\"/>" \
+        "<circle class=\"small\" cx=\"146\" cy=\"32\" r=\"18\"/>" \
+        "<circle class=\"end\" cx=\"2\" cy=\"32\" r=\"2\"/><circle class=\"end\" cx=\"416\" cy=\"32\" r=\"2\"/></svg>"
+    print "<p>A book that is a program: every line of code in it runs, every figure is drawn from that code’s output, every exercise is checked by machine.</p>"
+    print "<p>Some figures live: they run when they come into view. And in <a href=\"player.html\">the scene player</a> you can change what moves while it moves.</p>"
+    print "<p>Version " version "</p>"
+    if (edition == "instructor")
+        print "<p><strong>Instructor’s edition, with the worked solutions: not for students.</strong></p>"
     print "</div>"
     print "<div class=\"contents\">"
     last = ""
@@ -52,9 +46,6 @@ END {
         if (name_of[i] in sections)
             print "<ul>\n" sections[name_of[i]] "</ul>"
     }
-    if (page == "index") {
-        print "<h2>The code</h2>\n<h3><a href=\"src/index.html\">All files of <code>src</code></a></h3>\n<p>The book prints what a reader should read whole; here is every file, with its lines numbered and its names leading to where they are defined.</p>"
-        print "<h2>The second volume</h2>\n<h3><a href=\"works.html\">Works</a></h3>\n<p>How the rest is made: the programs and what measures for the figures, the toolbox, the choosing.</p>"
-    }
+    print "<h2>The code</h2>\n<h3><a href=\"src/index.html\">All files of <code>src</code></a></h3>\n<p>The book prints what a reader should read whole; here is every file, with its lines numbered and its names leading to where they are defined.</p>"
     print "</div>"
 }

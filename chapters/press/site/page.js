@@ -134,7 +134,7 @@
       this.field('text');
       for (var i = 0; i < sections.length; ++i)
         this.add({ i: i, title: sections[i][2], text: sections[i][3] },
-          { boost: /^works/.test(sections[i][0]) ? 0.15 : /^gloss/.test(sections[i][1]) ? 0.1 : 1 });
+          { boost: /^gloss/.test(sections[i][1]) ? 0.1 : 1 });
     });
     said.textContent = '';
     look();

@@ -6,36 +6,32 @@ function say(kind, label, number, title) {
 FNR == 1 {
     file = FILENAME
     sub(/.*\//, "", file)
-    volume = FILENAME ~ /^build\/works\// ? "works" : "book"
     woven = file ~ /^[0-9A-Z].*\.tex$/
     sub(/\.tex$/, "", file)
     bibliography = FILENAME ~ /\.bbl$/
     order = FILENAME ~ /press/
     if (woven) {
         code = 0
-        if ((volume, file) in part_of)
-            part = part_of[volume, file]
+        if (file in part_of)
+            part = part_of[file]
     }
     split("", pending)
     bib = 0
 }
 bibliography && /^\\bibitem/ {
     match($0, /[{][^}]*[}]/)
-    page = volume == "works" ? "works-references" : "references"
-    cited[volume] = 1
-    say("cite", volume "." substr($0, RSTART + 1, RLENGTH - 2), ++bib, "")
+    page = "references"
+    say("cite", "cite." substr($0, RSTART + 1, RLENGTH - 2), ++bib, "")
     next
 }
 order && FNR == 1 { part = "" }
 order && /^\\part[{]/ { part = argument($0, 6) }
-order && /^\\workspart[{]/ { part = argument($0, 11) }
-order && /^\\appendix/ { appendix_from[volume_here()] = 1; part = "Appendices" }
-order && match($0, /^\\(book|works)chapter[{]/) {
-    part_of[FILENAME ~ /works/ ? "works" : "book", argument($0, RLENGTH)] = part
+order && /^\\appendix/ { part = "Appendices" }
+order && match($0, /^\\bookchapter[{]/) {
+    part_of[argument($0, RLENGTH)] = part
     if (part == "Appendices")
         lettered[argument($0, RLENGTH)] = 1
 }
-function volume_here() { return FILENAME ~ /works\.tex/ ? "works" : "book" }
 !woven { next }
 
 # ---- code
@@ -56,28 +52,6 @@ function volume_here() { return FILENAME ~ /works\.tex/ ? "works" : "book" }
     next
 }
 code {
-    if (match($0, /\\nw(indexdefn|indexuse)/)) {
-        rest = $0
-        while (match(rest, /\\nwindex(defn|use)[{]\\nwixident[{]/)) {
-            kind = substr(rest, RSTART + 8, 1)
-            rest = substr(rest, RSTART + RLENGTH - 1)
-            name = argument(rest, 1)
-            rest = substr(rest, after + 1)
-            id = argument(rest, 1)
-            rest = substr(rest, after)
-            place = argument(rest, 1)
-            sub(/@@.*/, "", name)
-            print escaped(unescaped(name)) "\t" anchor(id) "\t" kind "\t" place \
-                > (out "idents.new")
-        }
-    }
-    rest = $0
-    while ((at = index(rest, "\\LA{}")) > 0) {
-        rest = substr(rest, at + 5)
-        match(rest, /\\subpageref[{]NW[^}]*[}]/)
-        place = substr(rest, RSTART + 12, RLENGTH - 13)
-        print "\t" place "\tu\t" chunk > (out "idents.new")
-    }
     if (!(at = index($0, "\\nwendcode{}")))
         next
     code = 0
@@ -118,7 +92,7 @@ function head(level, s,    star, title, labels, number, n, part_of_label) {
     title = argument(s, at)
     s = substr(s, after)
     labels = ""
-    while (match(s, /^ *\\(label|worksanchor)[{][^}]*[}]/)) {
+    while (match(s, /^ *\\label[{][^}]*[}]/)) {
         label = substr(s, RSTART, RLENGTH)
         sub(/.*[{]/, "", label)
         sub(/[}]/, "", label)
@@ -127,18 +101,17 @@ function head(level, s,    star, title, labels, number, n, part_of_label) {
         s = substr(s, RSTART + RLENGTH)
     }
     if (level == 0) {
-        page = (volume == "works" ? "works-" : "") file
-        files = volume "/" file
-        if (volume == "book" && file ~ /^00-/)
+        page = file
+        if (file ~ /^00-/)
             chapter = ""
-        else if (volume == "book" && (file in lettered))
+        else if (file in lettered)
             chapter = sprintf("%c", 65 + appendix++)
         else
-            chapter = (volume == "works" ? "W" : "") (++chapters[volume])
+            chapter = ++chapters
         sections = subsections = equations = figures = tables = exercises = 0
         number = chapter
         ++pages
-        page_line[pages] = volume "\t" page "\t" chapter "\t" title_html(title) "\t" part
+        page_line[pages] = page "\t" chapter "\t" title_html(title) "\t" part
         exercise_chapter = chapter ~ /^[0-9]$/ ? "0" chapter : chapter
     } else if (star || chapter == "")
         number = ""
@@ -149,9 +122,9 @@ function head(level, s,    star, title, labels, number, n, part_of_label) {
         number = chapter "." sections "." (++subsections)
     heading = number
     if (level == 0 || !(pages in page_files) || \
-        index(" " page_files[pages] " ", " " volume "/" file " ") == 0)
+        index(" " page_files[pages] " ", " book/" file " ") == 0)
         page_files[pages] = page_files[pages] (page_files[pages] == "" ? "" : " ") \
-            volume "/" file
+            "book/" file
     title = title_html(title)
     print page "\t" level "\t" number "\t" title "\t" labels > (out "heads.new")
     n = split(labels, part_of_label, " ")
@@ -209,22 +182,14 @@ function made_by_a_run(s) {
     }
 }
 # Pages that no chapter makes: special writes them.
-function besides(volume, page, title, part) {
-    print volume "\t" page "\t\t" title "\t" part "\t" > (out "pages.new")
+function besides(page, title, part) {
+    print page "\t\t" title "\t" part "\t" > (out "pages.new")
     print page "\t0\t\t" title "\t" > (out "heads.new")
 }
 END {
-    besides("book", "index", "Bonkers", "")
-    for (i = 1; i <= pages; ++i) {
-        if (page_line[i] ~ /^works/ && !works++) {
-            besides("book", "references", "References", "Appendices")
-            besides("book", "terms", "Index of terms", "Appendices")
-            besides("works", "works", "Works", "")
-        }
+    besides("index", "Bonkers", "")
+    for (i = 1; i <= pages; ++i)
         print page_line[i] "\t" page_files[i] > (out "pages.new")
-    }
-    if (cited["works"])
-        besides("works", "works-references", "References of Works", "Indexes")
-    besides("works", "works-chunks", "Index of chunks", "Indexes")
-    besides("works", "works-identifiers", "Index of identifiers", "Indexes")
+    besides("references", "References", "Appendices")
+    besides("terms", "Index of terms", "Appendices")
 }

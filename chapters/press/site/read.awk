@@ -4,7 +4,7 @@
 # `pieces', as HTML, each under a line \001 12. See page, and fill.awk.
 #
 # Variables: page, pieces, uses, edition; files before the chapters: places,
-# results.tex, files.tex, titles.tex, terms.tex, D-glossary.nw.
+# results.tex, files.tex, terms.tex, D-glossary.nw.
 
 function fail(message) {
     print "site: " file ": " message > "/dev/stderr"
@@ -20,8 +20,6 @@ FNR == 1 {
 }
 which == 1 {
     split($0, part, "\t")
-    if (part[3] == "cite" && part[1] !~ "^" volume)
-        next
     page_of[part[1]] = part[2]
     kind_of[part[1]] = part[3]
     number_of[part[1]] = part[4]
@@ -39,17 +37,12 @@ which == 3 && match($0, /^\\exercisefile[{]/) {
     file_of[name] = argument($0, after)
     next
 }
-which == 4 && match($0, /^\\workstitle[{]/) {
-    name = argument($0, RLENGTH)
-    works_title[name] = argument($0, after)
-    next
-}
-which == 5 && match($0, /^\\termhome[{]/) {
+which == 4 && match($0, /^\\termhome[{]/) {
     name = argument($0, RLENGTH)
     home[name] = argument($0, after)
     next
 }
-which == 5 && match($0, /^\\termline[{]/) {
+which == 4 && match($0, /^\\termline[{]/) {
     name = argument($0, RLENGTH)
     rest = argument($0, after)
     while (match(rest, /\\term(def|use)[{][0-9]+[}]/)) {
@@ -58,7 +51,7 @@ which == 5 && match($0, /^\\termline[{]/) {
     }
     next
 }
-which == 6 && match($0, /^\\term(\[[^]]*\])?[{]/) {
+which == 5 && match($0, /^\\term(\[[^]]*\])?[{]/) {
     line = substr($0, 1, RLENGTH)
     name = argument($0, RLENGTH)
     words = ""
@@ -78,7 +71,7 @@ which == 6 && match($0, /^\\term(\[[^]]*\])?[{]/) {
     phrases[name] = phrases[name] "," name
     next
 }
-which < 7 { next }
+which < 6 { next }
 
 # ---- pieces
 function piece(html) {
@@ -116,7 +109,7 @@ function names_linked(s, before,    out, name, label) {
         label = "src:" name
         if ((label in page_of) && (out == "" ? before : out) !~ /(\.|-&gt;|[0-9])$/ && \
             (number_of[label] == "function" ? s ~ /^\(/ : \
-            number_of[label] != "struct" || (before out) ~ /<b>struct<\/b> $/))
+            number_of[label] != "struct" || (before out) ~ /<b>(struct|union|enum)<\/b> $/))
             name = link(label, name)
         out = out name
     }
@@ -389,24 +382,11 @@ function value(name, s,    option, at, key) {
     return result[key]
 }
 function upper(s) { return toupper(substr(s, 1, 1)) substr(s, 2) }
-function in_book(label,    kind, words) {
-    if (!known(label))
-        return ""
-    kind = kind_of[label]
-    if (kind == "equation")
-        return "the book, equation~" inline(link(label, "(" number_of[label] ")"))
-    if (kind == "figure" || kind == "table" || kind == "exercise")
-        return "the book, " kind "~" inline(link(label, number_of[label]))
-    words = kind == "section" || kind == "chapter" || kind == "appendix" ? kind : ""
-    return "the book, " (number_of[label] == "" ? "" : \
-        words "~" inline(link(label, number_of[label])) ", ") \
-        "\\emph{" inline(link(label, title_of[label])) "}"
-}
 function cites(option, keys,    n, part, i, out, key) {
     n = split(keys, part, / *, */)
     out = "["
     for (i = 1; i <= n; ++i) {
-        key = volume "." part[i]
+        key = "cite." part[i]
         gsub(/[ \n]/, "", key)
         out = out (i > 1 ? ", " : "") link(key, number_of[key])
     }
@@ -504,10 +484,6 @@ function tex(s,    out, name, at, words, label, more, opt, end) {
             label = argument(s, 1)
             s = substr(s, after)
             out = out inline(link(label, title_of[label]))
-        } else if (name == "inbook") {
-            label = argument(s, 1)
-            s = substr(s, after)
-            out = out in_book(label)
         } else if (name == "cite") {
             opt = ""
             if (substr(s, 1, 1) == "[") {
@@ -542,7 +518,7 @@ function tex(s,    out, name, at, words, label, more, opt, end) {
             label = argument(s, 1)
             s = substr(s, after)
             out = out inline("<a id=\"" anchor(label) "\"></a>")
-        } else if (name == "worksanchor" || name == "suppressfloats" || \
+        } else if (name == "suppressfloats" || \
                    name == "pagebreak" || name == "setlength") {
             if (s ~ /^\[[^]]*\]/)
                 s = substr(s, index(s, "]") + 1)
@@ -623,17 +599,6 @@ function tex(s,    out, name, at, words, label, more, opt, end) {
             words = argument(s, 1)
             s = substr(s, after)
             out = out transcript(words)
-        } else if (name == "inworks") {
-            words = again(s, 1)
-            at = after
-            label = argument(s, at)
-            at = after
-            more = argument(s, at)
-            s = substr(s, after)
-            out = out block("<div class=\"inworks\">") upper(words) ": Works, \\emph{" \
-                inline(link(label, title_html(works_title[label]))) "}" \
-                (more == "" ? "" : "; " inline("<code>" escaped(unescaped(more)) "</code>")) \
-                "." block("</div>")
         } else if (name == "boxline") {
             words = again(s, 1)
             at = after
@@ -676,7 +641,7 @@ function tex(s,    out, name, at, words, label, more, opt, end) {
             argument(s, 1)
             s = substr(s, after)
             # Labels that are the heading's own stand in `heads'.
-            while (match(s, /^ *\\(label|worksanchor)[{][^}]*[}]/))
+            while (match(s, /^ *\\label[{][^}]*[}]/))
                 s = substr(s, RLENGTH + 1)
             out = out heading_piece(name == "chapter" ? 0 : name == "section" ? 1 : 2)
         } else if (name == "caption") {
@@ -788,7 +753,7 @@ function tex(s,    out, name, at, words, label, more, opt, end) {
             else
                 out = out "\\end{" words "}"
         } else if (name == "bibitem") {
-            label = volume "." argument(s, 1)
+            label = "cite." argument(s, 1)
             s = substr(s, after)
             out = out bibitem_end() block("<li id=\"" anchor(label) "\">")
             in_item = 1

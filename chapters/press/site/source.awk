@@ -50,21 +50,21 @@ function line_of(k, name,    i, s, comment) {
     }
     return 0
 }
-function find_definitions(    k, n, i, part, at, own) {
+function find_definitions(    k, n, i, part, at, own, is_tag) {
     for (k = 1; k <= items; ++k) {
         if (kind[k] == "prototype" || kind[k] == "doubtful")
             continue
         n = split(names[k], part, " ")
         for (i = 1; i <= n; ++i) {
-            if (part[i] !~ /^[A-Za-z_][A-Za-z_0-9]*$/ || part[i] ~ /^(struct|union|enum)$/ ||
-                !(at = line_of(k, part[i])))
+            is_tag = sub(/^(struct|union|enum):/, "", part[i])
+            if (part[i] !~ /^[A-Za-z_][A-Za-z_0-9]*$/ || !(at = line_of(k, part[i])))
                 continue
             own = item_file[k] SUBSEP part[i]
             if (own in defined)
                 continue
             defined[own] = at
             name_at[item_file[k], at] = name_at[item_file[k], at] " " part[i]
-            sort_of[own] = kind[k]
+            sort_of[own] = is_tag ? "struct" : kind[k]
             # A name without linkage to other files stands for itself in its own alone.
             if (item_file[k] ~ /\.c$/ && (kind[k] !~ /^(function|object)$/ ||
                 line[item_file[k], at] ~ /^static / ||
@@ -100,7 +100,7 @@ function named(name, before, behind,    where, own, s) {
         return name
     s = sort_of[own]
     if ((s == "function" && behind !~ /^ *\(/) ||
-        (s ~ /^(struct|union)$/ && before !~ /(struct|union) +$/))
+        (s == "struct" && before !~ /(struct|union|enum) +$/))
         return name
     if (where == file && defined[own] == at)
         return name

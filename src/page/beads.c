@@ -16,8 +16,8 @@ static struct start start;
 static struct bonkers beads;
 static double seen[4 + 3 * (MOST + 2)];
 
-/* The start of the figure of world lines, which is none of the starts of
-   bonkers: in the book it is a list of options. */
+/* Makes the start of the figure of world lines, which is none of the
+   starts of bonkers: the book gives it as a list of options. */
 static bool start_wave(struct start *s)
 {
     static const double mass[] = {9.3, 2.1, 5.2, 0.9, 3.4,
@@ -45,7 +45,8 @@ static bool choose_start(struct start *s)
     return s->movers <= MOST;
 }
 
-/* The first time nothing has been made yet, and freeing it does nothing. */
+/* Frees the run before; the first time there is none, and nothing
+   happens. */
 bool page_begin(void)
 {
     size_t wrong;

@@ -21,7 +21,7 @@ static struct means density;
 static double tick, overlap, records;
 static double seen[8 + 2 * DISKS + 2 * BINS];
 
-/* On the lattice, as disks and disks-studies start four disks. */
+/* Places four disks on a lattice, as disks and disks-studies do. */
 static bool begin_disks(struct disks *d)
 {
     struct random r;

@@ -19,8 +19,8 @@ static bool fast; /* the engine with cells runs */
 static double law_of_bin[BINS];
 static double seen[9 + 2 * BINS + 3 * MOST];
 
-/* The lattice draws no random numbers, so the first ones of the seed are
-   for the directions, as in disks. */
+/* Places the disks. The lattice needs no random numbers, so the first ones
+   of the seed are for the directions, as in disks. */
 static bool place_gas(struct disks *d, size_t count)
 {
     const double pi = 3.14159265358979324;
@@ -35,10 +35,10 @@ static bool place_gas(struct disks *d, size_t count)
     return disks_place_lattice(d);
 }
 
-/* The line in the histogram is not Maxwell's law but that of so many disks,
-   (7.3, eq:speed-law): for a thousand nobody sees the difference, for ten
-   one does. A few fat disks leave no room for three cells along an axis and
-   run without them. */
+/* Starts the gas. The line in the histogram is not Maxwell's law but that
+   of this many disks, (7.3, eq:speed-law): for a thousand nobody sees the
+   difference, for ten one does. A few large disks leave no space for three
+   cells along an axis and run without them. */
 bool page_begin(void)
 {
     const size_t count = (size_t)page_number[0];

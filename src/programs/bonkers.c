@@ -259,9 +259,9 @@ static void begin_or_exit(struct bonkers *b, const struct settings *set,
     check_speeds(b);
 }
 
-/* From one row to the next the engine runs in bites, short enough that a
-   signal is noticed within a second. The engines can be stopped and
-   continued anywhere, so no bit of the run depends on the bites. */
+/* From row to row the engine runs in bites, so short that a signal is
+   noticed within a second. An engine can be stopped and continued
+   anywhere, so the bites change no bit of the run. */
 struct run {
     struct bonkers b;
     double until, every;
@@ -418,10 +418,11 @@ static void name_masses(struct table *out, const struct bonkers *b)
     table_print(out, "\n");
 }
 
-/* The state comes as two arrays and goes out in pairs. The positions are
-   put into the second half of the row, from where each moves down before a
-   pair is written over it, and the velocities behind the row: it has room
-   for 2 + 3 * bodies numbers. */
+/* Writes a row, with position and velocity of each body side by side. They
+   come as two arrays: the positions go into the second half of the row,
+   from where each moves down before a pair is written over it, the
+   velocities behind the row, which has space for 2 + 3 * bodies
+   numbers. */
 static void write_row(struct table *out, struct bonkers *b, double row[])
 {
     double *x = row + 2 + b->gaps + 1, *v = x + b->gaps + 1;
@@ -532,8 +533,9 @@ static int run_batch(struct ensemble *e, const struct settings *s,
     return added;
 }
 
-/* All members have the same number of rows, known before the first one
-   runs. Returns false if they do not fit into memory. */
+/* Allocates an ensemble. All members have the same number of rows, which
+   is known before the first one runs. Returns false if they do not fit
+   into memory. */
 static bool make_ensemble(struct ensemble *e, const struct run *r)
 {
     const double until = fmin(r->until, r->samples < UINT64_MAX
@@ -553,8 +555,9 @@ static bool make_ensemble(struct ensemble *e, const struct run *r)
     return enough;
 }
 
-/* The standard error of the mean of T is sqrt(S / (k - 1) / k), with the
-   sum S of its squared deviations over k members. */
+/* Writes the rows of an ensemble. The standard error of the mean of T is
+   sqrt(S / (k - 1) / k), with the sum S of its squared deviations over k
+   members. */
 static void write_ensemble(struct table *out, const struct ensemble *e,
                            double row[])
 {
@@ -574,7 +577,8 @@ static void write_ensemble(struct table *out, const struct ensemble *e,
     }
 }
 
-/* Of all members together; the error of the energy is the worst one. */
+/* Totals over all members of an ensemble. The error of the energy is that
+   of the worst member. */
 struct totals {
     uint64_t collisions, disorder, rows;
     double time, seconds, energy_error;
@@ -594,8 +598,8 @@ static void add_run(struct totals *t, const struct run *r)
         t->energy_error = error;
 }
 
-/* If energy is meant to be lost, its change is no error and has another
-   name. */
+/* Writes the summary. Where energy is meant to be lost its change is no
+   error and is called energy_change. */
 static void write_summary(struct table *out, const struct totals *t,
                           const struct settings *s,
                           enum bonkers_engine engine)

@@ -274,8 +274,8 @@ static void print_body(struct table *out, struct pair *p, int body)
     table_print(out, "\n");
 }
 
-/* The percentages are the true change of the rounded numbers, which is why
-   they are seldom zero. */
+/* Prints a collision. The percentages are the true changes of the rounded
+   numbers, and so they are seldom zero. */
 static void print_collision(struct table *out, struct pair *p,
                             double restitution)
 {
@@ -305,10 +305,10 @@ static void print_collision(struct table *out, struct pair *p,
     table_print(out, "\n");
 }
 
-/* Inverse masses from 0.1 to 1.1 are a mild choice. With --mass-ratio R the
-   ratio is drawn from 1/R to R, every factor of two equally likely. The
-   normal points anywhere and has a length from 1/2 to 3/2, so that a
-   forgotten division by n.n shows. */
+/* Draws a pair of bodies. Without --mass-ratio the inverse masses are 0.1
+   to 1.1, a mild choice; with it the ratio is drawn from 1/R to R, every
+   factor of two equally likely. The normal points anywhere and has a
+   length from 1/2 to 3/2, so that a forgotten division by n.n shows. */
 static void draw_pair(struct random *r, const struct settings *s,
                       struct pair *p)
 {

@@ -24,8 +24,7 @@ enum {
     PARTS = 1000000 /* in which the progress of a run is counted */
 };
 
-/* The command line. Of what was not given there is a zero, a NULL, or no
-   number. */
+/* The command line. An option that was not given is 0, NULL or NaN. */
 struct settings {
     size_t disks, dimensions, axes; /* axes: numbers given for the box */
     size_t boundary, engine, measure;
@@ -486,8 +485,8 @@ static double Z_virial(const struct run *r, double virial, double time)
            virial / ((double)(r->d.dimensions * r->d.count) * r->kT * time);
 }
 
-/* Of each measurement there are three functions: one before the run
-   (begin_), one at each sampling time (sample_), one at the end (end_). */
+/* Each measurement has three functions: one before the run (begin_), one
+   at each sampling time (sample_), one at the end (end_). */
 static void begin_states(struct run *r)
 {
     states_begin(r->out, &r->d);

@@ -167,9 +167,9 @@ static void add_column(struct settings *s, struct columns *c,
     ++c->count;
 }
 
-/* Called at the first row, which tells how many columns there are. The
-   column of --against comes last. One law or range serves all columns; else
-   there must be one for each. */
+/* Chooses the columns, at the first row, which tells how many there are.
+   The column of --against comes last. One law or range serves all columns;
+   otherwise there must be one for each. */
 static void choose_columns(struct settings *s, struct columns *c,
                            const struct head *h, const char *row)
 {
@@ -191,7 +191,8 @@ static void choose_columns(struct settings *s, struct columns *c,
         bad_input(s, c, "%zu ranges for %zu columns", s->ranges, wanted);
 }
 
-/* Doubling the memory keeps the copying below two copies a number. */
+/* Makes space for more rows. Memory is doubled each time, so that a number
+   is copied less than twice on average. */
 static void grow_columns(struct settings *s, struct columns *c)
 {
     if (c->rows < c->capacity)
@@ -213,9 +214,9 @@ static void free_columns(struct columns *c)
     free(c->made_by);
 }
 
-/* strtod takes nan and inf, and stops without complaint in the middle of
-   1.5abc. One NaN in a million rows would make every mean NaN: all these
-   are refused. */
+/* Reads a finite number, which is all of a field. strtod alone would take
+   nan and inf, and stop without complaint in the middle of 1.5abc; one NaN
+   in a million rows would make every mean NaN. */
 static double read_number(struct settings *s, struct columns *c,
                           const struct column *column, const char *text)
 {
@@ -231,8 +232,8 @@ static double read_number(struct settings *s, struct columns *c,
     return value;
 }
 
-/* Only the columns that are wanted are read as numbers: a column of names
-   in the same table does no harm. */
+/* Stores a row. Only the wanted columns are read as numbers: a column of
+   names in the same table does no harm. */
 static void take_row(struct settings *s, struct columns *c,
                      const char *text)
 {
@@ -666,7 +667,7 @@ static void name_histogram(const struct settings *s,
         table_column(s->out, "fit", inverse, "mean of the fit in the bin");
 }
 
-/* A fit that fails is no reason to stop: the histogram is still good. */
+/* Fits a law to a column. If that fails the histogram is still good. */
 static bool fit_column(const struct settings *s,
                        const struct column *column,
                        const struct statistics_histogram *h,

@@ -91,9 +91,10 @@ static const struct table_key run_keys[] = {
     {"period_acoustic", "s", "small swings, with sound in the gases"},
     {0}};
 
-/* The step is shortened until a whole number of steps leads to the next
-   row. The worst error of the energy and the farthest places are those of
-   all steps, not of the rows alone. */
+/* Writes the rows of a run of the model. The step is shortened until a
+   whole number of steps leads to the next row. The worst error of the
+   energy and the farthest places are those of all steps, not of the rows
+   alone. */
 static void study_run(struct study *s)
 {
     const struct settings *own = s->own;
@@ -418,8 +419,8 @@ static size_t find_crossings(const struct settings *s,
     return n;
 }
 
-/* With fewer than four crossings the periods have no scatter, and nothing
-   is said of them. */
+/* Writes the periods. With fewer than four crossings they have no scatter,
+   and nothing is written. */
 static void summarise_crossings(struct table *summary,
                                 const struct settings *s,
                                 const struct run_rows *r)

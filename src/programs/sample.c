@@ -540,8 +540,8 @@ static void name_columns(struct run *run)
     }
 }
 
-/* A count becomes a density when it is divided by the width of the bin and
-   the number of coordinates, or of pairs. */
+/* Writes the densities: counts divided by the width of a bin and the
+   number of coordinates, or of pairs. */
 static void write_bins(struct run *run)
 {
     const struct settings *s = run->s;
@@ -604,9 +604,9 @@ static double distance_moved(const struct run *run)
     return sqrt(sum / (double)run->p.large);
 }
 
-/* For one disk, or with small ones about, some of the results mean nothing
-   and are left out. By symmetry the mean x of every disk is the middle of
-   the box; whether disk 1 has been there shows whether a chain has
+/* Writes the summary, without the results that mean nothing for one disk
+   or among small ones. By symmetry the mean x of every disk is the middle
+   of the box; whether disk 1 has been there shows whether a chain has
    forgotten its start. */
 static void write_summary(struct table *out, const struct run *run)
 {

@@ -87,7 +87,7 @@ static void list_methods(void)
 
 enum ending { WHOLE, INTERRUPTED, INFINITE, STUCK, TOO_MUCH, UNWRITTEN };
 
-/* What has become of the energy, J. */
+/* The energy in the course of the run, J. */
 struct watch {
     double start;    /* E at the start */
     double depth;    /* of the deepest potential of a row so far */

@@ -1,4 +1,4 @@
-/* Rounds by one operation, by a sum of two doubles, or by the C library. */
+/* Reads decimals in one operation, as a sum, or by the C library. */
 #include "scenes/decimal.h"
 
 #include <float.h>

@@ -53,8 +53,8 @@ void scene_free(struct scene *s)
     *s = (struct scene){0};
 }
 
-/* Returns a copy of a list with room for a power of two, whether needed or
-   not, so that it can grow as make_room has it; NULL: no memory. */
+/* Returns a copy of a list, or NULL if there is no memory. Its capacity is
+   a power of two, as make_room expects. */
 static void *copy_list(const void *list, size_t count, size_t size)
 {
     size_t room = 1;
@@ -470,7 +470,7 @@ static bool store_kept(struct reader *r, const double value[], size_t count)
     return store_rare(&r->scene->kept, r, value, count);
 }
 
-/* prepare has made the kind, with zeros. */
+/* Stores a kind of spring, which prepare has made, with zeros. */
 static bool store_kind(struct reader *r, const double value[], size_t count)
 {
     struct scene_kind *kind = &r->scene->kind[(size_t)value[0]];
@@ -679,7 +679,7 @@ static bool read_pass(struct reader *r, const char *text, size_t length,
     return true;
 }
 
-/* Makes room for what the text has lines for. */
+/* Allocates the scene's lists, for as many items as pass 0 has counted. */
 static bool prepare(struct reader *r)
 {
     struct scene *s = r->scene;

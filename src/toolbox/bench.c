@@ -1,4 +1,4 @@
-/* Processor time from the C library, the machine from what Linux tells. */
+/* Reads processor time and clocks, finds medians, names the machine. */
 #include "toolbox/bench.h"
 
 #include <stdio.h>

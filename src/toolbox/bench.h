@@ -1,7 +1,7 @@
 /* Times for tables of speed: clocks, medians, the name of the machine. */
-/* A time is processor time of one process and the median of an odd number
-   of runs: the mean counts every disturbance in full, and the minimum is
-   what a machine does that nobody else uses. Ways to be compared take
+/* Each time is the processor time of one process, the median of an odd
+   number of runs: a mean counts every disturbance in full, and a minimum
+   is reached only on an idle machine. Methods to be compared are run in
    turns, so that a slow minute slows all of them. */
 #ifndef TOOLBOX_BENCH_H
 #define TOOLBOX_BENCH_H
@@ -15,9 +15,9 @@ enum { BENCH_ROUNDS = 5 }; /* runs to take a median of */
 /* Returns the processor time that this process has used, s. */
 double bench_seconds(void);
 
-/* Returns the time of a clock that never jumps, s since some moment. For
-   work that several threads share, where processor time counts all of
-   them, and what they save is time on this clock. */
+/* Returns the time of a clock that nobody can set, s. It is for work that
+   several threads share: processor time adds up over threads, and what
+   they save is time on this clock. */
 double bench_clock(void);
 
 /* Sorts n values, n > 0, and returns the middle one, the upper of two. */

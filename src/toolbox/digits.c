@@ -1,4 +1,4 @@
-/* Formats doubles in integers of two words, or else by the C library. */
+/* Formats doubles in 128-bit integers, or by the C library. */
 #include "toolbox/digits.h"
 
 #include <math.h>

@@ -12,8 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A stream writes later than it is told, so a full disk may be noticed by
-   any later call; table_close reports the first error. */
+/* A stream writes later than it is told to, so any call may be the first
+   to notice a full disk; table_close reports the first error. */
 void lines_note_error(struct table *t, bool good)
 {
     if (!good && t->error == 0)
@@ -140,7 +140,7 @@ void table_real(struct table *t, const char *key, double value)
     table_print(t, "\n");
 }
 
-/* Not through a double, which would lose counts above 2^53. */
+/* A double would lose counts above 2^53. */
 void table_count(struct table *t, const char *key, uint64_t value)
 {
     print_key(t, key);

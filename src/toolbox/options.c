@@ -121,8 +121,8 @@ static _Noreturn void print_and_exit(const struct options *o, bool help)
     exit(EXIT_FAILURE);
 }
 
-/* The command for the head of a table, as a stream into memory. A process
-   has one command line, so there is one command_stream. */
+/* The command for the head of a table, written to memory. It can be
+   static: a process has one command line. */
 static FILE *command_stream;
 static char *command_text;
 static size_t command_size;
@@ -392,9 +392,9 @@ static _Noreturn void refuse_option(struct options *o, int code)
                  o->program);
 }
 
-/* What follows a double dash is an argument. getopt_long returns -1 when it
-   meets one, and must not be asked again, or it would begin with those
-   arguments anew: hence `ended`. */
+/* Everything behind a double dash is an argument. getopt_long returns -1
+   when it meets one and must not be called again, or it would read those
+   arguments as options: hence `ended`. */
 int options_next(struct options *o)
 {
     o->current = NULL;

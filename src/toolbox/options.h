@@ -9,16 +9,18 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* One option. A list of them ends with {0}. An entry named "" stands for
-   the arguments that are no options; without one they are refused. If it
-   has no argument either, its help is a heading: when the options up to
-   the next heading mean anything, NULL for always. A heading is one or more
-   conditions with "; " between them, all of which must hold: "--study run,
-   cost" (the value is one of these), "--ensemble" (it was given), "no
-   --box", "no --method rk8pd". Both --help and the refusal come from it:
-   whoever gives a run another mass and sees the same answer has learnt
-   something false. A default stands in parentheses at the end of `help`,
-   and conditions read it there, so the help cannot promise another one. */
+/* One option. A list of them ends with {0}. An entry named "" with an
+   argument stands for the arguments that are no options; without such an
+   entry they are refused. An entry named "" without an argument is a
+   heading: its help says when the options below it, up to the next
+   heading, have an effect (NULL: always). It is one or more conditions
+   with "; " between them, all of which must hold: "--study run, cost" (the
+   value is one of these), "--ensemble" (it was given), "no --box", "no
+   --method rk8pd". --help prints the headings, and an option whose heading
+   does not hold is refused: whoever gives a run another mass and sees the
+   same answer would learn something false. A default stands in parentheses
+   at the end of `help`, from where conditions read it, so that the help
+   cannot promise another one. */
 struct options_entry {
     const char *name;     /* the long name, without the dashes */
     int letter;           /* the short name or 0, plus flags: see below */
@@ -64,8 +66,8 @@ struct options {
     bool ended;
 };
 
-/* As the low end of options_real: more than zero. The smallest double that
-   is has a wording of its own in messages. */
+/* A low end for options_real that stands for "more than 0", as messages
+   then say. */
 #define OPTIONS_POSITIVE DBL_TRUE_MIN
 
 /* Says what is wrong, as printf does, after "program: --option: " (after

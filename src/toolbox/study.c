@@ -14,9 +14,9 @@ struct command {
 
 enum { LINE = 64 }; /* letters for a study in the help */
 
-/* Fills names and the help of --study from the one list of studies;
-   returns how many there are. The usual one stands in parentheses at the
-   end, where every option has its default. */
+/* Fills names and the help of --study from the list of studies, and
+   returns how many there are. The usual study stands in parentheses at the
+   end, as every option's default does. */
 static size_t list_studies(const struct study_program *p,
                            const char *names[STUDY_MOST + 1],
                            char help[STUDY_MOST * LINE])
@@ -108,8 +108,8 @@ static void read_command(const struct study_program *p, struct command *c,
         p->check(&o, names[c->study], p->own);
 }
 
-/* First everything that can be wrong with the command is found, then what
-   can be wrong with the files, and only then is time spent. */
+/* Finds first what is wrong with the command, then what is wrong with the
+   files, and only then spends time. */
 int study_main(const struct study_program *p, int argc, char *argv[])
 {
     struct command c = {.seed = p->seeds > 0, .summary = "/dev/null"};

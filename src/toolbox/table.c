@@ -221,8 +221,8 @@ static bool is_complete(const struct table *t)
     return !k || !k->name || !*k->name;
 }
 
-/* Only now is it known whether all was written: the buffer is flushed and
-   the file closed before the temporary takes the final name. */
+/* Only here is it known whether everything was written: the buffer is
+   flushed and the file closed before the temporary gets the final name. */
 bool table_close(struct table *t)
 {
     if (!t)

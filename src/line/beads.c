@@ -1,18 +1,111 @@
-/* Around a run on the line: from a start to it and back, energy, rest. */
+/* Around a run on the line: memory, start, from it back, energy, rest. */
 #include "line/engine.h"
 #include "line/gap.h"
+#include "line/slab.h"
 #include "line/start.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 const char *const bonkers_engine_names[BONKERS_ENGINES + 1] = {
     "auto", "naive", "scan", "heap", "slab", NULL};
 
+/* Prepares a run, as bonkers_create does; points need no shift. The
+   counters of repeats are for runs that lose energy, the fractions for the
+   scan and the slabs; the heap has room for all gaps, or for those of one
+   island. A run that is only half made is freed like any other, since it
+   has zeros where nothing was allocated. */
+static bool create(struct bonkers *b, size_t movers, double restitution,
+                   enum bonkers_engine engine, bool points)
+{
+    *b = (struct bonkers){.gaps = movers + 1, .restitution = restitution};
+    b->engine = engine != BONKERS_AUTO      ? engine
+                : movers <= BONKERS_SCANNED ? BONKERS_SCAN
+                                            : BONKERS_SLAB;
+    bool enough = (b->body = calloc(movers + 2, sizeof *b->body)) &&
+                  (b->due = malloc(b->gaps * sizeof *b->due));
+    if (!points)
+        enough =
+            enough && (b->shift = malloc((movers + 2) * sizeof *b->shift));
+    if (restitution < 1)
+        enough =
+            enough && (b->repeats = calloc(b->gaps, sizeof *b->repeats));
+    if (b->engine == BONKERS_SCAN || b->engine == BONKERS_SLAB)
+        enough =
+            enough && (b->fraction = malloc(b->gaps * sizeof *b->fraction));
+    if (b->engine == BONKERS_HEAP)
+        enough = enough && schedule_create(&b->schedule, b->gaps, b->gaps);
+    if (b->engine == BONKERS_SLAB)
+        enough = enough &&
+                 schedule_create(&b->schedule, b->gaps,
+                                 b->gaps < SLAB_WAITING ? b->gaps
+                                                        : SLAB_WAITING) &&
+                 (b->slab = slab_create(b));
+    if (!enough)
+        bonkers_free(b);
+    return enough;
+}
+
+void bonkers_free(struct bonkers *b)
+{
+    slab_free(b->slab);
+    free(b->body);
+    free(b->due);
+    free(b->shift);
+    free(b->repeats);
+    free(b->fraction);
+    schedule_free(&b->schedule);
+    *b = (struct bonkers){0};
+}
+
 bool bonkers_create(struct bonkers *b, size_t movers, double restitution,
                     enum bonkers_engine engine)
 {
-    return engine_create(b, movers, restitution, engine, false);
+    return create(b, movers, restitution, engine, false);
+}
+
+/* Subtracts the s_i of (2.2, eq:rods) from the positions. The radii may
+   stand where the s_i will. */
+static void take_out_radii(struct bonkers *b, const double radius[])
+{
+    double sum = 0;
+    for (size_t i = 0; i <= b->gaps; ++i) {
+        const double r = radius[i];
+        b->shift[i] = sum + r;
+        b->body[i].x -= b->shift[i];
+        sum += 2 * r;
+    }
+}
+
+/* Bodies that were meant to touch may overlap by a rounding when the radii
+   have been taken out. That is forgiven; more is a mistake of the caller,
+   and so is a place that is no number. Points need no shift. */
+size_t bonkers_start(struct bonkers *b, const double radius[])
+{
+    b->extent = 0;
+    for (size_t i = 0; i <= b->gaps; ++i)
+        if (isfinite(b->body[i].x))
+            b->extent = fmax(b->extent, fabs(b->body[i].x));
+    if (radius) {
+        take_out_radii(b, radius);
+    } else {
+        free(b->shift);
+        b->shift = NULL;
+    }
+    for (size_t i = 0; i < b->gaps; ++i) {
+        struct bonkers_body *left = &b->body[i], *right = left + 1;
+        if (!(right->x - left->x >= -engine_rounding(b, i + 1)))
+            return i;
+        if (right->x < left->x)
+            right->x = left->x; /* they touch, but for rounding */
+        b->due[i] = time_due(b, i);
+        if (b->fraction)
+            b->fraction[i] = fraction(b, i);
+        if (b->engine == BONKERS_HEAP)
+            engine_reschedule(b, i);
+    }
+    return b->gaps;
 }
 
 /* Mover i of a start is body i + 1 of the line, between two walls of
@@ -26,7 +119,7 @@ bool bonkers_begin(struct bonkers *b, const struct start *s,
     bool points = true;
     for (size_t i = 0; i < s->movers; ++i)
         points = points && s->radius[i] == 0;
-    if (!engine_create(b, s->movers, restitution, engine, points))
+    if (!create(b, s->movers, restitution, engine, points))
         return false;
     b->gravity = s->gravity;
     b->body[0].x = s->wall[0];

@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 872566075 of the lines below */
+/* checksum 2345380460 of the lines below */
 /* Engines that find the next collision on a line and carry it out. */
 #include "line/bonkers.h"
 
@@ -10,7 +10,6 @@
 
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
 
 static void move_all(struct bonkers *b, double wait)
 {
@@ -126,8 +125,7 @@ enum bonkers_stop engine_run_heap(struct bonkers *b, double until,
     }
 }
 
-/* By how much rounding may misplace bodies i-1 and i, m. */
-static double rounding(const struct bonkers *b, size_t i)
+double engine_rounding(const struct bonkers *b, size_t i)
 {
     double scale = 0;
     for (size_t k = i > 0 ? i - 1 : 0; k <= i; ++k) {
@@ -145,95 +143,12 @@ void bonkers_state(struct bonkers *b, double x[], double v[])
     double last = b->body[0].x;
     for (size_t i = 0; i <= b->gaps; ++i) {
         const struct bonkers_body a = body_at(b, i, b->now);
-        if (a.x < last && a.x < last - rounding(b, i))
+        if (a.x < last && a.x < last - engine_rounding(b, i))
             ++b->disorder;
         last = a.x < last ? last : a.x > right ? right : a.x;
         x[i] = b->shift ? last + b->shift[i] : last;
         v[i] = a.v;
     }
-}
-
-bool engine_create(struct bonkers *b, size_t movers, double restitution,
-                   enum bonkers_engine engine, bool points)
-{
-    *b = (struct bonkers){.gaps = movers + 1, .restitution = restitution};
-    b->engine = engine != BONKERS_AUTO      ? engine
-                : movers <= BONKERS_SCANNED ? BONKERS_SCAN
-                                            : BONKERS_SLAB;
-    bool enough = (b->body = calloc(movers + 2, sizeof *b->body)) &&
-                  (b->due = malloc(b->gaps * sizeof *b->due));
-    if (!points)
-        enough =
-            enough && (b->shift = malloc((movers + 2) * sizeof *b->shift));
-    if (restitution < 1)
-        enough =
-            enough && (b->repeats = calloc(b->gaps, sizeof *b->repeats));
-    if (b->engine == BONKERS_SCAN || b->engine == BONKERS_SLAB)
-        enough =
-            enough && (b->fraction = malloc(b->gaps * sizeof *b->fraction));
-    if (b->engine == BONKERS_HEAP)
-        enough = enough && schedule_create(&b->schedule, b->gaps, b->gaps);
-    if (b->engine == BONKERS_SLAB)
-        enough = enough &&
-                 schedule_create(&b->schedule, b->gaps,
-                                 b->gaps < SLAB_WAITING ? b->gaps
-                                                        : SLAB_WAITING) &&
-                 (b->slab = slab_create(b));
-    if (!enough)
-        bonkers_free(b);
-    return enough;
-}
-
-void bonkers_free(struct bonkers *b)
-{
-    slab_free(b->slab);
-    free(b->body);
-    free(b->due);
-    free(b->shift);
-    free(b->repeats);
-    free(b->fraction);
-    schedule_free(&b->schedule);
-    *b = (struct bonkers){0};
-}
-
-/* Subtracts the s_i of (2.2, eq:rods) from the positions. The radii may
-   stand where the s_i will. */
-static void take_out_radii(struct bonkers *b, const double radius[])
-{
-    double sum = 0;
-    for (size_t i = 0; i <= b->gaps; ++i) {
-        const double r = radius[i];
-        b->shift[i] = sum + r;
-        b->body[i].x -= b->shift[i];
-        sum += 2 * r;
-    }
-}
-
-size_t bonkers_start(struct bonkers *b, const double radius[])
-{
-    b->extent = 0;
-    for (size_t i = 0; i <= b->gaps; ++i)
-        if (isfinite(b->body[i].x))
-            b->extent = fmax(b->extent, fabs(b->body[i].x));
-    if (radius) {
-        take_out_radii(b, radius);
-    } else {
-        free(b->shift);
-        b->shift = NULL;
-    }
-    for (size_t i = 0; i < b->gaps; ++i) {
-        struct bonkers_body *left = &b->body[i], *right = left + 1;
-        if (!(right->x - left->x >= -rounding(b, i + 1)))
-            return i;
-        if (right->x < left->x)
-            right->x = left->x; /* they touch, but for rounding */
-        b->due[i] = time_due(b, i);
-        if (b->fraction)
-            b->fraction[i] = fraction(b, i);
-        if (b->engine == BONKERS_HEAP)
-            engine_reschedule(b, i);
-    }
-    return b->gaps;
 }
 
 static enum bonkers_stop set_clocks(struct bonkers *b,

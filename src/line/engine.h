@@ -4,9 +4,8 @@
 
 #include "line/bonkers.h"
 
-/* Prepares a run, as bonkers_create does; points need no shift. */
-bool engine_create(struct bonkers *b, size_t movers, double restitution,
-                   enum bonkers_engine engine, bool points);
+/* Returns by how much rounding may misplace bodies i - 1 and i, m. */
+double engine_rounding(const struct bonkers *b, size_t i);
 
 /* Nothing more happens before `until`: lets the clock run on, or stops it
    at the last collision if there is no end. */

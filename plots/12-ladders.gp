@@ -9,7 +9,7 @@ set logscale xy
 set format x '10^{%T}'
 set format y '10^{%T}'
 set xlabel 'cost  (s by the price list)'
-set ylabel 'error  (share of the scale)' offset 1
+set ylabel 'error  (fraction of the scale)' offset 1
 set xrange [2e-5:0.02]
 set yrange [1e-12:30]
 set lmargin at screen 0.115

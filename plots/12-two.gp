@@ -9,7 +9,7 @@ set logscale xy
 set format '10^{%T}'
 set xrange [0.2:5e-6]
 set yrange [2e-6:0.3]
-set xlabel 'tolerance  (part of the scale)'
+set xlabel 'tolerance  (fraction of the scale)'
 set ylabel 'cost  (s by the price list)' offset 1
 set key at graph 0.02,0.97 left top Left reverse samplen 2
 file = 'build/data/12-two.dat'

@@ -13,13 +13,13 @@ enum { CHOOSE_MOST = STEPPING_MOST + 40, CHOOSE_POINTS = 400 };
 /* A question: a scene, a time, a tolerance, and what is looked at. */
 struct choose_request {
     const struct scene *scene;
-    const char *program;             /* before what goes wrong */
+    const char *program;             /* its name, for messages */
     double until, every;             /* s: the last row, from row to row */
     double tolerance;                /* fraction of the scale */
     const struct observables *asked; /* NULL: all positions */
     double budget; /* what all of it may cost, s by the price list */
     const struct models_plan *only; /* NULL, or what has to be taken */
-    void (*watch)(void *with, double spent); /* NULL, or hears the bill */
+    void (*watch)(void *with, double spent); /* NULL, or told the bill */
     void *with;
 };
 
@@ -60,8 +60,8 @@ struct choose_choice {
     struct record run;            /* of the taken one */
     struct models_plan reference; /* model NULL: there was none */
     double doubt;                 /* how far two references are apart */
-    double rounding;              /* what last bits do to an exact run */
-    double horizon;               /* s; INFINITY: the run is inside it */
+    double rounding;              /* bound of the error of an exact run */
+    double horizon;               /* s: beyond it nothing can be computed */
     double spent;                 /* on all, s by the price list */
     char refusal[CHOOSE_REFUSAL];
 };

@@ -19,8 +19,9 @@ enum models_unit {
     MODELS_ROD,        /* one correction of one rod */
     MODELS_CONTACT,    /* a body in a part of a step, with contacts */
     MODELS_OVERLAP,    /* and, for each pair that is looked at */
-    MODELS_CURVE,      /* and, for each product in the curve of a gap */
-    MODELS_ROOT,       /* and, for each of these if the curve has a root */
+    MODELS_CURVE,      /* and, for each product of two coefficients when
+                          the gap is made a polynomial */
+    MODELS_ROOT,       /* and, for each of these, if it has a root */
     MODELS_LINE_EVENT, /* a collision on a line */
     MODELS_LINE_SCAN,  /* and, for each gap that is looked at */
     MODELS_DISK_EVENT, /* a collision of disks, or with a wall */
@@ -132,12 +133,13 @@ struct models_run {
     struct models_acts acts;
     double start, every; /* s */
     double elapsed;      /* from the start to the row asked for, s */
-    double clock;        /* closed forms: by what part of the time they
-                            may be late alike in all units; 0: none */
+    double clock;        /* bound of the relative error of times in closed
+                            forms that all twins share; 0: there is none */
     uint64_t rows;       /* so far */
     uint64_t collisions; /* not those of relabel: models_collisions */
-    double least;        /* m: by how little one was: below 0, made */
-    double virial;       /* as in struct disks, J s; NaN if not known */
+    double least;  /* m: the closest miss of a contact, or, below 0, the
+                      shallowest that was made */
+    double virial; /* as in struct disks, J s; NaN if not known */
     double work[MODELS_UNITS];
     uint64_t all; /* rows in the end; 0: not known. May be written */
     double limit; /* s: what costs more is MODELS_COSTLY. May be written */

@@ -95,21 +95,21 @@ static double *at_start(const struct models_run *r)
     return l->work;
 }
 
-/* By what share of the time all clocks may be late alike, whatever the
-   units: 2 pi is wrong by a third of 2^-53, and its product with the number
-   of whole turns, which is the same in all units, is rounded once. */
-static const double late_alike = 0x1.6p-53;
+/* The relative error of times that all twins share: 2 pi is wrong by a
+   third of 2^-53, and its product with the number of whole turns, which is
+   the same in all units, is rounded once. */
+static const double clock_error = 0x1.6p-53;
 
-/* Returns by what part of the time the places on ellipses may be late alike
-   in all units; INFINITY: an orbit is none. Parabolas and hyperbolas have
-   closed forms, too, which are not made here; an ellipse as narrow as a
-   line passes through its centre. What rounding makes of the mean motion is
-   not counted. That is more, for 1/a is the difference 2/r - v^2/mu, of
-   which either is wrong by some 2^-53, so that the mean motion is wrong by
-   up to 13 a/r of them; but it depends on the last digits of r and v, so
-   that twins in other units differ by it. A bound of that, 4 a/r 2^-51,
-   added up what hardly ever adds up: it was 14 times the error that was
-   made, median of random orbits, and 40 times that of one in ten. */
+/* Returns the relative error of times on these ellipses that all twins
+   share; INFINITY: an orbit is none. Parabolas and hyperbolas have closed
+   forms, too, which are not made here; an ellipse as narrow as a line
+   passes through its centre. What rounding makes of the mean motion is not
+   counted. That is more, for 1/a is the difference 2/r - v^2/mu, of which
+   either is wrong by some 2^-53, so that the mean motion is wrong by up to
+   13 a/r of them; but it depends on the last digits of r and v, so that
+   twins in other units differ by it. A bound of that, 4 a/r 2^-51, added up
+   what hardly ever adds up: it was 14 times the error that was made, median
+   of random orbits, and 40 times that of one in ten. */
 static double clock_of_ellipses(const struct models_run *r)
 {
     const struct jacobi *j = &((const struct particles *)r->engine)->jacobi;
@@ -125,7 +125,7 @@ static double clock_of_ellipses(const struct models_run *r)
         if (!(axis > 0 && axis < INFINITY && eccentricity < 1 - 1e-9))
             return INFINITY;
     }
-    return late_alike;
+    return clock_error;
 }
 
 static const char *begin_kepler(struct models_run *r)
@@ -363,7 +363,7 @@ static const char *begin_modes(struct models_run *r)
             w->rate = damping / s->mass[c % s->bodies];
     const struct modes *const m = &w->modes;
     if (m->size > 0 && m->square[m->size - 1] > w->slack)
-        r->clock = late_alike;
+        r->clock = clock_error;
     return r->plan.model->approximate ||
                    keeps_sides(w, s, first_axis(r->acts.axes))
                ? NULL

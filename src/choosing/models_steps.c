@@ -96,10 +96,10 @@ static void end_steps(struct models_run *r)
     scene_free(&t->scene);
 }
 
-/* May light bodies be seen in Jacobi's coordinates, that is, is momentum
-   conserved: is nothing held, and is there nothing but gravity and weight?
- */
-static bool has_centre(const struct scene *s, const struct models_acts *a)
+/* Is momentum conserved, so that Jacobi's coordinates suit: is nothing
+   held, and is there nothing but gravity and weight? */
+static bool keeps_momentum(const struct scene *s,
+                           const struct models_acts *a)
 {
     for (size_t i = 0; i < s->bodies; ++i)
         if (a->axes & ~freedom_of(s, i))
@@ -199,15 +199,14 @@ static const char *begin_steps(struct models_run *r)
         struct gravity *g = &t->motion.gravity;
         t->has_particles =
             particles_create(&t->particles, s, models_heaviest(s),
-                             s->bodies, has_centre(s, &r->acts));
+                             s->bodies, keeps_momentum(s, &r->acts));
         if (!t->has_particles)
             return models_no_memory;
         particles_to_jacobi(&t->particles, s, s->position, s->velocity);
         g->source = t->particles.order;
         g->sources = t->particles.heavy;
         g->factor = t->particles.factor;
-        models_count_sorting(r, s->bodies,
-                             5); /* and to enter the picture */
+        models_count_sorting(r, s->bodies, 5); /* with the coordinates */
     }
     if (count > 0) {
         t->rodded =
@@ -271,8 +270,8 @@ static void count_evaluations(const struct models_run *r,
         asked * ((double)p->count + (LISTED - 1) * (double)p->listed);
 }
 
-/* Light bodies that do not pull are stepped in a picture of their own. Each
-   row takes them out of it, for as much as so many passes over a body. */
+/* Light bodies that do not pull are stepped in Jacobi's coordinates. To
+   turn them back for a row costs as much as so many passes over a body. */
 enum { LEAVING = 5 };
 
 /* Makes the bill anew, after the fact, from what all parts have counted
@@ -316,8 +315,9 @@ static void count_steps(struct models_run *r, const struct steps *t)
 
 enum { STEPS_AT_A_TIME = 256 };
 
-/* Will the run cost twice what it may, if it goes on like this? A step of
-   its own length may be beyond the row. */
+/* Is the run bound to exceed its limit, at the rate at which it has cost so
+   far: by a tenth, or twice if steps choose their length, whose costs vary
+   along the run? Such a step may already be beyond the row. */
 static bool is_hopeless(const struct models_run *r, const struct steps *t,
                         uint64_t left)
 {
@@ -331,8 +331,10 @@ static bool is_hopeless(const struct models_run *r, const struct steps *t,
                : cost / done * all > 1.1 * r->limit;
 }
 
-/* Lets steps that choose their length go on as long as they may: one look
-   may take what is left, and a small part of what all may. */
+/* Limits the evaluations of one call, of steps that choose their length, to
+   what is left of the limit, and to eight times an equal part of it for
+   each call of the run (or 0.1 s): one row must not use up what all have.
+ */
 static void bound_evaluations(const struct models_run *r, struct steps *t)
 {
     struct adaptive *own = t->motion.stepping.own;
@@ -373,9 +375,9 @@ static enum models_end run_steps(struct models_run *r, struct steps *t)
     return MODELS_DONE;
 }
 
-/* Goes to the next row. What was stepped in another picture is translated
-   for the row, and goes on from that picture; rods end each row without a
-   velocity along themselves. */
+/* Goes to the next row. What was stepped in other coordinates is turned
+   back for the row only, and goes on from those; rods end each row without
+   a velocity along themselves. */
 static enum models_end row_steps(struct models_run *r)
 {
     struct steps *t = r->engine;
@@ -398,8 +400,8 @@ static enum models_end row_steps(struct models_run *r)
 }
 
 /* The methods of chapter 8 have a table already; a second list would be a
-   second truth. Rods are for leapfrog alone, and only it takes light bodies
-   for test particles where there are orbits. */
+   second truth. Rods are for leapfrog alone, and along ellipses all bodies
+   pull. */
 struct models_model models_of_method(const struct stepping_method *m)
 {
     const unsigned no = (m->orbits ? BEARS_PARTICLES : 0) |

@@ -33,8 +33,8 @@ struct record {
     double *value;  /* [(rows + 1) * columns], so far as reached */
     double work[MODELS_UNITS];
     uint64_t collisions; /* as the model counts them */
-    double cost;         /* of work, s by the price list */
-    double seconds;      /* of this processor */
+    double cost;         /* of the work, s by the price list */
+    double seconds;      /* of processor time */
     double clock;        /* as in struct models_run */
     double least;        /* m, the same */
     unsigned twin;       /* as in the order */
@@ -51,9 +51,9 @@ struct record_setup {
     size_t rows;
     double limit;  /* cost, s by the price list */
     double grow;   /* m, by which balls are larger */
-    unsigned twin; /* 0: the run itself; 1 to RECORD_TWINS: the same in
-                      other units, seen from the other side, with other
-                      names and other last bits; no row should know */
+    unsigned twin; /* 0: the run itself; 1 to RECORD_TWINS: a twin, which
+                      is the same physically: rescaled, mirrored, renumbered
+                      and with other last bits, so that it shows rounding */
 };
 
 /* Prepares to look at a run that lasts `length`, s. asked has to outlive v.

@@ -364,7 +364,7 @@ static void write_chart_head(const struct run *r, const char *refusal)
     table_print(r->chart, "# tolerance: %.17g\n", r->s->tolerance);
     if (refusal)
         table_print(r->chart, "# refused: %s\n", refusal);
-    table_column(r->chart, "error", "", "share of the scale");
+    table_column(r->chart, "error", "", "fraction of the scale");
     table_column(r->chart, "cost", "s", "by the price list");
     table_column(r->chart, "taken", "", "1: this one, and where it stands");
     table_column(r->chart, "plan", "", "its model, and what it leaves out");
@@ -440,7 +440,7 @@ static const struct options_entry entries[] = {
     {"", 0, "SCENE", "a scene file; - is standard input"},
     {"until", 't', "T", "the time at which to stop"},
     {"tolerance", 'e', "E",
-     "the largest error, a share of the scale of\n"
+     "the largest error, a fraction of the scale of\n"
      "what is asked for; of a mean, the scale is the\n"
      "larger of 1 and Z, the side of the box along x\n"
      "or y, or the value of kinetic or temperature"},
@@ -465,12 +465,12 @@ static const struct table_key keys[] = {
     {"end", "word", "whole or refused"},
     {"model", "word", "that was taken; none, several"},
     {"tolerance", "1", "as asked for"},
-    {"error_found", "1", "as a share of the scale"},
+    {"error_found", "1", "as a fraction of the scale"},
     {"cost", "s", "of the run, by the price list"},
     {"deciding", "s", "of choosing, the same"},
     {"", "", "if --observe names no mean:"},
     {"judged", "word", "what the error is of"},
-    {"scale", "its own", "what it is a share of"},
+    {"scale", "its own", "what it is a fraction of"},
     {"doubt", "1", "of the run to compare others with; 0: none"},
     {"rounding", "1", "what rounding does to a run without steps"},
     {"horizon", "time", "beyond which nothing can be said"},
@@ -579,9 +579,9 @@ static void warn_of_scale(const struct run *r)
     if (size > 10 * c->scale)
         fprintf(stderr,
                 PROGRAM
-                ": %s: note: %g is a share of %.6g, the size of the "
+                ": %s: note: %g is a fraction of %.6g, the size of the "
                 "scene at the start; in the run it becomes %.6g, "
-                "and that share of it is --tolerance %.2g\n",
+                "and that fraction of it is --tolerance %.2g\n",
                 r->s->scene, e, c->scale, size, e * size / c->scale);
 }
 
@@ -648,7 +648,8 @@ static void explain_mean(const struct run *r, const struct mean *m)
     explain(r, "%s: %s\n  %s, %s, cost %.2e s\n", symbol, f->way, f->text,
             sure_names[f->sure], f->cost);
     if (isfinite(f->value) && (f->cost > 0 || f->sure != AVERAGES_OUT))
-        explain(r, "  found: %.6g, error %.2e, a share of %.2e of %.4g\n",
+        explain(r,
+                "  found: %.6g, error %.2e, a fraction of %.2e of %.4g\n",
                 f->value, f->error * f->scale, f->error, f->scale);
 }
 

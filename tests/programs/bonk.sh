@@ -128,7 +128,7 @@ printf '%s\n' 'pos 0 0 0 0 1 0 0' 'pos 1 0.001 0 0 0 0 0' \
     'vel 1 0 44.710177812216318 0' 'k2 1' >"$w/long"
 $bonk "$w/long" --until 6.2831853071795862 --tolerance 1e-6 -o "$w/t" \
     2>"$w/note"
-holds 'a scale that is small is said' grep -qE 'note: 1e-06 is a share of 0.001, the size of the scene at the start; in the run it becomes 2.00[0-9]*, and that share of it is --tolerance 0.002' "$w/note"
+holds 'a scale that is small is said' grep -qE 'note: 1e-06 is a fraction of 0.001, the size of the scene at the start; in the run it becomes 2.00[0-9]*, and that fraction of it is --tolerance 0.002' "$w/note"
 $bonk "$w/long" --until 1e-5 --tolerance 1e-6 -o "$w/t" 2>"$w/note"
 holds 'and only where it is' test ! -s "$w/note"
 

@@ -1,9 +1,9 @@
 # data: build/data/06-pair2.dat
-# command: build/bin/sample --method markov --disks 2 --radius 1 --box 5,5 --boundary periodic --small 0.2,72 --measure distances --bins 100 --step 0.3 --samples 100000 -o build/data/06-pair2.dat
-# lecture: build/bin/sample --method markov --disks 2 --radius 1 --box 5,5 --boundary periodic --small 0.2,72 --measure distances --bins 100 --step 0.3 --samples 1000000 -o build/data/06-pair2.dat
+# command: build/bin/markov0 100000 | awk -v columns=1 -v bins=100 -v high=2.5 -v block=2000 -f plots/density.awk > build/data/06-pair2.dat
+# lecture: build/bin/markov0 1000000 | awk -v columns=1 -v bins=100 -v high=2.5 -v block=20000 -f plots/density.awk > build/data/06-pair2.dat
 # data: build/data/06-pair3.dat
-# command: build/bin/sample --method markov --disks 2 --radius 1 --box 5,5,5 --boundary periodic --small 0.2,400 --measure distances --bins 75 --step 0.3 --samples 15000 -o build/data/06-pair3.dat
-# lecture: build/bin/sample --method markov --disks 2 --radius 1 --box 5,5,5 --boundary periodic --small 0.2,400 --measure distances --bins 75 --step 0.3 --samples 300000 -o build/data/06-pair3.dat
+# command: build/bin/markov0 15000 3 | awk -v columns=1 -v bins=75 -v high=2.5 -v block=300 -f plots/density.awk > build/data/06-pair3.dat
+# lecture: build/bin/markov0 300000 3 | awk -v columns=1 -v bins=75 -v high=2.5 -v block=6000 -f plots/density.awk > build/data/06-pair3.dat
 # data: build/data/06-wall2.dat
 # command: build/bin/sample --method markov --disks 1 --radius 1 --box 5,5 --small 0.2,60 --bins 100 --step 0.5 --samples 200000 -o build/data/06-wall2.dat
 # lecture: build/bin/sample --method markov --disks 1 --radius 1 --box 5,5 --small 0.2,60 --bins 100 --step 0.5 --samples 2000000 -o build/data/06-wall2.dat

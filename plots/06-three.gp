@@ -1,12 +1,12 @@
-# data: build/data/06-direct.dat
-# command: build/bin/sample --samples 1e6 -o build/data/06-direct.dat
-# lecture: build/bin/sample --samples 1e7 -o build/data/06-direct.dat
+# data: build/data/06-thrown.dat
+# command: build/bin/throw0 1e6 > build/data/06-thrown.dat
+# lecture: build/bin/throw0 1e7 > build/data/06-thrown.dat
 # data: build/data/06-markov.dat
 # command: build/bin/sample --method markov --samples 1e6 -o build/data/06-markov.dat
 # lecture: build/bin/sample --method markov --samples 1e7 -o build/data/06-markov.dat
-# data: build/data/05-positions.dat
-# command: build/bin/disks --disks 4 --radius 0.15 --box 1,1 --every 0.01 --samples 1000000 --measure positions -o build/data/05-positions.dat
-# lecture: build/bin/disks --disks 4 --radius 0.15 --box 1,1 --every 0.01 --samples 10000000 --measure positions -o build/data/05-positions.dat
+# data: build/data/06-flying.dat
+# command: build/bin/disks0 0.01 1000000 | awk -v columns=2,4,6,8 -v bins=100 -v high=1 -v block=10000 -f plots/density.awk > build/data/06-flying.dat
+# lecture: build/bin/disks0 0.01 10000000 | awk -v columns=2,4,6,8 -v bins=100 -v high=1 -v block=100000 -f plots/density.awk > build/data/06-flying.dat
 # data: plots/data/06-reference.dat
 # alt: Above, density of a coordinate of four disks in a box: highest at both walls, 2.7, falling to 0.97 with a small hump of 1.1 in the middle. Points of three methods lie on one curve. Below, their deviations from the reference in units of their errors scatter between minus 3 and 3.
 width = 14
@@ -16,7 +16,7 @@ reference = 'plots/data/06-reference.dat'
 array P[100]
 do for [i=1:100] { P[i] = NaN }
 stats reference using (P[int($1*100+0.5)+1] = $2, $2) nooutput
-data = 'build/data/06-direct.dat build/data/06-markov.dat build/data/05-positions.dat'
+data = 'build/data/06-thrown.dat build/data/06-markov.dat build/data/06-flying.dat'
 array title[3]
 title[1] = 'direct sampling'
 title[2] = 'Markov chain'

@@ -1,8 +1,8 @@
 # data: build/data/07-speeds-250.dat
-# command: build/bin/disks --disks 250 --radius 0.1 --box 7.5,5 --measure speeds --every 0.4 --samples 10000 -o build/data/07-speeds-250.dat
-# lecture: build/bin/disks --disks 250 --radius 0.1 --box 7.5,5 --measure speeds --every 0.4 --samples 40000 -o build/data/07-speeds-250.dat
+# command: build/bin/gas0 250 10001 > build/data/07-speeds-250.dat
+# lecture: build/bin/gas0 250 40001 > build/data/07-speeds-250.dat
 # data: build/data/07-speeds-10.dat
-# command: build/bin/disks --disks 10 --radius 0.1 --box 1.5,1 --measure speeds --every 0.4 --samples 50000 -o build/data/07-speeds-10.dat
+# command: build/bin/gas0 10 50001 1.5 1 > build/data/07-speeds-10.dat
 # alt: Left, the density of the speed rises from zero to a top at 0.7 and falls to nothing at 3; points on a line. Right, the deviation from Maxwell's law in per cent: for ten disks from minus 10 at rest to plus 12 in the middle and far below at high speeds, for 250 within half a per cent up to speed 2 and then falling; points on lines.
 width = 14
 height = 6.8

@@ -1,5 +1,5 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 2425061086 of the lines below */
+/* checksum 460921195 of the lines below */
 /* Four hard disks in a box: rows of t, and of x and y of each, every TC. */
 #include <math.h>
 #include <stdio.h>
@@ -97,7 +97,7 @@ int main(int argc, char *argv[])
         }
         printf("%5.2f", k * tc);
         for (int i = 0; i < 2 * N; ++i)
-            printf(" %7.4f",
+            printf(" %8.5f",
                    x[i / 2][i % 2] + v[i / 2][i % 2] * (k * tc - now));
         puts("");
     }

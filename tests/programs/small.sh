@@ -199,4 +199,39 @@ for pair in 0.05:kepler,no-light 0.005:leapfrog 0.001:leapfrog; do
 done
 refuses 2 expected "$work/bonk0" 0
 refuses 2 expected "$work/bonk0"
-echo 1..44
+# ---- throw0 and sample: the same throws
+
+alone throw0 src/toolbox/random.c
+"$work/throw0" 20000 | cut -d' ' -f1,2 >"$work/small"
+build/bin/sample --samples 20000 | grep -v '^#' | cut -d' ' -f1,2 >"$work/large"
+holds 'throw0 has the density of sample' nearly 100
+
+# ---- markov0 and sample: the same chain, whose distances are counted here
+
+alone markov0 src/toolbox/random.c
+for box in 2:2000:72:100:5,5 3:300:400:75:5,5,5; do
+    IFS=: read -r axes sweeps small bins sides <<END
+$box
+END
+    [ "$axes" -eq 3 ] && space=3 || space=
+    # shellcheck disable=SC2086
+    "$work/markov0" "$sweeps" $space | awk -v columns=1 -v bins="$bins" -v high=2.5 \
+        -v block=$((sweeps / 10)) -f plots/density.awk | cut -d' ' -f1,2 >"$work/small"
+    build/bin/sample --method markov --disks 2 --radius 1 --box "$sides" \
+        --boundary periodic --small "0.2,$small" --measure distances --bins "$bins" \
+        --step 0.3 --samples "$sweeps" | grep -v '^#' | cut -d' ' -f1,2 |
+        awk '{ printf "%.6g %.9g\n", $1, $2 }' >"$work/large"
+    holds "markov0 has the distances of sample, $axes axes" nearly "$bins"
+done
+
+# ---- gas0 and disks: the same gas
+
+alone gas0 src/box/collapse.c src/box/disks.c src/box/falling.c src/box/heat.c \
+    src/box/meet.c src/box/meetings.c src/box/speeds.c src/box/starts.c \
+    src/line/collide.c src/line/fall.c src/line/statistics.c src/toolbox/random.c
+"$work/gas0" 250 200 | awk '{ printf "%s %s %s %s\n", $1, $2, $4, $5 }' >"$work/small"
+build/bin/disks --disks 250 --radius 0.1 --box 7.5,5 --measure speeds --every 0.4 \
+    --samples 199 | grep -v '^#' |
+    awk '{ printf "%.5f %s %s %s\n", $1, $2, $4, $5 }' >"$work/large"
+holds 'gas0 has the speeds of disks' nearly 42
+echo 1..51

@@ -1,0 +1,46 @@
+/* From chapters/06-room.nw: edit there, then run make tangle. */
+/* checksum 425925937 of the lines below */
+/* Throws four disks into a box: rows of x, its density and the error. */
+#include "toolbox/random.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { N = 4, BINS = 100 };
+static const double r = 0.15, L = 1; /* m */
+
+/* Throws one disk after the other; says whether all could stay. */
+static bool throw_all(struct random *random, double x[], double y[])
+{
+    for (int i = 0; i < N; ++i) {
+        x[i] = random_between(random, r, L - r);
+        y[i] = random_between(random, r, L - r);
+        for (int j = 0; j < i; ++j)
+            if (hypot(x[i] - x[j], y[i] - y[j]) < 2 * r)
+                return false;
+    }
+    return true;
+}
+
+int main(int argc, char *argv[])
+{
+    const double samples = argc > 1 ? atof(argv[1]) : 1e4, unit = BINS / L;
+    double sum[BINS] = {0}, squares[BINS] = {0}, x[N], y[N];
+    struct random random;
+    random_seed(&random, 1);
+    for (double k = 0; k < samples; ++k) {
+        double seen[BINS] = {0};
+        while (!throw_all(&random, x, y))
+            ;
+        for (int i = 0; i < N; ++i)
+            seen[(int)(x[i] * unit)] += unit / N;
+        for (int b = 0; b < BINS; ++b)
+            sum[b] += seen[b], squares[b] += seen[b] * seen[b];
+    }
+    for (int b = 0; b < BINS; ++b) {
+        const double p = sum[b] / samples, q = squares[b] / samples;
+        printf("%g %.9g %.3g\n", b / unit, p, sqrt((q - p * p) / samples));
+    }
+}

@@ -299,15 +299,16 @@ static const char *build_line(struct scene *s, const double value[],
                               enum start_kind kind)
 {
     struct start start;
-    const struct start_wish wish = {.kind = kind,
-                                    .movers = (size_t)value[LINE_BODIES],
-                                    .ratio = value[LINE_RATIO],
-                                    .seed = (uint64_t)value[LINE_SEED]};
+    const struct start_request request = {
+        .kind = kind,
+        .movers = (size_t)value[LINE_BODIES],
+        .ratio = value[LINE_RATIO],
+        .seed = (uint64_t)value[LINE_SEED]};
     const double r = value[LINE_RADIUS];
-    if (!start_allows(kind, wish.movers))
+    if (!start_allows(kind, request.movers))
         return "so many bodies are not possible: a piston needs as many on "
                "either side";
-    if (!start_fill(&start, &wish))
+    if (!start_fill(&start, &request))
         return no_memory;
     const bool wall = isinf(start.wall[1]);
     const bool made = create(s, start.movers + wall, r, value[LINE_DT]);

@@ -23,28 +23,29 @@ static bool create(struct bonkers *b, size_t movers, double restitution,
     b->engine = engine != BONKERS_AUTO      ? engine
                 : movers <= BONKERS_SCANNED ? BONKERS_SCAN
                                             : BONKERS_SLAB;
-    bool enough = (b->body = calloc(movers + 2, sizeof *b->body)) &&
-                  (b->due = malloc(b->gaps * sizeof *b->due));
+    bool complete = (b->body = calloc(movers + 2, sizeof *b->body)) &&
+                    (b->due = malloc(b->gaps * sizeof *b->due));
     if (!points)
-        enough =
-            enough && (b->shift = malloc((movers + 2) * sizeof *b->shift));
+        complete = complete &&
+                   (b->shift = malloc((movers + 2) * sizeof *b->shift));
     if (restitution < 1)
-        enough =
-            enough && (b->repeats = calloc(b->gaps, sizeof *b->repeats));
+        complete =
+            complete && (b->repeats = calloc(b->gaps, sizeof *b->repeats));
     if (b->engine == BONKERS_SCAN || b->engine == BONKERS_SLAB)
-        enough =
-            enough && (b->fraction = malloc(b->gaps * sizeof *b->fraction));
+        complete = complete &&
+                   (b->fraction = malloc(b->gaps * sizeof *b->fraction));
     if (b->engine == BONKERS_HEAP)
-        enough = enough && schedule_create(&b->schedule, b->gaps, b->gaps);
+        complete =
+            complete && schedule_create(&b->schedule, b->gaps, b->gaps);
     if (b->engine == BONKERS_SLAB)
-        enough = enough &&
-                 schedule_create(&b->schedule, b->gaps,
-                                 b->gaps < SLAB_WAITING ? b->gaps
-                                                        : SLAB_WAITING) &&
-                 (b->slab = slab_create(b));
-    if (!enough)
+        complete = complete &&
+                   schedule_create(&b->schedule, b->gaps,
+                                   b->gaps < SLAB_WAITING ? b->gaps
+                                                          : SLAB_WAITING) &&
+                   (b->slab = slab_create(b));
+    if (!complete)
         bonkers_free(b);
-    return enough;
+    return complete;
 }
 
 void bonkers_free(struct bonkers *b)

@@ -20,12 +20,12 @@
    of its two bodies, and one counter. The times of the gaps need no place
    here, for renew computes them from the bodies, the same bits a second
    time. */
-struct record {
+struct log_entry {
     double x[2], v[2], since[2];
     uint32_t gap, repeats;
 };
 
-/* Gaps first to last. Their records in the log reach from start to the
+/* Gaps first to last. Their entries in the log reach from start to the
    start of the next island. */
 struct island {
     uint32_t first, last;
@@ -40,11 +40,11 @@ struct island {
 struct slab {
     double end;  /* s */
     size_t next; /* the first gap that is not done with */
-    struct record *log;
+    struct log_entry *log;
     size_t logged, log_size;
     struct island *island;
     size_t islands, island_size;
-    uint64_t collisions; /* whose records have been dropped */
+    uint64_t collisions; /* whose entries have been dropped */
 };
 
 enum {
@@ -104,18 +104,18 @@ struct bonkers_slab *slab_create(const struct bonkers *b)
 }
 
 /* Returns what a collision in gap i will overwrite. */
-static struct record record_of(const struct bonkers *b, size_t i)
+static struct log_entry entry_of(const struct bonkers *b, size_t i)
 {
     const struct bonkers_body *l = &b->body[i], *r = l + 1;
-    return (struct record){{l->x, r->x},
-                           {l->v, r->v},
-                           {l->since, r->since},
-                           (uint32_t)i,
-                           b->repeats ? b->repeats[i] : 0};
+    return (struct log_entry){{l->x, r->x},
+                              {l->v, r->v},
+                              {l->since, r->since},
+                              (uint32_t)i,
+                              b->repeats ? b->repeats[i] : 0};
 }
 
 /* Takes one collision back. */
-static void undo(struct bonkers *b, const struct record *r)
+static void undo(struct bonkers *b, const struct log_entry *r)
 {
     struct bonkers_body *pair = &b->body[r->gap];
     for (int k = 0; k < 2; ++k) {
@@ -128,7 +128,7 @@ static void undo(struct bonkers *b, const struct record *r)
     renew(b, r->gap);
 }
 
-/* Undoes all but the first `start` records: the last first, since only then
+/* Undoes all but the first `start` entries: the last first, since only then
    each finds its two bodies as it left them. Counts them, too, for a slab
    that undoes much is too long. */
 static void undo_to(struct bonkers *b, struct slab *s, size_t start)
@@ -266,7 +266,7 @@ static bool run_island(struct bonkers *b, struct slab *s, size_t *first,
             b->slab->failed = true;
             return false;
         }
-        s->log[s->logged++] = record_of(b, i);
+        s->log[s->logged++] = entry_of(b, i);
         if (collide_gap(b, i)) {
             b->slab->collapse = true;
             schedule_clear(&b->schedule);
@@ -352,10 +352,10 @@ static void undo_all(struct bonkers *b)
         b->due[i] = time_due(b, i);
 }
 
-/* Drops the records of islands that the slab behind has seen: they cannot
+/* Drops the log of islands that the slab behind has seen: they cannot
    be undone one by one any more. Not at every block, or moving the others
    would cost more than they. */
-static void drop_safe_records(struct slab *s)
+static void drop_safe_entries(struct slab *s)
 {
     enum { MANY = 256 };
     const size_t seen = s[1].next;
@@ -394,7 +394,7 @@ static bool run_block(struct bonkers *b, struct slab *s, size_t from,
         due[count] = (uint32_t)i;
         count += b->due[i] <= end;
     }
-    drop_safe_records(s);
+    drop_safe_entries(s);
     for (size_t k = 0; k < count; ++k)
         if (due[k] >= next && !(next = add_island(b, s, due[k])))
             return false;

@@ -213,10 +213,10 @@ bool start_allows(enum start_kind kind, size_t movers)
             (!kinds[kind].odd || movers % 2 == 1));
 }
 
-/* Walls that are wished for are set twice: kinds that throw their points
+/* Walls that are requested are set twice: kinds that throw their points
    must know them before, and kinds with walls of their own would otherwise
    have the last word. */
-bool start_fill(struct start *s, const struct start_wish *w)
+bool start_fill(struct start *s, const struct start_request *w)
 {
     struct random r;
     if (!start_create(s, w->movers ? w->movers : kinds[w->kind].usual))

@@ -38,7 +38,7 @@ bool start_create(struct start *s, size_t movers);
 void start_free(struct start *s);
 
 /* What start_fill can be asked for. Zero is the usual value. */
-struct start_wish {
+struct start_request {
     enum start_kind kind;
     size_t movers;
     double ratio; /* of masses; two, galperin: of the second to the
@@ -54,6 +54,6 @@ bool start_allows(enum start_kind kind, size_t movers);
 
 /* Makes and fills in a start. Requires that start_allows the number.
    Returns false, with nothing to free, when there is no memory. */
-bool start_fill(struct start *s, const struct start_wish *wish);
+bool start_fill(struct start *s, const struct start_request *request);
 
 #endif

@@ -36,9 +36,9 @@ static bool start_wave(struct start *s)
 static bool choose_start(struct start *s)
 {
     const double kind = page_number[0];
-    const struct start_wish wish = {.kind = (enum start_kind)kind,
-                                    .seed = (uint64_t)page_number[1]};
-    if (!(kind == WAVE ? start_wave(s) : start_fill(s, &wish)))
+    const struct start_request request = {.kind = (enum start_kind)kind,
+                                          .seed = (uint64_t)page_number[1]};
+    if (!(kind == WAVE ? start_wave(s) : start_fill(s, &request)))
         return false;
     for (size_t i = 0; i < (size_t)page_number[2] && i < s->movers; ++i)
         s->mass[i] = page_number[3 + i];

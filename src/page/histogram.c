@@ -65,12 +65,12 @@ static bool begin_histogram(size_t k)
 
 bool page_begin(void)
 {
-    const struct start_wish wish = {.kind = START_THERMAL,
-                                    .seed = (uint64_t)page_number[SEED]};
+    const struct start_request request = {
+        .kind = START_THERMAL, .seed = (uint64_t)page_number[SEED]};
     size_t wrong;
     bonkers_free(&beads);
     start_free(&start);
-    return start_fill(&start, &wish) &&
+    return start_fill(&start, &request) &&
            bonkers_begin(&beads, &start, 1, BONKERS_AUTO, &wrong) &&
            begin_histogram((size_t)page_number[BEAD]);
 }

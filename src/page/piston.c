@@ -50,15 +50,17 @@ static void begin_model(void)
    many beads. */
 bool page_begin(void)
 {
-    const struct start_wish wish = {.kind = (enum start_kind)page_number[0],
-                                    .movers = (size_t)page_number[1],
-                                    .ratio = page_number[2],
-                                    .seed = (uint64_t)page_number[3]};
+    const struct start_request request = {
+        .kind = (enum start_kind)page_number[0],
+        .movers = (size_t)page_number[1],
+        .ratio = page_number[2],
+        .seed = (uint64_t)page_number[3]};
     size_t wrong;
     bonkers_free(&beads);
     start_free(&start);
-    if (wish.movers > MOST || !start_allows(wish.kind, wish.movers) ||
-        !start_fill(&start, &wish) ||
+    if (request.movers > MOST ||
+        !start_allows(request.kind, request.movers) ||
+        !start_fill(&start, &request) ||
         !bonkers_begin(&beads, &start, 1, BONKERS_HEAP, &wrong))
         return false;
     begin_model();

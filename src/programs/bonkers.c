@@ -21,7 +21,7 @@
 enum { LISTED = 1000 }; /* at most so many bodies in a list */
 
 struct settings {
-    struct start_wish wish;
+    struct start_request request;
     bool preset;
     size_t listed; /* bodies in the lists; 0: there are none */
     const double *mass, *x, *v, *radius; /* the lists, or NULL */
@@ -103,7 +103,7 @@ static const double *read_list(struct options *o, struct settings *s,
 }
 
 /* The right wall may be missing, as in Galperin's problem. */
-static void read_walls(struct options *o, struct start_wish *w)
+static void read_walls(struct options *o, struct start_request *w)
 {
     if (options_list(o, w->wall, 2) == 1)
         w->wall[1] = INFINITY;
@@ -118,7 +118,7 @@ static void read_settings(struct settings *s, int argc, char *argv[])
     static double mass[LISTED], x[LISTED], v[LISTED], radius[LISTED];
     struct options o;
     int option;
-    *s = (struct settings){.wish.seed = 1,
+    *s = (struct settings){.request.seed = 1,
                            .restitution = 1,
                            .members = 1,
                            .until = INFINITY,
@@ -131,19 +131,20 @@ static void read_settings(struct settings *s, int argc, char *argv[])
     while ((option = options_next(&o)) != -1)
         switch (option) {
         case 'p':
-            s->wish.kind = (enum start_kind)options_choice(&o, start_names);
+            s->request.kind =
+                (enum start_kind)options_choice(&o, start_names);
             s->preset = true;
             break;
         case 'N':
-            s->wish.movers = options_count(&o, 1, BONKERS_MOVERS);
+            s->request.movers = options_count(&o, 1, BONKERS_MOVERS);
             break;
         case 'm': s->mass = read_list(&o, s, mass, 1e-100, 1e100); break;
         case 'x': s->x = read_list(&o, s, x, -1e100, 1e100); break;
         case 'v': s->v = read_list(&o, s, v, -1e100, 1e100); break;
         case 'a': s->radius = read_list(&o, s, radius, 0, 1e100); break;
-        case 'w': read_walls(&o, &s->wish); break;
-        case 'R': s->wish.ratio = options_real(&o, 1e-100, 1e100); break;
-        case 's': s->wish.seed = options_count(&o, 0, UINT64_MAX); break;
+        case 'w': read_walls(&o, &s->request); break;
+        case 'R': s->request.ratio = options_real(&o, 1e-100, 1e100); break;
+        case 's': s->request.seed = options_count(&o, 0, UINT64_MAX); break;
         case 'e': s->restitution = options_real(&o, 0, 1); break;
         case 'G': s->gravity = options_real(&o, 0, 1e100); break;
         case 'd':
@@ -168,14 +169,14 @@ static void read_settings(struct settings *s, int argc, char *argv[])
     s->command = options_command(&o);
     if (s->listed > 0) {
         options_refuse(&o, "particles", "with lists of them");
-        s->wish.movers = s->listed;
+        s->request.movers = s->listed;
     }
     if (s->listed > 0 && !s->preset && !s->x)
         options_fail(&o, "lists without a preset need --positions");
     if (!(s->listed > 0 && !s->preset) &&
-        !start_allows(s->wish.kind, s->wish.movers))
+        !start_allows(s->request.kind, s->request.movers))
         options_fail(&o, "--particles: %s cannot have %zu movers",
-                     start_names[s->wish.kind], s->wish.movers);
+                     start_names[s->request.kind], s->request.movers);
     program_apart(&o, s->output, s->summary, "table");
 }
 
@@ -184,19 +185,19 @@ static void read_settings(struct settings *s, int argc, char *argv[])
 static bool make_start(struct start *s, const struct settings *set,
                        uint64_t seed)
 {
-    struct start_wish wish = set->wish;
-    wish.seed = seed;
+    struct start_request request = set->request;
+    request.seed = seed;
     const size_t size = set->listed * sizeof(double);
     if (set->preset || set->listed == 0) {
-        if (!start_fill(s, &wish))
+        if (!start_fill(s, &request))
             return false;
     } else if (!start_create(s, set->listed)) {
         return false;
     } else {
         s->wall[1] = set->x[set->listed - 1] + 1;
         s->until = 50;
-        if (wish.walls)
-            memcpy(s->wall, wish.wall, sizeof s->wall);
+        if (request.walls)
+            memcpy(s->wall, request.wall, sizeof s->wall);
     }
     if (set->mass)
         memcpy(s->mass, set->mass, size);
@@ -628,7 +629,7 @@ static bool run_ensemble(struct table *out, struct ensemble *e,
     double *row = malloc((2 + 4 * e->bodies) * sizeof *row);
     uint64_t seeds[BATCH];
     int done = BATCH;
-    random_seed(&r, s->wish.seed);
+    random_seed(&r, s->request.seed);
     for (uint64_t k = 0; row && k < s->members && done > 0; k += BATCH) {
         const uint64_t left = s->members - k;
         const int count = left < BATCH ? (int)left : BATCH;
@@ -718,7 +719,7 @@ int main(int argc, char *argv[])
     struct totals t = {0};
     struct progress p;
     read_settings(&s, argc, argv);
-    begin_run(&r, &s, s.wish.seed);
+    begin_run(&r, &s, s.request.seed);
     check_rows(&r);
     struct table *out, *summary;
     program_open(PROGRAM, s.output, s.summary, keys, &out, &summary);
@@ -726,7 +727,7 @@ int main(int argc, char *argv[])
     if (s.threads > 0)
         omp_set_num_threads((int)s.threads);
 #endif
-    table_begin(out, s.command, s.wish.seed);
+    table_begin(out, s.command, s.request.seed);
     progress_begin(&p, PROGRAM, s.members > 1 ? s.members : PARTS,
                    "collisions");
     r.progress = &p;

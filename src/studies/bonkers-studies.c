@@ -21,12 +21,13 @@ struct settings {
 
 /* Makes and starts a run; ends the program where memory is short, for then
    there is nothing to measure. */
-static void begin_or_exit(struct bonkers *b, const struct start_wish *wish,
+static void begin_or_exit(struct bonkers *b,
+                          const struct start_request *request,
                           enum bonkers_engine engine)
 {
     struct start start;
     size_t wrong = 0;
-    if (!start_fill(&start, wish) ||
+    if (!start_fill(&start, request) ||
         !bonkers_begin(b, &start, 1, engine, &wrong) || wrong < b->gaps)
         program_give_up(PROGRAM, "no memory for the particles");
     start_free(&start);
@@ -178,12 +179,12 @@ static double speed_of(struct bonkers *b)
 static void compare_engines(struct study *s, size_t movers,
                             double speed[BONKERS_ENGINES])
 {
-    const struct start_wish wish = {
+    const struct start_request request = {
         .kind = START_RANDOM, .movers = movers, .seed = s->seed};
     double rounds[BONKERS_ENGINES][BENCH_ROUNDS];
     struct bonkers b[BONKERS_ENGINES];
     for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e)
-        begin_or_exit(&b[e], &wish, (enum bonkers_engine)e);
+        begin_or_exit(&b[e], &request, (enum bonkers_engine)e);
     for (int k = -1; k < BENCH_ROUNDS; ++k)
         for (int e = BONKERS_NAIVE; e < BONKERS_ENGINES; ++e)
             rounds[e][k < 0 ? 0 : k] = speed_of(&b[e]);
@@ -331,8 +332,8 @@ struct drift {
 
 static void begin_drift(struct drift *d)
 {
-    const struct start_wish wish = {.kind = START_MIXED};
-    begin_or_exit(&d->mixed, &wish, BONKERS_SCAN);
+    const struct start_request request = {.kind = START_MIXED};
+    begin_or_exit(&d->mixed, &request, BONKERS_SCAN);
     line_copy(&d->single, &d->mixed, LINE_SINGLE);
     begin_whole_ratio(&d->whole);
     d->mixed_energy = bonkers_energy(&d->mixed);
@@ -402,11 +403,11 @@ static void turn_round(struct bonkers *b)
    same to the last bit, and one is kept to compare with. */
 static double miss(enum bonkers_engine engine, uint64_t n)
 {
-    const struct start_wish wish = {.kind = START_MIXED};
+    const struct start_request request = {.kind = START_MIXED};
     struct bonkers b, start;
     double worst = 0;
-    begin_or_exit(&b, &wish, engine);
-    begin_or_exit(&start, &wish, engine);
+    begin_or_exit(&b, &request, engine);
+    begin_or_exit(&start, &request, engine);
     bonkers_run(&b, INFINITY, n);
     const double t = b.now;
     turn_round(&b);
@@ -423,11 +424,11 @@ static double miss(enum bonkers_engine engine, uint64_t n)
    can turn round where it stands. */
 static double line_miss(enum line_kind kind, uint64_t n)
 {
-    const struct start_wish wish = {.kind = START_MIXED};
+    const struct start_request request = {.kind = START_MIXED};
     struct bonkers b;
     struct line l;
     double worst = 0;
-    begin_or_exit(&b, &wish, BONKERS_SCAN);
+    begin_or_exit(&b, &request, BONKERS_SCAN);
     line_copy(&l, &b, kind);
     const double t = (double)line_run(&l, n)->now;
     for (size_t i = 0; i <= l.gaps; ++i)
@@ -533,14 +534,14 @@ static double time_walk(double until, const struct bonkers *b, double dt,
 
 /* The same for an engine. It changes its bodies, so that each repetition
    needs a new start, which is no part of the run and not timed. */
-static double time_events(double until, const struct start_wish *wish,
+static double time_events(double until, const struct start_request *request,
                           struct bonkers_body body[], uint64_t *collisions)
 {
     double seconds = 0;
     int times = 0;
     for (; seconds < 0.02; ++times) {
         struct bonkers b;
-        begin_or_exit(&b, wish, BONKERS_SCAN);
+        begin_or_exit(&b, request, BONKERS_SCAN);
         const double start = bench_seconds();
         bonkers_run(&b, until, UINT64_MAX);
         seconds += bench_seconds() - start;
@@ -570,16 +571,16 @@ static const struct table_key steps_keys[] = {
 static void study_steps(struct study *s)
 {
     const struct settings *own = s->own;
-    const struct start_wish wish = {.kind = START_MIXED};
+    const struct start_request request = {.kind = START_MIXED};
     struct bonkers_body body[LINE_BODIES];
     struct bonkers b;
     struct line truth;
     uint64_t n = 0;
-    begin_or_exit(&b, &wish, BONKERS_SCAN);
+    begin_or_exit(&b, &request, BONKERS_SCAN);
     line_copy(&truth, &b, LINE_WIDE);
     line_run_to(&truth, own->until);
     name_steps(s->out);
-    double seconds = time_events(own->until, &wish, body, &n), dt = 0.1;
+    double seconds = time_events(own->until, &request, body, &n), dt = 0.1;
     const double error = distance(&truth, body);
     table_print(s->out, "%-9d %9.4g %9.4g\n", 0, seconds, error);
     for (; dt > 0.9e-6 && !progress_signal(); dt /= 2) {
@@ -795,7 +796,7 @@ static void study_bounce(struct study *s)
 
 /* Strikes a row of n touching bodies, with masses from 1 to 5, at one end.
    Returns the number of collisions. */
-static uint64_t strike(size_t n, uint64_t seed, double apart, bool right)
+static uint64_t strike(size_t n, uint64_t seed, double gap, bool right)
 {
     struct bonkers b;
     struct random r;
@@ -806,7 +807,7 @@ static uint64_t strike(size_t n, uint64_t seed, double apart, bool right)
     b.body[0].x = -INFINITY;
     b.body[n + 1].x = INFINITY;
     for (size_t i = 1; i <= n; ++i)
-        b.body[i] = (struct bonkers_body){(double)i * apart, 0, 0,
+        b.body[i] = (struct bonkers_body){(double)i * gap, 0, 0,
                                           1 / random_between(&r, 1, 5)};
     b.body[right ? n : 1].v = right ? -1 : 1;
     bonkers_start(&b, NULL);
@@ -942,10 +943,10 @@ static const struct table_key islands_keys[] = {
 static void study_islands(struct study *s)
 {
     const struct settings *own = s->own;
-    const struct start_wish wish = {
+    const struct start_request request = {
         .kind = START_RANDOM, .movers = SHOWN, .seed = s->seed};
     struct bonkers b;
-    begin_or_exit(&b, &wish, BONKERS_SCAN);
+    begin_or_exit(&b, &request, BONKERS_SCAN);
     fill_slab(&b, own->until);
     write_trails(s->out, b.gaps);
     table_count(s->summary, "islands", write_islands(s->out, b.gaps));

@@ -39,12 +39,12 @@ static inline bool taken(const struct averages_found *f, const char *name)
 /* A piston between two gases, at 0.35 of the box. */
 static inline void make_piston(struct scene *s, size_t bodies, double ratio)
 {
-    const struct start_wish wish = {.kind = START_ADIABATIC,
-                                    .movers = bodies,
-                                    .ratio = ratio,
-                                    .seed = 1};
+    const struct start_request request = {.kind = START_ADIABATIC,
+                                          .movers = bodies,
+                                          .ratio = ratio,
+                                          .seed = 1};
     struct start start;
-    if (!start_fill(&start, &wish) || !scene_create(s, bodies))
+    if (!start_fill(&start, &request) || !scene_create(s, bodies))
         exit(1);
     s->contact = true;
     s->wall[0] = SCENE_HARD;

@@ -38,9 +38,9 @@ static void fill_random(size_t movers, uint64_t seed, bool rods)
     struct random r;
     double shift = 0;
     random_seed(&r, seed);
-    start_fill(&s, &(struct start_wish){.kind = START_RANDOM,
-                                        .movers = movers,
-                                        .seed = seed});
+    start_fill(&s, &(struct start_request){.kind = START_RANDOM,
+                                           .movers = movers,
+                                           .seed = seed});
     memset(radius, 0, (movers + 2) * sizeof radius[0]);
     memset(body, 0, (movers + 2) * sizeof body[0]);
     for (size_t i = 1; i <= movers; ++i) {
@@ -821,8 +821,8 @@ TEST(test_galperin, "Galperin's counts")
             struct start s;
             struct bonkers b;
             size_t wrong = 0;
-            start_fill(&s, &(struct start_wish){.kind = START_GALPERIN,
-                                                .ratio = runs[k].ratio});
+            start_fill(&s, &(struct start_request){.kind = START_GALPERIN,
+                                                   .ratio = runs[k].ratio});
             UNIT_TRUE(
                 bonkers_begin(&b, &s, 1, (enum bonkers_engine)e, &wrong));
             UNIT_EQUAL((double)wrong, 3);
@@ -843,7 +843,7 @@ TEST(test_energy, "a million collisions keep the energy")
     struct start s;
     struct bonkers b;
     size_t wrong;
-    start_fill(&s, &(struct start_wish){.kind = START_MIXED});
+    start_fill(&s, &(struct start_request){.kind = START_MIXED});
     bonkers_begin(&b, &s, 1, BONKERS_AUTO, &wrong);
     const double before = bonkers_energy(&b);
     UNIT_NEAR(before, 90.84, 0.01);

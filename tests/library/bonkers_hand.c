@@ -190,9 +190,10 @@ TEST(test_done_twice, "little is done twice")
             struct start s;
             struct bonkers b;
             size_t wrong;
-            if (!start_fill(&s, &(struct start_wish){.kind = START_RANDOM,
-                                                     .movers = movers[k],
-                                                     .seed = seed}) ||
+            if (!start_fill(&s,
+                            &(struct start_request){.kind = START_RANDOM,
+                                                    .movers = movers[k],
+                                                    .seed = seed}) ||
                 !bonkers_begin(&b, &s, 1, BONKERS_SLAB, &wrong))
                 exit(1);
             bonkers_run(&b, 5 + 20000.0 / (double)movers[k], UINT64_MAX);

@@ -114,8 +114,9 @@ TEST(test_lines, "the lines are those of chapters 2 to 4")
             struct bonkers x, y;
             size_t wrong;
             make(&s, lines[k], "radius", wide ? 0.05 : 0);
-            const struct start_wish wish = {.kind = kinds[k], .seed = 1};
-            UNIT_TRUE(start_fill(&a, &wish) && hard_start(&b, &s));
+            const struct start_request request = {.kind = kinds[k],
+                                                  .seed = 1};
+            UNIT_TRUE(start_fill(&a, &request) && hard_start(&b, &s));
             UNIT_EQUAL((double)b.movers, (double)a.movers);
             for (size_t i = 0; i < a.movers; ++i) {
                 UNIT_EQUAL(b.mass[i], a.mass[i]);

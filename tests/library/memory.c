@@ -335,12 +335,12 @@ struct line {
 static bool collides(void *what)
 {
     const struct line *l = what;
-    const struct start_wish wish = {
+    const struct start_request request = {
         .kind = START_RANDOM, .movers = 40, .seed = 7};
     struct start s;
     struct bonkers b;
     size_t wrong;
-    if (!start_fill(&s, &wish))
+    if (!start_fill(&s, &request))
         return false;
     for (size_t i = 0; i < s.movers; ++i)
         s.radius[i] = l->radius;
@@ -358,7 +358,7 @@ static bool collides(void *what)
    the heap, and has the same bits. */
 static double last_place(const struct line *l)
 {
-    const struct start_wish wish = {
+    const struct start_request request = {
         .kind = START_RANDOM, .movers = 40, .seed = 7};
     struct start s;
     struct bonkers b;
@@ -366,7 +366,7 @@ static double last_place(const struct line *l)
     double x[42], v[42];
     const long failing = heap_failing;
     heap_failing = -1;
-    start_fill(&s, &wish);
+    start_fill(&s, &request);
     bonkers_begin(&b, &s, l->restitution, l->engine, &wrong);
     start_free(&s);
     heap_failing = failing;

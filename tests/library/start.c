@@ -5,10 +5,10 @@
 
 #include <float.h>
 
-static struct start filled(struct start_wish wish)
+static struct start filled(struct start_request request)
 {
     struct start s;
-    if (!start_fill(&s, &wish))
+    if (!start_fill(&s, &request))
         CU_FAIL_FATAL("no memory");
     return s;
 }
@@ -39,9 +39,9 @@ TEST(test_every_kind, "every start is in order")
                 if (!start_allows((enum start_kind)kind, movers))
                     continue;
                 struct start s = filled(
-                    (struct start_wish){.kind = (enum start_kind)kind,
-                                        .movers = movers,
-                                        .seed = seed});
+                    (struct start_request){.kind = (enum start_kind)kind,
+                                           .movers = movers,
+                                           .seed = seed});
                 double last = s.wall[0], room = 0;
                 UNIT_TRUE(movers == 0 || s.movers == movers);
                 UNIT_TRUE(s.until > 0);
@@ -59,7 +59,7 @@ TEST(test_every_kind, "every start is in order")
 
 TEST(test_four, "four: 10 n + 1.23 kg and 518.45 J")
 {
-    struct start s = filled((struct start_wish){.kind = START_FOUR});
+    struct start s = filled((struct start_request){.kind = START_FOUR});
     UNIT_EQUAL((double)s.movers, 4);
     UNIT_TRUE(s.wall[0] == 0 && s.wall[1] == 5 && s.until == 50);
     for (size_t i = 0; i < 4; ++i) {
@@ -75,7 +75,7 @@ TEST(test_mixed_and_cradle, "mixed and cradle")
 {
     static const double im[] = {1.1, 1, 0.9, 1};
     static const double v[] = {2, 2.21, 2.621, 2, -0.2, -0.27, -0.37, -0.2};
-    struct start s = filled((struct start_wish){.kind = START_MIXED});
+    struct start s = filled((struct start_request){.kind = START_MIXED});
     UNIT_EQUAL((double)s.movers, 8);
     UNIT_TRUE(s.wall[0] == 1 && s.wall[1] == 10);
     for (size_t i = 0; i < 8; ++i) {
@@ -84,7 +84,7 @@ TEST(test_mixed_and_cradle, "mixed and cradle")
     }
     UNIT_NEAR(energy(&s, 0, 8), 90.84, 0.005);
     start_free(&s);
-    s = filled((struct start_wish){.kind = START_CRADLE});
+    s = filled((struct start_request){.kind = START_CRADLE});
     UNIT_EQUAL((double)s.movers, 8);
     UNIT_TRUE(s.wall[0] == 0 && s.wall[1] == 35);
     UNIT_TRUE(s.mass[0] == 4.123 && s.mass[1] == 9.0123);
@@ -99,8 +99,8 @@ TEST(test_mixed_and_cradle, "mixed and cradle")
 TEST(test_piston, "the piston has three quarters of the energy")
 {
     for (uint64_t seed = 1; seed < 20; ++seed) {
-        struct start s =
-            filled((struct start_wish){.kind = START_PISTON, .seed = seed});
+        struct start s = filled(
+            (struct start_request){.kind = START_PISTON, .seed = seed});
         UNIT_EQUAL((double)s.movers, 11);
         UNIT_TRUE(s.wall[0] == 0 && s.wall[1] == 12);
         UNIT_TRUE(s.mass[5] == 40 && s.x[5] == 6);
@@ -126,7 +126,7 @@ TEST(test_adiabatic, "two warm gases and a piston")
 {
     for (uint64_t seed = 1; seed < 6; ++seed) {
         struct start s = filled(
-            (struct start_wish){.kind = START_ADIABATIC, .seed = seed});
+            (struct start_request){.kind = START_ADIABATIC, .seed = seed});
         UNIT_EQUAL((double)s.movers, 401);
         UNIT_TRUE(s.mass[200] == 40 && s.x[200] == 6 && s.v[200] == 0.1);
         /* sums of 200 numbers, a rounding each */
@@ -139,7 +139,7 @@ TEST(test_adiabatic, "two warm gases and a piston")
         start_free(&s);
     }
     /* The piston is so many times as heavy as the mean of the others. */
-    struct start s = filled((struct start_wish){
+    struct start s = filled((struct start_request){
         .kind = START_ADIABATIC, .movers = 21, .ratio = 30, .seed = 1});
     UNIT_NEAR(s.mass[10] * 20, 30 * (mass(&s, 0, 21) - s.mass[10]), 1e-11);
     UNIT_NEAR(energy(&s, 0, 10), 10.0 / 3, 1e-14);
@@ -153,7 +153,7 @@ TEST(test_thermal, "light and heavy share alike")
     enum { SEEDS = 400 };
     for (uint64_t seed = 1; seed <= SEEDS; ++seed) {
         struct start s = filled(
-            (struct start_wish){.kind = START_THERMAL, .seed = seed});
+            (struct start_request){.kind = START_THERMAL, .seed = seed});
         UNIT_TRUE(s.movers == 10 && s.wall[1] == 11);
         UNIT_NEAR(energy(&s, 0, 10), 5, 5 * 20 * DBL_EPSILON);
         for (size_t i = 0; i < 10; ++i)
@@ -180,7 +180,7 @@ TEST(test_random_places, "thrown points have the right mean and variance")
     enum { SEEDS = 2000, N = 4 };
     double sum[N] = {0}, square[N] = {0};
     for (uint64_t seed = 1; seed <= SEEDS; ++seed) {
-        struct start s = filled((struct start_wish){
+        struct start s = filled((struct start_request){
             .kind = START_RANDOM, .movers = N, .seed = seed});
         for (size_t i = 0; i < N; ++i) {
             sum[i] += s.x[i];
@@ -205,8 +205,8 @@ TEST(test_random_masses, "random masses from 1 to 9 are all different")
     enum { SEEDS = 200, N = 10 };
     for (uint64_t seed = 0; seed < SEEDS; ++seed) {
         int seen[N] = {0}, all = 1;
-        struct start s =
-            filled((struct start_wish){.kind = START_RANDOM, .seed = seed});
+        struct start s = filled(
+            (struct start_request){.kind = START_RANDOM, .seed = seed});
         UNIT_EQUAL((double)s.movers, N);
         for (size_t i = 0; i < N; ++i) {
             const double place = (s.mass[i] - 1) * (N - 1) / 8;
@@ -223,8 +223,8 @@ TEST(test_random_masses, "random masses from 1 to 9 are all different")
     }
     /* a tenth of 200, four standard deviations of sqrt(200 * 0.09) */
     UNIT_NEAR(first_is_lightest, 20, 17);
-    struct start s = filled(
-        (struct start_wish){.kind = START_RANDOM, .movers = 1, .seed = 1});
+    struct start s = filled((struct start_request){
+        .kind = START_RANDOM, .movers = 1, .seed = 1});
     UNIT_EQUAL(s.mass[0], 1);
     start_free(&s);
 }
@@ -244,11 +244,11 @@ TEST(test_seeds, "seeds")
                                             [START_RANDOM] = true};
     for (int kind = 0; kind < START_KINDS; ++kind)
         for (uint64_t seed = 0; seed < 20; ++seed) {
-            struct start_wish wish = {.kind = (enum start_kind)kind,
-                                      .seed = seed};
-            struct start a = filled(wish), b = filled(wish);
-            wish.seed = seed + 1;
-            struct start c = filled(wish);
+            struct start_request request = {.kind = (enum start_kind)kind,
+                                            .seed = seed};
+            struct start a = filled(request), b = filled(request);
+            request.seed = seed + 1;
+            struct start c = filled(request);
             UNIT_TRUE(same(&a, &b));
             UNIT_TRUE(same(&a, &c) != drawn[kind]);
             start_free(&a);
@@ -259,13 +259,14 @@ TEST(test_seeds, "seeds")
 
 TEST(test_two_and_galperin, "two and galperin take a mass ratio")
 {
-    struct start s = filled((struct start_wish){.kind = START_TWO});
+    struct start s = filled((struct start_request){.kind = START_TWO});
     UNIT_TRUE(s.mass[0] == 1 && s.mass[1] == 9 && s.wall[1] == 3);
     start_free(&s);
-    s = filled((struct start_wish){.kind = START_TWO, .ratio = 0.25});
+    s = filled((struct start_request){.kind = START_TWO, .ratio = 0.25});
     UNIT_TRUE(s.mass[0] == 1 && s.mass[1] == 0.25);
     start_free(&s);
-    s = filled((struct start_wish){.kind = START_GALPERIN, .ratio = 1e6});
+    s = filled(
+        (struct start_request){.kind = START_GALPERIN, .ratio = 1e6});
     UNIT_TRUE(s.mass[0] == 1 && s.mass[1] == 1e6);
     UNIT_TRUE(s.v[0] == 0 && s.v[1] < 0);
     UNIT_TRUE(s.wall[0] == 0 && s.wall[1] == INFINITY);
@@ -278,10 +279,10 @@ TEST(test_walls, "walls that are given stand")
 {
     for (int kind = 0; kind < START_KINDS; ++kind) {
         struct start s =
-            filled((struct start_wish){.kind = (enum start_kind)kind,
-                                       .walls = true,
-                                       .wall = {-3, 50},
-                                       .seed = 3});
+            filled((struct start_request){.kind = (enum start_kind)kind,
+                                          .walls = true,
+                                          .wall = {-3, 50},
+                                          .seed = 3});
         UNIT_TRUE(s.wall[0] == -3 && s.wall[1] == 50);
         if (kind == START_RANDOM)
             UNIT_TRUE(s.x[s.movers - 1] > 20);
@@ -354,7 +355,7 @@ TEST(test_all_numbers, "all that is fixed of each kind")
                             {2, INFINITY, {0, INFINITY}}};
     for (int kind = 0; kind < START_KINDS; ++kind) {
         struct start s =
-            filled((struct start_wish){.kind = (enum start_kind)kind});
+            filled((struct start_request){.kind = (enum start_kind)kind});
         UNIT_EQUAL((double)s.movers, usual[kind].movers);
         UNIT_TRUE(s.until == usual[kind].until);
         UNIT_EQUAL(s.wall[0], usual[kind].wall[0]);
@@ -364,16 +365,16 @@ TEST(test_all_numbers, "all that is fixed of each kind")
             UNIT_EQUAL(s.radius[i], kind == START_FOUR ? 0.1 : 0);
         start_free(&s);
     }
-    struct start s = filled((struct start_wish){.kind = START_CRADLE});
+    struct start s = filled((struct start_request){.kind = START_CRADLE});
     for (size_t i = 0; i < 8; ++i) {
         UNIT_EQUAL(s.x[i], 14 + (double)i);
         UNIT_EQUAL(s.v[i], i < 2 ? -2 : 0);
     }
     start_free(&s);
-    s = filled((struct start_wish){.kind = START_TWO});
+    s = filled((struct start_request){.kind = START_TWO});
     UNIT_TRUE(s.x[0] == 1 && s.x[1] == 2 && s.v[0] == 1 && s.v[1] == -0.3);
     start_free(&s);
-    s = filled((struct start_wish){.kind = START_GALPERIN});
+    s = filled((struct start_request){.kind = START_GALPERIN});
     UNIT_TRUE(s.x[0] == 1 && s.x[1] == 2 && s.v[0] == 0 && s.v[1] == -1);
     UNIT_TRUE(s.mass[0] == 1 && s.mass[1] == 100);
     start_free(&s);
@@ -381,9 +382,9 @@ TEST(test_all_numbers, "all that is fixed of each kind")
        or eight the other way; at the smallest size one on either side. */
     for (int kind = START_PISTON; kind <= START_ADIABATIC; ++kind)
         for (size_t n = 1; n <= 5; n += 4) {
-            s = filled((struct start_wish){.kind = (enum start_kind)kind,
-                                           .movers = 2 * n + 1,
-                                           .seed = 4});
+            s = filled((struct start_request){.kind = (enum start_kind)kind,
+                                              .movers = 2 * n + 1,
+                                              .seed = 4});
             for (size_t i = 0; i < n; ++i) {
                 const double place = n > 1 ? (double)i / 2 - 1 : 0;
                 const double mean = 20 / (3 * (double)n);
@@ -399,7 +400,7 @@ TEST(test_all_numbers, "all that is fixed of each kind")
     double light = 0, heavy = 0, least = 9, most = 0;
     for (uint64_t seed = 1; seed <= 400; ++seed) {
         s = filled(
-            (struct start_wish){.kind = START_THERMAL, .seed = seed});
+            (struct start_request){.kind = START_THERMAL, .seed = seed});
         light += mass(&s, 0, 5) / 2000;
         heavy += mass(&s, 5, 10) / 2000;
         for (size_t i = 0; i < 5; ++i) {

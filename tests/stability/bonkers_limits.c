@@ -8,12 +8,13 @@
 #include <float.h>
 #include <stdlib.h>
 
-static void begin(struct bonkers *b, struct start_wish wish,
+static void begin(struct bonkers *b, struct start_request request,
                   enum bonkers_engine engine)
 {
     struct start s;
     size_t wrong = 0;
-    if (!start_fill(&s, &wish) || !bonkers_begin(b, &s, 1, engine, &wrong))
+    if (!start_fill(&s, &request) ||
+        !bonkers_begin(b, &s, 1, engine, &wrong))
         exit(1);
     UNIT_EQUAL((double)wrong, (double)b->gaps);
     start_free(&s);
@@ -21,13 +22,13 @@ static void begin(struct bonkers *b, struct start_wish wish,
 
 /* How far the bodies miss their starting places after n collisions forth
    and as much time back, m. */
-static double miss(struct start_wish wish, enum bonkers_engine engine,
+static double miss(struct start_request request, enum bonkers_engine engine,
                    uint64_t n)
 {
     struct bonkers b, start;
     double worst = 0;
-    begin(&b, wish, engine);
-    begin(&start, wish, engine);
+    begin(&b, request, engine);
+    begin(&start, request, engine);
     bonkers_run(&b, INFINITY, n);
     const double t = b.now;
     bonkers_settle(&b);
@@ -50,9 +51,9 @@ static double mean_miss(enum bonkers_engine engine, uint64_t n)
 {
     double sum = 0;
     for (uint64_t seed = 1; seed <= STARTS; ++seed)
-        sum += log10(miss((struct start_wish){.kind = START_RANDOM,
-                                              .movers = 8,
-                                              .seed = seed},
+        sum += log10(miss((struct start_request){.kind = START_RANDOM,
+                                                 .movers = 8,
+                                                 .seed = seed},
                           engine, n));
     return sum / STARTS;
 }
@@ -74,11 +75,11 @@ TEST(test_way_back, "the way back is missed as n^(3/2)")
 /* All fast engines take the same way back. */
 TEST(test_way_back_of_every_engine, "every engine misses it alike")
 {
-    const struct start_wish wish = {
+    const struct start_request request = {
         .kind = START_RANDOM, .movers = 40, .seed = 5};
-    const double scan = miss(wish, BONKERS_SCAN, 20000);
-    UNIT_EQUAL(miss(wish, BONKERS_HEAP, 20000), scan);
-    UNIT_EQUAL(miss(wish, BONKERS_SLAB, 20000), scan);
+    const double scan = miss(request, BONKERS_SCAN, 20000);
+    UNIT_EQUAL(miss(request, BONKERS_HEAP, 20000), scan);
+    UNIT_EQUAL(miss(request, BONKERS_SLAB, 20000), scan);
     UNIT_TRUE(scan > 0 && scan < 1e-8);
 }
 
@@ -89,7 +90,7 @@ static size_t count_pairs(double ratio)
     static double seen[MANY][2];
     struct bonkers b;
     size_t count = 0;
-    begin(&b, (struct start_wish){.kind = START_TWO, .ratio = ratio},
+    begin(&b, (struct start_request){.kind = START_TWO, .ratio = ratio},
           BONKERS_AUTO);
     for (int k = 1; k <= TIMES && count < MANY; ++k) {
         double x[4], v[4];
@@ -126,8 +127,8 @@ static double effect_of_looking(enum bonkers_engine engine)
 {
     struct bonkers a, b;
     double worst = 0, x[10], v[10], y[10];
-    begin(&a, (struct start_wish){.kind = START_MIXED}, engine);
-    begin(&b, (struct start_wish){.kind = START_MIXED}, engine);
+    begin(&a, (struct start_request){.kind = START_MIXED}, engine);
+    begin(&b, (struct start_request){.kind = START_MIXED}, engine);
     for (int k = 1; k <= 5000; ++k)
         bonkers_run(&b, k / 100.0, UINT64_MAX);
     bonkers_run(&a, 50, UINT64_MAX);
@@ -159,7 +160,8 @@ TEST(test_late_clock, "a clock of 10^9 s leaves all in order")
         struct bonkers b;
         double x[42], v[42];
         size_t crossed = 0;
-        begin(&b, (struct start_wish){.kind = START_RANDOM, .movers = 40},
+        begin(&b,
+              (struct start_request){.kind = START_RANDOM, .movers = 40},
               (enum bonkers_engine)e);
         for (size_t i = 1; i < b.gaps; ++i)
             b.body[i].since = 1e9;

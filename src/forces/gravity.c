@@ -264,12 +264,10 @@ struct stepping_forces gravity_forces(struct gravity *g)
     return (struct stepping_forces){3 * g->bodies, false, accelerate, g};
 }
 
-/* The energy is summed over all pairs for every kernel, in rows, so that
-   small terms are not lost in a large sum. It is needed at the rows of a
-   table only, and an audit must not use what it audits: summed by a tree of
-   theta 0.5 the energy of the ring of chapter 9 was wrong by 2e-4, and
-   otherwise at each row, while the forces of that tree keep it to some
-   1e-8. */
+/* Summed over all pairs for every kernel, since an audit must not use what
+   it audits: by a tree of theta 0.5 the energy of chapter 9's ring was
+   wrong by 2e-4, otherwise at each row, while the forces of that tree keep
+   it to 1e-8. */
 double gravity_potential(const struct gravity *g, const double x[])
 {
     const size_t n = g->bodies;

@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 2891394913 of the lines below */
+/* checksum 152904281 of the lines below */
 /* A gap between two bodies: when it closes, and what happens then. */
 #ifndef GAP_H
 #define GAP_H
@@ -20,19 +20,6 @@ static inline double time_of_gap(const struct bonkers_body *left)
 {
     const struct bonkers_body *right = left + 1;
     const double approach = left->v - right->v;
-    if (!(approach > 0))
-        return INFINITY;
-    const double t =
-        left->since > right->since ? left->since : right->since;
-    const double gap = position(right, t) - position(left, t);
-    return gap > 0 ? t + gap / approach : t;
-}
-
-/* Returns what time_of_gap returns, without a branch: the same bits. */
-static inline double time_of_either(const struct bonkers_body *left)
-{
-    const struct bonkers_body *right = left + 1;
-    const double approach = left->v - right->v;
     const double t =
         left->since > right->since ? left->since : right->since;
     const double gap = position(right, t) - position(left, t);
@@ -43,7 +30,7 @@ static inline double time_of_either(const struct bonkers_body *left)
 static inline double time_due(const struct bonkers *b, size_t i)
 {
     return b->gravity > 0 ? weight_time_of_gap(b, i)
-                          : time_of_either(&b->body[i]);
+                          : time_of_gap(&b->body[i]);
 }
 
 /* Returns body i as it is at the time t, if it meets nobody until then. */

@@ -1,9 +1,39 @@
-/* Densities at contact from slides, and what two disks have in common. */
+/* Boxes for sampling, and densities at contact from slides along lines. */
 #include "box/image.h"
 #include "box/sampling.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
+
+bool sampling_create(struct sampling *s, size_t dimensions,
+                     enum disks_boundary boundary, const double box[],
+                     size_t large, double radius, size_t small,
+                     double small_radius)
+{
+    const size_t count = large + small;
+    *s = (struct sampling){.large = large};
+    if (!disks_create(&s->disks, dimensions, count))
+        return false;
+    s->disks.boundary = boundary;
+    for (size_t k = 0; k < dimensions; ++k) {
+        s->disks.box[k] = box[k];
+        s->per_side[k] = boundary == DISKS_PERIODIC ? 1 / box[k] : 0;
+    }
+    for (size_t i = 0; i < count; ++i)
+        s->disks.disk[i].radius = i < large ? radius : small_radius;
+    s->blocked = malloc(SAMPLING_IMAGES * count * sizeof *s->blocked);
+    if (!s->blocked)
+        sampling_free(s);
+    return s->blocked != NULL;
+}
+
+void sampling_free(struct sampling *s)
+{
+    disks_free(&s->disks);
+    free(s->blocked);
+    s->blocked = NULL;
+}
 
 /* A straight line for the centre of disk i: place = from + t along, with t
    from low to high. */

@@ -1,24 +1,18 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 1322427054 of the lines below */
+/* checksum 886018293 of the lines below */
 /* Event-driven motion: every pair looked at, or a plan remembered. */
 #include "box/disks.h"
 
 #include "box/falling.h"
 #include "box/image.h"
 #include "box/meetings.h"
+#include "box/plan.h"
 #include "line/collide.h"
 
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-struct disks_plan {
-    double replan;             /* how far a plan holds, m */
-    struct disks_event *event; /* of each disk */
-    uint32_t *hits;            /* of the partner, when it was planned */
-    double *time;              /* for answers */
-};
 
 static uint32_t low(struct disks_event e)
 {
@@ -225,38 +219,6 @@ void disks_velocity(const struct disks *d, size_t i, double velocity[])
         velocity[k] = a->velocity[k];
     if (d->gravity > 0)
         velocity[1] -= d->gravity * (d->now - a->since);
-}
-
-bool disks_create(struct disks *d, size_t dimensions, size_t count)
-{
-    const size_t bytes = count * sizeof *d->disk;
-    *d = (struct disks){
-        .dimensions = dimensions, .count = count, .restitution = 1};
-    d->disk = aligned_alloc(sizeof *d->disk, bytes);
-    d->mass = malloc(count * sizeof *d->mass);
-    d->hits = calloc(count, sizeof *d->hits);
-    if (!d->disk || !d->mass || !d->hits) {
-        disks_free(d);
-        return false;
-    }
-    memset(d->disk, 0, bytes);
-    for (size_t i = 0; i < count; ++i)
-        d->mass[i] = 1;
-    return true;
-}
-
-void disks_free(struct disks *d)
-{
-    if (d->plan) {
-        free(d->plan->event);
-        free(d->plan->hits);
-        free(d->plan->time);
-    }
-    free(d->plan);
-    free(d->disk);
-    free(d->mass);
-    free(d->hits);
-    *d = (struct disks){0};
 }
 
 bool disks_plan(struct disks *d)

@@ -1,6 +1,6 @@
 /* From chapters/05-disks.nw: edit there, then run make tangle. */
-/* checksum 3925476593 of the lines below */
-/* When disks meet each other and the walls, and how a box ends. */
+/* checksum 864186272 of the lines below */
+/* When two disks meet, in a periodic box as well. */
 #include "box/falling.h"
 #include "box/image.h"
 
@@ -25,17 +25,6 @@ double disks_pair_time(const double separation[], const double closing[],
     return c <= 0 ? 0 : c / (sqrt(disc) - b);
 }
 
-bool disks_wraps(const struct disks *d, size_t k)
-{
-    return wraps(d, k);
-}
-
-bool disks_walled(const struct disks *d, size_t k)
-{
-    return d->box[k] > 0 && (d->boundary == DISKS_WALLS ||
-                             (d->boundary == DISKS_FLOOR && k == 1));
-}
-
 void disks_separation(const struct disks *d, const double a[],
                       const double b[], double separation[])
 {
@@ -43,16 +32,6 @@ void disks_separation(const struct disks *d, const double a[],
         const double x = b[k] - a[k];
         separation[k] = x - d->box[k] * nearest_whole(x * inverse(d, k));
     }
-}
-
-void disks_fold(const struct disks *d, double place[])
-{
-    for (size_t k = 0; k < d->dimensions; ++k)
-        if (disks_wraps(d, k)) {
-            place[k] -= d->box[k] * floor(place[k] / d->box[k]);
-            if (place[k] >= d->box[k])
-                place[k] = 0;
-        }
 }
 
 double disks_replan_distance(const struct disks *d)
@@ -87,48 +66,4 @@ double disks_meeting(const struct disks *d, size_t i, size_t j, double at)
     if (d->gravity > 0)
         falling_between(d, a, b, x, v);
     return last + disks_pair_time(x, v, a->radius + b->radius);
-}
-
-/* How long disk a has flown when it meets its next wall, between walls
-   and without gravity. */
-static double wall_of_either(const struct disks *d, const struct disk *a,
-                             size_t *axis)
-{
-    double first = INFINITY;
-    for (size_t k = 0; k < d->dimensions; ++k) {
-        const double x = a->position[k], v = a->velocity[k], r = a->radius;
-        const double way[] = {r - x, d->box[k] - r - x};
-        const double flight = way[v > 0] / v;
-        const double time = flight > 0 ? flight : 0;
-        if (v == 0 || d->box[k] == 0)
-            continue;
-        *axis = time < first ? k : *axis;
-        first = time < first ? time : first;
-    }
-    return first;
-}
-
-double disks_wall(const struct disks *d, size_t i, size_t *axis)
-{
-    const struct disk *a = &d->disk[i];
-    double first = INFINITY;
-    *axis = 0;
-    if (d->boundary == DISKS_PERIODIC)
-        return first;
-    if (d->boundary == DISKS_WALLS && !(d->gravity > 0))
-        return a->since + wall_of_either(d, a, axis);
-    for (size_t k = 0; k < d->dimensions; ++k) {
-        if (!disks_walled(d, k))
-            continue;
-        const double time =
-            d->gravity > 0 && k == 1
-                ? falling_wall(d, a)
-                : disks_wall_time(a->position[k], a->velocity[k], a->radius,
-                                  d->box[k]);
-        if (time < first) {
-            first = time;
-            *axis = k;
-        }
-    }
-    return a->since + first;
 }

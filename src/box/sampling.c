@@ -1,5 +1,5 @@
 /* From chapters/06-room.nw: edit there, then run make tangle. */
-/* checksum 2601305453 of the lines below */
+/* checksum 1971705580 of the lines below */
 /* Direct sampling, moves of a Markov chain, event chains. */
 #include "box/sampling.h"
 
@@ -41,35 +41,6 @@ static bool fits(const struct sampling *s, size_t i, const double place[],
             return false;
     }
     return true;
-}
-
-bool sampling_create(struct sampling *s, size_t dimensions,
-                     enum disks_boundary boundary, const double box[],
-                     size_t large, double radius, size_t small,
-                     double small_radius)
-{
-    const size_t count = large + small;
-    *s = (struct sampling){.large = large};
-    if (!disks_create(&s->disks, dimensions, count))
-        return false;
-    s->disks.boundary = boundary;
-    for (size_t k = 0; k < dimensions; ++k) {
-        s->disks.box[k] = box[k];
-        s->per_side[k] = boundary == DISKS_PERIODIC ? 1 / box[k] : 0;
-    }
-    for (size_t i = 0; i < count; ++i)
-        s->disks.disk[i].radius = i < large ? radius : small_radius;
-    s->blocked = malloc(SAMPLING_IMAGES * count * sizeof *s->blocked);
-    if (!s->blocked)
-        sampling_free(s);
-    return s->blocked != NULL;
-}
-
-void sampling_free(struct sampling *s)
-{
-    disks_free(&s->disks);
-    free(s->blocked);
-    s->blocked = NULL;
 }
 
 static void throw_one(const struct sampling *s, size_t i, struct random *r,

@@ -1,8 +1,43 @@
-/* Starts of disks: on a lattice, at random, and whether all of them fit. */
+/* Starts of disks: memory, lattices, random places, and what overlaps. */
 #include "box/image.h"
+#include "box/plan.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
+
+/* A disk fills a line of the cache if it begins where one begins. */
+bool disks_create(struct disks *d, size_t dimensions, size_t count)
+{
+    const size_t bytes = count * sizeof *d->disk;
+    *d = (struct disks){
+        .dimensions = dimensions, .count = count, .restitution = 1};
+    d->disk = aligned_alloc(sizeof *d->disk, bytes);
+    d->mass = malloc(count * sizeof *d->mass);
+    d->hits = calloc(count, sizeof *d->hits);
+    if (!d->disk || !d->mass || !d->hits) {
+        disks_free(d);
+        return false;
+    }
+    memset(d->disk, 0, bytes);
+    for (size_t i = 0; i < count; ++i)
+        d->mass[i] = 1;
+    return true;
+}
+
+void disks_free(struct disks *d)
+{
+    if (d->plan) {
+        free(d->plan->event);
+        free(d->plan->hits);
+        free(d->plan->time);
+    }
+    free(d->plan);
+    free(d->disk);
+    free(d->mass);
+    free(d->hits);
+    *d = (struct disks){0};
+}
 
 /* A centre may be nearer to a wall than a radius by what rounding does,
    1e-9 of the box. */

@@ -1,7 +1,6 @@
 /* From chapters/07-gas.nw: edit there, then run make tangle. */
-/* checksum 4288612503 of the lines below */
-/* A gas of hard disks: rows of speed, its density and error, and two laws.
- */
+/* checksum 3135711665 of the lines below */
+/* A gas of disks: rows of speed, its density and error, and two laws. */
 #include "box/disks.h"
 #include "box/speeds.h"
 #include "line/statistics.h"

@@ -6,7 +6,7 @@
 # million disks take.
 . tests/programs/common
 sources='src/box/cells.c src/box/calendar.c src/box/disks.c src/box/meet.c
-    src/box/meetings.c src/box/falling.c src/box/collapse.c src/box/starts.c src/box/heat.c
+    src/box/meetings.c src/box/walls.c src/box/falling.c src/box/collapse.c src/box/starts.c src/box/heat.c
     src/line/collide.c src/line/fall.c src/toolbox/random.c'
 
 expected=

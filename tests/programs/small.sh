@@ -227,7 +227,7 @@ done
 # ---- gas0 and disks: the same gas
 
 alone gas0 src/box/collapse.c src/box/disks.c src/box/falling.c src/box/heat.c \
-    src/box/meet.c src/box/meetings.c src/box/speeds.c src/box/starts.c \
+    src/box/meet.c src/box/meetings.c src/box/speeds.c src/box/starts.c src/box/walls.c \
     src/line/collide.c src/line/fall.c src/line/statistics.c src/toolbox/random.c
 "$work/gas0" 250 200 | awk '{ printf "%s %s %s %s\n", $1, $2, $4, $5 }' >"$work/small"
 build/bin/disks --disks 250 --radius 0.1 --box 7.5,5 --measure speeds --every 0.4 \

@@ -1,5 +1,5 @@
 /* From chapters/02-bonkers.nw: edit there, then run make tangle. */
-/* checksum 3994909616 of the lines below */
+/* checksum 3857096970 of the lines below */
 /* Ten beads on a wire between two stops, from collision to collision. */
 #include "line/collide.h"
 
@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { BEADS = 10 };
+enum { BEADS = 10, DIGITS = 10 };
 
 /* From left to right; the first and the last are the stops. kg, m, m/s */
 static double mass[BEADS + 2] = {INFINITY, 9.3, 2.1, 5.2, 0.9, 3.4,
@@ -49,9 +49,9 @@ static void print_row(double now)
     double energy = 0;
     for (int i = 1; i <= BEADS; ++i)
         energy += mass[i] * v[i] * v[i] / 2;
-    printf("%g %.10g", now, energy);
+    printf("%g %.*g", now, DIGITS, energy);
     for (int i = 1; i <= BEADS; ++i)
-        printf(" %.10g %.10g", x[i], v[i]);
+        printf(" %.*g %.*g", DIGITS, x[i], DIGITS, v[i]);
     printf("\n");
 }
 

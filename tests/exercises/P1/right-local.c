@@ -214,7 +214,7 @@ int main(int argc, char **argv)
             act(first, due[first]);
         }
         printf("%.17g %.17g", t, total(t));
-        for (int i = 1; i <= count; ++i)
+        for (int i = 1; i < count + 1; ++i)
             printf(" %.17g %.17g", where(&bead[i], t), speed(&bead[i], t));
         puts("");
         if (k > 0) {

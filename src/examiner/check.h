@@ -11,8 +11,8 @@
    not read: two different mistakes seldom agree in ten digits. */
 struct check_mistake {
     const char *name; /* short, with hyphens: "mass-not-inverse" */
-    double value;     /* what somebody who makes it gets */
-    const char *hint; /* what to tell them; no full solution */
+    double value;     /* the answer to which it leads */
+    const char *hint; /* what to tell the student; not the solution */
 };
 
 /* The value of an output before the call. Arithmetic with numbers never
@@ -31,14 +31,14 @@ struct check_mistake {
    refuses a right answer that was computed in another order; too large, it
    lets a missing term through. */
 struct check {
-    const char *quantity; /* what was asked for, in words */
+    const char *quantity; /* which quantity was asked for, in words */
     const char *unit;     /* "m/s"; NULL or "" for a pure number */
-    const char *input;    /* what it was computed from, with units */
+    const char *input;    /* the arguments, with units */
     double expected;
     double tolerance;     /* largest |got - expected| that passes */
     const char *because;  /* where the tolerance comes from */
     const char *equation; /* its label in the book: "eq:difference" */
-    const char *question; /* one question that leads on */
+    const char *question; /* a question that helps to go on */
     struct check_mistake mistakes[12]; /* unused ones have no name */
 };
 /* A test. Its name is a sentence that says what holds ("momentum is
@@ -53,7 +53,7 @@ struct check_test {
     int hidden; /* further points; 0: its inputs are not drawn */
 };
 
-enum { CHECK_TESTS = 32 }; /* room for tests, the last entry included */
+enum { CHECK_TESTS = 32 }; /* size of the list, the end included */
 
 /* The tests of one exercise; every suite defines one of these, named
    check_suite. Idle tests pass when nothing was done (a function that
@@ -64,10 +64,9 @@ enum { CHECK_TESTS = 32 }; /* room for tests, the last entry included */
 struct check_suite {
     const char *file; /* "01a-collide.c", in exercises/ and solutions/ */
     const char *title;
-    int minutes;                          /* that it should take */
+    int minutes; /* how long the exercise should take */
     struct check_test tests[CHECK_TESTS]; /* ends without a name */
-    void (*idle[8])(void); /* those that a function passes which does
-                              nothing: they earn only beside another */
+    void (*idle[8])(void); /* those that an empty function passes */
 };
 
 extern const struct check_suite check_suite;
@@ -80,7 +79,7 @@ extern const struct check_test check_hidden[];
 struct check_overrun {
     char place[32]; /* the name of the argument */
     int before;     /* 1: before its start; 0: behind its end */
-    int bytes;      /* how many have changed */
+    int bytes;      /* how many bytes have changed */
 };
 
 /* Compares got with the expected value of the check c and tells CUnit.

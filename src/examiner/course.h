@@ -17,16 +17,18 @@ struct exercise {
     const char *title;
     const char *tests[CHECK_TESTS];
     int worth[CHECK_TESTS]; /* points of each test */
-    bool idle[CHECK_TESTS]; /* passed by what does nothing, too */
+    bool idle[CHECK_TESTS]; /* an empty function passes it */
     int count, minutes, points;
-    char file[COURSE_PATH];  /* the student's; empty when it is missing */
-    char stub[COURSE_PATH];  /* as it came with the book */
-    char stray[COURSE_PATH]; /* what may be the student's, misnamed */
-    char solution[COURSE_PATH]; /* worked; empty where others keep it */
+    char file[COURSE_PATH]; /* the student's; empty when it is missing */
+    char stub[COURSE_PATH]; /* the file as it came with the book */
+    char
+        stray[COURSE_PATH]; /* a file that may be the student's, misnamed */
+    char solution[COURSE_PATH]; /* the worked one; empty where there is none
+                                 */
     bool chosen;                /* the command names it, or names none */
     bool judged;                /* the fields below are set */
     enum state state;
-    int earned;  /* points that it has */
+    int earned;  /* points that it has now */
     int gap;     /* the line of a NOT_DONE_YET that was reached, or 0 */
     int wants;   /* number of the first test that did not pass, or 0 */
     char *story; /* what to say about it, or NULL */

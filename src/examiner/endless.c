@@ -25,10 +25,10 @@ void endless_forget(void)
 #include <unistd.h>
 
 enum {
-    FIRST_MS = 200, /* of the processor, before anybody looks */
-    NEXT_MS = 10,   /* from look to look */
+    FIRST_MS = 200, /* of processor time before the first look */
+    NEXT_MS = 10,   /* of processor time from look to look */
     STATES = 1024,
-    MEMORY_MOST = 1 << 23 /* bytes of a state */
+    MEMORY_MOST = 1 << 23 /* larger states are not watched */
 };
 
 /* It lies in one piece, so that it can be passed over: what the looking
@@ -155,7 +155,9 @@ static long milliseconds_of(struct timeval t)
    the answer changes). */
 static bool is_alone(void)
 {
-    enum { ONE_THREAD = 3 }; /* links of a folder with one folder in it */
+    enum {
+        ONE_THREAD = 3
+    }; /* links of a folder that has one folder in it */
     struct rusage used;
     struct stat tasks;
     getrusage(RUSAGE_SELF, &used);

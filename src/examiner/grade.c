@@ -29,7 +29,7 @@
 
 struct settings {
     const char *folder, *reports, *output, *exercises;
-    const char *job; /* "anna/01a/KEY": this one alone */
+    const char *job; /* "anna/01a/KEY": grade only this one */
     long jobs;
     int seconds;
     uint64_t seed;
@@ -49,11 +49,11 @@ struct batch {
     struct settings settings;
     struct kit *kits;
     struct submissions handed;
-    struct submission *submissions; /* its list */
-    size_t kit_count, count;        /* of exercises, of students */
+    struct submission *submissions; /* the list of `handed', or one of it */
+    size_t kit_count, count; /* how many exercises, how many students */
     struct grading grading;
     char root[4096], work[4200];
-    uint64_t compiler;   /* a sum of what it calls itself */
+    uint64_t compiler;   /* checksum of its name and version */
     struct alike *alike; /* the files for one exercise */
     size_t alikes;
     size_t begun, done, failed;
@@ -462,8 +462,9 @@ struct job {
     size_t length;
     char key[24], path[4400];
     int tries;
-    const struct marks *before; /* of the first try, in the second */
-    struct grading_page page;   /* of a project */
+    const struct marks
+        *before; /* the marks of the first try, in the second */
+    struct grading_page page; /* the figure of a project */
 };
 
 static struct marks blank_marks(const struct batch *b,

@@ -101,8 +101,8 @@ size_t grading_kits(struct kit **kits)
 
 enum {
     MOST_LATE = 3,
-    LATER_SECONDS = 1, /* of processor time, once a test was late */
-    SLOW_MS = 200,     /* a test that takes longer may take all its time */
+    LATER_SECONDS = 1, /* limit once a test has timed out */
+    SLOW_MS = 200,     /* longer tests keep their full limit */
     MOST_BUILDING = 60,
     PRINTS_KEPT = 4096,
     STORY_KEPT = 8192

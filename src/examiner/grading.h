@@ -11,10 +11,10 @@
 /* A test of an exercise. */
 struct kit_test {
     char *name;
-    int number; /* the judge's */
+    int number; /* by which the judge knows it */
     int points;
-    bool hidden; /* whether it is run with the grader's seed */
-    bool idle; /* passes without work: earns only if another test passes */
+    bool hidden; /* it is run with the grader's seed */
+    bool idle;   /* an empty function passes it */
 };
 
 /* An exercise that can be graded. */
@@ -27,23 +27,23 @@ struct kit {
 };
 
 struct grading {
-    const char *root; /* of the project, absolute */
-    const char *work; /* a folder for gradings, absolute */
+    const char *root; /* absolute path of the kit */
+    const char *work; /* absolute path for temporary folders */
     enum sandbox_kind kind;
     uint64_t seed;              /* of the hidden tests */
     int seconds;                /* of processor time, for each test */
-    const struct marks *before; /* of a first try, or NULL */
-    struct grading_page *page;  /* of a project, or NULL */
+    const struct marks *before; /* the marks of the first try, or NULL */
+    struct grading_page *page;  /* the figure of a project, or NULL */
 };
 
 /* The figure that a project asks for. */
 struct grading_page {
-    char *script; /* gnuplot's, or NULL */
+    char *script; /* the script for gnuplot, or NULL */
     size_t length;
-    char *refusal;     /* why it is NULL though there is one, or NULL */
-    const char *place; /* where the figure is to stand, for the note */
-    char *figure;      /* a PNG, or NULL; the note says why */
-    size_t drawn;      /* bytes */
+    char *refusal;     /* why the script is not taken, or NULL */
+    const char *place; /* path of the figure, for the note */
+    char *figure;      /* a PNG; if NULL the note says why */
+    size_t drawn;      /* bytes of the figure */
 };
 
 /* Reads the lists in build/grade; returns how many exercises there are.

@@ -28,37 +28,19 @@ enum { ANSWERS = 5, REQUESTS = 6 };
    took it over with what he sends would reach no file, no network and no
    other process. */
 static const int allowed[] = {
-    SYS_read,
-    SYS_write,
-    SYS_writev,
-    SYS_pread64,
-    SYS_ftruncate,
-    SYS_lseek,
+    SYS_read,         SYS_write,          SYS_writev,
+    SYS_pread64,      SYS_ftruncate,      SYS_lseek,
     SYS_fstat,
 #ifdef SYS_newfstatat
     SYS_newfstatat,
 #endif
-    SYS_fcntl,
-    SYS_close,
-    SYS_brk,
-    SYS_mmap,
-    SYS_munmap,
-    SYS_mremap,
-    SYS_mprotect,
-    SYS_madvise,
-    SYS_futex,
-    SYS_rt_sigaction,
-    SYS_rt_sigprocmask,
-    SYS_rt_sigreturn,
-    SYS_getpid,
-    SYS_gettid,
-    SYS_tgkill, /* raise; of the processes that its user may end */
-    SYS_clone,
-    SYS_setpgid,
-    SYS_clock_gettime,
-    SYS_getrusage,
-    SYS_getrandom,
-    SYS_exit,
+    SYS_fcntl,        SYS_close,          SYS_brk,
+    SYS_mmap,         SYS_munmap,         SYS_mremap,
+    SYS_mprotect,     SYS_madvise,        SYS_futex,
+    SYS_rt_sigaction, SYS_rt_sigprocmask, SYS_rt_sigreturn,
+    SYS_getpid,       SYS_gettid,         SYS_tgkill, /* for raise */
+    SYS_clone,        SYS_setpgid,        SYS_clock_gettime,
+    SYS_getrusage,    SYS_getrandom,      SYS_exit,
     SYS_exit_group,
 };
 
@@ -69,7 +51,7 @@ static void forbid_other_calls(void)
 #elif defined __aarch64__
     const unsigned ours = AUDIT_ARCH_AARCH64;
 #else
-    const unsigned ours = 0; /* none is forbidden */
+    const unsigned ours = 0; /* unknown processor: nothing is forbidden */
 #endif
     enum { CALLS = sizeof allowed / sizeof *allowed };
     struct sock_filter code[CALLS + 5];

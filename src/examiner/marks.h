@@ -12,11 +12,11 @@
    more than that there are some. */
 struct mark {
     char *name;
-    bool hidden;      /* with inputs that are not to be shown */
-    int points;       /* that it can earn; it earns them if it passes */
+    bool hidden;      /* its inputs must not be shown */
+    int points;       /* earned if it passes */
     enum state state; /* PASSED, FAILED, ...; NOT_BEGUN if it was not run */
-    char *story;      /* for whoever may see it: what the examiner says */
-    double seconds;   /* on the wall, of both tries if there were two */
+    char *story;      /* what the examiner says about it */
+    double seconds;   /* wall-clock time, of both tries if two */
 };
 
 enum { MARKS_MOST = 96 };
@@ -29,18 +29,18 @@ struct marks {
     char *student;    /* the name of the folder */
     char *exercise;   /* "01a" */
     char *title;      /* of the exercise */
-    char *file;       /* that was graded, or "no file" */
-    char *note;       /* what a person should know of it; else empty */
-    enum state state; /* of the whole: the first that is wrong */
+    char *file;       /* the file that was graded, or "no file" */
+    char *note;       /* what a person should know, or empty */
+    enum state state; /* of the exercise: the first that is wrong */
     int count;
     struct mark marks[MARKS_MOST];
-    char *story;    /* of the compiler, if it refused; else empty */
-    char *prints;   /* what the program printed, cut */
-    char *advice;   /* of the sanitizers; earns and loses nothing */
-    double seconds; /* on the wall, the build included */
+    char *story;    /* messages of the compiler, or empty */
+    char *prints;   /* the beginning of what the program printed */
+    char *advice;   /* what sanitizers found; costs no points */
+    double seconds; /* wall-clock time, with the build */
     double build_seconds;
-    int tries; /* 2 when a time-out was tried again alone */
-    bool late; /* the wall's clock has stopped the build or a test */
+    int tries; /* 2 if a time-out was tried again, alone */
+    bool late; /* the wall clock stopped the build or a test */
 };
 
 /* Return the points that were earned, and that can be, of the hidden tests

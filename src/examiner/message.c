@@ -12,7 +12,8 @@
    would be a guess there is none: a wrong one is believed and costs more
    than a missing one. */
 static const struct meaning {
-    const char *gcc, *clang; /* words of the message; NULL: no others */
+    const char *gcc,
+        *clang; /* words of the message; clang NULL: the same */
     const char *text;
 } meanings[] = {
     {"expected ';'", "expected ',' or ';'",
@@ -131,7 +132,7 @@ static const struct meaning {
 };
 
 static const struct {
-    const char *header, *names; /* each between blanks */
+    const char *header, *names; /* names with a blank on either side */
 } headers[] = {
     {"math.h", " sqrt fabs pow sin cos tan asin acos atan atan2 exp log "
                "log10 hypot cbrt floor ceil round fmin fmax fmod isnan "

@@ -14,22 +14,22 @@
 struct process_limits {
     int seconds;         /* of processor time; twice that on the wall */
     rlim_t memory_bytes; /* of address space */
-    rlim_t file_bytes;   /* of any one file that it writes */
-    rlim_t processes;    /* of its user, threads included */
+    rlim_t file_bytes;   /* of each file that it writes */
+    rlim_t processes;    /* of its user, with threads */
 };
 
 /* Open descriptors for a program, and what is done before it starts. */
 struct process_files {
-    int output;  /* where it prints and complains */
-    int kept[6]; /* become 3, 4, ... as far as they go; the rest are 0 */
-    void (*enter)(void); /* called in its process just before, or NULL */
+    int output;          /* standard output and standard error */
+    int kept[6];         /* become 3, 4, ...; unused ones are 0 */
+    void (*enter)(void); /* called in the new process first, or NULL */
 };
 
 /* How a program ended. */
 struct process_end {
     int status;     /* as waitpid gives it */
-    bool timed_out; /* it reached one of the limits on time */
-    bool waited;    /* and that was the one on the wall */
+    bool timed_out; /* it reached a limit on time */
+    bool waited;    /* and that was the wall clock's */
 };
 
 /* Runs a command (a NULL-terminated list, the program looked up in PATH)

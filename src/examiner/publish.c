@@ -1085,7 +1085,7 @@ static void show_block(const struct course *c, const struct layout *l,
 
 struct screen {
     const struct layout *layout;
-    bool any; /* line was shown */
+    bool any; /* a line was shown */
 };
 
 /* Prints a line for a person, on as many lines of the screen as it needs.

@@ -18,7 +18,7 @@ struct course {
     const char *const *notes;  /* on what student s has handed in, a line
                                   each; [students]: on what is nobody's */
     const char *name;          /* of the submissions' folder */
-    const char *isolation;     /* how students' programs were kept apart */
+    const char *isolation;     /* how programs were isolated */
     const char *when;          /* 2026-10-05T09:30:00Z: ISO 8601, UTC */
 };
 

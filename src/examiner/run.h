@@ -6,16 +6,16 @@
 #include <stddef.h>
 
 enum {
-    RUN_WORDS = 8,          /* room for arguments, the NULL included */
-    RUN_FILES = 2,          /* and for files */
-    RUN_PRINTS = 16000000,  /* bytes that a run may print */
-    RUN_COMPLAINT = 1 << 14 /* bytes kept of what it complains */
+    RUN_WORDS = 8,          /* most arguments, with the NULL */
+    RUN_FILES = 2,          /* most files */
+    RUN_PRINTS = 16000000,  /* most bytes that a run may print */
+    RUN_COMPLAINT = 1 << 14 /* bytes kept of standard error */
 };
 
 /* How calls of the function that a project is given are counted. */
 enum run_count {
     RUN_UNCOUNTED,
-    RUN_INSIDE, /* by the function, in the program's memory */
+    RUN_INSIDE, /* by the function, in shared memory */
     RUN_OUTSIDE /* in another process, which alone knows the law's constant:
                    the program can neither change the count nor do without
                  */
@@ -23,7 +23,7 @@ enum run_count {
 
 enum {
     RUN_COUNTER = 3, /* the descriptor of that memory, or of that process */
-    RUN_BODIES = 64  /* most that it is asked for at once */
+    RUN_BODIES = 64  /* most bodies in a question */
 };
 
 /* A run of `P1 ARGUMENTS`, or whatever the project is called, in a folder
@@ -33,25 +33,25 @@ struct run_order {
     struct run_file {
         const char *name, *text;
     } files[RUN_FILES]; /* unused ones have no name */
-    int given;          /* the number of the function that it is given */
+    int given;          /* number of the function to link with */
     enum run_count count;
-    double constant;  /* of the law, where it is asked for outside */
-    double most;      /* calls that are answered there */
-    const char *late; /* asked if the program does not end in time */
+    double constant;  /* of the law, with RUN_OUTSIDE */
+    double most;      /* most calls that are answered there */
+    const char *late; /* question if it does not end in time */
 };
 
 /* The table that a program printed, and how it ended. A table is rows of
    equally many numbers, then lines that begin with #; from the first other
    line on it is broken, and the suite shows that line. */
 struct run {
-    int status;           /* with which it exited */
-    bool flooded;         /* it printed more than it may */
-    size_t rows, columns; /* read before the first line that is no row */
+    int status;           /* exit status */
+    bool flooded;         /* it printed more than RUN_PRINTS */
+    size_t rows, columns; /* of numbers */
     double *numbers;      /* row by row */
-    const char *broken;   /* a line that is neither row nor remark, or "" */
+    const char *broken;   /* the first line that is neither, or "" */
     char *remarks;        /* the lines that begin with a # */
     char *complaint;      /* what it wrote to standard error */
-    double calls;         /* of the function that it was given, or -1 */
+    double calls;         /* calls of the function, or -1 */
 };
 
 /* Runs the program. The result is valid until the next call. A program

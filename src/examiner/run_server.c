@@ -58,7 +58,7 @@ static void lay_file(const char *name, const char *text)
 struct order {
     int given;
     enum run_count how;
-    double of_law[2]; /* its constant, and the most calls */
+    double of_law[2]; /* constant of the law, most calls */
 };
 
 /* Receives an order and writes its files into a new folder. Arguments and
@@ -124,10 +124,10 @@ static _Noreturn void become(int given, int out, int complain, int counter)
 }
 
 struct stream {
-    int file; /* -1: it has been closed */
+    int file; /* -1 when it is closed */
     char *text;
     size_t length, most;
-    bool more; /* there was more than is kept */
+    bool more; /* there was more than `most' */
 };
 
 /* Reads what the program has printed since the last time; returns whether
@@ -228,8 +228,8 @@ static void run(int given, struct stream s[2], int how[3], int counter)
 /* How the calls of the given function are counted: in shared memory, or by
    a process that the program asks. */
 struct counter {
-    int program, ours; /* the ends of a socket, or twice the same file */
-    int told;          /* where the process that counts says so, or -1 */
+    int program, ours; /* two ends of a socket, or one file twice */
+    int told;          /* pipe from the process that counts, or -1 */
     pid_t pid;
 };
 
@@ -259,7 +259,7 @@ static _Noreturn void answer_questions(const struct order *order, int ear,
         if (send(ear, f, 2 * masses, MSG_NOSIGNAL) < 0)
             break;
     }
-    shutdown(ear, SHUT_RDWR); /* which is open elsewhere, too */
+    shutdown(ear, SHUT_RDWR); /* other processes have it open, too */
     _exit(write(told, &calls, sizeof calls) == sizeof calls ? EXIT_SUCCESS
                                                             : EXIT_FAILURE);
 }
@@ -322,7 +322,7 @@ static double take_calls(const struct counter *c)
         return -1.0;
     if (c->told >= 0) {
         close(c->program);
-        shutdown(c->ours, SHUT_RDWR); /* whoever still has the other end */
+        shutdown(c->ours, SHUT_RDWR); /* whoever has the other end open */
         if (read(c->told, &calls, sizeof calls) != sizeof calls)
             calls = -1;
         close(c->told);

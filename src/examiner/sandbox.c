@@ -33,9 +33,9 @@ long syscall(long number, ...);
 #define OUTER_WORK "/mnt"     /* where it is mounted, outside the sandbox */
 
 enum {
-    BUILD_MS = 45000, /* on the wall, to compile and link */
-    START_MS = 5000,  /* from there to main */
-    SETTLE_MS = 2000, /* to end a test that is over */
+    BUILD_MS = 45000, /* wall-clock time to compile and link */
+    START_MS = 5000,  /* from there to its main */
+    SETTLE_MS = 2000, /* to end the process of a test */
     DRAW_MS = 30000   /* to draw a figure */
 };
 
@@ -104,9 +104,9 @@ static bool bounded; /* the disk limits files, too; see sandbox_probe */
    user, empties its environment, mounts a folder. Each could be a command
    of its own (setpriv, env, unshare, mount), and was, but one after the
    other they took longer to start than bubblewrap itself. */
-static long new_user; /* of the next sandbox; 0 where ours is kept */
-static bool new_view; /* and whether it gets users and mounts of its own */
-static bool own_disk; /* the folder to write to is mounted before it */
+static long new_user; /* user of the next sandbox; 0: ours */
+static bool new_view; /* it gets a user namespace of its own */
+static bool own_disk; /* mount_disk makes its writable folder */
 
 static void give_up(const char *what)
 {
@@ -287,7 +287,7 @@ static const int forbidden[] = {
 
 enum { FORBIDDEN = sizeof forbidden / sizeof forbidden[0] };
 #ifdef __x86_64__
-enum { LAST_CALL = 0x3fffffff }; /* above begin the calls of x32 */
+enum { LAST_CALL = 0x3fffffff }; /* the calls of x32 are above */
 static const unsigned OUR_CALLS = AUDIT_ARCH_X86_64;
 #else
 enum { LAST_CALL = 0x7fffffff };

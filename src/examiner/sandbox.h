@@ -12,8 +12,8 @@
    to ask for that with --unsafe. */
 enum sandbox_kind {
     SANDBOX_SEALED, /* namespaces of its own; it cannot make others */
-    SANDBOX_USER,   /* the same, but it may make further ones inside */
-    SANDBOX_ROOT,   /* made by root, where users may not make namespaces */
+    SANDBOX_USER,   /* the same, but it could make others */
+    SANDBOX_ROOT,   /* made by root: users may not make any */
     SANDBOX_NONE    /* no sandbox: limits only */
 };
 
@@ -22,35 +22,35 @@ enum sandbox_kind {
    get them. */
 struct sandbox_order {
     enum sandbox_kind kind;
-    const char *name;     /* of the student's file, "exercises/01a-x.c" */
+    const char *name;     /* name of the file, "exercises/01a-x.c" */
     int source;           /* the student's file */
-    const char *included; /* its header, "kit/exercise.h" */
-    int header;           /* the same */
+    const char *included; /* name of the header, "kit/exercise.h" */
+    int header;           /* the header */
     int inside; /* the driver and the remote calls of the exercise */
-    const char *compiler; /* with its flags, to be split at blanks */
-    const char *terse;    /* the flag with which it quotes no lines */
-    const char *lean;     /* and those that leave out what nobody reads */
-    const char *linker;   /* how it is first tried to link, or blank */
-    const char *types;    /* what is included before its line 1, or "" */
-    const char *keep;     /* options of objcopy: the symbols that stay */
+    const char *compiler; /* command and flags, split at blanks */
+    const char *terse;    /* flag: quote no source lines */
+    const char *lean;     /* flags: less for debuggers */
+    const char *linker;   /* command that links fast, or empty */
+    const char *types;    /* header to include first, or "" */
+    const char *keep;     /* options of objcopy: symbols to keep */
     bool sanitized;       /* compiled with sanitizers */
     int seconds;          /* of processor time, for each test */
 };
 
 /* A sandbox with a program that runs. */
 struct sandbox {
-    int requests, answers; /* descriptors: ours of the two pipes */
-    int prints;            /* where compiler and program print; ours */
-    double build_seconds;  /* until it was compiled and linked */
-    int test_ms;           /* of the processor, for the test settled last */
+    int requests, answers; /* our ends of the two pipes */
+    int prints;            /* file to which all in it print */
+    double build_seconds;  /* time to compile and link */
+    int test_ms;           /* processor time of the last test */
 };
 
 /* How far a sandbox got. */
 enum sandbox_stage {
     SANDBOX_NOT_BUILT, /* the compiler or the linker refused */
-    SANDBOX_TOO_LONG,  /* they were stopped */
+    SANDBOX_TOO_LONG,  /* compiler or linker took too long */
     SANDBOX_NO_MAIN,   /* the program ended before its main */
-    SANDBOX_STUCK,     /* it did not come to its main in time */
+    SANDBOX_STUCK,     /* it did not reach its main in time */
     SANDBOX_READY
 };
 
@@ -82,7 +82,7 @@ void sandbox_close(struct sandbox *sandbox);
 
 /* How the drawing of a figure ended. */
 enum sandbox_drawing {
-    SANDBOX_DRAWN,      /* gnuplot has ended, be there a figure or not */
+    SANDBOX_DRAWN,      /* gnuplot has ended, with a figure or not */
     SANDBOX_NO_PROGRAM, /* the compiler or the linker refused */
     SANDBOX_NO_GNUPLOT,
     SANDBOX_DRAWS_LATE /* it was stopped */

@@ -180,7 +180,7 @@ static const char canvas[] =
 struct owner {
     char name[256]; /* without LATE_ */
     bool late, guessed, canvas;
-    long long attempt; /* when it was handed in, if the name says so */
+    long long attempt; /* date or number that the name has, or 0 */
 };
 
 /* Forms of names with a date. Blackboard:
@@ -389,7 +389,7 @@ static void take(struct submission *s, const char *const usual[],
              path);
 }
 
-enum { DEPTH = 3 }; /* of folders below a student's that we look into */
+enum { DEPTH = 3 }; /* of folders searched below a student's */
 
 static mode_t mode_of(int folder, const char *name)
 {

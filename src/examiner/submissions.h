@@ -11,19 +11,19 @@ enum { SUBMISSIONS_BYTES = 1 << 20 }; /* of a student's file, at most */
 struct answer {
     char *path;        /* below the folder of submissions */
     char exercise[4];  /* "01a" */
-    int rank;          /* less is a better place, or a better name */
-    long long attempt; /* the larger one was handed in later */
+    int rank;          /* the least wins: place, then name */
+    long long attempt; /* a larger one was handed in later */
 };
 
 /* What one student has handed in. */
 struct submission {
     char *entry; /* what is the student's at the top; "." if the folder
                     itself */
-    char *name;  /* the student's, as text (see marks_text) */
-    char *notes; /* what was not graded, and why: text, a line each */
-    size_t noted, count, others; /* notes, answers, other files */
-    long long attempt;           /* of what is being looked at */
-    bool canvas;                 /* and whether Canvas has named it */
+    char *name;  /* name of the student (see marks_text) */
+    char *notes; /* what was not graded and why, in lines */
+    size_t noted, count, others; /* how many notes, answers, other files */
+    long long attempt;           /* attempt of the present file */
+    bool canvas;                 /* Canvas has named that file */
     struct answer *answers;
 };
 
@@ -35,7 +35,7 @@ struct submission {
 struct submissions {
     struct submission *list; /* of students, in order of entry */
     size_t count;
-    struct submission nobody; /* with notes on what is no student's */
+    struct submission nobody; /* notes on files that are no student's */
 };
 
 /* Finds the submissions in a folder: folders of students, or files whose

@@ -7,20 +7,19 @@
 
 /* The first byte of a message to the sandbox, */
 enum {
-    TRANSPORT_TEST = 't', /* make a process for a test */
+    TRANSPORT_TEST = 't', /* start the process of a test */
     TRANSPORT_CALL = 'c', /* call the function; arguments follow */
-    TRANSPORT_CALLBACK_REPLY = 'a', /* what was asked for follows */
+    TRANSPORT_CALLBACK_REPLY = 'a', /* the answer to a callback follows */
     TRANSPORT_OVER = 'x',           /* the test is over */
-    TRANSPORT_ECHO = 's' /* for the driver alone, which sends it back */
+    TRANSPORT_ECHO = 's'            /* the driver sends it back */
 };
 /* and of one from the sandbox. */
 enum {
-    TRANSPORT_BUILT = 'b', /* the sandbox's shell has compiled and linked */
-    TRANSPORT_NO_GNUPLOT =
-        'g',               /* the sandbox's shell has found no gnuplot */
-    TRANSPORT_READY = 'h', /* the program has come to its main */
+    TRANSPORT_BUILT = 'b',      /* the program is compiled and linked */
+    TRANSPORT_NO_GNUPLOT = 'g', /* there is no gnuplot */
+    TRANSPORT_READY = 'h',      /* the program has reached its main */
     TRANSPORT_CALLBACK =
-        'q', /* the number of a function and its arguments */
+        'q', /* a callback: its number and arguments follow */
     TRANSPORT_OVERRUN = 'w',  /* a guard was changed: which, then a reply */
     TRANSPORT_REPLY = 'r',    /* the values of the answer follow */
     TRANSPORT_NOT_DONE = 'u', /* a NOT_DONE_YET was reached, and its line */

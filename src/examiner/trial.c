@@ -121,7 +121,8 @@ static const char *find_line(const char *from, const struct result *result,
 }
 
 static struct {
-    int report, output, orders; /* of a runner that waits, or zeros */
+    int report, output,
+        orders; /* descriptors of the waiting runner, or 0 */
 } served;
 
 /* Starts a runner for one test and waits for it; or, if end is NULL, one

@@ -17,16 +17,16 @@ enum state {
 
 /* What all tests of an exercise have in common. */
 struct trial {
-    const char *folder; /* of our own, with the runner in it */
-    const char *source; /* the student's file, as the compiler saw it */
+    const char *folder; /* temporary folder, with the runner */
+    const char *source; /* path of the file, as given to the compiler */
     bool sanitized;     /* compiled with the address sanitizer */
-    bool leaks;         /* whose leaks are to be looked for, too */
+    bool leaks;         /* look for leaks as well */
     int seconds;        /* of processor time; twice that on the wall */
-    const char *runner; /* to be started, as seen from folder/desk */
-    const char *seed;   /* of the inputs, in digits; NULL: the students' */
-    long user;          /* which a judge that root starts becomes, or 0 */
+    const char *runner; /* path of the runner from folder/desk */
+    const char *seed;   /* of the inputs; NULL: that of all students */
+    long user;          /* user that a judge becomes, or 0 */
     int sandbox[2];     /* pipes to a program in a sandbox, or zeros */
-    int later;          /* seconds for a test after one was late, or 0 */
+    int later;          /* limit after a time-out, or 0 */
     const char *prints; /* the file to which that program prints, or NULL */
 };
 

@@ -127,8 +127,8 @@ static double settled_place(const struct search *h, size_t body)
            (h->box[0] - 2 * h->radii) * (double)rank / (double)(h->n + 1);
 }
 
-/* Returns what errors of the quantity are divided by, if it has this value.
- */
+/* Returns what errors of the quantity are divided by, if it has this
+   value. */
 static double scale_of(const struct search *h, double value)
 {
     const struct averages_quantity *q = &h->q->quantity;
@@ -394,8 +394,8 @@ static double distance_from_law(const struct measurement *w, size_t from)
 
 /* Returns whether velocities have forgotten how they began: their number
    has come to its mean. On a line, where a heavy body remembers for very
-   long, it must have a plateau of its own besides. Without memory: false.
- */
+   long, it must have a plateau of its own besides. Without memory:
+   false. */
 static bool has_relaxed(const struct measurement *w, size_t from)
 {
     struct statistics_blocking b;
@@ -442,8 +442,8 @@ static double fraction_run(const struct measurement *w)
     return (double)(w->blocks.count * w->blocks.per) / w->most;
 }
 
-/* Puts together the mean over T, and its error (12.14, eq:averages-over).
- */
+/* Puts together the mean over T, and its error (12.14,
+   eq:averages-over). */
 static void conclude(struct averages_found *f, const struct measurement *w)
 {
     const double s = fraction_run(w), q = s / 4;

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double first_limit = 0.1; /* s: of a run that may be in vain */
+static const double first_limit = 0.1; /* s: of a run that may fail */
 
 /* Returns what one of two twins would cost, s, that have been stopped at
    the limit, the second in r, which is never ahead: from the rows that it
@@ -242,8 +242,9 @@ static bool is_near_floor(const struct task *t)
     return 300 * far > t->q->tolerance;
 }
 
-/* Compares with the reference; near the floor of rounding once more, when
-   that has been compared with twins. */
+/* Compares all with the reference. If the tolerance turns out to be near
+   the floor of rounding, the reference is compared with twins of its own,
+   and all with the reference once more. */
 static void compare_surely(const struct task *t)
 {
     struct choose_choice *c = t->c;

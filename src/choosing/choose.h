@@ -1,4 +1,4 @@
-/* The cheapest way to carry a scene within a tolerance, or a refusal. */
+/* The cheapest way to compute a scene within a tolerance, or a refusal. */
 #ifndef CHOOSE_H
 #define CHOOSE_H
 
@@ -23,7 +23,7 @@ struct choose_request {
     void *with;
 };
 
-/* A way to carry the scene that was looked at. */
+/* A candidate: a model with what it leaves out, and what was seen of it. */
 struct choose_candidate {
     struct models_plan plan;
     double error, cost; /* fraction of the scale; s by the price list */
@@ -45,8 +45,8 @@ struct choose_hidden {
     double distance, without; /* m */
 };
 
-/* The answer: the run with its rows or a refusal, and how it was come by.
- */
+/* The answer: the run with its rows or a refusal, and how it was come
+   by. */
 struct choose_choice {
     struct choose_candidate candidate[CHOOSE_MOST];
     size_t candidates, taken; /* taken == candidates: refused */

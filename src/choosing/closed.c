@@ -97,7 +97,7 @@ struct point {
 };
 
 /* Of two points that are just meeting, the slower one is left: they have
- * met. */
+   met. */
 static int by_place(const void *one, const void *other)
 {
     const struct point *a = one, *b = other;
@@ -152,9 +152,9 @@ bool closed_relabel(double low, double high, size_t n, double x[],
 }
 
 /* Returns the whole turns by which one point is ahead of another, the
-   faster one of the slower: way and v are what it has more. A line with one
-   wall or none is a circle without end: -1 as long as it is behind, then 0.
- */
+   faster one of the slower: way and v are what it has more. A line with
+   one wall or none is a circle without end: -1 as long as it is behind,
+   then 0. */
 static double turns_ahead(double way, double v, double circle)
 {
     if (v == 0)

@@ -20,9 +20,9 @@ void closed_fly(double t, double rate, double g, double *x, double *v);
 void closed_oscillate(double t, double square, double rate, double *y,
                       double *v);
 
-/* Equal points on a line between elastic walls at low and high (m;
-   -INFINITY, INFINITY: none): makes of x and v, from left to right, what
-   they are after the time t, s. Returns false without memory. */
+/* Moves equal points on a line by the time t, s, between elastic walls at
+   low and high (m; -INFINITY, INFINITY: none). x and v are in order from
+   left to right, before and after. Returns false without memory. */
 bool closed_relabel(double low, double high, size_t n, double x[],
                     double v[], double t);
 

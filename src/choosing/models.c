@@ -135,7 +135,7 @@ void models_write(const struct models_plan *p, char text[MODELS_TEXT])
 }
 
 /* Returns name k of the models, or of what can be left out; NULL behind
- * them. */
+   them. */
 static const char *name_of(size_t k, bool cuts)
 {
     return cuts ? models_cut_names[k] : models_all()[k].name;

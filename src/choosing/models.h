@@ -1,4 +1,4 @@
-/* All ways to carry a scene from row to row, and what each costs. */
+/* The models, which compute a scene row by row, and what each costs. */
 #ifndef MODELS_H
 #define MODELS_H
 
@@ -74,7 +74,7 @@ struct models_acts {
     unsigned cuts;     /* what has been left out */
 };
 
-/* A way to carry a scene, with what it leaves out and its steps. As text:
+/* A plan: a model, what it leaves out of the scene, and its steps. As text:
    "kepler", "pefrl:24", "kepler,no-light". */
 struct models_plan {
     const struct models_model *model;

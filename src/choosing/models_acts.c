@@ -172,14 +172,14 @@ static bool is_stiff(const struct scene *s, const struct scene_spring *p,
     return models_is_active(s, p) && s->kind[p->kind].stiffness > from;
 }
 
-/* Squares of frequencies are added, for two springs side by side are stiff
-   by the sum of both, and so are a spring and a pull; rates of decay are
-   added to the frequency. The rows of the dashpots stand behind those of
-   the springs. A spring that becomes a rod has no frequency, and turns no
-   faster than the speed of its ends over its length. It is a first idea of
-   a step, no more: a comet far from its star will not be so for ever. What
-   is chosen has been run and compared, and does not depend on this number.
- */
+/* Squares of frequencies are added, for two springs side by side are
+   stiff by the sum of both, and so are a spring and a pull; rates of
+   decay are added to the frequency. The rows of the dashpots stand behind
+   those of the springs. A spring that becomes a rod has no frequency, and
+   turns no faster than the speed of its ends over its length. It is a
+   first idea of a step, no more: a comet far from its star will not be so
+   for ever. What is chosen has been run and compared, and does not depend
+   on this number. */
 double models_rate(const struct scene *s, unsigned cuts)
 {
     double square = 0, rate = 0, turning = 0, slow = 0;

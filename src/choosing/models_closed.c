@@ -1,4 +1,4 @@
-/* Closed forms carry a scene: free flight, ellipses, vibrations. */
+/* Models in closed form: free flight, ellipses, vibrations. */
 #include "choosing/models_parts.h"
 
 #include "choosing/closed.h"

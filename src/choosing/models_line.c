@@ -261,8 +261,8 @@ static enum models_end row_relabel(struct models_run *r)
 }
 
 /* Counts the collisions up to the last row: only for who asks, since that
-   costs more than the row, a look at all pairs, with images, at two times.
- */
+   costs more than the row, a look at all pairs, with images, at two
+   times. */
 static void count_relabelled(struct models_run *r)
 {
     const struct line *l = r->engine;

@@ -1,4 +1,4 @@
-/* Steps carry a scene, by any of the methods of chapter 8. */
+/* Models with steps, by any of the methods of chapter 8. */
 #include "choosing/models_parts.h"
 
 #include "choosing/particles.h"
@@ -331,10 +331,10 @@ static bool is_hopeless(const struct models_run *r, const struct steps *t,
                : cost / done * all > 1.1 * r->limit;
 }
 
-/* Limits the evaluations of one call, of steps that choose their length, to
-   what is left of the limit, and to eight times an equal part of it for
-   each call of the run (or 0.1 s): one row must not use up what all have.
- */
+/* Limits the evaluations of one call, of steps that choose their length,
+   to what is left of the limit, and to eight times an equal part of it
+   for each call of the run (or 0.1 s): one row must not use up what all
+   have. */
 static void bound_evaluations(const struct models_run *r, struct steps *t)
 {
     struct adaptive *own = t->motion.stepping.own;

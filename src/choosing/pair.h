@@ -4,10 +4,10 @@
 
 #include <math.h>
 
-/* Two bodies, seen from the first. Millions of pairs are asked, and calls
-   that hand these numbers over in memory would take longer than to find
-   them; so all here is inline, and what is not asked for is not computed.
- */
+/* Two bodies, seen from the first. Millions of pairs are asked, and
+   calls that hand these numbers over in memory would take longer than to
+   find them; so all here is inline, and what is not asked for is not
+   computed. */
 struct pair {
     double r2, v2, rv; /* squared distance, m^2, and speed; r . v */
 };

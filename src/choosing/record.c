@@ -285,9 +285,9 @@ static void change_units(struct scene *s, const struct units *u)
     s->damping *= m / t;
 }
 
-/* Returns by how much coordinate c of a velocity of 1 is moved in a twin:
-   by one unit in the last place, up or down. Each twin has its own signs.
- */
+/* Returns by how much coordinate c of a velocity of 1 is moved in a
+   twin: by one unit in the last place, up or down. Each twin has its own
+   signs. */
 static double last_bit(size_t c, unsigned twin)
 {
     const uint64_t h = (c + 1) * UINT64_C(0x9e3779b97f4a7c15) +

@@ -57,7 +57,8 @@ struct record_setup {
 };
 
 /* Prepares to look at a run that lasts `length`, s. asked has to outlive v.
-   false: has said why, after program; there is nothing to free. */
+   Without memory it prints so, after the program's name, and returns false,
+   with nothing to free. */
 bool record_view_create(struct record_view *v, const char *program,
                         const struct scene *s,
                         const struct observables *asked, double length);

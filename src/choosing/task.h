@@ -150,8 +150,8 @@ bool twins_run(const struct task *t, struct record_setup one,
 double twins_add(const struct task *t, const struct record *r,
                  unsigned number, double most);
 
-/* Returns how far a run may be off that is complete, like its first twin.
- */
+/* Returns how far a run may be off that is complete, like its first
+   twin. */
 double twins_bound(const struct task *t, const struct record *a,
                    const struct record *b);
 
